@@ -1,0 +1,43 @@
+/*
+ * qtri: a fixed-point 3D renderer for microcontroller displays.
+ *
+ *   mesh -> vertex stage -> cull and clip -> triangle setup -> spans -> surface (a band of rows)
+ *
+ * Conventions, everywhere:
+ *   - Column vectors; right-handed world; the camera looks down -z, +y is up;
+ *     counter-clockwise, as seen in the picture, is front.
+ *   - Clip space is OpenGL's: -w..w inside on all axes.
+ *   - Angles are degrees in Q16.16: right angles are exact.
+ *   - Image row 0 is the top, pixel centres are at +0.5, top-left fill rule in image coordinates.
+ *   - Vertices snap to 8 sub-pixel bits, to nearest.
+ *   - Depth is an unsigned 16-bit window z, 65535 farthest.
+ *   - A variable that is not plain Q16.16 says so: x_24p8, inv_w_q31.
+ *   - Rounding is to nearest unless the name says otherwise.
+ *
+ * Promises: no malloc, libm, float or writable statics; every function is defined for every
+ * argument; the same inputs give the same pixels on every machine and for every split into bands.
+ *
+ *   q16.h        scalars             vec.h mat.h quat.h   vectors, matrices, quaternions
+ *   transform.h  poses, cameras, projections at full precision
+ *   view.h       viewport, light, vertex scratch          surface.h  frames and bands
+ *   material.h   colour, texture, depth state             mesh.h     indexed triangles
+ *   clip.h raster.h   the stages alone                    draw.h     draw calls
+ */
+#ifndef QTRI_H
+#define QTRI_H
+
+#include "qtri/clip.h"
+#include "qtri/draw.h"
+#include "qtri/error.h"
+#include "qtri/mat.h"
+#include "qtri/material.h"
+#include "qtri/mesh.h"
+#include "qtri/q16.h"
+#include "qtri/quat.h"
+#include "qtri/raster.h"
+#include "qtri/surface.h"
+#include "qtri/transform.h"
+#include "qtri/vec.h"
+#include "qtri/view.h"
+
+#endif

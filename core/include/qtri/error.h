@@ -1,0 +1,20 @@
+/*
+ * Three kinds of failure, kept apart:
+ *   - what the environment or the caller's memory makes impossible: a negative enum qtri_error;
+ *   - degenerate geometry (zero area, w = 0, a zero axis): a documented, ordinary result;
+ *   - a caller's bug (a null pointer where none is allowed): QTRI_ASSERT, nothing unless defined.
+ */
+#ifndef QTRI_ERROR_H
+#define QTRI_ERROR_H
+
+enum qtri_error {
+    QTRI_OK = 0,
+    QTRI_ERROR_SIZE = -1,  /* a width, height, row or count is outside its range */
+    QTRI_ERROR_MEMORY = -2 /* the memory passed in is smaller than its size macro says */
+};
+
+#ifndef QTRI_ASSERT
+#define QTRI_ASSERT(condition) ((void)0)
+#endif
+
+#endif

@@ -1,0 +1,90 @@
+/*
+ * How triangles and lines look: colour, shading, texture, and what decides whether a pixel is
+ * drawn.
+ *
+ * A material is constant data that a draw call reads; there is no current state anywhere.
+ * A zeroed material is black, smooth, perspective-correct, untextured, culls nothing and ignores
+ * depth; qtri_material_default is the one most meshes want.
+ */
+#ifndef QTRI_MATERIAL_H
+#define QTRI_MATERIAL_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "surface.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum qtri_texel_format {
+    QTRI_TEXEL_RGB565,   /* texels: const uint16_t * */
+    QTRI_TEXEL_XRGB8888, /* texels: const uint32_t * */
+    QTRI_TEXEL_CHECKER   /* two colours, no memory: see checker */
+} qtri_texel_format;
+
+/*
+ * Nearest texel, repeated in both directions; u = v = 0 is the first texel's first corner, u = 1
+ * and v = 1 one past the last column and row. Sides are powers of two.
+ */
+typedef struct qtri_texture {
+    const void *texels; /* row by row without gaps; NULL for CHECKER, elsewhere: no texture */
+    qtri_texel_format format;
+    uint8_t width_log2, height_log2; /* 0..10: sides 1..1024; more is taken as 10 */
+    /* CHECKER: fields x fields fields over the texture, colour[(column + row) & 1]. */
+    uint16_t fields;
+    qtri_rgb color[2];
+} qtri_texture;
+
+typedef enum qtri_shading {
+    QTRI_SMOOTH,     /* colours interpolated between the vertices */
+    QTRI_FLAT_FIRST, /* the first vertex's colour; light per face */
+    QTRI_FLAT_LAST   /* the last vertex's colour; light per face */
+} qtri_shading;
+
+typedef enum qtri_interpolation {
+    QTRI_PERSPECTIVE,  /* linear on the surface of the triangle */
+    QTRI_SCREEN_LINEAR /* linear on the screen: affine textures, Gouraud colours */
+} qtri_interpolation;
+
+typedef enum qtri_texture_mode { QTRI_MODULATE, QTRI_REPLACE } qtri_texture_mode;
+
+/* Counter-clockwise, as seen in the picture, is front. */
+typedef enum qtri_cull { QTRI_CULL_NONE, QTRI_CULL_BACK, QTRI_CULL_FRONT } qtri_cull;
+
+typedef enum qtri_fill { QTRI_SOLID, QTRI_WIREFRAME } qtri_fill;
+
+/* A fragment is drawn when `its depth COMPARE stored depth`. */
+typedef enum qtri_compare {
+    QTRI_DEPTH_OFF, /* always drawn, never written */
+    QTRI_NEVER,
+    QTRI_LESS,
+    QTRI_EQUAL,
+    QTRI_LESS_EQUAL,
+    QTRI_GREATER,
+    QTRI_NOT_EQUAL,
+    QTRI_GREATER_EQUAL,
+    QTRI_ALWAYS
+} qtri_compare;
+
+typedef struct qtri_material {
+    qtri_rgb color; /* of meshes that bring no colours of their own */
+    qtri_shading shading;
+    qtri_interpolation interpolation;
+    const qtri_texture *texture; /* NULL: none */
+    qtri_texture_mode texture_mode;
+    qtri_cull cull;
+    qtri_fill fill;
+    qtri_compare depth_compare;
+    bool depth_read_only; /* test but do not write */
+} qtri_material;
+
+/* White, smooth, perspective, back faces culled, depth "less", written. */
+qtri_material qtri_material_default(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,81 @@
+/*
+ * Surfaces: colour and depth in the caller's memory, the whole frame or a band of its rows.
+ *
+ * Coordinates are those of the frame: row 0 is the top, pixel (x, y) covers [x, x+1) x [y, y+1),
+ * its centre lies at +0.5. A surface that holds only some rows ignores what falls outside them, so
+ * the same draw calls, replayed band by band, give the pixels of the whole frame exactly.
+ */
+#ifndef QTRI_SURFACE_H
+#define QTRI_SURFACE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "error.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define QTRI_SURFACE_MAX 8192 /* largest width and height of a frame, pixels */
+
+typedef enum qtri_format {
+    QTRI_RGB565,   /* uint16_t, red in the high bits */
+    QTRI_XRGB8888, /* uint32_t, 0x00RRGGBB */
+    QTRI_GRAY8     /* uint8_t, luma .299 R + .587 G + .114 B */
+} qtri_format;
+
+/* 8 bits a channel. */
+typedef struct qtri_rgb {
+    uint8_t r, g, b;
+} qtri_rgb;
+
+/* Half-open: columns x0..x1-1, rows y0..y1-1. Empty when x1 <= x0 or y1 <= y0. */
+typedef struct qtri_rect {
+    int32_t x0, y0, x1, y1;
+} qtri_rect;
+
+typedef struct qtri_surface {
+    uint8_t *pixels;       /* first byte of row `first_row`, aligned for the format */
+    ptrdiff_t pitch;       /* bytes from a row to the next; negative for bottom-up memory */
+    uint16_t *depth;       /* depth of (0, first_row), or NULL: no depth test, no depth written */
+    ptrdiff_t depth_pitch; /* elements from a row to the next */
+    qtri_format format;
+    int32_t width, height;   /* of the frame, 1..QTRI_SURFACE_MAX */
+    int32_t first_row, rows; /* the rows that this memory holds */
+    qtri_rect scissor;       /* drawing and clearing stay inside; set to the frame at first */
+} qtri_surface;
+
+/* Bytes of one pixel. */
+#define QTRI_FORMAT_BYTES(format)                                                                  \
+    ((format) == QTRI_XRGB8888 ? 4u : (format) == QTRI_RGB565 ? 2u : 1u)
+
+/* Memory for `rows` rows of colour and depth, with room to align: a constant expression. */
+#define QTRI_BAND_BYTES(width, rows, format)                                                       \
+    ((size_t)(width) * (size_t)(rows) * (QTRI_FORMAT_BYTES(format) + 2u) + 8u)
+
+/*
+ * Lays out rows first_row .. first_row+rows-1 of a width x height frame in `memory` of `bytes`
+ * bytes, colour first, then depth. Nothing is cleared. The band may reach past the frame's end;
+ * the surface then holds the rows that exist.
+ * QTRI_ERROR_SIZE: a side outside 1..QTRI_SURFACE_MAX, rows < 1 or first_row outside the frame.
+ * QTRI_ERROR_MEMORY: bytes < QTRI_BAND_BYTES(width, rows, format).
+ */
+enum qtri_error qtri_surface_init(qtri_surface *surface, qtri_format format, int32_t width,
+                                  int32_t height, int32_t first_row, int32_t rows, void *memory,
+                                  size_t bytes);
+
+/* Fills colour, and depth where there is one, inside the scissor. depth: 65535 is the farthest. */
+void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth);
+
+/* The pixel's colour widened to 8 bits a channel; black outside the rows held. */
+qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y);
+
+/* The rectangle that drawing may touch: frame, rows held and scissor. May be empty. */
+qtri_rect qtri_surface_bounds(const qtri_surface *surface);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

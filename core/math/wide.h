@@ -1,0 +1,44 @@
+/*
+ * Wide scalars: a 62-bit mantissa and an exponent. Internal.
+ *
+ * Builders of transforms work in them, a few hundred operations a frame, so that nothing is rounded
+ * before a row is. Exponents are held within +-QTRI_WIDE_EXPONENT_MAX: smaller numbers
+ * become 0, larger ones stay at the limit. Results are truncated, relative error below 2^-59.
+ */
+#ifndef QTRI_MATH_WIDE_H
+#define QTRI_MATH_WIDE_H
+
+#include <stdint.h>
+
+#define QTRI_WIDE_EXPONENT_MAX 2048
+
+/* m 2^-e, with 2^61 <= |m| < 2^62, or m = 0 and e = 0. */
+typedef struct qtri_wide {
+    int64_t m;
+    int32_t e;
+} qtri_wide;
+
+/* m 2^-e for any m and e. */
+qtri_wide qtri_wide_make(int64_t m, int32_t e);
+
+static inline qtri_wide qtri_wide_q16(int32_t x)
+{
+    return qtri_wide_make(x, 16);
+}
+
+qtri_wide qtri_wide_neg(qtri_wide a);
+qtri_wide qtri_wide_add(qtri_wide a, qtri_wide b);
+qtri_wide qtri_wide_sub(qtri_wide a, qtri_wide b);
+qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b);
+
+/* b = 0 gives the largest magnitude with the sign of a, or 0 for 0 / 0. */
+qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b);
+
+/* a < 0 gives 0. */
+qtri_wide qtri_wide_sqrt(qtri_wide a);
+
+/* v / |v|; false, and v unchanged, for the zero vector. */
+int qtri_wide_normalize(qtri_wide v[3]);
+void qtri_wide_cross(qtri_wide out[3], const qtri_wide a[3], const qtri_wide b[3]);
+
+#endif
