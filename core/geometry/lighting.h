@@ -1,0 +1,34 @@
+/*
+ * One directional light for one draw call. Internal.
+ */
+#ifndef QTRI_GEOMETRY_LIGHTING_H
+#define QTRI_GEOMETRY_LIGHTING_H
+
+#include <stdbool.h>
+
+#include "qtri/mesh.h"
+#include "qtri/view.h"
+
+/*
+ * Where eye space is object space rotated, reflected or scaled evenly, the light is taken to object
+ * space once and a vertex costs a dot product. Otherwise every normal goes through the inverse
+ * transpose and is normalised.
+ */
+typedef struct qtri_lighting {
+    bool even;
+    int32_t towards_q30[3];   /* unit, in object space when even, else in eye space */
+    int32_t normal_q28[3][3]; /* inverse transpose up to a positive factor, when not even */
+    q16 ambient, diffuse;
+} qtri_lighting;
+
+void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
+                        const qtri_transform *object_to_eye);
+
+/* min(1, ambient + diffuse max(0, n . towards)) in 0..1, for a unit normal. */
+q16 qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal);
+
+/* The same for the face a b c, counter-clockwise; a face without area gets the ambient light. */
+q16 qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
+                       const qtri_vec3 *c);
+
+#endif

@@ -1,0 +1,31 @@
+#include "qtri/view.h"
+
+#include <stddef.h>
+
+qtri_viewport qtri_viewport_top(int32_t x, int32_t y, int32_t width, int32_t height)
+{
+    qtri_viewport viewport = {x, y, width, height, 0, Q16_ONE};
+    return viewport;
+}
+
+qtri_viewport qtri_viewport_bottom(int32_t x, int32_t y, int32_t width, int32_t height,
+                                   int32_t frame_height)
+{
+    int64_t top = (int64_t)frame_height - height - y;
+    if (top > QTRI_VIEWPORT_MAX) {
+        top = QTRI_VIEWPORT_MAX;
+    } else if (top < -QTRI_VIEWPORT_MAX) {
+        top = -QTRI_VIEWPORT_MAX;
+    }
+    return qtri_viewport_top(x, (int32_t)top, width, height);
+}
+
+void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
+{
+    qtri_transform_identity(&view->camera);
+    qtri_transform_identity(&view->projection);
+    view->viewport = qtri_viewport_top(0, 0, frame_width, frame_height);
+    view->light = NULL;
+    view->vertices = NULL;
+    view->vertex_count = 0;
+}
