@@ -1,0 +1,45 @@
+#include "dda.h"
+
+/* Quotient towards minus infinity, remainder in 0..divisor-1. */
+static int32_t divide_floor32(int32_t x, int32_t divisor, uint32_t *remainder)
+{
+    int32_t quotient = x / divisor;
+    int32_t rest = x % divisor;
+    if (rest < 0) {
+        rest += divisor;
+        quotient--;
+    }
+    *remainder = (uint32_t)rest;
+    return quotient;
+}
+
+static int32_t divide_floor64(int64_t x, int64_t divisor, uint32_t *remainder)
+{
+    int64_t quotient = x / divisor;
+    int64_t rest = x % divisor;
+    if (rest < 0) {
+        rest += divisor;
+        quotient--;
+    }
+    *remainder = (uint32_t)rest;
+    return (int32_t)quotient;
+}
+
+void qtri_dda_init(qtri_dda *dda, int32_t start, int32_t delta, int32_t length, int32_t along,
+                   int32_t bias)
+{
+    uint32_t rest = 0;
+    int32_t fraction = start & 255;
+    dda->denominator = (uint32_t)length << 8;
+    dda->step = divide_floor32(delta, length, &rest);
+    dda->remainder_step = rest << 8;
+    dda->value = start >> 8;
+    if (length < 1 << 15 && delta > -(1 << 15) && delta < 1 << 15) {
+        /* |256 2^15 + 2^30 + 2^22| < 2^31: the common, small triangle needs 32 bits only */
+        dda->value +=
+            divide_floor32(fraction * length + along * delta + bias, length << 8, &dda->remainder);
+    } else {
+        int64_t numerator = (int64_t)fraction * length + (int64_t)along * delta + bias;
+        dda->value += divide_floor64(numerator, (int64_t)length << 8, &dda->remainder);
+    }
+}

@@ -1,0 +1,37 @@
+/*
+ * Exact digital differential analyser: floor of a rational that advances by a constant. Internal.
+ *
+ * Edges of triangles and lines both ask, once a row or column, at which pixel a straight line is.
+ * The answer is kept as a quotient and a remainder, so that no row adds an error.
+ */
+#ifndef QTRI_RASTER_DDA_H
+#define QTRI_RASTER_DDA_H
+
+#include <stdint.h>
+
+typedef struct qtri_dda {
+    int32_t value; /* the pixel */
+    int32_t step;
+    uint32_t remainder, remainder_step; /* below `denominator` */
+    uint32_t denominator;               /* 256 length <= 2^31 */
+} qtri_dda;
+
+/*
+ * value(k) = floor((start length + (k 256 + along) delta + bias) / (256 length)), k = 0, 1, ...:
+ * all in 1/256 pixel. 0 < length <= 2^23, |delta| <= 2^23, 0 <= along < length,
+ * 0 <= bias <= 128 length, |start| <= 2^22.
+ */
+void qtri_dda_init(qtri_dda *dda, int32_t start, int32_t delta, int32_t length, int32_t along,
+                   int32_t bias);
+
+static inline void qtri_dda_next(qtri_dda *dda)
+{
+    dda->value += dda->step;
+    dda->remainder += dda->remainder_step; /* both < denominator <= 2^31: no overflow */
+    if (dda->remainder >= dda->denominator) {
+        dda->remainder -= dda->denominator;
+        dda->value++;
+    }
+}
+
+#endif

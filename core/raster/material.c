@@ -1,0 +1,17 @@
+#include "qtri/material.h"
+
+qtri_material qtri_material_default(void)
+{
+    qtri_material material = {
+        .color = {255, 255, 255},
+        .shading = QTRI_SMOOTH,
+        .interpolation = QTRI_PERSPECTIVE,
+        .texture = NULL,
+        .texture_mode = QTRI_MODULATE,
+        .cull = QTRI_CULL_BACK,
+        .fill = QTRI_SOLID,
+        .depth_compare = QTRI_LESS,
+        .depth_read_only = false,
+    };
+    return material;
+}

@@ -1,0 +1,65 @@
+#include "pixel.h"
+
+#include "../math/bits.h"
+
+/* white / (255 << 16) in Q30: below 2^30 + 1, its error times 2^24 below one unit. */
+static uint32_t white_ratio_q30(int32_t white)
+{
+    return (uint32_t)((((uint64_t)(uint32_t)white << 30) + (255u << 15)) / (255u << 16));
+}
+
+qtri_channels qtri_channels_from_color(qtri_format format, const int32_t color_8p16[3])
+{
+    qtri_channels white = qtri_format_white(format);
+    qtri_channels result;
+    for (int i = 0; i < 3; i++) {
+        int32_t c = color_8p16[i];
+        c = c < 0 ? 0 : (c > 255 << 16 ? 255 << 16 : c);
+        if (format == QTRI_XRGB8888) {
+            result.c[i] = c;
+        } else {
+            uint64_t product = (uint64_t)(uint32_t)c * white_ratio_q30(white.c[i]);
+            result.c[i] = (int32_t)((product + (1u << 29)) >> 30);
+        }
+    }
+    return result;
+}
+
+uint32_t qtri_pixel_from_rgb(qtri_format format, qtri_rgb color)
+{
+    int32_t color_8p16[3] = {color.r << 16, color.g << 16, color.b << 16};
+    qtri_channels channels = qtri_channels_from_color(format, color_8p16);
+    return qtri_pixel_pack(format, &channels);
+}
+
+/* value / max in 0..255, rounded: the largest value becomes 255. */
+static uint8_t widen(uint32_t value, uint32_t max)
+{
+    return (uint8_t)((value * 255u + max / 2) / max);
+}
+
+qtri_rgb qtri_rgb_from_565(uint32_t pixel)
+{
+    qtri_rgb rgb = {widen(pixel >> 11, 31), widen((pixel >> 5) & 63, 63), widen(pixel & 31, 31)};
+    return rgb;
+}
+
+qtri_rgb qtri_rgb_from_8888(uint32_t pixel)
+{
+    qtri_rgb rgb = {(uint8_t)(pixel >> 16), (uint8_t)(pixel >> 8), (uint8_t)pixel};
+    return rgb;
+}
+
+qtri_rgb qtri_pixel_widen(qtri_format format, const uint8_t *row, int32_t x)
+{
+    switch (format) {
+    case QTRI_RGB565:
+        return qtri_rgb_from_565(((const uint16_t *)(const void *)row)[x]);
+    case QTRI_XRGB8888:
+        return qtri_rgb_from_8888(((const uint32_t *)(const void *)row)[x]);
+    default: {
+        qtri_rgb gray = {row[x], row[x], row[x]};
+        return gray;
+    }
+    }
+}

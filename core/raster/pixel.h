@@ -1,0 +1,74 @@
+/*
+ * Pixel formats: from channels in units of the target's own steps to stored pixels. Internal.
+ *
+ * A channel is interpolated in target units: 0..31 for RGB565's red, 0..255 for XRGB8888, the
+ * luma-weighted share of 0..255 for GRAY8, each with 16 fraction bits. So a colour is rounded
+ * exactly once, when it is stored, and flat, smooth and textured pixels share one rule.
+ */
+#ifndef QTRI_RASTER_PIXEL_H
+#define QTRI_RASTER_PIXEL_H
+
+#include "qtri/surface.h"
+
+typedef struct qtri_channels {
+    int32_t c[3]; /* red green blue, n.16 */
+} qtri_channels;
+
+/* White in units of the format. */
+static inline qtri_channels qtri_format_white(qtri_format format)
+{
+    static const qtri_channels white[3] = {
+        {{31 << 16, 63 << 16, 31 << 16}},    /* RGB565 */
+        {{255 << 16, 255 << 16, 255 << 16}}, /* XRGB8888 */
+        {{4996792, 9809756, 1905132}}        /* GRAY8: .299 .587 .114, sum 255 << 16 exactly */
+    };
+    return white[format <= QTRI_GRAY8 ? format : QTRI_GRAY8];
+}
+
+static inline uint32_t qtri_channel_round(int32_t c)
+{
+    return (uint32_t)(c + 0x8000) >> 16;
+}
+
+static inline uint32_t qtri_pixel_pack(qtri_format format, const qtri_channels *color)
+{
+    const int32_t *c = color->c;
+    switch (format) {
+    case QTRI_RGB565:
+        return qtri_channel_round(c[0]) << 11 | qtri_channel_round(c[1]) << 5 |
+               qtri_channel_round(c[2]);
+    case QTRI_XRGB8888:
+        return qtri_channel_round(c[0]) << 16 | qtri_channel_round(c[1]) << 8 |
+               qtri_channel_round(c[2]);
+    default:
+        return qtri_channel_round(c[0] + c[1] + c[2]);
+    }
+}
+
+static inline void qtri_pixel_store(qtri_format format, uint8_t *row, int32_t x, uint32_t pixel)
+{
+    switch (format) {
+    case QTRI_RGB565:
+        ((uint16_t *)(void *)row)[x] = (uint16_t)pixel;
+        break;
+    case QTRI_XRGB8888:
+        ((uint32_t *)(void *)row)[x] = pixel;
+        break;
+    default:
+        row[x] = (uint8_t)pixel;
+        break;
+    }
+}
+
+/* color_8p16 (0..255.0) in units of the format, n.16, to nearest. */
+qtri_channels qtri_channels_from_color(qtri_format format, const int32_t color_8p16[3]);
+
+/* An 8-bit colour as a stored pixel. */
+uint32_t qtri_pixel_from_rgb(qtri_format format, qtri_rgb color);
+
+/* Stored pixels and texels as 8-bit colours: 31 and 63 become 255, rounded between. */
+qtri_rgb qtri_rgb_from_565(uint32_t pixel);
+qtri_rgb qtri_rgb_from_8888(uint32_t pixel);
+qtri_rgb qtri_pixel_widen(qtri_format format, const uint8_t *row, int32_t x);
+
+#endif

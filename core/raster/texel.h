@@ -1,0 +1,38 @@
+/*
+ * Texture coordinates and texel fetch. Internal.
+ */
+#ifndef QTRI_RASTER_TEXEL_H
+#define QTRI_RASTER_TEXEL_H
+
+#include "qtri/material.h"
+
+#include "pixel.h"
+
+/*
+ * One coordinate of a triangle, brought to 30 bits: whole repeats below the least of the three
+ * are dropped, the rest is scaled up, so that what is interpolated has no idle bits.
+ */
+typedef struct qtri_texel_axis {
+    int64_t value[3]; /* at the vertices, 0 <= value < 2^30 */
+    int32_t shift;    /* texel = (value + bias) >> shift */
+    uint32_t mask;    /* side - 1 */
+    int64_t bias;     /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
+} qtri_texel_axis;
+
+void qtri_texel_axis_init(qtri_texel_axis *axis, const int32_t coordinate[3], uint8_t side_log2);
+
+static inline uint32_t qtri_texel_index(const qtri_texel_axis *axis, int64_t value)
+{
+    return (uint32_t)((value + axis->bias) >> axis->shift) & axis->mask;
+}
+
+/* Whether a material's texture can be read at all. */
+bool qtri_texture_usable(const qtri_texture *texture);
+
+/* 8 bits a channel; column and row inside the texture. */
+qtri_rgb qtri_texel_fetch(const qtri_texture *texture, uint32_t column, uint32_t row);
+
+/* color times texel / 255, each channel. */
+qtri_channels qtri_texel_modulate(const qtri_channels *color, qtri_rgb texel);
+
+#endif
