@@ -1,0 +1,52 @@
+#include "primitive.h"
+
+static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
+{
+    static const qtri_screen_vertex empty = {0};
+    *out = empty;
+    out->color_8p16[0] = corner->color.r << 16;
+    out->color_8p16[1] = corner->color.g << 16;
+    out->color_8p16[2] = corner->color.b << 16;
+    out->u = corner->uv.x;
+    out->v = corner->uv.y;
+}
+
+/* Transforms `count` corners of one primitive, which then share one scale. */
+static void fetch(const qtri_primitive *primitive, const qtri_corner *corners, int count,
+                  qtri_clip_vertex v[3], qtri_screen_vertex attributes[3])
+{
+    const qtri_vec4 *position[3];
+    for (int i = 0; i < count; i++) {
+        position[i] = &corners[i].position;
+        attributes_of(&attributes[i], &corners[i]);
+    }
+    qtri_projector_points(&primitive->projector, position, count, v);
+}
+
+void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
+                         const qtri_transform *pose, const qtri_corner *corners,
+                         uint32_t corner_count, const qtri_material *material)
+{
+    qtri_primitive primitive;
+    qtri_primitive_init(&primitive, surface, view, pose, material);
+    for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
+        qtri_clip_vertex v[3];
+        qtri_screen_vertex attributes[3];
+        fetch(&primitive, &corners[i], 3, v, attributes);
+        qtri_primitive_triangle(&primitive, v, attributes);
+    }
+}
+
+void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
+                     const qtri_corner *corners, uint32_t corner_count,
+                     const qtri_material *material)
+{
+    qtri_primitive primitive;
+    qtri_primitive_init(&primitive, surface, view, pose, material);
+    for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
+        qtri_clip_vertex v[3];
+        qtri_screen_vertex attributes[3];
+        fetch(&primitive, &corners[i], 2, v, attributes);
+        qtri_primitive_line(&primitive, v, attributes);
+    }
+}
