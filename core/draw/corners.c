@@ -7,8 +7,8 @@ static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
     out->color_8p16[0] = corner->color.r << 16;
     out->color_8p16[1] = corner->color.g << 16;
     out->color_8p16[2] = corner->color.b << 16;
-    out->u = corner->uv.x;
-    out->v = corner->uv.y;
+    out->u_q32 = (int64_t)corner->uv.x * 65536;
+    out->v_q32 = (int64_t)corner->uv.y * 65536;
 }
 
 /* Transforms `count` corners of one primitive, which then share one scale. */

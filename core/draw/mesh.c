@@ -81,8 +81,8 @@ static void set_attributes(const mesh_draw *draw, qtri_vertex *const vertex[3],
         set_color(&out[i],
                   mesh->colors != NULL ? mesh->colors[index] : draw->primitive.material->color,
                   intensity);
-        out[i].u = mesh->uvs != NULL ? mesh->uvs[index].x : 0;
-        out[i].v = mesh->uvs != NULL ? mesh->uvs[index].y : 0;
+        out[i].u_q32 = mesh->uvs != NULL ? (int64_t)mesh->uvs[index].x * 65536 : 0;
+        out[i].v_q32 = mesh->uvs != NULL ? (int64_t)mesh->uvs[index].y * 65536 : 0;
     }
 }
 

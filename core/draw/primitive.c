@@ -25,12 +25,12 @@ int64_t qtri_primitive_area(const qtri_screen_vertex *a, const qtri_screen_verte
            (int64_t)(c->x_24p8 - a->x_24p8) * (b->y_24p8 - a->y_24p8);
 }
 
-static int32_t blend(int32_t a0, int32_t a1, int32_t a2, const qtri_clip_vertex *v)
+/* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16, for a0..a2 of 32 bits: 33 bits times 31. */
+static int64_t blend_q16(int64_t a0, int64_t a1, int64_t a2, const qtri_clip_vertex *v)
 {
-    int64_t one = (((int64_t)a1 - a0) * v->b1_q30) >> 30; /* 33 bits times 31 */
-    int64_t two = (((int64_t)a2 - a0) * v->b2_q30) >> 30;
-    int64_t sum = a0 + one + two;
-    return sum > INT32_MAX ? INT32_MAX : (sum < INT32_MIN ? INT32_MIN : (int32_t)sum);
+    int64_t one = ((a1 - a0) * v->b1_q30) >> 14;
+    int64_t two = ((a2 - a0) * v->b2_q30) >> 14;
+    return a0 * 65536 + one + two;
 }
 
 /* Attributes of a clipped vertex from those of the triangle's own three. */
@@ -38,10 +38,11 @@ static void blend_attributes(qtri_screen_vertex *out, const qtri_screen_vertex a
                              const qtri_clip_vertex *v)
 {
     for (int i = 0; i < 3; i++) {
-        out->color_8p16[i] = blend(a[0].color_8p16[i], a[1].color_8p16[i], a[2].color_8p16[i], v);
+        int64_t sum = blend_q16(a[0].color_8p16[i], a[1].color_8p16[i], a[2].color_8p16[i], v);
+        out->color_8p16[i] = (int32_t)(sum >> 16); /* 0..255.0, as the three are */
     }
-    out->u = blend(a[0].u, a[1].u, a[2].u, v);
-    out->v = blend(a[0].v, a[1].v, a[2].v, v);
+    out->u_q32 = blend_q16(a[0].u_q32 >> 16, a[1].u_q32 >> 16, a[2].u_q32 >> 16, v);
+    out->v_q32 = blend_q16(a[0].v_q32 >> 16, a[1].v_q32 >> 16, a[2].v_q32 >> 16, v);
 }
 
 static void screen_wireframe(const qtri_primitive *primitive, const qtri_screen_vertex v[3])
@@ -77,25 +78,30 @@ void qtri_primitive_screen_triangle(const qtri_primitive *primitive, qtri_screen
     }
 }
 
-/* The polygon that clipping left, as a fan around its first vertex. Returns the sum of its area. */
+/*
+ * The polygon that clipping left, as a fan around its first vertex. Returns the sum of its areas;
+ * draws the triangles whose area has the sign of `side`. Snapping may dent the polygon by a sliver
+ * that turns the other way: its pixels belong to the neighbour in the fan, too.
+ */
 static int64_t draw_fan(const qtri_primitive *primitive, const qtri_clip_vertex polygon[],
-                        int count, const qtri_screen_vertex attributes[3], bool draw)
+                        int count, const qtri_screen_vertex attributes[3], int64_t side)
 {
-    int64_t area = 0;
+    int64_t sum = 0;
     qtri_screen_vertex fan[3];
     for (int i = 0; i < count; i++) {
         qtri_screen_vertex *out = &fan[i < 2 ? i : 2];
         qtri_project(&primitive->projector, &polygon[i], out);
         blend_attributes(out, attributes, &polygon[i]);
         if (i >= 2) {
-            area += qtri_primitive_area(&fan[0], &fan[1], &fan[2]);
-            if (draw) {
+            int64_t area = qtri_primitive_area(&fan[0], &fan[1], &fan[2]);
+            sum += area;
+            if ((side < 0 && area < 0) || (side > 0 && area > 0)) {
                 qtri_raster_triangle(primitive->surface, primitive->material, fan);
             }
             fan[1] = fan[2];
         }
     }
-    return area;
+    return sum;
 }
 
 void qtri_primitive_triangle(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
@@ -122,9 +128,13 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, const qtri_clip_ve
     }
     spread_provoking(primitive->material, corner);
     int count = qtri_clip_polygon(polygon, 3, planes);
-    bool solid = primitive->material->fill == QTRI_SOLID;
-    int64_t area = draw_fan(primitive, polygon, count, corner, solid);
-    if (!solid && !qtri_primitive_culled(primitive->material, area)) {
+    int64_t area = draw_fan(primitive, polygon, count, corner, 0);
+    if (count == 0 || qtri_primitive_culled(primitive->material, area)) {
+        return;
+    }
+    if (primitive->material->fill == QTRI_SOLID) {
+        draw_fan(primitive, polygon, count, corner, area);
+    } else {
         for (int i = 0; i < 3; i++) {
             int next = (i + 1) % 3;
             qtri_clip_vertex edge[2] = {v[i], v[next]};

@@ -54,16 +54,8 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
     qtri_transform builder;
     qtri_transform_identity(&builder);
     for (int i = 0; i < 3; i++) {
-        qtri_row *row = &builder.row[i];
-        row_set(row, axis[i][0], axis[i][1], axis[i][2], zero);
-        /* From the rounded axis, so that the eye itself maps to 0 exactly. */
-        qtri_wide element[4] = {zero, zero, zero, zero};
-        for (int column = 0; column < 3; column++) {
-            element[column] = qtri_row_element(row, column);
-            element[3] =
-                qtri_wide_sub(element[3], qtri_wide_mul(element[column], position[column]));
-        }
-        qtri_row_from_wide(row, element);
+        /* The eye itself maps to 0. */
+        qtri_row_about(&builder.row[i], axis[i], position, zero);
     }
     qtri_transform_mul(t, t, &builder);
 }

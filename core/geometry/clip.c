@@ -36,8 +36,11 @@ unsigned qtri_clip_outcode(const qtri_clip_vertex *v)
             outcode |= 1u << plane;
         }
     }
-    /* w = 0 can only pass with x = y = z = 0, give or take a unit: let the near plane say no. */
-    return v->w <= 0 ? outcode | QTRI_OUT_NEAR : outcode;
+    /*
+     * w <= 0 can only pass all with x = y = z = 0, give or take a unit: such a point cannot be
+     * projected, so the near plane says no. Only then: a triangle outside one plane is dropped.
+     */
+    return outcode == 0 && v->w <= 0 ? QTRI_OUT_NEAR : outcode;
 }
 
 /* a + (b - a) t for |b - a| < 2^62 and t in [0, 1] as 62 bits, truncated towards a. */

@@ -31,8 +31,28 @@ void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4])
 
 qtri_wide qtri_row_element(const qtri_row *row, int column)
 {
-    return column < 3 ? qtri_wide_make(row->m[column], row->exponent)
-                      : qtri_wide_make(row->t, row->exponent + 16);
+    if (column < 3) {
+        return qtri_wide_make(row->m[column], row->exponent);
+    }
+    /* A row of random bits must not overflow; qtri_wide_make makes 0 of such exponents. */
+    return qtri_wide_make(row->t, row->exponent > INT32_MAX - 16 ? INT32_MAX : row->exponent + 16);
+}
+
+void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide point[3],
+                    qtri_wide image)
+{
+    qtri_wide element[4] = {axis[0], axis[1], axis[2], {0, 0}};
+    /* A large translation costs the axis bits: the first pass finds the exponent, the second t. */
+    for (int pass = 0; pass < 2; pass++) {
+        element[3] = image;
+        for (int column = 0; column < 3; column++) {
+            element[3] = qtri_wide_sub(element[3], qtri_wide_mul(element[column], point[column]));
+        }
+        qtri_row_from_wide(row, element);
+        for (int column = 0; column < 3; column++) {
+            element[column] = qtri_row_element(row, column);
+        }
+    }
 }
 
 static void row_from_q16(qtri_row *row, q16 x, q16 y, q16 z, q16 t)
@@ -173,14 +193,7 @@ static void rotate_wide(qtri_transform *t, q16 degrees, qtri_wide axis[3], const
         element[i] = qtri_wide_add(cosine, qtri_wide_mul(along, axis[i]));
         element[j] = qtri_wide_sub(qtri_wide_mul(along, axis[j]), qtri_wide_mul(axis[k], sine));
         element[k] = qtri_wide_add(qtri_wide_mul(along, axis[k]), qtri_wide_mul(axis[j], sine));
-        qtri_row_from_wide(&builder.row[i], element);
-
-        element[3] = point[i];
-        for (int column = 0; column < 3; column++) {
-            element[column] = qtri_row_element(&builder.row[i], column);
-            element[3] = qtri_wide_sub(element[3], qtri_wide_mul(element[column], point[column]));
-        }
-        qtri_row_from_wide(&builder.row[i], element);
+        qtri_row_about(&builder.row[i], element, point, point[i]);
     }
     qtri_transform_mul(t, t, &builder);
 }

@@ -87,13 +87,35 @@ qtri_quat qtri_quat_normalize(qtri_quat a)
     return result;
 }
 
-/* v + 2 w (u x v) + 2 u x (u x v), u the vector part, for the normalised quaternion. */
+/* a b - c d for |a|, |c| <= 2^16 and |b|, |d| < 2^45. */
+static int64_t determinant(q16 a, int64_t b, q16 c, int64_t d)
+{
+    return a * b - c * d;
+}
+
+/*
+ * v + 2 w (u x v) + 2 u x (u x v), u the vector part, for the normalised quaternion. Parts of the
+ * sum may exceed a q16 where the result does not: 64 bits throughout.
+ */
 qtri_vec3 qtri_quat_rotate(qtri_quat a, qtri_vec3 v)
 {
     qtri_quat n = qtri_quat_normalize(a);
-    qtri_vec3 u = {n.x, n.y, n.z};
-    qtri_vec3 once = qtri_vec3_cross(u, v);
-    qtri_vec3 twice = qtri_vec3_cross(u, once);
-    qtri_vec3 half = qtri_vec3_add(qtri_vec3_scale(once, n.w), twice);
-    return qtri_vec3_add(v, qtri_vec3_add(half, half));
+    const q16 u[3] = {n.x, n.y, n.z};
+    const q16 p[3] = {v.x, v.y, v.z};
+    int64_t once_q24[3];
+    q16 result[3];
+    for (int i = 0; i < 3; i++) { /* |u x v| < 2^48 in Q32, and < 2^41 in Q24 */
+        int j = (i + 1) % 3;
+        int k = (i + 2) % 3;
+        once_q24[i] = qtri_shift_round(determinant(u[j], p[k], u[k], p[j]), 8);
+    }
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        int k = (i + 2) % 3;
+        int64_t half_q40 =
+            n.w * once_q24[i] + determinant(u[j], once_q24[k], u[k], once_q24[j]); /* < 2^59 */
+        result[i] = qtri_saturate32(p[i] + qtri_shift_round(half_q40, 23));
+    }
+    qtri_vec3 turned = {result[0], result[1], result[2]};
+    return turned;
 }

@@ -107,7 +107,9 @@ void qtri_raster_line(const qtri_surface *surface, const qtri_material *material
     int32_t end = (l.major[1] + 127) >> 8;
     position = position < low ? low : position;
     end = end > high ? high : end;
-    if (position >= end) {
+    int32_t minor_least = l.minor[0] < l.minor[1] ? l.minor[0] : l.minor[1];
+    int32_t minor_greatest = l.minor[0] < l.minor[1] ? l.minor[1] : l.minor[0];
+    if (position >= end || minor_least >> 8 >= minor_high || minor_greatest >> 8 < minor_low) {
         return;
     }
     int32_t along = position * 256 + 128 - l.major[0];

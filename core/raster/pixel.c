@@ -1,26 +1,21 @@
 #include "pixel.h"
 
-#include "../math/bits.h"
-
-/* white / (255 << 16) in Q30: below 2^30 + 1, its error times 2^24 below one unit. */
-static uint32_t white_ratio_q30(int32_t white)
-{
-    return (uint32_t)((((uint64_t)(uint32_t)white << 30) + (255u << 15)) / (255u << 16));
-}
+/* white / (255 << 16) in Q30, rounded: times a colour of 24 bits, off by less than 2^-6 units. */
+#define RATIO_Q30(white) ((uint32_t)((((uint64_t)(white) << 30) + (255u << 15)) / (255u << 16)))
 
 qtri_channels qtri_channels_from_color(qtri_format format, const int32_t color_8p16[3])
 {
-    qtri_channels white = qtri_format_white(format);
+    static const uint32_t ratio_q30[3][3] = {
+        {RATIO_Q30(31 << 16), RATIO_Q30(63 << 16), RATIO_Q30(31 << 16)},
+        {RATIO_Q30(255 << 16), RATIO_Q30(255 << 16), RATIO_Q30(255 << 16)},
+        {RATIO_Q30(QTRI_GRAY_RED), RATIO_Q30(QTRI_GRAY_GREEN), RATIO_Q30(QTRI_GRAY_BLUE)},
+    };
+    const uint32_t *ratio = ratio_q30[format <= QTRI_GRAY8 ? format : QTRI_GRAY8];
     qtri_channels result;
     for (int i = 0; i < 3; i++) {
         int32_t c = color_8p16[i];
         c = c < 0 ? 0 : (c > 255 << 16 ? 255 << 16 : c);
-        if (format == QTRI_XRGB8888) {
-            result.c[i] = c;
-        } else {
-            uint64_t product = (uint64_t)(uint32_t)c * white_ratio_q30(white.c[i]);
-            result.c[i] = (int32_t)((product + (1u << 29)) >> 30);
-        }
+        result.c[i] = (int32_t)(((uint64_t)(uint32_t)c * ratio[i] + (1u << 29)) >> 30);
     }
     return result;
 }

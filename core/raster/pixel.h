@@ -14,16 +14,10 @@ typedef struct qtri_channels {
     int32_t c[3]; /* red green blue, n.16 */
 } qtri_channels;
 
-/* White in units of the format. */
-static inline qtri_channels qtri_format_white(qtri_format format)
-{
-    static const qtri_channels white[3] = {
-        {{31 << 16, 63 << 16, 31 << 16}},    /* RGB565 */
-        {{255 << 16, 255 << 16, 255 << 16}}, /* XRGB8888 */
-        {{4996792, 9809756, 1905132}}        /* GRAY8: .299 .587 .114, sum 255 << 16 exactly */
-    };
-    return white[format <= QTRI_GRAY8 ? format : QTRI_GRAY8];
-}
+/* White in units of GRAY8: .299 .587 .114 of 255, n.16; the sum is 255 << 16 exactly. */
+#define QTRI_GRAY_RED   4996792
+#define QTRI_GRAY_GREEN 9809756
+#define QTRI_GRAY_BLUE  1905132
 
 static inline uint32_t qtri_channel_round(int32_t c)
 {

@@ -9,24 +9,31 @@ static uint8_t side_log2_of(uint8_t log2)
     return log2 > SIDE_LOG2_MAX ? SIDE_LOG2_MAX : log2;
 }
 
-void qtri_texel_axis_init(qtri_texel_axis *axis, const int32_t coordinate[3], uint8_t side_log2)
+static int64_t hold_q32(int64_t coordinate)
 {
-    int64_t least = coordinate[0];
-    int64_t greatest = coordinate[0];
-    for (int i = 1; i < 3; i++) {
-        least = coordinate[i] < least ? coordinate[i] : least;
-        greatest = coordinate[i] > greatest ? coordinate[i] : greatest;
-    }
-    int64_t base = least - (least & 0xFFFF);
-    /* Scale 2^k: the span, below 2^33, to below 2^30; at most 13 bits, which leaves shift >= 3. */
-    int32_t k = qtri_clz64((uint64_t)(greatest - base)) - 34;
-    k = k > 13 ? 13 : k;
+    const int64_t limit = (int64_t)1 << 48;
+    return coordinate < -limit ? -limit : (coordinate > limit ? limit : coordinate);
+}
+
+void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3], uint8_t side_log2)
+{
+    int64_t offset[3];
+    int64_t least = hold_q32(coordinate_q32[0]);
+    int64_t greatest = least;
     for (int i = 0; i < 3; i++) {
-        int64_t offset = coordinate[i] - base;
-        axis->value[i] = k >= 0 ? offset * ((int64_t)1 << k) : offset >> -k;
+        offset[i] = hold_q32(coordinate_q32[i]);
+        least = offset[i] < least ? offset[i] : least;
+        greatest = offset[i] > greatest ? offset[i] : greatest;
+    }
+    int64_t base = least - (least & (int64_t)UINT32_MAX);
+    /* The span, below 2^50, to below 2^30; at least 3 bits go, which leaves shift <= 29. */
+    int32_t down = 34 - qtri_clz64((uint64_t)(greatest - base));
+    down = down < 3 ? 3 : down; /* <= 20 */
+    for (int i = 0; i < 3; i++) {
+        axis->value[i] = (offset[i] - base) >> down;
     }
     side_log2 = side_log2_of(side_log2);
-    axis->shift = 16 + k - side_log2;
+    axis->shift = 32 - down - side_log2; /* >= 2 */
     axis->mask = (1u << side_log2) - 1;
     axis->bias = axis->shift > 17 ? (int64_t)1 << (axis->shift - 16) : 2;
 }

@@ -10,7 +10,7 @@
 
 /*
  * One coordinate of a triangle, brought to 30 bits: whole repeats below the least of the three
- * are dropped, the rest is scaled up, so that what is interpolated has no idle bits.
+ * are dropped, the rest is scaled, so that what is interpolated has no idle bits.
  */
 typedef struct qtri_texel_axis {
     int64_t value[3]; /* at the vertices, 0 <= value < 2^30 */
@@ -19,7 +19,9 @@ typedef struct qtri_texel_axis {
     int64_t bias;     /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
 } qtri_texel_axis;
 
-void qtri_texel_axis_init(qtri_texel_axis *axis, const int32_t coordinate[3], uint8_t side_log2);
+/* Coordinates as in qtri_screen_vertex; beyond 2^48 they are held there. */
+void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3],
+                          uint8_t side_log2);
 
 static inline uint32_t qtri_texel_index(const qtri_texel_axis *axis, int64_t value)
 {

@@ -111,10 +111,10 @@ static void job_colors(qtri_span_job *job, const qtri_material *material,
 static void job_texture(qtri_span_job *job, const qtri_screen_vertex v[3],
                         const qtri_plane_base *base, const int64_t *q)
 {
-    int32_t u[3] = {v[0].u, v[1].u, v[2].u};
-    int32_t t[3] = {v[0].v, v[1].v, v[2].v};
-    qtri_texel_axis_init(&job->axis[0], u, job->texture->width_log2);
-    qtri_texel_axis_init(&job->axis[1], t, job->texture->height_log2);
+    int64_t u_q32[3] = {v[0].u_q32, v[1].u_q32, v[2].u_q32};
+    int64_t v_q32[3] = {v[0].v_q32, v[1].v_q32, v[2].v_q32};
+    qtri_texel_axis_init(&job->axis[0], u_q32, job->texture->width_log2);
+    qtri_texel_axis_init(&job->axis[1], v_q32, job->texture->height_log2);
     for (int i = 0; i < 2; i++) {
         if (q != NULL) {
             plane_over_w(&job->attribute[3 + i], base, job->axis[i].value, q);

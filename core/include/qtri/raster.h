@@ -29,7 +29,8 @@ typedef struct qtri_screen_vertex {
     uint32_t inv_w_q31;     /* 1/w = inv_w_q31 2^(inv_w_exponent - 31): any common scale serves, */
     int32_t inv_w_exponent; /*   only the ratios of the three count; 0 is taken as 2^-31 */
     int32_t color_8p16[3];  /* red green blue, 0..255.0; values outside are clamped */
-    q16 u, v;               /* texture coordinates */
+    int64_t u_q32, v_q32;   /* texture coordinates: a Q16.16 times 65536, below 2^48. Clipping cuts
+                               large triangles at points between the steps of a Q16.16 */
 } qtri_screen_vertex;
 
 /* Draws v[0] v[1] v[2] as material says; flat shading takes its provoking vertex's colour. */
