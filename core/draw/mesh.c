@@ -14,19 +14,20 @@ typedef struct mesh_draw {
 static void transform(const mesh_draw *draw, uint32_t index, qtri_vertex *out)
 {
     qtri_clip_vertex clip;
+    qtri_screen_vertex screen = {0};
     qtri_projector_point(&draw->primitive.projector, &draw->mesh->positions[index], &clip);
+    unsigned outcode = qtri_clip_outcode(&clip);
+    if (outcode == 0) {
+        qtri_project(&draw->primitive.projector, &clip, &screen);
+    }
     out->tag = index + 1;
     out->intensity = -1;
-    out->outcode = (uint8_t)qtri_clip_outcode(&clip);
-    if (out->outcode == 0) {
-        qtri_screen_vertex screen;
-        qtri_project(&draw->primitive.projector, &clip, &screen);
-        out->x_24p8 = screen.x_24p8;
-        out->y_24p8 = screen.y_24p8;
-        out->depth_16p16 = screen.depth_16p16;
-        out->inv_w_q31 = screen.inv_w_q31;
-        out->inv_w_exponent = (int8_t)screen.inv_w_exponent;
-    }
+    out->outcode = (uint8_t)outcode;
+    out->x_24p8 = screen.x_24p8;
+    out->y_24p8 = screen.y_24p8;
+    out->depth_16p16 = screen.depth_16p16;
+    out->inv_w_q31 = screen.inv_w_q31;
+    out->inv_w_exponent = (int16_t)screen.inv_w_exponent;
 }
 
 /*

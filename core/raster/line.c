@@ -109,7 +109,10 @@ void qtri_raster_line(const qtri_surface *surface, const qtri_material *material
     end = end > high ? high : end;
     int32_t minor_least = l.minor[0] < l.minor[1] ? l.minor[0] : l.minor[1];
     int32_t minor_greatest = l.minor[0] < l.minor[1] ? l.minor[1] : l.minor[0];
-    if (position >= end || minor_least >> 8 >= minor_high || minor_greatest >> 8 < minor_low) {
+    if (l.major[0] == l.major[1] || position >= end) {
+        return;
+    }
+    if (minor_least >> 8 >= minor_high || minor_greatest >> 8 < minor_low) {
         return;
     }
     int32_t along = position * 256 + 128 - l.major[0];

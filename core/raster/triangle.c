@@ -186,10 +186,12 @@ static int32_t greatest(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* Rows row..end-1 between two edges. */
-static void fill_rows(const qtri_span_job *job, const qtri_rect *bounds, qtri_dda *left,
-                      qtri_dda *right, int32_t row, int32_t end)
+/* Rows row..end-1 between the long edge and a short one. */
+static void fill_rows(const qtri_span_job *job, const qtri_rect *bounds, qtri_dda *long_edge,
+                      qtri_dda *short_edge, bool long_is_left, int32_t row, int32_t end)
 {
+    qtri_dda *left = long_is_left ? long_edge : short_edge;
+    qtri_dda *right = long_is_left ? short_edge : long_edge;
     for (; row < end; row++) {
         int32_t x0 = greatest(left->value, bounds->x0);
         int32_t x1 = least(right->value, bounds->x1);
@@ -230,17 +232,15 @@ static void fill(const qtri_span_job *job, const qtri_rect *bounds, const corner
     bool long_is_left = side > 0;
     qtri_dda long_edge;
     qtri_dda short_edge;
-    qtri_dda *left = long_is_left ? &long_edge : &short_edge;
-    qtri_dda *right = long_is_left ? &short_edge : &long_edge;
     edge_init(&long_edge, top, bottom, row);
     if (row < turn) {
         edge_init(&short_edge, top, middle, row);
-        fill_rows(job, bounds, left, right, row, turn);
+        fill_rows(job, bounds, &long_edge, &short_edge, long_is_left, row, turn);
         row = turn;
     }
     if (row < end) {
         edge_init(&short_edge, middle, bottom, row);
-        fill_rows(job, bounds, left, right, row, end);
+        fill_rows(job, bounds, &long_edge, &short_edge, long_is_left, row, end);
     }
 }
 

@@ -47,7 +47,7 @@ typedef struct qtri_vertex {
     uint32_t depth_16p16;
     uint32_t inv_w_q31;
     int32_t intensity; /* of the light, Q16.16; negative: not lit yet */
-    int8_t inv_w_exponent;
+    int16_t inv_w_exponent;
     uint8_t outcode;
 } qtri_vertex;
 
