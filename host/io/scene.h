@@ -1,0 +1,131 @@
+/*
+ * Scene files: a parsed scene, ready for a renderer to replay.
+ *
+ * The scene language (README, "Scene files") is OpenGL-like: matrix statements and geometry take
+ * effect in file order, every other statement is global and its last occurrence wins. A parsed
+ * scene therefore is a list of operations (matrix statements and geometry) beside one record of
+ * global state. Both renderers, the fixed-point one and the double-precision reference, replay the
+ * same list, each with arithmetic of its own; nothing here computes anything.
+ *
+ * All numbers are Q16.16: read as decimal fractions and rounded to nearest. One that does not fit
+ * is an error in the file, so both renderers start from exactly the same inputs.
+ */
+#ifndef QTRI_HOST_IO_SCENE_H
+#define QTRI_HOST_IO_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "obj.h"
+#include "text_error.h"
+
+#define SCENE_MAX_SIZE    4096 /* largest viewport width or height, pixels */
+#define SCENE_STACK_DEPTH 32   /* matrices per stack that push may nest; deeper is an error */
+
+enum scene_op_kind {
+    SCENE_MODE_PROJECTION, /* following matrix statements change the projection matrix */
+    SCENE_MODE_MODELVIEW,  /* ... the modelview matrix (the state at the start) */
+    SCENE_IDENTITY,
+    SCENE_LOAD,        /* number[0..15], column-major, replaces the current matrix */
+    SCENE_MULT,        /* number[0..15], column-major; current = current * given, as all below */
+    SCENE_LOOKAT,      /* eye xyz, center xyz, up xyz */
+    SCENE_PERSPECTIVE, /* fovy degrees, aspect, near, far */
+    SCENE_FRUSTUM,     /* left right bottom top near far */
+    SCENE_ORTHO,       /* left right bottom top near far */
+    SCENE_TRANSLATE,   /* x y z */
+    SCENE_ROTATE,      /* degrees, axis x y z (any non-zero length) */
+    SCENE_SCALE,       /* x y z */
+    SCENE_PUSH,
+    SCENE_POP, /* the parser guarantees that pops match pushes on each stack */
+    SCENE_TRIANGLE /* vertex[0..2]; textured: whether it came from `trit` */,
+    SCENE_MESH /* mesh: index into scene.meshes; color: 0..1 */
+};
+
+struct scene_vertex {
+    int32_t position[4]; /* object space x y z w */
+    int32_t color[3];    /* 0..1 */
+    int32_t uv[2];       /* 0 for `tri` */
+};
+
+struct scene_op {
+    enum scene_op_kind kind;
+    int line;    /* line in the scene file, for messages */
+    uint32_t id; /* TRIANGLE: its id; MESH: id of its first triangle, the others follow in order.
+                    1-based rank among all triangles of the file; 0 for other operations */
+    union {
+        int32_t number[16];
+        struct {
+            struct scene_vertex vertex[3];
+            bool textured;
+        } triangle;
+        struct {
+            size_t mesh;
+            int32_t color[3];
+        } mesh;
+    } u;
+};
+
+enum scene_compare {
+    SCENE_LESS,
+    SCENE_LEQUAL,
+    SCENE_GREATER,
+    SCENE_GEQUAL,
+    SCENE_ALWAYS,
+    SCENE_EQUAL,
+    SCENE_NOTEQUAL,
+    SCENE_NEVER
+};
+enum scene_cull { SCENE_CULL_NONE, SCENE_CULL_BACK, SCENE_CULL_FRONT };
+enum scene_texture_mode { SCENE_REPLACE, SCENE_MODULATE };
+
+struct scene_texture { /* width == 0: texturing is off */
+    int width, height; /* powers of two, 1..1024 */
+    uint8_t *rgb;      /* width * height * 3 bytes, row 0 (v = 0) first, owned by the scene */
+};
+
+struct scene_light {    /* towards[] all zero: no light */
+    int32_t towards[3]; /* direction to the light in eye space, any length */
+    int32_t ambient, diffuse;
+};
+
+struct scene {
+    int width, height; /* viewport: the whole picture, 1..SCENE_MAX_SIZE */
+    int32_t clear[3];  /* 0..1 */
+    int32_t clear_depth;
+    bool depth_test;  /* `depth off`: neither tested nor written */
+    bool depth_write; /* false only after `depthmask off` */
+    enum scene_compare depth_compare;
+    enum scene_cull cull;
+    bool flat;
+    int provoking;      /* flat: the vertex, 0 or 2, whose colour the triangle takes */
+    bool screen_linear; /* `interpolate linear`: attributes linear on the screen */
+    bool wireframe;     /* `polygon line` */
+    enum scene_texture_mode texture_mode;
+    struct scene_texture texture;
+    int32_t depth_near, depth_far; /* `depthrange`, 0..1 each, either order */
+    struct scene_light light;
+
+    struct scene_op *ops;
+    size_t op_count;
+    struct obj_mesh *meshes; /* each file once, however often it is drawn */
+    size_t mesh_count;
+    uint32_t triangle_count; /* the largest id */
+};
+
+/*
+ * Parses the scene in `text` (`length` bytes, any content). `name` is what messages call the file;
+ * paths of meshes and textures are relative to the folder of `name`, hold no white space and no
+ * `#`, and must lead to ordinary files. Of several `texture` statements only the last is carried
+ * out. Returns true and fills *scene (to be freed with scene_free), or false with *error set and
+ * nothing to free.
+ */
+bool scene_parse(const char *name, const char *text, size_t length, struct scene *scene,
+                 struct text_error *error);
+
+/* Reads a file and parses it as above. */
+bool scene_read(const char *path, struct scene *scene, struct text_error *error);
+
+void scene_free(struct scene *scene);
+
+#endif

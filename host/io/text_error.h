@@ -1,0 +1,17 @@
+/*
+ * What is wrong with an input file, and where.
+ */
+#ifndef QTRI_HOST_IO_TEXT_ERROR_H
+#define QTRI_HOST_IO_TEXT_ERROR_H
+
+struct text_error {
+    char message[512]; /* "FILE:LINE: what is wrong", or "FILE: ..." where no line applies */
+};
+
+/* Formats "name:line: " (line 0: "name: ") and the printf-style rest; cuts what does not fit. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 4, 5)))
+#endif
+void text_error_set(struct text_error *error, const char *name, int line, const char *format, ...);
+
+#endif

@@ -1,0 +1,131 @@
+#include "clip.h"
+
+#include <math.h>
+
+/* How far inside plane `plane` a vertex is; >= 0 is inside. Near and far together leave w >= 0,
+   and the guard band leaves of w = 0 only the point (0, 0, 0, 0), which is dropped at the end. */
+static long double plane_distance(int plane, const struct ref_vertex *v, int width, int height)
+{
+    const long double guard = REF_GUARD_BAND;
+
+    switch (plane) {
+    case 0:
+        return v->w + v->z;
+    case 1:
+        return v->w - v->z;
+    case 2:
+        return guard * v->w + ref_window_x(v, width);
+    case 3:
+        return guard * v->w - ref_window_x(v, width);
+    case 4:
+        return guard * v->w + ref_window_y(v, height);
+    default:
+        return guard * v->w - ref_window_y(v, height);
+    }
+}
+
+/* The point where an edge leaves a plane. It is always computed from the inside vertex towards
+   the outside one, never in the order of the polygon: the two triangles that share an edge walk
+   it in opposite directions and must cut it in the same point, to the last bit. */
+static void cut(const struct ref_vertex *inside, long double d_inside,
+                const struct ref_vertex *outside, long double d_outside, struct ref_vertex *out)
+{
+    long double t = d_inside / (d_inside - d_outside); /* d_inside >= 0 > d_outside: 0 <= t <= 1 */
+
+    out->x = inside->x + t * (outside->x - inside->x);
+    out->y = inside->y + t * (outside->y - inside->y);
+    out->z = inside->z + t * (outside->z - inside->z);
+    out->w = inside->w + t * (outside->w - inside->w);
+    for (int k = 0; k < REF_ATTRIBUTES; k++) {
+        double a = inside->attribute[k];
+        out->attribute[k] = a + (double)t * (outside->attribute[k] - a);
+    }
+}
+
+/* One plane of Sutherland and Hodgman (1974), in homogeneous coordinates. */
+static void clip_polygon_by_plane(const struct ref_polygon *in, int plane, int width, int height,
+                                  struct ref_polygon *out)
+{
+    out->count = 0;
+    for (int i = 0; i < in->count; i++) {
+        const struct ref_vertex *from = &in->vertex[i];
+        const struct ref_vertex *to = &in->vertex[(i + 1) % in->count];
+        long double d_from = plane_distance(plane, from, width, height);
+        long double d_to = plane_distance(plane, to, width, height);
+
+        if (d_from >= 0)
+            out->vertex[out->count++] = *from;
+        if (d_from >= 0 && d_to < 0)
+            cut(from, d_from, to, d_to, &out->vertex[out->count++]);
+        else if (d_from < 0 && d_to >= 0)
+            cut(to, d_to, from, d_from, &out->vertex[out->count++]);
+    }
+}
+
+static void drop_vertices_at_infinity(struct ref_polygon *polygon)
+{
+    int kept = 0;
+
+    for (int i = 0; i < polygon->count; i++)
+        if (polygon->vertex[i].w > 0)
+            polygon->vertex[kept++] = polygon->vertex[i];
+    polygon->count = kept >= 3 ? kept : 0;
+}
+
+void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height,
+                       struct ref_polygon *polygon)
+{
+    struct ref_polygon other;
+
+    polygon->count = 3;
+    for (int i = 0; i < 3; i++)
+        polygon->vertex[i] = vertex[i];
+    for (int plane = 0; plane < REF_CLIP_PLANES; plane += 2) {
+        clip_polygon_by_plane(polygon, plane, width, height, &other);
+        clip_polygon_by_plane(&other, plane + 1, width, height, polygon);
+    }
+    drop_vertices_at_infinity(polygon);
+}
+
+bool ref_clip_line(struct ref_vertex end[2], int width, int height)
+{
+    for (int plane = 0; plane < REF_CLIP_PLANES; plane++) {
+        long double d0 = plane_distance(plane, &end[0], width, height);
+        long double d1 = plane_distance(plane, &end[1], width, height);
+        struct ref_vertex point;
+
+        if (d0 < 0 && d1 < 0)
+            return false;
+        if (d1 < 0) {
+            cut(&end[0], d0, &end[1], d1, &point);
+            end[1] = point;
+        } else if (d0 < 0) {
+            cut(&end[1], d1, &end[0], d0, &point);
+            end[0] = point;
+        }
+    }
+    return end[0].w > 0 && end[1].w > 0;
+}
+
+bool ref_vertex_is_finite(const struct ref_vertex *v)
+{
+    return isfinite(v->x) && isfinite(v->y) && isfinite(v->z) && isfinite(v->w);
+}
+
+bool ref_clip_all_outside(const struct ref_vertex vertex[3])
+{
+    bool left = true, right = true, below = true, above = true;
+    bool near = true, far = true, behind = true;
+
+    for (int i = 0; i < 3; i++) {
+        const struct ref_vertex *v = &vertex[i];
+        left = left && v->x < -v->w;
+        right = right && v->x > v->w;
+        below = below && v->y < -v->w;
+        above = above && v->y > v->w;
+        near = near && v->z < -v->w;
+        far = far && v->z > v->w;
+        behind = behind && v->w <= 0;
+    }
+    return left || right || below || above || near || far || behind;
+}

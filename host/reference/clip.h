@@ -1,0 +1,37 @@
+/*
+ * Clipping in homogeneous coordinates: near, far, and a guard band in x and y.
+ *
+ * The sides of the picture are not clipped at all: pixels outside it are simply not visited. The
+ * guard band only keeps snapped coordinates in range, and is as wide as the rasterizer's integers
+ * allow, 2^22 pixels to each side, so that it almost never cuts anything.
+ */
+#ifndef QTRI_HOST_REFERENCE_CLIP_H
+#define QTRI_HOST_REFERENCE_CLIP_H
+
+#include "primitive.h"
+
+#define REF_GUARD_BAND     4194304 /* 2^22 pixels */
+#define REF_CLIP_PLANES    6
+#define REF_CLIP_MAX_COUNT (3 + REF_CLIP_PLANES) /* a plane adds at most one vertex */
+
+struct ref_polygon {
+    int count;
+    struct ref_vertex vertex[REF_CLIP_MAX_COUNT];
+};
+
+/* Clips a triangle for a picture of this size. All vertices of the result have w > 0; it has 0 or
+   at least 3 vertices, in the order of the triangle's. */
+void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height,
+                       struct ref_polygon *polygon);
+
+/* The same for a line, in place; false if nothing is left. */
+bool ref_clip_line(struct ref_vertex end[2], int width, int height);
+
+/* Whether every coordinate is a finite number. */
+bool ref_vertex_is_finite(const struct ref_vertex *vertex);
+
+/* Whether all three vertices lie outside the same side of the frustum, sides of the picture
+   included, or have w <= 0: then nothing of the triangle can be seen. */
+bool ref_clip_all_outside(const struct ref_vertex vertex[3]);
+
+#endif

@@ -1,0 +1,41 @@
+/*
+ * What passes between the stages of the reference: clip-space vertices and the triangle they form.
+ *
+ * Positions are long double behind the vertex stage. On x86 that is 64 bits of mantissa, so that
+ * products of two doubles, and the edge functions made of them, keep bits to spare; where long
+ * double is double the reference is only less of a ruler, not wrong.
+ */
+#ifndef QTRI_HOST_REFERENCE_PRIMITIVE_H
+#define QTRI_HOST_REFERENCE_PRIMITIVE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { REF_RED, REF_GREEN, REF_BLUE, REF_U, REF_V, REF_ATTRIBUTES };
+
+struct ref_vertex {
+    long double x, y, z, w;           /* clip space */
+    double attribute[REF_ATTRIBUTES]; /* colour 0..255, texture coordinates */
+};
+
+/* The three vertices already have the colours they are to be drawn with: lit, and for flat
+   shading all alike. */
+struct ref_triangle {
+    struct ref_vertex vertex[3];
+    uint32_t id;
+    bool textured;
+};
+
+/* A viewport that covers the picture, in homogeneous coordinates: window x = X / w. Dividing last
+   keeps exact what is exact, (x/w + 1) W/2 would round three times. Row 0 is the top. */
+static inline long double ref_window_x(const struct ref_vertex *v, int width)
+{
+    return (v->x + v->w) * ((long double)width / 2);
+}
+
+static inline long double ref_window_y(const struct ref_vertex *v, int height)
+{
+    return (v->w - v->y) * ((long double)height / 2);
+}
+
+#endif

@@ -1,0 +1,161 @@
+/*
+ * Triangles whose vertices are snapped to a grid of 2^-N pixels: what an ideal fixed-point
+ * renderer with N sub-pixel bits draws. Coverage is decided in integers, without any rounding.
+ */
+#include "raster.h"
+#include "clip.h"
+#include "snap.h"
+
+#include <math.h>
+
+struct snapped_vertex {
+    int64_t x, y; /* 2^-N pixels */
+    double depth; /* window depth */
+    double w;
+    const struct ref_vertex *source;
+};
+
+struct integer_edge {
+    int64_t a, b; /* |a|, |b| <= 2^(22 + 16 + 1) */
+    ref_int128 c; /* value at the pixel (x, y): a X + b Y + c, below 2^81 */
+    bool owns_border;
+};
+
+/* Twice the area of (p, q, r), positive if they are clockwise in the picture. */
+static ref_int128 doubled_area(const struct snapped_vertex *p, const struct snapped_vertex *q,
+                               const struct snapped_vertex *r)
+{
+    return (ref_int128)(q->x - p->x) * (r->y - p->y) - (ref_int128)(q->y - p->y) * (r->x - p->x);
+}
+
+/* Edge function of p to q, positive inside a triangle whose doubled area has the sign `sign`. */
+static struct integer_edge edge_between(const struct snapped_vertex *p,
+                                        const struct snapped_vertex *q, int sign)
+{
+    struct integer_edge e;
+
+    e.a = sign * (p->y - q->y);
+    e.b = sign * (q->x - p->x);
+    e.c = -((ref_int128)e.a * p->x + (ref_int128)e.b * p->y);
+    e.owns_border = e.a > 0 || (e.a == 0 && e.b > 0);
+    return e;
+}
+
+static int64_t centre(int pixel, int bits)
+{
+    return ((int64_t)pixel << bits) + ((int64_t)1 << (bits - 1));
+}
+
+static struct ref_box bounds(const struct snapped_vertex *const v[3], int bits, int width,
+                             int height)
+{
+    int64_t x_min = v[0]->x, x_max = v[0]->x, y_min = v[0]->y, y_max = v[0]->y;
+
+    for (int i = 1; i < 3; i++) {
+        x_min = v[i]->x < x_min ? v[i]->x : x_min;
+        x_max = v[i]->x > x_max ? v[i]->x : x_max;
+        y_min = v[i]->y < y_min ? v[i]->y : y_min;
+        y_max = v[i]->y > y_max ? v[i]->y : y_max;
+    }
+    struct ref_box box = {
+        ref_clamped_floor(ldexpl((long double)x_min, -bits), width),
+        ref_clamped_floor(ldexpl((long double)y_min, -bits), height),
+        ref_clamped_floor(ldexpl((long double)x_max, -bits) + 1, width),
+        ref_clamped_floor(ldexpl((long double)y_max, -bits) + 1, height),
+    };
+    return box;
+}
+
+static void fragment(struct ref_target *target, const struct ref_triangle *triangle,
+                     const struct snapped_vertex *const v[3], int x, int y,
+                     const ref_int128 value[3], double area)
+{
+    double b0 = (double)value[0] / area; /* weights on the screen */
+    double b1 = (double)value[1] / area;
+    double b2 = (double)value[2] / area;
+    double depth =
+        v[0]->depth + b1 * (v[1]->depth - v[0]->depth) + b2 * (v[2]->depth - v[0]->depth);
+
+    if (!ref_target_cover(target, x, y, depth))
+        return;
+    if (!target->scene->screen_linear) {
+        /* weights in the triangle's plane: proportional to b_i / w_i */
+        double sum = b0 / v[0]->w + b1 / v[1]->w + b2 / v[2]->w;
+        b1 = b1 / v[1]->w / sum;
+        b2 = b2 / v[2]->w / sum;
+    }
+    const struct ref_vertex *const source[3] = {v[0]->source, v[1]->source, v[2]->source};
+    double attribute[REF_ATTRIBUTES];
+    ref_interpolate(source, b1, b2, attribute);
+    ref_target_shade(target, x, y, triangle, attribute);
+}
+
+static void scan(struct ref_target *target, const struct ref_triangle *triangle,
+                 const struct snapped_vertex *const v[3], int sign)
+{
+    int bits = target->subpixel_bits;
+    struct ref_box box = bounds(v, bits, target->scene->width, target->scene->height);
+    struct integer_edge edge[3] = {
+        edge_between(v[1], v[2], sign),
+        edge_between(v[2], v[0], sign),
+        edge_between(v[0], v[1], sign),
+    };
+    double area = (double)(sign * doubled_area(v[0], v[1], v[2]));
+
+    for (int y = box.y_low; y < box.y_high; y++) {
+        for (int x = box.x_low; x < box.x_high; x++) {
+            ref_int128 value[3];
+            bool covered = true;
+            for (int i = 0; i < 3 && covered; i++) {
+                const struct integer_edge *e = &edge[i];
+                value[i] =
+                    (ref_int128)e->a * centre(x, bits) + (ref_int128)e->b * centre(y, bits) + e->c;
+                covered = value[i] > 0 || (value[i] == 0 && e->owns_border);
+            }
+            if (covered)
+                fragment(target, triangle, v, x, y, value, area);
+        }
+    }
+}
+
+static void snap_vertex(const struct ref_target *target, const struct ref_vertex *vertex,
+                        struct snapped_vertex *out)
+{
+    int bits = target->subpixel_bits;
+
+    out->x = ref_snap(ref_window_x(vertex, target->scene->width) / vertex->w, bits);
+    out->y = ref_snap(ref_window_y(vertex, target->scene->height) / vertex->w, bits);
+    out->depth = ref_target_depth(target, vertex->z / vertex->w);
+    out->w = (double)vertex->w;
+    out->source = vertex;
+}
+
+static int sign_of(ref_int128 v)
+{
+    return (v > 0) - (v < 0);
+}
+
+void ref_raster_snapped(struct ref_target *target, const struct ref_triangle *triangle)
+{
+    struct ref_polygon polygon;
+    struct snapped_vertex snapped[REF_CLIP_MAX_COUNT];
+    ref_int128 total = 0;
+
+    if (ref_clip_all_outside(triangle->vertex))
+        return;
+    ref_clip_triangle(triangle->vertex, target->scene->width, target->scene->height, &polygon);
+    for (int i = 0; i < polygon.count; i++)
+        snap_vertex(target, &polygon.vertex[i], &snapped[i]);
+    for (int i = 2; i < polygon.count; i++)
+        total += doubled_area(&snapped[0], &snapped[i - 1], &snapped[i]);
+    int sign = sign_of(total);
+    if (!ref_facing_is_drawn(target, -sign)) /* clockwise is the back */
+        return;
+    for (int i = 2; i < polygon.count; i++) {
+        const struct snapped_vertex *const fan[3] = {&snapped[0], &snapped[i - 1], &snapped[i]};
+        /* Snapping may dent a clipped polygon; the sliver of the fan that turned over lies on
+           pixels its neighbour in the fan covers, and is left out. */
+        if (sign_of(doubled_area(fan[0], fan[1], fan[2])) == sign)
+            scan(target, triangle, fan, sign);
+    }
+}

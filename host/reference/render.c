@@ -1,0 +1,161 @@
+/*
+ * Replays a scene: two matrix stacks, and the geometry where it stands.
+ */
+#include "reference.h"
+#include "matrix.h"
+#include "mesh.h"
+
+#include <assert.h>
+#include <math.h>
+
+struct stack {
+    struct ref_matrix matrix[SCENE_STACK_DEPTH + 1];
+    int top;
+};
+
+struct replay {
+    struct ref_target target;
+    struct stack projection, modelview;
+    struct stack *current;
+};
+
+static void multiply_current(struct replay *replay, struct ref_matrix right)
+{
+    struct ref_matrix *top = &replay->current->matrix[replay->current->top];
+    *top = ref_matrix_multiply(top, &right);
+}
+
+static void replace_current(struct replay *replay, struct ref_matrix matrix)
+{
+    replay->current->matrix[replay->current->top] = matrix;
+}
+
+/* The parser guarantees that the stacks neither overflow nor underflow. */
+static void push(struct stack *stack)
+{
+    assert(stack->top < SCENE_STACK_DEPTH);
+    stack->matrix[stack->top + 1] = stack->matrix[stack->top];
+    stack->top++;
+}
+
+static void pop(struct stack *stack)
+{
+    assert(stack->top > 0);
+    stack->top--;
+}
+
+static void draw_single(struct replay *replay, const struct scene_op *op)
+{
+    const struct scene *scene = replay->target.scene;
+    struct ref_matrix to_clip =
+        ref_matrix_multiply(&replay->projection.matrix[replay->projection.top],
+                            &replay->modelview.matrix[replay->modelview.top]);
+    struct ref_triangle triangle = {
+        .id = op->id,
+        .textured = op->u.triangle.textured && scene->texture.width != 0,
+    };
+
+    for (int i = 0; i < 3; i++) {
+        const struct scene_vertex *in = &op->u.triangle.vertex[i];
+        const struct scene_vertex *colored =
+            scene->flat ? &op->u.triangle.vertex[scene->provoking] : in;
+        struct ref_vertex *out = &triangle.vertex[i];
+        double p[4];
+
+        for (int k = 0; k < 4; k++)
+            p[k] = (double)in->position[k] / 65536.0;
+        ref_matrix_transform(&to_clip, p, p);
+        out->x = p[0];
+        out->y = p[1];
+        out->z = p[2];
+        out->w = p[3];
+        for (int c = 0; c < 3; c++)
+            out->attribute[c] = 255.0 * fmax(0.0, fmin(1.0, (double)colored->color[c] / 65536.0));
+        out->attribute[REF_U] = (double)in->uv[0] / 65536.0;
+        out->attribute[REF_V] = (double)in->uv[1] / 65536.0;
+    }
+    ref_draw_triangle(&replay->target, &triangle);
+}
+
+static bool replay_op(struct replay *replay, const struct scene_op *op)
+{
+    double n[9];
+
+    for (int i = 0; i < 9; i++) /* meaningless, and unused, for geometry */
+        n[i] = op->kind < SCENE_TRIANGLE ? (double)op->u.number[i] / 65536.0 : 0.0;
+
+    switch (op->kind) {
+    case SCENE_MODE_PROJECTION:
+        replay->current = &replay->projection;
+        break;
+    case SCENE_MODE_MODELVIEW:
+        replay->current = &replay->modelview;
+        break;
+    case SCENE_IDENTITY:
+        replace_current(replay, ref_matrix_identity());
+        break;
+    case SCENE_LOAD:
+        replace_current(replay, ref_matrix_load(op->u.number));
+        break;
+    case SCENE_MULT:
+        multiply_current(replay, ref_matrix_load(op->u.number));
+        break;
+    case SCENE_LOOKAT:
+        multiply_current(replay, ref_matrix_look_at(&n[0], &n[3], &n[6]));
+        break;
+    case SCENE_PERSPECTIVE:
+        multiply_current(replay, ref_matrix_perspective(n[0], n[1], n[2], n[3]));
+        break;
+    case SCENE_FRUSTUM:
+        multiply_current(replay, ref_matrix_frustum(n));
+        break;
+    case SCENE_ORTHO:
+        multiply_current(replay, ref_matrix_ortho(n));
+        break;
+    case SCENE_TRANSLATE:
+        multiply_current(replay, ref_matrix_translate(n));
+        break;
+    case SCENE_ROTATE:
+        multiply_current(replay, ref_matrix_rotate(n[0], &n[1]));
+        break;
+    case SCENE_SCALE:
+        multiply_current(replay, ref_matrix_scale(n));
+        break;
+    case SCENE_PUSH:
+        push(replay->current);
+        break;
+    case SCENE_POP:
+        pop(replay->current);
+        break;
+    case SCENE_TRIANGLE:
+        draw_single(replay, op);
+        break;
+    case SCENE_MESH:
+        return ref_draw_mesh(&replay->target, op,
+                             &replay->projection.matrix[replay->projection.top],
+                             &replay->modelview.matrix[replay->modelview.top]);
+    }
+    return true;
+}
+
+bool reference_render(const struct scene *scene, int subpixel_bits, struct reference_image *image)
+{
+    struct replay replay;
+
+    assert(subpixel_bits >= 0 && subpixel_bits <= 16);
+    if (!ref_target_open(&replay.target, scene, subpixel_bits, image))
+        return false;
+    replay.projection.top = 0;
+    replay.projection.matrix[0] = ref_matrix_identity();
+    replay.modelview.top = 0;
+    replay.modelview.matrix[0] = ref_matrix_identity();
+    replay.current = &replay.modelview;
+
+    for (size_t i = 0; i < scene->op_count; i++) {
+        if (!replay_op(&replay, &scene->ops[i])) {
+            reference_free(image);
+            return false;
+        }
+    }
+    return true;
+}

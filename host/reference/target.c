@@ -1,0 +1,178 @@
+#include "target.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static double clamp(double v, double low, double high)
+{
+    return v < low ? low : v > high ? high : v;
+}
+
+static double unit_from_q16(int32_t v)
+{
+    return clamp((double)v / 65536.0, 0.0, 1.0);
+}
+
+static bool allocate(struct reference_image *image, int width, int height)
+{
+    size_t pixels = (size_t)width * (size_t)height;
+    struct reference_image fresh = {
+        .width = width,
+        .height = height,
+        .color = malloc(pixels * 3 * sizeof(double)),
+        .color_min = malloc(pixels * 3 * sizeof(double)),
+        .color_max = malloc(pixels * 3 * sizeof(double)),
+        .depth = malloc(pixels * sizeof(double)),
+        .id = calloc(pixels, sizeof(uint32_t)),
+        .hits = calloc(pixels, sizeof(uint32_t)),
+    };
+    *image = fresh;
+    if (image->color && image->color_min && image->color_max && image->depth && image->id &&
+        image->hits)
+        return true;
+    reference_free(image);
+    return false;
+}
+
+void reference_free(struct reference_image *image)
+{
+    free(image->color);
+    free(image->color_min);
+    free(image->color_max);
+    free(image->depth);
+    free(image->id);
+    free(image->hits);
+    *image = (struct reference_image){0};
+}
+
+bool ref_target_open(struct ref_target *target, const struct scene *scene, int subpixel_bits,
+                     struct reference_image *image)
+{
+    if (!allocate(image, scene->width, scene->height))
+        return false;
+    target->scene = scene;
+    target->image = image;
+    target->subpixel_bits = subpixel_bits;
+    target->depth_near = unit_from_q16(scene->depth_near);
+    target->depth_far = unit_from_q16(scene->depth_far);
+
+    size_t pixels = (size_t)scene->width * (size_t)scene->height;
+    double clear_depth = unit_from_q16(scene->clear_depth);
+    for (size_t i = 0; i < pixels; i++) {
+        image->depth[i] = clear_depth;
+        for (size_t c = 0; c < 3; c++) {
+            double value = 255.0 * unit_from_q16(scene->clear[c]);
+            image->color[3 * i + c] = value;
+            image->color_min[3 * i + c] = value;
+            image->color_max[3 * i + c] = value;
+        }
+    }
+    return true;
+}
+
+double ref_target_depth(const struct ref_target *target, long double z_over_w)
+{
+    /* Rounding may carry z/w of a point on the near or far plane a hair past it. */
+    double unit = clamp((double)((z_over_w + 1) / 2), 0.0, 1.0);
+    return target->depth_near + unit * (target->depth_far - target->depth_near);
+}
+
+/* The depth buffer's units: comparisons are made between 16-bit values, because `equal` and
+   `lequal` have their meaning only there. The picture keeps the depth before this rounding. */
+static double depth_units(double depth)
+{
+    return floor(depth * 65535.0 + 0.5);
+}
+
+static bool passes(enum scene_compare compare, double incoming, double stored)
+{
+    switch (compare) {
+    case SCENE_LESS:
+        return incoming < stored;
+    case SCENE_LEQUAL:
+        return incoming <= stored;
+    case SCENE_GREATER:
+        return incoming > stored;
+    case SCENE_GEQUAL:
+        return incoming >= stored;
+    case SCENE_ALWAYS:
+        return true;
+    case SCENE_EQUAL:
+        return incoming == stored;
+    case SCENE_NOTEQUAL:
+        return incoming != stored;
+    case SCENE_NEVER:
+        break;
+    }
+    return false;
+}
+
+bool ref_target_cover(struct ref_target *target, int x, int y, double depth)
+{
+    const struct scene *scene = target->scene;
+    size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
+
+    target->image->hits[i]++;
+    if (!scene->depth_test)
+        return true;
+    double *stored = &target->image->depth[i];
+    if (!passes(scene->depth_compare, depth_units(depth), depth_units(*stored)))
+        return false;
+    if (scene->depth_write)
+        *stored = depth;
+    return true;
+}
+
+/* Texel of a repeating texture: floor(coordinate * size) modulo size. */
+static size_t texel_index(double coordinate, int size)
+{
+    double texel = floor(coordinate * size);
+    double wrapped = texel - size * floor(texel / size);
+    return wrapped > 0.0 && wrapped < size ? (size_t)wrapped : 0; /* 0 also for NaN */
+}
+
+static const uint8_t *texel(const struct scene_texture *texture, double u, double v)
+{
+    size_t column = texel_index(u, texture->width);
+    size_t row = texel_index(v, texture->height);
+    return &texture->rgb[3 * (row * (size_t)texture->width + column)];
+}
+
+void ref_target_shade(struct ref_target *target, int x, int y, const struct ref_triangle *triangle,
+                      const double attribute[REF_ATTRIBUTES])
+{
+    const struct scene *scene = target->scene;
+    const struct ref_vertex *vertex = triangle->vertex;
+    struct reference_image *image = target->image;
+    size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
+    const uint8_t *texel_rgb = NULL;
+
+    if (triangle->textured)
+        texel_rgb = texel(&scene->texture, attribute[REF_U], attribute[REF_V]);
+    for (size_t c = 0; c < 3; c++) {
+        double a = vertex[0].attribute[c];
+        double b = vertex[1].attribute[c];
+        double d = vertex[2].attribute[c];
+        double least = fmin(a, fmin(b, d));
+        double greatest = fmax(a, fmax(b, d));
+        double color = clamp(attribute[c], least, greatest);
+        if (texel_rgb && scene->texture_mode == SCENE_REPLACE)
+            color = texel_rgb[c];
+        else if (texel_rgb)
+            color = color * texel_rgb[c] / 255.0;
+        image->color[3 * i + c] = color;
+        image->color_min[3 * i + c] = least;
+        image->color_max[3 * i + c] = greatest;
+    }
+    image->id[i] = triangle->id;
+}
+
+void ref_interpolate(const struct ref_vertex *const vertex[3], double weight1, double weight2,
+                     double attribute[REF_ATTRIBUTES])
+{
+    for (int k = 0; k < REF_ATTRIBUTES; k++) {
+        double base = vertex[0]->attribute[k];
+        attribute[k] = base + weight1 * (vertex[1]->attribute[k] - base) +
+                       weight2 * (vertex[2]->attribute[k] - base);
+    }
+}

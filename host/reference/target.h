@@ -1,0 +1,37 @@
+/*
+ * The picture being drawn: depth test, shading of one pixel, and the record of what is visible.
+ */
+#ifndef QTRI_HOST_REFERENCE_TARGET_H
+#define QTRI_HOST_REFERENCE_TARGET_H
+
+#include "primitive.h"
+#include "reference.h"
+
+struct ref_target {
+    const struct scene *scene;
+    struct reference_image *image;
+    int subpixel_bits;
+    double depth_near, depth_far; /* of the depth range */
+};
+
+/* Allocates the image and clears it; false when memory runs out, with nothing to free. */
+bool ref_target_open(struct ref_target *target, const struct scene *scene, int subpixel_bits,
+                     struct reference_image *image);
+
+/* Window depth of clip z / w: -1..1 to the depth range. */
+double ref_target_depth(const struct ref_target *target, long double z_over_w);
+
+/* A primitive covers pixel (x, y) at window depth `depth`: counts the hit, tests and, if the scene
+   says so, writes the depth. True if the pixel is to be coloured. */
+bool ref_target_cover(struct ref_target *target, int x, int y, double depth);
+
+/* Colours pixel (x, y) with the attributes there; `triangle` tells id, texturing and the colours'
+   range. */
+void ref_target_shade(struct ref_target *target, int x, int y, const struct ref_triangle *triangle,
+                      const double attribute[REF_ATTRIBUTES]);
+
+/* a0 + w1 (a1 - a0) + w2 (a2 - a0) for weights that sum to 1: equal values stay exactly equal. */
+void ref_interpolate(const struct ref_vertex *const vertex[3], double weight1, double weight2,
+                     double attribute[REF_ATTRIBUTES]);
+
+#endif
