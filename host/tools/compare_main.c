@@ -1,0 +1,264 @@
+/*
+ * The command `qtri compare`.
+ */
+#include "compare.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { STATUS_SAME = 0, STATUS_DIFFERENT = 1, STATUS_USAGE = 2 };
+
+struct options {
+    const char *path[2];
+    const char *difference_path;
+    int max_color;
+    uint64_t max_pixels;
+    double max_depth;
+    uint64_t max_coverage;
+    bool help;
+};
+
+static void print_usage(FILE *file)
+{
+    fputs(
+        "usage: qtri compare [OPTION]... A.ppm B.ppm\n"
+        "\n"
+        "Compares two pictures, and the dumps beside them (A.id, A.depth) where both have them.\n"
+        "Prints one measure a line. Exit status 0: the same within the limits below; 1: "
+        "different,\n"
+        "or a file cannot be read; 2: wrong usage.\n"
+        "\n"
+        "  --max-color N     colour difference a pixel may have in its worst channel (default 0)\n"
+        "  --max-pixels N    how many pixels may exceed that (default 0)\n"
+        "  --max-coverage N  how many pixels may be covered in one picture only (default 0)\n"
+        "  --max-depth X     greatest depth difference, in 1/65535 (default 0); where there are\n"
+        "                    ids, of the pixels that show the same triangle in both\n"
+        "  -o FILE.ppm       write a picture of the differences: dark grey where there is none,\n"
+        "                    64 + 16 times the difference in each channel where there is one,\n"
+        "                    red where only one picture is covered\n"
+        "  --help            print this\n",
+        file);
+}
+
+static bool parse_number(const char *option, const char *text, double *out)
+{
+    char *end;
+
+    errno = 0;
+    *out = strtod(text, &end);
+    if (end != text && *end == '\0' && errno == 0 && *out >= 0.0 && *out <= 1e15)
+        return true;
+    fprintf(stderr, "qtri compare: %s: not a number that is 0 or more: %s\n", option, text);
+    return false;
+}
+
+static bool parse_count(const char *option, const char *text, uint64_t *out)
+{
+    double number;
+
+    if (!parse_number(option, text, &number))
+        return false;
+    *out = (uint64_t)number;
+    if ((double)*out == number)
+        return true;
+    fprintf(stderr, "qtri compare: %s: not a whole number: %s\n", option, text);
+    return false;
+}
+
+/* An option that takes a value. */
+static bool parse_option(const char *option, const char *value, struct options *out)
+{
+    uint64_t count;
+
+    if (strcmp(option, "-o") == 0) {
+        out->difference_path = value;
+        return true;
+    }
+    if (strcmp(option, "--max-depth") == 0)
+        return parse_number(option, value, &out->max_depth);
+    if (!parse_count(option, value, &count))
+        return false;
+    if (strcmp(option, "--max-color") == 0)
+        out->max_color = count > 255 ? 255 : (int)count;
+    else if (strcmp(option, "--max-pixels") == 0)
+        out->max_pixels = count;
+    else
+        out->max_coverage = count;
+    return true;
+}
+
+static bool takes_value(const char *option)
+{
+    static const char *const options[] = {"-o", "--max-depth", "--max-color", "--max-pixels",
+                                          "--max-coverage"};
+
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++)
+        if (strcmp(option, options[i]) == 0)
+            return true;
+    return false;
+}
+
+static bool parse_options(int argc, char **argv, struct options *out)
+{
+    int paths = 0;
+    bool only_paths = false; /* after -- */
+
+    *out = (struct options){0};
+    for (int i = 1; i < argc; i++) {
+        const char *word = argv[i];
+        if (only_paths || word[0] != '-' || word[1] == '\0') {
+            if (paths < 2)
+                out->path[paths] = word;
+            paths++;
+        } else if (strcmp(word, "--") == 0) {
+            only_paths = true;
+        } else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+            out->help = true;
+            return true;
+        } else if (!takes_value(word)) {
+            fprintf(stderr, "qtri compare: unknown option: %s\n", word);
+            return false;
+        } else if (i + 1 == argc) {
+            fprintf(stderr, "qtri compare: %s needs a value\n", word);
+            return false;
+        } else if (!parse_option(word, argv[++i], out)) {
+            return false;
+        }
+    }
+    if (paths == 2)
+        return true;
+    fprintf(stderr, "qtri compare: two pictures are needed, %d given\n", paths);
+    return false;
+}
+
+/* Reads the picture and the dumps beside it: PREFIX.id and PREFIX.depth of PREFIX.ppm. */
+static bool read_picture(const char *path, struct picture *picture)
+{
+    struct text_error error;
+    size_t length = strlen(path);
+
+    if (!picture_read_ppm(path, picture, &error)) {
+        fprintf(stderr, "%s\n", error.message);
+        return false;
+    }
+    char *prefix = malloc(length + 1);
+    if (!prefix) {
+        fprintf(stderr, "qtri compare: out of memory\n");
+        picture_free(picture);
+        return false;
+    }
+    memcpy(prefix, path, length + 1);
+    if (length >= 4 && strcmp(&path[length - 4], ".ppm") == 0)
+        prefix[length - 4] = '\0';
+    bool read = picture_read_dump(prefix, picture, &error);
+    free(prefix);
+    if (!read) {
+        fprintf(stderr, "%s\n", error.message);
+        picture_free(picture);
+    }
+    return read;
+}
+
+static void print_count(const char *name, uint64_t value)
+{
+    printf("%-20s %" PRIu64 "\n", name, value);
+}
+
+static void print_number(const char *name, double value)
+{
+    if (isinf(value))
+        printf("%-20s inf\n", name);
+    else
+        printf("%-20s %.6g\n", name, value);
+}
+
+static void print_comparison(const struct comparison *c)
+{
+    printf("%-20s %dx%d\n", "size", c->width[0], c->height[0]);
+    print_count("pixels", c->pixels);
+    print_count("pixels-differing", c->differing);
+    print_count("color-max", (uint64_t)c->max_color_error);
+    print_number("color-mean", c->mean_color_error);
+    print_number("psnr-db", c->psnr);
+    if (c->has_id) {
+        print_count("covered-a", c->covered[0]);
+        print_count("covered-b", c->covered[1]);
+        print_count("coverage-mismatches", c->coverage_mismatches);
+        print_count("other-triangle", c->other_triangle);
+    }
+    if (c->has_depth) {
+        print_count("depth-pixels", c->depth_pixels);
+        print_number("depth-max", c->max_depth_error);
+        print_number("depth-mean", c->mean_depth_error);
+        print_number("depth-p99.9", c->p999_depth_error);
+    }
+}
+
+static bool within_limits(const struct comparison *c, const struct options *options)
+{
+    return compare_pixels_above(c, options->max_color) <= options->max_pixels &&
+           c->coverage_mismatches <= options->max_coverage &&
+           c->max_depth_error <= options->max_depth;
+}
+
+static bool write_difference(const char *path, const struct picture picture[2])
+{
+    struct picture difference;
+    struct text_error error;
+
+    if (!compare_difference(&picture[0], &picture[1], &difference)) {
+        fprintf(stderr, "qtri compare: out of memory\n");
+        return false;
+    }
+    bool written = picture_write_ppm(path, &difference, &error);
+    if (!written)
+        fprintf(stderr, "%s\n", error.message);
+    picture_free(&difference);
+    return written;
+}
+
+static int compare_read_pictures(const struct options *options, const struct picture picture[2])
+{
+    struct comparison comparison;
+
+    compare_pictures(&picture[0], &picture[1], &comparison);
+    if (!comparison.same_size) {
+        fprintf(stderr, "qtri compare: different sizes: %s is %dx%d, %s is %dx%d\n",
+                options->path[0], comparison.width[0], comparison.height[0], options->path[1],
+                comparison.width[1], comparison.height[1]);
+        return STATUS_DIFFERENT;
+    }
+    print_comparison(&comparison);
+    if (options->difference_path && !write_difference(options->difference_path, picture))
+        return STATUS_DIFFERENT;
+    return within_limits(&comparison, options) ? STATUS_SAME : STATUS_DIFFERENT;
+}
+
+int compare_main(int argc, char **argv)
+{
+    struct options options;
+    struct picture picture[2];
+
+    if (!parse_options(argc, argv, &options)) {
+        fputs("Try: qtri compare --help\n", stderr);
+        return STATUS_USAGE;
+    }
+    if (options.help) {
+        print_usage(stdout);
+        return STATUS_SAME;
+    }
+    if (!read_picture(options.path[0], &picture[0]))
+        return STATUS_DIFFERENT;
+    if (!read_picture(options.path[1], &picture[1])) {
+        picture_free(&picture[0]);
+        return STATUS_DIFFERENT;
+    }
+    int status = compare_read_pictures(&options, picture);
+    picture_free(&picture[0]);
+    picture_free(&picture[1]);
+    return status;
+}
