@@ -1,0 +1,213 @@
+#define _POSIX_C_SOURCE 200809L
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "../reference/reference.h"
+#include "../reference/reference_picture.h"
+#include "accuracy.h"
+#include "commands.h"
+#include "compare.h"
+#include "demo_scenes.h"
+#include "scene_draw.h"
+
+static const char usage[] =
+    "usage: qtri demo [-o DIR] [--scenes DIR] [--models DIR]\n"
+    "\n"
+    "Renders every *.scene file of the scenes folder (default host/scenes), generated meshes and,\n"
+    "with --models, every OBJ file there, into the output folder (default build/demo): each as\n"
+    "NAME.ppm beside NAME-reference.ppm and NAME-difference.ppm. Prints one row a scene.\n"
+    "\n"
+    "The reference has infinite sub-pixel precision; `snapped` counts coverage mismatches against\n"
+    "the reference with vertices snapped to 8 bits, as the core does. Errors are over the pixels\n"
+    "that show the same triangle in both. Colour: of 255; depth: of 65535.\n";
+
+struct demo {
+    const char *out, *scenes, *models;
+};
+
+static const char header[] =
+    "scene                          pixels  mismatch  snapped  colour  off by > 1  depth\n";
+
+/* Measures one scene against both references and writes its three pictures. */
+static bool run_scene(const struct demo *demo, const char *name, const struct scene *scene,
+                      struct text_error *error)
+{
+    struct picture picture = {0};
+    struct picture expected = {0};
+    struct picture difference = {0};
+    struct reference_image exact = {0};
+    struct reference_image snapped = {0};
+    struct accuracy to_exact = {0};
+    struct accuracy to_snapped = {0};
+    bool ok = scene_render(scene, QTRI_XRGB8888, 0, true, &picture) &&
+              reference_render(scene, 0, &exact) && reference_render(scene, 8, &snapped) &&
+              reference_picture(&exact, REFERENCE_RGB888, &expected) &&
+              compare_difference(&picture, &expected, &difference);
+    if (!ok) {
+        text_error_set(error, name, 0, "out of memory");
+    } else {
+        accuracy_add(&to_exact, &picture, &exact, true);
+        accuracy_add(&to_snapped, &picture, &snapped, true);
+        printf("%-28s %8llu  %8llu  %7llu  %6d  %10llu  %5.2f\n", name,
+               (unsigned long long)to_exact.covered, (unsigned long long)to_exact.coverage,
+               (unsigned long long)to_snapped.coverage, to_exact.max_color,
+               (unsigned long long)to_exact.color_above_1, to_exact.max_depth);
+        fflush(stdout);
+        const struct picture *pictures[3] = {&picture, &expected, &difference};
+        static const char *const suffix[3] = {"", "-reference", "-difference"};
+        for (int i = 0; i < 3 && ok; i++) {
+            char path[1024];
+            snprintf(path, sizeof path, "%s/%s%s.ppm", demo->out, name, suffix[i]);
+            ok = picture_write_ppm(path, pictures[i], error);
+        }
+    }
+    reference_free(&exact);
+    reference_free(&snapped);
+    picture_free(&picture);
+    picture_free(&expected);
+    picture_free(&difference);
+    return ok;
+}
+
+static bool run_file(const struct demo *demo, const char *folder, const char *file)
+{
+    char path[1024];
+    char name[256];
+    struct scene scene;
+    struct text_error error;
+    snprintf(path, sizeof path, "%s/%s", folder, file);
+    snprintf(name, sizeof name, "%.*s", (int)(strlen(file) - strlen(".scene")), file);
+    bool ok = scene_read(path, &scene, &error);
+    if (ok) {
+        ok = run_scene(demo, name, &scene, &error);
+        scene_free(&scene);
+    }
+    if (!ok) {
+        fprintf(stderr, "qtri demo: %s\n", error.message);
+    }
+    return ok;
+}
+
+static bool ends_with(const char *text, const char *ending)
+{
+    size_t length = strlen(text);
+    size_t tail = strlen(ending);
+    return length > tail && strcmp(text + length - tail, ending) == 0;
+}
+
+static int is_scene(const struct dirent *entry)
+{
+    return ends_with(entry->d_name, ".scene");
+}
+
+static int is_model(const struct dirent *entry)
+{
+    return ends_with(entry->d_name, ".obj");
+}
+
+/* Calls `run` for the folder's entries that `filter` accepts, in order of their names. */
+static bool for_each(const struct demo *demo, const char *folder,
+                     int (*filter)(const struct dirent *),
+                     bool (*run)(const struct demo *, const char *folder, const char *file))
+{
+    struct dirent **entries = NULL;
+    int count = scandir(folder, &entries, filter, alphasort);
+    if (count < 0) {
+        fprintf(stderr, "qtri demo: %s: %s\n", folder, strerror(errno));
+        return false;
+    }
+    bool ok = true;
+    for (int i = 0; i < count; i++) {
+        ok = run(demo, folder, entries[i]->d_name) && ok;
+        free(entries[i]);
+    }
+    free(entries);
+    return ok;
+}
+
+/* A model gets a scene file of its own beside the pictures, which is then rendered like any other.
+ */
+static bool run_model(const struct demo *demo, const char *folder, const char *file)
+{
+    char name[256];
+    struct text_error error;
+    if (!demo_write_model_scene(demo->out, folder, file, name, sizeof name, &error)) {
+        fprintf(stderr, "qtri demo: %s\n", error.message);
+        return false;
+    }
+    return run_file(demo, demo->out, name);
+}
+
+static bool run_generated(const struct demo *demo)
+{
+    struct text_error error;
+    bool ok = true;
+    for (int i = 0; demo_generated_scenes[i] != NULL; i++) {
+        const char *name = demo_generated_scenes[i];
+        if (!demo_write_generated_scene(demo->out, name, &error)) {
+            fprintf(stderr, "qtri demo: %s\n", error.message);
+            return false;
+        }
+        ok = run_file(demo, demo->out, name) && ok;
+    }
+    return ok;
+}
+
+/* mkdir -p */
+static bool make_folder(const char *path)
+{
+    char part[1024];
+    size_t length = strlen(path);
+    if (length >= sizeof part) {
+        return false;
+    }
+    for (size_t i = 1; i <= length; i++) {
+        if (path[i] == '/' || path[i] == '\0') {
+            memcpy(part, path, i);
+            part[i] = '\0';
+            if (mkdir(part, 0777) != 0 && errno != EEXIST) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+int demo_main(int argc, char **argv)
+{
+    struct demo demo = {"build/demo", "host/scenes", NULL};
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
+            fputs(usage, stdout);
+            return 0;
+        }
+        const char **value = strcmp(argv[i], "-o") == 0         ? &demo.out
+                             : strcmp(argv[i], "--scenes") == 0 ? &demo.scenes
+                             : strcmp(argv[i], "--models") == 0 ? &demo.models
+                                                                : NULL;
+        if (value == NULL || i + 1 == argc) {
+            fprintf(stderr, "qtri demo: '%s' is not understood\n%s", argv[i], usage);
+            return 2;
+        }
+        *value = argv[++i];
+    }
+    if (!make_folder(demo.out)) {
+        fprintf(stderr, "qtri demo: %s: %s\n", demo.out, strerror(errno));
+        return 1;
+    }
+    fputs(header, stdout);
+    bool ok = for_each(&demo, demo.scenes, is_scene, run_file);
+    ok = run_generated(&demo) && ok;
+    if (demo.models != NULL) {
+        ok = for_each(&demo, demo.models, is_model, run_model) && ok;
+    }
+    printf("\nPictures are in %s. mismatch: pixels covered in one of picture and reference only.\n",
+           demo.out);
+    return ok ? 0 : 1;
+}

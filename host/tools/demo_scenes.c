@@ -1,0 +1,150 @@
+#define _XOPEN_SOURCE 700 /* realpath */
+
+#include "demo_scenes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../io/obj.h"
+#include "mesh_generate.h"
+
+static const char stage[] = "viewport 320 240\n"
+                            "clear .094118 .125490 .188235\n"
+                            "depth less\n"
+                            "cull back\n"
+                            "light .4 .6 .69282032 .2 .8\n";
+
+static const char camera[] = "mode projection\n"
+                             "perspective 60 1.33333333 .1 100\n"
+                             "mode modelview\n"
+                             "lookat 0 0 3  0 0 0  0 1 0\n";
+
+static const char checker[] = "texture 64 64 8  255 240 220  90 130 200\n";
+
+struct generated {
+    const char *name, *mesh, *state, *pose;
+};
+
+static const struct generated scenes[] = {
+    {"07-knot-textured.scene", "knot", checker, "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"07-knot-flat.scene", "knot", "shade flat\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"07-knot-stretched.scene", "knot", "",
+     "scale 1.5 .7 1\nrotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"07-torus-wireframe.scene", "torus", "polygon line\n", "rotate -50  1 0 0\n"},
+};
+
+const char *const demo_generated_scenes[] = {"07-knot-textured.scene", "07-knot-flat.scene",
+                                             "07-knot-stretched.scene", "07-torus-wireframe.scene",
+                                             NULL};
+
+/* Opens folder/name for writing. */
+static FILE *create(const char *folder, const char *name, struct text_error *error)
+{
+    char path[1024];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "w");
+    if (file == NULL) {
+        text_error_set(error, path, 0, "cannot be written");
+    }
+    return file;
+}
+
+static bool finish(FILE *file, const char *name, struct text_error *error)
+{
+    bool ok = !ferror(file);
+    if (fclose(file) != 0 || !ok) {
+        text_error_set(error, name, 0, "writing failed");
+        return false;
+    }
+    return true;
+}
+
+static bool write_mesh(const char *folder, const char *mesh, struct text_error *error)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%s.obj", mesh);
+    FILE *file = create(folder, name, error);
+    if (file == NULL) {
+        return false;
+    }
+    (void)mesh_generate(mesh, file);
+    return finish(file, name, error);
+}
+
+bool demo_write_generated_scene(const char *folder, const char *name, struct text_error *error)
+{
+    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++) {
+        const struct generated *scene = &scenes[i];
+        if (strcmp(scene->name, name) != 0) {
+            continue;
+        }
+        FILE *file = write_mesh(folder, scene->mesh, error) ? create(folder, name, error) : NULL;
+        if (file == NULL) {
+            return false;
+        }
+        fprintf(file, "%s%s%s%smesh %s.obj color 1 .75 .4\n", stage, scene->state, camera,
+                scene->pose, scene->mesh);
+        return finish(file, name, error);
+    }
+    text_error_set(error, name, 0, "is not a generated scene");
+    return false;
+}
+
+/* Centre and half the largest side of the bounding box. */
+static void fit(const struct obj_mesh *mesh, double center[3], double *half)
+{
+    *half = 1.0 / 65536.0;
+    for (int axis = 0; axis < 3; axis++) {
+        int32_t least = mesh->positions[0][axis];
+        int32_t greatest = least;
+        for (size_t i = 1; i < mesh->vertex_count; i++) {
+            int32_t x = mesh->positions[i][axis];
+            least = x < least ? x : least;
+            greatest = x > greatest ? x : greatest;
+        }
+        center[axis] = ((double)least + greatest) / 2.0 / 65536.0;
+        double size = ((double)greatest - least) / 2.0 / 65536.0;
+        *half = size > *half ? size : *half;
+    }
+}
+
+bool demo_write_model_scene(const char *folder, const char *models, const char *file, char *name,
+                            size_t name_size, struct text_error *error)
+{
+    char path[1024];
+    char texture[1024 + 32];
+    struct obj_mesh mesh;
+    snprintf(path, sizeof path, "%s/%s", models, file);
+    if (!obj_read(path, &mesh, error)) {
+        return false;
+    }
+    double center[3];
+    double half;
+    fit(&mesh, center, &half);
+    bool has_uvs = mesh.uvs != NULL;
+    obj_free(&mesh);
+
+    char *absolute = realpath(path, NULL);
+    if (absolute == NULL) {
+        text_error_set(error, path, 0, "has no absolute path");
+        return false;
+    }
+    int stem = (int)(strlen(file) - strlen(".obj"));
+    snprintf(name, name_size, "model-%.*s.scene", stem, file);
+    snprintf(texture, sizeof texture, "%.*s_texture.ppm", (int)(strlen(absolute) - 4), absolute);
+    FILE *out = create(folder, name, error);
+    if (out != NULL) {
+        fputs(stage, out);
+        if (has_uvs && access(texture, R_OK) == 0) {
+            fprintf(out, "texture %s\n", texture);
+        }
+        double scale = 1.2 / half;
+        fprintf(out, "%srotate 150  0 1 0\nscale %.6f %.6f %.6f\ntranslate %.6f %.6f %.6f\n",
+                camera, scale, scale, scale, -center[0], -center[1], -center[2]);
+        fprintf(out, "mesh %s color 1 1 1\n", absolute);
+    }
+    free(absolute);
+    return out != NULL && finish(out, name, error);
+}

@@ -1,0 +1,57 @@
+/*
+ * Draws a parsed scene with the fixed-point core.
+ */
+#ifndef QTRI_HOST_TOOLS_SCENE_DRAW_H
+#define QTRI_HOST_TOOLS_SCENE_DRAW_H
+
+#include <qtri.h>
+
+#include "../io/picture.h"
+#include "../io/scene.h"
+
+/* A mesh file as the core wants it: parts of at most 65536 vertices, in file order. */
+struct scene_part {
+    qtri_mesh mesh;
+    qtri_vec3 *positions;
+    qtri_normal *normals;
+    qtri_vec2 *uvs; /* NULL when the file has none */
+    uint16_t (*triangles)[3];
+};
+
+struct scene_parts {
+    struct scene_part *part;
+    size_t count;
+};
+
+/* What drawing needs beside the scene: converted once, drawn any number of times. */
+struct scene_resources {
+    const struct scene *scene;
+    struct scene_parts *meshes; /* one for each of scene->meshes */
+    uint32_t *texels;           /* XRGB8888, NULL when texturing is off */
+    qtri_texture texture;
+    qtri_light light;
+    qtri_vertex *vertices; /* scratch for the largest part */
+    uint32_t vertex_count;
+};
+
+enum scene_pass {
+    SCENE_COLORS, /* what the scene shows */
+    SCENE_IDS     /* flat triangle ids as 24-bit colours, for XRGB8888 surfaces */
+};
+
+/* False when memory runs out. The scene must outlive the resources. */
+bool scene_resources_create(struct scene_resources *resources, const struct scene *scene);
+void scene_resources_free(struct scene_resources *resources);
+
+/* Clears the surface and draws the scene into the rows and scissor it has. */
+void scene_draw(const struct scene_resources *resources, const qtri_surface *surface,
+                enum scene_pass pass);
+
+/*
+ * Renders the whole scene in bands of `rows` rows (0: one band) into a new picture, with id and
+ * depth when asked for. False when memory runs out.
+ */
+bool scene_render(const struct scene *scene, qtri_format format, int32_t rows, bool with_dump,
+                  struct picture *picture);
+
+#endif

@@ -1,0 +1,179 @@
+#include "scene_draw.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define PART_VERTICES 65536u
+
+static int16_t normal_q14(int32_t component)
+{
+    int32_t rounded = (component + (component < 0 ? -2 : 2)) / 4;
+    return (int16_t)(rounded > INT16_MAX ? INT16_MAX : (rounded < INT16_MIN ? INT16_MIN : rounded));
+}
+
+static void copy_vertex(struct scene_part *part, uint32_t to, const struct obj_mesh *mesh,
+                        uint32_t from)
+{
+    qtri_vec3 position = {mesh->positions[from][0], mesh->positions[from][1],
+                          mesh->positions[from][2]};
+    qtri_normal normal = {normal_q14(mesh->normals[from][0]), normal_q14(mesh->normals[from][1]),
+                          normal_q14(mesh->normals[from][2])};
+    part->positions[to] = position;
+    part->normals[to] = normal;
+    if (part->uvs != NULL) {
+        qtri_vec2 uv = {mesh->uvs[from][0], mesh->uvs[from][1]};
+        part->uvs[to] = uv;
+    }
+}
+
+static void part_free(struct scene_part *part)
+{
+    free(part->positions);
+    free(part->normals);
+    free(part->uvs);
+    free(part->triangles);
+}
+
+/*
+ * Takes triangles from `first` on until a part is full; returns the first that did not fit.
+ * local[v] is 1 + the part's index of vertex v, or 0; it comes and goes all zero.
+ */
+static size_t part_fill(struct scene_part *part, const struct obj_mesh *mesh, size_t first,
+                        uint32_t *local)
+{
+    size_t triangle = first;
+    uint32_t vertices = 0;
+    for (; triangle < mesh->triangle_count && vertices + 3 <= PART_VERTICES; triangle++) {
+        for (int i = 0; i < 3; i++) {
+            uint32_t vertex = mesh->triangles[triangle][i];
+            if (local[vertex] == 0) {
+                copy_vertex(part, vertices, mesh, vertex);
+                local[vertex] = ++vertices;
+            }
+            part->triangles[triangle - first][i] = (uint16_t)(local[vertex] - 1);
+        }
+    }
+    for (size_t done = first; done < triangle; done++) {
+        for (int i = 0; i < 3; i++) {
+            local[mesh->triangles[done][i]] = 0;
+        }
+    }
+    qtri_mesh view = {
+        .positions = part->positions,
+        .normals = part->normals,
+        .uvs = part->uvs,
+        .colors = NULL,
+        .triangles = (const uint16_t(*)[3])part->triangles,
+        .vertex_count = vertices,
+        .triangle_count = (uint32_t)(triangle - first),
+    };
+    part->mesh = view;
+    return triangle;
+}
+
+static bool part_allocate(struct scene_part *part, const struct obj_mesh *mesh, size_t triangles)
+{
+    size_t vertices = mesh->vertex_count < PART_VERTICES ? mesh->vertex_count : PART_VERTICES;
+    memset(part, 0, sizeof *part);
+    part->positions = malloc((vertices + 1) * sizeof *part->positions);
+    part->normals = malloc((vertices + 1) * sizeof *part->normals);
+    part->uvs = mesh->uvs != NULL ? malloc((vertices + 1) * sizeof *part->uvs) : NULL;
+    part->triangles = malloc((triangles + 1) * sizeof *part->triangles);
+    return part->positions != NULL && part->normals != NULL && part->triangles != NULL &&
+           (mesh->uvs == NULL || part->uvs != NULL);
+}
+
+static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)
+{
+    uint32_t *local = calloc(mesh->vertex_count + 1, sizeof *local);
+    bool ok = local != NULL;
+    for (size_t triangle = 0; ok && triangle < mesh->triangle_count;) {
+        struct scene_part *grown = realloc(parts->part, (parts->count + 1) * sizeof *grown);
+        ok = grown != NULL;
+        if (ok) {
+            parts->part = grown;
+            struct scene_part *part = &grown[parts->count++];
+            ok = part_allocate(part, mesh, mesh->triangle_count - triangle);
+            if (ok) {
+                triangle = part_fill(part, mesh, triangle, local);
+            }
+        }
+    }
+    free(local);
+    return ok;
+}
+
+static uint8_t log2_of(int side)
+{
+    uint8_t log2 = 0;
+    while (side > 1) {
+        side /= 2;
+        log2++;
+    }
+    return log2;
+}
+
+static bool texture_create(struct scene_resources *resources, const struct scene_texture *source)
+{
+    size_t count = (size_t)source->width * (size_t)source->height;
+    if (count == 0) {
+        return true;
+    }
+    resources->texels = malloc(count * sizeof *resources->texels);
+    if (resources->texels == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t *rgb = &source->rgb[3 * i];
+        resources->texels[i] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+    }
+    resources->texture.texels = resources->texels;
+    resources->texture.format = QTRI_TEXEL_XRGB8888;
+    resources->texture.width_log2 = log2_of(source->width);
+    resources->texture.height_log2 = log2_of(source->height);
+    return true;
+}
+
+bool scene_resources_create(struct scene_resources *resources, const struct scene *scene)
+{
+    memset(resources, 0, sizeof *resources);
+    resources->scene = scene;
+    resources->light.towards.x = scene->light.towards[0];
+    resources->light.towards.y = scene->light.towards[1];
+    resources->light.towards.z = scene->light.towards[2];
+    resources->light.ambient = scene->light.ambient;
+    resources->light.diffuse = scene->light.diffuse;
+    resources->meshes = calloc(scene->mesh_count + 1, sizeof *resources->meshes);
+    bool ok = resources->meshes != NULL && texture_create(resources, &scene->texture);
+    for (size_t i = 0; ok && i < scene->mesh_count; i++) {
+        struct scene_parts *parts = &resources->meshes[i];
+        ok = parts_create(parts, &scene->meshes[i]);
+        for (size_t j = 0; ok && j < parts->count; j++) {
+            uint32_t count = parts->part[j].mesh.vertex_count;
+            resources->vertex_count =
+                count > resources->vertex_count ? count : resources->vertex_count;
+        }
+    }
+    if (ok) {
+        resources->vertices = malloc((resources->vertex_count + 1) * sizeof *resources->vertices);
+        ok = resources->vertices != NULL;
+    }
+    if (!ok) {
+        scene_resources_free(resources);
+    }
+    return ok;
+}
+
+void scene_resources_free(struct scene_resources *resources)
+{
+    for (size_t i = 0; resources->meshes != NULL && i < resources->scene->mesh_count; i++) {
+        for (size_t j = 0; j < resources->meshes[i].count; j++) {
+            part_free(&resources->meshes[i].part[j]);
+        }
+        free(resources->meshes[i].part);
+    }
+    free(resources->meshes);
+    free(resources->texels);
+    free(resources->vertices);
+    memset(resources, 0, sizeof *resources);
+}

@@ -1,0 +1,339 @@
+#include "scene_random.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+struct writer {
+    char *text;
+    size_t length, capacity;
+    uint64_t state;
+    bool clip_space; /* both matrices are the identity: geometry brings its own w */
+    double reach;    /* how far geometry spreads */
+};
+
+static void put(struct writer *w, const char *format, ...)
+{
+    char line[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    int count = vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    if (count < 0 || (size_t)count >= sizeof line) {
+        abort();
+    }
+    while (w->length + (size_t)count + 1 > w->capacity) {
+        w->capacity = 2 * w->capacity + 4096;
+        w->text = realloc(w->text, w->capacity);
+        if (w->text == NULL) {
+            abort();
+        }
+    }
+    for (int i = 0; i <= count; i++) {
+        w->text[w->length + (size_t)i] = line[i];
+    }
+    w->length += (size_t)count;
+}
+
+/* splitmix64 (Steele, Lea, Flood 2014) */
+static uint32_t bits(struct writer *w)
+{
+    uint64_t z = (w->state += UINT64_C(0x9E3779B97F4A7C15));
+    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
+    return (uint32_t)((z ^ (z >> 31)) >> 32);
+}
+
+static int pick(struct writer *w, int count)
+{
+    return (int)(bits(w) % (uint32_t)count);
+}
+
+static bool chance(struct writer *w, int percent)
+{
+    return pick(w, 100) < percent;
+}
+
+static double uniform(struct writer *w, double low, double high)
+{
+    return low + (high - low) * bits(w) / 4294967296.0;
+}
+
+static double symmetric(struct writer *w, double size)
+{
+    return uniform(w, -size, size);
+}
+
+struct point {
+    double x, y, z, w;
+};
+
+static void put_vertex(struct writer *w, struct point p, bool textured)
+{
+    put(w, "  %.5f %.5f %.5f %.5f  %.3f %.3f %.3f", p.x, p.y, p.z, p.w, uniform(w, 0, 1),
+        uniform(w, 0, 1), uniform(w, 0, 1));
+    if (textured) {
+        double size = chance(w, 10) ? 20.0 : 1.5;
+        put(w, "  %.4f %.4f", symmetric(w, size), symmetric(w, size));
+    }
+}
+
+static void put_triangle(struct writer *w, struct point a, struct point b, struct point c)
+{
+    bool textured = chance(w, 40);
+    put(w, textured ? "trit" : "tri");
+    put_vertex(w, a, textured);
+    put_vertex(w, b, textured);
+    put_vertex(w, c, textured);
+    put(w, "\n");
+}
+
+static struct point random_point(struct writer *w)
+{
+    struct point p = {symmetric(w, w->reach), symmetric(w, w->reach), symmetric(w, w->reach), 1};
+    if (w->clip_space) {
+        p.z = symmetric(w, 1.1);
+        p.w = chance(w, 70) ? uniform(w, 0.2, 2) : symmetric(w, 2);
+        if (chance(w, 5)) {
+            p.w = 0;
+        }
+    } else if (chance(w, 5)) {
+        p.w = uniform(w, 0.3, 3);
+    }
+    return p;
+}
+
+static struct point between(struct point a, struct point b, double t)
+{
+    struct point p = {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t,
+                      a.w + (b.w - a.w) * t};
+    return p;
+}
+
+/* Round numbers often, so that points are shared exactly and ties occur. */
+static struct point rounded(struct point p)
+{
+    struct point q = {floor(p.x * 64) / 64, floor(p.y * 64) / 64, floor(p.z * 64) / 64,
+                      floor(p.w * 64) / 64};
+    return q;
+}
+
+static void put_fan(struct writer *w)
+{
+    enum { SPOKES = 7 };
+    struct point center = rounded(random_point(w));
+    struct point rim[SPOKES];
+    for (int i = 0; i < SPOKES; i++) {
+        rim[i] = rounded(random_point(w));
+        rim[i].w = center.w;
+        rim[i].x = center.x + w->reach * 0.6 * cos(i * 6.2831853 / SPOKES);
+        rim[i].y = center.y + w->reach * 0.6 * sin(i * 6.2831853 / SPOKES);
+    }
+    for (int i = 0; i < SPOKES; i++) {
+        put_triangle(w, center, rim[i], rim[(i + 1) % SPOKES]);
+    }
+}
+
+static void put_grid(struct writer *w)
+{
+    enum { SIDE = 3 };
+    struct point corner = random_point(w);
+    struct point along = random_point(w);
+    struct point across = random_point(w);
+    along.w = across.w = corner.w;
+    struct point p[SIDE + 1][SIDE + 1];
+    for (int i = 0; i <= SIDE; i++) {
+        for (int j = 0; j <= SIDE; j++) {
+            struct point a = between(corner, along, (double)i / SIDE);
+            struct point b = between(corner, across, (double)j / SIDE);
+            p[i][j] = a;
+            p[i][j].x += b.x - corner.x;
+            p[i][j].y += b.y - corner.y;
+            p[i][j].z += (b.z - corner.z) + symmetric(w, 0.05);
+        }
+    }
+    for (int i = 0; i < SIDE; i++) {
+        for (int j = 0; j < SIDE; j++) {
+            put_triangle(w, p[i][j], p[i + 1][j], p[i + 1][j + 1]);
+            put_triangle(w, p[i][j], p[i + 1][j + 1], p[i][j + 1]);
+        }
+    }
+}
+
+static void put_sliver(struct writer *w)
+{
+    struct point a = random_point(w);
+    struct point b = random_point(w);
+    struct point c = between(a, b, uniform(w, 0.2, 0.8));
+    c.x += symmetric(w, 0.02);
+    c.y += symmetric(w, 0.02);
+    put_triangle(w, a, b, c);
+}
+
+static void put_large(struct writer *w)
+{
+    double reach = w->reach;
+    w->reach *= chance(w, 30) ? 200 : 8;
+    struct point a = random_point(w);
+    struct point b = random_point(w);
+    struct point c = random_point(w);
+    put_triangle(w, a, b, c);
+    w->reach = reach;
+}
+
+static void put_matrix(struct writer *w, const char *statement)
+{
+    double m[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    for (int i = 0; i < 12; i++) {
+        m[i % 4 + 4 * (i / 4)] += i % 4 == 3 ? 0 : symmetric(w, 0.3);
+    }
+    put(w, "%s", statement);
+    for (int i = 0; i < 16; i++) {
+        put(w, " %.4f", m[i]);
+    }
+    put(w, "\n");
+}
+
+static void put_pose(struct writer *w)
+{
+    for (int steps = pick(w, 3); steps > 0; steps--) {
+        switch (pick(w, 4)) {
+        case 0:
+            put(w, "translate %.4f %.4f %.4f\n", symmetric(w, 1), symmetric(w, 1), symmetric(w, 1));
+            break;
+        case 1:
+            put(w, "rotate %.3f  %.3f %.3f %.3f\n", symmetric(w, 360), symmetric(w, 1),
+                symmetric(w, 1), uniform(w, 0.1, 1));
+            break;
+        case 2:
+            put(w, "scale %.4f %.4f %.4f\n", uniform(w, 0.4, 1.6) * (chance(w, 10) ? -1 : 1),
+                uniform(w, 0.4, 1.6), uniform(w, 0.4, 1.6));
+            break;
+        default:
+            put_matrix(w, "mult");
+            break;
+        }
+    }
+}
+
+static void put_view(struct writer *w, int kind)
+{
+    w->clip_space = kind == 0;
+    w->reach = kind == 0 ? 1.3 : 1.6;
+    if (kind == 0) {
+        return;
+    }
+    put(w, "mode projection\n");
+    if (chance(w, 20)) {
+        put(w, "identity\n");
+    }
+    double aspect = uniform(w, 0.7, 1.5);
+    if (kind == 1 || kind == 2) {
+        put(w, "perspective %.3f %.4f %.4f %.3f\n", uniform(w, 25, 110), aspect,
+            uniform(w, 0.05, 1), uniform(w, 4, 80));
+    } else if (kind == 3) {
+        put(w, "frustum %.4f %.4f %.4f %.4f %.4f %.3f\n", uniform(w, -.6, -.2), uniform(w, .2, .6),
+            uniform(w, -.6, -.2), uniform(w, .2, .6), uniform(w, .3, 1), uniform(w, 5, 50));
+    } else {
+        put(w, "ortho %.4f %.4f %.4f %.4f %.4f %.4f\n", uniform(w, -2, -1), uniform(w, 1, 2),
+            uniform(w, -2, -1), uniform(w, 1, 2), uniform(w, 0, 1), uniform(w, 4, 8));
+    }
+    put(w, "mode modelview\n");
+    if (chance(w, 10)) {
+        put(w, "load 1 0 0 0  0 1 0 0  0 0 1 0  %.4f %.4f %.4f 1\n", symmetric(w, 1),
+            symmetric(w, 1), uniform(w, -4, -1.5));
+    } else {
+        put(w, "lookat %.4f %.4f %.4f  %.4f %.4f %.4f  %.3f 1 %.3f\n", symmetric(w, 2),
+            symmetric(w, 2), uniform(w, 0.3, 4), symmetric(w, .5), symmetric(w, .5),
+            symmetric(w, .5), symmetric(w, .5), symmetric(w, .5));
+    }
+}
+
+static void put_state(struct writer *w)
+{
+    static const char *const depth[] = {"less", "less", "less", "lequal", "less", "always", "off"};
+    static const char *const cull[] = {"none", "none", "back", "front"};
+    static const int side[] = {1, 2, 8, 16, 64, 256};
+    put(w, "viewport %d %d\n", 64 + pick(w, 5) * 64, 48 + pick(w, 200));
+    put(w, "clear %.3f %.3f %.3f\n", uniform(w, 0, 1), uniform(w, 0, 1), uniform(w, 0, 1));
+    if (chance(w, 12)) {
+        put(w, "depth %s\ncleardepth %.3f\n", chance(w, 50) ? "greater" : "gequal",
+            uniform(w, 0, .3));
+    } else {
+        put(w, "depth %s\n", depth[pick(w, 7)]);
+        if (chance(w, 10)) {
+            put(w, "cleardepth %.3f\n", uniform(w, .5, 1));
+        }
+    }
+    put(w, "cull %s\n", cull[pick(w, 4)]);
+    if (chance(w, 20)) {
+        put(w, "shade flat %s\n", chance(w, 50) ? "first" : "last");
+    }
+    if (chance(w, 15)) {
+        put(w, "interpolate linear\n");
+    }
+    if (chance(w, 10)) {
+        put(w, "depthrange %.3f %.3f\n", uniform(w, 0, 1), uniform(w, 0, 1));
+    }
+    if (chance(w, 5)) {
+        put(w, "depthmask off\n");
+    }
+    if (chance(w, 60)) {
+        int width = side[pick(w, 6)];
+        int height = side[pick(w, 6)];
+        int smaller = width < height ? width : height;
+        int cells = 1 + pick(w, smaller < 8 ? smaller : 8);
+        put(w, "texture %d %d %d  %d %d %d  %d %d %d\n", width, height, cells, pick(w, 256),
+            pick(w, 256), pick(w, 256), pick(w, 256), pick(w, 256), pick(w, 256));
+        put(w, "texmode %s\n", chance(w, 30) ? "replace" : "modulate");
+    }
+}
+
+static void put_geometry(struct writer *w)
+{
+    switch (pick(w, 6)) {
+    case 0:
+        put_fan(w);
+        break;
+    case 1:
+        put_grid(w);
+        break;
+    case 2:
+        put_sliver(w);
+        break;
+    case 3:
+        put_large(w);
+        break;
+    default:
+        for (int i = 0; i < 4; i++) {
+            struct point a = random_point(w);
+            struct point b = random_point(w);
+            struct point c = random_point(w);
+            put_triangle(w, a, b, c);
+        }
+        break;
+    }
+}
+
+char *scene_random(uint32_t seed, size_t *length)
+{
+    /* Far from multiples of the generator's own step, or neighbours would share their stream. */
+    struct writer w = {.text = NULL, .state = (seed + UINT64_C(1)) * UINT64_C(0xD1B54A32D192ED03)};
+    put_state(&w);
+    put_view(&w, pick(&w, 5));
+    for (int groups = 3 + pick(&w, 5); groups > 0; groups--) {
+        bool pose = !w.clip_space && chance(&w, 60);
+        if (pose) {
+            put(&w, "push\n");
+            put_pose(&w);
+        }
+        put_geometry(&w);
+        if (pose) {
+            put(&w, "pop\n");
+        }
+    }
+    *length = w.length;
+    return w.text;
+}
