@@ -1,0 +1,154 @@
+# qtri: a fixed-point 3D renderer in C99. `make help` lists what can be made.
+#
+#   core/ and port/panels/   -> build/libqtri.a        freestanding: what a firmware links
+#   host/                    -> build/libqtri-host.a   files, the double-precision reference, the tools
+#   host/tools/main.c        -> build/qtri             the command
+#   tests/test_X.c           -> build/tests/test_X     one cmocka program each
+#   tests/fuzz_X.c           -> build/fuzz/tests/fuzz_X   one libFuzzer program each
+#   other tests/*.c          -> build/libqtri-test.a   what the tests share
+#
+# The same rules serve the sanitized and the fuzzed build; only BUILD, CC and CFLAGS differ.
+
+# Settings -----------------------------------------------------------------------------------------
+
+CFLAGS ?= -O2
+BUILD  ?= build
+# How much `make test` and `make check` do at a time.
+JOBS   ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+# The folder of the meshes; where it is missing, the tests that need one are skipped and say so.
+MODELS ?= $(wildcard ../shared/models)
+# What `make test` runs, how long it fuzzes each target, and when it takes a program for hung.
+TESTS        ?= $(basename $(notdir $(wildcard tests/test_*.c)))
+FUZZERS      ?= $(basename $(notdir $(wildcard tests/fuzz_*.c)))
+FUZZ_SECONDS ?= 60
+TEST_SECONDS ?= 300
+
+LIBRARY_SOURCES := $(wildcard core/*/*.c port/panels/*.c)
+HOST_SOURCES    := $(filter-out host/tools/main.c,$(wildcard host/io/*.c host/reference/*.c host/tools/*.c))
+HELPER_SOURCES  := $(filter-out tests/test_%.c tests/fuzz_%.c,$(wildcard tests/*.c))
+
+LIBRARY  := $(BUILD)/libqtri.a
+HOST     := $(BUILD)/libqtri-host.a
+HELPERS  := $(BUILD)/libqtri-test.a
+ARCHIVES := $(HELPERS) $(HOST) $(LIBRARY)
+
+# Tests also look inside: "math/bits.h", "io/scene.h".
+INCLUDES := -Icore/include -Iport/include
+$(BUILD)/obj/tests/%.o: INCLUDES += -Icore -Ihost
+
+# Header dependencies, from every compiler that can write them.
+DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/null 2>/dev/null && echo -MMD -MP)
+
+SANITIZE := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
+            -fsanitize=address,undefined,float-cast-overflow
+
+# -j for a make that this one starts, unless they already share the jobs.
+PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
+
+# Building -----------------------------------------------------------------------------------------
+
+.PHONY: all
+all: $(LIBRARY) $(BUILD)/qtri ## Build build/libqtri.a and build/qtri (the default); needs only a C99 compiler
+
+$(BUILD)/qtri: $(BUILD)/obj/host/tools/main.o $(HOST) $(LIBRARY)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+objects = $(1:%.c=$(BUILD)/obj/%.o)
+$(LIBRARY): $(call objects,$(LIBRARY_SOURCES))
+$(HOST):    $(call objects,$(HOST_SOURCES))
+$(HELPERS): $(call objects,$(HELPER_SOURCES))
+
+$(ARCHIVES):
+	@mkdir -p $(@D) && rm -f $@
+	$(AR) rc $@ $^
+
+$(BUILD)/obj/%.o: %.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) -std=c99 $(CFLAGS) $(INCLUDES) $(DEPENDENCIES) -c -o $@ $<
+
+# The compiler and its flags; rewritten when they change, so that everything is rebuilt.
+$(BUILD)/flags: FORCE
+	@mkdir -p $(@D)
+	@echo '$(CC) $(CFLAGS)' | cmp -s - $@ || echo '$(CC) $(CFLAGS)' > $@
+
+.PHONY: FORCE
+.SECONDARY:
+-include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)
+
+.PHONY: demo
+demo: all ## Draw the demonstration pictures into build/demo; MODELS=FOLDER names the meshes
+	@mkdir -p $(BUILD)/demo
+	$(BUILD)/qtri demo -o $(BUILD)/demo $(if $(MODELS),--models $(MODELS))
+
+.PHONY: clean
+clean: ## Remove build/
+	rm -rf build
+
+# Testing ------------------------------------------------------------------------------------------
+# Every step leaves a line `passed failed skipped` per program in build/results/; `make test` adds them up.
+
+.PHONY: setup
+setup: ## Install what the tests and checks need (Debian, as root); elsewhere name it
+	@sh tests/check/setup.sh
+
+.PHONY: test
+test: ## Run every test: plain, sanitized, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
+	@rm -rf build/results
+	@status=0; \
+	for step in test-plain test-sanitized test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards); do \
+	    $(MAKE) -s $(PARALLEL) $$step || status=1; \
+	done; \
+	sh tests/check/total.sh $$status
+
+.PHONY: test-plain
+test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_clip runs one
+	@BUILD=$(BUILD) JOBS=$(JOBS) TEST_SECONDS=$(TEST_SECONDS) MODELS=$(MODELS) \
+	    sh tests/check/run_tests.sh $(TESTS)
+
+.PHONY: test-sanitized
+test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
+	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' test-plain
+
+.PHONY: test-fuzz fuzzers
+test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, with clang
+	@if sh tests/check/have_fuzzer.sh; then \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/fuzz CC=clang CFLAGS='$(SANITIZE) -fsanitize=fuzzer-no-link' fuzzers; \
+	fi
+	@FUZZ_SECONDS=$(FUZZ_SECONDS) sh tests/check/run_fuzzers.sh $(FUZZERS)
+
+fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
+
+$(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
+$(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm
+
+# Checking -----------------------------------------------------------------------------------------
+# Each gate is a script of its name in tests/check/ and prints `check: NAME ok` or its findings.
+
+GATES := check-format check-cppcheck check-tidy check-warnings check-headers check-levels \
+         check-freestanding check-tree
+
+.PHONY: check $(GATES)
+check: ## Run every gate below
+	@$(MAKE) -s -k $(PARALLEL) --output-sync=target $(GATES)
+
+check-format:       ## clang-format has nothing to change
+check-cppcheck:     ## cppcheck finds nothing
+check-tidy:         ## clang-tidy finds nothing (.clang-tidy says what is asked)
+check-warnings:     ## gcc and clang compile everything as C99 without a warning
+check-headers:      ## Every public header compiles alone, in C99 and C++11, and links from C++
+check-levels:       ## A file includes only from its own folder and those below
+check-freestanding: ## The library for a Cortex-M0+ needs no libc, float, malloc or writable data
+check-tree:         ## No overlong or binary files, tabs or paths of one machine
+
+$(GATES): check-%:
+	@sh tests/check/$*.sh
+
+.PHONY: help
+help: ## List these targets
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## / { printf "make %-20s%s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+# Boards: firmware for emulated microcontrollers, its targets among them `test-boards` ----------------
+
+-include port/boards/boards.mk

@@ -1,0 +1,29 @@
+# Sourced by the gates: the files they read, and how they end.
+
+# C files below the folders named, generated ones left out: c_files core host
+c_files()
+{
+    for folder in "$@"; do
+        [ ! -d "$folder" ] || find "$folder" -name '*.[ch]' -o -name '*.inc'
+    done | LC_ALL=C sort
+}
+
+# Stops where a tool is missing: need clang-format g++
+need()
+{
+    for tool in "$@"; do
+        command -v "$tool" >/dev/null 2>&1 || {
+            echo "check: $gate needs $tool, which \`make setup\` installs"
+            exit 1
+        }
+    done
+}
+
+# The gate's last word: finish STATUS, 0 where nothing was found.
+finish()
+{
+    [ "$1" = 0 ] || { echo "check: $gate FAILED"; exit 1; }
+    echo "check: $gate ok"
+}
+
+jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)

@@ -1,0 +1,41 @@
+#!/bin/sh
+# A public header compiles alone, in C99 and in C++11, and a C++ program links with all it declares.
+gate=headers
+. tests/check/files.sh
+need gcc clang g++ clang++ nm
+
+flags='-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror -Icore/include -Iport/include'
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+status=0
+
+headers=$(c_files core/include port/include | sed 's,^.*/include/,,')
+for header in $headers; do
+    echo "#include \"$header\"" >"$work/one.c"
+    echo "#include \"$header\"" >>"$work/one.c" # twice: its guard
+    for compiler in gcc clang; do
+        $compiler -std=c99 $flags -x c -fsyntax-only "$work/one.c" || { echo "$header: $compiler"; status=1; }
+    done
+    for compiler in g++ clang++; do
+        $compiler -std=c++11 $flags -x c++ -fsyntax-only "$work/one.c" || { echo "$header: $compiler"; status=1; }
+    done
+done
+
+# The address of every function that both a header and an object name; a header without extern "C" does not link.
+for file in $(c_files core port/panels | grep '\.c$'); do
+    gcc -std=c99 -Icore/include -Iport/include -c -o "$work/$(echo "$file" | tr / -).o" "$file" || status=1
+done
+{
+    for header in $headers; do
+        echo "#include \"$header\""
+    done
+    echo 'static const void *volatile sink; int main() {'
+    nm -g --defined-only "$work"/*.o | awk 'NF == 3 { print $3 }' | sort -u >"$work/defined"
+    cat $(c_files core/include port/include) | tr -c 'A-Za-z0-9_' '\n' | sort -u >"$work/words"
+    comm -12 "$work/defined" "$work/words" | sed 's/.*/sink = (const void *)\&&;/'
+    echo '}'
+} >"$work/all.cc"
+g++ -std=c++11 -Icore/include -Iport/include -c -o "$work/all.oo" "$work/all.cc" &&
+    g++ -o "$work/all" "$work/all.oo" "$work"/*.o || status=1
+grep -q sink.=. "$work/all.cc" || { echo "no public function found"; status=1; }
+finish $status

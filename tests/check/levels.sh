@@ -1,0 +1,61 @@
+#!/bin/sh
+# The pipeline's levels: who may include whom.
+#   core/math < geometry < raster < draw and frame, host/io < reference < tools < bench: own folder or lower;
+#   core and port/panels: public headers and five system headers; neither the umbrella qtri.h nor the host;
+#   host/reference: nothing of core, not even by way of another header.
+gate=levels
+. tests/check/files.sh
+need awk gcc
+
+found=$(c_files core port/include port/panels host | xargs grep -n '^ *# *include' | awk -F: '
+    function exists(path,   line, ok) { ok = (getline line < path) >= 0; close(path); return ok }
+    # a/b/../c/x.h -> a/c/x.h
+    function plain(path) { while (sub(/[^\/]+\/\.\.\//, "", path)); return path }
+    function resolve(name, from) {
+        split(plain(from "/" name) " core/include/" name " port/include/" name " core/" name " host/" name, places, " ")
+        for (i = 1; i <= 5; i++) if (exists(places[i])) return places[i]
+        return ""
+    }
+    function folder(path) { sub(/\/[^\/]*$/, "", path); return path }
+    function public(path) { return path ~ /^(core|port)\/include\// }
+    function lower(from, to) {
+        return from == to || (from in level && to in level && level[to] < level[from] &&
+                              substr(from, 1, 4) == substr(to, 1, 4))
+    }
+    function complain(text) { print $1 ":" $2 ": includes " name ": " text }
+    BEGIN {
+        level["core/math"] = 1; level["core/geometry"] = 2; level["core/raster"] = 3
+        level["core/draw"] = level["core/frame"] = 4
+        level["host/io"] = 1; level["host/reference"] = 2; level["host/tools"] = 3; level["host/bench"] = 4
+        freestanding = "^(stdint|stddef|stdbool|limits|string)\\.h$"
+    }
+    {
+        from = folder($1)
+        name = $0; sub(/^[^<"]*[<"]/, "", name); sub(/[>"].*/, "", name)
+        target = resolve(name, from)
+        if (target == "") {
+            if ($0 ~ /"/) complain("no such file")
+            else if ($1 !~ /^host\// && name !~ freestanding) complain("not one of the five system headers")
+        } else if ($1 ~ /^core\//) {
+            if (target == "core/include/qtri.h") complain("the umbrella is for applications")
+            else if (public($1) && !public(target)) complain("a private header in a public one")
+            else if (target !~ /^core\//) complain("core is below " folder(target))
+            else if (!public(target) && !lower(from, folder(target))) complain(from " is not above " folder(target))
+            else if (target == $1) complain("itself")
+        } else if ($1 ~ /^port\//) {
+            if (target == "core/include/qtri.h") complain("the umbrella is for applications")
+            else if (!public(target) && folder(target) != from) complain("not a public header")
+        } else if (target ~ /^host\// && !lower(from, folder(target)))
+            complain(from " is not above " folder(target))
+    }' | grep -v '^core/include/qtri\.h:')
+
+# All that the reference reads, directly or not. -M, because -MM is silent about what <> finds.
+reads=$(for file in $(c_files host/reference | grep '\.c$'); do
+    gcc -std=c99 -M -Ihost -Icore/include -Iport/include -Icore "$file" | tr ' ' '\n' |
+        sed -n "s,\(.*/\)*\(core/.*\),$file: the reference must not read \2,p"
+done)
+
+found=$(printf '%s\n' "$found" "$reads" | sed '/^$/d')
+[ -z "$found" ] || printf '%s\n' "$found"
+[ -z "$found" ]
+finish $?

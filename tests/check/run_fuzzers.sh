@@ -1,0 +1,46 @@
+#!/bin/sh
+# Runs the fuzz targets side by side, FUZZ_SECONDS each: run_fuzzers.sh NAME...   (called by `make test-fuzz`)
+# tests/NAME.dict and tests/NAME.seeds/ are used where they exist. What was found stays in build/fuzz/corpus/NAME,
+# an input that fails in build/fuzz/findings/NAME-*; `build/fuzz/tests/NAME FILE` repeats it.
+set -u
+: "${FUZZ_SECONDS:=60}"
+export ASAN_OPTIONS="${ASAN_OPTIONS:-allocator_may_return_null=1}"
+mkdir -p build/results build/fuzz/findings
+[ $# -gt 0 ] || { echo "fuzz: no targets in tests/"; exit 0; }
+
+if ! sh tests/check/have_fuzzer.sh; then
+    echo "fuzz: $# targets skipped, clang with its fuzzer runtime is not installed (make setup)"
+    echo "0 0 $#" >build/results/fuzz
+    exit 0
+fi
+
+targets=$*
+for name in $targets; do
+    mkdir -p "build/fuzz/corpus/$name"
+    set -- -max_total_time="$FUZZ_SECONDS" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
+        -artifact_prefix="build/fuzz/findings/$name-" "build/fuzz/corpus/$name"
+    [ ! -f "tests/$name.dict" ] || set -- -dict="tests/$name.dict" "$@"
+    [ ! -d "tests/$name.seeds" ] || set -- "$@" "tests/$name.seeds"
+    (
+        status=0
+        "build/fuzz/tests/$name" "$@" >"build/fuzz/$name.log" 2>&1 </dev/null || status=$?
+        echo "$status" >"build/fuzz/$name.status"
+    ) &
+done
+wait
+
+failed=0
+for name in $targets; do
+    log=build/fuzz/$name.log
+    runs=$(sed -n 's/^stat::number_of_executed_units: //p' "$log")
+    if [ "$(cat "build/fuzz/$name.status")" = 0 ] && [ "${runs:-0}" -gt 0 ]; then
+        echo "$name: no finding in $runs runs, $FUZZ_SECONDS s"
+        echo 1 0 0 >"build/results/$name"
+    else
+        tail -n 60 "$log"
+        echo "$name: FAILED, the input is in build/fuzz/findings/"
+        echo 0 1 0 >"build/results/$name"
+        failed=1
+    fi
+done
+exit $failed

@@ -1,0 +1,52 @@
+#!/bin/sh
+# Runs cmocka programs, JOBS at a time: run_tests.sh NAME...   (called by `make test-plain`)
+# A program's output goes to $BUILD/tests/NAME.log, its counts to build/results/; both are shown if it fails.
+set -u
+: "${BUILD:=build}" "${JOBS:=2}" "${TEST_SECONDS:=300}" "${MODELS:=}"
+
+# The environment the tests may rely on; QTRI_TEST_LONG is the user's to set.
+export QTRI_TMP="$BUILD/tmp" QTRI_COMMAND="$BUILD/qtri"
+if [ -n "$MODELS" ]; then export QTRI_MODELS="$MODELS"; else unset QTRI_MODELS; fi
+export CMOCKA_MESSAGE_OUTPUT=TAP
+export ASAN_OPTIONS="${ASAN_OPTIONS:-allocator_may_return_null=1:detect_stack_use_after_return=1}"
+export UBSAN_OPTIONS="${UBSAN_OPTIONS:-print_stacktrace=1}"
+export BUILD TEST_SECONDS
+
+if [ "${1:-}" != --one ]; then
+    mkdir -p "$QTRI_TMP" build/results
+    [ $# -gt 0 ] || { echo "no tests in tests/"; exit 1; }
+    printf '%s\n' "$@" | xargs -P "$JOBS" -n 1 sh "$0" --one
+    exit $?
+fi
+
+name=$2 log=$BUILD/tests/$2.log
+limit=''
+command -v timeout >/dev/null 2>&1 && limit="timeout $TEST_SECONDS"
+status=0
+$limit "$BUILD/tests/$name" >"$log" 2>&1 </dev/null || status=$?
+
+# TAP: `1..N` opens a group; `ok 1 - name`, `not ok 2 - name` and `not ok 3 # SKIP name` are its tests, perhaps
+# behind text that a test printed. Tests announced and never heard of, a crash or no test at all: failed.
+counts=$(awk -v status="$status" '
+    /^1\.\.[0-9]+$/                  { planned += substr($0, 4); next }
+    /ok [1-9][0-9]* (- .*)?# SKIP/   { skipped++; next }
+    /not ok [1-9][0-9]* - /          { failed++; next }
+    /ok [1-9][0-9]* - /              { passed++ }
+    END {
+        missing = planned - passed - failed - skipped
+        failed += missing > 0 ? missing : -missing
+        if (!failed && (status != 0 || planned == 0)) failed = 1
+        print passed + 0, failed + 0, skipped + 0
+    }' "$log")
+echo "$counts" >"build/results/$(echo "$BUILD/$name" | tr / -)"
+
+set -- $counts
+if [ "$2" = 0 ]; then
+    echo "$BUILD/tests/$name: $1 passed$([ "$3" = 0 ] || echo ", $3 skipped")"
+    sed -n 's/.*ok [0-9]* .*# SKIP /    skipped: /p' "$log"
+    exit 0
+fi
+[ "$status" != 124 ] || echo "killed after $TEST_SECONDS seconds" >>"$log"
+# One write, so that the logs of programs that fail together stay apart.
+printf '%s\n' "$(cat "$log"; echo "$BUILD/tests/$name: $1 passed, $2 FAILED, $3 skipped, status $status")"
+exit 1

@@ -1,0 +1,29 @@
+#!/bin/sh
+# The files of the repository, committed or about to be: short, text, no tabs, no path of one machine.
+gate=tree
+. tests/check/files.sh
+need git
+git rev-parse --is-inside-work-tree >/dev/null || finish 1
+
+findings=$(
+    c_files core port host | xargs wc -l | awk '$2 != "total" && $1 > 600 { print $2 ": " $1 " lines, more than 600" }'
+    tab=$(printf '\t')
+    git ls-files --cached --others --exclude-standard | while IFS= read -r file; do
+        [ -f "$file" ] || continue
+        LC_ALL=C tr -d '\000' <"$file" | cmp -s - "$file" || { echo "$file: binary"; continue; }
+        # A recipe of make begins with a tab, and a table is made of them.
+        case $file in
+        Makefile | *.mk | *.tsv) ;;
+        *) grep -n "$tab" "$file" | sed "s,^\([0-9]*\):.*,$file:\1: tab," ;;
+        esac
+        # Tests may fall back to the system's folder for temporary files where QTRI_TMP is not set.
+        case $file in
+        tests/*.[ch]) own='work|root|home' ;;
+        *) own='work|root|home|tmp' ;;
+        esac
+        grep -nE "(^|[^A-Za-z0-9_.)}*])/($own)(\$|[^A-Za-z0-9_])" "$file" | sed "s,^,$file:,; s,\$, (a path of one machine),"
+    done
+)
+[ -z "$findings" ] || printf '%s\n' "$findings"
+[ -z "$findings" ]
+finish $?
