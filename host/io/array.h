@@ -1,0 +1,15 @@
+/*
+ * Arrays that grow.
+ */
+#ifndef QTRI_HOST_IO_ARRAY_H
+#define QTRI_HOST_IO_ARRAY_H
+
+#include <stddef.h>
+
+/*
+ * Makes room for one more item behind the `count` there are, at least doubling what it enlarges.
+ * Returns where the items are now, or NULL when memory runs out: then `items` stays as it was.
+ */
+void *array_grow(void *items, size_t count, size_t *capacity, size_t item_size);
+
+#endif

@@ -1,0 +1,54 @@
+/*
+ * Files as a whole: read into memory, or written so that they appear complete or not at all.
+ */
+#ifndef QTRI_HOST_IO_FILE_H
+#define QTRI_HOST_IO_FILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "text_error.h"
+
+#define FILE_MAX_BYTES ((size_t)1 << 30) /* a larger file is an error */
+
+struct file_content {
+    char *bytes; /* free() it */
+    size_t length;
+};
+
+/* Reads all of a file, a pipe or a device; an empty one is fine. False with *error set. */
+bool file_read(const char *path, struct file_content *content, struct text_error *error);
+
+enum file_kind { FILE_MISSING, FILE_REGULAR, FILE_OTHER /* folder, device, pipe, unreachable */ };
+
+/* Two paths lead to the same file when both members agree. */
+struct file_identity {
+    uint64_t device;
+    uint64_t number;
+};
+
+/* `identity` may be NULL; it is written for files that exist. */
+enum file_kind file_inspect(const char *path, struct file_identity *identity);
+
+/*
+ * A file being written. The bytes go to a temporary file in the target's folder, which takes the
+ * target's name on commit; until then, and after any failure, the target is as it was.
+ */
+struct file_output {
+    FILE *stream;
+    char *path;
+    char *temporary;
+    int failure; /* errno of the first write that failed */
+};
+
+bool file_output_open(struct file_output *output, const char *path, struct text_error *error);
+
+/* Failures are kept and reported by commit. */
+void file_output_write(struct file_output *output, const void *bytes, size_t length);
+
+/* Ends the output: the target is complete, or false with *error set. */
+bool file_output_commit(struct file_output *output, struct text_error *error);
+
+#endif

@@ -1,0 +1,205 @@
+#include "obj_source.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "array.h"
+
+#define ONE 65536
+
+void obj_source_free(struct obj_source *source)
+{
+    for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
+        free(source->lists[i].items);
+    }
+    free(source->vertices);
+    free(source->triangles);
+    free(source->table.slots);
+    memset(source, 0, sizeof *source);
+}
+
+/* ---- Distinct corners ---- */
+
+/* Multiply and shift after each index (the finaliser of SplitMix64): neighbours spread well. */
+static size_t hash_corner(const struct obj_corner *corner)
+{
+    uint64_t h = 0;
+    for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
+        h = (h ^ corner->index[i]) + UINT64_C(0x9E3779B97F4A7C15);
+        h = (h ^ (h >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+        h = (h ^ (h >> 27)) * UINT64_C(0x94D049BB133111EB);
+        h ^= h >> 31;
+    }
+    return (size_t)h;
+}
+
+static bool same_corner(const struct obj_corner *a, const struct obj_corner *b)
+{
+    return memcmp(a->index, b->index, sizeof a->index) == 0;
+}
+
+/* The slot that holds the corner, or the free one where it belongs. The table is never full. */
+static uint32_t *find_slot(const struct obj_source *source, const struct obj_corner *corner)
+{
+    size_t mask = source->table.size - 1;
+    size_t at = hash_corner(corner) & mask;
+    while (source->table.slots[at] != 0 &&
+           !same_corner(&source->vertices[source->table.slots[at] - 1], corner)) {
+        at = (at + 1) & mask;
+    }
+    return &source->table.slots[at];
+}
+
+static bool grow_table(struct obj_source *source)
+{
+    size_t size = source->table.size == 0 ? 64 : source->table.size * 2;
+    uint32_t *slots = calloc(size, sizeof *slots);
+    if (slots == NULL) {
+        return false;
+    }
+    free(source->table.slots);
+    source->table.slots = slots;
+    source->table.size = size;
+    for (size_t i = 0; i < source->vertex_count; i++) {
+        *find_slot(source, &source->vertices[i]) = (uint32_t)(i + 1);
+    }
+    return true;
+}
+
+bool obj_add_corner(struct obj_source *source, const struct obj_corner *corner, uint32_t *vertex)
+{
+    if (2 * (source->vertex_count + 1) > source->table.size && !grow_table(source)) {
+        return false;
+    }
+    uint32_t *slot = find_slot(source, corner);
+    if (*slot == 0) {
+        struct obj_corner *grown = array_grow(source->vertices, source->vertex_count,
+                                              &source->vertex_capacity, sizeof *grown);
+        if (grown == NULL || source->vertex_count >= OBJ_MAX_COUNT) {
+            return false;
+        }
+        source->vertices = grown;
+        grown[source->vertex_count++] = *corner;
+        *slot = (uint32_t)source->vertex_count;
+    }
+    *vertex = *slot - 1;
+    return true;
+}
+
+/* ---- Normals ---- */
+
+/* Adds twice the triangle's area vector to the normal of each of its positions. */
+static void add_area(const struct obj_source *source, const uint32_t triangle[3], double (*sums)[3])
+{
+    uint32_t position[3];
+    double edge[2][3];
+    for (int i = 0; i < 3; i++) {
+        position[i] = source->vertices[triangle[i]].index[OBJ_POSITION];
+    }
+    const int32_t(*p)[3] = (const int32_t(*)[3])source->lists[OBJ_POSITION].items;
+    for (int i = 0; i < 3; i++) {
+        edge[0][i] = (double)p[position[1]][i] - (double)p[position[0]][i];
+        edge[1][i] = (double)p[position[2]][i] - (double)p[position[0]][i];
+    }
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        double area = edge[0][j] * edge[1][k] - edge[0][k] * edge[1][j];
+        for (int corner = 0; corner < 3; corner++) {
+            sums[position[corner]][i] += area;
+        }
+    }
+}
+
+/* Scales to length 1, in Q16.16; false when the vector is zero. */
+static bool normalise(const double vector[3], int32_t out[3])
+{
+    double length = sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    if (!(length > 0.0)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        out[i] = (int32_t)lround(vector[i] / length * ONE);
+    }
+    return true;
+}
+
+static void vertex_normal(const struct obj_source *source, const struct obj_corner *corner,
+                          const double (*sums)[3], int32_t out[3])
+{
+    if (corner->index[OBJ_NORMAL] != OBJ_ABSENT) {
+        const int32_t *given = source->lists[OBJ_NORMAL].items[corner->index[OBJ_NORMAL]];
+        const double vector[3] = {given[0], given[1], given[2]};
+        if (normalise(vector, out)) {
+            return;
+        }
+    }
+    if (!normalise(sums[corner->index[OBJ_POSITION]], out)) {
+        out[0] = 0;
+        out[1] = 0;
+        out[2] = ONE;
+    }
+}
+
+static bool build_normals(const struct obj_source *source, struct obj_mesh *mesh)
+{
+    double(*sums)[3] = calloc(source->lists[OBJ_POSITION].count, sizeof *sums);
+    if (sums == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < source->triangle_count; i++) {
+        add_area(source, source->triangles[i], sums);
+    }
+    for (size_t i = 0; i < source->vertex_count; i++) {
+        vertex_normal(source, &source->vertices[i], (const double(*)[3])sums, mesh->normals[i]);
+    }
+    free(sums);
+    return true;
+}
+
+/* ---- The mesh ---- */
+
+static bool any_uv(const struct obj_source *source)
+{
+    for (size_t i = 0; i < source->vertex_count; i++) {
+        if (source->vertices[i].index[OBJ_UV] != OBJ_ABSENT) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool allocate(const struct obj_source *source, struct obj_mesh *mesh)
+{
+    mesh->positions = calloc(source->vertex_count, sizeof *mesh->positions);
+    mesh->normals = calloc(source->vertex_count, sizeof *mesh->normals);
+    if (mesh->positions == NULL || mesh->normals == NULL) {
+        return false;
+    }
+    if (any_uv(source)) {
+        mesh->uvs = calloc(source->vertex_count, sizeof *mesh->uvs);
+        return mesh->uvs != NULL;
+    }
+    return true;
+}
+
+bool obj_build(struct obj_source *source, struct obj_mesh *mesh)
+{
+    if (!allocate(source, mesh) || !build_normals(source, mesh)) {
+        return false;
+    }
+    for (size_t i = 0; i < source->vertex_count; i++) {
+        const uint32_t *index = source->vertices[i].index;
+        memcpy(mesh->positions[i], source->lists[OBJ_POSITION].items[index[OBJ_POSITION]],
+               sizeof mesh->positions[i]);
+        if (index[OBJ_UV] != OBJ_ABSENT) {
+            memcpy(mesh->uvs[i], source->lists[OBJ_UV].items[index[OBJ_UV]], sizeof mesh->uvs[i]);
+        }
+    }
+    mesh->vertex_count = source->vertex_count;
+    mesh->triangle_count = source->triangle_count;
+    mesh->triangles = source->triangles;
+    source->triangles = NULL;
+    source->triangle_count = 0;
+    return true;
+}

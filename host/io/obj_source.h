@@ -1,0 +1,57 @@
+/*
+ * Inside the OBJ reader: what the parser (obj.c) collects, and what makes a mesh of it
+ * (obj_build.c).
+ */
+#ifndef QTRI_HOST_IO_OBJ_SOURCE_H
+#define QTRI_HOST_IO_OBJ_SOURCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "obj.h"
+
+#define OBJ_ABSENT    UINT32_MAX        /* a corner without this attribute */
+#define OBJ_MAX_COUNT ((size_t)1 << 31) /* of anything in a file: indices fit 32 bits */
+
+enum obj_attribute { OBJ_POSITION, OBJ_UV, OBJ_NORMAL, OBJ_ATTRIBUTES };
+
+/* A corner of a face: 0-based index of each attribute, or OBJ_ABSENT. */
+struct obj_corner {
+    uint32_t index[OBJ_ATTRIBUTES];
+};
+
+/* The numbers of all v, vt or vn statements; uv uses [0] and [1], v already turned over. */
+struct obj_list {
+    int32_t (*items)[3];
+    size_t count, capacity;
+};
+
+/* Finds the vertex that stands for a corner: open addressing, slots hold vertex + 1 or 0. */
+struct obj_table {
+    uint32_t *slots;
+    size_t size; /* a power of two, or 0 */
+};
+
+struct obj_source {
+    struct obj_list lists[OBJ_ATTRIBUTES];
+    struct obj_corner *vertices; /* the distinct corners, in the order they appear */
+    size_t vertex_count, vertex_capacity;
+    uint32_t (*triangles)[3];
+    size_t triangle_count, triangle_capacity;
+    struct obj_table table;
+};
+
+void obj_source_free(struct obj_source *source);
+
+/* The vertex of a corner, new or known. False when memory runs out. */
+bool obj_add_corner(struct obj_source *source, const struct obj_corner *corner, uint32_t *vertex);
+
+/*
+ * Makes the mesh (all but `path`). Every index of every corner lies inside its list. Takes the
+ * triangles over from the source. False when memory runs out: then *mesh is to be freed by
+ * obj_free as well.
+ */
+bool obj_build(struct obj_source *source, struct obj_mesh *mesh);
+
+#endif

@@ -1,0 +1,253 @@
+#include "scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "number.h"
+#include "scene_parser.h"
+
+/* clang-format off */
+static const struct scene_statement statements[] = {
+    {"viewport",    {2, 2},    scene_statement_viewport,      0, "W H"},
+    {"clear",       {3, 3},    scene_statement_clear,         0, "R G B"},
+    {"cleardepth",  {1, 1},    scene_statement_cleardepth,    0, "Z"},
+    {"depth",       {1, 1},    scene_statement_depth,         0,
+     "off|less|lequal|greater|gequal|always|equal|notequal|never"},
+    {"depthmask",   {1, 1},    scene_statement_depthmask,     0, "on|off"},
+    {"depthrange",  {2, 2},    scene_statement_depthrange,    0, "NEAR FAR"},
+    {"cull",        {1, 1},    scene_statement_cull,          0, "none|back|front"},
+    {"shade",       {1, 2},    scene_statement_shade,         0, "smooth|flat [first|last]"},
+    {"texture",     {1, 9},    scene_statement_texture,       0,
+     "off, texture FILE.ppm or texture W H CELLS r g b r g b"},
+    {"texmode",     {1, 1},    scene_statement_texmode,       0, "replace|modulate"},
+    {"interpolate", {1, 1},    scene_statement_interpolate,   0, "perspective|linear"},
+    {"polygon",     {1, 1},    scene_statement_polygon,       0, "fill|line"},
+    {"light",       {5, 5},    scene_statement_light,         0, "x y z ambient diffuse"},
+    {"mode",        {1, 1},    scene_statement_mode,          0, "projection|modelview"},
+    {"identity",    {0, 0},    scene_statement_numbers,       SCENE_IDENTITY, ""},
+    {"load",        {16, 16},  scene_statement_numbers,       SCENE_LOAD, "m0..m15"},
+    {"mult",        {16, 16},  scene_statement_numbers,       SCENE_MULT, "m0..m15"},
+    {"lookat",      {9, 9},    scene_statement_numbers,       SCENE_LOOKAT,
+     "ex ey ez cx cy cz ux uy uz"},
+    {"perspective", {4, 4},    scene_statement_numbers,       SCENE_PERSPECTIVE,
+     "fovy aspect near far"},
+    {"frustum",     {6, 6},    scene_statement_numbers,       SCENE_FRUSTUM, "l r b t near far"},
+    {"ortho",       {6, 6},    scene_statement_numbers,       SCENE_ORTHO, "l r b t near far"},
+    {"translate",   {3, 3},    scene_statement_numbers,       SCENE_TRANSLATE, "x y z"},
+    {"rotate",      {4, 4},    scene_statement_numbers,       SCENE_ROTATE, "degrees x y z"},
+    {"scale",       {3, 3},    scene_statement_numbers,       SCENE_SCALE, "x y z"},
+    {"push",        {0, 0},    scene_statement_push,          SCENE_PUSH, ""},
+    {"pop",         {0, 0},    scene_statement_pop,           SCENE_POP, ""},
+    {"tri",         {21, 21},  scene_statement_triangle,      SCENE_TRIANGLE, "(x y z w r g b) x3"},
+    {"trit",        {27, 27},  scene_statement_triangle,      SCENE_TRIANGLE,
+     "(x y z w r g b u v) x3"},
+    {"mesh",        {1, 5},    scene_statement_mesh,          SCENE_MESH, "FILE.obj [color r g b]"},
+};
+/* clang-format on */
+
+/* ---- Helpers for handlers ---- */
+
+bool scene_fail(struct scene_parser *parser, const char *sentence)
+{
+    text_error_set(parser->error, parser->name, parser->line, "%s: %s", parser->statement->name,
+                   sentence);
+    return false;
+}
+
+bool scene_fail_argument(struct scene_parser *parser, int argument, const char *problem)
+{
+    char quoted[TOKEN_QUOTE_SIZE];
+    text_error_set(parser->error, parser->name, parser->line, "%s: '%s' %s",
+                   parser->statement->name, token_quote(&parser->arguments[argument], quoted),
+                   problem);
+    return false;
+}
+
+bool scene_numbers(struct scene_parser *parser, int first, int count, int32_t *numbers)
+{
+    for (int i = 0; i < count; i++) {
+        const struct token *token = &parser->arguments[first + i];
+        enum number_result result = number_parse_q16(token->text, token->length, &numbers[i]);
+        if (result != NUMBER_OK) {
+            return scene_fail_argument(parser, first + i, number_problem(result));
+        }
+    }
+    return true;
+}
+
+bool scene_fractions(struct scene_parser *parser, int first, int count, int32_t *numbers)
+{
+    if (!scene_numbers(parser, first, count, numbers)) {
+        return false;
+    }
+    for (int i = 0; i < count; i++) {
+        if (numbers[i] < 0 || numbers[i] > SCENE_ONE) {
+            return scene_fail_argument(parser, first + i, "does not lie in 0..1");
+        }
+    }
+    return true;
+}
+
+bool scene_integer(struct scene_parser *parser, int argument, int minimum, int maximum, int *value)
+{
+    const struct token *token = &parser->arguments[argument];
+    int64_t parsed;
+    if (number_parse_integer(token->text, token->length, minimum, maximum, &parsed) != NUMBER_OK) {
+        char quoted[TOKEN_QUOTE_SIZE];
+        text_error_set(parser->error, parser->name, parser->line,
+                       "%s: '%s' is not a whole number in %d..%d", parser->statement->name,
+                       token_quote(token, quoted), minimum, maximum);
+        return false;
+    }
+    *value = (int)parsed;
+    return true;
+}
+
+bool scene_choice(struct scene_parser *parser, int argument, const char *const *words, int count,
+                  int *choice)
+{
+    for (int i = 0; i < count; i++) {
+        if (token_equals(&parser->arguments[argument], words[i])) {
+            *choice = i;
+            return true;
+        }
+    }
+    char quoted[TOKEN_QUOTE_SIZE];
+    text_error_set(parser->error, parser->name, parser->line, "'%s' is unknown here: %s %s",
+                   token_quote(&parser->arguments[argument], quoted), parser->statement->name,
+                   parser->statement->usage);
+    return false;
+}
+
+/* ---- Statements ---- */
+
+static const struct scene_statement *find_statement(const struct token *keyword)
+{
+    for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
+        if (token_equals(keyword, statements[i].name)) {
+            return &statements[i];
+        }
+    }
+    return NULL;
+}
+
+/* Keeps the arguments there is room for and counts them all. */
+static void take_arguments(struct scene_parser *parser, struct line *line)
+{
+    struct token token;
+    parser->argument_count = 0;
+    while (line_token(line, &token)) {
+        if (parser->argument_count < SCENE_MAX_ARGUMENTS) {
+            parser->arguments[parser->argument_count] = token;
+        }
+        parser->argument_count++;
+    }
+}
+
+static bool check_argument_count(struct scene_parser *parser)
+{
+    const struct scene_statement *statement = parser->statement;
+    if (parser->argument_count == statement->counts[0] ||
+        parser->argument_count == statement->counts[1]) {
+        return true;
+    }
+    text_error_set(parser->error, parser->name, parser->line,
+                   "wrong number of values (%d) for %s%s%s", parser->argument_count,
+                   statement->name, statement->usage[0] != '\0' ? " " : "", statement->usage);
+    return false;
+}
+
+static bool parse_statement(struct scene_parser *parser, struct line *line)
+{
+    struct token keyword;
+    parser->line = line->number;
+    if (!line_token(line, &keyword)) {
+        return true;
+    }
+    parser->statement = find_statement(&keyword);
+    if (parser->statement == NULL) {
+        char quoted[TOKEN_QUOTE_SIZE];
+        text_error_set(parser->error, parser->name, parser->line, "'%s' %s",
+                       token_quote(&keyword, quoted),
+                       token_is_binary(&keyword) ? "is not text: is this a scene file?"
+                                                 : "is not a statement");
+        return false;
+    }
+    take_arguments(parser, line);
+    if (!check_argument_count(parser) || !parser->statement->handler(parser)) {
+        return false;
+    }
+    parser->any_statement = true;
+    return true;
+}
+
+/* ---- Scenes ---- */
+
+static void set_defaults(struct scene *scene)
+{
+    memset(scene, 0, sizeof *scene);
+    scene->width = 256;
+    scene->height = 256;
+    scene->clear_depth = SCENE_ONE;
+    scene->depth_write = true;
+    scene->depth_compare = SCENE_LESS;
+    scene->cull = SCENE_CULL_NONE;
+    scene->provoking = 2;
+    scene->texture_mode = SCENE_MODULATE;
+    scene->depth_far = SCENE_ONE;
+}
+
+static bool parse_all(struct scene_parser *parser, const char *text, size_t length)
+{
+    struct line_reader reader;
+    struct line line;
+    lines_begin(&reader, text, length, false);
+    while (lines_next(&reader, &line)) {
+        if (!parse_statement(parser, &line)) {
+            return false;
+        }
+    }
+    return scene_make_texture(parser);
+}
+
+bool scene_parse(const char *name, const char *text, size_t length, struct scene *scene,
+                 struct text_error *error)
+{
+    struct scene_parser parser;
+    memset(&parser, 0, sizeof parser);
+    parser.name = name;
+    parser.error = error;
+    parser.scene = scene;
+    parser.mode = 1;
+    set_defaults(scene);
+    bool ok = parse_all(&parser, text, length);
+    free(parser.mesh_files);
+    free(parser.texture.path);
+    if (!ok) {
+        scene_free(scene);
+    }
+    return ok;
+}
+
+bool scene_read(const char *path, struct scene *scene, struct text_error *error)
+{
+    struct file_content file;
+    memset(scene, 0, sizeof *scene);
+    if (!file_read(path, &file, error)) {
+        return false;
+    }
+    bool ok = scene_parse(path, file.bytes, file.length, scene, error);
+    free(file.bytes);
+    return ok;
+}
+
+void scene_free(struct scene *scene)
+{
+    for (size_t i = 0; i < scene->mesh_count; i++) {
+        obj_free(&scene->meshes[i]);
+    }
+    free(scene->meshes);
+    free(scene->ops);
+    free(scene->texture.rgb);
+    memset(scene, 0, sizeof *scene);
+}

@@ -1,0 +1,231 @@
+#include "scene_parser.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "array.h"
+#include "picture.h"
+
+/* ---- Files that a scene names ---- */
+
+/* An absolute path as it is, another one in the folder of the scene file. NULL with the error. */
+static char *path_of(struct scene_parser *parser, int argument)
+{
+    const struct token *token = &parser->arguments[argument];
+    if (token_is_binary(token)) {
+        scene_fail_argument(parser, argument, "is not a file name");
+        return NULL;
+    }
+    const char *slash = token->text[0] == '/' ? NULL : strrchr(parser->name, '/');
+    size_t folder = slash == NULL ? 0 : (size_t)(slash - parser->name) + 1;
+    char *path = malloc(folder + token->length + 1);
+    if (path == NULL) {
+        scene_fail(parser, "out of memory");
+        return NULL;
+    }
+    memcpy(path, parser->name, folder);
+    memcpy(path + folder, token->text, token->length);
+    path[folder + token->length] = '\0';
+    return path;
+}
+
+/* Devices and pipes are refused: a scene from elsewhere should not be able to make us wait. */
+static bool inspect(struct scene_parser *parser, const char *path, struct file_identity *identity)
+{
+    switch (file_inspect(path, identity)) {
+    case FILE_REGULAR:
+        return true;
+    case FILE_MISSING:
+        text_error_set(parser->error, parser->name, parser->line, "%s: %s does not exist",
+                       parser->statement->name, path);
+        return false;
+    case FILE_OTHER:
+        break;
+    }
+    text_error_set(parser->error, parser->name, parser->line, "%s: %s is not an ordinary file",
+                   parser->statement->name, path);
+    return false;
+}
+
+/* ---- Meshes ---- */
+
+static bool known_mesh(const struct scene_parser *parser, const struct file_identity *identity,
+                       size_t *mesh)
+{
+    for (size_t i = 0; i < parser->scene->mesh_count; i++) {
+        if (parser->mesh_files[i].device == identity->device &&
+            parser->mesh_files[i].number == identity->number) {
+            *mesh = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool grow_meshes(struct scene_parser *parser)
+{
+    size_t count = parser->scene->mesh_count;
+    struct obj_mesh *meshes =
+        array_grow(parser->scene->meshes, count, &parser->mesh_capacity, sizeof *meshes);
+    if (meshes != NULL) {
+        parser->scene->meshes = meshes;
+    }
+    struct file_identity *files =
+        array_grow(parser->mesh_files, count, &parser->mesh_file_capacity, sizeof *files);
+    if (files != NULL) {
+        parser->mesh_files = files;
+    }
+    return (meshes != NULL && files != NULL) || scene_fail(parser, "out of memory");
+}
+
+static bool find_or_read_mesh(struct scene_parser *parser, const char *path, size_t *mesh)
+{
+    struct file_identity identity;
+    if (!inspect(parser, path, &identity)) {
+        return false;
+    }
+    if (known_mesh(parser, &identity, mesh)) {
+        return true;
+    }
+    struct text_error error;
+    if (!grow_meshes(parser)) {
+        return false;
+    }
+    *mesh = parser->scene->mesh_count;
+    if (!obj_read(path, &parser->scene->meshes[*mesh], &error)) {
+        return scene_fail(parser, error.message);
+    }
+    parser->mesh_files[*mesh] = identity;
+    parser->scene->mesh_count++;
+    return true;
+}
+
+bool scene_find_mesh(struct scene_parser *parser, int argument, size_t *mesh)
+{
+    char *path = path_of(parser, argument);
+    bool found = path != NULL && find_or_read_mesh(parser, path, mesh);
+    free(path);
+    return found;
+}
+
+/* ---- Textures ---- */
+
+static bool is_texture_side(int side)
+{
+    return side >= 1 && side <= SCENE_MAX_TEXTURE && (side & (side - 1)) == 0;
+}
+
+static bool request_checkers(struct scene_parser *parser, struct scene_texture_request *request)
+{
+    int *sides[] = {&request->width, &request->height};
+    for (int i = 0; i < 2; i++) {
+        if (!scene_integer(parser, i, 1, SCENE_MAX_TEXTURE, sides[i])) {
+            return false;
+        }
+        if (!is_texture_side(*sides[i])) {
+            return scene_fail_argument(parser, i, "is not a power of two");
+        }
+    }
+    int smaller = request->width < request->height ? request->width : request->height;
+    if (!scene_integer(parser, 2, 1, smaller, &request->cells)) {
+        return false;
+    }
+    for (int i = 0; i < 6; i++) {
+        int byte;
+        if (!scene_integer(parser, 3 + i, 0, 255, &byte)) {
+            return false;
+        }
+        request->rgb[i / 3][i % 3] = (uint8_t)byte;
+    }
+    request->kind = SCENE_TEXTURE_CHECKERS;
+    return true;
+}
+
+static bool request_file(struct scene_parser *parser, struct scene_texture_request *request)
+{
+    request->path = path_of(parser, 0);
+    if (request->path == NULL) {
+        return false;
+    }
+    if (!inspect(parser, request->path, NULL)) {
+        free(request->path);
+        return false;
+    }
+    request->kind = SCENE_TEXTURE_FILE;
+    return true;
+}
+
+bool scene_statement_texture(struct scene_parser *parser)
+{
+    struct scene_texture_request request = {.kind = SCENE_TEXTURE_OFF, .line = parser->line};
+    if (parser->argument_count == 9) {
+        if (!request_checkers(parser, &request)) {
+            return false;
+        }
+    } else if (!token_equals(&parser->arguments[0], "off") && !request_file(parser, &request)) {
+        return false;
+    }
+    request.statement = parser->statement;
+    free(parser->texture.path);
+    parser->texture = request;
+    return true;
+}
+
+/* CELLS x CELLS fields; the parity of a field's column + row chooses its colour. */
+static bool make_checkers(struct scene_parser *parser)
+{
+    const struct scene_texture_request *request = &parser->texture;
+    struct scene_texture *texture = &parser->scene->texture;
+    texture->rgb = malloc((size_t)request->width * (size_t)request->height * 3);
+    if (texture->rgb == NULL) {
+        return scene_fail(parser, "out of memory");
+    }
+    texture->width = request->width;
+    texture->height = request->height;
+    uint8_t *texel = texture->rgb;
+    for (int y = 0; y < request->height; y++) {
+        int row = y * request->cells / request->height;
+        for (int x = 0; x < request->width; x++, texel += 3) {
+            int column = x * request->cells / request->width;
+            memcpy(texel, request->rgb[(row + column) & 1], 3);
+        }
+    }
+    return true;
+}
+
+static bool read_texture(struct scene_parser *parser)
+{
+    struct picture picture;
+    struct text_error error;
+    if (!picture_read_ppm(parser->texture.path, &picture, &error)) {
+        return scene_fail(parser, error.message);
+    }
+    if (!is_texture_side(picture.width) || !is_texture_side(picture.height)) {
+        text_error_set(parser->error, parser->name, parser->line,
+                       "texture: %s is %d x %d; sides must be powers of two up to %d",
+                       parser->texture.path, picture.width, picture.height, SCENE_MAX_TEXTURE);
+        picture_free(&picture);
+        return false;
+    }
+    parser->scene->texture.width = picture.width;
+    parser->scene->texture.height = picture.height;
+    parser->scene->texture.rgb = picture.rgb;
+    picture.rgb = NULL;
+    picture_free(&picture);
+    return true;
+}
+
+bool scene_make_texture(struct scene_parser *parser)
+{
+    parser->line = parser->texture.line; /* where the message belongs */
+    parser->statement = parser->texture.statement;
+    switch (parser->texture.kind) {
+    case SCENE_TEXTURE_CHECKERS:
+        return make_checkers(parser);
+    case SCENE_TEXTURE_FILE:
+        return read_texture(parser);
+    case SCENE_TEXTURE_OFF:
+        break;
+    }
+    return true;
+}

@@ -1,0 +1,205 @@
+#include "scene_parser.h"
+
+#include <string.h>
+
+#include "array.h"
+
+#define DEGREES_180 (180 * SCENE_ONE)
+
+/* Appends an operation of the given kind; NULL with the error set when memory runs out. */
+static struct scene_op *add_op(struct scene_parser *parser, enum scene_op_kind kind)
+{
+    struct scene *scene = parser->scene;
+    struct scene_op *grown =
+        array_grow(scene->ops, scene->op_count, &parser->op_capacity, sizeof *grown);
+    if (grown == NULL) {
+        scene_fail(parser, "out of memory");
+        return NULL;
+    }
+    scene->ops = grown;
+    struct scene_op *op = &grown[scene->op_count++];
+    memset(op, 0, sizeof *op);
+    op->kind = kind;
+    op->line = parser->line;
+    return op;
+}
+
+bool scene_statement_mode(struct scene_parser *parser)
+{
+    static const char *const words[] = {"projection", "modelview"};
+    if (!scene_choice(parser, 0, words, 2, &parser->mode)) {
+        return false;
+    }
+    return add_op(parser, parser->mode == 0 ? SCENE_MODE_PROJECTION : SCENE_MODE_MODELVIEW) != NULL;
+}
+
+/* ---- Statements that are a row of numbers ---- */
+
+static bool is_zero(const int32_t v[3])
+{
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
+}
+
+/* Each returns what is wrong with the numbers, as they are after rounding to Q16.16, or NULL. */
+
+static const char *lookat_problem(const int32_t *n)
+{
+    if (memcmp(n, n + 3, 3 * sizeof *n) == 0) {
+        return "the eye and the center must differ";
+    }
+    return is_zero(n + 6) ? "the up vector must not be zero" : NULL;
+}
+
+static const char *planes_problem(int32_t near_plane, int32_t far_plane)
+{
+    if (near_plane <= 0 || far_plane <= 0) {
+        return "near and far must be greater than 0";
+    }
+    return near_plane == far_plane ? "near and far must differ" : NULL;
+}
+
+static const char *perspective_problem(const int32_t *n)
+{
+    if (n[0] <= 0 || n[0] >= DEGREES_180) {
+        return "the field of view must lie between 0 and 180 degrees";
+    }
+    return n[1] <= 0 ? "the aspect must be greater than 0" : planes_problem(n[2], n[3]);
+}
+
+static const char *sides_problem(const int32_t *n)
+{
+    if (n[0] == n[1]) {
+        return "left and right must differ";
+    }
+    return n[2] == n[3] ? "bottom and top must differ" : NULL;
+}
+
+static const char *numbers_problem(enum scene_op_kind kind, const int32_t *n)
+{
+    const char *problem;
+    switch (kind) {
+    case SCENE_LOOKAT:
+        return lookat_problem(n);
+    case SCENE_PERSPECTIVE:
+        return perspective_problem(n);
+    case SCENE_FRUSTUM:
+        problem = sides_problem(n);
+        return problem != NULL ? problem : planes_problem(n[4], n[5]);
+    case SCENE_ORTHO:
+        problem = sides_problem(n);
+        return problem == NULL && n[4] == n[5] ? "near and far must differ" : problem;
+    case SCENE_ROTATE:
+        return is_zero(n + 1) ? "the axis must not be zero" : NULL;
+    default:
+        return NULL;
+    }
+}
+
+bool scene_statement_numbers(struct scene_parser *parser)
+{
+    int32_t numbers[16] = {0};
+    enum scene_op_kind kind = parser->statement->kind;
+    if (!scene_numbers(parser, 0, parser->argument_count, numbers)) {
+        return false;
+    }
+    const char *problem = numbers_problem(kind, numbers);
+    if (problem != NULL) {
+        return scene_fail(parser, problem);
+    }
+    struct scene_op *op = add_op(parser, kind);
+    if (op == NULL) {
+        return false;
+    }
+    memcpy(op->u.number, numbers, sizeof numbers);
+    return true;
+}
+
+/* ---- Stacks ---- */
+
+bool scene_statement_push(struct scene_parser *parser)
+{
+    if (parser->depth[parser->mode] == SCENE_STACK_DEPTH) {
+        return scene_fail(parser, "nested too deep");
+    }
+    parser->depth[parser->mode]++;
+    return add_op(parser, SCENE_PUSH) != NULL;
+}
+
+bool scene_statement_pop(struct scene_parser *parser)
+{
+    if (parser->depth[parser->mode] == 0) {
+        return scene_fail(parser, "without a push on the same stack");
+    }
+    parser->depth[parser->mode]--;
+    return add_op(parser, SCENE_POP) != NULL;
+}
+
+/* ---- Geometry ---- */
+
+/* Numbers `count` triangles; *id is the first one's. */
+static bool take_ids(struct scene_parser *parser, size_t count, uint32_t *id)
+{
+    uint32_t used = parser->scene->triangle_count;
+    if (count > UINT32_MAX - used) {
+        return scene_fail(parser, "more triangles than can be numbered");
+    }
+    *id = used + 1;
+    parser->scene->triangle_count = used + (uint32_t)count;
+    return true;
+}
+
+static bool read_vertex(struct scene_parser *parser, int first, bool textured,
+                        struct scene_vertex *vertex)
+{
+    return scene_numbers(parser, first, 4, vertex->position) &&
+           scene_fractions(parser, first + 4, 3, vertex->color) &&
+           (!textured || scene_numbers(parser, first + 7, 2, vertex->uv));
+}
+
+bool scene_statement_triangle(struct scene_parser *parser)
+{
+    struct scene_vertex vertex[3];
+    int per_vertex = parser->argument_count / 3; /* 7, or 9 with texture coordinates */
+    bool textured = per_vertex == 9;
+    memset(vertex, 0, sizeof vertex);
+    for (int i = 0; i < 3; i++) {
+        if (!read_vertex(parser, i * per_vertex, textured, &vertex[i])) {
+            return false;
+        }
+    }
+    uint32_t id = 0;
+    struct scene_op *op = take_ids(parser, 1, &id) ? add_op(parser, SCENE_TRIANGLE) : NULL;
+    if (op == NULL) {
+        return false;
+    }
+    op->id = id;
+    memcpy(op->u.triangle.vertex, vertex, sizeof vertex);
+    op->u.triangle.textured = textured;
+    return true;
+}
+
+bool scene_statement_mesh(struct scene_parser *parser)
+{
+    int32_t color[3] = {SCENE_ONE, SCENE_ONE, SCENE_ONE};
+    if (parser->argument_count == 5) {
+        static const char *const words[] = {"color"};
+        int choice;
+        if (!scene_choice(parser, 1, words, 1, &choice) || !scene_fractions(parser, 2, 3, color)) {
+            return false;
+        }
+    }
+    size_t mesh;
+    uint32_t id = 0;
+    if (!scene_find_mesh(parser, 0, &mesh) ||
+        !take_ids(parser, parser->scene->meshes[mesh].triangle_count, &id)) {
+        return false;
+    }
+    struct scene_op *op = add_op(parser, SCENE_MESH);
+    if (op == NULL) {
+        return false;
+    }
+    op->id = id;
+    op->u.mesh.mesh = mesh;
+    memcpy(op->u.mesh.color, color, sizeof color);
+    return true;
+}

@@ -1,0 +1,104 @@
+/*
+ * Inside the scene reader. scene.c reads the text and finds the statement in the table; the
+ * statements themselves are in scene_ops.c (matrices and geometry, kept in order),
+ * scene_state.c (global state) and scene_assets.c (textures and mesh files).
+ */
+#ifndef QTRI_HOST_IO_SCENE_PARSER_H
+#define QTRI_HOST_IO_SCENE_PARSER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "file.h"
+#include "lines.h"
+#include "scene.h"
+
+#define SCENE_ONE           65536 /* 1.0 */
+#define SCENE_MAX_ARGUMENTS 27    /* trit */
+#define SCENE_MAX_TEXTURE   1024  /* texels along a side */
+
+struct scene_statement;
+
+/*
+ * The last `texture` statement. Its texels are made when the scene has been read, so that a file
+ * with many such statements costs no more than its length.
+ */
+struct scene_texture_request {
+    enum { SCENE_TEXTURE_OFF, SCENE_TEXTURE_CHECKERS, SCENE_TEXTURE_FILE } kind;
+    int line;
+    const struct scene_statement *statement;
+    int width, height, cells;
+    uint8_t rgb[2][3];
+    char *path;
+};
+
+struct scene_parser {
+    const char *name;
+    struct text_error *error;
+    struct scene *scene;
+    int line;
+    const struct scene_statement *statement; /* the one being parsed */
+    struct token arguments[SCENE_MAX_ARGUMENTS];
+    int argument_count;
+    bool any_statement;
+    size_t op_capacity;
+    int mode;     /* 0 projection, 1 modelview */
+    int depth[2]; /* matrices pushed on each stack */
+    size_t mesh_capacity;
+    struct file_identity *mesh_files; /* beside scene->meshes */
+    size_t mesh_file_capacity;
+    struct scene_texture_request texture;
+};
+
+/* Takes the statement's arguments, whose number is right; false with the error set. */
+typedef bool scene_handler(struct scene_parser *parser);
+
+struct scene_statement {
+    const char *name;
+    int counts[2]; /* permitted numbers of arguments */
+    scene_handler *handler;
+    enum scene_op_kind kind; /* for scene_statement_numbers */
+    const char *usage;       /* for messages */
+};
+
+/* ---- Helpers for handlers (scene.c) ---- */
+
+/* Sets the error, "FILE:LINE: STATEMENT: sentence", and returns false. */
+bool scene_fail(struct scene_parser *parser, const char *sentence);
+
+/* "FILE:LINE: STATEMENT: 'ARGUMENT' problem". */
+bool scene_fail_argument(struct scene_parser *parser, int argument, const char *problem);
+
+/* Reads `count` numbers beginning with argument `first`. */
+bool scene_numbers(struct scene_parser *parser, int first, int count, int32_t *numbers);
+
+/* The same for numbers in 0..1: colours, depths, intensities. */
+bool scene_fractions(struct scene_parser *parser, int first, int count, int32_t *numbers);
+
+bool scene_integer(struct scene_parser *parser, int argument, int minimum, int maximum, int *value);
+
+/* The rank of an argument in words[0..count-1]. */
+bool scene_choice(struct scene_parser *parser, int argument, const char *const *words, int count,
+                  int *choice);
+
+/* ---- Handlers ---- */
+
+scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
+    scene_statement_pop, scene_statement_triangle, scene_statement_mesh;
+
+scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_cleardepth,
+    scene_statement_depth, scene_statement_depthmask, scene_statement_depthrange,
+    scene_statement_cull, scene_statement_shade, scene_statement_texmode,
+    scene_statement_interpolate, scene_statement_polygon, scene_statement_light,
+    scene_statement_texture;
+
+/* ---- Assets (scene_assets.c) ---- */
+
+/* The index in scene->meshes of the file that an argument names; reads a file the first time. */
+bool scene_find_mesh(struct scene_parser *parser, int argument, size_t *mesh);
+
+/* Fills scene->texture with what the last `texture` statement asks for. */
+bool scene_make_texture(struct scene_parser *parser);
+
+#endif

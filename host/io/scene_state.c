@@ -1,0 +1,121 @@
+#include "scene_parser.h"
+
+#define WORD_COUNT(words) ((int)(sizeof(words) / sizeof(words)[0]))
+
+bool scene_statement_viewport(struct scene_parser *parser)
+{
+    if (parser->any_statement) { /* a second viewport is not the first statement either */
+        return scene_fail(parser, "must be the first statement");
+    }
+    return scene_integer(parser, 0, 1, SCENE_MAX_SIZE, &parser->scene->width) &&
+           scene_integer(parser, 1, 1, SCENE_MAX_SIZE, &parser->scene->height);
+}
+
+bool scene_statement_clear(struct scene_parser *parser)
+{
+    return scene_fractions(parser, 0, 3, parser->scene->clear);
+}
+
+bool scene_statement_cleardepth(struct scene_parser *parser)
+{
+    return scene_fractions(parser, 0, 1, &parser->scene->clear_depth);
+}
+
+bool scene_statement_depth(struct scene_parser *parser)
+{
+    static const char *const words[] = {
+        [SCENE_LESS] = "less",         [SCENE_LEQUAL] = "lequal", [SCENE_GREATER] = "greater",
+        [SCENE_GEQUAL] = "gequal",     [SCENE_ALWAYS] = "always", [SCENE_EQUAL] = "equal",
+        [SCENE_NOTEQUAL] = "notequal", [SCENE_NEVER] = "never",   [SCENE_NEVER + 1] = "off",
+    };
+    int choice;
+    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
+        return false;
+    }
+    parser->scene->depth_test = choice <= SCENE_NEVER;
+    if (parser->scene->depth_test) {
+        parser->scene->depth_compare = (enum scene_compare)choice;
+    }
+    return true;
+}
+
+/* For statements that choose between two words: whether it is the second one. */
+static bool second_word(struct scene_parser *parser, int argument, const char *first,
+                        const char *second, bool *is_second)
+{
+    const char *const words[] = {first, second};
+    int choice;
+    if (!scene_choice(parser, argument, words, WORD_COUNT(words), &choice)) {
+        return false;
+    }
+    *is_second = choice == 1;
+    return true;
+}
+
+bool scene_statement_depthmask(struct scene_parser *parser)
+{
+    return second_word(parser, 0, "off", "on", &parser->scene->depth_write);
+}
+
+bool scene_statement_depthrange(struct scene_parser *parser)
+{
+    return scene_fractions(parser, 0, 1, &parser->scene->depth_near) &&
+           scene_fractions(parser, 1, 1, &parser->scene->depth_far);
+}
+
+bool scene_statement_cull(struct scene_parser *parser)
+{
+    static const char *const words[] = {
+        [SCENE_CULL_NONE] = "none", [SCENE_CULL_BACK] = "back", [SCENE_CULL_FRONT] = "front"};
+    int choice;
+    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
+        return false;
+    }
+    parser->scene->cull = (enum scene_cull)choice;
+    return true;
+}
+
+bool scene_statement_shade(struct scene_parser *parser)
+{
+    bool last = true;
+    if (!second_word(parser, 0, "smooth", "flat", &parser->scene->flat) ||
+        (parser->argument_count == 2 && !second_word(parser, 1, "first", "last", &last))) {
+        return false;
+    }
+    parser->scene->provoking = last ? 2 : 0;
+    return true;
+}
+
+bool scene_statement_texmode(struct scene_parser *parser)
+{
+    bool modulate;
+    if (!second_word(parser, 0, "replace", "modulate", &modulate)) {
+        return false;
+    }
+    parser->scene->texture_mode = modulate ? SCENE_MODULATE : SCENE_REPLACE;
+    return true;
+}
+
+bool scene_statement_interpolate(struct scene_parser *parser)
+{
+    return second_word(parser, 0, "perspective", "linear", &parser->scene->screen_linear);
+}
+
+bool scene_statement_polygon(struct scene_parser *parser)
+{
+    return second_word(parser, 0, "fill", "line", &parser->scene->wireframe);
+}
+
+bool scene_statement_light(struct scene_parser *parser)
+{
+    struct scene_light *light = &parser->scene->light;
+    if (!scene_numbers(parser, 0, 3, light->towards) ||
+        !scene_fractions(parser, 3, 1, &light->ambient) ||
+        !scene_fractions(parser, 4, 1, &light->diffuse)) {
+        return false;
+    }
+    if ((light->towards[0] | light->towards[1] | light->towards[2]) == 0) {
+        return scene_fail(parser, "the direction must not be zero");
+    }
+    return true;
+}

@@ -1,0 +1,738 @@
+/*
+ * Scene files: every statement's effect and every error, with its line.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include "io_check.h"
+
+#include "io/picture.h"
+#include "io/scene.h"
+
+#define LITERAL(text) text, sizeof(text) - 1
+
+#define TRI  "tri 0 0 0 1 1 0 0  1 0 0 1 0 1 0  0 1 0 1 0 0 1\n"
+#define TRIT "trit 0 0 0 1 1 0 0 0 0  1 0 0 1 0 1 0 1 0  0 1 0 1 0 0 1 0 1\n"
+
+#define ONE_FACE  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+#define TWO_FACES "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"
+
+static const char *scene_name = "x.scene"; /* what the parser is told */
+
+static struct scene parse_bytes(const char *text, size_t length)
+{
+    struct scene scene;
+    struct text_error error;
+    char *copy = exact_copy(text, length);
+    bool ok = scene_parse(scene_name, copy, length, &scene, &error);
+    free(copy);
+    if (!ok) {
+        fail_msg("%s", error.message);
+    }
+    return scene;
+}
+
+static struct scene parse(const char *text)
+{
+    return parse_bytes(text, strlen(text));
+}
+
+static void assert_error_bytes(const char *text, size_t length, const char *expected)
+{
+    struct scene scene;
+    struct text_error error;
+    char *copy = exact_copy(text, length);
+    bool ok = scene_parse(scene_name, copy, length, &scene, &error);
+    free(copy);
+    if (ok) {
+        fail_msg("accepted: %.80s", text);
+    }
+    assert_string_equal(error.message, expected);
+    assert_null(scene.ops);
+    assert_null(scene.meshes);
+    assert_null(scene.texture.rgb);
+}
+
+static void assert_error(const char *text, const char *expected)
+{
+    assert_error_bytes(text, strlen(text), expected);
+}
+
+/* Scenes lie in the test's folder from here on. */
+static int in_folder(void **state)
+{
+    (void)state;
+    static char name[PATH_SIZE];
+    (void)snprintf(name, sizeof name, "%s", io_path("x.scene"));
+    scene_name = name;
+    return 0;
+}
+
+static int out_of_folder(void **state)
+{
+    scene_name = "x.scene";
+    return io_remove_files(state);
+}
+
+/* `expected` follows "FOLDER/x.scene:"; each @ in it is the folder. */
+static void assert_error_in_folder(const char *text, const char *expected)
+{
+    char message[2 * PATH_SIZE];
+    size_t used = (size_t)snprintf(message, sizeof message, "%s:", scene_name);
+    for (; *expected != '\0'; expected++) {
+        if (*expected == '@') {
+            used += (size_t)snprintf(message + used, sizeof message - used, "%s", io_folder);
+        } else {
+            message[used++] = *expected;
+        }
+    }
+    message[used] = '\0';
+    assert_error(text, message);
+}
+
+/* ---- State ---- */
+
+static void assert_defaults(const struct scene *scene)
+{
+    assert_int_equal(scene->width, 256);
+    assert_int_equal(scene->height, 256);
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(scene->clear[i], 0);
+        assert_int_equal(scene->light.towards[i], 0);
+    }
+    assert_int_equal(scene->clear_depth, ONE);
+    assert_false(scene->depth_test);
+    assert_true(scene->depth_write);
+    assert_int_equal(scene->cull, SCENE_CULL_NONE);
+    assert_false(scene->flat);
+    assert_int_equal(scene->provoking, 2);
+    assert_false(scene->screen_linear);
+    assert_false(scene->wireframe);
+    assert_int_equal(scene->texture_mode, SCENE_MODULATE);
+    assert_int_equal(scene->texture.width, 0);
+    assert_null(scene->texture.rgb);
+    assert_int_equal(scene->depth_near, 0);
+    assert_int_equal(scene->depth_far, ONE);
+    assert_int_equal(scene->op_count, 0);
+    assert_int_equal(scene->mesh_count, 0);
+    assert_int_equal(scene->triangle_count, 0);
+}
+
+static void empty_scenes_have_defaults(void **state)
+{
+    (void)state;
+    const char *const texts[] = {"", "\n\n", "# viewport 1 1", "  \t\r\n#\r\n", "\xEF\xBB\xBF"};
+    for (size_t i = 0; i < ARRAY_LENGTH(texts); i++) {
+        struct scene scene = parse(texts[i]);
+        assert_defaults(&scene);
+        scene_free(&scene);
+    }
+}
+
+static void state_statements(void **state)
+{
+    (void)state;
+    struct scene scene = parse("# first\n\nviewport 320 240\nclear .25 0.5 1 # sky\ncleardepth 0\n"
+                               "depth gequal\ndepthmask off\ncull front\nshade flat first\n"
+                               "texmode replace\ninterpolate linear\npolygon line\n"
+                               "depthrange 1 .25\nlight .4 .6 -.7 .2 .8\n");
+    assert_int_equal(scene.width, 320);
+    assert_int_equal(scene.height, 240);
+    assert_int_equal(scene.clear[0], ONE / 4);
+    assert_int_equal(scene.clear[1], ONE / 2);
+    assert_int_equal(scene.clear[2], ONE);
+    assert_int_equal(scene.clear_depth, 0);
+    assert_true(scene.depth_test);
+    assert_false(scene.depth_write);
+    assert_int_equal(scene.depth_compare, SCENE_GEQUAL);
+    assert_int_equal(scene.cull, SCENE_CULL_FRONT);
+    assert_true(scene.flat);
+    assert_int_equal(scene.provoking, 0);
+    assert_int_equal(scene.texture_mode, SCENE_REPLACE);
+    assert_true(scene.screen_linear);
+    assert_true(scene.wireframe);
+    assert_int_equal(scene.depth_near, ONE);
+    assert_int_equal(scene.depth_far, ONE / 4);
+    assert_int_equal(scene.light.towards[0], 26214); /* .4 = 26214.4 */
+    assert_int_equal(scene.light.towards[2], -45875);
+    assert_int_equal(scene.light.ambient, 13107);
+    assert_int_equal(scene.light.diffuse, 52429);
+    assert_int_equal(scene.op_count, 0);
+    scene_free(&scene);
+}
+
+static void the_last_statement_wins(void **state)
+{
+    (void)state;
+    struct scene scene =
+        parse("viewport 1 4096\nclear 1 1 1\ncleardepth 0\ndepth never\n"
+              "depthmask off\ncull back\nshade flat first\ntexture 2 2 1 1 2 3 4 5 6\n"
+              "texmode replace\ninterpolate linear\npolygon line\ndepthrange 1 0\n"
+              "clear 0 0 0\ncleardepth 1\ndepth off\ndepthmask on\ncull none\n"
+              "shade smooth\ntexture off\ntexmode modulate\n"
+              "interpolate perspective\npolygon fill\ndepthrange 0 1\n");
+    assert_int_equal(scene.width, 1);
+    assert_int_equal(scene.height, 4096);
+    scene.width = 256;
+    scene.height = 256;
+    assert_defaults(&scene);
+    scene_free(&scene);
+}
+
+static void depth_comparisons(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *word;
+        enum scene_compare compare;
+    } cases[] = {
+        {"less", SCENE_LESS},         {"lequal", SCENE_LEQUAL}, {"greater", SCENE_GREATER},
+        {"gequal", SCENE_GEQUAL},     {"always", SCENE_ALWAYS}, {"equal", SCENE_EQUAL},
+        {"notequal", SCENE_NOTEQUAL}, {"never", SCENE_NEVER},
+    };
+    for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {
+        char text[40];
+        (void)snprintf(text, sizeof text, "depth %s", cases[i].word);
+        struct scene scene = parse(text);
+        assert_true(scene.depth_test);
+        assert_true(scene.depth_write);
+        assert_int_equal(scene.depth_compare, cases[i].compare);
+        scene_free(&scene);
+    }
+}
+
+static void provoking_vertex(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        bool flat;
+        int provoking;
+    } cases[] = {
+        {"shade flat", true, 2},
+        {"shade flat last", true, 2},
+        {"shade flat first", true, 0},
+        {"shade smooth first", false, 0},
+        {"shade flat first\nshade flat", true, 2},
+    };
+    for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {
+        struct scene scene = parse(cases[i].text);
+        assert_int_equal(scene.flat, cases[i].flat);
+        assert_int_equal(scene.provoking, cases[i].provoking);
+        scene_free(&scene);
+    }
+}
+
+/* ---- Operations ---- */
+
+static void assert_op(const struct scene *scene, size_t i, enum scene_op_kind kind, int line)
+{
+    assert_true(i < scene->op_count);
+    assert_int_equal(scene->ops[i].kind, kind);
+    assert_int_equal(scene->ops[i].line, line);
+}
+
+static void assert_numbers(const struct scene_op *op, int count, int first)
+{
+    for (int i = 0; i < 16; i++) {
+        assert_int_equal(op->u.number[i], i < count ? (first + i) * ONE : 0);
+    }
+    assert_int_equal(op->id, 0);
+}
+
+static void matrix_statements(void **state)
+{
+    (void)state;
+    static const struct {
+        enum scene_op_kind kind;
+        int count, first;
+    } expected[] = {
+        {SCENE_MODE_PROJECTION, 0, 0},
+        {SCENE_IDENTITY, 0, 0},
+        {SCENE_LOAD, 16, 1},
+        {SCENE_MULT, 16, -3},
+        {SCENE_LOOKAT, 9, 1},
+        {SCENE_PERSPECTIVE, 4, 5},
+        {SCENE_FRUSTUM, 6, 2},
+        {SCENE_ORTHO, 6, -2},
+        {SCENE_MODE_MODELVIEW, 0, 0},
+        {SCENE_TRANSLATE, 3, -1},
+        {SCENE_ROTATE, 4, 30},
+        {SCENE_SCALE, 3, 0},
+        {SCENE_PUSH, 0, 0},
+        {SCENE_POP, 0, 0},
+    };
+    struct scene scene = parse("mode projection\nidentity\n"
+                               "load 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16\n"
+                               "mult -3 -2 -1 0 1 2 3 4 5 6 7 8 9 10 11 12\n"
+                               "lookat 1 2 3 4 5 6 7 8 9\nperspective 5 6 7 8\n"
+                               "frustum 2 3 4 5 6 7\northo -2 -1 0 1 2 3\nmode modelview\n"
+                               "translate -1 0 1\nrotate 30 31 32 33\nscale 0 1 2\npush\npop\n");
+    assert_int_equal(scene.op_count, ARRAY_LENGTH(expected));
+    for (size_t i = 0; i < ARRAY_LENGTH(expected); i++) {
+        assert_op(&scene, i, expected[i].kind, (int)i + 1);
+        assert_numbers(&scene.ops[i], expected[i].count, expected[i].first);
+    }
+    scene_free(&scene);
+}
+
+static void numbers_are_rounded(void **state)
+{
+    (void)state;
+    struct scene scene = parse("translate 0.1 -0.00000762939453125 1e-9\n");
+    assert_int_equal(scene.ops[0].u.number[0], 6554);
+    assert_int_equal(scene.ops[0].u.number[1], -1);
+    assert_int_equal(scene.ops[0].u.number[2], 0);
+    scene_free(&scene);
+}
+
+static void triangles(void **state)
+{
+    (void)state;
+    struct scene scene =
+        parse("tri 1 2 3 4 .5 0 1  5 6 7 8 0 1 0  9 10 11 12 0 0 1\nidentity\n"
+              "trit 1 2 3 4 .5 0 1 -3 7  5 6 7 8 0 1 0 1 2  9 10 11 12 0 0 1 .5 .25\n");
+    assert_int_equal(scene.op_count, 3);
+    assert_int_equal(scene.triangle_count, 2);
+    assert_op(&scene, 0, SCENE_TRIANGLE, 1);
+    assert_op(&scene, 2, SCENE_TRIANGLE, 3);
+    assert_int_equal(scene.ops[0].id, 1);
+    assert_int_equal(scene.ops[2].id, 2);
+    assert_false(scene.ops[0].u.triangle.textured);
+    assert_true(scene.ops[2].u.triangle.textured);
+    for (size_t op = 0; op < 3; op += 2) {
+        const struct scene_vertex *vertex = scene.ops[op].u.triangle.vertex;
+        for (int i = 0; i < 12; i++) {
+            assert_int_equal(vertex[i / 4].position[i % 4], (i + 1) * ONE);
+        }
+        assert_int_equal(vertex[0].color[0], ONE / 2);
+        assert_int_equal(vertex[0].color[2], ONE);
+        assert_int_equal(vertex[1].color[1], ONE);
+        assert_int_equal(vertex[2].color[2], ONE);
+        assert_int_equal(vertex[0].uv[0], op == 0 ? 0 : -3 * ONE);
+        assert_int_equal(vertex[0].uv[1], op == 0 ? 0 : 7 * ONE);
+        assert_int_equal(vertex[2].uv[1], op == 0 ? 0 : ONE / 4);
+    }
+    scene_free(&scene);
+}
+
+static void stacks(void **state)
+{
+    (void)state;
+    char text[40 * 10] = "";
+    for (int i = 0; i < SCENE_STACK_DEPTH; i++) {
+        strcat(text, "push\n");
+    }
+    struct scene scene = parse(text); /* left open at the end */
+    assert_int_equal(scene.op_count, SCENE_STACK_DEPTH);
+    scene_free(&scene);
+
+    strcat(text, "mode projection\npush\n");
+    scene = parse(text); /* a stack of its own */
+    scene_free(&scene);
+    strcat(text, "mode modelview\npop\npush\npush\n");
+    assert_error(text, "x.scene:38: push: nested too deep");
+    assert_error("pop\n", "x.scene:1: pop: without a push on the same stack");
+    assert_error("push\npop\npop\n", "x.scene:3: pop: without a push on the same stack");
+    assert_error("mode projection\npush\npop\nmode modelview\npush\nmode projection\npop\n",
+                 "x.scene:7: pop: without a push on the same stack");
+    assert_error("push\nmode projection\npop\n",
+                 "x.scene:3: pop: without a push on the same stack");
+}
+
+/* ---- Textures ---- */
+
+static void checkerboard(void **state)
+{
+    (void)state;
+    /* 3 fields over 8 x 4 texels: columns begin at texels 0, 3, 6, rows at 0, 2, 3. */
+    static const char *const expected[4] = {"00011100", "00011100", "11100011", "00011100"};
+    struct scene scene = parse("texture 1 1 1 9 9 9 9 9 9\ntexture 8 4 3 1 2 3 255 0 254\n");
+    assert_int_equal(scene.texture.width, 8);
+    assert_int_equal(scene.texture.height, 4);
+    for (int y = 0; y < 4; y++) {
+        for (int x = 0; x < 8; x++) {
+            const uint8_t *texel = &scene.texture.rgb[3 * (8 * y + x)];
+            assert_memory_equal(texel, expected[y][x] == '0' ? "\1\2\3" : "\377\0\376", 3);
+        }
+    }
+    scene_free(&scene);
+}
+
+static void checkerboard_sizes(void **state)
+{
+    (void)state;
+    struct scene scene = parse("texture 1024 1 1 1 2 3 4 5 6\n");
+    assert_memory_equal(&scene.texture.rgb[3 * 1023], "\1\2\3", 3);
+    scene_free(&scene);
+    scene = parse("texture 1024 1024 1024 1 2 3 4 5 6\n");
+    assert_memory_equal(&scene.texture.rgb[3 * 1024 * 1023], "\4\5\6\1\2\3", 6);
+    scene_free(&scene);
+    assert_error("texture 3 4 1 0 0 0 0 0 0\n", "x.scene:1: texture: '3' is not a power of two");
+    assert_error("texture 4 0 1 0 0 0 0 0 0\n",
+                 "x.scene:1: texture: '0' is not a whole number in 1..1024");
+    assert_error("texture 2048 4 1 0 0 0 0 0 0\n",
+                 "x.scene:1: texture: '2048' is not a whole number in 1..1024");
+    assert_error("texture 8 4 5 0 0 0 0 0 0\n",
+                 "x.scene:1: texture: '5' is not a whole number in 1..4");
+    assert_error("texture 8 4 0 0 0 0 0 0 0\n",
+                 "x.scene:1: texture: '0' is not a whole number in 1..4");
+    assert_error("texture 8 4 1 0 0 0 0 0 256\n",
+                 "x.scene:1: texture: '256' is not a whole number in 0..255");
+    assert_error("texture 8 4 1 0 0 0 0 0 .5\n",
+                 "x.scene:1: texture: '.5' is not a whole number in 0..255");
+}
+
+static void texture_from_a_file(void **state)
+{
+    (void)state;
+    (void)io_write("t.ppm", LITERAL("P6 2 1 255\nabcdef"));
+    (void)io_write("odd.ppm", LITERAL("P6 1 3 255\nabcdefghi"));
+    (void)io_write("cut.ppm", LITERAL("P6 2 1 255\nabcde"));
+    struct scene scene = parse("texture t.ppm\n" TRIT);
+    assert_int_equal(scene.texture.width, 2);
+    assert_int_equal(scene.texture.height, 1);
+    assert_memory_equal(scene.texture.rgb, "abcdef", 6);
+    scene_free(&scene);
+
+    char text[PATH_SIZE + 40];
+    (void)snprintf(text, sizeof text, "texture %s\n", io_path("t.ppm"));
+    scene = parse(text); /* an absolute path */
+    assert_int_equal(scene.texture.width, 2);
+    scene_free(&scene);
+
+    assert_error_in_folder("\ntexture none.ppm\n", "2: texture: @/none.ppm does not exist");
+    assert_error_in_folder("texture none.ppm\ntexture off\n",
+                           "1: texture: @/none.ppm does not exist");
+    assert_error_in_folder("texture .\n", "1: texture: @/. is not an ordinary file");
+    assert_error_in_folder("texture /dev/zero\n", "1: texture: /dev/zero is not an ordinary file");
+    assert_error_in_folder(
+        "\n\ntexture odd.ppm\n" TRI,
+        "3: texture: @/odd.ppm is 1 x 3; sides must be powers of two up to 1024");
+    assert_error_in_folder("texture cut.ppm\n" TRI,
+                           "1: texture: @/cut.ppm: the PPM ends before its last pixel");
+    assert_error_in_folder("texture t\x01.ppm\n", "1: texture: 't?.ppm' is not a file name");
+}
+
+/* ---- Meshes ---- */
+
+static void meshes_are_read_once(void **state)
+{
+    (void)state;
+    (void)io_write_text("one.obj", ONE_FACE);
+    (void)io_write_text("two.obj", TWO_FACES);
+    struct scene scene = parse("mesh two.obj\n" TRI "mesh one.obj color .5 1 0\n"
+                               "mesh ./two.obj color 0 0 0\nmesh two.obj\n" TRIT);
+    assert_int_equal(scene.mesh_count, 2);
+    assert_int_equal(scene.meshes[0].triangle_count, 2);
+    assert_int_equal(scene.meshes[1].triangle_count, 1);
+    static const struct {
+        enum scene_op_kind kind;
+        uint32_t id;
+        size_t mesh;
+    } expected[] = {
+        {SCENE_MESH, 1, 0}, {SCENE_TRIANGLE, 3, 0}, {SCENE_MESH, 4, 1},
+        {SCENE_MESH, 5, 0}, {SCENE_MESH, 7, 0},     {SCENE_TRIANGLE, 9, 0},
+    };
+    assert_int_equal(scene.op_count, ARRAY_LENGTH(expected));
+    for (size_t i = 0; i < ARRAY_LENGTH(expected); i++) {
+        assert_op(&scene, i, expected[i].kind, (int)i + 1);
+        assert_int_equal(scene.ops[i].id, expected[i].id);
+        if (expected[i].kind == SCENE_MESH) {
+            assert_int_equal(scene.ops[i].u.mesh.mesh, expected[i].mesh);
+        }
+    }
+    assert_int_equal(scene.triangle_count, 9);
+    assert_int_equal(scene.ops[0].u.mesh.color[0], ONE);
+    assert_int_equal(scene.ops[0].u.mesh.color[2], ONE);
+    assert_int_equal(scene.ops[2].u.mesh.color[0], ONE / 2);
+    assert_int_equal(scene.ops[2].u.mesh.color[2], 0);
+    scene_free(&scene);
+}
+
+static void mesh_errors(void **state)
+{
+    (void)state;
+    (void)io_write_text("bad.obj", ONE_FACE "f 1 2 9\n");
+    (void)io_write_text("one.obj", ONE_FACE);
+    assert_error_in_folder("mesh one.obj\nmesh bad.obj\n",
+                           "2: mesh: @/bad.obj:5: index 9 is out of range: "
+                           "the file has 3 v statements");
+    assert_error_in_folder("mesh none.obj\n", "1: mesh: @/none.obj does not exist");
+    assert_error_in_folder("mesh .\n", "1: mesh: @/. is not an ordinary file");
+    assert_error_in_folder("mesh /dev/zero\n", "1: mesh: /dev/zero is not an ordinary file");
+    assert_error_in_folder("mesh one.obj colour 1 1 1\n",
+                           "1: 'colour' is unknown here: mesh FILE.obj [color r g b]");
+    assert_error_in_folder("mesh one.obj color 1 1 1.5\n", "1: mesh: '1.5' does not lie in 0..1");
+    assert_error_in_folder("mesh one.obj color 1 1\n",
+                           "1: wrong number of values (4) for mesh FILE.obj [color r g b]");
+    assert_error_in_folder("mesh\n",
+                           "1: wrong number of values (0) for mesh FILE.obj [color r g b]");
+}
+
+static void scene_files(void **state)
+{
+    (void)state;
+    struct scene scene;
+    struct text_error error;
+    (void)io_write_text("two.obj", TWO_FACES);
+    assert_true(scene_read(io_write_text("s", "viewport 8 8\nmesh two.obj"), &scene, &error));
+    assert_int_equal(scene.triangle_count, 2);
+    scene_free(&scene);
+    assert_true(scene_read(io_write_text("empty", ""), &scene, &error));
+    assert_defaults(&scene);
+    scene_free(&scene);
+    assert_false(scene_read(io_path("none"), &scene, &error));
+    assert_non_null(strstr(error.message, "/none: cannot be opened: No such file"));
+    assert_false(scene_read(io_folder, &scene, &error));
+    assert_non_null(strstr(error.message, ": cannot be read: Is a directory"));
+    assert_false(scene_read(io_write_text("s", "\nviewport 64"), &scene, &error));
+    assert_non_null(strstr(error.message, "/s:2: wrong number of values (1) for viewport W H"));
+}
+
+static void model_in_a_scene(void **state)
+{
+    (void)state;
+    const char *path = model_path("spot.obj");
+    if (path == NULL) {
+        skip();
+    }
+    char text[PATH_SIZE + 200];
+    (void)snprintf(text, sizeof text, TRI "mesh %s\n" TRI, path);
+    struct scene scene = parse(text);
+    assert_int_equal(scene.ops[1].id, 2);
+    assert_int_equal(scene.ops[2].id, 2 + 5856);
+    assert_int_equal(scene.triangle_count, 5858);
+    scene_free(&scene);
+}
+
+/* ---- Errors ---- */
+
+static void viewport_errors(void **state)
+{
+    (void)state;
+    assert_error("clear 0 0 0\nviewport 8 8\n", "x.scene:2: viewport: must be the first statement");
+    assert_error("viewport 8 8\nviewport 8 8\n",
+                 "x.scene:2: viewport: must be the first statement");
+    assert_error("viewport 0 8\n", "x.scene:1: viewport: '0' is not a whole number in 1..4096");
+    assert_error("viewport 8 4097\n",
+                 "x.scene:1: viewport: '4097' is not a whole number in 1..4096");
+    assert_error("viewport 8.0 8\n", "x.scene:1: viewport: '8.0' is not a whole number in 1..4096");
+    assert_error("viewport -8 8\n", "x.scene:1: viewport: '-8' is not a whole number in 1..4096");
+    assert_error("viewport 8\n", "x.scene:1: wrong number of values (1) for viewport W H");
+    assert_error("viewport 8 8 8\n", "x.scene:1: wrong number of values (3) for viewport W H");
+}
+
+static void value_errors(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {
+        {"clear 0 0 1.1", "clear: '1.1' does not lie in 0..1"},
+        {"clear -.1 0 1", "clear: '-.1' does not lie in 0..1"},
+        {"clear 0 0 x", "clear: 'x' is not a number"},
+        {"cleardepth 2", "cleardepth: '2' does not lie in 0..1"},
+        {"depthrange 0 1.5", "depthrange: '1.5' does not lie in 0..1"},
+        {"depthrange -1 1", "depthrange: '-1' does not lie in 0..1"},
+        {"light 0 0 0 .5 .5", "light: the direction must not be zero"},
+        {"light 1e-9 0 0 .5 .5", "light: the direction must not be zero"},
+        {"light 0 0 1 1.5 .5", "light: '1.5' does not lie in 0..1"},
+        {"light 0 0 1 .5 -.5", "light: '-.5' does not lie in 0..1"},
+        {"translate 40000 0 0", "translate: '40000' does not fit Q16.16"},
+        {"translate 0 0 0x10", "translate: '0x10' is not a number"},
+        {"scale nan 1 1", "scale: 'nan' is not a number"},
+        {"tri 0 0 0 1 1 0 0 1 0 0 1 0 1 0 0 1 0 1 0 0 2", "tri: '2' does not lie in 0..1"},
+        {"depth sideways", "'sideways' is unknown here: depth "
+                           "off|less|lequal|greater|gequal|always|equal|notequal|never"},
+        {"depth on", "'on' is unknown here: depth "
+                     "off|less|lequal|greater|gequal|always|equal|notequal|never"},
+        {"depthmask maybe", "'maybe' is unknown here: depthmask on|off"},
+        {"cull both", "'both' is unknown here: cull none|back|front"},
+        {"shade round", "'round' is unknown here: shade smooth|flat [first|last]"},
+        {"shade flat middle", "'middle' is unknown here: shade smooth|flat [first|last]"},
+        {"texmode add", "'add' is unknown here: texmode replace|modulate"},
+        {"interpolate cubic", "'cubic' is unknown here: interpolate perspective|linear"},
+        {"polygon point", "'point' is unknown here: polygon fill|line"},
+        {"mode texture", "'texture' is unknown here: mode projection|modelview"},
+    };
+    for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {
+        char text[200], expected[300];
+        (void)snprintf(text, sizeof text, "viewport 8 8\r\n# two\r\n%s\r\n", cases[i][0]);
+        (void)snprintf(expected, sizeof expected, "x.scene:3: %s", cases[i][1]);
+        assert_error(text, expected);
+    }
+}
+
+static void camera_errors(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {
+        {"lookat 1 2 3 1 2 3 0 1 0", "lookat: the eye and the center must differ"},
+        {"lookat 1 2 3 0 0 0 0 0 0", "lookat: the up vector must not be zero"},
+        {"perspective 0 1 .1 10",
+         "perspective: the field of view must lie between 0 and 180 degrees"},
+        {"perspective 180 1 .1 10",
+         "perspective: the field of view must lie between 0 and 180 degrees"},
+        {"perspective 60 0 .1 10", "perspective: the aspect must be greater than 0"},
+        {"perspective 60 -1 .1 10", "perspective: the aspect must be greater than 0"},
+        {"perspective 60 1 0 10", "perspective: near and far must be greater than 0"},
+        {"perspective 60 1 .1 -10", "perspective: near and far must be greater than 0"},
+        {"perspective 60 1 1 1", "perspective: near and far must differ"},
+        {"perspective 60 1 .000001 1", "perspective: near and far must be greater than 0"},
+        {"frustum 1 1 -1 1 .1 10", "frustum: left and right must differ"},
+        {"frustum -1 1 2 2 .1 10", "frustum: bottom and top must differ"},
+        {"frustum -1 1 -1 1 0 10", "frustum: near and far must be greater than 0"},
+        {"frustum -1 1 -1 1 10 10", "frustum: near and far must differ"},
+        {"ortho 1 1 -1 1 -1 1", "ortho: left and right must differ"},
+        {"ortho -1 1 0 0 -1 1", "ortho: bottom and top must differ"},
+        {"ortho -1 1 -1 1 1 1", "ortho: near and far must differ"},
+        {"rotate 45 0 0 0", "rotate: the axis must not be zero"},
+    };
+    for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {
+        char text[200], expected[200];
+        (void)snprintf(text, sizeof text, "identity\n%s\n", cases[i][0]);
+        (void)snprintf(expected, sizeof expected, "x.scene:2: %s", cases[i][1]);
+        assert_error(text, expected);
+    }
+    const char *const allowed[] = {"lookat 0 0 3 0 0 0 0 0 1",
+                                   "perspective 179.99 .5 10 .1",
+                                   "perspective .001 1 1 2",
+                                   "frustum 1 -1 1 -1 10 .1",
+                                   "ortho 1 -1 1 -1 -10 10",
+                                   "scale 0 0 0",
+                                   "load 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0"};
+    for (size_t i = 0; i < ARRAY_LENGTH(allowed); i++) {
+        struct scene scene = parse(allowed[i]);
+        assert_int_equal(scene.op_count, 1);
+        scene_free(&scene);
+    }
+}
+
+/* One value too many and one too few, for every statement that has a fixed number. */
+static void wrong_number_of_values(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        int count;
+    } cases[] = {
+        {"viewport", 2},    {"clear", 3},   {"cleardepth", 1}, {"depth", 1},
+        {"depthmask", 1},   {"cull", 1},    {"texmode", 1},    {"depthrange", 2},
+        {"interpolate", 1}, {"polygon", 1}, {"light", 5},      {"mode", 1},
+        {"identity", 0},    {"load", 16},   {"mult", 16},      {"lookat", 9},
+        {"perspective", 4}, {"frustum", 6}, {"ortho", 6},      {"translate", 3},
+        {"rotate", 4},      {"scale", 3},   {"push", 0},       {"pop", 0},
+        {"tri", 21},        {"trit", 27},
+    };
+    for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {
+        for (int count = cases[i].count - 1; count <= cases[i].count + 1; count += 2) {
+            char text[200], expected[100];
+            struct scene scene;
+            struct text_error error;
+            size_t used = (size_t)snprintf(text, sizeof text, "\n%s", cases[i].name);
+            for (int j = 0; j < count; j++) {
+                used += (size_t)snprintf(text + used, sizeof text - used, " 1");
+            }
+            if (count >= 0) {
+                (void)snprintf(expected, sizeof expected,
+                               "x.scene:2: wrong number of values (%d) for %s", count,
+                               cases[i].name);
+                assert_false(scene_parse("x.scene", text, used, &scene, &error));
+                assert_memory_equal(error.message, expected, strlen(expected));
+            }
+        }
+    }
+    assert_error("shade\n",
+                 "x.scene:1: wrong number of values (0) for shade smooth|flat [first|last]");
+    assert_error("texture 8 8\n", "x.scene:1: wrong number of values (2) for texture "
+                                  "off, texture FILE.ppm or texture W H CELLS r g b r g b");
+}
+
+static void what_is_no_scene(void **state)
+{
+    (void)state;
+    assert_error(TRI "sphere 1\n", "x.scene:2: 'sphere' is not a statement");
+    assert_error("Tri\n", "x.scene:1: 'Tri' is not a statement");
+    assert_error("identity junk\n", "x.scene:1: wrong number of values (1) for identity");
+    assert_error_bytes(LITERAL("identity\n\x89PNG\r\n\x1A\n"),
+                       "x.scene:2: '?PNG' is not a statement");
+    assert_error_bytes(LITERAL("\n\n\0\1\2"),
+                       "x.scene:3: '?\?\?' is not text: is this a scene file?");
+    assert_error_bytes(LITERAL("cleardepth 1\0\n"), "x.scene:1: cleardepth: '1?' is not a number");
+    assert_error_bytes(LITERAL("push\\\npop"), "x.scene:1: 'push\\' is not a statement");
+}
+
+static void very_long_lines(void **state)
+{
+    (void)state;
+    const size_t length = 1000000;
+    char *text = malloc(length);
+    assert_non_null(text);
+    memset(text, '1', length);
+    memcpy(text, "\nidentity\n#", 11); /* a comment */
+    struct scene scene = parse_bytes(text, length);
+    assert_int_equal(scene.op_count, 1);
+    scene_free(&scene);
+    memcpy(text, "\npush\npush ", 11);
+    for (size_t i = 11; i < length; i += 2) { /* half a million values */
+        text[i] = ' ';
+    }
+    assert_error_bytes(text, length, "x.scene:3: wrong number of values (499994) for push");
+    memset(text, 'z', length);
+    assert_error_bytes(text, length,
+                       "x.scene:1: 'zzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzz...' "
+                       "is not a statement");
+    memset(text, ' ', length);
+    memcpy(text, "cleardepth", 10);
+    text[length - 1] = '0';
+    scene = parse_bytes(text, length);
+    assert_int_equal(scene.clear_depth, 0);
+    scene_free(&scene);
+    free(text);
+}
+
+/* Costs its length only: a thousand large textures, of which one is made. */
+static void many_statements(void **state)
+{
+    (void)state;
+    static const char line[] = "texture 1024 1024 8 255 255 255 0 0 0\n" TRI;
+    const size_t length = sizeof line - 1, count = 5000;
+    char *text = malloc(length * count);
+    assert_non_null(text);
+    for (size_t i = 0; i < count; i++) {
+        memcpy(text + i * length, line, length);
+    }
+    struct scene scene = parse_bytes(text, length * count);
+    assert_int_equal(scene.triangle_count, count);
+    assert_int_equal(scene.ops[count - 1].id, count);
+    assert_int_equal(scene.ops[count - 1].line, 2 * count);
+    scene_free(&scene);
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(empty_scenes_have_defaults),
+        cmocka_unit_test(state_statements),
+        cmocka_unit_test(the_last_statement_wins),
+        cmocka_unit_test(depth_comparisons),
+        cmocka_unit_test(provoking_vertex),
+        cmocka_unit_test(matrix_statements),
+        cmocka_unit_test(numbers_are_rounded),
+        cmocka_unit_test(triangles),
+        cmocka_unit_test(stacks),
+        cmocka_unit_test(checkerboard),
+        cmocka_unit_test(checkerboard_sizes),
+        cmocka_unit_test_setup_teardown(texture_from_a_file, in_folder, out_of_folder),
+        cmocka_unit_test_setup_teardown(meshes_are_read_once, in_folder, out_of_folder),
+        cmocka_unit_test_setup_teardown(mesh_errors, in_folder, out_of_folder),
+        cmocka_unit_test_teardown(scene_files, io_remove_files),
+        cmocka_unit_test(model_in_a_scene),
+        cmocka_unit_test(viewport_errors),
+        cmocka_unit_test(value_errors),
+        cmocka_unit_test(camera_errors),
+        cmocka_unit_test(wrong_number_of_values),
+        cmocka_unit_test(what_is_no_scene),
+        cmocka_unit_test(very_long_lines),
+        cmocka_unit_test(many_statements),
+    };
+    return cmocka_run_group_tests(tests, io_setup, io_teardown);
+}
