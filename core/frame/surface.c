@@ -1,5 +1,6 @@
 #include "qtri/surface.h"
 
+#include "../math/bits.h"
 #include "../raster/pixel.h"
 
 /* `size` is a power of two. */
@@ -59,7 +60,7 @@ qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
 {
     qtri_rgb rgb = {0, 0, 0};
     if (x < 0 || x >= surface->width || y < surface->first_row ||
-        y - surface->first_row >= surface->rows) {
+        (int64_t)y - surface->first_row >= surface->rows) {
         return rgb;
     }
     const uint8_t *row = surface->pixels + (y - surface->first_row) * surface->pitch;
@@ -69,11 +70,12 @@ qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
 qtri_rect qtri_surface_bounds(const qtri_surface *surface)
 {
     qtri_rect bounds = surface->scissor;
-    int32_t end = surface->first_row + surface->rows;
-    end = end < surface->height ? end : surface->height;
+    int64_t held = (int64_t)surface->first_row + surface->rows;
+    int32_t end = held < surface->height ? qtri_saturate32(held) : surface->height;
     bounds.x0 = bounds.x0 > 0 ? bounds.x0 : 0;
     bounds.x1 = bounds.x1 < surface->width ? bounds.x1 : surface->width;
     bounds.y0 = bounds.y0 > surface->first_row ? bounds.y0 : surface->first_row;
+    bounds.y0 = bounds.y0 > 0 ? bounds.y0 : 0;
     bounds.y1 = bounds.y1 < end ? bounds.y1 : end;
     return bounds;
 }

@@ -5,7 +5,7 @@ set -u
 : "${BUILD:=build}" "${JOBS:=2}" "${TEST_SECONDS:=300}" "${MODELS:=}"
 
 # The environment the tests may rely on; QTRI_TEST_LONG is the user's to set.
-export QTRI_TMP="$BUILD/tmp" QTRI_COMMAND="$BUILD/qtri"
+export QTRI_TMP="$PWD/$BUILD/tmp" QTRI_COMMAND="$PWD/$BUILD/qtri"
 if [ -n "$MODELS" ]; then export QTRI_MODELS="$MODELS"; else unset QTRI_MODELS; fi
 export CMOCKA_MESSAGE_OUTPUT=TAP
 export ASAN_OPTIONS="${ASAN_OPTIONS:-allocator_may_return_null=1:detect_stack_use_after_return=1}"
