@@ -170,6 +170,12 @@ int render_main(int argc, char **argv)
         fprintf(stderr, "qtri render: %s\n", error.message);
         return 1;
     }
+    if (options.dump && !options.reference && scene.triangle_count > SCENE_MAX_DUMP_ID) {
+        fprintf(stderr, "qtri render: %s: more than %u triangles cannot be dumped\n", options.scene,
+                SCENE_MAX_DUMP_ID);
+        scene_free(&scene);
+        return 1;
+    }
     struct picture picture;
     int status = 0;
     if (!render(&options, &scene, &picture)) {

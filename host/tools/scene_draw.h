@@ -39,6 +39,8 @@ enum scene_pass {
     SCENE_IDS     /* flat triangle ids as 24-bit colours, for XRGB8888 surfaces */
 };
 
+#define SCENE_MAX_DUMP_ID 0xFFFFFFu /* ids travel as 24-bit colours */
+
 /* False when memory runs out. The scene must outlive the resources. */
 bool scene_resources_create(struct scene_resources *resources, const struct scene *scene);
 void scene_resources_free(struct scene_resources *resources);

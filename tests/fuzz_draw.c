@@ -1,0 +1,242 @@
+/*
+ * Arbitrary bytes as views, poses, materials, meshes and screen vertices: nothing may trap,
+ * overflow or write outside the surface. `make fuzz` runs it under AddressSanitizer and UBSan.
+ */
+#include <qtri.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 40, VERTICES = 12, TRIANGLES = 16, CORNERS = 9, CACHE = 8 };
+
+struct reader {
+    const uint8_t *data;
+    size_t left;
+};
+
+/* Fills `size` bytes from the input, zeros once it is used up. */
+static void take(struct reader *r, void *out, size_t size)
+{
+    size_t count = size < r->left ? size : r->left;
+    memset(out, 0, size);
+    memcpy(out, r->data, count);
+    r->data += count;
+    r->left -= count;
+}
+
+static uint8_t take_byte(struct reader *r)
+{
+    uint8_t byte;
+    take(r, &byte, 1);
+    return byte;
+}
+
+static int32_t take_int(struct reader *r)
+{
+    int32_t value;
+    take(r, &value, sizeof value);
+    return value;
+}
+
+/* Mostly numbers of a plausible size: pure noise would be clipped away at once. */
+static q16 take_number(struct reader *r)
+{
+    uint8_t kind = take_byte(r);
+    int32_t value = take_int(r);
+    return (kind & 3) == 0 ? value : value >> (10 + (kind & 7));
+}
+
+static qtri_vec3 take_vec3(struct reader *r)
+{
+    qtri_vec3 v;
+    v.x = take_number(r);
+    v.y = take_number(r);
+    v.z = take_number(r);
+    return v;
+}
+
+static void build_transform(struct reader *r, qtri_transform *t)
+{
+    qtri_transform_identity(t);
+    for (int steps = take_byte(r) % 5; steps > 0; steps--) {
+        qtri_vec3 a = take_vec3(r);
+        qtri_vec3 triangle[3];
+        qtri_quat q;
+        qtri_mat4 m;
+        switch (take_byte(r) % 14) {
+        case 0:
+            qtri_transform_translate(t, a);
+            break;
+        case 1:
+            qtri_transform_scale(t, a);
+            break;
+        case 2:
+            qtri_transform_rotate(t, take_number(r), a);
+            break;
+        case 3:
+            qtri_transform_rotate_about(t, take_number(r), a, take_vec3(r));
+            break;
+        case 4:
+            triangle[0] = a;
+            triangle[1] = take_vec3(r);
+            triangle[2] = take_vec3(r);
+            qtri_transform_rotate_triangle(t, take_number(r), triangle);
+            break;
+        case 5:
+            take(r, &q, sizeof q);
+            qtri_transform_rotate_quat(t, q);
+            break;
+        case 6:
+            qtri_transform_look_at(t, a, take_vec3(r), take_vec3(r));
+            break;
+        case 7:
+            qtri_transform_perspective(t, a.x, a.y, a.z, take_number(r));
+            break;
+        case 8:
+            qtri_transform_frustum(t, a.x, a.y, a.z, take_number(r), take_number(r),
+                                   take_number(r));
+            break;
+        case 9:
+            qtri_transform_ortho(t, a.x, a.y, a.z, take_number(r), take_number(r), take_number(r));
+            break;
+        case 10:
+            qtri_transform_perspective_d3d(t, a.x, a.y, a.z, take_number(r));
+            break;
+        case 11:
+            qtri_transform_rotate_x(t, a.x);
+            qtri_transform_rotate_y(t, a.y);
+            break;
+        case 12:
+            qtri_transform_perspective(t, Q16(60), Q16(1), Q16(0.1), Q16(10));
+            break;
+        default:
+            take(r, &m, sizeof m);
+            qtri_transform_from_mat4(t, &m);
+            qtri_transform_to_mat4(t, &m);
+            break;
+        }
+    }
+}
+
+static qtri_material build_material(struct reader *r, qtri_texture *texture, const void *texels)
+{
+    qtri_material m = qtri_material_default();
+    m.shading = (qtri_shading)(take_byte(r) % 3);
+    m.interpolation = (qtri_interpolation)(take_byte(r) % 2);
+    m.texture_mode = (qtri_texture_mode)(take_byte(r) % 2);
+    m.cull = (qtri_cull)(take_byte(r) % 3);
+    m.fill = (qtri_fill)(take_byte(r) % 2);
+    m.depth_compare = (qtri_compare)(take_byte(r) % 9);
+    m.depth_read_only = take_byte(r) % 4 == 0;
+    take(r, &m.color, sizeof m.color);
+    texture->format = (qtri_texel_format)(take_byte(r) % 3);
+    texture->texels = texels;
+    texture->width_log2 = take_byte(r) % 4; /* 8 x 8 texels of memory */
+    texture->height_log2 = take_byte(r) % 4;
+    texture->fields = take_byte(r);
+    take(r, texture->color, sizeof texture->color);
+    m.texture = take_byte(r) % 2 ? texture : NULL;
+    return m;
+}
+
+static void draw_mesh(struct reader *r, const qtri_surface *surface, const qtri_view *view,
+                      const qtri_transform *pose, const qtri_material *material)
+{
+    qtri_vec3 positions[VERTICES];
+    qtri_normal normals[VERTICES];
+    qtri_vec2 uvs[VERTICES];
+    qtri_rgb colors[VERTICES];
+    uint16_t triangles[TRIANGLES][3];
+    for (int i = 0; i < VERTICES; i++) {
+        positions[i] = take_vec3(r);
+    }
+    take(r, normals, sizeof normals);
+    take(r, uvs, sizeof uvs);
+    take(r, colors, sizeof colors);
+    for (int i = 0; i < TRIANGLES; i++) {
+        for (int j = 0; j < 3; j++) {
+            triangles[i][j] = take_byte(r) % (VERTICES + 1);
+        }
+    }
+    uint8_t parts = take_byte(r);
+    qtri_mesh mesh = {positions,
+                      parts & 1 ? normals : NULL,
+                      parts & 2 ? uvs : NULL,
+                      parts & 4 ? colors : NULL,
+                      (const uint16_t(*)[3])triangles,
+                      VERTICES,
+                      TRIANGLES};
+    qtri_draw_mesh(surface, view, pose, &mesh, material);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static const uint32_t texels[64] = {0xFF00FFu, 0x123456u, 0xFFFFFFu};
+    struct reader reader = {data, size};
+    struct reader *r = &reader;
+    qtri_format format = (qtri_format)(take_byte(r) % 3);
+    int32_t first = take_byte(r) % SIDE;
+    int32_t rows = 1 + take_byte(r) % SIDE;
+    size_t bytes = QTRI_BAND_BYTES(SIDE, rows, format);
+    uint8_t *memory = malloc(bytes); /* exactly as large: AddressSanitizer watches its ends */
+    qtri_surface surface;
+    if (memory == NULL ||
+        qtri_surface_init(&surface, format, SIDE, SIDE, first, rows, memory, bytes) != QTRI_OK) {
+        abort();
+    }
+    if (take_byte(r) % 4 == 0) {
+        take(r, &surface.scissor, sizeof surface.scissor);
+    }
+    qtri_rgb sky = {1, 2, 3};
+    qtri_surface_clear(&surface, sky, 65535);
+
+    qtri_view view;
+    qtri_vertex cache[CACHE];
+    qtri_light light;
+    qtri_transform pose;
+    qtri_texture texture;
+    qtri_corner corners[CORNERS];
+    qtri_screen_vertex screen[3];
+    qtri_view_init(&view, SIDE, SIDE);
+    build_transform(r, &view.projection);
+    build_transform(r, &view.camera);
+    build_transform(r, &pose);
+    if (take_byte(r) % 4 == 0) {
+        take(r, &view.viewport, sizeof view.viewport);
+    }
+    take(r, &light, sizeof light);
+    view.light = take_byte(r) % 2 ? &light : NULL;
+    view.vertices = cache;
+    view.vertex_count = take_byte(r) % (CACHE + 1);
+    qtri_material material = build_material(r, &texture, texels);
+
+    switch (take_byte(r) % 4) {
+    case 0:
+        draw_mesh(r, &surface, &view, &pose, &material);
+        break;
+    case 1:
+        for (int i = 0; i < CORNERS; i++) {
+            qtri_vec3 p = take_vec3(r);
+            qtri_vec4 position = {p.x, p.y, p.z, take_byte(r) % 4 ? Q16_ONE : take_number(r)};
+            corners[i].position = position;
+            take(r, &corners[i].color, sizeof corners[i].color);
+            take(r, &corners[i].uv, sizeof corners[i].uv);
+        }
+        qtri_draw_triangles(&surface, &view, &pose, corners, CORNERS, &material);
+        qtri_draw_lines(&surface, &view, &pose, corners, CORNERS, &material);
+        break;
+    default:
+        take(r, screen, sizeof screen);
+        for (int i = 0; i < 3 && take_byte(r) % 2; i++) {
+            screen[i].x_24p8 >>= 16;
+            screen[i].y_24p8 >>= 16;
+        }
+        qtri_raster_triangle(&surface, &material, screen);
+        qtri_raster_line(&surface, &material, screen);
+        break;
+    }
+    free(memory);
+    return 0;
+}

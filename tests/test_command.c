@@ -1,0 +1,170 @@
+/*
+ * The command as a user meets it: exit statuses, messages, and what is left on disk.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static char folder[512];
+
+/* Runs `qtri ARGUMENTS` in the test's folder, standard error into the file `messages`. */
+static int run(const char *arguments)
+{
+    char line[2048];
+    const char *command = getenv("QTRI_COMMAND");
+    snprintf(line, sizeof line, "cd '%s' && '%s' %s >output 2>messages", folder, command,
+             arguments);
+    int status = system(line); /* NOLINT(cert-env33-c): a test of the command line */
+    assert_true(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+static void path_of(char *path, size_t size, const char *name)
+{
+    snprintf(path, size, "%s/%s", folder, name);
+}
+
+static void write_file(const char *name, const char *text)
+{
+    char path[1024];
+    path_of(path, sizeof path, name);
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+static bool exists(const char *name)
+{
+    char path[1024];
+    path_of(path, sizeof path, name);
+    return access(path, F_OK) == 0;
+}
+
+static bool messages_contain(const char *text)
+{
+    char path[1024];
+    char content[4096];
+    path_of(path, sizeof path, "messages");
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    size_t length = fread(content, 1, sizeof content - 1, file);
+    content[length] = '\0';
+    fclose(file);
+    return strstr(content, text) != NULL;
+}
+
+static const char triangle[] = "viewport 64 48\ndepth less\n"
+                               "tri -.5 -.5 0 1 1 0 0  .5 -.5 0 1 0 1 0  0 .5 0 1 0 0 1\n";
+
+static void usage_errors(void **state)
+{
+    (void)state;
+    assert_int_equal(run(""), 2);
+    assert_int_equal(run("nonsense"), 2);
+    assert_int_equal(run("render"), 2);
+    assert_int_equal(run("render a.scene"), 2);
+    assert_int_equal(run("render a.scene -o"), 2);
+    assert_int_equal(run("render a.scene -o x --format cmyk"), 2);
+    assert_int_equal(run("render a.scene -o x --rows -1"), 2);
+    assert_int_equal(run("render a.scene -o x --snap 17 --reference"), 2);
+    assert_int_equal(run("render a.scene -o x --frobnicate"), 2);
+    assert_true(messages_contain("--frobnicate"));
+    assert_int_equal(run("compare one.ppm"), 2);
+    assert_int_equal(run("mesh knot"), 2);
+    assert_int_equal(run("mesh dodo -o x.obj"), 2);
+    assert_int_equal(run("demo --frobnicate"), 2);
+    assert_false(exists("x.obj"));
+}
+
+static void help(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--help"), 0);
+    assert_int_equal(run("render --help"), 0);
+    assert_int_equal(run("compare --help"), 0);
+    assert_int_equal(run("mesh --help"), 0);
+    assert_int_equal(run("demo --help"), 0);
+}
+
+static void bad_input(void **state)
+{
+    (void)state;
+    write_file("bad.scene", "viewport 64 48\ntri 1 2 3\n");
+    assert_int_equal(run("render bad.scene -o bad --dump"), 1);
+    assert_true(messages_contain("bad.scene:2"));
+    assert_false(exists("bad.ppm"));
+    assert_false(exists("bad.id"));
+    assert_int_equal(run("render missing.scene -o bad"), 1);
+    assert_int_equal(run("compare missing.ppm missing.ppm"), 1);
+    write_file("good.scene", triangle);
+    assert_int_equal(run("render good.scene -o no/such/folder/x"), 1);
+    assert_int_equal(run("mesh knot -o no/such/folder/x.obj"), 1);
+    assert_int_equal(run("demo --scenes no/such/folder -o demo"), 1);
+}
+
+static void formats_and_bands(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"rgb888", "rgb565", "gray8"};
+    write_file("good.scene", triangle);
+    for (size_t i = 0; i < 3; i++) {
+        char line[256];
+        snprintf(line, sizeof line, "render good.scene -o whole --dump --format %s", formats[i]);
+        assert_int_equal(run(line), 0);
+        snprintf(line, sizeof line, "render good.scene -o bands --dump --rows 7 --format %s",
+                 formats[i]);
+        assert_int_equal(run(line), 0);
+        assert_int_equal(run("compare whole.ppm bands.ppm"), 0);
+        snprintf(line, sizeof line, "render good.scene -o expected --dump --reference --format %s",
+                 formats[i]);
+        assert_int_equal(run(line), 0);
+        assert_int_equal(run("compare whole.ppm expected.ppm --max-color 9 --max-depth .51"), 0);
+    }
+    assert_int_equal(run("compare whole.ppm expected.ppm --max-depth 0"), 1);
+}
+
+static void generated_mesh(void **state)
+{
+    (void)state;
+    assert_int_equal(run("mesh torus -o torus.obj"), 0);
+    write_file("torus.scene", "viewport 80 60\ndepth less\nlight 0 0 1 .2 .8\n"
+                              "mode projection\nperspective 60 1.333 .1 100\nmode modelview\n"
+                              "translate 0 0 -4\nmesh torus.obj color 1 .5 0\n");
+    assert_int_equal(run("render torus.scene -o torus --dump"), 0);
+    assert_int_equal(run("render torus.scene -o expected --dump --reference --snap 8"), 0);
+    assert_int_equal(run("compare torus.ppm expected.ppm --max-color 1 --max-depth .52"), 0);
+}
+
+static int make_folder(void **state)
+{
+    (void)state;
+    const char *base = getenv("QTRI_TMP");
+    snprintf(folder, sizeof folder, "%s/qtri-command-XXXXXX", base != NULL ? base : "/tmp");
+    return mkdtemp(folder) == NULL;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(usage_errors),   cmocka_unit_test(help),
+        cmocka_unit_test(bad_input),      cmocka_unit_test(formats_and_bands),
+        cmocka_unit_test(generated_mesh),
+    };
+    if (getenv("QTRI_COMMAND") == NULL) {
+        puts("QTRI_COMMAND is not set: run `make test-plain TESTS=test_command`");
+        return 1;
+    }
+    return cmocka_run_group_tests(tests, make_folder, NULL);
+}
