@@ -4,16 +4,23 @@
 set -u
 : "${BUILD:=build}" "${JOBS:=2}" "${TEST_SECONDS:=300}" "${MODELS:=}"
 
-# The environment the tests may rely on; QTRI_TEST_LONG is the user's to set.
-export QTRI_TMP="$PWD/$BUILD/tmp" QTRI_COMMAND="$PWD/$BUILD/qtri"
-if [ -n "$MODELS" ]; then export QTRI_MODELS="$MODELS"; else unset QTRI_MODELS; fi
+# The environment the tests may rely on, with full paths: QTRI_TMP for what they write, QTRI_COMMAND, and QTRI_MODELS
+# where there are models. QTRI_TEST_LONG is the user's to set.
+mkdir -p "$BUILD/tmp" build/results
+QTRI_TMP=$(cd "$BUILD/tmp" && pwd)
+QTRI_COMMAND=$(cd "$BUILD" && pwd)/qtri
+export QTRI_TMP QTRI_COMMAND
+unset QTRI_MODELS
+if [ -n "$MODELS" ]; then
+    QTRI_MODELS=$(cd "$MODELS" && pwd) || exit 1
+    export QTRI_MODELS
+fi
 export CMOCKA_MESSAGE_OUTPUT=TAP
 export ASAN_OPTIONS="${ASAN_OPTIONS:-allocator_may_return_null=1:detect_stack_use_after_return=1}"
 export UBSAN_OPTIONS="${UBSAN_OPTIONS:-print_stacktrace=1}"
 export BUILD TEST_SECONDS
 
 if [ "${1:-}" != --one ]; then
-    mkdir -p "$QTRI_TMP" build/results
     [ $# -gt 0 ] || { echo "no tests in tests/"; exit 1; }
     printf '%s\n' "$@" | xargs -P "$JOBS" -n 1 sh "$0" --one
     exit $?
