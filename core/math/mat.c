@@ -1,5 +1,6 @@
 #include "qtri/mat.h"
 
+#include "qtri/q16_trig.h"
 #include "products.h"
 
 qtri_mat3 qtri_mat3_identity(void)

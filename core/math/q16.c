@@ -1,7 +1,6 @@
 #include "qtri/q16.h"
 
 #include "bits.h"
-#include "sincos.h"
 
 q16 q16_from_int(int32_t x)
 {
@@ -72,29 +71,4 @@ q16 q16_lerp(q16 a, q16 b, q16 t)
 q16 q16_sqrt(q16 x)
 {
     return x <= 0 ? 0 : (q16)qtri_sqrt64_round((uint64_t)x << 16); /* < 2^23.5 */
-}
-
-void q16_sincos_deg(q16 degrees, q16 *sine, q16 *cosine)
-{
-    int32_t sine_q30;
-    int32_t cosine_q30;
-    qtri_sincos_deg_q30(degrees, &sine_q30, &cosine_q30);
-    *sine = (sine_q30 + 0x2000) >> 14;
-    *cosine = (cosine_q30 + 0x2000) >> 14;
-}
-
-q16 q16_sin_deg(q16 degrees)
-{
-    q16 sine;
-    q16 cosine;
-    q16_sincos_deg(degrees, &sine, &cosine);
-    return sine;
-}
-
-q16 q16_cos_deg(q16 degrees)
-{
-    q16 sine;
-    q16 cosine;
-    q16_sincos_deg(degrees, &sine, &cosine);
-    return cosine;
 }

@@ -1,5 +1,6 @@
 #include "qtri/quat.h"
 
+#include "qtri/q16_trig.h"
 #include "bits.h"
 #include "products.h"
 #include "sincos.h"

@@ -1,0 +1,327 @@
+/*
+ * The same pixels however a frame is cut: bands, scissors, pitches; and nothing outside them.
+ */
+#include "support_core.h"
+
+enum { WIDTH = 48, HEIGHT = 40, TRIANGLES = 12 };
+
+static uint16_t texels565[16 * 8];
+static uint32_t texels8888[32 * 32];
+
+static const qtri_texture textures[3] = {
+    {texels565, QTRI_TEXEL_RGB565, 4, 3, 0, {{0, 0, 0}, {0, 0, 0}}},
+    {texels8888, QTRI_TEXEL_XRGB8888, 5, 5, 0, {{0, 0, 0}, {0, 0, 0}}},
+    {NULL, QTRI_TEXEL_CHECKER, 6, 4, 8, {{255, 30, 60}, {10, 200, 90}}}};
+
+static int fill_textures(void **state)
+{
+    (void)state;
+    uint64_t seed = 60;
+    for (size_t i = 0; i < LENGTH_OF(texels565); i++) {
+        texels565[i] = (uint16_t)random64(&seed);
+    }
+    for (size_t i = 0; i < LENGTH_OF(texels8888); i++) {
+        texels8888[i] = (uint32_t)random64(&seed);
+    }
+    return 0;
+}
+
+/* A few triangles and lines with every kind of material. */
+typedef struct scene {
+    qtri_material material[TRIANGLES];
+    qtri_screen_vertex v[TRIANGLES][3];
+} scene;
+
+static qtri_screen_vertex random_vertex(uint64_t *seed, bool tame)
+{
+    static const int32_t reach[] = {2000, 6000, 20000, 1 << 20, 1 << 22};
+    int32_t r = reach[random_in(seed, 0, 4)];
+    qtri_screen_vertex v = screen_at(random_in(seed, WIDTH * 128 - r, WIDTH * 128 + r),
+                                     random_in(seed, HEIGHT * 128 - r, HEIGHT * 128 + r));
+    if (!tame) {
+        v.x_24p8 = random_in(seed, 0, 3) == 0 ? random_any(seed) : v.x_24p8;
+        v.y_24p8 = random_in(seed, 0, 3) == 0 ? random_any(seed) : v.y_24p8;
+    }
+    v.depth_16p16 = (uint32_t)random64(seed) >> (tame ? 1 : 0);
+    v.inv_w_q31 = (uint32_t)random64(seed) >> random_in(seed, 0, tame ? 6 : 31);
+    v.inv_w_exponent = tame ? random_in(seed, 0, 3) : random_any(seed);
+    for (int i = 0; i < 3; i++) {
+        v.color_8p16[i] = tame ? random_in(seed, 0, 255 << 16) : random_any(seed);
+    }
+    v.u_q32 = (int64_t)random64(seed) >> (tame ? 26 : random_in(seed, 0, 63));
+    v.v_q32 = (int64_t)random64(seed) >> (tame ? 26 : random_in(seed, 0, 63));
+    return v;
+}
+
+static void random_scene(scene *s, uint64_t *seed, bool tame)
+{
+    for (int n = 0; n < TRIANGLES; n++) {
+        qtri_material m = qtri_material_default();
+        m.shading = (qtri_shading)random_in(seed, 0, 2);
+        m.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
+        m.texture = random_flag(seed) ? &textures[random_in(seed, 0, 2)] : NULL;
+        m.texture_mode = (qtri_texture_mode)random_in(seed, 0, 1);
+        m.cull = (qtri_cull)(random_in(seed, 0, 5) / 2);
+        m.depth_compare = (qtri_compare)random_in(seed, 0, 8);
+        m.depth_read_only = random_flag(seed);
+        if (!tame && random_flag(seed)) {
+            m.shading = (qtri_shading)random_bits32(seed);
+            m.interpolation = (qtri_interpolation)random_bits32(seed);
+            m.texture_mode = (qtri_texture_mode)random_bits32(seed);
+            m.cull = (qtri_cull)random_bits32(seed);
+            m.fill = (qtri_fill)random_bits32(seed);
+            m.depth_compare = (qtri_compare)random_bits32(seed);
+        }
+        s->material[n] = m;
+        for (int i = 0; i < 3; i++) {
+            s->v[n][i] = random_vertex(seed, tame);
+        }
+    }
+}
+
+static void draw_scene(const qtri_surface *surface, const scene *s)
+{
+    for (int n = 0; n < TRIANGLES; n++) {
+        if (n % 4 == 3) {
+            qtri_raster_line(surface, &s->material[n], s->v[n]);
+        } else {
+            qtri_raster_triangle(surface, &s->material[n], s->v[n]);
+        }
+    }
+}
+
+static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+
+static void bands(void **state)
+{
+    (void)state;
+    uint64_t seed = 61;
+    for (int n = 0; n < 1500; n++) {
+        static scene s;
+        qtri_format format = formats[n % 3];
+        random_scene(&s, &seed, n % 5 != 0);
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        draw_scene(&whole.surface, &s);
+        int32_t first = 0;
+        while (first < HEIGHT) { /* the last band may reach past the frame */
+            int32_t rows = n < HEIGHT ? n + 1 : random_in(&seed, 1, HEIGHT / 2);
+            canvas band = canvas_band(format, WIDTH, HEIGHT, first, rows);
+            draw_scene(&band.surface, &s);
+            assert_same_picture(&whole.surface, &band.surface);
+            canvas_free(&band);
+            first += rows;
+        }
+        canvas_free(&whole);
+    }
+}
+
+static void scissors(void **state)
+{
+    (void)state;
+    uint64_t seed = 62;
+    for (int n = 0; n < 1000; n++) {
+        static scene s;
+        qtri_format format = formats[n % 3];
+        random_scene(&s, &seed, n % 5 != 0);
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        canvas parts = canvas_new(format, WIDTH, HEIGHT);
+        draw_scene(&whole.surface, &s);
+        int32_t x = random_in(&seed, 0, WIDTH);
+        int32_t y = random_in(&seed, 0, HEIGHT);
+        qtri_rect rects[4] = {{INT32_MIN, INT32_MIN, x, y},
+                              {x, -5, WIDTH + 9, y},
+                              {-3, y, x, INT32_MAX},
+                              {x, y, INT32_MAX, HEIGHT}};
+        for (int i = 0; i < 4; i++) {
+            parts.surface.scissor = rects[i];
+            draw_scene(&parts.surface, &s);
+        }
+        assert_same_picture(&whole.surface, &parts.surface);
+        /* One scissor alone: the pixels inside, the background outside. */
+        canvas_free(&parts);
+        parts = canvas_new(format, WIDTH, HEIGHT);
+        parts.surface.scissor = rects[n % 4];
+        qtri_rect bounds = qtri_surface_bounds(&parts.surface);
+        draw_scene(&parts.surface, &s);
+        for (int32_t py = 0; py < HEIGHT; py++) {
+            for (int32_t px = 0; px < WIDTH; px++) {
+                bool in = px >= bounds.x0 && px < bounds.x1 && py >= bounds.y0 && py < bounds.y1;
+                uint32_t expected = in ? stored_pixel(&whole.surface, px, py) : 0;
+                uint16_t depth = in ? stored_depth(&whole.surface, px, py) : 65535;
+                if (stored_pixel(&parts.surface, px, py) != expected ||
+                    stored_depth(&parts.surface, px, py) != depth) {
+                    fail_msg("scissor: pixel %d,%d", (int)px, (int)py);
+                }
+            }
+        }
+        qtri_rect empty[3] = {{5, 5, 5, 9}, {9, 9, 3, 3}, {INT32_MAX, 0, INT32_MIN, 9}};
+        canvas before = canvas_new(format, WIDTH, HEIGHT);
+        memcpy(before.surface.pixels, parts.surface.pixels, (size_t)(parts.surface.pitch * HEIGHT));
+        memcpy(before.surface.depth, parts.surface.depth, sizeof(uint16_t) * WIDTH * HEIGHT);
+        for (int i = 0; i < 3; i++) {
+            parts.surface.scissor = empty[i];
+            draw_scene(&parts.surface, &s);
+            canvas_clear(&parts);
+        }
+        assert_same_picture(&before.surface, &parts.surface);
+        canvas_free(&before);
+        canvas_free(&whole);
+        canvas_free(&parts);
+    }
+}
+
+/* Rows apart, bottom up or both, in the middle of memory that must stay as it is. */
+static void pitches(void **state)
+{
+    (void)state;
+    enum { ROW = 4 * WIDTH + 24, DEPTH_ROW = WIDTH + 7, SPACE = 3 };
+    static uint32_t pixel_memory[(HEIGHT + 2 * SPACE) * ROW / 4];
+    static uint16_t depth_memory[(HEIGHT + 2 * SPACE) * DEPTH_ROW];
+    uint64_t seed = 63;
+    for (int n = 0; n < 600; n++) {
+        static scene s;
+        qtri_format format = formats[n % 3];
+        random_scene(&s, &seed, n % 5 != 0);
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        draw_scene(&whole.surface, &s);
+
+        bool up = n % 2 != 0;
+        uint8_t *bytes = (uint8_t *)pixel_memory;
+        memset(pixel_memory, 0xA5, sizeof pixel_memory);
+        memset(depth_memory, 0xA5, sizeof depth_memory);
+        qtri_surface apart = whole.surface;
+        apart.pitch = up ? -ROW : ROW;
+        apart.pixels = bytes + ROW * (up ? SPACE + HEIGHT - 1 : SPACE);
+        apart.depth_pitch = n % 4 < 2 ? -DEPTH_ROW : DEPTH_ROW;
+        apart.depth = depth_memory + DEPTH_ROW * (n % 4 < 2 ? SPACE + HEIGHT - 1 : SPACE);
+        qtri_rgb black = {0, 0, 0};
+        qtri_surface_clear(&apart, black, 65535);
+        draw_scene(&apart, &s);
+        assert_same_picture(&whole.surface, &apart);
+
+        int used = WIDTH * (int)QTRI_FORMAT_BYTES(format);
+        for (int i = 0; i < (int)sizeof pixel_memory; i++) {
+            int row = i / ROW - SPACE;
+            if ((row < 0 || row >= HEIGHT || i % ROW >= used) && bytes[i] != 0xA5) {
+                fail_msg("byte %d of row %d was written", i % ROW, row);
+            }
+        }
+        for (int i = 0; i < (int)LENGTH_OF(depth_memory); i++) {
+            int row = i / DEPTH_ROW - SPACE;
+            if ((row < 0 || row >= HEIGHT || i % DEPTH_ROW >= WIDTH) && depth_memory[i] != 0xA5A5) {
+                fail_msg("depth %d of row %d was written", i % DEPTH_ROW, row);
+            }
+        }
+        canvas_free(&whole);
+    }
+}
+
+/* Without depth memory nothing is tested. */
+static void no_depth(void **state)
+{
+    (void)state;
+    uint64_t seed = 64;
+    for (int n = 0; n < 200; n++) {
+        static scene s;
+        random_scene(&s, &seed, true);
+        canvas with = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+        canvas without = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+        uint16_t *depth = without.surface.depth;
+        without.surface.depth = NULL;
+        canvas_clear(&without);
+        draw_scene(&without.surface, &s);
+        for (int i = 0; i < TRIANGLES; i++) {
+            s.material[i].depth_compare = QTRI_DEPTH_OFF;
+        }
+        draw_scene(&with.surface, &s);
+        without.surface.depth = depth;
+        assert_same_picture(&with.surface, &without.surface);
+        canvas_free(&with);
+        canvas_free(&without);
+    }
+}
+
+static void surface_errors(void **state)
+{
+    (void)state;
+    static uint8_t memory[QTRI_BAND_BYTES(13, 5, QTRI_XRGB8888) + 8];
+    struct {
+        int32_t width, height, first, rows;
+        enum qtri_error error;
+    } cases[] = {{13, 9, 0, 5, QTRI_OK},
+                 {13, 9, 8, 5, QTRI_OK},
+                 {0, 9, 0, 5, QTRI_ERROR_SIZE},
+                 {13, 0, 0, 5, QTRI_ERROR_SIZE},
+                 {QTRI_SURFACE_MAX + 1, 9, 0, 5, QTRI_ERROR_SIZE},
+                 {13, QTRI_SURFACE_MAX + 1, 0, 5, QTRI_ERROR_SIZE},
+                 {13, 9, -1, 5, QTRI_ERROR_SIZE},
+                 {13, 9, 9, 5, QTRI_ERROR_SIZE},
+                 {13, 9, 0, 0, QTRI_ERROR_SIZE},
+                 {13, 9, 0, INT32_MIN, QTRI_ERROR_SIZE},
+                 {INT32_MIN, INT32_MAX, INT32_MAX, INT32_MAX, QTRI_ERROR_SIZE},
+                 {14, 9, 0, 5, QTRI_ERROR_MEMORY},
+                 {13, 9, 0, 6, QTRI_ERROR_MEMORY},
+                 {QTRI_SURFACE_MAX, QTRI_SURFACE_MAX, 0, QTRI_SURFACE_MAX, QTRI_ERROR_MEMORY}};
+    for (size_t i = 0; i < LENGTH_OF(cases); i++) {
+        qtri_surface s;
+        assert_int_equal(qtri_surface_init(&s, QTRI_XRGB8888, cases[i].width, cases[i].height,
+                                           cases[i].first, cases[i].rows, memory,
+                                           QTRI_BAND_BYTES(13, 5, QTRI_XRGB8888)),
+                         cases[i].error);
+    }
+    for (int n = 0; n < 12; n++) { /* any alignment, any format: aligned and inside */
+        qtri_format format = formats[n % 3];
+        size_t bytes = QTRI_BAND_BYTES(13, 5, format);
+        qtri_surface s;
+        assert_int_equal(qtri_surface_init(&s, format, 13, 7, 4, 5, memory + n / 3, bytes),
+                         QTRI_OK);
+        assert_int_equal(s.rows, 3);
+        assert_int_equal((uintptr_t)s.pixels % QTRI_FORMAT_BYTES(format), 0);
+        assert_int_equal((uintptr_t)s.depth % 2, 0);
+        assert_true(s.pixels >= memory + n / 3);
+        assert_true((uint8_t *)s.depth >= s.pixels + 5 * s.pitch);
+        assert_true((uint8_t *)(s.depth + 5 * s.depth_pitch) <= memory + n / 3 + bytes);
+        qtri_rgb color = {255, 0, 255};
+        qtri_surface_clear(&s, color, 7);
+        qtri_rgb at = qtri_surface_pixel(&s, 12, 6);
+        assert_true(at.r == (format == QTRI_GRAY8 ? 105 : 255)); /* .413 * 255 */
+        qtri_rgb out = qtri_surface_pixel(&s, 12, 7);
+        assert_true(out.r == 0 && out.g == 0 && out.b == 0);
+        (void)qtri_surface_pixel(&s, INT32_MIN, INT32_MIN);
+        (void)qtri_surface_pixel(&s, INT32_MAX, INT32_MAX);
+        assert_int_equal(stored_depth(&s, 0, 4), 7);
+    }
+}
+
+/* Any bits: a rectangle inside the frame and the rows held, or an empty one. */
+static void any_bounds(void **state)
+{
+    (void)state;
+    uint64_t seed = 65;
+    for (int n = 0; n < 100000; n++) {
+        qtri_surface s = {NULL, 0, NULL, 0, QTRI_GRAY8, 0, 0, 0, 0, {0, 0, 0, 0}};
+        int32_t *fields[] = {&s.width,      &s.height,     &s.first_row,  &s.rows,
+                             &s.scissor.x0, &s.scissor.y0, &s.scissor.x1, &s.scissor.y1};
+        for (size_t i = 0; i < LENGTH_OF(fields); i++) {
+            *fields[i] = random_any(&seed);
+        }
+        qtri_rect r = qtri_surface_bounds(&s);
+        if (r.x0 < r.x1 && r.y0 < r.y1) {
+            assert_true(r.x0 >= 0 && r.x1 <= s.width && r.y0 >= 0 && r.y1 <= s.height);
+            assert_true(r.y0 >= s.first_row);
+            assert_true(r.y1 <= (int64_t)s.first_row + s.rows);
+        }
+        s.rows = s.rows > 0 ? -s.rows : s.rows;
+        qtri_rgb none = qtri_surface_pixel(&s, random_any(&seed), random_any(&seed));
+        assert_true((none.r | none.g | none.b) == 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bands),    cmocka_unit_test(scissors),       cmocka_unit_test(pitches),
+        cmocka_unit_test(no_depth), cmocka_unit_test(surface_errors), cmocka_unit_test(any_bounds),
+    };
+    return cmocka_run_group_tests_name("core bands", tests, fill_textures, NULL);
+}

@@ -1,0 +1,250 @@
+/*
+ * Cameras and projections against double matrices built from the course's formulae.
+ */
+#include "support_transform.h"
+
+static matrix looking(qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up)
+{
+    double e[3];
+    double f[3];
+    double u[3];
+    double axis[3][3];
+    doubles(e, eye);
+    doubles(f, center);
+    for (int i = 0; i < 3; i++) {
+        f[i] -= e[i];
+    }
+    if (normalize(f) == 0) {
+        f[2] = -1;
+    }
+    double candidate[3][3] = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    doubles(candidate[0], up);
+    for (int i = 0; i < 3; i++) {
+        normalize(candidate[i]);
+        cross(axis[0], f, candidate[i]);
+        if (normalize(axis[0]) > 1e-12) {
+            break;
+        }
+    }
+    cross(u, axis[0], f);
+    matrix a = identity();
+    for (int j = 0; j < 3; j++) {
+        axis[1][j] = u[j];
+        axis[2][j] = -f[j];
+    }
+    for (int i = 0; i < 3; i++) {
+        a.m[i][3] = 0;
+        for (int j = 0; j < 3; j++) {
+            a.m[i][j] = axis[i][j];
+            a.m[i][3] -= axis[i][j] * e[j];
+        }
+    }
+    return a;
+}
+
+static void look_at(void **state)
+{
+    (void)state;
+    double worst = 0;
+    uint64_t seed = 24;
+    for (int n = 0; n < 5000; n++) {
+        qtri_vec3 eye = random_vec3(&seed, random_in(&seed, 10, 30));
+        qtri_vec3 center = random_vec3(&seed, random_in(&seed, 10, 30));
+        qtri_vec3 up = random_vec3(&seed, random_in(&seed, 8, 30));
+        if (n % 4 == 0) {
+            up.x = up.z = 0;
+        }
+        qtri_transform t;
+        qtri_transform_identity(&t);
+        qtri_transform_look_at(&t, eye, center, up);
+        matrix exact = looking(eye, center, up);
+        matrix scale = exact;
+        for (int i = 0; i < 3; i++) {
+            scale.m[i][3] = fabs(real(eye.x)) + fabs(real(eye.y)) + fabs(real(eye.z));
+        }
+        worst = fmax(worst, error_of(&t, &exact, &scale));
+    }
+    print_message("look_at: %.2f 2^-30\n", worst);
+    assert_true(worst <= 4);
+}
+
+static void look_at_special(void **state)
+{
+    (void)state;
+    static const double cases[][9] = {
+        {0, 0, 3, 0, 0, 0, 0, 1, 0},         {1, 2, 3, 1, 2, 3, 0, 1, 0},  /* eye = center */
+        {0, 5, 0, 0, 0, 0, 0, 1, 0},         {0, -5, 0, 0, 0, 0, 0, 1, 0}, /* up parallel */
+        {0, 0, 0, 3, 0, 0, -7, 0, 0},        {0, 0, 0, 3, 0, 4, 0, 0, 0},  /* up zero */
+        {0, 0, 0, 1, 2, 3, 100, 200, 300},   {0, 0, 0, 0, 7, 0, 0, 0, 0},  /* both fall back */
+        {0, 0, 5, 0, 0, 9, 0, 0, -1},        {4, 4, 4, 4, 4, 4, 0, 0, 0},
+        {0, 0, 0, 1.5, 2.5, -3.5, -3, -5, 7}};
+    for (size_t n = 0; n < LENGTH_OF(cases); n++) {
+        const double *c = cases[n];
+        qtri_vec3 v[3] = {vec3_of(c[0], c[1], c[2]), vec3_of(c[3], c[4], c[5]),
+                          vec3_of(c[6], c[7], c[8])};
+        qtri_transform t;
+        qtri_transform_identity(&t);
+        qtri_transform_look_at(&t, v[0], v[1], v[2]);
+        matrix exact = looking(v[0], v[1], v[2]);
+        double error = error_of(&t, &exact, &exact);
+        if (error > 4) {
+            fail_msg("look_at case %d: %g", (int)n, error);
+        }
+    }
+    uint64_t seed = 32;
+    for (int n = 0; n < 2000; n++) { /* up along the view: as if it were zero */
+        qtri_vec3 d = random_vec3(&seed, 20);
+        int32_t k = random_in(&seed, 1, 700) * (random_flag(&seed) ? 1 : -1);
+        qtri_vec3 up = {d.x * k, d.y * k, d.z * k};
+        qtri_vec3 zero = {0, 0, 0};
+        qtri_transform t[2];
+        qtri_transform_identity(&t[0]);
+        qtri_transform_identity(&t[1]);
+        qtri_transform_look_at(&t[0], zero, d, up);
+        qtri_transform_look_at(&t[1], zero, d, zero);
+        assert_memory_equal(&t[0], &t[1], sizeof t[0]);
+    }
+}
+
+/* A camera far from the origin, an object near the camera: translations must cancel. */
+static void translations_cancel(void **state)
+{
+    (void)state;
+    double worst = 0;
+    uint64_t seed = 25;
+    for (int n = 0; n < 2000; n++) {
+        qtri_vec3 eye = random_vec3(&seed, 30);
+        qtri_vec3 offset = random_vec3(&seed, random_in(&seed, 14, 19));
+        qtri_vec3 position = qtri_vec3_add(eye, offset);
+        qtri_vec3 up = {0, Q16_ONE, 0};
+        qtri_vec3 origin = {0, 0, 0};
+        qtri_transform camera;
+        qtri_transform pose;
+        qtri_transform_identity(&camera);
+        qtri_transform_identity(&pose);
+        qtri_transform_look_at(&camera, eye, n % 2 ? origin : position, up);
+        qtri_transform_translate(&pose, position);
+        qtri_transform_mul(&pose, &camera, &pose);
+        long double at[4];
+        matrix exact = looking(eye, n % 2 ? origin : position, up);
+        double o[3];
+        doubles(o, offset);
+        double size = sqrt(o[0] * o[0] + o[1] * o[1] + o[2] * o[2]);
+        apply(at, &pose, origin);
+        for (int i = 0; i < 3; i++) {
+            double sum = exact.m[i][0] * o[0] + exact.m[i][1] * o[1] + exact.m[i][2] * o[2];
+            worst = fmax(worst, fabs((double)at[i] - sum) / size);
+        }
+        apply(at, &camera, eye);
+        for (int i = 0; i < 3; i++) {
+            assert_true(fabsl(at[i]) <= ldexpl(1, -40));
+        }
+    }
+    print_message("object near a far camera: %.2f 2^-30 of its distance\n", ldexp(worst, 30));
+    assert_true(worst <= ldexp(3, -30));
+}
+
+static matrix projecting(double l, double r, double b, double t, double n, double f, bool ortho)
+{
+    matrix p = {{{0}}};
+    if (ortho) {
+        p.m[0][0] = 2 / (r - l);
+        p.m[1][1] = 2 / (t - b);
+        p.m[2][2] = -2 / (f - n);
+        p.m[0][3] = -(r + l) / (r - l);
+        p.m[1][3] = -(t + b) / (t - b);
+        p.m[2][3] = -(f + n) / (f - n);
+        p.m[3][3] = 1;
+    } else {
+        p.m[0][0] = 2 * n / (r - l);
+        p.m[1][1] = 2 * n / (t - b);
+        p.m[0][2] = (r + l) / (r - l);
+        p.m[1][2] = (t + b) / (t - b);
+        p.m[2][2] = (f + n) / (n - f);
+        p.m[2][3] = 2 * f * n / (n - f);
+        p.m[3][2] = -1;
+    }
+    return p;
+}
+
+static void boxes(void **state)
+{
+    (void)state;
+    double worst = 0;
+    uint64_t seed = 26;
+    for (int n = 0; n < 5000; n++) {
+        q16 v[6];
+        for (int i = 0; i < 6; i++) {
+            v[i] = random_in(&seed, -(1 << 30), 1 << 30) >> random_in(&seed, 0, 20);
+        }
+        if (v[0] == v[1] || v[2] == v[3] || v[4] == v[5]) {
+            continue;
+        }
+        qtri_transform t;
+        qtri_transform_identity(&t);
+        qtri_transform_frustum(&t, v[0], v[1], v[2], v[3], v[4], v[5]);
+        matrix exact = projecting(real(v[0]), real(v[1]), real(v[2]), real(v[3]), real(v[4]),
+                                  real(v[5]), false);
+        worst = fmax(worst, error_of(&t, &exact, &exact));
+        qtri_transform_identity(&t);
+        qtri_transform_ortho(&t, v[0], v[1], v[2], v[3], v[4], v[5]);
+        exact = projecting(real(v[0]), real(v[1]), real(v[2]), real(v[3]), real(v[4]), real(v[5]),
+                           true);
+        worst = fmax(worst, error_of(&t, &exact, &exact));
+    }
+    print_message("frustum, ortho: %.2f 2^-30\n", worst);
+    assert_true(worst <= 1.01);
+}
+
+static void perspectives(void **state)
+{
+    (void)state;
+    double worst = 0;        /* fields of view of 20 to 160 degrees */
+    double worst_narrow = 0; /* times the half angle's tangent or cotangent */
+    uint64_t seed = 27;
+    for (int n = 0; n < 5000; n++) {
+        bool narrow = n % 2 != 0;
+        q16 fovy = narrow ? random_in(&seed, 65536, 179 * 65536)
+                          : random_in(&seed, 20 * 65536, 160 * 65536);
+        q16 aspect = random_in(&seed, 16384, 4 * 65536);
+        q16 near_z = random_in(&seed, 655, 655360);
+        q16 far_z = near_z + random_in(&seed, 65536, 1 << 30);
+        double g = 1 / tan(real(fovy) / 2 * radians);
+        matrix exact = projecting(-real(aspect), real(aspect), -1, 1, 1, 2, false);
+        exact.m[0][0] = g / real(aspect);
+        exact.m[1][1] = g;
+        exact.m[2][2] = ((double)far_z + near_z) / ((double)near_z - far_z);
+        exact.m[2][3] = 2 * real(far_z) * real(near_z) / (real(near_z) - real(far_z));
+        qtri_transform t;
+        qtri_transform_identity(&t);
+        qtri_transform_perspective(&t, fovy, aspect, near_z, far_z);
+        double error = error_of(&t, &exact, &exact);
+        qtri_transform d3d;
+        qtri_transform_identity(&d3d);
+        qtri_transform_perspective_d3d(&d3d, fovy, aspect, near_z, far_z);
+        exact.m[2][2] = -exact.m[2][2];
+        exact.m[3][2] = 1;
+        error = fmax(error, error_of(&d3d, &exact, &exact));
+        if (narrow) {
+            worst_narrow = fmax(worst_narrow, error * fmin(g, 1 / g));
+        } else {
+            worst = fmax(worst, error);
+        }
+    }
+    print_message("perspective: %.2f 2^-30; narrow or wide: %.2f max(g, 1/g) 2^-30\n", worst,
+                  worst_narrow);
+    assert_true(worst <= 6);
+    assert_true(worst_narrow <= 3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(look_at),
+        cmocka_unit_test(look_at_special),
+        cmocka_unit_test(translations_cancel),
+        cmocka_unit_test(boxes),
+        cmocka_unit_test(perspectives),
+    };
+    return cmocka_run_group_tests_name("core camera", tests, NULL, NULL);
+}

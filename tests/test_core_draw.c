@@ -1,0 +1,508 @@
+/*
+ * Draw calls: meshes and corners through the whole pipeline.
+ */
+#include "support_core.h"
+
+enum { WIDTH = 48, HEIGHT = 40, VERTICES = 30, TRIANGLES = 40 };
+
+/* A mesh with everything. */
+typedef struct full_mesh {
+    qtri_vec3 position[VERTICES];
+    qtri_normal normal[VERTICES];
+    qtri_vec2 uv[VERTICES];
+    qtri_rgb color[VERTICES];
+    uint16_t triangle[TRIANGLES][3];
+    qtri_mesh mesh;
+} full_mesh;
+
+static const qtri_texture checker = {
+    NULL, QTRI_TEXEL_CHECKER, 5, 5, 8, {{255, 200, 60}, {60, 90, 255}}};
+
+static qtri_normal unit_normal(uint64_t *seed)
+{
+    double n[3];
+    double length = 0;
+    while (length < .1) {
+        for (int i = 0; i < 3; i++) {
+            n[i] = random_in(seed, -1000, 1000) / 1000.;
+        }
+        length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    }
+    qtri_normal normal = {(int16_t)lrint(n[0] / length * 16384),
+                          (int16_t)lrint(n[1] / length * 16384),
+                          (int16_t)lrint(n[2] / length * 16384)};
+    return normal;
+}
+
+static void random_mesh(full_mesh *m, uint64_t *seed)
+{
+    for (int i = 0; i < VERTICES; i++) {
+        qtri_vec3 p = {random_in(seed, -200000, 200000), random_in(seed, -200000, 200000),
+                       random_in(seed, -200000, 200000)};
+        m->position[i] = p;
+        m->normal[i] = unit_normal(seed);
+        m->uv[i].x = random_in(seed, -200000, 200000);
+        m->uv[i].y = random_in(seed, -200000, 200000);
+        m->color[i].r = (uint8_t)random64(seed);
+        m->color[i].g = (uint8_t)random64(seed);
+        m->color[i].b = (uint8_t)random64(seed);
+    }
+    for (int i = 0; i < TRIANGLES * 3; i++) { /* a few past the end */
+        m->triangle[i / 3][i % 3] = (uint16_t)random_in(seed, 0, VERTICES - (i % 20 != 0));
+    }
+    qtri_mesh mesh = {m->position,
+                      random_flag(seed) ? m->normal : NULL,
+                      random_flag(seed) ? m->uv : NULL,
+                      random_flag(seed) ? m->color : NULL,
+                      (const uint16_t(*)[3])m->triangle,
+                      VERTICES,
+                      TRIANGLES};
+    m->mesh = mesh;
+}
+
+static qtri_material random_material(uint64_t *seed)
+{
+    qtri_material m = qtri_material_default();
+    m.shading = (qtri_shading)random_in(seed, 0, 2);
+    m.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
+    m.texture = random_flag(seed) ? &checker : NULL;
+    m.cull = (qtri_cull)random_in(seed, 0, 2);
+    m.fill = random_in(seed, 0, 4) == 0 ? QTRI_WIREFRAME : QTRI_SOLID;
+    return m;
+}
+
+/* Somewhere near the object, inside it as often as not: triangles cross all planes. */
+static void random_view(qtri_view *view, uint64_t *seed)
+{
+    qtri_vec3 up = {0, Q16_ONE, 0};
+    int32_t r = random_in(seed, 0, 400000);
+    qtri_vec3 eye = {random_in(seed, -r, r), random_in(seed, -r, r), random_in(seed, -r, r)};
+    qtri_vec3 center = {random_in(seed, -65536, 65536), 0, 0};
+    qtri_view_init(view, WIDTH, HEIGHT);
+    qtri_transform_look_at(&view->camera, eye, center, up);
+    qtri_transform_perspective(&view->projection, random_in(seed, 20 << 16, 150 << 16), Q16(1.2),
+                               random_in(seed, 66, 65536), random_in(seed, 131072, 1 << 20));
+}
+
+static void random_pose(qtri_transform *pose, uint64_t *seed)
+{
+    qtri_vec3 axis = {random_in(seed, -100, 100), random_in(seed, -100, 100), 50};
+    qtri_vec3 factor = {random_in(seed, -90000, 90000), random_in(seed, 20000, 90000),
+                        random_in(seed, 20000, 90000)};
+    qtri_transform_identity(pose);
+    qtri_transform_rotate(pose, random_in(seed, 0, 360 << 16), axis);
+    qtri_transform_scale(pose, factor);
+    qtri_transform_rotate_y(pose, random_in(seed, 0, 360 << 16));
+}
+
+static int painted(const canvas *c)
+{
+    int count = 0;
+    for (int32_t i = 0; i < c->surface.width * c->surface.height; i++) {
+        count += stored_pixel(&c->surface, i % c->surface.width, i / c->surface.width) != 0;
+    }
+    return count;
+}
+
+static void any_scratch_size(void **state)
+{
+    (void)state;
+    static const uint32_t sizes[] = {1, 2, 3, 7, VERTICES - 1, VERTICES, 2 * VERTICES};
+    static qtri_vertex scratch[2 * VERTICES + 1];
+    static full_mesh m;
+    uint64_t seed = 101;
+    int total = 0;
+    for (int n = 0; n < 600; n++) {
+        qtri_view view;
+        qtri_transform pose;
+        qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(0.3), Q16(0.9)};
+        random_mesh(&m, &seed);
+        random_view(&view, &seed);
+        random_pose(&pose, &seed);
+        qtri_material material = random_material(&seed);
+        view.light = random_flag(&seed) ? &light : NULL;
+        qtri_format format = (qtri_format)(n % 3);
+        canvas none = canvas_new(format, WIDTH, HEIGHT);
+        qtri_draw_mesh(&none.surface, &view, &pose, &m.mesh, &material);
+        total += painted(&none);
+        for (size_t i = 0; i < LENGTH_OF(sizes); i++) {
+            canvas c = canvas_new(format, WIDTH, HEIGHT);
+            memset(scratch, 0x5A + (int)i, sizeof scratch);
+            view.vertices = scratch;
+            view.vertex_count = sizes[i];
+            qtri_draw_mesh(&c.surface, &view, &pose, &m.mesh, &material);
+            assert_same_picture(&none.surface, &c.surface);
+            uint8_t behind = ((const uint8_t *)&scratch[sizes[i]])[0];
+            assert_int_equal(behind, 0x5A + (int)i); /* only what it was given */
+            canvas_free(&c);
+        }
+        canvas_free(&none);
+    }
+    assert_true(total > 100000);
+}
+
+/* The same corners drawn as a mesh and as a list, each band alone too. */
+static void corners_equal_mesh(void **state)
+{
+    (void)state;
+    static full_mesh m;
+    static qtri_corner corners[TRIANGLES * 3];
+    uint64_t seed = 102;
+    for (int n = 0; n < 600; n++) {
+        qtri_view view;
+        qtri_transform pose;
+        random_mesh(&m, &seed);
+        random_view(&view, &seed);
+        random_pose(&pose, &seed);
+        m.mesh.uvs = m.uv;
+        m.mesh.colors = m.color;
+        uint32_t count = 0;
+        for (int i = 0; i < TRIANGLES; i++) {
+            const uint16_t *t = m.triangle[i];
+            for (int k = 0; k < 3 && t[0] < VERTICES && t[1] < VERTICES && t[2] < VERTICES; k++) {
+                const qtri_vec3 *p = &m.position[t[k]];
+                qtri_corner corner = {{p->x, p->y, p->z, Q16_ONE}, m.color[t[k]], m.uv[t[k]]};
+                corners[count++] = corner;
+            }
+        }
+        qtri_material material = random_material(&seed);
+        qtri_format format = (qtri_format)(n % 3);
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        qtri_draw_mesh(&whole.surface, &view, &pose, &m.mesh, &material);
+        for (int32_t first = 0; first < HEIGHT;) {
+            int32_t rows = n % 2 != 0 ? HEIGHT : random_in(&seed, 1, 20);
+            canvas c = canvas_band(format, WIDTH, HEIGHT, first, rows);
+            qtri_draw_triangles(&c.surface, &view, &pose, corners, count + 2, &material);
+            qtri_draw_triangles(&c.surface, &view, &pose, corners, 2, &material);
+            assert_same_picture(&whole.surface, &c.surface);
+            canvas_free(&c);
+            first += rows;
+        }
+        canvas_free(&whole);
+    }
+}
+
+/* Inside a closed box whose faces are cut to pieces: every pixel is covered exactly once. */
+static void inside_a_box(void **state)
+{
+    (void)state;
+    enum { CUTS = 3 };
+    uint64_t seed = 103;
+    canvas c = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    for (int n = 0; n < 120; n++) {
+        int count[HEIGHT][WIDTH] = {{0}};
+        qtri_view view;
+        qtri_transform pose;
+        qtri_vec3 up = {0, Q16_ONE, 0};
+        int32_t size = n % 2 != 0 ? 3 << 16 : 200 << 16;
+        int32_t r = size / 3 * 2;
+        qtri_vec3 eye = {random_in(&seed, -r, r), random_in(&seed, -r, r), random_in(&seed, -r, r)};
+        qtri_vec3 center = {random_any(&seed), random_any(&seed), random_any(&seed)};
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_transform_look_at(&view.camera, eye, center, up);
+        qtri_transform_perspective(&view.projection, Q16(100), Q16(1.2), Q16(0.01), Q16(2000));
+        qtri_transform_identity(&pose);
+        qtri_material material = plain_material();
+        for (int face = 0; face < 6; face++) {
+            for (int i = 0; i < CUTS * CUTS * 2; i++) {
+                static const int step[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}},
+                                                  {{0, 0}, {1, 1}, {0, 1}}};
+                qtri_corner corners[3];
+                memset(corners, 0, sizeof corners);
+                for (int k = 0; k < 3; k++) {
+                    q16 p[3];
+                    p[face % 3] = face < 3 ? size : -size;
+                    p[(face + 1) % 3] =
+                        (i / 2 % CUTS + step[i % 2][k][0]) * (2 * size / CUTS) - size;
+                    p[(face + 2) % 3] =
+                        (i / 2 / CUTS + step[i % 2][k][1]) * (2 * size / CUTS) - size;
+                    qtri_corner corner = {{p[0], p[1], p[2], Q16_ONE}, {255, 255, 255}, {0, 0}};
+                    corners[k] = corner;
+                }
+                canvas_clear(&c);
+                qtri_draw_triangles(&c.surface, &view, &pose, corners, 3, &material);
+                for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
+                    count[k / WIDTH][k % WIDTH] +=
+                        stored_pixel(&c.surface, k % WIDTH, k / WIDTH) != 0;
+                }
+            }
+        }
+        for (int k = 0; k < WIDTH * HEIGHT; k++) {
+            if (count[k / WIDTH][k % WIDTH] != 1) {
+                fail_msg("box %d: pixel %d,%d drawn %d times", n, k % WIDTH, k / WIDTH,
+                         count[k / WIDTH][k % WIDTH]);
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
+static double element(const qtri_transform *t, int i, int j)
+{
+    return ldexp((double)t->row[i].m[j], -t->row[i].exponent);
+}
+
+static void cross(double out[3], const double a[3], const double b[3])
+{
+    for (int i = 0; i < 3; i++) {
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+    }
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* min(1, ambient + diffuse max(0, n . l)), n by the inverse transpose of object to eye. */
+static double intensity(const qtri_light *light, const qtri_transform *to_eye, const double n[3])
+{
+    double column[3][3];
+    double eye[3];
+    double l[3] = {light->towards.x, light->towards.y, light->towards.z};
+    for (int i = 0; i < 9; i++) {
+        column[i / 3][i % 3] = element(to_eye, i % 3, i / 3);
+    }
+    double cofactor[3][3];
+    for (int i = 0; i < 3; i++) {
+        cross(cofactor[i], column[(i + 1) % 3], column[(i + 2) % 3]);
+    }
+    double determinant = dot(column[0], cofactor[0]);
+    for (int i = 0; i < 3; i++) {
+        eye[i] =
+            (cofactor[0][i] * n[0] + cofactor[1][i] * n[1] + cofactor[2][i] * n[2]) / determinant;
+    }
+    double lengths = sqrt(dot(eye, eye) * dot(l, l));
+    double cosine = lengths > 0 ? dot(eye, l) / lengths : 0;
+    return fmin(1, real(light->ambient) + real(light->diffuse) * fmax(0, cosine));
+}
+
+/* COURSE scene 7: light under rotation, even and uneven scale, reflection and shear. */
+static void lit(void **state)
+{
+    (void)state;
+    double worst[2][2] = {{0, 0}, {0, 0}};
+    int seen = 0;
+    uint64_t seed = 104;
+    canvas c = canvas_new(QTRI_XRGB8888, 32, 32);
+    for (int n = 0; n < 6000; n++) {
+        bool per_vertex = n % 2 != 0;
+        bool even = n % 4 < 2;
+        qtri_vec3 p[3];
+        qtri_normal normal = unit_normal(&seed);
+        qtri_normal normals[3] = {normal, normal, normal};
+        static const uint16_t triangle[1][3] = {{0, 1, 2}};
+        for (int i = 0; i < 3; i++) {
+            p[i].x = random_in(&seed, -(15 << 16), 15 << 16);
+            p[i].y = random_in(&seed, -(15 << 16), 15 << 16);
+            p[i].z = random_in(&seed, -(15 << 16), 15 << 16);
+        }
+        qtri_mesh mesh = {p, per_vertex ? normals : NULL, NULL, NULL, triangle, 3, 1};
+        qtri_view view;
+        qtri_transform pose;
+        qtri_transform to_eye;
+        qtri_vec3 eye = {random_in(&seed, -65536, 65536), 9999, random_in(&seed, -65536, 65536)};
+        qtri_vec3 origin = {0, 0, 0};
+        qtri_vec3 up = {0, Q16_ONE, 0};
+        q16 k = random_in(&seed, 20000, 120000);
+        qtri_vec3 factor = {random_flag(&seed) ? k : -k, k, random_flag(&seed) ? k : -k};
+        qtri_light light = {{random_any(&seed), random_any(&seed), random_any(&seed)},
+                            random_in(&seed, 10000, 30000),
+                            random_in(&seed, 0, 90000)};
+        qtri_view_init(&view, 32, 32);
+        qtri_transform_look_at(&view.camera, eye, origin, up);
+        qtri_transform_ortho(&view.projection, Q16(-20), Q16(20), Q16(-20), Q16(20), Q16(-200),
+                             Q16(200));
+        view.light = &light;
+        qtri_transform_identity(&pose);
+        qtri_transform_rotate_x(&pose, random_in(&seed, 0, 360 << 16));
+        if (!even) { /* between two rotations: a shear, too; slight every other time */
+            factor.x = n % 8 < 4 ? factor.x / 3 : factor.x;
+            factor.y = n % 8 < 4 ? factor.y + 30000 : factor.y + factor.y / 32;
+        }
+        qtri_transform_scale(&pose, factor);
+        qtri_transform_rotate_z(&pose, random_in(&seed, 0, 360 << 16));
+        qtri_transform_mul(&to_eye, &view.camera, &pose);
+
+        qtri_material material = plain_material();
+        material.shading = per_vertex ? QTRI_SMOOTH : (qtri_shading)random_in(&seed, 1, 2);
+        canvas_clear(&c);
+        qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
+        double nd[3] = {normal.x, normal.y, normal.z};
+        if (!per_vertex) {
+            double a[3] = {real(p[1].x) - real(p[0].x), real(p[1].y) - real(p[0].y),
+                           real(p[1].z) - real(p[0].z)};
+            double b[3] = {real(p[2].x) - real(p[0].x), real(p[2].y) - real(p[0].y),
+                           real(p[2].z) - real(p[0].z)};
+            cross(nd, a, b);
+        }
+        double expected = 255 * intensity(&light, &to_eye, nd);
+        for (int32_t i = 0; i < 32 * 32; i++) {
+            uint32_t pixel = stored_pixel(&c.surface, i % 32, i / 32);
+            if (pixel != 0) {
+                worst[per_vertex][even] =
+                    fmax(worst[per_vertex][even], fabs((double)(pixel & 255) - expected));
+                seen++;
+            }
+        }
+    }
+    print_message("light: face %.4f, uneven %.4f; vertex %.4f, uneven %.4f of 255\n", worst[0][1],
+                  worst[0][0], worst[1][1], worst[1][0]);
+    assert_true(seen > 100000);
+    assert_true(worst[0][0] <= .52 && worst[0][1] <= .52); /* .5 of it the rounding of a pixel */
+    assert_true(worst[1][0] <= .52 && worst[1][1] <= .53); /* normals are rounded to 2^-14 */
+    canvas_free(&c);
+}
+
+static void nothing_to_draw(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    qtri_view view;
+    qtri_transform pose;
+    qtri_material material = qtri_material_default();
+    qtri_vec3 points[2] = {{0, 0, 0}, {1, 1, 1}};
+    static const uint16_t triangles[3][3] = {{0, 1, 2}, {0, 0, 0}, {65535, 0, 1}};
+    qtri_mesh empty = {NULL, NULL, NULL, NULL, NULL, 0, 0};
+    qtri_mesh bad = {points, NULL, NULL, NULL, triangles, 2, 3};
+    qtri_mesh no_vertices = {NULL, NULL, NULL, NULL, triangles, 0, 3};
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    qtri_transform_identity(&pose);
+    qtri_draw_mesh(&c.surface, &view, &pose, &empty, &material);
+    qtri_draw_mesh(&c.surface, &view, &pose, &no_vertices, &material);
+    material.cull = QTRI_CULL_NONE;
+    qtri_draw_mesh(&c.surface, &view, &pose, &bad, &material);
+    qtri_draw_triangles(&c.surface, &view, &pose, NULL, 0, &material);
+    qtri_draw_lines(&c.surface, &view, &pose, NULL, 0, &material);
+    assert_int_equal(painted(&c), 0);
+    canvas_free(&c);
+
+    canvas one = canvas_new(QTRI_GRAY8, 1, 1); /* a target of one pixel */
+    qtri_corner corners[3] = {{{Q16(-1), Q16(-1), 0, Q16_ONE}, {255, 255, 255}, {0, 0}},
+                              {{Q16(3), Q16(-1), 0, Q16_ONE}, {255, 255, 255}, {0, 0}},
+                              {{Q16(-1), Q16(3), 0, Q16_ONE}, {255, 255, 255}, {0, 0}}};
+    qtri_view_init(&view, 1, 1);
+    qtri_draw_triangles(&one.surface, &view, &pose, corners, 3, &material);
+    assert_int_equal(stored_pixel(&one.surface, 0, 0), 255);
+    assert_int_equal(stored_depth(&one.surface, 0, 0), 32768); /* the half rounds up */
+    canvas_free(&one);
+}
+
+/* Clip-space corners with any w: the three share a scale, the picture does not depend on it. */
+static void homogeneous(void **state)
+{
+    (void)state;
+    uint64_t seed = 105;
+    for (int n = 0; n < 2000; n++) {
+        canvas a = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+        canvas b = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+        qtri_view view;
+        qtri_transform pose;
+        qtri_corner corners[2][3];
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_transform_identity(&pose);
+        for (int i = 0; i < 3; i++) {
+            q16 *p[2] = {&corners[0][i].position.x, &corners[1][i].position.x};
+            for (int k = 0; k < 4; k++) {
+                p[0][k] = random_in(&seed, -200000, 200000);
+                p[1][k] = p[0][k] * 4096; /* exactly the same point */
+            }
+            corners[0][i].color.r = (uint8_t)random64(&seed);
+            corners[0][i].color.g = (uint8_t)random64(&seed);
+            corners[0][i].color.b = 200;
+            corners[0][i].uv.x = corners[0][i].uv.y = 0;
+            corners[1][i].color = corners[0][i].color;
+            corners[1][i].uv = corners[0][i].uv;
+        }
+        qtri_material material = random_material(&seed);
+        material.texture = NULL;
+        qtri_draw_triangles(&a.surface, &view, &pose, corners[0], 3, &material);
+        qtri_draw_triangles(&b.surface, &view, &pose, corners[1], 3, &material);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            assert_int_equal(stored_pixel(&a.surface, i % WIDTH, i / WIDTH) == 0,
+                             stored_pixel(&b.surface, i % WIDTH, i / WIDTH) == 0);
+        }
+        canvas_free(&a);
+        canvas_free(&b);
+    }
+}
+
+static void fill_random(void *memory, size_t bytes, uint64_t *seed)
+{
+    for (size_t i = 0; i < bytes; i++) {
+        ((uint8_t *)memory)[i] = (uint8_t)random64(seed);
+    }
+}
+
+/* Random bits in every field that is not a pointer or a bool. */
+static void garbage(void **state)
+{
+    (void)state;
+    static full_mesh m;
+    static qtri_vertex scratch[VERTICES];
+    static qtri_corner corners[12];
+    uint64_t seed = 106;
+    canvas c = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    for (int n = 0; n < 8000; n++) {
+        qtri_view view;
+        qtri_transform pose;
+        qtri_light light;
+        fill_random(&view, sizeof view, &seed);
+        fill_random(&pose, sizeof pose, &seed);
+        fill_random(&light, sizeof light, &seed);
+        fill_random(m.position, sizeof m.position, &seed);
+        fill_random(m.normal, sizeof m.normal, &seed);
+        fill_random(m.uv, sizeof m.uv, &seed);
+        fill_random(m.triangle, sizeof m.triangle, &seed);
+        fill_random(corners, sizeof corners, &seed);
+        fill_random(scratch, sizeof scratch, &seed);
+        if (n % 3 != 0) { /* a pose and camera that let something through */
+            random_view(&view, &seed);
+            random_pose(&pose, &seed);
+        }
+        if (n % 6 == 1) {
+            fill_random(&view.viewport, sizeof view.viewport, &seed);
+        }
+        for (int i = 0; i < 4 && n % 3 == 0; i++) { /* exponents of any size, small ones too */
+            pose.row[i].exponent >>= random_in(&seed, 0, 28);
+            view.camera.row[i].exponent >>= random_in(&seed, 0, 28);
+        }
+        for (int i = 0; i < TRIANGLES * 3; i++) {
+            m.triangle[i / 3][i % 3] %= VERTICES + 1;
+        }
+        qtri_mesh mesh = {m.position,
+                          random_flag(&seed) ? m.normal : NULL,
+                          random_flag(&seed) ? m.uv : NULL,
+                          random_flag(&seed) ? m.color : NULL,
+                          (const uint16_t(*)[3])m.triangle,
+                          VERTICES,
+                          TRIANGLES};
+        view.light = random_flag(&seed) ? &light : NULL;
+        view.vertices = random_flag(&seed) ? scratch : NULL;
+        view.vertex_count = view.vertices != NULL ? VERTICES : 0;
+        qtri_texture texture = checker;
+        texture.fields = (uint16_t)random64(&seed);
+        texture.width_log2 = (uint8_t)random64(&seed);
+        qtri_material material = random_material(&seed);
+        material.texture = random_flag(&seed) ? &texture : NULL;
+        material.cull = (qtri_cull)random_bits32(&seed);
+        material.shading = (qtri_shading)random_bits32(&seed);
+        material.fill = (qtri_fill)(random_bits32(&seed) >> 30);
+        material.depth_compare = (qtri_compare)random_bits32(&seed);
+        qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
+        qtri_draw_triangles(&c.surface, &view, &pose, corners, 12, &material);
+        qtri_draw_lines(&c.surface, &view, &pose, corners, 12, &material);
+    }
+    canvas_free(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(any_scratch_size), cmocka_unit_test(corners_equal_mesh),
+        cmocka_unit_test(inside_a_box),     cmocka_unit_test(lit),
+        cmocka_unit_test(nothing_to_draw),  cmocka_unit_test(homogeneous),
+        cmocka_unit_test(garbage),
+    };
+    return cmocka_run_group_tests_name("core draw", tests, NULL, NULL);
+}

@@ -1,0 +1,371 @@
+/*
+ * Colour and depth of covered pixels against double barycentrics of the snapped vertices; depth
+ * comparisons; stored formats.
+ */
+#include "support_core.h"
+
+enum { WIDTH = 40, HEIGHT = 36 };
+
+static const double max_565[3] = {31, 63, 31};
+
+/* Barycentric weights of pixel (x, y)'s centre, and the perspective-correct ones. */
+static void weights(const qtri_screen_vertex v[3], int32_t x, int32_t y, bool perspective,
+                    double b[3])
+{
+    double total = 0;
+    for (int i = 0; i < 3; i++) {
+        const qtri_screen_vertex *p = &v[(i + 1) % 3];
+        const qtri_screen_vertex *q = &v[(i + 2) % 3];
+        /* exact: below 2^53 */
+        b[i] = (double)(q->x_24p8 - p->x_24p8) * (y * 256 + 128 - p->y_24p8) -
+               (double)(q->y_24p8 - p->y_24p8) * (x * 256 + 128 - p->x_24p8);
+        if (perspective) {
+            b[i] *= ldexp(v[i].inv_w_q31, v[i].inv_w_exponent);
+        }
+        total += b[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        b[i] /= total;
+    }
+}
+
+/* From a pixel to a whole guard band, slivers too. */
+static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
+{
+    static const int32_t reach[] = {1200, 6000, 12000, 60000, 1 << 19, 4100000};
+    int32_t r = reach[kind % 6];
+    double near_w = pow(2, random_in(seed, 0, 8) / 2.);
+    for (int i = 0; i < 3; i++) {
+        v[i] = screen_at(random_in(seed, WIDTH * 128 - r, WIDTH * 128 + r),
+                         random_in(seed, HEIGHT * 128 - r, HEIGHT * 128 + r));
+        v[i].depth_16p16 = (uint32_t)random_in(seed, 0, 65535 * 32768) * 2;
+        double inv_w = 1 / (1 + (near_w - 1) * random_in(seed, 0, 1000) / 1000.);
+        v[i].inv_w_q31 = (uint32_t)(inv_w * 2147483648.);
+        int up = v[i].inv_w_q31 < 1u << 30 ? random_in(seed, 0, 1) : 0;
+        v[i].inv_w_q31 <<= up;
+        v[i].inv_w_exponent = 5 - up;
+        for (int channel = 0; channel < 3; channel++) {
+            v[i].color_8p16[channel] =
+                kind % 4 == 0 ? random_in(seed, 0, 1) * (255 << 16) : random_in(seed, 0, 255 << 16);
+        }
+    }
+    if (kind % 5 == 4) { /* a sliver */
+        v[2].x_24p8 = v[0].x_24p8 + (v[1].x_24p8 - v[0].x_24p8) / 3 + random_in(seed, -9, 9);
+        v[2].y_24p8 = v[0].y_24p8 + (v[1].y_24p8 - v[0].y_24p8) / 3 + random_in(seed, -9, 9);
+    }
+}
+
+typedef struct worst {
+    double color, depth;
+    int pixels;
+} worst;
+
+static void check_pixel(const canvas *c, const qtri_material *m, const qtri_screen_vertex v[3],
+                        int32_t x, int32_t y, worst *w)
+{
+    double linear[3];
+    double b[3];
+    double color[3];
+    weights(v, x, y, false, linear);
+    weights(v, x, y, m->interpolation == QTRI_PERSPECTIVE, b);
+    double depth = 0;
+    for (int i = 0; i < 3; i++) {
+        depth += linear[i] * v[i].depth_16p16;
+    }
+    w->depth = fmax(w->depth, fabs(stored_depth(&c->surface, x, y) - depth / 65536));
+    double gray = 0;
+    for (int channel = 0; channel < 3; channel++) {
+        int provoking = m->shading == QTRI_FLAT_FIRST ? 0 : 2;
+        double sum = v[provoking].color_8p16[channel];
+        double low = 1e9;
+        double high = 0;
+        if (m->shading == QTRI_SMOOTH) {
+            sum = 0;
+            for (int i = 0; i < 3; i++) {
+                sum += b[i] * v[i].color_8p16[channel];
+                low = fmin(low, v[i].color_8p16[channel]);
+                high = fmax(high, v[i].color_8p16[channel]);
+            }
+            assert_true(sum >= low - 1 && sum <= high + 1);
+        }
+        color[channel] = sum / 65536;
+        static const double luma[3] = {.299, .587, .114};
+        gray += luma[channel] * sum / 65536;
+        if (m->shading == QTRI_SMOOTH && c->surface.format == QTRI_XRGB8888) {
+            double is = stored_pixel(&c->surface, x, y) >> (16 - 8 * channel) & 255;
+            assert_true(is >= floor(low / 65536 + .5) && is <= floor(high / 65536 + .5));
+        }
+    }
+    uint32_t pixel = stored_pixel(&c->surface, x, y);
+    switch (c->surface.format) {
+    case QTRI_RGB565: {
+        double is[3] = {pixel >> 11, pixel >> 5 & 63, pixel & 31};
+        for (int i = 0; i < 3; i++) {
+            w->color = fmax(w->color, fabs(is[i] - color[i] * max_565[i] / 255));
+        }
+        break;
+    }
+    case QTRI_XRGB8888:
+        for (int i = 0; i < 3; i++) {
+            w->color = fmax(w->color, fabs((double)(pixel >> (16 - 8 * i) & 255) - color[i]));
+        }
+        break;
+    default:
+        w->color = fmax(w->color, fabs(pixel - gray));
+        break;
+    }
+    w->pixels++;
+}
+
+static void interpolation(void **state)
+{
+    (void)state;
+    static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    static const char *const names[3] = {"RGB565", "XRGB8888", "GRAY8"};
+    uint64_t seed = 81;
+    for (int f = 0; f < 3; f++) {
+        canvas c = canvas_new(formats[f], WIDTH, HEIGHT);
+        worst w[3][2] = {{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
+        for (int n = 0; n < 9000; n++) {
+            qtri_screen_vertex v[3];
+            qtri_material m = plain_material();
+            m.shading = (qtri_shading)(n % 4 == 1 ? 1 : n % 4 == 2 ? 2 : 0);
+            m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
+            m.depth_compare = QTRI_LESS;
+            random_triangle(v, &seed, n);
+            /* Every drawn depth stays below the cleared one, which so marks what was not. */
+            canvas_clear(&c);
+            for (int i = 0; i < 3; i++) {
+                v[i].depth_16p16 = v[i].depth_16p16 > (uint32_t)65534 << 16 ? (uint32_t)65534 << 16
+                                                                            : v[i].depth_16p16;
+            }
+            qtri_raster_triangle(&c.surface, &m, v);
+            for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+                if (stored_depth(&c.surface, i % WIDTH, i / WIDTH) != 65535) {
+                    check_pixel(&c, &m, v, i % WIDTH, i / WIDTH, &w[m.shading][m.interpolation]);
+                }
+            }
+        }
+        print_message("%s: smooth perspective %.4f, linear %.4f, flat %.4f steps; depth %.4f\n",
+                      names[f], w[0][0].color, w[0][1].color, w[1][0].color,
+                      fmax(w[0][0].depth, w[0][1].depth));
+        for (int i = 0; i < 6; i++) {
+            assert_true(w[i / 2][i % 2].pixels > 1000);
+            assert_true(w[i / 2][i % 2].color <= .51);
+            assert_true(w[i / 2][i % 2].depth <= .51);
+        }
+        canvas_free(&c);
+    }
+}
+
+/* One plane through the eye's neighbourhood and the horizon: 1/w over a ratio of 2^20. */
+static void steep_perspective(void **state)
+{
+    (void)state;
+    uint64_t seed = 82;
+    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    worst w = {0, 0, 0};
+    for (int n = 0; n < 4000; n++) {
+        qtri_screen_vertex v[3];
+        qtri_material m = plain_material();
+        m.shading = QTRI_SMOOTH;
+        m.depth_compare = QTRI_LESS;
+        random_triangle(v, &seed, n % 3);
+        for (int i = 0; i < 3; i++) {
+            v[i].inv_w_q31 = 0x80000000u >> random_in(&seed, 0, 20);
+            v[i].inv_w_exponent = 0;
+            v[i].depth_16p16 = 0;
+        }
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, v);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            if (stored_depth(&c.surface, i % WIDTH, i / WIDTH) != 65535) {
+                check_pixel(&c, &m, v, i % WIDTH, i / WIDTH, &w);
+            }
+        }
+    }
+    print_message("1/w over 2^20: %.4f of 255\n", w.color);
+    assert_true(w.color <= 1);
+    canvas_free(&c);
+}
+
+/* COURSE scene 3: the table of colours and depths. */
+static void course_triangle(void **state)
+{
+    (void)state;
+    static const struct {
+        int x, y, perspective[3], linear[3];
+        double depth;
+    } table[] = {{128, 60, {223, 15, 17}, {233, 10, 12}, .974972831},
+                 {128, 90, {104, 75, 76}, {129, 62, 63}, .968138666},
+                 {100, 100, {72, 128, 55}, {95, 112, 48}, .965860611},
+                 {150, 100, {72, 62, 121}, {95, 54, 106}, .965860611},
+                 {60, 120, {18, 199, 38}, {26, 192, 37}, .961304501},
+                 {200, 120, {18, 32, 205}, {26, 31, 198}, .961304501},
+                 {225, 126, {3, 13, 239}, {5, 13, 237}, .959937668},
+                 {110, 75, {158, 75, 22}, {181, 57, 17}, .971555749}};
+    qtri_screen_vertex v[3] = {screen_at(128 * 256, 13849), screen_at(4390, 128 * 256),
+                               screen_at(61146, 128 * 256)};
+    static const double z[3] = {.976430976, .959595960, .959595960};
+    for (int i = 0; i < 3; i++) {
+        v[i].inv_w_q31 = i == 0 ? 0x80000000u / 3 : 0x40000000u;
+        v[i].depth_16p16 = (uint32_t)(z[i] * 65535 * 65536);
+        for (int channel = 0; channel < 3; channel++) {
+            v[i].color_8p16[channel] = i == channel ? 255 << 16 : 0;
+        }
+    }
+    for (int n = 0; n < 2; n++) {
+        canvas c = canvas_new(QTRI_XRGB8888, 256, 256);
+        qtri_material m = plain_material();
+        m.shading = QTRI_SMOOTH;
+        m.interpolation = n == 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
+        m.depth_compare = QTRI_LESS;
+        qtri_raster_triangle(&c.surface, &m, v);
+        for (size_t i = 0; i < LENGTH_OF(table); i++) {
+            qtri_rgb is = qtri_surface_pixel(&c.surface, table[i].x, table[i].y);
+            int got[3] = {is.r, is.g, is.b};
+            for (int channel = 0; channel < 3; channel++) { /* vertices are snapped: 1 */
+                int expected = (n == 0 ? table[i].perspective : table[i].linear)[channel];
+                assert_true(abs(got[channel] - expected) <= 1);
+            }
+            assert_near(stored_depth(&c.surface, table[i].x, table[i].y), table[i].depth * 65535,
+                        1);
+        }
+        canvas_free(&c);
+    }
+}
+
+static bool passes(qtri_compare compare, int z, int stored)
+{
+    const bool table[] = {true,        false,       z<stored, z == stored, z <= stored, z> stored,
+                          z != stored, z >= stored, true};
+    return table[compare];
+}
+
+static void depth_comparisons(void **state)
+{
+    (void)state;
+    static const uint16_t depths[] = {0, 1, 100, 32767, 32768, 65534, 65535};
+    canvas c = canvas_new(QTRI_GRAY8, 8, 8);
+    for (int n = 0; n < 9 * 7 * 7 * 2 * 2; n++) {
+        qtri_compare compare = (qtri_compare)(n % 9);
+        uint16_t z = depths[n / 9 % 7];
+        uint16_t stored = depths[n / 63 % 7];
+        bool read_only = n / 441 % 2 != 0;
+        bool line = n / 882 != 0;
+        qtri_rgb black = {0, 0, 0};
+        qtri_surface_clear(&c.surface, black, stored);
+        qtri_material m = plain_material();
+        m.depth_compare = compare;
+        m.depth_read_only = read_only;
+        qtri_screen_vertex v[3] = {screen_at(0, line ? 900 : 0), screen_at(2048, line ? 900 : 0),
+                                   screen_at(0, 2048)};
+        for (int i = 0; i < 3; i++) {
+            v[i].depth_16p16 = (uint32_t)z << 16;
+        }
+        if (line) {
+            qtri_raster_line(&c.surface, &m, v);
+        } else {
+            qtri_raster_triangle(&c.surface, &m, v);
+        }
+        bool pass = passes(compare, z, stored);
+        bool write = pass && !read_only && compare != QTRI_DEPTH_OFF;
+        assert_int_equal(stored_pixel(&c.surface, 2, 3), pass ? 255 : 0);
+        assert_int_equal(stored_depth(&c.surface, 2, 3), write ? z : stored);
+        assert_int_equal(stored_depth(&c.surface, 7, 7), stored);
+    }
+    /* Beyond the farthest is the farthest. */
+    qtri_material m = plain_material();
+    m.depth_compare = QTRI_ALWAYS;
+    qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(2048, 0), screen_at(0, 2048)};
+    for (int i = 0; i < 3; i++) {
+        v[i].depth_16p16 = UINT32_MAX - (uint32_t)i;
+    }
+    qtri_raster_triangle(&c.surface, &m, v);
+    assert_int_equal(stored_depth(&c.surface, 2, 3), 65535);
+    canvas_free(&c);
+}
+
+/* Two crossing triangles: each pixel shows the nearer one. */
+static void crossing(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(QTRI_GRAY8, 64, 64);
+    qtri_material m = plain_material();
+    m.depth_compare = QTRI_LESS;
+    for (int n = 0; n < 2; n++) {
+        qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(64 * 256, 0),
+                                   screen_at(0, 64 * 256 * 8)};
+        static const uint32_t z[2][3] = {{100, 900, 100}, {900, 100, 900}};
+        for (int i = 0; i < 3; i++) {
+            v[i].depth_16p16 = z[n][i] << 16;
+            v[i].color_8p16[0] = v[i].color_8p16[1] = v[i].color_8p16[2] = (n + 1) * 100 << 16;
+        }
+        qtri_raster_triangle(&c.surface, &m, v);
+    }
+    for (int32_t y = 0; y < 60; y++) {
+        for (int32_t x = 0; x < 50; x++) {
+            if (x != 31 && x != 32) {
+                assert_int_equal(stored_pixel(&c.surface, x, y), x < 32 ? 100 : 200);
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
+/* All 8-bit levels as stored pixels: flat, cleared and read back. */
+static void formats_round(void **state)
+{
+    (void)state;
+    canvas c[3] = {canvas_new(QTRI_RGB565, 4, 4), canvas_new(QTRI_XRGB8888, 4, 4),
+                   canvas_new(QTRI_GRAY8, 4, 4)};
+    uint64_t seed = 83;
+    for (int n = 0; n < 20000; n++) {
+        int level[3] = {n % 256, (n * 7 + n / 256) % 256, random_in(&seed, 0, 255)};
+        if (n < 256) {
+            level[1] = level[2] = n;
+        }
+        qtri_rgb rgb = {(uint8_t)level[0], (uint8_t)level[1], (uint8_t)level[2]};
+        uint32_t expected[3] = {0, (uint32_t)(level[0] << 16 | level[1] << 8 | level[2]), 0};
+        for (int i = 0; i < 3; i++) { /* round(level max / 255): no ties */
+            int max = (int)max_565[i];
+            expected[0] =
+                expected[0] << (i == 1 ? 6 : 5) | (uint32_t)((2 * level[i] * max + 255) / 510);
+        }
+        double gray = .299 * level[0] + .587 * level[1] + .114 * level[2];
+        expected[2] = (uint32_t)floor(gray + .5);
+        bool tie = fabs(gray - floor(gray) - .5) < 1e-3;
+        qtri_material m = plain_material();
+        qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(1024, 0), screen_at(0, 1024)};
+        for (int i = 0; i < 9; i++) {
+            v[i / 3].color_8p16[i % 3] = level[i % 3] << 16;
+        }
+        for (int f = 0; f < 3; f++) {
+            qtri_surface_clear(&c[f].surface, rgb, 0);
+            qtri_raster_triangle(&c[f].surface, &m, v);
+            uint32_t drawn = stored_pixel(&c[f].surface, 0, 0);
+            assert_int_equal(drawn, stored_pixel(&c[f].surface, 3, 3));
+            if (f == 2 && tie) {
+                assert_true(fabs(drawn - gray) <= .502);
+            } else {
+                assert_int_equal(drawn, expected[f]);
+            }
+        }
+        qtri_rgb back = qtri_surface_pixel(&c[0].surface, 0, 0);
+        assert_true(abs(back.r - level[0]) <= 4 && abs(back.g - level[1]) <= 2);
+        assert_true(level[0] % 255 != 0 || back.r == level[0]);
+    }
+    for (int f = 0; f < 3; f++) {
+        canvas_free(&c[f]);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(interpolation),   cmocka_unit_test(steep_perspective),
+        cmocka_unit_test(course_triangle), cmocka_unit_test(depth_comparisons),
+        cmocka_unit_test(crossing),        cmocka_unit_test(formats_round),
+    };
+    return cmocka_run_group_tests_name("core shade", tests, NULL, NULL);
+}
