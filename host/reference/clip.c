@@ -2,12 +2,16 @@
 
 #include <math.h>
 
+long double ref_guard_band(int subpixel_bits)
+{
+    return ldexpl(1.0L, 29 - (subpixel_bits > 0 ? subpixel_bits : 8));
+}
+
 /* How far inside plane `plane` a vertex is; >= 0 is inside. Near and far together leave w >= 0,
    and the guard band leaves of w = 0 only the point (0, 0, 0, 0), which is dropped at the end. */
-static long double plane_distance(int plane, const struct ref_vertex *v, int width, int height)
+static long double plane_distance(int plane, const struct ref_vertex *v, int width, int height,
+                                  long double guard)
 {
-    const long double guard = REF_GUARD_BAND;
-
     switch (plane) {
     case 0:
         return v->w + v->z;
@@ -44,14 +48,14 @@ static void cut(const struct ref_vertex *inside, long double d_inside,
 
 /* One plane of Sutherland and Hodgman (1974), in homogeneous coordinates. */
 static void clip_polygon_by_plane(const struct ref_polygon *in, int plane, int width, int height,
-                                  struct ref_polygon *out)
+                                  long double guard, struct ref_polygon *out)
 {
     out->count = 0;
     for (int i = 0; i < in->count; i++) {
         const struct ref_vertex *from = &in->vertex[i];
         const struct ref_vertex *to = &in->vertex[(i + 1) % in->count];
-        long double d_from = plane_distance(plane, from, width, height);
-        long double d_to = plane_distance(plane, to, width, height);
+        long double d_from = plane_distance(plane, from, width, height, guard);
+        long double d_to = plane_distance(plane, to, width, height, guard);
 
         if (d_from >= 0)
             out->vertex[out->count++] = *from;
@@ -72,7 +76,7 @@ static void drop_vertices_at_infinity(struct ref_polygon *polygon)
     polygon->count = kept >= 3 ? kept : 0;
 }
 
-void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height,
+void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height, long double guard,
                        struct ref_polygon *polygon)
 {
     struct ref_polygon other;
@@ -81,17 +85,17 @@ void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height,
     for (int i = 0; i < 3; i++)
         polygon->vertex[i] = vertex[i];
     for (int plane = 0; plane < REF_CLIP_PLANES; plane += 2) {
-        clip_polygon_by_plane(polygon, plane, width, height, &other);
-        clip_polygon_by_plane(&other, plane + 1, width, height, polygon);
+        clip_polygon_by_plane(polygon, plane, width, height, guard, &other);
+        clip_polygon_by_plane(&other, plane + 1, width, height, guard, polygon);
     }
     drop_vertices_at_infinity(polygon);
 }
 
-bool ref_clip_line(struct ref_vertex end[2], int width, int height)
+bool ref_clip_line(struct ref_vertex end[2], int width, int height, long double guard)
 {
     for (int plane = 0; plane < REF_CLIP_PLANES; plane++) {
-        long double d0 = plane_distance(plane, &end[0], width, height);
-        long double d1 = plane_distance(plane, &end[1], width, height);
+        long double d0 = plane_distance(plane, &end[0], width, height, guard);
+        long double d1 = plane_distance(plane, &end[1], width, height, guard);
         struct ref_vertex point;
 
         if (d0 < 0 && d1 < 0)

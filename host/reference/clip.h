@@ -2,15 +2,15 @@
  * Clipping in homogeneous coordinates: near, far, and a guard band in x and y.
  *
  * The sides of the picture are not clipped at all: pixels outside it are simply not visited. The
- * guard band only keeps snapped coordinates in range, and is as wide as the rasterizer's integers
- * allow, 2^22 pixels to each side, so that it almost never cuts anything.
+ * guard band only keeps snapped coordinates in range, and is as wide as 64-bit products of them
+ * allow: 2^(29 - bits) pixels to each side, 2^21 for 8 sub-pixel bits, so that it almost never cuts
+ * anything.
  */
 #ifndef QTRI_HOST_REFERENCE_CLIP_H
 #define QTRI_HOST_REFERENCE_CLIP_H
 
 #include "primitive.h"
 
-#define REF_GUARD_BAND     4194304 /* 2^22 pixels */
 #define REF_CLIP_PLANES    6
 #define REF_CLIP_MAX_COUNT (3 + REF_CLIP_PLANES) /* a plane adds at most one vertex */
 
@@ -19,13 +19,16 @@ struct ref_polygon {
     struct ref_vertex vertex[REF_CLIP_MAX_COUNT];
 };
 
+/* Pixels to each side for vertices snapped to this many sub-pixel bits; 0 counts as 8. */
+long double ref_guard_band(int subpixel_bits);
+
 /* Clips a triangle for a picture of this size. All vertices of the result have w > 0; it has 0 or
    at least 3 vertices, in the order of the triangle's. */
-void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height,
+void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height, long double guard,
                        struct ref_polygon *polygon);
 
 /* The same for a line, in place; false if nothing is left. */
-bool ref_clip_line(struct ref_vertex end[2], int width, int height);
+bool ref_clip_line(struct ref_vertex end[2], int width, int height, long double guard);
 
 /* Whether every coordinate is a finite number. */
 bool ref_vertex_is_finite(const struct ref_vertex *vertex);

@@ -23,10 +23,9 @@ static long double crossing_snapped(const struct end *from, const struct end *to
     int64_t length = (int64_t)ldexpl(to->major, bits) - from_major;
     int64_t rise = (int64_t)ldexpl(to->minor, bits) - from_minor;
     int64_t centre = ((int64_t)i << bits) + ((int64_t)1 << (bits - 1));
-    ref_int128 numerator =
-        (ref_int128)from_minor * length + (ref_int128)rise * (centre - from_major);
-    ref_int128 denominator = (ref_int128)length << bits;
-    ref_int128 quotient = numerator / denominator;
+    int64_t numerator = from_minor * length + rise * (centre - from_major);
+    int64_t denominator = length << bits;
+    int64_t quotient = numerator / denominator;
 
     if (numerator % denominator < 0)
         quotient--;
@@ -80,7 +79,8 @@ static void draw_line(struct ref_target *target, const struct ref_triangle *tria
     struct end end[2];
     long double window[2][2];
 
-    if (!ref_clip_line(vertex, target->scene->width, target->scene->height))
+    if (!ref_clip_line(vertex, target->scene->width, target->scene->height,
+                       ref_guard_band(target->subpixel_bits)))
         return;
     for (int i = 0; i < 2; i++) {
         const struct ref_vertex *v = &vertex[i];

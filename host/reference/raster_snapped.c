@@ -16,16 +16,16 @@ struct snapped_vertex {
 };
 
 struct integer_edge {
-    int64_t a, b; /* |a|, |b| <= 2^(22 + 16 + 1) */
-    ref_int128 c; /* value at the pixel (x, y): a X + b Y + c, below 2^81 */
+    int64_t a, b;      /* |a|, |b| <= 2^30 */
+    int64_t origin[2]; /* value at (X, Y): a (X - origin[0]) + b (Y - origin[1]), below 2^62 */
     bool owns_border;
 };
 
 /* Twice the area of (p, q, r), positive if they are clockwise in the picture. */
-static ref_int128 doubled_area(const struct snapped_vertex *p, const struct snapped_vertex *q,
-                               const struct snapped_vertex *r)
+static int64_t doubled_area(const struct snapped_vertex *p, const struct snapped_vertex *q,
+                            const struct snapped_vertex *r)
 {
-    return (ref_int128)(q->x - p->x) * (r->y - p->y) - (ref_int128)(q->y - p->y) * (r->x - p->x);
+    return (q->x - p->x) * (r->y - p->y) - (q->y - p->y) * (r->x - p->x);
 }
 
 /* Edge function of p to q, positive inside a triangle whose doubled area has the sign `sign`. */
@@ -36,7 +36,8 @@ static struct integer_edge edge_between(const struct snapped_vertex *p,
 
     e.a = sign * (p->y - q->y);
     e.b = sign * (q->x - p->x);
-    e.c = -((ref_int128)e.a * p->x + (ref_int128)e.b * p->y);
+    e.origin[0] = p->x;
+    e.origin[1] = p->y;
     e.owns_border = e.a > 0 || (e.a == 0 && e.b > 0);
     return e;
 }
@@ -67,8 +68,8 @@ static struct ref_box bounds(const struct snapped_vertex *const v[3], int bits, 
 }
 
 static void fragment(struct ref_target *target, const struct ref_triangle *triangle,
-                     const struct snapped_vertex *const v[3], int x, int y,
-                     const ref_int128 value[3], double area)
+                     const struct snapped_vertex *const v[3], int x, int y, const int64_t value[3],
+                     double area)
 {
     double b0 = (double)value[0] / area; /* weights on the screen */
     double b1 = (double)value[1] / area;
@@ -104,12 +105,12 @@ static void scan(struct ref_target *target, const struct ref_triangle *triangle,
 
     for (int y = box.y_low; y < box.y_high; y++) {
         for (int x = box.x_low; x < box.x_high; x++) {
-            ref_int128 value[3];
+            int64_t value[3];
             bool covered = true;
             for (int i = 0; i < 3 && covered; i++) {
                 const struct integer_edge *e = &edge[i];
-                value[i] =
-                    (ref_int128)e->a * centre(x, bits) + (ref_int128)e->b * centre(y, bits) + e->c;
+                value[i] = e->a * (centre(x, bits) - e->origin[0]) +
+                           e->b * (centre(y, bits) - e->origin[1]);
                 covered = value[i] > 0 || (value[i] == 0 && e->owns_border);
             }
             if (covered)
@@ -130,7 +131,7 @@ static void snap_vertex(const struct ref_target *target, const struct ref_vertex
     out->source = vertex;
 }
 
-static int sign_of(ref_int128 v)
+static int sign_of(int64_t v)
 {
     return (v > 0) - (v < 0);
 }
@@ -139,11 +140,12 @@ void ref_raster_snapped(struct ref_target *target, const struct ref_triangle *tr
 {
     struct ref_polygon polygon;
     struct snapped_vertex snapped[REF_CLIP_MAX_COUNT];
-    ref_int128 total = 0;
+    int64_t total = 0;
 
     if (ref_clip_all_outside(triangle->vertex))
         return;
-    ref_clip_triangle(triangle->vertex, target->scene->width, target->scene->height, &polygon);
+    ref_clip_triangle(triangle->vertex, target->scene->width, target->scene->height,
+                      ref_guard_band(target->subpixel_bits), &polygon);
     for (int i = 0; i < polygon.count; i++)
         snap_vertex(target, &polygon.vertex[i], &snapped[i]);
     for (int i = 2; i < polygon.count; i++)
