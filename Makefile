@@ -127,7 +127,7 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 # Each gate is a script of its name in tests/check/ and prints `check: NAME ok` or its findings.
 
 GATES := check-format check-cppcheck check-tidy check-warnings check-headers check-levels \
-         check-freestanding check-tree
+         check-freestanding check-compilers check-tree
 
 .PHONY: check $(GATES)
 check: ## Run every gate below
@@ -140,6 +140,7 @@ check-warnings:     ## gcc and clang compile everything as C99 without a warning
 check-headers:      ## Every public header compiles alone, in C99 and C++11, and links from C++
 check-levels:       ## A file includes only from its own folder and those below
 check-freestanding: ## The library for a Cortex-M0+ needs no libc, float, malloc or writable data
+check-compilers:    ## tcc, a plain C99 compiler, builds all and draws the same pictures
 check-tree:         ## No overlong or binary files, tabs or paths of one machine
 
 $(GATES): check-%:

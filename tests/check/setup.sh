@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what `make test` and `make check` need on Debian, as root; elsewhere names it and fails.
 set -eu
-packages='git gcc g++ make libcmocka-dev clang clang-format clang-tidy cppcheck
+packages='git gcc g++ tcc make libcmocka-dev clang clang-format clang-tidy cppcheck
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm'
 packages=$(echo $packages)
 
