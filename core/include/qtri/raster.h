@@ -33,7 +33,10 @@ typedef struct qtri_screen_vertex {
                                large triangles at points between the steps of a Q16.16 */
 } qtri_screen_vertex;
 
-/* Draws v[0] v[1] v[2] as material says; flat shading takes its provoking vertex's colour. */
+/*
+ * Draws the inside of v[0] v[1] v[2] as material says; flat shading takes its provoking vertex's
+ * colour. material->fill is for draw calls (draw.h): a wireframe is three lines.
+ */
 void qtri_raster_triangle(const qtri_surface *surface, const qtri_material *material,
                           const qtri_screen_vertex v[3]);
 

@@ -58,7 +58,7 @@ typedef struct qtri_surface {
  * Lays out rows first_row .. first_row+rows-1 of a width x height frame in `memory` of `bytes`
  * bytes, colour first, then depth. Nothing is cleared. The band may reach past the frame's end;
  * the surface then holds the rows that exist.
- * QTRI_ERROR_SIZE: a side outside 1..QTRI_SURFACE_MAX, rows < 1 or first_row outside the frame.
+ * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX, or first_row outside the frame.
  * QTRI_ERROR_MEMORY: bytes < QTRI_BAND_BYTES(width, rows, format).
  */
 enum qtri_error qtri_surface_init(qtri_surface *surface, qtri_format format, int32_t width,
