@@ -33,6 +33,7 @@
 #include "qtri/material.h"
 #include "qtri/mesh.h"
 #include "qtri/q16.h"
+#include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/raster.h"
 #include "qtri/surface.h"

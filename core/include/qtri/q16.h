@@ -72,14 +72,6 @@ q16 q16_lerp(q16 a, q16 b, q16 t);
 /* Square root. x < 0 gives 0. Correctly rounded. */
 q16 q16_sqrt(q16 x);
 
-/*
- * Sine and cosine of an angle in degrees. Multiples of 90 are exact, other results within
- * .51 ULP (all 2^32 arguments are checked in the long run of the tests).
- */
-q16 q16_sin_deg(q16 degrees);
-q16 q16_cos_deg(q16 degrees);
-void q16_sincos_deg(q16 degrees, q16 *sine, q16 *cosine);
-
 #ifdef __cplusplus
 }
 #endif
