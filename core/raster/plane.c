@@ -29,3 +29,15 @@ void qtri_plane_init(qtri_plane *plane, const qtri_plane_base *base, const int64
     plane->dx = per_x << 8;
     plane->dy = per_y << 8;
 }
+
+static uint32_t round_to_ramp(uint64_t value)
+{
+    return (uint32_t)((value + 0x8000u) >> 16);
+}
+
+void qtri_ramp_init(qtri_ramp *ramp, const qtri_plane *plane, int32_t x, int32_t y)
+{
+    ramp->origin = round_to_ramp(qtri_plane_at(plane, x, y)) + 0x8000u;
+    ramp->dx = round_to_ramp(plane->dx);
+    ramp->dy = round_to_ramp(plane->dy);
+}

@@ -38,10 +38,30 @@ static inline uint64_t qtri_plane_at(const qtri_plane *plane, int32_t x, int32_t
     return plane->origin + (uint64_t)(int64_t)x * plane->dx + (uint64_t)(int64_t)y * plane->dy;
 }
 
-/* The attribute in its own unit, rounded down / to nearest. */
+/* The attribute in its own unit, rounded down. */
 static inline int64_t qtri_plane_floor(uint64_t value)
 {
     return qtri_wrap64(value) >> 16;
+}
+
+/*
+ * A plane in 32 bits, for attributes that are n.16 and leave at most 16 bits before the point:
+ * stepping one is a single addition. Its origin is a pixel of the frame, exact, with half a unit
+ * added so that a shift rounds; a step is off by 2^-17 of a unit at most, so 8192 x 8192 pixels
+ * away by an eighth. Sums wrap, as those of planes do.
+ */
+typedef struct qtri_ramp {
+    uint32_t origin;
+    uint32_t dx, dy;
+} qtri_ramp;
+
+/* x, y: the pixel that becomes the origin. */
+void qtri_ramp_init(qtri_ramp *ramp, const qtri_plane *plane, int32_t x, int32_t y);
+
+/* dx and dy: pixels from the origin. */
+static inline uint32_t qtri_ramp_at(const qtri_ramp *ramp, int32_t dx, int32_t dy)
+{
+    return ramp->origin + (uint32_t)dx * ramp->dx + (uint32_t)dy * ramp->dy;
 }
 
 #endif

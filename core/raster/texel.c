@@ -35,7 +35,7 @@ void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3]
     side_log2 = side_log2_of(side_log2);
     axis->shift = 32 - down - side_log2; /* >= 2 */
     axis->mask = (1u << side_log2) - 1;
-    axis->bias = axis->shift > 17 ? (int64_t)1 << (axis->shift - 16) : 2;
+    axis->bias = axis->shift > 17 ? (uint32_t)1 << (axis->shift - 16) : 2;
 }
 
 bool qtri_texture_usable(const qtri_texture *texture)

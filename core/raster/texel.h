@@ -16,16 +16,17 @@ typedef struct qtri_texel_axis {
     int64_t value[3]; /* at the vertices, 0 <= value < 2^30 */
     int32_t shift;    /* texel = (value + bias) >> shift */
     uint32_t mask;    /* side - 1 */
-    int64_t bias;     /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
+    uint32_t bias;    /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
 } qtri_texel_axis;
 
 /* Coordinates as in qtri_screen_vertex; beyond 2^48 they are held there. */
 void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3],
                           uint8_t side_log2);
 
-static inline uint32_t qtri_texel_index(const qtri_texel_axis *axis, int64_t value)
+/* `value` has the bias added. */
+static inline uint32_t qtri_texel_index(const qtri_texel_axis *axis, uint32_t value)
 {
-    return (uint32_t)((value + axis->bias) >> axis->shift) & axis->mask;
+    return (value >> axis->shift) & axis->mask;
 }
 
 /* Whether a material's texture can be read at all. */

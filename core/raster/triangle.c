@@ -68,6 +68,14 @@ static void plane_over_w(qtri_plane *plane, const qtri_plane_base *base, const i
     qtri_plane_init(plane, base, over_w);
 }
 
+static void job_ramp(const qtri_span_job *job, qtri_ramp *ramp, const qtri_plane_base *base,
+                     const int64_t f[3])
+{
+    qtri_plane plane;
+    qtri_plane_init(&plane, base, f);
+    qtri_ramp_init(ramp, &plane, job->anchor_x, job->anchor_y);
+}
+
 /* Colours: constant, or one plane a channel. Sets least and greatest. */
 static void job_colors(qtri_span_job *job, const qtri_material *material,
                        const qtri_screen_vertex v[3], const qtri_plane_base *base, const int64_t *q)
@@ -103,7 +111,7 @@ static void job_colors(qtri_span_job *job, const qtri_material *material,
         if (q != NULL) {
             plane_over_w(&job->attribute[channel], base, f, q);
         } else {
-            qtri_plane_init(&job->attribute[channel], base, f);
+            job_ramp(job, &job->ramp[channel], base, f);
         }
     }
 }
@@ -124,20 +132,31 @@ static void job_texture(qtri_span_job *job, const qtri_screen_vertex v[3],
     }
 }
 
+/* The pixel at x (or y) of the frame, which has `size` of them, or the nearest one. */
+static int32_t frame_pixel(int32_t x_24p8, int32_t size)
+{
+    int32_t pixel = x_24p8 >> 8;
+    return pixel < 0 ? 0 : (pixel < size ? pixel : size - 1);
+}
+
 /* Everything that does not change from row to row. */
 static void job_init(qtri_span_job *job, const qtri_surface *surface, const qtri_material *material,
                      const qtri_screen_vertex v[3], const qtri_plane_base *base)
 {
     static const qtri_plane no_plane = {0, 0, 0};
+    static const qtri_ramp no_ramp = {0, 0, 0};
     job->surface = surface;
     job->texture = qtri_texture_usable(material->texture) ? material->texture : NULL;
     job->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     job->depth_write = !material->depth_read_only;
-    job->depth = no_plane;
+    job->anchor_x = frame_pixel(base->x_24p8, surface->width);
+    job->anchor_y = frame_pixel(base->y_24p8, surface->height);
+    job->depth = no_ramp;
+    job->ramp[0] = job->ramp[1] = job->ramp[2] = no_ramp;
     job->inv_w = no_plane;
     if (job->compare != QTRI_DEPTH_OFF) {
         int64_t depth[3] = {depth_of(&v[0]), depth_of(&v[1]), depth_of(&v[2])};
-        qtri_plane_init(&job->depth, base, depth);
+        job_ramp(job, &job->depth, base, depth);
     }
     int64_t q[3];
     bool perspective = material->interpolation == QTRI_PERSPECTIVE && inv_w_align(q, v) &&
@@ -155,6 +174,7 @@ static void job_init(qtri_span_job *job, const qtri_surface *surface, const qtri
     } else {
         job->paint = QTRI_PAINT_LINEAR;
     }
+    job->loop = qtri_run_choose(job);
 }
 
 /* First row whose centre is at or below y: ceil((y - 128) / 256). The end is excluded likewise. */
@@ -196,7 +216,7 @@ static void fill_rows(const qtri_span_job *job, const qtri_rect *bounds, qtri_dd
         int32_t x0 = greatest(left->value, bounds->x0);
         int32_t x1 = least(right->value, bounds->x1);
         if (x0 < x1) {
-            qtri_span(job, row, x0, x1);
+            qtri_span(job, row, left->value, right->value, x0, x1);
         }
         qtri_dda_next(left);
         qtri_dda_next(right);
