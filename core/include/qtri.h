@@ -17,7 +17,7 @@
  * Promises: no malloc, libm, float or writable statics; every function is defined for every
  * argument; the same inputs give the same pixels on every machine and for every split into bands.
  *
- *   q16.h        scalars             vec.h mat.h quat.h   vectors, matrices, quaternions
+ *   q16.h q16_trig.h q16_exp.h q16_text.h   scalars       vec.h mat.h quat.h   vectors and more
  *   transform.h  poses, cameras, projections at full precision
  *   view.h       viewport, light, vertex scratch          surface.h  frames and bands
  *   material.h   colour, texture, depth state             mesh.h     indexed triangles
@@ -33,6 +33,8 @@
 #include "qtri/material.h"
 #include "qtri/mesh.h"
 #include "qtri/q16.h"
+#include "qtri/q16_exp.h"
+#include "qtri/q16_text.h"
 #include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/raster.h"

@@ -1,6 +1,11 @@
 /*
- * Integer helpers the whole core shares: saturation, rounding shifts, leading zeros, roots and
- * reciprocals of plain integers. Internal.
+ * Integer helpers the whole core shares: saturation, rounding shifts, leading zeros, long products,
+ * roots and reciprocals of plain integers. Internal.
+ *
+ * How a product or a quotient is formed depends on the core, its value never does:
+ *   QTRI_LONG_MULTIPLY  1 where 32 x 32 -> 64 bits is an instruction or two; 0 forms it of
+ * half-words QTRI_DIVIDE         1 where 32 / 32 bits is an instruction; 0 divides by a reciprocal
+ * Both may be set from outside, as the tests do to run the narrow code on the host.
  */
 #ifndef QTRI_MATH_BITS_H
 #define QTRI_MATH_BITS_H
@@ -8,18 +13,88 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* Armv6-M, Armv8-M baseline, AVR, MSP430: no long multiply. */
+#ifndef QTRI_LONG_MULTIPLY
+#if (defined(__thumb__) && !defined(__thumb2__)) || defined(__ARM_ARCH_8M_BASE__) ||               \
+    (defined(__riscv) && !defined(__riscv_mul)) || defined(__AVR__) || defined(__MSP430__)
+#define QTRI_LONG_MULTIPLY 0
+#else
+#define QTRI_LONG_MULTIPLY 1
+#endif
+#endif
+
+#ifndef QTRI_DIVIDE
+#if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) ||                                          \
+    (defined(__riscv) && !defined(__riscv_div)) || defined(__AVR__) || defined(__MSP430__)
+#define QTRI_DIVIDE 0
+#else
+#define QTRI_DIVIDE 1
+#endif
+#endif
+
 /* Right shift of a signed value is arithmetic: every compiler we know; checked, not assumed. */
 typedef char qtri_arithmetic_shift_required[(-1 >> 1) == -1 ? 1 : -1];
 
-static inline int32_t qtri_saturate32(int64_t x)
+/* So is that a conversion to a signed type keeps the low bits. */
+typedef char qtri_wrapping_conversion_required[(int32_t)0x80000000u == INT32_MIN ? 1 : -1];
+
+/*
+ * With QTRI_CHECK_MATH a result that does not fit and an argument outside the domain end here; see
+ * qtri/q16.h. Without it nothing is tested.
+ */
+#ifdef QTRI_CHECK_MATH
+#ifdef QTRI_MATH_FAULT
+void QTRI_MATH_FAULT(void);
+#else
+static inline void qtri_math_fault(void)
 {
-    if (x > INT32_MAX) {
-        return INT32_MAX;
+#ifdef __GNUC__
+    __builtin_trap();
+#else
+    for (;;) {
     }
-    return x < INT32_MIN ? INT32_MIN : (int32_t)x;
+#endif
+}
+#define QTRI_MATH_FAULT qtri_math_fault
+#endif
+#define QTRI_MATH_CHECK(condition) ((condition) ? (void)0 : QTRI_MATH_FAULT())
+#else
+#define QTRI_MATH_CHECK(condition) ((void)0)
+#endif
+
+/* In a branch for rare arguments: a compiler does not mix it into the frequent path. */
+#ifdef __GNUC__
+#define QTRI_RARELY() __asm__ volatile("")
+#else
+#define QTRI_RARELY() ((void)0)
+#endif
+
+/* The largest or smallest int32_t, by the sign of x. */
+static inline int32_t qtri_extreme32(int32_t x)
+{
+    return x < 0 ? INT32_MIN : INT32_MAX;
 }
 
-/* |x| as unsigned: right for INT64_MIN too. */
+static inline int32_t qtri_saturate32(int64_t x)
+{
+    int32_t high = (int32_t)(x >> 32);
+    int32_t low = (int32_t)(uint32_t)((uint64_t)x & UINT32_MAX);
+    return high == (low < 0 ? -1 : 0) ? low : qtri_extreme32(high);
+}
+
+/* The same for a result that was not meant to saturate. */
+static inline int32_t qtri_saturate32_checked(int64_t x)
+{
+    QTRI_MATH_CHECK(x >= INT32_MIN && x <= INT32_MAX);
+    return qtri_saturate32(x);
+}
+
+/* |x| as unsigned: right for INT32_MIN and INT64_MIN too. */
+static inline uint32_t qtri_magnitude32(int32_t x)
+{
+    return x < 0 ? 0 - (uint32_t)x : (uint32_t)x;
+}
+
 static inline uint64_t qtri_magnitude64(int64_t x)
 {
     return x < 0 ? 0 - (uint64_t)x : (uint64_t)x;
@@ -64,6 +139,63 @@ static inline int32_t qtri_clz64(uint64_t x)
 {
     uint32_t high = (uint32_t)(x >> 32);
     return high != 0 ? qtri_clz32(high) : 32 + qtri_clz32((uint32_t)x);
+}
+
+/* The low half-word. GCC 12 makes two shifts of it where Armv6-M has an instruction. */
+static inline uint32_t qtri_low16(uint32_t x)
+{
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__) && __ARM_ARCH >= 6
+    if (!__builtin_constant_p(x)) {
+        uint32_t low;
+        __asm__("uxth %0, %1" : "=l"(low) : "l"(x));
+        return low;
+    }
+#endif
+    return x & 0xFFFFu;
+}
+
+/* a b in 64 bits. */
+#if QTRI_LONG_MULTIPLY
+static inline uint64_t qtri_mul_u32(uint32_t a, uint32_t b)
+{
+    return (uint64_t)a * b;
+}
+
+static inline int64_t qtri_mul_s32(int32_t a, int32_t b)
+{
+    return (int64_t)a * b;
+}
+#else
+static inline uint64_t qtri_mul_u32(uint32_t a, uint32_t b)
+{
+    uint32_t a_low = qtri_low16(a);
+    uint32_t a_high = a >> 16;
+    uint32_t b_low = qtri_low16(b);
+    uint32_t b_high = b >> 16;
+    uint32_t cross = a_high * b_low + ((a_low * b_low) >> 16); /* <= (2^16-1)^2 + 2^16-1 < 2^32 */
+    uint32_t cross_low = a_low * b_high + qtri_low16(cross);   /* likewise */
+    uint32_t high = a_high * b_high + (cross >> 16) + (cross_low >> 16);
+    return ((uint64_t)high << 32) | (uint32_t)(a * b);
+}
+
+static inline int64_t qtri_mul_s32(int32_t a, int32_t b)
+{
+    int32_t a_low = (int32_t)qtri_low16((uint32_t)a);
+    int32_t a_high = a >> 16;
+    int32_t b_low = (int32_t)qtri_low16((uint32_t)b);
+    int32_t b_high = b >> 16;
+    int32_t carry = (int32_t)(((uint32_t)a_low * (uint32_t)b_low) >> 16);
+    int32_t cross = a_high * b_low + carry; /* |2^15 (2^16-1)| + 2^16 - 1 <= 2^31 */
+    int32_t cross_low = a_low * b_high + (int32_t)qtri_low16((uint32_t)cross); /* likewise */
+    int32_t high = a_high * b_high + (cross >> 16) + (cross_low >> 16);
+    return (int64_t)(((uint64_t)(uint32_t)high << 32) | (uint32_t)((uint32_t)a * (uint32_t)b));
+}
+#endif
+
+/* floor(a b / 2^32). */
+static inline uint32_t qtri_mul_high32(uint32_t a, uint32_t b)
+{
+    return (uint32_t)(qtri_mul_u32(a, b) >> 32);
 }
 
 /* floor(a b / 2^64). */

@@ -1,28 +1,127 @@
 #include "qtri/q16_trig.h"
 
-#include "sincos.h"
+#include "bits.h"
+#include "coefficients.h"
+#include "multiply.h"
 
-void q16_sincos_deg(q16 degrees, q16 *sine, q16 *cosine)
+#define EIGHTH_TURN 0x20000000u
+
+/*
+ * Turns are in Q32 and wrap.
+ *
+ * 2^15 / pi for a radian: at 2^31 units the rounding of its fraction is a quarter of the last
+ * place, and what is cut off is one, 2^-29.3 radians: .0001 ULP.
+ */
+static inline uint32_t turns_of_radians(q16 radians)
 {
-    int32_t sine_q30;
-    int32_t cosine_q30;
-    qtri_sincos_deg_q30(degrees, &sine_q30, &cosine_q30);
-    *sine = (sine_q30 + 0x2000) >> 14;
-    *cosine = (cosine_q30 + 0x2000) >> 14;
+    uint32_t size = qtri_magnitude32(radians);
+    return size * 10430u + qtri_mul_high31(size, 1625002897u);
+}
+
+/*
+ * 2^16 / 360 = 182 + 2/45 for a degree. The exact result, rounded up to a whole number, so that
+ * angles a whole turn apart are the same: 2/45 in Q35 is less than 2^-5 of its last place too
+ * small, 2^-9 for 2^31 units, and an exact fraction is a multiple of 1/45. (0 gives 1: no matter.)
+ */
+static inline uint32_t turns_of_degrees(q16 degrees)
+{
+    uint32_t size = qtri_magnitude32(degrees);
+    return size * 182u + (qtri_mul_high31(size, 1527099483u) >> 3) + 1;
+}
+
+/*
+ * w in Q31 is the distance from a right angle in eighths of a turn, up to 1. Both results exceed
+ * the polynomial's error by .002 ULP: most of it the last place of 16-bit coefficients.
+ */
+static uint32_t sine_of_eighths_q30(uint32_t w)
+{
+    uint32_t v_q30 = qtri_mul_high31(w, w);
+    uint32_t v_q16 = v_q30 >> 14;
+    uint32_t sum = QTRI_SINE_2_Q24 - ((QTRI_SINE_3_Q30 * v_q16) >> 22); /* < 2^16 */
+    sum = QTRI_SINE_1_Q33 - ((sum * v_q16) >> 7);
+    sum = QTRI_SINE_0_Q31 - qtri_mul_high31(v_q30, sum);
+    return qtri_mul_high31(w, sum);
+}
+
+static uint32_t cosine_of_eighths_q30(uint32_t w)
+{
+    uint32_t v_q30 = qtri_mul_high31(w, w);
+    uint32_t v_q16 = v_q30 >> 14;
+    uint32_t sum = QTRI_COSINE_2_Q36 - ((QTRI_COSINE_3_Q27 * v_q16) >> 7);
+    sum = QTRI_COSINE_1_Q32 - (qtri_mul_high31(v_q30, sum) >> 2);
+    return QTRI_COSINE_0_Q30 - qtri_mul_high31(v_q30, sum);
+}
+
+static inline q16 rounded_q30(uint32_t size_q30, uint32_t negative)
+{
+    q16 result = (q16)((size_q30 + 0x2000u) >> 14);
+    return negative ? -result : result;
+}
+
+/* A quarter of a turn begins an eighth before its right angle. */
+static inline uint32_t eighths_q31(uint32_t shifted, uint32_t *negative)
+{
+    uint32_t rest = shifted & (2 * EIGHTH_TURN - 1);
+    *negative = rest < EIGHTH_TURN;
+    return (*negative ? EIGHTH_TURN - rest : rest - EIGHTH_TURN) << 2;
+}
+
+static q16 sine_of_turns(uint32_t turn, uint32_t negative)
+{
+    uint32_t shifted = turn + EIGHTH_TURN;
+    uint32_t before;
+    uint32_t w_q31 = eighths_q31(shifted, &before);
+    negative ^= shifted >> 31;
+    if (shifted & 0x40000000u) {
+        return rounded_q30(cosine_of_eighths_q30(w_q31), negative);
+    }
+    return rounded_q30(sine_of_eighths_q30(w_q31), negative ^ before);
+}
+
+static void sincos_of_turns(uint32_t turn, uint32_t negative, q16 *sine, q16 *cosine)
+{
+    uint32_t shifted = turn + EIGHTH_TURN;
+    uint32_t before;
+    uint32_t w_q31 = eighths_q31(shifted, &before);
+    uint32_t quarter = shifted >> 30;
+    uint32_t half = quarter >> 1;
+    q16 s = rounded_q30(sine_of_eighths_q30(w_q31), before);
+    q16 c = rounded_q30(cosine_of_eighths_q30(w_q31), 0);
+    if (quarter & 1) {
+        q16 swap = s;
+        s = c;
+        c = -swap;
+    }
+    *sine = half != negative ? -s : s;
+    *cosine = half ? -c : c;
+}
+
+q16 q16_sin(q16 radians)
+{
+    return sine_of_turns(turns_of_radians(radians), radians < 0);
+}
+
+q16 q16_cos(q16 radians)
+{
+    return sine_of_turns(turns_of_radians(radians) + 2 * EIGHTH_TURN, 0);
+}
+
+void q16_sincos(q16 radians, q16 *sine, q16 *cosine)
+{
+    sincos_of_turns(turns_of_radians(radians), radians < 0, sine, cosine);
 }
 
 q16 q16_sin_deg(q16 degrees)
 {
-    q16 sine;
-    q16 cosine;
-    q16_sincos_deg(degrees, &sine, &cosine);
-    return sine;
+    return sine_of_turns(turns_of_degrees(degrees), degrees < 0);
 }
 
 q16 q16_cos_deg(q16 degrees)
 {
-    q16 sine;
-    q16 cosine;
-    q16_sincos_deg(degrees, &sine, &cosine);
-    return cosine;
+    return sine_of_turns(turns_of_degrees(degrees) + 2 * EIGHTH_TURN, 0);
+}
+
+void q16_sincos_deg(q16 degrees, q16 *sine, q16 *cosine)
+{
+    sincos_of_turns(turns_of_degrees(degrees), degrees < 0, sine, cosine);
 }

@@ -1,116 +1,60 @@
 #include "qtri/vec.h"
 
-#include "bits.h"
-#include "products.h"
+#include <stddef.h>
 
-qtri_vec3 qtri_vec3_add(qtri_vec3 a, qtri_vec3 b)
-{
-    qtri_vec3 sum = {q16_add(a.x, b.x), q16_add(a.y, b.y), q16_add(a.z, b.z)};
-    return sum;
-}
+#include "dot.h"
+#include "unit.h"
 
-qtri_vec3 qtri_vec3_sub(qtri_vec3 a, qtri_vec3 b)
-{
-    qtri_vec3 difference = {q16_sub(a.x, b.x), q16_sub(a.y, b.y), q16_sub(a.z, b.z)};
-    return difference;
-}
-
-qtri_vec3 qtri_vec3_scale(qtri_vec3 a, q16 s)
-{
-    qtri_vec3 product = {q16_mul(a.x, s), q16_mul(a.y, s), q16_mul(a.z, s)};
-    return product;
-}
-
-qtri_vec3 qtri_vec3_lerp(qtri_vec3 a, qtri_vec3 b, q16 t)
-{
-    qtri_vec3 result = {q16_lerp(a.x, b.x, t), q16_lerp(a.y, b.y, t), q16_lerp(a.z, b.z, t)};
-    return result;
-}
+/* Functions for arrays read a struct by the address of its first component. */
+typedef char qtri_vec_is_packed[sizeof(qtri_vec4) == 4 * sizeof(q16) ? 1 : -1];
 
 q16 qtri_vec2_dot(qtri_vec2 a, qtri_vec2 b)
 {
-    qtri_products sum = {0, 0};
-    qtri_products_add(&sum, a.x, b.x);
-    qtri_products_add(&sum, a.y, b.y);
-    return qtri_products_q16(&sum);
+    return qtri_dot((const q16 *)&a, (const q16 *)&b, 2);
 }
 
 q16 qtri_vec3_dot(qtri_vec3 a, qtri_vec3 b)
 {
-    qtri_products sum = {0, 0};
-    qtri_products_add(&sum, a.x, b.x);
-    qtri_products_add(&sum, a.y, b.y);
-    qtri_products_add(&sum, a.z, b.z);
-    return qtri_products_q16(&sum);
+    uint32_t flags = 0;
+    qtri_sum sum = qtri_sum_start();
+    qtri_sum_add(&sum, a.x, qtri_right_of(b.x, &flags), &flags);
+    qtri_sum_add(&sum, a.y, qtri_right_of(b.y, &flags), &flags);
+    qtri_sum_add(&sum, a.z, qtri_right_of(b.z, &flags), &flags);
+    q16 result = qtri_sum_q16(&sum, &flags);
+    return qtri_sum_good(flags) ? result : qtri_dot((const q16 *)&a, (const q16 *)&b, 3);
 }
 
 q16 qtri_vec4_dot(qtri_vec4 a, qtri_vec4 b)
 {
-    qtri_products sum = {0, 0};
-    qtri_products_add(&sum, a.x, b.x);
-    qtri_products_add(&sum, a.y, b.y);
-    qtri_products_add(&sum, a.z, b.z);
-    qtri_products_add(&sum, a.w, b.w);
-    return qtri_products_q16(&sum);
+    return qtri_dot((const q16 *)&a, (const q16 *)&b, 4);
 }
 
-/* a b - c d, in Q16.16. */
-static q16 determinant(q16 a, q16 b, q16 c, q16 d)
+q16 qtri_vec2_cross(qtri_vec2 a, qtri_vec2 b)
 {
-    qtri_products sum = {0, 0};
-    qtri_products_add(&sum, a, b);
-    qtri_products_subtract(&sum, c, d);
-    return qtri_products_q16(&sum);
+    return qtri_dot_cross(a.x, b.y, a.y, b.x);
 }
 
 qtri_vec3 qtri_vec3_cross(qtri_vec3 a, qtri_vec3 b)
 {
-    qtri_vec3 product = {determinant(a.y, b.z, a.z, b.y), determinant(a.z, b.x, a.x, b.z),
-                         determinant(a.x, b.y, a.y, b.x)};
+    qtri_vec3 product = {qtri_dot_cross(a.y, b.z, a.z, b.y), qtri_dot_cross(a.z, b.x, a.x, b.z),
+                         qtri_dot_cross(a.x, b.y, a.y, b.x)};
     return product;
 }
 
-static uint64_t square(q16 x)
-{
-    return (uint64_t)((int64_t)x * x); /* <= 2^62: three of them fit 64 bits unsigned */
-}
-
 /* The unit of a square root of squared ULPs is the ULP: no scaling is needed. */
-static q16 length_of(uint64_t sum_of_squares)
+q16 qtri_vec_distance(const q16 *a, const q16 *b, int32_t count)
 {
-    uint64_t length = qtri_sqrt64_round(sum_of_squares);
-    return length > (uint64_t)Q16_MAX ? Q16_MAX : (q16)length;
-}
-
-q16 qtri_vec2_length(qtri_vec2 a)
-{
-    return length_of(square(a.x) + square(a.y));
-}
-
-q16 qtri_vec3_length(qtri_vec3 a)
-{
-    return length_of(square(a.x) + square(a.y) + square(a.z));
-}
-
-static q16 divide_component(int64_t x, uint64_t length)
-{
-    uint64_t quotient = ((qtri_magnitude64(x) << 16) + length / 2) / length; /* <= 2^16 */
-    return x < 0 ? -(q16)quotient : (q16)quotient;
-}
-
-qtri_vec3 qtri_vec3_normalize(qtri_vec3 a)
-{
-    uint64_t all = qtri_magnitude64(a.x) | qtri_magnitude64(a.y) | qtri_magnitude64(a.z);
-    if (all == 0) {
-        return a;
+    uint64_t square = 0;
+    for (int32_t i = 0; i < count && square >> 62 == 0; i++) { /* < 2^62 + 2^62 */
+        uint64_t size = qtri_magnitude64((int64_t)a[i] - (b != NULL ? b[i] : 0));
+        square =
+            size > INT32_MAX ? UINT64_MAX : square + qtri_mul_u32((uint32_t)size, (uint32_t)size);
     }
-    /* Scale the largest component to 31 bits: a short vector must not lose its direction. */
-    int64_t scale = (int64_t)1 << (qtri_clz64(all) > 33 ? qtri_clz64(all) - 33 : 0);
-    int64_t x = a.x * scale;
-    int64_t y = a.y * scale;
-    int64_t z = a.z * scale; /* |x|, |y|, |z| <= 2^31 */
-    uint64_t length = qtri_sqrt64_round((uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z));
-    qtri_vec3 unit = {divide_component(x, length), divide_component(y, length),
-                      divide_component(z, length)};
-    return unit;
+    uint64_t length = qtri_sqrt64_round(square);
+    return qtri_saturate32_checked((int64_t)length); /* <= 2^32 */
+}
+
+void qtri_vec_normalize(q16 *out, const q16 *a, int32_t count)
+{
+    (void)qtri_unit(out, a, count, 16);
 }

@@ -5,7 +5,7 @@
 qtri_wide qtri_wide_make(int64_t m, int32_t e)
 {
     qtri_wide result = {0, 0};
-    if (m == 0 || e > (1 << 30) || e < -(1 << 30)) {
+    if (m == 0 || e > ((int32_t)1 << 30) || e < -((int32_t)1 << 30)) {
         return result; /* no caller comes near these exponents */
     }
     uint64_t size = qtri_magnitude64(m);

@@ -1,9 +1,21 @@
 /*
  * Q16.16 scalars: an int32_t that counts 1/65536. Range [-32768, 32767.99998], resolution 1.5e-5.
  *
- * Every function is defined for every argument. Results round to nearest (ties away from zero
- * where not said otherwise) and saturate to Q16_MIN..Q16_MAX; the name says so when a function
- * does something else.
+ * Every function is defined for every argument. Results round to nearest and saturate to
+ * Q16_MIN..Q16_MAX; the name says so when a function does something else. An ULP is 1/65536,
+ * "correctly rounded" means the q16 nearest to the exact result: an error of at most .5 ULP.
+ * Exact halves go up, and away from zero in quotients.
+ *
+ * Source of every correctly rounded quotient and root: an estimate and the exact remainder, which
+ * decides the last bit (Muller et al., Handbook of Floating-Point Arithmetic, 2nd ed., 4.7, 5.4).
+ *
+ * QTRI_CHECK_MATH, defined when core/ and the application are compiled, makes a debug build that
+ * stops at what is likely a mistake: a result that had to be saturated, a division by zero, an
+ * argument outside the domain given below. It calls QTRI_MATH_FAULT, which may be defined as the
+ * name of a `void function(void)`; by default it is a trap instruction. If that function returns,
+ * the result is the documented one. Where an overflow is meant, the name says so and nothing is
+ * reported: q16_add_wrap() and its like keep the low 32 bits, q16_add_sat() and its like saturate.
+ * The to_int conversions, floor and fract have no overflow to report.
  */
 #ifndef QTRI_Q16_H
 #define QTRI_Q16_H
@@ -20,26 +32,141 @@ typedef int32_t q16;
 #define Q16_MAX ((q16)INT32_MAX)
 #define Q16_MIN ((q16)INT32_MIN)
 
+/* Conversions
+ * -------------------------------------------------------------------------------------*/
+
 /*
  * A constant, rounded to nearest: Q16(0.5), Q16(-3). The literal must lie in the range above; the
  * compiler folds it to an integer, no floating-point instruction remains.
  */
 #define Q16(literal) ((q16)((literal)*65536.0 + ((literal) < 0 ? -0.5 : 0.5)))
 
-/* x as an integer is out of range from 32768 up and below -32768: saturates. */
+/* x as an integer is out of range from 32768 up and below -32768: saturates. Otherwise exact. */
 q16 q16_from_int(int32_t x);
 
-/* numerator / denominator. Denominator 0: as q16_div. */
+/* numerator / denominator, correctly rounded. Denominator 0: as q16_div. */
 q16 q16_from_ratio(int32_t numerator, int32_t denominator);
 
-/* Largest integer <= x; nearest integer, halves up. */
-int32_t q16_to_int_floor(q16 x);
-int32_t q16_to_int_round(q16 x);
+/*
+ * Integers, -32768..32768: largest <= x; smallest >= x; nearest, halves up; x without its fraction.
+ */
+static inline int32_t q16_to_int_floor(q16 x)
+{
+    return x >> 16;
+}
 
+static inline int32_t q16_to_int_ceil(q16 x)
+{
+    return (x >> 16) + ((x & 0xFFFF) != 0);
+}
+
+static inline int32_t q16_to_int_round(q16 x)
+{
+    return (x >> 16) + ((x >> 15) & 1);
+}
+
+static inline int32_t q16_to_int_trunc(q16 x)
+{
+    return x / 65536;
+}
+
+/*
+ * From and to any other fixed-point format: `value` counts 2^-fraction_bits. Correctly rounded,
+ * halves up; saturates. fraction_bits may be any number, negative ones count multiples of 2.
+ */
+q16 q16_from_fixed(int32_t value, int fraction_bits);
+int32_t q16_to_fixed(q16 x, int fraction_bits);
+
+/* Q2.30, for x in [-2, 2); Q24.8. As above. */
+static inline q16 q16_from_q30(int32_t x_q30)
+{
+    return (x_q30 >> 14) + ((x_q30 >> 13) & 1);
+}
+
+static inline int32_t q16_to_q30(q16 x)
+{
+    return q16_to_fixed(x, 30);
+}
+
+static inline q16 q16_from_q8(int32_t x_q8)
+{
+    return q16_from_fixed(x_q8, 8);
+}
+
+static inline int32_t q16_to_q8(q16 x)
+{
+    return (x >> 8) + ((x >> 7) & 1);
+}
+
+/* Sums
+ * --------------------------------------------------------------------------------------------*/
+
+/* Exact where they fit. -Q16_MIN and |Q16_MIN| are Q16_MAX. */
 q16 q16_add(q16 a, q16 b);
 q16 q16_sub(q16 a, q16 b);
-q16 q16_neg(q16 x); /* -Q16_MIN is Q16_MAX */
-q16 q16_abs(q16 x); /* |Q16_MIN| is Q16_MAX */
+q16 q16_neg(q16 x);
+q16 q16_abs(q16 x);
+
+/* The low 32 bits of the sum: wraps around, which is meant. -Q16_MIN is Q16_MIN. */
+static inline q16 q16_add_wrap(q16 a, q16 b)
+{
+    return (q16)((uint32_t)a + (uint32_t)b);
+}
+
+static inline q16 q16_sub_wrap(q16 a, q16 b)
+{
+    return (q16)((uint32_t)a - (uint32_t)b);
+}
+
+static inline q16 q16_neg_wrap(q16 x)
+{
+    return (q16)(0u - (uint32_t)x);
+}
+
+/* a + (b - a) t, rounded once, halves up: .5 ULP. t is not clamped, and b - a cannot overflow. */
+q16 q16_lerp(q16 a, q16 b, q16 t);
+
+/* Products and quotients
+ * --------------------------------------------------------------------------*/
+
+/* a b. Correctly rounded, halves up. */
+q16 q16_mul(q16 a, q16 b);
+
+/* a b, rounded towards minus infinity. */
+q16 q16_mul_floor(q16 a, q16 b);
+
+/* a b as q16_mul rounds it, but of a result that does not fit the low 32 bits. */
+q16 q16_mul_wrap(q16 a, q16 b);
+
+/* a / b. Correctly rounded, halves away from zero. b = 0 gives Q16_MAX, Q16_MIN or 0 by the sign of
+ * a. */
+q16 q16_div(q16 a, q16 b);
+
+/* a b / c with the whole product. Correctly rounded, halves away from zero. c = 0: as q16_div(a b,
+ * 0). */
+q16 q16_muldiv(q16 a, q16 b, q16 c);
+
+/* 1 / x. Correctly rounded, halves away from zero. x = 0 gives Q16_MAX; from |x| <= 2/65536 it
+ * saturates. */
+q16 q16_recip(q16 x);
+
+/* a - b floor(a / b): in [0, b) for b > 0 and in (b, 0] for b < 0. Exact. b = 0 gives a. */
+q16 q16_mod(q16 a, q16 b);
+
+/* Roots
+ * -------------------------------------------------------------------------------------------*/
+
+/* Square root. x in [0, 32768); x < 0 gives 0. Correctly rounded; halves do not occur. */
+q16 q16_sqrt(q16 x);
+
+/* 1 / sqrt(x), at most 256. x <= 0 gives Q16_MAX. Correctly rounded; halves do not occur. */
+q16 q16_rsqrt(q16 x);
+
+/* sqrt(a^2 + b^2). Correctly rounded, nothing on the way overflows; the result saturates. */
+q16 q16_hypot(q16 a, q16 b);
+
+/* Choosing and rounding
+ * ---------------------------------------------------------------------------*/
 
 static inline q16 q16_min(q16 a, q16 b)
 {
@@ -57,20 +184,58 @@ static inline q16 q16_clamp(q16 x, q16 low, q16 high)
     return q16_min(q16_max(x, low), high);
 }
 
-/* a * b. Correctly rounded, halves up. */
-q16 q16_mul(q16 a, q16 b);
+/* -1, 0 or 1 as a q16. */
+static inline q16 q16_sign(q16 x)
+{
+    return x > 0 ? Q16_ONE : -(x < 0) * Q16_ONE;
+}
 
-/* a * b, rounded towards minus infinity. */
-q16 q16_mul_floor(q16 a, q16 b);
+/* The largest integer <= x. Exact. */
+static inline q16 q16_floor(q16 x)
+{
+    return x - (x & 0xFFFF);
+}
 
-/* a / b. Correctly rounded. b = 0 gives Q16_MAX, Q16_MIN or 0 by the sign of a. */
-q16 q16_div(q16 a, q16 b);
+/* x - floor(x), in [0, 1). Exact. */
+static inline q16 q16_fract(q16 x)
+{
+    return x & 0xFFFF;
+}
 
-/* a + (b - a) t, rounded once. t is not clamped. */
-q16 q16_lerp(q16 a, q16 b, q16 t);
+/* The smallest integer >= x; the nearest, halves up. 32768 does not fit and gives Q16_MAX. */
+q16 q16_ceil(q16 x);
+q16 q16_round(q16 x);
 
-/* Square root. x < 0 gives 0. Correctly rounded. */
-q16 q16_sqrt(q16 x);
+/* Overflow that is meant
+ * --------------------------------------------------------------------------*/
+
+/* The same results; QTRI_CHECK_MATH does not report that they saturate. */
+#ifdef QTRI_CHECK_MATH
+q16 q16_add_sat(q16 a, q16 b);
+q16 q16_sub_sat(q16 a, q16 b);
+q16 q16_mul_sat(q16 a, q16 b);
+q16 q16_div_sat(q16 a, q16 b);
+#else
+static inline q16 q16_add_sat(q16 a, q16 b)
+{
+    return q16_add(a, b);
+}
+
+static inline q16 q16_sub_sat(q16 a, q16 b)
+{
+    return q16_sub(a, b);
+}
+
+static inline q16 q16_mul_sat(q16 a, q16 b)
+{
+    return q16_mul(a, b);
+}
+
+static inline q16 q16_div_sat(q16 a, q16 b)
+{
+    return q16_div(a, b);
+}
+#endif
 
 #ifdef __cplusplus
 }

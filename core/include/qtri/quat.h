@@ -1,5 +1,12 @@
 /*
- * Unit quaternions for orientations: w + xi + yj + zk, Hamilton's product, Q16.16 components.
+ * Quaternions for orientations: w + xi + yj + zk, Hamilton's product, Q16.16 components.
+ *
+ * Every function is defined for every argument. Where it takes an orientation, the quaternion need
+ * not have unit length: its direction counts, at 30 fraction bits; zero stands for the identity.
+ * q and -q are the same orientation. Angles are degrees, counter-clockwise seen against the axis.
+ * Results are within .52 ULP of a component where not said otherwise, unit lengths within 1 ULP.
+ * Sources: Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985; Shepperd,
+ * "Quaternion from rotation matrix", J. Guidance and Control 1, 1978.
  */
 #ifndef QTRI_QUAT_H
 #define QTRI_QUAT_H
@@ -19,16 +26,89 @@ qtri_quat qtri_quat_identity(void);
 /* A turn about an axis of any length, counter-clockwise seen against it. Axis 0: identity. */
 qtri_quat qtri_quat_from_axis_deg(qtri_vec3 axis, q16 degrees);
 
-/* First b, then a: rotate(mul(a, b), v) = rotate(a, rotate(b, v)). */
+/* The orders of mat.h: xyz turns about x first, then y, then z, about the fixed axes. */
+qtri_quat qtri_quat_from_euler_deg(qtri_vec3 degrees, qtri_euler order);
+
+static inline qtri_quat qtri_quat_from_euler_xyz_deg(qtri_vec3 degrees)
+{
+    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_XYZ);
+}
+
+static inline qtri_quat qtri_quat_from_euler_xzy_deg(qtri_vec3 degrees)
+{
+    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_XZY);
+}
+
+static inline qtri_quat qtri_quat_from_euler_yxz_deg(qtri_vec3 degrees)
+{
+    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_YXZ);
+}
+
+static inline qtri_quat qtri_quat_from_euler_yzx_deg(qtri_vec3 degrees)
+{
+    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_YZX);
+}
+
+static inline qtri_quat qtri_quat_from_euler_zxy_deg(qtri_vec3 degrees)
+{
+    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_ZXY);
+}
+
+static inline qtri_quat qtri_quat_from_euler_zyx_deg(qtri_vec3 degrees)
+{
+    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_ZYX);
+}
+
+/*
+ * Of a rotation matrix, by Shepperd's method; w >= 0. The half ULPs of the matrix's own elements
+ * come out as up to 1.5 ULP. A matrix that is no rotation gives a unit quaternion near it.
+ */
+qtri_quat qtri_quat_from_mat3(const qtri_mat3 *m);
+qtri_quat qtri_quat_from_mat4(const qtri_mat4 *m); /* of its linear part */
+
+qtri_mat3 qtri_quat_to_mat3(qtri_quat a);
+qtri_mat4 qtri_quat_to_mat4(qtri_quat a);
+
+/* First b, then a: rotate(mul(a, b), v) = rotate(a, rotate(b, v)). Correctly rounded. */
 qtri_quat qtri_quat_mul(qtri_quat a, qtri_quat b);
 
+q16 qtri_quat_dot(qtri_quat a, qtri_quat b); /* correctly rounded */
 qtri_quat qtri_quat_conjugate(qtri_quat a);
 
-/* a / |a|; zero gives the identity. */
+/* conjugate / |a|^2, within .501 ULP, saturated; zero gives the identity. */
+qtri_quat qtri_quat_inverse(qtri_quat a);
+
+/* a / |a|, each component within .501 ULP; zero gives the identity. */
 qtri_quat qtri_quat_normalize(qtri_quat a);
 
-/* v turned by a; a need not have unit length exactly. */
+/* v turned by a: within .5 ULP + |v| 2^-26. Saturates. */
 qtri_vec3 qtri_quat_rotate(qtri_quat a, qtri_vec3 v);
+
+/*
+ * Between a (t = 0) and b (t = 1) along the shortest arc; t is clamped to 0..1. The ends are a and
+ * b or -b, normalised. a and b half a turn of the quaternion apart (b = -a) are the same
+ * orientation: it stays. nlerp moves faster in the middle; slerp at a constant angular speed.
+ */
+qtri_quat qtri_quat_nlerp(qtri_quat a, qtri_quat b, q16 t);
+qtri_quat qtri_quat_slerp(qtri_quat a, qtri_quat b, q16 t);
+
+/*
+ * a after dt seconds of turning at a rate, in degrees a second about the axes of the body itself,
+ * as a gyroscope on it measures: a exp(rate dt / 2), normalised. A step of more than 65535 degrees
+ * counts as that.
+ *
+ * A Q16.16 quaternion cannot hold turns of less than 1/600 degree: slow rates at short steps are
+ * lost in it, step by step. An attitude keeps 30 bits, 10^-7 degree, over a stream of samples.
+ */
+qtri_quat qtri_quat_integrate_deg(qtri_quat a, qtri_vec3 rate, q16 dt);
+
+typedef struct qtri_attitude {
+    int32_t q_q30[4]; /* w, x, y, z of a unit quaternion */
+} qtri_attitude;
+
+qtri_attitude qtri_attitude_from_quat(qtri_quat a);
+qtri_quat qtri_attitude_quat(const qtri_attitude *attitude);
+void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt);
 
 #ifdef __cplusplus
 }

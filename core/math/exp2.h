@@ -1,0 +1,12 @@
+/*
+ * The power of two that exp and pow share. Internal.
+ */
+#ifndef QTRI_MATH_EXP2_H
+#define QTRI_MATH_EXP2_H
+
+#include "qtri/q16.h"
+
+/* 2^(factor log) for |log| <= 16 in Q40; errors as q16_exp. */
+q16 qtri_exp2_product(q16 factor, int64_t log_q40);
+
+#endif

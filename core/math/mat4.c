@@ -1,0 +1,151 @@
+#include "qtri/mat.h"
+
+#include "dot.h"
+
+qtri_mat4 qtri_mat4_identity(void)
+{
+    qtri_mat4 m = {
+        {{Q16_ONE, 0, 0, 0}, {0, Q16_ONE, 0, 0}, {0, 0, Q16_ONE, 0}, {0, 0, 0, Q16_ONE}}};
+    return m;
+}
+
+qtri_mat4 qtri_mat4_translate(qtri_vec3 offset)
+{
+    qtri_mat4 m = qtri_mat4_identity();
+    m.m[0][3] = offset.x;
+    m.m[1][3] = offset.y;
+    m.m[2][3] = offset.z;
+    return m;
+}
+
+qtri_mat4 qtri_mat4_scale(qtri_vec3 factor)
+{
+    qtri_mat4 m = qtri_mat4_identity();
+    m.m[0][0] = factor.x;
+    m.m[1][1] = factor.y;
+    m.m[2][2] = factor.z;
+    return m;
+}
+
+qtri_mat4 qtri_mat4_shear(q16 x_by_y, q16 x_by_z, q16 y_by_x, q16 y_by_z, q16 z_by_x, q16 z_by_y)
+{
+    qtri_mat4 m = {{{Q16_ONE, x_by_y, x_by_z, 0},
+                    {y_by_x, Q16_ONE, y_by_z, 0},
+                    {z_by_x, z_by_y, Q16_ONE, 0},
+                    {0, 0, 0, Q16_ONE}}};
+    return m;
+}
+
+qtri_mat3 qtri_mat4_linear(const qtri_mat4 *m)
+{
+    qtri_mat3 linear;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            linear.m[i][j] = m->m[i][j];
+        }
+    }
+    return linear;
+}
+
+qtri_mat4 qtri_mat4_from_linear(const qtri_mat3 *linear)
+{
+    qtri_mat4 m = qtri_mat4_identity();
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m.m[i][j] = linear->m[i][j];
+        }
+    }
+    return m;
+}
+
+/* What qtri_mat4_times does where its sums do not fit. */
+static void exact_times(qtri_vec4 *out, const qtri_mat4 *m, q16 x, q16 y, q16 z, q16 w)
+{
+    const q16 v[4] = {x, y, z, w};
+    out->x = qtri_dot(m->m[0], v, 4);
+    out->y = qtri_dot(m->m[1], v, 4);
+    out->z = qtri_dot(m->m[2], v, 4);
+    out->w = qtri_dot(m->m[3], v, 4);
+}
+
+static inline q16 row_product(const q16 row[4], const qtri_right v[4], uint32_t *flags)
+{
+    qtri_sum sum = qtri_sum_start();
+    qtri_sum_add(&sum, row[0], v[0], flags);
+    qtri_sum_add(&sum, row[1], v[1], flags);
+    qtri_sum_add(&sum, row[2], v[2], flags);
+    qtri_sum_add(&sum, row[3], v[3], flags);
+    return qtri_sum_q16(&sum, flags);
+}
+
+void qtri_mat4_times(qtri_vec4 *out, const qtri_mat4 *m, const qtri_vec4 *v)
+{
+    uint32_t flags = 0;
+    const q16 x = v->x;
+    const q16 y = v->y;
+    const q16 z = v->z;
+    const q16 w = v->w;
+    const qtri_right right[4] = {qtri_right_of(x, &flags), qtri_right_of(y, &flags),
+                                 qtri_right_of(z, &flags), qtri_right_of(w, &flags)};
+#if QTRI_LONG_MULTIPLY
+    out->x = row_product(m->m[0], right, &flags);
+    out->y = row_product(m->m[1], right, &flags);
+    out->z = row_product(m->m[2], right, &flags);
+    out->w = row_product(m->m[3], right, &flags);
+#else
+    q16 row[4];
+    for (int i = 0; i < 4; i++) {
+        row[i] = row_product(m->m[i], right, &flags);
+    }
+    out->x = row[0];
+    out->y = row[1];
+    out->z = row[2];
+    out->w = row[3];
+#endif
+    if (!qtri_sum_good(flags)) {
+        exact_times(out, m, x, y, z, w);
+    }
+}
+
+static qtri_vec3 transform(const qtri_mat4 *m, qtri_vec3 v, q16 w)
+{
+    qtri_vec4 homogeneous = {v.x, v.y, v.z, w};
+    homogeneous = qtri_mat4_vec4(m, homogeneous);
+    qtri_vec3 image = {homogeneous.x, homogeneous.y, homogeneous.z};
+    return image;
+}
+
+qtri_vec3 qtri_mat4_point(const qtri_mat4 *m, qtri_vec3 p)
+{
+    return transform(m, p, Q16_ONE);
+}
+
+qtri_vec3 qtri_mat4_vector(const qtri_mat4 *m, qtri_vec3 v)
+{
+    return transform(m, v, 0);
+}
+
+qtri_mat4 qtri_mat4_mul(const qtri_mat4 *a, const qtri_mat4 *b)
+{
+    qtri_mat4 product;
+    for (int j = 0; j < 4; j++) {
+        qtri_vec4 column = {b->m[0][j], b->m[1][j], b->m[2][j], b->m[3][j]};
+        column = qtri_mat4_vec4(a, column);
+        product.m[0][j] = column.x;
+        product.m[1][j] = column.y;
+        product.m[2][j] = column.z;
+        product.m[3][j] = column.w;
+    }
+    return product;
+}
+
+qtri_mat4 qtri_mat4_transpose(const qtri_mat4 *a)
+{
+    qtri_mat4 result;
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            result.m[i][j] = a->m[j][i];
+        }
+    }
+    return result;
+}

@@ -1,0 +1,7 @@
+#include "coefficients.h"
+
+int main(void)
+{
+    generate_coefficients(stdout);
+    return ferror(stdout) ? 1 : 0;
+}
