@@ -4,9 +4,9 @@ static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
 {
     static const qtri_screen_vertex empty = {0};
     *out = empty;
-    out->color_8p16[0] = corner->color.r << 16;
-    out->color_8p16[1] = corner->color.g << 16;
-    out->color_8p16[2] = corner->color.b << 16;
+    out->color_8p16[0] = (int32_t)corner->color.r << 16;
+    out->color_8p16[1] = (int32_t)corner->color.g << 16;
+    out->color_8p16[2] = (int32_t)corner->color.b << 16;
     out->u_q32 = (int64_t)corner->uv.x * 65536;
     out->v_q32 = (int64_t)corner->uv.y * 65536;
 }

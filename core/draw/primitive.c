@@ -111,8 +111,8 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, const qtri_clip_ve
     unsigned outcode[3];
     for (int i = 0; i < 3; i++) {
         outcode[i] = qtri_clip_outcode(&v[i]);
-        polygon[i].b1_q30 = i == 1 ? 1 << 30 : 0;
-        polygon[i].b2_q30 = i == 2 ? 1 << 30 : 0;
+        polygon[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
+        polygon[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
     }
     if ((outcode[0] & outcode[1] & outcode[2]) != 0) {
         return;
@@ -151,7 +151,7 @@ void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex
     unsigned outcode[2];
     for (int i = 0; i < 2; i++) {
         outcode[i] = qtri_clip_outcode(&v[i]);
-        end[i].b1_q30 = i == 1 ? 1 << 30 : 0;
+        end[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
         end[i].b2_q30 = 0;
     }
     if ((outcode[0] & outcode[1]) != 0 || !qtri_clip_line(end, outcode[0] | outcode[1])) {

@@ -106,8 +106,8 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
         out[i].y = sum[1];
         out[i].z = sum[2];
         out[i].w = sum[3];
-        out[i].b1_q30 = i == 1 ? 1 << 30 : 0;
-        out[i].b2_q30 = i == 2 ? 1 << 30 : 0;
+        out[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
+        out[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
     }
 }
 

@@ -1,28 +1,33 @@
 #include "pixel.h"
 
 /* white / (255 << 16) in Q30, rounded: times a colour of 24 bits, off by less than 2^-6 units. */
-#define RATIO_Q30(white) ((uint32_t)((((uint64_t)(white) << 30) + (255u << 15)) / (255u << 16)))
+#define RATIO_Q30(white)                                                                           \
+    ((uint32_t)((((uint64_t)(white) << 30) + ((uint32_t)255 << 15)) / ((uint32_t)255 << 16)))
 
 qtri_channels qtri_channels_from_color(qtri_format format, const int32_t color_8p16[3])
 {
     static const uint32_t ratio_q30[3][3] = {
-        {RATIO_Q30(31 << 16), RATIO_Q30(63 << 16), RATIO_Q30(31 << 16)},
-        {RATIO_Q30(255 << 16), RATIO_Q30(255 << 16), RATIO_Q30(255 << 16)},
+        {RATIO_Q30((uint32_t)31 << 16), RATIO_Q30((uint32_t)63 << 16),
+         RATIO_Q30((uint32_t)31 << 16)},
+        {RATIO_Q30((uint32_t)255 << 16), RATIO_Q30((uint32_t)255 << 16),
+         RATIO_Q30((uint32_t)255 << 16)},
         {RATIO_Q30(QTRI_GRAY_RED), RATIO_Q30(QTRI_GRAY_GREEN), RATIO_Q30(QTRI_GRAY_BLUE)},
     };
     const uint32_t *ratio = ratio_q30[format <= QTRI_GRAY8 ? format : QTRI_GRAY8];
+    const int32_t white = (int32_t)255 << 16;
     qtri_channels result;
     for (int i = 0; i < 3; i++) {
         int32_t c = color_8p16[i];
-        c = c < 0 ? 0 : (c > 255 << 16 ? 255 << 16 : c);
-        result.c[i] = (int32_t)(((uint64_t)(uint32_t)c * ratio[i] + (1u << 29)) >> 30);
+        c = c < 0 ? 0 : (c > white ? white : c);
+        result.c[i] = (int32_t)(((uint64_t)(uint32_t)c * ratio[i] + ((uint32_t)1 << 29)) >> 30);
     }
     return result;
 }
 
 uint32_t qtri_pixel_from_rgb(qtri_format format, qtri_rgb color)
 {
-    int32_t color_8p16[3] = {color.r << 16, color.g << 16, color.b << 16};
+    int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
+                             (int32_t)color.b << 16};
     qtri_channels channels = qtri_channels_from_color(format, color_8p16);
     return qtri_pixel_pack(format, &channels);
 }

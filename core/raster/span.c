@@ -26,7 +26,7 @@ typedef struct divider {
 static uint32_t inv_w_at(const qtri_span_job *job, int32_t x, int32_t y)
 {
     int64_t q = qtri_plane_floor(qtri_plane_at(&job->inv_w, x, y));
-    return q < 1 ? 1u : (q > (int64_t)1 << 31 ? 1u << 31 : (uint32_t)q);
+    return q < 1 ? 1u : (q > (int64_t)1 << 31 ? (uint32_t)1 << 31 : (uint32_t)q);
 }
 
 static int64_t divide(const qtri_span_job *job, int attribute, const divider *d, int32_t x,

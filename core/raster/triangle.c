@@ -80,7 +80,8 @@ static void job_ramp(const qtri_span_job *job, qtri_ramp *ramp, const qtri_plane
 static void job_colors(qtri_span_job *job, const qtri_material *material,
                        const qtri_screen_vertex v[3], const qtri_plane_base *base, const int64_t *q)
 {
-    static const int32_t white_8p16[3] = {255 << 16, 255 << 16, 255 << 16};
+    static const int32_t white_8p16[3] = {(int32_t)255 << 16, (int32_t)255 << 16,
+                                          (int32_t)255 << 16};
     const qtri_format format = job->surface->format;
     qtri_channels color[3];
     bool replace = job->texture != NULL && material->texture_mode == QTRI_REPLACE;
@@ -105,7 +106,7 @@ static void job_colors(qtri_span_job *job, const qtri_material *material,
         for (int i = 0; i < 3; i++) {
             f[i] = color[i].c[channel];
             if (q != NULL) {
-                f[i] *= 1 << QTRI_COLOR_PERSPECTIVE_SHIFT;
+                f[i] *= (int64_t)1 << QTRI_COLOR_PERSPECTIVE_SHIFT;
             }
         }
         if (q != NULL) {
