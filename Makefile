@@ -95,7 +95,7 @@ setup: ## Install what the tests and checks need (Debian, as root); elsewhere na
 test: ## Run every test: plain, sanitized, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-sanitized test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards); do \
+	for step in test-plain test-sanitized test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) test-math-targets; do \
 	    $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
 	sh tests/check/total.sh $$status
@@ -122,6 +122,10 @@ $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm
+
+.PHONY: test-math-targets
+test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V, big-endian PowerPC, AVR
+	@JOBS=$(JOBS) sh tests/test_math_targets.sh
 
 # Checking -----------------------------------------------------------------------------------------
 # Each gate is a script of its name in tests/check/ and prints `check: NAME ok` or its findings.
@@ -153,3 +157,6 @@ help: ## List these targets
 # Boards: firmware for emulated microcontrollers, its targets among them `test-boards` ----------------
 
 -include port/boards/boards.mk
+-include host/generate/generate.mk
+-include host/bench/bench.mk
+-include host/verify/verify.mk

@@ -33,9 +33,14 @@ static q16 stress[VERIFY_STRESS];
 static int stress_count;
 static pthread_once_t stress_once = PTHREAD_ONCE_INIT;
 
+/* Unless it is there already. */
 static void stress_add(int64_t value)
 {
-    if (stress_count < VERIFY_STRESS && value >= INT32_MIN && value <= INT32_MAX) {
+    bool room = stress_count < VERIFY_STRESS && value >= INT32_MIN && value <= INT32_MAX;
+    for (int i = 0; i < stress_count && room; i++) {
+        room = stress[i] != value;
+    }
+    if (room) {
         stress[stress_count++] = (q16)value;
     }
 }
@@ -79,7 +84,8 @@ const q16 *verify_stress(void)
     return stress;
 }
 
-/* Half evenly spread with a random offset, a quarter around zero, a quarter around powers of two. */
+/* Half evenly spread with a random offset, a quarter around zero, a quarter around powers of two.
+ */
 q16 verify_stratum(int index)
 {
     int64_t block;

@@ -11,12 +11,12 @@ double verify_clamp(double value)
 static void judge_exactly(const verify_judge *judge, const q16 *argument, q16 result,
                           verify_row *plain, verify_row *relative)
 {
-    verify_exact exact = judge->reference->exact(argument);
+    verify_exact exact = judge->reference->exact(judge->reference->data, argument);
     double value = (double)exact.nearest + exact.delta;
     double error = fabs((double)(result - exact.nearest) - exact.delta);
     bool correct = result == exact.nearest;
-    if (exact.nearest > Q16_MAX || exact.nearest < Q16_MIN) {
-        /* Saturated: also an exact value that is out of the range by less than half an ULP. */
+    if (exact.nearest > Q16_MAX || (exact.nearest == Q16_MAX && exact.delta > 0) ||
+        exact.nearest < Q16_MIN || (exact.nearest == Q16_MIN && exact.delta < 0)) {
         value = verify_clamp(value);
         error = fabs((double)result - value);
         correct = error == 0;
@@ -35,7 +35,7 @@ void verify_judge_result(const verify_judge *judge, const q16 *argument, q16 res
         judge_exactly(judge, argument, result, plain, relative);
         return;
     }
-    verify_value fast = judge->reference->fast(argument);
+    verify_value fast = judge->reference->fast(judge->reference->data, argument);
     double value = verify_clamp(fast.value);
     double error = fabs((double)result - value);
     bool undecided = fabs(error - 0.5) <= fast.unsure;

@@ -45,5 +45,5 @@ void verify_row_merge(verify_row *into, const verify_row *from)
 
 bool verify_row_passes(const verify_row *row, const verify_label *label)
 {
-    return row->max <= label->limit && (label->limit != 0.5 || row->correct == row->inputs);
+    return row->max <= label->limit && (!label->all_correct || row->correct == row->inputs);
 }

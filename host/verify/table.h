@@ -8,13 +8,13 @@
 
 typedef struct verify_function {
     const char *name;
-    int arguments;
+    /* The one that is not NULL. */
     q16 (*one)(q16);
     q16 (*two)(q16, q16);
     q16 (*three)(q16, q16, q16);
     const verify_reference *reference;
     double limit;
-    /* One argument: where the limit holds. Elsewhere the result must be what is documented. */
+    /* One argument: where the limit holds. On either side the result is one documented constant. */
     q16 low, high;
     const char *domain;
     int monotone; /* 1 rising, -1 falling, 0 neither */
@@ -24,6 +24,8 @@ typedef struct verify_function {
 
 extern const verify_function verify_functions[];
 extern const size_t verify_function_count;
+
+int verify_arguments(const verify_function *function);
 
 /* A test of one function; the function must outlive it. */
 verify_test verify_scalar_test(const verify_function *function);

@@ -1,8 +1,8 @@
 /*
  * Proof of accuracy: the functions of core/math against correctly rounded references.
  *
- * The unit is the ULP of the result, 2^-16, everywhere: a reference value of 65536.25 is a result of
- * 65536 that is a quarter of an ULP too low. How a value is decided:
+ * The unit is the ULP of the result, 2^-16, everywhere: a reference value of 65536.25 is a result
+ * of 65536 that is a quarter of an ULP too low. How a value is decided:
  *
  *   exact    The rounded result by integers (exact.c), for everything that is a root or a quotient,
  *            or by MPFR with 200 bits (transcendental.c).
@@ -35,7 +35,10 @@ enum verify_mode {
     VERIFY_LONG   /* and 10^9 random pairs */
 };
 
-/* The exact value is nearest + delta, |delta| <= .5. On a tie, nearest is what the contract says. */
+/*
+ * The exact value is nearest + delta, |delta| <= .5. On a tie, nearest is what the contract says;
+ * it is the floor, and delta < 1, for q16_mul_floor.
+ */
 typedef struct verify_exact {
     int64_t nearest;
     double delta;
@@ -48,10 +51,11 @@ typedef struct verify_value {
 } verify_value;
 
 typedef struct verify_reference {
-    verify_exact (*exact)(const q16 *argument);
-    verify_value (*fast)(const q16 *argument); /* NULL: `exact` is fast */
-    /* Or NULL. False: not smooth enough here, ask for one at a time. */
-    bool (*block)(q16 first, double *value, double *unsure);
+    verify_exact (*exact)(const void *data, const q16 *argument);
+    verify_value (*fast)(const void *data, const q16 *argument); /* NULL: `exact` is fast */
+    /* Or NULL. False: not smooth here, ask for one value at a time. */
+    bool (*block)(const void *data, q16 first, double *value, double *unsure);
+    const void *data;
 } verify_reference;
 
 /* What was found. */
@@ -62,12 +66,13 @@ typedef struct verify_row {
     q16 worst[VERIFY_ARGUMENTS];
 } verify_row;
 
-/* What a row of the table says besides; `limit` of .5 asks for correct rounding of every input. */
+/* What a row of the table says besides. */
 typedef struct verify_label {
-    const char *function;
+    const char *function, *suffix; /* "tan", "_relative" */
     const char *domain;
     int arguments;
     double limit;
+    bool all_correct; /* asked of every input */
 } verify_label;
 
 typedef struct verify_options {
@@ -96,7 +101,8 @@ typedef struct verify_test {
 void verify_row_clear(verify_row *row);
 
 /* One more input. The worst is the one with the largest error, then the smallest arguments. */
-void verify_row_add(verify_row *row, const q16 *argument, int arguments, double error, bool correct);
+void verify_row_add(verify_row *row, const q16 *argument, int arguments, double error,
+                    bool correct);
 
 /* Counts of both, worst of both. */
 void verify_row_merge(verify_row *into, const verify_row *from);
@@ -151,7 +157,8 @@ void verify_run(const verify_test *test, const verify_options *options, verify_r
 
 /* --- pictures (plot.c) */
 
-/* Writes the error of sin, atan2 or sqrt over its domain as SVG; false: no such plot, or no file. */
+/* Writes the error of sin, atan2 or sqrt over its domain as SVG; false: no such plot, or no file.
+ */
 bool verify_plot(const char *name, FILE *file);
 
 #endif

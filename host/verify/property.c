@@ -1,0 +1,160 @@
+/*
+ * What must hold for every angle: symmetry, sin^2 + cos^2 = 1, the pair as each of its halves, and
+ * exact right angles.
+ */
+#include "verify.h"
+
+#include "qtri/q16_trig.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { ODD, EVEN, UNIT, PAIR };
+
+typedef struct circle {
+    const char *suffix; /* of "sin", for the names of the rows */
+    q16 (*sine)(q16);
+    q16 (*cosine)(q16);
+    void (*both)(q16, q16 *, q16 *);
+} circle;
+
+static const circle circles[] = {
+    {"", q16_sin, q16_cos, q16_sincos},
+    {"_deg", q16_sin_deg, q16_cos_deg, q16_sincos_deg},
+};
+
+static double unit_error(q16 sine, q16 cosine)
+{
+    int64_t square = (int64_t)sine * sine + (int64_t)cosine * cosine;
+    return fabs((double)(square - ((int64_t)1 << 32))) / 65536;
+}
+
+static double pair_error(const circle *c, q16 x, q16 sine, q16 cosine)
+{
+    q16 s;
+    q16 k;
+    c->both(x, &s, &k);
+    return fmax(fabs((double)s - sine), fabs((double)k - cosine));
+}
+
+static void add(verify_row *row, q16 x, double error)
+{
+    verify_row_add(row, &x, 1, error, error == 0);
+}
+
+static void add_unit(verify_row *row, q16 x, q16 sine, q16 cosine)
+{
+    double error = unit_error(sine, cosine);
+    verify_row_add(row, &x, 1, error, error <= 0.5);
+}
+
+/* x >= 0, and -x with it. */
+static void circle_at(const circle *c, q16 x, verify_row *rows)
+{
+    q16 sine = c->sine(x);
+    q16 cosine = c->cosine(x);
+    q16 sine_back = c->sine(-x);
+    q16 cosine_back = c->cosine(-x);
+    add(&rows[ODD], x, fabs((double)sine + sine_back));
+    add(&rows[EVEN], x, fabs((double)cosine - cosine_back));
+    add_unit(&rows[UNIT], x, sine, cosine);
+    add_unit(&rows[UNIT], -x, sine_back, cosine_back);
+    add(&rows[PAIR], x, pair_error(c, x, sine, cosine));
+    add(&rows[PAIR], -x, pair_error(c, -x, sine_back, cosine_back));
+}
+
+enum { CHUNK_BLOCKS = 2048, CHUNK_STRATA = 64 };
+
+static uint64_t circle_chunks(const verify_test *test, const verify_options *options)
+{
+    (void)test;
+    return options->mode == VERIFY_QUICK ? VERIFY_STRATA / CHUNK_STRATA
+                                         : ((uint64_t)1 << 31) / VERIFY_BLOCK / CHUNK_BLOCKS;
+}
+
+static void circle_run(const verify_test *test, const verify_options *options, uint64_t chunk,
+                       verify_row *rows)
+{
+    const circle *c = (const circle *)test->subject;
+    bool quick = options->mode == VERIFY_QUICK;
+    int blocks = quick ? CHUNK_STRATA : CHUNK_BLOCKS;
+    for (int i = 0; i < blocks; i++) {
+        int index = (int)chunk * blocks + i;
+        q16 first = quick ? verify_stratum(index) & INT32_MAX : index * VERIFY_BLOCK;
+        for (int k = 0; k < VERIFY_BLOCK; k++) {
+            circle_at(c, first + k, rows);
+        }
+    }
+    if (chunk == 0) { /* the one that has no opposite */
+        q16 sine = c->sine(Q16_MIN);
+        q16 cosine = c->cosine(Q16_MIN);
+        add_unit(&rows[UNIT], Q16_MIN, sine, cosine);
+        add(&rows[PAIR], Q16_MIN, pair_error(c, Q16_MIN, sine, cosine));
+    }
+}
+
+static bool circle_label(const verify_test *test, int index, verify_label *label)
+{
+    static const verify_label labels[2][4] = {
+        {{"sin", "_odd", "sin(-x) = -sin(x)", 1, 0, true},
+         {"cos", "_even", "cos(-x) = cos(x)", 1, 0, true},
+         {"sincos", "_unit", "sin^2 + cos^2 = 1", 1, 2, false},
+         {"sincos", "", "as sin and cos", 1, 0, true}},
+        {{"sin_deg", "_odd", "sin(-x) = -sin(x)", 1, 0, true},
+         {"cos_deg", "_even", "cos(-x) = cos(x)", 1, 0, true},
+         {"sincos_deg", "_unit", "sin^2 + cos^2 = 1", 1, 2, false},
+         {"sincos_deg", "", "as sin and cos", 1, 0, true}},
+    };
+    if (index > PAIR) {
+        return false;
+    }
+    *label = labels[(const circle *)test->subject - circles][index];
+    return true;
+}
+
+/* Multiples of 90 degrees: sine and cosine are whole. */
+
+static uint64_t right_chunks(const verify_test *test, const verify_options *options)
+{
+    (void)test;
+    (void)options;
+    return 1;
+}
+
+static void right_run(const verify_test *test, const verify_options *options, uint64_t chunk,
+                      verify_row *rows)
+{
+    static const q16 sine[4] = {0, 65536, 0, -65536};
+    (void)test;
+    (void)options;
+    (void)chunk;
+    for (int n = -364; n <= 364; n++) {
+        q16 x = n * 90 * 65536;
+        double s = fabs((double)q16_sin_deg(x) - sine[n & 3]);
+        double c = fabs((double)q16_cos_deg(x) - sine[(n + 1) & 3]);
+        add(&rows[0], x, fmax(s, c));
+    }
+}
+
+static bool right_label(const verify_test *test, int index, verify_label *label)
+{
+    static const verify_label right = {"sincos_deg", "_right", "multiples of 90", 1, 0, true};
+    (void)test;
+    *label = right;
+    return index == 0;
+}
+
+size_t verify_property_tests(verify_test *tests, size_t room)
+{
+    const verify_test all[] = {
+        {"sincos", circle_run, circle_chunks, circle_label, &circles[0]},
+        {"sincos_deg", circle_run, circle_chunks, circle_label, &circles[1]},
+        {"right_angles", right_run, right_chunks, right_label, NULL},
+    };
+    size_t count = sizeof all / sizeof all[0];
+    count = count < room ? count : room;
+    for (size_t i = 0; i < count; i++) {
+        tests[i] = all[i];
+    }
+    return count;
+}

@@ -1,0 +1,79 @@
+/*
+ * Chunks of a test, shared out to threads; each has rows of its own, merged at the end.
+ */
+#include "verify.h"
+
+#include <pthread.h>
+
+typedef struct job {
+    const verify_test *test;
+    const verify_options *options;
+    pthread_mutex_t mutex; /* of what follows */
+    uint64_t next, chunks;
+    verify_row *rows;
+} job;
+
+/* The next chunk, or `chunks`. Says how far it is. */
+static uint64_t take(job *j)
+{
+    (void)pthread_mutex_lock(&j->mutex);
+    uint64_t chunk = j->next;
+    if (chunk < j->chunks) {
+        j->next++;
+    }
+    if (j->options->progress && (chunk * 100 / j->chunks != (chunk + 1) * 100 / j->chunks)) {
+        (void)fprintf(stderr, "\r%-24s %3d %%", j->test->name, (int)(chunk * 100 / j->chunks));
+    }
+    (void)pthread_mutex_unlock(&j->mutex);
+    return chunk;
+}
+
+static void *work(void *argument)
+{
+    job *j = (job *)argument;
+    verify_row rows[VERIFY_ROWS];
+    for (int i = 0; i < VERIFY_ROWS; i++) {
+        verify_row_clear(&rows[i]);
+    }
+    for (uint64_t chunk = take(j); chunk < j->chunks; chunk = take(j)) {
+        j->test->run(j->test, j->options, chunk, rows);
+    }
+    (void)pthread_mutex_lock(&j->mutex);
+    for (int i = 0; i < VERIFY_ROWS; i++) {
+        verify_row_merge(&j->rows[i], &rows[i]);
+    }
+    (void)pthread_mutex_unlock(&j->mutex);
+    return NULL;
+}
+
+void verify_run(const verify_test *test, const verify_options *options, verify_row *rows)
+{
+    enum { MOST = 64 };
+    pthread_t thread[MOST];
+    bool started[MOST] = {false};
+    for (int i = 0; i < VERIFY_ROWS; i++) {
+        verify_row_clear(&rows[i]);
+    }
+    job j = {test, options, PTHREAD_MUTEX_INITIALIZER, 0, test->chunks(test, options), rows};
+    for (int i = 0; i < options->threads - 1 && i < MOST; i++) {
+        started[i] = pthread_create(&thread[i], NULL, work, &j) == 0;
+    }
+    (void)work(&j); /* one of them, and the only one where threads are not to be had */
+    for (int i = 0; i < MOST; i++) {
+        if (started[i]) {
+            (void)pthread_join(thread[i], NULL);
+        }
+    }
+    (void)pthread_mutex_destroy(&j.mutex);
+    if (options->progress) {
+        (void)fprintf(stderr, "\r%40s\r", "");
+    }
+}
+
+size_t verify_all_tests(verify_test tests[VERIFY_TESTS])
+{
+    size_t count = verify_scalar_tests(tests, VERIFY_TESTS);
+    count += verify_property_tests(tests + count, VERIFY_TESTS - count);
+    count += verify_tuple_tests(tests + count, VERIFY_TESTS - count);
+    return count;
+}

@@ -1,0 +1,42 @@
+# The accuracy of core/math: build/qtri-verify, its table and plots; and what tests/test_math_quick.c links.
+#
+# Included by the main Makefile. Needs MPFR (libmpfr-dev), and so is no part of `make`.
+
+VERIFY ?= full
+VERIFY_FLAGS_quick := --quick
+VERIFY_FLAGS_full  := --full
+VERIFY_FLAGS_long  := --long
+
+VERIFY_SOURCES := $(filter-out host/verify/main.c,$(wildcard host/verify/*.c))
+VERIFY_LIBRARY := $(BUILD)/libqtri-verify.a
+VERIFY_LIBS    := -lmpfr -lgmp -lm -pthread
+
+$(VERIFY_LIBRARY): $(call objects,$(VERIFY_SOURCES))
+	@mkdir -p $(@D) && rm -f $@
+	$(AR) rc $@ $^
+
+# Loops over 1024 values are what its time is spent in. A sanitized build comes with its own CFLAGS.
+# private: $(BUILD)/flags is a prerequisite and must not see this.
+ifeq ($(CFLAGS),-O2)
+$(BUILD)/obj/host/verify/%.o: private CFLAGS := -O3
+endif
+
+$(BUILD)/qtri-verify: $(BUILD)/obj/host/verify/main.o $(VERIFY_LIBRARY) $(LIBRARY)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(VERIFY_LIBS)
+
+$(BUILD)/tests/test_math_quick: $(BUILD)/obj/tests/test_math_quick.o $(VERIFY_LIBRARY) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka $(VERIFY_LIBS)
+
+.PHONY: verify-math
+verify-math: $(BUILD)/qtri-verify ## Table of the error of every function, all inputs; VERIFY=quick|long, FUNCTIONS="sin sqrt"
+	$(BUILD)/qtri-verify --threads $(JOBS) \
+	    $(or $(VERIFY_FLAGS_$(VERIFY)),$(error VERIFY is quick, full or long, not '$(VERIFY)')) \
+	    -o $(BUILD)/math.tsv $(FUNCTIONS)
+
+.PHONY: plot-math
+plot-math: $(BUILD)/qtri-verify ## Plots of the error of sin, atan2 and sqrt: build/plots/*.svg
+	@mkdir -p $(BUILD)/plots
+	for name in sin atan2 sqrt; do \
+	    $(BUILD)/qtri-verify --plot $$name -o $(BUILD)/plots/$$name.svg || exit 1; \
+	done
