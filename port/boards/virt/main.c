@@ -1,0 +1,8 @@
+#include "../board.h"
+
+static uint64_t memory[512 * 1024 / sizeof(uint64_t)];
+
+int main(void)
+{
+    return board_program(memory, sizeof memory);
+}
