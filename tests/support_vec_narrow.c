@@ -4,6 +4,8 @@
 #define QTRI_LONG_MULTIPLY 0
 
 #define qtri_dot              narrow_dot
+#define qtri_dot_cross        narrow_dot_cross
+#define qtri_dot_rows         narrow_dot_rows
 #define qtri_fit32            narrow_fit32
 #define qtri_unit             narrow_unit
 #define qtri_vec2_cross       narrow_vec2_cross
@@ -14,7 +16,6 @@
 #define qtri_vec_distance     narrow_vec_distance
 #define qtri_vec_normalize    narrow_vec_normalize
 #define qtri_mat4_from_linear narrow_mat4_from_linear
-#define qtri_mat4_identity    narrow_mat4_identity
 #define qtri_mat4_linear      narrow_mat4_linear
 #define qtri_mat4_mul         narrow_mat4_mul
 #define qtri_mat4_point       narrow_mat4_point

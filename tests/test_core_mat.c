@@ -162,6 +162,46 @@ static void plane_transforms(void **state)
     }
 }
 
+/*
+ * Four products at the limits of every way to add them: sums around 2^64, which are 0 in 64 bits,
+ * and around 2^47, which is where results saturate, of factors of every length.
+ */
+static void sums_at_the_limits(void **state)
+{
+    (void)state;
+    uint64_t seed = 14;
+    for (int n = 0; n < 200000; n++) {
+        q16 rows[8]; /* a row, and what it is multiplied by */
+        qtri_mat4 m = {{{0}}};
+        int bit = n % 2 == 0 ? 31 : random_in(&seed, 16, 31);
+        int other = n % 2 == 0 ? 31 : random_in(&seed, 45, 47) - bit;
+        int spread = n % 4 == 0 ? 3 : 20000;
+        for (int i = 0; i < 8; i++) {
+            int64_t size = ((int64_t)1 << (i < 4 ? bit : other)) - random_in(&seed, -3, spread);
+            int64_t x = random_in(&seed, 0, 9) == 0 ? size : -size;
+            rows[i] = (q16)(x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : x);
+        }
+        int at = random_in(&seed, 0, 3);
+        int128 sum = 0;
+        for (int i = 0; i < 4; i++) {
+            m.m[at][i] = rows[i];
+            sum += (int128)rows[i] * rows[4 + i];
+        }
+        const q16 expected = q16_of_products(sum);
+        q16 narrow[4];
+        q16 image[4];
+        qtri_vec4 a = {rows[0], rows[1], rows[2], rows[3]};
+        qtri_vec4 b = {rows[4], rows[5], rows[6], rows[7]};
+        qtri_mat4_times(image, &m, rows + 4);
+        narrow_mat4_times(narrow, &m, rows + 4);
+        for (int i = 0; i < 4; i++) {
+            assert_int_equal(image[i], i == at ? expected : 0);
+            assert_int_equal(narrow[i], i == at ? expected : 0);
+        }
+        assert_int_equal(qtri_vec4_dot(a, b), expected);
+    }
+}
+
 static void products(void **state)
 {
     (void)state;
@@ -185,9 +225,10 @@ static void products(void **state)
         qtri_vec2 point2 = qtri_mat3_point(&a3, v2);
         qtri_vec2 vector2 = qtri_mat3_vector(&a3, v2);
         const q16 column[4] = {image.x, image.y, image.z, image.w};
-        qtri_vec4 narrow = v;
-        narrow_mat4_times(&narrow, &a, &narrow);
-        assert_memory_equal(&narrow, &image, sizeof image);
+        const q16 argument[4] = {v.x, v.y, v.z, v.w};
+        q16 narrow[4];
+        narrow_mat4_times(narrow, &a, argument);
+        assert_memory_equal(narrow, column, sizeof column);
         const q16 column3[3] = {image3.x, image3.y, image3.z};
         const q16 points[3] = {point.x, point.y, point.z};
         const q16 vectors[3] = {vector.x, vector.y, vector.z};
@@ -556,11 +597,11 @@ static void reflections(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plane_transforms), cmocka_unit_test(products),
-        cmocka_unit_test(inverses),         cmocka_unit_test(large_inverses),
-        cmocka_unit_test(inverses_undo),    cmocka_unit_test(builders),
-        cmocka_unit_test(rotations),        cmocka_unit_test(euler_orders),
-        cmocka_unit_test(reflections),
+        cmocka_unit_test(plane_transforms),   cmocka_unit_test(products),
+        cmocka_unit_test(sums_at_the_limits), cmocka_unit_test(inverses),
+        cmocka_unit_test(large_inverses),     cmocka_unit_test(inverses_undo),
+        cmocka_unit_test(builders),           cmocka_unit_test(rotations),
+        cmocka_unit_test(euler_orders),       cmocka_unit_test(reflections),
     };
     return cmocka_run_group_tests_name("core mat", tests, NULL, NULL);
 }

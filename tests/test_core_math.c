@@ -6,6 +6,8 @@
 #include "math/bits.h"
 #include "math/sincos.h"
 #include "math/wide.h"
+#include "support_math_checked.h"
+#include "support_q16.h"
 
 static const long double pi = 3.141592653589793238462643383279502884L;
 
@@ -374,12 +376,30 @@ static void wide_vectors(void **state)
     assert_true(worst < ldexpl(1, -58));
 }
 
+/* The debug build stops at what saturates and at arguments without a result, at nothing else. */
+static void faults(void **state)
+{
+    (void)state;
+    for (const math_checked_case *c = math_checked_cases; c->name != NULL; c++) {
+        q16_checked_faults = 0;
+        c->sound();
+        if (q16_checked_faults != 0) {
+            fail_msg("%s stops where there is a result", c->name);
+        }
+        c->faulty();
+        if (q16_checked_faults == 0) {
+            fail_msg("%s does not stop where there is no result", c->name);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scalars),       cmocka_unit_test(clamps),   cmocka_unit_test(square_roots),
-        cmocka_unit_test(reciprocals),   cmocka_unit_test(integers), cmocka_unit_test(angles),
-        cmocka_unit_test(angles_repeat), cmocka_unit_test(wides),    cmocka_unit_test(wide_vectors),
+        cmocka_unit_test(faults),       cmocka_unit_test(scalars),       cmocka_unit_test(clamps),
+        cmocka_unit_test(square_roots), cmocka_unit_test(reciprocals),   cmocka_unit_test(integers),
+        cmocka_unit_test(angles),       cmocka_unit_test(angles_repeat), cmocka_unit_test(wides),
+        cmocka_unit_test(wide_vectors),
     };
     return cmocka_run_group_tests_name("core math", tests, NULL, NULL);
 }

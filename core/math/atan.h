@@ -15,6 +15,9 @@
  */
 uint32_t qtri_angle_q31(uint32_t y, uint32_t x, bool mirrored);
 
+/* Between the sides |x| and sqrt(1 - x^2), |x| taken as 1 at most: opposite x, or at it. */
+uint32_t qtri_side_angle_q31(q16 x, bool cosine);
+
 static inline q16 qtri_half_turns_to_degrees(uint32_t angle_q31)
 {
     /* 180 2^16 / 2^31 = 45 / 2^13 */

@@ -6,7 +6,7 @@
 qtri_attitude qtri_attitude_from_quat(qtri_quat a)
 {
     qtri_attitude attitude = {{0, 0, 0, 0}};
-    qtri_rotation_unit(attitude.q_q30, (const q16 *)&a);
+    qtri_quat_unit_q30(attitude.q_q30, a);
     return attitude;
 }
 

@@ -12,3 +12,17 @@ int32_t qtri_dot(const int32_t *a, const int32_t *b, int32_t count)
     }
     return qtri_saturate32_checked(high + (int64_t)(low >> 16));
 }
+
+void qtri_dot_rows(int32_t *out, const int32_t *rows, const int32_t *column, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        out[i] = qtri_dot(rows + i * n, column, n);
+    }
+}
+
+/* 64 bits suffice: the extremes are 2^62 + 2^62 - 2^31 and its negative. */
+int32_t qtri_dot_cross(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    int64_t sum = qtri_mul_s32(a, b) - qtri_mul_s32(c, d) + 0x8000;
+    return qtri_saturate32_checked(sum >> 16);
+}

@@ -2,11 +2,11 @@
  * Sums of products of Q16.16 numbers that round once and never overflow. Internal.
  *
  * A sum of four products needs up to 65 bits. The fast way takes what the processor has and asks
- * afterwards whether that was right; where it was not, and where the result saturates, qtri_dot()
- * does the sum again with more bits.
+ * afterwards whether that was right; where it was not, qtri_dot() does the sum again with more
+ * bits.
  *
  *     uint32_t flags = 0;
- *     qtri_right x = qtri_right_of(v.x, &flags), y = qtri_right_of(v.y, &flags);
+ *     qtri_right x = qtri_right_of(v.x, &flags), y = qtri_right_beside(v.y, &flags);
  *     qtri_sum sum = qtri_sum_start();
  *     qtri_sum_add(&sum, a.x, x, &flags);
  *     qtri_sum_add(&sum, a.y, y, &flags);
@@ -21,23 +21,22 @@
 /* Sum of a[i] b[i] for count <= 4: rounded once, to nearest, halves up, and saturated. */
 int32_t qtri_dot(const int32_t *a, const int32_t *b, int32_t count);
 
-/* a b - c d, likewise. 64 bits suffice: the extremes are 2^62 + 2^62 - 2^31 and its negative. */
-static inline int32_t qtri_dot_cross(int32_t a, int32_t b, int32_t c, int32_t d)
-{
-    int64_t sum = qtri_mul_s32(a, b) - qtri_mul_s32(c, d) + 0x8000;
-    return qtri_saturate32_checked(sum >> 16);
-}
+/* n rows of n elements times a column. */
+void qtri_dot_rows(int32_t *out, const int32_t *rows, const int32_t *column, int32_t n);
 
-/* Up to four products may be added. Bits of the flags from 16 up: do it again. */
+/* a b - c d, likewise. */
+int32_t qtri_dot_cross(int32_t a, int32_t b, int32_t c, int32_t d);
+
+/* Up to four products may be added. Bits of the flags from 12 up: do it again. */
 static inline bool qtri_sum_good(uint32_t flags)
 {
-    return flags >> 16 == 0;
+    return flags >> 12 == 0;
 }
 
-/* -x, for a right factor; wraps where x itself is flagged. */
-static inline int32_t qtri_opposite(int32_t x)
+/* Its bits from n up are 0 where -2^n <= x < 2^n. */
+static inline uint32_t qtri_sum_size(int32_t x)
 {
-    return (int32_t)(0 - (uint32_t)x);
+    return (uint32_t)x ^ (0 - ((uint32_t)x >> 31));
 }
 
 /* Holds GCC to one sum or product at a time: it would interleave them, and spill. */
@@ -49,19 +48,41 @@ static inline int32_t qtri_opposite(int32_t x)
 
 #if QTRI_LONG_MULTIPLY
 
-/* 64 bits, where no right factor reaches 2^29: |sum| <= 4 2^31 2^29 = 2^62. Wraps where flagged. */
+/*
+ * 64 bits, which wrap. Four products are 2^64 at most: a sum that wrapped to less than 2^47 would
+ * be of four that each are within 2^47 of 2^62, and of no factor below 2^30. So it is enough to
+ * know that one factor is, and that the sum fits.
+ */
 typedef int32_t qtri_right;
 typedef uint64_t qtri_sum;
 
 static inline qtri_right qtri_right_of(int32_t x, uint32_t *flags)
 {
-    *flags |= ((uint32_t)x + 0x20000000u) >> 14;
+    *flags |= qtri_sum_size(x) >> 18;
+    return x;
+}
+
+/* A right factor added beside a checked one. */
+static inline qtri_right qtri_right_beside(int32_t x, uint32_t *flags)
+{
+    *flags |= 0u; /* any will do */
+    return x;
+}
+
+/* -x, where x is a checked one. */
+static inline qtri_right qtri_right_opposite(int32_t x)
+{
+    return (int32_t)(0 - (uint32_t)x);
+}
+
+static inline int32_t qtri_right_value(qtri_right x)
+{
     return x;
 }
 
 static inline qtri_sum qtri_sum_start(void)
 {
-    return 0x8000;
+    return 0;
 }
 
 static inline void qtri_sum_add(qtri_sum *sum, int32_t a, qtri_right b, uint32_t *flags)
@@ -70,38 +91,78 @@ static inline void qtri_sum_add(qtri_sum *sum, int32_t a, qtri_right b, uint32_t
     *sum += (uint64_t)((int64_t)a * b);
 }
 
+/* The low 32 bits of sum / 2^16 to nearest. A shift leaves the last bit shifted out in the carry.
+ */
+static inline int32_t qtri_sum_low(uint32_t high, uint32_t low)
+{
+#if defined(__GNUC__) && defined(__thumb2__)
+    uint32_t result;
+    __asm__("lsrs %0, %1, #16\n\tadc %0, %0, %2, lsl #16"
+            : "=&r"(result)
+            : "r"(low), "r"(high)
+            : "cc");
+    return (int32_t)result;
+#else
+    return (int32_t)((high << 16) + (((low >> 15) + 1) >> 1));
+#endif
+}
+
+/* Flags a sum that does not fit, and one that has just carried. */
 static inline int32_t qtri_sum_q16(const qtri_sum *sum, uint32_t *flags)
 {
-    *flags |= (uint32_t)(*sum >> 32) + 0x8000u; /* the high word is a sign and 15 bits? */
-    QTRI_HOLD(*flags);
-    return (int32_t)(uint32_t)(*sum >> 16 & UINT32_MAX);
+    uint32_t high = (uint32_t)(*sum >> 32);
+    int32_t result = qtri_sum_low(high, (uint32_t)(*sum & UINT32_MAX));
+    if (high != (uint32_t)(result >> 16)) {
+        QTRI_RARELY();
+        *flags = UINT32_MAX;
+    }
+    return result;
 }
 
 #else
 
 /*
- * Half-words, h 2^15 + l with 0 <= l < 2^15, and 32-bit sums. With left factors below 2^27 and
- * right ones below 2^28, |h h| <= 2^25, |h l| < 2^27, |l h| < 2^28, l l < 2^30, and so
- * |high| <= 2^27, |middle| < 2^29 + 2^30, low + 2^15 < 2^32. Wraps where flagged.
+ * Half-words, h 2^15 + l with 0 <= l < 2^15, and 32-bit sums: of h h, of l l, and of (h + l) (h +
+ * l), which less the others is h l + l h (Karatsuba) and wraps on the way. With left factors below
+ * 2^27 and right ones up to 2^28, |h h| <= 2^25, |h l| < 2^27, |l h| < 2^28, l l < 2^30, and so
+ * |high| <= 2^27, |middle| < 2^29 + 2^30, low < 2^32. Wraps where flagged.
  */
 typedef struct qtri_right {
-    uint32_t high, low;
+    uint32_t high, low, both;
 } qtri_right;
 
 typedef struct qtri_sum {
-    uint32_t high, middle, low; /* units of 2^30, 2^15, 1 */
+    uint32_t high, low, both;
 } qtri_sum;
 
 static inline qtri_right qtri_right_of(int32_t x, uint32_t *flags)
 {
-    qtri_right right = {(uint32_t)(x >> 15), (uint32_t)x & 0x7FFFu};
-    *flags |= ((uint32_t)x + 0x10000000u) >> 13;
+    uint32_t high = (uint32_t)(x >> 15);
+    uint32_t low = (uint32_t)x & 0x7FFFu;
+    qtri_right right = {high, low, high + low};
+    *flags |= qtri_sum_size(x >> 15) >> 1;
     return right;
+}
+
+static inline qtri_right qtri_right_beside(int32_t x, uint32_t *flags)
+{
+    return qtri_right_of(x, flags);
+}
+
+static inline qtri_right qtri_right_opposite(int32_t x)
+{
+    uint32_t unchecked = 0;
+    return qtri_right_of((int32_t)(0 - (uint32_t)x), &unchecked);
+}
+
+static inline int32_t qtri_right_value(qtri_right x)
+{
+    return (int32_t)(x.high << 15 | x.low);
 }
 
 static inline qtri_sum qtri_sum_start(void)
 {
-    qtri_sum sum = {0, 0, 0x8000u};
+    qtri_sum sum = {0, 0, 0};
     return sum;
 }
 
@@ -109,20 +170,27 @@ static inline void qtri_sum_add(qtri_sum *sum, int32_t a, qtri_right b, uint32_t
 {
     uint32_t high = (uint32_t)(a >> 15);
     uint32_t low = (uint32_t)a & 0x7FFFu;
-    *flags |= ((uint32_t)a + 0x08000000u) >> 12;
+    *flags |= qtri_sum_size((int32_t)high);
+    QTRI_HOLD(*flags);
     sum->high += high * b.high;
-    sum->middle += high * b.low + low * b.high;
-    sum->low += low * b.low;
     QTRI_HOLD(sum->high);
-    QTRI_HOLD(sum->middle);
+    sum->low += low * b.low;
     QTRI_HOLD(sum->low);
+    sum->both += (high + low) * b.both;
+    QTRI_HOLD(sum->both);
 }
 
-/* (high 2^30 + middle 2^15 + low) / 2^16: high 2^14 is held to 2^29, the rest is below 2^30. */
+/* (high 2^30 + middle 2^15 + low) / 2^16, saturated. The half that rounds is 2^15. */
 static inline int32_t qtri_sum_q16(const qtri_sum *sum, uint32_t *flags)
 {
-    *flags |= sum->high + 0x8000u;
-    int32_t rest = (int32_t)(sum->middle + (sum->low >> 15));
+    int32_t rest = (int32_t)(sum->both - sum->high - sum->low + (sum->low >> 15) + 1); /* < 2^31 */
+    int32_t size = (int32_t)(sum->high + (uint32_t)(rest >> 15)); /* the sum / 2^30, rounded down */
+    if (qtri_sum_size(size) >> 17 != 0) {
+        QTRI_RARELY();
+        QTRI_MATH_CHECK(!qtri_sum_good(*flags));
+        return qtri_extreme32(size);
+    }
+    *flags |= 0u;
     return (int32_t)((sum->high << 14) + (uint32_t)(rest >> 1));
 }
 

@@ -3,12 +3,6 @@
 
 #include "dot.h"
 
-qtri_mat3 qtri_mat3_identity(void)
-{
-    qtri_mat3 m = {{{Q16_ONE, 0, 0}, {0, Q16_ONE, 0}, {0, 0, Q16_ONE}}};
-    return m;
-}
-
 qtri_mat3 qtri_mat3_translate(qtri_vec2 offset)
 {
     qtri_mat3 m = {{{Q16_ONE, 0, offset.x}, {0, Q16_ONE, offset.y}, {0, 0, Q16_ONE}}};
@@ -57,9 +51,10 @@ qtri_mat3 qtri_mat3_reflect_deg(q16 degrees)
 
 qtri_vec3 qtri_mat3_vec3(const qtri_mat3 *m, qtri_vec3 v)
 {
-    qtri_vec3 product = {qtri_dot(m->m[0], (const q16 *)&v, 3),
-                         qtri_dot(m->m[1], (const q16 *)&v, 3),
-                         qtri_dot(m->m[2], (const q16 *)&v, 3)};
+    const q16 column[3] = {v.x, v.y, v.z};
+    q16 image[3];
+    qtri_dot_rows(image, m->m[0], column, 3);
+    qtri_vec3 product = {image[0], image[1], image[2]};
     return product;
 }
 

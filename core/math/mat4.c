@@ -2,13 +2,6 @@
 
 #include "dot.h"
 
-qtri_mat4 qtri_mat4_identity(void)
-{
-    qtri_mat4 m = {
-        {{Q16_ONE, 0, 0, 0}, {0, Q16_ONE, 0, 0}, {0, 0, Q16_ONE, 0}, {0, 0, 0, Q16_ONE}}};
-    return m;
-}
-
 qtri_mat4 qtri_mat4_translate(qtri_vec3 offset)
 {
     qtri_mat4 m = qtri_mat4_identity();
@@ -58,16 +51,6 @@ qtri_mat4 qtri_mat4_from_linear(const qtri_mat3 *linear)
     return m;
 }
 
-/* What qtri_mat4_times does where its sums do not fit. */
-static void exact_times(qtri_vec4 *out, const qtri_mat4 *m, q16 x, q16 y, q16 z, q16 w)
-{
-    const q16 v[4] = {x, y, z, w};
-    out->x = qtri_dot(m->m[0], v, 4);
-    out->y = qtri_dot(m->m[1], v, 4);
-    out->z = qtri_dot(m->m[2], v, 4);
-    out->w = qtri_dot(m->m[3], v, 4);
-}
-
 static inline q16 row_product(const q16 row[4], const qtri_right v[4], uint32_t *flags)
 {
     qtri_sum sum = qtri_sum_start();
@@ -78,33 +61,38 @@ static inline q16 row_product(const q16 row[4], const qtri_right v[4], uint32_t 
     return qtri_sum_q16(&sum, flags);
 }
 
-void qtri_mat4_times(qtri_vec4 *out, const qtri_mat4 *m, const qtri_vec4 *v)
+#if QTRI_LONG_MULTIPLY
+/* v is `column`. One row's sum that does not fit is no concern of the others. */
+static inline q16 row_or_dot(const q16 row[4], const qtri_right v[4], const q16 column[4])
 {
     uint32_t flags = 0;
-    const q16 x = v->x;
-    const q16 y = v->y;
-    const q16 z = v->z;
-    const q16 w = v->w;
-    const qtri_right right[4] = {qtri_right_of(x, &flags), qtri_right_of(y, &flags),
-                                 qtri_right_of(z, &flags), qtri_right_of(w, &flags)};
-#if QTRI_LONG_MULTIPLY
-    out->x = row_product(m->m[0], right, &flags);
-    out->y = row_product(m->m[1], right, &flags);
-    out->z = row_product(m->m[2], right, &flags);
-    out->w = row_product(m->m[3], right, &flags);
-#else
-    q16 row[4];
-    for (int i = 0; i < 4; i++) {
-        row[i] = row_product(m->m[i], right, &flags);
-    }
-    out->x = row[0];
-    out->y = row[1];
-    out->z = row[2];
-    out->w = row[3];
+    q16 result = row_product(row, v, &flags);
+    return qtri_sum_good(flags) ? result : qtri_dot(row, column, 4);
+}
 #endif
-    if (!qtri_sum_good(flags)) {
-        exact_times(out, m, x, y, z, w);
+
+void qtri_mat4_times(q16 out[4], const qtri_mat4 *m, const q16 v[4])
+{
+    uint32_t flags = 0;
+    const qtri_right right[4] = {qtri_right_of(v[0], &flags), qtri_right_beside(v[1], &flags),
+                                 qtri_right_beside(v[2], &flags), qtri_right_beside(v[3], &flags)};
+#if QTRI_LONG_MULTIPLY
+    if (qtri_sum_good(flags)) {
+        out[0] = row_or_dot(m->m[0], right, v);
+        out[1] = row_or_dot(m->m[1], right, v);
+        out[2] = row_or_dot(m->m[2], right, v);
+        out[3] = row_or_dot(m->m[3], right, v);
+        return;
     }
+#else
+    for (int i = 0; i < 4; i++) {
+        out[i] = row_product(m->m[i], right, &flags);
+    }
+    if (qtri_sum_good(flags)) {
+        return;
+    }
+#endif
+    qtri_dot_rows(out, m->m[0], v, 4);
 }
 
 static qtri_vec3 transform(const qtri_mat4 *m, qtri_vec3 v, q16 w)

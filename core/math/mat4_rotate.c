@@ -4,8 +4,7 @@
 #include "dot.h"
 #include "rotation.h"
 
-/* Turns axis i towards axis j. */
-static qtri_mat4 rotate_plane(q16 degrees, int i, int j)
+qtri_mat4 qtri_rotation_plane(q16 degrees, int i, int j)
 {
     qtri_mat4 m = qtri_mat4_identity();
     q16_sincos_deg(degrees, &m.m[j][i], &m.m[i][i]);
@@ -14,25 +13,10 @@ static qtri_mat4 rotate_plane(q16 degrees, int i, int j)
     return m;
 }
 
-qtri_mat4 qtri_mat4_rotate_x_deg(q16 degrees)
-{
-    return rotate_plane(degrees, 1, 2);
-}
-
-qtri_mat4 qtri_mat4_rotate_y_deg(q16 degrees)
-{
-    return rotate_plane(degrees, 2, 0);
-}
-
-qtri_mat4 qtri_mat4_rotate_z_deg(q16 degrees)
-{
-    return rotate_plane(degrees, 0, 1);
-}
-
 qtri_mat4 qtri_mat4_rotate_axis_deg(qtri_vec3 axis, q16 degrees)
 {
     int32_t q_q30[4];
-    qtri_rotation_axis(q_q30, (const q16 *)&axis, degrees);
+    qtri_rotation_axis(q_q30, axis, degrees);
     qtri_mat3 linear = qtri_rotation_mat3(q_q30);
     return qtri_mat4_from_linear(&linear);
 }
@@ -41,10 +25,11 @@ qtri_mat4 qtri_mat4_rotate_axis_deg(qtri_vec3 axis, q16 degrees)
 qtri_mat4 qtri_mat4_rotate_about_deg(qtri_vec3 axis, q16 degrees, qtri_vec3 point)
 {
     qtri_mat4 m = qtri_mat4_rotate_axis_deg(axis, degrees);
+    const q16 p[3] = {point.x, point.y, point.z};
     for (int i = 0; i < 3; i++) {
         q16 row[3] = {-m.m[i][0], -m.m[i][1], -m.m[i][2]};
         row[i] += Q16_ONE;
-        m.m[i][3] = qtri_dot(row, (const q16 *)&point, 3);
+        m.m[i][3] = qtri_dot(row, p, 3);
     }
     return m;
 }

@@ -37,8 +37,8 @@ static void big_set(big *x, int64_t value)
     }
 }
 
-/* x 2^-e. What is cut off leaves its mark in the last bit, for roundings to see. */
-static qtri_wide big_wide(const big *x, int32_t e)
+/* out = x 2^-e. What is cut off leaves its mark in the last bit, for roundings to see. */
+static void big_wide(qtri_wide *out, const big *x, int32_t e)
 {
     big size = {{0}};
     bool negative = (x->word[BIG_WORDS - 1] >> 31) != 0;
@@ -52,14 +52,11 @@ static qtri_wide big_wide(const big *x, int32_t e)
         word[0] = 0;
         e += 32;
     }
-    if (word[4] == 0) {
-        return qtri_wide_make(0, 0);
-    }
-    int32_t shift = qtri_clz32(word[4]);
+    int32_t shift = qtri_clz32(word[4]) & 31; /* if the word is 0, all are */
     uint64_t m = ((uint64_t)word[4] << 32 | word[3]) << shift | word[2] >> 1 >> (31 - shift);
     uint32_t lost = ((uint32_t)m & 3u) | word[2] << shift | word[1] | word[0];
     int64_t mantissa = (int64_t)(m >> 2 | (lost != 0));
-    return qtri_wide_make(negative ? -mantissa : mantissa, e + shift - 2 - 96);
+    qtri_wide_set(out, negative ? -mantissa : mantissa, e + shift - 2 - 96);
 }
 
 /*
@@ -89,31 +86,33 @@ static void cofactor(big *out, const q16 *m, int n, int i, int j)
 }
 
 /* Scaled as the integers are: 2^-16n. */
-static qtri_wide determinant(const q16 *m, int n)
+static void determinant(qtri_wide *out, const q16 *m, int n)
 {
-    big sum = {{0}};
+    big sum;
+    big_set(&sum, 0);
     for (int j = 0; j < n; j++) {
         big minor;
         cofactor(&minor, m, n, 0, j);
         big_add_product(&sum, &minor, m[j], false);
     }
-    return big_wide(&sum, 16 * n);
+    big_wide(out, &sum, 16 * n);
 }
 
 static bool invert(q16 *out, const q16 *m, int n)
 {
     q16 inverse[16] = {0};
-    qtri_wide scale = determinant(m, n);
+    qtri_wide scale;
+    determinant(&scale, m, n);
     bool regular = scale.m != 0;
-    if (regular) {
-        scale = qtri_wide_div(qtri_wide_make(1, 0), scale);
-    }
+    qtri_wide_invert(&scale, -1);
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) {
             big minor;
+            qtri_wide element;
             cofactor(&minor, m, n, i, j);
-            qtri_wide element = qtri_wide_mul(big_wide(&minor, 16 * (n - 1)), scale);
-            inverse[j * n + i] = regular ? qtri_wide_to_q16(element) : (i == j ? Q16_ONE : 0);
+            big_wide(&element, &minor, 16 * (n - 1));
+            inverse[j * n + i] =
+                regular ? qtri_wide_less(0, &element, &scale) : (i == j ? Q16_ONE : 0);
         }
     }
     for (int i = 0; i < n * n; i++) {
@@ -122,14 +121,21 @@ static bool invert(q16 *out, const q16 *m, int n)
     return regular;
 }
 
+static q16 determinant_q16(const q16 *m, int n)
+{
+    qtri_wide value;
+    determinant(&value, m, n);
+    return qtri_wide_to_q16(value);
+}
+
 q16 qtri_mat3_determinant(const qtri_mat3 *m)
 {
-    return qtri_wide_to_q16(determinant(m->m[0], 3));
+    return determinant_q16(m->m[0], 3);
 }
 
 q16 qtri_mat4_determinant(const qtri_mat4 *m)
 {
-    return qtri_wide_to_q16(determinant(m->m[0], 4));
+    return determinant_q16(m->m[0], 4);
 }
 
 bool qtri_mat3_inverse(qtri_mat3 *out, const qtri_mat3 *m)

@@ -103,16 +103,6 @@ q16 q16_div(q16 a, q16 b)
     return divided(a, b, false);
 }
 
-q16 q16_from_ratio(int32_t numerator, int32_t denominator)
-{
-    return q16_div(numerator, denominator);
-}
-
-q16 q16_recip(q16 x)
-{
-    return x == 0 ? q16_div(1, 0) : q16_div(Q16_ONE, x);
-}
-
 q16 q16_mod(q16 a, q16 b)
 {
     if (b == 0) {

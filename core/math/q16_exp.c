@@ -30,6 +30,7 @@ static q16 scaled(uint32_t p_q32, int32_t exponent)
     }
     uint32_t twice = (0x80000000u | (p_q32 >> 1)) >> (14 - exponent); /* floor(2 result) */
     uint32_t result = (twice >> 1) + (twice & 1);
+    QTRI_MATH_CHECK(result <= (uint32_t)Q16_MAX);
     return result > (uint32_t)Q16_MAX ? Q16_MAX : (q16)result;
 }
 

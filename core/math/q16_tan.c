@@ -32,7 +32,7 @@ static q16 tangent(q16 x, uint32_t factor_high, uint32_t factor_low)
         return 0;
     }
     uint32_t radians_q31 = qtri_mul_high32((uint32_t)(distance_q48 >> 15), PI_Q30);
-    uint32_t square_q31 = (uint32_t)((qtri_mul_u32(radians_q31, radians_q31) + 0x40000000u) >> 31);
+    uint32_t square_q31 = qtri_mul_q31(radians_q31, radians_q31);
     uint32_t cosine_q31 = qtri_cosine_q31(square_q31);
     /* The sine is m 2^-(14 + zeros), and m normalised. */
     uint32_t m = qtri_mul_high32((uint32_t)((distance_q48 << zeros) >> 32), PI_Q30);

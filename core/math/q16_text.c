@@ -9,7 +9,7 @@
 enum { FRACTION_DIGITS = 17 };
 
 /* F / 10^17 in units of 2^-16, halves up, is (F + 5^17) / (2 5^17), rounded down. */
-#define FIVE_17 762939453125u
+#define FIVE_17 ((uint64_t)762939453125u)
 
 static int digit_of(char c)
 {
@@ -45,10 +45,11 @@ int32_t q16_from_string(const char *text, q16 *out)
     }
     uint32_t units = 0; /* 0..2^16 */
     fraction += FIVE_17;
-    for (int bit = 16; bit >= 0; bit--) { /* 2 5^17 2^16 < 2^57 */
-        if (fraction >= (uint64_t)FIVE_17 << (bit + 1)) {
-            fraction -= (uint64_t)FIVE_17 << (bit + 1);
-            units += (uint32_t)1 << bit;
+    for (uint64_t step = FIVE_17 << 17; step != FIVE_17; step >>= 1) { /* < 2^57 */
+        units <<= 1;
+        if (fraction >= step) {
+            fraction -= step;
+            units++;
         }
     }
     uint32_t size = (whole << 16) + units; /* < 2^32 */

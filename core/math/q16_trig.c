@@ -1,7 +1,7 @@
 #include "qtri/q16_trig.h"
 
 #include "bits.h"
-#include "coefficients.h"
+#include "eighths.h"
 #include "multiply.h"
 
 #define EIGHTH_TURN 0x20000000u
@@ -29,29 +29,6 @@ static inline uint32_t turns_of_degrees(q16 degrees)
     return size * 182u + (qtri_mul_high31(size, 1527099483u) >> 3) + 1;
 }
 
-/*
- * w in Q31 is the distance from a right angle in eighths of a turn, up to 1. Both results exceed
- * the polynomial's error by .002 ULP: most of it the last place of 16-bit coefficients.
- */
-static uint32_t sine_of_eighths_q30(uint32_t w)
-{
-    uint32_t v_q30 = qtri_mul_high31(w, w);
-    uint32_t v_q16 = v_q30 >> 14;
-    uint32_t sum = QTRI_SINE_2_Q24 - ((QTRI_SINE_3_Q30 * v_q16) >> 22); /* < 2^16 */
-    sum = QTRI_SINE_1_Q33 - ((sum * v_q16) >> 7);
-    sum = QTRI_SINE_0_Q31 - qtri_mul_high31(v_q30, sum);
-    return qtri_mul_high31(w, sum);
-}
-
-static uint32_t cosine_of_eighths_q30(uint32_t w)
-{
-    uint32_t v_q30 = qtri_mul_high31(w, w);
-    uint32_t v_q16 = v_q30 >> 14;
-    uint32_t sum = QTRI_COSINE_2_Q36 - ((QTRI_COSINE_3_Q27 * v_q16) >> 7);
-    sum = QTRI_COSINE_1_Q32 - (qtri_mul_high31(v_q30, sum) >> 2);
-    return QTRI_COSINE_0_Q30 - qtri_mul_high31(v_q30, sum);
-}
-
 static inline q16 rounded_q30(uint32_t size_q30, uint32_t negative)
 {
     q16 result = (q16)((size_q30 + 0x2000u) >> 14);
@@ -73,9 +50,9 @@ static q16 sine_of_turns(uint32_t turn, uint32_t negative)
     uint32_t w_q31 = eighths_q31(shifted, &before);
     negative ^= shifted >> 31;
     if (shifted & 0x40000000u) {
-        return rounded_q30(cosine_of_eighths_q30(w_q31), negative);
+        return rounded_q30(qtri_cosine_of_eighths_q30(w_q31), negative);
     }
-    return rounded_q30(sine_of_eighths_q30(w_q31), negative ^ before);
+    return rounded_q30(qtri_sine_of_eighths_q30(w_q31), negative ^ before);
 }
 
 static void sincos_of_turns(uint32_t turn, uint32_t negative, q16 *sine, q16 *cosine)
@@ -85,8 +62,8 @@ static void sincos_of_turns(uint32_t turn, uint32_t negative, q16 *sine, q16 *co
     uint32_t w_q31 = eighths_q31(shifted, &before);
     uint32_t quarter = shifted >> 30;
     uint32_t half = quarter >> 1;
-    q16 s = rounded_q30(sine_of_eighths_q30(w_q31), before);
-    q16 c = rounded_q30(cosine_of_eighths_q30(w_q31), 0);
+    q16 s = rounded_q30(qtri_sine_of_eighths_q30(w_q31), before);
+    q16 c = rounded_q30(qtri_cosine_of_eighths_q30(w_q31), 0);
     if (quarter & 1) {
         q16 swap = s;
         s = c;

@@ -1,16 +1,20 @@
 #include "qtri/quat.h"
 
-#include "dot.h"
 #include "quat_q30.h"
 #include "unit.h"
-
-/* Functions for arrays read a struct by the address of its first component. */
-typedef char qtri_quat_is_packed[sizeof(qtri_quat) == 4 * sizeof(q16) ? 1 : -1];
 
 qtri_quat qtri_quat_identity(void)
 {
     qtri_quat identity = {Q16_ONE, 0, 0, 0};
     return identity;
+}
+
+void qtri_quat_unit_q30(int32_t out_q30[4], qtri_quat a)
+{
+    const q16 q[4] = {a.w, a.x, a.y, a.z};
+    if (!qtri_unit(out_q30, q, 4, 30)) {
+        out_q30[0] = (int32_t)1 << 30;
+    }
 }
 
 qtri_quat qtri_quat_from_q30(const int32_t q_q30[4])
@@ -28,12 +32,14 @@ qtri_quat qtri_quat_conjugate(qtri_quat a)
 
 q16 qtri_quat_dot(qtri_quat a, qtri_quat b)
 {
-    return qtri_dot((const q16 *)&a, (const q16 *)&b, 4);
+    qtri_vec4 u = {a.w, a.x, a.y, a.z};
+    qtri_vec4 v = {b.w, b.x, b.y, b.z};
+    return qtri_vec4_dot(u, v);
 }
 
 qtri_quat qtri_quat_normalize(qtri_quat a)
 {
     int32_t q_q30[4];
-    qtri_rotation_unit(q_q30, (const q16 *)&a);
+    qtri_quat_unit_q30(q_q30, a);
     return qtri_quat_from_q30(q_q30);
 }

@@ -22,7 +22,7 @@ static inline uint32_t quotient_by_root(uint32_t n, uint32_t s, uint32_t y_q15)
 }
 
 /*
- * floor(sqrt(x)) for x > 0; *rest is x less its square.
+ * The remainder is x less the root's square.
  *
  * x is normalised by an even number of zeros; m is its upper half, r its root. The seed, and so
  * v y 2^16, is r less e with |e| < 9; m - s^2 = e (2 r - e), times y / 2^17, adds e to within .005,
@@ -32,8 +32,12 @@ static inline uint32_t quotient_by_root(uint32_t n, uint32_t s, uint32_t y_q15)
  * root. s 2^16 + q is not less than it by the definition of q, and more by 1 at most as q^2 < 2^32
  * (Zimmermann, Karatsuba Square Root, 1999). Without the zeros' half the same holds.
  */
-static inline uint32_t root_of(uint64_t x, int64_t *rest)
+uint32_t qtri_sqrt64_floor(uint64_t x, uint64_t *remainder)
 {
+    if (x == 0) {
+        *remainder = 0;
+        return 0;
+    }
     int32_t zeros = qtri_clz64(x) & ~1;
     uint64_t normal = x << zeros;
     uint32_t m = (uint32_t)(normal >> 32);
@@ -50,25 +54,18 @@ static inline uint32_t root_of(uint64_t x, int64_t *rest)
     uint32_t low = quotient_by_root(half, s, y_q15);
     uint32_t root = ((s << 16) + (low < 0xFFFFu ? low : 0xFFFFu)) >> (zeros >> 1);
 
-    *rest = qtri_wrap64(x - qtri_mul_u32(root, root));
-    if (*rest < 0) {
+    uint64_t rest = x - qtri_mul_u32(root, root); /* modulo 2^64 */
+    if (rest >> 63 != 0) {
         root--;
-        *rest += 2 * (int64_t)root + 1;
+        rest += 2 * (uint64_t)root + 1;
     }
-    return root;
-}
-
-uint32_t qtri_sqrt64_floor(uint64_t x, uint64_t *remainder)
-{
-    int64_t rest = 0;
-    uint32_t root = x == 0 ? 0 : root_of(x, &rest);
-    *remainder = (uint64_t)rest;
+    *remainder = rest;
     return root;
 }
 
 uint64_t qtri_sqrt64_round(uint64_t x)
 {
-    int64_t rest = 0;
-    uint32_t root = x == 0 ? 0 : root_of(x, &rest);
+    uint64_t rest;
+    uint32_t root = qtri_sqrt64_floor(x, &rest);
     return (uint64_t)root + (rest > root); /* x > (root + 1/2)^2 = root^2 + root + 1/4 */
 }

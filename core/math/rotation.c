@@ -19,11 +19,12 @@ void qtri_sincos_deg_q32(int64_t degrees_q32, int32_t *sine_q30, int32_t *cosine
     *cosine_q30 = c - (int32_t)((qtri_mul_s32(s, d_q52) + ((int64_t)1 << 51)) >> 52);
 }
 
-void qtri_rotation_axis(int32_t out_q30[4], const q16 *axis, q16 degrees)
+void qtri_rotation_axis(int32_t out_q30[4], qtri_vec3 axis, q16 degrees)
 {
+    const q16 direction[3] = {axis.x, axis.y, axis.z};
     int32_t sine;
     out_q30[0] = ONE_Q30;
-    if (!qtri_unit(out_q30 + 1, axis, 3, 30)) {
+    if (!qtri_unit(out_q30 + 1, direction, 3, 30)) {
         return;
     }
     qtri_sincos_deg_q32((int64_t)degrees * 32768, &sine, &out_q30[0]);
@@ -67,13 +68,6 @@ void qtri_rotation_mul(int32_t out_q30[4], const int32_t a_q30[4], const int32_t
     }
     for (int i = 0; i < 4; i++) {
         out_q30[i] = product[i];
-    }
-}
-
-void qtri_rotation_unit(int32_t out_q30[4], const q16 *q)
-{
-    if (!qtri_unit(out_q30, q, 4, 30)) {
-        out_q30[0] = ONE_Q30;
     }
 }
 

@@ -10,17 +10,17 @@
 void qtri_sincos_deg_q32(int64_t degrees_q32, int32_t *sine_q30, int32_t *cosine_q30);
 
 /* About an axis of any length; a zero axis gives the identity. */
-void qtri_rotation_axis(int32_t out_q30[4], const q16 *axis, q16 degrees);
+void qtri_rotation_axis(int32_t out_q30[4], qtri_vec3 axis, q16 degrees);
 void qtri_rotation_euler(int32_t out_q30[4], qtri_vec3 degrees, qtri_euler order);
 
 /* out = a b; out may be a or b. */
 void qtri_rotation_mul(int32_t out_q30[4], const int32_t a_q30[4], const int32_t b_q30[4]);
 
-/* The unit quaternion along q, the identity for zero. */
-void qtri_rotation_unit(int32_t out_q30[4], const q16 *q);
-
 /* For a unit quaternion. */
 void qtri_rotation_matrix(int32_t out_q30[3][3], const int32_t q_q30[4]);
 qtri_mat3 qtri_rotation_mat3(const int32_t q_q30[4]);
+
+/* Turns axis i towards axis j. */
+qtri_mat4 qtri_rotation_plane(q16 degrees, int i, int j);
 
 #endif

@@ -4,11 +4,9 @@
 #include "quat_q30.h"
 #include "unit.h"
 
-/* Unit quaternions u along a and v along b or -b, whichever is nearer. Returns u . v in Q60. */
-static int64_t shortest_arc(int32_t u_q30[4], int32_t v_q30[4], const q16 *a, const q16 *b)
+/* v or -v, whichever is nearer to u. Returns u . v in Q60. */
+static int64_t shortest_arc(const int32_t u_q30[4], int32_t v_q30[4])
 {
-    qtri_rotation_unit(u_q30, a);
-    qtri_rotation_unit(v_q30, b);
     int64_t cosine_q60 = 0;
     for (int i = 0; i < 4; i++) {
         cosine_q60 += qtri_mul_s32(u_q30[i], v_q30[i]);
@@ -26,7 +24,9 @@ qtri_quat qtri_quat_nlerp(qtri_quat a, qtri_quat b, q16 t)
 {
     int32_t u_q30[4];
     int32_t v_q30[4];
-    (void)shortest_arc(u_q30, v_q30, (const q16 *)&a, (const q16 *)&b);
+    qtri_quat_unit_q30(u_q30, a);
+    qtri_quat_unit_q30(v_q30, b);
+    (void)shortest_arc(u_q30, v_q30);
     t = q16_clamp(t, 0, Q16_ONE);
     for (int i = 0; i < 4; i++) { /* at least 1 / sqrt 2 long */
         int64_t sum_q46 = qtri_mul_s32(u_q30[i], Q16_ONE - t) + qtri_mul_s32(v_q30[i], t);
@@ -45,9 +45,9 @@ qtri_quat qtri_quat_slerp(qtri_quat a, qtri_quat b, q16 t)
 {
     int32_t u_q30[4];
     int32_t v_q30[4];
-    int32_t cosine_q30 =
-        (int32_t)((shortest_arc(u_q30, v_q30, (const q16 *)&a, (const q16 *)&b) + 0x20000000) >>
-                  30);
+    qtri_quat_unit_q30(u_q30, a);
+    qtri_quat_unit_q30(v_q30, b);
+    int32_t cosine_q30 = (int32_t)((shortest_arc(u_q30, v_q30) + 0x20000000) >> 30);
     int64_t square_q60 = 0;
     for (int i = 0; i < 4; i++) {
         v_q30[i] -= qtri_mul_q30(u_q30[i], cosine_q30);

@@ -5,21 +5,22 @@ static const uint8_t root_q7[24] = {248, 235, 223, 214, 205, 197, 190, 184, 178,
                                     160, 156, 153, 149, 146, 143, 141, 138, 136, 133, 131, 129};
 
 /*
- * 2^62 / sqrt(x 2^32), that is 1 / sqrt of x in Q32 as Q30, for x in [2^30, 2^32).
+ * 2^63 / sqrt(x 2^32), that is 1 / sqrt of x in Q32 as Q31, an even number, for x in [2^30, 2^32).
  * Newton: y <- y (3 - x y^2) / 2 turns a relative error e into -3/2 e^2. The table is within
- * 2^-4.9, so the steps leave 2^-9.2, 2^-17.8 and nothing but what the last one truncates, 2^-29.
+ * 2^-4.9, so the steps leave 2^-9.2, 2^-17.8 and nothing but what the last one truncates, 2^-29,
+ * which also keeps y below 2. Factors are doubled, for the high word of their product to be y.
  */
-static uint32_t reciprocal_root_q30(uint32_t x)
+static uint32_t reciprocal_root_q31(uint32_t x)
 {
     uint32_t guess_q7 = root_q7[(x >> 27) - 8];
     uint32_t near_one_q30 = (x >> 16) * (guess_q7 * guess_q7); /* < 2^16 1.14 2^14 */
     uint32_t y_q30 = guess_q7 * ((0xC0000000u - near_one_q30) >> 8);
     for (int step = 0; step < 2; step++) {
-        uint32_t square_q29 = (uint32_t)(qtri_mul_u32(y_q30, y_q30) >> 31);
-        uint32_t factor_q29 = 0x60000000u - qtri_mul_high32(x, square_q29);
-        y_q30 = (uint32_t)(qtri_mul_u32(y_q30, factor_q29) >> 30);
+        uint32_t square_q29 = qtri_mul_high32(y_q30 << 1, y_q30);
+        uint32_t factor_q30 = (0x60000000u - qtri_mul_high32(x, square_q29)) << 1;
+        y_q30 = qtri_mul_high32(y_q30 << 1, factor_q30);
     }
-    return y_q30;
+    return y_q30 << 1;
 }
 
 bool qtri_unit(int32_t *out, const int32_t *v, int32_t count, int32_t fraction_bits)
@@ -48,13 +49,13 @@ bool qtri_unit(int32_t *out, const int32_t *v, int32_t count, int32_t fraction_b
         high = high << 2 | (uint32_t)(square & UINT32_MAX) >> 30;
         shift--;
     }
-    uint32_t root_q30 = reciprocal_root_q30(high);
+    uint32_t root_q31 = reciprocal_root_q31(high);
     /* Half of what the shift drops (of two bits and more), and of what goes before: an axis is
      * exact. */
-    uint64_t half = (uint64_t)((uint32_t)1 << shift >> 2) << 32 | 0x40000000u;
-    for (int32_t i = 0; i < count; i++) {
-        uint64_t product = qtri_mul_u32(size[i], root_q30) + half; /* < 2^62 + 2^46 */
-        int32_t unit = (int32_t)((uint32_t)(product >> 31) >> shift);
+    uint64_t half = (uint64_t)((uint32_t)1 << shift >> 2) << 33 | 0x80000000u;
+    for (int32_t i = 0; i < count; i++) { /* product + half < 2^63 + 2^47 */
+        int32_t unit =
+            (int32_t)((uint32_t)((qtri_mul_u32(size[i], root_q31) + half) >> 32) >> shift);
         out[i] = v[i] < 0 ? -unit : unit;
     }
     return true;

@@ -5,12 +5,11 @@
 #include "dot.h"
 #include "unit.h"
 
-/* Functions for arrays read a struct by the address of its first component. */
-typedef char qtri_vec_is_packed[sizeof(qtri_vec4) == 4 * sizeof(q16) ? 1 : -1];
-
 q16 qtri_vec2_dot(qtri_vec2 a, qtri_vec2 b)
 {
-    return qtri_dot((const q16 *)&a, (const q16 *)&b, 2);
+    const q16 u[2] = {a.x, a.y};
+    const q16 v[2] = {b.x, b.y};
+    return qtri_dot(u, v, 2);
 }
 
 q16 qtri_vec3_dot(qtri_vec3 a, qtri_vec3 b)
@@ -18,15 +17,22 @@ q16 qtri_vec3_dot(qtri_vec3 a, qtri_vec3 b)
     uint32_t flags = 0;
     qtri_sum sum = qtri_sum_start();
     qtri_sum_add(&sum, a.x, qtri_right_of(b.x, &flags), &flags);
-    qtri_sum_add(&sum, a.y, qtri_right_of(b.y, &flags), &flags);
-    qtri_sum_add(&sum, a.z, qtri_right_of(b.z, &flags), &flags);
+    qtri_sum_add(&sum, a.y, qtri_right_beside(b.y, &flags), &flags);
+    qtri_sum_add(&sum, a.z, qtri_right_beside(b.z, &flags), &flags);
     q16 result = qtri_sum_q16(&sum, &flags);
-    return qtri_sum_good(flags) ? result : qtri_dot((const q16 *)&a, (const q16 *)&b, 3);
+    if (qtri_sum_good(flags)) {
+        return result;
+    }
+    qtri_vec4 u = {a.x, a.y, a.z, 0};
+    qtri_vec4 v = {b.x, b.y, b.z, 0};
+    return qtri_vec4_dot(u, v);
 }
 
 q16 qtri_vec4_dot(qtri_vec4 a, qtri_vec4 b)
 {
-    return qtri_dot((const q16 *)&a, (const q16 *)&b, 4);
+    const q16 u[4] = {a.x, a.y, a.z, a.w};
+    const q16 v[4] = {b.x, b.y, b.z, b.w};
+    return qtri_dot(u, v, 4);
 }
 
 q16 qtri_vec2_cross(qtri_vec2 a, qtri_vec2 b)

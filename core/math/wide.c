@@ -2,69 +2,64 @@
 
 #include "bits.h"
 
-qtri_wide qtri_wide_make(int64_t m, int32_t e)
+void qtri_wide_set(qtri_wide *x, int64_t m, int32_t e)
 {
-    qtri_wide result = {0, 0};
+    x->m = 0;
+    x->e = 0;
     if (m == 0 || e > ((int32_t)1 << 30) || e < -((int32_t)1 << 30)) {
-        return result; /* no caller comes near these exponents */
+        return; /* no caller comes near these exponents */
     }
     uint64_t size = qtri_magnitude64(m);
     int32_t shift = qtri_clz64(size) - 2;
     size = shift >= 0 ? size << shift : size >> -shift;
     e += shift;
     if (e > QTRI_WIDE_EXPONENT_MAX) {
-        return result;
+        return;
     }
     if (e < -QTRI_WIDE_EXPONENT_MAX) {
         e = -QTRI_WIDE_EXPONENT_MAX;
         size = ((uint64_t)1 << 62) - 1;
     }
-    result.m = m < 0 ? -(int64_t)size : (int64_t)size;
-    result.e = e;
-    return result;
+    x->m = m < 0 ? -(int64_t)size : (int64_t)size;
+    x->e = e;
 }
 
-qtri_wide qtri_wide_neg(qtri_wide a)
+void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b)
 {
-    a.m = -a.m;
-    return a;
-}
-
-qtri_wide qtri_wide_add(qtri_wide a, qtri_wide b)
-{
-    if (a.m == 0) {
-        return b;
+    if (b->m == 0) {
+        return;
     }
-    if (b.m == 0) {
-        return a;
+    if (a->m == 0) {
+        *a = *b;
+        return;
     }
-    if (a.e > b.e) {
-        qtri_wide swap = a;
-        a = b;
-        b = swap;
-    }
-    int32_t shift = b.e - a.e;
-    return qtri_wide_make(a.m + (shift > 62 ? 0 : b.m >> shift), a.e); /* |sum| < 2^63 */
+    const qtri_wide *large = a->e > b->e ? b : a;
+    const qtri_wide *small = a->e > b->e ? a : b;
+    int32_t shift = small->e - large->e;
+    int64_t sum = large->m + (shift > 62 ? 0 : small->m >> shift); /* |sum| < 2^63 */
+    qtri_wide_set(a, sum, large->e);
 }
 
-qtri_wide qtri_wide_sub(qtri_wide a, qtri_wide b)
+/* A magnitude, negative where the signs of a and b differ. */
+static int64_t with_sign(uint64_t size, const qtri_wide *a, const qtri_wide *b)
 {
-    return qtri_wide_add(a, qtri_wide_neg(b));
+    return (a->m < 0) == (b->m < 0) ? (int64_t)size : -(int64_t)size;
 }
 
-qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b)
+void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b)
 {
-    uint64_t size = qtri_mul_high64(qtri_magnitude64(a.m) << 1, qtri_magnitude64(b.m) << 1);
-    return qtri_wide_make((a.m < 0) == (b.m < 0) ? (int64_t)size : -(int64_t)size, a.e + b.e - 62);
+    uint64_t size = qtri_mul_high64(qtri_magnitude64(a->m) << 1, qtri_magnitude64(b->m) << 1);
+    qtri_wide_set(a, with_sign(size, a, b), a->e + b->e - 62);
 }
 
-qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b)
+void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b)
 {
-    if (b.m == 0) {
-        return qtri_wide_make(a.m, -2 * QTRI_WIDE_EXPONENT_MAX);
+    if (b->m == 0) {
+        qtri_wide_set(a, a->m, -2 * QTRI_WIDE_EXPONENT_MAX);
+        return;
     }
-    uint64_t rest = qtri_magnitude64(a.m);
-    uint64_t divisor = qtri_magnitude64(b.m);
+    uint64_t rest = qtri_magnitude64(a->m);
+    uint64_t divisor = qtri_magnitude64(b->m);
     uint64_t quotient = 0;
     for (int bit = 0; bit < 62; bit++) { /* rest < 2 divisor at the head of every step */
         quotient <<= 1;
@@ -74,27 +69,28 @@ qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b)
         }
         rest <<= 1;
     }
-    int64_t m = (a.m < 0) == (b.m < 0) ? (int64_t)quotient : -(int64_t)quotient;
-    return qtri_wide_make(m, a.e - b.e + 61);
+    qtri_wide_set(a, with_sign(quotient, a, b), a->e - b->e + 61);
 }
 
 qtri_wide qtri_wide_sqrt(qtri_wide a)
 {
+    qtri_wide root = {0, 0};
     if (a.m <= 0) {
-        return qtri_wide_make(0, 0);
+        return root;
     }
     int32_t odd = a.e & 1;
     uint64_t remainder = 0;
-    uint32_t root = qtri_sqrt64_floor((uint64_t)a.m << odd, &remainder); /* 31 bits */
-    qtri_wide estimate = qtri_wide_make(root, (a.e + odd) / 2);
-    /* Heron's step doubles the good bits: (r + a / r) / 2. */
-    qtri_wide result = qtri_wide_add(estimate, qtri_wide_div(a, estimate));
-    return qtri_wide_make(result.m, result.e + 1);
+    /* 31 bits. Heron's step doubles the good ones: (r + a / r) / 2. */
+    qtri_wide_set(&root, qtri_sqrt64_floor((uint64_t)a.m << odd, &remainder), (a.e + odd) / 2);
+    qtri_wide_div_by(&a, &root);
+    qtri_wide_add_to(&root, &a);
+    qtri_wide_set(&root, root.m, root.e + 1);
+    return root;
 }
 
 int qtri_wide_normalize(qtri_wide v[3])
 {
-    qtri_wide square = {0, 0};
+    qtri_wide length = {0, 0};
     int32_t least = QTRI_WIDE_EXPONENT_MAX + 1;
     for (int i = 0; i < 3; i++) {
         if (v[i].m != 0 && v[i].e < least) {
@@ -104,14 +100,15 @@ int qtri_wide_normalize(qtri_wide v[3])
     if (least > QTRI_WIDE_EXPONENT_MAX) {
         return 0;
     }
-    qtri_wide unit[3];
     for (int i = 0; i < 3; i++) { /* bring the largest near 1, so that squares stay in range */
-        unit[i] = qtri_wide_make(v[i].m, v[i].e - least + 62);
-        square = qtri_wide_add(square, qtri_wide_mul(unit[i], unit[i]));
+        qtri_wide_set(&v[i], v[i].m, v[i].e - least + 62);
+        qtri_wide square = v[i];
+        qtri_wide_mul_by(&square, &square);
+        qtri_wide_add_to(&length, &square);
     }
-    qtri_wide length = qtri_wide_sqrt(square);
+    length = qtri_wide_sqrt(length);
     for (int i = 0; i < 3; i++) {
-        v[i] = qtri_wide_div(unit[i], length);
+        qtri_wide_div_by(&v[i], &length);
     }
     return 1;
 }
@@ -121,6 +118,12 @@ void qtri_wide_cross(qtri_wide out[3], const qtri_wide a[3], const qtri_wide b[3
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3;
         int k = (i + 2) % 3;
-        out[i] = qtri_wide_sub(qtri_wide_mul(a[j], b[k]), qtri_wide_mul(a[k], b[j]));
+        qtri_wide first = a[j];
+        qtri_wide second = a[k];
+        qtri_wide_mul_by(&first, &b[k]);
+        qtri_wide_mul_by(&second, &b[j]);
+        second.m = -second.m;
+        qtri_wide_add_to(&first, &second);
+        out[i] = first;
     }
 }

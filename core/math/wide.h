@@ -18,21 +18,26 @@ typedef struct qtri_wide {
     int32_t e;
 } qtri_wide;
 
-/* m 2^-e for any m and e. */
+/* x = m 2^-e for any m and e. */
+void qtri_wide_set(qtri_wide *x, int64_t m, int32_t e);
+
+/* a += b, a *= b, a /= b; b may be a. Division by 0 as below. */
+void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b);
+void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b);
+void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b);
+
+/* The same with values. b = 0 gives the largest magnitude with the sign of a, or 0 for 0 / 0. */
 qtri_wide qtri_wide_make(int64_t m, int32_t e);
+qtri_wide qtri_wide_neg(qtri_wide a);
+qtri_wide qtri_wide_add(qtri_wide a, qtri_wide b);
+qtri_wide qtri_wide_sub(qtri_wide a, qtri_wide b);
+qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b);
+qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b);
 
 static inline qtri_wide qtri_wide_q16(int32_t x)
 {
     return qtri_wide_make(x, 16);
 }
-
-qtri_wide qtri_wide_neg(qtri_wide a);
-qtri_wide qtri_wide_add(qtri_wide a, qtri_wide b);
-qtri_wide qtri_wide_sub(qtri_wide a, qtri_wide b);
-qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b);
-
-/* b = 0 gives the largest magnitude with the sign of a, or 0 for 0 / 0. */
-qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b);
 
 /* a < 0 gives 0. */
 qtri_wide qtri_wide_sqrt(qtri_wide a);

@@ -12,15 +12,35 @@ int32_t qtri_wide_to_q16(qtri_wide a)
     return qtri_saturate32_checked(qtri_shift_round(a.m, shift));
 }
 
+int32_t qtri_wide_less(int64_t m, const qtri_wide *a, const qtri_wide *b)
+{
+    qtri_wide product = *a;
+    qtri_wide difference;
+    qtri_wide_mul_by(&product, b);
+    product.m = -product.m;
+    qtri_wide_set(&difference, m, 16);
+    qtri_wide_add_to(&difference, &product);
+    return qtri_wide_to_q16(difference);
+}
+
 /*
  * Sums up to 2^62 are exact. Beyond that, two bits at most are lost from one that may cancel
  * later, 2^-30 in real numbers; a factor is then 2^14 and more.
  */
-qtri_wide qtri_wide_dot(const int32_t *a, const int32_t *b, int32_t count)
+void qtri_wide_dot(qtri_wide *sum, const int32_t *a, const int32_t *b, int32_t count)
 {
-    qtri_wide sum = {0, 0};
+    qtri_wide_set(sum, 0, 0);
     for (int32_t i = 0; i < count; i++) {
-        sum = qtri_wide_add(sum, qtri_wide_make(qtri_mul_s32(a[i], b[i]), 32));
+        qtri_wide product;
+        qtri_wide_set(&product, qtri_mul_s32(a[i], b[i]), 32);
+        qtri_wide_add_to(sum, &product);
     }
-    return sum;
+}
+
+void qtri_wide_invert(qtri_wide *x, int32_t numerator)
+{
+    qtri_wide quotient;
+    qtri_wide_set(&quotient, numerator, 0);
+    qtri_wide_div_by(&quotient, x);
+    *x = quotient;
 }

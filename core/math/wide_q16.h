@@ -9,7 +9,13 @@
 /* Nearest, halves up, saturated. */
 int32_t qtri_wide_to_q16(qtri_wide a);
 
+/* m 2^-16 - a b, rounded like that. */
+int32_t qtri_wide_less(int64_t m, const qtri_wide *a, const qtri_wide *b);
+
 /* The sum of a[i] b[i], of the real numbers; as exact as it needs to be for all count <= 4. */
-qtri_wide qtri_wide_dot(const int32_t *a, const int32_t *b, int32_t count);
+void qtri_wide_dot(qtri_wide *sum, const int32_t *a, const int32_t *b, int32_t count);
+
+/* x = numerator / x. */
+void qtri_wide_invert(qtri_wide *x, int32_t numerator);
 
 #endif

@@ -9,8 +9,10 @@
 
 enum qtri_error {
     QTRI_OK = 0,
-    QTRI_ERROR_SIZE = -1,  /* a width, height, row or count is outside its range */
-    QTRI_ERROR_MEMORY = -2 /* the memory passed in is smaller than its size macro says */
+    /* A width, height, row or count is outside its range; a number in text beyond Q16.16's. */
+    QTRI_ERROR_SIZE = -1,
+    /* The memory passed in is smaller than its size macro says; a buffer too small for a text. */
+    QTRI_ERROR_MEMORY = -2
 };
 
 #ifndef QTRI_ASSERT

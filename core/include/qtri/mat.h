@@ -146,14 +146,16 @@ qtri_mat4 qtri_mat4_from_linear(const qtri_mat3 *linear);
 qtri_mat4 qtri_mat4_mul(const qtri_mat4 *a, const qtri_mat4 *b); /* first b, then a */
 qtri_mat4 qtri_mat4_transpose(const qtri_mat4 *a);
 
-/* M v; through memory, because on a 32-bit ARM a qtri_vec4 travels half in registers. out may be v.
- */
-void qtri_mat4_times(qtri_vec4 *out, const qtri_mat4 *m, const qtri_vec4 *v);
+/* M v; out is not v. */
+void qtri_mat4_times(q16 out[4], const qtri_mat4 *m, const q16 v[4]);
 
 static inline qtri_vec4 qtri_mat4_vec4(const qtri_mat4 *m, qtri_vec4 v)
 {
-    qtri_mat4_times(&v, m, &v);
-    return v;
+    const q16 column[4] = {v.x, v.y, v.z, v.w};
+    q16 image[4];
+    qtri_mat4_times(image, m, column);
+    qtri_vec4 result = {image[0], image[1], image[2], image[3]};
+    return result;
 }
 
 /* M (p, 1) and M (v, 0), for a transform whose last row is 0 0 0 1. */

@@ -37,7 +37,9 @@ typedef int32_t q16;
 
 /*
  * A constant, rounded to nearest: Q16(0.5), Q16(-3). The literal must lie in the range above; the
- * compiler folds it to an integer, no floating-point instruction remains.
+ * compiler folds it to an integer, no floating-point instruction remains. It does so in double:
+ * where that has 24 bits, as with avr-gcc, so has the constant, and from 128 up it may be off by
+ * 2^-23 of itself.
  */
 #define Q16(literal) ((q16)((literal)*65536.0 + ((literal) < 0 ? -0.5 : 0.5)))
 

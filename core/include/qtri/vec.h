@@ -148,32 +148,41 @@ qtri_vec3 qtri_vec3_cross(qtri_vec3 a, qtri_vec3 b);
 /* Euclidean length and distance, correctly rounded. The distance is not that of a rounded a - b. */
 static inline q16 qtri_vec2_length(qtri_vec2 a)
 {
-    return qtri_vec_distance((q16 *)&a, 0, 2);
+    const q16 u[2] = {a.x, a.y};
+    return qtri_vec_distance(u, 0, 2);
 }
 
 static inline q16 qtri_vec3_length(qtri_vec3 a)
 {
-    return qtri_vec_distance((q16 *)&a, 0, 3);
+    const q16 u[3] = {a.x, a.y, a.z};
+    return qtri_vec_distance(u, 0, 3);
 }
 
 static inline q16 qtri_vec4_length(qtri_vec4 a)
 {
-    return qtri_vec_distance((q16 *)&a, 0, 4);
+    const q16 u[4] = {a.x, a.y, a.z, a.w};
+    return qtri_vec_distance(u, 0, 4);
 }
 
 static inline q16 qtri_vec2_distance(qtri_vec2 a, qtri_vec2 b)
 {
-    return qtri_vec_distance((q16 *)&a, (q16 *)&b, 2);
+    const q16 u[2] = {a.x, a.y};
+    const q16 v[2] = {b.x, b.y};
+    return qtri_vec_distance(u, v, 2);
 }
 
 static inline q16 qtri_vec3_distance(qtri_vec3 a, qtri_vec3 b)
 {
-    return qtri_vec_distance((q16 *)&a, (q16 *)&b, 3);
+    const q16 u[3] = {a.x, a.y, a.z};
+    const q16 v[3] = {b.x, b.y, b.z};
+    return qtri_vec_distance(u, v, 3);
 }
 
 static inline q16 qtri_vec4_distance(qtri_vec4 a, qtri_vec4 b)
 {
-    return qtri_vec_distance((q16 *)&a, (q16 *)&b, 4);
+    const q16 u[4] = {a.x, a.y, a.z, a.w};
+    const q16 v[4] = {b.x, b.y, b.z, b.w};
+    return qtri_vec_distance(u, v, 4);
 }
 
 /*
@@ -182,20 +191,26 @@ static inline q16 qtri_vec4_distance(qtri_vec4 a, qtri_vec4 b)
  */
 static inline qtri_vec2 qtri_vec2_normalize(qtri_vec2 a)
 {
-    qtri_vec_normalize((q16 *)&a, (q16 *)&a, 2);
-    return a;
+    q16 out[2] = {a.x, a.y};
+    qtri_vec_normalize(out, out, 2);
+    qtri_vec2 result = {out[0], out[1]};
+    return result;
 }
 
 static inline qtri_vec3 qtri_vec3_normalize(qtri_vec3 a)
 {
-    qtri_vec_normalize((q16 *)&a, (q16 *)&a, 3);
-    return a;
+    q16 out[3] = {a.x, a.y, a.z};
+    qtri_vec_normalize(out, out, 3);
+    qtri_vec3 result = {out[0], out[1], out[2]};
+    return result;
 }
 
 static inline qtri_vec4 qtri_vec4_normalize(qtri_vec4 a)
 {
-    qtri_vec_normalize((q16 *)&a, (q16 *)&a, 4);
-    return a;
+    q16 out[4] = {a.x, a.y, a.z, a.w};
+    qtri_vec_normalize(out, out, 4);
+    qtri_vec4 result = {out[0], out[1], out[2], out[3]};
+    return result;
 }
 
 /*
@@ -203,39 +218,57 @@ static inline qtri_vec4 qtri_vec4_normalize(qtri_vec4 a)
  */
 static inline qtri_vec2 qtri_vec2_project(qtri_vec2 a, qtri_vec2 b)
 {
-    qtri_vec_along((q16 *)&a, (q16 *)&a, (q16 *)&b, 2, 0, -1);
-    return a;
+    q16 out[2] = {a.x, a.y};
+    const q16 v[2] = {b.x, b.y};
+    qtri_vec_along(out, out, v, 2, 0, -1);
+    qtri_vec2 result = {out[0], out[1]};
+    return result;
 }
 
 static inline qtri_vec3 qtri_vec3_project(qtri_vec3 a, qtri_vec3 b)
 {
-    qtri_vec_along((q16 *)&a, (q16 *)&a, (q16 *)&b, 3, 0, -1);
-    return a;
+    q16 out[3] = {a.x, a.y, a.z};
+    const q16 v[3] = {b.x, b.y, b.z};
+    qtri_vec_along(out, out, v, 3, 0, -1);
+    qtri_vec3 result = {out[0], out[1], out[2]};
+    return result;
 }
 
 static inline qtri_vec4 qtri_vec4_project(qtri_vec4 a, qtri_vec4 b)
 {
-    qtri_vec_along((q16 *)&a, (q16 *)&a, (q16 *)&b, 4, 0, -1);
-    return a;
+    q16 out[4] = {a.x, a.y, a.z, a.w};
+    const q16 v[4] = {b.x, b.y, b.z, b.w};
+    qtri_vec_along(out, out, v, 4, 0, -1);
+    qtri_vec4 result = {out[0], out[1], out[2], out[3]};
+    return result;
 }
 
 /* What project leaves: the part of a perpendicular to b, within .501 ULP. b = 0 gives a. */
 static inline qtri_vec2 qtri_vec2_reject(qtri_vec2 a, qtri_vec2 b)
 {
-    qtri_vec_along((q16 *)&a, (q16 *)&a, (q16 *)&b, 2, 1, 1);
-    return a;
+    q16 out[2] = {a.x, a.y};
+    const q16 v[2] = {b.x, b.y};
+    qtri_vec_along(out, out, v, 2, 1, 1);
+    qtri_vec2 result = {out[0], out[1]};
+    return result;
 }
 
 static inline qtri_vec3 qtri_vec3_reject(qtri_vec3 a, qtri_vec3 b)
 {
-    qtri_vec_along((q16 *)&a, (q16 *)&a, (q16 *)&b, 3, 1, 1);
-    return a;
+    q16 out[3] = {a.x, a.y, a.z};
+    const q16 v[3] = {b.x, b.y, b.z};
+    qtri_vec_along(out, out, v, 3, 1, 1);
+    qtri_vec3 result = {out[0], out[1], out[2]};
+    return result;
 }
 
 static inline qtri_vec4 qtri_vec4_reject(qtri_vec4 a, qtri_vec4 b)
 {
-    qtri_vec_along((q16 *)&a, (q16 *)&a, (q16 *)&b, 4, 1, 1);
-    return a;
+    q16 out[4] = {a.x, a.y, a.z, a.w};
+    const q16 v[4] = {b.x, b.y, b.z, b.w};
+    qtri_vec_along(out, out, v, 4, 1, 1);
+    qtri_vec4 result = {out[0], out[1], out[2], out[3]};
+    return result;
 }
 
 /*
@@ -244,20 +277,29 @@ static inline qtri_vec4 qtri_vec4_reject(qtri_vec4 a, qtri_vec4 b)
  */
 static inline qtri_vec2 qtri_vec2_reflect(qtri_vec2 a, qtri_vec2 normal)
 {
-    qtri_vec_along((q16 *)&a, (q16 *)&a, (q16 *)&normal, 2, 1, 2);
-    return a;
+    q16 out[2] = {a.x, a.y};
+    const q16 v[2] = {normal.x, normal.y};
+    qtri_vec_along(out, out, v, 2, 1, 2);
+    qtri_vec2 result = {out[0], out[1]};
+    return result;
 }
 
 static inline qtri_vec3 qtri_vec3_reflect(qtri_vec3 a, qtri_vec3 normal)
 {
-    qtri_vec_along((q16 *)&a, (q16 *)&a, (q16 *)&normal, 3, 1, 2);
-    return a;
+    q16 out[3] = {a.x, a.y, a.z};
+    const q16 v[3] = {normal.x, normal.y, normal.z};
+    qtri_vec_along(out, out, v, 3, 1, 2);
+    qtri_vec3 result = {out[0], out[1], out[2]};
+    return result;
 }
 
 static inline qtri_vec4 qtri_vec4_reflect(qtri_vec4 a, qtri_vec4 normal)
 {
-    qtri_vec_along((q16 *)&a, (q16 *)&a, (q16 *)&normal, 4, 1, 2);
-    return a;
+    q16 out[4] = {a.x, a.y, a.z, a.w};
+    const q16 v[4] = {normal.x, normal.y, normal.z, normal.w};
+    qtri_vec_along(out, out, v, 4, 1, 2);
+    qtri_vec4 result = {out[0], out[1], out[2], out[3]};
+    return result;
 }
 
 /*
@@ -267,17 +309,23 @@ static inline qtri_vec4 qtri_vec4_reflect(qtri_vec4 a, qtri_vec4 normal)
  */
 static inline q16 qtri_vec2_angle_deg(qtri_vec2 a, qtri_vec2 b)
 {
-    return qtri_vec_angle_deg((q16 *)&a, (q16 *)&b, 2);
+    const q16 u[2] = {a.x, a.y};
+    const q16 v[2] = {b.x, b.y};
+    return qtri_vec_angle_deg(u, v, 2);
 }
 
 static inline q16 qtri_vec3_angle_deg(qtri_vec3 a, qtri_vec3 b)
 {
-    return qtri_vec_angle_deg((q16 *)&a, (q16 *)&b, 3);
+    const q16 u[3] = {a.x, a.y, a.z};
+    const q16 v[3] = {b.x, b.y, b.z};
+    return qtri_vec_angle_deg(u, v, 3);
 }
 
 static inline q16 qtri_vec4_angle_deg(qtri_vec4 a, qtri_vec4 b)
 {
-    return qtri_vec_angle_deg((q16 *)&a, (q16 *)&b, 4);
+    const q16 u[4] = {a.x, a.y, a.z, a.w};
+    const q16 v[4] = {b.x, b.y, b.z, b.w};
+    return qtri_vec_angle_deg(u, v, 4);
 }
 
 #ifdef __cplusplus

@@ -1,0 +1,62 @@
+/*
+ * The vertex stage compiled for a core without long multiply and divide.
+ */
+#define QTRI_LONG_MULTIPLY 0
+#define QTRI_DIVIDE        0
+
+#define qtri_lighting_face        narrow_lighting_face
+#define qtri_lighting_face16      narrow_lighting_face16
+#define qtri_lighting_init        narrow_lighting_init
+#define qtri_lighting_vertex      narrow_lighting_vertex
+#define qtri_lighting_vertex8     narrow_lighting_vertex8
+#define qtri_project              narrow_project
+#define qtri_projector_compact    narrow_projector_compact
+#define qtri_projector_init       narrow_projector_init
+#define qtri_projector_point      narrow_projector_point
+#define qtri_projector_point16    narrow_projector_point16
+#define qtri_projector_points     narrow_projector_points
+#define qtri_projector_vertices   narrow_projector_vertices
+#define qtri_projector_vertices16 narrow_projector_vertices16
+#define qtri_row16_set            narrow_row16_set
+#define qtri_vertex_exact         narrow_vertex_exact
+
+#include "geometry/compact.c"
+#include "geometry/lighting.c"
+#include "geometry/lighting_init.c"
+#include "geometry/projector.c"
+
+#include "support_vertex_narrow.h"
+
+void narrow_vertices(const qtri_transform *object_to_clip, const qtri_viewport *viewport,
+                     const qtri_vec3 *p, uint32_t count, qtri_vertex *out)
+{
+    qtri_projector projector;
+    qtri_projector_init(&projector, object_to_clip, viewport);
+    (void)qtri_projector_vertices(&projector, p, count, out);
+}
+
+void narrow_vertices16(const qtri_transform *object_to_clip, const qtri_viewport *viewport,
+                       const qtri_vec3 *origin, q16 extent, const qtri_position16 *p,
+                       uint32_t count, qtri_vertex *out)
+{
+    qtri_projector projector;
+    qtri_projector_init(&projector, object_to_clip, viewport);
+    qtri_projector_compact(&projector, origin, extent);
+    (void)qtri_projector_vertices16(&projector, p, count, out);
+}
+
+uint32_t narrow_light_vertex(const qtri_light *light, const qtri_transform *object_to_eye,
+                             const qtri_normal *normal)
+{
+    qtri_lighting lighting;
+    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
+    return qtri_lighting_vertex(&lighting, normal);
+}
+
+uint32_t narrow_light_face(const qtri_light *light, const qtri_transform *object_to_eye,
+                           const qtri_vec3 corner[3])
+{
+    qtri_lighting lighting;
+    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
+    return qtri_lighting_face(&lighting, &corner[0], &corner[1], &corner[2]);
+}

@@ -1,0 +1,22 @@
+/*
+ * The vertex stage compiled for a core without long multiply and divide: the same results.
+ */
+#ifndef QTRI_TESTS_SUPPORT_VERTEX_NARROW_H
+#define QTRI_TESTS_SUPPORT_VERTEX_NARROW_H
+
+#include <qtri/mesh.h>
+#include <qtri/view.h>
+
+/* A projector and the vertices it makes of p; origin is NULL for wide ones. */
+void narrow_vertices(const qtri_transform *object_to_clip, const qtri_viewport *viewport,
+                     const qtri_vec3 *p, uint32_t count, qtri_vertex *out);
+void narrow_vertices16(const qtri_transform *object_to_clip, const qtri_viewport *viewport,
+                       const qtri_vec3 *origin, q16 extent, const qtri_position16 *p,
+                       uint32_t count, qtri_vertex *out);
+
+uint32_t narrow_light_vertex(const qtri_light *light, const qtri_transform *object_to_eye,
+                             const qtri_normal *normal);
+uint32_t narrow_light_face(const qtri_light *light, const qtri_transform *object_to_eye,
+                           const qtri_vec3 corner[3]);
+
+#endif
