@@ -36,9 +36,12 @@ void verify_judge_result(const verify_judge *judge, const q16 *argument, q16 res
         return;
     }
     verify_value fast = judge->reference->fast(judge->reference->data, argument);
+    if (fast.value - fast.unsure > (double)Q16_MAX || fast.value + fast.unsure < (double)Q16_MIN) {
+        fast.unsure = 0; /* saturated, however large it is */
+    }
     double value = verify_clamp(fast.value);
     double error = fabs((double)result - value);
-    bool undecided = fabs(error - 0.5) <= fast.unsure;
+    bool undecided = !(fabs(error - 0.5) > fast.unsure); /* nor is what is not a number */
     double counted = error;
     double unsure = fast.unsure;
     verify_row *row = plain;

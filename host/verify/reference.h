@@ -11,7 +11,7 @@ extern const verify_reference verify_add, verify_sub, verify_mul, verify_mul_flo
     verify_mod, verify_hypot;
 extern const verify_reference verify_muldiv, verify_lerp;
 
-/* transcendental.c: in double with MPFR as the judge. */
+/* trigonometry.c, exponential.c: in double with MPFR as the judge. */
 extern const verify_reference verify_sin, verify_cos, verify_tan;
 extern const verify_reference verify_sin_deg, verify_cos_deg, verify_tan_deg;
 extern const verify_reference verify_asin, verify_acos, verify_atan, verify_atan2;

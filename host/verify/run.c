@@ -1,9 +1,13 @@
 /*
  * Chunks of a test, shared out to threads; each has rows of its own, merged at the end.
  */
+#define _POSIX_C_SOURCE 200809L /* isatty, clock_gettime */
+
 #include "verify.h"
 
 #include <pthread.h>
+#include <time.h>
+#include <unistd.h>
 
 typedef struct job {
     const verify_test *test;
@@ -11,7 +15,29 @@ typedef struct job {
     pthread_mutex_t mutex; /* of what follows */
     uint64_t next, chunks;
     verify_row *rows;
+    bool terminal;        /* is stderr */
+    time_t started, said; /* when it last said how far it is */
 } job;
+
+static time_t now(void)
+{
+    struct timespec clock;
+    (void)clock_gettime(CLOCK_MONOTONIC, &clock);
+    return clock.tv_sec;
+}
+
+/* On a terminal one line that changes, each second; elsewhere a new line every ten seconds. */
+static void say(job *j, uint64_t chunk)
+{
+    const time_t clock = now();
+    if (clock - j->said < (j->terminal ? 1 : 10)) {
+        return;
+    }
+    j->said = clock;
+    (void)fprintf(stderr, "%s%s%-18s %3d %%  %4ld s%s", j->terminal ? "\r" : "",
+                  j->options->progress, j->test->name, (int)(chunk * 100 / j->chunks),
+                  (long)(clock - j->started), j->terminal ? "" : "\n");
+}
 
 /* The next chunk, or `chunks`. Says how far it is. */
 static uint64_t take(job *j)
@@ -21,8 +47,8 @@ static uint64_t take(job *j)
     if (chunk < j->chunks) {
         j->next++;
     }
-    if (j->options->progress && (chunk * 100 / j->chunks != (chunk + 1) * 100 / j->chunks)) {
-        (void)fprintf(stderr, "\r%-24s %3d %%", j->test->name, (int)(chunk * 100 / j->chunks));
+    if (j->options->progress != NULL) {
+        say(j, chunk);
     }
     (void)pthread_mutex_unlock(&j->mutex);
     return chunk;
@@ -54,7 +80,14 @@ void verify_run(const verify_test *test, const verify_options *options, verify_r
     for (int i = 0; i < VERIFY_ROWS; i++) {
         verify_row_clear(&rows[i]);
     }
-    job j = {test, options, PTHREAD_MUTEX_INITIALIZER, 0, test->chunks(test, options), rows};
+    job j = {.test = test,
+             .options = options,
+             .mutex = PTHREAD_MUTEX_INITIALIZER,
+             .chunks = test->chunks(test, options),
+             .rows = rows,
+             .terminal = isatty(STDERR_FILENO) != 0,
+             .started = now(),
+             .said = now()};
     for (int i = 0; i < options->threads - 1 && i < MOST; i++) {
         started[i] = pthread_create(&thread[i], NULL, work, &j) == 0;
     }
@@ -65,8 +98,8 @@ void verify_run(const verify_test *test, const verify_options *options, verify_r
         }
     }
     (void)pthread_mutex_destroy(&j.mutex);
-    if (options->progress) {
-        (void)fprintf(stderr, "\r%40s\r", "");
+    if (options->progress != NULL && j.terminal) {
+        (void)fprintf(stderr, "\r%60s\r", "");
     }
 }
 

@@ -5,7 +5,7 @@
  * of 65536 that is a quarter of an ULP too low. How a value is decided:
  *
  *   exact    The rounded result by integers (exact.c), for everything that is a root or a quotient,
- *            or by MPFR with 200 bits (transcendental.c).
+ *            or by MPFR with 200 bits (real.c).
  *   fast     A value in double with a bound of its error. An input is passed on to `exact` when its
  *            rounding, or whether it is the worst so far, lies within that bound; so the counts
  *            and maxima reported are those that `exact` alone would give (option --exact-only).
@@ -25,7 +25,7 @@ __extension__ typedef __int128 int128;
 
 enum {
     VERIFY_BLOCK = 1024,   /* inputs in a row that are treated together */
-    VERIFY_ARGUMENTS = 10, /* of one call, as scalars: slerp has 9 */
+    VERIFY_ARGUMENTS = 20, /* of one call, as scalars: a matrix and a vector */
     VERIFY_ROWS = 6        /* that one test may fill */
 };
 
@@ -78,8 +78,8 @@ typedef struct verify_label {
 typedef struct verify_options {
     enum verify_mode mode;
     bool exact_only;
-    bool progress;
     int threads;
+    const char *progress; /* NULL: none on stderr; else what comes before the name of the test */
 } verify_options;
 
 /*
