@@ -118,6 +118,9 @@ static void build_transform(struct reader *r, qtri_transform *t)
     }
 }
 
+/* Exactly as large as it may be read: AddressSanitizer watches its ends. */
+static const qtri_rgb palette[256] = {{1, 2, 3}, {255, 255, 255}};
+
 static qtri_material build_material(struct reader *r, qtri_texture *texture, const void *texels)
 {
     qtri_material m = qtri_material_default();
@@ -129,12 +132,18 @@ static qtri_material build_material(struct reader *r, qtri_texture *texture, con
     m.depth_compare = (qtri_compare)(take_byte(r) % 9);
     m.depth_read_only = take_byte(r) % 4 == 0;
     take(r, &m.color, sizeof m.color);
-    texture->format = (qtri_texel_format)(take_byte(r) % 3);
-    texture->texels = texels;
+    texture->format = (qtri_texel_format)(take_byte(r) % 6);
+    texture->texels = take_byte(r) % 16 ? texels : NULL;
     texture->width_log2 = take_byte(r) % 4; /* 8 x 8 texels of memory */
     texture->height_log2 = take_byte(r) % 4;
     texture->fields = take_byte(r);
     take(r, texture->color, sizeof texture->color);
+    texture->wrap_u = (qtri_wrap)(take_byte(r) % 3);
+    texture->wrap_v = (qtri_wrap)(take_byte(r) % 3);
+    texture->filter = (qtri_filter)(take_byte(r) % 3);
+    texture->palette = take_byte(r) % 16 ? palette : NULL;
+    texture->has_key = take_byte(r) % 2;
+    texture->key = take_byte(r) % 8 ? take_byte(r) : (uint32_t)take_int(r);
     m.texture = take_byte(r) % 2 ? texture : NULL;
     return m;
 }
@@ -159,13 +168,13 @@ static void draw_mesh(struct reader *r, const qtri_surface *surface, const qtri_
         }
     }
     uint8_t parts = take_byte(r);
-    qtri_mesh mesh = {positions,
-                      parts & 1 ? normals : NULL,
-                      parts & 2 ? uvs : NULL,
-                      parts & 4 ? colors : NULL,
-                      (const uint16_t(*)[3])triangles,
-                      VERTICES,
-                      TRIANGLES};
+    qtri_mesh mesh = {.positions = positions,
+                      .normals = parts & 1 ? normals : NULL,
+                      .uvs = parts & 2 ? uvs : NULL,
+                      .colors = parts & 4 ? colors : NULL,
+                      .triangles = (const uint16_t(*)[3])triangles,
+                      .vertex_count = VERTICES,
+                      .triangle_count = TRIANGLES};
     qtri_draw_mesh(surface, view, pose, &mesh, material);
 }
 

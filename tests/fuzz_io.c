@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "io/obj.h"
+#include "io/palette.h"
 #include "io/scene.h"
 
 /* Nothing is there, so that relative names in a scene do not reach the machine's files. */
@@ -44,6 +45,12 @@ static void check_scene(const struct scene *scene)
     require(scene->width >= 1 && scene->width <= SCENE_MAX_SIZE);
     require(scene->height >= 1 && scene->height <= SCENE_MAX_SIZE);
     require((scene->texture.width > 0) == (scene->texture.rgb != NULL));
+    require(scene->texel_format <= SCENE_TEXEL_GRAY8);
+    if (scene->texel_format == SCENE_TEXEL_PALETTE) {
+        struct palette palette;
+        size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
+        require(palette_make(&palette, scene->texture.rgb, count, NULL));
+    }
     for (size_t i = 0; i < scene->op_count; i++) {
         if (scene->ops[i].kind == SCENE_TRIANGLE) {
             require(scene->ops[i].id == ++id);

@@ -12,6 +12,7 @@ struct writer {
     uint64_t state;
     bool clip_space; /* both matrices are the identity: geometry brings its own w */
     double reach;    /* how far geometry spreads */
+    bool textured;   /* about textures: most triangles have them, and they vary */
 };
 
 static void put(struct writer *w, const char *format, ...)
@@ -76,13 +77,16 @@ static void put_vertex(struct writer *w, struct point p, bool textured)
         uniform(w, 0, 1), uniform(w, 0, 1));
     if (textured) {
         double size = chance(w, 10) ? 20.0 : 1.5;
+        if (w->textured && chance(w, 20)) {
+            size = 0.2; /* texels larger than pixels */
+        }
         put(w, "  %.4f %.4f", symmetric(w, size), symmetric(w, size));
     }
 }
 
 static void put_triangle(struct writer *w, struct point a, struct point b, struct point c)
 {
-    bool textured = chance(w, 40);
+    bool textured = chance(w, w->textured ? 85 : 40);
     put(w, textured ? "trit" : "tri");
     put_vertex(w, a, textured);
     put_vertex(w, b, textured);
@@ -251,11 +255,45 @@ static void put_view(struct writer *w, int kind)
     }
 }
 
+static const char *either(struct writer *w, const char *first, const char *second)
+{
+    return chance(w, 50) ? first : second;
+}
+
+static void put_texture(struct writer *w)
+{
+    static const int side[] = {1, 2, 8, 16, 64, 256};
+    static const char *const format[] = {"xrgb8888", "rgb565", "palette", "gray8"};
+    int width = side[pick(w, 6)];
+    int height = side[pick(w, 6)];
+    int smaller = width < height ? width : height;
+    int cells = 1 + pick(w, smaller < 8 ? smaller : 8);
+    int color[6];
+    put(w, "texture %d %d %d", width, height, cells);
+    for (int i = 0; i < 6; i++) {
+        color[i] = pick(w, 256);
+        put(w, " %d", color[i]);
+    }
+    put(w, "\ntexmode %s\n", chance(w, 30) ? "replace" : "modulate");
+    if (!w->textured) {
+        return;
+    }
+    put(w, "texwrap %s\n", either(w, "repeat", "clamp"));
+    if (chance(w, 30)) {
+        put(w, "texwrap %s %s\n", either(w, "repeat", "clamp"), either(w, "repeat", "clamp"));
+    }
+    put(w, "texfilter %s\n", chance(w, 35) ? "nearest" : "bilinear");
+    put(w, "texformat %s\n", format[pick(w, 4)]);
+    if (chance(w, 25)) {
+        const int *key = &color[3 * pick(w, 2)];
+        put(w, "texkey %d %d %d\n", key[0], key[1], key[2]);
+    }
+}
+
 static void put_state(struct writer *w)
 {
     static const char *const depth[] = {"less", "less", "less", "lequal", "less", "always", "off"};
     static const char *const cull[] = {"none", "none", "back", "front"};
-    static const int side[] = {1, 2, 8, 16, 64, 256};
     put(w, "viewport %d %d\n", 64 + pick(w, 5) * 64, 48 + pick(w, 200));
     put(w, "clear %.3f %.3f %.3f\n", uniform(w, 0, 1), uniform(w, 0, 1), uniform(w, 0, 1));
     if (chance(w, 12)) {
@@ -271,7 +309,9 @@ static void put_state(struct writer *w)
     if (chance(w, 20)) {
         put(w, "shade flat %s\n", chance(w, 50) ? "first" : "last");
     }
-    if (chance(w, 15)) {
+    /* Linear between the corners that clipping leaves, and the reference's guard band is wider: a
+       cut there, which the plain scenes hold few of, says nothing about textures. */
+    if (chance(w, 15) && !w->textured) {
         put(w, "interpolate linear\n");
     }
     if (chance(w, 10)) {
@@ -280,14 +320,8 @@ static void put_state(struct writer *w)
     if (chance(w, 5)) {
         put(w, "depthmask off\n");
     }
-    if (chance(w, 60)) {
-        int width = side[pick(w, 6)];
-        int height = side[pick(w, 6)];
-        int smaller = width < height ? width : height;
-        int cells = 1 + pick(w, smaller < 8 ? smaller : 8);
-        put(w, "texture %d %d %d  %d %d %d  %d %d %d\n", width, height, cells, pick(w, 256),
-            pick(w, 256), pick(w, 256), pick(w, 256), pick(w, 256), pick(w, 256));
-        put(w, "texmode %s\n", chance(w, 30) ? "replace" : "modulate");
+    if (chance(w, w->textured ? 95 : 60)) {
+        put_texture(w);
     }
 }
 
@@ -317,10 +351,12 @@ static void put_geometry(struct writer *w)
     }
 }
 
-char *scene_random(uint32_t seed, size_t *length)
+static char *write_scene(uint32_t seed, bool textured, size_t *length)
 {
     /* Far from multiples of the generator's own step, or neighbours would share their stream. */
-    struct writer w = {.text = NULL, .state = (seed + UINT64_C(1)) * UINT64_C(0xD1B54A32D192ED03)};
+    struct writer w = {.text = NULL,
+                       .state = (seed + UINT64_C(1)) * UINT64_C(0xD1B54A32D192ED03),
+                       .textured = textured};
     put_state(&w);
     put_view(&w, pick(&w, 5));
     for (int groups = 3 + pick(&w, 5); groups > 0; groups--) {
@@ -336,4 +372,14 @@ char *scene_random(uint32_t seed, size_t *length)
     }
     *length = w.length;
     return w.text;
+}
+
+char *scene_random(uint32_t seed, size_t *length)
+{
+    return write_scene(seed, false, length);
+}
+
+char *scene_random_textured(uint32_t seed, size_t *length)
+{
+    return write_scene(seed, true, length);
 }

@@ -14,4 +14,7 @@
  */
 char *scene_random(uint32_t seed, size_t *length);
 
+/* Another scene, textured: wrap modes, filters, texel formats and colour keys. */
+char *scene_random_textured(uint32_t seed, size_t *length);
+
 #endif

@@ -52,17 +52,22 @@ static bool exists(const char *name)
     return access(path, F_OK) == 0;
 }
 
-static bool messages_contain(const char *text)
+static bool file_contains(const char *name, const char *text)
 {
     char path[1024];
     char content[4096];
-    path_of(path, sizeof path, "messages");
+    path_of(path, sizeof path, name);
     FILE *file = fopen(path, "rb");
     assert_non_null(file);
     size_t length = fread(content, 1, sizeof content - 1, file);
     content[length] = '\0';
     fclose(file);
     return strstr(content, text) != NULL;
+}
+
+static bool messages_contain(const char *text)
+{
+    return file_contains("messages", text);
 }
 
 static const char triangle[] = "viewport 64 48\ndepth less\n"
@@ -93,6 +98,7 @@ static void help(void **state)
     (void)state;
     assert_int_equal(run("--help"), 0);
     assert_int_equal(run("render --help"), 0);
+    assert_true(file_contains("output", "texfilter    nearest|bilinear\n"));
     assert_int_equal(run("compare --help"), 0);
     assert_int_equal(run("mesh --help"), 0);
     assert_int_equal(run("demo --help"), 0);
@@ -147,6 +153,27 @@ static void generated_mesh(void **state)
     assert_int_equal(run("compare torus.ppm expected.ppm --max-color 1 --max-depth .52"), 0);
 }
 
+/* Every texel format, wrapped, filtered and with holes: as the reference draws it. */
+static void textures(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"xrgb8888", "rgb565", "palette", "gray8"};
+    for (int n = 0; n < 16; n++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "viewport 90 70\ndepth less\ntexture 8 16 4 255 40 0 20 90 200\n"
+                 "texformat %s\ntexfilter %s\ntexwrap repeat clamp\ntexkey %s\n"
+                 "tri -.9 -.5 .3 1 1 0 0  .5 -.9 .3 1 0 1 0  0 .8 .3 1 0 0 1\n"
+                 "trit -1 -1 0 1 1 .5 0 -.4 -.3   1.8 -1 .2 2 0 1 1 1.1 -.2"
+                 "   0 1 0 1 1 1 1 .3 1.4\n",
+                 formats[n % 4], n / 4 % 2 ? "bilinear" : "nearest", n / 8 ? "20 90 200" : "off");
+        write_file("t.scene", text);
+        assert_int_equal(run("render t.scene -o t --dump"), 0);
+        assert_int_equal(run("render t.scene -o expected --dump --reference --snap 8"), 0);
+        assert_int_equal(run("compare t.ppm expected.ppm --max-color 1 --max-depth .52"), 0);
+    }
+}
+
 static int make_folder(void **state)
 {
     (void)state;
@@ -160,7 +187,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(usage_errors),   cmocka_unit_test(help),
         cmocka_unit_test(bad_input),      cmocka_unit_test(formats_and_bands),
-        cmocka_unit_test(generated_mesh),
+        cmocka_unit_test(generated_mesh), cmocka_unit_test(textures),
     };
     if (getenv("QTRI_COMMAND") == NULL) {
         puts("QTRI_COMMAND is not set: run `make test-plain TESTS=test_command`");

@@ -7,11 +7,38 @@ enum { WIDTH = 48, HEIGHT = 40, TRIANGLES = 12 };
 
 static uint16_t texels565[16 * 8];
 static uint32_t texels8888[32 * 32];
+static uint8_t texels8[16 * 32]; /* few values, so that keys are met */
+static qtri_rgb palette[256];
 
-static const qtri_texture textures[3] = {
-    {texels565, QTRI_TEXEL_RGB565, 4, 3, 0, {{0, 0, 0}, {0, 0, 0}}},
-    {texels8888, QTRI_TEXEL_XRGB8888, 5, 5, 0, {{0, 0, 0}, {0, 0, 0}}},
-    {NULL, QTRI_TEXEL_CHECKER, 6, 4, 8, {{255, 30, 60}, {10, 200, 90}}}};
+static const qtri_texture textures[6] = {
+    {.texels = texels565, .format = QTRI_TEXEL_RGB565, .width_log2 = 4, .height_log2 = 3},
+    {.texels = texels8888, .format = QTRI_TEXEL_XRGB8888, .width_log2 = 5, .height_log2 = 5},
+    {.format = QTRI_TEXEL_CHECKER,
+     .width_log2 = 6,
+     .height_log2 = 4,
+     .fields = 8,
+     .color = {{255, 30, 60}, {10, 200, 90}}},
+    {.texels = texels8,
+     .format = QTRI_TEXEL_PALETTE8,
+     .width_log2 = 4,
+     .height_log2 = 5,
+     .palette = palette,
+     .wrap_u = QTRI_CLAMP,
+     .has_key = true,
+     .key = 3},
+    {.texels = texels565,
+     .format = QTRI_TEXEL_RGB565,
+     .width_log2 = 3,
+     .height_log2 = 4,
+     .wrap_v = QTRI_CLAMP,
+     .filter = QTRI_BILINEAR},
+    {.texels = texels8,
+     .format = QTRI_TEXEL_GRAY8,
+     .width_log2 = 5,
+     .height_log2 = 4,
+     .filter = QTRI_BILINEAR,
+     .has_key = true,
+     .key = 2}};
 
 static int fill_textures(void **state)
 {
@@ -22,6 +49,12 @@ static int fill_textures(void **state)
     }
     for (size_t i = 0; i < LENGTH_OF(texels8888); i++) {
         texels8888[i] = (uint32_t)random64(&seed);
+    }
+    for (size_t i = 0; i < LENGTH_OF(texels8); i++) {
+        texels8[i] = (uint8_t)random_in(&seed, 0, 6);
+        palette[i % 256].r = (uint8_t)random64(&seed);
+        palette[i % 256].g = (uint8_t)random64(&seed);
+        palette[i % 256].b = (uint8_t)random64(&seed);
     }
     return 0;
 }
@@ -59,7 +92,7 @@ static void random_scene(scene *s, uint64_t *seed, bool tame)
         qtri_material m = qtri_material_default();
         m.shading = (qtri_shading)random_in(seed, 0, 2);
         m.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
-        m.texture = random_flag(seed) ? &textures[random_in(seed, 0, 2)] : NULL;
+        m.texture = random_flag(seed) ? &textures[random_in(seed, 0, 5)] : NULL;
         m.texture_mode = (qtri_texture_mode)random_in(seed, 0, 1);
         m.cull = (qtri_cull)(random_in(seed, 0, 5) / 2);
         m.depth_compare = (qtri_compare)random_in(seed, 0, 8);

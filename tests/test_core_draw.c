@@ -16,7 +16,12 @@ typedef struct full_mesh {
 } full_mesh;
 
 static const qtri_texture checker = {
-    NULL, QTRI_TEXEL_CHECKER, 5, 5, 8, {{255, 200, 60}, {60, 90, 255}}};
+    .format = QTRI_TEXEL_CHECKER,
+    .width_log2 = 5,
+    .height_log2 = 5,
+    .fields = 8,
+    .color = {{255, 200, 60}, {60, 90, 255}},
+};
 
 static qtri_normal unit_normal(uint64_t *seed)
 {
@@ -50,13 +55,13 @@ static void random_mesh(full_mesh *m, uint64_t *seed)
     for (int i = 0; i < TRIANGLES * 3; i++) { /* a few past the end */
         m->triangle[i / 3][i % 3] = (uint16_t)random_in(seed, 0, VERTICES - (i % 20 != 0));
     }
-    qtri_mesh mesh = {m->position,
-                      random_flag(seed) ? m->normal : NULL,
-                      random_flag(seed) ? m->uv : NULL,
-                      random_flag(seed) ? m->color : NULL,
-                      (const uint16_t(*)[3])m->triangle,
-                      VERTICES,
-                      TRIANGLES};
+    qtri_mesh mesh = {.positions = m->position,
+                      .normals = random_flag(seed) ? m->normal : NULL,
+                      .uvs = random_flag(seed) ? m->uv : NULL,
+                      .colors = random_flag(seed) ? m->color : NULL,
+                      .triangles = (const uint16_t(*)[3])m->triangle,
+                      .vertex_count = VERTICES,
+                      .triangle_count = TRIANGLES};
     m->mesh = mesh;
 }
 
@@ -297,7 +302,11 @@ static void lit(void **state)
             p[i].y = random_in(&seed, -(15 << 16), 15 << 16);
             p[i].z = random_in(&seed, -(15 << 16), 15 << 16);
         }
-        qtri_mesh mesh = {p, per_vertex ? normals : NULL, NULL, NULL, triangle, 3, 1};
+        qtri_mesh mesh = {.positions = p,
+                          .normals = per_vertex ? normals : NULL,
+                          .triangles = triangle,
+                          .vertex_count = 3,
+                          .triangle_count = 1};
         qtri_view view;
         qtri_transform pose;
         qtri_transform to_eye;
@@ -363,9 +372,10 @@ static void nothing_to_draw(void **state)
     qtri_material material = qtri_material_default();
     qtri_vec3 points[2] = {{0, 0, 0}, {1, 1, 1}};
     static const uint16_t triangles[3][3] = {{0, 1, 2}, {0, 0, 0}, {65535, 0, 1}};
-    qtri_mesh empty = {NULL, NULL, NULL, NULL, NULL, 0, 0};
-    qtri_mesh bad = {points, NULL, NULL, NULL, triangles, 2, 3};
-    qtri_mesh no_vertices = {NULL, NULL, NULL, NULL, triangles, 0, 3};
+    qtri_mesh empty = {.positions = NULL};
+    qtri_mesh bad = {
+        .positions = points, .triangles = triangles, .vertex_count = 2, .triangle_count = 3};
+    qtri_mesh no_vertices = {.triangles = triangles, .triangle_count = 3};
     qtri_view_init(&view, WIDTH, HEIGHT);
     qtri_transform_identity(&pose);
     qtri_draw_mesh(&c.surface, &view, &pose, &empty, &material);
@@ -470,19 +480,24 @@ static void garbage(void **state)
         for (int i = 0; i < TRIANGLES * 3; i++) {
             m.triangle[i / 3][i % 3] %= VERTICES + 1;
         }
-        qtri_mesh mesh = {m.position,
-                          random_flag(&seed) ? m.normal : NULL,
-                          random_flag(&seed) ? m.uv : NULL,
-                          random_flag(&seed) ? m.color : NULL,
-                          (const uint16_t(*)[3])m.triangle,
-                          VERTICES,
-                          TRIANGLES};
+        qtri_mesh mesh = {.positions = m.position,
+                          .normals = random_flag(&seed) ? m.normal : NULL,
+                          .uvs = random_flag(&seed) ? m.uv : NULL,
+                          .colors = random_flag(&seed) ? m.color : NULL,
+                          .triangles = (const uint16_t(*)[3])m.triangle,
+                          .vertex_count = VERTICES,
+                          .triangle_count = TRIANGLES};
         view.light = random_flag(&seed) ? &light : NULL;
         view.vertices = random_flag(&seed) ? scratch : NULL;
         view.vertex_count = view.vertices != NULL ? VERTICES : 0;
         qtri_texture texture = checker;
         texture.fields = (uint16_t)random64(&seed);
         texture.width_log2 = (uint8_t)random64(&seed);
+        texture.wrap_u = (qtri_wrap)random_bits32(&seed);
+        texture.wrap_v = (qtri_wrap)random_in(&seed, 0, 1);
+        texture.filter = (qtri_filter)random_in(&seed, 0, 2);
+        texture.has_key = random_flag(&seed);
+        texture.key = (uint32_t)random_in(&seed, 0, 2);
         qtri_material material = random_material(&seed);
         material.texture = random_flag(&seed) ? &texture : NULL;
         material.cull = (qtri_cull)random_bits32(&seed);

@@ -102,7 +102,7 @@ static void projects_its_rows(void **state)
         qtri_project(&projector, &clip, &screen);
         long double v[4];
         for (int i = 0; i < 4; i++) {
-            const qtri_row *row = &projector.row[i];
+            const qtri_row *row = &projector.row.wide[i];
             int128 sum = (int128)row->m[0] * p.x + (int128)row->m[1] * p.y +
                          (int128)row->m[2] * p.z + row->t;
             v[i] = ldexpl((long double)sum, -row->exponent);

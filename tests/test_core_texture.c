@@ -2,9 +2,9 @@
  * Texture fetch: the texel under each pixel against double arithmetic, for every size and format,
  * near and far from the origin; replace and modulate; textures that are none.
  */
-#include "support_core.h"
+#include "support_texture.h"
 
-enum { WIDTH = 40, HEIGHT = 36, SIDE = 1024 };
+enum { SIDE = 1024 };
 
 /* Every texel is its own address. */
 static uint32_t address_texels[SIDE * SIDE];
@@ -12,8 +12,11 @@ static uint32_t address_texels[SIDE * SIDE];
 static qtri_texture address_texture(int width_log2, int height_log2)
 {
     qtri_texture t = {
-        address_texels,        QTRI_TEXEL_XRGB8888, (uint8_t)width_log2, (uint8_t)height_log2, 0,
-        {{0, 0, 0}, {0, 0, 0}}};
+        .texels = address_texels,
+        .format = QTRI_TEXEL_XRGB8888,
+        .width_log2 = (uint8_t)width_log2,
+        .height_log2 = (uint8_t)height_log2,
+    };
     for (uint32_t i = 0; i < 1u << (width_log2 + height_log2); i++) {
         address_texels[i] = i;
     }
@@ -29,35 +32,6 @@ static double outside(double coordinate, int index, int side)
         return 0;
     }
     return fmin(offset - 1, side - offset);
-}
-
-static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int32_t reach,
-                            int32_t uv_reach)
-{
-    for (int i = 0; i < 3; i++) {
-        v[i] = screen_at(random_in(seed, WIDTH * 128 - reach, WIDTH * 128 + reach),
-                         random_in(seed, HEIGHT * 128 - reach, HEIGHT * 128 + reach));
-        v[i].u_q32 = (int64_t)random_in(seed, -uv_reach, uv_reach) * 65536;
-        v[i].v_q32 = (int64_t)random_in(seed, -uv_reach, uv_reach) * 65536;
-        v[i].inv_w_q31 = 0x80000000u >> random_in(seed, 0, 3);
-    }
-}
-
-static double perspective_sum(const qtri_screen_vertex v[3], int32_t x, int32_t y, bool perspective,
-                              bool second)
-{
-    double sum = 0;
-    double total = 0;
-    for (int i = 0; i < 3; i++) {
-        const qtri_screen_vertex *p = &v[(i + 1) % 3];
-        const qtri_screen_vertex *q = &v[(i + 2) % 3];
-        double b = (double)(q->x_24p8 - p->x_24p8) * (y * 256 + 128 - p->y_24p8) -
-                   (double)(q->y_24p8 - p->y_24p8) * (x * 256 + 128 - p->x_24p8);
-        b *= perspective ? v[i].inv_w_q31 : 1;
-        sum += b * ldexp((double)(second ? v[i].v_q32 : v[i].u_q32), -32);
-        total += b;
-    }
-    return sum / total;
 }
 
 /* Largest distance, in texels, between a coordinate and the texel that was fetched for it. */
@@ -155,22 +129,6 @@ static void pixel_for_texel(void **state)
     canvas_free(&c);
 }
 
-static void draw_quad(const canvas *c, const qtri_material *m, const int level[3])
-{
-    qtri_screen_vertex q[4] = {screen_at(0, 0), screen_at(WIDTH * 256, 0),
-                               screen_at(WIDTH * 256, HEIGHT * 256), screen_at(0, HEIGHT * 256)};
-    for (int i = 0; i < 4; i++) {
-        q[i].u_q32 = i == 1 || i == 2 ? (int64_t)1 << 32 : 0;
-        q[i].v_q32 = i >= 2 ? (int64_t)1 << 32 : 0;
-        for (int channel = 0; channel < 3; channel++) {
-            q[i].color_8p16[channel] = level[channel] << 16;
-        }
-    }
-    qtri_screen_vertex second[3] = {q[0], q[2], q[3]};
-    qtri_raster_triangle(&c->surface, m, q);
-    qtri_raster_triangle(&c->surface, m, second);
-}
-
 static void modulates(void **state)
 {
     (void)state;
@@ -185,7 +143,7 @@ static void modulates(void **state)
             one_texel = 0xFFFFFFu;
             one_565 = 0xFFFF;
         }
-        qtri_texture texture = {&one_texel, QTRI_TEXEL_XRGB8888, 0, 0, 0, {{0, 0, 0}, {0, 0, 0}}};
+        qtri_texture texture = {.texels = &one_texel, .format = QTRI_TEXEL_XRGB8888};
         if (narrow) {
             texture.texels = &one_565;
             texture.format = QTRI_TEXEL_RGB565;
@@ -223,8 +181,13 @@ static void checkers(void **state)
     canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
     static const int fields[] = {0, 1, 2, 8, 3, 64, 65535};
     for (size_t n = 0; n < LENGTH_OF(fields); n++) {
-        qtri_texture texture = {NULL, QTRI_TEXEL_CHECKER,  6,
-                                5,    (uint16_t)fields[n], {{255, 0, 1}, {2, 255, 3}}};
+        qtri_texture texture = {
+            .format = QTRI_TEXEL_CHECKER,
+            .width_log2 = 6,
+            .height_log2 = 5,
+            .fields = (uint16_t)fields[n],
+            .color = {{255, 0, 1}, {2, 255, 3}},
+        };
         qtri_material m = plain_material();
         const int white[3] = {255, 255, 255};
         m.texture = &texture;
@@ -248,7 +211,7 @@ static void odd_textures(void **state)
     (void)state;
     canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
     static const qtri_texture zeroed;
-    qtri_texture none = {NULL, QTRI_TEXEL_XRGB8888, 3, 3, 0, {{9, 9, 9}, {9, 9, 9}}};
+    qtri_texture none = {.format = QTRI_TEXEL_XRGB8888, .width_log2 = 3, .height_log2 = 3};
     qtri_material m = plain_material();
     const int level[3] = {10, 20, 30};
     m.texture = &zeroed;

@@ -149,6 +149,10 @@ static void equal_to_reference(void **state)
         "09-floor",
         "09-texture-affine",
         "09-texture-perspective",
+        "10-texture-bilinear",
+        "10-texture-clamp",
+        "10-texture-key",
+        "10-texture-nearest",
     };
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         struct scene scene;

@@ -5,6 +5,7 @@
 #include "io_check.h"
 
 #include "io/picture.h"
+#include "io/palette.h"
 #include "io/scene.h"
 
 #define LITERAL(text) text, sizeof(text) - 1
@@ -109,6 +110,10 @@ static void assert_defaults(const struct scene *scene)
     assert_int_equal(scene->texture_mode, SCENE_MODULATE);
     assert_int_equal(scene->texture.width, 0);
     assert_null(scene->texture.rgb);
+    assert_false(scene->texture_clamp[0] || scene->texture_clamp[1]);
+    assert_false(scene->texture_bilinear);
+    assert_false(scene->texture_keyed);
+    assert_int_equal(scene->texel_format, SCENE_TEXEL_XRGB8888);
     assert_int_equal(scene->depth_near, 0);
     assert_int_equal(scene->depth_far, ONE);
     assert_int_equal(scene->op_count, 0);
@@ -168,6 +173,8 @@ static void the_last_statement_wins(void **state)
               "texmode replace\ninterpolate linear\npolygon line\ndepthrange 1 0\n"
               "clear 0 0 0\ncleardepth 1\ndepth off\ndepthmask on\ncull none\n"
               "shade smooth\ntexture off\ntexmode modulate\n"
+              "texwrap clamp\ntexfilter bilinear\ntexformat gray8\ntexkey 1 2 3\n"
+              "texwrap repeat\ntexfilter nearest\ntexformat xrgb8888\ntexkey off\n"
               "interpolate perspective\npolygon fill\ndepthrange 0 1\n");
     assert_int_equal(scene.width, 1);
     assert_int_equal(scene.height, 4096);
@@ -412,6 +419,77 @@ static void texture_from_a_file(void **state)
     assert_error_in_folder("texture t\x01.ppm\n", "1: texture: 't?.ppm' is not a file name");
 }
 
+static void texture_state(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {
+        [SCENE_TEXEL_XRGB8888] = "xrgb8888",
+        [SCENE_TEXEL_RGB565] = "rgb565",
+        [SCENE_TEXEL_PALETTE] = "palette",
+        [SCENE_TEXEL_GRAY8] = "gray8",
+    };
+    for (size_t i = 0; i < ARRAY_LENGTH(formats); i++) {
+        char text[200];
+        (void)snprintf(text, sizeof text, "texformat %s\ntexture 4 4 2 1 2 3 4 5 6\n", formats[i]);
+        struct scene scene = parse(text);
+        assert_int_equal(scene.texel_format, i);
+        assert_memory_equal(scene.texture.rgb, "\1\2\3", 3); /* converted by those who draw */
+        scene_free(&scene);
+    }
+    struct scene scene = parse("texwrap clamp\ntexfilter bilinear\ntexkey 0 128 255\n");
+    assert_true(scene.texture_clamp[0] && scene.texture_clamp[1]);
+    assert_true(scene.texture_bilinear && scene.texture_keyed);
+    assert_memory_equal(scene.texture_key, "\0\200\377", 3);
+    scene_free(&scene);
+    scene = parse("texwrap clamp repeat\n");
+    assert_true(scene.texture_clamp[0] && !scene.texture_clamp[1]);
+    scene_free(&scene);
+    scene = parse("texwrap repeat clamp\n");
+    assert_true(!scene.texture_clamp[0] && scene.texture_clamp[1]);
+    scene_free(&scene);
+}
+
+/* 16 x 32 texels of `count` colours. */
+static void write_colors(const char *name, int count)
+{
+    static const char header[] = "P6 16 32 255\n";
+    uint8_t file[sizeof header - 1 + 3 * 512] = {0};
+    memcpy(file, header, sizeof header - 1);
+    for (int i = 0; i < 512; i++) {
+        uint8_t *rgb = &file[sizeof header - 1 + 3 * (size_t)i];
+        rgb[0] = (uint8_t)(i % count);
+        rgb[1] = (uint8_t)(i % count / 256);
+    }
+    (void)io_write(name, file, sizeof file);
+}
+
+/* 256 colours fit a palette; the message for more names the statement that asked for one. */
+static void palettes(void **state)
+{
+    (void)state;
+    write_colors("fits.ppm", 256);
+    write_colors("more.ppm", 257);
+    struct scene scene = parse("texformat palette\ntexture fits.ppm\n" TRIT);
+    assert_int_equal(scene.texture.height, 32);
+    struct palette palette;
+    uint8_t numbers[512];
+    assert_true(palette_make(&palette, scene.texture.rgb, 512, numbers));
+    assert_int_equal(palette.count, 256);
+    for (size_t i = 0; i < 512; i++) {
+        assert_memory_equal(palette.color[numbers[i]], &scene.texture.rgb[3 * i], 3);
+    }
+    assert_int_equal(palette_find(&palette, (const uint8_t[3]){7, 0, 0}), 7);
+    assert_int_equal(palette_find(&palette, (const uint8_t[3]){7, 1, 0}), -1);
+    scene_free(&scene);
+    assert_error_in_folder("texformat palette\n\ntexture more.ppm\n" TRIT,
+                           "1: texformat: the texture of line 3 has more than 256 colours");
+    scene = parse("texformat palette\ntexture more.ppm\ntexformat rgb565\n" TRIT);
+    scene_free(&scene);
+    scene = parse("texformat palette\n" TRIT);
+    assert_null(scene.texture.rgb);
+    scene_free(&scene);
+}
+
 /* ---- Meshes ---- */
 
 static void meshes_are_read_once(void **state)
@@ -548,6 +626,13 @@ static void value_errors(void **state)
         {"shade round", "'round' is unknown here: shade smooth|flat [first|last]"},
         {"shade flat middle", "'middle' is unknown here: shade smooth|flat [first|last]"},
         {"texmode add", "'add' is unknown here: texmode replace|modulate"},
+        {"texwrap mirror", "'mirror' is unknown here: texwrap repeat|clamp [repeat|clamp]"},
+        {"texwrap clamp off", "'off' is unknown here: texwrap repeat|clamp [repeat|clamp]"},
+        {"texfilter linear", "'linear' is unknown here: texfilter nearest|bilinear"},
+        {"texformat cmyk", "'cmyk' is unknown here: texformat xrgb8888|rgb565|palette|gray8"},
+        {"texkey on", "'on' is unknown here: texkey off or texkey r g b"},
+        {"texkey 1 2 256", "texkey: '256' is not a whole number in 0..255"},
+        {"texkey 1 2", "wrong number of values (2) for texkey off or texkey r g b"},
         {"interpolate cubic", "'cubic' is unknown here: interpolate perspective|linear"},
         {"polygon point", "'point' is unknown here: polygon fill|line"},
         {"mode texture", "'texture' is unknown here: mode projection|modelview"},
@@ -722,6 +807,8 @@ int main(void)
         cmocka_unit_test(checkerboard),
         cmocka_unit_test(checkerboard_sizes),
         cmocka_unit_test_setup_teardown(texture_from_a_file, in_folder, out_of_folder),
+        cmocka_unit_test(texture_state),
+        cmocka_unit_test_setup_teardown(palettes, in_folder, out_of_folder),
         cmocka_unit_test_setup_teardown(meshes_are_read_once, in_folder, out_of_folder),
         cmocka_unit_test_setup_teardown(mesh_errors, in_folder, out_of_folder),
         cmocka_unit_test_teardown(scene_files, io_remove_files),

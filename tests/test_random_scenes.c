@@ -28,15 +28,48 @@ static unsigned first_seed(void)
     return seed != NULL ? (unsigned)strtoul(seed, NULL, 10) : 1;
 }
 
-static void read_scene(uint32_t seed, struct scene *scene)
+/*
+ * Half of the checkerboards become noise of four colours, two of them the board's, and a quarter
+ * gradients, where the format holds as many colours.
+ */
+static void repaint(uint32_t seed, struct scene *scene)
+{
+    const struct scene_texture *texture = &scene->texture;
+    size_t width = (size_t)texture->width;
+    size_t count = width * (size_t)texture->height;
+    bool gradient = seed % 4 == 3 && scene->texel_format != SCENE_TEXEL_PALETTE;
+    if (count == 0 || seed % 2 == 0) {
+        return;
+    }
+    uint8_t colors[4][3] = {{255, 255, 255}, {0, 40, 90}};
+    memcpy(colors[2], &texture->rgb[0], 3);
+    memcpy(colors[3], &texture->rgb[3 * (count - 1)], 3);
+    uint32_t noise = seed;
+    for (size_t i = 0; i < count; i++) {
+        uint8_t *rgb = &texture->rgb[3 * i];
+        noise = noise * 1664525u + 1013904223u; /* Numerical Recipes */
+        if (gradient) {
+            rgb[0] = (uint8_t)(i % width * 255 / width);
+            rgb[1] = (uint8_t)(i * 255 / count);
+            rgb[2] = (uint8_t)(255 - rgb[0]);
+        } else {
+            memcpy(rgb, colors[noise >> 30], 3);
+        }
+    }
+}
+
+static void read_scene(uint32_t seed, bool textured, struct scene *scene)
 {
     size_t length = 0;
     struct text_error error;
-    char *text = scene_random(seed, &length);
+    char *text = textured ? scene_random_textured(seed, &length) : scene_random(seed, &length);
     if (!scene_parse("random", text, length, scene, &error)) {
         fail_msg("seed %u: %s", seed, error.message);
     }
     free(text);
+    if (textured) {
+        repaint(seed, scene);
+    }
 }
 
 static void compare(const struct scene *scene, const struct picture *picture, int subpixel_bits,
@@ -59,16 +92,15 @@ static void print(const char *name, const struct accuracy *a)
                   a->max_color, a->max_depth);
 }
 
-static void error_budget(void **state)
+static void measure(bool textured)
 {
-    (void)state;
     struct accuracy snapped = {0};
     struct accuracy exact = {0};
     for (unsigned i = 0; i < scene_count(); i++) {
         struct scene scene;
         struct picture picture;
         struct accuracy before[2] = {snapped, exact};
-        read_scene(first_seed() + i, &scene);
+        read_scene(first_seed() + i, textured, &scene);
         assert_true(scene_render(&scene, QTRI_XRGB8888, 0, true, &picture));
         compare(&scene, &picture, 8, &snapped);
         if (!scene.screen_linear) { /* means something else for triangles that are not cut */
@@ -100,6 +132,18 @@ static void error_budget(void **state)
     assert_true(accuracy_per_100k(snapped.depth_above_2, snapped.same) <= 100.0);
 }
 
+static void error_budget(void **state)
+{
+    (void)state;
+    measure(false);
+}
+
+static void error_budget_of_textures(void **state)
+{
+    (void)state;
+    measure(true);
+}
+
 /*
  * Scenes of longer runs that once were wrong: triangles that reach behind the eye but only through
  * the far plane, vertices at infinity, texture coordinates cut at the guard band.
@@ -112,7 +156,7 @@ static void found_before(void **state)
         struct scene scene;
         struct picture picture;
         struct accuracy sum = {0};
-        read_scene(seeds[i], &scene);
+        read_scene(seeds[i], false, &scene);
         assert_true(scene_render(&scene, QTRI_XRGB8888, 0, true, &picture));
         compare(&scene, &picture, 8, &sum);
         assert_int_equal(sum.coverage, 0);
@@ -132,7 +176,7 @@ static void bands_equal_whole(void **state)
         struct scene scene;
         struct picture whole;
         struct picture banded;
-        read_scene(first_seed() + i, &scene);
+        read_scene(first_seed() + i, i % 2 == 1, &scene);
         assert_true(scene_render(&scene, formats[i % 3], 0, true, &whole));
         assert_true(scene_render(&scene, formats[i % 3], 1 + (int32_t)(i * 7 % 50), true, &banded));
         size_t pixels = (size_t)whole.width * (size_t)whole.height;
@@ -149,6 +193,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(error_budget),
+        cmocka_unit_test(error_budget_of_textures),
         cmocka_unit_test(found_before),
         cmocka_unit_test(bands_equal_whole),
     };

@@ -199,6 +199,110 @@ static void textures_repeat(void **state)
     }
 }
 
+/* The picture of a quad of 8x8 pixels, u from u0 to u1 from the left, v alike from the top. */
+static struct reference_image textured_quad(const char *state, double u0, double u1)
+{
+    char text[1024];
+    snprintf(text, sizeof text,
+             "viewport 8 8\ntexmode replace\ndepth less\n%s\n"
+             "trit -1 -1 0 1 1 1 1 %f %f   1 -1 0 1 1 1 1 %f %f   1 1 0 1 1 1 1 %f %f\n"
+             "trit -1 -1 0 1 1 1 1 %f %f   1 1 0 1 1 1 1 %f %f  -1 1 0 1 1 1 1 %f %f\n",
+             state, u0, u1, u1, u1, u1, u0, u0, u1, u1, u0, u0, u0);
+    return render(text, 8);
+}
+
+/* 2x2 texels over the middle 4x4 pixels: u and v from -1/2 to 3/2. */
+static void textures_clamp(void **state)
+{
+    (void)state;
+    static const char *const wrap[] = {"clamp", "clamp repeat", "repeat clamp", "repeat"};
+    for (size_t n = 0; n < 4; n++) {
+        char text[200];
+        snprintf(text, sizeof text, "texture 2 2 2 0 0 0 100 0 0\ntexwrap %s", wrap[n]);
+        struct reference_image image = textured_quad(text, -.5, 1.5);
+        for (int y = 0; y < 8; y++) {
+            for (int x = 0; x < 8; x++) {
+                int column = n < 2 ? x >= 4 : (x - 2 + 8) / 2 % 2;
+                int row = n % 2 == 0 ? y >= 4 : (y - 2 + 8) / 2 % 2;
+                assert_near(image.color[3 * at(&image, x, y)], (column + row) % 2 * 100, 1e-9);
+            }
+        }
+        reference_free(&image);
+    }
+}
+
+/* 2x2 texels over 8x8 pixels: weights are odd eighths, centres at pixels 2 and 6 of each row. */
+static void textures_are_filtered(void **state)
+{
+    (void)state;
+    static const double clamped[8] = {0, 0, 12.5, 37.5, 62.5, 87.5, 100, 100};
+    static const double repeated[8] = {37.5, 12.5, 12.5, 37.5, 62.5, 87.5, 87.5, 62.5};
+    for (int clamp = 0; clamp < 2; clamp++) {
+        char text[200];
+        snprintf(text, sizeof text, "texture 2 2 2 0 0 0 100 0 0\ntexfilter bilinear\ntexwrap %s",
+                 clamp ? "clamp" : "repeat");
+        struct reference_image image = textured_quad(text, 0, 1);
+        const double *share = clamp ? clamped : repeated; /* of the second column or row */
+        for (int y = 0; y < 8; y++) {
+            for (int x = 0; x < 8; x++) {
+                double expected = share[x] + share[y] - share[x] * share[y] / 50;
+                assert_near(image.color[3 * at(&image, x, y)], expected, 1e-9);
+            }
+        }
+        reference_free(&image);
+    }
+}
+
+static void texel_formats(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        double color[3];
+    } formats[] = {{"xrgb8888", {200, 101, 50}},
+                   {"palette", {200, 101, 50}},
+                   {"rgb565", {24 * 255 / 31., 25 * 255 / 63., 6 * 255 / 31.}},
+                   {"gray8", {125, 125, 125}}}; /* 124.787 */
+    for (size_t n = 0; n < ARRAY_LENGTH(formats); n++) {
+        char text[200];
+        snprintf(text, sizeof text, "texture 1 1 1 200 101 50 0 0 0\ntexformat %s",
+                 formats[n].name);
+        struct reference_image image = textured_quad(text, 0, 1);
+        for (size_t c = 0; c < 3; c++) {
+            assert_near(image.color[c], formats[n].color[c], 1e-9);
+        }
+        reference_free(&image);
+    }
+}
+
+/* Texels stored as the key is leave colour, depth and id alone; filtered, they lend no colour. */
+static void keys_leave_holes(void **state)
+{
+    (void)state;
+    static const char *const filters[] = {"nearest", "bilinear"};
+    static const char *const keys[] = {"xrgb8888\ntexkey 100 0 0", "palette\ntexkey 100 0 0",
+                                       "rgb565\ntexkey 97 1 3", "gray8\ntexkey 0 51 0"};
+    for (int n = 0; n < 8; n++) {
+        char text[200];
+        snprintf(text, sizeof text,
+                 "clear 0 0 1\ntexture 4 4 4 100 0 0 0 0 0\ntexfilter %s\ntexformat %s",
+                 filters[n / 4], keys[n % 4]);
+        struct reference_image image = textured_quad(text, 0, 1);
+        for (int y = 0; y < 8; y++) {
+            for (int x = 0; x < 8; x++) {
+                size_t i = at(&image, x, y);
+                bool hole = (x / 2 + y / 2) % 2 == 0;
+                assert_int_equal(image.id[i] == 0, hole);
+                assert_int_equal(image.hits[i], 1);
+                assert_near(image.depth[i], hole ? 1 : .5, 1e-9);
+                assert_near(image.color[3 * i], 0, 0);
+                assert_near(image.color[3 * i + 2], hole ? 255 : 0, 1e-9);
+            }
+        }
+        reference_free(&image);
+    }
+}
+
 /* Texture coordinates are perspective-correct: a quad whose right side is twice as far has u = 1/3
    in its middle column. */
 static void textures_follow_perspective(void **state)
@@ -410,6 +514,10 @@ int main(void)
         cmocka_unit_test(flat_shading_takes_the_provoking_vertex),
         cmocka_unit_test(color_range_is_that_of_the_vertices),
         cmocka_unit_test(textures_repeat),
+        cmocka_unit_test(textures_clamp),
+        cmocka_unit_test(textures_are_filtered),
+        cmocka_unit_test(texel_formats),
+        cmocka_unit_test(keys_leave_holes),
         cmocka_unit_test(textures_follow_perspective),
         cmocka_unit_test(light_per_vertex_and_per_face),
         cmocka_unit_test(normals_follow_the_inverse_transpose),

@@ -1,134 +1,343 @@
 #include "../geometry/lighting.h"
-#include "../math/bits.h"
+#include "../math/dot.h"
 #include "primitive.h"
 
 /* One draw call: what every triangle needs. */
 typedef struct mesh_draw {
     qtri_primitive primitive;
-    const qtri_view *view;
+    qtri_raster raster;     /* the primitive's, tinted if all vertices have the material's colour */
+    qtri_material material; /* without the texture when there are no coordinates */
     const qtri_mesh *mesh;
+    qtri_vertex *vertices; /* slot_count of them */
+    uint32_t slot_count;
     bool lit, lit_per_vertex;
     qtri_lighting lighting;
 } mesh_draw;
 
-static void transform(const mesh_draw *draw, uint32_t index, qtri_vertex *out)
+/* False when one of the vertices is outside. */
+static bool transform(const mesh_draw *draw, uint32_t first, uint32_t count, qtri_vertex *out)
 {
-    qtri_clip_vertex clip;
-    qtri_screen_vertex screen = {0};
-    qtri_projector_point(&draw->primitive.projector, &draw->mesh->positions[index], &clip);
-    unsigned outcode = qtri_clip_outcode(&clip);
-    if (outcode == 0) {
-        qtri_project(&draw->primitive.projector, &clip, &screen);
+    const qtri_projector *projector = &draw->primitive.projector;
+    if (draw->mesh->positions16 != NULL) {
+        return qtri_projector_vertices16(projector, &draw->mesh->positions16[first], count, out);
     }
-    out->tag = index + 1;
-    out->intensity = -1;
-    out->outcode = (uint8_t)outcode;
-    out->x_24p8 = screen.x_24p8;
-    out->y_24p8 = screen.y_24p8;
-    out->depth_16p16 = screen.depth_16p16;
-    out->inv_w_q31 = screen.inv_w_q31;
-    out->inv_w_exponent = (int16_t)screen.inv_w_exponent;
+    return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
+}
+
+static uint32_t face_intensity(const mesh_draw *draw, const uint32_t index[3])
+{
+    const qtri_mesh *mesh = draw->mesh;
+    if (mesh->positions16 == NULL) {
+        return qtri_lighting_face(&draw->lighting, &mesh->positions[index[0]],
+                                  &mesh->positions[index[1]], &mesh->positions[index[2]]);
+    }
+    return qtri_lighting_face16(&draw->lighting, &mesh->positions16[index[0]],
+                                &mesh->positions16[index[1]], &mesh->positions16[index[2]]);
+}
+
+static uint32_t vertex_intensity(const mesh_draw *draw, uint32_t index)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    return mesh->normals8 != NULL ? qtri_lighting_vertex8(&draw->lighting, &mesh->normals8[index])
+                                  : qtri_lighting_vertex(&draw->lighting, &mesh->normals[index]);
+}
+
+static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
+{
+    if (mesh->uvs16 != NULL) {
+        *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
+        *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
+    } else if (mesh->uvs != NULL) {
+        *u_q32 = (int64_t)mesh->uvs[index].x * 65536;
+        *v_q32 = (int64_t)mesh->uvs[index].y * 65536;
+    } else {
+        *u_q32 = 0;
+        *v_q32 = 0;
+    }
+}
+
+/* Light on a corner: of the vertex, computed when it is first needed, or of the face. */
+static uint32_t corner_intensity(const mesh_draw *draw, uint32_t index, qtri_vertex *vertex,
+                                 uint32_t face)
+{
+    if (!draw->lit_per_vertex) {
+        return face;
+    }
+    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
+        vertex->intensity_q15 = (uint16_t)vertex_intensity(draw, index);
+    }
+    return vertex->intensity_q15;
+}
+
+static uint32_t light_on_face(const mesh_draw *draw, const uint32_t index[3])
+{
+    return draw->lit && !draw->lit_per_vertex ? face_intensity(draw, index) : QTRI_INTENSITY_ONE;
+}
+
+/* Colours, light and texture coordinates of a triangle that is clipped or drawn as lines. */
+static void set_attributes(const mesh_draw *draw, const uint32_t index[3],
+                           qtri_vertex *const vertex[3], qtri_screen_vertex out[3])
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const uint32_t face = light_on_face(draw, index);
+    for (int i = 0; i < 3; i++) {
+        int32_t intensity = (int32_t)corner_intensity(draw, index[i], vertex[i], face) * 2;
+        qtri_rgb color = mesh->colors != NULL ? mesh->colors[index[i]] : draw->material.color;
+        out[i].color_8p16[0] = color.r * intensity; /* <= 255.0 */
+        out[i].color_8p16[1] = color.g * intensity;
+        out[i].color_8p16[2] = color.b * intensity;
+        set_uv(&out[i].u_q32, &out[i].v_q32, mesh, index[i]);
+    }
+}
+
+/* Rare: homogeneous coordinates are not kept but computed again. */
+QTRI_NOINLINE static void draw_clipped(const mesh_draw *draw, const uint32_t index[3],
+                                       qtri_vertex *const vertex[3])
+{
+    unsigned common = QTRI_VERTEX_OUTCODE;
+    for (int i = 0; i < 3; i++) {
+        uint32_t word = vertex[i]->depth_16p8;
+        common &= (word & QTRI_VERTEX_OUTSIDE) != 0 ? word : 0;
+    }
+    if (common != 0) {
+        return;
+    }
+    qtri_clip_vertex clip[3];
+    qtri_screen_vertex screen[3];
+    const qtri_projector *projector = &draw->primitive.projector;
+    for (int i = 0; i < 3; i++) {
+        if (draw->mesh->positions16 != NULL) {
+            qtri_projector_point16(projector, &draw->mesh->positions16[index[i]], &clip[i]);
+        } else {
+            qtri_projector_point(projector, &draw->mesh->positions[index[i]], &clip[i]);
+        }
+    }
+    set_attributes(draw, index, vertex, screen);
+    qtri_primitive_triangle(&draw->primitive, clip, screen);
+}
+
+static inline bool is_inside(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c)
+{
+    return ((a->depth_16p8 | b->depth_16p8 | c->depth_16p8) & QTRI_VERTEX_OUTSIDE) == 0;
+}
+
+/* The indices at a triangle's place in the mesh. */
+static void read_indices(uint32_t index[3], const void *triangle, bool narrow)
+{
+    const uint16_t *wide = triangle;
+    const uint8_t *bytes = triangle;
+    for (int i = 0; i < 3; i++) {
+        index[i] = narrow ? bytes[i] : wide[i];
+    }
+}
+
+/* Colours of a solid triangle, in units of the target or as shares of the mesh's one colour. */
+static void set_colors(const mesh_draw *draw, const uint32_t index[3], qtri_vertex *const vertex[3],
+                       qtri_attributes out[3])
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const uint32_t face = light_on_face(draw, index);
+    for (int i = 0; i < 3; i++) {
+        int32_t intensity = (int32_t)corner_intensity(draw, index[i], vertex[i], face);
+        out[i].color[0] = intensity << 9; /* Q15 to Q24 */
+        if (mesh->colors != NULL) {
+            const qtri_rgb *color = &mesh->colors[index[i]];
+            int32_t color_8p16[3] = {color->r * intensity * 2, color->g * intensity * 2,
+                                     color->b * intensity * 2};
+            qtri_channels channels =
+                qtri_channels_from_color(draw->primitive.surface->format, color_8p16);
+            out[i].color[0] = channels.c[0];
+            out[i].color[1] = channels.c[1];
+            out[i].color[2] = channels.c[2];
+        }
+    }
+}
+
+/* Twice the area in 1/256 pixel squared; negative is counter-clockwise to the eye. */
+static inline int64_t area_of(const qtri_screen_point *a, const qtri_screen_point *b,
+                              const qtri_screen_point *c)
+{
+    return qtri_mul_s32(b->x_24p8 - a->x_24p8, c->y_24p8 - a->y_24p8) +
+           qtri_mul_s32(a->x_24p8 - c->x_24p8, b->y_24p8 - a->y_24p8); /* < 2^24 each */
+}
+
+/* Lit only when it may touch a pixel. */
+static void draw_solid(const mesh_draw *draw, const uint32_t index[3], qtri_vertex *const vertex[3])
+{
+    const qtri_raster *raster = &draw->raster;
+    qtri_triangle triangle;
+    for (int i = 0; i < 3; i++) {
+        triangle.p[i] = &vertex[i]->at;
+    }
+    triangle.area = area_of(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at);
+    if (triangle.area == 0 || !qtri_triangle_begin(raster, &triangle)) {
+        return;
+    }
+    qtri_attributes attributes[3];
+    set_colors(draw, index, vertex, attributes);
+    for (int i = 0; i < 3; i++) {
+        attributes[i].depth_16p16 = vertex[i]->depth_16p8 & ~0xFFu;
+        attributes[i].inv_w_q31 = vertex[i]->inv_w;
+        attributes[i].inv_w_exponent = (int32_t)(vertex[i]->depth_16p8 & 0xFFu);
+        if (raster->texture != NULL) {
+            set_uv(&attributes[i].u_q32, &attributes[i].v_q32, draw->mesh, index[i]);
+        }
+    }
+    qtri_triangle_draw(raster, &triangle, attributes);
+}
+
+static void draw_wireframe(const mesh_draw *draw, const uint32_t index[3],
+                           qtri_vertex *const vertex[3])
+{
+    qtri_screen_vertex screen[3];
+    for (int i = 0; i < 3; i++) {
+        screen[i].x_24p8 = vertex[i]->at.x_24p8;
+        screen[i].y_24p8 = vertex[i]->at.y_24p8;
+        screen[i].depth_16p16 = vertex[i]->depth_16p8 & ~0xFFu;
+        screen[i].inv_w_q31 = vertex[i]->inv_w;
+        screen[i].inv_w_exponent = (int32_t)(vertex[i]->depth_16p8 & 0xFFu);
+    }
+    set_attributes(draw, index, vertex, screen);
+    qtri_primitive_screen_triangle(&draw->primitive, screen);
+}
+
+/* A triangle that crosses a plane or was not culled. */
+QTRI_NOINLINE static void draw_seen(const mesh_draw *draw, const void *triangle,
+                                    qtri_vertex *const vertex[3])
+{
+    uint32_t index[3];
+    read_indices(index, triangle, draw->mesh->triangles8 != NULL);
+    if (!is_inside(vertex[0], vertex[1], vertex[2])) {
+        draw_clipped(draw, index, vertex);
+    } else if (draw->material.fill == QTRI_SOLID) {
+        draw_solid(draw, index, vertex);
+    } else {
+        draw_wireframe(draw, index, vertex);
+    }
+}
+
+/* Any culling, and triangles that may cross planes; those are never turned away. */
+QTRI_NOINLINE static bool turned_away(const mesh_draw *draw, const qtri_vertex *a,
+                                      const qtri_vertex *b, const qtri_vertex *c)
+{
+    qtri_cull cull = draw->material.cull;
+    if (!is_inside(a, b, c) || (cull != QTRI_CULL_BACK && cull != QTRI_CULL_FRONT)) {
+        return false;
+    }
+    int64_t area = area_of(&a->at, &b->at, &c->at);
+    return cull == QTRI_CULL_BACK ? area >= 0 : area <= 0;
+}
+
+/* area_of(a, b, c) >= 0. */
+static inline bool is_back(const qtri_screen_point *a, const qtri_screen_point *b,
+                           const qtri_screen_point *c)
+{
+#if !QTRI_LONG_MULTIPLY
+    /* Differences of 16 bits: products of 32, one instruction each. */
+    int32_t x1 = b->x_24p8 - a->x_24p8;
+    int32_t y1 = b->y_24p8 - a->y_24p8;
+    int32_t x2 = c->x_24p8 - a->x_24p8;
+    int32_t y2 = c->y_24p8 - a->y_24p8;
+    int32_t high = (x1 ^ (x1 >> 31)) | (y1 ^ (y1 >> 31)) | (x2 ^ (x2 >> 31)) | (y2 ^ (y2 >> 31));
+    if (high >> 15 == 0) {
+        return x1 * y2 >= x2 * y1;
+    }
+#endif
+    return area_of(a, b, c) >= 0;
 }
 
 /*
- * The vertex's slot, filled. Vertex i lives in slot i modulo their number: with a slot for each,
- * every vertex is transformed once; with fewer, some are transformed again. Without memory, or
- * when a corner of the same triangle holds the slot, `spare` serves.
+ * The triangles of a mesh whose vertices are all there. By far the most end in this loop; when
+ * `simple`, back faces are culled and no vertex is outside.
+ */
+static inline void draw_triangles(const mesh_draw *draw, const void *triangles, bool narrow,
+                                  bool simple)
+{
+    qtri_vertex *vertices = draw->vertices;
+    const uint32_t count = draw->mesh->vertex_count;
+    const uint32_t size = narrow ? 3 : 6;
+    const uint8_t *triangle = triangles;
+    if (draw->mesh->triangle_count == 0) {
+        return;
+    }
+    const uint8_t *end = triangle + draw->mesh->triangle_count * size;
+    for (; triangle != end; triangle += size) {
+        uint32_t index[3];
+        read_indices(index, triangle, narrow);
+        if (index[0] >= count || index[1] >= count || index[2] >= count) {
+            continue;
+        }
+        qtri_vertex *a = &vertices[index[0]];
+        qtri_vertex *b = &vertices[index[1]];
+        qtri_vertex *c = &vertices[index[2]];
+        QTRI_HOLD(a); /* three registers; GCC 12 would keep six */
+        QTRI_HOLD(b);
+        QTRI_HOLD(c);
+        if (simple ? is_back(&a->at, &b->at, &c->at) : turned_away(draw, a, b, c)) {
+            continue;
+        }
+        qtri_vertex *const vertex[3] = {a, b, c};
+        draw_seen(draw, triangle, vertex);
+    }
+}
+
+/* A slot for every vertex: each is transformed once. */
+QTRI_NOINLINE static void draw_whole(const mesh_draw *draw)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const bool inside = transform(draw, 0, mesh->vertex_count, draw->vertices);
+    const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
+    if (mesh->triangles8 != NULL) {
+        draw_triangles(draw, mesh->triangles8, true, simple);
+    } else {
+        draw_triangles(draw, mesh->triangles, false, simple);
+    }
+}
+
+/*
+ * The vertex's slot, filled. Vertex i lives in slot i modulo their number; when another corner of
+ * the same triangle holds it, or there is none, `spare` serves.
  */
 static qtri_vertex *fetch(const mesh_draw *draw, uint32_t index, qtri_vertex *spare,
                           qtri_vertex *const taken[2])
 {
     qtri_vertex *slot = spare;
-    if (draw->view->vertex_count > 0) {
-        qtri_vertex *own = &draw->view->vertices[index % draw->view->vertex_count];
-        slot = own->tag != index + 1 && (own == taken[0] || own == taken[1]) ? spare : own;
+    if (draw->slot_count > 0) {
+        qtri_vertex *own = &draw->vertices[index % draw->slot_count];
+        if (own->index == index && own->depth_16p8 != QTRI_VERTEX_EMPTY) {
+            return own;
+        }
+        slot = own == taken[0] || own == taken[1] ? spare : own;
     }
-    if (slot == spare || slot->tag != index + 1) {
-        transform(draw, index, slot);
-    }
+    (void)transform(draw, index, 1, slot);
+    slot->index = (uint16_t)index;
     return slot;
 }
 
-static q16 vertex_intensity(const mesh_draw *draw, qtri_vertex *vertex)
+/* Fewer slots than vertices: some are transformed again. */
+QTRI_NOINLINE static void draw_by_slots(const mesh_draw *draw)
 {
-    if (vertex->intensity < 0) {
-        vertex->intensity =
-            qtri_lighting_vertex(&draw->lighting, &draw->mesh->normals[vertex->tag - 1]);
+    for (uint32_t i = 0; i < draw->slot_count; i++) {
+        draw->vertices[i].depth_16p8 = QTRI_VERTEX_EMPTY;
     }
-    return vertex->intensity;
-}
-
-static void set_color(qtri_screen_vertex *out, qtri_rgb color, q16 intensity)
-{
-    out->color_8p16[0] = color.r * intensity; /* intensity <= 1.0 */
-    out->color_8p16[1] = color.g * intensity;
-    out->color_8p16[2] = color.b * intensity;
-}
-
-/* Colours, light and texture coordinates of a triangle that will be drawn. */
-static void set_attributes(const mesh_draw *draw, qtri_vertex *const vertex[3],
-                           qtri_screen_vertex out[3])
-{
     const qtri_mesh *mesh = draw->mesh;
-    q16 face = Q16_ONE;
-    if (draw->lit && !draw->lit_per_vertex) {
-        const qtri_vec3 *p = mesh->positions;
-        face = qtri_lighting_face(&draw->lighting, &p[vertex[0]->tag - 1], &p[vertex[1]->tag - 1],
-                                  &p[vertex[2]->tag - 1]);
-    }
-    for (int i = 0; i < 3; i++) {
-        uint32_t index = vertex[i]->tag - 1;
-        q16 intensity = draw->lit_per_vertex ? vertex_intensity(draw, vertex[i]) : face;
-        set_color(&out[i],
-                  mesh->colors != NULL ? mesh->colors[index] : draw->primitive.material->color,
-                  intensity);
-        out[i].u_q32 = mesh->uvs != NULL ? (int64_t)mesh->uvs[index].x * 65536 : 0;
-        out[i].v_q32 = mesh->uvs != NULL ? (int64_t)mesh->uvs[index].y * 65536 : 0;
-    }
-}
-
-static void set_position(qtri_screen_vertex *out, const qtri_vertex *vertex)
-{
-    out->x_24p8 = vertex->x_24p8;
-    out->y_24p8 = vertex->y_24p8;
-    out->depth_16p16 = vertex->depth_16p16;
-    out->inv_w_q31 = vertex->inv_w_q31;
-    out->inv_w_exponent = vertex->inv_w_exponent;
-}
-
-static void draw_triangle(const mesh_draw *draw, const uint16_t indices[3])
-{
-    qtri_vertex spare[3];
-    qtri_vertex *vertex[3] = {NULL, NULL, NULL};
-    for (int i = 0; i < 3; i++) {
-        if (indices[i] >= draw->mesh->vertex_count) {
-            return;
+    const uint32_t count = mesh->vertex_count;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        uint32_t index[3];
+        qtri_vertex spare[3];
+        qtri_vertex *vertex[3] = {NULL, NULL, NULL};
+        const void *triangle = mesh->triangles8 != NULL ? (const void *)mesh->triangles8[i]
+                                                        : (const void *)mesh->triangles[i];
+        read_indices(index, triangle, mesh->triangles8 != NULL);
+        if (index[0] >= count || index[1] >= count || index[2] >= count) {
+            continue;
         }
-        vertex[i] = fetch(draw, indices[i], &spare[i], vertex);
-    }
-    if ((vertex[0]->outcode & vertex[1]->outcode & vertex[2]->outcode) != 0) {
-        return;
-    }
-    qtri_screen_vertex screen[3];
-    if ((vertex[0]->outcode | vertex[1]->outcode | vertex[2]->outcode) == 0) {
-        for (int i = 0; i < 3; i++) {
-            set_position(&screen[i], vertex[i]);
+        for (int corner = 0; corner < 3; corner++) {
+            vertex[corner] = fetch(draw, index[corner], &spare[corner], vertex);
         }
-        int64_t area = qtri_primitive_area(&screen[0], &screen[1], &screen[2]);
-        if (qtri_primitive_culled(draw->primitive.material, area)) {
-            return; /* before it is lit */
+        if (!turned_away(draw, vertex[0], vertex[1], vertex[2])) {
+            draw_seen(draw, triangle, vertex);
         }
-        set_attributes(draw, vertex, screen);
-        qtri_primitive_screen_triangle(&draw->primitive, screen);
-    } else {
-        /* Rare: homogeneous coordinates are not kept but computed again. */
-        qtri_clip_vertex clip[3];
-        for (int i = 0; i < 3; i++) {
-            qtri_projector_point(&draw->primitive.projector,
-                                 &draw->mesh->positions[vertex[i]->tag - 1], &clip[i]);
-        }
-        set_attributes(draw, vertex, screen);
-        qtri_primitive_triangle(&draw->primitive, clip, screen);
     }
 }
 
@@ -136,24 +345,33 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
                     const qtri_mesh *mesh, const qtri_material *material)
 {
     mesh_draw draw;
-    qtri_material used = *material;
-    if (mesh->uvs == NULL) {
-        used.texture = NULL;
+    draw.material = *material;
+    if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
+        draw.material.texture = NULL;
     }
-    qtri_primitive_init(&draw.primitive, surface, view, pose, &used);
-    draw.view = view;
     draw.mesh = mesh;
+    draw.vertices = view->vertices;
+    draw.slot_count = view->vertex_count;
     draw.lit = view->light != NULL;
-    draw.lit_per_vertex = draw.lit && mesh->normals != NULL && material->shading == QTRI_SMOOTH;
+    draw.lit_per_vertex = draw.lit && material->shading == QTRI_SMOOTH &&
+                          (mesh->normals != NULL || mesh->normals8 != NULL);
+    qtri_primitive_init(&draw.primitive, surface, view, pose, &draw.material);
+    draw.raster = draw.primitive.raster;
+    if (mesh->colors == NULL) {
+        qtri_raster_set_tint(&draw.raster, material->color);
+    }
+    if (mesh->positions16 != NULL) {
+        qtri_projector_compact(&draw.primitive.projector, &mesh->origin, mesh->extent);
+    }
     if (draw.lit) {
         qtri_transform object_to_eye;
         qtri_transform_mul(&object_to_eye, &view->camera, pose);
-        qtri_lighting_init(&draw.lighting, view->light, &object_to_eye);
+        qtri_lighting_init(&draw.lighting, view->light, &object_to_eye,
+                           mesh->normals8 != NULL ? 127 * 128 : 1 << 14);
     }
-    for (uint32_t i = 0; i < view->vertex_count; i++) {
-        view->vertices[i].tag = 0;
-    }
-    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        draw_triangle(&draw, mesh->triangles[i]);
+    if (draw.slot_count >= mesh->vertex_count) {
+        draw_whole(&draw);
+    } else {
+        draw_by_slots(&draw);
     }
 }

@@ -9,6 +9,7 @@ void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
     qtri_transform_mul(&object_to_clip, &view->projection, &object_to_clip);
     primitive->surface = surface;
     primitive->material = material;
+    qtri_raster_init(&primitive->raster, surface, material);
     qtri_projector_init(&primitive->projector, &object_to_clip, &view->viewport);
 }
 
@@ -70,7 +71,7 @@ static void spread_provoking(const qtri_material *material, qtri_screen_vertex v
 void qtri_primitive_screen_triangle(const qtri_primitive *primitive, qtri_screen_vertex v[3])
 {
     if (primitive->material->fill == QTRI_SOLID) {
-        qtri_raster_triangle(primitive->surface, primitive->material, v);
+        qtri_raster_draw(&primitive->raster, v);
     } else if (!qtri_primitive_culled(primitive->material,
                                       qtri_primitive_area(&v[0], &v[1], &v[2]))) {
         spread_provoking(primitive->material, v);
@@ -96,7 +97,7 @@ static int64_t draw_fan(const qtri_primitive *primitive, const qtri_clip_vertex 
             int64_t area = qtri_primitive_area(&fan[0], &fan[1], &fan[2]);
             sum += area;
             if ((side < 0 && area < 0) || (side > 0 && area > 0)) {
-                qtri_raster_triangle(primitive->surface, primitive->material, fan);
+                qtri_raster_draw(&primitive->raster, fan);
             }
             fan[1] = fan[2];
         }

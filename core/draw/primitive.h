@@ -7,11 +7,13 @@
 #include "qtri/draw.h"
 
 #include "../geometry/projector.h"
+#include "../raster/triangle.h"
 
 /* Where a draw call draws to and how. */
 typedef struct qtri_primitive {
     const qtri_surface *surface;
     const qtri_material *material;
+    qtri_raster raster; /* of solid triangles */
     qtri_projector projector;
 } qtri_primitive;
 

@@ -1,93 +1,7 @@
 #include "lighting.h"
 
-#include "../math/bits.h"
-#include "../math/wide.h"
-#include "row.h"
-
-static qtri_wide dot(const qtri_wide a[3], const qtri_wide b[3])
-{
-    return qtri_wide_add(qtri_wide_add(qtri_wide_mul(a[0], b[0]), qtri_wide_mul(a[1], b[1])),
-                         qtri_wide_mul(a[2], b[2]));
-}
-
-/* |a| <= |b| 2^-20: far above the noise of a rotation in Q2.30, far below 1/255. */
-static bool negligible(qtri_wide a, qtri_wide b)
-{
-    return a.m == 0 || a.e >= b.e + 20;
-}
-
-/* Columns of equal length, at right angles. */
-static bool is_even(qtri_wide column[3][3])
-{
-    qtri_wide square = dot(column[0], column[0]);
-    if (square.m == 0) {
-        return false;
-    }
-    for (int i = 0; i < 3; i++) {
-        const qtri_wide *next = column[(i + 1) % 3];
-        if (!negligible(dot(column[i], next), square) ||
-            !negligible(qtri_wide_sub(dot(next, next), square), square)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static void unit_q30(int32_t out[3], const qtri_wide unit[3])
-{
-    for (int i = 0; i < 3; i++) {
-        out[i] = (int32_t)qtri_shift_round(unit[i].m, unit[i].e - 30);
-    }
-}
-
-/* Cofactors times the sign of the determinant: the inverse transpose without its division. */
-static void normal_matrix(int32_t out_q28[3][3], qtri_wide column[3][3])
-{
-    qtri_wide cofactor[3][3]; /* columns */
-    int32_t least = INT32_MAX;
-    for (int i = 0; i < 3; i++) {
-        qtri_wide_cross(cofactor[i], column[(i + 1) % 3], column[(i + 2) % 3]);
-        for (int row = 0; row < 3; row++) {
-            if (cofactor[i][row].m != 0 && cofactor[i][row].e < least) {
-                least = cofactor[i][row].e;
-            }
-        }
-    }
-    bool mirrored = dot(column[0], cofactor[0]).m < 0;
-    for (int i = 0; i < 3; i++) {
-        for (int row = 0; row < 3; row++) {
-            qtri_wide c = cofactor[i][row];
-            int32_t size = (int32_t)qtri_shift_round(c.m, c.m == 0 ? 0 : c.e - least + 34);
-            out_q28[row][i] = mirrored ? -size : size;
-        }
-    }
-}
-
-void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
-                        const qtri_transform *object_to_eye)
-{
-    qtri_wide column[3][3];
-    for (int i = 0; i < 3; i++) {
-        for (int row = 0; row < 3; row++) {
-            column[i][row] = qtri_row_element(&object_to_eye->row[row], i);
-        }
-    }
-    qtri_wide towards[3] = {qtri_wide_q16(light->towards.x), qtri_wide_q16(light->towards.y),
-                            qtri_wide_q16(light->towards.z)};
-    lighting->ambient = light->ambient;
-    lighting->diffuse = light->diffuse;
-    lighting->even = is_even(column);
-    if (lighting->even) {
-        qtri_wide object[3] = {dot(column[0], towards), dot(column[1], towards),
-                               dot(column[2], towards)};
-        (void)qtri_wide_normalize(object); /* stays zero for no direction */
-        unit_q30(lighting->towards_q30, object);
-    } else {
-        (void)qtri_wide_normalize(towards);
-        unit_q30(lighting->towards_q30, towards);
-        normal_matrix(lighting->normal_q28, column);
-    }
-}
+#include "../math/seed.h"
+#include "vertex.h"
 
 /* Scales v so that its largest component lies in [2^28, 2^29). False for the zero vector. */
 static bool normalize_scale(int32_t out[3], const int64_t v[3])
@@ -109,15 +23,15 @@ static int64_t dot_q30(const int32_t v[3], const int32_t unit_q30[3])
     return (int64_t)v[0] * unit_q30[0] + (int64_t)v[1] * unit_q30[1] + (int64_t)v[2] * unit_q30[2];
 }
 
-static q16 intensity(const qtri_lighting *lighting, int64_t cosine_q16)
+static uint32_t intensity(const qtri_lighting *lighting, int64_t cosine_q16)
 {
     q16 cosine = cosine_q16 > 0 ? qtri_saturate32(cosine_q16) : 0;
     q16 sum = q16_add(lighting->ambient, q16_mul(lighting->diffuse, cosine));
-    return q16_clamp(sum, 0, Q16_ONE);
+    return ((uint32_t)q16_clamp(sum, 0, Q16_ONE) + 1) >> 1;
 }
 
 /* For a normal of any length below 2^30. */
-static q16 light_direction(const qtri_lighting *lighting, const int32_t normal[3])
+static uint32_t light_direction(const qtri_lighting *lighting, const int32_t normal[3])
 {
     int64_t v[3] = {normal[0], normal[1], normal[2]};
     if (!lighting->even) {
@@ -138,17 +52,31 @@ static q16 light_direction(const qtri_lighting *lighting, const int32_t normal[3
     return intensity(lighting, (dot_q30(scaled, lighting->towards_q30) / length) >> 14);
 }
 
-q16 qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal)
+static inline uint32_t light_normal(const qtri_lighting *lighting, int32_t x, int32_t y, int32_t z)
 {
-    int32_t n[3] = {normal->x, normal->y, normal->z};
-    if (!lighting->even) {
-        return light_direction(lighting, n);
+    if (!lighting->plain) {
+        const int32_t normal[3] = {x, y, z};
+        return light_direction(lighting, normal);
     }
-    return intensity(lighting, qtri_shift_round(dot_q30(n, lighting->towards_q30), 28));
+    int32_t sum_q15 = qtri_row16_sum(&lighting->row, x, y, z) >> 10;
+    int32_t least_q15 = (int32_t)lighting->least_q15;
+    sum_q15 = sum_q15 < least_q15 ? least_q15 : sum_q15;
+    return (uint32_t)sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : (uint32_t)sum_q15;
 }
 
-q16 qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
-                       const qtri_vec3 *c)
+uint32_t qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal)
+{
+    return light_normal(lighting, normal->x, normal->y, normal->z);
+}
+
+uint32_t qtri_lighting_vertex8(const qtri_lighting *lighting, const qtri_normal8 *normal)
+{
+    return light_normal(lighting, normal->x * 128, normal->y * 128, normal->z * 128);
+}
+
+/* Any face, any light. */
+static uint32_t light_any_face(const qtri_lighting *lighting, const qtri_vec3 *a,
+                               const qtri_vec3 *b, const qtri_vec3 *c)
 {
     /* Scaled edges keep the direction of small faces and hold the products below 2^58. */
     int64_t e_exact[3] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
@@ -167,4 +95,87 @@ q16 qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const 
         return intensity(lighting, 0);
     }
     return light_direction(lighting, normal);
+}
+
+/* Below 2^15 and so short that the face's normal fits 32 bits. */
+static inline bool is_short(const int32_t e[3], const int32_t f[3])
+{
+    uint32_t high = 0;
+    for (int i = 0; i < 3; i++) {
+        high |= ((uint32_t)e[i] + 0x7FFFu) | ((uint32_t)f[i] + 0x7FFFu);
+    }
+    return high < 0x10000u;
+}
+
+/* The upper 16 bits of n 2^(zeros - 1), rounded and held. */
+static inline int32_t mantissa16(int32_t n, int32_t zeros)
+{
+    int32_t rounded = ((int32_t)((uint32_t)n << (zeros - 1)) >> 15) + 1;
+    return rounded > 0xFFFF ? 0x7FFF : rounded >> 1;
+}
+
+/*
+ * The plain light on the face between short edges. |e|, |f| < 2^15, so |e x f| < 2^31. Its
+ * direction n has a largest component of 2^14..2^15, s = n . n is in [2^28, 3 2^30]; with v = s
+ * 2^zeros / 2^32 in [1/4, 1) and y = v^-1/2 the dot product with n counts 2^14 / |n| = 2^(zeros / 2
+ * - 2) y times. Newton's step y + y (1 - v y^2) / 2 takes y from 2^-13 to 2^-25.
+ */
+static uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3], const int32_t f[3])
+{
+    int32_t x = e[1] * f[2] - e[2] * f[1];
+    int32_t y = e[2] * f[0] - e[0] * f[2];
+    int32_t z = e[0] * f[1] - e[1] * f[0];
+    uint32_t all = (uint32_t)((x ^ (x >> 31)) | (y ^ (y >> 31)) | (z ^ (z >> 31)));
+    if ((x | y | z) == 0) {
+        return lighting->least_q15;
+    }
+    int32_t zeros = qtri_clz32(all | 1u); /* >= 1 */
+    x = mantissa16(x, zeros);
+    y = mantissa16(y, zeros);
+    z = mantissa16(z, zeros);
+    int32_t ambient_q25 = qtri_row16_sum(&lighting->row, 0, 0, 0);
+    int32_t dot_q25 = qtri_row16_sum(&lighting->row, x, y, z) - ambient_q25; /* < 2^29 */
+    if (dot_q25 <= 0) {
+        return lighting->least_q15;
+    }
+    uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
+    int32_t even = qtri_clz32(square) & 2;
+    square <<= even;
+    uint32_t y_q30 = qtri_rsqrt_seed(square >> 16) << 15; /* <= 2^31 + 2^17 */
+    uint32_t unit_q28 = qtri_mul_high32(qtri_mul_high32(square, y_q30), y_q30);
+    int32_t error_q28 = (int32_t)(0x10000000u - unit_q28); /* < 2^17 */
+    y_q30 += (uint32_t)(((error_q28 >> 2) * (int32_t)(y_q30 >> 15)) >> 12);
+    int32_t light_q24 = qtri_mul_high_s32(dot_q25, (int32_t)(y_q30 >> 1)) << (even >> 1);
+    int32_t sum_q15 = (light_q24 * 2 + ambient_q25) >> 10;
+    return (uint32_t)sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : (uint32_t)sum_q15;
+}
+
+/* Held to 32 bits: then it is not short either. */
+static inline int32_t difference(q16 a, q16 b)
+{
+    return qtri_saturate32((int64_t)a - b);
+}
+
+uint32_t qtri_lighting_face16(const qtri_lighting *lighting, const qtri_position16 *a,
+                              const qtri_position16 *b, const qtri_position16 *c)
+{
+    const int32_t e[3] = {b->x - a->x, b->y - a->y, b->z - a->z};
+    const int32_t f[3] = {c->x - a->x, c->y - a->y, c->z - a->z};
+    if (lighting->plain && is_short(e, f)) {
+        return light_face(lighting, e, f);
+    }
+    /* Their scale does not matter. */
+    const qtri_vec3 wide[3] = {{a->x, a->y, a->z}, {b->x, b->y, b->z}, {c->x, c->y, c->z}};
+    return light_any_face(lighting, &wide[0], &wide[1], &wide[2]);
+}
+
+uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
+                            const qtri_vec3 *c)
+{
+    const int32_t e[3] = {difference(b->x, a->x), difference(b->y, a->y), difference(b->z, a->z)};
+    const int32_t f[3] = {difference(c->x, a->x), difference(c->y, a->y), difference(c->z, a->z)};
+    if (lighting->plain && is_short(e, f)) {
+        return light_face(lighting, e, f);
+    }
+    return light_any_face(lighting, a, b, c);
 }

@@ -9,6 +9,8 @@
 #include "qtri/mesh.h"
 #include "qtri/view.h"
 
+#include "row16.h"
+
 /*
  * Where eye space is object space rotated, reflected or scaled evenly, the light is taken to object
  * space once and a vertex costs a dot product. Otherwise every normal goes through the inverse
@@ -16,19 +18,28 @@
  */
 typedef struct qtri_lighting {
     bool even;
+    bool plain; /* even, and the row serves: intensity 2^25 of a normal, and its least value */
+    uint32_t least_q15;
+    qtri_row16 row;
     int32_t towards_q30[3];   /* unit, in object space when even, else in eye space */
     int32_t normal_q28[3][3]; /* inverse transpose up to a positive factor, when not even */
     q16 ambient, diffuse;
 } qtri_lighting;
 
+/* unit: what 1 is in the normals of vertices that will be lit. */
 void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
-                        const qtri_transform *object_to_eye);
+                        const qtri_transform *object_to_eye, int32_t unit);
+
+#define QTRI_INTENSITY_ONE 0x8000u /* intensities have 15 fraction bits */
 
 /* min(1, ambient + diffuse max(0, n . towards)) in 0..1, for a unit normal. */
-q16 qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal);
+uint32_t qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal);
+uint32_t qtri_lighting_vertex8(const qtri_lighting *lighting, const qtri_normal8 *normal);
 
 /* The same for the face a b c, counter-clockwise; a face without area gets the ambient light. */
-q16 qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
-                       const qtri_vec3 *c);
+uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
+                            const qtri_vec3 *c);
+uint32_t qtri_lighting_face16(const qtri_lighting *lighting, const qtri_position16 *a,
+                              const qtri_position16 *b, const qtri_position16 *c);
 
 #endif

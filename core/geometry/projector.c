@@ -3,11 +3,17 @@
 #include "../math/bits.h"
 #include "../math/wide.h"
 #include "row.h"
+#include "vertex.h"
 
 /* scale clip_row + center w_row, for a half-pixel unit: scale and center count halves. */
 static void fold_viewport(qtri_row *out, const qtri_row *axis, int32_t scale, const qtri_row *w,
                           int32_t center)
 {
+    const qtri_row *const row[2] = {axis, w};
+    const int32_t factor[2] = {scale * 65536 / 2, center * 65536 / 2}; /* < 2^30 */
+    if (qtri_row_combine(out, row, factor, 2, 16, 0)) {
+        return;
+    }
     qtri_wide element[4];
     for (int i = 0; i < 4; i++) {
         qtri_wide scaled = qtri_wide_mul(qtri_row_element(axis, i), qtri_wide_make(scale, 1));
@@ -30,34 +36,37 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
     int32_t width = hold(viewport->width, 0, QTRI_VIEWPORT_MAX);
     int32_t height = hold(viewport->height, 0, QTRI_VIEWPORT_MAX);
     const qtri_row *clip = object_to_clip->row;
-    fold_viewport(&projector->row[0], &clip[0], width, &clip[3], 2 * x + width);
-    fold_viewport(&projector->row[1], &clip[1], -height, &clip[3], 2 * y + height);
-    projector->row[2] = clip[2];
-    projector->row[3] = clip[3];
+    fold_viewport(&projector->row.wide[0], &clip[0], width, &clip[3], 2 * x + width);
+    fold_viewport(&projector->row.wide[1], &clip[1], -height, &clip[3], 2 * y + height);
+    projector->row.wide[2] = clip[2];
+    projector->row.wide[3] = clip[3];
 
     int32_t least = INT32_MAX;
     for (int i = 0; i < 4; i++) {
-        const qtri_row *row = &projector->row[i];
+        const qtri_row *row = &projector->row.wide[i];
         int empty = (row->m[0] | row->m[1] | row->m[2]) == 0 && row->t == 0;
         if (!empty && row->exponent < least) {
             least = row->exponent;
         }
     }
     for (int i = 0; i < 4; i++) {
-        int32_t shift = projector->row[i].exponent - least + 2;
+        int32_t shift = projector->row.wide[i].exponent - least + 2;
         projector->shift[i] = hold(shift, 2, 63);
     }
 
     int64_t near_z = q16_clamp(viewport->depth_near, 0, Q16_ONE);
     int64_t far_z = q16_clamp(viewport->depth_far, 0, Q16_ONE);
-    projector->depth_sum = (near_z + far_z) * 65535;
-    projector->depth_span = (far_z - near_z) * 65535;
+    projector->depth_center = (uint32_t)((near_z + far_z) * 65535 / 2) + 0x80u;
+    projector->depth_reach = (int32_t)((far_z - near_z) * 65535 / 2); /* < 2^31 */
 }
 
 /* |m| <= 2^30, |t| < 2^61: the sum stays below 3 2^61 + 2^61 = 2^63. */
-static int64_t row_sum(const qtri_row *row, int64_t t, q16 x, q16 y, q16 z)
+static inline int64_t row_sum(const qtri_row *row, int64_t t, q16 x, q16 y, q16 z)
 {
-    return (int64_t)row->m[0] * x + (int64_t)row->m[1] * y + (int64_t)row->m[2] * z + t;
+    t += qtri_mul_s32(row->m[0], x);
+    t += qtri_mul_s32(row->m[1], y);
+    t += qtri_mul_s32(row->m[2], z);
+    return t;
 }
 
 void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
@@ -65,7 +74,7 @@ void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
 {
     int64_t sum[4];
     for (int i = 0; i < 4; i++) {
-        const qtri_row *row = &projector->row[i];
+        const qtri_row *row = &projector->row.wide[i];
         sum[i] = row_sum(row, row->t, p->x, p->y, p->z) >> projector->shift[i]; /* < 2^61 */
     }
     out->x = sum[0];
@@ -97,7 +106,7 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
     for (int i = 0; i < count; i++) {
         int64_t sum[4];
         for (int axis = 0; axis < 4; axis++) {
-            const qtri_row *row = &projector->row[axis];
+            const qtri_row *row = &projector->row.wide[axis];
             int64_t t = scale_translation(row->t, p[i]->w, 16 + extra); /* <= |t| */
             sum[axis] = row_sum(row, 0, p[i]->x, p[i]->y, p[i]->z) >> extra;
             sum[axis] = (sum[axis] + t) >> projector->shift[axis];
@@ -124,7 +133,7 @@ static int64_t scaled(int64_t x, int32_t zeros)
  * Scenes with round numbers put vertices exactly halfway between grid points: an estimate alone
  * would drop them on either side.
  */
-static int32_t snap(int64_t x, int64_t w, int32_t zeros, uint32_t reciprocal)
+static int32_t snap(int64_t x, int64_t w, int32_t zeros, int32_t reciprocal)
 {
     int64_t limit = zeros > QTRI_GUARD_LOG2 ? w << QTRI_GUARD_LOG2 : INT64_MAX;
     x = x > limit ? limit : (x < -limit ? -limit : x); /* the clipper may leave a unit too much */
@@ -144,17 +153,109 @@ void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
 {
     int64_t w = v->w > 0 ? v->w : 1;
     int32_t zeros = qtri_clz64((uint64_t)w);
-    uint64_t w_normal = (uint64_t)w << zeros;
-    uint32_t reciprocal = qtri_reciprocal_q62((uint32_t)(w_normal >> 32));
+    uint32_t w_q32 = (uint32_t)(((uint64_t)w << zeros) >> 32);
+    int32_t reciprocal = qtri_reciprocal_below(w_q32);
     out->x_24p8 = snap(v->x, w, zeros, reciprocal);
     out->y_24p8 = snap(v->y, w, zeros, reciprocal);
-    out->inv_w_q31 = reciprocal;
+    out->inv_w_q31 = (uint32_t)reciprocal;
     out->inv_w_exponent = zeros;
 
     int64_t z = v->z > w ? w : (v->z < -w ? -w : v->z);
-    int64_t z_q31 = z < 0 ? -(int64_t)(((uint64_t)-z << zeros) >> 33)
-                          : (int64_t)(((uint64_t)z << zeros) >> 33); /* of w's mantissa */
-    int64_t ratio_q31 = (z_q31 * reciprocal) >> 30;                  /* [-2^31, 2^31] */
-    int64_t depth = projector->depth_sum + ((projector->depth_span * ratio_q31) >> 31);
-    out->depth_16p16 = (uint32_t)(depth >> 1);
+    int32_t z_q31 = (int32_t)(z * ((int64_t)1 << (zeros - 1)) >> 32);
+    int32_t least_q31 = -(int32_t)(w_q32 >> 1); /* z was rounded down, and w, too */
+    out->depth_16p16 =
+        qtri_vertex_depth(projector, z_q31 < least_q31 ? least_q31 : z_q31, reciprocal);
+}
+
+void qtri_vertex_exact(const qtri_projector *projector, const qtri_clip_vertex *clip,
+                       qtri_vertex *out)
+{
+    unsigned outcode = qtri_clip_outcode(clip);
+    qtri_screen_vertex screen = {0};
+    if (outcode == 0) {
+        qtri_project(projector, clip, &screen);
+    }
+    out->at.x_24p8 = screen.x_24p8;
+    out->at.y_24p8 = screen.y_24p8;
+    out->depth_16p8 = outcode == 0 ? screen.depth_16p16 | (uint32_t)screen.inv_w_exponent
+                                   : QTRI_VERTEX_OUTSIDE | outcode;
+    out->inv_w = screen.inv_w_q31;
+    out->intensity_q15 = QTRI_VERTEX_UNLIT;
+}
+
+QTRI_NOINLINE static bool exact(const qtri_projector *projector, const qtri_vec3 *p,
+                                qtri_vertex *out)
+{
+    qtri_clip_vertex clip;
+    qtri_projector_point(projector, p, &clip);
+    qtri_vertex_exact(projector, &clip, out);
+    return (out->depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
+}
+
+/*
+ * As in compact.c, from 64-bit coordinates: X = x 2^zeros / 2^45 rounded down, |X| < 2^31, with
+ * w_q32 the upper half of w 2^zeros. x / w in 1/256 pixel is V / 2^9 for a V within 1/2 (r below
+ * its value), 1/2 (w_q32, cut off) and 1/2 (X, 2^30 / w_q32 of what was cut off) of X r / 2^32, and
+ * so -1 < V - h < 3, where h is the high word: h - 1 and h + 2 decide.
+ */
+enum { FAST_BITS = 9 };
+
+/* x 2^-shift; false when it does not fit. */
+static inline bool narrow(int32_t *out, int64_t x, int32_t shift)
+{
+    int64_t result = x >> shift;
+    int32_t low = (int32_t)(uint32_t)((uint64_t)result & UINT32_MAX);
+    bool fits = (int32_t)(result >> 32) == low >> 31;
+    QTRI_HOLD(low);
+    *out = low;
+    return fits;
+}
+
+bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
+                             qtri_vertex *out)
+{
+    const qtri_row *row = projector->row.wide;
+    const int32_t *shift = projector->shift;
+    /* From a row's sum to z_q31 and X: less the leading zeros of that of w. */
+    const int32_t z_down = 33 + shift[2] - shift[3];
+    const int32_t x_down = 45 + shift[0] - shift[3];
+    const int32_t y_down = 45 + shift[1] - shift[3];
+    const int32_t most = 31 - shift[3];
+    const bool usual = z_down <= 63 && x_down <= 63 && y_down <= 63;
+    bool inside = true;
+    for (const qtri_vertex *end = out + count; out != end; p++, out++) {
+        int64_t w = row_sum(&row[3], row[3].t, p->x, p->y, p->z);
+        int32_t zeros = qtri_clz32((uint32_t)((uint64_t)w >> 32)) & 31; /* 0: w < 0 or small */
+        if (zeros == 0 || zeros > most || !usual) {
+            inside &= exact(projector, p, out);
+            continue;
+        }
+        uint32_t w_q32 = (uint32_t)((uint64_t)w >> (32 - zeros));
+        int32_t z_q31;
+        int32_t x;
+        int32_t y;
+        bool fits = narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), z_down - zeros) &&
+                    narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), x_down - zeros) &&
+                    narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), y_down - zeros) &&
+                    (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
+        if (!fits) {
+            inside &= exact(projector, p, out);
+            continue;
+        }
+        int32_t r = qtri_reciprocal_below(w_q32);
+        const int32_t half = (1 << (FAST_BITS - 1)) - 1; /* and the - 1 of h - 1 */
+        const int32_t mask = (1 << FAST_BITS) - 1;
+        x = qtri_mul_high_s32(x, r) + half;
+        y = qtri_mul_high_s32(y, r) + half;
+        if (((x + 3) & mask) < 3 || ((y + 3) & mask) < 3) {
+            inside &= exact(projector, p, out);
+            continue;
+        }
+        out->at.x_24p8 = x >> FAST_BITS;
+        out->at.y_24p8 = y >> FAST_BITS;
+        out->depth_16p8 = qtri_vertex_depth(projector, z_q31, r) | (uint32_t)(zeros + shift[3]);
+        out->inv_w = (uint32_t)r;
+        out->intensity_q15 = QTRI_VERTEX_UNLIT;
+    }
+    return inside;
 }

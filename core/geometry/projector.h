@@ -5,24 +5,37 @@
 #define QTRI_GEOMETRY_PROJECTOR_H
 
 #include "qtri/clip.h"
+#include "qtri/mesh.h"
 #include "qtri/raster.h"
 #include "qtri/view.h"
 
-/* Rows from object space to pixels, with the viewport folded in, and their common scale. */
+#include "row16.h"
+/*
+ * Rows from object space to pixels, with the viewport folded in, and their common scale: x y in
+ * pixels times w, z and w of clip space.
+ */
 typedef struct qtri_projector {
-    qtri_row row[4];   /* x y in pixels times w, z and w of clip space */
-    int32_t shift[4];  /* right shift that brings a row's sum to the common scale, >= 2 */
-    int64_t depth_sum; /* depth_16p16 = (depth_sum + depth_span z / w) / 2 */
-    int64_t depth_span;
+    union {
+        qtri_row wide[4];
+        qtri_row16 compact[4]; /* after qtri_projector_compact() */
+    } row;
+    int32_t shift[4];      /* to the common scale: right and >= 2; of compact rows: left */
+    uint32_t depth_center; /* depth_16p16 = depth_center + depth_reach z / w in steps of 2^-8; */
+    int32_t depth_reach;   /*   half a step is in the center */
 } qtri_projector;
 
 /* object_to_clip = projection camera pose. */
 void qtri_projector_init(qtri_projector *projector, const qtri_transform *object_to_clip,
                          const qtri_viewport *viewport);
 
+/* From then on the projector takes 16-bit positions: origin + extent n / 32768. */
+void qtri_projector_compact(qtri_projector *projector, const qtri_vec3 *origin, q16 extent);
+
 /* (p, 1) in homogeneous screen coordinates; b1 and b2 are set to 0. */
 void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
                           qtri_clip_vertex *out);
+void qtri_projector_point16(const qtri_projector *projector, const qtri_position16 *p,
+                            qtri_clip_vertex *out);
 
 /*
  * `count` (1..3) points with any w, of one triangle or line. They share one scale, that of the
@@ -37,5 +50,23 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
  */
 void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
                   qtri_screen_vertex *out);
+
+/* What the low byte of qtri_vertex.depth_16p8 and an intensity may say. */
+#define QTRI_VERTEX_OUTSIDE                                                                        \
+    0x80u /* of planes: the low six bits are an outcode, not an exponent                           \
+           */
+#define QTRI_VERTEX_OUTCODE 0x3Fu
+#define QTRI_VERTEX_EMPTY   0x40u /* the whole word: a slot that holds no vertex */
+#define QTRI_VERTEX_UNLIT   0xFFFFu
+
+/*
+ * The mesh's vertices, point and project in one: the same bits, in a tenth of the instructions for
+ * those that are plainly inside. A vertex outside a plane gets QTRI_VERTEX_OUTSIDE and its outcode,
+ * and the result is false.
+ */
+bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
+                             qtri_vertex *out);
+bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
+                               uint32_t count, qtri_vertex *out);
 
 #endif

@@ -4,6 +4,8 @@
 #ifndef QTRI_GEOMETRY_ROW_H
 #define QTRI_GEOMETRY_ROW_H
 
+#include <stdbool.h>
+
 #include "qtri/transform.h"
 
 #include "../math/wide.h"
@@ -17,6 +19,14 @@ void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4]);
  */
 void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide point[3],
                     qtri_wide image);
+
+/*
+ * The sum of factor[k] 2^-exponent row[k] for count <= 3, plus the translation t 2^-(exponent +
+ * 16), without wide scalars: |factor| <= 2^30, the rows as transform.h promises, |t| < 2^61. False,
+ * and *out as it was, where 64 bits would lose some.
+ */
+bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t factor[], int count,
+                      int32_t exponent, int64_t t);
 
 /* Element 0..3 of a row. */
 qtri_wide qtri_row_element(const qtri_row *row, int column);

@@ -93,25 +93,6 @@ void qtri_transform_to_mat4(const qtri_transform *a, qtri_mat4 *out)
     }
 }
 
-void qtri_transform_mul(qtri_transform *out, const qtri_transform *a, const qtri_transform *b)
-{
-    qtri_transform product;
-    for (int i = 0; i < 4; i++) {
-        qtri_wide element[4];
-        for (int j = 0; j < 4; j++) {
-            qtri_wide sum = {0, 0};
-            for (int k = 0; k < 4; k++) {
-                qtri_wide term =
-                    qtri_wide_mul(qtri_row_element(&a->row[i], k), qtri_row_element(&b->row[k], j));
-                sum = qtri_wide_add(sum, term);
-            }
-            element[j] = sum;
-        }
-        qtri_row_from_wide(&product.row[i], element);
-    }
-    *out = product;
-}
-
 void qtri_transform_translate(qtri_transform *t, qtri_vec3 offset)
 {
     qtri_transform builder;

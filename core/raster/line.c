@@ -2,7 +2,7 @@
 
 #include "../math/bits.h"
 #include "dda.h"
-#include "span.h"
+#include "job.h"
 
 enum { CHANNELS = 3, DEPTH = 3, VALUES = 4 };
 

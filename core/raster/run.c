@@ -1,37 +1,57 @@
-#include "span.h"
+#include "job.h"
+#include "packed.h"
+#include "texel_copy.h"
 
-/* The colour at pixel i of the run, textured or not. */
-static uint32_t shade(const qtri_span_job *job, const qtri_run *run, uint32_t i)
+/* The colour at pixel i of the run, textured or not. False where the colour key shows through. */
+static bool shade(const qtri_job *job, const qtri_run *run, uint32_t i, uint32_t *pixel)
 {
-    qtri_channels color = job->color;
+    const qtri_raster *raster = job->raster;
+    if (run->is_packed) {
+        *pixel = qtri_packed_pixel(run->packed + qtri_packed_skip(job, run->phase + (int32_t)i));
+        return true;
+    }
+    uint32_t u = run->uv[0] + i * run->uv_step[0];
+    uint32_t v = run->uv[1] + i * run->uv_step[1];
+    if (job->copies_texels) {
+        *pixel = qtri_texel_copied(raster, u, v);
+        return true;
+    }
+    qtri_channels color = job->constant;
     if (job->smooth) {
         for (int channel = 0; channel < 3; channel++) {
             uint32_t value = run->color[channel] + i * run->color_step[channel];
             color.c[channel] = (int32_t)(value - 0x8000u); /* packing adds the half again */
         }
     }
-    if (job->texture != NULL) {
-        uint32_t column = qtri_texel_index(&job->axis[0], run->uv[0] + i * run->uv_step[0]);
-        uint32_t row = qtri_texel_index(&job->axis[1], run->uv[1] + i * run->uv_step[1]);
-        color = qtri_texel_modulate(&color, qtri_texel_fetch(job->texture, column, row));
+    if (raster->texture != NULL && !qtri_texel_apply(raster->texture, job->axis, u, v, &color)) {
+        return false;
     }
-    return qtri_pixel_pack(job->surface->format, &color);
+    *pixel = qtri_pixel_pack(raster->surface->format, &color);
+    return true;
 }
 
-void qtri_run_generic(const qtri_span_job *job, const qtri_run *run)
+void qtri_run_generic(const qtri_job *job, const qtri_run *run)
 {
+    const qtri_raster *raster = job->raster;
+    bool tested = raster->compare != QTRI_DEPTH_OFF;
+    uint16_t z = 0;
     for (int32_t i = 0; i < run->count; i++) {
         int32_t x = run->x + i;
-        if (job->compare != QTRI_DEPTH_OFF) {
-            uint16_t z = (uint16_t)((run->z + (uint32_t)i * job->depth.dx) >> 16);
-            if (!qtri_depth_passes(job->compare, z, run->depths[x])) {
+        if (tested) {
+            z = (uint16_t)((run->z + (uint32_t)i * job->depth.dx) >> 16);
+            if (!qtri_depth_passes(raster->compare, z, run->depths[x])) {
                 continue;
             }
-            if (job->depth_write) {
-                run->depths[x] = z;
-            }
         }
-        uint32_t pixel = job->paint == QTRI_PAINT_FLAT ? job->pixel : shade(job, run, (uint32_t)i);
-        qtri_pixel_store(job->surface->format, run->pixels, x, pixel);
+        uint32_t pixel = 0;
+        if (job->paint == QTRI_PAINT_FLAT) {
+            pixel = job->pixel;
+        } else if (!shade(job, run, (uint32_t)i, &pixel)) {
+            continue;
+        }
+        if (tested && raster->depth_write) {
+            run->depths[x] = z;
+        }
+        qtri_pixel_store(raster->surface->format, run->pixels, x, pixel);
     }
 }

@@ -1,6 +1,13 @@
-#include "span.h"
+#include "job.h"
+#include "packed.h"
 
-enum { BLOCK = 16 }; /* pixels from one exact division to the next, at most */
+enum { BLOCK = 16 }; /* pixels from one exact division to the next where w changes fast */
+
+/* Which part of a span is drawn, and with PERSPECTIVE the planes at column 0 of its row. */
+typedef struct window {
+    int32_t y, x0, x1;
+    uint64_t inv_w, uv[2], color[3];
+} window;
 
 /* Exact attributes at one pixel of a span with perspective. */
 typedef struct sample {
@@ -14,6 +21,22 @@ static int32_t hold(int64_t x, int32_t least, int32_t greatest)
     return x < least ? least : (x > greatest ? greatest : (int32_t)x);
 }
 
+static uint64_t column_of(uint64_t row, uint64_t dx, int32_t x)
+{
+    return row + (uint64_t)(int64_t)x * dx;
+}
+
+static void window_planes(window *w, const qtri_job *job)
+{
+    w->inv_w = qtri_plane_at(&job->inv_w, 0, w->y);
+    for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
+        w->uv[i] = qtri_plane_at(&job->uv[i], 0, w->y);
+    }
+    for (int i = 0; i < 3 && job->smooth; i++) {
+        w->color[i] = qtri_plane_at(&job->color.plane[i], 0, w->y);
+    }
+}
+
 /*
  * (a/w) / (1/w): 1/w is q 2^-31 with q in 1..2^31, normalised to 32 bits for the reciprocal;
  * s 2^31 / q = s r 2^(zeros - 31), |s| < 2^31, r <= 2^31.
@@ -23,31 +46,25 @@ typedef struct divider {
     int32_t shift;
 } divider;
 
-static uint32_t inv_w_at(const qtri_span_job *job, int32_t x, int32_t y)
+static int64_t divide(uint64_t over_w, const divider *d)
 {
-    int64_t q = qtri_plane_floor(qtri_plane_at(&job->inv_w, x, y));
-    return q < 1 ? 1u : (q > (int64_t)1 << 31 ? (uint32_t)1 << 31 : (uint32_t)q);
+    int32_t s = hold(qtri_plane_floor(over_w), 0, INT32_MAX); /* a rounding below 0 at most */
+    return (int64_t)(qtri_mul_u32((uint32_t)s, d->reciprocal) >> d->shift);
 }
 
-static int64_t divide(const qtri_span_job *job, int attribute, const divider *d, int32_t x,
-                      int32_t y)
+static void sample_at(sample *out, const qtri_job *job, const window *w, int32_t x)
 {
-    int64_t s = qtri_plane_floor(qtri_plane_at(&job->attribute[attribute], x, y));
-    s = hold(s, 0, INT32_MAX); /* a rounding below 0 at most */
-    return (s * d->reciprocal) >> d->shift;
-}
-
-static void sample_at(sample *out, const qtri_span_job *job, int32_t x, int32_t y)
-{
-    out->q = inv_w_at(job, x, y);
+    int64_t q = qtri_plane_floor(column_of(w->inv_w, job->inv_w.dx, x));
+    out->q = q < 1 ? 1u : (q > (int64_t)1 << 31 ? (uint32_t)1 << 31 : (uint32_t)q);
     int32_t zeros = qtri_clz32(out->q);
     divider d = {qtri_reciprocal_q62(out->q << zeros), 31 - zeros};
     for (int i = 0; i < 3 && job->smooth; i++) {
-        int64_t c = divide(job, i, &d, x, y) >> QTRI_COLOR_PERSPECTIVE_SHIFT;
+        uint64_t over_w = column_of(w->color[i], job->color.plane[i].dx, x);
+        int64_t c = divide(over_w, &d) >> QTRI_COLOR_PERSPECTIVE_SHIFT;
         out->color[i] = hold(c, job->least[i], job->greatest[i]);
     }
-    for (int i = 0; i < 2 && job->texture != NULL; i++) {
-        out->uv[i] = hold(divide(job, 3 + i, &d, x, y), 0, INT32_MAX);
+    for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
+        out->uv[i] = hold(divide(column_of(w->uv[i], job->uv[i].dx, x), &d), 0, INT32_MAX);
     }
 }
 
@@ -56,9 +73,19 @@ static uint64_t difference(int32_t a, int32_t b)
     return (uint64_t)(a < b ? (int64_t)b - a : (int64_t)a - b);
 }
 
+/* Halves `length` until the error is within the tolerance, or the length 1. */
+static int32_t shorten(int32_t length, uint64_t error, uint64_t tolerance)
+{
+    while (length > 1 && error > tolerance) {
+        length = (length + 1) / 2;
+        error >>= 2;
+    }
+    return length;
+}
+
 /*
- * How many pixels a run between a and b, `distance` pixels apart, may have: the power of two, up to
- * BLOCK, for which linear interpolation strays by less than 1/32 of a colour step and 1/1024 of a
+ * How many pixels a run between a and b, `distance` pixels apart, may have: distance / 2^n, rounded
+ * up, for which linear interpolation strays by less than 1/32 of a colour step and 1/1024 of a
  * texel.
  *
  * f = s/q has f' = k/q^2 with a constant k, and f'' = -2 k q'/q^3. Over a run of h out of L pixels
@@ -66,52 +93,61 @@ static uint64_t difference(int32_t a, int32_t b)
  * n and m being the least and greatest q. Where m < 2 n, m / n counts as 2; elsewhere every pixel
  * is divided.
  */
-static int32_t run_length(const qtri_span_job *job, const sample *a, const sample *b,
-                          int32_t distance)
+static int32_t run_length(const qtri_job *job, const sample *a, const sample *b, int32_t distance)
 {
     uint64_t q_least = a->q < b->q ? a->q : b->q; /* <= 2^31 */
     uint64_t q_difference = a->q < b->q ? b->q - a->q : a->q - b->q;
-    int32_t length = BLOCK;
-    while (length / 2 >= distance) {
-        length /= 2; /* one run: the h = L of the bound */
+    if (q_difference == 0) {
+        return distance;
     }
-    length = q_difference < q_least ? length : 1;
+    int32_t length = q_difference < q_least ? distance : 1;
     for (int i = 0; i < 3 && job->smooth; i++) {
         uint64_t error = difference(a->color[i], b->color[i]) * q_difference; /* < 2^55 */
-        for (; length > 1 && error > q_least << 12; length /= 2) {
-            q_least <<= 2;
-        }
+        length = shorten(length, error, q_least << 12);
     }
-    for (int i = 0; i < 2 && job->texture != NULL; i++) {
+    for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
         uint64_t error = difference(a->uv[i], b->uv[i]) * q_difference; /* < 2^62 */
         int32_t texel = job->axis[i].shift - 9;                         /* -7..20 */
-        for (; length > 1; length /= 2) {
-            if (error <= (texel >= 0 ? q_least << texel : q_least >> -texel)) {
-                break;
-            }
-            q_least <<= 2; /* <= 2^39 in the end */
-        }
+        length = shorten(length, error, texel >= 0 ? q_least << texel : q_least >> -texel);
     }
     return length;
 }
 
-/* One pixel's step on the way from a to b, `length` (1..BLOCK) pixels apart. */
-static uint32_t step_of(int32_t a, int32_t b, int32_t length)
+/* 1 / length = reciprocal 2^(zeros - 62). */
+typedef struct inverse {
+    uint32_t reciprocal;
+    int32_t zeros;
+} inverse;
+
+static inverse inverse_of(int32_t length)
 {
-    static const int32_t inverse_q30[BLOCK + 1] = {
-        0,         1073741824, 536870912, 357913941, 268435456, 214748365,
-        178956971, 153391689,  134217728, 119304647, 107374182, 97612893,
-        89478485,  82595525,   76695845,  71582788,  67108864};
-    return (uint32_t)((((int64_t)b - a) * inverse_q30[length]) >> 30);
+    int32_t zeros = qtri_clz32((uint32_t)length);
+    inverse result = {qtri_reciprocal_q62((uint32_t)length << zeros), zeros};
+    return result;
 }
 
-/* Which part of a span is drawn. */
-typedef struct window {
-    int32_t y, x0, x1;
-} window;
+/* One pixel's step on the way from a to b, times 2^up, up in -30..20. */
+static uint32_t step_of(int32_t a, int32_t b, const inverse *length, int32_t up)
+{
+    uint64_t size = difference(a, b) * length->reciprocal; /* < 2^62 */
+    uint32_t step = (uint32_t)(size >> (62 - length->zeros - up));
+    return a < b ? step : 0 - step;
+}
 
-/* Draws what the window shows of a run that starts at a and aims at b, `length` pixels on. */
-static void draw_run(const qtri_span_job *job, const window *w, qtri_run *run, const sample *a,
+static uint32_t scaled(uint32_t value, int32_t up)
+{
+    return up >= 0 ? value << up : value >> -up;
+}
+
+/* A plane's step in the attribute's unit times 2^up, rounded. */
+static uint32_t plane_step(uint64_t dx, int32_t up)
+{
+    int32_t down = 16 - up; /* -4..46 */
+    return (uint32_t)(down > 0 ? qtri_wrap64(dx + ((uint64_t)1 << (down - 1))) >> down
+                               : qtri_wrap64(dx << -down));
+}
+
+static void draw_run(const qtri_job *job, const window *w, qtri_run *run, const sample *a,
                      const sample *b, int32_t x, int32_t length, int32_t count)
 {
     int32_t skip = x < w->x0 ? w->x0 - x : 0;
@@ -121,57 +157,81 @@ static void draw_run(const qtri_span_job *job, const window *w, qtri_run *run, c
     if (run->count <= 0) {
         return;
     }
+    inverse per_pixel = inverse_of(length);
     for (int i = 0; i < 3 && job->smooth; i++) {
-        run->color_step[i] = step_of(a->color[i], b->color[i], length);
+        run->color_step[i] = step_of(a->color[i], b->color[i], &per_pixel, 0);
         run->color[i] = (uint32_t)a->color[i] + 0x8000u + (uint32_t)skip * run->color_step[i];
     }
-    for (int i = 0; i < 2 && job->texture != NULL; i++) {
-        run->uv_step[i] = step_of(a->uv[i], b->uv[i], length);
-        run->uv[i] = (uint32_t)a->uv[i] + job->axis[i].bias + (uint32_t)skip * run->uv_step[i];
+    for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
+        int32_t up = job->uv_up[i];
+        run->uv_step[i] = step_of(a->uv[i], b->uv[i], &per_pixel, up);
+        run->uv[i] =
+            scaled((uint32_t)a->uv[i] + job->axis[i].bias, up) + (uint32_t)skip * run->uv_step[i];
     }
     run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, w->y - job->anchor_y);
-    job->loop(job, run);
+    job->draw_run(job, run);
 }
 
-/* From one exact division to the next; the span's last pixel is always one of them. */
-static void perspective_span(const qtri_span_job *job, const window *w, qtri_run *run, int32_t left,
+/* From x to end, exact at both, in as many runs as it takes; `extra` pixels from end on. */
+static void draw_block(const qtri_job *job, const window *w, qtri_run *run, sample *from,
+                       const sample *to, int32_t x, int32_t end, int32_t extra)
+{
+    int32_t length = run_length(job, from, to, end - x);
+    while (x < end) {
+        int32_t next = x + length < end ? x + length : end;
+        sample middle = *to;
+        if (next < end) {
+            sample_at(&middle, job, w, next);
+        }
+        draw_run(job, w, run, from, &middle, x, next - x, next - x + (next == end ? extra : 0));
+        *from = middle;
+        x = next;
+    }
+}
+
+/*
+ * The whole span in equal runs where w changes little, else in blocks. The span's last pixel is
+ * always divided exactly, and drawn by the run that aims at it.
+ */
+static void perspective_span(const qtri_job *job, window *w, qtri_run *run, int32_t left,
                              int32_t right)
 {
     int32_t last = right - 1;
-    int32_t x = left + (w->x0 - left) / BLOCK * BLOCK;
-    if (x == last && x > left) {
-        x -= BLOCK; /* the last pixel belongs to the run before it */
-    }
     sample from;
-    sample_at(&from, job, x, w->y);
-    while (x < w->x1) {
-        int32_t end = x + BLOCK < last ? x + BLOCK : last;
-        if (end <= x) { /* the last pixel alone */
-            draw_run(job, w, run, &from, &from, x, 1, 1);
-            break;
+    sample to;
+    window_planes(w, job);
+    sample_at(&from, job, w, left);
+    if (last == left) {
+        draw_run(job, w, run, &from, &from, left, 1, 1);
+        return;
+    }
+    sample_at(&to, job, w, last);
+    int32_t block = run_length(job, &from, &to, last - left);
+    if (block == last - left) {
+        draw_run(job, w, run, &from, &to, left, block, block + 1);
+        return;
+    }
+    block = block < BLOCK ? BLOCK : block;
+    int32_t x = left + (w->x0 - left) / block * block;
+    if (x == last) {
+        x -= block; /* the last pixel belongs to the run before it */
+    }
+    if (x > left) {
+        sample_at(&from, job, w, x);
+    }
+    for (; x < w->x1 && x < last; x += block) {
+        int32_t end = last;
+        sample next = to;
+        if (x + block < last) {
+            end = x + block;
+            sample_at(&next, job, w, end);
         }
-        sample to;
-        sample_at(&to, job, end, w->y);
-        int32_t length = run_length(job, &from, &to, end - x);
-        while (x < end) {
-            int32_t next = x + length < end ? x + length : end;
-            sample middle = to;
-            if (next < end) {
-                sample_at(&middle, job, next, w->y);
-            }
-            /* The last run takes the pixel that it aims at along. */
-            draw_run(job, w, run, &from, &middle, x, next - x, next - x + (next == last));
-            from = middle;
-            x = next;
-        }
-        if (x == last) {
-            break;
-        }
+        draw_block(job, w, run, &from, &next, x, end, end == last);
     }
 }
 
 /* Everything is linear: one run. */
-static void linear_span(const qtri_span_job *job, const window *w, qtri_run *run)
+static void linear_span(const qtri_job *job, const window *w, qtri_run *run)
 {
     int32_t dx = w->x0 - job->anchor_x;
     int32_t dy = w->y - job->anchor_y;
@@ -179,48 +239,94 @@ static void linear_span(const qtri_span_job *job, const window *w, qtri_run *run
     run->count = w->x1 - w->x0;
     run->z = qtri_ramp_at(&job->depth, dx, dy);
     for (int i = 0; i < 3 && job->smooth; i++) {
-        run->color[i] = qtri_ramp_at(&job->ramp[i], dx, dy);
-        run->color_step[i] = job->ramp[i].dx;
+        run->color[i] = qtri_ramp_at(&job->color.ramp[i], dx, dy);
+        run->color_step[i] = job->color.ramp[i].dx;
     }
-    job->loop(job, run);
+    job->draw_run(job, run);
+}
+
+/* Linear colours in RGB565: they start anew every QTRI_PACKED_RUN pixels, see packed.h. */
+static void packed_span(const qtri_job *job, const window *w, qtri_run *run, int32_t left)
+{
+    int32_t dy = w->y - job->anchor_y;
+    run->x = w->x0;
+    run->is_packed = true;
+    while (run->x < w->x1) {
+        int32_t dx = run->x - job->anchor_x;
+        int32_t rest = w->x1 - run->x;
+        int32_t phase = job->tiny ? 0 : (run->x - left) % QTRI_PACKED_RUN;
+        run->count = job->tiny || rest < QTRI_PACKED_RUN - phase ? rest : QTRI_PACKED_RUN - phase;
+        run->z = qtri_ramp_at(&job->depth, dx, dy);
+        run->phase = phase;
+        run->packed =
+            job->tiny ? qtri_packed_tiny(job, dx, dy) : qtri_packed_start(job, dx - phase, dy);
+        qtri_run_generic(job, run);
+        run->x += run->count;
+    }
 }
 
 /*
  * Texture coordinates linear on the screen: they fill their 32 bits, so that steps lose what a long
- * run would show. They start anew from their planes every 64 pixels.
+ * run would show. They start anew from their planes: every 64 pixels, or, where copied texels leave
+ * 2^-17 of a texel and less to the last bit, every 512.
  */
-static void linear_textured_span(const qtri_span_job *job, const window *w, qtri_run *run,
-                                 int32_t left)
+static void linear_textured_span(const qtri_job *job, window *w, qtri_run *run, int32_t left)
 {
-    enum { RUN = 64 };
-    int32_t x = left + (w->x0 - left) / RUN * RUN;
-    for (; x < w->x1; x += RUN) {
-        window part = {w->y, x < w->x0 ? w->x0 : x, x + RUN < w->x1 ? x + RUN : w->x1};
+    int32_t length = job->copies_texels ? 512 : 64;
+    int32_t end = w->x1;
+    int32_t x = left + (w->x0 - left) / length * length;
+    for (; x < end; x += length) {
+        w->x0 = x < w->x0 ? w->x0 : x;
+        w->x1 = x + length < end ? x + length : end;
         for (int i = 0; i < 2; i++) {
-            const qtri_plane *plane = &job->attribute[3 + i];
+            const qtri_plane *plane = &job->uv[i];
+            int32_t up = job->uv_up[i];
             uint32_t start = (uint32_t)qtri_plane_floor(qtri_plane_at(plane, x, w->y));
-            run->uv_step[i] = (uint32_t)qtri_plane_floor(plane->dx + 0x8000u);
-            run->uv[i] = start + job->axis[i].bias + (uint32_t)(part.x0 - x) * run->uv_step[i];
+            run->uv_step[i] = plane_step(plane->dx, up);
+            run->uv[i] =
+                scaled(start + job->axis[i].bias, up) + (uint32_t)(w->x0 - x) * run->uv_step[i];
         }
-        linear_span(job, &part, run);
+        linear_span(job, w, run);
     }
 }
 
-void qtri_span(const qtri_span_job *job, int32_t y, int32_t left, int32_t right, int32_t x0,
-               int32_t x1)
+/*
+ * The pixels of row y that lie in x0..x1-1, inside the bounds, of a span that covers left..right-1.
+ * Where the exact divisions fall depends on left and right alone, so that a scissor does not change
+ * a pixel.
+ */
+static void span(const qtri_job *job, int32_t y, int32_t left, int32_t right, int32_t x0,
+                 int32_t x1)
 {
-    const qtri_surface *surface = job->surface;
+    const qtri_surface *surface = job->raster->surface;
     ptrdiff_t row = y - surface->first_row;
-    window w = {y, x0, x1};
+    window w;
     qtri_run run;
+    w.y = y;
+    w.x0 = x0;
+    w.x1 = x1;
+    run.is_packed = false;
     run.pixels = surface->pixels + row * surface->pitch;
     run.depths =
-        job->compare == QTRI_DEPTH_OFF ? NULL : surface->depth + row * surface->depth_pitch;
+        job->raster->compare == QTRI_DEPTH_OFF ? NULL : surface->depth + row * surface->depth_pitch;
     if (job->paint == QTRI_PAINT_PERSPECTIVE) {
         perspective_span(job, &w, &run, left, right);
-    } else if (job->texture != NULL) {
+    } else if (job->raster->texture != NULL) {
         linear_textured_span(job, &w, &run, left);
+    } else if (job->smooth && surface->format == QTRI_RGB565) {
+        packed_span(job, &w, &run, left);
     } else {
         linear_span(job, &w, &run);
+    }
+}
+
+void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    for (; count > 0; count--, row++, spans++) {
+        int32_t x;
+        int32_t pixels = qtri_span_clip(spans, &job->raster->bounds, &x);
+        if (pixels > 0) {
+            span(job, row, spans->left, spans->right, x, x + pixels);
+        }
     }
 }

@@ -15,6 +15,16 @@ static int64_t hold_q32(int64_t coordinate)
     return coordinate < -limit ? -limit : (coordinate > limit ? limit : coordinate);
 }
 
+/* Added to values, so that those somewhat below 0 can be shifted; a multiple of the side. */
+#define ABOVE_ZERO ((uint32_t)1 << 30)
+
+static int32_t first_texel(int64_t base, int32_t shift)
+{
+    const int64_t limit = (int64_t)1 << 30;
+    int64_t first = ((int64_t)ABOVE_ZERO >> shift) - (base >> shift);
+    return (int32_t)(first < -limit ? -limit : (first > limit ? limit : first));
+}
+
 void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3], uint8_t side_log2)
 {
     int64_t offset[3];
@@ -35,35 +45,87 @@ void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3]
     side_log2 = side_log2_of(side_log2);
     axis->shift = 32 - down - side_log2; /* >= 2 */
     axis->mask = (1u << side_log2) - 1;
+    axis->first = first_texel(base >> down, axis->shift); /* base: whole repeats, nothing is lost */
     axis->bias = axis->shift > 17 ? (uint32_t)1 << (axis->shift - 16) : 2;
 }
 
 bool qtri_texture_usable(const qtri_texture *texture)
 {
-    return texture != NULL && (texture->texels != NULL || texture->format == QTRI_TEXEL_CHECKER);
+    if (texture == NULL) {
+        return false;
+    }
+    switch (texture->format) {
+    case QTRI_TEXEL_RGB565:
+    case QTRI_TEXEL_XRGB8888:
+    case QTRI_TEXEL_GRAY8:
+        return texture->texels != NULL;
+    case QTRI_TEXEL_PALETTE8:
+        return texture->texels != NULL && texture->palette != NULL;
+    default:
+        return true; /* CHECKER */
+    }
 }
 
-qtri_rgb qtri_texel_fetch(const qtri_texture *texture, uint32_t column, uint32_t row)
+/* As the colour key is compared. */
+static uint32_t stored_texel(const qtri_texture *texture, uint32_t column, uint32_t row)
 {
     uint8_t width_log2 = side_log2_of(texture->width_log2);
     uint32_t index = (row << width_log2) + column;
     switch (texture->format) {
     case QTRI_TEXEL_RGB565:
-        return qtri_rgb_from_565(((const uint16_t *)texture->texels)[index]);
+        return ((const uint16_t *)texture->texels)[index];
     case QTRI_TEXEL_XRGB8888:
-        return qtri_rgb_from_8888(((const uint32_t *)texture->texels)[index]);
+        return ((const uint32_t *)texture->texels)[index] & 0xFFFFFFu;
+    case QTRI_TEXEL_PALETTE8:
+    case QTRI_TEXEL_GRAY8:
+        return ((const uint8_t *)texture->texels)[index];
     default: {
         uint32_t field_column = (column * texture->fields) >> width_log2;
         uint32_t field_row = (row * texture->fields) >> side_log2_of(texture->height_log2);
-        return texture->color[(field_column + field_row) & 1];
+        return (field_column + field_row) & 1;
     }
     }
 }
 
+static qtri_rgb color_of(const qtri_texture *texture, uint32_t stored)
+{
+    switch (texture->format) {
+    case QTRI_TEXEL_RGB565:
+        return qtri_rgb_from_565(stored);
+    case QTRI_TEXEL_XRGB8888:
+        return qtri_rgb_from_8888(stored);
+    case QTRI_TEXEL_PALETTE8:
+        return texture->palette[stored];
+    case QTRI_TEXEL_GRAY8: {
+        qtri_rgb gray = {(uint8_t)stored, (uint8_t)stored, (uint8_t)stored};
+        return gray;
+    }
+    default:
+        return texture->color[stored];
+    }
+}
+
+qtri_rgb qtri_texel_fetch(const qtri_texture *texture, uint32_t column, uint32_t row)
+{
+    return color_of(texture, stored_texel(texture, column, row));
+}
+
+static bool is_key(const qtri_texture *texture, uint32_t stored)
+{
+    uint32_t mask = texture->format == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu : UINT32_MAX;
+    return texture->has_key && stored == (texture->key & mask);
+}
+
 /* texel / 255 in Q16, exact at 0 and 255 and within 2^-16 between. */
-static int64_t fraction_q16(uint8_t texel)
+static int64_t fraction_q16(uint32_t texel)
 {
     return texel * 257 + (texel >> 7);
+}
+
+/* The same for a texel with 16 fraction bits, and equal to it where they are zero. */
+static int64_t fraction_q16_from_8p16(uint32_t texel_8p16)
+{
+    return (texel_8p16 + (texel_8p16 >> 8) + (texel_8p16 >> 16) + 128) >> 8; /* sum < 2^24 + 128 */
 }
 
 qtri_channels qtri_texel_modulate(const qtri_channels *color, qtri_rgb texel)
@@ -73,4 +135,77 @@ qtri_channels qtri_texel_modulate(const qtri_channels *color, qtri_rgb texel)
     result.c[1] = (int32_t)((color->c[1] * fraction_q16(texel.g)) >> 16);
     result.c[2] = (int32_t)((color->c[2] * fraction_q16(texel.b)) >> 16);
     return result;
+}
+
+/* Which texel of a side that repeats or ends. texel: (value + 2^30) >> shift, below 2^30. */
+static uint32_t wrap(const qtri_texel_axis *axis, qtri_wrap mode, uint32_t texel)
+{
+    if (mode != QTRI_CLAMP) {
+        return texel & axis->mask;
+    }
+    int32_t index = (int32_t)texel - axis->first;
+    return index < 0 ? 0 : ((uint32_t)index > axis->mask ? axis->mask : (uint32_t)index);
+}
+
+/* Two neighbours along one axis. */
+typedef struct taps {
+    uint32_t index[2];
+    uint32_t weight; /* of the second, of 256 */
+} taps;
+
+/* Centres are half a texel on; half of a weight's last bit rounds. `value` has the bias added. */
+static taps taps_at(const qtri_texel_axis *axis, qtri_wrap mode, uint32_t value)
+{
+    int32_t shift = axis->shift;
+    uint32_t from_center = value - axis->bias + ABOVE_ZERO - ((uint32_t)1 << (shift - 1));
+    if (shift > 8) {
+        from_center += (uint32_t)1 << (shift - 9);
+    }
+    taps t;
+    t.index[0] = wrap(axis, mode, from_center >> shift);
+    t.index[1] = wrap(axis, mode, (from_center >> shift) + 1);
+    t.weight = (shift > 8 ? from_center >> (shift - 8) : from_center << (8 - shift)) & 255;
+    return t;
+}
+
+/* The weighted sum of four texels; `nearest` stands in for those that equal the key. */
+static void bilinear(const qtri_texture *texture, const taps *u, const taps *v, qtri_rgb nearest,
+                     uint32_t sum_8p16[3])
+{
+    sum_8p16[0] = sum_8p16[1] = sum_8p16[2] = 0;
+    for (int i = 0; i < 4; i++) {
+        int right = i & 1;
+        int below = i >> 1;
+        uint32_t weight = (right ? u->weight : 256 - u->weight) * /* the four sum to 2^16 */
+                          (below ? v->weight : 256 - v->weight);
+        uint32_t stored = stored_texel(texture, u->index[right], v->index[below]);
+        qtri_rgb texel = is_key(texture, stored) ? nearest : color_of(texture, stored);
+        sum_8p16[0] += weight * texel.r;
+        sum_8p16[1] += weight * texel.g;
+        sum_8p16[2] += weight * texel.b;
+    }
+}
+
+bool qtri_texel_apply(const qtri_texture *texture, const qtri_texel_axis axis[2], uint32_t u,
+                      uint32_t v, qtri_channels *color)
+{
+    uint32_t column = wrap(&axis[0], texture->wrap_u, (u + ABOVE_ZERO) >> axis[0].shift);
+    uint32_t row = wrap(&axis[1], texture->wrap_v, (v + ABOVE_ZERO) >> axis[1].shift);
+    uint32_t stored = stored_texel(texture, column, row);
+    if (is_key(texture, stored)) {
+        return false;
+    }
+    qtri_rgb texel = color_of(texture, stored);
+    if (texture->filter != QTRI_BILINEAR) {
+        *color = qtri_texel_modulate(color, texel);
+        return true;
+    }
+    taps along = taps_at(&axis[0], texture->wrap_u, u);
+    taps across = taps_at(&axis[1], texture->wrap_v, v);
+    uint32_t sum_8p16[3];
+    bilinear(texture, &along, &across, texel, sum_8p16);
+    for (int i = 0; i < 3; i++) {
+        color->c[i] = (int32_t)((color->c[i] * fraction_q16_from_8p16(sum_8p16[i])) >> 16);
+    }
+    return true;
 }

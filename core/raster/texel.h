@@ -17,13 +17,15 @@ typedef struct qtri_texel_axis {
     int32_t shift;    /* texel = (value + bias) >> shift */
     uint32_t mask;    /* side - 1 */
     uint32_t bias;    /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
+    int32_t first;    /* (value + 2^30) >> shift at coordinate 0; held to +-2^30, which clamps
+                         the same */
 } qtri_texel_axis;
 
 /* Coordinates as in qtri_screen_vertex; beyond 2^48 they are held there. */
 void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3],
                           uint8_t side_log2);
 
-/* `value` has the bias added. */
+/* Repeated. `value` has the bias added. */
 static inline uint32_t qtri_texel_index(const qtri_texel_axis *axis, uint32_t value)
 {
     return (value >> axis->shift) & axis->mask;
@@ -37,5 +39,12 @@ qtri_rgb qtri_texel_fetch(const qtri_texture *texture, uint32_t column, uint32_t
 
 /* color times texel / 255, each channel. */
 qtri_channels qtri_texel_modulate(const qtri_channels *color, qtri_rgb texel);
+
+/*
+ * color times what the texture has at u, v, which have the bias added: wrapped and filtered as it
+ * says. False, and color as it was, where that is the colour key.
+ */
+bool qtri_texel_apply(const qtri_texture *texture, const qtri_texel_axis axis[2], uint32_t u,
+                      uint32_t v, qtri_channels *color);
 
 #endif

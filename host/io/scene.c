@@ -20,6 +20,10 @@ static const struct scene_statement statements[] = {
     {"texture",     {1, 9},    scene_statement_texture,       0,
      "off, texture FILE.ppm or texture W H CELLS r g b r g b"},
     {"texmode",     {1, 1},    scene_statement_texmode,       0, "replace|modulate"},
+    {"texwrap",     {1, 2},    scene_statement_texwrap,       0, "repeat|clamp [repeat|clamp]"},
+    {"texfilter",   {1, 1},    scene_statement_texfilter,     0, "nearest|bilinear"},
+    {"texformat",   {1, 1},    scene_statement_texformat,     0, "xrgb8888|rgb565|palette|gray8"},
+    {"texkey",      {1, 3},    scene_statement_texkey,        0, "off or texkey r g b"},
     {"interpolate", {1, 1},    scene_statement_interpolate,   0, "perspective|linear"},
     {"polygon",     {1, 1},    scene_statement_polygon,       0, "fill|line"},
     {"light",       {5, 5},    scene_statement_light,         0, "x y z ambient diffuse"},
@@ -44,6 +48,16 @@ static const struct scene_statement statements[] = {
     {"mesh",        {1, 5},    scene_statement_mesh,          SCENE_MESH, "FILE.obj [color r g b]"},
 };
 /* clang-format on */
+
+bool scene_statement_usage(size_t i, const char **name, const char **arguments)
+{
+    if (i >= sizeof statements / sizeof statements[0]) {
+        return false;
+    }
+    *name = statements[i].name;
+    *arguments = statements[i].usage;
+    return true;
+}
 
 /* ---- Helpers for handlers ---- */
 

@@ -79,6 +79,15 @@ enum scene_compare {
 enum scene_cull { SCENE_CULL_NONE, SCENE_CULL_BACK, SCENE_CULL_FRONT };
 enum scene_texture_mode { SCENE_REPLACE, SCENE_MODULATE };
 
+/* What the texture's 8-bit colours are stored as. Each renderer converts them: to the nearest level
+   of RGB565, to .299 r + .587 g + .114 b, rounded, for GRAY8. A palette holds them as they are. */
+enum scene_texel_format {
+    SCENE_TEXEL_XRGB8888,
+    SCENE_TEXEL_RGB565,
+    SCENE_TEXEL_PALETTE,
+    SCENE_TEXEL_GRAY8
+};
+
 struct scene_texture { /* width == 0: texturing is off */
     int width, height; /* powers of two, 1..1024 */
     uint8_t *rgb;      /* width * height * 3 bytes, row 0 (v = 0) first, owned by the scene */
@@ -102,6 +111,11 @@ struct scene {
     bool screen_linear; /* `interpolate linear`: attributes linear on the screen */
     bool wireframe;     /* `polygon line` */
     enum scene_texture_mode texture_mode;
+    bool texture_clamp[2];  /* `texwrap`, u and v; otherwise repeated */
+    bool texture_bilinear;  /* `texfilter` */
+    bool texture_keyed;     /* `texkey`: texels stored as texture_key would be are not drawn */
+    uint8_t texture_key[3]; /* 8 bits a channel */
+    enum scene_texel_format texel_format; /* PALETTE: the parser guarantees 256 colours at most */
     struct scene_texture texture;
     int32_t depth_near, depth_far; /* `depthrange`, 0..1 each, either order */
     struct scene_light light;
@@ -127,5 +141,8 @@ bool scene_parse(const char *name, const char *text, size_t length, struct scene
 bool scene_read(const char *path, struct scene *scene, struct text_error *error);
 
 void scene_free(struct scene *scene);
+
+/* The name and the arguments of statement `i` of the language; false behind the last. */
+bool scene_statement_usage(size_t i, const char **name, const char **arguments);
 
 #endif

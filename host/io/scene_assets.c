@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "array.h"
+#include "palette.h"
 #include "picture.h"
 
 /* ---- Files that a scene names ---- */
@@ -215,7 +216,7 @@ static bool read_texture(struct scene_parser *parser)
     return true;
 }
 
-bool scene_make_texture(struct scene_parser *parser)
+static bool make_texels(struct scene_parser *parser)
 {
     parser->line = parser->texture.line; /* where the message belongs */
     parser->statement = parser->texture.statement;
@@ -226,6 +227,25 @@ bool scene_make_texture(struct scene_parser *parser)
         return read_texture(parser);
     case SCENE_TEXTURE_OFF:
         break;
+    }
+    return true;
+}
+
+bool scene_make_texture(struct scene_parser *parser)
+{
+    const struct scene *scene = parser->scene;
+    if (!make_texels(parser)) {
+        return false;
+    }
+    if (scene->texel_format == SCENE_TEXEL_PALETTE) {
+        size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
+        struct palette palette;
+        if (!palette_make(&palette, scene->texture.rgb, count, NULL)) {
+            text_error_set(parser->error, parser->name, parser->texformat_line,
+                           "%s: the texture of line %d has more than %d colours",
+                           parser->texformat_statement->name, parser->texture.line, PALETTE_MAX);
+            return false;
+        }
     }
     return true;
 }

@@ -49,6 +49,8 @@ struct scene_parser {
     struct file_identity *mesh_files; /* beside scene->meshes */
     size_t mesh_file_capacity;
     struct scene_texture_request texture;
+    int texformat_line; /* of the last `texformat`, in case its palette does not suffice */
+    const struct scene_statement *texformat_statement;
 };
 
 /* Takes the statement's arguments, whose number is right; false with the error set. */
@@ -89,7 +91,8 @@ scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_pus
 
 scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_cleardepth,
     scene_statement_depth, scene_statement_depthmask, scene_statement_depthrange,
-    scene_statement_cull, scene_statement_shade, scene_statement_texmode,
+    scene_statement_cull, scene_statement_shade, scene_statement_texmode, scene_statement_texwrap,
+    scene_statement_texfilter, scene_statement_texformat, scene_statement_texkey,
     scene_statement_interpolate, scene_statement_polygon, scene_statement_light,
     scene_statement_texture;
 
@@ -98,7 +101,8 @@ scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_c
 /* The index in scene->meshes of the file that an argument names; reads a file the first time. */
 bool scene_find_mesh(struct scene_parser *parser, int argument, size_t *mesh);
 
-/* Fills scene->texture with what the last `texture` statement asks for. */
+/* Fills scene->texture with what the last `texture` statement asks for; checks the last
+ * `texformat`. */
 bool scene_make_texture(struct scene_parser *parser);
 
 #endif

@@ -96,6 +96,59 @@ bool scene_statement_texmode(struct scene_parser *parser)
     return true;
 }
 
+/* One word for both directions, or u and v. */
+bool scene_statement_texwrap(struct scene_parser *parser)
+{
+    bool *clamp = parser->scene->texture_clamp;
+    if (!second_word(parser, 0, "repeat", "clamp", &clamp[0])) {
+        return false;
+    }
+    clamp[1] = clamp[0];
+    return parser->argument_count == 1 || second_word(parser, 1, "repeat", "clamp", &clamp[1]);
+}
+
+bool scene_statement_texfilter(struct scene_parser *parser)
+{
+    return second_word(parser, 0, "nearest", "bilinear", &parser->scene->texture_bilinear);
+}
+
+bool scene_statement_texformat(struct scene_parser *parser)
+{
+    static const char *const words[] = {
+        [SCENE_TEXEL_XRGB8888] = "xrgb8888",
+        [SCENE_TEXEL_RGB565] = "rgb565",
+        [SCENE_TEXEL_PALETTE] = "palette",
+        [SCENE_TEXEL_GRAY8] = "gray8",
+    };
+    int choice;
+    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
+        return false;
+    }
+    parser->scene->texel_format = (enum scene_texel_format)choice;
+    parser->texformat_line = parser->line;
+    parser->texformat_statement = parser->statement;
+    return true;
+}
+
+bool scene_statement_texkey(struct scene_parser *parser)
+{
+    if (parser->argument_count == 1) {
+        static const char *const words[] = {"off"};
+        int choice;
+        parser->scene->texture_keyed = false;
+        return scene_choice(parser, 0, words, WORD_COUNT(words), &choice);
+    }
+    parser->scene->texture_keyed = true;
+    for (int i = 0; i < 3; i++) {
+        int byte;
+        if (!scene_integer(parser, i, 0, 255, &byte)) {
+            return false;
+        }
+        parser->scene->texture_key[i] = (uint8_t)byte;
+    }
+    return true;
+}
+
 bool scene_statement_interpolate(struct scene_parser *parser)
 {
     return second_word(parser, 0, "perspective", "linear", &parser->scene->screen_linear);

@@ -134,7 +134,8 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
     }
     if (!(sum > 0 && w > 0 && to_near >= 0 && to_far >= 0))
         return;
-    if (!ref_target_cover(target, x, y, ref_target_depth(target, z / w)))
+    double depth = ref_target_depth(target, z / w);
+    if (!ref_target_cover(target, x, y, depth))
         return;
 
     double attribute[REF_ATTRIBUTES];
@@ -147,7 +148,7 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
         weight2 = (double)(value[2] * v[2].w / w);
     }
     ref_interpolate(vertex, weight1, weight2, attribute);
-    ref_target_shade(target, x, y, triangle, attribute);
+    ref_target_shade(target, x, y, depth, triangle, attribute);
 }
 
 static void scan(struct ref_target *target, const struct ref_triangle *triangle,

@@ -45,14 +45,15 @@ static void pixel(struct ref_target *target, const struct ref_triangle *triangle
                   const struct end *from, const struct end *to, double t, int x, int y)
 {
     double attribute[REF_ATTRIBUTES];
+    double depth = from->depth + t * (to->depth - from->depth);
 
-    if (!ref_target_cover(target, x, y, from->depth + t * (to->depth - from->depth)))
+    if (!ref_target_cover(target, x, y, depth))
         return;
     for (int k = 0; k < REF_ATTRIBUTES; k++) {
         double a = from->source->attribute[k];
         attribute[k] = a + t * (to->source->attribute[k] - a);
     }
-    ref_target_shade(target, x, y, triangle, attribute);
+    ref_target_shade(target, x, y, depth, triangle, attribute);
 }
 
 static void walk(struct ref_target *target, const struct ref_triangle *triangle,

@@ -88,7 +88,7 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
     const struct ref_vertex *const source[3] = {v[0]->source, v[1]->source, v[2]->source};
     double attribute[REF_ATTRIBUTES];
     ref_interpolate(source, b1, b2, attribute);
-    ref_target_shade(target, x, y, triangle, attribute);
+    ref_target_shade(target, x, y, depth, triangle, attribute);
 }
 
 static void scan(struct ref_target *target, const struct ref_triangle *triangle,

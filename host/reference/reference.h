@@ -24,7 +24,7 @@ struct reference_image {
     double *depth;     /* window depth 0..1 */
     uint32_t *id;      /* 0 = background */
     uint32_t *hits;    /* how many triangles (or wireframe edges) covered the pixel, before the
-                          depth test, after culling and clipping */
+                          depth test and the colour key, after culling and clipping */
 };
 
 /* subpixel_bits: 0 = infinite precision, 1..16 = snap. False when memory runs out. */

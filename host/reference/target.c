@@ -1,4 +1,5 @@
 #include "target.h"
+#include "texture.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -115,40 +116,23 @@ bool ref_target_cover(struct ref_target *target, int x, int y, double depth)
     target->image->hits[i]++;
     if (!scene->depth_test)
         return true;
-    double *stored = &target->image->depth[i];
-    if (!passes(scene->depth_compare, depth_units(depth), depth_units(*stored)))
-        return false;
-    if (scene->depth_write)
-        *stored = depth;
-    return true;
+    double stored = target->image->depth[i];
+    return passes(scene->depth_compare, depth_units(depth), depth_units(stored));
 }
 
-/* Texel of a repeating texture: floor(coordinate * size) modulo size. */
-static size_t texel_index(double coordinate, int size)
-{
-    double texel = floor(coordinate * size);
-    double wrapped = texel - size * floor(texel / size);
-    return wrapped > 0.0 && wrapped < size ? (size_t)wrapped : 0; /* 0 also for NaN */
-}
-
-static const uint8_t *texel(const struct scene_texture *texture, double u, double v)
-{
-    size_t column = texel_index(u, texture->width);
-    size_t row = texel_index(v, texture->height);
-    return &texture->rgb[3 * (row * (size_t)texture->width + column)];
-}
-
-void ref_target_shade(struct ref_target *target, int x, int y, const struct ref_triangle *triangle,
-                      const double attribute[REF_ATTRIBUTES])
+void ref_target_shade(struct ref_target *target, int x, int y, double depth,
+                      const struct ref_triangle *triangle, const double attribute[REF_ATTRIBUTES])
 {
     const struct scene *scene = target->scene;
     const struct ref_vertex *vertex = triangle->vertex;
     struct reference_image *image = target->image;
     size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
-    const uint8_t *texel_rgb = NULL;
+    double texel[3];
 
-    if (triangle->textured)
-        texel_rgb = texel(&scene->texture, attribute[REF_U], attribute[REF_V]);
+    if (triangle->textured && !ref_texture_at(scene, attribute[REF_U], attribute[REF_V], texel))
+        return;
+    if (scene->depth_test && scene->depth_write)
+        image->depth[i] = depth;
     for (size_t c = 0; c < 3; c++) {
         double a = vertex[0].attribute[c];
         double b = vertex[1].attribute[c];
@@ -156,10 +140,10 @@ void ref_target_shade(struct ref_target *target, int x, int y, const struct ref_
         double least = fmin(a, fmin(b, d));
         double greatest = fmax(a, fmax(b, d));
         double color = clamp(attribute[c], least, greatest);
-        if (texel_rgb && scene->texture_mode == SCENE_REPLACE)
-            color = texel_rgb[c];
-        else if (texel_rgb)
-            color = color * texel_rgb[c] / 255.0;
+        if (triangle->textured && scene->texture_mode == SCENE_REPLACE)
+            color = texel[c];
+        else if (triangle->textured)
+            color = color * texel[c] / 255.0;
         image->color[3 * i + c] = color;
         image->color_min[3 * i + c] = least;
         image->color_max[3 * i + c] = greatest;

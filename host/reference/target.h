@@ -21,14 +21,14 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
 /* Window depth of clip z / w: -1..1 to the depth range. */
 double ref_target_depth(const struct ref_target *target, long double z_over_w);
 
-/* A primitive covers pixel (x, y) at window depth `depth`: counts the hit, tests and, if the scene
-   says so, writes the depth. True if the pixel is to be coloured. */
+/* A primitive covers pixel (x, y) at window depth `depth`: counts the hit and tests the depth. True
+   if the pixel is to be shaded. */
 bool ref_target_cover(struct ref_target *target, int x, int y, double depth);
 
-/* Colours pixel (x, y) with the attributes there; `triangle` tells id, texturing and the colours'
-   range. */
-void ref_target_shade(struct ref_target *target, int x, int y, const struct ref_triangle *triangle,
-                      const double attribute[REF_ATTRIBUTES]);
+/* Colours pixel (x, y) with the attributes there and, if the scene says so, writes the depth;
+   `triangle` tells id, texturing and the colours' range. Nothing where the texture has its key. */
+void ref_target_shade(struct ref_target *target, int x, int y, double depth,
+                      const struct ref_triangle *triangle, const double attribute[REF_ATTRIBUTES]);
 
 /* a0 + w1 (a1 - a0) + w2 (a2 - a0) for weights that sum to 1: equal values stay exactly equal. */
 void ref_interpolate(const struct ref_vertex *const vertex[3], double weight1, double weight2,

@@ -151,11 +151,22 @@ static bool write_files(const struct options *options, const struct picture *pic
     return ok;
 }
 
+static void print_help(void)
+{
+    const char *name;
+    const char *arguments;
+    fputs(usage, stdout);
+    fputs("\nStatements of a scene file, one a line; # starts a comment:\n\n", stdout);
+    for (size_t i = 0; scene_statement_usage(i, &name, &arguments); i++) {
+        printf("  %-12s %s\n", name, arguments);
+    }
+}
+
 int render_main(int argc, char **argv)
 {
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            fputs(usage, stdout);
+            print_help();
             return 0;
         }
     }

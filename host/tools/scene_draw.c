@@ -135,7 +135,8 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     material.depth_read_only = !scene->depth_write;
     if (pass == SCENE_IDS) {
         material.shading = QTRI_FLAT_LAST;
-        return material;
+        material.texture = resources->mask_texels != NULL ? &resources->mask : NULL;
+        return material; /* modulated: white leaves an id as it is */
     }
     if (scene->flat) {
         material.shading = scene->provoking == 0 ? QTRI_FLAT_FIRST : QTRI_FLAT_LAST;
@@ -179,14 +180,22 @@ static void draw_part_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     enum { BATCH = 256 };
     qtri_corner corners[3 * BATCH];
     uint32_t count = 0;
+    qtri_material material = d->material;
+    if (mesh->uvs == NULL) {
+        material.texture = NULL;
+    }
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         for (int j = 0; j < 3; j++) {
-            const qtri_vec3 *p = &mesh->positions[mesh->triangles[i][j]];
+            uint32_t vertex = mesh->triangles[i][j];
+            const qtri_vec3 *p = &mesh->positions[vertex];
             qtri_corner corner = {{p->x, p->y, p->z, Q16_ONE}, rgb_of_id(id + i), {0, 0}};
+            if (mesh->uvs != NULL) {
+                corner.uv = mesh->uvs[vertex];
+            }
             corners[count++] = corner;
         }
         if (count == 3 * BATCH || i + 1 == mesh->triangle_count) {
-            qtri_draw_triangles(d->surface, &d->view, &d->modelview, corners, count, &d->material);
+            qtri_draw_triangles(d->surface, &d->view, &d->modelview, corners, count, &material);
             count = 0;
         }
     }

@@ -27,8 +27,11 @@ struct scene_parts {
 struct scene_resources {
     const struct scene *scene;
     struct scene_parts *meshes; /* one for each of scene->meshes */
-    uint32_t *texels;           /* XRGB8888, NULL when texturing is off */
+    void *texels;               /* NULL when texturing is off */
+    qtri_rgb palette[256];      /* what texture.palette points at: resources must not be moved */
     qtri_texture texture;
+    uint8_t *mask_texels; /* NULL without a colour key */
+    qtri_texture mask;    /* white, with the same holes: ids are drawn through it */
     qtri_light light;
     qtri_vertex *vertices; /* scratch for the largest part */
     uint32_t vertex_count;
@@ -44,6 +47,9 @@ enum scene_pass {
 /* False when memory runs out. The scene must outlive the resources. */
 bool scene_resources_create(struct scene_resources *resources, const struct scene *scene);
 void scene_resources_free(struct scene_resources *resources);
+
+/* The part of scene_resources_create that is about the texture. */
+bool scene_texture_create(struct scene_resources *resources, const struct scene *scene);
 
 /* Clears the surface and draws the scene into the rows and scissor it has. */
 void scene_draw(const struct scene_resources *resources, const qtri_surface *surface,

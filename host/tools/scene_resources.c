@@ -103,37 +103,6 @@ static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)
     return ok;
 }
 
-static uint8_t log2_of(int side)
-{
-    uint8_t log2 = 0;
-    while (side > 1) {
-        side /= 2;
-        log2++;
-    }
-    return log2;
-}
-
-static bool texture_create(struct scene_resources *resources, const struct scene_texture *source)
-{
-    size_t count = (size_t)source->width * (size_t)source->height;
-    if (count == 0) {
-        return true;
-    }
-    resources->texels = malloc(count * sizeof *resources->texels);
-    if (resources->texels == NULL) {
-        return false;
-    }
-    for (size_t i = 0; i < count; i++) {
-        const uint8_t *rgb = &source->rgb[3 * i];
-        resources->texels[i] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
-    }
-    resources->texture.texels = resources->texels;
-    resources->texture.format = QTRI_TEXEL_XRGB8888;
-    resources->texture.width_log2 = log2_of(source->width);
-    resources->texture.height_log2 = log2_of(source->height);
-    return true;
-}
-
 bool scene_resources_create(struct scene_resources *resources, const struct scene *scene)
 {
     memset(resources, 0, sizeof *resources);
@@ -144,7 +113,7 @@ bool scene_resources_create(struct scene_resources *resources, const struct scen
     resources->light.ambient = scene->light.ambient;
     resources->light.diffuse = scene->light.diffuse;
     resources->meshes = calloc(scene->mesh_count + 1, sizeof *resources->meshes);
-    bool ok = resources->meshes != NULL && texture_create(resources, &scene->texture);
+    bool ok = resources->meshes != NULL && scene_texture_create(resources, scene);
     for (size_t i = 0; ok && i < scene->mesh_count; i++) {
         struct scene_parts *parts = &resources->meshes[i];
         ok = parts_create(parts, &scene->meshes[i]);
@@ -174,6 +143,7 @@ void scene_resources_free(struct scene_resources *resources)
     }
     free(resources->meshes);
     free(resources->texels);
+    free(resources->mask_texels);
     free(resources->vertices);
     memset(resources, 0, sizeof *resources);
 }

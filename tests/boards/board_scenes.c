@@ -77,8 +77,10 @@ static void draw_triangle(const qtri_surface *surface, board_scene_memory *memor
 static void draw_torus_mesh(const qtri_surface *surface, board_scene_memory *memory,
                             qtri_view *view, const qtri_material *material)
 {
-    qtri_mesh torus = {memory->positions,    memory->normals,         NULL, NULL, NULL,
-                       BOARD_TORUS_VERTICES, 2 * BOARD_TORUS_VERTICES};
+    qtri_mesh torus = {.positions = memory->positions,
+                       .normals = memory->normals,
+                       .vertex_count = BOARD_TORUS_VERTICES,
+                       .triangle_count = 2 * BOARD_TORUS_VERTICES};
     torus.triangles = (const uint16_t(*)[3])memory->triangles;
     view->vertices = memory->vertices;
     view->vertex_count = BOARD_TORUS_VERTICES;
@@ -125,8 +127,11 @@ static void draw_floor(const qtri_surface *surface, board_scene_memory *memory)
     const qtri_corner corners[6] = {corner[0], corner[1], corner[2],
                                     corner[0], corner[2], corner[3]};
     qtri_texture texture = {
-        memory->texels,        QTRI_TEXEL_RGB565, BOARD_TEXTURE_LOG2, BOARD_TEXTURE_LOG2, 0,
-        {{0, 0, 0}, {0, 0, 0}}};
+        .texels = memory->texels,
+        .format = QTRI_TEXEL_RGB565,
+        .width_log2 = BOARD_TEXTURE_LOG2,
+        .height_log2 = BOARD_TEXTURE_LOG2,
+    };
     qtri_view view;
     view_from(&view, surface, (qtri_vec3){0, Q16_ONE, 0}, (qtri_vec3){Q16(0.5), Q16(0.2), Q16(-2)},
               Q16(60));
@@ -174,7 +179,11 @@ static void draw_box(const qtri_surface *surface, board_scene_memory *memory)
         {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5},  /* -x, +x */
         {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},  /* -y, +y */
         {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}}; /* -z, +z */
-    static const qtri_mesh box = {positions, NULL, NULL, colors, triangles, 8, 12};
+    static const qtri_mesh box = {.positions = positions,
+                                  .colors = colors,
+                                  .triangles = triangles,
+                                  .vertex_count = 8,
+                                  .triangle_count = 12};
     static const qtri_light light = {{Q16(-1), Q16(2), Q16(2)}, Q16(0.3), Q16(0.7)};
     qtri_view view;
     view_from(&view, surface, (qtri_vec3){0, 0, Q16(3)}, (qtri_vec3){0, 0, 0}, Q16(45));

@@ -37,18 +37,21 @@ typedef struct qtri_light {
     q16 ambient, diffuse;
 } qtri_light;
 
+/* On the screen, in 1/256 pixel of the frame. */
+typedef struct qtri_screen_point {
+    int32_t x_24p8, y_24p8;
+} qtri_screen_point;
+
 /*
  * A vertex after the vertex stage. Draw calls keep them in the caller's memory, so that a vertex
  * that many triangles share is transformed and lit once. Fields are internal.
  */
 typedef struct qtri_vertex {
-    uint32_t tag; /* 1 + index of the mesh vertex in this slot, 0: empty */
-    int32_t x_24p8, y_24p8;
-    uint32_t depth_16p16;
-    uint32_t inv_w_q31;
-    int32_t intensity; /* of the light, Q16.16; negative: not lit yet */
-    int16_t inv_w_exponent;
-    uint8_t outcode;
+    qtri_screen_point at;
+    uint32_t depth_16p8;    /* times 256, and in the low byte the planes the vertex is outside of */
+    uint32_t inv_w;         /* mantissa, and in the low six bits the exponent */
+    uint16_t index;         /* of the mesh's vertex in this slot */
+    uint16_t intensity_q15; /* of the light, 0..2^15; more: not lit yet */
 } qtri_vertex;
 
 /* Vertices to keep for a mesh of `count`: static qtri_vertex memory[QTRI_MESH_VERTICES(500)]; */

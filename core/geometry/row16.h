@@ -1,0 +1,50 @@
+/*
+ * Rows that are applied to vectors of 16-bit integers: positions and normals. Internal.
+ *
+ * On a core without a long multiply they cost two short products a coefficient instead of one that
+ * is put together from four.
+ */
+#ifndef QTRI_GEOMETRY_ROW16_H
+#define QTRI_GEOMETRY_ROW16_H
+
+#include "../math/bits.h"
+
+#ifdef __GNUC__
+#define QTRI_NOINLINE __attribute__((noinline))
+#else
+#define QTRI_NOINLINE
+#endif
+
+/*
+ * A row for 16-bit positions n: floor((m . n + t) / 2^16), |m| <= 2^31, all multiples of 4. Without
+ * a long multiply m and t are stored as high 2^16 + 4 low, so that every product fits 32 bits.
+ */
+typedef struct qtri_row16 {
+#if QTRI_LONG_MULTIPLY
+    int64_t t_q16; /* times 2^16 */
+    int32_t m[3];
+#else
+    int32_t t_high, t_low;
+    int32_t high[3], low[3];
+#endif
+} qtri_row16;
+
+void qtri_row16_set(qtri_row16 *row, const int32_t m[3], int64_t t);
+
+/* floor((m . n + t) / 2^16) for |n| <= 2^15. */
+static inline int32_t qtri_row16_sum(const qtri_row16 *row, int32_t x, int32_t y, int32_t z)
+{
+#if QTRI_LONG_MULTIPLY
+    int64_t sum = row->t_q16;
+    sum += (int64_t)row->m[0] * (x * 65536);
+    sum += (int64_t)row->m[1] * (y * 65536);
+    sum += (int64_t)row->m[2] * (z * 65536);
+    return (int32_t)(sum >> 32);
+#else
+    /* |m| sums up to 2^31: the high parts to 2^30. The low ones are 3 2^14 2^15 + 2^14 < 2^31. */
+    int32_t low = row->t_low + row->low[0] * x + row->low[1] * y + row->low[2] * z;
+    return row->t_high + row->high[0] * x + row->high[1] * y + row->high[2] * z + (low >> 14);
+#endif
+}
+
+#endif

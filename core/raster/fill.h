@@ -1,0 +1,77 @@
+/*
+ * Functions that fill rows. Internal.
+ */
+#ifndef QTRI_RASTER_FILL_H
+#define QTRI_RASTER_FILL_H
+
+#include "job.h"
+
+/*
+ * GCC 12 computes several pixels' values ahead and mixes their work, and then runs out of
+ * registers. An empty statement that may change a value, for all the compiler knows, keeps each
+ * pixel's work together, and a branch a branch: a third of the loop on a Cortex-M3.
+ */
+#if defined(__GNUC__)
+#define QTRI_OPAQUE(x) __asm__ volatile("" : "+r"(x));
+#define QTRI_BRANCH    __asm__ volatile("");
+#else
+#define QTRI_OPAQUE(x)
+#define QTRI_BRANCH
+#endif
+
+/*
+ * Repeats ONE(i), which draws pixel[i] and steps, for `count` pixels; `pixel` and `depth` move on.
+ * Groups of eight have constant offsets, and so has what is left.
+ */
+#define QTRI_PIXELS(count)                                                                         \
+    if ((count) >= 8) {                                                                            \
+        const uint16_t *stop = depth + ((count) & ~7);                                             \
+        do {                                                                                       \
+            ONE(0) ONE(1) ONE(2) ONE(3) ONE(4) ONE(5) ONE(6) ONE(7) QTRI_MOVE(8)                   \
+        } while (depth != stop);                                                                   \
+    }                                                                                              \
+    if ((count)&4) {                                                                               \
+        ONE(0) ONE(1) ONE(2) ONE(3) QTRI_MOVE(4)                                                   \
+    }                                                                                              \
+    if ((count)&2) {                                                                               \
+        ONE(0) ONE(1) QTRI_MOVE(2)                                                                 \
+    }                                                                                              \
+    if ((count)&1) {                                                                               \
+        ONE(0)                                                                                     \
+        QTRI_MOVE(1)                                                                               \
+    }
+#define QTRI_MOVE(n)                                                                               \
+    depth += (n);                                                                                  \
+    pixel += (n);
+
+/* Where the rows of a trapezoid are in memory. */
+typedef struct qtri_lines {
+    uint8_t *pixels;
+    uint16_t *depths;
+} qtri_lines;
+
+static inline qtri_lines qtri_lines_at(const qtri_surface *surface, int32_t row)
+{
+    ptrdiff_t stored_row = row - surface->first_row;
+    qtri_lines lines = {surface->pixels + stored_row * surface->pitch,
+                        surface->depth + stored_row * surface->depth_pitch};
+    return lines;
+}
+
+/* A compiler must not gather what the job holds before the first row: most have few rows. */
+#if defined(__GNUC__)
+#define QTRI_NEXT_ROW __asm__ volatile("" ::: "memory");
+#else
+#define QTRI_NEXT_ROW
+#endif
+
+/* RGB565, linear colours, depth "less" with write. */
+void qtri_fill_packed_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+
+/* The same for tiny triangles. */
+void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+
+/* The same for jobs that copy texels. */
+void qtri_run_copy_less(const qtri_job *job, const qtri_run *run);
+
+#endif

@@ -1,0 +1,163 @@
+#include "fill.h"
+#include "packed.h"
+
+/* A row's place in memory, and its depth. */
+typedef struct cursor {
+    uint16_t *pixel, *depth;
+    uint32_t z;
+} cursor;
+
+#define PIXEL(i, step)                                                                             \
+    if (z >> 16 < depth[i]) {                                                                      \
+        QTRI_BRANCH                                                                                \
+        depth[i] = (uint16_t)(z >> 16);                                                            \
+        pixel[i] = (uint16_t)qtri_packed_pixel(packed);                                            \
+    }                                                                                              \
+    z += depth_step;                                                                               \
+    packed += (step);                                                                              \
+    QTRI_OPAQUE(z)                                                                                 \
+    QTRI_OPAQUE(packed)
+
+/* `count` pixels from the first of a group on. */
+static inline void draw(cursor *at, const qtri_job *job, uint32_t packed, int32_t count)
+{
+    const uint32_t depth_step = job->depth.dx;
+    const uint32_t even = job->packed_step.even;
+    const uint32_t odd = job->packed_step.odd;
+    uint16_t *pixel = at->pixel;
+    uint16_t *depth = at->depth;
+    uint32_t z = at->z;
+    if (count >= 8) {
+        const uint32_t last = job->packed_step.eight - 4 * even - 3 * odd;
+        const uint16_t *stop = depth + (count & ~7);
+        do {
+            PIXEL(0, even)
+            PIXEL(1, odd)
+            PIXEL(2, even)
+            PIXEL(3, odd)
+            PIXEL(4, even)
+            PIXEL(5, odd)
+            PIXEL(6, even)
+            PIXEL(7, last)
+            depth += 8;
+            pixel += 8;
+        } while (depth != stop);
+    }
+    if (count & 4) {
+        PIXEL(0, even)
+        PIXEL(1, odd)
+        PIXEL(2, even)
+        PIXEL(3, odd)
+        depth += 4;
+        pixel += 4;
+    }
+    if (count & 2) {
+        PIXEL(0, even)
+        PIXEL(1, odd)
+        depth += 2;
+        pixel += 2;
+    }
+    if (count & 1) {
+        PIXEL(0, even)
+        depth++;
+        pixel++;
+    }
+    at->pixel = pixel;
+    at->depth = depth;
+    at->z = z;
+}
+
+/* A pixel in the middle of a group, where a scissor cuts a span. */
+static void draw_one(cursor *at, const qtri_job *job, uint32_t packed)
+{
+    if (at->z >> 16 < *at->depth) {
+        *at->depth = (uint16_t)(at->z >> 16);
+        *at->pixel = (uint16_t)qtri_packed_pixel(packed);
+    }
+    at->z += job->depth.dx;
+    at->depth++;
+    at->pixel++;
+}
+
+/* A row of a triangle that is not tiny, `cut` pixels of which the bounds cut off. */
+static void draw_runs(cursor *at, const qtri_job *job, int32_t dx, int32_t dy, int32_t cut,
+                      int32_t rest)
+{
+    int32_t phase = cut % QTRI_PACKED_RUN;
+    while (rest > 0) {
+        uint32_t packed = qtri_packed_start(job, dx - phase, dy);
+        int32_t part = QTRI_PACKED_RUN - phase < rest ? QTRI_PACKED_RUN - phase : rest;
+        dx += part;
+        rest -= part;
+        for (; part > 0 && phase % 8 != 0; part--, phase++) {
+            draw_one(at, job, packed + qtri_packed_skip(job, phase));
+        }
+        if (part > 0) {
+            draw(at, job, packed + qtri_packed_skip(job, phase), part);
+        }
+        phase = 0;
+    }
+}
+
+/* A tiny triangle: values at column 0 step from row to row, and a span needs no groups. */
+void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    const ptrdiff_t pitch = raster->surface->pitch;
+    const ptrdiff_t depth_pitch = raster->surface->depth_pitch;
+    qtri_lines lines = qtri_lines_at(raster->surface, row);
+    const uint32_t depth_step = job->depth.dx;
+    const uint32_t step = job->packed_step.even;
+    uint32_t depth_row = qtri_ramp_at(&job->depth, -job->anchor_x, row - job->anchor_y);
+    uint32_t packed_row = qtri_packed_tiny(job, -job->anchor_x, row - job->anchor_y);
+    for (; count > 0; count--) {
+        int32_t x = spans->left;
+        int32_t rest = spans->right - x;
+        if (job->cut) {
+            rest = qtri_span_clip(spans, &raster->bounds, &x);
+        }
+        if (rest > 0) {
+            uint16_t *pixel = (uint16_t *)(void *)lines.pixels + x;
+            uint16_t *depth = lines.depths + x;
+            const uint16_t *stop = depth + rest;
+            uint32_t z = depth_row + (uint32_t)x * depth_step;
+            uint32_t packed = packed_row + (uint32_t)x * step;
+            do {
+                if (z >> 16 < *depth) {
+                    QTRI_BRANCH
+                    *depth = (uint16_t)(z >> 16);
+                    *pixel = (uint16_t)qtri_packed_pixel(packed);
+                }
+                z += depth_step;
+                packed += step;
+                depth++;
+                pixel++;
+            } while (depth < stop);
+        }
+        spans++;
+        depth_row += job->depth.dy;
+        packed_row += job->packed_dy;
+        lines.pixels += pitch;
+        lines.depths += depth_pitch;
+    }
+}
+
+void qtri_fill_packed_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    qtri_lines lines = qtri_lines_at(raster->surface, row);
+    for (const qtri_span *end = spans + count; spans < end; spans++, row++) {
+        int32_t x;
+        int32_t rest = qtri_span_clip(spans, &raster->bounds, &x);
+        if (rest > 0) {
+            int32_t dx = x - job->anchor_x;
+            int32_t dy = row - job->anchor_y;
+            cursor at = {(uint16_t *)(void *)lines.pixels + x, lines.depths + x,
+                         qtri_ramp_at(&job->depth, dx, dy)};
+            draw_runs(&at, job, dx, dy, x - spans->left, rest);
+        }
+        QTRI_NEXT_ROW
+        lines.pixels += raster->surface->pitch;
+        lines.depths += raster->surface->depth_pitch;
+    }
+}

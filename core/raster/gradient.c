@@ -1,0 +1,92 @@
+#include "gradient.h"
+
+#define SMALL ((int32_t)1 << 15) /* 128 pixels */
+
+static bool fits_small(int32_t x)
+{
+    return (uint32_t)x + (uint32_t)SMALL < 2u * SMALL;
+}
+
+/*
+ * Small triangles multiply by an inverse of their area instead of dividing. Let |d| < 2^15 for the
+ * four differences, s the sum of their magnitudes, |area| >= 16 s, and r = 2^61 / (|area| 2^zeros)
+ * in [2^29, 2^30]. An attribute whose differences are below 2^23, without their last
+ * QTRI_RAMP_DOWN bits,
+ * has a numerator n = f1 d - f2 d' of at most 2^14 s <= 2^31, and a gradient a pixel of
+ *
+ *     256 2^QTRI_RAMP_DOWN n / area = n r / 2^shift, shift = 44 - zeros, less than 2^8 2^23 s / 16
+ * s = 2^27.
+ *
+ * It is the high word of (n 2^(32 - shift)) r or of n (r 2^(32 - shift)), whichever shifts left: in
+ * the first n < 2^27 2^shift / r, so that the product's left factor is below 2^30; in the second r
+ * loses bits, which costs n / 2^32: less than a unit.
+ */
+void qtri_gradient_init(qtri_gradient *g)
+{
+    g->inverse = 0;
+    g->left = 0;
+    if (!(fits_small(g->dx1) && fits_small(g->dy1) && fits_small(g->dx2) && fits_small(g->dy2))) {
+        return;
+    }
+    int32_t area = (int32_t)g->area; /* < 2^31 */
+    uint32_t size = qtri_magnitude32(area);
+    uint32_t sum = qtri_magnitude32(g->dx1) + qtri_magnitude32(g->dy1) + qtri_magnitude32(g->dx2) +
+                   qtri_magnitude32(g->dy2);
+    if (size < sum << 4) {
+        return;
+    }
+    int32_t zeros = qtri_clz32(size);
+    int32_t r = (int32_t)(qtri_reciprocal_q62(size << zeros) >> 1);
+    int32_t shift = 44 - zeros; /* >= 16: size >= 16 */
+    if (shift > 32) {
+        r = (r + ((int32_t)1 << (shift - 33))) >> (shift - 32);
+    } else {
+        g->left = 32 - shift;
+    }
+    g->inverse = area < 0 ? -r : r;
+}
+
+static uint32_t round_to_ramp(uint64_t value)
+{
+    return (uint32_t)((value + 0x8000u) >> 16);
+}
+
+void qtri_ramp_divide(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[3])
+{
+    int64_t wide[3] = {f[0], f[1], f[2]};
+    qtri_plane plane;
+    qtri_plane_init(&plane, g, wide);
+    ramp->origin = round_to_ramp(qtri_plane_at(&plane, g->anchor_x, g->anchor_y)) + 0x8000u;
+    ramp->dx = round_to_ramp(plane.dx);
+    ramp->dy = round_to_ramp(plane.dy);
+}
+
+/* numerator 2^16 / area, rounded, modulo 2^64. |numerator| < 2^57, |area| <= 2^47. */
+static uint64_t divide(int64_t numerator, int64_t area)
+{
+    uint64_t size = qtri_magnitude64(numerator);
+    uint64_t divisor = qtri_magnitude64(area);
+    uint64_t whole = size / divisor;
+    uint64_t rest = size % divisor;                         /* < 2^47 */
+    uint64_t part = ((rest << 16) + divisor / 2) / divisor; /* < 2^63 + 2^46: no overflow */
+    uint64_t quotient = (whole << 16) + part;
+    return (numerator < 0) == (area < 0) ? quotient : 0 - quotient;
+}
+
+void qtri_plane_init(qtri_plane *plane, const qtri_gradient *g, const int64_t f[3])
+{
+    int64_t df1 = f[1] - f[0];
+    int64_t df2 = f[2] - f[0];
+    plane->origin = (uint64_t)f[0] << 16;
+    plane->dx = 0;
+    plane->dy = 0;
+    if (df1 == 0 && df2 == 0) {
+        return;
+    }
+    uint64_t per_x = divide(df1 * g->dy2 - df2 * g->dy1, g->area);
+    uint64_t per_y = divide(df2 * g->dx1 - df1 * g->dx2, g->area);
+    plane->origin += per_x * (uint64_t)(int64_t)(128 - g->x_24p8);
+    plane->origin += per_y * (uint64_t)(int64_t)(128 - g->y_24p8);
+    plane->dx = per_x << 8;
+    plane->dy = per_y << 8;
+}

@@ -1,0 +1,145 @@
+/*
+ * A triangle on its way to pixels. Internal.
+ *
+ * A raster holds what the triangles of a draw call share, a job what the rows of a triangle share.
+ * Which function fills the rows is chosen once a triangle. Flat and linear colours have loops of
+ * their own, made from fill.inc, that fill whole rows; for everything else a row is a span, drawn
+ * as runs: stretches over which every attribute is a 32-bit ramp. Without perspective a span is one
+ * run; with it, a run goes from one exact division to the next. qtri_run_generic draws any run;
+ * every loop gives its pixels to the bit.
+ */
+#ifndef QTRI_RASTER_JOB_H
+#define QTRI_RASTER_JOB_H
+
+#include <stdbool.h>
+
+#include "qtri/material.h"
+
+#include "gradient.h"
+#include "pixel.h"
+#include "texel.h"
+
+typedef struct qtri_job qtri_job;
+
+/* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
+typedef struct qtri_span {
+    int16_t left, right;
+} qtri_span;
+
+/* Fills `count` rows from `row` on. */
+typedef void (*qtri_fill_rows)(const qtri_job *job, const qtri_span *spans, int32_t row,
+                               int32_t count);
+
+/* What the triangles of a draw call share. */
+typedef struct qtri_run qtri_run;
+typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
+
+typedef struct qtri_raster {
+    const qtri_surface *surface;
+    const qtri_texture *texture; /* NULL: none */
+    qtri_rect bounds;
+    qtri_fill_rows fill_flat, fill_linear, fill_tiny; /* without texture */
+    qtri_draw_run copy_run;                           /* for jobs that copy texels */
+    qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
+    bool depth_write;
+    bool perspective, replace; /* as the material asks */
+    bool tinted;               /* colours are shares of `tint` */
+    qtri_channels tint;
+    bool copies_white; /* texels may be copied where the colour is white */
+    qtri_cull cull;
+    qtri_shading shading;
+} qtri_raster;
+
+/* Where colour and texture coordinates come from. */
+typedef enum qtri_paint {
+    QTRI_PAINT_FLAT,       /* one pixel value */
+    QTRI_PAINT_LINEAR,     /* ramps of colours, planes of texture coordinates */
+    QTRI_PAINT_PERSPECTIVE /* planes of attribute / w, and of 1 / w */
+} qtri_paint;
+
+/* PERSPECTIVE: colours (n.16, up to 24 bits) are scaled by this much to use 30 bits. */
+#define QTRI_COLOR_PERSPECTIVE_SHIFT 6
+
+/* Steps of a packed colour, see packed.h: pixels 0 2 4 6 of a group, 1 3 5, and all eight. */
+typedef struct qtri_packed_steps {
+    uint32_t even, odd, eight;
+} qtri_packed_steps;
+
+struct qtri_job {
+    const qtri_raster *raster;
+    qtri_draw_run draw_run; /* of spans */
+    qtri_paint paint;
+    bool smooth;                /* colours vary: `color` is set */
+    bool tiny;                  /* `packed` serves the whole triangle */
+    bool cut;                   /* spans may reach past the bounds */
+    uint32_t pixel;             /* FLAT */
+    qtri_channels constant;     /* when not smooth */
+    int32_t anchor_x, anchor_y; /* origin of the ramps */
+    qtri_ramp depth;            /* 16.16 */
+    union {
+        qtri_ramp ramp[3];   /* LINEAR */
+        qtri_plane plane[3]; /* PERSPECTIVE: units 2^6 color inv_w / 2^31 */
+    } color;
+    uint32_t packed_origin, packed_dy; /* tiny: a ramp of packed.h, with packed_step for dx */
+    qtri_packed_steps packed_step;
+    qtri_plane uv[2];              /* PERSPECTIVE: units inv_w / 2^31 */
+    qtri_plane inv_w;              /* PERSPECTIVE: 2^31 for the vertex nearest to the eye */
+    int32_t least[3], greatest[3]; /* of the vertices' colours, n.16: PERSPECTIVE clamps */
+    qtri_texel_axis axis[2];
+    int32_t uv_up[2];   /* runs have coordinates of axis times 2^uv_up */
+    bool copies_texels; /* see texel_copy.h */
+};
+
+/* Pixels x .. x+count-1 of a row; all values at the first, with what rounds them added. */
+struct qtri_run {
+    uint8_t *pixels; /* of the whole row */
+    uint16_t *depths;
+    int32_t x, count;
+    uint32_t z;                       /* 16.16 */
+    uint32_t color[3], color_step[3]; /* n.16 */
+    uint32_t uv[2], uv_step[2];       /* see uv_up */
+    bool is_packed;                   /* colours are these, in place of color: */
+    int32_t phase;                    /* pixels from where `packed` holds to x */
+    uint32_t packed;
+};
+
+/* Fills rows by spans: any job. */
+void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+
+/* The fastest functions for jobs of this raster without texture. */
+void qtri_fill_choose(qtri_raster *raster);
+
+void qtri_run_generic(const qtri_job *job, const qtri_run *run);
+
+/* The part of a span inside the bounds: its first pixel, and how many; may be negative. */
+static inline int32_t qtri_span_clip(const qtri_span *span, const qtri_rect *bounds, int32_t *x)
+{
+    int32_t end = span->right < bounds->x1 ? span->right : bounds->x1;
+    *x = span->left > bounds->x0 ? span->left : bounds->x0;
+    return end - *x;
+}
+
+/* Whether a fragment at depth z passes against the stored depth. */
+static inline bool qtri_depth_passes(qtri_compare compare, uint32_t z, uint32_t stored)
+{
+    switch (compare) {
+    case QTRI_NEVER:
+        return false;
+    case QTRI_LESS:
+        return z < stored;
+    case QTRI_EQUAL:
+        return z == stored;
+    case QTRI_LESS_EQUAL:
+        return z <= stored;
+    case QTRI_GREATER:
+        return z > stored;
+    case QTRI_NOT_EQUAL:
+        return z != stored;
+    case QTRI_GREATER_EQUAL:
+        return z >= stored;
+    default:
+        return true;
+    }
+}
+
+#endif

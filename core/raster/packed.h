@@ -1,0 +1,68 @@
+/*
+ * A colour of RGB565 with fractions in one word. Internal.
+ *
+ *     31    26 25    21 20   16 15     10 9    5 4      0
+ *     green    fraction red     fraction  blue   fraction
+ *
+ * One addition steps all three channels, one mask and one or-with-shift make a pixel. Steps may be
+ * negative: the word is the sum of its fields, each times its unit, modulo 2^32, so it is right
+ * wherever all fields are in range, however it got there.
+ *
+ * The fractions are short: a step is rounded to 2^-5 (red 2^-6), and so off by 2^-6 at most; a
+ * start is cut off to 2^-5. Long rows therefore begin anew from exact ramps every QTRI_PACKED_RUN
+ * pixels, and step in groups of eight, whose sum is off by 2^-6 too: within a group two steps in
+ * turn, whose sum is rounded, and a last one that makes the whole. That is 1/8 of a step of colour
+ * for eight groups, 1/16 within a group and 1/32 from the cut. A tiny triangle has one start, its
+ * anchor, and one step in x and one in y, up to QTRI_PACKED_REACH of each: 1/8. Both with the half
+ * that rounds stay inside the fields: 31.5 + 7/32 < 32.
+ */
+#ifndef QTRI_RASTER_PACKED_H
+#define QTRI_RASTER_PACKED_H
+
+#include "job.h"
+
+#define QTRI_PACKED_RUN   64
+#define QTRI_PACKED_REACH 4
+
+/* From channels n.16 that fit 31 bits with their sign, cut off. */
+static inline uint32_t qtri_pack_floor(uint32_t r, uint32_t g, uint32_t b)
+{
+    return (r & ~(uint32_t)0x3FF) + ((g >> 11) << 21) + (uint32_t)((int32_t)b >> 11);
+}
+
+static inline uint32_t qtri_pack_round(uint32_t r, uint32_t g, uint32_t b)
+{
+    return qtri_pack_floor(r + 0x200, g + 0x400, b + 0x400);
+}
+
+static inline uint32_t qtri_packed_pixel(uint32_t packed)
+{
+    packed &= 0xFC1F03E0u;
+    return (packed >> 5 | packed >> 21) & 0xFFFF;
+}
+
+/* The exact start of a run, dx and dy from the anchor. */
+static inline uint32_t qtri_packed_start(const qtri_job *job, int32_t dx, int32_t dy)
+{
+    const qtri_ramp *ramp = job->color.ramp;
+    return qtri_pack_floor(qtri_ramp_at(&ramp[0], dx, dy), qtri_ramp_at(&ramp[1], dx, dy),
+                           qtri_ramp_at(&ramp[2], dx, dy));
+}
+
+/* Anywhere in a tiny triangle. */
+static inline uint32_t qtri_packed_tiny(const qtri_job *job, int32_t dx, int32_t dy)
+{
+    return job->packed_origin + (uint32_t)dx * job->packed_step.even +
+           (uint32_t)dy * job->packed_dy;
+}
+
+/* `count` steps from there. */
+static inline uint32_t qtri_packed_skip(const qtri_job *job, int32_t count)
+{
+    const qtri_packed_steps *step = &job->packed_step;
+    uint32_t rest = (uint32_t)count & 7;
+    return ((uint32_t)count >> 3) * step->eight + ((rest + 1) >> 1) * step->even +
+           (rest >> 1) * step->odd;
+}
+
+#endif

@@ -1,0 +1,35 @@
+/*
+ * Which pixels of a row belong to a triangle. Internal.
+ *
+ * Edges are walked apart from the pixels, a few rows ahead: what fills rows need not know how a
+ * span was found, and both keep their numbers in registers.
+ */
+#ifndef QTRI_RASTER_ROWS_H
+#define QTRI_RASTER_ROWS_H
+
+#include "dda.h"
+#include "triangle.h"
+
+/* How many rows are walked at a time. */
+#define QTRI_ROWS_AHEAD 16
+
+/* Whether the triangle has few rows and is narrow, as most are: qtri_rows_short finds them all. */
+bool qtri_rows_are_short(const qtri_triangle *triangle);
+
+/* Spans of the rows row..end-1. */
+void qtri_rows_short(const qtri_triangle *triangle, qtri_span spans[QTRI_ROWS_AHEAD]);
+
+/* Edges of any other triangle. */
+typedef struct qtri_rows {
+    qtri_dda left, right;
+    qtri_dda lower; /* the second short edge: takes its side over at row `turn` */
+    bool lower_is_left;
+    int32_t row, turn, end; /* row: the next one */
+} qtri_rows;
+
+void qtri_rows_init(qtri_rows *rows, const qtri_triangle *triangle);
+
+/* The next rows' spans, up to QTRI_ROWS_AHEAD; returns how many: 0 at the end. */
+int32_t qtri_rows_next(qtri_rows *rows, qtri_span spans[QTRI_ROWS_AHEAD]);
+
+#endif

@@ -1,0 +1,297 @@
+#include "setup.h"
+
+#include "packed.h"
+#include "texel_copy.h"
+
+/* Colours may stray by 1/8 of a step for being linear on the screen. */
+#define LINEAR_LOG2 13
+
+/* 1/w of the three with one exponent, the largest in 2^30..2^31. False when all are equal. */
+static bool inv_w_align(uint32_t q[3], const qtri_attributes v[3])
+{
+    int32_t greatest =
+        v[0].inv_w_exponent > v[1].inv_w_exponent ? v[0].inv_w_exponent : v[1].inv_w_exponent;
+    greatest = greatest > v[2].inv_w_exponent ? greatest : v[2].inv_w_exponent;
+    for (int i = 0; i < 3; i++) {
+        uint32_t down = (uint32_t)greatest - (uint32_t)v[i].inv_w_exponent; /* < 2^32 */
+        q[i] = down > 29 ? 1 : v[i].inv_w_q31 >> down;
+    }
+    return q[0] != q[1] || q[0] != q[2];
+}
+
+static uint32_t least_of(const uint32_t f[3])
+{
+    uint32_t least = f[0] < f[1] ? f[0] : f[1];
+    return least < f[2] ? least : f[2];
+}
+
+static uint32_t greatest_of(const uint32_t f[3])
+{
+    uint32_t greatest = f[0] > f[1] ? f[0] : f[1];
+    return greatest > f[2] ? greatest : f[2];
+}
+
+/*
+ * Whether linear interpolation of an attribute that spans `range` strays by less than
+ * 2^tolerance_log2 anywhere in the triangle, q being 1/w at the vertices. With weights b_i, sum 1,
+ * and Q = sum b_i q_i the true value has weights b_i q_i / Q: off by at most
+ * (range / 2) sum b_i |q_i - Q| / Q, and a mean distance from the mean is at most half the range:
+ * range (q_greatest - q_least) / (4 q_least).
+ */
+static bool nearly_linear(uint32_t range, const uint32_t q[3], int tolerance_log2)
+{
+    uint32_t q_least = least_of(q); /* <= 2^31 */
+    uint32_t q_range = greatest_of(q) - q_least;
+    return qtri_mul_u32(range, q_range) >> (tolerance_log2 + 2) < q_least;
+}
+
+/* attribute q / 2^31, for attributes below 2^30: below 2^30, rounded. */
+static void plane_over_w(qtri_plane *plane, const qtri_gradient *gradient, const int64_t f[3],
+                         const uint32_t q[3])
+{
+    int64_t over_w[3];
+    for (int i = 0; i < 3; i++) {
+        over_w[i] = (f[i] * q[i] + ((int64_t)1 << 30)) >> 31;
+    }
+    qtri_plane_init(plane, gradient, over_w);
+}
+
+static void ramp_init(qtri_ramp *ramp, const qtri_gradient *g, uint32_t f0, uint32_t f1,
+                      uint32_t f2)
+{
+    const uint32_t f[3] = {f0, f1, f2};
+    if (g->inverse != 0 && qtri_ramp_fits(f0, f1) && qtri_ramp_fits(f0, f2)) {
+        qtri_ramp_multiply(ramp, g, f);
+    } else {
+        qtri_ramp_divide(ramp, g, f);
+    }
+}
+
+/* share_q24 <= 2^24 of a channel, or of a step of it. */
+static inline int32_t shade(const qtri_raster *raster, int32_t share_q24, int i)
+{
+    return (int32_t)(qtri_mul_s32(share_q24, raster->tint.c[i]) >> 24);
+}
+
+/* Channel i of the three vertices. */
+static void channel_of(uint32_t f[3], const qtri_raster *raster, const qtri_attributes v[3], int i)
+{
+    for (int k = 0; k < 3; k++) {
+        f[k] = (uint32_t)(raster->tinted ? shade(raster, v[k].color[0], i) : v[k].color[i]);
+    }
+}
+
+static uint32_t range_of(const qtri_attributes v[3], int i)
+{
+    const uint32_t f[3] = {(uint32_t)v[0].color[i], (uint32_t)v[1].color[i],
+                           (uint32_t)v[2].color[i]};
+    return greatest_of(f) - least_of(f);
+}
+
+/* The widest of the colour channels, n.16. A tint's are at most 2^22 in RGB565, else 2^24. */
+static uint32_t color_range(const qtri_raster *raster, const qtri_attributes v[3])
+{
+    uint32_t range = range_of(v, 0);
+    if (raster->tinted) {
+        return raster->surface->format == QTRI_RGB565 ? range >> 2 : range;
+    }
+    for (int i = 1; i < 3; i++) {
+        uint32_t other = range_of(v, i);
+        range = other > range ? other : range;
+    }
+    return range;
+}
+
+static void perspective_colors(qtri_job *job, const qtri_attributes v[3],
+                               const qtri_gradient *gradient, const uint32_t q[3])
+{
+    for (int i = 0; i < 3; i++) {
+        uint32_t f[3];
+        int64_t scaled[3];
+        channel_of(f, job->raster, v, i);
+        job->least[i] = (int32_t)least_of(f);
+        job->greatest[i] = (int32_t)greatest_of(f);
+        for (int k = 0; k < 3; k++) {
+            scaled[k] = (int64_t)f[k] << QTRI_COLOR_PERSPECTIVE_SHIFT;
+        }
+        plane_over_w(&job->color.plane[i], gradient, scaled, q);
+    }
+}
+
+/* One ramp serves all channels of a tint, if it is not so steep that it wraps. */
+static void linear_ramps(qtri_ramp c[3], const qtri_raster *raster, const qtri_attributes v[3],
+                         const qtri_gradient *gradient)
+{
+    const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
+                               (uint32_t)v[2].color[0]};
+    if (raster->tinted && gradient->inverse != 0 && qtri_ramp_fits(share[0], share[1]) &&
+        qtri_ramp_fits(share[0], share[2])) {
+        qtri_ramp ramp;
+        qtri_ramp_multiply(&ramp, gradient, share);
+        for (int i = 0; i < 3; i++) {
+            c[i].origin = (uint32_t)shade(raster, (int32_t)(ramp.origin - 0x8000u), i) + 0x8000u;
+            c[i].dx = (uint32_t)shade(raster, (int32_t)ramp.dx, i);
+            c[i].dy = (uint32_t)shade(raster, (int32_t)ramp.dy, i);
+        }
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        uint32_t f[3];
+        channel_of(f, raster, v, i);
+        ramp_init(&c[i], gradient, f[0], f[1], f[2]);
+    }
+}
+
+static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
+{
+    const qtri_ramp *c = job->color.ramp;
+    qtri_packed_steps *step = &job->packed_step;
+    linear_ramps(job->color.ramp, job->raster, v, gradient);
+    if (job->raster->surface->format != QTRI_RGB565) {
+        return;
+    }
+    step->even = qtri_pack_round(c[0].dx, c[1].dx, c[2].dx);
+    if (job->tiny) {
+        job->packed_origin = qtri_pack_floor(c[0].origin, c[1].origin, c[2].origin);
+        job->packed_dy = qtri_pack_round(c[0].dy, c[1].dy, c[2].dy);
+        step->odd = step->even;
+        step->eight = 8 * step->even;
+    } else {
+        step->odd = qtri_pack_round(2 * c[0].dx, 2 * c[1].dx, 2 * c[2].dx) - step->even;
+        step->eight = qtri_pack_round(8 * c[0].dx, 8 * c[1].dx, 8 * c[2].dx);
+    }
+}
+
+static void textures(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient,
+                     const uint32_t *q)
+{
+    const qtri_texture *texture = job->raster->texture;
+    int64_t u_q32[3] = {v[0].u_q32, v[1].u_q32, v[2].u_q32};
+    int64_t v_q32[3] = {v[0].v_q32, v[1].v_q32, v[2].v_q32};
+    qtri_texel_axis_init(&job->axis[0], u_q32, texture->width_log2);
+    qtri_texel_axis_init(&job->axis[1], v_q32, texture->height_log2);
+    for (int i = 0; i < 2; i++) {
+        if (q != NULL) {
+            plane_over_w(&job->uv[i], gradient, job->axis[i].value, q);
+        } else {
+            qtri_plane_init(&job->uv[i], gradient, job->axis[i].value);
+        }
+    }
+}
+
+static int32_t hold_to_frame(int32_t x_24p8, int32_t size)
+{
+    int32_t end = size * 256 - 1; /* size <= 2^13 */
+    return x_24p8 < 0 ? 0 : (x_24p8 < end ? x_24p8 : end);
+}
+
+/*
+ * The anchor of a small triangle is in its middle, that of others at vertex 0, or as near to it as
+ * the frame has a pixel. Neither depends on bands or scissor. True for a tiny triangle: covered
+ * pixel centres lie within its bounds, the anchor's within half a pixel of their middle.
+ */
+static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_surface *surface)
+{
+    g->x_24p8 = t->p[0]->x_24p8;
+    g->y_24p8 = t->p[0]->y_24p8;
+    g->dx1 = t->p[1]->x_24p8 - g->x_24p8;
+    g->dy1 = t->p[1]->y_24p8 - g->y_24p8;
+    g->dx2 = t->p[2]->x_24p8 - g->x_24p8;
+    g->dy2 = t->p[2]->y_24p8 - g->y_24p8;
+    g->area = t->area;
+    qtri_gradient_init(g);
+    int32_t x = (t->x_least + t->x_greatest) >> 1;
+    int32_t y = (t->top->y_24p8 + t->bottom->y_24p8) >> 1;
+    if (g->inverse == 0) {
+        x = hold_to_frame(g->x_24p8, surface->width);
+        y = hold_to_frame(g->y_24p8, surface->height);
+    }
+    g->anchor_x = x >> 8;
+    g->anchor_y = y >> 8;
+    g->anchor_dx = g->anchor_x * 256 + 128 - g->x_24p8;
+    g->anchor_dy = g->anchor_y * 256 + 128 - g->y_24p8;
+    const int32_t side = 256 * (2 * QTRI_PACKED_REACH + 1);
+    return g->inverse != 0 && t->x_greatest - t->x_least < side &&
+           t->bottom->y_24p8 - t->top->y_24p8 < side;
+}
+
+/* Colours to interpolate: those of the vertices, white for a texture alone, or none. */
+static bool is_smooth(const qtri_raster *raster, const qtri_attributes v[3], uint32_t *range)
+{
+    *range = raster->shading == QTRI_SMOOTH && !raster->replace ? color_range(raster, v) : 0;
+    return *range != 0;
+}
+
+static bool is_white(const qtri_job *job)
+{
+    static const int32_t white_565[3] = {(int32_t)31 << 16, (int32_t)63 << 16, (int32_t)31 << 16};
+    const int32_t *c = job->constant.c;
+    return c[0] == white_565[0] && c[1] == white_565[1] && c[2] == white_565[2];
+}
+
+static void constant_color(qtri_job *job, const qtri_attributes v[3])
+{
+    static const int32_t white_8p16[3] = {(int32_t)255 << 16, (int32_t)255 << 16,
+                                          (int32_t)255 << 16};
+    const qtri_raster *raster = job->raster;
+    if (raster->replace) {
+        job->constant = qtri_channels_from_color(raster->surface->format, white_8p16);
+        return;
+    }
+    const qtri_attributes *from = &v[qtri_raster_provoking(raster)];
+    for (int i = 0; i < 3; i++) {
+        job->constant.c[i] = raster->tinted ? shade(raster, from->color[0], i) : from->color[i];
+    }
+}
+
+qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
+                             const qtri_triangle *triangle, const qtri_attributes v[3])
+{
+    qtri_gradient gradient;
+    job->raster = raster;
+    job->draw_run = qtri_run_generic;
+    job->copies_texels = false;
+    job->cut = triangle->x_least < raster->bounds.x0 * 256 ||
+               triangle->x_greatest > raster->bounds.x1 * 256;
+    job->tiny = gradient_from(&gradient, triangle, raster->surface);
+    job->anchor_x = gradient.anchor_x;
+    job->anchor_y = gradient.anchor_y;
+    if (raster->compare != QTRI_DEPTH_OFF) {
+        ramp_init(&job->depth, &gradient, v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16);
+    }
+    uint32_t range;
+    job->smooth = is_smooth(raster, v, &range);
+    if (!job->smooth) {
+        constant_color(job, v);
+        if (raster->texture == NULL) {
+            job->paint = QTRI_PAINT_FLAT;
+            job->pixel = qtri_pixel_pack(raster->surface->format, &job->constant);
+            return raster->fill_flat;
+        }
+    }
+    uint32_t q[3];
+    bool perspective = raster->perspective && inv_w_align(q, v) &&
+                       (raster->texture != NULL || !nearly_linear(range, q, LINEAR_LOG2));
+    job->paint = perspective ? QTRI_PAINT_PERSPECTIVE : QTRI_PAINT_LINEAR;
+    if (perspective) {
+        int64_t inv_w[3] = {q[0], q[1], q[2]};
+        qtri_plane_init(&job->inv_w, &gradient, inv_w);
+    }
+    if (job->smooth && perspective) {
+        perspective_colors(job, v, &gradient, q);
+    } else if (job->smooth) {
+        linear_colors(job, v, &gradient);
+    }
+    if (raster->texture == NULL) {
+        return perspective ? qtri_fill_spans
+                           : (job->tiny ? raster->fill_tiny : raster->fill_linear);
+    }
+    textures(job, v, &gradient, perspective ? q : NULL);
+    job->copies_texels = raster->copies_white && !job->smooth && is_white(job);
+    for (int i = 0; i < 2; i++) {
+        job->uv_up[i] =
+            job->copies_texels ? qtri_texel_copy_shift(raster->texture, i) - job->axis[i].shift : 0;
+    }
+    job->draw_run = job->copies_texels ? raster->copy_run : qtri_run_generic;
+    return qtri_fill_spans;
+}

@@ -1,0 +1,69 @@
+/*
+ * The rasterizer behind raster.h, in steps: for draw calls that light a triangle only after it is
+ * known to touch a pixel. Internal.
+ */
+#ifndef QTRI_RASTER_TRIANGLE_H
+#define QTRI_RASTER_TRIANGLE_H
+
+#include "qtri/raster.h"
+#include "qtri/view.h"
+
+#include "job.h"
+
+/* A triangle's place on the screen. */
+typedef struct qtri_triangle {
+    const qtri_screen_point *p[3]; /* |x|, |y| <= QTRI_SCREEN_MAX_24P8 */
+    int64_t area; /* 2^-15 square pixels; negative is counter-clockwise to the eye */
+    /* The rest is qtri_triangle_begin's. */
+    const qtri_screen_point *top, *middle, *bottom; /* p by y */
+    bool long_is_left;                              /* the edge from top to bottom */
+    int32_t x_least, x_greatest;                    /* 1/256 pixel */
+    int32_t row, end;                               /* rows inside the bounds */
+} qtri_triangle;
+
+/* What else a vertex brings. */
+typedef struct qtri_attributes {
+    uint32_t depth_16p16; /* <= 65535.0 */
+    uint32_t inv_w_q31;   /* 2^30..2^31 */
+    int32_t inv_w_exponent;
+    int32_t color[3]; /* n.16 in units of the target; with a tint, color[0] is Q24 of it */
+    int64_t u_q32, v_q32;
+} qtri_attributes;
+
+void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
+                      const qtri_material *material);
+
+/* Colours from now on are shares of this one. */
+void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);
+
+/* Twice the area in 1/256 pixel squared; y points down: negative is front. */
+static inline int64_t qtri_triangle_area(const qtri_screen_point *a, const qtri_screen_point *b,
+                                         const qtri_screen_point *c)
+{
+    return qtri_mul_s32(b->x_24p8 - a->x_24p8, c->y_24p8 - a->y_24p8) -
+           qtri_mul_s32(c->x_24p8 - a->x_24p8, b->y_24p8 - a->y_24p8);
+}
+
+static inline bool qtri_raster_culls(const qtri_raster *raster, int64_t area)
+{
+    return area == 0 || (raster->cull == QTRI_CULL_BACK && area > 0) ||
+           (raster->cull == QTRI_CULL_FRONT && area < 0);
+}
+
+/* Takes p and area, which are set, area not 0. False when no pixel centre can be touched. */
+bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *triangle);
+
+/* Draws it. Flat shading reads the provoking vertex's colour only. */
+void qtri_triangle_draw(const qtri_raster *raster, const qtri_triangle *triangle,
+                        const qtri_attributes v[3]);
+
+/* All of it, for a vertex as the public header has it. */
+void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3]);
+
+/* The vertex whose colour a flat triangle has. */
+static inline int qtri_raster_provoking(const qtri_raster *raster)
+{
+    return raster->shading == QTRI_FLAT_FIRST ? 0 : 2;
+}
+
+#endif

@@ -1,0 +1,89 @@
+#include "texture.h"
+
+#include <math.h>
+
+/* The nearest of `steps` + 1 evenly spaced levels. */
+static double level(double value, double steps)
+{
+    return floor(value * steps / 255.0 + 0.5) * 255.0 / steps;
+}
+
+/* An 8-bit colour as the scene's texel format can hold it. A palette can hold any. */
+static void store(enum scene_texel_format format, const uint8_t rgb[3], double stored[3])
+{
+    double gray = (299.0 * rgb[0] + 587.0 * rgb[1] + 114.0 * rgb[2]) / 1000.0;
+
+    for (int c = 0; c < 3; c++) {
+        switch (format) {
+        case SCENE_TEXEL_RGB565:
+            stored[c] = level(rgb[c], c == 1 ? 63.0 : 31.0);
+            break;
+        case SCENE_TEXEL_GRAY8:
+            stored[c] = floor(gray + 0.5);
+            break;
+        case SCENE_TEXEL_XRGB8888:
+        case SCENE_TEXEL_PALETTE:
+            stored[c] = rgb[c];
+            break;
+        }
+    }
+}
+
+/* Texel number `texel` of a side that repeats or ends at its last texels. 0 for NaN. */
+static size_t wrap(double texel, int size, bool clamp)
+{
+    double wrapped = clamp ? fmin(texel, size - 1.0) : texel - size * floor(texel / size);
+    return wrapped > 0.0 && wrapped < size ? (size_t)wrapped : 0;
+}
+
+/* The texel in `column` and `row`, counted from (u, v) = 0. False: it has the key's colour. */
+static bool texel_at(const struct scene *scene, double column, double row, double color[3])
+{
+    const struct scene_texture *texture = &scene->texture;
+    size_t x = wrap(column, texture->width, scene->texture_clamp[0]);
+    size_t y = wrap(row, texture->height, scene->texture_clamp[1]);
+    double key[3];
+
+    store(scene->texel_format, &texture->rgb[3 * (y * (size_t)texture->width + x)], color);
+    if (!scene->texture_keyed)
+        return true;
+    store(scene->texel_format, scene->texture_key, key);
+    return color[0] != key[0] || color[1] != key[1] || color[2] != key[2];
+}
+
+/* column and row: of the point among texel centres. */
+static void bilinear(const struct scene *scene, double column, double row, const double nearest[3],
+                     double color[3])
+{
+    double along = column - floor(column);
+    double across = row - floor(row);
+
+    color[0] = color[1] = color[2] = 0.0;
+    for (int i = 0; i < 4; i++) {
+        int right = i % 2;
+        int below = i / 2;
+        double weight = (right ? along : 1.0 - along) * (below ? across : 1.0 - across);
+        double texel[3];
+        const double *shown =
+            texel_at(scene, floor(column) + right, floor(row) + below, texel) ? texel : nearest;
+        for (int c = 0; c < 3; c++)
+            color[c] += weight * shown[c];
+    }
+}
+
+bool ref_texture_at(const struct scene *scene, double u, double v, double color[3])
+{
+    double column = u * scene->texture.width;
+    double row = v * scene->texture.height;
+    double nearest[3];
+
+    if (!texel_at(scene, floor(column), floor(row), nearest))
+        return false;
+    if (scene->texture_bilinear && isfinite(column) && isfinite(row)) {
+        bilinear(scene, column - 0.5, row - 0.5, nearest, color);
+    } else {
+        for (int c = 0; c < 3; c++)
+            color[c] = nearest[c];
+    }
+    return true;
+}

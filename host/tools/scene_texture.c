@@ -1,0 +1,139 @@
+#include "scene_draw.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "../io/palette.h"
+
+static uint8_t log2_of(int side)
+{
+    uint8_t log2 = 0;
+    while (side > 1) {
+        side /= 2;
+        log2++;
+    }
+    return log2;
+}
+
+/* value of 255 as the nearest of steps + 1 levels; never a tie. */
+static uint32_t level(uint8_t value, uint32_t steps)
+{
+    return (value * steps + 127) / 255;
+}
+
+/* An 8-bit colour as a texel; not for palettes. */
+static uint32_t texel_of(enum scene_texel_format format, const uint8_t rgb[3])
+{
+    switch (format) {
+    case SCENE_TEXEL_RGB565:
+        return level(rgb[0], 31) << 11 | level(rgb[1], 63) << 5 | level(rgb[2], 31);
+    case SCENE_TEXEL_GRAY8:
+        return (299u * rgb[0] + 587u * rgb[1] + 114u * rgb[2] + 500) / 1000;
+    default:
+        return (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+    }
+}
+
+static bool make_palette(struct scene_resources *resources, const struct scene *scene, size_t count)
+{
+    struct palette palette;
+    if (!palette_make(&palette, scene->texture.rgb, count, resources->texels)) {
+        return false; /* the scene reader has refused it before */
+    }
+    for (int i = 0; i < palette.count; i++) {
+        const uint8_t *color = palette.color[i];
+        qtri_rgb rgb = {color[0], color[1], color[2]};
+        resources->palette[i] = rgb;
+    }
+    int key = palette_find(&palette, scene->texture_key);
+    resources->texture.has_key = scene->texture_keyed && key >= 0;
+    resources->texture.key = (uint32_t)key;
+    return true;
+}
+
+static void make_texels(struct scene_resources *resources, const struct scene *scene, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        uint32_t texel = texel_of(scene->texel_format, &scene->texture.rgb[3 * i]);
+        switch (scene->texel_format) {
+        case SCENE_TEXEL_RGB565:
+            ((uint16_t *)resources->texels)[i] = (uint16_t)texel;
+            break;
+        case SCENE_TEXEL_GRAY8:
+            ((uint8_t *)resources->texels)[i] = (uint8_t)texel;
+            break;
+        default:
+            ((uint32_t *)resources->texels)[i] = texel;
+            break;
+        }
+    }
+    resources->texture.has_key = scene->texture_keyed;
+    resources->texture.key = texel_of(scene->texel_format, scene->texture_key);
+}
+
+static uint32_t stored_texel(const qtri_texture *texture, size_t i)
+{
+    switch (texture->format) {
+    case QTRI_TEXEL_RGB565:
+        return ((const uint16_t *)texture->texels)[i];
+    case QTRI_TEXEL_XRGB8888:
+        return ((const uint32_t *)texture->texels)[i];
+    default:
+        return ((const uint8_t *)texture->texels)[i];
+    }
+}
+
+/* White, and black for the key. */
+static bool make_mask(struct scene_resources *resources, size_t count)
+{
+    const qtri_texture *texture = &resources->texture;
+    resources->mask_texels = malloc(count);
+    if (resources->mask_texels == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        resources->mask_texels[i] = stored_texel(texture, i) == texture->key ? 0 : 255;
+    }
+    resources->mask = *texture;
+    resources->mask.texels = resources->mask_texels;
+    resources->mask.format = QTRI_TEXEL_GRAY8;
+    resources->mask.filter = QTRI_NEAREST;
+    resources->mask.key = 0;
+    return true;
+}
+
+bool scene_texture_create(struct scene_resources *resources, const struct scene *scene)
+{
+    static const struct {
+        qtri_texel_format format;
+        size_t size;
+    } texel[] = {
+        [SCENE_TEXEL_XRGB8888] = {QTRI_TEXEL_XRGB8888, sizeof(uint32_t)},
+        [SCENE_TEXEL_RGB565] = {QTRI_TEXEL_RGB565, sizeof(uint16_t)},
+        [SCENE_TEXEL_PALETTE] = {QTRI_TEXEL_PALETTE8, sizeof(uint8_t)},
+        [SCENE_TEXEL_GRAY8] = {QTRI_TEXEL_GRAY8, sizeof(uint8_t)},
+    };
+    qtri_texture *texture = &resources->texture;
+    size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
+    if (count == 0) {
+        return true;
+    }
+    resources->texels = calloc(count, texel[scene->texel_format].size);
+    if (resources->texels == NULL) {
+        return false;
+    }
+    texture->texels = resources->texels;
+    texture->format = texel[scene->texel_format].format;
+    texture->width_log2 = log2_of(scene->texture.width);
+    texture->height_log2 = log2_of(scene->texture.height);
+    texture->wrap_u = scene->texture_clamp[0] ? QTRI_CLAMP : QTRI_REPEAT;
+    texture->wrap_v = scene->texture_clamp[1] ? QTRI_CLAMP : QTRI_REPEAT;
+    texture->filter = scene->texture_bilinear ? QTRI_BILINEAR : QTRI_NEAREST;
+    texture->palette = resources->palette;
+    if (scene->texel_format != SCENE_TEXEL_PALETTE) {
+        make_texels(resources, scene, count);
+    } else if (!make_palette(resources, scene, count)) {
+        return false;
+    }
+    return !texture->has_key || make_mask(resources, count);
+}

@@ -1,0 +1,47 @@
+#!/bin/sh
+# No figure of `make bench` and `make size` is more than 2 % above its budget in host/bench/budgets.tsv, which `make budgets`
+# writes. Counts repeat exactly with one compiler; with another version, differences are told but do not fail.
+gate=budgets
+. tests/check/files.sh
+table=host/bench/budgets.tsv
+
+for tool in arm-none-eabi-gcc qemu-system-arm; do
+    command -v "$tool" >/dev/null 2>&1 || {
+        echo "check: $gate skipped: $tool is not installed (make setup)"
+        exit 0
+    }
+done
+[ -f "$table" ] || { echo "check: $gate skipped: there is no $table (make budgets)"; exit 0; }
+
+# The flags of the make that runs the gates name a job server that this one is not given.
+unset MAKEFLAGS MFLAGS
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+make -s bench size BENCH_SCENES= >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
+grep 'skipped' "$work/log" | sed 's/^/check: budgets: /'
+
+sh host/bench/budgets.sh "${BUILD:-build}" >"$work/now" || finish 1
+awk -F '\t' '
+    function compiler(core) { return core ~ /^rv32/ ? "riscv" : "arm" }
+    # `# arm arm-none-eabi-gcc ... 12.2.1`: the compiler that the figures are of
+    /^#/ { split($0, part, " "); if (NR == FNR) version[part[2]] = $0; else if ($0 != version[part[2]]) other[part[2]] = $0; next }
+    $1 == "what" { next }
+    NR == FNR { budget[$1, $2] = $3; next }
+    !(($1, $2) in budget) { print $1 ", " $2 ": no budget (make budgets)"; failed = 1; next }
+    $3 > 1.02 * budget[$1, $2] {
+        notice = compiler($2) in other
+        if (notice) notices++; else failed = 1
+        printf "%s%s, %s: %d, the budget is %d (%+.1f %%)\n", notice ? "notice: " : "", $1, $2, $3, budget[$1, $2], \
+            budget[$1, $2] ? 100 * ($3 / budget[$1, $2] - 1) : 100
+    }
+    $3 < .98 * budget[$1, $2] { better++ }
+    { compared++ }
+    END {
+        for (c in other) print "notice: the budgets are of another compiler: " substr(version[c], 3) "; here: " substr(other[c], 3)
+        if (better) print "notice: " better " figures are more than 2 % below their budgets: make budgets"
+        if (!compared) { print "nothing was compared"; failed = 1 }
+        exit failed
+    }' "$table" "$work/now" >"$work/findings"
+status=$?
+sed 's/^/check: budgets: /' "$work/findings"
+finish $status

@@ -1,0 +1,580 @@
+/*
+ * What textures offer beyond the nearest texel of a repeating picture: clamping, bilinear filter,
+ * palettes, gray texels and colour keys, against double arithmetic.
+ */
+#include "support_texture.h"
+
+enum { NOISE_LOG2 = 5, NOISE = 1 << NOISE_LOG2 };
+
+/* The same noise in every format: grays of few levels, so that all can hold them exactly. */
+static uint8_t levels[NOISE * NOISE];
+static uint16_t texels565[NOISE * NOISE];
+static uint32_t texels8888[NOISE * NOISE];
+static uint32_t colors8888[NOISE * NOISE]; /* any colour */
+static uint8_t numbers[NOISE * NOISE];     /* of palette entries */
+static qtri_rgb palette[256];
+
+static int fill_textures(void **state)
+{
+    (void)state;
+    uint64_t seed = 700;
+    for (int i = 0; i < 256; i++) {
+        palette[i].r = (uint8_t)random64(&seed);
+        palette[i].g = (uint8_t)random64(&seed);
+        palette[i].b = (uint8_t)random64(&seed);
+    }
+    for (size_t i = 0; i < LENGTH_OF(numbers); i++) {
+        numbers[i] = (uint8_t)random64(&seed);
+        levels[i] = (uint8_t)(random_in(&seed, 0, 3) * 85);
+        texels8888[i] = levels[i] * 0x010101u | 0xAB000000u; /* the X byte is ignored */
+        uint32_t third = levels[i] / 85u;
+        texels565[i] = (uint16_t)(third * 10 << 11 | third * 21 << 5 | third * 10);
+        colors8888[i] = (uint32_t)random64(&seed) & 0xFFFFFFu;
+        if (i % 3 == 0) {
+            colors8888[i] = i % 2 ? 0xFFFFFFu : 0; /* the largest steps */
+        }
+    }
+    return 0;
+}
+
+static qtri_texture noise_texture(const void *texels, qtri_texel_format format)
+{
+    qtri_texture t = {
+        .texels = texels, .format = format, .width_log2 = NOISE_LOG2, .height_log2 = NOISE_LOG2};
+    return t;
+}
+
+/* ---- Clamping ---- */
+
+/* Every texel of `address` is its own place: row * side + column. */
+static uint32_t address[1024 * 1024];
+
+static qtri_texture address_texture(int width_log2, int height_log2)
+{
+    qtri_texture t = {.texels = address,
+                      .format = QTRI_TEXEL_XRGB8888,
+                      .width_log2 = (uint8_t)width_log2,
+                      .height_log2 = (uint8_t)height_log2};
+    for (uint32_t i = 0; i < 1u << (width_log2 + height_log2); i++) {
+        address[i] = i;
+    }
+    return t;
+}
+
+/* How far a coordinate, in texels, is outside of texel `index` of a side that ends. */
+static double outside_clamped(double coordinate, int index, int side)
+{
+    double low = index == 0 ? -HUGE_VAL : index;
+    double high = index == side - 1 ? HUGE_VAL : index + 1;
+    return fmax(fmax(low - coordinate, coordinate - high), 0);
+}
+
+/* Largest distance of a clamped coordinate from the texel that was fetched for it. */
+static double worst_clamped(uint64_t seed, int count, int32_t reach, int32_t uv_reach,
+                            int32_t uv_offset)
+{
+    double worst = 0;
+    int pixels = 0;
+    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    for (int n = 0; n < count; n++) {
+        int width_log2 = random_in(&seed, 0, 10);
+        int height_log2 = random_in(&seed, 0, 10);
+        qtri_texture texture = address_texture(width_log2, height_log2);
+        texture.wrap_u = texture.wrap_v = QTRI_CLAMP;
+        qtri_material m = plain_material();
+        qtri_screen_vertex v[3];
+        m.texture = &texture;
+        m.texture_mode = QTRI_REPLACE;
+        m.interpolation = (qtri_interpolation)(n % 2);
+        m.depth_compare = QTRI_LESS;
+        random_triangle(v, &seed, reach, uv_reach);
+        int64_t offset = (int64_t)(random_flag(&seed) ? uv_offset : -uv_offset) * 65536;
+        for (int i = 0; i < 3; i++) {
+            v[i].u_q32 += offset;
+            v[i].v_q32 -= offset;
+        }
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, v);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            int32_t x = i % WIDTH;
+            int32_t y = i / WIDTH;
+            if (stored_depth(&c.surface, x, y) == 65535) {
+                continue;
+            }
+            uint32_t texel = stored_pixel(&c.surface, x, y);
+            int width = 1 << width_log2;
+            int height = 1 << height_log2;
+            double u = perspective_sum(v, x, y, n % 2 == 0, false) * width;
+            double t = perspective_sum(v, x, y, n % 2 == 0, true) * height;
+            worst = fmax(worst, outside_clamped(u, (int)texel & (width - 1), width));
+            worst = fmax(worst, outside_clamped(t, (int)(texel >> width_log2), height));
+            pixels++;
+        }
+    }
+    canvas_free(&c);
+    assert_true(pixels > 1000);
+    return worst;
+}
+
+static void clamps(void **state)
+{
+    (void)state;
+    double usual = worst_clamped(701, 300, 12000, Q16(2), 0);
+    double large = worst_clamped(702, 300, 1 << 19, Q16(16), Q16(3));
+    double beyond = worst_clamped(703, 300, 12000, Q16(2), Q16(5));
+    double far_beyond = worst_clamped(704, 300, 12000, Q16(1), Q16(32766));
+    double far_out = worst_clamped(705, 300, 12000, Q16(30000), 0);
+    print_message("clamped, texels off: %.6f, 2048 px %.6f, outside %.6f, far outside %.6f, "
+                  "coordinates of 30000 %.4f\n",
+                  usual, large, beyond, far_beyond, far_out);
+    assert_true(usual <= .001);
+    assert_true(large <= .001);
+    assert_true(beyond == 0);
+    assert_true(far_beyond == 0);
+    assert_true(far_out <= .1);
+}
+
+/* One texel a pixel, begun anywhere: each pixel shows its texel or the border's; either axis. */
+static void clamps_each_axis(void **state)
+{
+    (void)state;
+    static const int32_t origins[] = {0, -7, 7, -31, 31, -32, 32, -33, 1000, -1000, 32000, -32000};
+    canvas c = canvas_new(QTRI_XRGB8888, 32, 32);
+    qtri_texture texture = address_texture(4, 4);
+    for (size_t n = 0; n < 4 * LENGTH_OF(origins); n++) {
+        int32_t origin = origins[n / 4]; /* in texels */
+        texture.wrap_u = n % 2 ? QTRI_CLAMP : QTRI_REPEAT;
+        texture.wrap_v = n / 2 % 2 ? QTRI_CLAMP : QTRI_REPEAT;
+        qtri_material m = plain_material();
+        m.texture = &texture;
+        m.texture_mode = QTRI_REPLACE;
+        qtri_screen_vertex q[4] = {screen_at(0, 0), screen_at(32 * 256, 0),
+                                   screen_at(32 * 256, 32 * 256), screen_at(0, 32 * 256)};
+        for (int i = 0; i < 4; i++) {
+            q[i].u_q32 = ((int64_t)origin + (i == 1 || i == 2 ? 32 : 0)) * (1 << 28);
+            q[i].v_q32 = ((int64_t)origin + (i >= 2 ? 32 : 0)) * (1 << 28);
+        }
+        qtri_screen_vertex second[3] = {q[0], q[2], q[3]};
+        qtri_raster_triangle(&c.surface, &m, q);
+        qtri_raster_triangle(&c.surface, &m, second);
+        for (int32_t i = 0; i < 32 * 32; i++) {
+            int32_t at[2] = {origin + i % 32, origin + i / 32};
+            for (int axis = 0; axis < 2; axis++) {
+                bool clamp = (axis == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP;
+                int32_t held = at[axis] < 0 ? 0 : (at[axis] > 15 ? 15 : at[axis]);
+                at[axis] = clamp ? held : (int32_t)((uint32_t)at[axis] & 15);
+            }
+            assert_int_equal(stored_pixel(&c.surface, i % 32, i / 32), at[1] * 16 + at[0]);
+        }
+    }
+    canvas_free(&c);
+}
+
+/* ---- Bilinear ---- */
+
+static int place(int texel, bool clamp)
+{
+    return clamp ? (texel < 0 ? 0 : (texel >= NOISE ? NOISE - 1 : texel)) : texel & (NOISE - 1);
+}
+
+/* u, v in texels: channel `shift` of the four around, weighted. */
+static double bilinear_at(const uint32_t *texels, double u, double v, const bool clamp[2],
+                          int shift)
+{
+    double column = floor(u - .5);
+    double row = floor(v - .5);
+    double along = u - .5 - column;
+    double across = v - .5 - row;
+    double sum = 0;
+    for (int i = 0; i < 4; i++) {
+        double weight = (i % 2 ? along : 1 - along) * (i / 2 ? across : 1 - across);
+        int x = place((int)column + i % 2, clamp[0]);
+        int y = place((int)row + i / 2, clamp[1]);
+        sum += weight * (texels[y * NOISE + x] >> shift & 255);
+    }
+    return sum;
+}
+
+/* Largest error of a channel, of 255, before the reference is rounded. */
+static double worst_bilinear(uint64_t seed, int count, int32_t uv_reach)
+{
+    double worst = 0;
+    int pixels = 0;
+    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    qtri_texture texture = noise_texture(colors8888, QTRI_TEXEL_XRGB8888);
+    texture.filter = QTRI_BILINEAR;
+    for (int n = 0; n < count; n++) {
+        bool clamp[2] = {random_flag(&seed), random_flag(&seed)};
+        texture.wrap_u = clamp[0] ? QTRI_CLAMP : QTRI_REPEAT;
+        texture.wrap_v = clamp[1] ? QTRI_CLAMP : QTRI_REPEAT;
+        qtri_material m = plain_material();
+        qtri_screen_vertex v[3];
+        double color[3];
+        m.texture = &texture;
+        m.texture_mode = (qtri_texture_mode)(n % 3 == 0);
+        m.interpolation = (qtri_interpolation)(n % 2);
+        m.depth_compare = QTRI_LESS;
+        random_triangle(v, &seed, 12000, uv_reach);
+        for (int i = 0; i < 3; i++) {
+            v[0].color_8p16[i] = random_in(&seed, 0, 255 << 16);
+            color[i] = m.texture_mode == QTRI_REPLACE ? 255 : real(v[0].color_8p16[i]);
+        }
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, v);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            int32_t x = i % WIDTH;
+            int32_t y = i / WIDTH;
+            if (stored_depth(&c.surface, x, y) == 65535) {
+                continue;
+            }
+            uint32_t is = stored_pixel(&c.surface, x, y);
+            double u = perspective_sum(v, x, y, n % 2 == 0, false) * NOISE;
+            double t = perspective_sum(v, x, y, n % 2 == 0, true) * NOISE;
+            for (int channel = 0; channel < 3; channel++) {
+                int shift = 16 - 8 * channel;
+                double expected =
+                    color[channel] / 255 * bilinear_at(colors8888, u, t, clamp, shift);
+                worst = fmax(worst, fabs((is >> shift & 255) - expected));
+            }
+            pixels++;
+        }
+    }
+    canvas_free(&c);
+    assert_true(pixels > 1000);
+    return worst;
+}
+
+/*
+ * Half a step where the colour is rounded; and in u and in v, with neighbours 255 apart, half a
+ * weight's step, 255/512, and what the coordinate is off: 1/1024 of a texel in a perspective run.
+ */
+static void filters(void **state)
+{
+    (void)state;
+    double small = worst_bilinear(710, 400, Q16(0.5));
+    double usual = worst_bilinear(711, 400, Q16(2));
+    double many = worst_bilinear(712, 400, Q16(20));
+    print_message("bilinear, of 255: %.3f, 2 repeats %.3f, 20 repeats %.3f\n", small, usual, many);
+    assert_true(small <= .51 + 2 * 255 * (1 / 512. + 1 / 1024.));
+    assert_true(usual <= .51 + 2 * 255 * (1 / 512. + 1 / 1024.));
+    assert_true(many <= .51 + 2 * 255 * (1 / 512. + 1 / 1024.));
+    assert_true(fmax(small, fmax(usual, many)) <= 1.2);
+}
+
+/* 16 pixels a texel: weights are odd 32nds, which 8 bits hold; only the colour is rounded. */
+static void exact_weights(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(QTRI_XRGB8888, 16 * NOISE, 16 * NOISE);
+    static const bool repeat[2] = {false, false};
+    qtri_texture texture = noise_texture(colors8888, QTRI_TEXEL_XRGB8888);
+    texture.filter = QTRI_BILINEAR;
+    qtri_material m = plain_material();
+    m.texture = &texture;
+    qtri_screen_vertex q[3] = {screen_at(0, 0), screen_at(32 * NOISE * 256, 0),
+                               screen_at(0, 32 * NOISE * 256)};
+    q[1].u_q32 = q[2].v_q32 = (int64_t)2 << 32;
+    qtri_raster_triangle(&c.surface, &m, q);
+    double worst = 0;
+    for (int32_t y = 0; y < 16 * NOISE; y++) {
+        for (int32_t x = 0; x < 16 * NOISE; x++) {
+            uint32_t is = stored_pixel(&c.surface, x, y);
+            for (int shift = 0; shift <= 16; shift += 8) {
+                double expected =
+                    bilinear_at(colors8888, (x + .5) / 16, (y + .5) / 16, repeat, shift);
+                worst = fmax(worst, fabs((is >> shift & 255) - expected));
+            }
+        }
+    }
+    print_message("bilinear, exact weights: %.4f of 255\n", worst);
+    assert_true(worst <= .501);
+    canvas_free(&c);
+}
+
+/* At texel centres, and where all texels are alike, the filter changes nothing. */
+static void filter_at_centres(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(QTRI_XRGB8888, NOISE, NOISE);
+    canvas d = canvas_new(QTRI_XRGB8888, NOISE, NOISE);
+    qtri_texture texture = noise_texture(colors8888, QTRI_TEXEL_XRGB8888);
+    qtri_material m = plain_material();
+    m.texture = &texture;
+    qtri_screen_vertex q[3] = {screen_at(0, 0), screen_at(2 * NOISE * 256, 0),
+                               screen_at(0, 2 * NOISE * 256)};
+    q[1].u_q32 = q[2].v_q32 = (int64_t)2 << 32;
+    for (int n = 0; n < 2; n++) {
+        texture.filter = QTRI_NEAREST;
+        qtri_raster_triangle(&c.surface, &m, q);
+        texture.filter = QTRI_BILINEAR;
+        qtri_raster_triangle(&d.surface, &m, q);
+        assert_same_picture(&c.surface, &d.surface);
+        texture.width_log2 = texture.height_log2 = 0; /* one texel */
+    }
+    canvas_free(&c);
+    canvas_free(&d);
+}
+
+/* ---- Formats ---- */
+
+static void draw_full(canvas *c, const qtri_texture *texture, qtri_texture_mode mode)
+{
+    static const int level[3] = {210, 120, 250};
+    qtri_material m = plain_material();
+    m.texture = texture;
+    m.texture_mode = mode;
+    canvas_clear(c);
+    draw_quad(c, &m, level);
+}
+
+/* Texels that mean the same colour draw the same pixels, whatever their format. */
+static void formats_agree(void **state)
+{
+    (void)state;
+    static const qtri_format surfaces[] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    static uint32_t from_palette[NOISE * NOISE];
+    for (size_t i = 0; i < LENGTH_OF(from_palette); i++) {
+        const qtri_rgb *rgb = &palette[numbers[i]];
+        from_palette[i] = (uint32_t)rgb->r << 16 | (uint32_t)rgb->g << 8 | rgb->b;
+    }
+    qtri_texture pairs[3][2] = {
+        {noise_texture(texels8888, QTRI_TEXEL_XRGB8888), noise_texture(levels, QTRI_TEXEL_GRAY8)},
+        {noise_texture(from_palette, QTRI_TEXEL_XRGB8888),
+         noise_texture(numbers, QTRI_TEXEL_PALETTE8)},
+        {noise_texture(texels8888, QTRI_TEXEL_XRGB8888),
+         noise_texture(texels565, QTRI_TEXEL_RGB565)}};
+    pairs[1][1].palette = palette;
+    for (size_t n = 0; n < LENGTH_OF(pairs) * LENGTH_OF(surfaces) * 4; n++) {
+        const qtri_format format = surfaces[n % 3];
+        canvas c = canvas_new(format, WIDTH, HEIGHT);
+        canvas d = canvas_new(format, WIDTH, HEIGHT);
+        qtri_texture *pair = pairs[n / 12];
+        pair[0].filter = pair[1].filter = n / 3 % 2 ? QTRI_BILINEAR : QTRI_NEAREST;
+        qtri_texture_mode mode = n / 6 % 2 ? QTRI_REPLACE : QTRI_MODULATE;
+        draw_full(&c, &pair[0], mode);
+        draw_full(&d, &pair[1], mode);
+        /* 10/31 and 21/63 widen to 82 and 85: gray in green only */
+        if (pair[1].format != QTRI_TEXEL_RGB565) {
+            assert_same_picture(&c.surface, &d.surface);
+        } else if (format == QTRI_XRGB8888) {
+            for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+                assert_int_equal(stored_pixel(&c.surface, i % WIDTH, i / WIDTH) >> 8 & 255,
+                                 stored_pixel(&d.surface, i % WIDTH, i / WIDTH) >> 8 & 255);
+            }
+        }
+        canvas_free(&c);
+        canvas_free(&d);
+    }
+}
+
+/* ---- Colour key ---- */
+
+/* Where the key lies, neither colour nor depth changes; elsewhere both do. Any filter. */
+static void keys(void **state)
+{
+    (void)state;
+    static uint8_t from_levels[NOISE * NOISE]; /* numbers whose palette repeats colours */
+    static const qtri_rgb grays[256] = {{0, 0, 0}, {85, 85, 85}, {170, 170, 170}, {85, 85, 85}};
+    for (size_t i = 0; i < LENGTH_OF(levels); i++) {
+        from_levels[i] = levels[i] / 85;
+    }
+    const struct {
+        qtri_texture texture;
+        uint32_t key;
+    } cases[] = {
+        {noise_texture(levels, QTRI_TEXEL_GRAY8), 85},
+        {noise_texture(texels8888, QTRI_TEXEL_XRGB8888), 0xFF555555u},
+        {noise_texture(texels565, QTRI_TEXEL_RGB565), 10 << 11 | 21 << 5 | 10},
+        {noise_texture(from_levels, QTRI_TEXEL_PALETTE8), 1},
+    };
+    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    for (size_t n = 0; n < LENGTH_OF(cases) * 4; n++) {
+        qtri_texture texture = cases[n / 4].texture;
+        texture.palette = grays;
+        texture.has_key = true;
+        texture.key = cases[n / 4].key;
+        texture.filter = n % 2 ? QTRI_BILINEAR : QTRI_NEAREST;
+        qtri_material m = plain_material();
+        const int white[3] = {255, 255, 255};
+        m.texture = &texture;
+        m.depth_compare = n / 2 % 2 ? QTRI_ALWAYS : QTRI_LESS;
+        qtri_rgb sky = {1, 2, 3};
+        qtri_surface_clear(&c.surface, sky, 65535);
+        draw_quad(&c, &m, white);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            int32_t x = i % WIDTH;
+            int32_t y = i / WIDTH;
+            int column = (2 * x + 1) * NOISE / (2 * WIDTH);
+            int row = (2 * y + 1) * NOISE / (2 * HEIGHT);
+            bool hole = levels[row * NOISE + column] == 85;
+            uint32_t pixel = stored_pixel(&c.surface, x, y);
+            assert_int_equal(stored_depth(&c.surface, x, y), hole ? 65535 : 0);
+            assert_int_equal(pixel == 0x010203, hole);
+            if (!hole && texture.filter == QTRI_NEAREST) {
+                assert_int_equal(pixel >> 8 & 255, texture.format == QTRI_TEXEL_PALETTE8
+                                                       ? grays[from_levels[row * NOISE + column]].g
+                                                       : levels[row * NOISE + column]);
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
+/* A key that no texel can equal, and a key that is off, change nothing. */
+static void keys_that_match_nothing(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    canvas d = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    qtri_texture plain = noise_texture(levels, QTRI_TEXEL_GRAY8);
+    qtri_texture off = plain;
+    qtri_texture wide = plain;
+    off.key = 85;
+    wide.has_key = true;
+    wide.key = 256 + 85;
+    draw_full(&c, &plain, QTRI_MODULATE);
+    draw_full(&d, &off, QTRI_MODULATE);
+    assert_same_picture(&c.surface, &d.surface);
+    draw_full(&d, &wide, QTRI_MODULATE);
+    assert_same_picture(&c.surface, &d.surface);
+    canvas_free(&c);
+    canvas_free(&d);
+}
+
+/* The key's colour is seen nowhere, not even at the borders that the filter blends. */
+static void keys_do_not_bleed(void **state)
+{
+    (void)state;
+    static uint32_t texels[NOISE * NOISE];
+    uint64_t seed = 720;
+    for (size_t i = 0; i < LENGTH_OF(texels); i++) {
+        texels[i] = random_flag(&seed) ? 0xFF00FFu : 0x204060u;
+    }
+    canvas c = canvas_new(QTRI_XRGB8888, 300, 280);
+    qtri_texture texture = noise_texture(texels, QTRI_TEXEL_XRGB8888);
+    texture.filter = QTRI_BILINEAR;
+    texture.has_key = true;
+    texture.key = 0xFF00FFu;
+    qtri_material m = plain_material();
+    m.texture = &texture;
+    m.depth_compare = QTRI_LESS;
+    qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(600 * 256, 0), screen_at(0, 560 * 256)};
+    v[1].u_q32 = v[2].v_q32 = (int64_t)2 << 32;
+    v[1].inv_w_q31 >>= 1;
+    qtri_raster_triangle(&c.surface, &m, v);
+    int drawn = 0;
+    for (int32_t i = 0; i < 300 * 280; i++) {
+        uint32_t pixel = stored_pixel(&c.surface, i % 300, i / 300);
+        assert_true(pixel == 0 || pixel == 0x204060u);
+        drawn += pixel != 0;
+    }
+    assert_in_range(drawn, 30000, 54000);
+    canvas_free(&c);
+}
+
+/* One of CHECKER's two colours. */
+static void checker_with_a_key(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(QTRI_XRGB8888, 8, 4);
+    qtri_texture texture = {.format = QTRI_TEXEL_CHECKER,
+                            .width_log2 = 2,
+                            .height_log2 = 2,
+                            .fields = 4,
+                            .color = {{0, 0, 0}, {255, 255, 255}},
+                            .has_key = true,
+                            .key = 0};
+    qtri_material m = plain_material();
+    m.texture = &texture;
+    qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(16 * 256, 0), screen_at(0, 8 * 256)};
+    v[1].u_q32 = v[2].v_q32 = (int64_t)2 << 32;
+    texture.color[0] = texture.color[1];
+    qtri_raster_triangle(&c.surface, &m, v);
+    assert_raster(&c.surface, "..##..##", "##..##..", "..##..##", "##..##..");
+    canvas_free(&c);
+}
+
+/* ---- Extremes ---- */
+
+/* Memory of exactly the texture's size: the sanitizer watches its ends. */
+static void stays_inside(void **state)
+{
+    (void)state;
+    static const uint8_t size_of[] = {2, 4, 0, 1, 1};
+    static const int8_t sides[] = {0, 1, 5, 10};
+    uint64_t seed = 730;
+    canvas c = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    for (int n = 0; n < 5 * 16 * 20; n++) {
+        qtri_texture texture = {.format = (qtri_texel_format)(n % 5),
+                                .width_log2 = (uint8_t)sides[n / 5 % 4],
+                                .height_log2 = (uint8_t)sides[n / 20 % 4],
+                                .wrap_u = (qtri_wrap)random_in(&seed, 0, 1),
+                                .wrap_v = (qtri_wrap)random_in(&seed, 0, 1),
+                                .filter = QTRI_BILINEAR,
+                                .palette = palette,
+                                .has_key = random_flag(&seed),
+                                .key = 1};
+        size_t count = (size_t)1 << (texture.width_log2 + texture.height_log2);
+        void *texels = size_of[n % 5] ? calloc(count, size_of[n % 5]) : NULL;
+        texture.texels = texels;
+        qtri_material m = plain_material();
+        qtri_screen_vertex v[3];
+        m.texture = &texture;
+        m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
+        random_triangle(v, &seed, 6000, Q16(2));
+        for (int i = 0; i < 3 && n % 3 != 0; i++) { /* any number whatever */
+            v[i].u_q32 = (int64_t)random64(&seed) >> random_in(&seed, 0, 40);
+            v[i].v_q32 = (int64_t)random64(&seed) >> random_in(&seed, 0, 40);
+            v[i].inv_w_q31 = (uint32_t)random64(&seed) >> random_in(&seed, 0, 31);
+        }
+        qtri_raster_triangle(&c.surface, &m, v);
+        free(texels);
+    }
+    canvas_free(&c);
+}
+
+/* Nothing to read from: untextured. Words that are none: the zero ones. */
+static void odd_textures(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    canvas d = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    qtri_texture none[] = {noise_texture(numbers, QTRI_TEXEL_PALETTE8),
+                           noise_texture(NULL, QTRI_TEXEL_PALETTE8),
+                           noise_texture(NULL, QTRI_TEXEL_GRAY8)};
+    none[1].palette = palette;
+    for (size_t i = 0; i < LENGTH_OF(none); i++) {
+        none[i].has_key = true;
+        draw_full(&c, &none[i], QTRI_REPLACE);
+        assert_int_equal(stored_pixel(&c.surface, 3, 3), 210 << 16 | 120 << 8 | 250);
+    }
+    qtri_texture usual = noise_texture(texels8888, QTRI_TEXEL_XRGB8888);
+    qtri_texture unknown = usual;
+    unknown.wrap_u = (qtri_wrap)2;
+    unknown.wrap_v = (qtri_wrap)3;
+    unknown.filter = (qtri_filter)2;
+    draw_full(&c, &usual, QTRI_MODULATE);
+    draw_full(&d, &unknown, QTRI_MODULATE);
+    assert_same_picture(&c.surface, &d.surface);
+    canvas_free(&c);
+    canvas_free(&d);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(clamps),
+        cmocka_unit_test(clamps_each_axis),
+        cmocka_unit_test(filters),
+        cmocka_unit_test(exact_weights),
+        cmocka_unit_test(filter_at_centres),
+        cmocka_unit_test(formats_agree),
+        cmocka_unit_test(keys),
+        cmocka_unit_test(keys_that_match_nothing),
+        cmocka_unit_test(keys_do_not_bleed),
+        cmocka_unit_test(checker_with_a_key),
+        cmocka_unit_test(stays_inside),
+        cmocka_unit_test(odd_textures),
+    };
+    return cmocka_run_group_tests_name("core texture modes", tests, fill_textures, NULL);
+}
