@@ -1,0 +1,15 @@
+/*
+ * What the program of the boards and the host's own share.
+ */
+#ifndef BENCH_PROGRAM_H
+#define BENCH_PROGRAM_H
+
+#include "bench_scenes.h"
+
+/* The frame that every scene is drawn into, one after the other. */
+extern bench_frame bench_memory;
+
+/* Pixels whose depth is not the clear's; all of them for S0. */
+uint32_t bench_pixels(const bench_frame *frame);
+
+#endif

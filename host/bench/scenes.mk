@@ -1,0 +1,135 @@
+# The benchmark scenes: instructions on emulated cores, time on the host. Included by bench.mk, whose
+# compilers, boards and emulators these rules use.
+#
+#   make bench BENCH_CORES="cortex-m3" BENCH_SCENES="S1 S3"     some of it, in seconds
+
+BENCH_SCENES ?=
+
+# The M4 is an M4F: with a hard-float ABI, though nothing here computes in floating point.
+BENCH_FPU_cortex-m4 := -mfpu=fpv4-sp-d16 -mfloat-abi=hard
+
+SCENE_DIR     := $(BENCH_DIR)/scenes
+SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
+SCENE_SOURCES := $(wildcard core/*/*.c) host/bench/bench_scenes.c host/bench/bench_program.c $(SCENE_DIR)/bench_meshes.c
+SCENE_FLAGS   := -std=c99 -O2 -g -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench
+
+# The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
+SCENE_TOOL := $(SCENE_DIR)/bench_meshes
+$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/tools/mesh_generate.c $(wildcard host/io/*.c))
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -o $@ $^ -lm
+
+$(SCENE_DIR)/bench_meshes.c: $(SCENE_TOOL) $(SCENE_MODELS) $(SCENE_DIR)/models
+	$(SCENE_TOOL) $(@D) $(or $(MODELS),none)
+
+$(SCENE_DIR)/models: FORCE
+	@mkdir -p $(@D)
+	@echo '$(SCENE_MODELS)' | cmp -s - $@ || echo '$(SCENE_MODELS)' >$@
+
+# One program for each core. $1: core, $2: its board, $3: its objects.
+define scene_rules
+$(SCENE_DIR)/$1/bench.elf: $3 port/boards/$2/$2.ld
+	@echo "link $$@"
+	@$(call bench_cc,$1) $(BENCH_FPU_$1) $(BENCH_LINK) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$2/$2.ld -o $$@ $3 -lgcc
+
+$(SCENE_DIR)/$1/port/boards/common/memory.o: private SCENE_EXTRA := -fno-tree-loop-distribute-patterns
+
+$(SCENE_DIR)/$1/%.o: %.c host/bench/bench.mk host/bench/scenes.mk
+	@mkdir -p $$(@D)
+	@$(call bench_cc,$1) $(BENCH_FPU_$1) $(SCENE_FLAGS) $$(SCENE_EXTRA) -MMD -MP -c -o $$@ $$<
+
+$(SCENE_DIR)/$1/%.o: %.S
+	@mkdir -p $$(@D)
+	@$(call bench_cc,$1) -c -o $$@ $$<
+
+$(SCENE_DIR)/$1/scenes.txt: $(SCENE_DIR)/$1/bench.elf
+	@timeout 300 $(call bench_emulator,$1) -display none -monitor none -serial stdio -kernel $$< </dev/null >$$@.part
+	@grep -q '^end$$$$' $$@.part && mv $$@.part $$@
+
+-include $$(wildcard $(3:.o=.d))
+endef
+scene_objects = $(addsuffix .o,$(basename $(addprefix $(SCENE_DIR)/$1/,$(SCENE_SOURCES) port/boards/common/memory.c \
+                $(wildcard port/boards/$2/*.[cS]))))
+$(foreach core,$(BENCH_CORES),$(eval $(call scene_rules,$(core),$(notdir $(call bench_board,$(core))),$(call \
+    scene_objects,$(core),$(notdir $(call bench_board,$(core)))))))
+
+SCENE_HOST := $(BUILD)/bench/bench_host
+$(SCENE_HOST): $(call objects,host/bench/bench_host.c host/bench/bench_scenes.c host/bench/bench_program.c) \
+               $(BUILD)/obj/bench_meshes.o $(HOST) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+$(BUILD)/obj/bench_meshes.o: $(SCENE_DIR)/bench_meshes.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) -std=c99 $(CFLAGS) $(INCLUDES) -Ihost/bench -c -o $@ $<
+
+$(SCENE_DIR)/host.txt: $(SCENE_HOST)
+	@$(SCENE_HOST) >$@.part && $(SCENE_HOST) check $(SCENE_DIR) >$(SCENE_DIR)/check.txt || \
+	    { cat $(SCENE_DIR)/check.txt; echo "bench: the host's picture is wrong"; exit 1; }
+	@mv $@.part $@
+
+.PHONY: bench bench-lines
+bench: ## Count the instructions of every benchmark scene on emulated cores: build/bench.tsv
+	@$(MAKE) -s $(PARALLEL) bench-lines
+	@$(if $(BENCH_ABSENT),echo "bench: skipped: $(BENCH_ABSENT): no compiler or emulator (make setup)",:)
+	@sh host/bench/bench_scenes.sh $(SCENE_DIR) $(BUILD)/bench.tsv "$(BENCH_SCENES)" $(BENCH_PRESENT)
+
+bench-lines: $(SCENE_DIR)/host.txt $(BENCH_PRESENT:%=$(SCENE_DIR)/%/scenes.txt)
+
+# Profile --------------------------------------------------------------------------------------------
+
+PROFILE_CORE   ?= cortex-m3
+PROFILE_SCENES := $(or $(BENCH_SCENES),$(if $(filter %/spot.obj,$(SCENE_MODELS)),S4 S5 S7,S4k S5k S7k))
+PROFILE_TOOL   := $(SCENE_DIR)/profile
+
+$(PROFILE_TOOL): $(call objects,host/bench/profile.c)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -o $@ $^
+
+# The program of one scene: that of all, with another bench_program.o.
+profile_dir     := $(SCENE_DIR)/$(PROFILE_CORE)
+profile_board   := $(notdir $(call bench_board,$(PROFILE_CORE)))
+profile_objects := $(filter-out %/bench_program.o,$(call scene_objects,$(PROFILE_CORE),$(profile_board)))
+
+$(PROFILE_SCENES:%=$(profile_dir)/profile-%.o): $(profile_dir)/profile-%.o: host/bench/bench_program.c host/bench/bench_program.h host/bench/bench_scenes.h host/bench/scenes.mk
+	@mkdir -p $(@D)
+	@$(call bench_cc,$(PROFILE_CORE)) $(BENCH_FPU_$(PROFILE_CORE)) $(SCENE_FLAGS) -DBENCH_ONLY='"$*"' -c -o $@ $<
+
+$(PROFILE_SCENES:%=$(profile_dir)/%.elf): $(profile_dir)/%.elf: $(profile_dir)/profile-%.o $(profile_objects)
+	@$(call bench_cc,$(PROFILE_CORE)) $(BENCH_FPU_$(PROFILE_CORE)) $(BENCH_LINK) -T port/boards/$(profile_board)/$(profile_board).ld -o $@ $^ -lgcc
+
+profile_prefix := $(patsubst %gcc,%,$(firstword $(call bench_cc,$(PROFILE_CORE))))
+
+.PHONY: bench-profile profile-programs
+bench-profile: ## Instructions per stage and function of S4 S5 S7; PROFILE_CORE=cortex-m0plus BENCH_SCENES="S3 S4"
+	@$(MAKE) -s $(PARALLEL) profile-programs
+	@$(foreach scene,$(PROFILE_SCENES),echo; echo "== $(scene), $(PROFILE_CORE)"; \
+	    sh host/bench/profile.sh $(profile_dir)/$(scene).elf $(PROFILE_TOOL) $(profile_prefix) \
+	        $(call bench_emulator,$(PROFILE_CORE)) || exit 1;)
+
+profile-programs: $(PROFILE_TOOL) $(PROFILE_SCENES:%=$(profile_dir)/%.elf)
+
+# Time on the host -----------------------------------------------------------------------------------
+# BASE=COMMIT builds the core of that commit as well, with the scenes as they are now, and times both in turn.
+
+BASE ?=
+
+HOST_FAST := build/o3
+BASE_ID   := $(if $(BASE),$(shell git rev-parse --short $(BASE) 2>/dev/null))
+BASE_DIR  := build/base/$(BASE_ID)
+
+.PHONY: bench-host
+bench-host: ## Time every benchmark scene on the host, -O3: build/bench-host.tsv; BASE=COMMIT compares
+	@$(if $(BASE),$(if $(BASE_ID),,echo "bench-host: there is no commit $(BASE)"; exit 1))
+	@$(MAKE) -s $(PARALLEL) BUILD=$(HOST_FAST) CFLAGS=-O3 $(HOST_FAST)/bench/bench_host $(if $(BASE),$(BASE_DIR)/bench_host)
+	@sh host/bench/bench_host.sh build/bench-host.tsv $(HOST_FAST)/bench/bench_host $(if $(BASE),$(BASE_DIR)/bench_host)
+
+ifneq ($(BASE_ID),)
+# Made with BUILD=$(HOST_FAST): the meshes and the archives are there. The core's objects come first, so that none is
+# taken from an archive.
+$(BASE_DIR)/bench_host: $(wildcard host/bench/bench_*.[ch]) $(SCENE_DIR)/bench_meshes.c $(HOST)
+	@rm -rf $(@D) && mkdir -p $(@D)
+	@git archive $(BASE_ID) core | tar -xf - -C $(@D)
+	@$(CC) -std=c99 $(CFLAGS) -DBENCH_PLAIN -I$(@D)/core/include -Ihost/bench -o $@ $(@D)/core/*/*.c \
+	    host/bench/bench_host.c host/bench/bench_scenes.c host/bench/bench_program.c $(SCENE_DIR)/bench_meshes.c $(HOST) -lm
+endif
