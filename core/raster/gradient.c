@@ -8,35 +8,40 @@ static bool fits_small(int32_t x)
 }
 
 /*
- * Small triangles multiply by an inverse of their area instead of dividing. Let |d| < 2^15 for the
- * four differences, s the sum of their magnitudes, |area| >= 16 s, and r = 2^61 / (|area| 2^zeros)
- * in [2^29, 2^30]. An attribute whose differences are below 2^23, without their last
- * QTRI_RAMP_DOWN bits,
- * has a numerator n = f1 d - f2 d' of at most 2^14 s <= 2^31, and a gradient a pixel of
+ * Small triangles, |d| < 2^15 for the four differences, multiply by a reciprocal of their area
+ * instead of dividing: r = 2^61 / (|area| 2^zeros), in [2^29, 2^30].
  *
- *     256 2^QTRI_RAMP_DOWN n / area = n r / 2^shift, shift = 44 - zeros, less than 2^8 2^23 s / 16
- * s = 2^27.
+ * Where the triangle is no sliver, |area| >= 16 s with s the sum of the differences' magnitudes,
+ * and an attribute's own differences are below 2^23, a ramp's step takes one product of 32 bits.
+ * Without the attribute's last QTRI_RAMP_DOWN bits its numerator n = f1 d - f2 d' is at most
+ * 2^14 2^16, and its gradient a pixel
  *
- * It is the high word of (n 2^(32 - shift)) r or of n (r 2^(32 - shift)), whichever shifts left: in
- * the first n < 2^27 2^shift / r, so that the product's left factor is below 2^30; in the second r
- * loses bits, which costs n / 2^32: less than a unit.
+ *     256 2^QTRI_RAMP_DOWN n / area = n r / 2^shift, shift = 44 - zeros
+ *
+ * is less than 2^8 2^23 s / 16 s = 2^27. That is the high word of (n 2^(32 - shift)) r or of
+ * n (r 2^(32 - shift)), whichever shifts left: in the first n < 2^27 2^shift / r, so that the
+ * product's left factor is below 2^30; in the second r loses bits, which costs n / 2^32: less than
+ * a unit.
  */
 void qtri_gradient_init(qtri_gradient *g)
 {
     g->inverse = 0;
     g->left = 0;
+    g->reciprocal = 0;
     if (!(fits_small(g->dx1) && fits_small(g->dy1) && fits_small(g->dx2) && fits_small(g->dy2))) {
         return;
     }
     int32_t area = (int32_t)g->area; /* < 2^31 */
     uint32_t size = qtri_magnitude32(area);
+    int32_t zeros = qtri_clz32(size);
+    int32_t r = (int32_t)(qtri_reciprocal_q62(size << zeros) >> 1);
+    g->reciprocal = r;
+    g->zeros = zeros;
     uint32_t sum = qtri_magnitude32(g->dx1) + qtri_magnitude32(g->dy1) + qtri_magnitude32(g->dx2) +
                    qtri_magnitude32(g->dy2);
     if (size < sum << 4) {
         return;
     }
-    int32_t zeros = qtri_clz32(size);
-    int32_t r = (int32_t)(qtri_reciprocal_q62(size << zeros) >> 1);
     int32_t shift = 44 - zeros; /* >= 16: size >= 16 */
     if (shift > 32) {
         r = (r + ((int32_t)1 << (shift - 33))) >> (shift - 32);
@@ -73,6 +78,31 @@ static uint64_t divide(int64_t numerator, int64_t area)
     return (numerator < 0) == (area < 0) ? quotient : 0 - quotient;
 }
 
+/*
+ * The same within a unit for a small triangle, where |numerator| < 2^50: n r / 2^s, s = 45 - zeros,
+ * from two products, for n of 30 and 20 bits. Its relative error, below 2^-28, leaves a remainder
+ * of less than 2^(66 - 28), whose quotient is added.
+ */
+static uint64_t multiply(const qtri_gradient *g, int64_t numerator)
+{
+    int32_t r = g->reciprocal;
+    int32_t s = 45 - g->zeros;
+    uint32_t size = qtri_magnitude32((int32_t)g->area);
+    int64_t high = qtri_mul_s32((int32_t)(numerator >> 20), r);
+    uint64_t low = qtri_mul_u32((uint32_t)numerator & 0xFFFFF, (uint32_t)r); /* < 2^50 */
+    uint64_t quotient = s >= 20 ? (uint64_t)((high + (int64_t)(low >> 20)) >> (s - 20))
+                                : ((uint64_t)high << (20 - s)) + (low >> s);
+    int64_t rest = qtri_wrap64(((uint64_t)numerator << 16) - quotient * size);
+    int64_t more = qtri_mul_s32((int32_t)(rest >> 8), r) >> (53 - g->zeros);
+    quotient += (uint64_t)more;
+    return g->area < 0 ? 0 - quotient : quotient;
+}
+
+static uint64_t gradient(const qtri_gradient *g, int64_t numerator)
+{
+    return g->reciprocal != 0 ? multiply(g, numerator) : divide(numerator, g->area);
+}
+
 void qtri_plane_init(qtri_plane *plane, const qtri_gradient *g, const int64_t f[3])
 {
     int64_t df1 = f[1] - f[0];
@@ -83,8 +113,8 @@ void qtri_plane_init(qtri_plane *plane, const qtri_gradient *g, const int64_t f[
     if (df1 == 0 && df2 == 0) {
         return;
     }
-    uint64_t per_x = divide(df1 * g->dy2 - df2 * g->dy1, g->area);
-    uint64_t per_y = divide(df2 * g->dx1 - df1 * g->dx2, g->area);
+    uint64_t per_x = gradient(g, df1 * g->dy2 - df2 * g->dy1);
+    uint64_t per_y = gradient(g, df2 * g->dx1 - df1 * g->dx2);
     plane->origin += per_x * (uint64_t)(int64_t)(128 - g->x_24p8);
     plane->origin += per_y * (uint64_t)(int64_t)(128 - g->y_24p8);
     plane->dx = per_x << 8;

@@ -35,6 +35,20 @@ static inline uint32_t qtri_pack_round(uint32_t r, uint32_t g, uint32_t b)
     return qtri_pack_floor(r + 0x200, g + 0x400, b + 0x400);
 }
 
+/*
+ * A share, Q24 of at most 2^27, of a tint: products of Q15 and n.6 are n.21 and below 2^30. What is
+ * added rounds red, and green and blue.
+ */
+static inline uint32_t qtri_pack_tint(const qtri_channels *tint, int32_t share_q24,
+                                      int32_t red_half, int32_t half)
+{
+    int32_t share_q15 = share_q24 >> 9;
+    int32_t r = share_q15 * (tint->c[0] >> 10) + red_half;
+    int32_t g = share_q15 * (tint->c[1] >> 10) + half;
+    int32_t b = share_q15 * (tint->c[2] >> 10) + half;
+    return ((uint32_t)(r >> 15) << 10) + ((uint32_t)(g >> 16) << 21) + (uint32_t)(b >> 16);
+}
+
 static inline uint32_t qtri_packed_pixel(uint32_t packed)
 {
     packed &= 0xFC1F03E0u;

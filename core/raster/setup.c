@@ -9,9 +9,11 @@
 /* 1/w of the three with one exponent, the largest in 2^30..2^31. False when all are equal. */
 static bool inv_w_align(uint32_t q[3], const qtri_attributes v[3])
 {
-    int32_t greatest =
-        v[0].inv_w_exponent > v[1].inv_w_exponent ? v[0].inv_w_exponent : v[1].inv_w_exponent;
-    greatest = greatest > v[2].inv_w_exponent ? greatest : v[2].inv_w_exponent;
+    int32_t e0 = v[0].inv_w_exponent;
+    int32_t e1 = v[1].inv_w_exponent;
+    int32_t e2 = v[2].inv_w_exponent;
+    int32_t greatest = e0 > e1 ? e0 : e1;
+    greatest = greatest > e2 ? greatest : e2;
     for (int i = 0; i < 3; i++) {
         uint32_t down = (uint32_t)greatest - (uint32_t)v[i].inv_w_exponent; /* < 2^32 */
         q[i] = down > 29 ? 1 : v[i].inv_w_q31 >> down;
@@ -43,6 +45,21 @@ static bool nearly_linear(uint32_t range, const uint32_t q[3], int tolerance_log
     uint32_t q_least = least_of(q); /* <= 2^31 */
     uint32_t q_range = greatest_of(q) - q_least;
     return qtri_mul_u32(range, q_range) >> (tolerance_log2 + 2) < q_least;
+}
+
+/*
+ * The same for colours, at a glance: true only where nearly_linear is. With one exponent, 16 bits
+ * of q and a range of up to 2^24, rounded up in steps of 2^14.
+ */
+static bool plainly_linear(uint32_t range, const qtri_attributes v[3])
+{
+    if (v[0].inv_w_exponent != v[1].inv_w_exponent || v[0].inv_w_exponent != v[2].inv_w_exponent) {
+        return false;
+    }
+    const uint32_t q[3] = {v[0].inv_w_q31, v[1].inv_w_q31, v[2].inv_w_q31};
+    uint32_t q_least = least_of(q) >> 16; /* 2^14..2^15 */
+    uint32_t q_range = (greatest_of(q) >> 16) - q_least + 1;
+    return ((range >> 14) + 1) * q_range < q_least << (LINEAR_LOG2 + 2 - 14); /* <= 2^25 */
 }
 
 /* attribute q / 2^31, for attributes below 2^30: below 2^30, rounded. */
@@ -142,10 +159,37 @@ static void linear_ramps(qtri_ramp c[3], const qtri_raster *raster, const qtri_a
     }
 }
 
+/* The same for a tiny triangle in RGB565: packed at once, in 32 bits. */
+static bool tiny_tint(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
+{
+    const qtri_raster *raster = job->raster;
+    const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
+                               (uint32_t)v[2].color[0]};
+    if (!raster->tinted || !qtri_ramp_fits(share[0], share[1]) ||
+        !qtri_ramp_fits(share[0], share[2])) {
+        return false;
+    }
+    qtri_ramp ramp;
+    qtri_ramp_multiply(&ramp, gradient, share);
+    int32_t origin = (int32_t)(ramp.origin - 0x8000u);
+    job->packed_origin = qtri_pack_tint(&raster->tint, origin, (int32_t)1 << 20, (int32_t)1 << 20);
+    job->packed_step.even =
+        qtri_pack_tint(&raster->tint, (int32_t)ramp.dx, (int32_t)1 << 14, (int32_t)1 << 15);
+    job->packed_dy =
+        qtri_pack_tint(&raster->tint, (int32_t)ramp.dy, (int32_t)1 << 14, (int32_t)1 << 15);
+    return true;
+}
+
 static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
     const qtri_ramp *c = job->color.ramp;
     qtri_packed_steps *step = &job->packed_step;
+    if (job->tiny && job->raster->texture == NULL && job->raster->surface->format == QTRI_RGB565 &&
+        tiny_tint(job, v, gradient)) {
+        step->odd = step->even;
+        step->eight = 8 * step->even;
+        return;
+    }
     linear_ramps(job->color.ramp, job->raster, v, gradient);
     if (job->raster->surface->format != QTRI_RGB565) {
         return;
@@ -162,14 +206,27 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
     }
 }
 
-static void textures(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient,
-                     const uint32_t *q)
+/* Prepares the axes. True where coordinates may be taken as linear: 1/1024 of a texel. */
+static bool texture_axes(qtri_job *job, const qtri_attributes v[3], const uint32_t q[3])
 {
     const qtri_texture *texture = job->raster->texture;
     int64_t u_q32[3] = {v[0].u_q32, v[1].u_q32, v[2].u_q32};
     int64_t v_q32[3] = {v[0].v_q32, v[1].v_q32, v[2].v_q32};
     qtri_texel_axis_init(&job->axis[0], u_q32, texture->width_log2);
     qtri_texel_axis_init(&job->axis[1], v_q32, texture->height_log2);
+    for (int i = 0; i < 2; i++) {
+        const int64_t *value = job->axis[i].value;
+        const uint32_t f[3] = {(uint32_t)value[0], (uint32_t)value[1], (uint32_t)value[2]};
+        int32_t tolerance = job->axis[i].shift - 10;
+        if (tolerance < 0 || !nearly_linear(greatest_of(f) - least_of(f), q, tolerance)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void texture_planes(qtri_job *job, const qtri_gradient *gradient, const uint32_t *q)
+{
     for (int i = 0; i < 2; i++) {
         if (q != NULL) {
             plane_over_w(&job->uv[i], gradient, job->axis[i].value, q);
@@ -269,9 +326,15 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
             return raster->fill_flat;
         }
     }
-    uint32_t q[3];
-    bool perspective = raster->perspective && inv_w_align(q, v) &&
-                       (raster->texture != NULL || !nearly_linear(range, q, LINEAR_LOG2));
+    uint32_t q[3] = {1, 1, 1};
+    bool perspective = false;
+    if (raster->texture != NULL) {
+        bool same = !raster->perspective || !inv_w_align(q, v);
+        bool linear = texture_axes(job, v, q) && nearly_linear(range, q, LINEAR_LOG2);
+        perspective = !same && !linear;
+    } else if (raster->perspective && !plainly_linear(range, v)) {
+        perspective = inv_w_align(q, v) && !nearly_linear(range, q, LINEAR_LOG2);
+    }
     job->paint = perspective ? QTRI_PAINT_PERSPECTIVE : QTRI_PAINT_LINEAR;
     if (perspective) {
         int64_t inv_w[3] = {q[0], q[1], q[2]};
@@ -286,7 +349,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         return perspective ? qtri_fill_spans
                            : (job->tiny ? raster->fill_tiny : raster->fill_linear);
     }
-    textures(job, v, &gradient, perspective ? q : NULL);
+    texture_planes(job, &gradient, perspective ? q : NULL);
     job->copies_texels = raster->copies_white && !job->smooth && is_white(job);
     for (int i = 0; i < 2; i++) {
         job->uv_up[i] =

@@ -20,9 +20,10 @@ static int64_t hold_q32(int64_t coordinate)
 
 static int32_t first_texel(int64_t base, int32_t shift)
 {
-    const int64_t limit = (int64_t)1 << 30;
+    const int64_t least = -((int64_t)1 << 29);
+    const int64_t greatest = (int64_t)1 << 30;
     int64_t first = ((int64_t)ABOVE_ZERO >> shift) - (base >> shift);
-    return (int32_t)(first < -limit ? -limit : (first > limit ? limit : first));
+    return (int32_t)(first < least ? least : (first > greatest ? greatest : first));
 }
 
 void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3], uint8_t side_log2)
@@ -105,11 +106,6 @@ static qtri_rgb color_of(const qtri_texture *texture, uint32_t stored)
     }
 }
 
-qtri_rgb qtri_texel_fetch(const qtri_texture *texture, uint32_t column, uint32_t row)
-{
-    return color_of(texture, stored_texel(texture, column, row));
-}
-
 static bool is_key(const qtri_texture *texture, uint32_t stored)
 {
     uint32_t mask = texture->format == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu : UINT32_MAX;
@@ -117,33 +113,18 @@ static bool is_key(const qtri_texture *texture, uint32_t stored)
 }
 
 /* texel / 255 in Q16, exact at 0 and 255 and within 2^-16 between. */
-static int64_t fraction_q16(uint32_t texel)
-{
-    return texel * 257 + (texel >> 7);
-}
-
-/* The same for a texel with 16 fraction bits, and equal to it where they are zero. */
-static int64_t fraction_q16_from_8p16(uint32_t texel_8p16)
+static int64_t fraction_q16(uint32_t texel_8p16)
 {
     return (texel_8p16 + (texel_8p16 >> 8) + (texel_8p16 >> 16) + 128) >> 8; /* sum < 2^24 + 128 */
 }
 
-qtri_channels qtri_texel_modulate(const qtri_channels *color, qtri_rgb texel)
-{
-    qtri_channels result;
-    result.c[0] = (int32_t)((color->c[0] * fraction_q16(texel.r)) >> 16);
-    result.c[1] = (int32_t)((color->c[1] * fraction_q16(texel.g)) >> 16);
-    result.c[2] = (int32_t)((color->c[2] * fraction_q16(texel.b)) >> 16);
-    return result;
-}
-
-/* Which texel of a side that repeats or ends. texel: (value + 2^30) >> shift, below 2^30. */
+/* Which texel of a side that repeats or ends. texel: (value + 2^30) >> shift, or the next. */
 static uint32_t wrap(const qtri_texel_axis *axis, qtri_wrap mode, uint32_t texel)
 {
     if (mode != QTRI_CLAMP) {
         return texel & axis->mask;
     }
-    int32_t index = (int32_t)texel - axis->first;
+    int32_t index = (int32_t)texel - axis->first; /* texel <= 2^30, first >= -2^29 */
     return index < 0 ? 0 : ((uint32_t)index > axis->mask ? axis->mask : (uint32_t)index);
 }
 
@@ -196,16 +177,15 @@ bool qtri_texel_apply(const qtri_texture *texture, const qtri_texel_axis axis[2]
         return false;
     }
     qtri_rgb texel = color_of(texture, stored);
-    if (texture->filter != QTRI_BILINEAR) {
-        *color = qtri_texel_modulate(color, texel);
-        return true;
+    uint32_t texel_8p16[3] = {(uint32_t)texel.r << 16, (uint32_t)texel.g << 16,
+                              (uint32_t)texel.b << 16};
+    if (texture->filter == QTRI_BILINEAR) {
+        taps along = taps_at(&axis[0], texture->wrap_u, u);
+        taps across = taps_at(&axis[1], texture->wrap_v, v);
+        bilinear(texture, &along, &across, texel, texel_8p16);
     }
-    taps along = taps_at(&axis[0], texture->wrap_u, u);
-    taps across = taps_at(&axis[1], texture->wrap_v, v);
-    uint32_t sum_8p16[3];
-    bilinear(texture, &along, &across, texel, sum_8p16);
     for (int i = 0; i < 3; i++) {
-        color->c[i] = (int32_t)((color->c[i] * fraction_q16_from_8p16(sum_8p16[i])) >> 16);
+        color->c[i] = (int32_t)((color->c[i] * fraction_q16(texel_8p16[i])) >> 16);
     }
     return true;
 }

@@ -14,31 +14,19 @@
  */
 typedef struct qtri_texel_axis {
     int64_t value[3]; /* at the vertices, 0 <= value < 2^30 */
-    int32_t shift;    /* texel = (value + bias) >> shift */
+    int32_t shift;    /* texel = (value + bias) >> shift, wrapped */
     uint32_t mask;    /* side - 1 */
     uint32_t bias;    /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
-    int32_t first;    /* (value + 2^30) >> shift at coordinate 0; held to +-2^30, which clamps
-                         the same */
+    int32_t first;    /* (value + 2^30) >> shift at coordinate 0; held to -2^29..2^30, which
+                         clamps the same */
 } qtri_texel_axis;
 
 /* Coordinates as in qtri_screen_vertex; beyond 2^48 they are held there. */
 void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3],
                           uint8_t side_log2);
 
-/* Repeated. `value` has the bias added. */
-static inline uint32_t qtri_texel_index(const qtri_texel_axis *axis, uint32_t value)
-{
-    return (value >> axis->shift) & axis->mask;
-}
-
 /* Whether a material's texture can be read at all. */
 bool qtri_texture_usable(const qtri_texture *texture);
-
-/* 8 bits a channel; column and row inside the texture. */
-qtri_rgb qtri_texel_fetch(const qtri_texture *texture, uint32_t column, uint32_t row);
-
-/* color times texel / 255, each channel. */
-qtri_channels qtri_texel_modulate(const qtri_channels *color, qtri_rgb texel);
 
 /*
  * color times what the texture has at u, v, which have the bias added: wrapped and filtered as it
