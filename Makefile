@@ -131,7 +131,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 # Each gate is a script of its name in tests/check/ and prints `check: NAME ok` or its findings.
 
 GATES := check-format check-cppcheck check-tidy check-warnings check-headers check-levels \
-         check-freestanding check-compilers check-tree
+         check-freestanding check-compilers check-tree check-budgets
 
 .PHONY: check $(GATES)
 check: ## Run every gate below
@@ -145,6 +145,7 @@ check-headers:      ## Every public header compiles alone, in C99 and C++11, and
 check-levels:       ## A file includes only from its own folder and those below
 check-freestanding: ## The library for a Cortex-M0+ needs no libc, float, malloc or writable data
 check-compilers:    ## tcc, a plain C99 compiler, builds all and draws the same pictures
+check-budgets:      ## No figure of bench and size is more than 2 % above its budget (make budgets)
 check-tree:         ## No overlong or binary files, tabs or paths of one machine
 
 $(GATES): check-%:

@@ -152,10 +152,10 @@ static void interpolation(void **state)
         for (int i = 0; i < 6; i++) {
             assert_true(w[i / 2][i % 2].pixels > 1000);
             /*
-             * With perspective, a channel may stray by 1/16 of a step where it is taken as linear,
-             * and by 1/32 between two divisions. RGB565 adds the short fractions of packed.h.
+             * With perspective, a colour may stray by 1/4 of a step where it is taken as linear.
+             * RGB565 adds the short fractions of packed.h.
              */
-            double between = i > 0 ? 0 : (formats[f] == QTRI_GRAY8 ? 3 : 1) / 16.0;
+            double between = i > 0 ? 0 : 1 / 4.0;
             double packed = i < 2 && formats[f] == QTRI_RGB565 ? 7 / 32.0 : 0;
             assert_true(w[i / 2][i % 2].color <= .51 + between + packed);
             assert_true(w[i / 2][i % 2].depth <= .51);

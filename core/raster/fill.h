@@ -23,6 +23,13 @@
  * Repeats ONE(i), which draws pixel[i] and steps, for `count` pixels; `pixel` and `depth` move on.
  * Groups of eight have constant offsets, and so has what is left.
  */
+#ifdef __OPTIMIZE_SIZE__
+#define QTRI_PIXELS(count)                                                                         \
+    do {                                                                                           \
+        ONE(0)                                                                                     \
+        QTRI_MOVE(1)                                                                               \
+    } while (--(count) > 0);
+#else
 #define QTRI_PIXELS(count)                                                                         \
     if ((count) >= 8) {                                                                            \
         const uint16_t *stop = depth + ((count) & ~7);                                             \
@@ -40,6 +47,7 @@
         ONE(0)                                                                                     \
         QTRI_MOVE(1)                                                                               \
     }
+#endif
 #define QTRI_MOVE(n)                                                                               \
     depth += (n);                                                                                  \
     pixel += (n);

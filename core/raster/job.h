@@ -26,6 +26,9 @@ typedef struct qtri_span {
     int16_t left, right;
 } qtri_span;
 
+/* How many rows are walked at a time. */
+#define QTRI_ROWS_AHEAD 16
+
 /* Fills `count` rows from `row` on. */
 typedef void (*qtri_fill_rows)(const qtri_job *job, const qtri_span *spans, int32_t row,
                                int32_t count);

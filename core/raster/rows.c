@@ -18,12 +18,6 @@ static int32_t first_row(int32_t y)
     return (y + 127) >> 8;
 }
 
-bool qtri_rows_are_short(const qtri_triangle *t)
-{
-    return t->end - t->row <= QTRI_ROWS_AHEAD && t->x_greatest - t->x_least < NARROW &&
-           t->bottom->y_24p8 - t->top->y_24p8 < ((int32_t)1 << 15);
-}
-
 /*
  * x where the edge from a down to b crosses the centre of `row`, as the first pixel whose centre is
  * at or right of it: ceil((X - 128) / 256) = floor((X + 127.99..) / 256). Taken as the first pixel
@@ -80,38 +74,53 @@ static inline int32_t edge_next(edge *e)
 #endif
 }
 
-/* Rows row..stop-1; the two sides of a span are next to each other. */
-static void walk(int16_t *one, int16_t *other, edge *long_edge, edge *short_edge, int32_t base,
-                 int32_t rows)
+/*
+ * Rows row..stop-1; the two sides of a span are next to each other. Returns something not 0 if one
+ * of the rows has a pixel: the two edges of a triangle never cross.
+ */
+static int32_t walk(int16_t *one, int16_t *other, edge *long_edge, edge *short_edge, int32_t base,
+                    int32_t rows)
 {
+    int32_t pixels = 0;
     for (; rows > 0; rows--) {
-        *one = (int16_t)(base + edge_next(long_edge));
-        *other = (int16_t)(base + edge_next(short_edge));
+        int32_t x = base + edge_next(long_edge);
+        int32_t y = base + edge_next(short_edge);
+        *one = (int16_t)x;
+        *other = (int16_t)y;
+        pixels |= x ^ y;
         one += 2;
         other += 2;
     }
+    return pixels;
 }
 
-void qtri_rows_short(const qtri_triangle *t, qtri_span spans[QTRI_ROWS_AHEAD])
+bool qtri_rows_short(qtri_triangle *t)
 {
+    const int32_t row = t->row;
+    t->is_short = t->end - row <= QTRI_ROWS_AHEAD && t->x_greatest - t->x_least < NARROW &&
+                  t->bottom->y_24p8 - t->top->y_24p8 < ((int32_t)1 << 15);
+    if (!t->is_short) {
+        return true;
+    }
     const int32_t base = t->x_least >> 8;
     const int32_t middle = first_row(t->middle->y_24p8);
-    const int32_t row = t->row;
     const int32_t turn = middle < row ? row : least(middle, t->end);
-    int16_t *one = t->long_is_left ? &spans->left : &spans->right;
-    int16_t *other = t->long_is_left ? &spans->right : &spans->left;
+    int16_t *one = t->long_is_left ? &t->spans->left : &t->spans->right;
+    int16_t *other = t->long_is_left ? &t->spans->right : &t->spans->left;
+    int32_t pixels = 0;
     edge long_edge;
     edge short_edge;
     edge_init(&long_edge, t->top, t->bottom, base, row);
     if (row < turn) {
         edge_init(&short_edge, t->top, t->middle, base, row);
-        walk(one, other, &long_edge, &short_edge, base, turn - row);
+        pixels = walk(one, other, &long_edge, &short_edge, base, turn - row);
     }
     if (turn < t->end) {
         const ptrdiff_t done = 2 * (turn - row);
         edge_init(&short_edge, t->middle, t->bottom, base, turn);
-        walk(one + done, other + done, &long_edge, &short_edge, base, t->end - turn);
+        pixels |= walk(one + done, other + done, &long_edge, &short_edge, base, t->end - turn);
     }
+    return pixels != 0;
 }
 
 static void dda_init(qtri_dda *edge, const qtri_screen_point *a, const qtri_screen_point *b,

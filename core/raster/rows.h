@@ -10,14 +10,11 @@
 #include "dda.h"
 #include "triangle.h"
 
-/* How many rows are walked at a time. */
-#define QTRI_ROWS_AHEAD 16
-
-/* Whether the triangle has few rows and is narrow, as most are: qtri_rows_short finds them all. */
-bool qtri_rows_are_short(const qtri_triangle *triangle);
-
-/* Spans of the rows row..end-1. */
-void qtri_rows_short(const qtri_triangle *triangle, qtri_span spans[QTRI_ROWS_AHEAD]);
+/*
+ * Finds all spans of a triangle that has few rows and is narrow, as most are, and sets is_short.
+ * False when none of them has a pixel; true for all other triangles.
+ */
+bool qtri_rows_short(qtri_triangle *triangle);
 
 /* Edges of any other triangle. */
 typedef struct qtri_rows {

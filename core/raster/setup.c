@@ -3,8 +3,11 @@
 #include "packed.h"
 #include "texel_copy.h"
 
-/* Colours may stray by 1/8 of a step for being linear on the screen. */
-#define LINEAR_LOG2 13
+/*
+ * Colours may stray by 1/4 of a step for being linear on the screen: with the rounding to a pixel
+ * and the short fractions of packed.h less than one step in all.
+ */
+#define LINEAR_LOG2 14
 
 /* 1/w of the three with one exponent, the largest in 2^30..2^31. False when all are equal. */
 static bool inv_w_align(uint32_t q[3], const qtri_attributes v[3])
@@ -105,7 +108,10 @@ static uint32_t range_of(const qtri_attributes v[3], int i)
     return greatest_of(f) - least_of(f);
 }
 
-/* The widest of the colour channels, n.16. A tint's are at most 2^22 in RGB565, else 2^24. */
+/*
+ * The widest of the colour channels, n.16, or their sum where a pixel is. A tint's channels are at
+ * most 2^22 in RGB565, else 2^24, and so is their sum in GRAY8.
+ */
 static uint32_t color_range(const qtri_raster *raster, const qtri_attributes v[3])
 {
     uint32_t range = range_of(v, 0);
@@ -114,7 +120,11 @@ static uint32_t color_range(const qtri_raster *raster, const qtri_attributes v[3
     }
     for (int i = 1; i < 3; i++) {
         uint32_t other = range_of(v, i);
-        range = other > range ? other : range;
+        if (raster->surface->format == QTRI_GRAY8) {
+            range += other;
+        } else {
+            range = other > range ? other : range;
+        }
     }
     return range;
 }

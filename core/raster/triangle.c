@@ -91,29 +91,28 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
     t->x_least = x_least;
     t->x_greatest = x_greatest;
     return greatest(first_row(x_least), raster->bounds.x0) <
-           least(first_row(x_greatest), raster->bounds.x1);
+               least(first_row(x_greatest), raster->bounds.x1) &&
+           qtri_rows_short(t);
 }
 
-void qtri_triangle_draw(const qtri_raster *raster, const qtri_triangle *triangle,
+void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
                         const qtri_attributes v[3])
 {
     qtri_job job;
-    qtri_span spans[QTRI_ROWS_AHEAD];
     qtri_fill_rows fill = qtri_job_init(&job, raster, triangle, v);
-    if (qtri_rows_are_short(triangle)) {
-        qtri_rows_short(triangle, spans);
-        fill(&job, spans, triangle->row, triangle->end - triangle->row);
+    if (triangle->is_short) {
+        fill(&job, triangle->spans, triangle->row, triangle->end - triangle->row);
         return;
     }
     qtri_rows rows;
     qtri_rows_init(&rows, triangle);
     for (;;) {
         int32_t row = rows.row;
-        int32_t count = qtri_rows_next(&rows, spans);
+        int32_t count = qtri_rows_next(&rows, triangle->spans);
         if (count == 0) {
             break;
         }
-        fill(&job, spans, row, count);
+        fill(&job, triangle->spans, row, count);
     }
 }
 

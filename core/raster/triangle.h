@@ -19,6 +19,8 @@ typedef struct qtri_triangle {
     bool long_is_left;                              /* the edge from top to bottom */
     int32_t x_least, x_greatest;                    /* 1/256 pixel */
     int32_t row, end;                               /* rows inside the bounds */
+    bool is_short;                                  /* spans holds all rows, see rows.h */
+    qtri_span spans[QTRI_ROWS_AHEAD];
 } qtri_triangle;
 
 /* What else a vertex brings. */
@@ -50,11 +52,11 @@ static inline bool qtri_raster_culls(const qtri_raster *raster, int64_t area)
            (raster->cull == QTRI_CULL_FRONT && area < 0);
 }
 
-/* Takes p and area, which are set, area not 0. False when no pixel centre can be touched. */
+/* Takes p and area, which are set, area not 0. False when no pixel is covered. */
 bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *triangle);
 
 /* Draws it. Flat shading reads the provoking vertex's colour only. */
-void qtri_triangle_draw(const qtri_raster *raster, const qtri_triangle *triangle,
+void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
                         const qtri_attributes v[3]);
 
 /* All of it, for a vertex as the public header has it. */

@@ -1,5 +1,5 @@
 /*
- * Where the instructions of one draw call go: profile TABLE < LOG
+ * Where the instructions of one draw call go: profile TABLE COUNTS < LOG
  *
  * LOG is what `qemu-system-arm -d in_asm,exec,nochain` writes: the addresses of every translation
  * block, once, and a line for each execution of one. TABLE has a line
@@ -7,7 +7,8 @@
  * program: the symbol it lies in, and the function of the source it comes from, which may be
  * inlined. A stage `-` means that of whoever called: helpers of arithmetic and memory.
  *
- * Counted is what runs from the first instruction of bench_draw to the next of board_ticks.
+ * COUNTS gets a line `address count` for every instruction that was executed. Counted is what runs
+ * from the first instruction of bench_draw to the next of board_ticks.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -57,6 +58,7 @@ static int name_index(struct names *names, const char *text)
 
 /* An instruction of the program. */
 struct instruction {
+    uint64_t count;
     int16_t stage, symbol, function;
     bool known, begins_symbol;
 };
@@ -161,10 +163,11 @@ static struct block *block_of(uint64_t key)
 static int16_t count_block(const struct block *block, int16_t stage, int sign)
 {
     for (int i = 0; i < block->count; i++) {
-        const struct instruction *at = instruction_at(block->address[i]);
+        struct instruction *at = instruction_at(block->address[i]);
         if (at == NULL || !at->known) {
             fail("an instruction was executed that the table does not know");
         }
+        at->count += (uint64_t)(int64_t)sign;
         stage = at->stage == profile.helpers ? stage : at->stage;
         profile.stages.name[stage].instructions += (uint64_t)(int64_t)sign;
         profile.symbols.name[at->symbol].instructions += (uint64_t)(int64_t)sign;
@@ -280,14 +283,30 @@ static void print_names(struct names *names, const char *title, uint64_t total, 
     }
 }
 
+static void write_counts(const char *path)
+{
+    FILE *out = fopen(path, "w");
+    if (out == NULL) {
+        fail("the counts cannot be written");
+    }
+    for (uint32_t i = 0; i < CODE_MAX_BYTES / 2; i++) {
+        if (profile.code[i].count > 0) {
+            fprintf(out, "%x %llu\n", (unsigned)(profile.base + 2 * i),
+                    (unsigned long long)profile.code[i].count);
+        }
+    }
+    fclose(out);
+}
+
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        fprintf(stderr, "usage: profile TABLE < LOG\n");
+    if (argc != 3) {
+        fprintf(stderr, "usage: profile TABLE COUNTS < LOG\n");
         return 2;
     }
     read_table(argv[1]);
     read_log(stdin);
+    write_counts(argv[2]);
     uint64_t total = 0;
     for (int i = 0; i < profile.stages.count; i++) {
         total += profile.stages.name[i].instructions;

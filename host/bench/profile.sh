@@ -46,4 +46,13 @@ awk '
 rm -f "$table.addresses" "$table.symbols" "$table.lines"
 
 "$@" -display none -monitor none -serial null -d in_asm,exec,nochain -D /dev/stdout -kernel "$program" </dev/null 2>/dev/null |
-    "$profile" "$table"
+    "$profile" "$table" "${program%.elf}.counts"
+
+# FUNCTIONS: their disassembly, with how often each instruction ran.
+for name in ${FUNCTIONS:-}; do
+    printf '\n%12s  %s\n' executed "$name"
+    "${prefix}objdump" -d --no-show-raw-insn --disassemble="$name" "$program" | awk '
+        NR == FNR { count[$1] = $2; next }
+        /^ *[0-9a-f]+:/ { address = $1; sub(/:.*/, "", address); printf "%12s  %s\n", count[address], $0; next }
+        /^[0-9a-f]+ </ { print "              " $0 }' "${program%.elf}.counts" -
+done

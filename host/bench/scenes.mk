@@ -4,6 +4,7 @@
 #   make bench BENCH_CORES="cortex-m3" BENCH_SCENES="S1 S3"     some of it, in seconds
 
 BENCH_SCENES ?=
+PROFILE_CORE ?= cortex-m3
 
 # The M4 is an M4F: with a hard-float ABI, though nothing here computes in floating point.
 BENCH_FPU_cortex-m4 := -mfpu=fpv4-sp-d16 -mfloat-abi=hard
@@ -50,7 +51,7 @@ $(SCENE_DIR)/$1/scenes.txt: $(SCENE_DIR)/$1/bench.elf
 endef
 scene_objects = $(addsuffix .o,$(basename $(addprefix $(SCENE_DIR)/$1/,$(SCENE_SOURCES) port/boards/common/memory.c \
                 $(wildcard port/boards/$2/*.[cS]))))
-$(foreach core,$(BENCH_CORES),$(eval $(call scene_rules,$(core),$(notdir $(call bench_board,$(core))),$(call \
+$(foreach core,$(sort $(BENCH_CORES) $(PROFILE_CORE)),$(eval $(call scene_rules,$(core),$(notdir $(call bench_board,$(core))),$(call \
     scene_objects,$(core),$(notdir $(call bench_board,$(core)))))))
 
 SCENE_HOST := $(BUILD)/bench/bench_host
@@ -77,8 +78,8 @@ bench: ## Count the instructions of every benchmark scene on emulated cores: bui
 bench-lines: $(SCENE_DIR)/host.txt $(BENCH_PRESENT:%=$(SCENE_DIR)/%/scenes.txt)
 
 # Profile --------------------------------------------------------------------------------------------
+# FUNCTIONS="qtri_rows_next draw": also their disassembly, with how often each instruction ran.
 
-PROFILE_CORE   ?= cortex-m3
 PROFILE_SCENES := $(or $(BENCH_SCENES),$(if $(filter %/spot.obj,$(SCENE_MODELS)),S4 S5 S7,S4k S5k S7k))
 PROFILE_TOOL   := $(SCENE_DIR)/profile
 
@@ -100,12 +101,18 @@ $(PROFILE_SCENES:%=$(profile_dir)/%.elf): $(profile_dir)/%.elf: $(profile_dir)/p
 
 profile_prefix := $(patsubst %gcc,%,$(firstword $(call bench_cc,$(PROFILE_CORE))))
 
+profile_present := $(and $(call bench_has,$(call bench_cc,$(PROFILE_CORE))),$(call bench_has,$(call bench_emulator,$(PROFILE_CORE))))
+
 .PHONY: bench-profile profile-programs
-bench-profile: ## Instructions per stage and function of S4 S5 S7; PROFILE_CORE=cortex-m0plus BENCH_SCENES="S3 S4"
+bench-profile: ## Instructions per stage and function of S4 S5 S7; PROFILE_CORE=cortex-m0plus BENCH_SCENES="S3 S4" FUNCTIONS=...
+ifeq ($(profile_present),)
+	@echo "bench-profile: skipped: $(PROFILE_CORE): no compiler or emulator (make setup)"
+else
 	@$(MAKE) -s $(PARALLEL) profile-programs
 	@$(foreach scene,$(PROFILE_SCENES),echo; echo "== $(scene), $(PROFILE_CORE)"; \
-	    sh host/bench/profile.sh $(profile_dir)/$(scene).elf $(PROFILE_TOOL) $(profile_prefix) \
+	    FUNCTIONS='$(FUNCTIONS)' sh host/bench/profile.sh $(profile_dir)/$(scene).elf $(PROFILE_TOOL) $(profile_prefix) \
 	        $(call bench_emulator,$(PROFILE_CORE)) || exit 1;)
+endif
 
 profile-programs: $(PROFILE_TOOL) $(PROFILE_SCENES:%=$(profile_dir)/%.elf)
 

@@ -5,7 +5,7 @@ SIZE_DIR      := $(BENCH_DIR)/size
 SIZE_APPS     := textured flat
 SIZE_VARIANTS := $(foreach core,$(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_PRESENT)),$(core)-Os $(core)-O2)
 SIZE_SOURCES  := $(wildcard core/*/*.c) host/bench/size_board.c port/boards/common/memory.c
-SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -fstack-usage
+SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -fstack-usage -fcallgraph-info=su
 
 # $1: core-optimization; $2: core; $3: optimization; $4: the start-up code's board.
 define size_rules
@@ -37,6 +37,14 @@ size: ## Bytes of code, constants, static RAM and stack of a textured and of the
 	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_APPS)" $(SIZE_VARIANTS)
 
 size-lines: $(foreach variant,$(SIZE_VARIANTS),$(SIZE_APPS:%=$(SIZE_DIR)/$(variant)/%.txt))
+
+SIZE_VARIANT ?= cortex-m0plus-Os
+SIZE_APP     ?= textured
+
+.PHONY: size-functions
+size-functions: $(if $(SIZE_VARIANTS),$(SIZE_DIR)/$(SIZE_VARIANT)/$(SIZE_APP).elf) ## Files, functions and call chains behind `make size`; SIZE_VARIANT=cortex-m3-O2 SIZE_APP=flat
+	@$(if $(SIZE_VARIANTS),sh host/bench/size_functions.sh $(SIZE_DIR)/$(SIZE_VARIANT) $(SIZE_APP),\
+	    echo "size-functions: skipped: no compiler or emulator (make setup)")
 
 # Budgets: what `make check-budgets` compares with.
 
