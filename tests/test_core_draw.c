@@ -12,6 +12,10 @@ typedef struct full_mesh {
     qtri_vec2 uv[VERTICES];
     qtri_rgb color[VERTICES];
     uint16_t triangle[TRIANGLES][3];
+    qtri_position16 position16[VERTICES];
+    qtri_normal8 normal8[VERTICES];
+    qtri_uv16 uv16[VERTICES];
+    uint8_t triangle8[TRIANGLES][3];
     qtri_mesh mesh;
 } full_mesh;
 
@@ -63,6 +67,30 @@ static void random_mesh(full_mesh *m, uint64_t *seed)
                       .vertex_count = VERTICES,
                       .triangle_count = TRIANGLES};
     m->mesh = mesh;
+}
+
+/* Some of its arrays in the compact form. */
+static void compact_mesh(full_mesh *m, uint64_t *seed)
+{
+    for (int i = 0; i < VERTICES; i++) {
+        const qtri_position16 p = {(int16_t)random64(seed), (int16_t)random64(seed),
+                                   (int16_t)random64(seed)};
+        const qtri_normal8 n = {(int8_t)(m->normal[i].x / 129), (int8_t)(m->normal[i].y / 129),
+                                (int8_t)(m->normal[i].z / 129)};
+        m->position16[i] = p;
+        m->normal8[i] = n;
+        m->uv16[i].x = (int16_t)random64(seed);
+        m->uv16[i].y = (int16_t)random64(seed);
+    }
+    for (int i = 0; i < TRIANGLES * 3; i++) {
+        m->triangle8[i / 3][i % 3] = (uint8_t)m->triangle[i / 3][i % 3];
+    }
+    m->mesh.positions16 = random_flag(seed) ? m->position16 : NULL;
+    m->mesh.origin.x = random_in(seed, -50000, 50000);
+    m->mesh.extent = random_in(seed, 100000, 250000);
+    m->mesh.normals8 = random_flag(seed) ? m->normal8 : NULL;
+    m->mesh.uvs16 = random_flag(seed) ? m->uv16 : NULL;
+    m->mesh.triangles8 = random_flag(seed) ? (const uint8_t(*)[3])m->triangle8 : NULL;
 }
 
 static qtri_material random_material(uint64_t *seed)
@@ -122,6 +150,9 @@ static void any_scratch_size(void **state)
         qtri_transform pose;
         qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(0.3), Q16(0.9)};
         random_mesh(&m, &seed);
+        if (n % 2 != 0) {
+            compact_mesh(&m, &seed);
+        }
         random_view(&view, &seed);
         random_pose(&pose, &seed);
         qtri_material material = random_material(&seed);
@@ -240,6 +271,132 @@ static void inside_a_box(void **state)
         }
     }
     canvas_free(&c);
+}
+
+/*
+ * Compact arrays that hold the same numbers as the wide ones give the same picture, but for the
+ * pixels where a rounding of the position in 2^28 shows.
+ */
+static void compact_equals_wide(void **state)
+{
+    (void)state;
+    static full_mesh m;
+    static qtri_vertex scratch[VERTICES];
+    uint64_t seed = 107;
+    int different = 0;
+    int total = 0;
+    for (int n = 0; n < 400; n++) {
+        qtri_view view;
+        qtri_transform pose;
+        qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(0.3), Q16(0.9)};
+        random_mesh(&m, &seed);
+        random_view(&view, &seed);
+        random_pose(&pose, &seed);
+        compact_mesh(&m, &seed);
+        m.mesh.positions16 = m.position16;
+        m.mesh.normals8 = NULL;
+        m.mesh.extent = 4 * 32768;
+        qtri_mesh wide = m.mesh;
+        for (int i = 0; i < VERTICES; i++) {
+            m.position[i].x = m.mesh.origin.x + 4 * m.position16[i].x;
+            m.position[i].y = m.mesh.origin.y + 4 * m.position16[i].y;
+            m.position[i].z = m.mesh.origin.z + 4 * m.position16[i].z;
+            m.uv[i].x = m.uv16[i].x * 4;
+            m.uv[i].y = m.uv16[i].y * 4;
+        }
+        wide.positions16 = NULL;
+        wide.uvs = m.mesh.uvs16 != NULL ? m.uv : wide.uvs;
+        wide.uvs16 = NULL;
+        wide.triangles8 = NULL;
+        view.light = &light;
+        view.vertices = scratch;
+        view.vertex_count = VERTICES;
+        qtri_material material = random_material(&seed);
+        canvas a = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+        canvas b = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+        qtri_draw_mesh(&a.surface, &view, &pose, &m.mesh, &material);
+        qtri_draw_mesh(&b.surface, &view, &pose, &wide, &material);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            uint32_t one = stored_pixel(&a.surface, i % WIDTH, i / WIDTH);
+            uint32_t two = stored_pixel(&b.surface, i % WIDTH, i / WIDTH);
+            bool close = true;
+            for (int shift = 0; shift < 24; shift += 8) {
+                close &= abs((int)(one >> shift & 255) - (int)(two >> shift & 255)) <= 1;
+            }
+            different += !close;
+            total += one != 0;
+        }
+        canvas_free(&a);
+        canvas_free(&b);
+    }
+    print_message("compact: %d of %d pixels differ\n", different, total);
+    assert_true(total > 30000);
+    assert_true(different <= total / 1000);
+}
+
+/* A box around the mesh never changes the picture, and does keep a mesh out of sight from work. */
+static void bounds(void **state)
+{
+    (void)state;
+    static full_mesh m;
+    static qtri_vertex scratch[VERTICES];
+    uint64_t seed = 108;
+    int skipped = 0;
+    int empty = 0;
+    for (int n = 0; n < 3000; n++) {
+        qtri_view view;
+        qtri_transform pose;
+        random_mesh(&m, &seed);
+        random_view(&view, &seed);
+        random_pose(&pose, &seed);
+        int32_t shift = random_in(&seed, 0, 8);
+        qtri_vec3 away = {random_in(&seed, -600000, 600000), random_in(&seed, -600000, 600000),
+                          random_in(&seed, -600000, 600000)};
+        qtri_vec3 low = away;
+        qtri_vec3 high = away;
+        for (int i = 0; i < VERTICES; i++) {
+            qtri_vec3 *p = &m.position[i];
+            p->x = away.x + (p->x >> shift);
+            p->y = away.y + (p->y >> shift);
+            p->z = away.z + (p->z >> shift);
+            low.x = p->x < low.x ? p->x : low.x;
+            low.y = p->y < low.y ? p->y : low.y;
+            low.z = p->z < low.z ? p->z : low.z;
+            high.x = p->x > high.x ? p->x : high.x;
+            high.y = p->y > high.y ? p->y : high.y;
+            high.z = p->z > high.z ? p->z : high.z;
+        }
+        qtri_box box = {
+            {(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2},
+            {(high.x - low.x) / 2 + 1, (high.y - low.y) / 2 + 1, (high.z - low.z) / 2 + 1}};
+        qtri_material material = random_material(&seed);
+        int32_t first = random_in(&seed, 0, HEIGHT - 1);
+        canvas a = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, first, random_in(&seed, 1, HEIGHT));
+        canvas b = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, first, a.surface.rows);
+        view.vertices = scratch;
+        view.vertex_count = VERTICES;
+        m.mesh.bounds = box;
+        memset(scratch, 0x77, sizeof scratch);
+        qtri_draw_mesh(&a.surface, &view, &pose, &m.mesh, &material);
+        bool untouched = scratch[0].inv_w == 0x77777777u && scratch[1].inv_w == 0x77777777u;
+        qtri_box unknown = {{0, 0, 0}, {0, 0, 0}};
+        m.mesh.bounds = unknown;
+        qtri_draw_mesh(&b.surface, &view, &pose, &m.mesh, &material);
+        assert_same_picture(&a.surface, &b.surface);
+        skipped += untouched;
+        bool any = false;
+        for (int32_t y = first; y < first + b.surface.rows; y++) {
+            for (int32_t x = 0; x < WIDTH; x++) {
+                any |= stored_depth(&b.surface, x, y) != 65535;
+            }
+        }
+        empty += !any;
+        canvas_free(&a);
+        canvas_free(&b);
+    }
+    print_message("bounds: %d of 3000 skipped, %d show nothing\n", skipped, empty);
+    assert_true(skipped > 1000);
+    assert_true(skipped <= empty);
 }
 
 static double element(const qtri_transform *t, int i, int j)
@@ -487,6 +644,17 @@ static void garbage(void **state)
                           .triangles = (const uint16_t(*)[3])m.triangle,
                           .vertex_count = VERTICES,
                           .triangle_count = TRIANGLES};
+        fill_random(m.position16, sizeof m.position16, &seed);
+        fill_random(m.normal8, sizeof m.normal8, &seed);
+        fill_random(m.uv16, sizeof m.uv16, &seed);
+        fill_random(&mesh.origin, sizeof mesh.origin, &seed);
+        mesh.positions16 = random_flag(&seed) ? m.position16 : NULL;
+        mesh.normals8 = random_flag(&seed) ? m.normal8 : NULL;
+        mesh.uvs16 = random_flag(&seed) ? m.uv16 : NULL;
+        mesh.extent = random_any(&seed);
+        if (random_flag(&seed)) {
+            fill_random(&mesh.bounds, sizeof mesh.bounds, &seed);
+        }
         view.light = random_flag(&seed) ? &light : NULL;
         view.vertices = random_flag(&seed) ? scratch : NULL;
         view.vertex_count = view.vertices != NULL ? VERTICES : 0;
@@ -515,7 +683,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_scratch_size), cmocka_unit_test(corners_equal_mesh),
-        cmocka_unit_test(inside_a_box),     cmocka_unit_test(lit),
+        cmocka_unit_test(inside_a_box),     cmocka_unit_test(compact_equals_wide),
+        cmocka_unit_test(bounds),           cmocka_unit_test(lit),
         cmocka_unit_test(nothing_to_draw),  cmocka_unit_test(homogeneous),
         cmocka_unit_test(garbage),
     };

@@ -157,57 +157,175 @@ static void pictures(void **state)
     canvas_free(&c);
 }
 
+/* Stored channels as the format has them, and 255 in its steps. */
+static void channels_of(qtri_format format, uint32_t pixel, double channel[3], double steps[3])
+{
+    static const int shift[2][3] = {{11, 5, 0}, {16, 8, 0}};
+    static const int bits[2][3] = {{5, 6, 5}, {8, 8, 8}};
+    for (int i = 0; i < 3; i++) {
+        uint32_t most = (1u << bits[format][i]) - 1;
+        steps[i] = most;
+        channel[i] = pixel >> shift[format][i] & most;
+    }
+}
+
+/* Where the line is at the pixel: 0 at v[0], 1 at v[1]. */
+static double along_line(const qtri_screen_vertex v[2], int32_t x, int32_t y)
+{
+    bool steep = distance(v[0].y_24p8, v[1].y_24p8) > distance(v[0].x_24p8, v[1].x_24p8);
+    int32_t from = steep ? v[0].y_24p8 : v[0].x_24p8;
+    int32_t to = steep ? v[1].y_24p8 : v[1].x_24p8;
+    return (double)((steep ? y : x) * 256 + 128 - from) / (to - from);
+}
+
+static void measure(const qtri_surface *s, const qtri_screen_vertex v[2], double *color,
+                    double *depth)
+{
+    for (int32_t i = 0; i < s->width * s->height; i++) {
+        int32_t x = i % s->width;
+        int32_t y = i / s->width;
+        if (stored_depth(s, x, y) == 65535) {
+            continue;
+        }
+        double t = along_line(v, x, y);
+        double channel[3];
+        double steps[3];
+        channels_of(s->format, stored_pixel(s, x, y), channel, steps);
+        for (int c = 0; c < 3; c++) {
+            double exact =
+                v[0].color_8p16[c] + t * ((double)v[1].color_8p16[c] - v[0].color_8p16[c]);
+            *color = fmax(*color, fabs(channel[c] - exact / 65536 * steps[c] / 255));
+        }
+        double exact = v[0].depth_16p16 + t * ((double)v[1].depth_16p16 - (double)v[0].depth_16p16);
+        *depth = fmax(*depth, fabs(stored_depth(s, x, y) - exact / 65536));
+    }
+}
+
+static void random_attributes(uint64_t *seed, qtri_screen_vertex v[2])
+{
+    for (int i = 0; i < 2; i++) {
+        v[i].depth_16p16 = (uint32_t)random_in(seed, 0, 65534 * 32768) * 2;
+        for (int c = 0; c < 3; c++) {
+            v[i].color_8p16[c] = random_in(seed, 0, 255 << 16);
+        }
+    }
+    if (random_in(seed, 0, 3) == 0) {
+        v[0].depth_16p16 = 0;
+        v[1].depth_16p16 = (uint32_t)65534 << 16;
+    }
+    if (random_in(seed, 0, 3) == 0) {
+        memcpy(v[1].color_8p16, v[0].color_8p16, sizeof v[1].color_8p16);
+    }
+}
+
 static void values(void **state)
 {
     (void)state;
-    double worst_color = 0;
-    double worst_depth = 0;
-    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    static const struct {
+        qtri_format format;
+        int32_t width, height;
+    } sizes[] = {{QTRI_XRGB8888, WIDTH, HEIGHT},
+                 {QTRI_RGB565, WIDTH, HEIGHT},
+                 {QTRI_XRGB8888, 5000, 3},
+                 {QTRI_RGB565, 2, 3000},
+                 {QTRI_RGB565, 127, 4}};
     uint64_t seed = 73;
-    for (int n = 0; n < 4000; n++) {
-        qtri_material material = plain_material();
-        material.depth_compare = QTRI_ALWAYS;
-        qtri_screen_vertex v[2];
-        for (int i = 0; i < 2; i++) {
-            point p = random_point(&seed, n % 2 ? 6000 : 4000000);
-            v[i] = screen_at(p.x, p.y);
-            v[i].depth_16p16 = (uint32_t)random_in(&seed, 0, 65535 * 32768) * 2;
-            v[i].color_8p16[0] = random_in(&seed, 0, 255 << 16);
-        }
-        canvas_clear(&c);
-        qtri_raster_line(&c.surface, &material, v);
-        bool steep = distance(v[0].y_24p8, v[1].y_24p8) > distance(v[0].x_24p8, v[1].x_24p8);
-        int32_t from = steep ? v[0].y_24p8 : v[0].x_24p8;
-        int32_t to = steep ? v[1].y_24p8 : v[1].x_24p8;
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            int32_t x = i % WIDTH;
-            int32_t y = i / WIDTH;
-            if (stored_pixel(&c.surface, x, y) == 0) {
-                continue;
+    for (size_t i = 0; i < LENGTH_OF(sizes); i++) {
+        double color = 0;
+        double depth = 0;
+        canvas c = canvas_new(sizes[i].format, sizes[i].width, sizes[i].height);
+        int lines = sizes[i].width == WIDTH ? 4000 : 100;
+        for (int n = 0; n < lines; n++) {
+            qtri_material material = plain_material();
+            material.depth_compare = QTRI_LESS;
+            qtri_screen_vertex v[2];
+            for (int end = 0; end < 2; end++) {
+                point p = {random_in(&seed, 0, sizes[i].width * 256),
+                           random_in(&seed, 0, sizes[i].height * 256)};
+                p = lines == 100 ? p : random_point(&seed, n % 2 ? 5000 : 4000000);
+                v[end] = screen_at(p.x, p.y);
             }
-            double t = (double)((steep ? y : x) * 256 + 128 - from) / (to - from);
-            double color = v[0].color_8p16[0] + t * (v[1].color_8p16[0] - v[0].color_8p16[0]);
-            double depth =
-                v[0].depth_16p16 + t * ((double)v[1].depth_16p16 - (double)v[0].depth_16p16);
-            double is = stored_pixel(&c.surface, x, y) >> 16;
-            worst_color = fmax(worst_color, fabs(is - color / 65536));
-            worst_depth = fmax(worst_depth, fabs(stored_depth(&c.surface, x, y) - depth / 65536));
+            random_attributes(&seed, v);
+            canvas_clear(&c);
+            qtri_raster_line(&c.surface, &material, v);
+            measure(&c.surface, v, &color, &depth);
         }
+        print_message("%d x %d, %s: colour %.4f of a step, depth %.4f of 65535\n",
+                      (int)sizes[i].width, (int)sizes[i].height,
+                      sizes[i].format == QTRI_RGB565 ? "RGB565" : "XRGB8888", color, depth);
+        assert_true(color > .4 && color <= .504);
+        assert_true(depth > .4 && depth <= .505);
+        canvas_free(&c);
     }
-    print_message("along lines: colour %.4f of 255, depth %.4f of 65535\n", worst_color,
-                  worst_depth);
-    assert_true(worst_color <= .51);
-    assert_true(worst_depth <= .51);
-    canvas_free(&c);
+}
+
+/*
+ * The fast path needs a pixel and its depth equally far from the first ones, and a line inside the
+ * bounds: without the one or the other the pixels are the same.
+ */
+static void fast_path(void **state)
+{
+    (void)state;
+    enum { SIDE = 300, DEPTH_PITCH = SIDE + 7 };
+    static uint16_t depth[SIDE * DEPTH_PITCH];
+    static const int32_t reach[] = {2, 6, 20, 127, 129, 150, 400};
+    uint64_t seed = 74;
+    for (int n = 0; n < 3000; n++) {
+        qtri_format format = (qtri_format)(n % 3 ? QTRI_RGB565 : random_in(&seed, 0, 2));
+        qtri_material material = plain_material();
+        material.depth_compare = n % 2 ? QTRI_LESS : (qtri_compare)random_in(&seed, 0, 8);
+        material.depth_read_only = n % 7 == 0;
+        bool wide = random_flag(&seed);
+        canvas fast = canvas_new(format, wide ? SIDE : 20, wide ? 20 : SIDE);
+        canvas generic = canvas_new(format, wide ? SIDE : 20, wide ? 20 : SIDE);
+        qtri_surface *f = &fast.surface;
+        qtri_surface *g = &generic.surface;
+        g->depth = depth;
+        g->depth_pitch = DEPTH_PITCH;
+        for (int32_t i = 0; i < f->width * f->height; i++) {
+            uint16_t z = (uint16_t)(random_in(&seed, 0, 3) == 0 ? 30000 : 65535);
+            f->depth[i] = z;
+            depth[i / f->width * DEPTH_PITCH + i % f->width] = z;
+        }
+        if (n % 4 == 0) {
+            qtri_rect part = {random_in(&seed, -9, 25), random_in(&seed, -9, 25),
+                              random_in(&seed, 0, SIDE), random_in(&seed, 0, SIDE)};
+            f->scissor = part;
+        }
+        for (int line = 0; line < 12; line++) {
+            int32_t far_off = reach[random_in(&seed, 0, 6)] * 256;
+            qtri_screen_vertex v[2];
+            point p = {random_in(&seed, 0, f->width * 256), random_in(&seed, 0, f->height * 256)};
+            v[0] = screen_at(p.x, p.y);
+            v[1] = screen_at(p.x + random_in(&seed, -far_off, far_off),
+                             p.y + random_in(&seed, -far_off, far_off));
+            random_attributes(&seed, v);
+            qtri_raster_line(f, &material, v);
+            qtri_raster_line(g, &material, v);
+        }
+        qtri_rect bounds = qtri_surface_bounds(f);
+        for (int32_t i = 0; i < f->width * f->height; i++) {
+            int32_t x = i % f->width;
+            int32_t y = i / f->width;
+            bool inside = x >= bounds.x0 && x < bounds.x1 && y >= bounds.y0 && y < bounds.y1;
+            uint32_t expected = inside ? stored_pixel(g, x, y) : 0;
+            if (stored_pixel(f, x, y) != expected ||
+                (inside && stored_depth(f, x, y) != stored_depth(g, x, y))) {
+                fail_msg("%d: pixel %d,%d: %x and %x, depth %u and %u", n, (int)x, (int)y,
+                         (unsigned)stored_pixel(f, x, y), (unsigned)expected, stored_depth(f, x, y),
+                         stored_depth(g, x, y));
+            }
+        }
+        canvas_free(&fast);
+        canvas_free(&generic);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rule),
-        cmocka_unit_test(chains),
-        cmocka_unit_test(pictures),
-        cmocka_unit_test(values),
+        cmocka_unit_test(rule),   cmocka_unit_test(chains),    cmocka_unit_test(pictures),
+        cmocka_unit_test(values), cmocka_unit_test(fast_path),
     };
     return cmocka_run_group_tests_name("core line", tests, NULL, NULL);
 }

@@ -2,6 +2,9 @@
 #include "../math/dot.h"
 #include "primitive.h"
 
+/* Vertices from which on a look at eight corners pays. */
+enum { WORTH_A_BOX = 64 };
+
 /* One draw call: what every triangle needs. */
 typedef struct mesh_draw {
     qtri_primitive primitive;
@@ -10,7 +13,8 @@ typedef struct mesh_draw {
     const qtri_mesh *mesh;
     qtri_vertex *vertices; /* slot_count of them */
     uint32_t slot_count;
-    bool lit, lit_per_vertex;
+    bool lit_per_vertex, lit_per_face;
+    bool more; /* colours of their own or a texture */
     qtri_lighting lighting;
 } mesh_draw;
 
@@ -24,22 +28,43 @@ static bool transform(const mesh_draw *draw, uint32_t first, uint32_t count, qtr
     return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
 }
 
-static uint32_t face_intensity(const mesh_draw *draw, const uint32_t index[3])
+/* Of corner 0..2 of the triangle whose indices these are. */
+static inline uint32_t index_of(const qtri_mesh *mesh, const void *indices, int corner)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    if (mesh->positions16 == NULL) {
-        return qtri_lighting_face(&draw->lighting, &mesh->positions[index[0]],
-                                  &mesh->positions[index[1]], &mesh->positions[index[2]]);
-    }
-    return qtri_lighting_face16(&draw->lighting, &mesh->positions16[index[0]],
-                                &mesh->positions16[index[1]], &mesh->positions16[index[2]]);
+    const uint16_t *wide = indices;
+    const uint8_t *narrow = indices;
+    return mesh->triangles8 != NULL ? narrow[corner] : wide[corner];
 }
 
-static uint32_t vertex_intensity(const mesh_draw *draw, uint32_t index)
+static uint32_t face_intensity(const mesh_draw *draw, const void *indices)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    uint32_t a = index_of(mesh, indices, 0);
+    uint32_t b = index_of(mesh, indices, 1);
+    uint32_t c = index_of(mesh, indices, 2);
+    if (mesh->positions16 != NULL) {
+        const qtri_position16 *p = mesh->positions16;
+        return qtri_lighting_face16(&draw->lighting, &p[a], &p[b], &p[c]);
+    }
+    const qtri_vec3 *p = mesh->positions;
+    return qtri_lighting_face(&draw->lighting, &p[a], &p[b], &p[c]);
+}
+
+QTRI_NOINLINE static uint32_t light_vertex(const mesh_draw *draw, uint32_t index)
 {
     const qtri_mesh *mesh = draw->mesh;
     return mesh->normals8 != NULL ? qtri_lighting_vertex8(&draw->lighting, &mesh->normals8[index])
                                   : qtri_lighting_vertex(&draw->lighting, &mesh->normals[index]);
+}
+
+/* Computed when it is first needed. */
+static inline uint32_t vertex_intensity(const mesh_draw *draw, const void *indices, int corner,
+                                        qtri_vertex *vertex)
+{
+    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
+        vertex->intensity_q15 = (uint16_t)light_vertex(draw, index_of(draw->mesh, indices, corner));
+    }
+    return vertex->intensity_q15;
 }
 
 static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
@@ -56,42 +81,29 @@ static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32
     }
 }
 
-/* Light on a corner: of the vertex, computed when it is first needed, or of the face. */
-static uint32_t corner_intensity(const mesh_draw *draw, uint32_t index, qtri_vertex *vertex,
-                                 uint32_t face)
-{
-    if (!draw->lit_per_vertex) {
-        return face;
-    }
-    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
-        vertex->intensity_q15 = (uint16_t)vertex_intensity(draw, index);
-    }
-    return vertex->intensity_q15;
-}
-
-static uint32_t light_on_face(const mesh_draw *draw, const uint32_t index[3])
-{
-    return draw->lit && !draw->lit_per_vertex ? face_intensity(draw, index) : QTRI_INTENSITY_ONE;
-}
-
 /* Colours, light and texture coordinates of a triangle that is clipped or drawn as lines. */
-static void set_attributes(const mesh_draw *draw, const uint32_t index[3],
-                           qtri_vertex *const vertex[3], qtri_screen_vertex out[3])
+static void set_attributes(const mesh_draw *draw, const void *indices, qtri_vertex *const vertex[3],
+                           qtri_screen_vertex out[3])
 {
     const qtri_mesh *mesh = draw->mesh;
-    const uint32_t face = light_on_face(draw, index);
+    uint32_t intensity_q15 =
+        draw->lit_per_face ? face_intensity(draw, indices) : QTRI_INTENSITY_ONE;
     for (int i = 0; i < 3; i++) {
-        int32_t intensity = (int32_t)corner_intensity(draw, index[i], vertex[i], face) * 2;
-        qtri_rgb color = mesh->colors != NULL ? mesh->colors[index[i]] : draw->material.color;
+        if (draw->lit_per_vertex) {
+            intensity_q15 = vertex_intensity(draw, indices, i, vertex[i]);
+        }
+        uint32_t index = index_of(mesh, indices, i);
+        int32_t intensity = (int32_t)intensity_q15 * 2;
+        qtri_rgb color = mesh->colors != NULL ? mesh->colors[index] : draw->material.color;
         out[i].color_8p16[0] = color.r * intensity; /* <= 255.0 */
         out[i].color_8p16[1] = color.g * intensity;
         out[i].color_8p16[2] = color.b * intensity;
-        set_uv(&out[i].u_q32, &out[i].v_q32, mesh, index[i]);
+        set_uv(&out[i].u_q32, &out[i].v_q32, mesh, index);
     }
 }
 
 /* Rare: homogeneous coordinates are not kept but computed again. */
-QTRI_NOINLINE static void draw_clipped(const mesh_draw *draw, const uint32_t index[3],
+QTRI_NOINLINE static void draw_clipped(const mesh_draw *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
 {
     unsigned common = QTRI_VERTEX_OUTCODE;
@@ -106,51 +118,20 @@ QTRI_NOINLINE static void draw_clipped(const mesh_draw *draw, const uint32_t ind
     qtri_screen_vertex screen[3];
     const qtri_projector *projector = &draw->primitive.projector;
     for (int i = 0; i < 3; i++) {
+        uint32_t index = index_of(draw->mesh, indices, i);
         if (draw->mesh->positions16 != NULL) {
-            qtri_projector_point16(projector, &draw->mesh->positions16[index[i]], &clip[i]);
+            qtri_projector_point16(projector, &draw->mesh->positions16[index], &clip[i]);
         } else {
-            qtri_projector_point(projector, &draw->mesh->positions[index[i]], &clip[i]);
+            qtri_projector_point(projector, &draw->mesh->positions[index], &clip[i]);
         }
     }
-    set_attributes(draw, index, vertex, screen);
+    set_attributes(draw, indices, vertex, screen);
     qtri_primitive_triangle(&draw->primitive, clip, screen);
 }
 
 static inline bool is_inside(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c)
 {
     return ((a->depth_16p8 | b->depth_16p8 | c->depth_16p8) & QTRI_VERTEX_OUTSIDE) == 0;
-}
-
-/* The indices at a triangle's place in the mesh. */
-static void read_indices(uint32_t index[3], const void *triangle, bool narrow)
-{
-    const uint16_t *wide = triangle;
-    const uint8_t *bytes = triangle;
-    for (int i = 0; i < 3; i++) {
-        index[i] = narrow ? bytes[i] : wide[i];
-    }
-}
-
-/* Colours of a solid triangle, in units of the target or as shares of the mesh's one colour. */
-static void set_colors(const mesh_draw *draw, const uint32_t index[3], qtri_vertex *const vertex[3],
-                       qtri_attributes out[3])
-{
-    const qtri_mesh *mesh = draw->mesh;
-    const uint32_t face = light_on_face(draw, index);
-    for (int i = 0; i < 3; i++) {
-        int32_t intensity = (int32_t)corner_intensity(draw, index[i], vertex[i], face);
-        out[i].color[0] = intensity << 9; /* Q15 to Q24 */
-        if (mesh->colors != NULL) {
-            const qtri_rgb *color = &mesh->colors[index[i]];
-            int32_t color_8p16[3] = {color->r * intensity * 2, color->g * intensity * 2,
-                                     color->b * intensity * 2};
-            qtri_channels channels =
-                qtri_channels_from_color(draw->primitive.surface->format, color_8p16);
-            out[i].color[0] = channels.c[0];
-            out[i].color[1] = channels.c[1];
-            out[i].color[2] = channels.c[2];
-        }
-    }
 }
 
 /* Twice the area in 1/256 pixel squared; negative is counter-clockwise to the eye. */
@@ -161,33 +142,59 @@ static inline int64_t area_of(const qtri_screen_point *a, const qtri_screen_poin
            qtri_mul_s32(a->x_24p8 - c->x_24p8, b->y_24p8 - a->y_24p8); /* < 2^24 each */
 }
 
-/* Lit only when it may touch a pixel. */
-static void draw_solid(const mesh_draw *draw, const uint32_t index[3], qtri_vertex *const vertex[3])
+/* What not every mesh has: colours in units of the target, texture coordinates. */
+QTRI_NOINLINE static void set_more(const mesh_draw *draw, uint32_t index, uint32_t intensity_q15,
+                                   qtri_attributes *out)
 {
-    const qtri_raster *raster = &draw->raster;
+    const qtri_mesh *mesh = draw->mesh;
+    if (mesh->colors != NULL) {
+        const qtri_rgb *color = &mesh->colors[index];
+        int32_t intensity = (int32_t)intensity_q15 * 2;
+        int32_t color_8p16[3] = {color->r * intensity, color->g * intensity, color->b * intensity};
+        qtri_channels channels =
+            qtri_channels_from_color(draw->primitive.surface->format, color_8p16);
+        out->color[0] = channels.c[0];
+        out->color[1] = channels.c[1];
+        out->color[2] = channels.c[2];
+    }
+    if (draw->raster.texture != NULL) {
+        set_uv(&out->u_q32, &out->v_q32, mesh, index);
+    }
+}
+
+/* Lit only when it may touch a pixel. */
+static void draw_solid(const mesh_draw *draw, const void *indices, qtri_vertex *const vertex[3])
+{
     qtri_triangle triangle;
     for (int i = 0; i < 3; i++) {
         triangle.p[i] = &vertex[i]->at;
     }
     triangle.area = area_of(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at);
-    if (triangle.area == 0 || !qtri_triangle_begin(raster, &triangle)) {
+    if (triangle.area == 0 || !qtri_triangle_begin(&draw->raster, &triangle)) {
         return;
     }
     qtri_attributes attributes[3];
-    set_colors(draw, index, vertex, attributes);
+    uint32_t intensity_q15 = QTRI_INTENSITY_ONE;
+    if (draw->lit_per_face) {
+        intensity_q15 = face_intensity(draw, indices);
+    }
     for (int i = 0; i < 3; i++) {
+        if (draw->lit_per_vertex) {
+            intensity_q15 = vertex_intensity(draw, indices, i, vertex[i]);
+        }
         attributes[i].depth_16p16 = vertex[i]->depth_16p8 & ~0xFFu;
         attributes[i].inv_w_q31 = vertex[i]->inv_w;
         attributes[i].inv_w_exponent = (int32_t)(vertex[i]->depth_16p8 & 0xFFu);
-        if (raster->texture != NULL) {
-            set_uv(&attributes[i].u_q32, &attributes[i].v_q32, draw->mesh, index[i]);
+        attributes[i].color[0] = (int32_t)(intensity_q15 << 9); /* Q24 of the one colour */
+        if (draw->more) {
+            set_more(draw, index_of(draw->mesh, indices, i), intensity_q15, &attributes[i]);
         }
     }
-    qtri_triangle_draw(raster, &triangle, attributes);
+    qtri_triangle_draw(&draw->raster, &triangle, attributes);
 }
 
-static void draw_wireframe(const mesh_draw *draw, const uint32_t index[3],
-                           qtri_vertex *const vertex[3])
+QTRI_NOINLINE static void draw_wireframe(const mesh_draw *draw, const void *indices,
+                                         qtri_vertex *const vertex[3])
 {
     qtri_screen_vertex screen[3];
     for (int i = 0; i < 3; i++) {
@@ -197,22 +204,20 @@ static void draw_wireframe(const mesh_draw *draw, const uint32_t index[3],
         screen[i].inv_w_q31 = vertex[i]->inv_w;
         screen[i].inv_w_exponent = (int32_t)(vertex[i]->depth_16p8 & 0xFFu);
     }
-    set_attributes(draw, index, vertex, screen);
+    set_attributes(draw, indices, vertex, screen);
     qtri_primitive_screen_triangle(&draw->primitive, screen);
 }
 
 /* A triangle that crosses a plane or was not culled. */
-QTRI_NOINLINE static void draw_seen(const mesh_draw *draw, const void *triangle,
+QTRI_NOINLINE static void draw_seen(const mesh_draw *draw, const void *indices,
                                     qtri_vertex *const vertex[3])
 {
-    uint32_t index[3];
-    read_indices(index, triangle, draw->mesh->triangles8 != NULL);
     if (!is_inside(vertex[0], vertex[1], vertex[2])) {
-        draw_clipped(draw, index, vertex);
+        draw_clipped(draw, indices, vertex);
     } else if (draw->material.fill == QTRI_SOLID) {
-        draw_solid(draw, index, vertex);
+        draw_solid(draw, indices, vertex);
     } else {
-        draw_wireframe(draw, index, vertex);
+        draw_wireframe(draw, indices, vertex);
     }
 }
 
@@ -244,6 +249,16 @@ static inline bool is_back(const qtri_screen_point *a, const qtri_screen_point *
     }
 #endif
     return area_of(a, b, c) >= 0;
+}
+
+/* The indices at a triangle's place in the mesh. */
+static void read_indices(uint32_t index[3], const void *triangle, bool narrow)
+{
+    const uint16_t *wide = triangle;
+    const uint8_t *bytes = triangle;
+    for (int i = 0; i < 3; i++) {
+        index[i] = narrow ? bytes[i] : wide[i];
+    }
 }
 
 /*
@@ -341,6 +356,59 @@ QTRI_NOINLINE static void draw_by_slots(const mesh_draw *draw)
     }
 }
 
+static int32_t hold(int32_t x, int32_t low, int32_t high)
+{
+    return x < low ? low : (x > high ? high : x);
+}
+
+/* Whether the mesh cannot touch the surface: not its rows, for a band. */
+static bool is_missed(const mesh_draw *draw, const qtri_surface *surface)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    qtri_box box = mesh->bounds;
+    if ((box.half.x | box.half.y | box.half.z) == 0) {
+        if (mesh->positions16 == NULL || mesh->vertex_count < WORTH_A_BOX) {
+            return false;
+        }
+        box.center = mesh->origin; /* the cube that 16 bits span */
+        box.half.x = mesh->extent;
+        box.half.y = mesh->extent;
+        box.half.z = mesh->extent;
+    }
+    const qtri_rect *scissor = &surface->scissor;
+    const int32_t low[2] = {hold(scissor->x0, 0, surface->width),
+                            hold(scissor->y0, surface->first_row, surface->height)};
+    const int32_t high[2] = {hold(scissor->x1, 0, surface->width),
+                             hold(scissor->y1, 0, surface->first_row + surface->rows)};
+    return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
+}
+
+/* False when there is nothing to draw. A function of its own, so that its stack is free again. */
+QTRI_NOINLINE static bool prepare(mesh_draw *draw, const qtri_surface *surface,
+                                  const qtri_view *view, const qtri_transform *pose)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    qtri_primitive_init(&draw->primitive, surface, view, pose, &draw->material);
+    if (is_missed(draw, surface)) {
+        return false;
+    }
+    draw->raster = draw->primitive.raster;
+    if (mesh->colors == NULL) {
+        qtri_raster_set_tint(&draw->raster, draw->material.color);
+    }
+    draw->more = mesh->colors != NULL || draw->raster.texture != NULL;
+    if (mesh->positions16 != NULL) {
+        qtri_projector_compact(&draw->primitive.projector, &mesh->origin, mesh->extent);
+    }
+    if (view->light != NULL) {
+        qtri_transform object_to_eye;
+        qtri_transform_mul(&object_to_eye, &view->camera, pose);
+        qtri_lighting_init(&draw->lighting, view->light, &object_to_eye,
+                           mesh->normals8 != NULL ? 127 * 128 : 1 << 14);
+    }
+    return true;
+}
+
 void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
                     const qtri_mesh *mesh, const qtri_material *material)
 {
@@ -352,22 +420,11 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     draw.mesh = mesh;
     draw.vertices = view->vertices;
     draw.slot_count = view->vertex_count;
-    draw.lit = view->light != NULL;
-    draw.lit_per_vertex = draw.lit && material->shading == QTRI_SMOOTH &&
+    draw.lit_per_vertex = view->light != NULL && material->shading == QTRI_SMOOTH &&
                           (mesh->normals != NULL || mesh->normals8 != NULL);
-    qtri_primitive_init(&draw.primitive, surface, view, pose, &draw.material);
-    draw.raster = draw.primitive.raster;
-    if (mesh->colors == NULL) {
-        qtri_raster_set_tint(&draw.raster, material->color);
-    }
-    if (mesh->positions16 != NULL) {
-        qtri_projector_compact(&draw.primitive.projector, &mesh->origin, mesh->extent);
-    }
-    if (draw.lit) {
-        qtri_transform object_to_eye;
-        qtri_transform_mul(&object_to_eye, &view->camera, pose);
-        qtri_lighting_init(&draw.lighting, view->light, &object_to_eye,
-                           mesh->normals8 != NULL ? 127 * 128 : 1 << 14);
+    draw.lit_per_face = view->light != NULL && !draw.lit_per_vertex;
+    if (!prepare(&draw, surface, view, pose)) {
+        return;
     }
     if (draw.slot_count >= mesh->vertex_count) {
         draw_whole(&draw);

@@ -10,6 +10,7 @@ void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
     primitive->surface = surface;
     primitive->material = material;
     qtri_raster_init(&primitive->raster, surface, material);
+    qtri_line_job_init(&primitive->line, surface, material);
     qtri_projector_init(&primitive->projector, &object_to_clip, &view->viewport);
 }
 
@@ -46,14 +47,6 @@ static void blend_attributes(qtri_screen_vertex *out, const qtri_screen_vertex a
     out->v_q32 = blend_q16(a[0].v_q32 >> 16, a[1].v_q32 >> 16, a[2].v_q32 >> 16, v);
 }
 
-static void screen_wireframe(const qtri_primitive *primitive, const qtri_screen_vertex v[3])
-{
-    for (int i = 0; i < 3; i++) {
-        qtri_screen_vertex edge[2] = {v[i], v[(i + 1) % 3]};
-        qtri_raster_line(primitive->surface, primitive->material, edge);
-    }
-}
-
 /* Flat: lines and the pieces of a clipped triangle have no provoking vertex of their own. */
 static void spread_provoking(const qtri_material *material, qtri_screen_vertex v[3])
 {
@@ -75,7 +68,7 @@ void qtri_primitive_screen_triangle(const qtri_primitive *primitive, qtri_screen
     } else if (!qtri_primitive_culled(primitive->material,
                                       qtri_primitive_area(&v[0], &v[1], &v[2]))) {
         spread_provoking(primitive->material, v);
-        screen_wireframe(primitive, v);
+        qtri_line_triangle(&primitive->line, v);
     }
 }
 
@@ -159,10 +152,12 @@ void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex
         return;
     }
     qtri_screen_vertex corner[3] = {attributes[0], attributes[1], attributes[1]};
-    qtri_screen_vertex line[2];
+    qtri_line_end line[2];
     for (int i = 0; i < 2; i++) {
-        qtri_project(&primitive->projector, &end[i], &line[i]);
-        blend_attributes(&line[i], corner, &end[i]);
+        qtri_screen_vertex screen;
+        qtri_project(&primitive->projector, &end[i], &screen);
+        blend_attributes(&screen, corner, &end[i]);
+        qtri_line_end_init(&line[i], &primitive->line, &screen);
     }
-    qtri_raster_line(primitive->surface, primitive->material, line);
+    qtri_line_draw(&primitive->line, &line[0], &line[1]);
 }

@@ -7,6 +7,7 @@
 #include "qtri/draw.h"
 
 #include "../geometry/projector.h"
+#include "../raster/line.h"
 #include "../raster/triangle.h"
 
 /* Where a draw call draws to and how. */
@@ -14,6 +15,7 @@ typedef struct qtri_primitive {
     const qtri_surface *surface;
     const qtri_material *material;
     qtri_raster raster; /* of solid triangles */
+    qtri_line_job line; /* of lines and wireframes */
     qtri_projector projector;
 } qtri_primitive;
 

@@ -2,10 +2,11 @@
 
 #include "../math/bits.h"
 #include "row.h"
+#include "row16.h"
 
 /*
- * Sums of rows: the product of two transforms, and the viewport. In 64 bits, a twentieth of the
- * work that wide scalars make of it; those serve what does not fit.
+ * Sums of rows: the product of two transforms, and the viewport. In 64 bits, which is a tenth of
+ * the work that wide scalars make of it; those serve what does not fit.
  */
 
 /*
@@ -67,15 +68,18 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     qtri_row result;
     result.exponent = exponent + least - down;
     result.t = 0;
-    bool fits = add_shifted(&result.t, t, down - least);
-    for (int k = 0; k < count; k++) {
-        if (factor[k] != 0) {
-            int64_t product = 0;
-            fits &= scaled_product(&product, factor[k], row[k]->t, row[k]->exponent - least + down);
-            result.t += product; /* <= 4 2^60 */
-        }
+    if (!add_shifted(&result.t, t, down - least)) {
+        return false;
     }
-    if (!fits || qtri_magnitude64(result.t) >> 61 != 0) {
+    for (int k = 0; k < count; k++) {
+        int64_t product = 0;
+        if (factor[k] != 0 &&
+            !scaled_product(&product, factor[k], row[k]->t, row[k]->exponent - least + down)) {
+            return false;
+        }
+        result.t += product; /* <= 4 2^60 */
+    }
+    if (qtri_magnitude64(result.t) >> 61 != 0) {
         return false;
     }
     for (int j = 0; j < 3; j++) {
@@ -109,7 +113,7 @@ static bool is_affine(const qtri_transform *b)
            is_sound(&b->row[2]);
 }
 
-static void mul_wide(qtri_row *out, const qtri_row *a, const qtri_transform *b)
+QTRI_NOINLINE static void mul_wide(qtri_row *out, const qtri_row *a, const qtri_transform *b)
 {
     qtri_wide element[4];
     for (int j = 0; j < 4; j++) {
@@ -130,11 +134,11 @@ void qtri_transform_mul(qtri_transform *out, const qtri_transform *a, const qtri
     qtri_transform product;
     for (int i = 0; i < 4; i++) {
         const qtri_row *left = &a->row[i];
-        if (!affine || !is_sound(left)) {
-            mul_wide(&product.row[i], left, b);
-        } else if (is_linear_zero(left)) {
+        const bool quick = affine && is_sound(left);
+        if (quick && is_linear_zero(left)) {
             product.row[i] = *left;
-        } else if (!qtri_row_combine(&product.row[i], row, left->m, 3, left->exponent, left->t)) {
+        } else if (!quick ||
+                   !qtri_row_combine(&product.row[i], row, left->m, 3, left->exponent, left->t)) {
             mul_wide(&product.row[i], left, b);
         }
     }

@@ -123,6 +123,18 @@ QTRI_NOINLINE static bool exact16(const qtri_projector *projector, const qtri_po
     return true;
 }
 
+/* Of x > 0; mostly those of the vertex before, 1..31: small cores have to count them. */
+static inline int32_t leading_zeros(uint32_t x, int32_t guess)
+{
+#if !QTRI_LONG_MULTIPLY
+    if (x << guess >> 31 != 0 && x >> (32 - guess) == 0) {
+        return guess;
+    }
+#endif
+    (void)guess;
+    return qtri_clz32(x);
+}
+
 /*
  * x / w in 1/256 pixel is X 2^30 / w_q32 =: V over 2^n, where w_q32 = W 2^zeros is the normalised
  * mantissa. The high word h of X r is close: r is less than 1 below 2^62 / w_q32 and |X| < 2^30,
@@ -136,6 +148,7 @@ bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_posit
     const qtri_row16 *row = projector->row.compact;
     const qtri_vertex *end = out + count;
     int32_t bits = 22 - projector->shift[0] + projector->shift[3];
+    int32_t zeros = 2;
     bool inside = true;
     for (; out != end; p++, out++) {
         int32_t w = qtri_row16_sum(&row[3], p->x, p->y, p->z);
@@ -144,7 +157,7 @@ bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_posit
             inside &= exact16(projector, p, out);
             continue;
         }
-        int32_t zeros = qtri_clz32((uint32_t)w);
+        zeros = leading_zeros((uint32_t)w, zeros);
         int32_t n = bits - zeros;
         if ((uint32_t)n - 2u > 28u) {
             inside &= exact16(projector, p, out);

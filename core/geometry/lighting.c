@@ -36,7 +36,7 @@ static uint32_t light_direction(const qtri_lighting *lighting, const int32_t nor
     int64_t v[3] = {normal[0], normal[1], normal[2]};
     if (!lighting->even) {
         for (int i = 0; i < 3; i++) {
-            v[i] = dot_q30(normal, lighting->normal_q28[i]); /* < 3 2^58 */
+            v[i] = dot_q30(normal, lighting->by.normal_q28[i]); /* < 3 2^58 */
         }
     }
     int32_t scaled[3];
@@ -58,7 +58,7 @@ static inline uint32_t light_normal(const qtri_lighting *lighting, int32_t x, in
         const int32_t normal[3] = {x, y, z};
         return light_direction(lighting, normal);
     }
-    int32_t sum_q15 = qtri_row16_sum(&lighting->row, x, y, z) >> 10;
+    int32_t sum_q15 = qtri_row16_sum(&lighting->by.row, x, y, z) >> 10;
     int32_t least_q15 = (int32_t)lighting->least_q15;
     sum_q15 = sum_q15 < least_q15 ? least_q15 : sum_q15;
     return (uint32_t)sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : (uint32_t)sum_q15;
@@ -133,11 +133,15 @@ static uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3], co
     x = mantissa16(x, zeros);
     y = mantissa16(y, zeros);
     z = mantissa16(z, zeros);
-    int32_t ambient_q25 = qtri_row16_sum(&lighting->row, 0, 0, 0);
-    int32_t dot_q25 = qtri_row16_sum(&lighting->row, x, y, z) - ambient_q25; /* < 2^29 */
+    QTRI_HOLD(x); /* 32 bits again: GCC 12 would multiply 64 */
+    QTRI_HOLD(y);
+    QTRI_HOLD(z);
+    int32_t ambient_q25 = qtri_row16_sum(&lighting->by.row, 0, 0, 0);
+    int32_t dot_q25 = qtri_row16_sum(&lighting->by.row, x, y, z) - ambient_q25; /* < 2^29 */
     if (dot_q25 <= 0) {
         return lighting->least_q15;
     }
+    QTRI_HOLD(dot_q25);
     uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
     int32_t even = qtri_clz32(square) & 2;
     square <<= even;

@@ -13,17 +13,18 @@
 
 /*
  * Where eye space is object space rotated, reflected or scaled evenly, the light is taken to object
- * space once and a vertex costs a dot product. Otherwise every normal goes through the inverse
- * transpose and is normalised.
+ * space once and a vertex costs a dot product: of a row, where the light is no stranger than most.
+ * Otherwise every normal goes through the inverse transpose and is normalised.
  */
 typedef struct qtri_lighting {
-    bool even;
-    bool plain; /* even, and the row serves: intensity 2^25 of a normal, and its least value */
-    uint32_t least_q15;
-    qtri_row16 row;
-    int32_t towards_q30[3];   /* unit, in object space when even, else in eye space */
-    int32_t normal_q28[3][3]; /* inverse transpose up to a positive factor, when not even */
+    bool even, plain;   /* plain: even, and the row serves */
+    uint32_t least_q15; /* plain: intensity without the diffuse part */
     q16 ambient, diffuse;
+    int32_t towards_q30[3]; /* unit, in object space when even, else in eye space */
+    union {
+        qtri_row16 row;           /* plain: from a normal to intensity times 2^25 */
+        int32_t normal_q28[3][3]; /* not even: inverse transpose up to a positive factor */
+    } by;
 } qtri_lighting;
 
 /* unit: what 1 is in the normals of vertices that will be lit. */

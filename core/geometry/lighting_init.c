@@ -21,7 +21,7 @@ static void align(int32_t out[3][3], const qtri_transform *t)
         }
     }
     for (int row = 0; row < 3; row++) {
-        int32_t shift = t->row[row].exponent - least;
+        int32_t shift = least == INT32_MAX ? 0 : t->row[row].exponent - least;
         for (int i = 0; i < 3; i++) {
             out[row][i] = t->row[row].m[i] >> (shift < 0 || shift > 31 ? 31 : shift);
         }
@@ -54,7 +54,7 @@ static bool is_even(int32_t m[3][3])
 }
 
 /* Cofactors times the sign of the determinant: the inverse transpose without its division. */
-static void normal_matrix(int32_t out_q28[3][3], const qtri_transform *object_to_eye)
+QTRI_NOINLINE static void normal_matrix(int32_t out_q28[3][3], const qtri_transform *object_to_eye)
 {
     qtri_wide column[3][3];
     for (int i = 0; i < 3; i++) {
@@ -95,7 +95,7 @@ static void set_plain_row(qtri_lighting *lighting, int32_t unit)
     }
     int64_t ambient_q16 = lighting->ambient > Q16_ONE ? Q16_ONE : lighting->ambient;
     int64_t t_q41 = (ambient_q16 << 25) + ((int64_t)1 << 25);
-    qtri_row16_set(&lighting->row, m, t_q41);
+    qtri_row16_set(&lighting->by.row, m, t_q41);
     lighting->least_q15 = (uint32_t)(t_q41 >> 26);
 }
 
@@ -112,7 +112,7 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
     const int32_t towards[3] = {light->towards.x, light->towards.y, light->towards.z};
     if (!lighting->even) {
         (void)qtri_unit(lighting->towards_q30, towards, 3, 30);
-        normal_matrix(lighting->normal_q28, object_to_eye);
+        normal_matrix(lighting->by.normal_q28, object_to_eye);
         return;
     }
     int64_t object[3]; /* the transpose takes it there; < 3 2^61 */

@@ -5,15 +5,9 @@
 #include "row.h"
 #include "vertex.h"
 
-/* scale clip_row + center w_row, for a half-pixel unit: scale and center count halves. */
-static void fold_viewport(qtri_row *out, const qtri_row *axis, int32_t scale, const qtri_row *w,
-                          int32_t center)
+QTRI_NOINLINE static void fold_wide(qtri_row *out, const qtri_row *axis, int32_t scale,
+                                    const qtri_row *w, int32_t center)
 {
-    const qtri_row *const row[2] = {axis, w};
-    const int32_t factor[2] = {scale * 65536 / 2, center * 65536 / 2}; /* < 2^30 */
-    if (qtri_row_combine(out, row, factor, 2, 16, 0)) {
-        return;
-    }
     qtri_wide element[4];
     for (int i = 0; i < 4; i++) {
         qtri_wide scaled = qtri_wide_mul(qtri_row_element(axis, i), qtri_wide_make(scale, 1));
@@ -21,6 +15,17 @@ static void fold_viewport(qtri_row *out, const qtri_row *axis, int32_t scale, co
         element[i] = qtri_wide_add(scaled, moved);
     }
     qtri_row_from_wide(out, element);
+}
+
+/* scale clip_row + center w_row, for a half-pixel unit: scale and center count halves. */
+static void fold_viewport(qtri_row *out, const qtri_row *axis, int32_t scale, const qtri_row *w,
+                          int32_t center)
+{
+    const qtri_row *const row[2] = {axis, w};
+    const int32_t factor[2] = {scale * 32768, center * 32768}; /* < 2^30 */
+    if (!qtri_row_combine(out, row, factor, 2, 16, 0)) {
+        fold_wide(out, axis, scale, w, center);
+    }
 }
 
 static int32_t hold(int32_t x, int32_t low, int32_t high)

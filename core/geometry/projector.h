@@ -28,6 +28,13 @@ typedef struct qtri_projector {
 void qtri_projector_init(qtri_projector *projector, const qtri_transform *object_to_clip,
                          const qtri_viewport *viewport);
 
+/*
+ * Whether nothing inside the box can be seen in the pixels low..high - 1 of the frame, each within
+ * +-16384. It may say no of a box that just misses them. Before qtri_projector_compact().
+ */
+bool qtri_projector_misses(const qtri_projector *projector, const qtri_box *box,
+                           const int32_t low[2], const int32_t high[2]);
+
 /* From then on the projector takes 16-bit positions: origin + extent n / 32768. */
 void qtri_projector_compact(qtri_projector *projector, const qtri_vec3 *origin, q16 extent);
 

@@ -7,7 +7,7 @@
 #ifndef QTRI_GEOMETRY_ROW16_H
 #define QTRI_GEOMETRY_ROW16_H
 
-#include "../math/bits.h"
+#include "../math/dot.h"
 
 #ifdef __GNUC__
 #define QTRI_NOINLINE __attribute__((noinline))
@@ -39,7 +39,9 @@ static inline int32_t qtri_row16_sum(const qtri_row16 *row, int32_t x, int32_t y
     sum += (int64_t)row->m[0] * (x * 65536);
     sum += (int64_t)row->m[1] * (y * 65536);
     sum += (int64_t)row->m[2] * (z * 65536);
-    return (int32_t)(sum >> 32);
+    int32_t high = (int32_t)(sum >> 32);
+    QTRI_HOLD(high); /* or GCC 12 takes it for one of 64 bits wherever it is multiplied */
+    return high;
 #else
     /* |m| sums up to 2^31: the high parts to 2^30. The low ones are 3 2^14 2^15 + 2^14 < 2^31. */
     int32_t low = row->t_low + row->low[0] * x + row->low[1] * y + row->low[2] * z;

@@ -1,16 +1,17 @@
 #include "dda.h"
 
-/* Quotient towards minus infinity, remainder in 0..divisor-1. */
-static int32_t divide_floor32(int32_t x, int32_t divisor, uint32_t *remainder)
+/*
+ * Quotient towards minus infinity, remainder in 0..divisor-1. Unsigned, floor(x / d) being
+ * -1 - floor((-1 - x) / d): without an instruction that divides, so is the call for it.
+ */
+static int32_t divide_floor32(int32_t x, uint32_t divisor, uint32_t *remainder)
 {
-    int32_t quotient = x / divisor;
-    int32_t rest = x % divisor;
-    if (rest < 0) {
-        rest += divisor;
-        quotient--;
-    }
-    *remainder = (uint32_t)rest;
-    return quotient;
+    uint32_t sign = x < 0 ? UINT32_MAX : 0;
+    uint32_t magnitude = (uint32_t)x ^ sign;
+    uint32_t quotient = magnitude / divisor;
+    uint32_t rest = magnitude - quotient * divisor;
+    *remainder = sign != 0 ? divisor - 1 - rest : rest;
+    return (int32_t)(quotient ^ sign);
 }
 
 static int32_t divide_floor64(int64_t x, int64_t divisor, uint32_t *remainder)
@@ -31,14 +32,14 @@ void qtri_dda_init(qtri_dda *dda, int32_t start, int32_t delta, int32_t length, 
     uint32_t rest = 0;
     int32_t fraction = start & 255;
     dda->denominator = (uint32_t)length << 8;
-    dda->step = divide_floor32(delta, length, &rest);
+    dda->step = divide_floor32(delta, (uint32_t)length, &rest);
     dda->remainder_step = rest << 8;
     dda->value = start >> 8;
     const int32_t small = (int32_t)1 << 15;
     if (length < small && delta > -small && delta < small) {
         /* |256 2^15 + 2^30 + 2^22| < 2^31: the common, small triangle needs 32 bits only */
-        dda->value +=
-            divide_floor32(fraction * length + along * delta + bias, length << 8, &dda->remainder);
+        dda->value += divide_floor32(fraction * length + along * delta + bias, dda->denominator,
+                                     &dda->remainder);
     } else {
         int64_t numerator = (int64_t)fraction * length + (int64_t)along * delta + bias;
         dda->value += divide_floor64(numerator, (int64_t)length << 8, &dda->remainder);

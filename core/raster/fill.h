@@ -11,17 +11,23 @@
  * registers. An empty statement that may change a value, for all the compiler knows, keeps each
  * pixel's work together, and a branch a branch: a third of the loop on a Cortex-M3.
  */
-#if defined(__GNUC__)
-#define QTRI_OPAQUE(x) __asm__ volatile("" : "+r"(x));
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+#define QTRI_OPAQUE(x) __asm__ volatile("" : "+l"(x));
+#define QTRI_ASIDE(x)  __asm__ volatile("" : "+h"(x));
 #define QTRI_BRANCH    __asm__ volatile("");
+#elif defined(__GNUC__)
+#define QTRI_OPAQUE(x) __asm__ volatile("" : "+r"(x));
+#define QTRI_ASIDE(x)
+#define QTRI_BRANCH __asm__ volatile("");
 #else
 #define QTRI_OPAQUE(x)
+#define QTRI_ASIDE(x)
 #define QTRI_BRANCH
 #endif
 
 /*
  * Repeats ONE(i), which draws pixel[i] and steps, for `count` pixels; `pixel` and `depth` move on.
- * Groups of eight have constant offsets, and so has what is left.
+ * Groups of sixteen and of four have constant offsets.
  */
 #ifdef __OPTIMIZE_SIZE__
 #define QTRI_PIXELS(count)                                                                         \
@@ -31,26 +37,29 @@
     } while (--(count) > 0);
 #else
 #define QTRI_PIXELS(count)                                                                         \
-    if ((count) >= 8) {                                                                            \
-        const uint16_t *stop = depth + ((count) & ~7);                                             \
+    if ((count) >= 16) {                                                                           \
+        const uint16_t *stop = depth + ((count) & ~15);                                            \
         do {                                                                                       \
-            ONE(0) ONE(1) ONE(2) ONE(3) ONE(4) ONE(5) ONE(6) ONE(7) QTRI_MOVE(8)                   \
+            ONE(0)                                                                                 \
+            ONE(1)                                                                                 \
+            ONE(2) ONE(3) ONE(4) ONE(5) ONE(6) ONE(7) ONE(8) ONE(9) ONE(10) ONE(11) ONE(12)        \
+                ONE(13) ONE(14) ONE(15) QTRI_MOVE(16)                                              \
         } while (depth != stop);                                                                   \
+        (count) &= 15;                                                                             \
     }                                                                                              \
-    if ((count)&4) {                                                                               \
+    for (; (count) >= 4; (count) -= 4) {                                                           \
         ONE(0) ONE(1) ONE(2) ONE(3) QTRI_MOVE(4)                                                   \
     }                                                                                              \
-    if ((count)&2) {                                                                               \
-        ONE(0) ONE(1) QTRI_MOVE(2)                                                                 \
-    }                                                                                              \
-    if ((count)&1) {                                                                               \
+    for (; (count) > 0; (count)--) {                                                               \
         ONE(0)                                                                                     \
         QTRI_MOVE(1)                                                                               \
     }
 #endif
 #define QTRI_MOVE(n)                                                                               \
     depth += (n);                                                                                  \
-    pixel += (n);
+    pixel += (n);                                                                                  \
+    QTRI_OPAQUE(depth)                                                                             \
+    QTRI_OPAQUE(pixel)
 
 /* Where the rows of a trapezoid are in memory. */
 typedef struct qtri_lines {

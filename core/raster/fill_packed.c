@@ -16,14 +16,17 @@ typedef struct cursor {
     z += depth_step;                                                                               \
     packed += (step);                                                                              \
     QTRI_OPAQUE(z)                                                                                 \
-    QTRI_OPAQUE(packed)
+    QTRI_OPAQUE(packed)                                                                            \
+    QTRI_ASIDE(depth_step)                                                                         \
+    QTRI_ASIDE(even)                                                                               \
+    QTRI_ASIDE(odd)
 
 /* `count` pixels from the first of a group on. */
 static inline void draw(cursor *at, const qtri_job *job, uint32_t packed, int32_t count)
 {
-    const uint32_t depth_step = job->depth.dx;
-    const uint32_t even = job->packed_step.even;
-    const uint32_t odd = job->packed_step.odd;
+    uint32_t depth_step = job->depth.dx;
+    uint32_t even = job->packed_step.even;
+    uint32_t odd = job->packed_step.odd;
     uint16_t *pixel = at->pixel;
     uint16_t *depth = at->depth;
     uint32_t z = at->z;
@@ -39,8 +42,7 @@ static inline void draw(cursor *at, const qtri_job *job, uint32_t packed, int32_
             PIXEL(5, odd)
             PIXEL(6, even)
             PIXEL(7, last)
-            depth += 8;
-            pixel += 8;
+            QTRI_MOVE(8)
         } while (depth != stop);
     }
     if (count & 4) {

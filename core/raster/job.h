@@ -48,6 +48,8 @@ typedef struct qtri_raster {
     bool perspective, replace; /* as the material asks */
     bool tinted;               /* colours are shares of `tint` */
     qtri_channels tint;
+    int32_t column_shift; /* of texels that are copied, see texel_copy.h */
+    uint32_t row_mask;
     bool copies_white; /* texels may be copied where the colour is white */
     qtri_cull cull;
     qtri_shading shading;

@@ -1,133 +1,217 @@
-#include "qtri/raster.h"
+#include "line.h"
 
-#include "../math/bits.h"
 #include "dda.h"
+#include "line_path.h"
+#include "pixel.h"
 #include "job.h"
 
-enum { CHANNELS = 3, DEPTH = 3, VALUES = 4 };
-
-/* A line along its major axis: x when it is at least as wide as high. */
-typedef struct line {
-    bool steep; /* the major axis is y */
-    int32_t major[2], minor[2];
-    const qtri_screen_vertex *end[2]; /* by increasing major coordinate */
-} line;
-
-static int32_t hold(int64_t x, int32_t limit)
-{
-    return x < -limit ? -limit : (x > limit ? limit : (int32_t)x);
-}
-
-static void line_init(line *l, const qtri_screen_vertex v[2])
-{
-    int32_t x[2];
-    int32_t y[2];
-    for (int i = 0; i < 2; i++) {
-        x[i] = hold(v[i].x_24p8, QTRI_SCREEN_MAX_24P8);
-        y[i] = hold(v[i].y_24p8, QTRI_SCREEN_MAX_24P8);
-    }
-    int32_t width = x[1] > x[0] ? x[1] - x[0] : x[0] - x[1];
-    int32_t height = y[1] > y[0] ? y[1] - y[0] : y[0] - y[1];
-    l->steep = height > width;
-    const int32_t *major = l->steep ? y : x;
-    const int32_t *minor = l->steep ? x : y;
-    int first = major[0] <= major[1] ? 0 : 1;
-    for (int i = 0; i < 2; i++) {
-        int from = i == 0 ? first : 1 - first;
-        l->major[i] = major[from];
-        l->minor[i] = minor[from];
-        l->end[i] = &v[from];
-    }
-}
-
-/* Values in 2^-16 of their unit, linear along the major axis; as exact as a plane (plane.h). */
 typedef struct ramp {
-    uint64_t value, step;
+    int32_t value;
+    uint32_t step; /* modulo 2^32: signed, and a single pixel's may exceed 32 bits */
 } ramp;
 
-static void ramp_init(ramp *r, int64_t start, int64_t end, int32_t length, int32_t along)
+/* From pixel k to the end of its chunk. */
+static void ramp_init(ramp *r, int32_t from, int32_t to, const qtri_line_path *l,
+                      const qtri_divider *by, int32_t k)
 {
-    int64_t difference = (end - start) * 65536; /* < 2^49 */
-    int64_t per_sub_pixel = (difference + (difference < 0 ? -length : length) / 2) / length;
-    r->value = ((uint64_t)start << 16) + (uint64_t)per_sub_pixel * (uint64_t)(int64_t)along;
-    r->step = (uint64_t)per_sub_pixel << 8;
+    int32_t past = k % QTRI_LINE_CHUNK;
+    int32_t start = l->along + 256 * (k - past); /* < length */
+    int32_t quotient = qtri_divide(to - from, by);
+    int32_t remainder = to - from - quotient * l->length; /* < 2^23 */
+    int64_t product = qtri_mul_s32(remainder, start);
+    int32_t rest = product == (int32_t)product ? qtri_divide((int32_t)product, by)
+                                               : (int32_t)(product / l->length);
+    r->step = (uint32_t)quotient * 256u + (uint32_t)qtri_divide(remainder * 256, by);
+    r->value = (int32_t)((uint32_t)(from + quotient * start + rest) + (uint32_t)past * r->step);
 }
 
-static uint32_t depth_of(const qtri_screen_vertex *v)
+static inline void ramp_next(ramp *r)
 {
-    const uint32_t farthest = (uint32_t)65535 << 16;
-    return v->depth_16p16 < farthest ? v->depth_16p16 : farthest;
+    r->value = (int32_t)((uint32_t)r->value + r->step);
 }
 
-static void ramps_init(ramp r[VALUES], const line *l, qtri_format format, int32_t along)
+enum { CHANNELS = 3, DEPTH = CHANNELS, VALUES };
+
+static void ramps_init(ramp r[VALUES], const qtri_line_path *l, const qtri_divider *by, int32_t k)
 {
-    int32_t length = l->major[1] - l->major[0];
-    qtri_channels start = qtri_channels_from_color(format, l->end[0]->color_8p16);
-    qtri_channels end = qtri_channels_from_color(format, l->end[1]->color_8p16);
     for (int i = 0; i < CHANNELS; i++) {
-        ramp_init(&r[i], start.c[i], end.c[i], length, along);
+        ramp_init(&r[i], l->first->color[i], l->last->color[i], l, by, k);
     }
-    ramp_init(&r[DEPTH], depth_of(l->end[0]), depth_of(l->end[1]), length, along);
+    ramp_init(&r[DEPTH], l->first->depth_16p15, l->last->depth_16p15, l, by, k);
 }
 
-static void plot(const qtri_surface *surface, const qtri_material *material, int32_t x, int32_t y,
-                 const ramp r[VALUES])
+static inline uint32_t pixel_of(qtri_format format, int32_t c0, int32_t c1, int32_t c2)
 {
+    uint32_t red = (uint32_t)c0 >> 16;
+    uint32_t green = (uint32_t)c1 >> 16;
+    uint32_t blue = (uint32_t)c2 >> 16;
+    switch (format) {
+    case QTRI_RGB565:
+        return red << 11 | green << 5 | blue;
+    case QTRI_XRGB8888:
+        return red << 16 | green << 8 | blue;
+    default:
+        return red; /* gray */
+    }
+}
+
+static void plot(const qtri_line_job *job, int32_t x, int32_t y, const ramp r[VALUES])
+{
+    const qtri_surface *surface = job->surface;
     ptrdiff_t stored_row = y - surface->first_row;
-    if (surface->depth != NULL && material->depth_compare != QTRI_DEPTH_OFF) {
+    if (job->compare != QTRI_DEPTH_OFF) {
         uint16_t *stored = surface->depth + stored_row * surface->depth_pitch + x;
-        uint16_t z = (uint16_t)((r[DEPTH].value + ((uint64_t)1 << 31)) >> 32);
-        if (!qtri_depth_passes(material->depth_compare, z, *stored)) {
+        uint32_t z = ((uint32_t)r[DEPTH].value + ((uint32_t)1 << 14)) >> 15;
+        if (!qtri_depth_passes(job->compare, z, *stored)) {
             return;
         }
-        if (!material->depth_read_only) {
-            *stored = z;
+        if (job->depth_write) {
+            *stored = (uint16_t)z;
         }
     }
-    qtri_channels color;
-    for (int i = 0; i < CHANNELS; i++) {
-        int64_t c = qtri_wrap64(r[i].value) >> 16;
-        color.c[i] = c < 0 ? 0 : (int32_t)c;
-    }
     qtri_pixel_store(surface->format, surface->pixels + stored_row * surface->pitch, x,
-                     qtri_pixel_pack(surface->format, &color));
+                     pixel_of(surface->format, r[0].value, r[1].value, r[2].value));
+}
+
+void qtri_line_draw_any(const qtri_line_job *job, const qtri_line_end *a, const qtri_line_end *b)
+{
+    qtri_line_path own;
+    qtri_line_path_init(&own, a, b);
+    const qtri_line_path *l = &own;
+    const qtri_rect *bounds = &job->bounds;
+    int32_t low = l->steep ? bounds->y0 : bounds->x0;
+    int32_t high = l->steep ? bounds->y1 : bounds->x1;
+    int32_t minor_low = l->steep ? bounds->x0 : bounds->y0;
+    int32_t minor_high = l->steep ? bounds->x1 : bounds->y1;
+    int32_t minor_last = l->minor + l->delta;
+    int32_t k = low > l->position ? low - l->position : 0;
+    int32_t end = l->count < high - l->position ? l->count : high - l->position;
+    if (k >= end || (l->minor >> 8 < minor_low && minor_last >> 8 < minor_low) ||
+        (l->minor >> 8 >= minor_high && minor_last >> 8 >= minor_high)) {
+        return;
+    }
+    qtri_dda minor;
+    qtri_divider by;
+    ramp r[VALUES];
+    qtri_divider_init(&by, (uint32_t)l->length);
+    qtri_dda_init(&minor, l->minor, l->delta, l->length, l->along + 256 * k, 0);
+    ramps_init(r, l, &by, k);
+    for (;;) {
+        if (minor.value >= minor_low && minor.value < minor_high) {
+            int32_t position = l->position + k;
+            plot(job, l->steep ? minor.value : position, l->steep ? position : minor.value, r);
+        }
+        if (++k >= end) {
+            return;
+        }
+        qtri_dda_next(&minor);
+        for (int i = 0; i < VALUES; i++) {
+            ramp_next(&r[i]);
+        }
+        if (k % QTRI_LINE_CHUNK == 0) {
+            ramps_init(r, l, &by, k);
+        }
+    }
+}
+
+void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
+                        const qtri_material *material)
+{
+    static const qtri_rect nothing = {0, 0, 0, 0};
+    job->surface = surface;
+    job->bounds = qtri_surface_bounds(surface);
+    if (job->bounds.x0 >= job->bounds.x1 || job->bounds.y0 >= job->bounds.y1) {
+        job->bounds = nothing;
+    }
+    job->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
+    job->depth_write = !material->depth_read_only;
+    bool fast = surface->format == QTRI_RGB565 && job->compare == QTRI_LESS && job->depth_write &&
+                surface->pitch == 2 * surface->depth_pitch;
+    job->fast_24p8 = fast ? QTRI_LINE_SHORT_24P8 : 0;
+}
+
+static inline int32_t hold(int32_t x)
+{
+    const int32_t limit = QTRI_SCREEN_MAX_24P8;
+    if ((uint32_t)x + (uint32_t)limit > 2u * (uint32_t)limit) {
+        QTRI_RARELY();
+        x = x < 0 ? -limit : limit;
+    }
+    return x;
+}
+
+/* Times a colour of 8.16 bits: `steps` of 255 in Q32. */
+#define RATIO_565_Q32(steps) ((uint32_t)((((uint64_t)(steps) << 32) + 127) / 255))
+
+/* Rounded, and half a step more. */
+static inline int32_t channel_565(int32_t color_8p16, uint32_t ratio_q32)
+{
+    const uint32_t white = (uint32_t)255 << 16;
+    const uint64_t rounding = (uint64_t)0x8000 << 32 | (uint32_t)1 << 31;
+    uint32_t c = (uint32_t)color_8p16;
+    if (c > white) {
+        QTRI_RARELY();
+        c = color_8p16 < 0 ? 0 : white;
+    }
+    return (int32_t)((qtri_mul_u32(c, ratio_q32) + rounding) >> 32);
+}
+
+void qtri_line_end_init(qtri_line_end *end, const qtri_line_job *job, const qtri_screen_vertex *v)
+{
+    const uint32_t farthest = (uint32_t)65535 << 16;
+    const int32_t half = 0x8000;
+    const qtri_format format = job->surface->format;
+    const qtri_rect *bounds = &job->bounds;
+    int32_t x_24p8 = hold(v->x_24p8);
+    int32_t y_24p8 = hold(v->y_24p8);
+    int32_t x = x_24p8 >> 8;
+    int32_t y = y_24p8 >> 8;
+    end->x_24p8 = x_24p8;
+    end->y_24p8 = y_24p8;
+    end->outside =
+        (x - bounds->x0) | (bounds->x1 - 1 - x) | (y - bounds->y0) | (bounds->y1 - 1 - y);
+    end->depth_16p15 = (int32_t)((v->depth_16p16 < farthest ? v->depth_16p16 : farthest) >> 1);
+    if (format == QTRI_RGB565) { /* half of what the call below costs */
+        end->color[0] = channel_565(v->color_8p16[0], RATIO_565_Q32(31));
+        end->color[1] = channel_565(v->color_8p16[1], RATIO_565_Q32(63));
+        end->color[2] = channel_565(v->color_8p16[2], RATIO_565_Q32(31));
+    } else {
+        qtri_channels channels = qtri_channels_from_color(format, v->color_8p16);
+        if (format != QTRI_XRGB8888) {
+            channels.c[0] += channels.c[1] + channels.c[2];
+            channels.c[1] = channels.c[2] = -half;
+        }
+        end->color[0] = channels.c[0] + half;
+        end->color[1] = channels.c[1] + half;
+        end->color[2] = channels.c[2] + half;
+    }
+    end->pixel = pixel_of(format, end->color[0], end->color[1], end->color[2]);
+}
+
+void qtri_line_triangle(const qtri_line_job *job, const qtri_screen_vertex v[3])
+{
+    const int32_t above = job->bounds.y0 * 256;
+    const int32_t below = job->bounds.y1 * 256;
+    if ((v[0].y_24p8 < above && v[1].y_24p8 < above && v[2].y_24p8 < above) ||
+        (v[0].y_24p8 >= below && v[1].y_24p8 >= below && v[2].y_24p8 >= below)) {
+        return;
+    }
+    qtri_line_end end[3];
+    for (int i = 0; i < 3; i++) {
+        qtri_line_end_init(&end[i], job, &v[i]);
+    }
+    qtri_line_draw(job, &end[0], &end[1]);
+    qtri_line_draw(job, &end[1], &end[2]);
+    qtri_line_draw(job, &end[2], &end[0]);
 }
 
 void qtri_raster_line(const qtri_surface *surface, const qtri_material *material,
                       const qtri_screen_vertex v[2])
 {
-    line l;
-    line_init(&l, v);
-    qtri_rect bounds = qtri_surface_bounds(surface);
-    int32_t low = l.steep ? bounds.y0 : bounds.x0;
-    int32_t high = l.steep ? bounds.y1 : bounds.x1;
-    int32_t minor_low = l.steep ? bounds.x0 : bounds.y0;
-    int32_t minor_high = l.steep ? bounds.x1 : bounds.y1;
-    int32_t position = (l.major[0] + 127) >> 8; /* first centre in [start, end) */
-    int32_t end = (l.major[1] + 127) >> 8;
-    position = position < low ? low : position;
-    end = end > high ? high : end;
-    int32_t minor_least = l.minor[0] < l.minor[1] ? l.minor[0] : l.minor[1];
-    int32_t minor_greatest = l.minor[0] < l.minor[1] ? l.minor[1] : l.minor[0];
-    if (l.major[0] == l.major[1] || position >= end) {
-        return;
-    }
-    if (minor_least >> 8 >= minor_high || minor_greatest >> 8 < minor_low) {
-        return;
-    }
-    int32_t along = position * 256 + 128 - l.major[0];
-    qtri_dda minor;
-    ramp r[VALUES];
-    qtri_dda_init(&minor, l.minor[0], l.minor[1] - l.minor[0], l.major[1] - l.major[0], along, 0);
-    ramps_init(r, &l, surface->format, along);
-    for (; position < end; position++) {
-        if (minor.value >= minor_low && minor.value < minor_high) {
-            plot(surface, material, l.steep ? minor.value : position,
-                 l.steep ? position : minor.value, r);
-        }
-        qtri_dda_next(&minor);
-        for (int i = 0; i < VALUES; i++) {
-            r[i].value += r[i].step;
-        }
-    }
+    qtri_line_job job;
+    qtri_line_end end[2];
+    qtri_line_job_init(&job, surface, material);
+    qtri_line_end_init(&end[0], &job, &v[0]);
+    qtri_line_end_init(&end[1], &job, &v[1]);
+    qtri_line_draw(&job, &end[0], &end[1]);
 }

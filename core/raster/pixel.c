@@ -1,8 +1,26 @@
 #include "pixel.h"
 
+#include "../math/bits.h"
+
 /* white / (255 << 16) in Q30, rounded: times a colour of 24 bits, off by less than 2^-6 units. */
 #define RATIO_Q30(white)                                                                           \
     ((uint32_t)((((uint64_t)(white) << 30) + ((uint32_t)255 << 15)) / ((uint32_t)255 << 16)))
+
+/* Rounded. A ratio of 1 is 0 in Q32. */
+static int32_t scaled(int32_t color_8p16, uint32_t ratio_q30)
+{
+    const uint32_t white = (uint32_t)255 << 16;
+    uint32_t c = (uint32_t)color_8p16;
+    if (c > white) {
+        QTRI_RARELY();
+        c = color_8p16 < 0 ? 0 : white;
+    }
+    uint32_t ratio_q32 = ratio_q30 << 2;
+    if (ratio_q32 != 0) {
+        c = (uint32_t)((qtri_mul_u32(c, ratio_q32) + ((uint32_t)1 << 31)) >> 32);
+    }
+    return (int32_t)c;
+}
 
 qtri_channels qtri_channels_from_color(qtri_format format, const int32_t color_8p16[3])
 {
@@ -14,13 +32,8 @@ qtri_channels qtri_channels_from_color(qtri_format format, const int32_t color_8
         {RATIO_Q30(QTRI_GRAY_RED), RATIO_Q30(QTRI_GRAY_GREEN), RATIO_Q30(QTRI_GRAY_BLUE)},
     };
     const uint32_t *ratio = ratio_q30[format <= QTRI_GRAY8 ? format : QTRI_GRAY8];
-    const int32_t white = (int32_t)255 << 16;
-    qtri_channels result;
-    for (int i = 0; i < 3; i++) {
-        int32_t c = color_8p16[i];
-        c = c < 0 ? 0 : (c > white ? white : c);
-        result.c[i] = (int32_t)(((uint64_t)(uint32_t)c * ratio[i] + ((uint32_t)1 << 29)) >> 30);
-    }
+    qtri_channels result = {{scaled(color_8p16[0], ratio[0]), scaled(color_8p16[1], ratio[1]),
+                             scaled(color_8p16[2], ratio[2])}};
     return result;
 }
 

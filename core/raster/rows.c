@@ -123,12 +123,12 @@ bool qtri_rows_short(qtri_triangle *t)
     return pixels != 0;
 }
 
-static void dda_init(qtri_dda *edge, const qtri_screen_point *a, const qtri_screen_point *b,
+static void dda_init(qtri_dda *dda, const qtri_screen_point *a, const qtri_screen_point *b,
                      int32_t row)
 {
     int32_t length = b->y_24p8 - a->y_24p8;
     int32_t along = row * 256 + 128 - a->y_24p8;
-    qtri_dda_init(edge, a->x_24p8, b->x_24p8 - a->x_24p8, length, along, 128 * length - 1);
+    qtri_dda_init(dda, a->x_24p8, b->x_24p8 - a->x_24p8, length, along, 128 * length - 1);
 }
 
 void qtri_rows_init(qtri_rows *rows, const qtri_triangle *t)

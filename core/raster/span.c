@@ -26,14 +26,19 @@ static uint64_t column_of(uint64_t row, uint64_t dx, int32_t x)
     return row + (uint64_t)(int64_t)x * dx;
 }
 
+static uint64_t row_of(const qtri_plane *plane, int32_t y)
+{
+    return plane->origin + (uint64_t)(int64_t)y * plane->dy;
+}
+
 static void window_planes(window *w, const qtri_job *job)
 {
-    w->inv_w = qtri_plane_at(&job->inv_w, 0, w->y);
+    w->inv_w = row_of(&job->inv_w, w->y);
     for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
-        w->uv[i] = qtri_plane_at(&job->uv[i], 0, w->y);
+        w->uv[i] = row_of(&job->uv[i], w->y);
     }
     for (int i = 0; i < 3 && job->smooth; i++) {
-        w->color[i] = qtri_plane_at(&job->color.plane[i], 0, w->y);
+        w->color[i] = row_of(&job->color.plane[i], w->y);
     }
 }
 
@@ -52,7 +57,7 @@ static int64_t divide(uint64_t over_w, const divider *d)
     return (int64_t)(qtri_mul_u32((uint32_t)s, d->reciprocal) >> d->shift);
 }
 
-static void sample_at(sample *out, const qtri_job *job, const window *w, int32_t x)
+static divider sample_at(sample *out, const qtri_job *job, const window *w, int32_t x)
 {
     int64_t q = qtri_plane_floor(column_of(w->inv_w, job->inv_w.dx, x));
     out->q = q < 1 ? 1u : (q > (int64_t)1 << 31 ? (uint32_t)1 << 31 : (uint32_t)q);
@@ -66,6 +71,7 @@ static void sample_at(sample *out, const qtri_job *job, const window *w, int32_t
     for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
         out->uv[i] = hold(divide(column_of(w->uv[i], job->uv[i].dx, x), &d), 0, INT32_MAX);
     }
+    return d;
 }
 
 static uint64_t difference(int32_t a, int32_t b)
@@ -181,12 +187,52 @@ static void draw_block(const qtri_job *job, const window *w, qtri_run *run, samp
         int32_t next = x + length < end ? x + length : end;
         sample middle = *to;
         if (next < end) {
-            sample_at(&middle, job, w, next);
+            (void)sample_at(&middle, job, w, next);
         }
         draw_run(job, w, run, from, &middle, x, next - x, next - x + (next == end ? extra : 0));
         *from = middle;
         x = next;
     }
+}
+
+/*
+ * dx r / 2^down for a plane's dx, in 2^-16: 16 bits of it and the rest. Modulo 2^32, as steps are.
+ */
+static uint32_t divide_step(uint64_t dx, const divider *d, int32_t up)
+{
+    int32_t down = d->shift - up; /* -20..43 */
+    int64_t high = qtri_wrap64(dx) >> 16;
+    uint64_t low = qtri_mul_u32((uint32_t)dx & 0xFFFF, d->reciprocal) >> 16;
+    uint64_t product = (uint64_t)high * d->reciprocal + low;
+    return (uint32_t)(down >= 0 ? (uint64_t)(qtri_wrap64(product) >> down) : product << -down);
+}
+
+/*
+ * Texture coordinates where w does not change along the row, as on floors and walls: linear as they
+ * are. False for spans so long that a step's last bit adds up to more than 2^-10 of a texel.
+ */
+static bool level_span(const qtri_job *job, const window *w, qtri_run *run, int32_t left,
+                       int32_t right)
+{
+    for (int i = 0; i < 2; i++) {
+        int32_t shift = job->axis[i].shift + job->uv_up[i] - 10;
+        if (shift < 0 || (right - left) >> shift != 0) {
+            return false;
+        }
+    }
+    sample from;
+    divider d = sample_at(&from, job, w, left);
+    for (int i = 0; i < 2; i++) {
+        int32_t up = job->uv_up[i];
+        run->uv_step[i] = divide_step(job->uv[i].dx, &d, up);
+        run->uv[i] = scaled((uint32_t)from.uv[i] + job->axis[i].bias, up) +
+                     (uint32_t)(w->x0 - left) * run->uv_step[i];
+    }
+    run->x = w->x0;
+    run->count = w->x1 - w->x0;
+    run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, w->y - job->anchor_y);
+    job->draw_run(job, run);
+    return true;
 }
 
 /*
@@ -200,12 +246,15 @@ static void perspective_span(const qtri_job *job, window *w, qtri_run *run, int3
     sample from;
     sample to;
     window_planes(w, job);
-    sample_at(&from, job, w, left);
+    if (job->inv_w.dx == 0 && !job->smooth && level_span(job, w, run, left, right)) {
+        return;
+    }
+    (void)sample_at(&from, job, w, left);
     if (last == left) {
         draw_run(job, w, run, &from, &from, left, 1, 1);
         return;
     }
-    sample_at(&to, job, w, last);
+    (void)sample_at(&to, job, w, last);
     int32_t block = run_length(job, &from, &to, last - left);
     if (block == last - left) {
         draw_run(job, w, run, &from, &to, left, block, block + 1);
@@ -217,14 +266,14 @@ static void perspective_span(const qtri_job *job, window *w, qtri_run *run, int3
         x -= block; /* the last pixel belongs to the run before it */
     }
     if (x > left) {
-        sample_at(&from, job, w, x);
+        (void)sample_at(&from, job, w, x);
     }
     for (; x < w->x1 && x < last; x += block) {
         int32_t end = last;
         sample next = to;
         if (x + block < last) {
             end = x + block;
-            sample_at(&next, job, w, end);
+            (void)sample_at(&next, job, w, end);
         }
         draw_block(job, w, run, &from, &next, x, end, end == last);
     }

@@ -35,10 +35,8 @@ static inline uint32_t qtri_texel_copy_rows(const qtri_texture *texture)
 
 static inline uint32_t qtri_texel_copied(const qtri_raster *raster, uint32_t u, uint32_t v)
 {
-    const qtri_texture *texture = raster->texture;
-    uint32_t column = u >> qtri_texel_copy_shift(texture, 0);
-    uint32_t row_start = (v & qtri_texel_copy_rows(texture)) >> 16;
-    return ((const uint16_t *)texture->texels)[row_start + column];
+    uint32_t index = (u >> raster->column_shift) + ((v & raster->row_mask) >> 16);
+    return ((const uint16_t *)raster->texture->texels)[index];
 }
 
 #endif

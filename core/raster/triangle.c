@@ -42,6 +42,10 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->shading = material->shading;
     raster->copies_white = raster->texture != NULL && surface->format == QTRI_RGB565 &&
                            qtri_texel_copy_fits(raster->texture);
+    if (raster->copies_white) {
+        raster->column_shift = qtri_texel_copy_shift(raster->texture, 0);
+        raster->row_mask = qtri_texel_copy_rows(raster->texture);
+    }
     qtri_fill_choose(raster);
 }
 
