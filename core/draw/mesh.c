@@ -185,7 +185,7 @@ static void draw_solid(const mesh_draw *draw, const void *indices, qtri_vertex *
         attributes[i].depth_16p16 = vertex[i]->depth_16p8 & ~0xFFu;
         attributes[i].inv_w_q31 = vertex[i]->inv_w;
         attributes[i].inv_w_exponent = (int32_t)(vertex[i]->depth_16p8 & 0xFFu);
-        attributes[i].color[0] = (int32_t)(intensity_q15 << 9); /* Q24 of the one colour */
+        attributes[i].color[0] = (int32_t)(intensity_q15 << 7); /* Q22 of the one colour */
         if (draw->more) {
             set_more(draw, index_of(draw->mesh, indices, i), intensity_q15, &attributes[i]);
         }
@@ -233,6 +233,14 @@ QTRI_NOINLINE static bool turned_away(const mesh_draw *draw, const qtri_vertex *
     return cull == QTRI_CULL_BACK ? area >= 0 : area <= 0;
 }
 
+#if !QTRI_LONG_MULTIPLY
+/* Below 2^n where -2^n <= x < 2^n. */
+static inline uint32_t folded(int32_t x)
+{
+    return (uint32_t)(x < 0 ? ~x : x);
+}
+#endif
+
 /* area_of(a, b, c) >= 0. */
 static inline bool is_back(const qtri_screen_point *a, const qtri_screen_point *b,
                            const qtri_screen_point *c)
@@ -243,8 +251,7 @@ static inline bool is_back(const qtri_screen_point *a, const qtri_screen_point *
     int32_t y1 = b->y_24p8 - a->y_24p8;
     int32_t x2 = c->x_24p8 - a->x_24p8;
     int32_t y2 = c->y_24p8 - a->y_24p8;
-    int32_t high = (x1 ^ (x1 >> 31)) | (y1 ^ (y1 >> 31)) | (x2 ^ (x2 >> 31)) | (y2 ^ (y2 >> 31));
-    if (high >> 15 == 0) {
+    if (((folded(x1) | folded(y1) | folded(x2) | folded(y2)) >> 15) == 0) {
         return x1 * y2 >= x2 * y1;
     }
 #endif
@@ -385,9 +392,16 @@ static bool is_missed(const mesh_draw *draw, const qtri_surface *surface)
 
 /* False when there is nothing to draw. A function of its own, so that its stack is free again. */
 QTRI_NOINLINE static bool prepare(mesh_draw *draw, const qtri_surface *surface,
-                                  const qtri_view *view, const qtri_transform *pose)
+                                  const qtri_view *view, const qtri_transform *pose,
+                                  const qtri_mesh *mesh, const qtri_material *material)
 {
-    const qtri_mesh *mesh = draw->mesh;
+    draw->material = *material;
+    if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
+        draw->material.texture = NULL;
+    }
+    draw->mesh = mesh;
+    draw->vertices = view->vertices;
+    draw->slot_count = view->vertex_count;
     qtri_primitive_init(&draw->primitive, surface, view, pose, &draw->material);
     if (is_missed(draw, surface)) {
         return false;
@@ -400,6 +414,9 @@ QTRI_NOINLINE static bool prepare(mesh_draw *draw, const qtri_surface *surface,
     if (mesh->positions16 != NULL) {
         qtri_projector_compact(&draw->primitive.projector, &mesh->origin, mesh->extent);
     }
+    const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
+    draw->lit_per_vertex = view->light != NULL && material->shading == QTRI_SMOOTH && normals;
+    draw->lit_per_face = view->light != NULL && !draw->lit_per_vertex;
     if (view->light != NULL) {
         qtri_transform object_to_eye;
         qtri_transform_mul(&object_to_eye, &view->camera, pose);
@@ -413,17 +430,7 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
                     const qtri_mesh *mesh, const qtri_material *material)
 {
     mesh_draw draw;
-    draw.material = *material;
-    if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
-        draw.material.texture = NULL;
-    }
-    draw.mesh = mesh;
-    draw.vertices = view->vertices;
-    draw.slot_count = view->vertex_count;
-    draw.lit_per_vertex = view->light != NULL && material->shading == QTRI_SMOOTH &&
-                          (mesh->normals != NULL || mesh->normals8 != NULL);
-    draw.lit_per_face = view->light != NULL && !draw.lit_per_vertex;
-    if (!prepare(&draw, surface, view, pose)) {
+    if (!prepare(&draw, surface, view, pose, mesh, material)) {
         return;
     }
     if (draw.slot_count >= mesh->vertex_count) {

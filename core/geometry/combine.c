@@ -20,7 +20,7 @@ static bool scaled_product(int64_t *out, int32_t m, int64_t t, int32_t shift)
     int64_t middle = qtri_mul_s32(m, (int32_t)(t >> 32)) + (low >> 32); /* < 2^59 + 2^30 */
     middle += t_low < 0 ? m : 0; /* t_low stands for t_low + 2^32 */
     if (shift >= 32) {
-        *out = middle >> (shift > 95 ? 63 : shift - 32);
+        *out = middle >> (shift > 94 ? 62 : shift - 32);
         return true;
     }
     int64_t beyond = middle >> (28 + shift);

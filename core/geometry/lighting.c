@@ -125,7 +125,7 @@ static uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3], co
     int32_t x = e[1] * f[2] - e[2] * f[1];
     int32_t y = e[2] * f[0] - e[0] * f[2];
     int32_t z = e[0] * f[1] - e[1] * f[0];
-    uint32_t all = (uint32_t)((x ^ (x >> 31)) | (y ^ (y >> 31)) | (z ^ (z >> 31)));
+    uint32_t all = (uint32_t)((x < 0 ? ~x : x) | (y < 0 ? ~y : y) | (z < 0 ? ~z : z));
     if ((x | y | z) == 0) {
         return lighting->least_q15;
     }

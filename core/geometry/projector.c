@@ -210,7 +210,7 @@ static inline bool narrow(int32_t *out, int64_t x, int32_t shift)
 {
     int64_t result = x >> shift;
     int32_t low = (int32_t)(uint32_t)((uint64_t)result & UINT32_MAX);
-    bool fits = (int32_t)(result >> 32) == low >> 31;
+    bool fits = (int32_t)(result >> 32) == (low < 0 ? -1 : 0);
     QTRI_HOLD(low);
     *out = low;
     return fits;

@@ -29,6 +29,7 @@
  * Repeats ONE(i), which draws pixel[i] and steps, for `count` pixels; `pixel` and `depth` move on.
  * Groups of sixteen and of four have constant offsets.
  */
+/* clang-format off */
 #ifdef __OPTIMIZE_SIZE__
 #define QTRI_PIXELS(count)                                                                         \
     do {                                                                                           \
@@ -40,21 +41,22 @@
     if ((count) >= 16) {                                                                           \
         const uint16_t *stop = depth + ((count) & ~15);                                            \
         do {                                                                                       \
-            ONE(0)                                                                                 \
-            ONE(1)                                                                                 \
-            ONE(2) ONE(3) ONE(4) ONE(5) ONE(6) ONE(7) ONE(8) ONE(9) ONE(10) ONE(11) ONE(12)        \
-                ONE(13) ONE(14) ONE(15) QTRI_MOVE(16)                                              \
+            ONE(0) ONE(1) ONE(2) ONE(3) ONE(4) ONE(5) ONE(6) ONE(7)                                \
+            ONE(8) ONE(9) ONE(10) ONE(11) ONE(12) ONE(13) ONE(14) ONE(15)                          \
+            QTRI_MOVE(16)                                                                          \
         } while (depth != stop);                                                                   \
         (count) &= 15;                                                                             \
     }                                                                                              \
     for (; (count) >= 4; (count) -= 4) {                                                           \
-        ONE(0) ONE(1) ONE(2) ONE(3) QTRI_MOVE(4)                                                   \
+        ONE(0) ONE(1) ONE(2) ONE(3)                                                                \
+        QTRI_MOVE(4)                                                                               \
     }                                                                                              \
     for (; (count) > 0; (count)--) {                                                               \
         ONE(0)                                                                                     \
         QTRI_MOVE(1)                                                                               \
     }
 #endif
+/* clang-format on */
 #define QTRI_MOVE(n)                                                                               \
     depth += (n);                                                                                  \
     pixel += (n);                                                                                  \

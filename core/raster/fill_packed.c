@@ -114,27 +114,25 @@ void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t ro
     uint32_t packed_row = qtri_packed_tiny(job, -job->anchor_x, row - job->anchor_y);
     for (; count > 0; count--) {
         int32_t x = spans->left;
-        int32_t rest = spans->right - x;
+        int32_t stop = spans->right;
         if (job->cut) {
-            rest = qtri_span_clip(spans, &raster->bounds, &x);
+            stop = qtri_span_clip(spans, &raster->bounds, &x);
+            stop += x;
         }
-        if (rest > 0) {
-            uint16_t *pixel = (uint16_t *)(void *)lines.pixels + x;
-            uint16_t *depth = lines.depths + x;
-            const uint16_t *stop = depth + rest;
+        if (x < stop) {
+            uint16_t *pixels = (uint16_t *)(void *)lines.pixels;
+            uint16_t *depths = lines.depths;
             uint32_t z = depth_row + (uint32_t)x * depth_step;
             uint32_t packed = packed_row + (uint32_t)x * step;
             do {
-                if (z >> 16 < *depth) {
+                if (z >> 16 < depths[x]) {
                     QTRI_BRANCH
-                    *depth = (uint16_t)(z >> 16);
-                    *pixel = (uint16_t)qtri_packed_pixel(packed);
+                    depths[x] = (uint16_t)(z >> 16);
+                    pixels[x] = (uint16_t)qtri_packed_pixel(packed);
                 }
                 z += depth_step;
                 packed += step;
-                depth++;
-                pixel++;
-            } while (depth < stop);
+            } while (++x < stop);
         }
         spans++;
         depth_row += job->depth.dy;

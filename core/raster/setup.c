@@ -87,10 +87,10 @@ static void ramp_init(qtri_ramp *ramp, const qtri_gradient *g, uint32_t f0, uint
     }
 }
 
-/* share_q24 <= 2^24 of a channel, or of a step of it. */
-static inline int32_t shade(const qtri_raster *raster, int32_t share_q24, int i)
+/* share_q22 <= 2^22 of a channel, or of a step of it. */
+static inline int32_t shade(const qtri_raster *raster, int32_t share_q22, int i)
 {
-    return (int32_t)(qtri_mul_s32(share_q24, raster->tint.c[i]) >> 24);
+    return (int32_t)(qtri_mul_s32(share_q22, raster->tint.c[i]) >> 22);
 }
 
 /* Channel i of the three vertices. */
@@ -116,7 +116,7 @@ static uint32_t color_range(const qtri_raster *raster, const qtri_attributes v[3
 {
     uint32_t range = range_of(v, 0);
     if (raster->tinted) {
-        return raster->surface->format == QTRI_RGB565 ? range >> 2 : range;
+        return raster->surface->format == QTRI_RGB565 ? range : range << 2;
     }
     for (int i = 1; i < 3; i++) {
         uint32_t other = range_of(v, i);
@@ -151,8 +151,7 @@ static void linear_ramps(qtri_ramp c[3], const qtri_raster *raster, const qtri_a
 {
     const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
                                (uint32_t)v[2].color[0]};
-    if (raster->tinted && gradient->inverse != 0 && qtri_ramp_fits(share[0], share[1]) &&
-        qtri_ramp_fits(share[0], share[2])) {
+    if (raster->tinted && gradient->inverse != 0) {
         qtri_ramp ramp;
         qtri_ramp_multiply(&ramp, gradient, share);
         for (int i = 0; i < 3; i++) {
@@ -175,8 +174,7 @@ static bool tiny_tint(qtri_job *job, const qtri_attributes v[3], const qtri_grad
     const qtri_raster *raster = job->raster;
     const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
                                (uint32_t)v[2].color[0]};
-    if (!raster->tinted || !qtri_ramp_fits(share[0], share[1]) ||
-        !qtri_ramp_fits(share[0], share[2])) {
+    if (!raster->tinted) {
         return false;
     }
     qtri_ramp ramp;

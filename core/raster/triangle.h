@@ -28,7 +28,7 @@ typedef struct qtri_attributes {
     uint32_t depth_16p16; /* <= 65535.0 */
     uint32_t inv_w_q31;   /* 2^30..2^31 */
     int32_t inv_w_exponent;
-    int32_t color[3]; /* n.16 in units of the target; with a tint, color[0] is Q24 of it */
+    int32_t color[3]; /* n.16 in units of the target; with a tint, color[0] is Q22 of it, <= 1 */
     int64_t u_q32, v_q32;
 } qtri_attributes;
 
