@@ -134,14 +134,6 @@ static inline bool is_inside(const qtri_vertex *a, const qtri_vertex *b, const q
     return ((a->depth_16p8 | b->depth_16p8 | c->depth_16p8) & QTRI_VERTEX_OUTSIDE) == 0;
 }
 
-/* Twice the area in 1/256 pixel squared; negative is counter-clockwise to the eye. */
-static inline int64_t area_of(const qtri_screen_point *a, const qtri_screen_point *b,
-                              const qtri_screen_point *c)
-{
-    return qtri_mul_s32(b->x_24p8 - a->x_24p8, c->y_24p8 - a->y_24p8) +
-           qtri_mul_s32(a->x_24p8 - c->x_24p8, b->y_24p8 - a->y_24p8); /* < 2^24 each */
-}
-
 /* What not every mesh has: colours in units of the target, texture coordinates. */
 QTRI_NOINLINE static void set_more(const mesh_draw *draw, uint32_t index, uint32_t intensity_q15,
                                    qtri_attributes *out)
@@ -169,7 +161,7 @@ static void draw_solid(const mesh_draw *draw, const void *indices, qtri_vertex *
     for (int i = 0; i < 3; i++) {
         triangle.p[i] = &vertex[i]->at;
     }
-    triangle.area = area_of(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at);
+    triangle.area = qtri_triangle_area(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at);
     if (triangle.area == 0 || !qtri_triangle_begin(&draw->raster, &triangle)) {
         return;
     }
@@ -229,7 +221,7 @@ QTRI_NOINLINE static bool turned_away(const mesh_draw *draw, const qtri_vertex *
     if (!is_inside(a, b, c) || (cull != QTRI_CULL_BACK && cull != QTRI_CULL_FRONT)) {
         return false;
     }
-    int64_t area = area_of(&a->at, &b->at, &c->at);
+    int64_t area = qtri_triangle_area(&a->at, &b->at, &c->at);
     return cull == QTRI_CULL_BACK ? area >= 0 : area <= 0;
 }
 
@@ -241,7 +233,7 @@ static inline uint32_t folded(int32_t x)
 }
 #endif
 
-/* area_of(a, b, c) >= 0. */
+/* qtri_triangle_area(a, b, c) >= 0. */
 static inline bool is_back(const qtri_screen_point *a, const qtri_screen_point *b,
                            const qtri_screen_point *c)
 {
@@ -255,7 +247,7 @@ static inline bool is_back(const qtri_screen_point *a, const qtri_screen_point *
         return x1 * y2 >= x2 * y1;
     }
 #endif
-    return area_of(a, b, c) >= 0;
+    return qtri_triangle_area(a, b, c) >= 0;
 }
 
 /* The indices at a triangle's place in the mesh. */

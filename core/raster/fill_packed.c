@@ -108,8 +108,8 @@ void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t ro
     const ptrdiff_t pitch = raster->surface->pitch;
     const ptrdiff_t depth_pitch = raster->surface->depth_pitch;
     qtri_lines lines = qtri_lines_at(raster->surface, row);
-    const uint32_t depth_step = job->depth.dx;
-    const uint32_t step = job->packed_step.even;
+    uint32_t depth_step = job->depth.dx;
+    uint32_t step = job->packed_step.even;
     uint32_t depth_row = qtri_ramp_at(&job->depth, -job->anchor_x, row - job->anchor_y);
     uint32_t packed_row = qtri_packed_tiny(job, -job->anchor_x, row - job->anchor_y);
     for (; count > 0; count--) {
@@ -132,6 +132,8 @@ void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t ro
                 }
                 z += depth_step;
                 packed += step;
+                QTRI_ASIDE(depth_step)
+                QTRI_ASIDE(step)
             } while (++x < stop);
         }
         spans++;

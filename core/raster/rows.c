@@ -35,18 +35,20 @@ typedef struct edge {
 #endif
 } edge;
 
-static void edge_init(edge *e, const qtri_screen_point *a, const qtri_screen_point *b, int32_t base,
-                      int32_t row)
+static inline edge edge_from(const qtri_screen_point *a, const qtri_screen_point *b, int32_t base,
+                             int32_t row)
 {
+    edge e;
     int32_t length = b->y_24p8 - a->y_24p8;
     int32_t delta = b->x_24p8 - a->x_24p8;
     int32_t along = row * 256 + 128 - a->y_24p8;
-    e->numerator = (a->x_24p8 - base * 256) * length + along * delta + 128 * length - 1;
-    e->step = delta * 256;
-    e->denominator = length * 256;
+    e.numerator = (a->x_24p8 - base * 256) * length + along * delta + 128 * length - 1;
+    e.step = delta * 256;
+    e.denominator = length * 256;
 #if !QTRI_DIVIDE
-    e->quotient = 0;
+    e.quotient = 0;
 #endif
+    return e;
 }
 
 /* The pixel in this row; goes on to the next. */
@@ -74,24 +76,24 @@ static inline int32_t edge_next(edge *e)
 #endif
 }
 
-/*
- * Rows row..stop-1; the two sides of a span are next to each other. Returns something not 0 if one
- * of the rows has a pixel: the two edges of a triangle never cross.
- */
-static int32_t walk(int16_t *one, int16_t *other, edge *long_edge, edge *short_edge, int32_t base,
-                    int32_t rows)
+/* One side of `rows` spans; the other side is beside it. */
+static void walk(int16_t *side, edge e, int32_t base, int32_t rows)
 {
-    int32_t pixels = 0;
     for (; rows > 0; rows--) {
-        int32_t x = base + edge_next(long_edge);
-        int32_t y = base + edge_next(short_edge);
-        *one = (int16_t)x;
-        *other = (int16_t)y;
-        pixels |= x ^ y;
-        one += 2;
-        other += 2;
+        *side = (int16_t)(base + edge_next(&e));
+        side += 2;
     }
-    return pixels;
+}
+
+/* Whether one of the rows has a pixel: the two edges of a triangle never cross. */
+static bool covers(const qtri_span *span, int32_t rows)
+{
+    for (; rows > 0; rows--, span++) {
+        if (span->left != span->right) {
+            return true;
+        }
+    }
+    return false;
 }
 
 bool qtri_rows_short(qtri_triangle *t)
@@ -107,20 +109,15 @@ bool qtri_rows_short(qtri_triangle *t)
     const int32_t turn = middle < row ? row : least(middle, t->end);
     int16_t *one = t->long_is_left ? &t->spans->left : &t->spans->right;
     int16_t *other = t->long_is_left ? &t->spans->right : &t->spans->left;
-    int32_t pixels = 0;
-    edge long_edge;
-    edge short_edge;
-    edge_init(&long_edge, t->top, t->bottom, base, row);
+    walk(one, edge_from(t->top, t->bottom, base, row), base, t->end - row);
     if (row < turn) {
-        edge_init(&short_edge, t->top, t->middle, base, row);
-        pixels = walk(one, other, &long_edge, &short_edge, base, turn - row);
+        walk(other, edge_from(t->top, t->middle, base, row), base, turn - row);
     }
     if (turn < t->end) {
-        const ptrdiff_t done = 2 * (turn - row);
-        edge_init(&short_edge, t->middle, t->bottom, base, turn);
-        pixels |= walk(one + done, other + done, &long_edge, &short_edge, base, t->end - turn);
+        other += 2 * (turn - row);
+        walk(other, edge_from(t->middle, t->bottom, base, turn), base, t->end - turn);
     }
-    return pixels != 0;
+    return covers(t->spans, t->end - row);
 }
 
 static void dda_init(qtri_dda *dda, const qtri_screen_point *a, const qtri_screen_point *b,

@@ -38,12 +38,22 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
 /* Colours from now on are shares of this one. */
 void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);
 
-/* Twice the area in 1/256 pixel squared; y points down: negative is front. */
+/* Twice the area in 1/256 pixel squared; y points down: negative is front. |x|, |y| <= 2^22. */
 static inline int64_t qtri_triangle_area(const qtri_screen_point *a, const qtri_screen_point *b,
                                          const qtri_screen_point *c)
 {
-    return qtri_mul_s32(b->x_24p8 - a->x_24p8, c->y_24p8 - a->y_24p8) -
-           qtri_mul_s32(c->x_24p8 - a->x_24p8, b->y_24p8 - a->y_24p8);
+    int32_t dx1 = b->x_24p8 - a->x_24p8;
+    int32_t dy1 = b->y_24p8 - a->y_24p8;
+    int32_t dx2 = c->x_24p8 - a->x_24p8;
+    int32_t dy2 = c->y_24p8 - a->y_24p8;
+#if !QTRI_LONG_MULTIPLY
+    const uint32_t half = (uint32_t)1 << 14; /* both products below 2^28 */
+    if ((((uint32_t)dx1 + half) | ((uint32_t)dy1 + half) | ((uint32_t)dx2 + half) |
+         ((uint32_t)dy2 + half)) < 2 * half) {
+        return dx1 * dy2 - dx2 * dy1;
+    }
+#endif
+    return qtri_mul_s32(dx1, dy2) - qtri_mul_s32(dx2, dy1);
 }
 
 static inline bool qtri_raster_culls(const qtri_raster *raster, int64_t area)
