@@ -31,7 +31,7 @@ static inline void draw(cursor *at, const qtri_job *job, uint32_t packed, int32_
     uint16_t *depth = at->depth;
     uint32_t z = at->z;
     if (count >= 8) {
-        const uint32_t last = job->packed_step.eight - 4 * even - 3 * odd;
+        const uint32_t last = job->packed_step.last;
         const uint16_t *stop = depth + (count & ~7);
         do {
             PIXEL(0, even)
@@ -87,17 +87,21 @@ static void draw_runs(cursor *at, const qtri_job *job, int32_t dx, int32_t dy, i
 {
     int32_t phase = cut % QTRI_PACKED_RUN;
     while (rest > 0) {
-        uint32_t packed = qtri_packed_start(job, dx - phase, dy);
+        uint32_t start = qtri_packed_start(job, dx - phase, dy);
         int32_t part = QTRI_PACKED_RUN - phase < rest ? QTRI_PACKED_RUN - phase : rest;
         dx += part;
         rest -= part;
-        for (; part > 0 && phase % 8 != 0; part--, phase++) {
-            draw_one(at, job, packed + qtri_packed_skip(job, phase));
+        uint32_t packed = start;
+        if (phase != 0) {
+            for (; part > 0 && phase % 8 != 0; part--, phase++) {
+                draw_one(at, job, start + qtri_packed_skip(job, phase));
+            }
+            packed += qtri_packed_skip(job, phase);
+            phase = 0;
         }
         if (part > 0) {
-            draw(at, job, packed + qtri_packed_skip(job, phase), part);
+            draw(at, job, packed, part);
         }
-        phase = 0;
     }
 }
 

@@ -65,9 +65,10 @@ typedef enum qtri_paint {
 /* PERSPECTIVE: colours (n.16, up to 24 bits) are scaled by this much to use 30 bits. */
 #define QTRI_COLOR_PERSPECTIVE_SHIFT 6
 
-/* Steps of a packed colour, see packed.h: pixels 0 2 4 6 of a group, 1 3 5, and all eight. */
+/* Steps of a packed colour, see packed.h: from pixels 0 2 4 6 of a group, 1 3 5, 7; of all eight.
+ */
 typedef struct qtri_packed_steps {
-    uint32_t even, odd, eight;
+    uint32_t even, odd, last, eight;
 } qtri_packed_steps;
 
 struct qtri_job {

@@ -194,7 +194,7 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
     qtri_packed_steps *step = &job->packed_step;
     if (job->tiny && job->raster->texture == NULL && job->raster->surface->format == QTRI_RGB565 &&
         tiny_tint(job, v, gradient)) {
-        step->odd = step->even;
+        step->odd = step->last = step->even;
         step->eight = 8 * step->even;
         return;
     }
@@ -206,11 +206,12 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
     if (job->tiny) {
         job->packed_origin = qtri_pack_floor(c[0].origin, c[1].origin, c[2].origin);
         job->packed_dy = qtri_pack_round(c[0].dy, c[1].dy, c[2].dy);
-        step->odd = step->even;
+        step->odd = step->last = step->even;
         step->eight = 8 * step->even;
     } else {
         step->odd = qtri_pack_round(2 * c[0].dx, 2 * c[1].dx, 2 * c[2].dx) - step->even;
         step->eight = qtri_pack_round(8 * c[0].dx, 8 * c[1].dx, 8 * c[2].dx);
+        step->last = step->eight - 4 * step->even - 3 * step->odd;
     }
 }
 

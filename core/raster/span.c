@@ -34,11 +34,14 @@ static uint64_t row_of(const qtri_plane *plane, int32_t y)
 static void window_planes(window *w, const qtri_job *job)
 {
     w->inv_w = row_of(&job->inv_w, w->y);
-    for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
-        w->uv[i] = row_of(&job->uv[i], w->y);
+    if (job->raster->texture != NULL) {
+        w->uv[0] = row_of(&job->uv[0], w->y);
+        w->uv[1] = row_of(&job->uv[1], w->y);
     }
-    for (int i = 0; i < 3 && job->smooth; i++) {
-        w->color[i] = row_of(&job->color.plane[i], w->y);
+    if (job->smooth) {
+        for (int i = 0; i < 3; i++) {
+            w->color[i] = row_of(&job->color.plane[i], w->y);
+        }
     }
 }
 
@@ -63,13 +66,17 @@ static divider sample_at(sample *out, const qtri_job *job, const window *w, int3
     out->q = q < 1 ? 1u : (q > (int64_t)1 << 31 ? (uint32_t)1 << 31 : (uint32_t)q);
     int32_t zeros = qtri_clz32(out->q);
     divider d = {qtri_reciprocal_q62(out->q << zeros), 31 - zeros};
-    for (int i = 0; i < 3 && job->smooth; i++) {
-        uint64_t over_w = column_of(w->color[i], job->color.plane[i].dx, x);
-        int64_t c = divide(over_w, &d) >> QTRI_COLOR_PERSPECTIVE_SHIFT;
-        out->color[i] = hold(c, job->least[i], job->greatest[i]);
+    if (job->smooth) {
+        for (int i = 0; i < 3; i++) {
+            uint64_t over_w = column_of(w->color[i], job->color.plane[i].dx, x);
+            int64_t c = divide(over_w, &d) >> QTRI_COLOR_PERSPECTIVE_SHIFT;
+            out->color[i] = hold(c, job->least[i], job->greatest[i]);
+        }
     }
-    for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
-        out->uv[i] = hold(divide(column_of(w->uv[i], job->uv[i].dx, x), &d), 0, INT32_MAX);
+    if (job->raster->texture != NULL) {
+        for (int i = 0; i < 2; i++) {
+            out->uv[i] = hold(divide(column_of(w->uv[i], job->uv[i].dx, x), &d), 0, INT32_MAX);
+        }
     }
     return d;
 }

@@ -1,45 +1,43 @@
 #include "bench_scenes.h"
 
 /*
- * S4k, S5k and S7k: as S4, S5 and S7 with the project's own mesh of like size, 5760 triangles.
- * S4c, S5c and S4kc: with the compact mesh, 16-bit positions and 8-bit normals.
+ * Meshes are compact: 16-bit positions, 8-bit normals. S4w and S5w: with the wide mesh, Q16.16
+ * positions. S4k, S5k and S7k: as S4, S5 and S7 with the project's own mesh of like size, 5760
+ * triangles.
  */
+#ifdef BENCH_PLAIN
+#define COMPACT(mesh) &bench_mesh_##mesh
+#else
+#define COMPACT(mesh) &bench_mesh_##mesh##_compact
+#endif
+#define FLAT(name_, mesh_, turn_)                                                                  \
+    {                                                                                              \
+        .name = name_, .work = BENCH_MESH, .shading = QTRI_FLAT_LAST, .mesh = mesh_, .turn = turn_ \
+    }
+#define SMOOTH(name_, mesh_, turn_)                                                                \
+    {                                                                                              \
+        .name = name_, .work = BENCH_MESH, .mesh = mesh_, .turn = turn_                            \
+    }
+#define LINES(name_, mesh_, turn_)                                                                 \
+    {                                                                                              \
+        .name = name_, .work = BENCH_MESH, .fill = QTRI_WIREFRAME, .mesh = mesh_, .turn = turn_    \
+    }
+
 const bench_scene bench_scenes[] = {
     {.name = "S0", .work = BENCH_CLEAR},
     {.name = "S1", .work = BENCH_SCREEN, .shading = QTRI_FLAT_LAST},
     {.name = "S2", .work = BENCH_SCREEN, .shading = QTRI_SMOOTH},
     {.name = "S3", .work = BENCH_FLOOR, .interpolation = QTRI_PERSPECTIVE},
     {.name = "S3a", .work = BENCH_FLOOR, .interpolation = QTRI_SCREEN_LINEAR},
-    {.name = "S4", .work = BENCH_MESH, .mesh = &bench_mesh_spot, .turn = Q16(150)},
-    {.name = "S5",
-     .work = BENCH_MESH,
-     .shading = QTRI_FLAT_LAST,
-     .mesh = &bench_mesh_teapot,
-     .turn = Q16(30)},
-    {.name = "S7",
-     .work = BENCH_MESH,
-     .fill = QTRI_WIREFRAME,
-     .mesh = &bench_mesh_spot,
-     .turn = Q16(150)},
-    {.name = "S4k", .work = BENCH_MESH, .mesh = &bench_mesh_knot, .turn = Q16(30)},
-    {.name = "S5k",
-     .work = BENCH_MESH,
-     .shading = QTRI_FLAT_LAST,
-     .mesh = &bench_mesh_knot,
-     .turn = Q16(30)},
-    {.name = "S7k",
-     .work = BENCH_MESH,
-     .fill = QTRI_WIREFRAME,
-     .mesh = &bench_mesh_knot,
-     .turn = Q16(30)},
+    SMOOTH("S4", COMPACT(spot), Q16(150)),
+    FLAT("S5", COMPACT(teapot), Q16(30)),
+    LINES("S7", COMPACT(spot), Q16(150)),
+    SMOOTH("S4k", COMPACT(knot), Q16(30)),
+    FLAT("S5k", COMPACT(knot), Q16(30)),
+    LINES("S7k", COMPACT(knot), Q16(30)),
 #ifndef BENCH_PLAIN
-    {.name = "S4c", .work = BENCH_MESH, .mesh = &bench_mesh_spot_compact, .turn = Q16(150)},
-    {.name = "S5c",
-     .work = BENCH_MESH,
-     .shading = QTRI_FLAT_LAST,
-     .mesh = &bench_mesh_teapot_compact,
-     .turn = Q16(30)},
-    {.name = "S4kc", .work = BENCH_MESH, .mesh = &bench_mesh_knot_compact, .turn = Q16(30)},
+    SMOOTH("S4w", &bench_mesh_spot, Q16(150)),
+    FLAT("S5w", &bench_mesh_teapot, Q16(30)),
 #endif
     {.name = NULL},
 };
