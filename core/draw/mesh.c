@@ -8,7 +8,6 @@ enum { WORTH_A_BOX = 64 };
 /* One draw call: what every triangle needs. */
 typedef struct mesh_draw {
     qtri_primitive primitive;
-    qtri_raster raster;     /* the primitive's, tinted if all vertices have the material's colour */
     qtri_material material; /* without the texture when there are no coordinates */
     const qtri_mesh *mesh;
     qtri_vertex *vertices; /* slot_count of them */
@@ -149,7 +148,7 @@ QTRI_NOINLINE static void set_more(const mesh_draw *draw, uint32_t index, uint32
         out->color[1] = channels.c[1];
         out->color[2] = channels.c[2];
     }
-    if (draw->raster.texture != NULL) {
+    if (draw->primitive.raster.texture != NULL) {
         set_uv(&out->u_q32, &out->v_q32, mesh, index);
     }
 }
@@ -162,7 +161,8 @@ static void draw_solid(const mesh_draw *draw, const void *indices, qtri_vertex *
         triangle.p[i] = &vertex[i]->at;
     }
     triangle.area = qtri_triangle_area(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at);
-    if (triangle.area == 0 || !qtri_triangle_begin(&draw->raster, &triangle)) {
+    triangle.tinted = draw->mesh->colors == NULL;
+    if (triangle.area == 0 || !qtri_triangle_begin(&draw->primitive.raster, &triangle)) {
         return;
     }
     qtri_attributes attributes[3];
@@ -182,7 +182,7 @@ static void draw_solid(const mesh_draw *draw, const void *indices, qtri_vertex *
             set_more(draw, index_of(draw->mesh, indices, i), intensity_q15, &attributes[i]);
         }
     }
-    qtri_triangle_draw(&draw->raster, &triangle, attributes);
+    qtri_triangle_draw(&draw->primitive.raster, &triangle, attributes);
 }
 
 QTRI_NOINLINE static void draw_wireframe(const mesh_draw *draw, const void *indices,
@@ -398,11 +398,10 @@ QTRI_NOINLINE static bool prepare(mesh_draw *draw, const qtri_surface *surface,
     if (is_missed(draw, surface)) {
         return false;
     }
-    draw->raster = draw->primitive.raster;
     if (mesh->colors == NULL) {
-        qtri_raster_set_tint(&draw->raster, draw->material.color);
+        qtri_raster_set_tint(&draw->primitive.raster, draw->material.color);
     }
-    draw->more = mesh->colors != NULL || draw->raster.texture != NULL;
+    draw->more = mesh->colors != NULL || draw->primitive.raster.texture != NULL;
     if (mesh->positions16 != NULL) {
         qtri_projector_compact(&draw->primitive.projector, &mesh->origin, mesh->extent);
     }

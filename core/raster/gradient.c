@@ -33,6 +33,9 @@ void qtri_gradient_init(qtri_gradient *g)
     }
     int32_t area = (int32_t)g->area; /* < 2^31 */
     uint32_t size = qtri_magnitude32(area);
+    if (size == 0) {
+        return; /* nobody draws it */
+    }
     int32_t zeros = qtri_clz32(size);
     int32_t r = (int32_t)(qtri_reciprocal_q62(size << zeros) >> 1);
     g->reciprocal = r;

@@ -46,9 +46,8 @@ typedef struct qtri_raster {
     qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
     bool perspective, replace; /* as the material asks */
-    bool tinted;               /* colours are shares of `tint` */
-    qtri_channels tint;
-    int32_t column_shift; /* of texels that are copied, see texel_copy.h */
+    qtri_channels tint;        /* what tinted triangles have shares of */
+    int32_t column_shift;      /* of texels that are copied, see texel_copy.h */
     uint32_t row_mask;
     bool copies_white; /* texels may be copied where the colour is white */
     qtri_cull cull;
@@ -74,6 +73,7 @@ typedef struct qtri_packed_steps {
 struct qtri_job {
     const qtri_raster *raster;
     qtri_draw_run draw_run; /* of spans */
+    bool tinted;            /* colours are shares of the raster's tint */
     qtri_paint paint;
     bool smooth;                /* colours vary: `color` is set */
     bool tiny;                  /* `packed` serves the whole triangle */

@@ -94,10 +94,10 @@ static inline int32_t shade(const qtri_raster *raster, int32_t share_q22, int i)
 }
 
 /* Channel i of the three vertices. */
-static void channel_of(uint32_t f[3], const qtri_raster *raster, const qtri_attributes v[3], int i)
+static void channel_of(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i)
 {
     for (int k = 0; k < 3; k++) {
-        f[k] = (uint32_t)(raster->tinted ? shade(raster, v[k].color[0], i) : v[k].color[i]);
+        f[k] = (uint32_t)(job->tinted ? shade(job->raster, v[k].color[0], i) : v[k].color[i]);
     }
 }
 
@@ -112,10 +112,11 @@ static uint32_t range_of(const qtri_attributes v[3], int i)
  * The widest of the colour channels, n.16, or their sum where a pixel is. A tint's channels are at
  * most 2^22 in RGB565, else 2^24, and so is their sum in GRAY8.
  */
-static uint32_t color_range(const qtri_raster *raster, const qtri_attributes v[3])
+static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
 {
+    const qtri_raster *raster = job->raster;
     uint32_t range = range_of(v, 0);
-    if (raster->tinted) {
+    if (job->tinted) {
         return raster->surface->format == QTRI_RGB565 ? range : range << 2;
     }
     for (int i = 1; i < 3; i++) {
@@ -135,7 +136,7 @@ static void perspective_colors(qtri_job *job, const qtri_attributes v[3],
     for (int i = 0; i < 3; i++) {
         uint32_t f[3];
         int64_t scaled[3];
-        channel_of(f, job->raster, v, i);
+        channel_of(f, job, v, i);
         job->least[i] = (int32_t)least_of(f);
         job->greatest[i] = (int32_t)greatest_of(f);
         for (int k = 0; k < 3; k++) {
@@ -146,12 +147,13 @@ static void perspective_colors(qtri_job *job, const qtri_attributes v[3],
 }
 
 /* One ramp serves all channels of a tint, if it is not so steep that it wraps. */
-static void linear_ramps(qtri_ramp c[3], const qtri_raster *raster, const qtri_attributes v[3],
-                         const qtri_gradient *gradient)
+static void linear_ramps(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
+    const qtri_raster *raster = job->raster;
+    qtri_ramp *c = job->color.ramp;
     const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
                                (uint32_t)v[2].color[0]};
-    if (raster->tinted && gradient->inverse != 0) {
+    if (job->tinted && gradient->inverse != 0) {
         qtri_ramp ramp;
         qtri_ramp_multiply(&ramp, gradient, share);
         for (int i = 0; i < 3; i++) {
@@ -163,7 +165,7 @@ static void linear_ramps(qtri_ramp c[3], const qtri_raster *raster, const qtri_a
     }
     for (int i = 0; i < 3; i++) {
         uint32_t f[3];
-        channel_of(f, raster, v, i);
+        channel_of(f, job, v, i);
         ramp_init(&c[i], gradient, f[0], f[1], f[2]);
     }
 }
@@ -174,7 +176,7 @@ static bool tiny_tint(qtri_job *job, const qtri_attributes v[3], const qtri_grad
     const qtri_raster *raster = job->raster;
     const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
                                (uint32_t)v[2].color[0]};
-    if (!raster->tinted) {
+    if (!job->tinted) {
         return false;
     }
     qtri_ramp ramp;
@@ -198,7 +200,7 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
         step->eight = 8 * step->even;
         return;
     }
-    linear_ramps(job->color.ramp, job->raster, v, gradient);
+    linear_ramps(job, v, gradient);
     if (job->raster->surface->format != QTRI_RGB565) {
         return;
     }
@@ -216,16 +218,16 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
 }
 
 /* Prepares the axes. True where coordinates may be taken as linear: 1/1024 of a texel. */
-static bool texture_axes(qtri_job *job, const qtri_attributes v[3], const uint32_t q[3])
+static bool texture_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3],
+                         const uint32_t q[3])
 {
     const qtri_texture *texture = job->raster->texture;
     int64_t u_q32[3] = {v[0].u_q32, v[1].u_q32, v[2].u_q32};
     int64_t v_q32[3] = {v[0].v_q32, v[1].v_q32, v[2].v_q32};
-    qtri_texel_axis_init(&job->axis[0], u_q32, texture->width_log2);
-    qtri_texel_axis_init(&job->axis[1], v_q32, texture->height_log2);
+    qtri_texel_axis_init(&job->axis[0], value[0], u_q32, texture->width_log2);
+    qtri_texel_axis_init(&job->axis[1], value[1], v_q32, texture->height_log2);
     for (int i = 0; i < 2; i++) {
-        const int64_t *value = job->axis[i].value;
-        const uint32_t f[3] = {(uint32_t)value[0], (uint32_t)value[1], (uint32_t)value[2]};
+        const uint32_t *f = value[i];
         int32_t tolerance = job->axis[i].shift - 10;
         if (tolerance < 0 || !nearly_linear(greatest_of(f) - least_of(f), q, tolerance)) {
             return false;
@@ -234,13 +236,15 @@ static bool texture_axes(qtri_job *job, const qtri_attributes v[3], const uint32
     return true;
 }
 
-static void texture_planes(qtri_job *job, const qtri_gradient *gradient, const uint32_t *q)
+static void texture_planes(qtri_job *job, const qtri_gradient *gradient, const uint32_t value[2][3],
+                           const uint32_t *q)
 {
     for (int i = 0; i < 2; i++) {
+        const int64_t f[3] = {value[i][0], value[i][1], value[i][2]};
         if (q != NULL) {
-            plane_over_w(&job->uv[i], gradient, job->axis[i].value, q);
+            plane_over_w(&job->uv[i], gradient, f, q);
         } else {
-            qtri_plane_init(&job->uv[i], gradient, job->axis[i].value);
+            qtri_plane_init(&job->uv[i], gradient, f);
         }
     }
 }
@@ -282,9 +286,10 @@ static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_s
 }
 
 /* Colours to interpolate: those of the vertices, white for a texture alone, or none. */
-static bool is_smooth(const qtri_raster *raster, const qtri_attributes v[3], uint32_t *range)
+static bool is_smooth(const qtri_job *job, const qtri_attributes v[3], uint32_t *range)
 {
-    *range = raster->shading == QTRI_SMOOTH && !raster->replace ? color_range(raster, v) : 0;
+    const qtri_raster *raster = job->raster;
+    *range = raster->shading == QTRI_SMOOTH && !raster->replace ? color_range(job, v) : 0;
     return *range != 0;
 }
 
@@ -306,7 +311,7 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
     }
     const qtri_attributes *from = &v[qtri_raster_provoking(raster)];
     for (int i = 0; i < 3; i++) {
-        job->constant.c[i] = raster->tinted ? shade(raster, from->color[0], i) : from->color[i];
+        job->constant.c[i] = job->tinted ? shade(raster, from->color[0], i) : from->color[i];
     }
 }
 
@@ -315,6 +320,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
 {
     qtri_gradient gradient;
     job->raster = raster;
+    job->tinted = triangle->tinted;
     job->draw_run = qtri_run_generic;
     job->copies_texels = false;
     job->cut = triangle->x_least < raster->bounds.x0 * 256 ||
@@ -326,7 +332,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         ramp_init(&job->depth, &gradient, v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16);
     }
     uint32_t range;
-    job->smooth = is_smooth(raster, v, &range);
+    job->smooth = is_smooth(job, v, &range);
     if (!job->smooth) {
         constant_color(job, v);
         if (raster->texture == NULL) {
@@ -336,10 +342,11 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         }
     }
     uint32_t q[3] = {1, 1, 1};
+    uint32_t value[2][3] = {{0, 0, 0}, {0, 0, 0}};
     bool perspective = false;
     if (raster->texture != NULL) {
         bool same = !raster->perspective || !inv_w_align(q, v);
-        bool linear = texture_axes(job, v, q) && nearly_linear(range, q, LINEAR_LOG2);
+        bool linear = texture_axes(job, value, v, q) && nearly_linear(range, q, LINEAR_LOG2);
         perspective = !same && !linear;
     } else if (raster->perspective && !plainly_linear(range, v)) {
         perspective = inv_w_align(q, v) && !nearly_linear(range, q, LINEAR_LOG2);
@@ -358,7 +365,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         return perspective ? qtri_fill_spans
                            : (job->tiny ? raster->fill_tiny : raster->fill_linear);
     }
-    texture_planes(job, &gradient, perspective ? q : NULL);
+    texture_planes(job, &gradient, (const uint32_t(*)[3])value, perspective ? q : NULL);
     job->copies_texels = raster->copies_white && !job->smooth && is_white(job);
     for (int i = 0; i < 2; i++) {
         job->uv_up[i] =

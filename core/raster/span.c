@@ -33,6 +33,10 @@ static uint64_t row_of(const qtri_plane *plane, int32_t y)
 
 static void window_planes(window *w, const qtri_job *job)
 {
+    for (int i = 0; i < 3; i++) {
+        w->color[i] = 0;
+    }
+    w->uv[0] = w->uv[1] = 0;
     w->inv_w = row_of(&job->inv_w, w->y);
     if (job->raster->texture != NULL) {
         w->uv[0] = row_of(&job->uv[0], w->y);
@@ -60,12 +64,23 @@ static int64_t divide(uint64_t over_w, const divider *d)
     return (int64_t)(qtri_mul_u32((uint32_t)s, d->reciprocal) >> d->shift);
 }
 
-static divider sample_at(sample *out, const qtri_job *job, const window *w, int32_t x)
+static divider divider_for(uint64_t inv_w, uint32_t *q)
 {
-    int64_t q = qtri_plane_floor(column_of(w->inv_w, job->inv_w.dx, x));
-    out->q = q < 1 ? 1u : (q > (int64_t)1 << 31 ? (uint32_t)1 << 31 : (uint32_t)q);
-    int32_t zeros = qtri_clz32(out->q);
-    divider d = {qtri_reciprocal_q62(out->q << zeros), 31 - zeros};
+    int64_t exact = qtri_plane_floor(inv_w);
+    *q = exact < 1 ? 1u : (exact > (int64_t)1 << 31 ? (uint32_t)1 << 31 : (uint32_t)exact);
+    int32_t zeros = qtri_clz32(*q);
+    divider d = {qtri_reciprocal_q62(*q << zeros), 31 - zeros};
+    return d;
+}
+
+static int32_t coordinate(uint64_t over_w, const divider *d)
+{
+    return hold(divide(over_w, d), 0, INT32_MAX);
+}
+
+static void sample_at(sample *out, const qtri_job *job, const window *w, int32_t x)
+{
+    divider d = divider_for(column_of(w->inv_w, job->inv_w.dx, x), &out->q);
     if (job->smooth) {
         for (int i = 0; i < 3; i++) {
             uint64_t over_w = column_of(w->color[i], job->color.plane[i].dx, x);
@@ -75,10 +90,9 @@ static divider sample_at(sample *out, const qtri_job *job, const window *w, int3
     }
     if (job->raster->texture != NULL) {
         for (int i = 0; i < 2; i++) {
-            out->uv[i] = hold(divide(column_of(w->uv[i], job->uv[i].dx, x), &d), 0, INT32_MAX);
+            out->uv[i] = coordinate(column_of(w->uv[i], job->uv[i].dx, x), &d);
         }
     }
-    return d;
 }
 
 static uint64_t difference(int32_t a, int32_t b)
@@ -194,7 +208,7 @@ static void draw_block(const qtri_job *job, const window *w, qtri_run *run, samp
         int32_t next = x + length < end ? x + length : end;
         sample middle = *to;
         if (next < end) {
-            (void)sample_at(&middle, job, w, next);
+            sample_at(&middle, job, w, next);
         }
         draw_run(job, w, run, from, &middle, x, next - x, next - x + (next == end ? extra : 0));
         *from = middle;
@@ -227,12 +241,13 @@ static bool level_span(const qtri_job *job, const window *w, qtri_run *run, int3
             return false;
         }
     }
-    sample from;
-    divider d = sample_at(&from, job, w, left);
+    uint32_t q;
+    divider d = divider_for(qtri_plane_at(&job->inv_w, left, w->y), &q);
     for (int i = 0; i < 2; i++) {
         int32_t up = job->uv_up[i];
+        int32_t start = coordinate(qtri_plane_at(&job->uv[i], left, w->y), &d);
         run->uv_step[i] = divide_step(job->uv[i].dx, &d, up);
-        run->uv[i] = scaled((uint32_t)from.uv[i] + job->axis[i].bias, up) +
+        run->uv[i] = scaled((uint32_t)start + job->axis[i].bias, up) +
                      (uint32_t)(w->x0 - left) * run->uv_step[i];
     }
     run->x = w->x0;
@@ -250,18 +265,18 @@ static void perspective_span(const qtri_job *job, window *w, qtri_run *run, int3
                              int32_t right)
 {
     int32_t last = right - 1;
-    sample from;
-    sample to;
-    window_planes(w, job);
     if (job->inv_w.dx == 0 && !job->smooth && level_span(job, w, run, left, right)) {
         return;
     }
-    (void)sample_at(&from, job, w, left);
+    sample from = {0, {0, 0, 0}, {0, 0}};
+    sample to = from;
+    window_planes(w, job);
+    sample_at(&from, job, w, left);
     if (last == left) {
         draw_run(job, w, run, &from, &from, left, 1, 1);
         return;
     }
-    (void)sample_at(&to, job, w, last);
+    sample_at(&to, job, w, last);
     int32_t block = run_length(job, &from, &to, last - left);
     if (block == last - left) {
         draw_run(job, w, run, &from, &to, left, block, block + 1);
@@ -273,14 +288,14 @@ static void perspective_span(const qtri_job *job, window *w, qtri_run *run, int3
         x -= block; /* the last pixel belongs to the run before it */
     }
     if (x > left) {
-        (void)sample_at(&from, job, w, x);
+        sample_at(&from, job, w, x);
     }
     for (; x < w->x1 && x < last; x += block) {
         int32_t end = last;
         sample next = to;
         if (x + block < last) {
             end = x + block;
-            (void)sample_at(&next, job, w, end);
+            sample_at(&next, job, w, end);
         }
         draw_block(job, w, run, &from, &next, x, end, end == last);
     }

@@ -26,7 +26,8 @@ static int32_t first_texel(int64_t base, int32_t shift)
     return (int32_t)(first < least ? least : (first > greatest ? greatest : first));
 }
 
-void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3], uint8_t side_log2)
+void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_t coordinate_q32[3],
+                          uint8_t side_log2)
 {
     int64_t offset[3];
     int64_t least = hold_q32(coordinate_q32[0]);
@@ -41,7 +42,7 @@ void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3]
     int32_t down = 34 - qtri_clz64((uint64_t)(greatest - base));
     down = down < 3 ? 3 : down; /* <= 20 */
     for (int i = 0; i < 3; i++) {
-        axis->value[i] = (offset[i] - base) >> down;
+        value[i] = (uint32_t)((offset[i] - base) >> down);
     }
     side_log2 = side_log2_of(side_log2);
     axis->shift = 32 - down - side_log2; /* >= 2 */

@@ -13,16 +13,18 @@
  * are dropped, the rest is scaled, so that what is interpolated has no idle bits.
  */
 typedef struct qtri_texel_axis {
-    int64_t value[3]; /* at the vertices, 0 <= value < 2^30 */
-    int32_t shift;    /* texel = (value + bias) >> shift, wrapped */
-    uint32_t mask;    /* side - 1 */
-    uint32_t bias;    /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
-    int32_t first;    /* (value + 2^30) >> shift at coordinate 0; held to -2^29..2^30, which
-                         clamps the same */
+    int32_t shift; /* texel = (value + bias) >> shift, wrapped */
+    uint32_t mask; /* side - 1 */
+    uint32_t bias; /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
+    int32_t first; /* (value + 2^30) >> shift at coordinate 0; held to -2^29..2^30, which
+                      clamps the same */
 } qtri_texel_axis;
 
-/* Coordinates as in qtri_screen_vertex; beyond 2^48 they are held there. */
-void qtri_texel_axis_init(qtri_texel_axis *axis, const int64_t coordinate_q32[3],
+/*
+ * Coordinates as in qtri_screen_vertex; beyond 2^48 they are held there. value: at the vertices,
+ * below 2^30.
+ */
+void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_t coordinate_q32[3],
                           uint8_t side_log2);
 
 /* Whether a material's texture can be read at all. */

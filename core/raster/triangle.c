@@ -37,7 +37,6 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->depth_write = !material->depth_read_only;
     raster->perspective = material->interpolation == QTRI_PERSPECTIVE;
     raster->replace = raster->texture != NULL && material->texture_mode == QTRI_REPLACE;
-    raster->tinted = false;
     raster->cull = material->cull;
     raster->shading = material->shading;
     raster->copies_white = raster->texture != NULL && surface->format == QTRI_RGB565 &&
@@ -53,7 +52,6 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
 {
     int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
                              (int32_t)color.b << 16};
-    raster->tinted = true;
     raster->tint = qtri_channels_from_color(raster->surface->format, color_8p16);
 }
 
@@ -146,6 +144,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
         p[i].y_24p8 = hold(v[i].y_24p8);
         triangle.p[i] = &p[i];
     }
+    triangle.tinted = false;
     triangle.area = qtri_triangle_area(&p[0], &p[1], &p[2]);
     if (qtri_raster_culls(raster, triangle.area) || !qtri_triangle_begin(raster, &triangle)) {
         return;

@@ -13,6 +13,7 @@
 /* A triangle's place on the screen. */
 typedef struct qtri_triangle {
     const qtri_screen_point *p[3]; /* |x|, |y| <= QTRI_SCREEN_MAX_24P8 */
+    bool tinted;                   /* colours are shares of the raster's tint */
     int64_t area; /* 2^-15 square pixels; negative is counter-clockwise to the eye */
     /* The rest is qtri_triangle_begin's. */
     const qtri_screen_point *top, *middle, *bottom; /* p by y */
@@ -35,7 +36,7 @@ typedef struct qtri_attributes {
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material);
 
-/* Colours from now on are shares of this one. */
+/* The colour that tinted triangles have shares of. */
 void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);
 
 /* Twice the area in 1/256 pixel squared; y points down: negative is front. |x|, |y| <= 2^22. */
