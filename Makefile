@@ -24,7 +24,7 @@ FUZZ_SECONDS ?= 60
 TEST_SECONDS ?= 300
 
 LIBRARY_SOURCES := $(wildcard core/*/*.c port/panels/*.c)
-HOST_SOURCES    := $(filter-out host/tools/main.c,$(wildcard host/io/*.c host/reference/*.c host/tools/*.c))
+HOST_SOURCES    := $(filter-out host/tools/main.c,$(wildcard host/io/*.c host/panels/*.c host/reference/*.c host/tools/*.c))
 HELPER_SOURCES  := $(filter-out tests/test_%.c tests/fuzz_%.c,$(wildcard tests/*.c))
 
 LIBRARY  := $(BUILD)/libqtri.a

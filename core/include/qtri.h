@@ -22,11 +22,13 @@
  *   view.h       viewport, light, vertex scratch          surface.h  frames and bands
  *   material.h   colour, texture, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
+ *   dither.h     fewer levels of gray, for panels
  */
 #ifndef QTRI_H
 #define QTRI_H
 
 #include "qtri/clip.h"
+#include "qtri/dither.h"
 #include "qtri/draw.h"
 #include "qtri/error.h"
 #include "qtri/mat.h"

@@ -1,4 +1,4 @@
-#include "fill.h"
+#include "fill_pairs.h"
 
 #define LOOP(name) rgb565_##name
 #define PIXEL      uint16_t
@@ -27,6 +27,9 @@ void qtri_fill_choose(qtri_raster *raster)
         raster->fill_flat = flat[format <= QTRI_GRAY8 ? format : QTRI_GRAY8][less];
     }
     if (less && format == QTRI_RGB565) {
+#if QTRI_PAIRS
+        raster->fill_flat = qtri_fill_flat_pairs;
+#endif
         raster->fill_linear = qtri_fill_packed_less;
         raster->fill_tiny = qtri_fill_tiny_less;
         raster->copy_run = qtri_run_copy_less;

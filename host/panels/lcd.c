@@ -1,0 +1,215 @@
+#include "controllers.h"
+
+#include <string.h>
+
+/* What both controllers know: MIPI's display command set. Reading commands are left out. */
+#define MIPI_COMMANDS                                                                              \
+    {0x00, 0x01, 0}, {0x10, 0x13, 0}, {0x20, 0x21, 0}, {0x26, 0x26, 1}, {0x28, 0x29, 0},           \
+        {0x2A, 0x2B, 4}, {0x2C, 0x2C, CHIP_STREAM}, {0x30, 0x30, 4}, {0x33, 0x33, 6},              \
+        {0x34, 0x34, 0}, {0x35, 0x36, 1}, {0x37, 0x37, 2}, {0x38, 0x39, 0}, {0x3A, 0x3A, 1},       \
+        {0x3C, 0x3C, CHIP_STREAM}, {0x44, 0x44, 2}, {0x51, 0x51, 1}, {0x53, 0x53, 1},              \
+        {0x55, 0x55, 1},                                                                           \
+    {                                                                                              \
+        0x5E, 0x5E, 1                                                                              \
+    }
+
+static const chip_command ili9341_commands[] = {
+    MIPI_COMMANDS,   {0xB0, 0xB0, 1},  {0xB1, 0xB3, 2}, {0xB4, 0xB4, 1}, {0xB5, 0xB6, 4},
+    {0xB7, 0xB7, 1}, {0xC0, 0xC1, 1},  {0xC5, 0xC5, 2}, {0xC7, 0xC7, 1}, {0xCB, 0xCB, 5},
+    {0xCF, 0xCF, 3}, {0xE0, 0xE1, 15}, {0xE8, 0xE8, 3}, {0xEA, 0xEA, 2}, {0xED, 0xED, 4},
+    {0xF2, 0xF2, 1}, {0xF6, 0xF6, 3},  {0xF7, 0xF7, 1},
+};
+
+static const chip_command st7789_commands[] = {
+    MIPI_COMMANDS,   {0xB0, 0xB0, 2}, {0xB1, 0xB1, 3}, {0xB2, 0xB2, 5},
+    {0xB7, 0xB7, 1}, {0xBB, 0xBB, 1}, {0xC0, 0xC0, 1}, {0xC2, 0xC2, 2},
+    {0xC3, 0xC4, 1}, {0xC6, 0xC6, 1}, {0xD0, 0xD0, 2}, {0xE0, 0xE1, 14},
+};
+
+enum { ROWS_REVERSED = 0x80, COLUMNS_REVERSED = 0x40, EXCHANGED = 0x20, BLUE_FIRST = 0x08 };
+enum { COLUMNS = 240, ROWS = 320 };
+
+static lcd *self(chip *it)
+{
+    return (lcd *)(void *)it;
+}
+
+/* Registers as after power on; 5 ms pass before commands, 120 ms before the chip may be woken. */
+static void reset(chip *it)
+{
+    lcd *s = self(it);
+    s->address_mode = 0;
+    s->pixel_format = 0x66;
+    s->columns[0] = s->pages[0] = 0;
+    s->columns[1] = COLUMNS - 1;
+    s->pages[1] = ROWS - 1;
+    s->on = s->awake = s->inverted = s->half = false;
+    it->ready_ms = it->now_ms + 5;
+    s->wake_ms = it->now_ms + 120;
+}
+
+/* The window is looked at when writing starts, in the directions of the address mode. */
+static void begin_write(chip *it)
+{
+    lcd *s = self(it);
+    bool exchanged = (s->address_mode & EXCHANGED) != 0;
+    int last_column = exchanged ? ROWS - 1 : COLUMNS - 1;
+    int last_page = exchanged ? COLUMNS - 1 : ROWS - 1;
+    if (s->columns[0] > s->columns[1] || s->columns[1] > last_column) {
+        chip_reject(it, "columns %d..%d of 0..%d", s->columns[0], s->columns[1], last_column);
+    }
+    if (s->pages[0] > s->pages[1] || s->pages[1] > last_page) {
+        chip_reject(it, "pages %d..%d of 0..%d", s->pages[0], s->pages[1], last_page);
+    }
+    if (s->pixel_format != 0x55) {
+        chip_reject(it, "data in pixel format 0x%02X, only 16 bits are simulated", s->pixel_format);
+    }
+    chip_window window = {s->columns[0], s->columns[1], s->pages[0], s->pages[1],
+                          s->columns[0], s->pages[0],   true,        false};
+    it->window = window;
+    s->half = false;
+}
+
+static void set_range(chip *it, int range[2])
+{
+    const uint8_t *p = it->parameters;
+    range[0] = p[0] << 8 | p[1];
+    range[1] = p[2] << 8 | p[3];
+    if (range[0] > range[1] || range[1] >= ROWS) {
+        chip_reject(it, "command 0x%02X: range %d..%d", it->command, range[0], range[1]);
+    }
+}
+
+static void execute(chip *it)
+{
+    lcd *s = self(it);
+    if (s->half) {
+        chip_reject(it, "command 0x%02X in the middle of a pixel", it->command);
+    }
+    switch (it->command) {
+    case 0x01:
+        reset(it);
+        break;
+    case 0x10:
+        s->awake = false;
+        it->ready_ms = it->now_ms + 5;
+        break;
+    case 0x11:
+        if (it->now_ms < s->wake_ms) {
+            chip_reject(it, "woken %d ms too early", (int)(s->wake_ms - it->now_ms));
+        }
+        s->awake = true;
+        it->ready_ms = it->now_ms + 5;
+        break;
+    case 0x20:
+    case 0x21:
+        s->inverted = it->command == 0x21;
+        break;
+    case 0x26: /* one bit */
+        if (it->parameters[0] == 0 || (it->parameters[0] & ~15) != 0 ||
+            (it->parameters[0] & (it->parameters[0] - 1)) != 0) {
+            chip_reject(it, "gamma curve 0x%02X", it->parameters[0]);
+        }
+        break;
+    case 0x28:
+    case 0x29:
+        s->on = it->command == 0x29;
+        break;
+    case 0x2A:
+        set_range(it, s->columns);
+        break;
+    case 0x2B:
+        set_range(it, s->pages);
+        break;
+    case 0x2C:
+        begin_write(it);
+        break;
+    case 0x36:
+        if ((it->parameters[0] & 3) != 0) {
+            chip_reject(it, "address mode 0x%02X", it->parameters[0]);
+        }
+        s->address_mode = it->parameters[0];
+        it->window.set = false;
+        break;
+    case 0x3A:
+        s->pixel_format = it->parameters[0];
+        break;
+    default:
+        break;
+    }
+}
+
+static void store(chip *it, uint8_t byte)
+{
+    lcd *s = self(it);
+    if (!s->half) {
+        s->high = byte;
+        s->half = true;
+        return;
+    }
+    s->half = false;
+    bool exchanged = (s->address_mode & EXCHANGED) != 0;
+    int column = exchanged ? it->window.y : it->window.x;
+    int row = exchanged ? it->window.x : it->window.y;
+    column = (s->address_mode & COLUMNS_REVERSED) != 0 ? COLUMNS - 1 - column : column;
+    row = (s->address_mode & ROWS_REVERSED) != 0 ? ROWS - 1 - row : row;
+    s->memory[row][column] = (uint16_t)(s->high << 8 | byte);
+    chip_advance(it, false);
+}
+
+static uint32_t widened(uint32_t value, uint32_t max)
+{
+    return (value * 255 + max / 2) / max;
+}
+
+static uint32_t pixel(const chip *it, int x, int y)
+{
+    const lcd *s = (const lcd *)(const void *)it;
+    const lcd_glass *g = &s->glass;
+    if (!s->on || !s->awake) {
+        return 0;
+    }
+    int across = g->columns_from_right ? g->width - 1 - x : x;
+    uint32_t c = s->memory[g->first_row + y][g->first_column + across];
+    uint32_t first = widened(c >> 11, 31);
+    uint32_t green = widened(c >> 5 & 63, 63);
+    uint32_t last = widened(c & 31, 31);
+    bool swapped = ((s->address_mode & BLUE_FIRST) != 0) != g->blue_first;
+    uint32_t seen = swapped ? last << 16 | green << 8 | first : first << 16 | green << 8 | last;
+    return s->inverted != g->normally_black ? ~seen & 0xFFFFFF : seen;
+}
+
+static void init(lcd *s, const chip_model *model, const lcd_glass *glass)
+{
+    s->glass = *glass;
+    s->chip.busy_pin = false;
+    memset(s->memory, 0x5A, sizeof s->memory);
+    chip_init(&s->chip, model);
+}
+
+void ili9341_init(lcd *s)
+{
+    static const lcd_glass glass = {240, 320, 0, 0, true, true, false};
+    static const chip_model model = {"ILI9341",
+                                     ili9341_commands,
+                                     sizeof ili9341_commands / sizeof ili9341_commands[0],
+                                     true,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &model, &glass);
+}
+
+void st7789_init(lcd *s, const lcd_glass *glass)
+{
+    static const chip_model model = {"ST7789",
+                                     st7789_commands,
+                                     sizeof st7789_commands / sizeof st7789_commands[0],
+                                     true,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &model, glass);
+}

@@ -1,0 +1,159 @@
+#include "controllers.h"
+
+#include <string.h>
+
+/* Data sheet, table 9-1. */
+static const chip_command commands[] = {
+    {0x00, 0x1F, 0}, /* column start, page addressing mode */
+    {0x20, 0x20, 1}, {0x21, 0x21, 2}, {0x22, 0x22, 2}, {0x26, 0x27, 6}, {0x29, 0x2A, 5},
+    {0x2E, 0x2F, 0}, {0x40, 0x7F, 0}, {0x81, 0x81, 1}, {0x8D, 0x8D, 1}, {0xA0, 0xA1, 0},
+    {0xA3, 0xA3, 2}, {0xA4, 0xA7, 0}, {0xA8, 0xA8, 1}, {0xAE, 0xAF, 0}, {0xB0, 0xB7, 0},
+    {0xC0, 0xC0, 0}, {0xC8, 0xC8, 0}, {0xD3, 0xD3, 1}, {0xD5, 0xD5, 1}, {0xD9, 0xD9, 1},
+    {0xDA, 0xDA, 1}, {0xDB, 0xDB, 1}, {0xE3, 0xE3, 0},
+};
+
+static ssd1306 *self(chip *it)
+{
+    return (ssd1306 *)(void *)it;
+}
+
+static void reset(chip *it)
+{
+    ssd1306 *s = self(it);
+    memset(s->memory, 0xA5, sizeof s->memory); /* whatever it holds */
+    s->mode = 2;
+    s->multiplex = 63;
+    s->offset = s->start_line = 0;
+    s->pins = 0x12;
+    s->columns_reversed = s->rows_reversed = s->inverse = s->all_on = s->on = s->pump = false;
+    it->window.x1 = 127;
+    it->window.y1 = 7;
+}
+
+static void range(chip *it, int most)
+{
+    if (it->parameters[0] > it->parameters[1] || it->parameters[1] > most) {
+        chip_reject(it, "command 0x%02X: range %d..%d", it->command, it->parameters[0],
+                    it->parameters[1]);
+    }
+}
+
+static void allow(chip *it, bool allowed)
+{
+    if (!allowed) {
+        chip_reject(it, "command 0x%02X: parameter 0x%02X", it->command, it->parameters[0]);
+    }
+}
+
+static void execute(chip *it)
+{
+    ssd1306 *s = self(it);
+    chip_window *w = &it->window;
+    const uint8_t *p = it->parameters;
+    switch (it->command) {
+    case 0x20:
+        allow(it, p[0] <= 2);
+        s->mode = p[0];
+        break;
+    case 0x21:
+        range(it, 127);
+        w->x = w->x0 = p[0];
+        w->x1 = p[1];
+        w->full = false;
+        w->set = s->mode != 2;
+        break;
+    case 0x22:
+        range(it, 7);
+        w->y = w->y0 = p[0];
+        w->y1 = p[1];
+        w->full = false;
+        w->set = s->mode != 2;
+        break;
+    case 0x2F:
+        chip_reject(it, "scrolling is not simulated");
+        break;
+    case 0x8D:
+        allow(it, (p[0] & ~4) == 0x10);
+        s->pump = (p[0] & 4) != 0;
+        break;
+    case 0xA0:
+    case 0xA1: /* only data that follow are written so: the memory must be written again */
+        s->columns_reversed = it->command == 0xA1;
+        break;
+    case 0xA4:
+    case 0xA5:
+        s->all_on = it->command == 0xA5;
+        break;
+    case 0xA6:
+    case 0xA7:
+        s->inverse = it->command == 0xA7;
+        break;
+    case 0xA8:
+        allow(it, p[0] >= 15 && p[0] <= 63);
+        s->multiplex = p[0];
+        break;
+    case 0xAE:
+    case 0xAF:
+        s->on = it->command == 0xAF;
+        break;
+    case 0xC0:
+    case 0xC8:
+        s->rows_reversed = it->command == 0xC8;
+        break;
+    case 0xD3:
+        allow(it, p[0] <= 63);
+        s->offset = p[0];
+        break;
+    case 0xD9:
+        allow(it, (p[0] & 15) != 0 && p[0] >> 4 != 0);
+        break;
+    case 0xDA:
+        allow(it, (p[0] & ~0x30) == 0x02);
+        s->pins = p[0];
+        break;
+    case 0xDB:
+        allow(it, p[0] == 0x00 || p[0] == 0x20 || p[0] == 0x30);
+        break;
+    default:
+        if (it->command >= 0x40 && it->command <= 0x7F) {
+            s->start_line = it->command & 63;
+        }
+        break;
+    }
+}
+
+static void store(chip *it, uint8_t byte)
+{
+    ssd1306 *s = self(it);
+    int x = it->window.x;
+    s->memory[it->window.y][s->columns_reversed ? 127 - x : x] = byte; /* by segment */
+    chip_advance(it, s->mode == 1);
+}
+
+static uint32_t pixel(const chip *it, int x, int y)
+{
+    const ssd1306 *s = (const ssd1306 *)(const void *)it;
+    int wired = s->rows == 64 ? 0x12 : 0x02; /* the glass's rows alternate between COM halves */
+    if (!s->on || !s->pump || s->pins != wired || s->multiplex != s->rows - 1) {
+        return 0;
+    }
+    if (s->all_on) {
+        return 0xFFFFFF;
+    }
+    int com = s->rows - 1 - y;
+    int line = s->rows_reversed ? s->multiplex - com : com;
+    int row = (line + s->start_line + s->offset) & 63;
+    int segment = 127 - x;
+    bool lit = (s->memory[row >> 3][segment] >> (row & 7) & 1) != 0;
+    return lit != s->inverse ? 0xFFFFFF : 0;
+}
+
+void ssd1306_init(ssd1306 *s, int rows)
+{
+    static const chip_model model = {"SSD1306", commands, sizeof commands / sizeof commands[0],
+                                     false,     reset,    execute,
+                                     store,     pixel};
+    s->rows = rows;
+    s->chip.busy_pin = false;
+    chip_init(&s->chip, &model);
+}

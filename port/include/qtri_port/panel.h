@@ -1,0 +1,207 @@
+/*
+ * Panels: a display is a description (constant data, one per model), a bus (functions of the
+ * user's) and memory (the caller's).
+ *
+ *     static uint8_t line[QTRI_PANEL_LINE_BYTES(240)];
+ *
+ *     qtri_panel panel;
+ *     qtri_panel_init(&panel, &qtri_ili9341, &spi, QTRI_ROTATE_0, line, sizeof line);
+ *     for (each band) {
+ *         draw into the band;
+ *         qtri_panel_write(&panel, &band);
+ *     }
+ *
+ * Surfaces of any format go to panels of any format: colour becomes gray by its luma
+ * (qtri_surface_gray), gray becomes a few levels by dithering in coordinates of the frame, so bands
+ * of any height and rectangles give the pixels of the whole frame.
+ *
+ * Rotation. The frame is what the viewer sees: a 240x320 panel turned by 90 degrees shows frames of
+ * 320x240. QTRI_ROTATE_90 turns the picture clockwise on the glass. Colour controllers turn it
+ * themselves; for the others and for framebuffers the panel does while it converts.
+ *
+ * Memory of a panel, `bytes` of qtri_panel_init:
+ *   RGB565 over a bus   two line buffers, so that one is filled while DMA sends the other:
+ *                       QTRI_PANEL_LINE_BYTES(pixels); fewer pixels than a row, more transfers.
+ *   GRAY1, GRAY4        an image of the display's memory, QTRI_PANEL_IMAGE_BYTES(...): 1 KB for
+ *                       an SSD1306. Bands and rectangles of any shape then complete each
+ *                       other's bytes. With less, down to a row of bytes,
+ *                       QTRI_PANEL_ROW_BYTES(...), what is written must fill whole bytes, or
+ *                       reach the frame's end: see qtri_panel_write_rect.
+ *   memory-mapped       the framebuffer itself.
+ */
+#ifndef QTRI_PORT_PANEL_H
+#define QTRI_PORT_PANEL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "bus.h"
+#include "qtri/dither.h"
+#include "qtri/error.h"
+#include "qtri/surface.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Clockwise, as seen. */
+typedef enum qtri_rotation {
+    QTRI_ROTATE_0,
+    QTRI_ROTATE_90,
+    QTRI_ROTATE_180,
+    QTRI_ROTATE_270
+} qtri_rotation;
+
+/* What the display's memory holds. */
+typedef enum qtri_panel_format {
+    QTRI_PANEL_RGB565,    /* 16 bits a pixel */
+    QTRI_PANEL_XRGB8888,  /* 32 bits a pixel, memory-mapped displays only */
+    QTRI_PANEL_GRAY4,     /* two pixels of a row a byte, the left one in the high half */
+    QTRI_PANEL_GRAY1,     /* eight pixels of a row a byte, the leftmost in bit 7; 1 is white */
+    QTRI_PANEL_GRAY1_PAGE /* eight pixels of a column a byte, the topmost in bit 0; 1 is white */
+} qtri_panel_format;
+
+/* Of pixels that are more than a byte. */
+typedef enum qtri_byte_order {
+    QTRI_ORDER_BIG,    /* high byte first: what controllers on a bus of bytes expect */
+    QTRI_ORDER_LITTLE, /* low byte first */
+    QTRI_ORDER_NATIVE  /* as this machine stores a uint16_t: framebuffers; buses that send words.
+                          RGB565 surfaces then go out without a copy: see qtri_panel_finish */
+} qtri_byte_order;
+
+#define QTRI_STEP_PARAMETERS 15
+
+/* wait_ms: until the controller is ready, at most the description's busy_ms. */
+#define QTRI_STEP_UNTIL_READY 255
+
+/* One command of a sequence: {0x2A, 4, {0, 0, 0, 239}, 0} is CASET, columns 0..239. */
+typedef struct qtri_panel_step {
+    uint8_t command;
+    uint8_t count; /* of parameters; more than QTRI_STEP_PARAMETERS is taken as that */
+    uint8_t parameters[QTRI_STEP_PARAMETERS];
+    uint8_t wait_ms; /* after it */
+} qtri_panel_step;
+
+typedef struct qtri_panel qtri_panel;
+
+/*
+ * A model of display. Those in this folder are constants to use or to copy and change: another
+ * size, where the glass begins in the controller's memory, a module wired the other way round.
+ */
+typedef struct qtri_panel_description {
+    uint16_t width, height; /* pixels of the glass, not rotated */
+    qtri_panel_format format;
+    qtri_byte_order order;
+
+    const qtri_panel_step *init; /* after reset; the last one: display on. NULL: none */
+    size_t init_count;
+    const qtri_panel_step *refresh; /* shows what was written (e-paper). NULL: shown at once */
+    size_t refresh_count;
+    bool parameters_are_data; /* D/C is high for parameters (MIPI), or low (Solomon's OLEDs) */
+
+    uint8_t reset_ms; /* how long reset is active */
+    uint8_t start_ms; /* from there to the first command */
+    uint16_t busy_ms; /* the longest that QTRI_STEP_UNTIL_READY waits; longer is an error */
+
+    /* Where the controller rotates: a command and its parameter for each rotation. 0: it does
+       not. Bits as in MIPI's address mode: 0x80 rows, 0x40 columns reversed, 0x20 exchanged. */
+    uint8_t orientation_command;
+    uint8_t orientation[4];
+
+    uint16_t memory_width, memory_height; /* pixels of the controller's memory, not rotated */
+    uint16_t first_column, first_row;     /* of the glass in it */
+
+    /* Sends the commands after which the data of a window follow, row by row, and stay inside.
+       columns, rows: half-open, in units of the memory: pixels; bytes across for GRAY4 and GRAY1;
+       pages down for GRAY1_PAGE. Rotated where the controller rotates. NULL: memory-mapped. */
+    enum qtri_error (*window)(const qtri_panel *panel, const qtri_rect *window);
+
+    uint32_t pitch; /* memory-mapped: bytes from a row to the next; 0: without gaps */
+} qtri_panel_description;
+
+struct qtri_panel {
+    const qtri_panel_description *description;
+    const qtri_bus *bus;
+    qtri_rotation rotation;
+    uint8_t *memory;
+    size_t bytes;
+
+    /* For the user to set between frames; BAYER8 and NULL after init. GRAY1 and GRAY4 only. */
+    qtri_dither dither;
+    qtri_diffusion *diffusion; /* instead, if not NULL: bands in order; needs an image */
+
+    bool sending; /* between data_start and data_finish */
+};
+
+/* Memory of an RGB565 panel on a bus: two buffers of `pixels`, one row or less; 1 at least. */
+#define QTRI_PANEL_LINE_BYTES(pixels) ((size_t)(pixels)*4u)
+
+/* Bytes across and rows of bytes down in the memory of a panel of packed pixels. */
+#define QTRI_PANEL_ROW_BYTES(width, format)                                                        \
+    ((format) == QTRI_PANEL_GRAY4   ? ((size_t)(width) + 1u) / 2u                                  \
+     : (format) == QTRI_PANEL_GRAY1 ? ((size_t)(width) + 7u) / 8u                                  \
+                                    : (size_t)(width))
+#define QTRI_PANEL_ROWS(height, format)                                                            \
+    ((format) == QTRI_PANEL_GRAY1_PAGE ? ((size_t)(height) + 7u) / 8u : (size_t)(height))
+
+/* Memory that holds all of it; width and height of the glass, not rotated. */
+#define QTRI_PANEL_IMAGE_BYTES(width, height, format)                                              \
+    (QTRI_PANEL_ROW_BYTES(width, format) * QTRI_PANEL_ROWS(height, format))
+
+/*
+ * Fills in *panel, resets the display, sends its init sequence and black: the display is on and
+ * dark. E-paper keeps what it shows, framebuffers what they hold. bus may be NULL for the latter.
+ *
+ * QTRI_ERROR_SIZE: a rotation outside 0..3; a description without pixels, with more than
+ *   QTRI_SURFACE_MAX a side, or with some outside the controller's memory; a format that does not
+ *   go with a bus, or without one.
+ * QTRI_ERROR_MEMORY: bytes below the least stated above; a framebuffer that is too small.
+ * QTRI_ERROR_BUS: a function of the bus returned false, or the display was busy for too long.
+ *
+ * After SIZE and MEMORY the panel has no pixels, and writing to it is QTRI_ERROR_SIZE.
+ */
+enum qtri_error qtri_panel_init(qtri_panel *panel, const qtri_panel_description *description,
+                                const qtri_bus *bus, qtri_rotation rotation, void *memory,
+                                size_t bytes);
+
+/* The frame that the panel shows: width and height of its surfaces. */
+int32_t qtri_panel_width(const qtri_panel *panel);
+int32_t qtri_panel_height(const qtri_panel *panel);
+
+/*
+ * Sends the rows that the surface holds, whatever its scissor. With DMA it returns while the last
+ * part is on its way: the surface may be drawn into at once, except for surfaces that go out
+ * without a copy (RGB565 to RGB565 in native order, over a bus); those wait for qtri_panel_finish,
+ * or there is a second band to draw into meanwhile.
+ *
+ * QTRI_ERROR_SIZE: the surface's frame is not the panel's.
+ * QTRI_ERROR_MEMORY: as for qtri_panel_write_rect.
+ * QTRI_ERROR_BUS: the bus failed.
+ */
+enum qtri_error qtri_panel_write(qtri_panel *panel, const qtri_surface *surface);
+
+/*
+ * Sends what the surface holds of a rectangle of the frame; nothing if it holds nothing of it. More
+ * may be sent: the rest of bytes that the rectangle cuts, from the same surface.
+ *
+ * QTRI_ERROR_MEMORY: packed pixels, a panel without a whole image, and the surface does not hold
+ *   the rest of those bytes (bands of 8 rows would do, or 2), or diffusion is on.
+ */
+enum qtri_error qtri_panel_write_rect(qtri_panel *panel, const qtri_surface *surface,
+                                      qtri_rect rect);
+
+/* Waits until everything is sent. Nothing to do after functions that return an error. */
+enum qtri_error qtri_panel_finish(qtri_panel *panel);
+
+/* Shows what was written on displays that need to be told (e-paper), and waits until they have. */
+enum qtri_error qtri_panel_refresh(qtri_panel *panel);
+
+/* Sends commands of the user's: contrast, sleep, other gamma curves. */
+enum qtri_error qtri_panel_send(qtri_panel *panel, const qtri_panel_step *steps, size_t count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,22 @@
+/*
+ * ST7789: TFT of up to 240x320 pixels, RGB565 over SPI. Its glass is normally black and shows
+ * colours as they are with inversion on.
+ */
+#ifndef QTRI_PORT_ST7789_H
+#define QTRI_PORT_ST7789_H
+
+#include "panel.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+extern const qtri_panel_description qtri_st7789;         /* 240x320 */
+extern const qtri_panel_description qtri_st7789_240x240; /* rows 0..239 of the memory */
+extern const qtri_panel_description qtri_st7789_135x240; /* from column 52, row 40 */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

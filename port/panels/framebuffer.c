@@ -1,0 +1,67 @@
+/* Memory-mapped displays: pixels are stored where the display controller reads them. */
+#include "internal.h"
+
+#include <string.h>
+
+enum { PIECE = 32 }; /* pixels converted at a time */
+
+static void store_bytes(uint8_t *at, uint32_t pixel, size_t bytes, bool low_first)
+{
+    for (size_t i = 0; i < bytes; i++) {
+        at[low_first ? i : bytes - 1 - i] = (uint8_t)(pixel >> (8 * i));
+    }
+}
+
+/* One piece of a row. step: bytes from a pixel to the next one in the frame's row. */
+static void store_piece(const qtri_panel *panel, const qtri_surface *surface, int32_t x, int32_t y,
+                        int32_t count, uint8_t *at, ptrdiff_t step)
+{
+    qtri_byte_order order = panel->description->order;
+    bool native = qtri_panel_is_native(order);
+    bool low_first = native == qtri_panel_is_native(QTRI_ORDER_LITTLE);
+    if (panel->description->format == QTRI_PANEL_RGB565) {
+        uint16_t pixels[PIECE];
+        qtri_panel_row_565(surface, x, y, count, pixels);
+        for (int32_t i = 0; i < count; i++, at += step) {
+            if (native) {
+                memcpy(at, &pixels[i], 2);
+            } else {
+                store_bytes(at, pixels[i], 2, low_first);
+            }
+        }
+    } else {
+        uint32_t pixels[PIECE];
+        qtri_panel_row_8888(surface, x, y, count, pixels);
+        for (int32_t i = 0; i < count; i++, at += step) {
+            if (native) {
+                memcpy(at, &pixels[i], 4);
+            } else {
+                store_bytes(at, pixels[i], 4, low_first);
+            }
+        }
+    }
+}
+
+void qtri_panel_store(const qtri_panel *panel, const qtri_surface *surface, qtri_rect rect)
+{
+    const qtri_panel_description *d = panel->description;
+    ptrdiff_t pixel = d->format == QTRI_PANEL_RGB565 ? 2 : 4;
+    ptrdiff_t pitch = d->pitch != 0 ? (ptrdiff_t)d->pitch : (ptrdiff_t)d->width * pixel;
+    bool copies = panel->rotation == QTRI_ROTATE_0 && d->format == QTRI_PANEL_RGB565 &&
+                  surface->format == QTRI_RGB565 && qtri_panel_is_native(d->order);
+    for (int32_t y = rect.y0; y < rect.y1; y++) {
+        qtri_walk walk = qtri_panel_walk(panel, y);
+        ptrdiff_t step = (ptrdiff_t)walk.dx * pixel + (ptrdiff_t)walk.dy * pitch;
+        uint8_t *at = panel->memory + walk.y * pitch + walk.x * pixel + rect.x0 * step;
+        if (copies) {
+            const uint8_t *row = surface->pixels + (y - surface->first_row) * surface->pitch;
+            memcpy(at, row + rect.x0 * pixel, (size_t)((rect.x1 - rect.x0) * pixel));
+            continue;
+        }
+        for (int32_t x = rect.x0; x < rect.x1; x += PIECE) {
+            int32_t n = rect.x1 - x < PIECE ? rect.x1 - x : PIECE;
+            store_piece(panel, surface, x, y, n, at, step);
+            at += n * step;
+        }
+    }
+}

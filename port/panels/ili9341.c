@@ -1,0 +1,30 @@
+#include "qtri_port/ili9341.h"
+
+#include "internal.h"
+
+/* Voltages, timing and gamma stay at the chip's reset values; modules work with them. */
+static const qtri_panel_step init[] = {
+    {0x01, 0, {0}, 120},  /* software reset, for modules without the pin; 120 ms in sleep */
+    {0x3A, 1, {0x55}, 0}, /* pixel format: 16 bits */
+    {0x26, 1, {0x01}, 0}, /* gamma curve 1 */
+    {0x11, 0, {0}, 120},  /* sleep out: supplies and oscillator start */
+    {0x29, 0, {0}, 0},    /* display on */
+};
+
+/* Address mode: rows reversed 0x80, columns reversed 0x40, exchanged 0x20, blue first 0x08. */
+const qtri_panel_description qtri_ili9341 = {
+    .width = 240,
+    .height = 320,
+    .format = QTRI_PANEL_RGB565,
+    .order = QTRI_ORDER_BIG,
+    .init = init,
+    .init_count = sizeof init / sizeof init[0],
+    .parameters_are_data = true,
+    .reset_ms = 1, /* 10 us */
+    .start_ms = 120,
+    .orientation_command = 0x36,
+    .orientation = {0x48, 0x28, 0x88, 0xE8},
+    .memory_width = 240,
+    .memory_height = 320,
+    .window = qtri_panel_mipi_window,
+};

@@ -1,0 +1,189 @@
+#include "internal.h"
+
+#include <string.h>
+
+#include "qtri_port/framebuffer.h"
+
+static bool turned(const qtri_panel *panel)
+{
+    return panel->rotation == QTRI_ROTATE_90 || panel->rotation == QTRI_ROTATE_270;
+}
+
+int32_t qtri_panel_width(const qtri_panel *panel)
+{
+    return turned(panel) ? panel->description->height : panel->description->width;
+}
+
+int32_t qtri_panel_height(const qtri_panel *panel)
+{
+    return turned(panel) ? panel->description->width : panel->description->height;
+}
+
+static bool packed(qtri_panel_format format)
+{
+    return format == QTRI_PANEL_GRAY4 || format == QTRI_PANEL_GRAY1 ||
+           format == QTRI_PANEL_GRAY1_PAGE;
+}
+
+/* The least memory, or 0 where format and bus do not go together. */
+static uint64_t least_bytes(const qtri_panel_description *d)
+{
+    if (d->window != NULL) {
+        return packed(d->format)                ? QTRI_PANEL_ROW_BYTES(d->width, d->format)
+               : d->format == QTRI_PANEL_RGB565 ? QTRI_PANEL_LINE_BYTES(1)
+                                                : 0;
+    }
+    if (d->format != QTRI_PANEL_RGB565 && d->format != QTRI_PANEL_XRGB8888) {
+        return 0;
+    }
+    uint32_t row = d->width * (d->format == QTRI_PANEL_RGB565 ? (uint32_t)2 : 4);
+    uint32_t pitch = d->pitch != 0 ? d->pitch : row;
+    return pitch < row ? 0 : (uint64_t)pitch * (d->height - 1u) + row;
+}
+
+/* Pixels, all of them in the controller's memory. */
+static bool has_glass(const qtri_panel_description *d)
+{
+    return d->width >= 1 && d->width <= QTRI_SURFACE_MAX && d->height >= 1 &&
+           d->height <= QTRI_SURFACE_MAX &&
+           d->first_column + (int32_t)d->width <= d->memory_width &&
+           d->first_row + (int32_t)d->height <= d->memory_height;
+}
+
+/* Black all over, from the panel's memory: as many zeros at a time as that holds. */
+static enum qtri_error blank(qtri_panel *panel)
+{
+    const qtri_panel_description *d = panel->description;
+    size_t unit = packed(d->format) ? 1 : 2;
+    qtri_rect all = {0, 0, qtri_panel_width(panel), qtri_panel_height(panel)};
+    if (unit == 1) {
+        all.x1 = (int32_t)QTRI_PANEL_ROW_BYTES(d->width, d->format);
+        all.y1 = (int32_t)QTRI_PANEL_ROWS(d->height, d->format);
+    }
+    uint32_t left = (uint32_t)all.x1 * (uint32_t)all.y1 * (uint32_t)unit;
+    enum qtri_error error = d->window(panel, &all);
+    while (left > 0 && error == QTRI_OK) {
+        size_t n = panel->bytes < left ? panel->bytes / unit * unit : left;
+        memset(panel->memory, 0, n);
+        error = qtri_panel_data(panel, panel->memory, n);
+        left -= (uint32_t)n;
+    }
+    return error;
+}
+
+/* The last command of the sequence, display on, comes when there is something to see. */
+static enum qtri_error start(qtri_panel *panel)
+{
+    const qtri_panel_description *d = panel->description;
+    const qtri_bus *bus = panel->bus;
+    if (bus == NULL) {
+        return QTRI_OK;
+    }
+    if (bus->reset != NULL) {
+        bus->reset(bus->context, true);
+        bus->wait_ms(bus->context, d->reset_ms);
+        bus->reset(bus->context, false);
+    }
+    bus->wait_ms(bus->context, d->start_ms);
+    size_t last = d->init_count > 0 && d->init != NULL ? d->init_count - 1 : 0;
+    enum qtri_error error = qtri_panel_send(panel, d->init, last);
+    if (error == QTRI_OK && d->orientation_command != 0) {
+        error =
+            qtri_panel_command(panel, d->orientation_command, &d->orientation[panel->rotation], 1);
+    }
+    if (error == QTRI_OK && d->window != NULL && d->refresh == NULL) {
+        error = blank(panel);
+    }
+    if (error == QTRI_OK && d->init_count > 0 && d->init != NULL) {
+        error = qtri_panel_send(panel, &d->init[last], 1);
+    }
+    return error == QTRI_OK ? qtri_panel_finish(panel) : error;
+}
+
+static enum qtri_error check(const qtri_panel *panel)
+{
+    const qtri_panel_description *d = panel->description;
+    if ((unsigned)panel->rotation > QTRI_ROTATE_270 || !has_glass(d) ||
+        (d->window != NULL && panel->bus == NULL)) {
+        return QTRI_ERROR_SIZE;
+    }
+    uint64_t least = least_bytes(d);
+    if (least == 0) {
+        return QTRI_ERROR_SIZE;
+    }
+    return panel->bytes < least ? QTRI_ERROR_MEMORY : QTRI_OK;
+}
+
+enum qtri_error qtri_panel_init(qtri_panel *panel, const qtri_panel_description *description,
+                                const qtri_bus *bus, qtri_rotation rotation, void *memory,
+                                size_t bytes)
+{
+    /* A panel without pixels: no surface fits it. */
+    static const qtri_panel_description nothing =
+        QTRI_FRAMEBUFFER(0, 0, QTRI_PANEL_RGB565, QTRI_ORDER_NATIVE);
+    static const qtri_panel unusable = {&nothing,           NULL, QTRI_ROTATE_0, NULL, 0,
+                                        QTRI_DITHER_BAYER8, NULL, false};
+    qtri_panel fresh = {description,        bus,  rotation, (uint8_t *)memory, bytes,
+                        QTRI_DITHER_BAYER8, NULL, false};
+    *panel = fresh;
+    enum qtri_error error = check(panel);
+    if (error != QTRI_OK) {
+        *panel = unusable;
+        return error;
+    }
+    if (packed(description->format)) {
+        memset(memory, 0, bytes);
+    }
+    return start(panel);
+}
+
+enum qtri_error qtri_panel_write(qtri_panel *panel, const qtri_surface *surface)
+{
+    qtri_rect frame = {0, 0, surface->width, surface->height};
+    return qtri_panel_write_rect(panel, surface, frame);
+}
+
+static int32_t greater(int64_t a, int64_t b)
+{
+    return (int32_t)(a > b ? a : b);
+}
+
+static int32_t smaller(int64_t a, int64_t b)
+{
+    return (int32_t)(a < b ? a : b);
+}
+
+enum qtri_error qtri_panel_write_rect(qtri_panel *panel, const qtri_surface *surface,
+                                      qtri_rect rect)
+{
+    if (surface->width != qtri_panel_width(panel) || surface->height != qtri_panel_height(panel)) {
+        return QTRI_ERROR_SIZE;
+    }
+    int64_t held_end = (int64_t)surface->first_row + surface->rows;
+    rect.x0 = greater(rect.x0, 0);
+    rect.x1 = smaller(rect.x1, surface->width);
+    rect.y0 = greater(greater(rect.y0, surface->first_row), 0);
+    rect.y1 = smaller(smaller(rect.y1, surface->height), held_end);
+    if (rect.x1 <= rect.x0 || rect.y1 <= rect.y0) {
+        return QTRI_OK;
+    }
+    if (panel->description->window == NULL) {
+        qtri_panel_store(panel, surface, rect);
+        return QTRI_OK;
+    }
+    enum qtri_error error = qtri_panel_finish(panel);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    return packed(panel->description->format) ? qtri_panel_packed(panel, surface, rect)
+                                              : qtri_panel_stream(panel, surface, rect);
+}
+
+enum qtri_error qtri_panel_refresh(qtri_panel *panel)
+{
+    enum qtri_error error = qtri_panel_finish(panel);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    return qtri_panel_send(panel, panel->description->refresh, panel->description->refresh_count);
+}

@@ -1,0 +1,63 @@
+#include "qtri_port/ssd1680.h"
+
+#include "internal.h"
+
+enum {
+    SET_X_RANGE = 0x44,
+    SET_Y_RANGE = 0x45,
+    SET_X_COUNTER = 0x4E,
+    SET_Y_COUNTER = 0x4F,
+    WRITE_MEMORY = 0x24
+};
+
+static const qtri_panel_step init[] = {
+    {0x12, 0, {0}, QTRI_STEP_UNTIL_READY}, /* software reset */
+    {0x01, 3, {249, 0, 0x00}, 0},          /* gates: 250 rows, from the first, in order */
+    {0x11, 1, {0x03}, 0},                  /* addresses count up, along a row first */
+    {0x3C, 1, {0x05}, 0},                  /* the border follows the white waveform */
+    {0x18, 1, {0x80}, 0},                  /* the temperature sensor inside */
+    {0x21, 2, {0x40, 0x80}, 0},            /* memory of the second colour as 0; sources 8..167 */
+};
+
+static const qtri_panel_step refresh[] = {
+    {0x22, 1, {0xF7}, 0},                  /* clock, supplies, temperature, waveform 1, all off */
+    {0x20, 0, {0}, QTRI_STEP_UNTIL_READY}, /* do so */
+};
+
+/* Across in bytes of eight pixels. The counters begin where the window does. */
+static enum qtri_error window(const qtri_panel *panel, const qtri_rect *bytes)
+{
+    int32_t y1 = bytes->y1 - 1;
+    uint8_t x[2] = {(uint8_t)bytes->x0, (uint8_t)(bytes->x1 - 1)};
+    uint8_t y[4] = {(uint8_t)bytes->y0, (uint8_t)(bytes->y0 >> 8), (uint8_t)y1, (uint8_t)(y1 >> 8)};
+    const struct {
+        uint8_t command, count;
+        const uint8_t *parameters;
+    } steps[] = {{SET_X_RANGE, 2, x},
+                 {SET_Y_RANGE, 4, y},
+                 {SET_X_COUNTER, 1, x},
+                 {SET_Y_COUNTER, 2, y},
+                 {WRITE_MEMORY, 0, NULL}};
+    enum qtri_error error = QTRI_OK;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && error == QTRI_OK; i++) {
+        error = qtri_panel_command(panel, steps[i].command, steps[i].parameters, steps[i].count);
+    }
+    return error;
+}
+
+const qtri_panel_description qtri_ssd1680 = {
+    .width = 122,
+    .height = 250,
+    .format = QTRI_PANEL_GRAY1,
+    .init = init,
+    .init_count = sizeof init / sizeof init[0],
+    .refresh = refresh,
+    .refresh_count = sizeof refresh / sizeof refresh[0],
+    .parameters_are_data = true,
+    .reset_ms = 10,
+    .start_ms = 10,
+    .busy_ms = 10000, /* a full refresh takes 2 s, more in the cold */
+    .memory_width = 176,
+    .memory_height = 296,
+    .window = window,
+};

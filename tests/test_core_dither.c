@@ -1,0 +1,299 @@
+/* Luma, ordered dither and error diffusion: exact ends, kept means, no seams, any arguments. */
+#include "support_core.h"
+
+#include <qtri/dither.h>
+
+static const qtri_dither kinds[] = {QTRI_DITHER_NEAREST, QTRI_DITHER_BAYER4, QTRI_DITHER_BAYER8};
+
+/* Every RGB565 and many XRGB8888 pixels, against double: to nearest, of exact ties either way. */
+static void luma(void **state)
+{
+    (void)state;
+    uint16_t row[256];
+    uint32_t wide[256];
+    uint8_t gray[256];
+    uint64_t random = 1;
+    double worst = 0;
+    for (uint32_t high = 0; high < 256; high++) {
+        qtri_surface s = {(uint8_t *)row, 512, NULL, 0, QTRI_RGB565, 256, 1, 0, 1, {0, 0, 256, 1}};
+        for (uint32_t low = 0; low < 256; low++) {
+            row[low] = (uint16_t)(high << 8 | low);
+            wide[low] = (uint32_t)random64(&random); /* the top byte does not count */
+        }
+        qtri_surface_gray(&s, 0, 0, 256, gray);
+        for (uint32_t i = 0; i < 256; i++) {
+            uint32_t c = row[i];
+            double y =
+                255 * (.299 * (c >> 11) / 31 + .587 * (c >> 5 & 63) / 63 + .114 * (c & 31) / 31);
+            worst = fmax(worst, fabs(gray[i] - y));
+        }
+        s.pixels = (uint8_t *)wide;
+        s.format = QTRI_XRGB8888;
+        qtri_surface_gray(&s, 0, 0, 256, gray);
+        for (uint32_t i = 0; i < 256; i++) {
+            uint32_t c = wide[i];
+            double y = .299 * (c >> 16 & 255) + .587 * (c >> 8 & 255) + .114 * (c & 255);
+            worst = fmax(worst, fabs(gray[i] - y));
+        }
+    }
+    assert_true(worst <= .50001);
+}
+
+/* Colours cleared into a GRAY8 surface and converted from the others are the same gray, or a tie.
+ */
+static void luma_of_formats(void **state)
+{
+    (void)state;
+    static const qtri_format formats[] = {QTRI_GRAY8, QTRI_XRGB8888};
+    uint64_t random = 2;
+    for (int n = 0; n < 2000; n++) {
+        uint32_t bits = (uint32_t)random64(&random);
+        qtri_rgb color = {(uint8_t)bits, (uint8_t)(bits >> 8), (uint8_t)(bits >> 16)};
+        if ((299 * color.r + 587 * color.g + 114 * color.b) % 1000 == 500) {
+            continue;
+        }
+        uint8_t gray[2];
+        for (int i = 0; i < 2; i++) {
+            canvas c = canvas_new(formats[i], 1, 1);
+            qtri_surface_clear(&c.surface, color, 0);
+            qtri_surface_gray(&c.surface, 0, 0, 1, &gray[i]);
+            canvas_free(&c);
+        }
+        assert_int_equal(gray[0], gray[1]);
+    }
+}
+
+/* Black where a surface holds nothing; nothing else is read or written. */
+static void luma_outside(void **state)
+{
+    (void)state;
+    static const qtri_format formats[] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    for (int n = 0; n < 3; n++) {
+        canvas c = canvas_band(formats[n], 5, 9, 3, 2);
+        qtri_rgb white = {255, 255, 255};
+        qtri_surface_clear(&c.surface, white, 0);
+        for (int32_t y = -1; y < 10; y++) {
+            uint8_t gray[12];
+            memset(gray, 7, sizeof gray);
+            qtri_surface_gray(&c.surface, -3, y, 11, gray);
+            for (int i = 0; i < 12; i++) {
+                bool held = i >= 3 && i < 8 && y >= 3 && y < 5;
+                assert_int_equal(gray[i], i == 11 ? 7 : (held ? 255 : 0));
+            }
+        }
+        uint8_t far[4] = {1, 1, 1, 1};
+        qtri_surface_gray(&c.surface, INT32_MAX - 1, 3, 4, far);
+        qtri_surface_gray(&c.surface, INT32_MIN, INT32_MIN, 4, far);
+        qtri_surface_gray(&c.surface, 0, INT32_MAX, 4, far);
+        assert_int_equal(far[0] | far[1] | far[2] | far[3], 0);
+        qtri_surface_gray(&c.surface, 0, 3, -5, NULL);
+        canvas_free(&c);
+    }
+}
+
+/* Thresholds are those of Bayer's matrix, by its recursion, and levels those of exact arithmetic.
+ */
+static int bayer(int order, int x, int y)
+{
+    static const int two[2][2] = {{0, 2}, {3, 1}};
+    return order == 1 ? 0
+                      : 4 * bayer(order / 2, x % (order / 2), y % (order / 2)) +
+                            two[y / (order / 2)][x / (order / 2)];
+}
+
+static void ordered_levels(void **state)
+{
+    (void)state;
+    static const uint8_t most[] = {1, 2, 3, 15, 16, 254, 255};
+    for (size_t m = 0; m < LENGTH_OF(most); m++) {
+        for (int k = 0; k < 3; k++) {
+            int order = k == 0 ? 1 : 2 << k;
+            for (int value = 0; value < 256; value++) {
+                int sum = 0;
+                for (int y = 0; y < 8; y++) {
+                    uint8_t gray[8];
+                    memset(gray, value, 8);
+                    qtri_dither_row(kinds[k], most[m], 0, y, gray, 8, gray);
+                    for (int x = 0; x < 8; x++) {
+                        int threshold = 2 * bayer(order, x % order, y % order) + 1;
+                        int n = 2 * order * order;
+                        int level = (value * most[m] * n + threshold * 255) / (255 * n);
+                        assert_int_equal(gray[x], level);
+                        sum += level;
+                    }
+                }
+                double mean = sum / 64.0;
+                double exact = value * most[m] / 255.0;
+                assert_true(fabs(mean - exact) <= .5 / (order * order) + 1e-9);
+                if (value * most[m] % 255 == 0) { /* a level, black and white among them: no dots */
+                    assert_true(mean == exact);
+                }
+            }
+        }
+    }
+}
+
+/* A level depends on gray and coordinates alone: pieces, negative and huge coordinates, in place.
+ */
+static void ordered_places(void **state)
+{
+    (void)state;
+    uint64_t random = 3;
+    for (int n = 0; n < 2000; n++) {
+        uint8_t gray[40];
+        uint8_t whole[40];
+        uint8_t piece[40];
+        for (size_t i = 0; i < sizeof gray; i++) {
+            gray[i] = (uint8_t)random64(&random);
+        }
+        qtri_dither kind = kinds[n % 3];
+        int32_t x = random_in(&random, -100, 100);
+        int32_t y = random_any(&random);
+        uint8_t most = n % 2 == 0 ? 1 : 15;
+        qtri_dither_row(kind, most, x, y, gray, 40, whole);
+        int32_t cut = random_in(&random, 0, 40);
+        memcpy(piece, gray, sizeof gray);
+        qtri_dither_row(kind, most, x, y, piece, cut, piece);
+        qtri_dither_row(kind, most, x + cut, y, piece + cut, 40 - cut, piece + cut);
+        assert_memory_equal(whole, piece, 40);
+        qtri_dither_row(kind, most, x + 8, y ^ 8, gray, 40, piece);
+        assert_memory_equal(whole, piece, 40);
+    }
+    uint8_t one[3] = {128, 128, 128};
+    qtri_dither_row((qtri_dither)99, 1, INT32_MAX, INT32_MIN, one, 3, one); /* nearest */
+    assert_true(one[0] == 1 && one[1] == 1 && one[2] == 1);
+    qtri_dither_row(QTRI_DITHER_BAYER8, 0, 0, 0, one, 3, one);
+    assert_true(one[0] == 0 && one[1] == 0 && one[2] == 0);
+    qtri_dither_row(QTRI_DITHER_BAYER8, 1, 0, 0, NULL, -1, NULL);
+}
+
+/* Flat grays and ramps: the picture's mean is kept, ends are exact, levels stay in range. */
+static void diffusion_means(void **state)
+{
+    (void)state;
+    enum { W = 64, H = 48 };
+    double worst = 0;
+    for (int n = 0; n < 2 * 257; n++) {
+        uint8_t most = n % 2 == 0 ? 1 : 15;
+        int value = n / 2;
+        int16_t error[W];
+        qtri_diffusion d;
+        assert_int_equal(qtri_diffusion_init(&d, W, error, W), QTRI_OK);
+        double gray_sum = 0;
+        double level_sum = 0;
+        for (int y = 0; y < H; y++) {
+            uint8_t gray[W];
+            uint8_t level[W];
+            for (int x = 0; x < W; x++) {
+                gray[x] = (uint8_t)(value < 256 ? value : 4 * x);
+                gray_sum += gray[x];
+            }
+            qtri_diffuse_row(&d, most, 0, y, gray, W, level);
+            for (int x = 0; x < W; x++) {
+                assert_true(level[x] <= most);
+                level_sum += level[x];
+                if (value == 0 || value == 255) {
+                    assert_int_equal(level[x], value == 0 ? 0 : most);
+                }
+            }
+        }
+        double off = fabs(level_sum / most - gray_sum / 255) * most / W; /* levels per column */
+        worst = fmax(worst, off);
+    }
+    /* What is left is the error that would go to a row more: at most half a level a pixel. */
+    if (worst > .5) {
+        fail_msg("%g levels per column", worst);
+    }
+}
+
+/* The weights, on one bright pixel: 7/16 right, 3/16, 5/16 and 1/16 below. */
+static void diffusion_weights(void **state)
+{
+    (void)state;
+    int16_t error[5];
+    qtri_diffusion d;
+    for (int value = 0; value < 256; value++) { /* the nearest level */
+        uint8_t level = (uint8_t)value;
+        assert_int_equal(qtri_diffusion_init(&d, 1, error, 5), QTRI_OK);
+        qtri_diffuse_row(&d, 15, 0, 0, &level, 1, &level);
+        assert_int_equal(level, (value + 8) / 17);
+    }
+    assert_int_equal(qtri_diffusion_init(&d, 5, error, 5), QTRI_OK);
+    uint8_t row[5] = {0, 0, 112, 0, 0};
+    qtri_diffuse_row(&d, 1, 0, 0, row, 5, row);
+    /* 112: 49 right, 21 35 7 below. 49: 21 right, 9 15 4 below. 21: 9, 3 6 3. 9 stays below. */
+    static const int16_t expected[5] = {0, 21, 35 + 9, 7 + 15 + 3, 4 + 6 + 9 + 3};
+    for (int i = 0; i < 5; i++) {
+        assert_int_equal(row[i], 0);
+    }
+    assert_int_equal(error[0], expected[0]);
+    assert_int_equal(error[1], expected[1]);
+    assert_int_equal(error[2], expected[2]);
+    assert_int_equal(error[0] + error[1] + error[2] + error[3] + error[4], 112);
+}
+
+/* Pieces of rows are the row; out of order begins a new picture; any arguments are safe. */
+static void diffusion_order(void **state)
+{
+    (void)state;
+    enum { W = 37, H = 11 };
+    uint64_t random = 4;
+    uint8_t gray[H][W];
+    uint8_t whole[H][W];
+    uint8_t pieces[H][W];
+    int16_t error[W + 2];
+    error[W] = error[W + 1] = 1234;
+    for (int y = 0; y < H; y++) {
+        for (int x = 0; x < W; x++) {
+            gray[y][x] = (uint8_t)random64(&random);
+        }
+    }
+    qtri_diffusion d;
+    assert_int_equal(qtri_diffusion_init(&d, W, error, W), QTRI_OK);
+    for (int y = 0; y < H; y++) {
+        qtri_diffuse_row(&d, 15, 0, y, gray[y], W, whole[y]);
+    }
+    for (int n = 0; n < 20; n++) {
+        qtri_diffuse_row(&d, 15, 5, 3, gray[0], 9, pieces[0]); /* something else in between */
+        for (int y = 0; y < H; y++) {
+            for (int32_t x = 0; x < W;) {
+                int32_t count = random_in(&random, 1, W - x);
+                qtri_diffuse_row(&d, 15, x, y, gray[y] + x, count, pieces[y] + x);
+                x += count;
+            }
+        }
+        assert_memory_equal(whole, pieces, sizeof whole);
+    }
+    for (int n = 0; n < 20000; n++) { /* the worst input for errors that add up: extremes */
+        uint8_t wild[60];
+        for (size_t i = 0; i < sizeof wild; i++) {
+            wild[i] = (uint8_t)(random_flag(&random) ? 127 * random_in(&random, 0, 2) : 255);
+        }
+        int32_t x = n % 3 == 0 ? random_any(&random) : random_in(&random, -30, 50);
+        int32_t y = n % 2 == 0 ? random_any(&random) : n;
+        uint8_t most = (uint8_t)random64(&random);
+        qtri_diffuse_row(&d, most, x, y, wild, random_in(&random, -1, 60), wild);
+        for (int i = 0; i < W; i++) {
+            assert_true(abs(error[i]) < 1024);
+        }
+    }
+    assert_true(error[W] == 1234 && error[W + 1] == 1234);
+    assert_int_equal(qtri_diffusion_init(&d, 0, error, W), QTRI_ERROR_SIZE);
+    assert_int_equal(qtri_diffusion_init(&d, QTRI_SURFACE_MAX + 1, error, 9999), QTRI_ERROR_SIZE);
+    assert_int_equal(qtri_diffusion_init(&d, W + 1, error, W), QTRI_ERROR_MEMORY);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(luma),
+        cmocka_unit_test(luma_of_formats),
+        cmocka_unit_test(luma_outside),
+        cmocka_unit_test(ordered_levels),
+        cmocka_unit_test(ordered_places),
+        cmocka_unit_test(diffusion_means),
+        cmocka_unit_test(diffusion_weights),
+        cmocka_unit_test(diffusion_order),
+    };
+    return cmocka_run_group_tests_name("core dither", tests, NULL, NULL);
+}
