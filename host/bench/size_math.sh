@@ -48,7 +48,7 @@ awk -F '\t' -v cores="$*" '
         for (n = 1; n <= names; n++) {
             printf "%-36s", name[n]
             for (c = 1; c <= columns; c++) printf "%20s", bytes[name[n], core[c]]
-            if (name[n] ~ /^everything/) printf "   (target: 6144 on cortex-m3)%s", bytes[name[n], "cortex-m3"] > 6144 ? " !" : ""
+            if (name[n] ~ /^everything/) printf "   (target: 6144 on cortex-m3)%s", (bytes[name[n], "cortex-m3"] > 6144 ? " !" : "")
             print ""
         }
     }' "$table"

@@ -4,7 +4,7 @@
  * Every function is defined for every argument. Where it takes an orientation, the quaternion need
  * not have unit length: its direction counts, at 30 fraction bits; zero stands for the identity.
  * q and -q are the same orientation. Angles are degrees, counter-clockwise seen against the axis.
- * Results are within .52 ULP of a component where not said otherwise, unit lengths within 1 ULP.
+ * Results are within .52 ULP of a component where not said otherwise, unit lengths within 1.01 ULP.
  * Sources: Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985; Shepperd,
  * "Quaternion from rotation matrix", J. Guidance and Control 1, 1978.
  */
