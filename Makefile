@@ -41,6 +41,7 @@ DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/n
 
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
             -fsanitize=address,undefined,float-cast-overflow
+SANITIZE_THREADS := -O1 -g -fsanitize=thread
 
 # -j for a make that this one starts, unless they already share the jobs.
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
@@ -95,7 +96,7 @@ setup: ## Install what the tests and checks need (Debian, as root); elsewhere na
 test: ## Run every test: plain, sanitized, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-sanitized test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) test-math-targets; do \
+	for step in test-plain test-sanitized test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) test-math-targets; do \
 	    $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
 	sh tests/check/total.sh $$status
@@ -109,6 +110,10 @@ test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=te
 test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
 	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' test-plain
 
+.PHONY: test-threads
+test-threads: ## Run the tests that have threads under the thread sanitizer
+	@$(MAKE) -s $(PARALLEL) BUILD=build/threads CFLAGS='$(SANITIZE_THREADS)' TESTS='$(filter %_threads,$(TESTS))' test-plain
+
 .PHONY: test-fuzz fuzzers
 test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, with clang
 	@if sh tests/check/have_fuzzer.sh; then \
@@ -119,6 +124,7 @@ test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, wit
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 
 $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
+$(BUILD)/tests/%_threads: LDFLAGS += -pthread
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm

@@ -2,8 +2,6 @@
 
 static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
 {
-    static const qtri_screen_vertex empty = {0};
-    *out = empty;
     out->color_8p16[0] = (int32_t)corner->color.r << 16;
     out->color_8p16[1] = (int32_t)corner->color.g << 16;
     out->color_8p16[2] = (int32_t)corner->color.b << 16;
@@ -30,10 +28,10 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
     qtri_primitive primitive;
     qtri_primitive_init(&primitive, surface, view, pose, material);
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
-        qtri_clip_vertex v[3];
+        qtri_shape shape;
         qtri_screen_vertex attributes[3];
-        fetch(&primitive, &corners[i], 3, v, attributes);
-        qtri_primitive_triangle(&primitive, v, attributes);
+        fetch(&primitive, &corners[i], 3, shape.clip, attributes);
+        qtri_primitive_triangle(&primitive, &shape, attributes);
     }
 }
 

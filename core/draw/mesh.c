@@ -1,24 +1,10 @@
-#include "../geometry/lighting.h"
-#include "../math/dot.h"
-#include "primitive.h"
+#include "mesh_job.h"
 
 /* Vertices from which on a look at eight corners pays. */
 enum { WORTH_A_BOX = 64 };
 
-/* One draw call: what every triangle needs. */
-typedef struct mesh_draw {
-    qtri_primitive primitive;
-    qtri_material material; /* without the texture when there are no coordinates */
-    const qtri_mesh *mesh;
-    qtri_vertex *vertices; /* slot_count of them */
-    uint32_t slot_count;
-    bool lit_per_vertex, lit_per_face;
-    bool more; /* colours of their own or a texture */
-    qtri_lighting lighting;
-} mesh_draw;
-
-/* False when one of the vertices is outside. */
-static bool transform(const mesh_draw *draw, uint32_t first, uint32_t count, qtri_vertex *out)
+bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
+                         qtri_vertex *out)
 {
     const qtri_projector *projector = &draw->primitive.projector;
     if (draw->mesh->positions16 != NULL) {
@@ -27,20 +13,12 @@ static bool transform(const mesh_draw *draw, uint32_t first, uint32_t count, qtr
     return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
 }
 
-/* Of corner 0..2 of the triangle whose indices these are. */
-static inline uint32_t index_of(const qtri_mesh *mesh, const void *indices, int corner)
-{
-    const uint16_t *wide = indices;
-    const uint8_t *narrow = indices;
-    return mesh->triangles8 != NULL ? narrow[corner] : wide[corner];
-}
-
-static uint32_t face_intensity(const mesh_draw *draw, const void *indices)
+static uint32_t face_intensity(const qtri_mesh_job *draw, const void *indices)
 {
     const qtri_mesh *mesh = draw->mesh;
-    uint32_t a = index_of(mesh, indices, 0);
-    uint32_t b = index_of(mesh, indices, 1);
-    uint32_t c = index_of(mesh, indices, 2);
+    uint32_t a = qtri_mesh_index(mesh, indices, 0);
+    uint32_t b = qtri_mesh_index(mesh, indices, 1);
+    uint32_t c = qtri_mesh_index(mesh, indices, 2);
     if (mesh->positions16 != NULL) {
         const qtri_position16 *p = mesh->positions16;
         return qtri_lighting_face16(&draw->lighting, &p[a], &p[b], &p[c]);
@@ -49,7 +27,7 @@ static uint32_t face_intensity(const mesh_draw *draw, const void *indices)
     return qtri_lighting_face(&draw->lighting, &p[a], &p[b], &p[c]);
 }
 
-QTRI_NOINLINE static uint32_t light_vertex(const mesh_draw *draw, uint32_t index)
+uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index)
 {
     const qtri_mesh *mesh = draw->mesh;
     return mesh->normals8 != NULL ? qtri_lighting_vertex8(&draw->lighting, &mesh->normals8[index])
@@ -57,11 +35,12 @@ QTRI_NOINLINE static uint32_t light_vertex(const mesh_draw *draw, uint32_t index
 }
 
 /* Computed when it is first needed. */
-static inline uint32_t vertex_intensity(const mesh_draw *draw, const void *indices, int corner,
-                                        qtri_vertex *vertex)
+static inline uint32_t light_once(const qtri_mesh_job *draw, const void *indices, int corner,
+                                  qtri_vertex *vertex)
 {
     if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
-        vertex->intensity_q15 = (uint16_t)light_vertex(draw, index_of(draw->mesh, indices, corner));
+        vertex->intensity_q15 =
+            (uint16_t)qtri_mesh_light(draw, qtri_mesh_index(draw->mesh, indices, corner));
     }
     return vertex->intensity_q15;
 }
@@ -81,17 +60,17 @@ static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32
 }
 
 /* Colours, light and texture coordinates of a triangle that is clipped or drawn as lines. */
-static void set_attributes(const mesh_draw *draw, const void *indices, qtri_vertex *const vertex[3],
-                           qtri_screen_vertex out[3])
+static void set_attributes(const qtri_mesh_job *draw, const void *indices,
+                           qtri_vertex *const vertex[3], qtri_screen_vertex out[3])
 {
     const qtri_mesh *mesh = draw->mesh;
     uint32_t intensity_q15 =
         draw->lit_per_face ? face_intensity(draw, indices) : QTRI_INTENSITY_ONE;
     for (int i = 0; i < 3; i++) {
         if (draw->lit_per_vertex) {
-            intensity_q15 = vertex_intensity(draw, indices, i, vertex[i]);
+            intensity_q15 = light_once(draw, indices, i, vertex[i]);
         }
-        uint32_t index = index_of(mesh, indices, i);
+        uint32_t index = qtri_mesh_index(mesh, indices, i);
         int32_t intensity = (int32_t)intensity_q15 * 2;
         qtri_rgb color = mesh->colors != NULL ? mesh->colors[index] : draw->material.color;
         out[i].color_8p16[0] = color.r * intensity; /* <= 255.0 */
@@ -102,7 +81,7 @@ static void set_attributes(const mesh_draw *draw, const void *indices, qtri_vert
 }
 
 /* Rare: homogeneous coordinates are not kept but computed again. */
-QTRI_NOINLINE static void draw_clipped(const mesh_draw *draw, const void *indices,
+QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
 {
     unsigned common = QTRI_VERTEX_OUTCODE;
@@ -113,29 +92,24 @@ QTRI_NOINLINE static void draw_clipped(const mesh_draw *draw, const void *indice
     if (common != 0) {
         return;
     }
-    qtri_clip_vertex clip[3];
+    qtri_shape shape;
     qtri_screen_vertex screen[3];
     const qtri_projector *projector = &draw->primitive.projector;
     for (int i = 0; i < 3; i++) {
-        uint32_t index = index_of(draw->mesh, indices, i);
+        uint32_t index = qtri_mesh_index(draw->mesh, indices, i);
         if (draw->mesh->positions16 != NULL) {
-            qtri_projector_point16(projector, &draw->mesh->positions16[index], &clip[i]);
+            qtri_projector_point16(projector, &draw->mesh->positions16[index], &shape.clip[i]);
         } else {
-            qtri_projector_point(projector, &draw->mesh->positions[index], &clip[i]);
+            qtri_projector_point(projector, &draw->mesh->positions[index], &shape.clip[i]);
         }
     }
     set_attributes(draw, indices, vertex, screen);
-    qtri_primitive_triangle(&draw->primitive, clip, screen);
-}
-
-static inline bool is_inside(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c)
-{
-    return ((a->depth_16p8 | b->depth_16p8 | c->depth_16p8) & QTRI_VERTEX_OUTSIDE) == 0;
+    qtri_primitive_triangle(&draw->primitive, &shape, screen);
 }
 
 /* What not every mesh has: colours in units of the target, texture coordinates. */
-QTRI_NOINLINE static void set_more(const mesh_draw *draw, uint32_t index, uint32_t intensity_q15,
-                                   qtri_attributes *out)
+QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
+                                   uint32_t intensity_q15, qtri_attributes *out)
 {
     const qtri_mesh *mesh = draw->mesh;
     if (mesh->colors != NULL) {
@@ -154,15 +128,10 @@ QTRI_NOINLINE static void set_more(const mesh_draw *draw, uint32_t index, uint32
 }
 
 /* Lit only when it may touch a pixel. */
-static void draw_solid(const mesh_draw *draw, const void *indices, qtri_vertex *const vertex[3])
+static void draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3])
 {
     qtri_triangle triangle;
-    for (int i = 0; i < 3; i++) {
-        triangle.p[i] = &vertex[i]->at;
-    }
-    triangle.area = qtri_triangle_area(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at);
-    triangle.tinted = draw->mesh->colors == NULL;
-    if (triangle.area == 0 || !qtri_triangle_begin(&draw->primitive.raster, &triangle)) {
+    if (!qtri_mesh_begin_solid(draw, vertex[0], vertex[1], vertex[2], &triangle)) {
         return;
     }
     qtri_attributes attributes[3];
@@ -172,20 +141,17 @@ static void draw_solid(const mesh_draw *draw, const void *indices, qtri_vertex *
     }
     for (int i = 0; i < 3; i++) {
         if (draw->lit_per_vertex) {
-            intensity_q15 = vertex_intensity(draw, indices, i, vertex[i]);
+            intensity_q15 = light_once(draw, indices, i, vertex[i]);
         }
-        attributes[i].depth_16p16 = vertex[i]->depth_16p8 & ~0xFFu;
-        attributes[i].inv_w_q31 = vertex[i]->inv_w;
-        attributes[i].inv_w_exponent = (int32_t)(vertex[i]->depth_16p8 & 0xFFu);
-        attributes[i].color[0] = (int32_t)(intensity_q15 << 7); /* Q22 of the one colour */
+        qtri_mesh_set_attributes(&attributes[i], vertex[i], intensity_q15);
         if (draw->more) {
-            set_more(draw, index_of(draw->mesh, indices, i), intensity_q15, &attributes[i]);
+            set_more(draw, qtri_mesh_index(draw->mesh, indices, i), intensity_q15, &attributes[i]);
         }
     }
     qtri_triangle_draw(&draw->primitive.raster, &triangle, attributes);
 }
 
-QTRI_NOINLINE static void draw_wireframe(const mesh_draw *draw, const void *indices,
+QTRI_NOINLINE static void draw_wireframe(const qtri_mesh_job *draw, const void *indices,
                                          qtri_vertex *const vertex[3])
 {
     qtri_screen_vertex screen[3];
@@ -197,14 +163,13 @@ QTRI_NOINLINE static void draw_wireframe(const mesh_draw *draw, const void *indi
         screen[i].inv_w_exponent = (int32_t)(vertex[i]->depth_16p8 & 0xFFu);
     }
     set_attributes(draw, indices, vertex, screen);
-    qtri_primitive_screen_triangle(&draw->primitive, screen);
+    qtri_primitive_wireframe(&draw->primitive, screen);
 }
 
-/* A triangle that crosses a plane or was not culled. */
-QTRI_NOINLINE static void draw_seen(const mesh_draw *draw, const void *indices,
-                                    qtri_vertex *const vertex[3])
+QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
+                                       qtri_vertex *const vertex[3])
 {
-    if (!is_inside(vertex[0], vertex[1], vertex[2])) {
+    if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
     } else if (draw->material.fill == QTRI_SOLID) {
         draw_solid(draw, indices, vertex);
@@ -213,58 +178,22 @@ QTRI_NOINLINE static void draw_seen(const mesh_draw *draw, const void *indices,
     }
 }
 
-/* Any culling, and triangles that may cross planes; those are never turned away. */
-QTRI_NOINLINE static bool turned_away(const mesh_draw *draw, const qtri_vertex *a,
-                                      const qtri_vertex *b, const qtri_vertex *c)
+QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a,
+                                         const qtri_vertex *b, const qtri_vertex *c)
 {
     qtri_cull cull = draw->material.cull;
-    if (!is_inside(a, b, c) || (cull != QTRI_CULL_BACK && cull != QTRI_CULL_FRONT)) {
+    if (!qtri_mesh_is_inside(a, b, c) || (cull != QTRI_CULL_BACK && cull != QTRI_CULL_FRONT)) {
         return false;
     }
     int64_t area = qtri_triangle_area(&a->at, &b->at, &c->at);
     return cull == QTRI_CULL_BACK ? area >= 0 : area <= 0;
 }
 
-#if !QTRI_LONG_MULTIPLY
-/* Below 2^n where -2^n <= x < 2^n. */
-static inline uint32_t folded(int32_t x)
-{
-    return (uint32_t)(x < 0 ? ~x : x);
-}
-#endif
-
-/* qtri_triangle_area(a, b, c) >= 0. */
-static inline bool is_back(const qtri_screen_point *a, const qtri_screen_point *b,
-                           const qtri_screen_point *c)
-{
-#if !QTRI_LONG_MULTIPLY
-    /* Differences of 16 bits: products of 32, one instruction each. */
-    int32_t x1 = b->x_24p8 - a->x_24p8;
-    int32_t y1 = b->y_24p8 - a->y_24p8;
-    int32_t x2 = c->x_24p8 - a->x_24p8;
-    int32_t y2 = c->y_24p8 - a->y_24p8;
-    if (((folded(x1) | folded(y1) | folded(x2) | folded(y2)) >> 15) == 0) {
-        return x1 * y2 >= x2 * y1;
-    }
-#endif
-    return qtri_triangle_area(a, b, c) >= 0;
-}
-
-/* The indices at a triangle's place in the mesh. */
-static void read_indices(uint32_t index[3], const void *triangle, bool narrow)
-{
-    const uint16_t *wide = triangle;
-    const uint8_t *bytes = triangle;
-    for (int i = 0; i < 3; i++) {
-        index[i] = narrow ? bytes[i] : wide[i];
-    }
-}
-
 /*
  * The triangles of a mesh whose vertices are all there. By far the most end in this loop; when
  * `simple`, back faces are culled and no vertex is outside.
  */
-static inline void draw_triangles(const mesh_draw *draw, const void *triangles, bool narrow,
+static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangles, bool narrow,
                                   bool simple)
 {
     qtri_vertex *vertices = draw->vertices;
@@ -277,7 +206,7 @@ static inline void draw_triangles(const mesh_draw *draw, const void *triangles, 
     const uint8_t *end = triangle + draw->mesh->triangle_count * size;
     for (; triangle != end; triangle += size) {
         uint32_t index[3];
-        read_indices(index, triangle, narrow);
+        qtri_mesh_indices(index, triangle, narrow);
         if (index[0] >= count || index[1] >= count || index[2] >= count) {
             continue;
         }
@@ -287,19 +216,20 @@ static inline void draw_triangles(const mesh_draw *draw, const void *triangles, 
         QTRI_HOLD(a); /* three registers; GCC 12 would keep six */
         QTRI_HOLD(b);
         QTRI_HOLD(c);
-        if (simple ? is_back(&a->at, &b->at, &c->at) : turned_away(draw, a, b, c)) {
+        if (simple ? qtri_mesh_is_back(&a->at, &b->at, &c->at)
+                   : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
         }
         qtri_vertex *const vertex[3] = {a, b, c};
-        draw_seen(draw, triangle, vertex);
+        qtri_mesh_draw_seen(draw, triangle, vertex);
     }
 }
 
 /* A slot for every vertex: each is transformed once. */
-QTRI_NOINLINE static void draw_whole(const mesh_draw *draw)
+QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
-    const bool inside = transform(draw, 0, mesh->vertex_count, draw->vertices);
+    const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
     const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
     if (mesh->triangles8 != NULL) {
         draw_triangles(draw, mesh->triangles8, true, simple);
@@ -312,7 +242,7 @@ QTRI_NOINLINE static void draw_whole(const mesh_draw *draw)
  * The vertex's slot, filled. Vertex i lives in slot i modulo their number; when another corner of
  * the same triangle holds it, or there is none, `spare` serves.
  */
-static qtri_vertex *fetch(const mesh_draw *draw, uint32_t index, qtri_vertex *spare,
+static qtri_vertex *fetch(const qtri_mesh_job *draw, uint32_t index, qtri_vertex *spare,
                           qtri_vertex *const taken[2])
 {
     qtri_vertex *slot = spare;
@@ -323,34 +253,49 @@ static qtri_vertex *fetch(const mesh_draw *draw, uint32_t index, qtri_vertex *sp
         }
         slot = own == taken[0] || own == taken[1] ? spare : own;
     }
-    (void)transform(draw, index, 1, slot);
+    (void)qtri_mesh_transform(draw, index, 1, slot);
     slot->index = (uint16_t)index;
     return slot;
 }
 
-/* Fewer slots than vertices: some are transformed again. */
-QTRI_NOINLINE static void draw_by_slots(const mesh_draw *draw)
+bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, qtri_vertex spare[3],
+                              qtri_vertex *vertex[3])
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const uint32_t count = mesh->vertex_count;
+    uint32_t index[3];
+    qtri_mesh_indices(index, triangle, mesh->triangles8 != NULL);
+    if (index[0] >= count || index[1] >= count || index[2] >= count) {
+        return false;
+    }
+    vertex[0] = NULL;
+    vertex[1] = NULL;
+    for (int corner = 0; corner < 3; corner++) {
+        vertex[corner] = fetch(draw, index[corner], &spare[corner], vertex);
+    }
+    return true;
+}
+
+void qtri_mesh_clear_slots(const qtri_mesh_job *draw)
 {
     for (uint32_t i = 0; i < draw->slot_count; i++) {
         draw->vertices[i].depth_16p8 = QTRI_VERTEX_EMPTY;
     }
+}
+
+/* Fewer slots than vertices: some are transformed again. */
+QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
+{
     const qtri_mesh *mesh = draw->mesh;
-    const uint32_t count = mesh->vertex_count;
+    qtri_mesh_clear_slots(draw);
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        uint32_t index[3];
-        qtri_vertex spare[3];
-        qtri_vertex *vertex[3] = {NULL, NULL, NULL};
         const void *triangle = mesh->triangles8 != NULL ? (const void *)mesh->triangles8[i]
                                                         : (const void *)mesh->triangles[i];
-        read_indices(index, triangle, mesh->triangles8 != NULL);
-        if (index[0] >= count || index[1] >= count || index[2] >= count) {
-            continue;
-        }
-        for (int corner = 0; corner < 3; corner++) {
-            vertex[corner] = fetch(draw, index[corner], &spare[corner], vertex);
-        }
-        if (!turned_away(draw, vertex[0], vertex[1], vertex[2])) {
-            draw_seen(draw, triangle, vertex);
+        qtri_vertex spare[3];
+        qtri_vertex *vertex[3];
+        if (qtri_mesh_fetch_triangle(draw, triangle, spare, vertex) &&
+            !qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_seen(draw, triangle, vertex);
         }
     }
 }
@@ -361,7 +306,7 @@ static int32_t hold(int32_t x, int32_t low, int32_t high)
 }
 
 /* Whether the mesh cannot touch the surface: not its rows, for a band. */
-static bool is_missed(const mesh_draw *draw, const qtri_surface *surface)
+static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
 {
     const qtri_mesh *mesh = draw->mesh;
     qtri_box box = mesh->bounds;
@@ -382,10 +327,8 @@ static bool is_missed(const mesh_draw *draw, const qtri_surface *surface)
     return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
 }
 
-/* False when there is nothing to draw. A function of its own, so that its stack is free again. */
-QTRI_NOINLINE static bool prepare(mesh_draw *draw, const qtri_surface *surface,
-                                  const qtri_view *view, const qtri_transform *pose,
-                                  const qtri_mesh *mesh, const qtri_material *material)
+void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
+                        const qtri_mesh *mesh, const qtri_material *material)
 {
     draw->material = *material;
     if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
@@ -394,20 +337,26 @@ QTRI_NOINLINE static bool prepare(mesh_draw *draw, const qtri_surface *surface,
     draw->mesh = mesh;
     draw->vertices = view->vertices;
     draw->slot_count = view->vertex_count;
-    qtri_primitive_init(&draw->primitive, surface, view, pose, &draw->material);
-    if (is_missed(draw, surface)) {
-        return false;
-    }
+    qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
     if (mesh->colors == NULL) {
         qtri_raster_set_tint(&draw->primitive.raster, draw->material.color);
     }
     draw->more = mesh->colors != NULL || draw->primitive.raster.texture != NULL;
-    if (mesh->positions16 != NULL) {
-        qtri_projector_compact(&draw->primitive.projector, &mesh->origin, mesh->extent);
-    }
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     draw->lit_per_vertex = view->light != NULL && material->shading == QTRI_SMOOTH && normals;
     draw->lit_per_face = view->light != NULL && !draw->lit_per_vertex;
+}
+
+bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    qtri_primitive_place(&draw->primitive, view, pose);
+    if (is_missed(draw, draw->primitive.surface)) {
+        return false;
+    }
+    if (mesh->positions16 != NULL) {
+        qtri_projector_compact(&draw->primitive.projector, &mesh->origin, mesh->extent);
+    }
     if (view->light != NULL) {
         qtri_transform object_to_eye;
         qtri_transform_mul(&object_to_eye, &view->camera, pose);
@@ -417,11 +366,20 @@ QTRI_NOINLINE static bool prepare(mesh_draw *draw, const qtri_surface *surface,
     return true;
 }
 
+/* A function of its own, so that its stack is free again. */
+QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_surface *surface,
+                                const qtri_view *view, const qtri_transform *pose,
+                                const qtri_mesh *mesh, const qtri_material *material)
+{
+    qtri_mesh_job_init(draw, surface, view, mesh, material);
+    return qtri_mesh_job_place(draw, view, pose);
+}
+
 void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
                     const qtri_mesh *mesh, const qtri_material *material)
 {
-    mesh_draw draw;
-    if (!prepare(&draw, surface, view, pose, mesh, material)) {
+    qtri_mesh_job draw;
+    if (!begin(&draw, surface, view, pose, mesh, material)) {
         return;
     }
     if (draw.slot_count >= mesh->vertex_count) {

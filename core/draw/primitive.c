@@ -1,50 +1,60 @@
 #include "primitive.h"
 
-void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
-                         const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material)
+void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
+                               const qtri_material *material)
 {
-    qtri_transform object_to_clip;
-    qtri_transform_mul(&object_to_clip, &view->camera, pose);
-    qtri_transform_mul(&object_to_clip, &view->projection, &object_to_clip);
     primitive->surface = surface;
     primitive->material = material;
     qtri_raster_init(&primitive->raster, surface, material);
     qtri_line_job_init(&primitive->line, surface, material);
+}
+
+void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
+                          const qtri_transform *pose)
+{
+    qtri_transform object_to_clip;
+    qtri_transform_mul(&object_to_clip, &view->camera, pose);
+    qtri_transform_mul(&object_to_clip, &view->projection, &object_to_clip);
     qtri_projector_init(&primitive->projector, &object_to_clip, &view->viewport);
 }
 
-bool qtri_primitive_culled(const qtri_material *material, int64_t area)
+void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
+                         const qtri_view *view, const qtri_transform *pose,
+                         const qtri_material *material)
+{
+    qtri_primitive_place(primitive, view, pose);
+    qtri_primitive_set_target(primitive, surface, material);
+}
+
+static bool is_culled(const qtri_material *material, int64_t area)
 {
     return (material->cull == QTRI_CULL_BACK && area >= 0) ||
            (material->cull == QTRI_CULL_FRONT && area <= 0);
 }
 
-int64_t qtri_primitive_area(const qtri_screen_vertex *a, const qtri_screen_vertex *b,
-                            const qtri_screen_vertex *c)
+/* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16: 33 bits times 31. */
+QTRI_NOINLINE static int64_t blend_q16(int32_t a0, int32_t a1, int32_t a2, const int32_t b_q30[2])
 {
-    return (int64_t)(b->x_24p8 - a->x_24p8) * (c->y_24p8 - a->y_24p8) -
-           (int64_t)(c->x_24p8 - a->x_24p8) * (b->y_24p8 - a->y_24p8);
-}
-
-/* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16, for a0..a2 of 32 bits: 33 bits times 31. */
-static int64_t blend_q16(int64_t a0, int64_t a1, int64_t a2, const qtri_clip_vertex *v)
-{
-    int64_t one = ((a1 - a0) * v->b1_q30) >> 14;
-    int64_t two = ((a2 - a0) * v->b2_q30) >> 14;
-    return a0 * 65536 + one + two;
+    int64_t one = (((int64_t)a1 - a0) * b_q30[0]) >> 14;
+    int64_t two = (((int64_t)a2 - a0) * b_q30[1]) >> 14;
+    return (int64_t)a0 * 65536 + one + two;
 }
 
 /* Attributes of a clipped vertex from those of the triangle's own three. */
-static void blend_attributes(qtri_screen_vertex *out, const qtri_screen_vertex a[3],
-                             const qtri_clip_vertex *v)
+QTRI_NOINLINE static void blend_attributes(qtri_screen_vertex *out, const qtri_screen_vertex *a0,
+                                           const qtri_screen_vertex *a1,
+                                           const qtri_screen_vertex *a2, int32_t b1_q30,
+                                           int32_t b2_q30)
 {
+    const int32_t b_q30[2] = {b1_q30, b2_q30};
     for (int i = 0; i < 3; i++) {
-        int64_t sum = blend_q16(a[0].color_8p16[i], a[1].color_8p16[i], a[2].color_8p16[i], v);
+        int64_t sum = blend_q16(a0->color_8p16[i], a1->color_8p16[i], a2->color_8p16[i], b_q30);
         out->color_8p16[i] = (int32_t)(sum >> 16); /* 0..255.0, as the three are */
     }
-    out->u_q32 = blend_q16(a[0].u_q32 >> 16, a[1].u_q32 >> 16, a[2].u_q32 >> 16, v);
-    out->v_q32 = blend_q16(a[0].v_q32 >> 16, a[1].v_q32 >> 16, a[2].v_q32 >> 16, v);
+    out->u_q32 = blend_q16((int32_t)(a0->u_q32 >> 16), (int32_t)(a1->u_q32 >> 16),
+                           (int32_t)(a2->u_q32 >> 16), b_q30);
+    out->v_q32 = blend_q16((int32_t)(a0->v_q32 >> 16), (int32_t)(a1->v_q32 >> 16),
+                           (int32_t)(a2->v_q32 >> 16), b_q30);
 }
 
 /* Flat: lines and the pieces of a clipped triangle have no provoking vertex of their own. */
@@ -53,87 +63,207 @@ static void spread_provoking(const qtri_material *material, qtri_screen_vertex v
     if (material->shading == QTRI_SMOOTH) {
         return;
     }
-    int from = material->shading == QTRI_FLAT_FIRST ? 0 : 2;
+    const qtri_screen_vertex *from = &v[material->shading == QTRI_FLAT_FIRST ? 0 : 2];
     for (int i = 0; i < 3; i++) {
         for (int channel = 0; channel < 3; channel++) {
-            v[i].color_8p16[channel] = v[from].color_8p16[channel];
+            v[i].color_8p16[channel] = from->color_8p16[channel];
         }
     }
 }
 
-void qtri_primitive_screen_triangle(const qtri_primitive *primitive, qtri_screen_vertex v[3])
+void qtri_primitive_wireframe(const qtri_primitive *primitive, qtri_screen_vertex v[3])
 {
-    if (primitive->material->fill == QTRI_SOLID) {
-        qtri_raster_draw(&primitive->raster, v);
-    } else if (!qtri_primitive_culled(primitive->material,
-                                      qtri_primitive_area(&v[0], &v[1], &v[2]))) {
+    qtri_screen_point p[3];
+    for (int i = 0; i < 3; i++) {
+        p[i].x_24p8 = v[i].x_24p8;
+        p[i].y_24p8 = v[i].y_24p8;
+    }
+    if (!is_culled(primitive->material, qtri_triangle_area(&p[0], &p[1], &p[2]))) {
         spread_provoking(primitive->material, v);
         qtri_line_triangle(&primitive->line, v);
     }
 }
 
-/*
- * The polygon that clipping left, as a fan around its first vertex. Returns the sum of its areas;
- * draws the triangles whose area has the sign of `side`. Snapping may dent the polygon by a sliver
- * that turns the other way: its pixels belong to the neighbour in the fan, too.
- */
-static int64_t draw_fan(const qtri_primitive *primitive, const qtri_clip_vertex polygon[],
-                        int count, const qtri_screen_vertex attributes[3], int64_t side)
+/* What is left of the triangle after cuts by `planes`; *out may be where v is. */
+QTRI_NOINLINE static int clip_to_screen(const qtri_projector *projector,
+                                        const qtri_clip_vertex v[3], unsigned planes,
+                                        qtri_fan_vertex out[QTRI_CLIP_MAX])
+{
+    qtri_clip_vertex polygon[QTRI_CLIP_MAX];
+    int count = 3;
+    for (int i = 0; i < 3; i++) {
+        polygon[i] = v[i];
+        polygon[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
+        polygon[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
+    }
+    if (planes != 0) {
+        count = qtri_clip_polygon(polygon, 3, planes);
+    }
+    for (int i = 0; i < count; i++, out++) {
+        qtri_screen_vertex screen;
+        qtri_project(projector, &polygon[i], &screen);
+        out->at.x_24p8 = screen.x_24p8;
+        out->at.y_24p8 = screen.y_24p8;
+        out->depth_16p8 = screen.depth_16p16 | (uint32_t)screen.inv_w_exponent;
+        out->inv_w_q31 = screen.inv_w_q31;
+        out->b1_q30 = polygon[i].b1_q30;
+        out->b2_q30 = polygon[i].b2_q30;
+    }
+    return count;
+}
+
+/* Twice the area of triangle i of a fan, i = 2 .. count-1. */
+static int64_t piece_area(const qtri_fan_vertex fan[], int i)
+{
+    return qtri_triangle_area(&fan[0].at, &fan[i - 1].at, &fan[i].at);
+}
+
+static int64_t fan_area(const qtri_fan_vertex fan[], int count)
 {
     int64_t sum = 0;
-    qtri_screen_vertex fan[3];
-    for (int i = 0; i < count; i++) {
-        qtri_screen_vertex *out = &fan[i < 2 ? i : 2];
-        qtri_project(&primitive->projector, &polygon[i], out);
-        blend_attributes(out, attributes, &polygon[i]);
-        if (i >= 2) {
-            int64_t area = qtri_primitive_area(&fan[0], &fan[1], &fan[2]);
-            sum += area;
-            if ((side < 0 && area < 0) || (side > 0 && area > 0)) {
-                qtri_raster_draw(&primitive->raster, fan);
-            }
-            fan[1] = fan[2];
-        }
+    for (int i = 2; i < count; i++) {
+        sum += piece_area(fan, i);
     }
     return sum;
 }
 
-void qtri_primitive_triangle(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
-                             const qtri_screen_vertex attributes[3])
+/* Which of the triangle's own vertices this is, that no plane made; otherwise -1. */
+static int own_vertex(const qtri_fan_vertex *v)
 {
-    qtri_clip_vertex polygon[QTRI_CLIP_MAX] = {v[0], v[1], v[2]};
-    unsigned outcode[3];
-    for (int i = 0; i < 3; i++) {
-        outcode[i] = qtri_clip_outcode(&v[i]);
-        polygon[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
-        polygon[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
+    const int32_t one_q30 = (int32_t)1 << 30;
+    if ((v->b1_q30 | v->b2_q30) == 0) {
+        return 0;
     }
-    if ((outcode[0] & outcode[1] & outcode[2]) != 0) {
-        return;
+    if ((v->b1_q30 | v->b2_q30) != one_q30 || (v->b1_q30 & v->b2_q30) != 0) {
+        return -1;
     }
-    qtri_screen_vertex corner[3] = {attributes[0], attributes[1], attributes[2]};
-    unsigned planes = outcode[0] | outcode[1] | outcode[2];
-    if (planes == 0) {
-        for (int i = 0; i < 3; i++) {
-            qtri_project(&primitive->projector, &v[i], &corner[i]);
-        }
-        qtri_primitive_screen_triangle(primitive, corner);
-        return;
-    }
-    spread_provoking(primitive->material, corner);
-    int count = qtri_clip_polygon(polygon, 3, planes);
-    int64_t area = draw_fan(primitive, polygon, count, corner, 0);
-    if (count == 0 || qtri_primitive_culled(primitive->material, area)) {
-        return;
-    }
-    if (primitive->material->fill == QTRI_SOLID) {
-        draw_fan(primitive, polygon, count, corner, area);
+    return v->b1_q30 != 0 ? 1 : 2;
+}
+
+QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_vertex *v,
+                                         const qtri_screen_vertex attributes[3], qtri_format format)
+{
+    qtri_screen_vertex blend;
+    const qtri_screen_vertex *from = &blend;
+    int own = own_vertex(v);
+    if (own >= 0) {
+        from = &attributes[own];
     } else {
-        for (int i = 0; i < 3; i++) {
-            int next = (i + 1) % 3;
-            qtri_clip_vertex edge[2] = {v[i], v[next]};
-            qtri_screen_vertex ends[2] = {corner[i], corner[next]};
-            qtri_primitive_line(primitive, edge, ends);
+        blend_attributes(&blend, &attributes[0], &attributes[1], &attributes[2], v->b1_q30,
+                         v->b2_q30);
+    }
+    out->depth_16p16 = v->depth_16p8 & ~0xFFu;
+    out->inv_w_q31 = v->inv_w_q31;
+    out->inv_w_exponent = (int32_t)(v->depth_16p8 & 0xFFu);
+    qtri_channels color = qtri_channels_from_color(format, from->color_8p16);
+    for (int i = 0; i < 3; i++) {
+        out->color[i] = color.c[i];
+    }
+    out->u_q32 = from->u_q32;
+    out->v_q32 = from->v_q32;
+}
+
+QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive, const qtri_fan_vertex fan[],
+                                     int i, int64_t area, const qtri_screen_vertex attributes[3])
+{
+    qtri_triangle triangle;
+    triangle.p[0] = &fan[0].at;
+    triangle.p[1] = &fan[i - 1].at;
+    triangle.p[2] = &fan[i].at;
+    triangle.area = area;
+    triangle.tinted = false;
+    if (!qtri_triangle_begin(&primitive->raster, &triangle)) {
+        return;
+    }
+    const qtri_format format = primitive->surface->format;
+    qtri_attributes own[3];
+    set_attributes(&own[0], &fan[0], attributes, format);
+    set_attributes(&own[1], &fan[i - 1], attributes, format);
+    set_attributes(&own[2], &fan[i], attributes, format);
+    qtri_triangle_draw(&primitive->raster, &triangle, own);
+}
+
+/* The edge between two vertices, given twice: as coordinates, and as attributes. */
+QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_clip_vertex *a,
+                                    const qtri_clip_vertex *b,
+                                    const qtri_screen_vertex *a_attributes,
+                                    const qtri_screen_vertex *b_attributes)
+{
+    qtri_clip_vertex end[2] = {*a, *b};
+    unsigned first = qtri_clip_outcode(a);
+    unsigned second = qtri_clip_outcode(b);
+    end[0].b1_q30 = 0;
+    end[1].b1_q30 = (int32_t)1 << 30;
+    if ((first & second) != 0 || !qtri_clip_line(end, first | second)) {
+        return;
+    }
+    qtri_line_end line[2];
+    for (int i = 0; i < 2; i++) {
+        qtri_screen_vertex screen;
+        qtri_project(&primitive->projector, &end[i], &screen);
+        blend_attributes(&screen, a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
+        qtri_line_end_init(&line[i], &primitive->line, &screen);
+    }
+    qtri_line_draw(&primitive->line, &line[0], &line[1]);
+}
+
+/* The ends of an unclipped triangle serve two lines each; otherwise every edge is clipped anew. */
+QTRI_NOINLINE static void draw_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
+                                       unsigned planes, qtri_screen_vertex attributes[3])
+{
+    qtri_fan_vertex fan[QTRI_CLIP_MAX];
+    int count = clip_to_screen(&primitive->projector, v, planes, fan);
+    if (count == 0 || is_culled(primitive->material, fan_area(fan, count))) {
+        return;
+    }
+    spread_provoking(primitive->material, attributes);
+    for (int i = 0; i < 3; i++) {
+        int next = i < 2 ? i + 1 : 0;
+        if (planes != 0) {
+            draw_edge(primitive, &v[i], &v[next], &attributes[i], &attributes[next]);
+        } else {
+            attributes[i].x_24p8 = fan[i].at.x_24p8;
+            attributes[i].y_24p8 = fan[i].at.y_24p8;
+            attributes[i].depth_16p16 = fan[i].depth_16p8 & ~0xFFu;
+        }
+    }
+    if (planes == 0) {
+        qtri_line_triangle(&primitive->line, attributes);
+    }
+}
+
+/*
+ * What clipping left is a fan around its first vertex. Of its triangles those are drawn whose area
+ * has the sign of the sum: snapping may dent the polygon by a sliver that turns the other way. Its
+ * pixels belong to the neighbour in the fan, too.
+ */
+void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
+                             qtri_screen_vertex attributes[3])
+{
+    unsigned common = ~0u;
+    unsigned planes = 0;
+    for (int i = 0; i < 3; i++) {
+        unsigned outcode = qtri_clip_outcode(&shape->clip[i]);
+        common &= outcode;
+        planes |= outcode;
+    }
+    if (common != 0) {
+        return;
+    }
+    if (primitive->material->fill != QTRI_SOLID) {
+        draw_outline(primitive, shape->clip, planes, attributes);
+        return;
+    }
+    int count = clip_to_screen(&primitive->projector, shape->clip, planes, shape->fan);
+    int64_t sum = fan_area(shape->fan, count);
+    if (is_culled(primitive->material, sum)) { /* or 0, when nothing is left */
+        return;
+    }
+    spread_provoking(primitive->material, attributes);
+    for (int i = 2; i < count; i++) {
+        int64_t area = count == 3 ? sum : piece_area(shape->fan, i);
+        if ((sum < 0 && area < 0) || (sum > 0 && area > 0)) {
+            draw_piece(primitive, shape->fan, i, area, attributes);
         }
     }
 }
@@ -141,23 +271,5 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, const qtri_clip_ve
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2])
 {
-    qtri_clip_vertex end[2] = {v[0], v[1]};
-    unsigned outcode[2];
-    for (int i = 0; i < 2; i++) {
-        outcode[i] = qtri_clip_outcode(&v[i]);
-        end[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
-        end[i].b2_q30 = 0;
-    }
-    if ((outcode[0] & outcode[1]) != 0 || !qtri_clip_line(end, outcode[0] | outcode[1])) {
-        return;
-    }
-    qtri_screen_vertex corner[3] = {attributes[0], attributes[1], attributes[1]};
-    qtri_line_end line[2];
-    for (int i = 0; i < 2; i++) {
-        qtri_screen_vertex screen;
-        qtri_project(&primitive->projector, &end[i], &screen);
-        blend_attributes(&screen, corner, &end[i]);
-        qtri_line_end_init(&line[i], &primitive->line, &screen);
-    }
-    qtri_line_draw(&primitive->line, &line[0], &line[1]);
+    draw_edge(primitive, &v[0], &v[1], &attributes[0], &attributes[1]);
 }

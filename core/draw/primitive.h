@@ -19,28 +19,44 @@ typedef struct qtri_primitive {
     qtri_projector projector;
 } qtri_primitive;
 
+/* A vertex of what clipping left of a triangle, on the screen. */
+typedef struct qtri_fan_vertex {
+    qtri_screen_point at;
+    uint32_t depth_16p8; /* times 256, and in the low byte the exponent of inv_w */
+    uint32_t inv_w_q31;
+    int32_t b1_q30, b2_q30;
+} qtri_fan_vertex;
+
+/* A triangle before and after clipping. */
+typedef union qtri_shape {
+    qtri_clip_vertex clip[3];
+    qtri_fan_vertex fan[QTRI_CLIP_MAX];
+} qtri_shape;
+
+/* Surface and material, and what follows from them. */
+void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
+                               const qtri_material *material);
+
 /* projection camera pose, folded with the viewport. */
+void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
+                          const qtri_transform *pose);
+
+/* Both. */
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
                          const qtri_material *material);
 
 /*
  * Draws a triangle or a line that may need clipping. `attributes` brings colour, u and v of each
- * vertex; its positions are not read.
+ * vertex; its positions are not read. `shape` brings clip; it and a triangle's attributes are
+ * overwritten.
  */
-void qtri_primitive_triangle(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
-                             const qtri_screen_vertex attributes[3]);
+void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
+                             qtri_screen_vertex attributes[3]);
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2]);
 
-/* Draws a triangle whose vertices are on the screen, solid or as three lines. */
-void qtri_primitive_screen_triangle(const qtri_primitive *primitive, qtri_screen_vertex v[3]);
-
-/* Whether culling drops a triangle of this area: 2^-15 square pixels, negative is front. */
-bool qtri_primitive_culled(const qtri_material *material, int64_t area);
-
-/* Twice the area in 1/256 pixel squared; negative is counter-clockwise to the eye. */
-int64_t qtri_primitive_area(const qtri_screen_vertex *a, const qtri_screen_vertex *b,
-                            const qtri_screen_vertex *c);
+/* The lines of a triangle whose vertices are on the screen, unless it is culled. */
+void qtri_primitive_wireframe(const qtri_primitive *primitive, qtri_screen_vertex v[3]);
 
 #endif

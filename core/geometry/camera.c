@@ -1,30 +1,32 @@
 #include "qtri/transform.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "../math/sincos.h"
 #include "row.h"
 
-static const qtri_wide zero = {0, 0};
-
-static void row_set(qtri_row *row, qtri_wide x, qtri_wide y, qtri_wide z, qtri_wide t)
+static void wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v)
 {
-    qtri_wide element[4] = {x, y, z, t};
-    qtri_row_from_wide(row, element);
+    qtri_wide_set(&out[0], v->x, 16);
+    qtri_wide_set(&out[1], v->y, 16);
+    qtri_wide_set(&out[2], v->z, 16);
 }
 
 /* side = forward x up, normalised; substitutes for an up that has no part across forward. */
-static void side_axis(qtri_wide side[3], const qtri_wide forward[3], qtri_vec3 up)
+static void side_axis(qtri_wide side[3], const qtri_wide forward[3], const qtri_vec3 *up)
 {
-    qtri_vec3 candidates[3] = {up, {0, Q16_ONE, 0}, {0, 0, Q16_ONE}};
     for (int i = 0; i < 3; i++) {
-        qtri_wide candidate[3] = {qtri_wide_q16(candidates[i].x), qtri_wide_q16(candidates[i].y),
-                                  qtri_wide_q16(candidates[i].z)};
+        const qtri_vec3 substitute = {0, i == 1 ? Q16_ONE : 0, i == 2 ? Q16_ONE : 0};
+        qtri_wide candidate[3];
+        wide_from_vec3(candidate, i == 0 ? up : &substitute);
         if (!qtri_wide_normalize(candidate)) {
             continue;
         }
         qtri_wide_cross(side, forward, candidate);
         for (int axis = 0; axis < 3; axis++) {
             if (side[axis].e > 112) { /* below 2^-50: the noise of parallel unit vectors */
-                side[axis] = zero;
+                qtri_wide_set(&side[axis], 0, 0);
             }
         }
         if (qtri_wide_normalize(side)) {
@@ -35,73 +37,86 @@ static void side_axis(qtri_wide side[3], const qtri_wide forward[3], qtri_vec3 u
 
 void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up)
 {
-    qtri_wide position[3] = {qtri_wide_q16(eye.x), qtri_wide_q16(eye.y), qtri_wide_q16(eye.z)};
-    qtri_wide target[3] = {qtri_wide_q16(center.x), qtri_wide_q16(center.y),
-                           qtri_wide_q16(center.z)};
+    qtri_wide position[3];
     qtri_wide axis[3][3]; /* side, up, forward */
-    for (int i = 0; i < 3; i++) {
-        axis[2][i] = qtri_wide_sub(target[i], position[i]);
-    }
+    wide_from_vec3(position, &eye);
+    qtri_wide_set(&axis[2][0], (int64_t)center.x - eye.x, 16);
+    qtri_wide_set(&axis[2][1], (int64_t)center.y - eye.y, 16);
+    qtri_wide_set(&axis[2][2], (int64_t)center.z - eye.z, 16);
     if (!qtri_wide_normalize(axis[2])) {
-        axis[2][2] = qtri_wide_make(-1, 0);
+        qtri_wide_set(&axis[2][2], -1, 0);
     }
-    side_axis(axis[0], axis[2], up);
+    side_axis(axis[0], axis[2], &up);
     qtri_wide_cross(axis[1], axis[0], axis[2]);
-    for (int i = 0; i < 3; i++) {
-        axis[2][i] = qtri_wide_neg(axis[2][i]);
-    }
 
     qtri_transform builder;
     qtri_transform_identity(&builder);
     for (int i = 0; i < 3; i++) {
-        /* The eye itself maps to 0. */
-        qtri_row_about(&builder.row[i], axis[i], position, zero);
+        axis[2][i].m = -axis[2][i].m; /* the eye looks down -z */
+    }
+    for (int i = 0; i < 3; i++) {
+        qtri_row_about(&builder.row[i], axis[i], position, NULL);
     }
     qtri_transform_mul(t, t, &builder);
 }
 
 /* cot(degrees / 2), from the form of the half-angle formula that does not cancel. */
-static qtri_wide half_cotangent(q16 degrees)
+static void half_cotangent(qtri_wide *out, q16 degrees)
 {
     int32_t sine_q30;
     int32_t cosine_q30;
     qtri_sincos_deg_q30(degrees, &sine_q30, &cosine_q30);
     int64_t one_q30 = (int64_t)1 << 30;
-    qtri_wide sine = qtri_wide_make(sine_q30, 30);
-    if (cosine_q30 >= 0) {
-        return qtri_wide_div(qtri_wide_make(one_q30 + cosine_q30, 30), sine);
+    int64_t above = cosine_q30 >= 0 ? one_q30 + cosine_q30 : sine_q30;
+    int64_t below = cosine_q30 >= 0 ? sine_q30 : one_q30 - cosine_q30;
+    const qtri_wide divisor = qtri_wide_make(below, 30);
+    qtri_wide_set(out, above, 30);
+    qtri_wide_div_by(out, &divisor);
+}
+
+/* above / below, of numbers in Q16 */
+static void quotient(qtri_wide *out, int64_t above, int64_t below)
+{
+    const qtri_wide divisor = qtri_wide_make(below, 16);
+    qtri_wide_set(out, above, 16);
+    qtri_wide_div_by(out, &divisor);
+}
+
+/* 0 0 (f + n) / (n - f), or its negative, and 2 f n / (n - f) */
+static void depth_row(qtri_row *row, q16 near_z, q16 far_z, bool negative)
+{
+    const qtri_wide divisor = qtri_wide_make((int64_t)near_z - far_z, 16);
+    const qtri_wide wide_near = qtri_wide_make(near_z, 16);
+    qtri_wide slope = qtri_wide_make((int64_t)far_z + near_z, 16);
+    qtri_wide offset = qtri_wide_make(far_z, 15);
+    qtri_wide_div_by(&slope, &divisor);
+    if (negative) {
+        slope.m = -slope.m;
     }
-    return qtri_wide_div(sine, qtri_wide_make(one_q30 - cosine_q30, 30));
+    qtri_wide_mul_by(&offset, &wide_near);
+    qtri_wide_div_by(&offset, &divisor);
+    qtri_row_from_two(row, 2, &slope, 3, &offset);
 }
 
-static qtri_wide sum(q16 a, q16 b)
+/* w = toward z */
+static void set_w_row(qtri_row *row, int64_t toward)
 {
-    return qtri_wide_make((int64_t)a + b, 16);
-}
-
-static qtri_wide difference(q16 a, q16 b)
-{
-    return qtri_wide_make((int64_t)a - b, 16);
-}
-
-/* 2 f n / (n - f) */
-static qtri_wide depth_offset(q16 near_z, q16 far_z)
-{
-    qtri_wide product = qtri_wide_mul(qtri_wide_q16(far_z), qtri_wide_q16(near_z));
-    return qtri_wide_div(qtri_wide_add(product, product), difference(near_z, far_z));
+    const qtri_wide one = qtri_wide_make(toward, 0);
+    qtri_row_from_two(row, 2, &one, 2, &one);
 }
 
 static void perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z,
                         int64_t toward)
 {
-    qtri_wide g = half_cotangent(fovy);
-    qtri_wide slope = qtri_wide_div(sum(far_z, near_z), difference(near_z, far_z));
     qtri_transform builder;
-    row_set(&builder.row[0], qtri_wide_div(g, qtri_wide_q16(aspect)), zero, zero, zero);
-    row_set(&builder.row[1], zero, g, zero, zero);
-    row_set(&builder.row[2], zero, zero, toward < 0 ? slope : qtri_wide_neg(slope),
-            depth_offset(near_z, far_z));
-    row_set(&builder.row[3], zero, zero, qtri_wide_make(toward, 0), zero);
+    qtri_wide g;
+    const qtri_wide divisor = qtri_wide_make(aspect, 16);
+    half_cotangent(&g, fovy);
+    qtri_row_from_two(&builder.row[1], 1, &g, 1, &g);
+    qtri_wide_div_by(&g, &divisor);
+    qtri_row_from_two(&builder.row[0], 0, &g, 0, &g);
+    depth_row(&builder.row[2], near_z, far_z, toward > 0);
+    set_w_row(&builder.row[3], toward);
     qtri_transform_mul(t, t, &builder);
 }
 
@@ -116,33 +131,47 @@ void qtri_transform_perspective_d3d(qtri_transform *t, q16 fovy, q16 aspect, q16
     perspective(t, fovy, aspect, near_z, far_z, 1);
 }
 
+/* 2 n / (high - low) in column i, and (high + low) / (high - low) for z */
+static void frustum_row(qtri_row *row, int i, q16 low, q16 high, q16 near_z)
+{
+    qtri_wide slope;
+    qtri_wide shear;
+    quotient(&slope, (int64_t)near_z * 2, (int64_t)high - low);
+    quotient(&shear, (int64_t)high + low, (int64_t)high - low);
+    qtri_row_from_two(row, i, &slope, 2, &shear);
+}
+
 void qtri_transform_frustum(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top, q16 near_z,
                             q16 far_z)
 {
-    qtri_wide twice_near = sum(near_z, near_z);
     qtri_transform builder;
-    row_set(&builder.row[0], qtri_wide_div(twice_near, difference(right, left)), zero,
-            qtri_wide_div(sum(right, left), difference(right, left)), zero);
-    row_set(&builder.row[1], zero, qtri_wide_div(twice_near, difference(top, bottom)),
-            qtri_wide_div(sum(top, bottom), difference(top, bottom)), zero);
-    row_set(&builder.row[2], zero, zero,
-            qtri_wide_div(sum(far_z, near_z), difference(near_z, far_z)),
-            depth_offset(near_z, far_z));
-    row_set(&builder.row[3], zero, zero, qtri_wide_make(-1, 0), zero);
+    frustum_row(&builder.row[0], 0, left, right, near_z);
+    frustum_row(&builder.row[1], 1, bottom, top, near_z);
+    depth_row(&builder.row[2], near_z, far_z, false);
+    set_w_row(&builder.row[3], -1);
     qtri_transform_mul(t, t, &builder);
+}
+
+/* 2 / `length` in column i, and sum / divisor */
+static void ortho_row(qtri_row *row, int i, int64_t length, int64_t sum, int64_t divisor)
+{
+    qtri_wide slope;
+    qtri_wide offset;
+    quotient(&slope, (int64_t)2 * 65536, length);
+    quotient(&offset, sum, divisor);
+    qtri_row_from_two(row, i, &slope, 3, &offset);
 }
 
 void qtri_transform_ortho(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top, q16 near_z,
                           q16 far_z)
 {
-    qtri_wide two = qtri_wide_make(2, 0);
+    const int64_t width = (int64_t)right - left;
+    const int64_t height = (int64_t)top - bottom;
+    const int64_t depth = (int64_t)near_z - far_z;
     qtri_transform builder;
     qtri_transform_identity(&builder);
-    row_set(&builder.row[0], qtri_wide_div(two, difference(right, left)), zero, zero,
-            qtri_wide_div(sum(right, left), difference(left, right)));
-    row_set(&builder.row[1], zero, qtri_wide_div(two, difference(top, bottom)), zero,
-            qtri_wide_div(sum(top, bottom), difference(bottom, top)));
-    row_set(&builder.row[2], zero, zero, qtri_wide_div(two, difference(near_z, far_z)),
-            qtri_wide_div(sum(far_z, near_z), difference(near_z, far_z)));
+    ortho_row(&builder.row[0], 0, width, (int64_t)right + left, -width);
+    ortho_row(&builder.row[1], 1, height, (int64_t)top + bottom, -height);
+    ortho_row(&builder.row[2], 2, depth, (int64_t)far_z + near_z, depth);
     qtri_transform_mul(t, t, &builder);
 }

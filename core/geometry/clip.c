@@ -52,64 +52,68 @@ static int64_t interpolate(int64_t a, int64_t b, uint64_t t_q62)
 }
 
 /*
- * Where the edge from `inside` to `outside` meets the plane. Always from inside to outside: both
- * triangles at a shared edge do the same arithmetic and get the same bits. t has 60 good bits: with
- * 16 a cut at the near plane could be off by 17 pixels.
+ * Where the edge from `inside` to `outside` meets the plane; *out may be either. Always from inside
+ * to outside: both triangles at a shared edge do the same arithmetic and get the same bits. t has
+ * 60 good bits: with 16 a cut at the near plane could be off by 17 pixels.
  */
-static qtri_clip_vertex cut(const qtri_clip_vertex *inside, const qtri_clip_vertex *outside,
-                            int plane)
+static void cut(qtri_clip_vertex *out, const qtri_clip_vertex *inside,
+                const qtri_clip_vertex *outside, int plane)
 {
-    int64_t in = distance(inside, plane);
-    int64_t out = distance(outside, plane); /* in >= 0 > out: in - out < 2^63 */
-    qtri_wide t = qtri_wide_div(qtri_wide_make(in, 0), qtri_wide_make(in - out, 0));
+    qtri_wide t;
+    qtri_wide whole;
+    int64_t in = distance(inside, plane); /* in >= 0 > out: in - out < 2^63 */
+    qtri_wide_set(&t, in, 0);
+    qtri_wide_set(&whole, in - distance(outside, plane), 0);
+    qtri_wide_div_by(&t, &whole);
     uint64_t t_q62 = (uint64_t)qtri_shift_round(t.m, t.e - 62); /* t < 1: e >= 62 */
 
-    qtri_clip_vertex v;
-    v.x = interpolate(inside->x, outside->x, t_q62);
-    v.y = interpolate(inside->y, outside->y, t_q62);
-    v.z = interpolate(inside->z, outside->z, t_q62);
-    v.w = interpolate(inside->w, outside->w, t_q62);
-    v.b1_q30 = (int32_t)interpolate(inside->b1_q30, outside->b1_q30, t_q62);
-    v.b2_q30 = (int32_t)interpolate(inside->b2_q30, outside->b2_q30, t_q62);
-    return v;
+    out->x = interpolate(inside->x, outside->x, t_q62);
+    out->y = interpolate(inside->y, outside->y, t_q62);
+    out->z = interpolate(inside->z, outside->z, t_q62);
+    out->w = interpolate(inside->w, outside->w, t_q62);
+    out->b1_q30 = (int32_t)interpolate(inside->b1_q30, outside->b1_q30, t_q62);
+    out->b2_q30 = (int32_t)interpolate(inside->b2_q30, outside->b2_q30, t_q62);
 }
 
-/* One step of Sutherland and Hodgman: a plane adds at most one vertex to a convex polygon. */
-static int clip_plane(qtri_clip_vertex *out, const qtri_clip_vertex *in, int count, int plane)
+/*
+ * One step of Sutherland and Hodgman: a plane adds at most one vertex to a convex polygon. In
+ * place: the polygon moves to the end of v, so that reading stays ahead of writing.
+ */
+static int clip_plane(qtri_clip_vertex v[QTRI_CLIP_MAX], int count, int plane)
 {
+    const int start = QTRI_CLIP_MAX - count;
+    for (int i = QTRI_CLIP_MAX; i-- > start;) {
+        v[i] = v[i - start];
+    }
+    const qtri_clip_vertex first = v[start];
+    bool inside = distance(&first, plane) >= 0;
     int written = 0;
-    for (int i = 0; i < count; i++) {
-        const qtri_clip_vertex *current = &in[i];
-        const qtri_clip_vertex *next = &in[i + 1 < count ? i + 1 : 0];
-        int current_inside = distance(current, plane) >= 0;
-        int next_inside = distance(next, plane) >= 0;
-        if (current_inside && written < QTRI_CLIP_MAX) {
-            out[written++] = *current;
+    for (int i = start; i < QTRI_CLIP_MAX; i++) {
+        const qtri_clip_vertex *next = i + 1 < QTRI_CLIP_MAX ? &v[i + 1] : &first;
+        bool next_inside = distance(next, plane) >= 0;
+        qtri_clip_vertex *current = &v[i]; /* not overwritten before the cut: written <= i */
+        if (inside) {
+            v[written++] = *current;
         }
-        if (current_inside != next_inside && written < QTRI_CLIP_MAX) {
-            out[written++] = current_inside ? cut(current, next, plane) : cut(next, current, plane);
+        if (inside != next_inside && written <= i) {
+            cut(&v[written++], inside ? current : next, inside ? next : current, plane);
         }
+        inside = next_inside;
     }
     return written;
 }
 
 int qtri_clip_polygon(qtri_clip_vertex v[QTRI_CLIP_MAX], int count, unsigned planes)
 {
-    qtri_clip_vertex other[QTRI_CLIP_MAX];
-    qtri_clip_vertex *from = v;
-    qtri_clip_vertex *to = other;
     for (int plane = 0; plane < PLANES; plane++) {
-        if (planes & (1u << plane)) {
-            count = clip_plane(to, from, count, plane);
-            qtri_clip_vertex *swap = from;
-            from = to;
-            to = swap;
+        if (count > 0 && (planes & (1u << plane)) != 0) {
+            count = clip_plane(v, count, plane);
         }
     }
     int kept = 0;
     for (int i = 0; i < count; i++) {
-        if (from[i].w > 0) {
-            v[kept++] = from[i]; /* kept <= i: safe in place */
+        if (v[i].w > 0) {
+            v[kept++] = v[i]; /* kept <= i: safe in place */
         }
     }
     return kept < 3 ? 0 : kept;
@@ -127,9 +131,9 @@ int qtri_clip_line(qtri_clip_vertex v[2], unsigned planes)
             return 0;
         }
         if (!first_inside) {
-            v[0] = cut(&v[1], &v[0], plane);
+            cut(&v[0], &v[1], &v[0], plane);
         } else if (!second_inside) {
-            v[1] = cut(&v[0], &v[1], plane);
+            cut(&v[1], &v[0], &v[1], plane);
         }
     }
     return v[0].w > 0 && v[1].w > 0;

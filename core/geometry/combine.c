@@ -52,6 +52,9 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
             least = row[k]->exponent;
         }
     }
+    if (least == INT32_MAX) {
+        return false; /* every factor is 0 */
+    }
     int64_t sum[3] = {0, 0, 0};
     for (int k = 0; k < count; k++) {
         int32_t shift = row[k]->exponent - least;
@@ -117,30 +120,45 @@ QTRI_NOINLINE static void mul_wide(qtri_row *out, const qtri_row *a, const qtri_
 {
     qtri_wide element[4];
     for (int j = 0; j < 4; j++) {
-        qtri_wide sum = {0, 0};
+        qtri_wide_set(&element[j], 0, 0);
         for (int k = 0; k < 4; k++) {
-            qtri_wide term = qtri_wide_mul(qtri_row_element(a, k), qtri_row_element(&b->row[k], j));
-            sum = qtri_wide_add(sum, term);
+            const qtri_wide left = qtri_row_element(a, k);
+            const qtri_wide right = qtri_row_element(&b->row[k], j);
+            qtri_wide_add_product(&element[j], &left, &right);
         }
-        element[j] = sum;
     }
     qtri_row_from_wide(out, element);
 }
 
-void qtri_transform_mul(qtri_transform *out, const qtri_transform *a, const qtri_transform *b)
+/* out may be a: a row of the product needs one row of it. */
+QTRI_NOINLINE static void mul_rows(qtri_transform *out, const qtri_transform *a,
+                                   const qtri_transform *b)
 {
     const qtri_row *const row[3] = {&b->row[0], &b->row[1], &b->row[2]};
     const bool affine = is_affine(b);
-    qtri_transform product;
     for (int i = 0; i < 4; i++) {
         const qtri_row *left = &a->row[i];
         const bool quick = affine && is_sound(left);
         if (quick && is_linear_zero(left)) {
-            product.row[i] = *left;
+            out->row[i] = *left;
         } else if (!quick ||
-                   !qtri_row_combine(&product.row[i], row, left->m, 3, left->exponent, left->t)) {
-            mul_wide(&product.row[i], left, b);
+                   !qtri_row_combine(&out->row[i], row, left->m, 3, left->exponent, left->t)) {
+            mul_wide(&out->row[i], left, b);
         }
     }
-    *out = product;
+}
+
+QTRI_NOINLINE static void mul_onto(qtri_transform *b, const qtri_transform *a)
+{
+    const qtri_transform copy = *b;
+    mul_rows(b, a, &copy);
+}
+
+void qtri_transform_mul(qtri_transform *out, const qtri_transform *a, const qtri_transform *b)
+{
+    if (out == b) {
+        mul_onto(out, a);
+    } else {
+        mul_rows(out, a, b);
+    }
 }

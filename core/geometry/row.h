@@ -13,12 +13,15 @@
 /* The row x y z t, block-normalised: the only place where a transform is rounded. */
 void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4]);
 
+/* The same with nothing but x in column i and y in column j. */
+void qtri_row_from_two(qtri_row *row, int i, const qtri_wide *x, int j, const qtri_wide *y);
+
 /*
- * The row with linear part `axis` that takes `point` to `image`: its translation is computed from
- * the rounded axis, or it would not cancel near `point`.
+ * The row with linear part `axis` that takes `point` to `image`, or to 0 for NULL: its translation
+ * is computed from the rounded axis, or it would not cancel near `point`.
  */
 void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide point[3],
-                    qtri_wide image);
+                    const qtri_wide *image);
 
 /*
  * The sum of factor[k] 2^-exponent row[k] for count <= 3, plus the translation t 2^-(exponent +

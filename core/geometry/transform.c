@@ -1,5 +1,7 @@
 #include "qtri/transform.h"
 
+#include <stddef.h>
+
 #include "../math/bits.h"
 #include "../math/sincos.h"
 #include "row.h"
@@ -11,22 +13,33 @@
 void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4])
 {
     int32_t exponent = INT32_MAX;
-    for (int i = 0; i < 3; i++) {
-        if (element[i].m != 0 && element[i].e - 32 < exponent) {
-            exponent = element[i].e - 32;
+    for (int i = 0; i < 4; i++) {
+        int32_t own = element[i].e - (i < 3 ? 32 : 18);
+        if (element[i].m != 0 && own < exponent) {
+            exponent = own;
         }
-    }
-    if (element[3].m != 0 && element[3].e - 18 < exponent) {
-        exponent = element[3].e - 18;
     }
     if (exponent == INT32_MAX) {
         exponent = 0; /* a row of zeros */
     }
-    for (int i = 0; i < 3; i++) {
-        row->m[i] = (int32_t)qtri_shift_round(element[i].m, element[i].e - exponent);
-    }
-    row->t = qtri_shift_round(element[3].m, element[3].e - exponent - 16);
     row->exponent = exponent;
+    for (int i = 0; i < 4; i++) {
+        int32_t shift = element[i].e - exponent - (i < 3 ? 0 : 16);
+        int64_t rounded = qtri_shift_round(element[i].m, shift);
+        if (i < 3) {
+            row->m[i] = (int32_t)rounded;
+        } else {
+            row->t = rounded;
+        }
+    }
+}
+
+void qtri_row_from_two(qtri_row *row, int i, const qtri_wide *x, int j, const qtri_wide *y)
+{
+    qtri_wide element[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    element[i] = *x;
+    element[j] = *y;
+    qtri_row_from_wide(row, element);
 }
 
 qtri_wide qtri_row_element(const qtri_row *row, int column)
@@ -39,14 +52,18 @@ qtri_wide qtri_row_element(const qtri_row *row, int column)
 }
 
 void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide point[3],
-                    qtri_wide image)
+                    const qtri_wide *image)
 {
     qtri_wide element[4] = {axis[0], axis[1], axis[2], {0, 0}};
     /* A large translation costs the axis bits: the first pass finds the exponent, the second t. */
     for (int pass = 0; pass < 2; pass++) {
-        element[3] = image;
+        if (image != NULL) {
+            element[3] = *image;
+        } else {
+            qtri_wide_set(&element[3], 0, 0);
+        }
         for (int column = 0; column < 3; column++) {
-            element[3] = qtri_wide_sub(element[3], qtri_wide_mul(element[column], point[column]));
+            qtri_wide_sub_product(&element[3], &element[column], &point[column]);
         }
         qtri_row_from_wide(row, element);
         for (int column = 0; column < 3; column++) {
@@ -55,23 +72,32 @@ void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide poin
     }
 }
 
-static void row_from_q16(qtri_row *row, q16 x, q16 y, q16 z, q16 t)
-{
-    qtri_wide element[4] = {qtri_wide_q16(x), qtri_wide_q16(y), qtri_wide_q16(z), qtri_wide_q16(t)};
-    qtri_row_from_wide(row, element);
-}
-
 void qtri_transform_from_mat4(qtri_transform *out, const qtri_mat4 *m)
 {
     for (int i = 0; i < 4; i++) {
-        row_from_q16(&out->row[i], m->m[i][0], m->m[i][1], m->m[i][2], m->m[i][3]);
+        qtri_wide element[4];
+        for (int j = 0; j < 4; j++) {
+            qtri_wide_set(&element[j], m->m[i][j], 16);
+        }
+        qtri_row_from_wide(&out->row[i], element);
     }
 }
 
+/* As from_mat4 makes it. */
 void qtri_transform_identity(qtri_transform *out)
 {
-    qtri_mat4 identity = qtri_mat4_identity();
-    qtri_transform_from_mat4(out, &identity);
+    for (int i = 0; i < 4; i++) {
+        qtri_row *row = &out->row[i];
+        row->m[0] = row->m[1] = row->m[2] = 0;
+        row->t = 0;
+        row->exponent = 29;
+        if (i < 3) {
+            row->m[i] = (int32_t)1 << 29;
+        } else {
+            row->t = (int64_t)1 << 59;
+            row->exponent = 59 - 16;
+        }
+    }
 }
 
 /* m 2^-e in Q16.16, rounded and saturated. */
@@ -93,43 +119,56 @@ void qtri_transform_to_mat4(const qtri_transform *a, qtri_mat4 *out)
     }
 }
 
-void qtri_transform_translate(qtri_transform *t, qtri_vec3 offset)
+/* t = t builder, for a builder of `factor` on the diagonal and the translation `offset`. */
+static void stretch(qtri_transform *t, const qtri_vec3 *factor, const qtri_vec3 *offset)
 {
+    const q16 x[3] = {factor->x, factor->y, factor->z};
+    const q16 y[3] = {offset->x, offset->y, offset->z};
     qtri_transform builder;
     qtri_transform_identity(&builder);
-    row_from_q16(&builder.row[0], Q16_ONE, 0, 0, offset.x);
-    row_from_q16(&builder.row[1], 0, Q16_ONE, 0, offset.y);
-    row_from_q16(&builder.row[2], 0, 0, Q16_ONE, offset.z);
+    for (int i = 0; i < 3; i++) {
+        const qtri_wide wide_x = qtri_wide_make(x[i], 16);
+        const qtri_wide wide_y = qtri_wide_make(y[i], 16);
+        qtri_row_from_two(&builder.row[i], i, &wide_x, 3, &wide_y);
+    }
     qtri_transform_mul(t, t, &builder);
+}
+
+void qtri_transform_translate(qtri_transform *t, qtri_vec3 offset)
+{
+    const qtri_vec3 one = {Q16_ONE, Q16_ONE, Q16_ONE};
+    stretch(t, &one, &offset);
 }
 
 void qtri_transform_scale(qtri_transform *t, qtri_vec3 factor)
 {
-    qtri_transform builder;
-    qtri_transform_identity(&builder);
-    row_from_q16(&builder.row[0], factor.x, 0, 0, 0);
-    row_from_q16(&builder.row[1], 0, factor.y, 0, 0);
-    row_from_q16(&builder.row[2], 0, 0, factor.z, 0);
-    qtri_transform_mul(t, t, &builder);
+    const qtri_vec3 nowhere = {0, 0, 0};
+    stretch(t, &factor, &nowhere);
 }
 
-/* The right-angled pair of axes (i, j) turned from i towards j. */
+/*
+ * The right-angled pair of axes (i, j) turned from i towards j. The larger of sine and cosine is
+ * above 2^29, and so both are mantissas as they are; 2^30 would be 2^29 with another exponent.
+ */
 static void rotate_plane(qtri_transform *t, q16 degrees, int i, int j)
 {
     int32_t sine_q30;
     int32_t cosine_q30;
     qtri_sincos_deg_q30(degrees, &sine_q30, &cosine_q30);
-    qtri_wide row_i[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
-    qtri_wide row_j[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
-    row_i[i] = qtri_wide_make(cosine_q30, 30);
-    row_i[j] = qtri_wide_make(-(int64_t)sine_q30, 30);
-    row_j[i] = qtri_wide_make(sine_q30, 30);
-    row_j[j] = row_i[i];
-
+    int32_t minus_q30 = -sine_q30;
+    int32_t exponent = 30;
+    if ((qtri_magnitude32(sine_q30) | qtri_magnitude32(cosine_q30)) >> 30 != 0) {
+        exponent = 29;
+        sine_q30 = (sine_q30 + 1) >> 1;
+        minus_q30 = (minus_q30 + 1) >> 1;
+        cosine_q30 = (cosine_q30 + 1) >> 1;
+    }
     qtri_transform builder;
     qtri_transform_identity(&builder);
-    qtri_row_from_wide(&builder.row[i], row_i);
-    qtri_row_from_wide(&builder.row[j], row_j);
+    builder.row[i].exponent = builder.row[j].exponent = exponent;
+    builder.row[i].m[i] = builder.row[j].m[j] = cosine_q30;
+    builder.row[i].m[j] = minus_q30;
+    builder.row[j].m[i] = sine_q30;
     qtri_transform_mul(t, t, &builder);
 }
 
@@ -148,6 +187,12 @@ void qtri_transform_rotate_z(qtri_transform *t, q16 degrees)
     rotate_plane(t, degrees, 0, 1);
 }
 
+/* j and k from i: 0 1 2, 1 2 0, 2 0 1. */
+static int next_axis(int i)
+{
+    return i < 2 ? i + 1 : 0;
+}
+
 /*
  * t = t T(point) R(axis) T(-point), Rodrigues: R = c I + (1 - c) n n^T + s [n]x. The translation
  * comes from the rounded rows of R, or it would not cancel for points near `point`.
@@ -160,38 +205,41 @@ static void rotate_wide(qtri_transform *t, q16 degrees, qtri_wide axis[3], const
     int32_t sine_q30;
     int32_t cosine_q30;
     qtri_sincos_deg_q30(degrees, &sine_q30, &cosine_q30);
-    qtri_wide sine = qtri_wide_make(sine_q30, 30);
-    qtri_wide cosine = qtri_wide_make(cosine_q30, 30);
-    qtri_wide rest = qtri_wide_make(((int64_t)1 << 30) - cosine_q30, 30);
+    const qtri_wide sine = qtri_wide_make(sine_q30, 30);
+    const qtri_wide rest = qtri_wide_make(((int64_t)1 << 30) - cosine_q30, 30);
 
     qtri_transform builder;
     qtri_transform_identity(&builder);
     for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3;
-        int k = (i + 2) % 3;
-        qtri_wide along = qtri_wide_mul(axis[i], rest);
-        qtri_wide element[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
-        element[i] = qtri_wide_add(cosine, qtri_wide_mul(along, axis[i]));
-        element[j] = qtri_wide_sub(qtri_wide_mul(along, axis[j]), qtri_wide_mul(axis[k], sine));
-        element[k] = qtri_wide_add(qtri_wide_mul(along, axis[k]), qtri_wide_mul(axis[j], sine));
-        qtri_row_about(&builder.row[i], element, point, point[i]);
+        int j = next_axis(i);
+        int k = next_axis(j);
+        qtri_wide along = axis[i];
+        qtri_wide element[3] = {{0, 0}, {0, 0}, {0, 0}};
+        qtri_wide_mul_by(&along, &rest);
+        qtri_wide_set(&element[i], cosine_q30, 30);
+        qtri_wide_add_product(&element[i], &along, &axis[i]);
+        qtri_wide_add_product(&element[j], &along, &axis[j]);
+        qtri_wide_sub_product(&element[j], &axis[k], &sine);
+        qtri_wide_add_product(&element[k], &along, &axis[k]);
+        qtri_wide_add_product(&element[k], &axis[j], &sine);
+        qtri_row_about(&builder.row[i], element, point, &point[i]);
     }
     qtri_transform_mul(t, t, &builder);
 }
 
-static void wide_from_vec3(qtri_wide out[3], qtri_vec3 v)
+static void wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v)
 {
-    out[0] = qtri_wide_q16(v.x);
-    out[1] = qtri_wide_q16(v.y);
-    out[2] = qtri_wide_q16(v.z);
+    qtri_wide_set(&out[0], v->x, 16);
+    qtri_wide_set(&out[1], v->y, 16);
+    qtri_wide_set(&out[2], v->z, 16);
 }
 
 void qtri_transform_rotate_about(qtri_transform *t, q16 degrees, qtri_vec3 axis, qtri_vec3 point)
 {
     qtri_wide wide_axis[3];
     qtri_wide wide_point[3];
-    wide_from_vec3(wide_axis, axis);
-    wide_from_vec3(wide_point, point);
+    wide_from_vec3(wide_axis, &axis);
+    wide_from_vec3(wide_point, &point);
     rotate_wide(t, degrees, wide_axis, wide_point);
 }
 
@@ -203,19 +251,18 @@ void qtri_transform_rotate(qtri_transform *t, q16 degrees, qtri_vec3 axis)
 
 void qtri_transform_rotate_triangle(qtri_transform *t, q16 degrees, const qtri_vec3 v[3])
 {
-    qtri_wide corner[3][3];
+    const qtri_wide three = qtri_wide_make(3, 0);
     qtri_wide edge[2][3];
     qtri_wide centroid[3];
     qtri_wide normal[3];
-    for (int i = 0; i < 3; i++) {
-        wide_from_vec3(corner[i], v[i]);
-    }
     for (int axis = 0; axis < 3; axis++) {
-        edge[0][axis] = qtri_wide_sub(corner[1][axis], corner[0][axis]);
-        edge[1][axis] = qtri_wide_sub(corner[2][axis], corner[0][axis]);
-        qtri_wide sum =
-            qtri_wide_add(qtri_wide_add(corner[0][axis], corner[1][axis]), corner[2][axis]);
-        centroid[axis] = qtri_wide_div(sum, qtri_wide_make(3, 0));
+        int64_t a = axis == 0 ? v[0].x : (axis == 1 ? v[0].y : v[0].z);
+        int64_t b = axis == 0 ? v[1].x : (axis == 1 ? v[1].y : v[1].z);
+        int64_t c = axis == 0 ? v[2].x : (axis == 1 ? v[2].y : v[2].z);
+        qtri_wide_set(&edge[0][axis], b - a, 16);
+        qtri_wide_set(&edge[1][axis], c - a, 16);
+        qtri_wide_set(&centroid[axis], a + b + c, 16);
+        qtri_wide_div_by(&centroid[axis], &three);
     }
     qtri_wide_cross(normal, edge[0], edge[1]);
     rotate_wide(t, degrees, normal, centroid);
@@ -224,28 +271,37 @@ void qtri_transform_rotate_triangle(qtri_transform *t, q16 degrees, const qtri_v
 /* With |q|^2 = n: R = I - 2/n (y^2 + z^2 ...) and so on: no square root is needed. */
 void qtri_transform_rotate_quat(qtri_transform *t, qtri_quat q)
 {
-    qtri_wide u[3] = {qtri_wide_q16(q.x), qtri_wide_q16(q.y), qtri_wide_q16(q.z)};
-    qtri_wide w = qtri_wide_q16(q.w);
-    qtri_wide square = qtri_wide_mul(w, w);
+    qtri_wide u[3];
+    const qtri_vec3 part = {q.x, q.y, q.z};
+    const qtri_wide w = qtri_wide_make(q.w, 16);
+    wide_from_vec3(u, &part);
+    qtri_wide square = {0, 0};
+    qtri_wide_add_product(&square, &w, &w);
     for (int i = 0; i < 3; i++) {
-        square = qtri_wide_add(square, qtri_wide_mul(u[i], u[i]));
+        qtri_wide_add_product(&square, &u[i], &u[i]);
     }
     if (square.m == 0) {
         return;
     }
-    qtri_wide twice = qtri_wide_div(qtri_wide_make(2, 0), square);
+    qtri_wide twice = qtri_wide_make(2, 0);
+    qtri_wide_div_by(&twice, &square);
     qtri_transform builder;
     qtri_transform_identity(&builder);
     for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3;
-        int k = (i + 2) % 3;
-        qtri_wide others = qtri_wide_add(qtri_wide_mul(u[j], u[j]), qtri_wide_mul(u[k], u[k]));
-        qtri_wide minus = qtri_wide_sub(qtri_wide_mul(u[i], u[j]), qtri_wide_mul(w, u[k]));
-        qtri_wide plus = qtri_wide_add(qtri_wide_mul(u[i], u[k]), qtri_wide_mul(w, u[j]));
+        int j = next_axis(i);
+        int k = next_axis(j);
         qtri_wide element[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
-        element[i] = qtri_wide_sub(qtri_wide_make(1, 0), qtri_wide_mul(twice, others));
-        element[j] = qtri_wide_mul(twice, minus);
-        element[k] = qtri_wide_mul(twice, plus);
+        qtri_wide others = {0, 0};
+        qtri_wide_add_product(&others, &u[j], &u[j]);
+        qtri_wide_add_product(&others, &u[k], &u[k]);
+        qtri_wide_set(&element[i], 1, 0);
+        qtri_wide_sub_product(&element[i], &twice, &others);
+        qtri_wide_add_product(&element[j], &u[i], &u[j]);
+        qtri_wide_sub_product(&element[j], &w, &u[k]);
+        qtri_wide_mul_by(&element[j], &twice);
+        qtri_wide_add_product(&element[k], &u[i], &u[k]);
+        qtri_wide_add_product(&element[k], &w, &u[j]);
+        qtri_wide_mul_by(&element[k], &twice);
         qtri_row_from_wide(&builder.row[i], element);
     }
     qtri_transform_mul(t, t, &builder);

@@ -22,18 +22,19 @@
  *   view.h       viewport, light, vertex scratch          surface.h  frames and bands
  *   material.h   colour, texture, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
- *   dither.h     fewer levels of gray, for panels
+ *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
  */
 #ifndef QTRI_H
 #define QTRI_H
 
 #include "qtri/clip.h"
-#include "qtri/dither.h"
 #include "qtri/draw.h"
 #include "qtri/error.h"
+#include "qtri/frame.h"
 #include "qtri/mat.h"
 #include "qtri/material.h"
 #include "qtri/mesh.h"
+#include "qtri/prepared.h"
 #include "qtri/q16.h"
 #include "qtri/q16_exp.h"
 #include "qtri/q16_text.h"

@@ -13,6 +13,18 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/*
+ * 1 where a compiler was asked for small code: what is long on a core of 32 bits, shared.inc, is
+ * then called in shared.c. Otherwise every file would have a copy.
+ */
+#ifndef QTRI_SHARE
+#if defined(__OPTIMIZE_SIZE__) && !defined(QTRI_LONG_MULTIPLY)
+#define QTRI_SHARE 1
+#else
+#define QTRI_SHARE 0
+#endif
+#endif
+
 /* Armv6-M, Armv8-M baseline, AVR, MSP430: no long multiply. */
 #ifndef QTRI_LONG_MULTIPLY
 #if (defined(__thumb__) && !defined(__thumb2__)) || defined(__ARM_ARCH_8M_BASE__) ||               \
@@ -106,16 +118,7 @@ static inline int64_t qtri_wrap64(uint64_t x)
     return x > (uint64_t)INT64_MAX ? -(int64_t)(UINT64_MAX - x) - 1 : (int64_t)x;
 }
 
-/* x / 2^shift, halves up, for |x| < 2^62; shift >= 0. From 63 up the result is 0. */
-static inline int64_t qtri_shift_round(int64_t x, int32_t shift)
-{
-    if (shift <= 0) {
-        return x;
-    }
-    return shift > 62 ? 0 : (x + ((int64_t)1 << (shift - 1))) >> shift;
-}
-
-/* Leading zeros; 32 and 64 for 0. */
+/* Leading zeros; 32 for 0. */
 #if defined(__GNUC__) && (__SIZEOF_INT__ == 4)
 static inline int32_t qtri_clz32(uint32_t x)
 {
@@ -135,12 +138,6 @@ static inline int32_t qtri_clz32(uint32_t x)
 }
 #endif
 
-static inline int32_t qtri_clz64(uint64_t x)
-{
-    uint32_t high = (uint32_t)(x >> 32);
-    return high != 0 ? qtri_clz32(high) : 32 + qtri_clz32((uint32_t)x);
-}
-
 /* The low half-word. GCC 12 makes two shifts of it where Armv6-M has an instruction. */
 static inline uint32_t qtri_low16(uint32_t x)
 {
@@ -154,7 +151,6 @@ static inline uint32_t qtri_low16(uint32_t x)
     return x & 0xFFFFu;
 }
 
-/* a b in 64 bits. */
 #if QTRI_LONG_MULTIPLY
 static inline uint64_t qtri_mul_u32(uint32_t a, uint32_t b)
 {
@@ -165,31 +161,18 @@ static inline int64_t qtri_mul_s32(int32_t a, int32_t b)
 {
     return (int64_t)a * b;
 }
-#else
-static inline uint64_t qtri_mul_u32(uint32_t a, uint32_t b)
-{
-    uint32_t a_low = qtri_low16(a);
-    uint32_t a_high = a >> 16;
-    uint32_t b_low = qtri_low16(b);
-    uint32_t b_high = b >> 16;
-    uint32_t cross = a_high * b_low + ((a_low * b_low) >> 16); /* <= (2^16-1)^2 + 2^16-1 < 2^32 */
-    uint32_t cross_low = a_low * b_high + qtri_low16(cross);   /* likewise */
-    uint32_t high = a_high * b_high + (cross >> 16) + (cross_low >> 16);
-    return ((uint64_t)high << 32) | (uint32_t)(a * b);
-}
+#endif
 
-static inline int64_t qtri_mul_s32(int32_t a, int32_t b)
-{
-    int32_t a_low = (int32_t)qtri_low16((uint32_t)a);
-    int32_t a_high = a >> 16;
-    int32_t b_low = (int32_t)qtri_low16((uint32_t)b);
-    int32_t b_high = b >> 16;
-    int32_t carry = (int32_t)(((uint32_t)a_low * (uint32_t)b_low) >> 16);
-    int32_t cross = a_high * b_low + carry; /* |2^15 (2^16-1)| + 2^16 - 1 <= 2^31 */
-    int32_t cross_low = a_low * b_high + (int32_t)qtri_low16((uint32_t)cross); /* likewise */
-    int32_t high = a_high * b_high + (cross >> 16) + (cross_low >> 16);
-    return (int64_t)(((uint64_t)(uint32_t)high << 32) | (uint32_t)((uint32_t)a * (uint32_t)b));
-}
+#if QTRI_SHARE
+int64_t qtri_shift_round(int64_t x, int32_t shift);
+int32_t qtri_clz64(uint64_t x);
+#if !QTRI_LONG_MULTIPLY
+uint64_t qtri_mul_u32(uint32_t a, uint32_t b);
+int64_t qtri_mul_s32(int32_t a, int32_t b);
+#endif
+#else
+#define QTRI_SHARED static inline
+#include "shared.inc"
 #endif
 
 /* floor(a b / 2^32). */

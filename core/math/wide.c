@@ -52,6 +52,20 @@ void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b)
     qtri_wide_set(a, with_sign(size, a, b), a->e + b->e - 62);
 }
 
+void qtri_wide_add_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b)
+{
+    qtri_wide product = *a;
+    qtri_wide_mul_by(&product, b);
+    qtri_wide_add_to(sum, &product);
+}
+
+void qtri_wide_sub_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b)
+{
+    qtri_wide minus = *a;
+    minus.m = -minus.m;
+    qtri_wide_add_product(sum, &minus, b);
+}
+
 void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b)
 {
     if (b->m == 0) {
@@ -102,9 +116,7 @@ int qtri_wide_normalize(qtri_wide v[3])
     }
     for (int i = 0; i < 3; i++) { /* bring the largest near 1, so that squares stay in range */
         qtri_wide_set(&v[i], v[i].m, v[i].e - least + 62);
-        qtri_wide square = v[i];
-        qtri_wide_mul_by(&square, &square);
-        qtri_wide_add_to(&length, &square);
+        qtri_wide_add_product(&length, &v[i], &v[i]);
     }
     length = qtri_wide_sqrt(length);
     for (int i = 0; i < 3; i++) {
@@ -115,15 +127,13 @@ int qtri_wide_normalize(qtri_wide v[3])
 
 void qtri_wide_cross(qtri_wide out[3], const qtri_wide a[3], const qtri_wide b[3])
 {
+    int j = 1;
+    int k = 2;
     for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3;
-        int k = (i + 2) % 3;
-        qtri_wide first = a[j];
-        qtri_wide second = a[k];
-        qtri_wide_mul_by(&first, &b[k]);
-        qtri_wide_mul_by(&second, &b[j]);
-        second.m = -second.m;
-        qtri_wide_add_to(&first, &second);
-        out[i] = first;
+        qtri_wide_set(&out[i], 0, 0);
+        qtri_wide_add_product(&out[i], &a[j], &b[k]);
+        qtri_wide_sub_product(&out[i], &a[k], &b[j]);
+        j = k;
+        k = i;
     }
 }

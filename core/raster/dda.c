@@ -1,5 +1,7 @@
 #include "dda.h"
 
+#include "../math/bits.h"
+
 /*
  * Quotient towards minus infinity, remainder in 0..divisor-1. Unsigned, floor(x / d) being
  * -1 - floor((-1 - x) / d): without an instruction that divides, so is the call for it.
@@ -14,16 +16,31 @@ static int32_t divide_floor32(int32_t x, uint32_t divisor, uint32_t *remainder)
     return (int32_t)(quotient ^ sign);
 }
 
-static int32_t divide_floor64(int64_t x, int64_t divisor, uint32_t *remainder)
+uint32_t qtri_divide_long(uint64_t x, uint32_t divisor, uint32_t *remainder)
 {
-    int64_t quotient = x / divisor;
-    int64_t rest = x % divisor;
-    if (rest < 0) {
-        rest += divisor;
-        quotient--;
+    uint32_t rest = (uint32_t)(x >> 24);
+    uint32_t quotient = rest / divisor;
+    rest -= quotient * divisor;
+    for (int shift = 16; shift >= 0; shift -= 8) {
+        uint32_t next = rest << 8 | ((uint32_t)(x >> shift) & 0xFFu); /* < 2^31 */
+        uint32_t digit = next / divisor;
+        rest = next - digit * divisor;
+        quotient = quotient << 8 | digit;
     }
-    *remainder = (uint32_t)rest;
-    return (int32_t)quotient;
+    *remainder = rest;
+    return quotient;
+}
+
+/* The same of x and 256 length: the low eight bits of x stay where they are. */
+static int32_t divide_floor64(int64_t x, uint32_t length, uint32_t *remainder)
+{
+    uint32_t sign = x < 0 ? UINT32_MAX : 0;
+    uint64_t magnitude = (uint64_t)(x < 0 ? ~x : x); /* < 2^47 */
+    uint32_t rest;
+    uint32_t quotient = qtri_divide_long(magnitude >> 8, length, &rest);
+    rest = rest << 8 | (uint32_t)(magnitude & 0xFFu);
+    *remainder = sign != 0 ? (length << 8) - 1 - rest : rest;
+    return (int32_t)(quotient ^ sign);
 }
 
 void qtri_dda_init(qtri_dda *dda, int32_t start, int32_t delta, int32_t length, int32_t along,
@@ -41,7 +58,7 @@ void qtri_dda_init(qtri_dda *dda, int32_t start, int32_t delta, int32_t length, 
         dda->value += divide_floor32(fraction * length + along * delta + bias, dda->denominator,
                                      &dda->remainder);
     } else {
-        int64_t numerator = (int64_t)fraction * length + (int64_t)along * delta + bias;
-        dda->value += divide_floor64(numerator, (int64_t)length << 8, &dda->remainder);
+        int64_t numerator = qtri_mul_s32(along, delta) + qtri_mul_s32(fraction, length) + bias;
+        dda->value += divide_floor64(numerator, (uint32_t)length, &dda->remainder);
     }
 }

@@ -24,6 +24,9 @@ typedef struct qtri_dda {
 void qtri_dda_init(qtri_dda *dda, int32_t start, int32_t delta, int32_t length, int32_t along,
                    int32_t bias);
 
+/* x / divisor < 2^32 for x < 2^55 and divisor <= 2^23, in digits of eight bits. */
+uint32_t qtri_divide_long(uint64_t x, uint32_t divisor, uint32_t *remainder);
+
 static inline void qtri_dda_next(qtri_dda *dda)
 {
     dda->value += dda->step;

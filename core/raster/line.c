@@ -18,9 +18,15 @@ static void ramp_init(ramp *r, int32_t from, int32_t to, const qtri_line_path *l
     int32_t start = l->along + 256 * (k - past); /* < length */
     int32_t quotient = qtri_divide(to - from, by);
     int32_t remainder = to - from - quotient * l->length; /* < 2^23 */
-    int64_t product = qtri_mul_s32(remainder, start);
-    int32_t rest = product == (int32_t)product ? qtri_divide((int32_t)product, by)
-                                               : (int32_t)(product / l->length);
+    int64_t product = qtri_mul_s32(remainder, start);     /* < 2^46 */
+    int32_t rest;
+    if (product == (int32_t)product) {
+        rest = qtri_divide((int32_t)product, by);
+    } else {
+        uint32_t unused;
+        rest = (int32_t)qtri_divide_long(qtri_magnitude64(product), (uint32_t)l->length, &unused);
+        rest = product < 0 ? -rest : rest;
+    }
     r->step = (uint32_t)quotient * 256u + (uint32_t)qtri_divide(remainder * 256, by);
     r->value = (int32_t)((uint32_t)(from + quotient * start + rest) + (uint32_t)past * r->step);
 }

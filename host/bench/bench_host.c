@@ -90,6 +90,11 @@ static const struct expectation {
     {"S7k", BEGIN LIT "polygon line\n" COMPACT(KNOT), 0},
     {"S4w", BEGIN LIT SPOT, 12414},
     {"S5w", BEGIN LIT "shade flat\n" TEAPOT, 15296},
+    {"S4b", BEGIN LIT COMPACT(SPOT), 12414},
+    {"S4wb", BEGIN LIT SPOT, 12414},
+    {"S5b", BEGIN LIT "shade flat\n" COMPACT(TEAPOT), 15296},
+    {"S7b", BEGIN LIT "polygon line\n" COMPACT(SPOT), 0},
+    {"S4kb", BEGIN LIT COMPACT(KNOT), 0},
 };
 
 static bool write_texture(const char *path)

@@ -3,7 +3,8 @@
 /*
  * Meshes are compact: 16-bit positions, 8-bit normals. S4w and S5w: with the wide mesh, Q16.16
  * positions. S4k, S5k and S7k: as S4, S5 and S7 with the project's own mesh of like size, 5760
- * triangles.
+ * triangles. S4b, S4wb, S5b and S7b: S4, S4w, S5 and S7 in 15 bands of 16 rows, all of a frame's
+ * work but the clear.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -12,15 +13,22 @@
 #endif
 #define FLAT(name_, mesh_, turn_)                                                                  \
     {                                                                                              \
-        .name = name_, .work = BENCH_MESH, .shading = QTRI_FLAT_LAST, .mesh = mesh_, .turn = turn_ \
+        .name = (name_), .work = BENCH_MESH, .shading = QTRI_FLAT_LAST, .mesh = (mesh_),           \
+        .turn = (turn_)                                                                            \
     }
 #define SMOOTH(name_, mesh_, turn_)                                                                \
     {                                                                                              \
-        .name = name_, .work = BENCH_MESH, .mesh = mesh_, .turn = turn_                            \
+        .name = (name_), .work = BENCH_MESH, .mesh = (mesh_), .turn = (turn_)                      \
     }
 #define LINES(name_, mesh_, turn_)                                                                 \
     {                                                                                              \
-        .name = name_, .work = BENCH_MESH, .fill = QTRI_WIREFRAME, .mesh = mesh_, .turn = turn_    \
+        .name = (name_), .work = BENCH_MESH, .fill = QTRI_WIREFRAME, .mesh = (mesh_),              \
+        .turn = (turn_)                                                                            \
+    }
+#define BANDS(name_, mesh_, turn_, shading_, fill_)                                                \
+    {                                                                                              \
+        .name = (name_), .work = BENCH_MESH, .shading = (shading_), .fill = (fill_),               \
+        .mesh = (mesh_), .turn = (turn_), .band_rows = 16                                          \
     }
 
 const bench_scene bench_scenes[] = {
@@ -38,6 +46,11 @@ const bench_scene bench_scenes[] = {
 #ifndef BENCH_PLAIN
     SMOOTH("S4w", &bench_mesh_spot, Q16(150)),
     FLAT("S5w", &bench_mesh_teapot, Q16(30)),
+    BANDS("S4b", COMPACT(spot), Q16(150), QTRI_SMOOTH, QTRI_SOLID),
+    BANDS("S4wb", &bench_mesh_spot, Q16(150), QTRI_SMOOTH, QTRI_SOLID),
+    BANDS("S5b", COMPACT(teapot), Q16(30), QTRI_FLAT_LAST, QTRI_SOLID),
+    BANDS("S7b", COMPACT(spot), Q16(150), QTRI_SMOOTH, QTRI_WIREFRAME),
+    BANDS("S4kb", COMPACT(knot), Q16(30), QTRI_SMOOTH, QTRI_SOLID),
 #endif
     {.name = NULL},
 };
@@ -117,6 +130,41 @@ static void set_mesh(bench_frame *frame)
     qtri_transform_rotate_y(&frame->pose, frame->scene->turn);
 }
 
+#ifndef BENCH_PLAIN
+/* Bands lie in the memory of the whole frame, one below the other, so that there is a picture. */
+static void draw_bands(bench_frame *frame)
+{
+    const qtri_surface *whole = &frame->surface;
+    qtri_surface band;
+    qtri_frame_begin(&frame->bands);
+    qtri_prepare_mesh(&frame->prepared, &frame->bands, &frame->view, &frame->pose,
+                      frame->scene->mesh, &frame->material);
+    while (qtri_frame_next_band(&frame->bands, &band)) {
+        band.pixels = whole->pixels + band.first_row * whole->pitch;
+        band.depth = whole->depth + band.first_row * whole->depth_pitch;
+        qtri_draw_prepared(&band, &frame->prepared);
+    }
+}
+
+static bool set_bands(bench_frame *frame)
+{
+    qtri_prepared_init(&frame->prepared, frame->vertices, BENCH_VERTICES_MAX, frame->lists,
+                       sizeof frame->lists / sizeof frame->lists[0]);
+    return qtri_frame_init(&frame->bands, QTRI_RGB565, BENCH_WIDTH, BENCH_HEIGHT,
+                           frame->scene->band_rows, frame->memory, sizeof frame->memory) == QTRI_OK;
+}
+#else
+static void draw_bands(bench_frame *frame)
+{
+    (void)frame;
+}
+
+static bool set_bands(bench_frame *frame)
+{
+    return frame == NULL;
+}
+#endif
+
 bool bench_prepare(bench_frame *frame, const bench_scene *scene)
 {
     const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16_ONE, 0};
@@ -144,14 +192,21 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
                           frame->memory, sizeof frame->memory) != QTRI_OK) {
         return false;
     }
+    if (scene->band_rows != 0 && !set_bands(frame)) {
+        return false;
+    }
     const qtri_rgb other = {255, 255, 255}; /* for S0, anything but what it is to become */
     qtri_surface_clear(&frame->surface, scene->work == BENCH_CLEAR ? other : background,
                        scene->work == BENCH_CLEAR ? 0 : UINT16_MAX);
     return true;
 }
 
-void bench_draw(const bench_frame *frame)
+void bench_draw(bench_frame *frame)
 {
+    if (frame->scene->band_rows != 0) {
+        draw_bands(frame);
+        return;
+    }
     switch (frame->scene->work) {
     case BENCH_CLEAR:
         qtri_surface_clear(&frame->surface, background, UINT16_MAX);

@@ -12,9 +12,10 @@
 
 #include "qtri.h"
 
-#define BENCH_WIDTH        320
-#define BENCH_HEIGHT       240
-#define BENCH_VERTICES_MAX 4096 /* of the largest mesh */
+#define BENCH_WIDTH         320
+#define BENCH_HEIGHT        240
+#define BENCH_VERTICES_MAX  4096 /* of the largest mesh */
+#define BENCH_TRIANGLES_MAX 6400
 
 /* Written by bench_meshes.c. A model that is not there has no triangles. */
 extern const qtri_mesh bench_mesh_spot, bench_mesh_teapot, bench_mesh_knot;
@@ -34,7 +35,8 @@ typedef struct bench_scene {
     qtri_interpolation interpolation;
     qtri_fill fill;
     const qtri_mesh *mesh;
-    q16 turn; /* the mesh, about y */
+    q16 turn;          /* the mesh, about y */
+    int32_t band_rows; /* not 0: prepared, then drawn in bands of so many rows */
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
@@ -52,13 +54,18 @@ typedef struct bench_frame {
     uint32_t memory[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565) / sizeof(uint32_t)];
     qtri_vertex vertices[QTRI_MESH_VERTICES(BENCH_VERTICES_MAX)];
     uint16_t texels[64 * 64];
+#ifndef BENCH_PLAIN
+    qtri_frame bands;
+    qtri_prepared prepared;
+    uint16_t lists[QTRI_PREPARED_LISTS(BENCH_TRIANGLES_MAX, BENCH_HEIGHT, 16)];
+#endif
 } bench_frame;
 
 /* Camera, pose, material, and a frame of the background's colour. False: the model is not there. */
 bool bench_prepare(bench_frame *frame, const bench_scene *scene);
 
-/* What is measured: the draw call, without the clear; the clear for BENCH_CLEAR. */
-void bench_draw(const bench_frame *frame);
+/* What is measured: the draw calls, without the clear; the clear for BENCH_CLEAR. */
+void bench_draw(bench_frame *frame);
 
 /* Triangles that the draw call is given. */
 uint32_t bench_triangles(const bench_scene *scene);

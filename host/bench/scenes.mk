@@ -12,7 +12,7 @@ BENCH_FPU_cortex-m4 := -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 SCENE_DIR     := $(BENCH_DIR)/scenes
 SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
 SCENE_SOURCES := $(wildcard core/*/*.c) host/bench/bench_scenes.c host/bench/bench_program.c $(SCENE_DIR)/bench_meshes.c
-SCENE_FLAGS   := -std=c99 -O2 -g -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench
+SCENE_FLAGS   := -std=c99 -O2 -g -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
 
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes

@@ -1,8 +1,8 @@
-# Code, constants, static memory and deepest stack of two applications. Included by bench.mk, whose compilers, boards and
+# Code, constants, static memory and deepest stack of three applications. Included by bench.mk, whose compilers, boards and
 # emulators these rules use.
 
 SIZE_DIR      := $(BENCH_DIR)/size
-SIZE_APPS     := textured flat
+SIZE_APPS     := textured flat bands
 SIZE_VARIANTS := $(foreach core,$(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_PRESENT)),$(core)-Os $(core)-O2)
 SIZE_SOURCES  := $(wildcard core/*/*.c) host/bench/size_board.c port/boards/common/memory.c
 SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -fstack-usage -fcallgraph-info=su
@@ -32,7 +32,7 @@ $(foreach variant,$(SIZE_VARIANTS),$(eval $(call size_rules,$(variant),$(call si
     size_optimize,$(variant)),$(notdir $(call bench_board,$(call size_core,$(variant)))))))
 
 .PHONY: size size-lines
-size: ## Bytes of code, constants, static RAM and stack of a textured and of the smallest application: build/size.tsv
+size: ## Bytes of code, constants, static RAM and stack of three applications, all RAM of one in bands: build/size.tsv
 	@$(MAKE) -s $(PARALLEL) size-lines
 	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_APPS)" $(SIZE_VARIANTS)
 

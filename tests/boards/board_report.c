@@ -8,11 +8,13 @@
  * that it does not depend on bands or on the machine. pixels counts those with a depth written.
  *
  * Frames that do not fit the memory are reported as `# no memory` and left out; a band that does
- * not fit is an error. The last lines are `# stack <bytes>` and `end <lines>`.
+ * not fit is an error. The last lines are `# stack <bytes>` and `end <lines> <pixels>`, of all
+ * frames.
  */
 #include "board_scenes.h"
 
 #include "../../port/boards/board.h"
+#include "board_print.h"
 
 static const struct {
     const char *name;
@@ -25,23 +27,6 @@ static const struct {
 typedef struct tally {
     uint32_t crc, pixels, instructions;
 } tally;
-
-static void write_number(uint32_t value, uint32_t base, int least_digits)
-{
-    char text[12];
-    char *p = &text[sizeof text - 1];
-    *p = '\0';
-    do {
-        *--p = "0123456789abcdef"[value % base];
-        value /= base;
-    } while (--least_digits > 0 || value != 0);
-    board_write(p);
-}
-
-static void write_decimal(uint32_t value)
-{
-    write_number(value, 10, 1);
-}
 
 /* CRC-32 (IEEE 802.3, reflected), four bits at a time; `bytes` of value, the low one first. */
 static uint32_t crc32_add(uint32_t crc, uint32_t value, uint32_t bytes)
@@ -114,13 +99,13 @@ static void write_line(const board_scene *scene, const char *format, int32_t row
     board_write(" ");
     board_write(format);
     board_write(" ");
-    write_decimal((uint32_t)rows);
+    board_write_decimal((uint32_t)rows);
     board_write(" ");
-    write_number(sum->crc, 16, 8);
+    board_write_hex8(sum->crc);
     board_write(" ");
-    write_decimal(sum->pixels);
+    board_write_decimal(sum->pixels);
     board_write(" ");
-    write_decimal(sum->instructions);
+    board_write_decimal(sum->instructions);
     board_write("\n");
 }
 
@@ -134,6 +119,7 @@ int board_program(void *memory, size_t bytes)
     size_t frame_bytes = bytes - sizeof *scratch;
     int status = 0;
     uint32_t lines = 0;
+    uint32_t compared = 0;
     board_scenes_prepare(scratch);
     for (uint32_t i = 0; i < BOARD_SCENE_COUNT * FORMAT_COUNT * 2; i++) {
         const board_scene *scene = &board_scenes[i / (FORMAT_COUNT * 2)];
@@ -146,6 +132,7 @@ int board_program(void *memory, size_t bytes)
         if (error == QTRI_OK) {
             write_line(scene, formats[format].name, rows, &sum);
             lines++;
+            compared += (uint32_t)(scene->width * scene->height);
         } else if (whole && error == QTRI_ERROR_MEMORY) {
             board_write("# no memory for a whole frame: ");
             board_write(scene->name);
@@ -155,9 +142,11 @@ int board_program(void *memory, size_t bytes)
         }
     }
     board_write("# stack ");
-    write_decimal((uint32_t)board_stack_used());
+    board_write_decimal((uint32_t)board_stack_used());
     board_write("\nend ");
-    write_decimal(lines);
+    board_write_decimal(lines);
+    board_write(" ");
+    board_write_decimal(compared);
     board_write("\n");
     return status;
 }

@@ -30,6 +30,16 @@ static void torus_facet(board_scene_memory *memory, uint32_t ring, uint32_t side
     triangle[1][0] = a, triangle[1][1] = c, triangle[1][2] = d;
 }
 
+qtri_mesh board_torus(const board_scene_memory *memory)
+{
+    qtri_mesh torus = {.positions = memory->positions,
+                       .normals = memory->normals,
+                       .vertex_count = BOARD_TORUS_VERTICES,
+                       .triangle_count = 2 * BOARD_TORUS_VERTICES};
+    torus.triangles = (const uint16_t(*)[3])memory->triangles;
+    return torus;
+}
+
 void board_scenes_prepare(board_scene_memory *memory)
 {
     for (uint32_t ring = 0; ring < BOARD_TORUS_RINGS; ring++) {
@@ -77,11 +87,7 @@ static void draw_triangle(const qtri_surface *surface, board_scene_memory *memor
 static void draw_torus_mesh(const qtri_surface *surface, board_scene_memory *memory,
                             qtri_view *view, const qtri_material *material)
 {
-    qtri_mesh torus = {.positions = memory->positions,
-                       .normals = memory->normals,
-                       .vertex_count = BOARD_TORUS_VERTICES,
-                       .triangle_count = 2 * BOARD_TORUS_VERTICES};
-    torus.triangles = (const uint16_t(*)[3])memory->triangles;
+    qtri_mesh torus = board_torus(memory);
     view->vertices = memory->vertices;
     view->vertex_count = BOARD_TORUS_VERTICES;
     qtri_transform pose;

@@ -40,4 +40,7 @@ extern const board_scene board_scenes[BOARD_SCENE_COUNT];
 /* Builds the torus and the texture; once, before the first draw. */
 void board_scenes_prepare(board_scene_memory *memory);
 
+/* The torus, in memory that has been prepared. */
+qtri_mesh board_torus(const board_scene_memory *memory);
+
 #endif

@@ -1,6 +1,5 @@
 /*
  * Semihosting: requests to the debugger or emulator (Arm's "Semihosting for AArch32 and AArch64").
- * Cortex-M only; other Arm cores use another instruction.
  */
 #ifndef QTRI_BOARD_SEMIHOSTING_H
 #define QTRI_BOARD_SEMIHOSTING_H
@@ -13,8 +12,13 @@
 __attribute__((naked, noinline)) static void semihosting_call(
     UNUSED uint32_t operation, UNUSED const volatile uint32_t *argument)
 {
+#ifdef __thumb__ /* Cortex-M */
     __asm__("bkpt 0xAB\n"
             "bx lr");
+#else
+    __asm__("svc 0x123456\n"
+            "bx lr");
+#endif
 }
 
 /* SYS_EXIT_EXTENDED: QEMU ends with `status`. Does not return. */

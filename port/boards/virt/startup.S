@@ -15,7 +15,13 @@ start:
     sw zero, 0(t0)
     addi t0, t0, 4
     j 1b
-2:  call board_init
+2:  la t1, stack_top /* bss_end is stack_low */
+    li t2, 0xA5A5A5A5 /* board.c looks for it */
+3:  bgeu t0, t1, 4f
+    sw t2, 0(t0)
+    addi t0, t0, 4
+    j 3b
+4:  call board_init
     call main
     tail board_exit
 

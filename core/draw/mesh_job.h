@@ -1,0 +1,130 @@
+/*
+ * What the two ways to draw a mesh share: mesh.c, whole, and prepared.c, band by band. Internal.
+ */
+#ifndef QTRI_DRAW_MESH_JOB_H
+#define QTRI_DRAW_MESH_JOB_H
+
+#include "../geometry/lighting.h"
+#include "../math/dot.h"
+#include "primitive.h"
+
+/* One draw call: what every triangle needs. */
+typedef struct qtri_mesh_job {
+    qtri_primitive primitive;
+    qtri_material material; /* without the texture when there are no coordinates */
+    const qtri_mesh *mesh;
+    qtri_vertex *vertices; /* slot_count of them */
+    uint32_t slot_count;
+    bool lit_per_vertex, lit_per_face;
+    bool more; /* colours of their own or a texture */
+    qtri_lighting lighting;
+} qtri_mesh_job;
+
+/* How it looks and where to: all that triangles inside all planes need, once they are lit. */
+void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
+                        const qtri_mesh *mesh, const qtri_material *material);
+
+/* Then geometry and light. False when nothing of the mesh can be seen on the surface. */
+bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose);
+
+/* The mesh's vertices from `first` on. False when one of them is outside. */
+bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
+                         qtri_vertex *out);
+
+/*
+ * The vertices of the triangle with these indices, transformed into their slots: vertex i lives in
+ * slot i modulo their number; when another corner holds it, or there is none, spare[] serves.
+ * False when an index is past the end.
+ */
+bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, qtri_vertex spare[3],
+                              qtri_vertex *vertex[3]);
+
+/* No slot holds a vertex. */
+void qtri_mesh_clear_slots(const qtri_mesh_job *draw);
+
+/* Intensity of a vertex of a mesh with normals. */
+uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index);
+
+/* Any culling, and triangles that may cross planes; those are never turned away. */
+bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
+                           const qtri_vertex *c);
+
+/* Draws a triangle that crosses a plane or was not culled. */
+void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
+                         qtri_vertex *const vertex[3]);
+
+/* Of corner 0..2 of the triangle whose indices these are. */
+static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indices, int corner)
+{
+    const uint16_t *wide = indices;
+    const uint8_t *narrow = indices;
+    return mesh->triangles8 != NULL ? narrow[corner] : wide[corner];
+}
+
+/* The indices at a triangle's place in the mesh. */
+static inline void qtri_mesh_indices(uint32_t index[3], const void *triangle, bool narrow)
+{
+    const uint16_t *wide = triangle;
+    const uint8_t *bytes = triangle;
+    for (int i = 0; i < 3; i++) {
+        index[i] = narrow ? bytes[i] : wide[i];
+    }
+}
+
+static inline bool qtri_mesh_is_inside(const qtri_vertex *a, const qtri_vertex *b,
+                                       const qtri_vertex *c)
+{
+    return ((a->depth_16p8 | b->depth_16p8 | c->depth_16p8) & QTRI_VERTEX_OUTSIDE) == 0;
+}
+
+#if !QTRI_LONG_MULTIPLY
+/* Below 2^n where -2^n <= x < 2^n. */
+static inline uint32_t qtri_mesh_folded(int32_t x)
+{
+    return (uint32_t)(x < 0 ? ~x : x);
+}
+#endif
+
+/* qtri_triangle_area(a, b, c) >= 0. */
+static inline bool qtri_mesh_is_back(const qtri_screen_point *a, const qtri_screen_point *b,
+                                     const qtri_screen_point *c)
+{
+#if !QTRI_LONG_MULTIPLY
+    /* Differences of 16 bits: products of 32, one instruction each. */
+    int32_t x1 = b->x_24p8 - a->x_24p8;
+    int32_t y1 = b->y_24p8 - a->y_24p8;
+    int32_t x2 = c->x_24p8 - a->x_24p8;
+    int32_t y2 = c->y_24p8 - a->y_24p8;
+    if (((qtri_mesh_folded(x1) | qtri_mesh_folded(y1) | qtri_mesh_folded(x2) |
+          qtri_mesh_folded(y2)) >>
+         15) == 0) {
+        return x1 * y2 >= x2 * y1;
+    }
+#endif
+    return qtri_triangle_area(a, b, c) >= 0;
+}
+
+/* A vertex's depth, distance and light. */
+static inline void qtri_mesh_set_attributes(qtri_attributes *out, const qtri_vertex *vertex,
+                                            uint32_t intensity_q15)
+{
+    out->depth_16p16 = vertex->depth_16p8 & ~0xFFu;
+    out->inv_w_q31 = vertex->inv_w;
+    out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
+    out->color[0] = (int32_t)(intensity_q15 << 7); /* Q22 of the one colour */
+}
+
+/* Where a triangle inside all planes lies. False when it covers no pixel. */
+static inline bool qtri_mesh_begin_solid(const qtri_mesh_job *draw, const qtri_vertex *a,
+                                         const qtri_vertex *b, const qtri_vertex *c,
+                                         qtri_triangle *out)
+{
+    out->p[0] = &a->at;
+    out->p[1] = &b->at;
+    out->p[2] = &c->at;
+    out->area = qtri_triangle_area(&a->at, &b->at, &c->at);
+    out->tinted = draw->mesh->colors == NULL;
+    return out->area != 0 && qtri_triangle_begin(&draw->primitive.raster, out);
+}
+
+#endif

@@ -1,0 +1,606 @@
+/*
+ * Lists of triangles by band. In the caller's memory, one after another:
+ *
+ *   for every band: the place of its first entry, 0 for none; the place after its last
+ *   blocks of eight: seven entries and the place of the list's next block
+ *
+ * Places count elements from the start. An entry is the number of a group of 2^group_log2 triangles
+ * that follow each other in the mesh; it is in the list of every band that one of them may touch.
+ * Lists are in the order of the mesh, as drawing is: where depths are equal, it decides.
+ */
+#include "qtri/prepared.h"
+
+#include "mesh_job.h"
+
+enum { BLOCK = 8, FULL = BLOCK - 1, PLACES = 65536, GROUP_LOG2_MAX = 16 };
+
+static const qtri_rect nowhere = {0, 0, 0, 0};
+
+void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t vertex_count,
+                        uint16_t *lists, uint32_t list_count)
+{
+    prepared->vertices = vertices;
+    prepared->vertex_count = vertex_count;
+    prepared->lists = lists;
+    prepared->list_count = list_count;
+    prepared->marked = nowhere;
+    prepared->mesh = NULL;
+}
+
+static int32_t least(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static int32_t greatest(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+static bool is_empty(const qtri_rect *rect)
+{
+    return rect->x0 >= rect->x1 || rect->y0 >= rect->y1;
+}
+
+/* A vertex for every vertex of the mesh. */
+static bool is_complete(const qtri_prepared *prepared)
+{
+    return prepared->vertex_count >= prepared->mesh->vertex_count;
+}
+
+/* The triangle's indices in the mesh. */
+static const uint8_t *triangle_at(const qtri_mesh *mesh, uint32_t number)
+{
+    return mesh->triangles8 != NULL ? mesh->triangles8[number]
+                                    : (const uint8_t *)mesh->triangles[number];
+}
+
+/* ---- Preparing ---- */
+
+typedef struct sorter {
+    const qtri_mesh_job *job;
+    qtri_prepared *prepared;
+    bool is_complete;
+    bool is_listing;
+    bool is_direct; /* groups are single triangles, and there is a block for every list */
+    bool is_solid;
+    int32_t height;
+    uint32_t rows, bands; /* of a band; of the frame */
+    uint32_t rows_inverse, rows_shift;
+    uint32_t next, end; /* places: of the next block, of the end of the memory */
+    uint16_t *lists;
+    uint32_t group_log2;
+    uint32_t group;      /* one that is not listed yet; UINT32_MAX: none */
+    int32_t top, bottom; /* its rows */
+    bool is_anywhere;    /* some triangle crosses a plane */
+} sorter;
+
+/*
+ * What is added to the least and the greatest coordinate before they are rounded down to the first
+ * pixel and the one after the last: centres in between, or what a line may touch when it rounds.
+ */
+static inline int32_t before_24p8(bool is_solid)
+{
+    return is_solid ? 127 : -256;
+}
+
+static inline int32_t after_24p8(bool is_solid)
+{
+    return is_solid ? 127 : 512;
+}
+
+static void widen(qtri_rect *extent_24p8, const qtri_vertex *vertex)
+{
+    extent_24p8->x0 = least(extent_24p8->x0, vertex->at.x_24p8);
+    extent_24p8->y0 = least(extent_24p8->y0, vertex->at.y_24p8);
+    extent_24p8->x1 = greatest(extent_24p8->x1, vertex->at.x_24p8);
+    extent_24p8->y1 = greatest(extent_24p8->y1, vertex->at.y_24p8);
+}
+
+/* A vertex that will be drawn with, for the first time: lit, for good. */
+static inline void meet(const sorter *s, uint32_t index, qtri_vertex *vertex)
+{
+    /* Without light the intensity only tells that the vertex was met. */
+    vertex->intensity_q15 = s->job->lit_per_vertex ? (uint16_t)qtri_mesh_light(s->job, index)
+                                                   : (uint16_t)QTRI_INTENSITY_ONE;
+}
+
+QTRI_NOINLINE static void meet_some(const sorter *s, const void *triangle,
+                                    qtri_vertex *const vertex[3])
+{
+    for (int i = 0; i < 3; i++) {
+        if (vertex[i]->intensity_q15 == QTRI_VERTEX_UNLIT) {
+            meet(s, qtri_mesh_index(s->job->mesh, triangle, i), vertex[i]);
+        }
+    }
+}
+
+/* Those in slots are lit when they are drawn; what they span is noted now. */
+static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
+{
+    for (int i = 0; i < 3; i++) {
+        widen(&s->prepared->extent_24p8, vertex[i]);
+    }
+}
+
+/* The vertices of a triangle that is seen. */
+static inline void meet_all(const sorter *s, const void *triangle, qtri_vertex *const vertex[3])
+{
+    const uint32_t a = vertex[0]->intensity_q15;
+    const uint32_t b = vertex[1]->intensity_q15;
+    const uint32_t c = vertex[2]->intensity_q15;
+    if ((((a + 1) | (b + 1) | (c + 1)) & (QTRI_VERTEX_UNLIT + 1)) == 0) { /* others: <= 2^15 */
+        return;
+    }
+    if (s->is_complete) {
+        meet_some(s, triangle, vertex);
+    } else {
+        meet_slots(s, vertex);
+    }
+}
+
+/*
+ * floor(row / rows). The inverse is 2^shift / rows rounded up, so the product is row / rows and at
+ * most row / 2^shift too much: less than 1 / rows, since row < 2^13 and 2^shift >= 2^13 rows.
+ */
+static inline uint32_t band_of(const sorter *s, uint32_t row)
+{
+    return (row * s->rows_inverse) >> s->rows_shift; /* < 2^13 (2^14 + 1) */
+}
+
+/* Starts a block for the list of `band`, which goes on from `place`. */
+QTRI_NOINLINE static uint32_t add_block(sorter *s, uint32_t band, uint32_t place)
+{
+    uint32_t block = s->next;
+    s->lists[s->lists[2 * band] == 0 ? 2 * band : place] = (uint16_t)block;
+    s->next += BLOCK;
+    s->is_direct = s->is_direct && s->next + s->bands * BLOCK <= s->end;
+    return block;
+}
+
+/* Appends; there is room for a new block. */
+static inline void append(sorter *s, uint32_t band, uint32_t group)
+{
+    uint16_t *list = &s->lists[2 * band];
+    uint32_t place = list[1];
+    if (place % BLOCK == FULL) {
+        place = add_block(s, band, place);
+    }
+    s->lists[place] = (uint16_t)group;
+    list[1] = (uint16_t)(place + 1);
+}
+
+static inline void append_to_all(sorter *s, uint32_t band, uint32_t last, uint32_t group)
+{
+    append(s, band, group);
+    while (band != last) {
+        band++;
+        append(s, band, group);
+    }
+}
+
+/* Rows top..bottom - 1 of the frame, at least one. Without room the group is in no list. */
+static void list_group(sorter *s, uint32_t group, int32_t top, int32_t bottom)
+{
+    const uint32_t band = band_of(s, (uint32_t)top);
+    const uint32_t last = band_of(s, (uint32_t)bottom - 1);
+    if (s->next + (last - band + 1) * BLOCK <= s->end) {
+        append_to_all(s, band, last, group);
+    } else {
+        s->is_listing = false;
+        s->prepared->listed = group << s->group_log2;
+    }
+}
+
+static void list_pending(sorter *s)
+{
+    if (s->is_listing && s->group != UINT32_MAX) {
+        list_group(s, s->group, s->top, s->bottom);
+    }
+}
+
+/* A triangle of a group that is listed when it is complete. */
+QTRI_NOINLINE static void list_in_group(sorter *s, uint32_t number, int32_t top, int32_t bottom)
+{
+    if (number >> s->group_log2 != s->group) {
+        list_pending(s);
+        s->group = number >> s->group_log2;
+        s->top = top;
+        s->bottom = bottom;
+    }
+    s->top = least(s->top, top);
+    s->bottom = greatest(s->bottom, bottom);
+}
+
+/* A triangle that may touch these rows, if there are any. */
+static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_t bottom)
+{
+    top = greatest(top, 0);
+    bottom = least(bottom, s->height);
+    if (top >= bottom) {
+        return;
+    }
+    if (s->is_direct) {
+        append_to_all(s, band_of(s, (uint32_t)top), band_of(s, (uint32_t)bottom - 1), number);
+    } else {
+        list_in_group(s, number, top, bottom);
+    }
+}
+
+/* A triangle inside all planes that is not turned away. */
+static inline void see(sorter *s, uint32_t number, const void *triangle,
+                       qtri_vertex *const vertex[3], bool is_solid)
+{
+    const int32_t a = vertex[0]->at.y_24p8;
+    const int32_t b = vertex[1]->at.y_24p8;
+    const int32_t c = vertex[2]->at.y_24p8;
+    meet_all(s, triangle, vertex);
+    list_triangle(s, number, (least(a, least(b, c)) + before_24p8(is_solid)) >> 8,
+                  (greatest(a, greatest(b, c)) + after_24p8(is_solid)) >> 8);
+}
+
+QTRI_NOINLINE static void see_solid(sorter *s, uint32_t number, const void *triangle,
+                                    qtri_vertex *const vertex[3])
+{
+    see(s, number, triangle, vertex, true);
+}
+
+/* Any triangle. */
+QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triangle,
+                                  qtri_vertex *const vertex[3])
+{
+    if (qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
+        return;
+    }
+    if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
+        see(s, number, triangle, vertex, s->is_solid);
+        return;
+    }
+    unsigned common = QTRI_VERTEX_OUTCODE;
+    for (int i = 0; i < 3; i++) {
+        uint32_t word = vertex[i]->depth_16p8;
+        common &= (word & QTRI_VERTEX_OUTSIDE) != 0 ? word : 0;
+    }
+    if (common == 0) {
+        s->is_anywhere = true;
+        meet_all(s, triangle, vertex);
+        list_triangle(s, number, 0, s->height);
+    }
+}
+
+/* All triangles of a mesh whose vertices are there; `simple` as in mesh.c. */
+static inline void see_triangles(sorter *s, const void *triangles, bool narrow, bool simple)
+{
+    const qtri_mesh *mesh = s->job->mesh;
+    qtri_vertex *vertices = s->job->vertices;
+    const uint32_t count = mesh->vertex_count;
+    const uint8_t *triangle = triangles;
+    for (uint32_t number = 0; number != mesh->triangle_count; number++) {
+        uint32_t index[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        triangle += narrow ? 3 : 6;
+        if (index[0] >= count || index[1] >= count || index[2] >= count) {
+            continue;
+        }
+        qtri_vertex *a = &vertices[index[0]];
+        qtri_vertex *b = &vertices[index[1]];
+        qtri_vertex *c = &vertices[index[2]];
+        QTRI_HOLD(a); /* as in mesh.c */
+        QTRI_HOLD(b);
+        QTRI_HOLD(c);
+        if (simple && qtri_mesh_is_back(&a->at, &b->at, &c->at)) {
+            continue;
+        }
+        qtri_vertex *const vertex[3] = {a, b, c};
+        if (simple) {
+            see_solid(s, number, triangle - (narrow ? 3 : 6), vertex);
+        } else {
+            see_any(s, number, triangle - (narrow ? 3 : 6), vertex);
+        }
+    }
+}
+
+QTRI_NOINLINE static void see_complete(sorter *s)
+{
+    const qtri_mesh *mesh = s->job->mesh;
+    const bool simple = s->prepared->back_only && s->is_solid;
+    if (mesh->triangles8 != NULL) {
+        see_triangles(s, mesh->triangles8, true, simple);
+    } else if (simple) {
+        see_triangles(s, mesh->triangles, false, true);
+    } else {
+        see_triangles(s, mesh->triangles, false, false);
+    }
+}
+
+/* The same with fewer vertices than the mesh has. */
+QTRI_NOINLINE static void see_by_slots(sorter *s)
+{
+    const qtri_mesh *mesh = s->job->mesh;
+    for (uint32_t number = 0; number < mesh->triangle_count; number++) {
+        const uint8_t *triangle = triangle_at(mesh, number);
+        qtri_vertex spare[3];
+        qtri_vertex *vertex[3];
+        if (qtri_mesh_fetch_triangle(s->job, triangle, spare, vertex)) {
+            see_any(s, number, triangle, vertex);
+        }
+    }
+}
+
+/* Lists for every band, empty, and groups of a size that they are likely to hold. */
+static void begin_lists(sorter *s, qtri_prepared *prepared)
+{
+    const uint32_t bands = ((uint32_t)s->height + s->rows - 1) / s->rows;
+    const uint32_t count = prepared->mesh->triangle_count;
+    s->next = (2 * bands + BLOCK - 1) / BLOCK * BLOCK;
+    s->end = prepared->list_count < PLACES ? prepared->list_count : PLACES;
+    s->lists = prepared->lists;
+    s->rows_shift = 13;
+    while ((uint32_t)1 << (s->rows_shift - 13) < s->rows) {
+        s->rows_shift++;
+    }
+    s->rows_inverse = (((uint32_t)1 << s->rows_shift) + s->rows - 1) / s->rows;
+    s->group_log2 = 0;
+    s->group = UINT32_MAX;
+    s->is_listing = s->end >= s->next + BLOCK;
+    prepared->listed = s->is_listing ? count : 0;
+    if (!s->is_listing) {
+        return;
+    }
+    while (s->group_log2 < GROUP_LOG2_MAX && count >> s->group_log2 > s->end - s->next) {
+        s->group_log2++;
+    }
+    s->is_direct = s->group_log2 == 0 && s->next + bands * BLOCK <= s->end;
+    s->bands = bands;
+    for (uint32_t i = 0; i < bands; i++) {
+        s->lists[2 * i] = 0;
+        s->lists[2 * i + 1] = FULL;
+    }
+}
+
+/* A function of its own, so that its stack is free again. */
+QTRI_NOINLINE static bool begin(qtri_mesh_job *job, const qtri_prepared *prepared,
+                                const qtri_surface *surface, bool place)
+{
+    qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material);
+    job->vertices = prepared->vertices;
+    job->slot_count = prepared->vertex_count;
+    return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
+}
+
+static void prepare(qtri_prepared *prepared, qtri_format format)
+{
+    const qtri_mesh *mesh = prepared->mesh;
+    const qtri_rect frame = {0, 0, prepared->width, prepared->height};
+    const qtri_surface whole = {.format = format,
+                                .width = prepared->width,
+                                .height = prepared->height,
+                                .rows = prepared->height,
+                                .scissor = frame};
+    qtri_mesh_job job;
+    prepared->is_seen = false;
+    if (mesh->triangle_count == 0 || is_empty(&frame) || !begin(&job, prepared, &whole, true)) {
+        return;
+    }
+    const bool is_solid = job.material.fill == QTRI_SOLID;
+    sorter s = {.job = &job,
+                .prepared = prepared,
+                .is_complete = is_complete(prepared),
+                .is_solid = is_solid,
+                .height = prepared->height,
+                .rows = (uint32_t)prepared->rows};
+    const qtri_rect none = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+    prepared->extent_24p8 = none;
+    begin_lists(&s, prepared);
+    if (s.is_complete) {
+        const bool inside = qtri_mesh_transform(&job, 0, mesh->vertex_count, prepared->vertices);
+        prepared->back_only = inside && job.material.cull == QTRI_CULL_BACK;
+        see_complete(&s);
+    } else {
+        qtri_mesh_clear_slots(&job);
+        see_by_slots(&s);
+    }
+    list_pending(&s);
+    prepared->is_seen = true;
+    prepared->is_solid = is_solid;
+    prepared->is_anywhere = s.is_anywhere;
+    prepared->group_log2 = (uint8_t)s.group_log2;
+    prepared->is_placed = !s.is_complete || s.is_anywhere || job.lit_per_face;
+}
+
+void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const qtri_view *view,
+                       const qtri_transform *pose, const qtri_mesh *mesh,
+                       const qtri_material *material)
+{
+    prepared->view = view;
+    prepared->pose = pose;
+    prepared->mesh = mesh;
+    prepared->material = material;
+    prepared->width = frame->width;
+    prepared->height = frame->height;
+    prepared->rows = frame->rows;
+    prepare(prepared, frame->format);
+}
+
+/* ---- Changes ---- */
+
+/* The pixels that the vertices met span. */
+static qtri_rect find_bounds(const qtri_prepared *prepared)
+{
+    if (prepared->mesh == NULL || !prepared->is_seen) {
+        return nowhere;
+    }
+    if (prepared->is_anywhere) {
+        const qtri_rect frame = {0, 0, prepared->width, prepared->height};
+        return frame;
+    }
+    qtri_rect extent = prepared->extent_24p8; /* of those that have no slot */
+    if (is_complete(prepared)) {
+        for (uint32_t i = 0; i < prepared->mesh->vertex_count; i++) {
+            if (prepared->vertices[i].intensity_q15 != QTRI_VERTEX_UNLIT) {
+                widen(&extent, &prepared->vertices[i]);
+            }
+        }
+    }
+    if (extent.x0 > extent.x1) {
+        return nowhere;
+    }
+    extent.x0 = (extent.x0 + before_24p8(prepared->is_solid)) >> 8;
+    extent.y0 = (extent.y0 + before_24p8(prepared->is_solid)) >> 8;
+    extent.x1 = (extent.x1 + after_24p8(prepared->is_solid)) >> 8;
+    extent.y1 = (extent.y1 + after_24p8(prepared->is_solid)) >> 8;
+    return extent;
+}
+
+void qtri_prepared_mark(qtri_prepared *prepared, qtri_frame *frame)
+{
+    qtri_frame_mark(frame, &prepared->marked);
+    prepared->marked = find_bounds(prepared);
+    qtri_frame_mark(frame, &prepared->marked);
+}
+
+/* ---- Drawing ---- */
+
+/* Its vertices, if all are there; false when an index is past the end. */
+static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_vertex *vertex[3])
+{
+    const uint32_t count = job->mesh->vertex_count;
+    uint32_t index[3];
+    qtri_mesh_indices(index, triangle, job->mesh->triangles8 != NULL);
+    for (int i = 0; i < 3; i++) {
+        if (index[i] >= count) {
+            return false;
+        }
+        vertex[i] = &job->vertices[index[i]];
+    }
+    return true;
+}
+
+/* Triangles first..end - 1, whatever they are. */
+static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, uint32_t first,
+                       uint32_t end)
+{
+    const qtri_mesh *mesh = job->mesh;
+    const bool complete = is_complete(prepared);
+    for (; first < end; first++) {
+        const uint8_t *triangle = triangle_at(mesh, first);
+        qtri_vertex spare[3];
+        qtri_vertex *vertex[3];
+        if (!(complete ? find_triangle(job, triangle, vertex)
+                       : qtri_mesh_fetch_triangle(job, triangle, spare, vertex))) {
+            continue;
+        }
+        if (complete && prepared->back_only
+                ? !qtri_mesh_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
+                : !qtri_mesh_turned_away(job, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_seen(job, triangle, vertex);
+        }
+    }
+}
+
+static uint32_t next_group(const uint16_t *lists, uint32_t *place)
+{
+    if (*place % BLOCK == FULL) {
+        *place = lists[*place];
+    }
+    return lists[(*place)++];
+}
+
+/* Front, solid, with the material's colour and no texture or light per face; its vertices met. */
+QTRI_NOINLINE static void draw_plain(const qtri_mesh_job *job, const qtri_vertex *a,
+                                     const qtri_vertex *b, const qtri_vertex *c)
+{
+    qtri_triangle triangle;
+    triangle.p[0] = &a->at;
+    triangle.p[1] = &b->at;
+    triangle.p[2] = &c->at;
+    triangle.tinted = true;
+    triangle.area = qtri_triangle_area(&a->at, &b->at, &c->at);
+    if (!qtri_triangle_begin(&job->primitive.raster, &triangle)) {
+        return;
+    }
+    qtri_attributes attributes[3];
+    qtri_mesh_set_attributes(&attributes[0], a, a->intensity_q15);
+    qtri_mesh_set_attributes(&attributes[1], b, b->intensity_q15);
+    qtri_mesh_set_attributes(&attributes[2], c, c->intensity_q15);
+    qtri_triangle_draw(&job->primitive.raster, &triangle, attributes);
+}
+
+/* Triangles of a complete mesh that are listed one by one: all of them are seen. */
+static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place,
+                             uint32_t end, const void *triangles, bool narrow, bool plain)
+{
+    qtri_vertex *vertices = job->vertices;
+    while (place != end) {
+        const uint8_t *triangle = triangles;
+        triangle += next_group(lists, &place) * (narrow ? 3 : 6);
+        uint32_t index[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        qtri_vertex *const vertex[3] = {&vertices[index[0]], &vertices[index[1]],
+                                        &vertices[index[2]]};
+        if (plain) {
+            draw_plain(job, vertex[0], vertex[1], vertex[2]);
+        } else {
+            qtri_mesh_draw_seen(job, triangle, vertex);
+        }
+    }
+}
+
+QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepared *prepared,
+                                    uint32_t band)
+{
+    const qtri_mesh *mesh = prepared->mesh;
+    const uint16_t *lists = prepared->lists;
+    const uint32_t log2 = prepared->group_log2;
+    uint32_t place = lists[2 * band];
+    const uint32_t end = lists[2 * band + 1];
+    if (place == 0) {
+        return;
+    }
+    if (log2 == 0 && is_complete(prepared)) {
+        const bool is_plain = prepared->back_only && job->material.fill == QTRI_SOLID &&
+                              !job->more && !job->lit_per_face;
+        if (mesh->triangles8 != NULL) {
+            draw_seen(job, lists, place, end, mesh->triangles8, true, false);
+        } else if (is_plain) {
+            draw_seen(job, lists, place, end, mesh->triangles, false, true);
+        } else {
+            draw_seen(job, lists, place, end, mesh->triangles, false, false);
+        }
+        return;
+    }
+    while (place != end) {
+        const uint32_t first = next_group(lists, &place) << log2;
+        const uint32_t size = mesh->triangle_count - first < (uint32_t)1 << log2
+                                  ? mesh->triangle_count - first
+                                  : (uint32_t)1 << log2;
+        draw_range(job, prepared, first, first + size);
+    }
+}
+
+void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
+{
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    if (prepared->mesh == NULL || !prepared->is_seen || is_empty(&bounds) ||
+        surface->width != prepared->width || surface->height != prepared->height) {
+        return;
+    }
+    /* Rows of one band of the frame have a list; others look at all triangles. */
+    const uint32_t count = prepared->mesh->triangle_count;
+    const uint32_t band = (uint32_t)(bounds.y0 / prepared->rows);
+    const bool by_list =
+        prepared->listed > 0 && (uint32_t)((bounds.y1 - 1) / prepared->rows) == band;
+    const uint32_t first = by_list ? prepared->listed : 0;
+    qtri_mesh_job job;
+    if ((first >= count && prepared->lists[2 * band] == 0) ||
+        !begin(&job, prepared, surface, prepared->is_placed)) {
+        return;
+    }
+    if (!is_complete(prepared)) {
+        qtri_mesh_clear_slots(&job);
+    }
+    if (by_list) {
+        draw_list(&job, prepared, band);
+    }
+    draw_range(&job, prepared, first, count);
+}

@@ -1,0 +1,562 @@
+/*
+ * Frames in bands and prepared meshes: the pixels of the whole frame, whatever the height of the
+ * bands, their order and the memory there is; and what a frame says has changed.
+ */
+#include "support_core.h"
+
+enum { WIDTH = 56, HEIGHT = 44, RINGS = 12, SIDES = 9, VERTICES = RINGS * SIDES };
+enum { TRIANGLES = 2 * VERTICES, EXTRA = 3, LISTS = 4000 };
+
+static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+static const qtri_rgb sky = {10, 20, 30};
+
+/* ---- A torus with everything a mesh can bring, and some triangles that are none ---- */
+
+static qtri_vec3 positions[VERTICES];
+static qtri_normal normals[VERTICES];
+static qtri_vec2 uvs[VERTICES];
+static qtri_rgb colors[VERTICES];
+static qtri_position16 positions16[VERTICES];
+static qtri_normal8 normals8[VERTICES];
+static uint16_t triangles[TRIANGLES + EXTRA][3];
+static uint8_t triangles8[TRIANGLES + EXTRA][3];
+
+static const qtri_texture checker = {.format = QTRI_TEXEL_CHECKER,
+                                     .width_log2 = 5,
+                                     .height_log2 = 5,
+                                     .fields = 6,
+                                     .color = {{255, 200, 40}, {20, 60, 200}}};
+static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
+
+static int make_torus(void **state)
+{
+    (void)state;
+    const double turn = 2 * 3.14159265358979;
+    for (int i = 0; i < VERTICES; i++) {
+        double a = turn * (i / SIDES) / RINGS;
+        double b = turn * (i % SIDES) / SIDES;
+        double n[3] = {cos(b) * cos(a), cos(b) * sin(a), sin(b)};
+        double p[3] = {(1 + .45 * cos(b)) * cos(a), (1 + .45 * cos(b)) * sin(a), .45 * sin(b)};
+        positions[i] = vec3_of(p[0], p[1], p[2]);
+        normals[i].x = (int16_t)lround(16384 * n[0]);
+        normals[i].y = (int16_t)lround(16384 * n[1]);
+        normals[i].z = (int16_t)lround(16384 * n[2]);
+        normals8[i].x = (int8_t)lround(127 * n[0]);
+        normals8[i].y = (int8_t)lround(127 * n[1]);
+        normals8[i].z = (int8_t)lround(127 * n[2]);
+        positions16[i].x = (int16_t)lround(p[0] * 16384);
+        positions16[i].y = (int16_t)lround(p[1] * 16384);
+        positions16[i].z = (int16_t)lround(p[2] * 16384);
+        uvs[i].x = fixed(4.0 * (i / SIDES) / RINGS);
+        uvs[i].y = fixed(2.0 * (i % SIDES) / SIDES);
+        colors[i].r = (uint8_t)(37 * i);
+        colors[i].g = (uint8_t)(91 * i);
+        colors[i].b = (uint8_t)(153 * i);
+    }
+    for (int i = 0; i < VERTICES; i++) {
+        int right = (i + SIDES) % VERTICES;
+        int up = i / SIDES * SIDES + (i + 1) % SIDES;
+        int both = right / SIDES * SIDES + up % SIDES;
+        const int corner[6] = {i, right, both, i, both, up};
+        for (int k = 0; k < 6; k++) {
+            triangles[2 * i + k / 3][k % 3] = (uint16_t)corner[k];
+        }
+    }
+    const uint16_t extra[EXTRA][3] = {{3, VERTICES, 4}, {5, 5, 6}, {0, 40, 80}};
+    memcpy(triangles[TRIANGLES], extra, sizeof extra);
+    for (int i = 0; i < TRIANGLES + EXTRA; i++) {
+        for (int k = 0; k < 3; k++) {
+            triangles8[i][k] = (uint8_t)triangles[i][k];
+        }
+    }
+    return 0;
+}
+
+typedef struct scene {
+    qtri_mesh mesh;
+    qtri_view view;
+    qtri_transform pose;
+    qtri_material material;
+} scene;
+
+static void random_scene(scene *s, uint64_t *seed)
+{
+    const qtri_mesh wide = {.positions = positions,
+                            .triangles = (const uint16_t(*)[3])triangles,
+                            .vertex_count = VERTICES,
+                            .triangle_count = TRIANGLES + EXTRA};
+    s->mesh = wide;
+    s->mesh.normals = random_flag(seed) ? normals : NULL;
+    s->mesh.uvs = random_flag(seed) ? uvs : NULL;
+    s->mesh.colors = random_flag(seed) ? colors : NULL;
+    s->mesh.triangles8 = random_flag(seed) ? (const uint8_t(*)[3])triangles8 : NULL;
+    if (random_flag(seed)) {
+        s->mesh.positions16 = positions16;
+        s->mesh.extent = Q16(2);
+        s->mesh.normals8 = s->mesh.normals != NULL ? normals8 : NULL;
+    }
+    s->material = qtri_material_default();
+    s->material.color.g = (uint8_t)random64(seed);
+    s->material.shading = (qtri_shading)(random_in(seed, 0, 5) / 2);
+    s->material.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
+    s->material.texture = random_flag(seed) ? &checker : NULL;
+    s->material.cull = (qtri_cull)(random_in(seed, 1, 7) % 3);
+    s->material.fill = (qtri_fill)(random_in(seed, 0, 3) == 0);
+    s->material.depth_compare = (qtri_compare)(random_flag(seed) ? 2 : random_in(seed, 0, 8));
+
+    qtri_view_init(&s->view, WIDTH, HEIGHT);
+    qtri_transform_perspective(&s->view.projection, Q16(60), Q16(1.3), Q16(.5), Q16(30));
+    s->view.light = random_flag(seed) ? &sun : NULL;
+    /* From inside, cut by the near plane, to far away; partly outside of the picture. */
+    int32_t away = random_in(seed, 0, 3) == 0 ? Q16(1) : Q16(6);
+    qtri_vec3 at = {random_in(seed, Q16(-1.5), Q16(1.5)), random_in(seed, Q16(-1.5), Q16(1.5)),
+                    -random_in(seed, 0, away)};
+    qtri_transform_identity(&s->pose);
+    qtri_transform_translate(&s->pose, at);
+    qtri_transform_rotate_x(&s->pose, random_in(seed, 0, Q16(360)));
+    qtri_transform_rotate_y(&s->pose, random_in(seed, 0, Q16(360)));
+}
+
+static void draw_whole(const qtri_surface *surface, scene *s)
+{
+    static qtri_vertex vertices[QTRI_MESH_VERTICES(VERTICES)];
+    s->view.vertices = vertices;
+    s->view.vertex_count = VERTICES;
+    qtri_surface_clear(surface, sky, UINT16_MAX);
+    qtri_draw_mesh(surface, &s->view, &s->pose, &s->mesh, &s->material);
+}
+
+/* ---- The same pixels ---- */
+
+static uint8_t band_memory[QTRI_FRAME_BYTES_DOUBLE(WIDTH, HEIGHT, QTRI_XRGB8888)];
+static qtri_vertex vertex_memory[VERTICES];
+static uint16_t list_memory[LISTS];
+
+static void heights(void **state)
+{
+    (void)state;
+    uint64_t seed = 71;
+    for (int n = 0; n < 60; n++) {
+        static scene s;
+        random_scene(&s, &seed);
+        const qtri_format format = formats[n % 3];
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        draw_whole(&whole.surface, &s);
+        for (int32_t rows = 1; rows <= HEIGHT; rows++) {
+            qtri_frame frame;
+            qtri_surface band;
+            qtri_prepared prepared;
+            const bool two = random_flag(&seed);
+            const size_t bytes = two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows, format)
+                                     : QTRI_FRAME_BYTES(WIDTH, rows, format);
+            assert_int_equal(
+                qtri_frame_init(&frame, format, WIDTH, HEIGHT, rows, band_memory, bytes), QTRI_OK);
+            const uint32_t few[4] = {VERTICES, VERTICES, 20, 0};
+            const uint32_t short_lists[6] = {
+                QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, HEIGHT), LISTS, LISTS, 100, 20, 0};
+            qtri_prepared_init(&prepared, vertex_memory, few[random_in(&seed, 0, 3)], list_memory,
+                               short_lists[random_in(&seed, 0, 5)]);
+            qtri_frame_begin(&frame);
+            qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+            while (qtri_frame_next_band(&frame, &band)) {
+                qtri_surface_clear(&band, sky, UINT16_MAX);
+                qtri_draw_prepared(&band, &prepared);
+                assert_same_picture(&whole.surface, &band);
+            }
+        }
+        canvas_free(&whole);
+    }
+}
+
+/* Rows that are not the frame's bands, in any order, inside any scissor. */
+static void other_rows(void **state)
+{
+    (void)state;
+    uint64_t seed = 72;
+    for (int n = 0; n < 400; n++) {
+        static scene s;
+        random_scene(&s, &seed);
+        qtri_frame frame;
+        qtri_prepared prepared;
+        assert_int_equal(qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT,
+                                         random_in(&seed, 1, HEIGHT), band_memory,
+                                         sizeof band_memory),
+                         QTRI_OK);
+        qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
+        qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+        for (int part = 0; part < 4; part++) {
+            const int32_t first = random_in(&seed, 0, HEIGHT - 1);
+            const int32_t rows = random_in(&seed, 1, HEIGHT);
+            canvas one = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, first, rows);
+            canvas other = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, first, rows);
+            one.surface.scissor.y0 = random_in(&seed, -4, HEIGHT);
+            one.surface.scissor.x1 = random_in(&seed, 0, WIDTH + 4);
+            other.surface.scissor = one.surface.scissor;
+            draw_whole(&one.surface, &s);
+            qtri_surface_clear(&other.surface, sky, UINT16_MAX);
+            qtri_draw_prepared(&other.surface, &prepared);
+            assert_same_picture(&one.surface, &other.surface);
+            canvas_free(&one);
+            canvas_free(&other);
+        }
+    }
+}
+
+/* What two cores share is not written to while they draw. */
+static void only_reads(void **state)
+{
+    (void)state;
+    uint64_t seed = 73;
+    static qtri_vertex vertices[VERTICES];
+    static uint16_t lists[LISTS];
+    for (int n = 0; n < 600; n++) {
+        static scene s;
+        random_scene(&s, &seed);
+        qtri_frame frame;
+        qtri_surface band;
+        qtri_prepared prepared;
+        assert_int_equal(qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT,
+                                         random_in(&seed, 1, HEIGHT), band_memory,
+                                         sizeof band_memory),
+                         QTRI_OK);
+        const uint32_t list_count = (uint32_t)random_in(&seed, 0, 2) * 150;
+        qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, list_count);
+        qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+        memcpy(vertices, vertex_memory, sizeof vertices);
+        memcpy(lists, list_memory, sizeof lists);
+        while (qtri_frame_next_band(&frame, &band)) {
+            qtri_draw_prepared(&band, &prepared);
+        }
+        canvas odd = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, 3, HEIGHT);
+        qtri_draw_prepared(&odd.surface, &prepared);
+        canvas_free(&odd);
+        assert_memory_equal(vertices, vertex_memory, sizeof vertices);
+        assert_memory_equal(lists, list_memory, sizeof lists);
+    }
+}
+
+/* Nothing before it is prepared, of an empty mesh, and into frames of another size. */
+static void nothing_drawn(void **state)
+{
+    (void)state;
+    uint64_t seed = 74;
+    scene s;
+    random_scene(&s, &seed);
+    canvas c = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    canvas black = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    qtri_frame frame;
+    qtri_prepared prepared;
+    assert_int_equal(
+        qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT - 1, 7, band_memory, sizeof band_memory),
+        QTRI_OK);
+    qtri_prepared_init(&prepared, NULL, 0, NULL, 0);
+    qtri_draw_prepared(&c.surface, &prepared);
+    qtri_prepared_mark(&prepared, &frame);
+    qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+    qtri_draw_prepared(&c.surface, &prepared);
+    s.mesh.triangle_count = 0;
+    assert_int_equal(
+        qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT, 7, band_memory, sizeof band_memory),
+        QTRI_OK);
+    qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+    qtri_draw_prepared(&c.surface, &prepared);
+    assert_same_picture(&black.surface, &c.surface);
+    /* A frame that could not be made. */
+    assert_int_equal(
+        qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT, 0, band_memory, sizeof band_memory),
+        QTRI_ERROR_SIZE);
+    s.mesh.triangle_count = TRIANGLES;
+    qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
+    qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+    qtri_prepared_mark(&prepared, &frame);
+    qtri_draw_prepared(&c.surface, &prepared);
+    assert_same_picture(&black.surface, &c.surface);
+    canvas_free(&c);
+    canvas_free(&black);
+}
+
+/* ---- Frames ---- */
+
+static void sizes(void **state)
+{
+    (void)state;
+    struct {
+        int32_t width, height, rows;
+        enum qtri_error error;
+    } cases[] = {{WIDTH, HEIGHT, 5, QTRI_OK},
+                 {WIDTH, 1, HEIGHT, QTRI_OK},
+                 {0, HEIGHT, 5, QTRI_ERROR_SIZE},
+                 {WIDTH, 0, 5, QTRI_ERROR_SIZE},
+                 {WIDTH, HEIGHT, 0, QTRI_ERROR_SIZE},
+                 {WIDTH, HEIGHT, INT32_MIN, QTRI_ERROR_SIZE},
+                 {QTRI_SURFACE_MAX + 1, HEIGHT, 5, QTRI_ERROR_SIZE},
+                 {WIDTH, QTRI_SURFACE_MAX + 1, 5, QTRI_ERROR_SIZE},
+                 {WIDTH, HEIGHT, INT32_MAX, QTRI_ERROR_SIZE},
+                 {QTRI_SURFACE_MAX, QTRI_SURFACE_MAX, QTRI_SURFACE_MAX, QTRI_ERROR_MEMORY}};
+    for (size_t i = 0; i < LENGTH_OF(cases); i++) {
+        qtri_frame frame;
+        qtri_surface band;
+        assert_int_equal(qtri_frame_init(&frame, QTRI_XRGB8888, cases[i].width, cases[i].height,
+                                         cases[i].rows, band_memory, sizeof band_memory),
+                         cases[i].error);
+        qtri_frame_begin(&frame);
+        assert_true(qtri_frame_next_band(&frame, &band) == (cases[i].error == QTRI_OK));
+        const qtri_rect r = qtri_frame_changes(&frame);
+        assert_true((r.x1 > 0) == (cases[i].error == QTRI_OK));
+    }
+    static uint8_t exact[QTRI_FRAME_BYTES(9, 3, QTRI_GRAY8)];
+    qtri_frame frame;
+    assert_int_equal(qtri_frame_init(&frame, QTRI_GRAY8, 9, 9, 3, exact, sizeof exact), QTRI_OK);
+    assert_int_equal(qtri_frame_init(&frame, QTRI_GRAY8, 9, 9, 3, exact, sizeof exact - 1),
+                     QTRI_ERROR_MEMORY);
+}
+
+/* Each row once, in order; buffers alternate, are aligned, apart and inside the memory. */
+static void bands(void **state)
+{
+    (void)state;
+    static uint8_t memory[QTRI_FRAME_BYTES_DOUBLE(13, 9, QTRI_XRGB8888) + 8];
+    for (int n = 0; n < 9 * 3 * 2 * 4; n++) {
+        const int32_t rows = n % 9 + 1;
+        const qtri_format format = formats[n / 9 % 3];
+        const bool two = n / 27 % 2 != 0;
+        uint8_t *start = memory + n / 54;
+        const size_t bytes =
+            two ? QTRI_FRAME_BYTES_DOUBLE(13, rows, format) : QTRI_FRAME_BYTES(13, rows, format);
+        qtri_frame frame;
+        qtri_surface band;
+        assert_int_equal(qtri_frame_init(&frame, format, 13, 9, rows, start, bytes), QTRI_OK);
+        const uint8_t *last = NULL;
+        for (int turn = 0; turn < 3; turn++) {
+            int32_t next = 0;
+            qtri_frame_begin(&frame);
+            while (qtri_frame_next_band(&frame, &band)) {
+                const int32_t expected = rows < 9 - next ? rows : 9 - next;
+                const ptrdiff_t size = rows * band.pitch;
+                assert_int_equal(band.first_row, next);
+                assert_int_equal(band.rows, expected);
+                assert_int_equal((uintptr_t)band.pixels % 4, 0);
+                assert_true(band.pixels >= start && band.pixels + size <= start + bytes);
+                assert_true((uint8_t *)band.depth >= start);
+                assert_true((uint8_t *)(band.depth + 13 * rows) <= start + bytes);
+                assert_true((uint8_t *)band.depth >= band.pixels + size ||
+                            (uint8_t *)(band.depth + 13 * rows) <= band.pixels);
+                if (last != NULL && two) {
+                    assert_true(band.pixels >= last + size || band.pixels + size <= last);
+                } else if (last != NULL) {
+                    assert_ptr_equal(band.pixels, last);
+                }
+                last = band.pixels;
+                next += expected;
+            }
+            assert_int_equal(next, 9);
+            assert_false(qtri_frame_next_band(&frame, &band));
+        }
+    }
+}
+
+/* Several frames share the bands: each one once. */
+static void shares(void **state)
+{
+    (void)state;
+    for (int32_t parts = 1; parts <= 5; parts++) {
+        int seen[HEIGHT] = {0};
+        for (int32_t part = 0; part < parts; part++) {
+            qtri_frame frame;
+            qtri_surface band;
+            assert_int_equal(
+                qtri_frame_init(&frame, QTRI_GRAY8, 8, HEIGHT, 3, band_memory, sizeof band_memory),
+                QTRI_OK);
+            qtri_frame_share(&frame, part, parts);
+            while (qtri_frame_next_band(&frame, &band)) {
+                for (int32_t y = 0; y < band.rows; y++) {
+                    seen[band.first_row + y]++;
+                }
+            }
+        }
+        for (int y = 0; y < HEIGHT; y++) {
+            assert_int_equal(seen[y], 1);
+        }
+    }
+    qtri_frame frame;
+    qtri_surface band;
+    assert_int_equal(
+        qtri_frame_init(&frame, QTRI_GRAY8, 8, HEIGHT, 3, band_memory, sizeof band_memory),
+        QTRI_OK);
+    qtri_frame_share(&frame, INT32_MAX, INT32_MIN);
+    assert_false(qtri_frame_next_band(&frame, &band));
+    qtri_frame_share(&frame, INT32_MIN, INT32_MAX);
+    assert_true(qtri_frame_next_band(&frame, &band));
+    assert_false(qtri_frame_next_band(&frame, &band));
+}
+
+static void assert_rect(qtri_rect r, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
+{
+    if (r.x0 != x0 || r.y0 != y0 || r.x1 != x1 || r.y1 != y1) {
+        fail_msg("%d %d %d %d", (int)r.x0, (int)r.y0, (int)r.x1, (int)r.y1);
+    }
+}
+
+static void marks(void **state)
+{
+    (void)state;
+    qtri_frame frame;
+    qtri_surface band;
+    assert_int_equal(
+        qtri_frame_init(&frame, QTRI_GRAY8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory),
+        QTRI_OK);
+    qtri_frame_begin(&frame);
+    assert_rect(qtri_frame_changes(&frame), 0, 0, WIDTH, HEIGHT); /* the first frame */
+    assert_true(qtri_frame_next_band(&frame, &band));
+    qtri_frame_begin(&frame);
+    assert_rect(qtri_frame_changes(&frame), 0, 0, 0, 0);
+    const qtri_rect none[3] = {
+        {5, 5, 5, 9}, {WIDTH, 0, WIDTH + 9, HEIGHT}, {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN}};
+    for (int i = 0; i < 3; i++) {
+        qtri_frame_mark(&frame, &none[i]);
+        assert_rect(qtri_frame_changes(&frame), 0, 0, 0, 0);
+    }
+    qtri_frame_only_changes(&frame);
+    assert_false(qtri_frame_next_band(&frame, &band));
+    const qtri_rect one = {7, 17, 9, 19};
+    const qtri_rect two = {8, 10, 30, 17};
+    const qtri_rect all = {INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
+    qtri_frame_begin(&frame);
+    qtri_frame_mark(&frame, &one);
+    assert_rect(qtri_frame_changes(&frame), 7, 17, 9, 19);
+    qtri_frame_mark(&frame, &two);
+    assert_rect(qtri_frame_changes(&frame), 7, 10, 30, 19);
+    qtri_frame_only_changes(&frame);
+    for (int32_t row = 8; row <= 16; row += 8) {
+        assert_true(qtri_frame_next_band(&frame, &band));
+        assert_int_equal(band.first_row, row);
+        assert_rect(qtri_surface_bounds(&band), 7, row == 8 ? 10 : 16, 30, row == 8 ? 16 : 19);
+    }
+    assert_false(qtri_frame_next_band(&frame, &band));
+    qtri_frame_begin(&frame);
+    assert_true(qtri_frame_next_band(&frame, &band));
+    assert_int_equal(band.first_row, 0);
+    assert_rect(band.scissor, 0, 0, WIDTH, HEIGHT);
+    qtri_frame_mark(&frame, &all);
+    assert_rect(qtri_frame_changes(&frame), 0, 0, WIDTH, HEIGHT);
+}
+
+/* A display that only gets what has changed shows the same picture as one that gets all. */
+static void display(void **state)
+{
+    (void)state;
+    uint64_t seed = 75;
+    int small = 0;
+    for (int n = 0; n < 40; n++) {
+        const qtri_format format = formats[n % 3];
+        canvas shown = canvas_new(format, WIDTH, HEIGHT);
+        qtri_frame frame;
+        qtri_surface band;
+        qtri_prepared prepared[2];
+        scene s[2];
+        static qtri_vertex vertices[2][VERTICES];
+        static uint16_t lists[2][LISTS];
+        assert_int_equal(qtri_frame_init(&frame, format, WIDTH, HEIGHT, random_in(&seed, 1, HEIGHT),
+                                         band_memory, sizeof band_memory),
+                         QTRI_OK);
+        for (int i = 0; i < 2; i++) {
+            random_scene(&s[i], &seed);
+            qtri_prepared_init(&prepared[i], vertices[i], random_flag(&seed) ? VERTICES : 30,
+                               lists[i], LISTS);
+        }
+        for (int step = 0; step < 8; step++) {
+            qtri_frame_begin(&frame);
+            canvas whole = canvas_new(format, WIDTH, HEIGHT);
+            qtri_surface_clear(&whole.surface, sky, UINT16_MAX);
+            for (int i = 0; i < 2; i++) {
+                const bool moves = random_flag(&seed);
+                if (moves) {
+                    const qtri_vec3 by = {random_in(&seed, Q16(-.5), Q16(.5)), 0, Q16(-.25)};
+                    qtri_transform_translate(&s[i].pose, by);
+                    qtri_transform_rotate_y(&s[i].pose, Q16(25));
+                }
+                qtri_prepare_mesh(&prepared[i], &frame, &s[i].view, &s[i].pose, &s[i].mesh,
+                                  &s[i].material);
+                if (moves || step == 0) {
+                    qtri_prepared_mark(&prepared[i], &frame);
+                }
+                s[i].view.vertices = NULL;
+                s[i].view.vertex_count = 0;
+                qtri_draw_mesh(&whole.surface, &s[i].view, &s[i].pose, &s[i].mesh, &s[i].material);
+            }
+            const qtri_rect changed = qtri_frame_changes(&frame);
+            small += changed.x1 - changed.x0 < WIDTH;
+            qtri_frame_only_changes(&frame);
+            while (qtri_frame_next_band(&frame, &band)) {
+                qtri_surface_clear(&band, sky, UINT16_MAX);
+                qtri_draw_prepared(&band, &prepared[0]);
+                qtri_draw_prepared(&band, &prepared[1]);
+                const qtri_rect sent = qtri_surface_bounds(&band);
+                const size_t pixel = QTRI_FORMAT_BYTES(format);
+                for (int32_t y = sent.y0; y < sent.y1; y++) {
+                    memcpy(shown.surface.pixels + y * shown.surface.pitch + (size_t)sent.x0 * pixel,
+                           band.pixels + (y - band.first_row) * band.pitch +
+                               (size_t)sent.x0 * pixel,
+                           (size_t)(sent.x1 - sent.x0) * pixel);
+                }
+            }
+            assert_memory_equal(shown.surface.pixels, whole.surface.pixels,
+                                (size_t)(whole.surface.pitch * HEIGHT));
+            canvas_free(&whole);
+        }
+        canvas_free(&shown);
+    }
+    assert_true(small > 40); /* of 320 frames: it does say less than everything */
+}
+
+/* The rectangle of a mesh inside the picture, to the pixel. */
+static void tight(void **state)
+{
+    (void)state;
+    qtri_frame frame;
+    qtri_surface band;
+    qtri_prepared prepared;
+    uint64_t seed = 76;
+    scene s;
+    random_scene(&s, &seed);
+    s.material = plain_material();
+    s.mesh.triangles8 = NULL;
+    qtri_transform_identity(&s.pose);
+    const qtri_vec3 at = {0, 0, Q16(-5)};
+    qtri_transform_translate(&s.pose, at);
+    assert_int_equal(
+        qtri_frame_init(&frame, QTRI_GRAY8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory),
+        QTRI_OK);
+    assert_true(qtri_frame_next_band(&frame, &band));
+    qtri_frame_begin(&frame);
+    qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
+    qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+    qtri_prepared_mark(&prepared, &frame);
+    canvas c = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    qtri_draw_prepared(&c.surface, &prepared);
+    qtri_rect seen = {WIDTH, HEIGHT, 0, 0};
+    for (int32_t y = 0; y < HEIGHT; y++) {
+        for (int32_t x = 0; x < WIDTH; x++) {
+            if (stored_pixel(&c.surface, x, y) != 0) {
+                seen.x0 = x < seen.x0 ? x : seen.x0;
+                seen.y0 = y < seen.y0 ? y : seen.y0;
+                seen.x1 = x >= seen.x1 ? x + 1 : seen.x1;
+                seen.y1 = y >= seen.y1 ? y + 1 : seen.y1;
+            }
+        }
+    }
+    assert_true(seen.x0 > 0 && seen.x1 < WIDTH);
+    assert_rect(qtri_frame_changes(&frame), seen.x0, seen.y0, seen.x1, seen.y1);
+    canvas_free(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(heights), cmocka_unit_test(other_rows),    cmocka_unit_test(only_reads),
+        cmocka_unit_test(sizes),   cmocka_unit_test(nothing_drawn), cmocka_unit_test(bands),
+        cmocka_unit_test(shares),  cmocka_unit_test(marks),         cmocka_unit_test(display),
+        cmocka_unit_test(tight),
+    };
+    return cmocka_run_group_tests_name("core frame", tests, make_torus, NULL);
+}
