@@ -1,18 +1,6 @@
-/*
- * Lists of triangles by band. In the caller's memory, one after another:
- *
- *   for every band: the place of its first entry, 0 for none; the place after its last
- *   blocks of eight: seven entries and the place of the list's next block
- *
- * Places count elements from the start. An entry is the number of a group of 2^group_log2 triangles
- * that follow each other in the mesh; it is in the list of every band that one of them may touch.
- * Lists are in the order of the mesh, as drawing is: where depths are equal, it decides.
- */
-#include "qtri/prepared.h"
+#include "prepared_lists.h"
 
-#include "mesh_job.h"
-
-enum { BLOCK = 8, FULL = BLOCK - 1, PLACES = 65536, GROUP_LOG2_MAX = 16 };
+enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
 
 static const qtri_rect nowhere = {0, 0, 0, 0};
 
@@ -36,26 +24,6 @@ static int32_t greatest(int32_t a, int32_t b)
 {
     return a > b ? a : b;
 }
-
-static bool is_empty(const qtri_rect *rect)
-{
-    return rect->x0 >= rect->x1 || rect->y0 >= rect->y1;
-}
-
-/* A vertex for every vertex of the mesh. */
-static bool is_complete(const qtri_prepared *prepared)
-{
-    return prepared->vertex_count >= prepared->mesh->vertex_count;
-}
-
-/* The triangle's indices in the mesh. */
-static const uint8_t *triangle_at(const qtri_mesh *mesh, uint32_t number)
-{
-    return mesh->triangles8 != NULL ? mesh->triangles8[number]
-                                    : (const uint8_t *)mesh->triangles[number];
-}
-
-/* ---- Preparing ---- */
 
 typedef struct sorter {
     const qtri_mesh_job *job;
@@ -153,8 +121,8 @@ QTRI_NOINLINE static uint32_t add_block(sorter *s, uint32_t band, uint32_t place
 {
     uint32_t block = s->next;
     s->lists[s->lists[2 * band] == 0 ? 2 * band : place] = (uint16_t)block;
-    s->next += BLOCK;
-    s->is_direct = s->is_direct && s->next + s->bands * BLOCK <= s->end;
+    s->next += QTRI_LIST_BLOCK;
+    s->is_direct = s->is_direct && s->next + s->bands * QTRI_LIST_BLOCK <= s->end;
     return block;
 }
 
@@ -163,7 +131,7 @@ static inline void append(sorter *s, uint32_t band, uint32_t group)
 {
     uint16_t *list = &s->lists[2 * band];
     uint32_t place = list[1];
-    if (place % BLOCK == FULL) {
+    if (place % QTRI_LIST_BLOCK == QTRI_LIST_FULL) {
         place = add_block(s, band, place);
     }
     s->lists[place] = (uint16_t)group;
@@ -184,7 +152,7 @@ static void list_group(sorter *s, uint32_t group, int32_t top, int32_t bottom)
 {
     const uint32_t band = band_of(s, (uint32_t)top);
     const uint32_t last = band_of(s, (uint32_t)bottom - 1);
-    if (s->next + (last - band + 1) * BLOCK <= s->end) {
+    if (s->next + (last - band + 1) * QTRI_LIST_BLOCK <= s->end) {
         append_to_all(s, band, last, group);
     } else {
         s->is_listing = false;
@@ -318,7 +286,7 @@ QTRI_NOINLINE static void see_by_slots(sorter *s)
 {
     const qtri_mesh *mesh = s->job->mesh;
     for (uint32_t number = 0; number < mesh->triangle_count; number++) {
-        const uint8_t *triangle = triangle_at(mesh, number);
+        const uint8_t *triangle = qtri_prepared_triangle(mesh, number);
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
         if (qtri_mesh_fetch_triangle(s->job, triangle, spare, vertex)) {
@@ -332,7 +300,7 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
 {
     const uint32_t bands = ((uint32_t)s->height + s->rows - 1) / s->rows;
     const uint32_t count = prepared->mesh->triangle_count;
-    s->next = (2 * bands + BLOCK - 1) / BLOCK * BLOCK;
+    s->next = (2 * bands + QTRI_LIST_BLOCK - 1) / QTRI_LIST_BLOCK * QTRI_LIST_BLOCK;
     s->end = prepared->list_count < PLACES ? prepared->list_count : PLACES;
     s->lists = prepared->lists;
     s->rows_shift = 13;
@@ -342,7 +310,7 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
     s->rows_inverse = (((uint32_t)1 << s->rows_shift) + s->rows - 1) / s->rows;
     s->group_log2 = 0;
     s->group = UINT32_MAX;
-    s->is_listing = s->end >= s->next + BLOCK;
+    s->is_listing = s->end >= s->next + QTRI_LIST_BLOCK;
     prepared->listed = s->is_listing ? count : 0;
     if (!s->is_listing) {
         return;
@@ -350,17 +318,17 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
     while (s->group_log2 < GROUP_LOG2_MAX && count >> s->group_log2 > s->end - s->next) {
         s->group_log2++;
     }
-    s->is_direct = s->group_log2 == 0 && s->next + bands * BLOCK <= s->end;
+    s->is_direct = s->group_log2 == 0 && s->next + bands * QTRI_LIST_BLOCK <= s->end;
     s->bands = bands;
     for (uint32_t i = 0; i < bands; i++) {
         s->lists[2 * i] = 0;
-        s->lists[2 * i + 1] = FULL;
+        s->lists[2 * i + 1] = QTRI_LIST_FULL;
     }
 }
 
 /* A function of its own, so that its stack is free again. */
-QTRI_NOINLINE static bool begin(qtri_mesh_job *job, const qtri_prepared *prepared,
-                                const qtri_surface *surface, bool place)
+bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
+                         const qtri_surface *surface, bool place)
 {
     qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material);
     job->vertices = prepared->vertices;
@@ -379,13 +347,14 @@ static void prepare(qtri_prepared *prepared, qtri_format format)
                                 .scissor = frame};
     qtri_mesh_job job;
     prepared->is_seen = false;
-    if (mesh->triangle_count == 0 || is_empty(&frame) || !begin(&job, prepared, &whole, true)) {
+    if (mesh->triangle_count == 0 || qtri_rect_is_empty(&frame) ||
+        !qtri_prepared_begin(&job, prepared, &whole, true)) {
         return;
     }
     const bool is_solid = job.material.fill == QTRI_SOLID;
     sorter s = {.job = &job,
                 .prepared = prepared,
-                .is_complete = is_complete(prepared),
+                .is_complete = qtri_prepared_is_complete(prepared),
                 .is_solid = is_solid,
                 .height = prepared->height,
                 .rows = (uint32_t)prepared->rows};
@@ -422,8 +391,6 @@ void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const q
     prepare(prepared, frame->format);
 }
 
-/* ---- Changes ---- */
-
 /* The pixels that the vertices met span. */
 static qtri_rect find_bounds(const qtri_prepared *prepared)
 {
@@ -435,7 +402,7 @@ static qtri_rect find_bounds(const qtri_prepared *prepared)
         return frame;
     }
     qtri_rect extent = prepared->extent_24p8; /* of those that have no slot */
-    if (is_complete(prepared)) {
+    if (qtri_prepared_is_complete(prepared)) {
         for (uint32_t i = 0; i < prepared->mesh->vertex_count; i++) {
             if (prepared->vertices[i].intensity_q15 != QTRI_VERTEX_UNLIT) {
                 widen(&extent, &prepared->vertices[i]);
@@ -457,150 +424,4 @@ void qtri_prepared_mark(qtri_prepared *prepared, qtri_frame *frame)
     qtri_frame_mark(frame, &prepared->marked);
     prepared->marked = find_bounds(prepared);
     qtri_frame_mark(frame, &prepared->marked);
-}
-
-/* ---- Drawing ---- */
-
-/* Its vertices, if all are there; false when an index is past the end. */
-static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_vertex *vertex[3])
-{
-    const uint32_t count = job->mesh->vertex_count;
-    uint32_t index[3];
-    qtri_mesh_indices(index, triangle, job->mesh->triangles8 != NULL);
-    for (int i = 0; i < 3; i++) {
-        if (index[i] >= count) {
-            return false;
-        }
-        vertex[i] = &job->vertices[index[i]];
-    }
-    return true;
-}
-
-/* Triangles first..end - 1, whatever they are. */
-static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, uint32_t first,
-                       uint32_t end)
-{
-    const qtri_mesh *mesh = job->mesh;
-    const bool complete = is_complete(prepared);
-    for (; first < end; first++) {
-        const uint8_t *triangle = triangle_at(mesh, first);
-        qtri_vertex spare[3];
-        qtri_vertex *vertex[3];
-        if (!(complete ? find_triangle(job, triangle, vertex)
-                       : qtri_mesh_fetch_triangle(job, triangle, spare, vertex))) {
-            continue;
-        }
-        if (complete && prepared->back_only
-                ? !qtri_mesh_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
-                : !qtri_mesh_turned_away(job, vertex[0], vertex[1], vertex[2])) {
-            qtri_mesh_draw_seen(job, triangle, vertex);
-        }
-    }
-}
-
-static uint32_t next_group(const uint16_t *lists, uint32_t *place)
-{
-    if (*place % BLOCK == FULL) {
-        *place = lists[*place];
-    }
-    return lists[(*place)++];
-}
-
-/* Front, solid, with the material's colour and no texture or light per face; its vertices met. */
-QTRI_NOINLINE static void draw_plain(const qtri_mesh_job *job, const qtri_vertex *a,
-                                     const qtri_vertex *b, const qtri_vertex *c)
-{
-    qtri_triangle triangle;
-    triangle.p[0] = &a->at;
-    triangle.p[1] = &b->at;
-    triangle.p[2] = &c->at;
-    triangle.tinted = true;
-    triangle.area = qtri_triangle_area(&a->at, &b->at, &c->at);
-    if (!qtri_triangle_begin(&job->primitive.raster, &triangle)) {
-        return;
-    }
-    qtri_attributes attributes[3];
-    qtri_mesh_set_attributes(&attributes[0], a, a->intensity_q15);
-    qtri_mesh_set_attributes(&attributes[1], b, b->intensity_q15);
-    qtri_mesh_set_attributes(&attributes[2], c, c->intensity_q15);
-    qtri_triangle_draw(&job->primitive.raster, &triangle, attributes);
-}
-
-/* Triangles of a complete mesh that are listed one by one: all of them are seen. */
-static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place,
-                             uint32_t end, const void *triangles, bool narrow, bool plain)
-{
-    qtri_vertex *vertices = job->vertices;
-    while (place != end) {
-        const uint8_t *triangle = triangles;
-        triangle += next_group(lists, &place) * (narrow ? 3 : 6);
-        uint32_t index[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_vertex *const vertex[3] = {&vertices[index[0]], &vertices[index[1]],
-                                        &vertices[index[2]]};
-        if (plain) {
-            draw_plain(job, vertex[0], vertex[1], vertex[2]);
-        } else {
-            qtri_mesh_draw_seen(job, triangle, vertex);
-        }
-    }
-}
-
-QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepared *prepared,
-                                    uint32_t band)
-{
-    const qtri_mesh *mesh = prepared->mesh;
-    const uint16_t *lists = prepared->lists;
-    const uint32_t log2 = prepared->group_log2;
-    uint32_t place = lists[2 * band];
-    const uint32_t end = lists[2 * band + 1];
-    if (place == 0) {
-        return;
-    }
-    if (log2 == 0 && is_complete(prepared)) {
-        const bool is_plain = prepared->back_only && job->material.fill == QTRI_SOLID &&
-                              !job->more && !job->lit_per_face;
-        if (mesh->triangles8 != NULL) {
-            draw_seen(job, lists, place, end, mesh->triangles8, true, false);
-        } else if (is_plain) {
-            draw_seen(job, lists, place, end, mesh->triangles, false, true);
-        } else {
-            draw_seen(job, lists, place, end, mesh->triangles, false, false);
-        }
-        return;
-    }
-    while (place != end) {
-        const uint32_t first = next_group(lists, &place) << log2;
-        const uint32_t size = mesh->triangle_count - first < (uint32_t)1 << log2
-                                  ? mesh->triangle_count - first
-                                  : (uint32_t)1 << log2;
-        draw_range(job, prepared, first, first + size);
-    }
-}
-
-void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
-{
-    const qtri_rect bounds = qtri_surface_bounds(surface);
-    if (prepared->mesh == NULL || !prepared->is_seen || is_empty(&bounds) ||
-        surface->width != prepared->width || surface->height != prepared->height) {
-        return;
-    }
-    /* Rows of one band of the frame have a list; others look at all triangles. */
-    const uint32_t count = prepared->mesh->triangle_count;
-    const uint32_t band = (uint32_t)(bounds.y0 / prepared->rows);
-    const bool by_list =
-        prepared->listed > 0 && (uint32_t)((bounds.y1 - 1) / prepared->rows) == band;
-    const uint32_t first = by_list ? prepared->listed : 0;
-    qtri_mesh_job job;
-    if ((first >= count && prepared->lists[2 * band] == 0) ||
-        !begin(&job, prepared, surface, prepared->is_placed)) {
-        return;
-    }
-    if (!is_complete(prepared)) {
-        qtri_mesh_clear_slots(&job);
-    }
-    if (by_list) {
-        draw_list(&job, prepared, band);
-    }
-    draw_range(&job, prepared, first, count);
 }

@@ -1,0 +1,145 @@
+#include "prepared_lists.h"
+
+/* Its vertices, if all are there; false when an index is past the end. */
+static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_vertex *vertex[3])
+{
+    const uint32_t count = job->mesh->vertex_count;
+    uint32_t index[3];
+    qtri_mesh_indices(index, triangle, job->mesh->triangles8 != NULL);
+    for (int i = 0; i < 3; i++) {
+        if (index[i] >= count) {
+            return false;
+        }
+        vertex[i] = &job->vertices[index[i]];
+    }
+    return true;
+}
+
+/* Triangles first..end - 1, whatever they are. */
+static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, uint32_t first,
+                       uint32_t end)
+{
+    const qtri_mesh *mesh = job->mesh;
+    const bool complete = qtri_prepared_is_complete(prepared);
+    for (; first < end; first++) {
+        const uint8_t *triangle = qtri_prepared_triangle(mesh, first);
+        qtri_vertex spare[3];
+        qtri_vertex *vertex[3];
+        if (!(complete ? find_triangle(job, triangle, vertex)
+                       : qtri_mesh_fetch_triangle(job, triangle, spare, vertex))) {
+            continue;
+        }
+        if (complete && prepared->back_only
+                ? !qtri_mesh_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
+                : !qtri_mesh_turned_away(job, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_seen(job, triangle, vertex);
+        }
+    }
+}
+
+static uint32_t next_group(const uint16_t *lists, uint32_t *place)
+{
+    if (*place % QTRI_LIST_BLOCK == QTRI_LIST_FULL) {
+        *place = lists[*place];
+    }
+    return lists[(*place)++];
+}
+
+/* Front, solid, with the material's colour and no texture or light per face; its vertices met. */
+QTRI_NOINLINE static void draw_plain(const qtri_mesh_job *job, const qtri_vertex *a,
+                                     const qtri_vertex *b, const qtri_vertex *c)
+{
+    qtri_triangle triangle;
+    triangle.p[0] = &a->at;
+    triangle.p[1] = &b->at;
+    triangle.p[2] = &c->at;
+    triangle.tinted = true;
+    triangle.area = qtri_triangle_area(&a->at, &b->at, &c->at);
+    if (!qtri_triangle_begin(&job->primitive.raster, &triangle)) {
+        return;
+    }
+    qtri_attributes attributes[3];
+    qtri_mesh_set_attributes(&attributes[0], a, a->intensity_q15);
+    qtri_mesh_set_attributes(&attributes[1], b, b->intensity_q15);
+    qtri_mesh_set_attributes(&attributes[2], c, c->intensity_q15);
+    qtri_triangle_draw(&job->primitive.raster, &triangle, attributes);
+}
+
+/* Triangles of a complete mesh that are listed one by one: all of them are seen. */
+static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place,
+                             uint32_t end, const void *triangles, bool narrow, bool plain)
+{
+    qtri_vertex *vertices = job->vertices;
+    while (place != end) {
+        const uint8_t *triangle = triangles;
+        triangle += next_group(lists, &place) * (narrow ? 3 : 6);
+        uint32_t index[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        qtri_vertex *const vertex[3] = {&vertices[index[0]], &vertices[index[1]],
+                                        &vertices[index[2]]};
+        if (plain) {
+            draw_plain(job, vertex[0], vertex[1], vertex[2]);
+        } else {
+            qtri_mesh_draw_seen(job, triangle, vertex);
+        }
+    }
+}
+
+QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepared *prepared,
+                                    uint32_t band)
+{
+    const qtri_mesh *mesh = prepared->mesh;
+    const uint16_t *lists = prepared->lists;
+    const uint32_t log2 = prepared->group_log2;
+    uint32_t place = lists[2 * band];
+    const uint32_t end = lists[2 * band + 1];
+    if (place == 0) {
+        return;
+    }
+    if (log2 == 0 && qtri_prepared_is_complete(prepared)) {
+        const bool is_plain = prepared->back_only && job->material.fill == QTRI_SOLID &&
+                              !job->more && !job->lit_per_face;
+        if (mesh->triangles8 != NULL) {
+            draw_seen(job, lists, place, end, mesh->triangles8, true, false);
+        } else if (is_plain) {
+            draw_seen(job, lists, place, end, mesh->triangles, false, true);
+        } else {
+            draw_seen(job, lists, place, end, mesh->triangles, false, false);
+        }
+        return;
+    }
+    while (place != end) {
+        const uint32_t first = next_group(lists, &place) << log2;
+        const uint32_t size = mesh->triangle_count - first < (uint32_t)1 << log2
+                                  ? mesh->triangle_count - first
+                                  : (uint32_t)1 << log2;
+        draw_range(job, prepared, first, first + size);
+    }
+}
+
+void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
+{
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    if (prepared->mesh == NULL || !prepared->is_seen || qtri_rect_is_empty(&bounds) ||
+        surface->width != prepared->width || surface->height != prepared->height) {
+        return;
+    }
+    /* Rows of one band of the frame have a list; others look at all triangles. */
+    const uint32_t count = prepared->mesh->triangle_count;
+    const uint32_t band = (uint32_t)(bounds.y0 / prepared->rows);
+    const bool by_list =
+        prepared->listed > 0 && (uint32_t)((bounds.y1 - 1) / prepared->rows) == band;
+    const uint32_t first = by_list ? prepared->listed : 0;
+    qtri_mesh_job job;
+    if ((first >= count && prepared->lists[2 * band] == 0) ||
+        !qtri_prepared_begin(&job, prepared, surface, prepared->is_placed)) {
+        return;
+    }
+    if (!qtri_prepared_is_complete(prepared)) {
+        qtri_mesh_clear_slots(&job);
+    }
+    if (by_list) {
+        draw_list(&job, prepared, band);
+    }
+    draw_range(&job, prepared, first, count);
+}

@@ -1,0 +1,44 @@
+/*
+ * Lists of triangles by band. In the caller's memory, one after another:
+ *
+ *   for every band: the place of its first entry, 0 for none; the place after its last
+ *   blocks of eight: seven entries and the place of the list's next block
+ *
+ * Places count elements from the start. An entry is the number of a group of 2^group_log2 triangles
+ * that follow each other in the mesh; it is in the list of every band that one of them may touch.
+ * Lists are in the order of the mesh, as drawing is: where depths are equal, it decides.
+ *
+ * prepared.c makes them, prepared_draw.c reads them. Internal.
+ */
+#ifndef QTRI_DRAW_PREPARED_LISTS_H
+#define QTRI_DRAW_PREPARED_LISTS_H
+
+#include "qtri/prepared.h"
+
+#include "mesh_job.h"
+
+enum { QTRI_LIST_BLOCK = 8, QTRI_LIST_FULL = QTRI_LIST_BLOCK - 1 };
+
+static inline bool qtri_rect_is_empty(const qtri_rect *rect)
+{
+    return rect->x0 >= rect->x1 || rect->y0 >= rect->y1;
+}
+
+/* A vertex for every vertex of the mesh. */
+static inline bool qtri_prepared_is_complete(const qtri_prepared *prepared)
+{
+    return prepared->vertex_count >= prepared->mesh->vertex_count;
+}
+
+/* The triangle's indices in the mesh. */
+static inline const uint8_t *qtri_prepared_triangle(const qtri_mesh *mesh, uint32_t number)
+{
+    return mesh->triangles8 != NULL ? mesh->triangles8[number]
+                                    : (const uint8_t *)mesh->triangles[number];
+}
+
+/* The job for a surface, as prepared; with `place` its transforms too. False: nothing is seen. */
+bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
+                         const qtri_surface *surface, bool place);
+
+#endif
