@@ -128,7 +128,8 @@ QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
 }
 
 /* Lit only when it may touch a pixel. */
-static void draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3])
+QTRI_NOINLINE static void draw_solid(const qtri_mesh_job *draw, const void *indices,
+                                     qtri_vertex *const vertex[3])
 {
     qtri_triangle triangle;
     if (!qtri_mesh_begin_solid(draw, vertex[0], vertex[1], vertex[2], &triangle)) {
