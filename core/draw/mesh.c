@@ -84,12 +84,7 @@ static void set_attributes(const qtri_mesh_job *draw, const void *indices,
 QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
 {
-    unsigned common = QTRI_VERTEX_OUTCODE;
-    for (int i = 0; i < 3; i++) {
-        uint32_t word = vertex[i]->depth_16p8;
-        common &= (word & QTRI_VERTEX_OUTSIDE) != 0 ? word : 0;
-    }
-    if (common != 0) {
+    if (qtri_mesh_is_outside(vertex)) {
         return;
     }
     qtri_shape shape;
@@ -217,7 +212,7 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
         QTRI_HOLD(a); /* three registers; GCC 12 would keep six */
         QTRI_HOLD(b);
         QTRI_HOLD(c);
-        if (simple ? qtri_mesh_is_back(&a->at, &b->at, &c->at)
+        if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
                    : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
         }

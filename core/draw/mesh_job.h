@@ -77,31 +77,15 @@ static inline bool qtri_mesh_is_inside(const qtri_vertex *a, const qtri_vertex *
     return ((a->depth_16p8 | b->depth_16p8 | c->depth_16p8) & QTRI_VERTEX_OUTSIDE) == 0;
 }
 
-#if !QTRI_LONG_MULTIPLY
-/* Below 2^n where -2^n <= x < 2^n. */
-static inline uint32_t qtri_mesh_folded(int32_t x)
+/* Whether one plane has all three on its outer side. */
+static inline bool qtri_mesh_is_outside(qtri_vertex *const vertex[3])
 {
-    return (uint32_t)(x < 0 ? ~x : x);
-}
-#endif
-
-/* qtri_triangle_area(a, b, c) >= 0. */
-static inline bool qtri_mesh_is_back(const qtri_screen_point *a, const qtri_screen_point *b,
-                                     const qtri_screen_point *c)
-{
-#if !QTRI_LONG_MULTIPLY
-    /* Differences of 16 bits: products of 32, one instruction each. */
-    int32_t x1 = b->x_24p8 - a->x_24p8;
-    int32_t y1 = b->y_24p8 - a->y_24p8;
-    int32_t x2 = c->x_24p8 - a->x_24p8;
-    int32_t y2 = c->y_24p8 - a->y_24p8;
-    if (((qtri_mesh_folded(x1) | qtri_mesh_folded(y1) | qtri_mesh_folded(x2) |
-          qtri_mesh_folded(y2)) >>
-         15) == 0) {
-        return x1 * y2 >= x2 * y1;
+    unsigned common = QTRI_VERTEX_OUTCODE;
+    for (int i = 0; i < 3; i++) {
+        uint32_t word = vertex[i]->depth_16p8;
+        common &= (word & QTRI_VERTEX_OUTSIDE) != 0 ? word : 0;
     }
-#endif
-    return qtri_triangle_area(a, b, c) >= 0;
+    return common != 0;
 }
 
 /* A vertex's depth, distance and light. */

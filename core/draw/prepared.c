@@ -224,12 +224,7 @@ QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triang
         see(s, number, triangle, vertex, s->is_solid);
         return;
     }
-    unsigned common = QTRI_VERTEX_OUTCODE;
-    for (int i = 0; i < 3; i++) {
-        uint32_t word = vertex[i]->depth_16p8;
-        common &= (word & QTRI_VERTEX_OUTSIDE) != 0 ? word : 0;
-    }
-    if (common == 0) {
+    if (!qtri_mesh_is_outside(vertex)) {
         s->is_anywhere = true;
         meet_all(s, triangle, vertex);
         list_triangle(s, number, 0, s->height);
@@ -256,7 +251,7 @@ static inline void see_triangles(sorter *s, const void *triangles, bool narrow, 
         QTRI_HOLD(a); /* as in mesh.c */
         QTRI_HOLD(b);
         QTRI_HOLD(c);
-        if (simple && qtri_mesh_is_back(&a->at, &b->at, &c->at)) {
+        if (simple && qtri_triangle_is_back(&a->at, &b->at, &c->at)) {
             continue;
         }
         qtri_vertex *const vertex[3] = {a, b, c};

@@ -30,7 +30,7 @@ static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, 
             continue;
         }
         if (complete && prepared->back_only
-                ? !qtri_mesh_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
+                ? !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
                 : !qtri_mesh_turned_away(job, vertex[0], vertex[1], vertex[2])) {
             qtri_mesh_draw_seen(job, triangle, vertex);
         }

@@ -12,12 +12,6 @@ static int32_t least(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-/* First row whose centre is at or below y: ceil((y - 128) / 256). */
-static int32_t first_row(int32_t y)
-{
-    return (y + 127) >> 8;
-}
-
 /*
  * x where the edge from a down to b crosses the centre of `row`, as the first pixel whose centre is
  * at or right of it: ceil((X - 128) / 256) = floor((X + 127.99..) / 256). Taken as the first pixel
@@ -105,7 +99,7 @@ bool qtri_rows_short(qtri_triangle *t)
         return true;
     }
     const int32_t base = t->x_least >> 8;
-    const int32_t middle = first_row(t->middle->y_24p8);
+    const int32_t middle = qtri_first_center(t->middle->y_24p8);
     const int32_t turn = middle < row ? row : least(middle, t->end);
     int16_t *one = t->long_is_left ? &t->spans->left : &t->spans->right;
     int16_t *other = t->long_is_left ? &t->spans->right : &t->spans->left;
@@ -135,7 +129,7 @@ void qtri_rows_init(qtri_rows *rows, const qtri_triangle *t)
     rows->lower_is_left = !t->long_is_left;
     rows->row = t->row;
     rows->end = t->end;
-    rows->turn = least(first_row(t->middle->y_24p8), t->end);
+    rows->turn = least(qtri_first_center(t->middle->y_24p8), t->end);
     dda_init(long_edge, t->top, t->bottom, t->row);
     if (t->row < rows->turn) {
         dda_init(short_edge, t->top, t->middle, t->row);

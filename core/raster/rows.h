@@ -11,6 +11,15 @@
 #include "triangle.h"
 
 /*
+ * First row whose centre is at or below y, or column whose centre is at or right of x:
+ * ceil((y - 128) / 256). The end is excluded likewise.
+ */
+static inline int32_t qtri_first_center(int32_t y_24p8)
+{
+    return (y_24p8 + 127) >> 8;
+}
+
+/*
  * Finds all spans of a triangle that has few rows and is narrow, as most are, and sets is_short.
  * False when none of them has a pixel; true for all other triangles.
  */

@@ -171,45 +171,45 @@ static void linear_ramps(qtri_job *job, const qtri_attributes v[3], const qtri_g
 }
 
 /* The same for a tiny triangle in RGB565: packed at once, in 32 bits. */
-static bool tiny_tint(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
+static void tiny_tint(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
-    const qtri_raster *raster = job->raster;
+    const int32_t one_q20 = (int32_t)1 << 20;
+    const qtri_channels *tint = &job->raster->tint;
     const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
                                (uint32_t)v[2].color[0]};
-    if (!job->tinted) {
-        return false;
-    }
     qtri_ramp ramp;
     qtri_ramp_multiply(&ramp, gradient, share);
-    int32_t origin = (int32_t)(ramp.origin - 0x8000u);
-    job->packed_origin = qtri_pack_tint(&raster->tint, origin, (int32_t)1 << 20, (int32_t)1 << 20);
+    job->packed_origin = qtri_pack_tint(tint, (int32_t)(ramp.origin - 0x8000u), one_q20, one_q20);
     job->packed_step.even =
-        qtri_pack_tint(&raster->tint, (int32_t)ramp.dx, (int32_t)1 << 14, (int32_t)1 << 15);
-    job->packed_dy =
-        qtri_pack_tint(&raster->tint, (int32_t)ramp.dy, (int32_t)1 << 14, (int32_t)1 << 15);
-    return true;
+        qtri_pack_tint(tint, (int32_t)ramp.dx, (int32_t)1 << 14, (int32_t)1 << 15);
+    job->packed_dy = qtri_pack_tint(tint, (int32_t)ramp.dy, (int32_t)1 << 14, (int32_t)1 << 15);
 }
 
 static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
+    const qtri_raster *raster = job->raster;
     const qtri_ramp *c = job->color.ramp;
     qtri_packed_steps *step = &job->packed_step;
-    if (job->tiny && job->raster->texture == NULL && job->raster->surface->format == QTRI_RGB565 &&
-        tiny_tint(job, v, gradient)) {
-        step->odd = step->last = step->even;
-        step->eight = 8 * step->even;
+    const bool is_packed = raster->surface->format == QTRI_RGB565 && raster->texture == NULL;
+    const bool at_once = is_packed && job->tiny && job->tinted;
+    if (at_once) {
+        tiny_tint(job, v, gradient);
+    } else {
+        linear_ramps(job, v, gradient);
+    }
+    if (!is_packed) {
         return;
     }
-    linear_ramps(job, v, gradient);
-    if (job->raster->surface->format != QTRI_RGB565) {
-        return;
+    if (!at_once) {
+        step->even = qtri_pack_round(c[0].dx, c[1].dx, c[2].dx);
     }
-    step->even = qtri_pack_round(c[0].dx, c[1].dx, c[2].dx);
     if (job->tiny) {
-        job->packed_origin = qtri_pack_floor(c[0].origin, c[1].origin, c[2].origin);
-        job->packed_dy = qtri_pack_round(c[0].dy, c[1].dy, c[2].dy);
         step->odd = step->last = step->even;
         step->eight = 8 * step->even;
+        if (!at_once) {
+            job->packed_origin = qtri_pack_floor(c[0].origin, c[1].origin, c[2].origin);
+            job->packed_dy = qtri_pack_round(c[0].dy, c[1].dy, c[2].dy);
+        }
     } else {
         step->odd = qtri_pack_round(2 * c[0].dx, 2 * c[1].dx, 2 * c[2].dx) - step->even;
         step->eight = qtri_pack_round(8 * c[0].dx, 8 * c[1].dx, 8 * c[2].dx);

@@ -21,12 +21,6 @@ static int32_t greatest(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* First row whose centre is at or below y: ceil((y - 128) / 256). The end is excluded likewise. */
-static int32_t first_row(int32_t y)
-{
-    return (y + 127) >> 8;
-}
-
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material)
 {
@@ -79,8 +73,8 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
             positive = !positive;
         }
     }
-    t->row = greatest(first_row(top->y_24p8), raster->bounds.y0);
-    t->end = least(first_row(bottom->y_24p8), raster->bounds.y1);
+    t->row = greatest(qtri_first_center(top->y_24p8), raster->bounds.y0);
+    t->end = least(qtri_first_center(bottom->y_24p8), raster->bounds.y1);
     if (t->row >= t->end) {
         return false;
     }
@@ -92,8 +86,8 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
     t->long_is_left = positive;
     t->x_least = x_least;
     t->x_greatest = x_greatest;
-    return greatest(first_row(x_least), raster->bounds.x0) <
-               least(first_row(x_greatest), raster->bounds.x1) &&
+    return greatest(qtri_first_center(x_least), raster->bounds.x0) <
+               least(qtri_first_center(x_greatest), raster->bounds.x1) &&
            qtri_rows_short(t);
 }
 

@@ -39,6 +39,16 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
 /* The colour that tinted triangles have shares of. */
 void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);
 
+#if !QTRI_LONG_MULTIPLY
+/* Whether differences fit 15 bits with their sign: their products then fit 30, one instruction. */
+static inline bool qtri_differences_are_short(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    const uint32_t half = (uint32_t)1 << 14;
+    return (((uint32_t)a + half) | ((uint32_t)b + half) | ((uint32_t)c + half) |
+            ((uint32_t)d + half)) < 2 * half;
+}
+#endif
+
 /* Twice the area in 1/256 pixel squared; y points down: negative is front. |x|, |y| <= 2^22. */
 static inline int64_t qtri_triangle_area(const qtri_screen_point *a, const qtri_screen_point *b,
                                          const qtri_screen_point *c)
@@ -48,13 +58,27 @@ static inline int64_t qtri_triangle_area(const qtri_screen_point *a, const qtri_
     int32_t dx2 = c->x_24p8 - a->x_24p8;
     int32_t dy2 = c->y_24p8 - a->y_24p8;
 #if !QTRI_LONG_MULTIPLY
-    const uint32_t half = (uint32_t)1 << 14; /* both products below 2^28 */
-    if ((((uint32_t)dx1 + half) | ((uint32_t)dy1 + half) | ((uint32_t)dx2 + half) |
-         ((uint32_t)dy2 + half)) < 2 * half) {
+    if (qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
         return dx1 * dy2 - dx2 * dy1;
     }
 #endif
     return qtri_mul_s32(dx1, dy2) - qtri_mul_s32(dx2, dy1);
+}
+
+/* qtri_triangle_area(a, b, c) >= 0, most of a mesh's triangles: without 64 bits where it can be. */
+static inline bool qtri_triangle_is_back(const qtri_screen_point *a, const qtri_screen_point *b,
+                                         const qtri_screen_point *c)
+{
+#if !QTRI_LONG_MULTIPLY
+    int32_t dx1 = b->x_24p8 - a->x_24p8;
+    int32_t dy1 = b->y_24p8 - a->y_24p8;
+    int32_t dx2 = c->x_24p8 - a->x_24p8;
+    int32_t dy2 = c->y_24p8 - a->y_24p8;
+    if (qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
+        return dx1 * dy2 >= dx2 * dy1;
+    }
+#endif
+    return qtri_triangle_area(a, b, c) >= 0;
 }
 
 static inline bool qtri_raster_culls(const qtri_raster *raster, int64_t area)
