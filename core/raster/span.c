@@ -217,7 +217,8 @@ static void draw_block(const qtri_job *job, const window *w, qtri_run *run, samp
 }
 
 /*
- * dx r / 2^down for a plane's dx, in 2^-16: 16 bits of it and the rest. Modulo 2^32, as steps are.
+ * dx r / 2^down for a plane's dx, in 2^-16: 16 bits of it and the rest. Over a span of two pixels
+ * and more |dx| < 2^47, since the attribute stays below 2^31; one pixel takes no step.
  */
 static uint32_t divide_step(uint64_t dx, const divider *d, int32_t up)
 {
