@@ -1,3 +1,4 @@
+#include "../raster/tiny.h"
 #include "mesh_job.h"
 
 /* Vertices from which on a look at eight corners pays. */
@@ -34,15 +35,17 @@ uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index)
                                   : qtri_lighting_vertex(&draw->lighting, &mesh->normals[index]);
 }
 
-/* Computed when it is first needed. */
-static inline uint32_t light_once(const qtri_mesh_job *draw, const void *indices, int corner,
-                                  qtri_vertex *vertex)
+/* Those that are not lit yet. */
+QTRI_NOINLINE static void light_some(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                     qtri_vertex *b, qtri_vertex *c)
 {
-    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
-        vertex->intensity_q15 =
-            (uint16_t)qtri_mesh_light(draw, qtri_mesh_index(draw->mesh, indices, corner));
+    qtri_vertex *const vertex[3] = {a, b, c};
+    for (int i = 0; i < 3; i++) {
+        if (vertex[i]->intensity_q15 == QTRI_VERTEX_UNLIT) {
+            vertex[i]->intensity_q15 =
+                (uint16_t)qtri_mesh_light(draw, qtri_mesh_index(draw->mesh, indices, i));
+        }
     }
-    return vertex->intensity_q15;
 }
 
 static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
@@ -66,9 +69,12 @@ static void set_attributes(const qtri_mesh_job *draw, const void *indices,
     const qtri_mesh *mesh = draw->mesh;
     uint32_t intensity_q15 =
         draw->lit_per_face ? face_intensity(draw, indices) : QTRI_INTENSITY_ONE;
+    if (draw->lit_per_vertex) {
+        light_some(draw, indices, vertex[0], vertex[1], vertex[2]);
+    }
     for (int i = 0; i < 3; i++) {
         if (draw->lit_per_vertex) {
-            intensity_q15 = light_once(draw, indices, i, vertex[i]);
+            intensity_q15 = vertex[i]->intensity_q15;
         }
         uint32_t index = qtri_mesh_index(mesh, indices, i);
         int32_t intensity = (int32_t)intensity_q15 * 2;
@@ -122,29 +128,51 @@ QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
     }
 }
 
-/* Lit only when it may touch a pixel. */
-QTRI_NOINLINE static void draw_solid(const qtri_mesh_job *draw, const void *indices,
-                                     qtri_vertex *const vertex[3])
+/* One that is not tiny, or brings more than light. */
+QTRI_NOINLINE static void draw_any_solid(const qtri_mesh_job *draw, const void *indices,
+                                         qtri_vertex *const vertex[3], qtri_triangle *triangle,
+                                         uint32_t face_q15)
 {
-    qtri_triangle triangle;
-    if (!qtri_mesh_begin_solid(draw, vertex[0], vertex[1], vertex[2], &triangle)) {
-        return;
-    }
     qtri_attributes attributes[3];
-    uint32_t intensity_q15 = QTRI_INTENSITY_ONE;
-    if (draw->lit_per_face) {
-        intensity_q15 = face_intensity(draw, indices);
-    }
     for (int i = 0; i < 3; i++) {
-        if (draw->lit_per_vertex) {
-            intensity_q15 = light_once(draw, indices, i, vertex[i]);
-        }
+        uint32_t intensity_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
         qtri_mesh_set_attributes(&attributes[i], vertex[i], intensity_q15);
         if (draw->more) {
             set_more(draw, qtri_mesh_index(draw->mesh, indices, i), intensity_q15, &attributes[i]);
         }
     }
-    qtri_triangle_draw(&draw->primitive.raster, &triangle, attributes);
+    qtri_triangle_draw(&draw->primitive.raster, triangle, attributes);
+}
+
+/* Computed when they are first needed. */
+static inline void light_vertices(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                  qtri_vertex *b, qtri_vertex *c)
+{
+    const uint32_t lit = 2 * QTRI_INTENSITY_ONE; /* those of lit vertices are below */
+    if ((((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) & lit) !=
+        0) {
+        light_some(draw, indices, a, b, c);
+    }
+}
+
+/* Lit only when it touches a pixel. */
+QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    qtri_triangle triangle;
+    if (!qtri_mesh_begin_solid(draw, a, b, c, &triangle)) {
+        return;
+    }
+    uint32_t face_q15 = QTRI_VERTEX_UNLIT;
+    if (draw->lit_per_vertex) {
+        light_vertices(draw, indices, a, b, c);
+    } else {
+        face_q15 = draw->lit_per_face ? face_intensity(draw, indices) : QTRI_INTENSITY_ONE;
+    }
+    if (draw->more || !qtri_tiny_draw(&draw->primitive.raster, &triangle, a, b, c, face_q15)) {
+        qtri_vertex *const vertex[3] = {a, b, c};
+        draw_any_solid(draw, indices, vertex, &triangle, face_q15);
+    }
 }
 
 QTRI_NOINLINE static void draw_wireframe(const qtri_mesh_job *draw, const void *indices,
@@ -168,7 +196,7 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
     } else if (draw->material.fill == QTRI_SOLID) {
-        draw_solid(draw, indices, vertex);
+        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
     } else {
         draw_wireframe(draw, indices, vertex);
     }
@@ -187,10 +215,10 @@ QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_v
 
 /*
  * The triangles of a mesh whose vertices are all there. By far the most end in this loop; when
- * `simple`, back faces are culled and no vertex is outside.
+ * `simple`, back faces are culled and no vertex is outside; `solid`: nor is it a wireframe.
  */
 static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangles, bool narrow,
-                                  bool simple)
+                                  bool simple, bool solid)
 {
     qtri_vertex *vertices = draw->vertices;
     const uint32_t count = draw->mesh->vertex_count;
@@ -216,8 +244,12 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
                    : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
         }
-        qtri_vertex *const vertex[3] = {a, b, c};
-        qtri_mesh_draw_seen(draw, triangle, vertex);
+        if (simple && solid) {
+            qtri_mesh_draw_solid(draw, triangle, a, b, c);
+        } else {
+            qtri_vertex *const vertex[3] = {a, b, c};
+            qtri_mesh_draw_seen(draw, triangle, vertex);
+        }
     }
 }
 
@@ -227,10 +259,11 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
     const qtri_mesh *mesh = draw->mesh;
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
     const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
+    const bool solid = draw->material.fill == QTRI_SOLID;
     if (mesh->triangles8 != NULL) {
-        draw_triangles(draw, mesh->triangles8, true, simple);
+        draw_triangles(draw, mesh->triangles8, true, simple, solid);
     } else {
-        draw_triangles(draw, mesh->triangles, false, simple);
+        draw_triangles(draw, mesh->triangles, false, simple, solid);
     }
 }
 

@@ -53,6 +53,10 @@ bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, cons
 void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                          qtri_vertex *const vertex[3]);
 
+/* The same for a solid one whose vertices are all inside. */
+void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                          qtri_vertex *b, qtri_vertex *c);
+
 /* Of corner 0..2 of the triangle whose indices these are. */
 static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indices, int corner)
 {

@@ -45,29 +45,12 @@ static uint32_t next_group(const uint16_t *lists, uint32_t *place)
     return lists[(*place)++];
 }
 
-/* Front, solid, with the material's colour and no texture or light per face; its vertices met. */
-QTRI_NOINLINE static void draw_plain(const qtri_mesh_job *job, const qtri_vertex *a,
-                                     const qtri_vertex *b, const qtri_vertex *c)
-{
-    qtri_triangle triangle;
-    triangle.p[0] = &a->at;
-    triangle.p[1] = &b->at;
-    triangle.p[2] = &c->at;
-    triangle.tinted = true;
-    triangle.area = qtri_triangle_area(&a->at, &b->at, &c->at);
-    if (!qtri_triangle_begin(&job->primitive.raster, &triangle)) {
-        return;
-    }
-    qtri_attributes attributes[3];
-    qtri_mesh_set_attributes(&attributes[0], a, a->intensity_q15);
-    qtri_mesh_set_attributes(&attributes[1], b, b->intensity_q15);
-    qtri_mesh_set_attributes(&attributes[2], c, c->intensity_q15);
-    qtri_triangle_draw(&job->primitive.raster, &triangle, attributes);
-}
-
-/* Triangles of a complete mesh that are listed one by one: all of them are seen. */
+/*
+ * Triangles of a complete mesh that are listed one by one: all of them are seen. `solid`: as such,
+ * with all vertices inside.
+ */
 static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place,
-                             uint32_t end, const void *triangles, bool narrow, bool plain)
+                             uint32_t end, const void *triangles, bool narrow, bool solid)
 {
     qtri_vertex *vertices = job->vertices;
     while (place != end) {
@@ -75,11 +58,13 @@ static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, ui
         triangle += next_group(lists, &place) * (narrow ? 3 : 6);
         uint32_t index[3];
         qtri_mesh_indices(index, triangle, narrow);
-        qtri_vertex *const vertex[3] = {&vertices[index[0]], &vertices[index[1]],
-                                        &vertices[index[2]]};
-        if (plain) {
-            draw_plain(job, vertex[0], vertex[1], vertex[2]);
+        qtri_vertex *a = &vertices[index[0]];
+        qtri_vertex *b = &vertices[index[1]];
+        qtri_vertex *c = &vertices[index[2]];
+        if (solid) {
+            qtri_mesh_draw_solid(job, triangle, a, b, c);
         } else {
+            qtri_vertex *const vertex[3] = {a, b, c};
             qtri_mesh_draw_seen(job, triangle, vertex);
         }
     }
@@ -97,14 +82,11 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
         return;
     }
     if (log2 == 0 && qtri_prepared_is_complete(prepared)) {
-        const bool is_plain = prepared->back_only && job->material.fill == QTRI_SOLID &&
-                              !job->more && !job->lit_per_face;
+        const bool solid = prepared->back_only && job->material.fill == QTRI_SOLID;
         if (mesh->triangles8 != NULL) {
-            draw_seen(job, lists, place, end, mesh->triangles8, true, false);
-        } else if (is_plain) {
-            draw_seen(job, lists, place, end, mesh->triangles, false, true);
+            draw_seen(job, lists, place, end, mesh->triangles8, true, solid);
         } else {
-            draw_seen(job, lists, place, end, mesh->triangles, false, false);
+            draw_seen(job, lists, place, end, mesh->triangles, false, solid);
         }
         return;
     }

@@ -23,6 +23,7 @@ void qtri_fill_choose(qtri_raster *raster)
     raster->fill_linear = qtri_fill_spans;
     raster->fill_tiny = qtri_fill_spans;
     raster->copy_run = qtri_run_generic;
+    raster->tiny = less && format == QTRI_RGB565 && raster->texture == NULL;
     if (less || raster->compare == QTRI_DEPTH_OFF) {
         raster->fill_flat = flat[format <= QTRI_GRAY8 ? format : QTRI_GRAY8][less];
     }

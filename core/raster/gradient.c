@@ -7,23 +7,7 @@ static bool fits_small(int32_t x)
     return (uint32_t)x + (uint32_t)SMALL < 2u * SMALL;
 }
 
-/*
- * Small triangles, |d| < 2^15 for the four differences, multiply by a reciprocal of their area
- * instead of dividing: r = 2^61 / (|area| 2^zeros), in [2^29, 2^30].
- *
- * Where the triangle is no sliver, |area| >= 16 s with s the sum of the differences' magnitudes,
- * and an attribute's own differences are below 2^23, a ramp's step takes one product of 32 bits.
- * Without the attribute's last QTRI_RAMP_DOWN bits its numerator n = f1 d - f2 d' is at most
- * 2^14 2^16, and its gradient a pixel
- *
- *     256 2^QTRI_RAMP_DOWN n / area = n r / 2^shift, shift = 44 - zeros
- *
- * is less than 2^8 2^23 s / 16 s = 2^27. That is the high word of (n 2^(32 - shift)) r or of
- * n (r 2^(32 - shift)), whichever shifts left: in the first n < 2^27 2^shift / r, so that the
- * product's left factor is below 2^30; in the second r loses bits, which costs n / 2^32: less than
- * a unit.
- */
-void qtri_gradient_init(qtri_gradient *g)
+void qtri_gradient_init(qtri_gradient *g, int32_t extent)
 {
     g->inverse = 0;
     g->left = 0;
@@ -31,27 +15,15 @@ void qtri_gradient_init(qtri_gradient *g)
     if (!(fits_small(g->dx1) && fits_small(g->dy1) && fits_small(g->dx2) && fits_small(g->dy2))) {
         return;
     }
-    int32_t area = (int32_t)g->area; /* < 2^31 */
-    uint32_t size = qtri_magnitude32(area);
+    uint32_t size = qtri_magnitude32((int32_t)g->area); /* < 2^31 */
     if (size == 0) {
         return; /* nobody draws it */
     }
-    int32_t zeros = qtri_clz32(size);
-    int32_t r = (int32_t)(qtri_reciprocal_q62(size << zeros) >> 1);
-    g->reciprocal = r;
-    g->zeros = zeros;
-    uint32_t sum = qtri_magnitude32(g->dx1) + qtri_magnitude32(g->dy1) + qtri_magnitude32(g->dx2) +
-                   qtri_magnitude32(g->dy2);
-    if (size < sum << 4) {
-        return;
+    g->zeros = qtri_clz32(size);
+    g->reciprocal = (int32_t)(qtri_reciprocal_q62(size << g->zeros) >> 1);
+    if (!qtri_gradient_is_sliver(size, extent)) {
+        qtri_gradient_set_inverse(g, g->reciprocal, g->zeros);
     }
-    int32_t shift = 44 - zeros; /* >= 16: size >= 16 */
-    if (shift > 32) {
-        r = (r + ((int32_t)1 << (shift - 33))) >> (shift - 32);
-    } else {
-        g->left = 32 - shift;
-    }
-    g->inverse = area < 0 ? -r : r;
 }
 
 static uint32_t round_to_ramp(uint64_t value)

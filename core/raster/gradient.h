@@ -22,7 +22,7 @@ typedef struct qtri_gradient {
     int64_t area;                 /* dx1 dy2 - dx2 dy1, not 0, |.| <= 2^47 */
     int32_t anchor_x, anchor_y;   /* origin of the ramps: a pixel */
     int32_t anchor_dx, anchor_dy; /* its centre from vertex 0, 1/256 pixel */
-    /* Triangles below 128 pixels: 2^61 / (|area| 2^zeros); others: 0. */
+    /* Triangles below 128 pixels: 2^61 / (|area| 2^zeros), in [2^29, 2^30]; others: 0. */
     int32_t reciprocal, zeros;
     /* Of them those that are no slivers: 2^17 / area = inverse 2^(left - 32); others: 0. */
     int32_t inverse, left;
@@ -48,8 +48,11 @@ typedef struct qtri_ramp {
     uint32_t dx, dy;
 } qtri_ramp;
 
-/* Prepares what all attributes share; x_24p8 .. area and the anchor are set. */
-void qtri_gradient_init(qtri_gradient *gradient);
+/*
+ * Prepares what all attributes share but the anchor; x_24p8 .. area are set. `extent`: width and
+ * height of the triangle, 1/256 pixel, added.
+ */
+void qtri_gradient_init(qtri_gradient *gradient, int32_t extent);
 
 /* The plane through (vertex i, f[i]), |f| < 2^33. */
 void qtri_plane_init(qtri_plane *plane, const qtri_gradient *gradient, const int64_t f[3]);
@@ -69,10 +72,41 @@ static inline int64_t qtri_plane_floor(uint64_t value)
 /* The ramp through (vertex i, f[i]): n.16, any 32 bits. By exact division. */
 void qtri_ramp_divide(qtri_ramp *ramp, const qtri_gradient *gradient, const uint32_t f[3]);
 
+/*
+ * Ramps of small triangles, |d| < 2^15 for the four differences, that are no slivers, and of
+ * attributes whose own differences fit, take one product of 32 bits a step. No sliver:
+ * |area| >= 32 extent >= 16 s with s the sum of the differences' magnitudes. Without the
+ * attribute's last QTRI_RAMP_DOWN bits its numerator n = f1 d - f2 d' is at most 2^14 2^16, and its
+ * gradient a pixel, with r = 2^61 / (|area| 2^zeros),
+ *
+ *     256 2^QTRI_RAMP_DOWN n / area = n r / 2^shift, shift = 44 - zeros
+ *
+ * is at most 2^8 2^23 s / 16 s = 2^27. That is the high word of (n 2^(32 - shift)) r or of
+ * n (r 2^(32 - shift)), whichever shifts left: in the first n <= 2^27 2^shift / r, so that the
+ * product's left factor is at most 2^30; in the second r loses bits, which costs n / 2^32: less
+ * than a unit.
+ */
+static inline bool qtri_gradient_is_sliver(uint32_t size, int32_t extent)
+{
+    return size < (uint32_t)extent << 5;
+}
+
+static inline void qtri_gradient_set_inverse(qtri_gradient *g, int32_t r, int32_t zeros)
+{
+    int32_t shift = 44 - zeros; /* >= 16: size >= 16 */
+    g->left = 0;
+    if (shift > 32) {
+        r = (r + ((int32_t)1 << (shift - 33))) >> (shift - 32);
+    } else {
+        g->left = 32 - shift;
+    }
+    g->inverse = g->area < 0 ? -r : r;
+}
+
 /* Bits of a difference that do not count in a small triangle. */
 #define QTRI_RAMP_DOWN 9
 
-/* numerator 2^(8 + QTRI_RAMP_DOWN) / area; see qtri_gradient_init for the bounds. */
+/* numerator 2^(8 + QTRI_RAMP_DOWN) / area. */
 static inline int32_t qtri_gradient_step(const qtri_gradient *g, int32_t numerator)
 {
     return (int32_t)(qtri_mul_s32(numerator * ((int32_t)1 << g->left), g->inverse) >> 32);
@@ -90,23 +124,35 @@ static inline uint32_t qtri_gradient_along(int32_t gx, int32_t x, int32_t gy, in
 #endif
 }
 
-/* Whether the difference may go the short way. */
+/* Whether the difference may go the short way: it is below 2^23 + 2^8. */
 static inline bool qtri_ramp_fits(uint32_t a, uint32_t b)
 {
-    return (a < b ? b - a : a - b) < (uint32_t)1 << 23;
+    return (a >> 8) - (b >> 8) + ((uint32_t)1 << 15) < (uint32_t)1 << 16;
 }
 
-/* The same as qtri_ramp_divide, where the gradient has an inverse and differences fit. */
-static inline void qtri_ramp_multiply(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[3])
+/*
+ * The same as qtri_ramp_divide for differences f1 and f2 from f0 without QTRI_RAMP_DOWN bits, where
+ * the gradient has an inverse.
+ */
+static inline void qtri_ramp_from_steps(qtri_ramp *ramp, const qtri_gradient *g, uint32_t f0,
+                                        int32_t f1, int32_t f2)
 {
-    const int32_t half = (int32_t)1 << (QTRI_RAMP_DOWN - 1);
-    int32_t f1 = ((int32_t)(f[1] - f[0]) + half) >> QTRI_RAMP_DOWN;
-    int32_t f2 = ((int32_t)(f[2] - f[0]) + half) >> QTRI_RAMP_DOWN;
     int32_t gx = qtri_gradient_step(g, f1 * g->dy2 - f2 * g->dy1);
     int32_t gy = qtri_gradient_step(g, f2 * g->dx1 - f1 * g->dx2);
-    ramp->origin = f[0] + qtri_gradient_along(gx, g->anchor_dx, gy, g->anchor_dy) + 0x8000u;
+    ramp->origin = f0 + qtri_gradient_along(gx, g->anchor_dx, gy, g->anchor_dy) + 0x8000u;
     ramp->dx = (uint32_t)gx;
     ramp->dy = (uint32_t)gy;
+}
+
+static inline int32_t qtri_ramp_down(uint32_t difference)
+{
+    return ((int32_t)difference + ((int32_t)1 << (QTRI_RAMP_DOWN - 1))) >> QTRI_RAMP_DOWN;
+}
+
+/* Differences fit. */
+static inline void qtri_ramp_multiply(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[3])
+{
+    qtri_ramp_from_steps(ramp, g, f[0], qtri_ramp_down(f[1] - f[0]), qtri_ramp_down(f[2] - f[0]));
 }
 
 /* dx and dy: pixels from the anchor. */

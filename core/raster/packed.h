@@ -24,6 +24,9 @@
 #define QTRI_PACKED_RUN   64
 #define QTRI_PACKED_REACH 4
 
+/* The extent of a tiny triangle in x and in y is below this, in 1/256 pixel. */
+#define QTRI_PACKED_SIDE (256 * (2 * QTRI_PACKED_REACH + 1))
+
 /* From channels n.16 that fit 31 bits with their sign, cut off. */
 static inline uint32_t qtri_pack_floor(uint32_t r, uint32_t g, uint32_t b)
 {
@@ -51,8 +54,14 @@ static inline uint32_t qtri_pack_tint(const qtri_channels *tint, int32_t share_q
 
 static inline uint32_t qtri_packed_pixel(uint32_t packed)
 {
+#if defined(__GNUC__) && defined(__thumb2__)
+    uint32_t pixel = packed >> 5; /* GCC 12 does not find this, and keeps a register for a mask */
+    __asm__("bfi %0, %1, #5, #6" : "+r"(pixel) : "r"(packed >> 26));
+    return pixel & 0xFFFF;
+#else
     packed &= 0xFC1F03E0u;
     return (packed >> 5 | packed >> 21) & 0xFFFF;
+#endif
 }
 
 /* The exact start of a run, dx and dy from the anchor. */

@@ -19,13 +19,7 @@ static inline int32_t qtri_first_center(int32_t y_24p8)
     return (y_24p8 + 127) >> 8;
 }
 
-/*
- * Finds all spans of a triangle that has few rows and is narrow, as most are, and sets is_short.
- * False when none of them has a pixel; true for all other triangles.
- */
-bool qtri_rows_short(qtri_triangle *triangle);
-
-/* Edges of any other triangle. */
+/* Edges of a triangle that qtri_triangle_begin did not find short. */
 typedef struct qtri_rows {
     qtri_dda left, right;
     qtri_dda lower; /* the second short edge: takes its side over at row `turn` */

@@ -87,17 +87,12 @@ static void ramp_init(qtri_ramp *ramp, const qtri_gradient *g, uint32_t f0, uint
     }
 }
 
-/* share_q22 <= 2^22 of a channel, or of a step of it. */
-static inline int32_t shade(const qtri_raster *raster, int32_t share_q22, int i)
-{
-    return (int32_t)(qtri_mul_s32(share_q22, raster->tint.c[i]) >> 22);
-}
-
 /* Channel i of the three vertices. */
 static void channel_of(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i)
 {
     for (int k = 0; k < 3; k++) {
-        f[k] = (uint32_t)(job->tinted ? shade(job->raster, v[k].color[0], i) : v[k].color[i]);
+        f[k] = (uint32_t)(job->tinted ? qtri_raster_shade(job->raster, v[k].color[0], i)
+                                      : v[k].color[i]);
     }
 }
 
@@ -157,9 +152,10 @@ static void linear_ramps(qtri_job *job, const qtri_attributes v[3], const qtri_g
         qtri_ramp ramp;
         qtri_ramp_multiply(&ramp, gradient, share);
         for (int i = 0; i < 3; i++) {
-            c[i].origin = (uint32_t)shade(raster, (int32_t)(ramp.origin - 0x8000u), i) + 0x8000u;
-            c[i].dx = (uint32_t)shade(raster, (int32_t)ramp.dx, i);
-            c[i].dy = (uint32_t)shade(raster, (int32_t)ramp.dy, i);
+            c[i].origin =
+                (uint32_t)qtri_raster_shade(raster, (int32_t)(ramp.origin - 0x8000u), i) + 0x8000u;
+            c[i].dx = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dx, i);
+            c[i].dy = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dy, i);
         }
         return;
     }
@@ -269,7 +265,9 @@ static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_s
     g->dx2 = t->p[2]->x_24p8 - g->x_24p8;
     g->dy2 = t->p[2]->y_24p8 - g->y_24p8;
     g->area = t->area;
-    qtri_gradient_init(g);
+    const int32_t width = t->x_greatest - t->x_least;
+    const int32_t height = t->bottom->y_24p8 - t->top->y_24p8;
+    qtri_gradient_init(g, width + height);
     int32_t x = (t->x_least + t->x_greatest) >> 1;
     int32_t y = (t->top->y_24p8 + t->bottom->y_24p8) >> 1;
     if (g->inverse == 0) {
@@ -280,9 +278,7 @@ static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_s
     g->anchor_y = y >> 8;
     g->anchor_dx = g->anchor_x * 256 + 128 - g->x_24p8;
     g->anchor_dy = g->anchor_y * 256 + 128 - g->y_24p8;
-    const int32_t side = 256 * (2 * QTRI_PACKED_REACH + 1);
-    return g->inverse != 0 && t->x_greatest - t->x_least < side &&
-           t->bottom->y_24p8 - t->top->y_24p8 < side;
+    return g->inverse != 0 && width < QTRI_PACKED_SIDE && height < QTRI_PACKED_SIDE;
 }
 
 /* Colours to interpolate: those of the vertices, white for a texture alone, or none. */
@@ -311,7 +307,8 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
     }
     const qtri_attributes *from = &v[qtri_raster_provoking(raster)];
     for (int i = 0; i < 3; i++) {
-        job->constant.c[i] = job->tinted ? shade(raster, from->color[0], i) : from->color[i];
+        job->constant.c[i] =
+            job->tinted ? qtri_raster_shade(raster, from->color[0], i) : from->color[i];
     }
 }
 
@@ -323,8 +320,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     job->tinted = triangle->tinted;
     job->draw_run = qtri_run_generic;
     job->copies_texels = false;
-    job->cut = triangle->x_least < raster->bounds.x0 * 256 ||
-               triangle->x_greatest > raster->bounds.x1 * 256;
+    job->cut = triangle->cut;
     job->tiny = gradient_from(&gradient, triangle, raster->surface);
     job->anchor_x = gradient.anchor_x;
     job->anchor_y = gradient.anchor_y;

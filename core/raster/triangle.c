@@ -11,16 +11,6 @@ static int32_t hold(int32_t x)
                                      : (x > QTRI_SCREEN_MAX_24P8 ? QTRI_SCREEN_MAX_24P8 : x);
 }
 
-static int32_t least(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-static int32_t greatest(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material)
 {
@@ -47,48 +37,6 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
     int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
                              (int32_t)color.b << 16};
     raster->tint = qtri_channels_from_color(raster->surface->format, color_8p16);
-}
-
-/*
- * The long edge goes from top to bottom, two short ones by way of the middle. It is on the left
- * when the middle lies right of it: when the area of top, middle, bottom is positive, which is the
- * triangle's, or its negative after an odd number of exchanges.
- */
-bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
-{
-    const qtri_screen_point *top = t->p[0];
-    const qtri_screen_point *middle = t->p[1];
-    const qtri_screen_point *bottom = t->p[2];
-    const qtri_screen_point *swap;
-    bool positive = t->area > 0;
-    if (middle->y_24p8 < top->y_24p8) {
-        swap = top, top = middle, middle = swap;
-        positive = !positive;
-    }
-    if (bottom->y_24p8 < middle->y_24p8) {
-        swap = middle, middle = bottom, bottom = swap;
-        positive = !positive;
-        if (middle->y_24p8 < top->y_24p8) {
-            swap = top, top = middle, middle = swap;
-            positive = !positive;
-        }
-    }
-    t->row = greatest(qtri_first_center(top->y_24p8), raster->bounds.y0);
-    t->end = least(qtri_first_center(bottom->y_24p8), raster->bounds.y1);
-    if (t->row >= t->end) {
-        return false;
-    }
-    int32_t x_least = least(top->x_24p8, least(middle->x_24p8, bottom->x_24p8));
-    int32_t x_greatest = greatest(top->x_24p8, greatest(middle->x_24p8, bottom->x_24p8));
-    t->top = top;
-    t->middle = middle;
-    t->bottom = bottom;
-    t->long_is_left = positive;
-    t->x_least = x_least;
-    t->x_greatest = x_greatest;
-    return greatest(qtri_first_center(x_least), raster->bounds.x0) <
-               least(qtri_first_center(x_greatest), raster->bounds.x1) &&
-           qtri_rows_short(t);
 }
 
 void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,

@@ -20,7 +20,8 @@ typedef struct qtri_triangle {
     bool long_is_left;                              /* the edge from top to bottom */
     int32_t x_least, x_greatest;                    /* 1/256 pixel */
     int32_t row, end;                               /* rows inside the bounds */
-    bool is_short;                                  /* spans holds all rows, see rows.h */
+    bool cut;                                       /* spans may reach past the bounds */
+    bool is_short;                                  /* spans holds all rows */
     qtri_span spans[QTRI_ROWS_AHEAD];
 } qtri_triangle;
 
@@ -85,6 +86,12 @@ static inline bool qtri_raster_culls(const qtri_raster *raster, int64_t area)
 {
     return area == 0 || (raster->cull == QTRI_CULL_BACK && area > 0) ||
            (raster->cull == QTRI_CULL_FRONT && area < 0);
+}
+
+/* share_q22 <= 2^22 of a tint's channel, or of a step of it. */
+static inline int32_t qtri_raster_shade(const qtri_raster *raster, int32_t share_q22, int i)
+{
+    return (int32_t)(qtri_mul_s32(share_q22, raster->tint.c[i]) >> 22);
 }
 
 /* Takes p and area, which are set, area not 0. False when no pixel is covered. */
