@@ -1,12 +1,13 @@
 /*
  * A colour of RGB565 with fractions in one word. Internal.
  *
- *     31    26 25    21 20   16 15     10 9    5 4      0
- *     green    fraction red     fraction  blue   fraction
+ *     31  27 26    21 20  16 15    11 10   5 4      0
+ *     red   fraction blue  fraction green  fraction
  *
- * One addition steps all three channels, one mask and one or-with-shift make a pixel. Steps may be
- * negative: the word is the sum of its fields, each times its unit, modulo 2^32, so it is right
- * wherever all fields are in range, however it got there.
+ * One addition steps all three channels, one mask and one or-with-shift make a pixel: green is where
+ * a pixel has it, red and blue are 16 bits above. Steps may be negative: the word is the sum of its
+ * fields, each times its unit, modulo 2^32, so it is right wherever all fields are in range,
+ * however it got there.
  *
  * The fractions are short: a step is rounded to 2^-5 (red 2^-6), and so off by 2^-6 at most; a
  * start is cut off to 2^-5. Long rows therefore begin anew from exact ramps every QTRI_PACKED_RUN
@@ -30,7 +31,7 @@
 /* From channels n.16 that fit 31 bits with their sign, cut off. */
 static inline uint32_t qtri_pack_floor(uint32_t r, uint32_t g, uint32_t b)
 {
-    return (r & ~(uint32_t)0x3FF) + ((g >> 11) << 21) + (uint32_t)((int32_t)b >> 11);
+    return ((r >> 10) << 21) + (b & ~(uint32_t)0x7FF) + (uint32_t)((int32_t)g >> 11);
 }
 
 static inline uint32_t qtri_pack_round(uint32_t r, uint32_t g, uint32_t b)
@@ -49,19 +50,13 @@ static inline uint32_t qtri_pack_tint(const qtri_channels *tint, int32_t share_q
     int32_t r = share_q15 * (tint->c[0] >> 10) + red_half;
     int32_t g = share_q15 * (tint->c[1] >> 10) + half;
     int32_t b = share_q15 * (tint->c[2] >> 10) + half;
-    return ((uint32_t)(r >> 15) << 10) + ((uint32_t)(g >> 16) << 21) + (uint32_t)(b >> 16);
+    return ((uint32_t)(r >> 15) << 21) + ((uint32_t)(b >> 16) << 11) + (uint32_t)(g >> 16);
 }
 
 static inline uint32_t qtri_packed_pixel(uint32_t packed)
 {
-#if defined(__GNUC__) && defined(__thumb2__)
-    uint32_t pixel = packed >> 5; /* GCC 12 does not find this, and keeps a register for a mask */
-    __asm__("bfi %0, %1, #5, #6" : "+r"(pixel) : "r"(packed >> 26));
-    return pixel & 0xFFFF;
-#else
-    packed &= 0xFC1F03E0u;
-    return (packed >> 5 | packed >> 21) & 0xFFFF;
-#endif
+    packed &= 0xF81F07E0u;
+    return (packed | packed >> 16) & 0xFFFF;
 }
 
 /* The exact start of a run, dx and dy from the anchor. */
