@@ -1,11 +1,4 @@
-#include "fill.h"
-#include "packed.h"
-
-/* A row's place in memory, and its depth. */
-typedef struct cursor {
-    uint16_t *pixel, *depth;
-    uint32_t z;
-} cursor;
+#include "fill_packed.h"
 
 #define PIXEL(i, step)                                                                             \
     if (z >> 16 < depth[i]) {                                                                      \
@@ -21,8 +14,7 @@ typedef struct cursor {
     QTRI_ASIDE(even)                                                                               \
     QTRI_ASIDE(odd)
 
-/* `count` pixels from the first of a group on. */
-static inline void draw(cursor *at, const qtri_job *job, uint32_t packed, int32_t count)
+static void draw(qtri_cursor *at, const qtri_job *job, uint32_t packed, int32_t count)
 {
     uint32_t depth_step = job->depth.dx;
     uint32_t even = job->packed_step.even;
@@ -67,42 +59,6 @@ static inline void draw(cursor *at, const qtri_job *job, uint32_t packed, int32_
     at->pixel = pixel;
     at->depth = depth;
     at->z = z;
-}
-
-/* A pixel in the middle of a group, where a scissor cuts a span. */
-static void draw_one(cursor *at, const qtri_job *job, uint32_t packed)
-{
-    if (at->z >> 16 < *at->depth) {
-        *at->depth = (uint16_t)(at->z >> 16);
-        *at->pixel = (uint16_t)qtri_packed_pixel(packed);
-    }
-    at->z += job->depth.dx;
-    at->depth++;
-    at->pixel++;
-}
-
-/* A row of a triangle that is not tiny, `cut` pixels of which the bounds cut off. */
-static void draw_runs(cursor *at, const qtri_job *job, int32_t dx, int32_t dy, int32_t cut,
-                      int32_t rest)
-{
-    int32_t phase = cut % QTRI_PACKED_RUN;
-    while (rest > 0) {
-        uint32_t start = qtri_packed_start(job, dx - phase, dy);
-        int32_t part = QTRI_PACKED_RUN - phase < rest ? QTRI_PACKED_RUN - phase : rest;
-        dx += part;
-        rest -= part;
-        uint32_t packed = start;
-        if (phase != 0) {
-            for (; part > 0 && phase % 8 != 0; part--, phase++) {
-                draw_one(at, job, start + qtri_packed_skip(job, phase));
-            }
-            packed += qtri_packed_skip(job, phase);
-            phase = 0;
-        }
-        if (part > 0) {
-            draw(at, job, packed, part);
-        }
-    }
 }
 
 /* A tiny triangle: values at column 0 step from row to row, and a span needs no groups. */
@@ -150,20 +106,5 @@ void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t ro
 
 void qtri_fill_packed_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
-    const qtri_raster *raster = job->raster;
-    qtri_lines lines = qtri_lines_at(raster->surface, row);
-    for (const qtri_span *end = spans + count; spans < end; spans++, row++) {
-        int32_t x;
-        int32_t rest = qtri_span_clip(spans, &raster->bounds, &x);
-        if (rest > 0) {
-            int32_t dx = x - job->anchor_x;
-            int32_t dy = row - job->anchor_y;
-            cursor at = {(uint16_t *)(void *)lines.pixels + x, lines.depths + x,
-                         qtri_ramp_at(&job->depth, dx, dy)};
-            draw_runs(&at, job, dx, dy, x - spans->left, rest);
-        }
-        QTRI_NEXT_ROW
-        lines.pixels += raster->surface->pitch;
-        lines.depths += raster->surface->depth_pitch;
-    }
+    qtri_packed_rows(job, spans, row, count, draw);
 }

@@ -53,10 +53,11 @@ static inline uint32_t qtri_pack_tint(const qtri_channels *tint, int32_t share_q
     return ((uint32_t)(r >> 15) << 21) + ((uint32_t)(b >> 16) << 11) + (uint32_t)(g >> 16);
 }
 
+/* In the low half; what is above is not the pixel's. */
 static inline uint32_t qtri_packed_pixel(uint32_t packed)
 {
     packed &= 0xF81F07E0u;
-    return (packed | packed >> 16) & 0xFFFF;
+    return packed | packed >> 16;
 }
 
 /* The exact start of a run, dx and dy from the anchor. */
