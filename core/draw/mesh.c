@@ -14,7 +14,7 @@ bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t cou
     return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
 }
 
-static uint32_t face_intensity(const qtri_mesh_job *draw, const void *indices)
+uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
 {
     const qtri_mesh *mesh = draw->mesh;
     uint32_t a = qtri_mesh_index(mesh, indices, 0);
@@ -39,13 +39,9 @@ uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index)
 QTRI_NOINLINE static void light_some(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                                      qtri_vertex *b, qtri_vertex *c)
 {
-    qtri_vertex *const vertex[3] = {a, b, c};
-    for (int i = 0; i < 3; i++) {
-        if (vertex[i]->intensity_q15 == QTRI_VERTEX_UNLIT) {
-            vertex[i]->intensity_q15 =
-                (uint16_t)qtri_mesh_light(draw, qtri_mesh_index(draw->mesh, indices, i));
-        }
-    }
+    (void)qtri_mesh_light_once(draw, indices, 0, a);
+    (void)qtri_mesh_light_once(draw, indices, 1, b);
+    (void)qtri_mesh_light_once(draw, indices, 2, c);
 }
 
 static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
@@ -62,19 +58,16 @@ static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32
     }
 }
 
-/* Colours, light and texture coordinates of a triangle that is clipped or drawn as lines. */
+/* Colours, light and texture coordinates of a triangle that is clipped. */
 static void set_attributes(const qtri_mesh_job *draw, const void *indices,
                            qtri_vertex *const vertex[3], qtri_screen_vertex out[3])
 {
     const qtri_mesh *mesh = draw->mesh;
     uint32_t intensity_q15 =
-        draw->lit_per_face ? face_intensity(draw, indices) : QTRI_INTENSITY_ONE;
-    if (draw->lit_per_vertex) {
-        light_some(draw, indices, vertex[0], vertex[1], vertex[2]);
-    }
+        draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
     for (int i = 0; i < 3; i++) {
         if (draw->lit_per_vertex) {
-            intensity_q15 = vertex[i]->intensity_q15;
+            intensity_q15 = qtri_mesh_light_once(draw, indices, i, vertex[i]);
         }
         uint32_t index = qtri_mesh_index(mesh, indices, i);
         int32_t intensity = (int32_t)intensity_q15 * 2;
@@ -167,27 +160,12 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
     if (draw->lit_per_vertex) {
         light_vertices(draw, indices, a, b, c);
     } else {
-        face_q15 = draw->lit_per_face ? face_intensity(draw, indices) : QTRI_INTENSITY_ONE;
+        face_q15 = draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
     }
     if (draw->more || !qtri_tiny_draw(&draw->primitive.raster, &triangle, a, b, c, face_q15)) {
         qtri_vertex *const vertex[3] = {a, b, c};
         draw_any_solid(draw, indices, vertex, &triangle, face_q15);
     }
-}
-
-QTRI_NOINLINE static void draw_wireframe(const qtri_mesh_job *draw, const void *indices,
-                                         qtri_vertex *const vertex[3])
-{
-    qtri_screen_vertex screen[3];
-    for (int i = 0; i < 3; i++) {
-        screen[i].x_24p8 = vertex[i]->at.x_24p8;
-        screen[i].y_24p8 = vertex[i]->at.y_24p8;
-        screen[i].depth_16p16 = vertex[i]->depth_16p8 & ~0xFFu;
-        screen[i].inv_w_q31 = vertex[i]->inv_w;
-        screen[i].inv_w_exponent = (int32_t)(vertex[i]->depth_16p8 & 0xFFu);
-    }
-    set_attributes(draw, indices, vertex, screen);
-    qtri_primitive_wireframe(&draw->primitive, screen);
 }
 
 QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
@@ -198,7 +176,7 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
     } else if (draw->material.fill == QTRI_SOLID) {
         qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
     } else {
-        draw_wireframe(draw, indices, vertex);
+        qtri_mesh_draw_lines(draw, indices, vertex);
     }
 }
 

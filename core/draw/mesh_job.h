@@ -45,6 +45,9 @@ void qtri_mesh_clear_slots(const qtri_mesh_job *draw);
 /* Intensity of a vertex of a mesh with normals. */
 uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index);
 
+/* Of the triangle with these indices, for a mesh lit per face. */
+uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
+
 /* Any culling, and triangles that may cross planes; those are never turned away. */
 bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
                            const qtri_vertex *c);
@@ -57,12 +60,27 @@ void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c);
 
+/* Draws the edges of a triangle inside all planes that is seen; mesh_lines.c. */
+void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *indices,
+                          qtri_vertex *const vertex[3]);
+
 /* Of corner 0..2 of the triangle whose indices these are. */
 static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indices, int corner)
 {
     const uint16_t *wide = indices;
     const uint8_t *narrow = indices;
     return mesh->triangles8 != NULL ? narrow[corner] : wide[corner];
+}
+
+/* Intensity of a corner's vertex, computed when it is first needed. */
+static inline uint32_t qtri_mesh_light_once(const qtri_mesh_job *draw, const void *indices,
+                                            int corner, qtri_vertex *vertex)
+{
+    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
+        vertex->intensity_q15 =
+            (uint16_t)qtri_mesh_light(draw, qtri_mesh_index(draw->mesh, indices, corner));
+    }
+    return vertex->intensity_q15;
 }
 
 /* The indices at a triangle's place in the mesh. */
