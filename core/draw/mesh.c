@@ -236,6 +236,9 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
+    if (draw->edges_once) {
+        qtri_mesh_clear_edges(draw);
+    }
     const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
     const bool solid = draw->material.fill == QTRI_SOLID;
     if (mesh->triangles8 != NULL) {
@@ -351,6 +354,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->more = mesh->colors != NULL || draw->primitive.raster.texture != NULL;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     draw->lit_per_vertex = view->light != NULL && material->shading == QTRI_SMOOTH && normals;
+    draw->edges_once = false;
     draw->lit_per_face = view->light != NULL && !draw->lit_per_vertex;
 }
 
@@ -390,6 +394,7 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
         return;
     }
     if (draw.slot_count >= mesh->vertex_count) {
+        draw.edges_once = material->fill != QTRI_SOLID && qtri_line_is_final(&draw.primitive.line);
         draw_whole(&draw);
     } else {
         draw_by_slots(&draw);

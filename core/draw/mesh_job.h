@@ -16,7 +16,8 @@ typedef struct qtri_mesh_job {
     qtri_vertex *vertices; /* slot_count of them */
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
-    bool more; /* colours of their own or a texture */
+    bool edges_once; /* wireframes note in the vertices which edges they drew */
+    bool more;       /* colours of their own or a texture */
     qtri_lighting lighting;
 } qtri_mesh_job;
 
@@ -63,6 +64,8 @@ void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_v
 /* Draws the edges of a triangle inside all planes that is seen; mesh_lines.c. */
 void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *indices,
                           qtri_vertex *const vertex[3]);
+
+void qtri_mesh_clear_edges(const qtri_mesh_job *draw);
 
 /* Of corner 0..2 of the triangle whose indices these are. */
 static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indices, int corner)

@@ -71,19 +71,6 @@ static void spread_provoking(const qtri_material *material, qtri_screen_vertex v
     }
 }
 
-void qtri_primitive_wireframe(const qtri_primitive *primitive, qtri_screen_vertex v[3])
-{
-    qtri_screen_point p[3];
-    for (int i = 0; i < 3; i++) {
-        p[i].x_24p8 = v[i].x_24p8;
-        p[i].y_24p8 = v[i].y_24p8;
-    }
-    if (!is_culled(primitive->material, qtri_triangle_area(&p[0], &p[1], &p[2]))) {
-        spread_provoking(primitive->material, v);
-        qtri_line_triangle(&primitive->line, v);
-    }
-}
-
 /* What is left of the triangle after cuts by `planes`; *out may be where v is. */
 QTRI_NOINLINE static int clip_to_screen(const qtri_projector *projector,
                                         const qtri_clip_vertex v[3], unsigned planes,
@@ -197,14 +184,33 @@ QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_
     if ((first & second) != 0 || !qtri_clip_line(end, first | second)) {
         return;
     }
-    qtri_line_end line[2];
+    qtri_vertex line[2];
+    qtri_line_color color[2];
     for (int i = 0; i < 2; i++) {
         qtri_screen_vertex screen;
         qtri_project(&primitive->projector, &end[i], &screen);
         blend_attributes(&screen, a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
-        qtri_line_end_init(&line[i], &primitive->line, &screen);
+        qtri_line_end(&line[i], color[i], &screen);
     }
-    qtri_line_draw(&primitive->line, &line[0], &line[1]);
+    qtri_line_draw(&primitive->line, &line[0], &line[1], (const qtri_line_color *)color);
+}
+
+QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
+                                             const qtri_fan_vertex corner[3],
+                                             qtri_screen_vertex attributes[3])
+{
+    qtri_vertex end[4];
+    qtri_line_color color[4];
+    for (int i = 0; i < 4; i++) { /* back to the first */
+        int from = i < 3 ? i : 0;
+        attributes[from].x_24p8 = corner[from].at.x_24p8;
+        attributes[from].y_24p8 = corner[from].at.y_24p8;
+        attributes[from].depth_16p16 = corner[from].depth_16p8 & ~0xFFu;
+        qtri_line_end(&end[i], color[i], &attributes[from]);
+    }
+    for (int i = 0; i < 3; i++) {
+        qtri_line_draw(&primitive->line, &end[i], &end[i + 1], (const qtri_line_color *)&color[i]);
+    }
 }
 
 /* The ends of an unclipped triangle serve two lines each; otherwise every edge is clipped anew. */
@@ -217,18 +223,13 @@ QTRI_NOINLINE static void draw_outline(const qtri_primitive *primitive, const qt
         return;
     }
     spread_provoking(primitive->material, attributes);
+    if (planes == 0) {
+        draw_whole_outline(primitive, fan, attributes);
+        return;
+    }
     for (int i = 0; i < 3; i++) {
         int next = i < 2 ? i + 1 : 0;
-        if (planes != 0) {
-            draw_edge(primitive, &v[i], &v[next], &attributes[i], &attributes[next]);
-        } else {
-            attributes[i].x_24p8 = fan[i].at.x_24p8;
-            attributes[i].y_24p8 = fan[i].at.y_24p8;
-            attributes[i].depth_16p16 = fan[i].depth_16p8 & ~0xFFu;
-        }
-    }
-    if (planes == 0) {
-        qtri_line_triangle(&primitive->line, attributes);
+        draw_edge(primitive, &v[i], &v[next], &attributes[i], &attributes[next]);
     }
 }
 

@@ -56,7 +56,4 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2]);
 
-/* The lines of a triangle whose vertices are on the screen, unless it is culled. */
-void qtri_primitive_wireframe(const qtri_primitive *primitive, qtri_screen_vertex v[3]);
-
 #endif

@@ -38,12 +38,43 @@ static inline void ramp_next(ramp *r)
 
 enum { CHANNELS = 3, DEPTH = CHANNELS, VALUES };
 
-static void ramps_init(ramp r[VALUES], const qtri_line_path *l, const qtri_divider *by, int32_t k)
+/* At the ends: channels in units of the format, or gray and nothing more; n.16, and half a unit
+   that rounds. */
+typedef struct values {
+    int32_t first[VALUES], last[VALUES];
+} values;
+
+static void values_init(int32_t out[VALUES], const qtri_line_job *job, const qtri_vertex *end,
+                        const qtri_line_color *color)
 {
-    for (int i = 0; i < CHANNELS; i++) {
-        ramp_init(&r[i], l->first->color[i], l->last->color[i], l, by, k);
+    const int32_t half = 0x8000;
+    const qtri_format format = job->surface->format;
+    qtri_line_color tinted;
+    if (color == NULL) {
+        qtri_line_tinted(job, end, tinted);
+        color = (const qtri_line_color *)&tinted;
     }
-    ramp_init(&r[DEPTH], l->first->depth_16p15, l->last->depth_16p15, l, by, k);
+    out[DEPTH] = qtri_line_depth_16p15(job, end);
+    if (format == QTRI_RGB565) {
+        qtri_line_channels_565(out, *color);
+        return;
+    }
+    qtri_channels channels = qtri_channels_from_color(format, *color);
+    if (format != QTRI_XRGB8888) {
+        channels.c[0] += channels.c[1] + channels.c[2];
+        channels.c[1] = channels.c[2] = -half;
+    }
+    for (int i = 0; i < CHANNELS; i++) {
+        out[i] = channels.c[i] + half;
+    }
+}
+
+static void ramps_init(ramp r[VALUES], const values *v, const qtri_line_path *l,
+                       const qtri_divider *by, int32_t k)
+{
+    for (int i = 0; i < VALUES; i++) {
+        ramp_init(&r[i], v->first[i], v->last[i], l, by, k);
+    }
 }
 
 static inline uint32_t pixel_of(qtri_format format, int32_t c0, int32_t c1, int32_t c2)
@@ -79,7 +110,8 @@ static void plot(const qtri_line_job *job, int32_t x, int32_t y, const ramp r[VA
                      pixel_of(surface->format, r[0].value, r[1].value, r[2].value));
 }
 
-void qtri_line_draw_any(const qtri_line_job *job, const qtri_line_end *a, const qtri_line_end *b)
+void qtri_line_draw_any(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                        const qtri_line_color *color)
 {
     qtri_line_path own;
     qtri_line_path_init(&own, a, b);
@@ -98,10 +130,13 @@ void qtri_line_draw_any(const qtri_line_job *job, const qtri_line_end *a, const 
     }
     qtri_dda minor;
     qtri_divider by;
+    values v;
     ramp r[VALUES];
+    values_init(a == l->first ? v.first : v.last, job, a, color);
+    values_init(a == l->first ? v.last : v.first, job, b, color != NULL ? color + 1 : NULL);
     qtri_divider_init(&by, (uint32_t)l->length);
     qtri_dda_init(&minor, l->minor, l->delta, l->length, l->along + 256 * k, 0);
-    ramps_init(r, l, &by, k);
+    ramps_init(r, &v, l, &by, k);
     for (;;) {
         if (minor.value >= minor_low && minor.value < minor_high) {
             int32_t position = l->position + k;
@@ -115,7 +150,7 @@ void qtri_line_draw_any(const qtri_line_job *job, const qtri_line_end *a, const 
             ramp_next(&r[i]);
         }
         if (k % QTRI_LINE_CHUNK == 0) {
-            ramps_init(r, l, &by, k);
+            ramps_init(r, &v, l, &by, k);
         }
     }
 }
@@ -131,93 +166,44 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     }
     job->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     job->depth_write = !material->depth_read_only;
-    bool fast = surface->format == QTRI_RGB565 && job->compare == QTRI_LESS && job->depth_write &&
-                surface->pitch == 2 * surface->depth_pitch;
-    job->fast_24p8 = fast ? QTRI_LINE_SHORT_24P8 : 0;
+    job->depth_mask = ~0xFFu;
+    job->tint[0] = material->color.r * 2;
+    job->tint[1] = material->color.g * 2;
+    job->tint[2] = material->color.b * 2;
+    const bool fast = surface->format == QTRI_RGB565 && job->compare == QTRI_LESS &&
+                      job->depth_write && surface->pitch == 2 * surface->depth_pitch;
+    const qtri_rect *within = fast ? &job->bounds : &nothing;
+    job->left_24p8 = within->x0 * 256;
+    job->top_24p8 = within->y0 * 256;
+    job->width_24p8 = (uint32_t)(within->x1 - within->x0) * 256;
+    job->height_24p8 = (uint32_t)(within->y1 - within->y0) * 256;
 }
 
-static inline int32_t hold(int32_t x)
+static int32_t hold(int32_t x, int32_t low, int32_t high)
 {
-    const int32_t limit = QTRI_SCREEN_MAX_24P8;
-    if ((uint32_t)x + (uint32_t)limit > 2u * (uint32_t)limit) {
-        QTRI_RARELY();
-        x = x < 0 ? -limit : limit;
-    }
-    return x;
+    return x < low ? low : (x > high ? high : x);
 }
 
-/* Times a colour of 8.16 bits: `steps` of 255 in Q32. */
-#define RATIO_565_Q32(steps) ((uint32_t)((((uint64_t)(steps) << 32) + 127) / 255))
-
-/* Rounded, and half a step more. */
-static inline int32_t channel_565(int32_t color_8p16, uint32_t ratio_q32)
-{
-    const uint32_t white = (uint32_t)255 << 16;
-    const uint64_t rounding = (uint64_t)0x8000 << 32 | (uint32_t)1 << 31;
-    uint32_t c = (uint32_t)color_8p16;
-    if (c > white) {
-        QTRI_RARELY();
-        c = color_8p16 < 0 ? 0 : white;
-    }
-    return (int32_t)((qtri_mul_u32(c, ratio_q32) + rounding) >> 32);
-}
-
-void qtri_line_end_init(qtri_line_end *end, const qtri_line_job *job, const qtri_screen_vertex *v)
+void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v)
 {
     const uint32_t farthest = (uint32_t)65535 << 16;
-    const int32_t half = 0x8000;
-    const qtri_format format = job->surface->format;
-    const qtri_rect *bounds = &job->bounds;
-    int32_t x_24p8 = hold(v->x_24p8);
-    int32_t y_24p8 = hold(v->y_24p8);
-    int32_t x = x_24p8 >> 8;
-    int32_t y = y_24p8 >> 8;
-    end->x_24p8 = x_24p8;
-    end->y_24p8 = y_24p8;
-    end->outside =
-        (x - bounds->x0) | (bounds->x1 - 1 - x) | (y - bounds->y0) | (bounds->y1 - 1 - y);
-    end->depth_16p15 = (int32_t)((v->depth_16p16 < farthest ? v->depth_16p16 : farthest) >> 1);
-    if (format == QTRI_RGB565) { /* half of what the call below costs */
-        end->color[0] = channel_565(v->color_8p16[0], RATIO_565_Q32(31));
-        end->color[1] = channel_565(v->color_8p16[1], RATIO_565_Q32(63));
-        end->color[2] = channel_565(v->color_8p16[2], RATIO_565_Q32(31));
-    } else {
-        qtri_channels channels = qtri_channels_from_color(format, v->color_8p16);
-        if (format != QTRI_XRGB8888) {
-            channels.c[0] += channels.c[1] + channels.c[2];
-            channels.c[1] = channels.c[2] = -half;
-        }
-        end->color[0] = channels.c[0] + half;
-        end->color[1] = channels.c[1] + half;
-        end->color[2] = channels.c[2] + half;
-    }
-    end->pixel = pixel_of(format, end->color[0], end->color[1], end->color[2]);
-}
-
-void qtri_line_triangle(const qtri_line_job *job, const qtri_screen_vertex v[3])
-{
-    const int32_t above = job->bounds.y0 * 256;
-    const int32_t below = job->bounds.y1 * 256;
-    if ((v[0].y_24p8 < above && v[1].y_24p8 < above && v[2].y_24p8 < above) ||
-        (v[0].y_24p8 >= below && v[1].y_24p8 >= below && v[2].y_24p8 >= below)) {
-        return;
-    }
-    qtri_line_end end[3];
+    end->at.x_24p8 = hold(v->x_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
+    end->at.y_24p8 = hold(v->y_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
+    end->depth_16p8 = v->depth_16p16 < farthest ? v->depth_16p16 : farthest;
     for (int i = 0; i < 3; i++) {
-        qtri_line_end_init(&end[i], job, &v[i]);
+        color[i] = hold(v->color_8p16[i], 0, 255 << 16);
     }
-    qtri_line_draw(job, &end[0], &end[1]);
-    qtri_line_draw(job, &end[1], &end[2]);
-    qtri_line_draw(job, &end[2], &end[0]);
 }
 
 void qtri_raster_line(const qtri_surface *surface, const qtri_material *material,
                       const qtri_screen_vertex v[2])
 {
     qtri_line_job job;
-    qtri_line_end end[2];
+    qtri_vertex end[2];
+    qtri_line_color color[2];
     qtri_line_job_init(&job, surface, material);
-    qtri_line_end_init(&end[0], &job, &v[0]);
-    qtri_line_end_init(&end[1], &job, &v[1]);
-    qtri_line_draw(&job, &end[0], &end[1]);
+    job.depth_mask = UINT32_MAX;
+    qtri_line_end(&end[0], color[0], &v[0]);
+    qtri_line_end(&end[1], color[1], &v[1]);
+    qtri_line_draw(&job, &end[0], &end[1], (const qtri_line_color *)color);
 }

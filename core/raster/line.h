@@ -1,6 +1,8 @@
 /*
- * Lines of one draw call: what they share is prepared once, and so is an end that several share.
- * Internal. qtri_raster_line makes a job and two ends for its one line.
+ * Lines of one draw call: what they share is prepared once. Internal.
+ *
+ * The ends of a line are vertices after the vertex stage. Of them count the place and the depth,
+ * and the intensity of the light where lines are tinted.
  */
 #ifndef QTRI_RASTER_LINE_H
 #define QTRI_RASTER_LINE_H
@@ -8,33 +10,53 @@
 #include <stdbool.h>
 
 #include "qtri/raster.h"
+#include "qtri/view.h"
 
 typedef struct qtri_line_job {
     const qtri_surface *surface;
     qtri_rect bounds;     /* 0, 0, 0, 0 when empty */
     qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
-    int32_t fast_24p8; /* shorter lines that lie inside take the fast path */
+    uint32_t depth_mask; /* what of depth_16p8 is depth */
+    int32_t tint[3];     /* times an intensity in Q15 it is a colour in 8.16 bits */
+    /* Short lines between ends in here, 1/256 pixel, take the fast path; of no size: none. */
+    int32_t left_24p8, top_24p8;
+    uint32_t width_24p8, height_24p8;
 } qtri_line_job;
 
-typedef struct qtri_line_end {
-    int32_t x_24p8, y_24p8; /* held to the guard band */
-    int32_t outside;        /* negative: its pixel lies outside of the bounds */
-    int32_t depth_16p15;    /* 0..65535.0: differences fit 32 bits */
-    int32_t color[3];       /* red green blue in units of the format, or gray and nothing more;
-                               n.16, and half a unit that rounds */
-    uint32_t pixel;         /* of that colour */
-} qtri_line_end;
+/* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
+typedef int32_t qtri_line_color[3];
 
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material);
 
-/* Position, colour and depth of v, for lines of this job. */
-void qtri_line_end_init(qtri_line_end *end, const qtri_line_job *job, const qtri_screen_vertex *v);
+/* A vertex of any coordinates as an end, its depth within depth_16p8, and its colour. */
+void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v);
 
-void qtri_line_draw(const qtri_line_job *job, const qtri_line_end *a, const qtri_line_end *b);
+/*
+ * Draws the line a b; the pixels of b a are the same. Its colours are color[0] at a and color[1] at
+ * b; NULL: shares of the tint, a and b being lit.
+ */
+void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                    const qtri_line_color *color);
 
-/* The three edges of a triangle; quick about one that lies in another band. */
-void qtri_line_triangle(const qtri_line_job *job, const qtri_screen_vertex v[3]);
+/*
+ * Whether a line drawn again has no effect, whatever colours it has then and whatever was drawn in
+ * between: what its pixels store only ever gets nearer (farther), and equal depths fail.
+ */
+static inline bool qtri_line_is_final(const qtri_line_job *job)
+{
+    return job->depth_write && (job->compare == QTRI_LESS || job->compare == QTRI_GREATER);
+}
+
+/* Whether all of a triangle lies above or below the rows of this surface. */
+static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,
+                                    int32_t y2_24p8)
+{
+    const int32_t above = job->bounds.y0 * 256;
+    const int32_t below = job->bounds.y1 * 256;
+    return (y0_24p8 < above && y1_24p8 < above && y2_24p8 < above) ||
+           (y0_24p8 >= below && y1_24p8 >= below && y2_24p8 >= below);
+}
 
 #endif

@@ -16,16 +16,9 @@ typedef struct walk {
 static inline void walk_position(walk *w, const qtri_line_path *l, const qtri_surface *surface)
 {
     const ptrdiff_t pitch = surface->pitch;
-    const int32_t pixel = l->minor >> 8;
-    if (l->steep) {
-        w->at = (l->position - surface->first_row) * pitch + 2 * (ptrdiff_t)pixel;
-        w->step = pitch;
-        w->step_minor = 2;
-    } else {
-        w->at = (pixel - surface->first_row) * pitch + 2 * (ptrdiff_t)l->position;
-        w->step = 2;
-        w->step_minor = pitch;
-    }
+    w->step = l->steep ? pitch : 2;
+    w->step_minor = l->steep ? 2 : pitch;
+    w->at = l->position * w->step + (l->minor >> 8) * w->step_minor - surface->first_row * pitch;
     /*
      * From that pixel to the minor coordinate at pixel 0, times length. 0 <= along < 256 and
      * |delta| <= length: the slope moves it by less than a pixel.
@@ -47,13 +40,15 @@ static inline void walk_position(walk *w, const qtri_line_path *l, const qtri_su
     w->rest -= w->denominator;
 }
 
-static inline void walk_depth(walk *w, const qtri_line_path *l, const qtri_divider *by)
+static inline void walk_depth(walk *w, const qtri_line_path *l, const qtri_line_job *job,
+                              const qtri_divider *by)
 {
-    int32_t difference = l->last->depth_16p15 - l->first->depth_16p15;
+    int32_t first = qtri_line_depth_16p15(job, l->first);
+    int32_t difference = qtri_line_depth_16p15(job, l->last) - first;
     int32_t quotient = qtri_divide(difference, by);
     int32_t remainder = difference - quotient * l->length; /* < 2^15 */
     int32_t start = quotient * l->along + qtri_divide(remainder * l->along, by);
-    w->z_16p15 = (uint32_t)(l->first->depth_16p15 + start) + ((uint32_t)1 << 14);
+    w->z_16p15 = (uint32_t)(first + start) + ((uint32_t)1 << 14);
     /* exceeds 32 bits where length < 256, with a single pixel */
     w->z_step = (uint32_t)quotient * 256u + (uint32_t)qtri_divide(remainder * 256, by);
 }
@@ -68,26 +63,26 @@ static inline uint64_t packed(int32_t red, int32_t green, int32_t blue)
     return ((uint64_t)high << 32 | (uint32_t)green << 21) + (uint64_t)(int64_t)blue;
 }
 
-/* At pixel k. */
-static inline void walk_color(walk *w, const qtri_line_path *l, const qtri_divider *by, int32_t k)
+static inline uint32_t packed_pixel(uint64_t color)
 {
-    const int32_t *c = l->first->color;
-    int32_t red = l->last->color[0] - c[0]; /* < 2^22 as the others */
-    int32_t green = l->last->color[1] - c[1];
-    int32_t blue = l->last->color[2] - c[2];
+    uint32_t high = (uint32_t)(color >> 32);
+    uint32_t low = (uint32_t)(color & UINT32_MAX);
+    return (high >> 27) << 11 | (high & 0x7E0u) | (low >> 16 & 31);
+}
+
+/* At pixel k, from the channels of the ends. */
+static inline void walk_color(walk *w, const int32_t *c, const int32_t *last,
+                              const qtri_line_path *l, const qtri_divider *by, int32_t k)
+{
+    int32_t red = last[0] - c[0]; /* < 2^22 as the others */
+    int32_t green = last[1] - c[1];
+    int32_t blue = last[2] - c[2];
     w->color_step = packed(qtri_divide(red * 256, by), qtri_divide(green * 256, by),
                            qtri_divide(blue * 256, by));
     w->color =
         packed(c[0] + qtri_divide(red * l->along, by), c[1] + qtri_divide(green * l->along, by),
                c[2] + qtri_divide(blue * l->along, by)) +
         (uint32_t)k * w->color_step;
-}
-
-static inline uint32_t packed_pixel(uint64_t color)
-{
-    uint32_t high = (uint32_t)(color >> 32);
-    uint32_t low = (uint32_t)(color & UINT32_MAX);
-    return (high >> 27) << 11 | (high & 0x7E0u) | (low >> 16 & 31);
 }
 
 static inline void walk_next(walk *w)
@@ -130,37 +125,62 @@ static inline void walk_visible(walk *w, const qtri_surface *surface, int32_t co
     } while (--count > 0);
 }
 
-static inline void draw_fast(const qtri_line_job *job, const qtri_line_path *l)
+static inline void channels_of(int32_t out[3], const qtri_line_job *job, const qtri_vertex *end,
+                               const qtri_line_color *color)
+{
+    if (color != NULL) {
+        qtri_line_channels_565(out, *color);
+    } else {
+        qtri_line_color tinted;
+        qtri_line_tinted(job, end, tinted);
+        qtri_line_channels_565(out, tinted);
+    }
+}
+
+static inline void draw_fast(const qtri_line_job *job, const qtri_line_path *l,
+                             const qtri_vertex *a, const qtri_line_color *color)
 {
     const qtri_surface *surface = job->surface;
     walk w;
     qtri_divider by;
     qtri_divider_init(&by, (uint32_t)l->length);
     walk_position(&w, l, surface);
-    walk_depth(&w, l, &by);
-    int32_t count = walk_hidden(&w, surface, l->count); /* all of every other edge of a mesh */
+    walk_depth(&w, l, job, &by);
+    int32_t count = walk_hidden(&w, surface, l->count); /* all of many edges of a mesh */
     if (count <= 0) {
         return;
     }
-    if (l->first->pixel == l->last->pixel) { /* so are all between */
-        w.color = l->first->pixel;
+    int32_t first[3];
+    int32_t last[3];
+    const bool turned = l->first != a;
+    channels_of(first, job, l->first, color != NULL ? &color[turned] : NULL);
+    channels_of(last, job, l->last, color != NULL ? &color[!turned] : NULL);
+    if ((((first[0] ^ last[0]) | (first[1] ^ last[1]) | (first[2] ^ last[2])) >> 16) == 0) {
+        w.color = packed_pixel(packed(first[0], first[1], first[2])); /* so are all between */
         walk_visible(&w, surface, count, true);
     } else {
-        walk_color(&w, l, &by, l->count - count);
+        walk_color(&w, first, last, l, &by, l->count - count);
         walk_visible(&w, surface, count, false);
     }
 }
 
-void qtri_line_draw(const qtri_line_job *job, const qtri_line_end *a, const qtri_line_end *b)
+static inline bool is_inside(const qtri_line_job *job, const qtri_screen_point *at)
+{
+    return (uint32_t)(at->x_24p8 - job->left_24p8) < job->width_24p8 &&
+           (uint32_t)(at->y_24p8 - job->top_24p8) < job->height_24p8;
+}
+
+void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                    const qtri_line_color *color)
 {
     qtri_line_path l;
     qtri_line_path_init(&l, a, b);
     if (l.count <= 0) {
         return;
     }
-    if ((a->outside | b->outside) >= 0 && l.length < job->fast_24p8) {
-        draw_fast(job, &l);
+    if (is_inside(job, &a->at) && is_inside(job, &b->at) && l.length < QTRI_LINE_SHORT_24P8) {
+        draw_fast(job, &l, a, color);
     } else {
-        qtri_line_draw_any(job, a, b);
+        qtri_line_draw_any(job, a, b, color);
     }
 }
