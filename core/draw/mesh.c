@@ -150,10 +150,16 @@ static inline void light_vertices(const qtri_mesh_job *draw, const void *indices
 
 /* Lit only when it touches a pixel. */
 QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
-                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c,
+                                        int64_t area)
 {
     qtri_triangle triangle;
-    if (!qtri_mesh_begin_solid(draw, a, b, c, &triangle)) {
+    triangle.p[0] = &a->at;
+    triangle.p[1] = &b->at;
+    triangle.p[2] = &c->at;
+    triangle.area = area;
+    triangle.tinted = draw->tinted;
+    if (area == 0 || !qtri_triangle_begin(&draw->primitive.raster, &triangle)) {
         return;
     }
     uint32_t face_q15 = QTRI_VERTEX_UNLIT;
@@ -174,7 +180,9 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
     } else if (draw->material.fill == QTRI_SOLID) {
-        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
+        const qtri_screen_point *a = &vertex[0]->at;
+        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2],
+                             qtri_triangle_area(a, &vertex[1]->at, &vertex[2]->at));
     } else {
         qtri_mesh_draw_lines(draw, indices, vertex);
     }
@@ -218,12 +226,12 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
         QTRI_HOLD(a); /* three registers; GCC 12 would keep six */
         QTRI_HOLD(b);
         QTRI_HOLD(c);
-        if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
-                   : qtri_mesh_turned_away(draw, a, b, c)) {
+        const int64_t area = simple ? qtri_triangle_area(&a->at, &b->at, &c->at) : 0;
+        if (simple ? area >= 0 : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
         }
         if (simple && solid) {
-            qtri_mesh_draw_solid(draw, triangle, a, b, c);
+            qtri_mesh_draw_solid(draw, triangle, a, b, c, area);
         } else {
             qtri_vertex *const vertex[3] = {a, b, c};
             qtri_mesh_draw_seen(draw, triangle, vertex);
@@ -348,7 +356,8 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->vertices = view->vertices;
     draw->slot_count = view->vertex_count;
     qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
-    if (mesh->colors == NULL) {
+    draw->tinted = mesh->colors == NULL;
+    if (draw->tinted) {
         qtri_raster_set_tint(&draw->primitive.raster, draw->material.color);
     }
     draw->more = mesh->colors != NULL || draw->primitive.raster.texture != NULL;

@@ -17,7 +17,8 @@ typedef struct qtri_mesh_job {
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
     bool edges_once; /* wireframes note in the vertices which edges they drew */
-    bool more;       /* colours of their own or a texture */
+    bool tinted; /* the mesh has no colours of its own */
+    bool more; /* colours of their own or a texture */
     qtri_lighting lighting;
 } qtri_mesh_job;
 
@@ -57,9 +58,9 @@ bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, cons
 void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                          qtri_vertex *const vertex[3]);
 
-/* The same for a solid one whose vertices are all inside. */
+/* The same for a solid one whose vertices are all inside; `area` as of qtri_triangle_area. */
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                          qtri_vertex *b, qtri_vertex *c);
+                          qtri_vertex *b, qtri_vertex *c, int64_t area);
 
 /* Draws the edges of a triangle inside all planes that is seen; mesh_lines.c. */
 void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *indices,
@@ -121,19 +122,6 @@ static inline void qtri_mesh_set_attributes(qtri_attributes *out, const qtri_ver
     out->inv_w_q31 = vertex->inv_w;
     out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
     out->color[0] = (int32_t)(intensity_q15 << 7); /* Q22 of the one colour */
-}
-
-/* Where a triangle inside all planes lies. False when it covers no pixel. */
-static inline bool qtri_mesh_begin_solid(const qtri_mesh_job *draw, const qtri_vertex *a,
-                                         const qtri_vertex *b, const qtri_vertex *c,
-                                         qtri_triangle *out)
-{
-    out->p[0] = &a->at;
-    out->p[1] = &b->at;
-    out->p[2] = &c->at;
-    out->area = qtri_triangle_area(&a->at, &b->at, &c->at);
-    out->tinted = draw->mesh->colors == NULL;
-    return out->area != 0 && qtri_triangle_begin(&draw->primitive.raster, out);
 }
 
 #endif

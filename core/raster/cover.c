@@ -124,7 +124,7 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
     const qtri_screen_point *middle = t->p[1];
     const qtri_screen_point *bottom = t->p[2];
     const qtri_screen_point *swap;
-    bool positive = t->area > 0;
+    bool positive = t->area >= 0; /* never 0 */
     if (middle->y_24p8 < top->y_24p8) {
         swap = top, top = middle, middle = swap;
         positive = !positive;
@@ -155,7 +155,17 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
                       least(qtri_first_center(x_greatest), raster->bounds.x1)) {
         return false;
     }
-    t->is_short = t->end - t->row <= QTRI_ROWS_AHEAD && x_greatest - x_least < NARROW &&
-                  bottom->y_24p8 - top->y_24p8 < ((int32_t)1 << 15);
-    return !t->is_short || find_spans(t);
+    const int32_t width = x_greatest - x_least;
+    const int32_t height = bottom->y_24p8 - top->y_24p8;
+    t->extent = width + height;
+    if (width < QTRI_TINY_SIDE && height < QTRI_TINY_SIDE) {
+        t->size = QTRI_TINY;
+    } else if (t->end - t->row <= QTRI_ROWS_AHEAD && width < NARROW &&
+               height < ((int32_t)1 << 15)) {
+        t->size = QTRI_SHORT;
+    } else {
+        t->size = QTRI_LARGE;
+        return true;
+    }
+    return find_spans(t);
 }

@@ -14,7 +14,7 @@
  * pixels, and step in groups of eight, whose sum is off by 2^-6 too: within a group two steps in
  * turn, whose sum is rounded, and a last one that makes the whole. That is 1/8 of a step of colour
  * for eight groups, 1/16 within a group and 1/32 from the cut. A tiny triangle has one start, its
- * anchor, and one step in x and one in y, up to QTRI_PACKED_REACH of each: 1/8. Both with the half
+ * anchor, and one step in x and one in y, up to QTRI_TINY_REACH of each: 1/8. Both with the half
  * that rounds stay inside the fields: 31.5 + 7/32 < 32.
  */
 #ifndef QTRI_RASTER_PACKED_H
@@ -23,10 +23,6 @@
 #include "job.h"
 
 #define QTRI_PACKED_RUN   64
-#define QTRI_PACKED_REACH 4
-
-/* The extent of a tiny triangle in x and in y is below this, in 1/256 pixel. */
-#define QTRI_PACKED_SIDE (256 * (2 * QTRI_PACKED_REACH + 1))
 
 /* From channels n.16 that fit 31 bits with their sign, cut off. */
 static inline uint32_t qtri_pack_floor(uint32_t r, uint32_t g, uint32_t b)

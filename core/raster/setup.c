@@ -265,9 +265,7 @@ static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_s
     g->dx2 = t->p[2]->x_24p8 - g->x_24p8;
     g->dy2 = t->p[2]->y_24p8 - g->y_24p8;
     g->area = t->area;
-    const int32_t width = t->x_greatest - t->x_least;
-    const int32_t height = t->bottom->y_24p8 - t->top->y_24p8;
-    qtri_gradient_init(g, width + height);
+    qtri_gradient_init(g, t->extent);
     int32_t x = (t->x_least + t->x_greatest) >> 1;
     int32_t y = (t->top->y_24p8 + t->bottom->y_24p8) >> 1;
     if (g->inverse == 0) {
@@ -278,7 +276,7 @@ static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_s
     g->anchor_y = y >> 8;
     g->anchor_dx = g->anchor_x * 256 + 128 - g->x_24p8;
     g->anchor_dy = g->anchor_y * 256 + 128 - g->y_24p8;
-    return g->inverse != 0 && width < QTRI_PACKED_SIDE && height < QTRI_PACKED_SIDE;
+    return g->inverse != 0 && t->size == QTRI_TINY;
 }
 
 /* Colours to interpolate: those of the vertices, white for a texture alone, or none. */

@@ -22,11 +22,8 @@ static inline void move(slope *s, const qtri_gradient *g, int32_t row)
  */
 static inline bool gradient_from(qtri_gradient *g, const qtri_triangle *t)
 {
-    const int32_t width = t->x_greatest - t->x_least;
-    const int32_t height = t->bottom->y_24p8 - t->top->y_24p8;
     const uint32_t size = qtri_magnitude32((int32_t)t->area);
-    if (t->cut || !t->is_short || width >= QTRI_PACKED_SIDE || height >= QTRI_PACKED_SIDE ||
-        qtri_gradient_is_sliver(size, width + height)) {
+    if (t->size != QTRI_TINY || t->cut || qtri_gradient_is_sliver(size, t->extent)) {
         return false;
     }
     g->area = t->area;

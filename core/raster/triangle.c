@@ -44,7 +44,7 @@ void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
 {
     qtri_job job;
     qtri_fill_rows fill = qtri_job_init(&job, raster, triangle, v);
-    if (triangle->is_short) {
+    if (triangle->size != QTRI_LARGE) {
         fill(&job, triangle->spans, triangle->row, triangle->end - triangle->row);
         return;
     }

@@ -11,6 +11,15 @@
 #include "job.h"
 
 /* A triangle's place on the screen. */
+typedef enum qtri_size {
+    QTRI_LARGE,
+    QTRI_SHORT, /* `spans` holds all rows */
+    QTRI_TINY   /* so it does, and neither width nor height reaches QTRI_TINY_SIDE */
+} qtri_size;
+
+#define QTRI_TINY_REACH 4                               /* pixels from the middle */
+#define QTRI_TINY_SIDE  (256 * (2 * QTRI_TINY_REACH + 1)) /* 1/256 pixel */
+
 typedef struct qtri_triangle {
     const qtri_screen_point *p[3]; /* |x|, |y| <= QTRI_SCREEN_MAX_24P8 */
     bool tinted;                   /* colours are shares of the raster's tint */
@@ -19,9 +28,10 @@ typedef struct qtri_triangle {
     const qtri_screen_point *top, *middle, *bottom; /* p by y */
     bool long_is_left;                              /* the edge from top to bottom */
     int32_t x_least, x_greatest;                    /* 1/256 pixel */
+    int32_t extent;                                 /* width and height, added */
     int32_t row, end;                               /* rows inside the bounds */
     bool cut;                                       /* spans may reach past the bounds */
-    bool is_short;                                  /* spans holds all rows */
+    qtri_size size;
     qtri_span spans[QTRI_ROWS_AHEAD];
 } qtri_triangle;
 
