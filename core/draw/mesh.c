@@ -226,12 +226,13 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
         QTRI_HOLD(a); /* three registers; GCC 12 would keep six */
         QTRI_HOLD(b);
         QTRI_HOLD(c);
-        const int64_t area = simple ? qtri_triangle_area(&a->at, &b->at, &c->at) : 0;
-        if (simple ? area >= 0 : qtri_mesh_turned_away(draw, a, b, c)) {
+        if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
+                   : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
         }
         if (simple && solid) {
-            qtri_mesh_draw_solid(draw, triangle, a, b, c, area);
+            qtri_mesh_draw_solid(draw, triangle, a, b, c,
+                                 qtri_triangle_area(&a->at, &b->at, &c->at));
         } else {
             qtri_vertex *const vertex[3] = {a, b, c};
             qtri_mesh_draw_seen(draw, triangle, vertex);
@@ -251,8 +252,10 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
     const bool solid = draw->material.fill == QTRI_SOLID;
     if (mesh->triangles8 != NULL) {
         draw_triangles(draw, mesh->triangles8, true, simple, solid);
+    } else if (simple) {
+        draw_triangles(draw, mesh->triangles, false, true, solid);
     } else {
-        draw_triangles(draw, mesh->triangles, false, simple, solid);
+        draw_triangles(draw, mesh->triangles, false, false, solid);
     }
 }
 

@@ -17,8 +17,8 @@ typedef struct qtri_mesh_job {
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
     bool edges_once; /* wireframes note in the vertices which edges they drew */
-    bool tinted; /* the mesh has no colours of its own */
-    bool more; /* colours of their own or a texture */
+    bool tinted;     /* the mesh has no colours of its own */
+    bool more;       /* colours of their own or a texture */
     qtri_lighting lighting;
 } qtri_mesh_job;
 

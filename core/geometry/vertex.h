@@ -6,35 +6,7 @@
 
 #include "projector.h"
 
-#include "../math/dot.h"
-
-/*
- * The largest r with r x < 2^62, for x in [2^31, 2^32): in [2^30, 2^31). It is the reciprocal
- * rounded down, except for 2^31, whose own would not fit an int32_t.
- */
-static inline int32_t qtri_reciprocal_below(uint32_t x)
-{
-#if QTRI_LONG_MULTIPLY && QTRI_DIVIDE
-    /*
-     * With d = x / 2^32, s = 1 / d within 2^-15: s (2 - d s) is never more than 1 / d, and at most
-     * 2^-30 less; products cut off twice make it less than 4 units.
-     */
-    uint32_t s_q31 = (0x7FFFFFFFu / (x >> 16)) << 16;
-    uint32_t two_less_q31 = ~qtri_mul_high32(x, s_q31);
-    uint32_t r = qtri_mul_high32(s_q31, two_less_q31);
-    uint64_t rest = ((uint64_t)1 << 62) - (uint64_t)x * r;
-    while (rest > x) {
-        rest -= x;
-        r++;
-    }
-#else
-    uint32_t r = qtri_reciprocal_q62(x);
-    r -= r >> 31;
-#endif
-    int32_t reciprocal = (int32_t)r;
-    QTRI_HOLD(reciprocal); /* signed, or GCC 12 forgets what smull is for */
-    return reciprocal;
-}
+#include "../math/reciprocal.h"
 
 /* floor(a b / 2^32). */
 static inline int32_t qtri_mul_high_s32(int32_t a, int32_t b)

@@ -20,7 +20,7 @@ void qtri_gradient_init(qtri_gradient *g, int32_t extent)
         return; /* nobody draws it */
     }
     g->zeros = qtri_clz32(size);
-    g->reciprocal = (int32_t)(qtri_reciprocal_q62(size << g->zeros) >> 1);
+    g->reciprocal = qtri_reciprocal_below(size << g->zeros) >> 1;
     if (!qtri_gradient_is_sliver(size, extent)) {
         qtri_gradient_set_inverse(g, g->reciprocal, g->zeros);
     }

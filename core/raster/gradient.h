@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "../math/bits.h"
+#include "../math/reciprocal.h"
 
 /* Where the vertices are; what all gradients of one triangle have in common. */
 typedef struct qtri_gradient {
@@ -22,7 +22,7 @@ typedef struct qtri_gradient {
     int64_t area;                 /* dx1 dy2 - dx2 dy1, not 0, |.| <= 2^47 */
     int32_t anchor_x, anchor_y;   /* origin of the ramps: a pixel */
     int32_t anchor_dx, anchor_dy; /* its centre from vertex 0, 1/256 pixel */
-    /* Triangles below 128 pixels: 2^61 / (|area| 2^zeros), in [2^29, 2^30]; others: 0. */
+    /* Triangles below 128 pixels: 2^61 / (|area| 2^zeros), in [2^29, 2^30); others: 0. */
     int32_t reciprocal, zeros;
     /* Of them those that are no slivers: 2^17 / area = inverse 2^(left - 32); others: 0. */
     int32_t inverse, left;

@@ -4,9 +4,9 @@
  *     31  27 26    21 20  16 15    11 10   5 4      0
  *     red   fraction blue  fraction green  fraction
  *
- * One addition steps all three channels, one mask and one or-with-shift make a pixel: green is where
- * a pixel has it, red and blue are 16 bits above. Steps may be negative: the word is the sum of its
- * fields, each times its unit, modulo 2^32, so it is right wherever all fields are in range,
+ * One addition steps all three channels, one mask and one or-with-shift make a pixel: green is
+ * where a pixel has it, red and blue are 16 bits above. Steps may be negative: the word is the sum
+ * of its fields, each times its unit, modulo 2^32, so it is right wherever all fields are in range,
  * however it got there.
  *
  * The fractions are short: a step is rounded to 2^-5 (red 2^-6), and so off by 2^-6 at most; a
@@ -22,7 +22,7 @@
 
 #include "job.h"
 
-#define QTRI_PACKED_RUN   64
+#define QTRI_PACKED_RUN 64
 
 /* From channels n.16 that fit 31 bits with their sign, cut off. */
 static inline uint32_t qtri_pack_floor(uint32_t r, uint32_t g, uint32_t b)

@@ -28,7 +28,7 @@ static inline bool gradient_from(qtri_gradient *g, const qtri_triangle *t)
     }
     g->area = t->area;
     int32_t zeros = qtri_clz32(size);
-    qtri_gradient_set_inverse(g, (int32_t)(qtri_reciprocal_q62(size << zeros) >> 1), zeros);
+    qtri_gradient_set_inverse(g, qtri_reciprocal_below(size << zeros) >> 1, zeros);
     g->x_24p8 = t->p[0]->x_24p8;
     g->y_24p8 = t->p[0]->y_24p8;
     g->dx1 = t->p[1]->x_24p8 - g->x_24p8;
@@ -161,16 +161,15 @@ bool qtri_tiny_draw(const qtri_raster *raster, const qtri_triangle *triangle, co
         i1 = b->intensity_q15 - i0;
         i2 = c->intensity_q15 - i0;
     }
-    if (!raster->tiny || !gradient_from(&gradient, triangle) ||
+    const bool smooth = (i1 | i2) != 0;
+    if (!raster->tiny || (smooth && raster->perspective && !is_linear(a, b, c, i1, i2)) ||
+        !gradient_from(&gradient, triangle) ||
         !depth_from(&depth, &gradient, a, b, c, triangle->row)) {
         return false;
     }
-    if ((i1 | i2) == 0) {
+    if (!smooth) {
         fill(raster, triangle, &depth, NULL, pixel_of(raster, (uint32_t)i0), false);
         return true;
-    }
-    if (raster->perspective && !is_linear(a, b, c, i1, i2)) {
-        return false;
     }
     slope color;
     color_from(&color, raster, &gradient, i0, i1, i2, triangle->row);

@@ -17,7 +17,7 @@ typedef enum qtri_size {
     QTRI_TINY   /* so it does, and neither width nor height reaches QTRI_TINY_SIDE */
 } qtri_size;
 
-#define QTRI_TINY_REACH 4                               /* pixels from the middle */
+#define QTRI_TINY_REACH 4                                 /* pixels from the middle */
 #define QTRI_TINY_SIDE  (256 * (2 * QTRI_TINY_REACH + 1)) /* 1/256 pixel */
 
 typedef struct qtri_triangle {
