@@ -97,30 +97,34 @@ static uint32_t light_any_face(const qtri_lighting *lighting, const qtri_vec3 *a
     return light_direction(lighting, normal);
 }
 
+/* Within +-2^15 when the upper half is 0; several may be or-ed. */
+static inline uint32_t reach(const int32_t e[3])
+{
+    return ((uint32_t)e[0] + 0x7FFFu) | ((uint32_t)e[1] + 0x7FFFu) | ((uint32_t)e[2] + 0x7FFFu);
+}
+
 /* Below 2^15 and so short that the face's normal fits 32 bits. */
 static inline bool is_short(const int32_t e[3], const int32_t f[3])
 {
-    uint32_t high = 0;
-    for (int i = 0; i < 3; i++) {
-        high |= ((uint32_t)e[i] + 0x7FFFu) | ((uint32_t)f[i] + 0x7FFFu);
-    }
-    return high < 0x10000u;
+    return (reach(e) | reach(f)) < 0x10000u;
 }
 
-/* The upper 16 bits of n 2^(zeros - 1), rounded and held. */
+/* The upper 16 bits of n 2^(zeros - 1), to nearest; 1 - 2^-15 times that, or the half would not
+ * fit. */
 static inline int32_t mantissa16(int32_t n, int32_t zeros)
 {
-    int32_t rounded = ((int32_t)((uint32_t)n << (zeros - 1)) >> 15) + 1;
-    return rounded > 0xFFFF ? 0x7FFF : rounded >> 1;
+    int32_t whole = (int32_t)((uint32_t)n << (zeros - 1));
+    return (whole - (whole >> 15) + 0x8000) >> 16;
 }
 
 /*
  * The plain light on the face between short edges. |e|, |f| < 2^15, so |e x f| < 2^31. Its
- * direction n has a largest component of 2^14..2^15, s = n . n is in [2^28, 3 2^30]; with v = s
+ * direction n has a largest component of 2^14 - 1..2^15, s = n . n is in (2^27, 3 2^30]; with v = s
  * 2^zeros / 2^32 in [1/4, 1) and y = v^-1/2 the dot product with n counts 2^14 / |n| = 2^(zeros / 2
  * - 2) y times. Newton's step y + y (1 - v y^2) / 2 takes y from 2^-13 to 2^-25.
  */
-static uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3], const int32_t f[3])
+static inline uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3],
+                                  const int32_t f[3])
 {
     int32_t x = e[1] * f[2] - e[2] * f[1];
     int32_t y = e[2] * f[0] - e[0] * f[2];
@@ -143,13 +147,15 @@ static uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3], co
     }
     QTRI_HOLD(dot_q25);
     uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
-    int32_t even = qtri_clz32(square) & 2;
+    int32_t even = qtri_clz32(square) & 6;
     square <<= even;
     uint32_t y_q30 = qtri_rsqrt_seed(square >> 16) << 15; /* <= 2^31 + 2^17 */
     uint32_t unit_q28 = qtri_mul_high32(qtri_mul_high32(square, y_q30), y_q30);
     int32_t error_q28 = (int32_t)(0x10000000u - unit_q28); /* < 2^17 */
     y_q30 += (uint32_t)(((error_q28 >> 2) * (int32_t)(y_q30 >> 15)) >> 12);
-    int32_t light_q24 = qtri_mul_high_s32(dot_q25, (int32_t)(y_q30 >> 1)) << (even >> 1);
+    int32_t y_q29 = (int32_t)(y_q30 >> 1);
+    QTRI_HOLD(y_q29);
+    int32_t light_q24 = qtri_mul_high_s32(dot_q25, y_q29) << (even >> 1);
     int32_t sum_q15 = (light_q24 * 2 + ambient_q25) >> 10;
     return (uint32_t)sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : (uint32_t)sum_q15;
 }
