@@ -1,7 +1,7 @@
 /*
  * The arithmetic scalars as a table, so that tests can run them in three builds: as the library has
  * them, as a core without a long multiply and without a division compiles them, and with
- * QTRI_CHECK_MATH.
+ * QTRI_CHECK_MATH and a division of 32 bits only.
  */
 #ifndef QTRI_TESTS_SUPPORT_Q16_H
 #define QTRI_TESTS_SUPPORT_Q16_H
@@ -41,6 +41,7 @@ typedef struct q16_build {
     uint32_t (*sqrt64_floor)(uint64_t x, uint64_t *remainder);
     uint64_t (*sqrt64_round)(uint64_t x);
     uint32_t (*reciprocal_q62)(uint32_t x);
+    int32_t (*reciprocal_below)(uint32_t x);
     uint64_t (*mul_u32)(uint32_t a, uint32_t b);
     int64_t (*mul_s32)(int32_t a, int32_t b);
     uint32_t (*reciprocal_seed)(uint32_t x);
@@ -54,8 +55,8 @@ typedef struct q16_build {
             q16_from_fixed, q16_to_fixed, q16_add_sat, q16_sub_sat, q16_mul_sat, q16_div_sat,      \
             q16_mul, q16_mul_floor, q16_mul_wrap, q16_div, q16_from_ratio, q16_mod, q16_hypot,     \
             q16_muldiv, q16_lerp, q16_recip, q16_sqrt, q16_rsqrt, qtri_mul_high64,                 \
-            qtri_sqrt64_floor, qtri_sqrt64_round, qtri_reciprocal_q62, qtri_mul_u32, qtri_mul_s32, \
-            qtri_reciprocal_seed, qtri_rsqrt_seed                                                  \
+            qtri_sqrt64_floor, qtri_sqrt64_round, qtri_reciprocal_q62, qtri_reciprocal_below,      \
+            qtri_mul_u32, qtri_mul_s32, qtri_reciprocal_seed, qtri_rsqrt_seed                      \
     }
 
 extern const q16_build q16_narrow_build, q16_checked_build;

@@ -4,7 +4,8 @@
 #ifndef QTRI_CHECK_MATH
 #define QTRI_CHECK_MATH
 #endif
-#define QTRI_MATH_FAULT q16_checked_fault
+#define QTRI_MATH_FAULT  q16_checked_fault
+#define QTRI_LONG_DIVIDE 0
 #define OTHER(name)     checked_##name
 #include "support_q16_other.inc"
 

@@ -7,6 +7,7 @@
 #include <limits.h>
 
 #include "math/bits.h"
+#include "math/reciprocal.h"
 #include "math/seed.h"
 
 static const q16_build library = Q16_BUILD("library");
@@ -353,6 +354,10 @@ static void check_reciprocal(uint32_t x)
     uint32_t exact = (uint32_t)(((uint64_t)1 << 62) / (x < 0x80000000u ? 0x80000000u : x));
     for (size_t i = 0; i < LENGTH_OF(builds); i++) {
         expect(builds[i], "reciprocal_q62", x, 0, 0, builds[i]->reciprocal_q62(x), exact);
+        if (x >= 0x80000000u) {
+            expect(builds[i], "reciprocal_below", x, 0, 0, builds[i]->reciprocal_below(x),
+                   x == 0x80000000u ? INT32_MAX : exact);
+        }
     }
 }
 

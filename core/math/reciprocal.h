@@ -12,7 +12,9 @@
  */
 static inline int32_t qtri_reciprocal_below(uint32_t x)
 {
-#if QTRI_LONG_MULTIPLY && QTRI_DIVIDE
+#if QTRI_LONG_DIVIDE
+    uint32_t r = (uint32_t)((((uint64_t)1 << 62) - 1) / x);
+#elif QTRI_LONG_MULTIPLY && QTRI_DIVIDE
     /*
      * With d = x / 2^32, s = 1 / d within 2^-15: s (2 - d s) is never more than 1 / d, and at most
      * 2^-30 less; products cut off twice make it less than 4 units.
