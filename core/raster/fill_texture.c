@@ -5,8 +5,7 @@ void qtri_run_copy_less(const qtri_job *job, const qtri_run *run)
 {
     const qtri_raster *raster = job->raster;
     const uint8_t *texels = raster->texture->texels;
-    const uint32_t row_mask = raster->row_mask;
-    const int32_t column_shift = raster->column_shift;
+    uint32_t cut = qtri_texel_cut(raster);
     uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
     uint16_t *depth = run->depths + run->x;
     uint32_t z = run->z;
@@ -20,7 +19,7 @@ void qtri_run_copy_less(const qtri_job *job, const qtri_run *run)
     if (z >> 16 < depth[i]) {                                                                      \
         QTRI_BRANCH                                                                                \
         depth[i] = (uint16_t)(z >> 16);                                                            \
-        uint32_t at = ((u >> column_shift) + ((v & row_mask) >> 16)) * 2;                          \
+        uint32_t at = qtri_texel_index(u, v, cut) * 2;                                             \
         pixel[i] = *(const uint16_t *)(const void *)(texels + at);                                 \
     }                                                                                              \
     z += depth_step;                                                                               \
@@ -32,7 +31,8 @@ void qtri_run_copy_less(const qtri_job *job, const qtri_run *run)
     QTRI_ASIDE(depth_step)                                                                         \
     QTRI_ASIDE(u_step)                                                                             \
     QTRI_ASIDE(v_step)                                                                             \
-    QTRI_ASIDE(texels)
+    QTRI_ASIDE(texels)                                                                             \
+    QTRI_ASIDE(cut)
     QTRI_PIXELS(count)
 #undef ONE
 }

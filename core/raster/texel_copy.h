@@ -13,6 +13,20 @@
 
 #include "job.h"
 
+/* x >> the low byte of `by`, 0..31. Arm's instruction looks at no other bits. */
+static inline uint32_t qtri_shift_by_byte(uint32_t x, uint32_t by)
+{
+#if defined(__GNUC__) && defined(__thumb2__)
+    __asm__("lsr %0, %1, %2" : "=r"(x) : "r"(x), "r"(by));
+    return x;
+#elif defined(__GNUC__) && defined(__thumb__)
+    __asm__("lsr %0, %1" : "+l"(x) : "l"(by) : "cc");
+    return x;
+#else
+    return x >> (by & 31);
+#endif
+}
+
 /* Nearest, repeated, without a key, and v fits: 1 <= w, w + h <= 16. */
 static inline bool qtri_texel_copy_fits(const qtri_texture *texture)
 {
@@ -33,10 +47,24 @@ static inline uint32_t qtri_texel_copy_rows(const qtri_texture *texture)
     return (((uint32_t)1 << texture->height_log2) - 1) << (16 + texture->width_log2);
 }
 
+/*
+ * Row mask and column shift in one word, for one register: the mask leaves the low byte alone, and
+ * what it lets through there is shifted away.
+ */
+static inline uint32_t qtri_texel_cut(const qtri_raster *raster)
+{
+    return raster->row_mask | (uint32_t)raster->column_shift;
+}
+
+static inline uint32_t qtri_texel_index(uint32_t u, uint32_t v, uint32_t cut)
+{
+    return qtri_shift_by_byte(u, cut) + ((v & cut) >> 16);
+}
+
 static inline uint32_t qtri_texel_copied(const qtri_raster *raster, uint32_t u, uint32_t v)
 {
-    uint32_t index = (u >> raster->column_shift) + ((v & raster->row_mask) >> 16);
-    return ((const uint16_t *)raster->texture->texels)[index];
+    const uint16_t *texels = raster->texture->texels;
+    return texels[qtri_texel_index(u, v, qtri_texel_cut(raster))];
 }
 
 #endif
