@@ -14,51 +14,52 @@
     QTRI_ASIDE(even)                                                                               \
     QTRI_ASIDE(odd)
 
-static void draw(qtri_cursor *at, const qtri_job *job, uint32_t packed, int32_t count)
+static void draw(qtri_packed_row *row, const qtri_job *job)
 {
     uint32_t depth_step = job->depth.dx;
     uint32_t even = job->packed_step.even;
     uint32_t odd = job->packed_step.odd;
-    uint16_t *pixel = at->pixel;
-    uint16_t *depth = at->depth;
-    uint32_t z = at->z;
-    if (count >= 8) {
-        const uint32_t last = job->packed_step.last;
-        const uint16_t *stop = depth + (count & ~7);
-        do {
+    const uint32_t last = job->packed_step.last;
+    uint16_t *pixel = row->pixel;
+    uint16_t *depth = row->depth;
+    uint32_t z = row->z;
+    do {
+        uint32_t packed = row->packed;
+        int32_t count = row->part;
+        if (count >= 8) {
+            const uint16_t *stop = depth + (count & ~7);
+            do {
+                PIXEL(0, even)
+                PIXEL(1, odd)
+                PIXEL(2, even)
+                PIXEL(3, odd)
+                PIXEL(4, even)
+                PIXEL(5, odd)
+                PIXEL(6, even)
+                PIXEL(7, last)
+                QTRI_MOVE(8)
+            } while (depth != stop);
+        }
+        if (count & 4) {
             PIXEL(0, even)
             PIXEL(1, odd)
             PIXEL(2, even)
             PIXEL(3, odd)
-            PIXEL(4, even)
-            PIXEL(5, odd)
-            PIXEL(6, even)
-            PIXEL(7, last)
-            QTRI_MOVE(8)
-        } while (depth != stop);
-    }
-    if (count & 4) {
-        PIXEL(0, even)
-        PIXEL(1, odd)
-        PIXEL(2, even)
-        PIXEL(3, odd)
-        depth += 4;
-        pixel += 4;
-    }
-    if (count & 2) {
-        PIXEL(0, even)
-        PIXEL(1, odd)
-        depth += 2;
-        pixel += 2;
-    }
-    if (count & 1) {
-        PIXEL(0, even)
-        depth++;
-        pixel++;
-    }
-    at->pixel = pixel;
-    at->depth = depth;
-    at->z = z;
+            depth += 4;
+            pixel += 4;
+        }
+        if (count & 2) {
+            PIXEL(0, even)
+            PIXEL(1, odd)
+            depth += 2;
+            pixel += 2;
+        }
+        if (count & 1) {
+            PIXEL(0, even)
+            depth++;
+            pixel++;
+        }
+    } while (qtri_packed_next(row, job));
 }
 
 /* A tiny triangle: values at column 0 step from row to row, and a span needs no groups. */

@@ -7,77 +7,80 @@
 #include "fill.h"
 #include "packed.h"
 
-/* How far a row is drawn: its place in memory, and its depth. */
-typedef struct qtri_cursor {
+/* A row of a triangle that is not tiny. */
+typedef struct qtri_packed_row {
     uint16_t *pixel, *depth;
     uint32_t z;
-} qtri_cursor;
-
-/* Draws `count` > 0 pixels from the first of a group of eight on. */
-typedef void (*qtri_packed_draw)(qtri_cursor *at, const qtri_job *job, uint32_t packed,
-                                 int32_t count);
-
-/* A pixel in the middle of a group, where a scissor cuts a span. */
-static inline void qtri_packed_draw_one(qtri_cursor *at, const qtri_job *job, uint32_t packed)
-{
-    if (at->z >> 16 < *at->depth) {
-        *at->depth = (uint16_t)(at->z >> 16);
-        *at->pixel = (uint16_t)qtri_packed_pixel(packed);
-    }
-    at->z += job->depth.dx;
-    at->depth++;
-    at->pixel++;
-}
+    uint32_t packed;  /* of the run that comes next */
+    int32_t part;     /* pixels of it, from the first of a group of eight on; may be 0 */
+    int32_t rest;     /* pixels after it */
+    uint32_t r, g, b; /* ramps where it starts */
+} qtri_packed_row;
 
 /*
- * Pixels `skip` .. skip + rest - 1 of a run of a span, and the runs after it. The exact starts are
- * those of qtri_packed_start: a ramp stepped by a run's length is the ramp there, modulo 2^32.
+ * Goes on to the next run, false at the row's end. Its start is that of qtri_packed_start: a ramp
+ * stepped by a run's length is the ramp there, modulo 2^32.
  */
-static inline void qtri_packed_runs(qtri_cursor *at, const qtri_job *job, int32_t dx, int32_t dy,
-                                    int32_t skip, int32_t rest, qtri_packed_draw draw)
+static inline bool qtri_packed_next(qtri_packed_row *row, const qtri_job *job)
 {
     const qtri_ramp *ramp = job->color.ramp;
-    uint32_t r = qtri_ramp_at(&ramp[0], dx - skip, dy);
-    uint32_t g = qtri_ramp_at(&ramp[1], dx - skip, dy);
-    uint32_t b = qtri_ramp_at(&ramp[2], dx - skip, dy);
-    for (;;) {
-        uint32_t packed = qtri_pack_floor(r, g, b);
-        int32_t part = QTRI_PACKED_RUN - skip < rest ? QTRI_PACKED_RUN - skip : rest;
-        rest -= part;
-        if (skip != 0) {
-            for (; part > 0 && skip % 8 != 0; part--, skip++) {
-                qtri_packed_draw_one(at, job, packed + qtri_packed_skip(job, skip));
-            }
-            packed += qtri_packed_skip(job, skip);
-            skip = 0;
-        }
-        if (part > 0) {
-            draw(at, job, packed, part);
-        }
-        if (rest <= 0) {
-            return;
-        }
-        r += QTRI_PACKED_RUN * ramp[0].dx;
-        g += QTRI_PACKED_RUN * ramp[1].dx;
-        b += QTRI_PACKED_RUN * ramp[2].dx;
+    if (row->rest <= 0) {
+        return false;
     }
+    row->r += QTRI_PACKED_RUN * ramp[0].dx;
+    row->g += QTRI_PACKED_RUN * ramp[1].dx;
+    row->b += QTRI_PACKED_RUN * ramp[2].dx;
+    row->packed = qtri_pack_floor(row->r, row->g, row->b);
+    row->part = QTRI_PACKED_RUN < row->rest ? QTRI_PACKED_RUN : row->rest;
+    row->rest -= row->part;
+    return true;
 }
 
-/* Rows of a triangle that is not tiny. */
+/* Where a scissor cuts off `skip` pixels of the first run: up to the next group pixel by pixel. */
+static inline void qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip)
+{
+    for (; row->part > 0 && skip % 8 != 0; row->part--, skip++) {
+        if (row->z >> 16 < *row->depth) {
+            *row->depth = (uint16_t)(row->z >> 16);
+            *row->pixel = (uint16_t)qtri_packed_pixel(row->packed + qtri_packed_skip(job, skip));
+        }
+        row->z += job->depth.dx;
+        row->depth++;
+        row->pixel++;
+    }
+    row->packed += qtri_packed_skip(job, skip);
+}
+
+/* Draws the run and those after it. */
+typedef void (*qtri_packed_draw)(qtri_packed_row *row, const qtri_job *job);
+
 static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans, int32_t row,
                                     int32_t count, qtri_packed_draw draw)
 {
     const qtri_raster *raster = job->raster;
+    const qtri_ramp *ramp = job->color.ramp;
     qtri_lines lines = qtri_lines_at(raster->surface, row);
     for (const qtri_span *end = spans + count; spans < end; spans++, row++) {
         int32_t x;
         int32_t rest = qtri_span_clip(spans, &raster->bounds, &x);
         if (rest > 0) {
-            int32_t dx = x - job->anchor_x;
             int32_t dy = row - job->anchor_y;
-            qtri_cursor at = {(uint16_t *)(void *)lines.pixels + x, lines.depths + x,
-                              qtri_ramp_at(&job->depth, dx, dy)};
-            qtri_packed_runs(&at, job, dx, dy, (x - spans->left) % QTRI_PACKED_RUN, rest, draw);
+            int32_t skip = (x - spans->left) % QTRI_PACKED_RUN;
+            int32_t dx = x - skip - job->anchor_x;
+            qtri_packed_row at;
+            at.pixel = (uint16_t *)(void *)lines.pixels + x;
+            at.depth = lines.depths + x;
+            at.z = qtri_ramp_at(&job->depth, x - job->anchor_x, dy);
+            at.r = qtri_ramp_at(&ramp[0], dx, dy);
+            at.g = qtri_ramp_at(&ramp[1], dx, dy);
+            at.b = qtri_ramp_at(&ramp[2], dx, dy);
+            at.packed = qtri_pack_floor(at.r, at.g, at.b);
+            at.part = QTRI_PACKED_RUN - skip < rest ? QTRI_PACKED_RUN - skip : rest;
+            at.rest = rest - at.part;
+            if (skip != 0) {
+                qtri_packed_cut(&at, job, skip);
+            }
+            draw(&at, job);
         }
         QTRI_NEXT_ROW
         lines.pixels += raster->surface->pitch;
