@@ -28,11 +28,14 @@ void qtri_fill_choose(qtri_raster *raster)
         raster->fill_flat = flat[format <= QTRI_GRAY8 ? format : QTRI_GRAY8][less];
     }
     if (less && format == QTRI_RGB565) {
+        raster->fill_tiny = qtri_fill_tiny_less;
 #if QTRI_PAIRS
         raster->fill_flat = qtri_fill_flat_pairs;
-#endif
+        raster->fill_linear = qtri_fill_packed_pairs;
+        raster->copy_run = qtri_run_copy_pairs;
+#else
         raster->fill_linear = qtri_fill_packed_less;
-        raster->fill_tiny = qtri_fill_tiny_less;
         raster->copy_run = qtri_run_copy_less;
+#endif
     }
 }

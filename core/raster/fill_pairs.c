@@ -1,45 +1,94 @@
 #include "fill_pairs.h"
 
-#if QTRI_PAIRS
+#include "fill_packed.h"
+#include "texel_copy.h"
 
-enum { LONG = 12 }; /* pixels from which pairs are worth the while */
+/*
+ * A loop defines COLOR, a pixel's colour in the low half, and STEP(s), which goes on to the next.
+ * SINGLE(s) draws a pixel and moves on; PAIR(i, s, t) draws pixels 2 i and 2 i + 1, and
+ * after n of them comes MOVE(n).
+ */
+#define SINGLE(s)                                                                                  \
+    if (z >> 16 < *depth) {                                                                        \
+        QTRI_BRANCH                                                                                \
+        *depth = (uint16_t)(z >> 16);                                                              \
+        *pixel = (uint16_t)(COLOR);                                                                \
+    }                                                                                              \
+    z += depth_step;                                                                               \
+    STEP(s)                                                                                        \
+    depth++;                                                                                       \
+    pixel++;
 
-/* A long span of one colour. */
+#if QTRI_SELECT
+#define PAIR(i, s, t)                                                                              \
+    {                                                                                              \
+        uint32_t colors = COLOR;                                                                   \
+        STEP(s)                                                                                    \
+        colors = qtri_pair_low(colors, COLOR);                                                     \
+        STEP(t)                                                                                    \
+        uint32_t second = z + depth_step;                                                          \
+        uint32_t near = qtri_pair_high(z, second);                                                 \
+        z = second + depth_step;                                                                   \
+        qtri_pair_select(&pixel, &depth, near, colors);                                            \
+        QTRI_OPAQUE(z)                                                                             \
+    }
+#define MOVE(n)
+#else
+/* z / 2^16 < d, rounded down, is z < 2^16 d: the low half is compared where it is. */
+#define PAIR(i, s, t)                                                                              \
+    {                                                                                              \
+        uint32_t stored = qtri_pair_load(depth + 2 * (i));                                         \
+        if (z < stored << 16) {                                                                    \
+            QTRI_BRANCH                                                                            \
+            depth[2 * (i)] = (uint16_t)(z >> 16);                                                  \
+            pixel[2 * (i)] = (uint16_t)(COLOR);                                                    \
+        }                                                                                          \
+        z += depth_step;                                                                           \
+        STEP(s)                                                                                    \
+        uint32_t near = z >> 16;                                                                   \
+        QTRI_OPAQUE(near)                                                                          \
+        if (near < stored >> 16) {                                                                 \
+            QTRI_BRANCH                                                                            \
+            depth[2 * (i) + 1] = (uint16_t)near;                                                   \
+            pixel[2 * (i) + 1] = (uint16_t)(COLOR);                                                \
+        }                                                                                          \
+        z += depth_step;                                                                           \
+        STEP(t)                                                                                    \
+        QTRI_OPAQUE(z)                                                                             \
+    }
+#define MOVE(n) QTRI_MOVE(2 * (n))
+#endif
+
+/* `count` pixels: sixteen at a time, then two, then one. */
+/* clang-format off */
+#define PAIRS(count)                                                                               \
+    for (const uint16_t *stop = depth + ((count) & ~15); depth != stop;) {                         \
+        PAIR(0, , ) PAIR(1, , ) PAIR(2, , ) PAIR(3, , )                                            \
+        PAIR(4, , ) PAIR(5, , ) PAIR(6, , ) PAIR(7, , )                                            \
+        MOVE(8)                                                                                    \
+    }                                                                                              \
+    for (const uint16_t *stop = depth + ((count) & 14); depth != stop;) {                          \
+        PAIR(0, , )                                                                                \
+        MOVE(1)                                                                                    \
+    }                                                                                              \
+    if (((count) & 1) != 0) {                                                                      \
+        SINGLE()                                                                                   \
+    }
+/* clang-format on */
+
+enum { LONG = 12 }; /* pixels of one colour from which pairs are worth the while */
+
+#define COLOR color
+#define STEP(s)
+
 static void flat_span(uint16_t *pixel, uint16_t *depth, int32_t count, uint32_t color, uint32_t z,
-                      uint32_t step)
+                      uint32_t depth_step)
 {
-    const uint32_t pair = color << 16 | color;
-    int32_t alone = (int32_t)((uintptr_t)pixel & 2) >> 1;
-    count -= alone;
-    for (; alone > 0; alone--) {
-        if (z >> 16 < *depth) {
-            *depth = (uint16_t)(z >> 16);
-            *pixel = (uint16_t)color;
-        }
-        z += step;
-        depth++;
-        pixel++;
+    if (!qtri_pair_begins(depth)) {
+        SINGLE()
+        count--;
     }
-    uint32_t next = z + step;
-    const uint32_t two = 2 * step;
-#define ONE(i)                                                                                     \
-    qtri_pair_draw(pixel + 2 * (i), depth + 2 * (i), z, next, pair);                               \
-    z += two;                                                                                      \
-    next += two;                                                                                   \
-    QTRI_OPAQUE(z)                                                                                 \
-    QTRI_OPAQUE(next)
-    for (; count >= 16; count -= 16) {
-        ONE(0) ONE(1) ONE(2) ONE(3) ONE(4) ONE(5) ONE(6) ONE(7) QTRI_MOVE(16)
-    }
-    for (; count >= 2; count -= 2) {
-        ONE(0)
-        QTRI_MOVE(2)
-    }
-#undef ONE
-    if (count > 0 && z >> 16 < *depth) {
-        *depth = (uint16_t)(z >> 16);
-        *pixel = (uint16_t)color;
-    }
+    PAIRS(count)
 }
 
 void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
@@ -53,20 +102,13 @@ void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t r
             uint32_t z = qtri_ramp_at(&job->depth, x - job->anchor_x, row - job->anchor_y);
             uint16_t *pixel = (uint16_t *)(void *)lines.pixels + x;
             uint16_t *depth = lines.depths + x;
+            const uint32_t depth_step = job->depth.dx;
+            const uint32_t color = job->pixel;
             if (rest >= LONG && qtri_pairs_fit(pixel, depth)) {
-                flat_span(pixel, depth, rest, job->pixel, z, job->depth.dx);
+                flat_span(pixel, depth, rest, color, z, depth_step);
             } else {
-                const uint32_t step = job->depth.dx;
-                const uint16_t color = (uint16_t)job->pixel;
                 for (; rest > 0; rest--) {
-                    if (z >> 16 < *depth) {
-                        QTRI_BRANCH
-                        *depth = (uint16_t)(z >> 16);
-                        *pixel = color;
-                    }
-                    z += step;
-                    depth++;
-                    pixel++;
+                    SINGLE()
                 }
             }
         }
@@ -75,8 +117,97 @@ void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t r
     }
 }
 
-#else
+#undef COLOR
+#undef STEP
+#define COLOR qtri_packed_pixel(packed)
+#define STEP(s)                                                                                    \
+    packed += (s);                                                                                 \
+    QTRI_OPAQUE(packed)
 
-typedef int qtri_no_pairs; /* a file of C is not empty */
+/* Pairs are those of a group of eight, or begin with its second pixel. */
+static void packed_row(qtri_packed_row *row, const qtri_job *job)
+{
+    const qtri_packed_steps *step = &job->packed_step;
+    const uint32_t depth_step = job->depth.dx;
+    uint16_t *pixel = row->pixel;
+    uint16_t *depth = row->depth;
+    uint32_t z = row->z;
+    bool fits = qtri_pairs_fit(pixel, depth);
+    do {
+        uint32_t one = step->even;
+        uint32_t other = step->odd;
+        uint32_t seventh = step->even;
+        uint32_t eighth = step->last;
+        uint32_t packed = row->packed;
+        int32_t count = row->part;
+        if (!fits) {
+            for (int32_t i = 0; i < count; i++) {
+                SINGLE(i % 8 == 7 ? eighth : (i % 2 == 0 ? one : other))
+            }
+            continue;
+        }
+        if (count > 0 && !qtri_pair_begins(depth)) {
+            SINGLE(one)
+            one = other;
+            other = seventh;
+            seventh = eighth;
+            eighth = other;
+            count--;
+        }
+        for (const uint16_t *stop = depth + (count & ~7); depth != stop;) {
+            PAIR(0, one, other)
+            PAIR(1, one, other)
+            PAIR(2, one, other)
+            PAIR(3, seventh, eighth)
+            MOVE(4)
+        }
+        for (const uint16_t *stop = depth + (count & 6); depth != stop;) {
+            PAIR(0, one, other)
+            MOVE(1)
+        }
+        if ((count & 1) != 0) {
+            SINGLE(one)
+        }
+    } while (qtri_packed_next(row, job));
+}
 
-#endif
+void qtri_fill_packed_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    qtri_packed_rows(job, spans, row, count, packed_row);
+}
+
+#undef COLOR
+#undef STEP
+#define COLOR ((const uint16_t *)(const void *)texels)[qtri_texel_index(u, v, cut)]
+#define STEP(s)                                                                                    \
+    u += u_step;                                                                                   \
+    v += v_step;                                                                                   \
+    QTRI_OPAQUE(u)                                                                                 \
+    QTRI_OPAQUE(v)
+
+void qtri_run_copy_pairs(const qtri_job *job, const qtri_run *run)
+{
+    const qtri_raster *raster = job->raster;
+    const uint8_t *texels = raster->texture->texels;
+    const uint32_t cut = qtri_texel_cut(raster);
+    uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
+    uint16_t *depth = run->depths + run->x;
+    uint32_t z = run->z;
+    uint32_t u = run->uv[0];
+    uint32_t v = run->uv[1];
+    const uint32_t depth_step = job->depth.dx;
+    const uint32_t u_step = run->uv_step[0];
+    const uint32_t v_step = run->uv_step[1];
+    int32_t count = run->count;
+    if (!qtri_pairs_fit(pixel, depth)) {
+        for (; count > 0; count--) {
+            SINGLE()
+        }
+        return;
+    }
+    if (count > 0 && !qtri_pair_begins(depth)) {
+        SINGLE()
+        count--;
+    }
+    PAIRS(count)
+}

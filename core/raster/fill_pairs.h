@@ -1,62 +1,119 @@
 /*
- * Two pixels at a time on cores with the DSP extension (Cortex-M4, M7, M33). Internal.
+ * Two pixels at a time, for cores with 32-bit instructions and few registers: Thumb-2. Internal.
  *
- * USUB16 compares two depths and SEL takes from either word what passed: a pair of depths and a
- * pair of RGB565 pixels are loaded, chosen and stored without a branch. Pixels that fail are stored
- * as they were.
+ * One load brings the stored depths of two pixels; which of them pass is decided in one of two
+ * ways: QTRI_SELECT 0  each half is compared in place and its pixel drawn if it passes QTRI_SELECT
+ * 1  with the DSP extension (Cortex-M4, M7, M33) USUB16 compares both and SEL takes from either
+ * word what passes: no branch, and pixels that fail are stored as they were Words are aligned ones:
+ * what other addresses cost, or whether they fault, depends on the memory that a display is in. So
+ * depths begin a word, and pixels with QTRI_SELECT; the first pixel of a row is drawn alone where
+ * they do not.
+ *
+ * All of this is plain C where the compiler or the core is another, for the tests.
  */
 #ifndef QTRI_RASTER_FILL_PAIRS_H
 #define QTRI_RASTER_FILL_PAIRS_H
 
 #include "fill.h"
 
-#if defined(__GNUC__) && defined(__ARM_FEATURE_DSP) && defined(__ARM_FEATURE_SIMD32) &&            \
-    !defined(__ARM_BIG_ENDIAN)
+#if defined(__GNUC__) && defined(__thumb2__) && defined(__ARM_FEATURE_DSP) &&                      \
+    defined(__ARM_FEATURE_SIMD32) && !defined(__ARM_BIG_ENDIAN)
+#define QTRI_DSP 1
+#else
+#define QTRI_DSP 0
+#endif
+
+#ifndef QTRI_SELECT
+#define QTRI_SELECT QTRI_DSP
+#endif
+
+/* Whether these functions are the fastest; they are long, since they are unrolled. */
+#if defined(__thumb2__) && !defined(__ARM_BIG_ENDIAN) && !defined(__OPTIMIZE_SIZE__)
 #define QTRI_PAIRS 1
 #else
 #define QTRI_PAIRS 0
 #endif
 
-#if QTRI_PAIRS
-
-/* Whether pixel and depth begin words together, or one pixel on. */
-static inline bool qtri_pairs_fit(const uint16_t *pixel, const uint16_t *depth)
-{
-    return (((uintptr_t)pixel ^ (uintptr_t)depth) & 2) == 0;
-}
-
+/* Two of 16 bits, the first in the low half. */
 static inline uint32_t qtri_pair_load(const uint16_t *at)
 {
+#if QTRI_PAIRS
     uint32_t pair;
     __builtin_memcpy(&pair, __builtin_assume_aligned(at, 4), sizeof pair);
     return pair;
-}
-
-static inline void qtri_pair_store(uint16_t *at, uint32_t pair)
-{
-    __builtin_memcpy(__builtin_assume_aligned(at, 4), &pair, sizeof pair);
-}
-
-/* Draws pixels 0 and 1 of colours `pair` at depths z0 and z1, 16.16; the first is the low half. */
-static inline void qtri_pair_draw(uint16_t *pixel, uint16_t *depth, uint32_t z0, uint32_t z1,
-                                  uint32_t pair)
-{
-    uint32_t stored = qtri_pair_load(depth);
-    uint32_t shown = qtri_pair_load(pixel);
-    uint32_t z;
-    uint32_t unused;
-    __asm__("pkhtb %[z], %[z1], %[z0], asr #16\n\t"
-            "usub16 %[unused], %[z], %[stored]\n\t" /* GE: not nearer */
-            "sel %[z], %[stored], %[z]\n\t"
-            "sel %[shown], %[shown], %[pair]"
-            : [z] "=&r"(z), [unused] "=&r"(unused), [shown] "+&r"(shown)
-            : [z0] "r"(z0), [z1] "r"(z1), [stored] "r"(stored), [pair] "r"(pair));
-    qtri_pair_store(depth, z);
-    qtri_pair_store(pixel, shown);
-}
-
-/* RGB565, one colour, depth "less" with write. */
-void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
-
+#else
+    return at[0] | (uint32_t)at[1] << 16;
 #endif
+}
+
+/* The low halves of two colours. */
+static inline uint32_t qtri_pair_low(uint32_t first, uint32_t second)
+{
+#if QTRI_DSP
+    uint32_t pair;
+    __asm__("pkhbt %0, %1, %2, lsl #16" : "=r"(pair) : "r"(first), "r"(second));
+    return pair;
+#else
+    return (first & 0xFFFF) | second << 16;
+#endif
+}
+
+/* The high halves of two depths. */
+static inline uint32_t qtri_pair_high(uint32_t first, uint32_t second)
+{
+#if QTRI_DSP
+    uint32_t pair;
+    __asm__("pkhtb %0, %2, %1, asr #16" : "=r"(pair) : "r"(first), "r"(second));
+    return pair;
+#else
+    return first >> 16 | (second & 0xFFFF0000u);
+#endif
+}
+
+/* Draws two pixels where `z` is less than the depths that are stored, and moves on. */
+static inline void qtri_pair_select(uint16_t **pixel, uint16_t **depth, uint32_t z, uint32_t colors)
+{
+#if QTRI_DSP
+    uint32_t stored, shown;
+    __asm__ volatile(
+        "ldr %[stored], [%[depth]]\n\t"
+        "usub16 %[shown], %[z], %[stored]\n\t" /* GE: not nearer */
+        "ldr %[shown], [%[pixel]]\n\t"
+        "sel %[stored], %[stored], %[z]\n\t"
+        "sel %[shown], %[shown], %[colors]\n\t"
+        "str %[stored], [%[depth]], #4\n\t"
+        "str %[shown], [%[pixel]], #4"
+        : [stored] "=&r"(stored), [shown] "=&r"(shown), [depth] "+&r"(*depth), [pixel] "+&r"(*pixel)
+        : [z] "r"(z), [colors] "r"(colors)
+        : "memory");
+#else
+    for (int i = 0; i < 2; i++) {
+        uint16_t z_i = (uint16_t)(z >> 16 * i);
+        if (z_i < **depth) {
+            **depth = z_i;
+            **pixel = (uint16_t)(colors >> 16 * i);
+        }
+        ++*depth;
+        ++*pixel;
+    }
+#endif
+}
+
+/* Whether pairs can be drawn from here on, or from the next pixel on. */
+static inline bool qtri_pairs_fit(const uint16_t *pixel, const uint16_t *depth)
+{
+    return !QTRI_SELECT || (((uintptr_t)pixel ^ (uintptr_t)depth) & 2) == 0;
+}
+
+static inline bool qtri_pair_begins(const uint16_t *depth)
+{
+    return ((uintptr_t)depth & 2) == 0;
+}
+
+/* RGB565, depth "less" with write: one colour, linear colours, copied texels. */
+void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+void qtri_fill_packed_pairs(const qtri_job *job, const qtri_span *spans, int32_t row,
+                            int32_t count);
+void qtri_run_copy_pairs(const qtri_job *job, const qtri_run *run);
+
 #endif
