@@ -113,6 +113,9 @@ struct qtri_run {
 /* Fills rows by spans: any job. */
 void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 
+/* The same for textures without perspective. */
+void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+
 /* The fastest functions for jobs of this raster without texture. */
 void qtri_fill_choose(qtri_raster *raster);
 

@@ -366,5 +366,5 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
             job->copies_texels ? qtri_texel_copy_shift(raster->texture, i) - job->axis[i].shift : 0;
     }
     job->draw_run = job->copies_texels ? raster->copy_run : qtri_run_generic;
-    return qtri_fill_spans;
+    return perspective ? qtri_fill_spans : qtri_fill_textured;
 }

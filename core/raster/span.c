@@ -1,4 +1,4 @@
-#include "job.h"
+#include "fill.h"
 #include "packed.h"
 
 enum { BLOCK = 16 }; /* pixels from one exact division to the next where w changes fast */
@@ -302,13 +302,11 @@ static void perspective_span(const qtri_job *job, window *w, qtri_run *run, int3
     }
 }
 
-/* Everything is linear: one run. */
-static void linear_span(const qtri_job *job, const window *w, qtri_run *run)
+/* Everything is linear: one run, of which the place is known, and uv. */
+static void linear_run(const qtri_job *job, int32_t y, qtri_run *run)
 {
-    int32_t dx = w->x0 - job->anchor_x;
-    int32_t dy = w->y - job->anchor_y;
-    run->x = w->x0;
-    run->count = w->x1 - w->x0;
+    int32_t dx = run->x - job->anchor_x;
+    int32_t dy = y - job->anchor_y;
     run->z = qtri_ramp_at(&job->depth, dx, dy);
     for (int i = 0; i < 3 && job->smooth; i++) {
         run->color[i] = qtri_ramp_at(&job->color.ramp[i], dx, dy);
@@ -338,31 +336,6 @@ static void packed_span(const qtri_job *job, const window *w, qtri_run *run, int
 }
 
 /*
- * Texture coordinates linear on the screen: they fill their 32 bits, so that steps lose what a long
- * run would show. They start anew from their planes: every 64 pixels, or, where copied texels leave
- * 2^-17 of a texel and less to the last bit, every 512.
- */
-static void linear_textured_span(const qtri_job *job, window *w, qtri_run *run, int32_t left)
-{
-    int32_t length = job->copies_texels ? 512 : 64;
-    int32_t end = w->x1;
-    int32_t x = left + (w->x0 - left) / length * length;
-    for (; x < end; x += length) {
-        w->x0 = x < w->x0 ? w->x0 : x;
-        w->x1 = x + length < end ? x + length : end;
-        for (int i = 0; i < 2; i++) {
-            const qtri_plane *plane = &job->uv[i];
-            int32_t up = job->uv_up[i];
-            uint32_t start = (uint32_t)qtri_plane_floor(qtri_plane_at(plane, x, w->y));
-            run->uv_step[i] = plane_step(plane->dx, up);
-            run->uv[i] =
-                scaled(start + job->axis[i].bias, up) + (uint32_t)(w->x0 - x) * run->uv_step[i];
-        }
-        linear_span(job, w, run);
-    }
-}
-
-/*
  * The pixels of row y that lie in x0..x1-1, inside the bounds, of a span that covers left..right-1.
  * Where the exact divisions fall depends on left and right alone, so that a scissor does not change
  * a pixel.
@@ -383,12 +356,12 @@ static void span(const qtri_job *job, int32_t y, int32_t left, int32_t right, in
         job->raster->compare == QTRI_DEPTH_OFF ? NULL : surface->depth + row * surface->depth_pitch;
     if (job->paint == QTRI_PAINT_PERSPECTIVE) {
         perspective_span(job, &w, &run, left, right);
-    } else if (job->raster->texture != NULL) {
-        linear_textured_span(job, &w, &run, left);
     } else if (job->smooth && surface->format == QTRI_RGB565) {
         packed_span(job, &w, &run, left);
     } else {
-        linear_span(job, &w, &run);
+        run.x = x0;
+        run.count = x1 - x0;
+        linear_run(job, y, &run);
     }
 }
 
@@ -400,5 +373,56 @@ void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, i
         if (pixels > 0) {
             span(job, row, spans->left, spans->right, x, x + pixels);
         }
+    }
+}
+
+/* Axis i at column x of a row, `row` being its plane at column 0 with the bias. */
+static inline uint32_t linear_coordinate(const qtri_job *job, int i, uint64_t row, int32_t x)
+{
+    uint32_t value = (uint32_t)qtri_plane_floor(column_of(row, job->uv[i].dx, x));
+    return scaled(value, job->uv_up[i]);
+}
+
+static inline uint64_t linear_row(const qtri_job *job, int i, int32_t y)
+{
+    return row_of(&job->uv[i], y) + ((uint64_t)job->axis[i].bias << 16);
+}
+
+/*
+ * Texture coordinates linear on the screen: they fill their 32 bits, so that steps lose what a long
+ * run would show. They start anew from their planes: every 64 pixels, or, where copied texels leave
+ * 2^-17 of a texel and less to the last bit, every 512.
+ */
+void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    const qtri_surface *surface = raster->surface;
+    const int32_t length = job->copies_texels ? 512 : 64;
+    qtri_lines lines = qtri_lines_at(surface, row);
+    qtri_run run;
+    uint64_t u = linear_row(job, 0, row);
+    uint64_t v = linear_row(job, 1, row);
+    run.is_packed = false;
+    run.uv_step[0] = plane_step(job->uv[0].dx, job->uv_up[0]);
+    run.uv_step[1] = plane_step(job->uv[1].dx, job->uv_up[1]);
+    for (const qtri_span *end = spans + count; spans < end; spans++, row++) {
+        int32_t x0;
+        int32_t rest = qtri_span_clip(spans, &raster->bounds, &x0);
+        int32_t skip = (x0 - spans->left) & (length - 1);
+        run.pixels = lines.pixels;
+        run.depths = lines.depths;
+        for (run.x = x0; rest > 0; run.x += run.count) {
+            int32_t x = run.x - skip;
+            run.count = length - skip < rest ? length - skip : rest;
+            run.uv[0] = linear_coordinate(job, 0, u, x) + (uint32_t)skip * run.uv_step[0];
+            run.uv[1] = linear_coordinate(job, 1, v, x) + (uint32_t)skip * run.uv_step[1];
+            linear_run(job, row, &run);
+            rest -= run.count;
+            skip = 0;
+        }
+        u += job->uv[0].dy;
+        v += job->uv[1].dy;
+        lines.pixels += surface->pitch;
+        lines.depths += surface->depth_pitch;
     }
 }
