@@ -1,5 +1,26 @@
 #include "fill_packed.h"
 
+bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip)
+{
+    for (; row->part > 0 && skip % 8 != 0; row->part--, skip++) {
+        if (row->z >> 16 < *row->depth) {
+            *row->depth = (uint16_t)(row->z >> 16);
+            *row->pixel = (uint16_t)qtri_packed_pixel(row->packed + qtri_packed_skip(job, skip));
+        }
+        row->z += job->depth.dx;
+        row->depth++;
+        row->pixel++;
+    }
+    if (row->part > 0) {
+        row->packed += qtri_packed_skip(job, skip);
+        return true;
+    }
+    row->packed = qtri_packed_next(row, job);
+    row->part = qtri_packed_part(row->rest);
+    row->rest -= row->part;
+    return row->part > 0;
+}
+
 #define PIXEL(i, step)                                                                             \
     if (z >> 16 < depth[i]) {                                                                      \
         QTRI_BRANCH                                                                                \
@@ -14,7 +35,7 @@
     QTRI_ASIDE(even)                                                                               \
     QTRI_ASIDE(odd)
 
-static void draw(qtri_packed_row *row, const qtri_job *job)
+void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 {
     uint32_t depth_step = job->depth.dx;
     uint32_t even = job->packed_step.even;
@@ -23,9 +44,10 @@ static void draw(qtri_packed_row *row, const qtri_job *job)
     uint16_t *pixel = row->pixel;
     uint16_t *depth = row->depth;
     uint32_t z = row->z;
-    do {
-        uint32_t packed = row->packed;
-        int32_t count = row->part;
+    uint32_t packed = row->packed;
+    int32_t count = row->part;
+    int32_t rest = row->rest;
+    for (;;) {
         if (count >= 8) {
             const uint16_t *stop = depth + (count & ~7);
             do {
@@ -59,7 +81,13 @@ static void draw(qtri_packed_row *row, const qtri_job *job)
             depth++;
             pixel++;
         }
-    } while (qtri_packed_next(row, job));
+        if (rest <= 0) {
+            return;
+        }
+        packed = qtri_packed_next(row, job);
+        count = qtri_packed_part(rest);
+        rest -= count;
+    }
 }
 
 /* A tiny triangle: values at column 0 step from row to row, and a span needs no groups. */
@@ -107,5 +135,5 @@ void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t ro
 
 void qtri_fill_packed_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
-    qtri_packed_rows(job, spans, row, count, draw);
+    qtri_packed_rows(job, spans, row, count, qtri_packed_singly);
 }

@@ -7,52 +7,45 @@
 #include "fill.h"
 #include "packed.h"
 
-/* A row of a triangle that is not tiny. */
+/* A row of a triangle that is not tiny: what is left of a run, and the runs after it. */
 typedef struct qtri_packed_row {
     uint16_t *pixel, *depth;
     uint32_t z;
-    uint32_t packed;  /* of the run that comes next */
-    int32_t part;     /* pixels of it, from the first of a group of eight on; may be 0 */
+    uint32_t packed;
+    int32_t part;     /* pixels of the run, from the first of a group of eight on */
     int32_t rest;     /* pixels after it */
     uint32_t r, g, b; /* ramps where it starts */
 } qtri_packed_row;
 
 /*
- * Goes on to the next run, false at the row's end. Its start is that of qtri_packed_start: a ramp
- * stepped by a run's length is the ramp there, modulo 2^32.
+ * The start of the next run, that of qtri_packed_start: a ramp stepped by a run's length is the
+ * ramp there, modulo 2^32.
  */
-static inline bool qtri_packed_next(qtri_packed_row *row, const qtri_job *job)
+static inline uint32_t qtri_packed_next(qtri_packed_row *row, const qtri_job *job)
 {
     const qtri_ramp *ramp = job->color.ramp;
-    if (row->rest <= 0) {
-        return false;
-    }
     row->r += QTRI_PACKED_RUN * ramp[0].dx;
     row->g += QTRI_PACKED_RUN * ramp[1].dx;
     row->b += QTRI_PACKED_RUN * ramp[2].dx;
-    row->packed = qtri_pack_floor(row->r, row->g, row->b);
-    row->part = QTRI_PACKED_RUN < row->rest ? QTRI_PACKED_RUN : row->rest;
-    row->rest -= row->part;
-    return true;
+    return qtri_pack_floor(row->r, row->g, row->b);
 }
 
-/* Where a scissor cuts off `skip` pixels of the first run: up to the next group pixel by pixel. */
-static inline void qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip)
+static inline int32_t qtri_packed_part(int32_t rest)
 {
-    for (; row->part > 0 && skip % 8 != 0; row->part--, skip++) {
-        if (row->z >> 16 < *row->depth) {
-            *row->depth = (uint16_t)(row->z >> 16);
-            *row->pixel = (uint16_t)qtri_packed_pixel(row->packed + qtri_packed_skip(job, skip));
-        }
-        row->z += job->depth.dx;
-        row->depth++;
-        row->pixel++;
-    }
-    row->packed += qtri_packed_skip(job, skip);
+    return rest < QTRI_PACKED_RUN ? rest : QTRI_PACKED_RUN;
 }
 
-/* Draws the run and those after it. */
+/* Draws them; 0 < part. */
 typedef void (*qtri_packed_draw)(qtri_packed_row *row, const qtri_job *job);
+
+/*
+ * Where a scissor cuts off `skip` pixels of the first run: draws up to the next group. False when
+ * that was all.
+ */
+bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip);
+
+/* One pixel after the other. */
+void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job);
 
 static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans, int32_t row,
                                     int32_t count, qtri_packed_draw draw)
@@ -65,7 +58,7 @@ static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans,
         int32_t rest = qtri_span_clip(spans, &raster->bounds, &x);
         if (rest > 0) {
             int32_t dy = row - job->anchor_y;
-            int32_t skip = (x - spans->left) % QTRI_PACKED_RUN;
+            int32_t skip = (x - spans->left) & (QTRI_PACKED_RUN - 1);
             int32_t dx = x - skip - job->anchor_x;
             qtri_packed_row at;
             at.pixel = (uint16_t *)(void *)lines.pixels + x;
@@ -77,10 +70,9 @@ static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans,
             at.packed = qtri_pack_floor(at.r, at.g, at.b);
             at.part = QTRI_PACKED_RUN - skip < rest ? QTRI_PACKED_RUN - skip : rest;
             at.rest = rest - at.part;
-            if (skip != 0) {
-                qtri_packed_cut(&at, job, skip);
+            if (skip == 0 || qtri_packed_cut(&at, job, skip)) {
+                draw(&at, job);
             }
-            draw(&at, job);
         }
         QTRI_NEXT_ROW
         lines.pixels += raster->surface->pitch;

@@ -4,15 +4,16 @@
 #include "texel_copy.h"
 
 /*
- * A loop defines COLOR, a pixel's colour in the low half, and STEP(s), which goes on to the next.
- * SINGLE(s) draws a pixel and moves on; PAIR(i, s, t) draws pixels 2 i and 2 i + 1, and
- * after n of them comes MOVE(n).
+ * A loop defines COLOR(name), a variable with the pixel's colour in the low half, and STEP(s),
+ * which goes on to the next. SINGLE(s) draws a pixel and moves on; PAIR(i, s, t) draws pixels 2 i
+ * and 2 i + 1, and after n of them comes MOVE(n).
  */
 #define SINGLE(s)                                                                                  \
     if (z >> 16 < *depth) {                                                                        \
         QTRI_BRANCH                                                                                \
         *depth = (uint16_t)(z >> 16);                                                              \
-        *pixel = (uint16_t)(COLOR);                                                                \
+        COLOR(shown)                                                                               \
+        *pixel = (uint16_t)shown;                                                                  \
     }                                                                                              \
     z += depth_step;                                                                               \
     STEP(s)                                                                                        \
@@ -22,14 +23,14 @@
 #if QTRI_SELECT
 #define PAIR(i, s, t)                                                                              \
     {                                                                                              \
-        uint32_t colors = COLOR;                                                                   \
+        COLOR(first)                                                                               \
         STEP(s)                                                                                    \
-        colors = qtri_pair_low(colors, COLOR);                                                     \
+        COLOR(second)                                                                              \
         STEP(t)                                                                                    \
-        uint32_t second = z + depth_step;                                                          \
-        uint32_t near = qtri_pair_high(z, second);                                                 \
-        z = second + depth_step;                                                                   \
-        qtri_pair_select(&pixel, &depth, near, colors);                                            \
+        uint32_t next = z + depth_step;                                                            \
+        uint32_t depths = qtri_pair_high(z, next);                                                 \
+        z = next + depth_step;                                                                     \
+        qtri_pair_select(&pixel, &depth, depths, qtri_pair_low(first, second));                    \
         QTRI_OPAQUE(z)                                                                             \
     }
 #define MOVE(n)
@@ -41,16 +42,18 @@
         if (z < stored << 16) {                                                                    \
             QTRI_BRANCH                                                                            \
             depth[2 * (i)] = (uint16_t)(z >> 16);                                                  \
-            pixel[2 * (i)] = (uint16_t)(COLOR);                                                    \
+            COLOR(shown)                                                                           \
+            pixel[2 * (i)] = (uint16_t)shown;                                                      \
         }                                                                                          \
         z += depth_step;                                                                           \
         STEP(s)                                                                                    \
-        uint32_t near = z >> 16;                                                                   \
-        QTRI_OPAQUE(near)                                                                          \
-        if (near < stored >> 16) {                                                                 \
+        uint32_t top = z >> 16;                                                                    \
+        QTRI_OPAQUE(top)                                                                           \
+        if (top < stored >> 16) {                                                                  \
             QTRI_BRANCH                                                                            \
-            depth[2 * (i) + 1] = (uint16_t)near;                                                   \
-            pixel[2 * (i) + 1] = (uint16_t)(COLOR);                                                \
+            depth[2 * (i) + 1] = (uint16_t)top;                                                    \
+            COLOR(shown)                                                                           \
+            pixel[2 * (i) + 1] = (uint16_t)shown;                                                  \
         }                                                                                          \
         z += depth_step;                                                                           \
         STEP(t)                                                                                    \
@@ -78,7 +81,7 @@
 
 enum { LONG = 12 }; /* pixels of one colour from which pairs are worth the while */
 
-#define COLOR color
+#define COLOR(name) const uint32_t name = color;
 #define STEP(s)
 
 static void flat_span(uint16_t *pixel, uint16_t *depth, int32_t count, uint32_t color, uint32_t z,
@@ -119,7 +122,9 @@ void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t r
 
 #undef COLOR
 #undef STEP
-#define COLOR qtri_packed_pixel(packed)
+#define COLOR(name)                                                                                \
+    uint32_t name = qtri_packed_pixel(packed);                                                     \
+    QTRI_OPAQUE(name)
 #define STEP(s)                                                                                    \
     packed += (s);                                                                                 \
     QTRI_OPAQUE(packed)
@@ -127,26 +132,24 @@ void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t r
 /* Pairs are those of a group of eight, or begin with its second pixel. */
 static void packed_row(qtri_packed_row *row, const qtri_job *job)
 {
-    const qtri_packed_steps *step = &job->packed_step;
     const uint32_t depth_step = job->depth.dx;
+    const qtri_packed_steps *step = &job->packed_step;
     uint16_t *pixel = row->pixel;
     uint16_t *depth = row->depth;
+    if (!qtri_pairs_fit(pixel, depth)) {
+        qtri_packed_singly(row, job);
+        return;
+    }
     uint32_t z = row->z;
-    bool fits = qtri_pairs_fit(pixel, depth);
-    do {
+    uint32_t packed = row->packed;
+    int32_t count = row->part;
+    int32_t rest = row->rest;
+    for (;;) {
         uint32_t one = step->even;
         uint32_t other = step->odd;
         uint32_t seventh = step->even;
         uint32_t eighth = step->last;
-        uint32_t packed = row->packed;
-        int32_t count = row->part;
-        if (!fits) {
-            for (int32_t i = 0; i < count; i++) {
-                SINGLE(i % 8 == 7 ? eighth : (i % 2 == 0 ? one : other))
-            }
-            continue;
-        }
-        if (count > 0 && !qtri_pair_begins(depth)) {
+        if (!qtri_pair_begins(depth)) {
             SINGLE(one)
             one = other;
             other = seventh;
@@ -161,14 +164,22 @@ static void packed_row(qtri_packed_row *row, const qtri_job *job)
             PAIR(3, seventh, eighth)
             MOVE(4)
         }
-        for (const uint16_t *stop = depth + (count & 6); depth != stop;) {
-            PAIR(0, one, other)
-            MOVE(1)
+        if ((count & 7) != 0) {
+            for (const uint16_t *stop = depth + (count & 6); depth != stop;) {
+                PAIR(0, one, other)
+                MOVE(1)
+            }
+            if ((count & 1) != 0) {
+                SINGLE(one)
+            }
         }
-        if ((count & 1) != 0) {
-            SINGLE(one)
+        if (rest <= 0) {
+            return;
         }
-    } while (qtri_packed_next(row, job));
+        packed = qtri_packed_next(row, job);
+        count = qtri_packed_part(rest);
+        rest -= count;
+    }
 }
 
 void qtri_fill_packed_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
@@ -178,7 +189,9 @@ void qtri_fill_packed_pairs(const qtri_job *job, const qtri_span *spans, int32_t
 
 #undef COLOR
 #undef STEP
-#define COLOR ((const uint16_t *)(const void *)texels)[qtri_texel_index(u, v, cut)]
+#define COLOR(name)                                                                                \
+    uint32_t name = texels[qtri_texel_index(u, v, cut)];                                           \
+    QTRI_OPAQUE(name)
 #define STEP(s)                                                                                    \
     u += u_step;                                                                                   \
     v += v_step;                                                                                   \
@@ -188,7 +201,7 @@ void qtri_fill_packed_pairs(const qtri_job *job, const qtri_span *spans, int32_t
 void qtri_run_copy_pairs(const qtri_job *job, const qtri_run *run)
 {
     const qtri_raster *raster = job->raster;
-    const uint8_t *texels = raster->texture->texels;
+    const uint16_t *texels = raster->texture->texels;
     const uint32_t cut = qtri_texel_cut(raster);
     uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
     uint16_t *depth = run->depths + run->x;

@@ -302,16 +302,23 @@ static void perspective_span(const qtri_job *job, window *w, qtri_run *run, int3
     }
 }
 
-/* Everything is linear: one run, of which the place is known, and uv. */
-static void linear_run(const qtri_job *job, int32_t y, qtri_run *run)
+static void linear_colors(const qtri_job *job, int32_t y, qtri_run *run)
 {
     int32_t dx = run->x - job->anchor_x;
     int32_t dy = y - job->anchor_y;
-    run->z = qtri_ramp_at(&job->depth, dx, dy);
-    for (int i = 0; i < 3 && job->smooth; i++) {
+    for (int i = 0; i < 3; i++) {
         run->color[i] = qtri_ramp_at(&job->color.ramp[i], dx, dy);
         run->color_step[i] = job->color.ramp[i].dx;
     }
+}
+
+/* Everything is linear: one run, of which the place is known, and uv. */
+static inline void linear_run(const qtri_job *job, int32_t y, qtri_run *run)
+{
+    if (job->smooth) {
+        linear_colors(job, y, run);
+    }
+    run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, y - job->anchor_y);
     job->draw_run(job, run);
 }
 
@@ -398,10 +405,12 @@ void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row
     const qtri_raster *raster = job->raster;
     const qtri_surface *surface = raster->surface;
     const int32_t length = job->copies_texels ? 512 : 64;
-    qtri_lines lines = qtri_lines_at(surface, row);
-    qtri_run run;
+    const qtri_lines lines = qtri_lines_at(surface, row);
     uint64_t u = linear_row(job, 0, row);
     uint64_t v = linear_row(job, 1, row);
+    qtri_run run;
+    run.pixels = lines.pixels;
+    run.depths = lines.depths;
     run.is_packed = false;
     run.uv_step[0] = plane_step(job->uv[0].dx, job->uv_up[0]);
     run.uv_step[1] = plane_step(job->uv[1].dx, job->uv_up[1]);
@@ -409,8 +418,6 @@ void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row
         int32_t x0;
         int32_t rest = qtri_span_clip(spans, &raster->bounds, &x0);
         int32_t skip = (x0 - spans->left) & (length - 1);
-        run.pixels = lines.pixels;
-        run.depths = lines.depths;
         for (run.x = x0; rest > 0; run.x += run.count) {
             int32_t x = run.x - skip;
             run.count = length - skip < rest ? length - skip : rest;
@@ -422,7 +429,7 @@ void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row
         }
         u += job->uv[0].dy;
         v += job->uv[1].dy;
-        lines.pixels += surface->pitch;
-        lines.depths += surface->depth_pitch;
+        run.pixels += surface->pitch;
+        run.depths += surface->depth_pitch;
     }
 }
