@@ -137,7 +137,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 # Each gate is a script of its name in tests/check/ and prints `check: NAME ok` or its findings.
 
 GATES := check-format check-cppcheck check-tidy check-warnings check-headers check-levels \
-         check-freestanding check-compilers check-tree check-budgets
+         check-freestanding check-options check-compilers check-tree check-budgets
 
 .PHONY: check $(GATES)
 check: ## Run every gate below
@@ -150,6 +150,7 @@ check-warnings:     ## gcc and clang compile everything as C99 without a warning
 check-headers:      ## Every public header compiles alone, in C99 and C++11, and links from C++
 check-levels:       ## A file includes only from its own folder and those below
 check-freestanding: ## The library for a Cortex-M0+ needs no libc, float, malloc or writable data
+check-options:      ## Built without any option of config.h, the library draws the same pixels of what is left
 check-compilers:    ## tcc, a plain C99 compiler, builds all and draws the same pictures
 check-budgets:      ## No figure of bench and size is more than 2 % above its budget (make budgets)
 check-tree:         ## No overlong or binary files, tabs or paths of one machine

@@ -8,7 +8,7 @@ bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t cou
                          qtri_vertex *out)
 {
     const qtri_projector *projector = &draw->primitive.projector;
-    if (draw->mesh->positions16 != NULL) {
+    if (qtri_mesh_has_compact(draw->mesh->positions16)) {
         return qtri_projector_vertices16(projector, &draw->mesh->positions16[first], count, out);
     }
     return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
@@ -20,7 +20,7 @@ uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
     uint32_t a = qtri_mesh_index(mesh, indices, 0);
     uint32_t b = qtri_mesh_index(mesh, indices, 1);
     uint32_t c = qtri_mesh_index(mesh, indices, 2);
-    if (mesh->positions16 != NULL) {
+    if (qtri_mesh_has_compact(mesh->positions16)) {
         const qtri_position16 *p = mesh->positions16;
         return qtri_lighting_face16(&draw->lighting, &p[a], &p[b], &p[c]);
     }
@@ -31,8 +31,9 @@ uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
 uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index)
 {
     const qtri_mesh *mesh = draw->mesh;
-    return mesh->normals8 != NULL ? qtri_lighting_vertex8(&draw->lighting, &mesh->normals8[index])
-                                  : qtri_lighting_vertex(&draw->lighting, &mesh->normals[index]);
+    return qtri_mesh_has_compact(mesh->normals8)
+               ? qtri_lighting_vertex8(&draw->lighting, &mesh->normals8[index])
+               : qtri_lighting_vertex(&draw->lighting, &mesh->normals[index]);
 }
 
 /* Those that are not lit yet. */
@@ -46,10 +47,10 @@ QTRI_NOINLINE static void light_some(const qtri_mesh_job *draw, const void *indi
 
 static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
 {
-    if (mesh->uvs16 != NULL) {
+    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
         *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
         *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
-    } else if (mesh->uvs != NULL) {
+    } else if (QTRI_WITH_WIDE_MESHES && mesh->uvs != NULL) {
         *u_q32 = (int64_t)mesh->uvs[index].x * 65536;
         *v_q32 = (int64_t)mesh->uvs[index].y * 65536;
     } else {
@@ -63,8 +64,9 @@ static void set_attributes(const qtri_mesh_job *draw, const void *indices,
                            qtri_vertex *const vertex[3], qtri_screen_vertex out[3])
 {
     const qtri_mesh *mesh = draw->mesh;
-    uint32_t intensity_q15 =
-        draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
+    uint32_t intensity_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face
+                                 ? qtri_mesh_light_face(draw, indices)
+                                 : QTRI_INTENSITY_ONE;
     for (int i = 0; i < 3; i++) {
         if (draw->lit_per_vertex) {
             intensity_q15 = qtri_mesh_light_once(draw, indices, i, vertex[i]);
@@ -91,7 +93,7 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
     const qtri_projector *projector = &draw->primitive.projector;
     for (int i = 0; i < 3; i++) {
         uint32_t index = qtri_mesh_index(draw->mesh, indices, i);
-        if (draw->mesh->positions16 != NULL) {
+        if (qtri_mesh_has_compact(draw->mesh->positions16)) {
             qtri_projector_point16(projector, &draw->mesh->positions16[index], &shape.clip[i]);
         } else {
             qtri_projector_point(projector, &draw->mesh->positions[index], &shape.clip[i]);
@@ -111,12 +113,12 @@ QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
         int32_t intensity = (int32_t)intensity_q15 * 2;
         int32_t color_8p16[3] = {color->r * intensity, color->g * intensity, color->b * intensity};
         qtri_channels channels =
-            qtri_channels_from_color(draw->primitive.surface->format, color_8p16);
+            qtri_channels_from_color(qtri_format_of(draw->primitive.surface), color_8p16);
         out->color[0] = channels.c[0];
         out->color[1] = channels.c[1];
         out->color[2] = channels.c[2];
     }
-    if (draw->primitive.raster.texture != NULL) {
+    if (qtri_raster_texture(&draw->primitive.raster) != NULL) {
         set_uv(&out->u_q32, &out->v_q32, mesh, index);
     }
 }
@@ -166,9 +168,11 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
     if (draw->lit_per_vertex) {
         light_vertices(draw, indices, a, b, c);
     } else {
-        face_q15 = draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
+        face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? qtri_mesh_light_face(draw, indices)
+                                                              : QTRI_INTENSITY_ONE;
     }
-    if (draw->more || !qtri_tiny_draw(&draw->primitive.raster, &triangle, a, b, c, face_q15)) {
+    if (!QTRI_WITH_FAST_PATHS || draw->more ||
+        !qtri_tiny_draw(&draw->primitive.raster, &triangle, a, b, c, face_q15)) {
         qtri_vertex *const vertex[3] = {a, b, c};
         draw_any_solid(draw, indices, vertex, &triangle, face_q15);
     }
@@ -183,7 +187,7 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
         const qtri_screen_point *a = &vertex[0]->at;
         qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2],
                              qtri_triangle_area(a, &vertex[1]->at, &vertex[2]->at));
-    } else {
+    } else if (QTRI_WITH_LINES) {
         qtri_mesh_draw_lines(draw, indices, vertex);
     }
 }
@@ -250,7 +254,7 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
     }
     const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
     const bool solid = draw->material.fill == QTRI_SOLID;
-    if (mesh->triangles8 != NULL) {
+    if (qtri_mesh_has_bytes(mesh)) {
         draw_triangles(draw, mesh->triangles8, true, simple, solid);
     } else if (simple) {
         draw_triangles(draw, mesh->triangles, false, true, solid);
@@ -285,7 +289,7 @@ bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, q
     const qtri_mesh *mesh = draw->mesh;
     const uint32_t count = mesh->vertex_count;
     uint32_t index[3];
-    qtri_mesh_indices(index, triangle, mesh->triangles8 != NULL);
+    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(mesh));
     if (index[0] >= count || index[1] >= count || index[2] >= count) {
         return false;
     }
@@ -310,8 +314,8 @@ QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
     const qtri_mesh *mesh = draw->mesh;
     qtri_mesh_clear_slots(draw);
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        const void *triangle = mesh->triangles8 != NULL ? (const void *)mesh->triangles8[i]
-                                                        : (const void *)mesh->triangles[i];
+        const void *triangle = qtri_mesh_has_bytes(mesh) ? (const void *)mesh->triangles8[i]
+                                                         : (const void *)mesh->triangles[i];
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
         if (qtri_mesh_fetch_triangle(draw, triangle, spare, vertex) &&
@@ -332,7 +336,7 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
     const qtri_mesh *mesh = draw->mesh;
     qtri_box box = mesh->bounds;
     if ((box.half.x | box.half.y | box.half.z) == 0) {
-        if (mesh->positions16 == NULL || mesh->vertex_count < WORTH_A_BOX) {
+        if (!qtri_mesh_has_compact(mesh->positions16) || mesh->vertex_count < WORTH_A_BOX) {
             return false;
         }
         box.center = mesh->origin; /* the cube that 16 bits span */
@@ -346,6 +350,25 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
     const int32_t high[2] = {hold(scissor->x1, 0, surface->width),
                              hold(scissor->y1, 0, surface->first_row + surface->rows)};
     return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
+}
+
+static bool is_compact(const qtri_mesh *mesh)
+{
+    return mesh->positions16 != NULL || mesh->normals8 != NULL || mesh->uvs16 != NULL ||
+           mesh->triangles8 != NULL;
+}
+
+static bool is_wide(const qtri_mesh *mesh)
+{
+    return mesh->positions16 == NULL || (mesh->normals != NULL && mesh->normals8 == NULL) ||
+           (mesh->uvs != NULL && mesh->uvs16 == NULL);
+}
+
+/* Whether the library is built with what the mesh has, see config.h. */
+static bool is_built(const qtri_mesh *mesh)
+{
+    return (QTRI_WITH_COMPACT_MESHES || !is_compact(mesh)) &&
+           (QTRI_WITH_WIDE_MESHES || !is_wide(mesh));
 }
 
 void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
@@ -365,26 +388,32 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     }
     draw->more = mesh->colors != NULL || draw->primitive.raster.texture != NULL;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
-    draw->lit_per_vertex = view->light != NULL && material->shading == QTRI_SMOOTH && normals;
+    draw->lit_per_vertex =
+        view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;
     draw->edges_once = false;
-    draw->lit_per_face = view->light != NULL && !draw->lit_per_vertex;
+    draw->lit_per_face = QTRI_WITH_FACE_LIGHT && view->light != NULL && !draw->lit_per_vertex;
 }
 
 bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose)
 {
     const qtri_mesh *mesh = draw->mesh;
     qtri_primitive_place(&draw->primitive, view, pose);
-    if (is_missed(draw, draw->primitive.surface)) {
+    if (!is_built(mesh) || (QTRI_WITH_FAST_PATHS && is_missed(draw, draw->primitive.surface))) {
         return false;
     }
-    if (mesh->positions16 != NULL) {
+    if (qtri_mesh_has_compact(mesh->positions16)) {
         qtri_projector_compact(&draw->primitive.projector, &mesh->origin, mesh->extent);
     }
     if (view->light != NULL) {
         qtri_transform object_to_eye;
         qtri_transform_mul(&object_to_eye, &view->camera, pose);
         qtri_lighting_init(&draw->lighting, view->light, &object_to_eye,
-                           mesh->normals8 != NULL ? 127 * 128 : 1 << 14);
+                           QTRI_WITH_COMPACT_MESHES && mesh->normals8 != NULL ? 127 * 128
+                                                                              : 1 << 14);
+        if (!QTRI_WITH_UNEVEN_LIGHT && !draw->lighting.plain) {
+            draw->lit_per_vertex = false;
+            draw->lit_per_face = false;
+        }
     }
     return true;
 }
@@ -405,8 +434,9 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     if (!begin(&draw, surface, view, pose, mesh, material)) {
         return;
     }
-    if (draw.slot_count >= mesh->vertex_count) {
-        draw.edges_once = material->fill != QTRI_SOLID && qtri_line_is_final(&draw.primitive.line);
+    if (QTRI_WITH_FAST_PATHS && draw.slot_count >= mesh->vertex_count) {
+        draw.edges_once = QTRI_WITH_LINES && material->fill != QTRI_SOLID &&
+                          qtri_line_is_final(&draw.primitive.line);
         draw_whole(&draw);
     } else {
         draw_by_slots(&draw);

@@ -68,12 +68,23 @@ void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *indices,
 
 void qtri_mesh_clear_edges(const qtri_mesh_job *draw);
 
+/* Which of two arrays serves: known to the compiler where one kind is left out. */
+static inline bool qtri_mesh_has_compact(const void *compact)
+{
+    return QTRI_WITH_COMPACT_MESHES && (!QTRI_WITH_WIDE_MESHES || compact != NULL);
+}
+
+static inline bool qtri_mesh_has_bytes(const qtri_mesh *mesh)
+{
+    return QTRI_WITH_COMPACT_MESHES && mesh->triangles8 != NULL;
+}
+
 /* Of corner 0..2 of the triangle whose indices these are. */
 static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indices, int corner)
 {
     const uint16_t *wide = indices;
     const uint8_t *narrow = indices;
-    return mesh->triangles8 != NULL ? narrow[corner] : wide[corner];
+    return qtri_mesh_has_bytes(mesh) ? narrow[corner] : wide[corner];
 }
 
 /* Intensity of a corner's vertex, computed when it is first needed. */

@@ -266,8 +266,8 @@ static inline void see_triangles(sorter *s, const void *triangles, bool narrow, 
 QTRI_NOINLINE static void see_complete(sorter *s)
 {
     const qtri_mesh *mesh = s->job->mesh;
-    const bool simple = s->prepared->back_only && s->is_solid;
-    if (mesh->triangles8 != NULL) {
+    const bool simple = QTRI_WITH_FAST_PATHS && s->prepared->back_only && s->is_solid;
+    if (qtri_mesh_has_bytes(mesh)) {
         see_triangles(s, mesh->triangles8, true, simple);
     } else if (simple) {
         see_triangles(s, mesh->triangles, false, true);

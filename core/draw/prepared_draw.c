@@ -5,7 +5,7 @@ static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_v
 {
     const uint32_t count = job->mesh->vertex_count;
     uint32_t index[3];
-    qtri_mesh_indices(index, triangle, job->mesh->triangles8 != NULL);
+    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(job->mesh));
     for (int i = 0; i < 3; i++) {
         if (index[i] >= count) {
             return false;
@@ -83,8 +83,9 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
         return;
     }
     if (log2 == 0 && qtri_prepared_is_complete(prepared)) {
-        const bool solid = prepared->back_only && job->material.fill == QTRI_SOLID;
-        if (mesh->triangles8 != NULL) {
+        const bool solid =
+            QTRI_WITH_FAST_PATHS && prepared->back_only && job->material.fill == QTRI_SOLID;
+        if (qtri_mesh_has_bytes(mesh)) {
             draw_seen(job, lists, place, end, mesh->triangles8, true, solid);
         } else {
             draw_seen(job, lists, place, end, mesh->triangles, false, solid);

@@ -33,8 +33,8 @@ static inline bool qtri_prepared_is_complete(const qtri_prepared *prepared)
 /* The triangle's indices in the mesh. */
 static inline const uint8_t *qtri_prepared_triangle(const qtri_mesh *mesh, uint32_t number)
 {
-    return mesh->triangles8 != NULL ? mesh->triangles8[number]
-                                    : (const uint8_t *)mesh->triangles[number];
+    return qtri_mesh_has_bytes(mesh) ? mesh->triangles8[number]
+                                     : (const uint8_t *)mesh->triangles[number];
 }
 
 /* The job for a surface, as prepared; with `place` its transforms too. False: nothing is seen. */

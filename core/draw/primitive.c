@@ -6,7 +6,9 @@ void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *su
     primitive->surface = surface;
     primitive->material = material;
     qtri_raster_init(&primitive->raster, surface, material);
-    qtri_line_job_init(&primitive->line, surface, material);
+    if (QTRI_WITH_LINES) {
+        qtri_line_job_init(&primitive->line, surface, material);
+    }
 }
 
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
@@ -60,7 +62,7 @@ QTRI_NOINLINE static void blend_attributes(qtri_screen_vertex *out, const qtri_s
 /* Flat: lines and the pieces of a clipped triangle have no provoking vertex of their own. */
 static void spread_provoking(const qtri_material *material, qtri_screen_vertex v[3])
 {
-    if (material->shading == QTRI_SMOOTH) {
+    if (qtri_shading_of(material) == QTRI_SMOOTH) {
         return;
     }
     const qtri_screen_vertex *from = &v[material->shading == QTRI_FLAT_FIRST ? 0 : 2];
@@ -162,7 +164,7 @@ QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive, const qtri
     if (!qtri_triangle_begin(&primitive->raster, &triangle)) {
         return;
     }
-    const qtri_format format = primitive->surface->format;
+    const qtri_format format = qtri_format_of(primitive->surface);
     qtri_attributes own[3];
     set_attributes(&own[0], &fan[0], attributes, format);
     set_attributes(&own[1], &fan[i - 1], attributes, format);
@@ -252,7 +254,9 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
         return;
     }
     if (primitive->material->fill != QTRI_SOLID) {
-        draw_outline(primitive, shape->clip, planes, attributes);
+        if (QTRI_WITH_LINES) {
+            draw_outline(primitive, shape->clip, planes, attributes);
+        }
         return;
     }
     int count = clip_to_screen(&primitive->projector, shape->clip, planes, shape->fan);
@@ -272,5 +276,7 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2])
 {
-    draw_edge(primitive, &v[0], &v[1], &attributes[0], &attributes[1]);
+    if (QTRI_WITH_LINES) {
+        draw_edge(primitive, &v[0], &v[1], &attributes[0], &attributes[1]);
+    }
 }

@@ -1,5 +1,7 @@
 #include "qtri/frame.h"
 
+#include "../raster/pixel.h"
+
 static const qtri_rect nothing = {0, 0, 0, 0};
 
 static bool is_side(int32_t x)
@@ -27,6 +29,9 @@ enum qtri_error qtri_frame_init(qtri_frame *frame, qtri_format format, int32_t w
     frame->band_bytes = QTRI_BAND_BYTES(width, rows, format);
     if (bytes < frame->band_bytes) {
         return QTRI_ERROR_MEMORY;
+    }
+    if (!qtri_format_is_built(format)) {
+        return QTRI_ERROR_OPTION;
     }
     if (bytes >= QTRI_FRAME_BYTES_DOUBLE(width, rows, format)) {
         uint8_t *end = frame->memory + frame->band_bytes;

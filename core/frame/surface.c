@@ -20,6 +20,10 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, qtri_format format, int
     if (bytes < QTRI_BAND_BYTES(width, rows, format)) {
         return QTRI_ERROR_MEMORY;
     }
+    if (!qtri_format_is_built(format)) {
+        return QTRI_ERROR_OPTION;
+    }
+    format = qtri_format_built(format);
     size_t pitch = (size_t)width * QTRI_FORMAT_BYTES(format);
     uint8_t *pixels = align((uint8_t *)memory, 4); /* at most 3 + 1 of the 8 bytes to spare */
     uint8_t *depth = align(pixels + pitch * (size_t)rows, 2);
@@ -121,8 +125,9 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
     int32_t columns = bounds.x1 - bounds.x0;
     int32_t rows = bounds.y1 - bounds.y0;
     ptrdiff_t stored_row = bounds.y0 - surface->first_row;
-    size_t pixel_bytes = QTRI_FORMAT_BYTES(surface->format);
-    uint32_t pixel = qtri_pixel_from_rgb(surface->format, color);
+    const qtri_format format = qtri_format_of(surface);
+    size_t pixel_bytes = QTRI_FORMAT_BYTES(format);
+    uint32_t pixel = qtri_pixel_from_rgb(format, color);
     if (pixel_bytes == 1) {
         pixel *= 0x101u;
     }
@@ -159,5 +164,8 @@ qtri_rect qtri_surface_bounds(const qtri_surface *surface)
     bounds.y0 = bounds.y0 > surface->first_row ? bounds.y0 : surface->first_row;
     bounds.y0 = bounds.y0 > 0 ? bounds.y0 : 0;
     bounds.y1 = bounds.y1 < end ? bounds.y1 : end;
+    if (!qtri_format_is_built(surface->format)) {
+        bounds.y1 = bounds.y0;
+    }
     return bounds;
 }

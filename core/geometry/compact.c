@@ -153,7 +153,7 @@ bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_posit
     for (; out != end; p++, out++) {
         int32_t w = qtri_row16_sum(&row[3], p->x, p->y, p->z);
         int32_t z = qtri_row16_sum(&row[2], p->x, p->y, p->z);
-        if (w <= 0 || (uint32_t)z + (uint32_t)w > 2u * (uint32_t)w) {
+        if (!QTRI_WITH_FAST_PATHS || w <= 0 || (uint32_t)z + (uint32_t)w > 2u * (uint32_t)w) {
             inside &= exact16(projector, p, out);
             continue;
         }

@@ -34,7 +34,7 @@ static uint32_t intensity(const qtri_lighting *lighting, int64_t cosine_q16)
 static uint32_t light_direction(const qtri_lighting *lighting, const int32_t normal[3])
 {
     int64_t v[3] = {normal[0], normal[1], normal[2]};
-    if (!lighting->even) {
+    if (QTRI_WITH_UNEVEN_LIGHT && !lighting->even) {
         for (int i = 0; i < 3; i++) {
             v[i] = dot_q30(normal, lighting->by.normal_q28[i]); /* < 3 2^58 */
         }
@@ -54,7 +54,7 @@ static uint32_t light_direction(const qtri_lighting *lighting, const int32_t nor
 
 static inline uint32_t light_normal(const qtri_lighting *lighting, int32_t x, int32_t y, int32_t z)
 {
-    if (!lighting->plain) {
+    if (QTRI_WITH_UNEVEN_LIGHT && !lighting->plain) {
         const int32_t normal[3] = {x, y, z};
         return light_direction(lighting, normal);
     }

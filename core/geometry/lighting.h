@@ -27,7 +27,10 @@ typedef struct qtri_lighting {
     } by;
 } qtri_lighting;
 
-/* unit: what 1 is in the normals of vertices that will be lit. */
+/*
+ * unit: what 1 is in the normals of vertices that will be lit. Without QTRI_WITH_UNEVEN_LIGHT what
+ * is not plain is not to be lit at all.
+ */
 void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
                         const qtri_transform *object_to_eye, int32_t unit);
 

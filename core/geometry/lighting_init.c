@@ -110,6 +110,9 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
     lighting->plain = lighting->even && light->ambient >= 0 && light->diffuse >= 0 &&
                       light->diffuse <= 4 * Q16_ONE;
     const int32_t towards[3] = {light->towards.x, light->towards.y, light->towards.z};
+    if (!QTRI_WITH_UNEVEN_LIGHT && !lighting->plain) {
+        return;
+    }
     if (!lighting->even) {
         (void)qtri_unit(lighting->towards_q30, towards, 3, 30);
         normal_matrix(lighting->by.normal_q28, object_to_eye);

@@ -231,7 +231,7 @@ bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p
     for (const qtri_vertex *end = out + count; out != end; p++, out++) {
         int64_t w = row_sum(&row[3], row[3].t, p->x, p->y, p->z);
         int32_t zeros = qtri_clz32((uint32_t)((uint64_t)w >> 32)) & 31; /* 0: w < 0 or small */
-        if (zeros == 0 || zeros > most || !usual) {
+        if (!QTRI_WITH_FAST_PATHS || zeros == 0 || zeros > most || !usual) {
             inside &= exact(projector, p, out);
             continue;
         }

@@ -22,12 +22,14 @@
  *   view.h       viewport, light, vertex scratch          surface.h  frames and bands
  *   material.h   colour, texture, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
+ *   config.h     what the library is built with
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
  */
 #ifndef QTRI_H
 #define QTRI_H
 
 #include "qtri/clip.h"
+#include "qtri/config.h"
 #include "qtri/draw.h"
 #include "qtri/error.h"
 #include "qtri/frame.h"

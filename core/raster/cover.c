@@ -167,5 +167,5 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
         t->size = QTRI_LARGE;
         return true;
     }
-    return find_spans(t);
+    return !QTRI_WITH_FAST_PATHS || find_spans(t);
 }

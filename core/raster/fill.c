@@ -12,30 +12,43 @@
 #define PIXEL      uint8_t
 #include "fill.inc"
 
+static qtri_fill_rows flat_for(qtri_format format, bool less)
+{
+    switch (format) {
+    case QTRI_RGB565:
+        return less ? rgb565_flat_less : rgb565_flat;
+    case QTRI_XRGB8888:
+        return less ? xrgb8888_flat_less : xrgb8888_flat;
+    default:
+        return less ? gray8_flat_less : gray8_flat;
+    }
+}
+
 void qtri_fill_choose(qtri_raster *raster)
 {
-    static const qtri_fill_rows flat[3][2] = {{rgb565_flat, rgb565_flat_less},
-                                              {xrgb8888_flat, xrgb8888_flat_less},
-                                              {gray8_flat, gray8_flat_less}};
     bool less = raster->compare == QTRI_LESS && raster->depth_write;
-    qtri_format format = raster->surface->format;
+    qtri_format format = qtri_format_of(raster->surface);
     raster->fill_flat = qtri_fill_spans;
     raster->fill_linear = qtri_fill_spans;
     raster->fill_tiny = qtri_fill_spans;
     raster->copy_run = qtri_run_generic;
-    raster->tiny = less && format == QTRI_RGB565 && raster->texture == NULL;
+    raster->tiny = QTRI_WITH_FAST_PATHS && less && format == QTRI_RGB565 && raster->texture == NULL;
+    if (!QTRI_WITH_FAST_PATHS) {
+        return;
+    }
     if (less || raster->compare == QTRI_DEPTH_OFF) {
-        raster->fill_flat = flat[format <= QTRI_GRAY8 ? format : QTRI_GRAY8][less];
+        raster->fill_flat = flat_for(format, less);
     }
     if (less && format == QTRI_RGB565) {
-        raster->fill_tiny = qtri_fill_tiny_less;
-#if QTRI_PAIRS
-        raster->fill_flat = qtri_fill_flat_pairs;
-        raster->fill_linear = qtri_fill_packed_pairs;
-        raster->copy_run = qtri_run_copy_pairs;
-#else
-        raster->fill_linear = qtri_fill_packed_less;
-        raster->copy_run = qtri_run_copy_less;
-#endif
+        if (QTRI_PAIRS) {
+            raster->fill_flat = qtri_fill_flat_pairs;
+        }
+        if (QTRI_WITH_SMOOTH) {
+            raster->fill_tiny = qtri_fill_tiny_less;
+            raster->fill_linear = QTRI_PAIRS ? qtri_fill_packed_pairs : qtri_fill_packed_less;
+        }
+        if (QTRI_WITH_TEXTURES) {
+            raster->copy_run = QTRI_PAIRS ? qtri_run_copy_pairs : qtri_run_copy_less;
+        }
     }
 }

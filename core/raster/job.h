@@ -55,6 +55,19 @@ typedef struct qtri_raster {
     qtri_shading shading;
 } qtri_raster;
 
+/* NULL for none, known to the compiler where the library is built without. */
+static inline const qtri_texture *qtri_raster_texture(const qtri_raster *raster)
+{
+    return QTRI_WITH_TEXTURES ? raster->texture : NULL;
+}
+
+/* What a material asks for and the library is built with: see config.h. */
+static inline qtri_shading qtri_shading_of(const qtri_material *material)
+{
+    return QTRI_WITH_SMOOTH || material->shading == QTRI_FLAT_FIRST ? material->shading
+                                                                    : QTRI_FLAT_LAST;
+}
+
 /* Where colour and texture coordinates come from. */
 typedef enum qtri_paint {
     QTRI_PAINT_FLAT,       /* one pixel value */
@@ -96,6 +109,27 @@ struct qtri_job {
     int32_t uv_up[2];   /* runs have coordinates of axis times 2^uv_up */
     bool copies_texels; /* see texel_copy.h */
 };
+
+static inline bool qtri_job_is_smooth(const qtri_job *job)
+{
+    return QTRI_WITH_SMOOTH && job->smooth;
+}
+
+static inline bool qtri_job_is_flat(const qtri_job *job)
+{
+    return !(QTRI_WITH_SMOOTH || QTRI_WITH_TEXTURES) || job->paint == QTRI_PAINT_FLAT;
+}
+
+static inline bool qtri_job_is_perspective(const qtri_job *job)
+{
+    return QTRI_WITH_PERSPECTIVE && (QTRI_WITH_SMOOTH || QTRI_WITH_TEXTURES) &&
+           job->paint == QTRI_PAINT_PERSPECTIVE;
+}
+
+static inline bool qtri_job_copies_texels(const qtri_job *job)
+{
+    return QTRI_WITH_TEXTURES && QTRI_WITH_RGB565 && job->copies_texels;
+}
 
 /* Pixels x .. x+count-1 of a row; all values at the first, with what rounds them added. */
 struct qtri_run {

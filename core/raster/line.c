@@ -82,7 +82,7 @@ static inline uint32_t pixel_of(qtri_format format, int32_t c0, int32_t c1, int3
     uint32_t red = (uint32_t)c0 >> 16;
     uint32_t green = (uint32_t)c1 >> 16;
     uint32_t blue = (uint32_t)c2 >> 16;
-    switch (format) {
+    switch (qtri_format_built(format)) {
     case QTRI_RGB565:
         return red << 11 | green << 5 | blue;
     case QTRI_XRGB8888:
@@ -170,8 +170,9 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->tint[0] = material->color.r * 2;
     job->tint[1] = material->color.g * 2;
     job->tint[2] = material->color.b * 2;
-    const bool fast = surface->format == QTRI_RGB565 && job->compare == QTRI_LESS &&
-                      job->depth_write && surface->pitch == 2 * surface->depth_pitch;
+    const bool fast = QTRI_WITH_FAST_PATHS && qtri_format_of(surface) == QTRI_RGB565 &&
+                      job->compare == QTRI_LESS && job->depth_write &&
+                      surface->pitch == 2 * surface->depth_pitch;
     const qtri_rect *within = fast ? &job->bounds : &nothing;
     job->left_24p8 = within->x0 * 256;
     job->top_24p8 = within->y0 * 256;
@@ -201,6 +202,9 @@ void qtri_raster_line(const qtri_surface *surface, const qtri_material *material
     qtri_line_job job;
     qtri_vertex end[2];
     qtri_line_color color[2];
+    if (!QTRI_WITH_LINES) {
+        return;
+    }
     qtri_line_job_init(&job, surface, material);
     job.depth_mask = UINT32_MAX;
     qtri_line_end(&end[0], color[0], &v[0]);

@@ -178,7 +178,8 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
     if (l.count <= 0) {
         return;
     }
-    if (is_inside(job, &a->at) && is_inside(job, &b->at) && l.length < QTRI_LINE_SHORT_24P8) {
+    if (QTRI_WITH_FAST_PATHS && is_inside(job, &a->at) && is_inside(job, &b->at) &&
+        l.length < QTRI_LINE_SHORT_24P8) {
         draw_fast(job, &l, a, color);
     } else {
         qtri_line_draw_any(job, a, b, color);

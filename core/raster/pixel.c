@@ -31,6 +31,7 @@ qtri_channels qtri_channels_from_color(qtri_format format, const int32_t color_8
          RATIO_Q30((uint32_t)255 << 16)},
         {RATIO_Q30(QTRI_GRAY_RED), RATIO_Q30(QTRI_GRAY_GREEN), RATIO_Q30(QTRI_GRAY_BLUE)},
     };
+    format = qtri_format_built(format);
     const uint32_t *ratio = ratio_q30[format <= QTRI_GRAY8 ? format : QTRI_GRAY8];
     qtri_channels result = {{scaled(color_8p16[0], ratio[0]), scaled(color_8p16[1], ratio[1]),
                              scaled(color_8p16[2], ratio[2])}};

@@ -8,6 +8,8 @@
 #ifndef QTRI_RASTER_PIXEL_H
 #define QTRI_RASTER_PIXEL_H
 
+#include <stdbool.h>
+
 #include "qtri/surface.h"
 
 typedef struct qtri_channels {
@@ -19,6 +21,33 @@ typedef struct qtri_channels {
 #define QTRI_GRAY_GREEN 9809756
 #define QTRI_GRAY_BLUE  1905132
 
+/* Whether the library can draw on it. Unknown formats count as GRAY8. */
+static inline bool qtri_format_is_built(qtri_format format)
+{
+    return (QTRI_WITH_RGB565 && format == QTRI_RGB565) ||
+           (QTRI_WITH_XRGB8888 && format == QTRI_XRGB8888) ||
+           (QTRI_WITH_GRAY8 && format != QTRI_RGB565 && format != QTRI_XRGB8888);
+}
+
+/* One of the formats that the library is built with, which this is: known to the compiler if there
+   is a single one. Nothing gets here for others, as their bounds are empty. */
+static inline qtri_format qtri_format_built(qtri_format format)
+{
+    if (QTRI_WITH_RGB565 && QTRI_WITH_XRGB8888 && QTRI_WITH_GRAY8) {
+        return format;
+    }
+    if (QTRI_WITH_RGB565 && (format == QTRI_RGB565 || !(QTRI_WITH_XRGB8888 || QTRI_WITH_GRAY8))) {
+        return QTRI_RGB565;
+    }
+    return QTRI_WITH_XRGB8888 && (format == QTRI_XRGB8888 || !QTRI_WITH_GRAY8) ? QTRI_XRGB8888
+                                                                               : QTRI_GRAY8;
+}
+
+static inline qtri_format qtri_format_of(const qtri_surface *surface)
+{
+    return qtri_format_built(surface->format);
+}
+
 static inline uint32_t qtri_channel_round(int32_t c)
 {
     return (uint32_t)(c + 0x8000) >> 16;
@@ -27,7 +56,7 @@ static inline uint32_t qtri_channel_round(int32_t c)
 static inline uint32_t qtri_pixel_pack(qtri_format format, const qtri_channels *color)
 {
     const int32_t *c = color->c;
-    switch (format) {
+    switch (qtri_format_built(format)) {
     case QTRI_RGB565:
         return qtri_channel_round(c[0]) << 11 | qtri_channel_round(c[1]) << 5 |
                qtri_channel_round(c[2]);
@@ -41,7 +70,7 @@ static inline uint32_t qtri_pixel_pack(qtri_format format, const qtri_channels *
 
 static inline void qtri_pixel_store(qtri_format format, uint8_t *row, int32_t x, uint32_t pixel)
 {
-    switch (format) {
+    switch (qtri_format_built(format)) {
     case QTRI_RGB565:
         ((uint16_t *)(void *)row)[x] = (uint16_t)pixel;
         break;

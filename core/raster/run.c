@@ -6,24 +6,25 @@
 static bool shade(const qtri_job *job, const qtri_run *run, uint32_t i, uint32_t *pixel)
 {
     const qtri_raster *raster = job->raster;
-    if (run->is_packed) {
+    if (QTRI_WITH_SMOOTH && QTRI_WITH_RGB565 && run->is_packed) {
         *pixel = qtri_packed_pixel(run->packed + qtri_packed_skip(job, run->phase + (int32_t)i));
         return true;
     }
     uint32_t u = run->uv[0] + i * run->uv_step[0];
     uint32_t v = run->uv[1] + i * run->uv_step[1];
-    if (job->copies_texels) {
+    if (qtri_job_copies_texels(job)) {
         *pixel = qtri_texel_copied(raster, u, v);
         return true;
     }
     qtri_channels color = job->constant;
-    if (job->smooth) {
+    if (qtri_job_is_smooth(job)) {
         for (int channel = 0; channel < 3; channel++) {
             uint32_t value = run->color[channel] + i * run->color_step[channel];
             color.c[channel] = (int32_t)(value - 0x8000u); /* packing adds the half again */
         }
     }
-    if (raster->texture != NULL && !qtri_texel_apply(raster->texture, job->axis, u, v, &color)) {
+    if (qtri_raster_texture(raster) != NULL &&
+        !qtri_texel_apply(raster->texture, job->axis, u, v, &color)) {
         return false;
     }
     *pixel = qtri_pixel_pack(raster->surface->format, &color);
@@ -44,7 +45,7 @@ void qtri_run_generic(const qtri_job *job, const qtri_run *run)
             }
         }
         uint32_t pixel = 0;
-        if (job->paint == QTRI_PAINT_FLAT) {
+        if (qtri_job_is_flat(job)) {
             pixel = job->pixel;
         } else if (!shade(job, run, (uint32_t)i, &pixel)) {
             continue;

@@ -112,11 +112,11 @@ static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
     const qtri_raster *raster = job->raster;
     uint32_t range = range_of(v, 0);
     if (job->tinted) {
-        return raster->surface->format == QTRI_RGB565 ? range : range << 2;
+        return qtri_format_of(raster->surface) == QTRI_RGB565 ? range : range << 2;
     }
     for (int i = 1; i < 3; i++) {
         uint32_t other = range_of(v, i);
-        if (raster->surface->format == QTRI_GRAY8) {
+        if (qtri_format_of(raster->surface) == QTRI_GRAY8) {
             range += other;
         } else {
             range = other > range ? other : range;
@@ -186,7 +186,8 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
     const qtri_raster *raster = job->raster;
     const qtri_ramp *c = job->color.ramp;
     qtri_packed_steps *step = &job->packed_step;
-    const bool is_packed = raster->surface->format == QTRI_RGB565 && raster->texture == NULL;
+    const bool is_packed =
+        qtri_format_of(raster->surface) == QTRI_RGB565 && qtri_raster_texture(raster) == NULL;
     const bool at_once = is_packed && job->tiny && job->tinted;
     if (at_once) {
         tiny_tint(job, v, gradient);
@@ -283,8 +284,10 @@ static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_s
 static bool is_smooth(const qtri_job *job, const qtri_attributes v[3], uint32_t *range)
 {
     const qtri_raster *raster = job->raster;
-    *range = raster->shading == QTRI_SMOOTH && !raster->replace ? color_range(job, v) : 0;
-    return *range != 0;
+    *range = QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH && !raster->replace
+                 ? color_range(job, v)
+                 : 0;
+    return QTRI_WITH_SMOOTH && *range != 0;
 }
 
 static bool is_white(const qtri_job *job)
@@ -327,9 +330,9 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     }
     uint32_t range;
     job->smooth = is_smooth(job, v, &range);
-    if (!job->smooth) {
+    if (!qtri_job_is_smooth(job)) {
         constant_color(job, v);
-        if (raster->texture == NULL) {
+        if (qtri_raster_texture(raster) == NULL) {
             job->paint = QTRI_PAINT_FLAT;
             job->pixel = qtri_pixel_pack(raster->surface->format, &job->constant);
             return raster->fill_flat;
@@ -338,11 +341,11 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     uint32_t q[3] = {1, 1, 1};
     uint32_t value[2][3] = {{0, 0, 0}, {0, 0, 0}};
     bool perspective = false;
-    if (raster->texture != NULL) {
-        bool same = !raster->perspective || !inv_w_align(q, v);
+    if (qtri_raster_texture(raster) != NULL) {
+        bool same = !QTRI_WITH_PERSPECTIVE || !raster->perspective || !inv_w_align(q, v);
         bool linear = texture_axes(job, value, v, q) && nearly_linear(range, q, LINEAR_LOG2);
         perspective = !same && !linear;
-    } else if (raster->perspective && !plainly_linear(range, v)) {
+    } else if (QTRI_WITH_PERSPECTIVE && raster->perspective && !plainly_linear(range, v)) {
         perspective = inv_w_align(q, v) && !nearly_linear(range, q, LINEAR_LOG2);
     }
     job->paint = perspective ? QTRI_PAINT_PERSPECTIVE : QTRI_PAINT_LINEAR;
@@ -350,21 +353,22 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         int64_t inv_w[3] = {q[0], q[1], q[2]};
         qtri_plane_init(&job->inv_w, &gradient, inv_w);
     }
-    if (job->smooth && perspective) {
+    if (qtri_job_is_smooth(job) && perspective) {
         perspective_colors(job, v, &gradient, q);
-    } else if (job->smooth) {
+    } else if (qtri_job_is_smooth(job)) {
         linear_colors(job, v, &gradient);
     }
-    if (raster->texture == NULL) {
+    if (qtri_raster_texture(raster) == NULL) {
         return perspective ? qtri_fill_spans
                            : (job->tiny ? raster->fill_tiny : raster->fill_linear);
     }
     texture_planes(job, &gradient, (const uint32_t(*)[3])value, perspective ? q : NULL);
-    job->copies_texels = raster->copies_white && !job->smooth && is_white(job);
+    job->copies_texels = raster->copies_white && !qtri_job_is_smooth(job) && is_white(job);
     for (int i = 0; i < 2; i++) {
-        job->uv_up[i] =
-            job->copies_texels ? qtri_texel_copy_shift(raster->texture, i) - job->axis[i].shift : 0;
+        job->uv_up[i] = qtri_job_copies_texels(job)
+                            ? qtri_texel_copy_shift(raster->texture, i) - job->axis[i].shift
+                            : 0;
     }
-    job->draw_run = job->copies_texels ? raster->copy_run : qtri_run_generic;
+    job->draw_run = qtri_job_copies_texels(job) ? raster->copy_run : qtri_run_generic;
     return perspective ? qtri_fill_spans : qtri_fill_textured;
 }

@@ -38,11 +38,11 @@ static void window_planes(window *w, const qtri_job *job)
     }
     w->uv[0] = w->uv[1] = 0;
     w->inv_w = row_of(&job->inv_w, w->y);
-    if (job->raster->texture != NULL) {
+    if (qtri_raster_texture(job->raster) != NULL) {
         w->uv[0] = row_of(&job->uv[0], w->y);
         w->uv[1] = row_of(&job->uv[1], w->y);
     }
-    if (job->smooth) {
+    if (qtri_job_is_smooth(job)) {
         for (int i = 0; i < 3; i++) {
             w->color[i] = row_of(&job->color.plane[i], w->y);
         }
@@ -81,14 +81,14 @@ static int32_t coordinate(uint64_t over_w, const divider *d)
 static void sample_at(sample *out, const qtri_job *job, const window *w, int32_t x)
 {
     divider d = divider_for(column_of(w->inv_w, job->inv_w.dx, x), &out->q);
-    if (job->smooth) {
+    if (qtri_job_is_smooth(job)) {
         for (int i = 0; i < 3; i++) {
             uint64_t over_w = column_of(w->color[i], job->color.plane[i].dx, x);
             int64_t c = divide(over_w, &d) >> QTRI_COLOR_PERSPECTIVE_SHIFT;
             out->color[i] = hold(c, job->least[i], job->greatest[i]);
         }
     }
-    if (job->raster->texture != NULL) {
+    if (qtri_raster_texture(job->raster) != NULL) {
         for (int i = 0; i < 2; i++) {
             out->uv[i] = coordinate(column_of(w->uv[i], job->uv[i].dx, x), &d);
         }
@@ -128,11 +128,11 @@ static int32_t run_length(const qtri_job *job, const sample *a, const sample *b,
         return distance;
     }
     int32_t length = q_difference < q_least ? distance : 1;
-    for (int i = 0; i < 3 && job->smooth; i++) {
+    for (int i = 0; i < 3 && qtri_job_is_smooth(job); i++) {
         uint64_t error = difference(a->color[i], b->color[i]) * q_difference; /* < 2^55 */
         length = shorten(length, error, q_least << 12);
     }
-    for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
+    for (int i = 0; i < 2 && qtri_raster_texture(job->raster) != NULL; i++) {
         uint64_t error = difference(a->uv[i], b->uv[i]) * q_difference; /* < 2^62 */
         int32_t texel = job->axis[i].shift - 9;                         /* -7..20 */
         length = shorten(length, error, texel >= 0 ? q_least << texel : q_least >> -texel);
@@ -185,11 +185,11 @@ static void draw_run(const qtri_job *job, const window *w, qtri_run *run, const 
         return;
     }
     inverse per_pixel = inverse_of(length);
-    for (int i = 0; i < 3 && job->smooth; i++) {
+    for (int i = 0; i < 3 && qtri_job_is_smooth(job); i++) {
         run->color_step[i] = step_of(a->color[i], b->color[i], &per_pixel, 0);
         run->color[i] = (uint32_t)a->color[i] + 0x8000u + (uint32_t)skip * run->color_step[i];
     }
-    for (int i = 0; i < 2 && job->raster->texture != NULL; i++) {
+    for (int i = 0; i < 2 && qtri_raster_texture(job->raster) != NULL; i++) {
         int32_t up = job->uv_up[i];
         run->uv_step[i] = step_of(a->uv[i], b->uv[i], &per_pixel, up);
         run->uv[i] =
@@ -266,7 +266,7 @@ static void perspective_span(const qtri_job *job, window *w, qtri_run *run, int3
                              int32_t right)
 {
     int32_t last = right - 1;
-    if (job->inv_w.dx == 0 && !job->smooth && level_span(job, w, run, left, right)) {
+    if (job->inv_w.dx == 0 && !qtri_job_is_smooth(job) && level_span(job, w, run, left, right)) {
         return;
     }
     sample from = {0, {0, 0, 0}, {0, 0}};
@@ -315,7 +315,7 @@ static void linear_colors(const qtri_job *job, int32_t y, qtri_run *run)
 /* Everything is linear: one run, of which the place is known, and uv. */
 static inline void linear_run(const qtri_job *job, int32_t y, qtri_run *run)
 {
-    if (job->smooth) {
+    if (qtri_job_is_smooth(job)) {
         linear_colors(job, y, run);
     }
     run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, y - job->anchor_y);
@@ -361,9 +361,9 @@ static void span(const qtri_job *job, int32_t y, int32_t left, int32_t right, in
     run.pixels = surface->pixels + row * surface->pitch;
     run.depths =
         job->raster->compare == QTRI_DEPTH_OFF ? NULL : surface->depth + row * surface->depth_pitch;
-    if (job->paint == QTRI_PAINT_PERSPECTIVE) {
+    if (qtri_job_is_perspective(job)) {
         perspective_span(job, &w, &run, left, right);
-    } else if (job->smooth && surface->format == QTRI_RGB565) {
+    } else if (qtri_job_is_smooth(job) && qtri_format_of(surface) == QTRI_RGB565) {
         packed_span(job, &w, &run, left);
     } else {
         run.x = x0;
@@ -404,7 +404,7 @@ void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row
 {
     const qtri_raster *raster = job->raster;
     const qtri_surface *surface = raster->surface;
-    const int32_t length = job->copies_texels ? 512 : 64;
+    const int32_t length = qtri_job_copies_texels(job) ? 512 : 64;
     const qtri_lines lines = qtri_lines_at(surface, row);
     uint64_t u = linear_row(job, 0, row);
     uint64_t v = linear_row(job, 1, row);

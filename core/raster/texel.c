@@ -56,6 +56,9 @@ bool qtri_texture_usable(const qtri_texture *texture)
     if (texture == NULL) {
         return false;
     }
+    if (!QTRI_WITH_TEXEL_FORMATS) {
+        return texture->format == QTRI_TEXEL_RGB565 && texture->texels != NULL;
+    }
     switch (texture->format) {
     case QTRI_TEXEL_RGB565:
     case QTRI_TEXEL_XRGB8888:
@@ -69,11 +72,17 @@ bool qtri_texture_usable(const qtri_texture *texture)
 }
 
 /* As the colour key is compared. */
+/* See qtri_texture_usable. */
+static qtri_texel_format format_of(const qtri_texture *texture)
+{
+    return QTRI_WITH_TEXEL_FORMATS ? texture->format : QTRI_TEXEL_RGB565;
+}
+
 static uint32_t stored_texel(const qtri_texture *texture, uint32_t column, uint32_t row)
 {
     uint8_t width_log2 = side_log2_of(texture->width_log2);
     uint32_t index = (row << width_log2) + column;
-    switch (texture->format) {
+    switch (format_of(texture)) {
     case QTRI_TEXEL_RGB565:
         return ((const uint16_t *)texture->texels)[index];
     case QTRI_TEXEL_XRGB8888:
@@ -91,7 +100,7 @@ static uint32_t stored_texel(const qtri_texture *texture, uint32_t column, uint3
 
 static qtri_rgb color_of(const qtri_texture *texture, uint32_t stored)
 {
-    switch (texture->format) {
+    switch (format_of(texture)) {
     case QTRI_TEXEL_RGB565:
         return qtri_rgb_from_565(stored);
     case QTRI_TEXEL_XRGB8888:
@@ -109,7 +118,7 @@ static qtri_rgb color_of(const qtri_texture *texture, uint32_t stored)
 
 static bool is_key(const qtri_texture *texture, uint32_t stored)
 {
-    uint32_t mask = texture->format == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu : UINT32_MAX;
+    uint32_t mask = format_of(texture) == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu : UINT32_MAX;
     return texture->has_key && stored == (texture->key & mask);
 }
 
@@ -180,7 +189,7 @@ bool qtri_texel_apply(const qtri_texture *texture, const qtri_texel_axis axis[2]
     qtri_rgb texel = color_of(texture, stored);
     uint32_t texel_8p16[3] = {(uint32_t)texel.r << 16, (uint32_t)texel.g << 16,
                               (uint32_t)texel.b << 16};
-    if (texture->filter == QTRI_BILINEAR) {
+    if (QTRI_WITH_BILINEAR && texture->filter == QTRI_BILINEAR) {
         taps along = taps_at(&axis[0], texture->wrap_u, u);
         taps across = taps_at(&axis[1], texture->wrap_v, v);
         bilinear(texture, &along, &across, texel, texel_8p16);

@@ -161,7 +161,7 @@ bool qtri_tiny_draw(const qtri_raster *raster, const qtri_triangle *triangle, co
         i1 = b->intensity_q15 - i0;
         i2 = c->intensity_q15 - i0;
     }
-    const bool smooth = (i1 | i2) != 0;
+    const bool smooth = QTRI_WITH_SMOOTH && (i1 | i2) != 0;
     if (!raster->tiny || (smooth && raster->perspective && !is_linear(a, b, c, i1, i2)) ||
         !gradient_from(&gradient, triangle) ||
         !depth_from(&depth, &gradient, a, b, c, triangle->row)) {

@@ -15,15 +15,17 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material)
 {
     raster->surface = surface;
-    raster->texture = qtri_texture_usable(material->texture) ? material->texture : NULL;
+    raster->texture =
+        QTRI_WITH_TEXTURES && qtri_texture_usable(material->texture) ? material->texture : NULL;
     raster->bounds = qtri_surface_bounds(surface);
     raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     raster->depth_write = !material->depth_read_only;
-    raster->perspective = material->interpolation == QTRI_PERSPECTIVE;
-    raster->replace = raster->texture != NULL && material->texture_mode == QTRI_REPLACE;
+    raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
+    raster->replace = qtri_raster_texture(raster) != NULL && material->texture_mode == QTRI_REPLACE;
     raster->cull = material->cull;
-    raster->shading = material->shading;
-    raster->copies_white = raster->texture != NULL && surface->format == QTRI_RGB565 &&
+    raster->shading = qtri_shading_of(material);
+    raster->copies_white = qtri_raster_texture(raster) != NULL &&
+                           qtri_format_of(surface) == QTRI_RGB565 &&
                            qtri_texel_copy_fits(raster->texture);
     if (raster->copies_white) {
         raster->column_shift = qtri_texel_copy_shift(raster->texture, 0);
@@ -36,7 +38,7 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
 {
     int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
                              (int32_t)color.b << 16};
-    raster->tint = qtri_channels_from_color(raster->surface->format, color_8p16);
+    raster->tint = qtri_channels_from_color(qtri_format_of(raster->surface), color_8p16);
 }
 
 void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
@@ -44,7 +46,7 @@ void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
 {
     qtri_job job;
     qtri_fill_rows fill = qtri_job_init(&job, raster, triangle, v);
-    if (triangle->size != QTRI_LARGE) {
+    if (QTRI_WITH_FAST_PATHS && triangle->size != QTRI_LARGE) {
         fill(&job, triangle->spans, triangle->row, triangle->end - triangle->row);
         return;
     }
@@ -93,7 +95,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     }
     qtri_attributes attributes[3];
     for (int i = 0; i < 3; i++) {
-        attributes_from_screen(&attributes[i], &v[i], raster->surface->format);
+        attributes_from_screen(&attributes[i], &v[i], qtri_format_of(raster->surface));
     }
     qtri_triangle_draw(raster, &triangle, attributes);
 }

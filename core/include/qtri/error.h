@@ -14,7 +14,9 @@ enum qtri_error {
     /* The memory passed in is smaller than its size macro says; a buffer too small for a text. */
     QTRI_ERROR_MEMORY = -2,
     /* A display could not be reached: a bus function failed, or it stayed busy for too long. */
-    QTRI_ERROR_BUS = -3
+    QTRI_ERROR_BUS = -3,
+    /* An option of config.h leaves out of the library what was asked for. */
+    QTRI_ERROR_OPTION = -4
 };
 
 #ifndef QTRI_ASSERT

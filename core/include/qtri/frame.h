@@ -67,6 +67,7 @@ typedef struct qtri_frame {
  *
  * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX.
  * QTRI_ERROR_MEMORY: bytes < QTRI_FRAME_BYTES(width, rows, format).
+ * QTRI_ERROR_OPTION: the library is built without the format.
  * After an error the frame has no bands.
  */
 enum qtri_error qtri_frame_init(qtri_frame *frame, qtri_format format, int32_t width,

@@ -11,6 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "config.h"
 #include "error.h"
 
 #ifdef __cplusplus
@@ -60,6 +61,7 @@ typedef struct qtri_surface {
  * the surface then holds the rows that exist.
  * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX, or first_row outside the frame.
  * QTRI_ERROR_MEMORY: bytes < QTRI_BAND_BYTES(width, rows, format).
+ * QTRI_ERROR_OPTION: the library is built without the format.
  */
 enum qtri_error qtri_surface_init(qtri_surface *surface, qtri_format format, int32_t width,
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
