@@ -3,9 +3,10 @@
  * roots and reciprocals of plain integers. Internal.
  *
  * How a product or a quotient is formed depends on the core, its value never does:
- *   QTRI_LONG_MULTIPLY  1 where 32 x 32 -> 64 bits is an instruction or two; 0 forms it of
- * half-words QTRI_DIVIDE         1 where 32 / 32 bits is an instruction; 0 divides by a reciprocal
- *   QTRI_LONG_DIVIDE    1 where 64 / 64 bits is one
+ * - QTRI_LONG_MULTIPLY: 1 where 32 x 32 -> 64 bits is an instruction or two; 0 forms it of halves
+ * - QTRI_DIVIDE: 1 where 32 / 32 bits is an instruction; 0 divides by a reciprocal
+ * - QTRI_LONG_DIVIDE: 1 where 64 / 64 bits is one
+ *
  * They may be set from outside, as the tests do to run the narrow code on the host.
  */
 #ifndef QTRI_MATH_BITS_H

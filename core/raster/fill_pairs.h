@@ -2,12 +2,14 @@
  * Two pixels at a time, for cores with 32-bit instructions and few registers: Thumb-2. Internal.
  *
  * One load brings the stored depths of two pixels; which of them pass is decided in one of two
- * ways: QTRI_SELECT 0  each half is compared in place and its pixel drawn if it passes QTRI_SELECT
- * 1  with the DSP extension (Cortex-M4, M7, M33) USUB16 compares both and SEL takes from either
- * word what passes: no branch, and pixels that fail are stored as they were Words are aligned ones:
- * what other addresses cost, or whether they fault, depends on the memory that a display is in. So
- * depths begin a word, and pixels with QTRI_SELECT; the first pixel of a row is drawn alone where
- * they do not.
+ * ways:
+ * - QTRI_SELECT 0: each half is compared in place and its pixel drawn if it passes
+ * - QTRI_SELECT 1: with the DSP extension (Cortex-M4, M7, M33) USUB16 compares both and SEL takes
+ *   from either word what passes: no branch, and pixels that fail are stored as they were
+ *
+ * Words are aligned ones: what other addresses cost, or whether they fault, depends on the memory
+ * that a display is in. So depths begin a word, and pixels with QTRI_SELECT; the first pixel of a
+ * row is drawn alone where they do not.
  *
  * All of this is plain C where the compiler or the core is another, for the tests.
  */
