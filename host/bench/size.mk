@@ -7,7 +7,14 @@ SIZE_VARIANTS := $(foreach core,$(filter cortex-m0plus cortex-m3 cortex-m4,$(BEN
 SIZE_SOURCES  := $(wildcard core/*/*.c) host/bench/size_board.c port/boards/common/memory.c
 SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -fstack-usage -fcallgraph-info=su
 
-# $1: core-optimization; $2: core; $3: optimization; $4: the start-up code's board.
+# Applications once more, with a library that is built for what they use: a row `flat-only` for `flat`, at -Os.
+SIZE_ONLY_APPS     := textured flat
+SIZE_ONLY_VARIANTS := $(filter cortex-m0plus-Os cortex-m3-Os,$(SIZE_VARIANTS))
+SIZE_LEFT_OUT_textured := XRGB8888 GRAY8 TEXEL_FORMATS BILINEAR LINES FACE_LIGHT UNEVEN_LIGHT \
+                          COMPACT_MESHES FAST_PATHS
+SIZE_LEFT_OUT_flat     := XRGB8888 GRAY8 SMOOTH PERSPECTIVE TEXTURES LINES FAST_PATHS
+
+# $1: core-optimization; $2: core; $3: optimization; $4: the start-up code's board; $5: options of config.h left out.
 define size_rules
 $(SIZE_DIR)/$1/%.elf: $(addprefix $(SIZE_DIR)/$1/,$(SIZE_SOURCES:.c=.o) $(patsubst %.c,%.o,$(wildcard port/boards/$4/*.c))) \
                       $(SIZE_DIR)/$1/host/bench/app_%.o port/boards/$4/$4.ld
@@ -18,7 +25,7 @@ $(SIZE_DIR)/$1/port/boards/common/memory.o: private SIZE_EXTRA := -fno-tree-loop
 
 $(SIZE_DIR)/$1/%.o: %.c host/bench/bench.mk host/bench/size.mk
 	@mkdir -p $$(@D)
-	@$(call bench_cc,$2) $(BENCH_FPU_$2) $3 $(SIZE_FLAGS) $$(SIZE_EXTRA) -MMD -MP -c -o $$@ $$<
+	@$(call bench_cc,$2) $(BENCH_FPU_$2) $3 $(SIZE_FLAGS) $(5:%=-DQTRI_WITH_%=0) $$(SIZE_EXTRA) -MMD -MP -c -o $$@ $$<
 
 $(SIZE_DIR)/$1/%.txt: $(SIZE_DIR)/$1/%.elf
 	@timeout 300 $(call bench_emulator,$2) -display none -monitor none -serial stdio -kernel $$< </dev/null >$$@.part
@@ -30,21 +37,36 @@ size_core     = $(patsubst %-O$(lastword $(subst -O, ,$1)),%,$1)
 size_optimize = -O$(lastword $(subst -O, ,$1))
 $(foreach variant,$(SIZE_VARIANTS),$(eval $(call size_rules,$(variant),$(call size_core,$(variant)),$(call \
     size_optimize,$(variant)),$(notdir $(call bench_board,$(call size_core,$(variant)))))))
+$(foreach app,$(SIZE_ONLY_APPS),$(foreach variant,$(SIZE_ONLY_VARIANTS),$(eval $(call size_rules,$(variant)-$(app)-only,$(call \
+    size_core,$(variant)),$(call size_optimize,$(variant)),$(notdir $(call bench_board,$(call size_core,$(variant)))),$(SIZE_LEFT_OUT_$(app))))))
 
 .PHONY: size size-lines
 size: ## Bytes of code, constants, static RAM and stack of three applications, all RAM of one in bands: build/size.tsv
 	@$(MAKE) -s $(PARALLEL) size-lines
-	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_APPS)" $(SIZE_VARIANTS)
+	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_ONLY_APPS:%=%-only) $(SIZE_APPS)" $(SIZE_VARIANTS)
 
-size-lines: $(foreach variant,$(SIZE_VARIANTS),$(SIZE_APPS:%=$(SIZE_DIR)/$(variant)/%.txt))
+size-lines: $(foreach variant,$(SIZE_VARIANTS),$(SIZE_APPS:%=$(SIZE_DIR)/$(variant)/%.txt)) \
+            $(foreach variant,$(SIZE_ONLY_VARIANTS),$(foreach app,$(SIZE_ONLY_APPS),$(SIZE_DIR)/$(variant)-$(app)-only/$(app).txt))
 
 SIZE_VARIANT ?= cortex-m0plus-Os
 SIZE_APP     ?= textured
+# Where an application's files are: `flat-only` is flat in a folder of its own.
+size_folder   = $(SIZE_DIR)/$(SIZE_VARIANT)$(if $(filter %-only,$(SIZE_APP)),-$(SIZE_APP))
 
 .PHONY: size-functions
-size-functions: $(if $(SIZE_VARIANTS),$(SIZE_DIR)/$(SIZE_VARIANT)/$(SIZE_APP).elf) ## Files, functions and call chains behind `make size`; SIZE_VARIANT=cortex-m3-O2 SIZE_APP=flat
-	@$(if $(SIZE_VARIANTS),sh host/bench/size_functions.sh $(SIZE_DIR)/$(SIZE_VARIANT) $(SIZE_APP),\
+size-functions: $(if $(SIZE_VARIANTS),$(size_folder)/$(SIZE_APP:%-only=%).elf) ## Files, functions and call chains behind `make size`; SIZE_VARIANT=cortex-m3-O2 SIZE_APP=flat-only
+	@$(if $(SIZE_VARIANTS),sh host/bench/size_functions.sh $(size_folder) $(SIZE_APP:%-only=%),\
 	    echo "size-functions: skipped: no compiler or emulator (make setup)")
+
+.PHONY: size-options
+size-options: ## Bytes that each option of qtri/config.h saves alone, on a Cortex-M0+ at -Os
+ifeq ($(filter arm-none-eabi-gcc,$(BENCH_TOOLS)),)
+	@echo "size-options: skipped: arm-none-eabi-gcc not installed (make setup)"
+else
+	@rm -rf $(SIZE_DIR)/options; mkdir -p $(SIZE_DIR)/options
+	@sh host/bench/size_options.sh $(SIZE_DIR)/options "$(SIZE_APPS)" $(call bench_cc,cortex-m0plus) -Os $(filter-out -fstack% -fcallgraph%,$(SIZE_FLAGS)) \
+	    -fno-tree-loop-distribute-patterns
+endif
 
 # Budgets: what `make check-budgets` compares with.
 

@@ -1,7 +1,9 @@
 #!/bin/sh
 # Gathers the sizes of applications: size.sh FOLDER TABLE.tsv "APPLICATION..." CORE-OPTIMIZATION...   (called by `make size`)
 # FOLDER/CORE-OPTIMIZATION/APPLICATION.map tells what was linked, .txt how much stack it used, app_APPLICATION.su how
-# much of that was the application's own functions'. Writes
+# much of that was the application's own functions'.
+# APPLICATION-only is APPLICATION with a library that is built for what it uses; its files are in FOLDER/CORE-OPTIMIZATION-
+# APPLICATION-only/, if they are. Then the table has
 #
 #   application core optimize code rodata static_ram stack code_core ram_application
 #
@@ -17,8 +19,10 @@ shift 3
 printf 'application\tcore\toptimize\tcode\trodata\tstatic_ram\tstack\tcode_core\tram_application\n' >"$table"
 for application in $applications; do
     for variant; do
-        files=$folder/$variant
-        awk -v application="$application" -v core="${variant%-O*}" -v optimize="O${variant##*-O}" '
+        base=${application%-only} files=$folder/$variant
+        [ "$application" = "$base" ] || files=$files-$application
+        [ -f "$files/$base.txt" ] || continue # what has its own library is measured on few cores
+        awk -v application="$application" -v base="$base" -v core="${variant%-O*}" -v optimize="O${variant##*-O}" '
             function frame_of(name) { return name in frame ? frame[name] : 0 }
             # `app_flat.c:40:6:app_frame 16 static`
             FILENAME ~ /\.su$/ { n = split($1, part, ":"); frame[part[n]] = $2; next }
@@ -44,7 +48,7 @@ for application in $applications; do
                 bytes = hexadecimal(size)
                 own = file ~ /\/core\/[a-z]+\/[^\/]*\.o$/
                 helper = file ~ /libgcc\.a/ || file ~ /boards\/common\/memory\.o$/
-                if (file ~ ("/app_" application "\\.o$") && section ~ /^\.(data|bss)/) ram_application += bytes
+                if (file ~ ("/app_" base "\\.o$") && section ~ /^\.(data|bss)/) ram_application += bytes
                 if (!own && !helper) return
                 if (section ~ /^\.text/) { code += bytes; if (own) code_core += bytes }
                 else if (section ~ /^\.rodata/) rodata += bytes
@@ -53,11 +57,12 @@ for application in $applications; do
             END {
                 if (nothing || code == 0) { print "size: " application " " core ": drew nothing" >"/dev/stderr"; exit 1 }
                 printf "%s\t%s\t%s\t%d\t%d\t%d\t%d\t%d\t%d\n", application, core, optimize, code, rodata, static_ram, stack, code_core, ram_application
-            }' "$files/host/bench/app_$application.su" "$files/$application.txt" "$files/$application.map" >>"$table"
+            }' "$files/host/bench/app_$base.su" "$files/$base.txt" "$files/$base.map" >>"$table"
     done
 done
 
-# PEERS.md: code on the M0+ at -Os, and for all: stack and static memory. 24 KB: all RAM of a mesh of 500 vertices in bands.
+# PEERS.md: code on the M0+ at -Os, of a library built for the application; for all: stack and static memory. 24 KB: all
+# RAM of a mesh of 500 vertices in bands.
 awk -F '\t' '
     function show(figure, aim) {
         if (aim == "") return sprintf("%8d%8s", figure, "")
@@ -66,10 +71,10 @@ awk -F '\t' '
         return sprintf("%8d%8s", figure, (figure > aim ? " ! " : " ") "(" aim ")")
     }
     NR == 1 { print "Bytes; code with what the compiler adds. In brackets: the target; ! where it is missed."
-        printf "%-10s%-15s%-4s%16s%16s%8s%16s%16s\n", "", "", "", "code+constants ", "code", "rodata", "static RAM", "stack"; next }
+        printf "%-15s%-15s%-4s%16s%16s%8s%16s%16s\n", "", "", "", "code+constants ", "code", "rodata", "static RAM", "stack"; next }
     {
-        aim = $2 == "cortex-m0plus" && $3 == "Os" && $1 != "bands" ? ($1 == "flat" ? 6144 : 12288) : ""
-        printf "%-10s%-15s%-4s%s%s%8d%s%s\n", $1, $2, $3, show($4 + $5, aim), show($4, ""), $5, show($6, 0), show($7, 600)
-        if ($1 == "bands") told = told sprintf("%-10s%-15s%-4s  RAM all told: %d static + %d stack = %s\n", $1, $2, $3, $9 + $6, $7, show($9 + $6 + $7, 24576))
+        aim = $2 == "cortex-m0plus" && $3 == "Os" && $1 ~ /-only$/ ? ($1 == "flat-only" ? 6144 : 12288) : ""
+        printf "%-15s%-15s%-4s%s%s%8d%s%s\n", $1, $2, $3, show($4 + $5, aim), show($4, ""), $5, show($6, 0), show($7, 600)
+        if ($1 == "bands") told = told sprintf("%-15s%-15s%-4s  RAM all told: %d static + %d stack = %s\n", $1, $2, $3, $9 + $6, $7, show($9 + $6 + $7, 24576))
     }
     END { printf "%s", told; printf "size: %d of %d targets met\n", all - missed, all }' "$table"
