@@ -204,6 +204,28 @@ static void integers(void **state)
     assert_int_equal(qtri_shift_round(5, 0), 5);
 }
 
+static void quotients(void **state)
+{
+    (void)state;
+    uint64_t seed = 9;
+    for (int i = 0; i < 1000000; i++) {
+        uint64_t n = random64(&seed) >> (2 + i % 62);
+        uint64_t divisor = (random64(&seed) >> (2 + i / 62 % 61)) | 1;
+        int32_t more = i % 5 == 0 ? 0 : i % 17;
+        if (i % 7 == 0) {
+            n = divisor * (random64(&seed) >> (40 + i % 24)) & (((uint64_t)1 << 62) - 1);
+        }
+        bool half;
+        uint64_t quotient = qtri_divide64(n, divisor, more, &half);
+        __extension__ unsigned __int128 shifted = (unsigned __int128)n << more;
+        __extension__ unsigned __int128 rest = shifted % divisor;
+        if (quotient != (uint64_t)(shifted / divisor) || half != (2 * rest >= divisor)) {
+            fail_msg("%llu 2^%d / %llu", (unsigned long long)n, (int)more,
+                     (unsigned long long)divisor);
+        }
+    }
+}
+
 enum { TURN = 360 * 65536 };
 
 static void angles(void **state)
@@ -399,7 +421,7 @@ int main(void)
         cmocka_unit_test(faults),       cmocka_unit_test(scalars),       cmocka_unit_test(clamps),
         cmocka_unit_test(square_roots), cmocka_unit_test(reciprocals),   cmocka_unit_test(integers),
         cmocka_unit_test(angles),       cmocka_unit_test(angles_repeat), cmocka_unit_test(wides),
-        cmocka_unit_test(wide_vectors),
+        cmocka_unit_test(wide_vectors), cmocka_unit_test(quotients),
     };
     return cmocka_run_group_tests_name("core math", tests, NULL, NULL);
 }

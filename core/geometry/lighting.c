@@ -48,8 +48,12 @@ static uint32_t light_direction(const qtri_lighting *lighting, const int32_t nor
     for (int i = 0; i < 3; i++) {
         square += (uint64_t)((int64_t)scaled[i] * scaled[i]); /* < 2^58 each */
     }
-    int64_t length = (int64_t)qtri_sqrt64_round(square);
-    return intensity(lighting, (dot_q30(scaled, lighting->towards_q30) / length) >> 14);
+    int64_t dot = dot_q30(scaled, lighting->towards_q30);
+    bool half;
+    return intensity(lighting, dot <= 0
+                                   ? 0
+                                   : (int64_t)qtri_divide64((uint64_t)dot >> 14,
+                                                            qtri_sqrt64_round(square), 0, &half));
 }
 
 static inline uint32_t light_normal(const qtri_lighting *lighting, int32_t x, int32_t y, int32_t z)

@@ -44,7 +44,7 @@ static bool is_even(int32_t m[3][3])
     int64_t square = column_dot(m, 0, 0);
     uint64_t noise = (uint64_t)square >> 20;
     for (int i = 0; i < 3; i++) {
-        int next = (i + 1) % 3;
+        int next = i < 2 ? i + 1 : 0;
         if (qtri_magnitude64(column_dot(m, i, next)) > noise ||
             qtri_magnitude64(column_dot(m, next, next) - square) > noise) {
             return false;
@@ -65,7 +65,8 @@ QTRI_NOINLINE static void normal_matrix(int32_t out_q28[3][3], const qtri_transf
     qtri_wide cofactor[3][3]; /* columns */
     int32_t least = INT32_MAX;
     for (int i = 0; i < 3; i++) {
-        qtri_wide_cross(cofactor[i], column[(i + 1) % 3], column[(i + 2) % 3]);
+        int next = i < 2 ? i + 1 : 0;
+        qtri_wide_cross(cofactor[i], column[next], column[3 - i - next]);
         for (int row = 0; row < 3; row++) {
             if (cofactor[i][row].m != 0 && cofactor[i][row].e < least) {
                 least = cofactor[i][row].e;
@@ -91,7 +92,10 @@ static void set_plain_row(qtri_lighting *lighting, int32_t unit)
     int32_t m[3];
     for (int i = 0; i < 3; i++) {
         int64_t product_q46 = (int64_t)lighting->towards_q30[i] * lighting->diffuse; /* <= 2^48 */
-        m[i] = (int32_t)(product_q46 / (unit * 32)) & ~(int32_t)3;
+        bool half;
+        int32_t size =
+            (int32_t)qtri_divide64(qtri_magnitude64(product_q46), (uint32_t)unit * 32, 0, &half);
+        m[i] = (product_q46 < 0 ? -size : size) & ~(int32_t)3;
     }
     int64_t ambient_q16 = lighting->ambient > Q16_ONE ? Q16_ONE : lighting->ambient;
     int64_t t_q41 = (ambient_q16 << 25) + ((int64_t)1 << 25);

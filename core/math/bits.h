@@ -194,6 +194,20 @@ static inline uint32_t qtri_mul_high32(uint32_t a, uint32_t b)
 /* floor(a b / 2^64). */
 uint64_t qtri_mul_high64(uint64_t a, uint64_t b);
 
+/*
+ * Long division: `count` binary digits of rest / divisor, the first of them the whole part, for
+ * rest < 2 divisor < 2^63. What is left over takes the place of rest, times 2^count: the digits may
+ * go on.
+ */
+uint64_t qtri_quotient_digits(uint64_t *rest, uint64_t divisor, int32_t count);
+
+/*
+ * floor(n 2^more / divisor) modulo 2^64, for n < 2^62, 0 < divisor < 2^62 and more >= 0; *half:
+ * what is left over is half of the divisor or more. In place of the compiler's functions, which are
+ * longer and slower where there is no instruction that divides.
+ */
+uint64_t qtri_divide64(uint64_t n, uint64_t divisor, int32_t more, bool *half);
+
 /* Nearest integer to the square root; exact halves cannot occur. */
 uint32_t qtri_sqrt64_floor(uint64_t x, uint64_t *remainder);
 uint64_t qtri_sqrt64_round(uint64_t x);

@@ -74,15 +74,7 @@ void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b)
     }
     uint64_t rest = qtri_magnitude64(a->m);
     uint64_t divisor = qtri_magnitude64(b->m);
-    uint64_t quotient = 0;
-    for (int bit = 0; bit < 62; bit++) { /* rest < 2 divisor at the head of every step */
-        quotient <<= 1;
-        if (rest >= divisor) {
-            rest -= divisor;
-            quotient |= 1;
-        }
-        rest <<= 1;
-    }
+    uint64_t quotient = qtri_quotient_digits(&rest, divisor, 62); /* mantissas: rest < 2 divisor */
     qtri_wide_set(a, with_sign(quotient, a, b), a->e - b->e + 61);
 }
 

@@ -44,12 +44,10 @@ void qtri_ramp_divide(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[
 /* numerator 2^16 / area, rounded, modulo 2^64. |numerator| < 2^57, |area| <= 2^47. */
 static uint64_t divide(int64_t numerator, int64_t area)
 {
-    uint64_t size = qtri_magnitude64(numerator);
-    uint64_t divisor = qtri_magnitude64(area);
-    uint64_t whole = size / divisor;
-    uint64_t rest = size % divisor;                         /* < 2^47 */
-    uint64_t part = ((rest << 16) + divisor / 2) / divisor; /* < 2^63 + 2^46: no overflow */
-    uint64_t quotient = (whole << 16) + part;
+    bool half;
+    uint64_t quotient =
+        qtri_divide64(qtri_magnitude64(numerator), qtri_magnitude64(area), 16, &half);
+    quotient += half;
     return (numerator < 0) == (area < 0) ? quotient : 0 - quotient;
 }
 

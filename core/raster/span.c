@@ -284,7 +284,8 @@ static void perspective_span(const qtri_job *job, window *w, qtri_run *run, int3
         return;
     }
     block = block < BLOCK ? BLOCK : block;
-    int32_t x = left + (w->x0 - left) / block * block;
+    /* Unsigned: without an instruction that divides, that is the function linked anyway. */
+    int32_t x = left + (int32_t)((uint32_t)(w->x0 - left) / (uint32_t)block * (uint32_t)block);
     if (x == last) {
         x -= block; /* the last pixel belongs to the run before it */
     }
