@@ -1,4 +1,4 @@
-#include "../raster/tiny.h"
+#include "../raster/small.h"
 #include "mesh_job.h"
 
 /* Vertices from which on a look at eight corners pays. */
@@ -123,7 +123,7 @@ QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
     }
 }
 
-/* One that is not tiny, or brings more than light. */
+/* One that is not small, or brings more than light. */
 QTRI_NOINLINE static void draw_any_solid(const qtri_mesh_job *draw, const void *indices,
                                          qtri_vertex *const vertex[3], qtri_triangle *triangle,
                                          uint32_t face_q15)
@@ -172,7 +172,7 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
                                                               : QTRI_INTENSITY_ONE;
     }
     if (!QTRI_WITH_FAST_PATHS || draw->more ||
-        !qtri_tiny_draw(&draw->primitive.raster, &triangle, a, b, c, face_q15)) {
+        !qtri_small_draw(&draw->primitive.raster, &triangle, a, b, c, face_q15)) {
         qtri_vertex *const vertex[3] = {a, b, c};
         draw_any_solid(draw, indices, vertex, &triangle, face_q15);
     }

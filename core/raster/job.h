@@ -47,7 +47,7 @@ typedef struct qtri_raster {
     bool depth_write;
     bool perspective, replace; /* as the material asks */
     qtri_channels tint;        /* what tinted triangles have shares of */
-    bool tiny;                 /* tiny.h serves */
+    bool small;                /* small.h serves */
     int32_t column_shift;      /* of texels that are copied, see texel_copy.h */
     uint32_t row_mask;
     bool copies_white; /* texels may be copied where the colour is white */

@@ -1,29 +1,23 @@
-#include "tiny.h"
+#include "small.h"
 
 #include "fill.h"
 #include "packed.h"
 #include "rows.h"
 
-/* What steps from pixel to pixel: 16.16, or packed colours. */
-typedef struct slope {
-    uint32_t origin; /* at column 0 of the first row */
-    uint32_t dx, dy;
-} slope;
-
-/* From the anchor to column 0 of `row`. */
-static inline void move(slope *s, const qtri_gradient *g, int32_t row)
+/* A ramp's origin from the anchor to column 0 of `row`. */
+static inline void move(qtri_ramp *ramp, const qtri_gradient *g, int32_t row)
 {
-    s->origin += (uint32_t)(row - g->anchor_y) * s->dy - (uint32_t)g->anchor_x * s->dx;
+    ramp->origin += (uint32_t)(row - g->anchor_y) * ramp->dy - (uint32_t)g->anchor_x * ramp->dx;
 }
 
 /*
- * Positions, area and anchor: as of the general path, see setup.c. False for a triangle that is not
- * tiny, or cut off at a side.
+ * Positions, area and anchor: as of the general path, see setup.c. False for a triangle that is
+ * large or a sliver.
  */
 static inline bool gradient_from(qtri_gradient *g, const qtri_triangle *t)
 {
     const uint32_t size = qtri_magnitude32((int32_t)t->area);
-    if (t->size != QTRI_TINY || t->cut || qtri_gradient_is_sliver(size, t->extent)) {
+    if (t->size == QTRI_LARGE || qtri_gradient_is_sliver(size, t->extent)) {
         return false;
     }
     g->area = t->area;
@@ -42,9 +36,15 @@ static inline bool gradient_from(qtri_gradient *g, const qtri_triangle *t)
     return true;
 }
 
+/* And not cut off at a side. */
+static inline bool is_tiny(const qtri_triangle *t)
+{
+    return t->size == QTRI_TINY && !t->cut;
+}
+
 /* False where a difference does not fit. */
-static inline bool depth_from(slope *out, const qtri_gradient *g, const qtri_vertex *a,
-                              const qtri_vertex *b, const qtri_vertex *c, int32_t row)
+static inline bool depth_from(qtri_ramp *out, const qtri_gradient *g, const qtri_vertex *a,
+                              const qtri_vertex *b, const qtri_vertex *c)
 {
     const uint32_t reach = (uint32_t)1 << 15;
     const uint32_t z0 = a->depth_16p8 >> 8;
@@ -53,19 +53,14 @@ static inline bool depth_from(slope *out, const qtri_gradient *g, const qtri_ver
     if (((z1 + reach) | (z2 + reach)) >= 2 * reach) {
         return false;
     }
-    qtri_ramp ramp;
-    qtri_ramp_from_steps(&ramp, g, z0 << 8, ((int32_t)z1 + 1) >> (QTRI_RAMP_DOWN - 8),
+    qtri_ramp_from_steps(out, g, z0 << 8, ((int32_t)z1 + 1) >> (QTRI_RAMP_DOWN - 8),
                          ((int32_t)z2 + 1) >> (QTRI_RAMP_DOWN - 8));
-    out->origin = ramp.origin;
-    out->dx = ramp.dx;
-    out->dy = ramp.dy;
-    move(out, g, row);
     return true;
 }
 
-/* The rows: of colours, or of one pixel. */
-static inline void fill(const qtri_raster *raster, const qtri_triangle *t, const slope *depth,
-                        const slope *color, uint32_t pixel, bool smooth)
+/* The rows of a tiny triangle: of packed colours, or of one pixel. Ramps start at column 0. */
+static inline void fill(const qtri_raster *raster, const qtri_triangle *t, const qtri_ramp *depth,
+                        const qtri_ramp *color, uint32_t pixel, bool smooth)
 {
     qtri_lines lines = qtri_lines_at(raster->surface, t->row);
     const ptrdiff_t pitch = raster->surface->pitch;
@@ -124,9 +119,9 @@ static inline bool is_linear(const qtri_vertex *a, const qtri_vertex *b, const q
     return (exponents & 0xFF) == 0 && range_q15 * ((q_range >> 15) + 1) < (uint32_t)1 << 23;
 }
 
-/* A pixel's colour as a share of the tint, and what it steps by. */
-static inline void color_from(slope *out, const qtri_raster *raster, const qtri_gradient *g,
-                              int32_t i0_q15, int32_t i1_q15, int32_t i2_q15, int32_t row)
+/* Packed: shares of the tint, and what they step by. */
+static inline void color_from(qtri_ramp *out, const qtri_raster *raster, const qtri_gradient *g,
+                              int32_t i0_q15, int32_t i1_q15, int32_t i2_q15)
 {
     const int32_t one_q20 = (int32_t)1 << 20;
     const qtri_channels *tint = &raster->tint;
@@ -136,7 +131,6 @@ static inline void color_from(slope *out, const qtri_raster *raster, const qtri_
     out->origin = qtri_pack_tint(tint, (int32_t)(share.origin - 0x8000u), one_q20, one_q20);
     out->dx = qtri_pack_tint(tint, (int32_t)share.dx, (int32_t)1 << 14, (int32_t)1 << 15);
     out->dy = qtri_pack_tint(tint, (int32_t)share.dy, (int32_t)1 << 14, (int32_t)1 << 15);
-    move(out, g, row);
 }
 
 static uint32_t pixel_of(const qtri_raster *raster, uint32_t intensity_q15)
@@ -148,31 +142,53 @@ static uint32_t pixel_of(const qtri_raster *raster, uint32_t intensity_q15)
     return qtri_pixel_pack(QTRI_RGB565, &color);
 }
 
-bool qtri_tiny_draw(const qtri_raster *raster, const qtri_triangle *triangle, const qtri_vertex *a,
-                    const qtri_vertex *b, const qtri_vertex *c, uint32_t face_q15)
+/* One pixel everywhere: the loops for any size serve. */
+QTRI_NOINLINE static void fill_flat(const qtri_raster *raster, const qtri_triangle *t,
+                                    int32_t anchor_x, int32_t anchor_y, qtri_ramp depth,
+                                    uint32_t pixel)
+{
+    qtri_job job;
+    job.raster = raster;
+    job.anchor_x = anchor_x;
+    job.anchor_y = anchor_y;
+    job.depth = depth;
+    job.pixel = pixel;
+    raster->fill_flat(&job, t->spans, t->row, t->end - t->row);
+}
+
+bool qtri_small_draw(const qtri_raster *raster, const qtri_triangle *triangle, const qtri_vertex *a,
+                     const qtri_vertex *b, const qtri_vertex *c, uint32_t face_q15)
 {
     int32_t i0 = (int32_t)face_q15;
     int32_t i1 = 0;
     int32_t i2 = 0;
     qtri_gradient gradient;
-    slope depth;
+    qtri_ramp depth;
     if (face_q15 == QTRI_VERTEX_UNLIT) {
         i0 = a->intensity_q15;
         i1 = b->intensity_q15 - i0;
         i2 = c->intensity_q15 - i0;
     }
     const bool smooth = QTRI_WITH_SMOOTH && (i1 | i2) != 0;
-    if (!raster->tiny || (smooth && raster->perspective && !is_linear(a, b, c, i1, i2)) ||
-        !gradient_from(&gradient, triangle) ||
-        !depth_from(&depth, &gradient, a, b, c, triangle->row)) {
+    if (!raster->small ||
+        (smooth && (!is_tiny(triangle) || (raster->perspective && !is_linear(a, b, c, i1, i2)))) ||
+        !gradient_from(&gradient, triangle) || !depth_from(&depth, &gradient, a, b, c)) {
         return false;
     }
-    if (!smooth) {
-        fill(raster, triangle, &depth, NULL, pixel_of(raster, (uint32_t)i0), false);
+    if (smooth) {
+        qtri_ramp color;
+        move(&depth, &gradient, triangle->row);
+        color_from(&color, raster, &gradient, i0, i1, i2);
+        move(&color, &gradient, triangle->row);
+        fill(raster, triangle, &depth, &color, 0, true);
         return true;
     }
-    slope color;
-    color_from(&color, raster, &gradient, i0, i1, i2, triangle->row);
-    fill(raster, triangle, &depth, &color, 0, true);
+    const uint32_t pixel = pixel_of(raster, (uint32_t)i0);
+    if (is_tiny(triangle)) {
+        move(&depth, &gradient, triangle->row);
+        fill(raster, triangle, &depth, NULL, pixel, false);
+    } else {
+        fill_flat(raster, triangle, gradient.anchor_x, gradient.anchor_y, depth, pixel);
+    }
     return true;
 }
