@@ -1,25 +1,52 @@
 #include "fill_packed.h"
 
-bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip)
+/* `count` pixels, the first of which is pixel `phase` of a group. */
+static void draw(qtri_packed_row *row, const qtri_job *job, int32_t phase, int32_t count)
 {
-    for (; row->part > 0 && skip % 8 != 0; row->part--, skip++) {
+    const qtri_packed_steps *step = &job->packed_step;
+    for (; count > 0; count--, phase++) {
         if (row->z >> 16 < *row->depth) {
             *row->depth = (uint16_t)(row->z >> 16);
-            *row->pixel = (uint16_t)qtri_packed_pixel(row->packed + qtri_packed_skip(job, skip));
+            *row->pixel = (uint16_t)qtri_packed_pixel(row->packed);
         }
         row->z += job->depth.dx;
+        row->packed += phase % 8 == 7 ? step->last : (phase % 2 == 0 ? step->even : step->odd);
         row->depth++;
         row->pixel++;
     }
-    if (row->part > 0) {
-        row->packed += qtri_packed_skip(job, skip);
-        return true;
+}
+
+static bool next_run(qtri_packed_row *row, const qtri_job *job)
+{
+    if (row->rest <= 0) {
+        return false;
     }
     row->packed = qtri_packed_next(row, job);
     row->part = qtri_packed_part(row->rest);
     row->rest -= row->part;
-    return row->part > 0;
+    return true;
 }
+
+bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip)
+{
+    const int32_t to_group = -skip & 7;
+    const int32_t count = to_group < row->part ? to_group : row->part;
+    row->packed += qtri_packed_skip(job, skip);
+    draw(row, job, skip, count);
+    row->part -= count;
+    return row->part > 0 || next_run(row, job);
+}
+
+#ifdef __OPTIMIZE_SIZE__
+
+void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
+{
+    do {
+        draw(row, job, 0, row->part);
+    } while (next_run(row, job));
+}
+
+#else
 
 #define PIXEL(i, step)                                                                             \
     if (z >> 16 < depth[i]) {                                                                      \
@@ -89,6 +116,8 @@ void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
         rest -= count;
     }
 }
+
+#endif
 
 /* A tiny triangle: values at column 0 step from row to row, and a span needs no groups. */
 void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)

@@ -218,7 +218,7 @@ void qtri_run_copy_pairs(const qtri_job *job, const qtri_run *run)
         }
         return;
     }
-    if (count > 0 && !qtri_pair_begins(depth)) {
+    if (!qtri_pair_begins(depth)) {
         SINGLE()
         count--;
     }

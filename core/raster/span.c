@@ -391,11 +391,6 @@ static inline uint32_t linear_coordinate(const qtri_job *job, int i, uint64_t ro
     return scaled(value, job->uv_up[i]);
 }
 
-static inline uint64_t linear_row(const qtri_job *job, int i, int32_t y)
-{
-    return row_of(&job->uv[i], y) + ((uint64_t)job->axis[i].bias << 16);
-}
-
 /*
  * Texture coordinates linear on the screen: they fill their 32 bits, so that steps lose what a long
  * run would show. They start anew from their planes: every 64 pixels, or, where copied texels leave
@@ -407,14 +402,15 @@ void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row
     const qtri_surface *surface = raster->surface;
     const int32_t length = qtri_job_copies_texels(job) ? 512 : 64;
     const qtri_lines lines = qtri_lines_at(surface, row);
-    uint64_t u = linear_row(job, 0, row);
-    uint64_t v = linear_row(job, 1, row);
+    uint64_t uv[2];
     qtri_run run;
     run.pixels = lines.pixels;
     run.depths = lines.depths;
     run.is_packed = false;
-    run.uv_step[0] = plane_step(job->uv[0].dx, job->uv_up[0]);
-    run.uv_step[1] = plane_step(job->uv[1].dx, job->uv_up[1]);
+    for (int i = 0; i < 2; i++) {
+        uv[i] = row_of(&job->uv[i], row) + ((uint64_t)job->axis[i].bias << 16);
+        run.uv_step[i] = plane_step(job->uv[i].dx, job->uv_up[i]);
+    }
     for (const qtri_span *end = spans + count; spans < end; spans++, row++) {
         int32_t x0;
         int32_t rest = qtri_span_clip(spans, &raster->bounds, &x0);
@@ -422,14 +418,14 @@ void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row
         for (run.x = x0; rest > 0; run.x += run.count) {
             int32_t x = run.x - skip;
             run.count = length - skip < rest ? length - skip : rest;
-            run.uv[0] = linear_coordinate(job, 0, u, x) + (uint32_t)skip * run.uv_step[0];
-            run.uv[1] = linear_coordinate(job, 1, v, x) + (uint32_t)skip * run.uv_step[1];
+            run.uv[0] = linear_coordinate(job, 0, uv[0], x) + (uint32_t)skip * run.uv_step[0];
+            run.uv[1] = linear_coordinate(job, 1, uv[1], x) + (uint32_t)skip * run.uv_step[1];
             linear_run(job, row, &run);
             rest -= run.count;
             skip = 0;
         }
-        u += job->uv[0].dy;
-        v += job->uv[1].dy;
+        uv[0] += job->uv[0].dy;
+        uv[1] += job->uv[1].dy;
         run.pixels += surface->pitch;
         run.depths += surface->depth_pitch;
     }
