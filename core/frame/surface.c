@@ -3,10 +3,10 @@
 #include "../math/bits.h"
 #include "../raster/pixel.h"
 
-/* `size` is a power of two. */
-static uint8_t *align(uint8_t *p, size_t size)
+/* The word that begins here, or next. */
+static uint8_t *align(uint8_t *p)
 {
-    return p + (size - ((uintptr_t)p & (size - 1))) % size;
+    return p + (0 - (uintptr_t)p) % 4;
 }
 
 enum qtri_error qtri_surface_init(qtri_surface *surface, qtri_format format, int32_t width,
@@ -25,8 +25,9 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, qtri_format format, int
     }
     format = qtri_format_built(format);
     size_t pitch = (size_t)width * QTRI_FORMAT_BYTES(format);
-    uint8_t *pixels = align((uint8_t *)memory, 4); /* at most 3 + 1 of the 8 bytes to spare */
-    uint8_t *depth = align(pixels + pitch * (size_t)rows, 2);
+    /* Both at words, for loops that draw pairs: at most 3 + 3 of the 8 bytes to spare. */
+    uint8_t *pixels = align((uint8_t *)memory);
+    uint8_t *depth = align(pixels + pitch * (size_t)rows);
     surface->pixels = pixels;
     surface->pitch = (ptrdiff_t)pitch;
     surface->depth = (uint16_t *)(void *)depth;
