@@ -59,9 +59,9 @@ static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
 }
 
 /* Which functions fill rows: what a raster chooses, or one way for all that it has. */
-typedef enum way { CHOSEN, GENERIC, PAIRS, SELECTED, WAYS } way;
+enum way { CHOSEN, GENERIC, PAIRS, SELECTED, WAYS };
 
-static void choose(qtri_raster *raster, way way)
+static void choose(qtri_raster *raster, enum way way)
 {
     bool packed = raster->surface->format == QTRI_RGB565 && raster->compare == QTRI_LESS &&
                   raster->depth_write;
@@ -81,7 +81,7 @@ static void choose(qtri_raster *raster, way way)
 
 /* As qtri_raster_triangle; true when a path of its own drew the triangle. */
 static bool draw(const qtri_surface *surface, const qtri_material *material,
-                 const qtri_screen_vertex v[3], way way)
+                 const qtri_screen_vertex v[3], enum way way)
 {
     qtri_raster raster;
     qtri_raster_init(&raster, surface, material);
@@ -132,7 +132,8 @@ static void every_way_draws_the_same(void **state)
                 qtri_surface *surface = &c[way].surface;
                 surface->scissor = scissor;
                 /* Every other hundred: depths begin words in one row, pixels in the next. */
-                surface->width = surface->depth_pitch = WIDTH - n / 100 % 2;
+                surface->width = WIDTH - n / 100 % 2;
+                surface->depth_pitch = surface->width;
                 fast += draw(surface, &material, v, (enum way)way) && way == CHOSEN;
                 assert_memory_equal(c[way].memory, c[0].memory, c[0].bytes);
             }

@@ -84,16 +84,6 @@ enum { LONG = 12 }; /* pixels of one colour from which pairs are worth the while
 #define COLOR(name) const uint32_t name = color;
 #define STEP(s)
 
-static void flat_span(uint16_t *pixel, uint16_t *depth, int32_t count, uint32_t color, uint32_t z,
-                      uint32_t depth_step)
-{
-    if (!qtri_pair_begins(depth)) {
-        SINGLE()
-        count--;
-    }
-    PAIRS(count)
-}
-
 void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
     const qtri_raster *raster = job->raster;
@@ -107,12 +97,16 @@ void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t r
             uint16_t *depth = lines.depths + x;
             const uint32_t depth_step = job->depth.dx;
             const uint32_t color = job->pixel;
-            if (rest >= LONG && qtri_pairs_fit(pixel, depth)) {
-                flat_span(pixel, depth, rest, color, z, depth_step);
-            } else {
+            if (rest < LONG || !qtri_pairs_fit(pixel, depth)) {
                 for (; rest > 0; rest--) {
                     SINGLE()
                 }
+            } else {
+                if (!qtri_pair_begins(depth)) {
+                    SINGLE()
+                    rest--;
+                }
+                PAIRS(rest)
             }
         }
         lines.pixels += raster->surface->pitch;

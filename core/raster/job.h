@@ -135,7 +135,7 @@ static inline bool qtri_job_copies_texels(const qtri_job *job)
 struct qtri_run {
     uint8_t *pixels; /* of the whole row */
     uint16_t *depths;
-    int32_t x, count; /* 0 < count */
+    int32_t x, count;                 /* 0 < count */
     uint32_t z;                       /* 16.16 */
     uint32_t color[3], color_step[3]; /* n.16 */
     uint32_t uv[2], uv_step[2];       /* see uv_up */

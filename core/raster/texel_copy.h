@@ -20,7 +20,7 @@ static inline uint32_t qtri_shift_by_byte(uint32_t x, uint32_t by)
     __asm__("lsr %0, %1, %2" : "=r"(x) : "r"(x), "r"(by));
     return x;
 #elif defined(__GNUC__) && defined(__thumb__)
-    __asm__("lsr %0, %1" : "+l"(x) : "l"(by) : "cc");
+    __asm__(".syntax unified\n\tlsrs %0, %1" : "+l"(x) : "l"(by) : "cc");
     return x;
 #else
     return x >> (by & 31);
