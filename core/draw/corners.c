@@ -9,14 +9,22 @@ static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
     out->v_q32 = (int64_t)corner->uv.y * 65536;
 }
 
+/* From three corners. */
+static void attributes_of_triangle(const void *from, qtri_screen_vertex attributes[3])
+{
+    const qtri_corner *corners = from;
+    for (int i = 0; i < 3; i++) {
+        attributes_of(&attributes[i], &corners[i]);
+    }
+}
+
 /* Transforms `count` corners of one primitive, which then share one scale. */
 static void fetch(const qtri_primitive *primitive, const qtri_corner *corners, int count,
-                  qtri_clip_vertex v[3], qtri_screen_vertex attributes[3])
+                  qtri_clip_vertex v[3])
 {
     const qtri_vec4 *position[3];
     for (int i = 0; i < count; i++) {
         position[i] = &corners[i].position;
-        attributes_of(&attributes[i], &corners[i]);
     }
     qtri_projector_points(&primitive->projector, position, count, v);
 }
@@ -29,9 +37,8 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
     qtri_primitive_init(&primitive, surface, view, pose, material);
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         qtri_shape shape;
-        qtri_screen_vertex attributes[3];
-        fetch(&primitive, &corners[i], 3, shape.clip, attributes);
-        qtri_primitive_triangle(&primitive, &shape, attributes);
+        fetch(&primitive, &corners[i], 3, shape.clip);
+        qtri_primitive_triangle(&primitive, &shape, attributes_of_triangle, &corners[i]);
     }
 }
 
@@ -43,8 +50,10 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
     qtri_primitive_init(&primitive, surface, view, pose, material);
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
         qtri_clip_vertex v[3];
-        qtri_screen_vertex attributes[3];
-        fetch(&primitive, &corners[i], 2, v, attributes);
+        qtri_screen_vertex attributes[2];
+        fetch(&primitive, &corners[i], 2, v);
+        attributes_of(&attributes[0], &corners[i]);
+        attributes_of(&attributes[1], &corners[i + 1]);
         qtri_primitive_line(&primitive, v, attributes);
     }
 }

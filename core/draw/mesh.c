@@ -81,6 +81,19 @@ static void set_attributes(const qtri_mesh_job *draw, const void *indices,
     }
 }
 
+/* A triangle of a mesh, where set_attributes gets them from. */
+typedef struct seen {
+    const qtri_mesh_job *draw;
+    const void *indices;
+    qtri_vertex *const *vertex;
+} seen;
+
+static void attributes_of_seen(const void *from, qtri_screen_vertex attributes[3])
+{
+    const seen *triangle = from;
+    set_attributes(triangle->draw, triangle->indices, triangle->vertex, attributes);
+}
+
 /* Rare: homogeneous coordinates are not kept but computed again. */
 QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
@@ -89,7 +102,6 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
         return;
     }
     qtri_shape shape;
-    qtri_screen_vertex screen[3];
     const qtri_projector *projector = &draw->primitive.projector;
     for (int i = 0; i < 3; i++) {
         uint32_t index = qtri_mesh_index(draw->mesh, indices, i);
@@ -99,8 +111,8 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
             qtri_projector_point(projector, &draw->mesh->positions[index], &shape.clip[i]);
         }
     }
-    set_attributes(draw, indices, vertex, screen);
-    qtri_primitive_triangle(&draw->primitive, &shape, screen);
+    const seen triangle = {draw, indices, vertex};
+    qtri_primitive_triangle(&draw->primitive, &shape, attributes_of_seen, &triangle);
 }
 
 /* What not every mesh has: colours in units of the target, texture coordinates. */

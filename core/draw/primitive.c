@@ -152,8 +152,23 @@ QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_ve
     out->v_q32 = from->v_q32;
 }
 
+/* Of triangle i of a fan. */
+QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const qtri_primitive *primitive,
+                                           const qtri_fan_vertex fan[], int i,
+                                           qtri_attribute_source source, const void *from)
+{
+    const qtri_format format = qtri_format_of(primitive->surface);
+    qtri_screen_vertex attributes[3];
+    source(from, attributes);
+    spread_provoking(primitive->material, attributes);
+    set_attributes(&out[0], &fan[0], attributes, format);
+    set_attributes(&out[1], &fan[i - 1], attributes, format);
+    set_attributes(&out[2], &fan[i], attributes, format);
+}
+
 QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive, const qtri_fan_vertex fan[],
-                                     int i, int64_t area, const qtri_screen_vertex attributes[3])
+                                     int i, int64_t area, qtri_attribute_source source,
+                                     const void *from)
 {
     qtri_triangle triangle;
     triangle.p[0] = &fan[0].at;
@@ -164,11 +179,8 @@ QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive, const qtri
     if (!qtri_triangle_begin(&primitive->raster, &triangle)) {
         return;
     }
-    const qtri_format format = qtri_format_of(primitive->surface);
     qtri_attributes own[3];
-    set_attributes(&own[0], &fan[0], attributes, format);
-    set_attributes(&own[1], &fan[i - 1], attributes, format);
-    set_attributes(&own[2], &fan[i], attributes, format);
+    piece_attributes(own, primitive, fan, i, source, from);
     qtri_triangle_draw(&primitive->raster, &triangle, own);
 }
 
@@ -217,13 +229,16 @@ QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
 
 /* The ends of an unclipped triangle serve two lines each; otherwise every edge is clipped anew. */
 QTRI_NOINLINE static void draw_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
-                                       unsigned planes, qtri_screen_vertex attributes[3])
+                                       unsigned planes, qtri_attribute_source source,
+                                       const void *from)
 {
+    qtri_screen_vertex attributes[3];
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
     int count = clip_to_screen(&primitive->projector, v, planes, fan);
     if (count == 0 || is_culled(primitive->material, fan_area(fan, count))) {
         return;
     }
+    source(from, attributes);
     spread_provoking(primitive->material, attributes);
     if (planes == 0) {
         draw_whole_outline(primitive, fan, attributes);
@@ -241,7 +256,7 @@ QTRI_NOINLINE static void draw_outline(const qtri_primitive *primitive, const qt
  * pixels belong to the neighbour in the fan, too.
  */
 void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
-                             qtri_screen_vertex attributes[3])
+                             qtri_attribute_source source, const void *from)
 {
     unsigned common = ~0u;
     unsigned planes = 0;
@@ -255,7 +270,7 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     }
     if (primitive->material->fill != QTRI_SOLID) {
         if (QTRI_WITH_LINES) {
-            draw_outline(primitive, shape->clip, planes, attributes);
+            draw_outline(primitive, shape->clip, planes, source, from);
         }
         return;
     }
@@ -264,11 +279,10 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     if (is_culled(primitive->material, sum)) { /* or 0, when nothing is left */
         return;
     }
-    spread_provoking(primitive->material, attributes);
     for (int i = 2; i < count; i++) {
         int64_t area = count == 3 ? sum : piece_area(shape->fan, i);
         if ((sum < 0 && area < 0) || (sum > 0 && area > 0)) {
-            draw_piece(primitive, shape->fan, i, area, attributes);
+            draw_piece(primitive, shape->fan, i, area, source, from);
         }
     }
 }

@@ -47,12 +47,16 @@ void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_material *material);
 
 /*
- * Draws a triangle or a line that may need clipping. `attributes` brings colour, u and v of each
- * vertex; its positions are not read. `shape` brings clip; it and a triangle's attributes are
- * overwritten.
+ * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is
+ * to be drawn, and again for the next piece: what is not kept takes no stack while rows are filled.
  */
+typedef void (*qtri_attribute_source)(const void *from, qtri_screen_vertex attributes[3]);
+
+/* Draws a triangle that may need clipping. `shape` brings clip, and is overwritten. */
 void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
-                             qtri_screen_vertex attributes[3]);
+                             qtri_attribute_source source, const void *from);
+
+/* The same for a line. `attributes` bring colour; their positions are not read. */
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2]);
 

@@ -9,12 +9,6 @@
 
 #include "../math/dot.h"
 
-#ifdef __GNUC__
-#define QTRI_NOINLINE __attribute__((noinline))
-#else
-#define QTRI_NOINLINE
-#endif
-
 /*
  * A row for 16-bit positions n: floor((m . n + t) / 2^16), |m| <= 2^31, all multiples of 4. Without
  * a long multiply m and t are stored as high 2^16 + 4 low, so that every product fits 32 bits.

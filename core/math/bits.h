@@ -91,6 +91,13 @@ static inline void qtri_math_fault(void)
 #define QTRI_RARELY() ((void)0)
 #endif
 
+/* A function of its own, whose stack is free again when it returns. */
+#ifdef __GNUC__
+#define QTRI_NOINLINE __attribute__((noinline))
+#else
+#define QTRI_NOINLINE
+#endif
+
 /* The largest or smallest int32_t, by the sign of x. */
 static inline int32_t qtri_extreme32(int32_t x)
 {
@@ -193,13 +200,6 @@ static inline uint32_t qtri_mul_high32(uint32_t a, uint32_t b)
 
 /* floor(a b / 2^64). */
 uint64_t qtri_mul_high64(uint64_t a, uint64_t b);
-
-/*
- * Long division: `count` binary digits of rest / divisor, the first of them the whole part, for
- * rest < 2 divisor < 2^63. What is left over takes the place of rest, times 2^count: the digits may
- * go on.
- */
-uint64_t qtri_quotient_digits(uint64_t *rest, uint64_t divisor, int32_t count);
 
 /*
  * floor(n 2^more / divisor) modulo 2^64, for n < 2^62, 0 < divisor < 2^62 and more >= 0; *half:

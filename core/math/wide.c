@@ -72,9 +72,8 @@ void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b)
         qtri_wide_set(a, a->m, -2 * QTRI_WIDE_EXPONENT_MAX);
         return;
     }
-    uint64_t rest = qtri_magnitude64(a->m);
-    uint64_t divisor = qtri_magnitude64(b->m);
-    uint64_t quotient = qtri_quotient_digits(&rest, divisor, 62); /* mantissas: rest < 2 divisor */
+    bool half;
+    uint64_t quotient = qtri_divide64(qtri_magnitude64(a->m), qtri_magnitude64(b->m), 61, &half);
     qtri_wide_set(a, with_sign(quotient, a, b), a->e - b->e + 61);
 }
 
