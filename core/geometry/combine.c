@@ -116,7 +116,7 @@ static bool is_affine(const qtri_transform *b)
            is_sound(&b->row[2]);
 }
 
-QTRI_NOINLINE static void mul_wide(qtri_row *out, const qtri_row *a, const qtri_transform *b)
+void qtri_row_mul(qtri_row *out, const qtri_row *a, const qtri_transform *b)
 {
     qtri_wide element[4];
     for (int j = 0; j < 4; j++) {
@@ -143,7 +143,7 @@ QTRI_NOINLINE static void mul_rows(qtri_transform *out, const qtri_transform *a,
             out->row[i] = *left;
         } else if (!quick ||
                    !qtri_row_combine(&out->row[i], row, left->m, 3, left->exponent, left->t)) {
-            mul_wide(&out->row[i], left, b);
+            qtri_row_mul(&out->row[i], left, b);
         }
     }
 }

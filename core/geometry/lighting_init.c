@@ -10,8 +10,8 @@ static qtri_wide dot(const qtri_wide a[3], const qtri_wide b[3])
                          qtri_wide_mul(a[2], b[2]));
 }
 
-/* The linear part with one exponent, that of its largest row. */
-static void align(int32_t out[3][3], const qtri_transform *t)
+/* The linear part with one exponent, that of its largest row; a fourth column is left alone. */
+static void align(int32_t out[3][4], const qtri_transform *t)
 {
     int32_t least = INT32_MAX;
     for (int row = 0; row < 3; row++) {
@@ -28,8 +28,8 @@ static void align(int32_t out[3][3], const qtri_transform *t)
     }
 }
 
-/* Of two columns; |m| <= 2^30. */
-static int64_t column_dot(int32_t m[3][3], int i, int j)
+/* Of two columns; |m| <= 2^30, in one of them 2^31. */
+static int64_t column_dot(int32_t m[3][4], int i, int j)
 {
     return qtri_mul_s32(m[0][i], m[0][j]) + qtri_mul_s32(m[1][i], m[1][j]) +
            qtri_mul_s32(m[2][i], m[2][j]);
@@ -39,7 +39,7 @@ static int64_t column_dot(int32_t m[3][3], int i, int j)
  * Columns of equal length, at right angles, to 2^-20: far above the noise of a rotation in Q2.30,
  * far below 1/255.
  */
-static bool is_even(int32_t m[3][3])
+static bool is_even(int32_t m[3][4])
 {
     int64_t square = column_dot(m, 0, 0);
     uint64_t noise = (uint64_t)square >> 20;
@@ -106,7 +106,7 @@ static void set_plain_row(qtri_lighting *lighting, int32_t unit)
 void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
                         const qtri_transform *object_to_eye, int32_t unit)
 {
-    int32_t m[3][3];
+    int32_t m[3][4];
     align(m, object_to_eye);
     lighting->ambient = light->ambient;
     lighting->diffuse = light->diffuse;
@@ -125,8 +125,10 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
     int64_t object[3]; /* the transpose takes it there; < 3 2^61 */
     int32_t fitted[3];
     for (int i = 0; i < 3; i++) {
-        object[i] = qtri_mul_s32(m[0][i], towards[0]) + qtri_mul_s32(m[1][i], towards[1]) +
-                    qtri_mul_s32(m[2][i], towards[2]);
+        m[i][3] = towards[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        object[i] = column_dot(m, i, 3);
     }
     (void)qtri_fit32(fitted, object, 3);
     (void)qtri_unit(lighting->towards_q30, fitted, 3, 30); /* stays zero for no direction */

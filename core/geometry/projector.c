@@ -5,32 +5,29 @@
 #include "row.h"
 #include "vertex.h"
 
-QTRI_NOINLINE static void fold_wide(qtri_row *out, const qtri_row *axis, int32_t scale,
-                                    const qtri_row *w, int32_t center)
-{
-    qtri_wide element[4];
-    for (int i = 0; i < 4; i++) {
-        qtri_wide scaled = qtri_wide_mul(qtri_row_element(axis, i), qtri_wide_make(scale, 1));
-        qtri_wide moved = qtri_wide_mul(qtri_row_element(w, i), qtri_wide_make(center, 1));
-        element[i] = qtri_wide_add(scaled, moved);
-    }
-    qtri_row_from_wide(out, element);
-}
-
-/* scale clip_row + center w_row, for a half-pixel unit: scale and center count halves. */
-static void fold_viewport(qtri_row *out, const qtri_row *axis, int32_t scale, const qtri_row *w,
+/* scale times row `axis` + center times row w, for a half-pixel unit: scale and center count
+ * halves. */
+static void fold_viewport(qtri_row *out, const qtri_transform *clip, int axis, int32_t scale,
                           int32_t center)
 {
-    const qtri_row *const row[2] = {axis, w};
+    const qtri_row *const row[2] = {&clip->row[axis], &clip->row[3]};
     const int32_t factor[2] = {scale * 32768, center * 32768}; /* < 2^30 */
     if (!qtri_row_combine(out, row, factor, 2, 16, 0)) {
-        fold_wide(out, axis, scale, w, center);
+        qtri_row left = {.t = (int64_t)center * 65536, .exponent = 1};
+        left.m[axis] = scale;
+        qtri_row_mul(out, &left, clip);
     }
 }
 
 static int32_t hold(int32_t x, int32_t low, int32_t high)
 {
     return x < low ? low : (x > high ? high : x);
+}
+
+/* floor(65535 x / 2) for x <= 2^17. */
+static uint32_t half_depth(uint32_t x)
+{
+    return 32768 * x - (x + 1) / 2;
 }
 
 void qtri_projector_init(qtri_projector *projector, const qtri_transform *object_to_clip,
@@ -40,11 +37,10 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
     int32_t y = hold(viewport->y, -QTRI_VIEWPORT_MAX, QTRI_VIEWPORT_MAX);
     int32_t width = hold(viewport->width, 0, QTRI_VIEWPORT_MAX);
     int32_t height = hold(viewport->height, 0, QTRI_VIEWPORT_MAX);
-    const qtri_row *clip = object_to_clip->row;
-    fold_viewport(&projector->row.wide[0], &clip[0], width, &clip[3], 2 * x + width);
-    fold_viewport(&projector->row.wide[1], &clip[1], -height, &clip[3], 2 * y + height);
-    projector->row.wide[2] = clip[2];
-    projector->row.wide[3] = clip[3];
+    fold_viewport(&projector->row.wide[0], object_to_clip, 0, width, 2 * x + width);
+    fold_viewport(&projector->row.wide[1], object_to_clip, 1, -height, 2 * y + height);
+    projector->row.wide[2] = object_to_clip->row[2];
+    projector->row.wide[3] = object_to_clip->row[3];
 
     int32_t least = INT32_MAX;
     for (int i = 0; i < 4; i++) {
@@ -59,10 +55,11 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
         projector->shift[i] = hold(shift, 2, 63);
     }
 
-    int64_t near_z = q16_clamp(viewport->depth_near, 0, Q16_ONE);
-    int64_t far_z = q16_clamp(viewport->depth_far, 0, Q16_ONE);
-    projector->depth_center = (uint32_t)((near_z + far_z) * 65535 / 2) + 0x80u;
-    projector->depth_reach = (int32_t)((far_z - near_z) * 65535 / 2); /* < 2^31 */
+    q16 near_z = hold(viewport->depth_near, 0, Q16_ONE);
+    q16 far_z = hold(viewport->depth_far, 0, Q16_ONE);
+    uint32_t reach = half_depth(qtri_magnitude32(far_z - near_z)); /* < 2^31 */
+    projector->depth_center = half_depth((uint32_t)(near_z + far_z)) + 0x80u;
+    projector->depth_reach = far_z < near_z ? -(int32_t)reach : (int32_t)reach;
 }
 
 /* |m| <= 2^30, |t| < 2^61: the sum stays below 3 2^61 + 2^61 = 2^63. */

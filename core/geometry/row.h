@@ -31,6 +31,9 @@ void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide poin
 bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t factor[], int count,
                       int32_t exponent, int64_t t);
 
+/* The product of a row and the rows of a transform, whatever they are. */
+void qtri_row_mul(qtri_row *out, const qtri_row *a, const qtri_transform *b);
+
 /* Element 0..3 of a row. */
 qtri_wide qtri_row_element(const qtri_row *row, int column);
 

@@ -18,36 +18,32 @@ static int64_t hold_q32(int64_t coordinate)
 /* Added to values, so that those somewhat below 0 can be shifted; a multiple of the side. */
 #define ABOVE_ZERO ((uint32_t)1 << 30)
 
-static int32_t first_texel(int64_t base, int32_t shift)
-{
-    const int64_t least = -((int64_t)1 << 29);
-    const int64_t greatest = (int64_t)1 << 30;
-    int64_t first = ((int64_t)ABOVE_ZERO >> shift) - (base >> shift);
-    return (int32_t)(first < least ? least : (first > greatest ? greatest : first));
-}
-
 void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_t coordinate_q32[3],
                           uint8_t side_log2)
 {
-    int64_t offset[3];
-    int64_t least = hold_q32(coordinate_q32[0]);
-    int64_t greatest = least;
+    uint64_t offset[3];
+    uint64_t all = 0;
+    int32_t base = INT32_MAX; /* whole repeats below the least: |base| <= 2^16 */
     for (int i = 0; i < 3; i++) {
-        offset[i] = hold_q32(coordinate_q32[i]);
-        least = offset[i] < least ? offset[i] : least;
-        greatest = offset[i] > greatest ? offset[i] : greatest;
+        int64_t held = hold_q32(coordinate_q32[i]);
+        int32_t repeats = (int32_t)(held >> 32);
+        base = repeats < base ? repeats : base;
+        offset[i] = (uint64_t)held;
     }
-    int64_t base = least - (least & (int64_t)UINT32_MAX);
-    /* The span, below 2^50, to below 2^30; at least 3 bits go, which leaves shift <= 29. */
-    int32_t down = 34 - qtri_clz64((uint64_t)(greatest - base));
+    for (int i = 0; i < 3; i++) {
+        offset[i] -= (uint64_t)(uint32_t)base << 32; /* 0..2^50; what is lost of the base wraps */
+        all |= offset[i];
+    }
+    /* The span to below 2^30; at least 3 bits go, which leaves shift <= 29. */
+    int32_t down = 34 - qtri_clz64(all);
     down = down < 3 ? 3 : down; /* <= 20 */
     for (int i = 0; i < 3; i++) {
-        value[i] = (uint32_t)((offset[i] - base) >> down);
+        value[i] = (uint32_t)(offset[i] >> down);
     }
     side_log2 = side_log2_of(side_log2);
     axis->shift = 32 - down - side_log2; /* >= 2 */
     axis->mask = (1u << side_log2) - 1;
-    axis->first = first_texel(base >> down, axis->shift); /* base: whole repeats, nothing is lost */
+    axis->first = (int32_t)(ABOVE_ZERO >> axis->shift) - base * ((int32_t)1 << side_log2);
     axis->bias = axis->shift > 17 ? (uint32_t)1 << (axis->shift - 16) : 2;
 }
 
@@ -134,7 +130,7 @@ static uint32_t wrap(const qtri_texel_axis *axis, qtri_wrap mode, uint32_t texel
     if (mode != QTRI_CLAMP) {
         return texel & axis->mask;
     }
-    int32_t index = (int32_t)texel - axis->first; /* texel <= 2^30, first >= -2^29 */
+    int32_t index = (int32_t)texel - axis->first; /* texel <= 2^30, |first| < 2^29 */
     return index < 0 ? 0 : ((uint32_t)index > axis->mask ? axis->mask : (uint32_t)index);
 }
 

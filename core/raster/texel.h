@@ -16,8 +16,7 @@ typedef struct qtri_texel_axis {
     int32_t shift; /* texel = (value + bias) >> shift, wrapped */
     uint32_t mask; /* side - 1 */
     uint32_t bias; /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
-    int32_t first; /* (value + 2^30) >> shift at coordinate 0; held to -2^29..2^30, which
-                      clamps the same */
+    int32_t first; /* (value + 2^30) >> shift at coordinate 0: within +-2^29 */
 } qtri_texel_axis;
 
 /*
