@@ -178,7 +178,9 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
     }
     uint32_t face_q15 = QTRI_VERTEX_UNLIT;
     if (draw->lit_per_vertex) {
-        light_vertices(draw, indices, a, b, c);
+        if (!draw->lit) {
+            light_vertices(draw, indices, a, b, c);
+        }
     } else {
         face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? qtri_mesh_light_face(draw, indices)
                                                               : QTRI_INTENSITY_ONE;
@@ -403,6 +405,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->lit_per_vertex =
         view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;
     draw->edges_once = false;
+    draw->lit = false;
     draw->lit_per_face = QTRI_WITH_FACE_LIGHT && view->light != NULL && !draw->lit_per_vertex;
 }
 

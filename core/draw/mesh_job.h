@@ -16,6 +16,7 @@ typedef struct qtri_mesh_job {
     qtri_vertex *vertices; /* slot_count of them */
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
+    bool lit;        /* per vertex: all that are seen already are */
     bool edges_once; /* wireframes note in the vertices which edges they drew */
     bool tinted;     /* the mesh has no colours of its own */
     bool more;       /* colours of their own or a texture */

@@ -119,7 +119,8 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
         !qtri_prepared_begin(&job, prepared, surface, prepared->is_placed)) {
         return;
     }
-    if (!qtri_prepared_is_complete(prepared)) {
+    job.lit = qtri_prepared_is_complete(prepared);
+    if (!job.lit) {
         qtri_mesh_clear_slots(&job);
     }
     if (by_list) {
