@@ -401,11 +401,12 @@ void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row
     const qtri_raster *raster = job->raster;
     const qtri_surface *surface = raster->surface;
     const int32_t length = qtri_job_copies_texels(job) ? 512 : 64;
+    const bool tested = raster->compare != QTRI_DEPTH_OFF;
     const qtri_lines lines = qtri_lines_at(surface, row);
     uint64_t uv[2];
     qtri_run run;
     run.pixels = lines.pixels;
-    run.depths = lines.depths;
+    run.depths = tested ? lines.depths : NULL;
     run.is_packed = false;
     for (int i = 0; i < 2; i++) {
         uv[i] = row_of(&job->uv[i], row) + ((uint64_t)job->axis[i].bias << 16);
@@ -427,6 +428,6 @@ void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row
         uv[0] += job->uv[0].dy;
         uv[1] += job->uv[1].dy;
         run.pixels += surface->pitch;
-        run.depths += surface->depth_pitch;
+        run.depths += tested ? surface->depth_pitch : 0;
     }
 }
