@@ -47,6 +47,28 @@ bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip);
 /* One pixel after the other. */
 void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job);
 
+/* Fewer pixels than a group has, from its first on: meshes have many such rows. */
+static inline void qtri_packed_short(const qtri_job *job, uint16_t *pixel, uint16_t *depth,
+                                     int32_t count, uint32_t z, uint32_t packed)
+{
+    const uint32_t depth_step = job->depth.dx;
+    const uint32_t two_steps = job->packed_step.even + job->packed_step.odd;
+    uint32_t step = job->packed_step.even;
+    const uint16_t *stop = depth + count;
+    do {
+        if (z >> 16 < *depth) {
+            QTRI_BRANCH
+            *depth = (uint16_t)(z >> 16);
+            *pixel = (uint16_t)qtri_packed_pixel(packed);
+        }
+        z += depth_step;
+        packed += step;
+        step = two_steps - step;
+        depth++;
+        pixel++;
+    } while (depth != stop);
+}
+
 static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans, int32_t row,
                                     int32_t count, qtri_packed_draw draw)
 {
@@ -60,18 +82,21 @@ static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans,
             int32_t dy = row - job->anchor_y;
             int32_t skip = (x - spans->left) & (QTRI_PACKED_RUN - 1);
             int32_t dx = x - skip - job->anchor_x;
-            qtri_packed_row at;
-            at.pixel = (uint16_t *)(void *)lines.pixels + x;
-            at.depth = lines.depths + x;
-            at.z = qtri_ramp_at(&job->depth, x - job->anchor_x, dy);
-            at.r = qtri_ramp_at(&ramp[0], dx, dy);
-            at.g = qtri_ramp_at(&ramp[1], dx, dy);
-            at.b = qtri_ramp_at(&ramp[2], dx, dy);
-            at.packed = qtri_pack_floor(at.r, at.g, at.b);
-            at.part = QTRI_PACKED_RUN - skip < rest ? QTRI_PACKED_RUN - skip : rest;
-            at.rest = rest - at.part;
-            if (skip == 0 || qtri_packed_cut(&at, job, skip)) {
-                draw(&at, job);
+            uint16_t *pixel = (uint16_t *)(void *)lines.pixels + x;
+            uint16_t *depth = lines.depths + x;
+            uint32_t z = qtri_ramp_at(&job->depth, x - job->anchor_x, dy);
+            uint32_t r = qtri_ramp_at(&ramp[0], dx, dy);
+            uint32_t g = qtri_ramp_at(&ramp[1], dx, dy);
+            uint32_t b = qtri_ramp_at(&ramp[2], dx, dy);
+            uint32_t packed = qtri_pack_floor(r, g, b);
+            if (skip == 0 && rest < 8) {
+                qtri_packed_short(job, pixel, depth, rest, z, packed);
+            } else {
+                int32_t part = QTRI_PACKED_RUN - skip < rest ? QTRI_PACKED_RUN - skip : rest;
+                qtri_packed_row at = {pixel, depth, z, packed, part, rest - part, r, g, b};
+                if (skip == 0 || qtri_packed_cut(&at, job, skip)) {
+                    draw(&at, job);
+                }
             }
         }
         QTRI_NEXT_ROW
