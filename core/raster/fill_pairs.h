@@ -1,17 +1,16 @@
 /*
- * Two pixels at a time, for cores with 32-bit instructions and few registers: Thumb-2. Internal.
+ * Two pixels at a time, on cores with Thumb-2. Internal.
  *
- * One load brings the stored depths of two pixels; which of them pass is decided in one of two
- * ways:
- * - QTRI_SELECT 0: each half is compared in place and its pixel drawn if it passes
- * - QTRI_SELECT 1: with the DSP extension (Cortex-M4, M7, M33) USUB16 compares both and SEL takes
- *   from either word what passes: no branch, and pixels that fail are stored as they were
+ * One load brings two stored depths, the first in the low half. With QTRI_SELECT 0 each half is
+ * compared where it is, and its pixel drawn if it passes. With QTRI_SELECT 1, on cores with the DSP
+ * extension (Cortex-M4, M7, M33), USUB16 compares both and SEL takes what passes from either word,
+ * of depths and of colours, without a branch; pixels that fail are stored as they were.
  *
- * Words are aligned ones: what other addresses cost, or whether they fault, depends on the memory
- * that a display is in. So depths begin a word, and pixels with QTRI_SELECT; the first pixel of a
- * row is drawn alone where they do not.
+ * All words are aligned: what others cost, and whether they fault, depends on the kind of memory.
+ * So depths begin a word, and with QTRI_SELECT pixels too; where a row begins in the middle of one,
+ * its first pixel is drawn alone.
  *
- * All of this is plain C where the compiler or the core is another, for the tests.
+ * With other compilers and on other cores all of this is plain C, for the tests.
  */
 #ifndef QTRI_RASTER_FILL_PAIRS_H
 #define QTRI_RASTER_FILL_PAIRS_H
@@ -30,7 +29,8 @@
 #endif
 
 /* Whether these functions are the fastest; they are long, since they are unrolled. */
-#if defined(__thumb2__) && !defined(__ARM_BIG_ENDIAN) && !defined(__OPTIMIZE_SIZE__)
+#if defined(__GNUC__) && defined(__thumb2__) && !defined(__ARM_BIG_ENDIAN) &&                      \
+    !defined(__OPTIMIZE_SIZE__)
 #define QTRI_PAIRS 1
 #else
 #define QTRI_PAIRS 0
@@ -101,7 +101,7 @@ static inline void qtri_pair_select(uint16_t **pixel, uint16_t **depth, uint32_t
 #endif
 }
 
-/* Whether pairs can be drawn from here on, or from the next pixel on. */
+/* Whether depths and pixels are at words together: pairs go from here on or the next pixel. */
 static inline bool qtri_pairs_fit(const uint16_t *pixel, const uint16_t *depth)
 {
     return !QTRI_SELECT || (((uintptr_t)pixel ^ (uintptr_t)depth) & 2) == 0;
