@@ -16,7 +16,10 @@ static qtri_fill_rows flat_for(qtri_format format, bool less)
 {
     switch (format) {
     case QTRI_RGB565:
-        return less ? rgb565_flat_less : rgb565_flat;
+        if (less) {
+            return QTRI_PAIRS ? qtri_fill_flat_pairs : rgb565_flat_less;
+        }
+        return rgb565_flat;
     case QTRI_XRGB8888:
         return less ? xrgb8888_flat_less : xrgb8888_flat;
     default:
@@ -40,9 +43,6 @@ void qtri_fill_choose(qtri_raster *raster)
         raster->fill_flat = flat_for(format, less);
     }
     if (less && format == QTRI_RGB565) {
-        if (QTRI_PAIRS) {
-            raster->fill_flat = qtri_fill_flat_pairs;
-        }
         if (QTRI_WITH_SMOOTH) {
             raster->fill_tiny = qtri_fill_tiny_less;
             raster->fill_linear = QTRI_PAIRS ? qtri_fill_packed_pairs : qtri_fill_packed_less;

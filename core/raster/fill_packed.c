@@ -1,5 +1,7 @@
 #include "fill_packed.h"
 
+#include "fill_pairs.h"
+
 /* `count` pixels, the first of which is pixel `phase` of a group. */
 static void draw(qtri_packed_row *row, const qtri_job *job, int32_t phase, int32_t count)
 {
@@ -37,8 +39,9 @@ bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip)
     return row->part > 0 || next_run(row, job);
 }
 
-#ifdef __OPTIMIZE_SIZE__
+#if QTRI_PAIRS || defined(__OPTIMIZE_SIZE__)
 
+/* Small code: where there are pairs, few surfaces need it. */
 void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 {
     do {
