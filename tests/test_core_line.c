@@ -2,6 +2,9 @@
  * Lines: the rule of raster.h exactly, both directions, chains, pictures, values along them.
  */
 #include "support_core.h"
+#include "support_line_narrow.h"
+
+#include "raster/line_path.h"
 
 enum { WIDTH = 44, HEIGHT = 38 };
 
@@ -259,6 +262,14 @@ static void values(void **state)
     }
 }
 
+static void turn_over(qtri_surface *s)
+{
+    s->pixels += (s->rows - 1) * s->pitch;
+    s->depth += (s->rows - 1) * s->depth_pitch;
+    s->pitch = -s->pitch;
+    s->depth_pitch = -s->depth_pitch;
+}
+
 /*
  * The fast path needs a pixel and its depth equally far from the first ones, and a line inside the
  * bounds: without the one or the other the pixels are the same.
@@ -282,9 +293,12 @@ static void fast_path(void **state)
         qtri_surface *g = &generic.surface;
         g->depth = depth;
         g->depth_pitch = DEPTH_PITCH;
+        if (n % 5 == 0) {
+            turn_over(f);
+        }
         for (int32_t i = 0; i < f->width * f->height; i++) {
             uint16_t z = (uint16_t)(random_in(&seed, 0, 3) == 0 ? 30000 : 65535);
-            f->depth[i] = z;
+            f->depth[i / f->width * f->depth_pitch + i % f->width] = z;
             depth[i / f->width * DEPTH_PITCH + i % f->width] = z;
         }
         if (n % 4 == 0) {
@@ -321,11 +335,48 @@ static void fast_path(void **state)
     }
 }
 
+/* Cores without long multiply and divide: the same colours, all of them, and lines. */
+static void narrow(void **state)
+{
+    (void)state;
+    for (int32_t color = 0; color <= 255 << 16; color++) {
+        if (narrow_line_channel(color, 31) != qtri_line_channel_565(color, 31) ||
+            narrow_line_channel(color, 63) != qtri_line_channel_565(color, 63)) {
+            fail_msg("colour %x", (unsigned)color);
+        }
+    }
+    uint64_t seed = 75;
+    canvas wide = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    canvas other = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    qtri_material material = plain_material();
+    for (int n = 0; n < 20000; n++) {
+        qtri_screen_vertex v[2];
+        material.depth_compare = n % 4 == 0 ? QTRI_LESS_EQUAL : QTRI_LESS;
+        for (int i = 0; i < 2; i++) {
+            point p = random_point(&seed, n % 3 == 0 ? 9000 : 4000);
+            v[i] = screen_at(p.x, p.y);
+        }
+        random_attributes(&seed, v);
+        if (n % 2 == 0) { /* near each other */
+            v[1].depth_16p16 = v[0].depth_16p16 ^ (uint32_t)random_in(&seed, 0, 1 << 24);
+        }
+        if (n % 10 == 0) {
+            canvas_clear(&wide);
+            canvas_clear(&other);
+        }
+        qtri_raster_line(&wide.surface, &material, v);
+        narrow_raster_line(&other.surface, &material, v);
+        assert_same_picture(&wide.surface, &other.surface);
+    }
+    canvas_free(&wide);
+    canvas_free(&other);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rule),   cmocka_unit_test(chains),    cmocka_unit_test(pictures),
-        cmocka_unit_test(values), cmocka_unit_test(fast_path),
+        cmocka_unit_test(values), cmocka_unit_test(fast_path), cmocka_unit_test(narrow),
     };
     return cmocka_run_group_tests_name("core line", tests, NULL, NULL);
 }

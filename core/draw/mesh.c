@@ -14,7 +14,7 @@ bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t cou
     return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
 }
 
-uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
+static uint32_t light_face(const qtri_mesh_job *draw, const void *indices)
 {
     const qtri_mesh *mesh = draw->mesh;
     uint32_t a = qtri_mesh_index(mesh, indices, 0);
@@ -59,25 +59,36 @@ static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32
     }
 }
 
-/* Colours, light and texture coordinates of a triangle that is clipped. */
-static void set_attributes(const qtri_mesh_job *draw, const void *indices,
-                           qtri_vertex *const vertex[3], qtri_screen_vertex out[3])
+QTRI_NOINLINE void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
+                                        qtri_vertex *const vertex[3], qtri_line_color color[3])
 {
     const qtri_mesh *mesh = draw->mesh;
-    uint32_t intensity_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face
-                                 ? qtri_mesh_light_face(draw, indices)
-                                 : QTRI_INTENSITY_ONE;
+    uint32_t intensity_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? light_face(draw, triangle)
+                                                                        : QTRI_INTENSITY_ONE;
     for (int i = 0; i < 3; i++) {
         if (draw->lit_per_vertex) {
-            intensity_q15 = qtri_mesh_light_once(draw, indices, i, vertex[i]);
+            intensity_q15 = qtri_mesh_light_once(draw, triangle, i, vertex[i]);
         }
-        uint32_t index = qtri_mesh_index(mesh, indices, i);
         int32_t intensity = (int32_t)intensity_q15 * 2;
-        qtri_rgb color = mesh->colors != NULL ? mesh->colors[index] : draw->material.color;
-        out[i].color_8p16[0] = color.r * intensity; /* <= 255.0 */
-        out[i].color_8p16[1] = color.g * intensity;
-        out[i].color_8p16[2] = color.b * intensity;
-        set_uv(&out[i].u_q32, &out[i].v_q32, mesh, index);
+        qtri_rgb rgb = mesh->colors != NULL ? mesh->colors[qtri_mesh_index(mesh, triangle, i)]
+                                            : draw->material.color;
+        color[i][0] = rgb.r * intensity; /* <= 255.0 */
+        color[i][1] = rgb.g * intensity;
+        color[i][2] = rgb.b * intensity;
+    }
+}
+
+/* Colours, light and texture coordinates of a triangle that is clipped. */
+QTRI_NOINLINE static void set_attributes(const qtri_mesh_job *draw, const void *indices,
+                                         qtri_vertex *const vertex[3], qtri_screen_vertex out[3])
+{
+    qtri_line_color color[3];
+    qtri_mesh_set_colors(draw, indices, vertex, color);
+    for (int i = 0; i < 3; i++) {
+        for (int channel = 0; channel < 3; channel++) {
+            out[i].color_8p16[channel] = color[i][channel];
+        }
+        set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, qtri_mesh_index(draw->mesh, indices, i));
     }
 }
 
@@ -182,7 +193,7 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
             light_vertices(draw, indices, a, b, c);
         }
     } else {
-        face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? qtri_mesh_light_face(draw, indices)
+        face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? light_face(draw, indices)
                                                               : QTRI_INTENSITY_ONE;
     }
     if (!QTRI_WITH_FAST_PATHS || draw->more ||
@@ -263,10 +274,13 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
-    if (draw->edges_once) {
-        qtri_mesh_clear_edges(draw);
-    }
     const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
+    if (draw->edges == QTRI_EDGES_DRAWN) {
+        qtri_mesh_clear_edges(draw);
+        if (simple && qtri_mesh_draw_front_lines(draw)) {
+            return;
+        }
+    }
     const bool solid = draw->material.fill == QTRI_SOLID;
     if (qtri_mesh_has_bytes(mesh)) {
         draw_triangles(draw, mesh->triangles8, true, simple, solid);
@@ -404,7 +418,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     draw->lit_per_vertex =
         view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;
-    draw->edges_once = false;
+    draw->edges = QTRI_EDGES_ALL;
     draw->lit = false;
     draw->lit_per_face = QTRI_WITH_FACE_LIGHT && view->light != NULL && !draw->lit_per_vertex;
 }
@@ -450,8 +464,9 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
         return;
     }
     if (QTRI_WITH_FAST_PATHS && draw.slot_count >= mesh->vertex_count) {
-        draw.edges_once = QTRI_WITH_LINES && material->fill != QTRI_SOLID &&
-                          qtri_line_is_final(&draw.primitive.line);
+        if (qtri_mesh_has_final_edges(&draw)) {
+            draw.edges = QTRI_EDGES_DRAWN;
+        }
         draw_whole(&draw);
     } else {
         draw_by_slots(&draw);

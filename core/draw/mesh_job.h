@@ -8,6 +8,13 @@
 #include "../math/dot.h"
 #include "primitive.h"
 
+/* Which edges a triangle of a wireframe draws, see mesh_lines.c. */
+typedef enum qtri_mesh_edges {
+    QTRI_EDGES_ALL,
+    QTRI_EDGES_DRAWN, /* those that are not noted; notes them */
+    QTRI_EDGES_NOTED  /* those that are not */
+} qtri_mesh_edges;
+
 /* One draw call: what every triangle needs. */
 typedef struct qtri_mesh_job {
     qtri_primitive primitive;
@@ -16,10 +23,10 @@ typedef struct qtri_mesh_job {
     qtri_vertex *vertices; /* slot_count of them */
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
-    bool lit;        /* per vertex: all that are seen already are */
-    bool edges_once; /* wireframes note in the vertices which edges they drew */
-    bool tinted;     /* the mesh has no colours of its own */
-    bool more;       /* colours of their own or a texture */
+    qtri_mesh_edges edges;
+    bool lit;    /* per vertex: all that are seen already are */
+    bool tinted; /* the mesh has no colours of its own */
+    bool more;   /* colours of their own or a texture */
     qtri_lighting lighting;
 } qtri_mesh_job;
 
@@ -48,8 +55,9 @@ void qtri_mesh_clear_slots(const qtri_mesh_job *draw);
 /* Intensity of a vertex of a mesh with normals. */
 uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index);
 
-/* Of the triangle with these indices, for a mesh lit per face. */
-uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
+/* The colours of a triangle's corners, lit. */
+void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
+                          qtri_vertex *const vertex[3], qtri_line_color color[3]);
 
 /* Any culling, and triangles that may cross planes; those are never turned away. */
 bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
@@ -63,11 +71,32 @@ void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c, int64_t area);
 
-/* Draws the edges of a triangle inside all planes that is seen; mesh_lines.c. */
-void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *indices,
+/* A wireframe whose edges need not be drawn twice. */
+static inline bool qtri_mesh_has_final_edges(const qtri_mesh_job *draw)
+{
+    const qtri_line_job *line = &draw->primitive.line;
+    return QTRI_WITH_LINES && draw->material.fill != QTRI_SOLID &&
+           qtri_line_is_final(line->compare, line->depth_write);
+}
+
+/*
+ * Wireframes, mesh_lines.c. Edges are noted in the vertices where all have slots: clear before the
+ * first. With QTRI_EDGES_NOTED, note the edges of the triangles that are seen, in their order,
+ * before anything is drawn.
+ */
+void qtri_mesh_clear_edges(const qtri_mesh_job *draw);
+void qtri_mesh_note_edges(const qtri_mesh_job *draw, const void *triangle,
                           qtri_vertex *const vertex[3]);
 
-void qtri_mesh_clear_edges(const qtri_mesh_job *draw);
+/* Draws the edges of a triangle inside all planes that is seen. */
+void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *triangle,
+                          qtri_vertex *const vertex[3]);
+
+/*
+ * The same for all front faces of a mesh inside all planes. False, and nothing is drawn, where
+ * there is no short way.
+ */
+bool qtri_mesh_draw_front_lines(const qtri_mesh_job *draw);
 
 /* Which of two arrays serves: known to the compiler where one kind is left out. */
 static inline bool qtri_mesh_has_compact(const void *compact)
@@ -104,9 +133,9 @@ static inline void qtri_mesh_indices(uint32_t index[3], const void *triangle, bo
 {
     const uint16_t *wide = triangle;
     const uint8_t *bytes = triangle;
-    for (int i = 0; i < 3; i++) {
-        index[i] = narrow ? bytes[i] : wide[i];
-    }
+    index[0] = narrow ? bytes[0] : wide[0];
+    index[1] = narrow ? bytes[1] : wide[1];
+    index[2] = narrow ? bytes[2] : wide[2];
 }
 
 static inline bool qtri_mesh_is_inside(const qtri_vertex *a, const qtri_vertex *b,

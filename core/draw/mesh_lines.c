@@ -1,30 +1,64 @@
 /*
  * Wireframes of meshes.
+ *
+ * Two triangles share most edges. Where a line drawn again has no effect, see qtri_line_is_final,
+ * the second one need not draw it. Vertices note the edges that leave them, in the word that has
+ * 1/w for solid triangles: from vertex i to vertex j it is (j - i) modulo 2^16, in either half, the
+ * newest in the lower one. Indices are below 2^16, so no other j gives the same; 0 is no edge, or
+ * one from a vertex to itself, which has no pixel. A neighbour that faces the same way has the edge
+ * from j to i. What is not noted is drawn again: there is room for two edges only, and a mesh may
+ * have faces that disagree on what is front.
+ *
+ * A mesh drawn whole notes an edge when it draws it, in place of the oldest: all notes are of edges
+ * drawn before. Bands draw a prepared mesh without writing to it: there notes are made beforehand,
+ * for good, of edges that no earlier triangle has. Every triangle with an edge is drawn in every
+ * band that the edge touches, in the order of the mesh.
  */
+#include <string.h>
+
 #include "mesh_job.h"
 
-/* The corners' colours, and the first once more: those of an edge are next to each other. */
-static void set_colors(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3],
-                       qtri_line_color color[4])
+static inline uint32_t edge_between(uint32_t from, uint32_t to)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    const qtri_shading shading = draw->material.shading;
-    uint32_t intensity_q15 =
-        draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
-    for (int i = 0; i < 4; i++) {
-        int corner = i < 3 ? i : 0;
-        if (shading != QTRI_SMOOTH) {
-            corner = shading == QTRI_FLAT_FIRST ? 0 : 2;
-        }
-        if (draw->lit_per_vertex) {
-            intensity_q15 = qtri_mesh_light_once(draw, indices, corner, vertex[corner]);
-        }
-        int32_t intensity = (int32_t)intensity_q15 * 2;
-        qtri_rgb rgb = mesh->colors != NULL ? mesh->colors[qtri_mesh_index(mesh, indices, corner)]
-                                            : draw->material.color;
-        color[i][0] = rgb.r * intensity; /* <= 255.0 */
-        color[i][1] = rgb.g * intensity;
-        color[i][2] = rgb.b * intensity;
+    return (to - from) & 0xFFFFu;
+}
+
+static inline bool is_noted(const qtri_vertex *vertex, uint32_t edge)
+{
+    return (vertex->inv_w & 0xFFFFu) == edge || vertex->inv_w >> 16 == edge;
+}
+
+static inline void note(qtri_vertex *vertex, uint32_t edge)
+{
+    vertex->inv_w = vertex->inv_w << 16 | edge;
+}
+
+static inline bool is_full(const qtri_vertex *vertex)
+{
+    return vertex->inv_w >> 16 != 0;
+}
+
+/* Whether a triangle has to draw its edge from a to b, which is noted then if edges are. */
+static inline bool takes_edge(qtri_mesh_edges edges, qtri_vertex *a, const qtri_vertex *b,
+                              uint32_t from, uint32_t to)
+{
+    if (edges == QTRI_EDGES_ALL) {
+        return true;
+    }
+    if (is_noted(b, edge_between(to, from))) {
+        return false;
+    }
+    if (edges == QTRI_EDGES_DRAWN) {
+        note(a, edge_between(from, to));
+    }
+    return true;
+}
+
+/* Notes the edge from a to b, unless an earlier triangle has it from b to a, or may: b is full. */
+static void note_first(qtri_vertex *a, const qtri_vertex *b, uint32_t from, uint32_t to)
+{
+    if (!is_full(a) && !is_full(b) && !is_noted(b, edge_between(to, from))) {
+        note(a, edge_between(from, to));
     }
 }
 
@@ -35,58 +69,128 @@ void qtri_mesh_clear_edges(const qtri_mesh_job *draw)
     }
 }
 
-/* Whether the edge from a to b is drawn for the first time, as far as is known; notes that it is.
- */
-static inline bool is_new_edge(uint32_t from, uint32_t to, qtri_vertex *a, const qtri_vertex *b)
-{
-    const uint32_t noted = b->inv_w;
-    const uint32_t back = (from - to) & 0xFFFFu;
-    if ((noted & 0xFFFFu) == back || noted >> 16 == back) {
-        return false;
-    }
-    a->inv_w = a->inv_w << 16 | ((to - from) & 0xFFFFu);
-    return true;
-}
-
-/* One bit for each of the edges 01 12 20 that has to be drawn. */
-static inline uint32_t new_edges(const qtri_mesh_job *draw, const void *indices,
-                                 qtri_vertex *const vertex[3])
+void qtri_mesh_note_edges(const qtri_mesh_job *draw, const void *triangle,
+                          qtri_vertex *const vertex[3])
 {
     uint32_t index[3];
-    qtri_mesh_indices(index, indices, draw->mesh->triangles8 != NULL);
-    return (is_new_edge(index[0], index[1], vertex[0], vertex[1]) ? 1u : 0) |
-           (is_new_edge(index[1], index[2], vertex[1], vertex[2]) ? 2u : 0) |
-           (is_new_edge(index[2], index[0], vertex[2], vertex[0]) ? 4u : 0);
+    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
+    note_first(vertex[0], vertex[1], index[0], index[1]);
+    note_first(vertex[1], vertex[2], index[1], index[2]);
+    note_first(vertex[2], vertex[0], index[2], index[0]);
 }
 
-QTRI_NOINLINE void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *indices,
+/* One colour, by light per vertex or as it is. */
+static inline bool is_tinted(const qtri_mesh_job *draw)
+{
+    return draw->mesh->colors == NULL && !draw->lit_per_face;
+}
+
+static inline bool are_lit(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c)
+{
+    const uint32_t unlit = QTRI_VERTEX_UNLIT + 1; /* others: <= 2^15 + 1 */
+    return (((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) &
+            unlit) == 0;
+}
+
+QTRI_NOINLINE static void light(const qtri_mesh_job *draw, const void *triangle,
+                                qtri_vertex *const vertex[3])
+{
+    for (int i = 0; i < 3; i++) {
+        if (draw->lit_per_vertex) {
+            (void)qtri_mesh_light_once(draw, triangle, i, vertex[i]);
+        } else {
+            vertex[i]->intensity_q15 = QTRI_INTENSITY_ONE;
+        }
+    }
+}
+
+/* The corners' colours, and the first once more: those of an edge are next to each other. */
+static void set_colors(const qtri_mesh_job *draw, const void *triangle,
+                       qtri_vertex *const vertex[3], qtri_line_color color[4])
+{
+    const qtri_shading shading = draw->material.shading;
+    qtri_mesh_set_colors(draw, triangle, vertex, color);
+    if (shading != QTRI_SMOOTH) {
+        const int32_t *from = color[shading == QTRI_FLAT_FIRST ? 0 : 2];
+        for (int i = 0; i < 3; i++) {
+            memmove(color[i], from, sizeof color[i]);
+        }
+    }
+    memcpy(color[3], color[0], sizeof color[3]);
+}
+
+QTRI_NOINLINE void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *triangle,
                                         qtri_vertex *const vertex[3])
 {
     const qtri_line_job *line = &draw->primitive.line;
-    if (qtri_line_misses(line, vertex[0]->at.y_24p8, vertex[1]->at.y_24p8, vertex[2]->at.y_24p8)) {
-        return;
-    }
-    const uint32_t edges = draw->edges_once ? new_edges(draw, indices, vertex) : 7;
-    if (edges == 0) {
+    qtri_vertex *a = vertex[0];
+    qtri_vertex *b = vertex[1];
+    qtri_vertex *c = vertex[2];
+    if (qtri_line_misses(line, a->at.y_24p8, b->at.y_24p8, c->at.y_24p8)) {
         return;
     }
     qtri_line_color own[4];
-    const qtri_line_color *color = NULL;
-    if (draw->lit_per_vertex && draw->mesh->colors == NULL) {
+    const qtri_line_color *color[3] = {NULL, NULL, NULL};
+    if (!is_tinted(draw)) {
+        set_colors(draw, triangle, vertex, own);
         for (int i = 0; i < 3; i++) {
-            (void)qtri_mesh_light_once(draw, indices, i, vertex[i]);
+            color[i] = (const qtri_line_color *)&own[i];
         }
-    } else {
-        set_colors(draw, indices, vertex, own);
-        color = (const qtri_line_color *)own;
+    } else if (!are_lit(a, b, c)) {
+        light(draw, triangle, vertex);
     }
-    if ((edges & 1) != 0) {
-        qtri_line_draw(line, vertex[0], vertex[1], color);
+    uint32_t index[3];
+    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
+    if (takes_edge(draw->edges, a, b, index[0], index[1])) {
+        qtri_line_draw(line, a, b, color[0]);
     }
-    if ((edges & 2) != 0) {
-        qtri_line_draw(line, vertex[1], vertex[2], color != NULL ? color + 1 : NULL);
+    if (takes_edge(draw->edges, b, c, index[1], index[2])) {
+        qtri_line_draw(line, b, c, color[1]);
     }
-    if ((edges & 4) != 0) {
-        qtri_line_draw(line, vertex[2], vertex[0], color != NULL ? color + 2 : NULL);
+    if (takes_edge(draw->edges, c, a, index[2], index[0])) {
+        qtri_line_draw(line, c, a, color[2]);
     }
+}
+
+bool qtri_mesh_draw_front_lines(const qtri_mesh_job *draw)
+{
+    const uint32_t count = draw->mesh->vertex_count;
+    const uint16_t(*triangle)[3] = draw->mesh->triangles;
+    const uint16_t(*end)[3] = triangle + draw->mesh->triangle_count;
+    const qtri_line_job *line = &draw->primitive.line;
+    if (QTRI_SHARE || qtri_mesh_has_bytes(draw->mesh) || draw->edges != QTRI_EDGES_DRAWN ||
+        !is_tinted(draw)) {
+        return false;
+    }
+    for (; triangle != end; triangle++) {
+        uint32_t index[3];
+        qtri_mesh_indices(index, triangle, false);
+        if (index[0] >= count || index[1] >= count || index[2] >= count) {
+            continue;
+        }
+        qtri_vertex *a = &draw->vertices[index[0]];
+        qtri_vertex *b = &draw->vertices[index[1]];
+        qtri_vertex *c = &draw->vertices[index[2]];
+        QTRI_HOLD(a); /* as in mesh.c */
+        QTRI_HOLD(b);
+        QTRI_HOLD(c);
+        if (qtri_triangle_is_back(&a->at, &b->at, &c->at) ||
+            qtri_line_misses(line, a->at.y_24p8, b->at.y_24p8, c->at.y_24p8)) {
+            continue;
+        }
+        if (!are_lit(a, b, c)) {
+            qtri_vertex *const vertex[3] = {a, b, c};
+            light(draw, triangle, vertex);
+        }
+        if (takes_edge(QTRI_EDGES_DRAWN, a, b, index[0], index[1])) {
+            qtri_line_draw(line, a, b, NULL);
+        }
+        if (takes_edge(QTRI_EDGES_DRAWN, b, c, index[1], index[2])) {
+            qtri_line_draw(line, b, c, NULL);
+        }
+        if (takes_edge(QTRI_EDGES_DRAWN, c, a, index[2], index[0])) {
+            qtri_line_draw(line, c, a, NULL);
+        }
+    }
+    return true;
 }

@@ -213,14 +213,14 @@ QTRI_NOINLINE static void see_solid(sorter *s, uint32_t number, const void *tria
     see(s, number, triangle, vertex, true);
 }
 
-/* Any triangle. */
+/* Any triangle that is not turned away. */
 QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triangle,
                                   qtri_vertex *const vertex[3])
 {
-    if (qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
-        return;
-    }
     if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
+        if (s->job->edges == QTRI_EDGES_NOTED) {
+            qtri_mesh_note_edges(s->job, triangle, vertex);
+        }
         see(s, number, triangle, vertex, s->is_solid);
         return;
     }
@@ -237,6 +237,7 @@ static inline void see_triangles(sorter *s, const void *triangles, bool narrow, 
     const qtri_mesh *mesh = s->job->mesh;
     qtri_vertex *vertices = s->job->vertices;
     const uint32_t count = mesh->vertex_count;
+    const bool back_only = s->prepared->back_only;
     const uint8_t *triangle = triangles;
     for (uint32_t number = 0; number != mesh->triangle_count; number++) {
         uint32_t index[3];
@@ -251,7 +252,8 @@ static inline void see_triangles(sorter *s, const void *triangles, bool narrow, 
         QTRI_HOLD(a); /* as in mesh.c */
         QTRI_HOLD(b);
         QTRI_HOLD(c);
-        if (simple && qtri_triangle_is_back(&a->at, &b->at, &c->at)) {
+        if (simple || back_only ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
+                                : qtri_mesh_turned_away(s->job, a, b, c)) {
             continue;
         }
         qtri_vertex *const vertex[3] = {a, b, c};
@@ -284,7 +286,8 @@ QTRI_NOINLINE static void see_by_slots(sorter *s)
         const uint8_t *triangle = qtri_prepared_triangle(mesh, number);
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
-        if (qtri_mesh_fetch_triangle(s->job, triangle, spare, vertex)) {
+        if (qtri_mesh_fetch_triangle(s->job, triangle, spare, vertex) &&
+            !qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
             see_any(s, number, triangle, vertex);
         }
     }
@@ -328,6 +331,9 @@ bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
     qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material);
     job->vertices = prepared->vertices;
     job->slot_count = prepared->vertex_count;
+    if (qtri_prepared_is_complete(prepared) && qtri_mesh_has_final_edges(job)) {
+        job->edges = QTRI_EDGES_NOTED;
+    }
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
 }
 
@@ -359,6 +365,11 @@ static void prepare(qtri_prepared *prepared, qtri_format format)
     if (s.is_complete) {
         const bool inside = qtri_mesh_transform(&job, 0, mesh->vertex_count, prepared->vertices);
         prepared->back_only = inside && job.material.cull == QTRI_CULL_BACK;
+        if (!is_solid &&
+            qtri_line_is_final(job.material.depth_compare, !job.material.depth_read_only)) {
+            job.edges = QTRI_EDGES_NOTED; /* the bands' surfaces may have depths */
+            qtri_mesh_clear_edges(&job);
+        }
         see_complete(&s);
     } else {
         qtri_mesh_clear_slots(&job);

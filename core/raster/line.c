@@ -38,23 +38,20 @@ static inline void ramp_next(ramp *r)
 
 enum { CHANNELS = 3, DEPTH = CHANNELS, VALUES };
 
-/* At the ends: channels in units of the format, or gray and nothing more; n.16, and half a unit
-   that rounds. */
 typedef struct values {
     int32_t first[VALUES], last[VALUES];
 } values;
 
-static void values_init(int32_t out[VALUES], const qtri_line_job *job, const qtri_vertex *end,
+void qtri_line_channels(int32_t out[3], const qtri_line_job *job, const qtri_vertex *end,
                         const qtri_line_color *color)
 {
     const int32_t half = 0x8000;
-    const qtri_format format = job->surface->format;
+    const qtri_format format = qtri_format_of(job->surface);
     qtri_line_color tinted;
     if (color == NULL) {
         qtri_line_tinted(job, end, tinted);
         color = (const qtri_line_color *)&tinted;
     }
-    out[DEPTH] = qtri_line_depth_16p15(job, end);
     if (format == QTRI_RGB565) {
         qtri_line_channels_565(out, *color);
         return;
@@ -67,6 +64,22 @@ static void values_init(int32_t out[VALUES], const qtri_line_job *job, const qtr
     for (int i = 0; i < CHANNELS; i++) {
         out[i] = channels.c[i] + half;
     }
+}
+
+/* At the ends of l, which goes from a to b or from b to a. */
+static void values_init(values *v, const qtri_line_job *job, const qtri_line_path *l,
+                        const qtri_vertex *a, const qtri_line_color *color)
+{
+    const qtri_line_color *first = color;
+    const qtri_line_color *last = color;
+    if (color != NULL) {
+        first += l->first != a;
+        last += l->first == a;
+    }
+    qtri_line_channels(v->first, job, l->first, first);
+    qtri_line_channels(v->last, job, l->last, last);
+    v->first[DEPTH] = qtri_line_depth_16p15(job, l->first);
+    v->last[DEPTH] = qtri_line_depth_16p15(job, l->last);
 }
 
 static void ramps_init(ramp r[VALUES], const values *v, const qtri_line_path *l,
@@ -95,6 +108,7 @@ static inline uint32_t pixel_of(qtri_format format, int32_t c0, int32_t c1, int3
 static void plot(const qtri_line_job *job, int32_t x, int32_t y, const ramp r[VALUES])
 {
     const qtri_surface *surface = job->surface;
+    const qtri_format format = qtri_format_of(surface);
     ptrdiff_t stored_row = y - surface->first_row;
     if (job->compare != QTRI_DEPTH_OFF) {
         uint16_t *stored = surface->depth + stored_row * surface->depth_pitch + x;
@@ -106,21 +120,24 @@ static void plot(const qtri_line_job *job, int32_t x, int32_t y, const ramp r[VA
             *stored = (uint16_t)z;
         }
     }
-    qtri_pixel_store(surface->format, surface->pixels + stored_row * surface->pitch, x,
-                     pixel_of(surface->format, r[0].value, r[1].value, r[2].value));
+    qtri_pixel_store(format, surface->pixels + stored_row * surface->pitch, x,
+                     pixel_of(format, r[0].value, r[1].value, r[2].value));
 }
 
 void qtri_line_draw_any(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                         const qtri_line_color *color)
 {
     qtri_line_path own;
-    qtri_line_path_init(&own, a, b);
+    qtri_line_path_init(&own, a, b, 0);
     const qtri_line_path *l = &own;
-    const qtri_rect *bounds = &job->bounds;
-    int32_t low = l->steep ? bounds->y0 : bounds->x0;
-    int32_t high = l->steep ? bounds->y1 : bounds->x1;
-    int32_t minor_low = l->steep ? bounds->x0 : bounds->y0;
-    int32_t minor_high = l->steep ? bounds->x1 : bounds->y1;
+    const int32_t left = job->left_24p8 >> 8;
+    const int32_t top = job->top_24p8 >> 8;
+    const int32_t right = left + (int32_t)(job->width_24p8 >> 8);
+    const int32_t bottom = top + (int32_t)(job->height_24p8 >> 8);
+    int32_t low = l->steep ? top : left;
+    int32_t high = l->steep ? bottom : right;
+    int32_t minor_low = l->steep ? left : top;
+    int32_t minor_high = l->steep ? right : bottom;
     int32_t minor_last = l->minor + l->delta;
     int32_t k = low > l->position ? low - l->position : 0;
     int32_t end = l->count < high - l->position ? l->count : high - l->position;
@@ -132,8 +149,7 @@ void qtri_line_draw_any(const qtri_line_job *job, const qtri_vertex *a, const qt
     qtri_divider by;
     values v;
     ramp r[VALUES];
-    values_init(a == l->first ? v.first : v.last, job, a, color);
-    values_init(a == l->first ? v.last : v.first, job, b, color != NULL ? color + 1 : NULL);
+    values_init(&v, job, l, a, color);
     qtri_divider_init(&by, (uint32_t)l->length);
     qtri_dda_init(&minor, l->minor, l->delta, l->length, l->along + 256 * k, 0);
     ramps_init(r, &v, l, &by, k);
@@ -158,26 +174,25 @@ void qtri_line_draw_any(const qtri_line_job *job, const qtri_vertex *a, const qt
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material)
 {
-    static const qtri_rect nothing = {0, 0, 0, 0};
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    const bool is_empty = bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1;
     job->surface = surface;
-    job->bounds = qtri_surface_bounds(surface);
-    if (job->bounds.x0 >= job->bounds.x1 || job->bounds.y0 >= job->bounds.y1) {
-        job->bounds = nothing;
-    }
+    job->left_24p8 = is_empty ? 0 : bounds.x0 * 256;
+    job->top_24p8 = is_empty ? 0 : bounds.y0 * 256;
+    job->width_24p8 = is_empty ? 0 : (uint32_t)(bounds.x1 - bounds.x0) * 256;
+    job->height_24p8 = is_empty ? 0 : (uint32_t)(bounds.y1 - bounds.y0) * 256;
+    job->depth_mask = ~0xFFu;
     job->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     job->depth_write = !material->depth_read_only;
-    job->depth_mask = ~0xFFu;
-    job->tint[0] = material->color.r * 2;
-    job->tint[1] = material->color.g * 2;
-    job->tint[2] = material->color.b * 2;
+    const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
     const bool fast = QTRI_WITH_FAST_PATHS && qtri_format_of(surface) == QTRI_RGB565 &&
                       job->compare == QTRI_LESS && job->depth_write &&
-                      surface->pitch == 2 * surface->depth_pitch;
-    const qtri_rect *within = fast ? &job->bounds : &nothing;
-    job->left_24p8 = within->x0 * 256;
-    job->top_24p8 = within->y0 * 256;
-    job->width_24p8 = (uint32_t)(within->x1 - within->x0) * 256;
-    job->height_24p8 = (uint32_t)(within->y1 - within->y0) * 256;
+                      surface->pitch == 2 * surface->depth_pitch && surface->pitch < pitch_end &&
+                      surface->pitch > -pitch_end;
+    job->fast_24p8 = fast ? QTRI_LINE_SHORT_24P8 : 0;
+    job->pitch = fast ? (int32_t)surface->pitch : 0;
+    job->origin = surface->first_row * job->pitch;
+    job->tint = material->color;
 }
 
 static int32_t hold(int32_t x, int32_t low, int32_t high)

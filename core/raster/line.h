@@ -14,14 +14,14 @@
 
 typedef struct qtri_line_job {
     const qtri_surface *surface;
-    qtri_rect bounds;     /* 0, 0, 0, 0 when empty */
-    qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
+    int32_t left_24p8, top_24p8;      /* of the bounds */
+    uint32_t width_24p8, height_24p8; /* 0, 0 when they are empty */
+    int32_t pitch, origin;            /* bytes from row to row, and from the frame to the surface */
+    int32_t fast_24p8;                /* shorter lines take the fast path */
+    uint32_t depth_mask;              /* what of depth_16p8 is depth */
+    qtri_compare compare;             /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
-    uint32_t depth_mask; /* what of depth_16p8 is depth */
-    int32_t tint[3];     /* times an intensity in Q15 it is a colour in 8.16 bits */
-    /* Short lines between ends in here, 1/256 pixel, take the fast path; of no size: none. */
-    int32_t left_24p8, top_24p8;
-    uint32_t width_24p8, height_24p8;
+    qtri_rgb tint;
 } qtri_line_job;
 
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
@@ -42,19 +42,19 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
 
 /*
  * Whether a line drawn again has no effect, whatever colours it has then and whatever was drawn in
- * between: what its pixels store only ever gets nearer (farther), and equal depths fail.
+ * between: depths that are stored only get nearer (or only farther), and equal ones fail.
  */
-static inline bool qtri_line_is_final(const qtri_line_job *job)
+static inline bool qtri_line_is_final(qtri_compare compare, bool depth_write)
 {
-    return job->depth_write && (job->compare == QTRI_LESS || job->compare == QTRI_GREATER);
+    return depth_write && (compare == QTRI_LESS || compare == QTRI_GREATER);
 }
 
 /* Whether all of a triangle lies above or below the rows of this surface. */
 static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,
                                     int32_t y2_24p8)
 {
-    const int32_t above = job->bounds.y0 * 256;
-    const int32_t below = job->bounds.y1 * 256;
+    const int32_t above = job->top_24p8;
+    const int32_t below = above + (int32_t)job->height_24p8;
     return (y0_24p8 < above && y1_24p8 < above && y2_24p8 < above) ||
            (y0_24p8 >= below && y1_24p8 >= below && y2_24p8 >= below);
 }
