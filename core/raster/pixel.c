@@ -46,15 +46,20 @@ uint32_t qtri_pixel_from_rgb(qtri_format format, qtri_rgb color)
     return qtri_pixel_pack(format, &channels);
 }
 
-/* value / max in 0..255, rounded: the largest value becomes 255. */
-static uint8_t widen(uint32_t value, uint32_t max)
+/* Of 31 and of 63 in 0..255, rounded: (255 x + 15) / 31 and (255 x + 31) / 63 for all x. */
+static uint8_t widen5(uint32_t x)
 {
-    return (uint8_t)((value * 255u + max / 2) / max);
+    return (uint8_t)((x * 527 + 23) >> 6);
+}
+
+static uint8_t widen6(uint32_t x)
+{
+    return (uint8_t)((x * 259 + 33) >> 6);
 }
 
 qtri_rgb qtri_rgb_from_565(uint32_t pixel)
 {
-    qtri_rgb rgb = {widen(pixel >> 11, 31), widen((pixel >> 5) & 63, 63), widen(pixel & 31, 31)};
+    qtri_rgb rgb = {widen5(pixel >> 11), widen6((pixel >> 5) & 63), widen5(pixel & 31)};
     return rgb;
 }
 
