@@ -166,6 +166,16 @@ QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const qtri_pr
     set_attributes(&out[2], &fan[i], attributes, format);
 }
 
+QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_primitive *primitive,
+                                              const qtri_triangle *triangle,
+                                              const qtri_fan_vertex fan[], int i,
+                                              qtri_attribute_source source, const void *from)
+{
+    qtri_attributes own[3];
+    piece_attributes(own, primitive, fan, i, source, from);
+    return qtri_job_init(job, &primitive->raster, triangle, own);
+}
+
 QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive, const qtri_fan_vertex fan[],
                                      int i, int64_t area, qtri_attribute_source source,
                                      const void *from)
@@ -179,9 +189,9 @@ QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive, const qtri
     if (!qtri_triangle_begin(&primitive->raster, &triangle)) {
         return;
     }
-    qtri_attributes own[3];
-    piece_attributes(own, primitive, fan, i, source, from);
-    qtri_triangle_draw(&primitive->raster, &triangle, own);
+    qtri_job job;
+    qtri_triangle_fill(&job, &triangle,
+                       piece_job(&job, primitive, &triangle, fan, i, source, from));
 }
 
 /* The edge between two vertices, given twice: as coordinates, and as attributes. */

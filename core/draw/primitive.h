@@ -8,6 +8,7 @@
 
 #include "../geometry/projector.h"
 #include "../raster/line.h"
+#include "../raster/setup.h"
 #include "../raster/triangle.h"
 
 /* Where a draw call draws to and how. */

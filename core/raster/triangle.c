@@ -41,15 +41,10 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
     raster->tint = qtri_channels_from_color(qtri_format_of(raster->surface), color_8p16);
 }
 
-void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
-                        const qtri_attributes v[3])
+/* Apart, as its edges take stack that most triangles do without. */
+QTRI_NOINLINE static void fill_tall(const qtri_job *job, qtri_triangle *triangle,
+                                    qtri_fill_rows fill)
 {
-    qtri_job job;
-    qtri_fill_rows fill = qtri_job_init(&job, raster, triangle, v);
-    if (QTRI_WITH_FAST_PATHS && triangle->size != QTRI_LARGE) {
-        fill(&job, triangle->spans, triangle->row, triangle->end - triangle->row);
-        return;
-    }
     qtri_rows rows;
     qtri_rows_init(&rows, triangle);
     for (;;) {
@@ -58,8 +53,24 @@ void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
         if (count == 0) {
             break;
         }
-        fill(&job, triangle->spans, row, count);
+        fill(job, triangle->spans, row, count);
     }
+}
+
+void qtri_triangle_fill(const qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
+{
+    if (QTRI_WITH_FAST_PATHS && triangle->size != QTRI_LARGE) {
+        fill(job, triangle->spans, triangle->row, triangle->end - triangle->row);
+    } else {
+        fill_tall(job, triangle, fill);
+    }
+}
+
+void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
+                        const qtri_attributes v[3])
+{
+    qtri_job job;
+    qtri_triangle_fill(&job, triangle, qtri_job_init(&job, raster, triangle, v));
 }
 
 static void attributes_from_screen(qtri_attributes *out, const qtri_screen_vertex *v,
