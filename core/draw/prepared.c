@@ -2,8 +2,6 @@
 
 enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
 
-static const qtri_rect nowhere = {0, 0, 0, 0};
-
 void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t vertex_count,
                         uint16_t *lists, uint32_t list_count)
 {
@@ -11,18 +9,9 @@ void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t
     prepared->vertex_count = vertex_count;
     prepared->lists = lists;
     prepared->list_count = list_count;
+    const qtri_rect nowhere = {0, 0, 0, 0};
     prepared->marked = nowhere;
     prepared->mesh = NULL;
-}
-
-static int32_t least(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-static int32_t greatest(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
 }
 
 typedef struct sorter {
@@ -42,28 +31,6 @@ typedef struct sorter {
     int32_t top, bottom; /* its rows */
     bool is_anywhere;    /* some triangle crosses a plane */
 } sorter;
-
-/*
- * What is added to the least and the greatest coordinate before they are rounded down to the first
- * pixel and the one after the last: centres in between, or what a line may touch when it rounds.
- */
-static inline int32_t before_24p8(bool is_solid)
-{
-    return is_solid ? 127 : -256;
-}
-
-static inline int32_t after_24p8(bool is_solid)
-{
-    return is_solid ? 127 : 512;
-}
-
-static void widen(qtri_rect *extent_24p8, const qtri_vertex *vertex)
-{
-    extent_24p8->x0 = least(extent_24p8->x0, vertex->at.x_24p8);
-    extent_24p8->y0 = least(extent_24p8->y0, vertex->at.y_24p8);
-    extent_24p8->x1 = greatest(extent_24p8->x1, vertex->at.x_24p8);
-    extent_24p8->y1 = greatest(extent_24p8->y1, vertex->at.y_24p8);
-}
 
 /* A vertex that will be drawn with, for the first time: lit, for good. */
 static inline void meet(const sorter *s, uint32_t index, qtri_vertex *vertex)
@@ -87,7 +54,7 @@ QTRI_NOINLINE static void meet_some(const sorter *s, const void *triangle,
 static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
 {
     for (int i = 0; i < 3; i++) {
-        widen(&s->prepared->extent_24p8, vertex[i]);
+        qtri_prepared_widen(&s->prepared->extent_24p8, vertex[i]);
     }
 }
 
@@ -176,15 +143,15 @@ QTRI_NOINLINE static void list_in_group(sorter *s, uint32_t number, int32_t top,
         s->top = top;
         s->bottom = bottom;
     }
-    s->top = least(s->top, top);
-    s->bottom = greatest(s->bottom, bottom);
+    s->top = qtri_least32(s->top, top);
+    s->bottom = qtri_greatest32(s->bottom, bottom);
 }
 
 /* A triangle that may touch these rows, if there are any. */
 static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_t bottom)
 {
-    top = greatest(top, 0);
-    bottom = least(bottom, s->height);
+    top = qtri_greatest32(top, 0);
+    bottom = qtri_least32(bottom, s->height);
     if (top >= bottom) {
         return;
     }
@@ -203,8 +170,9 @@ static inline void see(sorter *s, uint32_t number, const void *triangle,
     const int32_t b = vertex[1]->at.y_24p8;
     const int32_t c = vertex[2]->at.y_24p8;
     meet_all(s, triangle, vertex);
-    list_triangle(s, number, (least(a, least(b, c)) + before_24p8(is_solid)) >> 8,
-                  (greatest(a, greatest(b, c)) + after_24p8(is_solid)) >> 8);
+    list_triangle(
+        s, number, (qtri_least32(a, qtri_least32(b, c)) + qtri_prepared_before_24p8(is_solid)) >> 8,
+        (qtri_greatest32(a, qtri_greatest32(b, c)) + qtri_prepared_after_24p8(is_solid)) >> 8);
 }
 
 QTRI_NOINLINE static void see_solid(sorter *s, uint32_t number, const void *triangle,
@@ -395,39 +363,4 @@ void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const q
     prepared->height = frame->height;
     prepared->rows = frame->rows;
     prepare(prepared, frame->format);
-}
-
-/* The pixels that the vertices met span. */
-static qtri_rect find_bounds(const qtri_prepared *prepared)
-{
-    if (prepared->mesh == NULL || !prepared->is_seen) {
-        return nowhere;
-    }
-    if (prepared->is_anywhere) {
-        const qtri_rect frame = {0, 0, prepared->width, prepared->height};
-        return frame;
-    }
-    qtri_rect extent = prepared->extent_24p8; /* of those that have no slot */
-    if (qtri_prepared_is_complete(prepared)) {
-        for (uint32_t i = 0; i < prepared->mesh->vertex_count; i++) {
-            if (prepared->vertices[i].intensity_q15 != QTRI_VERTEX_UNLIT) {
-                widen(&extent, &prepared->vertices[i]);
-            }
-        }
-    }
-    if (extent.x0 > extent.x1) {
-        return nowhere;
-    }
-    extent.x0 = (extent.x0 + before_24p8(prepared->is_solid)) >> 8;
-    extent.y0 = (extent.y0 + before_24p8(prepared->is_solid)) >> 8;
-    extent.x1 = (extent.x1 + after_24p8(prepared->is_solid)) >> 8;
-    extent.y1 = (extent.y1 + after_24p8(prepared->is_solid)) >> 8;
-    return extent;
-}
-
-void qtri_prepared_mark(qtri_prepared *prepared, qtri_frame *frame)
-{
-    qtri_frame_mark(frame, &prepared->marked);
-    prepared->marked = find_bounds(prepared);
-    qtri_frame_mark(frame, &prepared->marked);
 }

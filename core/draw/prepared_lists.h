@@ -37,6 +37,28 @@ static inline const uint8_t *qtri_prepared_triangle(const qtri_mesh *mesh, uint3
                                      : (const uint8_t *)mesh->triangles[number];
 }
 
+/*
+ * What is added to the least and the greatest coordinate before they are rounded down to the first
+ * pixel and the one after the last: centres in between, or what a line may touch when it rounds.
+ */
+static inline int32_t qtri_prepared_before_24p8(bool is_solid)
+{
+    return is_solid ? 127 : -256;
+}
+
+static inline int32_t qtri_prepared_after_24p8(bool is_solid)
+{
+    return is_solid ? 127 : 512;
+}
+
+static inline void qtri_prepared_widen(qtri_rect *extent_24p8, const qtri_vertex *vertex)
+{
+    extent_24p8->x0 = qtri_least32(extent_24p8->x0, vertex->at.x_24p8);
+    extent_24p8->y0 = qtri_least32(extent_24p8->y0, vertex->at.y_24p8);
+    extent_24p8->x1 = qtri_greatest32(extent_24p8->x1, vertex->at.x_24p8);
+    extent_24p8->y1 = qtri_greatest32(extent_24p8->y1, vertex->at.y_24p8);
+}
+
 /* The job for a surface, as prepared; with `place` its transforms too. False: nothing is seen. */
 bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
                          const qtri_surface *surface, bool place);

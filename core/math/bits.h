@@ -135,6 +135,16 @@ static inline int64_t qtri_wrap64(uint64_t x)
     return x > (uint64_t)INT64_MAX ? -(int64_t)(UINT64_MAX - x) - 1 : (int64_t)x;
 }
 
+static inline int32_t qtri_least32(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t qtri_greatest32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
 /* Leading zeros; 32 for 0. */
 #if defined(__GNUC__) && (__SIZEOF_INT__ == 4)
 static inline int32_t qtri_clz32(uint32_t x)
