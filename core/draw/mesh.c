@@ -1,9 +1,6 @@
 #include "../raster/small.h"
 #include "mesh_job.h"
 
-/* Vertices from which on a look at eight corners pays. */
-enum { WORTH_A_BOX = 64 };
-
 bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
                          qtri_vertex *out)
 {
@@ -351,100 +348,6 @@ QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
             qtri_mesh_draw_seen(draw, triangle, vertex);
         }
     }
-}
-
-static int32_t hold(int32_t x, int32_t low, int32_t high)
-{
-    return x < low ? low : (x > high ? high : x);
-}
-
-/* Whether the mesh cannot touch the surface: not its rows, for a band. */
-static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    qtri_box box = mesh->bounds;
-    if ((box.half.x | box.half.y | box.half.z) == 0) {
-        if (!qtri_mesh_has_compact(mesh->positions16) || mesh->vertex_count < WORTH_A_BOX) {
-            return false;
-        }
-        box.center = mesh->origin; /* the cube that 16 bits span */
-        box.half.x = mesh->extent;
-        box.half.y = mesh->extent;
-        box.half.z = mesh->extent;
-    }
-    const qtri_rect *scissor = &surface->scissor;
-    const int32_t low[2] = {hold(scissor->x0, 0, surface->width),
-                            hold(scissor->y0, surface->first_row, surface->height)};
-    const int32_t high[2] = {hold(scissor->x1, 0, surface->width),
-                             hold(scissor->y1, 0, surface->first_row + surface->rows)};
-    return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
-}
-
-static bool is_compact(const qtri_mesh *mesh)
-{
-    return mesh->positions16 != NULL || mesh->normals8 != NULL || mesh->uvs16 != NULL ||
-           mesh->triangles8 != NULL;
-}
-
-static bool is_wide(const qtri_mesh *mesh)
-{
-    return mesh->positions16 == NULL || (mesh->normals != NULL && mesh->normals8 == NULL) ||
-           (mesh->uvs != NULL && mesh->uvs16 == NULL);
-}
-
-/* Whether the library is built with what the mesh has, see config.h. */
-static bool is_built(const qtri_mesh *mesh)
-{
-    return (QTRI_WITH_COMPACT_MESHES || !is_compact(mesh)) &&
-           (QTRI_WITH_WIDE_MESHES || !is_wide(mesh));
-}
-
-void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
-                        const qtri_mesh *mesh, const qtri_material *material)
-{
-    draw->material = *material;
-    if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
-        draw->material.texture = NULL;
-    }
-    draw->mesh = mesh;
-    draw->vertices = view->vertices;
-    draw->slot_count = view->vertex_count;
-    qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
-    draw->tinted = mesh->colors == NULL;
-    if (draw->tinted) {
-        qtri_raster_set_tint(&draw->primitive.raster, draw->material.color);
-    }
-    draw->more = mesh->colors != NULL || draw->primitive.raster.texture != NULL;
-    const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
-    draw->lit_per_vertex =
-        view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;
-    draw->edges = QTRI_EDGES_ALL;
-    draw->lit = false;
-    draw->lit_per_face = QTRI_WITH_FACE_LIGHT && view->light != NULL && !draw->lit_per_vertex;
-}
-
-bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    qtri_primitive_place(&draw->primitive, view, pose);
-    if (!is_built(mesh) || (QTRI_WITH_FAST_PATHS && is_missed(draw, draw->primitive.surface))) {
-        return false;
-    }
-    if (qtri_mesh_has_compact(mesh->positions16)) {
-        qtri_projector_compact(&draw->primitive.projector, &mesh->origin, mesh->extent);
-    }
-    if (view->light != NULL) {
-        qtri_transform object_to_eye;
-        qtri_transform_mul(&object_to_eye, &view->camera, pose);
-        qtri_lighting_init(&draw->lighting, view->light, &object_to_eye,
-                           QTRI_WITH_COMPACT_MESHES && mesh->normals8 != NULL ? 127 * 128
-                                                                              : 1 << 14);
-        if (!QTRI_WITH_UNEVEN_LIGHT && !draw->lighting.plain) {
-            draw->lit_per_vertex = false;
-            draw->lit_per_face = false;
-        }
-    }
-    return true;
 }
 
 /* A function of its own, so that its stack is free again. */

@@ -19,11 +19,6 @@ static void fold_viewport(qtri_row *out, const qtri_transform *clip, int axis, i
     }
 }
 
-static int32_t hold(int32_t x, int32_t low, int32_t high)
-{
-    return x < low ? low : (x > high ? high : x);
-}
-
 /* floor(65535 x / 2) for x <= 2^17. */
 static uint32_t half_depth(uint32_t x)
 {
@@ -33,10 +28,10 @@ static uint32_t half_depth(uint32_t x)
 void qtri_projector_init(qtri_projector *projector, const qtri_transform *object_to_clip,
                          const qtri_viewport *viewport)
 {
-    int32_t x = hold(viewport->x, -QTRI_VIEWPORT_MAX, QTRI_VIEWPORT_MAX);
-    int32_t y = hold(viewport->y, -QTRI_VIEWPORT_MAX, QTRI_VIEWPORT_MAX);
-    int32_t width = hold(viewport->width, 0, QTRI_VIEWPORT_MAX);
-    int32_t height = hold(viewport->height, 0, QTRI_VIEWPORT_MAX);
+    int32_t x = qtri_hold32(viewport->x, -QTRI_VIEWPORT_MAX, QTRI_VIEWPORT_MAX);
+    int32_t y = qtri_hold32(viewport->y, -QTRI_VIEWPORT_MAX, QTRI_VIEWPORT_MAX);
+    int32_t width = qtri_hold32(viewport->width, 0, QTRI_VIEWPORT_MAX);
+    int32_t height = qtri_hold32(viewport->height, 0, QTRI_VIEWPORT_MAX);
     fold_viewport(&projector->row.wide[0], object_to_clip, 0, width, 2 * x + width);
     fold_viewport(&projector->row.wide[1], object_to_clip, 1, -height, 2 * y + height);
     projector->row.wide[2] = object_to_clip->row[2];
@@ -52,11 +47,11 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
     }
     for (int i = 0; i < 4; i++) {
         int32_t shift = projector->row.wide[i].exponent - least + 2;
-        projector->shift[i] = hold(shift, 2, 63);
+        projector->shift[i] = qtri_hold32(shift, 2, 63);
     }
 
-    q16 near_z = hold(viewport->depth_near, 0, Q16_ONE);
-    q16 far_z = hold(viewport->depth_far, 0, Q16_ONE);
+    q16 near_z = qtri_hold32(viewport->depth_near, 0, Q16_ONE);
+    q16 far_z = qtri_hold32(viewport->depth_far, 0, Q16_ONE);
     uint32_t reach = half_depth(qtri_magnitude32(far_z - near_z)); /* < 2^31 */
     projector->depth_center = half_depth((uint32_t)(near_z + far_z)) + 0x80u;
     projector->depth_reach = far_z < near_z ? -(int32_t)reach : (int32_t)reach;
@@ -147,7 +142,7 @@ static int32_t snap(int64_t x, int64_t w, int32_t zeros, int32_t reciprocal)
     } else if (remainder >= 2 * w) {
         estimate++;
     }
-    return hold((int32_t)estimate, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
+    return qtri_hold32((int32_t)estimate, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
 }
 
 void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,

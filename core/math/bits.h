@@ -145,6 +145,12 @@ static inline int32_t qtri_greatest32(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
+/* x held to low..high. */
+static inline int32_t qtri_hold32(int32_t x, int32_t low, int32_t high)
+{
+    return x < low ? low : (x > high ? high : x);
+}
+
 /* Leading zeros; 32 for 0. */
 #if defined(__GNUC__) && (__SIZEOF_INT__ == 4)
 static inline int32_t qtri_clz32(uint32_t x)

@@ -195,19 +195,14 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->tint = material->color;
 }
 
-static int32_t hold(int32_t x, int32_t low, int32_t high)
-{
-    return x < low ? low : (x > high ? high : x);
-}
-
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v)
 {
     const uint32_t farthest = (uint32_t)65535 << 16;
-    end->at.x_24p8 = hold(v->x_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
-    end->at.y_24p8 = hold(v->y_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
+    end->at.x_24p8 = qtri_hold32(v->x_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
+    end->at.y_24p8 = qtri_hold32(v->y_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
     end->depth_16p8 = v->depth_16p16 < farthest ? v->depth_16p16 : farthest;
     for (int i = 0; i < 3; i++) {
-        color[i] = hold(v->color_8p16[i], 0, 255 << 16);
+        color[i] = qtri_hold32(v->color_8p16[i], 0, 255 << 16);
     }
 }
 

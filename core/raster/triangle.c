@@ -5,12 +5,6 @@
 #include "setup.h"
 #include "texel_copy.h"
 
-static int32_t hold(int32_t x)
-{
-    return x < -QTRI_SCREEN_MAX_24P8 ? -QTRI_SCREEN_MAX_24P8
-                                     : (x > QTRI_SCREEN_MAX_24P8 ? QTRI_SCREEN_MAX_24P8 : x);
-}
-
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material)
 {
@@ -95,8 +89,8 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     qtri_triangle triangle;
     qtri_screen_point p[3];
     for (int i = 0; i < 3; i++) {
-        p[i].x_24p8 = hold(v[i].x_24p8);
-        p[i].y_24p8 = hold(v[i].y_24p8);
+        p[i].x_24p8 = qtri_hold32(v[i].x_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
+        p[i].y_24p8 = qtri_hold32(v[i].y_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
         triangle.p[i] = &p[i];
     }
     triangle.tinted = false;
