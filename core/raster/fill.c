@@ -35,7 +35,8 @@ void qtri_fill_choose(qtri_raster *raster)
     raster->fill_linear = qtri_fill_spans;
     raster->fill_tiny = qtri_fill_spans;
     raster->copy_run = qtri_run_generic;
-    raster->small = QTRI_WITH_FAST_PATHS && less && format == QTRI_RGB565 && raster->texture == NULL;
+    raster->small =
+        QTRI_WITH_FAST_PATHS && less && format == QTRI_RGB565 && raster->texture == NULL;
     if (!QTRI_WITH_FAST_PATHS) {
         return;
     }

@@ -64,7 +64,7 @@ static uint64_t slope(const qtri_gradient *g, int64_t numerator)
 
 /* Of f with these differences at vertices 1 and 2; its origin is (dx, dy) from vertex 0. */
 static void plane_about(qtri_plane *plane, const qtri_gradient *g, int64_t df1, int64_t df2,
-                     int32_t dx, int32_t dy)
+                        int32_t dx, int32_t dy)
 {
     uint64_t per_x = slope(g, df1 * g->dy2 - df2 * g->dy1);
     uint64_t per_y = slope(g, df2 * g->dx1 - df1 * g->dx2);
