@@ -93,7 +93,7 @@ static void fill(uint8_t *at, size_t bytes, const pattern *stored)
         if (((uintptr_t)at & 3) != 0 || left < 4) {
             *at = stored->byte[(uintptr_t)at & 3];
             at++;
-        } else if (left < BLOCK_BYTES) {
+        } else if (!QTRI_WITH_FAST_PATHS || left < BLOCK_BYTES) {
             *(word *)(void *)at = stored->word;
             at += 4;
         } else {

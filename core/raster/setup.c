@@ -345,7 +345,8 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         bool same = !QTRI_WITH_PERSPECTIVE || !raster->perspective || !inv_w_align(q, v);
         bool linear = texture_axes(job, value, v, q) && nearly_linear(range, q, LINEAR_LOG2);
         perspective = !same && !linear;
-    } else if (QTRI_WITH_PERSPECTIVE && raster->perspective && !plainly_linear(range, v)) {
+    } else if (QTRI_WITH_PERSPECTIVE && raster->perspective &&
+               !(QTRI_WITH_FAST_PATHS && plainly_linear(range, v))) {
         perspective = inv_w_align(q, v) && !nearly_linear(range, q, LINEAR_LOG2);
     }
     job->paint = perspective ? QTRI_PAINT_PERSPECTIVE : QTRI_PAINT_LINEAR;

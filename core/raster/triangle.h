@@ -69,7 +69,7 @@ static inline int64_t qtri_triangle_area(const qtri_screen_point *a, const qtri_
     int32_t dx2 = c->x_24p8 - a->x_24p8;
     int32_t dy2 = c->y_24p8 - a->y_24p8;
 #if !QTRI_LONG_MULTIPLY
-    if (qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
+    if (QTRI_WITH_FAST_PATHS && qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
         return dx1 * dy2 - dx2 * dy1;
     }
 #endif
@@ -85,7 +85,7 @@ static inline bool qtri_triangle_is_back(const qtri_screen_point *a, const qtri_
     int32_t dy1 = b->y_24p8 - a->y_24p8;
     int32_t dx2 = c->x_24p8 - a->x_24p8;
     int32_t dy2 = c->y_24p8 - a->y_24p8;
-    if (qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
+    if (QTRI_WITH_FAST_PATHS && qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
         return dx1 * dy2 >= dx2 * dy1;
     }
 #endif
