@@ -56,50 +56,56 @@ static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32
     }
 }
 
+/* What light makes of the corners' colours. */
+static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
+                           const void *triangle, qtri_vertex *const vertex[3])
+{
+    uint32_t face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? light_face(draw, triangle)
+                                                                   : QTRI_INTENSITY_ONE;
+    for (int i = 0; i < 3; i++) {
+        intensity_q15[i] =
+            draw->lit_per_vertex ? qtri_mesh_light_once(draw, triangle, i, vertex[i]) : face_q15;
+    }
+}
+
+static void set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
+                      uint32_t intensity_q15)
+{
+    const qtri_rgb *color =
+        draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
+    int32_t intensity = (int32_t)intensity_q15 * 2;
+    color_8p16[0] = color->r * intensity; /* <= 255.0 */
+    color_8p16[1] = color->g * intensity;
+    color_8p16[2] = color->b * intensity;
+}
+
 QTRI_NOINLINE void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
                                         qtri_vertex *const vertex[3], qtri_line_color color[3])
 {
-    const qtri_mesh *mesh = draw->mesh;
-    uint32_t intensity_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? light_face(draw, triangle)
-                                                                        : QTRI_INTENSITY_ONE;
+    uint32_t intensity_q15[3];
+    light_triangle(intensity_q15, draw, triangle, vertex);
     for (int i = 0; i < 3; i++) {
-        if (draw->lit_per_vertex) {
-            intensity_q15 = qtri_mesh_light_once(draw, triangle, i, vertex[i]);
-        }
-        int32_t intensity = (int32_t)intensity_q15 * 2;
-        qtri_rgb rgb = mesh->colors != NULL ? mesh->colors[qtri_mesh_index(mesh, triangle, i)]
-                                            : draw->material.color;
-        color[i][0] = rgb.r * intensity; /* <= 255.0 */
-        color[i][1] = rgb.g * intensity;
-        color[i][2] = rgb.b * intensity;
+        set_color(color[i], draw, qtri_mesh_index(draw->mesh, triangle, i), intensity_q15[i]);
     }
 }
 
-/* Colours, light and texture coordinates of a triangle that is clipped. */
-QTRI_NOINLINE static void set_attributes(const qtri_mesh_job *draw, const void *indices,
-                                         qtri_vertex *const vertex[3], qtri_screen_vertex out[3])
-{
-    qtri_line_color color[3];
-    qtri_mesh_set_colors(draw, indices, vertex, color);
-    for (int i = 0; i < 3; i++) {
-        for (int channel = 0; channel < 3; channel++) {
-            out[i].color_8p16[channel] = color[i][channel];
-        }
-        set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, qtri_mesh_index(draw->mesh, indices, i));
-    }
-}
-
-/* A triangle of a mesh, where set_attributes gets them from. */
-typedef struct seen {
+/* One that is clipped: lit before, where the stack is not deep. */
+typedef struct lit_triangle {
     const qtri_mesh_job *draw;
     const void *indices;
-    qtri_vertex *const *vertex;
-} seen;
+    uint32_t intensity_q15[3];
+} lit_triangle;
 
-static void attributes_of_seen(const void *from, qtri_screen_vertex attributes[3])
+/* Its colours and texture coordinates. */
+static void set_attributes(const void *from, qtri_screen_vertex out[3])
 {
-    const seen *triangle = from;
-    set_attributes(triangle->draw, triangle->indices, triangle->vertex, attributes);
+    const lit_triangle *triangle = from;
+    const qtri_mesh_job *draw = triangle->draw;
+    for (int i = 0; i < 3; i++) {
+        uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
+        set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
+        set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
+    }
 }
 
 /* Rare: homogeneous coordinates are not kept but computed again. */
@@ -110,6 +116,7 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
         return;
     }
     qtri_shape shape;
+    lit_triangle triangle;
     const qtri_projector *projector = &draw->primitive.projector;
     for (int i = 0; i < 3; i++) {
         uint32_t index = qtri_mesh_index(draw->mesh, indices, i);
@@ -119,8 +126,10 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
             qtri_projector_point(projector, &draw->mesh->positions[index], &shape.clip[i]);
         }
     }
-    const seen triangle = {draw, indices, vertex};
-    qtri_primitive_triangle(&draw->primitive, &shape, attributes_of_seen, &triangle);
+    triangle.draw = draw;
+    triangle.indices = indices;
+    light_triangle(triangle.intensity_q15, draw, indices, vertex);
+    qtri_primitive_triangle(&draw->primitive, &shape, set_attributes, &triangle);
 }
 
 /* What not every mesh has: colours in units of the target, texture coordinates. */
@@ -129,9 +138,8 @@ QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
 {
     const qtri_mesh *mesh = draw->mesh;
     if (mesh->colors != NULL) {
-        const qtri_rgb *color = &mesh->colors[index];
-        int32_t intensity = (int32_t)intensity_q15 * 2;
-        int32_t color_8p16[3] = {color->r * intensity, color->g * intensity, color->b * intensity};
+        int32_t color_8p16[3];
+        set_color(color_8p16, draw, index, intensity_q15);
         qtri_channels channels =
             qtri_channels_from_color(qtri_format_of(draw->primitive.surface), color_8p16);
         out->color[0] = channels.c[0];

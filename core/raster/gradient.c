@@ -41,7 +41,7 @@ QTRI_NOINLINE static uint64_t divide(int64_t numerator, int64_t area)
  * from two products, for n of 30 and 20 bits. Its relative error, below 2^-28, leaves a remainder
  * of less than 2^(66 - 28), whose quotient is added.
  */
-static uint64_t multiply(const qtri_gradient *g, int64_t numerator)
+QTRI_NOINLINE static uint64_t multiply(const qtri_gradient *g, int64_t numerator)
 {
     int32_t r = g->reciprocal;
     int32_t s = 45 - g->zeros;
