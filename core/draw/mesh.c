@@ -146,7 +146,7 @@ QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
         out->color[1] = channels.c[1];
         out->color[2] = channels.c[2];
     }
-    if (qtri_raster_texture(&draw->primitive.raster) != NULL) {
+    if (qtri_raster_texture(&draw->primitive.to.raster) != NULL) {
         set_uv(&out->u_q32, &out->v_q32, mesh, index);
     }
 }
@@ -164,7 +164,7 @@ QTRI_NOINLINE static void draw_any_solid(const qtri_mesh_job *draw, const void *
             set_more(draw, qtri_mesh_index(draw->mesh, indices, i), intensity_q15, &attributes[i]);
         }
     }
-    qtri_triangle_draw(&draw->primitive.raster, triangle, attributes);
+    qtri_triangle_draw(&draw->primitive.to.raster, triangle, attributes);
 }
 
 /* Computed when they are first needed. */
@@ -189,7 +189,7 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
     triangle.p[2] = &c->at;
     triangle.area = area;
     triangle.tinted = draw->tinted;
-    if (area == 0 || !qtri_triangle_begin(&draw->primitive.raster, &triangle)) {
+    if (area == 0 || !qtri_triangle_begin(&draw->primitive.to.raster, &triangle)) {
         return;
     }
     uint32_t face_q15 = QTRI_VERTEX_UNLIT;
@@ -202,7 +202,7 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
                                                               : QTRI_INTENSITY_ONE;
     }
     if (!QTRI_WITH_FAST_PATHS || draw->more ||
-        !qtri_small_draw(&draw->primitive.raster, &triangle, a, b, c, face_q15)) {
+        !qtri_small_draw(&draw->primitive.to.raster, &triangle, a, b, c, face_q15)) {
         qtri_vertex *const vertex[3] = {a, b, c};
         draw_any_solid(draw, indices, vertex, &triangle, face_q15);
     }

@@ -54,12 +54,17 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->mesh = mesh;
     draw->vertices = view->vertices;
     draw->slot_count = view->vertex_count;
-    qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
+    const bool solid = material->fill == QTRI_SOLID;
+    qtri_primitive_set_target(&draw->primitive, surface, &draw->material, !solid);
     draw->tinted = mesh->colors == NULL;
-    if (draw->tinted) {
-        qtri_raster_set_tint(&draw->primitive.raster, draw->material.color);
+    draw->more = !draw->tinted;
+    if (solid) {
+        const qtri_texture *texture = qtri_raster_texture(&draw->primitive.to.raster);
+        draw->more = !draw->tinted || texture != NULL;
+        if (draw->tinted) {
+            qtri_raster_set_tint(&draw->primitive.to.raster, draw->material.color);
+        }
     }
-    draw->more = mesh->colors != NULL || draw->primitive.raster.texture != NULL;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     draw->lit_per_vertex =
         view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;

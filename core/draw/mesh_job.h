@@ -74,7 +74,7 @@ void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_v
 /* A wireframe whose edges need not be drawn twice. */
 static inline bool qtri_mesh_has_final_edges(const qtri_mesh_job *draw)
 {
-    const qtri_line_job *line = &draw->primitive.line;
+    const qtri_line_job *line = &draw->primitive.to.line;
     return QTRI_WITH_LINES && draw->material.fill != QTRI_SOLID &&
            qtri_line_is_final(line->compare, line->depth_write);
 }

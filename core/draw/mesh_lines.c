@@ -122,7 +122,7 @@ static void set_colors(const qtri_mesh_job *draw, const void *triangle,
 QTRI_NOINLINE void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *triangle,
                                         qtri_vertex *const vertex[3])
 {
-    const qtri_line_job *line = &draw->primitive.line;
+    const qtri_line_job *line = &draw->primitive.to.line;
     qtri_vertex *a = vertex[0];
     qtri_vertex *b = vertex[1];
     qtri_vertex *c = vertex[2];
@@ -157,7 +157,7 @@ bool qtri_mesh_draw_front_lines(const qtri_mesh_job *draw)
     const uint32_t count = draw->mesh->vertex_count;
     const uint16_t(*triangle)[3] = draw->mesh->triangles;
     const uint16_t(*end)[3] = triangle + draw->mesh->triangle_count;
-    const qtri_line_job *line = &draw->primitive.line;
+    const qtri_line_job *line = &draw->primitive.to.line;
     if (QTRI_SHARE || qtri_mesh_has_bytes(draw->mesh) || draw->edges != QTRI_EDGES_DRAWN ||
         !is_tinted(draw)) {
         return false;

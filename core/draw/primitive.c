@@ -1,13 +1,14 @@
 #include "primitive.h"
 
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_material *material)
+                               const qtri_material *material, bool lines)
 {
     primitive->surface = surface;
     primitive->material = material;
-    qtri_raster_init(&primitive->raster, surface, material);
-    if (QTRI_WITH_LINES) {
-        qtri_line_job_init(&primitive->line, surface, material);
+    if (!lines) {
+        qtri_raster_init(&primitive->to.raster, surface, material);
+    } else if (QTRI_WITH_LINES) {
+        qtri_line_job_init(&primitive->to.line, surface, material);
     }
 }
 
@@ -22,10 +23,10 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
 
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material)
+                         const qtri_material *material, bool lines)
 {
     qtri_primitive_place(primitive, view, pose);
-    qtri_primitive_set_target(primitive, surface, material);
+    qtri_primitive_set_target(primitive, surface, material, lines);
 }
 
 static bool is_culled(const qtri_material *material, int64_t area)
@@ -173,7 +174,7 @@ QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_primitiv
 {
     qtri_attributes own[3];
     piece_attributes(own, primitive, fan, i, source, from);
-    return qtri_job_init(job, &primitive->raster, triangle, own);
+    return qtri_job_init(job, &primitive->to.raster, triangle, own);
 }
 
 QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive, const qtri_fan_vertex fan[],
@@ -186,7 +187,7 @@ QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive, const qtri
     triangle.p[2] = &fan[i].at;
     triangle.area = area;
     triangle.tinted = false;
-    if (!qtri_triangle_begin(&primitive->raster, &triangle)) {
+    if (!qtri_triangle_begin(&primitive->to.raster, &triangle)) {
         return;
     }
     qtri_job job;
@@ -216,7 +217,7 @@ QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_
         blend_attributes(&screen, a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
         qtri_line_end(&line[i], color[i], &screen);
     }
-    qtri_line_draw(&primitive->line, &line[0], &line[1], (const qtri_line_color *)color);
+    qtri_line_draw(&primitive->to.line, &line[0], &line[1], (const qtri_line_color *)color);
 }
 
 QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
@@ -233,7 +234,8 @@ QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
         qtri_line_end(&end[i], color[i], &attributes[from]);
     }
     for (int i = 0; i < 3; i++) {
-        qtri_line_draw(&primitive->line, &end[i], &end[i + 1], (const qtri_line_color *)&color[i]);
+        qtri_line_draw(&primitive->to.line, &end[i], &end[i + 1],
+                       (const qtri_line_color *)&color[i]);
     }
 }
 

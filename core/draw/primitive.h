@@ -15,8 +15,10 @@
 typedef struct qtri_primitive {
     const qtri_surface *surface;
     const qtri_material *material;
-    qtri_raster raster; /* of solid triangles */
-    qtri_line_job line; /* of lines and wireframes */
+    union {
+        qtri_raster raster; /* of solid triangles */
+        qtri_line_job line; /* of lines and wireframes */
+    } to;
     qtri_projector projector;
 } qtri_primitive;
 
@@ -34,9 +36,9 @@ typedef union qtri_shape {
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
 } qtri_shape;
 
-/* Surface and material, and what follows from them. */
+/* Surface and material, and what follows from them. Triangles may be lines as well. */
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_material *material);
+                               const qtri_material *material, bool lines);
 
 /* projection camera pose, folded with the viewport. */
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
@@ -45,7 +47,7 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
 /* Both. */
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material);
+                         const qtri_material *material, bool lines);
 
 /*
  * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is
