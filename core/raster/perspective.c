@@ -137,8 +137,9 @@ typedef struct inverse {
 
 static inverse inverse_of(int32_t length)
 {
-    int32_t zeros = qtri_clz32((uint32_t)length);
-    inverse result = {qtri_reciprocal_q62((uint32_t)length << zeros), zeros};
+    uint32_t pixels = length > 1 ? (uint32_t)length : 1;
+    int32_t zeros = qtri_clz32(pixels);
+    inverse result = {qtri_reciprocal_q62(pixels << zeros), zeros};
     return result;
 }
 
