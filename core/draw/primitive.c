@@ -135,7 +135,7 @@ QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_ve
 {
     qtri_screen_vertex blend;
     const qtri_screen_vertex *from = &blend;
-    int own = own_vertex(v);
+    int own = QTRI_WITH_SMOOTH || QTRI_WITH_TEXTURES ? own_vertex(v) : 0; /* flat: all are equal */
     if (own >= 0) {
         from = &attributes[own];
     } else {

@@ -12,20 +12,8 @@
  */
 static int64_t distance(const qtri_clip_vertex *v, int plane)
 {
-    switch (plane) {
-    case 0:
-        return v->w + v->z;
-    case 1:
-        return v->w - v->z;
-    case 2:
-        return v->w + (v->x >> QTRI_GUARD_LOG2);
-    case 3:
-        return v->w - (v->x >> QTRI_GUARD_LOG2);
-    case 4:
-        return v->w + (v->y >> QTRI_GUARD_LOG2);
-    default:
-        return v->w - (v->y >> QTRI_GUARD_LOG2);
-    }
+    int64_t x = plane < 2 ? v->z : (plane < 4 ? v->x : v->y) >> QTRI_GUARD_LOG2;
+    return (plane & 1) != 0 ? v->w - x : v->w + x;
 }
 
 unsigned qtri_clip_outcode(const qtri_clip_vertex *v)
