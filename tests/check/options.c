@@ -156,6 +156,36 @@ static void draw_corners(const qtri_surface *surface, const qtri_view *view,
     }
 }
 
+/* Whether anything is drawn on a surface of a format left out, which the caller made by itself. */
+static int is_touched(qtri_format format, const qtri_material *material)
+{
+    const qtri_rect all = {0, 0, WIDTH, HEIGHT};
+    const qtri_rgb white = {255, 255, 255};
+    uint8_t *bytes = (uint8_t *)memory;
+    memset(memory, 0xA5, sizeof memory);
+    const qtri_surface surface = {.pixels = bytes,
+                                  .pitch = WIDTH * 4,
+                                  .depth = (uint16_t *)(void *)(bytes + WIDTH * HEIGHT * 4),
+                                  .depth_pitch = WIDTH,
+                                  .format = format,
+                                  .width = WIDTH,
+                                  .height = HEIGHT,
+                                  .rows = HEIGHT,
+                                  .scissor = all};
+    qtri_view view;
+    qtri_transform pose;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    qtri_transform_identity(&pose);
+    qtri_surface_clear(&surface, white, 0);
+    draw_corners(&surface, &view, &pose, material);
+    for (size_t i = 0; i < sizeof memory; i++) {
+        if (bytes[i] != 0xA5) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static void draw(const picture *asked)
 {
     picture p = *asked;
@@ -172,7 +202,11 @@ static void draw(const picture *asked)
     enum qtri_error error =
         qtri_surface_init(&surface, p.format, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory);
     if (refused || error == QTRI_ERROR_OPTION) {
-        printf("%s: refused\n", p.name);
+        error =
+            qtri_frame_init(&frame, p.format, WIDTH, HEIGHT, ROWS, band_memory, sizeof band_memory);
+        printf("%s: refused%s%s\n", p.name,
+               refused || error == QTRI_ERROR_OPTION ? "" : ", but a frame is not",
+               refused || !is_touched(p.format, &p.material) ? "" : ", but drawn on");
         return;
     }
     qtri_mesh mesh = {.vertex_count = POINTS, .triangle_count = 2 * POINTS};
