@@ -1,5 +1,16 @@
 /*
  * Functions that fill rows. Internal.
+ *
+ * Each loop beside the generic one, qtri_run_generic, is there for rows of the benchmark:
+ *
+ *     fill.inc        one colour, any format, with and without depth           S1
+ *     fill_packed.c   linear colours in RGB565; the same for tiny triangles    S2; S4 S4k
+ *     fill_texture.c  copied texels in RGB565                                  S3 S3a
+ *     fill_pairs.c    these three two pixels at a time, on Thumb-2             S1 S2 S3 S3a
+ *     small.c         tiny triangles of a mesh, set up and filled in one go    S4 S5
+ *     line_fast.c     short lines in RGB565                                    S7
+ *
+ * All of them test depth with "less" and write it, or, in fill.inc, know none.
  */
 #ifndef QTRI_RASTER_FILL_H
 #define QTRI_RASTER_FILL_H
