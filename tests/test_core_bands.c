@@ -343,6 +343,8 @@ static void any_bounds(void **state)
             assert_true(r.x0 >= 0 && r.x1 <= s.width && r.y0 >= 0 && r.y1 <= s.height);
             assert_true(r.y0 >= s.first_row);
             assert_true(r.y1 <= (int64_t)s.first_row + s.rows);
+        } else {
+            assert_true((r.x0 | r.y0 | r.x1 | r.y1) == 0);
         }
         s.rows = s.rows > 0 ? -s.rows : s.rows;
         qtri_rgb none = qtri_surface_pixel(&s, random_any(&seed), random_any(&seed));

@@ -120,7 +120,7 @@ static void fill_rows(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t row
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth)
 {
     qtri_rect bounds = qtri_surface_bounds(surface);
-    if (bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1) {
+    if (bounds.x0 == bounds.x1) {
         return;
     }
     int32_t columns = bounds.x1 - bounds.x0;
@@ -157,6 +157,7 @@ qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
 
 qtri_rect qtri_surface_bounds(const qtri_surface *surface)
 {
+    static const qtri_rect nothing = {0, 0, 0, 0};
     qtri_rect bounds = surface->scissor;
     int64_t held = (int64_t)surface->first_row + surface->rows;
     int32_t end = held < surface->height ? qtri_saturate32(held) : surface->height;
@@ -165,8 +166,6 @@ qtri_rect qtri_surface_bounds(const qtri_surface *surface)
     bounds.y0 = bounds.y0 > surface->first_row ? bounds.y0 : surface->first_row;
     bounds.y0 = bounds.y0 > 0 ? bounds.y0 : 0;
     bounds.y1 = bounds.y1 < end ? bounds.y1 : end;
-    if (!qtri_format_is_built(surface->format)) {
-        bounds.y1 = bounds.y0;
-    }
-    return bounds;
+    const bool is_empty = bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1;
+    return is_empty || !qtri_format_is_built(surface->format) ? nothing : bounds;
 }

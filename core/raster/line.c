@@ -175,12 +175,11 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    const bool is_empty = bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1;
     job->surface = surface;
-    job->left_24p8 = is_empty ? 0 : bounds.x0 * 256;
-    job->top_24p8 = is_empty ? 0 : bounds.y0 * 256;
-    job->width_24p8 = is_empty ? 0 : (uint32_t)(bounds.x1 - bounds.x0) * 256;
-    job->height_24p8 = is_empty ? 0 : (uint32_t)(bounds.y1 - bounds.y0) * 256;
+    job->left_24p8 = bounds.x0 * 256;
+    job->top_24p8 = bounds.y0 * 256;
+    job->width_24p8 = (uint32_t)(bounds.x1 - bounds.x0) * 256;
+    job->height_24p8 = (uint32_t)(bounds.y1 - bounds.y0) * 256;
     job->depth_mask = ~0xFFu;
     job->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     job->depth_write = !material->depth_read_only;

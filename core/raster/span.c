@@ -126,6 +126,8 @@ void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row
         uv[0] += job->uv[0].dy;
         uv[1] += job->uv[1].dy;
         run.pixels += surface->pitch;
-        run.depths += tested ? surface->depth_pitch : 0;
+        if (tested) {
+            run.depths += surface->depth_pitch;
+        }
     }
 }
