@@ -1,8 +1,7 @@
 /*
  * Q16.16 matrices against exact or longer arithmetic.
  */
-#include "support_core.h"
-#include "support_vec_narrow.h"
+#include "support_vec.h"
 
 #define PI_L 3.14159265358979323846264338L
 
@@ -81,17 +80,6 @@ static void assert_close(const qtri_mat4 *m, const real4 *exact, double toleranc
     if (!(error <= tolerance)) {
         fail_msg("off by %f ULP", error);
     }
-}
-
-static qtri_vec3 random_vec3(uint64_t *seed)
-{
-    int shift = random_in(seed, 0, 30);
-    qtri_vec3 v = {random_bits32(seed) >> shift, random_bits32(seed) >> shift,
-                   random_bits32(seed) >> shift};
-    if (random_in(seed, 0, 15) == 0) {
-        v.x = INT32_MIN;
-    }
-    return v;
 }
 
 static qtri_mat4 random_mat4(uint64_t *seed)

@@ -1,22 +1,7 @@
 /*
  * Vectors against exact or longer arithmetic.
  */
-#include "support_core.h"
-#include "support_vec_narrow.h"
-
-static qtri_vec3 random_vec3(uint64_t *seed)
-{
-    int shift = random_in(seed, 0, 30);
-    qtri_vec3 v = {random_bits32(seed) >> shift, random_bits32(seed) >> shift,
-                   random_bits32(seed) >> shift};
-    if (random_in(seed, 0, 15) == 0) {
-        v.x = INT32_MIN;
-    }
-    if (random_in(seed, 0, 15) == 0) {
-        v.y = random_flag(seed) ? INT32_MIN : INT32_MAX;
-    }
-    return v;
-}
+#include "support_vec.h"
 
 static void check_length(q16 length, int128 square)
 {
