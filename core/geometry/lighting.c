@@ -121,13 +121,20 @@ static inline int32_t mantissa16(int32_t n, int32_t zeros)
     return (whole - (whole >> 15) + 0x8000) >> 16;
 }
 
+/* In registers what a call would take in memory; where code is to be small, the other way round. */
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#define ONCE_A_CALLER __attribute__((always_inline)) static inline
+#else
+#define ONCE_A_CALLER static inline
+#endif
+
 /*
  * The plain light on the face between short edges. |e|, |f| < 2^15, so |e x f| < 2^31. Its
  * direction n has a largest component of 2^14 - 1..2^15, s = n . n is in (2^27, 3 2^30]; with v = s
  * 2^zeros / 2^32 in [1/4, 1) and y = v^-1/2 the dot product with n counts 2^14 / |n| = 2^(zeros / 2
  * - 2) y times. Newton's step y + y (1 - v y^2) / 2 takes y from 2^-13 to 2^-25.
  */
-static inline uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3],
+ONCE_A_CALLER uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3],
                                   const int32_t f[3])
 {
     int32_t x = e[1] * f[2] - e[2] * f[1];
