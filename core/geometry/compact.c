@@ -169,7 +169,7 @@ bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_posit
             qtri_vertex_depth(projector, z * ((int32_t)1 << (zeros - 1)), r) | (uint32_t)zeros;
         out->intensity_q15 = QTRI_VERTEX_UNLIT;
 
-        int32_t half = ((int32_t)1 << (n - 1)) - 1; /* and the - 1 of h - 1 */
+        int32_t half = (int32_t)(UINT32_MAX >> (33 - n)); /* 2^(n - 1), and the - 1 of h - 1 */
         int32_t x = qtri_mul_high_s32(qtri_row16_sum(&row[0], p->x, p->y, p->z), r) + half;
         int32_t y = qtri_mul_high_s32(qtri_row16_sum(&row[1], p->x, p->y, p->z), r) + half;
         out->at.x_24p8 = x >> n;
