@@ -47,6 +47,7 @@ typedef struct qtri_raster {
     bool depth_write;
     bool perspective, replace; /* as the material asks */
     qtri_channels tint;        /* what tinted triangles have shares of */
+    int32_t tint_n6[3];        /* the same with 6 bits after the point, cut off */
     bool small;                /* small.h serves */
     int32_t column_shift;      /* of texels that are copied, see texel_copy.h */
     uint32_t row_mask;

@@ -39,13 +39,13 @@ static inline uint32_t qtri_pack_round(uint32_t r, uint32_t g, uint32_t b)
  * A share, Q22 of at most 2^25, of a tint: products of Q15 and n.6 are n.21 and below 2^30. What is
  * added rounds red, and green and blue.
  */
-static inline uint32_t qtri_pack_tint(const qtri_channels *tint, int32_t share_q22,
-                                      int32_t red_half, int32_t half)
+static inline uint32_t qtri_pack_tint(const int32_t tint_n6[3], int32_t share_q22, int32_t red_half,
+                                      int32_t half)
 {
     int32_t share_q15 = share_q22 >> 7;
-    int32_t r = share_q15 * (tint->c[0] >> 10) + red_half;
-    int32_t g = share_q15 * (tint->c[1] >> 10) + half;
-    int32_t b = share_q15 * (tint->c[2] >> 10) + half;
+    int32_t r = share_q15 * tint_n6[0] + red_half;
+    int32_t g = share_q15 * tint_n6[1] + half;
+    int32_t b = share_q15 * tint_n6[2] + half;
     return ((uint32_t)(r >> 15) << 21) + ((uint32_t)(b >> 16) << 11) + (uint32_t)(g >> 16);
 }
 

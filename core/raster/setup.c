@@ -170,7 +170,7 @@ static void linear_ramps(qtri_job *job, const qtri_attributes v[3], const qtri_g
 static void tiny_tint(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
     const int32_t one_q20 = (int32_t)1 << 20;
-    const qtri_channels *tint = &job->raster->tint;
+    const int32_t *tint = job->raster->tint_n6;
     const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
                                (uint32_t)v[2].color[0]};
     qtri_ramp ramp;

@@ -124,7 +124,7 @@ static inline void color_from(qtri_ramp *out, const qtri_raster *raster, const q
                               int32_t i0_q15, int32_t i1_q15, int32_t i2_q15)
 {
     const int32_t one_q20 = (int32_t)1 << 20;
-    const qtri_channels *tint = &raster->tint;
+    const int32_t *tint = raster->tint_n6;
     qtri_ramp share;
     qtri_ramp_from_steps(&share, g, (uint32_t)i0_q15 << 7, (i1_q15 + 2) >> (QTRI_RAMP_DOWN - 7),
                          (i2_q15 + 2) >> (QTRI_RAMP_DOWN - 7));

@@ -33,6 +33,9 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
     int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
                              (int32_t)color.b << 16};
     raster->tint = qtri_channels_from_color(qtri_format_of(raster->surface), color_8p16);
+    for (int i = 0; i < 3; i++) {
+        raster->tint_n6[i] = raster->tint.c[i] >> 10;
+    }
 }
 
 /* Apart, as its edges take stack that most triangles do without. */
