@@ -233,6 +233,12 @@ QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_v
     return cull == QTRI_CULL_BACK ? area >= 0 : area <= 0;
 }
 
+/* One multiplication; GCC 12 would make the size of shifts and sums. */
+static inline qtri_vertex *vertex_at(qtri_vertex *vertices, uint32_t index, uint32_t size)
+{
+    return (qtri_vertex *)(void *)((uint8_t *)vertices + index * size);
+}
+
 /*
  * The triangles of a mesh whose vertices are all there. By far the most end in this loop; when
  * `simple`, back faces are culled and no vertex is outside; `solid`: nor is it a wireframe.
@@ -248,15 +254,17 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
         return;
     }
     const uint8_t *end = triangle + draw->mesh->triangle_count * size;
+    uint32_t vertex_size = sizeof(qtri_vertex);
+    QTRI_HOLD(vertex_size);
     for (; triangle != end; triangle += size) {
         uint32_t index[3];
         qtri_mesh_indices(index, triangle, narrow);
         if (index[0] >= count || index[1] >= count || index[2] >= count) {
             continue;
         }
-        qtri_vertex *a = &vertices[index[0]];
-        qtri_vertex *b = &vertices[index[1]];
-        qtri_vertex *c = &vertices[index[2]];
+        qtri_vertex *a = vertex_at(vertices, index[0], vertex_size);
+        qtri_vertex *b = vertex_at(vertices, index[1], vertex_size);
+        qtri_vertex *c = vertex_at(vertices, index[2], vertex_size);
         QTRI_HOLD(a); /* three registers; GCC 12 would keep six */
         QTRI_HOLD(b);
         QTRI_HOLD(c);

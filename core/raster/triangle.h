@@ -54,10 +54,17 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);
 /* Whether differences fit 15 bits with their sign: their products then fit 30, one instruction. */
 static inline bool qtri_differences_are_short(int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    const uint32_t half = (uint32_t)1 << 14;
+    uint32_t half = (uint32_t)1 << 14;
+    QTRI_HOLD(half); /* GCC 12 would make it anew for each */
     return (((uint32_t)a + half) | ((uint32_t)b + half) | ((uint32_t)c + half) |
             ((uint32_t)d + half)) < 2 * half;
 }
+#endif
+
+#if !QTRI_LONG_MULTIPLY
+/* qtri_triangle_area where products are long, which is rare: in one place. */
+int64_t qtri_triangle_area_far(const qtri_screen_point *a, const qtri_screen_point *b,
+                               const qtri_screen_point *c);
 #endif
 
 /* Twice the area in 1/256 pixel squared; y points down: negative is front. |x|, |y| <= 2^22. */
@@ -72,8 +79,10 @@ static inline int64_t qtri_triangle_area(const qtri_screen_point *a, const qtri_
     if (QTRI_WITH_FAST_PATHS && qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
         return dx1 * dy2 - dx2 * dy1;
     }
-#endif
+    return qtri_triangle_area_far(a, b, c);
+#else
     return qtri_mul_s32(dx1, dy2) - qtri_mul_s32(dx2, dy1);
+#endif
 }
 
 /* qtri_triangle_area(a, b, c) >= 0, most of a mesh's triangles: without 64 bits where it can be. */
@@ -81,15 +90,25 @@ static inline bool qtri_triangle_is_back(const qtri_screen_point *a, const qtri_
                                          const qtri_screen_point *c)
 {
 #if !QTRI_LONG_MULTIPLY
+    const uint32_t half = (uint32_t)1 << 14;
     int32_t dx1 = b->x_24p8 - a->x_24p8;
-    int32_t dy1 = b->y_24p8 - a->y_24p8;
+    uint32_t far = (uint32_t)dx1 + half;
+    QTRI_HOLD(far);
     int32_t dx2 = c->x_24p8 - a->x_24p8;
+    far |= (uint32_t)dx2 + half;
+    QTRI_HOLD(far);
+    int32_t dy1 = b->y_24p8 - a->y_24p8;
+    far |= (uint32_t)dy1 + half;
+    QTRI_HOLD(far);
     int32_t dy2 = c->y_24p8 - a->y_24p8;
-    if (QTRI_WITH_FAST_PATHS && qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
+    far |= (uint32_t)dy2 + half;
+    if (QTRI_WITH_FAST_PATHS && far < 2 * half) {
         return dx1 * dy2 >= dx2 * dy1;
     }
-#endif
+    return qtri_triangle_area_far(a, b, c) >= 0;
+#else
     return qtri_triangle_area(a, b, c) >= 0;
+#endif
 }
 
 static inline bool qtri_raster_culls(const qtri_raster *raster, int64_t area)
