@@ -1,4 +1,3 @@
-#include "../raster/small.h"
 #include "mesh_job.h"
 
 bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
@@ -11,7 +10,7 @@ bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t cou
     return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
 }
 
-static uint32_t light_face(const qtri_mesh_job *draw, const void *indices)
+uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
 {
     const qtri_mesh *mesh = draw->mesh;
     uint32_t a = qtri_mesh_index(mesh, indices, 0);
@@ -33,16 +32,7 @@ uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index)
                : qtri_lighting_vertex(&draw->lighting, &mesh->normals[index]);
 }
 
-/* Those that are not lit yet. */
-QTRI_NOINLINE static void light_some(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                                     qtri_vertex *b, qtri_vertex *c)
-{
-    (void)qtri_mesh_light_once(draw, indices, 0, a);
-    (void)qtri_mesh_light_once(draw, indices, 1, b);
-    (void)qtri_mesh_light_once(draw, indices, 2, c);
-}
-
-static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
+void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
 {
     if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
         *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
@@ -60,16 +50,17 @@ static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32
 static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
                            const void *triangle, qtri_vertex *const vertex[3])
 {
-    uint32_t face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? light_face(draw, triangle)
-                                                                   : QTRI_INTENSITY_ONE;
+    uint32_t face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face
+                            ? qtri_mesh_light_face(draw, triangle)
+                            : QTRI_INTENSITY_ONE;
     for (int i = 0; i < 3; i++) {
         intensity_q15[i] =
             draw->lit_per_vertex ? qtri_mesh_light_once(draw, triangle, i, vertex[i]) : face_q15;
     }
 }
 
-static void set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
-                      uint32_t intensity_q15)
+void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
+                         uint32_t intensity_q15)
 {
     const qtri_rgb *color =
         draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
@@ -85,7 +76,8 @@ QTRI_NOINLINE void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *t
     uint32_t intensity_q15[3];
     light_triangle(intensity_q15, draw, triangle, vertex);
     for (int i = 0; i < 3; i++) {
-        set_color(color[i], draw, qtri_mesh_index(draw->mesh, triangle, i), intensity_q15[i]);
+        qtri_mesh_set_color(color[i], draw, qtri_mesh_index(draw->mesh, triangle, i),
+                            intensity_q15[i]);
     }
 }
 
@@ -103,8 +95,8 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
     const qtri_mesh_job *draw = triangle->draw;
     for (int i = 0; i < 3; i++) {
         uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
-        set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
-        set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
+        qtri_mesh_set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
+        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
     }
 }
 
@@ -132,91 +124,13 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
     qtri_primitive_triangle(&draw->primitive, &shape, set_attributes, &triangle);
 }
 
-/* What not every mesh has: colours in units of the target, texture coordinates. */
-QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
-                                   uint32_t intensity_q15, qtri_attributes *out)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    if (mesh->colors != NULL) {
-        int32_t color_8p16[3];
-        set_color(color_8p16, draw, index, intensity_q15);
-        qtri_channels channels =
-            qtri_channels_from_color(qtri_format_of(draw->primitive.surface), color_8p16);
-        out->color[0] = channels.c[0];
-        out->color[1] = channels.c[1];
-        out->color[2] = channels.c[2];
-    }
-    if (qtri_raster_texture(&draw->primitive.to.raster) != NULL) {
-        set_uv(&out->u_q32, &out->v_q32, mesh, index);
-    }
-}
-
-/* One that is not small, or brings more than light. */
-QTRI_NOINLINE static void draw_any_solid(const qtri_mesh_job *draw, const void *indices,
-                                         qtri_vertex *const vertex[3], qtri_triangle *triangle,
-                                         uint32_t face_q15)
-{
-    qtri_attributes attributes[3];
-    for (int i = 0; i < 3; i++) {
-        uint32_t intensity_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
-        qtri_mesh_set_attributes(&attributes[i], vertex[i], intensity_q15);
-        if (draw->more) {
-            set_more(draw, qtri_mesh_index(draw->mesh, indices, i), intensity_q15, &attributes[i]);
-        }
-    }
-    qtri_triangle_draw(&draw->primitive.to.raster, triangle, attributes);
-}
-
-/* Computed when they are first needed. */
-static inline void light_vertices(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                                  qtri_vertex *b, qtri_vertex *c)
-{
-    const uint32_t lit = 2 * QTRI_INTENSITY_ONE; /* those of lit vertices are below */
-    if ((((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) & lit) !=
-        0) {
-        light_some(draw, indices, a, b, c);
-    }
-}
-
-/* Lit only when it touches a pixel. */
-QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
-                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c,
-                                        int64_t area)
-{
-    qtri_triangle triangle;
-    triangle.p[0] = &a->at;
-    triangle.p[1] = &b->at;
-    triangle.p[2] = &c->at;
-    triangle.area = area;
-    triangle.tinted = draw->tinted;
-    if (area == 0 || !qtri_triangle_begin(&draw->primitive.to.raster, &triangle)) {
-        return;
-    }
-    uint32_t face_q15 = QTRI_VERTEX_UNLIT;
-    if (draw->lit_per_vertex) {
-        if (!draw->lit) {
-            light_vertices(draw, indices, a, b, c);
-        }
-    } else {
-        face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? light_face(draw, indices)
-                                                              : QTRI_INTENSITY_ONE;
-    }
-    if (!QTRI_WITH_FAST_PATHS || draw->more ||
-        !qtri_small_draw(&draw->primitive.to.raster, &triangle, a, b, c, face_q15)) {
-        qtri_vertex *const vertex[3] = {a, b, c};
-        draw_any_solid(draw, indices, vertex, &triangle, face_q15);
-    }
-}
-
 QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
 {
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
     } else if (draw->material.fill == QTRI_SOLID) {
-        const qtri_screen_point *a = &vertex[0]->at;
-        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2],
-                             qtri_triangle_area(a, &vertex[1]->at, &vertex[2]->at));
+        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
     } else if (QTRI_WITH_LINES) {
         qtri_mesh_draw_lines(draw, indices, vertex);
     }
@@ -273,8 +187,7 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
             continue;
         }
         if (simple && solid) {
-            qtri_mesh_draw_solid(draw, triangle, a, b, c,
-                                 qtri_triangle_area(&a->at, &b->at, &c->at));
+            qtri_mesh_draw_solid(draw, triangle, a, b, c);
         } else {
             qtri_vertex *const vertex[3] = {a, b, c};
             qtri_mesh_draw_seen(draw, triangle, vertex);

@@ -58,13 +58,16 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     qtri_primitive_set_target(&draw->primitive, surface, &draw->material, !solid);
     draw->tinted = mesh->colors == NULL;
     draw->more = !draw->tinted;
+    draw->small = false;
     if (solid) {
         const qtri_texture *texture = qtri_raster_texture(&draw->primitive.to.raster);
         draw->more = !draw->tinted || texture != NULL;
         if (draw->tinted) {
             qtri_raster_set_tint(&draw->primitive.to.raster, draw->material.color);
         }
+        draw->small = QTRI_WITH_FAST_PATHS && !draw->more && draw->primitive.to.raster.small;
     }
+    draw->tiny = draw->small && surface->pitch == 2 * surface->depth_pitch;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     draw->lit_per_vertex =
         view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;

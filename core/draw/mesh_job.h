@@ -27,6 +27,8 @@ typedef struct qtri_mesh_job {
     bool lit;    /* per vertex: all that are seen already are */
     bool tinted; /* the mesh has no colours of its own */
     bool more;   /* colours of their own or a texture */
+    bool small;  /* small.h serves */
+    bool tiny;   /* and tiny.h */
     qtri_lighting lighting;
 } qtri_mesh_job;
 
@@ -55,9 +57,17 @@ void qtri_mesh_clear_slots(const qtri_mesh_job *draw);
 /* Intensity of a vertex of a mesh with normals. */
 uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index);
 
+/* Of the triangle with these indices, for a mesh lit per face. */
+uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
+
 /* The colours of a triangle's corners, lit. */
 void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
                           qtri_vertex *const vertex[3], qtri_line_color color[3]);
+
+/* That of a vertex of the mesh, lit; its texture coordinates, 0 in a mesh without. */
+void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
+                         uint32_t intensity_q15);
+void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index);
 
 /* Any culling, and triangles that may cross planes; those are never turned away. */
 bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
@@ -67,9 +77,9 @@ bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, cons
 void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                          qtri_vertex *const vertex[3]);
 
-/* The same for a solid one whose vertices are all inside; `area` as of qtri_triangle_area. */
+/* The same for a solid one whose vertices are all inside. */
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                          qtri_vertex *b, qtri_vertex *c, int64_t area);
+                          qtri_vertex *b, qtri_vertex *c);
 
 /* A wireframe whose edges need not be drawn twice. */
 static inline bool qtri_mesh_has_final_edges(const qtri_mesh_job *draw)
@@ -153,16 +163,6 @@ static inline bool qtri_mesh_is_outside(qtri_vertex *const vertex[3])
         common &= (word & QTRI_VERTEX_OUTSIDE) != 0 ? word : 0;
     }
     return common != 0;
-}
-
-/* A vertex's depth, distance and light. */
-static inline void qtri_mesh_set_attributes(qtri_attributes *out, const qtri_vertex *vertex,
-                                            uint32_t intensity_q15)
-{
-    out->depth_16p16 = vertex->depth_16p8 & ~0xFFu;
-    out->inv_w_q31 = vertex->inv_w;
-    out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
-    out->color[0] = (int32_t)(intensity_q15 << 7); /* Q22 of the one colour */
 }
 
 #endif

@@ -62,8 +62,7 @@ static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, ui
         qtri_vertex *b = &vertices[index[1]];
         qtri_vertex *c = &vertices[index[2]];
         if (solid) {
-            qtri_mesh_draw_solid(job, triangle, a, b, c,
-                                 qtri_triangle_area(&a->at, &b->at, &c->at));
+            qtri_mesh_draw_solid(job, triangle, a, b, c);
         } else {
             qtri_vertex *const vertex[3] = {a, b, c};
             qtri_mesh_draw_seen(job, triangle, vertex);

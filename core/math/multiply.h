@@ -25,6 +25,22 @@ static inline uint32_t qtri_mul_high31(uint32_t a, uint32_t b)
 #endif
 }
 
+/* floor(a b / 2^32) for |a| <= 2^30, 0 <= b < 2^30. */
+static inline int32_t qtri_mul_high_s30(int32_t a, int32_t b)
+{
+#if QTRI_LONG_MULTIPLY
+    return (int32_t)(qtri_mul_s32(a, b) >> 32);
+#else
+    int32_t a_high = a >> 16; /* |.| <= 2^14, and a_low = 0 where a is 2^30 */
+    int32_t b_high = b >> 16; /* < 2^14 */
+    int32_t a_low = (int32_t)qtri_low16((uint32_t)a);
+    int32_t b_low = (int32_t)qtri_low16((uint32_t)b);
+    int32_t carry = (int32_t)(((uint32_t)a_low * (uint32_t)b_low) >> 16);
+    int32_t middle = a_high * b_low + a_low * b_high + carry; /* < 2^30 + 2^30 - 2^16 */
+    return a_high * b_high + (middle >> 16);
+#endif
+}
+
 /* floor(a b / 2^16) for b < 2^16. */
 static inline uint32_t qtri_mul_high16(uint32_t a, uint32_t b)
 {

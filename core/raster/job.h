@@ -48,7 +48,7 @@ typedef struct qtri_raster {
     bool perspective, replace; /* as the material asks */
     qtri_channels tint;        /* what tinted triangles have shares of */
     int32_t tint_n6[3];        /* the same with 6 bits after the point, cut off */
-    bool small;                /* small.h serves */
+    bool small;                /* small.h and tiny.h serve */
     int32_t column_shift;      /* of texels that are copied, see texel_copy.h */
     uint32_t row_mask;
     bool copies_white; /* texels may be copied where the colour is white */

@@ -65,6 +65,13 @@ static bool plainly_linear(uint32_t range, const qtri_attributes v[3])
     return ((range >> 14) + 1) * q_range < q_least << (LINEAR_LOG2 + 2 - 14); /* <= 2^25 */
 }
 
+/* Both, first the one at a glance. */
+static bool colors_are_linear(uint32_t range, const qtri_attributes v[3], uint32_t q[3])
+{
+    return (QTRI_WITH_FAST_PATHS && plainly_linear(range, v)) || !inv_w_align(q, v) ||
+           nearly_linear(range, q, LINEAR_LOG2);
+}
+
 /* attribute q / 2^31, for attributes below 2^30: below 2^30, rounded. */
 static void plane_over_w(qtri_plane *plane, const qtri_gradient *gradient, const int64_t f[3],
                          const uint32_t q[3])
@@ -101,6 +108,16 @@ static uint32_t range_of(const qtri_attributes v[3], int i)
     const uint32_t f[3] = {(uint32_t)v[0].color[i], (uint32_t)v[1].color[i],
                            (uint32_t)v[2].color[i]};
     return greatest_of(f) - least_of(f);
+}
+
+bool qtri_tint_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c)
+{
+    qtri_attributes v[3];
+    uint32_t q[3];
+    qtri_vertex_attributes(&v[0], a, a->intensity_q15);
+    qtri_vertex_attributes(&v[1], b, b->intensity_q15);
+    qtri_vertex_attributes(&v[2], c, c->intensity_q15);
+    return colors_are_linear(range_of(v, 0), v, q);
 }
 
 /*
@@ -345,9 +362,8 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         bool same = !QTRI_WITH_PERSPECTIVE || !raster->perspective || !inv_w_align(q, v);
         bool linear = texture_axes(job, value, v, q) && nearly_linear(range, q, LINEAR_LOG2);
         perspective = !same && !linear;
-    } else if (QTRI_WITH_PERSPECTIVE && raster->perspective &&
-               !(QTRI_WITH_FAST_PATHS && plainly_linear(range, v))) {
-        perspective = inv_w_align(q, v) && !nearly_linear(range, q, LINEAR_LOG2);
+    } else if (QTRI_WITH_PERSPECTIVE && raster->perspective) {
+        perspective = !colors_are_linear(range, v, q);
     }
     job->paint = perspective ? QTRI_PAINT_PERSPECTIVE : QTRI_PAINT_LINEAR;
     if (perspective) {

@@ -10,4 +10,7 @@
 qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
                              const qtri_triangle *triangle, const qtri_attributes v[3]);
 
+/* Whether it takes colours that are shares of a tint for linear on the screen. */
+bool qtri_tint_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c);
+
 #endif

@@ -123,6 +123,16 @@ static inline int32_t qtri_raster_shade(const qtri_raster *raster, int32_t share
     return (int32_t)(qtri_mul_s32(share_q22, raster->tint.c[i]) >> 22);
 }
 
+/* A vertex's depth, distance and light. */
+static inline void qtri_vertex_attributes(qtri_attributes *out, const qtri_vertex *vertex,
+                                          uint32_t intensity_q15)
+{
+    out->depth_16p16 = vertex->depth_16p8 & ~0xFFu;
+    out->inv_w_q31 = vertex->inv_w;
+    out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
+    out->color[0] = (int32_t)(intensity_q15 << 7); /* Q22 of the one colour */
+}
+
 /* Takes p and area, which are set, area not 0. False when no pixel is covered. */
 bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *triangle);
 

@@ -1,0 +1,113 @@
+#include "../raster/small.h"
+#include "../raster/tiny.h"
+#include "mesh_job.h"
+
+/* Those that are not lit yet. */
+QTRI_NOINLINE static void light_some(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                     qtri_vertex *b, qtri_vertex *c)
+{
+    (void)qtri_mesh_light_once(draw, indices, 0, a);
+    (void)qtri_mesh_light_once(draw, indices, 1, b);
+    (void)qtri_mesh_light_once(draw, indices, 2, c);
+}
+
+/* What not every mesh has: colours in units of the target, texture coordinates. */
+QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
+                                   uint32_t intensity_q15, qtri_attributes *out)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    if (mesh->colors != NULL) {
+        int32_t color_8p16[3];
+        qtri_mesh_set_color(color_8p16, draw, index, intensity_q15);
+        qtri_channels channels =
+            qtri_channels_from_color(qtri_format_of(draw->primitive.surface), color_8p16);
+        out->color[0] = channels.c[0];
+        out->color[1] = channels.c[1];
+        out->color[2] = channels.c[2];
+    }
+    if (qtri_raster_texture(&draw->primitive.to.raster) != NULL) {
+        qtri_mesh_set_uv(&out->u_q32, &out->v_q32, mesh, index);
+    }
+}
+
+/* One that is not small, or brings more than light. */
+QTRI_NOINLINE static void draw_any_solid(const qtri_mesh_job *draw, const void *indices,
+                                         qtri_vertex *const vertex[3], qtri_triangle *triangle,
+                                         uint32_t face_q15)
+{
+    qtri_attributes attributes[3];
+    for (int i = 0; i < 3; i++) {
+        uint32_t intensity_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
+        qtri_vertex_attributes(&attributes[i], vertex[i], intensity_q15);
+        if (draw->more) {
+            set_more(draw, qtri_mesh_index(draw->mesh, indices, i), intensity_q15, &attributes[i]);
+        }
+    }
+    qtri_triangle_draw(&draw->primitive.to.raster, triangle, attributes);
+}
+
+/* Computed when they are first needed. */
+static inline void light_vertices(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                  qtri_vertex *b, qtri_vertex *c)
+{
+    const uint32_t lit = 2 * QTRI_INTENSITY_ONE; /* those of lit vertices are below */
+    if ((((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) & lit) !=
+        0) {
+        light_some(draw, indices, a, b, c);
+    }
+}
+
+/* The light of the vertices, or of the face. */
+static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                             qtri_vertex *b, qtri_vertex *c)
+{
+    if (draw->lit_per_vertex) {
+        if (!draw->lit) {
+            light_vertices(draw, indices, a, b, c);
+        }
+        return QTRI_VERTEX_UNLIT;
+    }
+    return QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? qtri_mesh_light_face(draw, indices)
+                                                      : QTRI_INTENSITY_ONE;
+}
+
+/* Lit only when it touches a pixel. */
+QTRI_NOINLINE static void draw_any_size(const qtri_mesh_job *draw, const void *indices,
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    qtri_triangle triangle;
+    triangle.p[0] = &a->at;
+    triangle.p[1] = &b->at;
+    triangle.p[2] = &c->at;
+    triangle.area = qtri_triangle_area(&a->at, &b->at, &c->at);
+    triangle.tinted = draw->tinted;
+    if (triangle.area == 0 || !qtri_triangle_begin(&draw->primitive.to.raster, &triangle)) {
+        return;
+    }
+    uint32_t face_q15 = light(draw, indices, a, b, c);
+    if (face_q15 == QTRI_VERTEX_UNLIT && a->intensity_q15 == b->intensity_q15 &&
+        a->intensity_q15 == c->intensity_q15) {
+        face_q15 = a->intensity_q15;
+    }
+    if (!QTRI_SMALL || !draw->small || face_q15 == QTRI_VERTEX_UNLIT ||
+        !qtri_small_draw(&draw->primitive.to.raster, &triangle, a, b, c, face_q15)) {
+        qtri_vertex *const vertex[3] = {a, b, c};
+        draw_any_solid(draw, indices, vertex, &triangle, face_q15);
+    }
+}
+
+QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    qtri_tiny tiny;
+    const qtri_raster *raster = &draw->primitive.to.raster;
+    const qtri_placed placed = QTRI_WITH_FAST_PATHS && draw->tiny
+                                   ? qtri_tiny_place(&tiny, &raster->bounds, a, b, c)
+                                   : QTRI_PLACED_OTHER;
+    if (placed == QTRI_PLACED_NOWHERE ||
+        (placed == QTRI_PLACED_TINY &&
+         qtri_tiny_draw(raster, &tiny, a, b, c, light(draw, indices, a, b, c)))) {
+        return;
+    }
+    draw_any_size(draw, indices, a, b, c);
+}
