@@ -57,6 +57,9 @@ static inline void light_vertices(const qtri_mesh_job *draw, const void *indices
     }
 }
 
+/* An intensity that no face has. */
+#define NOT_LIT (QTRI_VERTEX_UNLIT + 1)
+
 /* The light of the vertices, or of the face. */
 static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                              qtri_vertex *b, qtri_vertex *c)
@@ -71,9 +74,10 @@ static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtr
                                                       : QTRI_INTENSITY_ONE;
 }
 
-/* Lit only when it touches a pixel. */
+/* Lit only when it touches a pixel, if it is not. */
 QTRI_NOINLINE static void draw_any_size(const qtri_mesh_job *draw, const void *indices,
-                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c,
+                                        uint32_t face_q15)
 {
     qtri_triangle triangle;
     triangle.p[0] = &a->at;
@@ -84,7 +88,9 @@ QTRI_NOINLINE static void draw_any_size(const qtri_mesh_job *draw, const void *i
     if (triangle.area == 0 || !qtri_triangle_begin(&draw->primitive.to.raster, &triangle)) {
         return;
     }
-    uint32_t face_q15 = light(draw, indices, a, b, c);
+    if (face_q15 == NOT_LIT) {
+        face_q15 = light(draw, indices, a, b, c);
+    }
     if (face_q15 == QTRI_VERTEX_UNLIT && a->intensity_q15 == b->intensity_q15 &&
         a->intensity_q15 == c->intensity_q15) {
         face_q15 = a->intensity_q15;
@@ -104,10 +110,15 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
     const qtri_placed placed = QTRI_WITH_FAST_PATHS && draw->tiny
                                    ? qtri_tiny_place(&tiny, &raster->bounds, a, b, c)
                                    : QTRI_PLACED_OTHER;
-    if (placed == QTRI_PLACED_NOWHERE ||
-        (placed == QTRI_PLACED_TINY &&
-         qtri_tiny_draw(raster, &tiny, a, b, c, light(draw, indices, a, b, c)))) {
+    uint32_t face_q15 = NOT_LIT;
+    if (placed == QTRI_PLACED_NOWHERE) {
         return;
     }
-    draw_any_size(draw, indices, a, b, c);
+    if (placed == QTRI_PLACED_TINY) {
+        face_q15 = light(draw, indices, a, b, c);
+        if (qtri_tiny_draw(raster, &tiny, a, b, c, face_q15)) {
+            return;
+        }
+    }
+    draw_any_size(draw, indices, a, b, c, face_q15);
 }
