@@ -73,7 +73,8 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
 /* The pixel's colour widened to 8 bits a channel; black outside the rows held. */
 qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y);
 
-/* The rectangle that drawing may touch: frame, rows held and scissor; 0 0 0 0 when that is empty. */
+/* The rectangle that drawing may touch: frame, rows held and scissor; 0 0 0 0 when that is empty.
+ */
 qtri_rect qtri_surface_bounds(const qtri_surface *surface);
 
 #ifdef __cplusplus
