@@ -37,8 +37,9 @@ typedef struct qtri_tiny {
     int32_t middle_x, middle_y; /* the anchor's pixel from there */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from 0; of a back face 2 and 1 */
     int32_t size;               /* twice the area, 1/256 pixel squared; negative: a back face */
-    /* Of each row the first pixel and the one after the last, from `column` on; QTRI_TINY_STOP. */
-    uint8_t spans[2 * QTRI_TINY_ROWS + 1];
+    /* Of each row the first pixel and the one after the last, from `column` on; then a row that
+       begins with QTRI_TINY_STOP, after which nothing can end. */
+    uint8_t spans[2 * QTRI_TINY_ROWS + 2];
 } qtri_tiny;
 
 #define QTRI_TINY_STOP 255
