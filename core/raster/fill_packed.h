@@ -23,10 +23,10 @@ typedef struct qtri_packed_row {
  */
 static inline uint32_t qtri_packed_next(qtri_packed_row *row, const qtri_job *job)
 {
-    const qtri_ramp *ramp = job->color.ramp;
-    row->r += QTRI_PACKED_RUN * ramp[0].dx;
-    row->g += QTRI_PACKED_RUN * ramp[1].dx;
-    row->b += QTRI_PACKED_RUN * ramp[2].dx;
+    const qtri_attribute *color = job->attribute;
+    row->r += QTRI_PACKED_RUN * color[0].ramp.dx;
+    row->g += QTRI_PACKED_RUN * color[1].ramp.dx;
+    row->b += QTRI_PACKED_RUN * color[2].ramp.dx;
     return qtri_pack_floor(row->r, row->g, row->b);
 }
 
@@ -52,8 +52,8 @@ static inline void qtri_packed_short(const qtri_job *job, uint16_t *pixel, uint1
                                      int32_t count, uint32_t z, uint32_t packed)
 {
     const uint32_t depth_step = job->depth.dx;
-    const uint32_t two_steps = job->packed_step.even + job->packed_step.odd;
-    uint32_t step = job->packed_step.even;
+    const uint32_t two_steps = job->color.packed.step.even + job->color.packed.step.odd;
+    uint32_t step = job->color.packed.step.even;
     const uint16_t *stop = depth + count;
     do {
         if (z >> 16 < *depth) {
@@ -73,7 +73,7 @@ static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans,
                                     int32_t count, qtri_packed_draw draw)
 {
     const qtri_raster *raster = job->raster;
-    const qtri_ramp *ramp = job->color.ramp;
+    const qtri_attribute *color = job->attribute;
     qtri_lines lines = qtri_lines_at(raster->surface, row);
     for (const qtri_span *end = spans + count; spans < end; spans++, row++) {
         int32_t x;
@@ -85,9 +85,9 @@ static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans,
             uint16_t *pixel = (uint16_t *)(void *)lines.pixels + x;
             uint16_t *depth = lines.depths + x;
             uint32_t z = qtri_ramp_at(&job->depth, x - job->anchor_x, dy);
-            uint32_t r = qtri_ramp_at(&ramp[0], dx, dy);
-            uint32_t g = qtri_ramp_at(&ramp[1], dx, dy);
-            uint32_t b = qtri_ramp_at(&ramp[2], dx, dy);
+            uint32_t r = qtri_ramp_at(&color[0].ramp, dx, dy);
+            uint32_t g = qtri_ramp_at(&color[1].ramp, dx, dy);
+            uint32_t b = qtri_ramp_at(&color[2].ramp, dx, dy);
             uint32_t packed = qtri_pack_floor(r, g, b);
             if (skip == 0 && rest < 8) {
                 qtri_packed_short(job, pixel, depth, rest, z, packed);

@@ -127,7 +127,7 @@ void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t r
 static void packed_row(qtri_packed_row *row, const qtri_job *job)
 {
     const uint32_t depth_step = job->depth.dx;
-    const qtri_packed_steps *step = &job->packed_step;
+    const qtri_packed_steps *step = &job->color.packed.step;
     uint16_t *pixel = row->pixel;
     uint16_t *depth = row->depth;
     if (!qtri_pairs_fit(pixel, depth)) {
@@ -200,11 +200,11 @@ void qtri_run_copy_pairs(const qtri_job *job, const qtri_run *run)
     uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
     uint16_t *depth = run->depths + run->x;
     uint32_t z = run->z;
-    uint32_t u = run->uv[0];
-    uint32_t v = run->uv[1];
+    uint32_t u = run->value[QTRI_U];
+    uint32_t v = run->value[QTRI_U + 1];
     const uint32_t depth_step = job->depth.dx;
-    const uint32_t u_step = run->uv_step[0];
-    const uint32_t v_step = run->uv_step[1];
+    const uint32_t u_step = run->step[QTRI_U];
+    const uint32_t v_step = run->step[QTRI_U + 1];
     int32_t count = run->count;
     if (!qtri_pairs_fit(pixel, depth)) {
         for (; count > 0; count--) {

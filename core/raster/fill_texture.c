@@ -9,11 +9,11 @@ void qtri_run_copy_less(const qtri_job *job, const qtri_run *run)
     uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
     uint16_t *depth = run->depths + run->x;
     uint32_t z = run->z;
-    uint32_t u = run->uv[0];
-    uint32_t v = run->uv[1];
+    uint32_t u = run->value[QTRI_U];
+    uint32_t v = run->value[QTRI_U + 1];
     uint32_t depth_step = job->depth.dx;
-    uint32_t u_step = run->uv_step[0];
-    uint32_t v_step = run->uv_step[1];
+    uint32_t u_step = run->step[QTRI_U];
+    uint32_t v_step = run->step[QTRI_U + 1];
     int32_t count = run->count;
 #define ONE(i)                                                                                     \
     if (z >> 16 < depth[i]) {                                                                      \

@@ -62,21 +62,23 @@ static uint64_t slope(const qtri_gradient *g, int64_t numerator)
     return g->reciprocal != 0 ? multiply(g, numerator) : divide(numerator, g->area);
 }
 
-/* Of f with these differences at vertices 1 and 2; its origin is (dx, dy) from vertex 0. */
-static void plane_about(qtri_plane *plane, const qtri_gradient *g, int64_t df1, int64_t df2,
-                        int32_t dx, int32_t dy)
+/* The plane through (vertex i, f[i]); its origin is (dx, dy) from vertex 0. */
+static void plane_about(qtri_plane *plane, const qtri_gradient *g, const uint32_t f[3], int32_t dx,
+                        int32_t dy)
 {
+    int64_t df1 = (int64_t)f[1] - f[0];
+    int64_t df2 = (int64_t)f[2] - f[0];
     uint64_t per_x = slope(g, df1 * g->dy2 - df2 * g->dy1);
     uint64_t per_y = slope(g, df2 * g->dx1 - df1 * g->dx2);
-    plane->origin += per_x * (uint64_t)(int64_t)dx + per_y * (uint64_t)(int64_t)dy;
+    plane->origin =
+        ((uint64_t)f[0] << 16) + per_x * (uint64_t)(int64_t)dx + per_y * (uint64_t)(int64_t)dy;
     plane->dx = per_x << 8;
     plane->dy = per_y << 8;
 }
 
-void qtri_plane_init(qtri_plane *plane, const qtri_gradient *g, const int64_t f[3])
+void qtri_plane_init(qtri_plane *plane, const qtri_gradient *g, const uint32_t f[3])
 {
-    plane->origin = (uint64_t)f[0] << 16;
-    plane_about(plane, g, f[1] - f[0], f[2] - f[0], 128 - g->x_24p8, 128 - g->y_24p8);
+    plane_about(plane, g, f, 128 - g->x_24p8, 128 - g->y_24p8);
 }
 
 static uint32_t round_to_ramp(uint64_t value)
@@ -86,8 +88,8 @@ static uint32_t round_to_ramp(uint64_t value)
 
 void qtri_ramp_divide(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[3])
 {
-    qtri_plane plane = {(uint64_t)f[0] << 16, 0, 0};
-    plane_about(&plane, g, (int64_t)f[1] - f[0], (int64_t)f[2] - f[0], g->anchor_dx, g->anchor_dy);
+    qtri_plane plane;
+    plane_about(&plane, g, f, g->anchor_dx, g->anchor_dy);
     ramp->origin = round_to_ramp(plane.origin) + 0x8000u;
     ramp->dx = round_to_ramp(plane.dx);
     ramp->dy = round_to_ramp(plane.dy);

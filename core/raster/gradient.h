@@ -54,14 +54,8 @@ typedef struct qtri_ramp {
  */
 void qtri_gradient_init(qtri_gradient *gradient, int32_t extent);
 
-/* The plane through (vertex i, f[i]), |f| < 2^33. */
-void qtri_plane_init(qtri_plane *plane, const qtri_gradient *gradient, const int64_t f[3]);
-
-/* In 2^-16 units, at the centre of pixel (x, y). */
-static inline uint64_t qtri_plane_at(const qtri_plane *plane, int32_t x, int32_t y)
-{
-    return plane->origin + (uint64_t)(int64_t)x * plane->dx + (uint64_t)(int64_t)y * plane->dy;
-}
+/* The plane through (vertex i, f[i]). */
+void qtri_plane_init(qtri_plane *plane, const qtri_gradient *gradient, const uint32_t f[3]);
 
 /* The attribute in its own unit, rounded down. */
 static inline int64_t qtri_plane_floor(uint64_t value)

@@ -4,8 +4,8 @@
  * A raster holds what the triangles of a draw call share, a job what the rows of a triangle share.
  * Which function fills the rows is chosen once a triangle. Flat and linear colours have loops of
  * their own, made from fill.inc, that fill whole rows; for everything else a row is a span, drawn
- * as runs: stretches over which every attribute is a 32-bit ramp. Without perspective a span is one
- * run; with it, a run goes from one exact division to the next. qtri_run_generic draws any run;
+ * as runs: stretches over which every attribute is a 32-bit ramp. Without perspective runs have one
+ * length; with it, a run goes from one exact division to the next. qtri_run_generic draws any run;
  * every loop gives its pixels to the bit.
  */
 #ifndef QTRI_RASTER_JOB_H
@@ -79,6 +79,24 @@ typedef enum qtri_paint {
 /* PERSPECTIVE: colours (n.16, up to 24 bits) are scaled by this much to use 30 bits. */
 #define QTRI_COLOR_PERSPECTIVE_SHIFT 6
 
+/*
+ * Attributes in arrays of them: colours red green blue, then texture coordinates u and v, so that
+ * those that a job has are neighbours; where there are planes, 1/w is the last.
+ */
+#define QTRI_U          3
+#define QTRI_ATTRIBUTES 5
+#define QTRI_PLANES     (QTRI_WITH_SMOOTH || QTRI_WITH_TEXTURES ? QTRI_ATTRIBUTES + 1 : 1)
+#define QTRI_INV_W      (QTRI_PLANES - 1)
+
+typedef union qtri_attribute {
+    qtri_ramp ramp; /* LINEAR, colours */
+    /*
+     * LINEAR: texture coordinates in the unit of their axis. PERSPECTIVE: attribute inv_w / 2^31,
+     * colours times 2^6; inv_w is 2^31 for the vertex nearest to the eye.
+     */
+    qtri_plane plane;
+} qtri_attribute;
+
 /* Steps of a packed colour, see packed.h: from pixels 0 2 4 6 of a group, 1 3 5, 7; of all eight.
  */
 typedef struct qtri_packed_steps {
@@ -90,25 +108,25 @@ struct qtri_job {
     qtri_draw_run draw_run; /* of spans */
     bool tinted;            /* colours are shares of the raster's tint */
     qtri_paint paint;
-    bool smooth;                /* colours vary: `color` is set */
-    bool tiny;                  /* `packed` serves the whole triangle */
+    bool smooth;                /* colours vary */
+    bool tiny;                  /* packed colours have one start for the whole triangle */
     bool cut;                   /* spans may reach past the bounds */
+    bool copies_texels;         /* see texel_copy.h */
     uint32_t pixel;             /* FLAT */
-    qtri_channels constant;     /* when not smooth */
     int32_t anchor_x, anchor_y; /* origin of the ramps */
     qtri_ramp depth;            /* 16.16 */
+    qtri_attribute attribute[QTRI_PLANES];
     union {
-        qtri_ramp ramp[3];   /* LINEAR */
-        qtri_plane plane[3]; /* PERSPECTIVE: units 2^6 color inv_w / 2^31 */
+        qtri_channels constant; /* when not smooth */
+        struct {
+            uint32_t origin, dy; /* tiny: a ramp of packed.h, with step.even for dx */
+            qtri_packed_steps step;
+        } packed; /* qtri_job_is_packed */
+        struct {
+            int32_t least[3], greatest[3]; /* of the vertices, n.16 */
+        } range;                           /* PERSPECTIVE clamps */
     } color;
-    uint32_t packed_origin, packed_dy; /* tiny: a ramp of packed.h, with packed_step for dx */
-    qtri_packed_steps packed_step;
-    qtri_plane uv[2];              /* PERSPECTIVE: units inv_w / 2^31 */
-    qtri_plane inv_w;              /* PERSPECTIVE: 2^31 for the vertex nearest to the eye */
-    int32_t least[3], greatest[3]; /* of the vertices' colours, n.16: PERSPECTIVE clamps */
-    qtri_texel_axis axis[2];
-    int32_t uv_up[2];   /* runs have coordinates of axis times 2^uv_up */
-    bool copies_texels; /* see texel_copy.h */
+    qtri_texel_axis axis[QTRI_WITH_TEXTURES ? 2 : 1];
 };
 
 static inline bool qtri_job_is_smooth(const qtri_job *job)
@@ -132,24 +150,42 @@ static inline bool qtri_job_copies_texels(const qtri_job *job)
     return QTRI_WITH_TEXTURES && QTRI_WITH_RGB565 && job->copies_texels;
 }
 
+/* Colours that are one word, see packed.h. */
+static inline bool qtri_job_is_packed(const qtri_job *job)
+{
+    return QTRI_WITH_RGB565 && qtri_job_is_smooth(job) && !qtri_job_is_perspective(job) &&
+           qtri_format_of(job->raster->surface) == QTRI_RGB565 &&
+           qtri_raster_texture(job->raster) == NULL;
+}
+
+/* The attributes that vary: from the first to before the end. */
+static inline int qtri_job_first(const qtri_job *job)
+{
+    return qtri_job_is_smooth(job) ? 0 : QTRI_U;
+}
+
+static inline int qtri_job_end(const qtri_job *job)
+{
+    return qtri_raster_texture(job->raster) != NULL ? QTRI_ATTRIBUTES : QTRI_U;
+}
+
 /* Pixels x .. x+count-1 of a row; all values at the first, with what rounds them added. */
 struct qtri_run {
     uint8_t *pixels; /* of the whole row */
     uint16_t *depths;
-    int32_t x, count;                 /* 0 < count */
-    uint32_t z;                       /* 16.16 */
-    uint32_t color[3], color_step[3]; /* n.16 */
-    uint32_t uv[2], uv_step[2];       /* see uv_up */
-    bool is_packed;                   /* colours are these, in place of color: */
-    int32_t phase;                    /* pixels from where `packed` holds to x */
-    uint32_t packed;
+    int32_t x, count; /* 0 < count */
+    uint32_t z;       /* 16.16 */
+    /* Packed: value[0] alone, `phase` pixels before x. */
+    int32_t phase;
+    uint32_t value[QTRI_ATTRIBUTES]; /* colours n.16, coordinates in the unit of a run */
+    uint32_t step[QTRI_ATTRIBUTES];
 };
 
-/* Fills rows by spans: any job. */
+/* Fills rows by spans: any job without perspective. */
 void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 
-/* The same for textures without perspective. */
-void qtri_fill_textured(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+/* The same with perspective. */
+void qtri_fill_perspective(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 
 /* The fastest functions for jobs of this raster without texture. */
 void qtri_fill_choose(qtri_raster *raster);

@@ -59,22 +59,23 @@ static inline uint32_t qtri_packed_pixel(uint32_t packed)
 /* The exact start of a run, dx and dy from the anchor. */
 static inline uint32_t qtri_packed_start(const qtri_job *job, int32_t dx, int32_t dy)
 {
-    const qtri_ramp *ramp = job->color.ramp;
-    return qtri_pack_floor(qtri_ramp_at(&ramp[0], dx, dy), qtri_ramp_at(&ramp[1], dx, dy),
-                           qtri_ramp_at(&ramp[2], dx, dy));
+    const qtri_attribute *color = job->attribute;
+    return qtri_pack_floor(qtri_ramp_at(&color[0].ramp, dx, dy),
+                           qtri_ramp_at(&color[1].ramp, dx, dy),
+                           qtri_ramp_at(&color[2].ramp, dx, dy));
 }
 
 /* Anywhere in a tiny triangle. */
 static inline uint32_t qtri_packed_tiny(const qtri_job *job, int32_t dx, int32_t dy)
 {
-    return job->packed_origin + (uint32_t)dx * job->packed_step.even +
-           (uint32_t)dy * job->packed_dy;
+    return job->color.packed.origin + (uint32_t)dx * job->color.packed.step.even +
+           (uint32_t)dy * job->color.packed.dy;
 }
 
 /* `count` steps from there. */
 static inline uint32_t qtri_packed_skip(const qtri_job *job, int32_t count)
 {
-    const qtri_packed_steps *step = &job->packed_step;
+    const qtri_packed_steps *step = &job->color.packed.step;
     uint32_t rest = (uint32_t)count & 7;
     return ((uint32_t)count >> 3) * step->eight + ((rest + 1) >> 1) * step->even +
            (rest >> 1) * step->odd;

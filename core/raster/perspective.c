@@ -2,101 +2,71 @@
 
 enum { BLOCK = 16 }; /* pixels from one exact division to the next where w changes fast */
 
-/* Which part of a span is drawn, and with PERSPECTIVE the planes at column 0 of its row. */
+/* Which part of a span is drawn, and the planes at column 0 of its row. */
 typedef struct window {
     int32_t y, x0, x1;
-    uint64_t inv_w, uv[2], color[3];
+    uint64_t row[QTRI_PLANES];
 } window;
 
-/* Exact attributes at one pixel of a span with perspective. */
+/* Exact attributes at one pixel of a span. */
 typedef struct sample {
     uint32_t q; /* 1/w, Q31 of the largest; at least 1 */
-    int32_t color[3];
-    int32_t uv[2];
+    int32_t value[QTRI_ATTRIBUTES];
 } sample;
 
-static int32_t hold(int64_t x, int32_t least, int32_t greatest)
+/* A plane's value rounded down, held to 0..2^31. */
+static uint32_t held(uint64_t value)
 {
-    return x < least ? least : (x > greatest ? greatest : (int32_t)x);
-}
-
-static void window_planes(window *w, const qtri_job *job)
-{
-    for (int i = 0; i < 3; i++) {
-        w->color[i] = 0;
+    int32_t high = (int32_t)(value >> 32);
+    if (high < 0) {
+        return 0;
     }
-    w->uv[0] = w->uv[1] = 0;
-    w->inv_w = qtri_plane_row(&job->inv_w, w->y);
-    if (qtri_raster_texture(job->raster) != NULL) {
-        w->uv[0] = qtri_plane_row(&job->uv[0], w->y);
-        w->uv[1] = qtri_plane_row(&job->uv[1], w->y);
-    }
-    if (qtri_job_is_smooth(job)) {
-        for (int i = 0; i < 3; i++) {
-            w->color[i] = qtri_plane_row(&job->color.plane[i], w->y);
-        }
-    }
+    return high >= (int32_t)1 << 15 ? (uint32_t)1 << 31 : (uint32_t)(value >> 16);
 }
 
 /*
  * (a/w) / (1/w): 1/w is q 2^-31 with q in 1..2^31, normalised to 32 bits for the reciprocal;
- * s 2^31 / q = s r 2^(zeros - 31), |s| < 2^31, r <= 2^31.
+ * s 2^31 / q = s r 2^(zeros - 31), s <= 2^31, r <= 2^31.
  */
 typedef struct divider {
     uint32_t reciprocal;
     int32_t shift;
 } divider;
 
-static int64_t divide(uint64_t over_w, const divider *d)
-{
-    int32_t s = hold(qtri_plane_floor(over_w), 0, INT32_MAX); /* a rounding below 0 at most */
-    return (int64_t)(qtri_mul_u32((uint32_t)s, d->reciprocal) >> d->shift);
-}
-
 static divider divider_for(uint64_t inv_w, uint32_t *q)
 {
-    int64_t exact = qtri_plane_floor(inv_w);
-    *q = exact < 1 ? 1u : (exact > (int64_t)1 << 31 ? (uint32_t)1 << 31 : (uint32_t)exact);
+    uint32_t exact = held(inv_w);
+    *q = exact == 0 ? 1 : exact;
     int32_t zeros = qtri_clz32(*q);
     divider d = {qtri_reciprocal_q62(*q << zeros), 31 - zeros};
     return d;
 }
 
-static int32_t coordinate(uint64_t over_w, const divider *d)
+/* Attribute i at column x. */
+static int32_t divided(const qtri_job *job, const window *w, int i, int32_t x, const divider *d)
 {
-    return hold(divide(over_w, d), 0, INT32_MAX);
+    uint32_t s = held(qtri_plane_column(w->row[i], job->attribute[i].plane.dx, x));
+    return qtri_saturate32((int64_t)(qtri_mul_u32(s, d->reciprocal) >> d->shift));
 }
 
 static void sample_at(sample *out, const qtri_job *job, const window *w, int32_t x)
 {
-    divider d = divider_for(qtri_plane_column(w->inv_w, job->inv_w.dx, x), &out->q);
-    if (qtri_job_is_smooth(job)) {
-        for (int i = 0; i < 3; i++) {
-            uint64_t over_w = qtri_plane_column(w->color[i], job->color.plane[i].dx, x);
-            int64_t c = divide(over_w, &d) >> QTRI_COLOR_PERSPECTIVE_SHIFT;
-            out->color[i] = hold(c, job->least[i], job->greatest[i]);
+    const int end = qtri_job_end(job);
+    const uint64_t dx = job->attribute[QTRI_INV_W].plane.dx;
+    const divider d = divider_for(qtri_plane_column(w->row[QTRI_INV_W], dx, x), &out->q);
+    for (int i = qtri_job_first(job); i < end; i++) {
+        int32_t value = divided(job, w, i, x, &d);
+        if (i < QTRI_U) {
+            value = qtri_hold32(value >> QTRI_COLOR_PERSPECTIVE_SHIFT, job->color.range.least[i],
+                                job->color.range.greatest[i]);
         }
-    }
-    if (qtri_raster_texture(job->raster) != NULL) {
-        for (int i = 0; i < 2; i++) {
-            out->uv[i] = coordinate(qtri_plane_column(w->uv[i], job->uv[i].dx, x), &d);
-        }
+        out->value[i] = value;
     }
 }
 
-static uint64_t difference(int32_t a, int32_t b)
+static uint32_t difference(int32_t a, int32_t b)
 {
-    return (uint64_t)(a < b ? (int64_t)b - a : (int64_t)a - b);
-}
-
-/* Halves `length` until the error is within the tolerance, or the length 1. */
-static int32_t shorten(int32_t length, uint64_t error, uint64_t tolerance)
-{
-    while (length > 1 && error > tolerance) {
-        length = (length + 1) / 2;
-        error >>= 2;
-    }
-    return length;
+    return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
 }
 
 /*
@@ -111,20 +81,20 @@ static int32_t shorten(int32_t length, uint64_t error, uint64_t tolerance)
  */
 static int32_t run_length(const qtri_job *job, const sample *a, const sample *b, int32_t distance)
 {
-    uint64_t q_least = a->q < b->q ? a->q : b->q; /* <= 2^31 */
-    uint64_t q_difference = a->q < b->q ? b->q - a->q : a->q - b->q;
+    const int end = qtri_job_end(job);
+    uint32_t q_least = a->q < b->q ? a->q : b->q; /* <= 2^31 */
+    uint32_t q_difference = a->q < b->q ? b->q - a->q : a->q - b->q;
     if (q_difference == 0) {
         return distance;
     }
     int32_t length = q_difference < q_least ? distance : 1;
-    for (int i = 0; i < 3 && qtri_job_is_smooth(job); i++) {
-        uint64_t error = difference(a->color[i], b->color[i]) * q_difference; /* < 2^55 */
-        length = shorten(length, error, q_least << 12);
-    }
-    for (int i = 0; i < 2 && qtri_raster_texture(job->raster) != NULL; i++) {
-        uint64_t error = difference(a->uv[i], b->uv[i]) * q_difference; /* < 2^62 */
-        int32_t texel = job->axis[i].shift - 9;                         /* -7..20 */
-        length = shorten(length, error, texel >= 0 ? q_least << texel : q_least >> -texel);
+    for (int i = qtri_job_first(job); i < end; i++) {
+        uint64_t error = qtri_mul_u32(difference(a->value[i], b->value[i]), q_difference);
+        int32_t up = i < QTRI_U ? 12 : job->axis[i - QTRI_U].shift - 9; /* -7..20 */
+        uint64_t tolerance = up >= 0 ? (uint64_t)q_least << up : q_least >> -up;
+        for (; length > 1 && error > tolerance; error >>= 2) {
+            length = (length + 1) / 2;
+        }
     }
     return length;
 }
@@ -143,37 +113,47 @@ static inverse inverse_of(int32_t length)
     return result;
 }
 
-/* One pixel's step on the way from a to b, times 2^up, up in -30..20. */
+/* One pixel's step on the way from a to b, times 2^up, up in -12..20; zeros >= 17. */
 static uint32_t step_of(int32_t a, int32_t b, const inverse *length, int32_t up)
 {
-    uint64_t size = difference(a, b) * length->reciprocal; /* < 2^62 */
+    uint64_t size = qtri_mul_u32(difference(a, b), length->reciprocal); /* < 2^62 */
     uint32_t step = (uint32_t)(size >> (62 - length->zeros - up));
     return a < b ? step : 0 - step;
+}
+
+/* The run's value and step: `from` is `skip` pixels before it. */
+static void set_value(qtri_run *run, const qtri_job *job, int i, int32_t from, uint32_t step,
+                      int32_t skip)
+{
+    uint32_t value = (uint32_t)from;
+    if (i < QTRI_U) {
+        value += 0x8000u;
+    } else {
+        const qtri_texel_axis *axis = &job->axis[i - QTRI_U];
+        value = qtri_run_scaled(value + axis->bias, axis->up);
+    }
+    run->value[i] = value + (uint32_t)skip * step;
+    run->step[i] = step;
 }
 
 static void draw_run(const qtri_job *job, const window *w, qtri_run *run, const sample *a,
                      const sample *b, int32_t x, int32_t length, int32_t count)
 {
+    const int end = qtri_job_end(job);
     int32_t skip = x < w->x0 ? w->x0 - x : 0;
-    int32_t end = x + count < w->x1 ? x + count : w->x1;
+    int32_t stop = x + count < w->x1 ? x + count : w->x1;
     run->x = x + skip;
-    run->count = end - run->x;
+    run->count = stop - run->x;
     if (run->count <= 0) {
         return;
     }
     inverse per_pixel = inverse_of(length);
-    for (int i = 0; i < 3 && qtri_job_is_smooth(job); i++) {
-        run->color_step[i] = step_of(a->color[i], b->color[i], &per_pixel, 0);
-        run->color[i] = (uint32_t)a->color[i] + 0x8000u + (uint32_t)skip * run->color_step[i];
+    for (int i = qtri_job_first(job); i < end; i++) {
+        int32_t up = i < QTRI_U ? 0 : job->axis[i - QTRI_U].up;
+        set_value(run, job, i, a->value[i], step_of(a->value[i], b->value[i], &per_pixel, up),
+                  skip);
     }
-    for (int i = 0; i < 2 && qtri_raster_texture(job->raster) != NULL; i++) {
-        int32_t up = job->uv_up[i];
-        run->uv_step[i] = step_of(a->uv[i], b->uv[i], &per_pixel, up);
-        run->uv[i] = qtri_run_scaled((uint32_t)a->uv[i] + job->axis[i].bias, up) +
-                     (uint32_t)skip * run->uv_step[i];
-    }
-    run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, w->y - job->anchor_y);
-    job->draw_run(job, run);
+    qtri_run_draw(job, run, w->y);
 }
 
 /* From x to end, exact at both, in as many runs as it takes; `extra` pixels from end on. */
@@ -207,81 +187,105 @@ static uint32_t divide_step(uint64_t dx, const divider *d, int32_t up)
 }
 
 /*
- * Texture coordinates where w does not change along the row, as on floors and walls: linear as they
- * are. False for spans so long that a step's last bit adds up to more than 2^-10 of a texel.
+ * Where w does not change along rows, as on floors and walls, texture coordinates are linear as
+ * they are. Returns the pixels of a span below which a step's last bit adds up to 2^-10 of a texel
+ * at most; 0: w changes.
  */
-static bool level_span(const qtri_job *job, const window *w, qtri_run *run, int32_t left,
-                       int32_t right)
+static int32_t level_pixels(const qtri_job *job)
 {
-    for (int i = 0; i < 2; i++) {
-        int32_t shift = job->axis[i].shift + job->uv_up[i] - 10;
-        if (shift < 0 || (right - left) >> shift != 0) {
-            return false;
-        }
+    if (job->attribute[QTRI_INV_W].plane.dx != 0 || qtri_job_is_smooth(job)) {
+        return 0;
     }
+    int32_t bits = 16;
+    for (int i = QTRI_U; i < qtri_job_end(job); i++) {
+        const qtri_texel_axis *axis = &job->axis[i - QTRI_U];
+        bits = qtri_least32(bits, axis->shift + axis->up - 10);
+    }
+    return bits < 0 ? 0 : (int32_t)1 << bits;
+}
+
+static void draw_level(const qtri_job *job, const window *w, qtri_run *run, int32_t left)
+{
     uint32_t q;
-    divider d = divider_for(qtri_plane_at(&job->inv_w, left, w->y), &q);
-    for (int i = 0; i < 2; i++) {
-        int32_t up = job->uv_up[i];
-        int32_t start = coordinate(qtri_plane_at(&job->uv[i], left, w->y), &d);
-        run->uv_step[i] = divide_step(job->uv[i].dx, &d, up);
-        run->uv[i] = qtri_run_scaled((uint32_t)start + job->axis[i].bias, up) +
-                     (uint32_t)(w->x0 - left) * run->uv_step[i];
-    }
+    const divider d = divider_for(w->row[QTRI_INV_W], &q);
     run->x = w->x0;
     run->count = w->x1 - w->x0;
-    run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, w->y - job->anchor_y);
-    job->draw_run(job, run);
-    return true;
+    for (int i = QTRI_U; i < qtri_job_end(job); i++) {
+        const qtri_plane *plane = &job->attribute[i].plane;
+        set_value(run, job, i, divided(job, w, i, left, &d),
+                  divide_step(plane->dx, &d, job->axis[i - QTRI_U].up), w->x0 - left);
+    }
+    qtri_run_draw(job, run, w->y);
 }
 
 /*
  * The whole span in equal runs where w changes little, else in blocks. The span's last pixel is
- * always divided exactly, and drawn by the run that aims at it.
+ * always divided exactly, and drawn by the run that aims at it. Where the exact divisions fall
+ * depends on the span alone, not on what is drawn of it, so that a scissor does not change a pixel.
  */
-void qtri_span_perspective(const qtri_job *job, qtri_run *run, int32_t y, const qtri_span *span,
-                           int32_t x0, int32_t x1)
+static void draw_span(const qtri_job *job, const window *w, qtri_run *run, const qtri_span *span)
 {
     const int32_t left = span->left;
     const int32_t last = span->right - 1;
-    window w;
-    w.y = y;
-    w.x0 = x0;
-    w.x1 = x1;
-    if (job->inv_w.dx == 0 && !qtri_job_is_smooth(job) &&
-        level_span(job, &w, run, left, span->right)) {
-        return;
-    }
-    sample from = {0, {0, 0, 0}, {0, 0}};
-    sample to = from;
-    window_planes(&w, job);
-    sample_at(&from, job, &w, left);
+    sample from;
+    sample to;
+    sample_at(&from, job, w, left);
     if (last == left) {
-        draw_run(job, &w, run, &from, &from, left, 1, 1);
+        draw_run(job, w, run, &from, &from, left, 1, 1);
         return;
     }
-    sample_at(&to, job, &w, last);
+    sample_at(&to, job, w, last);
     int32_t block = run_length(job, &from, &to, last - left);
     if (block == last - left) {
-        draw_run(job, &w, run, &from, &to, left, block, block + 1);
+        draw_run(job, w, run, &from, &to, left, block, block + 1);
         return;
     }
     block = block < BLOCK ? BLOCK : block;
     /* Unsigned: without an instruction that divides, that is the function linked anyway. */
-    int32_t x = left + (int32_t)((uint32_t)(w.x0 - left) / (uint32_t)block * (uint32_t)block);
+    int32_t x = left + (int32_t)((uint32_t)(w->x0 - left) / (uint32_t)block * (uint32_t)block);
     if (x == last) {
         x -= block; /* the last pixel belongs to the run before it */
     }
     if (x > left) {
-        sample_at(&from, job, &w, x);
+        sample_at(&from, job, w, x);
     }
-    for (; x < w.x1 && x < last; x += block) {
+    for (; x < w->x1 && x < last; x += block) {
         int32_t end = last;
         sample next = to;
         if (x + block < last) {
             end = x + block;
-            sample_at(&next, job, &w, end);
+            sample_at(&next, job, w, end);
         }
-        draw_block(job, &w, run, &from, &next, x, end, end == last);
+        draw_block(job, w, run, &from, &next, x, end, end == last);
+    }
+}
+
+void qtri_fill_perspective(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    const int32_t level = level_pixels(job);
+    const int first = qtri_job_first(job);
+    const int end = qtri_job_end(job);
+    window w;
+    qtri_run run;
+    qtri_run_set_row(&run, raster, row);
+    w.row[QTRI_INV_W] = qtri_plane_row(&job->attribute[QTRI_INV_W].plane, row);
+    for (int i = first; i < end; i++) {
+        w.row[i] = qtri_plane_row(&job->attribute[i].plane, row);
+    }
+    for (w.y = row; count > 0; count--, spans++, w.y++) {
+        const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &w.x0);
+        w.x1 = w.x0 + pixels;
+        if (pixels > 0 && spans->right - spans->left < level) {
+            draw_level(job, &w, &run, spans->left);
+        } else if (pixels > 0) {
+            draw_span(job, &w, &run, spans);
+        }
+        w.row[QTRI_INV_W] += job->attribute[QTRI_INV_W].plane.dy;
+        for (int i = first; i < end; i++) {
+            w.row[i] += job->attribute[i].plane.dy;
+        }
+        run.pixels += raster->surface->pitch;
+        run.depths += qtri_raster_depth_pitch(raster);
     }
 }

@@ -6,22 +6,21 @@
 static bool shade(const qtri_job *job, const qtri_run *run, uint32_t i, uint32_t *pixel)
 {
     const qtri_raster *raster = job->raster;
-    if (QTRI_WITH_SMOOTH && QTRI_WITH_RGB565 && run->is_packed) {
-        *pixel = qtri_packed_pixel(run->packed + qtri_packed_skip(job, run->phase + (int32_t)i));
+    if (qtri_job_is_packed(job)) {
+        *pixel = qtri_packed_pixel(run->value[0] + qtri_packed_skip(job, run->phase + (int32_t)i));
         return true;
     }
-    uint32_t u = run->uv[0] + i * run->uv_step[0];
-    uint32_t v = run->uv[1] + i * run->uv_step[1];
+    uint32_t u = run->value[QTRI_U] + i * run->step[QTRI_U];
+    uint32_t v = run->value[QTRI_U + 1] + i * run->step[QTRI_U + 1];
     if (qtri_job_copies_texels(job)) {
         *pixel = qtri_texel_copied(raster, u, v);
         return true;
     }
-    qtri_channels color = job->constant;
-    if (qtri_job_is_smooth(job)) {
-        for (int channel = 0; channel < 3; channel++) {
-            uint32_t value = run->color[channel] + i * run->color_step[channel];
-            color.c[channel] = (int32_t)(value - 0x8000u); /* packing adds the half again */
-        }
+    qtri_channels color;
+    for (int k = 0; k < 3; k++) {
+        color.c[k] = qtri_job_is_smooth(job) /* packing adds the half again */
+                         ? (int32_t)(run->value[k] + i * run->step[k] - 0x8000u)
+                         : job->color.constant.c[k];
     }
     if (qtri_raster_texture(raster) != NULL &&
         !qtri_texel_apply(raster->texture, job->axis, u, v, &color)) {

@@ -72,22 +72,9 @@ static bool colors_are_linear(uint32_t range, const qtri_attributes v[3], uint32
            nearly_linear(range, q, LINEAR_LOG2);
 }
 
-/* attribute q / 2^31, for attributes below 2^30: below 2^30, rounded. */
-static void plane_over_w(qtri_plane *plane, const qtri_gradient *gradient, const int64_t f[3],
-                         const uint32_t q[3])
+static void ramp_init(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[3])
 {
-    int64_t over_w[3];
-    for (int i = 0; i < 3; i++) {
-        over_w[i] = (f[i] * q[i] + ((int64_t)1 << 30)) >> 31;
-    }
-    qtri_plane_init(plane, gradient, over_w);
-}
-
-static void ramp_init(qtri_ramp *ramp, const qtri_gradient *g, uint32_t f0, uint32_t f1,
-                      uint32_t f2)
-{
-    const uint32_t f[3] = {f0, f1, f2};
-    if (g->inverse != 0 && qtri_ramp_fits(f0, f1) && qtri_ramp_fits(f0, f2)) {
+    if (g->inverse != 0 && qtri_ramp_fits(f[0], f[1]) && qtri_ramp_fits(f[0], f[2])) {
         qtri_ramp_multiply(ramp, g, f);
     } else {
         qtri_ramp_divide(ramp, g, f);
@@ -142,19 +129,27 @@ static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
     return range;
 }
 
-static void perspective_colors(qtri_job *job, const qtri_attributes v[3],
-                               const qtri_gradient *gradient, const uint32_t q[3])
+/*
+ * Planes of attribute q / 2^31, rounded: below 2^30, as are the attributes, colours scaled. value:
+ * the vertices' texture coordinates.
+ */
+static void perspective_planes(qtri_job *job, const qtri_attributes v[3], uint32_t value[2][3],
+                               const uint32_t q[3], const qtri_gradient *gradient)
 {
-    for (int i = 0; i < 3; i++) {
-        uint32_t f[3];
-        int64_t scaled[3];
-        channel_of(f, job, v, i);
-        job->least[i] = (int32_t)least_of(f);
-        job->greatest[i] = (int32_t)greatest_of(f);
-        for (int k = 0; k < 3; k++) {
-            scaled[k] = (int64_t)f[k] << QTRI_COLOR_PERSPECTIVE_SHIFT;
+    qtri_plane_init(&job->attribute[QTRI_INV_W].plane, gradient, q);
+    for (int i = qtri_job_first(job); i < qtri_job_end(job); i++) {
+        uint32_t color[3];
+        uint32_t *f = i < QTRI_U ? color : value[i - QTRI_U];
+        if (i < QTRI_U) {
+            channel_of(color, job, v, i);
+            job->color.range.least[i] = (int32_t)least_of(color);
+            job->color.range.greatest[i] = (int32_t)greatest_of(color);
         }
-        plane_over_w(&job->color.plane[i], gradient, scaled, q);
+        for (int k = 0; k < 3; k++) {
+            uint32_t scaled = i < QTRI_U ? f[k] << QTRI_COLOR_PERSPECTIVE_SHIFT : f[k];
+            f[k] = (uint32_t)((qtri_mul_u32(scaled, q[k]) + ((uint32_t)1 << 30)) >> 31);
+        }
+        qtri_plane_init(&job->attribute[i].plane, gradient, f);
     }
 }
 
@@ -162,24 +157,24 @@ static void perspective_colors(qtri_job *job, const qtri_attributes v[3],
 static void linear_ramps(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
     const qtri_raster *raster = job->raster;
-    qtri_ramp *c = job->color.ramp;
+    qtri_attribute *c = job->attribute;
     const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
                                (uint32_t)v[2].color[0]};
     if (job->tinted && gradient->inverse != 0) {
         qtri_ramp ramp;
         qtri_ramp_multiply(&ramp, gradient, share);
         for (int i = 0; i < 3; i++) {
-            c[i].origin =
+            c[i].ramp.origin =
                 (uint32_t)qtri_raster_shade(raster, (int32_t)(ramp.origin - 0x8000u), i) + 0x8000u;
-            c[i].dx = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dx, i);
-            c[i].dy = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dy, i);
+            c[i].ramp.dx = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dx, i);
+            c[i].ramp.dy = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dy, i);
         }
         return;
     }
     for (int i = 0; i < 3; i++) {
         uint32_t f[3];
         channel_of(f, job, v, i);
-        ramp_init(&c[i], gradient, f[0], f[1], f[2]);
+        ramp_init(&c[i].ramp, gradient, f);
     }
 }
 
@@ -192,19 +187,19 @@ static void tiny_tint(qtri_job *job, const qtri_attributes v[3], const qtri_grad
                                (uint32_t)v[2].color[0]};
     qtri_ramp ramp;
     qtri_ramp_multiply(&ramp, gradient, share);
-    job->packed_origin = qtri_pack_tint(tint, (int32_t)(ramp.origin - 0x8000u), one_q20, one_q20);
-    job->packed_step.even =
+    job->color.packed.origin =
+        qtri_pack_tint(tint, (int32_t)(ramp.origin - 0x8000u), one_q20, one_q20);
+    job->color.packed.step.even =
         qtri_pack_tint(tint, (int32_t)ramp.dx, (int32_t)1 << 14, (int32_t)1 << 15);
-    job->packed_dy = qtri_pack_tint(tint, (int32_t)ramp.dy, (int32_t)1 << 14, (int32_t)1 << 15);
+    job->color.packed.dy =
+        qtri_pack_tint(tint, (int32_t)ramp.dy, (int32_t)1 << 14, (int32_t)1 << 15);
 }
 
 static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
-    const qtri_raster *raster = job->raster;
-    const qtri_ramp *c = job->color.ramp;
-    qtri_packed_steps *step = &job->packed_step;
-    const bool is_packed =
-        qtri_format_of(raster->surface) == QTRI_RGB565 && qtri_raster_texture(raster) == NULL;
+    const qtri_attribute *c = job->attribute;
+    qtri_packed_steps *step = &job->color.packed.step;
+    const bool is_packed = qtri_job_is_packed(job);
     const bool at_once = is_packed && job->tiny && job->tinted;
     if (at_once) {
         tiny_tint(job, v, gradient);
@@ -215,18 +210,20 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
         return;
     }
     if (!at_once) {
-        step->even = qtri_pack_round(c[0].dx, c[1].dx, c[2].dx);
+        step->even = qtri_pack_round(c[0].ramp.dx, c[1].ramp.dx, c[2].ramp.dx);
     }
     if (job->tiny) {
         step->odd = step->last = step->even;
         step->eight = 8 * step->even;
         if (!at_once) {
-            job->packed_origin = qtri_pack_floor(c[0].origin, c[1].origin, c[2].origin);
-            job->packed_dy = qtri_pack_round(c[0].dy, c[1].dy, c[2].dy);
+            job->color.packed.origin =
+                qtri_pack_floor(c[0].ramp.origin, c[1].ramp.origin, c[2].ramp.origin);
+            job->color.packed.dy = qtri_pack_round(c[0].ramp.dy, c[1].ramp.dy, c[2].ramp.dy);
         }
     } else {
-        step->odd = qtri_pack_round(2 * c[0].dx, 2 * c[1].dx, 2 * c[2].dx) - step->even;
-        step->eight = qtri_pack_round(8 * c[0].dx, 8 * c[1].dx, 8 * c[2].dx);
+        step->odd =
+            qtri_pack_round(2 * c[0].ramp.dx, 2 * c[1].ramp.dx, 2 * c[2].ramp.dx) - step->even;
+        step->eight = qtri_pack_round(8 * c[0].ramp.dx, 8 * c[1].ramp.dx, 8 * c[2].ramp.dx);
         step->last = step->eight - 4 * step->even - 3 * step->odd;
     }
 }
@@ -248,19 +245,6 @@ static bool texture_axes(qtri_job *job, uint32_t value[2][3], const qtri_attribu
         }
     }
     return true;
-}
-
-static void texture_planes(qtri_job *job, const qtri_gradient *gradient, const uint32_t value[2][3],
-                           const uint32_t *q)
-{
-    for (int i = 0; i < 2; i++) {
-        const int64_t f[3] = {value[i][0], value[i][1], value[i][2]};
-        if (q != NULL) {
-            plane_over_w(&job->uv[i], gradient, f, q);
-        } else {
-            qtri_plane_init(&job->uv[i], gradient, f);
-        }
-    }
 }
 
 static int32_t hold_to_frame(int32_t x_24p8, int32_t size)
@@ -310,7 +294,7 @@ static bool is_smooth(const qtri_job *job, const qtri_attributes v[3], uint32_t 
 static bool is_white(const qtri_job *job)
 {
     static const int32_t white_565[3] = {(int32_t)31 << 16, (int32_t)63 << 16, (int32_t)31 << 16};
-    const int32_t *c = job->constant.c;
+    const int32_t *c = job->color.constant.c;
     return c[0] == white_565[0] && c[1] == white_565[1] && c[2] == white_565[2];
 }
 
@@ -320,14 +304,28 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
                                           (int32_t)255 << 16};
     const qtri_raster *raster = job->raster;
     if (raster->replace) {
-        job->constant = qtri_channels_from_color(raster->surface->format, white_8p16);
+        job->color.constant = qtri_channels_from_color(raster->surface->format, white_8p16);
         return;
     }
     const qtri_attributes *from = &v[qtri_raster_provoking(raster)];
     for (int i = 0; i < 3; i++) {
-        job->constant.c[i] =
+        job->color.constant.c[i] =
             job->tinted ? qtri_raster_shade(raster, from->color[0], i) : from->color[i];
     }
+}
+
+/* Whether texels become pixels as they are, and the unit of runs' coordinates: see texel_copy.h. */
+static void texels_copied(qtri_job *job)
+{
+    const qtri_raster *raster = job->raster;
+    job->copies_texels = raster->copies_white && !qtri_job_is_smooth(job) && is_white(job);
+    for (int i = 0; i < 2; i++) {
+        qtri_texel_axis *axis = &job->axis[i];
+        axis->up = qtri_job_copies_texels(job)
+                       ? (int8_t)(qtri_texel_copy_shift(raster->texture, i) - axis->shift)
+                       : 0;
+    }
+    job->draw_run = qtri_job_copies_texels(job) ? raster->copy_run : qtri_run_generic;
 }
 
 qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
@@ -343,7 +341,8 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     job->anchor_x = gradient.anchor_x;
     job->anchor_y = gradient.anchor_y;
     if (raster->compare != QTRI_DEPTH_OFF) {
-        ramp_init(&job->depth, &gradient, v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16);
+        const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+        ramp_init(&job->depth, &gradient, depth);
     }
     uint32_t range;
     job->smooth = is_smooth(job, v, &range);
@@ -351,7 +350,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         constant_color(job, v);
         if (qtri_raster_texture(raster) == NULL) {
             job->paint = QTRI_PAINT_FLAT;
-            job->pixel = qtri_pixel_pack(raster->surface->format, &job->constant);
+            job->pixel = qtri_pixel_pack(raster->surface->format, &job->color.constant);
             return raster->fill_flat;
         }
     }
@@ -366,26 +365,21 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         perspective = !colors_are_linear(range, v, q);
     }
     job->paint = perspective ? QTRI_PAINT_PERSPECTIVE : QTRI_PAINT_LINEAR;
-    if (perspective) {
-        int64_t inv_w[3] = {q[0], q[1], q[2]};
-        qtri_plane_init(&job->inv_w, &gradient, inv_w);
+    if (qtri_raster_texture(raster) != NULL) {
+        texels_copied(job);
     }
-    if (qtri_job_is_smooth(job) && perspective) {
-        perspective_colors(job, v, &gradient, q);
-    } else if (qtri_job_is_smooth(job)) {
+    if (perspective) {
+        perspective_planes(job, v, value, q, &gradient);
+        return qtri_fill_perspective;
+    }
+    if (qtri_job_is_smooth(job)) {
         linear_colors(job, v, &gradient);
     }
     if (qtri_raster_texture(raster) == NULL) {
-        return perspective ? qtri_fill_spans
-                           : (job->tiny ? raster->fill_tiny : raster->fill_linear);
+        return job->tiny ? raster->fill_tiny : raster->fill_linear;
     }
-    texture_planes(job, &gradient, (const uint32_t(*)[3])value, perspective ? q : NULL);
-    job->copies_texels = raster->copies_white && !qtri_job_is_smooth(job) && is_white(job);
     for (int i = 0; i < 2; i++) {
-        job->uv_up[i] = qtri_job_copies_texels(job)
-                            ? qtri_texel_copy_shift(raster->texture, i) - job->axis[i].shift
-                            : 0;
+        qtri_plane_init(&job->attribute[QTRI_U + i].plane, &gradient, value[i]);
     }
-    job->draw_run = qtri_job_copies_texels(job) ? raster->copy_run : qtri_run_generic;
-    return perspective ? qtri_fill_spans : qtri_fill_textured;
+    return qtri_fill_spans;
 }

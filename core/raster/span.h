@@ -4,7 +4,7 @@
 #ifndef QTRI_RASTER_SPAN_H
 #define QTRI_RASTER_SPAN_H
 
-#include "job.h"
+#include "fill.h"
 
 /* A plane at column 0 of a row; then at a column. */
 static inline uint64_t qtri_plane_row(const qtri_plane *plane, int32_t y)
@@ -23,12 +23,25 @@ static inline uint32_t qtri_run_scaled(uint32_t value, int32_t up)
     return up >= 0 ? value << up : value >> -up;
 }
 
-/*
- * The pixels x0..x1-1 of row y, at least one, of a span that covers left..right-1, where paint is
- * QTRI_PAINT_PERSPECTIVE; the rows of `run` are set. Where the exact divisions fall depends on left
- * and right alone, so that a scissor does not change a pixel.
- */
-void qtri_span_perspective(const qtri_job *job, qtri_run *run, int32_t y, const qtri_span *span,
-                           int32_t x0, int32_t x1);
+/* Where the pixels of a row are. */
+static inline void qtri_run_set_row(qtri_run *run, const qtri_raster *raster, int32_t row)
+{
+    const qtri_lines lines = qtri_lines_at(raster->surface, row);
+    run->pixels = lines.pixels;
+    run->depths = raster->compare != QTRI_DEPTH_OFF ? lines.depths : NULL;
+}
+
+/* From there to the next row's depths, if there are any. */
+static inline ptrdiff_t qtri_raster_depth_pitch(const qtri_raster *raster)
+{
+    return raster->compare != QTRI_DEPTH_OFF ? raster->surface->depth_pitch : 0;
+}
+
+/* Place and values are set, depth follows from them. */
+static inline void qtri_run_draw(const qtri_job *job, qtri_run *run, int32_t y)
+{
+    run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, y - job->anchor_y);
+    job->draw_run(job, run);
+}
 
 #endif

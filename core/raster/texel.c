@@ -41,10 +41,11 @@ void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_
         value[i] = (uint32_t)(offset[i] >> down);
     }
     side_log2 = side_log2_of(side_log2);
-    axis->shift = 32 - down - side_log2; /* >= 2 */
-    axis->mask = (1u << side_log2) - 1;
-    axis->first = (int32_t)(ABOVE_ZERO >> axis->shift) - base * ((int32_t)1 << side_log2);
-    axis->bias = axis->shift > 17 ? (uint32_t)1 << (axis->shift - 16) : 2;
+    const int32_t shift = 32 - down - side_log2;
+    axis->shift = (int8_t)shift;
+    axis->mask = (uint16_t)((1u << side_log2) - 1);
+    axis->first = (int32_t)(ABOVE_ZERO >> shift) - base * ((int32_t)1 << side_log2);
+    axis->bias = shift > 17 ? (uint32_t)1 << (shift - 16) : 2;
 }
 
 bool qtri_texture_usable(const qtri_texture *texture)
@@ -67,13 +68,13 @@ bool qtri_texture_usable(const qtri_texture *texture)
     }
 }
 
-/* As the colour key is compared. */
 /* See qtri_texture_usable. */
 static qtri_texel_format format_of(const qtri_texture *texture)
 {
     return QTRI_WITH_TEXEL_FORMATS ? texture->format : QTRI_TEXEL_RGB565;
 }
 
+/* As the colour key is compared. */
 static uint32_t stored_texel(const qtri_texture *texture, uint32_t column, uint32_t row)
 {
     uint8_t width_log2 = side_log2_of(texture->width_log2);

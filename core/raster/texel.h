@@ -13,15 +13,16 @@
  * are dropped, the rest is scaled, so that what is interpolated has no idle bits.
  */
 typedef struct qtri_texel_axis {
-    int32_t shift; /* texel = (value + bias) >> shift, wrapped */
-    uint32_t mask; /* side - 1 */
+    int8_t shift;  /* texel = (value + bias) >> shift, wrapped: 2..29 */
+    int8_t up;     /* runs have (value + bias) 2^up: -12..20 */
+    uint16_t mask; /* side - 1 */
     uint32_t bias; /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
     int32_t first; /* (value + 2^30) >> shift at coordinate 0: within +-2^29 */
 } qtri_texel_axis;
 
 /*
- * Coordinates as in qtri_screen_vertex; beyond 2^48 they are held there. value: at the vertices,
- * below 2^30.
+ * All but `up`. Coordinates as in qtri_screen_vertex; beyond 2^48 they are held there. value: at
+ * the vertices, below 2^30.
  */
 void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_t coordinate_q32[3],
                           uint8_t side_log2);
