@@ -5,7 +5,7 @@
 /* `count` pixels, the first of which is pixel `phase` of a group. */
 static void draw(qtri_packed_row *row, const qtri_job *job, int32_t phase, int32_t count)
 {
-    const qtri_packed_steps *step = &job->color.packed.step;
+    const qtri_packed_steps *step = &job->color.word.step;
     for (; count > 0; count--, phase++) {
         if (row->z >> 16 < *row->depth) {
             *row->depth = (uint16_t)(row->z >> 16);
@@ -68,9 +68,9 @@ void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 {
     uint32_t depth_step = job->depth.dx;
-    uint32_t even = job->color.packed.step.even;
-    uint32_t odd = job->color.packed.step.odd;
-    const uint32_t last = job->color.packed.step.last;
+    uint32_t even = job->color.word.step.even;
+    uint32_t odd = job->color.word.step.odd;
+    const uint32_t last = job->color.word.step.last;
     uint16_t *pixel = row->pixel;
     uint16_t *depth = row->depth;
     uint32_t z = row->z;
@@ -130,7 +130,7 @@ void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t ro
     const ptrdiff_t depth_pitch = raster->surface->depth_pitch;
     qtri_lines lines = qtri_lines_at(raster->surface, row);
     uint32_t depth_step = job->depth.dx;
-    uint32_t step = job->color.packed.step.even;
+    uint32_t step = job->color.word.step.even;
     uint32_t depth_row = qtri_ramp_at(&job->depth, -job->anchor_x, row - job->anchor_y);
     uint32_t packed_row = qtri_packed_tiny(job, -job->anchor_x, row - job->anchor_y);
     for (; count > 0; count--) {
@@ -159,7 +159,7 @@ void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t ro
         }
         spans++;
         depth_row += job->depth.dy;
-        packed_row += job->color.packed.dy;
+        packed_row += job->color.word.dy;
         lines.pixels += pitch;
         lines.depths += depth_pitch;
     }

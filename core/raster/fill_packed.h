@@ -52,8 +52,8 @@ static inline void qtri_packed_short(const qtri_job *job, uint16_t *pixel, uint1
                                      int32_t count, uint32_t z, uint32_t packed)
 {
     const uint32_t depth_step = job->depth.dx;
-    const uint32_t two_steps = job->color.packed.step.even + job->color.packed.step.odd;
-    uint32_t step = job->color.packed.step.even;
+    const uint32_t two_steps = job->color.word.step.even + job->color.word.step.odd;
+    uint32_t step = job->color.word.step.even;
     const uint16_t *stop = depth + count;
     do {
         if (z >> 16 < *depth) {

@@ -2,9 +2,9 @@
 
 #define SMALL ((int32_t)1 << 15) /* 128 pixels */
 
-static bool fits_small(int32_t x)
+static uint32_t from_small(int32_t x)
 {
-    return (uint32_t)x + (uint32_t)SMALL < 2u * SMALL;
+    return (uint32_t)x + (uint32_t)SMALL;
 }
 
 void qtri_gradient_init(qtri_gradient *g, int32_t extent)
@@ -12,7 +12,8 @@ void qtri_gradient_init(qtri_gradient *g, int32_t extent)
     g->inverse = 0;
     g->left = 0;
     g->reciprocal = 0;
-    if (!(fits_small(g->dx1) && fits_small(g->dy1) && fits_small(g->dx2) && fits_small(g->dy2))) {
+    if ((from_small(g->dx1) | from_small(g->dy1) | from_small(g->dx2) | from_small(g->dy2)) >=
+        2u * SMALL) {
         return;
     }
     uint32_t size = qtri_magnitude32((int32_t)g->area); /* < 2^31 */
@@ -56,9 +57,11 @@ QTRI_NOINLINE static uint64_t multiply(const qtri_gradient *g, int64_t numerator
     return g->area < 0 ? 0 - quotient : quotient;
 }
 
-/* f's slope along one axis. */
-static uint64_t slope(const qtri_gradient *g, int64_t numerator)
+/* f's slope along one axis; d1 and d2: how far the vertices are apart along the other. */
+QTRI_NOINLINE static uint64_t slope(const qtri_gradient *g, const uint32_t f[3], int32_t d1,
+                                    int32_t d2)
 {
+    int64_t numerator = ((int64_t)f[1] - f[0]) * d2 - ((int64_t)f[2] - f[0]) * d1;
     return g->reciprocal != 0 ? multiply(g, numerator) : divide(numerator, g->area);
 }
 
@@ -66,10 +69,8 @@ static uint64_t slope(const qtri_gradient *g, int64_t numerator)
 static void plane_about(qtri_plane *plane, const qtri_gradient *g, const uint32_t f[3], int32_t dx,
                         int32_t dy)
 {
-    int64_t df1 = (int64_t)f[1] - f[0];
-    int64_t df2 = (int64_t)f[2] - f[0];
-    uint64_t per_x = slope(g, df1 * g->dy2 - df2 * g->dy1);
-    uint64_t per_y = slope(g, df2 * g->dx1 - df1 * g->dx2);
+    uint64_t per_x = slope(g, f, g->dy1, g->dy2);
+    uint64_t per_y = slope(g, f, -g->dx1, -g->dx2);
     plane->origin =
         ((uint64_t)f[0] << 16) + per_x * (uint64_t)(int64_t)dx + per_y * (uint64_t)(int64_t)dy;
     plane->dx = per_x << 8;

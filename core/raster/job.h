@@ -108,7 +108,8 @@ struct qtri_job {
     qtri_draw_run draw_run; /* of spans */
     bool tinted;            /* colours are shares of the raster's tint */
     qtri_paint paint;
-    bool smooth;                /* colours vary */
+    int8_t first, end;          /* the attributes that vary: all from the first to before the end */
+    bool packed;                /* colours are one word, see packed.h */
     bool tiny;                  /* packed colours have one start for the whole triangle */
     bool cut;                   /* spans may reach past the bounds */
     bool copies_texels;         /* see texel_copy.h */
@@ -121,7 +122,7 @@ struct qtri_job {
         struct {
             uint32_t origin, dy; /* tiny: a ramp of packed.h, with step.even for dx */
             qtri_packed_steps step;
-        } packed; /* qtri_job_is_packed */
+        } word; /* when packed */
         struct {
             int32_t least[3], greatest[3]; /* of the vertices, n.16 */
         } range;                           /* PERSPECTIVE clamps */
@@ -131,7 +132,7 @@ struct qtri_job {
 
 static inline bool qtri_job_is_smooth(const qtri_job *job)
 {
-    return QTRI_WITH_SMOOTH && job->smooth;
+    return QTRI_WITH_SMOOTH && job->first == 0;
 }
 
 static inline bool qtri_job_is_flat(const qtri_job *job)
@@ -150,23 +151,19 @@ static inline bool qtri_job_copies_texels(const qtri_job *job)
     return QTRI_WITH_TEXTURES && QTRI_WITH_RGB565 && job->copies_texels;
 }
 
-/* Colours that are one word, see packed.h. */
 static inline bool qtri_job_is_packed(const qtri_job *job)
 {
-    return QTRI_WITH_RGB565 && qtri_job_is_smooth(job) && !qtri_job_is_perspective(job) &&
-           qtri_format_of(job->raster->surface) == QTRI_RGB565 &&
-           qtri_raster_texture(job->raster) == NULL;
+    return QTRI_WITH_SMOOTH && QTRI_WITH_RGB565 && job->packed;
 }
 
-/* The attributes that vary: from the first to before the end. */
 static inline int qtri_job_first(const qtri_job *job)
 {
-    return qtri_job_is_smooth(job) ? 0 : QTRI_U;
+    return QTRI_WITH_SMOOTH ? job->first : QTRI_U;
 }
 
 static inline int qtri_job_end(const qtri_job *job)
 {
-    return qtri_raster_texture(job->raster) != NULL ? QTRI_ATTRIBUTES : QTRI_U;
+    return QTRI_WITH_TEXTURES ? job->end : QTRI_U;
 }
 
 /* Pixels x .. x+count-1 of a row; all values at the first, with what rounds them added. */

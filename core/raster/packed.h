@@ -68,14 +68,14 @@ static inline uint32_t qtri_packed_start(const qtri_job *job, int32_t dx, int32_
 /* Anywhere in a tiny triangle. */
 static inline uint32_t qtri_packed_tiny(const qtri_job *job, int32_t dx, int32_t dy)
 {
-    return job->color.packed.origin + (uint32_t)dx * job->color.packed.step.even +
-           (uint32_t)dy * job->color.packed.dy;
+    return job->color.word.origin + (uint32_t)dx * job->color.word.step.even +
+           (uint32_t)dy * job->color.word.dy;
 }
 
 /* `count` steps from there. */
 static inline uint32_t qtri_packed_skip(const qtri_job *job, int32_t count)
 {
-    const qtri_packed_steps *step = &job->color.packed.step;
+    const qtri_packed_steps *step = &job->color.word.step;
     uint32_t rest = (uint32_t)count & 7;
     return ((uint32_t)count >> 3) * step->eight + ((rest + 1) >> 1) * step->even +
            (rest >> 1) * step->odd;

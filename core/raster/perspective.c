@@ -2,17 +2,21 @@
 
 enum { BLOCK = 16 }; /* pixels from one exact division to the next where w changes fast */
 
-/* Which part of a span is drawn, and the planes at column 0 of its row. */
-typedef struct window {
-    int32_t y, x0, x1;
-    uint64_t row[QTRI_PLANES];
-} window;
-
 /* Exact attributes at one pixel of a span. */
 typedef struct sample {
     uint32_t q; /* 1/w, Q31 of the largest; at least 1 */
     int32_t value[QTRI_ATTRIBUTES];
 } sample;
+
+/* A row on its way to pixels. */
+typedef struct window {
+    int32_t y;
+    int32_t last;              /* pixel of the span */
+    int32_t x0, x1;            /* of which these are drawn */
+    uint64_t row[QTRI_PLANES]; /* planes at column 0 */
+    sample from;               /* where the next run starts */
+    qtri_run run;
+} window;
 
 /* A plane's value rounded down, held to 0..2^31. */
 static uint32_t held(uint64_t value)
@@ -136,39 +140,42 @@ static void set_value(qtri_run *run, const qtri_job *job, int i, int32_t from, u
     run->step[i] = step;
 }
 
-static void draw_run(const qtri_job *job, const window *w, qtri_run *run, const sample *a,
-                     const sample *b, int32_t x, int32_t length, int32_t count)
+/*
+ * The run from w->from at x to `to` at `end`; the next one starts there. The last pixel of a span
+ * is drawn by the run that aims at it.
+ */
+static void draw_run(const qtri_job *job, window *w, const sample *to, int32_t x, int32_t end)
 {
-    const int end = qtri_job_end(job);
-    int32_t skip = x < w->x0 ? w->x0 - x : 0;
-    int32_t stop = x + count < w->x1 ? x + count : w->x1;
-    run->x = x + skip;
-    run->count = stop - run->x;
-    if (run->count <= 0) {
-        return;
+    const int32_t stop = qtri_least32(end == w->last ? end + 1 : end, w->x1);
+    const int32_t skip = x < w->x0 ? w->x0 - x : 0;
+    w->run.x = x + skip;
+    w->run.count = stop - w->run.x;
+    if (w->run.count > 0) {
+        const int attributes_end = qtri_job_end(job);
+        inverse per_pixel = inverse_of(end - x);
+        for (int i = qtri_job_first(job); i < attributes_end; i++) {
+            int32_t up = i < QTRI_U ? 0 : job->axis[i - QTRI_U].up;
+            uint32_t step = step_of(w->from.value[i], to->value[i], &per_pixel, up);
+            set_value(&w->run, job, i, w->from.value[i], step, skip);
+        }
+        qtri_run_draw(job, &w->run, w->y);
     }
-    inverse per_pixel = inverse_of(length);
-    for (int i = qtri_job_first(job); i < end; i++) {
-        int32_t up = i < QTRI_U ? 0 : job->axis[i - QTRI_U].up;
-        set_value(run, job, i, a->value[i], step_of(a->value[i], b->value[i], &per_pixel, up),
-                  skip);
-    }
-    qtri_run_draw(job, run, w->y);
+    w->from = *to;
 }
 
-/* From x to end, exact at both, in as many runs as it takes; `extra` pixels from end on. */
-static void draw_block(const qtri_job *job, const window *w, qtri_run *run, sample *from,
-                       const sample *to, int32_t x, int32_t end, int32_t extra)
+/* From w->from at x to `to` at `end` in runs of `length`. */
+static void draw_block(const qtri_job *job, window *w, const sample *to, int32_t x, int32_t end,
+                       int32_t length)
 {
-    int32_t length = run_length(job, from, to, end - x);
     while (x < end) {
-        int32_t next = x + length < end ? x + length : end;
-        sample middle = *to;
+        const int32_t next = qtri_least32(x + length, end);
+        const sample *at = to;
+        sample middle;
         if (next < end) {
             sample_at(&middle, job, w, next);
+            at = &middle;
         }
-        draw_run(job, w, run, from, &middle, x, next - x, next - x + (next == end ? extra : 0));
-        *from = middle;
+        draw_run(job, w, at, x, next);
         x = next;
     }
 }
@@ -204,59 +211,58 @@ static int32_t level_pixels(const qtri_job *job)
     return bits < 0 ? 0 : (int32_t)1 << bits;
 }
 
-static void draw_level(const qtri_job *job, const window *w, qtri_run *run, int32_t left)
+static void draw_level(const qtri_job *job, window *w, int32_t left)
 {
     uint32_t q;
     const divider d = divider_for(w->row[QTRI_INV_W], &q);
-    run->x = w->x0;
-    run->count = w->x1 - w->x0;
-    for (int i = QTRI_U; i < qtri_job_end(job); i++) {
+    w->run.x = w->x0;
+    w->run.count = w->x1 - w->x0;
+    for (int i = QTRI_U; i < QTRI_ATTRIBUTES; i++) {
         const qtri_plane *plane = &job->attribute[i].plane;
-        set_value(run, job, i, divided(job, w, i, left, &d),
-                  divide_step(plane->dx, &d, job->axis[i - QTRI_U].up), w->x0 - left);
+        uint32_t step = divide_step(plane->dx, &d, job->axis[i - QTRI_U].up);
+        set_value(&w->run, job, i, divided(job, w, i, left, &d), step, w->x0 - left);
     }
-    qtri_run_draw(job, run, w->y);
+    qtri_run_draw(job, &w->run, w->y);
 }
 
 /*
- * The whole span in equal runs where w changes little, else in blocks. The span's last pixel is
- * always divided exactly, and drawn by the run that aims at it. Where the exact divisions fall
- * depends on the span alone, not on what is drawn of it, so that a scissor does not change a pixel.
+ * The whole span in equal runs where w changes little, else in blocks of such runs. The last pixel
+ * is always divided exactly. Where the exact divisions fall depends on the span alone, not on what
+ * is drawn of it, so that a scissor does not change a pixel.
  */
-static void draw_span(const qtri_job *job, const window *w, qtri_run *run, const qtri_span *span)
+static void draw_span(const qtri_job *job, window *w, int32_t left)
 {
-    const int32_t left = span->left;
-    const int32_t last = span->right - 1;
-    sample from;
+    const int32_t whole = w->last - left;
     sample to;
-    sample_at(&from, job, w, left);
-    if (last == left) {
-        draw_run(job, w, run, &from, &from, left, 1, 1);
+    sample next;
+    sample_at(&w->from, job, w, left);
+    if (whole == 0) {
+        draw_run(job, w, &w->from, left, left);
         return;
     }
-    sample_at(&to, job, w, last);
-    int32_t block = run_length(job, &from, &to, last - left);
-    if (block == last - left) {
-        draw_run(job, w, run, &from, &to, left, block, block + 1);
-        return;
-    }
-    block = block < BLOCK ? BLOCK : block;
+    sample_at(&to, job, w, w->last);
+    int32_t length = run_length(job, &w->from, &to, whole);
+    const int32_t block = length < BLOCK ? BLOCK : length;
     /* Unsigned: without an instruction that divides, that is the function linked anyway. */
     int32_t x = left + (int32_t)((uint32_t)(w->x0 - left) / (uint32_t)block * (uint32_t)block);
-    if (x == last) {
+    if (x == w->last) {
         x -= block; /* the last pixel belongs to the run before it */
     }
     if (x > left) {
-        sample_at(&from, job, w, x);
+        sample_at(&w->from, job, w, x);
     }
-    for (; x < w->x1 && x < last; x += block) {
-        int32_t end = last;
-        sample next = to;
-        if (x + block < last) {
+    for (; x < w->x1 && x < w->last; x += block) {
+        const sample *at = &to;
+        int32_t end = w->last;
+        if (x + block < end) {
             end = x + block;
             sample_at(&next, job, w, end);
+            at = &next;
         }
-        draw_block(job, w, run, &from, &next, x, end, end == last);
+        if (end - x != whole) {
+            length = run_length(job, &w->from, at, end - x);
+        }
+        draw_block(job, w, at, x, end, length);
     }
 }
 
@@ -267,8 +273,7 @@ void qtri_fill_perspective(const qtri_job *job, const qtri_span *spans, int32_t 
     const int first = qtri_job_first(job);
     const int end = qtri_job_end(job);
     window w;
-    qtri_run run;
-    qtri_run_set_row(&run, raster, row);
+    qtri_run_set_row(&w.run, raster, row);
     w.row[QTRI_INV_W] = qtri_plane_row(&job->attribute[QTRI_INV_W].plane, row);
     for (int i = first; i < end; i++) {
         w.row[i] = qtri_plane_row(&job->attribute[i].plane, row);
@@ -276,16 +281,17 @@ void qtri_fill_perspective(const qtri_job *job, const qtri_span *spans, int32_t 
     for (w.y = row; count > 0; count--, spans++, w.y++) {
         const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &w.x0);
         w.x1 = w.x0 + pixels;
-        if (pixels > 0 && spans->right - spans->left < level) {
-            draw_level(job, &w, &run, spans->left);
+        w.last = spans->right - 1;
+        if (pixels > 0 && w.last + 1 - spans->left < level) {
+            draw_level(job, &w, spans->left);
         } else if (pixels > 0) {
-            draw_span(job, &w, &run, spans);
+            draw_span(job, &w, spans->left);
         }
         w.row[QTRI_INV_W] += job->attribute[QTRI_INV_W].plane.dy;
         for (int i = first; i < end; i++) {
             w.row[i] += job->attribute[i].plane.dy;
         }
-        run.pixels += raster->surface->pitch;
-        run.depths += qtri_raster_depth_pitch(raster);
+        w.run.pixels += raster->surface->pitch;
+        w.run.depths += qtri_raster_depth_pitch(raster);
     }
 }

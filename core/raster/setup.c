@@ -24,16 +24,13 @@ static bool inv_w_align(uint32_t q[3], const qtri_attributes v[3])
     return q[0] != q[1] || q[0] != q[2];
 }
 
-static uint32_t least_of(const uint32_t f[3])
-{
-    uint32_t least = f[0] < f[1] ? f[0] : f[1];
-    return least < f[2] ? least : f[2];
-}
-
-static uint32_t greatest_of(const uint32_t f[3])
+/* Greatest less least. */
+static uint32_t range_of(const uint32_t f[3], uint32_t *least)
 {
     uint32_t greatest = f[0] > f[1] ? f[0] : f[1];
-    return greatest > f[2] ? greatest : f[2];
+    *least = f[0] < f[1] ? f[0] : f[1];
+    *least = *least < f[2] ? *least : f[2];
+    return (greatest > f[2] ? greatest : f[2]) - *least;
 }
 
 /*
@@ -45,8 +42,8 @@ static uint32_t greatest_of(const uint32_t f[3])
  */
 static bool nearly_linear(uint32_t range, const uint32_t q[3], int tolerance_log2)
 {
-    uint32_t q_least = least_of(q); /* <= 2^31 */
-    uint32_t q_range = greatest_of(q) - q_least;
+    uint32_t q_least; /* <= 2^31 */
+    uint32_t q_range = range_of(q, &q_least);
     return qtri_mul_u32(range, q_range) >> (tolerance_log2 + 2) < q_least;
 }
 
@@ -59,9 +56,9 @@ static bool plainly_linear(uint32_t range, const qtri_attributes v[3])
     if (v[0].inv_w_exponent != v[1].inv_w_exponent || v[0].inv_w_exponent != v[2].inv_w_exponent) {
         return false;
     }
-    const uint32_t q[3] = {v[0].inv_w_q31, v[1].inv_w_q31, v[2].inv_w_q31};
-    uint32_t q_least = least_of(q) >> 16; /* 2^14..2^15 */
-    uint32_t q_range = (greatest_of(q) >> 16) - q_least + 1;
+    const uint32_t q[3] = {v[0].inv_w_q31 >> 16, v[1].inv_w_q31 >> 16, v[2].inv_w_q31 >> 16};
+    uint32_t q_least; /* 2^14..2^15 */
+    uint32_t q_range = range_of(q, &q_least) + 1;
     return ((range >> 14) + 1) * q_range < q_least << (LINEAR_LOG2 + 2 - 14); /* <= 2^25 */
 }
 
@@ -90,11 +87,12 @@ static void channel_of(uint32_t f[3], const qtri_job *job, const qtri_attributes
     }
 }
 
-static uint32_t range_of(const qtri_attributes v[3], int i)
+static uint32_t channel_range(const qtri_attributes v[3], int i)
 {
     const uint32_t f[3] = {(uint32_t)v[0].color[i], (uint32_t)v[1].color[i],
                            (uint32_t)v[2].color[i]};
-    return greatest_of(f) - least_of(f);
+    uint32_t least;
+    return range_of(f, &least);
 }
 
 bool qtri_tint_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c)
@@ -104,7 +102,7 @@ bool qtri_tint_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_
     qtri_vertex_attributes(&v[0], a, a->intensity_q15);
     qtri_vertex_attributes(&v[1], b, b->intensity_q15);
     qtri_vertex_attributes(&v[2], c, c->intensity_q15);
-    return colors_are_linear(range_of(v, 0), v, q);
+    return colors_are_linear(channel_range(v, 0), v, q);
 }
 
 /*
@@ -114,12 +112,12 @@ bool qtri_tint_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_
 static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
 {
     const qtri_raster *raster = job->raster;
-    uint32_t range = range_of(v, 0);
+    uint32_t range = channel_range(v, 0);
     if (job->tinted) {
         return qtri_format_of(raster->surface) == QTRI_RGB565 ? range : range << 2;
     }
     for (int i = 1; i < 3; i++) {
-        uint32_t other = range_of(v, i);
+        uint32_t other = channel_range(v, i);
         if (qtri_format_of(raster->surface) == QTRI_GRAY8) {
             range += other;
         } else {
@@ -142,8 +140,10 @@ static void perspective_planes(qtri_job *job, const qtri_attributes v[3], uint32
         uint32_t *f = i < QTRI_U ? color : value[i - QTRI_U];
         if (i < QTRI_U) {
             channel_of(color, job, v, i);
-            job->color.range.least[i] = (int32_t)least_of(color);
-            job->color.range.greatest[i] = (int32_t)greatest_of(color);
+            uint32_t least;
+            uint32_t range = range_of(color, &least);
+            job->color.range.least[i] = (int32_t)least;
+            job->color.range.greatest[i] = (int32_t)(least + range);
         }
         for (int k = 0; k < 3; k++) {
             uint32_t scaled = i < QTRI_U ? f[k] << QTRI_COLOR_PERSPECTIVE_SHIFT : f[k];
@@ -153,104 +153,103 @@ static void perspective_planes(qtri_job *job, const qtri_attributes v[3], uint32
     }
 }
 
-/* One ramp serves all channels of a tint, if it is not so steep that it wraps. */
-static void linear_ramps(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
-{
-    const qtri_raster *raster = job->raster;
-    qtri_attribute *c = job->attribute;
-    const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
-                               (uint32_t)v[2].color[0]};
-    if (job->tinted && gradient->inverse != 0) {
-        qtri_ramp ramp;
-        qtri_ramp_multiply(&ramp, gradient, share);
-        for (int i = 0; i < 3; i++) {
-            c[i].ramp.origin =
-                (uint32_t)qtri_raster_shade(raster, (int32_t)(ramp.origin - 0x8000u), i) + 0x8000u;
-            c[i].ramp.dx = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dx, i);
-            c[i].ramp.dy = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dy, i);
-        }
-        return;
-    }
-    for (int i = 0; i < 3; i++) {
-        uint32_t f[3];
-        channel_of(f, job, v, i);
-        ramp_init(&c[i].ramp, gradient, f);
-    }
-}
-
-/* The same for a tiny triangle in RGB565: packed at once, in 32 bits. */
-static void tiny_tint(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
+/*
+ * The ramp of a tint's share, packed at once for a tiny triangle in RGB565: in 32 bits. Else it
+ * serves all channels, as it is not so steep that it wraps.
+ */
+static void tint_ramps(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
     const int32_t one_q20 = (int32_t)1 << 20;
-    const int32_t *tint = job->raster->tint_n6;
+    const qtri_raster *raster = job->raster;
     const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
                                (uint32_t)v[2].color[0]};
     qtri_ramp ramp;
     qtri_ramp_multiply(&ramp, gradient, share);
-    job->color.packed.origin =
-        qtri_pack_tint(tint, (int32_t)(ramp.origin - 0x8000u), one_q20, one_q20);
-    job->color.packed.step.even =
-        qtri_pack_tint(tint, (int32_t)ramp.dx, (int32_t)1 << 14, (int32_t)1 << 15);
-    job->color.packed.dy =
-        qtri_pack_tint(tint, (int32_t)ramp.dy, (int32_t)1 << 14, (int32_t)1 << 15);
+    const int32_t origin = (int32_t)(ramp.origin - 0x8000u);
+    const int32_t dx = (int32_t)ramp.dx;
+    const int32_t dy = (int32_t)ramp.dy;
+    if (job->packed && job->tiny) {
+        const int32_t *tint = raster->tint_n6;
+        job->color.word.origin = qtri_pack_tint(tint, origin, one_q20, one_q20);
+        job->color.word.step.even = qtri_pack_tint(tint, dx, (int32_t)1 << 14, (int32_t)1 << 15);
+        job->color.word.dy = qtri_pack_tint(tint, dy, (int32_t)1 << 14, (int32_t)1 << 15);
+        return;
+    }
+    for (int i = qtri_job_first(job); i < QTRI_U; i++) {
+        qtri_ramp *c = &job->attribute[i].ramp;
+        c->origin = (uint32_t)qtri_raster_shade(raster, origin, i) + 0x8000u;
+        c->dx = (uint32_t)qtri_raster_shade(raster, dx, i);
+        c->dy = (uint32_t)qtri_raster_shade(raster, dy, i);
+    }
+}
+
+static uint32_t pack_step(const qtri_job *job, uint32_t times)
+{
+    const qtri_attribute *c = job->attribute;
+    return qtri_pack_round(times * c[0].ramp.dx, times * c[1].ramp.dx, times * c[2].ramp.dx);
 }
 
 static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
     const qtri_attribute *c = job->attribute;
-    qtri_packed_steps *step = &job->color.packed.step;
-    const bool is_packed = qtri_job_is_packed(job);
-    const bool at_once = is_packed && job->tiny && job->tinted;
-    if (at_once) {
-        tiny_tint(job, v, gradient);
+    qtri_packed_steps *step = &job->color.word.step;
+    job->packed = qtri_format_of(job->raster->surface) == QTRI_RGB565 && job->end == QTRI_U;
+    if (job->tinted && gradient->inverse != 0) {
+        tint_ramps(job, v, gradient);
     } else {
-        linear_ramps(job, v, gradient);
+        for (int i = qtri_job_first(job); i < QTRI_U; i++) {
+            uint32_t f[3];
+            channel_of(f, job, v, i);
+            ramp_init(&job->attribute[i].ramp, gradient, f);
+        }
     }
-    if (!is_packed) {
+    if (!job->packed) {
         return;
     }
-    if (!at_once) {
-        step->even = qtri_pack_round(c[0].ramp.dx, c[1].ramp.dx, c[2].ramp.dx);
-    }
-    if (job->tiny) {
-        step->odd = step->last = step->even;
-        step->eight = 8 * step->even;
-        if (!at_once) {
-            job->color.packed.origin =
-                qtri_pack_floor(c[0].ramp.origin, c[1].ramp.origin, c[2].ramp.origin);
-            job->color.packed.dy = qtri_pack_round(c[0].ramp.dy, c[1].ramp.dy, c[2].ramp.dy);
-        }
-    } else {
-        step->odd =
-            qtri_pack_round(2 * c[0].ramp.dx, 2 * c[1].ramp.dx, 2 * c[2].ramp.dx) - step->even;
-        step->eight = qtri_pack_round(8 * c[0].ramp.dx, 8 * c[1].ramp.dx, 8 * c[2].ramp.dx);
+    if (!job->tiny) {
+        step->even = pack_step(job, 1);
+        step->odd = pack_step(job, 2) - step->even;
+        step->eight = pack_step(job, 8);
         step->last = step->eight - 4 * step->even - 3 * step->odd;
+        return;
     }
+    if (!job->tinted) {
+        step->even = pack_step(job, 1);
+        job->color.word.origin =
+            qtri_pack_floor(c[0].ramp.origin, c[1].ramp.origin, c[2].ramp.origin);
+        job->color.word.dy = qtri_pack_round(c[0].ramp.dy, c[1].ramp.dy, c[2].ramp.dy);
+    }
+    step->odd = step->last = step->even;
+    step->eight = 8 * step->even;
 }
 
-/* Prepares the axes. True where coordinates may be taken as linear: 1/1024 of a texel. */
-static bool texture_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3],
-                         const uint32_t q[3])
+/*
+ * Whether attributes must be divided. q: 1/w with one exponent. Texture coordinates may stray by
+ * 1/1024 of a texel for being linear. value: those of the vertices; range: of the colours.
+ */
+static bool needs_perspective(const qtri_job *job, const qtri_attributes v[3],
+                              const uint32_t value[2][3], uint32_t range, uint32_t q[3])
 {
-    const qtri_texture *texture = job->raster->texture;
-    int64_t u_q32[3] = {v[0].u_q32, v[1].u_q32, v[2].u_q32};
-    int64_t v_q32[3] = {v[0].v_q32, v[1].v_q32, v[2].v_q32};
-    qtri_texel_axis_init(&job->axis[0], value[0], u_q32, texture->width_log2);
-    qtri_texel_axis_init(&job->axis[1], value[1], v_q32, texture->height_log2);
-    for (int i = 0; i < 2; i++) {
-        const uint32_t *f = value[i];
-        int32_t tolerance = job->axis[i].shift - 10;
-        if (tolerance < 0 || !nearly_linear(greatest_of(f) - least_of(f), q, tolerance)) {
-            return false;
+    if (!(QTRI_WITH_PERSPECTIVE && job->raster->perspective)) {
+        return false;
+    }
+    if (job->end == QTRI_U) {
+        return !colors_are_linear(range, v, q);
+    }
+    if (!inv_w_align(q, v)) {
+        return false;
+    }
+    if (!nearly_linear(range, q, LINEAR_LOG2)) {
+        return true;
+    }
+    for (int i = QTRI_U; i < qtri_job_end(job); i++) {
+        const int32_t tolerance = job->axis[i - QTRI_U].shift - 10;
+        uint32_t least;
+        if (tolerance < 0 || !nearly_linear(range_of(value[i - QTRI_U], &least), q, tolerance)) {
+            return true;
         }
     }
-    return true;
-}
-
-static int32_t hold_to_frame(int32_t x_24p8, int32_t size)
-{
-    int32_t end = size * 256 - 1; /* size <= 2^13 */
-    return x_24p8 < 0 ? 0 : (x_24p8 < end ? x_24p8 : end);
+    return false;
 }
 
 /*
@@ -271,8 +270,8 @@ static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_s
     int32_t x = (t->x_least + t->x_greatest) >> 1;
     int32_t y = (t->top->y_24p8 + t->bottom->y_24p8) >> 1;
     if (g->inverse == 0) {
-        x = hold_to_frame(g->x_24p8, surface->width);
-        y = hold_to_frame(g->y_24p8, surface->height);
+        x = qtri_hold32(g->x_24p8, 0, surface->width * 256 - 1); /* <= 2^13 pixels */
+        y = qtri_hold32(g->y_24p8, 0, surface->height * 256 - 1);
     }
     g->anchor_x = x >> 8;
     g->anchor_y = y >> 8;
@@ -281,21 +280,11 @@ static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_s
     return g->inverse != 0 && t->size == QTRI_TINY;
 }
 
-/* Colours to interpolate: those of the vertices, white for a texture alone, or none. */
-static bool is_smooth(const qtri_job *job, const qtri_attributes v[3], uint32_t *range)
-{
-    const qtri_raster *raster = job->raster;
-    *range = QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH && !raster->replace
-                 ? color_range(job, v)
-                 : 0;
-    return QTRI_WITH_SMOOTH && *range != 0;
-}
-
 static bool is_white(const qtri_job *job)
 {
-    static const int32_t white_565[3] = {(int32_t)31 << 16, (int32_t)63 << 16, (int32_t)31 << 16};
     const int32_t *c = job->color.constant.c;
-    return c[0] == white_565[0] && c[1] == white_565[1] && c[2] == white_565[2];
+    return ((c[0] ^ (int32_t)31 << 16) | (c[1] ^ (int32_t)63 << 16) | (c[2] ^ (int32_t)31 << 16)) ==
+           0;
 }
 
 static void constant_color(qtri_job *job, const qtri_attributes v[3])
@@ -314,18 +303,30 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
     }
 }
 
-/* Whether texels become pixels as they are, and the unit of runs' coordinates: see texel_copy.h. */
-static void texels_copied(qtri_job *job)
+/*
+ * The axes and the vertices' coordinates on them; whether texels become pixels as they are, which
+ * decides on the unit of runs: see texel_copy.h.
+ */
+static void texture_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3])
 {
     const qtri_raster *raster = job->raster;
+    const qtri_texture *texture = raster->texture;
     job->copies_texels = raster->copies_white && !qtri_job_is_smooth(job) && is_white(job);
     for (int i = 0; i < 2; i++) {
         qtri_texel_axis *axis = &job->axis[i];
+        int64_t f_q32[3];
+        for (int k = 0; k < 3; k++) {
+            f_q32[k] = i == 0 ? v[k].u_q32 : v[k].v_q32;
+        }
+        qtri_texel_axis_init(axis, value[i], f_q32,
+                             i == 0 ? texture->width_log2 : texture->height_log2);
         axis->up = qtri_job_copies_texels(job)
-                       ? (int8_t)(qtri_texel_copy_shift(raster->texture, i) - axis->shift)
+                       ? (int8_t)(qtri_texel_copy_shift(texture, i) - axis->shift)
                        : 0;
     }
-    job->draw_run = qtri_job_copies_texels(job) ? raster->copy_run : qtri_run_generic;
+    if (qtri_job_copies_texels(job)) {
+        job->draw_run = raster->copy_run;
+    }
 }
 
 qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
@@ -336,6 +337,8 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     job->tinted = triangle->tinted;
     job->draw_run = qtri_run_generic;
     job->copies_texels = false;
+    job->packed = false;
+    job->end = qtri_raster_texture(raster) != NULL ? QTRI_ATTRIBUTES : QTRI_U;
     job->cut = triangle->cut;
     job->tiny = gradient_from(&gradient, triangle, raster->surface);
     job->anchor_x = gradient.anchor_x;
@@ -344,8 +347,11 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
         ramp_init(&job->depth, &gradient, depth);
     }
-    uint32_t range;
-    job->smooth = is_smooth(job, v, &range);
+    uint32_t range = 0; /* of colours to interpolate */
+    if (QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH && !raster->replace) {
+        range = color_range(job, v);
+    }
+    job->first = range != 0 ? 0 : QTRI_U;
     if (!qtri_job_is_smooth(job)) {
         constant_color(job, v);
         if (qtri_raster_texture(raster) == NULL) {
@@ -354,32 +360,25 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
             return raster->fill_flat;
         }
     }
-    uint32_t q[3] = {1, 1, 1};
-    uint32_t value[2][3] = {{0, 0, 0}, {0, 0, 0}};
-    bool perspective = false;
+    uint32_t q[3];
+    uint32_t value[2][3];
     if (qtri_raster_texture(raster) != NULL) {
-        bool same = !QTRI_WITH_PERSPECTIVE || !raster->perspective || !inv_w_align(q, v);
-        bool linear = texture_axes(job, value, v, q) && nearly_linear(range, q, LINEAR_LOG2);
-        perspective = !same && !linear;
-    } else if (QTRI_WITH_PERSPECTIVE && raster->perspective) {
-        perspective = !colors_are_linear(range, v, q);
+        texture_axes(job, value, v);
     }
-    job->paint = perspective ? QTRI_PAINT_PERSPECTIVE : QTRI_PAINT_LINEAR;
-    if (qtri_raster_texture(raster) != NULL) {
-        texels_copied(job);
-    }
-    if (perspective) {
+    if (needs_perspective(job, v, (const uint32_t(*)[3])value, range, q)) {
+        job->paint = QTRI_PAINT_PERSPECTIVE;
         perspective_planes(job, v, value, q, &gradient);
         return qtri_fill_perspective;
     }
+    job->paint = QTRI_PAINT_LINEAR;
     if (qtri_job_is_smooth(job)) {
         linear_colors(job, v, &gradient);
     }
     if (qtri_raster_texture(raster) == NULL) {
         return job->tiny ? raster->fill_tiny : raster->fill_linear;
     }
-    for (int i = 0; i < 2; i++) {
-        qtri_plane_init(&job->attribute[QTRI_U + i].plane, &gradient, value[i]);
+    for (int i = QTRI_U; i < qtri_job_end(job); i++) {
+        qtri_plane_init(&job->attribute[i].plane, &gradient, value[i - QTRI_U]);
     }
     return qtri_fill_spans;
 }

@@ -44,7 +44,7 @@ void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, i
 {
     const qtri_raster *raster = job->raster;
     const int32_t length = qtri_job_copies_texels(job) ? 512 : QTRI_PACKED_RUN;
-    const bool textured = qtri_raster_texture(raster) != NULL;
+    const bool textured = qtri_job_end(job) > QTRI_U;
     const ptrdiff_t pitch = raster->surface->pitch;
     const ptrdiff_t depth_pitch = qtri_raster_depth_pitch(raster);
     uint64_t uv[2];
