@@ -26,8 +26,8 @@ typedef struct qtri_span {
     int16_t left, right;
 } qtri_span;
 
-/* How many rows are walked at a time. */
-#define QTRI_ROWS_AHEAD 16
+/* How many rows are walked at a time: of a short triangle all of them, to save time. */
+#define QTRI_ROWS_AHEAD (QTRI_WITH_FAST_PATHS ? 16 : 4)
 
 /* Fills `count` rows from `row` on. */
 typedef void (*qtri_fill_rows)(const qtri_job *job, const qtri_span *spans, int32_t row,
@@ -108,7 +108,7 @@ struct qtri_job {
     qtri_draw_run draw_run; /* of spans */
     bool tinted;            /* colours are shares of the raster's tint */
     qtri_paint paint;
-    int8_t first, end;          /* the attributes that vary: all from the first to before the end */
+    uint8_t first, end;         /* the attributes that vary: all from the first to before the end */
     bool packed;                /* colours are one word, see packed.h */
     bool tiny;                  /* packed colours have one start for the whole triangle */
     bool cut;                   /* spans may reach past the bounds */

@@ -44,7 +44,7 @@ void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, i
 {
     const qtri_raster *raster = job->raster;
     const int32_t length = qtri_job_copies_texels(job) ? 512 : QTRI_PACKED_RUN;
-    const bool textured = qtri_job_end(job) > QTRI_U;
+    const bool textured = qtri_raster_texture(raster) != NULL;
     const ptrdiff_t pitch = raster->surface->pitch;
     const ptrdiff_t depth_pitch = qtri_raster_depth_pitch(raster);
     uint64_t uv[2];
@@ -60,7 +60,7 @@ void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, i
         int32_t rest = qtri_span_clip(spans, &raster->bounds, &run.x);
         run.phase = (run.x - spans->left) & (length - 1);
         while (rest > 0) {
-            run.count = length - run.phase < rest ? length - run.phase : rest;
+            run.count = qtri_least32(length - run.phase, rest);
             if (qtri_job_is_smooth(job)) {
                 linear_colors(job, &run, row);
             }
