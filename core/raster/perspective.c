@@ -141,10 +141,10 @@ static void set_value(qtri_run *run, const qtri_job *job, int i, int32_t from, u
 }
 
 /*
- * The run from w->from at x to `to` at `end`; the next one starts there. The last pixel of a span
- * is drawn by the run that aims at it.
+ * Sets the run from w->from at x to `to` at `end`; the next one starts there. The last pixel of a
+ * span is drawn by the run that aims at it. False when nothing of it is drawn.
  */
-static void draw_run(const qtri_job *job, window *w, const sample *to, int32_t x, int32_t end)
+static bool set_run(const qtri_job *job, window *w, const sample *to, int32_t x, int32_t end)
 {
     const int32_t stop = qtri_least32(end == w->last ? end + 1 : end, w->x1);
     const int32_t skip = x < w->x0 ? w->x0 - x : 0;
@@ -158,9 +158,9 @@ static void draw_run(const qtri_job *job, window *w, const sample *to, int32_t x
             uint32_t step = step_of(w->from.value[i], to->value[i], &per_pixel, up);
             set_value(&w->run, job, i, w->from.value[i], step, skip);
         }
-        qtri_run_draw(job, &w->run, w->y);
     }
     w->from = *to;
+    return w->run.count > 0;
 }
 
 /* From w->from at x to `to` at `end` in runs of `length`. */
@@ -175,7 +175,9 @@ static void draw_block(const qtri_job *job, window *w, const sample *to, int32_t
             sample_at(&middle, job, w, next);
             at = &middle;
         }
-        draw_run(job, w, at, x, next);
+        if (set_run(job, w, at, x, next)) {
+            qtri_run_draw(job, &w->run, w->y);
+        }
         x = next;
     }
 }
@@ -234,10 +236,10 @@ static void draw_span(const qtri_job *job, window *w, int32_t left)
 {
     const int32_t whole = w->last - left;
     sample to;
-    sample next;
     sample_at(&w->from, job, w, left);
     if (whole == 0) {
-        draw_run(job, w, &w->from, left, left);
+        (void)set_run(job, w, &w->from, left, left);
+        qtri_run_draw(job, &w->run, w->y);
         return;
     }
     sample_at(&to, job, w, w->last);
@@ -252,17 +254,12 @@ static void draw_span(const qtri_job *job, window *w, int32_t left)
         sample_at(&w->from, job, w, x);
     }
     for (; x < w->x1 && x < w->last; x += block) {
-        const sample *at = &to;
-        int32_t end = w->last;
-        if (x + block < end) {
-            end = x + block;
-            sample_at(&next, job, w, end);
-            at = &next;
-        }
+        const int32_t end = qtri_least32(x + block, w->last);
         if (end - x != whole) {
-            length = run_length(job, &w->from, at, end - x);
+            sample_at(&to, job, w, end);
+            length = run_length(job, &w->from, &to, end - x);
         }
-        draw_block(job, w, at, x, end, length);
+        draw_block(job, w, &to, x, end, length);
     }
 }
 
