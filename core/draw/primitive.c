@@ -153,46 +153,46 @@ QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_ve
     out->v_q32 = from->v_q32;
 }
 
-/* Of triangle i of a fan. */
-QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const qtri_primitive *primitive,
-                                           const qtri_fan_vertex fan[], int i,
-                                           qtri_attribute_source source, const void *from)
+/* A triangle of what clipping left. */
+typedef struct piece {
+    const qtri_primitive *primitive;
+    qtri_attribute_source source;
+    const void *from;
+    const qtri_fan_vertex *vertex[3];
+} piece;
+
+QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *p)
 {
-    const qtri_format format = qtri_format_of(primitive->surface);
+    const qtri_format format = qtri_format_of(p->primitive->surface);
     qtri_screen_vertex attributes[3];
-    source(from, attributes);
-    spread_provoking(primitive->material, attributes);
-    set_attributes(&out[0], &fan[0], attributes, format);
-    set_attributes(&out[1], &fan[i - 1], attributes, format);
-    set_attributes(&out[2], &fan[i], attributes, format);
+    p->source(p->from, attributes);
+    spread_provoking(p->primitive->material, attributes);
+    for (int i = 0; i < 3; i++) {
+        set_attributes(&out[i], p->vertex[i], attributes, format);
+    }
 }
 
-QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_primitive *primitive,
-                                              const qtri_triangle *triangle,
-                                              const qtri_fan_vertex fan[], int i,
-                                              qtri_attribute_source source, const void *from)
+QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_triangle *triangle,
+                                              const piece *p)
 {
     qtri_attributes own[3];
-    piece_attributes(own, primitive, fan, i, source, from);
-    return qtri_job_init(job, &primitive->to.raster, triangle, own);
+    piece_attributes(own, p);
+    return qtri_job_init(job, &p->primitive->to.raster, triangle, own);
 }
 
-QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive, const qtri_fan_vertex fan[],
-                                     int i, int64_t area, qtri_attribute_source source,
-                                     const void *from)
+QTRI_NOINLINE static void draw_piece(const piece *p, int64_t area)
 {
     qtri_triangle triangle;
-    triangle.p[0] = &fan[0].at;
-    triangle.p[1] = &fan[i - 1].at;
-    triangle.p[2] = &fan[i].at;
+    for (int i = 0; i < 3; i++) {
+        triangle.p[i] = &p->vertex[i]->at;
+    }
     triangle.area = area;
     triangle.tinted = false;
-    if (!qtri_triangle_begin(&primitive->to.raster, &triangle)) {
+    if (!qtri_triangle_begin(&p->primitive->to.raster, &triangle)) {
         return;
     }
     qtri_job job;
-    qtri_triangle_fill(&job, &triangle,
-                       piece_job(&job, primitive, &triangle, fan, i, source, from));
+    qtri_triangle_fill(&job, &triangle, piece_job(&job, &triangle, p));
 }
 
 /* The edge between two vertices, given twice: as coordinates, and as attributes. */
@@ -288,13 +288,16 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     }
     int count = clip_to_screen(&primitive->projector, shape->clip, planes, shape->fan);
     int64_t sum = fan_area(shape->fan, count);
-    if (is_culled(primitive->material, sum)) { /* or 0, when nothing is left */
+    if (sum == 0 || is_culled(primitive->material, sum)) { /* 0, too, when nothing is left */
         return;
     }
+    piece p = {primitive, source, from, {&shape->fan[0], NULL, NULL}};
     for (int i = 2; i < count; i++) {
         int64_t area = count == 3 ? sum : piece_area(shape->fan, i);
-        if ((sum < 0 && area < 0) || (sum > 0 && area > 0)) {
-            draw_piece(primitive, shape->fan, i, area, source, from);
+        if (area != 0 && (area ^ sum) >= 0) {
+            p.vertex[1] = &shape->fan[i - 1];
+            p.vertex[2] = &shape->fan[i];
+            draw_piece(&p, area);
         }
     }
 }
