@@ -81,12 +81,11 @@ typedef enum qtri_paint {
 
 /*
  * Attributes in arrays of them: colours red green blue, then texture coordinates u and v, so that
- * those that a job has are neighbours; where there are planes, 1/w is the last.
+ * those that a job has are neighbours. Where there are planes, that of 1/w follows.
  */
 #define QTRI_U          3
 #define QTRI_ATTRIBUTES 5
-#define QTRI_PLANES     (QTRI_WITH_SMOOTH || QTRI_WITH_TEXTURES ? QTRI_ATTRIBUTES + 1 : 1)
-#define QTRI_INV_W      (QTRI_PLANES - 1)
+#define QTRI_PLANES     (QTRI_WITH_TEXTURES ? QTRI_ATTRIBUTES + 1 : (QTRI_WITH_SMOOTH ? QTRI_U + 1 : 1))
 
 typedef union qtri_attribute {
     qtri_ramp ramp; /* LINEAR, colours */
@@ -197,27 +196,15 @@ static inline int32_t qtri_span_clip(const qtri_span *span, const qtri_rect *bou
     return end - *x;
 }
 
-/* Whether a fragment at depth z passes against the stored depth. */
+/*
+ * Whether a fragment at depth z passes against the stored depth. From QTRI_NEVER to QTRI_ALWAYS
+ * comparisons count in bits: less, equal, greater pass.
+ */
 static inline bool qtri_depth_passes(qtri_compare compare, uint32_t z, uint32_t stored)
 {
-    switch (compare) {
-    case QTRI_NEVER:
-        return false;
-    case QTRI_LESS:
-        return z < stored;
-    case QTRI_EQUAL:
-        return z == stored;
-    case QTRI_LESS_EQUAL:
-        return z <= stored;
-    case QTRI_GREATER:
-        return z > stored;
-    case QTRI_NOT_EQUAL:
-        return z != stored;
-    case QTRI_GREATER_EQUAL:
-        return z >= stored;
-    default:
-        return true;
-    }
+    const uint32_t passes = (uint32_t)compare - QTRI_NEVER;
+    const int order = z < stored ? 0 : (z == stored ? 1 : 2);
+    return compare > QTRI_ALWAYS || (passes >> order & 1) != 0;
 }
 
 #endif

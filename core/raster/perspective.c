@@ -56,8 +56,8 @@ static int32_t divided(const qtri_job *job, const window *w, int i, int32_t x, c
 static void sample_at(sample *out, const qtri_job *job, const window *w, int32_t x)
 {
     const int end = qtri_job_end(job);
-    const uint64_t dx = job->attribute[QTRI_INV_W].plane.dx;
-    const divider d = divider_for(qtri_plane_column(w->row[QTRI_INV_W], dx, x), &out->q);
+    const uint64_t dx = job->attribute[end].plane.dx;
+    const divider d = divider_for(qtri_plane_column(w->row[end], dx, x), &out->q);
     for (int i = qtri_job_first(job); i < end; i++) {
         int32_t value = divided(job, w, i, x, &d);
         if (i < QTRI_U) {
@@ -202,7 +202,7 @@ static uint32_t divide_step(uint64_t dx, const divider *d, int32_t up)
  */
 static int32_t level_pixels(const qtri_job *job)
 {
-    if (job->attribute[QTRI_INV_W].plane.dx != 0 || qtri_job_is_smooth(job)) {
+    if (job->attribute[qtri_job_end(job)].plane.dx != 0 || qtri_job_is_smooth(job)) {
         return 0;
     }
     int32_t bits = 16;
@@ -215,11 +215,12 @@ static int32_t level_pixels(const qtri_job *job)
 
 static void draw_level(const qtri_job *job, window *w, int32_t left)
 {
+    const int end = qtri_job_end(job);
     uint32_t q;
-    const divider d = divider_for(w->row[QTRI_INV_W], &q);
+    const divider d = divider_for(w->row[end], &q);
     w->run.x = w->x0;
     w->run.count = w->x1 - w->x0;
-    for (int i = QTRI_U; i < QTRI_ATTRIBUTES; i++) {
+    for (int i = QTRI_U; i < end; i++) {
         const qtri_plane *plane = &job->attribute[i].plane;
         uint32_t step = divide_step(plane->dx, &d, job->axis[i - QTRI_U].up);
         set_value(&w->run, job, i, divided(job, w, i, left, &d), step, w->x0 - left);
@@ -271,8 +272,7 @@ void qtri_fill_perspective(const qtri_job *job, const qtri_span *spans, int32_t 
     const int end = qtri_job_end(job);
     window w;
     qtri_run_set_row(&w.run, raster, row);
-    w.row[QTRI_INV_W] = qtri_plane_row(&job->attribute[QTRI_INV_W].plane, row);
-    for (int i = first; i < end; i++) {
+    for (int i = first; i <= end; i++) {
         w.row[i] = qtri_plane_row(&job->attribute[i].plane, row);
     }
     for (w.y = row; count > 0; count--, spans++, w.y++) {
@@ -284,8 +284,7 @@ void qtri_fill_perspective(const qtri_job *job, const qtri_span *spans, int32_t 
         } else if (pixels > 0) {
             draw_span(job, &w, spans->left);
         }
-        w.row[QTRI_INV_W] += job->attribute[QTRI_INV_W].plane.dy;
-        for (int i = first; i < end; i++) {
+        for (int i = first; i <= end; i++) {
             w.row[i] += job->attribute[i].plane.dy;
         }
         w.run.pixels += raster->surface->pitch;

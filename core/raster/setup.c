@@ -134,7 +134,7 @@ static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
 static void perspective_planes(qtri_job *job, const qtri_attributes v[3], uint32_t value[2][3],
                                const uint32_t q[3], const qtri_gradient *gradient)
 {
-    qtri_plane_init(&job->attribute[QTRI_INV_W].plane, gradient, q);
+    qtri_plane_init(&job->attribute[qtri_job_end(job)].plane, gradient, q);
     for (int i = qtri_job_first(job); i < qtri_job_end(job); i++) {
         uint32_t color[3];
         uint32_t *f = i < QTRI_U ? color : value[i - QTRI_U];
