@@ -78,20 +78,27 @@ static void ramp_init(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[
     }
 }
 
-/* Channel i of the three vertices. */
-static void channel_of(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i)
+/* Colour i of the three vertices, as they have it: a channel, or 0, their share of a tint. */
+static void colors_of(uint32_t f[3], const qtri_attributes v[3], int i)
 {
     for (int k = 0; k < 3; k++) {
-        f[k] = (uint32_t)(job->tinted ? qtri_raster_shade(job->raster, v[k].color[0], i)
-                                      : v[k].color[i]);
+        f[k] = (uint32_t)v[k].color[i];
+    }
+}
+
+static void channel_of(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i)
+{
+    colors_of(f, v, job->tinted ? 0 : i);
+    for (int k = 0; job->tinted && k < 3; k++) {
+        f[k] = (uint32_t)qtri_raster_shade(job->raster, (int32_t)f[k], i);
     }
 }
 
 static uint32_t channel_range(const qtri_attributes v[3], int i)
 {
-    const uint32_t f[3] = {(uint32_t)v[0].color[i], (uint32_t)v[1].color[i],
-                           (uint32_t)v[2].color[i]};
+    uint32_t f[3];
     uint32_t least;
+    colors_of(f, v, i);
     return range_of(f, &least);
 }
 
@@ -161,9 +168,9 @@ static void tint_ramps(qtri_job *job, const qtri_attributes v[3], const qtri_gra
 {
     const int32_t one_q20 = (int32_t)1 << 20;
     const qtri_raster *raster = job->raster;
-    const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
-                               (uint32_t)v[2].color[0]};
+    uint32_t share[3];
     qtri_ramp ramp;
+    colors_of(share, v, 0);
     qtri_ramp_multiply(&ramp, gradient, share);
     const int32_t origin = (int32_t)(ramp.origin - 0x8000u);
     const int32_t dx = (int32_t)ramp.dx;
@@ -307,7 +314,8 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
  * The axes and the vertices' coordinates on them; whether texels become pixels as they are, which
  * decides on the unit of runs: see texel_copy.h.
  */
-static void texture_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3])
+QTRI_NOINLINE static void texture_axes(qtri_job *job, uint32_t value[2][3],
+                                       const qtri_attributes v[3])
 {
     const qtri_raster *raster = job->raster;
     const qtri_texture *texture = raster->texture;

@@ -119,10 +119,10 @@ static bool is_key(const qtri_texture *texture, uint32_t stored)
     return texture->has_key && stored == (texture->key & mask);
 }
 
-/* texel / 255 in Q16, exact at 0 and 255 and within 2^-16 between. */
-static int64_t fraction_q16(uint32_t texel_8p16)
+/* texel / 255 in Q16, exact at 0 and 255 and within 2^-16 between: sum < 2^24 + 128. */
+static int32_t fraction_q16(uint32_t texel_8p16)
 {
-    return (texel_8p16 + (texel_8p16 >> 8) + (texel_8p16 >> 16) + 128) >> 8; /* sum < 2^24 + 128 */
+    return (int32_t)((texel_8p16 + (texel_8p16 >> 8) + (texel_8p16 >> 16) + 128) >> 8);
 }
 
 /* Which texel of a side that repeats or ends. texel: (value + 2^30) >> shift, or the next. */
@@ -192,7 +192,7 @@ bool qtri_texel_apply(const qtri_texture *texture, const qtri_texel_axis axis[2]
         bilinear(texture, &along, &across, texel, texel_8p16);
     }
     for (int i = 0; i < 3; i++) {
-        color->c[i] = (int32_t)((color->c[i] * fraction_q16(texel_8p16[i])) >> 16);
+        color->c[i] = (int32_t)(qtri_mul_s32(color->c[i], fraction_q16(texel_8p16[i])) >> 16);
     }
     return true;
 }
