@@ -42,7 +42,7 @@ void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_
     }
     side_log2 = side_log2_of(side_log2);
     const int32_t shift = 32 - down - side_log2;
-    axis->shift = (int8_t)shift;
+    axis->shift = (uint8_t)shift;
     axis->mask = (uint16_t)((1u << side_log2) - 1);
     axis->first = (int32_t)(ABOVE_ZERO >> shift) - base * ((int32_t)1 << side_log2);
     axis->bias = shift > 17 ? (uint32_t)1 << (shift - 16) : 2;

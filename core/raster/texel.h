@@ -13,7 +13,7 @@
  * are dropped, the rest is scaled, so that what is interpolated has no idle bits.
  */
 typedef struct qtri_texel_axis {
-    int8_t shift;  /* texel = (value + bias) >> shift, wrapped: 2..29 */
+    uint8_t shift; /* texel = (value + bias) >> shift, wrapped: 2..29 */
     int8_t up;     /* runs have (value + bias) 2^up: -12..20 */
     uint16_t mask; /* side - 1 */
     uint32_t bias; /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
