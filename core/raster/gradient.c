@@ -84,7 +84,7 @@ void qtri_plane_init(qtri_plane *plane, const qtri_gradient *g, const uint32_t f
 
 static uint32_t round_to_ramp(uint64_t value)
 {
-    return (uint32_t)((value + 0x8000u) >> 16);
+    return (uint32_t)(value >> 16) + ((uint32_t)value >> 15 & 1);
 }
 
 void qtri_ramp_divide(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[3])

@@ -5,9 +5,8 @@
 /* A plane's step in the attribute's unit times 2^up, rounded. */
 static uint32_t plane_step(uint64_t dx, int32_t up)
 {
-    int32_t down = 16 - up; /* -4..28 */
-    return (uint32_t)(down > 0 ? qtri_wrap64(dx + ((uint64_t)1 << (down - 1))) >> down
-                               : qtri_wrap64(dx << -down));
+    int32_t down = 16 - up; /* -4..28: what is shifted in does not get to the low 32 bits */
+    return (uint32_t)(down > 0 ? ((dx >> (down - 1)) + 1) >> 1 : dx << -down);
 }
 
 /* Apart: what it needs in registers would be in the way of textures. */
