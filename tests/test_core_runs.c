@@ -145,6 +145,32 @@ static void every_way_draws_the_same(void **state)
     assert_true(fast > 2000);
 }
 
+/* A surface that holds no depth draws what any does without the test. */
+static void surfaces_without_depth(void **state)
+{
+    (void)state;
+    static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    uint64_t seed = 9;
+    for (int f = 0; f < 3; f++) {
+        canvas off = canvas_new(formats[f], WIDTH, HEIGHT);
+        canvas none = canvas_new(formats[f], WIDTH, HEIGHT);
+        none.surface.depth = NULL;
+        for (int n = 0; n < 1500; n++) {
+            qtri_screen_vertex v[3];
+            qtri_material material;
+            qtri_texture texture;
+            random_triangle(v, &seed, n);
+            random_material(&material, &texture, &seed);
+            draw(&none.surface, &material, v, CHOSEN);
+            material.depth_compare = QTRI_DEPTH_OFF;
+            draw(&off.surface, &material, v, CHOSEN);
+            assert_memory_equal(off.memory, none.memory, off.bytes);
+        }
+        canvas_free(&off);
+        canvas_free(&none);
+    }
+}
+
 /*
  * A texel that is copied is the one that the texture's own functions find and that white leaves,
  * but for coordinates at the very edge of a texel: they are rounded otherwise.
@@ -196,6 +222,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_way_draws_the_same),
+        cmocka_unit_test(surfaces_without_depth),
         cmocka_unit_test(copies_equal_modulation),
     };
     return cmocka_run_group_tests_name("core runs", tests, NULL, NULL);

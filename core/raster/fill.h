@@ -74,17 +74,26 @@
     QTRI_OPAQUE(depth)                                                                             \
     QTRI_OPAQUE(pixel)
 
-/* Where the rows of a trapezoid are in memory. */
+/* Where the rows of a trapezoid are in memory, with depth. */
 typedef struct qtri_lines {
     uint8_t *pixels;
     uint16_t *depths;
 } qtri_lines;
 
+static inline uint8_t *qtri_pixels_at(const qtri_surface *surface, int32_t row)
+{
+    return surface->pixels + (ptrdiff_t)(row - surface->first_row) * surface->pitch;
+}
+
+/* There is depth. */
+static inline uint16_t *qtri_depths_at(const qtri_surface *surface, int32_t row)
+{
+    return surface->depth + (ptrdiff_t)(row - surface->first_row) * surface->depth_pitch;
+}
+
 static inline qtri_lines qtri_lines_at(const qtri_surface *surface, int32_t row)
 {
-    ptrdiff_t stored_row = row - surface->first_row;
-    qtri_lines lines = {surface->pixels + stored_row * surface->pitch,
-                        surface->depth + stored_row * surface->depth_pitch};
+    qtri_lines lines = {qtri_pixels_at(surface, row), qtri_depths_at(surface, row)};
     return lines;
 }
 

@@ -287,7 +287,6 @@ void qtri_fill_perspective(const qtri_job *job, const qtri_span *spans, int32_t 
         for (int i = first; i <= end; i++) {
             w.row[i] += job->attribute[i].plane.dy;
         }
-        w.run.pixels += raster->surface->pitch;
-        w.run.depths += qtri_raster_depth_pitch(raster);
+        qtri_run_next_row(&w.run, raster->surface);
     }
 }

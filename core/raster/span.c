@@ -44,8 +44,6 @@ void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, i
     const qtri_raster *raster = job->raster;
     const int32_t length = qtri_job_copies_texels(job) ? 512 : QTRI_PACKED_RUN;
     const bool textured = qtri_raster_texture(raster) != NULL;
-    const ptrdiff_t pitch = raster->surface->pitch;
-    const ptrdiff_t depth_pitch = qtri_raster_depth_pitch(raster);
     uint64_t uv[2];
     qtri_run run;
     qtri_run_set_row(&run, raster, row);
@@ -76,9 +74,6 @@ void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, i
             uv[0] += job->attribute[QTRI_U].plane.dy;
             uv[1] += job->attribute[QTRI_U + 1].plane.dy;
         }
-        run.pixels += pitch;
-        if (run.depths != NULL) {
-            run.depths += depth_pitch;
-        }
+        qtri_run_next_row(&run, raster->surface);
     }
 }

@@ -23,18 +23,19 @@ static inline uint32_t qtri_run_scaled(uint32_t value, int32_t up)
     return up >= 0 ? value << up : value >> -up;
 }
 
-/* Where the pixels of a row are. */
+/* Where the pixels of a row are; depths NULL: neither read nor written. */
 static inline void qtri_run_set_row(qtri_run *run, const qtri_raster *raster, int32_t row)
 {
-    const qtri_lines lines = qtri_lines_at(raster->surface, row);
-    run->pixels = lines.pixels;
-    run->depths = raster->compare != QTRI_DEPTH_OFF ? lines.depths : NULL;
+    run->pixels = qtri_pixels_at(raster->surface, row);
+    run->depths = raster->compare != QTRI_DEPTH_OFF ? qtri_depths_at(raster->surface, row) : NULL;
 }
 
-/* From there to the next row's depths, if there are any. */
-static inline ptrdiff_t qtri_raster_depth_pitch(const qtri_raster *raster)
+static inline void qtri_run_next_row(qtri_run *run, const qtri_surface *surface)
 {
-    return raster->compare != QTRI_DEPTH_OFF ? raster->surface->depth_pitch : 0;
+    run->pixels += surface->pitch;
+    if (run->depths != NULL) {
+        run->depths += surface->depth_pitch;
+    }
 }
 
 /* Place and values are set, depth follows from them. */
