@@ -97,11 +97,15 @@ static inline qtri_lines qtri_lines_at(const qtri_surface *surface, int32_t row)
     return lines;
 }
 
-/* A compiler must not gather what the job holds before the first row: most have few rows. */
+/*
+ * What was stored before is read again after. GCC 12 would gather what the job holds before the
+ * first row, though most have few rows, or keep a second copy of it on the stack for want of
+ * registers.
+ */
 #if defined(__GNUC__)
-#define QTRI_NEXT_ROW __asm__ volatile("" ::: "memory");
+#define QTRI_READ_AGAIN __asm__ volatile("" ::: "memory");
 #else
-#define QTRI_NEXT_ROW
+#define QTRI_READ_AGAIN
 #endif
 
 /* RGB565, linear colours, depth "less" with write. */

@@ -99,7 +99,7 @@ static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans,
                 }
             }
         }
-        QTRI_NEXT_ROW
+        QTRI_READ_AGAIN
         lines.pixels += raster->surface->pitch;
         lines.depths += raster->surface->depth_pitch;
     }

@@ -266,25 +266,15 @@ static bool needs_perspective(const qtri_job *job, const qtri_attributes v[3],
  */
 static bool gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_surface *surface)
 {
-    g->x_24p8 = t->p[0]->x_24p8;
-    g->y_24p8 = t->p[0]->y_24p8;
-    g->dx1 = t->p[1]->x_24p8 - g->x_24p8;
-    g->dy1 = t->p[1]->y_24p8 - g->y_24p8;
-    g->dx2 = t->p[2]->x_24p8 - g->x_24p8;
-    g->dy2 = t->p[2]->y_24p8 - g->y_24p8;
-    g->area = t->area;
+    qtri_gradient_place(g, t);
     qtri_gradient_init(g, t->extent);
-    int32_t x = (t->x_least + t->x_greatest) >> 1;
-    int32_t y = (t->top->y_24p8 + t->bottom->y_24p8) >> 1;
-    if (g->inverse == 0) {
-        x = qtri_hold32(g->x_24p8, 0, surface->width * 256 - 1); /* <= 2^13 pixels */
-        y = qtri_hold32(g->y_24p8, 0, surface->height * 256 - 1);
+    if (g->inverse == 0) { /* <= 2^13 pixels */
+        qtri_gradient_set_anchor(g, qtri_hold32(g->x_24p8, 0, surface->width * 256 - 1) >> 8,
+                                 qtri_hold32(g->y_24p8, 0, surface->height * 256 - 1) >> 8);
+        return false;
     }
-    g->anchor_x = x >> 8;
-    g->anchor_y = y >> 8;
-    g->anchor_dx = g->anchor_x * 256 + 128 - g->x_24p8;
-    g->anchor_dy = g->anchor_y * 256 + 128 - g->y_24p8;
-    return g->inverse != 0 && t->size == QTRI_TINY;
+    qtri_gradient_set_middle(g, t);
+    return t->size == QTRI_TINY;
 }
 
 static bool is_white(const qtri_job *job)

@@ -10,6 +10,33 @@
 qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
                              const qtri_triangle *triangle, const qtri_attributes v[3]);
 
+/* Where the vertices are. */
+static inline void qtri_gradient_place(qtri_gradient *g, const qtri_triangle *t)
+{
+    g->x_24p8 = t->p[0]->x_24p8;
+    g->y_24p8 = t->p[0]->y_24p8;
+    g->dx1 = t->p[1]->x_24p8 - g->x_24p8;
+    g->dy1 = t->p[1]->y_24p8 - g->y_24p8;
+    g->dx2 = t->p[2]->x_24p8 - g->x_24p8;
+    g->dy2 = t->p[2]->y_24p8 - g->y_24p8;
+    g->area = t->area;
+}
+
+static inline void qtri_gradient_set_anchor(qtri_gradient *g, int32_t x, int32_t y)
+{
+    g->anchor_x = x;
+    g->anchor_y = y;
+    g->anchor_dx = x * 256 + 128 - g->x_24p8;
+    g->anchor_dy = y * 256 + 128 - g->y_24p8;
+}
+
+/* The middle of its bounds. */
+static inline void qtri_gradient_set_middle(qtri_gradient *g, const qtri_triangle *t)
+{
+    qtri_gradient_set_anchor(g, (t->x_least + t->x_greatest) >> 9,
+                             (t->top->y_24p8 + t->bottom->y_24p8) >> 9);
+}
+
 /* Whether it takes colours that are shares of a tint for linear on the screen. */
 bool qtri_tint_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c);
 

@@ -1,22 +1,6 @@
 #include "small.h"
 
-/* Positions, area and anchor: as of the general path, see setup.c. */
-static inline void gradient_from(qtri_gradient *g, const qtri_triangle *t, uint32_t size)
-{
-    const int32_t zeros = qtri_clz32(size | 1u);
-    g->area = t->area;
-    qtri_gradient_set_inverse(g, qtri_reciprocal_below(size << zeros) >> 1, zeros);
-    g->x_24p8 = t->p[0]->x_24p8;
-    g->y_24p8 = t->p[0]->y_24p8;
-    g->dx1 = t->p[1]->x_24p8 - g->x_24p8;
-    g->dy1 = t->p[1]->y_24p8 - g->y_24p8;
-    g->dx2 = t->p[2]->x_24p8 - g->x_24p8;
-    g->dy2 = t->p[2]->y_24p8 - g->y_24p8;
-    g->anchor_x = (t->x_least + t->x_greatest) >> 9;
-    g->anchor_y = (t->top->y_24p8 + t->bottom->y_24p8) >> 9;
-    g->anchor_dx = g->anchor_x * 256 + 128 - g->x_24p8;
-    g->anchor_dy = g->anchor_y * 256 + 128 - g->y_24p8;
-}
+#include "setup.h"
 
 bool qtri_small_draw(const qtri_raster *raster, const qtri_triangle *t, const qtri_vertex *a,
                      const qtri_vertex *b, const qtri_vertex *c, uint32_t intensity_q15)
@@ -28,7 +12,10 @@ bool qtri_small_draw(const qtri_raster *raster, const qtri_triangle *t, const qt
     }
     qtri_gradient gradient;
     qtri_job job;
-    gradient_from(&gradient, t, size);
+    const int32_t zeros = qtri_clz32(size | 1u);
+    qtri_gradient_place(&gradient, t);
+    qtri_gradient_set_inverse(&gradient, qtri_reciprocal_below(size << zeros) >> 1, zeros);
+    qtri_gradient_set_middle(&gradient, t);
     job.raster = raster;
     job.anchor_x = gradient.anchor_x;
     job.anchor_y = gradient.anchor_y;

@@ -18,16 +18,6 @@
 #include "setup.h"
 #include "small.h"
 
-/*
- * What was stored before is read again after: GCC 12 would keep a second copy of it on the stack,
- * for want of registers.
- */
-#if defined(__GNUC__)
-#define QTRI_READ_AGAIN __asm__ volatile("" ::: "memory");
-#else
-#define QTRI_READ_AGAIN
-#endif
-
 /* Centres of rows below QTRI_TINY_SIDE. */
 #define QTRI_TINY_ROWS (2 * QTRI_TINY_REACH + 1)
 
