@@ -24,12 +24,31 @@ uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
     return qtri_lighting_face(&draw->lighting, &p[a], &p[b], &p[c]);
 }
 
-uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index)
+static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index)
 {
     const qtri_mesh *mesh = draw->mesh;
     return qtri_mesh_has_compact(mesh->normals8)
                ? qtri_lighting_vertex8(&draw->lighting, &mesh->normals8[index])
                : qtri_lighting_vertex(&draw->lighting, &mesh->normals[index]);
+}
+
+static inline void light_corner(const qtri_mesh_job *draw, const void *indices, int corner,
+                                qtri_vertex *vertex)
+{
+    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
+        vertex->intensity_q15 =
+            draw->lit_per_vertex
+                ? (uint16_t)light_vertex(draw, qtri_mesh_index(draw->mesh, indices, corner))
+                : (uint16_t)QTRI_INTENSITY_ONE;
+    }
+}
+
+QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices,
+                                           qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    light_corner(draw, indices, 0, a);
+    light_corner(draw, indices, 1, b);
+    light_corner(draw, indices, 2, c);
 }
 
 void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
@@ -53,9 +72,11 @@ static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
     uint32_t face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face
                             ? qtri_mesh_light_face(draw, triangle)
                             : QTRI_INTENSITY_ONE;
+    if (draw->lit_per_vertex) {
+        qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
+    }
     for (int i = 0; i < 3; i++) {
-        intensity_q15[i] =
-            draw->lit_per_vertex ? qtri_mesh_light_once(draw, triangle, i, vertex[i]) : face_q15;
+        intensity_q15[i] = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
     }
 }
 
@@ -139,12 +160,8 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
 QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a,
                                          const qtri_vertex *b, const qtri_vertex *c)
 {
-    qtri_cull cull = draw->material.cull;
-    if (!qtri_mesh_is_inside(a, b, c) || (cull != QTRI_CULL_BACK && cull != QTRI_CULL_FRONT)) {
-        return false;
-    }
-    int64_t area = qtri_triangle_area(&a->at, &b->at, &c->at);
-    return cull == QTRI_CULL_BACK ? area >= 0 : area <= 0;
+    return qtri_mesh_is_inside(a, b, c) &&
+           qtri_is_culled(draw->material.cull, qtri_triangle_area(&a->at, &b->at, &c->at));
 }
 
 /* One multiplication; GCC 12 would make the size of shifts and sums. */

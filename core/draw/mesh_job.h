@@ -54,8 +54,9 @@ bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, q
 /* No slot holds a vertex. */
 void qtri_mesh_clear_slots(const qtri_mesh_job *draw);
 
-/* Intensity of a vertex of a mesh with normals. */
-uint32_t qtri_mesh_light(const qtri_mesh_job *draw, uint32_t index);
+/* Gives the corners that have none their intensity: 1 where vertices are not lit. */
+void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                             qtri_vertex *b, qtri_vertex *c);
 
 /* Of the triangle with these indices, for a mesh lit per face. */
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
@@ -127,15 +128,13 @@ static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indice
     return qtri_mesh_has_bytes(mesh) ? narrow[corner] : wide[corner];
 }
 
-/* Intensity of a corner's vertex, computed when it is first needed. */
-static inline uint32_t qtri_mesh_light_once(const qtri_mesh_job *draw, const void *indices,
-                                            int corner, qtri_vertex *vertex)
+/* Whether all three have an intensity. */
+static inline bool qtri_mesh_are_lit(const qtri_vertex *a, const qtri_vertex *b,
+                                     const qtri_vertex *c)
 {
-    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
-        vertex->intensity_q15 =
-            (uint16_t)qtri_mesh_light(draw, qtri_mesh_index(draw->mesh, indices, corner));
-    }
-    return vertex->intensity_q15;
+    const uint32_t unlit = QTRI_VERTEX_UNLIT + 1; /* others: <= 2^15 + 1 */
+    return (((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) &
+            unlit) == 0;
 }
 
 /* The indices at a triangle's place in the mesh. */

@@ -85,25 +85,6 @@ static inline bool is_tinted(const qtri_mesh_job *draw)
     return draw->mesh->colors == NULL && !draw->lit_per_face;
 }
 
-static inline bool are_lit(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c)
-{
-    const uint32_t unlit = QTRI_VERTEX_UNLIT + 1; /* others: <= 2^15 + 1 */
-    return (((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) &
-            unlit) == 0;
-}
-
-QTRI_NOINLINE static void light(const qtri_mesh_job *draw, const void *triangle,
-                                qtri_vertex *const vertex[3])
-{
-    for (int i = 0; i < 3; i++) {
-        if (draw->lit_per_vertex) {
-            (void)qtri_mesh_light_once(draw, triangle, i, vertex[i]);
-        } else {
-            vertex[i]->intensity_q15 = QTRI_INTENSITY_ONE;
-        }
-    }
-}
-
 /* The corners' colours, and the first once more: those of an edge are next to each other. */
 static void set_colors(const qtri_mesh_job *draw, const void *triangle,
                        qtri_vertex *const vertex[3], qtri_line_color color[4])
@@ -136,8 +117,8 @@ QTRI_NOINLINE void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *t
         for (int i = 0; i < 3; i++) {
             color[i] = (const qtri_line_color *)&own[i];
         }
-    } else if (!are_lit(a, b, c)) {
-        light(draw, triangle, vertex);
+    } else if (!qtri_mesh_are_lit(a, b, c)) {
+        qtri_mesh_light_corners(draw, triangle, a, b, c);
     }
     uint32_t index[3];
     qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
@@ -178,9 +159,8 @@ bool qtri_mesh_draw_front_lines(const qtri_mesh_job *draw)
             qtri_line_misses(line, a->at.y_24p8, b->at.y_24p8, c->at.y_24p8)) {
             continue;
         }
-        if (!are_lit(a, b, c)) {
-            qtri_vertex *const vertex[3] = {a, b, c};
-            light(draw, triangle, vertex);
+        if (!qtri_mesh_are_lit(a, b, c)) {
+            qtri_mesh_light_corners(draw, triangle, a, b, c);
         }
         if (takes_edge(QTRI_EDGES_DRAWN, a, b, index[0], index[1])) {
             qtri_line_draw(line, a, b, NULL);

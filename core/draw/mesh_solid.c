@@ -2,15 +2,6 @@
 #include "../raster/tiny.h"
 #include "mesh_job.h"
 
-/* Those that are not lit yet. */
-QTRI_NOINLINE static void light_some(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                                     qtri_vertex *b, qtri_vertex *c)
-{
-    (void)qtri_mesh_light_once(draw, indices, 0, a);
-    (void)qtri_mesh_light_once(draw, indices, 1, b);
-    (void)qtri_mesh_light_once(draw, indices, 2, c);
-}
-
 /* What not every mesh has: colours in units of the target, texture coordinates. */
 QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
                                    uint32_t intensity_q15, qtri_attributes *out)
@@ -46,27 +37,16 @@ QTRI_NOINLINE static void draw_any_solid(const qtri_mesh_job *draw, const void *
     qtri_triangle_draw(&draw->primitive.to.raster, triangle, attributes);
 }
 
-/* Computed when they are first needed. */
-static inline void light_vertices(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                                  qtri_vertex *b, qtri_vertex *c)
-{
-    const uint32_t lit = 2 * QTRI_INTENSITY_ONE; /* those of lit vertices are below */
-    if ((((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) & lit) !=
-        0) {
-        light_some(draw, indices, a, b, c);
-    }
-}
-
 /* An intensity that no face has. */
 #define NOT_LIT (QTRI_VERTEX_UNLIT + 1)
 
-/* The light of the vertices, or of the face. */
+/* The light of the vertices, or of the face, computed when it is first needed. */
 static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                              qtri_vertex *b, qtri_vertex *c)
 {
     if (draw->lit_per_vertex) {
-        if (!draw->lit) {
-            light_vertices(draw, indices, a, b, c);
+        if (!draw->lit && !qtri_mesh_are_lit(a, b, c)) {
+            qtri_mesh_light_corners(draw, indices, a, b, c);
         }
         return QTRI_VERTEX_UNLIT;
     }

@@ -32,24 +32,6 @@ typedef struct sorter {
     bool is_anywhere;    /* some triangle crosses a plane */
 } sorter;
 
-/* A vertex that will be drawn with, for the first time: lit, for good. */
-static inline void meet(const sorter *s, uint32_t index, qtri_vertex *vertex)
-{
-    /* Without light the intensity only tells that the vertex was met. */
-    vertex->intensity_q15 = s->job->lit_per_vertex ? (uint16_t)qtri_mesh_light(s->job, index)
-                                                   : (uint16_t)QTRI_INTENSITY_ONE;
-}
-
-QTRI_NOINLINE static void meet_some(const sorter *s, const void *triangle,
-                                    qtri_vertex *const vertex[3])
-{
-    for (int i = 0; i < 3; i++) {
-        if (vertex[i]->intensity_q15 == QTRI_VERTEX_UNLIT) {
-            meet(s, qtri_mesh_index(s->job->mesh, triangle, i), vertex[i]);
-        }
-    }
-}
-
 /* Those in slots are lit when they are drawn; what they span is noted now. */
 static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
 {
@@ -58,17 +40,14 @@ static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
     }
 }
 
-/* The vertices of a triangle that is seen. */
+/* The vertices of a triangle that is seen are lit for good; without light that tells they were met. */
 static inline void meet_all(const sorter *s, const void *triangle, qtri_vertex *const vertex[3])
 {
-    const uint32_t a = vertex[0]->intensity_q15;
-    const uint32_t b = vertex[1]->intensity_q15;
-    const uint32_t c = vertex[2]->intensity_q15;
-    if ((((a + 1) | (b + 1) | (c + 1)) & (QTRI_VERTEX_UNLIT + 1)) == 0) { /* others: <= 2^15 */
+    if (qtri_mesh_are_lit(vertex[0], vertex[1], vertex[2])) {
         return;
     }
     if (s->is_complete) {
-        meet_some(s, triangle, vertex);
+        qtri_mesh_light_corners(s->job, triangle, vertex[0], vertex[1], vertex[2]);
     } else {
         meet_slots(s, vertex);
     }

@@ -29,12 +29,6 @@ void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
     qtri_primitive_set_target(primitive, surface, material, lines);
 }
 
-static bool is_culled(const qtri_material *material, int64_t area)
-{
-    return (material->cull == QTRI_CULL_BACK && area >= 0) ||
-           (material->cull == QTRI_CULL_FRONT && area <= 0);
-}
-
 /* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16: 33 bits times 31. */
 QTRI_NOINLINE static int64_t blend_q16(int32_t a0, int32_t a1, int32_t a2, const int32_t b_q30[2])
 {
@@ -247,7 +241,7 @@ QTRI_NOINLINE static void draw_outline(const qtri_primitive *primitive, const qt
     qtri_screen_vertex attributes[3];
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
     int count = clip_to_screen(&primitive->projector, v, planes, fan);
-    if (count == 0 || is_culled(primitive->material, fan_area(fan, count))) {
+    if (count == 0 || qtri_is_culled(primitive->material->cull, fan_area(fan, count))) {
         return;
     }
     source(from, attributes);
@@ -288,7 +282,7 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     }
     int count = clip_to_screen(&primitive->projector, shape->clip, planes, shape->fan);
     int64_t sum = fan_area(shape->fan, count);
-    if (sum == 0 || is_culled(primitive->material, sum)) { /* 0, too, when nothing is left */
+    if (sum == 0 || qtri_is_culled(primitive->material->cull, sum)) { /* 0, too, when nothing is left */
         return;
     }
     piece p = {primitive, source, from, {&shape->fan[0], NULL, NULL}};

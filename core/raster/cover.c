@@ -8,16 +8,6 @@
 #define NARROW ((int32_t)1 << 13)
 #endif
 
-static int32_t least(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-static int32_t greatest(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
 /*
  * x where the edge from a down to b crosses the centre of `row`, as the first pixel whose centre is
  * at or right of it: ceil((X - 128) / 256) = floor((X + 127.99..) / 256). Taken as the first pixel
@@ -84,7 +74,7 @@ static bool find_spans(qtri_triangle *t)
     const qtri_screen_point *from = t->top;
     const qtri_screen_point *to = t->middle;
     int32_t row = t->row;
-    int32_t stop = least(qtri_first_center(to->y_24p8), t->end);
+    int32_t stop = qtri_least32(qtri_first_center(to->y_24p8), t->end);
     edge long_edge = edge_from(from, t->bottom, base, row);
     int16_t *side = t->long_is_left ? &t->spans->left : &t->spans->right;
     int32_t across = t->long_is_left ? 1 : -1;
@@ -137,13 +127,13 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
             positive = !positive;
         }
     }
-    t->row = greatest(qtri_first_center(top->y_24p8), raster->bounds.y0);
-    t->end = least(qtri_first_center(bottom->y_24p8), raster->bounds.y1);
+    t->row = qtri_greatest32(qtri_first_center(top->y_24p8), raster->bounds.y0);
+    t->end = qtri_least32(qtri_first_center(bottom->y_24p8), raster->bounds.y1);
     if (t->row >= t->end) {
         return false;
     }
-    int32_t x_least = least(top->x_24p8, least(middle->x_24p8, bottom->x_24p8));
-    int32_t x_greatest = greatest(top->x_24p8, greatest(middle->x_24p8, bottom->x_24p8));
+    int32_t x_least = qtri_least32(top->x_24p8, qtri_least32(middle->x_24p8, bottom->x_24p8));
+    int32_t x_greatest = qtri_greatest32(top->x_24p8, qtri_greatest32(middle->x_24p8, bottom->x_24p8));
     t->top = top;
     t->middle = middle;
     t->bottom = bottom;
@@ -151,8 +141,8 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
     t->x_least = x_least;
     t->x_greatest = x_greatest;
     t->cut = x_least < raster->bounds.x0 * 256 || x_greatest > raster->bounds.x1 * 256;
-    if (t->cut && greatest(qtri_first_center(x_least), raster->bounds.x0) >=
-                      least(qtri_first_center(x_greatest), raster->bounds.x1)) {
+    if (t->cut && qtri_greatest32(qtri_first_center(x_least), raster->bounds.x0) >=
+                      qtri_least32(qtri_first_center(x_greatest), raster->bounds.x1)) {
         return false;
     }
     const int32_t width = x_greatest - x_least;

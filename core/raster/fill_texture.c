@@ -5,7 +5,7 @@ void qtri_run_copy_less(const qtri_job *job, const qtri_run *run)
 {
     const qtri_raster *raster = job->raster;
     const uint8_t *texels = raster->texture->texels;
-    uint32_t cut = qtri_texel_cut(raster);
+    uint32_t cut = raster->texel_cut;
     uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
     uint16_t *depth = run->depths + run->x;
     uint32_t z = run->z;

@@ -49,8 +49,7 @@ typedef struct qtri_raster {
     qtri_channels tint;        /* what tinted triangles have shares of */
     int32_t tint_n6[3];        /* the same with 6 bits after the point, cut off */
     bool small;                /* small.h and tiny.h serve */
-    int32_t column_shift;      /* of texels that are copied, see texel_copy.h */
-    uint32_t row_mask;
+    uint32_t texel_cut;        /* of texels that are copied, see texel_copy.h */
     bool copies_white; /* texels may be copied where the colour is white */
     qtri_cull cull;
     qtri_shading shading;
@@ -137,12 +136,6 @@ static inline bool qtri_job_is_smooth(const qtri_job *job)
 static inline bool qtri_job_is_flat(const qtri_job *job)
 {
     return !(QTRI_WITH_SMOOTH || QTRI_WITH_TEXTURES) || job->paint == QTRI_PAINT_FLAT;
-}
-
-static inline bool qtri_job_is_perspective(const qtri_job *job)
-{
-    return QTRI_WITH_PERSPECTIVE && (QTRI_WITH_SMOOTH || QTRI_WITH_TEXTURES) &&
-           job->paint == QTRI_PAINT_PERSPECTIVE;
 }
 
 static inline bool qtri_job_copies_texels(const qtri_job *job)

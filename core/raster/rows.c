@@ -1,10 +1,5 @@
 #include "rows.h"
 
-static int32_t least(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
 static void dda_init(qtri_dda *dda, const qtri_screen_point *a, const qtri_screen_point *b,
                      int32_t row)
 {
@@ -20,7 +15,7 @@ void qtri_rows_init(qtri_rows *rows, const qtri_triangle *t)
     rows->lower_is_left = !t->long_is_left;
     rows->row = t->row;
     rows->end = t->end;
-    rows->turn = least(qtri_first_center(t->middle->y_24p8), t->end);
+    rows->turn = qtri_least32(qtri_first_center(t->middle->y_24p8), t->end);
     dda_init(long_edge, t->top, t->bottom, t->row);
     if (t->row < rows->turn) {
         dda_init(short_edge, t->top, t->middle, t->row);
@@ -36,13 +31,13 @@ void qtri_rows_init(qtri_rows *rows, const qtri_triangle *t)
 int32_t qtri_rows_next(qtri_rows *rows, qtri_span spans[QTRI_ROWS_AHEAD])
 {
     int32_t row = rows->row;
-    int32_t end = least(row + QTRI_ROWS_AHEAD, rows->end);
+    int32_t end = qtri_least32(row + QTRI_ROWS_AHEAD, rows->end);
     int32_t count = end - row;
     while (row < end) {
         if (row == rows->turn) {
             *(rows->lower_is_left ? &rows->left : &rows->right) = rows->lower;
         }
-        int32_t stop = row < rows->turn ? least(rows->turn, end) : end;
+        int32_t stop = row < rows->turn ? qtri_least32(rows->turn, end) : end;
         qtri_dda left = rows->left;
         qtri_dda right = rows->right;
         for (; row < stop; row++) {

@@ -43,18 +43,14 @@ static inline int32_t qtri_texel_copy_shift(const qtri_texture *texture, int axi
     return axis == 0 ? 32 - texture->width_log2 : 16 + texture->width_log2;
 }
 
-static inline uint32_t qtri_texel_copy_rows(const qtri_texture *texture)
-{
-    return (((uint32_t)1 << texture->height_log2) - 1) << (16 + texture->width_log2);
-}
-
 /*
  * Row mask and column shift in one word, for one register: the mask leaves the low byte alone, and
  * what it lets through there is shifted away.
  */
-static inline uint32_t qtri_texel_cut(const qtri_raster *raster)
+static inline uint32_t qtri_texel_cut(const qtri_texture *texture)
 {
-    return raster->row_mask | (uint32_t)raster->column_shift;
+    const uint32_t rows = ((uint32_t)1 << texture->height_log2) - 1;
+    return rows << qtri_texel_copy_shift(texture, 1) | (uint32_t)qtri_texel_copy_shift(texture, 0);
 }
 
 static inline uint32_t qtri_texel_index(uint32_t u, uint32_t v, uint32_t cut)
@@ -65,7 +61,7 @@ static inline uint32_t qtri_texel_index(uint32_t u, uint32_t v, uint32_t cut)
 static inline uint32_t qtri_texel_copied(const qtri_raster *raster, uint32_t u, uint32_t v)
 {
     const uint16_t *texels = raster->texture->texels;
-    return texels[qtri_texel_index(u, v, qtri_texel_cut(raster))];
+    return texels[qtri_texel_index(u, v, raster->texel_cut)];
 }
 
 #endif

@@ -22,8 +22,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                            qtri_format_of(surface) == QTRI_RGB565 &&
                            qtri_texel_copy_fits(raster->texture);
     if (raster->copies_white) {
-        raster->column_shift = qtri_texel_copy_shift(raster->texture, 0);
-        raster->row_mask = qtri_texel_copy_rows(raster->texture);
+        raster->texel_cut = qtri_texel_cut(raster->texture);
     }
     qtri_fill_choose(raster);
 }
@@ -98,7 +97,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     }
     triangle.tinted = false;
     triangle.area = qtri_triangle_area(&p[0], &p[1], &p[2]);
-    if (qtri_raster_culls(raster, triangle.area) || !qtri_triangle_begin(raster, &triangle)) {
+    if (triangle.area == 0 || qtri_is_culled(raster->cull, triangle.area) || !qtri_triangle_begin(raster, &triangle)) {
         return;
     }
     qtri_attributes attributes[3];

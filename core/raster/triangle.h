@@ -10,7 +10,6 @@
 
 #include "job.h"
 
-/* A triangle's place on the screen. */
 typedef enum qtri_size {
     QTRI_LARGE,
     QTRI_SHORT, /* `spans` holds all rows */
@@ -20,6 +19,7 @@ typedef enum qtri_size {
 #define QTRI_TINY_REACH 4                                 /* pixels from the middle */
 #define QTRI_TINY_SIDE  (256 * (2 * QTRI_TINY_REACH + 1)) /* 1/256 pixel */
 
+/* A triangle's place on the screen. */
 typedef struct qtri_triangle {
     const qtri_screen_point *p[3]; /* |x|, |y| <= QTRI_SCREEN_MAX_24P8 */
     bool tinted;                   /* colours are shares of the raster's tint */
@@ -59,9 +59,7 @@ static inline bool qtri_differences_are_short(int32_t a, int32_t b, int32_t c, i
     return (((uint32_t)a + half) | ((uint32_t)b + half) | ((uint32_t)c + half) |
             ((uint32_t)d + half)) < 2 * half;
 }
-#endif
 
-#if !QTRI_LONG_MULTIPLY
 /* qtri_triangle_area where products are long, which is rare: in one place. */
 int64_t qtri_triangle_area_far(const qtri_screen_point *a, const qtri_screen_point *b,
                                const qtri_screen_point *c);
@@ -111,10 +109,10 @@ static inline bool qtri_triangle_is_back(const qtri_screen_point *a, const qtri_
 #endif
 }
 
-static inline bool qtri_raster_culls(const qtri_raster *raster, int64_t area)
+/* Whether a triangle of this area is turned away; without area it is, from either side. */
+static inline bool qtri_is_culled(qtri_cull cull, int64_t area)
 {
-    return area == 0 || (raster->cull == QTRI_CULL_BACK && area > 0) ||
-           (raster->cull == QTRI_CULL_FRONT && area < 0);
+    return (cull == QTRI_CULL_BACK && area >= 0) || (cull == QTRI_CULL_FRONT && area <= 0);
 }
 
 /* share_q22 <= 2^22 of a tint's channel, or of a step of it. */
