@@ -164,12 +164,6 @@ QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_v
            qtri_is_culled(draw->material.cull, qtri_triangle_area(&a->at, &b->at, &c->at));
 }
 
-/* One multiplication; GCC 12 would make the size of shifts and sums. */
-static inline qtri_vertex *vertex_at(qtri_vertex *vertices, uint32_t index, uint32_t size)
-{
-    return (qtri_vertex *)(void *)((uint8_t *)vertices + index * size);
-}
-
 /*
  * The triangles of a mesh whose vertices are all there. By far the most end in this loop; when
  * `simple`, back faces are culled and no vertex is outside; `solid`: nor is it a wireframe.
@@ -185,20 +179,17 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
         return;
     }
     const uint8_t *end = triangle + draw->mesh->triangle_count * size;
-    uint32_t vertex_size = sizeof(qtri_vertex);
-    QTRI_HOLD(vertex_size);
+    const uint32_t vertex_size = qtri_vertex_size();
     for (; triangle != end; triangle += size) {
         uint32_t index[3];
         qtri_mesh_indices(index, triangle, narrow);
-        if (index[0] >= count || index[1] >= count || index[2] >= count) {
+        qtri_vertex *vertex[3];
+        if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
             continue;
         }
-        qtri_vertex *a = vertex_at(vertices, index[0], vertex_size);
-        qtri_vertex *b = vertex_at(vertices, index[1], vertex_size);
-        qtri_vertex *c = vertex_at(vertices, index[2], vertex_size);
-        QTRI_HOLD(a); /* three registers; GCC 12 would keep six */
-        QTRI_HOLD(b);
-        QTRI_HOLD(c);
+        qtri_vertex *a = vertex[0];
+        qtri_vertex *b = vertex[1];
+        qtri_vertex *c = vertex[2];
         if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
                    : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
@@ -206,8 +197,8 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
         if (simple && solid) {
             qtri_mesh_draw_solid(draw, triangle, a, b, c);
         } else {
-            qtri_vertex *const vertex[3] = {a, b, c};
-            qtri_mesh_draw_seen(draw, triangle, vertex);
+            qtri_vertex *const corner[3] = {a, b, c}; /* in memory only here */
+            qtri_mesh_draw_seen(draw, triangle, corner);
         }
     }
 }

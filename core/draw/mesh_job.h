@@ -147,6 +147,37 @@ static inline void qtri_mesh_indices(uint32_t index[3], const void *triangle, bo
     index[2] = narrow ? bytes[2] : wide[2];
 }
 
+/* Opaque: GCC 12 would make shifts and sums of what is then one multiplication. */
+static inline uint32_t qtri_vertex_size(void)
+{
+    uint32_t size = sizeof(qtri_vertex);
+    QTRI_HOLD(size);
+    return size;
+}
+
+/*
+ * The vertices with these indices, of a mesh that has a slot for each of `count`; false when an
+ * index is past the end. `size`: qtri_vertex_size(), from outside of the caller's loop.
+ */
+static inline bool qtri_mesh_find(qtri_vertex *vertex[3], qtri_vertex *vertices, uint32_t count,
+                                  const uint32_t index[3], uint32_t size)
+{
+    if (index[0] >= count || index[1] >= count || index[2] >= count) {
+        return false;
+    }
+    uint8_t *first = (uint8_t *)vertices;
+    qtri_vertex *a = (qtri_vertex *)(void *)(first + index[0] * size);
+    qtri_vertex *b = (qtri_vertex *)(void *)(first + index[1] * size);
+    qtri_vertex *c = (qtri_vertex *)(void *)(first + index[2] * size);
+    QTRI_HOLD(a); /* three registers; GCC 12 would keep six */
+    QTRI_HOLD(b);
+    QTRI_HOLD(c);
+    vertex[0] = a;
+    vertex[1] = b;
+    vertex[2] = c;
+    return true;
+}
+
 static inline bool qtri_mesh_is_inside(const qtri_vertex *a, const qtri_vertex *b,
                                        const qtri_vertex *c)
 {

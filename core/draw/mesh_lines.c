@@ -139,6 +139,8 @@ bool qtri_mesh_draw_front_lines(const qtri_mesh_job *draw)
     const uint16_t(*triangle)[3] = draw->mesh->triangles;
     const uint16_t(*end)[3] = triangle + draw->mesh->triangle_count;
     const qtri_line_job *line = &draw->primitive.to.line;
+    const uint32_t vertex_size = qtri_vertex_size();
+    qtri_vertex *vertices = draw->vertices;
     if (QTRI_SHARE || qtri_mesh_has_bytes(draw->mesh) || draw->edges != QTRI_EDGES_DRAWN ||
         !is_tinted(draw)) {
         return false;
@@ -146,15 +148,13 @@ bool qtri_mesh_draw_front_lines(const qtri_mesh_job *draw)
     for (; triangle != end; triangle++) {
         uint32_t index[3];
         qtri_mesh_indices(index, triangle, false);
-        if (index[0] >= count || index[1] >= count || index[2] >= count) {
+        qtri_vertex *vertex[3];
+        if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
             continue;
         }
-        qtri_vertex *a = &draw->vertices[index[0]];
-        qtri_vertex *b = &draw->vertices[index[1]];
-        qtri_vertex *c = &draw->vertices[index[2]];
-        QTRI_HOLD(a); /* as in mesh.c */
-        QTRI_HOLD(b);
-        QTRI_HOLD(c);
+        qtri_vertex *a = vertex[0];
+        qtri_vertex *b = vertex[1];
+        qtri_vertex *c = vertex[2];
         if (qtri_triangle_is_back(&a->at, &b->at, &c->at) ||
             qtri_line_misses(line, a->at.y_24p8, b->at.y_24p8, c->at.y_24p8)) {
             continue;

@@ -40,7 +40,8 @@ static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
     }
 }
 
-/* The vertices of a triangle that is seen are lit for good; without light that tells they were met. */
+/* The vertices of a triangle that is seen are lit for good; without light that tells they were met.
+ */
 static inline void meet_all(const sorter *s, const void *triangle, qtri_vertex *const vertex[3])
 {
     if (qtri_mesh_are_lit(vertex[0], vertex[1], vertex[2])) {
@@ -185,25 +186,21 @@ static inline void see_triangles(sorter *s, const void *triangles, bool narrow, 
     qtri_vertex *vertices = s->job->vertices;
     const uint32_t count = mesh->vertex_count;
     const bool back_only = s->prepared->back_only;
+    const uint32_t vertex_size = qtri_vertex_size();
     const uint8_t *triangle = triangles;
     for (uint32_t number = 0; number != mesh->triangle_count; number++) {
         uint32_t index[3];
         qtri_mesh_indices(index, triangle, narrow);
         triangle += narrow ? 3 : 6;
-        if (index[0] >= count || index[1] >= count || index[2] >= count) {
+        qtri_vertex *vertex[3];
+        if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
             continue;
         }
-        qtri_vertex *a = &vertices[index[0]];
-        qtri_vertex *b = &vertices[index[1]];
-        qtri_vertex *c = &vertices[index[2]];
-        QTRI_HOLD(a); /* as in mesh.c */
-        QTRI_HOLD(b);
-        QTRI_HOLD(c);
-        if (simple || back_only ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
-                                : qtri_mesh_turned_away(s->job, a, b, c)) {
+        if (simple || back_only
+                ? qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
+                : qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
             continue;
         }
-        qtri_vertex *const vertex[3] = {a, b, c};
         if (simple) {
             see_solid(s, number, triangle - (narrow ? 3 : 6), vertex);
         } else {

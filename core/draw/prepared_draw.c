@@ -6,13 +6,7 @@ static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_v
     const uint32_t count = job->mesh->vertex_count;
     uint32_t index[3];
     qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(job->mesh));
-    for (int i = 0; i < 3; i++) {
-        if (index[i] >= count) {
-            return false;
-        }
-        vertex[i] = &job->vertices[index[i]];
-    }
-    return true;
+    return qtri_mesh_find(vertex, job->vertices, count, index, qtri_vertex_size());
 }
 
 /* Triangles first..end - 1, whatever they are. */

@@ -282,7 +282,8 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     }
     int count = clip_to_screen(&primitive->projector, shape->clip, planes, shape->fan);
     int64_t sum = fan_area(shape->fan, count);
-    if (sum == 0 || qtri_is_culled(primitive->material->cull, sum)) { /* 0, too, when nothing is left */
+    if (sum == 0 ||
+        qtri_is_culled(primitive->material->cull, sum)) { /* 0, too, when nothing is left */
         return;
     }
     piece p = {primitive, source, from, {&shape->fan[0], NULL, NULL}};

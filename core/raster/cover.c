@@ -133,7 +133,8 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
         return false;
     }
     int32_t x_least = qtri_least32(top->x_24p8, qtri_least32(middle->x_24p8, bottom->x_24p8));
-    int32_t x_greatest = qtri_greatest32(top->x_24p8, qtri_greatest32(middle->x_24p8, bottom->x_24p8));
+    int32_t x_greatest =
+        qtri_greatest32(top->x_24p8, qtri_greatest32(middle->x_24p8, bottom->x_24p8));
     t->top = top;
     t->middle = middle;
     t->bottom = bottom;

@@ -50,7 +50,7 @@ typedef struct qtri_raster {
     int32_t tint_n6[3];        /* the same with 6 bits after the point, cut off */
     bool small;                /* small.h and tiny.h serve */
     uint32_t texel_cut;        /* of texels that are copied, see texel_copy.h */
-    bool copies_white; /* texels may be copied where the colour is white */
+    bool copies_white;         /* texels may be copied where the colour is white */
     qtri_cull cull;
     qtri_shading shading;
 } qtri_raster;

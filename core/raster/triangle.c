@@ -97,7 +97,8 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     }
     triangle.tinted = false;
     triangle.area = qtri_triangle_area(&p[0], &p[1], &p[2]);
-    if (triangle.area == 0 || qtri_is_culled(raster->cull, triangle.area) || !qtri_triangle_begin(raster, &triangle)) {
+    if (triangle.area == 0 || qtri_is_culled(raster->cull, triangle.area) ||
+        !qtri_triangle_begin(raster, &triangle)) {
         return;
     }
     qtri_attributes attributes[3];
