@@ -18,17 +18,10 @@
  * from a pixel `base` left of everything, 0 <= X < 2^15 + 2^8 and length < 2^15 the numerator
  * X length + 128 length - 1 is below 2^31, and not negative in the rows that the edge passes.
  */
-typedef struct edge {
-    int32_t numerator, step, denominator;
-#if !QTRI_DIVIDE
-    int32_t quotient;
-#endif
-} edge;
-
-static inline edge edge_from(const qtri_screen_point *a, const qtri_screen_point *b, int32_t base,
-                             int32_t row)
+static inline qtri_edge edge_from(const qtri_screen_point *a, const qtri_screen_point *b,
+                                  int32_t base, int32_t row)
 {
-    edge e;
+    qtri_edge e;
     int32_t length = b->y_24p8 - a->y_24p8;
     int32_t delta = b->x_24p8 - a->x_24p8;
     int32_t along = row * 256 + 128 - a->y_24p8;
@@ -41,32 +34,6 @@ static inline edge edge_from(const qtri_screen_point *a, const qtri_screen_point
     return e;
 }
 
-/* The pixel in this row; goes on to the next. */
-static inline int32_t edge_next(edge *e, int32_t base)
-{
-#if QTRI_DIVIDE
-    int32_t quotient = (int32_t)((uint32_t)e->numerator / (uint32_t)e->denominator);
-    e->numerator += e->step;
-    return base + quotient;
-#else
-    /* A pixel or two a row: cheaper than a division, and at most 33 at first. */
-    int32_t numerator = e->numerator;
-    int32_t quotient = e->quotient;
-    (void)base;
-    while (numerator < 0) {
-        numerator += e->denominator;
-        quotient--;
-    }
-    while (numerator >= e->denominator) {
-        numerator -= e->denominator;
-        quotient++;
-    }
-    e->numerator = numerator + e->step;
-    e->quotient = quotient;
-    return quotient;
-#endif
-}
-
 /* The spans of a short triangle. False when none of them has a pixel: its edges never cross. */
 static bool find_spans(qtri_triangle *t)
 {
@@ -75,18 +42,18 @@ static bool find_spans(qtri_triangle *t)
     const qtri_screen_point *to = t->middle;
     int32_t row = t->row;
     int32_t stop = qtri_least32(qtri_first_center(to->y_24p8), t->end);
-    edge long_edge = edge_from(from, t->bottom, base, row);
+    qtri_edge long_edge = edge_from(from, t->bottom, base, row);
     int16_t *side = t->long_is_left ? &t->spans->left : &t->spans->right;
     int32_t across = t->long_is_left ? 1 : -1;
     int32_t any = 0;
     for (;;) {
         if (row < stop) {
-            edge short_edge = edge_from(from, to, base, row);
+            qtri_edge short_edge = edge_from(from, to, base, row);
             const int16_t *end = side + 2 * (stop - row);
             row = stop;
             do {
-                int32_t x = edge_next(&long_edge, base);
-                int32_t x_other = edge_next(&short_edge, base);
+                int32_t x = qtri_edge_next(&long_edge, base);
+                int32_t x_other = qtri_edge_next(&short_edge, base);
                 any |= x ^ x_other;
                 side[across] = (int16_t)x_other;
                 *side = (int16_t)x;

@@ -85,16 +85,18 @@ static inline bool qtri_gradient_is_sliver(uint32_t size, int32_t extent)
     return size < (uint32_t)extent << 5;
 }
 
+/* That r, or r 2^(32 - shift), of a positive area; *left is 32 - shift where n is shifted. */
+static inline int32_t qtri_gradient_inverse(int32_t r, int32_t zeros, int32_t *left)
+{
+    const int32_t up = zeros - 12; /* 32 - shift <= 16: size >= 16 */
+    *left = up < 0 ? 0 : up;
+    return up < 0 ? (r + ((int32_t)1 << (-1 - up))) >> -up : r;
+}
+
 static inline void qtri_gradient_set_inverse(qtri_gradient *g, int32_t r, int32_t zeros)
 {
-    int32_t shift = 44 - zeros; /* >= 16: size >= 16 */
-    g->left = 0;
-    if (shift > 32) {
-        r = (r + ((int32_t)1 << (shift - 33))) >> (shift - 32);
-    } else {
-        g->left = 32 - shift;
-    }
-    g->inverse = g->area < 0 ? -r : r;
+    const int32_t inverse = qtri_gradient_inverse(r, zeros, &g->left);
+    g->inverse = g->area < 0 ? -inverse : inverse;
 }
 
 /* Bits of a difference that do not count in a small triangle. */

@@ -19,6 +19,43 @@ static inline int32_t qtri_first_center(int32_t y_24p8)
     return (y_24p8 + 127) >> 8;
 }
 
+/*
+ * An edge in few rows: its pixel in a row is `base` and numerator / denominator, rounded down. The
+ * numerator is not negative in rows that the edge passes, and all fits 31 bits.
+ */
+typedef struct qtri_edge {
+    int32_t numerator, step, denominator;
+#if !QTRI_DIVIDE
+    int32_t quotient; /* of the row before; at first, base */
+#endif
+} qtri_edge;
+
+/* The pixel in this row; goes on to the next. */
+static inline int32_t qtri_edge_next(qtri_edge *e, int32_t base)
+{
+#if QTRI_DIVIDE
+    int32_t quotient = (int32_t)((uint32_t)e->numerator / (uint32_t)e->denominator);
+    e->numerator += e->step;
+    return base + quotient;
+#else
+    /* A pixel or two a row: cheaper than a division, and at most 33 at first. */
+    int32_t numerator = e->numerator;
+    int32_t quotient = e->quotient;
+    (void)base;
+    while (numerator < 0) {
+        numerator += e->denominator;
+        quotient--;
+    }
+    while (numerator >= e->denominator) {
+        numerator -= e->denominator;
+        quotient++;
+    }
+    e->numerator = numerator + e->step;
+    e->quotient = quotient;
+    return quotient;
+#endif
+}
+
 /* Edges of a triangle that qtri_triangle_begin did not find short. */
 typedef struct qtri_rows {
     qtri_dda left, right;

@@ -40,31 +40,20 @@ typedef enum qtri_placed {
     QTRI_PLACED_TINY
 } qtri_placed;
 
-/*
- * An edge's pixels in rows up to `stop`, numerator / denominator each; returns their sum. Without
- * division: a pixel or two a row, and at most ten at first.
- */
+/* An edge's pixels in rows up to `stop`; returns their sum. */
 static inline int32_t qtri_tiny_walk(uint8_t *side, const uint8_t *stop, int32_t numerator,
                                      int32_t step, int32_t denominator)
 {
     int32_t sum = 0;
+    qtri_edge edge;
+    edge.numerator = numerator;
+    edge.step = step;
+    edge.denominator = denominator;
 #if !QTRI_DIVIDE
-    int32_t x = 0;
+    edge.quotient = 0;
 #endif
     do {
-#if QTRI_DIVIDE
-        int32_t x = (int32_t)((uint32_t)numerator / (uint32_t)denominator);
-#else
-        while (numerator < 0) {
-            numerator += denominator;
-            x--;
-        }
-        while (numerator >= denominator) {
-            numerator -= denominator;
-            x++;
-        }
-#endif
-        numerator += step;
+        int32_t x = qtri_edge_next(&edge, 0);
         sum += x;
         *side = (uint8_t)x;
         side += 2;
@@ -208,14 +197,9 @@ typedef struct qtri_tiny_inverse {
 
 static inline qtri_tiny_inverse qtri_tiny_invert(uint32_t size)
 {
-    qtri_tiny_inverse i = {0, 0};
+    qtri_tiny_inverse i;
     const int32_t zeros = qtri_clz32(size);
-    i.inverse = qtri_reciprocal_below(size << zeros) >> 1;
-    i.left = zeros - 12;
-    if (i.left < 0) {
-        i.inverse = (i.inverse + ((int32_t)1 << (-1 - i.left))) >> -i.left;
-        i.left = 0;
-    }
+    i.inverse = qtri_gradient_inverse(qtri_reciprocal_below(size << zeros) >> 1, zeros, &i.left);
     return i;
 }
 
