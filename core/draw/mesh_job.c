@@ -60,8 +60,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->more = !draw->tinted;
     draw->small = false;
     if (solid) {
-        const qtri_texture *texture = qtri_raster_texture(&draw->primitive.to.raster);
-        draw->more = !draw->tinted || texture != NULL;
+        draw->more |= qtri_raster_texture(&draw->primitive.to.raster) != NULL;
         if (draw->tinted) {
             qtri_raster_set_tint(&draw->primitive.to.raster, draw->material.color);
         }
