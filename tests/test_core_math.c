@@ -299,7 +299,7 @@ static qtri_wide random_wide(uint64_t *seed)
 {
     switch (random_in(seed, 0, 9)) {
     case 0:
-        return qtri_wide_q16(random_any(seed));
+        return qtri_wide_make(random_any(seed), 16);
     case 1:
         return qtri_wide_make(0, 17);
     case 2:
@@ -373,8 +373,8 @@ static void wide_vectors(void **state)
         long double x[3];
         long double y[3];
         for (int k = 0; k < 3; k++) {
-            v[k] = i % 3 == 0 ? qtri_wide_q16(random_any(&seed)) : random_wide(&seed);
-            w[k] = qtri_wide_q16(random_any(&seed));
+            v[k] = i % 3 == 0 ? qtri_wide_make(random_any(&seed), 16) : random_wide(&seed);
+            w[k] = qtri_wide_make(random_any(&seed), 16);
             x[k] = value_of(v[k]);
             y[k] = value_of(w[k]);
         }

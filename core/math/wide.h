@@ -38,11 +38,6 @@ qtri_wide qtri_wide_sub(qtri_wide a, qtri_wide b);
 qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b);
 qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b);
 
-static inline qtri_wide qtri_wide_q16(int32_t x)
-{
-    return qtri_wide_make(x, 16);
-}
-
 /* a < 0 gives 0. */
 qtri_wide qtri_wide_sqrt(qtri_wide a);
 
