@@ -3,9 +3,9 @@
  */
 #include "support_core.h"
 
-#include "math/bits.h"
+#include "bits/bits.h"
 #include "math/sincos.h"
-#include "math/wide.h"
+#include "bits/wide.h"
 #include "support_math_checked.h"
 #include "support_q16.h"
 

@@ -5,7 +5,7 @@
 #define QTRI_DRAW_MESH_JOB_H
 
 #include "../geometry/lighting.h"
-#include "../math/dot.h"
+#include "../bits/bits.h"
 #include "primitive.h"
 
 /* Which edges a triangle of a wireframe draws, see mesh_lines.c. */

@@ -1,6 +1,6 @@
 #include "qtri/frame.h"
 
-#include "../raster/pixel.h"
+#include "pixel.h"
 
 static const qtri_rect nothing = {0, 0, 0, 0};
 

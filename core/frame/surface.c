@@ -1,7 +1,7 @@
 #include "qtri/surface.h"
 
-#include "../math/bits.h"
-#include "../raster/pixel.h"
+#include "../bits/bits.h"
+#include "pixel.h"
 
 /* The word that begins here, or next. */
 static uint8_t *align(uint8_t *p)

@@ -1,7 +1,7 @@
 #include "qtri/clip.h"
 
-#include "../math/bits.h"
-#include "../math/wide.h"
+#include "../bits/bits.h"
+#include "../bits/wide.h"
 
 #define PLANES 6
 

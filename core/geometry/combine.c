@@ -1,6 +1,6 @@
 #include "qtri/transform.h"
 
-#include "../math/bits.h"
+#include "../bits/bits.h"
 #include "row.h"
 #include "row16.h"
 

@@ -1,6 +1,6 @@
 #include "lighting.h"
 
-#include "../math/seed.h"
+#include "../bits/seed.h"
 #include "vertex.h"
 
 /* Scales v so that its largest component lies in [2^28, 2^29). False for the zero vector. */

@@ -1,7 +1,7 @@
 #include "lighting.h"
 
 #include "../math/unit.h"
-#include "../math/wide.h"
+#include "../bits/wide.h"
 #include "row.h"
 
 static qtri_wide dot(const qtri_wide a[3], const qtri_wide b[3])

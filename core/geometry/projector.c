@@ -1,7 +1,7 @@
 #include "projector.h"
 
-#include "../math/bits.h"
-#include "../math/wide.h"
+#include "../bits/bits.h"
+#include "../bits/wide.h"
 #include "row.h"
 #include "vertex.h"
 

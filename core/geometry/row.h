@@ -8,7 +8,7 @@
 
 #include "qtri/transform.h"
 
-#include "../math/wide.h"
+#include "../bits/wide.h"
 
 /* The row x y z t, block-normalised: the only place where a transform is rounded. */
 void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4]);

@@ -7,7 +7,7 @@
 #ifndef QTRI_GEOMETRY_ROW16_H
 #define QTRI_GEOMETRY_ROW16_H
 
-#include "../math/dot.h"
+#include "../bits/bits.h"
 
 /*
  * A row for 16-bit positions n: floor((m . n + t) / 2^16), |m| <= 2^31, all multiples of 4. Without

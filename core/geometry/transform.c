@@ -2,7 +2,7 @@
 
 #include <stddef.h>
 
-#include "../math/bits.h"
+#include "../bits/bits.h"
 #include "../math/sincos.h"
 #include "row.h"
 

@@ -6,7 +6,7 @@
 
 #include "projector.h"
 
-#include "../math/reciprocal.h"
+#include "../bits/reciprocal.h"
 
 /* floor(a b / 2^32). */
 static inline int32_t qtri_mul_high_s32(int32_t a, int32_t b)

@@ -16,7 +16,7 @@
 #ifndef QTRI_MATH_DOT_H
 #define QTRI_MATH_DOT_H
 
-#include "bits.h"
+#include "../bits/bits.h"
 
 /* Sum of a[i] b[i] for count <= 4: rounded once, to nearest, halves up, and saturated. */
 int32_t qtri_dot(const int32_t *a, const int32_t *b, int32_t count);
@@ -38,13 +38,6 @@ static inline uint32_t qtri_sum_size(int32_t x)
 {
     return (uint32_t)x ^ (0 - ((uint32_t)x >> 31));
 }
-
-/* Holds GCC to one sum or product at a time: it would interleave them, and spill. */
-#ifdef __GNUC__
-#define QTRI_HOLD(x) __asm__ volatile("" : "+r"(x))
-#else
-#define QTRI_HOLD(x) ((void)(x))
-#endif
 
 #if QTRI_LONG_MULTIPLY
 

@@ -1,7 +1,7 @@
 #include "eighths.h"
 
 #include "coefficients.h"
-#include "multiply.h"
+#include "../bits/multiply.h"
 
 /* Both results exceed the polynomial's error by .002 ULP: most of it the last place of 16-bit
  * coefficients. */

@@ -1,6 +1,6 @@
 #include "qtri/mat.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 #include "wide_q16.h"
 
 /* I - 2 n n^T / n.n, and - 2 w n / n.n for the offset. */

@@ -6,7 +6,7 @@
  */
 #include "qtri/mat.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 #include "wide_q16.h"
 
 /* Two's complement, the lowest word first. */

@@ -3,7 +3,7 @@
  */
 #include "qtri/q16.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 
 /* The low 32 bits of a + b; *over: the sum does not fit, which is when its sign is neither's. */
 static q16 sum(q16 a, q16 b, bool *over)

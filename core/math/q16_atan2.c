@@ -1,9 +1,9 @@
 #include "qtri/q16_trig.h"
 
 #include "atan.h"
-#include "bits.h"
+#include "../bits/bits.h"
 #include "coefficients.h"
-#include "multiply.h"
+#include "../bits/multiply.h"
 
 #define ATAN_HALF_Q32 633866811u  /* atan(1/2) / pi 2^32 */
 #define PI_Q29        1686629713u /* pi 2^29 */

@@ -4,8 +4,8 @@
  */
 #include "qtri/q16.h"
 
-#include "bits.h"
-#include "seed.h"
+#include "../bits/bits.h"
+#include "../bits/seed.h"
 
 #define QUOTIENT_OVER UINT32_MAX
 

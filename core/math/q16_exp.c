@@ -1,9 +1,9 @@
 #include "qtri/q16_exp.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 #include "coefficients.h"
 #include "exp2.h"
-#include "multiply.h"
+#include "../bits/multiply.h"
 
 #define LOG2_E_Q40 1586259972792
 #define LN2_Q16    45426u

@@ -1,8 +1,8 @@
 #include "qtri/q16_exp.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 #include "coefficients.h"
-#include "multiply.h"
+#include "../bits/multiply.h"
 
 #define LN2_Q31 1488522236u
 

@@ -1,6 +1,6 @@
 #include "qtri/q16.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 
 /*
  * With d = |c| normalised to 32 bits and n = |a b| scaled alike, n < 2^31 d where the quotient

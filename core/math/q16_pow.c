@@ -1,9 +1,9 @@
 #include "qtri/q16_exp.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 #include "coefficients.h"
 #include "exp2.h"
-#include "multiply.h"
+#include "../bits/multiply.h"
 
 #define ROOT_2_Q31 3037000500u
 

@@ -6,8 +6,8 @@
  */
 #include "qtri/q16.h"
 
-#include "bits.h"
-#include "seed.h"
+#include "../bits/bits.h"
+#include "../bits/seed.h"
 
 /*
  * sqrt(x 2^16) = r 2^(8 - zeros/2), r = sqrt(m). s = v y 2^16 is r less e, |e| < 9; the step

@@ -1,6 +1,6 @@
 #include "qtri/q16_trig.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 #include "sincos.h"
 
 #define PI_Q30 3373259426u

@@ -1,6 +1,6 @@
 #include "qtri/q16_text.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 
 /*
  * Thresholds between two neighbours are odd multiples of 2^-17, which have 17 decimals: of more

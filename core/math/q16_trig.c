@@ -1,8 +1,8 @@
 #include "qtri/q16_trig.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 #include "eighths.h"
-#include "multiply.h"
+#include "../bits/multiply.h"
 
 #define EIGHTH_TURN 0x20000000u
 

@@ -1,6 +1,6 @@
 #include "qtri/quat.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 #include "quat_q30.h"
 
 qtri_quat qtri_quat_from_axis_deg(qtri_vec3 axis, q16 degrees)

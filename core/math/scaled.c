@@ -1,6 +1,6 @@
 #include "scaled.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 
 int32_t qtri_scaled(int32_t value, int shift)
 {

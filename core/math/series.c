@@ -1,6 +1,6 @@
 #include "sincos.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 
 /*
  * Taylor series on [0, pi/4] of the square, in Q31. The first terms left out are x^13 / 13! < 2^-37

@@ -1,5 +1,5 @@
 #include "atan.h"
-#include "bits.h"
+#include "../bits/bits.h"
 
 uint32_t qtri_side_angle_q31(q16 x, bool cosine)
 {

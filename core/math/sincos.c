@@ -1,6 +1,6 @@
 #include "sincos.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 
 #define DEGREES(n)             ((int32_t)(n)*65536)
 #define RADIANS_PER_DEGREE_Q37 2398762259u /* pi / 180 * 2^37, rounded */

@@ -5,7 +5,7 @@
 #ifndef QTRI_MATH_UNIT_H
 #define QTRI_MATH_UNIT_H
 
-#include "bits.h"
+#include "../bits/bits.h"
 
 /*
  * v / |v| with 1..30 fraction bits, for count <= 4 integers of any common scale: each result within

@@ -1,6 +1,6 @@
 #include "wide_q16.h"
 
-#include "bits.h"
+#include "../bits/bits.h"
 
 int32_t qtri_wide_to_q16(qtri_wide a)
 {

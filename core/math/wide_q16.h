@@ -4,7 +4,7 @@
 #ifndef QTRI_MATH_WIDE_Q16_H
 #define QTRI_MATH_WIDE_Q16_H
 
-#include "wide.h"
+#include "../bits/wide.h"
 
 /* Nearest, halves up, saturated. */
 int32_t qtri_wide_to_q16(qtri_wide a);

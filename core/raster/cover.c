@@ -1,4 +1,4 @@
-#include "../math/dot.h"
+#include "../bits/bits.h"
 #include "rows.h"
 
 /* Narrower than this, in 1/256 pixel, is short: see `edge`. */

@@ -2,7 +2,7 @@
 
 #include "qtri/config.h"
 
-#include "../math/bits.h"
+#include "../bits/bits.h"
 
 /*
  * Quotient towards minus infinity, remainder in 0..divisor-1. Unsigned, floor(x / d) being

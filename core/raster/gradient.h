@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "../math/reciprocal.h"
+#include "../bits/reciprocal.h"
 
 /* Where the vertices are; what all gradients of one triangle have in common. */
 typedef struct qtri_gradient {

@@ -16,7 +16,7 @@
 #include "qtri/material.h"
 
 #include "gradient.h"
-#include "pixel.h"
+#include "../frame/pixel.h"
 #include "texel.h"
 
 typedef struct qtri_job qtri_job;

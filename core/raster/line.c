@@ -2,7 +2,7 @@
 
 #include "dda.h"
 #include "line_path.h"
-#include "pixel.h"
+#include "../frame/pixel.h"
 #include "job.h"
 
 typedef struct ramp {

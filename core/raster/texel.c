@@ -1,6 +1,6 @@
 #include "texel.h"
 
-#include "../math/bits.h"
+#include "../bits/bits.h"
 
 #define SIDE_LOG2_MAX 10
 

@@ -6,7 +6,7 @@
 
 #include "qtri/material.h"
 
-#include "pixel.h"
+#include "../frame/pixel.h"
 
 /*
  * One coordinate of a triangle, brought to 30 bits: whole repeats below the least of the three

@@ -11,7 +11,7 @@
 #define QTRI_RASTER_TINY_H
 
 #include "../geometry/projector.h"
-#include "../math/multiply.h"
+#include "../bits/multiply.h"
 #include "fill.h"
 #include "packed.h"
 #include "rows.h"

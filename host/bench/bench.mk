@@ -3,7 +3,7 @@
 BENCH_DIR   := $(BUILD)/bench
 BENCH_CORES := cortex-m0plus cortex-m3 cortex-m4 cortex-m7 rv32imc
 
-BENCH_MATH   := $(wildcard core/math/*.c)
+BENCH_MATH   := $(wildcard core/bits/*.c core/math/*.c)
 BENCH_CORE   := $(BENCH_MATH) $(wildcard core/geometry/*.c)
 BENCH_INPUTS := $(wildcard core/*/*.[ch] core/*/*.inc core/include/qtri/*.h host/bench/bench_math*.[ch] host/bench/*.inc) host/bench/bench.mk
 BENCH_FLAGS  := -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -idirafter port/boards/common/libc

@@ -16,11 +16,11 @@ build()
     shift
     mkdir -p "$folder/$name"
     # The mathematics has no options.
-    [ "$name" = all ] && files=$(ls core/*/*.c port/boards/common/memory.c) || files=$(ls core/*/*.c | grep -v '^core/math/')
+    [ "$name" = all ] && files=$(ls core/*/*.c port/boards/common/memory.c) || files=$(ls core/*/*.c | grep -v "^core/\(bits\|math\)/")
     for file in $files; do
         "$@" -c -o "$folder/$name/$(basename "$file" .c).o" "$file"
     done
-    [ "$name" = all ] || cp -f $(ls core/math/*.c port/boards/common/memory.c | sed "s,.*/\(.*\)\.c,$folder/all/\1.o,") "$folder/$name"
+    [ "$name" = all ] || cp -f $(ls core/bits/*.c core/math/*.c port/boards/common/memory.c | sed "s,.*/\(.*\)\.c,$folder/all/\1.o,") "$folder/$name"
     for application in $applications; do
         "$@" -c -o "$folder/app_$application.o" "host/bench/app_$application.c"
         # What the application calls that is not in the library stays undefined.

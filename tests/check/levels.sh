@@ -1,6 +1,6 @@
 #!/bin/sh
 # The pipeline's levels: who may include whom.
-#   core/math < geometry < raster < draw and frame, host/io < reference < tools < bench: own folder or lower;
+#   core/bits < math < geometry < frame < raster < fast < draw, host/io < reference < tools < bench: own folder or lower;
 #   core and port/panels: public headers and five system headers; neither the umbrella qtri.h nor the host;
 #   host/reference: nothing of core, not even by way of another header.
 gate=levels
@@ -24,8 +24,8 @@ found=$(c_files core port/include port/panels host | xargs grep -n '^ *# *includ
     }
     function complain(text) { print $1 ":" $2 ": includes " name ": " text }
     BEGIN {
-        level["core/math"] = 1; level["core/geometry"] = 2; level["core/raster"] = 3
-        level["core/draw"] = level["core/frame"] = 4
+        level["core/bits"] = 0; level["core/math"] = 1; level["core/geometry"] = 2; level["core/frame"] = 3; level["core/raster"] = 4; level["core/fast"] = 5
+        level["core/draw"] = 6
         level["host/io"] = 1; level["host/reference"] = 2; level["host/tools"] = 3; level["host/bench"] = 4
         freestanding = "^(stdint|stddef|stdbool|limits|string)\\.h$"
     }

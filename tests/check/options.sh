@@ -14,7 +14,7 @@ status=0
 
 # The mathematics has no options.
 mkdir "$work/math"
-ls core/math/*.c | xargs -P "$jobs" -n 8 sh -c 'to=$1; shift; for file; do gcc -std=c99 -O1 -Icore/include -c -o "$to/$(basename "$file" .c).o" "$file" || exit 1; done' \
+ls core/bits/*.c core/math/*.c | xargs -P "$jobs" -n 8 sh -c 'to=$1; shift; for file; do gcc -std=c99 -O1 -Icore/include -c -o "$to/$(basename "$file" .c).o" "$file" || exit 1; done' \
     sh "$work/math" || finish 1
 
 # build NAME OPTION...: a program of the library without these

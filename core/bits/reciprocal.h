@@ -1,10 +1,10 @@
 /*
  * A reciprocal for where there is one a vertex or a triangle. Internal.
  */
-#ifndef QTRI_MATH_RECIPROCAL_H
-#define QTRI_MATH_RECIPROCAL_H
+#ifndef QTRI_BITS_RECIPROCAL_H
+#define QTRI_BITS_RECIPROCAL_H
 
-#include "dot.h"
+#include "bits.h"
 
 /*
  * The largest r with r x < 2^62, for x in [2^31, 2^32): in [2^30, 2^31). It is the reciprocal

@@ -5,8 +5,8 @@
  * luma-weighted share of 0..255 for GRAY8, each with 16 fraction bits. So a colour is rounded
  * exactly once, when it is stored, and flat, smooth and textured pixels share one rule.
  */
-#ifndef QTRI_RASTER_PIXEL_H
-#define QTRI_RASTER_PIXEL_H
+#ifndef QTRI_FRAME_PIXEL_H
+#define QTRI_FRAME_PIXEL_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 #include "pixel.h"
 
-#include "../math/bits.h"
+#include "../bits/bits.h"
 
 /* white / (255 << 16) in Q30, rounded: times a colour of 24 bits, off by less than 2^-6 units. */
 #define RATIO_Q30(white)                                                                           \

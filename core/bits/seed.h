@@ -4,8 +4,8 @@
  * They are as good as 16 bits allow; whoever uses them finds the exact remainder and corrects. The
  * tests try every argument, of both variants, against the bounds given here.
  */
-#ifndef QTRI_MATH_SEED_H
-#define QTRI_MATH_SEED_H
+#ifndef QTRI_BITS_SEED_H
+#define QTRI_BITS_SEED_H
 
 #include "bits.h"
 

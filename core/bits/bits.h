@@ -9,8 +9,8 @@
  *
  * They may be set from outside, as the tests do to run the narrow code on the host.
  */
-#ifndef QTRI_MATH_BITS_H
-#define QTRI_MATH_BITS_H
+#ifndef QTRI_BITS_H
+#define QTRI_BITS_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -89,6 +89,14 @@ static inline void qtri_math_fault(void)
 #define QTRI_RARELY() __asm__ volatile("")
 #else
 #define QTRI_RARELY() ((void)0)
+#endif
+
+/* Holds GCC to one sum or product at a time, and x in a register: it would interleave, and spill.
+ */
+#ifdef __GNUC__
+#define QTRI_HOLD(x) __asm__ volatile("" : "+r"(x))
+#else
+#define QTRI_HOLD(x) ((void)(x))
 #endif
 
 /* A function of its own, whose stack is free again when it returns. */

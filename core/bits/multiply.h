@@ -5,8 +5,8 @@
  * in 6 to 15 instructions where the compiler's 64-bit product takes 35. Both forms give the
  * same bits.
  */
-#ifndef QTRI_MATH_MULTIPLY_H
-#define QTRI_MATH_MULTIPLY_H
+#ifndef QTRI_BITS_MULTIPLY_H
+#define QTRI_BITS_MULTIPLY_H
 
 #include "bits.h"
 

@@ -5,8 +5,8 @@
  * before a row is. Exponents are held within +-QTRI_WIDE_EXPONENT_MAX: smaller numbers
  * become 0, larger ones stay at the limit. Results are truncated, relative error below 2^-59.
  */
-#ifndef QTRI_MATH_WIDE_H
-#define QTRI_MATH_WIDE_H
+#ifndef QTRI_BITS_WIDE_H
+#define QTRI_BITS_WIDE_H
 
 #include <stdint.h>
 
