@@ -12,7 +12,7 @@
 
 #include "../geometry/projector.h"
 #include "../bits/multiply.h"
-#include "fill.h"
+#include "loop.h"
 #include "packed.h"
 #include "rows.h"
 #include "setup.h"

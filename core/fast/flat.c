@@ -1,27 +1,8 @@
-/*
- * Loops that fill rows, for one pixel format. Include with these defined:
- *   LOOP(name)  the name of a function
- *   PIXEL       the type of a stored pixel
- */
-
-static void LOOP(flat)(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
-{
-    const qtri_raster *raster = job->raster;
-    uint8_t *line = qtri_pixels_at(raster->surface, row);
-    for (const qtri_span *end = spans + count; spans < end; spans++) {
-        int32_t x;
-        int32_t rest = qtri_span_clip(spans, &raster->bounds, &x);
-        PIXEL *pixel = (PIXEL *)(void *)line + x;
-        const PIXEL color = (PIXEL)job->pixel;
-        for (; rest > 0; rest--) {
-            *pixel++ = color;
-        }
-        line += raster->surface->pitch;
-    }
-}
+#include "../raster/loop.h"
+#include "fused.h"
 
 /* A pixel is a load, a compare, two stores and an addition. */
-static void LOOP(flat_less)(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+void qtri_flat_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
     const qtri_raster *raster = job->raster;
     qtri_lines lines = qtri_lines_at(raster->surface, row);
@@ -29,11 +10,11 @@ static void LOOP(flat_less)(const qtri_job *job, const qtri_span *spans, int32_t
         int32_t x;
         int32_t rest = qtri_span_clip(spans, &raster->bounds, &x);
         if (rest > 0) {
-            PIXEL *pixel = (PIXEL *)(void *)lines.pixels + x;
+            uint16_t *pixel = (uint16_t *)(void *)lines.pixels + x;
             uint16_t *depth = lines.depths + x;
             uint32_t z = qtri_ramp_at(&job->depth, x - job->anchor_x, row - job->anchor_y);
             const uint32_t step = job->depth.dx;
-            const PIXEL color = (PIXEL)job->pixel;
+            const uint16_t color = (uint16_t)job->pixel;
 #define ONE(i)                                                                                     \
     if (z >> 16 < depth[i]) {                                                                      \
         QTRI_BRANCH                                                                                \
@@ -50,6 +31,3 @@ static void LOOP(flat_less)(const qtri_job *job, const qtri_span *spans, int32_t
         lines.depths += raster->surface->depth_pitch;
     }
 }
-
-#undef LOOP
-#undef PIXEL

@@ -1,11 +1,12 @@
-#include "fill_packed.h"
+#include "smooth.h"
 
-#include "fill_pairs.h"
+#include "fused.h"
+#include "pairs.h"
 
 /* `count` pixels, the first of which is pixel `phase` of a group. */
 static void draw(qtri_packed_row *row, const qtri_job *job, int32_t phase, int32_t count)
 {
-    const qtri_packed_steps *step = &job->color.word.step;
+    const qtri_packed_steps *step = &job->color.step;
     for (; count > 0; count--, phase++) {
         if (row->z >> 16 < *row->depth) {
             *row->depth = (uint16_t)(row->z >> 16);
@@ -68,9 +69,9 @@ void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 {
     uint32_t depth_step = job->depth.dx;
-    uint32_t even = job->color.word.step.even;
-    uint32_t odd = job->color.word.step.odd;
-    const uint32_t last = job->color.word.step.last;
+    uint32_t even = job->color.step.even;
+    uint32_t odd = job->color.step.odd;
+    const uint32_t last = job->color.step.last;
     uint16_t *pixel = row->pixel;
     uint16_t *depth = row->depth;
     uint32_t z = row->z;
@@ -122,50 +123,7 @@ void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 
 #endif
 
-/* A tiny triangle: values at column 0 step from row to row, and a span needs no groups. */
-void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
-{
-    const qtri_raster *raster = job->raster;
-    const ptrdiff_t pitch = raster->surface->pitch;
-    const ptrdiff_t depth_pitch = raster->surface->depth_pitch;
-    qtri_lines lines = qtri_lines_at(raster->surface, row);
-    uint32_t depth_step = job->depth.dx;
-    uint32_t step = job->color.word.step.even;
-    uint32_t depth_row = qtri_ramp_at(&job->depth, -job->anchor_x, row - job->anchor_y);
-    uint32_t packed_row = qtri_packed_tiny(job, -job->anchor_x, row - job->anchor_y);
-    for (; count > 0; count--) {
-        int32_t x = spans->left;
-        int32_t stop = spans->right;
-        if (job->cut) {
-            stop = qtri_span_clip(spans, &raster->bounds, &x);
-            stop += x;
-        }
-        if (x < stop) {
-            uint16_t *pixels = (uint16_t *)(void *)lines.pixels;
-            uint16_t *depths = lines.depths;
-            uint32_t z = depth_row + (uint32_t)x * depth_step;
-            uint32_t packed = packed_row + (uint32_t)x * step;
-            do {
-                if (z >> 16 < depths[x]) {
-                    QTRI_BRANCH
-                    depths[x] = (uint16_t)(z >> 16);
-                    pixels[x] = (uint16_t)qtri_packed_pixel(packed);
-                }
-                z += depth_step;
-                packed += step;
-                QTRI_ASIDE(depth_step)
-                QTRI_ASIDE(step)
-            } while (++x < stop);
-        }
-        spans++;
-        depth_row += job->depth.dy;
-        packed_row += job->color.word.dy;
-        lines.pixels += pitch;
-        lines.depths += depth_pitch;
-    }
-}
-
-void qtri_fill_packed_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+void qtri_smooth_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
     qtri_packed_rows(job, spans, row, count, qtri_packed_singly);
 }

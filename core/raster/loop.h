@@ -1,21 +1,10 @@
 /*
- * Functions that fill rows. Internal.
- *
- * Each loop beside the generic one, qtri_run_generic, is there for rows of the benchmark:
- *
- *     fill.inc        one colour, any format, with and without depth           S1
- *     fill_packed.c   linear colours in RGB565; the same for tiny triangles    S2; S4 S4k
- *     fill_texture.c  copied texels in RGB565                                  S3 S3a
- *     fill_pairs.c    these three two pixels at a time, on Thumb-2             S1 S2 S3 S3a
- *     tiny.h          tiny triangles of a mesh, set up and filled in one go    S4 S5
- *     line_fast.c     short lines in RGB565                                    S7
- *
- * All of them test depth with "less" and write it, or, in fill.inc, know none.
+ * What loops over pixels are made of. Internal.
  */
-#ifndef QTRI_RASTER_FILL_H
-#define QTRI_RASTER_FILL_H
+#ifndef QTRI_RASTER_LOOP_H
+#define QTRI_RASTER_LOOP_H
 
-#include "job.h"
+#include "qtri/surface.h"
 
 /*
  * GCC 12 computes several pixels' values ahead and mixes their work, and then runs out of
@@ -107,14 +96,5 @@ static inline qtri_lines qtri_lines_at(const qtri_surface *surface, int32_t row)
 #else
 #define QTRI_READ_AGAIN
 #endif
-
-/* RGB565, linear colours, depth "less" with write. */
-void qtri_fill_packed_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
-
-/* The same for tiny triangles. */
-void qtri_fill_tiny_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
-
-/* The same for jobs that copy texels. */
-void qtri_run_copy_less(const qtri_job *job, const qtri_run *run);
 
 #endif

@@ -1,7 +1,8 @@
-#include "fill.h"
-#include "texel_copy.h"
+#include "../raster/loop.h"
+#include "../raster/texel_copy.h"
+#include "fused.h"
 
-void qtri_run_copy_less(const qtri_job *job, const qtri_run *run)
+void qtri_copy_less(const qtri_job *job, const qtri_run *run)
 {
     const qtri_raster *raster = job->raster;
     const uint8_t *texels = raster->texture->texels;
@@ -9,11 +10,11 @@ void qtri_run_copy_less(const qtri_job *job, const qtri_run *run)
     uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
     uint16_t *depth = run->depths + run->x;
     uint32_t z = run->z;
-    uint32_t u = run->value[QTRI_U];
-    uint32_t v = run->value[QTRI_U + 1];
+    uint32_t u = run->value[0];
+    uint32_t v = run->value[1];
     uint32_t depth_step = job->depth.dx;
-    uint32_t u_step = run->step[QTRI_U];
-    uint32_t v_step = run->step[QTRI_U + 1];
+    uint32_t u_step = run->step[0];
+    uint32_t v_step = run->step[1];
     int32_t count = run->count;
 #define ONE(i)                                                                                     \
     if (z >> 16 < depth[i]) {                                                                      \

@@ -1,11 +1,12 @@
 /*
  * Rows of packed colours, for functions that draw part of a row. Internal.
  */
-#ifndef QTRI_RASTER_FILL_PACKED_H
-#define QTRI_RASTER_FILL_PACKED_H
+#ifndef QTRI_FAST_SMOOTH_H
+#define QTRI_FAST_SMOOTH_H
 
-#include "fill.h"
-#include "packed.h"
+#include "../raster/job.h"
+#include "../raster/loop.h"
+#include "../raster/packed.h"
 
 /* A row of a triangle that is not tiny: what is left of a run, and the runs after it. */
 typedef struct qtri_packed_row {
@@ -52,8 +53,8 @@ static inline void qtri_packed_short(const qtri_job *job, uint16_t *pixel, uint1
                                      int32_t count, uint32_t z, uint32_t packed)
 {
     const uint32_t depth_step = job->depth.dx;
-    const uint32_t two_steps = job->color.word.step.even + job->color.word.step.odd;
-    uint32_t step = job->color.word.step.even;
+    const uint32_t two_steps = job->color.step.even + job->color.step.odd;
+    uint32_t step = job->color.step.even;
     const uint16_t *stop = depth + count;
     do {
         if (z >> 16 < *depth) {

@@ -1,7 +1,7 @@
-#include "fill_pairs.h"
+#include "pairs.h"
 
-#include "fill_packed.h"
-#include "texel_copy.h"
+#include "../raster/texel_copy.h"
+#include "smooth.h"
 
 /*
  * A loop defines COLOR(name), a variable with the pixel's colour in the low half, and STEP(s),
@@ -84,7 +84,7 @@ enum { LONG = 12 }; /* pixels of one colour from which pairs are worth the while
 #define COLOR(name) const uint32_t name = color;
 #define STEP(s)
 
-void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+void qtri_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
     const qtri_raster *raster = job->raster;
     qtri_lines lines = qtri_lines_at(raster->surface, row);
@@ -127,7 +127,7 @@ void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t r
 static void packed_row(qtri_packed_row *row, const qtri_job *job)
 {
     const uint32_t depth_step = job->depth.dx;
-    const qtri_packed_steps *step = &job->color.word.step;
+    const qtri_packed_steps *step = &job->color.step;
     uint16_t *pixel = row->pixel;
     uint16_t *depth = row->depth;
     if (!qtri_pairs_fit(pixel, depth)) {
@@ -176,7 +176,7 @@ static void packed_row(qtri_packed_row *row, const qtri_job *job)
     }
 }
 
-void qtri_fill_packed_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+void qtri_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
     qtri_packed_rows(job, spans, row, count, packed_row);
 }
@@ -192,7 +192,7 @@ void qtri_fill_packed_pairs(const qtri_job *job, const qtri_span *spans, int32_t
     QTRI_OPAQUE(u)                                                                                 \
     QTRI_OPAQUE(v)
 
-void qtri_run_copy_pairs(const qtri_job *job, const qtri_run *run)
+void qtri_copy_pairs(const qtri_job *job, const qtri_run *run)
 {
     const qtri_raster *raster = job->raster;
     const uint16_t *texels = raster->texture->texels;
@@ -200,11 +200,11 @@ void qtri_run_copy_pairs(const qtri_job *job, const qtri_run *run)
     uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
     uint16_t *depth = run->depths + run->x;
     uint32_t z = run->z;
-    uint32_t u = run->value[QTRI_U];
-    uint32_t v = run->value[QTRI_U + 1];
+    uint32_t u = run->value[0];
+    uint32_t v = run->value[1];
     const uint32_t depth_step = job->depth.dx;
-    const uint32_t u_step = run->step[QTRI_U];
-    const uint32_t v_step = run->step[QTRI_U + 1];
+    const uint32_t u_step = run->step[0];
+    const uint32_t v_step = run->step[1];
     int32_t count = run->count;
     if (!qtri_pairs_fit(pixel, depth)) {
         for (; count > 0; count--) {

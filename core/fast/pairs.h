@@ -12,10 +12,11 @@
  *
  * With other compilers and on other cores all of this is plain C, for the tests.
  */
-#ifndef QTRI_RASTER_FILL_PAIRS_H
-#define QTRI_RASTER_FILL_PAIRS_H
+#ifndef QTRI_FAST_PAIRS_H
+#define QTRI_FAST_PAIRS_H
 
-#include "fill.h"
+#include "../raster/job.h"
+#include "../raster/loop.h"
 
 #if defined(__GNUC__) && defined(__thumb2__) && defined(__ARM_FEATURE_DSP) &&                      \
     defined(__ARM_FEATURE_SIMD32) && !defined(__ARM_BIG_ENDIAN)
@@ -113,9 +114,9 @@ static inline bool qtri_pair_begins(const uint16_t *depth)
 }
 
 /* RGB565, depth "less" with write: one colour, linear colours, copied texels. */
-void qtri_fill_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
-void qtri_fill_packed_pairs(const qtri_job *job, const qtri_span *spans, int32_t row,
+void qtri_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+void qtri_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row,
                             int32_t count);
-void qtri_run_copy_pairs(const qtri_job *job, const qtri_run *run);
+void qtri_copy_pairs(const qtri_job *job, const qtri_run *run);
 
 #endif

@@ -1,0 +1,16 @@
+/*
+ * Fused loops of surfaces of 16 bits with depth "less" and written: whole rows of one colour, of
+ * linear colours in RGB565, and runs of texels that become pixels as they are. Internal.
+ *
+ * They save time and nothing else: the stages draw the same pixels to the bit.
+ */
+#ifndef QTRI_FAST_FUSED_H
+#define QTRI_FAST_FUSED_H
+
+#include "../raster/job.h"
+
+void qtri_flat_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+void qtri_smooth_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+void qtri_copy_less(const qtri_job *job, const qtri_run *run);
+
+#endif

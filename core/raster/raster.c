@@ -1,0 +1,86 @@
+#include "raster.h"
+
+#include "loop.h"
+#include "job.h"
+#include "textured.h"
+
+static bool has_texture(const qtri_material *material)
+{
+    const qtri_texture *texture = material->texture;
+    return QTRI_WITH_TEXTURES && texture != NULL && texture->format != NULL &&
+           texture->format->usable(texture);
+}
+
+void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
+                      const qtri_material *material, qtri_batch *batch)
+{
+    static const qtri_rect nowhere = {0, 0, 0, 0};
+    const qtri_format *format = surface->format;
+    const bool textured = has_texture(material);
+    raster->surface = surface;
+    raster->format = format;
+    raster->batch = batch;
+    raster->bounds = qtri_surface_bounds(surface);
+    raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
+    raster->depth_write = raster->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
+    raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
+    raster->cull = material->cull;
+    raster->shading = qtri_shading_of(material);
+    raster->depth = qtri_depth_stages(raster->compare, raster->depth_write,
+                                      textured && material->texture->has_key);
+    raster->texture = NULL;
+    raster->replace = false;
+    raster->copied = false;
+    raster->repeated = false;
+    raster->fill_flat = qtri_span_fill;
+    raster->fill_smooth = qtri_span_fill;
+    raster->copy_run = NULL;
+    if (format == NULL || raster->compare == QTRI_NEVER) {
+        raster->bounds = nowhere;
+        raster->format = &qtri_xrgb8888;
+        format = raster->format;
+    }
+    raster->units = format->colors;
+    if (textured) {
+        qtri_texture_init(raster, material);
+    }
+    if (QTRI_WITH_FAST_PATHS && format->fused != NULL && raster->compare == QTRI_LESS &&
+        raster->depth_write) {
+        raster->fill_flat = format->fused->flat_less;
+        raster->fill_smooth = format->fused->smooth_less;
+        raster->copy_run = raster->copied ? format->fused->copy_less : NULL;
+    }
+}
+
+qtri_channels qtri_raster_channels(const qtri_raster *raster, const int32_t color_8p16[3])
+{
+    qtri_channels channels = qtri_channels_from_color(raster->units, color_8p16);
+    if (raster->units->single) {
+        channels.c[2] += channels.c[0] + channels.c[1];
+        channels.c[0] = 0;
+        channels.c[1] = 0;
+    }
+    return channels;
+}
+
+void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
+{
+    const int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
+                                   (int32_t)color.b << 16};
+    raster->tint = qtri_raster_channels(raster, color_8p16);
+    for (int i = 0; i < 3; i++) {
+        raster->tint_n6[i] = raster->tint.c[i] >> 10;
+    }
+    if (raster->texture != NULL) {
+        raster->tint_shade = qtri_shade_of(raster->tint.c);
+    }
+}
+
+uint32_t qtri_raster_pixel(const qtri_raster *raster, const int32_t channel[3])
+{
+    uint32_t color = raster->format->colors->pack(channel);
+    if (raster->format->encode != NULL) {
+        raster->format->encode(&color, 1);
+    }
+    return color;
+}

@@ -1,0 +1,107 @@
+/*
+ * What the triangles of a draw call share: where they are drawn, and the stages that their pixels
+ * go through, chosen once. Internal.
+ */
+#ifndef QTRI_RASTER_RASTER_H
+#define QTRI_RASTER_RASTER_H
+
+#include "qtri/material.h"
+
+#include "../bits/bits.h"
+#include "../frame/pixel.h"
+#include "batch.h"
+#include "stage_depth.h"
+#include "texel.h"
+
+typedef struct qtri_job qtri_job;
+
+/* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
+typedef struct qtri_span {
+    int16_t left, right;
+} qtri_span;
+
+/* Fills `count` rows from `row` on. */
+typedef void (*qtri_fill_rows)(const qtri_job *job, const qtri_span *spans, int32_t row,
+                               int32_t count);
+
+/* Part of a row that copies texels. */
+typedef struct qtri_run qtri_run;
+typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
+
+/* Loops that stand in for the stages where depth is "less" and written. */
+struct qtri_fused {
+    qtri_fill_rows flat_less, smooth_less;
+    qtri_draw_run copy_less;
+};
+
+typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
+typedef void (*qtri_modulate_stage)(uint32_t *color, const uint32_t *shade, int32_t count);
+
+typedef struct qtri_raster {
+    const qtri_surface *surface;
+    const qtri_format *format;
+    const qtri_texture *texture; /* NULL: none */
+    qtri_batch *batch;
+    qtri_rect bounds; /* empty where nothing is to be drawn */
+    qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
+    bool depth_write;
+    bool perspective; /* as the material asks */
+    qtri_cull cull;
+    qtri_shading shading;
+    qtri_depth depth;
+    /*
+     * Units of colours' channels, n.16: those of the format, or, where there is a texture, 8 bits.
+     * Where only the sum of the three counts it is in place of blue, and the others are 0.
+     */
+    const qtri_colors *units;
+    qtri_channels tint;    /* what tinted triangles have shares of */
+    int32_t tint_n6[3];    /* the same with 6 bits after the point, cut off */
+
+    /* Texture: see textured.c. */
+    const qtri_colors *working; /* texels become colours of this kind */
+    qtri_words_stage widen, narrow; /* from the texel's kind, and to the format's; NULL: it is that */
+    qtri_modulate_stage light, times;
+    bool replace;
+    bool repeated;         /* coordinates fill 32 bits, see texel_number.h */
+    bool copied;           /* nearest repeated texels of the format's own kind, without a key */
+    uint32_t texel_cut;    /* see texel_copy.h */
+    uint32_t tint_shade;   /* the tint as a shade; white: QTRI_SHADE_WHITE */
+
+    /* Fused loops, or the stages. */
+    qtri_fill_rows fill_flat, fill_smooth;
+    qtri_draw_run copy_run; /* NULL: none */
+} qtri_raster;
+
+/* batch: the caller's, used while the raster is. */
+void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
+                      const qtri_material *material, qtri_batch *batch);
+
+/* The colour that tinted triangles have shares of. */
+void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);
+
+/* color_8p16 (0..255.0) as the raster's channels. */
+qtri_channels qtri_raster_channels(const qtri_raster *raster, const int32_t color_8p16[3]);
+
+/* Channels as a stored pixel, where there is no texture. */
+uint32_t qtri_raster_pixel(const qtri_raster *raster, const int32_t channel[3]);
+
+/* The vertex whose colour a flat triangle has. */
+static inline int qtri_raster_provoking(const qtri_raster *raster)
+{
+    return raster->shading == QTRI_FLAT_FIRST ? 0 : 2;
+}
+
+/* share_q22 <= 2^22 of a tint's channel, or of a step of it. */
+static inline int32_t qtri_raster_shade(const qtri_raster *raster, int32_t share_q22, int i)
+{
+    return (int32_t)(qtri_mul_s32(share_q22, raster->tint.c[i]) >> 22);
+}
+
+/* What a material asks for and the library is built with: see config.h. */
+static inline qtri_shading qtri_shading_of(const qtri_material *material)
+{
+    return QTRI_WITH_SMOOTH || material->shading == QTRI_FLAT_FIRST ? material->shading
+                                                                    : QTRI_FLAT_LAST;
+}
+
+#endif
