@@ -46,11 +46,11 @@ static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
         m->depth_compare = random_flag(seed) ? QTRI_LESS : QTRI_DEPTH_OFF;
     }
     m->depth_read_only = random_in(seed, 0, 3) == 0;
-    qtri_texture texture = {.texels = texels, .format = QTRI_TEXEL_RGB565};
+    qtri_texture texture = {.texels = texels, .format = &qtri_texel_rgb565};
     texture.width_log2 = (uint8_t)random_in(seed, 0, 9);
     texture.height_log2 = (uint8_t)random_in(seed, 0, 16 - texture.width_log2);
     texture.height_log2 = texture.height_log2 > 10 ? 10 : texture.height_log2;
-    texture.filter = random_in(seed, 0, 5) == 0 ? QTRI_BILINEAR : QTRI_NEAREST;
+    texture.filter = random_in(seed, 0, 5) == 0 ? &qtri_bilinear : NULL;
     texture.wrap_u = random_in(seed, 0, 5) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
     texture.has_key = random_in(seed, 0, 5) == 0;
     texture.key = texels[0];
@@ -63,7 +63,7 @@ enum way { CHOSEN, GENERIC, PAIRS, SELECTED, WAYS };
 
 static void choose(qtri_raster *raster, enum way way)
 {
-    bool packed = raster->surface->format == QTRI_RGB565 && raster->compare == QTRI_LESS &&
+    bool packed = raster->surface->format == &qtri_rgb565 && raster->compare == QTRI_LESS &&
                   raster->depth_write;
     if (way == GENERIC) {
         raster->fill_flat = raster->fill_linear = raster->fill_tiny = qtri_fill_spans;
@@ -106,7 +106,7 @@ static void random_background(canvas c[WAYS], uint64_t *seed)
 static void every_way_draws_the_same(void **state)
 {
     (void)state;
-    static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     uint64_t seed = 7;
     int fast = 0;
     for (size_t i = 0; i < LENGTH_OF(texels); i++) {
@@ -149,7 +149,7 @@ static void every_way_draws_the_same(void **state)
 static void surfaces_without_depth(void **state)
 {
     (void)state;
-    static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     uint64_t seed = 9;
     for (int f = 0; f < 3; f++) {
         canvas off = canvas_new(formats[f], WIDTH, HEIGHT);
@@ -179,15 +179,15 @@ static void copies_equal_modulation(void **state)
 {
     (void)state;
     uint64_t seed = 8;
-    canvas a = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
-    canvas b = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    canvas a = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas b = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     int copied = 0;
     int pixels = 0;
     int others = 0;
     for (int n = 0; n < 4000; n++) {
         qtri_screen_vertex v[3];
         qtri_material material = qtri_material_default();
-        qtri_texture texture = {.texels = texels, .format = QTRI_TEXEL_RGB565};
+        qtri_texture texture = {.texels = texels, .format = &qtri_texel_rgb565};
         texture.width_log2 = (uint8_t)random_in(&seed, 1, 8);
         texture.height_log2 = (uint8_t)random_in(&seed, 0, 8);
         qtri_texture keyed = texture; /* a key that no texel has: drawn by the generic path */

@@ -81,8 +81,8 @@ static void small_equals_general(void **state)
     int smooth = 0;
     int flat = 0;
     int others = 0;
-    canvas a = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
-    canvas b = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    canvas a = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas b = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     qtri_material material = qtri_material_default();
     material.cull = QTRI_CULL_NONE;
     for (int n = 0; n < TRIANGLES; n++) {
@@ -137,16 +137,16 @@ static void others_are_left_alone(void **state)
 {
     (void)state;
     static const uint16_t texel = 0;
-    static const qtri_texture texture = {.texels = &texel, .format = QTRI_TEXEL_RGB565};
+    static const qtri_texture texture = {.texels = &texel, .format = &qtri_texel_rgb565};
     static const struct {
-        qtri_format format;
+        const qtri_format *format;
         qtri_compare compare;
         bool read_only;
         const qtri_texture *texture;
     } cases[] = {
-        {QTRI_XRGB8888, QTRI_LESS, false, NULL},    {QTRI_GRAY8, QTRI_LESS, false, NULL},
-        {QTRI_RGB565, QTRI_DEPTH_OFF, false, NULL}, {QTRI_RGB565, QTRI_LESS, true, NULL},
-        {QTRI_RGB565, QTRI_GREATER, false, NULL},   {QTRI_RGB565, QTRI_LESS, false, &texture}};
+        {&qtri_xrgb8888, QTRI_LESS, false, NULL},    {&qtri_gray8, QTRI_LESS, false, NULL},
+        {&qtri_rgb565, QTRI_DEPTH_OFF, false, NULL}, {&qtri_rgb565, QTRI_LESS, true, NULL},
+        {&qtri_rgb565, QTRI_GREATER, false, NULL},   {&qtri_rgb565, QTRI_LESS, false, &texture}};
     uint64_t seed = 12;
     for (size_t i = 0; i < LENGTH_OF(cases); i++) {
         canvas a = canvas_new(cases[i].format, WIDTH, HEIGHT);

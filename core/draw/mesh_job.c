@@ -54,7 +54,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->mesh = mesh;
     draw->vertices = view->vertices;
     draw->slot_count = view->vertex_count;
-    const bool solid = material->fill == QTRI_SOLID;
+    const bool solid = material->fill == NULL;
     qtri_primitive_set_target(&draw->primitive, surface, &draw->material, !solid);
     draw->tinted = mesh->colors == NULL;
     draw->more = !draw->tinted;

@@ -86,8 +86,7 @@ void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_v
 static inline bool qtri_mesh_has_final_edges(const qtri_mesh_job *draw)
 {
     const qtri_line_job *line = &draw->primitive.to.line;
-    return QTRI_WITH_LINES && draw->material.fill != QTRI_SOLID &&
-           qtri_line_is_final(line->compare, line->depth_write);
+    return draw->material.fill != NULL && qtri_line_is_final(line->compare, line->depth_write);
 }
 
 /*

@@ -11,7 +11,7 @@ QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
         int32_t color_8p16[3];
         qtri_mesh_set_color(color_8p16, draw, index, intensity_q15);
         qtri_channels channels =
-            qtri_channels_from_color(qtri_format_of(draw->primitive.surface), color_8p16);
+            qtri_channels_from_color(qtri_colors_of(draw->primitive.surface), color_8p16);
         out->color[0] = channels.c[0];
         out->color[1] = channels.c[1];
         out->color[2] = channels.c[2];

@@ -12,15 +12,15 @@
 #define PIXEL      uint8_t
 #include "fill.inc"
 
-static qtri_fill_rows flat_for(qtri_format format, bool less)
+static qtri_fill_rows flat_for(qtri_kind kind, bool less)
 {
-    switch (format) {
-    case QTRI_RGB565:
+    switch (kind) {
+    case QTRI_KIND_RGB565:
         if (less) {
             return QTRI_PAIRS ? qtri_fill_flat_pairs : rgb565_flat_less;
         }
         return rgb565_flat;
-    case QTRI_XRGB8888:
+    case QTRI_KIND_XRGB8888:
         return less ? xrgb8888_flat_less : xrgb8888_flat;
     default:
         return less ? gray8_flat_less : gray8_flat;
@@ -30,20 +30,20 @@ static qtri_fill_rows flat_for(qtri_format format, bool less)
 void qtri_fill_choose(qtri_raster *raster)
 {
     bool less = raster->compare == QTRI_LESS && raster->depth_write;
-    qtri_format format = qtri_format_of(raster->surface);
+    const qtri_kind kind = qtri_kind_of(raster->surface);
     raster->fill_flat = qtri_fill_spans;
     raster->fill_linear = qtri_fill_spans;
     raster->fill_tiny = qtri_fill_spans;
     raster->copy_run = qtri_run_generic;
     raster->small =
-        QTRI_WITH_FAST_PATHS && less && format == QTRI_RGB565 && raster->texture == NULL;
+        QTRI_WITH_FAST_PATHS && less && kind == QTRI_KIND_RGB565 && raster->texture == NULL;
     if (!QTRI_WITH_FAST_PATHS) {
         return;
     }
     if (less || raster->compare == QTRI_DEPTH_OFF) {
-        raster->fill_flat = flat_for(format, less);
+        raster->fill_flat = flat_for(kind, less);
     }
-    if (less && format == QTRI_RGB565) {
+    if (less && kind == QTRI_KIND_RGB565) {
         if (QTRI_WITH_SMOOTH) {
             raster->fill_tiny = qtri_fill_tiny_less;
             raster->fill_linear = QTRI_PAIRS ? qtri_fill_packed_pairs : qtri_fill_packed_less;

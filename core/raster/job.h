@@ -140,12 +140,12 @@ static inline bool qtri_job_is_flat(const qtri_job *job)
 
 static inline bool qtri_job_copies_texels(const qtri_job *job)
 {
-    return QTRI_WITH_TEXTURES && QTRI_WITH_RGB565 && job->copies_texels;
+    return QTRI_WITH_TEXTURES && job->copies_texels;
 }
 
 static inline bool qtri_job_is_packed(const qtri_job *job)
 {
-    return QTRI_WITH_SMOOTH && QTRI_WITH_RGB565 && job->packed;
+    return QTRI_WITH_SMOOTH && job->packed;
 }
 
 static inline int qtri_job_first(const qtri_job *job)

@@ -26,7 +26,7 @@ static bool shade(const qtri_job *job, const qtri_run *run, uint32_t i, uint32_t
         !qtri_texel_apply(raster->texture, job->axis, u, v, &color)) {
         return false;
     }
-    *pixel = qtri_pixel_pack(raster->surface->format, &color);
+    *pixel = qtri_pixel_pack(qtri_kind_of(raster->surface), &color);
     return true;
 }
 
@@ -52,6 +52,6 @@ void qtri_run_generic(const qtri_job *job, const qtri_run *run)
         if (tested && raster->depth_write) {
             run->depths[x] = z;
         }
-        qtri_pixel_store(raster->surface->format, run->pixels, x, pixel);
+        qtri_pixel_store(qtri_kind_of(raster->surface), run->pixels, x, pixel);
     }
 }

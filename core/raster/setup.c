@@ -121,11 +121,11 @@ static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
     const qtri_raster *raster = job->raster;
     uint32_t range = channel_range(v, 0);
     if (job->tinted) {
-        return qtri_format_of(raster->surface) == QTRI_RGB565 ? range : range << 2;
+        return qtri_kind_of(raster->surface) == QTRI_KIND_RGB565 ? range : range << 2;
     }
     for (int i = 1; i < 3; i++) {
         uint32_t other = channel_range(v, i);
-        if (qtri_format_of(raster->surface) == QTRI_GRAY8) {
+        if (qtri_kind_of(raster->surface) == QTRI_KIND_GRAY8) {
             range += other;
         } else {
             range = other > range ? other : range;
@@ -200,7 +200,7 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
 {
     const qtri_attribute *c = job->attribute;
     qtri_packed_steps *step = &job->color.word.step;
-    job->packed = qtri_format_of(job->raster->surface) == QTRI_RGB565 && job->end == QTRI_U;
+    job->packed = qtri_kind_of(job->raster->surface) == QTRI_KIND_RGB565 && job->end == QTRI_U;
     if (job->tinted && gradient->inverse != 0) {
         tint_ramps(job, v, gradient);
     } else {
@@ -290,7 +290,7 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
                                           (int32_t)255 << 16};
     const qtri_raster *raster = job->raster;
     if (raster->replace) {
-        job->color.constant = qtri_channels_from_color(raster->surface->format, white_8p16);
+        job->color.constant = qtri_channels_from_color(qtri_colors_of(raster->surface), white_8p16);
         return;
     }
     const qtri_attributes *from = &v[qtri_raster_provoking(raster)];
@@ -354,7 +354,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         constant_color(job, v);
         if (qtri_raster_texture(raster) == NULL) {
             job->paint = QTRI_PAINT_FLAT;
-            job->pixel = qtri_pixel_pack(raster->surface->format, &job->color.constant);
+            job->pixel = qtri_pixel_pack(qtri_kind_of(raster->surface), &job->color.constant);
             return raster->fill_flat;
         }
     }

@@ -46,7 +46,7 @@ static inline uint32_t qtri_raster_shade_565(const qtri_raster *raster, uint32_t
     for (int i = 0; i < 3; i++) {
         color.c[i] = qtri_raster_shade(raster, (int32_t)(intensity_q15 << 7), i);
     }
-    return qtri_pixel_pack(QTRI_RGB565, &color);
+    return qtri_pixel_pack(QTRI_KIND_RGB565, &color);
 }
 
 #endif

@@ -1,13 +1,7 @@
 #include "texel.h"
 
 #include "../bits/bits.h"
-
-#define SIDE_LOG2_MAX 10
-
-static uint8_t side_log2_of(uint8_t log2)
-{
-    return log2 > SIDE_LOG2_MAX ? SIDE_LOG2_MAX : log2;
-}
+#include "texel_format.h"
 
 static int64_t hold_q32(int64_t coordinate)
 {
@@ -40,7 +34,7 @@ void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_
     for (int i = 0; i < 3; i++) {
         value[i] = (uint32_t)(offset[i] >> down);
     }
-    side_log2 = side_log2_of(side_log2);
+    side_log2 = qtri_side_log2(side_log2);
     const int32_t shift = 32 - down - side_log2;
     axis->shift = (uint8_t)shift;
     axis->mask = (uint16_t)((1u << side_log2) - 1);
@@ -50,73 +44,32 @@ void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_
 
 bool qtri_texture_usable(const qtri_texture *texture)
 {
-    if (texture == NULL) {
-        return false;
-    }
-    if (!QTRI_WITH_TEXEL_FORMATS) {
-        return texture->format == QTRI_TEXEL_RGB565 && texture->texels != NULL;
-    }
-    switch (texture->format) {
-    case QTRI_TEXEL_RGB565:
-    case QTRI_TEXEL_XRGB8888:
-    case QTRI_TEXEL_GRAY8:
-        return texture->texels != NULL;
-    case QTRI_TEXEL_PALETTE8:
-        return texture->texels != NULL && texture->palette != NULL;
-    default:
-        return true; /* CHECKER */
-    }
-}
-
-/* See qtri_texture_usable. */
-static qtri_texel_format format_of(const qtri_texture *texture)
-{
-    return QTRI_WITH_TEXEL_FORMATS ? texture->format : QTRI_TEXEL_RGB565;
+    return texture != NULL && texture->format != NULL && texture->format->usable(texture);
 }
 
 /* As the colour key is compared. */
 static uint32_t stored_texel(const qtri_texture *texture, uint32_t column, uint32_t row)
 {
-    uint8_t width_log2 = side_log2_of(texture->width_log2);
-    uint32_t index = (row << width_log2) + column;
-    switch (format_of(texture)) {
-    case QTRI_TEXEL_RGB565:
-        return ((const uint16_t *)texture->texels)[index];
-    case QTRI_TEXEL_XRGB8888:
-        return ((const uint32_t *)texture->texels)[index] & 0xFFFFFFu;
-    case QTRI_TEXEL_PALETTE8:
-    case QTRI_TEXEL_GRAY8:
-        return ((const uint8_t *)texture->texels)[index];
-    default: {
-        uint32_t field_column = (column * texture->fields) >> width_log2;
-        uint32_t field_row = (row * texture->fields) >> side_log2_of(texture->height_log2);
-        return (field_column + field_row) & 1;
-    }
-    }
+    const uint32_t number = (row << qtri_side_log2(texture->width_log2)) + column;
+    uint32_t texel[4] = {number, number, number, number};
+    texture->format->fetch(texel, texture, 1);
+    return texel[0];
 }
 
 static qtri_rgb color_of(const qtri_texture *texture, uint32_t stored)
 {
-    switch (format_of(texture)) {
-    case QTRI_TEXEL_RGB565:
-        return qtri_rgb_from_565(stored);
-    case QTRI_TEXEL_XRGB8888:
-        return qtri_rgb_from_8888(stored);
-    case QTRI_TEXEL_PALETTE8:
-        return texture->palette[stored];
-    case QTRI_TEXEL_GRAY8: {
-        qtri_rgb gray = {(uint8_t)stored, (uint8_t)stored, (uint8_t)stored};
-        return gray;
+    const qtri_texel_format *format = texture->format;
+    uint32_t texel[4] = {stored, stored, stored, stored};
+    if (format->decode != NULL) {
+        format->decode(texel, texture, 1);
     }
-    default:
-        return texture->color[stored];
-    }
+    return qtri_rgb_from_888(format->colors == &qtri_colors_565 ? qtri_decode_rgb565(texel[0])
+                                                                : texel[0]);
 }
 
 static bool is_key(const qtri_texture *texture, uint32_t stored)
 {
-    uint32_t mask = format_of(texture) == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu : UINT32_MAX;
-    return texture->has_key && stored == (texture->key & mask);
+    return texture->has_key && ((stored ^ texture->key) & texture->format->key_mask) == 0;
 }
 
 /* texel / 255 in Q16, exact at 0 and 255 and within 2^-16 between: sum < 2^24 + 128. */
@@ -186,7 +139,7 @@ bool qtri_texel_apply(const qtri_texture *texture, const qtri_texel_axis axis[2]
     qtri_rgb texel = color_of(texture, stored);
     uint32_t texel_8p16[3] = {(uint32_t)texel.r << 16, (uint32_t)texel.g << 16,
                               (uint32_t)texel.b << 16};
-    if (QTRI_WITH_BILINEAR && texture->filter == QTRI_BILINEAR) {
+    if (texture->filter != NULL) {
         taps along = taps_at(&axis[0], texture->wrap_u, u);
         taps across = taps_at(&axis[1], texture->wrap_v, v);
         bilinear(texture, &along, &across, texel, texel_8p16);

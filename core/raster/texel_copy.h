@@ -30,8 +30,7 @@ static inline uint32_t qtri_shift_by_byte(uint32_t x, uint32_t by)
 /* Nearest, repeated, without a key, and v fits: 1 <= w, w + h <= 16. */
 static inline bool qtri_texel_copy_fits(const qtri_texture *texture)
 {
-    return texture->format == QTRI_TEXEL_RGB565 &&
-           !(QTRI_WITH_BILINEAR && texture->filter == QTRI_BILINEAR) &&
+    return texture->format == &qtri_texel_rgb565 && texture->filter == NULL &&
            texture->wrap_u != QTRI_CLAMP && texture->wrap_v != QTRI_CLAMP && !texture->has_key &&
            texture->width_log2 >= 1 && texture->width_log2 <= 10 && texture->height_log2 <= 10 &&
            texture->width_log2 + texture->height_log2 <= 16;

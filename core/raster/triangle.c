@@ -11,7 +11,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->surface = surface;
     raster->texture =
         QTRI_WITH_TEXTURES && qtri_texture_usable(material->texture) ? material->texture : NULL;
-    raster->bounds = qtri_surface_bounds(surface);
+    raster->bounds = qtri_drawn_bounds(surface);
     raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     raster->depth_write = !material->depth_read_only;
     raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
@@ -19,7 +19,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->cull = material->cull;
     raster->shading = qtri_shading_of(material);
     raster->copies_white = qtri_raster_texture(raster) != NULL &&
-                           qtri_format_of(surface) == QTRI_RGB565 &&
+                           qtri_kind_of(surface) == QTRI_KIND_RGB565 &&
                            qtri_texel_copy_fits(raster->texture);
     if (raster->copies_white) {
         raster->texel_cut = qtri_texel_cut(raster->texture);
@@ -31,7 +31,7 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
 {
     int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
                              (int32_t)color.b << 16};
-    raster->tint = qtri_channels_from_color(qtri_format_of(raster->surface), color_8p16);
+    raster->tint = qtri_channels_from_color(qtri_colors_of(raster->surface), color_8p16);
     for (int i = 0; i < 3; i++) {
         raster->tint_n6[i] = raster->tint.c[i] >> 10;
     }
@@ -70,7 +70,7 @@ void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
 }
 
 static void attributes_from_screen(qtri_attributes *out, const qtri_screen_vertex *v,
-                                   qtri_format format)
+                                   const qtri_colors *colors)
 {
     const uint32_t farthest = (uint32_t)65535 << 16;
     out->depth_16p16 = v->depth_16p16 < farthest ? v->depth_16p16 : farthest;
@@ -78,7 +78,7 @@ static void attributes_from_screen(qtri_attributes *out, const qtri_screen_verte
     int32_t zeros = qtri_clz32(mantissa);
     out->inv_w_q31 = mantissa << zeros >> 1;
     out->inv_w_exponent = qtri_saturate32((int64_t)v->inv_w_exponent - zeros);
-    qtri_channels color = qtri_channels_from_color(format, v->color_8p16);
+    qtri_channels color = qtri_channels_from_color(colors, v->color_8p16);
     for (int i = 0; i < 3; i++) {
         out->color[i] = color.c[i];
     }
@@ -103,7 +103,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     }
     qtri_attributes attributes[3];
     for (int i = 0; i < 3; i++) {
-        attributes_from_screen(&attributes[i], &v[i], qtri_format_of(raster->surface));
+        attributes_from_screen(&attributes[i], &v[i], qtri_colors_of(raster->surface));
     }
     qtri_triangle_draw(raster, &triangle, attributes);
 }
