@@ -77,7 +77,7 @@ static void rule(void **state)
 {
     (void)state;
     static const int32_t reach[] = {300, 3000, 8000, 17000, 33000, 1 << 19, 4000000};
-    canvas c = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 71;
     for (int n = 0; n < 14000; n++) {
         point a = random_point(&seed, reach[n % 7]);
@@ -96,7 +96,7 @@ static void rule(void **state)
 static void chains(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 72;
     for (int n = 0; n < 2000; n++) {
         int count[WIDTH] = {0};
@@ -141,7 +141,7 @@ static point at(double x, double y)
 static void pictures(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_RGB565, 6, 4);
+    canvas c = canvas_new(&qtri_rgb565, 6, 4);
     const qtri_surface *s = &c.surface;
     draw(s, at(1.5, 1.5), at(4.5, 1.5));
     assert_raster(s, "......", ".###..", "......");
@@ -161,14 +161,16 @@ static void pictures(void **state)
 }
 
 /* Stored channels as the format has them, and 255 in its steps. */
-static void channels_of(qtri_format format, uint32_t pixel, double channel[3], double steps[3])
+static void channels_of(const qtri_format *format, uint32_t pixel, double channel[3],
+                        double steps[3])
 {
     static const int shift[2][3] = {{11, 5, 0}, {16, 8, 0}};
     static const int bits[2][3] = {{5, 6, 5}, {8, 8, 8}};
+    const int wide = format == &qtri_xrgb8888;
     for (int i = 0; i < 3; i++) {
-        uint32_t most = (1u << bits[format][i]) - 1;
+        uint32_t most = (1u << bits[wide][i]) - 1;
         steps[i] = most;
-        channel[i] = pixel >> shift[format][i] & most;
+        channel[i] = pixel >> shift[wide][i] & most;
     }
 }
 
@@ -225,13 +227,13 @@ static void values(void **state)
 {
     (void)state;
     static const struct {
-        qtri_format format;
+        const qtri_format *format;
         int32_t width, height;
-    } sizes[] = {{QTRI_XRGB8888, WIDTH, HEIGHT},
-                 {QTRI_RGB565, WIDTH, HEIGHT},
-                 {QTRI_XRGB8888, 5000, 3},
-                 {QTRI_RGB565, 2, 3000},
-                 {QTRI_RGB565, 127, 4}};
+    } sizes[] = {{&qtri_xrgb8888, WIDTH, HEIGHT},
+                 {&qtri_rgb565, WIDTH, HEIGHT},
+                 {&qtri_xrgb8888, 5000, 3},
+                 {&qtri_rgb565, 2, 3000},
+                 {&qtri_rgb565, 127, 4}};
     uint64_t seed = 73;
     for (size_t i = 0; i < LENGTH_OF(sizes); i++) {
         double color = 0;
@@ -255,7 +257,7 @@ static void values(void **state)
         }
         print_message("%d x %d, %s: colour %.4f of a step, depth %.4f of 65535\n",
                       (int)sizes[i].width, (int)sizes[i].height,
-                      sizes[i].format == QTRI_RGB565 ? "RGB565" : "XRGB8888", color, depth);
+                      sizes[i].format == &qtri_rgb565 ? "RGB565" : "XRGB8888", color, depth);
         assert_true(color > .4 && color <= .504);
         assert_true(depth > .4 && depth <= .505);
         canvas_free(&c);
@@ -282,7 +284,7 @@ static void fast_path(void **state)
     static const int32_t reach[] = {2, 6, 20, 127, 129, 150, 400};
     uint64_t seed = 74;
     for (int n = 0; n < 3000; n++) {
-        qtri_format format = (qtri_format)(n % 3 ? QTRI_RGB565 : random_in(&seed, 0, 2));
+        const qtri_format *format = n % 3 ? &qtri_rgb565 : drawn_format(random_in(&seed, 0, 2));
         qtri_material material = plain_material();
         material.depth_compare = n % 2 ? QTRI_LESS : (qtri_compare)random_in(&seed, 0, 8);
         material.depth_read_only = n % 7 == 0;
@@ -346,8 +348,8 @@ static void narrow(void **state)
         }
     }
     uint64_t seed = 75;
-    canvas wide = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
-    canvas other = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    canvas wide = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas other = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     qtri_material material = plain_material();
     for (int n = 0; n < 20000; n++) {
         qtri_screen_vertex v[2];

@@ -13,7 +13,7 @@ static qtri_texture address_texture(int width_log2, int height_log2)
 {
     qtri_texture t = {
         .texels = address_texels,
-        .format = QTRI_TEXEL_XRGB8888,
+        .format = &qtri_texel_xrgb8888,
         .width_log2 = (uint8_t)width_log2,
         .height_log2 = (uint8_t)height_log2,
     };
@@ -39,7 +39,7 @@ static double worst_texel(uint64_t seed, int count, int32_t reach, int32_t uv_re
 {
     double worst = 0;
     int pixels = 0;
-    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     for (int n = 0; n < count; n++) {
         int width_log2 = size_log2 >= 0 ? size_log2 : random_in(&seed, 0, 10);
         int height_log2 = size_log2 >= 0 ? size_log2 : random_in(&seed, 0, 10);
@@ -100,7 +100,7 @@ static void pixel_for_texel(void **state)
 {
     (void)state;
     static const int32_t origins[] = {0, 1, -1, 100, -100, 29990, -30010, 32767 - 2, -32768};
-    canvas c = canvas_new(QTRI_XRGB8888, 32, 32);
+    canvas c = canvas_new(&qtri_xrgb8888, 32, 32);
     for (size_t n = 0; n < LENGTH_OF(origins); n++) {
         for (int log2 = 0; log2 <= 5; log2++) {
             qtri_texture texture = address_texture(log2, log2);
@@ -134,7 +134,7 @@ static void modulates(void **state)
     (void)state;
     double worst = 0;
     uint64_t seed = 96;
-    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     for (int n = 0; n < 3000; n++) {
         uint32_t one_texel = (uint32_t)random64(&seed) & 0xFFFFFFu;
         uint16_t one_565 = (uint16_t)random64(&seed);
@@ -143,10 +143,10 @@ static void modulates(void **state)
             one_texel = 0xFFFFFFu;
             one_565 = 0xFFFF;
         }
-        qtri_texture texture = {.texels = &one_texel, .format = QTRI_TEXEL_XRGB8888};
+        qtri_texture texture = {.texels = &one_texel, .format = &qtri_texel_xrgb8888};
         if (narrow) {
             texture.texels = &one_565;
-            texture.format = QTRI_TEXEL_RGB565;
+            texture.format = &qtri_texel_rgb565;
         }
         qtri_material m = plain_material();
         m.texture = &texture;
@@ -178,11 +178,11 @@ static void modulates(void **state)
 static void checkers(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     static const int fields[] = {0, 1, 2, 8, 3, 64, 65535};
     for (size_t n = 0; n < LENGTH_OF(fields); n++) {
         qtri_texture texture = {
-            .format = QTRI_TEXEL_CHECKER,
+            .format = &qtri_texel_checker,
             .width_log2 = 6,
             .height_log2 = 5,
             .fields = (uint16_t)fields[n],
@@ -209,9 +209,9 @@ static void checkers(void **state)
 static void odd_textures(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     static const qtri_texture zeroed;
-    qtri_texture none = {.format = QTRI_TEXEL_XRGB8888, .width_log2 = 3, .height_log2 = 3};
+    qtri_texture none = {.format = &qtri_texel_xrgb8888, .width_log2 = 3, .height_log2 = 3};
     qtri_material m = plain_material();
     const int level[3] = {10, 20, 30};
     m.texture = &zeroed;
@@ -225,7 +225,7 @@ static void odd_textures(void **state)
     qtri_texture same = huge;
     huge.width_log2 = 255;
     huge.height_log2 = 11;
-    canvas d = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    canvas d = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     m.texture = &huge;
     draw_quad(&c, &m, level);
     m.texture = &same;

@@ -23,7 +23,7 @@ static void render(const char *name, struct scene *scene, struct picture *pictur
     if (!scene_read(path, scene, &error)) {
         fail_msg("%s", error.message);
     }
-    assert_true(scene_render(scene, QTRI_XRGB8888, 0, true, picture));
+    assert_true(scene_render(scene, &qtri_xrgb8888, 0, true, picture));
 }
 
 static void release(struct scene *scene, struct picture *picture)

@@ -101,7 +101,7 @@ static void measure(bool textured)
         struct picture picture;
         struct accuracy before[2] = {snapped, exact};
         read_scene(first_seed() + i, textured, &scene);
-        assert_true(scene_render(&scene, QTRI_XRGB8888, 0, true, &picture));
+        assert_true(scene_render(&scene, &qtri_xrgb8888, 0, true, &picture));
         compare(&scene, &picture, 8, &snapped);
         if (!scene.screen_linear) { /* means something else for triangles that are not cut */
             compare(&scene, &picture, 0, &exact);
@@ -157,7 +157,7 @@ static void found_before(void **state)
         struct picture picture;
         struct accuracy sum = {0};
         read_scene(seeds[i], false, &scene);
-        assert_true(scene_render(&scene, QTRI_XRGB8888, 0, true, &picture));
+        assert_true(scene_render(&scene, &qtri_xrgb8888, 0, true, &picture));
         compare(&scene, &picture, 8, &sum);
         assert_int_equal(sum.coverage, 0);
         assert_int_equal(sum.other_triangle, 0);
@@ -171,7 +171,7 @@ static void found_before(void **state)
 static void bands_equal_whole(void **state)
 {
     (void)state;
-    static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     for (unsigned i = 0; i < 40 && i < scene_count(); i++) {
         struct scene scene;
         struct picture whole;

@@ -34,7 +34,7 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
                          uint32_t corner_count, const qtri_material *material)
 {
     qtri_primitive primitive;
-    qtri_primitive_init(&primitive, surface, view, pose, material, material->fill != QTRI_SOLID);
+    qtri_primitive_init(&primitive, surface, view, pose, material, material->fill != NULL);
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         qtri_shape shape;
         fetch(&primitive, &corners[i], 3, shape.clip);

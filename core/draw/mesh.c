@@ -150,9 +150,9 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
 {
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
-    } else if (draw->material.fill == QTRI_SOLID) {
+    } else if (draw->material.fill == NULL) {
         qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
-    } else if (QTRI_WITH_LINES) {
+    } else {
         qtri_mesh_draw_lines(draw, indices, vertex);
     }
 }
@@ -215,7 +215,7 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
             return;
         }
     }
-    const bool solid = draw->material.fill == QTRI_SOLID;
+    const bool solid = draw->material.fill == NULL;
     if (qtri_mesh_has_bytes(mesh)) {
         draw_triangles(draw, mesh->triangles8, true, simple, solid);
     } else if (simple) {

@@ -54,19 +54,17 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->mesh = mesh;
     draw->vertices = view->vertices;
     draw->slot_count = view->vertex_count;
-    const bool solid = material->fill == QTRI_SOLID;
+    const bool solid = material->fill == NULL;
     qtri_primitive_set_target(&draw->primitive, surface, &draw->material, !solid);
     draw->tinted = mesh->colors == NULL;
     draw->more = !draw->tinted;
-    draw->small = false;
     if (solid) {
-        draw->more |= qtri_raster_texture(&draw->primitive.to.raster) != NULL;
+        qtri_raster *raster = &draw->primitive.to.solid.raster;
+        draw->more |= raster->texture != NULL;
         if (draw->tinted) {
-            qtri_raster_set_tint(&draw->primitive.to.raster, draw->material.color);
+            qtri_raster_set_tint(raster, draw->material.color);
         }
-        draw->small = QTRI_WITH_FAST_PATHS && !draw->more && draw->primitive.to.raster.small;
     }
-    draw->tiny = draw->small && surface->pitch == 2 * surface->depth_pitch;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     draw->lit_per_vertex =
         view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;

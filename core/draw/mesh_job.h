@@ -27,8 +27,6 @@ typedef struct qtri_mesh_job {
     bool lit;    /* per vertex: all that are seen already are */
     bool tinted; /* the mesh has no colours of its own */
     bool more;   /* colours of their own or a texture */
-    bool small;  /* small.h serves */
-    bool tiny;   /* and tiny.h */
     qtri_lighting lighting;
 } qtri_mesh_job;
 
@@ -86,8 +84,7 @@ void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_v
 static inline bool qtri_mesh_has_final_edges(const qtri_mesh_job *draw)
 {
     const qtri_line_job *line = &draw->primitive.to.line;
-    return QTRI_WITH_LINES && draw->material.fill != QTRI_SOLID &&
-           qtri_line_is_final(line->compare, line->depth_write);
+    return draw->material.fill != NULL && qtri_line_is_final(line->compare, line->depth_write);
 }
 
 /*

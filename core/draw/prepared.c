@@ -281,7 +281,7 @@ bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
 }
 
-static void prepare(qtri_prepared *prepared, qtri_format format)
+static void prepare(qtri_prepared *prepared, const qtri_format *format)
 {
     const qtri_mesh *mesh = prepared->mesh;
     const qtri_rect frame = {0, 0, prepared->width, prepared->height};
@@ -296,7 +296,7 @@ static void prepare(qtri_prepared *prepared, qtri_format format)
         !qtri_prepared_begin(&job, prepared, &whole, true)) {
         return;
     }
-    const bool is_solid = job.material.fill == QTRI_SOLID;
+    const bool is_solid = job.material.fill == NULL;
     sorter s = {.job = &job,
                 .prepared = prepared,
                 .is_complete = qtri_prepared_is_complete(prepared),

@@ -77,7 +77,7 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
     }
     if (log2 == 0 && qtri_prepared_is_complete(prepared)) {
         const bool solid =
-            QTRI_WITH_FAST_PATHS && prepared->back_only && job->material.fill == QTRI_SOLID;
+            QTRI_WITH_FAST_PATHS && prepared->back_only && job->material.fill == NULL;
         if (qtri_mesh_has_bytes(mesh)) {
             draw_seen(job, lists, place, end, mesh->triangles8, true, solid);
         } else {
@@ -96,7 +96,7 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
 
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
 {
-    const qtri_rect bounds = qtri_surface_bounds(surface);
+    const qtri_rect bounds = qtri_drawn_bounds(surface);
     if (prepared->mesh == NULL || !prepared->is_seen || qtri_rect_is_empty(&bounds) ||
         surface->width != prepared->width || surface->height != prepared->height) {
         return;

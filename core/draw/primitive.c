@@ -6,8 +6,8 @@ void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *su
     primitive->surface = surface;
     primitive->material = material;
     if (!lines) {
-        qtri_raster_init(&primitive->to.raster, surface, material);
-    } else if (QTRI_WITH_LINES) {
+        qtri_raster_init(&primitive->to.solid.raster, surface, material, &primitive->to.solid.batch);
+    } else {
         qtri_line_job_init(&primitive->to.line, surface, material);
     }
 }
@@ -125,7 +125,8 @@ static int own_vertex(const qtri_fan_vertex *v)
 }
 
 QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_vertex *v,
-                                         const qtri_screen_vertex attributes[3], qtri_format format)
+                                         const qtri_screen_vertex attributes[3],
+                                         const qtri_raster *raster)
 {
     qtri_screen_vertex blend;
     const qtri_screen_vertex *from = &blend;
@@ -139,7 +140,7 @@ QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_ve
     out->depth_16p16 = v->depth_16p8 & ~0xFFu;
     out->inv_w_q31 = v->inv_w_q31;
     out->inv_w_exponent = (int32_t)(v->depth_16p8 & 0xFFu);
-    qtri_channels color = qtri_channels_from_color(format, from->color_8p16);
+    qtri_channels color = qtri_raster_channels(raster, from->color_8p16);
     for (int i = 0; i < 3; i++) {
         out->color[i] = color.c[i];
     }
@@ -157,12 +158,12 @@ typedef struct piece {
 
 QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *p)
 {
-    const qtri_format format = qtri_format_of(p->primitive->surface);
     qtri_screen_vertex attributes[3];
     p->source(p->from, attributes);
     spread_provoking(p->primitive->material, attributes);
     for (int i = 0; i < 3; i++) {
-        set_attributes(&out[i], p->vertex[i], attributes, format);
+        set_attributes(&out[i], p->vertex[i], attributes,
+                       &p->primitive->to.solid.raster);
     }
 }
 
@@ -171,7 +172,7 @@ QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_triangle
 {
     qtri_attributes own[3];
     piece_attributes(own, p);
-    return qtri_job_init(job, &p->primitive->to.raster, triangle, own);
+    return qtri_job_init(job, &p->primitive->to.solid.raster, triangle, own);
 }
 
 QTRI_NOINLINE static void draw_piece(const piece *p, int64_t area)
@@ -182,7 +183,7 @@ QTRI_NOINLINE static void draw_piece(const piece *p, int64_t area)
     }
     triangle.area = area;
     triangle.tinted = false;
-    if (!qtri_triangle_begin(&p->primitive->to.raster, &triangle)) {
+    if (!qtri_triangle_begin(&p->primitive->to.solid.raster, &triangle)) {
         return;
     }
     qtri_job job;
@@ -274,10 +275,8 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     if (common != 0) {
         return;
     }
-    if (primitive->material->fill != QTRI_SOLID) {
-        if (QTRI_WITH_LINES) {
-            draw_outline(primitive, shape->clip, planes, source, from);
-        }
+    if (primitive->material->fill != NULL) {
+        draw_outline(primitive, shape->clip, planes, source, from);
         return;
     }
     int count = clip_to_screen(&primitive->projector, shape->clip, planes, shape->fan);
@@ -300,7 +299,5 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2])
 {
-    if (QTRI_WITH_LINES) {
-        draw_edge(primitive, &v[0], &v[1], &attributes[0], &attributes[1]);
-    }
+    draw_edge(primitive, &v[0], &v[1], &attributes[0], &attributes[1]);
 }

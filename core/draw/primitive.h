@@ -16,7 +16,10 @@ typedef struct qtri_primitive {
     const qtri_surface *surface;
     const qtri_material *material;
     union {
-        qtri_raster raster; /* of solid triangles */
+        struct {
+            qtri_raster raster;
+            qtri_batch batch; /* the raster's */
+        } solid; /* triangles */
         qtri_line_job line; /* of lines and wireframes */
     } to;
     qtri_projector projector;

@@ -21,7 +21,7 @@ typedef struct taps {
 static inline taps taps_at(const qtri_texel_axis *axis, uint32_t value)
 {
     const int32_t shift = axis->texel_shift;
-    const uint32_t from_center = value - axis->back - ((uint32_t)1 << (shift - 1));
+    const uint32_t from_center = value - ((uint32_t)1 << (shift - 1));
     taps t;
     t.index[0] = qtri_texel_wrapped(axis, from_center >> shift);
     t.index[1] = qtri_texel_wrapped(axis, (from_center >> shift) + 1);

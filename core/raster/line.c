@@ -46,18 +46,18 @@ void qtri_line_channels(int32_t out[3], const qtri_line_job *job, const qtri_ver
                         const qtri_line_color *color)
 {
     const int32_t half = 0x8000;
-    const qtri_format format = qtri_format_of(job->surface);
+    const qtri_kind kind = qtri_kind_of(job->surface);
     qtri_line_color tinted;
     if (color == NULL) {
         qtri_line_tinted(job, end, tinted);
         color = (const qtri_line_color *)&tinted;
     }
-    if (format == QTRI_RGB565) {
+    if (kind == QTRI_KIND_RGB565) {
         qtri_line_channels_565(out, *color);
         return;
     }
-    qtri_channels channels = qtri_channels_from_color(format, *color);
-    if (format != QTRI_XRGB8888) {
+    qtri_channels channels = qtri_channels_from_color(qtri_colors_of(job->surface), *color);
+    if (kind == QTRI_KIND_GRAY8) {
         channels.c[0] += channels.c[1] + channels.c[2];
         channels.c[1] = channels.c[2] = -half;
     }
@@ -90,15 +90,15 @@ static void ramps_init(ramp r[VALUES], const values *v, const qtri_line_path *l,
     }
 }
 
-static inline uint32_t pixel_of(qtri_format format, int32_t c0, int32_t c1, int32_t c2)
+static inline uint32_t pixel_of(qtri_kind kind, int32_t c0, int32_t c1, int32_t c2)
 {
     uint32_t red = (uint32_t)c0 >> 16;
     uint32_t green = (uint32_t)c1 >> 16;
     uint32_t blue = (uint32_t)c2 >> 16;
-    switch (qtri_format_built(format)) {
-    case QTRI_RGB565:
+    switch (kind) {
+    case QTRI_KIND_RGB565:
         return red << 11 | green << 5 | blue;
-    case QTRI_XRGB8888:
+    case QTRI_KIND_XRGB8888:
         return red << 16 | green << 8 | blue;
     default:
         return red; /* gray */
@@ -108,7 +108,7 @@ static inline uint32_t pixel_of(qtri_format format, int32_t c0, int32_t c1, int3
 static void plot(const qtri_line_job *job, int32_t x, int32_t y, const ramp r[VALUES])
 {
     const qtri_surface *surface = job->surface;
-    const qtri_format format = qtri_format_of(surface);
+    const qtri_kind kind = qtri_kind_of(surface);
     ptrdiff_t stored_row = y - surface->first_row;
     if (job->compare != QTRI_DEPTH_OFF) {
         uint16_t *stored = surface->depth + stored_row * surface->depth_pitch + x;
@@ -120,8 +120,8 @@ static void plot(const qtri_line_job *job, int32_t x, int32_t y, const ramp r[VA
             *stored = (uint16_t)z;
         }
     }
-    qtri_pixel_store(format, surface->pixels + stored_row * surface->pitch, x,
-                     pixel_of(format, r[0].value, r[1].value, r[2].value));
+    qtri_pixel_store(kind, surface->pixels + stored_row * surface->pitch, x,
+                     pixel_of(kind, r[0].value, r[1].value, r[2].value));
 }
 
 void qtri_line_draw_any(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
@@ -174,7 +174,7 @@ void qtri_line_draw_any(const qtri_line_job *job, const qtri_vertex *a, const qt
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material)
 {
-    const qtri_rect bounds = qtri_surface_bounds(surface);
+    const qtri_rect bounds = qtri_drawn_bounds(surface);
     job->surface = surface;
     job->left_24p8 = bounds.x0 * 256;
     job->top_24p8 = bounds.y0 * 256;
@@ -184,7 +184,7 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     job->depth_write = !material->depth_read_only;
     const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
-    const bool fast = QTRI_WITH_FAST_PATHS && qtri_format_of(surface) == QTRI_RGB565 &&
+    const bool fast = QTRI_WITH_FAST_PATHS && qtri_kind_of(surface) == QTRI_KIND_RGB565 &&
                       job->compare == QTRI_LESS && job->depth_write &&
                       surface->pitch == 2 * surface->depth_pitch && surface->pitch < pitch_end &&
                       surface->pitch > -pitch_end;
@@ -211,9 +211,6 @@ void qtri_raster_line(const qtri_surface *surface, const qtri_material *material
     qtri_line_job job;
     qtri_vertex end[2];
     qtri_line_color color[2];
-    if (!QTRI_WITH_LINES) {
-        return;
-    }
     qtri_line_job_init(&job, surface, material);
     job.depth_mask = UINT32_MAX;
     qtri_line_end(&end[0], color[0], &v[0]);

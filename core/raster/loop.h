@@ -6,24 +6,7 @@
 
 #include "qtri/surface.h"
 
-/*
- * GCC 12 computes several pixels' values ahead and mixes their work, and then runs out of
- * registers. An empty statement that may change a value, for all the compiler knows, keeps each
- * pixel's work together, and a branch a branch: a third of the loop on a Cortex-M3.
- */
-#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
-#define QTRI_OPAQUE(x) __asm__ volatile("" : "+l"(x));
-#define QTRI_ASIDE(x)  __asm__ volatile("" : "+h"(x));
-#define QTRI_BRANCH    __asm__ volatile("");
-#elif defined(__GNUC__)
-#define QTRI_OPAQUE(x) __asm__ volatile("" : "+r"(x));
-#define QTRI_ASIDE(x)
-#define QTRI_BRANCH __asm__ volatile("");
-#else
-#define QTRI_OPAQUE(x)
-#define QTRI_ASIDE(x)
-#define QTRI_BRANCH
-#endif
+#include "../frame/barrier.h"
 
 /*
  * Repeats ONE(i), which draws pixel[i] and steps, for `count` pixels; `pixel` and `depth` move on.

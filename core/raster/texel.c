@@ -45,11 +45,9 @@ void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_
     axis->bias = shift > 17 ? (uint32_t)1 << (shift - 16) : 2;
     axis->up = 0;
     axis->texel_shift = axis->shift;
-    axis->back = axis->bias;
     if (copy_shift != 0) {
         axis->up = (int8_t)(copy_shift - shift);
         axis->texel_shift = (uint8_t)copy_shift;
-        axis->back = axis->up >= 0 ? axis->bias << axis->up : axis->bias >> -axis->up;
     } else {
         axis->bias += ABOVE_ZERO;
     }

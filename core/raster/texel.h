@@ -20,7 +20,6 @@ typedef struct qtri_texel_axis {
     bool clamped;
     uint16_t mask; /* side - 1 */
     uint32_t bias; /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
-    uint32_t back; /* what a stage's value has of that */
     int32_t first; /* clamped: what is shifted, at coordinate 0: within +-2^29 */
 } qtri_texel_axis;
 

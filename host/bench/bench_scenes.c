@@ -22,7 +22,7 @@
     }
 #define LINES(name_, mesh_, turn_)                                                                 \
     {                                                                                              \
-        .name = (name_), .work = BENCH_MESH, .fill = QTRI_WIREFRAME, .mesh = (mesh_),              \
+        .name = (name_), .work = BENCH_MESH, .fill = &qtri_wireframe, .mesh = (mesh_),             \
         .turn = (turn_)                                                                            \
     }
 #define BANDS(name_, mesh_, turn_, shading_, fill_)                                                \
@@ -46,11 +46,11 @@ const bench_scene bench_scenes[] = {
 #ifndef BENCH_PLAIN
     SMOOTH("S4w", &bench_mesh_spot, Q16(150)),
     FLAT("S5w", &bench_mesh_teapot, Q16(30)),
-    BANDS("S4b", COMPACT(spot), Q16(150), QTRI_SMOOTH, QTRI_SOLID),
-    BANDS("S4wb", &bench_mesh_spot, Q16(150), QTRI_SMOOTH, QTRI_SOLID),
-    BANDS("S5b", COMPACT(teapot), Q16(30), QTRI_FLAT_LAST, QTRI_SOLID),
-    BANDS("S7b", COMPACT(spot), Q16(150), QTRI_SMOOTH, QTRI_WIREFRAME),
-    BANDS("S4kb", COMPACT(knot), Q16(30), QTRI_SMOOTH, QTRI_SOLID),
+    BANDS("S4b", COMPACT(spot), Q16(150), QTRI_SMOOTH, NULL),
+    BANDS("S4wb", &bench_mesh_spot, Q16(150), QTRI_SMOOTH, NULL),
+    BANDS("S5b", COMPACT(teapot), Q16(30), QTRI_FLAT_LAST, NULL),
+    BANDS("S7b", COMPACT(spot), Q16(150), QTRI_SMOOTH, &qtri_wireframe),
+    BANDS("S4kb", COMPACT(knot), Q16(30), QTRI_SMOOTH, NULL),
 #endif
     {.name = NULL},
 };
@@ -111,7 +111,7 @@ static void set_floor(bench_frame *frame)
                                                         : rgb565(4 * v, 64, 255 - 4 * u);
     }
     const qtri_texture texture = {
-        .texels = frame->texels, .format = QTRI_TEXEL_RGB565, .width_log2 = 6, .height_log2 = 6};
+        .texels = frame->texels, .format = &qtri_texel_rgb565, .width_log2 = 6, .height_log2 = 6};
     frame->texture = texture;
     frame->material.texture = &frame->texture;
     frame->material.texture_mode = QTRI_REPLACE;
@@ -150,7 +150,7 @@ static bool set_bands(bench_frame *frame)
 {
     qtri_prepared_init(&frame->prepared, frame->vertices, BENCH_VERTICES_MAX, frame->lists,
                        sizeof frame->lists / sizeof frame->lists[0]);
-    return qtri_frame_init(&frame->bands, QTRI_RGB565, BENCH_WIDTH, BENCH_HEIGHT,
+    return qtri_frame_init(&frame->bands, &qtri_rgb565, BENCH_WIDTH, BENCH_HEIGHT,
                            frame->scene->band_rows, frame->memory, sizeof frame->memory) == QTRI_OK;
 }
 #else
@@ -188,7 +188,7 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     } else if (scene->work == BENCH_MESH) {
         set_mesh(frame);
     }
-    if (qtri_surface_init(&frame->surface, QTRI_RGB565, BENCH_WIDTH, BENCH_HEIGHT, 0, BENCH_HEIGHT,
+    if (qtri_surface_init(&frame->surface, &qtri_rgb565, BENCH_WIDTH, BENCH_HEIGHT, 0, BENCH_HEIGHT,
                           frame->memory, sizeof frame->memory) != QTRI_OK) {
         return false;
     }

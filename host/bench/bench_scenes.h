@@ -33,7 +33,7 @@ typedef struct bench_scene {
     bench_work work;
     qtri_shading shading;
     qtri_interpolation interpolation;
-    qtri_fill fill;
+    const qtri_fill *fill;
     const qtri_mesh *mesh;
     q16 turn;          /* the mesh, about y */
     int32_t band_rows; /* not 0: prepared, then drawn in bands of so many rows */
@@ -51,7 +51,8 @@ typedef struct bench_frame {
     qtri_material material;
     qtri_texture texture;
     qtri_corner corners[6];
-    uint32_t memory[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565) / sizeof(uint32_t)];
+    uint32_t
+        memory[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES) / sizeof(uint32_t)];
     qtri_vertex vertices[QTRI_MESH_VERTICES(BENCH_VERTICES_MAX)];
     uint16_t texels[64 * 64];
 #ifndef BENCH_PLAIN

@@ -29,12 +29,11 @@ done
 gcc -o "$folder/$name/program" "$folder/$name"/*.o "$folder"/math/*.o
 END
 
-# A line `NAME OPTION...` for each library. One format must stay.
+# A line `NAME OPTION...` for each library.
 {
     echo whole
     for option in $all; do echo "$option $option"; done
-    echo nothing $(printf '%s\n' $all | grep -vx RGB565)
-    echo gray $(printf '%s\n' $all | grep -vx GRAY8)
+    echo nothing $all
     sed -n -e ':join' -e '/\\$/{N;s/\\\n *//;b join' -e '}' -e 's/^SIZE_LEFT_OUT_\([a-z]*\) *:= */\1 /p' host/bench/size.mk
 } >"$work/list"
 while read -r name options; do

@@ -1,0 +1,11 @@
+#include "fused.h"
+#include "pairs.h"
+
+#if QTRI_PAIRS
+static const qtri_fused loops = {qtri_flat_pairs, qtri_smooth_pairs, qtri_copy_pairs};
+#else
+static const qtri_fused loops = {qtri_flat_less, qtri_smooth_less, qtri_copy_less};
+#endif
+
+const qtri_format qtri_rgb565 = {&qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565,
+                                 &loops};
