@@ -5,6 +5,7 @@
 #define QTRI_BITS_RECIPROCAL_H
 
 #include "bits.h"
+#include "seed.h"
 
 /*
  * The largest r with r x < 2^62, for x in [2^31, 2^32): in [2^30, 2^31). It is the reciprocal
@@ -34,6 +35,24 @@ static inline int32_t qtri_reciprocal_below(uint32_t x)
     int32_t reciprocal = (int32_t)r;
     QTRI_HOLD(reciprocal); /* signed, or GCC 12 forgets what smull is for */
     return reciprocal;
+}
+
+/* floor(2^31 / x) for x in [2^15, 2^16]. */
+static inline uint32_t qtri_reciprocal_q31(uint32_t x)
+{
+    uint32_t y = qtri_reciprocal_seed(x);
+#if !QTRI_DIVIDE
+    int32_t rest = (int32_t)(0x80000000u - x * y); /* |rest| <= 2^16 + 2^14 */
+    while (rest < 0) {
+        rest += (int32_t)x;
+        y--;
+    }
+    while (rest >= (int32_t)x) {
+        rest -= (int32_t)x;
+        y++;
+    }
+#endif
+    return y;
 }
 
 #endif
