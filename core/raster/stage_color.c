@@ -133,7 +133,7 @@ void qtri_light_888(uint32_t *color, const uint32_t *shade, int32_t count)
  */
 void qtri_times_565(uint32_t *color, const uint32_t *shade, int32_t count)
 {
-    uint32_t half = 512 + 64;
+    uint32_t half = 512 + 126;
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t pixel = color[i];                                                           \
