@@ -358,8 +358,10 @@ static void formats_agree(void **state)
             assert_same_picture(&c.surface, &d.surface);
         } else if (format == &qtri_xrgb8888) {
             for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-                assert_int_equal(stored_pixel(&c.surface, i % WIDTH, i / WIDTH) >> 8 & 255,
-                                 stored_pixel(&d.surface, i % WIDTH, i / WIDTH) >> 8 & 255);
+                const int wide = stored_pixel(&c.surface, i % WIDTH, i / WIDTH) >> 8 & 255;
+                const int narrow = stored_pixel(&d.surface, i % WIDTH, i / WIDTH) >> 8 & 255;
+                /* filtered in units of their own: rounded otherwise */
+                assert_true(abs(wide - narrow) <= (pair[0].filter != NULL));
             }
         }
         canvas_free(&c);

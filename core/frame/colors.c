@@ -1,5 +1,7 @@
 #include "colors.h"
 
+#include "curves.h"
+
 /* white / (255 << 16) in Q30, rounded: times a colour of 24 bits, off by less than 2^-6 units. */
 #define RATIO_Q30(white)                                                                           \
     ((uint32_t)((((uint64_t)(white) << 30) + ((uint32_t)255 << 15)) / ((uint32_t)255 << 16)))
@@ -69,23 +71,15 @@ static void smooth_565(uint32_t *color, const qtri_curve *c, int32_t count)
     } while ((count -= size) > 0);
 }
 
+#define QTRI_STRAIGHT_888(i)                                                                       \
+    color[i] = r >> 16 << 16 | g >> 16 << 8 | b >> 16;                                             \
+    QTRI_STEP_THREE
+
+#define QTRI_CURVED_888(i) QTRI_STRAIGHT_888(i) QTRI_BEND_THREE
+
 static void smooth_888(uint32_t *color, const qtri_curve *c, int32_t count)
 {
-    uint32_t r = c[0].at;
-    uint32_t g = c[1].at;
-    uint32_t b = c[2].at;
-    uint32_t r_step = c[0].step;
-    uint32_t g_step = c[1].step;
-    uint32_t b_step = c[2].step;
-    for (; count > 0; count--) {
-        *color++ = r >> 16 << 16 | g >> 16 << 8 | b >> 16;
-        r += r_step;
-        g += g_step;
-        b += b_step;
-        r_step += c[0].bend;
-        g_step += c[1].bend;
-        b_step += c[2].bend;
-    }
+    QTRI_THREE_CURVES(color, c, 0, count, 888)
 }
 
 static void smooth_gray(uint32_t *color, const qtri_curve *c, int32_t count)

@@ -1,6 +1,6 @@
 #include "perspective.h"
 
-#include "span.h"
+#include "linear.h"
 
 enum { BLOCK = 8 };
 

@@ -80,9 +80,9 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
 
 uint32_t qtri_raster_pixel(const qtri_raster *raster, const int32_t channel[3])
 {
-    uint32_t color = raster->format->colors->pack(channel);
+    uint32_t color[4] = {raster->format->colors->pack(channel)};
     if (raster->format->encode != NULL) {
-        raster->format->encode(&color, 1);
+        raster->format->encode(color, 1);
     }
-    return color;
+    return color[0];
 }

@@ -7,60 +7,6 @@
 #include "loop.h"
 #include "packed.h"
 
-/* Pixels of a row from x on. */
-static inline uint8_t *pixels_at(const qtri_scanline *row, int32_t x)
-{
-    return row->pixels + (ptrdiff_t)x * row->job->raster->format->pixels->bytes;
-}
-
-enum { RUN = 512 }; /* pixels along which coordinates that fill 32 bits step from one start */
-
-/*
- * Linear coordinates start anew from their planes: steps lose what a long run would show. Those that
- * fill 32 bits leave 2^-17 of a texel and less to the last bit, others start with every chunk.
- */
-static void start_run(qtri_scanline *row, int32_t x)
-{
-    const qtri_job *job = row->job;
-    row->run = x;
-    for (int i = 0; i < 2; i++) {
-        const uint64_t value =
-            qtri_plane_column(row->plane[QTRI_U + i], job->attribute[QTRI_U + i].plane.dx, x);
-        row->uv[i].at = qtri_run_scaled((uint32_t)qtri_plane_floor(value), job->axis[i].up);
-    }
-}
-
-/* The start of the run that x lies in. */
-static inline int32_t run_of(const qtri_scanline *row, int32_t x)
-{
-    const int32_t length = row->job->raster->repeated ? RUN : QTRI_BATCH;
-    return row->level ? row->left : x - ((x - row->left) & (length - 1));
-}
-
-int32_t qtri_interpolate_linear(qtri_scanline *row, int32_t x, int32_t count, int first, int end,
-                                qtri_curve *out)
-{
-    const qtri_job *job = row->job;
-    for (int i = first; i < end && i < QTRI_U; i++, out++) {
-        const qtri_ramp *ramp = &job->attribute[i].ramp;
-        out->at = qtri_ramp_at(ramp, x - job->anchor_x, row->y - job->anchor_y);
-        out->step = ramp->dx;
-        out->bend = 0;
-    }
-    if (end == QTRI_ATTRIBUTES) {
-        const int32_t run = run_of(row, x);
-        if (row->run != run) {
-            start_run(row, run);
-        }
-        for (int i = 0; i < 2; i++, out++) {
-            out->at = row->uv[i].at + (uint32_t)(x - run) * row->uv[i].step;
-            out->step = row->uv[i].step;
-            out->bend = 0;
-        }
-    }
-    return count;
-}
-
 /* Colours without texture into the batch: `count` from pixel x of the row on. */
 static void interpolate_colors(qtri_scanline *row, int32_t x, int32_t count)
 {
@@ -134,74 +80,81 @@ static uint32_t textured(qtri_scanline *row, int32_t x, int32_t count, uint32_t 
     qtri_batch *batch = raster->batch;
     interpolate_texels(row, x, count);
     mask &= qtri_texels_color(raster, job->axis, batch->color, batch->shade, count);
-    if (mask == 0) {
-        return 0;
-    }
-    if (job->shaded) {
+    if (mask != 0 && job->shaded) {
         if (job->first == QTRI_U) {
             qtri_shade_constant(batch->shade, job->pixel, count);
         } else {
             interpolate_shades(row, x, count);
         }
-        qtri_texels_shade(raster, job->first == QTRI_U - 1 && raster->tint_shade == QTRI_SHADE_WHITE,
-                          batch->color, batch->shade, count);
+        const bool light = job->first == QTRI_U - 1 && raster->tint_shade == QTRI_SHADE_WHITE;
+        (light ? raster->light : raster->times)(batch->color, batch->shade, count);
     }
-    qtri_texels_narrow(raster, batch->color, count);
+    if (mask != 0 && raster->narrow != NULL) {
+        raster->narrow(batch->color, count);
+    }
     return mask;
 }
 
-/* Which of `count` pixels from x on pass the depth test. */
-static inline uint32_t test_depth(const qtri_scanline *row, uint32_t z, int32_t x, int32_t count)
+/* Stored pixels into the batch for a chunk of `count` pixels at x; the mask of those drawn. */
+static uint32_t make_pixels(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
 {
-    const qtri_depth *depth = &row->job->raster->depth;
-    uint32_t mask = qtri_mask_of(count);
-    if (depth->test != NULL) {
-        const uint32_t named = depth->test(row->depths + x, z, row->job->depth.dx, count);
-        mask = depth->inverted ? mask ^ named : named;
+    const qtri_raster *raster = row->job->raster;
+    if (raster->texture != NULL) {
+        mask = textured(row, x, count, mask);
+    } else {
+        interpolate_colors(row, x, count);
+    }
+    if (raster->format->encode != NULL && mask != 0) {
+        raster->format->encode(raster->batch->color, count);
     }
     return mask;
 }
 
+/*
+ * Chunk by chunk: `from` is the first pixel of one that is drawn, of those that are computed x.
+ */
 static void draw_row(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
-    const qtri_format *format = raster->format;
-    const bool flat = job->first == job->end;
-    for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;
-         x += QTRI_BATCH) {
-        const int32_t whole = qtri_least32(QTRI_BATCH, row->right - x);
-        const int32_t from = qtri_greatest32(x, row->x0);
-        const int32_t count = qtri_least32(x + whole, row->x1) - from;
-        uint32_t z = 0;
-        if (row->depths != NULL) {
-            z = qtri_ramp_at(&job->depth, from - job->anchor_x, row->y - job->anchor_y);
+    const qtri_pixels *memory = raster->format->pixels;
+    const qtri_depth_test test = raster->depth.test;
+    const uint32_t inverted = raster->depth.inverted ? UINT32_MAX : 0;
+    int32_t from = row->x0;
+    int32_t x = row->left + ((from - row->left) & -QTRI_BATCH);
+    uint8_t *pixels = row->pixels + (ptrdiff_t)from * memory->bytes;
+    uint16_t *depths = NULL;
+    uint32_t z = 0;
+    if (row->depths != NULL) {
+        depths = row->depths + from;
+        z = qtri_ramp_at(&job->depth, from - job->anchor_x, row->y - job->anchor_y);
+    }
+    for (;;) {
+        const int32_t count = qtri_least32(x + QTRI_BATCH, row->x1) - from;
+        uint32_t mask = qtri_mask_of(count);
+        if (test != NULL) {
+            mask &= test(depths, z, job->depth.dx, count) ^ inverted;
         }
-        uint32_t mask = test_depth(row, z, from, count);
-        if (mask == 0) {
-            continue;
+        if (mask != 0 && job->first == job->end) {
+            memory->fill(pixels, job->pixel, mask, count);
+        } else if (mask != 0) {
+            const int32_t whole = qtri_least32(QTRI_BATCH, row->right - x);
+            const int32_t after = whole - (from - x) - count;
+            mask = make_pixels(row, x, whole, mask << after) >> after;
+            memory->store(pixels, raster->batch->color + (from - x), mask, count);
         }
-        uint8_t *pixels = pixels_at(row, from);
-        if (flat) {
-            format->pixels->fill(pixels, job->pixel, mask, count);
-        } else {
-            uint32_t *color = raster->batch->color + (from - x);
-            if (raster->texture != NULL) {
-                const int32_t after = whole - (from - x) - count;
-                mask = textured(row, x, whole, mask << after) >> after & qtri_mask_of(count);
-                if (mask == 0) {
-                    continue;
-                }
-            } else {
-                interpolate_colors(row, x, whole);
-            }
-            if (format->encode != NULL) {
-                format->encode(color, count);
-            }
-            format->pixels->store(pixels, color, mask, count);
+        if (raster->depth.write && mask != 0) {
+            qtri_depth_write(depths, z, job->depth.dx, mask, count);
         }
-        if (raster->depth.write) {
-            qtri_depth_write(row->depths + from, z, job->depth.dx, mask, count);
+        x += QTRI_BATCH;
+        if (x >= row->x1) {
+            return;
+        }
+        from = x;
+        pixels += (ptrdiff_t)count * memory->bytes;
+        if (depths != NULL) {
+            depths += count;
+            z += (uint32_t)count * job->depth.dx;
         }
     }
 }
@@ -215,7 +168,7 @@ static void copy_row(qtri_scanline *row)
     run.depths = row->depths;
     for (int32_t x = row->x0; x < row->x1; x += run.count) {
         qtri_curve uv[2];
-        const int32_t end = row->level ? row->x1 : qtri_least32(run_of(row, x) + RUN, row->x1);
+        const int32_t end = row->level ? row->x1 : qtri_least32(qtri_run_end(row, x), row->x1);
         (void)qtri_interpolate_linear(row, x, end - x, QTRI_U, QTRI_ATTRIBUTES, uv);
         run.x = x;
         run.count = end - x;
@@ -226,13 +179,6 @@ static void copy_row(qtri_scanline *row)
         }
         job->raster->copy_run(job, &run);
     }
-}
-
-/* A plane's step in the attribute's unit times 2^up, rounded. */
-static uint32_t plane_step(uint64_t dx, int32_t up)
-{
-    int32_t down = 16 - up; /* -4..28: what is shifted in does not get to the low 32 bits */
-    return (uint32_t)(down > 0 ? ((dx >> (down - 1)) + 1) >> 1 : dx << -down);
 }
 
 static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
@@ -247,10 +193,8 @@ static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
         qtri_perspective_begin(row);
         return;
     }
-    for (int i = 0; i < 2 && job->end == QTRI_ATTRIBUTES; i++) {
-        const qtri_plane *plane = &job->attribute[QTRI_U + i].plane;
-        row->plane[QTRI_U + i] = qtri_plane_row(plane, y) + ((uint64_t)job->axis[i].bias << 16);
-        row->uv[i].step = plane_step(plane->dx, job->axis[i].up);
+    if (job->end == QTRI_ATTRIBUTES) {
+        qtri_linear_begin(row);
     }
 }
 

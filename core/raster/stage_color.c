@@ -1,5 +1,6 @@
 #include "stage_color.h"
 
+#include "../frame/curves.h"
 #include "loop.h"
 #include "words.h"
 
@@ -24,37 +25,15 @@ void qtri_shade_light(uint32_t *shade, const qtri_curve *share, int32_t count)
 #undef ONE
 }
 
+#define QTRI_STRAIGHT_SHADES(i)                                                                    \
+    shade[i] = r >> 14 << QTRI_SHADE_RED | g >> 14 << QTRI_SHADE_GREEN | b >> 14;                  \
+    QTRI_STEP_THREE
+
+#define QTRI_CURVED_SHADES(i) QTRI_STRAIGHT_SHADES(i) QTRI_BEND_THREE
+
 void qtri_shade_rgb(uint32_t *shade, const qtri_curve channel[3], int32_t count)
 {
-    const uint32_t half = 0x8000u - ((uint32_t)1 << 13);
-    uint32_t r = channel[0].at - half;
-    uint32_t g = channel[1].at - half;
-    uint32_t b = channel[2].at - half;
-    uint32_t r_step = channel[0].step;
-    uint32_t g_step = channel[1].step;
-    uint32_t b_step = channel[2].step;
-    uint32_t r_bend = channel[0].bend;
-    uint32_t g_bend = channel[1].bend;
-    uint32_t b_bend = channel[2].bend;
-#define ONE(i)                                                                                     \
-    shade[i] = r >> 14 << QTRI_SHADE_RED | g >> 14 << QTRI_SHADE_GREEN | b >> 14;                  \
-    r += r_step;                                                                                   \
-    g += g_step;                                                                                   \
-    b += b_step;                                                                                   \
-    r_step += r_bend;                                                                              \
-    g_step += g_bend;                                                                              \
-    b_step += b_bend;                                                                              \
-    QTRI_OPAQUE(r)                                                                                 \
-    QTRI_OPAQUE(g)                                                                                 \
-    QTRI_OPAQUE(b)                                                                                 \
-    QTRI_ASIDE(r_step)                                                                             \
-    QTRI_ASIDE(g_step)                                                                             \
-    QTRI_ASIDE(b_step)                                                                             \
-    QTRI_ASIDE(r_bend)                                                                             \
-    QTRI_ASIDE(g_bend)                                                                             \
-    QTRI_ASIDE(b_bend)
-    QTRI_WORDS(count)
-#undef ONE
+    QTRI_THREE_CURVES(shade, channel, 0x8000u - ((uint32_t)1 << 13), count, SHADES)
 }
 
 void qtri_shade_constant(uint32_t *shade, uint32_t value, int32_t count)
@@ -133,7 +112,7 @@ void qtri_light_888(uint32_t *color, const uint32_t *shade, int32_t count)
  */
 void qtri_times_565(uint32_t *color, const uint32_t *shade, int32_t count)
 {
-    uint32_t half = 512 + 64;
+    uint32_t half = 512 + 126;
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t pixel = color[i];                                                           \

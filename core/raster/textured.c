@@ -64,16 +64,3 @@ uint32_t qtri_texels_color(const qtri_raster *raster, const qtri_texel_axis axis
     }
     return mask;
 }
-
-void qtri_texels_shade(const qtri_raster *raster, bool light, uint32_t *color,
-                       const uint32_t *shade, int32_t count)
-{
-    (light ? raster->light : raster->times)(color, shade, count);
-}
-
-void qtri_texels_narrow(const qtri_raster *raster, uint32_t *color, int32_t count)
-{
-    if (raster->narrow != NULL) {
-        raster->narrow(color, count);
-    }
-}

@@ -19,11 +19,4 @@ void qtri_texture_init(qtri_raster *raster, const qtri_material *material);
 uint32_t qtri_texels_color(const qtri_raster *raster, const qtri_texel_axis axis[2],
                            uint32_t *color, const uint32_t *v, int32_t count);
 
-/* Times light (`light`), or red green blue. */
-void qtri_texels_shade(const qtri_raster *raster, bool light, uint32_t *color,
-                       const uint32_t *shade, int32_t count);
-
-/* To the format's kind. */
-void qtri_texels_narrow(const qtri_raster *raster, uint32_t *color, int32_t count);
-
 #endif

@@ -23,7 +23,7 @@ name=$1 folder=$2 flags=$3
 shift 3
 for option; do flags="$flags -DQTRI_WITH_$option=0"; done
 mkdir "$folder/$name"
-for file in core/draw/*.c core/frame/*.c core/geometry/*.c core/raster/*.c tests/check/options.c; do
+for file in core/draw/*.c core/fast/*.c core/frame/*.c core/geometry/*.c core/raster/*.c tests/check/options.c; do
     gcc $flags -c -o "$folder/$name/$(basename "$file" .c).o" "$file" || exit 1
 done
 gcc -o "$folder/$name/program" "$folder/$name"/*.o "$folder"/math/*.o
@@ -48,5 +48,12 @@ while read -r name options; do
         status=1
     }
 done <"$work/list"
+# An application that is built otherwise than the library must not link.
+mkdir "$work/mixed"
+cp "$work/nothing"/*.o "$work/mixed" && cp "$work/whole/options.o" "$work/mixed"
+gcc -o "$work/mixed/program" "$work/mixed"/*.o "$work"/math/*.o 2>/dev/null && {
+    echo "an application with other options than its library was linked"
+    status=1
+}
 [ "$(sort -u "$work/whole.got" | wc -l)" -gt 60 ] || { echo "too few pictures"; status=1; }
 finish $status

@@ -2,7 +2,7 @@
  * What the library is built with. Each option is 1, the default, or 0: left out, to save code.
  *
  * Options are for the command line of the compiler, -DQTRI_WITH_SMOOTH=0, the same for all files of
- * the library and of the application. An option never changes what is left in: it draws the same
+ * the library and of the application: where they differ, linking fails. An option never changes what is left in: it draws the same
  * pixels to the bit. What is left out has the one result that stands beside the option. What is
  * chosen by a description, as formats and filters are, needs none: it is linked where it is named.
  */
@@ -54,6 +54,24 @@
  */
 #ifndef QTRI_WITH_FAST_PATHS
 #define QTRI_WITH_FAST_PATHS 1
+#endif
+
+/*
+ * A library and an application that are built with other options than each other do not link: what
+ * begins every picture has their options in its name, unless all are 1.
+ */
+#if !(QTRI_WITH_SMOOTH && QTRI_WITH_PERSPECTIVE && QTRI_WITH_TEXTURES && QTRI_WITH_FACE_LIGHT &&   \
+      QTRI_WITH_UNEVEN_LIGHT && QTRI_WITH_COMPACT_MESHES && QTRI_WITH_WIDE_MESHES &&               \
+      QTRI_WITH_FAST_PATHS)
+#define QTRI_OPTIONS_JOINED(name, a, b, c, d, e, f, g, h) name##_built_##a##b##c##d##e##f##g##h
+#define QTRI_OPTIONS_JOIN(name, a, b, c, d, e, f, g, h)                                            \
+    QTRI_OPTIONS_JOINED(name, a, b, c, d, e, f, g, h)
+#define QTRI_OPTIONS_NAMED(name)                                                                   \
+    QTRI_OPTIONS_JOIN(name, QTRI_WITH_SMOOTH, QTRI_WITH_PERSPECTIVE, QTRI_WITH_TEXTURES,           \
+                      QTRI_WITH_FACE_LIGHT, QTRI_WITH_UNEVEN_LIGHT, QTRI_WITH_COMPACT_MESHES,      \
+                      QTRI_WITH_WIDE_MESHES, QTRI_WITH_FAST_PATHS)
+#define qtri_surface_init QTRI_OPTIONS_NAMED(qtri_surface_init)
+#define qtri_frame_init   QTRI_OPTIONS_NAMED(qtri_frame_init)
 #endif
 
 #endif
