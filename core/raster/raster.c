@@ -33,6 +33,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->texture = NULL;
     raster->replace = false;
     raster->copied = false;
+    raster->fetched = false;
     raster->repeated = false;
     raster->fill_flat = qtri_span_fill;
     raster->fill_smooth = qtri_span_fill;

@@ -63,6 +63,7 @@ typedef struct qtri_raster {
     qtri_modulate_stage light, times;
     bool replace;
     bool repeated;         /* coordinates fill 32 bits, see texel_number.h */
+    bool fetched;          /* rows of texels are read at once with their numbers */
     bool copied;           /* nearest repeated texels of the format's own kind, without a key */
     uint32_t texel_cut;    /* see texel_copy.h */
     uint32_t tint_shade;   /* the tint as a shade; white: QTRI_SHADE_WHITE */

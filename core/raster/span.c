@@ -63,6 +63,11 @@ static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
         const int32_t some = job->interpolate(row, x + done, count - done, QTRI_U, QTRI_ATTRIBUTES, uv);
         if (raster->texture->filter != NULL) {
             qtri_texel_coordinates(batch->color + done, batch->shade + done, uv, some);
+#ifndef __OPTIMIZE_SIZE__
+        } else if (raster->fetched) {
+            qtri_texels_repeated_16(batch->color + done, uv, raster->texel_cut,
+                                    raster->texture->texels, some);
+#endif
         } else if (raster->repeated) {
             qtri_texel_numbers_repeated(batch->color + done, uv, raster->texel_cut, some);
         } else {
@@ -79,7 +84,7 @@ static uint32_t textured(qtri_scanline *row, int32_t x, int32_t count, uint32_t 
     const qtri_raster *raster = job->raster;
     qtri_batch *batch = raster->batch;
     interpolate_texels(row, x, count);
-    mask &= qtri_texels_color(raster, job->axis, batch->color, batch->shade, count);
+    mask &= qtri_texels_color(raster, job->axis, batch->color, batch->shade, count, raster->fetched);
     if (mask != 0 && job->shaded) {
         if (job->first == QTRI_U) {
             qtri_shade_constant(batch->shade, job->pixel, count);

@@ -8,43 +8,41 @@
     number += (n);                                                                                 \
     QTRI_OPAQUE(number)
 
-void qtri_texel_numbers_repeated(uint32_t *number, const qtri_curve uv[2], uint32_t cut,
-                                 int32_t count)
-{
-    uint32_t u = uv[0].at;
-    uint32_t v = uv[1].at;
-    uint32_t u_step = uv[0].step;
-    uint32_t v_step = uv[1].step;
-    uint32_t u_bend = uv[0].bend;
-    uint32_t v_bend = uv[1].bend;
-#define ONE(i)                                                                                     \
-    number[i] = qtri_texel_index(u, v, cut);                                                       \
+#define STEP                                                                                       \
     u += u_step;                                                                                   \
     v += v_step;                                                                                   \
     QTRI_OPAQUE(u)                                                                                 \
     QTRI_OPAQUE(v)                                                                                 \
     QTRI_ASIDE(u_step)                                                                             \
     QTRI_ASIDE(v_step)
-    if ((u_bend | v_bend) == 0) {
-        QTRI_WORDS(count)
-        return;
-    }
-#undef ONE
-#define ONE(i)                                                                                     \
-    number[i] = qtri_texel_index(u, v, cut);                                                       \
-    u += u_step;                                                                                   \
-    v += v_step;                                                                                   \
+
+#define BEND                                                                                       \
     u_step += u_bend;                                                                              \
     v_step += v_bend;                                                                              \
-    QTRI_OPAQUE(u)                                                                                 \
-    QTRI_OPAQUE(v)                                                                                 \
-    QTRI_ASIDE(u_step)                                                                             \
-    QTRI_ASIDE(v_step)                                                                             \
     QTRI_ASIDE(u_bend)                                                                             \
     QTRI_ASIDE(v_bend)
-    QTRI_WORDS(count)
-#undef ONE
+
+void qtri_texel_numbers_repeated(uint32_t *number, const qtri_curve uv[2], uint32_t cut,
+                                 int32_t count)
+{
+#define READ(i) number[i] = qtri_texel_index(u, v, cut);
+#include "texel_number.inc"
 }
+
+#ifndef __OPTIMIZE_SIZE__
+void qtri_texels_repeated_16(uint32_t *number, const qtri_curve uv[2], uint32_t cut,
+                             const void *texels, int32_t count)
+{
+    const uint8_t *bytes = texels;
+#define READ(i)                                                                                    \
+    {                                                                                              \
+        const uint32_t at = qtri_texel_index(u, v, cut) * 2;                                       \
+        number[i] = *(const uint16_t *)(const void *)(bytes + at);                                 \
+        QTRI_ASIDE(bytes)                                                                          \
+    }
+#include "texel_number.inc"
+}
+#endif
 
 void qtri_texel_numbers(uint32_t *number, const qtri_curve uv[2], const qtri_texel_axis axis[2],
                         int32_t count)

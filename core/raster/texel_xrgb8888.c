@@ -8,13 +8,7 @@ static bool usable(const qtri_texture *texture)
 static void fetch(uint32_t *texel, const qtri_texture *texture, int32_t count)
 {
     const uint32_t *texels = texture->texels;
-    QTRI_EACH_WORD(texel, count, number, texels[number])
+    QTRI_EACH_WORD(texel, count, number, texels[number] & 0xFFFFFF)
 }
 
-static void decode(uint32_t *texel, const qtri_texture *texture, int32_t count)
-{
-    (void)texture;
-    QTRI_EACH_WORD(texel, count, stored, stored & 0xFFFFFF)
-}
-
-const qtri_texel_format qtri_texel_xrgb8888 = {&qtri_colors_888, 0xFFFFFF, usable, fetch, decode};
+const qtri_texel_format qtri_texel_xrgb8888 = {&qtri_colors_888, 0xFFFFFF, 0, usable, fetch, NULL};

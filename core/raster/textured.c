@@ -24,6 +24,9 @@ void qtri_texture_init(qtri_raster *raster, const qtri_material *material)
     }
     raster->repeated = qtri_texel_copy_fits(texture);
     raster->texel_cut = raster->repeated ? qtri_texel_cut(texture) : 0;
+#ifndef __OPTIMIZE_SIZE__
+    raster->fetched = raster->repeated && texture->format->bytes == 2 && texture->filter == NULL;
+#endif
     raster->copied = raster->repeated && narrow && format->encode == NULL &&
                      texture->format == &qtri_texel_rgb565 && texture->filter == NULL &&
                      !texture->has_key;
@@ -42,7 +45,7 @@ static uint32_t others_than_key(const qtri_texture *texture, const uint32_t *tex
 }
 
 uint32_t qtri_texels_color(const qtri_raster *raster, const qtri_texel_axis axis[2],
-                           uint32_t *color, const uint32_t *v, int32_t count)
+                           uint32_t *color, const uint32_t *v, int32_t count, bool fetched)
 {
     const qtri_texture *texture = raster->texture;
     const qtri_texel_format *format = texture->format;
@@ -50,7 +53,9 @@ uint32_t qtri_texels_color(const qtri_raster *raster, const qtri_texel_axis axis
     if (texture->filter != NULL) {
         return texture->filter->sample(raster, axis, color, v, count);
     }
-    format->fetch(color, texture, count);
+    if (!fetched) {
+        format->fetch(color, texture, count);
+    }
     if (texture->has_key) {
         mask = others_than_key(texture, color, count);
     }

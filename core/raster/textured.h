@@ -13,10 +13,10 @@
 void qtri_texture_init(qtri_raster *raster, const qtri_material *material);
 
 /*
- * Numbers of texels, or u and v where they are filtered, become colours of the working kind.
+ * Numbers of texels, texels (`fetched`), or u and v where they are filtered, become colours of the working kind.
  * Returns the mask of those that are drawn: the others are the colour key.
  */
 uint32_t qtri_texels_color(const qtri_raster *raster, const qtri_texel_axis axis[2],
-                           uint32_t *color, const uint32_t *v, int32_t count);
+                           uint32_t *color, const uint32_t *v, int32_t count, bool fetched);
 
 #endif
