@@ -185,11 +185,15 @@ static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t c
 {
     if (batch->kind == LIT_TEXELS && raster->tint_shade != QTRI_SHADE_WHITE) {
         qtri_shade_tint(batch->shade, raster->tint_shade, count);
-        qtri_texels_shade(raster, false, batch->color, batch->shade, count);
-    } else if (batch->kind != TEXELS) {
-        qtri_texels_shade(raster, batch->kind == LIT_TEXELS, batch->color, batch->shade, count);
+        raster->times(batch->color, batch->shade, count);
+    } else if (batch->kind == LIT_TEXELS) {
+        raster->light(batch->color, batch->shade, count);
+    } else if (batch->kind == RGB_TEXELS) {
+        raster->times(batch->color, batch->shade, count);
     }
-    qtri_texels_narrow(raster, batch->color, count);
+    if (raster->narrow != NULL) {
+        raster->narrow(batch->color, count);
+    }
 }
 
 /* The stages of what is in the batch. r: where texels may be turned away. mask: see there. */
@@ -204,7 +208,7 @@ static void finish(const qtri_raster *raster, uint32_t mask, const list_rows *r)
             for (int32_t i = count; (i & 3) != 0; i++) {
                 batch->color[i] = 0; /* must be numbers of texels */
             }
-            mask = qtri_texels_color(raster, NULL, batch->color, NULL, count);
+            mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false);
         }
         if (raster->texture->has_key) {
             count = keep(raster, mask, count, r);
