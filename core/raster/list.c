@@ -266,7 +266,7 @@ static uint8_t set_colors(qtri_list_values *v)
             return TINT_SHARES;
         }
         v->channels = 0;
-        if (smooth) {
+        if (smooth && t->color != NULL) {
             qtri_list_set_channels(v, 16);
         }
         if (v->channels == 0) {

@@ -41,12 +41,14 @@ static bool fits(const qtri_place *p, const qtri_inverse *by, int32_t f1, int32_
     return most >> (bits - by->left) == 0;
 }
 
-/* By planes of 64 bits. */
+/* By planes of 64 bits, of values from the least of the three on. */
 static void divide(qtri_ramp *ramp, const qtri_place *p, uint32_t f0, int32_t f1, int32_t f2)
 {
     qtri_gradient g;
     const uint32_t one = (uint32_t)1 << QTRI_RAMP_DOWN;
-    const uint32_t f[3] = {f0, f0 + (uint32_t)f1 * one, f0 + (uint32_t)f2 * one};
+    const int32_t least = qtri_least_from_0(f1, f2);
+    const uint32_t f[3] = {(uint32_t)-least * one, (uint32_t)(f1 - least) * one,
+                           (uint32_t)(f2 - least) * one};
     g.dx1 = p->dx1;
     g.dy1 = p->dy1;
     g.dx2 = p->dx2;
@@ -56,7 +58,7 @@ static void divide(qtri_ramp *ramp, const qtri_place *p, uint32_t f0, int32_t f1
     g.anchor_dy = p->y;
     g.reciprocal = 0;
     qtri_ramp_divide(ramp, &g, f);
-    ramp->origin -= 0x8000u;
+    ramp->origin += f0 - f[0] - 0x8000u;
 }
 
 /*
@@ -72,9 +74,10 @@ QTRI_NOINLINE void qtri_place_ramp_any(qtri_ramp *ramp, const qtri_place *p,
     const int32_t high2 = f2 >> 9;
     const int32_t low1 = f1 & (part - 1);
     const int32_t low2 = f2 & (part - 1);
-    if (((qtri_about(f1) | qtri_about(f2)) >> 16) == 0 && fits(p, by, f1, f2, 30)) {
+    const bool steep = (qtri_about(f1) | qtri_about(f2)) >> 16 != 0;
+    if (!steep && fits(p, by, f1, f2, 30)) {
         qtri_place_ramp_plain(ramp, p, by, f0, f1, f2);
-    } else if (fits(p, by, high1, high2, 23) && fits(p, by, low1, low2, 30)) {
+    } else if (steep && fits(p, by, high1, high2, 23) && fits(p, by, low1, low2, 30)) {
         const int32_t gx =
             qtri_place_dx(p, by, high1, high2) * part + qtri_place_dx(p, by, low1, low2) + part / 2;
         const int32_t gy =

@@ -101,6 +101,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     switch (qtri_place_triangle(&place, &raster->bounds, corner[0], corner[1], corner[2])) {
     case QTRI_PLACED_SMALL:
         qtri_list_attributes(raster, &place, corner, attributes);
+        qtri_list_flush(raster);
         break;
     case QTRI_PLACED_LARGE:
         draw_large(raster, p, attributes, area);
@@ -117,5 +118,4 @@ void qtri_raster_triangle(const qtri_surface *surface, const qtri_material *mate
     qtri_batch batch;
     qtri_raster_init(&raster, surface, material, &batch);
     qtri_raster_draw(&raster, v);
-    qtri_list_flush(&raster);
 }
