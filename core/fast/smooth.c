@@ -40,7 +40,7 @@ bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip)
     return row->part > 0 || next_run(row, job);
 }
 
-#if QTRI_PAIRS || defined(__OPTIMIZE_SIZE__)
+#if QTRI_PAIRS
 
 /* Small code: where there are pairs, few surfaces need it. */
 void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
