@@ -74,4 +74,5 @@ else
 endif
 
 include host/bench/scenes.mk
+include host/bench/matrix.mk
 include host/bench/size.mk
