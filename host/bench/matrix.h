@@ -136,9 +136,9 @@ typedef struct matrix_frame {
 
 /*
  * The first case, and the one after *now: false behind the last. `full`: the whole product.
- * Otherwise, for every source, filter and geometry: cases in which one of surface, depth, texel and
- * wrap is not the table's first, and all pairs of these where source and geometry are `paired`;
- * without a texture, all products of surface and depth.
+ * Otherwise, for every source, filter and geometry: cases in which at most one of surface, depth,
+ * texel and wrap is not the table's first, and all pairs of these where source and geometry are
+ * `paired`; without a texture, all products of surface and depth.
  */
 void matrix_first(matrix_case *first);
 bool matrix_next(matrix_case *now, bool full);
