@@ -93,29 +93,29 @@ static int32_t steepness(uint32_t k, const qtri_projected *p, int32_t unit_log2)
 }
 
 /*
- * The least q at the start of a block of 2 h pixels, see perspective.c: in its middle, h pixels on,
+ * The least q at the start of a block of 2 h pixels, h = 2^l, see perspective.c:
  *
- *     q >= min(9 |q'| h^1.5, (80 h^3 K q'^2)^(1/4)),  q >= 4 h |q'|,  q >= q_floor
+ *     q >= min(sqrt(80 h^3) |q'|, (80 h^3 K q'^2)^(1/4)),   q >= 4 h |q'|,   q >= q_floor
  *
- * of which the first holds where the second is not to serve (steep_log2 known, and flat false).
+ * the first of the two where `relative`; steep: log2 K. It is q in the middle that counts, and
+ * where q grows that at the start too, as a span's last block has its middle sooner.
  */
 static void set_limits(qtri_block_limits limits, const shared *s, bool relative, int32_t steep,
                        uint32_t q_floor)
 {
-    /* h = 16: 9 64, and log2(80 4096) = 18.32; a quarter of three logarithms' error. */
-    const int32_t quartic = (4690 + 66 + steep + 2 * (log2_below(s->q_steep) - 31 * 256)) >> 2;
-    uint32_t b = exp2_above_q31(quartic);
-    uint32_t a = s->q_steep < 0x80000000u / 576 ? s->q_steep * 576 : 0x80000000u;
-    for (int l = QTRI_BLOCK_LOG2 - 1; l >= 0; l--) {
-        const uint32_t quarter = s->q_steep >> (30 - l) != 0 ? UINT32_MAX : s->q_steep << (l + 2);
-        uint32_t least = relative && a < b ? a : b;
+    const int32_t slope = log2_below(s->q_steep) - 31 * 256;
+    int32_t square_root = ((1618 + 2) >> 1) + slope + 22;            /* log2 80 = 6.32 */
+    int32_t fourth_root = (1618 + 2 + steep + 2 * slope + 3 * 22) >> 2;
+    for (int32_t l = 0; l < QTRI_BLOCK_LOG2; l++) {
+        const bool first = relative && square_root < fourth_root;
+        const uint32_t quarter = s->q_steep >> (29 - l) != 0 ? UINT32_MAX : s->q_steep << (l + 2);
+        uint32_t least = exp2_above_q31(first ? square_root : fourth_root);
         least = least > quarter ? least : quarter;
         least = least > q_floor ? least : q_floor;
-        /* That in the middle; where q grows, of the start too, as blocks may end sooner. */
-        const uint32_t fall = s->q_dx < 0 ? s->q_steep << l : 0;
-        limits[l] = least > 0x80000000u ? UINT32_MAX : least + fall;
-        a = qtri_mul_high16(a, 23171); /* 2^-1.5 */
-        b = qtri_mul_high16(b, 38968); /* 2^-.75 */
+        limits[l] = least >= 0x80000000u ? UINT32_MAX
+                                         : least + (s->q_dx < 0 ? s->q_steep << l : 0);
+        square_root += 384;
+        fourth_root += 192;
     }
 }
 
