@@ -119,34 +119,30 @@ static void set_limits(qtri_block_limits limits, const shared *s, bool relative,
     }
 }
 
-/* 2^this of a colour's unit, times 2^6, are 256 times what colours may stray by along a curve. */
-static int32_t color_unit_log2(const qtri_job *job)
+/*
+ * Colours may stray by 2^-8 of 2^this, times 2^6 as their planes are: 1/8 of a step where they are
+ * drawn, 1/16 where texels are multiplied by them.
+ */
+static int32_t color_unit_log2(const qtri_raster *raster, bool light)
 {
-    const qtri_raster *raster = job->raster;
-    if (raster->texture == NULL) {
-        return 16 + 5 + QTRI_COLOR_PERSPECTIVE_SHIFT; /* 1/8 of a step */
+    int32_t log2 = 16 + 5;
+    if (raster->texture != NULL) {
+        log2 = (light ? 18 : 20) + (raster->working == &qtri_colors_565 ? 2 : 0);
     }
-    const bool narrow = raster->working == &qtri_colors_565;
-    if (job->first == QTRI_U - 1) {
-        return (narrow ? 20 : 19) + QTRI_COLOR_PERSPECTIVE_SHIFT;
-    }
-    return (narrow ? 22 : 21) + QTRI_COLOR_PERSPECTIVE_SHIFT;
+    return log2 + QTRI_COLOR_PERSPECTIVE_SHIFT;
 }
 
 /*
- * Shades wrap below 0, so that what may stray is added: light below 2^10 / 2^20... 
+ * Shades round 2^-10 of 1 and must not be negative, which leaves 1/8 of a step of 8 bits: enough
+ * for the half of that by which 8 bits stray. What is for RGB565 strays by 1/4, above which it is
+ * lifted.
  */
-static uint32_t color_bias(const qtri_job *job)
+static uint32_t color_bias(const qtri_raster *raster, bool light)
 {
-    const qtri_raster *raster = job->raster;
-    if (raster->texture == NULL) {
+    if (raster->texture == NULL || raster->working != &qtri_colors_565) {
         return 0x8000u;
     }
-    const bool narrow = raster->working == &qtri_colors_565;
-    if (job->first == QTRI_U - 1) {
-        return 0x8000u + (narrow ? 4096u : 1024u);
-    }
-    return 0x8000u + (narrow ? 12288u : 4096u);
+    return 0x8000u + (light ? 4096u : 12288u);
 }
 
 static void set_shared(shared *s, const qtri_triangle *t, const uint32_t q[3],
@@ -184,6 +180,7 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
     const int32_t cut = qtri_greatest32(49 - qtri_clz64(steep), 0); /* to 15 bits */
     p->slope = (int32_t)(dx >> cut);
     p->slope_exponent = cut - 47;
+    const bool light = job->first == QTRI_U - 1;
     int32_t least_down = 31;
     int32_t color_steep = INT32_MIN / 2;
     int32_t texel_steep = INT32_MIN / 2;
@@ -201,7 +198,7 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
                 f[k] <<= QTRI_COLOR_PERSPECTIVE_SHIFT;
             }
             a->up = -QTRI_COLOR_PERSPECTIVE_SHIFT;
-            a->bias = color_bias(job);
+            a->bias = color_bias(job->raster, light);
         } else {
             for (int k = 0; k < 3; k++) {
                 f[k] = value[i - QTRI_U][k];
@@ -214,7 +211,7 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
         const uint32_t k = set_slope(a, plane, f, &s);
         least_down = qtri_least32(least_down, a->down);
         if (i < QTRI_U) {
-            color_steep = qtri_greatest32(color_steep, steepness(k, a, color_unit_log2(job)));
+            color_steep = qtri_greatest32(color_steep, steepness(k, a, color_unit_log2(job->raster, light)));
         } else {
             texel_steep = qtri_greatest32(texel_steep, steepness(k, a, job->axis[i - QTRI_U].shift));
         }

@@ -8,9 +8,16 @@
 
 /*
  * Colours may stray by 1/4 of a step for being linear on the screen: with the rounding to a pixel
- * and the short fractions of packed.h less than one step in all.
+ * and the short fractions of packed.h less than one step in all. Where texels are multiplied they
+ * are in steps of 8 bits, and 1/8 of a step of what is drawn is left to them.
  */
-#define LINEAR_LOG2 14
+static int linear_log2(const qtri_raster *raster)
+{
+    if (raster->texture == NULL) {
+        return 14;
+    }
+    return raster->working == &qtri_colors_565 ? 15 : 13;
+}
 
 /* 1/w of the three with one exponent, the largest in 2^30..2^31. False when all are equal. */
 static bool inv_w_align(uint32_t q[3], const qtri_attributes v[3])
@@ -145,7 +152,7 @@ static bool needs_perspective(const qtri_job *job, const qtri_attributes v[3],
     if (!(QTRI_WITH_PERSPECTIVE && job->raster->perspective) || !inv_w_align(q, v)) {
         return false;
     }
-    if (!nearly_linear(range, q, LINEAR_LOG2)) {
+    if (!nearly_linear(range, q, linear_log2(job->raster))) {
         return true;
     }
     for (int i = QTRI_U; i < job->end; i++) {
