@@ -51,4 +51,22 @@ static inline uint32_t qtri_reciprocal_near(uint32_t x)
     return (r_q15 << 15) + (uint32_t)(((error_q31 >> 1) * (int32_t)r_q15) >> 15);
 }
 
+/* floor(2^31 / x) for x in [2^15, 2^16]. */
+static inline uint32_t qtri_reciprocal_q31(uint32_t x)
+{
+    uint32_t y = qtri_reciprocal_seed(x);
+#if !QTRI_DIVIDE
+    int32_t rest = (int32_t)(0x80000000u - x * y); /* |rest| <= 2^16 + 2^14 */
+    while (rest < 0) {
+        rest += (int32_t)x;
+        y--;
+    }
+    while (rest >= (int32_t)x) {
+        rest -= (int32_t)x;
+        y++;
+    }
+#endif
+    return y;
+}
+
 #endif

@@ -1,3 +1,4 @@
+#include "../raster/list.h"
 #include "primitive.h"
 
 static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
@@ -39,6 +40,9 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
         qtri_shape shape;
         fetch(&primitive, &corners[i], 3, shape.clip);
         qtri_primitive_triangle(&primitive, &shape, attributes_of_triangle, &corners[i]);
+    }
+    if (material->fill == NULL) {
+        qtri_list_flush(&primitive.to.solid.raster);
     }
 }
 

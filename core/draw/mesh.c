@@ -65,6 +65,28 @@ void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uin
     }
 }
 
+void qtri_mesh_set_coordinates(qtri_coordinates uv[2], const qtri_mesh *mesh,
+                               const uint32_t index[3])
+{
+    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
+        for (int i = 0; i < 3; i++) {
+            uv[0].at[i] = mesh->uvs16[index[i]].x;
+            uv[1].at[i] = mesh->uvs16[index[i]].y;
+        }
+        uv[0].repeats = 0;
+        uv[0].fraction = 14;
+        uv[1].repeats = 0;
+        uv[1].fraction = 14;
+        return;
+    }
+    int64_t at_q32[2][3];
+    for (int i = 0; i < 3; i++) {
+        qtri_mesh_set_uv(&at_q32[0][i], &at_q32[1][i], mesh, index[i]);
+    }
+    qtri_coordinates_set(&uv[0], at_q32[0]);
+    qtri_coordinates_set(&uv[1], at_q32[1]);
+}
+
 /* What light makes of the corners' colours. */
 static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
                            const void *triangle, qtri_vertex *const vertex[3])
@@ -311,4 +333,5 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     } else {
         draw_by_slots(&draw);
     }
+    qtri_mesh_finish(&draw);
 }

@@ -6,6 +6,7 @@
 
 #include "../geometry/lighting.h"
 #include "../bits/bits.h"
+#include "../raster/list.h"
 #include "primitive.h"
 
 /* Which edges a triangle of a wireframe draws, see mesh_lines.c. */
@@ -68,6 +69,10 @@ void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint3
                          uint32_t intensity_q15);
 void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index);
 
+/* The texture coordinates of a triangle's corners, for list.h. */
+void qtri_mesh_set_coordinates(qtri_coordinates uv[2], const qtri_mesh *mesh,
+                               const uint32_t index[3]);
+
 /* Any culling, and triangles that may cross planes; those are never turned away. */
 bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
                            const qtri_vertex *c);
@@ -79,6 +84,14 @@ void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
 /* The same for a solid one whose vertices are all inside. */
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c);
+
+/* Draws what waits: at the end of a draw call. */
+static inline void qtri_mesh_finish(const qtri_mesh_job *draw)
+{
+    if (draw->material.fill == NULL) {
+        qtri_list_flush(&draw->primitive.to.solid.raster);
+    }
+}
 
 /* A wireframe whose edges need not be drawn twice. */
 static inline bool qtri_mesh_has_final_edges(const qtri_mesh_job *draw)

@@ -1,21 +1,28 @@
+#include "../raster/list.h"
 #include "mesh_job.h"
 
-/* What not every mesh has: colours in units of the target, texture coordinates. */
+/* Colours in units of the target of a mesh that has its own. */
+static void set_channels(const qtri_mesh_job *draw, uint32_t index, uint32_t intensity_q15,
+                         int32_t channel[3])
+{
+    int32_t color_8p16[3];
+    qtri_mesh_set_color(color_8p16, draw, index, intensity_q15);
+    qtri_channels channels =
+        qtri_raster_channels(&draw->primitive.to.solid.raster, color_8p16);
+    channel[0] = channels.c[0];
+    channel[1] = channels.c[1];
+    channel[2] = channels.c[2];
+}
+
+/* What not every mesh has. */
 QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
                                    uint32_t intensity_q15, qtri_attributes *out)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (mesh->colors != NULL) {
-        int32_t color_8p16[3];
-        qtri_mesh_set_color(color_8p16, draw, index, intensity_q15);
-        qtri_channels channels = qtri_raster_channels(raster, color_8p16);
-        out->color[0] = channels.c[0];
-        out->color[1] = channels.c[1];
-        out->color[2] = channels.c[2];
+    if (draw->mesh->colors != NULL) {
+        set_channels(draw, index, intensity_q15, out->color);
     }
-    if (raster->texture != NULL) {
-        qtri_mesh_set_uv(&out->u_q32, &out->v_q32, mesh, index);
+    if (draw->primitive.to.solid.raster.texture != NULL) {
+        qtri_mesh_set_uv(&out->u_q32, &out->v_q32, draw->mesh, index);
     }
 }
 
@@ -49,8 +56,8 @@ static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtr
 }
 
 /* Lit only when it touches a pixel. */
-QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
-                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indices,
+                                     qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
     qtri_triangle triangle;
     triangle.p[0] = &a->at;
@@ -64,4 +71,48 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
     }
     qtri_vertex *const vertex[3] = {a, b, c};
     draw_lit(draw, indices, vertex, &triangle, light(draw, indices, a, b, c));
+}
+
+/* Colours and texture coordinates of a small triangle. */
+QTRI_NOINLINE static void draw_more(const qtri_mesh_job *draw, const void *indices,
+                                    qtri_list_triangle *t)
+{
+    int32_t color[3][3];
+    qtri_coordinates uv[2];
+    const qtri_mesh *mesh = draw->mesh;
+    const uint32_t index[3] = {qtri_mesh_index(mesh, indices, 0), qtri_mesh_index(mesh, indices, 1),
+                               qtri_mesh_index(mesh, indices, 2)};
+    if (!draw->tinted) {
+        for (int i = 0; i < 3; i++) {
+            set_channels(draw, index[i],
+                         draw->lit_per_vertex ? t->v[i]->intensity_q15 : t->light_q15, color[i]);
+        }
+        t->color = (const int32_t(*)[3])color;
+    }
+    if (draw->primitive.to.solid.raster.texture != NULL) {
+        qtri_mesh_set_coordinates(uv, mesh, index);
+        t->uv = uv;
+    }
+    qtri_list_draw(&draw->primitive.to.solid.raster, t);
+}
+
+QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    qtri_place place;
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    const qtri_placed placed = qtri_place_triangle(&place, &raster->bounds, a, b, c);
+    if (placed == QTRI_PLACED_LARGE) {
+        draw_large(draw, indices, a, b, c);
+    }
+    if (placed != QTRI_PLACED_SMALL) {
+        return;
+    }
+    qtri_list_triangle t = {
+        &place, {a, b, c}, NULL, light(draw, indices, a, b, c), NULL};
+    if (draw->more) {
+        draw_more(draw, indices, &t);
+    } else {
+        qtri_list_draw(raster, &t);
+    }
 }

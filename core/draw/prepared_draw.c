@@ -120,4 +120,5 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
         draw_list(&job, prepared, band);
     }
     draw_range(&job, prepared, first, count);
+    qtri_mesh_finish(&job);
 }

@@ -1,5 +1,7 @@
 #include "primitive.h"
 
+#include "../raster/list.h"
+
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
                                const qtri_material *material, bool lines)
 {
@@ -175,7 +177,34 @@ QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_triangle
     return qtri_job_init(job, &p->primitive->to.solid.raster, triangle, own);
 }
 
-QTRI_NOINLINE static void draw_piece(const piece *p, int64_t area)
+/* One that is small: attributes are found again, so that they take no stack in between. */
+QTRI_NOINLINE static void draw_small_piece(const piece *p, const qtri_place *place,
+                                           const qtri_vertex v[3])
+{
+    qtri_attributes own[3];
+    const qtri_vertex *const vertex[3] = {&v[0], &v[1], &v[2]};
+    piece_attributes(own, p);
+    qtri_list_attributes(&p->primitive->to.solid.raster, place, vertex, own);
+}
+
+QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
+{
+    qtri_place place;
+    qtri_vertex v[3];
+    for (int i = 0; i < 3; i++) {
+        v[i].at = p->vertex[i]->at;
+        v[i].depth_16p8 = p->vertex[i]->depth_16p8;
+        v[i].inv_w = p->vertex[i]->inv_w_q31;
+    }
+    const qtri_placed placed = qtri_place_triangle(
+        &place, &p->primitive->to.solid.raster.bounds, &v[0], &v[1], &v[2]);
+    if (placed == QTRI_PLACED_SMALL) {
+        draw_small_piece(p, &place, v);
+    }
+    return placed;
+}
+
+QTRI_NOINLINE static void draw_large_piece(const piece *p, int64_t area)
 {
     qtri_triangle triangle;
     for (int i = 0; i < 3; i++) {
@@ -291,7 +320,9 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
         if (area != 0 && (area ^ sum) >= 0) {
             p.vertex[1] = &shape->fan[i - 1];
             p.vertex[2] = &shape->fan[i];
-            draw_piece(&p, area);
+            if (draw_placed_piece(&p) == QTRI_PLACED_LARGE) {
+                draw_large_piece(&p, area);
+            }
         }
     }
 }

@@ -94,12 +94,10 @@ static void smooth_gray(uint32_t *color, const qtri_curve *c, int32_t count)
 }
 
 const qtri_colors qtri_colors_565 = {WHITE((int32_t)31 << 16, (int32_t)63 << 16, (int32_t)31 << 16),
-                                     false, pack_565,
-    smooth_565};
+                                     false, 11, 5, 7, pack_565, smooth_565};
 
 const qtri_colors qtri_colors_888 = {
-    WHITE((int32_t)255 << 16, (int32_t)255 << 16, (int32_t)255 << 16), false, pack_888,
-    smooth_888};
+    WHITE((int32_t)255 << 16, (int32_t)255 << 16, (int32_t)255 << 16), false, 16, 8, 10, pack_888, smooth_888};
 
-const qtri_colors qtri_colors_gray = {WHITE(QTRI_GRAY_RED, QTRI_GRAY_GREEN, QTRI_GRAY_BLUE), true,
+const qtri_colors qtri_colors_gray = {WHITE(QTRI_GRAY_RED, QTRI_GRAY_GREEN, QTRI_GRAY_BLUE), true, 0, 0, 10,
                                       pack_gray, smooth_gray};

@@ -29,6 +29,8 @@ enum {
  *   place   of small triangles: row << 16 | column, from the surface's first pixel
  */
 typedef struct qtri_batch {
+    uint8_t count; /* fragments of small triangles that wait, see list.h */
+    uint8_t kind;  /* what they are */
     uint32_t color[QTRI_BATCH_ROOM];
     uint32_t shade[QTRI_BATCH_ROOM];
     uint32_t place[QTRI_BATCH_ROOM];

@@ -20,6 +20,8 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->surface = surface;
     raster->format = format;
     raster->batch = batch;
+    batch->count = 0;
+    batch->kind = 0;
     raster->bounds = qtri_surface_bounds(surface);
     raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     raster->depth_write = raster->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
@@ -70,7 +72,7 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
                                    (int32_t)color.b << 16};
     raster->tint = qtri_raster_channels(raster, color_8p16);
     for (int i = 0; i < 3; i++) {
-        raster->tint_n6[i] = raster->tint.c[i] >> 10;
+        raster->tint_n12[i] = raster->tint.c[i] >> 4;
     }
     if (raster->texture != NULL) {
         raster->tint_shade = qtri_shade_of(raster->tint.c);

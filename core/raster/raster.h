@@ -55,7 +55,7 @@ typedef struct qtri_raster {
      */
     const qtri_colors *units;
     qtri_channels tint;    /* what tinted triangles have shares of */
-    int32_t tint_n6[3];    /* the same with 6 bits after the point, cut off */
+    int32_t tint_n12[3];   /* the same with 12 bits after the point, cut off */
 
     /* Texture: see textured.c. */
     const qtri_colors *working; /* texels become colours of this kind */

@@ -1,5 +1,7 @@
 #include "triangle.h"
 
+#include "../geometry/projector.h"
+#include "list.h"
 #include "rows.h"
 #include "setup.h"
 
@@ -21,6 +23,7 @@ QTRI_NOINLINE static void fill_tall(const qtri_job *job, qtri_triangle *triangle
 
 void qtri_triangle_fill(const qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
 {
+    qtri_list_flush(job->raster);
     if (QTRI_WITH_FAST_PATHS && triangle->size != QTRI_LARGE) {
         fill(job, triangle->spans, triangle->row, triangle->end - triangle->row);
     } else {
@@ -52,26 +55,60 @@ static void attributes_from_screen(qtri_attributes *out, const qtri_screen_verte
     out->v_q32 = v->v_q32;
 }
 
-void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
+/* The same as vertices of a mesh are kept: of exponents only what is near the first counts. */
+static void vertex_from_attributes(qtri_vertex *out, const qtri_screen_point *at,
+                                   const qtri_attributes *v, int32_t first_exponent)
+{
+    const int64_t more = (int64_t)v->inv_w_exponent - first_exponent;
+    out->at = *at;
+    out->depth_16p8 = (v->depth_16p16 & ~0xFFu) | (more < -2 || more > 2 ? 0u : (uint32_t)(more + 8));
+    out->inv_w = v->inv_w_q31;
+}
+
+static void draw_large(const qtri_raster *raster, const qtri_screen_point p[3],
+                       const qtri_attributes attributes[3], int64_t area)
 {
     qtri_triangle triangle;
+    triangle.p[0] = &p[0];
+    triangle.p[1] = &p[1];
+    triangle.p[2] = &p[2];
+    triangle.tinted = false;
+    triangle.area = area;
+    if (qtri_triangle_begin(raster, &triangle)) {
+        qtri_triangle_draw(raster, &triangle, attributes);
+    }
+}
+
+void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
+{
     qtri_screen_point p[3];
+    qtri_attributes attributes[3];
+    qtri_vertex vertex[3];
+    qtri_place place;
     for (int i = 0; i < 3; i++) {
         p[i].x_24p8 = qtri_hold32(v[i].x_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
         p[i].y_24p8 = qtri_hold32(v[i].y_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
-        triangle.p[i] = &p[i];
     }
-    triangle.tinted = false;
-    triangle.area = qtri_triangle_area(&p[0], &p[1], &p[2]);
-    if (triangle.area == 0 || qtri_is_culled(raster->cull, triangle.area) ||
-        !qtri_triangle_begin(raster, &triangle)) {
+    const int64_t area = qtri_triangle_area(&p[0], &p[1], &p[2]);
+    if (area == 0 || qtri_is_culled(raster->cull, area)) {
         return;
     }
-    qtri_attributes attributes[3];
     for (int i = 0; i < 3; i++) {
         attributes_from_screen(&attributes[i], &v[i], raster);
+        vertex_from_attributes(&vertex[i], &p[i], &attributes[i], attributes[0].inv_w_exponent);
     }
-    qtri_triangle_draw(raster, &triangle, attributes);
+    const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
+    switch (qtri_place_triangle(&place, &raster->bounds, corner[0], corner[1], corner[2])) {
+    case QTRI_PLACED_SMALL:
+        qtri_list_attributes(raster, &place, corner, attributes);
+        qtri_list_flush(raster);
+        break;
+    case QTRI_PLACED_LARGE:
+        draw_large(raster, p, attributes, area);
+        break;
+    default:
+        break;
+    }
 }
 
 void qtri_raster_triangle(const qtri_surface *surface, const qtri_material *material,

@@ -1,0 +1,190 @@
+#include "bilinear.h"
+#include "list_values.h"
+#include "texel_copy.h"
+#include "texel_number.h"
+
+void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
+{
+    const int64_t limit = (int64_t)1 << 48;
+    int64_t offset[3];
+    uint64_t all = 0;
+    for (int i = 0; i < 3; i++) {
+        offset[i] = at_q32[i] < -limit ? -limit : (at_q32[i] > limit ? limit : at_q32[i]);
+    }
+    out->repeats = (int32_t)(offset[0] >> 32);
+    for (int i = 0; i < 3; i++) {
+        offset[i] -= (int64_t)out->repeats * ((int64_t)1 << 32); /* < 2^50 */
+        all |= qtri_magnitude64(offset[i]);
+    }
+    int32_t down = 34 - qtri_clz64(all); /* to below 2^30 */
+    down = down < 2 ? 2 : down;
+    out->fraction = 32 - down;
+    for (int i = 0; i < 3; i++) {
+        out->at[i] = (int32_t)(offset[i] >> down);
+    }
+}
+
+enum {
+    KEPT = 14,   /* bits of the larger difference */
+    TEXEL = 18,  /* of a texel's fraction, where coordinates do not fill 32 bits */
+    UP = QTRI_RAMP_DOWN
+};
+
+/* Added to coordinates, so that those somewhat below 0 can be shifted; a multiple of the side. */
+#define ABOVE_ZERO ((uint32_t)1 << 30)
+
+/*
+ * The differences with KEPT bits, their fraction held to `most`: *fraction is that of what comes
+ * out.
+ */
+static void differences(int32_t f[2], int32_t *fraction, const qtri_list_values *v,
+                        const qtri_coordinates *c, int32_t most)
+{
+    const int32_t d1 = c->at[v->second] - c->at[0];
+    const int32_t d2 = c->at[v->third] - c->at[0];
+    int32_t up = qtri_clz32(qtri_about(d1) | qtri_about(d2)) - (32 - KEPT); /* -17..14 */
+    up = qtri_least32(up, most - c->fraction); /* >= -24 */
+    *fraction = c->fraction + up;
+    if (up >= 0) {
+        f[0] = d1 * ((int32_t)1 << up);
+        f[1] = d2 * ((int32_t)1 << up);
+    } else {
+        const int32_t half = (int32_t)1 << (-up - 1);
+        f[0] = (d1 + half) >> -up;
+        f[1] = (d2 + half) >> -up;
+    }
+}
+
+/*
+ * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter, edges
+ * are nothing special.
+ */
+static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
+{
+    return shift > 10 && v->raster->texture->filter == NULL ? (uint32_t)1 << (shift - 10) : 0;
+}
+
+/* Coordinates that fill 32 bits. `unit`: bits of a repeat's fraction, at least 17. */
+static void fill_axis(qtri_list_axis *out, const qtri_list_values *v, const qtri_coordinates *c,
+                      int32_t unit, int32_t shift)
+{
+    int32_t f[2];
+    int32_t fraction;
+    const int32_t up = unit - c->fraction;
+    differences(f, &fraction, v, c, unit - UP);
+    out->up = unit - UP - fraction;
+    out->at = up >= 0 ? (uint32_t)c->at[0] << up : (uint32_t)(c->at[0] >> -up);
+    out->at += bias_of(v, shift);
+    qtri_list_curve(&out->l, v, f[0], f[1]);
+}
+
+/*
+ * Coordinates of which whole columns or rows are looked at: in texels, from the whole repeat of
+ * vertex 0 on. The others are less than 2^(KEPT + 1 - fraction) repeats away: with the shift below
+ * by less than 2^30.
+ */
+static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_list_values *v,
+                       const qtri_coordinates *c, uint8_t side_log2, bool clamped)
+{
+    int32_t f[2];
+    int32_t fraction;
+    side_log2 = side_log2 > 10 ? 10 : side_log2;
+    differences(f, &fraction, v, c, side_log2 + TEXEL - UP);
+    const int32_t shift = qtri_least32(TEXEL, 29 - KEPT + fraction - side_log2); /* >= 1 */
+    const int32_t base = c->at[0] >> c->fraction;
+    const int32_t up = side_log2 + shift - c->fraction;
+    const uint32_t rest = (uint32_t)c->at[0] & (((uint32_t)1 << c->fraction) - 1);
+    axis->side_log2 = side_log2;
+    axis->texel_shift = (uint8_t)shift;
+    axis->clamped = clamped;
+    axis->mask = (uint16_t)((1u << side_log2) - 1);
+    axis->first = (int32_t)(ABOVE_ZERO >> shift) - (base + c->repeats) * ((int32_t)1 << side_log2);
+    out->up = side_log2 + shift - UP - fraction;
+    out->at = ABOVE_ZERO + bias_of(v, shift) + (up >= 0 ? rest << up : rest >> -up);
+    qtri_list_curve(&out->l, v, f[0], f[1]);
+}
+
+void qtri_list_set_texels(qtri_list_values *v)
+{
+    const qtri_raster *raster = v->raster;
+    const qtri_texture *texture = raster->texture;
+    const qtri_coordinates *uv = v->t->uv;
+    qtri_list_find_e(v);
+    if (raster->repeated) {
+        const int32_t shift[2] = {qtri_texel_copy_shift(texture, 0),
+                                  qtri_texel_copy_shift(texture, 1)};
+        fill_axis(&v->uv[0], v, &uv[0], 32, shift[0]);
+        fill_axis(&v->uv[1], v, &uv[1], shift[1] + texture->height_log2, shift[1]);
+        if (texture->filter != NULL) {
+            for (int i = 0; i < 2; i++) {
+                v->axis[i].side_log2 = i == 0 ? texture->width_log2 : texture->height_log2;
+                v->axis[i].texel_shift = (uint8_t)shift[i];
+                v->axis[i].clamped = false;
+                v->axis[i].mask = (uint16_t)((1u << v->axis[i].side_log2) - 1);
+            }
+        }
+    } else {
+        clamp_axis(&v->uv[0], &v->axis[0], v, &uv[0], texture->width_log2,
+                   texture->wrap_u == QTRI_CLAMP);
+        clamp_axis(&v->uv[1], &v->axis[1], v, &uv[1], texture->height_log2,
+                   texture->wrap_v == QTRI_CLAMP);
+    }
+}
+
+static inline uint32_t coordinate(const qtri_list_axis *axis, uint32_t x, uint32_t y, int32_t w)
+{
+    const int32_t l = (int32_t)qtri_list_at(&axis->l, x, y);
+    return axis->at + ((uint32_t)qtri_list_divided(l, w) << axis->up);
+}
+
+static void numbers_repeated(const qtri_list_values *v, uint32_t *number, const uint32_t *place,
+                             int32_t count)
+{
+    const qtri_list_axis u_axis = v->uv[0];
+    const qtri_list_axis v_axis = v->uv[1];
+    const qtri_ramp e = v->e_q26;
+    const uint32_t cut = v->raster->texel_cut;
+    const uint32_t *end = place + count;
+    do {
+        const uint32_t x = *place & 0xFFFF;
+        const uint32_t y = *place >> 16;
+        const int32_t w = qtri_list_w(&e, x, y);
+        place++;
+        *number++ = qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
+    } while (place != end);
+}
+
+static void coordinates(const qtri_list_values *v, uint32_t *out_u, uint32_t *out_v,
+                        const uint32_t *place, int32_t count)
+{
+    const uint32_t *end = place + count;
+    do {
+        const uint32_t x = *place & 0xFFFF;
+        const uint32_t y = *place >> 16;
+        const int32_t w = qtri_list_w(&v->e_q26, x, y);
+        place++;
+        *out_u++ = coordinate(&v->uv[0], x, y, w);
+        *out_v++ = coordinate(&v->uv[1], x, y, w);
+    } while (place != end);
+}
+
+uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
+                          const uint32_t *place, int32_t count)
+{
+    const qtri_texture *texture = v->raster->texture;
+    if (v->raster->repeated && texture->filter == NULL) {
+        numbers_repeated(v, color, place, count);
+        return UINT32_MAX;
+    }
+    coordinates(v, color, shade, place, count);
+    if (texture->filter != NULL) {
+        return texture->filter->sample(v->raster, v->axis, color, shade, count);
+    }
+    const qtri_texel_axis *axis = v->axis;
+    for (const uint32_t *end = color + count; color != end; color++, shade++) {
+        const uint32_t column = qtri_texel_wrapped(&axis[0], *color >> axis[0].texel_shift);
+        const uint32_t row = qtri_texel_wrapped(&axis[1], *shade >> axis[1].texel_shift);
+        *color = (row << axis[0].side_log2) + column;
+    }
+    return UINT32_MAX;
+}
