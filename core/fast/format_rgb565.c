@@ -3,6 +3,9 @@
 
 #if QTRI_PAIRS
 static const qtri_fused loops = {qtri_flat_pairs, qtri_smooth_pairs, qtri_copy_pairs};
+#elif defined(__OPTIMIZE_SIZE__)
+/* Rolled, the loop for smooth colours is slower than the stages. */
+static const qtri_fused loops = {qtri_flat_less, qtri_span_fill, qtri_copy_less};
 #else
 static const qtri_fused loops = {qtri_flat_less, qtri_smooth_less, qtri_copy_less};
 #endif

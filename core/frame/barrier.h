@@ -12,7 +12,11 @@
 
 #if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
 #define QTRI_OPAQUE(x) __asm__ volatile("" : "+l"(x));
-#define QTRI_ASIDE(x)  __asm__ volatile("" : "+h"(x));
+#ifdef __OPTIMIZE_SIZE__ /* where it would move x there and back */
+#define QTRI_ASIDE(x)
+#else
+#define QTRI_ASIDE(x) __asm__ volatile("" : "+h"(x));
+#endif
 #define QTRI_BRANCH    __asm__ volatile("");
 #elif defined(__GNUC__)
 #define QTRI_OPAQUE(x) __asm__ volatile("" : "+r"(x));

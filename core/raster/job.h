@@ -18,6 +18,9 @@
 /* Colours (n.16, up to 24 bits) are scaled by this much to use 30 bits with perspective. */
 #define QTRI_COLOR_PERSPECTIVE_SHIFT 6
 
+/* Blocks along which curves hold have up to 2^QTRI_BLOCK_LOG2 pixels. */
+#define QTRI_BLOCK_LOG2 5
+
 /*
  * Attributes in an array: colours red green blue, then texture coordinates u and v, so that those
  * that a job has are neighbours. One colour, gray or light, is in blue's place. With perspective
@@ -31,10 +34,32 @@ typedef union qtri_attribute {
     qtri_ramp ramp; /* colours that are linear */
     /*
      * Linear: texture coordinates in the unit of their axis. With perspective: attribute inv_w /
-     * 2^31, colours times 2^6; inv_w is 2^31 for the vertex nearest to the eye.
+     * 2^32, colours times 2^6; inv_w is 2^31 for the vertex nearest to the eye.
      */
     qtri_plane plane;
 } qtri_attribute;
+
+/* What curves of an attribute need besides its plane, see perspective.c. */
+typedef struct qtri_projected {
+    uint32_t slope, slope_dy; /* attribute's slope inv_w^2: in row 0, and for one row down */
+    uint32_t dx;              /* the plane's, rounded to its unit */
+    uint32_t bias;            /* in the attribute's unit */
+    int8_t down;              /* of slopes to the curve's unit */
+    int8_t up;                /* of values */
+} qtri_projected;
+
+/* The least inv_w at the start of a block of 2^(i+1) pixels. */
+typedef uint32_t qtri_block_limits[QTRI_BLOCK_LOG2];
+
+/* Of a job with perspective. */
+typedef struct qtri_perspective {
+    qtri_projected attribute[QTRI_ATTRIBUTES];
+    uint32_t dx;            /* of inv_w, rounded to its unit */
+    int32_t slope;          /* the same with 15 bits, times 2^slope_exponent where inv_w is 2^31 */
+    int32_t slope_exponent;
+    qtri_block_limits colors, texels;
+    int32_t least[3], greatest[3]; /* colours of the vertices, n.16 */
+} qtri_perspective;
 
 /* Steps of a packed colour, see packed.h: from pixels 0 2 4 6 of a group, 1 3 5, 7; of all eight.
  */
@@ -67,10 +92,8 @@ struct qtri_job {
     qtri_attribute attribute[QTRI_PLANES];
     union {
         qtri_packed_steps step; /* when packed */
-        struct {
-            int32_t least[3], greatest[3]; /* of the vertices, n.16 */
-        } range;                           /* perspective clamps */
-    } color;
+        qtri_perspective perspective;
+    } more;
     qtri_texel_axis axis[2];
 };
 
@@ -84,17 +107,20 @@ struct qtri_scanline {
     uint16_t *depths;    /* NULL: there are none */
     uint64_t plane[QTRI_PLANES]; /* at column 0; of linear textures with the bias */
     bool level;          /* with perspective: coordinates are linear along this row */
+    int32_t chunk;       /* with perspective: the pixel where at[] is; slope[]: of this row */
+    uint64_t at[QTRI_PLANES]; /* times 2^16 */
+    uint32_t slope[QTRI_ATTRIBUTES];
     int32_t run;         /* linear coordinates: the pixel where uv[].at is */
     qtri_curve uv[2];
 };
 
-/* Pixels x .. x+count-1 of a row that copies texels; all values at the first. */
+/* Pixels x .. x+count-1 of a row that copies texels; all values at the first. bend: where curved. */
 struct qtri_run {
     uint8_t *pixels; /* of the whole row */
     uint16_t *depths;
     int32_t x, count;     /* 0 < count */
     uint32_t z;           /* 16.16 */
-    uint32_t value[2], step[2]; /* u and v as texel_copy.h has them */
+    uint32_t value[2], step[2], bend[2]; /* u and v as texel_copy.h has them */
 };
 
 /* Any job, by stages. */

@@ -15,10 +15,10 @@
 /* clang-format off */
 #ifdef __OPTIMIZE_SIZE__
 #define QTRI_PIXELS(count)                                                                         \
-    do {                                                                                           \
+    for (const uint16_t *stop = depth + (count); depth != stop;) {                                 \
         ONE(0)                                                                                     \
         QTRI_MOVE(1)                                                                               \
-    } while (--(count) > 0);
+    }
 #else
 #define QTRI_PIXELS(count)                                                                         \
     if ((count) >= 16) {                                                                           \

@@ -8,9 +8,16 @@
 
 /*
  * Colours may stray by 1/4 of a step for being linear on the screen: with the rounding to a pixel
- * and the short fractions of packed.h less than one step in all.
+ * and the short fractions of packed.h less than one step in all. Where texels are multiplied they
+ * are in steps of 8 bits, and 1/8 of a step of what is drawn is left to them.
  */
-#define LINEAR_LOG2 14
+static int linear_log2(const qtri_raster *raster)
+{
+    if (raster->texture == NULL) {
+        return 14;
+    }
+    return raster->working == &qtri_colors_565 ? 15 : 13;
+}
 
 /* 1/w of the three with one exponent, the largest in 2^30..2^31. False when all are equal. */
 static bool inv_w_align(uint32_t q[3], const qtri_attributes v[3])
@@ -59,8 +66,7 @@ static void ramp_init(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[
     }
 }
 
-/* Colour i of the three vertices: a channel, or their share of a tint. */
-static void color_of(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i)
+void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i)
 {
     const bool share = job->tinted && job->raster->texture != NULL;
     for (int k = 0; k < 3; k++) {
@@ -86,32 +92,6 @@ static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
         range = other > range ? other : range;
     }
     return job->tinted && raster->units != &qtri_colors_565 ? range << 2 : range;
-}
-
-/*
- * Planes of attribute q / 2^31, rounded: below 2^30, as are the attributes, colours scaled. value:
- * the vertices' texture coordinates.
- */
-static void perspective_planes(qtri_job *job, const qtri_attributes v[3], uint32_t value[2][3],
-                               const uint32_t q[3], const qtri_gradient *gradient)
-{
-    qtri_plane_init(&job->attribute[job->end].plane, gradient, q);
-    for (int i = job->first; i < job->end; i++) {
-        uint32_t color[3];
-        uint32_t *f = i < QTRI_U ? color : value[i - QTRI_U];
-        if (i < QTRI_U) {
-            color_of(color, job, v, i);
-            uint32_t least;
-            uint32_t range = range_of(color, &least);
-            job->color.range.least[i] = (int32_t)least;
-            job->color.range.greatest[i] = (int32_t)(least + range);
-        }
-        for (int k = 0; k < 3; k++) {
-            uint32_t scaled = i < QTRI_U ? f[k] << QTRI_COLOR_PERSPECTIVE_SHIFT : f[k];
-            f[k] = (uint32_t)((qtri_mul_u32(scaled, q[k]) + ((uint32_t)1 << 30)) >> 31);
-        }
-        qtri_plane_init(&job->attribute[i].plane, gradient, f);
-    }
 }
 
 /*
@@ -148,13 +128,13 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
     } else {
         for (int i = job->first; i < QTRI_U; i++) {
             uint32_t f[3];
-            color_of(f, job, v, i);
+            qtri_job_color(f, job, v, i);
             ramp_init(&job->attribute[i].ramp, gradient, f);
         }
     }
     job->packed = !textured && job->raster->units == &qtri_colors_565;
     if (job->packed) {
-        qtri_packed_steps *step = &job->color.step;
+        qtri_packed_steps *step = &job->more.step;
         step->even = pack_step(job, 1);
         step->odd = pack_step(job, 2) - step->even;
         step->eight = pack_step(job, 8);
@@ -172,7 +152,7 @@ static bool needs_perspective(const qtri_job *job, const qtri_attributes v[3],
     if (!(QTRI_WITH_PERSPECTIVE && job->raster->perspective) || !inv_w_align(q, v)) {
         return false;
     }
-    if (!nearly_linear(range, q, LINEAR_LOG2)) {
+    if (!nearly_linear(range, q, linear_log2(job->raster))) {
         return true;
     }
     for (int i = QTRI_U; i < job->end; i++) {
@@ -286,7 +266,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     job->perspective = needs_perspective(job, v, (const uint32_t(*)[3])value, range, q);
     if (job->perspective) {
         job->interpolate = qtri_interpolate_perspective;
-        perspective_planes(job, v, value, q, &gradient);
+        qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, &gradient);
         return qtri_span_fill;
     }
     if (range != 0) {

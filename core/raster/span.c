@@ -212,7 +212,11 @@ static void go_on(qtri_scanline *row)
     if (row->depths != NULL) {
         row->depths += surface->depth_pitch;
     }
-    for (int i = job->perspective ? job->first : QTRI_U; i < job->end + job->perspective; i++) {
+    if (job->perspective) {
+        qtri_perspective_next(row);
+        return;
+    }
+    for (int i = QTRI_U; i < job->end; i++) {
         row->plane[i] += job->attribute[i].plane.dy;
     }
 }

@@ -44,27 +44,52 @@ void qtri_texels_repeated_16(uint32_t *number, const qtri_curve uv[2], uint32_t 
 }
 #endif
 
+#define STEP_ONE                                                                                   \
+    at += step;                                                                                    \
+    step += bend;                                                                                  \
+    QTRI_OPAQUE(at)                                                                                \
+    QTRI_ASIDE(bend)
+
+/* Adds the columns or rows, times 2^up, that a coordinate leads to. */
+static void add_axis(uint32_t *number, const qtri_curve *curve, const qtri_texel_axis *axis,
+                     uint32_t up, int32_t count)
+{
+    const uint32_t shift = axis->texel_shift;
+    uint32_t at = curve->at;
+    uint32_t step = curve->step;
+    uint32_t bend = curve->bend;
+    int32_t mask = axis->mask;
+    if (!axis->clamped) {
+#define ONE(i)                                                                                     \
+    number[i] += (at >> shift & (uint32_t)mask) << up;                                             \
+    STEP_ONE
+        QTRI_WORDS(count)
+#undef ONE
+        return;
+    }
+    int32_t first = axis->first;
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        int32_t index = (int32_t)(at >> shift) - first;                                            \
+        index &= ~(index >> 31); /* not below 0: an arithmetic shift, see bits.h */                \
+        index = index > mask ? mask : index;                                                       \
+        number[i] += (uint32_t)index << up;                                                        \
+        STEP_ONE                                                                                   \
+        QTRI_ASIDE(first)                                                                          \
+    }
+    QTRI_WORDS(count)
+#undef ONE
+}
+
+/* What is written past `count` is a number of a texel too. */
 void qtri_texel_numbers(uint32_t *number, const qtri_curve uv[2], const qtri_texel_axis axis[2],
                         int32_t count)
 {
-    uint32_t u = uv[0].at;
-    uint32_t v = uv[1].at;
-    uint32_t u_step = uv[0].step;
-    uint32_t v_step = uv[1].step;
-    const uint32_t *end = number + count;
-    do {
-        const uint32_t column = qtri_texel_wrapped(&axis[0], u >> axis[0].texel_shift);
-        const uint32_t row = qtri_texel_wrapped(&axis[1], v >> axis[1].texel_shift);
-        *number++ = (row << axis[0].side_log2) + column;
-        u += u_step;
-        v += v_step;
-        u_step += uv[0].bend;
-        v_step += uv[1].bend;
-    } while (number != end);
-    /* Up to a multiple of four they must be numbers of texels. */
-    for (; (count & 3) != 0; count++) {
-        *number++ = 0;
+    for (int32_t i = 0; i < count + 3; i++) {
+        number[i] = 0;
     }
+    add_axis(number, &uv[0], &axis[0], 0, count);
+    add_axis(number, &uv[1], &axis[1], axis[0].side_log2, count);
 }
 
 #undef MOVE
