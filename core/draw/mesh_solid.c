@@ -108,8 +108,12 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
     if (placed != QTRI_PLACED_SMALL) {
         return;
     }
-    qtri_list_triangle t = {
-        &place, {a, b, c}, NULL, light(draw, indices, a, b, c), NULL};
+    const uint32_t light_q15 = light(draw, indices, a, b, c);
+    if (!draw->more && raster->tint_small != NULL &&
+        raster->tint_small(raster, &place, a, b, c, light_q15)) {
+        return;
+    }
+    qtri_list_triangle t = {&place, {a, b, c}, NULL, light_q15, NULL};
     if (draw->more) {
         draw_more(draw, indices, &t);
     } else {

@@ -1,6 +1,7 @@
 /*
  * Fused loops of surfaces of 16 bits with depth "less" and written: whole rows of one colour, of
- * linear colours in RGB565, and runs of texels that become pixels as they are. Internal.
+ * linear colours in RGB565, runs of texels that become pixels as they are, and small triangles in
+ * shares of a tint. Internal.
  *
  * They save time and nothing else: the stages draw the same pixels to the bit.
  */
@@ -12,5 +13,7 @@
 void qtri_flat_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_smooth_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_copy_less(const qtri_job *job, const qtri_run *run);
+bool qtri_tint_less(const qtri_raster *raster, const qtri_place *place, const qtri_vertex *a,
+                    const qtri_vertex *b, const qtri_vertex *c, uint32_t light_q15);
 
 #endif

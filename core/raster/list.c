@@ -172,7 +172,7 @@ static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count,
                 (uint16_t)(z >> 16);
         }
         batch->color[kept] = batch->color[i];
-        batch->shade[kept] = batch->shade[i];
+        batch->by.shade[kept] = batch->by.shade[i];
         batch->place[kept] = place;
         kept++;
     }
@@ -182,12 +182,12 @@ static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count,
 static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
 {
     if (batch->kind == LIT_TEXELS && raster->tint_shade != QTRI_SHADE_WHITE) {
-        qtri_shade_tint(batch->shade, raster->tint_shade, count);
-        raster->times(batch->color, batch->shade, count);
+        qtri_shade_tint(batch->by.shade, raster->tint_shade, count);
+        raster->times(batch->color, batch->by.shade, count);
     } else if (batch->kind == LIT_TEXELS) {
-        raster->light(batch->color, batch->shade, count);
+        raster->light(batch->color, batch->by.shade, count);
     } else if (batch->kind == RGB_TEXELS) {
-        raster->times(batch->color, batch->shade, count);
+        raster->times(batch->color, batch->by.shade, count);
     }
     if (raster->narrow != NULL) {
         raster->narrow(batch->color, count);
@@ -305,7 +305,7 @@ static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t coun
     qtri_batch *batch = raster->batch;
     const uint32_t *place = batch->place + first;
     uint32_t *color = batch->color + first;
-    uint32_t *shade = batch->shade + first;
+    uint32_t *shade = batch->by.shade + first;
     uint32_t mask = UINT32_MAX;
     count -= first;
     if (raster->texture != NULL) {

@@ -49,17 +49,28 @@ void qtri_list_find_e(qtri_list_values *v)
 
 /* Colours ------------------------------------------------------------------------------------- */
 
-/* Whether a colour that differs from vertex 0's by d1 and d2, n.9, is linear on the screen. */
-static bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, uint32_t limit)
+QTRI_NOINLINE bool qtri_list_is_linear(const qtri_vertex *a, const qtri_vertex *b,
+                                       const qtri_vertex *c, int32_t d1, int32_t d2, uint32_t part)
+{
+    int32_t q1 = 0;
+    int32_t q2 = 0;
+    (void)qtri_inv_w_more(&q1, a, b);
+    (void)qtri_inv_w_more(&q2, a, c);
+    const int32_t q_least = qtri_least_from_0(q1, q2);
+    const uint32_t q_range = (uint32_t)(qtri_greatest_from_0(q1, q2) - q_least); /* < 2^29 */
+    const uint32_t range = (uint32_t)(qtri_greatest_from_0(d1, d2) - qtri_least_from_0(d1, d2));
+    return range * ((q_range >> 15) + 1) <= (a->inv_w + (uint32_t)q_least) >> (4 + part);
+}
+
+/* The same for what a raster interpolates. */
+static bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, uint32_t part)
 {
     const qtri_vertex *a = v->t->v[0];
     const qtri_vertex *b = v->t->v[1];
     const qtri_vertex *c = v->t->v[2];
-    if (!(QTRI_WITH_PERSPECTIVE && v->raster->perspective)) {
-        return true;
-    }
-    return qtri_place_is_level(a, b, c) &&
-           qtri_list_stray(qtri_about(d1) + qtri_about(d2), a, b, c) < limit;
+    return !(QTRI_WITH_PERSPECTIVE && v->raster->perspective) ||
+           qtri_list_is_plain(a, b, c, d1, d2, part) ||
+           qtri_list_is_linear(a, b, c, d1, d2, part);
 }
 
 void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
@@ -78,7 +89,7 @@ void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
     const int32_t f2 = (i2 + 2) >> (QTRI_RAMP_DOWN - 7);
     v->channels = 1;
     v->base[2] = ((uint32_t)i0 << 7) + (uint32_t)round;
-    v->curved = !is_linear(v, i1, i2, qtri_list_light_stray(v->raster));
+    v->curved = !is_linear(v, i1, i2, qtri_list_light_part(v->raster));
     if (v->curved) {
         qtri_list_find_e(v);
         qtri_list_curve(&v->channel[2], v, f1, f2);
@@ -97,7 +108,7 @@ void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)
         const int32_t d1 = t->color[v->second][i] - t->color[0][i];
         const int32_t d2 = t->color[v->third][i] - t->color[0][i];
         any |= d1 | d2;
-        linear = linear && is_linear(v, d1 >> 7, d2 >> 7, QTRI_LIST_STRAY);
+        linear = linear && is_linear(v, d1 >> 7, d2 >> 7, 3);
     }
     v->curved = !linear;
     v->channels = any == 0 ? 0 : (uint8_t)(3 - first);

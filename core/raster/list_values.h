@@ -68,25 +68,27 @@ static inline int32_t qtri_list_divided(int32_t l, int32_t w)
 }
 
 /*
- * How far a colour is from linear on the screen, at most: `range` is the sum of its differences, n.9,
- * from vertex 0, and 1/w differs by less than 2^26 from there. A colour strays by range (q_greatest
- * - q_least) / (4 q_least), see nearly_linear() in setup.c, where q_least >= 2^30: by less than 1/8
- * of 2^16 where this is below QTRI_LIST_STRAY.
+ * Whether a colour that differs from vertex 0's by d1 and d2, n.9, is linear on the screen: it strays
+ * by range (q_greatest - q_least) / (4 q_least), q being 1/w, see nearly_linear() in setup.c, which
+ * is to be below 2^-part of 2^16: 3 is 1/8 of a step.
  */
-static inline uint32_t qtri_list_stray(uint32_t range, const qtri_vertex *a, const qtri_vertex *b,
-                                       const qtri_vertex *c)
+bool qtri_list_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c,
+                         int32_t d1, int32_t d2, uint32_t part);
+
+/* Enough for it, and true of most: q_least >= 2^30, and no range is more than two differences. */
+static inline bool qtri_list_is_plain(const qtri_vertex *a, const qtri_vertex *b,
+                                      const qtri_vertex *c, int32_t d1, int32_t d2, uint32_t part)
 {
+    const uint32_t range = qtri_about(d1) + qtri_about(d2) + 2;
     const uint32_t q_range = qtri_about((int32_t)(b->inv_w - a->inv_w)) +
                              qtri_about((int32_t)(c->inv_w - a->inv_w)) + 2;
-    return (range + 2) * ((q_range >> 16) + 1); /* < 2^19 2^12 */
+    return qtri_place_is_level(a, b, c) && range * ((q_range >> 16) + 1) < (uint32_t)1 << (25 - part);
 }
 
-#define QTRI_LIST_STRAY ((uint32_t)1 << 22)
-
-/* The limit for light, Q15: of 63 steps or 255. */
-static inline uint32_t qtri_list_light_stray(const qtri_raster *raster)
+/* Of light, Q15: 1/8 of 63 steps or of 255. */
+static inline uint32_t qtri_list_light_part(const qtri_raster *raster)
 {
-    return (raster->texture != NULL ? raster->working : raster->units) == &qtri_colors_565 ? QTRI_LIST_STRAY : QTRI_LIST_STRAY / 4;
+    return (raster->texture != NULL ? raster->working : raster->units) == &qtri_colors_565 ? 3 : 5;
 }
 
 /*

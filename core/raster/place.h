@@ -27,7 +27,7 @@ typedef enum qtri_placed {
 } qtri_placed;
 
 /* Rows count from the surface's first one, columns from that of the frame. */
-typedef struct qtri_place {
+struct qtri_place {
     int32_t column, row;        /* spans count columns from this one and begin in this row */
     int32_t x, y;               /* the centre of pixel (0, 0) from vertex 0, 1/256 pixel */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
@@ -37,7 +37,7 @@ typedef struct qtri_place {
     /* Of each row the first pixel and the one after the last, then a row that begins with
        QTRI_PLACE_STOP. Vertex 0 is in row QTRI_PLACE_PIXELS of them. */
     uint8_t spans[2 * (2 * QTRI_PLACE_PIXELS + 1)];
-} qtri_place;
+};
 
 #define QTRI_PLACE_STOP 255 /* after it nothing can end */
 

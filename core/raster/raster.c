@@ -22,6 +22,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->batch = batch;
     batch->count = 0;
     batch->kind = 0;
+    batch->has_table = false;
     raster->bounds = qtri_surface_bounds(surface);
     raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     raster->depth_write = raster->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
@@ -47,11 +48,16 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     if (textured) {
         qtri_texture_init(raster, material);
     }
+    raster->tint_small = NULL;
     if (QTRI_WITH_FAST_PATHS && format->fused != NULL && raster->compare == QTRI_LESS &&
         raster->depth_write) {
-        raster->fill_flat = format->fused->flat_less;
-        raster->fill_smooth = format->fused->smooth_less;
-        raster->copy_run = raster->copied ? format->fused->copy_less : NULL;
+        const qtri_fused *fused = format->fused;
+        raster->fill_flat = fused->flat_less != NULL ? fused->flat_less : qtri_span_fill;
+        raster->fill_smooth = fused->smooth_less != NULL ? fused->smooth_less : qtri_span_fill;
+        raster->copy_run = raster->copied ? fused->copy_less : NULL;
+        if (!textured && surface->pitch == 2 * surface->depth_pitch) {
+            raster->tint_small = fused->tint_less;
+        }
     }
 }
 

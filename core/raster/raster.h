@@ -6,6 +6,7 @@
 #define QTRI_RASTER_RASTER_H
 
 #include "qtri/material.h"
+#include "qtri/view.h"
 
 #include "../bits/bits.h"
 #include "../frame/pixel.h"
@@ -14,6 +15,7 @@
 #include "texel.h"
 
 typedef struct qtri_job qtri_job;
+typedef struct qtri_raster qtri_raster;
 
 /* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
 typedef struct qtri_span {
@@ -28,16 +30,26 @@ typedef void (*qtri_fill_rows)(const qtri_job *job, const qtri_span *spans, int3
 typedef struct qtri_run qtri_run;
 typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
 
-/* Loops that stand in for the stages where depth is "less" and written. */
+/*
+ * Draws a small triangle in shares of the tint, of one light or, QTRI_VERTEX_UNLIT, of that of its
+ * vertices. False when it is not that simple: then nothing was drawn.
+ */
+typedef struct qtri_place qtri_place;
+typedef bool (*qtri_draw_small)(const qtri_raster *raster, const qtri_place *place,
+                                const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c,
+                                uint32_t light_q15);
+
+/* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
 struct qtri_fused {
     qtri_fill_rows flat_less, smooth_less;
     qtri_draw_run copy_less;
+    qtri_draw_small tint_less;
 };
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
 typedef void (*qtri_modulate_stage)(uint32_t *color, const uint32_t *shade, int32_t count);
 
-typedef struct qtri_raster {
+struct qtri_raster {
     const qtri_surface *surface;
     const qtri_format *format;
     const qtri_texture *texture; /* NULL: none */
@@ -70,8 +82,9 @@ typedef struct qtri_raster {
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
-    qtri_draw_run copy_run; /* NULL: none */
-} qtri_raster;
+    qtri_draw_run copy_run;   /* NULL: none */
+    qtri_draw_small tint_small; /* NULL: none */
+};
 
 /* batch: the caller's, used while the raster is. */
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,

@@ -32,7 +32,7 @@ static void interpolate_shades(qtri_scanline *row, int32_t x, int32_t count)
 {
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
-    uint32_t *shade = raster->batch->shade;
+    uint32_t *shade = raster->batch->by.shade;
     const int32_t whole = count;
     while (count > 0) {
         qtri_curve curve[3];
@@ -47,7 +47,7 @@ static void interpolate_shades(qtri_scanline *row, int32_t x, int32_t count)
         count -= some;
     }
     if (job->first == QTRI_U - 1 && raster->tint_shade != QTRI_SHADE_WHITE) {
-        qtri_shade_tint(raster->batch->shade, raster->tint_shade, whole);
+        qtri_shade_tint(raster->batch->by.shade, raster->tint_shade, whole);
     }
 }
 
@@ -62,7 +62,7 @@ static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
         qtri_curve uv[2];
         const int32_t some = job->interpolate(row, x + done, count - done, QTRI_U, QTRI_ATTRIBUTES, uv);
         if (raster->texture->filter != NULL) {
-            qtri_texel_coordinates(batch->color + done, batch->shade + done, uv, some);
+            qtri_texel_coordinates(batch->color + done, batch->by.shade + done, uv, some);
 #ifndef __OPTIMIZE_SIZE__
         } else if (raster->fetched) {
             qtri_texels_repeated_16(batch->color + done, uv, raster->texel_cut,
@@ -84,15 +84,15 @@ static uint32_t textured(qtri_scanline *row, int32_t x, int32_t count, uint32_t 
     const qtri_raster *raster = job->raster;
     qtri_batch *batch = raster->batch;
     interpolate_texels(row, x, count);
-    mask &= qtri_texels_color(raster, job->axis, batch->color, batch->shade, count, raster->fetched);
+    mask &= qtri_texels_color(raster, job->axis, batch->color, batch->by.shade, count, raster->fetched);
     if (mask != 0 && job->shaded) {
         if (job->first == QTRI_U) {
-            qtri_shade_constant(batch->shade, job->pixel, count);
+            qtri_shade_constant(batch->by.shade, job->pixel, count);
         } else {
             interpolate_shades(row, x, count);
         }
         const bool light = job->first == QTRI_U - 1 && raster->tint_shade == QTRI_SHADE_WHITE;
-        (light ? raster->light : raster->times)(batch->color, batch->shade, count);
+        (light ? raster->light : raster->times)(batch->color, batch->by.shade, count);
     }
     if (mask != 0 && raster->narrow != NULL) {
         raster->narrow(batch->color, count);
