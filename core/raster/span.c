@@ -25,7 +25,7 @@ static void start_run(qtri_scanline *row, int32_t x)
     row->run = x;
     for (int i = 0; i < 2; i++) {
         const uint64_t value =
-            qtri_plane_column(row->plane[QTRI_U + i], job->attribute[QTRI_U + i].plane.dx, x);
+            qtri_plane_column(row->by.plane[i], job->attribute[QTRI_U + i].plane.dx, x);
         row->uv[i].at = qtri_run_scaled((uint32_t)qtri_plane_floor(value), job->axis[i].up);
     }
 }
@@ -244,12 +244,12 @@ static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
     row->depths = raster->compare != QTRI_DEPTH_OFF ? qtri_depths_at(raster->surface, y) : NULL;
     row->level = false;
     if (job->perspective) {
-        qtri_perspective_begin(row);
+        row->by.perspective.zeros = 0;
         return;
     }
     for (int i = 0; i < 2 && job->end == QTRI_ATTRIBUTES; i++) {
         const qtri_plane *plane = &job->attribute[QTRI_U + i].plane;
-        row->plane[QTRI_U + i] = qtri_plane_row(plane, y) + ((uint64_t)job->axis[i].bias << 16);
+        row->by.plane[i] = qtri_plane_row(plane, y) + ((uint64_t)job->axis[i].bias << 16);
         row->uv[i].step = plane_step(plane->dx, job->axis[i].up);
     }
 }
@@ -264,11 +264,10 @@ static void go_on(qtri_scanline *row)
         row->depths += surface->depth_pitch;
     }
     if (job->perspective) {
-        qtri_perspective_next(row);
         return;
     }
-    for (int i = QTRI_U; i < job->end; i++) {
-        row->plane[i] += job->attribute[i].plane.dy;
+    for (int i = 0; i < 2 && job->end == QTRI_ATTRIBUTES; i++) {
+        row->by.plane[i] += job->attribute[QTRI_U + i].plane.dy;
     }
 }
 
