@@ -111,7 +111,7 @@ struct qtri_scanline {
         struct {
             uint32_t at[QTRI_PLANES]; /* at column 0 */
             int32_t rest[QTRI_PLANES];
-            uint32_t slope[QTRI_ATTRIBUTES];
+            uint32_t slope[QTRI_PLANES]; /* the last is not used */
             int32_t zeros; /* of inv_w, when it was last asked */
         } perspective;
     } by;
@@ -119,7 +119,10 @@ struct qtri_scanline {
     qtri_curve uv[2];
 };
 
-/* Pixels x .. x+count-1 of a row that copies texels; all values at the first. bend: where curved. */
+/*
+ * Pixels x .. x+count-1 of a row that copies texels; all values at the first. bend: where copy_bent
+ * draws them, which takes no more than QTRI_BATCH.
+ */
 struct qtri_run {
     uint8_t *pixels; /* of the whole row */
     uint16_t *depths;

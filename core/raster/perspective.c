@@ -164,14 +164,15 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
     const int32_t from = (x - row->left) & (QTRI_BATCH - 1);
     const int32_t rest = qtri_least32(row->right - x, QTRI_BATCH - from);
     uint32_t q = plane_at(row, inv_w, job->end, x);
+    const uint32_t *limits = first < QTRI_U ? p->colors : p->texels;
     int32_t log2 = QTRI_BLOCK_LOG2;
-    const uint32_t *limit = (first < QTRI_U ? p->colors : p->texels) + log2;
-    while (log2 > 0) {
-        const int32_t half = (int32_t)1 << (log2 - 1);
-        limit--;
-        if ((from & (2 * half - 1)) == 0 && half < rest && q >= *limit) {
-            break;
-        }
+    while (log2 > 0 && q < limits[log2 - 1]) {
+        log2--;
+    }
+    while (from >> log2 << log2 != from) {
+        log2--;
+    }
+    while ((1 << log2) >> 1 >= rest) {
         log2--;
     }
     const int32_t length = qtri_least32((int32_t)1 << log2, rest);
