@@ -12,5 +12,6 @@
 void qtri_flat_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_smooth_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_copy_less(const qtri_job *job, const qtri_run *run);
+void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run);
 
 #endif

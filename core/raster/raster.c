@@ -38,6 +38,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->fill_flat = qtri_span_fill;
     raster->fill_smooth = qtri_span_fill;
     raster->copy_run = NULL;
+    raster->copy_bent = NULL;
     if (format == NULL || raster->compare == QTRI_NEVER) {
         raster->bounds = nowhere;
         raster->format = &qtri_xrgb8888;
@@ -52,6 +53,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->fill_flat = format->fused->flat_less;
         raster->fill_smooth = format->fused->smooth_less;
         raster->copy_run = raster->copied ? format->fused->copy_less : NULL;
+        raster->copy_bent = raster->copied ? format->fused->copy_bent_less : NULL;
     }
 }
 

@@ -31,7 +31,7 @@ typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
 /* Loops that stand in for the stages where depth is "less" and written. */
 struct qtri_fused {
     qtri_fill_rows flat_less, smooth_less;
-    qtri_draw_run copy_less;
+    qtri_draw_run copy_less, copy_bent_less; /* along lines; along curves */
 };
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
@@ -70,7 +70,7 @@ typedef struct qtri_raster {
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
-    qtri_draw_run copy_run; /* NULL: none */
+    qtri_draw_run copy_run, copy_bent; /* NULL: none */
 } qtri_raster;
 
 /* batch: the caller's, used while the raster is. */
