@@ -81,7 +81,8 @@ static bool is_small(const qtri_screen_vertex v[3])
 {
     qtri_place place;
     qtri_vertex vertex[3];
-    const qtri_rect everywhere = {-9999, -9999, 9999, 9999};
+    qtri_surface surface = {0};
+    qtri_raster everywhere = {.surface = &surface, .bounds = {-9999, -9999, 9999, 9999}};
     for (int i = 0; i < 3; i++) {
         vertex[i].at.x_24p8 = v[i].x_24p8;
         vertex[i].at.y_24p8 = v[i].y_24p8;

@@ -101,7 +101,7 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
 {
     qtri_place place;
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    const qtri_placed placed = qtri_place_triangle(&place, &raster->bounds, a, b, c);
+    const qtri_placed placed = qtri_place_triangle(&place, raster, a, b, c);
     if (placed == QTRI_PLACED_LARGE) {
         draw_large(draw, indices, a, b, c);
     }

@@ -197,7 +197,7 @@ QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
         v[i].inv_w = p->vertex[i]->inv_w_q31;
     }
     const qtri_placed placed = qtri_place_triangle(
-        &place, &p->primitive->to.solid.raster.bounds, &v[0], &v[1], &v[2]);
+        &place, &p->primitive->to.solid.raster, &v[0], &v[1], &v[2]);
     if (placed == QTRI_PLACED_SMALL) {
         draw_small_piece(p, &place, v);
     }

@@ -18,25 +18,23 @@ typedef struct list_rows {
     const uint8_t *span;
     uint32_t place; /* of the base column in this row */
     uint32_t z;     /* there, 16.16 */
-    uint16_t *depths;
-    qtri_ramp depth; /* from place 0 on */
+    ptrdiff_t depth_at; /* its depth's place in memory: may be left of a row */
+    qtri_ramp depth;
 } list_rows;
 
 static void begin(list_rows *r, const qtri_raster *raster, const qtri_place *p,
                   const qtri_list_values *v)
 {
     const qtri_surface *surface = raster->surface;
-    const int32_t row = p->row - surface->first_row;
     r->span = p->first;
-    r->place = ((uint32_t)row << 16) + (uint32_t)p->column;
+    r->place = ((uint32_t)p->row << 16) + (uint32_t)p->column;
     r->z = 0;
-    r->depths = NULL;
+    r->depth_at = 0;
     if (raster->compare != QTRI_DEPTH_OFF) {
         qtri_place_depth(&r->depth, p, &v->inverse, v->t->v[0], v->t->v[v->second],
                          v->t->v[v->third]);
-        r->z = r->depth.origin;
-        r->depth.origin -= (uint32_t)p->column * r->depth.dx + (uint32_t)row * r->depth.dy;
-        r->depths = surface->depth + (ptrdiff_t)row * surface->depth_pitch + p->column;
+        r->z = qtri_list_at(&r->depth, (uint32_t)p->column, (uint32_t)p->row);
+        r->depth_at = (ptrdiff_t)p->row * surface->depth_pitch + p->column;
     }
 }
 
@@ -83,17 +81,17 @@ static bool append_all(list_rows *r, qtri_batch *batch)
 #define NEXT_ROW                                                                                   \
     r->place += (uint32_t)1 << 16;                                                                 \
     r->z += r->depth.dy;                                                                           \
-    r->depths += pitch;
+    r->depth_at += surface->depth_pitch;
 
 /* Depth less, written. */
-static bool append_less(list_rows *r, qtri_batch *batch, ptrdiff_t pitch)
+static bool append_less(list_rows *r, qtri_batch *batch, const qtri_surface *surface)
 {
     uint32_t step = r->depth.dx;
 #define PIXELS                                                                                     \
     uint32_t z = r->z + x * step;                                                                  \
     uint32_t at = r->place + x;                                                                    \
-    uint16_t *depth = r->depths + x;                                                               \
-    const uint16_t *const row_end = r->depths + end;                                               \
+    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                                               \
+    const uint16_t *const row_end = depth + (end - x);                                               \
     do {                                                                                           \
         if (z >> 16 < *depth) {                                                                    \
             QTRI_BRANCH                                                                            \
@@ -111,14 +109,14 @@ static bool append_less(list_rows *r, qtri_batch *batch, ptrdiff_t pitch)
 }
 
 /* Any comparison: `passes` has bits for less, equal, greater. */
-static bool append_passing(list_rows *r, qtri_batch *batch, ptrdiff_t pitch, uint32_t passes,
+static bool append_passing(list_rows *r, qtri_batch *batch, const qtri_surface *surface, uint32_t passes,
                            bool write)
 {
 #define PIXELS                                                                                     \
     uint32_t z = r->z + x * r->depth.dx;                                                           \
     uint32_t at = r->place + x;                                                                    \
-    uint16_t *depth = r->depths + x;                                                               \
-    const uint16_t *const row_end = r->depths + end;                                               \
+    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                                               \
+    const uint16_t *const row_end = depth + (end - x);                                               \
     do {                                                                                           \
         const uint32_t top = z >> 16;                                                              \
         const uint32_t stored = *depth;                                                            \
@@ -141,18 +139,18 @@ static bool append_passing(list_rows *r, qtri_batch *batch, ptrdiff_t pitch, uin
 /* `late`: depths are written with the pixels. */
 static bool append(list_rows *r, const qtri_raster *raster, bool late)
 {
-    const ptrdiff_t pitch = raster->surface->depth_pitch;
+    const qtri_surface *surface = raster->surface;
     qtri_batch *batch = raster->batch;
     if (raster->compare == QTRI_DEPTH_OFF) {
         return append_all(r, batch);
     }
     const bool write = raster->depth_write && !late;
     if (raster->compare == QTRI_LESS && write) {
-        return append_less(r, batch, pitch);
+        return append_less(r, batch, surface);
     }
     const uint32_t passes =
         raster->compare > QTRI_ALWAYS ? 7 : (uint32_t)raster->compare - QTRI_NEVER;
-    return append_passing(r, batch, pitch, passes, write);
+    return append_passing(r, batch, surface, passes, write);
 }
 
 /* Leaves fragments out that are not in the mask; writes the depths of the others. */
@@ -196,6 +194,14 @@ static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t c
     }
 }
 
+/* Light becomes its share of the tint: within .75 of a step of RGB565, .63 of 255. */
+static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count)
+{
+    for (const uint32_t *end = color + count; color != end; color++) {
+        *color = qtri_raster_tinted(raster, *color, raster->units->light_bits);
+    }
+}
+
 /* The stages of what is in the batch. r: where texels may be turned away. mask: see there. */
 static void finish(const qtri_raster *raster, uint32_t mask, const list_rows *r)
 {
@@ -218,7 +224,7 @@ static void finish(const qtri_raster *raster, uint32_t mask, const list_rows *r)
         }
         shade_texels(raster, batch, count);
     } else if (batch->kind == TINT_SHARES) {
-        qtri_light_tint(batch->color, raster->tint_n12, format->colors, count);
+        share_tint(raster, batch->color, count);
     }
     if (format->encode != NULL) {
         format->encode(batch->color, count);
@@ -237,13 +243,8 @@ void qtri_list_flush(const qtri_raster *raster)
 /* The one colour of an untextured triangle. */
 static uint32_t flat_color(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    const int32_t *own = t->color != NULL ? t->color[qtri_raster_provoking(raster)] : NULL;
-    int32_t channel[3];
-    for (int i = 0; i < 3; i++) {
-        channel[i] = own != NULL ? own[i]
-                                 : qtri_raster_shade(raster, (int32_t)(t->light_q15 << 7), i);
-    }
-    return raster->format->colors->pack(channel);
+    return t->color != NULL ? raster->format->colors->pack(t->color[qtri_raster_provoking(raster)])
+                            : qtri_raster_tinted(raster, t->light_q15, 15);
 }
 
 /* The same of a textured one, as a shade. */

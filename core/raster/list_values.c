@@ -2,19 +2,10 @@
 
 #include "../geometry/projector.h"
 
-/* From the base of the place to place 0. */
-static void move(qtri_ramp *ramp, const qtri_list_values *v)
-{
-    const qtri_place *p = v->t->place;
-    const int32_t row = p->row - v->raster->surface->first_row;
-    ramp->origin -= (uint32_t)p->column * ramp->dx + (uint32_t)row * ramp->dy;
-}
-
 void qtri_list_ramp(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1,
                     int32_t f2)
 {
     qtri_place_ramp(ramp, v->t->place, &v->inverse, f0, f1, f2);
-    move(ramp, v);
 }
 
 /* |f| < 2^14 + 2^10 or so, |e| < 2^14: below 2^29. */

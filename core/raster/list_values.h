@@ -86,7 +86,7 @@ static inline uint32_t qtri_list_stray(uint32_t range, const qtri_vertex *a, con
 /* The limit for light, Q15: of 63 steps or 255. */
 static inline uint32_t qtri_list_light_stray(const qtri_raster *raster)
 {
-    return raster->units == &qtri_colors_565 ? QTRI_LIST_STRAY : QTRI_LIST_STRAY / 4;
+    return (raster->texture != NULL ? raster->working : raster->units) == &qtri_colors_565 ? QTRI_LIST_STRAY : QTRI_LIST_STRAY / 4;
 }
 
 /*

@@ -26,10 +26,10 @@ bool qtri_place_cut(qtri_place *p, const qtri_rect *bounds)
     return any;
 }
 
-qtri_placed qtri_place_triangle(qtri_place *p, const qtri_rect *bounds, const qtri_vertex *a,
+qtri_placed qtri_place_triangle(qtri_place *p, const qtri_raster *raster, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_vertex *c)
 {
-    return qtri_place_inline(p, bounds, a, b, c);
+    return qtri_place_inline(p, raster, a, b, c);
 }
 
 /* Whether numerators f d - f d' stay below 2^bits when they are shifted left. |f| <= 2^16. */
@@ -54,11 +54,14 @@ static void divide(qtri_ramp *ramp, const qtri_place *p, uint32_t f0, int32_t f1
     g.dx2 = p->dx2;
     g.dy2 = p->dy2;
     g.area = -(int64_t)p->size;
-    g.anchor_dx = p->x;
-    g.anchor_dy = p->y;
+    const int32_t column = (128 - p->x) >> 8; /* the pixel at vertex 0: its steps are rounded */
+    const int32_t row = (128 - p->y) >> 8;
+    g.anchor_dx = column * 256 + p->x;
+    g.anchor_dy = row * 256 + p->y;
     g.reciprocal = 0;
     qtri_ramp_divide(ramp, &g, f);
     ramp->origin += f0 - f[0] - 0x8000u;
+    ramp->origin -= (uint32_t)column * ramp->dx + (uint32_t)row * ramp->dy;
 }
 
 /*

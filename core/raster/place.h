@@ -14,6 +14,7 @@
 #include "../bits/multiply.h"
 #include "gradient.h"
 #include "loop.h"
+#include "raster.h"
 #include "rows.h"
 
 #define QTRI_PLACE_PIXELS 16
@@ -25,9 +26,10 @@ typedef enum qtri_placed {
     QTRI_PLACED_SMALL
 } qtri_placed;
 
+/* Rows count from the surface's first one, columns from that of the frame. */
 typedef struct qtri_place {
-    int32_t column, row;        /* the base: spans count columns from it, and begin in its row */
-    int32_t x, y;               /* its centre from vertex 0, 1/256 pixel */
+    int32_t column, row;        /* spans count columns from this one and begin in this row */
+    int32_t x, y;               /* the centre of pixel (0, 0) from vertex 0, 1/256 pixel */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
     uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^26 */
     bool back;
@@ -139,10 +141,12 @@ static inline bool qtri_place_is_near(const qtri_vertex *a, const qtri_vertex *b
 bool qtri_place_cut(qtri_place *p, const qtri_rect *bounds);
 
 /* Inline for the loop over a mesh; a triangle of seven pixels would pay a tenth for the call. */
-static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_rect *bounds,
+static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_raster *raster,
                                             const qtri_vertex *a, const qtri_vertex *b,
                                             const qtri_vertex *c)
 {
+    const qtri_rect *const bounds = &raster->bounds;
+    const int32_t first_row = raster->surface->first_row;
     const int32_t x0 = a->at.x_24p8;
     const int32_t y0 = a->at.y_24p8;
     int32_t dx1 = b->at.x_24p8 - x0;
@@ -196,9 +200,9 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_rect *boun
     const int32_t x = column * 256 + 128 - x0;
     p->size = (uint32_t)size;
     p->column = column;
-    p->row = row + first;
-    p->x = x;
-    p->y = y + first * 256;
+    p->row = row + first - first_row;
+    p->x = 128 - x0;
+    p->y = first_row * 256 + 128 - y0;
     p->dx1 = dx1;
     p->dy1 = dy1;
     p->dx2 = dx2;
@@ -227,7 +231,7 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_rect *boun
     return QTRI_PLACED_SMALL;
 }
 
-qtri_placed qtri_place_triangle(qtri_place *p, const qtri_rect *bounds, const qtri_vertex *a,
+qtri_placed qtri_place_triangle(qtri_place *p, const qtri_raster *raster, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_vertex *c);
 
 /* What turns a numerator into a step. */
@@ -261,7 +265,10 @@ static inline int32_t qtri_place_dy(const qtri_place *p, const qtri_inverse *by,
     return qtri_mul_high_s30((f1 * p->dx2 - f2 * p->dx1) * ((int32_t)1 << by->left), by->inverse);
 }
 
-/* A ramp from the base on: at vertex 0 it is f0. */
+/*
+ * A ramp from pixel (0, 0) on: at vertex 0 it is f0. What touches a pixel is less than 2^21.1 of
+ * 1/256 pixel away from there, which qtri_gradient_along takes as well: 2^8 2^21.1 twice.
+ */
 static inline void qtri_place_ramp_plain(qtri_ramp *ramp, const qtri_place *p,
                                          const qtri_inverse *by, uint32_t f0, int32_t f1,
                                          int32_t f2)

@@ -74,18 +74,18 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
                                    (int32_t)color.b << 16};
     raster->tint = qtri_raster_channels(raster, color_8p16);
     for (int i = 0; i < 3; i++) {
-        raster->tint_n12[i] = raster->tint.c[i] >> 4;
+        raster->tint_n8[i] = (uint32_t)raster->tint.c[i] >> 8;
     }
     if (raster->texture != NULL) {
         raster->tint_shade = qtri_shade_of(raster->tint.c);
     }
 }
 
-uint32_t qtri_raster_pixel(const qtri_raster *raster, const int32_t channel[3])
+uint32_t qtri_raster_stored(const qtri_raster *raster, uint32_t color)
 {
-    uint32_t color[4] = {raster->format->colors->pack(channel)};
+    uint32_t words[4] = {color};
     if (raster->format->encode != NULL) {
-        raster->format->encode(color, 1);
+        raster->format->encode(words, 1);
     }
-    return color[0];
+    return words[0];
 }

@@ -55,7 +55,7 @@ typedef struct qtri_raster {
      */
     const qtri_colors *units;
     qtri_channels tint;    /* what tinted triangles have shares of */
-    int32_t tint_n12[3];   /* the same with 12 bits after the point, cut off */
+    uint32_t tint_n8[3];   /* the same with 8 bits after the point, cut off */
 
     /* Texture: see textured.c. */
     const qtri_colors *working; /* texels become colours of this kind */
@@ -83,8 +83,8 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);
 /* color_8p16 (0..255.0) as the raster's channels. */
 qtri_channels qtri_raster_channels(const qtri_raster *raster, const int32_t color_8p16[3]);
 
-/* Channels as a stored pixel, where there is no texture. */
-uint32_t qtri_raster_pixel(const qtri_raster *raster, const int32_t channel[3]);
+/* A colour of the format's kind as a stored pixel. */
+uint32_t qtri_raster_stored(const qtri_raster *raster, uint32_t color);
 
 /* The vertex whose colour a flat triangle has. */
 static inline int qtri_raster_provoking(const qtri_raster *raster)
@@ -96,6 +96,23 @@ static inline int qtri_raster_provoking(const qtri_raster *raster)
 static inline int32_t qtri_raster_shade(const qtri_raster *raster, int32_t share_q22, int i)
 {
     return (int32_t)(qtri_mul_s32(share_q22, raster->tint.c[i]) >> 22);
+}
+
+/*
+ * The tint at a light of `bits` bits and 1, at most 2^15, as a colour: channels, 2^16 at most, are
+ * rounded once, so within 1/2 + 2^-8 of a step and what the light is off by.
+ */
+static inline uint32_t qtri_raster_tinted(const qtri_raster *raster, uint32_t light, uint32_t bits)
+{
+    const qtri_colors *colors = raster->units;
+    const uint32_t shift = 8 + bits;
+    const uint32_t half = (uint32_t)1 << (shift - 1);
+    uint32_t color = (light * raster->tint_n8[2] + half) >> shift;
+    if (!colors->single) {
+        color |= (light * raster->tint_n8[0] + half) >> shift << colors->red;
+        color |= (light * raster->tint_n8[1] + half) >> shift << colors->green;
+    }
+    return color;
 }
 
 /* What a material asks for and the library is built with: see config.h. */

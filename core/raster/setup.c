@@ -187,11 +187,16 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
     const qtri_raster *raster = job->raster;
     const qtri_attributes *from = &v[qtri_raster_provoking(raster)];
     int32_t channel[3];
+    if (job->tinted && raster->texture == NULL) { /* as small triangles have it */
+        job->pixel = qtri_raster_stored(
+            raster, qtri_raster_tinted(raster, (uint32_t)from->color[0] >> 7, 15));
+        return;
+    }
     for (int i = 0; i < 3; i++) {
         channel[i] = job->tinted ? qtri_raster_shade(raster, from->color[0], i) : from->color[i];
     }
     if (raster->texture == NULL) {
-        job->pixel = qtri_raster_pixel(raster, channel);
+        job->pixel = qtri_raster_stored(raster, raster->format->colors->pack(channel));
         return;
     }
     job->pixel = qtri_shade_of(channel);

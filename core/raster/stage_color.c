@@ -205,21 +205,3 @@ void qtri_888_to_gray(uint32_t *color, int32_t count)
     QTRI_WORDS(count)
 #undef ONE
 }
-
-/* tint_n12 < 2^20, light <= 2^10. */
-void qtri_light_tint(uint32_t *color, const int32_t tint_n12[3], const qtri_colors *kind,
-                     int32_t count)
-{
-    const uint32_t shift = 12u + kind->light_bits;
-    const uint32_t half = (uint32_t)1 << (shift - 1);
-    const uint32_t *end = color + count;
-    do {
-        const uint32_t light = *color;
-        uint32_t shown = (light * (uint32_t)tint_n12[2] + half) >> shift;
-        if (!kind->single) {
-            shown |= (light * (uint32_t)tint_n12[0] + half) >> shift << kind->red;
-            shown |= (light * (uint32_t)tint_n12[1] + half) >> shift << kind->green;
-        }
-        *color++ = shown;
-    } while (color != end);
-}

@@ -36,11 +36,6 @@ static inline uint32_t qtri_shade_of(const int32_t c[3])
 /* Light becomes a share of a shade, off by 1/2 of 1024. */
 void qtri_shade_tint(uint32_t *shade, uint32_t tint, int32_t count);
 
-/* Light of kind->light_bits becomes its share of a tint, n.12: within .75 of a step of RGB565, .63
-   of 255. */
-void qtri_light_tint(uint32_t *color, const int32_t tint_n12[3], const qtri_colors *kind,
-                     int32_t count);
-
 /* Modulation ----------------------------------------------------------------------------------- */
 
 /* color times light, or times red green blue: RGB565 within .54 and .66, 8 bits .63 and .69. */

@@ -98,7 +98,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
         vertex_from_attributes(&vertex[i], &p[i], &attributes[i], attributes[0].inv_w_exponent);
     }
     const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
-    switch (qtri_place_triangle(&place, &raster->bounds, corner[0], corner[1], corner[2])) {
+    switch (qtri_place_triangle(&place, raster, corner[0], corner[1], corner[2])) {
     case QTRI_PLACED_SMALL:
         qtri_list_attributes(raster, &place, corner, attributes);
         qtri_list_flush(raster);
