@@ -80,6 +80,7 @@ static void divide(double b[3], const qtri_screen_vertex v[3])
 static bool is_small(const qtri_screen_vertex v[3])
 {
     qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
     qtri_vertex vertex[3];
     qtri_surface surface = {0};
     qtri_raster everywhere = {.surface = &surface, .bounds = {-9999, -9999, 9999, 9999}};
@@ -97,7 +98,7 @@ static bool is_small(const qtri_screen_vertex v[3])
             vertex[i].depth_16p8--;
         }
     }
-    return qtri_place_triangle(&place, &everywhere, &vertex[0], &vertex[1], &vertex[2]) !=
+    return qtri_place_triangle(&place, spans, &everywhere, &vertex[0], &vertex[1], &vertex[2]) !=
            QTRI_PLACED_LARGE;
 }
 

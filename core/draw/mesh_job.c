@@ -71,6 +71,15 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->edges = QTRI_EDGES_ALL;
     draw->lit = false;
     draw->lit_per_face = QTRI_WITH_FACE_LIGHT && view->light != NULL && !draw->lit_per_vertex;
+    if (solid) {
+        qtri_raster *raster = &draw->primitive.to.solid.raster;
+        raster->lamp.find = qtri_mesh_find_light;
+        raster->lamp.from = draw;
+        raster->lamp.by_vertex = draw->lit_per_vertex;
+        if (draw->more) {
+            raster->tint_small = NULL;
+        }
+    }
 }
 
 bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose)
@@ -92,6 +101,9 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
         if (!QTRI_WITH_UNEVEN_LIGHT && !draw->lighting.plain) {
             draw->lit_per_vertex = false;
             draw->lit_per_face = false;
+            if (draw->material.fill == NULL) {
+                draw->primitive.to.solid.raster.lamp.by_vertex = false;
+            }
         }
     }
     return true;

@@ -60,6 +60,10 @@ void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices, qtr
 /* Of the triangle with these indices, for a mesh lit per face. */
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
 
+/* The lamp of a mesh: see raster.h. */
+uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                              qtri_vertex *c);
+
 /* The colours of a triangle's corners, lit. */
 void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
                           qtri_vertex *const vertex[3], qtri_line_color color[3]);
@@ -136,15 +140,6 @@ static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indice
     const uint16_t *wide = indices;
     const uint8_t *narrow = indices;
     return qtri_mesh_has_bytes(mesh) ? narrow[corner] : wide[corner];
-}
-
-/* Whether all three have an intensity. */
-static inline bool qtri_mesh_are_lit(const qtri_vertex *a, const qtri_vertex *b,
-                                     const qtri_vertex *c)
-{
-    const uint32_t unlit = QTRI_VERTEX_UNLIT + 1; /* others: <= 2^15 + 1 */
-    return (((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) &
-            unlit) == 0;
 }
 
 /* The indices at a triangle's place in the mesh. */

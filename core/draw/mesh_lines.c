@@ -117,7 +117,7 @@ QTRI_NOINLINE void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *t
         for (int i = 0; i < 3; i++) {
             color[i] = (const qtri_line_color *)&own[i];
         }
-    } else if (!qtri_mesh_are_lit(a, b, c)) {
+    } else if (!qtri_vertices_are_lit(a, b, c)) {
         qtri_mesh_light_corners(draw, triangle, a, b, c);
     }
     uint32_t index[3];
@@ -159,7 +159,7 @@ bool qtri_mesh_draw_front_lines(const qtri_mesh_job *draw)
             qtri_line_misses(line, a->at.y_24p8, b->at.y_24p8, c->at.y_24p8)) {
             continue;
         }
-        if (!qtri_mesh_are_lit(a, b, c)) {
+        if (!qtri_vertices_are_lit(a, b, c)) {
             qtri_mesh_light_corners(draw, triangle, a, b, c);
         }
         if (takes_edge(QTRI_EDGES_DRAWN, a, b, index[0], index[1])) {

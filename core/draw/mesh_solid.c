@@ -41,12 +41,12 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const void *indice
     qtri_triangle_draw(&draw->primitive.to.solid.raster, triangle, attributes);
 }
 
-/* The light of the vertices, or of the face, computed when it is first needed. */
-static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                             qtri_vertex *b, qtri_vertex *c)
+uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                              qtri_vertex *c)
 {
+    const qtri_mesh_job *draw = from;
     if (draw->lit_per_vertex) {
-        if (!draw->lit && !qtri_mesh_are_lit(a, b, c)) {
+        if (!draw->lit && !qtri_vertices_are_lit(a, b, c)) {
             qtri_mesh_light_corners(draw, indices, a, b, c);
         }
         return QTRI_VERTEX_UNLIT;
@@ -70,7 +70,7 @@ QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indi
         return;
     }
     qtri_vertex *const vertex[3] = {a, b, c};
-    draw_lit(draw, indices, vertex, &triangle, light(draw, indices, a, b, c));
+    draw_lit(draw, indices, vertex, &triangle, qtri_mesh_find_light(draw, indices, a, b, c));
 }
 
 /* Colours and texture coordinates of a small triangle. */
@@ -96,27 +96,34 @@ QTRI_NOINLINE static void draw_more(const qtri_mesh_job *draw, const void *indic
     qtri_list_draw(&draw->primitive.to.solid.raster, t);
 }
 
-QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
-                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+/* One that no fused loop draws. */
+QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                   qtri_vertex *b, qtri_vertex *c)
 {
     qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    const qtri_placed placed = qtri_place_triangle(&place, raster, a, b, c);
+    const qtri_placed placed = qtri_place_triangle(&place, spans, raster, a, b, c);
     if (placed == QTRI_PLACED_LARGE) {
         draw_large(draw, indices, a, b, c);
     }
     if (placed != QTRI_PLACED_SMALL) {
         return;
     }
-    const uint32_t light_q15 = light(draw, indices, a, b, c);
-    if (!draw->more && raster->tint_small != NULL &&
-        raster->tint_small(raster, &place, a, b, c, light_q15)) {
-        return;
-    }
-    qtri_list_triangle t = {&place, {a, b, c}, NULL, light_q15, NULL};
+    qtri_list_triangle t = {
+        &place, {a, b, c}, NULL, qtri_mesh_find_light(draw, indices, a, b, c), NULL};
     if (draw->more) {
         draw_more(draw, indices, &t);
     } else {
         qtri_list_draw(raster, &t);
+    }
+}
+
+QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    if (raster->tint_small == NULL || !raster->tint_small(raster, indices, a, b, c)) {
+        draw_any(draw, indices, a, b, c);
     }
 }

@@ -44,7 +44,7 @@ static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
  */
 static inline void meet_all(const sorter *s, const void *triangle, qtri_vertex *const vertex[3])
 {
-    if (qtri_mesh_are_lit(vertex[0], vertex[1], vertex[2])) {
+    if (qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
         return;
     }
     if (s->is_complete) {

@@ -190,6 +190,7 @@ QTRI_NOINLINE static void draw_small_piece(const piece *p, const qtri_place *pla
 QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
 {
     qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
     qtri_vertex v[3];
     for (int i = 0; i < 3; i++) {
         v[i].at = p->vertex[i]->at;
@@ -197,7 +198,7 @@ QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
         v[i].inv_w = p->vertex[i]->inv_w_q31;
     }
     const qtri_placed placed = qtri_place_triangle(
-        &place, &p->primitive->to.solid.raster, &v[0], &v[1], &v[2]);
+        &place, spans, &p->primitive->to.solid.raster, &v[0], &v[1], &v[2]);
     if (placed == QTRI_PLACED_SMALL) {
         draw_small_piece(p, &place, v);
     }

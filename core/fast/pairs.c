@@ -127,7 +127,7 @@ void qtri_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, i
 static void packed_row(qtri_packed_row *row, const qtri_job *job)
 {
     const uint32_t depth_step = job->depth.dx;
-    const qtri_packed_steps *step = &job->more.step;
+    const qtri_packed_steps *step = &job->color.step;
     uint16_t *pixel = row->pixel;
     uint16_t *depth = row->depth;
     if (!qtri_pairs_fit(pixel, depth)) {

@@ -6,7 +6,7 @@
 /* `count` pixels, the first of which is pixel `phase` of a group. */
 static void draw(qtri_packed_row *row, const qtri_job *job, int32_t phase, int32_t count)
 {
-    const qtri_packed_steps *step = &job->more.step;
+    const qtri_packed_steps *step = &job->color.step;
     for (; count > 0; count--, phase++) {
         if (row->z >> 16 < *row->depth) {
             *row->depth = (uint16_t)(row->z >> 16);
@@ -69,9 +69,9 @@ void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 {
     uint32_t depth_step = job->depth.dx;
-    uint32_t even = job->more.step.even;
-    uint32_t odd = job->more.step.odd;
-    const uint32_t last = job->more.step.last;
+    uint32_t even = job->color.step.even;
+    uint32_t odd = job->color.step.odd;
+    const uint32_t last = job->color.step.last;
     uint16_t *pixel = row->pixel;
     uint16_t *depth = row->depth;
     uint32_t z = row->z;

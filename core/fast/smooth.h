@@ -53,8 +53,8 @@ static inline void qtri_packed_short(const qtri_job *job, uint16_t *pixel, uint1
                                      int32_t count, uint32_t z, uint32_t packed)
 {
     const uint32_t depth_step = job->depth.dx;
-    const uint32_t two_steps = job->more.step.even + job->more.step.odd;
-    uint32_t step = job->more.step.even;
+    const uint32_t two_steps = job->color.step.even + job->color.step.odd;
+    uint32_t step = job->color.step.even;
     const uint16_t *stop = depth + count;
     do {
         if (z >> 16 < *depth) {

@@ -89,9 +89,28 @@ QTRI_NOINLINE static void make_table(const qtri_raster *raster)
     raster->batch->has_table = true;
 }
 
-bool qtri_tint_less(const qtri_raster *raster, const qtri_place *p, const qtri_vertex *a,
-                    const qtri_vertex *b, const qtri_vertex *c, uint32_t light_q15)
+/* With ramps from the column and row on that spans count from: the same modulo 2^32. */
+static inline qtri_place from_base(const qtri_place *p)
 {
+    qtri_place base = *p;
+    base.x += base.column * 256;
+    base.y += base.row * 256;
+    return base;
+}
+
+bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                    qtri_vertex *c)
+{
+    uint8_t spans[QTRI_PLACE_SPANS];
+    qtri_place p;
+    const qtri_placed placed = qtri_place_inline(&p, spans, raster, a, b, c);
+    if (placed != QTRI_PLACED_SMALL) {
+        return placed == QTRI_PLACED_NOWHERE;
+    }
+    uint32_t light_q15 = QTRI_VERTEX_UNLIT;
+    if (!raster->lamp.by_vertex || !qtri_vertices_are_lit(a, b, c)) {
+        light_q15 = raster->lamp.find(raster->lamp.from, indices, a, b, c);
+    }
     const bool smooth = QTRI_WITH_SMOOTH && light_q15 == QTRI_VERTEX_UNLIT;
     const qtri_surface *surface = raster->surface;
     int32_t i1 = 0;
@@ -99,8 +118,9 @@ bool qtri_tint_less(const qtri_raster *raster, const qtri_place *p, const qtri_v
     qtri_inverse inverse;
     qtri_ramp ramp;
     tint_rows rows;
-    if (p->back) {
-        const qtri_vertex *swap = b;
+    if (p.back) {
+        qtri_vertex *swap = b;
+        QTRI_RARELY();
         b = c;
         c = swap;
     }
@@ -117,31 +137,32 @@ bool qtri_tint_less(const qtri_raster *raster, const qtri_place *p, const qtri_v
         qtri_list_flush(raster);
     }
     QTRI_READ_AGAIN
-    qtri_inverse_init(&inverse, p->size);
-    qtri_place_depth(&ramp, p, &inverse, a, b, c);
-    rows.z = qtri_list_at(&ramp, (uint32_t)p->column, (uint32_t)p->row);
+    qtri_inverse_init(&inverse, p.size);
+    const qtri_place base = from_base(&p);
+    qtri_place_depth(&ramp, &base, &inverse, a, b, c);
+    rows.z = ramp.origin;
     rows.z_dx = ramp.dx;
     rows.z_dy = ramp.dy;
     rows.pitch = (uintptr_t)surface->pitch;
     rows.apart = (uintptr_t)surface->pixels - (uintptr_t)surface->depth;
-    rows.depths = (uintptr_t)surface->depth + (uintptr_t)p->row * rows.pitch +
-                  (uintptr_t)(2 * (ptrdiff_t)p->column);
+    rows.depths = (uintptr_t)surface->depth + (uintptr_t)p.row * rows.pitch +
+                  (uintptr_t)(2 * (ptrdiff_t)p.column);
     if (!smooth) {
-        fill(&rows, p->first,
+        fill(&rows, p.first,
              qtri_raster_stored(raster, qtri_raster_tinted(raster, light_q15, 15)), false);
         return true;
     }
     if (!raster->batch->has_table) {
         make_table(raster);
     }
-    qtri_place_ramp(&ramp, p, &inverse,
+    qtri_place_ramp(&ramp, &base, &inverse,
                     ((uint32_t)a->intensity_q15 << 7) + ((uint32_t)1 << (TABLE_SHIFT - 1)),
                     (i1 + 2) >> (QTRI_RAMP_DOWN - 7), (i2 + 2) >> (QTRI_RAMP_DOWN - 7));
-    rows.light = qtri_list_at(&ramp, (uint32_t)p->column, (uint32_t)p->row);
+    rows.light = ramp.origin;
     rows.light_dx = ramp.dx;
     rows.light_dy = ramp.dy;
     rows.table = raster->batch->by.table;
     QTRI_READ_AGAIN
-    fill(&rows, p->first, 0, true);
+    fill(&rows, p.first, 0, true);
     return true;
 }

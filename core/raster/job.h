@@ -24,38 +24,38 @@
 /*
  * Attributes in an array: colours red green blue, then texture coordinates u and v, so that those
  * that a job has are neighbours. One colour, gray or light, is in blue's place. With perspective
- * the plane of 1/w follows.
+ * they are times inv_w / 2^32, colours times 2^6 as well, and inv_w follows: 2^31 for the vertex
+ * nearest to the eye.
  */
 #define QTRI_U          3
 #define QTRI_ATTRIBUTES 5
 #define QTRI_PLANES     (QTRI_ATTRIBUTES + 1)
 
+/*
+ * An attribute with perspective, or inv_w: its plane in its own unit, and what else its curves need,
+ * see perspective.c.
+ */
+typedef struct qtri_projected {
+    uint32_t origin, dx, dy;   /* at the centre of pixel (0, 0), for one pixel right, one down */
+    uint16_t dx_rest, dy_rest; /* 2^-16 of the unit */
+    uint32_t slope, slope_dy;  /* the attribute's slope times inv_w^2: in row 0, one row down */
+    uint32_t bias;             /* of values */
+    int8_t down;               /* of slopes to the curve's unit */
+    int8_t up;                 /* of values */
+} qtri_projected;
+
 typedef union qtri_attribute {
     qtri_ramp ramp; /* colours that are linear */
-    /*
-     * Linear: texture coordinates in the unit of their axis. With perspective: attribute inv_w /
-     * 2^32, colours times 2^6; inv_w is 2^31 for the vertex nearest to the eye.
-     */
-    qtri_plane plane;
+    qtri_plane plane; /* texture coordinates that are linear, in the unit of their axis */
+    qtri_projected projected;
 } qtri_attribute;
-
-/* What curves of an attribute need besides its plane, see perspective.c. */
-typedef struct qtri_projected {
-    uint32_t slope, slope_dy; /* attribute's slope inv_w^2: in row 0, and for one row down */
-    uint32_t dx;              /* the plane's, rounded to its unit */
-    uint32_t bias;            /* in the attribute's unit */
-    int8_t down;              /* of slopes to the curve's unit */
-    int8_t up;                /* of values */
-} qtri_projected;
 
 /* The least inv_w at the start of a block of 2^(i+1) pixels. */
 typedef uint32_t qtri_block_limits[QTRI_BLOCK_LOG2];
 
 /* Of a job with perspective. */
 typedef struct qtri_perspective {
-    qtri_projected attribute[QTRI_ATTRIBUTES];
-    uint32_t dx;            /* of inv_w, rounded to its unit */
-    int32_t slope;          /* the same with 15 bits, times 2^slope_exponent where inv_w is 2^31 */
+    int32_t slope; /* inv_w's dx with 15 bits, times 2^slope_exponent where inv_w is 2^31 */
     int32_t slope_exponent;
     qtri_block_limits colors, texels;
     int32_t least[3], greatest[3]; /* colours of the vertices, n.16 */
@@ -93,7 +93,7 @@ struct qtri_job {
     union {
         qtri_packed_steps step; /* when packed */
         qtri_perspective perspective;
-    } more;
+    } color;
     qtri_texel_axis axis[2];
 };
 
@@ -105,16 +105,24 @@ struct qtri_scanline {
     int32_t x0, x1;      /* of which this is drawn */
     uint8_t *pixels;     /* of column 0 */
     uint16_t *depths;    /* NULL: there are none */
-    uint64_t plane[QTRI_PLANES]; /* at column 0; of linear textures with the bias */
     bool level;          /* with perspective: coordinates are linear along this row */
-    int32_t chunk;       /* with perspective: the pixel where at[] is; slope[]: of this row */
-    uint64_t at[QTRI_PLANES]; /* times 2^16 */
-    uint32_t slope[QTRI_ATTRIBUTES];
+    union {
+        uint64_t plane[2]; /* linear coordinates at column 0, with the bias */
+        struct {
+            uint32_t at[QTRI_PLANES]; /* at column 0 */
+            int32_t rest[QTRI_PLANES];
+            uint32_t slope[QTRI_PLANES]; /* the last is not used */
+            int32_t zeros; /* of inv_w, when it was last asked */
+        } perspective;
+    } by;
     int32_t run;         /* linear coordinates: the pixel where uv[].at is */
     qtri_curve uv[2];
 };
 
-/* Pixels x .. x+count-1 of a row that copies texels; all values at the first. bend: where curved. */
+/*
+ * Pixels x .. x+count-1 of a row that copies texels; all values at the first. bend: where copy_bent
+ * draws them, which takes no more than QTRI_BATCH.
+ */
 struct qtri_run {
     uint8_t *pixels; /* of the whole row */
     uint16_t *depths;

@@ -12,7 +12,7 @@ static void start_run(qtri_scanline *row, int32_t x)
     row->run = x;
     for (int i = 0; i < 2; i++) {
         const uint64_t value =
-            qtri_plane_column(row->plane[QTRI_U + i], job->attribute[QTRI_U + i].plane.dx, x);
+            qtri_plane_column(row->by.plane[i], job->attribute[QTRI_U + i].plane.dx, x);
         row->uv[i].at = qtri_run_scaled((uint32_t)qtri_plane_floor(value), job->axis[i].up);
     }
 }
@@ -65,7 +65,7 @@ void qtri_linear_begin(qtri_scanline *row)
     const qtri_job *job = row->job;
     for (int i = 0; i < 2; i++) {
         const qtri_plane *plane = &job->attribute[QTRI_U + i].plane;
-        row->plane[QTRI_U + i] =
+        row->by.plane[i] =
             qtri_plane_row(plane, row->y) + ((uint64_t)job->axis[i].bias << 16);
         row->uv[i].step = plane_step(plane->dx, job->axis[i].up);
     }

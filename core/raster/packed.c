@@ -3,7 +3,7 @@
 void qtri_packed_colors(uint32_t *color, const qtri_job *job, int32_t x, int32_t y, int32_t phase,
                         int32_t count)
 {
-    const qtri_packed_steps *step = &job->more.step;
+    const qtri_packed_steps *step = &job->color.step;
     uint32_t packed = qtri_packed_start(job, x - phase - job->anchor_x, y - job->anchor_y) +
                       qtri_packed_skip(job, phase);
     const uint32_t even = step->even;

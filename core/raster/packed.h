@@ -54,7 +54,7 @@ static inline uint32_t qtri_packed_start(const qtri_job *job, int32_t dx, int32_
 /* `count` steps from there. */
 static inline uint32_t qtri_packed_skip(const qtri_job *job, int32_t count)
 {
-    const qtri_packed_steps *step = &job->more.step;
+    const qtri_packed_steps *step = &job->color.step;
     uint32_t rest = (uint32_t)count & 7;
     return ((uint32_t)count >> 3) * step->eight + ((rest + 1) >> 1) * step->even +
            (rest >> 1) * step->odd;

@@ -7,14 +7,14 @@
  *
  * where K does not change along a row, and is linear in y. A block reaches h pixels to both sides;
  * with E = e h, x = d / h the cubic term is L h E^2 x^3, which 3/4 x replaces with an error of 1/4.
- * The term after it, L h E^3 x^4, is x^2 with one of 1/8 and a constant of as much. So a curve of
- * second order,
+ * The term after it, L h E^3 x^4, is x^2 with an error of 1/4, which is never negative. So a curve
+ * of second order,
  *
  *     a_m + L (1 + 3/4 E^2) d - L e (1 + E^2) d^2,
  *
- * is off by L h E^2 (1/4 + E/4 + E^2 / (1 - E)). It is to be less than 1/256 of a texel, or of what
- * a pixel steps by where that is more. Blocks are halved until q in the middle is great enough for
- * it: E <= 1/4, and h E^2 <= 1/80 or K h^3 q'^2 / q^4 <= 1/80, where K is the greatest of the
+ * is off by L h E^2 (1/4 + E/4 + E^2 / (1 - E)). That is to be less than 1/256 of a texel, or of
+ * what a pixel steps by where that is more. Blocks are halved until q in the middle is great enough
+ * for it: E <= 1/4, and h E^2 <= 1/72 or K h^3 q'^2 / q^4 <= 1/72, where K is the greatest of the
  * triangle. Colours have only the second form, in units of their own.
  *
  * Blocks begin at a chunk's start, 32 pixels apart from the span's left end, plus multiples of
@@ -22,22 +22,22 @@
  */
 #include "perspective.h"
 
+#include "../bits/multiply.h"
+#include "../bits/reciprocal.h"
 #include "linear.h"
 
-/* Planes are times 2^16 more in a row's at[]: the high word is what blocks read. */
-static inline uint32_t high_word(uint64_t value)
+/* Planes at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
+static inline uint32_t plane_at(const qtri_scanline *row, const qtri_projected *plane, int i,
+                                int32_t x)
 {
-    return (uint32_t)(value >> 32);
+    return row->by.perspective.at[i] + plane->dx * (uint32_t)x +
+           (uint32_t)((row->by.perspective.rest[i] + (int32_t)plane->dx_rest * x) >> 16);
 }
 
-/* A plane's value rounded down, held to 0..2^31. */
-static uint32_t held(uint64_t value)
+/* What rounding leaves below 0 or above 2^31, held there. */
+static uint32_t held(uint32_t value)
 {
-    int32_t high = (int32_t)(value >> 32);
-    if (high < 0) {
-        return 0;
-    }
-    return high >= (int32_t)1 << 15 ? (uint32_t)1 << 31 : (uint32_t)(value >> 16);
+    return value > 0xC0000000u ? 0 : (value > 0x80000000u ? 0x80000000u : value);
 }
 
 /*
@@ -49,25 +49,21 @@ typedef struct divider {
     int32_t shift;
 } divider;
 
-static divider divider_for(uint64_t inv_w)
+static divider divider_for(uint32_t inv_w)
 {
-    uint32_t exact = held(inv_w);
-    uint32_t q = exact == 0 ? 1 : exact;
-    int32_t zeros = qtri_clz32(q);
-    divider d = {qtri_reciprocal_q62(q << zeros), 30 - zeros};
+    const uint32_t exact = held(inv_w);
+    const uint32_t q = exact == 0 ? 1 : exact;
+    const int32_t zeros = qtri_clz32(q);
+    const divider d = {qtri_reciprocal_q62(q << zeros), 30 - zeros};
     return d;
 }
 
-/*
- * dx r / 2^down for a plane's dx, in 2^-16: 16 bits of it and the rest. Over a span of two pixels
- * and more |dx| < 2^47, since the attribute stays below 2^31; one pixel takes no step.
- */
-static uint32_t divide_step(uint64_t dx, const divider *d, int32_t up)
+/* (whole + rest 2^-16) r / 2^down. */
+static uint32_t divide_step(int32_t whole, uint32_t rest, const divider *d, int32_t up)
 {
-    int32_t down = d->shift - up; /* -21..42 */
-    int64_t high = qtri_wrap64(dx) >> 16;
-    uint64_t low = qtri_mul_u32((uint32_t)dx & 0xFFFF, d->reciprocal) >> 16;
-    uint64_t product = (uint64_t)high * d->reciprocal + low;
+    const int32_t down = d->shift - up; /* -21..42 */
+    const uint64_t low = qtri_mul_u32(rest, d->reciprocal) >> 16;
+    const uint64_t product = (uint64_t)whole * d->reciprocal + low;
     return (uint32_t)(down >= 0 ? (uint64_t)(qtri_wrap64(product) >> down) : product << -down);
 }
 
@@ -78,7 +74,8 @@ static uint32_t divide_step(uint64_t dx, const divider *d, int32_t up)
  */
 static int32_t level_pixels(const qtri_job *job)
 {
-    if (job->attribute[job->end].plane.dx != 0 || job->first != QTRI_U) {
+    const qtri_projected *inv_w = &job->attribute[job->end].projected;
+    if ((inv_w->dx | inv_w->dx_rest) != 0 || job->first != QTRI_U) {
         return 0;
     }
     int32_t bits = 16;
@@ -93,62 +90,53 @@ static int32_t level_pixels(const qtri_job *job)
 static void begin_level(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
-    const divider d = divider_for(row->plane[job->end]);
+    const divider d = divider_for(row->by.perspective.at[job->end]);
     row->run = row->left;
     for (int i = 0; i < 2; i++) {
-        const qtri_plane *plane = &job->attribute[QTRI_U + i].plane;
+        const qtri_projected *plane = &job->attribute[QTRI_U + i].projected;
         const qtri_texel_axis *axis = &job->axis[i];
-        const uint32_t s = held(qtri_plane_column(row->plane[QTRI_U + i], plane->dx, row->left));
+        const uint32_t s = held(plane_at(row, plane, QTRI_U + i, row->left));
         const uint64_t product = qtri_mul_u32(s, d.reciprocal);
         const int32_t value =
             qtri_saturate32((int64_t)(d.shift >= 0 ? product >> d.shift : product << -d.shift));
         row->uv[i].at = qtri_run_scaled((uint32_t)value + axis->bias, axis->up);
-        row->uv[i].step = divide_step(plane->dx, &d, axis->up);
+        row->uv[i].step = divide_step((int32_t)plane->dx, plane->dx_rest, &d, axis->up);
     }
-}
-
-void qtri_perspective_begin(qtri_scanline *row)
-{
-    const qtri_job *job = row->job;
-    for (int i = job->first; i <= job->end; i++) {
-        row->plane[i] = qtri_plane_row(&job->attribute[i].plane, row->y);
-    }
-    for (int i = job->first; i < job->end; i++) {
-        const qtri_projected *a = &job->more.perspective.attribute[i];
-        row->slope[i] = a->slope + (uint32_t)row->y * a->slope_dy;
-    }
-}
-
-void qtri_perspective_next(qtri_scanline *row)
-{
-    const qtri_job *job = row->job;
-    for (int i = job->first; i < job->end; i++) {
-        row->plane[i] += job->attribute[i].plane.dy;
-        row->slope[i] += job->more.perspective.attribute[i].slope_dy;
-    }
-    row->plane[job->end] += job->attribute[job->end].plane.dy;
 }
 
 void qtri_perspective_row(qtri_scanline *row)
 {
-    row->level = row->right - row->left < level_pixels(row->job);
-    row->chunk = INT32_MIN;
+    const qtri_job *job = row->job;
+    const uint32_t y = (uint32_t)row->y;
+    for (int i = job->first; i <= job->end; i++) {
+        const qtri_projected *plane = &job->attribute[i].projected;
+        row->by.perspective.at[i] = plane->origin + plane->dy * y;
+        row->by.perspective.rest[i] = (int32_t)(plane->dy_rest * y);
+        row->by.perspective.slope[i] = plane->slope + plane->slope_dy * y;
+    }
+    row->level = row->right - row->left < level_pixels(job);
     if (row->level) {
         begin_level(row);
     }
 }
 
-/* Planes at a chunk's first pixel. */
-static void begin_chunk(qtri_scanline *row, int32_t x)
+/* Leading zeros of q, not 0: of the block before nearly as many. */
+static inline int32_t zeros_of(qtri_scanline *row, uint32_t q)
 {
-    const qtri_job *job = row->job;
-    for (int i = job->first; i <= job->end; i++) {
-        const uint64_t dx = job->attribute[i].plane.dx;
-        row->at[i] = x == row->chunk + QTRI_BATCH
-                         ? row->at[i] + (dx << 21)
-                         : qtri_plane_column(row->plane[i], dx, x) << 16;
+#if QTRI_LONG_MULTIPLY
+    (void)row;
+    return qtri_clz32(q);
+#else
+    int32_t zeros = row->by.perspective.zeros;
+    while (q >> (31 - zeros) > 1) {
+        zeros--;
     }
-    row->chunk = x;
+    while ((int32_t)(q << zeros) >= 0) {
+        zeros++;
+    }
+    row->by.perspective.zeros = zeros;
+    return zeros;
+#endif
 }
 
 /* x 2^-shift, rounded down, modulo 2^32; -31..31. */
@@ -163,86 +151,71 @@ static inline uint32_t rounded(int32_t x, int32_t shift)
     return shift > 0 ? (uint32_t)(((x >> (shift - 1)) + 1) >> 1) : (uint32_t)x << -shift;
 }
 
-/* A block's middle. */
-typedef struct middle {
-    int32_t from_chunk;
-    uint32_t reciprocal; /* 2^62 / (q 2^zeros) */
-    int32_t zeros;
-    int32_t square; /* 15 bits of the reciprocal's square, times 2^-odd */
-    int32_t odd;
-    int32_t curved_q16; /* e 2^log2 / 2 */
-    int32_t squared_q16; /* and its square */
-} middle;
-
-static void set_middle(middle *m, const qtri_scanline *row, int32_t x, int32_t log2)
-{
-    const qtri_perspective *p = &row->job->more.perspective;
-    uint32_t q = high_word(row->at[row->job->end]) + (uint32_t)x * p->dx;
-    q = q - 1 < 0xC0000000u ? q : 1;
-    m->from_chunk = x;
-    m->zeros = qtri_clz32(q);
-    m->reciprocal = qtri_reciprocal_near(q << m->zeros);
-    if (log2 == 0) {
-        return;
-    }
-    const uint32_t y_q15 = m->reciprocal >> 16; /* 2^14..2^15 */
-    uint32_t square = y_q15 * y_q15 + ((y_q15 * qtri_low16(m->reciprocal)) >> 15); /* 2^28..2^30 */
-    m->odd = square >> 29 == 0;
-    square = ((square << m->odd) + 0x4000u) >> 15;
-    m->square = (int32_t)(square - (square >> 15));
-    /* |e| h <= 1/3: the middle may be nearer to the start than where the limit was tested. */
-    const int32_t down = -(p->slope_exponent + m->zeros + log2);
-    m->curved_q16 = (p->slope * (int32_t)y_q15) >> (down > 31 ? 31 : down);
-    m->squared_q16 = (m->curved_q16 * m->curved_q16) >> 16;
-}
-
 int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t count, int first,
                                      int end, qtri_curve *out)
 {
     if (row->level) {
         return qtri_interpolate_linear(row, x, count, first, end, out);
     }
-    const qtri_perspective *p = &row->job->more.perspective;
+    const qtri_job *job = row->job;
+    const qtri_perspective *p = &job->color.perspective;
+    const qtri_projected *inv_w = &job->attribute[job->end].projected;
+    /* The longest block from here: log2 of its pixels. */
     const int32_t from = (x - row->left) & (QTRI_BATCH - 1);
-    if (row->chunk != x - from) {
-        begin_chunk(row, x - from);
-    }
-    const uint32_t *limits = first < QTRI_U ? p->colors : p->texels;
-    const uint32_t q = high_word(row->at[row->job->end]) + (uint32_t)from * p->dx;
     const int32_t rest = qtri_least32(row->right - x, QTRI_BATCH - from);
+    uint32_t q = plane_at(row, inv_w, job->end, x);
+    const uint32_t *limits = first < QTRI_U ? p->colors : p->texels;
     int32_t log2 = QTRI_BLOCK_LOG2;
-    while (log2 > 0 && ((from & (((int32_t)1 << log2) - 1)) != 0 ||
-                        (int32_t)1 << (log2 - 1) >= rest || q < limits[log2 - 1])) {
+    while (log2 > 0 && q < limits[log2 - 1]) {
+        log2--;
+    }
+    while (from >> log2 << log2 != from) {
+        log2--;
+    }
+    while ((1 << log2) >> 1 >= rest) {
         log2--;
     }
     const int32_t length = qtri_least32((int32_t)1 << log2, rest);
     const int32_t half = length >> 1;
-    middle m;
-    set_middle(&m, row, from + half, log2);
+    x += half;
+    /* Its middle. */
+    q = plane_at(row, inv_w, job->end, x);
+    q = q - 1 < 0xC0000000u ? q : 1;
+    const int32_t zeros = zeros_of(row, q);
+    const uint32_t reciprocal = qtri_reciprocal_near(q << zeros);
+    const uint32_t y_q15 = reciprocal >> 16; /* 2^14..2^15 */
+    /* |e| h <= 1/3: the middle may be nearer to the start than where the limit was tested. */
+    int32_t down = -(p->slope_exponent + zeros + log2);
+    down = down > 31 || log2 == 0 ? 31 : down;
+    int32_t curved_q16 = (p->slope * (int32_t)y_q15) >> down;
+    const int32_t squared_q16 = log2 == 0 ? 0 : (curved_q16 * curved_q16) >> 16;
+    curved_q16 += (curved_q16 * squared_q16) >> 18;
+    /* The reciprocal's square: 30 bits, of which 15 count, times 15/16 (1 + 3/4 E^2) <= .99. */
+    uint32_t square = y_q15 * y_q15 + ((y_q15 * qtri_low16(reciprocal)) >> 15); /* 2^28..2^30 */
+    square += ((square >> 16) * (uint32_t)(3 * squared_q16 >> 2)) - (square >> 4);
+    const int32_t odd = square >> 29 == 0;
+    square = ((square << odd) + 0x4000u) >> 15;
+    square -= square >> 15;
+    const int32_t slope_down = odd - 2 * zeros;
     for (int i = first; i < end; i++, out++) {
-        const qtri_projected *a = &p->attribute[i];
-        const uint32_t s = high_word(row->at[i]) + (uint32_t)m.from_chunk * a->dx;
-        uint32_t value =
-            (uint32_t)qtri_mul_high_s31((int32_t)(s << m.zeros), m.reciprocal) << 2;
+        const qtri_projected *a = &job->attribute[i].projected;
+        const uint32_t s = plane_at(row, a, i, x);
+        int32_t value = qtri_mul_high_s31((int32_t)(s << zeros), reciprocal);
         if (i < QTRI_U) {
-            value = (uint32_t)qtri_hold32((int32_t)value >> QTRI_COLOR_PERSPECTIVE_SHIFT,
-                                          p->least[i], p->greatest[i]) +
-                    a->bias;
-        } else {
-            value = qtri_run_scaled(value + a->bias, a->up);
+            value >>= QTRI_COLOR_PERSPECTIVE_SHIFT - 2;
+            value = qtri_hold32(value, p->least[i], p->greatest[i]);
         }
+        uint32_t at = qtri_run_scaled((uint32_t)value + a->bias, a->up);
         uint32_t slope = 0;
         uint32_t bend = 0; /* of L e */
         if (log2 != 0) {
-            const int32_t down = a->down - 2 * m.zeros + m.odd;
-            int32_t l = qtri_mul_s16((int32_t)row->slope[i], m.square);
-            l += qtri_mul_s16(l, 3 * m.squared_q16 >> 2);
-            const int32_t e = m.curved_q16 + ((m.curved_q16 * m.squared_q16) >> 18);
-            bend = rounded(qtri_mul_s16(l, e), down + log2 - 1);
-            slope = shifted(l, down);
+            const int32_t l =
+                qtri_mul_s16((int32_t)row->by.perspective.slope[i], (int32_t)square);
+            bend = rounded(qtri_mul_s16(l, curved_q16), a->down + slope_down + log2 - 1);
+            slope = shifted(l, a->down + slope_down);
         }
         const uint32_t arc = bend * (uint32_t)half;
-        out->at = value - (slope + arc) * (uint32_t)half;
+        out->at = at - (slope + arc) * (uint32_t)half;
         out->step = slope + 2 * arc - bend;
         out->bend = 0 - 2 * bend;
     }

@@ -15,9 +15,7 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
                            const qtri_attributes v[3], const uint32_t value[2][3],
                            const uint32_t q[3], const qtri_gradient *gradient);
 
-/* Before the first row that is filled, after each row, and for every row with pixels to draw. */
-void qtri_perspective_begin(qtri_scanline *row);
-void qtri_perspective_next(qtri_scanline *row);
+/* For every row with pixels to draw. */
 void qtri_perspective_row(qtri_scanline *row);
 
 /*

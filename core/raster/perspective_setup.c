@@ -33,6 +33,15 @@ static uint32_t exp2_above_q31(int32_t x)
     return x < -30 * 256 ? 0 : (uint32_t)(256 + (x & 255)) << 23 >> -(x >> 8);
 }
 
+static void set_plane(qtri_projected *p, const qtri_plane *plane)
+{
+    p->origin = (uint32_t)(plane->origin >> 16);
+    p->dx = (uint32_t)(plane->dx >> 16);
+    p->dy = (uint32_t)(plane->dy >> 16);
+    p->dx_rest = (uint16_t)(plane->dx & 0xFFFFu);
+    p->dy_rest = (uint16_t)(plane->dy & 0xFFFFu);
+}
+
 /* The vertices' a q / 2^32, rounded: below 2^29. */
 static void attribute_plane(qtri_plane *plane, const uint32_t a[3], const shared *s)
 {
@@ -49,7 +58,8 @@ static void attribute_plane(qtri_plane *plane, const uint32_t a[3], const shared
  *     K = s' q - s q' = q (s' - a q'),   s = a q,   q = inv_w / 2^31,
  *
  * does not change along a row and is linear in y: from two vertices. s' - a q' is in 2^-15 of a's
- * unit, cut to 30 bits, times inv_w, so that K is below 2^29 and times 2^(cut + 32 - 15 - 31).
+ * unit, cut to 30 bits, times inv_w, so that K is below 2^29 and times 2^(cut + 32 - 15 - 31). As curves take 15/16 of it, 1/15
+ * is added.
  */
 static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint32_t a[3],
                           const shared *s)
@@ -67,6 +77,7 @@ static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint
     for (int i = 0; i < 2; i++) {
         const uint32_t q = s->q[vertex[i]];
         k[i] = (int32_t)(qtri_mul_s32((int32_t)(m[i] >> cut), (int32_t)(q >> 1)) >> 31);
+        k[i] += (k[i] >> 4) + (k[i] >> 8) + (k[i] >> 12) + (k[i] >> 16);
     }
     p->down = (int8_t)-(cut - 14 + p->up + 1);
     /* More than 26 is cut here: slopes below 2^29 are below 2^3 units of a curve then. */
@@ -85,17 +96,9 @@ static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint
 }
 
 /*
- * log2 of the greatest K, in 1/256, in 2^unit_log2 of the attribute's unit.
- */
-static int32_t steepness(uint32_t k, const qtri_projected *p, int32_t unit_log2)
-{
-    return log2_below(k) + (-(p->down + p->up + 1) - unit_log2) * 256;
-}
-
-/*
  * The least q at the start of a block of 2 h pixels, h = 2^l, see perspective.c:
  *
- *     q >= min(sqrt(80 h^3) |q'|, (80 h^3 K q'^2)^(1/4)),   q >= 4 h |q'|,   q >= q_floor
+ *     q >= min(sqrt(72 h^3) |q'|, (72 h^3 K q'^2)^(1/4)),   q >= 4 h |q'|,   q >= q_floor
  *
  * the first of the two where `relative`; steep: log2 K. It is q in the middle that counts, and
  * where q grows that at the start too, as a span's last block has its middle sooner.
@@ -104,8 +107,8 @@ static void set_limits(qtri_block_limits limits, const shared *s, bool relative,
                        uint32_t q_floor)
 {
     const int32_t slope = log2_below(s->q_steep) - 31 * 256;
-    int32_t square_root = ((1618 + 2) >> 1) + slope + 22;            /* log2 80 = 6.32 */
-    int32_t fourth_root = (1618 + 2 + steep + 2 * slope + 3 * 22) >> 2;
+    int32_t square_root = ((1580 + 2) >> 1) + slope + 22;            /* log2 72 = 6.17 */
+    int32_t fourth_root = (1580 + 2 + steep + 2 * slope + 3 * 22) >> 2;
     for (int32_t l = 0; l < QTRI_BLOCK_LOG2; l++) {
         const bool first = relative && square_root < fourth_root;
         const uint32_t quarter = s->q_steep >> (29 - l) != 0 ? UINT32_MAX : s->q_steep << (l + 2);
@@ -167,15 +170,15 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
                            const qtri_attributes v[3], const uint32_t value[2][3],
                            const uint32_t q[3], const qtri_gradient *gradient)
 {
-    qtri_perspective *p = &job->more.perspective;
-    qtri_plane *inv_w = &job->attribute[job->end].plane;
+    qtri_perspective *p = &job->color.perspective;
+    qtri_plane plane;
     shared s;
     set_shared(&s, triangle, q, gradient);
-    qtri_plane_init(inv_w, gradient, q);
-    p->dx = (uint32_t)((inv_w->dx + 0x8000u) >> 16);
-    const int64_t dx = qtri_wrap64(inv_w->dx);
+    qtri_plane_init(&plane, gradient, q);
+    set_plane(&job->attribute[job->end].projected, &plane);
+    const int64_t dx = qtri_wrap64(plane.dx);
     const uint64_t steep = qtri_magnitude64(dx);
-    s.q_dx = (int32_t)p->dx;
+    s.q_dx = (int32_t)((plane.dx + 0x8000u) >> 16);
     s.q_steep = steep >> 47 != 0 ? 0x80000000u : (uint32_t)(steep >> 16) + 1;
     const int32_t cut = qtri_greatest32(49 - qtri_clz64(steep), 0); /* to 15 bits */
     p->slope = (int32_t)(dx >> cut);
@@ -185,9 +188,9 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
     int32_t color_steep = INT32_MIN / 2;
     int32_t texel_steep = INT32_MIN / 2;
     for (int i = job->first; i < job->end; i++) {
-        qtri_projected *a = &p->attribute[i];
-        qtri_plane *plane = &job->attribute[i].plane;
+        qtri_projected *a = &job->attribute[i].projected;
         uint32_t f[3];
+        int32_t unit_log2;
         if (i < QTRI_U) {
             qtri_job_color(f, job, v, i);
             p->least[i] = INT32_MAX;
@@ -198,22 +201,29 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
                 f[k] <<= QTRI_COLOR_PERSPECTIVE_SHIFT;
             }
             a->up = -QTRI_COLOR_PERSPECTIVE_SHIFT;
-            a->bias = color_bias(job->raster, light);
+            unit_log2 = color_unit_log2(job->raster, light);
         } else {
+            const qtri_texel_axis *axis = &job->axis[i - QTRI_U];
             for (int k = 0; k < 3; k++) {
                 f[k] = value[i - QTRI_U][k];
             }
-            a->up = job->axis[i - QTRI_U].up;
-            a->bias = job->axis[i - QTRI_U].bias;
+            a->up = axis->up;
+            unit_log2 = axis->shift;
         }
-        attribute_plane(plane, f, &s);
-        a->dx = (uint32_t)((plane->dx + 0x8000u) >> 16);
-        const uint32_t k = set_slope(a, plane, f, &s);
+        attribute_plane(&plane, f, &s);
+        set_plane(a, &plane);
+        const uint32_t k = set_slope(a, &plane, f, &s);
+        const int32_t steepness = log2_below(k) - (a->down + a->up + 1 + unit_log2) * 256;
         least_down = qtri_least32(least_down, a->down);
         if (i < QTRI_U) {
-            color_steep = qtri_greatest32(color_steep, steepness(k, a, color_unit_log2(job->raster, light)));
-        } else {
-            texel_steep = qtri_greatest32(texel_steep, steepness(k, a, job->axis[i - QTRI_U].shift));
+            color_steep = qtri_greatest32(color_steep, steepness);
+            a->bias = color_bias(job->raster, light);
+            a->up = 0;
+        } else { /* what blocks have of a value is a quarter */
+            const uint32_t bias = job->axis[i - QTRI_U].bias >> 2;
+            texel_steep = qtri_greatest32(texel_steep, steepness);
+            a->bias = bias + (bias == 0);
+            a->up = (int8_t)(a->up + 2);
         }
     }
     /*

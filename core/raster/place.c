@@ -13,12 +13,12 @@ bool qtri_inv_w_more(int32_t *more, const qtri_vertex *a, const qtri_vertex *b)
     return difference + limit <= 2 * limit;
 }
 
-bool qtri_place_cut(qtri_place *p, const qtri_rect *bounds)
+bool qtri_place_cut(uint8_t *span, int32_t column, const qtri_rect *bounds)
 {
-    const int32_t least = qtri_hold32(bounds->x0 - p->column, 0, QTRI_PLACE_STOP - 1);
-    const int32_t greatest = qtri_hold32(bounds->x1 - p->column, 0, QTRI_PLACE_STOP - 1);
+    const int32_t least = qtri_hold32(bounds->x0 - column, 0, QTRI_PLACE_STOP - 1);
+    const int32_t greatest = qtri_hold32(bounds->x1 - column, 0, QTRI_PLACE_STOP - 1);
     bool any = false;
-    for (uint8_t *span = &p->spans[p->first - p->spans]; span[0] != QTRI_PLACE_STOP; span += 2) {
+    for (; span[0] != QTRI_PLACE_STOP; span += 2) {
         span[0] = (uint8_t)qtri_hold32(span[0], least, greatest);
         span[1] = (uint8_t)qtri_hold32(span[1], least, greatest);
         any |= span[0] < span[1];
@@ -26,10 +26,11 @@ bool qtri_place_cut(qtri_place *p, const qtri_rect *bounds)
     return any;
 }
 
-qtri_placed qtri_place_triangle(qtri_place *p, const qtri_raster *raster, const qtri_vertex *a,
+qtri_placed qtri_place_triangle(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                                const qtri_raster *raster, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_vertex *c)
 {
-    return qtri_place_inline(p, raster, a, b, c);
+    return qtri_place_inline(p, spans, raster, a, b, c);
 }
 
 /* Whether numerators f d - f d' stay below 2^bits when they are shifted left. |f| <= 2^16. */

@@ -33,13 +33,15 @@ struct qtri_place {
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
     uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^26 */
     bool back;
-    const uint8_t *first; /* the first row in: */
-    /* Of each row the first pixel and the one after the last, then a row that begins with
-       QTRI_PLACE_STOP. Vertex 0 is in row QTRI_PLACE_PIXELS of them. */
-    uint8_t spans[2 * (2 * QTRI_PLACE_PIXELS + 1)];
+    const uint8_t *first; /* the first row's span, in the caller's memory */
 };
 
-#define QTRI_PLACE_STOP 255 /* after it nothing can end */
+/*
+ * Of each row the first pixel and the one after the last, then a row that begins with
+ * QTRI_PLACE_STOP, after which nothing can end. Vertex 0 is in row QTRI_PLACE_PIXELS of them.
+ */
+#define QTRI_PLACE_SPANS (2 * (2 * QTRI_PLACE_PIXELS + 1))
+#define QTRI_PLACE_STOP  255
 
 /* An edge's pixels in rows up to `stop`; returns their sum. */
 static inline int32_t qtri_place_walk(uint8_t *side, const uint8_t *stop, int32_t numerator,
@@ -137,12 +139,12 @@ static inline bool qtri_place_is_near(const qtri_vertex *a, const qtri_vertex *b
     return qtri_inv_w_more(&more, a, b) && qtri_inv_w_more(&more, a, c);
 }
 
-/* Holds spans to the columns of the bounds. False when nothing is left. */
-bool qtri_place_cut(qtri_place *p, const qtri_rect *bounds);
+/* Holds spans from `column` on to the columns of the bounds. False when nothing is left. */
+bool qtri_place_cut(uint8_t *span, int32_t column, const qtri_rect *bounds);
 
 /* Inline for the loop over a mesh; a triangle of seven pixels would pay a tenth for the call. */
-static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_raster *raster,
-                                            const qtri_vertex *a, const qtri_vertex *b,
+static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                                            const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
                                             const qtri_vertex *c)
 {
     const qtri_rect *const bounds = &raster->bounds;
@@ -195,7 +197,7 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_raster *ra
         first = qtri_greatest32(first, least);
         end = qtri_least32(end, greatest);
     }
-    uint8_t *const middle = &p->spans[2 * QTRI_PLACE_PIXELS];
+    uint8_t *const middle = &spans[2 * QTRI_PLACE_PIXELS];
     const int32_t column = (x0 >> 8) - QTRI_PLACE_PIXELS;
     const int32_t x = column * 256 + 128 - x0;
     p->size = (uint32_t)size;
@@ -226,12 +228,13 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_raster *ra
     }
     if (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1) {
         QTRI_RARELY();
-        return qtri_place_cut(p, bounds) ? QTRI_PLACED_SMALL : QTRI_PLACED_NOWHERE;
+        return qtri_place_cut(&middle[2 * first], column, bounds) ? QTRI_PLACED_SMALL : QTRI_PLACED_NOWHERE;
     }
     return QTRI_PLACED_SMALL;
 }
 
-qtri_placed qtri_place_triangle(qtri_place *p, const qtri_raster *raster, const qtri_vertex *a,
+qtri_placed qtri_place_triangle(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                                const qtri_raster *raster, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_vertex *c);
 
 /* What turns a numerator into a step. */

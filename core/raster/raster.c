@@ -39,6 +39,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->fill_flat = qtri_span_fill;
     raster->fill_smooth = qtri_span_fill;
     raster->copy_run = NULL;
+    raster->copy_bent = NULL;
     if (format == NULL || raster->compare == QTRI_NEVER) {
         raster->bounds = nowhere;
         raster->format = &qtri_xrgb8888;
@@ -55,6 +56,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->fill_flat = fused->flat_less != NULL ? fused->flat_less : qtri_span_fill;
         raster->fill_smooth = fused->smooth_less != NULL ? fused->smooth_less : qtri_span_fill;
         raster->copy_run = raster->copied ? fused->copy_less : NULL;
+        raster->copy_bent = raster->copied ? fused->copy_bent_less : NULL;
         if (!textured && surface->pitch == 2 * surface->depth_pitch) {
             raster->tint_small = fused->tint_less;
         }

@@ -31,18 +31,27 @@ typedef struct qtri_run qtri_run;
 typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
 
 /*
- * Draws a small triangle in shares of the tint, of one light or, QTRI_VERTEX_UNLIT, of that of its
- * vertices. False when it is not that simple: then nothing was drawn.
+ * Draws a small triangle in shares of the tint, in the light that its vertices have or that the
+ * raster's lamp finds for it. False when it is not that simple: then nothing was drawn.
  */
-typedef struct qtri_place qtri_place;
-typedef bool (*qtri_draw_small)(const qtri_raster *raster, const qtri_place *place,
-                                const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c,
-                                uint32_t light_q15);
+typedef bool (*qtri_draw_small)(const qtri_raster *raster, const void *indices, qtri_vertex *a,
+                                qtri_vertex *b, qtri_vertex *c);
+
+/*
+ * Where light comes from when a triangle touches a pixel: that of all its pixels, or
+ * QTRI_VERTEX_UNLIT for that of its vertices, which then have theirs.
+ */
+typedef struct qtri_lamp {
+    uint32_t (*find)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                     qtri_vertex *c);
+    const void *from;
+    bool by_vertex; /* and need not find it where vertices have it */
+} qtri_lamp;
 
 /* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
 struct qtri_fused {
     qtri_fill_rows flat_less, smooth_less;
-    qtri_draw_run copy_less;
+    qtri_draw_run copy_less, copy_bent_less; /* along lines; along curves */
     qtri_draw_small tint_less;
 };
 
@@ -82,8 +91,9 @@ struct qtri_raster {
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
-    qtri_draw_run copy_run;   /* NULL: none */
-    qtri_draw_small tint_small; /* NULL: none */
+    qtri_draw_run copy_run, copy_bent; /* NULL: none */
+    qtri_draw_small tint_small;        /* NULL: none */
+    qtri_lamp lamp;                    /* where there is one */
 };
 
 /* batch: the caller's, used while the raster is. */

@@ -134,7 +134,7 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
     }
     job->packed = !textured && job->raster->units == &qtri_colors_565;
     if (job->packed) {
-        qtri_packed_steps *step = &job->more.step;
+        qtri_packed_steps *step = &job->color.step;
         step->even = pack_step(job, 1);
         step->odd = pack_step(job, 2) - step->even;
         step->eight = pack_step(job, 8);

@@ -186,6 +186,35 @@ static void copy_row(qtri_scanline *row)
     }
 }
 
+/* The same along curves: block by block, from the start of the chunk on that x0 lies in. */
+static void copy_bent_row(qtri_scanline *row)
+{
+    const qtri_job *job = row->job;
+    qtri_run run;
+    run.pixels = row->pixels;
+    run.depths = row->depths;
+    for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
+        qtri_curve uv[2];
+        const int32_t length =
+            job->interpolate(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES, uv);
+        const int32_t skipped = qtri_greatest32(row->x0 - x, 0);
+        run.count = qtri_least32(length, row->x1 - x) - skipped;
+        if (run.count > 0) {
+            run.x = x + skipped;
+            run.z = qtri_ramp_at(&job->depth, run.x - job->anchor_x, row->y - job->anchor_y);
+            for (int i = 0; i < 2; i++) {
+                const uint32_t skip = (uint32_t)skipped;
+                run.value[i] =
+                    uv[i].at + skip * uv[i].step + (skip * (skip - 1) >> 1) * uv[i].bend;
+                run.step[i] = uv[i].step + skip * uv[i].bend;
+                run.bend[i] = uv[i].bend;
+            }
+            job->raster->copy_bent(job, &run);
+        }
+        x += length;
+    }
+}
+
 static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
 {
     const qtri_raster *raster = job->raster;
@@ -195,7 +224,7 @@ static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
     row->depths = raster->compare != QTRI_DEPTH_OFF ? qtri_depths_at(raster->surface, y) : NULL;
     row->level = false;
     if (job->perspective) {
-        qtri_perspective_begin(row);
+        row->by.perspective.zeros = 0;
         return;
     }
     if (job->end == QTRI_ATTRIBUTES) {
@@ -213,11 +242,10 @@ static void go_on(qtri_scanline *row)
         row->depths += surface->depth_pitch;
     }
     if (job->perspective) {
-        qtri_perspective_next(row);
         return;
     }
-    for (int i = QTRI_U; i < job->end; i++) {
-        row->plane[i] += job->attribute[i].plane.dy;
+    for (int i = 0; i < 2 && job->end == QTRI_ATTRIBUTES; i++) {
+        row->by.plane[i] += job->attribute[QTRI_U + i].plane.dy;
     }
 }
 
@@ -240,6 +268,8 @@ void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, in
         }
         if (copies && (!job->perspective || r.level)) {
             copy_row(&r);
+        } else if (copies) {
+            copy_bent_row(&r);
         } else {
             draw_row(&r);
         }

@@ -85,6 +85,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     qtri_attributes attributes[3];
     qtri_vertex vertex[3];
     qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
     for (int i = 0; i < 3; i++) {
         p[i].x_24p8 = qtri_hold32(v[i].x_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
         p[i].y_24p8 = qtri_hold32(v[i].y_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
@@ -98,7 +99,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
         vertex_from_attributes(&vertex[i], &p[i], &attributes[i], attributes[0].inv_w_exponent);
     }
     const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
-    switch (qtri_place_triangle(&place, raster, corner[0], corner[1], corner[2])) {
+    switch (qtri_place_triangle(&place, spans, raster, corner[0], corner[1], corner[2])) {
     case QTRI_PLACED_SMALL:
         qtri_list_attributes(raster, &place, corner, attributes);
         qtri_list_flush(raster);

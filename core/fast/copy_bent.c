@@ -1,0 +1,112 @@
+#include "../raster/loop.h"
+#include "../raster/texel_copy.h"
+#include "fused.h"
+
+/*
+ * A pixel: a depth, two coordinates and their two steps advance, of which GCC 12 keeps half in memory
+ * on Armv6-M, and some on Armv7-M. There ONE is assembler.
+ */
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        uint32_t top, other;                                                                       \
+        __asm__ volatile(".syntax unified\n\t"                                                     \
+                         "lsrs %[top], %[z], #16\n\t"                                              \
+                         "ldrh %[other], [%[depth], %[offset]]\n\t"                                \
+                         "cmp %[top], %[other]\n\t"                                                \
+                         "bcs 1f\n\t"                                                              \
+                         "strh %[top], [%[depth], %[offset]]\n\t"                                  \
+                         "movs %[top], %[u]\n\t"                                                   \
+                         "lsrs %[top], %[cut]\n\t"                                                 \
+                         "movs %[other], %[v]\n\t"                                                 \
+                         "ands %[other], %[cut]\n\t"                                               \
+                         "lsrs %[other], %[other], #16\n\t"                                        \
+                         "adds %[top], %[top], %[other]\n\t"                                       \
+                         "lsls %[top], %[top], #1\n\t"                                             \
+                         "ldr %[other], %[texels]\n\t"                                             \
+                         "ldrh %[top], [%[other], %[top]]\n\t"                                     \
+                         "strh %[top], [%[pixel], %[offset]]\n"                                    \
+                         "1:\tadd %[z], %[z_step]\n\t"                                             \
+                         "add %[u], %[u_step]\n\t"                                                 \
+                         "add %[v], %[v_step]\n\t"                                                 \
+                         "add %[u_step], %[u_bend]\n\t"                                            \
+                         "add %[v_step], %[v_bend]"                                                \
+                         : [z] "+l"(z), [u] "+l"(u), [v] "+l"(v), [u_step] "+h"(u_step),           \
+                           [v_step] "+h"(v_step), [top] "=&l"(top), [other] "=&l"(other)           \
+                         : [depth] "l"(depth), [pixel] "l"(pixel), [cut] "l"(cut),                 \
+                           [texels] "m"(texels), [z_step] "h"(z_step), [u_bend] "h"(u_bend),       \
+                           [v_bend] "h"(v_bend), [offset] "i"(2 * (i))                             \
+                         : "cc", "memory");                                                        \
+    }
+#elif defined(__GNUC__) && defined(__thumb2__)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        uint32_t top, other;                                                                       \
+        __asm__ volatile("lsr %[top], %[z], #16\n\t"                                               \
+                         "ldrh %[other], [%[depth], %[offset]]\n\t"                                \
+                         "cmp %[top], %[other]\n\t"                                                \
+                         "bcs 1f\n\t"                                                              \
+                         "strh %[top], [%[depth], %[offset]]\n\t"                                  \
+                         "lsr %[top], %[u], %[cut]\n\t"                                            \
+                         "and %[other], %[v], %[cut]\n\t"                                          \
+                         "add %[top], %[top], %[other], lsr #16\n\t"                               \
+                         "ldrh %[top], [%[texels], %[top], lsl #1]\n\t"                            \
+                         "strh %[top], [%[pixel], %[offset]]\n"                                    \
+                         "1:\tadd %[z], %[z_step]\n\t"                                             \
+                         "add %[u], %[u_step]\n\t"                                                 \
+                         "add %[v], %[v_step]\n\t"                                                 \
+                         "add %[u_step], %[u_bend]\n\t"                                            \
+                         "add %[v_step], %[v_bend]"                                                \
+                         : [z] "+r"(z), [u] "+r"(u), [v] "+r"(v), [u_step] "+r"(u_step),           \
+                           [v_step] "+r"(v_step), [top] "=&r"(top), [other] "=&r"(other)           \
+                         : [depth] "r"(depth), [pixel] "r"(pixel), [cut] "r"(cut),                 \
+                           [texels] "r"(texels), [z_step] "r"(z_step), [u_bend] "r"(u_bend),       \
+                           [v_bend] "r"(v_bend), [offset] "i"(2 * (i))                             \
+                         : "cc", "memory");                                                        \
+    }
+#else
+#define ONE(i)                                                                                     \
+    if (z >> 16 < depth[i]) {                                                                      \
+        depth[i] = (uint16_t)(z >> 16);                                                            \
+        pixel[i] = texels[qtri_texel_index(u, v, cut)];                                            \
+    }                                                                                              \
+    z += z_step;                                                                                   \
+    u += u_step;                                                                                   \
+    v += v_step;                                                                                   \
+    u_step += u_bend;                                                                              \
+    v_step += v_bend;
+#endif
+
+void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run)
+{
+    const uint16_t *texels = job->raster->texture->texels;
+    const uint32_t cut = job->raster->texel_cut;
+    uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
+    uint16_t *depth = run->depths + run->x;
+    uint32_t z = run->z;
+    uint32_t u = run->value[0];
+    uint32_t v = run->value[1];
+    uint32_t u_step = run->step[0];
+    uint32_t v_step = run->step[1];
+    const uint32_t u_bend = run->bend[0];
+    const uint32_t v_bend = run->bend[1];
+    const uint32_t z_step = job->depth.dx;
+    int32_t count = run->count;
+#ifndef __OPTIMIZE_SIZE__
+    for (; count >= 8; count -= 8) {
+        ONE(0)
+        ONE(1)
+        ONE(2)
+        ONE(3)
+        ONE(4)
+        ONE(5)
+        ONE(6)
+        ONE(7)
+        QTRI_MOVE(8)
+    }
+#endif
+    for (; count > 0; count--) {
+        ONE(0)
+        QTRI_MOVE(1)
+    }
+}
