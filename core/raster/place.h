@@ -27,14 +27,14 @@ typedef enum qtri_placed {
 } qtri_placed;
 
 /* Rows count from the surface's first one, columns from that of the frame. */
-struct qtri_place {
+typedef struct qtri_place {
     int32_t column, row;        /* spans count columns from this one and begin in this row */
     int32_t x, y;               /* the centre of pixel (0, 0) from vertex 0, 1/256 pixel */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
     uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^26 */
     bool back;
     const uint8_t *first; /* the first row's span, in the caller's memory */
-};
+} qtri_place;
 
 /*
  * Of each row the first pixel and the one after the last, then a row that begins with
