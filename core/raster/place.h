@@ -26,8 +26,8 @@ typedef enum qtri_placed {
 
 /* Rows count from the surface's first one, columns from that of the frame. */
 typedef struct qtri_place {
-    int32_t column, row;        /* spans count columns from this one and begin in this row */
-    int32_t x, y;               /* the centre of pixel (0, 0) from vertex 0, 1/256 pixel */
+    int32_t column, row;        /* the base: spans count columns from it and begin in its row */
+    int32_t x, y;               /* its centre from vertex 0, 1/256 pixel */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
     uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^26 */
     bool back;
@@ -185,8 +185,9 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     if (first == end) {
         return QTRI_PLACED_NOWHERE;
     }
-    if (row + first < bounds->y0 || row + end > bounds->y1) {
-        QTRI_RARELY();
+    const bool inner = (uint32_t)x0 - raster->inner.x < raster->inner.width &&
+                       (uint32_t)y0 - raster->inner.y < raster->inner.height;
+    if (!inner && (row + first < bounds->y0 || row + end > bounds->y1)) {
         const int32_t least = bounds->y0 - row;
         const int32_t greatest = bounds->y1 - row;
         if (first >= greatest || end <= least) {
@@ -204,8 +205,8 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     p->size = (uint32_t)size;
     p->column = column;
     p->row = row + first - first_row;
-    p->x = 128 - x0;
-    p->y = first_row * 256 + 128 - y0;
+    p->x = x;
+    p->y = y + first * 256;
     p->dx1 = dx1;
     p->dy1 = dy1;
     p->dx2 = dx2;
@@ -224,8 +225,7 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     if (pixels == 0) {
         return QTRI_PLACED_NOWHERE;
     }
-    if (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1) {
-        QTRI_RARELY();
+    if (!inner && (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1)) {
         return qtri_place_cut(&middle[2 * first], column, bounds) ? QTRI_PLACED_SMALL
                                                                   : QTRI_PLACED_NOWHERE;
     }
