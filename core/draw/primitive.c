@@ -178,7 +178,7 @@ QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_triangle
 }
 
 /* One that is small: attributes are found again, so that they take no stack in between. */
-QTRI_NOINLINE static void draw_small_piece(const piece *p, const qtri_place *place,
+QTRI_NOINLINE static void draw_small_piece(const piece *p, qtri_place *place,
                                            const qtri_vertex v[3])
 {
     qtri_attributes own[3];

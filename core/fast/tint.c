@@ -89,13 +89,11 @@ QTRI_NOINLINE static void make_table(const qtri_raster *raster)
     raster->batch->has_table = true;
 }
 
-/* With ramps from the column and row on that spans count from: the same modulo 2^32. */
-static inline qtri_place from_base(const qtri_place *p)
+static bool is_linear(const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
+                      const qtri_vertex *c, int32_t i1, int32_t i2)
 {
-    qtri_place base = *p;
-    base.x += base.column * 256;
-    base.y += base.row * 256;
-    return base;
+    return !(QTRI_WITH_PERSPECTIVE && raster->perspective) ||
+           qtri_list_is_linear(a, b, c, i1, i2, 3);
 }
 
 bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
@@ -128,8 +126,10 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
         const int32_t i0 = a->intensity_q15;
         i1 = b->intensity_q15 - i0;
         i2 = c->intensity_q15 - i0;
-        if (QTRI_WITH_PERSPECTIVE && raster->perspective &&
-            !qtri_list_is_plain(a, b, c, i1, i2, 3) && !qtri_list_is_linear(a, b, c, i1, i2, 3)) {
+    }
+    if (!qtri_list_is_plain(a, b, c, i1, i2, 3)) {
+        QTRI_RARELY();
+        if (!qtri_place_is_near(a, b, c) || (smooth && !is_linear(raster, a, b, c, i1, i2))) {
             return false;
         }
     }
@@ -138,8 +138,7 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     }
     QTRI_READ_AGAIN
     qtri_inverse_init(&inverse, p.size);
-    const qtri_place base = from_base(&p);
-    qtri_place_depth(&ramp, &base, &inverse, a, b, c);
+    qtri_place_depth(&ramp, &p, &inverse, a, b, c);
     rows.z = ramp.origin;
     rows.z_dx = ramp.dx;
     rows.z_dy = ramp.dy;
@@ -155,9 +154,9 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     if (!raster->batch->has_table) {
         make_table(raster);
     }
-    qtri_place_ramp(&ramp, &base, &inverse,
+    qtri_place_ramp(&ramp, &p, &inverse,
                     ((uint32_t)a->intensity_q15 << 7) + ((uint32_t)1 << (TABLE_SHIFT - 1)),
-                    (i1 + 2) >> (QTRI_RAMP_DOWN - 7), (i2 + 2) >> (QTRI_RAMP_DOWN - 7));
+                    (i1 + 1) >> (QTRI_PLACE_DOWN - 7), (i2 + 1) >> (QTRI_PLACE_DOWN - 7));
     rows.light = ramp.origin;
     rows.light_dx = ramp.dx;
     rows.light_dy = ramp.dy;

@@ -344,6 +344,8 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     v.second = t->place->back ? 2 : 1;
     v.third = t->place->back ? 1 : 2;
     v.has_e = false;
+    t->place->x -= t->place->column * 256;
+    t->place->y -= t->place->row * 256;
     qtri_inverse_init(&v.inverse, t->place->size);
     begin(&r, raster, t->place, &v);
     const uint8_t kind = set_colors(&v);
@@ -373,7 +375,7 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     }
 }
 
-void qtri_list_attributes(const qtri_raster *raster, const qtri_place *place,
+void qtri_list_attributes(const qtri_raster *raster, qtri_place *place,
                           const qtri_vertex *const v[3], const qtri_attributes attributes[3])
 {
     int32_t color[3][3];

@@ -25,9 +25,9 @@ void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
 }
 
 enum {
-    KEPT = 14,   /* bits of the larger difference */
+    KEPT = 15,   /* bits of the larger difference */
     TEXEL = 18,  /* of a texel's fraction, where coordinates do not fill 32 bits */
-    UP = QTRI_RAMP_DOWN
+    UP = QTRI_PLACE_DOWN
 };
 
 /* Added to coordinates, so that those somewhat below 0 can be shifted; a multiple of the side. */
@@ -42,8 +42,8 @@ static void differences(int32_t f[2], int32_t *fraction, const qtri_list_values 
 {
     const int32_t d1 = c->at[v->second] - c->at[0];
     const int32_t d2 = c->at[v->third] - c->at[0];
-    int32_t up = qtri_clz32(qtri_about(d1) | qtri_about(d2)) - (32 - KEPT); /* -17..14 */
-    up = qtri_least32(up, most - c->fraction); /* >= -24 */
+    int32_t up = qtri_clz32(qtri_about(d1) | qtri_about(d2)) - (32 - KEPT); /* -16..15 */
+    up = qtri_least32(up, most - c->fraction); /* >= -23 */
     *fraction = c->fraction + up;
     if (up >= 0) {
         f[0] = d1 * ((int32_t)1 << up);

@@ -8,15 +8,15 @@ void qtri_list_ramp(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int
     qtri_place_ramp(ramp, v->t->place, &v->inverse, f0, f1, f2);
 }
 
-/* |f| < 2^14 + 2^10 or so, |e| < 2^14: below 2^29. */
-static int32_t scaled(int32_t f, int32_t e_q17)
+/* |f| <= 2^16, |e| < 2^14.4: below 2^31. */
+static int32_t scaled(int32_t f, int32_t e_q18)
 {
-    return f + ((f * e_q17 + ((int32_t)1 << 16)) >> 17);
+    return f + ((f * e_q18 + ((int32_t)1 << 17)) >> 18);
 }
 
 void qtri_list_curve(qtri_ramp *ramp, const qtri_list_values *v, int32_t f1, int32_t f2)
 {
-    qtri_list_ramp(ramp, v, 0, scaled(f1, v->e1_q17), scaled(f2, v->e2_q17));
+    qtri_list_ramp(ramp, v, 0, scaled(f1, v->e1_q18), scaled(f2, v->e2_q18));
 }
 
 void qtri_list_find_e(qtri_list_values *v)
@@ -28,8 +28,8 @@ void qtri_list_find_e(qtri_list_values *v)
         return;
     }
     v->has_e = true;
-    v->e1_q17 = 0;
-    v->e2_q17 = 0;
+    v->e1_q18 = 0;
+    v->e2_q18 = 0;
     v->e_q26.origin = 0;
     v->e_q26.dx = 0;
     v->e_q26.dy = 0;
@@ -41,9 +41,9 @@ void qtri_list_find_e(qtri_list_values *v)
     if ((more1 | more2) != 0) {
         /* |more| <= 2^31 / 12.8, y = 2^46 / inv_w <= 2^16 */
         const int32_t y = (int32_t)qtri_reciprocal_q31(vertex[0]->inv_w >> 15);
-        v->e1_q17 = ((more1 >> 13) * y + ((int32_t)1 << 15)) >> 16;
-        v->e2_q17 = ((more2 >> 13) * y + ((int32_t)1 << 15)) >> 16;
-        qtri_list_ramp(&v->e_q26, v, 0, v->e1_q17, v->e2_q17);
+        v->e1_q18 = ((more1 >> 13) * y + ((int32_t)1 << 14)) >> 15;
+        v->e2_q18 = ((more2 >> 13) * y + ((int32_t)1 << 14)) >> 15;
+        qtri_list_ramp(&v->e_q26, v, 0, v->e1_q18, v->e2_q18);
     }
 }
 
@@ -85,8 +85,8 @@ void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
     const int32_t i0 = t->v[0]->intensity_q15;
     const int32_t i1 = t->v[v->second]->intensity_q15 - i0;
     const int32_t i2 = t->v[v->third]->intensity_q15 - i0;
-    const int32_t f1 = (i1 + 2) >> (QTRI_RAMP_DOWN - 7);
-    const int32_t f2 = (i2 + 2) >> (QTRI_RAMP_DOWN - 7);
+    const int32_t f1 = (i1 + 1) >> (QTRI_PLACE_DOWN - 7);
+    const int32_t f2 = (i2 + 1) >> (QTRI_PLACE_DOWN - 7);
     v->channels = 1;
     v->base[2] = ((uint32_t)i0 << 7) + (uint32_t)round;
     v->curved = !is_linear(v, i1, i2, qtri_list_light_part(v->raster));
@@ -119,10 +119,10 @@ void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)
         qtri_list_find_e(v);
     }
     for (int i = first; i < 3; i++) {
-        const int32_t half = (int32_t)1 << (QTRI_RAMP_DOWN - 1);
+        const int32_t half = (int32_t)1 << (QTRI_PLACE_DOWN - 1);
         const int32_t c0 = t->color[0][i];
-        const int32_t f1 = (t->color[v->second][i] - c0 + half) >> QTRI_RAMP_DOWN;
-        const int32_t f2 = (t->color[v->third][i] - c0 + half) >> QTRI_RAMP_DOWN;
+        const int32_t f1 = (t->color[v->second][i] - c0 + half) >> QTRI_PLACE_DOWN;
+        const int32_t f2 = (t->color[v->third][i] - c0 + half) >> QTRI_PLACE_DOWN;
         v->base[i] = (uint32_t)c0 + ((uint32_t)1 << (shift - 1));
         if (linear) {
             qtri_list_ramp(&v->channel[i], v, v->base[i], f1, f2);

@@ -12,6 +12,7 @@
 #define QTRI_RASTER_LIST_VALUES_H
 
 #include "list.h"
+#include "place_ramp.h"
 
 /* A texture coordinate. */
 typedef struct qtri_list_axis {
@@ -29,7 +30,7 @@ typedef struct qtri_list_values {
     bool has_e;            /* e is set */
     bool curved;           /* colours are base + l (1 - w), not linear */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
-    int32_t e1_q17, e2_q17;
+    int32_t e1_q18, e2_q18;
     qtri_ramp e_q26;
     uint32_t constant; /* without channels: the word */
     qtri_ramp channel[3];
@@ -41,7 +42,8 @@ typedef struct qtri_list_values {
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);
 
-/* The ramp of an attribute: f0 at vertex 0, differences without QTRI_RAMP_DOWN bits below 2^15. */
+/* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at
+   most. */
 void qtri_list_ramp(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1,
                     int32_t f2);
 

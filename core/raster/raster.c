@@ -11,10 +11,23 @@ static bool has_texture(const qtri_material *material)
            texture->format->usable(texture);
 }
 
+static void set_bounds(qtri_raster *raster, const qtri_rect *bounds)
+{
+    const int32_t reach = 17 * 256; /* QTRI_PLACE_PIXELS and one */
+    const int32_t width = (bounds->x1 - bounds->x0) * 256 - 2 * reach;
+    const int32_t height = (bounds->y1 - bounds->y0) * 256 - 2 * reach;
+    raster->bounds = *bounds;
+    raster->inner.x = (uint32_t)(bounds->x0 * 256 + reach);
+    raster->inner.y = (uint32_t)(bounds->y0 * 256 + reach);
+    raster->inner.width = width < 0 ? 0 : (uint32_t)width;
+    raster->inner.height = height < 0 ? 0 : (uint32_t)height;
+}
+
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material, qtri_batch *batch)
 {
-    static const qtri_rect nowhere = {0, 0, 0, 0};
+    const qtri_rect nowhere = {0, 0, 0, 0};
+    qtri_rect bounds = qtri_surface_bounds(surface);
     const qtri_format *format = surface->format;
     const bool textured = has_texture(material);
     raster->surface = surface;
@@ -23,7 +36,6 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     batch->count = 0;
     batch->kind = 0;
     batch->has_table = false;
-    raster->bounds = qtri_surface_bounds(surface);
     raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     raster->depth_write = raster->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
     raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
@@ -41,10 +53,11 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->copy_run = NULL;
     raster->copy_bent = NULL;
     if (format == NULL || raster->compare == QTRI_NEVER) {
-        raster->bounds = nowhere;
+        bounds = nowhere;
         raster->format = &qtri_xrgb8888;
         format = raster->format;
     }
+    set_bounds(raster, &bounds);
     raster->units = format->colors;
     if (textured) {
         qtri_texture_init(raster, material);

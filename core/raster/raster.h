@@ -64,6 +64,9 @@ struct qtri_raster {
     const qtri_texture *texture; /* NULL: none */
     qtri_batch *batch;
     qtri_rect bounds; /* empty where nothing is to be drawn */
+    struct {
+        uint32_t x, y, width, height; /* 24.8 */
+    } inner; /* where vertex 0 of a small triangle is too far inside them to be cut */
     qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
     bool perspective; /* as the material asks */
