@@ -2,6 +2,7 @@
 #include "list_values.h"
 #include "texel_copy.h"
 #include "texel_number.h"
+#include "textured.h"
 
 void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
 {
@@ -187,4 +188,64 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
         *color = (row << axis[0].side_log2) + column;
     }
     return UINT32_MAX;
+}
+
+/* Leaves fragments out that are not in the mask; writes the depths of the others. */
+static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count,
+                    const qtri_ramp *depth)
+{
+    const qtri_surface *surface = raster->surface;
+    qtri_batch *batch = raster->batch;
+    int32_t kept = 0;
+    mask <<= 32 - count;
+    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
+        if ((int32_t)mask >= 0) {
+            continue;
+        }
+        const uint32_t place = batch->place[i];
+        if (raster->depth_write) {
+            const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch + (place & 0xFFFF)] =
+                (uint16_t)(z >> 16);
+        }
+        batch->color[kept] = batch->color[i];
+        batch->by.shade[kept] = batch->by.shade[i];
+        batch->place[kept] = place;
+        kept++;
+    }
+    return kept;
+}
+
+static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
+{
+    if (batch->kind == QTRI_LIST_LIT_TEXELS && raster->tint_shade != QTRI_SHADE_WHITE) {
+        qtri_shade_tint(batch->by.shade, raster->tint_shade, count);
+        raster->times(batch->color, batch->by.shade, count);
+    } else if (batch->kind == QTRI_LIST_LIT_TEXELS) {
+        raster->light(batch->color, batch->by.shade, count);
+    } else if (batch->kind == QTRI_LIST_RGB_TEXELS) {
+        raster->times(batch->color, batch->by.shade, count);
+    }
+    if (raster->narrow != NULL) {
+        raster->narrow(batch->color, count);
+    }
+}
+
+int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
+                                const qtri_ramp *depth)
+{
+    qtri_batch *batch = raster->batch;
+    if (raster->texture->filter == NULL) {
+        for (int32_t i = count; (i & 3) != 0; i++) {
+            batch->color[i] = 0; /* must be numbers of texels */
+        }
+        mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false);
+    }
+    if (raster->texture->has_key) {
+        count = keep(raster, mask, count, depth);
+    }
+    if (count != 0) {
+        shade_texels(raster, batch, count);
+    }
+    return count;
 }

@@ -15,6 +15,7 @@
 #include "texel.h"
 
 typedef struct qtri_job qtri_job;
+typedef struct qtri_list_values qtri_list_values; /* see list_values.h */
 typedef struct qtri_raster qtri_raster;
 
 /* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
@@ -82,6 +83,7 @@ struct qtri_raster {
     uint32_t tint_n8[3];   /* the same with 8 bits after the point, cut off */
 
     /* Texture: see textured.c. */
+    const qtri_texturing *texturing;
     const qtri_colors *working; /* texels become colours of this kind */
     qtri_words_stage widen, narrow; /* from the texel's kind, and to the format's; NULL: it is that */
     qtri_modulate_stage light, times;
