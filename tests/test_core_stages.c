@@ -163,7 +163,7 @@ static void counts(void **state)
         qtri_batch given;
         for (int i = 0; i < QTRI_BATCH_ROOM; i++) {
             given.color[i] = (uint32_t)random64(&seed) & 0xFFFFFF;
-            given.shade[i] = (uint32_t)random64(&seed) & 0x3FF;
+            given.by.shade[i] = (uint32_t)random64(&seed) & 0x3FF;
         }
         for (size_t s = 0; s < LENGTH_OF(stages) + LENGTH_OF(products); s++) {
             const size_t p = s - LENGTH_OF(stages);
@@ -171,11 +171,11 @@ static void counts(void **state)
             if (s < LENGTH_OF(stages)) {
                 stages[s](together.color, count);
             } else {
-                products[p](together.color, together.shade, count);
+                products[p](together.color, together.by.shade, count);
             }
             for (int i = 0; i < count; i++) {
                 uint32_t one[QTRI_BATCH_ROOM] = {given.color[i]};
-                uint32_t shade[QTRI_BATCH_ROOM] = {given.shade[i]};
+                uint32_t shade[QTRI_BATCH_ROOM] = {given.by.shade[i]};
                 if (s < LENGTH_OF(stages)) {
                     stages[s](one, 1);
                 } else {
