@@ -181,9 +181,8 @@ static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count,
 
 static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
 {
-    if (batch->kind == LIT_TEXELS && raster->tint_shade != QTRI_SHADE_WHITE) {
-        qtri_shade_tint(batch->by.shade, raster->tint_shade, count);
-        raster->times(batch->color, batch->by.shade, count);
+    if (batch->kind == LIT_TEXELS && !raster->white) {
+        raster->tinted(batch->color, batch->by.shade, raster->tint_q10, count);
     } else if (batch->kind == LIT_TEXELS) {
         raster->light(batch->color, batch->by.shade, count);
     } else if (batch->kind == RGB_TEXELS) {
@@ -282,7 +281,7 @@ static uint8_t set_colors(qtri_list_values *v)
     if (t->color == NULL) {
         qtri_list_set_light(v, 12);
         return now != LIT_TEXELS && v->channels == 0 && v->constant == 1024 &&
-                       raster->tint_shade == QTRI_SHADE_WHITE
+                       raster->white
                    ? TEXELS
                    : LIT_TEXELS;
     }
