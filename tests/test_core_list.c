@@ -437,6 +437,95 @@ static void comparisons(void **state)
     canvas_free(&always);
 }
 
+enum { TRIANGLES = 60 };
+
+/* A mesh of small triangles in a cube around the origin, with normals; distances vary a lot. */
+static void random_mesh(qtri_vec3 *positions, qtri_normal *normals, uint16_t (*triangles)[3],
+                        uint64_t *seed)
+{
+    for (int t = 0; t < TRIANGLES; t++) {
+        const int32_t x = random_in(seed, -90000, 90000);
+        const int32_t y = random_in(seed, -90000, 90000);
+        const int32_t z = random_in(seed, -90000, 90000);
+        const int32_t reach = random_in(seed, 100, 9000);
+        for (int i = 0; i < 3; i++) {
+            const int k = 3 * t + i;
+            positions[k].x = x + random_in(seed, -reach, reach);
+            positions[k].y = y + random_in(seed, -reach, reach);
+            positions[k].z = z + random_in(seed, -3 * reach, 3 * reach);
+            normals[k].x = (int16_t)random_in(seed, -9000, 9000);
+            normals[k].y = (int16_t)random_in(seed, -9000, 9000);
+            normals[k].z = (int16_t)random_in(seed, 0, 9000);
+            triangles[t][i] = (uint16_t)k;
+        }
+    }
+}
+
+/* What a fused loop draws of a mesh the stages draw, to the bit; bands do, too. */
+static void fused_loops(void **state)
+{
+    (void)state;
+    static const qtri_format staged = {&qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565,
+                                       NULL};
+    static qtri_vec3 positions[3 * TRIANGLES];
+    static qtri_normal normals[3 * TRIANGLES];
+    static uint16_t triangles[TRIANGLES][3];
+    static qtri_vertex scratch[3 * TRIANGLES];
+    uint64_t seed = 7;
+    int64_t pixels = 0;
+    canvas fused = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas stages = canvas_new(&staged, WIDTH, HEIGHT);
+    canvas bands = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int n = 0; n < 4000; n++) {
+        const qtri_mesh mesh = {.positions = positions,
+                                .normals = n % 3 == 0 ? NULL : normals,
+                                .triangles = (const uint16_t(*)[3])triangles,
+                                .vertex_count = 3 * TRIANGLES,
+                                .triangle_count = TRIANGLES};
+        const qtri_light light = {vec3_of(.3, .5, 1), Q16(.1), Q16(1)};
+        qtri_transform pose;
+        qtri_material m = drawn_material();
+        qtri_view view;
+        random_mesh(positions, normals, triangles, &seed);
+        qtri_transform_identity(&pose);
+        qtri_transform_translate(&pose, vec3_of(0, 0, -3));
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_transform_perspective(&view.projection, Q16(60), Q16(1), Q16(.5), Q16(9));
+        view.light = n % 7 == 0 ? NULL : &light;
+        view.vertices = scratch;
+        view.vertex_count = n % 5 == 0 ? 50 : 3 * TRIANGLES;
+        m.depth_compare = QTRI_LESS;
+        m.shading = n % 4 == 0 ? QTRI_FLAT_LAST : QTRI_SMOOTH;
+        m.interpolation = (qtri_interpolation)(n % 2);
+        m.cull = n % 2 == 0 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
+        m.color.r = (uint8_t)random_in(&seed, 0, 255);
+        m.color.g = (uint8_t)random_in(&seed, 0, 255);
+        canvas_clear(&fused);
+        canvas_clear(&stages);
+        canvas_clear(&bands);
+        qtri_draw_mesh(&fused.surface, &view, &pose, &mesh, &m);
+        qtri_draw_mesh(&stages.surface, &view, &pose, &mesh, &m);
+        assert_memory_equal(fused.memory, stages.memory, fused.bytes);
+        for (int32_t row = 0; row < HEIGHT; row += 7) {
+            qtri_surface band = bands.surface;
+            band.first_row = row;
+            band.rows = HEIGHT - row < 7 ? HEIGHT - row : 7;
+            band.pixels += row * band.pitch;
+            band.depth += row * band.depth_pitch;
+            qtri_draw_mesh(&band, &view, &pose, &mesh, &m);
+        }
+        assert_memory_equal(fused.memory, bands.memory, fused.bytes);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            pixels += fused.surface.depth[i] != 65535;
+        }
+    }
+    print_message("%lld pixels\n", (long long)pixels);
+    assert_true(pixels > 80000);
+    canvas_free(&fused);
+    canvas_free(&stages);
+    canvas_free(&bands);
+}
+
 int main(void)
 {
     uint64_t seed = 6;
@@ -447,7 +536,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(coverage_and_depth), cmocka_unit_test(smooth_colors),
         cmocka_unit_test(texels),             cmocka_unit_test(cuts),
-        cmocka_unit_test(comparisons),
+        cmocka_unit_test(comparisons),        cmocka_unit_test(fused_loops),
     };
     return cmocka_run_group_tests_name("core list", tests, NULL, NULL);
 }

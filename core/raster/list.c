@@ -223,7 +223,7 @@ static uint8_t set_colors(qtri_list_values *v)
     if (t->color == NULL) {
         qtri_list_set_light(v, 12);
         return now != QTRI_LIST_LIT_TEXELS && v->channels == 0 && v->constant == 1024 &&
-                       raster->tint_shade == QTRI_SHADE_WHITE
+                       raster->white
                    ? QTRI_LIST_TEXELS
                    : QTRI_LIST_LIT_TEXELS;
     }

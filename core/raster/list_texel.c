@@ -35,17 +35,16 @@ enum {
 #define ABOVE_ZERO ((uint32_t)1 << 30)
 
 /*
- * The differences with KEPT bits, their fraction held to `most`: *fraction is that of what comes
- * out.
+ * A coordinate's differences with KEPT bits, times 1 + e, their fraction held to `most`. Returns the
+ * fraction of what comes out.
  */
-static void differences(int32_t f[2], int32_t *fraction, const qtri_list_values *v,
-                        const qtri_coordinates *c, int32_t most)
+static inline int32_t differences(int32_t f[2], const qtri_list_values *v,
+                                  const qtri_coordinates *c, int32_t most)
 {
     const int32_t d1 = c->at[v->second] - c->at[0];
     const int32_t d2 = c->at[v->third] - c->at[0];
     int32_t up = qtri_clz32(qtri_about(d1) | qtri_about(d2)) - (32 - KEPT); /* -16..15 */
     up = qtri_least32(up, most - c->fraction); /* >= -23 */
-    *fraction = c->fraction + up;
     if (up >= 0) {
         f[0] = d1 * ((int32_t)1 << up);
         f[1] = d2 * ((int32_t)1 << up);
@@ -54,6 +53,9 @@ static void differences(int32_t f[2], int32_t *fraction, const qtri_list_values 
         f[0] = (d1 + half) >> -up;
         f[1] = (d2 + half) >> -up;
     }
+    f[0] = qtri_list_scaled(f[0], v->e1_q18);
+    f[1] = qtri_list_scaled(f[1], v->e2_q18);
+    return c->fraction + up;
 }
 
 /*
@@ -65,18 +67,20 @@ static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
     return shift > 10 && v->raster->texture->filter == NULL ? (uint32_t)1 << (shift - 10) : 0;
 }
 
-/* Coordinates that fill 32 bits. `unit`: bits of a repeat's fraction, at least 17. */
-static void fill_axis(qtri_list_axis *out, const qtri_list_values *v, const qtri_coordinates *c,
-                      int32_t unit, int32_t shift)
+/*
+ * Coordinates that fill 32 bits. `unit`: bits of a repeat's fraction, at least 17; `shift`: of a
+ * texel's.
+ */
+static inline void fill_axis(qtri_list_axis *out, const qtri_list_values *v, const qtri_place *p,
+                             const qtri_coordinates *c, int32_t unit, int32_t shift)
 {
     int32_t f[2];
-    int32_t fraction;
+    const int32_t fraction = differences(f, v, c, unit - UP);
     const int32_t up = unit - c->fraction;
-    differences(f, &fraction, v, c, unit - UP);
+    const int32_t at = c->at[0];
+    qtri_place_ramp(&out->l, p, &v->inverse, 0, f[0], f[1]);
     out->up = unit - UP - fraction;
-    out->at = up >= 0 ? (uint32_t)c->at[0] << up : (uint32_t)(c->at[0] >> -up);
-    out->at += bias_of(v, shift);
-    qtri_list_curve(&out->l, v, f[0], f[1]);
+    out->at = (up >= 0 ? (uint32_t)at << up : (uint32_t)(at >> -up)) + bias_of(v, shift);
 }
 
 /*
@@ -88,9 +92,8 @@ static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_li
                        const qtri_coordinates *c, uint8_t side_log2, bool clamped)
 {
     int32_t f[2];
-    int32_t fraction;
     side_log2 = side_log2 > 10 ? 10 : side_log2;
-    differences(f, &fraction, v, c, side_log2 + TEXEL - UP);
+    const int32_t fraction = differences(f, v, c, side_log2 + TEXEL - UP);
     const int32_t shift = qtri_least32(TEXEL, 29 - KEPT + fraction - side_log2); /* >= 1 */
     const int32_t base = c->at[0] >> c->fraction;
     const int32_t up = side_log2 + shift - c->fraction;
@@ -102,7 +105,7 @@ static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_li
     axis->first = (int32_t)(ABOVE_ZERO >> shift) - (base + c->repeats) * ((int32_t)1 << side_log2);
     out->up = side_log2 + shift - UP - fraction;
     out->at = ABOVE_ZERO + bias_of(v, shift) + (up >= 0 ? rest << up : rest >> -up);
-    qtri_list_curve(&out->l, v, f[0], f[1]);
+    qtri_place_ramp(&out->l, v->t->place, &v->inverse, 0, f[0], f[1]);
 }
 
 void qtri_list_set_texels(qtri_list_values *v)
@@ -111,24 +114,24 @@ void qtri_list_set_texels(qtri_list_values *v)
     const qtri_texture *texture = raster->texture;
     const qtri_coordinates *uv = v->t->uv;
     qtri_list_find_e(v);
-    if (raster->repeated) {
-        const int32_t shift[2] = {qtri_texel_copy_shift(texture, 0),
-                                  qtri_texel_copy_shift(texture, 1)};
-        fill_axis(&v->uv[0], v, &uv[0], 32, shift[0]);
-        fill_axis(&v->uv[1], v, &uv[1], shift[1] + texture->height_log2, shift[1]);
-        if (texture->filter != NULL) {
-            for (int i = 0; i < 2; i++) {
-                v->axis[i].side_log2 = i == 0 ? texture->width_log2 : texture->height_log2;
-                v->axis[i].texel_shift = (uint8_t)shift[i];
-                v->axis[i].clamped = false;
-                v->axis[i].mask = (uint16_t)((1u << v->axis[i].side_log2) - 1);
-            }
-        }
-    } else {
+    if (!raster->repeated) {
         clamp_axis(&v->uv[0], &v->axis[0], v, &uv[0], texture->width_log2,
                    texture->wrap_u == QTRI_CLAMP);
         clamp_axis(&v->uv[1], &v->axis[1], v, &uv[1], texture->height_log2,
                    texture->wrap_v == QTRI_CLAMP);
+        return;
+    }
+    const qtri_place place = *v->t->place;
+    const int32_t shift[2] = {qtri_texel_copy_shift(texture, 0), qtri_texel_copy_shift(texture, 1)};
+    fill_axis(&v->uv[0], v, &place, &uv[0], 32, shift[0]);
+    fill_axis(&v->uv[1], v, &place, &uv[1], shift[1] + texture->height_log2, shift[1]);
+    if (texture->filter != NULL) {
+        for (int i = 0; i < 2; i++) {
+            v->axis[i].side_log2 = i == 0 ? texture->width_log2 : texture->height_log2;
+            v->axis[i].texel_shift = (uint8_t)shift[i];
+            v->axis[i].clamped = false;
+            v->axis[i].mask = (uint16_t)((1u << v->axis[i].side_log2) - 1);
+        }
     }
 }
 
@@ -218,9 +221,8 @@ static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count,
 
 static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
 {
-    if (batch->kind == QTRI_LIST_LIT_TEXELS && raster->tint_shade != QTRI_SHADE_WHITE) {
-        qtri_shade_tint(batch->by.shade, raster->tint_shade, count);
-        raster->times(batch->color, batch->by.shade, count);
+    if (batch->kind == QTRI_LIST_LIT_TEXELS && !raster->white) {
+        raster->tinted(batch->color, batch->by.shade, raster->tint_q10, count);
     } else if (batch->kind == QTRI_LIST_LIT_TEXELS) {
         raster->light(batch->color, batch->by.shade, count);
     } else if (batch->kind == QTRI_LIST_RGB_TEXELS) {

@@ -2,21 +2,16 @@
 
 #include "../geometry/projector.h"
 
-void qtri_list_ramp(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1,
-                    int32_t f2)
+/* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at most. */
+static void ramp_of(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1, int32_t f2)
 {
     qtri_place_ramp(ramp, v->t->place, &v->inverse, f0, f1, f2);
 }
 
-/* |f| <= 2^16, |e| < 2^14.4: below 2^31. */
-static int32_t scaled(int32_t f, int32_t e_q18)
+/* That of l. */
+static void curve_of(qtri_ramp *ramp, const qtri_list_values *v, int32_t f1, int32_t f2)
 {
-    return f + ((f * e_q18 + ((int32_t)1 << 17)) >> 18);
-}
-
-void qtri_list_curve(qtri_ramp *ramp, const qtri_list_values *v, int32_t f1, int32_t f2)
-{
-    qtri_list_ramp(ramp, v, 0, scaled(f1, v->e1_q18), scaled(f2, v->e2_q18));
+    ramp_of(ramp, v, 0, qtri_list_scaled(f1, v->e1_q18), qtri_list_scaled(f2, v->e2_q18));
 }
 
 void qtri_list_find_e(qtri_list_values *v)
@@ -36,14 +31,22 @@ void qtri_list_find_e(qtri_list_values *v)
     if (!v->raster->perspective) {
         return;
     }
-    (void)qtri_inv_w_more(&more1, vertex[0], vertex[v->second]);
-    (void)qtri_inv_w_more(&more2, vertex[0], vertex[v->third]);
+    const qtri_vertex *b = vertex[v->second];
+    const qtri_vertex *c = vertex[v->third];
+    if ((((vertex[0]->depth_16p8 ^ b->depth_16p8) | (vertex[0]->depth_16p8 ^ c->depth_16p8)) &
+         0xFF) == 0) {
+        more1 = (int32_t)(b->inv_w - vertex[0]->inv_w);
+        more2 = (int32_t)(c->inv_w - vertex[0]->inv_w);
+    } else {
+        (void)qtri_inv_w_more(&more1, vertex[0], b);
+        (void)qtri_inv_w_more(&more2, vertex[0], c);
+    }
     if ((more1 | more2) != 0) {
         /* |more| <= 2^31 / 12.8, y = 2^46 / inv_w <= 2^16 */
         const int32_t y = (int32_t)qtri_reciprocal_q31(vertex[0]->inv_w >> 15);
         v->e1_q18 = ((more1 >> 13) * y + ((int32_t)1 << 14)) >> 15;
         v->e2_q18 = ((more2 >> 13) * y + ((int32_t)1 << 14)) >> 15;
-        qtri_list_ramp(&v->e_q26, v, 0, v->e1_q18, v->e2_q18);
+        ramp_of(&v->e_q26, v, 0, v->e1_q18, v->e2_q18);
     }
 }
 
@@ -92,9 +95,9 @@ void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
     v->curved = !is_linear(v, i1, i2, qtri_list_light_part(v->raster));
     if (v->curved) {
         qtri_list_find_e(v);
-        qtri_list_curve(&v->channel[2], v, f1, f2);
+        curve_of(&v->channel[2], v, f1, f2);
     } else {
-        qtri_list_ramp(&v->channel[2], v, v->base[2], f1, f2);
+        ramp_of(&v->channel[2], v, v->base[2], f1, f2);
     }
 }
 
@@ -125,9 +128,9 @@ void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)
         const int32_t f2 = (t->color[v->third][i] - c0 + half) >> QTRI_PLACE_DOWN;
         v->base[i] = (uint32_t)c0 + ((uint32_t)1 << (shift - 1));
         if (linear) {
-            qtri_list_ramp(&v->channel[i], v, v->base[i], f1, f2);
+            ramp_of(&v->channel[i], v, v->base[i], f1, f2);
         } else {
-            qtri_list_curve(&v->channel[i], v, f1, f2);
+            curve_of(&v->channel[i], v, f1, f2);
         }
     }
 }

@@ -51,13 +51,11 @@ struct qtri_list_values {
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);
 
-/* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at
-   most. */
-void qtri_list_ramp(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1,
-                    int32_t f2);
-
-/* The same from l at vertices 1 and 2, times 1 + e. */
-void qtri_list_curve(qtri_ramp *ramp, const qtri_list_values *v, int32_t f1, int32_t f2);
+/* |f| <= 2^16, |e| < 2^14.4: below 2^31. */
+static inline int32_t qtri_list_scaled(int32_t f, int32_t e_q18)
+{
+    return f + ((f * e_q18 + ((int32_t)1 << 17)) >> 18);
+}
 
 static inline uint32_t qtri_list_at(const qtri_ramp *ramp, uint32_t x, uint32_t y)
 {

@@ -97,7 +97,11 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
         raster->tint_n8[i] = (uint32_t)raster->tint.c[i] >> 8;
     }
     if (raster->texture != NULL) {
-        raster->tint_shade = qtri_shade_of(raster->tint.c);
+        const uint8_t channel[3] = {color.r, color.g, color.b};
+        for (int i = 0; i < 3; i++) {
+            raster->tint_q10[i] = (channel[i] * 1024u + 127) / 255;
+        }
+        raster->white = (color.r & color.g & color.b) == 255;
     }
 }
 

@@ -58,6 +58,8 @@ struct qtri_fused {
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
 typedef void (*qtri_modulate_stage)(uint32_t *color, const uint32_t *shade, int32_t count);
+typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
+                                int32_t count);
 
 struct qtri_raster {
     const qtri_surface *surface;
@@ -87,12 +89,14 @@ struct qtri_raster {
     const qtri_colors *working; /* texels become colours of this kind */
     qtri_words_stage widen, narrow; /* from the texel's kind, and to the format's; NULL: it is that */
     qtri_modulate_stage light, times;
+    qtri_tint_stage tinted; /* light, and the tint below */
     bool replace;
     bool repeated;         /* coordinates fill 32 bits, see texel_number.h */
     bool fetched;          /* rows of texels are read at once with their numbers */
     bool copied;           /* nearest repeated texels of the format's own kind, without a key */
     uint32_t texel_cut;    /* see texel_copy.h */
-    uint32_t tint_shade;   /* the tint as a shade; white: QTRI_SHADE_WHITE */
+    bool white;            /* the tint: light alone is enough */
+    uint32_t tint_q10[3];
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;

@@ -15,6 +15,7 @@ void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
     raster->working = narrow ? &qtri_colors_565 : &qtri_colors_888;
     raster->light = narrow ? qtri_light_565 : qtri_light_888;
     raster->times = narrow ? qtri_times_565 : qtri_times_888;
+    raster->tinted = narrow ? qtri_tint_565 : qtri_tint_888;
     raster->widen = !narrow && texture->format->colors == &qtri_colors_565 ? qtri_565_to_888 : NULL;
     raster->narrow = NULL;
     if (format->colors == &qtri_colors_gray) {

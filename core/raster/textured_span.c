@@ -28,7 +28,6 @@ static void interpolate_shades(qtri_scanline *row, int32_t x, int32_t count)
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
     uint32_t *shade = raster->batch->by.shade;
-    const int32_t whole = count;
     while (count > 0) {
         qtri_curve curve[3];
         const int32_t some = job->interpolate(row, x, count, job->first, QTRI_U, curve);
@@ -40,9 +39,6 @@ static void interpolate_shades(qtri_scanline *row, int32_t x, int32_t count)
         shade += some;
         x += some;
         count -= some;
-    }
-    if (job->first == QTRI_U - 1 && raster->tint_shade != QTRI_SHADE_WHITE) {
-        qtri_shade_tint(raster->batch->by.shade, raster->tint_shade, whole);
     }
 }
 
@@ -86,8 +82,12 @@ uint32_t qtri_textured_chunk(qtri_scanline *row, int32_t x, int32_t count, uint3
         } else {
             interpolate_shades(row, x, count);
         }
-        const bool light = job->first == QTRI_U - 1 && raster->tint_shade == QTRI_SHADE_WHITE;
-        (light ? raster->light : raster->times)(batch->color, batch->by.shade, count);
+        if (job->first == QTRI_U - 1 && !raster->white) {
+            raster->tinted(batch->color, batch->by.shade, raster->tint_q10, count);
+        } else {
+            (job->first == QTRI_U - 1 ? raster->light : raster->times)(batch->color,
+                                                                       batch->by.shade, count);
+        }
     }
     if (mask != 0 && raster->narrow != NULL) {
         raster->narrow(batch->color, count);
