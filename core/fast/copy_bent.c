@@ -1,3 +1,4 @@
+#include "../frame/curves.h"
 #include "../raster/loop.h"
 #include "../raster/texel_copy.h"
 #include "fused.h"
@@ -77,36 +78,62 @@
     v_step += v_bend;
 #endif
 
-void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run)
+#define TURN                                                                                       \
+    QTRI_TURN(u_step, u_bend, uv[0].twist)                                                         \
+    QTRI_TURN(v_step, v_bend, uv[1].twist)
+
+void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
+                         int32_t skip)
 {
     const uint16_t *texels = job->raster->texture->texels;
     const uint32_t cut = job->raster->texel_cut;
     uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
     uint16_t *depth = run->depths + run->x;
     uint32_t z = run->z;
-    uint32_t u = run->value[0];
-    uint32_t v = run->value[1];
-    uint32_t u_step = run->step[0];
-    uint32_t v_step = run->step[1];
-    const uint32_t u_bend = run->bend[0];
-    const uint32_t v_bend = run->bend[1];
+    uint32_t u = uv[0].at;
+    uint32_t v = uv[1].at;
+    uint32_t u_step = uv[0].step;
+    uint32_t v_step = uv[1].step;
+    uint32_t u_bend = uv[0].bend;
+    uint32_t v_bend = uv[1].bend;
     const uint32_t z_step = job->depth.dx;
     int32_t count = run->count;
-#ifndef __OPTIMIZE_SIZE__
-    for (; count >= 8; count -= 8) {
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
-        ONE(4)
-        ONE(5)
-        ONE(6)
-        ONE(7)
-        QTRI_MOVE(8)
+    int32_t left_of_eight = 8;
+    for (; skip > 0; skip--) { /* rare: what a scissor cuts off */
+        u += u_step;
+        v += v_step;
+        u_step += u_bend;
+        v_step += v_bend;
+        if (--left_of_eight == 0) {
+            left_of_eight = 8;
+            TURN
+        }
     }
+    for (;;) {
+#ifndef __OPTIMIZE_SIZE__
+        if (count >= 8 && left_of_eight == 8) {
+            ONE(0)
+            ONE(1)
+            ONE(2)
+            ONE(3)
+            ONE(4)
+            ONE(5)
+            ONE(6)
+            ONE(7)
+            QTRI_MOVE(8)
+            count -= 8;
+        } else
 #endif
-    for (; count > 0; count--) {
-        ONE(0)
-        QTRI_MOVE(1)
+        {
+            for (; count > 0 && left_of_eight > 0; count--, left_of_eight--) {
+                ONE(0)
+                QTRI_MOVE(1)
+            }
+            left_of_eight = 8;
+        }
+        if (count <= 0) {
+            return;
+        }
+        TURN
     }
 }

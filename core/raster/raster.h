@@ -28,10 +28,18 @@ typedef void (*qtri_fill_rows)(const qtri_job *job, const qtri_span *spans, int3
 typedef struct qtri_run qtri_run;
 typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
 
+/*
+ * The same along curves that begin `skip` pixels before x: up to QTRI_BATCH pixels with these. From
+ * the run only pixels, depths, x, count and z.
+ */
+typedef void (*qtri_draw_bent)(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
+                               int32_t skip);
+
 /* Loops that stand in for the stages where depth is "less" and written. */
 struct qtri_fused {
     qtri_fill_rows flat_less, smooth_less;
-    qtri_draw_run copy_less, copy_bent_less; /* along lines; along curves */
+    qtri_draw_run copy_less;
+    qtri_draw_bent copy_bent_less;
 };
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
@@ -70,7 +78,8 @@ typedef struct qtri_raster {
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
-    qtri_draw_run copy_run, copy_bent; /* NULL: none */
+    qtri_draw_run copy_run; /* NULL: none */
+    qtri_draw_bent copy_bent;
 } qtri_raster;
 
 /* batch: the caller's, used while the raster is. */
