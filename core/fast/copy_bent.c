@@ -5,67 +5,58 @@
 
 /*
  * A pixel: a depth, two coordinates and their two steps advance, of which GCC 12 keeps half in memory
- * on Armv6-M, and some on Armv7-M. There ONE is assembler.
+ * on Armv6-M, and some on Armv7-M. There pixels are assembler, in all the registers that there are;
+ * `offset` is where one is, in bytes.
  */
 #if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        uint32_t top, other;                                                                       \
-        __asm__ volatile(".syntax unified\n\t"                                                     \
-                         "lsrs %[top], %[z], #16\n\t"                                              \
-                         "ldrh %[other], [%[depth], %[offset]]\n\t"                                \
-                         "cmp %[top], %[other]\n\t"                                                \
-                         "bcs 1f\n\t"                                                              \
-                         "strh %[top], [%[depth], %[offset]]\n\t"                                  \
-                         "movs %[top], %[u]\n\t"                                                   \
-                         "lsrs %[top], %[cut]\n\t"                                                 \
-                         "movs %[other], %[v]\n\t"                                                 \
-                         "ands %[other], %[cut]\n\t"                                               \
-                         "lsrs %[other], %[other], #16\n\t"                                        \
-                         "adds %[top], %[top], %[other]\n\t"                                       \
-                         "lsls %[top], %[top], #1\n\t"                                             \
-                         "ldr %[other], %[texels]\n\t"                                             \
-                         "ldrh %[top], [%[other], %[top]]\n\t"                                     \
-                         "strh %[top], [%[pixel], %[offset]]\n"                                    \
-                         "1:\tadd %[z], %[z_step]\n\t"                                             \
-                         "add %[u], %[u_step]\n\t"                                                 \
-                         "add %[v], %[v_step]\n\t"                                                 \
-                         "add %[u_step], %[u_bend]\n\t"                                            \
-                         "add %[v_step], %[v_bend]"                                                \
-                         : [z] "+l"(z), [u] "+l"(u), [v] "+l"(v), [u_step] "+h"(u_step),           \
-                           [v_step] "+h"(v_step), [top] "=&l"(top), [other] "=&l"(other)           \
-                         : [depth] "l"(depth), [pixel] "l"(pixel), [cut] "l"(cut),                 \
-                           [texels] "m"(texels), [z_step] "h"(z_step), [u_bend] "h"(u_bend),       \
-                           [v_bend] "h"(v_bend), [offset] "i"(2 * (i))                             \
-                         : "cc", "memory");                                                        \
-    }
+#define LOW         "l"
+#define HIGH        "h"
+#define TEXELS      "m"
+#define ASSEMBLER   1
+#define PIXEL(offset)                                                                              \
+    "lsrs %[top], %[z], #16\n\t"                                                                   \
+    "ldrh %[other], [%[depth], #" offset "]\n\t"                                                   \
+    "cmp %[top], %[other]\n\t"                                                                     \
+    "bcs 1f\n\t"                                                                                   \
+    "strh %[top], [%[depth], #" offset "]\n\t"                                                     \
+    "movs %[top], %[u]\n\t"                                                                        \
+    "lsrs %[top], %[cut]\n\t"                                                                      \
+    "movs %[other], %[v]\n\t"                                                                      \
+    "ands %[other], %[cut]\n\t"                                                                    \
+    "lsrs %[other], %[other], #16\n\t"                                                             \
+    "adds %[top], %[top], %[other]\n\t"                                                            \
+    "lsls %[top], %[top], #1\n\t"                                                                  \
+    "ldr %[other], %[texels]\n\t"                                                                  \
+    "ldrh %[top], [%[other], %[top]]\n\t"                                                          \
+    "strh %[top], [%[pixel], #" offset "]\n"                                                       \
+    "1:\tadd %[z], %[z_step]\n\t"                                                                  \
+    "add %[u], %[u_step]\n\t"                                                                      \
+    "add %[v], %[v_step]\n\t"                                                                      \
+    "add %[u_step], %[u_bend]\n\t"                                                                 \
+    "add %[v_step], %[v_bend]\n\t"
 #elif defined(__GNUC__) && defined(__thumb2__)
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        uint32_t top, other;                                                                       \
-        __asm__ volatile("lsr %[top], %[z], #16\n\t"                                               \
-                         "ldrh %[other], [%[depth], %[offset]]\n\t"                                \
-                         "cmp %[top], %[other]\n\t"                                                \
-                         "bcs 1f\n\t"                                                              \
-                         "strh %[top], [%[depth], %[offset]]\n\t"                                  \
-                         "lsr %[top], %[u], %[cut]\n\t"                                            \
-                         "and %[other], %[v], %[cut]\n\t"                                          \
-                         "add %[top], %[top], %[other], lsr #16\n\t"                               \
-                         "ldrh %[top], [%[texels], %[top], lsl #1]\n\t"                            \
-                         "strh %[top], [%[pixel], %[offset]]\n"                                    \
-                         "1:\tadd %[z], %[z_step]\n\t"                                             \
-                         "add %[u], %[u_step]\n\t"                                                 \
-                         "add %[v], %[v_step]\n\t"                                                 \
-                         "add %[u_step], %[u_bend]\n\t"                                            \
-                         "add %[v_step], %[v_bend]"                                                \
-                         : [z] "+r"(z), [u] "+r"(u), [v] "+r"(v), [u_step] "+r"(u_step),           \
-                           [v_step] "+r"(v_step), [top] "=&r"(top), [other] "=&r"(other)           \
-                         : [depth] "r"(depth), [pixel] "r"(pixel), [cut] "r"(cut),                 \
-                           [texels] "r"(texels), [z_step] "r"(z_step), [u_bend] "r"(u_bend),       \
-                           [v_bend] "r"(v_bend), [offset] "i"(2 * (i))                             \
-                         : "cc", "memory");                                                        \
-    }
+#define LOW         "r"
+#define HIGH        "r"
+#define TEXELS      "r"
+#define ASSEMBLER   1
+#define PIXEL(offset)                                                                              \
+    "lsr %[top], %[z], #16\n\t"                                                                    \
+    "ldrh %[other], [%[depth], #" offset "]\n\t"                                                   \
+    "cmp %[top], %[other]\n\t"                                                                     \
+    "bcs 1f\n\t"                                                                                   \
+    "strh %[top], [%[depth], #" offset "]\n\t"                                                     \
+    "lsr %[top], %[u], %[cut]\n\t"                                                                 \
+    "and %[other], %[v], %[cut]\n\t"                                                               \
+    "add %[top], %[top], %[other], lsr #16\n\t"                                                    \
+    "ldrh %[top], [%[texels], %[top], lsl #1]\n\t"                                                 \
+    "strh %[top], [%[pixel], #" offset "]\n"                                                       \
+    "1:\tadd %[z], %[z_step]\n\t"                                                                  \
+    "add %[u], %[u_step]\n\t"                                                                      \
+    "add %[v], %[v_step]\n\t"                                                                      \
+    "add %[u_step], %[u_bend]\n\t"                                                                 \
+    "add %[v_step], %[v_bend]\n\t"
 #else
+#define ASSEMBLER 0
 #define ONE(i)                                                                                     \
     if (z >> 16 < depth[i]) {                                                                      \
         depth[i] = (uint16_t)(z >> 16);                                                            \
@@ -76,6 +67,28 @@
     v += v_step;                                                                                   \
     u_step += u_bend;                                                                              \
     v_step += v_bend;
+#endif
+
+#if ASSEMBLER
+#define DRAW(pixels)                                                                               \
+    {                                                                                              \
+        uint32_t top, other;                                                                       \
+        __asm__ volatile(".syntax unified\n\t" pixels                                              \
+                         : [z] "+" LOW(z), [u] "+" LOW(u), [v] "+" LOW(v),                         \
+                           [u_step] "+" HIGH(u_step), [v_step] "+" HIGH(v_step),                   \
+                           [top] "=&" LOW(top), [other] "=&" LOW(other)                            \
+                         : [depth] LOW(depth), [pixel] LOW(pixel), [cut] LOW(cut),                 \
+                           [texels] TEXELS(texels), [z_step] HIGH(z_step),                         \
+                           [u_bend] HIGH(u_bend), [v_bend] HIGH(v_bend)                            \
+                         : "cc", "memory");                                                        \
+    }
+#define DRAW_ONE DRAW(PIXEL("0"))
+#define DRAW_EIGHT                                                                                 \
+    DRAW(PIXEL("0")                                                                                \
+         PIXEL("2") PIXEL("4") PIXEL("6") PIXEL("8") PIXEL("10") PIXEL("12") PIXEL("14"))
+#else
+#define DRAW_ONE   ONE(0)
+#define DRAW_EIGHT ONE(0) ONE(1) ONE(2) ONE(3) ONE(4) ONE(5) ONE(6) ONE(7)
 #endif
 
 #define TURN                                                                                       \
@@ -112,21 +125,14 @@ void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run, const qtri_cu
     for (;;) {
 #ifndef __OPTIMIZE_SIZE__
         if (count >= 8 && left_of_eight == 8) {
-            ONE(0)
-            ONE(1)
-            ONE(2)
-            ONE(3)
-            ONE(4)
-            ONE(5)
-            ONE(6)
-            ONE(7)
+            DRAW_EIGHT
             QTRI_MOVE(8)
             count -= 8;
         } else
 #endif
         {
             for (; count > 0 && left_of_eight > 0; count--, left_of_eight--) {
-                ONE(0)
+                DRAW_ONE
                 QTRI_MOVE(1)
             }
             left_of_eight = 8;

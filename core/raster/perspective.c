@@ -203,6 +203,7 @@ typedef struct middle {
     int32_t value_q16, step_q16; /* without 1 */
     int32_t bend_q15;            /* times 2^log2 */
     int32_t twist_q12;           /* times 4^log2 */
+    int32_t twist_down;          /* 2 log2 - 3; 0 without a twist */
 } middle;
 
 static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted)
@@ -240,6 +241,7 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
         m->step_q16 = 2 * arc + 3 * t2 - ((a_q16 + 3 * t1 + (20 * e2_q16 >> log2)) >> log2);
         m->bend_q15 = (12 * e2_q16 >> log2) - a_q16 - 3 * t1;
         m->twist_q12 = (24 * e2_q16) >> 4;
+        m->twist_down = 2 * log2 - 3;
     } else {
         const int32_t a_q16 = e_q16 + ((4 * e_q16 * e2_q16) >> 20); /* of 1 + 3/4 E^2 */
         const int32_t arc = (a_q16 * half) >> log2;
@@ -248,6 +250,7 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
         m->step_q16 = 2 * arc - (a_q16 >> log2);
         m->bend_q15 = -a_q16;
         m->twist_q12 = 0;
+        m->twist_down = 0;
     }
     const int32_t odd = square >> 29 == 0;
     square = ((square << odd) + 0x4000u) >> 15;
@@ -284,18 +287,16 @@ static inline void set_curve(qtri_curve *out, const middle *m, uint32_t value, i
     const int32_t bend = l_15 * m->bend_q15;
     const int32_t twist = l_15 * m->twist_q12;
     if (down >= 0) {
-        const int32_t bend_down = down + m->log2;
-        const int32_t twist_down = bend_down + m->log2 - 3;
         out->at = value - (uint32_t)(to_start >> down) * (uint32_t)m->half;
         out->step = (uint32_t)(step >> down);
-        out->bend = (uint32_t)((bend + ((int32_t)1 << bend_down >> 1)) >> bend_down);
-        out->twist = twist == 0 ? 0 : (uint32_t)((twist + ((int32_t)1 << twist_down >> 1)) >> twist_down);
+        out->bend = (uint32_t)(bend >> (down + m->log2));
+        out->twist = (uint32_t)(twist >> (down + m->twist_down));
     } else {
         down = -down;
         out->at = value - ((uint32_t)to_start << down) * (uint32_t)m->half;
         out->step = (uint32_t)step << down;
         out->bend = (uint32_t)(bend >> m->log2) << down;
-        out->twist = twist == 0 ? 0 : (uint32_t)(twist >> (2 * m->log2 - 3)) << down;
+        out->twist = (uint32_t)(twist >> m->twist_down) << down;
     }
 }
 
