@@ -32,6 +32,13 @@ typedef struct qtri_run qtri_run;
 typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
 
 /*
+ * The same along curves that begin `skip` pixels before x: up to QTRI_BATCH pixels with these. From
+ * the run only pixels, depths, x, count and z.
+ */
+typedef void (*qtri_draw_bent)(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
+                               int32_t skip);
+
+/*
  * Draws a small triangle in shares of the tint, in the light that its vertices have or that the
  * raster's lamp finds for it. False when it is not that simple: then nothing was drawn.
  */
@@ -52,7 +59,8 @@ typedef struct qtri_lamp {
 /* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
 struct qtri_fused {
     qtri_fill_rows flat_less, smooth_less;
-    qtri_draw_run copy_less, copy_bent_less; /* along lines; along curves */
+    qtri_draw_run copy_less;
+    qtri_draw_bent copy_bent_less;
     qtri_draw_small tint_less;
 };
 
@@ -100,7 +108,8 @@ struct qtri_raster {
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
-    qtri_draw_run copy_run, copy_bent; /* NULL: none */
+    qtri_draw_run copy_run;     /* NULL: none */
+    qtri_draw_bent copy_bent;   /* NULL: none */
     qtri_draw_small tint_small;        /* NULL: none */
     qtri_lamp lamp;                    /* where there is one */
 };

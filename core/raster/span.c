@@ -124,19 +124,12 @@ static void copy_bent_row(qtri_scanline *row)
         qtri_curve uv[2];
         const int32_t length =
             job->interpolate(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES, uv);
-        const int32_t skipped = qtri_greatest32(row->x0 - x, 0);
-        run.count = qtri_least32(length, row->x1 - x) - skipped;
+        const int32_t skip = qtri_greatest32(row->x0 - x, 0);
+        run.count = qtri_least32(length, row->x1 - x) - skip;
         if (run.count > 0) {
-            run.x = x + skipped;
+            run.x = x + skip;
             run.z = qtri_ramp_at(&job->depth, run.x - job->anchor_x, row->y - job->anchor_y);
-            for (int i = 0; i < 2; i++) {
-                const uint32_t skip = (uint32_t)skipped;
-                run.value[i] =
-                    uv[i].at + skip * uv[i].step + (skip * (skip - 1) >> 1) * uv[i].bend;
-                run.step[i] = uv[i].step + skip * uv[i].bend;
-                run.bend[i] = uv[i].bend;
-            }
-            job->raster->copy_bent(job, &run);
+            job->raster->copy_bent(job, &run, uv, skip);
         }
         x += length;
     }
@@ -151,7 +144,7 @@ static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
     row->depths = raster->compare != QTRI_DEPTH_OFF ? qtri_depths_at(raster->surface, y) : NULL;
     row->level = false;
     if (job->perspective) {
-        row->by.perspective.zeros = 0;
+        qtri_perspective_begin(row);
         return;
     }
     if (job->end == QTRI_ATTRIBUTES) {
