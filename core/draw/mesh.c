@@ -1,4 +1,4 @@
-#include "mesh_job.h"
+#include "mesh_faces.h"
 
 bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
                          qtri_vertex *out)
@@ -307,7 +307,10 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
         if (qtri_mesh_has_final_edges(&draw)) {
             draw.edges = QTRI_EDGES_DRAWN;
         }
-        draw_whole(&draw);
+        const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
+        if (culling == NULL || !culling->draw(&draw)) {
+            draw_whole(&draw);
+        }
     } else {
         draw_by_slots(&draw);
     }

@@ -16,7 +16,7 @@ SCENE_FLAGS   := -std=c99 -O2 -g -ffreestanding -ffunction-sections -fdata-secti
 
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes
-$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/tools/mesh_generate.c $(wildcard host/io/*.c))
+$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/tools/mesh_faces.c host/tools/mesh_generate.c $(wildcard host/io/*.c)) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $^ -lm
 
