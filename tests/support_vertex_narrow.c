@@ -8,6 +8,7 @@
 #define qtri_eye_mirror           narrow_eye_mirror
 #define qtri_lighting_face        narrow_lighting_face
 #define qtri_lighting_face16      narrow_lighting_face16
+#define qtri_lighting_face8       narrow_lighting_face8
 #define qtri_lighting_init        narrow_lighting_init
 #define qtri_lighting_list        narrow_lighting_list
 #define qtri_lighting_list8       narrow_lighting_list8
@@ -78,4 +79,12 @@ uint32_t narrow_light_face(const qtri_light *light, const qtri_transform *object
     qtri_lighting lighting;
     qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
     return qtri_lighting_face(&lighting, &corner[0], &corner[1], &corner[2]);
+}
+
+uint32_t narrow_light_plane(const qtri_light *light, const qtri_transform *object_to_eye,
+                            const qtri_face8 *face)
+{
+    qtri_lighting lighting;
+    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
+    return qtri_lighting_face8(&lighting, face);
 }

@@ -24,4 +24,7 @@ uint32_t narrow_light_vertex(const qtri_light *light, const qtri_transform *obje
                              const qtri_normal *normal);
 uint32_t narrow_light_face(const qtri_light *light, const qtri_transform *object_to_eye,
                            const qtri_vec3 corner[3]);
+uint32_t narrow_light_plane(const qtri_light *light, const qtri_transform *object_to_eye,
+                            const qtri_face8 *face);
+
 #endif

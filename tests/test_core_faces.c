@@ -11,6 +11,11 @@
 
 enum { WIDTH = 160, HEIGHT = 120 };
 
+static int max_of(int a, int b)
+{
+    return a > b ? a : b;
+}
+
 static int repeats(int few)
 {
     return long_run() ? 40 * few : few;
@@ -331,6 +336,130 @@ static void planes_keep_the_contract(void **state)
     }
 }
 
+/* Light by a plane is that of its x y z, and within the plane's angle of the face's own. */
+static void light_by_planes(void **state)
+{
+    (void)state;
+    static faces_mesh m;
+    uint64_t seed = 206;
+    double worst = 0;
+    double apart = 0;
+    qtri_transform identity;
+    qtri_transform_identity(&identity);
+    for (int n = 0; n < repeats(120); n++) {
+        faces_mesh_make(&m, &seed, noise_of(n));
+        const double diffuse = faces_random(&seed, 0, 4);
+        const qtri_light light = {{random_any(&seed), random_any(&seed), random_any(&seed)},
+                                  random_in(&seed, 0, 30000),
+                                  fixed(diffuse)};
+        const double l[3] = {light.towards.x, light.towards.y, light.towards.z};
+        qtri_lighting lighting;
+        qtri_lighting_init(&lighting, &light, &identity, 1 << 14);
+        assert_true(lighting.plain);
+        for (uint32_t i = 0; i < m.wide.triangle_count; i++) {
+            const qtri_face8 *face = &m.plane[i];
+            const uint16_t *t = m.triangle[i];
+            const double q[3] = {face->x, face->y, face->z};
+            if (length_of(q) == 0) {
+                continue;
+            }
+            const uint32_t got = qtri_lighting_face8(&lighting, face);
+            assert_int_equal(got, narrow_light_plane(&light, &identity, face));
+            const double size = length_of(q) * length_of(l);
+            const double cosine = size > 0 ? (q[0] * l[0] + q[1] * l[1] + q[2] * l[2]) / size : 0;
+            const double wanted = fmin(1, real(light.ambient) + diffuse * fmax(0, cosine));
+            const double own = qtri_lighting_face(&lighting, &m.position[t[0]], &m.position[t[1]],
+                                                  &m.position[t[2]]) /
+                               32768.0;
+            worst = fmax(worst, fabs(got / 32768.0 - wanted) - diffuse / 8192);
+            apart = fmax(apart, (fabs(got / 32768.0 - own) - 1.0 / 2048) / fmax(diffuse, .01));
+        }
+    }
+    print_message("light: off by %.6f; %.5f of the diffuse part from a face's own\n", worst, apart);
+    assert_true(worst <= 1.0 / 2048);
+    assert_true(apart <= 1.0 / 64);
+}
+
+static int channel(uint32_t pixel, int shift)
+{
+    return (int)(pixel >> shift & 0xFF);
+}
+
+/*
+ * A flat mesh with planes: the picture without, but for colours that are off as light is. Where
+ * planes do not light, uneven transforms, it is the same. In bands and by slots as well.
+ */
+static void pictures_lit_by_planes(void **state)
+{
+    (void)state;
+    static faces_mesh m;
+    static qtri_vertex vertices[FACES_VERTICES];
+    static uint16_t lists[QTRI_PREPARED_LISTS(FACES_TRIANGLES, HEIGHT, 16)];
+    uint64_t seed = 207;
+    int most = 0;
+    unsigned painted = 0;
+    for (int n = 0; n < repeats(300); n++) {
+        faces_mesh_make(&m, &seed, noise_of(n));
+        qtri_mesh mesh = n % 2 != 0 ? m.wide : m.compact;
+        if (random_flag(&seed)) {
+            mesh.triangles8 = (const uint8_t(*)[3])m.triangle8;
+        }
+        qtri_material material = qtri_material_default();
+        const qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(.2), Q16(.8)};
+        qtri_view view;
+        qtri_transform pose;
+        material.shading = n % 3 != 0 ? QTRI_FLAT_LAST : QTRI_FLAT_FIRST;
+        material.cull = (qtri_cull)random_in(&seed, 0, 2);
+        faces_view(&view, &seed, WIDTH, HEIGHT);
+        faces_pose(&pose, &seed, &mesh);
+        const bool uneven = random_in(&seed, 0, 3) == 0;
+        if (uneven) {
+            const qtri_vec3 factor = {Q16(.5), Q16(.7), Q16(1)};
+            qtri_transform_scale(&pose, factor);
+        }
+        view.light = &light;
+        view.vertices = vertices;
+        view.vertex_count = FACES_VERTICES;
+        canvas without = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+        canvas with = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+        canvas other = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+        qtri_mesh plain = mesh;
+        plain.faces.planes = NULL;
+        qtri_draw_mesh(&without.surface, &view, &pose, &plain, &material);
+        qtri_draw_mesh(&with.surface, &view, &pose, &mesh, &material);
+        mesh.faces.culling = NULL;
+        qtri_draw_mesh(&other.surface, &view, &pose, &mesh, &material);
+        assert_same_picture(&with.surface, &other.surface);
+        canvas_clear(&other);
+        mesh.faces.culling = &qtri_cull_by_planes;
+        view.vertex_count = 40;
+        qtri_draw_mesh(&other.surface, &view, &pose, &mesh, &material);
+        assert_same_picture(&with.surface, &other.surface);
+        canvas_clear(&other);
+        draw_in_bands(&other, vertices, FACES_VERTICES, lists, LENGTH_OF(lists), &view, &pose,
+                      &mesh, &material);
+        assert_same_picture(&with.surface, &other.surface);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t a = stored_pixel(&without.surface, i % WIDTH, i / WIDTH);
+            const uint32_t b = stored_pixel(&with.surface, i % WIDTH, i / WIDTH);
+            painted += b != 0;
+            for (int shift = 0; shift < 24; shift += 8) {
+                most = max_of(most, abs(channel(a, shift) - channel(b, shift)));
+            }
+            assert_int_equal(stored_depth(&without.surface, i % WIDTH, i / WIDTH),
+                             stored_depth(&with.surface, i % WIDTH, i / WIDTH));
+            assert_true(!uneven || a == b);
+        }
+        canvas_free(&without);
+        canvas_free(&with);
+        canvas_free(&other);
+    }
+    print_message("%u pixels, off by %d of 255\n", painted, most);
+    assert_true(painted > 300000);
+    assert_true(most <= 5); /* .8 255 / 64 is 3.2, and the rounding of both */
+    assert_true(most > 0);
+}
+
 /* Small ones and open ones are left as they are; what is no triangle has no plane. */
 static void planes_where_they_pay(void **state)
 {
@@ -369,6 +498,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(culls_no_front_face),   cmocka_unit_test(any_numbers),
         cmocka_unit_test(same_pictures),         cmocka_unit_test(planes_keep_the_contract),
+        cmocka_unit_test(light_by_planes),       cmocka_unit_test(pictures_lit_by_planes),
         cmocka_unit_test(planes_where_they_pay),
     };
     return cmocka_run_group_tests_name("core faces", tests, NULL, NULL);

@@ -224,3 +224,26 @@ uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, c
     }
     return light_any_face(lighting, a, b, c);
 }
+
+/*
+ * With s = n . n < 2^16 and h = zeros / 2 such that 2^14 <= s 4^h < 2^16, y = (s 4^h / 2^16)^-1/2:
+ * the row's product of 128 n counts |n| / 128 too much, which is 2^h y / 2^8 to be multiplied by.
+ */
+uint32_t qtri_lighting_face8(const qtri_lighting *lighting, const qtri_face8 *face)
+{
+    const int32_t x = face->x * 128;
+    const int32_t y = face->y * 128;
+    const int32_t z = face->z * 128;
+    const int32_t ambient_q25 = qtri_row16_sum(&lighting->by.row, 0, 0, 0);
+    const int32_t dot_q25 = qtri_row16_sum(&lighting->by.row, x, y, z) - ambient_q25;
+    if (dot_q25 <= 0) {
+        return lighting->least_q15;
+    }
+    const uint32_t square = (uint32_t)(x * x + y * y + z * z) >> 14;
+    const int32_t zeros = qtri_clz32(square) & 14;
+    const uint32_t y_q15 = qtri_rsqrt_seed(square << zeros);            /* <= 2^16 + 4 */
+    const uint32_t dot_q12 = ((uint32_t)dot_q25 << (zeros >> 1)) >> 13; /* < 4 2 2^12 */
+    const uint32_t light_q25 = (dot_q12 * y_q15) >> 3;
+    const uint32_t sum_q15 = (light_q25 + (uint32_t)ambient_q25) >> 10;
+    return sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : sum_q15;
+}

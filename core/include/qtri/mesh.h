@@ -44,8 +44,8 @@ typedef struct qtri_uv16 {
  * Planes of a mesh's faces: those that turn away are left out before their vertices are
  * transformed. A draw call that culls back or front faces then transforms and lights a vertex when
  * the first face that may be seen needs it, mostly half of them; where no triangle is culled, or
- * the mesh reaches the eye, the near or the far plane, they are not used. The pixels stay the same.
- * They pay for closed meshes of more than a few hundred triangles.
+ * the mesh reaches the eye, the near or the far plane, they are not used. The pixels stay the same,
+ * but for the light, see below. They pay for closed meshes of more than a few hundred triangles.
  *
  * For a triangle with corners a b c, real numbers, as they are stored:
  *
@@ -57,6 +57,11 @@ typedef struct qtri_uv16 {
  * s is best as large as the other faces' `thin` allows: it makes thin faces' normals short. In
  * place of round(s n) any near whole numbers will do, and some lengths s are nearer to such than
  * others. What makes them, and leaves them out where they do not pay, is host/tools/mesh_faces.h.
+ *
+ * A face that is lit as a whole has the light of x y z: off from that of n by its angle to n times
+ * the light's diffuse part; the angle is up to 1/64, half a step of RGB565, as mesh_faces.h makes
+ * them. Light on a mesh that camera and pose scale unevenly or shear keeps that of n, and so does
+ * that of 0 0 0.
  */
 typedef struct qtri_face8 {
     int8_t x, y, z, d;
@@ -67,7 +72,7 @@ typedef struct qtri_face_culling qtri_face_culling;
 extern const qtri_face_culling qtri_cull_by_planes;
 
 typedef struct qtri_faces {
-    const qtri_face_culling *culling; /* &qtri_cull_by_planes, or NULL */
+    const qtri_face_culling *culling; /* &qtri_cull_by_planes; NULL: for light only */
     const qtri_face8 *planes;         /* triangle_count, or NULL */
     /* Of all faces, each rounded up: */
     uint32_t thin;       /* (x y z) . n extent / r, for the radius r of a face's inner circle,
