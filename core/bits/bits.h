@@ -106,6 +106,16 @@ static inline void qtri_math_fault(void)
 #define QTRI_NOINLINE
 #endif
 
+/*
+ * Of a function that is in registers what a call would take in memory: inlined wherever it is
+ * called; where code is to be small, the compiler decides.
+ */
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#define QTRI_IN_PLACE __attribute__((always_inline)) static inline
+#else
+#define QTRI_IN_PLACE static inline
+#endif
+
 /* The largest or smallest int32_t, by the sign of x. */
 static inline int32_t qtri_extreme32(int32_t x)
 {

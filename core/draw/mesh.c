@@ -1,4 +1,4 @@
-#include "mesh_job.h"
+#include "mesh_faces.h"
 
 bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
                          qtri_vertex *out)
@@ -10,9 +10,25 @@ bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t cou
     return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
 }
 
+/* The triangle's plane. Its number: three times the factor is 1 modulo 2^32. */
+static const qtri_face8 *plane_of(const qtri_mesh *mesh, const void *indices)
+{
+    const uint8_t *at = indices;
+    const uint32_t offset = qtri_mesh_has_bytes(mesh)
+                                ? (uint32_t)(at - (const uint8_t *)mesh->triangles8)
+                                : (uint32_t)(at - (const uint8_t *)mesh->triangles) / 2;
+    return &mesh->faces.planes[offset * 0xAAAAAAABu];
+}
+
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
 {
     const qtri_mesh *mesh = draw->mesh;
+    if (mesh->faces.planes != NULL && draw->lighting.plain) {
+        const qtri_face8 *plane = plane_of(mesh, indices);
+        if ((plane->x | plane->y | plane->z) != 0) {
+            return qtri_lighting_face8(&draw->lighting, plane);
+        }
+    }
     uint32_t a = qtri_mesh_index(mesh, indices, 0);
     uint32_t b = qtri_mesh_index(mesh, indices, 1);
     uint32_t c = qtri_mesh_index(mesh, indices, 2);
@@ -329,7 +345,10 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
         if (qtri_mesh_has_final_edges(&draw)) {
             draw.edges = QTRI_EDGES_DRAWN;
         }
-        draw_whole(&draw);
+        const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
+        if (culling == NULL || !culling->draw(&draw)) {
+            draw_whole(&draw);
+        }
     } else {
         draw_by_slots(&draw);
     }

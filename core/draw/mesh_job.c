@@ -95,9 +95,9 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
     if (view->light != NULL) {
         qtri_transform object_to_eye;
         qtri_transform_mul(&object_to_eye, &view->camera, pose);
+        const bool bytes = QTRI_WITH_COMPACT_MESHES && mesh->normals8 != NULL;
         qtri_lighting_init(&draw->lighting, view->light, &object_to_eye,
-                           QTRI_WITH_COMPACT_MESHES && mesh->normals8 != NULL ? 127 * 128
-                                                                              : 1 << 14);
+                           draw->lit_per_vertex && bytes ? 127 * 128 : 1 << 14);
         if (!QTRI_WITH_UNEVEN_LIGHT && !draw->lighting.plain) {
             draw->lit_per_vertex = false;
             draw->lit_per_face = false;

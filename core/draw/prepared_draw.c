@@ -1,12 +1,17 @@
 #include "prepared_lists.h"
 
-/* Its vertices, if all are there; false when an index is past the end. */
+/*
+ * Its vertices, if all are there; false when an index is past the end, or a vertex was not met:
+ * then the triangle's plane turned away.
+ */
 static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_vertex *vertex[3])
 {
     const uint32_t count = job->mesh->vertex_count;
     uint32_t index[3];
     qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(job->mesh));
-    return qtri_mesh_find(vertex, job->vertices, count, index, qtri_vertex_size());
+    return qtri_mesh_find(vertex, job->vertices, count, index, qtri_vertex_size()) &&
+           vertex[0]->depth_16p8 != QTRI_VERTEX_EMPTY &&
+           vertex[1]->depth_16p8 != QTRI_VERTEX_EMPTY && vertex[2]->depth_16p8 != QTRI_VERTEX_EMPTY;
 }
 
 /* Triangles first..end - 1, whatever they are. */
