@@ -252,6 +252,16 @@ static uint32_t flat_shade(const qtri_raster *raster, const qtri_list_triangle *
     return qtri_shade_of(t->color[qtri_raster_provoking(raster)]);
 }
 
+/* Whether all vertices have the same colour. */
+static bool is_one_color(const qtri_list_triangle *t)
+{
+    int32_t differ = 0;
+    for (int i = 0; i < 3; i++) {
+        differ |= (t->color[1][i] ^ t->color[0][i]) | (t->color[2][i] ^ t->color[0][i]);
+    }
+    return differ == 0;
+}
+
 /* Colours; returns what the words are. */
 static uint8_t set_colors(qtri_list_values *v)
 {
@@ -266,7 +276,7 @@ static uint8_t set_colors(qtri_list_values *v)
             return TINT_SHARES;
         }
         v->channels = 0;
-        if (smooth && t->color != NULL) {
+        if (smooth && t->color != NULL && !is_one_color(t)) {
             qtri_list_set_channels(v, 16);
         }
         if (v->channels == 0) {
@@ -279,13 +289,13 @@ static uint8_t set_colors(qtri_list_values *v)
         return TEXELS;
     }
     if (t->color == NULL) {
-        qtri_list_set_light(v, 12);
+        qtri_list_set_light(v, QTRI_LIGHT_SHIFT);
         return now != LIT_TEXELS && v->channels == 0 && v->constant == 1024 &&
                        raster->white
                    ? TEXELS
                    : LIT_TEXELS;
     }
-    if (smooth) {
+    if (smooth && !is_one_color(t)) {
         qtri_list_set_channels(v, 14);
     }
     if (v->channels == 0) {
@@ -307,6 +317,9 @@ static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t coun
     uint32_t *shade = batch->by.shade + first;
     uint32_t mask = UINT32_MAX;
     count -= first;
+    if (batch->kind == LIT_TEXELS && qtri_list_lit_texels(v, color, shade, place, count)) {
+        return mask;
+    }
     if (raster->texture != NULL) {
         mask = qtri_list_texels(v, color, shade, place, count);
     }
@@ -319,7 +332,7 @@ static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t coun
         qtri_list_words(v, color, place, count, 22u - raster->format->colors->light_bits, 0, 0);
         break;
     case LIT_TEXELS:
-        qtri_list_words(v, shade, place, count, 12, 0, 0);
+        qtri_list_words(v, shade, place, count, QTRI_LIGHT_SHIFT, 0, 0);
         break;
     case RGB_TEXELS:
         qtri_list_words(v, shade, place, count, 14, QTRI_SHADE_RED, QTRI_SHADE_GREEN);

@@ -39,6 +39,9 @@ typedef struct qtri_list_values {
     qtri_texel_axis axis[2]; /* where coordinates do not fill 32 bits, or are filtered */
 } qtri_list_values;
 
+/* Light of texels has 10 bits. */
+#define QTRI_LIGHT_SHIFT 12
+
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);
 
@@ -104,6 +107,9 @@ void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *p
 /* Texture coordinates; then numbers of texels, or colours where they are filtered: the mask of those
    that are drawn. */
 void qtri_list_set_texels(qtri_list_values *v);
+/* The same with the light of LIT_TEXELS, see list.c. False where there is no such loop. */
+bool qtri_list_lit_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
+                          const uint32_t *place, int32_t count);
 uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
                           const uint32_t *place, int32_t count);
 
