@@ -13,7 +13,8 @@
 void qtri_flat_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_smooth_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_copy_less(const qtri_job *job, const qtri_run *run);
-void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run);
+void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
+                         int32_t skip);
 bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
                     qtri_vertex *c);
 

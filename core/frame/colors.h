@@ -19,10 +19,11 @@
 
 /*
  * An attribute along pixels of a row: its value at the first, the step to the next, and what the
- * step grows by. All wrap.
+ * step grows by. Texture coordinates may be twisted: after every eighth pixel the step grows by
+ * that as well, and what it grows by by twice as much. All wrap.
  */
 typedef struct qtri_curve {
-    uint32_t at, step, bend;
+    uint32_t at, step, bend, twist;
 } qtri_curve;
 
 struct qtri_colors {

@@ -73,4 +73,9 @@
     QTRI_ASIDE(g_bend)                                                                             \
     QTRI_ASIDE(b_bend)
 
+/* A twisted curve goes on, after every eighth pixel. */
+#define QTRI_TURN(step, bend, twist)                                                               \
+    (step) += (twist);                                                                             \
+    (bend) += 2 * (twist);
+
 #endif

@@ -40,7 +40,7 @@ typedef struct qtri_projected {
     uint16_t dx_rest, dy_rest; /* 2^-16 of the unit */
     uint32_t slope, slope_dy;  /* the attribute's slope times inv_w^2: in row 0, one row down */
     uint32_t bias;             /* of values */
-    int8_t down;               /* of slopes to the curve's unit */
+    int8_t down;               /* slopes are times 2^-down in the curve's unit */
     int8_t up;                 /* of values */
 } qtri_projected;
 
@@ -58,6 +58,7 @@ typedef struct qtri_perspective {
     int32_t slope; /* inv_w's dx with 15 bits, times 2^slope_exponent where inv_w is 2^31 */
     int32_t slope_exponent;
     qtri_block_limits colors, texels;
+    uint8_t texels_twisted; /* log2 of the least blocks of texels that are of third order */
     int32_t least[3], greatest[3]; /* colours of the vertices, n.16 */
 } qtri_perspective;
 
@@ -111,7 +112,9 @@ struct qtri_scanline {
         struct {
             uint32_t at[QTRI_PLANES]; /* at column 0 */
             int32_t rest[QTRI_PLANES];
-            uint32_t slope[QTRI_PLANES]; /* the last is not used */
+            int32_t slope[QTRI_ATTRIBUTES]; /* 15 bits, times 2^-down */
+            uint8_t cut[QTRI_ATTRIBUTES];   /* bits of it in the row before */
+            int8_t down[QTRI_ATTRIBUTES];
             int32_t zeros; /* of inv_w, when it was last asked */
         } perspective;
     } by;
@@ -119,16 +122,13 @@ struct qtri_scanline {
     qtri_curve uv[2];
 };
 
-/*
- * Pixels x .. x+count-1 of a row that copies texels; all values at the first. bend: where copy_bent
- * draws them, which takes no more than QTRI_BATCH.
- */
+/* Pixels x .. x+count-1 of a row that copies texels; all values at the first. */
 struct qtri_run {
     uint8_t *pixels; /* of the whole row */
     uint16_t *depths;
     int32_t x, count;     /* 0 < count */
     uint32_t z;           /* 16.16 */
-    uint32_t value[2], step[2], bend[2]; /* u and v as texel_copy.h has them */
+    uint32_t value[2], step[2]; /* u and v as texel_copy.h has them */
 };
 
 /* Any job, by stages. */

@@ -33,6 +33,7 @@ int32_t qtri_interpolate_linear(qtri_scanline *row, int32_t x, int32_t count, in
         out->at = qtri_ramp_at(ramp, x - job->anchor_x, row->y - job->anchor_y);
         out->step = ramp->dx;
         out->bend = 0;
+        out->twist = 0;
     }
     if (end == QTRI_ATTRIBUTES) {
         const int32_t run = run_of(row, x);
@@ -43,6 +44,7 @@ int32_t qtri_interpolate_linear(qtri_scanline *row, int32_t x, int32_t count, in
             out->at = row->uv[i].at + (uint32_t)(x - run) * row->uv[i].step;
             out->step = row->uv[i].step;
             out->bend = 0;
+            out->twist = 0;
         }
     }
     return count;

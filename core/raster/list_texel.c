@@ -1,7 +1,9 @@
 #include "bilinear.h"
 #include "list_values.h"
+#include "stage_color.h"
 #include "texel_copy.h"
 #include "texel_number.h"
+#include "textured.h"
 
 void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
 {
@@ -194,34 +196,109 @@ static void coordinates(const qtri_list_values *v, uint32_t *out_u, uint32_t *ou
     } while (place != end);
 }
 
-bool qtri_list_lit_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
-                          const uint32_t *place, int32_t count)
+/* Numbers from coordinates, v and u in place. */
+static void numbers_wrapped(const qtri_list_values *v, uint32_t *color, const uint32_t *across,
+                            int32_t count)
 {
-    if (!v->raster->repeated || v->raster->texture->filter != NULL || v->channels == 0 ||
-        v->curved) {
-        return false;
+    const qtri_texel_axis *axis = v->axis;
+    for (const uint32_t *end = color + count; color != end; color++, across++) {
+        const uint32_t column = qtri_texel_wrapped(&axis[0], *color >> axis[0].texel_shift);
+        const uint32_t row = qtri_texel_wrapped(&axis[1], *across >> axis[1].texel_shift);
+        *color = (row << axis[0].side_log2) + column;
     }
-    numbers_lit(v, color, shade, place, count);
-    return true;
+}
+
+/* What texels are multiplied by. */
+static void set_shades(const qtri_list_values *v, uint32_t *shade, const uint32_t *place,
+                       int32_t count)
+{
+    if (v->raster->batch->kind == QTRI_LIST_LIT_TEXELS) {
+        qtri_list_words(v, shade, place, count, QTRI_LIGHT_SHIFT, 0, 0);
+    } else if (v->raster->batch->kind == QTRI_LIST_RGB_TEXELS) {
+        qtri_list_words(v, shade, place, count, QTRI_CHANNEL_SHIFT, QTRI_SHADE_RED,
+                        QTRI_SHADE_GREEN);
+    }
 }
 
 uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
                           const uint32_t *place, int32_t count)
 {
-    const qtri_texture *texture = v->raster->texture;
-    if (v->raster->repeated && texture->filter == NULL) {
+    const qtri_raster *raster = v->raster;
+    const qtri_texture *texture = raster->texture;
+    uint32_t mask = UINT32_MAX;
+    if (raster->repeated && texture->filter == NULL) {
+        if (raster->batch->kind == QTRI_LIST_LIT_TEXELS && v->channels != 0 && !v->curved) {
+            numbers_lit(v, color, shade, place, count);
+            return mask;
+        }
         numbers_repeated(v, color, place, count);
-        return UINT32_MAX;
+    } else {
+        coordinates(v, color, shade, place, count);
+        if (texture->filter != NULL) {
+            mask = texture->filter->sample(raster, v->axis, color, shade, count);
+        } else {
+            numbers_wrapped(v, color, shade, count);
+        }
     }
-    coordinates(v, color, shade, place, count);
-    if (texture->filter != NULL) {
-        return texture->filter->sample(v->raster, v->axis, color, shade, count);
+    set_shades(v, shade, place, count);
+    return mask;
+}
+
+/* Leaves fragments out that are not in the mask; writes the depths of the others. */
+static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count,
+                    const qtri_ramp *depth)
+{
+    const qtri_surface *surface = raster->surface;
+    qtri_batch *batch = raster->batch;
+    int32_t kept = 0;
+    mask <<= 32 - count;
+    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
+        if ((int32_t)mask >= 0) {
+            continue;
+        }
+        const uint32_t place = batch->place[i];
+        if (raster->depth_write) {
+            const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch + (place & 0xFFFF)] =
+                (uint16_t)(z >> 16);
+        }
+        batch->color[kept] = batch->color[i];
+        batch->by.shade[kept] = batch->by.shade[i];
+        batch->place[kept] = place;
+        kept++;
     }
-    const qtri_texel_axis *axis = v->axis;
-    for (const uint32_t *end = color + count; color != end; color++, shade++) {
-        const uint32_t column = qtri_texel_wrapped(&axis[0], *color >> axis[0].texel_shift);
-        const uint32_t row = qtri_texel_wrapped(&axis[1], *shade >> axis[1].texel_shift);
-        *color = (row << axis[0].side_log2) + column;
+    return kept;
+}
+
+static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
+{
+    if (batch->kind == QTRI_LIST_LIT_TEXELS && !raster->white) {
+        raster->tinted(batch->color, batch->by.shade, raster->tint_q10, count);
+    } else if (batch->kind == QTRI_LIST_LIT_TEXELS) {
+        raster->light(batch->color, batch->by.shade, count);
+    } else if (batch->kind == QTRI_LIST_RGB_TEXELS) {
+        raster->times(batch->color, batch->by.shade, count);
     }
-    return UINT32_MAX;
+    if (raster->narrow != NULL) {
+        raster->narrow(batch->color, count);
+    }
+}
+
+int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
+                                const qtri_ramp *depth)
+{
+    qtri_batch *batch = raster->batch;
+    if (raster->texture->filter == NULL) {
+        for (int32_t i = count; (i & 3) != 0; i++) {
+            batch->color[i] = 0; /* must be numbers of texels */
+        }
+        mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false);
+    }
+    if (raster->texture->has_key) {
+        count = keep(raster, mask, count, depth);
+    }
+    if (count != 0) {
+        shade_texels(raster, batch, count);
+    }
+    return count;
 }

@@ -14,6 +14,15 @@
 #include "list.h"
 #include "place_ramp.h"
 
+/* What the words of waiting fragments are. */
+enum {
+    QTRI_LIST_COLORS,      /* final colours */
+    QTRI_LIST_TINT_SHARES, /* light, which the tint is multiplied by */
+    QTRI_LIST_TEXELS,      /* texels that are not multiplied */
+    QTRI_LIST_LIT_TEXELS,  /* shades are light */
+    QTRI_LIST_RGB_TEXELS   /* shades are red green blue */
+};
+
 /* A texture coordinate. */
 typedef struct qtri_list_axis {
     uint32_t at; /* at vertex 0, in the unit of its stage */
@@ -22,7 +31,7 @@ typedef struct qtri_list_axis {
 } qtri_list_axis;
 
 /* A triangle on its way to the values of its fragments. */
-typedef struct qtri_list_values {
+struct qtri_list_values {
     const qtri_raster *raster;
     const qtri_list_triangle *t;
     qtri_inverse inverse;
@@ -37,10 +46,11 @@ typedef struct qtri_list_values {
     uint32_t base[3];
     qtri_list_axis uv[2];
     qtri_texel_axis axis[2]; /* where coordinates do not fill 32 bits, or are filtered */
-} qtri_list_values;
+};
 
-/* Light of texels has 10 bits. */
-#define QTRI_LIGHT_SHIFT 12
+/* What texels are multiplied by has 10 bits: of light that is 2^22, and of channels n.16. */
+#define QTRI_LIGHT_SHIFT   12
+#define QTRI_CHANNEL_SHIFT 14
 
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);
@@ -107,10 +117,15 @@ void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *p
 /* Texture coordinates; then numbers of texels, or colours where they are filtered: the mask of those
    that are drawn. */
 void qtri_list_set_texels(qtri_list_values *v);
-/* The same with the light of LIT_TEXELS, see list.c. False where there is no such loop. */
-bool qtri_list_lit_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
-                          const uint32_t *place, int32_t count);
 uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
                           const uint32_t *place, int32_t count);
+
+/*
+ * The texel stages of `count` waiting fragments, and how many are left: those of the key's colour
+ * go, and with it the others write their depths. mask: of those that are drawn, where texels were
+ * filtered.
+ */
+int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
+                                const qtri_ramp *depth);
 
 #endif

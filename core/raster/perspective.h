@@ -7,6 +7,9 @@
 #include "job.h"
 #include "triangle.h"
 
+/* Blocks of 2^this pixels and more of texels are of third order. */
+#define QTRI_TWISTED_LOG2 4
+
 /*
  * The job's planes and slopes. q: 1/w at the vertices, 2^31 or less; value: what texel.h made of
  * texture coordinates.
@@ -15,7 +18,8 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
                            const qtri_attributes v[3], const uint32_t value[2][3],
                            const uint32_t q[3], const qtri_gradient *gradient);
 
-/* For every row with pixels to draw. */
+/* Before the first row; for every row with pixels to draw. */
+void qtri_perspective_begin(qtri_scanline *row);
 void qtri_perspective_row(qtri_scanline *row);
 
 /*

@@ -80,11 +80,6 @@ static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint
         k[i] += (k[i] >> 4) + (k[i] >> 8) + (k[i] >> 12) + (k[i] >> 16);
     }
     p->down = (int8_t)-(cut - 14 + p->up + 1);
-    /* More than 26 is cut here: slopes below 2^29 are below 2^3 units of a curve then. */
-    const int32_t more = p->down > 26 ? qtri_least32(p->down - 26, 31) : 0;
-    p->down = (int8_t)(p->down - more);
-    k[0] >>= more;
-    k[1] >>= more;
     const int32_t rise = k[1] - k[0];
     const int64_t per_row = qtri_mul_s32(rise, (int32_t)s->reciprocal) >> (54 - s->zeros);
     p->slope_dy = (uint32_t)(uint64_t)per_row;
@@ -103,16 +98,26 @@ static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint
  * the first of the two where `relative`; steep: log2 K. It is q in the middle that counts, and
  * where q grows that at the start too, as a span's last block has its middle sooner.
  */
-static void set_limits(qtri_block_limits limits, const shared *s, bool relative, int32_t steep,
-                       uint32_t q_floor)
+static void set_limits(qtri_block_limits limits, const shared *s, bool relative, bool twisted,
+                       int32_t steep, uint32_t q_floor)
 {
     const int32_t slope = log2_below(s->q_steep) - 31 * 256;
     int32_t square_root = ((1580 + 2) >> 1) + slope + 22;            /* log2 72 = 6.17 */
     int32_t fourth_root = (1580 + 2 + steep + 2 * slope + 3 * 22) >> 2;
     for (int32_t l = 0; l < QTRI_BLOCK_LOG2; l++) {
-        const bool first = relative && square_root < fourth_root;
+        int32_t either = square_root;
+        int32_t other = fourth_root;
+        if (twisted && l + 1 >= QTRI_TWISTED_LOG2) {
+            const bool long_one = l + 1 > QTRI_TWISTED_LOG2;
+            either = (long_one ? 1930 : 1701) + slope + 22;
+            const int32_t fourth = ((long_one ? 3826 : 3363) + steep + 2 * slope + 3 * 22) >> 2;
+            const int32_t fifth =
+                (((long_one ? 5929 : 5394) + steep + 3 * slope + 4 * 22) * 205) >> 10;
+            other = qtri_greatest32(fourth, fifth);
+        }
+        const bool first = relative && either < other;
         const uint32_t quarter = s->q_steep >> (29 - l) != 0 ? UINT32_MAX : s->q_steep << (l + 2);
-        uint32_t least = exp2_above_q31(first ? square_root : fourth_root);
+        uint32_t least = exp2_above_q31(first ? either : other);
         least = least > quarter ? least : quarter;
         least = least > q_floor ? least : q_floor;
         limits[l] = least >= 0x80000000u ? UINT32_MAX
@@ -233,9 +238,17 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
     const int32_t zeros = qtri_least32(15, (30 + least_down) >> 1);
     const uint32_t q_floor = zeros < 0 ? UINT32_MAX : (uint32_t)1 << (31 - zeros);
     if (job->first < QTRI_U) {
-        set_limits(p->colors, &s, false, color_steep, q_floor);
+        set_limits(p->colors, &s, false, false, color_steep, q_floor);
     }
     if (job->end > QTRI_U) {
-        set_limits(p->texels, &s, true, texel_steep, q_floor);
+        /* Third differences are to have bits enough. */
+        const int32_t bits = qtri_least32(job->axis[0].shift + job->axis[0].up,
+                                          job->axis[1].shift + job->axis[1].up);
+        const bool twisted = bits >= 20;
+        p->texels_twisted = twisted ? QTRI_TWISTED_LOG2 : QTRI_BLOCK_LOG2 + 1;
+        set_limits(p->texels, &s, true, twisted, texel_steep, q_floor);
+        for (int32_t l = 0; l < QTRI_BLOCK_LOG2; l++) { /* a bend's last half adds up to 2^(2 l + 1) */
+            p->texels[l] = 2 * l + 12 > bits ? UINT32_MAX : p->texels[l];
+        }
     }
 }

@@ -60,7 +60,8 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     set_bounds(raster, &bounds);
     raster->units = format->colors;
     if (textured) {
-        qtri_texture_init(raster, material);
+        raster->texturing = material->texture->format->texturing;
+        raster->texturing->init(raster, material);
     }
     raster->tint_small = NULL;
     if (QTRI_WITH_FAST_PATHS && format->fused != NULL && raster->compare == QTRI_LESS &&

@@ -15,6 +15,7 @@
 #include "texel.h"
 
 typedef struct qtri_job qtri_job;
+typedef struct qtri_list_values qtri_list_values; /* see list_values.h */
 typedef struct qtri_raster qtri_raster;
 
 /* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
@@ -29,6 +30,13 @@ typedef void (*qtri_fill_rows)(const qtri_job *job, const qtri_span *spans, int3
 /* Part of a row that copies texels. */
 typedef struct qtri_run qtri_run;
 typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
+
+/*
+ * The same along curves that begin `skip` pixels before x: up to QTRI_BATCH pixels with these. From
+ * the run only pixels, depths, x, count and z.
+ */
+typedef void (*qtri_draw_bent)(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
+                               int32_t skip);
 
 /*
  * Draws a small triangle in shares of the tint, in the light that its vertices have or that the
@@ -51,7 +59,8 @@ typedef struct qtri_lamp {
 /* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
 struct qtri_fused {
     qtri_fill_rows flat_less, smooth_less;
-    qtri_draw_run copy_less, copy_bent_less; /* along lines; along curves */
+    qtri_draw_run copy_less;
+    qtri_draw_bent copy_bent_less;
     qtri_draw_small tint_less;
 };
 
@@ -84,6 +93,7 @@ struct qtri_raster {
     uint32_t tint_n8[3];   /* the same with 8 bits after the point, cut off */
 
     /* Texture: see textured.c. */
+    const qtri_texturing *texturing;
     const qtri_colors *working; /* texels become colours of this kind */
     qtri_words_stage widen, narrow; /* from the texel's kind, and to the format's; NULL: it is that */
     qtri_modulate_stage light, times;
@@ -101,7 +111,8 @@ struct qtri_raster {
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
-    qtri_draw_run copy_run, copy_bent; /* NULL: none */
+    qtri_draw_run copy_run;     /* NULL: none */
+    qtri_draw_bent copy_bent;   /* NULL: none */
     qtri_draw_small tint_small;        /* NULL: none */
     qtri_lamp lamp;                    /* where there is one */
 };

@@ -1,5 +1,6 @@
 #include "texel_number.h"
 
+#include "../frame/curves.h"
 #include "loop.h"
 #include "texel_copy.h"
 #include "words.h"
@@ -21,6 +22,10 @@
     v_step += v_bend;                                                                              \
     QTRI_ASIDE(u_bend)                                                                             \
     QTRI_ASIDE(v_bend)
+
+#define TURN                                                                                       \
+    QTRI_TURN(u_step, u_bend, uv[0].twist)                                                         \
+    QTRI_TURN(v_step, v_bend, uv[1].twist)
 
 void qtri_texel_numbers_repeated(uint32_t *number, const qtri_curve uv[2], uint32_t cut,
                                  int32_t count)
@@ -44,6 +49,9 @@ void qtri_texels_repeated_16(uint32_t *number, const qtri_curve uv[2], uint32_t 
 }
 #endif
 
+#undef TURN
+#define TURN QTRI_TURN(step, bend, curve->twist)
+
 #define STEP_ONE                                                                                   \
     at += step;                                                                                    \
     step += bend;                                                                                  \
@@ -63,7 +71,7 @@ static void add_axis(uint32_t *number, const qtri_curve *curve, const qtri_texel
 #define ONE(i)                                                                                     \
     number[i] += (at >> shift & (uint32_t)mask) << up;                                             \
     STEP_ONE
-        QTRI_WORDS(count)
+        QTRI_WORDS_TURNED(count)
 #undef ONE
         return;
     }
@@ -77,7 +85,7 @@ static void add_axis(uint32_t *number, const qtri_curve *curve, const qtri_texel
         STEP_ONE                                                                                   \
         QTRI_ASIDE(first)                                                                          \
     }
-    QTRI_WORDS(count)
+    QTRI_WORDS_TURNED(count)
 #undef ONE
 }
 
@@ -92,6 +100,10 @@ void qtri_texel_numbers(uint32_t *number, const qtri_curve uv[2], const qtri_tex
     add_axis(number, &uv[1], &axis[1], axis[0].side_log2, count);
 }
 
+#undef TURN
+#define TURN                                                                                       \
+    QTRI_TURN(u_step, u_bend, uv[0].twist)                                                         \
+    QTRI_TURN(v_step, v_bend, uv[1].twist)
 #undef MOVE
 #define MOVE(n)                                                                                    \
     u += (n);                                                                                      \
@@ -103,8 +115,8 @@ void qtri_texel_coordinates(uint32_t *u, uint32_t *v, const qtri_curve uv[2], in
     uint32_t v_at = uv[1].at;
     uint32_t u_step = uv[0].step;
     uint32_t v_step = uv[1].step;
-    const uint32_t u_bend = uv[0].bend;
-    const uint32_t v_bend = uv[1].bend;
+    uint32_t u_bend = uv[0].bend;
+    uint32_t v_bend = uv[1].bend;
 #define ONE(i)                                                                                     \
     u[i] = u_at;                                                                                   \
     v[i] = v_at;                                                                                   \
@@ -112,6 +124,6 @@ void qtri_texel_coordinates(uint32_t *u, uint32_t *v, const qtri_curve uv[2], in
     v_at += v_step;                                                                                \
     u_step += u_bend;                                                                              \
     v_step += v_bend;
-    QTRI_WORDS(count)
+    QTRI_WORDS_TURNED(count)
 #undef ONE
 }

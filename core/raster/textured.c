@@ -3,7 +3,7 @@
 #include "bilinear.h"
 #include "texel_copy.h"
 
-void qtri_texture_init(qtri_raster *raster, const qtri_material *material)
+void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
 {
     const qtri_texture *texture = material->texture;
     const qtri_format *format = raster->format;
