@@ -194,6 +194,16 @@ static uint32_t flat_shade(const qtri_raster *raster, const qtri_list_triangle *
     return qtri_shade_of(t->color[qtri_raster_provoking(raster)]);
 }
 
+/* Whether all vertices have the same colour. */
+static bool is_one_color(const qtri_list_triangle *t)
+{
+    int32_t differ = 0;
+    for (int i = 0; i < 3; i++) {
+        differ |= (t->color[1][i] ^ t->color[0][i]) | (t->color[2][i] ^ t->color[0][i]);
+    }
+    return differ == 0;
+}
+
 /* Colours; returns what the words are. */
 static uint8_t set_colors(qtri_list_values *v)
 {
@@ -208,7 +218,7 @@ static uint8_t set_colors(qtri_list_values *v)
             return QTRI_LIST_TINT_SHARES;
         }
         v->channels = 0;
-        if (smooth && t->color != NULL) {
+        if (smooth && t->color != NULL && !is_one_color(t)) {
             qtri_list_set_channels(v, 16);
         }
         if (v->channels == 0) {
@@ -221,14 +231,14 @@ static uint8_t set_colors(qtri_list_values *v)
         return QTRI_LIST_TEXELS;
     }
     if (t->color == NULL) {
-        qtri_list_set_light(v, 12);
+        qtri_list_set_light(v, QTRI_LIGHT_SHIFT);
         return now != QTRI_LIST_LIT_TEXELS && v->channels == 0 && v->constant == 1024 &&
                        raster->white
                    ? QTRI_LIST_TEXELS
                    : QTRI_LIST_LIT_TEXELS;
     }
-    if (smooth) {
-        qtri_list_set_channels(v, 14);
+    if (smooth && !is_one_color(t)) {
+        qtri_list_set_channels(v, QTRI_CHANNEL_SHIFT);
     }
     if (v->channels == 0) {
         v->constant = flat_shade(raster, t);
@@ -243,33 +253,20 @@ static uint8_t set_colors(qtri_list_values *v)
 static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t count)
 {
     const qtri_raster *raster = v->raster;
+    const qtri_colors *colors = raster->format->colors;
     qtri_batch *batch = raster->batch;
     const uint32_t *place = batch->place + first;
     uint32_t *color = batch->color + first;
-    uint32_t *shade = batch->by.shade + first;
-    uint32_t mask = UINT32_MAX;
     count -= first;
     if (raster->texture != NULL) {
-        mask = raster->texturing->color_list(v, color, shade, place, count);
+        return raster->texturing->color_list(v, color, batch->by.shade + first, place, count);
     }
-    switch (batch->kind) {
-    case QTRI_LIST_COLORS:
-        qtri_list_words(v, color, place, count, 16, raster->format->colors->red,
-                        raster->format->colors->green);
-        break;
-    case QTRI_LIST_TINT_SHARES:
-        qtri_list_words(v, color, place, count, 22u - raster->format->colors->light_bits, 0, 0);
-        break;
-    case QTRI_LIST_LIT_TEXELS:
-        qtri_list_words(v, shade, place, count, 12, 0, 0);
-        break;
-    case QTRI_LIST_RGB_TEXELS:
-        qtri_list_words(v, shade, place, count, 14, QTRI_SHADE_RED, QTRI_SHADE_GREEN);
-        break;
-    default:
-        break;
+    if (batch->kind == QTRI_LIST_TINT_SHARES) {
+        qtri_list_words(v, color, place, count, 22u - colors->light_bits, 0, 0);
+    } else {
+        qtri_list_words(v, color, place, count, 16, colors->red, colors->green);
     }
-    return mask;
+    return UINT32_MAX;
 }
 
 QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_triangle *t)

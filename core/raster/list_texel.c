@@ -1,5 +1,6 @@
 #include "bilinear.h"
 #include "list_values.h"
+#include "stage_color.h"
 #include "texel_copy.h"
 #include "texel_number.h"
 #include "textured.h"
@@ -67,20 +68,26 @@ static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
     return shift > 10 && v->raster->texture->filter == NULL ? (uint32_t)1 << (shift - 10) : 0;
 }
 
-/*
- * Coordinates that fill 32 bits. `unit`: bits of a repeat's fraction, at least 17; `shift`: of a
- * texel's.
- */
-static inline void fill_axis(qtri_list_axis *out, const qtri_list_values *v, const qtri_place *p,
-                             const qtri_coordinates *c, int32_t unit, int32_t shift)
+/* Coordinates that fill 32 bits. */
+static void fill_axes(qtri_list_values *v)
 {
-    int32_t f[2];
-    const int32_t fraction = differences(f, v, c, unit - UP);
-    const int32_t up = unit - c->fraction;
-    const int32_t at = c->at[0];
-    qtri_place_ramp(&out->l, p, &v->inverse, 0, f[0], f[1]);
-    out->up = unit - UP - fraction;
-    out->at = (up >= 0 ? (uint32_t)at << up : (uint32_t)(at >> -up)) + bias_of(v, shift);
+    const qtri_raster *raster = v->raster;
+    const qtri_place *p = v->t->place;
+    for (int i = 0; i < 2; i++) {
+        int32_t f[2];
+        qtri_ramp l;
+        const qtri_coordinates *c = &v->t->uv[i];
+        const int32_t unit = raster->coordinate[i].unit;
+        const int32_t fraction = differences(f, v, c, unit - UP);
+        const int32_t up = unit - c->fraction;
+        const int32_t at = c->at[0];
+        qtri_list_axis *out = &v->uv[i];
+        qtri_place_ramp(&l, p, &v->inverse, 0, f[0], f[1]);
+        out->l = l;
+        out->up = unit - UP - fraction;
+        out->at = (up >= 0 ? (uint32_t)at << up : (uint32_t)(at >> -up)) +
+                  bias_of(v, raster->coordinate[i].shift);
+    }
 }
 
 /*
@@ -121,14 +128,11 @@ void qtri_list_set_texels(qtri_list_values *v)
                    texture->wrap_v == QTRI_CLAMP);
         return;
     }
-    const qtri_place place = *v->t->place;
-    const int32_t shift[2] = {qtri_texel_copy_shift(texture, 0), qtri_texel_copy_shift(texture, 1)};
-    fill_axis(&v->uv[0], v, &place, &uv[0], 32, shift[0]);
-    fill_axis(&v->uv[1], v, &place, &uv[1], shift[1] + texture->height_log2, shift[1]);
+    fill_axes(v);
     if (texture->filter != NULL) {
         for (int i = 0; i < 2; i++) {
             v->axis[i].side_log2 = i == 0 ? texture->width_log2 : texture->height_log2;
-            v->axis[i].texel_shift = (uint8_t)shift[i];
+            v->axis[i].texel_shift = raster->coordinate[i].shift;
             v->axis[i].clamped = false;
             v->axis[i].mask = (uint16_t)((1u << v->axis[i].side_log2) - 1);
         }
@@ -158,6 +162,26 @@ static void numbers_repeated(const qtri_list_values *v, uint32_t *number, const 
     } while (place != end);
 }
 
+/* The same, with linear light. */
+static void numbers_lit(const qtri_list_values *v, uint32_t *number, uint32_t *shade,
+                        const uint32_t *place, int32_t count)
+{
+    const qtri_list_axis u_axis = v->uv[0];
+    const qtri_list_axis v_axis = v->uv[1];
+    const qtri_ramp e = v->e_q26;
+    const qtri_ramp light = v->channel[2];
+    const uint32_t cut = v->raster->texel_cut;
+    const uint32_t *end = place + count;
+    do {
+        const uint32_t x = *place & 0xFFFF;
+        const uint32_t y = *place >> 16;
+        const int32_t w = qtri_list_w(&e, x, y);
+        place++;
+        *shade++ = qtri_list_at(&light, x, y) >> QTRI_LIGHT_SHIFT;
+        *number++ = qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
+    } while (place != end);
+}
+
 static void coordinates(const qtri_list_values *v, uint32_t *out_u, uint32_t *out_v,
                         const uint32_t *place, int32_t count)
 {
@@ -172,25 +196,52 @@ static void coordinates(const qtri_list_values *v, uint32_t *out_u, uint32_t *ou
     } while (place != end);
 }
 
+/* Numbers from coordinates, v and u in place. */
+static void numbers_wrapped(const qtri_list_values *v, uint32_t *color, const uint32_t *across,
+                            int32_t count)
+{
+    const qtri_texel_axis *axis = v->axis;
+    for (const uint32_t *end = color + count; color != end; color++, across++) {
+        const uint32_t column = qtri_texel_wrapped(&axis[0], *color >> axis[0].texel_shift);
+        const uint32_t row = qtri_texel_wrapped(&axis[1], *across >> axis[1].texel_shift);
+        *color = (row << axis[0].side_log2) + column;
+    }
+}
+
+/* What texels are multiplied by. */
+static void set_shades(const qtri_list_values *v, uint32_t *shade, const uint32_t *place,
+                       int32_t count)
+{
+    if (v->raster->batch->kind == QTRI_LIST_LIT_TEXELS) {
+        qtri_list_words(v, shade, place, count, QTRI_LIGHT_SHIFT, 0, 0);
+    } else if (v->raster->batch->kind == QTRI_LIST_RGB_TEXELS) {
+        qtri_list_words(v, shade, place, count, QTRI_CHANNEL_SHIFT, QTRI_SHADE_RED,
+                        QTRI_SHADE_GREEN);
+    }
+}
+
 uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
                           const uint32_t *place, int32_t count)
 {
-    const qtri_texture *texture = v->raster->texture;
-    if (v->raster->repeated && texture->filter == NULL) {
+    const qtri_raster *raster = v->raster;
+    const qtri_texture *texture = raster->texture;
+    uint32_t mask = UINT32_MAX;
+    if (raster->repeated && texture->filter == NULL) {
+        if (raster->batch->kind == QTRI_LIST_LIT_TEXELS && v->channels != 0 && !v->curved) {
+            numbers_lit(v, color, shade, place, count);
+            return mask;
+        }
         numbers_repeated(v, color, place, count);
-        return UINT32_MAX;
+    } else {
+        coordinates(v, color, shade, place, count);
+        if (texture->filter != NULL) {
+            mask = texture->filter->sample(raster, v->axis, color, shade, count);
+        } else {
+            numbers_wrapped(v, color, shade, count);
+        }
     }
-    coordinates(v, color, shade, place, count);
-    if (texture->filter != NULL) {
-        return texture->filter->sample(v->raster, v->axis, color, shade, count);
-    }
-    const qtri_texel_axis *axis = v->axis;
-    for (const uint32_t *end = color + count; color != end; color++, shade++) {
-        const uint32_t column = qtri_texel_wrapped(&axis[0], *color >> axis[0].texel_shift);
-        const uint32_t row = qtri_texel_wrapped(&axis[1], *shade >> axis[1].texel_shift);
-        *color = (row << axis[0].side_log2) + column;
-    }
-    return UINT32_MAX;
+    set_shades(v, shade, place, count);
+    return mask;
 }
 
 /* Leaves fragments out that are not in the mask; writes the depths of the others. */

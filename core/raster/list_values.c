@@ -101,31 +101,47 @@ void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
     }
 }
 
+/* Whether all channels are linear: where the sum of their differences is, or each of them. */
+static bool are_linear(const qtri_list_values *v, int first)
+{
+    const int32_t(*color)[3] = v->t->color;
+    int32_t d1[3];
+    int32_t d2[3];
+    uint32_t most1 = 0;
+    uint32_t most2 = 0;
+    for (int i = first; i < 3; i++) {
+        d1[i] = (color[v->second][i] - color[0][i]) >> 7;
+        d2[i] = (color[v->third][i] - color[0][i]) >> 7;
+        most1 |= qtri_about(d1[i]);
+        most2 |= qtri_about(d2[i]);
+    }
+    if (!(QTRI_WITH_PERSPECTIVE && v->raster->perspective) ||
+        qtri_list_is_plain(v->t->v[0], v->t->v[1], v->t->v[2], (int32_t)most1, (int32_t)most2, 3)) {
+        return true;
+    }
+    for (int i = first; i < 3; i++) {
+        if (!is_linear(v, d1[i], d2[i], 3)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)
 {
-    const qtri_list_triangle *t = v->t;
+    const int32_t(*color)[3] = v->t->color;
     const int first = v->raster->units->single ? 2 : 0;
-    bool linear = true;
-    int32_t any = 0;
-    for (int i = first; i < 3; i++) {
-        const int32_t d1 = t->color[v->second][i] - t->color[0][i];
-        const int32_t d2 = t->color[v->third][i] - t->color[0][i];
-        any |= d1 | d2;
-        linear = linear && is_linear(v, d1 >> 7, d2 >> 7, 3);
-    }
+    const int32_t half = (int32_t)1 << (QTRI_PLACE_DOWN - 1);
+    const bool linear = are_linear(v, first);
     v->curved = !linear;
-    v->channels = any == 0 ? 0 : (uint8_t)(3 - first);
-    if (any == 0) {
-        return;
-    }
+    v->channels = (uint8_t)(3 - first);
     if (!linear) {
         qtri_list_find_e(v);
     }
     for (int i = first; i < 3; i++) {
-        const int32_t half = (int32_t)1 << (QTRI_PLACE_DOWN - 1);
-        const int32_t c0 = t->color[0][i];
-        const int32_t f1 = (t->color[v->second][i] - c0 + half) >> QTRI_PLACE_DOWN;
-        const int32_t f2 = (t->color[v->third][i] - c0 + half) >> QTRI_PLACE_DOWN;
+        const int32_t c0 = color[0][i];
+        const int32_t f1 = (color[v->second][i] - c0 + half) >> QTRI_PLACE_DOWN;
+        const int32_t f2 = (color[v->third][i] - c0 + half) >> QTRI_PLACE_DOWN;
         v->base[i] = (uint32_t)c0 + ((uint32_t)1 << (shift - 1));
         if (linear) {
             ramp_of(&v->channel[i], v, v->base[i], f1, f2);

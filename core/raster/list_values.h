@@ -48,6 +48,10 @@ struct qtri_list_values {
     qtri_texel_axis axis[2]; /* where coordinates do not fill 32 bits, or are filtered */
 };
 
+/* What texels are multiplied by has 10 bits: of light that is 2^22, and of channels n.16. */
+#define QTRI_LIGHT_SHIFT   12
+#define QTRI_CHANNEL_SHIFT 14
+
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);
 

@@ -88,6 +88,26 @@ qtri_channels qtri_raster_channels(const qtri_raster *raster, const int32_t colo
     return channels;
 }
 
+void qtri_raster_lit_channels(int32_t channel[3], const qtri_raster *raster, const qtri_rgb *color,
+                              uint32_t light_q15)
+{
+    const qtri_colors *units = raster->units;
+    const uint32_t color_8p16[3] = {color->r * 2 * light_q15, color->g * 2 * light_q15,
+                                    color->b * 2 * light_q15}; /* <= 255.0 */
+    for (int i = 0; i < 3; i++) {
+        const uint32_t ratio_q32 = units->ratio_q30[i] << 2; /* 0: 1 */
+        const uint32_t c = color_8p16[i];
+        channel[i] = (int32_t)(ratio_q32 == 0
+                                   ? c
+                                   : (qtri_mul_u32(c, ratio_q32) + ((uint32_t)1 << 31)) >> 32);
+    }
+    if (units->single) {
+        channel[2] += channel[0] + channel[1];
+        channel[0] = 0;
+        channel[1] = 0;
+    }
+}
+
 void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
 {
     const int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,

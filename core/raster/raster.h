@@ -103,6 +103,9 @@ struct qtri_raster {
     bool fetched;          /* rows of texels are read at once with their numbers */
     bool copied;           /* nearest repeated texels of the format's own kind, without a key */
     uint32_t texel_cut;    /* see texel_copy.h */
+    struct {
+        uint8_t unit, shift; /* bits of a repeat's and of a texel's fraction */
+    } coordinate[2];         /* of repeated ones */
     bool white;            /* the tint: light alone is enough */
     uint32_t tint_q10[3];
 
@@ -117,6 +120,10 @@ struct qtri_raster {
 /* batch: the caller's, used while the raster is. */
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material, qtri_batch *batch);
+
+/* The same of a colour in light <= 2^15, which is 1. */
+void qtri_raster_lit_channels(int32_t channel[3], const qtri_raster *raster, const qtri_rgb *color,
+                              uint32_t light_q15);
 
 /* The colour that tinted triangles have shares of. */
 void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);

@@ -25,6 +25,11 @@ void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
     }
     raster->repeated = qtri_texel_copy_fits(texture);
     raster->texel_cut = raster->repeated ? qtri_texel_cut(texture) : 0;
+    for (int i = 0; i < 2; i++) {
+        const int32_t shift = qtri_texel_copy_shift(texture, i);
+        raster->coordinate[i].shift = (uint8_t)shift;
+        raster->coordinate[i].unit = (uint8_t)(i == 0 ? 32 : shift + texture->height_log2);
+    }
 #ifndef __OPTIMIZE_SIZE__
     raster->fetched = raster->repeated && texture->format->bytes == 2 && texture->filter == NULL;
 #endif
