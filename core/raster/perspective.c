@@ -34,12 +34,11 @@
 #include "../bits/reciprocal.h"
 #include "linear.h"
 
-/* Planes at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
-static inline uint32_t plane_at(const qtri_scanline *row, const qtri_projected *plane, int i,
-                                int32_t x)
+/* A plane at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
+static inline uint32_t plane_at(const qtri_row_plane *row, const qtri_projected *plane, int32_t x)
 {
-    return row->by.perspective.at[i] + plane->dx * (uint32_t)x +
-           (uint32_t)((row->by.perspective.rest[i] + (int32_t)plane->dx_rest * x) >> 16);
+    return row->at + plane->dx * (uint32_t)x +
+           (uint32_t)((row->rest + (int32_t)plane->dx_rest * x) >> 16);
 }
 
 /* What rounding leaves below 0 or above 2^31, held there. */
@@ -98,12 +97,12 @@ static int32_t level_pixels(const qtri_job *job)
 static void begin_level(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
-    const divider d = divider_for(row->by.perspective.at[job->end]);
+    const divider d = divider_for(row->by.perspective.plane[job->end].at);
     row->run = row->left;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *plane = &job->attribute[QTRI_U + i].projected;
         const qtri_texel_axis *axis = &job->axis[i];
-        const uint32_t s = held(plane_at(row, plane, QTRI_U + i, row->left));
+        const uint32_t s = held(plane_at(&row->by.perspective.plane[QTRI_U + i], plane, row->left));
         const uint64_t product = qtri_mul_u32(s, d.reciprocal);
         const int32_t value =
             qtri_saturate32((int64_t)(d.shift >= 0 ? product >> d.shift : product << -d.shift));
@@ -136,7 +135,7 @@ void qtri_perspective_begin(qtri_scanline *row)
 {
     row->by.perspective.zeros = 0;
     for (int i = 0; i < QTRI_ATTRIBUTES; i++) {
-        row->by.perspective.cut[i] = 0;
+        row->by.perspective.plane[i].cut = 0;
     }
 }
 
@@ -144,23 +143,23 @@ void qtri_perspective_row(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
     const uint32_t y = (uint32_t)row->y;
-    for (int i = job->first; i <= job->end; i++) {
-        const qtri_projected *plane = &job->attribute[i].projected;
-        row->by.perspective.at[i] = plane->origin + plane->dy * y;
-        row->by.perspective.rest[i] = (int32_t)(plane->dy_rest * y);
+    const qtri_attribute *from = &job->attribute[job->first];
+    qtri_row_plane *to = &row->by.perspective.plane[job->first];
+    const bool level = row->right - row->left < level_pixels(job);
+    row->level = level;
+    for (int i = job->first; i <= job->end; i++, from++, to++) {
+        to->at = from->projected.origin + from->projected.dy * y;
+        to->rest = (int32_t)(from->projected.dy_rest * y);
+        if (!level && i < job->end) {
+            const int32_t slope = (int32_t)(from->projected.slope + from->projected.slope_dy * y);
+            const int32_t cut = bits_cut(slope, to->cut);
+            to->cut = (uint8_t)cut;
+            to->slope = slope >> cut;
+            to->down = (int8_t)(from->projected.down + 16 - cut);
+        }
     }
-    row->level = row->right - row->left < level_pixels(job);
-    if (row->level) {
+    if (level) {
         begin_level(row);
-        return;
-    }
-    for (int i = job->first; i < job->end; i++) {
-        const qtri_projected *plane = &job->attribute[i].projected;
-        const int32_t slope = (int32_t)(plane->slope + plane->slope_dy * y);
-        const int32_t cut = bits_cut(slope, row->by.perspective.cut[i]);
-        row->by.perspective.cut[i] = (uint8_t)cut;
-        row->by.perspective.slope[i] = slope >> cut;
-        row->by.perspective.down[i] = (int8_t)(plane->down + 16 - cut);
     }
 }
 
@@ -210,7 +209,7 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
 {
     const qtri_job *job = row->job;
     const qtri_perspective *p = &job->color.perspective;
-    uint32_t q = plane_at(row, &job->attribute[job->end].projected, job->end, m->x);
+    uint32_t q = plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, m->x);
     q = q - 1 < 0xC0000000u ? q : 1;
     const int32_t zeros = zeros_of(row, q);
     const uint32_t reciprocal = qtri_reciprocal_near(q << zeros);
@@ -262,7 +261,7 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
 static inline uint32_t middle_value(const qtri_scanline *row, const middle *m, int i)
 {
     const qtri_projected *a = &row->job->attribute[i].projected;
-    const uint32_t s = plane_at(row, a, i, m->x);
+    const uint32_t s = plane_at(&row->by.perspective.plane[i], a, m->x);
     int32_t value = qtri_mul_high_s31((int32_t)(s << m->zeros), m->reciprocal);
     if (i < QTRI_U) {
         const qtri_perspective *p = &row->job->color.perspective;
@@ -305,7 +304,7 @@ static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *li
                                     int32_t from, int32_t rest)
 {
     const qtri_job *job = row->job;
-    const uint32_t q = plane_at(row, &job->attribute[job->end].projected, job->end, x);
+    const uint32_t q = plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, x);
     int32_t log2 = QTRI_BLOCK_LOG2;
     while (log2 > 0 && q < limits[log2 - 1]) {
         log2--;
@@ -341,7 +340,8 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
             const qtri_curve one = {value, 0, 0, 0};
             *out = one;
         } else {
-            set_curve(out, &m, value, row->by.perspective.slope[i], row->by.perspective.down[i]);
+            const qtri_row_plane *plane = &row->by.perspective.plane[i];
+            set_curve(out, &m, value, plane->slope, plane->down);
         }
     }
     return qtri_least32(length, count);
