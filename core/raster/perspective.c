@@ -12,18 +12,15 @@
  *
  *     a_m + L (1 + 3/4 E^2) d - L e (1 + E^2) d^2,
  *
- * is off by L h E^2 (1/4 + E/4 + E^2 / (1 - E)). That is to be less than 1/256 of a texel, or of
- * what a pixel steps by where that is more. Blocks are halved until q in the middle is great enough
- * for it: E <= 1/4, and h E^2 <= 1/72 or K h^3 q'^2 / q^4 <= 1/72, where K is the greatest of the
- * triangle. Colours have only the second form, in units of their own.
+ * is off by L h E^2 (1/4 + E/4 + E^2 / (1 - E)). Blocks of 16 and 32 pixels of texels are of third
+ * order, with 13/16 x^2 in place of x^4:
  *
- * Blocks of 16 and 32 pixels are of third order: - e d^4 is left out of the series, 13/16 x^2 in its
- * place,
+ *     a_m + L d - L e (1 + 13/16 E^2) d^2 + L e^2 d^3
  *
- *     a_m + L d - L e (1 + 13/16 E^2) d^2 + L e^2 d^3,
- *
- * which is off by L h (3/16 E^3 + E^4 / (1 - E)). It is drawn as curves of second order through
- * every eighth pixel whose steps leave 6 L e^2 (n (n - 4) (n - 8)) / 6 over, up to 24.6 L e^2.
+ * is off by L h E^3 (3/16 + E / (1 - E)). It is drawn as curves of second order from one eighth
+ * pixel to the next, through its values there and halfway: L e^2 n (n - 4) (n - 8) more, up to 24.6
+ * L e^2. All that is to be less than 1/256 of a texel, or of what a pixel steps by where that is
+ * more; perspective_setup.c finds from which q on. Colours have bounds of their own.
  *
  * Blocks begin at a chunk's start, 32 pixels apart from the span's left end, plus multiples of
  * their length, and q at their start decides: pixels do not depend on scissor or band.
@@ -183,15 +180,15 @@ static inline int32_t zeros_of(qtri_scanline *row, uint32_t q)
 }
 
 /*
- * What curves of a block have in common. With T = e^2, A = e (1 + ...), as shares of L, from the
- * middle to the first pixel, `half` before it:
+ * What curves of a block have in common, as shares of L. With A = e (1 + ...), T = e^2 and `half`
+ * pixels from the first to the middle, a curve's first value is
  *
- *     value  - (1 + A half + T half^2) half
- *     step   1 + (2 half - 1) A + (3 half^2 - 3 half - 20) T
- *     bend   - 2 A - (6 half - 24) T
- *     twist  24 T
+ *     a_m - L (1 + A half + T half^2) half,
+ *     step L (1 + (2 half - 1) A + (3 half^2 - 3 half - 20) T),
+ *     bend L (- 2 A - (6 half - 24) T),   twist L 24 T
  *
- * where 20 and 18 of T are what the pixels between the eighths have of it, see above.
+ * where - 21 T of the step and 18 T of the bend make a curve of second order pass through the
+ * fourth and the eighth pixel from where it begins, and where it does so again after every eighth.
  */
 typedef struct middle {
     int32_t x, half, log2; /* pixel; log2 of half of a whole block */
@@ -220,7 +217,7 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
         return;
     }
     const uint32_t y_q15 = reciprocal >> 16; /* 2^14..2^15 */
-    /* E = e h; at most 1/4, so that the shift is not negative. */
+    /* E = e h, at most 1/8 of it, so that the shift is not negative. */
     int32_t down = -(p->slope_exponent + zeros + log2);
     down = down > 31 ? 31 : down;
     log2--;
