@@ -98,6 +98,15 @@ struct qtri_job {
     qtri_texel_axis axis[2];
 };
 
+/* A plane along a row: at column 0, and an attribute's slope times inv_w^2. */
+typedef struct qtri_row_plane {
+    uint32_t at;
+    int32_t rest;  /* 2^-16 of that */
+    int32_t slope; /* 15 bits, times 2^-down in the curve's unit */
+    int8_t down;
+    uint8_t cut;   /* bits that the slope has not, in the row before */
+} qtri_row_plane;
+
 /* A row on its way to pixels. */
 struct qtri_scanline {
     const qtri_job *job;
@@ -110,11 +119,7 @@ struct qtri_scanline {
     union {
         uint64_t plane[2]; /* linear coordinates at column 0, with the bias */
         struct {
-            uint32_t at[QTRI_PLANES]; /* at column 0 */
-            int32_t rest[QTRI_PLANES];
-            int32_t slope[QTRI_ATTRIBUTES]; /* 15 bits, times 2^-down */
-            uint8_t cut[QTRI_ATTRIBUTES];   /* bits of it in the row before */
-            int8_t down[QTRI_ATTRIBUTES];
+            qtri_row_plane plane[QTRI_PLANES];
             int32_t zeros; /* of inv_w, when it was last asked */
         } perspective;
     } by;
