@@ -40,7 +40,4 @@ static inline void qtri_gradient_set_middle(qtri_gradient *g, const qtri_triangl
                              (t->top->y_24p8 + t->bottom->y_24p8) >> 9);
 }
 
-/* Whether it takes colours that are shares of a tint for linear on the screen. */
-bool qtri_tint_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c);
-
 #endif

@@ -24,7 +24,7 @@ QTRI_NOINLINE static void fill_tall(const qtri_job *job, qtri_triangle *triangle
 void qtri_triangle_fill(const qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
 {
     qtri_list_flush(job->raster);
-    if (QTRI_WITH_FAST_PATHS && triangle->size != QTRI_LARGE) {
+    if (QTRI_WITH_FAST_PATHS && triangle->is_short) {
         fill(job, triangle->spans, triangle->row, triangle->end - triangle->row);
     } else {
         fill_tall(job, triangle, fill);
