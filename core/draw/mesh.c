@@ -1,4 +1,4 @@
-#include "mesh_job.h"
+#include "fill.h"
 
 bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
                          qtri_vertex *out)
@@ -148,12 +148,13 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
 QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
 {
+    const qtri_fill_way *fill = qtri_fill_of(&draw->material);
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
-    } else if (draw->material.fill == QTRI_SOLID) {
+    } else if (fill != NULL) {
+        fill->triangle(draw, indices, vertex);
+    } else {
         qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
-    } else if (QTRI_WITH_LINES) {
-        qtri_mesh_draw_lines(draw, indices, vertex);
     }
 }
 
@@ -166,10 +167,10 @@ QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_v
 
 /*
  * The triangles of a mesh whose vertices are all there. By far the most end in this loop; when
- * `simple`, back faces are culled and no vertex is outside; `solid`: nor is it a wireframe.
+ * `simple`, back faces are culled and no vertex is outside.
  */
 static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangles, bool narrow,
-                                  bool simple, bool solid)
+                                  bool simple)
 {
     qtri_vertex *vertices = draw->vertices;
     const uint32_t count = draw->mesh->vertex_count;
@@ -194,7 +195,7 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
                    : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
         }
-        if (simple && solid) {
+        if (simple) {
             qtri_mesh_draw_solid(draw, triangle, a, b, c);
         } else {
             qtri_vertex *const corner[3] = {a, b, c}; /* in memory only here */
@@ -209,19 +210,12 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
     const qtri_mesh *mesh = draw->mesh;
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
     const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
-    if (draw->edges == QTRI_EDGES_DRAWN) {
-        qtri_mesh_clear_edges(draw);
-        if (simple && qtri_mesh_draw_front_lines(draw)) {
-            return;
-        }
-    }
-    const bool solid = draw->material.fill == QTRI_SOLID;
     if (qtri_mesh_has_bytes(mesh)) {
-        draw_triangles(draw, mesh->triangles8, true, simple, solid);
+        draw_triangles(draw, mesh->triangles8, true, simple);
     } else if (simple) {
-        draw_triangles(draw, mesh->triangles, false, true, solid);
+        draw_triangles(draw, mesh->triangles, false, true);
     } else {
-        draw_triangles(draw, mesh->triangles, false, false, solid);
+        draw_triangles(draw, mesh->triangles, false, false);
     }
 }
 
@@ -287,6 +281,20 @@ QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
     }
 }
 
+/* All of a mesh, a slot for every vertex or not. */
+static void draw_all(void *what)
+{
+    qtri_mesh_job *draw = what;
+    const qtri_fill_way *fill = qtri_fill_of(&draw->material);
+    if (!QTRI_WITH_FAST_PATHS || draw->slot_count < draw->mesh->vertex_count) {
+        draw_by_slots(draw);
+    } else if (fill != NULL) {
+        fill->mesh(draw);
+    } else {
+        draw_whole(draw);
+    }
+}
+
 /* A function of its own, so that its stack is free again. */
 QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_surface *surface,
                                 const qtri_view *view, const qtri_transform *pose,
@@ -303,12 +311,10 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     if (!begin(&draw, surface, view, pose, mesh, material)) {
         return;
     }
-    if (QTRI_WITH_FAST_PATHS && draw.slot_count >= mesh->vertex_count) {
-        if (qtri_mesh_has_final_edges(&draw)) {
-            draw.edges = QTRI_EDGES_DRAWN;
-        }
-        draw_whole(&draw);
+    const qtri_fill_way *fill = qtri_fill_of(material);
+    if (fill != NULL) {
+        fill->draw(&draw.primitive, draw_all, &draw);
     } else {
-        draw_by_slots(&draw);
+        draw_all(&draw);
     }
 }

@@ -1,3 +1,4 @@
+#include "fill.h"
 #include "prepared_lists.h"
 
 enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
@@ -166,9 +167,6 @@ QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triang
                                   qtri_vertex *const vertex[3])
 {
     if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
-        if (s->job->edges == QTRI_EDGES_NOTED) {
-            qtri_mesh_note_edges(s->job, triangle, vertex);
-        }
         see(s, number, triangle, vertex, s->is_solid);
         return;
     }
@@ -275,9 +273,6 @@ bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
     qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material);
     job->vertices = prepared->vertices;
     job->slot_count = prepared->vertex_count;
-    if (qtri_prepared_is_complete(prepared) && qtri_mesh_has_final_edges(job)) {
-        job->edges = QTRI_EDGES_NOTED;
-    }
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
 }
 
@@ -296,7 +291,8 @@ static void prepare(qtri_prepared *prepared, qtri_format format)
         !qtri_prepared_begin(&job, prepared, &whole, true)) {
         return;
     }
-    const bool is_solid = job.material.fill == QTRI_SOLID;
+    const qtri_fill_way *fill = qtri_fill_of(&job.material);
+    const bool is_solid = fill == NULL;
     sorter s = {.job = &job,
                 .prepared = prepared,
                 .is_complete = qtri_prepared_is_complete(prepared),
@@ -309,10 +305,8 @@ static void prepare(qtri_prepared *prepared, qtri_format format)
     if (s.is_complete) {
         const bool inside = qtri_mesh_transform(&job, 0, mesh->vertex_count, prepared->vertices);
         prepared->back_only = inside && job.material.cull == QTRI_CULL_BACK;
-        if (!is_solid &&
-            qtri_line_is_final(job.material.depth_compare, !job.material.depth_read_only)) {
-            job.edges = QTRI_EDGES_NOTED; /* the bands' surfaces may have depths */
-            qtri_mesh_clear_edges(&job);
+        if (fill != NULL) {
+            fill->prepare(&job, prepared->back_only);
         }
         see_complete(&s);
     } else {

@@ -1,14 +1,12 @@
-#include "primitive.h"
+#include "fill.h"
 
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_material *material, bool lines)
+                               const qtri_material *material)
 {
     primitive->surface = surface;
     primitive->material = material;
-    if (!lines) {
+    if (qtri_fill_of(material) == NULL) {
         qtri_raster_init(&primitive->to.raster, surface, material);
-    } else if (QTRI_WITH_LINES) {
-        qtri_line_job_init(&primitive->to.line, surface, material);
     }
 }
 
@@ -23,10 +21,10 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
 
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material, bool lines)
+                         const qtri_material *material)
 {
     qtri_primitive_place(primitive, view, pose);
-    qtri_primitive_set_target(primitive, surface, material, lines);
+    qtri_primitive_set_target(primitive, surface, material);
 }
 
 /* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16: 33 bits times 31. */
@@ -211,7 +209,8 @@ QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_
         blend_attributes(&screen, a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
         qtri_line_end(&line[i], color[i], &screen);
     }
-    qtri_line_draw(&primitive->to.line, &line[0], &line[1], (const qtri_line_color *)color);
+    const qtri_line_job *job = &primitive->to.line;
+    job->draw(job, &line[0], &line[1], (const qtri_line_color *)color);
 }
 
 QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
@@ -228,15 +227,14 @@ QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
         qtri_line_end(&end[i], color[i], &attributes[from]);
     }
     for (int i = 0; i < 3; i++) {
-        qtri_line_draw(&primitive->to.line, &end[i], &end[i + 1],
-                       (const qtri_line_color *)&color[i]);
+        primitive->to.line.draw(&primitive->to.line, &end[i], &end[i + 1],
+                                (const qtri_line_color *)&color[i]);
     }
 }
 
 /* The ends of an unclipped triangle serve two lines each; otherwise every edge is clipped anew. */
-QTRI_NOINLINE static void draw_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
-                                       unsigned planes, qtri_attribute_source source,
-                                       const void *from)
+void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
+                            unsigned planes, qtri_attribute_source source, const void *from)
 {
     qtri_screen_vertex attributes[3];
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
@@ -274,10 +272,9 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     if (common != 0) {
         return;
     }
-    if (primitive->material->fill != QTRI_SOLID) {
-        if (QTRI_WITH_LINES) {
-            draw_outline(primitive, shape->clip, planes, source, from);
-        }
+    const qtri_fill_way *fill = qtri_fill_of(primitive->material);
+    if (fill != NULL) {
+        fill->clipped(primitive, shape->clip, planes, source, from);
         return;
     }
     int count = clip_to_screen(&primitive->projector, shape->clip, planes, shape->fan);
@@ -300,7 +297,5 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2])
 {
-    if (QTRI_WITH_LINES) {
-        draw_edge(primitive, &v[0], &v[1], &attributes[0], &attributes[1]);
-    }
+    draw_edge(primitive, &v[0], &v[1], &attributes[0], &attributes[1]);
 }

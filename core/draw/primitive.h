@@ -36,9 +36,9 @@ typedef union qtri_shape {
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
 } qtri_shape;
 
-/* Surface and material, and what follows from them. Triangles may be lines as well. */
+/* Surface and material, and what follows from them where triangles are filled. */
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_material *material, bool lines);
+                               const qtri_material *material);
 
 /* projection camera pose, folded with the viewport. */
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
@@ -47,7 +47,7 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
 /* Both. */
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material, bool lines);
+                         const qtri_material *material);
 
 /*
  * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is
@@ -59,7 +59,11 @@ typedef void (*qtri_attribute_source)(const void *from, qtri_screen_vertex attri
 void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
                              qtri_attribute_source source, const void *from);
 
-/* The same for a line. `attributes` bring colour; their positions are not read. */
+/* The outline of a triangle that may need clipping by `planes`, the sum of its outcodes. */
+void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
+                            unsigned planes, qtri_attribute_source source, const void *from);
+
+/* Draws a line. `attributes` bring colour; their positions are not read. */
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2]);
 

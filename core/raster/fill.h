@@ -8,7 +8,6 @@
  *     fill_texture.c  copied texels in RGB565                                  S3 S3a
  *     fill_pairs.c    these three two pixels at a time, on Thumb-2             S1 S2 S3 S3a
  *     tiny.h          tiny triangles of a mesh, set up and filled in one go    S4 S5
- *     line_fast.c     short lines in RGB565                                    S7
  *
  * All of them test depth with "less" and write it, or, in fill.inc, know none.
  */
