@@ -121,6 +121,13 @@ static void build_transform(struct reader *r, qtri_transform *t)
 /* Exactly as large as it may be read: AddressSanitizer watches its ends. */
 static const qtri_rgb palette[256] = {{1, 2, 3}, {255, 255, 255}};
 
+static const qtri_texel_format *const texel_formats[6] = {&qtri_texel_rgb565,  &qtri_texel_xrgb8888,
+                                                          &qtri_texel_checker, &qtri_texel_palette8,
+                                                          &qtri_texel_gray8,   NULL};
+
+static const qtri_format *const surface_formats[6] = {
+    &qtri_rgb565, &qtri_xrgb8888, &qtri_gray8, &qtri_rgb565_swapped, &qtri_rgb888, &qtri_bgr888};
+
 static qtri_material build_material(struct reader *r, qtri_texture *texture, const void *texels)
 {
     qtri_material m = qtri_material_default();
@@ -128,11 +135,11 @@ static qtri_material build_material(struct reader *r, qtri_texture *texture, con
     m.interpolation = (qtri_interpolation)(take_byte(r) % 2);
     m.texture_mode = (qtri_texture_mode)(take_byte(r) % 2);
     m.cull = (qtri_cull)(take_byte(r) % 3);
-    m.fill = (qtri_fill)(take_byte(r) % 2);
+    m.fill = take_byte(r) % 2 ? &qtri_wireframe : NULL;
     m.depth_compare = (qtri_compare)(take_byte(r) % 9);
     m.depth_read_only = take_byte(r) % 4 == 0;
     take(r, &m.color, sizeof m.color);
-    texture->format = (qtri_texel_format)(take_byte(r) % 6);
+    texture->format = texel_formats[take_byte(r) % 6];
     texture->texels = take_byte(r) % 16 ? texels : NULL;
     texture->width_log2 = take_byte(r) % 4; /* 8 x 8 texels of memory */
     texture->height_log2 = take_byte(r) % 4;
@@ -140,7 +147,7 @@ static qtri_material build_material(struct reader *r, qtri_texture *texture, con
     take(r, texture->color, sizeof texture->color);
     texture->wrap_u = (qtri_wrap)(take_byte(r) % 3);
     texture->wrap_v = (qtri_wrap)(take_byte(r) % 3);
-    texture->filter = (qtri_filter)(take_byte(r) % 3);
+    texture->filter = take_byte(r) % 3 == 1 ? &qtri_bilinear : NULL;
     texture->palette = take_byte(r) % 16 ? palette : NULL;
     texture->has_key = take_byte(r) % 2;
     texture->key = take_byte(r) % 8 ? take_byte(r) : (uint32_t)take_int(r);
@@ -185,10 +192,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static const uint32_t texels[64] = {0xFF00FFu, 0x123456u, 0xFFFFFFu};
     struct reader reader = {data, size};
     struct reader *r = &reader;
-    qtri_format format = (qtri_format)(take_byte(r) % 3);
+    const qtri_format *format = surface_formats[take_byte(r) % 6];
     int32_t first = take_byte(r) % SIDE;
     int32_t rows = 1 + take_byte(r) % SIDE;
-    size_t bytes = QTRI_BAND_BYTES(SIDE, rows, format);
+    size_t bytes = QTRI_BAND_BYTES(SIDE, rows, format->pixels->bytes);
     uint8_t *memory = malloc(bytes); /* exactly as large: AddressSanitizer watches its ends */
     qtri_surface surface;
     if (memory == NULL ||

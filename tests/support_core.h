@@ -130,6 +130,13 @@ static inline void assert_near(double value, double expected, double tolerance)
     }
 }
 
+/* One of the formats that are drawn on. */
+static inline const qtri_format *drawn_format(int32_t n)
+{
+    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
+    return formats[n % 3];
+}
+
 /* A surface with memory of its own, cleared to black and farthest. */
 typedef struct canvas {
     qtri_surface surface;
@@ -137,12 +144,12 @@ typedef struct canvas {
     size_t bytes;
 } canvas;
 
-static inline canvas canvas_band(qtri_format format, int32_t width, int32_t height, int32_t first,
-                                 int32_t rows)
+static inline canvas canvas_band(const qtri_format *format, int32_t width, int32_t height,
+                                 int32_t first, int32_t rows)
 {
     canvas c;
     qtri_rgb black = {0, 0, 0};
-    c.bytes = QTRI_BAND_BYTES(width, rows, format);
+    c.bytes = QTRI_BAND_BYTES(width, rows, format->pixels->bytes);
     c.memory = calloc(1, c.bytes);
     assert_non_null(c.memory);
     assert_int_equal(
@@ -152,7 +159,7 @@ static inline canvas canvas_band(qtri_format format, int32_t width, int32_t heig
     return c;
 }
 
-static inline canvas canvas_new(qtri_format format, int32_t width, int32_t height)
+static inline canvas canvas_new(const qtri_format *format, int32_t width, int32_t height)
 {
     return canvas_band(format, width, height, 0, height);
 }
@@ -173,11 +180,13 @@ static inline uint32_t stored_pixel(const qtri_surface *s, int32_t x, int32_t y)
     const uint8_t *row = s->pixels + (y - s->first_row) * s->pitch;
     uint32_t pixel32;
     uint16_t pixel16;
-    switch (s->format) {
-    case QTRI_RGB565:
+    switch (s->format->pixels->bytes) {
+    case 3:
+        return row[3 * x] | (uint32_t)row[3 * x + 1] << 8 | (uint32_t)row[3 * x + 2] << 16;
+    case 2:
         memcpy(&pixel16, row + 2 * x, sizeof pixel16);
         return pixel16;
-    case QTRI_XRGB8888:
+    case 4:
         memcpy(&pixel32, row + 4 * x, sizeof pixel32);
         return pixel32;
     default:

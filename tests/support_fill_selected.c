@@ -3,8 +3,8 @@
  */
 #define QTRI_SELECT 1
 
-#define qtri_fill_flat_pairs   selected_fill_flat_pairs
-#define qtri_fill_packed_pairs selected_fill_packed_pairs
-#define qtri_run_copy_pairs    selected_run_copy_pairs
+#define qtri_flat_pairs   selected_flat_pairs
+#define qtri_smooth_pairs selected_smooth_pairs
+#define qtri_copy_pairs   selected_copy_pairs
 
-#include "raster/fill_pairs.c"
+#include "fast/pairs.c"

@@ -11,15 +11,15 @@ static uint8_t texels8[16 * 32]; /* few values, so that keys are met */
 static qtri_rgb palette[256];
 
 static const qtri_texture textures[6] = {
-    {.texels = texels565, .format = QTRI_TEXEL_RGB565, .width_log2 = 4, .height_log2 = 3},
-    {.texels = texels8888, .format = QTRI_TEXEL_XRGB8888, .width_log2 = 5, .height_log2 = 5},
-    {.format = QTRI_TEXEL_CHECKER,
+    {.texels = texels565, .format = &qtri_texel_rgb565, .width_log2 = 4, .height_log2 = 3},
+    {.texels = texels8888, .format = &qtri_texel_xrgb8888, .width_log2 = 5, .height_log2 = 5},
+    {.format = &qtri_texel_checker,
      .width_log2 = 6,
      .height_log2 = 4,
      .fields = 8,
      .color = {{255, 30, 60}, {10, 200, 90}}},
     {.texels = texels8,
-     .format = QTRI_TEXEL_PALETTE8,
+     .format = &qtri_texel_palette8,
      .width_log2 = 4,
      .height_log2 = 5,
      .palette = palette,
@@ -27,16 +27,16 @@ static const qtri_texture textures[6] = {
      .has_key = true,
      .key = 3},
     {.texels = texels565,
-     .format = QTRI_TEXEL_RGB565,
+     .format = &qtri_texel_rgb565,
      .width_log2 = 3,
      .height_log2 = 4,
      .wrap_v = QTRI_CLAMP,
-     .filter = QTRI_BILINEAR},
+     .filter = &qtri_bilinear},
     {.texels = texels8,
-     .format = QTRI_TEXEL_GRAY8,
+     .format = &qtri_texel_gray8,
      .width_log2 = 5,
      .height_log2 = 4,
-     .filter = QTRI_BILINEAR,
+     .filter = &qtri_bilinear,
      .has_key = true,
      .key = 2}};
 
@@ -102,7 +102,7 @@ static void random_scene(scene *s, uint64_t *seed, bool tame)
             m.interpolation = (qtri_interpolation)random_bits32(seed);
             m.texture_mode = (qtri_texture_mode)random_bits32(seed);
             m.cull = (qtri_cull)random_bits32(seed);
-            m.fill = (qtri_fill)random_bits32(seed);
+            m.fill = random_flag(seed) ? &qtri_wireframe : NULL;
             m.depth_compare = (qtri_compare)random_bits32(seed);
         }
         s->material[n] = m;
@@ -123,7 +123,7 @@ static void draw_scene(const qtri_surface *surface, const scene *s)
     }
 }
 
-static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
 
 static void bands(void **state)
 {
@@ -131,7 +131,7 @@ static void bands(void **state)
     uint64_t seed = 61;
     for (int n = 0; n < 1500; n++) {
         static scene s;
-        qtri_format format = formats[n % 3];
+        const qtri_format *format = formats[n % 3];
         random_scene(&s, &seed, n % 5 != 0);
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         draw_scene(&whole.surface, &s);
@@ -154,7 +154,7 @@ static void scissors(void **state)
     uint64_t seed = 62;
     for (int n = 0; n < 1000; n++) {
         static scene s;
-        qtri_format format = formats[n % 3];
+        const qtri_format *format = formats[n % 3];
         random_scene(&s, &seed, n % 5 != 0);
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         canvas parts = canvas_new(format, WIDTH, HEIGHT);
@@ -213,7 +213,7 @@ static void pitches(void **state)
     uint64_t seed = 63;
     for (int n = 0; n < 600; n++) {
         static scene s;
-        qtri_format format = formats[n % 3];
+        const qtri_format *format = formats[n % 3];
         random_scene(&s, &seed, n % 5 != 0);
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         draw_scene(&whole.surface, &s);
@@ -232,7 +232,7 @@ static void pitches(void **state)
         draw_scene(&apart, &s);
         assert_same_picture(&whole.surface, &apart);
 
-        int used = WIDTH * (int)QTRI_FORMAT_BYTES(format);
+        int used = WIDTH * (int)format->pixels->bytes;
         for (int i = 0; i < (int)sizeof pixel_memory; i++) {
             int row = i / ROW - SPACE;
             if ((row < 0 || row >= HEIGHT || i % ROW >= used) && bytes[i] != 0xA5) {
@@ -257,8 +257,8 @@ static void no_depth(void **state)
     for (int n = 0; n < 200; n++) {
         static scene s;
         random_scene(&s, &seed, true);
-        canvas with = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
-        canvas without = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+        canvas with = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        canvas without = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
         uint16_t *depth = without.surface.depth;
         without.surface.depth = NULL;
         canvas_clear(&without);
@@ -277,7 +277,7 @@ static void no_depth(void **state)
 static void surface_errors(void **state)
 {
     (void)state;
-    static uint8_t memory[QTRI_BAND_BYTES(13, 5, QTRI_XRGB8888) + 8];
+    static uint8_t memory[QTRI_BAND_BYTES(13, 5, QTRI_XRGB8888_BYTES) + 8];
     struct {
         int32_t width, height, first, rows;
         enum qtri_error error;
@@ -297,19 +297,19 @@ static void surface_errors(void **state)
                  {QTRI_SURFACE_MAX, QTRI_SURFACE_MAX, 0, QTRI_SURFACE_MAX, QTRI_ERROR_MEMORY}};
     for (size_t i = 0; i < LENGTH_OF(cases); i++) {
         qtri_surface s;
-        assert_int_equal(qtri_surface_init(&s, QTRI_XRGB8888, cases[i].width, cases[i].height,
+        assert_int_equal(qtri_surface_init(&s, &qtri_xrgb8888, cases[i].width, cases[i].height,
                                            cases[i].first, cases[i].rows, memory,
-                                           QTRI_BAND_BYTES(13, 5, QTRI_XRGB8888)),
+                                           QTRI_BAND_BYTES(13, 5, QTRI_XRGB8888_BYTES)),
                          cases[i].error);
     }
     for (int n = 0; n < 12; n++) { /* any alignment, any format: aligned and inside */
-        qtri_format format = formats[n % 3];
-        size_t bytes = QTRI_BAND_BYTES(13, 5, format);
+        const qtri_format *format = formats[n % 3];
+        size_t bytes = QTRI_BAND_BYTES(13, 5, format->pixels->bytes);
         qtri_surface s;
         assert_int_equal(qtri_surface_init(&s, format, 13, 7, 4, 5, memory + n / 3, bytes),
                          QTRI_OK);
         assert_int_equal(s.rows, 3);
-        assert_int_equal((uintptr_t)s.pixels % QTRI_FORMAT_BYTES(format), 0);
+        assert_int_equal((uintptr_t)s.pixels % format->pixels->bytes, 0);
         assert_int_equal((uintptr_t)s.depth % 2, 0);
         assert_true(s.pixels >= memory + n / 3);
         assert_true((uint8_t *)s.depth >= s.pixels + 5 * s.pitch);
@@ -317,7 +317,7 @@ static void surface_errors(void **state)
         qtri_rgb color = {255, 0, 255};
         qtri_surface_clear(&s, color, 7);
         qtri_rgb at = qtri_surface_pixel(&s, 12, 6);
-        assert_true(at.r == (format == QTRI_GRAY8 ? 105 : 255)); /* .413 * 255 */
+        assert_true(at.r == (format == &qtri_gray8 ? 105 : 255)); /* .413 * 255 */
         qtri_rgb out = qtri_surface_pixel(&s, 12, 7);
         assert_true(out.r == 0 && out.g == 0 && out.b == 0);
         (void)qtri_surface_pixel(&s, INT32_MIN, INT32_MIN);
@@ -332,7 +332,7 @@ static void any_bounds(void **state)
     (void)state;
     uint64_t seed = 65;
     for (int n = 0; n < 100000; n++) {
-        qtri_surface s = {NULL, 0, NULL, 0, QTRI_GRAY8, 0, 0, 0, 0, {0, 0, 0, 0}};
+        qtri_surface s = {NULL, 0, NULL, 0, &qtri_gray8, 0, 0, 0, 0, {0, 0, 0, 0}};
         int32_t *fields[] = {&s.width,      &s.height,     &s.first_row,  &s.rows,
                              &s.scissor.x0, &s.scissor.y0, &s.scissor.x1, &s.scissor.y1};
         for (size_t i = 0; i < LENGTH_OF(fields); i++) {

@@ -20,7 +20,7 @@ typedef struct full_mesh {
 } full_mesh;
 
 static const qtri_texture checker = {
-    .format = QTRI_TEXEL_CHECKER,
+    .format = &qtri_texel_checker,
     .width_log2 = 5,
     .height_log2 = 5,
     .fields = 8,
@@ -100,7 +100,7 @@ static qtri_material random_material(uint64_t *seed)
     m.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
     m.texture = random_flag(seed) ? &checker : NULL;
     m.cull = (qtri_cull)random_in(seed, 0, 2);
-    m.fill = random_in(seed, 0, 4) == 0 ? QTRI_WIREFRAME : QTRI_SOLID;
+    m.fill = random_in(seed, 0, 4) == 0 ? &qtri_wireframe : NULL;
     return m;
 }
 
@@ -157,7 +157,7 @@ static void any_scratch_size(void **state)
         random_pose(&pose, &seed);
         qtri_material material = random_material(&seed);
         view.light = random_flag(&seed) ? &light : NULL;
-        qtri_format format = (qtri_format)(n % 3);
+        const qtri_format *format = drawn_format(n);
         canvas none = canvas_new(format, WIDTH, HEIGHT);
         qtri_draw_mesh(&none.surface, &view, &pose, &m.mesh, &material);
         total += painted(&none);
@@ -202,7 +202,7 @@ static void corners_equal_mesh(void **state)
             }
         }
         qtri_material material = random_material(&seed);
-        qtri_format format = (qtri_format)(n % 3);
+        const qtri_format *format = drawn_format(n);
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         qtri_draw_mesh(&whole.surface, &view, &pose, &m.mesh, &material);
         for (int32_t first = 0; first < HEIGHT;) {
@@ -224,7 +224,7 @@ static void inside_a_box(void **state)
     (void)state;
     enum { CUTS = 3 };
     uint64_t seed = 103;
-    canvas c = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     for (int n = 0; n < 120; n++) {
         int count[HEIGHT][WIDTH] = {{0}};
         qtri_view view;
@@ -312,8 +312,8 @@ static void compact_equals_wide(void **state)
         view.vertices = scratch;
         view.vertex_count = VERTICES;
         qtri_material material = random_material(&seed);
-        canvas a = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
-        canvas b = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+        canvas a = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas b = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         qtri_draw_mesh(&a.surface, &view, &pose, &m.mesh, &material);
         qtri_draw_mesh(&b.surface, &view, &pose, &wide, &material);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
@@ -371,8 +371,8 @@ static void bounds(void **state)
             {(high.x - low.x) / 2 + 1, (high.y - low.y) / 2 + 1, (high.z - low.z) / 2 + 1}};
         qtri_material material = random_material(&seed);
         int32_t first = random_in(&seed, 0, HEIGHT - 1);
-        canvas a = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, first, random_in(&seed, 1, HEIGHT));
-        canvas b = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, first, a.surface.rows);
+        canvas a = canvas_band(&qtri_rgb565, WIDTH, HEIGHT, first, random_in(&seed, 1, HEIGHT));
+        canvas b = canvas_band(&qtri_rgb565, WIDTH, HEIGHT, first, a.surface.rows);
         view.vertices = scratch;
         view.vertex_count = VERTICES;
         m.mesh.bounds = box;
@@ -446,7 +446,7 @@ static void lit(void **state)
     double worst[2][2] = {{0, 0}, {0, 0}};
     int seen = 0;
     uint64_t seed = 104;
-    canvas c = canvas_new(QTRI_XRGB8888, 32, 32);
+    canvas c = canvas_new(&qtri_xrgb8888, 32, 32);
     for (int n = 0; n < 6000; n++) {
         bool per_vertex = n % 2 != 0;
         bool even = n % 4 < 2;
@@ -516,14 +516,15 @@ static void lit(void **state)
                   worst[0][0], worst[1][1], worst[1][0]);
     assert_true(seen > 100000);
     assert_true(worst[0][0] <= .52 && worst[0][1] <= .52); /* .5 of it the rounding of a pixel */
-    assert_true(worst[1][0] <= .52 && worst[1][1] <= .53); /* normals are rounded to 2^-14 */
+    /* Normals are rounded to 2^-14, light between vertices to 2^-10: 1/8 of 255. */
+    assert_true(worst[1][0] <= .65 && worst[1][1] <= .65);
     canvas_free(&c);
 }
 
 static void nothing_to_draw(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     qtri_view view;
     qtri_transform pose;
     qtri_material material = qtri_material_default();
@@ -544,7 +545,7 @@ static void nothing_to_draw(void **state)
     assert_int_equal(painted(&c), 0);
     canvas_free(&c);
 
-    canvas one = canvas_new(QTRI_GRAY8, 1, 1); /* a target of one pixel */
+    canvas one = canvas_new(&qtri_gray8, 1, 1); /* a target of one pixel */
     qtri_corner corners[3] = {{{Q16(-1), Q16(-1), 0, Q16_ONE}, {255, 255, 255}, {0, 0}},
                               {{Q16(3), Q16(-1), 0, Q16_ONE}, {255, 255, 255}, {0, 0}},
                               {{Q16(-1), Q16(3), 0, Q16_ONE}, {255, 255, 255}, {0, 0}}};
@@ -561,8 +562,8 @@ static void homogeneous(void **state)
     (void)state;
     uint64_t seed = 105;
     for (int n = 0; n < 2000; n++) {
-        canvas a = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
-        canvas b = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+        canvas a = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas b = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         qtri_view view;
         qtri_transform pose;
         qtri_corner corners[2][3];
@@ -609,7 +610,7 @@ static void garbage(void **state)
     static qtri_vertex scratch[VERTICES];
     static qtri_corner corners[12];
     uint64_t seed = 106;
-    canvas c = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     for (int n = 0; n < 8000; n++) {
         qtri_view view;
         qtri_transform pose;
@@ -663,14 +664,14 @@ static void garbage(void **state)
         texture.width_log2 = (uint8_t)random64(&seed);
         texture.wrap_u = (qtri_wrap)random_bits32(&seed);
         texture.wrap_v = (qtri_wrap)random_in(&seed, 0, 1);
-        texture.filter = (qtri_filter)random_in(&seed, 0, 2);
+        texture.filter = random_in(&seed, 0, 2) == 1 ? &qtri_bilinear : NULL;
         texture.has_key = random_flag(&seed);
         texture.key = (uint32_t)random_in(&seed, 0, 2);
         qtri_material material = random_material(&seed);
         material.texture = random_flag(&seed) ? &texture : NULL;
         material.cull = (qtri_cull)random_bits32(&seed);
         material.shading = (qtri_shading)random_bits32(&seed);
-        material.fill = (qtri_fill)(random_bits32(&seed) >> 30);
+        material.fill = random_bits32(&seed) >> 30 != 0 ? &qtri_wireframe : NULL;
         material.depth_compare = (qtri_compare)random_bits32(&seed);
         qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
         qtri_draw_triangles(&c.surface, &view, &pose, corners, 12, &material);

@@ -7,7 +7,7 @@
 enum { WIDTH = 56, HEIGHT = 44, RINGS = 12, SIDES = 9, VERTICES = RINGS * SIDES };
 enum { TRIANGLES = 2 * VERTICES, EXTRA = 3, LISTS = 4000 };
 
-static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
 static const qtri_rgb sky = {10, 20, 30};
 
 /* ---- A torus with everything a mesh can bring, and some triangles that are none ---- */
@@ -21,7 +21,7 @@ static qtri_normal8 normals8[VERTICES];
 static uint16_t triangles[TRIANGLES + EXTRA][3];
 static uint8_t triangles8[TRIANGLES + EXTRA][3];
 
-static const qtri_texture checker = {.format = QTRI_TEXEL_CHECKER,
+static const qtri_texture checker = {.format = &qtri_texel_checker,
                                      .width_log2 = 5,
                                      .height_log2 = 5,
                                      .fields = 6,
@@ -101,7 +101,7 @@ static void random_scene(scene *s, uint64_t *seed)
     s->material.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
     s->material.texture = random_flag(seed) ? &checker : NULL;
     s->material.cull = (qtri_cull)(random_in(seed, 1, 7) % 3);
-    s->material.fill = (qtri_fill)(random_in(seed, 0, 3) == 0);
+    s->material.fill = random_in(seed, 0, 3) == 0 ? &qtri_wireframe : NULL;
     s->material.depth_compare = (qtri_compare)(random_flag(seed) ? 2 : random_in(seed, 0, 8));
 
     qtri_view_init(&s->view, WIDTH, HEIGHT);
@@ -128,7 +128,7 @@ static void draw_whole(const qtri_surface *surface, scene *s)
 
 /* ---- The same pixels ---- */
 
-static uint8_t band_memory[QTRI_FRAME_BYTES_DOUBLE(WIDTH, HEIGHT, QTRI_XRGB8888)];
+static uint8_t band_memory[QTRI_FRAME_BYTES_DOUBLE(WIDTH, HEIGHT, QTRI_XRGB8888_BYTES)];
 static qtri_vertex vertex_memory[VERTICES];
 static uint16_t list_memory[LISTS];
 
@@ -139,7 +139,7 @@ static void heights(void **state)
     for (int n = 0; n < 60; n++) {
         static scene s;
         random_scene(&s, &seed);
-        const qtri_format format = formats[n % 3];
+        const qtri_format *format = formats[n % 3];
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         draw_whole(&whole.surface, &s);
         for (int32_t rows = 1; rows <= HEIGHT; rows++) {
@@ -147,8 +147,8 @@ static void heights(void **state)
             qtri_surface band;
             qtri_prepared prepared;
             const bool two = random_flag(&seed);
-            const size_t bytes = two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows, format)
-                                     : QTRI_FRAME_BYTES(WIDTH, rows, format);
+            const size_t bytes = two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows, format->pixels->bytes)
+                                     : QTRI_FRAME_BYTES(WIDTH, rows, format->pixels->bytes);
             assert_int_equal(
                 qtri_frame_init(&frame, format, WIDTH, HEIGHT, rows, band_memory, bytes), QTRI_OK);
             const uint32_t few[4] = {VERTICES, VERTICES, 20, 0};
@@ -178,7 +178,7 @@ static void other_rows(void **state)
         random_scene(&s, &seed);
         qtri_frame frame;
         qtri_prepared prepared;
-        assert_int_equal(qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT,
+        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT,
                                          random_in(&seed, 1, HEIGHT), band_memory,
                                          sizeof band_memory),
                          QTRI_OK);
@@ -187,8 +187,8 @@ static void other_rows(void **state)
         for (int part = 0; part < 4; part++) {
             const int32_t first = random_in(&seed, 0, HEIGHT - 1);
             const int32_t rows = random_in(&seed, 1, HEIGHT);
-            canvas one = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, first, rows);
-            canvas other = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, first, rows);
+            canvas one = canvas_band(&qtri_rgb565, WIDTH, HEIGHT, first, rows);
+            canvas other = canvas_band(&qtri_rgb565, WIDTH, HEIGHT, first, rows);
             one.surface.scissor.y0 = random_in(&seed, -4, HEIGHT);
             one.surface.scissor.x1 = random_in(&seed, 0, WIDTH + 4);
             other.surface.scissor = one.surface.scissor;
@@ -215,7 +215,7 @@ static void only_reads(void **state)
         qtri_frame frame;
         qtri_surface band;
         qtri_prepared prepared;
-        assert_int_equal(qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT,
+        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT,
                                          random_in(&seed, 1, HEIGHT), band_memory,
                                          sizeof band_memory),
                          QTRI_OK);
@@ -227,7 +227,7 @@ static void only_reads(void **state)
         while (qtri_frame_next_band(&frame, &band)) {
             qtri_draw_prepared(&band, &prepared);
         }
-        canvas odd = canvas_band(QTRI_RGB565, WIDTH, HEIGHT, 3, HEIGHT);
+        canvas odd = canvas_band(&qtri_rgb565, WIDTH, HEIGHT, 3, HEIGHT);
         qtri_draw_prepared(&odd.surface, &prepared);
         canvas_free(&odd);
         assert_memory_equal(vertices, vertex_memory, sizeof vertices);
@@ -242,13 +242,13 @@ static void nothing_drawn(void **state)
     uint64_t seed = 74;
     scene s;
     random_scene(&s, &seed);
-    canvas c = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
-    canvas black = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas black = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     qtri_frame frame;
     qtri_prepared prepared;
-    assert_int_equal(
-        qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT - 1, 7, band_memory, sizeof band_memory),
-        QTRI_OK);
+    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT - 1, 7, band_memory,
+                                     sizeof band_memory),
+                     QTRI_OK);
     qtri_prepared_init(&prepared, NULL, 0, NULL, 0);
     qtri_draw_prepared(&c.surface, &prepared);
     qtri_prepared_mark(&prepared, &frame);
@@ -256,14 +256,14 @@ static void nothing_drawn(void **state)
     qtri_draw_prepared(&c.surface, &prepared);
     s.mesh.triangle_count = 0;
     assert_int_equal(
-        qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT, 7, band_memory, sizeof band_memory),
+        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, band_memory, sizeof band_memory),
         QTRI_OK);
     qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
     qtri_draw_prepared(&c.surface, &prepared);
     assert_same_picture(&black.surface, &c.surface);
     /* A frame that could not be made. */
     assert_int_equal(
-        qtri_frame_init(&frame, QTRI_RGB565, WIDTH, HEIGHT, 0, band_memory, sizeof band_memory),
+        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 0, band_memory, sizeof band_memory),
         QTRI_ERROR_SIZE);
     s.mesh.triangle_count = TRIANGLES;
     qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
@@ -296,7 +296,7 @@ static void sizes(void **state)
     for (size_t i = 0; i < LENGTH_OF(cases); i++) {
         qtri_frame frame;
         qtri_surface band;
-        assert_int_equal(qtri_frame_init(&frame, QTRI_XRGB8888, cases[i].width, cases[i].height,
+        assert_int_equal(qtri_frame_init(&frame, &qtri_xrgb8888, cases[i].width, cases[i].height,
                                          cases[i].rows, band_memory, sizeof band_memory),
                          cases[i].error);
         qtri_frame_begin(&frame);
@@ -304,10 +304,15 @@ static void sizes(void **state)
         const qtri_rect r = qtri_frame_changes(&frame);
         assert_true((r.x1 > 0) == (cases[i].error == QTRI_OK));
     }
-    static uint8_t exact[QTRI_FRAME_BYTES(9, 3, QTRI_GRAY8)];
+    qtri_frame none;
+    qtri_surface no_band;
+    assert_int_equal(qtri_frame_init(&none, NULL, 9, 9, 3, band_memory, sizeof band_memory),
+                     QTRI_ERROR_FORMAT);
+    assert_false(qtri_frame_next_band(&none, &no_band));
+    static uint8_t exact[QTRI_FRAME_BYTES(9, 3, QTRI_GRAY8_BYTES)];
     qtri_frame frame;
-    assert_int_equal(qtri_frame_init(&frame, QTRI_GRAY8, 9, 9, 3, exact, sizeof exact), QTRI_OK);
-    assert_int_equal(qtri_frame_init(&frame, QTRI_GRAY8, 9, 9, 3, exact, sizeof exact - 1),
+    assert_int_equal(qtri_frame_init(&frame, &qtri_gray8, 9, 9, 3, exact, sizeof exact), QTRI_OK);
+    assert_int_equal(qtri_frame_init(&frame, &qtri_gray8, 9, 9, 3, exact, sizeof exact - 1),
                      QTRI_ERROR_MEMORY);
 }
 
@@ -315,14 +320,14 @@ static void sizes(void **state)
 static void bands(void **state)
 {
     (void)state;
-    static uint8_t memory[QTRI_FRAME_BYTES_DOUBLE(13, 9, QTRI_XRGB8888) + 8];
+    static uint8_t memory[QTRI_FRAME_BYTES_DOUBLE(13, 9, QTRI_XRGB8888_BYTES) + 8];
     for (int n = 0; n < 9 * 3 * 2 * 4; n++) {
         const int32_t rows = n % 9 + 1;
-        const qtri_format format = formats[n / 9 % 3];
+        const qtri_format *format = formats[n / 9 % 3];
         const bool two = n / 27 % 2 != 0;
         uint8_t *start = memory + n / 54;
-        const size_t bytes =
-            two ? QTRI_FRAME_BYTES_DOUBLE(13, rows, format) : QTRI_FRAME_BYTES(13, rows, format);
+        const size_t bytes = two ? QTRI_FRAME_BYTES_DOUBLE(13, rows, format->pixels->bytes)
+                                 : QTRI_FRAME_BYTES(13, rows, format->pixels->bytes);
         qtri_frame frame;
         qtri_surface band;
         assert_int_equal(qtri_frame_init(&frame, format, 13, 9, rows, start, bytes), QTRI_OK);
@@ -365,7 +370,7 @@ static void shares(void **state)
             qtri_frame frame;
             qtri_surface band;
             assert_int_equal(
-                qtri_frame_init(&frame, QTRI_GRAY8, 8, HEIGHT, 3, band_memory, sizeof band_memory),
+                qtri_frame_init(&frame, &qtri_gray8, 8, HEIGHT, 3, band_memory, sizeof band_memory),
                 QTRI_OK);
             qtri_frame_share(&frame, part, parts);
             while (qtri_frame_next_band(&frame, &band)) {
@@ -381,7 +386,7 @@ static void shares(void **state)
     qtri_frame frame;
     qtri_surface band;
     assert_int_equal(
-        qtri_frame_init(&frame, QTRI_GRAY8, 8, HEIGHT, 3, band_memory, sizeof band_memory),
+        qtri_frame_init(&frame, &qtri_gray8, 8, HEIGHT, 3, band_memory, sizeof band_memory),
         QTRI_OK);
     qtri_frame_share(&frame, INT32_MAX, INT32_MIN);
     assert_false(qtri_frame_next_band(&frame, &band));
@@ -403,7 +408,7 @@ static void marks(void **state)
     qtri_frame frame;
     qtri_surface band;
     assert_int_equal(
-        qtri_frame_init(&frame, QTRI_GRAY8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory),
+        qtri_frame_init(&frame, &qtri_gray8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory),
         QTRI_OK);
     qtri_frame_begin(&frame);
     assert_rect(qtri_frame_changes(&frame), 0, 0, WIDTH, HEIGHT); /* the first frame */
@@ -448,7 +453,7 @@ static void display(void **state)
     uint64_t seed = 75;
     int small = 0;
     for (int n = 0; n < 40; n++) {
-        const qtri_format format = formats[n % 3];
+        const qtri_format *format = formats[n % 3];
         canvas shown = canvas_new(format, WIDTH, HEIGHT);
         qtri_frame frame;
         qtri_surface band;
@@ -492,7 +497,7 @@ static void display(void **state)
                 qtri_draw_prepared(&band, &prepared[0]);
                 qtri_draw_prepared(&band, &prepared[1]);
                 const qtri_rect sent = qtri_surface_bounds(&band);
-                const size_t pixel = QTRI_FORMAT_BYTES(format);
+                const size_t pixel = format->pixels->bytes;
                 for (int32_t y = sent.y0; y < sent.y1; y++) {
                     memcpy(shown.surface.pixels + y * shown.surface.pitch + (size_t)sent.x0 * pixel,
                            band.pixels + (y - band.first_row) * band.pitch +
@@ -525,14 +530,14 @@ static void tight(void **state)
     const qtri_vec3 at = {0, 0, Q16(-5)};
     qtri_transform_translate(&s.pose, at);
     assert_int_equal(
-        qtri_frame_init(&frame, QTRI_GRAY8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory),
+        qtri_frame_init(&frame, &qtri_gray8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory),
         QTRI_OK);
     assert_true(qtri_frame_next_band(&frame, &band));
     qtri_frame_begin(&frame);
     qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
     qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
     qtri_prepared_mark(&prepared, &frame);
-    canvas c = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     qtri_draw_prepared(&c.surface, &prepared);
     qtri_rect seen = {WIDTH, HEIGHT, 0, 0};
     for (int32_t y = 0; y < HEIGHT; y++) {

@@ -77,7 +77,7 @@ static void rule(void **state)
 {
     (void)state;
     static const int32_t reach[] = {300, 3000, 8000, 17000, 33000, 1 << 19, 4000000};
-    canvas c = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 71;
     for (int n = 0; n < 14000; n++) {
         point a = random_point(&seed, reach[n % 7]);
@@ -96,7 +96,7 @@ static void rule(void **state)
 static void chains(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 72;
     for (int n = 0; n < 2000; n++) {
         int count[WIDTH] = {0};
@@ -141,7 +141,7 @@ static point at(double x, double y)
 static void pictures(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_RGB565, 6, 4);
+    canvas c = canvas_new(&qtri_rgb565, 6, 4);
     const qtri_surface *s = &c.surface;
     draw(s, at(1.5, 1.5), at(4.5, 1.5));
     assert_raster(s, "......", ".###..", "......");
@@ -161,14 +161,15 @@ static void pictures(void **state)
 }
 
 /* Stored channels as the format has them, and 255 in its steps. */
-static void channels_of(qtri_format format, uint32_t pixel, double channel[3], double steps[3])
+static void channels_of(const qtri_format *format, uint32_t pixel, double channel[3],
+                        double steps[3])
 {
     static const int shift[2][3] = {{11, 5, 0}, {16, 8, 0}};
     static const int bits[2][3] = {{5, 6, 5}, {8, 8, 8}};
     for (int i = 0; i < 3; i++) {
-        uint32_t most = (1u << bits[format][i]) - 1;
+        uint32_t most = (1u << bits[format == &qtri_xrgb8888][i]) - 1;
         steps[i] = most;
-        channel[i] = pixel >> shift[format][i] & most;
+        channel[i] = pixel >> shift[format == &qtri_xrgb8888][i] & most;
     }
 }
 
@@ -225,13 +226,13 @@ static void values(void **state)
 {
     (void)state;
     static const struct {
-        qtri_format format;
+        const qtri_format *format;
         int32_t width, height;
-    } sizes[] = {{QTRI_XRGB8888, WIDTH, HEIGHT},
-                 {QTRI_RGB565, WIDTH, HEIGHT},
-                 {QTRI_XRGB8888, 5000, 3},
-                 {QTRI_RGB565, 2, 3000},
-                 {QTRI_RGB565, 127, 4}};
+    } sizes[] = {{&qtri_xrgb8888, WIDTH, HEIGHT},
+                 {&qtri_rgb565, WIDTH, HEIGHT},
+                 {&qtri_xrgb8888, 5000, 3},
+                 {&qtri_rgb565, 2, 3000},
+                 {&qtri_rgb565, 127, 4}};
     uint64_t seed = 73;
     for (size_t i = 0; i < LENGTH_OF(sizes); i++) {
         double color = 0;
@@ -255,7 +256,7 @@ static void values(void **state)
         }
         print_message("%d x %d, %s: colour %.4f of a step, depth %.4f of 65535\n",
                       (int)sizes[i].width, (int)sizes[i].height,
-                      sizes[i].format == QTRI_RGB565 ? "RGB565" : "XRGB8888", color, depth);
+                      sizes[i].format == &qtri_rgb565 ? "RGB565" : "XRGB8888", color, depth);
         assert_true(color > .4 && color <= .504);
         assert_true(depth > .4 && depth <= .505);
         canvas_free(&c);
@@ -269,6 +270,10 @@ static void turn_over(qtri_surface *s)
     s->pitch = -s->pitch;
     s->depth_pitch = -s->depth_pitch;
 }
+
+/* Pixels of 16 bits first. */
+static const qtri_format *const formats[] = {&qtri_rgb565, &qtri_rgb565_swapped, &qtri_xrgb8888,
+                                             &qtri_gray8,  &qtri_rgb888,         &qtri_bgr888};
 
 /* Lit ends anywhere around the surface, some near each other. */
 static void random_ends(uint64_t *seed, const qtri_surface *s, qtri_vertex end[2])
@@ -312,7 +317,8 @@ static void tinted_ways(void **state)
     uint64_t seed = 74;
     int fast = 0;
     for (int n = 0; n < 3000; n++) {
-        const qtri_format format = (qtri_format)(n % 3 ? QTRI_RGB565 : random_in(&seed, 0, 2));
+        const qtri_format *format = n % 3 ? formats[random_in(&seed, 0, 1)]
+                                          : formats[random_in(&seed, 0, LENGTH_OF(formats) - 1)];
         const bool wide = random_flag(&seed);
         const int32_t height = wide ? 20 : SIDE;
         const int32_t first = random_in(&seed, 0, 3) == 0 ? random_in(&seed, 0, height - 1) : 0;
@@ -328,8 +334,7 @@ static void tinted_ways(void **state)
         canvas c[WAYS];
         uint64_t ends = random64(&seed);
         for (int way = 0; way < WAYS; way++) {
-            uint16_t table[QTRI_LINE_TINTS];
-            qtri_line_batch batch;
+            qtri_batch batch;
             qtri_line_job job;
             c[way] = canvas_band(format, wide ? SIDE : 20, height, first, height - first);
             qtri_surface *s = &c[way].surface;
@@ -350,8 +355,7 @@ static void tinted_ways(void **state)
                 narrow_line_job_init(&job, s, &material, &batch);
             }
             if (way < 2) {
-                job.table = table;
-                qtri_line_set_tints(&job);
+                qtri_line_make_table(&job);
                 qtri_line_16_choose(&job);
                 fast += way == 0 && job.draw != qtri_line_draw;
             }
@@ -386,7 +390,7 @@ static void compares(void **state)
     (void)state;
     static const uint16_t depth[] = {0, 1, 29999, 30000, 30001, 65534, 65535};
     enum { COUNT = LENGTH_OF(depth) };
-    canvas c = canvas_new(QTRI_RGB565, COUNT, 1);
+    canvas c = canvas_new(&qtri_rgb565, COUNT, 1);
     for (int n = 0; n < 11 * COUNT * 2; n++) {
         const int compare = n % 11;
         const uint16_t z = depth[n / 11 % COUNT];
@@ -419,16 +423,16 @@ static void tints(void **state)
 {
     (void)state;
     static const struct {
-        qtri_format format;
+        const qtri_format *format;
         double bound;
-    } formats[] = {{QTRI_RGB565, .75}, {QTRI_XRGB8888, .512}};
+    } kinds[] = {{&qtri_rgb565, .75}, {&qtri_xrgb8888, .641}};
     uint64_t seed = 76;
-    for (size_t f = 0; f < LENGTH_OF(formats); f++) {
+    for (size_t f = 0; f < LENGTH_OF(kinds); f++) {
         double worst = 0;
-        canvas c = canvas_new(formats[f].format, 400, 2);
+        canvas c = canvas_new(kinds[f].format, 400, 2);
         for (int n = 0; n < 2000; n++) {
             qtri_material material = plain_material();
-            qtri_line_batch batch;
+            qtri_batch batch;
             qtri_line_job job;
             qtri_vertex end[2];
             const bool white = n % 2 == 0;
@@ -458,15 +462,15 @@ static void tints(void **state)
                 if (x >= c.surface.width) {
                     break;
                 }
-                channels_of(formats[f].format, stored_pixel(&c.surface, x, 0), channel, steps);
+                channels_of(kinds[f].format, stored_pixel(&c.surface, x, 0), channel, steps);
                 for (int i = 0; i < 3; i++) {
                     worst = fmax(worst, fabs(channel[i] - tint[i] * share / 255 * steps[i]));
                 }
             }
         }
         print_message("tints of %s: %.4f of a step\n",
-                      formats[f].format == QTRI_RGB565 ? "RGB565" : "XRGB8888", worst);
-        assert_true(worst > .49 && worst <= formats[f].bound);
+                      kinds[f].format == &qtri_rgb565 ? "RGB565" : "XRGB8888", worst);
+        assert_true(worst > .49 && worst <= kinds[f].bound);
         canvas_free(&c);
     }
 }
@@ -491,7 +495,7 @@ static void narrow(void **state)
     for (int n = 0; n < 20000; n++) {
         static canvas wide, other;
         if (n % 20 == 0) {
-            const qtri_format format = (qtri_format)random_in(&seed, 0, 2);
+            const qtri_format *format = formats[random_in(&seed, 0, LENGTH_OF(formats) - 1)];
             if (n > 0) {
                 canvas_free(&wide);
                 canvas_free(&other);

@@ -84,7 +84,7 @@ static void check_grid_triangle(canvas *c, int i, int j, int k)
 static void all_small_triangles(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_GRAY8, SIDE, SIDE);
+    canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
     assert_int_equal(c.surface.pitch, SIDE);
     for (int i = 0; i < POINTS; i++) {
         for (int j = 0; j < POINTS; j++) {
@@ -163,7 +163,7 @@ static void any_size(void **state)
 {
     (void)state;
     static const int32_t reach[] = {300, 3000, 8000, 16384, 17000, 33000, 70000, 1 << 19, 1 << 22};
-    canvas c = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 51;
     for (int n = 0; n < 9000; n++) {
         int32_t r = reach[n % 9];
@@ -195,7 +195,7 @@ static void any_size(void **state)
     point beyond = {INT32_MAX, INT32_MIN};
     point held = {far_out, -far_out};
     point other[2] = {{300, 300}, {5000, 7000}};
-    canvas same = canvas_new(QTRI_GRAY8, WIDTH, HEIGHT);
+    canvas same = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     canvas_clear(&c);
     draw(&c.surface, beyond, other[0], other[1]);
     draw(&same.surface, held, other[0], other[1]);
@@ -241,7 +241,7 @@ static void jittered_grids(void **state)
 {
     (void)state;
     enum { CELLS = 9 };
-    hits h = {canvas_new(QTRI_GRAY8, WIDTH, HEIGHT), {{0}}};
+    hits h = {canvas_new(&qtri_gray8, WIDTH, HEIGHT), {{0}}};
     uint64_t seed = 52;
     for (int n = 0; n < 300; n++) {
         point p[CELLS + 1][CELLS + 1];
@@ -282,7 +282,7 @@ static void fans(void **state)
 {
     (void)state;
     enum { RIM = 12 };
-    hits h = {canvas_new(QTRI_GRAY8, WIDTH, HEIGHT), {{0}}};
+    hits h = {canvas_new(&qtri_gray8, WIDTH, HEIGHT), {{0}}};
     uint64_t seed = 53;
     for (int n = 0; n < 600; n++) {
         point hub = random_point(&seed, 4000);
@@ -308,7 +308,7 @@ static void split_triangles(void **state)
 {
     (void)state;
     enum { MOST = 150 };
-    hits h = {canvas_new(QTRI_GRAY8, WIDTH, HEIGHT), {{0}}};
+    hits h = {canvas_new(&qtri_gray8, WIDTH, HEIGHT), {{0}}};
     uint64_t seed = 54;
     for (int n = 0; n < 120; n++) {
         int32_t r = n % 2 != 0 ? QTRI_SCREEN_MAX_24P8 : 11000;
@@ -349,7 +349,7 @@ static void split_triangles(void **state)
 
 static bool draws(qtri_cull cull, bool clockwise)
 {
-    canvas c = canvas_new(QTRI_GRAY8, 8, 8);
+    canvas c = canvas_new(&qtri_gray8, 8, 8);
     qtri_material material = plain_material();
     material.cull = cull;
     qtri_screen_vertex v[3] = {screen_at(0, 0),
@@ -385,7 +385,7 @@ static point at(double x, double y)
 static void pictures(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_RGB565, 6, 4);
+    canvas c = canvas_new(&qtri_rgb565, 6, 4);
     const qtri_surface *s = &c.surface;
     /* All corners on centres: left and top edges are in, right and bottom are out. */
     draw(s, at(1.5, .5), at(1.5, 3.5), at(4.5, 3.5));
@@ -423,7 +423,7 @@ static void pictures(void **state)
 static void course_triangle(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_GRAY8, 256, 256);
+    canvas c = canvas_new(&qtri_gray8, 256, 256);
     point p[3] = {{128 * 256, 13849}, {4390, 128 * 256}, {61146, 128 * 256}};
     static const int rows[3][3] = {{54, 127, 128}, {90, 73, 182}, {127, 18, 237}};
     int count = 0;

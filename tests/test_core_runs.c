@@ -1,7 +1,8 @@
 /*
- * What fills rows fastest, here or on another core, draws what the generic path draws, to the bit:
+ * What fills rows fastest, here or on another core, draws what the stages draws, to the bit:
  * every format, shading, interpolation, depth mode, texture, alignment and cut by a scissor.
  */
+#include "raster/span.h"
 #include "raster/triangle.h"
 #include "support_core.h"
 #include "support_fill.h"
@@ -46,11 +47,11 @@ static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
         m->depth_compare = random_flag(seed) ? QTRI_LESS : QTRI_DEPTH_OFF;
     }
     m->depth_read_only = random_in(seed, 0, 3) == 0;
-    qtri_texture texture = {.texels = texels, .format = QTRI_TEXEL_RGB565};
+    qtri_texture texture = {.texels = texels, .format = &qtri_texel_rgb565};
     texture.width_log2 = (uint8_t)random_in(seed, 0, 9);
     texture.height_log2 = (uint8_t)random_in(seed, 0, 16 - texture.width_log2);
     texture.height_log2 = texture.height_log2 > 10 ? 10 : texture.height_log2;
-    texture.filter = random_in(seed, 0, 5) == 0 ? QTRI_BILINEAR : QTRI_NEAREST;
+    texture.filter = random_in(seed, 0, 5) == 0 ? &qtri_bilinear : NULL;
     texture.wrap_u = random_in(seed, 0, 5) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
     texture.has_key = random_in(seed, 0, 5) == 0;
     texture.key = texels[0];
@@ -59,37 +60,37 @@ static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
 }
 
 /* Which functions fill rows: what a raster chooses, or one way for all that it has. */
-enum way { CHOSEN, GENERIC, PAIRS, SELECTED, WAYS };
+enum way { CHOSEN, STAGES, PAIRS, SELECTED, WAYS };
 
 static void choose(qtri_raster *raster, enum way way)
 {
-    bool packed = raster->surface->format == QTRI_RGB565 && raster->compare == QTRI_LESS &&
-                  raster->depth_write;
-    if (way == GENERIC) {
-        raster->fill_flat = raster->fill_linear = raster->fill_tiny = qtri_fill_spans;
-        raster->copy_run = qtri_run_generic;
-    } else if (way == PAIRS && packed) {
-        raster->fill_flat = qtri_fill_flat_pairs;
-        raster->fill_linear = qtri_fill_packed_pairs;
-        raster->copy_run = qtri_run_copy_pairs;
-    } else if (way == SELECTED && packed) {
-        raster->fill_flat = selected_fill_flat_pairs;
-        raster->fill_linear = selected_fill_packed_pairs;
-        raster->copy_run = selected_run_copy_pairs;
+    const bool has_loops = raster->fill_flat != qtri_span_fill;
+    if (way == STAGES) {
+        raster->fill_flat = raster->fill_smooth = qtri_span_fill;
+        raster->copy_run = NULL;
+    } else if (way == PAIRS && has_loops) {
+        raster->fill_flat = qtri_flat_pairs;
+        raster->fill_smooth = qtri_smooth_pairs;
+        raster->copy_run = raster->copied ? qtri_copy_pairs : NULL;
+    } else if (way == SELECTED && has_loops) {
+        raster->fill_flat = selected_flat_pairs;
+        raster->fill_smooth = selected_smooth_pairs;
+        raster->copy_run = raster->copied ? selected_copy_pairs : NULL;
     }
 }
 
-/* As qtri_raster_triangle; true when a path of its own drew the triangle. */
+/* As qtri_raster_triangle; true when a loop of its own drew the triangle. */
 static bool draw(const qtri_surface *surface, const qtri_material *material,
                  const qtri_screen_vertex v[3], enum way way)
 {
     qtri_raster raster;
-    qtri_raster_init(&raster, surface, material);
+    qtri_batch batch;
+    qtri_raster_init(&raster, surface, material, &batch);
     choose(&raster, way);
     qtri_raster_draw(&raster, v);
-    return raster.texture != NULL             ? raster.copy_run != qtri_run_generic
-           : material->shading != QTRI_SMOOTH ? raster.fill_flat != qtri_fill_spans
-                                              : raster.fill_linear != qtri_fill_spans;
+    return raster.texture != NULL             ? raster.copy_run != NULL
+           : material->shading != QTRI_SMOOTH ? raster.fill_flat != qtri_span_fill
+                                              : raster.fill_smooth != qtri_span_fill;
 }
 
 static void random_background(canvas c[WAYS], uint64_t *seed)
@@ -106,7 +107,7 @@ static void random_background(canvas c[WAYS], uint64_t *seed)
 static void every_way_draws_the_same(void **state)
 {
     (void)state;
-    static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     uint64_t seed = 7;
     int fast = 0;
     for (size_t i = 0; i < LENGTH_OF(texels); i++) {
@@ -149,7 +150,7 @@ static void every_way_draws_the_same(void **state)
 static void surfaces_without_depth(void **state)
 {
     (void)state;
-    static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     uint64_t seed = 9;
     for (int f = 0; f < 3; f++) {
         canvas off = canvas_new(formats[f], WIDTH, HEIGHT);
@@ -179,18 +180,18 @@ static void copies_equal_modulation(void **state)
 {
     (void)state;
     uint64_t seed = 8;
-    canvas a = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
-    canvas b = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+    canvas a = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas b = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     int copied = 0;
     int pixels = 0;
     int others = 0;
     for (int n = 0; n < 4000; n++) {
         qtri_screen_vertex v[3];
         qtri_material material = qtri_material_default();
-        qtri_texture texture = {.texels = texels, .format = QTRI_TEXEL_RGB565};
+        qtri_texture texture = {.texels = texels, .format = &qtri_texel_rgb565};
         texture.width_log2 = (uint8_t)random_in(&seed, 1, 8);
         texture.height_log2 = (uint8_t)random_in(&seed, 0, 8);
-        qtri_texture keyed = texture; /* a key that no texel has: drawn by the generic path */
+        qtri_texture keyed = texture; /* a key that no texel has: drawn by the stages */
         keyed.has_key = true;
         keyed.key = 0x10000;
         material.cull = QTRI_CULL_NONE;

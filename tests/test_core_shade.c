@@ -91,28 +91,23 @@ static void check_pixel(const canvas *c, const qtri_material *m, const qtri_scre
         color[channel] = sum / 65536;
         static const double luma[3] = {.299, .587, .114};
         gray += luma[channel] * sum / 65536;
-        if (m->shading == QTRI_SMOOTH && c->surface.format == QTRI_XRGB8888) {
+        if (m->shading == QTRI_SMOOTH && c->surface.format == &qtri_xrgb8888) {
             double is = stored_pixel(&c->surface, x, y) >> (16 - 8 * channel) & 255;
             assert_true(is >= floor(low / 65536 + .5) && is <= floor(high / 65536 + .5));
         }
     }
     uint32_t pixel = stored_pixel(&c->surface, x, y);
-    switch (c->surface.format) {
-    case QTRI_RGB565: {
+    if (c->surface.format == &qtri_rgb565) {
         double is[3] = {pixel >> 11, pixel >> 5 & 63, pixel & 31};
         for (int i = 0; i < 3; i++) {
             w->color = fmax(w->color, fabs(is[i] - color[i] * max_565[i] / 255));
         }
-        break;
-    }
-    case QTRI_XRGB8888:
+    } else if (c->surface.format == &qtri_xrgb8888) {
         for (int i = 0; i < 3; i++) {
             w->color = fmax(w->color, fabs((double)(pixel >> (16 - 8 * i) & 255) - color[i]));
         }
-        break;
-    default:
+    } else {
         w->color = fmax(w->color, fabs(pixel - gray));
-        break;
     }
     w->pixels++;
 }
@@ -120,7 +115,7 @@ static void check_pixel(const canvas *c, const qtri_material *m, const qtri_scre
 static void interpolation(void **state)
 {
     (void)state;
-    static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     static const char *const names[3] = {"RGB565", "XRGB8888", "GRAY8"};
     uint64_t seed = 81;
     for (int f = 0; f < 3; f++) {
@@ -156,9 +151,9 @@ static void interpolation(void **state)
              * RGB565 adds the short fractions of packed.h.
              */
             double between = i > 0 ? 0 : 1 / 4.0;
-            double packed = i < 2 && formats[f] == QTRI_RGB565 ? 7 / 32.0 : 0;
+            double packed = i < 2 && formats[f] == &qtri_rgb565 ? 7 / 32.0 : 0;
             assert_true(w[i / 2][i % 2].color <= .51 + between + packed);
-            assert_true(w[i / 2][i % 2].depth <= .51);
+            assert_true(w[i / 2][i % 2].depth <= .54); /* steps of small triangles: 2^-5 */
         }
         canvas_free(&c);
     }
@@ -169,7 +164,7 @@ static void steep_perspective(void **state)
 {
     (void)state;
     uint64_t seed = 82;
-    canvas c = canvas_new(QTRI_XRGB8888, WIDTH, HEIGHT);
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     worst w = {0, 0, 0};
     for (int n = 0; n < 4000; n++) {
         qtri_screen_vertex v[3];
@@ -221,7 +216,7 @@ static void course_triangle(void **state)
         }
     }
     for (int n = 0; n < 2; n++) {
-        canvas c = canvas_new(QTRI_XRGB8888, 256, 256);
+        canvas c = canvas_new(&qtri_xrgb8888, 256, 256);
         qtri_material m = plain_material();
         m.shading = QTRI_SMOOTH;
         m.interpolation = n == 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
@@ -252,7 +247,7 @@ static void depth_comparisons(void **state)
 {
     (void)state;
     static const uint16_t depths[] = {0, 1, 100, 32767, 32768, 65534, 65535};
-    canvas c = canvas_new(QTRI_GRAY8, 8, 8);
+    canvas c = canvas_new(&qtri_gray8, 8, 8);
     for (int n = 0; n < 9 * 7 * 7 * 2 * 2; n++) {
         qtri_compare compare = (qtri_compare)(n % 9);
         uint16_t z = depths[n / 9 % 7];
@@ -296,7 +291,7 @@ static void depth_comparisons(void **state)
 static void crossing(void **state)
 {
     (void)state;
-    canvas c = canvas_new(QTRI_GRAY8, 64, 64);
+    canvas c = canvas_new(&qtri_gray8, 64, 64);
     qtri_material m = plain_material();
     m.depth_compare = QTRI_LESS;
     for (int n = 0; n < 2; n++) {
@@ -323,8 +318,8 @@ static void crossing(void **state)
 static void formats_round(void **state)
 {
     (void)state;
-    canvas c[3] = {canvas_new(QTRI_RGB565, 4, 4), canvas_new(QTRI_XRGB8888, 4, 4),
-                   canvas_new(QTRI_GRAY8, 4, 4)};
+    canvas c[3] = {canvas_new(&qtri_rgb565, 4, 4), canvas_new(&qtri_xrgb8888, 4, 4),
+                   canvas_new(&qtri_gray8, 4, 4)};
     uint64_t seed = 83;
     for (int n = 0; n < 20000; n++) {
         int level[3] = {n % 256, (n * 7 + n / 256) % 256, random_in(&seed, 0, 255)};

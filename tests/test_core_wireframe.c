@@ -19,7 +19,7 @@ typedef struct scene {
     qtri_light light;
     qtri_transform pose;
     qtri_material material;
-    qtri_format format;
+    const qtri_format *format;
     qtri_rect scissor;
     bool has_depth;
 } scene;
@@ -130,11 +130,11 @@ static void random_scene(scene *s, uint64_t *seed)
     s->material.color.g = (uint8_t)random64(seed);
     s->material.shading = (qtri_shading)(random_in(seed, 0, 3) % 3);
     s->material.cull = (qtri_cull)(random_in(seed, 0, 3) % 3);
-    s->material.fill = QTRI_WIREFRAME;
+    s->material.fill = &qtri_wireframe;
     s->material.depth_compare =
         random_in(seed, 0, 3) == 0 ? QTRI_LESS : (qtri_compare)random_in(seed, 0, 9);
     s->material.depth_read_only = random_in(seed, 0, 3) == 0;
-    s->format = random_flag(seed) ? QTRI_RGB565 : (qtri_format)random_in(seed, 0, 2);
+    s->format = random_flag(seed) ? &qtri_rgb565 : drawn_format(random_in(seed, 0, 2));
     s->scissor = random_in(seed, 0, 2) == 0 ? part : all;
     s->has_depth = random_in(seed, 0, 5) != 0;
     s->light = sun;
@@ -220,7 +220,7 @@ static void prepared_mesh(void **state)
     enum { LISTS = QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, 1) };
     static uint16_t lists[LISTS];
     static qtri_vertex vertices[VERTICES];
-    static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888)];
+    static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_BYTES)];
     uint64_t seed = 92;
     for (int n = 0; n < 1500; n++) {
         static scene s;
@@ -249,7 +249,7 @@ static void edges_once(void **state)
 {
     (void)state;
     static qtri_vertex vertices[VERTICES];
-    static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888)];
+    static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_BYTES)];
     uint64_t seed = 93;
     for (int n = 0; n < 400; n++) {
         static scene s;

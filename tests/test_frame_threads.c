@@ -16,7 +16,7 @@ static qtri_normal normals[VERTICES];
 static qtri_vec2 uvs[VERTICES];
 static uint16_t triangles[TRIANGLES][3];
 
-static const qtri_texture checker = {.format = QTRI_TEXEL_CHECKER,
+static const qtri_texture checker = {.format = &qtri_texel_checker,
                                      .width_log2 = 5,
                                      .height_log2 = 5,
                                      .fields = 8,
@@ -59,7 +59,7 @@ static int make_waves(void **state)
 typedef struct core {
     const qtri_prepared *prepared; /* shared */
     qtri_frame frame;
-    uint8_t memory[QTRI_FRAME_BYTES_DOUBLE(WIDTH, ROWS, QTRI_RGB565)];
+    uint8_t memory[QTRI_FRAME_BYTES_DOUBLE(WIDTH, ROWS, QTRI_RGB565_BYTES)];
     uint8_t *picture; /* of the whole frame: what the display would get */
 } core;
 
@@ -91,7 +91,7 @@ static void alternate_bands(void **state)
         qtri_material material = qtri_material_default();
         material.cull = QTRI_CULL_NONE;
         material.shading = n % 3 == 2 ? QTRI_FLAT_LAST : QTRI_SMOOTH;
-        material.fill = n % 5 == 4 ? QTRI_WIREFRAME : QTRI_SOLID;
+        material.fill = n % 5 == 4 ? &qtri_wireframe : NULL;
         material.texture = n % 2 != 0 ? &checker : NULL;
         qtri_view_init(&view, WIDTH, HEIGHT);
         view.light = &sun;
@@ -102,15 +102,15 @@ static void alternate_bands(void **state)
         qtri_transform_rotate_x(&pose, Q16(-50));
         qtri_transform_rotate_z(&pose, Q16(33) * n);
 
-        canvas whole = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+        canvas whole = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
         qtri_surface_clear(&whole.surface, sky, UINT16_MAX);
         qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &material);
 
-        canvas shown = canvas_new(QTRI_RGB565, WIDTH, HEIGHT);
+        canvas shown = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
         qtri_prepared_init(&prepared, vertices, VERTICES, lists, n == 7 ? 0 : LENGTH_OF(lists));
         pthread_t thread[THREADS];
         for (int i = 0; i < THREADS; i++) {
-            assert_int_equal(qtri_frame_init(&cores[i].frame, QTRI_RGB565, WIDTH, HEIGHT, ROWS,
+            assert_int_equal(qtri_frame_init(&cores[i].frame, &qtri_rgb565, WIDTH, HEIGHT, ROWS,
                                              cores[i].memory, sizeof cores[i].memory),
                              QTRI_OK);
             qtri_frame_share(&cores[i].frame, i, THREADS);

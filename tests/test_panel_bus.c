@@ -37,7 +37,7 @@ static qtri_rect small_rect(void)
 
 static void send_white(setup *s, qtri_rect rect, int32_t first, int32_t rows)
 {
-    canvas band = canvas_band(QTRI_RGB565, qtri_panel_width(&s->panel),
+    canvas band = canvas_band(&qtri_rgb565, qtri_panel_width(&s->panel),
                               qtri_panel_height(&s->panel), first, rows);
     qtri_rgb white = {255, 255, 255};
     qtri_surface_clear(&band.surface, white, 65535);
@@ -203,7 +203,7 @@ static void failures(void **state)
             bool most = n > 6 || n % 2 == 0; /* few calls */
             enum qtri_error error = setup_start(&s, QTRI_ROTATE_0, most);
             if (error == QTRI_OK) {
-                canvas band = canvas_band(QTRI_RGB565, qtri_panel_width(&s.panel),
+                canvas band = canvas_band(&qtri_rgb565, qtri_panel_width(&s.panel),
                                           qtri_panel_height(&s.panel), 0, 8);
                 qtri_rect rect = {0, 0, 9, 8};
                 error = qtri_panel_write_rect(&s.panel, &band.surface, rect);
@@ -264,7 +264,13 @@ static void errors(void **state)
         }
         assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
         clear_log(&s.wire);
-        canvas other = canvas_new(QTRI_RGB565, s.description->width + 1, s.description->height);
+        canvas none = canvas_new(&qtri_rgb565, 9, 9);
+        none.surface.format = NULL;
+        none.surface.width = s.description->width;
+        none.surface.height = s.description->height;
+        assert_int_equal(qtri_panel_write(&s.panel, &none.surface), QTRI_ERROR_FORMAT);
+        canvas_free(&none);
+        canvas other = canvas_new(&qtri_rgb565, s.description->width + 1, s.description->height);
         assert_int_equal(qtri_panel_write(&s.panel, &other.surface), QTRI_ERROR_SIZE);
         canvas_free(&other);
         setup_end(&s);
@@ -291,7 +297,7 @@ static void any_rectangle(void **state)
         assert_int_equal(setup_start(&s, (qtri_rotation)(n % 4), true), QTRI_OK);
         int32_t w = qtri_panel_width(&s.panel);
         int32_t h = qtri_panel_height(&s.panel);
-        canvas band = canvas_band(QTRI_GRAY8, w, h, h / 2, 3);
+        canvas band = canvas_band(&qtri_gray8, w, h, h / 2, 3);
         for (int i = 0; i < 300; i++) {
             qtri_rect rect = {random_any(&random), random_any(&random), random_any(&random),
                               random_any(&random)};

@@ -181,7 +181,7 @@ static bool shows(setup *s)
 {
     int32_t w = qtri_panel_width(&s->panel);
     int32_t h = qtri_panel_height(&s->panel);
-    canvas whole = canvas_new(QTRI_RGB565, w, h);
+    canvas whole = canvas_new(&qtri_rgb565, w, h);
     draw_picture(&whole.surface, 1);
     uint32_t *expected = picture_expected(&whole.surface, &s->panel);
     assert_int_equal(qtri_panel_write(&s->panel, &whole.surface), QTRI_OK);
@@ -301,7 +301,7 @@ static void broken_fields(void **state)
         assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
         bool same = n == 3 ? false : true;
         if (n == 3) { /* the glass of the simulation is narrower than that */
-            canvas whole = canvas_new(QTRI_RGB565, 241, 320);
+            canvas whole = canvas_new(&qtri_rgb565, 241, 320);
             assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
             canvas_free(&whole);
         } else {

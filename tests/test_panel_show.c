@@ -1,10 +1,11 @@
 /* Every panel shows pictures as they are: rotations, bands, formats, memory, rectangles. */
 #include "support_panel.h"
 
-static const qtri_format formats[] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+static const qtri_format *const formats[] = {&qtri_rgb565,         &qtri_xrgb8888, &qtri_gray8,
+                                             &qtri_rgb565_swapped, &qtri_rgb888,   &qtri_bgr888};
 
 /* Draws bands of `rows` rows and sends each; a band that DMA may still read is left alone. */
-static void send_bands(setup *s, qtri_format format, int32_t rows, uint64_t seed)
+static void send_bands(setup *s, const qtri_format *format, int32_t rows, uint64_t seed)
 {
     int32_t w = qtri_panel_width(&s->panel);
     int32_t h = qtri_panel_height(&s->panel);
@@ -12,6 +13,9 @@ static void send_bands(setup *s, qtri_format format, int32_t rows, uint64_t seed
         canvas band = canvas_band(format, w, h, first, rows);
         draw_picture(&band.surface, seed);
         assert_int_equal(qtri_panel_write(&s->panel, &band.surface), QTRI_OK);
+        if (format == &qtri_rgb565_swapped) { /* may go out without a copy */
+            assert_int_equal(qtri_panel_finish(&s->panel), QTRI_OK);
+        }
         canvas_clear(&band); /* nothing of it is on its way */
         canvas_free(&band);
     }
@@ -53,7 +57,8 @@ static void bands(void **state)
             int32_t h = qtri_panel_height(&s.panel);
             const int32_t heights[] = {h, 16, 7, 1};
             for (size_t i = 0; i < LENGTH_OF(heights); i++) {
-                qtri_format format = formats[(i + (size_t)n) % 3];
+                const qtri_format *format =
+                    formats[(i + (size_t)n + (size_t)rotation) % LENGTH_OF(formats)];
                 uint64_t seed = 7 + i;
                 canvas whole = canvas_new(format, w, h);
                 draw_picture(&whole.surface, seed);
@@ -86,13 +91,13 @@ static void least_memory(void **state)
              */
             bool from_end = s.description->format == QTRI_PANEL_GRAY1 && rotation == 1;
             int32_t rows = any_height ? 5 : (from_end ? h : 8);
-            canvas whole = canvas_new(QTRI_RGB565, w, h);
+            canvas whole = canvas_new(&qtri_rgb565, w, h);
             draw_picture(&whole.surface, 3);
             uint32_t *expected = picture_expected(&whole.surface, &s.panel);
-            send_bands(&s, QTRI_RGB565, rows, 3);
+            send_bands(&s, &qtri_rgb565, rows, 3);
             assert_seen(&s, expected);
 
-            canvas band = canvas_band(QTRI_RGB565, w, h, 8, 5); /* 8..12 cut bytes of 8 rows */
+            canvas band = canvas_band(&qtri_rgb565, w, h, 8, 5); /* 8..12 cut bytes of 8 rows */
             enum qtri_error error = qtri_panel_write(&s.panel, &band.surface);
             bool cuts = !any_height;
             assert_int_equal(error, cuts ? QTRI_ERROR_MEMORY : QTRI_OK);
@@ -121,8 +126,8 @@ static void rectangles(void **state)
             assert_int_equal(setup_start(&s, (qtri_rotation)rotation, true), QTRI_OK);
             int32_t w = qtri_panel_width(&s.panel);
             int32_t h = qtri_panel_height(&s.panel);
-            canvas before = canvas_new(QTRI_RGB565, w, h);
-            canvas after = canvas_new(QTRI_RGB565, w, h);
+            canvas before = canvas_new(&qtri_rgb565, w, h);
+            canvas after = canvas_new(&qtri_rgb565, w, h);
             draw_picture(&before.surface, 1);
             draw_picture(&after.surface, 2);
             uint32_t *expected = picture_expected(&before.surface, &s.panel);
@@ -134,7 +139,7 @@ static void rectangles(void **state)
                 qtri_rect rect = {x, y, x + random_in(&random, 0, w), y + random_in(&random, 0, h)};
                 int32_t first = i % 2 == 0 ? 0 : random_in(&random, 0, h - 1);
                 int32_t rows = i % 2 == 0 ? h : random_in(&random, 1, 40);
-                canvas band = canvas_band(QTRI_RGB565, w, h, first, rows);
+                canvas band = canvas_band(&qtri_rgb565, w, h, first, rows);
                 draw_picture(&band.surface, 2);
                 assert_int_equal(qtri_panel_write_rect(&s.panel, &band.surface, rect), QTRI_OK);
                 for (int32_t j = 0; j < w * h; j++) {
@@ -169,7 +174,7 @@ static void diffusion(void **state)
             int32_t h = qtri_panel_height(&s.panel);
             int16_t errors[256];
             uint8_t max_level = s.description->format == QTRI_PANEL_GRAY4 ? 15 : 1;
-            canvas whole = canvas_new(QTRI_GRAY8, w, h);
+            canvas whole = canvas_new(&qtri_gray8, w, h);
             draw_picture(&whole.surface, 4);
             uint32_t *expected = picture_expected(&whole.surface, &s.panel);
             uint8_t *levels = (uint8_t *)malloc((size_t)w);
@@ -186,7 +191,7 @@ static void diffusion(void **state)
             s.panel.diffusion = &d;
             const int32_t heights[] = {h, 16, 7, 1};
             for (size_t i = 0; i < LENGTH_OF(heights); i++) {
-                send_bands(&s, QTRI_GRAY8, heights[i], 4);
+                send_bands(&s, &qtri_gray8, heights[i], 4);
                 assert_seen(&s, expected);
             }
             free(levels);
@@ -204,12 +209,12 @@ static void framebuffers(void **state)
     (void)state;
     enum { W = 21, H = 13, GAP = 10 };
     static const qtri_byte_order orders[] = {QTRI_ORDER_BIG, QTRI_ORDER_LITTLE, QTRI_ORDER_NATIVE};
-    for (int n = 0; n < 4 * 3 * 2 * 3 * 2; n++) {
+    for (int n = 0; n < 4 * 3 * 2 * 6 * 2; n++) {
         qtri_rotation rotation = (qtri_rotation)(n % 4);
         qtri_byte_order order = orders[n / 4 % 3];
         bool wide = n / 12 % 2 != 0;
-        qtri_format format = formats[n / 24 % 3];
-        bool gaps = n / 72 % 2 != 0;
+        const qtri_format *format = formats[n / 24 % 6];
+        bool gaps = n / 144 % 2 != 0;
         size_t bytes = wide ? 4 : 2;
         qtri_panel_description d =
             QTRI_FRAMEBUFFER(W, H, wide ? QTRI_PANEL_XRGB8888 : QTRI_PANEL_RGB565, order);
@@ -289,7 +294,7 @@ static void native_order(void **state)
     d.order = little ? QTRI_ORDER_NATIVE : QTRI_ORDER_LITTLE;
     s.description = &d;
     assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
-    canvas whole = canvas_new(QTRI_RGB565, 240, 320);
+    canvas whole = canvas_new(&qtri_rgb565, 240, 320);
     draw_picture(&whole.surface, 5);
     uint8_t *copy = (uint8_t *)malloc(240 * 320 * 2);
     assert_non_null(copy);
@@ -316,12 +321,45 @@ static void native_order(void **state)
     setup_end(&s);
 }
 
+/* What lies as the display wants it is sent from the surface itself: bytes exchanged. */
+static void swapped(void **state)
+{
+    (void)state;
+    static setup s;
+    setup_init(&s, 8);
+    const uint16_t one = 1;
+    bool little = *(const uint8_t *)&one == 1;
+    qtri_panel_description d = qtri_ili9341;
+    d.order = little ? QTRI_ORDER_BIG : QTRI_ORDER_LITTLE;
+    s.description = &d;
+    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    canvas whole = canvas_new(&qtri_rgb565_swapped, 240, 320);
+    uint16_t *pixels = (uint16_t *)(void *)whole.surface.pixels;
+    uint64_t seed = 9;
+    for (size_t i = 0; i < 240 * 320; i++) {
+        pixels[i] = (uint16_t)random64(&seed);
+    }
+    assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
+    assert_ptr_equal(s.wire.sending, whole.surface.pixels);
+    assert_int_equal(s.wire.sending_bytes, 240 * 320 * 2);
+    assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
+    for (int32_t y = 0; y < 320; y++) {
+        for (int32_t x = 0; x < 240; x++) {
+            uint16_t stored = pixels[y * 240 + x];
+            uint16_t shown = little ? (uint16_t)(stored << 8 | stored >> 8) : stored;
+            assert_int_equal(s.sim.lcd.memory[y][239 - x], shown);
+        }
+    }
+    canvas_free(&whole);
+    setup_end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dark),         cmocka_unit_test(bands),     cmocka_unit_test(least_memory),
         cmocka_unit_test(rectangles),   cmocka_unit_test(diffusion), cmocka_unit_test(framebuffers),
-        cmocka_unit_test(native_order),
+        cmocka_unit_test(native_order), cmocka_unit_test(swapped),
     };
     return cmocka_run_group_tests_name("panel show", tests, NULL, NULL);
 }

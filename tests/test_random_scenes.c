@@ -101,7 +101,7 @@ static void measure(bool textured)
         struct picture picture;
         struct accuracy before[2] = {snapped, exact};
         read_scene(first_seed() + i, textured, &scene);
-        assert_true(scene_render(&scene, QTRI_XRGB8888, 0, true, &picture));
+        assert_true(scene_render(&scene, &qtri_xrgb8888, 0, true, &picture));
         compare(&scene, &picture, 8, &snapped);
         if (!scene.screen_linear) { /* means something else for triangles that are not cut */
             compare(&scene, &picture, 0, &exact);
@@ -127,7 +127,8 @@ static void measure(bool textured)
     assert_true(accuracy_per_100k(snapped.coverage, snapped.covered) <= 3.0);
     assert_true(accuracy_per_100k(snapped.other_triangle, snapped.covered) <= 5.0);
     assert_true(accuracy_per_100k(exact.coverage, exact.covered) <= 30.0);
-    assert_true(accuracy_per_100k(snapped.color_above_1, snapped.same) <= 10.0);
+    /* Of textures .5 % may be the next texel: coordinates are right within max(1, t) / 256 of one. */
+    assert_true(accuracy_per_100k(snapped.color_above_1, snapped.same) <= (textured ? 150.0 : 10.0));
     assert_int_equal(snapped.color_range, 0);
     assert_true(accuracy_per_100k(snapped.depth_above_2, snapped.same) <= 100.0);
 }
@@ -157,7 +158,7 @@ static void found_before(void **state)
         struct picture picture;
         struct accuracy sum = {0};
         read_scene(seeds[i], false, &scene);
-        assert_true(scene_render(&scene, QTRI_XRGB8888, 0, true, &picture));
+        assert_true(scene_render(&scene, &qtri_xrgb8888, 0, true, &picture));
         compare(&scene, &picture, 8, &sum);
         assert_int_equal(sum.coverage, 0);
         assert_int_equal(sum.other_triangle, 0);
@@ -171,7 +172,7 @@ static void found_before(void **state)
 static void bands_equal_whole(void **state)
 {
     (void)state;
-    static const qtri_format formats[3] = {QTRI_RGB565, QTRI_XRGB8888, QTRI_GRAY8};
+    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     for (unsigned i = 0; i < 40 && i < scene_count(); i++) {
         struct scene scene;
         struct picture whole;

@@ -71,4 +71,30 @@ static inline uint32_t qtri_mul_wrap12(uint32_t a, uint32_t b)
 #endif
 }
 
+/* floor(a b / 2^16) for |b| < 2^15. */
+static inline int32_t qtri_mul_s16(int32_t a, int32_t b)
+{
+#if QTRI_LONG_MULTIPLY
+    return (int32_t)(qtri_mul_s32(a, b * ((int32_t)1 << 16)) >> 32);
+#else
+    return (a >> 16) * b + (((int32_t)qtri_low16((uint32_t)a) * b) >> 16);
+#endif
+}
+
+/* floor(a b / 2^32) for |a| < 2^31, b <= 2^31. */
+static inline int32_t qtri_mul_high_s31(int32_t a, uint32_t b)
+{
+#if QTRI_LONG_MULTIPLY
+    return (int32_t)(((int64_t)a * b) >> 32);
+#else
+    int32_t a_high = a >> 16; /* |.| <= 2^15 */
+    uint32_t a_low = qtri_low16((uint32_t)a);
+    uint32_t b_high = b >> 16; /* <= 2^15 */
+    uint32_t b_low = qtri_low16(b);
+    int32_t cross = a_high * (int32_t)b_low + (int32_t)((a_low * b_low) >> 16); /* |.| < 2^31 */
+    uint32_t cross_low = a_low * b_high + qtri_low16((uint32_t)cross);          /* < 2^32 */
+    return a_high * (int32_t)b_high + (cross >> 16) + (int32_t)(cross_low >> 16);
+#endif
+}
+
 #endif

@@ -1,10 +1,12 @@
 /*
- * A reciprocal for where there is one a vertex or a triangle. Internal.
+ * Reciprocals for where there is one a vertex, a triangle or a few pixels. Internal.
  */
 #ifndef QTRI_BITS_RECIPROCAL_H
 #define QTRI_BITS_RECIPROCAL_H
 
 #include "bits.h"
+#include "multiply.h"
+#include "seed.h"
 
 /*
  * The largest r with r x < 2^62, for x in [2^31, 2^32): in [2^30, 2^31). It is the reciprocal
@@ -34,6 +36,37 @@ static inline int32_t qtri_reciprocal_below(uint32_t x)
     int32_t reciprocal = (int32_t)r;
     QTRI_HOLD(reciprocal); /* signed, or GCC 12 forgets what smull is for */
     return reciprocal;
+}
+
+/*
+ * 2^62 / x within 4 units, for x in [2^31, 2^32): the same number on all cores, as nothing corrects
+ * it. The seed is off by 5/4 of 2^-15 of itself at most, see seed.h, and a Newton step squares that:
+ * 2^-29.4 of a reciprocal of up to 2^31 is less than 3 units; cut-off bits are one.
+ */
+static inline uint32_t qtri_reciprocal_near(uint32_t x)
+{
+    uint32_t r_q15 = qtri_reciprocal_seed_newton(x >> 16);
+    uint32_t unit_q31 = qtri_mul_high16(x, r_q15);
+    int32_t error_q31 = (int32_t)(0x80000000u - unit_q31); /* see qtri_reciprocal_q62 */
+    return (r_q15 << 15) + (uint32_t)(((error_q31 >> 1) * (int32_t)r_q15) >> 15);
+}
+
+/* floor(2^31 / x) for x in [2^15, 2^16]. */
+static inline uint32_t qtri_reciprocal_q31(uint32_t x)
+{
+    uint32_t y = qtri_reciprocal_seed(x);
+#if !QTRI_DIVIDE
+    int32_t rest = (int32_t)(0x80000000u - x * y); /* |rest| <= 2^16 + 2^14 */
+    while (rest < 0) {
+        rest += (int32_t)x;
+        y--;
+    }
+    while (rest >= (int32_t)x) {
+        rest -= (int32_t)x;
+        y++;
+    }
+#endif
+    return y;
 }
 
 #endif

@@ -15,15 +15,21 @@
  * step r (2 - d r) squares that error, which is then never positive; with 2 + 2/17^2 in place of 2
  * it is centred: 2^-9. The second step r + r (1 - d r) leaves 2^-18 and the rounding to Q15.
  */
+static inline uint32_t qtri_reciprocal_seed_newton(uint32_t x)
+{
+    uint32_t r_q14 = 46260u - ((x * 30840u) >> 16);                   /* < 2^15 (1 + 1/17) */
+    uint32_t r_q15 = (r_q14 * (131192u - ((x * r_q14) >> 14))) >> 15; /* Q14 Q16, < 2^31.1 */
+    int32_t error_q31 = (int32_t)(0x80000000u - x * r_q15);           /* |error| < 2^22 */
+    return r_q15 + (uint32_t)(((int32_t)r_q15 * (error_q31 >> 7)) >> 24);
+}
+
+/* Within the same bounds, but not the same on all cores. */
 static inline uint32_t qtri_reciprocal_seed(uint32_t x)
 {
 #if QTRI_DIVIDE
     return 0x80000000u / x;
 #else
-    uint32_t r_q14 = 46260u - ((x * 30840u) >> 16);                   /* < 2^15 (1 + 1/17) */
-    uint32_t r_q15 = (r_q14 * (131192u - ((x * r_q14) >> 14))) >> 15; /* Q14 Q16, < 2^31.1 */
-    int32_t error_q31 = (int32_t)(0x80000000u - x * r_q15);           /* |error| < 2^22 */
-    return r_q15 + (uint32_t)(((int32_t)r_q15 * (error_q31 >> 7)) >> 24);
+    return qtri_reciprocal_seed_newton(x);
 #endif
 }
 

@@ -1,4 +1,4 @@
-#include "fill.h"
+#include "primitive.h"
 
 static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
 {
@@ -29,37 +29,18 @@ static void fetch(const qtri_primitive *primitive, const qtri_corner *corners, i
     qtri_projector_points(&primitive->projector, position, count, v);
 }
 
-/* Triangles of a draw call. */
-typedef struct soup {
-    qtri_primitive primitive;
-    const qtri_corner *corners;
-    uint32_t count;
-} soup;
-
-static void draw_triangles(void *what)
-{
-    const soup *s = what;
-    for (uint32_t i = 0; s->count - i >= 3; i += 3) {
-        qtri_shape shape;
-        fetch(&s->primitive, &s->corners[i], 3, shape.clip);
-        qtri_primitive_triangle(&s->primitive, &shape, attributes_of_triangle, &s->corners[i]);
-    }
-}
-
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
                          const qtri_transform *pose, const qtri_corner *corners,
                          uint32_t corner_count, const qtri_material *material)
 {
-    const qtri_fill_way *fill = qtri_fill_of(material);
-    soup s;
-    s.corners = corners;
-    s.count = corner_count;
-    qtri_primitive_init(&s.primitive, surface, view, pose, material);
-    if (fill != NULL) {
-        fill->draw(&s.primitive, draw_triangles, &s);
-    } else {
-        draw_triangles(&s);
+    qtri_primitive primitive;
+    qtri_primitive_init(&primitive, surface, view, pose, material);
+    for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
+        qtri_shape shape;
+        fetch(&primitive, &corners[i], 3, shape.clip);
+        qtri_primitive_triangle(&primitive, &shape, attributes_of_triangle, &corners[i]);
     }
+    qtri_primitive_finish(&primitive);
 }
 
 void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
@@ -67,14 +48,10 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
                      const qtri_material *material)
 {
     qtri_primitive primitive;
-    qtri_line_batch batch;
-    if (!QTRI_WITH_LINES) {
-        return;
-    }
     primitive.surface = surface;
     primitive.material = material;
     qtri_primitive_place(&primitive, view, pose);
-    qtri_line_job_init(&primitive.to.line, surface, material, &batch);
+    qtri_primitive_begin_lines(&primitive);
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
         qtri_clip_vertex v[3];
         qtri_screen_vertex attributes[2];
@@ -83,5 +60,5 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
         attributes_of(&attributes[1], &corners[i + 1]);
         qtri_primitive_line(&primitive, v, attributes);
     }
-    qtri_line_flush(&primitive.to.line);
+    qtri_primitive_finish_lines(&primitive);
 }

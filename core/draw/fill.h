@@ -1,5 +1,5 @@
 /*
- * What draw calls make of triangles, as material->fill says. Internal.
+ * What draw calls make of triangles: material->fill. Internal.
  *
  * NULL fills them: mesh_solid.c for meshes, primitive.c for what is clipped. Everything else is a
  * description, whose functions nothing else names: what no material names is not linked.
@@ -9,26 +9,21 @@
 
 #include "mesh_job.h"
 
-typedef struct qtri_fill_way {
-    /* Calls draws(what) while primitive->to is there for the surface and the material. */
-    void (*draw)(qtri_primitive *primitive, void (*draws)(void *what), void *what);
+struct qtri_fill {
+    /* Sets primitive->to for its surface and its material; draws what waits there. */
+    void (*begin)(qtri_primitive *primitive);
+    void (*finish)(const qtri_primitive *primitive);
     /* A triangle that may need clipping by `planes`, and culling; see qtri_primitive_triangle. */
     void (*clipped)(const qtri_primitive *primitive, const qtri_clip_vertex v[3], unsigned planes,
                     qtri_attribute_source source, const void *from);
     /* A triangle of a mesh that is seen, all of it inside. */
     void (*triangle)(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3]);
-    /* A mesh with a slot for every vertex. */
+    /* A mesh with a slot for every vertex, to be transformed yet. */
     void (*mesh)(qtri_mesh_job *draw);
-    /* Before bands draw a mesh whose vertices all are in their slots, and before one does. */
+    /* Of a mesh whose vertices all are in their slots: before bands draw it, and before one does.
+     */
     void (*prepare)(const qtri_mesh_job *draw, bool back_only);
     void (*band)(qtri_mesh_job *draw);
-} qtri_fill_way;
-
-extern const qtri_fill_way qtri_wireframe; /* mesh_lines.c */
-
-static inline const qtri_fill_way *qtri_fill_of(const qtri_material *material)
-{
-    return material->fill == QTRI_SOLID ? NULL : &qtri_wireframe;
-}
+};
 
 #endif

@@ -65,6 +65,28 @@ void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uin
     }
 }
 
+void qtri_mesh_set_coordinates(qtri_coordinates uv[2], const qtri_mesh *mesh,
+                               const uint32_t index[3])
+{
+    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
+        for (int i = 0; i < 3; i++) {
+            uv[0].at[i] = mesh->uvs16[index[i]].x;
+            uv[1].at[i] = mesh->uvs16[index[i]].y;
+        }
+        uv[0].repeats = 0;
+        uv[0].fraction = 14;
+        uv[1].repeats = 0;
+        uv[1].fraction = 14;
+        return;
+    }
+    int64_t at_q32[2][3];
+    for (int i = 0; i < 3; i++) {
+        qtri_mesh_set_uv(&at_q32[0][i], &at_q32[1][i], mesh, index[i]);
+    }
+    qtri_coordinates_set(&uv[0], at_q32[0]);
+    qtri_coordinates_set(&uv[1], at_q32[1]);
+}
+
 /* What light makes of the corners' colours. */
 static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
                            const void *triangle, qtri_vertex *const vertex[3])
@@ -89,17 +111,6 @@ void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint3
     color_8p16[0] = color->r * intensity; /* <= 255.0 */
     color_8p16[1] = color->g * intensity;
     color_8p16[2] = color->b * intensity;
-}
-
-QTRI_NOINLINE void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
-                                        qtri_vertex *const vertex[3], qtri_line_color color[3])
-{
-    uint32_t intensity_q15[3];
-    light_triangle(intensity_q15, draw, triangle, vertex);
-    for (int i = 0; i < 3; i++) {
-        qtri_mesh_set_color(color[i], draw, qtri_mesh_index(draw->mesh, triangle, i),
-                            intensity_q15[i]);
-    }
 }
 
 /* One that is clipped: lit before, where the stack is not deep. */
@@ -148,11 +159,10 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
 QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
 {
-    const qtri_fill_way *fill = qtri_fill_of(&draw->material);
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
-    } else if (fill != NULL) {
-        fill->triangle(draw, indices, vertex);
+    } else if (draw->material.fill != NULL) {
+        draw->material.fill->triangle(draw, indices, vertex);
     } else {
         qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
     }
@@ -281,20 +291,6 @@ QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
     }
 }
 
-/* All of a mesh, a slot for every vertex or not. */
-static void draw_all(void *what)
-{
-    qtri_mesh_job *draw = what;
-    const qtri_fill_way *fill = qtri_fill_of(&draw->material);
-    if (!QTRI_WITH_FAST_PATHS || draw->slot_count < draw->mesh->vertex_count) {
-        draw_by_slots(draw);
-    } else if (fill != NULL) {
-        fill->mesh(draw);
-    } else {
-        draw_whole(draw);
-    }
-}
-
 /* A function of its own, so that its stack is free again. */
 QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_surface *surface,
                                 const qtri_view *view, const qtri_transform *pose,
@@ -311,10 +307,12 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     if (!begin(&draw, surface, view, pose, mesh, material)) {
         return;
     }
-    const qtri_fill_way *fill = qtri_fill_of(material);
-    if (fill != NULL) {
-        fill->draw(&draw.primitive, draw_all, &draw);
+    if (!QTRI_WITH_FAST_PATHS || draw.slot_count < mesh->vertex_count) {
+        draw_by_slots(&draw);
+    } else if (material->fill != NULL) {
+        material->fill->mesh(&draw);
     } else {
-        draw_all(&draw);
+        draw_whole(&draw);
     }
+    qtri_primitive_finish(&draw.primitive);
 }

@@ -1,4 +1,4 @@
-#include "fill.h"
+#include "mesh_job.h"
 
 /* Vertices from which on a look at eight corners pays. */
 enum { WORTH_A_BOX = 64 };
@@ -54,25 +54,32 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->mesh = mesh;
     draw->vertices = view->vertices;
     draw->slot_count = view->vertex_count;
-    const bool solid = qtri_fill_of(material) == NULL;
+    const bool solid = material->fill == NULL;
     qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
     draw->tinted = mesh->colors == NULL;
     draw->more = !draw->tinted;
-    draw->small = false;
     if (solid) {
-        draw->more |= qtri_raster_texture(&draw->primitive.to.raster) != NULL;
+        qtri_raster *raster = &draw->primitive.to.solid.raster;
+        draw->more |= raster->texture != NULL;
         if (draw->tinted) {
-            qtri_raster_set_tint(&draw->primitive.to.raster, draw->material.color);
+            qtri_raster_set_tint(raster, draw->material.color);
         }
-        draw->small = QTRI_WITH_FAST_PATHS && !draw->more && draw->primitive.to.raster.small;
     }
-    draw->tiny = draw->small && surface->pitch == 2 * surface->depth_pitch;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     draw->lit_per_vertex =
         view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;
     draw->noted = false;
     draw->lit = false;
     draw->lit_per_face = QTRI_WITH_FACE_LIGHT && view->light != NULL && !draw->lit_per_vertex;
+    if (solid) {
+        qtri_raster *raster = &draw->primitive.to.solid.raster;
+        raster->lamp.find = qtri_mesh_find_light;
+        raster->lamp.from = draw;
+        raster->lamp.by_vertex = draw->lit_per_vertex;
+        if (draw->more) {
+            raster->tint_small = NULL;
+        }
+    }
 }
 
 bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose)
@@ -94,6 +101,9 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
         if (!QTRI_WITH_UNEVEN_LIGHT && !draw->lighting.plain) {
             draw->lit_per_vertex = false;
             draw->lit_per_face = false;
+            if (draw->material.fill == NULL) {
+                draw->primitive.to.solid.raster.lamp.by_vertex = false;
+            }
         }
     }
     return true;

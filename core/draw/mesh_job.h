@@ -6,6 +6,7 @@
 
 #include "../geometry/lighting.h"
 #include "../bits/bits.h"
+#include "../raster/list.h"
 #include "primitive.h"
 
 /* One draw call: what every triangle needs. */
@@ -20,8 +21,6 @@ typedef struct qtri_mesh_job {
     bool lit;    /* per vertex: all that are seen already are */
     bool tinted; /* the mesh has no colours of its own */
     bool more;   /* colours of their own or a texture */
-    bool small;  /* small.h serves */
-    bool tiny;   /* and tiny.h */
     qtri_lighting lighting;
 } qtri_mesh_job;
 
@@ -54,14 +53,18 @@ void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices, qtr
 /* Of the triangle with these indices, for a mesh lit per face. */
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
 
-/* The colours of a triangle's corners, lit. */
-void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
-                          qtri_vertex *const vertex[3], qtri_line_color color[3]);
+/* The lamp of a mesh: see raster.h. */
+uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                              qtri_vertex *c);
 
-/* That of a vertex of the mesh, lit; its texture coordinates, 0 in a mesh without. */
+/* The colour of a vertex of the mesh, lit; its texture coordinates, 0 in a mesh without. */
 void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
                          uint32_t intensity_q15);
 void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index);
+
+/* The texture coordinates of a triangle's corners, for list.h. */
+void qtri_mesh_set_coordinates(qtri_coordinates uv[2], const qtri_mesh *mesh,
+                               const uint32_t index[3]);
 
 /* Any culling, and triangles that may cross planes; those are never turned away. */
 bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
@@ -98,15 +101,6 @@ static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indice
     const uint16_t *wide = indices;
     const uint8_t *narrow = indices;
     return qtri_mesh_has_bytes(mesh) ? narrow[corner] : wide[corner];
-}
-
-/* Whether all three have an intensity. */
-static inline bool qtri_mesh_are_lit(const qtri_vertex *a, const qtri_vertex *b,
-                                     const qtri_vertex *c)
-{
-    const uint32_t unlit = QTRI_VERTEX_UNLIT + 1; /* others: <= 2^15 + 1 */
-    return (((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) &
-            unlit) == 0;
 }
 
 /* The indices at a triangle's place in the mesh. */

@@ -54,7 +54,7 @@ static taker taker_by_material(const qtri_material *material)
 
 static taker taker_by_job(const qtri_mesh_job *draw)
 {
-    return taker_of(draw->primitive.to.line.has_depth, draw->material.depth_compare,
+    return taker_of(draw->primitive.to.lines.job.has_depth, draw->material.depth_compare,
                     !draw->material.depth_read_only);
 }
 
@@ -102,7 +102,7 @@ static void clear_notes(const qtri_mesh_job *draw)
 QTRI_NOINLINE static void draw_in_face_light(const qtri_mesh_job *draw, const void *triangle,
                                              qtri_vertex *const vertex[3], uint32_t edges)
 {
-    const qtri_line_job *line = &draw->primitive.to.line;
+    const qtri_line_job *line = &draw->primitive.to.lines.job;
     const uint16_t face_q15 = (uint16_t)qtri_mesh_light_face(draw, triangle);
     qtri_vertex corner[4];
     for (int i = 0; i < 4; i++) {
@@ -129,7 +129,7 @@ static inline void set_color(qtri_line_color out, const qtri_rgb *rgb, uint32_t 
 QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *triangle,
                                          qtri_vertex *const vertex[3], uint32_t edges)
 {
-    const qtri_line_job *line = &draw->primitive.to.line;
+    const qtri_line_job *line = &draw->primitive.to.lines.job;
     const qtri_shading shading = draw->material.shading;
     const qtri_rgb *colors = draw->mesh->colors;
     uint32_t index[3];
@@ -178,7 +178,7 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *tr
         draw_in_face_light(draw, triangle, vertex, edges);
         return;
     }
-    if (!draw->lit_per_face && !qtri_mesh_are_lit(vertex[0], vertex[1], vertex[2])) {
+    if (!draw->lit_per_face && !qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
         qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
     }
     draw_in_colors(draw, triangle, vertex, edges);
@@ -188,7 +188,7 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *tr
 QTRI_INLINE void draw_edges(const qtri_mesh_job *draw, const void *triangle,
                             qtri_vertex *const vertex[3], uint32_t edges, bool tinted)
 {
-    const qtri_line_job *line = &draw->primitive.to.line;
+    const qtri_line_job *line = &draw->primitive.to.lines.job;
     qtri_vertex *a = vertex[0];
     qtri_vertex *b = vertex[1];
     qtri_vertex *c = vertex[2];
@@ -200,7 +200,7 @@ QTRI_INLINE void draw_edges(const qtri_mesh_job *draw, const void *triangle,
         draw_colored(draw, triangle, corner, edges);
         return;
     }
-    if (!qtri_mesh_are_lit(a, b, c)) {
+    if (!qtri_vertices_are_lit(a, b, c)) {
         qtri_mesh_light_corners(draw, triangle, a, b, c);
     }
     if ((edges & QTRI_EDGE_AB) != 0) {
@@ -315,28 +315,12 @@ QTRI_NOINLINE static void draw_any_noted(const qtri_mesh_job *draw)
     draw_noted(draw, qtri_mesh_has_bytes(draw->mesh), false);
 }
 
-/* With memory for many lines. */
-static void draw_lines(qtri_primitive *primitive, void (*draws)(void *what), void *what)
-{
-    struct {
-        qtri_line_batch batch;
-        uint16_t tints[QTRI_LINE_TINTS];
-    } memory;
-    if (QTRI_WITH_LINES) {
-        qtri_line_job_init(&primitive->to.line, primitive->surface, primitive->material,
-                           &memory.batch);
-        primitive->to.line.table = memory.tints;
-        draws(what);
-        qtri_line_flush(&primitive->to.line);
-    }
-}
-
 /* A mesh has lines enough for a table, if they are tinted. */
 static void begin_mesh(qtri_mesh_job *draw)
 {
-    if (QTRI_WITH_FAST_PATHS && draw->mesh->colors == NULL) {
-        qtri_line_set_tints(&draw->primitive.to.line);
-        qtri_line_16_choose(&draw->primitive.to.line);
+    if (draw->mesh->colors == NULL) {
+        qtri_line_make_table(&draw->primitive.to.lines.job);
+        qtri_line_16_choose(&draw->primitive.to.lines.job);
     }
 }
 
@@ -396,8 +380,9 @@ static void begin_band(qtri_mesh_job *draw)
                   taker_by_job(draw) == taker_by_material(&draw->material);
 }
 
-const qtri_fill_way qtri_wireframe = {
-    .draw = draw_lines,
+const qtri_fill qtri_wireframe = {
+    .begin = qtri_primitive_begin_lines,
+    .finish = qtri_primitive_finish_lines,
     .clipped = qtri_primitive_outline,
     .triangle = draw_triangle,
     .mesh = draw_mesh,

@@ -1,30 +1,33 @@
-#include "../raster/small.h"
-#include "../raster/tiny.h"
+#include "../raster/list.h"
 #include "mesh_job.h"
 
-/* What not every mesh has: colours in units of the target, texture coordinates. */
+/* Colours in units of the target of a mesh that has its own. */
+static void set_channels(const qtri_mesh_job *draw, uint32_t index, uint32_t intensity_q15,
+                         int32_t channel[3])
+{
+    int32_t color_8p16[3];
+    qtri_mesh_set_color(color_8p16, draw, index, intensity_q15);
+    qtri_channels channels = qtri_raster_channels(&draw->primitive.to.solid.raster, color_8p16);
+    channel[0] = channels.c[0];
+    channel[1] = channels.c[1];
+    channel[2] = channels.c[2];
+}
+
+/* What not every mesh has. */
 QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
                                    uint32_t intensity_q15, qtri_attributes *out)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    if (mesh->colors != NULL) {
-        int32_t color_8p16[3];
-        qtri_mesh_set_color(color_8p16, draw, index, intensity_q15);
-        qtri_channels channels =
-            qtri_channels_from_color(qtri_format_of(draw->primitive.surface), color_8p16);
-        out->color[0] = channels.c[0];
-        out->color[1] = channels.c[1];
-        out->color[2] = channels.c[2];
+    if (draw->mesh->colors != NULL) {
+        set_channels(draw, index, intensity_q15, out->color);
     }
-    if (qtri_raster_texture(&draw->primitive.to.raster) != NULL) {
-        qtri_mesh_set_uv(&out->u_q32, &out->v_q32, mesh, index);
+    if (draw->primitive.to.solid.raster.texture != NULL) {
+        qtri_mesh_set_uv(&out->u_q32, &out->v_q32, draw->mesh, index);
     }
 }
 
-/* One that is not small, or brings more than light. */
-QTRI_NOINLINE static void draw_any_solid(const qtri_mesh_job *draw, const void *indices,
-                                         qtri_vertex *const vertex[3], qtri_triangle *triangle,
-                                         uint32_t face_q15)
+QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const void *indices,
+                                   qtri_vertex *const vertex[3], qtri_triangle *triangle,
+                                   uint32_t face_q15)
 {
     qtri_attributes attributes[3];
     for (int i = 0; i < 3; i++) {
@@ -34,18 +37,15 @@ QTRI_NOINLINE static void draw_any_solid(const qtri_mesh_job *draw, const void *
             set_more(draw, qtri_mesh_index(draw->mesh, indices, i), intensity_q15, &attributes[i]);
         }
     }
-    qtri_triangle_draw(&draw->primitive.to.raster, triangle, attributes);
+    qtri_triangle_draw(&draw->primitive.to.solid.raster, triangle, attributes);
 }
 
-/* An intensity that no face has. */
-#define NOT_LIT (QTRI_VERTEX_UNLIT + 1)
-
-/* The light of the vertices, or of the face, computed when it is first needed. */
-static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                             qtri_vertex *b, qtri_vertex *c)
+uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                              qtri_vertex *c)
 {
+    const qtri_mesh_job *draw = from;
     if (draw->lit_per_vertex) {
-        if (!draw->lit && !qtri_mesh_are_lit(a, b, c)) {
+        if (!draw->lit && !qtri_vertices_are_lit(a, b, c)) {
             qtri_mesh_light_corners(draw, indices, a, b, c);
         }
         return QTRI_VERTEX_UNLIT;
@@ -54,10 +54,9 @@ static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtr
                                                       : QTRI_INTENSITY_ONE;
 }
 
-/* Lit only when it touches a pixel, if it is not. */
-QTRI_NOINLINE static void draw_any_size(const qtri_mesh_job *draw, const void *indices,
-                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c,
-                                        uint32_t face_q15)
+/* Lit only when it touches a pixel. */
+QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                     qtri_vertex *b, qtri_vertex *c)
 {
     qtri_triangle triangle;
     triangle.p[0] = &a->at;
@@ -65,40 +64,64 @@ QTRI_NOINLINE static void draw_any_size(const qtri_mesh_job *draw, const void *i
     triangle.p[2] = &c->at;
     triangle.area = qtri_triangle_area(&a->at, &b->at, &c->at);
     triangle.tinted = draw->tinted;
-    if (triangle.area == 0 || !qtri_triangle_begin(&draw->primitive.to.raster, &triangle)) {
+    if (triangle.area == 0 || !qtri_triangle_begin(&draw->primitive.to.solid.raster, &triangle)) {
         return;
     }
-    if (face_q15 == NOT_LIT) {
-        face_q15 = light(draw, indices, a, b, c);
+    qtri_vertex *const vertex[3] = {a, b, c};
+    draw_lit(draw, indices, vertex, &triangle, qtri_mesh_find_light(draw, indices, a, b, c));
+}
+
+/* Colours and texture coordinates of a small triangle. */
+QTRI_NOINLINE static void draw_more(const qtri_mesh_job *draw, const void *indices,
+                                    qtri_list_triangle *t)
+{
+    int32_t color[3][3];
+    qtri_coordinates uv[2];
+    const qtri_mesh *mesh = draw->mesh;
+    const uint32_t index[3] = {qtri_mesh_index(mesh, indices, 0), qtri_mesh_index(mesh, indices, 1),
+                               qtri_mesh_index(mesh, indices, 2)};
+    if (!draw->tinted) {
+        for (int i = 0; i < 3; i++) {
+            set_channels(draw, index[i],
+                         draw->lit_per_vertex ? t->v[i]->intensity_q15 : t->light_q15, color[i]);
+        }
+        t->color = (const int32_t(*)[3])color;
     }
-    if (face_q15 == QTRI_VERTEX_UNLIT && a->intensity_q15 == b->intensity_q15 &&
-        a->intensity_q15 == c->intensity_q15) {
-        face_q15 = a->intensity_q15;
+    if (draw->primitive.to.solid.raster.texture != NULL) {
+        qtri_mesh_set_coordinates(uv, mesh, index);
+        t->uv = uv;
     }
-    if (!QTRI_SMALL || !draw->small || face_q15 == QTRI_VERTEX_UNLIT ||
-        !qtri_small_draw(&draw->primitive.to.raster, &triangle, a, b, c, face_q15)) {
-        qtri_vertex *const vertex[3] = {a, b, c};
-        draw_any_solid(draw, indices, vertex, &triangle, face_q15);
+    qtri_list_draw(&draw->primitive.to.solid.raster, t);
+}
+
+/* One that no fused loop draws. */
+QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                   qtri_vertex *b, qtri_vertex *c)
+{
+    qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    const qtri_placed placed = qtri_place_triangle(&place, spans, raster, a, b, c);
+    if (placed == QTRI_PLACED_LARGE) {
+        draw_large(draw, indices, a, b, c);
+    }
+    if (placed != QTRI_PLACED_SMALL) {
+        return;
+    }
+    qtri_list_triangle t = {
+        &place, {a, b, c}, NULL, qtri_mesh_find_light(draw, indices, a, b, c), NULL};
+    if (draw->more) {
+        draw_more(draw, indices, &t);
+    } else {
+        qtri_list_draw(raster, &t);
     }
 }
 
 QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
                                         qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
-    qtri_tiny tiny;
-    const qtri_raster *raster = &draw->primitive.to.raster;
-    const qtri_placed placed = QTRI_WITH_FAST_PATHS && draw->tiny
-                                   ? qtri_tiny_place(&tiny, &raster->bounds, a, b, c)
-                                   : QTRI_PLACED_OTHER;
-    uint32_t face_q15 = NOT_LIT;
-    if (placed == QTRI_PLACED_NOWHERE) {
-        return;
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    if (raster->tint_small == NULL || !raster->tint_small(raster, indices, a, b, c)) {
+        draw_any(draw, indices, a, b, c);
     }
-    if (placed == QTRI_PLACED_TINY) {
-        face_q15 = light(draw, indices, a, b, c);
-        if (qtri_tiny_draw(raster, &tiny, a, b, c, face_q15)) {
-            return;
-        }
-    }
-    draw_any_size(draw, indices, a, b, c, face_q15);
 }

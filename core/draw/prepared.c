@@ -45,7 +45,7 @@ static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
  */
 static inline void meet_all(const sorter *s, const void *triangle, qtri_vertex *const vertex[3])
 {
-    if (qtri_mesh_are_lit(vertex[0], vertex[1], vertex[2])) {
+    if (qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
         return;
     }
     if (s->is_complete) {
@@ -276,7 +276,7 @@ bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
 }
 
-static void prepare(qtri_prepared *prepared, qtri_format format)
+static void prepare(qtri_prepared *prepared, const qtri_format *format)
 {
     const qtri_mesh *mesh = prepared->mesh;
     const qtri_rect frame = {0, 0, prepared->width, prepared->height};
@@ -291,8 +291,7 @@ static void prepare(qtri_prepared *prepared, qtri_format format)
         !qtri_prepared_begin(&job, prepared, &whole, true)) {
         return;
     }
-    const qtri_fill_way *fill = qtri_fill_of(&job.material);
-    const bool is_solid = fill == NULL;
+    const bool is_solid = job.material.fill == NULL;
     sorter s = {.job = &job,
                 .prepared = prepared,
                 .is_complete = qtri_prepared_is_complete(prepared),
@@ -305,8 +304,8 @@ static void prepare(qtri_prepared *prepared, qtri_format format)
     if (s.is_complete) {
         const bool inside = qtri_mesh_transform(&job, 0, mesh->vertex_count, prepared->vertices);
         prepared->back_only = inside && job.material.cull == QTRI_CULL_BACK;
-        if (fill != NULL) {
-            fill->prepare(&job, prepared->back_only);
+        if (!is_solid) {
+            job.material.fill->prepare(&job, prepared->back_only);
         }
         see_complete(&s);
     } else {

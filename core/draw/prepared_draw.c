@@ -77,7 +77,8 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
         return;
     }
     if (log2 == 0 && qtri_prepared_is_complete(prepared)) {
-        const bool solid = QTRI_WITH_FAST_PATHS && prepared->back_only && prepared->is_solid;
+        const bool solid =
+            QTRI_WITH_FAST_PATHS && prepared->back_only && job->material.fill == NULL;
         if (qtri_mesh_has_bytes(mesh)) {
             draw_seen(job, lists, place, end, mesh->triangles8, true, solid);
         } else {
@@ -94,27 +95,6 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
     }
 }
 
-/* What falls into the rows of a surface. */
-typedef struct share {
-    qtri_mesh_job job;
-    const qtri_prepared *prepared;
-    bool by_list;
-    uint32_t band, first; /* of the lists; of triangles that are not in one */
-} share;
-
-static void draw_share(void *what)
-{
-    share *s = what;
-    const qtri_fill_way *fill = qtri_fill_of(&s->job.material);
-    if (fill != NULL) {
-        fill->band(&s->job);
-    }
-    if (s->by_list) {
-        draw_list(&s->job, s->prepared, s->band);
-    }
-    draw_range(&s->job, s->prepared, s->first, s->prepared->mesh->triangle_count);
-}
-
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
@@ -128,19 +108,21 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     const bool by_list =
         prepared->listed > 0 && (uint32_t)((bounds.y1 - 1) / prepared->rows) == band;
     const uint32_t first = by_list ? prepared->listed : 0;
-    share s = {.prepared = prepared, .by_list = by_list, .band = band, .first = first};
+    qtri_mesh_job job;
     if ((first >= count && prepared->lists[2 * band] == 0) ||
-        !qtri_prepared_begin(&s.job, prepared, surface, prepared->is_placed)) {
+        !qtri_prepared_begin(&job, prepared, surface, prepared->is_placed)) {
         return;
     }
-    s.job.lit = qtri_prepared_is_complete(prepared);
-    if (!s.job.lit) {
-        qtri_mesh_clear_slots(&s.job);
+    job.lit = qtri_prepared_is_complete(prepared);
+    if (!job.lit) {
+        qtri_mesh_clear_slots(&job);
     }
-    const qtri_fill_way *fill = qtri_fill_of(prepared->material);
-    if (fill != NULL) {
-        fill->draw(&s.job.primitive, draw_share, &s);
-    } else {
-        draw_share(&s);
+    if (job.material.fill != NULL) {
+        job.material.fill->band(&job);
     }
+    if (by_list) {
+        draw_list(&job, prepared, band);
+    }
+    draw_range(&job, prepared, first, count);
+    qtri_primitive_finish(&job.primitive);
 }

@@ -1,13 +1,39 @@
 #include "fill.h"
 
+#include "../raster/list.h"
+
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
                                const qtri_material *material)
 {
     primitive->surface = surface;
     primitive->material = material;
-    if (qtri_fill_of(material) == NULL) {
-        qtri_raster_init(&primitive->to.raster, surface, material);
+    if (material->fill != NULL) {
+        material->fill->begin(primitive);
+    } else {
+        qtri_raster_init(&primitive->to.solid.raster, surface, material,
+                         &primitive->to.solid.batch);
     }
+}
+
+void qtri_primitive_finish(const qtri_primitive *primitive)
+{
+    const qtri_fill *fill = primitive->material->fill;
+    if (fill != NULL) {
+        fill->finish(primitive);
+    } else {
+        qtri_list_flush(&primitive->to.solid.raster);
+    }
+}
+
+void qtri_primitive_begin_lines(qtri_primitive *primitive)
+{
+    qtri_line_job_init(&primitive->to.lines.job, primitive->surface, primitive->material,
+                       &primitive->to.lines.batch);
+}
+
+void qtri_primitive_finish_lines(const qtri_primitive *primitive)
+{
+    qtri_line_flush(&primitive->to.lines.job);
 }
 
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
@@ -123,7 +149,8 @@ static int own_vertex(const qtri_fan_vertex *v)
 }
 
 QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_vertex *v,
-                                         const qtri_screen_vertex attributes[3], qtri_format format)
+                                         const qtri_screen_vertex attributes[3],
+                                         const qtri_raster *raster)
 {
     qtri_screen_vertex blend;
     const qtri_screen_vertex *from = &blend;
@@ -137,7 +164,7 @@ QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_ve
     out->depth_16p16 = v->depth_16p8 & ~0xFFu;
     out->inv_w_q31 = v->inv_w_q31;
     out->inv_w_exponent = (int32_t)(v->depth_16p8 & 0xFFu);
-    qtri_channels color = qtri_channels_from_color(format, from->color_8p16);
+    qtri_channels color = qtri_raster_channels(raster, from->color_8p16);
     for (int i = 0; i < 3; i++) {
         out->color[i] = color.c[i];
     }
@@ -155,12 +182,11 @@ typedef struct piece {
 
 QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *p)
 {
-    const qtri_format format = qtri_format_of(p->primitive->surface);
     qtri_screen_vertex attributes[3];
     p->source(p->from, attributes);
     spread_provoking(p->primitive->material, attributes);
     for (int i = 0; i < 3; i++) {
-        set_attributes(&out[i], p->vertex[i], attributes, format);
+        set_attributes(&out[i], p->vertex[i], attributes, &p->primitive->to.solid.raster);
     }
 }
 
@@ -169,10 +195,38 @@ QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_triangle
 {
     qtri_attributes own[3];
     piece_attributes(own, p);
-    return qtri_job_init(job, &p->primitive->to.raster, triangle, own);
+    return qtri_job_init(job, &p->primitive->to.solid.raster, triangle, own);
 }
 
-QTRI_NOINLINE static void draw_piece(const piece *p, int64_t area)
+/* One that is small: attributes are found again, so that they take no stack in between. */
+QTRI_NOINLINE static void draw_small_piece(const piece *p, qtri_place *place,
+                                           const qtri_vertex v[3])
+{
+    qtri_attributes own[3];
+    const qtri_vertex *const vertex[3] = {&v[0], &v[1], &v[2]};
+    piece_attributes(own, p);
+    qtri_list_attributes(&p->primitive->to.solid.raster, place, vertex, own);
+}
+
+QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
+{
+    qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
+    qtri_vertex v[3];
+    for (int i = 0; i < 3; i++) {
+        v[i].at = p->vertex[i]->at;
+        v[i].depth_16p8 = p->vertex[i]->depth_16p8;
+        v[i].inv_w = p->vertex[i]->inv_w_q31;
+    }
+    const qtri_placed placed =
+        qtri_place_triangle(&place, spans, &p->primitive->to.solid.raster, &v[0], &v[1], &v[2]);
+    if (placed == QTRI_PLACED_SMALL) {
+        draw_small_piece(p, &place, v);
+    }
+    return placed;
+}
+
+QTRI_NOINLINE static void draw_large_piece(const piece *p, int64_t area)
 {
     qtri_triangle triangle;
     for (int i = 0; i < 3; i++) {
@@ -180,7 +234,7 @@ QTRI_NOINLINE static void draw_piece(const piece *p, int64_t area)
     }
     triangle.area = area;
     triangle.tinted = false;
-    if (!qtri_triangle_begin(&p->primitive->to.raster, &triangle)) {
+    if (!qtri_triangle_begin(&p->primitive->to.solid.raster, &triangle)) {
         return;
     }
     qtri_job job;
@@ -209,7 +263,7 @@ QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_
         blend_attributes(&screen, a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
         qtri_line_end(&line[i], color[i], &screen);
     }
-    const qtri_line_job *job = &primitive->to.line;
+    const qtri_line_job *job = &primitive->to.lines.job;
     job->draw(job, &line[0], &line[1], (const qtri_line_color *)color);
 }
 
@@ -217,6 +271,7 @@ QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
                                              const qtri_fan_vertex corner[3],
                                              qtri_screen_vertex attributes[3])
 {
+    const qtri_line_job *job = &primitive->to.lines.job;
     qtri_vertex end[4];
     qtri_line_color color[4];
     for (int i = 0; i < 4; i++) { /* back to the first */
@@ -227,8 +282,7 @@ QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
         qtri_line_end(&end[i], color[i], &attributes[from]);
     }
     for (int i = 0; i < 3; i++) {
-        primitive->to.line.draw(&primitive->to.line, &end[i], &end[i + 1],
-                                (const qtri_line_color *)&color[i]);
+        job->draw(job, &end[i], &end[i + 1], (const qtri_line_color *)&color[i]);
     }
 }
 
@@ -272,7 +326,7 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     if (common != 0) {
         return;
     }
-    const qtri_fill_way *fill = qtri_fill_of(primitive->material);
+    const qtri_fill *fill = primitive->material->fill;
     if (fill != NULL) {
         fill->clipped(primitive, shape->clip, planes, source, from);
         return;
@@ -289,7 +343,9 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
         if (area != 0 && (area ^ sum) >= 0) {
             p.vertex[1] = &shape->fan[i - 1];
             p.vertex[2] = &shape->fan[i];
-            draw_piece(&p, area);
+            if (draw_placed_piece(&p) == QTRI_PLACED_LARGE) {
+                draw_large_piece(&p, area);
+            }
         }
     }
 }

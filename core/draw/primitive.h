@@ -16,8 +16,14 @@ typedef struct qtri_primitive {
     const qtri_surface *surface;
     const qtri_material *material;
     union {
-        qtri_raster raster; /* of solid triangles */
-        qtri_line_job line; /* of lines and wireframes */
+        struct {
+            qtri_raster raster;
+            qtri_batch batch; /* the raster's */
+        } solid;              /* triangles */
+        struct {
+            qtri_line_job job;
+            qtri_batch batch; /* the job's */
+        } lines;              /* and wireframes */
     } to;
     qtri_projector projector;
 } qtri_primitive;
@@ -36,7 +42,7 @@ typedef union qtri_shape {
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
 } qtri_shape;
 
-/* Surface and material, and what follows from them where triangles are filled. */
+/* Surface and material, and what follows from them. */
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
                                const qtri_material *material);
 
@@ -49,6 +55,9 @@ void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
                          const qtri_material *material);
 
+/* At the end: draws what waits. */
+void qtri_primitive_finish(const qtri_primitive *primitive);
+
 /*
  * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is
  * to be drawn, and again for the next piece: what is not kept takes no stack while rows are filled.
@@ -58,6 +67,10 @@ typedef void (*qtri_attribute_source)(const void *from, qtri_screen_vertex attri
 /* Draws a triangle that may need clipping. `shape` brings clip, and is overwritten. */
 void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
                              qtri_attribute_source source, const void *from);
+
+/* For lines, whatever the material says; then as above. */
+void qtri_primitive_begin_lines(qtri_primitive *primitive);
+void qtri_primitive_finish_lines(const qtri_primitive *primitive);
 
 /* The outline of a triangle that may need clipping by `planes`, the sum of its outcodes. */
 void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],

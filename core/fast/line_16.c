@@ -5,7 +5,6 @@
  */
 #include "line_16.h"
 
-#include "../frame/pixel.h"
 #include "../raster/line_path.h"
 
 /*
@@ -34,12 +33,12 @@ QTRI_INLINE void draw_pixels(walk_16 w, const uint16_t *tints, qtri_line_ramp sh
     do {
         uint16_t *at = (uint16_t *)(void *)w.at;
         if (!has_depth) {
-            *at = tints[share_q22.value >> 15];
+            *at = tints[share_q22.value >> QTRI_LINE_TINT_SHIFT];
         } else {
             const uint32_t z = w.z_16p15 >> 15;
             if (z < *at) {
                 *at = (uint16_t)z;
-                *pixel_of(at, w.apart) = tints[share_q22.value >> 15];
+                *pixel_of(at, w.apart) = tints[share_q22.value >> QTRI_LINE_TINT_SHIFT];
             }
             w.z_16p15 += w.z_step;
         }
@@ -96,10 +95,11 @@ QTRI_INLINE void draw_short(const qtri_line_job *job, const qtri_vertex *a, cons
     }
     qtri_line_ramp_share(&share, &l, &by);
     share.value += QTRI_LINE_TINT_HALF + (uint32_t)at.k * share.step;
+    const uint16_t *table = qtri_batch_table(job->batch);
     if (has_depth) {
-        draw_pixels(w, job->tints, share, end - at.k, true);
+        draw_pixels(w, table, share, end - at.k, true);
     } else {
-        draw_pixels(w, job->tints, share, end - at.k, false);
+        draw_pixels(w, table, share, end - at.k, false);
     }
 }
 
@@ -128,7 +128,7 @@ void qtri_line_16_choose(qtri_line_job *job)
     const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
     const bool is_less =
         job->is_less && job->depth_write && surface->pitch == 2 * surface->depth_pitch;
-    if (!QTRI_WITH_FAST_PATHS || job->tints == NULL || qtri_format_of(surface) != QTRI_RGB565 ||
+    if (!QTRI_WITH_FAST_PATHS || !job->batch->has_table || surface->format->pixels->bytes != 2 ||
         surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
         (job->has_depth && !is_less)) {
         return;

@@ -24,24 +24,40 @@ static uint8_t luma(const weights *w, uint32_t r, uint32_t g, uint32_t b)
     return (uint8_t)((r * w->r + g * w->g + b * w->b + ((uint32_t)1 << 23)) >> 24);
 }
 
-/* Pixels that the row holds. */
-static void gray_of_row(qtri_format format, const uint8_t *row, int32_t x, int32_t count,
+static uint8_t luma_of_565(uint32_t c)
+{
+    return luma(&weights_565, (c >> 11) & 31, (c >> 5) & 63, c & 31);
+}
+
+/*
+ * Pixels that the row holds. What is stored is known by the function that decodes it, and not by
+ * the description's address, which would link all that belongs to it.
+ */
+static void gray_of_row(const qtri_format *format, const uint8_t *row, int32_t x, int32_t count,
                         uint8_t *gray)
 {
-    if (format == QTRI_RGB565) {
-        const uint16_t *pixels = (const uint16_t *)(const void *)row + x;
+    const qtri_pixels *pixels = format->pixels;
+    if (format->decode == qtri_decode_gray8 && pixels->bytes == 1) {
+        memcpy(gray, row + x, (size_t)count);
+        return;
+    }
+    if (format->decode == qtri_decode_rgb565 && pixels->bytes == 2) {
+        const uint16_t *stored = (const uint16_t *)(const void *)row + x;
         for (int32_t i = 0; i < count; i++) {
-            uint32_t c = pixels[i];
-            gray[i] = luma(&weights_565, c >> 11, (c >> 5) & 63, c & 31);
+            gray[i] = luma_of_565(stored[i]);
         }
-    } else if (format == QTRI_XRGB8888) {
-        const uint32_t *pixels = (const uint32_t *)(const void *)row + x;
-        for (int32_t i = 0; i < count; i++) {
-            uint32_t c = pixels[i];
+        return;
+    }
+    const uint8_t *at = row + (ptrdiff_t)pixels->bytes * x;
+    const bool is_565 = format->decode == qtri_decode_rgb565_swapped;
+    for (int32_t i = 0; i < count; i++, at += pixels->bytes) {
+        uint32_t stored = pixels->load(at);
+        if (is_565) {
+            gray[i] = luma_of_565((stored & 255) << 8 | stored >> 8);
+        } else {
+            uint32_t c = format->decode(stored);
             gray[i] = luma(&weights_888, (c >> 16) & 255, (c >> 8) & 255, c & 255);
         }
-    } else {
-        memcpy(gray, row + x, (size_t)count);
     }
 }
 
@@ -55,7 +71,7 @@ void qtri_surface_gray(const qtri_surface *surface, int32_t x, int32_t y, int32_
     int64_t end = (int64_t)x + count;
     int64_t from = x > 0 ? x : 0; /* the columns that there are: from..to-1 */
     int64_t to = end < surface->width ? end : surface->width;
-    if (row < 0 || row >= surface->rows || from >= to) {
+    if (surface->format == NULL || row < 0 || row >= surface->rows || from >= to) {
         memset(gray, 0, (size_t)count);
         return;
     }

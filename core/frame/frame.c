@@ -1,7 +1,5 @@
 #include "qtri/frame.h"
 
-#include "pixel.h"
-
 static const qtri_rect nothing = {0, 0, 0, 0};
 
 static bool is_side(int32_t x)
@@ -9,7 +7,7 @@ static bool is_side(int32_t x)
     return x >= 1 && x <= QTRI_SURFACE_MAX;
 }
 
-enum qtri_error qtri_frame_init(qtri_frame *frame, qtri_format format, int32_t width,
+enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, int32_t width,
                                 int32_t height, int32_t rows, void *memory, size_t bytes)
 {
     frame->format = format;
@@ -26,14 +24,14 @@ enum qtri_error qtri_frame_init(qtri_frame *frame, qtri_format format, int32_t w
     if (!is_side(width) || !is_side(height) || !is_side(rows)) {
         return QTRI_ERROR_SIZE;
     }
-    frame->band_bytes = QTRI_BAND_BYTES(width, rows, format);
+    if (format == NULL) {
+        return QTRI_ERROR_FORMAT;
+    }
+    frame->band_bytes = QTRI_FRAME_BYTES(width, rows, format->pixels->bytes);
     if (bytes < frame->band_bytes) {
         return QTRI_ERROR_MEMORY;
     }
-    if (!qtri_format_is_built(format)) {
-        return QTRI_ERROR_OPTION;
-    }
-    if (bytes >= QTRI_FRAME_BYTES_DOUBLE(width, rows, format)) {
+    if (bytes >= QTRI_FRAME_BYTES_DOUBLE(width, rows, format->pixels->bytes)) {
         uint8_t *end = frame->memory + frame->band_bytes;
         frame->other_pixels = end + (4 - ((uintptr_t)end & 3)) % 4;
     }

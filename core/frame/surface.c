@@ -3,13 +3,16 @@
 #include "../bits/bits.h"
 #include "pixel.h"
 
+/* Pixels that a mask has bits for. */
+#define MASK_PIXELS 32
+
 /* The word that begins here, or next. */
 static uint8_t *align(uint8_t *p)
 {
     return p + (0 - (uintptr_t)p) % 4;
 }
 
-enum qtri_error qtri_surface_init(qtri_surface *surface, qtri_format format, int32_t width,
+enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *format, int32_t width,
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
                                   size_t bytes)
 {
@@ -17,14 +20,13 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, qtri_format format, int
         first_row < 0 || first_row >= height || rows < 1 || rows > QTRI_SURFACE_MAX) {
         return QTRI_ERROR_SIZE;
     }
-    if (bytes < QTRI_BAND_BYTES(width, rows, format)) {
+    if (format == NULL) {
+        return QTRI_ERROR_FORMAT;
+    }
+    if (bytes < QTRI_BAND_BYTES(width, rows, format->pixels->bytes)) {
         return QTRI_ERROR_MEMORY;
     }
-    if (!qtri_format_is_built(format)) {
-        return QTRI_ERROR_OPTION;
-    }
-    format = qtri_format_built(format);
-    size_t pitch = (size_t)width * QTRI_FORMAT_BYTES(format);
+    size_t pitch = (size_t)width * format->pixels->bytes;
     /* Both at words, for loops that draw pairs: at most 3 + 3 of the 8 bytes to spare. */
     uint8_t *pixels = align((uint8_t *)memory);
     uint8_t *depth = align(pixels + pitch * (size_t)rows);
@@ -117,6 +119,16 @@ static void fill_rows(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t row
     }
 }
 
+/* Where words do not hold whole pixels. */
+static void fill_row_of_pixels(const qtri_pixels *pixels, uint8_t *at, int32_t count,
+                               uint32_t stored)
+{
+    for (; count > 0; count -= MASK_PIXELS) {
+        pixels->fill(at, stored, UINT32_MAX, count < MASK_PIXELS ? count : MASK_PIXELS);
+        at += (ptrdiff_t)pixels->bytes * MASK_PIXELS;
+    }
+}
+
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth)
 {
     qtri_rect bounds = qtri_surface_bounds(surface);
@@ -126,18 +138,24 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
     int32_t columns = bounds.x1 - bounds.x0;
     int32_t rows = bounds.y1 - bounds.y0;
     ptrdiff_t stored_row = bounds.y0 - surface->first_row;
-    const qtri_format format = qtri_format_of(surface);
-    size_t pixel_bytes = QTRI_FORMAT_BYTES(format);
-    uint32_t pixel = qtri_pixel_from_rgb(format, color);
-    if (pixel_bytes == 1) {
-        pixel *= 0x101u;
+    const qtri_pixels *pixels = surface->format->pixels;
+    const size_t pixel_bytes = pixels->bytes;
+    uint8_t *first = surface->pixels + stored_row * surface->pitch +
+                     (ptrdiff_t)(pixel_bytes * (size_t)bounds.x0);
+    uint32_t pixel = qtri_pixel_from_rgb(surface->format, color);
+    if (pixel_bytes == 1 || pixel_bytes == 2 || pixel_bytes == 4) {
+        if (pixel_bytes == 1) {
+            pixel = (pixel & 0xFF) * 0x101u;
+        }
+        if (pixel_bytes <= 2) {
+            pixel = (pixel & 0xFFFF) * 0x10001u;
+        }
+        fill_rows(first, surface->pitch, pixel_bytes * (size_t)columns, rows, pixel);
+    } else {
+        for (int32_t row = 0; row < rows; row++) {
+            fill_row_of_pixels(pixels, first + row * surface->pitch, columns, pixel);
+        }
     }
-    if (pixel_bytes <= 2) {
-        pixel *= 0x10001u;
-    }
-    fill_rows(surface->pixels + stored_row * surface->pitch +
-                  (ptrdiff_t)(pixel_bytes * (size_t)bounds.x0),
-              surface->pitch, pixel_bytes * (size_t)columns, rows, pixel);
     if (surface->depth != NULL) {
         fill_rows((uint8_t *)(surface->depth + stored_row * surface->depth_pitch + bounds.x0),
                   2 * surface->depth_pitch, 2 * (size_t)columns, rows, depth * 0x10001u);
@@ -147,12 +165,14 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
 qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
 {
     qtri_rgb rgb = {0, 0, 0};
-    if (x < 0 || x >= surface->width || y < surface->first_row ||
+    const qtri_format *format = surface->format;
+    if (format == NULL || x < 0 || x >= surface->width || y < surface->first_row ||
         (int64_t)y - surface->first_row >= surface->rows) {
         return rgb;
     }
     const uint8_t *row = surface->pixels + (y - surface->first_row) * surface->pitch;
-    return qtri_pixel_widen(surface->format, row, x);
+    const qtri_pixels *pixels = format->pixels;
+    return qtri_rgb_from_888(format->decode(pixels->load(row + (ptrdiff_t)pixels->bytes * x)));
 }
 
 qtri_rect qtri_surface_bounds(const qtri_surface *surface)
@@ -167,5 +187,5 @@ qtri_rect qtri_surface_bounds(const qtri_surface *surface)
     bounds.y0 = bounds.y0 > 0 ? bounds.y0 : 0;
     bounds.y1 = bounds.y1 < end ? bounds.y1 : end;
     const bool is_empty = bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1;
-    return is_empty || !qtri_format_is_built(surface->format) ? nothing : bounds;
+    return is_empty || surface->format == NULL ? nothing : bounds;
 }

@@ -6,72 +6,6 @@
 #include "../math/sincos.h"
 #include "row.h"
 
-/*
- * The smallest exponent wins: m keeps 30 bits of the largest linear element, t at most 60 bits.
- * |wide m| < 2^62, so a shift of 32 leaves |m| <= 2^30 after rounding, and 2 leave |t| <= 2^60.
- */
-void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4])
-{
-    int32_t exponent = INT32_MAX;
-    for (int i = 0; i < 4; i++) {
-        int32_t own = element[i].e - (i < 3 ? 32 : 18);
-        if (element[i].m != 0 && own < exponent) {
-            exponent = own;
-        }
-    }
-    if (exponent == INT32_MAX) {
-        exponent = 0; /* a row of zeros */
-    }
-    row->exponent = exponent;
-    for (int i = 0; i < 4; i++) {
-        int32_t shift = element[i].e - exponent - (i < 3 ? 0 : 16);
-        int64_t rounded = qtri_shift_round(element[i].m, shift);
-        if (i < 3) {
-            row->m[i] = (int32_t)rounded;
-        } else {
-            row->t = rounded;
-        }
-    }
-}
-
-void qtri_row_from_two(qtri_row *row, int i, const qtri_wide *x, int j, const qtri_wide *y)
-{
-    qtri_wide element[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
-    element[i] = *x;
-    element[j] = *y;
-    qtri_row_from_wide(row, element);
-}
-
-qtri_wide qtri_row_element(const qtri_row *row, int column)
-{
-    if (column < 3) {
-        return qtri_wide_make(row->m[column], row->exponent);
-    }
-    /* A row of random bits must not overflow; qtri_wide_make makes 0 of such exponents. */
-    return qtri_wide_make(row->t, row->exponent > INT32_MAX - 16 ? INT32_MAX : row->exponent + 16);
-}
-
-void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide point[3],
-                    const qtri_wide *image)
-{
-    qtri_wide element[4] = {axis[0], axis[1], axis[2], {0, 0}};
-    /* A large translation costs the axis bits: the first pass finds the exponent, the second t. */
-    for (int pass = 0; pass < 2; pass++) {
-        if (image != NULL) {
-            element[3] = *image;
-        } else {
-            qtri_wide_set(&element[3], 0, 0);
-        }
-        for (int column = 0; column < 3; column++) {
-            qtri_wide_sub_product(&element[3], &element[column], &point[column]);
-        }
-        qtri_row_from_wide(row, element);
-        for (int column = 0; column < 3; column++) {
-            element[column] = qtri_row_element(row, column);
-        }
-    }
-}
-
 void qtri_transform_from_mat4(qtri_transform *out, const qtri_mat4 *m)
 {
     for (int i = 0; i < 4; i++) {
@@ -305,4 +239,61 @@ void qtri_transform_rotate_quat(qtri_transform *t, qtri_quat q)
         qtri_row_from_wide(&builder.row[i], element);
     }
     qtri_transform_mul(t, t, &builder);
+}
+
+/* |m| <= 2^30, |t| < 2^61 and an exponent that builders make: a user's row may hold any bits. */
+static bool is_sound(const qtri_row *row)
+{
+    for (int i = 0; i < 3; i++) {
+        if (row->m[i] > (int32_t)1 << 30 || row->m[i] < -((int32_t)1 << 30)) {
+            return false;
+        }
+    }
+    return qtri_magnitude64(row->t) >> 61 == 0 && row->exponent >= -4096 && row->exponent <= 4096;
+}
+
+static bool is_linear_zero(const qtri_row *row)
+{
+    return (row->m[0] | row->m[1] | row->m[2]) == 0;
+}
+
+/* 0 0 0 1: of everything but a projection. */
+static bool is_affine(const qtri_transform *b)
+{
+    return is_linear_zero(&b->row[3]) && b->row[3].t == (int64_t)1 << 59 &&
+           b->row[3].exponent == 59 - 16 && is_sound(&b->row[0]) && is_sound(&b->row[1]) &&
+           is_sound(&b->row[2]);
+}
+
+/* out may be a: a row of the product needs one row of it. */
+QTRI_NOINLINE static void mul_rows(qtri_transform *out, const qtri_transform *a,
+                                   const qtri_transform *b)
+{
+    const qtri_row *const row[3] = {&b->row[0], &b->row[1], &b->row[2]};
+    const bool affine = is_affine(b);
+    for (int i = 0; i < 4; i++) {
+        const qtri_row *left = &a->row[i];
+        const bool quick = affine && is_sound(left);
+        if (quick && is_linear_zero(left)) {
+            out->row[i] = *left;
+        } else if (!quick ||
+                   !qtri_row_combine(&out->row[i], row, left->m, 3, left->exponent, left->t)) {
+            qtri_row_mul(&out->row[i], left, b);
+        }
+    }
+}
+
+QTRI_NOINLINE static void mul_onto(qtri_transform *b, const qtri_transform *a)
+{
+    const qtri_transform copy = *b;
+    mul_rows(b, a, &copy);
+}
+
+void qtri_transform_mul(qtri_transform *out, const qtri_transform *a, const qtri_transform *b)
+{
+    if (out == b) {
+        mul_onto(out, a);
+    } else {
+        mul_rows(out, a, b);
+    }
 }

@@ -20,7 +20,8 @@
  *   q16.h q16_trig.h q16_exp.h q16_text.h   scalars       vec.h mat.h quat.h   vectors and more
  *   transform.h  poses, cameras, projections at full precision
  *   view.h       viewport, light, vertex scratch          surface.h  frames and bands
- *   material.h   colour, texture, depth state             mesh.h     indexed triangles
+ *   format.h     what a pixel is                          texture.h  what a texel is, textures
+ *   material.h   colour, shading, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
  *   config.h     what the library is built with
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
@@ -32,6 +33,7 @@
 #include "qtri/config.h"
 #include "qtri/draw.h"
 #include "qtri/error.h"
+#include "qtri/format.h"
 #include "qtri/frame.h"
 #include "qtri/mat.h"
 #include "qtri/material.h"
@@ -44,6 +46,7 @@
 #include "qtri/quat.h"
 #include "qtri/raster.h"
 #include "qtri/surface.h"
+#include "qtri/texture.h"
 #include "qtri/transform.h"
 #include "qtri/vec.h"
 #include "qtri/view.h"

@@ -1,99 +1,66 @@
 /*
- * A triangle on its way to pixels. Internal.
+ * A triangle on its way to pixels: what its rows share. Internal.
  *
- * A raster holds what the triangles of a draw call share, a job what the rows of a triangle share.
- * Which function fills the rows is chosen once a triangle. Flat and linear colours have loops of
- * their own, made from fill.inc, that fill whole rows; for everything else a row is a span, drawn
- * as runs: stretches over which every attribute is a 32-bit ramp. Without perspective runs have one
- * length; with it, a run goes from one exact division to the next. qtri_run_generic draws any run;
- * every loop gives its pixels to the bit.
+ * Attributes are linear on the screen or, with perspective, quotients of two that are; then a row is
+ * cut into blocks along which curves of second order serve, see perspective.c. Which function fills
+ * the rows is chosen once a triangle: span.c draws any by the stages of batch.h, those of core/fast
+ * stand in where a format has them, with the same pixels to the bit.
  */
 #ifndef QTRI_RASTER_JOB_H
 #define QTRI_RASTER_JOB_H
 
-#include <stdbool.h>
-
-#include "qtri/material.h"
-
 #include "gradient.h"
-#include "../frame/pixel.h"
-#include "texel.h"
-
-typedef struct qtri_job qtri_job;
-
-/* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
-typedef struct qtri_span {
-    int16_t left, right;
-} qtri_span;
+#include "raster.h"
 
 /* How many rows are walked at a time: of a short triangle all of them, to save time. */
 #define QTRI_ROWS_AHEAD (QTRI_WITH_FAST_PATHS ? 16 : 4)
 
-/* Fills `count` rows from `row` on. */
-typedef void (*qtri_fill_rows)(const qtri_job *job, const qtri_span *spans, int32_t row,
-                               int32_t count);
-
-/* What the triangles of a draw call share. */
-typedef struct qtri_run qtri_run;
-typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
-
-typedef struct qtri_raster {
-    const qtri_surface *surface;
-    const qtri_texture *texture; /* NULL: none */
-    qtri_rect bounds;
-    qtri_fill_rows fill_flat, fill_linear, fill_tiny; /* without texture */
-    qtri_draw_run copy_run;                           /* for jobs that copy texels */
-    qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
-    bool depth_write;
-    bool perspective, replace; /* as the material asks */
-    qtri_channels tint;        /* what tinted triangles have shares of */
-    int32_t tint_n6[3];        /* the same with 6 bits after the point, cut off */
-    bool small;                /* small.h and tiny.h serve */
-    uint32_t texel_cut;        /* of texels that are copied, see texel_copy.h */
-    bool copies_white;         /* texels may be copied where the colour is white */
-    qtri_cull cull;
-    qtri_shading shading;
-} qtri_raster;
-
-/* NULL for none, known to the compiler where the library is built without. */
-static inline const qtri_texture *qtri_raster_texture(const qtri_raster *raster)
-{
-    return QTRI_WITH_TEXTURES ? raster->texture : NULL;
-}
-
-/* What a material asks for and the library is built with: see config.h. */
-static inline qtri_shading qtri_shading_of(const qtri_material *material)
-{
-    return QTRI_WITH_SMOOTH || material->shading == QTRI_FLAT_FIRST ? material->shading
-                                                                    : QTRI_FLAT_LAST;
-}
-
-/* Where colour and texture coordinates come from. */
-typedef enum qtri_paint {
-    QTRI_PAINT_FLAT,       /* one pixel value */
-    QTRI_PAINT_LINEAR,     /* ramps of colours, planes of texture coordinates */
-    QTRI_PAINT_PERSPECTIVE /* planes of attribute / w, and of 1 / w */
-} qtri_paint;
-
-/* PERSPECTIVE: colours (n.16, up to 24 bits) are scaled by this much to use 30 bits. */
+/* Colours (n.16, up to 24 bits) are scaled by this much to use 30 bits with perspective. */
 #define QTRI_COLOR_PERSPECTIVE_SHIFT 6
 
+/* Blocks along which curves hold have up to 2^QTRI_BLOCK_LOG2 pixels. */
+#define QTRI_BLOCK_LOG2 5
+
 /*
- * Attributes in arrays of them: colours red green blue, then texture coordinates u and v, so that
- * those that a job has are neighbours. Where there are planes, that of 1/w follows.
+ * Attributes in an array: colours red green blue, then texture coordinates u and v, so that those
+ * that a job has are neighbours. One colour, gray or light, is in blue's place. With perspective
+ * they are times inv_w / 2^32, colours times 2^6 as well, and inv_w follows: 2^31 for the vertex
+ * nearest to the eye.
  */
 #define QTRI_U          3
 #define QTRI_ATTRIBUTES 5
-#define QTRI_PLANES     (QTRI_WITH_TEXTURES ? QTRI_ATTRIBUTES + 1 : (QTRI_WITH_SMOOTH ? QTRI_U + 1 : 1))
+#define QTRI_PLANES     (QTRI_ATTRIBUTES + 1)
+
+/*
+ * An attribute with perspective, or inv_w: its plane in its own unit, and what else its curves need,
+ * see perspective.c.
+ */
+typedef struct qtri_projected {
+    uint32_t origin, dx, dy;   /* at the centre of pixel (0, 0), for one pixel right, one down */
+    uint16_t dx_rest, dy_rest; /* 2^-16 of the unit */
+    uint32_t slope, slope_dy;  /* the attribute's slope times inv_w^2: in row 0, one row down */
+    uint32_t bias;             /* of values */
+    int8_t down;               /* slopes are times 2^-down in the curve's unit */
+    int8_t up;                 /* of values */
+} qtri_projected;
 
 typedef union qtri_attribute {
-    qtri_ramp ramp; /* LINEAR, colours */
-    /*
-     * LINEAR: texture coordinates in the unit of their axis. PERSPECTIVE: attribute inv_w / 2^31,
-     * colours times 2^6; inv_w is 2^31 for the vertex nearest to the eye.
-     */
-    qtri_plane plane;
+    qtri_ramp ramp; /* colours that are linear */
+    qtri_plane plane; /* texture coordinates that are linear, in the unit of their axis */
+    qtri_projected projected;
 } qtri_attribute;
+
+/* The least inv_w at the start of a block of 2^(i+1) pixels. */
+typedef uint32_t qtri_block_limits[QTRI_BLOCK_LOG2];
+
+/* Of a job with perspective. */
+typedef struct qtri_perspective {
+    int32_t slope; /* inv_w's dx with 15 bits, times 2^slope_exponent where inv_w is 2^31 */
+    int32_t slope_exponent;
+    qtri_block_limits colors, texels;
+    uint8_t texels_twisted; /* log2 of the least blocks of texels that are of third order */
+    int32_t least[3], greatest[3]; /* colours of the vertices, n.16 */
+} qtri_perspective;
 
 /* Steps of a packed colour, see packed.h: from pixels 0 2 4 6 of a group, 1 3 5, 7; of all eight.
  */
@@ -101,85 +68,71 @@ typedef struct qtri_packed_steps {
     uint32_t even, odd, last, eight;
 } qtri_packed_steps;
 
+typedef struct qtri_scanline qtri_scanline;
+
+/*
+ * Curves of attributes first..end - 1 from pixel x of the row on, into out[0], out[1], ...: for how
+ * many pixels they hold, 1..count.
+ */
+typedef int32_t (*qtri_interpolate)(qtri_scanline *row, int32_t x, int32_t count, int first, int end,
+                                    qtri_curve *out);
+
 struct qtri_job {
     const qtri_raster *raster;
-    qtri_draw_run draw_run; /* of spans */
-    bool tinted;            /* colours are shares of the raster's tint */
-    qtri_paint paint;
+    qtri_interpolate interpolate;
     uint8_t first, end;         /* the attributes that vary: all from the first to before the end */
+    bool tinted;                /* colours are shares of the raster's tint */
+    bool perspective;
     bool packed;                /* colours are one word, see packed.h */
-    bool tiny;                  /* packed colours have one start for the whole triangle */
     bool cut;                   /* spans may reach past the bounds */
-    bool copies_texels;         /* see texel_copy.h */
-    uint32_t pixel;             /* FLAT */
+    bool copies;                /* texels become pixels as they are */
+    bool shaded;                /* texels are multiplied */
+    uint32_t pixel;             /* without attributes: the stored pixel; textured: the shade */
     int32_t anchor_x, anchor_y; /* origin of the ramps */
     qtri_ramp depth;            /* 16.16 */
     qtri_attribute attribute[QTRI_PLANES];
     union {
-        qtri_channels constant; /* when not smooth */
-        struct {
-            uint32_t origin, dy; /* tiny: a ramp of packed.h, with step.even for dx */
-            qtri_packed_steps step;
-        } word; /* when packed */
-        struct {
-            int32_t least[3], greatest[3]; /* of the vertices, n.16 */
-        } range;                           /* PERSPECTIVE clamps */
+        qtri_packed_steps step; /* when packed */
+        qtri_perspective perspective;
     } color;
-    qtri_texel_axis axis[QTRI_WITH_TEXTURES ? 2 : 1];
+    qtri_texel_axis axis[2];
 };
 
-static inline bool qtri_job_is_smooth(const qtri_job *job)
-{
-    return QTRI_WITH_SMOOTH && job->first == 0;
-}
+/* A row on its way to pixels. */
+struct qtri_scanline {
+    const qtri_job *job;
+    int32_t y;
+    int32_t left, right; /* its span */
+    int32_t x0, x1;      /* of which this is drawn */
+    uint8_t *pixels;     /* of column 0 */
+    uint16_t *depths;    /* NULL: there are none */
+    bool level;          /* with perspective: coordinates are linear along this row */
+    union {
+        uint64_t plane[2]; /* linear coordinates at column 0, with the bias */
+        struct {
+            uint32_t at[QTRI_PLANES]; /* at column 0 */
+            int32_t rest[QTRI_PLANES];
+            int32_t slope[QTRI_ATTRIBUTES]; /* 15 bits, times 2^-down */
+            uint8_t cut[QTRI_ATTRIBUTES];   /* bits of it in the row before */
+            int8_t down[QTRI_ATTRIBUTES];
+            int32_t zeros; /* of inv_w, when it was last asked */
+        } perspective;
+    } by;
+    int32_t run;         /* linear coordinates: the pixel where uv[].at is */
+    qtri_curve uv[2];
+};
 
-static inline bool qtri_job_is_flat(const qtri_job *job)
-{
-    return !(QTRI_WITH_SMOOTH || QTRI_WITH_TEXTURES) || job->paint == QTRI_PAINT_FLAT;
-}
-
-static inline bool qtri_job_copies_texels(const qtri_job *job)
-{
-    return QTRI_WITH_TEXTURES && QTRI_WITH_RGB565 && job->copies_texels;
-}
-
-static inline bool qtri_job_is_packed(const qtri_job *job)
-{
-    return QTRI_WITH_SMOOTH && QTRI_WITH_RGB565 && job->packed;
-}
-
-static inline int qtri_job_first(const qtri_job *job)
-{
-    return QTRI_WITH_SMOOTH ? job->first : QTRI_U;
-}
-
-static inline int qtri_job_end(const qtri_job *job)
-{
-    return QTRI_WITH_TEXTURES ? job->end : QTRI_U;
-}
-
-/* Pixels x .. x+count-1 of a row; all values at the first, with what rounds them added. */
+/* Pixels x .. x+count-1 of a row that copies texels; all values at the first. */
 struct qtri_run {
     uint8_t *pixels; /* of the whole row */
     uint16_t *depths;
-    int32_t x, count; /* 0 < count */
-    uint32_t z;       /* 16.16 */
-    /* Packed: value[0] alone, `phase` pixels before x. */
-    int32_t phase;
-    uint32_t value[QTRI_ATTRIBUTES]; /* colours n.16, coordinates in the unit of a run */
-    uint32_t step[QTRI_ATTRIBUTES];
+    int32_t x, count;     /* 0 < count */
+    uint32_t z;           /* 16.16 */
+    uint32_t value[2], step[2]; /* u and v as texel_copy.h has them */
 };
 
-/* Fills rows by spans: any job without perspective. */
-void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
-
-/* The same with perspective. */
-void qtri_fill_perspective(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
-
-/* The fastest functions for jobs of this raster without texture. */
-void qtri_fill_choose(qtri_raster *raster);
-
-void qtri_run_generic(const qtri_job *job, const qtri_run *run);
+/* Any job, by stages. */
+void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 
 /* The part of a span inside the bounds: its first pixel, and how many; may be negative. */
 static inline int32_t qtri_span_clip(const qtri_span *span, const qtri_rect *bounds, int32_t *x)
@@ -189,15 +142,21 @@ static inline int32_t qtri_span_clip(const qtri_span *span, const qtri_rect *bou
     return end - *x;
 }
 
-/*
- * Whether a fragment at depth z passes against the stored depth. From QTRI_NEVER to QTRI_ALWAYS
- * comparisons count in bits: less, equal, greater pass.
- */
-static inline bool qtri_depth_passes(qtri_compare compare, uint32_t z, uint32_t stored)
+/* A plane at column 0 of a row; then at a column. */
+static inline uint64_t qtri_plane_row(const qtri_plane *plane, int32_t y)
 {
-    const uint32_t passes = (uint32_t)compare - QTRI_NEVER;
-    const int order = z < stored ? 0 : (z == stored ? 1 : 2);
-    return compare > QTRI_ALWAYS || (passes >> order & 1) != 0;
+    return plane->origin + (uint64_t)(int64_t)y * plane->dy;
+}
+
+static inline uint64_t qtri_plane_column(uint64_t row, uint64_t dx, int32_t x)
+{
+    return row + (uint64_t)(int64_t)x * dx;
+}
+
+/* An attribute in the unit of a run. */
+static inline uint32_t qtri_run_scaled(uint32_t value, int32_t up)
+{
+    return up >= 0 ? value << up : value >> -up;
 }
 
 #endif

@@ -3,7 +3,7 @@
 #include "dda.h"
 #include "line_path.h"
 
-#include "../frame/pixel.h"
+#include "../frame/colors.h"
 
 /* Pixels begin..end - 1 of a path are inside along the major axis, these on the minor one. */
 typedef struct limits {
@@ -78,22 +78,6 @@ static void ramp_init(qtri_line_ramp *r, int32_t from, int32_t to, int32_t along
     r->step = (uint32_t)quotient * 256u + (uint32_t)qtri_divide(remainder * 256, by);
 }
 
-/* white / 255.0 in Q30, rounded. */
-#define RATIO_Q30(white)                                                                           \
-    ((uint32_t)((((uint64_t)(white) << 30) + ((uint32_t)255 << 15)) / ((uint32_t)255 << 16)))
-
-static const qtri_line_units units_of[3] = {
-    {{RATIO_Q30((uint32_t)31 << 16), RATIO_Q30((uint32_t)63 << 16), RATIO_Q30((uint32_t)31 << 16)},
-     {1 << 11, 1 << 5, 1},
-     false},
-    {{RATIO_Q30((uint32_t)255 << 16), RATIO_Q30((uint32_t)255 << 16),
-      RATIO_Q30((uint32_t)255 << 16)},
-     {1 << 16, 1 << 8, 1},
-     false},
-    {{RATIO_Q30(QTRI_GRAY_RED), RATIO_Q30(QTRI_GRAY_GREEN), RATIO_Q30(QTRI_GRAY_BLUE)},
-     {1, 1, 1},
-     true}};
-
 /*
  * A channel in steps of a colour word, n.16: color_8p16 (0..255.0) times ratio_q30 to nearest, as
  * qtri_channels_from_color has it. A ratio of 1 is 0 in Q32.
@@ -109,34 +93,30 @@ static inline uint32_t scaled(int32_t color_8p16, uint32_t ratio_q30)
     return (uint32_t)(product >> 32) + ((uint32_t)product >> 31);
 }
 
-static inline uint32_t word_of(const uint32_t unit[3], uint32_t c0, uint32_t c1, uint32_t c2)
-{
-    return c0 * unit[0] + c1 * unit[1] + c2 * unit[2];
-}
-
 /* Colours from the chunk's first pixel on: channels in steps of a colour word, n.16. */
 typedef struct shade {
     qtri_line_ramp channel[3];
 } shade;
 
 /* Between these colours, in the chunk that begins at pixel `start`. */
-QTRI_NOINLINE static void shade_init(shade *s, const qtri_line_units *units, const int32_t *first,
+QTRI_NOINLINE static void shade_init(shade *s, const qtri_colors *colors, const int32_t *first,
                                      const int32_t *last, int32_t along, const qtri_divider *by,
                                      int32_t start)
 {
     const uint32_t half = 0x8000; /* rounds */
+    const uint32_t *ratio_q30 = colors->ratio_q30;
     uint32_t from[3];
     uint32_t to[3];
-    from[0] = scaled(first[0], units->ratio_q30[0]) + half;
-    to[0] = scaled(last[0], units->ratio_q30[0]) + half;
-    from[1] = scaled(first[1], units->ratio_q30[1]) + half;
-    to[1] = scaled(last[1], units->ratio_q30[1]) + half;
-    from[2] = scaled(first[2], units->ratio_q30[2]) + half;
-    to[2] = scaled(last[2], units->ratio_q30[2]) + half;
-    if (units->single) {
-        from[0] += from[1] + from[2] - 2 * half;
-        to[0] += to[1] + to[2] - 2 * half;
-        from[1] = from[2] = to[1] = to[2] = 0;
+    from[0] = scaled(first[0], ratio_q30[0]) + half;
+    to[0] = scaled(last[0], ratio_q30[0]) + half;
+    from[1] = scaled(first[1], ratio_q30[1]) + half;
+    to[1] = scaled(last[1], ratio_q30[1]) + half;
+    from[2] = scaled(first[2], ratio_q30[2]) + half;
+    to[2] = scaled(last[2], ratio_q30[2]) + half;
+    if (colors->single) {
+        from[2] += from[0] + from[1] - 2 * half;
+        to[2] += to[0] + to[1] - 2 * half;
+        from[0] = from[1] = to[0] = to[1] = 0;
     }
     for (int i = 0; i < 3; i++) {
         s->channel[i].value = from[i];
@@ -153,86 +133,92 @@ QTRI_NOINLINE static void shade_init(shade *s, const qtri_line_units *units, con
 }
 
 /* Makes colour words of the numbers of pixels that the batch has from `first` on. */
-QTRI_NOINLINE static void shade_pixels(const shade *s, const qtri_line_job *job, int32_t first)
+QTRI_NOINLINE static void shade_pixels(const shade *s, const qtri_line_job *job, uint32_t first)
 {
     const qtri_line_ramp *r = s->channel;
-    const uint32_t *unit = job->units->unit;
-    for (int32_t i = first; i < job->batch->count; i++) {
-        const uint32_t k = job->batch->pixel[i];
-        job->batch->pixel[i] =
-            word_of(unit, (r[0].value + k * r[0].step) >> 16, (r[1].value + k * r[1].step) >> 16,
-                    (r[2].value + k * r[2].step) >> 16);
+    const qtri_colors *colors = job->surface->format->colors;
+    const uint32_t red = colors->red;
+    const uint32_t green = colors->green;
+    uint32_t *color = &job->batch->color[first];
+    for (const uint32_t *end = job->batch->color + job->batch->count; color != end; color++) {
+        const uint32_t k = *color;
+        *color = (r[0].value + k * r[0].step) >> 16 << red |
+                 (r[1].value + k * r[1].step) >> 16 << green | (r[2].value + k * r[2].step) >> 16;
     }
 }
 
-/* share_q15 <= 2^15: sums are below 255 2^24 + 2^23. */
-static inline uint32_t tint_of(const qtri_line_job *job, uint32_t share_q15)
+/*
+ * Makes colour words of `count` shares in Q22. Times a tint of at most 255.0 they are below 2^26.
+ */
+QTRI_NOINLINE static void tint_pixels(uint32_t *color, const qtri_line_job *job, int32_t count)
 {
-    const uint32_t half = (uint32_t)1 << 23;
-    return word_of(job->units->unit, (job->tint_n9[0] * share_q15 + half) >> 24,
-                   (job->tint_n9[1] * share_q15 + half) >> 24,
-                   (job->tint_n9[2] * share_q15 + half) >> 24);
-}
-
-/* Stored pixels to their places. */
-static inline void scatter_as(qtri_format format, const qtri_surface *surface,
-                              const uint32_t *place, const uint32_t *pixel, int32_t count)
-{
-    uint8_t *pixels = surface->pixels;
-    const ptrdiff_t pitch = surface->pitch;
-    for (int32_t i = 0; i < count; i++) {
-        uint8_t *row = pixels + (ptrdiff_t)(place[i] >> 16) * pitch;
-        qtri_pixel_store(format, row, (int32_t)(place[i] & 0xFFFFu), pixel[i]);
+    const qtri_colors *colors = job->surface->format->colors;
+    const uint32_t red = colors->red;
+    const uint32_t green = colors->green;
+    const uint32_t down = 22u - colors->light_bits;
+    const uint32_t share_half = (uint32_t)1 << (down - 1);
+    const uint32_t shift = 8u + colors->light_bits;
+    const uint32_t half = (uint32_t)1 << (shift - 1);
+    const uint32_t tint[3] = {job->tint_n8[0], job->tint_n8[1], job->tint_n8[2]};
+    for (const uint32_t *end = color + count; color != end; color++) {
+        const uint32_t share = (*color + share_half) >> down;
+        *color = (share * tint[0] + half) >> shift << red |
+                 (share * tint[1] + half) >> shift << green | (share * tint[2] + half) >> shift;
     }
 }
 
-static void scatter(const qtri_surface *surface, const uint32_t *place, const uint32_t *pixel,
-                    int32_t count)
+void qtri_line_make_table(const qtri_line_job *job)
 {
-    switch (qtri_format_of(surface)) {
-    case QTRI_RGB565:
-        scatter_as(QTRI_RGB565, surface, place, pixel, count);
-        break;
-    case QTRI_XRGB8888:
-        scatter_as(QTRI_XRGB8888, surface, place, pixel, count);
-        break;
-    default:
-        scatter_as(QTRI_GRAY8, surface, place, pixel, count);
-        break;
+    const qtri_format *format = job->surface->format;
+    uint16_t *table = qtri_batch_table(job->batch);
+    if (table == NULL || format == NULL || format->colors->light_bits != QTRI_TINT_BITS ||
+        format->pixels->bytes > 2) {
+        return;
+    }
+    for (uint32_t i = 0; i < (1u << QTRI_TINT_BITS) + 1; i += 4) {
+        uint32_t color[4];
+        for (uint32_t k = 0; k < 4; k++) {
+            color[k] = (i + k) << QTRI_LINE_TINT_SHIFT;
+        }
+        tint_pixels(color, job, 4);
+        if (format->encode != NULL) {
+            format->encode(color, 4);
+        }
+        for (uint32_t k = 0; k < 4; k++) {
+            table[i + k] = (uint16_t)color[k];
+        }
+    }
+    job->batch->has_table = true;
+}
+
+static void look_up(qtri_batch *batch)
+{
+    const uint16_t *table = qtri_batch_table(batch);
+    for (int32_t i = 0; i < batch->count; i++) {
+        batch->color[i] = table[(batch->color[i] + QTRI_LINE_TINT_HALF) >> QTRI_LINE_TINT_SHIFT];
     }
 }
 
 QTRI_NOINLINE void qtri_line_flush(const qtri_line_job *job)
 {
-    qtri_line_batch *b = job->batch;
-    const int32_t count = b->count;
+    qtri_batch *batch = job->batch;
+    const int32_t count = batch->count;
     if (count == 0) {
         return;
     }
-    if (b->tinted && job->tints != NULL) {
-        for (int32_t i = 0; i < count; i++) {
-            b->pixel[i] = job->tints[(b->pixel[i] + QTRI_LINE_TINT_HALF) >> 15];
-        }
-    } else {
-        const uint32_t down = job->tint_down;
-        const uint32_t half = (uint32_t)64 << down;
-        for (int32_t i = 0; b->tinted && i < count; i++) {
-            b->pixel[i] = tint_of(job, ((b->pixel[i] + half) >> (7 + down)) << down);
-        }
+    const qtri_surface *surface = job->surface;
+    const qtri_format *format = surface->format;
+    const bool are_stored = batch->kind == QTRI_LINE_SHARES && batch->has_table;
+    if (are_stored) {
+        look_up(batch);
+    } else if (batch->kind == QTRI_LINE_SHARES) {
+        tint_pixels(batch->color, job, count);
     }
-    scatter(job->surface, b->place, b->pixel, count);
-    b->count = 0;
-}
-
-void qtri_line_set_tints(qtri_line_job *job)
-{
-    if (job->table == NULL || qtri_format_of(job->surface) != QTRI_RGB565) {
-        return;
+    if (!are_stored && format->encode != NULL) {
+        format->encode(batch->color, count);
     }
-    for (uint32_t i = 0; i < QTRI_LINE_TINTS; i++) {
-        job->table[i] = (uint16_t)tint_of(job, i << QTRI_LINE_TINT_DOWN);
-    }
-    job->tints = job->table;
+    format->pixels->scatter(surface->pixels, surface->pitch, batch->place, batch->color, count);
+    batch->count = 0;
 }
 
 /* Pixels of a chunk on their way to the batch. */
@@ -278,14 +264,14 @@ static inline void walk_next(walk *w)
 /* Takes those of the next `count` pixels that pass, and writes their depths: there is room. */
 QTRI_INLINE void take_pixels(walk *walk_of, int32_t count, const qtri_line_job *job)
 {
-    qtri_line_batch *b = job->batch;
-    uint32_t *place = &b->place[b->count];
+    qtri_batch *batch = job->batch;
+    uint32_t *place = &batch->place[batch->count];
+    uint32_t *value = &batch->color[batch->count];
     walk w = *walk_of;
     if (!job->has_depth) {
         do {
-            place[0] = w.place;
-            place[QTRI_LINE_BATCH] = w.value;
-            place++;
+            *place++ = w.place;
+            *value++ = w.value;
             walk_next(&w);
         } while (--count > 0);
     } else {
@@ -301,24 +287,23 @@ QTRI_INLINE void take_pixels(walk *walk_of, int32_t count, const qtri_line_job *
                 if (is_written) {
                     *depth = (uint16_t)z;
                 }
-                place[0] = w.place;
-                place[QTRI_LINE_BATCH] = w.value;
-                place++;
+                *place++ = w.place;
+                *value++ = w.value;
             }
             walk_next(&w);
         } while (--count > 0);
     }
-    b->count = (int32_t)(place - b->place);
+    batch->count = (uint8_t)(place - batch->place);
     *walk_of = w;
 }
 
-/* Room for pixels whose values are shares of the tint, or are not. */
-static inline void make_room(const qtri_line_job *job, int32_t count, bool tinted)
+/* Room for pixels of this kind. */
+static inline void make_room(const qtri_line_job *job, int32_t count, uint8_t kind)
 {
-    qtri_line_batch *b = job->batch;
-    if (b->tinted != tinted || b->count + count > QTRI_LINE_BATCH) {
+    qtri_batch *batch = job->batch;
+    if (batch->kind != kind || batch->count + count > QTRI_BATCH) {
         qtri_line_flush(job);
-        b->tinted = tinted;
+        batch->kind = kind;
     }
 }
 
@@ -334,7 +319,8 @@ static void draw_chunk(const qtri_line_job *job, const qtri_line_path *l, const 
     ramp_init(&z, qtri_line_depth_16p15(job->depth_mask, l->first),
               qtri_line_depth_16p15(job->depth_mask, l->last), l->along, by, start);
     if (color != NULL) {
-        shade_init(&s, job->units, color[l->first != a], color[l->first == a], l->along, by, start);
+        shade_init(&s, job->surface->format->colors, color[l->first != a], color[l->first == a],
+                   l->along, by, start);
     } else if (start == 0) {
         qtri_line_ramp_share(&value, l, by);
     } else {
@@ -343,9 +329,9 @@ static void draw_chunk(const qtri_line_job *job, const qtri_line_path *l, const 
     }
     walk_init(&w, at, start, &z, &value, job, l);
     while (rest > 0) {
-        const int32_t count = qtri_least32(rest, QTRI_LINE_BATCH);
-        make_room(job, count, color == NULL);
-        const int32_t taken = job->batch->count;
+        const int32_t count = qtri_least32(rest, QTRI_BATCH);
+        make_room(job, count, color == NULL ? QTRI_LINE_SHARES : QTRI_LINE_WORDS);
+        const uint32_t taken = job->batch->count;
         take_pixels(&w, count, job);
         if (color != NULL) {
             shade_pixels(&s, job, taken);
@@ -388,7 +374,7 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
 {
     qtri_line_path l;
     qtri_line_path_init(&l, a, b, 1, 65536);
-    if (!QTRI_WITH_FAST_PATHS || (uint32_t)(l.count - 1) >= QTRI_LINE_BATCH) {
+    if (!QTRI_WITH_FAST_PATHS || (uint32_t)(l.count - 1) >= QTRI_BATCH) {
         const qtri_line_path path = l;
         draw_long(job, &path, a, color);
         return;
@@ -416,13 +402,14 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
         qtri_line_ramp_share(&value, &l, &by);
     }
     walk_init(&w, &at, 0, &z, &value, job, &l);
-    make_room(job, end - at.k, color == NULL);
-    const int32_t taken = job->batch->count;
+    make_room(job, end - at.k, color == NULL ? QTRI_LINE_SHARES : QTRI_LINE_WORDS);
+    const uint32_t taken = job->batch->count;
     take_pixels(&w, end - at.k, job);
     if (color != NULL && job->batch->count > taken) {
         const qtri_divider divider = by;
         shade s;
-        shade_init(&s, job->units, color[l.first != a], color[l.first == a], l.along, &divider, 0);
+        shade_init(&s, job->surface->format->colors, color[l.first != a], color[l.first == a],
+                   l.along, &divider, 0);
         shade_pixels(&s, job, taken);
     }
 }
@@ -445,43 +432,48 @@ static const struct {
     {0u - 65535, 2 * 65535 + 1}, /* always */
 };
 
+static void set_tint(qtri_line_job *job, const qtri_colors *colors, qtri_rgb color)
+{
+    uint32_t channel[3] = {scaled(color.r << 16, colors->ratio_q30[0]),
+                           scaled(color.g << 16, colors->ratio_q30[1]),
+                           scaled(color.b << 16, colors->ratio_q30[2])};
+    if (colors->single) {
+        channel[2] += channel[0] + channel[1];
+        channel[0] = channel[1] = 0;
+    }
+    for (int i = 0; i < 3; i++) {
+        job->tint_n8[i] = (channel[i] + 128) >> 8;
+    }
+}
+
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
-                        const qtri_material *material, qtri_line_batch *batch)
+                        const qtri_material *material, qtri_batch *batch)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    const qtri_format format = qtri_format_of(surface);
-    const qtri_compare compare = material->depth_compare;
+    const qtri_compare compare =
+        material->depth_compare > QTRI_ALWAYS ? QTRI_ALWAYS : material->depth_compare;
     job->surface = surface;
     job->draw = qtri_line_draw;
     job->batch = batch;
     job->left_24p8 = bounds.x0 * 256;
     job->top_24p8 = bounds.y0 * 256;
-    job->width_24p8 = (uint32_t)(bounds.x1 - bounds.x0) * 256;
-    job->height_24p8 = (uint32_t)(bounds.y1 - bounds.y0) * 256;
+    job->width_24p8 = 0;
+    job->height_24p8 = 0;
     job->first_place = (uint32_t)surface->first_row << 16;
     job->depth_mask = ~0xFFu;
     job->has_depth = surface->depth != NULL && compare != QTRI_DEPTH_OFF;
     job->is_less = compare == QTRI_LESS;
     job->depth_write = !material->depth_read_only;
-    job->less = differences[compare > QTRI_ALWAYS ? QTRI_ALWAYS : compare].less;
-    job->passing = differences[compare > QTRI_ALWAYS ? QTRI_ALWAYS : compare].passing;
-    job->units = &units_of[format == QTRI_RGB565 ? 0 : (format == QTRI_XRGB8888 ? 1 : 2)];
-    job->tint_down = format == QTRI_RGB565 ? QTRI_LINE_TINT_DOWN : 0;
-    job->table = NULL;
-    job->tints = NULL;
-    const uint32_t *ratio_q30 = job->units->ratio_q30;
-    job->tint_n9[0] = scaled(material->color.r << 16, ratio_q30[0]);
-    job->tint_n9[1] = scaled(material->color.g << 16, ratio_q30[1]);
-    job->tint_n9[2] = scaled(material->color.b << 16, ratio_q30[2]);
-    if (job->units->single) {
-        job->tint_n9[0] += job->tint_n9[1] + job->tint_n9[2];
-        job->tint_n9[1] = job->tint_n9[2] = 0;
-    }
-    for (int i = 0; i < 3; i++) {
-        job->tint_n9[i] = (job->tint_n9[i] + 64) >> 7;
+    job->less = differences[compare].less;
+    job->passing = differences[compare].passing;
+    if (surface->format != NULL) { /* or nothing is drawn */
+        job->width_24p8 = (uint32_t)(bounds.x1 - bounds.x0) * 256;
+        job->height_24p8 = (uint32_t)(bounds.y1 - bounds.y0) * 256;
+        set_tint(job, surface->format->colors, material->color);
     }
     batch->count = 0;
-    batch->tinted = true;
+    batch->kind = QTRI_LINE_SHARES;
+    batch->has_table = false;
 }
 
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v)
@@ -498,13 +490,10 @@ void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_ve
 void qtri_raster_line(const qtri_surface *surface, const qtri_material *material,
                       const qtri_screen_vertex v[2])
 {
-    qtri_line_batch batch;
+    qtri_batch batch;
     qtri_line_job job;
     qtri_vertex end[2];
     qtri_line_color color[2];
-    if (!QTRI_WITH_LINES) {
-        return;
-    }
     qtri_line_job_init(&job, surface, material, &batch);
     job.depth_mask = UINT32_MAX;
     qtri_line_end(&end[0], color[0], &v[0]);

@@ -12,6 +12,8 @@
 #include "qtri/raster.h"
 #include "qtri/view.h"
 
+#include "batch.h"
+
 typedef struct qtri_line_job qtri_line_job;
 
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
@@ -25,47 +27,26 @@ typedef void (*qtri_line_draws)(const qtri_line_job *job, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_line_color *color);
 
 /*
- * Pixels that have passed, whose depths are written, and that are to be stored: together, in their
- * order.
+ * What the batch holds: pixels that have passed, whose depths are written, and that are to be
+ * stored together and in their order. Their colours are shares of the tint in Q22, or colour words.
+ *
+ * Shares are rounded to the bits that are enough for the format's colours: 565 is then off by
+ * 63/256 of a step, by 1/256 from lines that lag and the tint, and by the 1/2 of its own rounding,
+ * 3/4 in all; 8 bits a channel are within 5/8 and 1/64. The 129 shares of 565 fit a table.
  */
-enum { QTRI_LINE_BATCH = 32 };
-
-typedef struct qtri_line_batch {
-    int32_t count;
-    bool tinted;                     /* pixels are shares of the tint in Q22, else colour words */
-    uint32_t place[QTRI_LINE_BATCH]; /* row << 16 | column */
-    uint32_t pixel[QTRI_LINE_BATCH];
-} qtri_line_batch;
-
-/*
- * Shares of the tint in colours of at most 63 steps are rounded to 1/128: such a colour is off by
- * 63/256 of a step, 1/256 by what lines lag, and 1/2 by its own rounding, 3/4 in all. There are few
- * enough of them for a table.
- */
-enum { QTRI_LINE_TINTS = 128 + 1, QTRI_LINE_TINT_DOWN = 8 /* bits of Q15 */ };
-
-/* A kind of colour words. */
-typedef struct qtri_line_units {
-    uint32_t ratio_q30[3]; /* of a channel's steps and 255 */
-    uint32_t unit[3];      /* what a step is in the word */
-    bool single;           /* only the sum of the channels counts */
-} qtri_line_units;
+enum { QTRI_LINE_SHARES, QTRI_LINE_WORDS };
 
 struct qtri_line_job {
     const qtri_surface *surface;
     qtri_line_draws draw; /* any line, as fast as it can be */
-    qtri_line_batch *batch;
+    qtri_batch *batch;
     int32_t left_24p8, top_24p8;      /* of the bounds */
     uint32_t width_24p8, height_24p8; /* 0, 0 when they are empty */
     uint32_t first_place;             /* of the surface in the frame */
     uint32_t depth_mask;              /* what of depth_16p8 is depth */
     uint32_t less, passing;           /* depths that pass: see line.c */
     bool has_depth, depth_write, is_less;
-    uint8_t tint_down; /* bits of a share in Q15 that are rounded away */
-    const qtri_line_units *units;
-    uint32_t tint_n9[3];   /* channels of the tint, in steps: at most 255.0 */
-    uint16_t *table;       /* memory for QTRI_LINE_TINTS; NULL: none */
-    const uint16_t *tints; /* there, as they are stored, by share; NULL: not yet */
+    uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */
     /* For fast/line_16.c: the first depth, or the first pixel where there are none; bytes from the
        one to the other, from row to row, and from the frame to the surface. */
     uint8_t *first;
@@ -75,10 +56,10 @@ struct qtri_line_job {
 
 /* Tinted by the material's colour. `batch` is there as long as the job. */
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
-                        const qtri_material *material, qtri_line_batch *batch);
+                        const qtri_material *material, qtri_batch *batch);
 
-/* Fills the table of tints, if there can be one: the same pixels, sooner where there are many. */
-void qtri_line_set_tints(qtri_line_job *job);
+/* Makes a table of tints if there can be one: the same pixels, sooner where there are many. */
+void qtri_line_make_table(const qtri_line_job *job);
 
 /* A vertex of any coordinates as an end, its depth within depth_16p8, and its colour. */
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v);

@@ -188,7 +188,8 @@ static inline void qtri_line_ramp_share(qtri_line_ramp *r, const qtri_line_path 
     r->step = (uint32_t)step;
 }
 
-/* Added to shares, so that cutting off 15 bits gives the number of a tint. */
-#define QTRI_LINE_TINT_HALF ((uint32_t)1 << 14)
+/* What is cut off a share for its number in the table of tints, and the half that rounds. */
+#define QTRI_LINE_TINT_SHIFT (22 - QTRI_TINT_BITS)
+#define QTRI_LINE_TINT_HALF  ((uint32_t)1 << (QTRI_LINE_TINT_SHIFT - 1))
 
 #endif

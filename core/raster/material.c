@@ -9,7 +9,7 @@ qtri_material qtri_material_default(void)
         .texture = NULL,
         .texture_mode = QTRI_MODULATE,
         .cull = QTRI_CULL_BACK,
-        .fill = QTRI_SOLID,
+        .fill = NULL,
         .depth_compare = QTRI_LESS,
         .depth_read_only = false,
     };

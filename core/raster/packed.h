@@ -35,20 +35,6 @@ static inline uint32_t qtri_pack_round(uint32_t r, uint32_t g, uint32_t b)
     return qtri_pack_floor(r + 0x200, g + 0x400, b + 0x400);
 }
 
-/*
- * A share, Q22 of at most 2^25, of a tint: products of Q15 and n.6 are n.21 and below 2^30. What is
- * added rounds red, and green and blue.
- */
-static inline uint32_t qtri_pack_tint(const int32_t tint_n6[3], int32_t share_q22, int32_t red_half,
-                                      int32_t half)
-{
-    int32_t share_q15 = share_q22 >> 7;
-    int32_t r = share_q15 * tint_n6[0] + red_half;
-    int32_t g = share_q15 * tint_n6[1] + half;
-    int32_t b = share_q15 * tint_n6[2] + half;
-    return ((uint32_t)(r >> 15) << 21) + ((uint32_t)(b >> 16) << 11) + (uint32_t)(g >> 16);
-}
-
 /* In the low half; what is above is not the pixel's. */
 static inline uint32_t qtri_packed_pixel(uint32_t packed)
 {
@@ -65,20 +51,20 @@ static inline uint32_t qtri_packed_start(const qtri_job *job, int32_t dx, int32_
                            qtri_ramp_at(&color[2].ramp, dx, dy));
 }
 
-/* Anywhere in a tiny triangle. */
-static inline uint32_t qtri_packed_tiny(const qtri_job *job, int32_t dx, int32_t dy)
-{
-    return job->color.word.origin + (uint32_t)dx * job->color.word.step.even +
-           (uint32_t)dy * job->color.word.dy;
-}
-
 /* `count` steps from there. */
 static inline uint32_t qtri_packed_skip(const qtri_job *job, int32_t count)
 {
-    const qtri_packed_steps *step = &job->color.word.step;
+    const qtri_packed_steps *step = &job->color.step;
     uint32_t rest = (uint32_t)count & 7;
     return ((uint32_t)count >> 3) * step->eight + ((rest + 1) >> 1) * step->even +
            (rest >> 1) * step->odd;
 }
+
+/*
+ * Colours of `count` pixels from x, y on, the first of which is pixel `phase` of a run: for the
+ * stages. A multiple of four is written.
+ */
+void qtri_packed_colors(uint32_t *color, const qtri_job *job, int32_t x, int32_t y, int32_t phase,
+                        int32_t count);
 
 #endif

@@ -1,197 +1,77 @@
-#include "span.h"
+/*
+ * Rows with perspective: an attribute a is s / q of two that are linear on the screen, q = 1/w being
+ * 1 at the vertex nearest to the eye. One reciprocal serves a block of up to 32 pixels: d pixels
+ * from its middle m
+ *
+ *     a = a_m + L (d - e d^2 + e^2 d^3 - ...),   L = K / q^2,   e = q' / q,   K = s' q - s q'
+ *
+ * where K does not change along a row, and is linear in y. A block reaches h pixels to both sides;
+ * with E = e h, x = d / h the cubic term is L h E^2 x^3, which 3/4 x replaces with an error of 1/4.
+ * The term after it, L h E^3 x^4, is x^2 with an error of 1/4, which is never negative. So a curve
+ * of second order,
+ *
+ *     a_m + L (1 + 3/4 E^2) d - L e (1 + E^2) d^2,
+ *
+ * is off by L h E^2 (1/4 + E/4 + E^2 / (1 - E)). That is to be less than 1/256 of a texel, or of
+ * what a pixel steps by where that is more. Blocks are halved until q in the middle is great enough
+ * for it: E <= 1/4, and h E^2 <= 1/72 or K h^3 q'^2 / q^4 <= 1/72, where K is the greatest of the
+ * triangle. Colours have only the second form, in units of their own.
+ *
+ * Blocks of 16 and 32 pixels are of third order: - e d^4 is left out of the series, 13/16 x^2 in its
+ * place,
+ *
+ *     a_m + L d - L e (1 + 13/16 E^2) d^2 + L e^2 d^3,
+ *
+ * which is off by L h (3/16 E^3 + E^4 / (1 - E)). It is drawn as curves of second order through
+ * every eighth pixel whose steps leave 6 L e^2 (n (n - 4) (n - 8)) / 6 over, up to 24.6 L e^2.
+ *
+ * Blocks begin at a chunk's start, 32 pixels apart from the span's left end, plus multiples of
+ * their length, and q at their start decides: pixels do not depend on scissor or band.
+ */
+#include "perspective.h"
 
-enum { BLOCK = 16 }; /* pixels from one exact division to the next where w changes fast */
+#include "../bits/multiply.h"
+#include "../bits/reciprocal.h"
+#include "linear.h"
 
-/* Exact attributes at one pixel of a span. */
-typedef struct sample {
-    uint32_t q; /* 1/w, Q31 of the largest; at least 1 */
-    int32_t value[QTRI_ATTRIBUTES];
-} sample;
-
-/* A row on its way to pixels. */
-typedef struct window {
-    int32_t y;
-    int32_t last;              /* pixel of the span */
-    int32_t x0, x1;            /* of which these are drawn */
-    uint64_t row[QTRI_PLANES]; /* planes at column 0 */
-    sample from;               /* where the next run starts */
-    qtri_run run;
-} window;
-
-/* A plane's value rounded down, held to 0..2^31. */
-static uint32_t held(uint64_t value)
+/* Planes at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
+static inline uint32_t plane_at(const qtri_scanline *row, const qtri_projected *plane, int i,
+                                int32_t x)
 {
-    int32_t high = (int32_t)(value >> 32);
-    if (high < 0) {
-        return 0;
-    }
-    return high >= (int32_t)1 << 15 ? (uint32_t)1 << 31 : (uint32_t)(value >> 16);
+    return row->by.perspective.at[i] + plane->dx * (uint32_t)x +
+           (uint32_t)((row->by.perspective.rest[i] + (int32_t)plane->dx_rest * x) >> 16);
+}
+
+/* What rounding leaves below 0 or above 2^31, held there. */
+static uint32_t held(uint32_t value)
+{
+    return value > 0xC0000000u ? 0 : (value > 0x80000000u ? 0x80000000u : value);
 }
 
 /*
  * (a/w) / (1/w): 1/w is q 2^-31 with q in 1..2^31, normalised to 32 bits for the reciprocal;
- * s 2^31 / q = s r 2^(zeros - 31), s <= 2^31, r <= 2^31.
+ * s 2^32 / q = s r 2^(zeros - 30), s <= 2^31, r <= 2^31.
  */
 typedef struct divider {
     uint32_t reciprocal;
     int32_t shift;
 } divider;
 
-static divider divider_for(uint64_t inv_w, uint32_t *q)
+static divider divider_for(uint32_t inv_w)
 {
-    uint32_t exact = held(inv_w);
-    *q = exact == 0 ? 1 : exact;
-    int32_t zeros = qtri_clz32(*q);
-    divider d = {qtri_reciprocal_q62(*q << zeros), 31 - zeros};
+    const uint32_t exact = held(inv_w);
+    const uint32_t q = exact == 0 ? 1 : exact;
+    const int32_t zeros = qtri_clz32(q);
+    const divider d = {qtri_reciprocal_q62(q << zeros), 30 - zeros};
     return d;
 }
 
-/* Attribute i at column x. */
-static int32_t divided(const qtri_job *job, const window *w, int i, int32_t x, const divider *d)
+/* (whole + rest 2^-16) r / 2^down. */
+static uint32_t divide_step(int32_t whole, uint32_t rest, const divider *d, int32_t up)
 {
-    uint32_t s = held(qtri_plane_column(w->row[i], job->attribute[i].plane.dx, x));
-    return qtri_saturate32((int64_t)(qtri_mul_u32(s, d->reciprocal) >> d->shift));
-}
-
-static void sample_at(sample *out, const qtri_job *job, const window *w, int32_t x)
-{
-    const int end = qtri_job_end(job);
-    const uint64_t dx = job->attribute[end].plane.dx;
-    const divider d = divider_for(qtri_plane_column(w->row[end], dx, x), &out->q);
-    for (int i = qtri_job_first(job); i < end; i++) {
-        int32_t value = divided(job, w, i, x, &d);
-        if (i < QTRI_U) {
-            value = qtri_hold32(value >> QTRI_COLOR_PERSPECTIVE_SHIFT, job->color.range.least[i],
-                                job->color.range.greatest[i]);
-        }
-        out->value[i] = value;
-    }
-}
-
-static uint32_t difference(int32_t a, int32_t b)
-{
-    return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
-}
-
-/*
- * How many pixels a run between a and b, `distance` pixels apart, may have: distance / 2^n, rounded
- * up, for which linear interpolation strays by less than 1/32 of a colour step and 1/1024 of a
- * texel.
- *
- * f = s/q has f' = k/q^2 with a constant k, and f'' = -2 k q'/q^3. Over a run of h out of L pixels
- * the chord strays by at most h^2/8 max|f''| = (h/L)^2 |f(b) - f(a)| |q(b) - q(a)| m / (4 n^2),
- * n and m being the least and greatest q. Where m < 2 n, m / n counts as 2; elsewhere every pixel
- * is divided.
- */
-static int32_t run_length(const qtri_job *job, const sample *a, const sample *b, int32_t distance)
-{
-    const int end = qtri_job_end(job);
-    uint32_t q_least = a->q < b->q ? a->q : b->q; /* <= 2^31 */
-    uint32_t q_difference = a->q < b->q ? b->q - a->q : a->q - b->q;
-    if (q_difference == 0) {
-        return distance;
-    }
-    int32_t length = q_difference < q_least ? distance : 1;
-    for (int i = qtri_job_first(job); i < end; i++) {
-        uint64_t error = qtri_mul_u32(difference(a->value[i], b->value[i]), q_difference);
-        int32_t up = i < QTRI_U ? 12 : job->axis[i - QTRI_U].shift - 9; /* -7..20 */
-        uint64_t tolerance = up >= 0 ? (uint64_t)q_least << up : q_least >> -up;
-        for (; length > 1 && error > tolerance; error >>= 2) {
-            length = (length + 1) / 2;
-        }
-    }
-    return length;
-}
-
-/* 1 / length = reciprocal 2^(zeros - 62). */
-typedef struct inverse {
-    uint32_t reciprocal;
-    int32_t zeros;
-} inverse;
-
-static inverse inverse_of(int32_t length)
-{
-    uint32_t pixels = length > 1 ? (uint32_t)length : 1;
-    int32_t zeros = qtri_clz32(pixels);
-    inverse result = {qtri_reciprocal_q62(pixels << zeros), zeros};
-    return result;
-}
-
-/* One pixel's step on the way from a to b, times 2^up, up in -12..20; zeros >= 17. */
-static uint32_t step_of(int32_t a, int32_t b, const inverse *length, int32_t up)
-{
-    uint64_t size = qtri_mul_u32(difference(a, b), length->reciprocal); /* < 2^62 */
-    uint32_t step = (uint32_t)(size >> (62 - length->zeros - up));
-    return a < b ? step : 0 - step;
-}
-
-/* The run's value and step: `from` is `skip` pixels before it. */
-static void set_value(qtri_run *run, const qtri_job *job, int i, int32_t from, uint32_t step,
-                      int32_t skip)
-{
-    uint32_t value = (uint32_t)from;
-    if (i < QTRI_U) {
-        value += 0x8000u;
-    } else {
-        const qtri_texel_axis *axis = &job->axis[i - QTRI_U];
-        value = qtri_run_scaled(value + axis->bias, axis->up);
-    }
-    run->value[i] = value + (uint32_t)skip * step;
-    run->step[i] = step;
-}
-
-/*
- * Sets the run from w->from at x to `to` at `end`; the next one starts there. The last pixel of a
- * span is drawn by the run that aims at it. False when nothing of it is drawn.
- */
-static bool set_run(const qtri_job *job, window *w, const sample *to, int32_t x, int32_t end)
-{
-    const int32_t stop = qtri_least32(end == w->last ? end + 1 : end, w->x1);
-    const int32_t skip = x < w->x0 ? w->x0 - x : 0;
-    w->run.x = x + skip;
-    w->run.count = stop - w->run.x;
-    if (w->run.count > 0) {
-        const int attributes_end = qtri_job_end(job);
-        inverse per_pixel = inverse_of(end - x);
-        for (int i = qtri_job_first(job); i < attributes_end; i++) {
-            int32_t up = i < QTRI_U ? 0 : job->axis[i - QTRI_U].up;
-            uint32_t step = step_of(w->from.value[i], to->value[i], &per_pixel, up);
-            set_value(&w->run, job, i, w->from.value[i], step, skip);
-        }
-    }
-    w->from = *to;
-    return w->run.count > 0;
-}
-
-/* From w->from at x to `to` at `end` in runs of `length`. */
-static void draw_block(const qtri_job *job, window *w, const sample *to, int32_t x, int32_t end,
-                       int32_t length)
-{
-    while (x < end) {
-        const int32_t next = qtri_least32(x + length, end);
-        const sample *at = to;
-        sample middle;
-        if (next < end) {
-            sample_at(&middle, job, w, next);
-            at = &middle;
-        }
-        if (set_run(job, w, at, x, next)) {
-            qtri_run_draw(job, &w->run, w->y);
-        }
-        x = next;
-    }
-}
-
-/*
- * dx r / 2^down for a plane's dx, in 2^-16: 16 bits of it and the rest. Over a span of two pixels
- * and more |dx| < 2^47, since the attribute stays below 2^31; one pixel takes no step.
- */
-static uint32_t divide_step(uint64_t dx, const divider *d, int32_t up)
-{
-    int32_t down = d->shift - up; /* -20..43 */
-    int64_t high = qtri_wrap64(dx) >> 16;
-    uint64_t low = qtri_mul_u32((uint32_t)dx & 0xFFFF, d->reciprocal) >> 16;
-    uint64_t product = (uint64_t)high * d->reciprocal + low;
+    const int32_t down = d->shift - up; /* -21..42 */
+    const uint64_t low = qtri_mul_u32(rest, d->reciprocal) >> 16;
+    const uint64_t product = (uint64_t)whole * d->reciprocal + low;
     return (uint32_t)(down >= 0 ? (uint64_t)(qtri_wrap64(product) >> down) : product << -down);
 }
 
@@ -202,91 +82,267 @@ static uint32_t divide_step(uint64_t dx, const divider *d, int32_t up)
  */
 static int32_t level_pixels(const qtri_job *job)
 {
-    if (job->attribute[qtri_job_end(job)].plane.dx != 0 || qtri_job_is_smooth(job)) {
+    const qtri_projected *inv_w = &job->attribute[job->end].projected;
+    if ((inv_w->dx | inv_w->dx_rest) != 0 || job->first != QTRI_U) {
         return 0;
     }
     int32_t bits = 16;
-    for (int i = QTRI_U; i < qtri_job_end(job); i++) {
+    for (int i = QTRI_U; i < job->end; i++) {
         const qtri_texel_axis *axis = &job->axis[i - QTRI_U];
         bits = qtri_least32(bits, axis->shift + axis->up - 10);
     }
     return bits < 0 ? 0 : (int32_t)1 << bits;
 }
 
-static void draw_level(const qtri_job *job, window *w, int32_t left)
+/* The one division of a row along which w does not change. */
+static void begin_level(qtri_scanline *row)
 {
-    const int end = qtri_job_end(job);
-    uint32_t q;
-    const divider d = divider_for(w->row[end], &q);
-    w->run.x = w->x0;
-    w->run.count = w->x1 - w->x0;
-    for (int i = QTRI_U; i < end; i++) {
-        const qtri_plane *plane = &job->attribute[i].plane;
-        uint32_t step = divide_step(plane->dx, &d, job->axis[i - QTRI_U].up);
-        set_value(&w->run, job, i, divided(job, w, i, left, &d), step, w->x0 - left);
+    const qtri_job *job = row->job;
+    const divider d = divider_for(row->by.perspective.at[job->end]);
+    row->run = row->left;
+    for (int i = 0; i < 2; i++) {
+        const qtri_projected *plane = &job->attribute[QTRI_U + i].projected;
+        const qtri_texel_axis *axis = &job->axis[i];
+        const uint32_t s = held(plane_at(row, plane, QTRI_U + i, row->left));
+        const uint64_t product = qtri_mul_u32(s, d.reciprocal);
+        const int32_t value =
+            qtri_saturate32((int64_t)(d.shift >= 0 ? product >> d.shift : product << -d.shift));
+        row->uv[i].at = qtri_run_scaled((uint32_t)value + axis->bias, axis->up);
+        row->uv[i].step = divide_step((int32_t)plane->dx, plane->dx_rest, &d, axis->up);
     }
-    qtri_run_draw(job, &w->run, w->y);
 }
 
 /*
- * The whole span in equal runs where w changes little, else in blocks of such runs. The last pixel
- * is always divided exactly. Where the exact divisions fall depends on the span alone, not on what
- * is drawn of it, so that a scissor does not change a pixel.
+ * A slope to 15 bits and how many are cut, 0..15: in the row before nearly as many.
  */
-static void draw_span(const qtri_job *job, window *w, int32_t left)
+static inline int32_t bits_cut(int32_t slope, int32_t cut)
 {
-    const int32_t whole = w->last - left;
-    sample to;
-    sample_at(&w->from, job, w, left);
-    if (whole == 0) {
-        (void)set_run(job, w, &w->from, left, left);
-        qtri_run_draw(job, &w->run, w->y);
-        return;
+#if QTRI_LONG_MULTIPLY
+    (void)cut;
+    return qtri_greatest32(17 - qtri_clz32(qtri_magnitude32(slope)), 0);
+#else
+    const uint32_t size = qtri_magnitude32(slope);
+    while (size >> cut >= (uint32_t)1 << 15) {
+        cut++;
     }
-    sample_at(&to, job, w, w->last);
-    int32_t length = run_length(job, &w->from, &to, whole);
-    const int32_t block = length < BLOCK ? BLOCK : length;
-    /* Unsigned: without an instruction that divides, that is the function linked anyway. */
-    int32_t x = left + (int32_t)((uint32_t)(w->x0 - left) / (uint32_t)block * (uint32_t)block);
-    if (x == w->last) {
-        x -= block; /* the last pixel belongs to the run before it */
+    while (cut > 0 && size >> cut < (uint32_t)1 << 14) {
+        cut--;
     }
-    if (x > left) {
-        sample_at(&w->from, job, w, x);
-    }
-    for (; x < w->x1 && x < w->last; x += block) {
-        const int32_t end = qtri_least32(x + block, w->last);
-        if (end - x != whole) {
-            sample_at(&to, job, w, end);
-            length = run_length(job, &w->from, &to, end - x);
-        }
-        draw_block(job, w, &to, x, end, length);
+    return cut;
+#endif
+}
+
+void qtri_perspective_begin(qtri_scanline *row)
+{
+    row->by.perspective.zeros = 0;
+    for (int i = 0; i < QTRI_ATTRIBUTES; i++) {
+        row->by.perspective.cut[i] = 0;
     }
 }
 
-void qtri_fill_perspective(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+void qtri_perspective_row(qtri_scanline *row)
 {
-    const qtri_raster *raster = job->raster;
-    const int32_t level = level_pixels(job);
-    const int first = qtri_job_first(job);
-    const int end = qtri_job_end(job);
-    window w;
-    qtri_run_set_row(&w.run, raster, row);
-    for (int i = first; i <= end; i++) {
-        w.row[i] = qtri_plane_row(&job->attribute[i].plane, row);
+    const qtri_job *job = row->job;
+    const uint32_t y = (uint32_t)row->y;
+    for (int i = job->first; i <= job->end; i++) {
+        const qtri_projected *plane = &job->attribute[i].projected;
+        row->by.perspective.at[i] = plane->origin + plane->dy * y;
+        row->by.perspective.rest[i] = (int32_t)(plane->dy_rest * y);
     }
-    for (w.y = row; count > 0; count--, spans++, w.y++) {
-        const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &w.x0);
-        w.x1 = w.x0 + pixels;
-        w.last = spans->right - 1;
-        if (pixels > 0 && w.last + 1 - spans->left < level) {
-            draw_level(job, &w, spans->left);
-        } else if (pixels > 0) {
-            draw_span(job, &w, spans->left);
-        }
-        for (int i = first; i <= end; i++) {
-            w.row[i] += job->attribute[i].plane.dy;
-        }
-        qtri_run_next_row(&w.run, raster->surface);
+    row->level = row->right - row->left < level_pixels(job);
+    if (row->level) {
+        begin_level(row);
+        return;
     }
+    for (int i = job->first; i < job->end; i++) {
+        const qtri_projected *plane = &job->attribute[i].projected;
+        const int32_t slope = (int32_t)(plane->slope + plane->slope_dy * y);
+        const int32_t cut = bits_cut(slope, row->by.perspective.cut[i]);
+        row->by.perspective.cut[i] = (uint8_t)cut;
+        row->by.perspective.slope[i] = slope >> cut;
+        row->by.perspective.down[i] = (int8_t)(plane->down + 16 - cut);
+    }
+}
+
+/* Leading zeros of q, not 0: of the block before nearly as many. */
+static inline int32_t zeros_of(qtri_scanline *row, uint32_t q)
+{
+#if QTRI_LONG_MULTIPLY
+    (void)row;
+    return qtri_clz32(q);
+#else
+    int32_t zeros = row->by.perspective.zeros;
+    while (q >> (31 - zeros) > 1) {
+        zeros--;
+    }
+    while ((int32_t)(q << zeros) >= 0) {
+        zeros++;
+    }
+    row->by.perspective.zeros = zeros;
+    return zeros;
+#endif
+}
+
+/*
+ * What curves of a block have in common. With T = e^2, A = e (1 + ...), as shares of L, from the
+ * middle to the first pixel, `half` before it:
+ *
+ *     value  - (1 + A half + T half^2) half
+ *     step   1 + (2 half - 1) A + (3 half^2 - 3 half - 20) T
+ *     bend   - 2 A - (6 half - 24) T
+ *     twist  24 T
+ *
+ * where 20 and 18 of T are what the pixels between the eighths have of it, see above.
+ */
+typedef struct middle {
+    int32_t x, half, log2; /* pixel; log2 of half of a whole block */
+    int32_t zeros;
+    uint32_t reciprocal; /* 2^62 / (q 2^zeros) */
+    int32_t square;      /* 15 bits of that squared */
+    int32_t slope_down;
+    int32_t value_q16, step_q16; /* without 1 */
+    int32_t bend_q15;            /* times 2^log2 */
+    int32_t twist_q12;           /* times 4^log2 */
+    int32_t twist_down;          /* 2 log2 - 3; 0 without a twist */
+} middle;
+
+static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted)
+{
+    const qtri_job *job = row->job;
+    const qtri_perspective *p = &job->color.perspective;
+    uint32_t q = plane_at(row, &job->attribute[job->end].projected, job->end, m->x);
+    q = q - 1 < 0xC0000000u ? q : 1;
+    const int32_t zeros = zeros_of(row, q);
+    const uint32_t reciprocal = qtri_reciprocal_near(q << zeros);
+    m->zeros = zeros;
+    m->reciprocal = reciprocal;
+    m->step_q16 = 0;
+    if (log2 == 0) {
+        return;
+    }
+    const uint32_t y_q15 = reciprocal >> 16; /* 2^14..2^15 */
+    /* E = e h; at most 1/4, so that the shift is not negative. */
+    int32_t down = -(p->slope_exponent + zeros + log2);
+    down = down > 31 ? 31 : down;
+    log2--;
+    m->log2 = log2;
+    const int32_t e_q16 = (p->slope * (int32_t)y_q15) >> down;
+    const int32_t e2_q16 = (e_q16 * e_q16) >> 16;
+    /* The reciprocal's square: 30 bits, of which 15 count, times 15/16 (1 + 3/4 E^2) <= .99. */
+    uint32_t square = y_q15 * y_q15 + ((y_q15 * qtri_low16(reciprocal)) >> 15); /* 2^28..2^30 */
+    square -= square >> 4;
+    const int32_t half = m->half;
+    if (twisted) {
+        const int32_t a_q16 = e_q16 + ((13 * e_q16 * e2_q16) >> 20);
+        const int32_t arc = (a_q16 * half) >> log2;
+        const int32_t t1 = (e2_q16 * half) >> log2; /* T half h */
+        const int32_t t2 = (t1 * half) >> log2;
+        m->value_q16 = arc + t2;
+        m->step_q16 = 2 * arc + 3 * t2 - ((a_q16 + 3 * t1 + (20 * e2_q16 >> log2)) >> log2);
+        m->bend_q15 = (12 * e2_q16 >> log2) - a_q16 - 3 * t1;
+        m->twist_q12 = (24 * e2_q16) >> 4;
+        m->twist_down = 2 * log2 - 3;
+    } else {
+        const int32_t a_q16 = e_q16 + ((4 * e_q16 * e2_q16) >> 20); /* of 1 + 3/4 E^2 */
+        const int32_t arc = (a_q16 * half) >> log2;
+        square += (square >> 16) * (uint32_t)(3 * e2_q16 >> 2);
+        m->value_q16 = arc;
+        m->step_q16 = 2 * arc - (a_q16 >> log2);
+        m->bend_q15 = -a_q16;
+        m->twist_q12 = 0;
+        m->twist_down = 0;
+    }
+    const int32_t odd = square >> 29 == 0;
+    square = ((square << odd) + 0x4000u) >> 15;
+    m->square = (int32_t)(square - (square >> 15));
+    m->slope_down = odd - 2 * zeros;
+}
+
+/* Attribute i in the middle, in the unit of curves. */
+static inline uint32_t middle_value(const qtri_scanline *row, const middle *m, int i)
+{
+    const qtri_projected *a = &row->job->attribute[i].projected;
+    const uint32_t s = plane_at(row, a, i, m->x);
+    int32_t value = qtri_mul_high_s31((int32_t)(s << m->zeros), m->reciprocal);
+    if (i < QTRI_U) {
+        const qtri_perspective *p = &row->job->color.perspective;
+        value >>= QTRI_COLOR_PERSPECTIVE_SHIFT - 2;
+        value = qtri_hold32(value, p->least[i], p->greatest[i]);
+    }
+    return qtri_run_scaled((uint32_t)value + a->bias, a->up);
+}
+
+static inline void set_curve(qtri_curve *out, const middle *m, uint32_t value, int32_t slope,
+                             int32_t down)
+{
+    int32_t l = slope * m->square; /* |l| < 2^30 */
+    down += m->slope_down;
+    if (down > 22) {
+        l >>= qtri_least32(down - 22, 31);
+        down = 22;
+    }
+    const int32_t l_15 = l >> 15;
+    const int32_t to_start = l + ((l_15 * m->value_q16) >> 1);
+    const int32_t step = l + qtri_mul_s16(l, m->step_q16);
+    const int32_t bend = l_15 * m->bend_q15;
+    const int32_t twist = l_15 * m->twist_q12;
+    if (down >= 0) {
+        out->at = value - (uint32_t)(to_start >> down) * (uint32_t)m->half;
+        out->step = (uint32_t)(step >> down);
+        out->bend = (uint32_t)(bend >> (down + m->log2));
+        out->twist = (uint32_t)(twist >> (down + m->twist_down));
+    } else {
+        down = -down;
+        out->at = value - ((uint32_t)to_start << down) * (uint32_t)m->half;
+        out->step = (uint32_t)step << down;
+        out->bend = (uint32_t)(bend >> m->log2) << down;
+        out->twist = (uint32_t)(twist >> m->twist_down) << down;
+    }
+}
+
+/* log2 of the pixels of the longest block from pixel x of the row on, `from` pixels into a chunk. */
+static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *limits, int32_t x,
+                                    int32_t from, int32_t rest)
+{
+    const qtri_job *job = row->job;
+    const uint32_t q = plane_at(row, &job->attribute[job->end].projected, job->end, x);
+    int32_t log2 = QTRI_BLOCK_LOG2;
+    while (log2 > 0 && q < limits[log2 - 1]) {
+        log2--;
+    }
+    while (from >> log2 << log2 != from) {
+        log2--;
+    }
+    while (((int32_t)1 << log2) >> 1 >= rest) {
+        log2--;
+    }
+    return log2;
+}
+
+int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t count, int first,
+                                     int end, qtri_curve *out)
+{
+    if (row->level) {
+        return qtri_interpolate_linear(row, x, count, first, end, out);
+    }
+    const qtri_perspective *p = &row->job->color.perspective;
+    const int32_t from = (x - row->left) & (QTRI_BATCH - 1);
+    const int32_t rest = qtri_least32(row->right - x, QTRI_BATCH - from);
+    const int32_t log2 =
+        longest_block(row, first < QTRI_U ? p->colors : p->texels, x, from, rest);
+    const int32_t length = qtri_least32((int32_t)1 << log2, rest);
+    middle m;
+    m.half = length >> 1;
+    m.x = x + m.half;
+    set_middle(&m, row, log2, first == QTRI_U && log2 >= p->texels_twisted);
+    for (int i = first; i < end; i++, out++) {
+        const uint32_t value = middle_value(row, &m, i);
+        if (log2 == 0) {
+            const qtri_curve one = {value, 0, 0, 0};
+            *out = one;
+        } else {
+            set_curve(out, &m, value, row->by.perspective.slope[i], row->by.perspective.down[i]);
+        }
+    }
+    return qtri_least32(length, count);
 }

@@ -10,6 +10,9 @@
 qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
                              const qtri_triangle *triangle, const qtri_attributes v[3]);
 
+/* Colour i of the three vertices: a channel, or their share of a tint. */
+void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i);
+
 /* Where the vertices are. */
 static inline void qtri_gradient_place(qtri_gradient *g, const qtri_triangle *t)
 {

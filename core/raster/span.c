@@ -1,79 +1,197 @@
+/*
+ * Rows of large triangles by stages: chunks of up to 32 pixels, counted from the span's left end,
+ * whatever of them a scissor or a band leaves. So pixels do not depend on either.
+ */
 #include "span.h"
 
+#include "loop.h"
 #include "packed.h"
 
-/* A plane's step in the attribute's unit times 2^up, rounded. */
-static uint32_t plane_step(uint64_t dx, int32_t up)
+/* Colours without texture into the batch: `count` from pixel x of the row on. */
+static void interpolate_colors(qtri_scanline *row, int32_t x, int32_t count)
 {
-    int32_t down = 16 - up; /* -4..28: what is shifted in does not get to the low 32 bits */
-    return (uint32_t)(down > 0 ? ((dx >> (down - 1)) + 1) >> 1 : dx << -down);
-}
-
-/* Apart: what it needs in registers would be in the way of textures. */
-QTRI_NOINLINE static void linear_colors(const qtri_job *job, qtri_run *run, int32_t y)
-{
-    const int32_t dx = run->x - job->anchor_x;
-    const int32_t dy = y - job->anchor_y;
-    if (qtri_job_is_packed(job)) {
-        run->value[0] = job->tiny ? qtri_packed_tiny(job, dx - run->phase, dy)
-                                  : qtri_packed_start(job, dx - run->phase, dy);
+    const qtri_job *job = row->job;
+    const qtri_raster *raster = job->raster;
+    uint32_t *color = raster->batch->color;
+    if (job->packed) {
+        qtri_packed_colors(color, job, x, row->y, (x - row->left) & (QTRI_PACKED_RUN - 1), count);
         return;
     }
-    for (int i = qtri_job_first(job); i < QTRI_U; i++) {
-        run->value[i] = qtri_ramp_at(&job->attribute[i].ramp, dx, dy);
-        run->step[i] = job->attribute[i].ramp.dx;
+    while (count > 0) {
+        qtri_curve curve[3];
+        const int32_t some = job->interpolate(row, x, count, job->first, QTRI_U, curve);
+        raster->format->colors->smooth(color, curve, some);
+        color += some;
+        x += some;
+        count -= some;
     }
 }
 
-/* A run's texture coordinate i. row: its plane at column 0, with its bias. */
-static inline void linear_coordinate(const qtri_job *job, qtri_run *run, int i, uint64_t row)
+/* Stored pixels into the batch for a chunk of `count` pixels at x; the mask of those drawn. */
+static uint32_t make_pixels(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
 {
-    const qtri_plane *plane = &job->attribute[QTRI_U + i].plane;
-    uint64_t value = qtri_plane_column(row, plane->dx, run->x - run->phase);
-    run->value[QTRI_U + i] = qtri_run_scaled((uint32_t)qtri_plane_floor(value), job->axis[i].up) +
-                             (uint32_t)run->phase * run->step[QTRI_U + i];
+    const qtri_raster *raster = row->job->raster;
+    if (raster->texture != NULL) {
+        mask = raster->texturing->color_chunk(row, x, count, mask);
+    } else {
+        interpolate_colors(row, x, count);
+    }
+    if (raster->format->encode != NULL && mask != 0) {
+        raster->format->encode(raster->batch->color, count);
+    }
+    return mask;
 }
 
 /*
- * Texture coordinates linear on the screen fill their 32 bits, so that steps lose what a long run
- * would show. They start anew from their planes: every 64 pixels, as packed colours do, or, where
- * copied texels leave 2^-17 of a texel and less to the last bit, every 512.
+ * Chunk by chunk: `from` is the first pixel of one that is drawn, of those that are computed x.
  */
-void qtri_fill_spans(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+static void draw_row(qtri_scanline *row)
+{
+    const qtri_job *job = row->job;
+    const qtri_raster *raster = job->raster;
+    const qtri_pixels *memory = raster->format->pixels;
+    const qtri_depth_test test = raster->depth.test;
+    const uint32_t inverted = raster->depth.inverted ? UINT32_MAX : 0;
+    int32_t from = row->x0;
+    int32_t x = row->left + ((from - row->left) & -QTRI_BATCH);
+    uint8_t *pixels = row->pixels + (ptrdiff_t)from * memory->bytes;
+    uint16_t *depths = NULL;
+    uint32_t z = 0;
+    if (row->depths != NULL) {
+        depths = row->depths + from;
+        z = qtri_ramp_at(&job->depth, from - job->anchor_x, row->y - job->anchor_y);
+    }
+    for (;;) {
+        const int32_t count = qtri_least32(x + QTRI_BATCH, row->x1) - from;
+        uint32_t mask = qtri_mask_of(count);
+        if (test != NULL) {
+            mask &= test(depths, z, job->depth.dx, count) ^ inverted;
+        }
+        if (mask != 0 && job->first == job->end) {
+            memory->fill(pixels, job->pixel, mask, count);
+        } else if (mask != 0) {
+            const int32_t whole = qtri_least32(QTRI_BATCH, row->right - x);
+            const int32_t after = whole - (from - x) - count;
+            mask = make_pixels(row, x, whole, mask << after) >> after;
+            memory->store(pixels, raster->batch->color + (from - x), mask, count);
+        }
+        if (raster->depth.write && mask != 0) {
+            qtri_depth_write(depths, z, job->depth.dx, mask, count);
+        }
+        x += QTRI_BATCH;
+        if (x >= row->x1) {
+            return;
+        }
+        from = x;
+        pixels += (ptrdiff_t)count * memory->bytes;
+        if (depths != NULL) {
+            depths += count;
+            z += (uint32_t)count * job->depth.dx;
+        }
+    }
+}
+
+/* The same for texels that become pixels as they are, where there is a loop for that. */
+static void copy_row(qtri_scanline *row)
+{
+    const qtri_job *job = row->job;
+    qtri_run run;
+    run.pixels = row->pixels;
+    run.depths = row->depths;
+    for (int32_t x = row->x0; x < row->x1; x += run.count) {
+        qtri_curve uv[2];
+        const int32_t end = row->level ? row->x1 : qtri_least32(qtri_run_end(row, x), row->x1);
+        (void)qtri_interpolate_linear(row, x, end - x, QTRI_U, QTRI_ATTRIBUTES, uv);
+        run.x = x;
+        run.count = end - x;
+        run.z = qtri_ramp_at(&job->depth, x - job->anchor_x, row->y - job->anchor_y);
+        for (int i = 0; i < 2; i++) {
+            run.value[i] = uv[i].at;
+            run.step[i] = uv[i].step;
+        }
+        job->raster->copy_run(job, &run);
+    }
+}
+
+/* The same along curves: block by block, from the start of the chunk on that x0 lies in. */
+static void copy_bent_row(qtri_scanline *row)
+{
+    const qtri_job *job = row->job;
+    qtri_run run;
+    run.pixels = row->pixels;
+    run.depths = row->depths;
+    for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
+        qtri_curve uv[2];
+        const int32_t length =
+            job->interpolate(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES, uv);
+        const int32_t skip = qtri_greatest32(row->x0 - x, 0);
+        run.count = qtri_least32(length, row->x1 - x) - skip;
+        if (run.count > 0) {
+            run.x = x + skip;
+            run.z = qtri_ramp_at(&job->depth, run.x - job->anchor_x, row->y - job->anchor_y);
+            job->raster->copy_bent(job, &run, uv, skip);
+        }
+        x += length;
+    }
+}
+
+static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
 {
     const qtri_raster *raster = job->raster;
-    const int32_t length = qtri_job_copies_texels(job) ? 512 : QTRI_PACKED_RUN;
-    const bool textured = qtri_raster_texture(raster) != NULL;
-    uint64_t uv[2];
-    qtri_run run;
-    qtri_run_set_row(&run, raster, row);
-    for (int i = 0; textured && i < 2; i++) {
-        const qtri_texel_axis *axis = &job->axis[i];
-        const qtri_plane *plane = &job->attribute[QTRI_U + i].plane;
-        uv[i] = qtri_plane_row(plane, row) + ((uint64_t)axis->bias << 16);
-        run.step[QTRI_U + i] = plane_step(plane->dx, axis->up);
+    row->job = job;
+    row->y = y;
+    row->pixels = qtri_pixels_at(raster->surface, y);
+    row->depths = raster->compare != QTRI_DEPTH_OFF ? qtri_depths_at(raster->surface, y) : NULL;
+    row->level = false;
+    if (job->perspective) {
+        qtri_perspective_begin(row);
+        return;
     }
-    for (; count > 0; count--, spans++, row++) {
-        int32_t rest = qtri_span_clip(spans, &raster->bounds, &run.x);
-        run.phase = (run.x - spans->left) & (length - 1);
-        while (rest > 0) {
-            run.count = qtri_least32(length - run.phase, rest);
-            if (qtri_job_is_smooth(job)) {
-                linear_colors(job, &run, row);
-            }
-            if (textured) {
-                linear_coordinate(job, &run, 0, uv[0]);
-                linear_coordinate(job, &run, 1, uv[1]);
-            }
-            qtri_run_draw(job, &run, row);
-            rest -= run.count;
-            run.x += run.count;
-            run.phase = 0;
+    if (job->end == QTRI_ATTRIBUTES) {
+        qtri_linear_begin(row);
+    }
+}
+
+static void go_on(qtri_scanline *row)
+{
+    const qtri_job *job = row->job;
+    const qtri_surface *surface = job->raster->surface;
+    row->y++;
+    row->pixels += surface->pitch;
+    if (row->depths != NULL) {
+        row->depths += surface->depth_pitch;
+    }
+    if (job->perspective) {
+        return;
+    }
+    for (int i = 0; i < 2 && job->end == QTRI_ATTRIBUTES; i++) {
+        row->by.plane[i] += job->attribute[QTRI_U + i].plane.dy;
+    }
+}
+
+void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    const qtri_rect *bounds = &job->raster->bounds;
+    const bool copies = job->copies && job->raster->copy_run != NULL;
+    qtri_scanline r;
+    for (begin(&r, job, row); count > 0; count--, spans++, go_on(&r)) {
+        const int32_t pixels = qtri_span_clip(spans, bounds, &r.x0);
+        if (pixels <= 0) {
+            continue;
         }
-        if (textured) {
-            uv[0] += job->attribute[QTRI_U].plane.dy;
-            uv[1] += job->attribute[QTRI_U + 1].plane.dy;
+        r.x1 = r.x0 + pixels;
+        r.left = spans->left;
+        r.right = spans->right;
+        r.run = INT32_MIN;
+        if (job->perspective) {
+            qtri_perspective_row(&r);
         }
-        qtri_run_next_row(&run, raster->surface);
+        if (copies && (!job->perspective || r.level)) {
+            copy_row(&r);
+        } else if (copies) {
+            copy_bent_row(&r);
+        } else {
+            draw_row(&r);
+        }
     }
 }

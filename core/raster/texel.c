@@ -4,11 +4,6 @@
 
 #define SIDE_LOG2_MAX 10
 
-static uint8_t side_log2_of(uint8_t log2)
-{
-    return log2 > SIDE_LOG2_MAX ? SIDE_LOG2_MAX : log2;
-}
-
 static int64_t hold_q32(int64_t coordinate)
 {
     const int64_t limit = (int64_t)1 << 48;
@@ -19,7 +14,7 @@ static int64_t hold_q32(int64_t coordinate)
 #define ABOVE_ZERO ((uint32_t)1 << 30)
 
 void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_t coordinate_q32[3],
-                          uint8_t side_log2)
+                          uint8_t side_log2, bool clamped, int32_t copy_shift)
 {
     uint64_t offset[3];
     uint64_t all = 0;
@@ -40,159 +35,20 @@ void qtri_texel_axis_init(qtri_texel_axis *axis, uint32_t value[3], const int64_
     for (int i = 0; i < 3; i++) {
         value[i] = (uint32_t)(offset[i] >> down);
     }
-    side_log2 = side_log2_of(side_log2);
+    side_log2 = side_log2 > SIDE_LOG2_MAX ? SIDE_LOG2_MAX : side_log2;
     const int32_t shift = 32 - down - side_log2;
     axis->shift = (uint8_t)shift;
+    axis->side_log2 = side_log2;
+    axis->clamped = clamped;
     axis->mask = (uint16_t)((1u << side_log2) - 1);
     axis->first = (int32_t)(ABOVE_ZERO >> shift) - base * ((int32_t)1 << side_log2);
     axis->bias = shift > 17 ? (uint32_t)1 << (shift - 16) : 2;
-}
-
-bool qtri_texture_usable(const qtri_texture *texture)
-{
-    if (texture == NULL) {
-        return false;
+    axis->up = 0;
+    axis->texel_shift = axis->shift;
+    if (copy_shift != 0) {
+        axis->up = (int8_t)(copy_shift - shift);
+        axis->texel_shift = (uint8_t)copy_shift;
+    } else {
+        axis->bias += ABOVE_ZERO;
     }
-    if (!QTRI_WITH_TEXEL_FORMATS) {
-        return texture->format == QTRI_TEXEL_RGB565 && texture->texels != NULL;
-    }
-    switch (texture->format) {
-    case QTRI_TEXEL_RGB565:
-    case QTRI_TEXEL_XRGB8888:
-    case QTRI_TEXEL_GRAY8:
-        return texture->texels != NULL;
-    case QTRI_TEXEL_PALETTE8:
-        return texture->texels != NULL && texture->palette != NULL;
-    default:
-        return true; /* CHECKER */
-    }
-}
-
-/* See qtri_texture_usable. */
-static qtri_texel_format format_of(const qtri_texture *texture)
-{
-    return QTRI_WITH_TEXEL_FORMATS ? texture->format : QTRI_TEXEL_RGB565;
-}
-
-/* As the colour key is compared. */
-static uint32_t stored_texel(const qtri_texture *texture, uint32_t column, uint32_t row)
-{
-    uint8_t width_log2 = side_log2_of(texture->width_log2);
-    uint32_t index = (row << width_log2) + column;
-    switch (format_of(texture)) {
-    case QTRI_TEXEL_RGB565:
-        return ((const uint16_t *)texture->texels)[index];
-    case QTRI_TEXEL_XRGB8888:
-        return ((const uint32_t *)texture->texels)[index] & 0xFFFFFFu;
-    case QTRI_TEXEL_PALETTE8:
-    case QTRI_TEXEL_GRAY8:
-        return ((const uint8_t *)texture->texels)[index];
-    default: {
-        uint32_t field_column = (column * texture->fields) >> width_log2;
-        uint32_t field_row = (row * texture->fields) >> side_log2_of(texture->height_log2);
-        return (field_column + field_row) & 1;
-    }
-    }
-}
-
-static qtri_rgb color_of(const qtri_texture *texture, uint32_t stored)
-{
-    switch (format_of(texture)) {
-    case QTRI_TEXEL_RGB565:
-        return qtri_rgb_from_565(stored);
-    case QTRI_TEXEL_XRGB8888:
-        return qtri_rgb_from_8888(stored);
-    case QTRI_TEXEL_PALETTE8:
-        return texture->palette[stored];
-    case QTRI_TEXEL_GRAY8: {
-        qtri_rgb gray = {(uint8_t)stored, (uint8_t)stored, (uint8_t)stored};
-        return gray;
-    }
-    default:
-        return texture->color[stored];
-    }
-}
-
-static bool is_key(const qtri_texture *texture, uint32_t stored)
-{
-    uint32_t mask = format_of(texture) == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu : UINT32_MAX;
-    return texture->has_key && stored == (texture->key & mask);
-}
-
-/* texel / 255 in Q16, exact at 0 and 255 and within 2^-16 between: sum < 2^24 + 128. */
-static int32_t fraction_q16(uint32_t texel_8p16)
-{
-    return (int32_t)((texel_8p16 + (texel_8p16 >> 8) + (texel_8p16 >> 16) + 128) >> 8);
-}
-
-/* Which texel of a side that repeats or ends. texel: (value + 2^30) >> shift, or the next. */
-static uint32_t wrap(const qtri_texel_axis *axis, qtri_wrap mode, uint32_t texel)
-{
-    if (mode != QTRI_CLAMP) {
-        return texel & axis->mask;
-    }
-    int32_t index = (int32_t)texel - axis->first; /* texel <= 2^30, |first| < 2^29 */
-    return index < 0 ? 0 : ((uint32_t)index > axis->mask ? axis->mask : (uint32_t)index);
-}
-
-/* Two neighbours along one axis. */
-typedef struct taps {
-    uint32_t index[2];
-    uint32_t weight; /* of the second, of 256 */
-} taps;
-
-/* Centres are half a texel on; half of a weight's last bit rounds. `value` has the bias added. */
-static taps taps_at(const qtri_texel_axis *axis, qtri_wrap mode, uint32_t value)
-{
-    int32_t shift = axis->shift;
-    uint32_t from_center = value - axis->bias + ABOVE_ZERO - ((uint32_t)1 << (shift - 1));
-    if (shift > 8) {
-        from_center += (uint32_t)1 << (shift - 9);
-    }
-    taps t;
-    t.index[0] = wrap(axis, mode, from_center >> shift);
-    t.index[1] = wrap(axis, mode, (from_center >> shift) + 1);
-    t.weight = (shift > 8 ? from_center >> (shift - 8) : from_center << (8 - shift)) & 255;
-    return t;
-}
-
-/* The weighted sum of four texels; `nearest` stands in for those that equal the key. */
-static void bilinear(const qtri_texture *texture, const taps *u, const taps *v, qtri_rgb nearest,
-                     uint32_t sum_8p16[3])
-{
-    sum_8p16[0] = sum_8p16[1] = sum_8p16[2] = 0;
-    for (int i = 0; i < 4; i++) {
-        int right = i & 1;
-        int below = i >> 1;
-        uint32_t weight = (right ? u->weight : 256 - u->weight) * /* the four sum to 2^16 */
-                          (below ? v->weight : 256 - v->weight);
-        uint32_t stored = stored_texel(texture, u->index[right], v->index[below]);
-        qtri_rgb texel = is_key(texture, stored) ? nearest : color_of(texture, stored);
-        sum_8p16[0] += weight * texel.r;
-        sum_8p16[1] += weight * texel.g;
-        sum_8p16[2] += weight * texel.b;
-    }
-}
-
-bool qtri_texel_apply(const qtri_texture *texture, const qtri_texel_axis axis[2], uint32_t u,
-                      uint32_t v, qtri_channels *color)
-{
-    uint32_t column = wrap(&axis[0], texture->wrap_u, (u + ABOVE_ZERO) >> axis[0].shift);
-    uint32_t row = wrap(&axis[1], texture->wrap_v, (v + ABOVE_ZERO) >> axis[1].shift);
-    uint32_t stored = stored_texel(texture, column, row);
-    if (is_key(texture, stored)) {
-        return false;
-    }
-    qtri_rgb texel = color_of(texture, stored);
-    uint32_t texel_8p16[3] = {(uint32_t)texel.r << 16, (uint32_t)texel.g << 16,
-                              (uint32_t)texel.b << 16};
-    if (QTRI_WITH_BILINEAR && texture->filter == QTRI_BILINEAR) {
-        taps along = taps_at(&axis[0], texture->wrap_u, u);
-        taps across = taps_at(&axis[1], texture->wrap_v, v);
-        bilinear(texture, &along, &across, texel, texel_8p16);
-    }
-    for (int i = 0; i < 3; i++) {
-        color->c[i] = (int32_t)(qtri_mul_s32(color->c[i], fraction_q16(texel_8p16[i])) >> 16);
-    }
-    return true;
 }

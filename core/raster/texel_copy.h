@@ -11,7 +11,9 @@
 #ifndef QTRI_RASTER_TEXEL_COPY_H
 #define QTRI_RASTER_TEXEL_COPY_H
 
-#include "job.h"
+#include "qtri/texture.h"
+
+#include "../bits/bits.h"
 
 /* x >> the low byte of `by`, 0..31. Arm's instruction looks at no other bits. */
 static inline uint32_t qtri_shift_by_byte(uint32_t x, uint32_t by)
@@ -27,13 +29,10 @@ static inline uint32_t qtri_shift_by_byte(uint32_t x, uint32_t by)
 #endif
 }
 
-/* Nearest, repeated, without a key, and v fits: 1 <= w, w + h <= 16. */
+/* Repeated, and v fits: 1 <= w, w + h <= 16. */
 static inline bool qtri_texel_copy_fits(const qtri_texture *texture)
 {
-    return texture->format == QTRI_TEXEL_RGB565 &&
-           !(QTRI_WITH_BILINEAR && texture->filter == QTRI_BILINEAR) &&
-           texture->wrap_u != QTRI_CLAMP && texture->wrap_v != QTRI_CLAMP && !texture->has_key &&
-           texture->width_log2 >= 1 && texture->width_log2 <= 10 && texture->height_log2 <= 10 &&
+    return texture->wrap_u != QTRI_CLAMP && texture->wrap_v != QTRI_CLAMP && texture->width_log2 >= 1 && texture->width_log2 <= 10 && texture->height_log2 <= 10 &&
            texture->width_log2 + texture->height_log2 <= 16;
 }
 
@@ -56,12 +55,6 @@ static inline uint32_t qtri_texel_cut(const qtri_texture *texture)
 static inline uint32_t qtri_texel_index(uint32_t u, uint32_t v, uint32_t cut)
 {
     return qtri_shift_by_byte(u, cut) + ((v & cut) >> 16);
-}
-
-static inline uint32_t qtri_texel_copied(const qtri_raster *raster, uint32_t u, uint32_t v)
-{
-    const uint16_t *texels = raster->texture->texels;
-    return texels[qtri_texel_index(u, v, raster->texel_cut)];
 }
 
 #endif

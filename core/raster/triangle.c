@@ -1,41 +1,9 @@
 #include "triangle.h"
 
-#include "fill.h"
+#include "../geometry/projector.h"
+#include "list.h"
 #include "rows.h"
 #include "setup.h"
-#include "texel_copy.h"
-
-void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
-                      const qtri_material *material)
-{
-    raster->surface = surface;
-    raster->texture =
-        QTRI_WITH_TEXTURES && qtri_texture_usable(material->texture) ? material->texture : NULL;
-    raster->bounds = qtri_surface_bounds(surface);
-    raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
-    raster->depth_write = !material->depth_read_only;
-    raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
-    raster->replace = qtri_raster_texture(raster) != NULL && material->texture_mode == QTRI_REPLACE;
-    raster->cull = material->cull;
-    raster->shading = qtri_shading_of(material);
-    raster->copies_white = qtri_raster_texture(raster) != NULL &&
-                           qtri_format_of(surface) == QTRI_RGB565 &&
-                           qtri_texel_copy_fits(raster->texture);
-    if (raster->copies_white) {
-        raster->texel_cut = qtri_texel_cut(raster->texture);
-    }
-    qtri_fill_choose(raster);
-}
-
-void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
-{
-    int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
-                             (int32_t)color.b << 16};
-    raster->tint = qtri_channels_from_color(qtri_format_of(raster->surface), color_8p16);
-    for (int i = 0; i < 3; i++) {
-        raster->tint_n6[i] = raster->tint.c[i] >> 10;
-    }
-}
 
 /* Apart, as its edges take stack that most triangles do without. */
 QTRI_NOINLINE static void fill_tall(const qtri_job *job, qtri_triangle *triangle,
@@ -55,6 +23,7 @@ QTRI_NOINLINE static void fill_tall(const qtri_job *job, qtri_triangle *triangle
 
 void qtri_triangle_fill(const qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
 {
+    qtri_list_flush(job->raster);
     if (QTRI_WITH_FAST_PATHS && triangle->size != QTRI_LARGE) {
         fill(job, triangle->spans, triangle->row, triangle->end - triangle->row);
     } else {
@@ -70,7 +39,7 @@ void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
 }
 
 static void attributes_from_screen(qtri_attributes *out, const qtri_screen_vertex *v,
-                                   qtri_format format)
+                                   const qtri_raster *raster)
 {
     const uint32_t farthest = (uint32_t)65535 << 16;
     out->depth_16p16 = v->depth_16p16 < farthest ? v->depth_16p16 : farthest;
@@ -78,7 +47,7 @@ static void attributes_from_screen(qtri_attributes *out, const qtri_screen_verte
     int32_t zeros = qtri_clz32(mantissa);
     out->inv_w_q31 = mantissa << zeros >> 1;
     out->inv_w_exponent = qtri_saturate32((int64_t)v->inv_w_exponent - zeros);
-    qtri_channels color = qtri_channels_from_color(format, v->color_8p16);
+    qtri_channels color = qtri_raster_channels(raster, v->color_8p16);
     for (int i = 0; i < 3; i++) {
         out->color[i] = color.c[i];
     }
@@ -86,32 +55,68 @@ static void attributes_from_screen(qtri_attributes *out, const qtri_screen_verte
     out->v_q32 = v->v_q32;
 }
 
-void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
+/* The same as vertices of a mesh are kept: of exponents only what is near the first counts. */
+static void vertex_from_attributes(qtri_vertex *out, const qtri_screen_point *at,
+                                   const qtri_attributes *v, int32_t first_exponent)
+{
+    const int64_t more = (int64_t)v->inv_w_exponent - first_exponent;
+    out->at = *at;
+    out->depth_16p8 = (v->depth_16p16 & ~0xFFu) | (more < -2 || more > 2 ? 0u : (uint32_t)(more + 8));
+    out->inv_w = v->inv_w_q31;
+}
+
+static void draw_large(const qtri_raster *raster, const qtri_screen_point p[3],
+                       const qtri_attributes attributes[3], int64_t area)
 {
     qtri_triangle triangle;
+    triangle.p[0] = &p[0];
+    triangle.p[1] = &p[1];
+    triangle.p[2] = &p[2];
+    triangle.tinted = false;
+    triangle.area = area;
+    if (qtri_triangle_begin(raster, &triangle)) {
+        qtri_triangle_draw(raster, &triangle, attributes);
+    }
+}
+
+void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
+{
     qtri_screen_point p[3];
+    qtri_attributes attributes[3];
+    qtri_vertex vertex[3];
+    qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
     for (int i = 0; i < 3; i++) {
         p[i].x_24p8 = qtri_hold32(v[i].x_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
         p[i].y_24p8 = qtri_hold32(v[i].y_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
-        triangle.p[i] = &p[i];
     }
-    triangle.tinted = false;
-    triangle.area = qtri_triangle_area(&p[0], &p[1], &p[2]);
-    if (triangle.area == 0 || qtri_is_culled(raster->cull, triangle.area) ||
-        !qtri_triangle_begin(raster, &triangle)) {
+    const int64_t area = qtri_triangle_area(&p[0], &p[1], &p[2]);
+    if (area == 0 || qtri_is_culled(raster->cull, area)) {
         return;
     }
-    qtri_attributes attributes[3];
     for (int i = 0; i < 3; i++) {
-        attributes_from_screen(&attributes[i], &v[i], qtri_format_of(raster->surface));
+        attributes_from_screen(&attributes[i], &v[i], raster);
+        vertex_from_attributes(&vertex[i], &p[i], &attributes[i], attributes[0].inv_w_exponent);
     }
-    qtri_triangle_draw(raster, &triangle, attributes);
+    const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
+    switch (qtri_place_triangle(&place, spans, raster, corner[0], corner[1], corner[2])) {
+    case QTRI_PLACED_SMALL:
+        qtri_list_attributes(raster, &place, corner, attributes);
+        qtri_list_flush(raster);
+        break;
+    case QTRI_PLACED_LARGE:
+        draw_large(raster, p, attributes, area);
+        break;
+    default:
+        break;
+    }
 }
 
 void qtri_raster_triangle(const qtri_surface *surface, const qtri_material *material,
                           const qtri_screen_vertex v[3])
 {
     qtri_raster raster;
-    qtri_raster_init(&raster, surface, material);
+    qtri_batch batch;
+    qtri_raster_init(&raster, surface, material, &batch);
     qtri_raster_draw(&raster, v);
 }

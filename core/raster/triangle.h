@@ -44,12 +44,6 @@ typedef struct qtri_attributes {
     int64_t u_q32, v_q32;
 } qtri_attributes;
 
-void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
-                      const qtri_material *material);
-
-/* The colour that tinted triangles have shares of. */
-void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);
-
 #if !QTRI_LONG_MULTIPLY
 /* Whether differences fit 15 bits with their sign: their products then fit 30, one instruction. */
 static inline bool qtri_differences_are_short(int32_t a, int32_t b, int32_t c, int32_t d)
@@ -115,12 +109,6 @@ static inline bool qtri_is_culled(qtri_cull cull, int64_t area)
     return (cull == QTRI_CULL_BACK && area >= 0) || (cull == QTRI_CULL_FRONT && area <= 0);
 }
 
-/* share_q22 <= 2^22 of a tint's channel, or of a step of it. */
-static inline int32_t qtri_raster_shade(const qtri_raster *raster, int32_t share_q22, int i)
-{
-    return (int32_t)(qtri_mul_s32(share_q22, raster->tint.c[i]) >> 22);
-}
-
 /* A vertex's depth, distance and light. */
 static inline void qtri_vertex_attributes(qtri_attributes *out, const qtri_vertex *vertex,
                                           uint32_t intensity_q15)
@@ -146,11 +134,5 @@ void qtri_triangle_fill(const qtri_job *job, qtri_triangle *triangle, qtri_fill_
 
 /* All of it, for a vertex as the public header has it. */
 void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3]);
-
-/* The vertex whose colour a flat triangle has. */
-static inline int qtri_raster_provoking(const qtri_raster *raster)
-{
-    return raster->shading == QTRI_FLAT_FIRST ? 0 : 2;
-}
 
 #endif

@@ -72,8 +72,8 @@ static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
 static const qtri_material material = {
     .color = {255, 180, 90}, .cull = QTRI_CULL_BACK, .depth_compare = QTRI_LESS};
 
-static uint32_t
-    band_memory[(QTRI_FRAME_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565) + 3) / sizeof(uint32_t)];
+static uint32_t band_memory[(QTRI_FRAME_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565_BYTES) + 3) /
+                            sizeof(uint32_t)];
 static qtri_vertex vertex_memory[APP_VERTICES_KEPT];
 static uint16_t list_memory[APP_LISTS];
 static qtri_frame frame;
@@ -90,7 +90,7 @@ void app_setup(void)
     qtri_transform_perspective(&view.projection, Q16(60), Q16(4.0 / 3.0), Q16(.5), Q16(20));
     view.light = &sun;
     qtri_prepared_init(&prepared, vertex_memory, APP_VERTICES_KEPT, list_memory, APP_LISTS);
-    (void)qtri_frame_init(&frame, QTRI_RGB565, APP_WIDTH, APP_HEIGHT, APP_BAND_ROWS, band_memory,
+    (void)qtri_frame_init(&frame, &qtri_rgb565, APP_WIDTH, APP_HEIGHT, APP_BAND_ROWS, band_memory,
                           sizeof band_memory);
 }
 

@@ -34,7 +34,7 @@ static const qtri_corner corners[24] = {
     FACE(ONE, -ONE, -ONE, G), FACE(-ONE, -ONE, -ONE, R),
 };
 
-static uint32_t band_memory[QTRI_BAND_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565) / 4];
+static uint32_t band_memory[QTRI_BAND_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565_BYTES) / 4];
 static qtri_view view;
 static qtri_transform pose;
 static qtri_surface band;
@@ -57,7 +57,7 @@ void app_frame(int32_t number)
     qtri_transform_translate(&pose, nearer);
     qtri_transform_rotate_y(&pose, Q16(15) * number);
     for (int32_t row = 0; row < APP_HEIGHT; row += APP_BAND_ROWS) {
-        qtri_surface_init(&band, QTRI_RGB565, APP_WIDTH, APP_HEIGHT, row, APP_BAND_ROWS,
+        qtri_surface_init(&band, &qtri_rgb565, APP_WIDTH, APP_HEIGHT, row, APP_BAND_ROWS,
                           band_memory, sizeof band_memory);
         qtri_surface_clear(&band, sky, UINT16_MAX);
         qtri_draw_triangles(&band, &view, &pose, corners, 24, &material);

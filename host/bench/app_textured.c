@@ -57,11 +57,11 @@ static const qtri_mesh crate = {
 };
 
 static const qtri_texture wood = {
-    .texels = texels, .format = QTRI_TEXEL_RGB565, .width_log2 = 3, .height_log2 = 3};
+    .texels = texels, .format = &qtri_texel_rgb565, .width_log2 = 3, .height_log2 = 3};
 
 static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
 
-static uint32_t band_memory[QTRI_BAND_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565) / 4];
+static uint32_t band_memory[QTRI_BAND_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565_BYTES) / 4];
 static qtri_vertex vertex_memory[QTRI_MESH_VERTICES(VERTICES)];
 static qtri_view view;
 static qtri_transform pose;
@@ -90,7 +90,7 @@ void app_frame(int32_t number)
     qtri_transform_rotate_y(&pose, Q16(15) * number);
     qtri_transform_rotate_x(&pose, Q16(10) * number);
     for (int32_t row = 0; row < APP_HEIGHT; row += APP_BAND_ROWS) {
-        qtri_surface_init(&band, QTRI_RGB565, APP_WIDTH, APP_HEIGHT, row, APP_BAND_ROWS,
+        qtri_surface_init(&band, &qtri_rgb565, APP_WIDTH, APP_HEIGHT, row, APP_BAND_ROWS,
                           band_memory, sizeof band_memory);
         qtri_surface_clear(&band, sky, UINT16_MAX);
         qtri_draw_mesh(&band, &view, &pose, &crate, &material);

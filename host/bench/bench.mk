@@ -9,11 +9,15 @@ BENCH_INPUTS := $(wildcard core/*/*.[ch] core/*/*.inc core/include/qtri/*.h host
 BENCH_FLAGS  := -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -idirafter port/boards/common/libc
 BENCH_LINK   := -nostdlib -Wl,--gc-sections
 
+# A core may be named with -Os behind it: where the library is counted, it is compiled so then, and else at -O2.
+bench_core     = $(1:%-Os=%)
+bench_optimize = $(if $(filter %-Os,$1),-Os,-O2)
+
 # How a core's code is compiled, whose start-up and console it has, and what executes it. -icount: one instruction
 # takes 1 ns. The M0+ has no machine of its own with enough memory; the M3's executes its instructions.
-bench_cc       = $(if $(filter rv32%,$1),riscv64-unknown-elf-gcc -march=$1 -mabi=ilp32,arm-none-eabi-gcc -mcpu=$1 -mthumb)
+bench_cc       = $(if $(filter rv32%,$1),riscv64-unknown-elf-gcc -march=$(bench_core) -mabi=ilp32,arm-none-eabi-gcc -mcpu=$(bench_core) -mthumb)
 bench_board    = port/boards/$(if $(filter rv32%,$1),virt,mps2)
-bench_emulator = $(if $(filter rv32%,$1),qemu-system-riscv32 -M virt -bios none,qemu-system-arm -M $(BENCH_MACHINE_$1) \
+bench_emulator = $(if $(filter rv32%,$1),qemu-system-riscv32 -M virt -bios none,qemu-system-arm -M $(BENCH_MACHINE_$(bench_core)) \
                  -semihosting-config enable=on$(comma)target=native) -icount shift=0$(comma)sleep=off
 comma := ,
 
@@ -26,9 +30,10 @@ BENCH_MACHINE_cortex-m7     := mps2-an500
 BENCH_TOOLS   := arm-none-eabi-gcc qemu-system-arm riscv64-unknown-elf-gcc qemu-system-riscv32
 BENCH_TOOLS   := $(shell for tool in $(BENCH_TOOLS); do command -v $$tool >/dev/null 2>&1 && echo $$tool; done)
 bench_has      = $(filter $(firstword $1),$(BENCH_TOOLS))
-BENCH_PRESENT := $(strip $(foreach core,$(BENCH_CORES),$(if $(and $(call bench_has,$(call bench_cc,$(core))),\
+bench_present  = $(strip $(foreach core,$1,$(if $(and $(call bench_has,$(call bench_cc,$(core))),\
                  $(call bench_has,$(call bench_emulator,$(core)))),$(core))))
-BENCH_ABSENT  := $(filter-out $(BENCH_PRESENT),$(BENCH_CORES))
+BENCH_PRESENT := $(call bench_present,$(filter-out %-Os,$(BENCH_CORES)))
+BENCH_ABSENT  := $(filter-out $(BENCH_PRESENT),$(filter-out %-Os,$(BENCH_CORES)))
 
 # One program for each core. $1: core, $2: its board. Only memory.c must be kept from becoming a memcpy itself.
 define bench_rules
@@ -42,7 +47,7 @@ $(BENCH_DIR)/$1/math.txt: $(BENCH_DIR)/$1/bench_math
 	@timeout 300 $(call bench_emulator,$1) -display none -monitor none -serial stdio -kernel $$< </dev/null >$$@.part
 	@grep -q '^end$$$$' $$@.part && mv $$@.part $$@
 endef
-$(foreach core,$(BENCH_CORES),$(eval $(call bench_rules,$(core),$(notdir $(call bench_board,$(core))))))
+$(foreach core,$(filter-out %-Os,$(BENCH_CORES)),$(eval $(call bench_rules,$(core),$(notdir $(call bench_board,$(core))))))
 
 .PHONY: bench-math
 bench-math: $(BENCH_PRESENT:%=$(BENCH_DIR)/%/math.txt) ## Count the instructions of every function of the mathematics on emulated cores
@@ -69,4 +74,5 @@ else
 endif
 
 include host/bench/scenes.mk
+include host/bench/matrix.mk
 include host/bench/size.mk

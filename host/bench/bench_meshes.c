@@ -2,15 +2,16 @@
  * Writes the meshes of the benchmark as C and as OBJ: bench_meshes FOLDER MODELS
  *
  * FOLDER/bench_meshes.c has a qtri_mesh for each and a compact one (mesh.h), unless BENCH_PLAIN is
- * defined: for a core from before there were compact meshes and bounds. FOLDER/NAME.obj and
- * FOLDER/NAME-compact.obj have the same numbers, for the double-precision reference. MODELS holds
- * spot.obj and teapot.obj; without one of them its mesh is empty. The knot is the project's own.
+ * defined: for a core from before there were compact meshes and bounds. Beside them lies a colour
+ * for each vertex, 127.5 (1 + n) of its normal, which a scene may give the mesh. FOLDER/NAME.obj
+ * and FOLDER/NAME-compact.obj have the same numbers, for the double-precision reference. MODELS
+ * holds spot.obj and teapot.obj; without one of them its meshes are empty. The knot and the wall
+ * are the project's own.
  *
- * Meshes are centred on their bounding box and scaled. Vertices are the file's positions: texture
- * coordinates and normals of the file are not used, normals are area-weighted over the faces that
- * share the position.
+ * Meshes of files are centred on their bounding box and scaled. Vertices are the file's positions,
+ * or, where the texture coordinates are kept, its pairs of both. Normals of the file are not used:
+ * they are area-weighted over the faces that share the position.
  */
-#include <inttypes.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -20,24 +21,54 @@
 #include "../io/file.h"
 #include "../io/obj.h"
 #include "../tools/mesh_generate.h"
+#include "mesh_write.h"
+
+#define ONE 65536
+
+enum source {
+    SOURCE_FILE,      /* of MODELS */
+    SOURCE_GENERATED, /* of mesh_generate.h */
+    SOURCE_WALL       /* of here */
+};
 
 static const struct model {
-    const char *name;
+    const char *name; /* of the mesh, in C */
+    const char *file; /* its name where it comes from, without .obj */
     double scale;
-    bool own; /* of mesh_generate.h */
-} models[] = {{"spot", 1.28748383, false}, {"teapot", .48920438, false}, {"knot", 1.0, true}};
+    enum source source;
+    bool keeps_uvs;
+} models[] = {
+    {"spot", "spot", 1.28748383, SOURCE_FILE, false},
+    {"spot_uv", "spot", 1.28748383, SOURCE_FILE, true},
+    {"teapot", "teapot", .48920438, SOURCE_FILE, false},
+    {"knot", "knot", 1.0, SOURCE_GENERATED, false},
+    {"wall", NULL, 1.0, SOURCE_WALL, true},
+};
 
-/* Keeps the statements v and f, and of a corner `v/vt/vn` the v; in place. */
-static size_t keep_positions(char *text, size_t length)
+/* ---- What a mesh is made from ---- */
+
+static bool begins_with(const char *text, size_t length, const char *word)
+{
+    return length >= strlen(word) && memcmp(text, word, strlen(word)) == 0;
+}
+
+/*
+ * Keeps the statements v and f, and of a corner `v/vt/vn` the v; with uvs also the statement vt,
+ * and of a corner v/vt. In place.
+ */
+static size_t keep_statements(char *text, size_t length, bool with_uvs)
 {
     size_t kept = 0;
     for (size_t i = 0; i < length;) {
         const char *newline = memchr(&text[i], '\n', length - i);
         size_t next = newline == NULL ? length : (size_t)(newline - text) + 1;
-        bool wanted = (text[i] == 'v' || text[i] == 'f') && i + 1 < next && text[i + 1] == ' ';
-        for (bool in_position = true; wanted && i < next; i++) {
-            in_position = text[i] == ' ' || text[i] == '\n' || (in_position && text[i] != '/');
-            if (in_position) {
+        bool wanted = begins_with(&text[i], next - i, "v ") ||
+                      begins_with(&text[i], next - i, "f ") ||
+                      (with_uvs && begins_with(&text[i], next - i, "vt "));
+        for (int slashes = 0; wanted && i < next; i++) {
+            bool between = text[i] == ' ' || text[i] == '\n';
+            slashes = between ? 0 : slashes + (text[i] == '/');
+            if (slashes <= (with_uvs ? 1 : 0)) {
                 text[kept++] = text[i];
             }
         }
@@ -69,158 +100,64 @@ static void center_and_scale(struct obj_mesh *mesh, double scale)
     }
 }
 
-/* Q16.16 to the Q2.14 that a qtri_normal holds. */
-static int32_t normal_q14(int32_t value)
-{
-    return round_q16((double)value / 4.0);
-}
+#define WALL_COLUMNS  16
+#define WALL_ROWS     8
+#define WALL_VERTICES ((WALL_COLUMNS + 1) * (WALL_ROWS + 1))
 
-/* One array of the C file: `struct_name mesh_suffix[] = {...}`, three numbers an element. */
-static void begin_array(FILE *out, const char *type, const char *name, const char *suffix)
+/* z = .25 sin 3x cos 2y over x +-2.31, y +-1.74, from the top; u and v from 0 to 4 over it. */
+static void set_wall_vertex(struct obj_mesh *mesh, int column, int row)
 {
-    fprintf(out, "static const %s %s_%s[] = {\n", type, name, suffix);
-}
-
-static void write_element(FILE *out, const int32_t element[3])
-{
-    fprintf(out, "{%" PRId32 ", %" PRId32 ", %" PRId32 "},\n", element[0], element[1], element[2]);
-}
-
-/* qtri_mesh.bounds of what lies within +-half of the origin. */
-static void write_bounds(FILE *out, const int32_t half[3])
-{
-    fprintf(out, "    .bounds = {{0, 0, 0}, {%" PRId32 ", %" PRId32 ", %" PRId32 "}},\n", half[0],
-            half[1], half[2]);
-}
-
-/* The largest absolute value on each axis. */
-static void reach_of(const struct obj_mesh *mesh, int32_t reach[3])
-{
+    int i = row * (WALL_COLUMNS + 1) + column;
+    double along = (double)column / WALL_COLUMNS, down = (double)row / WALL_ROWS;
+    double x = 2.31 * (2.0 * along - 1.0), y = 1.74 * (1.0 - 2.0 * down);
+    double normal[3] = {-.75 * cos(3.0 * x) * cos(2.0 * y), .5 * sin(3.0 * x) * sin(2.0 * y), 1.0};
+    const double position[3] = {x, y, .25 * sin(3.0 * x) * cos(2.0 * y)};
+    double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + 1.0);
     for (int axis = 0; axis < 3; axis++) {
-        reach[axis] = 0;
-        for (size_t i = 0; i < mesh->vertex_count; i++) {
-            int32_t value = abs(mesh->positions[i][axis]);
-            reach[axis] = value > reach[axis] ? value : reach[axis];
+        mesh->positions[i][axis] = round_q16(position[axis] * ONE);
+        mesh->normals[i][axis] = round_q16(normal[axis] / length * ONE);
+    }
+    mesh->uvs[i][0] = round_q16(4.0 * along * ONE);
+    mesh->uvs[i][1] = round_q16(4.0 * down * ONE);
+}
+
+/* Corners (-,-) (+,-) (+,+) (-,+), triangles (0,1,2) (0,2,3), as all quads of the benchmark. */
+static void set_wall_cell(struct obj_mesh *mesh, int column, int row)
+{
+    uint32_t over = (uint32_t)(row * (WALL_COLUMNS + 1) + column), under = over + WALL_COLUMNS + 1;
+    const uint32_t corner[4] = {under, under + 1, over + 1, over};
+    static const uint8_t order[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    for (int triangle = 0; triangle < 2; triangle++) {
+        for (int i = 0; i < 3; i++) {
+            mesh->triangles[2 * (row * WALL_COLUMNS + column) + triangle][i] =
+                corner[order[triangle][i]];
         }
     }
 }
 
-static int32_t extent_of(const struct obj_mesh *mesh)
+static bool make_wall(struct obj_mesh *mesh)
 {
-    int32_t reach[3];
-    reach_of(mesh, reach);
-    int32_t extent = reach[0] > reach[1] ? reach[0] : reach[1];
-    return extent > reach[2] ? extent : reach[2];
-}
-
-static void write_wide(FILE *out, const char *name, const struct obj_mesh *mesh)
-{
-    int32_t reach[3];
-    reach_of(mesh, reach);
-    begin_array(out, "qtri_vec3", name, "positions");
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        write_element(out, mesh->positions[i]);
-    }
-    fprintf(out, "};\n");
-    begin_array(out, "qtri_normal", name, "normals");
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        const int32_t *n = mesh->normals[i];
-        const int32_t normal[3] = {normal_q14(n[0]), normal_q14(n[1]), normal_q14(n[2])};
-        write_element(out, normal);
-    }
-    fprintf(out, "};\nstatic const uint16_t %s_triangles[][3] = {\n", name);
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        const uint32_t *t = mesh->triangles[i];
-        fprintf(out, "{%" PRIu32 ", %" PRIu32 ", %" PRIu32 "},\n", t[0], t[1], t[2]);
-    }
-    fprintf(out,
-            "};\nconst qtri_mesh bench_mesh_%s = {\n"
-            "    .positions = %s_positions,\n    .normals = %s_normals,\n"
-            "#ifndef BENCH_PLAIN\n",
-            name, name, name);
-    write_bounds(out, reach);
-    fprintf(out,
-            "#endif\n    .triangles = %s_triangles,\n    .vertex_count = %zu,\n"
-            "    .triangle_count = %zu};\n\n",
-            name, mesh->vertex_count, mesh->triangle_count);
-}
-
-/* 16 bits of a coordinate within +-extent. */
-static int32_t compact_position(int32_t value, int32_t extent)
-{
-    int32_t compact = round_q16((double)value * 32768.0 / (double)extent);
-    return compact > 32767 ? 32767 : compact < -32767 ? -32767 : compact;
-}
-
-static int32_t compact_normal(int32_t value)
-{
-    return round_q16((double)value * 127.0 / 65536.0);
-}
-
-static void write_compact(FILE *out, const char *name, const struct obj_mesh *mesh, int32_t extent)
-{
-    const int32_t half[3] = {extent, extent, extent};
-    fprintf(out, "#ifndef BENCH_PLAIN\n");
-    begin_array(out, "qtri_position16", name, "positions16");
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        const int32_t *p = mesh->positions[i];
-        const int32_t position[3] = {compact_position(p[0], extent), compact_position(p[1], extent),
-                                     compact_position(p[2], extent)};
-        write_element(out, position);
-    }
-    fprintf(out, "};\n");
-    begin_array(out, "qtri_normal8", name, "normals8");
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        const int32_t *n = mesh->normals[i];
-        const int32_t normal[3] = {compact_normal(n[0]), compact_normal(n[1]),
-                                   compact_normal(n[2])};
-        write_element(out, normal);
-    }
-    fprintf(out,
-            "};\nconst qtri_mesh bench_mesh_%s_compact = {\n"
-            "    .positions16 = %s_positions16,\n    .normals8 = %s_normals8,\n"
-            "    .extent = %" PRId32 ",\n",
-            name, name, name, extent);
-    write_bounds(out, half);
-    fprintf(out,
-            "    .triangles = %s_triangles,\n    .vertex_count = %zu,\n"
-            "    .triangle_count = %zu};\n#endif\n\n",
-            name, mesh->vertex_count, mesh->triangle_count);
-}
-
-/*
- * With extent 0 the numbers of the wide mesh, exactly: 16 decimals hold a Q16.16, 14 a Q2.14. Else
- * those of the compact one, which readers round to Q16.16.
- */
-static bool write_obj(const char *path, const struct obj_mesh *mesh, int32_t extent)
-{
-    FILE *out = fopen(path, "w");
-    if (out == NULL) {
-        perror(path);
+    memset(mesh, 0, sizeof *mesh);
+    mesh->vertex_count = WALL_VERTICES;
+    mesh->triangle_count = (size_t)2 * WALL_COLUMNS * WALL_ROWS;
+    mesh->positions = calloc(mesh->vertex_count, sizeof *mesh->positions);
+    mesh->normals = calloc(mesh->vertex_count, sizeof *mesh->normals);
+    mesh->uvs = calloc(mesh->vertex_count, sizeof *mesh->uvs);
+    mesh->triangles = calloc(mesh->triangle_count, sizeof *mesh->triangles);
+    if (mesh->positions == NULL || mesh->normals == NULL || mesh->uvs == NULL ||
+        mesh->triangles == NULL) {
+        obj_free(mesh);
         return false;
     }
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        double p[3], n[3];
-        for (int axis = 0; axis < 3; axis++) {
-            int32_t position = mesh->positions[i][axis];
-            int32_t normal = mesh->normals[i][axis];
-            p[axis] = extent == 0 ? position / 65536.0
-                                  : (double)compact_position(position, extent) * (double)extent /
-                                        32768.0 / 65536.0;
-            n[axis] = extent == 0 ? normal_q14(normal) / 16384.0 : compact_normal(normal) / 127.0;
+    for (int row = 0; row <= WALL_ROWS; row++) {
+        for (int column = 0; column <= WALL_COLUMNS; column++) {
+            set_wall_vertex(mesh, column, row);
+            if (row < WALL_ROWS && column < WALL_COLUMNS) {
+                set_wall_cell(mesh, column, row);
+            }
         }
-        fprintf(out, "v %.16f %.16f %.16f\nvn %.14f %.14f %.14f\n", p[0], p[1], p[2], n[0], n[1],
-                n[2]);
     }
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        fprintf(out, "f");
-        for (int corner = 0; corner < 3; corner++) {
-            uint32_t vertex = mesh->triangles[i][corner] + 1;
-            fprintf(out, " %" PRIu32 "//%" PRIu32, vertex, vertex);
-        }
-        fprintf(out, "\n");
-    }
-    return fclose(out) == 0;
+    return true;
 }
 
 /* The text of a mesh of ours, from a file in FOLDER. */
@@ -232,42 +169,52 @@ static bool generate(const char *folder, const char *name, char *path, size_t pa
     return file != NULL && fclose(file) == 0 && ok;
 }
 
+/* Reads and prepares the mesh of a file. */
+static bool read_mesh(const char *path, const struct model *model, struct obj_mesh *mesh,
+                      struct text_error *error)
+{
+    struct file_content content;
+    if (!file_read(path, &content, error)) {
+        return false;
+    }
+    size_t length = keep_statements(content.bytes, content.length, model->keeps_uvs);
+    bool ok = obj_parse(path, content.bytes, length, mesh, error);
+    free(content.bytes);
+    if (ok) {
+        center_and_scale(mesh, model->scale);
+    }
+    return ok;
+}
+
+/* ---- Output ---- */
+
 static bool write_model(FILE *out, const struct model *model, const char *folder,
                         const char *models_folder)
 {
     char path[1024];
-    snprintf(path, sizeof path, "%s/%s.obj", models_folder, model->name);
-    if (model->own && !generate(folder, model->name, path, sizeof path)) {
-        fprintf(stderr, "bench_meshes: %s cannot be generated\n", model->name);
-        return false;
-    }
-    if (file_inspect(path, NULL) == FILE_MISSING) {
-        fprintf(out, "const qtri_mesh bench_mesh_%s = {0}, bench_mesh_%s_compact = {0};\n\n",
-                model->name, model->name);
-        return true;
-    }
-    struct file_content content;
-    struct text_error error;
+    struct text_error error = {0};
     struct obj_mesh mesh;
-    if (!file_read(path, &content, &error)) {
-        fprintf(stderr, "bench_meshes: %s\n", error.message);
-        return false;
+    bool ok = false;
+    if (model->source == SOURCE_WALL) {
+        ok = make_wall(&mesh);
+    } else {
+        snprintf(path, sizeof path, "%s/%s.obj", models_folder, model->file);
+        if (model->source == SOURCE_GENERATED &&
+            !generate(folder, model->file, path, sizeof path)) {
+            fprintf(stderr, "bench_meshes: %s cannot be generated\n", model->file);
+            return false;
+        }
+        if (file_inspect(path, NULL) == FILE_MISSING) {
+            mesh_write_empty(out, model->name);
+            return true;
+        }
+        ok = read_mesh(path, model, &mesh, &error);
     }
-    size_t length = keep_positions(content.bytes, content.length);
-    bool ok = obj_parse(path, content.bytes, length, &mesh, &error);
-    free(content.bytes);
     if (!ok) {
-        fprintf(stderr, "bench_meshes: %s\n", error.message);
+        fprintf(stderr, "bench_meshes: %s: %s\n", model->name, error.message);
         return false;
     }
-    center_and_scale(&mesh, model->scale);
-    int32_t extent = extent_of(&mesh);
-    write_wide(out, model->name, &mesh);
-    write_compact(out, model->name, &mesh, extent);
-    snprintf(path, sizeof path, "%s/%s.obj", folder, model->name);
-    ok = write_obj(path, &mesh, 0);
-    snprintf(path, sizeof path, "%s/%s-compact.obj", folder, model->name);
-    ok = write_obj(path, &mesh, extent) && ok;
+    ok = mesh_write(out, model->name, folder, &mesh);
     obj_free(&mesh);
     return ok;
 }

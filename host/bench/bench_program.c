@@ -9,26 +9,9 @@
 
 #include "../../port/boards/board.h"
 #include "bench_core.h"
+#include "bench_print.h"
 
 bench_frame bench_memory;
-
-static void write_number(uint32_t value, uint32_t base, uint32_t least_digits)
-{
-    char text[12];
-    char *p = &text[sizeof text - 1];
-    *p = '\0';
-    for (; value != 0 || least_digits > 0; value /= base) {
-        *--p = "0123456789abcdef"[value % base];
-        least_digits -= least_digits > 0;
-    }
-    board_write(p);
-}
-
-static void write_decimal(uint32_t value)
-{
-    board_write(" ");
-    write_number(value, 10, 1);
-}
 
 /* CRC-32 (IEEE 802.3, reflected), four bits at a time, of 16 bits, the low byte first. */
 static uint32_t crc32_add(uint32_t crc, uint32_t value)
@@ -67,9 +50,8 @@ uint32_t bench_pixels(const bench_frame *frame)
 {
     uint32_t count = 0;
     for (int32_t y = 0; y < frame->surface.rows; y++) {
-        const uint16_t *depth = frame->surface.depth + y * frame->surface.depth_pitch;
         for (int32_t x = 0; x < frame->surface.width; x++) {
-            count += depth[x] != UINT16_MAX || frame->scene->work == BENCH_CLEAR;
+            count += frame->scene->work == BENCH_CLEAR || bench_is_drawn(frame, x, y);
         }
     }
     return count;
@@ -109,10 +91,10 @@ int board_program(void *memory, size_t bytes)
         uint32_t instructions = board_instructions(start, board_ticks());
         board_write(scene->name);
         board_write(" ");
-        write_number(checksum(&frame->surface), 16, 8);
-        write_decimal(bench_pixels(frame));
-        write_decimal(bench_triangles(scene));
-        write_decimal(instructions);
+        bench_write_number(checksum(&frame->surface), 16, 8);
+        bench_write_decimal(bench_pixels(frame));
+        bench_write_decimal(bench_triangles(scene));
+        bench_write_decimal(instructions);
         board_write("\n");
     }
     board_write("end\n");

@@ -9,7 +9,7 @@
 /* The frame that every scene is drawn into, one after the other. */
 extern bench_frame bench_memory;
 
-/* Pixels whose depth is not the clear's; all of them for S0. */
+/* Pixels that were drawn; all of them for S0. */
 uint32_t bench_pixels(const bench_frame *frame);
 
 #endif

@@ -1,17 +1,18 @@
 #!/bin/sh
 # Gathers what the cores printed: bench_scenes.sh FOLDER TABLE.tsv "SCENE..." CORE...   (called by `make bench`)
-# FOLDER/host.txt and FOLDER/CORE/scenes.txt hold lines `scene crc pixels triangles instructions`. Writes the table, prints
-# it a scene a line beside the targets of the project, and fails where a core's picture is not the host's.
+# FOLDER/host.txt and FOLDER/CORE/bench.txt hold lines `scene crc pixels triangles instructions`. Writes the table, prints
+# it a scene a line beside the targets of the project, and fails where a core's picture is not the host's. A core named
+# CORE-Os has its library compiled at -Os, and a table of its own beside what CORE takes.
 set -eu
 folder=$1 table=$2 scenes=$3
 shift 3
 
-for name in S4 S5 S7; do
+for name in S4 S5 S6 S7 S9 S10 ST; do
     grep -q "^$name " "$folder/host.txt" || echo "bench: skipped: $name: no spot.obj or teapot.obj in MODELS (S4k, S5k, S7k: the project's mesh)"
 done
 
 for core; do
-    sed "s/^/$core /" "$folder/$core/scenes.txt"
+    sed "s/^/$core /" "$folder/$core/bench.txt"
 done | awk -v OFS='\t' -v scenes="$scenes" -v cores="$*" '
     BEGIN {
         print "scene", "core", "instructions", "pixels", "triangles", "per_pixel", "per_triangle"
@@ -31,40 +32,70 @@ done | awk -v OFS='\t' -v scenes="$scenes" -v cores="$*" '
         exit bad
     }' "$folder/host.txt" - >"$table"
 
-# PEERS.md: targets for M0+, M3 and M4F; instructions per pixel, or millions a frame.
+# PEERS.md, and for S6, S9 and S11 SPANS.md: targets for M0+, M3 and M4F; instructions per pixel, or millions a frame.
 awk -F '\t' -v cores="$*" '
-    function want(name, unit, m0plus, m3, m4) {
-        per_pixel[name] = unit == "px"
+    function want(name, what, m0plus, m3, m4) {
+        unit[name] = what
         target[name, "cortex-m0plus"] = m0plus; target[name, "cortex-m3"] = m3; target[name, "cortex-m4"] = m4
     }
+    function figure_of(s, core) {
+        return instructions[s, core] / (unit[s] == "/px" ? pixels[s] : unit[s] == "/corner" ? 3 * triangles[s] : 1e6)
+    }
+    function heading(from, to,   c) {
+        printf "%-5s%8s%11s%9s", "scene", "pixels", "triangles", "unit"
+        for (c = from; c <= to; c++) printf "%19s", core[c]
+        print ""
+    }
+    function beginning(s) { printf "%-5s%8d%11d%9s", s, pixels[s], triangles[s], s in unit ? unit[s] : "M" }
     BEGIN {
         want("S0", "M", "", .06, .06)
-        want("S1", "px", 9, 8, 6)
-        want("S2", "px", 17, 12, 10.5)
-        want("S3", "px", 32, 16, 14.5)
-        want("S3a", "px", 24, 13.5, 13)
+        want("S1", "/px", 9, 8, 6)
+        want("S2", "/px", 17, 12, 10.5)
+        want("S3", "/px", 32, 16, 14.5)
+        want("S3a", "/px", 24, 13.5, 13)
         want("S4", "M", 3.9, 1.5, 1.4)
         want("S5", "M", 3.9, 1.5, 1.4)
+        want("S6", "M", 5.9, 2.95, "")
         want("S7", "M", "", 1.4, 1.3)
+        want("S8", "/px", "", "", "")
+        want("S9", "M", 5.45, 2.7, "")
+        want("S10", "M", "", 1.4, 1.3)
+        want("S11", "/px", 55, 35, "")
+        want("ST", "/corner", "", "", "")
+        # Plain cores first, then those at -Os.
+        n = split(cores, given, " ")
+        for (c = 1; c <= n; c++) if (given[c] !~ /-Os$/) core[++plain] = given[c]
+        for (c = 1; c <= n; c++) if (given[c] ~ /-Os$/) core[plain + ++small] = given[c]
     }
     NR == 1 { next }
     { if (!($1 in pixels)) name[++names] = $1; pixels[$1] = $4; triangles[$1] = $5; instructions[$1, $2] = $3 }
     END {
-        columns = split(cores, core, " ")
-        print "Instructions of the draw call, without the clear (S0). In brackets: the target; ! where it is missed."
-        printf "%-5s%8s%11s%6s", "scene", "pixels", "triangles", "unit"
-        for (c = 1; c <= columns; c++) printf "%19s", core[c]
-        print ""
-        for (n = 1; n <= names; n++) {
+        if (plain) {
+            print "Instructions of the draw call, without the clear (S0). In brackets: the target; ! where it is missed."
+            heading(1, plain)
+        }
+        for (n = 1; plain && n <= names; n++) {
             s = name[n]
-            printf "%-5s%8d%11d%6s", s, pixels[s], triangles[s], per_pixel[s] ? "/px" : "M"
-            for (c = 1; c <= columns; c++) {
-                if (!((s, core[c]) in instructions)) { printf "%19s", "-"; continue }
-                figure = instructions[s, core[c]] / (per_pixel[s] ? pixels[s] : 1e6); aim = target[s, core[c]]
+            beginning(s)
+            for (c = 1; c <= plain; c++) {
+                figure = figure_of(s, core[c]); aim = target[s, core[c]]
                 if (aim != "") { all++; if (figure > aim) missed++ }
                 printf "%11.3f%8s", figure, aim == "" ? "" : (figure > aim ? " ! " : " ") "(" aim ")"
             }
             print ""
         }
-        printf "bench: %d of %d targets met\n", all - missed, all
+        if (small) {
+            print (plain ? "\n" : "") "The library at -Os; behind it, times what -O2 takes."
+            heading(plain + 1, plain + small)
+        }
+        for (n = 1; small && n <= names; n++) {
+            s = name[n]
+            beginning(s)
+            for (c = plain + 1; c <= plain + small; c++) {
+                other = core[c]; sub(/-Os$/, "", other)
+                printf "%11.3f%8s", figure_of(s, core[c]), (s, other) in instructions ? sprintf("x %.2f", instructions[s, core[c]] / instructions[s, other]) : ""
+            }
+            print ""
+        }
+        if (plain) printf "bench: %d of %d targets met\n", all - missed, all
     }' "$table"

@@ -1,22 +1,32 @@
 # The benchmark scenes: instructions on emulated cores, time on the host. Included by bench.mk, whose
 # compilers, boards and emulators these rules use.
 #
-#   make bench BENCH_CORES="cortex-m3" BENCH_SCENES="S1 S3"     some of it, in seconds
+#   make bench BENCH_CORES="cortex-m3 cortex-m3-Os" BENCH_SCENES="S1 S3"     some of it, in seconds
 
 BENCH_SCENES ?=
 PROFILE_CORE ?= cortex-m3
+
+# Every core twice, with the library at -O2 and at -Os; or those that the command line names.
+SCENE_CORES   := $(if $(filter command,$(origin BENCH_CORES)),$(BENCH_CORES),$(BENCH_CORES) $(BENCH_CORES:%=%-Os))
+SCENE_PRESENT := $(call bench_present,$(SCENE_CORES))
+SCENE_ABSENT  := $(filter-out $(SCENE_PRESENT),$(SCENE_CORES))
 
 # The M4 is an M4F: with a hard-float ABI, though nothing here computes in floating point.
 BENCH_FPU_cortex-m4 := -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 
 SCENE_DIR     := $(BENCH_DIR)/scenes
 SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
-SCENE_SOURCES := $(wildcard core/*/*.c) host/bench/bench_scenes.c host/bench/bench_program.c $(SCENE_DIR)/bench_meshes.c
-SCENE_FLAGS   := -std=c99 -O2 -g -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
+SCENE_WORLD   := $(wildcard core/*/*.c) $(addprefix host/bench/,bench_world.c bench_print.c) $(SCENE_DIR)/bench_meshes.c
+SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_program.c) $(SCENE_WORLD)
+SCENE_FLAGS   := -std=c99 -g -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
+
+# The compiler and the flags of one object of a core. $1: core, $2: source.
+scene_compile = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(if $(filter core/%,$2),$(bench_optimize),-O2) $(SCENE_FLAGS)
+scene_link    = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(BENCH_LINK)
 
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes
-$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/tools/mesh_generate.c $(wildcard host/io/*.c))
+$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_generate.c $(wildcard host/io/*.c))
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $^ -lm
 
@@ -27,35 +37,40 @@ $(SCENE_DIR)/models: FORCE
 	@mkdir -p $(@D)
 	@echo '$(SCENE_MODELS)' | cmp -s - $@ || echo '$(SCENE_MODELS)' >$@
 
+# What a program prints on a core is its .txt; the last line is `end`. $1: core, $2: program, $3: seconds.
+scene_run = timeout $3 $(call bench_emulator,$1) -display none -monitor none -serial stdio -kernel $2 </dev/null >$(2:.elf=.part) && \
+            grep -q '^end$$' $(2:.elf=.part) && mv $(2:.elf=.part) $(2:.elf=.txt)
+
 # One program for each core. $1: core, $2: its board, $3: its objects.
 define scene_rules
 $(SCENE_DIR)/$1/bench.elf: $3 port/boards/$2/$2.ld
 	@echo "link $$@"
-	@$(call bench_cc,$1) $(BENCH_FPU_$1) $(BENCH_LINK) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$2/$2.ld -o $$@ $3 -lgcc
+	@$(call scene_link,$1) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$2/$2.ld -o $$@ $3 -lgcc
 
 $(SCENE_DIR)/$1/port/boards/common/memory.o: private SCENE_EXTRA := -fno-tree-loop-distribute-patterns
 
 $(SCENE_DIR)/$1/%.o: %.c host/bench/bench.mk host/bench/scenes.mk
 	@mkdir -p $$(@D)
-	@$(call bench_cc,$1) $(BENCH_FPU_$1) $(SCENE_FLAGS) $$(SCENE_EXTRA) -MMD -MP -c -o $$@ $$<
+	@$$(call scene_compile,$1,$$<) $$(SCENE_EXTRA) -MMD -MP -c -o $$@ $$<
 
 $(SCENE_DIR)/$1/%.o: %.S
 	@mkdir -p $$(@D)
 	@$(call bench_cc,$1) -c -o $$@ $$<
 
-$(SCENE_DIR)/$1/scenes.txt: $(SCENE_DIR)/$1/bench.elf
-	@timeout 300 $(call bench_emulator,$1) -display none -monitor none -serial stdio -kernel $$< </dev/null >$$@.part
-	@grep -q '^end$$$$' $$@.part && mv $$@.part $$@
+$(SCENE_DIR)/$1/bench.txt: $(SCENE_DIR)/$1/bench.elf
+	@$$(call scene_run,$1,$$<,300)
 
 -include $$(wildcard $(3:.o=.d))
 endef
-scene_objects = $(addsuffix .o,$(basename $(addprefix $(SCENE_DIR)/$1/,$(SCENE_SOURCES) port/boards/common/memory.c \
-                $(wildcard port/boards/$2/*.[cS]))))
-$(foreach core,$(sort $(BENCH_CORES) $(PROFILE_CORE)),$(eval $(call scene_rules,$(core),$(notdir $(call bench_board,$(core))),$(call \
-    scene_objects,$(core),$(notdir $(call bench_board,$(core)))))))
+scene_board   = $(notdir $(call bench_board,$1))
+scene_objects = $(addsuffix .o,$(basename $(addprefix $(SCENE_DIR)/$1/,$2 port/boards/common/memory.c \
+                $(wildcard port/boards/$(scene_board)/*.[cS]))))
+$(foreach core,$(sort $(SCENE_CORES) $(PROFILE_CORE)),$(eval $(call scene_rules,$(core),$(call \
+    scene_board,$(core)),$(call scene_objects,$(core),$(SCENE_SOURCES)))))
 
-SCENE_HOST := $(BUILD)/bench/bench_host
-$(SCENE_HOST): $(call objects,host/bench/bench_host.c host/bench/bench_scenes.c host/bench/bench_program.c) \
+SCENE_HOST         := $(BENCH_DIR)/bench_host
+SCENE_HOST_SOURCES := $(addprefix host/bench/,bench_host.c bench_host_board.c bench_check.c) $(filter host/bench/%,$(SCENE_SOURCES))
+$(SCENE_HOST): $(call objects,$(SCENE_HOST_SOURCES)) \
                $(BUILD)/obj/bench_meshes.o $(HOST) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
@@ -72,10 +87,10 @@ $(SCENE_DIR)/host.txt: $(SCENE_HOST)
 .PHONY: bench bench-lines
 bench: ## Count the instructions of every benchmark scene on emulated cores: build/bench.tsv
 	@$(MAKE) -s $(PARALLEL) bench-lines
-	@$(if $(BENCH_ABSENT),echo "bench: skipped: $(BENCH_ABSENT): no compiler or emulator (make setup)",:)
-	@sh host/bench/bench_scenes.sh $(SCENE_DIR) $(BUILD)/bench.tsv "$(BENCH_SCENES)" $(BENCH_PRESENT)
+	@$(if $(SCENE_ABSENT),echo "bench: skipped: $(SCENE_ABSENT): no compiler or emulator (make setup)",:)
+	@sh host/bench/bench_scenes.sh $(SCENE_DIR) $(BUILD)/bench.tsv "$(BENCH_SCENES)" $(SCENE_PRESENT)
 
-bench-lines: $(SCENE_DIR)/host.txt $(BENCH_PRESENT:%=$(SCENE_DIR)/%/scenes.txt)
+bench-lines: $(SCENE_DIR)/host.txt $(SCENE_PRESENT:%=$(SCENE_DIR)/%/bench.txt)
 
 # Profile --------------------------------------------------------------------------------------------
 # FUNCTIONS="qtri_rows_next draw": also their disassembly, with how often each instruction ran.
@@ -89,15 +104,15 @@ $(PROFILE_TOOL): $(call objects,host/bench/profile.c)
 
 # The program of one scene: that of all, with another bench_program.o.
 profile_dir     := $(SCENE_DIR)/$(PROFILE_CORE)
-profile_board   := $(notdir $(call bench_board,$(PROFILE_CORE)))
-profile_objects := $(filter-out %/bench_program.o,$(call scene_objects,$(PROFILE_CORE),$(profile_board)))
+profile_board   := $(call scene_board,$(PROFILE_CORE))
+profile_objects := $(filter-out %/bench_program.o,$(call scene_objects,$(PROFILE_CORE),$(SCENE_SOURCES)))
 
 $(PROFILE_SCENES:%=$(profile_dir)/profile-%.o): $(profile_dir)/profile-%.o: host/bench/bench_program.c host/bench/bench_program.h host/bench/bench_scenes.h host/bench/scenes.mk
 	@mkdir -p $(@D)
-	@$(call bench_cc,$(PROFILE_CORE)) $(BENCH_FPU_$(PROFILE_CORE)) $(SCENE_FLAGS) -DBENCH_ONLY='"$*"' -c -o $@ $<
+	@$(call scene_compile,$(PROFILE_CORE),$<) -DBENCH_ONLY='"$*"' -c -o $@ $<
 
 $(PROFILE_SCENES:%=$(profile_dir)/%.elf): $(profile_dir)/%.elf: $(profile_dir)/profile-%.o $(profile_objects)
-	@$(call bench_cc,$(PROFILE_CORE)) $(BENCH_FPU_$(PROFILE_CORE)) $(BENCH_LINK) -T port/boards/$(profile_board)/$(profile_board).ld -o $@ $^ -lgcc
+	@$(call scene_link,$(PROFILE_CORE)) -T port/boards/$(profile_board)/$(profile_board).ld -o $@ $^ -lgcc
 
 profile_prefix := $(patsubst %gcc,%,$(firstword $(call bench_cc,$(PROFILE_CORE))))
 
@@ -138,5 +153,5 @@ $(BASE_DIR)/bench_host: $(wildcard host/bench/bench_*.[ch]) $(SCENE_DIR)/bench_m
 	@rm -rf $(@D) && mkdir -p $(@D)
 	@git archive $(BASE_ID) core | tar -xf - -C $(@D)
 	@$(CC) -std=c99 $(CFLAGS) -DBENCH_PLAIN -I$(@D)/core/include -Ihost/bench -o $@ $(@D)/core/*/*.c \
-	    host/bench/bench_host.c host/bench/bench_scenes.c host/bench/bench_program.c $(SCENE_DIR)/bench_meshes.c $(HOST) -lm
+	    $(SCENE_HOST_SOURCES) $(SCENE_DIR)/bench_meshes.c $(HOST) -lm
 endif

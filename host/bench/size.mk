@@ -10,9 +10,8 @@ SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Ic
 # Applications once more, with a library that is built for what they use: a row `flat-only` for `flat`, at -Os.
 SIZE_ONLY_APPS     := textured flat
 SIZE_ONLY_VARIANTS := $(filter cortex-m0plus-Os cortex-m3-Os,$(SIZE_VARIANTS))
-SIZE_LEFT_OUT_textured := XRGB8888 GRAY8 TEXEL_FORMATS BILINEAR LINES FACE_LIGHT UNEVEN_LIGHT \
-                          COMPACT_MESHES FAST_PATHS
-SIZE_LEFT_OUT_flat     := XRGB8888 GRAY8 SMOOTH PERSPECTIVE TEXTURES LINES FAST_PATHS
+SIZE_LEFT_OUT_textured := FACE_LIGHT UNEVEN_LIGHT COMPACT_MESHES FAST_PATHS
+SIZE_LEFT_OUT_flat     := SMOOTH PERSPECTIVE TEXTURES FAST_PATHS
 
 # $1: core-optimization; $2: core; $3: optimization; $4: the start-up code's board; $5: options of config.h left out.
 define size_rules

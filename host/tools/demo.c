@@ -45,7 +45,7 @@ static bool run_scene(const struct demo *demo, const char *name, const struct sc
     struct reference_image snapped = {0};
     struct accuracy to_exact = {0};
     struct accuracy to_snapped = {0};
-    bool ok = scene_render(scene, QTRI_XRGB8888, 0, true, &picture) &&
+    bool ok = scene_render(scene, &qtri_xrgb8888, 0, true, &picture) &&
               reference_render(scene, 0, &exact) && reference_render(scene, 8, &snapped) &&
               reference_picture(&exact, REFERENCE_RGB888, &expected) &&
               compare_difference(&picture, &expected, &difference);

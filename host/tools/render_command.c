@@ -23,19 +23,19 @@ static const char usage[] =
 
 struct options {
     const char *scene, *prefix;
-    int format; /* qtri_format and reference_format in step: see formats */
+    int format; /* see formats */
     bool dump, reference;
     int snap, rows;
 };
 
 static const struct {
     const char *name;
-    qtri_format core;
+    const qtri_format *core;
     enum reference_format reference;
 } formats[] = {
-    {"rgb888", QTRI_XRGB8888, REFERENCE_RGB888},
-    {"rgb565", QTRI_RGB565, REFERENCE_RGB565},
-    {"gray8", QTRI_GRAY8, REFERENCE_GRAY8},
+    {"rgb888", &qtri_xrgb8888, REFERENCE_RGB888},
+    {"rgb565", &qtri_rgb565, REFERENCE_RGB565},
+    {"gray8", &qtri_gray8, REFERENCE_GRAY8},
 };
 
 /* Reads a decimal in 0..max; false for anything else. */

@@ -130,7 +130,7 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     qtri_material material = qtri_material_default();
     material.interpolation = scene->screen_linear ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
     material.cull = cull[scene->cull];
-    material.fill = scene->wireframe ? QTRI_WIREFRAME : QTRI_SOLID;
+    material.fill = scene->wireframe ? &qtri_wireframe : NULL;
     material.depth_compare = compare_of(scene);
     material.depth_read_only = !scene->depth_write;
     if (pass == SCENE_IDS) {

@@ -59,7 +59,7 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
  * Renders the whole scene in bands of `rows` rows (0: one band) into a new picture, with id and
  * depth when asked for. False when memory runs out.
  */
-bool scene_render(const struct scene *scene, qtri_format format, int32_t rows, bool with_dump,
-                  struct picture *picture);
+bool scene_render(const struct scene *scene, const qtri_format *format, int32_t rows,
+                  bool with_dump, struct picture *picture);
 
 #endif

@@ -24,10 +24,10 @@ static void render_band(const struct scene_resources *resources, const qtri_surf
     }
 }
 
-static bool render_pass(const struct scene_resources *resources, qtri_format format, int32_t rows,
-                        enum scene_pass pass, struct picture *picture)
+static bool render_pass(const struct scene_resources *resources, const qtri_format *format,
+                        int32_t rows, enum scene_pass pass, struct picture *picture)
 {
-    size_t bytes = QTRI_BAND_BYTES(picture->width, rows, format);
+    size_t bytes = QTRI_BAND_BYTES(picture->width, rows, format->pixels->bytes);
     void *memory = malloc(bytes);
     if (memory == NULL) {
         return false;
@@ -44,8 +44,8 @@ static bool render_pass(const struct scene_resources *resources, qtri_format for
     return true;
 }
 
-bool scene_render(const struct scene *scene, qtri_format format, int32_t rows, bool with_dump,
-                  struct picture *picture)
+bool scene_render(const struct scene *scene, const qtri_format *format, int32_t rows,
+                  bool with_dump, struct picture *picture)
 {
     struct scene_resources resources;
     if (!scene_resources_create(&resources, scene)) {
@@ -57,7 +57,7 @@ bool scene_render(const struct scene *scene, qtri_format format, int32_t rows, b
     }
     rows = rows < 1 || rows > scene->height ? scene->height : rows;
     bool ok = render_pass(&resources, format, rows, SCENE_COLORS, picture) &&
-              (!with_dump || render_pass(&resources, QTRI_XRGB8888, rows, SCENE_IDS, picture));
+              (!with_dump || render_pass(&resources, &qtri_xrgb8888, rows, SCENE_IDS, picture));
     scene_resources_free(&resources);
     if (!ok) {
         picture_free(picture);

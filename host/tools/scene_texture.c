@@ -73,14 +73,9 @@ static void make_texels(struct scene_resources *resources, const struct scene *s
 
 static uint32_t stored_texel(const qtri_texture *texture, size_t i)
 {
-    switch (texture->format) {
-    case QTRI_TEXEL_RGB565:
-        return ((const uint16_t *)texture->texels)[i];
-    case QTRI_TEXEL_XRGB8888:
-        return ((const uint32_t *)texture->texels)[i];
-    default:
-        return ((const uint8_t *)texture->texels)[i];
-    }
+    uint32_t texel[4] = {(uint32_t)i, (uint32_t)i, (uint32_t)i, (uint32_t)i};
+    texture->format->fetch(texel, texture, 1);
+    return texel[0];
 }
 
 /* White, and black for the key. */
@@ -96,8 +91,8 @@ static bool make_mask(struct scene_resources *resources, size_t count)
     }
     resources->mask = *texture;
     resources->mask.texels = resources->mask_texels;
-    resources->mask.format = QTRI_TEXEL_GRAY8;
-    resources->mask.filter = QTRI_NEAREST;
+    resources->mask.format = &qtri_texel_gray8;
+    resources->mask.filter = NULL;
     resources->mask.key = 0;
     return true;
 }
@@ -105,13 +100,13 @@ static bool make_mask(struct scene_resources *resources, size_t count)
 bool scene_texture_create(struct scene_resources *resources, const struct scene *scene)
 {
     static const struct {
-        qtri_texel_format format;
+        const qtri_texel_format *format;
         size_t size;
     } texel[] = {
-        [SCENE_TEXEL_XRGB8888] = {QTRI_TEXEL_XRGB8888, sizeof(uint32_t)},
-        [SCENE_TEXEL_RGB565] = {QTRI_TEXEL_RGB565, sizeof(uint16_t)},
-        [SCENE_TEXEL_PALETTE] = {QTRI_TEXEL_PALETTE8, sizeof(uint8_t)},
-        [SCENE_TEXEL_GRAY8] = {QTRI_TEXEL_GRAY8, sizeof(uint8_t)},
+        [SCENE_TEXEL_XRGB8888] = {&qtri_texel_xrgb8888, sizeof(uint32_t)},
+        [SCENE_TEXEL_RGB565] = {&qtri_texel_rgb565, sizeof(uint16_t)},
+        [SCENE_TEXEL_PALETTE] = {&qtri_texel_palette8, sizeof(uint8_t)},
+        [SCENE_TEXEL_GRAY8] = {&qtri_texel_gray8, sizeof(uint8_t)},
     };
     qtri_texture *texture = &resources->texture;
     size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
@@ -128,7 +123,7 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
     texture->height_log2 = log2_of(scene->texture.height);
     texture->wrap_u = scene->texture_clamp[0] ? QTRI_CLAMP : QTRI_REPEAT;
     texture->wrap_v = scene->texture_clamp[1] ? QTRI_CLAMP : QTRI_REPEAT;
-    texture->filter = scene->texture_bilinear ? QTRI_BILINEAR : QTRI_NEAREST;
+    texture->filter = scene->texture_bilinear ? &qtri_bilinear : NULL;
     texture->palette = resources->palette;
     if (scene->texel_format != SCENE_TEXEL_PALETTE) {
         make_texels(resources, scene, count);

@@ -21,26 +21,46 @@ static uint32_t to_565(uint32_t r, uint32_t g, uint32_t b)
     return scale(r, 255, 31) << 11 | scale(g, 255, 63) << 5 | scale(b, 255, 31);
 }
 
-static const uint8_t *row_of(const qtri_surface *surface, int32_t y)
+/* The first of pixels (x, y) .. in memory. */
+static const uint8_t *at(const qtri_surface *surface, int32_t x, int32_t y)
 {
-    return surface->pixels + (y - surface->first_row) * surface->pitch;
+    return surface->pixels + (y - surface->first_row) * surface->pitch +
+           (ptrdiff_t)surface->format->pixels->bytes * x;
+}
+
+bool qtri_panel_is_565(const qtri_surface *surface)
+{
+    return surface->format->decode == qtri_decode_rgb565 && surface->format->pixels->bytes == 2;
+}
+
+bool qtri_panel_is_swapped_565(const qtri_surface *surface)
+{
+    return surface->format->decode == qtri_decode_rgb565_swapped &&
+           surface->format->pixels->bytes == 2;
+}
+
+bool qtri_panel_is_in_place(const qtri_surface *surface, qtri_byte_order order)
+{
+    return qtri_panel_is_native(order) ? qtri_panel_is_565(surface)
+                                       : qtri_panel_is_swapped_565(surface);
 }
 
 void qtri_panel_row_565(const qtri_surface *surface, int32_t x, int32_t y, int32_t count,
                         uint16_t *pixels)
 {
-    const uint8_t *row = row_of(surface, y);
-    if (surface->format == QTRI_RGB565) {
-        memcpy(pixels, row + x * (ptrdiff_t)2, (size_t)count * 2);
-    } else if (surface->format == QTRI_XRGB8888) {
-        const uint32_t *from = (const uint32_t *)(const void *)row + x;
+    const qtri_format *format = surface->format;
+    const uint8_t *from = at(surface, x, y);
+    if (qtri_panel_is_565(surface)) {
+        memcpy(pixels, from, (size_t)count * 2);
+    } else if (qtri_panel_is_swapped_565(surface)) {
+        const uint16_t *swapped = (const uint16_t *)(const void *)from;
         for (int32_t i = 0; i < count; i++) {
-            pixels[i] =
-                (uint16_t)to_565((from[i] >> 16) & 255, (from[i] >> 8) & 255, from[i] & 255);
+            pixels[i] = (uint16_t)(swapped[i] << 8 | swapped[i] >> 8);
         }
     } else {
-        for (int32_t i = 0; i < count; i++) {
-            pixels[i] = (uint16_t)to_565(row[x + i], row[x + i], row[x + i]);
+        for (int32_t i = 0; i < count; i++, from += format->pixels->bytes) {
+            uint32_t c = format->decode(format->pixels->load(from));
+            pixels[i] = (uint16_t)to_565((c >> 16) & 255, (c >> 8) & 255, c & 255);
         }
     }
 }
@@ -48,22 +68,9 @@ void qtri_panel_row_565(const qtri_surface *surface, int32_t x, int32_t y, int32
 void qtri_panel_row_8888(const qtri_surface *surface, int32_t x, int32_t y, int32_t count,
                          uint32_t *pixels)
 {
-    const uint8_t *row = row_of(surface, y);
-    if (surface->format == QTRI_RGB565) {
-        const uint16_t *from = (const uint16_t *)(const void *)row + x;
-        for (int32_t i = 0; i < count; i++) {
-            uint32_t c = from[i];
-            pixels[i] = scale(c >> 11, 31, 255) << 16 | scale((c >> 5) & 63, 63, 255) << 8 |
-                        scale(c & 31, 31, 255);
-        }
-    } else if (surface->format == QTRI_XRGB8888) {
-        const uint32_t *from = (const uint32_t *)(const void *)row + x;
-        for (int32_t i = 0; i < count; i++) {
-            pixels[i] = from[i] & 0xFFFFFF;
-        }
-    } else {
-        for (int32_t i = 0; i < count; i++) {
-            pixels[i] = row[x + i] * (uint32_t)0x010101;
-        }
+    const qtri_format *format = surface->format;
+    const uint8_t *from = at(surface, x, y);
+    for (int32_t i = 0; i < count; i++, from += format->pixels->bytes) {
+        pixels[i] = format->decode(format->pixels->load(from));
     }
 }

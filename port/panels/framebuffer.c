@@ -48,7 +48,7 @@ void qtri_panel_store(const qtri_panel *panel, const qtri_surface *surface, qtri
     ptrdiff_t pixel = d->format == QTRI_PANEL_RGB565 ? 2 : 4;
     ptrdiff_t pitch = d->pitch != 0 ? (ptrdiff_t)d->pitch : (ptrdiff_t)d->width * pixel;
     bool copies = panel->rotation == QTRI_ROTATE_0 && d->format == QTRI_PANEL_RGB565 &&
-                  surface->format == QTRI_RGB565 && qtri_panel_is_native(d->order);
+                  qtri_panel_is_in_place(surface, d->order);
     for (int32_t y = rect.y0; y < rect.y1; y++) {
         qtri_walk walk = qtri_panel_walk(panel, y);
         ptrdiff_t step = (ptrdiff_t)walk.dx * pixel + (ptrdiff_t)walk.dy * pitch;

@@ -21,6 +21,14 @@ typedef struct qtri_walk {
 } qtri_walk;
 qtri_walk qtri_panel_walk(const qtri_panel *panel, int32_t y);
 
+/*
+ * Whether the surface's pixels are those of a display of 16 bits, as uint16_t or with the bytes
+ * exchanged. Known by the function that decodes them: the description's address would link all that
+ * belongs to it.
+ */
+bool qtri_panel_is_565(const qtri_surface *surface);
+bool qtri_panel_is_swapped_565(const qtri_surface *surface);
+
 /* Pixels (x, y) .. (x + count - 1, y) in the format of the display; the surface holds them all. */
 void qtri_panel_row_565(const qtri_surface *surface, int32_t x, int32_t y, int32_t count,
                         uint16_t *pixels);
@@ -29,6 +37,9 @@ void qtri_panel_row_8888(const qtri_surface *surface, int32_t x, int32_t y, int3
 
 /* Big-endian machines store a uint16_t as QTRI_ORDER_BIG does. */
 bool qtri_panel_is_native(qtri_byte_order order);
+
+/* Whether the surface lies in memory as an RGB565 display of that order wants it. */
+bool qtri_panel_is_in_place(const qtri_surface *surface, qtri_byte_order order);
 
 /* The three ways to a display: rect is part of the frame and of the surface, and not empty. */
 enum qtri_error qtri_panel_stream(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);

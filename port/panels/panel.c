@@ -159,6 +159,9 @@ enum qtri_error qtri_panel_write_rect(qtri_panel *panel, const qtri_surface *sur
     if (surface->width != qtri_panel_width(panel) || surface->height != qtri_panel_height(panel)) {
         return QTRI_ERROR_SIZE;
     }
+    if (surface->format == NULL) {
+        return QTRI_ERROR_FORMAT;
+    }
     int64_t held_end = (int64_t)surface->first_row + surface->rows;
     rect.x0 = greater(rect.x0, 0);
     rect.x1 = smaller(rect.x1, surface->width);

@@ -14,7 +14,7 @@ static void convert(const qtri_panel *panel, const qtri_surface *surface, int32_
     while (count > 0) {
         const uint16_t *pixels = piece;
         int32_t n = count;
-        if (surface->format == QTRI_RGB565) {
+        if (qtri_panel_is_565(surface)) {
             pixels = (const uint16_t *)(const void *)(surface->pixels +
                                                       (y - surface->first_row) * surface->pitch) +
                      x;
@@ -54,8 +54,7 @@ static enum qtri_error send_in_place(qtri_panel *panel, const qtri_surface *surf
 enum qtri_error qtri_panel_stream(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect)
 {
     enum qtri_error error = panel->description->window(panel, &rect);
-    if (error == QTRI_OK && surface->format == QTRI_RGB565 &&
-        qtri_panel_is_native(panel->description->order)) {
+    if (error == QTRI_OK && qtri_panel_is_in_place(surface, panel->description->order)) {
         return send_in_place(panel, surface, rect);
     }
     /* The memory's halves in turn: one is filled while the other is sent. Both hold whole pixels.

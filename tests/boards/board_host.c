@@ -42,19 +42,23 @@ void board_exit(int status)
 
 static uint64_t memory[512 * 1024 / sizeof(uint64_t)];
 
-static bool write_ppm(const char *folder, const board_scene *scene, qtri_format format)
+static const struct {
+    const char *name;
+    const qtri_format *format;
+} formats[] = {{"rgb565", &qtri_rgb565}, {"xrgb8888", &qtri_xrgb8888}, {"gray8", &qtri_gray8}};
+
+static bool write_ppm(const char *folder, const board_scene *scene, int number)
 {
-    static const char *const names[] = {"rgb565", "xrgb8888", "gray8"};
     board_scene_memory *scratch = (void *)memory;
     char path[1024];
     qtri_surface frame;
-    if (qtri_surface_init(&frame, format, scene->width, scene->height, 0, scene->height,
-                          scratch + 1, sizeof memory - sizeof *scratch) != QTRI_OK) {
+    if (qtri_surface_init(&frame, formats[number].format, scene->width, scene->height, 0,
+                          scene->height, scratch + 1, sizeof memory - sizeof *scratch) != QTRI_OK) {
         return false;
     }
     qtri_surface_clear(&frame, scene->background, UINT16_MAX);
     scene->draw(&frame, scratch);
-    snprintf(path, sizeof path, "%s/%s-%s.ppm", folder, scene->name, names[format]);
+    snprintf(path, sizeof path, "%s/%s-%s.ppm", folder, scene->name, formats[number].name);
     FILE *file = fopen(path, "wb");
     if (file == NULL) {
         perror(path);
@@ -74,8 +78,8 @@ int main(int argc, char **argv)
 {
     int status = board_program(memory, sizeof memory);
     for (int i = 0; argc == 2 && i < BOARD_SCENE_COUNT; i++) {
-        for (int format = QTRI_RGB565; format <= QTRI_GRAY8; format++) {
-            status |= !write_ppm(argv[1], &board_scenes[i], (qtri_format)format);
+        for (int format = 0; format < 3; format++) {
+            status |= !write_ppm(argv[1], &board_scenes[i], format);
         }
     }
     return status;

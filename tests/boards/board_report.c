@@ -18,8 +18,8 @@
 
 static const struct {
     const char *name;
-    qtri_format format;
-} formats[] = {{"rgb565", QTRI_RGB565}, {"xrgb8888", QTRI_XRGB8888}, {"gray8", QTRI_GRAY8}};
+    const qtri_format *format;
+} formats[] = {{"rgb565", &qtri_rgb565}, {"xrgb8888", &qtri_xrgb8888}, {"gray8", &qtri_gray8}};
 
 #define BAND_ROWS    16
 #define FORMAT_COUNT (sizeof formats / sizeof formats[0])
@@ -42,26 +42,14 @@ static uint32_t crc32_add(uint32_t crc, uint32_t value, uint32_t bytes)
     return crc;
 }
 
-static uint32_t pixel_value(qtri_format format, const void *row, int32_t x)
-{
-    switch (format) {
-    case QTRI_RGB565:
-        return ((const uint16_t *)row)[x];
-    case QTRI_XRGB8888:
-        return ((const uint32_t *)row)[x];
-    default:
-        return ((const uint8_t *)row)[x];
-    }
-}
-
 static void tally_rows(tally *sum, const qtri_surface *surface)
 {
-    uint32_t bytes = QTRI_FORMAT_BYTES(surface->format);
+    const qtri_pixels *pixels = surface->format->pixels;
     for (int32_t y = 0; y < surface->rows; y++) {
-        const void *row = surface->pixels + y * surface->pitch;
+        const uint8_t *row = surface->pixels + y * surface->pitch;
         const uint16_t *depth = surface->depth + y * surface->depth_pitch;
         for (int32_t x = 0; x < surface->width; x++) {
-            sum->crc = crc32_add(sum->crc, pixel_value(surface->format, row, x), bytes);
+            sum->crc = crc32_add(sum->crc, pixels->load(row + x * pixels->bytes), pixels->bytes);
             sum->crc = crc32_add(sum->crc, depth[x], 2);
             sum->pixels += depth[x] != UINT16_MAX;
         }
@@ -69,7 +57,7 @@ static void tally_rows(tally *sum, const qtri_surface *surface)
 }
 
 /* One frame in bands of `rows` rows: this loop is what an application does as well. */
-static enum qtri_error draw_frame(tally *sum, const board_scene *scene, qtri_format format,
+static enum qtri_error draw_frame(tally *sum, const board_scene *scene, const qtri_format *format,
                                   int32_t rows, board_scene_memory *scratch, void *memory,
                                   size_t bytes)
 {

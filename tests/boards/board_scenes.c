@@ -117,7 +117,7 @@ static void draw_wireframe(const qtri_surface *surface, board_scene_memory *memo
               Q16(80));
     qtri_material material = qtri_material_default();
     material.color = (qtri_rgb){120, 255, 140};
-    material.fill = QTRI_WIREFRAME;
+    material.fill = &qtri_wireframe;
     draw_torus_mesh(surface, memory, &view, &material);
 }
 
@@ -134,7 +134,7 @@ static void draw_floor(const qtri_surface *surface, board_scene_memory *memory)
                                     corner[0], corner[2], corner[3]};
     qtri_texture texture = {
         .texels = memory->texels,
-        .format = QTRI_TEXEL_RGB565,
+        .format = &qtri_texel_rgb565,
         .width_log2 = BOARD_TEXTURE_LOG2,
         .height_log2 = BOARD_TEXTURE_LOG2,
     };

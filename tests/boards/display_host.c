@@ -35,11 +35,11 @@ static void take_picture(const qtri_surface *surface, picture *out)
     uint8_t level[QTRI_SURFACE_MAX];
     for (int32_t y = 0; y < surface->height; y++) {
         const void *row = surface->pixels + y * surface->pitch;
-        if (surface->format == QTRI_GRAY8) {
+        if (surface->format == &qtri_gray8) {
             qtri_dither_row(QTRI_DITHER_BAYER8, WHITE_LEVEL, 0, y, row, surface->width, level);
         }
         for (int32_t x = 0; x < surface->width; x++, rgb += 3) {
-            if (surface->format == QTRI_GRAY8) {
+            if (surface->format == &qtri_gray8) {
                 memset(rgb, level[x] * 17, 3);
             } else {
                 uint32_t pixel = ((const uint16_t *)row)[x];
@@ -154,7 +154,7 @@ int main(int argc, char **argv)
     if (argc < 2) {
         fail(argv[0], "FOLDER [DUMPS]");
     }
-    size_t bytes = QTRI_BAND_BYTES(show->width, show->height, show->format);
+    size_t bytes = QTRI_BAND_BYTES(show->width, show->height, show->format->pixels->bytes);
     void *memory = allocate(bytes);
     void *scratch = allocate(show->bytes);
     picture expected = {(int)show->width, (int)show->height,

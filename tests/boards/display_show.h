@@ -13,7 +13,7 @@
 #include "qtri.h"
 
 typedef struct display_show {
-    qtri_format format;
+    const qtri_format *format;
     int32_t width, height;
     int32_t band_rows; /* of the board's bands */
     qtri_rgb background;

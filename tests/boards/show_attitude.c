@@ -106,7 +106,7 @@ static void draw(void *memory, const qtri_surface *surface)
 }
 
 const display_show display_show_here = {
-    .format = QTRI_GRAY8,
+    .format = &qtri_gray8,
     .width = WIDTH,
     .height = HEIGHT,
     .band_rows = HEIGHT,

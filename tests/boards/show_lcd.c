@@ -63,7 +63,7 @@ static void draw_texture(lcd_memory *lcd, const qtri_surface *surface, qtri_view
         {{Q16(-3), Q16(1.2), Q16(-2.0784610), Q16_ONE}, {255, 255, 255}, {0, 0}},
     };
     const qtri_texture texture = {.texels = lcd->texels,
-                                  .format = QTRI_TEXEL_RGB565,
+                                  .format = &qtri_texel_rgb565,
                                   .width_log2 = TEXTURE_LOG2,
                                   .height_log2 = TEXTURE_LOG2};
     qtri_material material = qtri_material_default();
@@ -112,7 +112,7 @@ static void draw(void *memory, const qtri_surface *surface)
 }
 
 const display_show display_show_here = {
-    .format = QTRI_RGB565,
+    .format = &qtri_rgb565,
     .width = WIDTH,
     .height = HEIGHT,
     .band_rows = 16,

@@ -13,6 +13,7 @@ headers=$(c_files core/include port/include | sed 's,^.*/include/,,')
 for header in $headers; do
     echo "#include \"$header\"" >"$work/one.c"
     echo "#include \"$header\"" >>"$work/one.c" # twice: its guard
+    echo "extern int one;" >>"$work/one.c"        # config.h declares nothing
     for compiler in gcc clang; do
         $compiler -std=c99 $flags -x c -fsyntax-only "$work/one.c" || { echo "$header: $compiler"; status=1; }
     done

@@ -1,6 +1,7 @@
 #!/bin/sh
 # The pipeline's levels: who may include whom.
 #   core/bits < math < geometry < frame < raster < fast < draw, host/io < reference < tools < bench: own folder or lower;
+#   the same for calls between files of core, which may not go in circles either;
 #   core and port/panels: public headers and five system headers; neither the umbrella qtri.h nor the host;
 #   host/reference: nothing of core, not even by way of another header.
 gate=levels
@@ -55,7 +56,26 @@ reads=$(for file in $(c_files host/reference | grep '\.c$'); do
         sed -n "s,\(.*/\)*\(core/.*\),$file: the reference must not read \2,p"
 done)
 
-found=$(printf '%s\n' "$found" "$reads" | sed '/^$/d')
+# Calls, which includes do not show: a file names nothing that a folder above it defines, and no files name each
+# other in a circle. Tables of functions count as calls.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+c_files core | grep '\.c$' | xargs -P "$jobs" -n 8 sh -c 'for file; do
+    gcc -std=c99 -O1 -Icore/include -c -o "$0/$(echo "$file" | tr / +).o" "$file" || exit 1; done' "$work"
+for object in "$work"/*.o; do
+    nm -g "$object" | awk -v file="$(basename "$object" .o | tr + /)" '{ print file, $(NF - 1), $NF }'
+done >"$work/symbols"
+awk 'NR == FNR { if ($2 != "U") home[$3] = $1; next }
+     $2 == "U" && ($3 in home) && home[$3] != $1 && !seen[$1, home[$3]]++ { print $1, home[$3], $3 }' \
+    "$work/symbols" "$work/symbols" >"$work/calls"
+calls=$(awk '
+    BEGIN { split("bits math geometry frame raster fast draw", order, " "); for (i in order) level[order[i]] = i }
+    { split($1, from, "/"); split($2, to, "/") }
+    level[to[2]] > level[from[2]] { print $1 ": names " $3 " of " $2 ", which is above" }' "$work/calls"
+    awk '{ print $1, $2 }' "$work/calls" | tsort 2>&1 >/dev/null | sed -n 's,^tsort: core,core,p' |
+        awk '{ circle = circle " " $0 } END { if (circle != "") print "a circle of calls:" circle }')
+
+found=$(printf '%s\n' "$found" "$reads" "$calls" | sed '/^$/d')
 [ -z "$found" ] || printf '%s\n' "$found"
 [ -z "$found" ]
 finish $?

@@ -2,7 +2,7 @@
  * Draws pictures that use everything options can leave out, and prints a checksum for each. For the
  * gate options.sh: a library without an option must draw what the whole library draws when
  * everything that the option leaves out has its documented result. So the whole library takes names
- * of options as arguments, `TEXTURES BILINEAR`, and asks for those results instead.
+ * of options as arguments, `TEXTURES SMOOTH`, and asks for those results instead.
  */
 #include <stdio.h>
 #include <string.h>
@@ -95,20 +95,20 @@ static void make_meshes(void)
 /* One picture: what it asks for. */
 typedef struct picture {
     const char *name;
-    qtri_format format;
+    const qtri_format *format;
     qtri_material material;
     const qtri_light *light;
     int is_compact, is_uneven, has_colors, has_normals;
     q16 distance;
 } picture;
 
-static uint64_t memory[(QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888) + 7) / 8];
-static uint64_t band_memory[(QTRI_FRAME_BYTES(WIDTH, ROWS, QTRI_XRGB8888) + 7) / 8];
+static uint64_t memory[(QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_BYTES) + 7) / 8];
+static uint64_t band_memory[(QTRI_FRAME_BYTES(WIDTH, ROWS, QTRI_XRGB8888_BYTES) + 7) / 8];
 static qtri_vertex vertices[POINTS];
 static uint16_t lists[QTRI_PREPARED_LISTS(2 * POINTS, HEIGHT, ROWS)];
 
-/* The results that config.h names, for the arguments. False: the format is refused. */
-static int substitute(picture *p, qtri_texture *texture)
+/* The results that config.h names, for the arguments. */
+static void substitute(picture *p, qtri_texture *texture)
 {
     qtri_material *m = &p->material;
     if (without("SMOOTH") && m->shading == QTRI_SMOOTH) {
@@ -120,11 +120,7 @@ static int substitute(picture *p, qtri_texture *texture)
     if (m->texture != NULL) {
         *texture = *m->texture;
         m->texture = texture;
-        if (without("BILINEAR")) {
-            texture->filter = QTRI_NEAREST;
-        }
-        if (without("TEXTURES") ||
-            (without("TEXEL_FORMATS") && texture->format != QTRI_TEXEL_RGB565)) {
+        if (without("TEXTURES")) {
             m->texture = NULL;
         }
     }
@@ -132,9 +128,6 @@ static int substitute(picture *p, qtri_texture *texture)
         (without("UNEVEN_LIGHT") && p->is_uneven)) {
         p->light = NULL;
     }
-    return !(without("RGB565") && p->format == QTRI_RGB565) &&
-           !(without("XRGB8888") && p->format == QTRI_XRGB8888) &&
-           !(without("GRAY8") && p->format == QTRI_GRAY8);
 }
 
 static void draw_corners(const qtri_surface *surface, const qtri_view *view,
@@ -148,42 +141,8 @@ static void draw_corners(const qtri_surface *surface, const qtri_view *view,
         {{Q16(1), Q16(-.5), Q16(.5), Q16(1)}, {0, 255, 255}, {Q16(1), 0}},
         {{0, Q16(.5), Q16(-.5), Q16(1)}, {255, 0, 255}, {0, Q16(1)}},
     };
-    if (!without("LINES") || material->fill == QTRI_SOLID) {
-        qtri_draw_triangles(surface, view, pose, corners, 6, material);
-    }
-    if (!without("LINES")) {
-        qtri_draw_lines(surface, view, pose, corners, 6, material);
-    }
-}
-
-/* Whether anything is drawn on a surface of a format left out, which the caller made by itself. */
-static int is_touched(qtri_format format, const qtri_material *material)
-{
-    const qtri_rect all = {0, 0, WIDTH, HEIGHT};
-    const qtri_rgb white = {255, 255, 255};
-    uint8_t *bytes = (uint8_t *)memory;
-    memset(memory, 0xA5, sizeof memory);
-    const qtri_surface surface = {.pixels = bytes,
-                                  .pitch = WIDTH * 4,
-                                  .depth = (uint16_t *)(void *)(bytes + WIDTH * HEIGHT * 4),
-                                  .depth_pitch = WIDTH,
-                                  .format = format,
-                                  .width = WIDTH,
-                                  .height = HEIGHT,
-                                  .rows = HEIGHT,
-                                  .scissor = all};
-    qtri_view view;
-    qtri_transform pose;
-    qtri_view_init(&view, WIDTH, HEIGHT);
-    qtri_transform_identity(&pose);
-    qtri_surface_clear(&surface, white, 0);
-    draw_corners(&surface, &view, &pose, material);
-    for (size_t i = 0; i < sizeof memory; i++) {
-        if (bytes[i] != 0xA5) {
-            return 1;
-        }
-    }
-    return 0;
+    qtri_draw_triangles(surface, view, pose, corners, 6, material);
+    qtri_draw_lines(surface, view, pose, corners, 6, material);
 }
 
 static void draw(const picture *asked)
@@ -198,17 +157,9 @@ static void draw(const picture *asked)
     const qtri_rgb sky = {24, 32, 48};
     const qtri_vec3 back = {0, 0, -p.distance};
     const qtri_vec3 uneven = {Q16(1), Q16(.5), Q16(.75)};
-    int refused = !substitute(&p, &texture);
-    enum qtri_error error =
-        qtri_surface_init(&surface, p.format, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory);
-    if (refused || error == QTRI_ERROR_OPTION) {
-        error =
-            qtri_frame_init(&frame, p.format, WIDTH, HEIGHT, ROWS, band_memory, sizeof band_memory);
-        printf("%s: refused%s%s\n", p.name,
-               refused || error == QTRI_ERROR_OPTION ? "" : ", but a frame is not",
-               refused || !is_touched(p.format, &p.material) ? "" : ", but drawn on");
-        return;
-    }
+    enum qtri_error error;
+    substitute(&p, &texture);
+    (void)qtri_surface_init(&surface, p.format, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory);
     qtri_mesh mesh = {.vertex_count = POINTS, .triangle_count = 2 * POINTS};
     mesh.colors = p.has_colors ? colors : NULL;
     if (p.is_compact) {
@@ -223,9 +174,8 @@ static void draw(const picture *asked)
         mesh.uvs = uvs;
         mesh.triangles = (const uint16_t(*)[3])triangles;
     }
-    int drawn = !(without("COMPACT_MESHES") && p.is_compact) &&
-                !(without("WIDE_MESHES") && !p.is_compact) &&
-                !(without("LINES") && p.material.fill == QTRI_WIREFRAME);
+    int drawn =
+        !(without("COMPACT_MESHES") && p.is_compact) && !(without("WIDE_MESHES") && !p.is_compact);
 
     qtri_view_init(&view, WIDTH, HEIGHT);
     qtri_transform_translate(&view.camera, back);
@@ -244,8 +194,8 @@ static void draw(const picture *asked)
         qtri_draw_mesh(&surface, &view, &pose, &mesh, &p.material);
     }
     draw_corners(&surface, &view, &pose, &p.material);
-    uint32_t sum = checksum(2166136261u, surface.pixels,
-                            (size_t)(WIDTH * HEIGHT) * QTRI_FORMAT_BYTES(p.format));
+    uint32_t sum =
+        checksum(2166136261u, surface.pixels, (size_t)(WIDTH * HEIGHT) * p.format->pixels->bytes);
     sum = checksum(sum, surface.depth, (size_t)(WIDTH * HEIGHT) * 2);
     printf("%s: %08lX", p.name, (unsigned long)sum);
 
@@ -260,23 +210,26 @@ static void draw(const picture *asked)
         if (drawn) {
             qtri_draw_prepared(&surface, &prepared);
         }
-        sum = checksum(sum, surface.pixels,
-                       (size_t)(WIDTH * surface.rows) * QTRI_FORMAT_BYTES(p.format));
+        sum =
+            checksum(sum, surface.pixels, (size_t)(WIDTH * surface.rows) * p.format->pixels->bytes);
     }
     printf(" %08lX\n", (unsigned long)sum);
 }
 
 int main(int argc, char **argv)
 {
-    static const char *const format_name[3] = {"rgb565", "xrgb8888", "gray8"};
+    static const struct {
+        const char *name;
+        const qtri_format *format;
+    } formats[3] = {{"rgb565", &qtri_rgb565}, {"xrgb8888", &qtri_xrgb8888}, {"gray8", &qtri_gray8}};
     static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
     const qtri_texture nearest = {
-        .texels = texels565, .format = QTRI_TEXEL_RGB565, .width_log2 = 3, .height_log2 = 3};
+        .texels = texels565, .format = &qtri_texel_rgb565, .width_log2 = 3, .height_log2 = 3};
     qtri_texture bilinear = nearest;
     qtri_texture wide = nearest;
-    bilinear.filter = QTRI_BILINEAR;
+    bilinear.filter = &qtri_bilinear;
     wide.texels = texels8888;
-    wide.format = QTRI_TEXEL_XRGB8888;
+    wide.format = &qtri_texel_xrgb8888;
     left_out = (const char *const *)&argv[1];
     left_out_count = argc - 1;
     make_meshes();
@@ -284,7 +237,7 @@ int main(int argc, char **argv)
         char name[80];
         int kind = i / 6;
         picture p = {.name = name,
-                     .format = (qtri_format)(i % 3),
+                     .format = formats[i % 3].format,
                      .material = qtri_material_default(),
                      .light = &sun,
                      .is_compact = i / 3 % 2,
@@ -335,7 +288,7 @@ int main(int argc, char **argv)
             break;
         case 8:
             what = "wireframe";
-            m->fill = QTRI_WIREFRAME;
+            m->fill = &qtri_wireframe;
             break;
         case 9:
             what = "always";
@@ -352,7 +305,7 @@ int main(int argc, char **argv)
             break;
         }
         (void)snprintf(name, sizeof name, "%s %s %s", what, p.is_compact ? "compact" : "wide",
-                       format_name[i % 3]);
+                       formats[i % 3].name);
         draw(&p);
     }
     return 0;

@@ -29,12 +29,11 @@ done
 gcc -o "$folder/$name/program" "$folder/$name"/*.o "$folder"/math/*.o
 END
 
-# A line `NAME OPTION...` for each library. One format must stay.
+# A line `NAME OPTION...` for each library.
 {
     echo whole
     for option in $all; do echo "$option $option"; done
-    echo nothing $(printf '%s\n' $all | grep -vx RGB565)
-    echo gray $(printf '%s\n' $all | grep -vx GRAY8)
+    echo nothing $all
     sed -n -e ':join' -e '/\\$/{N;s/\\\n *//;b join' -e '}' -e 's/^SIZE_LEFT_OUT_\([a-z]*\) *:= */\1 /p' host/bench/size.mk
 } >"$work/list"
 while read -r name options; do
@@ -49,5 +48,12 @@ while read -r name options; do
         status=1
     }
 done <"$work/list"
+# An application that is built otherwise than the library must not link.
+mkdir "$work/mixed"
+cp "$work/nothing"/*.o "$work/mixed" && cp "$work/whole/options.o" "$work/mixed"
+gcc -o "$work/mixed/program" "$work/mixed"/*.o "$work"/math/*.o 2>/dev/null && {
+    echo "an application with other options than its library was linked"
+    status=1
+}
 [ "$(sort -u "$work/whole.got" | wc -l)" -gt 60 ] || { echo "too few pictures"; status=1; }
 finish $status

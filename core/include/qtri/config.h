@@ -1,27 +1,13 @@
 /*
  * What the library is built with. Each option is 1, the default, or 0: left out, to save code.
  *
- * Options are for the command line of the compiler, -DQTRI_WITH_GRAY8=0, the same for all files of
- * the library and of the application. An option never changes what is left in: it draws the same
- * pixels to the bit. What is left out is an error where a function returns one, and otherwise has
- * the one result that stands beside the option.
+ * Options are for the command line of the compiler, -DQTRI_WITH_SMOOTH=0, the same for all files of
+ * the library and of the application: where they differ, linking fails. An option never changes what is left in: it draws the same
+ * pixels to the bit. What is left out has the one result that stands beside the option. What is
+ * chosen by a description, as formats and filters are, needs none: it is linked where it is named.
  */
 #ifndef QTRI_CONFIG_H
 #define QTRI_CONFIG_H
-
-/*
- * Formats of surfaces, at least one. qtri_surface_init and qtri_frame_init return QTRI_ERROR_OPTION
- * for others; nothing is drawn on a surface that is made otherwise.
- */
-#ifndef QTRI_WITH_RGB565
-#define QTRI_WITH_RGB565 1
-#endif
-#ifndef QTRI_WITH_XRGB8888
-#define QTRI_WITH_XRGB8888 1
-#endif
-#ifndef QTRI_WITH_GRAY8
-#define QTRI_WITH_GRAY8 1
-#endif
 
 /* Colours that vary over a triangle. Without: QTRI_SMOOTH is QTRI_FLAT_LAST. */
 #ifndef QTRI_WITH_SMOOTH
@@ -36,21 +22,6 @@
 /* Without: a material's texture is NULL. */
 #ifndef QTRI_WITH_TEXTURES
 #define QTRI_WITH_TEXTURES 1
-#endif
-
-/* Texels other than QTRI_TEXEL_RGB565. Without: a texture of them is none. */
-#ifndef QTRI_WITH_TEXEL_FORMATS
-#define QTRI_WITH_TEXEL_FORMATS 1
-#endif
-
-/* Without: QTRI_BILINEAR is QTRI_NEAREST. */
-#ifndef QTRI_WITH_BILINEAR
-#define QTRI_WITH_BILINEAR 1
-#endif
-
-/* Lines and QTRI_WIREFRAME. Without: they draw nothing. */
-#ifndef QTRI_WITH_LINES
-#define QTRI_WITH_LINES 1
 #endif
 
 /* Light by faces: of meshes without normals, and of flat ones. Without: they are not lit. */
@@ -85,7 +56,22 @@
 #define QTRI_WITH_FAST_PATHS 1
 #endif
 
-typedef char
-    qtri_some_format_required[QTRI_WITH_RGB565 || QTRI_WITH_XRGB8888 || QTRI_WITH_GRAY8 ? 1 : -1];
+/*
+ * A library and an application that are built with other options than each other do not link: what
+ * begins every picture has their options in its name, unless all are 1.
+ */
+#if !(QTRI_WITH_SMOOTH && QTRI_WITH_PERSPECTIVE && QTRI_WITH_TEXTURES && QTRI_WITH_FACE_LIGHT &&   \
+      QTRI_WITH_UNEVEN_LIGHT && QTRI_WITH_COMPACT_MESHES && QTRI_WITH_WIDE_MESHES &&               \
+      QTRI_WITH_FAST_PATHS)
+#define QTRI_OPTIONS_JOINED(name, a, b, c, d, e, f, g, h) name##_built_##a##b##c##d##e##f##g##h
+#define QTRI_OPTIONS_JOIN(name, a, b, c, d, e, f, g, h)                                            \
+    QTRI_OPTIONS_JOINED(name, a, b, c, d, e, f, g, h)
+#define QTRI_OPTIONS_NAMED(name)                                                                   \
+    QTRI_OPTIONS_JOIN(name, QTRI_WITH_SMOOTH, QTRI_WITH_PERSPECTIVE, QTRI_WITH_TEXTURES,           \
+                      QTRI_WITH_FACE_LIGHT, QTRI_WITH_UNEVEN_LIGHT, QTRI_WITH_COMPACT_MESHES,      \
+                      QTRI_WITH_WIDE_MESHES, QTRI_WITH_FAST_PATHS)
+#define qtri_surface_init QTRI_OPTIONS_NAMED(qtri_surface_init)
+#define qtri_frame_init   QTRI_OPTIONS_NAMED(qtri_frame_init)
+#endif
 
 #endif

@@ -15,8 +15,8 @@ enum qtri_error {
     QTRI_ERROR_MEMORY = -2,
     /* A display could not be reached: a bus function failed, or it stayed busy for too long. */
     QTRI_ERROR_BUS = -3,
-    /* An option of config.h leaves out of the library what was asked for. */
-    QTRI_ERROR_OPTION = -4
+    /* No format of pixels: NULL. */
+    QTRI_ERROR_FORMAT = -4
 };
 
 #ifndef QTRI_ASSERT

@@ -58,7 +58,8 @@ typedef struct qtri_fused qtri_fused;
 typedef struct qtri_format {
     const qtri_pixels *pixels;
     const qtri_colors *colors; /* the kind that encode takes */
-    /* Colours to stored pixels, in place; NULL: they are the same. */
+    /* Colours to stored pixels, in place, and up to three more: there is room for a multiple of
+       four. NULL: they are the same. */
     void (*encode)(uint32_t *color, int32_t count);
     /* A stored pixel as 0x00RRGGBB, full channels being 255. */
     uint32_t (*decode)(uint32_t stored);
@@ -71,6 +72,16 @@ extern const qtri_format qtri_rgb888;         /* three bytes: red, green, blue *
 extern const qtri_format qtri_bgr888;         /* three bytes: blue, green, red */
 extern const qtri_format qtri_xrgb8888;       /* uint32_t, 0x00RRGGBB */
 extern const qtri_format qtri_gray8;          /* uint8_t, luma .299 R + .587 G + .114 B */
+
+/*
+ * What a stored pixel means, for descriptions of one's own: where `decode` is one of these, copies
+ * and conversions know the format by it. bgr888 has that of xrgb8888.
+ */
+uint32_t qtri_decode_rgb565(uint32_t stored);
+uint32_t qtri_decode_rgb565_swapped(uint32_t stored);
+uint32_t qtri_decode_rgb888(uint32_t stored);
+uint32_t qtri_decode_xrgb8888(uint32_t stored);
+uint32_t qtri_decode_gray8(uint32_t stored);
 
 /* Bytes of a pixel, for memory of constant size: QTRI_BAND_BYTES(320, 16, QTRI_RGB565_BYTES). */
 enum {

@@ -2,8 +2,8 @@
  * Frames in bands: the rows of a picture a few at a time, so that 320x240 pixels with depth need
  * 20 KB and not 300.
  *
- *     static uint8_t memory[QTRI_FRAME_BYTES(320, 16, QTRI_RGB565)];
- *     qtri_frame_init(&frame, QTRI_RGB565, 320, 240, 16, memory, sizeof memory);
+ *     static uint8_t memory[QTRI_FRAME_BYTES(320, 16, QTRI_RGB565_BYTES)];
+ *     qtri_frame_init(&frame, &qtri_rgb565, 320, 240, 16, memory, sizeof memory);
  *     for (;;) {
  *         qtri_frame_begin(&frame);
  *         while (qtri_frame_next_band(&frame, &band)) {
@@ -41,7 +41,7 @@ extern "C" {
 
 /* In the caller's memory; to be read only. */
 typedef struct qtri_frame {
-    qtri_format format;
+    const qtri_format *format;
     int32_t width, height; /* pixels */
     int32_t rows;          /* of a band; the last one may have fewer */
     uint8_t *memory;
@@ -56,21 +56,21 @@ typedef struct qtri_frame {
 } qtri_frame;
 
 /* Memory for one buffer, and for two, whose bands share their depth: constant expressions. */
-#define QTRI_FRAME_BYTES(width, rows, format) QTRI_BAND_BYTES(width, rows, format)
-#define QTRI_FRAME_BYTES_DOUBLE(width, rows, format)                                               \
-    (QTRI_BAND_BYTES(width, rows, format) +                                                        \
-     (size_t)(width) * (size_t)(rows)*QTRI_FORMAT_BYTES(format) + 4u)
+#define QTRI_FRAME_BYTES(width, rows, pixel_bytes) QTRI_BAND_BYTES(width, rows, pixel_bytes)
+#define QTRI_FRAME_BYTES_DOUBLE(width, rows, pixel_bytes)                                          \
+    (QTRI_BAND_BYTES(width, rows, pixel_bytes) +                                                   \
+     (size_t)(width) * (size_t)(rows) * (size_t)(pixel_bytes) + 4u)
 
 /*
  * Bands of `rows` rows in `memory`: two buffers when bytes >= QTRI_FRAME_BYTES_DOUBLE, else one.
  * The frame begins, all of it changed.
  *
  * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX.
- * QTRI_ERROR_MEMORY: bytes < QTRI_FRAME_BYTES(width, rows, format).
- * QTRI_ERROR_OPTION: the library is built without the format.
+ * QTRI_ERROR_FORMAT: format is NULL.
+ * QTRI_ERROR_MEMORY: bytes < QTRI_FRAME_BYTES(width, rows, format->pixels->bytes).
  * After an error the frame has no bands.
  */
-enum qtri_error qtri_frame_init(qtri_frame *frame, qtri_format format, int32_t width,
+enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, int32_t width,
                                 int32_t height, int32_t rows, void *memory, size_t bytes);
 
 /*

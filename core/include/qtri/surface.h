@@ -13,23 +13,13 @@
 
 #include "config.h"
 #include "error.h"
+#include "format.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 #define QTRI_SURFACE_MAX 8192 /* largest width and height of a frame, pixels */
-
-typedef enum qtri_format {
-    QTRI_RGB565,   /* uint16_t, red in the high bits */
-    QTRI_XRGB8888, /* uint32_t, 0x00RRGGBB */
-    QTRI_GRAY8     /* uint8_t, luma .299 R + .587 G + .114 B */
-} qtri_format;
-
-/* 8 bits a channel. */
-typedef struct qtri_rgb {
-    uint8_t r, g, b;
-} qtri_rgb;
 
 /* Half-open: columns x0..x1-1, rows y0..y1-1. Empty when x1 <= x0 or y1 <= y0. */
 typedef struct qtri_rect {
@@ -41,29 +31,28 @@ typedef struct qtri_surface {
     ptrdiff_t pitch;       /* bytes from a row to the next; negative for bottom-up memory */
     uint16_t *depth;       /* depth of (0, first_row), or NULL: no depth test, no depth written */
     ptrdiff_t depth_pitch; /* elements from a row to the next */
-    qtri_format format;
-    int32_t width, height;   /* of the frame, 1..QTRI_SURFACE_MAX */
-    int32_t first_row, rows; /* the rows that this memory holds */
-    qtri_rect scissor;       /* drawing and clearing stay inside; set to the frame at first */
+    const qtri_format *format; /* NULL: nothing is drawn, pixels are black */
+    int32_t width, height;     /* of the frame, 1..QTRI_SURFACE_MAX */
+    int32_t first_row, rows;   /* the rows that this memory holds */
+    qtri_rect scissor;         /* drawing and clearing stay inside; set to the frame at first */
 } qtri_surface;
 
-/* Bytes of one pixel. */
-#define QTRI_FORMAT_BYTES(format)                                                                  \
-    ((format) == QTRI_XRGB8888 ? 4u : (format) == QTRI_RGB565 ? 2u : 1u)
-
-/* Memory for `rows` rows of colour and depth, with room to align: a constant expression. */
-#define QTRI_BAND_BYTES(width, rows, format)                                                       \
-    ((size_t)(width) * (size_t)(rows) * (QTRI_FORMAT_BYTES(format) + 2u) + 8u)
+/*
+ * Memory for `rows` rows of colour and depth, with room to align: a constant expression, with
+ * QTRI_RGB565_BYTES and the like, or format->pixels->bytes.
+ */
+#define QTRI_BAND_BYTES(width, rows, pixel_bytes)                                                  \
+    ((size_t)(width) * (size_t)(rows) * ((size_t)(pixel_bytes) + 2u) + 8u)
 
 /*
  * Lays out rows first_row .. first_row+rows-1 of a width x height frame in `memory` of `bytes`
  * bytes, colour first, then depth. Nothing is cleared. The band may reach past the frame's end;
  * the surface then holds the rows that exist.
  * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX, or first_row outside the frame.
- * QTRI_ERROR_MEMORY: bytes < QTRI_BAND_BYTES(width, rows, format).
- * QTRI_ERROR_OPTION: the library is built without the format.
+ * QTRI_ERROR_FORMAT: format is NULL.
+ * QTRI_ERROR_MEMORY: bytes < QTRI_BAND_BYTES(width, rows, format->pixels->bytes).
  */
-enum qtri_error qtri_surface_init(qtri_surface *surface, qtri_format format, int32_t width,
+enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *format, int32_t width,
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
                                   size_t bytes);
 
@@ -73,8 +62,8 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
 /* The pixel's colour widened to 8 bits a channel; black outside the rows held. */
 qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y);
 
-/* The rectangle that drawing may touch: frame, rows held and scissor; 0 0 0 0 when that is empty.
- */
+/* The rectangle that drawing may touch: frame, rows held and scissor; 0 0 0 0 when that is empty,
+   or there is no format. */
 qtri_rect qtri_surface_bounds(const qtri_surface *surface);
 
 #ifdef __cplusplus

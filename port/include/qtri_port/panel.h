@@ -67,7 +67,8 @@ typedef enum qtri_byte_order {
     QTRI_ORDER_BIG,    /* high byte first: what controllers on a bus of bytes expect */
     QTRI_ORDER_LITTLE, /* low byte first */
     QTRI_ORDER_NATIVE  /* as this machine stores a uint16_t: framebuffers; buses that send words.
-                          RGB565 surfaces then go out without a copy: see qtri_panel_finish */
+                          rgb565 surfaces then go out without a copy, and rgb565_swapped ones
+                          where the order is the other: see qtri_panel_finish */
 } qtri_byte_order;
 
 #define QTRI_STEP_PARAMETERS 15
@@ -172,10 +173,11 @@ int32_t qtri_panel_height(const qtri_panel *panel);
 /*
  * Sends the rows that the surface holds, whatever its scissor. With DMA it returns while the last
  * part is on its way: the surface may be drawn into at once, except for surfaces that go out
- * without a copy (RGB565 to RGB565 in native order, over a bus); those wait for qtri_panel_finish,
- * or there is a second band to draw into meanwhile.
+ * without a copy (over a bus: rgb565 to RGB565 in native order, rgb565_swapped to the other order);
+ * those wait for qtri_panel_finish, or there is a second band to draw into meanwhile.
  *
  * QTRI_ERROR_SIZE: the surface's frame is not the panel's.
+ * QTRI_ERROR_FORMAT: the surface has no format.
  * QTRI_ERROR_MEMORY: as for qtri_panel_write_rect.
  * QTRI_ERROR_BUS: the bus failed.
  */

@@ -1,0 +1,174 @@
+#include "row.h"
+
+#include <stddef.h>
+
+#include "../bits/bits.h"
+#include "row16.h"
+
+/*
+ * The smallest exponent wins: m keeps 30 bits of the largest linear element, t at most 60 bits.
+ * |wide m| < 2^62, so a shift of 32 leaves |m| <= 2^30 after rounding, and 2 leave |t| <= 2^60.
+ */
+void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4])
+{
+    int32_t exponent = INT32_MAX;
+    for (int i = 0; i < 4; i++) {
+        int32_t own = element[i].e - (i < 3 ? 32 : 18);
+        if (element[i].m != 0 && own < exponent) {
+            exponent = own;
+        }
+    }
+    if (exponent == INT32_MAX) {
+        exponent = 0; /* a row of zeros */
+    }
+    row->exponent = exponent;
+    for (int i = 0; i < 4; i++) {
+        int32_t shift = element[i].e - exponent - (i < 3 ? 0 : 16);
+        int64_t rounded = qtri_shift_round(element[i].m, shift);
+        if (i < 3) {
+            row->m[i] = (int32_t)rounded;
+        } else {
+            row->t = rounded;
+        }
+    }
+}
+
+void qtri_row_from_two(qtri_row *row, int i, const qtri_wide *x, int j, const qtri_wide *y)
+{
+    qtri_wide element[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    element[i] = *x;
+    element[j] = *y;
+    qtri_row_from_wide(row, element);
+}
+
+qtri_wide qtri_row_element(const qtri_row *row, int column)
+{
+    if (column < 3) {
+        return qtri_wide_make(row->m[column], row->exponent);
+    }
+    /* A row of random bits must not overflow; qtri_wide_make makes 0 of such exponents. */
+    return qtri_wide_make(row->t, row->exponent > INT32_MAX - 16 ? INT32_MAX : row->exponent + 16);
+}
+
+void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide point[3],
+                    const qtri_wide *image)
+{
+    qtri_wide element[4] = {axis[0], axis[1], axis[2], {0, 0}};
+    /* A large translation costs the axis bits: the first pass finds the exponent, the second t. */
+    for (int pass = 0; pass < 2; pass++) {
+        if (image != NULL) {
+            element[3] = *image;
+        } else {
+            qtri_wide_set(&element[3], 0, 0);
+        }
+        for (int column = 0; column < 3; column++) {
+            qtri_wide_sub_product(&element[3], &element[column], &point[column]);
+        }
+        qtri_row_from_wide(row, element);
+        for (int column = 0; column < 3; column++) {
+            element[column] = qtri_row_element(row, column);
+        }
+    }
+}
+
+/*
+ * Sums of rows: the product of two transforms, and the viewport. In 64 bits, which is a tenth of
+ * the work that wide scalars make of it; those serve what does not fit.
+ */
+
+/*
+ * floor(m t 2^-shift) for |m| <= 2^30, |t| < 2^61 and 1 <= shift; false when it is not below 2^60.
+ * The product is middle 2^32 + low.
+ */
+static bool scaled_product(int64_t *out, int32_t m, int64_t t, int32_t shift)
+{
+    int32_t t_low = (int32_t)(uint32_t)((uint64_t)t & UINT32_MAX);
+    int64_t low = qtri_mul_s32(m, t_low);
+    int64_t middle = qtri_mul_s32(m, (int32_t)(t >> 32)) + (low >> 32); /* < 2^59 + 2^30 */
+    middle += t_low < 0 ? m : 0; /* t_low stands for t_low + 2^32 */
+    if (shift >= 32) {
+        *out = middle >> (shift > 94 ? 62 : shift - 32);
+        return true;
+    }
+    int64_t beyond = middle >> (28 + shift);
+    *out = (int64_t)((uint64_t)middle << (32 - shift) | ((uint64_t)low & UINT32_MAX) >> shift);
+    return beyond == 0 || beyond == -1;
+}
+
+/* Adds t 2^-shift, rounded down, where that is below 2^60. */
+static bool add_shifted(int64_t *sum, int64_t t, int32_t shift)
+{
+    if (shift < 0) {
+        int32_t spare = qtri_clz64(qtri_magnitude64(t) | 1u) - 4;
+        if (-shift > spare) {
+            return t == 0;
+        }
+        *sum += t * ((int64_t)1 << -shift);
+        return true;
+    }
+    *sum += t >> (shift > 63 ? 63 : shift);
+    return qtri_magnitude64(t) >> 60 == 0 || shift > 0;
+}
+
+bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t factor[], int count,
+                      int32_t exponent, int64_t t)
+{
+    int32_t least = INT32_MAX;
+    for (int k = 0; k < count; k++) {
+        if (factor[k] != 0 && row[k]->exponent < least) {
+            least = row[k]->exponent;
+        }
+    }
+    if (least == INT32_MAX) {
+        return false; /* every factor is 0 */
+    }
+    int64_t sum[3] = {0, 0, 0};
+    for (int k = 0; k < count; k++) {
+        int32_t shift = row[k]->exponent - least;
+        for (int j = 0; j < 3 && factor[k] != 0; j++) {
+            int64_t product = qtri_mul_s32(factor[k], row[k]->m[j]);
+            sum[j] += shift == 0 ? product : product >> (shift > 63 ? 63 : shift); /* < 3 2^60 */
+        }
+    }
+    uint64_t size = qtri_magnitude64(sum[0]) | qtri_magnitude64(sum[1]) | qtri_magnitude64(sum[2]);
+    int32_t down = 34 - qtri_clz64(size | 1u); /* leaves 30 bits */
+    if (down < 16) {
+        return false; /* below 2^45: what was cut off could show in 30 bits */
+    }
+    qtri_row result;
+    result.exponent = exponent + least - down;
+    result.t = 0;
+    if (!add_shifted(&result.t, t, down - least)) {
+        return false;
+    }
+    for (int k = 0; k < count; k++) {
+        int64_t product = 0;
+        if (factor[k] != 0 &&
+            !scaled_product(&product, factor[k], row[k]->t, row[k]->exponent - least + down)) {
+            return false;
+        }
+        result.t += product; /* <= 4 2^60 */
+    }
+    if (qtri_magnitude64(result.t) >> 61 != 0) {
+        return false;
+    }
+    for (int j = 0; j < 3; j++) {
+        result.m[j] = (int32_t)qtri_shift_round(sum[j], down);
+    }
+    *out = result;
+    return true;
+}
+
+void qtri_row_mul(qtri_row *out, const qtri_row *a, const qtri_transform *b)
+{
+    qtri_wide element[4];
+    for (int j = 0; j < 4; j++) {
+        qtri_wide_set(&element[j], 0, 0);
+        for (int k = 0; k < 4; k++) {
+            const qtri_wide left = qtri_row_element(a, k);
+            const qtri_wide right = qtri_row_element(&b->row[k], j);
+            qtri_wide_add_product(&element[j], &left, &right);
+        }
+    }
+    qtri_row_from_wide(out, element);
+}

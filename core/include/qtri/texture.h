@@ -1,0 +1,100 @@
+/*
+ * Textures: texels in memory or computed, how they become colours, and what lies beyond them.
+ *
+ * A format of texels is a description, chosen by its address, as those of surfaces are: see
+ * format.h. One of one's own is such constant data in one's own file.
+ */
+#ifndef QTRI_TEXTURE_H
+#define QTRI_TEXTURE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "format.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct qtri_texture qtri_texture;
+
+/* The stages of textures, for all formats of texels. */
+typedef struct qtri_texturing qtri_texturing;
+extern const qtri_texturing qtri_texturing_stages;
+
+typedef struct qtri_texel_format {
+    const qtri_texturing *texturing; /* &qtri_texturing_stages */
+    const qtri_colors *colors; /* what decode gives: &qtri_colors_565 or &qtri_colors_888 */
+    uint32_t key_mask;         /* the bits of a stored texel that are compared with the key */
+    uint8_t bytes; /* 2: texels are uint16_t by their numbers, read without fetch where that is
+                      quicker; 0: whatever fetch does */
+    /* Whether the texture has what reading needs. Without, it is no texture. */
+    bool (*usable)(const qtri_texture *texture);
+    /*
+     * Numbers of texels, (row << width_log2) + column, become stored texels, in place, and up to
+     * three more: there is room for a multiple of four, filled with numbers of texels.
+     */
+    void (*fetch)(uint32_t *texel, const qtri_texture *texture, int32_t count);
+    /* Stored texels become colours, in place, and up to three more; NULL: they are. */
+    void (*decode)(uint32_t *texel, const qtri_texture *texture, int32_t count);
+} qtri_texel_format;
+
+extern const qtri_texel_format qtri_texel_rgb565;   /* texels: const uint16_t * */
+extern const qtri_texel_format qtri_texel_xrgb8888; /* texels: const uint32_t * */
+extern const qtri_texel_format qtri_texel_checker;  /* two colours, no memory: see fields */
+extern const qtri_texel_format qtri_texel_palette8; /* texels: const uint8_t *, palette entries */
+extern const qtri_texel_format qtri_texel_gray8;    /* texels: const uint8_t *, white is 255 */
+
+/* What lies outside of 0..1. */
+typedef enum qtri_wrap {
+    QTRI_REPEAT, /* the texture again */
+    QTRI_CLAMP   /* its first or last column or row */
+} qtri_wrap;
+
+/* NULL: nearest, the texel that the coordinates lie in. */
+typedef struct qtri_filter qtri_filter;
+extern const qtri_filter qtri_bilinear; /* the four whose centres lie around them, weighted */
+
+/*
+ * u = v = 0 is the first texel's first corner, u = 1 and v = 1 one past the last column and row;
+ * the first texel's centre is half a texel on. Sides are powers of two. What an initialiser leaves
+ * out is zero: repeated, nearest, without a key.
+ *
+ * Bilinear weights have 8 bits, rounded to nearest, and their sum of colours is rounded once, with
+ * the pixel. A weight is off by 1/512 at most, and by what the coordinate is off: the colour by the
+ * difference of neighbouring texels times that, in either direction, so by 1 of 255 where black
+ * meets white.
+ *
+ * A texel that equals the key is not drawn, neither its colour nor its depth. Compared is what is
+ * stored: 16 bits, the low 24 bits of xrgb8888, the number of a palette entry, a gray level, 0 or 1
+ * for checker's colours. So a palette may hold the key's colour once more, opaque. What bilinear
+ * filtering draws is decided by the nearest texel: the same pixels as without the filter. There
+ * the nearest texel also stands in for those of the four that equal the key, whose colour is seen
+ * nowhere.
+ *
+ * Coordinates are interpolated as they are and clamped at each pixel, so that a clamped texture may
+ * lie anywhere on a large triangle. 30 bits hold a triangle's range of coordinates, from the whole
+ * repeat below the least: below 16 repeats of 1024 texels in steps of 2^-16 of a texel, below 32768
+ * in steps of 1/32.
+ */
+struct qtri_texture {
+    const void *texels; /* row by row without gaps; NULL for checker, elsewhere: no texture */
+    const qtri_texel_format *format; /* NULL: no texture */
+    uint8_t width_log2, height_log2; /* 0..10: sides 1..1024; more is taken as 10 */
+    /* checker: fields x fields fields over the texture, colour[(column + row) & 1]. */
+    uint16_t fields;
+    qtri_rgb color[2];
+    qtri_wrap wrap_u, wrap_v; /* anything but CLAMP repeats */
+    const qtri_filter *filter;
+    /* palette8: 256 entries; NULL: no texture. 8 bits a channel as all colours, on gray8 and
+       xrgb8888 surfaces too; 256 bytes more than RGB565, and nothing to widen for a pixel. */
+    const qtri_rgb *palette;
+    bool has_key;
+    uint32_t key; /* the stored texel that is not drawn, if has_key */
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

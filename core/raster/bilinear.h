@@ -1,0 +1,18 @@
+/*
+ * What a filter is. Internal.
+ */
+#ifndef QTRI_RASTER_BILINEAR_H
+#define QTRI_RASTER_BILINEAR_H
+
+#include "raster.h"
+
+struct qtri_filter {
+    /*
+     * Colours of the kind that the raster works in from coordinates, u in place. Returns the mask
+     * of those that are drawn: all without a key.
+     */
+    uint32_t (*sample)(const qtri_raster *raster, const qtri_texel_axis axis[2], uint32_t *u,
+                       const uint32_t *v, int32_t count);
+};
+
+#endif

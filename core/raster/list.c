@@ -1,0 +1,338 @@
+#include "list.h"
+
+#include "../geometry/projector.h"
+#include "list_values.h"
+#include "textured.h"
+
+/* Rows on their way into the batch. */
+typedef struct list_rows {
+    const uint8_t *span;
+    uint32_t place; /* of the base column in this row */
+    uint32_t z;     /* there, 16.16 */
+    ptrdiff_t depth_at; /* its depth's place in memory: may be left of a row */
+    qtri_ramp depth;
+} list_rows;
+
+static void begin(list_rows *r, const qtri_raster *raster, const qtri_place *p,
+                  const qtri_list_values *v)
+{
+    const qtri_surface *surface = raster->surface;
+    r->span = p->first;
+    r->place = ((uint32_t)p->row << 16) + (uint32_t)p->column;
+    r->z = 0;
+    r->depth_at = 0;
+    if (raster->compare != QTRI_DEPTH_OFF) {
+        qtri_place_depth(&r->depth, p, &v->inverse, v->t->v[0], v->t->v[v->second],
+                         v->t->v[v->third]);
+        r->z = qtri_list_at(&r->depth, (uint32_t)p->column, (uint32_t)p->row);
+        r->depth_at = (ptrdiff_t)p->row * surface->depth_pitch + p->column;
+    }
+}
+
+/*
+ * Appends fragments of rows as long as there is room for a whole one. False at the end of the
+ * triangle. PIXELS(x, end) are those of a row.
+ */
+#define APPEND_ROWS                                                                                \
+    uint32_t *next = batch->place + batch->count;                                                  \
+    const uint32_t *const stop = batch->place + QTRI_BATCH;                                        \
+    const uint8_t *span = r->span;                                                                 \
+    bool more = false;                                                                             \
+    for (;; span += 2) {                                                                           \
+        const uint32_t x = span[0];                                                                \
+        const uint32_t end = span[1];                                                              \
+        if (x < end) {                                                                             \
+            if (next + (end - x) > stop) {                                                         \
+                more = true;                                                                       \
+                break;                                                                             \
+            }                                                                                      \
+            PIXELS                                                                                 \
+        } else if (x == QTRI_PLACE_STOP) {                                                         \
+            break;                                                                                 \
+        }                                                                                          \
+        NEXT_ROW                                                                                   \
+    }                                                                                              \
+    r->span = span;                                                                                \
+    batch->count = (uint8_t)(next - batch->place);                                                 \
+    return more;
+
+/* Without depth. */
+static bool append_all(list_rows *r, qtri_batch *batch)
+{
+#define PIXELS                                                                                     \
+    for (uint32_t at = r->place + x; at != r->place + end; at++) {                                 \
+        *next++ = at;                                                                              \
+    }
+#define NEXT_ROW r->place += (uint32_t)1 << 16;
+    APPEND_ROWS
+#undef PIXELS
+#undef NEXT_ROW
+}
+
+#define NEXT_ROW                                                                                   \
+    r->place += (uint32_t)1 << 16;                                                                 \
+    r->z += r->depth.dy;                                                                           \
+    r->depth_at += surface->depth_pitch;
+
+/* Depth less, written. */
+static bool append_less(list_rows *r, qtri_batch *batch, const qtri_surface *surface)
+{
+    uint32_t step = r->depth.dx;
+#define PIXELS                                                                                     \
+    uint32_t z = r->z + x * step;                                                                  \
+    uint32_t at = r->place + x;                                                                    \
+    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                                               \
+    const uint16_t *const row_end = depth + (end - x);                                               \
+    do {                                                                                           \
+        if (z >> 16 < *depth) {                                                                    \
+            QTRI_BRANCH                                                                            \
+            *depth = (uint16_t)(z >> 16);                                                          \
+            *next++ = at;                                                                          \
+        }                                                                                          \
+        z += step;                                                                                 \
+        at++;                                                                                      \
+        depth++;                                                                                   \
+        QTRI_OPAQUE(depth)                                                                         \
+        QTRI_ASIDE(step)                                                                           \
+    } while (depth != row_end);
+    APPEND_ROWS
+#undef PIXELS
+}
+
+/* Any comparison: `passes` has bits for less, equal, greater. */
+static bool append_passing(list_rows *r, qtri_batch *batch, const qtri_surface *surface, uint32_t passes,
+                           bool write)
+{
+#define PIXELS                                                                                     \
+    uint32_t z = r->z + x * r->depth.dx;                                                           \
+    uint32_t at = r->place + x;                                                                    \
+    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                                               \
+    const uint16_t *const row_end = depth + (end - x);                                               \
+    do {                                                                                           \
+        const uint32_t top = z >> 16;                                                              \
+        const uint32_t stored = *depth;                                                            \
+        const uint32_t order = top < stored ? 1 : (top == stored ? 2 : 4);                         \
+        if ((passes & order) != 0) {                                                               \
+            QTRI_BRANCH                                                                            \
+            if (write) {                                                                           \
+                *depth = (uint16_t)top;                                                            \
+            }                                                                                      \
+            *next++ = at;                                                                          \
+        }                                                                                          \
+        z += r->depth.dx;                                                                          \
+        at++;                                                                                      \
+        depth++;                                                                                   \
+    } while (depth != row_end);
+    APPEND_ROWS
+#undef PIXELS
+}
+
+/* `late`: depths are written with the pixels. */
+static bool append(list_rows *r, const qtri_raster *raster, bool late)
+{
+    const qtri_surface *surface = raster->surface;
+    qtri_batch *batch = raster->batch;
+    if (raster->compare == QTRI_DEPTH_OFF) {
+        return append_all(r, batch);
+    }
+    const bool write = raster->depth_write && !late;
+    if (raster->compare == QTRI_LESS && write) {
+        return append_less(r, batch, surface);
+    }
+    const uint32_t passes =
+        raster->compare > QTRI_ALWAYS ? 7 : (uint32_t)raster->compare - QTRI_NEVER;
+    return append_passing(r, batch, surface, passes, write);
+}
+
+/* Light becomes its share of the tint: within .75 of a step of RGB565, .63 of 255. */
+static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count)
+{
+    for (const uint32_t *end = color + count; color != end; color++) {
+        *color = qtri_raster_tinted(raster, *color, raster->units->light_bits);
+    }
+}
+
+/* The stages of what is in the batch. depth: where texels may be turned away, see the mask there. */
+static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *depth)
+{
+    qtri_batch *batch = raster->batch;
+    const qtri_format *format = raster->format;
+    int32_t count = batch->count;
+    batch->count = 0;
+    if (raster->texture != NULL) {
+        count = raster->texturing->finish_list(raster, count, mask, depth);
+        if (count == 0) {
+            return;
+        }
+    } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
+        share_tint(raster, batch->color, count);
+    }
+    if (format->encode != NULL) {
+        format->encode(batch->color, count);
+    }
+    format->pixels->scatter(raster->surface->pixels, raster->surface->pitch, batch->place,
+                            batch->color, count);
+}
+
+void qtri_list_flush(const qtri_raster *raster)
+{
+    if (raster->batch->count != 0) {
+        finish(raster, UINT32_MAX, NULL);
+    }
+}
+
+/* The one colour of an untextured triangle. */
+static uint32_t flat_color(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    return t->color != NULL ? raster->format->colors->pack(t->color[qtri_raster_provoking(raster)])
+                            : qtri_raster_tinted(raster, t->light_q15, 15);
+}
+
+/* The same of a textured one, as a shade. */
+static uint32_t flat_shade(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    return qtri_shade_of(t->color[qtri_raster_provoking(raster)]);
+}
+
+/* Colours; returns what the words are. */
+static uint8_t set_colors(qtri_list_values *v)
+{
+    const qtri_raster *raster = v->raster;
+    const qtri_list_triangle *t = v->t;
+    const bool smooth = QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH;
+    const qtri_colors *colors = raster->format->colors;
+    const uint8_t now = raster->batch->kind;
+    if (raster->texture == NULL) {
+        if (t->color == NULL && smooth && t->light_q15 == QTRI_VERTEX_UNLIT) {
+            qtri_list_set_light(v, 22u - colors->light_bits);
+            return QTRI_LIST_TINT_SHARES;
+        }
+        v->channels = 0;
+        if (smooth && t->color != NULL) {
+            qtri_list_set_channels(v, 16);
+        }
+        if (v->channels == 0) {
+            v->constant = flat_color(raster, t);
+        }
+        return QTRI_LIST_COLORS;
+    }
+    v->channels = 0;
+    if (raster->replace) {
+        return QTRI_LIST_TEXELS;
+    }
+    if (t->color == NULL) {
+        qtri_list_set_light(v, 12);
+        return now != QTRI_LIST_LIT_TEXELS && v->channels == 0 && v->constant == 1024 &&
+                       raster->white
+                   ? QTRI_LIST_TEXELS
+                   : QTRI_LIST_LIT_TEXELS;
+    }
+    if (smooth) {
+        qtri_list_set_channels(v, 14);
+    }
+    if (v->channels == 0) {
+        v->constant = flat_shade(raster, t);
+        if (v->constant == QTRI_SHADE_WHITE && now != QTRI_LIST_RGB_TEXELS) {
+            return QTRI_LIST_TEXELS;
+        }
+    }
+    return QTRI_LIST_RGB_TEXELS;
+}
+
+/* The words of fragments first..count - 1. Returns the mask of those that are drawn. */
+static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t count)
+{
+    const qtri_raster *raster = v->raster;
+    qtri_batch *batch = raster->batch;
+    const uint32_t *place = batch->place + first;
+    uint32_t *color = batch->color + first;
+    uint32_t *shade = batch->by.shade + first;
+    uint32_t mask = UINT32_MAX;
+    count -= first;
+    if (raster->texture != NULL) {
+        mask = raster->texturing->color_list(v, color, shade, place, count);
+    }
+    switch (batch->kind) {
+    case QTRI_LIST_COLORS:
+        qtri_list_words(v, color, place, count, 16, raster->format->colors->red,
+                        raster->format->colors->green);
+        break;
+    case QTRI_LIST_TINT_SHARES:
+        qtri_list_words(v, color, place, count, 22u - raster->format->colors->light_bits, 0, 0);
+        break;
+    case QTRI_LIST_LIT_TEXELS:
+        qtri_list_words(v, shade, place, count, 12, 0, 0);
+        break;
+    case QTRI_LIST_RGB_TEXELS:
+        qtri_list_words(v, shade, place, count, 14, QTRI_SHADE_RED, QTRI_SHADE_GREEN);
+        break;
+    default:
+        break;
+    }
+    return mask;
+}
+
+QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    const bool late = raster->texture != NULL && raster->texture->has_key;
+    qtri_batch *batch = raster->batch;
+    qtri_list_values v;
+    list_rows r;
+    bool more;
+    bool set = false;
+    v.raster = raster;
+    v.t = t;
+    v.second = t->place->back ? 2 : 1;
+    v.third = t->place->back ? 1 : 2;
+    v.has_e = false;
+    t->place->x -= t->place->column * 256;
+    t->place->y -= t->place->row * 256;
+    qtri_inverse_init(&v.inverse, t->place->size);
+    begin(&r, raster, t->place, &v);
+    const uint8_t kind = set_colors(&v);
+    if (kind != batch->kind) {
+        qtri_list_flush(raster);
+        batch->kind = kind;
+    }
+    do {
+        const int32_t first = batch->count;
+        more = append(&r, raster, late);
+        if (batch->count != first) {
+            if (!set && raster->texture != NULL) {
+                raster->texturing->set_list(&v);
+            }
+            set = true;
+            const uint32_t mask = set_words(&v, first, batch->count);
+            if (late) {
+                finish(raster, mask, &r.depth);
+            }
+        }
+        if (more) {
+            qtri_list_flush(raster);
+        }
+    } while (more);
+    if (batch->count > 16) {
+        qtri_list_flush(raster);
+    }
+}
+
+void qtri_list_attributes(const qtri_raster *raster, qtri_place *place,
+                          const qtri_vertex *const v[3], const qtri_attributes attributes[3])
+{
+    int32_t color[3][3];
+    qtri_coordinates uv[2];
+    const qtri_list_triangle t = {
+        place, {v[0], v[1], v[2]}, (const int32_t(*)[3])color, QTRI_VERTEX_UNLIT, uv};
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            color[i][k] = attributes[i].color[k];
+        }
+    }
+    if (raster->texture != NULL) {
+        const int64_t u_q32[3] = {attributes[0].u_q32, attributes[1].u_q32, attributes[2].u_q32};
+        const int64_t v_q32[3] = {attributes[0].v_q32, attributes[1].v_q32, attributes[2].v_q32};
+        qtri_coordinates_set(&uv[0], u_q32);
+        qtri_coordinates_set(&uv[1], v_q32);
+    }
+    qtri_list_draw(raster, &t);
+}

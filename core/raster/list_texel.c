@@ -1,0 +1,253 @@
+#include "bilinear.h"
+#include "list_values.h"
+#include "texel_copy.h"
+#include "texel_number.h"
+#include "textured.h"
+
+void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
+{
+    const int64_t limit = (int64_t)1 << 48;
+    int64_t offset[3];
+    uint64_t all = 0;
+    for (int i = 0; i < 3; i++) {
+        offset[i] = at_q32[i] < -limit ? -limit : (at_q32[i] > limit ? limit : at_q32[i]);
+    }
+    out->repeats = (int32_t)(offset[0] >> 32);
+    for (int i = 0; i < 3; i++) {
+        offset[i] -= (int64_t)out->repeats * ((int64_t)1 << 32); /* < 2^50 */
+        all |= qtri_magnitude64(offset[i]);
+    }
+    int32_t down = 34 - qtri_clz64(all); /* to below 2^30 */
+    down = down < 2 ? 2 : down;
+    out->fraction = 32 - down;
+    for (int i = 0; i < 3; i++) {
+        out->at[i] = (int32_t)(offset[i] >> down);
+    }
+}
+
+enum {
+    KEPT = 15,   /* bits of the larger difference */
+    TEXEL = 18,  /* of a texel's fraction, where coordinates do not fill 32 bits */
+    UP = QTRI_PLACE_DOWN
+};
+
+/* Added to coordinates, so that those somewhat below 0 can be shifted; a multiple of the side. */
+#define ABOVE_ZERO ((uint32_t)1 << 30)
+
+/*
+ * A coordinate's differences with KEPT bits, times 1 + e, their fraction held to `most`. Returns the
+ * fraction of what comes out.
+ */
+static inline int32_t differences(int32_t f[2], const qtri_list_values *v,
+                                  const qtri_coordinates *c, int32_t most)
+{
+    const int32_t d1 = c->at[v->second] - c->at[0];
+    const int32_t d2 = c->at[v->third] - c->at[0];
+    int32_t up = qtri_clz32(qtri_about(d1) | qtri_about(d2)) - (32 - KEPT); /* -16..15 */
+    up = qtri_least32(up, most - c->fraction); /* >= -23 */
+    if (up >= 0) {
+        f[0] = d1 * ((int32_t)1 << up);
+        f[1] = d2 * ((int32_t)1 << up);
+    } else {
+        const int32_t half = (int32_t)1 << (-up - 1);
+        f[0] = (d1 + half) >> -up;
+        f[1] = (d2 + half) >> -up;
+    }
+    f[0] = qtri_list_scaled(f[0], v->e1_q18);
+    f[1] = qtri_list_scaled(f[1], v->e2_q18);
+    return c->fraction + up;
+}
+
+/*
+ * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter, edges
+ * are nothing special.
+ */
+static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
+{
+    return shift > 10 && v->raster->texture->filter == NULL ? (uint32_t)1 << (shift - 10) : 0;
+}
+
+/*
+ * Coordinates that fill 32 bits. `unit`: bits of a repeat's fraction, at least 17; `shift`: of a
+ * texel's.
+ */
+static inline void fill_axis(qtri_list_axis *out, const qtri_list_values *v, const qtri_place *p,
+                             const qtri_coordinates *c, int32_t unit, int32_t shift)
+{
+    int32_t f[2];
+    const int32_t fraction = differences(f, v, c, unit - UP);
+    const int32_t up = unit - c->fraction;
+    const int32_t at = c->at[0];
+    qtri_place_ramp(&out->l, p, &v->inverse, 0, f[0], f[1]);
+    out->up = unit - UP - fraction;
+    out->at = (up >= 0 ? (uint32_t)at << up : (uint32_t)(at >> -up)) + bias_of(v, shift);
+}
+
+/*
+ * Coordinates of which whole columns or rows are looked at: in texels, from the whole repeat of
+ * vertex 0 on. The others are less than 2^(KEPT + 1 - fraction) repeats away: with the shift below
+ * by less than 2^30.
+ */
+static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_list_values *v,
+                       const qtri_coordinates *c, uint8_t side_log2, bool clamped)
+{
+    int32_t f[2];
+    side_log2 = side_log2 > 10 ? 10 : side_log2;
+    const int32_t fraction = differences(f, v, c, side_log2 + TEXEL - UP);
+    const int32_t shift = qtri_least32(TEXEL, 29 - KEPT + fraction - side_log2); /* >= 1 */
+    const int32_t base = c->at[0] >> c->fraction;
+    const int32_t up = side_log2 + shift - c->fraction;
+    const uint32_t rest = (uint32_t)c->at[0] & (((uint32_t)1 << c->fraction) - 1);
+    axis->side_log2 = side_log2;
+    axis->texel_shift = (uint8_t)shift;
+    axis->clamped = clamped;
+    axis->mask = (uint16_t)((1u << side_log2) - 1);
+    axis->first = (int32_t)(ABOVE_ZERO >> shift) - (base + c->repeats) * ((int32_t)1 << side_log2);
+    out->up = side_log2 + shift - UP - fraction;
+    out->at = ABOVE_ZERO + bias_of(v, shift) + (up >= 0 ? rest << up : rest >> -up);
+    qtri_place_ramp(&out->l, v->t->place, &v->inverse, 0, f[0], f[1]);
+}
+
+void qtri_list_set_texels(qtri_list_values *v)
+{
+    const qtri_raster *raster = v->raster;
+    const qtri_texture *texture = raster->texture;
+    const qtri_coordinates *uv = v->t->uv;
+    qtri_list_find_e(v);
+    if (!raster->repeated) {
+        clamp_axis(&v->uv[0], &v->axis[0], v, &uv[0], texture->width_log2,
+                   texture->wrap_u == QTRI_CLAMP);
+        clamp_axis(&v->uv[1], &v->axis[1], v, &uv[1], texture->height_log2,
+                   texture->wrap_v == QTRI_CLAMP);
+        return;
+    }
+    const qtri_place place = *v->t->place;
+    const int32_t shift[2] = {qtri_texel_copy_shift(texture, 0), qtri_texel_copy_shift(texture, 1)};
+    fill_axis(&v->uv[0], v, &place, &uv[0], 32, shift[0]);
+    fill_axis(&v->uv[1], v, &place, &uv[1], shift[1] + texture->height_log2, shift[1]);
+    if (texture->filter != NULL) {
+        for (int i = 0; i < 2; i++) {
+            v->axis[i].side_log2 = i == 0 ? texture->width_log2 : texture->height_log2;
+            v->axis[i].texel_shift = (uint8_t)shift[i];
+            v->axis[i].clamped = false;
+            v->axis[i].mask = (uint16_t)((1u << v->axis[i].side_log2) - 1);
+        }
+    }
+}
+
+static inline uint32_t coordinate(const qtri_list_axis *axis, uint32_t x, uint32_t y, int32_t w)
+{
+    const int32_t l = (int32_t)qtri_list_at(&axis->l, x, y);
+    return axis->at + ((uint32_t)qtri_list_divided(l, w) << axis->up);
+}
+
+static void numbers_repeated(const qtri_list_values *v, uint32_t *number, const uint32_t *place,
+                             int32_t count)
+{
+    const qtri_list_axis u_axis = v->uv[0];
+    const qtri_list_axis v_axis = v->uv[1];
+    const qtri_ramp e = v->e_q26;
+    const uint32_t cut = v->raster->texel_cut;
+    const uint32_t *end = place + count;
+    do {
+        const uint32_t x = *place & 0xFFFF;
+        const uint32_t y = *place >> 16;
+        const int32_t w = qtri_list_w(&e, x, y);
+        place++;
+        *number++ = qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
+    } while (place != end);
+}
+
+static void coordinates(const qtri_list_values *v, uint32_t *out_u, uint32_t *out_v,
+                        const uint32_t *place, int32_t count)
+{
+    const uint32_t *end = place + count;
+    do {
+        const uint32_t x = *place & 0xFFFF;
+        const uint32_t y = *place >> 16;
+        const int32_t w = qtri_list_w(&v->e_q26, x, y);
+        place++;
+        *out_u++ = coordinate(&v->uv[0], x, y, w);
+        *out_v++ = coordinate(&v->uv[1], x, y, w);
+    } while (place != end);
+}
+
+uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
+                          const uint32_t *place, int32_t count)
+{
+    const qtri_texture *texture = v->raster->texture;
+    if (v->raster->repeated && texture->filter == NULL) {
+        numbers_repeated(v, color, place, count);
+        return UINT32_MAX;
+    }
+    coordinates(v, color, shade, place, count);
+    if (texture->filter != NULL) {
+        return texture->filter->sample(v->raster, v->axis, color, shade, count);
+    }
+    const qtri_texel_axis *axis = v->axis;
+    for (const uint32_t *end = color + count; color != end; color++, shade++) {
+        const uint32_t column = qtri_texel_wrapped(&axis[0], *color >> axis[0].texel_shift);
+        const uint32_t row = qtri_texel_wrapped(&axis[1], *shade >> axis[1].texel_shift);
+        *color = (row << axis[0].side_log2) + column;
+    }
+    return UINT32_MAX;
+}
+
+/* Leaves fragments out that are not in the mask; writes the depths of the others. */
+static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count,
+                    const qtri_ramp *depth)
+{
+    const qtri_surface *surface = raster->surface;
+    qtri_batch *batch = raster->batch;
+    int32_t kept = 0;
+    mask <<= 32 - count;
+    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
+        if ((int32_t)mask >= 0) {
+            continue;
+        }
+        const uint32_t place = batch->place[i];
+        if (raster->depth_write) {
+            const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch + (place & 0xFFFF)] =
+                (uint16_t)(z >> 16);
+        }
+        batch->color[kept] = batch->color[i];
+        batch->by.shade[kept] = batch->by.shade[i];
+        batch->place[kept] = place;
+        kept++;
+    }
+    return kept;
+}
+
+static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
+{
+    if (batch->kind == QTRI_LIST_LIT_TEXELS && !raster->white) {
+        raster->tinted(batch->color, batch->by.shade, raster->tint_q10, count);
+    } else if (batch->kind == QTRI_LIST_LIT_TEXELS) {
+        raster->light(batch->color, batch->by.shade, count);
+    } else if (batch->kind == QTRI_LIST_RGB_TEXELS) {
+        raster->times(batch->color, batch->by.shade, count);
+    }
+    if (raster->narrow != NULL) {
+        raster->narrow(batch->color, count);
+    }
+}
+
+int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
+                                const qtri_ramp *depth)
+{
+    qtri_batch *batch = raster->batch;
+    if (raster->texture->filter == NULL) {
+        for (int32_t i = count; (i & 3) != 0; i++) {
+            batch->color[i] = 0; /* must be numbers of texels */
+        }
+        mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false);
+    }
+    if (raster->texture->has_key) {
+        count = keep(raster, mask, count, depth);
+    }
+    if (count != 0) {
+        shade_texels(raster, batch, count);
+    }
+    return count;
+}

@@ -1,0 +1,32 @@
+/*
+ * Attributes with perspective: set-up of a triangle, and curves along its rows. Internal.
+ */
+#ifndef QTRI_RASTER_PERSPECTIVE_H
+#define QTRI_RASTER_PERSPECTIVE_H
+
+#include "job.h"
+#include "triangle.h"
+
+/* Blocks of 2^this pixels and more of texels are of third order. */
+#define QTRI_TWISTED_LOG2 4
+
+/*
+ * The job's planes and slopes. q: 1/w at the vertices, 2^31 or less; value: what texel.h made of
+ * texture coordinates.
+ */
+void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
+                           const qtri_attributes v[3], const uint32_t value[2][3],
+                           const uint32_t q[3], const qtri_gradient *gradient);
+
+/* Before the first row; for every row with pixels to draw. */
+void qtri_perspective_begin(qtri_scanline *row);
+void qtri_perspective_row(qtri_scanline *row);
+
+/*
+ * Colours or texture coordinates, not both; x is a chunk's first pixel or the one after those that
+ * the call before gave.
+ */
+int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t count, int first,
+                                     int end, qtri_curve *out);
+
+#endif

@@ -1,0 +1,35 @@
+#include "place.h"
+
+bool qtri_inv_w_more(int32_t *more, const qtri_vertex *a, const qtri_vertex *b)
+{
+    const uint32_t up = (b->depth_16p8 & 0xFF) - (a->depth_16p8 & 0xFF) + 1;
+    const uint32_t limit = (a->inv_w >> 4) + (a->inv_w >> 6);
+    if (up > 2) {
+        return false;
+    }
+    const uint32_t inv_w = up == 0 ? b->inv_w >> 1 : b->inv_w << (up - 1);
+    const uint32_t difference = inv_w - a->inv_w;
+    *more = (int32_t)difference;
+    return difference + limit <= 2 * limit;
+}
+
+bool qtri_place_cut(uint8_t *span, int32_t column, const qtri_rect *bounds)
+{
+    const int32_t least = qtri_hold32(bounds->x0 - column, 0, QTRI_PLACE_STOP - 1);
+    const int32_t greatest = qtri_hold32(bounds->x1 - column, 0, QTRI_PLACE_STOP - 1);
+    bool any = false;
+    for (; span[0] != QTRI_PLACE_STOP; span += 2) {
+        span[0] = (uint8_t)qtri_hold32(span[0], least, greatest);
+        span[1] = (uint8_t)qtri_hold32(span[1], least, greatest);
+        any |= span[0] < span[1];
+    }
+    return any;
+}
+
+qtri_placed qtri_place_triangle(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                                const qtri_raster *raster, const qtri_vertex *a,
+                                const qtri_vertex *b, const qtri_vertex *c)
+{
+    const qtri_placed placed = qtri_place_inline(p, spans, raster, a, b, c);
+    return placed == QTRI_PLACED_SMALL && !qtri_place_is_near(a, b, c) ? QTRI_PLACED_LARGE : placed;
+}

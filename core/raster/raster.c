@@ -1,0 +1,115 @@
+#include "raster.h"
+
+#include "loop.h"
+#include "job.h"
+#include "textured.h"
+
+static bool has_texture(const qtri_material *material)
+{
+    const qtri_texture *texture = material->texture;
+    return QTRI_WITH_TEXTURES && texture != NULL && texture->format != NULL &&
+           texture->format->usable(texture);
+}
+
+static void set_bounds(qtri_raster *raster, const qtri_rect *bounds)
+{
+    const int32_t reach = 17 * 256; /* QTRI_PLACE_PIXELS and one */
+    const int32_t width = (bounds->x1 - bounds->x0) * 256 - 2 * reach;
+    const int32_t height = (bounds->y1 - bounds->y0) * 256 - 2 * reach;
+    raster->bounds = *bounds;
+    raster->inner.x = (uint32_t)(bounds->x0 * 256 + reach);
+    raster->inner.y = (uint32_t)(bounds->y0 * 256 + reach);
+    raster->inner.width = width < 0 ? 0 : (uint32_t)width;
+    raster->inner.height = height < 0 ? 0 : (uint32_t)height;
+}
+
+void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
+                      const qtri_material *material, qtri_batch *batch)
+{
+    const qtri_rect nowhere = {0, 0, 0, 0};
+    qtri_rect bounds = qtri_surface_bounds(surface);
+    const qtri_format *format = surface->format;
+    const bool textured = has_texture(material);
+    raster->surface = surface;
+    raster->format = format;
+    raster->batch = batch;
+    batch->count = 0;
+    batch->kind = 0;
+    batch->has_table = false;
+    raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
+    raster->depth_write = raster->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
+    raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
+    raster->cull = material->cull;
+    raster->shading = qtri_shading_of(material);
+    raster->depth = qtri_depth_stages(raster->compare, raster->depth_write,
+                                      textured && material->texture->has_key);
+    raster->texture = NULL;
+    raster->replace = false;
+    raster->copied = false;
+    raster->fetched = false;
+    raster->repeated = false;
+    raster->fill_flat = qtri_span_fill;
+    raster->fill_smooth = qtri_span_fill;
+    raster->copy_run = NULL;
+    raster->copy_bent = NULL;
+    if (format == NULL || raster->compare == QTRI_NEVER) {
+        bounds = nowhere;
+        raster->format = &qtri_xrgb8888;
+        format = raster->format;
+    }
+    set_bounds(raster, &bounds);
+    raster->units = format->colors;
+    if (textured) {
+        raster->texturing = material->texture->format->texturing;
+        raster->texturing->init(raster, material);
+    }
+    raster->tint_small = NULL;
+    if (QTRI_WITH_FAST_PATHS && format->fused != NULL && raster->compare == QTRI_LESS &&
+        raster->depth_write) {
+        const qtri_fused *fused = format->fused;
+        raster->fill_flat = fused->flat_less != NULL ? fused->flat_less : qtri_span_fill;
+        raster->fill_smooth = fused->smooth_less != NULL ? fused->smooth_less : qtri_span_fill;
+        raster->copy_run = raster->copied ? fused->copy_less : NULL;
+        raster->copy_bent = raster->copied ? fused->copy_bent_less : NULL;
+        if (!textured && surface->pitch == 2 * surface->depth_pitch) {
+            raster->tint_small = fused->tint_less;
+        }
+    }
+}
+
+qtri_channels qtri_raster_channels(const qtri_raster *raster, const int32_t color_8p16[3])
+{
+    qtri_channels channels = qtri_channels_from_color(raster->units, color_8p16);
+    if (raster->units->single) {
+        channels.c[2] += channels.c[0] + channels.c[1];
+        channels.c[0] = 0;
+        channels.c[1] = 0;
+    }
+    return channels;
+}
+
+void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
+{
+    const int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
+                                   (int32_t)color.b << 16};
+    raster->tint = qtri_raster_channels(raster, color_8p16);
+    for (int i = 0; i < 3; i++) {
+        raster->tint_n8[i] = (uint32_t)raster->tint.c[i] >> 8;
+    }
+    if (raster->texture != NULL) {
+        const uint8_t channel[3] = {color.r, color.g, color.b};
+        for (int i = 0; i < 3; i++) {
+            raster->tint_q10[i] = (channel[i] * 1024u + 127) / 255;
+        }
+        raster->white = (color.r & color.g & color.b) == 255;
+    }
+}
+
+uint32_t qtri_raster_stored(const qtri_raster *raster, uint32_t color)
+{
+    uint32_t words[4] = {color};
+    if (raster->format->encode != NULL) {
+        raster->format->encode(words, 1);
+    }
+    return words[0];
+}

@@ -1,0 +1,166 @@
+/*
+ * What the triangles of a draw call share: where they are drawn, and the stages that their pixels
+ * go through, chosen once. Internal.
+ */
+#ifndef QTRI_RASTER_RASTER_H
+#define QTRI_RASTER_RASTER_H
+
+#include "qtri/material.h"
+#include "qtri/view.h"
+
+#include "../bits/bits.h"
+#include "../frame/pixel.h"
+#include "batch.h"
+#include "stage_depth.h"
+#include "texel.h"
+
+typedef struct qtri_job qtri_job;
+typedef struct qtri_list_values qtri_list_values; /* see list_values.h */
+typedef struct qtri_raster qtri_raster;
+
+/* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
+typedef struct qtri_span {
+    int16_t left, right;
+} qtri_span;
+
+/* Fills `count` rows from `row` on. */
+typedef void (*qtri_fill_rows)(const qtri_job *job, const qtri_span *spans, int32_t row,
+                               int32_t count);
+
+/* Part of a row that copies texels. */
+typedef struct qtri_run qtri_run;
+typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
+
+/*
+ * The same along curves that begin `skip` pixels before x: up to QTRI_BATCH pixels with these. From
+ * the run only pixels, depths, x, count and z.
+ */
+typedef void (*qtri_draw_bent)(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
+                               int32_t skip);
+
+/*
+ * Draws a small triangle in shares of the tint, in the light that its vertices have or that the
+ * raster's lamp finds for it. False when it is not that simple: then nothing was drawn.
+ */
+typedef bool (*qtri_draw_small)(const qtri_raster *raster, const void *indices, qtri_vertex *a,
+                                qtri_vertex *b, qtri_vertex *c);
+
+/*
+ * Where light comes from when a triangle touches a pixel: that of all its pixels, or
+ * QTRI_VERTEX_UNLIT for that of its vertices, which then have theirs.
+ */
+typedef struct qtri_lamp {
+    uint32_t (*find)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                     qtri_vertex *c);
+    const void *from;
+    bool by_vertex; /* and need not find it where vertices have it */
+} qtri_lamp;
+
+/* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
+struct qtri_fused {
+    qtri_fill_rows flat_less, smooth_less;
+    qtri_draw_run copy_less;
+    qtri_draw_bent copy_bent_less;
+    qtri_draw_small tint_less;
+};
+
+typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
+typedef void (*qtri_modulate_stage)(uint32_t *color, const uint32_t *shade, int32_t count);
+typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
+                                int32_t count);
+
+struct qtri_raster {
+    const qtri_surface *surface;
+    const qtri_format *format;
+    const qtri_texture *texture; /* NULL: none */
+    qtri_batch *batch;
+    qtri_rect bounds; /* empty where nothing is to be drawn */
+    struct {
+        uint32_t x, y, width, height; /* 24.8 */
+    } inner; /* where vertex 0 of a small triangle is too far inside them to be cut */
+    qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
+    bool depth_write;
+    bool perspective; /* as the material asks */
+    qtri_cull cull;
+    qtri_shading shading;
+    qtri_depth depth;
+    /*
+     * Units of colours' channels, n.16: those of the format, or, where there is a texture, 8 bits.
+     * Where only the sum of the three counts it is in place of blue, and the others are 0.
+     */
+    const qtri_colors *units;
+    qtri_channels tint;    /* what tinted triangles have shares of */
+    uint32_t tint_n8[3];   /* the same with 8 bits after the point, cut off */
+
+    /* Texture: see textured.c. */
+    const qtri_texturing *texturing;
+    const qtri_colors *working; /* texels become colours of this kind */
+    qtri_words_stage widen, narrow; /* from the texel's kind, and to the format's; NULL: it is that */
+    qtri_modulate_stage light, times;
+    qtri_tint_stage tinted; /* light, and the tint below */
+    bool replace;
+    bool repeated;         /* coordinates fill 32 bits, see texel_number.h */
+    bool fetched;          /* rows of texels are read at once with their numbers */
+    bool copied;           /* nearest repeated texels of the format's own kind, without a key */
+    uint32_t texel_cut;    /* see texel_copy.h */
+    bool white;            /* the tint: light alone is enough */
+    uint32_t tint_q10[3];
+
+    /* Fused loops, or the stages. */
+    qtri_fill_rows fill_flat, fill_smooth;
+    qtri_draw_run copy_run;     /* NULL: none */
+    qtri_draw_bent copy_bent;   /* NULL: none */
+    qtri_draw_small tint_small;        /* NULL: none */
+    qtri_lamp lamp;                    /* where there is one */
+};
+
+/* batch: the caller's, used while the raster is. */
+void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
+                      const qtri_material *material, qtri_batch *batch);
+
+/* The colour that tinted triangles have shares of. */
+void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);
+
+/* color_8p16 (0..255.0) as the raster's channels. */
+qtri_channels qtri_raster_channels(const qtri_raster *raster, const int32_t color_8p16[3]);
+
+/* A colour of the format's kind as a stored pixel. */
+uint32_t qtri_raster_stored(const qtri_raster *raster, uint32_t color);
+
+/* The vertex whose colour a flat triangle has. */
+static inline int qtri_raster_provoking(const qtri_raster *raster)
+{
+    return raster->shading == QTRI_FLAT_FIRST ? 0 : 2;
+}
+
+/* share_q22 <= 2^22 of a tint's channel, or of a step of it. */
+static inline int32_t qtri_raster_shade(const qtri_raster *raster, int32_t share_q22, int i)
+{
+    return (int32_t)(qtri_mul_s32(share_q22, raster->tint.c[i]) >> 22);
+}
+
+/*
+ * The tint at a light of `bits` bits and 1, at most 2^15, as a colour: channels, 2^16 at most, are
+ * rounded once, so within 1/2 + 2^-8 of a step and what the light is off by.
+ */
+static inline uint32_t qtri_raster_tinted(const qtri_raster *raster, uint32_t light, uint32_t bits)
+{
+    const qtri_colors *colors = raster->units;
+    const uint32_t shift = 8 + bits;
+    const uint32_t half = (uint32_t)1 << (shift - 1);
+    uint32_t color = (light * raster->tint_n8[2] + half) >> shift;
+    if (!colors->single) {
+        color |= (light * raster->tint_n8[0] + half) >> shift << colors->red;
+        color |= (light * raster->tint_n8[1] + half) >> shift << colors->green;
+    }
+    return color;
+}
+
+/* What a material asks for and the library is built with: see config.h. */
+static inline qtri_shading qtri_shading_of(const qtri_material *material)
+{
+    return QTRI_WITH_SMOOTH || material->shading == QTRI_FLAT_FIRST ? material->shading
+                                                                    : QTRI_FLAT_LAST;
+}
+
+#endif

@@ -1,0 +1,57 @@
+/*
+ * Stages between interpolated values and stored pixels. Internal.
+ *
+ * Each is a loop over words of a batch, `count` of 1..32. They work on four at a time and may write
+ * up to three words past the end. Bounds are in steps of the channel's own unit and include the
+ * rounding to it.
+ */
+#ifndef QTRI_RASTER_STAGE_COLOR_H
+#define QTRI_RASTER_STAGE_COLOR_H
+
+#include "batch.h"
+
+/* What textured pixels are multiplied by, 10 bits a channel: 1020 is 1. */
+#define QTRI_SHADE_RED   20
+#define QTRI_SHADE_GREEN 10
+
+/* Interpolation to shades ---------------------------------------------------------------------- */
+
+/* Light of 0..1024, from shares: Q22 of 1, 1/2 of 2^-16 added as ramps have it. */
+void qtri_shade_light(uint32_t *shade, const qtri_curve *share, int32_t count);
+
+/* Red, green and blue, from channels n.16 of 0..255. */
+void qtri_shade_rgb(uint32_t *shade, const qtri_curve channel[3], int32_t count);
+
+/* One of them for all. */
+void qtri_shade_constant(uint32_t *shade, uint32_t value, int32_t count);
+
+/* The channels of a colour, n.16 of 0..255.0, as a shade. */
+static inline uint32_t qtri_shade_of(const int32_t c[3])
+{
+    const int32_t half = (int32_t)1 << 13;
+    return (uint32_t)(c[0] + half) >> 14 << QTRI_SHADE_RED |
+           (uint32_t)(c[1] + half) >> 14 << QTRI_SHADE_GREEN | (uint32_t)(c[2] + half) >> 14;
+}
+
+/* Modulation ----------------------------------------------------------------------------------- */
+
+/* color times light, or times red green blue: RGB565 within .54 and .66, 8 bits .63 and .69. */
+void qtri_light_565(uint32_t *color, const uint32_t *light, int32_t count);
+void qtri_light_888(uint32_t *color, const uint32_t *light, int32_t count);
+void qtri_times_565(uint32_t *color, const uint32_t *shade, int32_t count);
+void qtri_times_888(uint32_t *color, const uint32_t *shade, int32_t count);
+
+/* color times light times a tint, 1024 being 1 of both: RGB565 within .54, 8 bits .63. */
+void qtri_tint_565(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
+                   int32_t count);
+void qtri_tint_888(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
+                   int32_t count);
+
+/* Conversion ----------------------------------------------------------------------------------- */
+
+/* 31 and 63 become 255, correctly rounded between; back: within .60 (green .69); luma: .51. */
+void qtri_565_to_888(uint32_t *color, int32_t count);
+void qtri_888_to_565(uint32_t *color, int32_t count);
+void qtri_888_to_gray(uint32_t *color, int32_t count);
+
+#endif

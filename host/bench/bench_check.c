@@ -1,0 +1,280 @@
+#include "bench_check.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../io/scene.h"
+#include "../reference/reference.h"
+#include "../reference/reference_picture.h"
+#include "bench_program.h"
+
+#define BEGIN                                                                                      \
+    "viewport 320 240\nclear .0941176471 .1254901961 .1882352941\ndepth less\n"                    \
+    "mode projection\nperspective 60 1.33333333 .1 100\n"                                          \
+    "mode modelview\nlookat 0 0 3  0 0 0  0 1 0\n"
+#define QUAD_CORNER(sx, sy, color) sx "2.3070917 " sy "1.7303188 0 1 " color " "
+#define SCREEN(c0, c1, c2, c3)                                                                     \
+    "tri " QUAD_CORNER("-", "-", c0) QUAD_CORNER("", "-", c1)                                      \
+        QUAD_CORNER("", "", c2) "\n"                                                               \
+                                "tri " QUAD_CORNER("-", "-", c0) QUAD_CORNER("", "", c2)           \
+                                    QUAD_CORNER("-", "", c3) "\n"
+#define ORANGE "1 .5019607843 .2509803922"
+#define FLOOR                                                                                      \
+    "texture texture.ppm\ntexmode replace\n"                                                       \
+    "trit -3 -1.2 2.0784610 1 1 1 1 0 1  3 -1.2 2.0784610 1 1 1 1 1 1  "                           \
+    "3 1.2 -2.0784610 1 1 1 1 1 0\n"                                                               \
+    "trit -3 -1.2 2.0784610 1 1 1 1 0 1  3 1.2 -2.0784610 1 1 1 1 1 0  "                           \
+    "-3 1.2 -2.0784610 1 1 1 1 0 0\n"
+#define TURNED                                                                                     \
+    "texture texture.ppm\ntexmode replace\n"                                                       \
+    "trit -1.1 -1.5 1.9052559 1 1 1 1 0 2  1.1 -1.5 -1.9052559 1 1 1 1 2 2  "                      \
+    "1.1 1.5 -1.9052559 1 1 1 1 2 0\n"                                                             \
+    "trit -1.1 -1.5 1.9052559 1 1 1 1 0 2  1.1 1.5 -1.9052559 1 1 1 1 2 0  "                       \
+    "-1.1 1.5 1.9052559 1 1 1 1 0 0\n"
+#define MODULATED       "texture texture.ppm\ntexformat rgb565\ntexmode modulate\n"
+#define LIT             "light .4 .6 .69282032 .2 .8\ncull back\n"
+#define MESH_COLOR      " color 1 .7058823529 .3529411765\n"
+#define TURN_SPOT       "rotate 150 0 1 0\n"
+#define SPOT            TURN_SPOT "mesh spot.obj" MESH_COLOR
+#define TEAPOT          "rotate 30 0 1 0\nmesh teapot.obj" MESH_COLOR
+#define KNOT            "rotate 30 0 1 0\nmesh knot.obj" MESH_COLOR
+#define SPOT_COMPACT    TURN_SPOT "mesh spot-compact.obj" MESH_COLOR
+#define TEAPOT_COMPACT  "rotate 30 0 1 0\nmesh teapot-compact.obj" MESH_COLOR
+#define KNOT_COMPACT    "rotate 30 0 1 0\nmesh knot-compact.obj" MESH_COLOR
+#define SPOT_UV         TURN_SPOT "mesh spot_uv.obj" MESH_COLOR
+#define SPOT_UV_COMPACT TURN_SPOT "mesh spot_uv-compact.obj" MESH_COLOR
+#define WALL            "mesh wall.obj" MESH_COLOR
+#define WALL_COMPACT    "mesh wall-compact.obj" MESH_COLOR
+#ifdef BENCH_PLAIN
+#define COMPACT(mesh) mesh
+#else
+#define COMPACT(mesh) mesh##_COMPACT
+#endif
+
+/* The scenes once more, in the language of scene files. Colours of a mesh's vertices are not in the
+   language: the triangles of such a mesh are written behind the text. */
+static const struct expectation {
+    const char *name;
+    const char *text;
+    uint32_t pixels; /* what every renderer is to cover; 0: not known beforehand */
+} expectations[] = {
+    {"S0", BEGIN, 76800},
+    {"S1", BEGIN SCREEN(ORANGE, ORANGE, ORANGE, ORANGE), 76800},
+    {"S2", BEGIN SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
+    {"S3", BEGIN FLOOR, 53290},
+    {"S3a", BEGIN "interpolate linear\n" FLOOR, 53290},
+    {"S4", BEGIN LIT COMPACT(SPOT), 12414},
+    {"S5", BEGIN LIT "shade flat\n" COMPACT(TEAPOT), 15296},
+    {"S6", BEGIN LIT MODULATED COMPACT(SPOT_UV), 12414},
+    {"S7", BEGIN LIT "polygon line\n" COMPACT(SPOT), 0},
+    {"S8", BEGIN LIT MODULATED COMPACT(WALL), 0},
+    {"S9", BEGIN "cull back\n" TURN_SPOT, 12414},
+    {"S10", BEGIN LIT "depth off\npolygon line\n" COMPACT(SPOT), 0},
+    {"S11", BEGIN TURNED, 0},
+    {"ST", BEGIN "cull back\n" TURN_SPOT, 12414},
+    {"S4k", BEGIN LIT COMPACT(KNOT), 0},
+    {"S5k", BEGIN LIT "shade flat\n" COMPACT(KNOT), 0},
+    {"S7k", BEGIN LIT "polygon line\n" COMPACT(KNOT), 0},
+    {"S4w", BEGIN LIT SPOT, 12414},
+    {"S5w", BEGIN LIT "shade flat\n" TEAPOT, 15296},
+    {"S4b", BEGIN LIT COMPACT(SPOT), 12414},
+    {"S4wb", BEGIN LIT SPOT, 12414},
+    {"S5b", BEGIN LIT "shade flat\n" COMPACT(TEAPOT), 15296},
+    {"S6b", BEGIN LIT MODULATED COMPACT(SPOT_UV), 12414},
+    {"S7b", BEGIN LIT "polygon line\n" COMPACT(SPOT), 0},
+    {"S4kb", BEGIN LIT COMPACT(KNOT), 0},
+};
+
+static bool write_texture(const char *path)
+{
+    FILE *out = fopen(path, "wb");
+    if (out == NULL) {
+        perror(path);
+        return false;
+    }
+    fprintf(out, "P6\n64 64\n255\n");
+    for (int y = 0; y < 64; y++) {
+        for (int x = 0; x < 64; x++) {
+            bool odd = ((x >> 3 ^ y >> 3) & 1) != 0;
+            const unsigned char rgb[3] = {(unsigned char)(odd ? 255 : 4 * y),
+                                          (unsigned char)(odd ? 4 * x : 64),
+                                          (unsigned char)(odd ? 4 * y : 255 - 4 * x)};
+            fwrite(rgb, 1, 3, out);
+        }
+    }
+    return fclose(out) == 0;
+}
+
+/* The largest difference of two colours in steps of RGB565. */
+static int color_steps(qtri_rgb a, const uint8_t b[3])
+{
+    int red = abs((a.r >> 3) - (b[0] >> 3));
+    int green = abs((a.g >> 2) - (b[1] >> 2));
+    int blue = abs((a.b >> 3) - (b[2] >> 3));
+    int most = red > green ? red : green;
+    return most > blue ? most : blue;
+}
+
+static bool compare(const bench_frame *frame, const struct expectation *expected,
+                    const struct reference_image *image, const struct picture *picture)
+{
+    uint32_t mismatch = 0;
+    uint32_t other_color = 0;
+    double depth_error = 0.0;
+    bool clears = frame->scene->work == BENCH_CLEAR;
+    for (int32_t i = 0; i < BENCH_WIDTH * BENCH_HEIGHT; i++) {
+        int32_t x = i % BENCH_WIDTH;
+        int32_t y = i / BENCH_WIDTH;
+        uint16_t depth = frame->surface.depth[y * frame->surface.depth_pitch + x];
+        qtri_rgb color = qtri_surface_pixel(&frame->surface, x, y);
+        mismatch += bench_is_drawn(frame, x, y) != (image->id[i] != 0);
+        other_color += color_steps(color, &picture->rgb[3 * (size_t)i]) > 1;
+        depth_error = fmax(depth_error, fabs(depth - image->depth[i] * 65535.0));
+    }
+    uint32_t pixels = bench_pixels(frame);
+    /* A texel's border may pass within rounding of a pixel's centre, and the reference reads a
+       compact mesh rounded to Q16.16; a wrong picture differs in hundreds. */
+    bool compact = frame->scene->mesh != NULL && frame->scene->mesh->positions == NULL;
+    bool ok = mismatch <= (compact ? pixels / 1000 : 0) && other_color <= pixels / 1000 &&
+              (expected->pixels == 0 || pixels == expected->pixels);
+    printf("%-4s %6u pixels%s, %u in one picture only, %u with a colour off by more than a step, "
+           "depth off by %.2f at most%s\n",
+           frame->scene->name, (unsigned)pixels, clears ? " cleared" : "", (unsigned)mismatch,
+           (unsigned)other_color, depth_error, ok ? "" : ": WRONG");
+    return ok;
+}
+
+/* Numbers of a vertex as all its renderers read them, and its normal, of any length. */
+static void vertex_of(const qtri_mesh *mesh, uint32_t i, double position[3], double normal[3])
+{
+#ifndef BENCH_PLAIN
+    if (mesh->positions == NULL) {
+        const int16_t p[3] = {mesh->positions16[i].x, mesh->positions16[i].y,
+                              mesh->positions16[i].z};
+        const int8_t n[3] = {mesh->normals8[i].x, mesh->normals8[i].y, mesh->normals8[i].z};
+        for (int axis = 0; axis < 3; axis++) {
+            position[axis] = p[axis] * (double)mesh->extent / 32768.0 / 65536.0;
+            normal[axis] = n[axis];
+        }
+        return;
+    }
+#endif
+    const q16 p[3] = {mesh->positions[i].x, mesh->positions[i].y, mesh->positions[i].z};
+    const int16_t n[3] = {mesh->normals[i].x, mesh->normals[i].y, mesh->normals[i].z};
+    for (int axis = 0; axis < 3; axis++) {
+        position[axis] = p[axis] / 65536.0;
+        normal[axis] = n[axis];
+    }
+}
+
+/* The light of SCENES on a mesh that is turned about y. */
+static double intensity_of(const double normal[3], q16 turn)
+{
+    double angle = turn / 65536.0 * acos(-1.0) / 180.0;
+    double x = normal[0] * cos(angle) + normal[2] * sin(angle);
+    double z = normal[2] * cos(angle) - normal[0] * sin(angle);
+    double along = .4 * x + .6 * normal[1] + .69282032 * z;
+    double length = sqrt(x * x + normal[1] * normal[1] + z * z);
+    return .2 + .8 * fmax(0.0, along / length);
+}
+
+#define TRIANGLE_TEXT 512 /* bytes, at most */
+
+/* Writes a triangle of the scene's mesh as a statement; returns its length. */
+static size_t write_triangle(char *out, const bench_scene *scene, uint32_t triangle, bool lit)
+{
+    size_t length = (size_t)snprintf(out, TRIANGLE_TEXT, "tri");
+    for (int corner = 0; corner < 3; corner++) {
+        double p[3], n[3];
+        uint32_t i = scene->mesh->triangles[triangle][corner];
+        vertex_of(scene->mesh, i, p, n);
+        double factor = (lit ? intensity_of(n, scene->turn) : 1.0) / 255.0;
+        length += (size_t)snprintf(out + length, TRIANGLE_TEXT - length,
+                                   " %.9f %.9f %.9f 1 %.9f %.9f %.9f", p[0], p[1], p[2],
+                                   factor * scene->colors[i].r, factor * scene->colors[i].g,
+                                   factor * scene->colors[i].b);
+    }
+    return length + (size_t)snprintf(out + length, TRIANGLE_TEXT - length, "\n");
+}
+
+/* The scene file of what is expected; free() it. */
+static char *text_of(const struct expectation *expected, const bench_scene *scene)
+{
+    size_t length = strlen(expected->text);
+    bool is_written = scene->mesh != NULL && scene->colors != NULL;
+    uint32_t triangles = is_written ? scene->mesh->triangle_count : 0;
+    char *text = malloc(length + (size_t)triangles * TRIANGLE_TEXT + 1);
+    if (text == NULL) {
+        return NULL;
+    }
+    memcpy(text, expected->text, length + 1);
+    for (uint32_t i = 0; i < triangles; i++) {
+        length += write_triangle(text + length, scene, i, scene->work == BENCH_MESH);
+    }
+    return text;
+}
+
+static bool parse(const struct expectation *expected, const bench_frame *frame, const char *folder,
+                  struct scene *scene)
+{
+    char name[1024];
+    struct text_error error;
+    snprintf(name, sizeof name, "%s/%s", folder, expected->name);
+    char *text = text_of(expected, frame->scene);
+    if (text == NULL) {
+        return false;
+    }
+    bool ok = scene_parse(name, text, strlen(text), scene, &error);
+    free(text);
+    if (!ok) {
+        fprintf(stderr, "bench_host: %s\n", error.message);
+    }
+    return ok;
+}
+
+static bool check_scene(const bench_frame *frame, const struct expectation *expected,
+                        const char *folder)
+{
+    struct scene scene;
+    if (!parse(expected, frame, folder, &scene)) {
+        return false;
+    }
+    struct reference_image image;
+    struct picture picture;
+    bool ok = reference_render(&scene, 8, &image);
+    scene_free(&scene);
+    if (!ok) {
+        return false;
+    }
+    ok = reference_picture(&image, REFERENCE_RGB565, &picture);
+    if (ok) {
+        ok = compare(frame, expected, &image, &picture);
+        picture_free(&picture);
+    }
+    reference_free(&image);
+    return ok;
+}
+
+int bench_check(const char *folder)
+{
+    char path[1024];
+    snprintf(path, sizeof path, "%s/texture.ppm", folder);
+    bool ok = write_texture(path);
+    for (size_t i = 0; ok && i < sizeof expectations / sizeof expectations[0]; i++) {
+        const struct expectation *expected = &expectations[i];
+        const bench_scene *scene = &bench_scenes[i];
+        if (scene->name == NULL || strcmp(scene->name, expected->name) != 0) {
+            fprintf(stderr, "bench_host: scene %s is not where it is expected\n", expected->name);
+            return 1;
+        }
+        if (!bench_prepare(&bench_memory, scene)) {
+            printf("%-4s skipped: its model is not there\n", scene->name);
+            continue;
+        }
+        bench_draw(&bench_memory);
+        ok = check_scene(&bench_memory, expected, folder);
+    }
+    return ok ? 0 : 1;
+}

@@ -1,0 +1,57 @@
+#include "bench_world.h"
+
+const bench_quad bench_screen = {{{Q16(-2.3070917), Q16(-1.7303188), 0},
+                                  {Q16(2.3070917), Q16(-1.7303188), 0},
+                                  {Q16(2.3070917), Q16(1.7303188), 0},
+                                  {Q16(-2.3070917), Q16(1.7303188), 0}},
+                                 Q16_ONE};
+const bench_quad bench_floor = {{{Q16(-3), Q16(-1.2), Q16(2.0784610)},
+                                 {Q16(3), Q16(-1.2), Q16(2.0784610)},
+                                 {Q16(3), Q16(1.2), Q16(-2.0784610)},
+                                 {Q16(-3), Q16(1.2), Q16(-2.0784610)}},
+                                Q16_ONE};
+const bench_quad bench_turned = {{{Q16(-1.1), Q16(-1.5), Q16(1.9052559)},
+                                  {Q16(1.1), Q16(-1.5), Q16(-1.9052559)},
+                                  {Q16(1.1), Q16(1.5), Q16(-1.9052559)},
+                                  {Q16(-1.1), Q16(1.5), Q16(1.9052559)}},
+                                 2 * Q16_ONE};
+
+const qtri_light bench_light = {{Q16(.4), Q16(.6), Q16(.69282032)}, Q16(.2), Q16(.8)};
+const qtri_rgb bench_background = {24, 32, 48};
+const qtri_rgb bench_lit_color = {255, 180, 90};
+
+qtri_rgb bench_texel(uint32_t u, uint32_t v)
+{
+    uint8_t across = (uint8_t)(4 * u), down = (uint8_t)(4 * v);
+    const qtri_rgb odd = {255, across, down};
+    const qtri_rgb even = {down, 64, (uint8_t)(255 - across)};
+    return ((u >> 3 ^ v >> 3) & 1) != 0 ? odd : even;
+}
+
+uint16_t bench_rgb565(qtri_rgb color)
+{
+    return (uint16_t)((color.r * 31 + 127) / 255 << 11 | (color.g * 63 + 127) / 255 << 5 |
+                      (color.b * 31 + 127) / 255);
+}
+
+void bench_set_quad(qtri_corner corners[6], const bench_quad *quad, const qtri_rgb colors[4])
+{
+    static const uint8_t order[6] = {0, 1, 2, 0, 2, 3};
+    for (uint32_t i = 0; i < 6; i++) {
+        uint32_t from = order[i];
+        const qtri_vec3 *p = &quad->position[from];
+        const qtri_corner corner = {
+            {p->x, p->y, p->z, Q16_ONE},
+            colors[from],
+            {from == 1 || from == 2 ? quad->repeats : 0, from <= 1 ? quad->repeats : 0}};
+        corners[i] = corner;
+    }
+}
+
+void bench_set_view(qtri_view *view, int32_t width, int32_t height)
+{
+    const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16_ONE, 0};
+    qtri_view_init(view, width, height);
+    qtri_transform_look_at(&view->camera, eye, center, up);
+    qtri_transform_perspective(&view->projection, Q16(60), Q16(4.0 / 3.0), Q16(.1), Q16(100));
+}

@@ -1,0 +1,542 @@
+/*
+ * Small triangles: their pixels against the fill rule and against double precision, and against
+ * models of the depth test, for whatever they look like and however the frame is cut up.
+ */
+#include "raster/list.h"
+#include "support_core.h"
+
+enum { WIDTH = 48, HEIGHT = 44 };
+
+static uint32_t colors[1 << 16];
+static uint16_t numbers[1 << 16]; /* each texel is its own number */
+
+/* kind 0: any; 1: tiny; 2: slivers; 3: with steep depth; 4: level. */
+static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
+{
+    const int32_t reach = kind == 1 ? random_in(seed, 1, 600) : random_in(seed, 256, 4095);
+    const int32_t x = random_in(seed, 0, WIDTH * 256);
+    const int32_t y = random_in(seed, 0, HEIGHT * 256);
+    const int32_t depth_reach =
+        kind == 3 ? 65535 : (int32_t)1 << random_in(seed, 0, 16 - 1);
+    const int32_t depth = random_in(seed, 0, 65535 - depth_reach);
+    const double w = 1 + random_in(seed, 0, 1000) / 1000.0;
+    const int32_t w_reach = kind == 4 ? 0 : random_in(seed, 0, 70);
+    const int32_t uv_reach = (int32_t)1 << random_in(seed, 4, 17);
+    const int32_t u = random_in(seed, -200000, 200000);
+    for (int i = 0; i < 3; i++) {
+        const int32_t dx = i == 0 ? 0 : random_in(seed, -reach, reach);
+        const int32_t dy = i == 0 ? 0 : random_in(seed, -reach, reach);
+        v[i] = screen_at(x + dx, y + dy);
+        v[i].depth_16p16 = (uint32_t)depth * 65536 + (uint32_t)random_in(seed, 0, depth_reach) * 65536u;
+        v[i].inv_w_q31 = (uint32_t)floor(
+            ldexp(w * (1 + (i == 0 ? 0 : random_in(seed, -w_reach, w_reach) / 1000.0)), 29));
+        v[i].u_q32 = (int64_t)(u + random_in(seed, -uv_reach, uv_reach)) * 65536;
+        v[i].v_q32 = (int64_t)(u + random_in(seed, -uv_reach, uv_reach)) * 65536;
+        for (int channel = 0; channel < 3; channel++) {
+            v[i].color_8p16[channel] = random_in(seed, 0, 255 << 16);
+        }
+    }
+    if (kind == 2) {
+        v[2].x_24p8 = v[0].x_24p8 + (v[1].x_24p8 - v[0].x_24p8) / 3 + random_in(seed, -20, 20);
+        v[2].y_24p8 = v[0].y_24p8 + (v[1].y_24p8 - v[0].y_24p8) / 3 + random_in(seed, -20, 20);
+    }
+}
+
+/* Weights at a pixel's centre, as shares of the area; without perspective. False: not covered. */
+static bool weights(double b[3], const qtri_screen_vertex v[3], int32_t x, int32_t y)
+{
+    int64_t edge[3];
+    const int64_t area = (int64_t)(v[1].x_24p8 - v[0].x_24p8) * (v[2].y_24p8 - v[0].y_24p8) -
+                         (int64_t)(v[2].x_24p8 - v[0].x_24p8) * (v[1].y_24p8 - v[0].y_24p8);
+    bool inside = area != 0;
+    for (int i = 0; i < 3; i++) {
+        const qtri_screen_vertex *p = &v[(i + 1) % 3];
+        const qtri_screen_vertex *q = &v[(i + 2) % 3];
+        int32_t dx = q->x_24p8 - p->x_24p8;
+        int32_t dy = q->y_24p8 - p->y_24p8;
+        edge[i] = (int64_t)dx * (y * 256 + 128 - p->y_24p8) -
+                  (int64_t)dy * (x * 256 + 128 - p->x_24p8);
+        b[i] = (double)edge[i] / (double)area;
+        if (area < 0) {
+            dx = -dx;
+            dy = -dy;
+            edge[i] = -edge[i];
+        }
+        /* Clockwise as seen: up on the left, to the right on top. */
+        inside = inside && (edge[i] > 0 || (edge[i] == 0 && (dy < 0 || (dy == 0 && dx > 0))));
+    }
+    return inside;
+}
+
+/* The same with perspective. */
+static void divide(double b[3], const qtri_screen_vertex v[3])
+{
+    const double sum = b[0] * v[0].inv_w_q31 + b[1] * v[1].inv_w_q31 + b[2] * v[2].inv_w_q31;
+    for (int i = 0; i < 3; i++) {
+        b[i] *= v[i].inv_w_q31 / sum;
+    }
+}
+
+static bool is_small(const qtri_screen_vertex v[3])
+{
+    qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
+    qtri_vertex vertex[3];
+    qtri_surface surface = {0};
+    qtri_raster everywhere = {.surface = &surface, .bounds = {-9999, -9999, 9999, 9999}};
+    for (int i = 0; i < 3; i++) {
+        vertex[i].at.x_24p8 = v[i].x_24p8;
+        vertex[i].at.y_24p8 = v[i].y_24p8;
+        vertex[i].inv_w = v[i].inv_w_q31;
+        vertex[i].depth_16p8 = 8;
+        while (vertex[i].inv_w >= 0x80000000u) {
+            vertex[i].inv_w >>= 1;
+            vertex[i].depth_16p8++;
+        }
+        while (vertex[i].inv_w < 0x40000000u) {
+            vertex[i].inv_w <<= 1;
+            vertex[i].depth_16p8--;
+        }
+    }
+    return qtri_place_triangle(&place, spans, &everywhere, &vertex[0], &vertex[1], &vertex[2]) !=
+           QTRI_PLACED_LARGE;
+}
+
+static qtri_material drawn_material(void)
+{
+    qtri_material m = qtri_material_default();
+    m.cull = QTRI_CULL_NONE;
+    m.depth_compare = QTRI_ALWAYS;
+    return m;
+}
+
+static void coverage_and_depth(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    double worst[5] = {0};
+    int pixels = 0;
+    for (int n = 0; n < 30000; n++) {
+        qtri_screen_vertex v[3];
+        random_triangle(v, &seed, n % 5);
+        assert_true(is_small(v));
+        qtri_material m = drawn_material();
+        m.shading = QTRI_FLAT_FIRST;
+        for (int i = 0; i < 3; i++) {
+            v[0].color_8p16[i] = 255 << 16;
+        }
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, v);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            double b[3];
+            const bool inside = weights(b, v, i % WIDTH, i / WIDTH);
+            assert_int_equal(stored_pixel(&c.surface, i % WIDTH, i / WIDTH), inside ? 0xFFFF : 0);
+            if (inside) {
+                const double depth = (b[0] * v[0].depth_16p16 + b[1] * v[1].depth_16p16 +
+                                      b[2] * v[2].depth_16p16) /
+                                     65536;
+                const double error = fabs(stored_depth(&c.surface, i % WIDTH, i / WIDTH) - depth);
+                worst[n % 5] = error > worst[n % 5] ? error : worst[n % 5];
+                pixels++;
+            }
+        }
+    }
+    print_message("%d pixels: depth off by %.3f; tiny %.3f, slivers %.3f, steep %.3f, level %.3f\n",
+                  pixels, worst[0], worst[1], worst[2], worst[3], worst[4]);
+    for (int i = 0; i < 5; i++) {
+        assert_true(worst[i] <= 1);
+    }
+    canvas_free(&c);
+}
+
+/* Of 31, 63, 31; of 255; of 255 luma. */
+static double step_of(const qtri_format *format, const double rgb[3], int channel)
+{
+    const double luma = .299 * rgb[0] + .587 * rgb[1] + .114 * rgb[2];
+    if (format == &qtri_gray8) {
+        return luma;
+    }
+    return format == &qtri_rgb565 ? rgb[channel] * (channel == 1 ? 63 : 31) / 255 : rgb[channel];
+}
+
+static int32_t drawn_step(const qtri_format *format, uint32_t pixel, int channel)
+{
+    if (format == &qtri_gray8) {
+        return (int32_t)pixel;
+    }
+    if (format == &qtri_rgb565) {
+        return (int32_t)(channel == 0 ? pixel >> 11 : channel == 1 ? pixel >> 5 & 63 : pixel & 31);
+    }
+    return (int32_t)(pixel >> (16 - 8 * channel) & 255);
+}
+
+static void smooth_colors(void **state)
+{
+    (void)state;
+    uint64_t seed = 2;
+    for (int f = 0; f < 3; f++) {
+        const qtri_format *format = drawn_format(f);
+        canvas c = canvas_new(format, WIDTH, HEIGHT);
+        double worst = 0;
+        for (int n = 0; n < 8000; n++) {
+            qtri_screen_vertex v[3];
+            qtri_material m = drawn_material();
+            random_triangle(v, &seed, n % 5);
+            m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
+            qtri_raster_triangle(&c.surface, &m, v);
+            for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+                double b[3];
+                double rgb[3];
+                if (!weights(b, v, i % WIDTH, i / WIDTH)) {
+                    continue;
+                }
+                if (m.interpolation == QTRI_PERSPECTIVE) {
+                    divide(b, v);
+                }
+                for (int k = 0; k < 3; k++) {
+                    rgb[k] = (b[0] * v[0].color_8p16[k] + b[1] * v[1].color_8p16[k] +
+                              b[2] * v[2].color_8p16[k]) /
+                             65536;
+                }
+                for (int k = 0; k < 3; k++) {
+                    const uint32_t pixel = stored_pixel(&c.surface, i % WIDTH, i / WIDTH);
+                    const double error =
+                        fabs(drawn_step(format, pixel, k) - step_of(format, rgb, k));
+                    worst = error > worst ? error : worst;
+                }
+            }
+        }
+        print_message("colours off by %.3f of a step\n", worst);
+        assert_true(worst <= .75);
+        canvas_free(&c);
+    }
+}
+
+/* How many texels the drawn column is from one that holds the coordinate. */
+static double texels_off(double exact, int32_t drawn, int32_t side, bool clamped)
+{
+    double least = 1e9;
+    exact = clamped ? (exact < 0 ? 0 : (exact > side ? side : exact)) : exact - side * floor(exact / side);
+    for (int32_t at = drawn - side; at <= drawn + side; at += side) {
+        if (clamped && at != drawn) {
+            continue;
+        }
+        const double off = exact < at ? at - exact : (exact > at + 1 ? exact - at - 1 : 0);
+        least = off < least ? off : least;
+    }
+    return least;
+}
+
+static void texels(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    double worst = 0;
+    int64_t pixels = 0;
+    int64_t others = 0;
+    for (int n = 0; n < 30000; n++) {
+        qtri_screen_vertex v[3];
+        qtri_material m = drawn_material();
+        qtri_texture texture = {.texels = numbers, .format = &qtri_texel_rgb565};
+        random_triangle(v, &seed, n % 5);
+        texture.width_log2 = (uint8_t)random_in(&seed, 0, 10);
+        texture.height_log2 = (uint8_t)random_in(&seed, 0, 16 - texture.width_log2 < 10 ? 16 - texture.width_log2 : 10);
+        texture.wrap_u = random_in(&seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
+        texture.wrap_v = random_in(&seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
+        m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
+        m.texture = &texture;
+        m.texture_mode = QTRI_REPLACE;
+        qtri_raster_triangle(&c.surface, &m, v);
+        const int32_t side[2] = {1 << texture.width_log2, 1 << texture.height_log2};
+        double per_pixel[2] = {1, 1}; /* texels, along the longest edge */
+        for (int k = 0; k < 2; k++) {
+            double length = 256;
+            double range = 0;
+            for (int i = 0; i < 3; i++) {
+                const qtri_screen_vertex *p = &v[i];
+                const qtri_screen_vertex *q = &v[(i + 1) % 3];
+                const double l = hypot(p->x_24p8 - q->x_24p8, p->y_24p8 - q->y_24p8);
+                const double r = fabs(ldexp((double)(k == 0 ? p->u_q32 - q->u_q32 : p->v_q32 - q->v_q32), -32)) * side[k];
+                length = l > length ? l : length;
+                range = r > range ? r : range;
+            }
+            const double t = range * 256 / length;
+            per_pixel[k] = t > 1 ? t : 1;
+        }
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            double b[3];
+            if (!weights(b, v, i % WIDTH, i / WIDTH)) {
+                continue;
+            }
+            if (m.interpolation == QTRI_PERSPECTIVE) {
+                divide(b, v);
+            }
+            const int32_t number = (int32_t)stored_pixel(&c.surface, i % WIDTH, i / WIDTH);
+            for (int k = 0; k < 2; k++) {
+                double at = 0;
+                for (int j = 0; j < 3; j++) {
+                    at += b[j] * ldexp((double)(k == 0 ? v[j].u_q32 : v[j].v_q32), -32) * side[k];
+                }
+                const int32_t drawn = k == 0 ? number & (side[0] - 1) : number >> texture.width_log2;
+                const double off =
+                    texels_off(at, drawn, side[k], (k == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP);
+                others += off > 0;
+                worst = off / per_pixel[k] > worst ? off / per_pixel[k] : worst;
+            }
+            pixels++;
+        }
+    }
+    print_message("%lld pixels: %lld another texel; off by 1/%.0f of max(1, t)\n", (long long)pixels,
+                  (long long)others, 1 / worst);
+    assert_true(worst < 1.0 / 256);
+    canvas_free(&c);
+}
+
+static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
+{
+    static const qtri_texel_format *const formats[3] = {&qtri_texel_rgb565, &qtri_texel_xrgb8888,
+                                                        &qtri_texel_gray8};
+    *m = drawn_material();
+    m->shading = (qtri_shading)random_in(seed, 0, 2);
+    m->interpolation = (qtri_interpolation)random_in(seed, 0, 1);
+    m->texture_mode = (qtri_texture_mode)random_in(seed, 0, 1);
+    m->depth_compare = (qtri_compare)random_in(seed, 0, 9);
+    m->depth_read_only = random_in(seed, 0, 3) == 0;
+    qtri_texture texture = {.texels = colors, .format = formats[random_in(seed, 0, 2)]};
+    texture.width_log2 = (uint8_t)random_in(seed, 0, 8);
+    texture.height_log2 = (uint8_t)random_in(seed, 0, 8);
+    texture.filter = random_in(seed, 0, 3) == 0 ? &qtri_bilinear : NULL;
+    texture.wrap_u = random_in(seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
+    texture.wrap_v = random_in(seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
+    texture.has_key = random_in(seed, 0, 2) == 0;
+    texture.key = texture.format == &qtri_texel_gray8 ? 3 : colors[0];
+    *t = texture;
+    m->texture = random_flag(seed) ? t : NULL;
+}
+
+static void random_background(canvas *c, uint64_t *seed)
+{
+    uint8_t *bytes = c->memory;
+    for (size_t i = 0; i < c->bytes; i++) {
+        bytes[i] = (uint8_t)random64(seed);
+    }
+}
+
+/* One triangle after the other, each with its material: whole, in a scissor, in a band. */
+static void cuts(void **state)
+{
+    (void)state;
+    uint64_t seed = 4;
+    for (int f = 0; f < 3; f++) {
+        canvas whole = canvas_new(drawn_format(f), WIDTH, HEIGHT);
+        canvas parts = canvas_new(drawn_format(f), WIDTH, HEIGHT);
+        for (int n = 0; n < 12000; n++) {
+            qtri_screen_vertex v[3];
+            qtri_material m;
+            qtri_texture texture;
+            random_triangle(v, &seed, n % 5);
+            random_material(&m, &texture, &seed);
+            if (n % 50 == 0) {
+                random_background(&whole, &seed);
+                memcpy(parts.memory, whole.memory, whole.bytes);
+            }
+            qtri_raster_triangle(&whole.surface, &m, v);
+            const int32_t x = random_in(&seed, 0, WIDTH);
+            const int32_t y = random_in(&seed, 0, HEIGHT);
+            const qtri_rect scissor[4] = {{0, 0, x, y}, {x, 0, WIDTH, y}, {0, y, x, HEIGHT}, {x, y, WIDTH, HEIGHT}};
+            for (int i = 0; i < 4; i++) {
+                qtri_surface part = parts.surface;
+                part.scissor = scissor[i];
+                if (n % 2 == 0) { /* the rows alone */
+                    const int32_t first = scissor[i].y0;
+                    part.first_row = first < HEIGHT ? first : HEIGHT - 1;
+                    part.rows = scissor[i].y1 - first > 0 ? scissor[i].y1 - first : 1;
+                    part.pixels += part.first_row * part.pitch;
+                    part.depth += part.first_row * part.depth_pitch;
+                }
+                qtri_raster_triangle(&part, &m, v);
+            }
+            if (memcmp(parts.memory, whole.memory, whole.bytes) != 0) {
+                assert_same_picture(&whole.surface, &parts.surface);
+                fail();
+            }
+        }
+        canvas_free(&whole);
+        canvas_free(&parts);
+    }
+}
+
+static bool passes(qtri_compare compare, uint32_t z, uint32_t stored)
+{
+    switch (compare) {
+    case QTRI_NEVER:
+        return false;
+    case QTRI_LESS:
+        return z < stored;
+    case QTRI_EQUAL:
+        return z == stored;
+    case QTRI_LESS_EQUAL:
+        return z <= stored;
+    case QTRI_GREATER:
+        return z > stored;
+    case QTRI_NOT_EQUAL:
+        return z != stored;
+    case QTRI_GREATER_EQUAL:
+        return z >= stored;
+    default:
+        return true;
+    }
+}
+
+/* Every comparison, by what the triangle is without one. */
+static void comparisons(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    canvas drawn = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas always = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int n = 0; n < 6000; n++) {
+        qtri_screen_vertex v[3];
+        qtri_material m;
+        qtri_texture texture;
+        random_triangle(v, &seed, n % 5);
+        random_material(&m, &texture, &seed);
+        texture.has_key = false;
+        random_background(&drawn, &seed);
+        if (n % 2 == 0) { /* many equal ones */
+            for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+                drawn.surface.depth[i] = (uint16_t)(v[i % 3].depth_16p16 >> 16);
+            }
+        }
+        memcpy(always.memory, drawn.memory, drawn.bytes);
+        canvas before = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        memcpy(before.memory, drawn.memory, drawn.bytes);
+        qtri_raster_triangle(&drawn.surface, &m, v);
+        const qtri_compare compare = m.depth_compare;
+        const bool read_only = m.depth_read_only;
+        m.depth_compare = QTRI_ALWAYS;
+        m.depth_read_only = false;
+        qtri_raster_triangle(&always.surface, &m, v);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            double b[3];
+            const int32_t x = i % WIDTH;
+            const int32_t y = i / WIDTH;
+            const uint16_t stored = stored_depth(&before.surface, x, y);
+            const uint16_t z = stored_depth(&always.surface, x, y);
+            const bool passed = weights(b, v, x, y) && passes(compare, z, stored);
+            const bool written = passed && !read_only && compare != QTRI_DEPTH_OFF;
+            assert_int_equal(stored_depth(&drawn.surface, x, y), written ? z : stored);
+            assert_int_equal(stored_pixel(&drawn.surface, x, y),
+                             stored_pixel(passed ? &always.surface : &before.surface, x, y));
+        }
+        canvas_free(&before);
+    }
+    canvas_free(&drawn);
+    canvas_free(&always);
+}
+
+enum { TRIANGLES = 60 };
+
+/* A mesh of small triangles in a cube around the origin, with normals; distances vary a lot. */
+static void random_mesh(qtri_vec3 *positions, qtri_normal *normals, uint16_t (*triangles)[3],
+                        uint64_t *seed)
+{
+    for (int t = 0; t < TRIANGLES; t++) {
+        const int32_t x = random_in(seed, -90000, 90000);
+        const int32_t y = random_in(seed, -90000, 90000);
+        const int32_t z = random_in(seed, -90000, 90000);
+        const int32_t reach = random_in(seed, 100, 9000);
+        for (int i = 0; i < 3; i++) {
+            const int k = 3 * t + i;
+            positions[k].x = x + random_in(seed, -reach, reach);
+            positions[k].y = y + random_in(seed, -reach, reach);
+            positions[k].z = z + random_in(seed, -3 * reach, 3 * reach);
+            normals[k].x = (int16_t)random_in(seed, -9000, 9000);
+            normals[k].y = (int16_t)random_in(seed, -9000, 9000);
+            normals[k].z = (int16_t)random_in(seed, 0, 9000);
+            triangles[t][i] = (uint16_t)k;
+        }
+    }
+}
+
+/* What a fused loop draws of a mesh the stages draw, to the bit; bands do, too. */
+static void fused_loops(void **state)
+{
+    (void)state;
+    static const qtri_format staged = {&qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565,
+                                       NULL};
+    static qtri_vec3 positions[3 * TRIANGLES];
+    static qtri_normal normals[3 * TRIANGLES];
+    static uint16_t triangles[TRIANGLES][3];
+    static qtri_vertex scratch[3 * TRIANGLES];
+    uint64_t seed = 7;
+    int64_t pixels = 0;
+    canvas fused = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas stages = canvas_new(&staged, WIDTH, HEIGHT);
+    canvas bands = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int n = 0; n < 4000; n++) {
+        const qtri_mesh mesh = {.positions = positions,
+                                .normals = n % 3 == 0 ? NULL : normals,
+                                .triangles = (const uint16_t(*)[3])triangles,
+                                .vertex_count = 3 * TRIANGLES,
+                                .triangle_count = TRIANGLES};
+        const qtri_light light = {vec3_of(.3, .5, 1), Q16(.1), Q16(1)};
+        qtri_transform pose;
+        qtri_material m = drawn_material();
+        qtri_view view;
+        random_mesh(positions, normals, triangles, &seed);
+        qtri_transform_identity(&pose);
+        qtri_transform_translate(&pose, vec3_of(0, 0, -3));
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_transform_perspective(&view.projection, Q16(60), Q16(1), Q16(.5), Q16(9));
+        view.light = n % 7 == 0 ? NULL : &light;
+        view.vertices = scratch;
+        view.vertex_count = n % 5 == 0 ? 50 : 3 * TRIANGLES;
+        m.depth_compare = QTRI_LESS;
+        m.shading = n % 4 == 0 ? QTRI_FLAT_LAST : QTRI_SMOOTH;
+        m.interpolation = (qtri_interpolation)(n % 2);
+        m.cull = n % 2 == 0 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
+        m.color.r = (uint8_t)random_in(&seed, 0, 255);
+        m.color.g = (uint8_t)random_in(&seed, 0, 255);
+        canvas_clear(&fused);
+        canvas_clear(&stages);
+        canvas_clear(&bands);
+        qtri_draw_mesh(&fused.surface, &view, &pose, &mesh, &m);
+        qtri_draw_mesh(&stages.surface, &view, &pose, &mesh, &m);
+        assert_memory_equal(fused.memory, stages.memory, fused.bytes);
+        for (int32_t row = 0; row < HEIGHT; row += 7) {
+            qtri_surface band = bands.surface;
+            band.first_row = row;
+            band.rows = HEIGHT - row < 7 ? HEIGHT - row : 7;
+            band.pixels += row * band.pitch;
+            band.depth += row * band.depth_pitch;
+            qtri_draw_mesh(&band, &view, &pose, &mesh, &m);
+        }
+        assert_memory_equal(fused.memory, bands.memory, fused.bytes);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            pixels += fused.surface.depth[i] != 65535;
+        }
+    }
+    print_message("%lld pixels\n", (long long)pixels);
+    assert_true(pixels > 80000);
+    canvas_free(&fused);
+    canvas_free(&stages);
+    canvas_free(&bands);
+}
+
+int main(void)
+{
+    uint64_t seed = 6;
+    for (size_t i = 0; i < LENGTH_OF(colors); i++) {
+        colors[i] = (uint32_t)random64(&seed) & (i % 3 == 0 ? 0x0F0F0F : 0xFFFFFF);
+        numbers[i] = (uint16_t)i;
+    }
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coverage_and_depth), cmocka_unit_test(smooth_colors),
+        cmocka_unit_test(texels),             cmocka_unit_test(cuts),
+        cmocka_unit_test(comparisons),        cmocka_unit_test(fused_loops),
+    };
+    return cmocka_run_group_tests_name("core list", tests, NULL, NULL);
+}

@@ -1,0 +1,472 @@
+/*
+ * Perspective along rows against double precision from the snapped vertices: texture coordinates
+ * within 1/256 of a texel, or of what a pixel steps by; colours within 3/4 of a step; the same
+ * pixels under any scissor, in any bands and by any loop.
+ */
+#include "support_core.h"
+
+enum { WIDTH = 320, HEIGHT = 240, SIDE_MAX = 1024 };
+
+static uint32_t texels32[SIDE_MAX * SIDE_MAX];
+static uint16_t texels16[65536];
+
+static void number_texels(void)
+{
+    for (uint32_t i = 0; i < SIDE_MAX * SIDE_MAX; i++) {
+        texels32[i] = i;
+    }
+    for (uint32_t i = 0; i < 65536; i++) {
+        texels16[i] = (uint16_t)i;
+    }
+}
+
+static double uniform(uint64_t *seed)
+{
+    return ldexp((double)(random64(seed) >> 11), -53);
+}
+
+/* Screen position in pixels, distance, coordinates in repeats. */
+typedef struct corner {
+    double x, y, w, u, v, color[3];
+} corner;
+
+static qtri_screen_vertex vertex_of(const corner *c)
+{
+    qtri_screen_vertex v = screen_at((int32_t)lrint(c->x * 256), (int32_t)lrint(c->y * 256));
+    int exponent;
+    v.inv_w_q31 = (uint32_t)lrint(ldexp(frexp(1 / c->w, &exponent), 31));
+    v.inv_w_exponent = exponent;
+    v.depth_16p16 = 1000 << 16;
+    v.u_q32 = llrint(ldexp(c->u, 32));
+    v.v_q32 = llrint(ldexp(c->v, 32));
+    for (int i = 0; i < 3; i++) {
+        v.color_8p16[i] = (int32_t)lrint(c->color[i] * 65536);
+    }
+    return v;
+}
+
+/* What a pixel should have. */
+typedef struct exact {
+    double u, v, color[3];
+} exact;
+
+static exact exact_at(const qtri_screen_vertex t[3], double x, double y)
+{
+    exact e = {0, 0, {0, 0, 0}};
+    double total = 0;
+    for (int i = 0; i < 3; i++) {
+        const qtri_screen_vertex *p = &t[(i + 1) % 3];
+        const qtri_screen_vertex *q = &t[(i + 2) % 3];
+        double b = (double)(q->x_24p8 - p->x_24p8) * ((y + .5) * 256 - p->y_24p8) -
+                   (double)(q->y_24p8 - p->y_24p8) * ((x + .5) * 256 - p->x_24p8);
+        b *= ldexp((double)t[i].inv_w_q31, t[i].inv_w_exponent);
+        e.u += b * ldexp((double)t[i].u_q32, -32);
+        e.v += b * ldexp((double)t[i].v_q32, -32);
+        for (int k = 0; k < 3; k++) {
+            e.color[k] += b * t[i].color_8p16[k] / 65536.0;
+        }
+        total += b;
+    }
+    e.u /= total;
+    e.v /= total;
+    for (int k = 0; k < 3; k++) {
+        e.color[k] /= total;
+    }
+    return e;
+}
+
+/* How far a coordinate, in texels, is outside of texel `index` of a side that repeats. */
+static double outside(double coordinate, int index, int side)
+{
+    double offset = coordinate - index;
+    offset -= floor(offset / side) * side; /* 0..side */
+    return offset <= 1 ? 0 : fmin(offset - 1, side - offset);
+}
+
+typedef struct tally {
+    long pixels, other, farther;
+    double worst; /* in 1/256 of a texel or a step */
+} tally;
+
+static void judge(tally *sum, const canvas *c, const qtri_screen_vertex t[3],
+                  const qtri_texture *texture)
+{
+    const int width = 1 << texture->width_log2;
+    const int height = 1 << texture->height_log2;
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const int32_t x = i % WIDTH;
+        const int32_t y = i / WIDTH;
+        if (stored_depth(&c->surface, x, y) == 65535) {
+            continue;
+        }
+        const uint32_t texel = stored_pixel(&c->surface, x, y);
+        const exact at = exact_at(t, x, y);
+        const exact right = exact_at(t, x + 1, y);
+        const exact below = exact_at(t, x, y + 1);
+        double step = fmax(fabs(right.u - at.u), fabs(below.u - at.u)) * width;
+        step = fmax(step, fmax(fabs(right.v - at.v), fabs(below.v - at.v)) * height);
+        const double u = outside(at.u * width, (int)(texel & (uint32_t)(width - 1)), width);
+        const double v = outside(at.v * height, (int)(texel >> texture->width_log2), height);
+        sum->pixels++;
+        sum->other += u > 0 || v > 0;
+        sum->farther += fmax(u, v) > fmax(1, step / 256);
+        sum->worst = fmax(sum->worst, 256 * fmax(u, v) / fmax(1, step));
+    }
+}
+
+static qtri_texture texture_of(const qtri_format *format, int width_log2, int height_log2)
+{
+    const bool narrow = format == &qtri_rgb565 && width_log2 + height_log2 <= 16;
+    qtri_texture t = {
+        .texels = narrow ? (const void *)texels16 : texels32,
+        .format = narrow ? &qtri_texel_rgb565 : &qtri_texel_xrgb8888,
+        .width_log2 = (uint8_t)width_log2,
+        .height_log2 = (uint8_t)height_log2,
+    };
+    return t;
+}
+
+static void draw(const canvas *c, const qtri_texture *texture, const qtri_screen_vertex t[3])
+{
+    qtri_material m = plain_material();
+    m.texture = texture;
+    m.texture_mode = QTRI_REPLACE;
+    m.shading = QTRI_SMOOTH;
+    m.depth_compare = QTRI_LESS;
+    qtri_raster_triangle(&c->surface, &m, t);
+}
+
+static corner random_corner(uint64_t *seed, double reach, double ratio, double repeats)
+{
+    corner c = {.x = WIDTH / 2 + (2 * uniform(seed) - 1) * reach,
+                .y = HEIGHT / 2 + (2 * uniform(seed) - 1) * reach,
+                .w = pow(ratio, uniform(seed)),
+                .u = uniform(seed) * repeats,
+                .v = uniform(seed) * repeats};
+    for (int i = 0; i < 3; i++) {
+        c.color[i] = random_in(seed, 0, 4) == 0 ? 255.0 * random_in(seed, 0, 1) : uniform(seed) * 255;
+    }
+    return c;
+}
+
+/* Random triangles: how far they reach from the middle, and up to which ratio of w. */
+static tally random_triangles(uint64_t seed, int count, const qtri_format *format, double reach,
+                              double ratio, double repeats, int side_log2)
+{
+    tally sum = {0, 0, 0, 0};
+    canvas c = canvas_new(format, WIDTH, HEIGHT);
+    for (int n = 0; n < count; n++) {
+        const int width_log2 = side_log2 != 0 ? side_log2 : random_in(&seed, 1, 10);
+        int height_log2 = side_log2 != 0 ? side_log2 : random_in(&seed, 1, 10);
+        if (format == &qtri_rgb565 && width_log2 + height_log2 > 16) {
+            height_log2 = 16 - width_log2;
+        }
+        const qtri_texture texture = texture_of(format, width_log2, height_log2);
+        const double limit = pow(ratio, uniform(&seed));
+        qtri_screen_vertex t[3];
+        for (int i = 0; i < 3; i++) {
+            corner at = random_corner(&seed, reach, limit, repeats);
+            t[i] = vertex_of(&at);
+        }
+        canvas_clear(&c);
+        draw(&c, &texture, t);
+        judge(&sum, &c, t, &texture);
+    }
+    canvas_free(&c);
+    return sum;
+}
+
+/* Rectangles turned about y and rolled: degrees, repeats, distance of the nearer side, ratio of w. */
+static tally walls(uint64_t seed, int count, const qtri_format *format, double degrees,
+                   double repeats, double near_w, double ratio, int side_log2)
+{
+    tally sum = {0, 0, 0, 0};
+    canvas c = canvas_new(format, WIDTH, HEIGHT);
+    const qtri_texture texture = texture_of(format, side_log2, side_log2);
+    const double turn = degrees * acos(-1) / 180;
+    for (int n = 0; n < count; n++) {
+        const double left = -2.2 + uniform(&seed) * .3;
+        const double distance = near_w - left * sin(turn);
+        const double right = (near_w * ratio - distance) / sin(turn);
+        const double roll = n % 4 == 0 ? 0 : (uniform(&seed) - .5) * .5;
+        const double half = 1.5 + uniform(&seed) * .3;
+        const int mirror = n % 2 == 0 ? 1 : -1;
+        corner q[4];
+        for (int i = 0; i < 4; i++) {
+            const double along = i == 1 || i == 2 ? right : left;
+            const double w = distance + along * sin(turn);
+            const double x = mirror * along * cos(turn) / w * 207.8;
+            const double y = (i >= 2 ? half : -half) / w * 207.8;
+            q[i] = (corner){.x = WIDTH / 2 + x * cos(roll) - y * sin(roll),
+                            .y = HEIGHT / 2 + x * sin(roll) + y * cos(roll),
+                            .w = w,
+                            .u = i == 1 || i == 2 ? repeats : 0,
+                            .v = i >= 2 ? repeats : 0};
+        }
+        for (int half_quad = 0; half_quad < 2; half_quad++) {
+            qtri_screen_vertex t[3] = {vertex_of(&q[0]), vertex_of(&q[1 + half_quad]),
+                                       vertex_of(&q[2 + half_quad])};
+            canvas_clear(&c);
+            draw(&c, &texture, t);
+            judge(&sum, &c, t, &texture);
+        }
+    }
+    canvas_free(&c);
+    return sum;
+}
+
+static void report(const char *what, tally sum)
+{
+    print_message("%-36s %8ld pixels, other texel %.3f %%, worst %.3f / 256\n", what, sum.pixels,
+                  100.0 * (double)sum.other / (double)sum.pixels, sum.worst);
+    assert_true(sum.pixels > 10000);
+    assert_int_equal(sum.farther, 0);
+    assert_true((double)sum.other <= .005 * (double)sum.pixels);
+    assert_true(sum.worst <= 1);
+}
+
+static void texels(void **state)
+{
+    (void)state;
+    number_texels();
+    for (int n = 0; n < 2; n++) {
+        const qtri_format *format = n == 0 ? &qtri_rgb565 : &qtri_xrgb8888;
+        report("64 x 64, w to 1:32", random_triangles(1, 400, format, 200, 32, 8, 6));
+        report("any side, w to 1:100", random_triangles(2, 400, format, 200, 100, 4, 0));
+        report("few repeats, w to 1:4", random_triangles(3, 400, format, 200, 4, 1, 0));
+        report("small", random_triangles(4, 3000, format, 24, 8, 1, 6));
+        report("large", random_triangles(5, 200, format, 1600, 16, 16, 6));
+        report("wall 20 degrees, 64", walls(6, 12, format, 20, 1, 2, 1.6, 6));
+        report("wall 50, 64", walls(7, 12, format, 50, 2, 1.7, 2.5, 6));
+        report("wall 50, 256", walls(8, 12, format, 50, 2, 1.7, 2.5, 8));
+        report("wall 80, 64, 1:30", walls(9, 12, format, 80, 8, .3, 30, 6));
+        report("wall 85, 256, 1:100", walls(10, 12, format, 85, 4, .1, 100, 8));
+    }
+}
+
+/* A stored pixel's channels in steps of the format, and what they should be. */
+static void channels_of(double stored[3], double should[3], const qtri_format *format,
+                        uint32_t pixel, const double color[3])
+{
+    if (format == &qtri_gray8) {
+        stored[0] = pixel;
+        should[0] = .299 * color[0] + .587 * color[1] + .114 * color[2];
+        for (int i = 1; i < 3; i++) {
+            stored[i] = 0;
+            should[i] = 0;
+        }
+        return;
+    }
+    const bool narrow = format == &qtri_rgb565;
+    stored[0] = narrow ? pixel >> 11 : pixel >> 16;
+    stored[1] = narrow ? pixel >> 5 & 63 : pixel >> 8 & 255;
+    stored[2] = narrow ? pixel & 31 : pixel & 255;
+    should[0] = color[0] * (narrow ? 31.0 / 255 : 1);
+    should[1] = color[1] * (narrow ? 63.0 / 255 : 1);
+    should[2] = color[2] * (narrow ? 31.0 / 255 : 1);
+}
+
+/* Colours of random triangles, alone or times a texture: the channel farthest off, in steps. */
+static double random_colors(uint64_t seed, int count, const qtri_format *format, double reach,
+                            double ratio, const qtri_texture *texture, bool equal)
+{
+    double worst = 0;
+    long pixels = 0;
+    canvas c = canvas_new(format, WIDTH, HEIGHT);
+    for (int n = 0; n < count; n++) {
+        const double limit = pow(ratio, uniform(&seed));
+        qtri_screen_vertex t[3];
+        for (int i = 0; i < 3; i++) {
+            corner at = random_corner(&seed, reach, limit, 1);
+            if (equal) {
+                at.color[1] = at.color[2] = at.color[0];
+            }
+            t[i] = vertex_of(&at);
+        }
+        qtri_material m = plain_material();
+        m.texture = texture;
+        m.shading = QTRI_SMOOTH;
+        m.depth_compare = QTRI_LESS;
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, t);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const int32_t x = i % WIDTH;
+            const int32_t y = i / WIDTH;
+            if (stored_depth(&c.surface, x, y) == 65535) {
+                continue;
+            }
+            const exact at = exact_at(t, x, y);
+            double stored[3];
+            double should[3];
+            channels_of(stored, should, format, stored_pixel(&c.surface, x, y), at.color);
+            for (int k = 0; k < 3; k++) {
+                if (fabs(stored[k] - should[k]) > worst) {
+                    worst = fabs(stored[k] - should[k]);
+                }
+            }
+            pixels++;
+        }
+    }
+    canvas_free(&c);
+    assert_true(pixels > 10000);
+    return worst;
+}
+
+static void colors(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        const qtri_format *format;
+    } formats[] = {{"rgb565", &qtri_rgb565}, {"xrgb8888", &qtri_xrgb8888}, {"gray8", &qtri_gray8}};
+    static const uint32_t white32 = 0xFFFFFF;
+    static const uint16_t white16 = 0xFFFF;
+    for (size_t n = 0; n < LENGTH_OF(formats); n++) {
+        const qtri_format *format = formats[n].format;
+        const bool narrow = format == &qtri_rgb565;
+        const qtri_texture white = {
+            .texels = narrow ? (const void *)&white16 : &white32,
+            .format = narrow ? &qtri_texel_rgb565 : &qtri_texel_xrgb8888,
+        };
+        const double smooth = random_colors(20, 300, format, 200, 32, NULL, false);
+        const double slivers = random_colors(21, 2000, format, 30, 100, NULL, false);
+        const double large = random_colors(22, 100, format, 4000, 16, NULL, false);
+        const double textured = random_colors(23, 300, format, 200, 32, &white, false);
+        const double textured_small = random_colors(24, 2000, format, 30, 100, &white, false);
+        print_message("%-9s smooth %.3f small %.3f large %.3f, times white %.3f small %.3f\n",
+                      formats[n].name, smooth, slivers, large, textured, textured_small);
+        assert_true(smooth <= .75);
+        assert_true(slivers <= .75);
+        assert_true(large <= .75);
+        const double most = format == &qtri_gray8 ? 1.25 : .75; /* rounded twice */
+        assert_true(textured <= most);
+        assert_true(textured_small <= most);
+    }
+}
+
+/* Materials and formats of all kinds, drawn whole and then in parts. */
+static void parts(void **state)
+{
+    (void)state;
+    number_texels();
+    uint64_t seed = 30;
+    const qtri_texture textures[] = {
+        texture_of(&qtri_rgb565, 6, 6), texture_of(&qtri_xrgb8888, 10, 10),
+        {.texels = texels16, .format = &qtri_texel_rgb565, .width_log2 = 5, .height_log2 = 4,
+         .wrap_u = QTRI_CLAMP, .has_key = true, .key = 77},
+        {.texels = texels32, .format = &qtri_texel_xrgb8888, .width_log2 = 3, .height_log2 = 5,
+         .filter = &qtri_bilinear}};
+    qtri_format stages_565 = qtri_rgb565;
+    stages_565.fused = NULL;
+    const qtri_format *const formats[] = {&qtri_rgb565, &stages_565, &qtri_xrgb8888, &qtri_gray8};
+    for (int n = 0; n < 600; n++) {
+        const qtri_format *format = formats[n % 4];
+        qtri_material m = plain_material();
+        const int kind = random_in(&seed, 0, (int32_t)LENGTH_OF(textures));
+        m.texture = kind < (int)LENGTH_OF(textures) ? &textures[kind] : NULL;
+        m.texture_mode = (qtri_texture_mode)random_in(&seed, 0, 1);
+        m.shading = QTRI_SMOOTH;
+        m.depth_compare = random_flag(&seed) ? QTRI_LESS : QTRI_LESS_EQUAL;
+        const double ratio = pow(64, uniform(&seed));
+        const double reach = n % 3 == 0 ? 20 : 150;
+        qtri_screen_vertex t[3];
+        for (int i = 0; i < 3; i++) {
+            corner at = random_corner(&seed, reach, ratio, 4);
+            t[i] = vertex_of(&at);
+            t[i].depth_16p16 = (uint32_t)random_in(&seed, 0, 65535) << 15;
+        }
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        canvas tiles = canvas_new(format, WIDTH, HEIGHT);
+        qtri_raster_triangle(&whole.surface, &m, t);
+        const int32_t width = random_in(&seed, 3, 90);
+        for (int32_t y = 0; y < HEIGHT; y += 37) {
+            for (int32_t x = 0; x < WIDTH; x += width) {
+                tiles.surface.scissor = (qtri_rect){x, y, x + width, y + 37};
+                qtri_raster_triangle(&tiles.surface, &m, t);
+            }
+        }
+        assert_same_picture(&whole.surface, &tiles.surface);
+        for (int32_t first = 0; first < HEIGHT; first += 100) {
+            canvas band =
+                canvas_band(format, WIDTH, HEIGHT, first, first + 100 < HEIGHT ? 100 : HEIGHT - first);
+            qtri_raster_triangle(&band.surface, &m, t);
+            assert_same_picture(&whole.surface, &band.surface);
+            canvas_free(&band);
+        }
+        if (format == &qtri_rgb565) {
+            canvas staged = canvas_new(&stages_565, WIDTH, HEIGHT);
+            qtri_raster_triangle(&staged.surface, &m, t);
+            assert_same_picture(&whole.surface, &staged.surface);
+            canvas_free(&staged);
+        }
+        canvas_free(&whole);
+        canvas_free(&tiles);
+    }
+}
+
+/* Anything may be drawn, and colours stay between those of the vertices. */
+static void extremes(void **state)
+{
+    (void)state;
+    number_texels();
+    uint64_t seed = 40;
+    const qtri_texture texture = texture_of(&qtri_rgb565, 7, 9);
+    const qtri_texture clamped = {.texels = texels32, .format = &qtri_texel_xrgb8888,
+                                  .width_log2 = 4, .height_log2 = 4, .wrap_u = QTRI_CLAMP,
+                                  .wrap_v = QTRI_CLAMP};
+    const qtri_texture *const textures[] = {NULL, &texture, &clamped};
+    for (int n = 0; n < 6000; n++) {
+        const qtri_format *format = drawn_format(n);
+        const int32_t kind = random_in(&seed, 0, 3);
+        const int32_t reach = kind == 0   ? 1 << 22
+                              : kind == 1 ? 300
+                              : kind == 2 ? 20000
+                                          : 1 << (random_in(&seed, 6, 22));
+        qtri_screen_vertex t[3];
+        const int32_t exponents = random_in(&seed, 0, 40);
+        const int32_t least = random_in(&seed, 0, 255);
+        const int32_t greatest = random_in(&seed, least, 255);
+        for (int i = 0; i < 3; i++) {
+            t[i] = screen_at(random_in(&seed, -reach, reach) + WIDTH * 128,
+                             random_in(&seed, -reach, reach) + HEIGHT * 128);
+            t[i].inv_w_q31 = (uint32_t)random64(&seed);
+            t[i].inv_w_exponent = random_in(&seed, -exponents, exponents);
+            t[i].u_q32 = (int64_t)(random64(&seed)) >> random_in(&seed, 0, 60);
+            t[i].v_q32 = (int64_t)(random64(&seed)) >> random_in(&seed, 0, 60);
+            for (int k = 0; k < 3; k++) {
+                t[i].color_8p16[k] = random_in(&seed, least, greatest) << 16;
+            }
+        }
+        qtri_material m = plain_material();
+        m.texture = textures[random_in(&seed, 0, 2)];
+        m.shading = QTRI_SMOOTH;
+        canvas c = canvas_new(format, WIDTH, HEIGHT);
+        qtri_raster_triangle(&c.surface, &m, t);
+        for (int32_t i = 0; m.texture == NULL && i < WIDTH * HEIGHT; i++) {
+            const uint32_t pixel = stored_pixel(&c.surface, i % WIDTH, i / WIDTH);
+            const double ends[2][3] = {{least, least, least}, {greatest, greatest, greatest}};
+            double stored[3];
+            double low[3];
+            double high[3];
+            channels_of(stored, low, format, pixel, ends[0]);
+            channels_of(stored, high, format, pixel, ends[1]);
+            for (int k = 0; k < 3 && pixel != 0; k++) {
+                if (stored[k] < low[k] - .75 || stored[k] > high[k] + .75) {
+                    fail_msg("triangle %d: %f is not in %f..%f", n, stored[k], low[k], high[k]);
+                }
+            }
+        }
+        canvas_free(&c);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(texels),
+        cmocka_unit_test(colors),
+        cmocka_unit_test(parts),
+        cmocka_unit_test(extremes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
