@@ -99,6 +99,13 @@ static inline void qtri_math_fault(void)
 #define QTRI_HOLD(x) ((void)(x))
 #endif
 
+/* Inlined by all its callers, for a small one in a loop or one whose choices they know. */
+#ifdef __GNUC__
+#define QTRI_INLINE __attribute__((always_inline)) static inline
+#else
+#define QTRI_INLINE static inline
+#endif
+
 /* A function of its own, whose stack is free again when it returns. */
 #ifdef __GNUC__
 #define QTRI_NOINLINE __attribute__((noinline))

@@ -142,13 +142,6 @@ static void light(const qtri_mesh_job *draw, uint32_t count)
     }
 }
 
-static void clear_edges(const qtri_mesh_job *draw, uint32_t count)
-{
-    for (uint32_t i = 0; i < count; i++) {
-        draw->vertices[draw->vertices[i].index].inv_w = 0;
-    }
-}
-
 static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
@@ -170,15 +163,12 @@ static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
     if (met != 0) {
         faces->inside &= transform(draw, met);
         light(draw, met);
-        if (draw->edges != QTRI_EDGES_ALL) {
-            clear_edges(draw, met);
-        }
     }
     return true;
 }
 
 /* Those that face the eye, of a mesh with all vertices inside and indices of 16 bits. */
-static inline void draw_fronts(const qtri_mesh_faces *faces, const qtri_mesh_job *draw, bool solid)
+QTRI_NOINLINE static void draw_fronts(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     const uint32_t size = qtri_vertex_size();
     const uint8_t *triangles = faces->triangles;
@@ -198,23 +188,8 @@ static inline void draw_fronts(const qtri_mesh_faces *faces, const qtri_mesh_job
         if (qtri_triangle_is_back(&a->at, &b->at, &c->at)) {
             continue;
         }
-        if (solid) {
-            qtri_mesh_draw_solid(draw, triangle, a, b, c);
-        } else {
-            qtri_vertex *const corner[3] = {a, b, c}; /* in memory only here */
-            qtri_mesh_draw_lines(draw, triangle, corner);
-        }
+        qtri_mesh_draw_solid(draw, triangle, a, b, c);
     }
-}
-
-QTRI_NOINLINE static void draw_solid_fronts(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
-{
-    draw_fronts(faces, draw, true);
-}
-
-QTRI_NOINLINE static void draw_line_fronts(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
-{
-    draw_fronts(faces, draw, false);
 }
 
 QTRI_NOINLINE static void draw_list(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
@@ -243,10 +218,8 @@ QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
     while (next(&faces, draw)) {
         if (!simple || !faces.inside) {
             draw_list(&faces, draw);
-        } else if (draw->material.fill == NULL) {
-            draw_solid_fronts(&faces, draw);
         } else {
-            draw_line_fronts(&faces, draw);
+            draw_fronts(&faces, draw);
         }
     }
     return true;

@@ -55,7 +55,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->vertices = view->vertices;
     draw->slot_count = view->vertex_count;
     const bool solid = material->fill == NULL;
-    qtri_primitive_set_target(&draw->primitive, surface, &draw->material, !solid);
+    qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
     draw->tinted = mesh->colors == NULL;
     draw->more = !draw->tinted;
     if (solid) {
@@ -68,7 +68,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     draw->lit_per_vertex =
         view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;
-    draw->edges = QTRI_EDGES_ALL;
+    draw->noted = false;
     draw->lit = false;
     draw->lit_per_face = QTRI_WITH_FACE_LIGHT && view->light != NULL && !draw->lit_per_vertex;
     if (solid) {

@@ -1,3 +1,4 @@
+#include "fill.h"
 #include "mesh_faces.h"
 #include "prepared_lists.h"
 
@@ -167,9 +168,6 @@ QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triang
                                   qtri_vertex *const vertex[3])
 {
     if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
-        if (s->job->edges == QTRI_EDGES_NOTED) {
-            qtri_mesh_note_edges(s->job, triangle, vertex);
-        }
         meet_all(s, triangle, vertex);
         list_seen(s, number, vertex, s->is_solid);
         return;
@@ -276,13 +274,13 @@ QTRI_NOINLINE static bool see_faces(sorter *s)
 static void see_whole(sorter *s)
 {
     const qtri_mesh_job *job = s->job;
-    if (see_faces(s)) {
+    if (s->is_solid && see_faces(s)) {
         return;
     }
     const bool inside = qtri_mesh_transform(job, 0, job->mesh->vertex_count, job->vertices);
     s->prepared->back_only = inside && job->material.cull == QTRI_CULL_BACK;
-    if (job->edges == QTRI_EDGES_NOTED) {
-        qtri_mesh_clear_edges(job);
+    if (!s->is_solid) {
+        job->material.fill->prepare(job, s->prepared->back_only);
     }
     see_complete(s);
 }
@@ -340,9 +338,6 @@ bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
     qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material);
     job->vertices = prepared->vertices;
     job->slot_count = prepared->vertex_count;
-    if (qtri_prepared_is_complete(prepared) && qtri_mesh_has_final_edges(job)) {
-        job->edges = QTRI_EDGES_NOTED;
-    }
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
 }
 
@@ -372,10 +367,6 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     prepared->extent_24p8 = none;
     begin_lists(&s, prepared);
     if (s.is_complete) {
-        if (!is_solid &&
-            qtri_line_is_final(job.material.depth_compare, !job.material.depth_read_only)) {
-            job.edges = QTRI_EDGES_NOTED; /* the bands' surfaces may have depths */
-        }
         see_whole(&s);
     } else {
         qtri_mesh_clear_slots(&job);

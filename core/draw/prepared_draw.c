@@ -1,3 +1,4 @@
+#include "fill.h"
 #include "prepared_lists.h"
 
 /*
@@ -101,7 +102,7 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
 
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
 {
-    const qtri_rect bounds = qtri_drawn_bounds(surface);
+    const qtri_rect bounds = qtri_surface_bounds(surface);
     if (prepared->mesh == NULL || !prepared->is_seen || qtri_rect_is_empty(&bounds) ||
         surface->width != prepared->width || surface->height != prepared->height) {
         return;
@@ -121,9 +122,12 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     if (!job.lit) {
         qtri_mesh_clear_slots(&job);
     }
+    if (job.material.fill != NULL) {
+        job.material.fill->band(&job);
+    }
     if (by_list) {
         draw_list(&job, prepared, band);
     }
     draw_range(&job, prepared, first, count);
-    qtri_mesh_finish(&job);
+    qtri_primitive_finish(&job.primitive);
 }

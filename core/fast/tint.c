@@ -73,7 +73,7 @@ static inline void fill(const tint_rows *rows, const uint8_t *span, uint32_t pix
 /* Pixels of all shares of the tint. */
 QTRI_NOINLINE static void make_table(const qtri_raster *raster)
 {
-    uint16_t *table = raster->batch->by.table;
+    uint16_t *table = qtri_batch_table(raster->batch);
     uint32_t words[4];
     for (uint32_t i = 0; i < (1u << TABLE_BITS) + 1; i += 4) {
         for (uint32_t k = 0; k < 4; k++) {
@@ -160,7 +160,7 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     rows.light = ramp.origin;
     rows.light_dx = ramp.dx;
     rows.light_dy = ramp.dy;
-    rows.table = raster->batch->by.table;
+    rows.table = qtri_batch_table(raster->batch);
     QTRI_READ_AGAIN
     fill(&rows, p.first, 0, true);
     return true;
