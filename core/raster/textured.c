@@ -34,8 +34,8 @@ void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
     raster->fetched = raster->repeated && texture->format->bytes == 2 && texture->filter == NULL;
 #endif
     raster->copied = raster->repeated && narrow && format->encode == NULL &&
-                     texture->format == &qtri_texel_rgb565 && texture->filter == NULL &&
-                     !texture->has_key;
+                     texture->format->bytes == 2 && texture->format->decode == NULL &&
+                     texture->filter == NULL && !texture->has_key;
 }
 
 /* The mask of stored texels that are not the key. */
