@@ -16,8 +16,7 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
     const int32_t reach = kind == 1 ? random_in(seed, 1, 600) : random_in(seed, 256, 4095);
     const int32_t x = random_in(seed, 0, WIDTH * 256);
     const int32_t y = random_in(seed, 0, HEIGHT * 256);
-    const int32_t depth_reach =
-        kind == 3 ? 65535 : (int32_t)1 << random_in(seed, 0, 16 - 1);
+    const int32_t depth_reach = kind == 3 ? 65535 : (int32_t)1 << random_in(seed, 0, 16 - 1);
     const int32_t depth = random_in(seed, 0, 65535 - depth_reach);
     const double w = 1 + random_in(seed, 0, 1000) / 1000.0;
     const int32_t w_reach = kind == 4 ? 0 : random_in(seed, 0, 70);
@@ -27,7 +26,8 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
         const int32_t dx = i == 0 ? 0 : random_in(seed, -reach, reach);
         const int32_t dy = i == 0 ? 0 : random_in(seed, -reach, reach);
         v[i] = screen_at(x + dx, y + dy);
-        v[i].depth_16p16 = (uint32_t)depth * 65536 + (uint32_t)random_in(seed, 0, depth_reach) * 65536u;
+        v[i].depth_16p16 =
+            (uint32_t)depth * 65536 + (uint32_t)random_in(seed, 0, depth_reach) * 65536u;
         v[i].inv_w_q31 = (uint32_t)floor(
             ldexp(w * (1 + (i == 0 ? 0 : random_in(seed, -w_reach, w_reach) / 1000.0)), 29));
         v[i].u_q32 = (int64_t)(u + random_in(seed, -uv_reach, uv_reach)) * 65536;
@@ -54,8 +54,8 @@ static bool weights(double b[3], const qtri_screen_vertex v[3], int32_t x, int32
         const qtri_screen_vertex *q = &v[(i + 2) % 3];
         int32_t dx = q->x_24p8 - p->x_24p8;
         int32_t dy = q->y_24p8 - p->y_24p8;
-        edge[i] = (int64_t)dx * (y * 256 + 128 - p->y_24p8) -
-                  (int64_t)dy * (x * 256 + 128 - p->x_24p8);
+        edge[i] =
+            (int64_t)dx * (y * 256 + 128 - p->y_24p8) - (int64_t)dy * (x * 256 + 128 - p->x_24p8);
         b[i] = (double)edge[i] / (double)area;
         if (area < 0) {
             dx = -dx;
@@ -133,9 +133,9 @@ static void coverage_and_depth(void **state)
             const bool inside = weights(b, v, i % WIDTH, i / WIDTH);
             assert_int_equal(stored_pixel(&c.surface, i % WIDTH, i / WIDTH), inside ? 0xFFFF : 0);
             if (inside) {
-                const double depth = (b[0] * v[0].depth_16p16 + b[1] * v[1].depth_16p16 +
-                                      b[2] * v[2].depth_16p16) /
-                                     65536;
+                const double depth =
+                    (b[0] * v[0].depth_16p16 + b[1] * v[1].depth_16p16 + b[2] * v[2].depth_16p16) /
+                    65536;
                 const double error = fabs(stored_depth(&c.surface, i % WIDTH, i / WIDTH) - depth);
                 worst[n % 5] = error > worst[n % 5] ? error : worst[n % 5];
                 pixels++;
@@ -217,7 +217,8 @@ static void smooth_colors(void **state)
 static double texels_off(double exact, int32_t drawn, int32_t side, bool clamped)
 {
     double least = 1e9;
-    exact = clamped ? (exact < 0 ? 0 : (exact > side ? side : exact)) : exact - side * floor(exact / side);
+    exact = clamped ? (exact < 0 ? 0 : (exact > side ? side : exact))
+                    : exact - side * floor(exact / side);
     for (int32_t at = drawn - side; at <= drawn + side; at += side) {
         if (clamped && at != drawn) {
             continue;
@@ -242,7 +243,8 @@ static void texels(void **state)
         qtri_texture texture = {.texels = numbers, .format = &qtri_texel_rgb565};
         random_triangle(v, &seed, n % 5);
         texture.width_log2 = (uint8_t)random_in(&seed, 0, 10);
-        texture.height_log2 = (uint8_t)random_in(&seed, 0, 16 - texture.width_log2 < 10 ? 16 - texture.width_log2 : 10);
+        texture.height_log2 = (uint8_t)random_in(
+            &seed, 0, 16 - texture.width_log2 < 10 ? 16 - texture.width_log2 : 10);
         texture.wrap_u = random_in(&seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
         texture.wrap_v = random_in(&seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
         m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
@@ -258,7 +260,9 @@ static void texels(void **state)
                 const qtri_screen_vertex *p = &v[i];
                 const qtri_screen_vertex *q = &v[(i + 1) % 3];
                 const double l = hypot(p->x_24p8 - q->x_24p8, p->y_24p8 - q->y_24p8);
-                const double r = fabs(ldexp((double)(k == 0 ? p->u_q32 - q->u_q32 : p->v_q32 - q->v_q32), -32)) * side[k];
+                const double r =
+                    fabs(ldexp((double)(k == 0 ? p->u_q32 - q->u_q32 : p->v_q32 - q->v_q32), -32)) *
+                    side[k];
                 length = l > length ? l : length;
                 range = r > range ? r : range;
             }
@@ -279,17 +283,18 @@ static void texels(void **state)
                 for (int j = 0; j < 3; j++) {
                     at += b[j] * ldexp((double)(k == 0 ? v[j].u_q32 : v[j].v_q32), -32) * side[k];
                 }
-                const int32_t drawn = k == 0 ? number & (side[0] - 1) : number >> texture.width_log2;
-                const double off =
-                    texels_off(at, drawn, side[k], (k == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP);
+                const int32_t drawn =
+                    k == 0 ? number & (side[0] - 1) : number >> texture.width_log2;
+                const double off = texels_off(
+                    at, drawn, side[k], (k == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP);
                 others += off > 0;
                 worst = off / per_pixel[k] > worst ? off / per_pixel[k] : worst;
             }
             pixels++;
         }
     }
-    print_message("%lld pixels: %lld another texel; off by 1/%.0f of max(1, t)\n", (long long)pixels,
-                  (long long)others, 1 / worst);
+    print_message("%lld pixels: %lld another texel; off by 1/%.0f of max(1, t)\n",
+                  (long long)pixels, (long long)others, 1 / worst);
     assert_true(worst < 1.0 / 256);
     canvas_free(&c);
 }
@@ -345,7 +350,8 @@ static void cuts(void **state)
             qtri_raster_triangle(&whole.surface, &m, v);
             const int32_t x = random_in(&seed, 0, WIDTH);
             const int32_t y = random_in(&seed, 0, HEIGHT);
-            const qtri_rect scissor[4] = {{0, 0, x, y}, {x, 0, WIDTH, y}, {0, y, x, HEIGHT}, {x, y, WIDTH, HEIGHT}};
+            const qtri_rect scissor[4] = {
+                {0, 0, x, y}, {x, 0, WIDTH, y}, {0, y, x, HEIGHT}, {x, y, WIDTH, HEIGHT}};
             for (int i = 0; i < 4; i++) {
                 qtri_surface part = parts.surface;
                 part.scissor = scissor[i];
@@ -534,9 +540,12 @@ int main(void)
         numbers[i] = (uint16_t)i;
     }
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage_and_depth), cmocka_unit_test(smooth_colors),
-        cmocka_unit_test(texels),             cmocka_unit_test(cuts),
-        cmocka_unit_test(comparisons),        cmocka_unit_test(fused_loops),
+        cmocka_unit_test(coverage_and_depth),
+        cmocka_unit_test(smooth_colors),
+        cmocka_unit_test(texels),
+        cmocka_unit_test(cuts),
+        cmocka_unit_test(comparisons),
+        cmocka_unit_test(fused_loops),
     };
     return cmocka_run_group_tests_name("core list", tests, NULL, NULL);
 }

@@ -44,8 +44,8 @@ uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex
 }
 
 /* Lit only when it touches a pixel. */
-QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indices,
-                                     qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                     qtri_vertex *b, qtri_vertex *c)
 {
     qtri_triangle triangle;
     triangle.p[0] = &a->at;
@@ -53,8 +53,7 @@ QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indi
     triangle.p[2] = &c->at;
     triangle.area = qtri_triangle_area(&a->at, &b->at, &c->at);
     triangle.tinted = draw->tinted;
-    if (triangle.area == 0 ||
-        !qtri_triangle_begin(&draw->primitive.to.solid.raster, &triangle)) {
+    if (triangle.area == 0 || !qtri_triangle_begin(&draw->primitive.to.solid.raster, &triangle)) {
         return;
     }
     qtri_vertex *const vertex[3] = {a, b, c};

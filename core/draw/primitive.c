@@ -8,7 +8,8 @@ void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *su
     primitive->surface = surface;
     primitive->material = material;
     if (!lines) {
-        qtri_raster_init(&primitive->to.solid.raster, surface, material, &primitive->to.solid.batch);
+        qtri_raster_init(&primitive->to.solid.raster, surface, material,
+                         &primitive->to.solid.batch);
     } else {
         qtri_line_job_init(&primitive->to.line, surface, material);
     }
@@ -164,8 +165,7 @@ QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *
     p->source(p->from, attributes);
     spread_provoking(p->primitive->material, attributes);
     for (int i = 0; i < 3; i++) {
-        set_attributes(&out[i], p->vertex[i], attributes,
-                       &p->primitive->to.solid.raster);
+        set_attributes(&out[i], p->vertex[i], attributes, &p->primitive->to.solid.raster);
     }
 }
 
@@ -197,8 +197,8 @@ QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
         v[i].depth_16p8 = p->vertex[i]->depth_16p8;
         v[i].inv_w = p->vertex[i]->inv_w_q31;
     }
-    const qtri_placed placed = qtri_place_triangle(
-        &place, spans, &p->primitive->to.solid.raster, &v[0], &v[1], &v[2]);
+    const qtri_placed placed =
+        qtri_place_triangle(&place, spans, &p->primitive->to.solid.raster, &v[0], &v[1], &v[2]);
     if (placed == QTRI_PLACED_SMALL) {
         draw_small_piece(p, &place, v);
     }

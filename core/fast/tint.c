@@ -1,7 +1,7 @@
 /*
- * Small triangles of a mesh of one colour, as most are: in surfaces of 16 bits with depth "less" and
- * written, whose rows of pixels and of depths are equally far apart. Light looks its pixel up in a
- * table, which is made once a draw call.
+ * Small triangles of a mesh of one colour, as most are: in surfaces of 16 bits with depth "less"
+ * and written, whose rows of pixels and of depths are equally far apart. Light looks its pixel up
+ * in a table, which is made once a draw call.
  */
 #include "../geometry/projector.h"
 #include "../raster/list_values.h"
@@ -147,8 +147,12 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     rows.depths = (uintptr_t)surface->depth + (uintptr_t)p.row * rows.pitch +
                   (uintptr_t)(2 * (ptrdiff_t)p.column);
     if (!smooth) {
-        fill(&rows, p.first,
-             qtri_raster_stored(raster, qtri_raster_tinted(raster, light_q15, 15)), false);
+        rows.light = 0;
+        rows.light_dx = 0;
+        rows.light_dy = 0;
+        rows.table = NULL;
+        fill(&rows, p.first, qtri_raster_stored(raster, qtri_raster_tinted(raster, light_q15, 15)),
+             false);
         return true;
     }
     if (!raster->batch->has_table) {

@@ -12,12 +12,14 @@
 #ifndef QTRI_RASTER_BATCH_H
 #define QTRI_RASTER_BATCH_H
 
+#include "qtri/config.h"
+
 #include "../frame/colors.h"
 
 enum {
-    QTRI_BATCH = 32,                    /* fragments: as many as a mask has bits */
-    QTRI_BATCH_ROOM = QTRI_BATCH + 7,    /* stages work on four or eight at a time */
-    QTRI_TINT_BITS = 7                   /* of light, where colours are 565 */
+    QTRI_BATCH = 32,                  /* fragments: as many as a mask has bits */
+    QTRI_BATCH_ROOM = QTRI_BATCH + 7, /* stages work on four or eight at a time */
+    QTRI_TINT_BITS = 7                /* of light, where colours are 565 */
 };
 
 /*
@@ -25,9 +27,9 @@ enum {
  *
  *   color   the number of its texel, the stored texel, its colour, the stored pixel; where texels
  *           are filtered, at first u
- *   by.shade  what the texel is multiplied by: light, 0..1024, or red green blue, 10 bits each; where
- *           texels are filtered, at first v
- *   place   of small triangles: row << 16 | column, from the surface's first pixel
+ *   by.shade  what the texel is multiplied by: light, 0..1024, or red green blue, 10 bits each;
+ * where texels are filtered, at first v place   of small triangles: row << 16 | column, from the
+ * surface's first pixel
  */
 typedef struct qtri_batch {
     uint8_t count;  /* fragments of small triangles that wait, see list.h */

@@ -7,8 +7,8 @@
 /* Rows on their way into the batch. */
 typedef struct list_rows {
     const uint8_t *span;
-    uint32_t place; /* of the base column in this row */
-    uint32_t z;     /* there, 16.16 */
+    uint32_t place;     /* of the base column in this row */
+    uint32_t z;         /* there, 16.16 */
     ptrdiff_t depth_at; /* its depth's place in memory: may be left of a row */
     qtri_ramp depth;
 } list_rows;
@@ -81,8 +81,8 @@ static bool append_less(list_rows *r, qtri_batch *batch, const qtri_surface *sur
 #define PIXELS                                                                                     \
     uint32_t z = r->z + x * step;                                                                  \
     uint32_t at = r->place + x;                                                                    \
-    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                                               \
-    const uint16_t *const row_end = depth + (end - x);                                               \
+    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                   \
+    const uint16_t *const row_end = depth + (end - x);                                             \
     do {                                                                                           \
         if (z >> 16 < *depth) {                                                                    \
             QTRI_BRANCH                                                                            \
@@ -100,14 +100,14 @@ static bool append_less(list_rows *r, qtri_batch *batch, const qtri_surface *sur
 }
 
 /* Any comparison: `passes` has bits for less, equal, greater. */
-static bool append_passing(list_rows *r, qtri_batch *batch, const qtri_surface *surface, uint32_t passes,
-                           bool write)
+static bool append_passing(list_rows *r, qtri_batch *batch, const qtri_surface *surface,
+                           uint32_t passes, bool write)
 {
 #define PIXELS                                                                                     \
     uint32_t z = r->z + x * r->depth.dx;                                                           \
     uint32_t at = r->place + x;                                                                    \
-    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                                               \
-    const uint16_t *const row_end = depth + (end - x);                                               \
+    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                   \
+    const uint16_t *const row_end = depth + (end - x);                                             \
     do {                                                                                           \
         const uint32_t top = z >> 16;                                                              \
         const uint32_t stored = *depth;                                                            \
@@ -152,7 +152,8 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     }
 }
 
-/* The stages of what is in the batch. depth: where texels may be turned away, see the mask there. */
+/* The stages of what is in the batch. depth: where texels may be turned away, see the mask there.
+ */
 static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *depth)
 {
     qtri_batch *batch = raster->batch;

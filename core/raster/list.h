@@ -33,8 +33,8 @@ void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3]);
 typedef struct qtri_list_triangle {
     qtri_place *place; /* its base becomes pixel (0, 0) */
     const qtri_vertex *v[3];
-    const int32_t (*color)[3]; /* channels of each vertex; NULL: shares of the tint, by light */
-    uint32_t light_q15;        /* of all; QTRI_VERTEX_UNLIT: the vertices' own */
+    const int32_t (*color)[3];  /* channels of each vertex; NULL: shares of the tint, by light */
+    uint32_t light_q15;         /* of all; QTRI_VERTEX_UNLIT: the vertices' own */
     const qtri_coordinates *uv; /* u and v; read where the raster has a texture */
 } qtri_list_triangle;
 

@@ -27,8 +27,8 @@ void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
 }
 
 enum {
-    KEPT = 15,   /* bits of the larger difference */
-    TEXEL = 18,  /* of a texel's fraction, where coordinates do not fill 32 bits */
+    KEPT = 15,  /* bits of the larger difference */
+    TEXEL = 18, /* of a texel's fraction, where coordinates do not fill 32 bits */
     UP = QTRI_PLACE_DOWN
 };
 
@@ -36,8 +36,8 @@ enum {
 #define ABOVE_ZERO ((uint32_t)1 << 30)
 
 /*
- * A coordinate's differences with KEPT bits, times 1 + e, their fraction held to `most`. Returns the
- * fraction of what comes out.
+ * A coordinate's differences with KEPT bits, times 1 + e, their fraction held to `most`. Returns
+ * the fraction of what comes out.
  */
 static inline int32_t differences(int32_t f[2], const qtri_list_values *v,
                                   const qtri_coordinates *c, int32_t most)
@@ -45,7 +45,7 @@ static inline int32_t differences(int32_t f[2], const qtri_list_values *v,
     const int32_t d1 = c->at[v->second] - c->at[0];
     const int32_t d2 = c->at[v->third] - c->at[0];
     int32_t up = qtri_clz32(qtri_about(d1) | qtri_about(d2)) - (32 - KEPT); /* -16..15 */
-    up = qtri_least32(up, most - c->fraction); /* >= -23 */
+    up = qtri_least32(up, most - c->fraction);                              /* >= -23 */
     if (up >= 0) {
         f[0] = d1 * ((int32_t)1 << up);
         f[1] = d2 * ((int32_t)1 << up);
@@ -60,8 +60,8 @@ static inline int32_t differences(int32_t f[2], const qtri_list_values *v,
 }
 
 /*
- * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter, edges
- * are nothing special.
+ * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter,
+ * edges are nothing special.
  */
 static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
 {
@@ -158,7 +158,8 @@ static void numbers_repeated(const qtri_list_values *v, uint32_t *number, const 
         const uint32_t y = *place >> 16;
         const int32_t w = qtri_list_w(&e, x, y);
         place++;
-        *number++ = qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
+        *number++ =
+            qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
     } while (place != end);
 }
 
@@ -178,7 +179,8 @@ static void numbers_lit(const qtri_list_values *v, uint32_t *number, uint32_t *s
         const int32_t w = qtri_list_w(&e, x, y);
         place++;
         *shade++ = qtri_list_at(&light, x, y) >> QTRI_LIGHT_SHIFT;
-        *number++ = qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
+        *number++ =
+            qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
     } while (place != end);
 }
 
@@ -245,8 +247,7 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
 }
 
 /* Leaves fragments out that are not in the mask; writes the depths of the others. */
-static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count,
-                    const qtri_ramp *depth)
+static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count, const qtri_ramp *depth)
 {
     const qtri_surface *surface = raster->surface;
     qtri_batch *batch = raster->batch;

@@ -2,7 +2,8 @@
 
 #include "../geometry/projector.h"
 
-/* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at most. */
+/* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at most.
+ */
 static void ramp_of(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1, int32_t f2)
 {
     qtri_place_ramp(ramp, v->t->place, &v->inverse, f0, f1, f2);
@@ -72,8 +73,7 @@ static bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, uint32_
     const qtri_vertex *b = v->t->v[1];
     const qtri_vertex *c = v->t->v[2];
     return !(QTRI_WITH_PERSPECTIVE && v->raster->perspective) ||
-           qtri_list_is_plain(a, b, c, d1, d2, part) ||
-           qtri_list_is_linear(a, b, c, d1, d2, part);
+           qtri_list_is_plain(a, b, c, d1, d2, part) || qtri_list_is_linear(a, b, c, d1, d2, part);
 }
 
 void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
@@ -197,8 +197,8 @@ static void curves(const qtri_list_values *v, uint32_t *out, const uint32_t *pla
     } while (place != end);
 }
 
-void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *place,
-                     int32_t count, uint32_t shift, uint32_t red, uint32_t green)
+void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *place, int32_t count,
+                     uint32_t shift, uint32_t red, uint32_t green)
 {
     if (v->channels == 0) {
         do {

@@ -4,9 +4,9 @@
  * A fragment's place is row << 16 | column; ramps begin at place 0, all modulo 2^32.
  *
  * With perspective an attribute is u_0 + l / (1 + e), where e, what 1/w has more than at vertex 0
- * by its value there, and l are linear on the screen: l_i = (u_i - u_0) (1 + e_i) at vertex i. Since
- * |e| <= 1/12.8, l (1 - w) with w = e - e^2 + e^3 is off by less than l e^4, the 24,000th part of l,
- * and of the 22.6 pixels that anything may be away from vertex 0 by 1/1000 of one.
+ * by its value there, and l are linear on the screen: l_i = (u_i - u_0) (1 + e_i) at vertex i.
+ * Since |e| <= 1/12.8, l (1 - w) with w = e - e^2 + e^3 is off by less than l e^4, the 24,000th
+ * part of l, and of the 22.6 pixels that anything may be away from vertex 0 by 1/1000 of one.
  */
 #ifndef QTRI_RASTER_LIST_VALUES_H
 #define QTRI_RASTER_LIST_VALUES_H
@@ -81,9 +81,9 @@ static inline int32_t qtri_list_divided(int32_t l, int32_t w)
 }
 
 /*
- * Whether a colour that differs from vertex 0's by d1 and d2, n.9, is linear on the screen: it strays
- * by range (q_greatest - q_least) / (4 q_least), q being 1/w, see nearly_linear() in setup.c, which
- * is to be below 2^-part of 2^16: 3 is 1/8 of a step.
+ * Whether a colour that differs from vertex 0's by d1 and d2, n.9, is linear on the screen: it
+ * strays by range (q_greatest - q_least) / (4 q_least), q being 1/w, see nearly_linear() in
+ * setup.c, which is to be below 2^-part of 2^16: 3 is 1/8 of a step.
  */
 bool qtri_list_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c,
                          int32_t d1, int32_t d2, uint32_t part);
@@ -93,9 +93,10 @@ static inline bool qtri_list_is_plain(const qtri_vertex *a, const qtri_vertex *b
                                       const qtri_vertex *c, int32_t d1, int32_t d2, uint32_t part)
 {
     const uint32_t range = qtri_about(d1) + qtri_about(d2) + 2;
-    const uint32_t q_range = qtri_about((int32_t)(b->inv_w - a->inv_w)) +
-                             qtri_about((int32_t)(c->inv_w - a->inv_w)) + 2;
-    return qtri_place_is_level(a, b, c) && range * ((q_range >> 16) + 1) < (uint32_t)1 << (25 - part);
+    const uint32_t q_range =
+        qtri_about((int32_t)(b->inv_w - a->inv_w)) + qtri_about((int32_t)(c->inv_w - a->inv_w)) + 2;
+    return qtri_place_is_level(a, b, c) && range * ((q_range >> 16) + 1) < (uint32_t)1
+                                                                               << (25 - part);
 }
 
 /* Of light, Q15: 1/8 of 63 steps or of 255. */
@@ -111,11 +112,11 @@ static inline uint32_t qtri_list_light_part(const qtri_raster *raster)
  */
 void qtri_list_set_light(qtri_list_values *v, uint32_t shift);
 void qtri_list_set_channels(qtri_list_values *v, uint32_t shift);
-void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *place,
-                     int32_t count, uint32_t shift, uint32_t red, uint32_t green);
+void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *place, int32_t count,
+                     uint32_t shift, uint32_t red, uint32_t green);
 
-/* Texture coordinates; then numbers of texels, or colours where they are filtered: the mask of those
-   that are drawn. */
+/* Texture coordinates; then numbers of texels, or colours where they are filtered: the mask of
+   those that are drawn. */
 void qtri_list_set_texels(qtri_list_values *v);
 uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
                           const uint32_t *place, int32_t count);

@@ -122,8 +122,8 @@ static inline bool qtri_place_is_level(const qtri_vertex *a, const qtri_vertex *
                                        const qtri_vertex *c)
 {
     const uint32_t exponents = (a->depth_16p8 ^ b->depth_16p8) | (a->depth_16p8 ^ c->depth_16p8);
-    const uint32_t most = qtri_about((int32_t)(b->inv_w - a->inv_w)) |
-                          qtri_about((int32_t)(c->inv_w - a->inv_w));
+    const uint32_t most =
+        qtri_about((int32_t)(b->inv_w - a->inv_w)) | qtri_about((int32_t)(c->inv_w - a->inv_w));
     return ((exponents & 0xFF) | most >> 26) == 0;
 }
 
@@ -145,8 +145,8 @@ bool qtri_place_cut(uint8_t *span, int32_t column, const qtri_rect *bounds);
  * pixels would pay a tenth for the call.
  */
 static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
-                                            const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
-                                            const qtri_vertex *c)
+                                            const qtri_raster *raster, const qtri_vertex *a,
+                                            const qtri_vertex *b, const qtri_vertex *c)
 {
     const qtri_rect *const bounds = &raster->bounds;
     const int32_t first_row = raster->surface->first_row;

@@ -32,9 +32,9 @@ static void divide(qtri_ramp *ramp, const qtri_place *p, uint32_t f0, int32_t f1
 }
 
 /*
- * n 2^16 / size of a steep attribute: in two parts of 2^9, each with the inverse of gradient.h, which
- * makes n 2^17 / size of n. The higher one's steps, below 2^22, are off by half of 2^8, and across
- * 32 pixels by 2^12.
+ * n 2^16 / size of a steep attribute: in two parts of 2^9, each with the inverse of gradient.h,
+ * which makes n 2^17 / size of n. The higher one's steps, below 2^22, are off by half of 2^8, and
+ * across 32 pixels by 2^12.
  */
 static int32_t steep_step(int32_t high, int32_t low, int32_t inverse, int32_t left)
 {
@@ -67,8 +67,8 @@ QTRI_NOINLINE void qtri_place_ramp_any(qtri_ramp *ramp, const qtri_place *p, uin
         const int32_t mx = qtri_place_nx(p, f1 & (part - 1), f2 & (part - 1));
         const int32_t my = qtri_place_ny(p, f1 & (part - 1), f2 & (part - 1));
         int32_t left;
-        const int32_t inverse = qtri_gradient_inverse(
-            qtri_reciprocal_below(p->size << zeros) >> 1, zeros, &left);
+        const int32_t inverse =
+            qtri_gradient_inverse(qtri_reciprocal_below(p->size << zeros) >> 1, zeros, &left);
         if (fits(nx, ny, left, 24) && fits(mx, my, left, 30)) {
             qtri_place_ramp_set(ramp, p, f0, steep_step(nx, mx, inverse, left),
                                 steep_step(ny, my, inverse, left));

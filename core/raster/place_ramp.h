@@ -44,8 +44,8 @@ static inline int32_t qtri_inverse_step(const qtri_inverse *by, int32_t n, int32
 #define QTRI_PLACE_DOWN 8
 
 /*
- * Numerators of an attribute's steps a pixel along x and y, from its differences at vertices 1 and 2
- * without those bits. |f| <= 2^16: below 2^29.
+ * Numerators of an attribute's steps a pixel along x and y, from its differences at vertices 1 and
+ * 2 without those bits. |f| <= 2^16: below 2^29.
  */
 static inline int32_t qtri_place_nx(const qtri_place *p, int32_t f1, int32_t f2)
 {
@@ -57,8 +57,8 @@ static inline int32_t qtri_place_ny(const qtri_place *p, int32_t f1, int32_t f2)
     return f1 * p->dx2 - f2 * p->dx1;
 }
 
-/* The ramp from the base on with these steps, which is f0 at vertex 0. A base may be pixel (0, 0): what
-   touches a pixel is less than 2^21.1 of 1/256 pixel away from there. */
+/* The ramp from the base on with these steps, which is f0 at vertex 0. A base may be pixel (0, 0):
+   what touches a pixel is less than 2^21.1 of 1/256 pixel away from there. */
 static inline void qtri_place_ramp_set(qtri_ramp *ramp, const qtri_place *p, uint32_t f0,
                                        int32_t gx, int32_t gy)
 {

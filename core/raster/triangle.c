@@ -61,7 +61,8 @@ static void vertex_from_attributes(qtri_vertex *out, const qtri_screen_point *at
 {
     const int64_t more = (int64_t)v->inv_w_exponent - first_exponent;
     out->at = *at;
-    out->depth_16p8 = (v->depth_16p16 & ~0xFFu) | (more < -2 || more > 2 ? 0u : (uint32_t)(more + 8));
+    out->depth_16p8 =
+        (v->depth_16p16 & ~0xFFu) | (more < -2 || more > 2 ? 0u : (uint32_t)(more + 8));
     out->inv_w = v->inv_w_q31;
 }
 

@@ -22,7 +22,7 @@ typedef struct qtri_triangle {
     int32_t extent;                                 /* width and height, added */
     int32_t row, end;                               /* rows inside the bounds */
     bool cut;                                       /* spans may reach past the bounds */
-    bool is_short; /* `spans` holds all rows */
+    bool is_short;                                  /* `spans` holds all rows */
     qtri_span spans[QTRI_ROWS_AHEAD];
 } qtri_triangle;
 
