@@ -37,6 +37,7 @@ struct qtri_list_values {
     qtri_inverse inverse;
     uint8_t second, third; /* vertices in the order of the place */
     bool has_e;            /* e is set */
+    bool gentle;           /* uv are in their units, and |e| is small: see list_texel.c */
     bool curved;           /* colours are base + l (1 - w), not linear */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
     int32_t e1_q18, e2_q18;
