@@ -89,11 +89,16 @@ QTRI_NOINLINE static void make_table(const qtri_raster *raster)
     raster->batch->has_table = true;
 }
 
-static bool is_linear(const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
-                      const qtri_vertex *c, int32_t i1, int32_t i2)
+/* Of one that is not plain: whether it is small, and its light linear. */
+QTRI_NOINLINE static bool is_simple(const qtri_raster *raster, const qtri_vertex *a,
+                                    const qtri_vertex *b, const qtri_vertex *c, int32_t i1,
+                                    int32_t i2)
 {
-    return !(QTRI_WITH_PERSPECTIVE && raster->perspective) ||
-           qtri_list_is_linear(a, b, c, i1, i2, 3);
+    int32_t more1;
+    int32_t more2;
+    return qtri_inv_w_more(&more1, a, b) && qtri_inv_w_more(&more2, a, c) &&
+           (!(QTRI_WITH_PERSPECTIVE && raster->perspective) ||
+            qtri_list_is_linear(a->inv_w, more1, more2, i1, i2, 3));
 }
 
 bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
@@ -127,11 +132,8 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
         i1 = b->intensity_q15 - i0;
         i2 = c->intensity_q15 - i0;
     }
-    if (!qtri_list_is_plain(a, b, c, i1, i2, 3)) {
-        QTRI_RARELY();
-        if (!qtri_place_is_near(a, b, c) || (smooth && !is_linear(raster, a, b, c, i1, i2))) {
-            return false;
-        }
+    if (!qtri_list_is_plain(a, b, c, i1, i2, 3) && !is_simple(raster, a, b, c, i1, i2)) {
+        return false;
     }
     if (raster->batch->count != 0) {
         qtri_list_flush(raster);

@@ -28,8 +28,8 @@ void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
 
 enum {
     GENTLE_UP = 31 - 24, /* |f| < 2^15 + 2^10: |l| < 2^24 */
-    KEPT = 15,  /* bits of the larger difference */
-    TEXEL = 18, /* of a texel's fraction, where coordinates do not fill 32 bits */
+    KEPT = 15,           /* bits of the larger difference */
+    TEXEL = 18,          /* of a texel's fraction, where coordinates do not fill 32 bits */
     UP = QTRI_PLACE_DOWN
 };
 
@@ -70,9 +70,9 @@ static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
 }
 
 /*
- * Coordinates that fill 32 bits. Most triangles are gentle: |l| < 2^31 in the unit of the coordinate,
- * so that ramps may be in that, and |e| < 1/32, so that w = e - e^2 leaves l e^3, less than 1/1400 of
- * what 22.6 pixels are.
+ * Coordinates that fill 32 bits. Most triangles are gentle: |l| < 2^31 in the unit of the
+ * coordinate, so that ramps may be in that, and |e| < 1/32, so that w = e - e^2 leaves l e^3, less
+ * than 1/1400 of what 22.6 pixels are.
  */
 static bool fill_axes(qtri_list_values *v, bool gentle)
 {
