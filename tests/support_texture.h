@@ -42,8 +42,8 @@ static inline double perspective_sum(const qtri_screen_vertex v[3], int32_t x, i
 }
 
 /*
- * What a coordinate of a texture of `side` texels may be off by at a pixel, in texels: 1/256, or, of
- * t > 1 texels a pixel, t / 256, as vertices lie on a grid of 1/256 pixel themselves.
+ * What a coordinate of a texture of `side` texels may be off by at a pixel, in texels: 1/256, or,
+ * of t > 1 texels a pixel, t / 256, as vertices lie on a grid of 1/256 pixel themselves.
  */
 static inline double coordinate_unit(const qtri_screen_vertex v[3], int32_t x, int32_t y,
                                      bool perspective, bool second, int side)

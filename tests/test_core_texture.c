@@ -66,9 +66,9 @@ static double worst_texel(uint64_t seed, int count, int32_t reach, int32_t uv_re
             uint32_t texel = stored_pixel(&c.surface, x, y);
             double u = perspective_sum(v, x, y, n % 2 == 0, false) * (1 << width_log2);
             double t = perspective_sum(v, x, y, n % 2 == 0, true) * (1 << height_log2);
-            worst = fmax(worst,
-                         outside(u, (int)(texel & ((1u << width_log2) - 1)), 1 << width_log2) /
-                             coordinate_unit(v, x, y, n % 2 == 0, false, 1 << width_log2));
+            worst =
+                fmax(worst, outside(u, (int)(texel & ((1u << width_log2) - 1)), 1 << width_log2) /
+                                coordinate_unit(v, x, y, n % 2 == 0, false, 1 << width_log2));
             worst = fmax(worst, outside(t, (int)(texel >> width_log2), 1 << height_log2) /
                                     coordinate_unit(v, x, y, n % 2 == 0, true, 1 << height_log2));
             pixels++;
@@ -87,9 +87,10 @@ static void texels(void **state)
     double large = worst_texel(93, 300, 1 << 19, Q16(20), 8);
     double guard_band = worst_texel(94, 300, 4100000, Q16(100), 8);
     double far_out = worst_texel(95, 600, 6000, Q16(30000), 8);
-    print_message("off, of the bound: 64 on screen %.6f, any size %.6f, 2048 px %.6f, guard band %.6f, "
-                  "coordinates of 30000 %.4f\n",
-                  usual, sizes, large, guard_band, far_out);
+    print_message(
+        "off, of the bound: 64 on screen %.6f, any size %.6f, 2048 px %.6f, guard band %.6f, "
+        "coordinates of 30000 %.4f\n",
+        usual, sizes, large, guard_band, far_out);
     assert_true(usual <= 1);
     assert_true(sizes <= 1);
     assert_true(large <= 1);

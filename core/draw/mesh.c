@@ -1,4 +1,5 @@
-#include "mesh_job.h"
+#include "fill.h"
+#include "mesh_faces.h"
 
 bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
                          qtri_vertex *out)
@@ -10,9 +11,25 @@ bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t cou
     return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
 }
 
+/* The triangle's plane. Its number: three times the factor is 1 modulo 2^32. */
+static const qtri_face8 *plane_of(const qtri_mesh *mesh, const void *indices)
+{
+    const uint8_t *at = indices;
+    const uint32_t offset = qtri_mesh_has_bytes(mesh)
+                                ? (uint32_t)(at - (const uint8_t *)mesh->triangles8)
+                                : (uint32_t)(at - (const uint8_t *)mesh->triangles) / 2;
+    return &mesh->faces.planes[offset * 0xAAAAAAABu];
+}
+
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
 {
     const qtri_mesh *mesh = draw->mesh;
+    if (mesh->faces.planes != NULL && draw->lighting.plain) {
+        const qtri_face8 *plane = plane_of(mesh, indices);
+        if ((plane->x | plane->y | plane->z) != 0) {
+            return qtri_lighting_face8(&draw->lighting, plane);
+        }
+    }
     uint32_t a = qtri_mesh_index(mesh, indices, 0);
     uint32_t b = qtri_mesh_index(mesh, indices, 1);
     uint32_t c = qtri_mesh_index(mesh, indices, 2);
@@ -113,17 +130,6 @@ void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint3
     color_8p16[2] = color->b * intensity;
 }
 
-QTRI_NOINLINE void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
-                                        qtri_vertex *const vertex[3], qtri_line_color color[3])
-{
-    uint32_t intensity_q15[3];
-    light_triangle(intensity_q15, draw, triangle, vertex);
-    for (int i = 0; i < 3; i++) {
-        qtri_mesh_set_color(color[i], draw, qtri_mesh_index(draw->mesh, triangle, i),
-                            intensity_q15[i]);
-    }
-}
-
 /* One that is clipped: lit before, where the stack is not deep. */
 typedef struct lit_triangle {
     const qtri_mesh_job *draw;
@@ -172,10 +178,10 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
 {
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
-    } else if (draw->material.fill == NULL) {
-        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
+    } else if (draw->material.fill != NULL) {
+        draw->material.fill->triangle(draw, indices, vertex);
     } else {
-        qtri_mesh_draw_lines(draw, indices, vertex);
+        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
     }
 }
 
@@ -188,10 +194,10 @@ QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_v
 
 /*
  * The triangles of a mesh whose vertices are all there. By far the most end in this loop; when
- * `simple`, back faces are culled and no vertex is outside; `solid`: nor is it a wireframe.
+ * `simple`, back faces are culled and no vertex is outside.
  */
 static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangles, bool narrow,
-                                  bool simple, bool solid)
+                                  bool simple)
 {
     qtri_vertex *vertices = draw->vertices;
     const uint32_t count = draw->mesh->vertex_count;
@@ -216,7 +222,7 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
                    : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
         }
-        if (simple && solid) {
+        if (simple) {
             qtri_mesh_draw_solid(draw, triangle, a, b, c);
         } else {
             qtri_vertex *const corner[3] = {a, b, c}; /* in memory only here */
@@ -231,19 +237,12 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
     const qtri_mesh *mesh = draw->mesh;
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
     const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
-    if (draw->edges == QTRI_EDGES_DRAWN) {
-        qtri_mesh_clear_edges(draw);
-        if (simple && qtri_mesh_draw_front_lines(draw)) {
-            return;
-        }
-    }
-    const bool solid = draw->material.fill == NULL;
     if (qtri_mesh_has_bytes(mesh)) {
-        draw_triangles(draw, mesh->triangles8, true, simple, solid);
+        draw_triangles(draw, mesh->triangles8, true, simple);
     } else if (simple) {
-        draw_triangles(draw, mesh->triangles, false, true, solid);
+        draw_triangles(draw, mesh->triangles, false, true);
     } else {
-        draw_triangles(draw, mesh->triangles, false, false, solid);
+        draw_triangles(draw, mesh->triangles, false, false);
     }
 }
 
@@ -325,13 +324,15 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     if (!begin(&draw, surface, view, pose, mesh, material)) {
         return;
     }
-    if (QTRI_WITH_FAST_PATHS && draw.slot_count >= mesh->vertex_count) {
-        if (qtri_mesh_has_final_edges(&draw)) {
-            draw.edges = QTRI_EDGES_DRAWN;
-        }
-        draw_whole(&draw);
-    } else {
+    if (!QTRI_WITH_FAST_PATHS || draw.slot_count < mesh->vertex_count) {
         draw_by_slots(&draw);
+    } else if (material->fill != NULL) {
+        material->fill->mesh(&draw);
+    } else {
+        const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
+        if (culling == NULL || !culling->draw(&draw)) {
+            draw_whole(&draw);
+        }
     }
-    qtri_mesh_finish(&draw);
+    qtri_primitive_finish(&draw.primitive);
 }

@@ -1,18 +1,39 @@
-#include "primitive.h"
+#include "fill.h"
 
 #include "../raster/list.h"
 
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_material *material, bool lines)
+                               const qtri_material *material)
 {
     primitive->surface = surface;
     primitive->material = material;
-    if (!lines) {
+    if (material->fill != NULL) {
+        material->fill->begin(primitive);
+    } else {
         qtri_raster_init(&primitive->to.solid.raster, surface, material,
                          &primitive->to.solid.batch);
-    } else {
-        qtri_line_job_init(&primitive->to.line, surface, material);
     }
+}
+
+void qtri_primitive_finish(const qtri_primitive *primitive)
+{
+    const qtri_fill *fill = primitive->material->fill;
+    if (fill != NULL) {
+        fill->finish(primitive);
+    } else {
+        qtri_list_flush(&primitive->to.solid.raster);
+    }
+}
+
+void qtri_primitive_begin_lines(qtri_primitive *primitive)
+{
+    qtri_line_job_init(&primitive->to.lines.job, primitive->surface, primitive->material,
+                       &primitive->to.lines.batch);
+}
+
+void qtri_primitive_finish_lines(const qtri_primitive *primitive)
+{
+    qtri_line_flush(&primitive->to.lines.job);
 }
 
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
@@ -26,10 +47,10 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
 
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material, bool lines)
+                         const qtri_material *material)
 {
     qtri_primitive_place(primitive, view, pose);
-    qtri_primitive_set_target(primitive, surface, material, lines);
+    qtri_primitive_set_target(primitive, surface, material);
 }
 
 /* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16: 33 bits times 31. */
@@ -242,13 +263,15 @@ QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_
         blend_attributes(&screen, a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
         qtri_line_end(&line[i], color[i], &screen);
     }
-    qtri_line_draw(&primitive->to.line, &line[0], &line[1], (const qtri_line_color *)color);
+    const qtri_line_job *job = &primitive->to.lines.job;
+    job->draw(job, &line[0], &line[1], (const qtri_line_color *)color);
 }
 
 QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
                                              const qtri_fan_vertex corner[3],
                                              qtri_screen_vertex attributes[3])
 {
+    const qtri_line_job *job = &primitive->to.lines.job;
     qtri_vertex end[4];
     qtri_line_color color[4];
     for (int i = 0; i < 4; i++) { /* back to the first */
@@ -259,15 +282,13 @@ QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
         qtri_line_end(&end[i], color[i], &attributes[from]);
     }
     for (int i = 0; i < 3; i++) {
-        qtri_line_draw(&primitive->to.line, &end[i], &end[i + 1],
-                       (const qtri_line_color *)&color[i]);
+        job->draw(job, &end[i], &end[i + 1], (const qtri_line_color *)&color[i]);
     }
 }
 
 /* The ends of an unclipped triangle serve two lines each; otherwise every edge is clipped anew. */
-QTRI_NOINLINE static void draw_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
-                                       unsigned planes, qtri_attribute_source source,
-                                       const void *from)
+void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
+                            unsigned planes, qtri_attribute_source source, const void *from)
 {
     qtri_screen_vertex attributes[3];
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
@@ -305,8 +326,9 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     if (common != 0) {
         return;
     }
-    if (primitive->material->fill != NULL) {
-        draw_outline(primitive, shape->clip, planes, source, from);
+    const qtri_fill *fill = primitive->material->fill;
+    if (fill != NULL) {
+        fill->clipped(primitive, shape->clip, planes, source, from);
         return;
     }
     int count = clip_to_screen(&primitive->projector, shape->clip, planes, shape->fan);

@@ -4,15 +4,15 @@
 #include "fused.h"
 
 /*
- * A pixel: a depth, two coordinates and their two steps advance, of which GCC 12 keeps half in memory
- * on Armv6-M, and some on Armv7-M. There pixels are assembler, in all the registers that there are;
- * `offset` is where one is, in bytes.
+ * A pixel: a depth, two coordinates and their two steps advance, of which GCC 12 keeps half in
+ * memory on Armv6-M, and some on Armv7-M. There pixels are assembler, in all the registers that
+ * there are; `offset` is where one is, in bytes.
  */
-#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
-#define LOW         "l"
-#define HIGH        "h"
-#define TEXELS      "m"
-#define ASSEMBLER   1
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__)
+#define LOW       "l"
+#define HIGH      "h"
+#define TEXELS    "m"
+#define ASSEMBLER 1
 #define PIXEL(offset)                                                                              \
     "lsrs %[top], %[z], #16\n\t"                                                                   \
     "ldrh %[other], [%[depth], #" offset "]\n\t"                                                   \
@@ -35,10 +35,10 @@
     "add %[u_step], %[u_bend]\n\t"                                                                 \
     "add %[v_step], %[v_bend]\n\t"
 #elif defined(__GNUC__) && defined(__thumb2__)
-#define LOW         "r"
-#define HIGH        "r"
-#define TEXELS      "r"
-#define ASSEMBLER   1
+#define LOW       "r"
+#define HIGH      "r"
+#define TEXELS    "r"
+#define ASSEMBLER 1
 #define PIXEL(offset)                                                                              \
     "lsr %[top], %[z], #16\n\t"                                                                    \
     "ldrh %[other], [%[depth], #" offset "]\n\t"                                                   \
@@ -73,19 +73,20 @@
 #define DRAW(pixels)                                                                               \
     {                                                                                              \
         uint32_t top, other;                                                                       \
-        __asm__ volatile(".syntax unified\n\t" pixels                                              \
-                         : [z] "+" LOW(z), [u] "+" LOW(u), [v] "+" LOW(v),                         \
-                           [u_step] "+" HIGH(u_step), [v_step] "+" HIGH(v_step),                   \
-                           [top] "=&" LOW(top), [other] "=&" LOW(other)                            \
-                         : [depth] LOW(depth), [pixel] LOW(pixel), [cut] LOW(cut),                 \
-                           [texels] TEXELS(texels), [z_step] HIGH(z_step),                         \
-                           [u_bend] HIGH(u_bend), [v_bend] HIGH(v_bend)                            \
-                         : "cc", "memory");                                                        \
+        __asm__ volatile(                                                                          \
+            ".syntax unified\n\t" pixels                                                           \
+            : [z] "+" LOW(z), [u] "+" LOW(u), [v] "+" LOW(v), [u_step] "+" HIGH(u_step),           \
+              [v_step] "+" HIGH(v_step), [top] "=&" LOW(top), [other] "=&" LOW(other)              \
+            : [depth] LOW(depth), [pixel] LOW(pixel), [cut] LOW(cut), [texels] TEXELS(texels),     \
+              [z_step] HIGH(z_step), [u_bend] HIGH(u_bend), [v_bend] HIGH(v_bend)                  \
+            : "cc", "memory");                                                                     \
     }
 #define DRAW_ONE DRAW(PIXEL("0"))
+/* clang-format off */
 #define DRAW_EIGHT                                                                                 \
-    DRAW(PIXEL("0")                                                                                \
-         PIXEL("2") PIXEL("4") PIXEL("6") PIXEL("8") PIXEL("10") PIXEL("12") PIXEL("14"))
+    DRAW(PIXEL("0") PIXEL("2") PIXEL("4") PIXEL("6")                                               \
+         PIXEL("8") PIXEL("10") PIXEL("12") PIXEL("14"))
+/* clang-format on */
 #else
 #define DRAW_ONE   ONE(0)
 #define DRAW_EIGHT ONE(0) ONE(1) ONE(2) ONE(3) ONE(4) ONE(5) ONE(6) ONE(7)

@@ -85,4 +85,10 @@ bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p
 bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
                                uint32_t count, qtri_vertex *out);
 
+/* The same for the positions whose numbers are vertices[0..count-1].index, each into its slot. */
+bool qtri_projector_list(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
+                         qtri_vertex *vertices);
+bool qtri_projector_list16(const qtri_projector *projector, const qtri_position16 *p,
+                           uint32_t count, qtri_vertex *vertices);
+
 #endif

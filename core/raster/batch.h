@@ -45,6 +45,17 @@ typedef struct qtri_batch {
     uint32_t place[QTRI_BATCH_ROOM];
 } qtri_batch;
 
+/* The batch's table; NULL where the library is built without. */
+static inline uint16_t *qtri_batch_table(qtri_batch *batch)
+{
+#if QTRI_WITH_FAST_PATHS
+    return batch->by.table;
+#else
+    (void)batch;
+    return NULL;
+#endif
+}
+
 /* A mask of `count` fragments, 1..32: the first is its highest bit. */
 static inline uint32_t qtri_mask_of(int32_t count)
 {

@@ -1,7 +1,7 @@
 /*
- * Rows with perspective: an attribute a is s / q of two that are linear on the screen, q = 1/w being
- * 1 at the vertex nearest to the eye. One reciprocal serves a block of up to 32 pixels: d pixels
- * from its middle m
+ * Rows with perspective: an attribute a is s / q of two that are linear on the screen, q = 1/w
+ * being 1 at the vertex nearest to the eye. One reciprocal serves a block of up to 32 pixels: d
+ * pixels from its middle m
  *
  *     a = a_m + L (d - e d^2 + e^2 d^3 - ...),   L = K / q^2,   e = q' / q,   K = s' q - s q'
  *
@@ -12,18 +12,15 @@
  *
  *     a_m + L (1 + 3/4 E^2) d - L e (1 + E^2) d^2,
  *
- * is off by L h E^2 (1/4 + E/4 + E^2 / (1 - E)). That is to be less than 1/256 of a texel, or of
- * what a pixel steps by where that is more. Blocks are halved until q in the middle is great enough
- * for it: E <= 1/4, and h E^2 <= 1/72 or K h^3 q'^2 / q^4 <= 1/72, where K is the greatest of the
- * triangle. Colours have only the second form, in units of their own.
+ * is off by L h E^2 (1/4 + E/4 + E^2 / (1 - E)). Blocks of 16 and 32 pixels of texels are of third
+ * order, with 13/16 x^2 in place of x^4:
  *
- * Blocks of 16 and 32 pixels are of third order: - e d^4 is left out of the series, 13/16 x^2 in its
- * place,
+ *     a_m + L d - L e (1 + 13/16 E^2) d^2 + L e^2 d^3
  *
- *     a_m + L d - L e (1 + 13/16 E^2) d^2 + L e^2 d^3,
- *
- * which is off by L h (3/16 E^3 + E^4 / (1 - E)). It is drawn as curves of second order through
- * every eighth pixel whose steps leave 6 L e^2 (n (n - 4) (n - 8)) / 6 over, up to 24.6 L e^2.
+ * is off by L h E^3 (3/16 + E / (1 - E)). It is drawn as curves of second order from one eighth
+ * pixel to the next, through its values there and halfway: L e^2 n (n - 4) (n - 8) more, up to 24.6
+ * L e^2. All that is to be less than 1/256 of a texel, or of what a pixel steps by where that is
+ * more; perspective_setup.c finds from which q on. Colours have bounds of their own.
  *
  * Blocks begin at a chunk's start, 32 pixels apart from the span's left end, plus multiples of
  * their length, and q at their start decides: pixels do not depend on scissor or band.
@@ -34,12 +31,11 @@
 #include "../bits/reciprocal.h"
 #include "linear.h"
 
-/* Planes at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
-static inline uint32_t plane_at(const qtri_scanline *row, const qtri_projected *plane, int i,
-                                int32_t x)
+/* A plane at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
+static inline uint32_t plane_at(const qtri_row_plane *row, const qtri_projected *plane, int32_t x)
 {
-    return row->by.perspective.at[i] + plane->dx * (uint32_t)x +
-           (uint32_t)((row->by.perspective.rest[i] + (int32_t)plane->dx_rest * x) >> 16);
+    return row->at + plane->dx * (uint32_t)x +
+           (uint32_t)((row->rest + (int32_t)plane->dx_rest * x) >> 16);
 }
 
 /* What rounding leaves below 0 or above 2^31, held there. */
@@ -98,12 +94,12 @@ static int32_t level_pixels(const qtri_job *job)
 static void begin_level(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
-    const divider d = divider_for(row->by.perspective.at[job->end]);
+    const divider d = divider_for(row->by.perspective.plane[job->end].at);
     row->run = row->left;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *plane = &job->attribute[QTRI_U + i].projected;
         const qtri_texel_axis *axis = &job->axis[i];
-        const uint32_t s = held(plane_at(row, plane, QTRI_U + i, row->left));
+        const uint32_t s = held(plane_at(&row->by.perspective.plane[QTRI_U + i], plane, row->left));
         const uint64_t product = qtri_mul_u32(s, d.reciprocal);
         const int32_t value =
             qtri_saturate32((int64_t)(d.shift >= 0 ? product >> d.shift : product << -d.shift));
@@ -136,7 +132,7 @@ void qtri_perspective_begin(qtri_scanline *row)
 {
     row->by.perspective.zeros = 0;
     for (int i = 0; i < QTRI_ATTRIBUTES; i++) {
-        row->by.perspective.cut[i] = 0;
+        row->by.perspective.plane[i].cut = 0;
     }
 }
 
@@ -144,23 +140,23 @@ void qtri_perspective_row(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
     const uint32_t y = (uint32_t)row->y;
-    for (int i = job->first; i <= job->end; i++) {
-        const qtri_projected *plane = &job->attribute[i].projected;
-        row->by.perspective.at[i] = plane->origin + plane->dy * y;
-        row->by.perspective.rest[i] = (int32_t)(plane->dy_rest * y);
+    const qtri_attribute *from = &job->attribute[job->first];
+    qtri_row_plane *to = &row->by.perspective.plane[job->first];
+    const bool level = row->right - row->left < level_pixels(job);
+    row->level = level;
+    for (int i = job->first; i <= job->end; i++, from++, to++) {
+        to->at = from->projected.origin + from->projected.dy * y;
+        to->rest = (int32_t)(from->projected.dy_rest * y);
+        if (!level && i < job->end) {
+            const int32_t slope = (int32_t)(from->projected.slope + from->projected.slope_dy * y);
+            const int32_t cut = bits_cut(slope, to->cut);
+            to->cut = (uint8_t)cut;
+            to->slope = slope >> cut;
+            to->down = (int8_t)(from->projected.down + 16 - cut);
+        }
     }
-    row->level = row->right - row->left < level_pixels(job);
-    if (row->level) {
+    if (level) {
         begin_level(row);
-        return;
-    }
-    for (int i = job->first; i < job->end; i++) {
-        const qtri_projected *plane = &job->attribute[i].projected;
-        const int32_t slope = (int32_t)(plane->slope + plane->slope_dy * y);
-        const int32_t cut = bits_cut(slope, row->by.perspective.cut[i]);
-        row->by.perspective.cut[i] = (uint8_t)cut;
-        row->by.perspective.slope[i] = slope >> cut;
-        row->by.perspective.down[i] = (int8_t)(plane->down + 16 - cut);
     }
 }
 
@@ -184,15 +180,15 @@ static inline int32_t zeros_of(qtri_scanline *row, uint32_t q)
 }
 
 /*
- * What curves of a block have in common. With T = e^2, A = e (1 + ...), as shares of L, from the
- * middle to the first pixel, `half` before it:
+ * What curves of a block have in common, as shares of L. With A = e (1 + ...), T = e^2 and `half`
+ * pixels from the first to the middle, a curve's first value is
  *
- *     value  - (1 + A half + T half^2) half
- *     step   1 + (2 half - 1) A + (3 half^2 - 3 half - 20) T
- *     bend   - 2 A - (6 half - 24) T
- *     twist  24 T
+ *     a_m - L (1 + A half + T half^2) half,
+ *     step L (1 + (2 half - 1) A + (3 half^2 - 3 half - 20) T),
+ *     bend L (- 2 A - (6 half - 24) T),   twist L 24 T
  *
- * where 20 and 18 of T are what the pixels between the eighths have of it, see above.
+ * where - 21 T of the step and 18 T of the bend make a curve of second order pass through the
+ * fourth and the eighth pixel from where it begins, and where it does so again after every eighth.
  */
 typedef struct middle {
     int32_t x, half, log2; /* pixel; log2 of half of a whole block */
@@ -210,7 +206,8 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
 {
     const qtri_job *job = row->job;
     const qtri_perspective *p = &job->color.perspective;
-    uint32_t q = plane_at(row, &job->attribute[job->end].projected, job->end, m->x);
+    uint32_t q =
+        plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, m->x);
     q = q - 1 < 0xC0000000u ? q : 1;
     const int32_t zeros = zeros_of(row, q);
     const uint32_t reciprocal = qtri_reciprocal_near(q << zeros);
@@ -221,7 +218,7 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
         return;
     }
     const uint32_t y_q15 = reciprocal >> 16; /* 2^14..2^15 */
-    /* E = e h; at most 1/4, so that the shift is not negative. */
+    /* E = e h, at most 1/8 of it, so that the shift is not negative. */
     int32_t down = -(p->slope_exponent + zeros + log2);
     down = down > 31 ? 31 : down;
     log2--;
@@ -262,7 +259,7 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
 static inline uint32_t middle_value(const qtri_scanline *row, const middle *m, int i)
 {
     const qtri_projected *a = &row->job->attribute[i].projected;
-    const uint32_t s = plane_at(row, a, i, m->x);
+    const uint32_t s = plane_at(&row->by.perspective.plane[i], a, m->x);
     int32_t value = qtri_mul_high_s31((int32_t)(s << m->zeros), m->reciprocal);
     if (i < QTRI_U) {
         const qtri_perspective *p = &row->job->color.perspective;
@@ -300,12 +297,14 @@ static inline void set_curve(qtri_curve *out, const middle *m, uint32_t value, i
     }
 }
 
-/* log2 of the pixels of the longest block from pixel x of the row on, `from` pixels into a chunk. */
+/* log2 of the pixels of the longest block from pixel x of the row on, `from` pixels into a chunk.
+ */
 static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *limits, int32_t x,
                                     int32_t from, int32_t rest)
 {
     const qtri_job *job = row->job;
-    const uint32_t q = plane_at(row, &job->attribute[job->end].projected, job->end, x);
+    const uint32_t q =
+        plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, x);
     int32_t log2 = QTRI_BLOCK_LOG2;
     while (log2 > 0 && q < limits[log2 - 1]) {
         log2--;
@@ -328,8 +327,7 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
     const qtri_perspective *p = &row->job->color.perspective;
     const int32_t from = (x - row->left) & (QTRI_BATCH - 1);
     const int32_t rest = qtri_least32(row->right - x, QTRI_BATCH - from);
-    const int32_t log2 =
-        longest_block(row, first < QTRI_U ? p->colors : p->texels, x, from, rest);
+    const int32_t log2 = longest_block(row, first < QTRI_U ? p->colors : p->texels, x, from, rest);
     const int32_t length = qtri_least32((int32_t)1 << log2, rest);
     middle m;
     m.half = length >> 1;
@@ -341,7 +339,8 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
             const qtri_curve one = {value, 0, 0, 0};
             *out = one;
         } else {
-            set_curve(out, &m, value, row->by.perspective.slope[i], row->by.perspective.down[i]);
+            const qtri_row_plane *plane = &row->by.perspective.plane[i];
+            set_curve(out, &m, value, plane->slope, plane->down);
         }
     }
     return qtri_least32(length, count);

@@ -10,11 +10,10 @@ typedef struct shared {
     int top, bottom;     /* of the vertices: the highest and the lowest */
     uint32_t reciprocal; /* 2^(62 - zeros) / height */
     int32_t zeros;
-    uint32_t along_q31; /* of the height, from the top to row `row` */
-    int32_t row;
-    int32_t q_dx;     /* of inv_w, Q31 */
-    uint32_t q_steep; /* its magnitude, rounded up; 2^31 where it is more */
-    int32_t least_down;
+    int32_t row;        /* one that the triangle has */
+    uint32_t along_q31; /* how far down it is, of the height */
+    int32_t q_dx;       /* of inv_w, Q31 */
+    uint32_t q_steep;   /* its magnitude, rounded up; 2^31 where it is more */
 } shared;
 
 /* log2 x in 1/256, at most 22 too little: the mantissa in place of its logarithm. */
@@ -53,83 +52,89 @@ static void attribute_plane(qtri_plane *plane, const uint32_t a[3], const shared
 }
 
 /*
- * The product of an attribute's slope and inv_w^2 along rows,
+ * The product of an attribute's slope and q^2 along rows,
  *
  *     K = s' q - s q' = q (s' - a q'),   s = a q,   q = inv_w / 2^31,
  *
  * does not change along a row and is linear in y: from two vertices. s' - a q' is in 2^-15 of a's
- * unit, cut to 30 bits, times inv_w, so that K is below 2^29 and times 2^(cut + 32 - 15 - 31). As curves take 15/16 of it, 1/15
- * is added.
+ * unit, cut to 30 bits, and times inv_w 2^-32: so K is below 2^29, times 2^(cut - 15 + 32 - 31),
+ * and a curve, which makes 2^-15 of K 15/16 and 2^-1 of it, see set_curve, has slopes times
+ * 2^-down. 1/15 is added for the 15/16. Returns the greater of the two.
  */
 static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint32_t a[3],
                           const shared *s)
 {
     const int vertex[2] = {s->top, s->bottom};
     int64_t m[2];
+    int32_t k[2];
     uint64_t all = 0;
     for (int i = 0; i < 2; i++) {
-        m[i] = qtri_wrap64(plane->dx - (uint64_t)(qtri_mul_s32(s->q_dx, (int32_t)a[vertex[i]]) >> 16));
+        const int64_t part = qtri_mul_s32(s->q_dx, (int32_t)a[vertex[i]]) >> 16;
+        m[i] = qtri_wrap64(plane->dx - (uint64_t)part);
         all |= qtri_magnitude64(m[i]);
     }
-    int32_t cut = 34 - qtri_clz64(all);
-    cut = cut < 0 ? 0 : cut;
-    int32_t k[2];
+    const int32_t cut = qtri_greatest32(34 - qtri_clz64(all), 0);
     for (int i = 0; i < 2; i++) {
-        const uint32_t q = s->q[vertex[i]];
-        k[i] = (int32_t)(qtri_mul_s32((int32_t)(m[i] >> cut), (int32_t)(q >> 1)) >> 31);
-        k[i] += (k[i] >> 4) + (k[i] >> 8) + (k[i] >> 12) + (k[i] >> 16);
+        const int32_t half_q = (int32_t)(s->q[vertex[i]] >> 1);
+        const int32_t whole = (int32_t)(qtri_mul_s32((int32_t)(m[i] >> cut), half_q) >> 31);
+        k[i] = whole + (whole >> 4) + (whole >> 8) + (whole >> 12) + (whole >> 16);
     }
-    p->down = (int8_t)-(cut - 14 + p->up + 1);
+    p->down = (int8_t) - (cut - 14 + p->up + 1);
     const int32_t rise = k[1] - k[0];
     const int64_t per_row = qtri_mul_s32(rise, (int32_t)s->reciprocal) >> (54 - s->zeros);
+    const int32_t along = (int32_t)(qtri_mul_s32(rise, (int32_t)s->along_q31) >> 31);
     p->slope_dy = (uint32_t)(uint64_t)per_row;
-    p->slope = (uint32_t)(k[0] + (int32_t)(qtri_mul_s32(rise, (int32_t)s->along_q31) >> 31)) -
-               (uint32_t)s->row * p->slope_dy;
+    p->slope = (uint32_t)(k[0] + along) - (uint32_t)s->row * p->slope_dy;
     const uint32_t first = qtri_magnitude32(k[0]);
     const uint32_t last = qtri_magnitude32(k[1]);
     return first > last ? first : last;
 }
 
 /*
- * The least q at the start of a block of 2 h pixels, h = 2^l, see perspective.c:
+ * The least q at the start of a block of 2 h pixels, h = 2^l. For the bounds of perspective.c, all
+ * with E = h |q'| / q <= 1/8, and K the triangle's greatest, in texels or in 256 times what a
+ * colour may stray by:
  *
- *     q >= min(sqrt(72 h^3) |q'|, (72 h^3 K q'^2)^(1/4)),   q >= 4 h |q'|,   q >= q_floor
+ *     second order   q >= (80 h^3)^(1/2) |q'|  or  q >= (80 h^3 K q'^2)^(1/4)
+ *     16 pixels      q >= 100 |q'|             or  (9000 K q'^2)^(1/4), (430 h^4 K |q'|^3)^(1/5)
+ *     32 pixels      q >= 186 |q'|             or  (31488 K q'^2)^(1/4), (120 h^4 K |q'|^3)^(1/5)
  *
- * the first of the two where `relative`; steep: log2 K. It is q in the middle that counts, and
- * where q grows that at the start too, as a span's last block has its middle sooner.
+ * The left column, which bounds errors by shares of a pixel's step, is for texels. It is q in the
+ * middle that counts, and where q grows that at the start too, as a span's last block has its
+ * middle sooner. Logarithms are in 1/256; each may be 22 too little.
  */
-static void set_limits(qtri_block_limits limits, const shared *s, bool relative, bool twisted,
-                       int32_t steep, uint32_t q_floor)
+static void set_limits(qtri_block_limits limits, const shared *s, bool texels, bool twisted,
+                       int32_t k_log2, uint32_t q_floor)
 {
-    const int32_t slope = log2_below(s->q_steep) - 31 * 256;
-    int32_t square_root = ((1580 + 2) >> 1) + slope + 22;            /* log2 72 = 6.17 */
-    int32_t fourth_root = (1580 + 2 + steep + 2 * slope + 3 * 22) >> 2;
+    static const struct {
+        int16_t share, fourth, fifth;
+    } third_order[2] = {{1701, 3363, 5312}, {1930, 3826, 5864}};
+    const int32_t q_log2 = log2_below(s->q_steep) + 22 - 31 * 256;
+    k_log2 += 22;
     for (int32_t l = 0; l < QTRI_BLOCK_LOG2; l++) {
-        int32_t either = square_root;
-        int32_t other = fourth_root;
+        int32_t share = (1618 + 768 * l) >> 1;
+        int32_t least_log2 = (1618 + 768 * l + k_log2 + 2 * q_log2) >> 2;
         if (twisted && l + 1 >= QTRI_TWISTED_LOG2) {
-            const bool long_one = l + 1 > QTRI_TWISTED_LOG2;
-            either = (long_one ? 1930 : 1701) + slope + 22;
-            const int32_t fourth = ((long_one ? 3826 : 3363) + steep + 2 * slope + 3 * 22) >> 2;
-            const int32_t fifth =
-                (((long_one ? 5929 : 5394) + steep + 3 * slope + 4 * 22) * 205) >> 10;
-            other = qtri_greatest32(fourth, fifth);
+            const int n = l + 1 > QTRI_TWISTED_LOG2;
+            const int32_t fifth = third_order[n].fifth + k_log2 + 3 * q_log2;
+            share = third_order[n].share;
+            least_log2 = qtri_greatest32((third_order[n].fourth + k_log2 + 2 * q_log2) >> 2,
+                                         (fifth * 205) >> 10); /* / 5 */
         }
-        const bool first = relative && either < other;
-        const uint32_t quarter = s->q_steep >> (29 - l) != 0 ? UINT32_MAX : s->q_steep << (l + 2);
-        uint32_t least = exp2_above_q31(first ? either : other);
-        least = least > quarter ? least : quarter;
+        if (texels) {
+            least_log2 = qtri_least32(least_log2, share + q_log2);
+        }
+        uint32_t least = exp2_above_q31(least_log2 + 1);
+        const uint32_t eighth = s->q_steep >> (28 - l) != 0 ? UINT32_MAX : s->q_steep << (l + 3);
+        least = least > eighth ? least : eighth;
         least = least > q_floor ? least : q_floor;
-        limits[l] = least >= 0x80000000u ? UINT32_MAX
-                                         : least + (s->q_dx < 0 ? s->q_steep << l : 0);
-        square_root += 384;
-        fourth_root += 192;
+        limits[l] = least >= 0x80000000u ? UINT32_MAX : least + (s->q_dx < 0 ? s->q_steep << l : 0);
     }
 }
 
 /*
  * Colours may stray by 2^-8 of 2^this, times 2^6 as their planes are: 1/8 of a step where they are
- * drawn, 1/16 where texels are multiplied by them.
+ * drawn, 1/16 of a step of what is drawn where texels are multiplied by them.
  */
 static int32_t color_unit_log2(const qtri_raster *raster, bool light)
 {
@@ -141,9 +146,9 @@ static int32_t color_unit_log2(const qtri_raster *raster, bool light)
 }
 
 /*
- * Shades round 2^-10 of 1 and must not be negative, which leaves 1/8 of a step of 8 bits: enough
- * for the half of that by which 8 bits stray. What is for RGB565 strays by 1/4, above which it is
- * lifted.
+ * What is added to colours: the half of 2^-16 that is a ramp's. Shades may be 1/8 of a step of 8
+ * bits below 0 and some above 1, see stage_color.h: enough for the 1/16 by which those for 8 bits
+ * stray, while those for RGB565 may be 1/4 off, and are lifted.
  */
 static uint32_t color_bias(const qtri_raster *raster, bool light)
 {
@@ -171,83 +176,108 @@ static void set_shared(shared *s, const qtri_triangle *t, const uint32_t q[3],
     s->along_q31 = (uint32_t)(qtri_mul_u32(along << s->zeros, s->reciprocal) >> 31);
 }
 
-void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
-                           const qtri_attributes v[3], const uint32_t value[2][3],
-                           const uint32_t q[3], const qtri_gradient *gradient)
+/* Returns log2 of the attribute's greatest K, in 1/256 of 2^unit_log2. */
+static int32_t set_attribute(qtri_projected *p, const uint32_t a[3], const shared *s,
+                             int32_t unit_log2)
+{
+    qtri_plane plane;
+    attribute_plane(&plane, a, s);
+    set_plane(p, &plane);
+    const uint32_t k = set_slope(p, &plane, a, s);
+    return log2_below(k) - (p->down + p->up + 1 + unit_log2) * 256;
+}
+
+static int32_t set_color(qtri_job *job, int i, const qtri_attributes v[3], const shared *s)
+{
+    const bool light = job->first == QTRI_U - 1;
+    qtri_perspective *p = &job->color.perspective;
+    qtri_projected *a = &job->attribute[i].projected;
+    uint32_t f[3];
+    qtri_job_color(f, job, v, i);
+    p->least[i] = INT32_MAX;
+    p->greatest[i] = 0;
+    for (int k = 0; k < 3; k++) {
+        p->least[i] = qtri_least32(p->least[i], (int32_t)f[k]);
+        p->greatest[i] = qtri_greatest32(p->greatest[i], (int32_t)f[k]);
+        f[k] <<= QTRI_COLOR_PERSPECTIVE_SHIFT;
+    }
+    a->up = -QTRI_COLOR_PERSPECTIVE_SHIFT;
+    const int32_t k_log2 = set_attribute(a, f, s, color_unit_log2(job->raster, light));
+    a->up = 0; /* once they are held to the vertices' */
+    a->bias = color_bias(job->raster, light);
+    return k_log2;
+}
+
+static int32_t set_texels(qtri_job *job, int i, const uint32_t value[3], const shared *s)
+{
+    const qtri_texel_axis *axis = &job->axis[i];
+    qtri_projected *a = &job->attribute[QTRI_U + i].projected;
+    a->up = axis->up;
+    const int32_t k_log2 = set_attribute(a, value, s, axis->shift);
+    const uint32_t bias = axis->bias >> 2; /* what blocks have of a value is a quarter */
+    a->up = (int8_t)(axis->up + 2);
+    a->bias = bias + (bias == 0);
+    return k_log2;
+}
+
+/* inv_w: its plane, and how it changes along rows. */
+static void set_inv_w(qtri_job *job, shared *s)
 {
     qtri_perspective *p = &job->color.perspective;
     qtri_plane plane;
-    shared s;
-    set_shared(&s, triangle, q, gradient);
-    qtri_plane_init(&plane, gradient, q);
+    qtri_plane_init(&plane, s->gradient, s->q);
     set_plane(&job->attribute[job->end].projected, &plane);
     const int64_t dx = qtri_wrap64(plane.dx);
     const uint64_t steep = qtri_magnitude64(dx);
-    s.q_dx = (int32_t)((plane.dx + 0x8000u) >> 16);
-    s.q_steep = steep >> 47 != 0 ? 0x80000000u : (uint32_t)(steep >> 16) + 1;
     const int32_t cut = qtri_greatest32(49 - qtri_clz64(steep), 0); /* to 15 bits */
+    s->q_dx = (int32_t)(uint32_t)((plane.dx + 0x8000u) >> 16);
+    s->q_steep = steep >> 47 != 0 ? 0x80000000u : (uint32_t)(steep >> 16) + 1;
     p->slope = (int32_t)(dx >> cut);
     p->slope_exponent = cut - 47;
-    const bool light = job->first == QTRI_U - 1;
-    int32_t least_down = 31;
-    int32_t color_steep = INT32_MIN / 2;
-    int32_t texel_steep = INT32_MIN / 2;
-    for (int i = job->first; i < job->end; i++) {
-        qtri_projected *a = &job->attribute[i].projected;
-        uint32_t f[3];
-        int32_t unit_log2;
-        if (i < QTRI_U) {
-            qtri_job_color(f, job, v, i);
-            p->least[i] = INT32_MAX;
-            p->greatest[i] = 0;
-            for (int k = 0; k < 3; k++) {
-                p->least[i] = qtri_least32(p->least[i], (int32_t)f[k]);
-                p->greatest[i] = qtri_greatest32(p->greatest[i], (int32_t)f[k]);
-                f[k] <<= QTRI_COLOR_PERSPECTIVE_SHIFT;
-            }
-            a->up = -QTRI_COLOR_PERSPECTIVE_SHIFT;
-            unit_log2 = color_unit_log2(job->raster, light);
-        } else {
-            const qtri_texel_axis *axis = &job->axis[i - QTRI_U];
-            for (int k = 0; k < 3; k++) {
-                f[k] = value[i - QTRI_U][k];
-            }
-            a->up = axis->up;
-            unit_log2 = axis->shift;
-        }
-        attribute_plane(&plane, f, &s);
-        set_plane(a, &plane);
-        const uint32_t k = set_slope(a, &plane, f, &s);
-        const int32_t steepness = log2_below(k) - (a->down + a->up + 1 + unit_log2) * 256;
-        least_down = qtri_least32(least_down, a->down);
-        if (i < QTRI_U) {
-            color_steep = qtri_greatest32(color_steep, steepness);
-            a->bias = color_bias(job->raster, light);
-            a->up = 0;
-        } else { /* what blocks have of a value is a quarter */
-            const uint32_t bias = job->axis[i - QTRI_U].bias >> 2;
-            texel_steep = qtri_greatest32(texel_steep, steepness);
-            a->bias = bias + (bias == 0);
-            a->up = (int8_t)(a->up + 2);
-        }
-    }
-    /*
-     * Below that blocks are single pixels: 2^16, and where slopes would be shifted left by more
-     * than 30, which no row of two pixels needs.
-     */
+}
+
+/*
+ * Below this blocks are single pixels: 2^16, and where slopes would be shifted left by more than
+ * 30, which no row of two pixels needs. least_down: of the slopes.
+ */
+static uint32_t floor_of(int32_t least_down)
+{
     const int32_t zeros = qtri_least32(15, (30 + least_down) >> 1);
-    const uint32_t q_floor = zeros < 0 ? UINT32_MAX : (uint32_t)1 << (31 - zeros);
+    return zeros < 0 ? UINT32_MAX : (uint32_t)1 << (31 - zeros);
+}
+
+void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle, const qtri_attributes v[3],
+                           const uint32_t value[2][3], const uint32_t q[3],
+                           const qtri_gradient *gradient)
+{
+    qtri_perspective *p = &job->color.perspective;
+    shared s;
+    int32_t colors_log2 = INT32_MIN / 2;
+    int32_t texels_log2 = INT32_MIN / 2;
+    int32_t least_down = INT8_MAX;
+    set_shared(&s, triangle, q, gradient);
+    set_inv_w(job, &s);
+    for (int i = job->first; i < job->end; i++) {
+        if (i < QTRI_U) {
+            colors_log2 = qtri_greatest32(colors_log2, set_color(job, i, v, &s));
+        } else {
+            texels_log2 =
+                qtri_greatest32(texels_log2, set_texels(job, i - QTRI_U, value[i - QTRI_U], &s));
+        }
+        least_down = qtri_least32(least_down, job->attribute[i].projected.down);
+    }
+    const uint32_t q_floor = floor_of(least_down);
     if (job->first < QTRI_U) {
-        set_limits(p->colors, &s, false, false, color_steep, q_floor);
+        set_limits(p->colors, &s, false, false, colors_log2, q_floor);
     }
     if (job->end > QTRI_U) {
-        /* Third differences are to have bits enough. */
+        /* A bend that is cut off adds up to 2^(2 l + 1) of a unit, a twist to more. */
         const int32_t bits = qtri_least32(job->axis[0].shift + job->axis[0].up,
                                           job->axis[1].shift + job->axis[1].up);
         const bool twisted = bits >= 20;
         p->texels_twisted = twisted ? QTRI_TWISTED_LOG2 : QTRI_BLOCK_LOG2 + 1;
-        set_limits(p->texels, &s, true, twisted, texel_steep, q_floor);
-        for (int32_t l = 0; l < QTRI_BLOCK_LOG2; l++) { /* a bend's last half adds up to 2^(2 l + 1) */
+        set_limits(p->texels, &s, true, twisted, texels_log2, q_floor);
+        for (int32_t l = 0; l < QTRI_BLOCK_LOG2; l++) {
             p->texels[l] = 2 * l + 12 > bits ? UINT32_MAX : p->texels[l];
         }
     }

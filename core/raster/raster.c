@@ -97,9 +97,9 @@ void qtri_raster_lit_channels(int32_t channel[3], const qtri_raster *raster, con
     for (int i = 0; i < 3; i++) {
         const uint32_t ratio_q32 = units->ratio_q30[i] << 2; /* 0: 1 */
         const uint32_t c = color_8p16[i];
-        channel[i] = (int32_t)(ratio_q32 == 0
-                                   ? c
-                                   : (qtri_mul_u32(c, ratio_q32) + ((uint32_t)1 << 31)) >> 32);
+        channel[i] =
+            (int32_t)(ratio_q32 == 0 ? c
+                                     : (qtri_mul_u32(c, ratio_q32) + ((uint32_t)1 << 31)) >> 32);
     }
     if (units->single) {
         channel[2] += channel[0] + channel[1];

@@ -77,7 +77,7 @@ struct qtri_raster {
     qtri_rect bounds; /* empty where nothing is to be drawn */
     struct {
         uint32_t x, y, width, height; /* 24.8 */
-    } inner; /* where vertex 0 of a small triangle is too far inside them to be cut */
+    } inner;              /* where vertex 0 of a small triangle is too far inside them to be cut */
     qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
     bool perspective; /* as the material asks */
@@ -89,32 +89,33 @@ struct qtri_raster {
      * Where only the sum of the three counts it is in place of blue, and the others are 0.
      */
     const qtri_colors *units;
-    qtri_channels tint;    /* what tinted triangles have shares of */
-    uint32_t tint_n8[3];   /* the same with 8 bits after the point, cut off */
+    qtri_channels tint;  /* what tinted triangles have shares of */
+    uint32_t tint_n8[3]; /* the same with 8 bits after the point, cut off */
 
     /* Texture: see textured.c. */
     const qtri_texturing *texturing;
     const qtri_colors *working; /* texels become colours of this kind */
-    qtri_words_stage widen, narrow; /* from the texel's kind, and to the format's; NULL: it is that */
+    qtri_words_stage widen,
+        narrow; /* from the texel's kind, and to the format's; NULL: it is that */
     qtri_modulate_stage light, times;
     qtri_tint_stage tinted; /* light, and the tint below */
     bool replace;
-    bool repeated;         /* coordinates fill 32 bits, see texel_number.h */
-    bool fetched;          /* rows of texels are read at once with their numbers */
-    bool copied;           /* nearest repeated texels of the format's own kind, without a key */
-    uint32_t texel_cut;    /* see texel_copy.h */
+    bool repeated;      /* coordinates fill 32 bits, see texel_number.h */
+    bool fetched;       /* rows of texels are read at once with their numbers */
+    bool copied;        /* nearest repeated texels of the format's own kind, without a key */
+    uint32_t texel_cut; /* see texel_copy.h */
     struct {
         uint8_t unit, shift; /* bits of a repeat's and of a texel's fraction */
     } coordinate[2];         /* of repeated ones */
-    bool white;            /* the tint: light alone is enough */
+    bool white;              /* the tint: light alone is enough */
     uint32_t tint_q10[3];
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
     qtri_draw_run copy_run;     /* NULL: none */
     qtri_draw_bent copy_bent;   /* NULL: none */
-    qtri_draw_small tint_small;        /* NULL: none */
-    qtri_lamp lamp;                    /* where there is one */
+    qtri_draw_small tint_small; /* NULL: none */
+    qtri_lamp lamp;             /* where there is one */
 };
 
 /* batch: the caller's, used while the raster is. */

@@ -122,8 +122,7 @@ static void copy_bent_row(qtri_scanline *row)
     run.depths = row->depths;
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
         qtri_curve uv[2];
-        const int32_t length =
-            job->interpolate(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES, uv);
+        const int32_t length = job->interpolate(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES, uv);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
         run.count = qtri_least32(length, row->x1 - x) - skip;
         if (run.count > 0) {

@@ -88,7 +88,7 @@ void qtri_light_888(uint32_t *color, const uint32_t *shade, int32_t count)
 }
 
 /* c light tint: 63 2^10 2^10 < 2^26, 255 2^10 2^10 < 2^28. */
-#define TINTED(c, by) (((c) * light * (by) + half) >> 20)
+#define TINTED(c, by) (((c)*light * (by) + half) >> 20)
 
 void qtri_tint_565(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
                    int32_t count)
@@ -225,9 +225,9 @@ void qtri_888_to_gray(uint32_t *color, int32_t count)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t pixel = color[i];                                                           \
-        color[i] = ((pixel << 8 >> 24) * r + (pixel << 16 >> 24) * g + (pixel << 24 >> 24) * b +   \
-                    half) >>                                                                       \
-                   16;                                                                             \
+        color[i] =                                                                                 \
+            ((pixel << 8 >> 24) * r + (pixel << 16 >> 24) * g + (pixel << 24 >> 24) * b + half) >> \
+            16;                                                                                    \
         QTRI_ASIDE(half)                                                                           \
     }
     QTRI_WORDS(count)

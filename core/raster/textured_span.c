@@ -51,7 +51,8 @@ static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
     int32_t done = 0;
     while (done < count) {
         qtri_curve uv[2];
-        const int32_t some = job->interpolate(row, x + done, count - done, QTRI_U, QTRI_ATTRIBUTES, uv);
+        const int32_t some =
+            job->interpolate(row, x + done, count - done, QTRI_U, QTRI_ATTRIBUTES, uv);
         if (raster->texture->filter != NULL) {
             qtri_texel_coordinates(batch->color + done, batch->by.shade + done, uv, some);
 #ifndef __OPTIMIZE_SIZE__
@@ -75,7 +76,8 @@ uint32_t qtri_textured_chunk(qtri_scanline *row, int32_t x, int32_t count, uint3
     const qtri_raster *raster = job->raster;
     qtri_batch *batch = raster->batch;
     interpolate_texels(row, x, count);
-    mask &= qtri_texels_color(raster, job->axis, batch->color, batch->by.shade, count, raster->fetched);
+    mask &=
+        qtri_texels_color(raster, job->axis, batch->color, batch->by.shade, count, raster->fetched);
     if (mask != 0 && job->shaded) {
         if (job->first == QTRI_U) {
             qtri_shade_constant(batch->by.shade, job->pixel, count);
