@@ -38,9 +38,7 @@ typedef struct qtri_batch {
     uint32_t color[QTRI_BATCH_ROOM];
     union {
         uint32_t shade[QTRI_BATCH_ROOM];
-#if QTRI_WITH_FAST_PATHS
         uint16_t table[(1 << QTRI_TINT_BITS) + 4]; /* stored pixels: where there is no texture */
-#endif
     } by;
     uint32_t place[QTRI_BATCH_ROOM];
 } qtri_batch;

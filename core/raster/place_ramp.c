@@ -46,7 +46,7 @@ static int32_t steep_step(int32_t high, int32_t low, int32_t inverse, int32_t le
 QTRI_NOINLINE void qtri_place_ramp_any(qtri_ramp *ramp, const qtri_place *p, uint32_t f0,
                                        int32_t f1, int32_t f2)
 {
-    const int32_t zeros = qtri_clz32(p->size);
+    const int32_t zeros = qtri_clz32(p->size | 1u);
     if ((qtri_about(f1) | qtri_about(f2)) >> 16 == 0) { /* small or a sliver */
         qtri_inverse by;
         const int32_t nx = qtri_place_nx(p, f1, f2);

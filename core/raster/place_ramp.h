@@ -22,7 +22,7 @@ typedef struct qtri_inverse {
 
 static inline void qtri_inverse_init(qtri_inverse *inverse, uint32_t size)
 {
-    const int32_t zeros = qtri_clz32(size);
+    const int32_t zeros = qtri_clz32(size | 1u);
     uint32_t y = qtri_reciprocal_q31(((size << zeros >> 1) + ((uint32_t)1 << 14)) >> 15);
     y -= y >> 16;
     inverse->y = (int32_t)(QTRI_LONG_MULTIPLY ? y << 15 : y);

@@ -79,7 +79,7 @@ static void add_axis(uint32_t *number, const qtri_curve *curve, const qtri_texel
 #define ONE(i)                                                                                     \
     {                                                                                              \
         int32_t index = (int32_t)(at >> shift) - first;                                            \
-        index &= ~(index >> 31); /* not below 0: an arithmetic shift, see bits.h */                \
+        index = index < 0 ? 0 : index;                                                             \
         index = index > mask ? mask : index;                                                       \
         number[i] += (uint32_t)index << up;                                                        \
         STEP_ONE                                                                                   \
