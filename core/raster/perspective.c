@@ -44,6 +44,15 @@ static uint32_t held(uint32_t value)
     return value > 0xC0000000u ? 0 : (value > 0x80000000u ? 0x80000000u : value);
 }
 
+/* 1/w at a pixel of the row: where it is all but 0, rounding may leave it there or below. */
+static inline uint32_t inv_w_at(const qtri_scanline *row, int32_t x)
+{
+    const qtri_job *job = row->job;
+    const uint32_t q =
+        plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, x);
+    return q - 1 < 0xC0000000u ? q : 1;
+}
+
 /*
  * (a/w) / (1/w): 1/w is q 2^-31 with q in 1..2^31, normalised to 32 bits for the reciprocal;
  * s 2^32 / q = s r 2^(zeros - 30), s <= 2^31, r <= 2^31.
@@ -204,11 +213,8 @@ typedef struct middle {
 
 static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted)
 {
-    const qtri_job *job = row->job;
-    const qtri_perspective *p = &job->color.perspective;
-    uint32_t q =
-        plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, m->x);
-    q = q - 1 < 0xC0000000u ? q : 1;
+    const qtri_perspective *p = &row->job->color.perspective;
+    const uint32_t q = inv_w_at(row, m->x);
     const int32_t zeros = zeros_of(row, q);
     const uint32_t reciprocal = qtri_reciprocal_near(q << zeros);
     m->zeros = zeros;
@@ -302,9 +308,7 @@ static inline void set_curve(qtri_curve *out, const middle *m, uint32_t value, i
 static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *limits, int32_t x,
                                     int32_t from, int32_t rest)
 {
-    const qtri_job *job = row->job;
-    const uint32_t q =
-        plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, x);
+    const uint32_t q = inv_w_at(row, x);
     int32_t log2 = QTRI_BLOCK_LOG2;
     while (log2 > 0 && q < limits[log2 - 1]) {
         log2--;
