@@ -297,6 +297,13 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     }
 }
 
+void qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
+                           qtri_attribute_source source, const void *from)
+{
+    const piece p = {primitive, source, from, {&corner[0], &corner[1], &corner[2]}};
+    draw_piece(&p, piece_area(corner, 2));
+}
+
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2])
 {

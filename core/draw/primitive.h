@@ -59,7 +59,11 @@ typedef void (*qtri_attribute_source)(const void *from, qtri_screen_vertex attri
 void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
                              qtri_attribute_source source, const void *from);
 
-/* The same for a line. `attributes` bring colour; their positions are not read. */
+/* Draws a solid triangle inside all planes that has an area and is not culled. */
+void qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
+                           qtri_attribute_source source, const void *from);
+
+/* Draws a line that may need clipping. `attributes` bring colour; their positions are not read. */
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2]);
 
