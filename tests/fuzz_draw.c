@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 40, VERTICES = 12, TRIANGLES = 16, CORNERS = 9, CACHE = 8 };
+enum { SIDE = 40, VERTICES = 12, TRIANGLES = 16, CORNERS = 9, CACHE = 16 };
 
 struct reader {
     const uint8_t *data;
@@ -163,6 +163,8 @@ static void draw_mesh(struct reader *r, const qtri_surface *surface, const qtri_
     qtri_vec2 uvs[VERTICES];
     qtri_rgb colors[VERTICES];
     uint16_t triangles[TRIANGLES][3];
+    qtri_position16 positions16[VERTICES];
+    qtri_face8 planes[TRIANGLES];
     for (int i = 0; i < VERTICES; i++) {
         positions[i] = take_vec3(r);
     }
@@ -182,6 +184,18 @@ static void draw_mesh(struct reader *r, const qtri_surface *surface, const qtri_
                       .triangles = (const uint16_t(*)[3])triangles,
                       .vertex_count = VERTICES,
                       .triangle_count = TRIANGLES};
+    take(r, positions16, sizeof positions16);
+    take(r, planes, sizeof planes);
+    mesh.positions16 = parts & 8 ? positions16 : NULL;
+    mesh.origin = take_vec3(r);
+    mesh.extent = take_number(r);
+    if (parts & 16) { /* whatever the planes are */
+        mesh.faces.culling = parts & 32 ? &qtri_cull_by_planes : NULL;
+        mesh.faces.planes = planes;
+        mesh.faces.thin = (uint32_t)take_number(r);
+        mesh.faces.error_q16 = (uint16_t)take_number(r);
+        mesh.faces.radius_q14 = (uint16_t)take_number(r);
+    }
     qtri_draw_mesh(surface, view, pose, &mesh, material);
 }
 

@@ -721,7 +721,6 @@ int main(void)
         cmocka_unit_test(inside_a_box),
         cmocka_unit_test(compact_equals_wide),
         cmocka_unit_test(flat_light_without_normals),
-
         cmocka_unit_test(bounds),
         cmocka_unit_test(lit),
         cmocka_unit_test(nothing_to_draw),

@@ -119,6 +119,40 @@ static void wide_positions(void **state)
     assert_true(seen > 500000);
 }
 
+/* Corners at w = 1 are points as a mesh has them, whatever is with them in a triangle. */
+static void corners_are_points(void **state)
+{
+    (void)state;
+    uint64_t seed = 55;
+    for (int n = 0; n < repeats(200000); n++) {
+        qtri_transform t;
+        qtri_viewport viewport;
+        qtri_projector projector;
+        qtri_clip_vertex corner[3];
+        qtri_vec4 p[3];
+        const qtri_vec4 *const from[3] = {&p[0], &p[1], &p[2]};
+        random_transform(&t, &viewport, &seed);
+        qtri_projector_init(&projector, &t, &viewport);
+        for (int i = 0; i < 3; i++) {
+            const qtri_vec4 at = {random_any(&seed), random_any(&seed), random_any(&seed), Q16_ONE};
+            p[i] = at;
+        }
+        qtri_projector_points(&projector, from, 3, corner);
+        for (int i = 0; i < 3; i++) {
+            const qtri_vec3 at = {p[i].x, p[i].y, p[i].z};
+            qtri_clip_vertex clip;
+            qtri_vertex exact;
+            qtri_vertex fast;
+            qtri_projector_point(&projector, &at, &clip);
+            assert_true(clip.x == corner[i].x && clip.y == corner[i].y);
+            assert_true(clip.z == corner[i].z && clip.w == corner[i].w);
+            qtri_vertex_exact(&projector, &corner[i], &exact);
+            (void)qtri_projector_vertices(&projector, &at, 1, &fast);
+            assert_same(&fast, &exact);
+        }
+    }
+}
+
 static qtri_position16 random_position16(uint64_t *seed, int n)
 {
     qtri_position16 p = {(int16_t)random64(seed), (int16_t)random64(seed), (int16_t)random64(seed)};
@@ -305,6 +339,7 @@ int main(void)
         cmocka_unit_test(wide_positions),
         cmocka_unit_test(compact_positions),
         cmocka_unit_test(compact_is_exact_enough),
+        cmocka_unit_test(corners_are_points),
         cmocka_unit_test(lights),
     };
     return cmocka_run_group_tests_name("core vertex", tests, NULL, NULL);

@@ -29,16 +29,61 @@ static void fetch(const qtri_primitive *primitive, const qtri_corner *corners, i
     qtri_projector_points(&primitive->projector, position, count, v);
 }
 
+/* What becomes of a triangle's corners. */
+typedef enum fate {
+    ELSEWHERE, /* not decided: one is outside, or not at w = 1 */
+    CULLED,
+    SEEN /* all of it */
+} fate;
+
+/* A solid triangle whose corners are like vertices of a mesh, as most are: in their way. */
+QTRI_NOINLINE static fate place_usual(const qtri_primitive *primitive, const qtri_corner *corners,
+                                      qtri_fan_vertex fan[3])
+{
+    qtri_vec3 p[3];
+    qtri_vertex v[3];
+    for (int i = 0; i < 3; i++) {
+        const qtri_vec4 *position = &corners[i].position;
+        if (position->w != Q16_ONE) {
+            return ELSEWHERE;
+        }
+        p[i].x = position->x;
+        p[i].y = position->y;
+        p[i].z = position->z;
+    }
+    if (!qtri_projector_vertices(&primitive->projector, p, 3, v)) {
+        return ELSEWHERE;
+    }
+    const int64_t area = qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at);
+    if (area == 0 || qtri_is_culled(primitive->material->cull, area)) {
+        return CULLED;
+    }
+    for (int i = 0; i < 3; i++) {
+        fan[i].at = v[i].at;
+        fan[i].depth_16p8 = v[i].depth_16p8;
+        fan[i].inv_w_q31 = v[i].inv_w;
+        fan[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
+        fan[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
+    }
+    return SEEN;
+}
+
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
                          const qtri_transform *pose, const qtri_corner *corners,
                          uint32_t corner_count, const qtri_material *material)
 {
     qtri_primitive primitive;
     qtri_primitive_init(&primitive, surface, view, pose, material);
+    const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         qtri_shape shape;
-        fetch(&primitive, &corners[i], 3, shape.clip);
-        qtri_primitive_triangle(&primitive, &shape, attributes_of_triangle, &corners[i]);
+        const fate found = solid ? place_usual(&primitive, &corners[i], shape.fan) : ELSEWHERE;
+        if (found == SEEN) {
+            qtri_primitive_inside(&primitive, shape.fan, attributes_of_triangle, &corners[i]);
+        } else if (found == ELSEWHERE) {
+            fetch(&primitive, &corners[i], 3, shape.clip);
+            qtri_primitive_triangle(&primitive, &shape, attributes_of_triangle, &corners[i]);
+        }
     }
     qtri_primitive_finish(&primitive);
 }

@@ -241,6 +241,13 @@ QTRI_NOINLINE static void draw_large_piece(const piece *p, int64_t area)
     qtri_triangle_fill(&job, &triangle, piece_job(&job, &triangle, p));
 }
 
+static void draw_piece(const piece *p, int64_t area)
+{
+    if (draw_placed_piece(p) == QTRI_PLACED_LARGE) {
+        draw_large_piece(p, area);
+    }
+}
+
 /* The edge between two vertices, given twice: as coordinates, and as attributes. */
 QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_clip_vertex *a,
                                     const qtri_clip_vertex *b,
@@ -343,11 +350,16 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
         if (area != 0 && (area ^ sum) >= 0) {
             p.vertex[1] = &shape->fan[i - 1];
             p.vertex[2] = &shape->fan[i];
-            if (draw_placed_piece(&p) == QTRI_PLACED_LARGE) {
-                draw_large_piece(&p, area);
-            }
+            draw_piece(&p, area);
         }
     }
+}
+
+void qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
+                           qtri_attribute_source source, const void *from)
+{
+    const piece p = {primitive, source, from, {&corner[0], &corner[1], &corner[2]}};
+    draw_piece(&p, piece_area(corner, 2));
 }
 
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],

@@ -76,6 +76,10 @@ void qtri_primitive_finish_lines(const qtri_primitive *primitive);
 void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
                             unsigned planes, qtri_attribute_source source, const void *from);
 
+/* Draws a solid triangle inside all planes that has an area and is not culled. */
+void qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
+                           qtri_attribute_source source, const void *from);
+
 /* Draws a line. `attributes` bring colour; their positions are not read. */
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2]);
