@@ -34,7 +34,7 @@
     "add %[v], %[v_step]\n\t"                                                                      \
     "add %[u_step], %[u_bend]\n\t"                                                                 \
     "add %[v_step], %[v_bend]\n\t"
-#elif defined(__GNUC__) && defined(__thumb2__)
+#elif defined(__GNUC__) && defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__)
 #define LOW       "r"
 #define HIGH      "r"
 #define TEXELS    "r"
