@@ -20,8 +20,8 @@ struct qtri_fill {
     void (*triangle)(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3]);
     /* A mesh with a slot for every vertex, to be transformed yet. */
     void (*mesh)(qtri_mesh_job *draw);
-    /* Of a mesh whose vertices all are in their slots: before bands draw it, and before one does.
-     */
+    /* Before bands draw a mesh whose vertices all are in their slots, or were left out with all
+       their faces; and before one band does. */
     void (*prepare)(const qtri_mesh_job *draw, bool back_only);
     void (*band)(qtri_mesh_job *draw);
 };

@@ -142,6 +142,14 @@ static void light(const qtri_mesh_job *draw, uint32_t count)
     }
 }
 
+/* Wireframes note edges there: see mesh_lines.c. */
+static void clear_notes(const qtri_mesh_job *draw, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        draw->vertices[draw->vertices[i].index].inv_w = 0;
+    }
+}
+
 static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
@@ -163,6 +171,9 @@ static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
     if (met != 0) {
         faces->inside &= transform(draw, met);
         light(draw, met);
+        if (draw->material.fill != NULL) {
+            clear_notes(draw, met);
+        }
     }
     return true;
 }
@@ -179,9 +190,7 @@ QTRI_NOINLINE static void draw_fronts(const qtri_mesh_faces *faces, const qtri_m
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, false);
-        if (!qtri_mesh_find(vertex, vertices, UINT32_MAX, index, size)) {
-            continue; /* never: none is past the end */
-        }
+        qtri_mesh_get(vertex, vertices, index, size);
         qtri_vertex *a = vertex[0];
         qtri_vertex *b = vertex[1];
         qtri_vertex *c = vertex[2];

@@ -53,7 +53,7 @@ struct qtri_face_culling {
      * mesh; possibly none. Their vertices are transformed and lit. False after the last.
      */
     bool (*next)(qtri_mesh_faces *faces, const qtri_mesh_job *draw);
-    /* Draws all triangles; or none, and returns false. */
+    /* Draws all triangles, filled; or none, and returns false. */
     bool (*draw)(qtri_mesh_job *draw);
 };
 

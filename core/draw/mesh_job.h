@@ -122,15 +122,12 @@ static inline uint32_t qtri_vertex_size(void)
 }
 
 /*
- * The vertices with these indices, of a mesh that has a slot for each of `count`; false when an
- * index is past the end. `size`: qtri_vertex_size(), from outside of the caller's loop.
+ * The vertices with these indices, of a mesh that has a slot for each. `size`: qtri_vertex_size(),
+ * from outside of the caller's loop.
  */
-static inline bool qtri_mesh_find(qtri_vertex *vertex[3], qtri_vertex *vertices, uint32_t count,
-                                  const uint32_t index[3], uint32_t size)
+QTRI_INLINE void qtri_mesh_get(qtri_vertex *vertex[3], qtri_vertex *vertices,
+                               const uint32_t index[3], uint32_t size)
 {
-    if (index[0] >= count || index[1] >= count || index[2] >= count) {
-        return false;
-    }
     uint8_t *first = (uint8_t *)vertices;
     qtri_vertex *a = (qtri_vertex *)(void *)(first + index[0] * size);
     qtri_vertex *b = (qtri_vertex *)(void *)(first + index[1] * size);
@@ -141,6 +138,16 @@ static inline bool qtri_mesh_find(qtri_vertex *vertex[3], qtri_vertex *vertices,
     vertex[0] = a;
     vertex[1] = b;
     vertex[2] = c;
+}
+
+/* False when one of them is not below `count`. */
+static inline bool qtri_mesh_find(qtri_vertex *vertex[3], qtri_vertex *vertices, uint32_t count,
+                                  const uint32_t index[3], uint32_t size)
+{
+    if (index[0] >= count || index[1] >= count || index[2] >= count) {
+        return false;
+    }
+    qtri_mesh_get(vertex, vertices, index, size);
     return true;
 }
 

@@ -28,6 +28,7 @@
  * every band that the edge touches.
  */
 #include "fill.h"
+#include "mesh_faces.h"
 
 #include "../fast/line_16.h"
 
@@ -58,7 +59,7 @@ static taker taker_by_job(const qtri_mesh_job *draw)
                     !draw->material.depth_read_only);
 }
 
-static inline bool is_noted(const qtri_vertex *vertex, uint32_t edge)
+QTRI_INLINE bool is_noted(const qtri_vertex *vertex, uint32_t edge)
 {
     return (vertex->inv_w & 0xFFFFu) == edge || vertex->inv_w >> 16 == edge;
 }
@@ -226,12 +227,39 @@ QTRI_NOINLINE static void draw_seen(const qtri_mesh_job *draw, const void *trian
 }
 
 /*
+ * The edges that a triangle takes, or all where it crosses a plane; 0: it is not seen. `simple`:
+ * back faces are culled, and no vertex is outside.
+ */
+QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3],
+                              qtri_vertex *const vertex[3], taker who, bool simple)
+{
+    qtri_vertex *a = vertex[0];
+    qtri_vertex *b = vertex[1];
+    qtri_vertex *c = vertex[2];
+    if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
+               : qtri_mesh_turned_away(draw, a, b, c)) {
+        return 0;
+    }
+    if (who == EVERY || !(simple || qtri_mesh_is_inside(a, b, c))) {
+        return QTRI_EDGES_ALL;
+    }
+    return QTRI_EDGES_SEEN | take_edges(a, b, c, index);
+}
+
+/* Not where a vertex was left out: all its faces turn away. */
+static inline bool are_met(qtri_vertex *const vertex[3])
+{
+    return vertex[0]->depth_16p8 != QTRI_VERTEX_EMPTY &&
+           vertex[1]->depth_16p8 != QTRI_VERTEX_EMPTY && vertex[2]->depth_16p8 != QTRI_VERTEX_EMPTY;
+}
+
+/*
  * Looks at triangles, from `number` on or, for LAST, from the last one back to the first, and draws
- * them or notes what they are to draw. `narrow`: indices are bytes. `simple`: back faces are
- * culled, and no vertex is outside.
+ * them or notes what they are to draw. `narrow`: indices are bytes. `quick`: `simple`, all vertices
+ * are there, and what is drawn is drawn here.
  */
 QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, bool narrow,
-                         bool simple, bool draws)
+                         bool simple, bool draws, bool quick)
 {
     const qtri_mesh *mesh = draw->mesh;
     const uint32_t count = mesh->vertex_count;
@@ -252,21 +280,44 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
         if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
             continue;
         }
-        qtri_vertex *a = vertex[0];
-        qtri_vertex *b = vertex[1];
-        qtri_vertex *c = vertex[2];
-        if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
-                   : qtri_mesh_turned_away(draw, a, b, c)) {
+        if (!quick && !draws && !are_met(vertex)) {
             continue;
         }
-        uint32_t edges = QTRI_EDGES_ALL;
-        if (who != EVERY && (simple || qtri_mesh_is_inside(a, b, c))) {
-            edges = QTRI_EDGES_SEEN | take_edges(a, b, c, index);
+        const uint32_t edges = edges_of(draw, index, vertex, who, simple);
+        if (edges == 0) {
+            continue;
         }
         if (!draws) {
             uint16_t *notes = &vertices[number / QTRI_NOTES].index;
             *notes = (uint16_t)(*notes | edges << number % QTRI_NOTES * QTRI_NOTE_BITS);
-        } else if (simple && !QTRI_SHARE) {
+        } else if (quick) {
+            draw_edges(draw, triangle, vertex, edges, tinted);
+        } else {
+            draw_seen(draw, triangle, vertex, edges);
+        }
+    }
+}
+
+/* Draws the triangles of a list by the first of them; see look_at. */
+QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *faces, bool narrow,
+                           bool simple, bool quick)
+{
+    const uint32_t vertex_size = qtri_vertex_size();
+    const bool tinted = is_tinted(draw);
+    const uint8_t *triangles = faces->triangles;
+    const uint16_t *end = faces->end;
+    qtri_vertex *vertices = draw->vertices;
+    for (const uint16_t *at = faces->list; at != end; at++) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        qtri_mesh_get(vertex, vertices, index, vertex_size);
+        const uint32_t edges = edges_of(draw, index, vertex, FIRST, simple);
+        if (edges == 0) {
+            continue;
+        }
+        if (quick) {
             draw_edges(draw, triangle, vertex, edges, tinted);
         } else {
             draw_seen(draw, triangle, vertex, edges);
@@ -293,7 +344,7 @@ QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
             uint32_t index[3];
             qtri_vertex *vertex[3];
             qtri_mesh_indices(index, triangle, narrow);
-            (void)qtri_mesh_find(vertex, vertices, UINT32_MAX, index, vertex_size);
+            qtri_mesh_get(vertex, vertices, index, vertex_size);
             if (simple && !QTRI_SHARE) {
                 draw_edges(draw, triangle, vertex, edges, tinted);
             } else {
@@ -307,7 +358,7 @@ QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
 QTRI_NOINLINE static void look_at_any(const qtri_mesh_job *draw, uint32_t number, taker who,
                                       bool simple, bool draws)
 {
-    look_at(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws);
+    look_at(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws, false);
 }
 
 QTRI_NOINLINE static void draw_any_noted(const qtri_mesh_job *draw)
@@ -324,22 +375,49 @@ static void begin_mesh(qtri_mesh_job *draw)
     }
 }
 
+/*
+ * The faces that may be seen of a mesh that has planes of them, by the first triangles: false, and
+ * nothing is drawn, where planes tell nothing.
+ */
+QTRI_NOINLINE static bool draw_faces(qtri_mesh_job *draw)
+{
+    const qtri_face_culling *culling = qtri_mesh_face_culling(draw->mesh);
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
+    const bool back = draw->material.cull == QTRI_CULL_BACK;
+    qtri_mesh_faces faces;
+    if (culling == NULL || !culling->begin(&faces, draw)) {
+        return false;
+    }
+    while (culling->next(&faces, draw)) {
+        const bool simple = back && faces.inside;
+        if (!QTRI_SHARE && simple && !narrow) {
+            draw_list(draw, &faces, false, true, true);
+        } else {
+            draw_list(draw, &faces, narrow, simple, false);
+        }
+    }
+    return true;
+}
+
 static void draw_mesh(qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
-    const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
-    const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
-    const bool quick = !QTRI_SHARE && simple && !qtri_mesh_has_bytes(mesh);
     taker who = taker_by_job(draw);
     uint32_t number = 0;
     begin_mesh(draw);
+    if (who == FIRST && draw_faces(draw)) {
+        return;
+    }
+    const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
+    const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
+    const bool quick = !QTRI_SHARE && simple && !qtri_mesh_has_bytes(mesh);
     clear_notes(draw);
     if (quick && who == FIRST) {
-        look_at(draw, 0, FIRST, false, true, true);
+        look_at(draw, 0, FIRST, false, true, true, true);
         return;
     }
     if (quick && who == LAST) {
-        look_at(draw, 0, LAST, false, true, false);
+        look_at(draw, 0, LAST, false, true, false, true);
         draw_noted(draw, false, true);
     } else if (who == LAST) {
         look_at_any(draw, 0, LAST, simple, false);

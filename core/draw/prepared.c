@@ -234,9 +234,7 @@ static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t fi
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, narrow);
-        if (!qtri_mesh_find(vertex, vertices, UINT32_MAX, index, vertex_size)) {
-            continue; /* never: none is past the end */
-        }
+        qtri_mesh_get(vertex, vertices, index, vertex_size);
         if (simple ? qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
                    : qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
             continue;
@@ -274,15 +272,14 @@ QTRI_NOINLINE static bool see_faces(sorter *s)
 static void see_whole(sorter *s)
 {
     const qtri_mesh_job *job = s->job;
-    if (s->is_solid && see_faces(s)) {
-        return;
+    if (!see_faces(s)) {
+        const bool inside = qtri_mesh_transform(job, 0, job->mesh->vertex_count, job->vertices);
+        s->prepared->back_only = inside && job->material.cull == QTRI_CULL_BACK;
+        see_complete(s);
     }
-    const bool inside = qtri_mesh_transform(job, 0, job->mesh->vertex_count, job->vertices);
-    s->prepared->back_only = inside && job->material.cull == QTRI_CULL_BACK;
     if (!s->is_solid) {
         job->material.fill->prepare(job, s->prepared->back_only);
     }
-    see_complete(s);
 }
 
 /* The same with fewer vertices than the mesh has. */

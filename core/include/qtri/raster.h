@@ -9,7 +9,8 @@
  *
  * Lines cover, for every column (or row, when steeper than 45 degrees) whose centre lies in the
  * half-open range between the ends, the pixel that the line passes through at that centre.
- * Both directions give the same pixels; chained lines cover each joint once.
+ * Both directions give the same pixels; chained lines cover each joint once. Colours are within .51
+ * of a step of what is exact, those of a wireframe of one colour within 3/4.
  */
 #ifndef QTRI_RASTER_H
 #define QTRI_RASTER_H
