@@ -144,7 +144,8 @@ static corner random_corner(uint64_t *seed, double reach, double ratio, double r
                 .u = uniform(seed) * repeats,
                 .v = uniform(seed) * repeats};
     for (int i = 0; i < 3; i++) {
-        c.color[i] = random_in(seed, 0, 4) == 0 ? 255.0 * random_in(seed, 0, 1) : uniform(seed) * 255;
+        c.color[i] =
+            random_in(seed, 0, 4) == 0 ? 255.0 * random_in(seed, 0, 1) : uniform(seed) * 255;
     }
     return c;
 }
@@ -176,7 +177,8 @@ static tally random_triangles(uint64_t seed, int count, const qtri_format *forma
     return sum;
 }
 
-/* Rectangles turned about y and rolled: degrees, repeats, distance of the nearer side, ratio of w. */
+/* Rectangles turned about y and rolled: degrees, repeats, distance of the nearer side, ratio of w.
+ */
 static tally walls(uint64_t seed, int count, const qtri_format *format, double degrees,
                    double repeats, double near_w, double ratio, int side_log2)
 {
@@ -350,12 +352,20 @@ static void parts(void **state)
     (void)state;
     number_texels();
     uint64_t seed = 30;
-    const qtri_texture textures[] = {
-        texture_of(&qtri_rgb565, 6, 6), texture_of(&qtri_xrgb8888, 10, 10),
-        {.texels = texels16, .format = &qtri_texel_rgb565, .width_log2 = 5, .height_log2 = 4,
-         .wrap_u = QTRI_CLAMP, .has_key = true, .key = 77},
-        {.texels = texels32, .format = &qtri_texel_xrgb8888, .width_log2 = 3, .height_log2 = 5,
-         .filter = &qtri_bilinear}};
+    const qtri_texture textures[] = {texture_of(&qtri_rgb565, 6, 6),
+                                     texture_of(&qtri_xrgb8888, 10, 10),
+                                     {.texels = texels16,
+                                      .format = &qtri_texel_rgb565,
+                                      .width_log2 = 5,
+                                      .height_log2 = 4,
+                                      .wrap_u = QTRI_CLAMP,
+                                      .has_key = true,
+                                      .key = 77},
+                                     {.texels = texels32,
+                                      .format = &qtri_texel_xrgb8888,
+                                      .width_log2 = 3,
+                                      .height_log2 = 5,
+                                      .filter = &qtri_bilinear}};
     qtri_format stages_565 = qtri_rgb565;
     stages_565.fused = NULL;
     const qtri_format *const formats[] = {&qtri_rgb565, &stages_565, &qtri_xrgb8888, &qtri_gray8};
@@ -387,8 +397,8 @@ static void parts(void **state)
         }
         assert_same_picture(&whole.surface, &tiles.surface);
         for (int32_t first = 0; first < HEIGHT; first += 100) {
-            canvas band =
-                canvas_band(format, WIDTH, HEIGHT, first, first + 100 < HEIGHT ? 100 : HEIGHT - first);
+            canvas band = canvas_band(format, WIDTH, HEIGHT, first,
+                                      first + 100 < HEIGHT ? 100 : HEIGHT - first);
             qtri_raster_triangle(&band.surface, &m, t);
             assert_same_picture(&whole.surface, &band.surface);
             canvas_free(&band);
@@ -411,8 +421,11 @@ static void extremes(void **state)
     number_texels();
     uint64_t seed = 40;
     const qtri_texture texture = texture_of(&qtri_rgb565, 7, 9);
-    const qtri_texture clamped = {.texels = texels32, .format = &qtri_texel_xrgb8888,
-                                  .width_log2 = 4, .height_log2 = 4, .wrap_u = QTRI_CLAMP,
+    const qtri_texture clamped = {.texels = texels32,
+                                  .format = &qtri_texel_xrgb8888,
+                                  .width_log2 = 4,
+                                  .height_log2 = 4,
+                                  .wrap_u = QTRI_CLAMP,
                                   .wrap_v = QTRI_CLAMP};
     const qtri_texture *const textures[] = {NULL, &texture, &clamped};
     for (int n = 0; n < 6000; n++) {

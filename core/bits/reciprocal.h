@@ -40,8 +40,8 @@ static inline int32_t qtri_reciprocal_below(uint32_t x)
 
 /*
  * 2^62 / x within 4 units, for x in [2^31, 2^32): the same number on all cores, as nothing corrects
- * it. The seed is off by 5/4 of 2^-15 of itself at most, see seed.h, and a Newton step squares that:
- * 2^-29.4 of a reciprocal of up to 2^31 is less than 3 units; cut-off bits are one.
+ * it. The seed is off by 5/4 of 2^-15 of itself at most, see seed.h, and a Newton step squares
+ * that: 2^-29.4 of a reciprocal of up to 2^31 is less than 3 units; cut-off bits are one.
  */
 static inline uint32_t qtri_reciprocal_near(uint32_t x)
 {

@@ -1,10 +1,10 @@
 /*
  * A triangle on its way to pixels: what its rows share. Internal.
  *
- * Attributes are linear on the screen or, with perspective, quotients of two that are; then a row is
- * cut into blocks along which curves of second order serve, see perspective.c. Which function fills
- * the rows is chosen once a triangle: span.c draws any by the stages of batch.h, those of core/fast
- * stand in where a format has them, with the same pixels to the bit.
+ * Attributes are linear on the screen or, with perspective, quotients of two that are; then a row
+ * is cut into blocks along which curves of second order serve, see perspective.c. Which function
+ * fills the rows is chosen once a triangle: span.c draws any by the stages of batch.h, those of
+ * core/fast stand in where a format has them, with the same pixels to the bit.
  */
 #ifndef QTRI_RASTER_JOB_H
 #define QTRI_RASTER_JOB_H
@@ -32,8 +32,8 @@
 #define QTRI_PLANES     (QTRI_ATTRIBUTES + 1)
 
 /*
- * An attribute with perspective, or inv_w: its plane in its own unit, and what else its curves need,
- * see perspective.c.
+ * An attribute with perspective, or inv_w: its plane in its own unit, and what else its curves
+ * need, see perspective.c.
  */
 typedef struct qtri_projected {
     uint32_t origin, dx, dy;   /* at the centre of pixel (0, 0), for one pixel right, one down */
@@ -45,7 +45,7 @@ typedef struct qtri_projected {
 } qtri_projected;
 
 typedef union qtri_attribute {
-    qtri_ramp ramp; /* colours that are linear */
+    qtri_ramp ramp;   /* colours that are linear */
     qtri_plane plane; /* texture coordinates that are linear, in the unit of their axis */
     qtri_projected projected;
 } qtri_attribute;
@@ -58,7 +58,7 @@ typedef struct qtri_perspective {
     int32_t slope; /* inv_w's dx with 15 bits, times 2^slope_exponent where inv_w is 2^31 */
     int32_t slope_exponent;
     qtri_block_limits colors, texels;
-    uint8_t texels_twisted; /* log2 of the least blocks of texels that are of third order */
+    uint8_t texels_twisted;        /* log2 of the least blocks of texels that are of third order */
     int32_t least[3], greatest[3]; /* colours of the vertices, n.16 */
 } qtri_perspective;
 
@@ -74,14 +74,14 @@ typedef struct qtri_scanline qtri_scanline;
  * Curves of attributes first..end - 1 from pixel x of the row on, into out[0], out[1], ...: for how
  * many pixels they hold, 1..count.
  */
-typedef int32_t (*qtri_interpolate)(qtri_scanline *row, int32_t x, int32_t count, int first, int end,
-                                    qtri_curve *out);
+typedef int32_t (*qtri_interpolate)(qtri_scanline *row, int32_t x, int32_t count, int first,
+                                    int end, qtri_curve *out);
 
 struct qtri_job {
     const qtri_raster *raster;
     qtri_interpolate interpolate;
-    uint8_t first, end;         /* the attributes that vary: all from the first to before the end */
-    bool tinted;                /* colours are shares of the raster's tint */
+    uint8_t first, end; /* the attributes that vary: all from the first to before the end */
+    bool tinted;        /* colours are shares of the raster's tint */
     bool perspective;
     bool packed;                /* colours are one word, see packed.h */
     bool cut;                   /* spans may reach past the bounds */
@@ -104,7 +104,7 @@ typedef struct qtri_row_plane {
     int32_t rest;  /* 2^-16 of that */
     int32_t slope; /* 15 bits, times 2^-down in the curve's unit */
     int8_t down;
-    uint8_t cut;   /* bits that the slope has not, in the row before */
+    uint8_t cut; /* bits that the slope has not, in the row before */
 } qtri_row_plane;
 
 /* A row on its way to pixels. */
@@ -123,7 +123,7 @@ struct qtri_scanline {
             int32_t zeros; /* of inv_w, when it was last asked */
         } perspective;
     } by;
-    int32_t run;         /* linear coordinates: the pixel where uv[].at is */
+    int32_t run; /* linear coordinates: the pixel where uv[].at is */
     qtri_curve uv[2];
 };
 
@@ -131,8 +131,8 @@ struct qtri_scanline {
 struct qtri_run {
     uint8_t *pixels; /* of the whole row */
     uint16_t *depths;
-    int32_t x, count;     /* 0 < count */
-    uint32_t z;           /* 16.16 */
+    int32_t x, count;           /* 0 < count */
+    uint32_t z;                 /* 16.16 */
     uint32_t value[2], step[2]; /* u and v as texel_copy.h has them */
 };
 

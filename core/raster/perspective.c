@@ -1,7 +1,7 @@
 /*
- * Rows with perspective: an attribute a is s / q of two that are linear on the screen, q = 1/w being
- * 1 at the vertex nearest to the eye. One reciprocal serves a block of up to 32 pixels: d pixels
- * from its middle m
+ * Rows with perspective: an attribute a is s / q of two that are linear on the screen, q = 1/w
+ * being 1 at the vertex nearest to the eye. One reciprocal serves a block of up to 32 pixels: d
+ * pixels from its middle m
  *
  *     a = a_m + L (d - e d^2 + e^2 d^3 - ...),   L = K / q^2,   e = q' / q,   K = s' q - s q'
  *
@@ -206,7 +206,8 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
 {
     const qtri_job *job = row->job;
     const qtri_perspective *p = &job->color.perspective;
-    uint32_t q = plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, m->x);
+    uint32_t q =
+        plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, m->x);
     q = q - 1 < 0xC0000000u ? q : 1;
     const int32_t zeros = zeros_of(row, q);
     const uint32_t reciprocal = qtri_reciprocal_near(q << zeros);
@@ -296,20 +297,22 @@ static inline void set_curve(qtri_curve *out, const middle *m, uint32_t value, i
     }
 }
 
-/* log2 of the pixels of the longest block from pixel x of the row on, `from` pixels into a chunk. */
+/* log2 of the pixels of the longest block from pixel x of the row on, `from` pixels into a chunk.
+ */
 static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *limits, int32_t x,
                                     int32_t from, int32_t rest)
 {
     const qtri_job *job = row->job;
-    const uint32_t q = plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, x);
+    const uint32_t q =
+        plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, x);
     int32_t log2 = QTRI_BLOCK_LOG2;
     while (log2 > 0 && q < limits[log2 - 1]) {
         log2--;
     }
-    while (from >> log2 << log2 != from) {
+    while (log2 > 0 && from >> log2 << log2 != from) {
         log2--;
     }
-    while (((int32_t)1 << log2) >> 1 >= rest) {
+    while (log2 > 0 && (int32_t)1 << (log2 - 1) >= rest) {
         log2--;
     }
     return log2;
@@ -324,8 +327,7 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
     const qtri_perspective *p = &row->job->color.perspective;
     const int32_t from = (x - row->left) & (QTRI_BATCH - 1);
     const int32_t rest = qtri_least32(row->right - x, QTRI_BATCH - from);
-    const int32_t log2 =
-        longest_block(row, first < QTRI_U ? p->colors : p->texels, x, from, rest);
+    const int32_t log2 = longest_block(row, first < QTRI_U ? p->colors : p->texels, x, from, rest);
     const int32_t length = qtri_least32((int32_t)1 << log2, rest);
     middle m;
     m.half = length >> 1;

@@ -14,9 +14,9 @@
  * The job's planes and slopes. q: 1/w at the vertices, 2^31 or less; value: what texel.h made of
  * texture coordinates.
  */
-void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
-                           const qtri_attributes v[3], const uint32_t value[2][3],
-                           const uint32_t q[3], const qtri_gradient *gradient);
+void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle, const qtri_attributes v[3],
+                           const uint32_t value[2][3], const uint32_t q[3],
+                           const qtri_gradient *gradient);
 
 /* Before the first row; for every row with pixels to draw. */
 void qtri_perspective_begin(qtri_scanline *row);

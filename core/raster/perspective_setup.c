@@ -79,7 +79,7 @@ static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint
         const int32_t whole = (int32_t)(qtri_mul_s32((int32_t)(m[i] >> cut), half_q) >> 31);
         k[i] = whole + (whole >> 4) + (whole >> 8) + (whole >> 12) + (whole >> 16);
     }
-    p->down = (int8_t)-(cut - 14 + p->up + 1);
+    p->down = (int8_t) - (cut - 14 + p->up + 1);
     const int32_t rise = k[1] - k[0];
     const int64_t per_row = qtri_mul_s32(rise, (int32_t)s->reciprocal) >> (54 - s->zeros);
     const int32_t along = (int32_t)(qtri_mul_s32(rise, (int32_t)s->along_q31) >> 31);
@@ -92,8 +92,8 @@ static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint
 
 /*
  * The least q at the start of a block of 2 h pixels, h = 2^l. For the bounds of perspective.c, all
- * with E = h |q'| / q <= 1/8, and K the triangle's greatest, in texels or in 256 times what a colour
- * may stray by:
+ * with E = h |q'| / q <= 1/8, and K the triangle's greatest, in texels or in 256 times what a
+ * colour may stray by:
  *
  *     second order   q >= (80 h^3)^(1/2) |q'|  or  q >= (80 h^3 K q'^2)^(1/4)
  *     16 pixels      q >= 100 |q'|             or  (9000 K q'^2)^(1/4), (430 h^4 K |q'|^3)^(1/5)
@@ -128,8 +128,7 @@ static void set_limits(qtri_block_limits limits, const shared *s, bool texels, b
         const uint32_t eighth = s->q_steep >> (28 - l) != 0 ? UINT32_MAX : s->q_steep << (l + 3);
         least = least > eighth ? least : eighth;
         least = least > q_floor ? least : q_floor;
-        limits[l] = least >= 0x80000000u ? UINT32_MAX
-                                         : least + (s->q_dx < 0 ? s->q_steep << l : 0);
+        limits[l] = least >= 0x80000000u ? UINT32_MAX : least + (s->q_dx < 0 ? s->q_steep << l : 0);
     }
 }
 
@@ -169,7 +168,7 @@ static void set_shared(shared *s, const qtri_triangle *t, const uint32_t q[3],
         s->bottom = t->p[i] == t->bottom ? i : (i == 0 ? 0 : s->bottom);
     }
     const uint32_t height = (uint32_t)(t->bottom->y_24p8 - t->top->y_24p8); /* > 0 */
-    s->zeros = qtri_clz32(height);
+    s->zeros = qtri_clz32(height | 1);
     s->reciprocal = (uint32_t)qtri_reciprocal_below(height << s->zeros);
     s->row = qtri_hold32(gradient->anchor_y, qtri_first_center(t->top->y_24p8),
                          qtri_first_center(t->bottom->y_24p8) - 1);
@@ -238,8 +237,8 @@ static void set_inv_w(qtri_job *job, shared *s)
 }
 
 /*
- * Below this blocks are single pixels: 2^16, and where slopes would be shifted left by more than 30,
- * which no row of two pixels needs. least_down: of the slopes.
+ * Below this blocks are single pixels: 2^16, and where slopes would be shifted left by more than
+ * 30, which no row of two pixels needs. least_down: of the slopes.
  */
 static uint32_t floor_of(int32_t least_down)
 {
@@ -247,9 +246,9 @@ static uint32_t floor_of(int32_t least_down)
     return zeros < 0 ? UINT32_MAX : (uint32_t)1 << (31 - zeros);
 }
 
-void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle,
-                           const qtri_attributes v[3], const uint32_t value[2][3],
-                           const uint32_t q[3], const qtri_gradient *gradient)
+void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle, const qtri_attributes v[3],
+                           const uint32_t value[2][3], const uint32_t q[3],
+                           const qtri_gradient *gradient)
 {
     qtri_perspective *p = &job->color.perspective;
     shared s;

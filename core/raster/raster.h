@@ -50,7 +50,7 @@ typedef struct qtri_raster {
     const qtri_format *format;
     const qtri_texture *texture; /* NULL: none */
     qtri_batch *batch;
-    qtri_rect bounds; /* empty where nothing is to be drawn */
+    qtri_rect bounds;     /* empty where nothing is to be drawn */
     qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
     bool perspective; /* as the material asks */
@@ -62,19 +62,20 @@ typedef struct qtri_raster {
      * Where only the sum of the three counts it is in place of blue, and the others are 0.
      */
     const qtri_colors *units;
-    qtri_channels tint;    /* what tinted triangles have shares of */
-    uint32_t tint_n8[3];   /* the same with 8 bits after the point, cut off */
+    qtri_channels tint;  /* what tinted triangles have shares of */
+    uint32_t tint_n8[3]; /* the same with 8 bits after the point, cut off */
 
     /* Texture: see textured.c. */
     const qtri_colors *working; /* texels become colours of this kind */
-    qtri_words_stage widen, narrow; /* from the texel's kind, and to the format's; NULL: it is that */
+    qtri_words_stage widen,
+        narrow; /* from the texel's kind, and to the format's; NULL: it is that */
     qtri_modulate_stage light, times;
     bool replace;
-    bool repeated;         /* coordinates fill 32 bits, see texel_number.h */
-    bool fetched;          /* rows of texels are read at once with their numbers */
-    bool copied;           /* nearest repeated texels of the format's own kind, without a key */
-    uint32_t texel_cut;    /* see texel_copy.h */
-    uint32_t tint_shade;   /* the tint as a shade; white: QTRI_SHADE_WHITE */
+    bool repeated;       /* coordinates fill 32 bits, see texel_number.h */
+    bool fetched;        /* rows of texels are read at once with their numbers */
+    bool copied;         /* nearest repeated texels of the format's own kind, without a key */
+    uint32_t texel_cut;  /* see texel_copy.h */
+    uint32_t tint_shade; /* the tint as a shade; white: QTRI_SHADE_WHITE */
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;

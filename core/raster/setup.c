@@ -66,15 +66,6 @@ static void ramp_init(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[
     }
 }
 
-void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i)
-{
-    const bool share = job->tinted && job->raster->texture != NULL;
-    for (int k = 0; k < 3; k++) {
-        const int32_t c = v[k].color[job->tinted ? 0 : i];
-        f[k] = (uint32_t)(job->tinted && !share ? qtri_raster_shade(job->raster, c, i) : c);
-    }
-}
-
 /*
  * The widest of the colours, so that 2^16 is a step of what is drawn or less: shares of a tint are
  * Q22, whose channels have at most 63 steps of RGB565 or 255.

@@ -11,7 +11,15 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
                              const qtri_triangle *triangle, const qtri_attributes v[3]);
 
 /* Colour i of the three vertices: a channel, or their share of a tint. */
-void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i);
+static inline void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3],
+                                  int i)
+{
+    const bool share = job->tinted && job->raster->texture != NULL;
+    for (int k = 0; k < 3; k++) {
+        const int32_t c = v[k].color[job->tinted ? 0 : i];
+        f[k] = (uint32_t)(job->tinted && !share ? qtri_raster_shade(job->raster, c, i) : c);
+    }
+}
 
 /* Where the vertices are. */
 static inline void qtri_gradient_place(qtri_gradient *g, const qtri_triangle *t)
