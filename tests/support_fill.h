@@ -6,10 +6,8 @@
 
 #include "fast/pairs.h"
 
-void selected_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row,
-                              int32_t count);
-void selected_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row,
-                                int32_t count);
+void selected_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+void selected_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void selected_copy_pairs(const qtri_job *job, const qtri_run *run);
 
 #endif

@@ -3,11 +3,15 @@
 
 #include <qtri.h>
 
-/* qtri_raster_line without long multiply and divide. */
+#include "raster/line.h"
+
+/* raster/line.c without long multiply and divide: qtri_raster_line and qtri_line_job_init. */
 void narrow_raster_line(const qtri_surface *surface, const qtri_material *material,
                         const qtri_screen_vertex v[2]);
+void narrow_line_job_init(qtri_line_job *job, const qtri_surface *surface,
+                          const qtri_material *material, qtri_batch *batch);
 
-/* A channel of RGB565 of 31 or 63 steps, n.16, and half a step. */
-int32_t narrow_line_channel(int32_t color_8p16, uint32_t steps);
+/* Of a line shorter than 2^16, as qtri_divider has it. */
+uint32_t narrow_line_reciprocal(uint32_t length);
 
 #endif

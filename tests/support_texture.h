@@ -5,6 +5,8 @@
 #ifndef QTRI_TESTS_SUPPORT_TEXTURE_H
 #define QTRI_TESTS_SUPPORT_TEXTURE_H
 
+#include <math.h>
+
 #include "support_core.h"
 
 enum { WIDTH = 40, HEIGHT = 36 };
@@ -37,6 +39,20 @@ static inline double perspective_sum(const qtri_screen_vertex v[3], int32_t x, i
         total += b;
     }
     return sum / total;
+}
+
+/*
+ * What a coordinate of a texture of `side` texels may be off by at a pixel, in texels: 1/256, or,
+ * of t > 1 texels a pixel, t / 256, as vertices lie on a grid of 1/256 pixel themselves.
+ */
+static inline double coordinate_unit(const qtri_screen_vertex v[3], int32_t x, int32_t y,
+                                     bool perspective, bool second, int side)
+{
+    const double here = perspective_sum(v, x, y, perspective, second);
+    const double right = perspective_sum(v, x + 1, y, perspective, second);
+    const double below = perspective_sum(v, x, y + 1, perspective, second);
+    const double t = (fabs(right - here) + fabs(below - here)) * side;
+    return fmax(1, t) / 256;
 }
 
 /* The whole canvas, u and v from 0 to 1, in one colour. */

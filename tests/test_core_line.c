@@ -4,7 +4,7 @@
 #include "support_core.h"
 #include "support_line_narrow.h"
 
-#include "raster/line_path.h"
+#include "fast/line_16.h"
 
 enum { WIDTH = 44, HEIGHT = 38 };
 
@@ -166,11 +166,10 @@ static void channels_of(const qtri_format *format, uint32_t pixel, double channe
 {
     static const int shift[2][3] = {{11, 5, 0}, {16, 8, 0}};
     static const int bits[2][3] = {{5, 6, 5}, {8, 8, 8}};
-    const int wide = format == &qtri_xrgb8888;
     for (int i = 0; i < 3; i++) {
-        uint32_t most = (1u << bits[wide][i]) - 1;
+        uint32_t most = (1u << bits[format == &qtri_xrgb8888][i]) - 1;
         steps[i] = most;
-        channel[i] = pixel >> shift[wide][i] & most;
+        channel[i] = pixel >> shift[format == &qtri_xrgb8888][i] & most;
     }
 }
 
@@ -272,113 +271,261 @@ static void turn_over(qtri_surface *s)
     s->depth_pitch = -s->depth_pitch;
 }
 
-/*
- * The fast path needs a pixel and its depth equally far from the first ones, and a line inside the
- * bounds: without the one or the other the pixels are the same.
- */
-static void fast_path(void **state)
+/* Pixels of 16 bits first. */
+static const qtri_format *const formats[] = {&qtri_rgb565, &qtri_rgb565_swapped, &qtri_xrgb8888,
+                                             &qtri_gray8,  &qtri_rgb888,         &qtri_bgr888};
+
+/* Lit ends anywhere around the surface, some near each other. */
+static void random_ends(uint64_t *seed, const qtri_surface *s, qtri_vertex end[2])
 {
-    (void)state;
-    enum { SIDE = 300, DEPTH_PITCH = SIDE + 7 };
-    static uint16_t depth[SIDE * DEPTH_PITCH];
-    static const int32_t reach[] = {2, 6, 20, 127, 129, 150, 400};
-    uint64_t seed = 74;
-    for (int n = 0; n < 3000; n++) {
-        const qtri_format *format = n % 3 ? &qtri_rgb565 : drawn_format(random_in(&seed, 0, 2));
-        qtri_material material = plain_material();
-        material.depth_compare = n % 2 ? QTRI_LESS : (qtri_compare)random_in(&seed, 0, 8);
-        material.depth_read_only = n % 7 == 0;
-        bool wide = random_flag(&seed);
-        canvas fast = canvas_new(format, wide ? SIDE : 20, wide ? 20 : SIDE);
-        canvas generic = canvas_new(format, wide ? SIDE : 20, wide ? 20 : SIDE);
-        qtri_surface *f = &fast.surface;
-        qtri_surface *g = &generic.surface;
-        g->depth = depth;
-        g->depth_pitch = DEPTH_PITCH;
-        if (n % 5 == 0) {
-            turn_over(f);
+    static const int32_t reach[] = {2, 6, 20, 31, 33, 127, 129, 150, 400};
+    const int32_t far_off = reach[random_in(seed, 0, (int32_t)LENGTH_OF(reach) - 1)] * 256;
+    end[0].at.x_24p8 = random_in(seed, -2000, s->width * 256 + 2000);
+    end[0].at.y_24p8 = random_in(seed, -2000, s->height * 256 + 2000);
+    end[1].at.x_24p8 = end[0].at.x_24p8 + random_in(seed, -far_off, far_off);
+    end[1].at.y_24p8 = end[0].at.y_24p8 + random_in(seed, -far_off, far_off);
+    for (int i = 0; i < 2; i++) {
+        end[i].depth_16p8 = (uint32_t)random_in(seed, 0, 65535) << 16;
+        end[i].intensity_q15 = (uint16_t)random_in(seed, 0, 1 << 15);
+        if (random_in(seed, 0, 3) == 0) {
+            end[i].depth_16p8 = (uint32_t)30000 << 16;
+            end[i].intensity_q15 = random_flag(seed) ? 1 << 15 : 0;
         }
-        for (int32_t i = 0; i < f->width * f->height; i++) {
-            uint16_t z = (uint16_t)(random_in(&seed, 0, 3) == 0 ? 30000 : 65535);
-            f->depth[i / f->width * f->depth_pitch + i % f->width] = z;
-            depth[i / f->width * DEPTH_PITCH + i % f->width] = z;
-        }
-        if (n % 4 == 0) {
-            qtri_rect part = {random_in(&seed, -9, 25), random_in(&seed, -9, 25),
-                              random_in(&seed, 0, SIDE), random_in(&seed, 0, SIDE)};
-            f->scissor = part;
-        }
-        for (int line = 0; line < 12; line++) {
-            int32_t far_off = reach[random_in(&seed, 0, 6)] * 256;
-            qtri_screen_vertex v[2];
-            point p = {random_in(&seed, 0, f->width * 256), random_in(&seed, 0, f->height * 256)};
-            v[0] = screen_at(p.x, p.y);
-            v[1] = screen_at(p.x + random_in(&seed, -far_off, far_off),
-                             p.y + random_in(&seed, -far_off, far_off));
-            random_attributes(&seed, v);
-            qtri_raster_line(f, &material, v);
-            qtri_raster_line(g, &material, v);
-        }
-        qtri_rect bounds = qtri_surface_bounds(f);
-        for (int32_t i = 0; i < f->width * f->height; i++) {
-            int32_t x = i % f->width;
-            int32_t y = i / f->width;
-            bool inside = x >= bounds.x0 && x < bounds.x1 && y >= bounds.y0 && y < bounds.y1;
-            uint32_t expected = inside ? stored_pixel(g, x, y) : 0;
-            if (stored_pixel(f, x, y) != expected ||
-                (inside && stored_depth(f, x, y) != stored_depth(g, x, y))) {
-                fail_msg("%d: pixel %d,%d: %x and %x, depth %u and %u", n, (int)x, (int)y,
-                         (unsigned)stored_pixel(f, x, y), (unsigned)expected, stored_depth(f, x, y),
-                         stored_depth(g, x, y));
-            }
-        }
-        canvas_free(&fast);
-        canvas_free(&generic);
     }
 }
 
-/* Cores without long multiply and divide: the same colours, all of them, and lines. */
+/* The same memory, whatever it holds. */
+static void fill_depths(uint64_t seed, const qtri_surface *s)
+{
+    for (int32_t y = 0; y < s->rows; y++) {
+        for (int32_t x = 0; x < s->width; x++) {
+            s->depth[y * s->depth_pitch + x] =
+                (uint16_t)(random_in(&seed, 0, 3) == 0 ? 30000 : random_in(&seed, 0, 65535));
+        }
+    }
+}
+
+/*
+ * Tinted lines of a draw call, by the loops for pixels of 16 bits where they serve, by a table of
+ * tints, without one, and by narrow products: the same pixels, in all formats, for all compares.
+ */
+static void tinted_ways(void **state)
+{
+    (void)state;
+    enum { SIDE = 300, WAYS = 4, LINES = 30 };
+    static uint16_t own_depth[SIDE * (SIDE + 7)];
+    uint64_t seed = 74;
+    int fast = 0;
+    for (int n = 0; n < 3000; n++) {
+        const qtri_format *format = n % 3 ? formats[random_in(&seed, 0, 1)]
+                                          : formats[random_in(&seed, 0, LENGTH_OF(formats) - 1)];
+        const bool wide = random_flag(&seed);
+        const int32_t height = wide ? 20 : SIDE;
+        const int32_t first = random_in(&seed, 0, 3) == 0 ? random_in(&seed, 0, height - 1) : 0;
+        const uint64_t depths = random64(&seed);
+        const qtri_rect part = {random_in(&seed, -9, 25), random_in(&seed, -9, 25),
+                                random_in(&seed, 0, SIDE), random_in(&seed, 0, SIDE)};
+        qtri_material material = plain_material();
+        material.depth_compare = n % 2 ? QTRI_LESS : (qtri_compare)random_in(&seed, 0, 9);
+        material.depth_read_only = n % 7 == 0;
+        material.color.r = (uint8_t)random64(&seed);
+        material.color.g = (uint8_t)random64(&seed);
+        material.color.b = (uint8_t)random64(&seed);
+        canvas c[WAYS];
+        uint64_t ends = random64(&seed);
+        for (int way = 0; way < WAYS; way++) {
+            qtri_batch batch;
+            qtri_line_job job;
+            c[way] = canvas_band(format, wide ? SIDE : 20, height, first, height - first);
+            qtri_surface *s = &c[way].surface;
+            if (way == 1) { /* a pixel and its depth not equally far from the first ones */
+                s->depth = own_depth;
+                s->depth_pitch = s->width + 7;
+            } else if (n % 5 == 0) {
+                turn_over(s);
+            }
+            s->scissor = n % 4 == 0 ? part : s->scissor;
+            fill_depths(depths, s);
+            if (n % 11 == 0) {
+                s->depth = NULL;
+            }
+            if (way < 3) {
+                qtri_line_job_init(&job, s, &material, &batch);
+            } else {
+                narrow_line_job_init(&job, s, &material, &batch);
+            }
+            if (way < 2) {
+                qtri_line_make_table(&job);
+                qtri_line_16_choose(&job);
+                fast += way == 0 && job.draw != qtri_line_draw;
+            }
+            uint64_t same = ends;
+            for (int line = 0; line < LINES; line++) {
+                qtri_vertex end[2];
+                random_ends(&same, s, end);
+                job.draw(&job, &end[0], &end[1], NULL);
+            }
+            qtri_line_flush(&job);
+            for (int32_t i = 0; way > 0 && i < s->width * s->rows; i++) {
+                const int32_t x = i % s->width;
+                const int32_t y = i / s->width + first;
+                const qtri_surface *g = &c[0].surface;
+                if (stored_pixel(s, x, y) != stored_pixel(g, x, y) ||
+                    (s->depth != NULL && stored_depth(s, x, y) != stored_depth(g, x, y))) {
+                    fail_msg("%d, way %d: pixel %d,%d: %x and %x", n, way, (int)x, (int)y,
+                             (unsigned)stored_pixel(s, x, y), (unsigned)stored_pixel(g, x, y));
+                }
+            }
+        }
+        for (int way = 0; way < WAYS; way++) {
+            canvas_free(&c[way]);
+        }
+    }
+    assert_true(fast > 1000);
+}
+
+/* Every compare against every order, the farthest apart too; what passes is written, or is not. */
+static void compares(void **state)
+{
+    (void)state;
+    static const uint16_t depth[] = {0, 1, 29999, 30000, 30001, 65534, 65535};
+    enum { COUNT = LENGTH_OF(depth) };
+    canvas c = canvas_new(&qtri_rgb565, COUNT, 1);
+    for (int n = 0; n < 11 * COUNT * 2; n++) {
+        const int compare = n % 11;
+        const uint16_t z = depth[n / 11 % COUNT];
+        qtri_material material = plain_material();
+        qtri_screen_vertex v[2] = {screen_at(0, 128), screen_at(256 * COUNT, 128)};
+        material.depth_compare = (qtri_compare)compare;
+        material.depth_read_only = n >= 11 * COUNT;
+        v[0].depth_16p16 = v[1].depth_16p16 = (uint32_t)z << 16;
+        canvas_clear(&c);
+        memcpy(c.surface.depth, depth, sizeof depth);
+        qtri_raster_line(&c.surface, &material, v);
+        for (int i = 0; i < COUNT; i++) {
+            const bool passes[] = {
+                true,          false,         z<depth[i], z == depth[i], z <= depth[i], z> depth[i],
+                z != depth[i], z >= depth[i], true,
+                true,          true};
+            const bool written =
+                passes[compare] && compare != QTRI_DEPTH_OFF && !material.depth_read_only;
+            if ((stored_pixel(&c.surface, i, 0) != 0) != passes[compare] ||
+                stored_depth(&c.surface, i, 0) != (written ? z : depth[i])) {
+                fail_msg("compare %d, %u against %u", compare, (unsigned)z, (unsigned)depth[i]);
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
+/* How far tints are from the share of the colour that is exact at the pixel. */
+static void tints(void **state)
+{
+    (void)state;
+    static const struct {
+        const qtri_format *format;
+        double bound;
+    } kinds[] = {{&qtri_rgb565, .75}, {&qtri_xrgb8888, .641}};
+    uint64_t seed = 76;
+    for (size_t f = 0; f < LENGTH_OF(kinds); f++) {
+        double worst = 0;
+        canvas c = canvas_new(kinds[f].format, 400, 2);
+        for (int n = 0; n < 2000; n++) {
+            qtri_material material = plain_material();
+            qtri_batch batch;
+            qtri_line_job job;
+            qtri_vertex end[2];
+            const bool white = n % 2 == 0;
+            const uint8_t tint[3] = {white ? 255 : (uint8_t)random64(&seed),
+                                     white ? 255 : (uint8_t)random64(&seed),
+                                     white ? 255 : (uint8_t)random64(&seed)};
+            material.color.r = tint[0];
+            material.color.g = tint[1];
+            material.color.b = tint[2];
+            memset(end, 0, sizeof end);
+            end[0].at.x_24p8 = random_in(&seed, 0, 2000);
+            end[1].at.x_24p8 = end[0].at.x_24p8 + random_in(&seed, 256, n % 3 ? 20000 : 100000);
+            end[0].intensity_q15 = (uint16_t)random_in(&seed, 0, 1 << 15);
+            end[1].intensity_q15 = (uint16_t)random_in(&seed, 0, 1 << 15);
+            qtri_line_job_init(&job, &c.surface, &material, &batch);
+            qtri_line_draw(&job, &end[0], &end[1], NULL);
+            qtri_line_flush(&job);
+            for (int32_t x = (end[0].at.x_24p8 + 127) >> 8; x < (end[1].at.x_24p8 + 127) >> 8;
+                 x++) {
+                const double t = (x * 256 + 128 - end[0].at.x_24p8) /
+                                 (double)(end[1].at.x_24p8 - end[0].at.x_24p8);
+                const double share =
+                    (end[0].intensity_q15 + t * (end[1].intensity_q15 - end[0].intensity_q15)) /
+                    32768;
+                double channel[3];
+                double steps[3];
+                if (x >= c.surface.width) {
+                    break;
+                }
+                channels_of(kinds[f].format, stored_pixel(&c.surface, x, 0), channel, steps);
+                for (int i = 0; i < 3; i++) {
+                    worst = fmax(worst, fabs(channel[i] - tint[i] * share / 255 * steps[i]));
+                }
+            }
+        }
+        print_message("tints of %s: %.4f of a step\n",
+                      kinds[f].format == &qtri_rgb565 ? "RGB565" : "XRGB8888", worst);
+        assert_true(worst > .49 && worst <= kinds[f].bound);
+        canvas_free(&c);
+    }
+}
+
+/* Reciprocals of short lines: not above 2^32 / length and less than 1.01 below it, all of them. */
+static void short_lengths(void **state)
+{
+    (void)state;
+    for (uint32_t length = 1; length < 65536; length++) {
+        const double below = 4294967296. / length - narrow_line_reciprocal(length);
+        if (below < 0 || below > 1.01) {
+            fail_msg("length %u: %g", (unsigned)length, below);
+        }
+    }
+}
+
+/* Cores without long multiply and divide: the same lines. */
 static void narrow(void **state)
 {
     (void)state;
-    for (int32_t color = 0; color <= 255 << 16; color++) {
-        if (narrow_line_channel(color, 31) != qtri_line_channel_565(color, 31) ||
-            narrow_line_channel(color, 63) != qtri_line_channel_565(color, 63)) {
-            fail_msg("colour %x", (unsigned)color);
-        }
-    }
     uint64_t seed = 75;
-    canvas wide = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    canvas other = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    qtri_material material = plain_material();
     for (int n = 0; n < 20000; n++) {
+        static canvas wide, other;
+        if (n % 20 == 0) {
+            const qtri_format *format = formats[random_in(&seed, 0, LENGTH_OF(formats) - 1)];
+            if (n > 0) {
+                canvas_free(&wide);
+                canvas_free(&other);
+            }
+            wide = canvas_new(format, WIDTH, HEIGHT);
+            other = canvas_new(format, WIDTH, HEIGHT);
+        }
+        qtri_material material = plain_material();
         qtri_screen_vertex v[2];
         material.depth_compare = n % 4 == 0 ? QTRI_LESS_EQUAL : QTRI_LESS;
         for (int i = 0; i < 2; i++) {
-            point p = random_point(&seed, n % 3 == 0 ? 9000 : 4000);
+            point p = random_point(&seed, n % 3 == 0 ? 9000 : (n % 5 == 0 ? 4000000 : 4000));
             v[i] = screen_at(p.x, p.y);
         }
         random_attributes(&seed, v);
         if (n % 2 == 0) { /* near each other */
             v[1].depth_16p16 = v[0].depth_16p16 ^ (uint32_t)random_in(&seed, 0, 1 << 24);
         }
-        if (n % 10 == 0) {
-            canvas_clear(&wide);
-            canvas_clear(&other);
-        }
         qtri_raster_line(&wide.surface, &material, v);
         narrow_raster_line(&other.surface, &material, v);
         assert_same_picture(&wide.surface, &other.surface);
     }
-    canvas_free(&wide);
-    canvas_free(&other);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rule),   cmocka_unit_test(chains),    cmocka_unit_test(pictures),
-        cmocka_unit_test(values), cmocka_unit_test(fast_path), cmocka_unit_test(narrow),
+        cmocka_unit_test(rule),   cmocka_unit_test(chains),        cmocka_unit_test(pictures),
+        cmocka_unit_test(values), cmocka_unit_test(tinted_ways),   cmocka_unit_test(tints),
+        cmocka_unit_test(narrow), cmocka_unit_test(short_lengths), cmocka_unit_test(compares),
     };
     return cmocka_run_group_tests_name("core line", tests, NULL, NULL);
 }

@@ -16,8 +16,7 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
     const int32_t reach = kind == 1 ? random_in(seed, 1, 600) : random_in(seed, 256, 4095);
     const int32_t x = random_in(seed, 0, WIDTH * 256);
     const int32_t y = random_in(seed, 0, HEIGHT * 256);
-    const int32_t depth_reach =
-        kind == 3 ? 65535 : (int32_t)1 << random_in(seed, 0, 16 - 1);
+    const int32_t depth_reach = kind == 3 ? 65535 : (int32_t)1 << random_in(seed, 0, 16 - 1);
     const int32_t depth = random_in(seed, 0, 65535 - depth_reach);
     const double w = 1 + random_in(seed, 0, 1000) / 1000.0;
     const int32_t w_reach = kind == 4 ? 0 : random_in(seed, 0, 70);
@@ -27,7 +26,8 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
         const int32_t dx = i == 0 ? 0 : random_in(seed, -reach, reach);
         const int32_t dy = i == 0 ? 0 : random_in(seed, -reach, reach);
         v[i] = screen_at(x + dx, y + dy);
-        v[i].depth_16p16 = (uint32_t)depth * 65536 + (uint32_t)random_in(seed, 0, depth_reach) * 65536u;
+        v[i].depth_16p16 =
+            (uint32_t)depth * 65536 + (uint32_t)random_in(seed, 0, depth_reach) * 65536u;
         v[i].inv_w_q31 = (uint32_t)floor(
             ldexp(w * (1 + (i == 0 ? 0 : random_in(seed, -w_reach, w_reach) / 1000.0)), 29));
         v[i].u_q32 = (int64_t)(u + random_in(seed, -uv_reach, uv_reach)) * 65536;
@@ -54,8 +54,8 @@ static bool weights(double b[3], const qtri_screen_vertex v[3], int32_t x, int32
         const qtri_screen_vertex *q = &v[(i + 2) % 3];
         int32_t dx = q->x_24p8 - p->x_24p8;
         int32_t dy = q->y_24p8 - p->y_24p8;
-        edge[i] = (int64_t)dx * (y * 256 + 128 - p->y_24p8) -
-                  (int64_t)dy * (x * 256 + 128 - p->x_24p8);
+        edge[i] =
+            (int64_t)dx * (y * 256 + 128 - p->y_24p8) - (int64_t)dy * (x * 256 + 128 - p->x_24p8);
         b[i] = (double)edge[i] / (double)area;
         if (area < 0) {
             dx = -dx;
@@ -80,6 +80,7 @@ static void divide(double b[3], const qtri_screen_vertex v[3])
 static bool is_small(const qtri_screen_vertex v[3])
 {
     qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
     qtri_vertex vertex[3];
     qtri_surface surface = {0};
     qtri_raster everywhere = {.surface = &surface, .bounds = {-9999, -9999, 9999, 9999}};
@@ -97,7 +98,7 @@ static bool is_small(const qtri_screen_vertex v[3])
             vertex[i].depth_16p8--;
         }
     }
-    return qtri_place_triangle(&place, &everywhere, &vertex[0], &vertex[1], &vertex[2]) !=
+    return qtri_place_triangle(&place, spans, &everywhere, &vertex[0], &vertex[1], &vertex[2]) !=
            QTRI_PLACED_LARGE;
 }
 
@@ -132,9 +133,9 @@ static void coverage_and_depth(void **state)
             const bool inside = weights(b, v, i % WIDTH, i / WIDTH);
             assert_int_equal(stored_pixel(&c.surface, i % WIDTH, i / WIDTH), inside ? 0xFFFF : 0);
             if (inside) {
-                const double depth = (b[0] * v[0].depth_16p16 + b[1] * v[1].depth_16p16 +
-                                      b[2] * v[2].depth_16p16) /
-                                     65536;
+                const double depth =
+                    (b[0] * v[0].depth_16p16 + b[1] * v[1].depth_16p16 + b[2] * v[2].depth_16p16) /
+                    65536;
                 const double error = fabs(stored_depth(&c.surface, i % WIDTH, i / WIDTH) - depth);
                 worst[n % 5] = error > worst[n % 5] ? error : worst[n % 5];
                 pixels++;
@@ -216,7 +217,8 @@ static void smooth_colors(void **state)
 static double texels_off(double exact, int32_t drawn, int32_t side, bool clamped)
 {
     double least = 1e9;
-    exact = clamped ? (exact < 0 ? 0 : (exact > side ? side : exact)) : exact - side * floor(exact / side);
+    exact = clamped ? (exact < 0 ? 0 : (exact > side ? side : exact))
+                    : exact - side * floor(exact / side);
     for (int32_t at = drawn - side; at <= drawn + side; at += side) {
         if (clamped && at != drawn) {
             continue;
@@ -241,7 +243,8 @@ static void texels(void **state)
         qtri_texture texture = {.texels = numbers, .format = &qtri_texel_rgb565};
         random_triangle(v, &seed, n % 5);
         texture.width_log2 = (uint8_t)random_in(&seed, 0, 10);
-        texture.height_log2 = (uint8_t)random_in(&seed, 0, 16 - texture.width_log2 < 10 ? 16 - texture.width_log2 : 10);
+        texture.height_log2 = (uint8_t)random_in(
+            &seed, 0, 16 - texture.width_log2 < 10 ? 16 - texture.width_log2 : 10);
         texture.wrap_u = random_in(&seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
         texture.wrap_v = random_in(&seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
         m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
@@ -257,7 +260,9 @@ static void texels(void **state)
                 const qtri_screen_vertex *p = &v[i];
                 const qtri_screen_vertex *q = &v[(i + 1) % 3];
                 const double l = hypot(p->x_24p8 - q->x_24p8, p->y_24p8 - q->y_24p8);
-                const double r = fabs(ldexp((double)(k == 0 ? p->u_q32 - q->u_q32 : p->v_q32 - q->v_q32), -32)) * side[k];
+                const double r =
+                    fabs(ldexp((double)(k == 0 ? p->u_q32 - q->u_q32 : p->v_q32 - q->v_q32), -32)) *
+                    side[k];
                 length = l > length ? l : length;
                 range = r > range ? r : range;
             }
@@ -278,17 +283,18 @@ static void texels(void **state)
                 for (int j = 0; j < 3; j++) {
                     at += b[j] * ldexp((double)(k == 0 ? v[j].u_q32 : v[j].v_q32), -32) * side[k];
                 }
-                const int32_t drawn = k == 0 ? number & (side[0] - 1) : number >> texture.width_log2;
-                const double off =
-                    texels_off(at, drawn, side[k], (k == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP);
+                const int32_t drawn =
+                    k == 0 ? number & (side[0] - 1) : number >> texture.width_log2;
+                const double off = texels_off(
+                    at, drawn, side[k], (k == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP);
                 others += off > 0;
                 worst = off / per_pixel[k] > worst ? off / per_pixel[k] : worst;
             }
             pixels++;
         }
     }
-    print_message("%lld pixels: %lld another texel; off by 1/%.0f of max(1, t)\n", (long long)pixels,
-                  (long long)others, 1 / worst);
+    print_message("%lld pixels: %lld another texel; off by 1/%.0f of max(1, t)\n",
+                  (long long)pixels, (long long)others, 1 / worst);
     assert_true(worst < 1.0 / 256);
     canvas_free(&c);
 }
@@ -344,7 +350,8 @@ static void cuts(void **state)
             qtri_raster_triangle(&whole.surface, &m, v);
             const int32_t x = random_in(&seed, 0, WIDTH);
             const int32_t y = random_in(&seed, 0, HEIGHT);
-            const qtri_rect scissor[4] = {{0, 0, x, y}, {x, 0, WIDTH, y}, {0, y, x, HEIGHT}, {x, y, WIDTH, HEIGHT}};
+            const qtri_rect scissor[4] = {
+                {0, 0, x, y}, {x, 0, WIDTH, y}, {0, y, x, HEIGHT}, {x, y, WIDTH, HEIGHT}};
             for (int i = 0; i < 4; i++) {
                 qtri_surface part = parts.surface;
                 part.scissor = scissor[i];
@@ -436,6 +443,95 @@ static void comparisons(void **state)
     canvas_free(&always);
 }
 
+enum { TRIANGLES = 60 };
+
+/* A mesh of small triangles in a cube around the origin, with normals; distances vary a lot. */
+static void random_mesh(qtri_vec3 *positions, qtri_normal *normals, uint16_t (*triangles)[3],
+                        uint64_t *seed)
+{
+    for (int t = 0; t < TRIANGLES; t++) {
+        const int32_t x = random_in(seed, -90000, 90000);
+        const int32_t y = random_in(seed, -90000, 90000);
+        const int32_t z = random_in(seed, -90000, 90000);
+        const int32_t reach = random_in(seed, 100, 9000);
+        for (int i = 0; i < 3; i++) {
+            const int k = 3 * t + i;
+            positions[k].x = x + random_in(seed, -reach, reach);
+            positions[k].y = y + random_in(seed, -reach, reach);
+            positions[k].z = z + random_in(seed, -3 * reach, 3 * reach);
+            normals[k].x = (int16_t)random_in(seed, -9000, 9000);
+            normals[k].y = (int16_t)random_in(seed, -9000, 9000);
+            normals[k].z = (int16_t)random_in(seed, 0, 9000);
+            triangles[t][i] = (uint16_t)k;
+        }
+    }
+}
+
+/* What a fused loop draws of a mesh the stages draw, to the bit; bands do, too. */
+static void fused_loops(void **state)
+{
+    (void)state;
+    static const qtri_format staged = {&qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565,
+                                       NULL};
+    static qtri_vec3 positions[3 * TRIANGLES];
+    static qtri_normal normals[3 * TRIANGLES];
+    static uint16_t triangles[TRIANGLES][3];
+    static qtri_vertex scratch[3 * TRIANGLES];
+    uint64_t seed = 7;
+    int64_t pixels = 0;
+    canvas fused = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas stages = canvas_new(&staged, WIDTH, HEIGHT);
+    canvas bands = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int n = 0; n < 4000; n++) {
+        const qtri_mesh mesh = {.positions = positions,
+                                .normals = n % 3 == 0 ? NULL : normals,
+                                .triangles = (const uint16_t(*)[3])triangles,
+                                .vertex_count = 3 * TRIANGLES,
+                                .triangle_count = TRIANGLES};
+        const qtri_light light = {vec3_of(.3, .5, 1), Q16(.1), Q16(1)};
+        qtri_transform pose;
+        qtri_material m = drawn_material();
+        qtri_view view;
+        random_mesh(positions, normals, triangles, &seed);
+        qtri_transform_identity(&pose);
+        qtri_transform_translate(&pose, vec3_of(0, 0, -3));
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_transform_perspective(&view.projection, Q16(60), Q16(1), Q16(.5), Q16(9));
+        view.light = n % 7 == 0 ? NULL : &light;
+        view.vertices = scratch;
+        view.vertex_count = n % 5 == 0 ? 50 : 3 * TRIANGLES;
+        m.depth_compare = QTRI_LESS;
+        m.shading = n % 4 == 0 ? QTRI_FLAT_LAST : QTRI_SMOOTH;
+        m.interpolation = (qtri_interpolation)(n % 2);
+        m.cull = n % 2 == 0 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
+        m.color.r = (uint8_t)random_in(&seed, 0, 255);
+        m.color.g = (uint8_t)random_in(&seed, 0, 255);
+        canvas_clear(&fused);
+        canvas_clear(&stages);
+        canvas_clear(&bands);
+        qtri_draw_mesh(&fused.surface, &view, &pose, &mesh, &m);
+        qtri_draw_mesh(&stages.surface, &view, &pose, &mesh, &m);
+        assert_memory_equal(fused.memory, stages.memory, fused.bytes);
+        for (int32_t row = 0; row < HEIGHT; row += 7) {
+            qtri_surface band = bands.surface;
+            band.first_row = row;
+            band.rows = HEIGHT - row < 7 ? HEIGHT - row : 7;
+            band.pixels += row * band.pitch;
+            band.depth += row * band.depth_pitch;
+            qtri_draw_mesh(&band, &view, &pose, &mesh, &m);
+        }
+        assert_memory_equal(fused.memory, bands.memory, fused.bytes);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            pixels += fused.surface.depth[i] != 65535;
+        }
+    }
+    print_message("%lld pixels\n", (long long)pixels);
+    assert_true(pixels > 80000);
+    canvas_free(&fused);
+    canvas_free(&stages);
+    canvas_free(&bands);
+}
+
 int main(void)
 {
     uint64_t seed = 6;
@@ -444,9 +540,12 @@ int main(void)
         numbers[i] = (uint16_t)i;
     }
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage_and_depth), cmocka_unit_test(smooth_colors),
-        cmocka_unit_test(texels),             cmocka_unit_test(cuts),
+        cmocka_unit_test(coverage_and_depth),
+        cmocka_unit_test(smooth_colors),
+        cmocka_unit_test(texels),
+        cmocka_unit_test(cuts),
         cmocka_unit_test(comparisons),
+        cmocka_unit_test(fused_loops),
     };
     return cmocka_run_group_tests_name("core list", tests, NULL, NULL);
 }

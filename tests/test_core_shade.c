@@ -153,7 +153,7 @@ static void interpolation(void **state)
             double between = i > 0 ? 0 : 1 / 4.0;
             double packed = i < 2 && formats[f] == &qtri_rgb565 ? 7 / 32.0 : 0;
             assert_true(w[i / 2][i % 2].color <= .51 + between + packed);
-            assert_true(w[i / 2][i % 2].depth <= .51);
+            assert_true(w[i / 2][i % 2].depth <= .54); /* steps of small triangles: 2^-5 */
         }
         canvas_free(&c);
     }

@@ -163,7 +163,7 @@ static void counts(void **state)
         qtri_batch given;
         for (int i = 0; i < QTRI_BATCH_ROOM; i++) {
             given.color[i] = (uint32_t)random64(&seed) & 0xFFFFFF;
-            given.shade[i] = (uint32_t)random64(&seed) & 0x3FF;
+            given.by.shade[i] = (uint32_t)random64(&seed) & 0x3FF;
         }
         for (size_t s = 0; s < LENGTH_OF(stages) + LENGTH_OF(products); s++) {
             const size_t p = s - LENGTH_OF(stages);
@@ -171,11 +171,11 @@ static void counts(void **state)
             if (s < LENGTH_OF(stages)) {
                 stages[s](together.color, count);
             } else {
-                products[p](together.color, together.shade, count);
+                products[p](together.color, together.by.shade, count);
             }
             for (int i = 0; i < count; i++) {
                 uint32_t one[QTRI_BATCH_ROOM] = {given.color[i]};
-                uint32_t shade[QTRI_BATCH_ROOM] = {given.shade[i]};
+                uint32_t shade[QTRI_BATCH_ROOM] = {given.by.shade[i]};
                 if (s < LENGTH_OF(stages)) {
                     stages[s](one, 1);
                 } else {
@@ -223,17 +223,29 @@ static void curves_become_shades(void **state)
 static void tints(void **state)
 {
     (void)state;
-    for (int32_t x = 0; x < 256; x++) {
-        const int32_t color[3] = {x << 16, (255 - x) << 16, (x ^ 85) << 16};
-        for (uint32_t light = 0; light <= 1024; light++) {
-            uint32_t shade[QTRI_BATCH_ROOM] = {light};
-            qtri_shade_tint(shade, qtri_shade_of(color), 1);
-            for (int i = 0; i < 3; i++) {
-                const double exact = (double)color[i] / 16384 * light / 1024;
-                assert_true(fabs((shade[0] >> 10 * (2 - i) & 1023) - exact) <= .5001);
+    double worst[2] = {0, 0};
+    for (uint32_t t = 0; t < 256; t++) {
+        const uint32_t q10 = (t * 1024 + 127) / 255;
+        const uint32_t tint_q10[3] = {q10, q10, q10};
+        for (uint32_t light = 0; light <= 1024; light += t % 16 == 0 ? 1 : 7) {
+            const uint32_t lights[QTRI_BATCH_ROOM] = {light};
+            for (uint32_t c = 0; c < 256; c += 3) {
+                uint32_t wide[QTRI_BATCH_ROOM] = {c << 16 | c << 8 | c};
+                uint32_t narrow[QTRI_BATCH_ROOM] = {(c & 31) << 11 | (c & 63) << 5 | (c & 31)};
+                qtri_tint_888(wide, lights, tint_q10, 1);
+                qtri_tint_565(narrow, lights, tint_q10, 1);
+                const double share = t / 255.0 * light / 1024;
+                for (int i = 0; i < 24; i += 8) {
+                    worst[0] = fmax(worst[0], fabs((wide[0] >> i & 255) - c * share));
+                }
+                worst[1] = fmax(worst[1], fabs((narrow[0] >> 11) - (c & 31) * share));
+                worst[1] = fmax(worst[1], fabs((narrow[0] >> 5 & 63) - (c & 63) * share));
+                worst[1] = fmax(worst[1], fabs((narrow[0] & 31) - (c & 31) * share));
             }
         }
     }
+    print_message("tints: %.3f of 255, %.3f of RGB565\n", worst[0], worst[1]);
+    assert_true(worst[0] <= .63 && worst[1] <= .54);
 }
 
 /* ---- Depth ---- */

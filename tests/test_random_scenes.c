@@ -127,7 +127,10 @@ static void measure(bool textured)
     assert_true(accuracy_per_100k(snapped.coverage, snapped.covered) <= 3.0);
     assert_true(accuracy_per_100k(snapped.other_triangle, snapped.covered) <= 5.0);
     assert_true(accuracy_per_100k(exact.coverage, exact.covered) <= 30.0);
-    assert_true(accuracy_per_100k(snapped.color_above_1, snapped.same) <= 10.0);
+    /* Of textures .5 % may be the next texel: coordinates are right within max(1, t) / 256 of one.
+     */
+    assert_true(accuracy_per_100k(snapped.color_above_1, snapped.same) <=
+                (textured ? 150.0 : 10.0));
     assert_int_equal(snapped.color_range, 0);
     assert_true(accuracy_per_100k(snapped.depth_above_2, snapped.same) <= 100.0);
 }

@@ -99,11 +99,28 @@ static inline void qtri_math_fault(void)
 #define QTRI_HOLD(x) ((void)(x))
 #endif
 
+/* Inlined by all its callers, for a small one in a loop or one whose choices they know. */
+#ifdef __GNUC__
+#define QTRI_INLINE __attribute__((always_inline)) static inline
+#else
+#define QTRI_INLINE static inline
+#endif
+
 /* A function of its own, whose stack is free again when it returns. */
 #ifdef __GNUC__
 #define QTRI_NOINLINE __attribute__((noinline))
 #else
 #define QTRI_NOINLINE
+#endif
+
+/*
+ * Of a function that is in registers what a call would take in memory: inlined wherever it is
+ * called; where code is to be small, the compiler decides.
+ */
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#define QTRI_IN_PLACE __attribute__((always_inline)) static inline
+#else
+#define QTRI_IN_PLACE static inline
 #endif
 
 /* The largest or smallest int32_t, by the sign of x. */

@@ -1,4 +1,3 @@
-#include "../raster/list.h"
 #include "primitive.h"
 
 static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
@@ -35,15 +34,13 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
                          uint32_t corner_count, const qtri_material *material)
 {
     qtri_primitive primitive;
-    qtri_primitive_init(&primitive, surface, view, pose, material, material->fill != NULL);
+    qtri_primitive_init(&primitive, surface, view, pose, material);
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         qtri_shape shape;
         fetch(&primitive, &corners[i], 3, shape.clip);
         qtri_primitive_triangle(&primitive, &shape, attributes_of_triangle, &corners[i]);
     }
-    if (material->fill == NULL) {
-        qtri_list_flush(&primitive.to.solid.raster);
-    }
+    qtri_primitive_finish(&primitive);
 }
 
 void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
@@ -51,7 +48,10 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
                      const qtri_material *material)
 {
     qtri_primitive primitive;
-    qtri_primitive_init(&primitive, surface, view, pose, material, true);
+    primitive.surface = surface;
+    primitive.material = material;
+    qtri_primitive_place(&primitive, view, pose);
+    qtri_primitive_begin_lines(&primitive);
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
         qtri_clip_vertex v[3];
         qtri_screen_vertex attributes[2];
@@ -60,4 +60,5 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
         attributes_of(&attributes[1], &corners[i + 1]);
         qtri_primitive_line(&primitive, v, attributes);
     }
+    qtri_primitive_finish_lines(&primitive);
 }

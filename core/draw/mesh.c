@@ -1,91 +1,5 @@
-#include "mesh_job.h"
-
-bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
-                         qtri_vertex *out)
-{
-    const qtri_projector *projector = &draw->primitive.projector;
-    if (qtri_mesh_has_compact(draw->mesh->positions16)) {
-        return qtri_projector_vertices16(projector, &draw->mesh->positions16[first], count, out);
-    }
-    return qtri_projector_vertices(projector, &draw->mesh->positions[first], count, out);
-}
-
-uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    uint32_t a = qtri_mesh_index(mesh, indices, 0);
-    uint32_t b = qtri_mesh_index(mesh, indices, 1);
-    uint32_t c = qtri_mesh_index(mesh, indices, 2);
-    if (qtri_mesh_has_compact(mesh->positions16)) {
-        const qtri_position16 *p = mesh->positions16;
-        return qtri_lighting_face16(&draw->lighting, &p[a], &p[b], &p[c]);
-    }
-    const qtri_vec3 *p = mesh->positions;
-    return qtri_lighting_face(&draw->lighting, &p[a], &p[b], &p[c]);
-}
-
-static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    return qtri_mesh_has_compact(mesh->normals8)
-               ? qtri_lighting_vertex8(&draw->lighting, &mesh->normals8[index])
-               : qtri_lighting_vertex(&draw->lighting, &mesh->normals[index]);
-}
-
-static inline void light_corner(const qtri_mesh_job *draw, const void *indices, int corner,
-                                qtri_vertex *vertex)
-{
-    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
-        vertex->intensity_q15 =
-            draw->lit_per_vertex
-                ? (uint16_t)light_vertex(draw, qtri_mesh_index(draw->mesh, indices, corner))
-                : (uint16_t)QTRI_INTENSITY_ONE;
-    }
-}
-
-QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices,
-                                           qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
-{
-    light_corner(draw, indices, 0, a);
-    light_corner(draw, indices, 1, b);
-    light_corner(draw, indices, 2, c);
-}
-
-void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
-{
-    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
-        *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
-        *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
-    } else if (QTRI_WITH_WIDE_MESHES && mesh->uvs != NULL) {
-        *u_q32 = (int64_t)mesh->uvs[index].x * 65536;
-        *v_q32 = (int64_t)mesh->uvs[index].y * 65536;
-    } else {
-        *u_q32 = 0;
-        *v_q32 = 0;
-    }
-}
-
-void qtri_mesh_set_coordinates(qtri_coordinates uv[2], const qtri_mesh *mesh,
-                               const uint32_t index[3])
-{
-    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
-        for (int i = 0; i < 3; i++) {
-            uv[0].at[i] = mesh->uvs16[index[i]].x;
-            uv[1].at[i] = mesh->uvs16[index[i]].y;
-        }
-        uv[0].repeats = 0;
-        uv[0].fraction = 14;
-        uv[1].repeats = 0;
-        uv[1].fraction = 14;
-        return;
-    }
-    int64_t at_q32[2][3];
-    for (int i = 0; i < 3; i++) {
-        qtri_mesh_set_uv(&at_q32[0][i], &at_q32[1][i], mesh, index[i]);
-    }
-    qtri_coordinates_set(&uv[0], at_q32[0]);
-    qtri_coordinates_set(&uv[1], at_q32[1]);
-}
+#include "fill.h"
+#include "mesh_faces.h"
 
 /* What light makes of the corners' colours. */
 static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
@@ -99,28 +13,6 @@ static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
     }
     for (int i = 0; i < 3; i++) {
         intensity_q15[i] = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
-    }
-}
-
-void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
-                         uint32_t intensity_q15)
-{
-    const qtri_rgb *color =
-        draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
-    int32_t intensity = (int32_t)intensity_q15 * 2;
-    color_8p16[0] = color->r * intensity; /* <= 255.0 */
-    color_8p16[1] = color->g * intensity;
-    color_8p16[2] = color->b * intensity;
-}
-
-QTRI_NOINLINE void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
-                                        qtri_vertex *const vertex[3], qtri_line_color color[3])
-{
-    uint32_t intensity_q15[3];
-    light_triangle(intensity_q15, draw, triangle, vertex);
-    for (int i = 0; i < 3; i++) {
-        qtri_mesh_set_color(color[i], draw, qtri_mesh_index(draw->mesh, triangle, i),
-                            intensity_q15[i]);
     }
 }
 
@@ -172,10 +64,10 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
 {
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
-    } else if (draw->material.fill == NULL) {
-        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
+    } else if (draw->material.fill != NULL) {
+        draw->material.fill->triangle(draw, indices, vertex);
     } else {
-        qtri_mesh_draw_lines(draw, indices, vertex);
+        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
     }
 }
 
@@ -188,10 +80,10 @@ QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_v
 
 /*
  * The triangles of a mesh whose vertices are all there. By far the most end in this loop; when
- * `simple`, back faces are culled and no vertex is outside; `solid`: nor is it a wireframe.
+ * `simple`, back faces are culled and no vertex is outside.
  */
 static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangles, bool narrow,
-                                  bool simple, bool solid)
+                                  bool simple)
 {
     qtri_vertex *vertices = draw->vertices;
     const uint32_t count = draw->mesh->vertex_count;
@@ -216,7 +108,7 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
                    : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
         }
-        if (simple && solid) {
+        if (simple) {
             qtri_mesh_draw_solid(draw, triangle, a, b, c);
         } else {
             qtri_vertex *const corner[3] = {a, b, c}; /* in memory only here */
@@ -231,19 +123,12 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
     const qtri_mesh *mesh = draw->mesh;
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
     const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
-    if (draw->edges == QTRI_EDGES_DRAWN) {
-        qtri_mesh_clear_edges(draw);
-        if (simple && qtri_mesh_draw_front_lines(draw)) {
-            return;
-        }
-    }
-    const bool solid = draw->material.fill == NULL;
     if (qtri_mesh_has_bytes(mesh)) {
-        draw_triangles(draw, mesh->triangles8, true, simple, solid);
+        draw_triangles(draw, mesh->triangles8, true, simple);
     } else if (simple) {
-        draw_triangles(draw, mesh->triangles, false, true, solid);
+        draw_triangles(draw, mesh->triangles, false, true);
     } else {
-        draw_triangles(draw, mesh->triangles, false, false, solid);
+        draw_triangles(draw, mesh->triangles, false, false);
     }
 }
 
@@ -325,13 +210,15 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     if (!begin(&draw, surface, view, pose, mesh, material)) {
         return;
     }
-    if (QTRI_WITH_FAST_PATHS && draw.slot_count >= mesh->vertex_count) {
-        if (qtri_mesh_has_final_edges(&draw)) {
-            draw.edges = QTRI_EDGES_DRAWN;
-        }
-        draw_whole(&draw);
-    } else {
+    if (!QTRI_WITH_FAST_PATHS || draw.slot_count < mesh->vertex_count) {
         draw_by_slots(&draw);
+    } else if (material->fill != NULL) {
+        material->fill->mesh(&draw);
+    } else {
+        const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
+        if (culling == NULL || !culling->draw(&draw)) {
+            draw_whole(&draw);
+        }
     }
-    qtri_mesh_finish(&draw);
+    qtri_primitive_finish(&draw.primitive);
 }

@@ -55,7 +55,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->vertices = view->vertices;
     draw->slot_count = view->vertex_count;
     const bool solid = material->fill == NULL;
-    qtri_primitive_set_target(&draw->primitive, surface, &draw->material, !solid);
+    qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
     draw->tinted = mesh->colors == NULL;
     draw->more = !draw->tinted;
     if (solid) {
@@ -68,9 +68,18 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     draw->lit_per_vertex =
         view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;
-    draw->edges = QTRI_EDGES_ALL;
+    draw->noted = false;
     draw->lit = false;
     draw->lit_per_face = QTRI_WITH_FACE_LIGHT && view->light != NULL && !draw->lit_per_vertex;
+    if (solid) {
+        qtri_raster *raster = &draw->primitive.to.solid.raster;
+        raster->lamp.find = qtri_mesh_find_light;
+        raster->lamp.from = draw;
+        raster->lamp.by_vertex = draw->lit_per_vertex;
+        if (draw->more) {
+            raster->tint_small = NULL;
+        }
+    }
 }
 
 bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose)
@@ -86,12 +95,15 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
     if (view->light != NULL) {
         qtri_transform object_to_eye;
         qtri_transform_mul(&object_to_eye, &view->camera, pose);
+        const bool bytes = QTRI_WITH_COMPACT_MESHES && mesh->normals8 != NULL;
         qtri_lighting_init(&draw->lighting, view->light, &object_to_eye,
-                           QTRI_WITH_COMPACT_MESHES && mesh->normals8 != NULL ? 127 * 128
-                                                                              : 1 << 14);
+                           draw->lit_per_vertex && bytes ? 127 * 128 : 1 << 14);
         if (!QTRI_WITH_UNEVEN_LIGHT && !draw->lighting.plain) {
             draw->lit_per_vertex = false;
             draw->lit_per_face = false;
+            if (draw->material.fill == NULL) {
+                draw->primitive.to.solid.raster.lamp.by_vertex = false;
+            }
         }
     }
     return true;

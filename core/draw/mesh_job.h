@@ -9,13 +9,6 @@
 #include "../raster/list.h"
 #include "primitive.h"
 
-/* Which edges a triangle of a wireframe draws, see mesh_lines.c. */
-typedef enum qtri_mesh_edges {
-    QTRI_EDGES_ALL,
-    QTRI_EDGES_DRAWN, /* those that are not noted; notes them */
-    QTRI_EDGES_NOTED  /* those that are not */
-} qtri_mesh_edges;
-
 /* One draw call: what every triangle needs. */
 typedef struct qtri_mesh_job {
     qtri_primitive primitive;
@@ -24,7 +17,7 @@ typedef struct qtri_mesh_job {
     qtri_vertex *vertices; /* slot_count of them */
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
-    qtri_mesh_edges edges;
+    bool noted;  /* a wireframe: what triangles draw is noted, see mesh_lines.c */
     bool lit;    /* per vertex: all that are seen already are */
     bool tinted; /* the mesh has no colours of its own */
     bool more;   /* colours of their own or a texture */
@@ -60,11 +53,11 @@ void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices, qtr
 /* Of the triangle with these indices, for a mesh lit per face. */
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
 
-/* The colours of a triangle's corners, lit. */
-void qtri_mesh_set_colors(const qtri_mesh_job *draw, const void *triangle,
-                          qtri_vertex *const vertex[3], qtri_line_color color[3]);
+/* The lamp of a mesh: see raster.h. */
+uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                              qtri_vertex *c);
 
-/* That of a vertex of the mesh, lit; its texture coordinates, 0 in a mesh without. */
+/* The colour of a vertex of the mesh, lit; its texture coordinates, 0 in a mesh without. */
 void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
                          uint32_t intensity_q15);
 void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index);
@@ -85,40 +78,6 @@ void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c);
 
-/* Draws what waits: at the end of a draw call. */
-static inline void qtri_mesh_finish(const qtri_mesh_job *draw)
-{
-    if (draw->material.fill == NULL) {
-        qtri_list_flush(&draw->primitive.to.solid.raster);
-    }
-}
-
-/* A wireframe whose edges need not be drawn twice. */
-static inline bool qtri_mesh_has_final_edges(const qtri_mesh_job *draw)
-{
-    const qtri_line_job *line = &draw->primitive.to.line;
-    return draw->material.fill != NULL && qtri_line_is_final(line->compare, line->depth_write);
-}
-
-/*
- * Wireframes, mesh_lines.c. Edges are noted in the vertices where all have slots: clear before the
- * first. With QTRI_EDGES_NOTED, note the edges of the triangles that are seen, in their order,
- * before anything is drawn.
- */
-void qtri_mesh_clear_edges(const qtri_mesh_job *draw);
-void qtri_mesh_note_edges(const qtri_mesh_job *draw, const void *triangle,
-                          qtri_vertex *const vertex[3]);
-
-/* Draws the edges of a triangle inside all planes that is seen. */
-void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *triangle,
-                          qtri_vertex *const vertex[3]);
-
-/*
- * The same for all front faces of a mesh inside all planes. False, and nothing is drawn, where
- * there is no short way.
- */
-bool qtri_mesh_draw_front_lines(const qtri_mesh_job *draw);
-
 /* Which of two arrays serves: known to the compiler where one kind is left out. */
 static inline bool qtri_mesh_has_compact(const void *compact)
 {
@@ -130,6 +89,12 @@ static inline bool qtri_mesh_has_bytes(const qtri_mesh *mesh)
     return QTRI_WITH_COMPACT_MESHES && mesh->triangles8 != NULL;
 }
 
+/* The indices of a triangle. */
+static inline const void *qtri_mesh_triangle(const qtri_mesh *mesh, uint32_t number, bool narrow)
+{
+    return narrow ? (const void *)mesh->triangles8[number] : (const void *)mesh->triangles[number];
+}
+
 /* Of corner 0..2 of the triangle whose indices these are. */
 static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indices, int corner)
 {
@@ -138,17 +103,8 @@ static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indice
     return qtri_mesh_has_bytes(mesh) ? narrow[corner] : wide[corner];
 }
 
-/* Whether all three have an intensity. */
-static inline bool qtri_mesh_are_lit(const qtri_vertex *a, const qtri_vertex *b,
-                                     const qtri_vertex *c)
-{
-    const uint32_t unlit = QTRI_VERTEX_UNLIT + 1; /* others: <= 2^15 + 1 */
-    return (((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) &
-            unlit) == 0;
-}
-
 /* The indices at a triangle's place in the mesh. */
-static inline void qtri_mesh_indices(uint32_t index[3], const void *triangle, bool narrow)
+QTRI_INLINE void qtri_mesh_indices(uint32_t index[3], const void *triangle, bool narrow)
 {
     const uint16_t *wide = triangle;
     const uint8_t *bytes = triangle;
@@ -203,6 +159,33 @@ static inline bool qtri_mesh_is_outside(qtri_vertex *const vertex[3])
         common &= (word & QTRI_VERTEX_OUTSIDE) != 0 ? word : 0;
     }
     return common != 0;
+}
+
+/*
+ * Notes of triangles, for wireframes: which edges one draws, and whether it is seen. Where every
+ * vertex has a slot, each has the notes of QTRI_NOTES triangles, in place of its index.
+ */
+enum {
+    QTRI_EDGE_AB = 1,
+    QTRI_EDGE_BC = 2,
+    QTRI_EDGE_CA = 4,
+    QTRI_EDGES_SEEN = 8,
+    QTRI_EDGES_ALL = 15,
+    QTRI_NOTE_BITS = 4,
+    QTRI_NOTES = 16 / QTRI_NOTE_BITS
+};
+
+/* How many triangles have notes: all but in a mesh with few vertices. */
+static inline uint32_t qtri_mesh_noted(const qtri_mesh *mesh)
+{
+    return mesh->triangle_count / QTRI_NOTES < mesh->vertex_count ? mesh->triangle_count
+                                                                  : mesh->vertex_count * QTRI_NOTES;
+}
+
+static inline uint32_t qtri_mesh_note(const qtri_mesh_job *draw, uint32_t number)
+{
+    return draw->vertices[number / QTRI_NOTES].index >> number % QTRI_NOTES * QTRI_NOTE_BITS &
+           QTRI_EDGES_ALL;
 }
 
 #endif

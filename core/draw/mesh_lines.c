@@ -1,26 +1,61 @@
 /*
- * Wireframes of meshes.
+ * Wireframes: &qtri_wireframe.
  *
- * Two triangles share most edges. Where a line drawn again has no effect, see qtri_line_is_final,
- * the second one need not draw it. Vertices note the edges that leave them, in the word that has
- * 1/w for solid triangles: from vertex i to vertex j it is (j - i) modulo 2^16, in either half, the
- * newest in the lower one. Indices are below 2^16, so no other j gives the same; 0 is no edge, or
- * one from a vertex to itself, which has no pixel. A neighbour that faces the same way has the edge
- * from j to i. What is not noted is drawn again: there is room for two edges only, and a mesh may
- * have faces that disagree on what is front.
+ * Two triangles share most edges, and most often one of them need not draw it, whatever colours it
+ * has there and whatever is drawn in between:
  *
- * A mesh drawn whole notes an edge when it draws it, in place of the oldest: all notes are of edges
- * drawn before. Bands draw a prepared mesh without writing to it: there notes are made beforehand,
- * for good, of edges that no earlier triangle has. Every triangle with an edge is drawn in every
- * band that the edge touches, in the order of the mesh.
+ * - "Less" or "greater", written: stored depths get nearer (or farther) only, and equal ones fail.
+ *   Where a line was drawn it fails from then on. The first triangle draws it.
+ * - "Less or equal" or "greater or equal", written: where the last line fails, something nearer was
+ *   drawn since the first, which hides that as well; elsewhere the last covers what the first left.
+ *   No depth, read only, "equal" or "always": the last line passes wherever the first did, since
+ *   depths stay as they are or do not count. The last triangle draws it.
+ * - "Not equal", written: the second of two lines fails where nothing was drawn in between, and
+ *   covers what was. Every triangle draws it.
+ *
+ * Vertices note the edges that leave them, in the word that has 1/w for solid triangles: from
+ * vertex i to vertex j it is (j - i) modulo 2^16, in either half, the newest in the lower one.
+ * Indices are below 2^16, so no other j gives the same; 0 is no edge, or one from a vertex to
+ * itself, which has no pixel. A neighbour that faces the same way has the edge from j to i.
+ * Triangles are looked at from the first on, or from the last one back, and one that finds its edge
+ * noted does not take it. What is not noted is drawn again: there is room for two edges only, and a
+ * mesh may have faces that disagree on what is front.
+ *
+ * Where drawing is another matter, which edges triangles take is noted too: for four triangles in
+ * each vertex, in the half-word that tells elsewhere whose vertex is in a slot (mesh_job.h). In a
+ * mesh of more than four triangles a vertex the last ones draw all their edges. Bands draw a
+ * prepared mesh by its notes without writing to it, and every triangle with an edge is drawn in
+ * every band that the edge touches.
  */
-#include <string.h>
+#include "fill.h"
 
-#include "mesh_job.h"
+#include "../fast/line_16.h"
 
-static inline uint32_t edge_between(uint32_t from, uint32_t to)
+/* Which of the triangles that have an edge take it, to draw it. */
+typedef enum taker { EVERY, FIRST, LAST } taker;
+
+static taker taker_of(bool has_depth, qtri_compare compare, bool depth_write)
 {
-    return (to - from) & 0xFFFFu;
+    if (!has_depth || !depth_write) {
+        return LAST;
+    }
+    if (compare == QTRI_LESS || compare == QTRI_GREATER) {
+        return FIRST;
+    }
+    return compare == QTRI_NOT_EQUAL ? EVERY : LAST;
+}
+
+/* In bands with depth, as most are. */
+static taker taker_by_material(const qtri_material *material)
+{
+    return taker_of(material->depth_compare != QTRI_DEPTH_OFF, material->depth_compare,
+                    !material->depth_read_only);
+}
+
+static taker taker_by_job(const qtri_mesh_job *draw)
+{
+    return taker_of(draw->primitive.to.lines.job.has_depth, draw->material.depth_compare,
+                    !draw->material.depth_read_only);
 }
 
 static inline bool is_noted(const qtri_vertex *vertex, uint32_t edge)
@@ -28,149 +63,329 @@ static inline bool is_noted(const qtri_vertex *vertex, uint32_t edge)
     return (vertex->inv_w & 0xFFFFu) == edge || vertex->inv_w >> 16 == edge;
 }
 
-static inline void note(qtri_vertex *vertex, uint32_t edge)
+/* Whether the edge from a to b is not noted the other way round; it is noted then. */
+QTRI_INLINE bool takes_edge(qtri_vertex *a, const qtri_vertex *b, uint32_t from, uint32_t to)
 {
-    vertex->inv_w = vertex->inv_w << 16 | edge;
-}
-
-static inline bool is_full(const qtri_vertex *vertex)
-{
-    return vertex->inv_w >> 16 != 0;
-}
-
-/* Whether a triangle has to draw its edge from a to b, which is noted then if edges are. */
-static inline bool takes_edge(qtri_mesh_edges edges, qtri_vertex *a, const qtri_vertex *b,
-                              uint32_t from, uint32_t to)
-{
-    if (edges == QTRI_EDGES_ALL) {
-        return true;
-    }
-    if (is_noted(b, edge_between(to, from))) {
+    if (is_noted(b, (from - to) & 0xFFFFu)) {
         return false;
     }
-    if (edges == QTRI_EDGES_DRAWN) {
-        note(a, edge_between(from, to));
-    }
+    a->inv_w = a->inv_w << 16 | ((to - from) & 0xFFFFu);
     return true;
 }
 
-/* Notes the edge from a to b, unless an earlier triangle has it from b to a, or may: b is full. */
-static void note_first(qtri_vertex *a, const qtri_vertex *b, uint32_t from, uint32_t to)
+QTRI_INLINE uint32_t take_edges(qtri_vertex *a, qtri_vertex *b, qtri_vertex *c,
+                                const uint32_t index[3])
 {
-    if (!is_full(a) && !is_full(b) && !is_noted(b, edge_between(to, from))) {
-        note(a, edge_between(from, to));
+    uint32_t edges = 0;
+    if (takes_edge(a, b, index[0], index[1])) {
+        edges = QTRI_EDGE_AB;
+    }
+    if (takes_edge(b, c, index[1], index[2])) {
+        edges |= QTRI_EDGE_BC;
+    }
+    if (takes_edge(c, a, index[2], index[0])) {
+        edges |= QTRI_EDGE_CA;
+    }
+    return edges;
+}
+
+static void clear_notes(const qtri_mesh_job *draw)
+{
+    const qtri_vertex *end = draw->vertices + draw->mesh->vertex_count;
+    for (qtri_vertex *vertex = draw->vertices; vertex != end; vertex++) {
+        vertex->inv_w = 0;
+        vertex->index = 0;
     }
 }
 
-void qtri_mesh_clear_edges(const qtri_mesh_job *draw)
+/* Some edges in the light of the face. */
+QTRI_NOINLINE static void draw_in_face_light(const qtri_mesh_job *draw, const void *triangle,
+                                             qtri_vertex *const vertex[3], uint32_t edges)
 {
-    for (uint32_t i = 0; i < draw->mesh->vertex_count; i++) {
-        draw->vertices[i].inv_w = 0;
+    const qtri_line_job *line = &draw->primitive.to.lines.job;
+    const uint16_t face_q15 = (uint16_t)qtri_mesh_light_face(draw, triangle);
+    qtri_vertex corner[4];
+    for (int i = 0; i < 4; i++) {
+        corner[i] = *vertex[i < 3 ? i : 0];
+        corner[i].intensity_q15 = face_q15;
+    }
+    for (int i = 0; i < 3; i++) {
+        if ((edges >> i & 1) != 0) {
+            line->draw(line, &corner[i], &corner[i + 1], NULL);
+        }
     }
 }
 
-void qtri_mesh_note_edges(const qtri_mesh_job *draw, const void *triangle,
-                          qtri_vertex *const vertex[3])
+/* A vertex's colour in a light. */
+static inline void set_color(qtri_line_color out, const qtri_rgb *rgb, uint32_t light_q15)
 {
+    const int32_t light = (int32_t)light_q15 * 2;
+    out[0] = rgb->r * light; /* <= 255.0 */
+    out[1] = rgb->g * light;
+    out[2] = rgb->b * light;
+}
+
+/* Some edges in the colours of the vertices. */
+QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *triangle,
+                                         qtri_vertex *const vertex[3], uint32_t edges)
+{
+    const qtri_line_job *line = &draw->primitive.to.lines.job;
+    const qtri_shading shading = draw->material.shading;
+    const qtri_rgb *colors = draw->mesh->colors;
     uint32_t index[3];
+    uint32_t light_q15[3];
+    qtri_line_color color[4]; /* the first once more: an edge's are next to each other */
     qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
-    note_first(vertex[0], vertex[1], index[0], index[1]);
-    note_first(vertex[1], vertex[2], index[1], index[2]);
-    note_first(vertex[2], vertex[0], index[2], index[0]);
+    if (draw->lit_per_face) {
+        light_q15[0] = qtri_mesh_light_face(draw, triangle);
+        light_q15[1] = light_q15[2] = light_q15[0];
+    } else {
+        light_q15[0] = vertex[0]->intensity_q15;
+        light_q15[1] = vertex[1]->intensity_q15;
+        light_q15[2] = vertex[2]->intensity_q15;
+    }
+    if (shading != QTRI_SMOOTH) {
+        const int from = shading == QTRI_FLAT_FIRST ? 0 : 2;
+        light_q15[0] = light_q15[1] = light_q15[2] = light_q15[from];
+        index[0] = index[1] = index[2] = index[from];
+    }
+    set_color(color[0], &colors[index[0]], light_q15[0]);
+    set_color(color[1], &colors[index[1]], light_q15[1]);
+    set_color(color[2], &colors[index[2]], light_q15[2]);
+    set_color(color[3], &colors[index[0]], light_q15[0]);
+    if ((edges & QTRI_EDGE_AB) != 0) {
+        line->draw(line, vertex[0], vertex[1], (const qtri_line_color *)&color[0]);
+    }
+    if ((edges & QTRI_EDGE_BC) != 0) {
+        line->draw(line, vertex[1], vertex[2], (const qtri_line_color *)&color[1]);
+    }
+    if ((edges & QTRI_EDGE_CA) != 0) {
+        line->draw(line, vertex[2], vertex[0], (const qtri_line_color *)&color[2]);
+    }
 }
 
-/* One colour, by light per vertex or as it is. */
+/* Whether the light of a mesh's vertices tells what colours lines have. */
 static inline bool is_tinted(const qtri_mesh_job *draw)
 {
     return draw->mesh->colors == NULL && !draw->lit_per_face;
 }
 
-/* The corners' colours, and the first once more: those of an edge are next to each other. */
-static void set_colors(const qtri_mesh_job *draw, const void *triangle,
-                       qtri_vertex *const vertex[3], qtri_line_color color[4])
+/* Some edges of a triangle inside all planes, in other colours. */
+QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *triangle,
+                                       qtri_vertex *const vertex[3], uint32_t edges)
 {
-    const qtri_shading shading = draw->material.shading;
-    qtri_mesh_set_colors(draw, triangle, vertex, color);
-    if (shading != QTRI_SMOOTH) {
-        const int32_t *from = color[shading == QTRI_FLAT_FIRST ? 0 : 2];
-        for (int i = 0; i < 3; i++) {
-            memmove(color[i], from, sizeof color[i]);
-        }
+    if (draw->mesh->colors == NULL) {
+        draw_in_face_light(draw, triangle, vertex, edges);
+        return;
     }
-    memcpy(color[3], color[0], sizeof color[3]);
+    if (!draw->lit_per_face && !qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
+        qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
+    }
+    draw_in_colors(draw, triangle, vertex, edges);
 }
 
-QTRI_NOINLINE void qtri_mesh_draw_lines(const qtri_mesh_job *draw, const void *triangle,
-                                        qtri_vertex *const vertex[3])
+/* Some edges of a triangle inside all planes. */
+QTRI_INLINE void draw_edges(const qtri_mesh_job *draw, const void *triangle,
+                            qtri_vertex *const vertex[3], uint32_t edges, bool tinted)
 {
-    const qtri_line_job *line = &draw->primitive.to.line;
+    const qtri_line_job *line = &draw->primitive.to.lines.job;
     qtri_vertex *a = vertex[0];
     qtri_vertex *b = vertex[1];
     qtri_vertex *c = vertex[2];
     if (qtri_line_misses(line, a->at.y_24p8, b->at.y_24p8, c->at.y_24p8)) {
         return;
     }
-    qtri_line_color own[4];
-    const qtri_line_color *color[3] = {NULL, NULL, NULL};
-    if (!is_tinted(draw)) {
-        set_colors(draw, triangle, vertex, own);
-        for (int i = 0; i < 3; i++) {
-            color[i] = (const qtri_line_color *)&own[i];
-        }
-    } else if (!qtri_mesh_are_lit(a, b, c)) {
+    if (!tinted) {
+        qtri_vertex *const corner[3] = {a, b, c};
+        draw_colored(draw, triangle, corner, edges);
+        return;
+    }
+    if (!qtri_vertices_are_lit(a, b, c)) {
         qtri_mesh_light_corners(draw, triangle, a, b, c);
     }
-    uint32_t index[3];
-    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
-    if (takes_edge(draw->edges, a, b, index[0], index[1])) {
-        qtri_line_draw(line, a, b, color[0]);
+    if ((edges & QTRI_EDGE_AB) != 0) {
+        line->draw(line, a, b, NULL);
     }
-    if (takes_edge(draw->edges, b, c, index[1], index[2])) {
-        qtri_line_draw(line, b, c, color[1]);
+    if ((edges & QTRI_EDGE_BC) != 0) {
+        line->draw(line, b, c, NULL);
     }
-    if (takes_edge(draw->edges, c, a, index[2], index[0])) {
-        qtri_line_draw(line, c, a, color[2]);
+    if ((edges & QTRI_EDGE_CA) != 0) {
+        line->draw(line, c, a, NULL);
     }
 }
 
-bool qtri_mesh_draw_front_lines(const qtri_mesh_job *draw)
+/* The same, and what clipping leaves of a triangle that crosses a plane: in one place. */
+QTRI_NOINLINE static void draw_seen(const qtri_mesh_job *draw, const void *triangle,
+                                    qtri_vertex *const vertex[3], uint32_t edges)
 {
-    const uint32_t count = draw->mesh->vertex_count;
-    const uint16_t(*triangle)[3] = draw->mesh->triangles;
-    const uint16_t(*end)[3] = triangle + draw->mesh->triangle_count;
-    const qtri_line_job *line = &draw->primitive.to.line;
-    const uint32_t vertex_size = qtri_vertex_size();
-    qtri_vertex *vertices = draw->vertices;
-    if (QTRI_SHARE || qtri_mesh_has_bytes(draw->mesh) || draw->edges != QTRI_EDGES_DRAWN ||
-        !is_tinted(draw)) {
-        return false;
+    if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
+        qtri_mesh_draw_seen(draw, triangle, vertex);
+    } else {
+        draw_edges(draw, triangle, vertex, edges, is_tinted(draw));
     }
-    for (; triangle != end; triangle++) {
+}
+
+/*
+ * Looks at triangles, from `number` on or, for LAST, from the last one back to the first, and draws
+ * them or notes what they are to draw. `narrow`: indices are bytes. `simple`: back faces are
+ * culled, and no vertex is outside.
+ */
+QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, bool narrow,
+                         bool simple, bool draws)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const uint32_t count = mesh->vertex_count;
+    const uint32_t vertex_size = qtri_vertex_size();
+    const int step = (who == LAST ? -1 : 1) * (narrow ? 3 : 6);
+    const bool tinted = is_tinted(draw);
+    qtri_vertex *vertices = draw->vertices;
+    uint32_t rest = (draws ? mesh->triangle_count : qtri_mesh_noted(mesh)) - number;
+    if (rest == 0) {
+        return;
+    }
+    number = who == LAST ? rest - 1 : number;
+    const uint8_t *triangle = qtri_mesh_triangle(mesh, number, narrow);
+    for (; rest > 0; rest--, triangle += step, number += who == LAST ? UINT32_MAX : 1) {
         uint32_t index[3];
-        qtri_mesh_indices(index, triangle, false);
         qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, narrow);
         if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
             continue;
         }
         qtri_vertex *a = vertex[0];
         qtri_vertex *b = vertex[1];
         qtri_vertex *c = vertex[2];
-        if (qtri_triangle_is_back(&a->at, &b->at, &c->at) ||
-            qtri_line_misses(line, a->at.y_24p8, b->at.y_24p8, c->at.y_24p8)) {
+        if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
+                   : qtri_mesh_turned_away(draw, a, b, c)) {
             continue;
         }
-        if (!qtri_mesh_are_lit(a, b, c)) {
-            qtri_mesh_light_corners(draw, triangle, a, b, c);
+        uint32_t edges = QTRI_EDGES_ALL;
+        if (who != EVERY && (simple || qtri_mesh_is_inside(a, b, c))) {
+            edges = QTRI_EDGES_SEEN | take_edges(a, b, c, index);
         }
-        if (takes_edge(QTRI_EDGES_DRAWN, a, b, index[0], index[1])) {
-            qtri_line_draw(line, a, b, NULL);
-        }
-        if (takes_edge(QTRI_EDGES_DRAWN, b, c, index[1], index[2])) {
-            qtri_line_draw(line, b, c, NULL);
-        }
-        if (takes_edge(QTRI_EDGES_DRAWN, c, a, index[2], index[0])) {
-            qtri_line_draw(line, c, a, NULL);
+        if (!draws) {
+            uint16_t *notes = &vertices[number / QTRI_NOTES].index;
+            *notes = (uint16_t)(*notes | edges << number % QTRI_NOTES * QTRI_NOTE_BITS);
+        } else if (simple && !QTRI_SHARE) {
+            draw_edges(draw, triangle, vertex, edges, tinted);
+        } else {
+            draw_seen(draw, triangle, vertex, edges);
         }
     }
-    return true;
 }
+
+/* Draws those that have notes, by them. */
+QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
+{
+    const uint32_t vertex_size = qtri_vertex_size();
+    const int size = narrow ? 3 : 6;
+    const bool tinted = is_tinted(draw);
+    qtri_vertex *vertices = draw->vertices;
+    const qtri_vertex *end = vertices + (qtri_mesh_noted(draw->mesh) + QTRI_NOTES - 1) / QTRI_NOTES;
+    const uint8_t *first = qtri_mesh_triangle(draw->mesh, 0, narrow);
+    for (const qtri_vertex *at = vertices; at != end; at++, first += QTRI_NOTES * size) {
+        const uint8_t *triangle = first;
+        for (uint32_t notes = at->index; notes != 0; notes >>= QTRI_NOTE_BITS, triangle += size) {
+            const uint32_t edges = notes & QTRI_EDGES_ALL;
+            if (edges == 0) {
+                continue;
+            }
+            uint32_t index[3];
+            qtri_vertex *vertex[3];
+            qtri_mesh_indices(index, triangle, narrow);
+            (void)qtri_mesh_find(vertex, vertices, UINT32_MAX, index, vertex_size);
+            if (simple && !QTRI_SHARE) {
+                draw_edges(draw, triangle, vertex, edges, tinted);
+            } else {
+                draw_seen(draw, triangle, vertex, edges);
+            }
+        }
+    }
+}
+
+/* For any mesh. */
+QTRI_NOINLINE static void look_at_any(const qtri_mesh_job *draw, uint32_t number, taker who,
+                                      bool simple, bool draws)
+{
+    look_at(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws);
+}
+
+QTRI_NOINLINE static void draw_any_noted(const qtri_mesh_job *draw)
+{
+    draw_noted(draw, qtri_mesh_has_bytes(draw->mesh), false);
+}
+
+/* A mesh has lines enough for a table, if they are tinted. */
+static void begin_mesh(qtri_mesh_job *draw)
+{
+    if (draw->mesh->colors == NULL) {
+        qtri_line_make_table(&draw->primitive.to.lines.job);
+        qtri_line_16_choose(&draw->primitive.to.lines.job);
+    }
+}
+
+static void draw_mesh(qtri_mesh_job *draw)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
+    const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
+    const bool quick = !QTRI_SHARE && simple && !qtri_mesh_has_bytes(mesh);
+    taker who = taker_by_job(draw);
+    uint32_t number = 0;
+    begin_mesh(draw);
+    clear_notes(draw);
+    if (quick && who == FIRST) {
+        look_at(draw, 0, FIRST, false, true, true);
+        return;
+    }
+    if (quick && who == LAST) {
+        look_at(draw, 0, LAST, false, true, false);
+        draw_noted(draw, false, true);
+    } else if (who == LAST) {
+        look_at_any(draw, 0, LAST, simple, false);
+        draw_any_noted(draw);
+    }
+    if (who == LAST) { /* and those that have no notes */
+        number = qtri_mesh_noted(mesh);
+        who = EVERY;
+    }
+    look_at_any(draw, number, who, simple, true);
+}
+
+static void draw_triangle(const qtri_mesh_job *draw, const void *triangle,
+                          qtri_vertex *const vertex[3])
+{
+    uint32_t edges = QTRI_EDGES_ALL;
+    if (draw->noted) {
+        const bool narrow = qtri_mesh_has_bytes(draw->mesh);
+        const uint8_t *first = qtri_mesh_triangle(draw->mesh, 0, narrow);
+        const uint32_t number = (uint32_t)((const uint8_t *)triangle - first) / (narrow ? 3 : 6);
+        if (number < qtri_mesh_noted(draw->mesh)) {
+            edges = qtri_mesh_note(draw, number);
+        }
+    }
+    draw_seen(draw, triangle, vertex, edges);
+}
+
+static void prepare_mesh(const qtri_mesh_job *draw, bool back_only)
+{
+    clear_notes(draw);
+    look_at_any(draw, 0, taker_by_material(&draw->material), back_only, false);
+}
+
+static void begin_band(qtri_mesh_job *draw)
+{
+    begin_mesh(draw);
+    draw->noted = draw->slot_count >= draw->mesh->vertex_count &&
+                  taker_by_job(draw) == taker_by_material(&draw->material);
+}
+
+const qtri_fill qtri_wireframe = {
+    .begin = qtri_primitive_begin_lines,
+    .finish = qtri_primitive_finish_lines,
+    .clipped = qtri_primitive_outline,
+    .triangle = draw_triangle,
+    .mesh = draw_mesh,
+    .prepare = prepare_mesh,
+    .band = begin_band,
+};

@@ -1,25 +1,13 @@
 #include "../raster/list.h"
 #include "mesh_job.h"
 
-/* Colours in units of the target of a mesh that has its own. */
-static void set_channels(const qtri_mesh_job *draw, uint32_t index, uint32_t intensity_q15,
-                         int32_t channel[3])
-{
-    int32_t color_8p16[3];
-    qtri_mesh_set_color(color_8p16, draw, index, intensity_q15);
-    qtri_channels channels =
-        qtri_raster_channels(&draw->primitive.to.solid.raster, color_8p16);
-    channel[0] = channels.c[0];
-    channel[1] = channels.c[1];
-    channel[2] = channels.c[2];
-}
-
 /* What not every mesh has. */
 QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
                                    uint32_t intensity_q15, qtri_attributes *out)
 {
     if (draw->mesh->colors != NULL) {
-        set_channels(draw, index, intensity_q15, out->color);
+        qtri_raster_lit_channels(out->color, &draw->primitive.to.solid.raster,
+                                 &draw->mesh->colors[index], intensity_q15);
     }
     if (draw->primitive.to.solid.raster.texture != NULL) {
         qtri_mesh_set_uv(&out->u_q32, &out->v_q32, draw->mesh, index);
@@ -41,12 +29,12 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const void *indice
     qtri_triangle_draw(&draw->primitive.to.solid.raster, triangle, attributes);
 }
 
-/* The light of the vertices, or of the face, computed when it is first needed. */
-static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                             qtri_vertex *b, qtri_vertex *c)
+uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                              qtri_vertex *c)
 {
+    const qtri_mesh_job *draw = from;
     if (draw->lit_per_vertex) {
-        if (!draw->lit && !qtri_mesh_are_lit(a, b, c)) {
+        if (!draw->lit && !qtri_vertices_are_lit(a, b, c)) {
             qtri_mesh_light_corners(draw, indices, a, b, c);
         }
         return QTRI_VERTEX_UNLIT;
@@ -56,8 +44,8 @@ static inline uint32_t light(const qtri_mesh_job *draw, const void *indices, qtr
 }
 
 /* Lit only when it touches a pixel. */
-QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indices,
-                                     qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                     qtri_vertex *b, qtri_vertex *c)
 {
     qtri_triangle triangle;
     triangle.p[0] = &a->at;
@@ -65,54 +53,67 @@ QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indi
     triangle.p[2] = &c->at;
     triangle.area = qtri_triangle_area(&a->at, &b->at, &c->at);
     triangle.tinted = draw->tinted;
-    if (triangle.area == 0 ||
-        !qtri_triangle_begin(&draw->primitive.to.solid.raster, &triangle)) {
+    if (triangle.area == 0 || !qtri_triangle_begin(&draw->primitive.to.solid.raster, &triangle)) {
         return;
     }
     qtri_vertex *const vertex[3] = {a, b, c};
-    draw_lit(draw, indices, vertex, &triangle, light(draw, indices, a, b, c));
+    draw_lit(draw, indices, vertex, &triangle, qtri_mesh_find_light(draw, indices, a, b, c));
 }
 
-/* Colours and texture coordinates of a small triangle. */
-QTRI_NOINLINE static void draw_more(const qtri_mesh_job *draw, const void *indices,
-                                    qtri_list_triangle *t)
+/* A small one with colours of its own. */
+QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const uint32_t index[3],
+                                       qtri_list_triangle *t)
 {
     int32_t color[3][3];
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    for (int i = 0; i < 3; i++) {
+        qtri_raster_lit_channels(color[i], raster, &draw->mesh->colors[index[i]],
+                                 draw->lit_per_vertex ? t->v[i]->intensity_q15 : t->light_q15);
+    }
+    t->color = (const int32_t(*)[3])color;
+    qtri_list_draw(raster, t);
+}
+
+/* One that no fused loop draws. */
+QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                   qtri_vertex *b, qtri_vertex *c)
+{
+    qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
     qtri_coordinates uv[2];
     const qtri_mesh *mesh = draw->mesh;
-    const uint32_t index[3] = {qtri_mesh_index(mesh, indices, 0), qtri_mesh_index(mesh, indices, 1),
-                               qtri_mesh_index(mesh, indices, 2)};
-    if (!draw->tinted) {
-        for (int i = 0; i < 3; i++) {
-            set_channels(draw, index[i],
-                         draw->lit_per_vertex ? t->v[i]->intensity_q15 : t->light_q15, color[i]);
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    const qtri_placed placed = qtri_place_triangle(&place, spans, raster, a, b, c);
+    if (placed != QTRI_PLACED_SMALL) {
+        if (placed == QTRI_PLACED_LARGE) {
+            draw_large(draw, indices, a, b, c);
         }
-        t->color = (const int32_t(*)[3])color;
+        return;
     }
-    if (draw->primitive.to.solid.raster.texture != NULL) {
-        qtri_mesh_set_coordinates(uv, mesh, index);
-        t->uv = uv;
+    const uint32_t light_q15 = raster->lamp.by_vertex && qtri_vertices_are_lit(a, b, c)
+                                   ? QTRI_VERTEX_UNLIT
+                                   : qtri_mesh_find_light(draw, indices, a, b, c);
+    qtri_list_triangle t = {&place, {a, b, c}, NULL, light_q15, uv};
+    if (draw->more) {
+        const uint32_t index[3] = {qtri_mesh_index(mesh, indices, 0),
+                                   qtri_mesh_index(mesh, indices, 1),
+                                   qtri_mesh_index(mesh, indices, 2)};
+        if (raster->texture != NULL) {
+            qtri_mesh_set_coordinates(uv, mesh, index);
+        }
+        if (!draw->tinted) {
+            draw_colored(draw, index, &t);
+            return;
+        }
     }
-    qtri_list_draw(&draw->primitive.to.solid.raster, t);
+    qtri_list_draw(raster, &t);
 }
 
 QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
                                         qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
-    qtri_place place;
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    const qtri_placed placed = qtri_place_triangle(&place, raster, a, b, c);
-    if (placed == QTRI_PLACED_LARGE) {
-        draw_large(draw, indices, a, b, c);
-    }
-    if (placed != QTRI_PLACED_SMALL) {
-        return;
-    }
-    qtri_list_triangle t = {
-        &place, {a, b, c}, NULL, light(draw, indices, a, b, c), NULL};
-    if (draw->more) {
-        draw_more(draw, indices, &t);
-    } else {
-        qtri_list_draw(raster, &t);
+    if (raster->tint_small == NULL || !raster->tint_small(raster, indices, a, b, c)) {
+        draw_any(draw, indices, a, b, c);
     }
 }

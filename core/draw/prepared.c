@@ -1,3 +1,5 @@
+#include "fill.h"
+#include "mesh_faces.h"
 #include "prepared_lists.h"
 
 enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
@@ -44,7 +46,7 @@ static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
  */
 static inline void meet_all(const sorter *s, const void *triangle, qtri_vertex *const vertex[3])
 {
-    if (qtri_mesh_are_lit(vertex[0], vertex[1], vertex[2])) {
+    if (qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
         return;
     }
     if (s->is_complete) {
@@ -142,14 +144,13 @@ static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_
     }
 }
 
-/* A triangle inside all planes that is not turned away. */
-static inline void see(sorter *s, uint32_t number, const void *triangle,
-                       qtri_vertex *const vertex[3], bool is_solid)
+/* A triangle inside all planes that is not turned away, and whose vertices were met. */
+static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vertex[3],
+                             bool is_solid)
 {
     const int32_t a = vertex[0]->at.y_24p8;
     const int32_t b = vertex[1]->at.y_24p8;
     const int32_t c = vertex[2]->at.y_24p8;
-    meet_all(s, triangle, vertex);
     list_triangle(
         s, number, (qtri_least32(a, qtri_least32(b, c)) + qtri_prepared_before_24p8(is_solid)) >> 8,
         (qtri_greatest32(a, qtri_greatest32(b, c)) + qtri_prepared_after_24p8(is_solid)) >> 8);
@@ -158,7 +159,8 @@ static inline void see(sorter *s, uint32_t number, const void *triangle,
 QTRI_NOINLINE static void see_solid(sorter *s, uint32_t number, const void *triangle,
                                     qtri_vertex *const vertex[3])
 {
-    see(s, number, triangle, vertex, true);
+    meet_all(s, triangle, vertex);
+    list_seen(s, number, vertex, true);
 }
 
 /* Any triangle that is not turned away. */
@@ -166,10 +168,8 @@ QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triang
                                   qtri_vertex *const vertex[3])
 {
     if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
-        if (s->job->edges == QTRI_EDGES_NOTED) {
-            qtri_mesh_note_edges(s->job, triangle, vertex);
-        }
-        see(s, number, triangle, vertex, s->is_solid);
+        meet_all(s, triangle, vertex);
+        list_seen(s, number, vertex, s->is_solid);
         return;
     }
     if (!qtri_mesh_is_outside(vertex)) {
@@ -220,6 +220,69 @@ QTRI_NOINLINE static void see_complete(sorter *s)
     } else {
         see_triangles(s, mesh->triangles, false, false);
     }
+}
+
+/* The list of a mesh with planes of faces; `simple` as in mesh.c, with indices of 16 bits. */
+static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t first, bool narrow,
+                            bool simple)
+{
+    const uint32_t vertex_size = qtri_vertex_size();
+    qtri_vertex *vertices = s->job->vertices;
+    for (const uint16_t *at = faces->list; at != faces->end; at++) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(faces->triangles, *at, narrow);
+        const uint32_t number = first + qtri_mesh_faces_number(*at);
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        if (!qtri_mesh_find(vertex, vertices, UINT32_MAX, index, vertex_size)) {
+            continue; /* never: none is past the end */
+        }
+        if (simple ? qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
+                   : qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
+            continue;
+        }
+        if (simple) {
+            list_seen(s, number, vertex, true);
+        } else {
+            see_any(s, number, triangle, vertex);
+        }
+    }
+}
+
+/* All of them, where they have planes that tell something. */
+QTRI_NOINLINE static bool see_faces(sorter *s)
+{
+    const qtri_face_culling *culling = qtri_mesh_face_culling(s->job->mesh);
+    const bool back = s->job->material.cull == QTRI_CULL_BACK;
+    const bool narrow = qtri_mesh_has_bytes(s->job->mesh);
+    qtri_mesh_faces faces;
+    if (culling == NULL || !culling->begin(&faces, s->job)) {
+        return false;
+    }
+    for (uint32_t first = 0; culling->next(&faces, s->job); first = faces.next) {
+        if (back && faces.inside && s->is_solid && !narrow) {
+            see_list(s, &faces, first, false, true);
+        } else {
+            see_list(s, &faces, first, narrow, false);
+        }
+    }
+    s->prepared->back_only = back && faces.inside;
+    return true;
+}
+
+/* Transforms and sees all. */
+static void see_whole(sorter *s)
+{
+    const qtri_mesh_job *job = s->job;
+    if (s->is_solid && see_faces(s)) {
+        return;
+    }
+    const bool inside = qtri_mesh_transform(job, 0, job->mesh->vertex_count, job->vertices);
+    s->prepared->back_only = inside && job->material.cull == QTRI_CULL_BACK;
+    if (!s->is_solid) {
+        job->material.fill->prepare(job, s->prepared->back_only);
+    }
+    see_complete(s);
 }
 
 /* The same with fewer vertices than the mesh has. */
@@ -275,9 +338,6 @@ bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
     qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material);
     job->vertices = prepared->vertices;
     job->slot_count = prepared->vertex_count;
-    if (qtri_prepared_is_complete(prepared) && qtri_mesh_has_final_edges(job)) {
-        job->edges = QTRI_EDGES_NOTED;
-    }
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
 }
 
@@ -307,14 +367,7 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     prepared->extent_24p8 = none;
     begin_lists(&s, prepared);
     if (s.is_complete) {
-        const bool inside = qtri_mesh_transform(&job, 0, mesh->vertex_count, prepared->vertices);
-        prepared->back_only = inside && job.material.cull == QTRI_CULL_BACK;
-        if (!is_solid &&
-            qtri_line_is_final(job.material.depth_compare, !job.material.depth_read_only)) {
-            job.edges = QTRI_EDGES_NOTED; /* the bands' surfaces may have depths */
-            qtri_mesh_clear_edges(&job);
-        }
-        see_complete(&s);
+        see_whole(&s);
     } else {
         qtri_mesh_clear_slots(&job);
         see_by_slots(&s);

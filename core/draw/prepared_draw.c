@@ -1,12 +1,18 @@
+#include "fill.h"
 #include "prepared_lists.h"
 
-/* Its vertices, if all are there; false when an index is past the end. */
+/*
+ * Its vertices, if all are there; false when an index is past the end, or a vertex was not met:
+ * then the triangle's plane turned away.
+ */
 static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_vertex *vertex[3])
 {
     const uint32_t count = job->mesh->vertex_count;
     uint32_t index[3];
     qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(job->mesh));
-    return qtri_mesh_find(vertex, job->vertices, count, index, qtri_vertex_size());
+    return qtri_mesh_find(vertex, job->vertices, count, index, qtri_vertex_size()) &&
+           vertex[0]->depth_16p8 != QTRI_VERTEX_EMPTY &&
+           vertex[1]->depth_16p8 != QTRI_VERTEX_EMPTY && vertex[2]->depth_16p8 != QTRI_VERTEX_EMPTY;
 }
 
 /* Triangles first..end - 1, whatever they are. */
@@ -96,7 +102,7 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
 
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
 {
-    const qtri_rect bounds = qtri_drawn_bounds(surface);
+    const qtri_rect bounds = qtri_surface_bounds(surface);
     if (prepared->mesh == NULL || !prepared->is_seen || qtri_rect_is_empty(&bounds) ||
         surface->width != prepared->width || surface->height != prepared->height) {
         return;
@@ -116,9 +122,12 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     if (!job.lit) {
         qtri_mesh_clear_slots(&job);
     }
+    if (job.material.fill != NULL) {
+        job.material.fill->band(&job);
+    }
     if (by_list) {
         draw_list(&job, prepared, band);
     }
     draw_range(&job, prepared, first, count);
-    qtri_mesh_finish(&job);
+    qtri_primitive_finish(&job.primitive);
 }

@@ -15,7 +15,8 @@ static qtri_rect find_bounds(const qtri_prepared *prepared)
     qtri_rect extent = prepared->extent_24p8; /* of those that have no slot */
     if (qtri_prepared_is_complete(prepared)) {
         for (uint32_t i = 0; i < prepared->mesh->vertex_count; i++) {
-            if (prepared->vertices[i].intensity_q15 != QTRI_VERTEX_UNLIT) {
+            if (prepared->vertices[i].depth_16p8 != QTRI_VERTEX_EMPTY &&
+                prepared->vertices[i].intensity_q15 != QTRI_VERTEX_UNLIT) {
                 qtri_prepared_widen(&extent, &prepared->vertices[i]);
             }
         }

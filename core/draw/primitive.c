@@ -1,17 +1,39 @@
-#include "primitive.h"
+#include "fill.h"
 
 #include "../raster/list.h"
 
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_material *material, bool lines)
+                               const qtri_material *material)
 {
     primitive->surface = surface;
     primitive->material = material;
-    if (!lines) {
-        qtri_raster_init(&primitive->to.solid.raster, surface, material, &primitive->to.solid.batch);
+    if (material->fill != NULL) {
+        material->fill->begin(primitive);
     } else {
-        qtri_line_job_init(&primitive->to.line, surface, material);
+        qtri_raster_init(&primitive->to.solid.raster, surface, material,
+                         &primitive->to.solid.batch);
     }
+}
+
+void qtri_primitive_finish(const qtri_primitive *primitive)
+{
+    const qtri_fill *fill = primitive->material->fill;
+    if (fill != NULL) {
+        fill->finish(primitive);
+    } else {
+        qtri_list_flush(&primitive->to.solid.raster);
+    }
+}
+
+void qtri_primitive_begin_lines(qtri_primitive *primitive)
+{
+    qtri_line_job_init(&primitive->to.lines.job, primitive->surface, primitive->material,
+                       &primitive->to.lines.batch);
+}
+
+void qtri_primitive_finish_lines(const qtri_primitive *primitive)
+{
+    qtri_line_flush(&primitive->to.lines.job);
 }
 
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
@@ -25,10 +47,10 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
 
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material, bool lines)
+                         const qtri_material *material)
 {
     qtri_primitive_place(primitive, view, pose);
-    qtri_primitive_set_target(primitive, surface, material, lines);
+    qtri_primitive_set_target(primitive, surface, material);
 }
 
 /* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16: 33 bits times 31. */
@@ -164,8 +186,7 @@ QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *
     p->source(p->from, attributes);
     spread_provoking(p->primitive->material, attributes);
     for (int i = 0; i < 3; i++) {
-        set_attributes(&out[i], p->vertex[i], attributes,
-                       &p->primitive->to.solid.raster);
+        set_attributes(&out[i], p->vertex[i], attributes, &p->primitive->to.solid.raster);
     }
 }
 
@@ -178,7 +199,7 @@ QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_triangle
 }
 
 /* One that is small: attributes are found again, so that they take no stack in between. */
-QTRI_NOINLINE static void draw_small_piece(const piece *p, const qtri_place *place,
+QTRI_NOINLINE static void draw_small_piece(const piece *p, qtri_place *place,
                                            const qtri_vertex v[3])
 {
     qtri_attributes own[3];
@@ -190,14 +211,15 @@ QTRI_NOINLINE static void draw_small_piece(const piece *p, const qtri_place *pla
 QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
 {
     qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
     qtri_vertex v[3];
     for (int i = 0; i < 3; i++) {
         v[i].at = p->vertex[i]->at;
         v[i].depth_16p8 = p->vertex[i]->depth_16p8;
         v[i].inv_w = p->vertex[i]->inv_w_q31;
     }
-    const qtri_placed placed = qtri_place_triangle(
-        &place, &p->primitive->to.solid.raster, &v[0], &v[1], &v[2]);
+    const qtri_placed placed =
+        qtri_place_triangle(&place, spans, &p->primitive->to.solid.raster, &v[0], &v[1], &v[2]);
     if (placed == QTRI_PLACED_SMALL) {
         draw_small_piece(p, &place, v);
     }
@@ -241,13 +263,15 @@ QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_
         blend_attributes(&screen, a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
         qtri_line_end(&line[i], color[i], &screen);
     }
-    qtri_line_draw(&primitive->to.line, &line[0], &line[1], (const qtri_line_color *)color);
+    const qtri_line_job *job = &primitive->to.lines.job;
+    job->draw(job, &line[0], &line[1], (const qtri_line_color *)color);
 }
 
 QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
                                              const qtri_fan_vertex corner[3],
                                              qtri_screen_vertex attributes[3])
 {
+    const qtri_line_job *job = &primitive->to.lines.job;
     qtri_vertex end[4];
     qtri_line_color color[4];
     for (int i = 0; i < 4; i++) { /* back to the first */
@@ -258,15 +282,13 @@ QTRI_NOINLINE static void draw_whole_outline(const qtri_primitive *primitive,
         qtri_line_end(&end[i], color[i], &attributes[from]);
     }
     for (int i = 0; i < 3; i++) {
-        qtri_line_draw(&primitive->to.line, &end[i], &end[i + 1],
-                       (const qtri_line_color *)&color[i]);
+        job->draw(job, &end[i], &end[i + 1], (const qtri_line_color *)&color[i]);
     }
 }
 
 /* The ends of an unclipped triangle serve two lines each; otherwise every edge is clipped anew. */
-QTRI_NOINLINE static void draw_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
-                                       unsigned planes, qtri_attribute_source source,
-                                       const void *from)
+void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
+                            unsigned planes, qtri_attribute_source source, const void *from)
 {
     qtri_screen_vertex attributes[3];
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
@@ -304,8 +326,9 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     if (common != 0) {
         return;
     }
-    if (primitive->material->fill != NULL) {
-        draw_outline(primitive, shape->clip, planes, source, from);
+    const qtri_fill *fill = primitive->material->fill;
+    if (fill != NULL) {
+        fill->clipped(primitive, shape->clip, planes, source, from);
         return;
     }
     int count = clip_to_screen(&primitive->projector, shape->clip, planes, shape->fan);

@@ -19,8 +19,11 @@ typedef struct qtri_primitive {
         struct {
             qtri_raster raster;
             qtri_batch batch; /* the raster's */
-        } solid; /* triangles */
-        qtri_line_job line; /* of lines and wireframes */
+        } solid;              /* triangles */
+        struct {
+            qtri_line_job job;
+            qtri_batch batch; /* the job's */
+        } lines;              /* and wireframes */
     } to;
     qtri_projector projector;
 } qtri_primitive;
@@ -39,9 +42,9 @@ typedef union qtri_shape {
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
 } qtri_shape;
 
-/* Surface and material, and what follows from them. Triangles may be lines as well. */
+/* Surface and material, and what follows from them. */
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_material *material, bool lines);
+                               const qtri_material *material);
 
 /* projection camera pose, folded with the viewport. */
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
@@ -50,7 +53,10 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
 /* Both. */
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material, bool lines);
+                         const qtri_material *material);
+
+/* At the end: draws what waits. */
+void qtri_primitive_finish(const qtri_primitive *primitive);
 
 /*
  * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is
@@ -62,7 +68,15 @@ typedef void (*qtri_attribute_source)(const void *from, qtri_screen_vertex attri
 void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
                              qtri_attribute_source source, const void *from);
 
-/* The same for a line. `attributes` bring colour; their positions are not read. */
+/* For lines, whatever the material says; then as above. */
+void qtri_primitive_begin_lines(qtri_primitive *primitive);
+void qtri_primitive_finish_lines(const qtri_primitive *primitive);
+
+/* The outline of a triangle that may need clipping by `planes`, the sum of its outcodes. */
+void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
+                            unsigned planes, qtri_attribute_source source, const void *from);
+
+/* Draws a line. `attributes` bring colour; their positions are not read. */
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
                          const qtri_screen_vertex attributes[2]);
 

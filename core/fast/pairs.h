@@ -115,8 +115,7 @@ static inline bool qtri_pair_begins(const uint16_t *depth)
 
 /* RGB565, depth "less" with write: one colour, linear colours, copied texels. */
 void qtri_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
-void qtri_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row,
-                            int32_t count);
+void qtri_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_copy_pairs(const qtri_job *job, const qtri_run *run);
 
 #endif

@@ -8,7 +8,7 @@
 #include "../raster/loop.h"
 #include "../raster/packed.h"
 
-/* A row of a triangle that is not tiny: what is left of a run, and the runs after it. */
+/* A row: what is left of a run, and the runs after it. */
 typedef struct qtri_packed_row {
     uint16_t *pixel, *depth;
     uint32_t z;

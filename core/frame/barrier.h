@@ -17,7 +17,7 @@
 #else
 #define QTRI_ASIDE(x) __asm__ volatile("" : "+h"(x));
 #endif
-#define QTRI_BRANCH    __asm__ volatile("");
+#define QTRI_BRANCH __asm__ volatile("");
 #elif defined(__GNUC__)
 #define QTRI_OPAQUE(x) __asm__ volatile("" : "+r"(x));
 #define QTRI_ASIDE(x)

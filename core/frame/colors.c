@@ -52,13 +52,13 @@ static void smooth_565(uint32_t *color, const qtri_curve *c, int32_t count)
         for (int i = 0; i < 3; i++) {
             rise[i] = (step[i] << log2) + (uint32_t)(size * (size - 1) / 2) * c[i].bend;
         }
-        uint32_t packed = (at[0] >> 10 << 21) + (at[2] & ~(uint32_t)0x7FF) +
-                          (uint32_t)((int32_t)at[1] >> 11);
+        uint32_t packed =
+            (at[0] >> 10 << 21) + (at[2] & ~(uint32_t)0x7FF) + (uint32_t)((int32_t)at[1] >> 11);
         const uint32_t red = (uint32_t)((int32_t)rise[0] >> log2) + 0x200;
         const uint32_t green = (uint32_t)((int32_t)rise[1] >> log2) + 0x400;
         const uint32_t blue = (uint32_t)((int32_t)rise[2] >> log2) + 0x400;
-        const uint32_t packed_step = (red >> 10 << 21) + (blue & ~(uint32_t)0x7FF) +
-                                     (uint32_t)((int32_t)green >> 11);
+        const uint32_t packed_step =
+            (red >> 10 << 21) + (blue & ~(uint32_t)0x7FF) + (uint32_t)((int32_t)green >> 11);
         for (int32_t i = 0; i < size; i++) {
             const uint32_t shown = packed & mask;
             *color++ = shown | shown >> 16;
@@ -94,10 +94,21 @@ static void smooth_gray(uint32_t *color, const qtri_curve *c, int32_t count)
 }
 
 const qtri_colors qtri_colors_565 = {WHITE((int32_t)31 << 16, (int32_t)63 << 16, (int32_t)31 << 16),
-                                     false, 11, 5, 7, pack_565, smooth_565};
+                                     false,
+                                     11,
+                                     5,
+                                     7,
+                                     pack_565,
+                                     smooth_565};
 
 const qtri_colors qtri_colors_888 = {
-    WHITE((int32_t)255 << 16, (int32_t)255 << 16, (int32_t)255 << 16), false, 16, 8, 10, pack_888, smooth_888};
+    WHITE((int32_t)255 << 16, (int32_t)255 << 16, (int32_t)255 << 16),
+    false,
+    16,
+    8,
+    10,
+    pack_888,
+    smooth_888};
 
-const qtri_colors qtri_colors_gray = {WHITE(QTRI_GRAY_RED, QTRI_GRAY_GREEN, QTRI_GRAY_BLUE), true, 0, 0, 10,
-                                      pack_gray, smooth_gray};
+const qtri_colors qtri_colors_gray = {
+    WHITE(QTRI_GRAY_RED, QTRI_GRAY_GREEN, QTRI_GRAY_BLUE), true, 0, 0, 10, pack_gray, smooth_gray};

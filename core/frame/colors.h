@@ -27,11 +27,11 @@ typedef struct qtri_curve {
 } qtri_curve;
 
 struct qtri_colors {
-    int32_t white[3];                           /* of a full channel, n.16 */
-    uint32_t ratio_q30[3];                      /* white / 255.0, rounded */
-    bool single;                                /* only the sum of the channels counts */
-    uint8_t red, green;                         /* where they begin in a colour; blue: at bit 0 */
-    uint8_t light_bits;                         /* of 0..1 that are enough for a share of a colour */
+    int32_t white[3];      /* of a full channel, n.16 */
+    uint32_t ratio_q30[3]; /* white / 255.0, rounded */
+    bool single;           /* only the sum of the channels counts */
+    uint8_t red, green;    /* where they begin in a colour; blue: at bit 0 */
+    uint8_t light_bits;    /* of 0..1 that are enough for a share of a colour */
     uint32_t (*pack)(const int32_t channel[3]); /* rounded, from n.16 */
     /*
      * Colours of `count` (1..32) pixels along a row, and up to seven more: from curves of the three

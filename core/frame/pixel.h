@@ -10,7 +10,6 @@
 #include "qtri/surface.h"
 
 #include "colors.h"
-#include "kind.h"
 
 typedef struct qtri_channels {
     int32_t c[3]; /* red green blue, n.16 */
@@ -20,33 +19,6 @@ typedef struct qtri_channels {
 static inline const qtri_colors *qtri_colors_of(const qtri_surface *surface)
 {
     return surface->format != NULL ? surface->format->colors : &qtri_colors_888;
-}
-
-static inline uint32_t qtri_pixel_pack(qtri_kind kind, const qtri_channels *color)
-{
-    switch (kind) {
-    case QTRI_KIND_RGB565:
-        return qtri_pack_565(color->c);
-    case QTRI_KIND_XRGB8888:
-        return qtri_pack_888(color->c);
-    default:
-        return qtri_pack_gray(color->c);
-    }
-}
-
-static inline void qtri_pixel_store(qtri_kind kind, uint8_t *row, int32_t x, uint32_t pixel)
-{
-    switch (kind) {
-    case QTRI_KIND_RGB565:
-        ((uint16_t *)(void *)row)[x] = (uint16_t)pixel;
-        break;
-    case QTRI_KIND_XRGB8888:
-        ((uint32_t *)(void *)row)[x] = pixel;
-        break;
-    default:
-        row[x] = (uint8_t)pixel;
-        break;
-    }
 }
 
 /* color_8p16 (0..255.0) in units of these colours, n.16, to nearest. */

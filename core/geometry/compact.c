@@ -142,42 +142,75 @@ static inline int32_t leading_zeros(uint32_t x, int32_t guess)
  * give the same, so does V. They do unless h + half + 1 ends in n - 1 zeros and any bit: 2 vertices
  * in 2^n have to go the exact way.
  */
+typedef struct shared16 {
+    const qtri_projector *projector;
+    int32_t bits;  /* n + zeros */
+    int32_t zeros; /* of the vertex before */
+} shared16;
+
+static inline void begin16(shared16 *shared, const qtri_projector *projector)
+{
+    shared->projector = projector;
+    shared->bits = 22 - projector->shift[0] + projector->shift[3];
+    shared->zeros = 2;
+}
+
+/* False: outside. */
+QTRI_IN_PLACE bool place16(shared16 *shared, const qtri_position16 *p, qtri_vertex *out)
+{
+    const qtri_projector *projector = shared->projector;
+    const qtri_row16 *row = projector->row.compact;
+    int32_t w = qtri_row16_sum(&row[3], p->x, p->y, p->z);
+    int32_t z = qtri_row16_sum(&row[2], p->x, p->y, p->z);
+    if (!QTRI_WITH_FAST_PATHS || w <= 0 || (uint32_t)z + (uint32_t)w > 2u * (uint32_t)w) {
+        return exact16(projector, p, out);
+    }
+    const int32_t zeros = leading_zeros((uint32_t)w, shared->zeros);
+    shared->zeros = zeros;
+    int32_t n = shared->bits - zeros;
+    if ((uint32_t)n - 2u > 28u) {
+        return exact16(projector, p, out);
+    }
+    int32_t r = qtri_reciprocal_below((uint32_t)w << zeros);
+    out->inv_w = (uint32_t)r;
+    out->depth_16p8 =
+        qtri_vertex_depth(projector, z * ((int32_t)1 << (zeros - 1)), r) | (uint32_t)zeros;
+    out->intensity_q15 = QTRI_VERTEX_UNLIT;
+
+    int32_t half = (int32_t)(UINT32_MAX >> (33 - n)); /* 2^(n - 1), and the - 1 of h - 1 */
+    int32_t x = qtri_mul_high_s32(qtri_row16_sum(&row[0], p->x, p->y, p->z), r) + half;
+    int32_t y = qtri_mul_high_s32(qtri_row16_sum(&row[1], p->x, p->y, p->z), r) + half;
+    out->at.x_24p8 = x >> n;
+    out->at.y_24p8 = y >> n;
+    if (((x + 2) & (2 * half)) == 0 || ((y + 2) & (2 * half)) == 0 ||
+        !qtri_vertex_in_guard(x >> n, y >> n)) {
+        return exact16(projector, p, out);
+    }
+    return true;
+}
+
 bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
                                uint32_t count, qtri_vertex *out)
 {
-    const qtri_row16 *row = projector->row.compact;
+    shared16 shared;
+    begin16(&shared, projector);
     const qtri_vertex *end = out + count;
-    int32_t bits = 22 - projector->shift[0] + projector->shift[3];
-    int32_t zeros = 2;
     bool inside = true;
     for (; out != end; p++, out++) {
-        int32_t w = qtri_row16_sum(&row[3], p->x, p->y, p->z);
-        int32_t z = qtri_row16_sum(&row[2], p->x, p->y, p->z);
-        if (!QTRI_WITH_FAST_PATHS || w <= 0 || (uint32_t)z + (uint32_t)w > 2u * (uint32_t)w) {
-            inside &= exact16(projector, p, out);
-            continue;
-        }
-        zeros = leading_zeros((uint32_t)w, zeros);
-        int32_t n = bits - zeros;
-        if ((uint32_t)n - 2u > 28u) {
-            inside &= exact16(projector, p, out);
-            continue;
-        }
-        int32_t r = qtri_reciprocal_below((uint32_t)w << zeros);
-        out->inv_w = (uint32_t)r;
-        out->depth_16p8 =
-            qtri_vertex_depth(projector, z * ((int32_t)1 << (zeros - 1)), r) | (uint32_t)zeros;
-        out->intensity_q15 = QTRI_VERTEX_UNLIT;
+        inside &= place16(&shared, p, out);
+    }
+    return inside;
+}
 
-        int32_t half = (int32_t)(UINT32_MAX >> (33 - n)); /* 2^(n - 1), and the - 1 of h - 1 */
-        int32_t x = qtri_mul_high_s32(qtri_row16_sum(&row[0], p->x, p->y, p->z), r) + half;
-        int32_t y = qtri_mul_high_s32(qtri_row16_sum(&row[1], p->x, p->y, p->z), r) + half;
-        out->at.x_24p8 = x >> n;
-        out->at.y_24p8 = y >> n;
-        if (((x + 2) & (2 * half)) == 0 || ((y + 2) & (2 * half)) == 0 ||
-            !qtri_vertex_in_guard(x >> n, y >> n)) {
-            inside &= exact16(projector, p, out);
-        }
+bool qtri_projector_list16(const qtri_projector *projector, const qtri_position16 *p,
+                           uint32_t count, qtri_vertex *vertices)
+{
+    shared16 shared;
+    begin16(&shared, projector);
+    const qtri_vertex *end = vertices + count;
+    bool inside = true;
+    for (const qtri_vertex *at = vertices; at != end; at++) {
+        inside &= place16(&shared, &p[at->index], &vertices[at->index]);
     }
     return inside;
 }

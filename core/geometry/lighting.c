@@ -56,16 +56,20 @@ static uint32_t light_direction(const qtri_lighting *lighting, const int32_t nor
                                                             qtri_sqrt64_round(square), 0, &half));
 }
 
+static inline uint32_t light_plain(const qtri_row16 *row, uint32_t least_q15, int32_t x, int32_t y,
+                                   int32_t z)
+{
+    const int32_t sum_q15 = qtri_greatest32(qtri_row16_sum(row, x, y, z) >> 10, (int32_t)least_q15);
+    return (uint32_t)sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : (uint32_t)sum_q15;
+}
+
 static inline uint32_t light_normal(const qtri_lighting *lighting, int32_t x, int32_t y, int32_t z)
 {
     if (QTRI_WITH_UNEVEN_LIGHT && !lighting->plain) {
         const int32_t normal[3] = {x, y, z};
         return light_direction(lighting, normal);
     }
-    int32_t sum_q15 = qtri_row16_sum(&lighting->by.row, x, y, z) >> 10;
-    int32_t least_q15 = (int32_t)lighting->least_q15;
-    sum_q15 = sum_q15 < least_q15 ? least_q15 : sum_q15;
-    return (uint32_t)sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : (uint32_t)sum_q15;
+    return light_plain(&lighting->by.row, lighting->least_q15, x, y, z);
 }
 
 uint32_t qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal)
@@ -76,6 +80,33 @@ uint32_t qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *
 uint32_t qtri_lighting_vertex8(const qtri_lighting *lighting, const qtri_normal8 *normal)
 {
     return light_normal(lighting, normal->x * 128, normal->y * 128, normal->z * 128);
+}
+
+void qtri_lighting_list(const qtri_lighting *lighting, const qtri_normal *normals, uint32_t count,
+                        qtri_vertex *vertices)
+{
+    for (const qtri_vertex *at = vertices; at != vertices + count; at++) {
+        vertices[at->index].intensity_q15 =
+            (uint16_t)qtri_lighting_vertex(lighting, &normals[at->index]);
+    }
+}
+
+void qtri_lighting_list8(const qtri_lighting *lighting, const qtri_normal8 *normals, uint32_t count,
+                         qtri_vertex *vertices)
+{
+    const qtri_vertex *end = vertices + count;
+    const qtri_vertex *at = vertices;
+    const qtri_row16 row = lighting->by.row;
+    const uint32_t least_q15 = lighting->least_q15;
+    for (; at != end && (!QTRI_WITH_UNEVEN_LIGHT || lighting->plain); at++) {
+        const qtri_normal8 *n = &normals[at->index];
+        vertices[at->index].intensity_q15 =
+            (uint16_t)light_plain(&row, least_q15, n->x * 128, n->y * 128, n->z * 128);
+    }
+    for (; at != end; at++) {
+        vertices[at->index].intensity_q15 =
+            (uint16_t)qtri_lighting_vertex8(lighting, &normals[at->index]);
+    }
 }
 
 /* Any face, any light. */
@@ -121,20 +152,13 @@ static inline int32_t mantissa16(int32_t n, int32_t zeros)
     return (whole - (whole >> 15) + 0x8000) >> 16;
 }
 
-/* In registers what a call would take in memory; where code is to be small, the other way round. */
-#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
-#define ONCE_A_CALLER __attribute__((always_inline)) static inline
-#else
-#define ONCE_A_CALLER static inline
-#endif
-
 /*
  * The plain light on the face between short edges. |e|, |f| < 2^15, so |e x f| < 2^31. Its
  * direction n has a largest component of 2^14 - 1..2^15, s = n . n is in (2^27, 3 2^30]; with v = s
  * 2^zeros / 2^32 in [1/4, 1) and y = v^-1/2 the dot product with n counts 2^14 / |n| = 2^(zeros / 2
  * - 2) y times. Newton's step y + y (1 - v y^2) / 2 takes y from 2^-13 to 2^-25.
  */
-ONCE_A_CALLER uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3],
+QTRI_IN_PLACE uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3],
                                   const int32_t f[3])
 {
     int32_t x = e[1] * f[2] - e[2] * f[1];
@@ -199,4 +223,27 @@ uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, c
         return light_face(lighting, e, f);
     }
     return light_any_face(lighting, a, b, c);
+}
+
+/*
+ * With s = n . n < 2^16 and h = zeros / 2 such that 2^14 <= s 4^h < 2^16, y = (s 4^h / 2^16)^-1/2:
+ * the row's product of 128 n counts |n| / 128 too much, which is 2^h y / 2^8 to be multiplied by.
+ */
+uint32_t qtri_lighting_face8(const qtri_lighting *lighting, const qtri_face8 *face)
+{
+    const int32_t x = face->x * 128;
+    const int32_t y = face->y * 128;
+    const int32_t z = face->z * 128;
+    const int32_t ambient_q25 = qtri_row16_sum(&lighting->by.row, 0, 0, 0);
+    const int32_t dot_q25 = qtri_row16_sum(&lighting->by.row, x, y, z) - ambient_q25;
+    if (dot_q25 <= 0) {
+        return lighting->least_q15;
+    }
+    const uint32_t square = (uint32_t)(x * x + y * y + z * z) >> 14;
+    const int32_t zeros = qtri_clz32(square) & 14;
+    const uint32_t y_q15 = qtri_rsqrt_seed(square << zeros);            /* <= 2^16 + 4 */
+    const uint32_t dot_q12 = ((uint32_t)dot_q25 << (zeros >> 1)) >> 13; /* < 4 2 2^12 */
+    const uint32_t light_q25 = (dot_q12 * y_q15) >> 3;
+    const uint32_t sum_q15 = (light_q25 + (uint32_t)ambient_q25) >> 10;
+    return sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : sum_q15;
 }

@@ -40,9 +40,21 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
 uint32_t qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal);
 uint32_t qtri_lighting_vertex8(const qtri_lighting *lighting, const qtri_normal8 *normal);
 
+/* The same for the vertices whose numbers are vertices[0..count-1].index, each in its slot. */
+void qtri_lighting_list(const qtri_lighting *lighting, const qtri_normal *normals, uint32_t count,
+                        qtri_vertex *vertices);
+void qtri_lighting_list8(const qtri_lighting *lighting, const qtri_normal8 *normals, uint32_t count,
+                         qtri_vertex *vertices);
+
 /* The same for the face a b c, counter-clockwise; a face without area gets the ambient light. */
 uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
                             const qtri_vec3 *c);
+/*
+ * The same for a face whose plane is not 0 0 0, by the plane alone: off by the plane's angle to
+ * the face times the diffuse part, and 2^-11. For light that is plain.
+ */
+uint32_t qtri_lighting_face8(const qtri_lighting *lighting, const qtri_face8 *face);
+
 uint32_t qtri_lighting_face16(const qtri_lighting *lighting, const qtri_position16 *a,
                               const qtri_position16 *b, const qtri_position16 *c);
 

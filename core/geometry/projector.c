@@ -208,51 +208,86 @@ static inline bool narrow(int32_t *out, int64_t x, int32_t shift)
     return fits;
 }
 
+/* From a row's sum to z_q31 and X: less the leading zeros of that of w. */
+typedef struct usual {
+    const qtri_projector *projector;
+    int32_t x_down, y_down, z_down;
+    int32_t most; /* zeros of w; 0 where shifts do not serve */
+} usual;
+
+static inline void begin(usual *shared, const qtri_projector *projector)
+{
+    const int32_t *shift = projector->shift;
+    shared->projector = projector;
+    shared->z_down = 33 + shift[2] - shift[3];
+    shared->x_down = 45 + shift[0] - shift[3];
+    shared->y_down = 45 + shift[1] - shift[3];
+    shared->most =
+        shared->z_down <= 63 && shared->x_down <= 63 && shared->y_down <= 63 && QTRI_WITH_FAST_PATHS
+            ? 31 - shift[3]
+            : 0;
+}
+
+/* False: outside. */
+QTRI_IN_PLACE bool place(const usual *shared, const qtri_vec3 *p, qtri_vertex *out)
+{
+    const qtri_projector *projector = shared->projector;
+    const qtri_row *row = projector->row.wide;
+    int64_t w = row_sum(&row[3], row[3].t, p->x, p->y, p->z);
+    int32_t zeros = qtri_clz32((uint32_t)((uint64_t)w >> 32)) & 31; /* 0: w < 0 or small */
+    if (zeros == 0 || zeros > shared->most) {
+        return exact(projector, p, out);
+    }
+    uint32_t w_q32 = (uint32_t)((uint64_t)w >> (32 - zeros));
+    int32_t z_q31;
+    int32_t x;
+    int32_t y;
+    bool fits =
+        narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), shared->z_down - zeros) &&
+        narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), shared->x_down - zeros) &&
+        narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), shared->y_down - zeros) &&
+        (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
+    if (!fits) {
+        return exact(projector, p, out);
+    }
+    int32_t r = qtri_reciprocal_below(w_q32);
+    const int32_t half = (1 << (FAST_BITS - 1)) - 1; /* and the - 1 of h - 1 */
+    const int32_t mask = (1 << FAST_BITS) - 1;
+    x = qtri_mul_high_s32(x, r) + half;
+    y = qtri_mul_high_s32(y, r) + half;
+    if (((x + 3) & mask) < 3 || ((y + 3) & mask) < 3) {
+        return exact(projector, p, out);
+    }
+    out->at.x_24p8 = x >> FAST_BITS;
+    out->at.y_24p8 = y >> FAST_BITS;
+    out->depth_16p8 =
+        qtri_vertex_depth(projector, z_q31, r) | (uint32_t)(zeros + projector->shift[3]);
+    out->inv_w = (uint32_t)r;
+    out->intensity_q15 = QTRI_VERTEX_UNLIT;
+    return true;
+}
+
 bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
                              qtri_vertex *out)
 {
-    const qtri_row *row = projector->row.wide;
-    const int32_t *shift = projector->shift;
-    /* From a row's sum to z_q31 and X: less the leading zeros of that of w. */
-    const int32_t z_down = 33 + shift[2] - shift[3];
-    const int32_t x_down = 45 + shift[0] - shift[3];
-    const int32_t y_down = 45 + shift[1] - shift[3];
-    const int32_t most = 31 - shift[3];
-    const bool usual = z_down <= 63 && x_down <= 63 && y_down <= 63;
+    usual shared;
+    begin(&shared, projector);
     bool inside = true;
     for (const qtri_vertex *end = out + count; out != end; p++, out++) {
-        int64_t w = row_sum(&row[3], row[3].t, p->x, p->y, p->z);
-        int32_t zeros = qtri_clz32((uint32_t)((uint64_t)w >> 32)) & 31; /* 0: w < 0 or small */
-        if (!QTRI_WITH_FAST_PATHS || zeros == 0 || zeros > most || !usual) {
-            inside &= exact(projector, p, out);
-            continue;
-        }
-        uint32_t w_q32 = (uint32_t)((uint64_t)w >> (32 - zeros));
-        int32_t z_q31;
-        int32_t x;
-        int32_t y;
-        bool fits = narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), z_down - zeros) &&
-                    narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), x_down - zeros) &&
-                    narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), y_down - zeros) &&
-                    (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
-        if (!fits) {
-            inside &= exact(projector, p, out);
-            continue;
-        }
-        int32_t r = qtri_reciprocal_below(w_q32);
-        const int32_t half = (1 << (FAST_BITS - 1)) - 1; /* and the - 1 of h - 1 */
-        const int32_t mask = (1 << FAST_BITS) - 1;
-        x = qtri_mul_high_s32(x, r) + half;
-        y = qtri_mul_high_s32(y, r) + half;
-        if (((x + 3) & mask) < 3 || ((y + 3) & mask) < 3) {
-            inside &= exact(projector, p, out);
-            continue;
-        }
-        out->at.x_24p8 = x >> FAST_BITS;
-        out->at.y_24p8 = y >> FAST_BITS;
-        out->depth_16p8 = qtri_vertex_depth(projector, z_q31, r) | (uint32_t)(zeros + shift[3]);
-        out->inv_w = (uint32_t)r;
-        out->intensity_q15 = QTRI_VERTEX_UNLIT;
+        inside &= place(&shared, p, out);
+    }
+    return inside;
+}
+
+bool qtri_projector_list(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
+                         qtri_vertex *vertices)
+{
+    usual shared;
+    begin(&shared, projector);
+    const qtri_vertex *end = vertices + count;
+    bool inside = true;
+    for (const qtri_vertex *at = vertices; at != end; at++) {
+        inside &= place(&shared, &p[at->index], &vertices[at->index]);
     }
     return inside;
 }

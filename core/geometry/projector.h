@@ -66,6 +66,15 @@ void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
 #define QTRI_VERTEX_EMPTY   0x40u /* the whole word: a slot that holds no vertex */
 #define QTRI_VERTEX_UNLIT   0xFFFFu
 
+/* Whether all three have an intensity. */
+static inline bool qtri_vertices_are_lit(const qtri_vertex *a, const qtri_vertex *b,
+                                         const qtri_vertex *c)
+{
+    const uint32_t unlit = QTRI_VERTEX_UNLIT + 1; /* others: <= 2^15 + 1 */
+    return (((a->intensity_q15 + 1u) | (b->intensity_q15 + 1u) | (c->intensity_q15 + 1u)) &
+            unlit) == 0;
+}
+
 /*
  * The mesh's vertices, point and project in one: the same bits, in a tenth of the instructions for
  * those that are plainly inside. A vertex outside a plane gets QTRI_VERTEX_OUTSIDE and its outcode,
@@ -75,5 +84,11 @@ bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p
                              qtri_vertex *out);
 bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
                                uint32_t count, qtri_vertex *out);
+
+/* The same for the positions whose numbers are vertices[0..count-1].index, each into its slot. */
+bool qtri_projector_list(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
+                         qtri_vertex *vertices);
+bool qtri_projector_list16(const qtri_projector *projector, const qtri_position16 *p,
+                           uint32_t count, qtri_vertex *vertices);
 
 #endif

@@ -25,6 +25,26 @@ typedef struct qtri_row16 {
 
 void qtri_row16_set(qtri_row16 *row, const int32_t m[3], int64_t t);
 
+/* m, as it was set. */
+static inline int32_t qtri_row16_coefficient(const qtri_row16 *row, int i)
+{
+#if QTRI_LONG_MULTIPLY
+    return row->m[i];
+#else
+    return row->high[i] * 65536 + row->low[i] * 4;
+#endif
+}
+
+/* floor(t / 2^15). */
+static inline int32_t qtri_row16_translation(const qtri_row16 *row)
+{
+#if QTRI_LONG_MULTIPLY
+    return (int32_t)(row->t_q16 >> 31);
+#else
+    return row->t_high * 2 + (row->t_low >> 13);
+#endif
+}
+
 /* floor((m . n + t) / 2^16) for |n| <= 2^15. */
 static inline int32_t qtri_row16_sum(const qtri_row16 *row, int32_t x, int32_t y, int32_t z)
 {

@@ -12,11 +12,14 @@
 #ifndef QTRI_RASTER_BATCH_H
 #define QTRI_RASTER_BATCH_H
 
+#include "qtri/config.h"
+
 #include "../frame/colors.h"
 
 enum {
-    QTRI_BATCH = 32,                    /* fragments: as many as a mask has bits */
-    QTRI_BATCH_ROOM = QTRI_BATCH + 7     /* stages work on four or eight at a time */
+    QTRI_BATCH = 32,                  /* fragments: as many as a mask has bits */
+    QTRI_BATCH_ROOM = QTRI_BATCH + 7, /* stages work on four or eight at a time */
+    QTRI_TINT_BITS = 7                /* of light, where colours are 565 */
 };
 
 /*
@@ -24,17 +27,34 @@ enum {
  *
  *   color   the number of its texel, the stored texel, its colour, the stored pixel; where texels
  *           are filtered, at first u
- *   shade   what the texel is multiplied by: light, 0..1024, or red green blue, 10 bits each; where
- *           texels are filtered, at first v
- *   place   of small triangles: row << 16 | column, from the surface's first pixel
+ *   by.shade  what the texel is multiplied by: light, 0..1024, or red green blue, 10 bits each;
+ * where texels are filtered, at first v place   of small triangles: row << 16 | column, from the
+ * surface's first pixel
  */
 typedef struct qtri_batch {
-    uint8_t count; /* fragments of small triangles that wait, see list.h */
-    uint8_t kind;  /* what they are */
+    uint8_t count;  /* fragments of small triangles that wait, see list.h */
+    uint8_t kind;   /* what they are */
+    bool has_table; /* `by` is that, see fast/tint.c */
     uint32_t color[QTRI_BATCH_ROOM];
-    uint32_t shade[QTRI_BATCH_ROOM];
+    union {
+        uint32_t shade[QTRI_BATCH_ROOM];
+#if QTRI_WITH_FAST_PATHS
+        uint16_t table[(1 << QTRI_TINT_BITS) + 4]; /* stored pixels: where there is no texture */
+#endif
+    } by;
     uint32_t place[QTRI_BATCH_ROOM];
 } qtri_batch;
+
+/* The batch's table; NULL where the library is built without. */
+static inline uint16_t *qtri_batch_table(qtri_batch *batch)
+{
+#if QTRI_WITH_FAST_PATHS
+    return batch->by.table;
+#else
+    (void)batch;
+    return NULL;
+#endif
+}
 
 /* A mask of `count` fragments, 1..32: the first is its highest bit. */
 static inline uint32_t qtri_mask_of(int32_t count)

@@ -252,7 +252,8 @@ static uint32_t sample(const qtri_raster *raster, const qtri_texel_axis axis[2],
     const qtri_texture *texture = raster->texture;
     uint32_t drawn = 0;
     if (raster->repeated && texture->format == &qtri_texel_rgb565 && !texture->has_key) {
-        (raster->working == &qtri_colors_565 ? sample_565 : sample_565_to_888)(texture, u, v, count);
+        (raster->working == &qtri_colors_565 ? sample_565 : sample_565_to_888)(texture, u, v,
+                                                                               count);
         return qtri_mask_of(count);
     }
     for (;;) {

@@ -116,16 +116,9 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
     const int32_t width = x_greatest - x_least;
     const int32_t height = bottom->y_24p8 - top->y_24p8;
     t->extent = width + height;
-    if (width < QTRI_TINY_SIDE && height < QTRI_TINY_SIDE) {
-        t->size = QTRI_TINY;
-    } else if (t->end - t->row <= QTRI_ROWS_AHEAD && width < NARROW &&
-               height < ((int32_t)1 << 15)) {
-        t->size = QTRI_SHORT;
-    } else {
-        t->size = QTRI_LARGE;
-        return true;
-    }
-    return !QTRI_WITH_FAST_PATHS || find_spans(t);
+    t->is_short =
+        t->end - t->row <= QTRI_ROWS_AHEAD && width < NARROW && height < ((int32_t)1 << 15);
+    return !QTRI_WITH_FAST_PATHS || !t->is_short || find_spans(t);
 }
 
 #if !QTRI_LONG_MULTIPLY

@@ -8,7 +8,7 @@
 #ifndef QTRI_RASTER_DIVIDER_H
 #define QTRI_RASTER_DIVIDER_H
 
-#include "../bits/bits.h"
+#include "../bits/seed.h"
 
 typedef struct qtri_divider {
     uint32_t divisor;
@@ -24,6 +24,25 @@ static inline void qtri_divider_init(qtri_divider *by, uint32_t divisor)
         int32_t zeros = qtri_clz32(divisor);
         by->reciprocal_q32 =
             zeros > 30 ? UINT32_MAX : qtri_reciprocal_q62(divisor << zeros) >> (30 - zeros);
+    }
+}
+
+/*
+ * For divisors below 2^16: the seed and a step that squares its error are not above 2^32 / divisor
+ * and less than 1.01 below it, so that this, too, is the quotient or one less (all divisors tried).
+ */
+static inline void qtri_divider_init_short(qtri_divider *by, uint32_t divisor)
+{
+    by->divisor = divisor;
+    by->reciprocal_q32 = 0;
+    if (!QTRI_DIVIDE) {
+        const int32_t zeros = qtri_clz32(divisor); /* >= 16 */
+        const uint32_t x = divisor << (zeros - 16);
+        const uint32_t r_q15 = qtri_reciprocal_seed(x);
+        const int32_t error_q31 = (int32_t)(0x80000000u - x * r_q15); /* |error| < 2^17 */
+        const uint32_t r_q30 =
+            (r_q15 << 15) + (uint32_t)(((error_q31 >> 1) * (int32_t)r_q15) >> 15);
+        by->reciprocal_q32 = zeros > 30 ? UINT32_MAX : r_q30 >> (30 - zeros);
     }
 }
 

@@ -12,42 +12,62 @@
 #include "qtri/raster.h"
 #include "qtri/view.h"
 
-typedef struct qtri_line_job {
-    const qtri_surface *surface;
-    int32_t left_24p8, top_24p8;      /* of the bounds */
-    uint32_t width_24p8, height_24p8; /* 0, 0 when they are empty */
-    int32_t pitch, origin;            /* bytes from row to row, and from the frame to the surface */
-    int32_t fast_24p8;                /* shorter lines take the fast path */
-    uint32_t depth_mask;              /* what of depth_16p8 is depth */
-    qtri_compare compare;             /* QTRI_DEPTH_OFF: depth neither read nor written */
-    bool depth_write;
-    qtri_rgb tint;
-} qtri_line_job;
+#include "batch.h"
+
+typedef struct qtri_line_job qtri_line_job;
 
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
 typedef int32_t qtri_line_color[3];
-
-void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
-                        const qtri_material *material);
-
-/* A vertex of any coordinates as an end, its depth within depth_16p8, and its colour. */
-void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v);
 
 /*
  * Draws the line a b; the pixels of b a are the same. Its colours are color[0] at a and color[1] at
  * b; NULL: shares of the tint, a and b being lit.
  */
-void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
-                    const qtri_line_color *color);
+typedef void (*qtri_line_draws)(const qtri_line_job *job, const qtri_vertex *a,
+                                const qtri_vertex *b, const qtri_line_color *color);
 
 /*
- * Whether a line drawn again has no effect, whatever colours it has then and whatever was drawn in
- * between: depths that are stored only get nearer (or only farther), and equal ones fail.
+ * What the batch holds: pixels that have passed, whose depths are written, and that are to be
+ * stored together and in their order. Their colours are shares of the tint in Q22, or colour words.
+ *
+ * Shares are rounded to the bits that are enough for the format's colours: 565 is then off by
+ * 63/256 of a step, by 1/256 from lines that lag and the tint, and by the 1/2 of its own rounding,
+ * 3/4 in all; 8 bits a channel are within 5/8 and 1/64. The 129 shares of 565 fit a table.
  */
-static inline bool qtri_line_is_final(qtri_compare compare, bool depth_write)
-{
-    return depth_write && (compare == QTRI_LESS || compare == QTRI_GREATER);
-}
+enum { QTRI_LINE_SHARES, QTRI_LINE_WORDS };
+
+struct qtri_line_job {
+    const qtri_surface *surface;
+    qtri_line_draws draw; /* any line, as fast as it can be */
+    qtri_batch *batch;
+    int32_t left_24p8, top_24p8;      /* of the bounds */
+    uint32_t width_24p8, height_24p8; /* 0, 0 when they are empty */
+    uint32_t first_place;             /* of the surface in the frame */
+    uint32_t depth_mask;              /* what of depth_16p8 is depth */
+    uint32_t less, passing;           /* depths that pass: see line.c */
+    bool has_depth, depth_write, is_less;
+    uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */
+    /* For fast/line_16.c: the first depth, or the first pixel where there are none; bytes from the
+       one to the other, from row to row, and from the frame to the surface. */
+    uint8_t *first;
+    uintptr_t apart;
+    int32_t pitch, origin;
+};
+
+/* Tinted by the material's colour. `batch` is there as long as the job. */
+void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
+                        const qtri_material *material, qtri_batch *batch);
+
+/* Makes a table of tints if there can be one: the same pixels, sooner where there are many. */
+void qtri_line_make_table(const qtri_line_job *job);
+
+/* A vertex of any coordinates as an end, its depth within depth_16p8, and its colour. */
+void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v);
+
+/* A qtri_line_draws for every job, into its batch; stores what is in it. */
+void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                    const qtri_line_color *color);
+void qtri_line_flush(const qtri_line_job *job);
 
 /* Whether all of a triangle lies above or below the rows of this surface. */
 static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,

@@ -1,10 +1,12 @@
 #include "linear.h"
 
-enum { LINEAR_RUN = 512 }; /* pixels along which coordinates that fill 32 bits step from one start */
+enum {
+    LINEAR_RUN = 512
+}; /* pixels along which coordinates that fill 32 bits step from one start */
 
 /*
- * Linear coordinates start anew from their planes: steps lose what a long run would show. Those that
- * fill 32 bits leave 2^-17 of a texel and less to the last bit, others start with every chunk.
+ * Linear coordinates start anew from their planes: steps lose what a long run would show. Those
+ * that fill 32 bits leave 2^-17 of a texel and less to the last bit, others start with every chunk.
  */
 static void start_run(qtri_scanline *row, int32_t x)
 {
@@ -67,8 +69,7 @@ void qtri_linear_begin(qtri_scanline *row)
     const qtri_job *job = row->job;
     for (int i = 0; i < 2; i++) {
         const qtri_plane *plane = &job->attribute[QTRI_U + i].plane;
-        row->by.plane[i] =
-            qtri_plane_row(plane, row->y) + ((uint64_t)job->axis[i].bias << 16);
+        row->by.plane[i] = qtri_plane_row(plane, row->y) + ((uint64_t)job->axis[i].bias << 16);
         row->uv[i].step = plane_step(plane->dx, job->axis[i].up);
     }
 }

@@ -4,20 +4,11 @@
 #include "list_values.h"
 #include "textured.h"
 
-/* What the words of waiting fragments are. */
-enum {
-    COLORS,      /* final colours */
-    TINT_SHARES, /* light, which the tint is multiplied by */
-    TEXELS,      /* texels that are not multiplied */
-    LIT_TEXELS,  /* shades are light */
-    RGB_TEXELS   /* shades are red green blue */
-};
-
 /* Rows on their way into the batch. */
 typedef struct list_rows {
     const uint8_t *span;
-    uint32_t place; /* of the base column in this row */
-    uint32_t z;     /* there, 16.16 */
+    uint32_t place;     /* of the base column in this row */
+    uint32_t z;         /* there, 16.16 */
     ptrdiff_t depth_at; /* its depth's place in memory: may be left of a row */
     qtri_ramp depth;
 } list_rows;
@@ -90,8 +81,8 @@ static bool append_less(list_rows *r, qtri_batch *batch, const qtri_surface *sur
 #define PIXELS                                                                                     \
     uint32_t z = r->z + x * step;                                                                  \
     uint32_t at = r->place + x;                                                                    \
-    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                                               \
-    const uint16_t *const row_end = depth + (end - x);                                               \
+    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                   \
+    const uint16_t *const row_end = depth + (end - x);                                             \
     do {                                                                                           \
         if (z >> 16 < *depth) {                                                                    \
             QTRI_BRANCH                                                                            \
@@ -109,14 +100,14 @@ static bool append_less(list_rows *r, qtri_batch *batch, const qtri_surface *sur
 }
 
 /* Any comparison: `passes` has bits for less, equal, greater. */
-static bool append_passing(list_rows *r, qtri_batch *batch, const qtri_surface *surface, uint32_t passes,
-                           bool write)
+static bool append_passing(list_rows *r, qtri_batch *batch, const qtri_surface *surface,
+                           uint32_t passes, bool write)
 {
 #define PIXELS                                                                                     \
     uint32_t z = r->z + x * r->depth.dx;                                                           \
     uint32_t at = r->place + x;                                                                    \
-    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                                               \
-    const uint16_t *const row_end = depth + (end - x);                                               \
+    uint16_t *depth = &surface->depth[r->depth_at + (int32_t)x];                                   \
+    const uint16_t *const row_end = depth + (end - x);                                             \
     do {                                                                                           \
         const uint32_t top = z >> 16;                                                              \
         const uint32_t stored = *depth;                                                            \
@@ -153,47 +144,6 @@ static bool append(list_rows *r, const qtri_raster *raster, bool late)
     return append_passing(r, batch, surface, passes, write);
 }
 
-/* Leaves fragments out that are not in the mask; writes the depths of the others. */
-static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count,
-                    const list_rows *r)
-{
-    const qtri_surface *surface = raster->surface;
-    qtri_batch *batch = raster->batch;
-    int32_t kept = 0;
-    mask <<= 32 - count;
-    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
-        if ((int32_t)mask >= 0) {
-            continue;
-        }
-        const uint32_t place = batch->place[i];
-        if (raster->depth_write) {
-            const uint32_t z = qtri_list_at(&r->depth, place & 0xFFFF, place >> 16);
-            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch + (place & 0xFFFF)] =
-                (uint16_t)(z >> 16);
-        }
-        batch->color[kept] = batch->color[i];
-        batch->shade[kept] = batch->shade[i];
-        batch->place[kept] = place;
-        kept++;
-    }
-    return kept;
-}
-
-static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
-{
-    if (batch->kind == LIT_TEXELS && raster->tint_shade != QTRI_SHADE_WHITE) {
-        qtri_shade_tint(batch->shade, raster->tint_shade, count);
-        raster->times(batch->color, batch->shade, count);
-    } else if (batch->kind == LIT_TEXELS) {
-        raster->light(batch->color, batch->shade, count);
-    } else if (batch->kind == RGB_TEXELS) {
-        raster->times(batch->color, batch->shade, count);
-    }
-    if (raster->narrow != NULL) {
-        raster->narrow(batch->color, count);
-    }
-}
-
 /* Light becomes its share of the tint: within .75 of a step of RGB565, .63 of 255. */
 static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count)
 {
@@ -202,28 +152,20 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     }
 }
 
-/* The stages of what is in the batch. r: where texels may be turned away. mask: see there. */
-static void finish(const qtri_raster *raster, uint32_t mask, const list_rows *r)
+/* The stages of what is in the batch. depth: where texels may be turned away, see the mask there.
+ */
+static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *depth)
 {
     qtri_batch *batch = raster->batch;
     const qtri_format *format = raster->format;
     int32_t count = batch->count;
     batch->count = 0;
     if (raster->texture != NULL) {
-        if (raster->texture->filter == NULL) {
-            for (int32_t i = count; (i & 3) != 0; i++) {
-                batch->color[i] = 0; /* must be numbers of texels */
-            }
-            mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false);
+        count = raster->texturing->finish_list(raster, count, mask, depth);
+        if (count == 0) {
+            return;
         }
-        if (raster->texture->has_key) {
-            count = keep(raster, mask, count, r);
-            if (count == 0) {
-                return;
-            }
-        }
-        shade_texels(raster, batch, count);
-    } else if (batch->kind == TINT_SHARES) {
+    } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
         share_tint(raster, batch->color, count);
     }
     if (format->encode != NULL) {
@@ -253,6 +195,16 @@ static uint32_t flat_shade(const qtri_raster *raster, const qtri_list_triangle *
     return qtri_shade_of(t->color[qtri_raster_provoking(raster)]);
 }
 
+/* Whether all vertices have the same colour. */
+static bool is_one_color(const qtri_list_triangle *t)
+{
+    int32_t differ = 0;
+    for (int i = 0; i < 3; i++) {
+        differ |= (t->color[1][i] ^ t->color[0][i]) | (t->color[2][i] ^ t->color[0][i]);
+    }
+    return differ == 0;
+}
+
 /* Colours; returns what the words are. */
 static uint8_t set_colors(qtri_list_values *v)
 {
@@ -264,71 +216,58 @@ static uint8_t set_colors(qtri_list_values *v)
     if (raster->texture == NULL) {
         if (t->color == NULL && smooth && t->light_q15 == QTRI_VERTEX_UNLIT) {
             qtri_list_set_light(v, 22u - colors->light_bits);
-            return TINT_SHARES;
+            return QTRI_LIST_TINT_SHARES;
         }
         v->channels = 0;
-        if (smooth && t->color != NULL) {
+        if (smooth && t->color != NULL && !is_one_color(t)) {
             qtri_list_set_channels(v, 16);
         }
         if (v->channels == 0) {
             v->constant = flat_color(raster, t);
         }
-        return COLORS;
+        return QTRI_LIST_COLORS;
     }
     v->channels = 0;
     if (raster->replace) {
-        return TEXELS;
+        return QTRI_LIST_TEXELS;
     }
     if (t->color == NULL) {
-        qtri_list_set_light(v, 12);
-        return now != LIT_TEXELS && v->channels == 0 && v->constant == 1024 &&
-                       raster->tint_shade == QTRI_SHADE_WHITE
-                   ? TEXELS
-                   : LIT_TEXELS;
+        qtri_list_set_light(v, QTRI_LIGHT_SHIFT);
+        return now != QTRI_LIST_LIT_TEXELS && v->channels == 0 && v->constant == 1024 &&
+                       raster->white
+                   ? QTRI_LIST_TEXELS
+                   : QTRI_LIST_LIT_TEXELS;
     }
-    if (smooth) {
-        qtri_list_set_channels(v, 14);
+    if (smooth && !is_one_color(t)) {
+        qtri_list_set_channels(v, QTRI_CHANNEL_SHIFT);
     }
     if (v->channels == 0) {
         v->constant = flat_shade(raster, t);
-        if (v->constant == QTRI_SHADE_WHITE && now != RGB_TEXELS) {
-            return TEXELS;
+        if (v->constant == QTRI_SHADE_WHITE && now != QTRI_LIST_RGB_TEXELS) {
+            return QTRI_LIST_TEXELS;
         }
     }
-    return RGB_TEXELS;
+    return QTRI_LIST_RGB_TEXELS;
 }
 
 /* The words of fragments first..count - 1. Returns the mask of those that are drawn. */
 static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t count)
 {
     const qtri_raster *raster = v->raster;
+    const qtri_colors *colors = raster->format->colors;
     qtri_batch *batch = raster->batch;
     const uint32_t *place = batch->place + first;
     uint32_t *color = batch->color + first;
-    uint32_t *shade = batch->shade + first;
-    uint32_t mask = UINT32_MAX;
     count -= first;
     if (raster->texture != NULL) {
-        mask = qtri_list_texels(v, color, shade, place, count);
+        return raster->texturing->color_list(v, color, batch->by.shade + first, place, count);
     }
-    switch (batch->kind) {
-    case COLORS:
-        qtri_list_words(v, color, place, count, 16, raster->format->colors->red,
-                        raster->format->colors->green);
-        break;
-    case TINT_SHARES:
-        qtri_list_words(v, color, place, count, 22u - raster->format->colors->light_bits, 0, 0);
-        break;
-    case LIT_TEXELS:
-        qtri_list_words(v, shade, place, count, 12, 0, 0);
-        break;
-    case RGB_TEXELS:
-        qtri_list_words(v, shade, place, count, 14, QTRI_SHADE_RED, QTRI_SHADE_GREEN);
-        break;
-    default:
-        break;
+    if (batch->kind == QTRI_LIST_TINT_SHARES) {
+        qtri_list_words(v, color, place, count, 22u - colors->light_bits, 0, 0);
+    } else {
+        qtri_list_words(v, color, place, count, 16, colors->red, colors->green);
     }
-    return mask;
+    return UINT32_MAX;
 }
 
 QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_triangle *t)
@@ -344,6 +283,8 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     v.second = t->place->back ? 2 : 1;
     v.third = t->place->back ? 1 : 2;
     v.has_e = false;
+    t->place->x -= t->place->column * 256;
+    t->place->y -= t->place->row * 256;
     qtri_inverse_init(&v.inverse, t->place->size);
     begin(&r, raster, t->place, &v);
     const uint8_t kind = set_colors(&v);
@@ -356,12 +297,12 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
         more = append(&r, raster, late);
         if (batch->count != first) {
             if (!set && raster->texture != NULL) {
-                qtri_list_set_texels(&v);
+                raster->texturing->set_list(&v);
             }
             set = true;
             const uint32_t mask = set_words(&v, first, batch->count);
             if (late) {
-                finish(raster, mask, &r);
+                finish(raster, mask, &r.depth);
             }
         }
         if (more) {
@@ -373,7 +314,7 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     }
 }
 
-void qtri_list_attributes(const qtri_raster *raster, const qtri_place *place,
+void qtri_list_attributes(const qtri_raster *raster, qtri_place *place,
                           const qtri_vertex *const v[3], const qtri_attributes attributes[3])
 {
     int32_t color[3][3];

@@ -31,17 +31,17 @@ typedef struct qtri_coordinates {
 void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3]);
 
 typedef struct qtri_list_triangle {
-    const qtri_place *place;
+    qtri_place *place; /* its base becomes pixel (0, 0) */
     const qtri_vertex *v[3];
-    const int32_t (*color)[3]; /* channels of each vertex; NULL: shares of the tint, by light */
-    uint32_t light_q15;        /* of all; QTRI_VERTEX_UNLIT: the vertices' own */
+    const int32_t (*color)[3];  /* channels of each vertex; NULL: shares of the tint, by light */
+    uint32_t light_q15;         /* of all; QTRI_VERTEX_UNLIT: the vertices' own */
     const qtri_coordinates *uv; /* u and v; read where the raster has a texture */
 } qtri_list_triangle;
 
 void qtri_list_draw(const qtri_raster *raster, const qtri_list_triangle *t);
 
 /* One that is not tinted. */
-void qtri_list_attributes(const qtri_raster *raster, const qtri_place *place,
+void qtri_list_attributes(const qtri_raster *raster, qtri_place *place,
                           const qtri_vertex *const v[3], const qtri_attributes attributes[3]);
 
 /* Draws those that wait: at the end of a draw call, and before anything else is drawn. */

@@ -1,7 +1,9 @@
 #include "bilinear.h"
 #include "list_values.h"
+#include "stage_color.h"
 #include "texel_copy.h"
 #include "texel_number.h"
+#include "textured.h"
 
 void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
 {
@@ -25,26 +27,25 @@ void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
 }
 
 enum {
-    KEPT = 14,   /* bits of the larger difference */
-    TEXEL = 18,  /* of a texel's fraction, where coordinates do not fill 32 bits */
-    UP = QTRI_RAMP_DOWN
+    KEPT = 15,  /* bits of the larger difference */
+    TEXEL = 18, /* of a texel's fraction, where coordinates do not fill 32 bits */
+    UP = QTRI_PLACE_DOWN
 };
 
 /* Added to coordinates, so that those somewhat below 0 can be shifted; a multiple of the side. */
 #define ABOVE_ZERO ((uint32_t)1 << 30)
 
 /*
- * The differences with KEPT bits, their fraction held to `most`: *fraction is that of what comes
- * out.
+ * A coordinate's differences with KEPT bits, times 1 + e, their fraction held to `most`. Returns
+ * the fraction of what comes out.
  */
-static void differences(int32_t f[2], int32_t *fraction, const qtri_list_values *v,
-                        const qtri_coordinates *c, int32_t most)
+static inline int32_t differences(int32_t f[2], const qtri_list_values *v,
+                                  const qtri_coordinates *c, int32_t most)
 {
     const int32_t d1 = c->at[v->second] - c->at[0];
     const int32_t d2 = c->at[v->third] - c->at[0];
-    int32_t up = qtri_clz32(qtri_about(d1) | qtri_about(d2)) - (32 - KEPT); /* -17..14 */
-    up = qtri_least32(up, most - c->fraction); /* >= -24 */
-    *fraction = c->fraction + up;
+    int32_t up = qtri_clz32(qtri_about(d1) | qtri_about(d2)) - (32 - KEPT); /* -16..15 */
+    up = qtri_least32(up, most - c->fraction);                              /* >= -23 */
     if (up >= 0) {
         f[0] = d1 * ((int32_t)1 << up);
         f[1] = d2 * ((int32_t)1 << up);
@@ -53,29 +54,40 @@ static void differences(int32_t f[2], int32_t *fraction, const qtri_list_values 
         f[0] = (d1 + half) >> -up;
         f[1] = (d2 + half) >> -up;
     }
+    f[0] = qtri_list_scaled(f[0], v->e1_q18);
+    f[1] = qtri_list_scaled(f[1], v->e2_q18);
+    return c->fraction + up;
 }
 
 /*
- * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter, edges
- * are nothing special.
+ * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter,
+ * edges are nothing special.
  */
 static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
 {
     return shift > 10 && v->raster->texture->filter == NULL ? (uint32_t)1 << (shift - 10) : 0;
 }
 
-/* Coordinates that fill 32 bits. `unit`: bits of a repeat's fraction, at least 17. */
-static void fill_axis(qtri_list_axis *out, const qtri_list_values *v, const qtri_coordinates *c,
-                      int32_t unit, int32_t shift)
+/* Coordinates that fill 32 bits. */
+static void fill_axes(qtri_list_values *v)
 {
-    int32_t f[2];
-    int32_t fraction;
-    const int32_t up = unit - c->fraction;
-    differences(f, &fraction, v, c, unit - UP);
-    out->up = unit - UP - fraction;
-    out->at = up >= 0 ? (uint32_t)c->at[0] << up : (uint32_t)(c->at[0] >> -up);
-    out->at += bias_of(v, shift);
-    qtri_list_curve(&out->l, v, f[0], f[1]);
+    const qtri_raster *raster = v->raster;
+    const qtri_place *p = v->t->place;
+    for (int i = 0; i < 2; i++) {
+        int32_t f[2];
+        qtri_ramp l;
+        const qtri_coordinates *c = &v->t->uv[i];
+        const int32_t unit = raster->coordinate[i].unit;
+        const int32_t fraction = differences(f, v, c, unit - UP);
+        const int32_t up = unit - c->fraction;
+        const int32_t at = c->at[0];
+        qtri_list_axis *out = &v->uv[i];
+        qtri_place_ramp(&l, p, &v->inverse, 0, f[0], f[1]);
+        out->l = l;
+        out->up = unit - UP - fraction;
+        out->at = (up >= 0 ? (uint32_t)at << up : (uint32_t)(at >> -up)) +
+                  bias_of(v, raster->coordinate[i].shift);
+    }
 }
 
 /*
@@ -87,9 +99,8 @@ static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_li
                        const qtri_coordinates *c, uint8_t side_log2, bool clamped)
 {
     int32_t f[2];
-    int32_t fraction;
     side_log2 = side_log2 > 10 ? 10 : side_log2;
-    differences(f, &fraction, v, c, side_log2 + TEXEL - UP);
+    const int32_t fraction = differences(f, v, c, side_log2 + TEXEL - UP);
     const int32_t shift = qtri_least32(TEXEL, 29 - KEPT + fraction - side_log2); /* >= 1 */
     const int32_t base = c->at[0] >> c->fraction;
     const int32_t up = side_log2 + shift - c->fraction;
@@ -101,7 +112,7 @@ static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_li
     axis->first = (int32_t)(ABOVE_ZERO >> shift) - (base + c->repeats) * ((int32_t)1 << side_log2);
     out->up = side_log2 + shift - UP - fraction;
     out->at = ABOVE_ZERO + bias_of(v, shift) + (up >= 0 ? rest << up : rest >> -up);
-    qtri_list_curve(&out->l, v, f[0], f[1]);
+    qtri_place_ramp(&out->l, v->t->place, &v->inverse, 0, f[0], f[1]);
 }
 
 void qtri_list_set_texels(qtri_list_values *v)
@@ -110,24 +121,21 @@ void qtri_list_set_texels(qtri_list_values *v)
     const qtri_texture *texture = raster->texture;
     const qtri_coordinates *uv = v->t->uv;
     qtri_list_find_e(v);
-    if (raster->repeated) {
-        const int32_t shift[2] = {qtri_texel_copy_shift(texture, 0),
-                                  qtri_texel_copy_shift(texture, 1)};
-        fill_axis(&v->uv[0], v, &uv[0], 32, shift[0]);
-        fill_axis(&v->uv[1], v, &uv[1], shift[1] + texture->height_log2, shift[1]);
-        if (texture->filter != NULL) {
-            for (int i = 0; i < 2; i++) {
-                v->axis[i].side_log2 = i == 0 ? texture->width_log2 : texture->height_log2;
-                v->axis[i].texel_shift = (uint8_t)shift[i];
-                v->axis[i].clamped = false;
-                v->axis[i].mask = (uint16_t)((1u << v->axis[i].side_log2) - 1);
-            }
-        }
-    } else {
+    if (!raster->repeated) {
         clamp_axis(&v->uv[0], &v->axis[0], v, &uv[0], texture->width_log2,
                    texture->wrap_u == QTRI_CLAMP);
         clamp_axis(&v->uv[1], &v->axis[1], v, &uv[1], texture->height_log2,
                    texture->wrap_v == QTRI_CLAMP);
+        return;
+    }
+    fill_axes(v);
+    if (texture->filter != NULL) {
+        for (int i = 0; i < 2; i++) {
+            v->axis[i].side_log2 = i == 0 ? texture->width_log2 : texture->height_log2;
+            v->axis[i].texel_shift = raster->coordinate[i].shift;
+            v->axis[i].clamped = false;
+            v->axis[i].mask = (uint16_t)((1u << v->axis[i].side_log2) - 1);
+        }
     }
 }
 
@@ -150,7 +158,29 @@ static void numbers_repeated(const qtri_list_values *v, uint32_t *number, const 
         const uint32_t y = *place >> 16;
         const int32_t w = qtri_list_w(&e, x, y);
         place++;
-        *number++ = qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
+        *number++ =
+            qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
+    } while (place != end);
+}
+
+/* The same, with linear light. */
+static void numbers_lit(const qtri_list_values *v, uint32_t *number, uint32_t *shade,
+                        const uint32_t *place, int32_t count)
+{
+    const qtri_list_axis u_axis = v->uv[0];
+    const qtri_list_axis v_axis = v->uv[1];
+    const qtri_ramp e = v->e_q26;
+    const qtri_ramp light = v->channel[2];
+    const uint32_t cut = v->raster->texel_cut;
+    const uint32_t *end = place + count;
+    do {
+        const uint32_t x = *place & 0xFFFF;
+        const uint32_t y = *place >> 16;
+        const int32_t w = qtri_list_w(&e, x, y);
+        place++;
+        *shade++ = qtri_list_at(&light, x, y) >> QTRI_LIGHT_SHIFT;
+        *number++ =
+            qtri_texel_index(coordinate(&u_axis, x, y, w), coordinate(&v_axis, x, y, w), cut);
     } while (place != end);
 }
 
@@ -168,23 +198,108 @@ static void coordinates(const qtri_list_values *v, uint32_t *out_u, uint32_t *ou
     } while (place != end);
 }
 
+/* Numbers from coordinates, v and u in place. */
+static void numbers_wrapped(const qtri_list_values *v, uint32_t *color, const uint32_t *across,
+                            int32_t count)
+{
+    const qtri_texel_axis *axis = v->axis;
+    for (const uint32_t *end = color + count; color != end; color++, across++) {
+        const uint32_t column = qtri_texel_wrapped(&axis[0], *color >> axis[0].texel_shift);
+        const uint32_t row = qtri_texel_wrapped(&axis[1], *across >> axis[1].texel_shift);
+        *color = (row << axis[0].side_log2) + column;
+    }
+}
+
+/* What texels are multiplied by. */
+static void set_shades(const qtri_list_values *v, uint32_t *shade, const uint32_t *place,
+                       int32_t count)
+{
+    if (v->raster->batch->kind == QTRI_LIST_LIT_TEXELS) {
+        qtri_list_words(v, shade, place, count, QTRI_LIGHT_SHIFT, 0, 0);
+    } else if (v->raster->batch->kind == QTRI_LIST_RGB_TEXELS) {
+        qtri_list_words(v, shade, place, count, QTRI_CHANNEL_SHIFT, QTRI_SHADE_RED,
+                        QTRI_SHADE_GREEN);
+    }
+}
+
 uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
                           const uint32_t *place, int32_t count)
 {
-    const qtri_texture *texture = v->raster->texture;
-    if (v->raster->repeated && texture->filter == NULL) {
+    const qtri_raster *raster = v->raster;
+    const qtri_texture *texture = raster->texture;
+    uint32_t mask = UINT32_MAX;
+    if (raster->repeated && texture->filter == NULL) {
+        if (raster->batch->kind == QTRI_LIST_LIT_TEXELS && v->channels != 0 && !v->curved) {
+            numbers_lit(v, color, shade, place, count);
+            return mask;
+        }
         numbers_repeated(v, color, place, count);
-        return UINT32_MAX;
+    } else {
+        coordinates(v, color, shade, place, count);
+        if (texture->filter != NULL) {
+            mask = texture->filter->sample(raster, v->axis, color, shade, count);
+        } else {
+            numbers_wrapped(v, color, shade, count);
+        }
     }
-    coordinates(v, color, shade, place, count);
-    if (texture->filter != NULL) {
-        return texture->filter->sample(v->raster, v->axis, color, shade, count);
+    set_shades(v, shade, place, count);
+    return mask;
+}
+
+/* Leaves fragments out that are not in the mask; writes the depths of the others. */
+static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count, const qtri_ramp *depth)
+{
+    const qtri_surface *surface = raster->surface;
+    qtri_batch *batch = raster->batch;
+    int32_t kept = 0;
+    mask <<= 32 - count;
+    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
+        if ((int32_t)mask >= 0) {
+            continue;
+        }
+        const uint32_t place = batch->place[i];
+        if (raster->depth_write) {
+            const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch + (place & 0xFFFF)] =
+                (uint16_t)(z >> 16);
+        }
+        batch->color[kept] = batch->color[i];
+        batch->by.shade[kept] = batch->by.shade[i];
+        batch->place[kept] = place;
+        kept++;
     }
-    const qtri_texel_axis *axis = v->axis;
-    for (const uint32_t *end = color + count; color != end; color++, shade++) {
-        const uint32_t column = qtri_texel_wrapped(&axis[0], *color >> axis[0].texel_shift);
-        const uint32_t row = qtri_texel_wrapped(&axis[1], *shade >> axis[1].texel_shift);
-        *color = (row << axis[0].side_log2) + column;
+    return kept;
+}
+
+static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
+{
+    if (batch->kind == QTRI_LIST_LIT_TEXELS && !raster->white) {
+        raster->tinted(batch->color, batch->by.shade, raster->tint_q10, count);
+    } else if (batch->kind == QTRI_LIST_LIT_TEXELS) {
+        raster->light(batch->color, batch->by.shade, count);
+    } else if (batch->kind == QTRI_LIST_RGB_TEXELS) {
+        raster->times(batch->color, batch->by.shade, count);
     }
-    return UINT32_MAX;
+    if (raster->narrow != NULL) {
+        raster->narrow(batch->color, count);
+    }
+}
+
+int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
+                                const qtri_ramp *depth)
+{
+    qtri_batch *batch = raster->batch;
+    if (raster->texture->filter == NULL) {
+        for (int32_t i = count; (i & 3) != 0; i++) {
+            batch->color[i] = 0; /* must be numbers of texels */
+        }
+        mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false);
+    }
+    if (raster->texture->has_key) {
+        count = keep(raster, mask, count, depth);
+    }
+    if (count != 0) {
+        shade_texels(raster, batch, count);
+    }
+    return count;
 }

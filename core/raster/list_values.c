@@ -2,21 +2,17 @@
 
 #include "../geometry/projector.h"
 
-void qtri_list_ramp(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1,
-                    int32_t f2)
+/* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at most.
+ */
+static void ramp_of(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1, int32_t f2)
 {
     qtri_place_ramp(ramp, v->t->place, &v->inverse, f0, f1, f2);
 }
 
-/* |f| < 2^14 + 2^10 or so, |e| < 2^14: below 2^29. */
-static int32_t scaled(int32_t f, int32_t e_q17)
+/* That of l. */
+static void curve_of(qtri_ramp *ramp, const qtri_list_values *v, int32_t f1, int32_t f2)
 {
-    return f + ((f * e_q17 + ((int32_t)1 << 16)) >> 17);
-}
-
-void qtri_list_curve(qtri_ramp *ramp, const qtri_list_values *v, int32_t f1, int32_t f2)
-{
-    qtri_list_ramp(ramp, v, 0, scaled(f1, v->e1_q17), scaled(f2, v->e2_q17));
+    ramp_of(ramp, v, 0, qtri_list_scaled(f1, v->e1_q18), qtri_list_scaled(f2, v->e2_q18));
 }
 
 void qtri_list_find_e(qtri_list_values *v)
@@ -28,38 +24,56 @@ void qtri_list_find_e(qtri_list_values *v)
         return;
     }
     v->has_e = true;
-    v->e1_q17 = 0;
-    v->e2_q17 = 0;
+    v->e1_q18 = 0;
+    v->e2_q18 = 0;
     v->e_q26.origin = 0;
     v->e_q26.dx = 0;
     v->e_q26.dy = 0;
     if (!v->raster->perspective) {
         return;
     }
-    (void)qtri_inv_w_more(&more1, vertex[0], vertex[v->second]);
-    (void)qtri_inv_w_more(&more2, vertex[0], vertex[v->third]);
+    const qtri_vertex *b = vertex[v->second];
+    const qtri_vertex *c = vertex[v->third];
+    if ((((vertex[0]->depth_16p8 ^ b->depth_16p8) | (vertex[0]->depth_16p8 ^ c->depth_16p8)) &
+         0xFF) == 0) {
+        more1 = (int32_t)(b->inv_w - vertex[0]->inv_w);
+        more2 = (int32_t)(c->inv_w - vertex[0]->inv_w);
+    } else {
+        (void)qtri_inv_w_more(&more1, vertex[0], b);
+        (void)qtri_inv_w_more(&more2, vertex[0], c);
+    }
     if ((more1 | more2) != 0) {
         /* |more| <= 2^31 / 12.8, y = 2^46 / inv_w <= 2^16 */
         const int32_t y = (int32_t)qtri_reciprocal_q31(vertex[0]->inv_w >> 15);
-        v->e1_q17 = ((more1 >> 13) * y + ((int32_t)1 << 15)) >> 16;
-        v->e2_q17 = ((more2 >> 13) * y + ((int32_t)1 << 15)) >> 16;
-        qtri_list_ramp(&v->e_q26, v, 0, v->e1_q17, v->e2_q17);
+        v->e1_q18 = ((more1 >> 13) * y + ((int32_t)1 << 14)) >> 15;
+        v->e2_q18 = ((more2 >> 13) * y + ((int32_t)1 << 14)) >> 15;
+        ramp_of(&v->e_q26, v, 0, v->e1_q18, v->e2_q18);
     }
 }
 
 /* Colours ------------------------------------------------------------------------------------- */
 
-/* Whether a colour that differs from vertex 0's by d1 and d2, n.9, is linear on the screen. */
-static bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, uint32_t limit)
+QTRI_NOINLINE bool qtri_list_is_linear(const qtri_vertex *a, const qtri_vertex *b,
+                                       const qtri_vertex *c, int32_t d1, int32_t d2, uint32_t part)
+{
+    int32_t q1 = 0;
+    int32_t q2 = 0;
+    (void)qtri_inv_w_more(&q1, a, b);
+    (void)qtri_inv_w_more(&q2, a, c);
+    const int32_t q_least = qtri_least_from_0(q1, q2);
+    const uint32_t q_range = (uint32_t)(qtri_greatest_from_0(q1, q2) - q_least); /* < 2^29 */
+    const uint32_t range = (uint32_t)(qtri_greatest_from_0(d1, d2) - qtri_least_from_0(d1, d2));
+    return range * ((q_range >> 15) + 1) <= (a->inv_w + (uint32_t)q_least) >> (4 + part);
+}
+
+/* The same for what a raster interpolates. */
+static bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, uint32_t part)
 {
     const qtri_vertex *a = v->t->v[0];
     const qtri_vertex *b = v->t->v[1];
     const qtri_vertex *c = v->t->v[2];
-    if (!(QTRI_WITH_PERSPECTIVE && v->raster->perspective)) {
-        return true;
-    }
-    return qtri_place_is_level(a, b, c) &&
-           qtri_list_stray(qtri_about(d1) + qtri_about(d2), a, b, c) < limit;
+    return !(QTRI_WITH_PERSPECTIVE && v->raster->perspective) ||
+           qtri_list_is_plain(a, b, c, d1, d2, part) || qtri_list_is_linear(a, b, c, d1, d2, part);
 }
 
 void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
@@ -74,49 +88,65 @@ void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
     const int32_t i0 = t->v[0]->intensity_q15;
     const int32_t i1 = t->v[v->second]->intensity_q15 - i0;
     const int32_t i2 = t->v[v->third]->intensity_q15 - i0;
-    const int32_t f1 = (i1 + 2) >> (QTRI_RAMP_DOWN - 7);
-    const int32_t f2 = (i2 + 2) >> (QTRI_RAMP_DOWN - 7);
+    const int32_t f1 = (i1 + 1) >> (QTRI_PLACE_DOWN - 7);
+    const int32_t f2 = (i2 + 1) >> (QTRI_PLACE_DOWN - 7);
     v->channels = 1;
     v->base[2] = ((uint32_t)i0 << 7) + (uint32_t)round;
-    v->curved = !is_linear(v, i1, i2, qtri_list_light_stray(v->raster));
+    v->curved = !is_linear(v, i1, i2, qtri_list_light_part(v->raster));
     if (v->curved) {
         qtri_list_find_e(v);
-        qtri_list_curve(&v->channel[2], v, f1, f2);
+        curve_of(&v->channel[2], v, f1, f2);
     } else {
-        qtri_list_ramp(&v->channel[2], v, v->base[2], f1, f2);
+        ramp_of(&v->channel[2], v, v->base[2], f1, f2);
     }
+}
+
+/* Whether all channels are linear: where the sum of their differences is, or each of them. */
+static bool are_linear(const qtri_list_values *v, int first)
+{
+    const int32_t(*color)[3] = v->t->color;
+    int32_t d1[3];
+    int32_t d2[3];
+    uint32_t most1 = 0;
+    uint32_t most2 = 0;
+    for (int i = first; i < 3; i++) {
+        d1[i] = (color[v->second][i] - color[0][i]) >> 7;
+        d2[i] = (color[v->third][i] - color[0][i]) >> 7;
+        most1 |= qtri_about(d1[i]);
+        most2 |= qtri_about(d2[i]);
+    }
+    if (!(QTRI_WITH_PERSPECTIVE && v->raster->perspective) ||
+        qtri_list_is_plain(v->t->v[0], v->t->v[1], v->t->v[2], (int32_t)most1, (int32_t)most2, 3)) {
+        return true;
+    }
+    for (int i = first; i < 3; i++) {
+        if (!is_linear(v, d1[i], d2[i], 3)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)
 {
-    const qtri_list_triangle *t = v->t;
+    const int32_t(*color)[3] = v->t->color;
     const int first = v->raster->units->single ? 2 : 0;
-    bool linear = true;
-    int32_t any = 0;
-    for (int i = first; i < 3; i++) {
-        const int32_t d1 = t->color[v->second][i] - t->color[0][i];
-        const int32_t d2 = t->color[v->third][i] - t->color[0][i];
-        any |= d1 | d2;
-        linear = linear && is_linear(v, d1 >> 7, d2 >> 7, QTRI_LIST_STRAY);
-    }
+    const int32_t half = (int32_t)1 << (QTRI_PLACE_DOWN - 1);
+    const bool linear = are_linear(v, first);
     v->curved = !linear;
-    v->channels = any == 0 ? 0 : (uint8_t)(3 - first);
-    if (any == 0) {
-        return;
-    }
+    v->channels = (uint8_t)(3 - first);
     if (!linear) {
         qtri_list_find_e(v);
     }
     for (int i = first; i < 3; i++) {
-        const int32_t half = (int32_t)1 << (QTRI_RAMP_DOWN - 1);
-        const int32_t c0 = t->color[0][i];
-        const int32_t f1 = (t->color[v->second][i] - c0 + half) >> QTRI_RAMP_DOWN;
-        const int32_t f2 = (t->color[v->third][i] - c0 + half) >> QTRI_RAMP_DOWN;
+        const int32_t c0 = color[0][i];
+        const int32_t f1 = (color[v->second][i] - c0 + half) >> QTRI_PLACE_DOWN;
+        const int32_t f2 = (color[v->third][i] - c0 + half) >> QTRI_PLACE_DOWN;
         v->base[i] = (uint32_t)c0 + ((uint32_t)1 << (shift - 1));
         if (linear) {
-            qtri_list_ramp(&v->channel[i], v, v->base[i], f1, f2);
+            ramp_of(&v->channel[i], v, v->base[i], f1, f2);
         } else {
-            qtri_list_curve(&v->channel[i], v, f1, f2);
+            curve_of(&v->channel[i], v, f1, f2);
         }
     }
 }
@@ -167,8 +197,8 @@ static void curves(const qtri_list_values *v, uint32_t *out, const uint32_t *pla
     } while (place != end);
 }
 
-void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *place,
-                     int32_t count, uint32_t shift, uint32_t red, uint32_t green)
+void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *place, int32_t count,
+                     uint32_t shift, uint32_t red, uint32_t green)
 {
     if (v->channels == 0) {
         do {

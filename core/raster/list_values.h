@@ -4,14 +4,24 @@
  * A fragment's place is row << 16 | column; ramps begin at place 0, all modulo 2^32.
  *
  * With perspective an attribute is u_0 + l / (1 + e), where e, what 1/w has more than at vertex 0
- * by its value there, and l are linear on the screen: l_i = (u_i - u_0) (1 + e_i) at vertex i. Since
- * |e| <= 1/12.8, l (1 - w) with w = e - e^2 + e^3 is off by less than l e^4, the 24,000th part of l,
- * and of the 22.6 pixels that anything may be away from vertex 0 by 1/1000 of one.
+ * by its value there, and l are linear on the screen: l_i = (u_i - u_0) (1 + e_i) at vertex i.
+ * Since |e| <= 1/12.8, l (1 - w) with w = e - e^2 + e^3 is off by less than l e^4, the 24,000th
+ * part of l, and of the 22.6 pixels that anything may be away from vertex 0 by 1/1000 of one.
  */
 #ifndef QTRI_RASTER_LIST_VALUES_H
 #define QTRI_RASTER_LIST_VALUES_H
 
 #include "list.h"
+#include "place_ramp.h"
+
+/* What the words of waiting fragments are. */
+enum {
+    QTRI_LIST_COLORS,      /* final colours */
+    QTRI_LIST_TINT_SHARES, /* light, which the tint is multiplied by */
+    QTRI_LIST_TEXELS,      /* texels that are not multiplied */
+    QTRI_LIST_LIT_TEXELS,  /* shades are light */
+    QTRI_LIST_RGB_TEXELS   /* shades are red green blue */
+};
 
 /* A texture coordinate. */
 typedef struct qtri_list_axis {
@@ -21,7 +31,7 @@ typedef struct qtri_list_axis {
 } qtri_list_axis;
 
 /* A triangle on its way to the values of its fragments. */
-typedef struct qtri_list_values {
+struct qtri_list_values {
     const qtri_raster *raster;
     const qtri_list_triangle *t;
     qtri_inverse inverse;
@@ -29,24 +39,27 @@ typedef struct qtri_list_values {
     bool has_e;            /* e is set */
     bool curved;           /* colours are base + l (1 - w), not linear */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
-    int32_t e1_q17, e2_q17;
+    int32_t e1_q18, e2_q18;
     qtri_ramp e_q26;
     uint32_t constant; /* without channels: the word */
     qtri_ramp channel[3];
     uint32_t base[3];
     qtri_list_axis uv[2];
     qtri_texel_axis axis[2]; /* where coordinates do not fill 32 bits, or are filtered */
-} qtri_list_values;
+};
+
+/* What texels are multiplied by has 10 bits: of light that is 2^22, and of channels n.16. */
+#define QTRI_LIGHT_SHIFT   12
+#define QTRI_CHANNEL_SHIFT 14
 
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);
 
-/* The ramp of an attribute: f0 at vertex 0, differences without QTRI_RAMP_DOWN bits below 2^15. */
-void qtri_list_ramp(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1,
-                    int32_t f2);
-
-/* The same from l at vertices 1 and 2, times 1 + e. */
-void qtri_list_curve(qtri_ramp *ramp, const qtri_list_values *v, int32_t f1, int32_t f2);
+/* |f| <= 2^16, |e| < 2^14.4: below 2^31. */
+static inline int32_t qtri_list_scaled(int32_t f, int32_t e_q18)
+{
+    return f + ((f * e_q18 + ((int32_t)1 << 17)) >> 18);
+}
 
 static inline uint32_t qtri_list_at(const qtri_ramp *ramp, uint32_t x, uint32_t y)
 {
@@ -68,25 +81,28 @@ static inline int32_t qtri_list_divided(int32_t l, int32_t w)
 }
 
 /*
- * How far a colour is from linear on the screen, at most: `range` is the sum of its differences, n.9,
- * from vertex 0, and 1/w differs by less than 2^26 from there. A colour strays by range (q_greatest
- * - q_least) / (4 q_least), see nearly_linear() in setup.c, where q_least >= 2^30: by less than 1/8
- * of 2^16 where this is below QTRI_LIST_STRAY.
+ * Whether a colour that differs from vertex 0's by d1 and d2, n.9, is linear on the screen: it
+ * strays by range (q_greatest - q_least) / (4 q_least), q being 1/w, see nearly_linear() in
+ * setup.c, which is to be below 2^-part of 2^16: 3 is 1/8 of a step.
  */
-static inline uint32_t qtri_list_stray(uint32_t range, const qtri_vertex *a, const qtri_vertex *b,
-                                       const qtri_vertex *c)
+bool qtri_list_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c,
+                         int32_t d1, int32_t d2, uint32_t part);
+
+/* Enough for it, and true of most: q_least >= 2^30, and no range is more than two differences. */
+static inline bool qtri_list_is_plain(const qtri_vertex *a, const qtri_vertex *b,
+                                      const qtri_vertex *c, int32_t d1, int32_t d2, uint32_t part)
 {
-    const uint32_t q_range = qtri_about((int32_t)(b->inv_w - a->inv_w)) +
-                             qtri_about((int32_t)(c->inv_w - a->inv_w)) + 2;
-    return (range + 2) * ((q_range >> 16) + 1); /* < 2^19 2^12 */
+    const uint32_t range = qtri_about(d1) + qtri_about(d2) + 2;
+    const uint32_t q_range =
+        qtri_about((int32_t)(b->inv_w - a->inv_w)) + qtri_about((int32_t)(c->inv_w - a->inv_w)) + 2;
+    return qtri_place_is_level(a, b, c) && range * ((q_range >> 16) + 1) < (uint32_t)1
+                                                                               << (25 - part);
 }
 
-#define QTRI_LIST_STRAY ((uint32_t)1 << 22)
-
-/* The limit for light, Q15: of 63 steps or 255. */
-static inline uint32_t qtri_list_light_stray(const qtri_raster *raster)
+/* Of light, Q15: 1/8 of 63 steps or of 255. */
+static inline uint32_t qtri_list_light_part(const qtri_raster *raster)
 {
-    return (raster->texture != NULL ? raster->working : raster->units) == &qtri_colors_565 ? QTRI_LIST_STRAY : QTRI_LIST_STRAY / 4;
+    return (raster->texture != NULL ? raster->working : raster->units) == &qtri_colors_565 ? 3 : 5;
 }
 
 /*
@@ -96,13 +112,21 @@ static inline uint32_t qtri_list_light_stray(const qtri_raster *raster)
  */
 void qtri_list_set_light(qtri_list_values *v, uint32_t shift);
 void qtri_list_set_channels(qtri_list_values *v, uint32_t shift);
-void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *place,
-                     int32_t count, uint32_t shift, uint32_t red, uint32_t green);
+void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *place, int32_t count,
+                     uint32_t shift, uint32_t red, uint32_t green);
 
-/* Texture coordinates; then numbers of texels, or colours where they are filtered: the mask of those
-   that are drawn. */
+/* Texture coordinates; then numbers of texels, or colours where they are filtered: the mask of
+   those that are drawn. */
 void qtri_list_set_texels(qtri_list_values *v);
 uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
                           const uint32_t *place, int32_t count);
+
+/*
+ * The texel stages of `count` waiting fragments, and how many are left: those of the key's colour
+ * go, and with it the others write their depths. mask: of those that are drawn, where texels were
+ * filtered.
+ */
+int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
+                                const qtri_ramp *depth);
 
 #endif

@@ -13,9 +13,8 @@
  * start is cut off to 2^-5. Long rows therefore begin anew from exact ramps every QTRI_PACKED_RUN
  * pixels, and step in groups of eight, whose sum is off by 2^-6 too: within a group two steps in
  * turn, whose sum is rounded, and a last one that makes the whole. That is 1/8 of a step of colour
- * for eight groups, 1/16 within a group and 1/32 from the cut. A tiny triangle has one start, its
- * anchor, and one step in x and one in y, up to QTRI_TINY_REACH of each: 1/8. Both with the half
- * that rounds stay inside the fields: 31.5 + 7/32 < 32.
+ * for eight groups, 1/16 within a group and 1/32 from the cut, which with the half that rounds
+ * stays inside the fields: 31.5 + 7/32 < 32.
  */
 #ifndef QTRI_RASTER_PACKED_H
 #define QTRI_RASTER_PACKED_H

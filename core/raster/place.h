@@ -11,8 +11,6 @@
 
 #include "qtri/view.h"
 
-#include "../bits/multiply.h"
-#include "gradient.h"
 #include "loop.h"
 #include "raster.h"
 #include "rows.h"
@@ -28,18 +26,20 @@ typedef enum qtri_placed {
 
 /* Rows count from the surface's first one, columns from that of the frame. */
 typedef struct qtri_place {
-    int32_t column, row;        /* spans count columns from this one and begin in this row */
-    int32_t x, y;               /* the centre of pixel (0, 0) from vertex 0, 1/256 pixel */
+    int32_t column, row;        /* the base: spans count columns from it and begin in its row */
+    int32_t x, y;               /* its centre from vertex 0, 1/256 pixel */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
     uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^26 */
     bool back;
-    const uint8_t *first; /* the first row in: */
-    /* Of each row the first pixel and the one after the last, then a row that begins with
-       QTRI_PLACE_STOP. Vertex 0 is in row QTRI_PLACE_PIXELS of them. */
-    uint8_t spans[2 * (2 * QTRI_PLACE_PIXELS + 1)];
+    const uint8_t *first; /* the first row's span, in the caller's memory */
 } qtri_place;
 
-#define QTRI_PLACE_STOP 255 /* after it nothing can end */
+/*
+ * Of each row the first pixel and the one after the last, then a row that begins with
+ * QTRI_PLACE_STOP, after which nothing can end. Vertex 0 is in row QTRI_PLACE_PIXELS of them.
+ */
+#define QTRI_PLACE_SPANS (2 * (2 * QTRI_PLACE_PIXELS + 1))
+#define QTRI_PLACE_STOP  255
 
 /* An edge's pixels in rows up to `stop`; returns their sum. */
 static inline int32_t qtri_place_walk(uint8_t *side, const uint8_t *stop, int32_t numerator,
@@ -122,8 +122,8 @@ static inline bool qtri_place_is_level(const qtri_vertex *a, const qtri_vertex *
                                        const qtri_vertex *c)
 {
     const uint32_t exponents = (a->depth_16p8 ^ b->depth_16p8) | (a->depth_16p8 ^ c->depth_16p8);
-    const uint32_t most = qtri_about((int32_t)(b->inv_w - a->inv_w)) |
-                          qtri_about((int32_t)(c->inv_w - a->inv_w));
+    const uint32_t most =
+        qtri_about((int32_t)(b->inv_w - a->inv_w)) | qtri_about((int32_t)(c->inv_w - a->inv_w));
     return ((exponents & 0xFF) | most >> 26) == 0;
 }
 
@@ -137,13 +137,16 @@ static inline bool qtri_place_is_near(const qtri_vertex *a, const qtri_vertex *b
     return qtri_inv_w_more(&more, a, b) && qtri_inv_w_more(&more, a, c);
 }
 
-/* Holds spans to the columns of the bounds. False when nothing is left. */
-bool qtri_place_cut(qtri_place *p, const qtri_rect *bounds);
+/* Holds spans from `column` on to the columns of the bounds. False when nothing is left. */
+bool qtri_place_cut(uint8_t *span, int32_t column, const qtri_rect *bounds);
 
-/* Inline for the loop over a mesh; a triangle of seven pixels would pay a tenth for the call. */
-static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_raster *raster,
-                                            const qtri_vertex *a, const qtri_vertex *b,
-                                            const qtri_vertex *c)
+/*
+ * Where it is, except that 1/w is not looked at. Inline for loops over a mesh: a triangle of seven
+ * pixels would pay a tenth for the call.
+ */
+static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                                            const qtri_raster *raster, const qtri_vertex *a,
+                                            const qtri_vertex *b, const qtri_vertex *c)
 {
     const qtri_rect *const bounds = &raster->bounds;
     const int32_t first_row = raster->surface->first_row;
@@ -182,8 +185,9 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_raster *ra
     if (first == end) {
         return QTRI_PLACED_NOWHERE;
     }
-    if (row + first < bounds->y0 || row + end > bounds->y1) {
-        QTRI_RARELY();
+    const bool inner = (uint32_t)x0 - raster->inner.x < raster->inner.width &&
+                       (uint32_t)y0 - raster->inner.y < raster->inner.height;
+    if (!inner && (row + first < bounds->y0 || row + end > bounds->y1)) {
         const int32_t least = bounds->y0 - row;
         const int32_t greatest = bounds->y1 - row;
         if (first >= greatest || end <= least) {
@@ -195,14 +199,14 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_raster *ra
         first = qtri_greatest32(first, least);
         end = qtri_least32(end, greatest);
     }
-    uint8_t *const middle = &p->spans[2 * QTRI_PLACE_PIXELS];
+    uint8_t *const middle = &spans[2 * QTRI_PLACE_PIXELS];
     const int32_t column = (x0 >> 8) - QTRI_PLACE_PIXELS;
     const int32_t x = column * 256 + 128 - x0;
     p->size = (uint32_t)size;
     p->column = column;
     p->row = row + first - first_row;
-    p->x = 128 - x0;
-    p->y = first_row * 256 + 128 - y0;
+    p->x = x;
+    p->y = y + first * 256;
     p->dx1 = dx1;
     p->dy1 = dy1;
     p->dx2 = dx2;
@@ -221,98 +225,16 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, const qtri_raster *ra
     if (pixels == 0) {
         return QTRI_PLACED_NOWHERE;
     }
-    if (!qtri_place_is_near(a, b, c)) {
-        return QTRI_PLACED_LARGE;
-    }
-    if (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1) {
-        QTRI_RARELY();
-        return qtri_place_cut(p, bounds) ? QTRI_PLACED_SMALL : QTRI_PLACED_NOWHERE;
+    if (!inner && (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1)) {
+        return qtri_place_cut(&middle[2 * first], column, bounds) ? QTRI_PLACED_SMALL
+                                                                  : QTRI_PLACED_NOWHERE;
     }
     return QTRI_PLACED_SMALL;
 }
 
-qtri_placed qtri_place_triangle(qtri_place *p, const qtri_raster *raster, const qtri_vertex *a,
+/* All of it. */
+qtri_placed qtri_place_triangle(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                                const qtri_raster *raster, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_vertex *c);
-
-/* What turns a numerator into a step. */
-typedef struct qtri_inverse {
-    int32_t inverse, left;
-} qtri_inverse;
-
-static inline void qtri_inverse_init(qtri_inverse *inverse, uint32_t size)
-{
-    const int32_t zeros = qtri_clz32(size);
-    inverse->inverse = qtri_gradient_inverse(qtri_reciprocal_below(size << zeros) >> 1, zeros,
-                                             &inverse->left);
-}
-
-/*
- * Steps of an attribute a pixel along x and y, from its differences at vertices 1 and 2 without
- * QTRI_RAMP_DOWN bits. Differences are below 2^15 and size at least QTRI_PLACE_PLAIN, so that
- * numerators, below 2^28, are shifted left by at most 2 bits: see gradient.h.
- */
-#define QTRI_PLACE_PLAIN ((uint32_t)1 << 17)
-
-static inline int32_t qtri_place_dx(const qtri_place *p, const qtri_inverse *by, int32_t f1,
-                                    int32_t f2)
-{
-    return qtri_mul_high_s30((f2 * p->dy1 - f1 * p->dy2) * ((int32_t)1 << by->left), by->inverse);
-}
-
-static inline int32_t qtri_place_dy(const qtri_place *p, const qtri_inverse *by, int32_t f1,
-                                    int32_t f2)
-{
-    return qtri_mul_high_s30((f1 * p->dx2 - f2 * p->dx1) * ((int32_t)1 << by->left), by->inverse);
-}
-
-/*
- * A ramp from pixel (0, 0) on: at vertex 0 it is f0. What touches a pixel is less than 2^21.1 of
- * 1/256 pixel away from there, which qtri_gradient_along takes as well: 2^8 2^21.1 twice.
- */
-static inline void qtri_place_ramp_plain(qtri_ramp *ramp, const qtri_place *p,
-                                         const qtri_inverse *by, uint32_t f0, int32_t f1,
-                                         int32_t f2)
-{
-    const int32_t gx = qtri_place_dx(p, by, f1, f2);
-    const int32_t gy = qtri_place_dy(p, by, f1, f2);
-    ramp->origin = f0 + qtri_gradient_along(gx, p->x, gy, p->y);
-    ramp->dx = (uint32_t)gx;
-    ramp->dy = (uint32_t)gy;
-}
-
-/* The same for any triangle and any differences below 2^23: off by 2^-2 of 2^16 at most. */
-void qtri_place_ramp_any(qtri_ramp *ramp, const qtri_place *p, const qtri_inverse *by, uint32_t f0,
-                         int32_t f1, int32_t f2);
-
-/* Differences below 2^15. */
-static inline void qtri_place_ramp(qtri_ramp *ramp, const qtri_place *p, const qtri_inverse *by,
-                                   uint32_t f0, int32_t f1, int32_t f2)
-{
-    if (p->size >= QTRI_PLACE_PLAIN) {
-        qtri_place_ramp_plain(ramp, p, by, f0, f1, f2);
-    } else {
-        qtri_place_ramp_any(ramp, p, by, f0, f1, f2);
-    }
-}
-
-/* Depth, 16.16 with the half that rounds; b and c in the order of the place. */
-static inline void qtri_place_depth(qtri_ramp *ramp, const qtri_place *p, const qtri_inverse *by,
-                                    const qtri_vertex *a, const qtri_vertex *b,
-                                    const qtri_vertex *c)
-{
-    const uint32_t z0 = a->depth_16p8 >> 8;
-    const int32_t z1 = (int32_t)((b->depth_16p8 >> 8) - z0);
-    const int32_t z2 = (int32_t)((c->depth_16p8 >> 8) - z0);
-    const uint32_t close = (uint32_t)1 << 16;
-    const int32_t f1 = (z1 + 1) >> (QTRI_RAMP_DOWN - 8);
-    const int32_t f2 = (z2 + 1) >> (QTRI_RAMP_DOWN - 8);
-    const uint32_t f0 = (a->depth_16p8 & ~0xFFu) + 0x8000u;
-    if ((((uint32_t)z1 + close) | ((uint32_t)z2 + close)) < 2 * close &&
-        p->size >= QTRI_PLACE_PLAIN) {
-        qtri_place_ramp_plain(ramp, p, by, f0, f1, f2);
-    } else {
-        qtri_place_ramp_any(ramp, p, by, f0, f1, f2);
-    }
-}
 
 #endif

@@ -11,10 +11,23 @@ static bool has_texture(const qtri_material *material)
            texture->format->usable(texture);
 }
 
+static void set_bounds(qtri_raster *raster, const qtri_rect *bounds)
+{
+    const int32_t reach = 17 * 256; /* QTRI_PLACE_PIXELS and one */
+    const int32_t width = (bounds->x1 - bounds->x0) * 256 - 2 * reach;
+    const int32_t height = (bounds->y1 - bounds->y0) * 256 - 2 * reach;
+    raster->bounds = *bounds;
+    raster->inner.x = (uint32_t)(bounds->x0 * 256 + reach);
+    raster->inner.y = (uint32_t)(bounds->y0 * 256 + reach);
+    raster->inner.width = width < 0 ? 0 : (uint32_t)width;
+    raster->inner.height = height < 0 ? 0 : (uint32_t)height;
+}
+
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material, qtri_batch *batch)
 {
-    static const qtri_rect nowhere = {0, 0, 0, 0};
+    const qtri_rect nowhere = {0, 0, 0, 0};
+    qtri_rect bounds = qtri_surface_bounds(surface);
     const qtri_format *format = surface->format;
     const bool textured = has_texture(material);
     raster->surface = surface;
@@ -22,7 +35,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->batch = batch;
     batch->count = 0;
     batch->kind = 0;
-    raster->bounds = qtri_surface_bounds(surface);
+    batch->has_table = false;
     raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     raster->depth_write = raster->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
     raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
@@ -40,20 +53,27 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->copy_run = NULL;
     raster->copy_bent = NULL;
     if (format == NULL || raster->compare == QTRI_NEVER) {
-        raster->bounds = nowhere;
+        bounds = nowhere;
         raster->format = &qtri_xrgb8888;
         format = raster->format;
     }
+    set_bounds(raster, &bounds);
     raster->units = format->colors;
     if (textured) {
-        qtri_texture_init(raster, material);
+        raster->texturing = material->texture->format->texturing;
+        raster->texturing->init(raster, material);
     }
+    raster->tint_small = NULL;
     if (QTRI_WITH_FAST_PATHS && format->fused != NULL && raster->compare == QTRI_LESS &&
         raster->depth_write) {
-        raster->fill_flat = format->fused->flat_less;
-        raster->fill_smooth = format->fused->smooth_less;
-        raster->copy_run = raster->copied ? format->fused->copy_less : NULL;
-        raster->copy_bent = raster->copied ? format->fused->copy_bent_less : NULL;
+        const qtri_fused *fused = format->fused;
+        raster->fill_flat = fused->flat_less != NULL ? fused->flat_less : qtri_span_fill;
+        raster->fill_smooth = fused->smooth_less != NULL ? fused->smooth_less : qtri_span_fill;
+        raster->copy_run = raster->copied ? fused->copy_less : NULL;
+        raster->copy_bent = raster->copied ? fused->copy_bent_less : NULL;
+        if (!textured && surface->pitch == 2 * surface->depth_pitch) {
+            raster->tint_small = fused->tint_less;
+        }
     }
 }
 
@@ -68,6 +88,26 @@ qtri_channels qtri_raster_channels(const qtri_raster *raster, const int32_t colo
     return channels;
 }
 
+void qtri_raster_lit_channels(int32_t channel[3], const qtri_raster *raster, const qtri_rgb *color,
+                              uint32_t light_q15)
+{
+    const qtri_colors *units = raster->units;
+    const uint32_t color_8p16[3] = {color->r * 2 * light_q15, color->g * 2 * light_q15,
+                                    color->b * 2 * light_q15}; /* <= 255.0 */
+    for (int i = 0; i < 3; i++) {
+        const uint32_t ratio_q32 = units->ratio_q30[i] << 2; /* 0: 1 */
+        const uint32_t c = color_8p16[i];
+        channel[i] =
+            (int32_t)(ratio_q32 == 0 ? c
+                                     : (qtri_mul_u32(c, ratio_q32) + ((uint32_t)1 << 31)) >> 32);
+    }
+    if (units->single) {
+        channel[2] += channel[0] + channel[1];
+        channel[0] = 0;
+        channel[1] = 0;
+    }
+}
+
 void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
 {
     const int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
@@ -77,7 +117,11 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
         raster->tint_n8[i] = (uint32_t)raster->tint.c[i] >> 8;
     }
     if (raster->texture != NULL) {
-        raster->tint_shade = qtri_shade_of(raster->tint.c);
+        const uint8_t channel[3] = {color.r, color.g, color.b};
+        for (int i = 0; i < 3; i++) {
+            raster->tint_q10[i] = (channel[i] * 1024u + 127) / 255;
+        }
+        raster->white = (color.r & color.g & color.b) == 255;
     }
 }
 

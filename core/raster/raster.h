@@ -6,6 +6,7 @@
 #define QTRI_RASTER_RASTER_H
 
 #include "qtri/material.h"
+#include "qtri/view.h"
 
 #include "../bits/bits.h"
 #include "../frame/pixel.h"
@@ -14,6 +15,8 @@
 #include "texel.h"
 
 typedef struct qtri_job qtri_job;
+typedef struct qtri_list_values qtri_list_values; /* see list_values.h */
+typedef struct qtri_raster qtri_raster;
 
 /* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
 typedef struct qtri_span {
@@ -35,22 +38,46 @@ typedef void (*qtri_draw_run)(const qtri_job *job, const qtri_run *run);
 typedef void (*qtri_draw_bent)(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
                                int32_t skip);
 
-/* Loops that stand in for the stages where depth is "less" and written. */
+/*
+ * Draws a small triangle in shares of the tint, in the light that its vertices have or that the
+ * raster's lamp finds for it. False when it is not that simple: then nothing was drawn.
+ */
+typedef bool (*qtri_draw_small)(const qtri_raster *raster, const void *indices, qtri_vertex *a,
+                                qtri_vertex *b, qtri_vertex *c);
+
+/*
+ * Where light comes from when a triangle touches a pixel: that of all its pixels, or
+ * QTRI_VERTEX_UNLIT for that of its vertices, which then have theirs.
+ */
+typedef struct qtri_lamp {
+    uint32_t (*find)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                     qtri_vertex *c);
+    const void *from;
+    bool by_vertex; /* and need not find it where vertices have it */
+} qtri_lamp;
+
+/* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
 struct qtri_fused {
     qtri_fill_rows flat_less, smooth_less;
     qtri_draw_run copy_less;
     qtri_draw_bent copy_bent_less;
+    qtri_draw_small tint_less;
 };
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
 typedef void (*qtri_modulate_stage)(uint32_t *color, const uint32_t *shade, int32_t count);
+typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
+                                int32_t count);
 
-typedef struct qtri_raster {
+struct qtri_raster {
     const qtri_surface *surface;
     const qtri_format *format;
     const qtri_texture *texture; /* NULL: none */
     qtri_batch *batch;
-    qtri_rect bounds;     /* empty where nothing is to be drawn */
+    qtri_rect bounds; /* empty where nothing is to be drawn */
+    struct {
+        uint32_t x, y, width, height; /* 24.8 */
+    } inner;              /* where vertex 0 of a small triangle is too far inside them to be cut */
     qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
     bool perspective; /* as the material asks */
@@ -66,26 +93,38 @@ typedef struct qtri_raster {
     uint32_t tint_n8[3]; /* the same with 8 bits after the point, cut off */
 
     /* Texture: see textured.c. */
+    const qtri_texturing *texturing;
     const qtri_colors *working; /* texels become colours of this kind */
     qtri_words_stage widen,
         narrow; /* from the texel's kind, and to the format's; NULL: it is that */
     qtri_modulate_stage light, times;
+    qtri_tint_stage tinted; /* light, and the tint below */
     bool replace;
-    bool repeated;       /* coordinates fill 32 bits, see texel_number.h */
-    bool fetched;        /* rows of texels are read at once with their numbers */
-    bool copied;         /* nearest repeated texels of the format's own kind, without a key */
-    uint32_t texel_cut;  /* see texel_copy.h */
-    uint32_t tint_shade; /* the tint as a shade; white: QTRI_SHADE_WHITE */
+    bool repeated;      /* coordinates fill 32 bits, see texel_number.h */
+    bool fetched;       /* rows of texels are read at once with their numbers */
+    bool copied;        /* nearest repeated texels of the format's own kind, without a key */
+    uint32_t texel_cut; /* see texel_copy.h */
+    struct {
+        uint8_t unit, shift; /* bits of a repeat's and of a texel's fraction */
+    } coordinate[2];         /* of repeated ones */
+    bool white;              /* the tint: light alone is enough */
+    uint32_t tint_q10[3];
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
-    qtri_draw_run copy_run; /* NULL: none */
-    qtri_draw_bent copy_bent;
-} qtri_raster;
+    qtri_draw_run copy_run;     /* NULL: none */
+    qtri_draw_bent copy_bent;   /* NULL: none */
+    qtri_draw_small tint_small; /* NULL: none */
+    qtri_lamp lamp;             /* where there is one */
+};
 
 /* batch: the caller's, used while the raster is. */
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material, qtri_batch *batch);
+
+/* The same of a colour in light <= 2^15, which is 1. */
+void qtri_raster_lit_channels(int32_t channel[3], const qtri_raster *raster, const qtri_rgb *color,
+                              uint32_t light_q15);
 
 /* The colour that tinted triangles have shares of. */
 void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color);

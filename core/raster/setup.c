@@ -195,24 +195,6 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
     job->copies = raster->copied && !job->shaded;
 }
 
-/* The axes and the vertices' coordinates on them. */
-QTRI_NOINLINE static void texture_axes(qtri_job *job, uint32_t value[2][3],
-                                       const qtri_attributes v[3])
-{
-    const qtri_raster *raster = job->raster;
-    const qtri_texture *texture = raster->texture;
-    for (int i = 0; i < 2; i++) {
-        int64_t f_q32[3];
-        for (int k = 0; k < 3; k++) {
-            f_q32[k] = i == 0 ? v[k].u_q32 : v[k].v_q32;
-        }
-        qtri_texel_axis_init(&job->axis[i], value[i], f_q32,
-                             i == 0 ? texture->width_log2 : texture->height_log2,
-                             (i == 0 ? texture->wrap_u : texture->wrap_v) == QTRI_CLAMP,
-                             raster->repeated ? qtri_texel_copy_shift(texture, i) : 0);
-    }
-}
-
 qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
                              const qtri_triangle *triangle, const qtri_attributes v[3])
 {
@@ -252,7 +234,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
         job->shaded = textured;
     }
     if (textured) {
-        texture_axes(job, value, v);
+        raster->texturing->set_axes(job, value, v);
     }
     job->perspective = needs_perspective(job, v, (const uint32_t(*)[3])value, range, q);
     if (job->perspective) {

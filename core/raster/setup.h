@@ -11,15 +11,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
                              const qtri_triangle *triangle, const qtri_attributes v[3]);
 
 /* Colour i of the three vertices: a channel, or their share of a tint. */
-static inline void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3],
-                                  int i)
-{
-    const bool share = job->tinted && job->raster->texture != NULL;
-    for (int k = 0; k < 3; k++) {
-        const int32_t c = v[k].color[job->tinted ? 0 : i];
-        f[k] = (uint32_t)(job->tinted && !share ? qtri_raster_shade(job->raster, c, i) : c);
-    }
-}
+void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i);
 
 /* Where the vertices are. */
 static inline void qtri_gradient_place(qtri_gradient *g, const qtri_triangle *t)
@@ -47,8 +39,5 @@ static inline void qtri_gradient_set_middle(qtri_gradient *g, const qtri_triangl
     qtri_gradient_set_anchor(g, (t->x_least + t->x_greatest) >> 9,
                              (t->top->y_24p8 + t->bottom->y_24p8) >> 9);
 }
-
-/* Whether it takes colours that are shares of a tint for linear on the screen. */
-bool qtri_tint_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c);
 
 #endif

@@ -27,85 +27,12 @@ static void interpolate_colors(qtri_scanline *row, int32_t x, int32_t count)
     }
 }
 
-/* Light or colours for texels, into shades. */
-static void interpolate_shades(qtri_scanline *row, int32_t x, int32_t count)
-{
-    const qtri_job *job = row->job;
-    const qtri_raster *raster = job->raster;
-    uint32_t *shade = raster->batch->shade;
-    const int32_t whole = count;
-    while (count > 0) {
-        qtri_curve curve[3];
-        const int32_t some = job->interpolate(row, x, count, job->first, QTRI_U, curve);
-        if (job->first == 0) {
-            qtri_shade_rgb(shade, curve, some);
-        } else {
-            qtri_shade_light(shade, curve, some);
-        }
-        shade += some;
-        x += some;
-        count -= some;
-    }
-    if (job->first == QTRI_U - 1 && raster->tint_shade != QTRI_SHADE_WHITE) {
-        qtri_shade_tint(raster->batch->shade, raster->tint_shade, whole);
-    }
-}
-
-/* Texture coordinates into the batch: as numbers of texels, or, filtered, as they are. */
-static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
-{
-    const qtri_job *job = row->job;
-    const qtri_raster *raster = job->raster;
-    qtri_batch *batch = raster->batch;
-    int32_t done = 0;
-    while (done < count) {
-        qtri_curve uv[2];
-        const int32_t some = job->interpolate(row, x + done, count - done, QTRI_U, QTRI_ATTRIBUTES, uv);
-        if (raster->texture->filter != NULL) {
-            qtri_texel_coordinates(batch->color + done, batch->shade + done, uv, some);
-#ifndef __OPTIMIZE_SIZE__
-        } else if (raster->fetched) {
-            qtri_texels_repeated_16(batch->color + done, uv, raster->texel_cut,
-                                    raster->texture->texels, some);
-#endif
-        } else if (raster->repeated) {
-            qtri_texel_numbers_repeated(batch->color + done, uv, raster->texel_cut, some);
-        } else {
-            qtri_texel_numbers(batch->color + done, uv, job->axis, some);
-        }
-        done += some;
-    }
-}
-
-/* Colours of the format's kind for `count` pixels of the chunk at x. Gives those that are drawn. */
-static uint32_t textured(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
-{
-    const qtri_job *job = row->job;
-    const qtri_raster *raster = job->raster;
-    qtri_batch *batch = raster->batch;
-    interpolate_texels(row, x, count);
-    mask &= qtri_texels_color(raster, job->axis, batch->color, batch->shade, count, raster->fetched);
-    if (mask != 0 && job->shaded) {
-        if (job->first == QTRI_U) {
-            qtri_shade_constant(batch->shade, job->pixel, count);
-        } else {
-            interpolate_shades(row, x, count);
-        }
-        const bool light = job->first == QTRI_U - 1 && raster->tint_shade == QTRI_SHADE_WHITE;
-        (light ? raster->light : raster->times)(batch->color, batch->shade, count);
-    }
-    if (mask != 0 && raster->narrow != NULL) {
-        raster->narrow(batch->color, count);
-    }
-    return mask;
-}
-
 /* Stored pixels into the batch for a chunk of `count` pixels at x; the mask of those drawn. */
 static uint32_t make_pixels(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
 {
     const qtri_raster *raster = row->job->raster;
     if (raster->texture != NULL) {
-        mask = textured(row, x, count, mask);
+        mask = raster->texturing->color_chunk(row, x, count, mask);
     } else {
         interpolate_colors(row, x, count);
     }
@@ -195,8 +122,7 @@ static void copy_bent_row(qtri_scanline *row)
     run.depths = row->depths;
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
         qtri_curve uv[2];
-        const int32_t length =
-            job->interpolate(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES, uv);
+        const int32_t length = job->interpolate(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES, uv);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
         run.count = qtri_least32(length, row->x1 - x) - skip;
         if (run.count > 0) {

@@ -43,25 +43,6 @@ void qtri_shade_constant(uint32_t *shade, uint32_t value, int32_t count)
 #undef ONE
 }
 
-void qtri_shade_tint(uint32_t *shade, uint32_t tint, int32_t count)
-{
-    uint32_t r = tint >> QTRI_SHADE_RED;
-    uint32_t g = tint >> QTRI_SHADE_GREEN & 0x3FFu;
-    uint32_t b = tint & 0x3FFu;
-    uint32_t half = 512;
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        const uint32_t light = shade[i];                                                           \
-        const uint32_t red = (light * r + half) >> 10;                                             \
-        const uint32_t green = (light * g + half) >> 10;                                           \
-        const uint32_t blue = (light * b + half) >> 10;                                            \
-        shade[i] = red << QTRI_SHADE_RED | green << QTRI_SHADE_GREEN | blue;                       \
-        QTRI_ASIDE(half)                                                                           \
-    }
-    QTRI_WORDS(count)
-#undef ONE
-}
-
 #undef MOVE
 #define MOVE(n)                                                                                    \
     color += (n);                                                                                  \
@@ -100,6 +81,53 @@ void qtri_light_888(uint32_t *color, const uint32_t *shade, int32_t count)
         const uint32_t green = (pixel << 16 >> 24) * light + half;                                 \
         const uint32_t blue = (pixel << 24 >> 24) * light + half;                                  \
         color[i] = red >> 10 << 16 | green >> 10 << 8 | blue >> 10;                                \
+        QTRI_ASIDE(half)                                                                           \
+    }
+    QTRI_WORDS(count)
+#undef ONE
+}
+
+/* c light tint: 63 2^10 2^10 < 2^26, 255 2^10 2^10 < 2^28. */
+#define TINTED(c, by) (((c)*light * (by) + half) >> 20)
+
+void qtri_tint_565(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
+                   int32_t count)
+{
+    uint32_t r = tint_q10[0];
+    uint32_t g = tint_q10[1];
+    uint32_t b = tint_q10[2];
+    uint32_t half = (uint32_t)1 << 19;
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t pixel = color[i];                                                           \
+        const uint32_t light = shade[i];                                                           \
+        color[i] = TINTED(pixel << 16 >> 27, r) << 11 | TINTED(pixel << 21 >> 26, g) << 5 |        \
+                   TINTED(pixel << 27 >> 27, b);                                                   \
+        QTRI_ASIDE(r)                                                                              \
+        QTRI_ASIDE(g)                                                                              \
+        QTRI_ASIDE(b)                                                                              \
+        QTRI_ASIDE(half)                                                                           \
+    }
+    QTRI_WORDS(count)
+#undef ONE
+}
+
+void qtri_tint_888(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
+                   int32_t count)
+{
+    uint32_t r = tint_q10[0];
+    uint32_t g = tint_q10[1];
+    uint32_t b = tint_q10[2];
+    uint32_t half = (uint32_t)1 << 19;
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t pixel = color[i];                                                           \
+        const uint32_t light = shade[i];                                                           \
+        color[i] = TINTED(pixel << 8 >> 24, r) << 16 | TINTED(pixel << 16 >> 24, g) << 8 |         \
+                   TINTED(pixel << 24 >> 24, b);                                                   \
+        QTRI_ASIDE(r)                                                                              \
+        QTRI_ASIDE(g)                                                                              \
+        QTRI_ASIDE(b)                                                                              \
         QTRI_ASIDE(half)                                                                           \
     }
     QTRI_WORDS(count)
@@ -197,9 +225,9 @@ void qtri_888_to_gray(uint32_t *color, int32_t count)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t pixel = color[i];                                                           \
-        color[i] = ((pixel << 8 >> 24) * r + (pixel << 16 >> 24) * g + (pixel << 24 >> 24) * b +   \
-                    half) >>                                                                       \
-                   16;                                                                             \
+        color[i] =                                                                                 \
+            ((pixel << 8 >> 24) * r + (pixel << 16 >> 24) * g + (pixel << 24 >> 24) * b + half) >> \
+            16;                                                                                    \
         QTRI_ASIDE(half)                                                                           \
     }
     QTRI_WORDS(count)

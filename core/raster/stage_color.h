@@ -33,9 +33,6 @@ static inline uint32_t qtri_shade_of(const int32_t c[3])
            (uint32_t)(c[1] + half) >> 14 << QTRI_SHADE_GREEN | (uint32_t)(c[2] + half) >> 14;
 }
 
-/* Light becomes a share of a shade, off by 1/2 of 1024. */
-void qtri_shade_tint(uint32_t *shade, uint32_t tint, int32_t count);
-
 /* Modulation ----------------------------------------------------------------------------------- */
 
 /* color times light, or times red green blue: RGB565 within .54 and .66, 8 bits .63 and .69. */
@@ -43,6 +40,12 @@ void qtri_light_565(uint32_t *color, const uint32_t *light, int32_t count);
 void qtri_light_888(uint32_t *color, const uint32_t *light, int32_t count);
 void qtri_times_565(uint32_t *color, const uint32_t *shade, int32_t count);
 void qtri_times_888(uint32_t *color, const uint32_t *shade, int32_t count);
+
+/* color times light times a tint, 1024 being 1 of both: RGB565 within .54, 8 bits .63. */
+void qtri_tint_565(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
+                   int32_t count);
+void qtri_tint_888(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
+                   int32_t count);
 
 /* Conversion ----------------------------------------------------------------------------------- */
 

@@ -102,7 +102,7 @@ static uint32_t less_write(uint16_t *depth, uint32_t z, uint32_t step, int32_t c
     {                                                                                              \
         const uint32_t top = z >> 16;                                                              \
         const uint32_t stored = depth[i];                                                          \
-        __asm__ volatile(".syntax unified\n\tcmp %1, %2\n\tbcs 1f\n\tstrh %1, [%3, %4]\n"           \
+        __asm__ volatile(".syntax unified\n\tcmp %1, %2\n\tbcs 1f\n\tstrh %1, [%3, %4]\n"          \
                          "1:\tadcs %0, %0"                                                         \
                          : "+l"(mask)                                                              \
                          : "l"(top), "l"(stored), "l"(depth), "i"(2 * (i))                         \
@@ -144,7 +144,7 @@ static uint32_t less_equal_write(uint16_t *depth, uint32_t z, uint32_t step, int
     {                                                                                              \
         const uint32_t top = z >> 16;                                                              \
         const uint32_t stored = depth[i];                                                          \
-        __asm__ volatile(".syntax unified\n\tcmp %2, %1\n\tbcc 1f\n\tstrh %1, [%3, %4]\n"           \
+        __asm__ volatile(".syntax unified\n\tcmp %2, %1\n\tbcc 1f\n\tstrh %1, [%3, %4]\n"          \
                          "1:\tadcs %0, %0"                                                         \
                          : "+l"(mask)                                                              \
                          : "l"(top), "l"(stored), "l"(depth), "i"(2 * (i))                         \

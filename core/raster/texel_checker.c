@@ -39,4 +39,5 @@ static void decode(uint32_t *texel, const qtri_texture *texture, int32_t count)
     QTRI_EACH_WORD(texel, count, odd, color[odd])
 }
 
-const qtri_texel_format qtri_texel_checker = {&qtri_colors_888, UINT32_MAX, 0, usable, fetch, decode};
+const qtri_texel_format qtri_texel_checker = {
+    &qtri_texturing_stages, &qtri_colors_888, UINT32_MAX, 0, usable, fetch, decode};

@@ -3,7 +3,7 @@
 #include "bilinear.h"
 #include "texel_copy.h"
 
-void qtri_texture_init(qtri_raster *raster, const qtri_material *material)
+void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
 {
     const qtri_texture *texture = material->texture;
     const qtri_format *format = raster->format;
@@ -15,6 +15,7 @@ void qtri_texture_init(qtri_raster *raster, const qtri_material *material)
     raster->working = narrow ? &qtri_colors_565 : &qtri_colors_888;
     raster->light = narrow ? qtri_light_565 : qtri_light_888;
     raster->times = narrow ? qtri_times_565 : qtri_times_888;
+    raster->tinted = narrow ? qtri_tint_565 : qtri_tint_888;
     raster->widen = !narrow && texture->format->colors == &qtri_colors_565 ? qtri_565_to_888 : NULL;
     raster->narrow = NULL;
     if (format->colors == &qtri_colors_gray) {
@@ -24,12 +25,17 @@ void qtri_texture_init(qtri_raster *raster, const qtri_material *material)
     }
     raster->repeated = qtri_texel_copy_fits(texture);
     raster->texel_cut = raster->repeated ? qtri_texel_cut(texture) : 0;
+    for (int i = 0; i < 2; i++) {
+        const int32_t shift = qtri_texel_copy_shift(texture, i);
+        raster->coordinate[i].shift = (uint8_t)shift;
+        raster->coordinate[i].unit = (uint8_t)(i == 0 ? 32 : shift + texture->height_log2);
+    }
 #ifndef __OPTIMIZE_SIZE__
     raster->fetched = raster->repeated && texture->format->bytes == 2 && texture->filter == NULL;
 #endif
     raster->copied = raster->repeated && narrow && format->encode == NULL &&
-                     texture->format == &qtri_texel_rgb565 && texture->filter == NULL &&
-                     !texture->has_key;
+                     texture->format->bytes == 2 && texture->format->decode == NULL &&
+                     texture->filter == NULL && !texture->has_key;
 }
 
 /* The mask of stored texels that are not the key. */

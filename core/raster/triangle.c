@@ -24,7 +24,7 @@ QTRI_NOINLINE static void fill_tall(const qtri_job *job, qtri_triangle *triangle
 void qtri_triangle_fill(const qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
 {
     qtri_list_flush(job->raster);
-    if (QTRI_WITH_FAST_PATHS && triangle->size != QTRI_LARGE) {
+    if (QTRI_WITH_FAST_PATHS && triangle->is_short) {
         fill(job, triangle->spans, triangle->row, triangle->end - triangle->row);
     } else {
         fill_tall(job, triangle, fill);
@@ -61,7 +61,8 @@ static void vertex_from_attributes(qtri_vertex *out, const qtri_screen_point *at
 {
     const int64_t more = (int64_t)v->inv_w_exponent - first_exponent;
     out->at = *at;
-    out->depth_16p8 = (v->depth_16p16 & ~0xFFu) | (more < -2 || more > 2 ? 0u : (uint32_t)(more + 8));
+    out->depth_16p8 =
+        (v->depth_16p16 & ~0xFFu) | (more < -2 || more > 2 ? 0u : (uint32_t)(more + 8));
     out->inv_w = v->inv_w_q31;
 }
 
@@ -85,6 +86,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     qtri_attributes attributes[3];
     qtri_vertex vertex[3];
     qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
     for (int i = 0; i < 3; i++) {
         p[i].x_24p8 = qtri_hold32(v[i].x_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
         p[i].y_24p8 = qtri_hold32(v[i].y_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
@@ -98,7 +100,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
         vertex_from_attributes(&vertex[i], &p[i], &attributes[i], attributes[0].inv_w_exponent);
     }
     const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
-    switch (qtri_place_triangle(&place, raster, corner[0], corner[1], corner[2])) {
+    switch (qtri_place_triangle(&place, spans, raster, corner[0], corner[1], corner[2])) {
     case QTRI_PLACED_SMALL:
         qtri_list_attributes(raster, &place, corner, attributes);
         qtri_list_flush(raster);

@@ -10,15 +10,6 @@
 
 #include "job.h"
 
-typedef enum qtri_size {
-    QTRI_LARGE,
-    QTRI_SHORT, /* `spans` holds all rows */
-    QTRI_TINY   /* so it does, and neither width nor height reaches QTRI_TINY_SIDE */
-} qtri_size;
-
-#define QTRI_TINY_REACH 4                                 /* pixels from the middle */
-#define QTRI_TINY_SIDE  (256 * (2 * QTRI_TINY_REACH + 1)) /* 1/256 pixel */
-
 /* A triangle's place on the screen. */
 typedef struct qtri_triangle {
     const qtri_screen_point *p[3]; /* |x|, |y| <= QTRI_SCREEN_MAX_24P8 */
@@ -31,7 +22,7 @@ typedef struct qtri_triangle {
     int32_t extent;                                 /* width and height, added */
     int32_t row, end;                               /* rows inside the bounds */
     bool cut;                                       /* spans may reach past the bounds */
-    qtri_size size;
+    bool is_short;                                  /* `spans` holds all rows */
     qtri_span spans[QTRI_ROWS_AHEAD];
 } qtri_triangle;
 

@@ -50,7 +50,8 @@ typedef struct bench_frame {
     qtri_texture texture;
     qtri_mesh mesh; /* with the scene's colours */
     qtri_corner corners[BENCH_CORNERS_MAX];
-    uint32_t memory[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES) / sizeof(uint32_t)];
+    uint32_t
+        memory[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES) / sizeof(uint32_t)];
     qtri_vertex vertices[QTRI_MESH_VERTICES(BENCH_VERTICES_MAX)];
     uint16_t texels[BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE];
 #ifndef BENCH_PLAIN

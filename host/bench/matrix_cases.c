@@ -1,10 +1,8 @@
 #include "matrix.h"
 
 static const matrix_surface surfaces[] = {
-    {"rgb565", &qtri_rgb565},
-    {"rgb565_swapped", &qtri_rgb565_swapped},
-    {"rgb888", &qtri_rgb888},
-    {"xrgb8888", &qtri_xrgb8888},
+    {"rgb565", &qtri_rgb565}, {"rgb565_swapped", &qtri_rgb565_swapped},
+    {"rgb888", &qtri_rgb888}, {"xrgb8888", &qtri_xrgb8888},
     {"gray8", &qtri_gray8},
 };
 

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../tools/mesh_faces.h"
+
 #define ONE 65536
 
 static int32_t round_q16(double value)
@@ -158,11 +160,58 @@ static void write_compact_uvs(FILE *out, const char *name, const struct obj_mesh
     fprintf(out, "};\n");
 }
 
+static void *allocate(size_t count, size_t size)
+{
+    void *memory = calloc(count + 1, size);
+    if (memory == NULL) {
+        fprintf(stderr, "bench_meshes: out of memory\n");
+        exit(1);
+    }
+    return memory;
+}
+
+/* Positions and triangles of the compact mesh. Those of faces that pay are written. */
+static void write_faces(FILE *out, const char *name, const struct obj_mesh *mesh, int32_t extent,
+                        qtri_faces *faces)
+{
+    qtri_position16 *positions = allocate(mesh->vertex_count, sizeof *positions);
+    uint16_t(*triangles)[3] = allocate(mesh->triangle_count, sizeof *triangles);
+    qtri_face8 *planes = allocate(mesh->triangle_count, sizeof *planes);
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        const int32_t *p = mesh->positions[i];
+        positions[i].x = (int16_t)compact_position(p[0], extent);
+        positions[i].y = (int16_t)compact_position(p[1], extent);
+        positions[i].z = (int16_t)compact_position(p[2], extent);
+    }
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        for (int corner = 0; corner < 3; corner++) {
+            triangles[i][corner] = (uint16_t)mesh->triangles[i][corner];
+        }
+    }
+    qtri_mesh compact = {.positions16 = positions,
+                         .extent = extent,
+                         .triangles = (const uint16_t(*)[3])triangles,
+                         .vertex_count = (uint32_t)mesh->vertex_count,
+                         .triangle_count = (uint32_t)mesh->triangle_count};
+    if (mesh_faces_make(&compact, planes)) {
+        begin_array(out, "qtri_face8", name, "planes");
+        for (size_t i = 0; i < mesh->triangle_count; i++) {
+            fprintf(out, "{%d, %d, %d, %d},\n", planes[i].x, planes[i].y, planes[i].z, planes[i].d);
+        }
+        fprintf(out, "};\n");
+    }
+    *faces = compact.faces;
+    free(positions);
+    free(triangles);
+    free(planes);
+}
+
 /* Texture coordinates that 16 bits do not hold stay wide. */
 static void write_compact(FILE *out, const char *name, const struct obj_mesh *mesh, int32_t extent)
 {
     const int32_t half[3] = {extent, extent, extent};
     bool compact_uvs = has_compact_uvs(mesh);
+    qtri_faces faces;
     fprintf(out, "#ifndef BENCH_PLAIN\n");
     begin_array(out, "qtri_position16", name, "positions16");
     for (size_t i = 0; i < mesh->vertex_count; i++) {
@@ -183,6 +232,7 @@ static void write_compact(FILE *out, const char *name, const struct obj_mesh *me
     if (compact_uvs) {
         write_compact_uvs(out, name, mesh);
     }
+    write_faces(out, name, mesh, extent, &faces);
     fprintf(out,
             "const qtri_mesh bench_mesh_%s_compact = {\n"
             "    .positions16 = %s_positions16,\n    .normals8 = %s_normals8,\n"
@@ -190,6 +240,10 @@ static void write_compact(FILE *out, const char *name, const struct obj_mesh *me
             name, name, name, extent);
     if (mesh->uvs != NULL) {
         fprintf(out, compact_uvs ? "    .uvs16 = %s_uvs16,\n" : "    .uvs = %s_uvs,\n", name);
+    }
+    if (faces.planes != NULL) {
+        fprintf(out, "    .faces = {&qtri_cull_by_planes, %s_planes, %" PRIu32 ", %u, %u},\n", name,
+                faces.thin, faces.error_q16, faces.radius_q14);
     }
     write_bounds(out, half);
     fprintf(out,

@@ -16,6 +16,7 @@ struct scene_part {
     qtri_normal *normals;
     qtri_vec2 *uvs; /* NULL when the file has none */
     uint16_t (*triangles)[3];
+    qtri_face8 *planes; /* mesh.faces has them where they pay */
 };
 
 struct scene_parts {

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh_faces.h"
+
 #define PART_VERTICES 65536u
 
 static int16_t normal_q14(int32_t component)
@@ -32,6 +34,7 @@ static void part_free(struct scene_part *part)
     free(part->normals);
     free(part->uvs);
     free(part->triangles);
+    free(part->planes);
 }
 
 /*
@@ -68,6 +71,7 @@ static size_t part_fill(struct scene_part *part, const struct obj_mesh *mesh, si
         .triangle_count = (uint32_t)(triangle - first),
     };
     part->mesh = view;
+    (void)mesh_faces_make(&part->mesh, part->planes);
     return triangle;
 }
 
@@ -79,8 +83,9 @@ static bool part_allocate(struct scene_part *part, const struct obj_mesh *mesh, 
     part->normals = malloc((vertices + 1) * sizeof *part->normals);
     part->uvs = mesh->uvs != NULL ? malloc((vertices + 1) * sizeof *part->uvs) : NULL;
     part->triangles = malloc((triangles + 1) * sizeof *part->triangles);
+    part->planes = malloc((triangles + 1) * sizeof *part->planes);
     return part->positions != NULL && part->normals != NULL && part->triangles != NULL &&
-           (mesh->uvs == NULL || part->uvs != NULL);
+           part->planes != NULL && (mesh->uvs == NULL || part->uvs != NULL);
 }
 
 static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)

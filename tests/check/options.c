@@ -48,6 +48,7 @@ static qtri_position16 positions16[POINTS];
 static qtri_normal8 normals8[POINTS];
 static qtri_uv16 uvs16[POINTS];
 static uint8_t triangles8[2 * POINTS][3];
+static qtri_face8 planes[2 * POINTS];
 static uint16_t texels565[64];
 static uint32_t texels8888[64];
 
@@ -89,6 +90,33 @@ static void make_meshes(void)
     for (uint32_t i = 0; i < 64; i++) {
         texels565[i] = (uint16_t)(i * 2654435761u >> 16);
         texels8888[i] = i * 2654435761u >> 4;
+    }
+}
+
+/* As mesh.h asks for them, all 100 long along the largest coordinate. */
+static void make_planes(void)
+{
+    for (int i = 0; i < 2 * POINTS; i++) {
+        const qtri_position16 *a = &positions16[triangles[i][0]];
+        const qtri_position16 *b = &positions16[triangles[i][1]];
+        const qtri_position16 *c = &positions16[triangles[i][2]];
+        const int64_t e[3] = {b->x - a->x, b->y - a->y, b->z - a->z};
+        const int64_t f[3] = {c->x - a->x, c->y - a->y, c->z - a->z};
+        int64_t n[3];
+        int64_t largest = 1;
+        for (int k = 0; k < 3; k++) {
+            n[k] = e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3];
+            int64_t size = n[k] < 0 ? -n[k] : n[k];
+            largest = size > largest ? size : largest;
+        }
+        for (int k = 0; k < 3; k++) {
+            n[k] = (n[k] * 200 + (n[k] < 0 ? -largest : largest)) / (2 * largest);
+        }
+        const int64_t d = n[0] * a->x + n[1] * a->y + n[2] * a->z;
+        planes[i].x = (int8_t)n[0];
+        planes[i].y = (int8_t)n[1];
+        planes[i].z = (int8_t)n[2];
+        planes[i].d = (int8_t)((d + (d < 0 ? -16384 : 16384)) / 32768);
     }
 }
 
@@ -162,9 +190,14 @@ static void draw(const picture *asked)
     (void)qtri_surface_init(&surface, p.format, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory);
     qtri_mesh mesh = {.vertex_count = POINTS, .triangle_count = 2 * POINTS};
     mesh.colors = p.has_colors ? colors : NULL;
+    mesh.extent = Q16(1);
+    mesh.faces.culling = &qtri_cull_by_planes;
+    mesh.faces.planes = planes;
+    mesh.faces.thin = 8000;
+    mesh.faces.error_q16 = 60000;
+    mesh.faces.radius_q14 = 17000;
     if (p.is_compact) {
         mesh.positions16 = positions16;
-        mesh.extent = Q16(1);
         mesh.normals8 = p.has_normals ? normals8 : NULL;
         mesh.uvs16 = uvs16;
         mesh.triangles8 = (const uint8_t(*)[3])triangles8;
@@ -233,6 +266,7 @@ int main(int argc, char **argv)
     left_out = (const char *const *)&argv[1];
     left_out_count = argc - 1;
     make_meshes();
+    make_planes();
     for (int i = 0; i < 3 * 2 * 12; i++) {
         char name[80];
         int kind = i / 6;

@@ -2,9 +2,10 @@
  * What the library is built with. Each option is 1, the default, or 0: left out, to save code.
  *
  * Options are for the command line of the compiler, -DQTRI_WITH_SMOOTH=0, the same for all files of
- * the library and of the application: where they differ, linking fails. An option never changes what is left in: it draws the same
- * pixels to the bit. What is left out has the one result that stands beside the option. What is
- * chosen by a description, as formats and filters are, needs none: it is linked where it is named.
+ * the library and of the application: where they differ, linking fails. An option never changes
+ * what is left in: it draws the same pixels to the bit. What is left out has the one result that
+ * stands beside the option. What is chosen by a description, as formats and filters are, needs
+ * none: it is linked where it is named.
  */
 #ifndef QTRI_CONFIG_H
 #define QTRI_CONFIG_H

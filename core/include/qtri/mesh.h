@@ -40,6 +40,47 @@ typedef struct qtri_uv16 {
     int16_t x, y;
 } qtri_uv16;
 
+/*
+ * Planes of a mesh's faces: those that turn away are left out before their vertices are
+ * transformed. A draw call that culls back or front faces then transforms and lights a vertex when
+ * the first face that may be seen needs it, mostly half of them; where no triangle is culled, or
+ * the mesh reaches the eye, the near or the far plane, they are not used. The pixels stay the same,
+ * but for the light, see below. They pay for closed meshes of more than a few hundred triangles.
+ *
+ * For a triangle with corners a b c, real numbers, as they are stored:
+ *
+ *   x y z   round(s n) for n = (b - a) x (c - a) of length 1, and a length s of the face's own that
+ *           leaves x y z at least 16 long. Or 0 0 0, no plane, where that cannot be: of a face that
+ *           is too thin, too small or without area; it is looked at as in a mesh without planes
+ *   d       round((x y z) . (a - origin) / extent), for s so small that it fits
+ *
+ * s is best as large as the other faces' `thin` allows: it makes thin faces' normals short. In
+ * place of round(s n) any near whole numbers will do, and some lengths s are nearer to such than
+ * others. What makes them, and leaves them out where they do not pay, is host/tools/mesh_faces.h.
+ *
+ * A face that is lit as a whole has the light of x y z: off from that of n by its angle to n times
+ * the light's diffuse part; the angle is up to 1/64, half a step of RGB565, as mesh_faces.h makes
+ * them. Light on a mesh that camera and pose scale unevenly or shear keeps that of n, and so does
+ * that of 0 0 0.
+ */
+typedef struct qtri_face8 {
+    int8_t x, y, z, d;
+} qtri_face8;
+
+/* What leaves faces out by their planes: linked where a mesh names it. */
+typedef struct qtri_face_culling qtri_face_culling;
+extern const qtri_face_culling qtri_cull_by_planes;
+
+typedef struct qtri_faces {
+    const qtri_face_culling *culling; /* &qtri_cull_by_planes; NULL: for light only */
+    const qtri_face8 *planes;         /* triangle_count, or NULL */
+    /* Of all faces, each rounded up: */
+    uint32_t thin;       /* (x y z) . n extent / r, for the radius r of a face's inner circle,
+                            2 area / perimeter */
+    uint16_t error_q16;  /* x y z's distance from the line along n */
+    uint16_t radius_q14; /* |p - origin| / extent of the positions, at least 1 */
+} qtri_faces;
+
 /* The points within `half` of `center`, axis by axis. */
 typedef struct qtri_box {
     qtri_vec3 center, half;
@@ -58,8 +99,9 @@ typedef struct qtri_mesh {
     const qtri_normal8 *normals8;
     const qtri_uv16 *uvs16;
     const uint8_t (*triangles8)[3];
-    qtri_vec3 origin; /* of positions16 */
-    q16 extent;
+    qtri_vec3 origin; /* of positions16 and faces */
+    q16 extent;       /* a wide mesh with faces has the two as well: all positions within it */
+    qtri_faces faces;
     qtri_box bounds; /* of all positions, in object space: a mesh that cannot be seen is skipped at
                         once; half = 0: unknown */
 } qtri_mesh;

@@ -50,7 +50,7 @@ typedef struct qtri_vertex {
     qtri_screen_point at;
     uint32_t depth_16p8;    /* times 256, and in the low byte the planes the vertex is outside of */
     uint32_t inv_w;         /* mantissa of 1/w; of wireframes: edges, see mesh_lines.c */
-    uint16_t index;         /* of the mesh's vertex in this slot */
+    uint16_t index;         /* of the mesh's vertex in this slot; of wireframes: notes */
     uint16_t intensity_q15; /* of the light, 0..2^15; more: not lit yet */
 } qtri_vertex;
 

@@ -1,0 +1,228 @@
+#include "mesh_faces.h"
+
+static bool find_eye(qtri_eye *eye, const qtri_mesh_job *draw)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    if (qtri_mesh_has_compact(mesh->positions16)) {
+        return qtri_eye_find(eye, &draw->primitive.projector, &mesh->faces);
+    }
+    qtri_projector compact = draw->primitive.projector;
+    qtri_projector_compact(&compact, &mesh->origin, mesh->extent);
+    return qtri_eye_find(eye, &compact, &mesh->faces);
+}
+
+/* No vertex has been met. */
+static void clear(qtri_vertex *vertex, uint32_t count)
+{
+    const qtri_vertex *end = vertex + count;
+    for (; end - vertex >= 4; vertex += 4) {
+        vertex[0].depth_16p8 = QTRI_VERTEX_EMPTY;
+        vertex[1].depth_16p8 = QTRI_VERTEX_EMPTY;
+        vertex[2].depth_16p8 = QTRI_VERTEX_EMPTY;
+        vertex[3].depth_16p8 = QTRI_VERTEX_EMPTY;
+    }
+    for (; vertex != end; vertex++) {
+        vertex->depth_16p8 = QTRI_VERTEX_EMPTY;
+    }
+}
+
+QTRI_NOINLINE static bool begin(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const qtri_cull cull = draw->material.cull;
+    if (mesh->faces.planes == NULL || (cull != QTRI_CULL_BACK && cull != QTRI_CULL_FRONT) ||
+        !find_eye(&faces->eye, draw)) {
+        return false;
+    }
+    if (cull == QTRI_CULL_FRONT) {
+        qtri_eye_mirror(&faces->eye);
+    }
+    faces->next = 0;
+    faces->inside = true;
+    clear(draw->vertices, mesh->vertex_count);
+    return true;
+}
+
+static inline uint16_t *list_seen(const qtri_eye *eye, const qtri_face8 *plane, uint32_t entry,
+                                  uint16_t *out)
+{
+    if (!qtri_eye_is_behind(eye, plane)) {
+        *out++ = (uint16_t)entry;
+    }
+    return out;
+}
+
+/* The triangles of planes that may be seen, as qtri_mesh_faces.list has them; returns its end. */
+QTRI_NOINLINE static uint16_t *find_seen(const qtri_eye *from, const qtri_face8 *plane,
+                                         const qtri_face8 *end, uint16_t *out)
+{
+    enum { STEP = QTRI_FACES_STEP };
+    const qtri_eye eye = *from;
+    uint32_t entry = 0;
+    for (; end - plane >= 4; plane += 4, entry += 4 * STEP) {
+        out = list_seen(&eye, &plane[0], entry, out);
+        out = list_seen(&eye, &plane[1], entry + STEP, out);
+        out = list_seen(&eye, &plane[2], entry + 2 * STEP, out);
+        out = list_seen(&eye, &plane[3], entry + 3 * STEP, out);
+    }
+    for (; plane != end; plane++, entry += STEP) {
+        out = list_seen(&eye, plane, entry, out);
+    }
+    return out;
+}
+
+/* Notes the vertex if it has not been met: the place for the next note. */
+static inline qtri_vertex *meet(qtri_vertex *vertex, uint32_t index, qtri_vertex *note)
+{
+    if (vertex->depth_16p8 == QTRI_VERTEX_EMPTY) {
+        vertex->depth_16p8 = 0;
+        note->index = (uint16_t)index;
+        note++;
+    }
+    return note;
+}
+
+/* Notes the vertices of the list that have not been met. Triangles of none that is there go. */
+static inline uint32_t meet_all(qtri_mesh_faces *faces, const qtri_mesh_job *draw, bool narrow)
+{
+    const uint32_t size = qtri_vertex_size();
+    const uint32_t count = draw->mesh->vertex_count;
+    const uint8_t *triangles = faces->triangles;
+    const uint16_t *end = faces->end;
+    qtri_vertex *vertices = draw->vertices;
+    qtri_vertex *note = vertices;
+    uint16_t *kept = faces->list;
+    for (const uint16_t *at = faces->list; at != end; at++) {
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, qtri_mesh_faces_triangle(triangles, *at, narrow), narrow);
+        if (!qtri_mesh_find(vertex, vertices, count, index, size)) {
+            continue;
+        }
+        *kept++ = *at;
+        note = meet(vertex[0], index[0], note);
+        note = meet(vertex[1], index[1], note);
+        note = meet(vertex[2], index[2], note);
+    }
+    faces->end = kept;
+    return (uint32_t)(note - vertices);
+}
+
+QTRI_NOINLINE static uint32_t meet_wide(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+{
+    return meet_all(faces, draw, false);
+}
+
+QTRI_NOINLINE static uint32_t meet_narrow(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+{
+    return meet_all(faces, draw, true);
+}
+
+/* The first `count` vertices noted: onto the screen. False when one is outside. */
+static bool transform(const qtri_mesh_job *draw, uint32_t count)
+{
+    const qtri_projector *projector = &draw->primitive.projector;
+    if (qtri_mesh_has_compact(draw->mesh->positions16)) {
+        return qtri_projector_list16(projector, draw->mesh->positions16, count, draw->vertices);
+    }
+    return qtri_projector_list(projector, draw->mesh->positions, count, draw->vertices);
+}
+
+static void light(const qtri_mesh_job *draw, uint32_t count)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    if (!draw->lit_per_vertex) {
+        for (uint32_t i = 0; i < count; i++) {
+            draw->vertices[draw->vertices[i].index].intensity_q15 = QTRI_INTENSITY_ONE;
+        }
+    } else if (qtri_mesh_has_compact(mesh->normals8)) {
+        qtri_lighting_list8(&draw->lighting, mesh->normals8, count, draw->vertices);
+    } else {
+        qtri_lighting_list(&draw->lighting, mesh->normals, count, draw->vertices);
+    }
+}
+
+static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const bool narrow = qtri_mesh_has_bytes(mesh);
+    const uint32_t left = mesh->triangle_count - faces->next;
+    const uint32_t count = left < QTRI_FACES_AT_ONCE ? left : QTRI_FACES_AT_ONCE;
+    const qtri_face8 *plane = &mesh->faces.planes[faces->next];
+    if (count == 0) {
+        return false;
+    }
+    faces->triangles =
+        narrow ? mesh->triangles8[faces->next] : (const uint8_t *)mesh->triangles[faces->next];
+    faces->end = find_seen(&faces->eye, plane, plane + count, faces->list);
+    faces->next += count;
+    if (faces->end == faces->list) {
+        return true;
+    }
+    const uint32_t met = narrow ? meet_narrow(faces, draw) : meet_wide(faces, draw);
+    if (met != 0) {
+        faces->inside &= transform(draw, met);
+        light(draw, met);
+    }
+    return true;
+}
+
+/* Those that face the eye, of a mesh with all vertices inside and indices of 16 bits. */
+QTRI_NOINLINE static void draw_fronts(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+{
+    const uint32_t size = qtri_vertex_size();
+    const uint8_t *triangles = faces->triangles;
+    const uint16_t *end = faces->end;
+    qtri_vertex *vertices = draw->vertices;
+    for (const uint16_t *at = faces->list; at != end; at++) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, false);
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, false);
+        if (!qtri_mesh_find(vertex, vertices, UINT32_MAX, index, size)) {
+            continue; /* never: none is past the end */
+        }
+        qtri_vertex *a = vertex[0];
+        qtri_vertex *b = vertex[1];
+        qtri_vertex *c = vertex[2];
+        if (qtri_triangle_is_back(&a->at, &b->at, &c->at)) {
+            continue;
+        }
+        qtri_mesh_draw_solid(draw, triangle, a, b, c);
+    }
+}
+
+QTRI_NOINLINE static void draw_list(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+{
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
+    for (const uint16_t *at = faces->list; at != faces->end; at++) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(faces->triangles, *at, narrow);
+        uint32_t index[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        qtri_vertex *const vertex[3] = {&draw->vertices[index[0]], &draw->vertices[index[1]],
+                                        &draw->vertices[index[2]]};
+        if (!qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_seen(draw, triangle, vertex);
+        }
+    }
+}
+
+QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
+{
+    qtri_mesh_faces faces;
+    if (!begin(&faces, draw)) {
+        return false;
+    }
+    const bool simple = draw->material.cull == QTRI_CULL_BACK && !qtri_mesh_has_bytes(draw->mesh);
+    draw->lit = true;
+    while (next(&faces, draw)) {
+        if (!simple || !faces.inside) {
+            draw_list(&faces, draw);
+        } else {
+            draw_fronts(&faces, draw);
+        }
+    }
+    return true;
+}
+
+const qtri_face_culling qtri_cull_by_planes = {.begin = begin, .next = next, .draw = draw_all};

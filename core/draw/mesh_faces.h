@@ -1,0 +1,66 @@
+/*
+ * A mesh whose faces have planes, see mesh.h: some triangles at a time, those that may be seen,
+ * with their vertices. Internal.
+ *
+ * Whether a face turns away is told by its plane, four products, before any of its vertices is
+ * transformed. What is left of QTRI_FACES_AT_ONCE triangles is listed; then the vertices that no
+ * list before has had are transformed and lit, one after another. A vertex notes that it has not
+ * been met in its depth, as an empty slot does; the numbers of those to be transformed stand in the
+ * vertices' field `index`, which nothing else uses where each has a slot.
+ */
+#ifndef QTRI_DRAW_MESH_FACES_H
+#define QTRI_DRAW_MESH_FACES_H
+
+#include "../geometry/eye.h"
+#include "mesh_job.h"
+
+enum {
+    QTRI_FACES_AT_ONCE = 128,
+    QTRI_FACES_STEP = 6 /* from a triangle to the next, in a list */
+};
+
+typedef struct qtri_mesh_faces {
+    qtri_eye eye;
+    uint32_t next;            /* the first triangle that is not looked at yet */
+    bool inside;              /* no vertex met so far is outside */
+    const uint8_t *triangles; /* of the list: its first one's indices */
+    const uint16_t *end;
+    uint16_t list[QTRI_FACES_AT_ONCE]; /* steps from `triangles` */
+} qtri_mesh_faces;
+
+/* The indices of a triangle in the list: a step is six bytes, or three. */
+static inline const uint8_t *qtri_mesh_faces_triangle(const uint8_t *triangles, uint32_t entry,
+                                                      bool narrow)
+{
+    return &triangles[narrow ? entry / 2 : entry];
+}
+
+/* How many triangles it is from the list's first. */
+static inline uint32_t qtri_mesh_faces_number(uint32_t entry)
+{
+    return (entry / 2) * 0xAAAAAAABu; /* 3 times that is 1 modulo 2^32 */
+}
+
+/* qtri_faces.culling. */
+struct qtri_face_culling {
+    /*
+     * For a job that is placed and has a slot for each vertex. False where planes tell nothing:
+     * nothing is culled, or see qtri_eye_find(); nothing is changed then.
+     */
+    bool (*begin)(qtri_mesh_faces *faces, const qtri_mesh_job *draw);
+    /*
+     * Lists more triangles: of planes that may be seen, all indices valid, in the order of the
+     * mesh; possibly none. Their vertices are transformed and lit. False after the last.
+     */
+    bool (*next)(qtri_mesh_faces *faces, const qtri_mesh_job *draw);
+    /* Draws all triangles; or none, and returns false. */
+    bool (*draw)(qtri_mesh_job *draw);
+};
+
+/* NULL where a mesh has none. */
+static inline const qtri_face_culling *qtri_mesh_face_culling(const qtri_mesh *mesh)
+{
+    return QTRI_WITH_FAST_PATHS ? mesh->faces.culling : NULL;
+}
+
+#endif

@@ -1,0 +1,235 @@
+#include "eye.h"
+
+#include "../bits/reciprocal.h"
+
+/*
+ * The bound on faces.
+ *
+ * Units. Points are p = (position - origin) / extent, |p_i| <= 1, |p| <= R for R = radius_q14 /
+ * 2^14 >= 1. A row's value at p is m . p + t with m and t as they stand, which counts halves of a
+ * unit of qtri_row16_sum and stays below 2^30 (+ 2^4). The pixel x is f X / W, f = 2^(shift[0] -
+ * shift[3]).
+ *
+ * Area. Let c be the m of W's row and w0 its t; a that of X's row less x0 c, where x0 = t / w0 is
+ * X / W of the origin, b that of Y's row likewise. About the origin's place on the screen a point
+ * then has X = a . p and Y = b . p. Corners p0 p1 p2 with the normal n of length 1, the area A and
+ * D = n . p0 span on the screen twice the area
+ *
+ *   S = f^2 det(X, Y, W of each) / (W0 W1 W2) = f^2 w0 2A (n . k - w D) / (W0 W1 W2)
+ *
+ * with k = a x b and w = -c . k / w0: (k, w) is where all three rows are 0, the eye. y points down:
+ * S > 0 turns away. Mirrored, uneven and parallel views are no special cases.
+ *
+ * Snapping. What is drawn has corners up to h pixels off in x and in y. That changes S by at most h
+ * times the sum of |dx| + |dy| over the edges, plus 4 h^2, twice the area of the largest triangle
+ * in a square of side 2h. Let G be the larger of |a + b| and |a - b|, the most of |a . u| + |b . u|
+ * for |u| = 1, and g = |c| R / w0. For an edge of length l from p0 to p1
+ *
+ *   dx / f = X1 / W1 - X0 / W0 = (a . (p1 - p0) - X0 / W0 c . (p1 - p0)) / W1,
+ *
+ * and |X0 / W0| + |Y0 / W0| <= G R / (w0 (1 - g)), so |dx| + |dy| <= f l G (1 + g / (1 - g)) / W1,
+ * or over W0, if p0 and p1 change places. As W <= w0 (1 + g), a face of perimeter L is drawn turned
+ * away where
+ *
+ *   S W0 W1 W2 > h f L G w0^2 (1 + g)^2 / (1 - g) + 4 h^2 w0^3 (1 + g)^3.
+ *
+ * Let s be the length of x y z along n, at least 16; r the inner circle's radius, 2A = r L, s / r
+ * <= thin; and L >= 6 sqrt(3) r in every triangle, so that s / 2A <= thin^2 / (6 sqrt(3) s).
+ * Divided by f^2 w0 2A / s, with H = h w0 / f,
+ *
+ *   s (n . k - w D) > H G thin (1 + g)^2 / (1 - g) + H^2 thin^2 / 4,
+ *
+ * where the 1/4 is more than 4 (1 + g)^3 / (6 sqrt(3) 16) < 1/5.
+ *
+ * Rounding. x y z is s n + e, e at right angles to n and |e| <= error: that adds e . (k - w p0), at
+ * most error (|k| + |w| R). d is off by 1/2 and adds |w| / 2.
+ *
+ * h is half of 1/256 pixel, and what separates the rows of the vertex stage from a, b and c: a wide
+ * row is 12 away from the compact one, whose three m and t lost up to 4; a sum is cut off by 2, t
+ * here by 1; a and b are off by 3 an element, see center(). ROW_ERROR is more than that. An error
+ * of W counts |X| / W <= 2^30 / W times: altogether ROW_ERROR (1 + 2^30 / W) f / W pixels.
+ */
+enum { ROW_ERROR = 32, NEAREST = 16, SNAPPED_MAX_LOG2 = 24, BEHIND_MAX_LOG2 = 29 };
+
+/* |v|, not less, for |v_i| < 2^30.5. */
+static uint32_t length_above(const int32_t v[3])
+{
+    uint64_t square = 0;
+    for (int i = 0; i < 3; i++) {
+        square += (uint64_t)qtri_mul_s32(v[i], v[i]);
+    }
+    uint64_t rest;
+    return qtri_sqrt64_floor(square, &rest) + 1;
+}
+
+/* G, not less. */
+static uint32_t reach_above(const int32_t a[3], const int32_t b[3])
+{
+    uint64_t square = 0;
+    int64_t between = 0;
+    for (int i = 0; i < 3; i++) {
+        square += (uint64_t)qtri_mul_s32(a[i], a[i]) + (uint64_t)qtri_mul_s32(b[i], b[i]);
+        between += qtri_mul_s32(a[i], b[i]);
+    }
+    uint64_t rest;
+    return qtri_sqrt64_floor(square + 2 * qtri_magnitude64(between), &rest) + 1; /* < 2^63.7 */
+}
+
+/* x 2^shift, rounded down; x < 2^31, |shift| <= 30. */
+static uint64_t times_power(uint32_t x, int32_t shift)
+{
+    return shift >= 0 ? (uint64_t)x << shift : x >> -shift;
+}
+
+/* W: w0 and its inverse, how far W goes from there, and what depends on them. */
+typedef struct distance {
+    int32_t t;        /* w0 */
+    uint32_t inverse; /* 2^62 / (w0 2^zeros) */
+    int32_t zeros;
+    int32_t slope_q30[3]; /* c / w0 */
+    uint32_t reach;       /* |c| R */
+    uint32_t least;       /* W at the nearest point */
+    uint32_t inverse_q10; /* 1 / (1 - g), not less */
+    uint32_t spread_q10;  /* (1 + g)^2 / (1 - g), not less */
+} distance;
+
+static bool find_distance(distance *w, const qtri_projector *projector, uint32_t radius_q14)
+{
+    const qtri_row16 *row = &projector->row.compact[3];
+    int32_t c[3];
+    for (int i = 0; i < 3; i++) {
+        c[i] = qtri_row16_coefficient(row, i);
+    }
+    w->t = qtri_row16_translation(row);
+    const uint64_t reach = (qtri_mul_u32(length_above(c), radius_q14) >> 14) + 1;
+    const int64_t least = w->t - (int64_t)reach - ROW_ERROR;
+    if (w->t <= 0 || least <= 0 || least <= w->t / NEAREST) { /* so |c| < w0, g < 15/16 */
+        return false;
+    }
+    w->reach = (uint32_t)reach;
+    w->least = (uint32_t)least;
+    w->zeros = qtri_clz32((uint32_t)w->t);
+    w->inverse = (uint32_t)qtri_reciprocal_below((uint32_t)w->t << w->zeros);
+    for (int i = 0; i < 3; i++) { /* within 2: the inverse is off by 1, half of that counts */
+        int32_t c_q31 = c[i] * ((int32_t)1 << (w->zeros - 1));
+        w->slope_q30[i] = (int32_t)(qtri_mul_s32(c_q31, (int32_t)w->inverse) >> 31);
+    }
+    /* Off by 2^-16 and cut off: 2 more are not less. */
+    const int32_t zeros = qtri_clz32(w->least);
+    const uint32_t least_inverse = (uint32_t)qtri_reciprocal_below(w->least << zeros);
+    w->inverse_q10 = (uint32_t)(qtri_mul_u32((uint32_t)w->t, least_inverse) >> (52 - zeros)) + 2;
+    const uint32_t most = (uint32_t)w->t + w->reach + ROW_ERROR; /* < 2^31 */
+    const uint32_t most_q14 = (uint32_t)(qtri_mul_u32(most, w->inverse) >> (48 - w->zeros)) + 2;
+    w->spread_q10 = ((((most_q14 * most_q14) >> 14) + 1) * w->inverse_q10 >> 14) + 1; /* < 2^17 */
+    return true;
+}
+
+/* All between the near and the far plane: |z - w| <= |rz - rw| R, and near it is 2 w. */
+static bool is_between(const qtri_projector *projector, const distance *w, uint32_t radius_q14)
+{
+    const qtri_row16 *row = projector->row.compact;
+    uint64_t sum = 0;
+    for (int i = 0; i < 3; i++) {
+        sum += qtri_magnitude32(qtri_row16_coefficient(&row[3], i) -
+                                qtri_row16_coefficient(&row[2], i));
+    }
+    const int64_t slack = (int64_t)((sum * radius_q14) >> 14) + 2 * ROW_ERROR; /* < 2^35 */
+    const int64_t z = qtri_row16_translation(&row[2]);
+    return w->t - z >= slack && w->t + z >= slack + 2 * (int64_t)w->reach;
+}
+
+/*
+ * The row less its part along w's: |t slope| <= |t|, so it stays below 2^30 (+ 2^5). Off by 3: 2
+ * from the slope, 1 cut off.
+ */
+static void center(int32_t out[3], const qtri_row16 *row, const int32_t slope_q30[3])
+{
+    const int32_t t = qtri_row16_translation(row);
+    for (int i = 0; i < 3; i++) {
+        out[i] = qtri_row16_coefficient(row, i) - (int32_t)(qtri_mul_s32(t, slope_q30[i]) >> 30);
+    }
+}
+
+/* H: how far snapping moves a corner, in the scale of rows. */
+static uint64_t snapped(const distance *w, int32_t up)
+{
+    const uint64_t beside = (uint64_t)1 << (qtri_clz32(w->least) - 1); /* >= 2^30 / W */
+    const uint64_t rows = (ROW_ERROR * (beside + 1) * w->inverse_q10) >> 10;
+    return (times_power((uint32_t)w->t, up) >> 9) + rows + 2;
+}
+
+/* The bound above, `down` being the bits that k lost; UINT64_MAX where it is far too large. */
+static uint64_t find_bound(const qtri_eye *eye, const qtri_faces *faces, uint32_t radius_q14,
+                           const distance *w, uint64_t moved, uint32_t reach, int32_t down)
+{
+    const uint64_t blur = ((moved * reach) >> down) + 1; /* < 2^(24 + 32) */
+    const uint64_t both = moved * faces->thin;
+    if (blur >> 31 != 0 || both >> 31 != 0) {
+        return UINT64_MAX;
+    }
+    const uint64_t spread = ((blur * w->spread_q10) >> 10) + 1;
+    if (spread >> 32 != 0) {
+        return UINT64_MAX;
+    }
+    uint64_t bound = (spread * faces->thin) >> 9; /* k counts 2^-9 */
+    bound += ((both * both) >> 11) >> down;
+    /* x y z and d. */
+    const int32_t xyz[3] = {eye->x, eye->y, eye->z};
+    const uint32_t size = qtri_magnitude32(eye->w);
+    const uint64_t way = length_above(xyz) + 2 + ((qtri_mul_u32(size, radius_q14)) >> 14) + 2;
+    bound += (way * faces->error_q16) >> 16;
+    /* An element of the eye is off by less than 1.1: four times 128 of that, and all cut off. */
+    return bound + size / 2 + 1024;
+}
+
+bool qtri_eye_find(qtri_eye *eye, const qtri_projector *projector, const qtri_faces *faces)
+{
+    const uint32_t radius_q14 = faces->radius_q14 < 1u << 14 ? 1u << 14 : faces->radius_q14;
+    const int32_t up = projector->shift[3] - projector->shift[0]; /* f = 2^-up */
+    distance w;
+    if (!find_distance(&w, projector, radius_q14) || !is_between(projector, &w, radius_q14)) {
+        return false;
+    }
+    /* |x| <= 2^30 f / W: below 2^13. */
+    const uint64_t moved = snapped(&w, up);
+    if (times_power(w.least, up) >> 17 == 0 || moved >> SNAPPED_MAX_LOG2 != 0) {
+        return false;
+    }
+    int32_t a[3];
+    int32_t b[3];
+    int64_t cross[3];
+    uint64_t all = 0;
+    center(a, &projector->row.compact[0], w.slope_q30);
+    center(b, &projector->row.compact[1], w.slope_q30);
+    for (int i = 0; i < 3; i++) {
+        const int next = i < 2 ? i + 1 : 0;
+        const int last = 3 - i - next;
+        cross[i] = qtri_mul_s32(a[next], b[last]) - qtri_mul_s32(a[last], b[next]); /* < 2^61.1 */
+        all |= qtri_magnitude64(cross[i]);
+    }
+    const int32_t down = 34 - qtri_clz64(all | 1u); /* leaves 30 bits */
+    if (down < 0) {
+        return false; /* seen from the side */
+    }
+    int32_t k[3];
+    int64_t along = 0;
+    for (int i = 0; i < 3; i++) {
+        k[i] = (int32_t)(cross[i] >> down);
+        along += qtri_mul_s32(w.slope_q30[i], k[i]); /* |c| |k| <= 2^30 2^30.8 */
+    }
+    eye->x = k[0] >> 9;
+    eye->y = k[1] >> 9;
+    eye->z = k[2] >> 9;
+    eye->w = (int32_t)(along >> 39);
+    const uint64_t bound = find_bound(eye, faces, radius_q14, &w, moved, reach_above(a, b), down);
+    eye->behind = (int32_t)(bound & INT32_MAX);
+    return bound >> BEHIND_MAX_LOG2 == 0;
+}
+
+void qtri_eye_mirror(qtri_eye *eye)
+{
+    eye->x = -eye->x;
+    eye->y = -eye->y;
+    eye->z = -eye->z;
+    eye->w = -eye->w;
+}

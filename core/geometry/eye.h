@@ -1,0 +1,46 @@
+/*
+ * The point from which a mesh is seen, and the faces that turn away from it. Internal.
+ */
+#ifndef QTRI_GEOMETRY_EYE_H
+#define QTRI_GEOMETRY_EYE_H
+
+#include "projector.h"
+
+/*
+ * Homogeneous, in extents of the mesh about its origin, w negated; or, for the faces that turn
+ * towards it, all of it negated. |x|, |y|, |z| <= 2^21, |w| < 2^22, behind < 2^29: sums stay below
+ * 2^31.
+ */
+typedef struct qtri_eye {
+    int32_t x, y, z, w;
+    int32_t behind;
+} qtri_eye;
+
+/*
+ * For a projector after qtri_projector_compact() by the mesh's origin and extent. False where faces
+ * tell nothing: the mesh, within faces->radius_q14, is not all between the near and the far plane
+ * and well inside the guard band, or so small on the screen that snapping may turn any face.
+ */
+bool qtri_eye_find(qtri_eye *eye, const qtri_projector *projector, const qtri_faces *faces);
+
+/* The faces that turn towards it take the place of those that turn away. */
+void qtri_eye_mirror(qtri_eye *eye);
+
+/*
+ * Whether a triangle of this plane is sure to turn away: snapped to the screen, as the vertex stage
+ * does, its area is above 0; below 0 after qtri_eye_mirror().
+ */
+static inline bool qtri_eye_is_behind(const qtri_eye *eye, const qtri_face8 *face)
+{
+    int32_t sum = face->x * eye->x;
+    QTRI_HOLD(sum); /* one product at a time: GCC 12 would interleave them, and spill */
+    sum += face->y * eye->y;
+    QTRI_HOLD(sum);
+    sum += face->z * eye->z;
+    QTRI_HOLD(sum);
+    sum += face->d * eye->w;
+    QTRI_HOLD(sum);
+    return sum >= eye->behind;
+}
+
+#endif

@@ -1,7 +1,0 @@
-#include "qtri/material.h"
-
-struct qtri_fill {
-    uint8_t lines; /* a triangle */
-};
-
-const qtri_fill qtri_wireframe = {3};

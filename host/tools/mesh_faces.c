@@ -1,0 +1,284 @@
+#include "mesh_faces.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/*
+ * What a plane needs, by the bound in core/geometry/eye.c: with the eye's vector k of length 1, a
+ * face of length s along its normal is culled where s n . k exceeds
+ *
+ *   SNAPPING thin + OFF error + ROUNDED
+ *
+ * for a mesh that is 2 extents and about 200 pixels wide, seen from 2.5 radii: SNAPPING is H |a ..
+ * b| (1 + g)^2 / (1 - g) / |k| with H = 1.1 / 512 pixel, |a|, |b| = 100 and g = .4.
+ */
+#define SNAPPING (1.1 / 512.0 * 141.4 * (1.4 * 1.4 / .6) / 10000.0)
+#define OFF      1.4
+#define ROUNDED  .2
+
+/* Lengths of x y z: the least that core allows, and how far off light may be. */
+#define LENGTH_MIN 16.0
+#define ANGLE_MAX  (1.0 / 64.0)
+
+enum { SAMPLES = 400, WORTH_TRIANGLES = 128 };
+#define WORTH_SHARE .33
+
+struct face {
+    double normal[3];  /* of length 1 */
+    double corner[3];  /* in extents about the origin */
+    double radius;     /* of the inner circle, in extents; 0: no area */
+    double twice_area; /* in extents squared */
+};
+
+struct plane {
+    qtri_face8 face;
+    double length, error; /* along the normal, and beside it; length 0: none */
+};
+
+static void position(const qtri_mesh *mesh, uint32_t index, double out[3])
+{
+    if (mesh->positions16 != NULL) {
+        const qtri_position16 *p = &mesh->positions16[index];
+        out[0] = p->x / 32768.0;
+        out[1] = p->y / 32768.0;
+        out[2] = p->z / 32768.0;
+        return;
+    }
+    const qtri_vec3 *p = &mesh->positions[index];
+    out[0] = ((double)p->x - mesh->origin.x) / mesh->extent;
+    out[1] = ((double)p->y - mesh->origin.y) / mesh->extent;
+    out[2] = ((double)p->z - mesh->origin.z) / mesh->extent;
+}
+
+/* Of a wide mesh: the middle of its bounding box, and the box's largest half. */
+static void set_extent(qtri_mesh *mesh)
+{
+    double low[3] = {INFINITY, INFINITY, INFINITY};
+    double high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const qtri_vec3 *p = &mesh->positions[i];
+        const double at[3] = {p->x, p->y, p->z};
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = fmin(low[axis], at[axis]);
+            high[axis] = fmax(high[axis], at[axis]);
+        }
+    }
+    double middle[3];
+    double extent = 1.0;
+    for (int axis = 0; axis < 3; axis++) {
+        middle[axis] = mesh->vertex_count == 0 ? 0.0 : floor((low[axis] + high[axis]) / 2.0);
+        extent = mesh->vertex_count == 0 ? 1.0 : fmax(extent, high[axis] - middle[axis]);
+    }
+    mesh->origin.x = (q16)middle[0];
+    mesh->origin.y = (q16)middle[1];
+    mesh->origin.z = (q16)middle[2];
+    mesh->extent = (q16)fmin(extent, (double)INT32_MAX);
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void set_face(struct face *face, const qtri_mesh *mesh, uint32_t triangle)
+{
+    double p[3][3];
+    double edge[3][3];
+    double around = 0.0;
+    face->radius = 0.0;
+    face->twice_area = 0.0;
+    for (int i = 0; i < 3; i++) {
+        uint32_t index =
+            mesh->triangles8 != NULL ? mesh->triangles8[triangle][i] : mesh->triangles[triangle][i];
+        if (index >= mesh->vertex_count) {
+            return;
+        }
+        position(mesh, index, p[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            edge[i][axis] = p[(i + 1) % 3][axis] - p[i][axis];
+        }
+        face->corner[i] = p[0][i];
+        around += sqrt(dot(edge[i], edge[i]));
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        const int next = (axis + 1) % 3;
+        const int last = (axis + 2) % 3;
+        face->normal[axis] = edge[0][next] * edge[1][last] - edge[0][last] * edge[1][next];
+    }
+    face->twice_area = sqrt(dot(face->normal, face->normal));
+    if (face->twice_area > 0.0) {
+        face->radius = face->twice_area / around;
+        for (int axis = 0; axis < 3; axis++) {
+            face->normal[axis] /= face->twice_area;
+        }
+    }
+}
+
+/* The longest plane with these limits; length 0: none. */
+static struct plane find_plane(const struct face *face, double thin, double error_max)
+{
+    struct plane none = {{0, 0, 0, 0}, 0.0, 0.0};
+    const double *n = face->normal;
+    const double length_max = thin * face->radius;
+    if (face->radius <= 0.0 || length_max < LENGTH_MIN) {
+        return none;
+    }
+    const double largest = fmax(fabs(n[0]), fmax(fabs(n[1]), fabs(n[2])));
+    const double most = fmin(127.0, floor(length_max * largest) + 1.0);
+    for (int part = (int)most; part >= 8; part--) {
+        double q[3];
+        double beside = 0.0;
+        for (int axis = 0; axis < 3; axis++) {
+            q[axis] = round(n[axis] * part / largest);
+        }
+        const double length = dot(q, n);
+        for (int axis = 0; axis < 3; axis++) {
+            const double difference = q[axis] - length * n[axis];
+            beside += difference * difference;
+        }
+        beside = sqrt(beside);
+        const double d = round(dot(q, face->corner));
+        if (length <= length_max && beside <= error_max && beside <= ANGLE_MAX * length &&
+            d >= -128.0 && d <= 127.0 && dot(q, q) >= LENGTH_MIN * LENGTH_MIN) {
+            struct plane plane = {
+                {(int8_t)q[0], (int8_t)q[1], (int8_t)q[2], (int8_t)d}, length, beside};
+            return plane;
+        }
+    }
+    return none;
+}
+
+/* The share of directions from which planes of these limits cull a face, over some of the faces. */
+static double share(const struct face *faces, uint32_t count, double thin, double error_max)
+{
+    const uint32_t step = count / SAMPLES + 1;
+    const double least = SNAPPING * thin + OFF * error_max + ROUNDED;
+    double sum = 0.0;
+    uint32_t samples = 0;
+    for (uint32_t i = 0; i < count; i += step) {
+        const struct plane plane = find_plane(&faces[i], thin, error_max);
+        sum += plane.length > least ? .5 * (1.0 - least / plane.length) : 0.0;
+        samples++;
+    }
+    return samples == 0 ? 0.0 : sum / samples;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double *x = a;
+    const double *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+static double median_radius(const struct face *faces, uint32_t count)
+{
+    double *radius = malloc((count + 1) * sizeof *radius);
+    if (radius == NULL) {
+        return 0.0;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        radius[i] = faces[i].radius;
+    }
+    qsort(radius, count, sizeof *radius, compare_doubles);
+    const double median = count == 0 ? 0.0 : radius[count / 2];
+    free(radius);
+    return median;
+}
+
+static uint32_t above(double value, double most)
+{
+    return (uint32_t)fmin(floor(value) + 1.0, most);
+}
+
+static double fill(qtri_mesh *mesh, qtri_face8 *planes, const struct face *faces)
+{
+    static const double errors[] = {.06, .1, .15, .2, .3, .4, .6, .87};
+    static const double lengths[] = {16, 24, 32, 48, 64, 80, 96, 128, 160, 220, 320};
+    const uint32_t count = mesh->triangle_count;
+    const double median = median_radius(faces, count);
+    double best = 0.0;
+    double error_max = 0.0;
+    double thin_max = 0.0;
+    for (size_t i = 0; i < sizeof errors / sizeof errors[0] && median > 0.0; i++) {
+        for (size_t j = 0; j < sizeof lengths / sizeof lengths[0]; j++) {
+            const double thin = fmin(lengths[j] / median, (double)UINT32_MAX);
+            const double worth = share(faces, count, thin, errors[i]);
+            if (worth > best) {
+                best = worth;
+                error_max = errors[i];
+                thin_max = thin;
+            }
+        }
+    }
+    double thin = 0.0;
+    double error = 0.0;
+    double radius = 1.0;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct plane plane = find_plane(&faces[i], thin_max, error_max);
+        planes[i] = plane.face;
+        error = fmax(error, plane.error);
+        thin = plane.length > 0.0 ? fmax(thin, plane.length / faces[i].radius) : thin;
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        double p[3];
+        position(mesh, i, p);
+        radius = fmax(radius, sqrt(dot(p, p)));
+    }
+    mesh->faces.culling = &qtri_cull_by_planes;
+    mesh->faces.planes = planes;
+    mesh->faces.thin = above(thin, (double)UINT32_MAX);
+    mesh->faces.error_q16 = (uint16_t)above(error * 65536.0, UINT16_MAX);
+    mesh->faces.radius_q14 = (uint16_t)above(radius * 16384.0, UINT16_MAX);
+    return best;
+}
+
+static struct face *find_faces(qtri_mesh *mesh)
+{
+    if (mesh->positions16 == NULL) {
+        set_extent(mesh);
+    }
+    struct face *faces = malloc((mesh->triangle_count + (size_t)1) * sizeof *faces);
+    for (uint32_t i = 0; faces != NULL && i < mesh->triangle_count; i++) {
+        set_face(&faces[i], mesh, i);
+    }
+    return faces;
+}
+
+double mesh_faces_fill(qtri_mesh *mesh, qtri_face8 *planes)
+{
+    struct face *faces = find_faces(mesh);
+    mesh->faces.planes = NULL;
+    const double worth = faces == NULL ? 0.0 : fill(mesh, planes, faces);
+    free(faces);
+    return worth;
+}
+
+/* 0 for a closed mesh, 1 for a plane. */
+static double openness(const struct face *faces, uint32_t count)
+{
+    double sum[3] = {0.0, 0.0, 0.0};
+    double area = 0.0;
+    for (uint32_t i = 0; i < count; i++) {
+        for (int axis = 0; axis < 3 && faces[i].radius > 0.0; axis++) {
+            sum[axis] += faces[i].normal[axis] * faces[i].twice_area;
+        }
+        area += faces[i].twice_area;
+    }
+    return area > 0.0 ? sqrt(dot(sum, sum)) / area : 1.0;
+}
+
+bool mesh_faces_make(qtri_mesh *mesh, qtri_face8 *planes)
+{
+    struct face *faces = find_faces(mesh);
+    mesh->faces.planes = NULL;
+    const bool made = faces != NULL && mesh->triangle_count >= WORTH_TRIANGLES &&
+                      openness(faces, mesh->triangle_count) < .5 &&
+                      fill(mesh, planes, faces) >= WORTH_SHARE;
+    if (!made) {
+        mesh->faces.planes = NULL;
+    }
+    free(faces);
+    return made;
+}
