@@ -74,6 +74,13 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const uint32_t
     qtri_list_draw(raster, t);
 }
 
+/* In place where code need not be small. */
+#ifdef __OPTIMIZE_SIZE__
+#define PLACE qtri_place_triangle
+#else
+#define PLACE qtri_place_near
+#endif
+
 /* One that no fused loop draws. */
 QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                                    qtri_vertex *b, qtri_vertex *c)
@@ -83,7 +90,7 @@ QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indice
     qtri_coordinates uv[2];
     const qtri_mesh *mesh = draw->mesh;
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    const qtri_placed placed = qtri_place_triangle(&place, spans, raster, a, b, c);
+    const qtri_placed placed = PLACE(&place, spans, raster, a, b, c);
     if (placed != QTRI_PLACED_SMALL) {
         if (placed == QTRI_PLACED_LARGE) {
             draw_large(draw, indices, a, b, c);

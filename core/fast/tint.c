@@ -73,7 +73,7 @@ static inline void fill(const tint_rows *rows, const uint8_t *span, uint32_t pix
 /* Pixels of all shares of the tint. */
 QTRI_NOINLINE static void make_table(const qtri_raster *raster)
 {
-    uint16_t *table = qtri_batch_table(raster->batch);
+    uint16_t *table = raster->batch->by.table;
     uint32_t words[4];
     for (uint32_t i = 0; i < (1u << TABLE_BITS) + 1; i += 4) {
         for (uint32_t k = 0; k < 4; k++) {
@@ -89,11 +89,16 @@ QTRI_NOINLINE static void make_table(const qtri_raster *raster)
     raster->batch->has_table = true;
 }
 
-static bool is_linear(const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
-                      const qtri_vertex *c, int32_t i1, int32_t i2)
+/* Of one that is not plain: whether it is small, and its light linear. */
+QTRI_NOINLINE static bool is_simple(const qtri_raster *raster, const qtri_vertex *a,
+                                    const qtri_vertex *b, const qtri_vertex *c, int32_t i1,
+                                    int32_t i2)
 {
-    return !(QTRI_WITH_PERSPECTIVE && raster->perspective) ||
-           qtri_list_is_linear(a, b, c, i1, i2, 3);
+    int32_t more1;
+    int32_t more2;
+    return qtri_inv_w_more(&more1, a, b) && qtri_inv_w_more(&more2, a, c) &&
+           (!(QTRI_WITH_PERSPECTIVE && raster->perspective) ||
+            qtri_list_is_linear(a->inv_w, more1, more2, i1, i2, 3));
 }
 
 bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
@@ -127,11 +132,8 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
         i1 = b->intensity_q15 - i0;
         i2 = c->intensity_q15 - i0;
     }
-    if (!qtri_list_is_plain(a, b, c, i1, i2, 3)) {
-        QTRI_RARELY();
-        if (!qtri_place_is_near(a, b, c) || (smooth && !is_linear(raster, a, b, c, i1, i2))) {
-            return false;
-        }
+    if (!qtri_list_is_plain(a, b, c, i1, i2, 3) && !is_simple(raster, a, b, c, i1, i2)) {
+        return false;
     }
     if (raster->batch->count != 0) {
         qtri_list_flush(raster);
@@ -147,6 +149,10 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     rows.depths = (uintptr_t)surface->depth + (uintptr_t)p.row * rows.pitch +
                   (uintptr_t)(2 * (ptrdiff_t)p.column);
     if (!smooth) {
+        rows.light = 0;
+        rows.light_dx = 0;
+        rows.light_dy = 0;
+        rows.table = NULL;
         fill(&rows, p.first, qtri_raster_stored(raster, qtri_raster_tinted(raster, light_q15, 15)),
              false);
         return true;
@@ -160,7 +166,7 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     rows.light = ramp.origin;
     rows.light_dx = ramp.dx;
     rows.light_dy = ramp.dy;
-    rows.table = qtri_batch_table(raster->batch);
+    rows.table = raster->batch->by.table;
     QTRI_READ_AGAIN
     fill(&rows, p.first, 0, true);
     return true;

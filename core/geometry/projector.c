@@ -58,7 +58,7 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
 }
 
 /* |m| <= 2^30, |t| < 2^61: the sum stays below 3 2^61 + 2^61 = 2^63. */
-static inline int64_t row_sum(const qtri_row *row, int64_t t, q16 x, q16 y, q16 z)
+QTRI_IN_PLACE int64_t row_sum(const qtri_row *row, int64_t t, q16 x, q16 y, q16 z)
 {
     t += qtri_mul_s32(row->m[0], x);
     t += qtri_mul_s32(row->m[1], y);
@@ -197,55 +197,65 @@ QTRI_NOINLINE static bool exact(const qtri_projector *projector, const qtri_vec3
  */
 enum { FAST_BITS = 9 };
 
-/* x 2^-shift; false when it does not fit. */
-static inline bool narrow(int32_t *out, int64_t x, int32_t shift)
+/*
+ * x 2^-shift for shift >= 1, rounded down; false when it does not fit. With `is_short` shift <= 31:
+ * then half of what a core of 32 bits makes of any.
+ */
+static inline bool narrow(int32_t *out, int64_t x, int32_t shift, bool is_short)
 {
-    int64_t result = x >> shift;
-    int32_t low = (int32_t)(uint32_t)((uint64_t)result & UINT32_MAX);
-    bool fits = (int32_t)(result >> 32) == (low < 0 ? -1 : 0);
-    QTRI_HOLD(low);
-    *out = low;
-    return fits;
+    const int32_t high = (int32_t)(x >> 32);
+    const uint32_t low = (uint32_t)((uint64_t)x & UINT32_MAX);
+    if (is_short) {
+        *out = (int32_t)(low >> shift | (uint32_t)high << (32 - shift));
+        return high >> shift == (*out < 0 ? -1 : 0);
+    }
+    const int64_t result = x >> shift;
+    *out = (int32_t)(uint32_t)((uint64_t)result & UINT32_MAX);
+    return (int32_t)(result >> 32) == (*out < 0 ? -1 : 0);
 }
 
 /* From a row's sum to z_q31 and X: less the leading zeros of that of w. */
-typedef struct usual {
+typedef struct stage {
     const qtri_projector *projector;
     int32_t x_down, y_down, z_down;
-    int32_t most; /* zeros of w; 0 where shifts do not serve */
-} usual;
+    int32_t most;  /* zeros of w; 0 where shifts do not serve */
+    int32_t least; /* with as many all shifts are short */
+} stage;
 
-static inline void begin(usual *shared, const qtri_projector *projector)
+static inline void begin(stage *to, const qtri_projector *projector)
 {
     const int32_t *shift = projector->shift;
-    shared->projector = projector;
-    shared->z_down = 33 + shift[2] - shift[3];
-    shared->x_down = 45 + shift[0] - shift[3];
-    shared->y_down = 45 + shift[1] - shift[3];
-    shared->most =
-        shared->z_down <= 63 && shared->x_down <= 63 && shared->y_down <= 63 && QTRI_WITH_FAST_PATHS
-            ? 31 - shift[3]
-            : 0;
+    to->projector = projector;
+    to->z_down = 33 + shift[2] - shift[3];
+    to->x_down = 45 + shift[0] - shift[3];
+    to->y_down = 45 + shift[1] - shift[3];
+    const int32_t down = qtri_greatest32(to->z_down, qtri_greatest32(to->x_down, to->y_down));
+    to->most = down <= 63 ? 31 - shift[3] : 0;
+    to->least = qtri_greatest32(1, down - 31);
 }
 
-/* False: outside. */
-QTRI_IN_PLACE bool place(const usual *shared, const qtri_vec3 *p, qtri_vertex *out)
+/* Leading zeros of w's upper half, 0 as well for w < 0 and for 32. */
+static inline int32_t zeros_of(int64_t w)
 {
-    const qtri_projector *projector = shared->projector;
+    return qtri_clz32((uint32_t)((uint64_t)w >> 32)) & 31;
+}
+
+/* For 1 <= zeros <= to->most, or >= to->least as well. False: outside. */
+QTRI_IN_PLACE bool place_by(const stage *to, const qtri_vec3 *p, qtri_vertex *out, int64_t w,
+                            int32_t zeros, bool is_short)
+{
+    const qtri_projector *projector = to->projector;
     const qtri_row *row = projector->row.wide;
-    int64_t w = row_sum(&row[3], row[3].t, p->x, p->y, p->z);
-    int32_t zeros = qtri_clz32((uint32_t)((uint64_t)w >> 32)) & 31; /* 0: w < 0 or small */
-    if (zeros == 0 || zeros > shared->most) {
-        return exact(projector, p, out);
-    }
-    uint32_t w_q32 = (uint32_t)((uint64_t)w >> (32 - zeros));
+    const uint32_t w_low = (uint32_t)((uint64_t)w & UINT32_MAX);
+    uint32_t w_q32 = (uint32_t)((uint64_t)w >> 32) << zeros | w_low >> (32 - zeros);
     int32_t z_q31;
     int32_t x;
     int32_t y;
     bool fits =
-        narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), shared->z_down - zeros) &&
-        narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), shared->x_down - zeros) &&
-        narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), shared->y_down - zeros) &&
+        narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), to->z_down - zeros,
+               is_short) &&
+        narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), to->x_down - zeros, is_short) &&
+        narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), to->y_down - zeros, is_short) &&
         (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
     if (!fits) {
         return exact(projector, p, out);
@@ -267,14 +277,49 @@ QTRI_IN_PLACE bool place(const usual *shared, const qtri_vec3 *p, qtri_vertex *o
     return true;
 }
 
+/* The same with shifts of any length, for any w. */
+QTRI_IN_PLACE bool place_by_any(const stage *to, const qtri_vec3 *p, qtri_vertex *out, int64_t w,
+                                int32_t zeros)
+{
+    return zeros == 0 || zeros > to->most ? exact(to->projector, p, out)
+                                          : place_by(to, p, out, w, zeros, false);
+}
+
+#if QTRI_LONG_MULTIPLY
+/* Coordinates of many units, or what no shift serves: out of the way. */
+QTRI_NOINLINE static bool place_far(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
+{
+    const qtri_row *row = &to->projector->row.wide[3];
+    const int64_t w = row_sum(row, row->t, p->x, p->y, p->z);
+    return place_by_any(to, p, out, w, zeros_of(w));
+}
+#endif
+
+/* False: outside. Other cores gain nothing by short shifts. */
+QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
+{
+    if (!QTRI_WITH_FAST_PATHS) {
+        return exact(to->projector, p, out);
+    }
+    const qtri_row *row = &to->projector->row.wide[3];
+    const int64_t w = row_sum(row, row->t, p->x, p->y, p->z);
+    const int32_t zeros = zeros_of(w);
+#if QTRI_LONG_MULTIPLY
+    return zeros < to->least || zeros > to->most ? place_far(to, p, out)
+                                                 : place_by(to, p, out, w, zeros, true);
+#else
+    return place_by_any(to, p, out, w, zeros);
+#endif
+}
+
 bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
                              qtri_vertex *out)
 {
-    usual shared;
-    begin(&shared, projector);
+    stage to;
+    begin(&to, projector);
     bool inside = true;
     for (const qtri_vertex *end = out + count; out != end; p++, out++) {
-        inside &= place(&shared, p, out);
+        inside &= place(&to, p, out);
     }
     return inside;
 }
@@ -282,12 +327,12 @@ bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p
 bool qtri_projector_list(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
                          qtri_vertex *vertices)
 {
-    usual shared;
-    begin(&shared, projector);
+    stage to;
+    begin(&to, projector);
     const qtri_vertex *end = vertices + count;
     bool inside = true;
     for (const qtri_vertex *at = vertices; at != end; at++) {
-        inside &= place(&shared, &p[at->index], &vertices[at->index]);
+        inside &= place(&to, &p[at->index], &vertices[at->index]);
     }
     return inside;
 }

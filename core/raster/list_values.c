@@ -17,9 +17,6 @@ static void curve_of(qtri_ramp *ramp, const qtri_list_values *v, int32_t f1, int
 
 void qtri_list_find_e(qtri_list_values *v)
 {
-    const qtri_vertex *const *vertex = v->t->v;
-    int32_t more1;
-    int32_t more2;
     if (v->has_e) {
         return;
     }
@@ -32,19 +29,11 @@ void qtri_list_find_e(qtri_list_values *v)
     if (!v->raster->perspective) {
         return;
     }
-    const qtri_vertex *b = vertex[v->second];
-    const qtri_vertex *c = vertex[v->third];
-    if ((((vertex[0]->depth_16p8 ^ b->depth_16p8) | (vertex[0]->depth_16p8 ^ c->depth_16p8)) &
-         0xFF) == 0) {
-        more1 = (int32_t)(b->inv_w - vertex[0]->inv_w);
-        more2 = (int32_t)(c->inv_w - vertex[0]->inv_w);
-    } else {
-        (void)qtri_inv_w_more(&more1, vertex[0], b);
-        (void)qtri_inv_w_more(&more2, vertex[0], c);
-    }
+    const int32_t more1 = v->t->place->more1;
+    const int32_t more2 = v->t->place->more2;
     if ((more1 | more2) != 0) {
         /* |more| <= 2^31 / 12.8, y = 2^46 / inv_w <= 2^16 */
-        const int32_t y = (int32_t)qtri_reciprocal_q31(vertex[0]->inv_w >> 15);
+        const int32_t y = (int32_t)qtri_reciprocal_q31(v->t->v[0]->inv_w >> 15);
         v->e1_q18 = ((more1 >> 13) * y + ((int32_t)1 << 14)) >> 15;
         v->e2_q18 = ((more2 >> 13) * y + ((int32_t)1 << 14)) >> 15;
         ramp_of(&v->e_q26, v, 0, v->e1_q18, v->e2_q18);
@@ -53,27 +42,12 @@ void qtri_list_find_e(qtri_list_values *v)
 
 /* Colours ------------------------------------------------------------------------------------- */
 
-QTRI_NOINLINE bool qtri_list_is_linear(const qtri_vertex *a, const qtri_vertex *b,
-                                       const qtri_vertex *c, int32_t d1, int32_t d2, uint32_t part)
+/* Of what a raster interpolates. */
+static inline bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, uint32_t part)
 {
-    int32_t q1 = 0;
-    int32_t q2 = 0;
-    (void)qtri_inv_w_more(&q1, a, b);
-    (void)qtri_inv_w_more(&q2, a, c);
-    const int32_t q_least = qtri_least_from_0(q1, q2);
-    const uint32_t q_range = (uint32_t)(qtri_greatest_from_0(q1, q2) - q_least); /* < 2^29 */
-    const uint32_t range = (uint32_t)(qtri_greatest_from_0(d1, d2) - qtri_least_from_0(d1, d2));
-    return range * ((q_range >> 15) + 1) <= (a->inv_w + (uint32_t)q_least) >> (4 + part);
-}
-
-/* The same for what a raster interpolates. */
-static bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, uint32_t part)
-{
-    const qtri_vertex *a = v->t->v[0];
-    const qtri_vertex *b = v->t->v[1];
-    const qtri_vertex *c = v->t->v[2];
+    const qtri_place *p = v->t->place;
     return !(QTRI_WITH_PERSPECTIVE && v->raster->perspective) ||
-           qtri_list_is_plain(a, b, c, d1, d2, part) || qtri_list_is_linear(a, b, c, d1, d2, part);
+           qtri_list_is_linear(v->t->v[0]->inv_w, p->more1, p->more2, d1, d2, part);
 }
 
 void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
@@ -101,26 +75,13 @@ void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
     }
 }
 
-/* Whether all channels are linear: where the sum of their differences is, or each of them. */
+/* Whether all channels are linear. */
 static bool are_linear(const qtri_list_values *v, int first)
 {
     const int32_t(*color)[3] = v->t->color;
-    int32_t d1[3];
-    int32_t d2[3];
-    uint32_t most1 = 0;
-    uint32_t most2 = 0;
     for (int i = first; i < 3; i++) {
-        d1[i] = (color[v->second][i] - color[0][i]) >> 7;
-        d2[i] = (color[v->third][i] - color[0][i]) >> 7;
-        most1 |= qtri_about(d1[i]);
-        most2 |= qtri_about(d2[i]);
-    }
-    if (!(QTRI_WITH_PERSPECTIVE && v->raster->perspective) ||
-        qtri_list_is_plain(v->t->v[0], v->t->v[1], v->t->v[2], (int32_t)most1, (int32_t)most2, 3)) {
-        return true;
-    }
-    for (int i = first; i < 3; i++) {
-        if (!is_linear(v, d1[i], d2[i], 3)) {
+        if (!is_linear(v, (color[v->second][i] - color[0][i]) >> 7,
+                       (color[v->third][i] - color[0][i]) >> 7, 3)) {
             return false;
         }
     }

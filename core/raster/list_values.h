@@ -37,6 +37,7 @@ struct qtri_list_values {
     qtri_inverse inverse;
     uint8_t second, third; /* vertices in the order of the place */
     bool has_e;            /* e is set */
+    bool gentle;           /* uv are in their units, and |e| is small: see list_texel.c */
     bool curved;           /* colours are base + l (1 - w), not linear */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
     int32_t e1_q18, e2_q18;
@@ -85,8 +86,14 @@ static inline int32_t qtri_list_divided(int32_t l, int32_t w)
  * strays by range (q_greatest - q_least) / (4 q_least), q being 1/w, see nearly_linear() in
  * setup.c, which is to be below 2^-part of 2^16: 3 is 1/8 of a step.
  */
-bool qtri_list_is_linear(const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c,
-                         int32_t d1, int32_t d2, uint32_t part);
+static inline bool qtri_list_is_linear(uint32_t q0, int32_t q1, int32_t q2, int32_t d1, int32_t d2,
+                                       uint32_t part)
+{
+    const int32_t q_least = qtri_least_from_0(q1, q2);
+    const uint32_t q_range = (uint32_t)(qtri_greatest_from_0(q1, q2) - q_least); /* < 2^29 */
+    const uint32_t range = (uint32_t)(qtri_greatest_from_0(d1, d2) - qtri_least_from_0(d1, d2));
+    return range * ((q_range >> 15) + 1) <= (q0 + (uint32_t)q_least) >> (4 + part);
+}
 
 /* Enough for it, and true of most: q_least >= 2^30, and no range is more than two differences. */
 static inline bool qtri_list_is_plain(const qtri_vertex *a, const qtri_vertex *b,

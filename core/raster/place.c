@@ -30,6 +30,5 @@ qtri_placed qtri_place_triangle(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
                                 const qtri_raster *raster, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_vertex *c)
 {
-    const qtri_placed placed = qtri_place_inline(p, spans, raster, a, b, c);
-    return placed == QTRI_PLACED_SMALL && !qtri_place_is_near(a, b, c) ? QTRI_PLACED_LARGE : placed;
+    return qtri_place_near(p, spans, raster, a, b, c);
 }

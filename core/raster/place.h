@@ -30,6 +30,7 @@ typedef struct qtri_place {
     int32_t x, y;               /* its centre from vertex 0, 1/256 pixel */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
     uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^26 */
+    int32_t more1, more2;       /* qtri_place_near: what 1/w has more there, in vertex 0's scale */
     bool back;
     const uint8_t *first; /* the first row's span, in the caller's memory */
 } qtri_place;
@@ -125,16 +126,6 @@ static inline bool qtri_place_is_level(const qtri_vertex *a, const qtri_vertex *
     const uint32_t most =
         qtri_about((int32_t)(b->inv_w - a->inv_w)) | qtri_about((int32_t)(c->inv_w - a->inv_w));
     return ((exponents & 0xFF) | most >> 26) == 0;
-}
-
-static inline bool qtri_place_is_near(const qtri_vertex *a, const qtri_vertex *b,
-                                      const qtri_vertex *c)
-{
-    int32_t more;
-    if (qtri_place_is_level(a, b, c)) {
-        return true;
-    }
-    return qtri_inv_w_more(&more, a, b) && qtri_inv_w_more(&more, a, c);
 }
 
 /* Holds spans from `column` on to the columns of the bounds. False when nothing is left. */
@@ -233,6 +224,32 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
 }
 
 /* All of it. */
+static inline qtri_placed qtri_place_near(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                                          const qtri_raster *raster, const qtri_vertex *a,
+                                          const qtri_vertex *b, const qtri_vertex *c)
+{
+    const qtri_placed placed = qtri_place_inline(p, spans, raster, a, b, c);
+    const uint32_t exponents = (a->depth_16p8 ^ b->depth_16p8) | (a->depth_16p8 ^ c->depth_16p8);
+    if (placed != QTRI_PLACED_SMALL) {
+        return placed;
+    }
+    int32_t b_more = (int32_t)(b->inv_w - a->inv_w);
+    int32_t c_more = (int32_t)(c->inv_w - a->inv_w);
+    if (((exponents & 0xFF) | (qtri_about(b_more) | qtri_about(c_more)) >> 26) != 0) {
+        int32_t more[2];
+        QTRI_RARELY();
+        if (!qtri_inv_w_more(&more[0], a, b) || !qtri_inv_w_more(&more[1], a, c)) {
+            return QTRI_PLACED_LARGE;
+        }
+        b_more = more[0];
+        c_more = more[1];
+    }
+    p->more1 = p->back ? c_more : b_more;
+    p->more2 = p->back ? b_more : c_more;
+    return QTRI_PLACED_SMALL;
+}
+
+/* The same as a function. */
 qtri_placed qtri_place_triangle(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
                                 const qtri_raster *raster, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_vertex *c);
