@@ -5,14 +5,13 @@
 
 /*
  * A pixel: a depth, two coordinates and their two steps advance, of which GCC 12 keeps half in
- * memory on Armv6-M, and some on Armv7-M. There pixels are assembler, in all the registers that
- * there are; `offset` is where one is, in bytes.
+ * memory on Armv6-M: a third of the time. There pixels are assembler, in the low registers but r7
+ * and in four high ones, so that those which a compiler may be told to keep stay out of it.
+ * `offset` is where a pixel is, in bytes.
  */
-#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__)
-#define LOW       "l"
-#define HIGH      "h"
-#define TEXELS    "m"
-#define ASSEMBLER 1
+/* clang-format off */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) &&                           \
+    !defined(__OPTIMIZE_SIZE__) && defined(__thumb__) && !defined(__thumb2__)
 #define PIXEL(offset)                                                                              \
     "lsrs %[top], %[z], #16\n\t"                                                                   \
     "ldrh %[other], [%[depth], #" offset "]\n\t"                                                   \
@@ -28,37 +27,38 @@
     "lsls %[top], %[top], #1\n\t"                                                                  \
     "ldr %[other], %[texels]\n\t"                                                                  \
     "ldrh %[top], [%[other], %[top]]\n\t"                                                          \
-    "strh %[top], [%[pixel], #" offset "]\n"                                                       \
-    "1:\tadd %[z], %[z_step]\n\t"                                                                  \
+    "ldr %[other], %[to_pixel]\n\t"                                                                \
+    "add %[other], %[depth]\n\t"                                                                   \
+    "strh %[top], [%[other], #" offset "]\n"                                                       \
+    "1:\tldr %[other], %[z_step]\n\t"                                                              \
+    "adds %[z], %[z], %[other]\n\t"                                                               \
     "add %[u], %[u_step]\n\t"                                                                      \
     "add %[v], %[v_step]\n\t"                                                                      \
     "add %[u_step], %[u_bend]\n\t"                                                                 \
     "add %[v_step], %[v_bend]\n\t"
-#elif defined(__GNUC__) && defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__)
-#define LOW       "r"
-#define HIGH      "r"
-#define TEXELS    "r"
+#define DRAW(pixels)                                                                               \
+    {                                                                                              \
+        uint32_t top, other;                                                                       \
+        __asm__ volatile(".syntax unified\n\t" pixels                                              \
+                         : [z] "+l"(z), [u] "+l"(u), [v] "+l"(v), [u_step] "+h"(u_step),           \
+                           [v_step] "+h"(v_step), [top] "=&l"(top), [other] "=&l"(other)           \
+                         : [depth] "l"(depth), [cut] "l"(cut), [to_pixel] "m"(to_pixel),           \
+                           [texels] "m"(texels), [z_step] "m"(z_step),                             \
+                           [u_bend] "h"(u_bend), [v_bend] "h"(v_bend)                              \
+                         : "cc", "memory");                                                        \
+    }
+#define DRAW_ONE DRAW(PIXEL("0"))
+#define DRAW_EIGHT                                                                                 \
+    DRAW(PIXEL("0") PIXEL("2") PIXEL("4") PIXEL("6")                                               \
+         PIXEL("8") PIXEL("10") PIXEL("12") PIXEL("14"))
+#define MOVE(n) depth += (n);
 #define ASSEMBLER 1
-#define PIXEL(offset)                                                                              \
-    "lsr %[top], %[z], #16\n\t"                                                                    \
-    "ldrh %[other], [%[depth], #" offset "]\n\t"                                                   \
-    "cmp %[top], %[other]\n\t"                                                                     \
-    "bcs 1f\n\t"                                                                                   \
-    "strh %[top], [%[depth], #" offset "]\n\t"                                                     \
-    "lsr %[top], %[u], %[cut]\n\t"                                                                 \
-    "and %[other], %[v], %[cut]\n\t"                                                               \
-    "add %[top], %[top], %[other], lsr #16\n\t"                                                    \
-    "ldrh %[top], [%[texels], %[top], lsl #1]\n\t"                                                 \
-    "strh %[top], [%[pixel], #" offset "]\n"                                                       \
-    "1:\tadd %[z], %[z_step]\n\t"                                                                  \
-    "add %[u], %[u_step]\n\t"                                                                      \
-    "add %[v], %[v_step]\n\t"                                                                      \
-    "add %[u_step], %[u_bend]\n\t"                                                                 \
-    "add %[v_step], %[v_bend]\n\t"
 #else
 #define ASSEMBLER 0
+#define MOVE(n) QTRI_MOVE(n)
 #define ONE(i)                                                                                     \
     if (z >> 16 < depth[i]) {                                                                      \
+        QTRI_BRANCH                                                                                \
         depth[i] = (uint16_t)(z >> 16);                                                            \
         pixel[i] = texels[qtri_texel_index(u, v, cut)];                                            \
     }                                                                                              \
@@ -67,30 +67,10 @@
     v += v_step;                                                                                   \
     u_step += u_bend;                                                                              \
     v_step += v_bend;
-#endif
-
-#if ASSEMBLER
-#define DRAW(pixels)                                                                               \
-    {                                                                                              \
-        uint32_t top, other;                                                                       \
-        __asm__ volatile(                                                                          \
-            ".syntax unified\n\t" pixels                                                           \
-            : [z] "+" LOW(z), [u] "+" LOW(u), [v] "+" LOW(v), [u_step] "+" HIGH(u_step),           \
-              [v_step] "+" HIGH(v_step), [top] "=&" LOW(top), [other] "=&" LOW(other)              \
-            : [depth] LOW(depth), [pixel] LOW(pixel), [cut] LOW(cut), [texels] TEXELS(texels),     \
-              [z_step] HIGH(z_step), [u_bend] HIGH(u_bend), [v_bend] HIGH(v_bend)                  \
-            : "cc", "memory");                                                                     \
-    }
-#define DRAW_ONE DRAW(PIXEL("0"))
-/* clang-format off */
-#define DRAW_EIGHT                                                                                 \
-    DRAW(PIXEL("0") PIXEL("2") PIXEL("4") PIXEL("6")                                               \
-         PIXEL("8") PIXEL("10") PIXEL("12") PIXEL("14"))
-/* clang-format on */
-#else
 #define DRAW_ONE   ONE(0)
 #define DRAW_EIGHT ONE(0) ONE(1) ONE(2) ONE(3) ONE(4) ONE(5) ONE(6) ONE(7)
 #endif
+/* clang-format on */
 
 #define TURN                                                                                       \
     QTRI_TURN(u_step, u_bend, uv[0].twist)                                                         \
@@ -103,6 +83,9 @@ void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run, const qtri_cu
     const uint32_t cut = job->raster->texel_cut;
     uint16_t *pixel = (uint16_t *)(void *)run->pixels + run->x;
     uint16_t *depth = run->depths + run->x;
+#if ASSEMBLER
+    const uintptr_t to_pixel = (uintptr_t)pixel - (uintptr_t)depth;
+#endif
     uint32_t z = run->z;
     uint32_t u = uv[0].at;
     uint32_t v = uv[1].at;
@@ -127,14 +110,14 @@ void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run, const qtri_cu
 #ifndef __OPTIMIZE_SIZE__
         if (count >= 8 && left_of_eight == 8) {
             DRAW_EIGHT
-            QTRI_MOVE(8)
+            MOVE(8)
             count -= 8;
         } else
 #endif
         {
             for (; count > 0 && left_of_eight > 0; count--, left_of_eight--) {
                 DRAW_ONE
-                QTRI_MOVE(1)
+                MOVE(1)
             }
             left_of_eight = 8;
         }

@@ -313,10 +313,10 @@ static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *li
     while (log2 > 0 && q < limits[log2 - 1]) {
         log2--;
     }
-    while (from >> log2 << log2 != from) {
+    while (log2 > 0 && from >> log2 << log2 != from) {
         log2--;
     }
-    while (((int32_t)1 << log2) >> 1 >= rest) {
+    while (log2 > 0 && (int32_t)1 << (log2 - 1) >= rest) {
         log2--;
     }
     return log2;

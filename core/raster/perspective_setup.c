@@ -168,7 +168,7 @@ static void set_shared(shared *s, const qtri_triangle *t, const uint32_t q[3],
         s->bottom = t->p[i] == t->bottom ? i : (i == 0 ? 0 : s->bottom);
     }
     const uint32_t height = (uint32_t)(t->bottom->y_24p8 - t->top->y_24p8); /* > 0 */
-    s->zeros = qtri_clz32(height);
+    s->zeros = qtri_clz32(height | 1);
     s->reciprocal = (uint32_t)qtri_reciprocal_below(height << s->zeros);
     s->row = qtri_hold32(gradient->anchor_y, qtri_first_center(t->top->y_24p8),
                          qtri_first_center(t->bottom->y_24p8) - 1);

@@ -85,6 +85,7 @@ static void add_axis(uint32_t *number, const qtri_curve *curve, const qtri_texel
         STEP_ONE                                                                                   \
         QTRI_ASIDE(first)                                                                          \
     }
+    // cppcheck-suppress shiftTooManyBitsSigned
     QTRI_WORDS_TURNED(count)
 #undef ONE
 }
