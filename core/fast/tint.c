@@ -106,7 +106,11 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
 {
     uint8_t spans[QTRI_PLACE_SPANS];
     qtri_place p;
+#ifdef __OPTIMIZE_SIZE__
+    const qtri_placed placed = qtri_place_triangle(&p, spans, raster, a, b, c);
+#else
     const qtri_placed placed = qtri_place_inline(&p, spans, raster, a, b, c);
+#endif
     if (placed != QTRI_PLACED_SMALL) {
         return placed == QTRI_PLACED_NOWHERE;
     }
