@@ -96,7 +96,8 @@ static uint32_t without_keys(const qtri_texture *texture, uint32_t *tap, const u
 static void find_taps(uint32_t *tap, uint32_t *weights, const qtri_texel_axis axis[2],
                       const uint32_t *u, const uint32_t *v, int32_t count)
 {
-    for (int32_t i = 0; i < count; i++) {
+    int32_t i = 0;
+    do {
         const taps along = taps_at(&axis[0], u[i]);
         const taps across = taps_at(&axis[1], v[i]);
         const uint32_t above = across.index[0] << axis[0].side_log2;
@@ -106,7 +107,7 @@ static void find_taps(uint32_t *tap, uint32_t *weights, const qtri_texel_axis ax
         tap[2 * count + i] = below + along.index[0];
         tap[3 * count + i] = below + along.index[1];
         weights[i] = across.weight << 16 | along.weight;
-    }
+    } while (++i < count);
 }
 
 /* The same where coordinates fill 32 bits: those of texel_copy.h. */

@@ -164,6 +164,7 @@ static void go_on(qtri_scanline *row)
         return;
     }
     for (int i = 0; i < 2 && job->end == QTRI_ATTRIBUTES; i++) {
+        // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): as qtri_linear_begin set it
         row->by.plane[i] += job->attribute[QTRI_U + i].plane.dy;
     }
 }

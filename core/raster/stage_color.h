@@ -36,15 +36,15 @@ static inline uint32_t qtri_shade_of(const int32_t c[3])
 /* Modulation ----------------------------------------------------------------------------------- */
 
 /* color times light, or times red green blue: RGB565 within .54 and .66, 8 bits .63 and .69. */
-void qtri_light_565(uint32_t *color, const uint32_t *light, int32_t count);
-void qtri_light_888(uint32_t *color, const uint32_t *light, int32_t count);
+void qtri_light_565(uint32_t *color, const uint32_t *shade, int32_t count);
+void qtri_light_888(uint32_t *color, const uint32_t *shade, int32_t count);
 void qtri_times_565(uint32_t *color, const uint32_t *shade, int32_t count);
 void qtri_times_888(uint32_t *color, const uint32_t *shade, int32_t count);
 
 /* color times light times a tint, 1024 being 1 of both: RGB565 within .54, 8 bits .63. */
-void qtri_tint_565(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
+void qtri_tint_565(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
                    int32_t count);
-void qtri_tint_888(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
+void qtri_tint_888(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
                    int32_t count);
 
 /* Conversion ----------------------------------------------------------------------------------- */

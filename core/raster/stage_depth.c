@@ -13,7 +13,7 @@
 #define PUSH_GREATER_EQUAL(mask, a, b)                                                             \
     __asm__("cmp %1, %2\n\tadcs %0, %0, %0" : "+r"(mask) : "r"(a), "r"(b) : "cc");
 #else
-#define PUSH_GREATER_EQUAL(mask, a, b) mask = 2 * mask + ((a) >= (b));
+#define PUSH_GREATER_EQUAL(mask, a, b) (mask) = 2 * (mask) + ((a) >= (b));
 #endif
 
 /* Repeats ONE(i) for `count` pixels, which move on. */

@@ -29,15 +29,4 @@ qtri_depth qtri_depth_stages(qtri_compare compare, bool write, bool late);
 /* Writes the depths of those in the mask. */
 void qtri_depth_write(uint16_t *depth, uint32_t z, uint32_t step, uint32_t mask, int32_t count);
 
-/*
- * Whether a fragment at depth z passes against the stored depth. From QTRI_NEVER to QTRI_ALWAYS
- * comparisons count in bits: less, equal, greater pass.
- */
-static inline bool qtri_depth_passes(qtri_compare compare, uint32_t z, uint32_t stored)
-{
-    const uint32_t passes = (uint32_t)compare - QTRI_NEVER;
-    const int order = z < stored ? 0 : (z == stored ? 1 : 2);
-    return compare > QTRI_ALWAYS || (passes >> order & 1) != 0;
-}
-
 #endif

@@ -14,8 +14,8 @@
 /* `count` of 1..32, rounded up to a multiple of four, along a row. cut: see texel_copy.h. */
 void qtri_texel_numbers_repeated(uint32_t *number, const qtri_curve uv[2], uint32_t cut,
                                  int32_t count);
-/* The same, and the texels of 16 bits that have them, in one. */
-void qtri_texels_repeated_16(uint32_t *texel, const qtri_curve uv[2], uint32_t cut,
+/* The same, and in their place the texels of 16 bits that have them, in one. */
+void qtri_texels_repeated_16(uint32_t *number, const qtri_curve uv[2], uint32_t cut,
                              const void *texels, int32_t count);
 
 void qtri_texel_numbers(uint32_t *number, const qtri_curve uv[2], const qtri_texel_axis axis[2],
