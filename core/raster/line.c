@@ -281,7 +281,8 @@ QTRI_INLINE void take_pixels(walk *walk_of, int32_t count, const qtri_line_job *
         const uint32_t passing = job->passing;
         const bool is_written = job->depth_write;
         do {
-            uint16_t *depth = &depths[(ptrdiff_t)(w.place >> 16) * pitch + (ptrdiff_t)(w.place & 0xFFFFu)];
+            uint16_t *depth =
+                &depths[(ptrdiff_t)(w.place >> 16) * pitch + (ptrdiff_t)(w.place & 0xFFFFu)];
             const uint32_t z = w.z_16p15 >> 15;
             if (z - *depth - less < passing) {
                 if (is_written) {

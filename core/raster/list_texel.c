@@ -286,8 +286,8 @@ static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count, con
         const uint32_t place = batch->place[i];
         if (raster->depth_write) {
             const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
-            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch + (ptrdiff_t)(place & 0xFFFF)] =
-                (uint16_t)(z >> 16);
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
+                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(z >> 16);
         }
         batch->color[kept] = batch->color[i];
         batch->by.shade[kept] = batch->by.shade[i];
