@@ -1,6 +1,6 @@
 #include "fill.h"
 
-#include "../raster/list.h"
+#include "../raster/small.h"
 
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
                                const qtri_material *material)
@@ -205,7 +205,7 @@ QTRI_NOINLINE static void draw_small_piece(const piece *p, qtri_place *place,
     qtri_attributes own[3];
     const qtri_vertex *const vertex[3] = {&v[0], &v[1], &v[2]};
     piece_attributes(own, p);
-    qtri_list_attributes(&p->primitive->to.solid.raster, place, vertex, own);
+    qtri_small_attributes(&p->primitive->to.solid.raster, place, vertex, own);
 }
 
 QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)

@@ -79,6 +79,7 @@ typedef int32_t (*qtri_interpolate)(qtri_scanline *row, int32_t x, int32_t count
 
 struct qtri_job {
     const qtri_raster *raster;
+    const qtri_list_values *values; /* of a small triangle, see small.c */
     qtri_interpolate interpolate;
     uint8_t first, end; /* the attributes that vary: all from the first to before the end */
     bool tinted;        /* colours are shares of the raster's tint */

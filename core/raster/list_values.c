@@ -1,6 +1,26 @@
 #include "list_values.h"
 
 #include "../geometry/projector.h"
+#include "stage_color.h"
+
+void qtri_list_begin(qtri_list_values *v, const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    v->raster = raster;
+    v->t = t;
+    v->second = t->place->back ? 2 : 1;
+    v->third = t->place->back ? 1 : 2;
+    v->has_e = false;
+    v->along_rows = false;
+    qtri_inverse_init(&v->inverse, t->place->size);
+}
+
+void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values *v)
+{
+    if (v->raster->compare != QTRI_DEPTH_OFF) {
+        qtri_place_depth(depth, v->t->place, &v->inverse, v->t->v[0], v->t->v[v->second],
+                         v->t->v[v->third]);
+    }
+}
 
 /* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at most.
  */
@@ -41,6 +61,33 @@ void qtri_list_find_e(qtri_list_values *v)
 }
 
 /* Colours ------------------------------------------------------------------------------------- */
+
+uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    return t->color != NULL ? raster->format->colors->pack(t->color[qtri_raster_provoking(raster)])
+                            : qtri_raster_tinted(raster, t->light_q15, 15);
+}
+
+uint32_t qtri_list_flat_shade(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    if (t->color != NULL) {
+        return qtri_shade_of(t->color[qtri_raster_provoking(raster)]);
+    }
+    int32_t channel[3];
+    for (int i = 0; i < 3; i++) {
+        channel[i] = qtri_raster_shade(raster, (int32_t)(t->light_q15 << 7), i);
+    }
+    return qtri_shade_of(channel);
+}
+
+bool qtri_list_is_one_color(const qtri_list_triangle *t)
+{
+    int32_t differ = 0;
+    for (int i = 0; i < 3; i++) {
+        differ |= (t->color[1][i] ^ t->color[0][i]) | (t->color[2][i] ^ t->color[0][i]);
+    }
+    return differ == 0;
+}
 
 /* Of what a raster interpolates. */
 static inline bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, uint32_t part)

@@ -37,6 +37,8 @@ struct qtri_list_values {
     qtri_inverse inverse;
     uint8_t second, third; /* vertices in the order of the place */
     bool has_e;            /* e is set */
+    bool along_rows;       /* not for list.c, but for rows: see small.c */
+    uint8_t block;         /* there: pixels along which a curve holds */
     bool gentle;           /* uv are in their units, and |e| is small: see list_texel.c */
     bool curved;           /* colours are base + l (1 - w), not linear */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
@@ -52,6 +54,17 @@ struct qtri_list_values {
 /* What texels are multiplied by has 10 bits: of light that is 2^22, and of channels n.16. */
 #define QTRI_LIGHT_SHIFT   12
 #define QTRI_CHANNEL_SHIFT 14
+
+/* Of a triangle, without any value yet; then its depths, where the raster tests them. */
+void qtri_list_begin(qtri_list_values *v, const qtri_raster *raster, const qtri_list_triangle *t);
+void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values *v);
+
+/* The one colour of a triangle without texture; of one with, as a shade. */
+uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t);
+uint32_t qtri_list_flat_shade(const qtri_raster *raster, const qtri_list_triangle *t);
+
+/* Whether all vertices have the same colour. */
+bool qtri_list_is_one_color(const qtri_list_triangle *t);
 
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);

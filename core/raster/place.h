@@ -15,7 +15,7 @@
 #include "raster.h"
 #include "rows.h"
 
-#define QTRI_PLACE_PIXELS 16
+#define QTRI_PLACE_PIXELS 40
 #define QTRI_PLACE_REACH  ((int32_t)256 * QTRI_PLACE_PIXELS)
 
 typedef enum qtri_placed {
@@ -32,7 +32,8 @@ typedef struct qtri_place {
     uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^26 */
     int32_t more1, more2;       /* qtri_place_near: what 1/w has more there, in vertex 0's scale */
     bool back;
-    const uint8_t *first; /* the first row's span, in the caller's memory */
+    bool cut;      /* spans may reach past the bounds, see qtri_place_cut */
+    uint8_t *first; /* the first row's span, in the caller's memory */
 } qtri_place;
 
 /*
@@ -216,10 +217,7 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     if (pixels == 0) {
         return QTRI_PLACED_NOWHERE;
     }
-    if (!inner && (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1)) {
-        return qtri_place_cut(&middle[2 * first], column, bounds) ? QTRI_PLACED_SMALL
-                                                                  : QTRI_PLACED_NOWHERE;
-    }
+    p->cut = !inner && (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1);
     return QTRI_PLACED_SMALL;
 }
 

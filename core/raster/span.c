@@ -134,6 +134,12 @@ static void copy_bent_row(qtri_scanline *row)
     }
 }
 
+/* Of texture coordinates that are linear on the screen. */
+static bool has_planes(const qtri_job *job)
+{
+    return job->interpolate == qtri_interpolate_linear && job->end == QTRI_ATTRIBUTES;
+}
+
 static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
 {
     const qtri_raster *raster = job->raster;
@@ -146,7 +152,7 @@ static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
         qtri_perspective_begin(row);
         return;
     }
-    if (job->end == QTRI_ATTRIBUTES) {
+    if (has_planes(job)) {
         qtri_linear_begin(row);
     }
 }
@@ -160,10 +166,7 @@ static void go_on(qtri_scanline *row)
     if (row->depths != NULL) {
         row->depths += surface->depth_pitch;
     }
-    if (job->perspective) {
-        return;
-    }
-    for (int i = 0; i < 2 && job->end == QTRI_ATTRIBUTES; i++) {
+    for (int i = 0; i < 2 && has_planes(job); i++) {
         // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): as qtri_linear_begin set it
         row->by.plane[i] += job->attribute[QTRI_U + i].plane.dy;
     }
@@ -186,7 +189,7 @@ void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, in
         if (job->perspective) {
             qtri_perspective_row(&r);
         }
-        if (copies && (!job->perspective || r.level)) {
+        if (copies && (has_planes(job) || r.level)) {
             copy_row(&r);
         } else if (copies) {
             copy_bent_row(&r);

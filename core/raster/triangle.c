@@ -1,7 +1,7 @@
 #include "triangle.h"
 
 #include "../geometry/projector.h"
-#include "list.h"
+#include "small.h"
 #include "rows.h"
 #include "setup.h"
 
@@ -102,7 +102,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
     switch (qtri_place_triangle(&place, spans, raster, corner[0], corner[1], corner[2])) {
     case QTRI_PLACED_SMALL:
-        qtri_list_attributes(raster, &place, corner, attributes);
+        qtri_small_attributes(raster, &place, corner, attributes);
         qtri_list_flush(raster);
         break;
     case QTRI_PLACED_LARGE:
