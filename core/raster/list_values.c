@@ -3,25 +3,6 @@
 #include "../geometry/projector.h"
 #include "stage_color.h"
 
-void qtri_list_begin(qtri_list_values *v, const qtri_raster *raster, const qtri_list_triangle *t)
-{
-    v->raster = raster;
-    v->t = t;
-    v->second = t->place->back ? 2 : 1;
-    v->third = t->place->back ? 1 : 2;
-    v->has_e = false;
-    v->along_rows = false;
-    qtri_inverse_init(&v->inverse, t->place->size);
-}
-
-void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values *v)
-{
-    if (v->raster->compare != QTRI_DEPTH_OFF) {
-        qtri_place_depth(depth, v->t->place, &v->inverse, v->t->v[0], v->t->v[v->second],
-                         v->t->v[v->third]);
-    }
-}
-
 /* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at most.
  */
 static void ramp_of(qtri_ramp *ramp, const qtri_list_values *v, uint32_t f0, int32_t f1, int32_t f2)

@@ -55,9 +55,27 @@ struct qtri_list_values {
 #define QTRI_LIGHT_SHIFT   12
 #define QTRI_CHANNEL_SHIFT 14
 
-/* Of a triangle, without any value yet; then its depths, where the raster tests them. */
-void qtri_list_begin(qtri_list_values *v, const qtri_raster *raster, const qtri_list_triangle *t);
-void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values *v);
+/* Of a triangle, without any value yet. */
+static inline void qtri_list_begin(qtri_list_values *v, const qtri_raster *raster,
+                                   const qtri_list_triangle *t)
+{
+    v->raster = raster;
+    v->t = t;
+    v->second = t->place->back ? 2 : 1;
+    v->third = t->place->back ? 1 : 2;
+    v->has_e = false;
+    v->along_rows = false;
+    qtri_inverse_init(&v->inverse, t->place->size);
+}
+
+/* Its depths, where the raster tests them. */
+static inline void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values *v)
+{
+    if (v->raster->compare != QTRI_DEPTH_OFF) {
+        qtri_place_depth(depth, v->t->place, &v->inverse, v->t->v[0], v->t->v[v->second],
+                         v->t->v[v->third]);
+    }
+}
 
 /* The one colour of a triangle without texture; of one with, as a shade. */
 uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t);

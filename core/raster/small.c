@@ -48,8 +48,7 @@ static void set_curve(qtri_curve *out, const middle *m, const qtri_ramp *l, uint
 {
     const int32_t half = m->half;
     const int32_t value = qtri_list_divided((int32_t)qtri_list_at(l, m->x, m->y), m->w);
-    int32_t slope =
-        qtri_list_divided((int32_t)l->dx, m->w) - (((value >> 9) * m->e_q23) >> 14);
+    int32_t slope = qtri_list_divided((int32_t)l->dx, m->w) - (((value >> 9) * m->e_q23) >> 14);
     slope += ((slope >> 8) * m->arc) >> 8;
     const int32_t bend = -(((slope >> 5) * m->e_q23) >> 18); /* once: it counts twice */
     out->at = base + ((uint32_t)(value + (half * bend - slope) * half) << up);
@@ -100,8 +99,7 @@ static int32_t interpolate(qtri_scanline *row, int32_t x, int32_t count, int fir
  */
 static bool rows_are_long(const qtri_place *p)
 {
-    const int32_t height =
-        qtri_greatest_from_0(p->dy1, p->dy2) - qtri_least_from_0(p->dy1, p->dy2);
+    const int32_t height = qtri_greatest_from_0(p->dy1, p->dy2) - qtri_least_from_0(p->dy1, p->dy2);
     return p->size >> 10 >= 3 * (uint32_t)height;
 }
 
