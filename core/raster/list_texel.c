@@ -72,7 +72,7 @@ static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
 /*
  * Coordinates that fill 32 bits. Most triangles are gentle: |l| < 2^31 in the unit of the
  * coordinate, so that ramps may be in that, and |e| < 1/32, so that w = e - e^2 leaves l e^3, less
- * than 1/1400 of what 22.6 pixels are.
+ * than 1/640 of a pixel of 51.
  */
 static bool fill_axes(qtri_list_values *v, bool gentle)
 {

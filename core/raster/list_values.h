@@ -5,8 +5,8 @@
  *
  * With perspective an attribute is u_0 + l / (1 + e), where e, what 1/w has more than at vertex 0
  * by its value there, and l are linear on the screen: l_i = (u_i - u_0) (1 + e_i) at vertex i.
- * Since |e| <= 1/12.8, l (1 - w) with w = e - e^2 + e^3 is off by less than l e^4, the 24,000th
- * part of l, and of the 22.6 pixels that anything may be away from vertex 0 by 1/1000 of one.
+ * Since |e| <= 1/12.8, l (1 - w) with w = e - e^2 + e^3 - e^4 is off by less than 1.1 l e^5, and of
+ * the 51 pixels that anything may be away from vertex 0 by 1/6000 of one.
  */
 #ifndef QTRI_RASTER_LIST_VALUES_H
 #define QTRI_RASTER_LIST_VALUES_H
@@ -103,7 +103,8 @@ static inline int32_t qtri_list_w(const qtri_ramp *e_q26, uint32_t x, uint32_t y
 {
     const int32_t one = (int32_t)1 << 16;
     const int32_t e = (int32_t)qtri_list_at(e_q26, x, y) >> 10; /* |e| < 2^13 */
-    return (e * (one - ((e * (one - e)) >> 16))) >> 16;
+    const int32_t second = (e * (one - e)) >> 16;
+    return (e * (one - ((e * (one - second)) >> 16))) >> 16;
 }
 
 /* l (1 - w), |l| < 2^24 + 2^21. */

@@ -1,7 +1,7 @@
 /*
  * Where a small triangle is: its rows, and what its ramps have in common. Internal.
  *
- * Small is a triangle whose vertices 1 and 2 are within 16 pixels of vertex 0 in x and in y, and
+ * Small is a triangle whose vertices 1 and 2 are within 36 pixels of vertex 0 in x and in y, and
  * 1/w at most 1/12 from that of vertex 0. That is asked of the vertices alone, never of a scissor,
  * a band, a format or a material: so a triangle's depths are the same however often and in whatever
  * pieces of the frame it is drawn. All that follows fits 32 bits.
@@ -15,7 +15,7 @@
 #include "raster.h"
 #include "rows.h"
 
-#define QTRI_PLACE_PIXELS 40
+#define QTRI_PLACE_PIXELS 36
 #define QTRI_PLACE_REACH  ((int32_t)256 * QTRI_PLACE_PIXELS)
 
 typedef enum qtri_placed {
@@ -29,10 +29,10 @@ typedef struct qtri_place {
     int32_t column, row;        /* the base: spans count columns from it and begin in its row */
     int32_t x, y;               /* its centre from vertex 0, 1/256 pixel */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
-    uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^26 */
+    uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^28 */
     int32_t more1, more2;       /* qtri_place_near: what 1/w has more there, in vertex 0's scale */
     bool back;
-    bool cut;      /* spans may reach past the bounds, see qtri_place_cut */
+    bool cut;       /* spans may reach past the bounds, see qtri_place_cut */
     uint8_t *first; /* the first row's span, in the caller's memory */
 } qtri_place;
 
@@ -69,8 +69,8 @@ static inline int32_t qtri_place_walk(uint8_t *side, const uint8_t *stop, int32_
  * An edge between rows `from` and `to`: of a front face it is on the left when it goes down. As in
  * cover.c its pixel in a row is numerator / (256 dy); with Y from the centre of vertex 0's first
  * row, X from half a pixel left of the base column's edge, and `cross` X dy - Y dx of either end,
- * the numerator is cross + 256 row dx - 1. |X|, |Y|, |dx|, |dy| < 2^13 + 2^9 and |row| <= 16: all
- * of that is below 2^29.
+ * the numerator is cross + 256 row dx - 1. |X|, |Y|, |dx|, |dy| <= 73 256 < 2^14.2 and |row| <= 36:
+ * all of that is below 2^30.
  *
  * Returns the sum of its pixels, negative on the right: of all three together it is 0 where no row
  * has a pixel, since edges never cross.

@@ -13,7 +13,7 @@ static bool has_texture(const qtri_material *material)
 
 static void set_bounds(qtri_raster *raster, const qtri_rect *bounds)
 {
-    const int32_t reach = 41 * 256; /* QTRI_PLACE_PIXELS and one */
+    const int32_t reach = 37 * 256; /* QTRI_PLACE_PIXELS and one */
     const int32_t width = (bounds->x1 - bounds->x0) * 256 - 2 * reach;
     const int32_t height = (bounds->y1 - bounds->y0) * 256 - 2 * reach;
     raster->bounds = *bounds;

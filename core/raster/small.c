@@ -1,6 +1,7 @@
 #include "small.h"
 
 #include "../geometry/projector.h"
+#include "linear.h"
 #include "list_values.h"
 #include "setup.h"
 #include "textured.h"
@@ -141,6 +142,7 @@ static qtri_fill_rows set_colors(qtri_job *job, qtri_list_values *v)
         job->pixel = qtri_raster_stored(raster, qtri_list_flat_color(raster, t));
         return raster->fill_flat;
     }
+    job->interpolate = qtri_interpolate_linear;
     qtri_job_pack(job);
     return raster->fill_smooth;
 }
