@@ -17,6 +17,7 @@
 
 #define QTRI_PLACE_PIXELS 36
 #define QTRI_PLACE_REACH  ((int32_t)256 * QTRI_PLACE_PIXELS)
+#define QTRI_PLACE_NEAR   ((int32_t)1 << 13) /* within it in all four needs one comparison */
 
 typedef enum qtri_placed {
     QTRI_PLACED_NOWHERE, /* touches no pixel */
@@ -129,6 +130,15 @@ static inline bool qtri_place_is_level(const qtri_vertex *a, const qtri_vertex *
     return ((exponents & 0xFF) | most >> 26) == 0;
 }
 
+/* Whether any of these is outside the reach. */
+static inline bool qtri_place_is_far(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
+{
+    const uint32_t reach = QTRI_PLACE_REACH;
+    QTRI_RARELY();
+    return (uint32_t)dx1 + reach >= 2 * reach || (uint32_t)dy1 + reach >= 2 * reach ||
+           (uint32_t)dx2 + reach >= 2 * reach || (uint32_t)dy2 + reach >= 2 * reach;
+}
+
 /* Holds spans from `column` on to the columns of the bounds. False when nothing is left. */
 bool qtri_place_cut(uint8_t *span, int32_t column, const qtri_rect *bounds);
 
@@ -148,9 +158,10 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     int32_t dy1 = b->at.y_24p8 - y0;
     int32_t dx2 = c->at.x_24p8 - x0;
     int32_t dy2 = c->at.y_24p8 - y0;
-    const uint32_t reach = QTRI_PLACE_REACH;
-    if ((((uint32_t)dx1 + reach) | ((uint32_t)dy1 + reach) | ((uint32_t)dx2 + reach) |
-         ((uint32_t)dy2 + reach)) >= 2 * reach) {
+    const uint32_t near = QTRI_PLACE_NEAR;
+    if ((((uint32_t)dx1 + near) | ((uint32_t)dy1 + near) | ((uint32_t)dx2 + near) |
+         ((uint32_t)dy2 + near)) >= 2 * near &&
+        qtri_place_is_far(dx1, dy1, dx2, dy2)) {
         return QTRI_PLACED_LARGE;
     }
     int32_t size = dx2 * dy1 - dx1 * dy2;
