@@ -247,23 +247,26 @@ void qtri_small_draw(const qtri_raster *raster, const qtri_list_triangle *t)
     }
 }
 
-void qtri_small_attributes(const qtri_raster *raster, qtri_place *place,
-                           const qtri_vertex *const v[3], const qtri_attributes attributes[3])
+void qtri_small_set_values(qtri_small_values *values, const qtri_raster *raster,
+                           const qtri_attributes attributes[3])
 {
-    int32_t color[3][3];
-    qtri_coordinates uv[2];
-    const qtri_list_triangle t = {
-        place, {v[0], v[1], v[2]}, (const int32_t(*)[3])color, QTRI_VERTEX_UNLIT, uv};
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
-            color[i][k] = attributes[i].color[k];
+            values->color[i][k] = attributes[i].color[k];
         }
     }
     if (raster->texture != NULL) {
         const int64_t u_q32[3] = {attributes[0].u_q32, attributes[1].u_q32, attributes[2].u_q32};
         const int64_t v_q32[3] = {attributes[0].v_q32, attributes[1].v_q32, attributes[2].v_q32};
-        qtri_coordinates_set(&uv[0], u_q32);
-        qtri_coordinates_set(&uv[1], v_q32);
+        qtri_coordinates_set(&values->uv[0], u_q32);
+        qtri_coordinates_set(&values->uv[1], v_q32);
     }
+}
+
+void qtri_small_draw_values(const qtri_raster *raster, qtri_place *place,
+                            const qtri_vertex *const v[3], const qtri_small_values *values)
+{
+    const qtri_list_triangle t = {
+        place, {v[0], v[1], v[2]}, values->color, QTRI_VERTEX_UNLIT, values->uv};
     qtri_small_draw(raster, &t);
 }
