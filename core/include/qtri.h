@@ -29,6 +29,7 @@
 #ifndef QTRI_H
 #define QTRI_H
 
+#include "qtri/blend.h"
 #include "qtri/clip.h"
 #include "qtri/config.h"
 #include "qtri/draw.h"

@@ -272,31 +272,6 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
     return mask;
 }
 
-/* Leaves fragments out that are not in the mask; writes the depths of the others. */
-static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count, const qtri_ramp *depth)
-{
-    const qtri_surface *surface = raster->surface;
-    qtri_batch *batch = raster->batch;
-    int32_t kept = 0;
-    mask <<= 32 - count;
-    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
-        if ((int32_t)mask >= 0) {
-            continue;
-        }
-        const uint32_t place = batch->place[i];
-        if (raster->depth_write) {
-            const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
-            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
-                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(z >> 16);
-        }
-        batch->color[kept] = batch->color[i];
-        batch->by.shade[kept] = batch->by.shade[i];
-        batch->place[kept] = place;
-        kept++;
-    }
-    return kept;
-}
-
 static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
 {
     if (batch->kind == QTRI_LIST_LIT_TEXELS && !raster->white) {
@@ -311,8 +286,7 @@ static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t c
     }
 }
 
-int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
-                                const qtri_ramp *depth)
+uint32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask)
 {
     qtri_batch *batch = raster->batch;
     if (raster->texture->filter == NULL) {
@@ -321,11 +295,9 @@ int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32
         }
         mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false);
     }
-    if (raster->texture->has_key) {
-        count = keep(raster, mask, count, depth);
-    }
-    if (count != 0) {
+    mask &= qtri_mask_of(count);
+    if (mask != 0) {
         shade_texels(raster, batch, count);
     }
-    return count;
+    return mask;
 }

@@ -219,7 +219,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     gradient_from(&gradient, triangle, raster->surface);
     job->anchor_x = gradient.anchor_x;
     job->anchor_y = gradient.anchor_y;
-    if (raster->compare != QTRI_DEPTH_OFF) {
+    if (raster->with_depth) {
         const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
         ramp_init(&job->depth, &gradient, depth);
     }

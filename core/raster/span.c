@@ -33,11 +33,39 @@ static uint32_t make_pixels(qtri_scanline *row, int32_t x, int32_t count, uint32
     const qtri_raster *raster = row->job->raster;
     if (raster->texture != NULL) {
         mask = raster->texturing->color_chunk(row, x, count, mask);
+    } else if (row->job->first == row->job->end) {
+        for (int32_t i = 0; i < count; i++) {
+            raster->batch->color[i] = row->job->pixel;
+        }
     } else {
         interpolate_colors(row, x, count);
     }
-    if (raster->format->encode != NULL && mask != 0) {
+    if (raster->format->encode != NULL && raster->effects == NULL && mask != 0) {
         raster->format->encode(raster->batch->color, count);
+    }
+    return mask;
+}
+
+/* Fog and blend for colours of `count` pixels from x on, then what stores them. */
+QTRI_NOINLINE static uint32_t apply_effects(const qtri_scanline *row, uint32_t *color, int32_t x,
+                                            uint32_t mask, int32_t count)
+{
+    const qtri_job *job = row->job;
+    const qtri_raster *raster = job->raster;
+    const int32_t first_row = raster->surface->first_row;
+    uint32_t *place = raster->batch->place;
+    const uint32_t first = ((uint32_t)(row->y - first_row) << 16) + (uint32_t)x;
+    qtri_ramp depth = job->depth;
+    if (mask == 0) {
+        return 0;
+    }
+    depth.origin = qtri_ramp_at(&depth, -job->anchor_x, first_row - job->anchor_y);
+    for (int32_t i = 0; i < count; i++) {
+        place[i] = first + (uint32_t)i;
+    }
+    mask = raster->effects(raster, color, place, &depth, mask, count);
+    if (raster->format->encode != NULL) {
+        raster->format->encode(color, count);
     }
     return mask;
 }
@@ -67,13 +95,17 @@ static void draw_row(qtri_scanline *row)
         if (test != NULL) {
             mask &= test(depths, z, job->depth.dx, count) ^ inverted;
         }
-        if (mask != 0 && job->first == job->end) {
+        if (mask != 0 && job->first == job->end && raster->effects == NULL) {
             memory->fill(pixels, job->pixel, mask, count);
         } else if (mask != 0) {
+            uint32_t *color = raster->batch->color + (from - x);
             const int32_t whole = qtri_least32(QTRI_BATCH, row->right - x);
             const int32_t after = whole - (from - x) - count;
             mask = make_pixels(row, x, whole, mask << after) >> after;
-            memory->store(pixels, raster->batch->color + (from - x), mask, count);
+            if (raster->effects != NULL) {
+                mask = apply_effects(row, color, from, mask, count);
+            }
+            memory->store(pixels, color, mask, count);
         }
         if (raster->depth.write && mask != 0) {
             qtri_depth_write(depths, z, job->depth.dx, mask, count);

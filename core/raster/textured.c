@@ -18,6 +18,7 @@ void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
     raster->tinted = narrow ? qtri_tint_565 : qtri_tint_888;
     raster->widen = !narrow && texture->format->colors == &qtri_colors_565 ? qtri_565_to_888 : NULL;
     raster->narrow = NULL;
+    raster->seen = NULL;
     if (format->colors == &qtri_colors_gray) {
         raster->narrow = qtri_888_to_gray;
     } else if (!narrow && format->colors == &qtri_colors_565) {
@@ -71,6 +72,9 @@ uint32_t qtri_texels_color(const qtri_raster *raster, const qtri_texel_axis axis
         }
         if (raster->widen != NULL) {
             raster->widen(color, count);
+        }
+        if (raster->seen != NULL) {
+            mask &= raster->seen(raster, color, count);
         }
     }
     return mask;

@@ -25,8 +25,7 @@ struct qtri_texturing {
     void (*set_list)(qtri_list_values *v);
     uint32_t (*color_list)(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
                            const uint32_t *place, int32_t count);
-    int32_t (*finish_list)(const qtri_raster *raster, int32_t count, uint32_t mask,
-                           const qtri_ramp *depth);
+    uint32_t (*finish_list)(const qtri_raster *raster, int32_t count, uint32_t mask);
 };
 
 void qtri_textured_init(qtri_raster *raster, const qtri_material *material);
