@@ -96,6 +96,8 @@ scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_c
     scene_statement_interpolate, scene_statement_polygon, scene_statement_light,
     scene_statement_texture;
 
+scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity;
+
 /* ---- Assets (scene_assets.c) ---- */
 
 /* The index in scene->meshes of the file that an argument names; reads a file the first time. */
