@@ -93,7 +93,7 @@ static inline uint32_t product(uint32_t a, uint32_t b)
 
 static inline uint32_t share_of(const mixture *m, uint32_t color)
 {
-    return (color >> 24) * m->alpha * 1032 + 32768 >> 16; /* 255 255 is 1024 */
+    return ((color >> 24) * m->alpha * 1032 + 32768) >> 16; /* 255 255 is 1024 */
 }
 
 #define OVER(c, s, k, most) qtri_mix_over(c, s, k)
