@@ -61,12 +61,15 @@ static inline int32_t differences(int32_t f[2], const qtri_list_values *v,
 }
 
 /*
- * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter,
- * edges are nothing special.
+ * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter they
+ * count from texels' centres, and edges are nothing special.
  */
 static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
 {
-    return shift > 10 && v->raster->texture->filter == NULL ? (uint32_t)1 << (shift - 10) : 0;
+    if (v->raster->texture->filter != NULL) {
+        return 0u - ((uint32_t)1 << (shift - 1));
+    }
+    return shift > 10 ? (uint32_t)1 << (shift - 10) : 0;
 }
 
 /*

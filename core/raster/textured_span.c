@@ -19,6 +19,9 @@ void qtri_textured_axes(qtri_job *job, uint32_t value[2][3], const qtri_attribut
                              i == 0 ? texture->width_log2 : texture->height_log2,
                              (i == 0 ? texture->wrap_u : texture->wrap_v) == QTRI_CLAMP,
                              raster->repeated ? qtri_texel_copy_shift(texture, i) : 0);
+        if (texture->filter != NULL) { /* from texels' centres */
+            job->axis[i].bias -= (uint32_t)1 << (job->axis[i].shift - 1);
+        }
     }
 }
 
