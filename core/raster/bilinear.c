@@ -341,7 +341,7 @@ static uint32_t sample_some(const qtri_raster *raster, const qtri_texel_axis axi
     uint32_t tap[4 * TOGETHER];
     uint32_t weight[TOGETHER];
     uint32_t drawn = qtri_mask_of(count);
-    if (raster->repeated) {
+    if (axis == NULL) {
         find_repeated_taps(tap, weight, texture, u, v, count);
     } else {
         find_taps(tap, weight, axis, u, v, count);
@@ -360,12 +360,30 @@ static uint32_t sample_some(const qtri_raster *raster, const qtri_texel_axis axi
     return drawn;
 }
 
+/* Coordinates as texel.h has them, of small triangles. */
+static void fill_32_bits(uint32_t *at, const qtri_texel_axis *axis, int32_t to, int32_t count)
+{
+    if (axis->clamped) {
+        qtri_texel_coordinates_held(at, axis, to, count);
+    } else if (to != axis->texel_shift) {
+        const int32_t up = to - axis->texel_shift;
+        for (const uint32_t *end = at + count; at != end; at++) {
+            *at = up >= 0 ? *at << up : *at >> -up;
+        }
+    }
+}
+
 static uint32_t sample(const qtri_raster *raster, const qtri_texel_axis axis[2], uint32_t *u,
-                       const uint32_t *v, int32_t count)
+                       uint32_t *v, int32_t count)
 {
     const qtri_texture *texture = raster->texture;
     uint32_t drawn = 0;
-    if (raster->repeated && texture->format == &qtri_texel_rgb565) {
+    if (axis != NULL && raster->texel_cut != 0) {
+        fill_32_bits(u, &axis[0], raster->coordinate[0].shift, count);
+        fill_32_bits(v, &axis[1], raster->coordinate[1].shift, count);
+        axis = NULL;
+    }
+    if (axis == NULL && texture->format == &qtri_texel_rgb565) {
         return rgb565(texture, u, v, count, raster->working != &qtri_colors_565, texture->has_key);
     }
     for (;;) {

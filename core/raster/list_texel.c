@@ -306,10 +306,10 @@ static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t c
         raster->tinted(batch->color, batch->by.shade, raster->tint_q10, count);
     } else if (batch->kind == QTRI_LIST_LIT_TEXELS) {
         raster->light(batch->color, batch->by.shade, count);
-    } else if (batch->kind == QTRI_LIST_RGB_TEXELS) {
+    } else {
         raster->times(batch->color, batch->by.shade, count);
     }
-    if (raster->narrow != NULL) {
+    if (raster->narrow != NULL && !raster->gray) {
         raster->narrow(batch->color, count);
     }
 }
@@ -318,17 +318,20 @@ int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32
                                 const qtri_ramp *depth)
 {
     qtri_batch *batch = raster->batch;
+    const bool shaded = batch->kind == QTRI_LIST_LIT_TEXELS || batch->kind == QTRI_LIST_RGB_TEXELS;
     if (raster->texture->filter == NULL) {
         for (int32_t i = count; (i & 3) != 0; i++) {
             batch->color[i] = 0; /* must be numbers of texels */
         }
-        mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false);
+        mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false, true);
     }
     if (raster->texture->has_key) {
         count = keep(raster, mask, count, depth);
     }
-    if (count != 0) {
+    if (count != 0 && shaded) {
         shade_texels(raster, batch, count);
+    } else if (count != 0 && raster->narrow != NULL) { /* as if in light of 1 */
+        raster->narrow(batch->color, count);
     }
     return count;
 }

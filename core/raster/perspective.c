@@ -29,7 +29,6 @@
 
 #include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
-#include "linear.h"
 
 /* A plane at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
 static inline uint32_t plane_at(const qtri_row_plane *row, const qtri_projected *plane, int32_t x)
@@ -104,7 +103,7 @@ static void begin_level(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
     const divider d = divider_for(row->by.perspective.plane[job->end].at);
-    row->run = row->left;
+    row->run_length = (int32_t)1 << 30;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *plane = &job->attribute[QTRI_U + i].projected;
         const qtri_texel_axis *axis = &job->axis[i];
@@ -112,8 +111,11 @@ static void begin_level(qtri_scanline *row)
         const uint64_t product = qtri_mul_u32(s, d.reciprocal);
         const int32_t value =
             qtri_saturate32((int64_t)(d.shift >= 0 ? product >> d.shift : product << -d.shift));
-        row->uv[i].at = qtri_run_scaled((uint32_t)value + axis->bias, axis->up);
-        row->uv[i].step = divide_step((int32_t)plane->dx, plane->dx_rest, &d, axis->up);
+        qtri_curve *curve = &row->curve[QTRI_U + i];
+        curve->at = qtri_run_scaled((uint32_t)value + axis->bias, axis->up);
+        curve->step = divide_step((int32_t)plane->dx, plane->dx_rest, &d, axis->up);
+        curve->bend = 0;
+        curve->twist = 0;
     }
 }
 
@@ -323,11 +325,8 @@ static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *li
 }
 
 int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t count, int first,
-                                     int end, qtri_curve *out)
+                                     int end)
 {
-    if (row->level) {
-        return qtri_interpolate_linear(row, x, count, first, end, out);
-    }
     const qtri_perspective *p = &row->job->color.perspective;
     const int32_t from = (x - row->left) & (QTRI_BATCH - 1);
     const int32_t rest = qtri_least32(row->right - x, QTRI_BATCH - from);
@@ -337,7 +336,8 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
     m.half = length >> 1;
     m.x = x + m.half;
     set_middle(&m, row, log2, first == QTRI_U && log2 >= p->texels_twisted);
-    for (int i = first; i < end; i++, out++) {
+    for (int i = first; i < end; i++) {
+        qtri_curve *out = &row->curve[i];
         const uint32_t value = middle_value(row, &m, i);
         if (log2 == 0) {
             const qtri_curve one = {value, 0, 0, 0};

@@ -4,6 +4,7 @@
  */
 #include "span.h"
 
+#include "linear.h"
 #include "loop.h"
 #include "packed.h"
 
@@ -17,14 +18,16 @@ static void interpolate_colors(qtri_scanline *row, int32_t x, int32_t count)
         qtri_packed_colors(color, job, x, row->y, (x - row->left) & (QTRI_PACKED_RUN - 1), count);
         return;
     }
-    while (count > 0) {
-        qtri_curve curve[3];
-        const int32_t some = job->interpolate(row, x, count, job->first, QTRI_U, curve);
-        raster->format->colors->smooth(color, curve, some);
+    do {
+        int32_t some = count;
+        if (qtri_job_is_bent(job)) {
+            some = qtri_interpolate_perspective(row, x, count, job->first, QTRI_U);
+        }
+        raster->format->colors->smooth(color, &row->curve[job->first], some);
         color += some;
         x += some;
         count -= some;
-    }
+    } while (count > 0);
 }
 
 /* Stored pixels into the batch for a chunk of `count` pixels at x; the mask of those drawn. */
@@ -61,6 +64,11 @@ static void draw_row(qtri_scanline *row)
         depths = row->depths + from;
         z = qtri_ramp_at(&job->depth, from - job->anchor_x, row->y - job->anchor_y);
     }
+    const bool linear =
+        job->first != job->end && !job->packed && (!qtri_job_is_bent(job) || row->level);
+    if (linear) {
+        qtri_linear_row(row, x);
+    }
     for (;;) {
         const int32_t count = qtri_least32(x + QTRI_BATCH, row->x1) - from;
         uint32_t mask = qtri_mask_of(count);
@@ -83,6 +91,9 @@ static void draw_row(qtri_scanline *row)
             return;
         }
         from = x;
+        if (linear) {
+            qtri_linear_next(row, x);
+        }
         pixels += (ptrdiff_t)count * memory->bytes;
         if (depths != NULL) {
             depths += count;
@@ -99,15 +110,13 @@ static void copy_row(qtri_scanline *row)
     run.pixels = row->pixels;
     run.depths = row->depths;
     for (int32_t x = row->x0; x < row->x1; x += run.count) {
-        qtri_curve uv[2];
-        const int32_t end = row->level ? row->x1 : qtri_least32(qtri_run_end(row, x), row->x1);
-        (void)qtri_interpolate_linear(row, x, end - x, QTRI_U, QTRI_ATTRIBUTES, uv);
+        const int32_t end = qtri_least32(qtri_linear_texels(row, x), row->x1);
         run.x = x;
         run.count = end - x;
         run.z = qtri_ramp_at(&job->depth, x - job->anchor_x, row->y - job->anchor_y);
         for (int i = 0; i < 2; i++) {
-            run.value[i] = uv[i].at;
-            run.step[i] = uv[i].step;
+            run.value[i] = row->curve[QTRI_U + i].at;
+            run.step[i] = row->curve[QTRI_U + i].step;
         }
         job->raster->copy_run(job, &run);
     }
@@ -122,13 +131,14 @@ static void copy_bent_row(qtri_scanline *row)
     run.depths = row->depths;
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
         qtri_curve uv[2];
-        const int32_t length = job->interpolate(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES, uv);
+        const int32_t length =
+            qtri_interpolate_perspective(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
         run.count = qtri_least32(length, row->x1 - x) - skip;
         if (run.count > 0) {
             run.x = x + skip;
             run.z = qtri_ramp_at(&job->depth, run.x - job->anchor_x, row->y - job->anchor_y);
-            job->raster->copy_bent(job, &run, uv, skip);
+            job->raster->copy_bent(job, &run, &row->curve[QTRI_U], skip);
         }
         x += length;
     }
@@ -142,13 +152,11 @@ static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
     row->pixels = qtri_pixels_at(raster->surface, y);
     row->depths = raster->compare != QTRI_DEPTH_OFF ? qtri_depths_at(raster->surface, y) : NULL;
     row->level = false;
-    if (job->perspective) {
+    if (qtri_job_is_bent(job)) {
         qtri_perspective_begin(row);
         return;
     }
-    if (job->end == QTRI_ATTRIBUTES) {
-        qtri_linear_begin(row);
-    }
+    qtri_linear_begin(row);
 }
 
 static void go_on(qtri_scanline *row)
@@ -160,7 +168,7 @@ static void go_on(qtri_scanline *row)
     if (row->depths != NULL) {
         row->depths += surface->depth_pitch;
     }
-    if (job->perspective) {
+    if (qtri_job_is_bent(job)) {
         return;
     }
     for (int i = 0; i < 2 && job->end == QTRI_ATTRIBUTES; i++) {
@@ -182,11 +190,10 @@ void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, in
         r.x1 = r.x0 + pixels;
         r.left = spans->left;
         r.right = spans->right;
-        r.run = INT32_MIN;
-        if (job->perspective) {
+        if (qtri_job_is_bent(job)) {
             qtri_perspective_row(&r);
         }
-        if (copies && (!job->perspective || r.level)) {
+        if (copies && (!qtri_job_is_bent(job) || r.level)) {
             copy_row(&r);
         } else if (copies) {
             copy_bent_row(&r);

@@ -47,11 +47,18 @@ void qtri_tint_565(uint32_t *color, const uint32_t *shade, const uint32_t tint_q
 void qtri_tint_888(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
                    int32_t count);
 
+/* 8 bits to gray, which are multiplied as well: within .53 (times .52). */
+void qtri_light_gray(uint32_t *color, const uint32_t *shade, int32_t count);
+void qtri_times_gray(uint32_t *color, const uint32_t *shade, int32_t count);
+void qtri_tint_gray(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
+                    int32_t count);
+
 /* Conversion ----------------------------------------------------------------------------------- */
 
-/* 31 and 63 become 255, correctly rounded between; back: within .60 (green .69); luma: .51. */
+/* 31 and 63 become 255, correctly rounded between; back: within .51; luma: .51. */
 void qtri_565_to_888(uint32_t *color, int32_t count);
 void qtri_888_to_565(uint32_t *color, int32_t count);
 void qtri_888_to_gray(uint32_t *color, int32_t count);
+void qtri_565_to_gray(uint32_t *color, int32_t count);
 
 #endif
