@@ -200,6 +200,7 @@ static inline int32_t zeros_of(qtri_scanline *row, uint32_t q)
  *
  * where - 21 T of the step and 18 T of the bend make a curve of second order pass through the
  * fourth and the eighth pixel from where it begins, and where it does so again after every eighth.
+ * Without a third order T is 0 but in A and L.
  */
 typedef struct middle {
     int32_t x, half, log2; /* pixel; log2 of half of a whole block */
@@ -210,31 +211,21 @@ typedef struct middle {
     int32_t value_q16, step_q16; /* without 1 */
     int32_t bend_q15;            /* times 2^log2 */
     int32_t twist_q12;           /* times 4^log2 */
-    int32_t twist_down;          /* 2 log2 - 3; 0 without a twist */
 } middle;
 
-static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted)
+/* log2: of a whole block, 1 or more. */
+static inline void set_shares(middle *m, const qtri_perspective *p, int32_t log2, bool twisted)
 {
-    const qtri_perspective *p = &row->job->color.perspective;
-    const uint32_t q = inv_w_at(row, m->x);
-    const int32_t zeros = zeros_of(row, q);
-    const uint32_t reciprocal = qtri_reciprocal_near(q << zeros);
-    m->zeros = zeros;
-    m->reciprocal = reciprocal;
-    m->step_q16 = 0;
-    if (log2 == 0) {
-        return;
-    }
-    const uint32_t y_q15 = reciprocal >> 16; /* 2^14..2^15 */
+    const uint32_t y_q15 = m->reciprocal >> 16; /* 2^14..2^15 */
     /* E = e h, at most 1/8 of it, so that the shift is not negative. */
-    int32_t down = -(p->slope_exponent + zeros + log2);
+    int32_t down = -(p->slope_exponent + m->zeros + log2);
     down = down > 31 ? 31 : down;
     log2--;
     m->log2 = log2;
     const int32_t e_q16 = (p->slope * (int32_t)y_q15) >> down;
     const int32_t e2_q16 = (e_q16 * e_q16) >> 16;
     /* The reciprocal's square: 30 bits, of which 15 count, times 15/16 (1 + 3/4 E^2) <= .99. */
-    uint32_t square = y_q15 * y_q15 + ((y_q15 * qtri_low16(reciprocal)) >> 15); /* 2^28..2^30 */
+    uint32_t square = y_q15 * y_q15 + ((y_q15 * qtri_low16(m->reciprocal)) >> 15); /* 2^28..2^30 */
     square -= square >> 4;
     const int32_t half = m->half;
     if (twisted) {
@@ -246,7 +237,6 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
         m->step_q16 = 2 * arc + 3 * t2 - ((a_q16 + 3 * t1 + (20 * e2_q16 >> log2)) >> log2);
         m->bend_q15 = (12 * e2_q16 >> log2) - a_q16 - 3 * t1;
         m->twist_q12 = (24 * e2_q16) >> 4;
-        m->twist_down = 2 * log2 - 3;
     } else {
         const int32_t a_q16 = e_q16 + ((4 * e_q16 * e2_q16) >> 20); /* of 1 + 3/4 E^2 */
         const int32_t arc = (a_q16 * half) >> log2;
@@ -255,12 +245,11 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
         m->step_q16 = 2 * arc - (a_q16 >> log2);
         m->bend_q15 = -a_q16;
         m->twist_q12 = 0;
-        m->twist_down = 0;
     }
     const int32_t odd = square >> 29 == 0;
     square = ((square << odd) + 0x4000u) >> 15;
     m->square = (int32_t)(square - (square >> 15));
-    m->slope_down = odd - 2 * zeros;
+    m->slope_down = odd - 2 * m->zeros;
 }
 
 /* Attribute i in the middle, in the unit of curves. */
@@ -273,35 +262,58 @@ static inline uint32_t middle_value(const qtri_scanline *row, const middle *m, i
         const qtri_perspective *p = &row->job->color.perspective;
         value >>= QTRI_COLOR_PERSPECTIVE_SHIFT - 2;
         value = qtri_hold32(value, p->least[i], p->greatest[i]);
+        return (uint32_t)value + a->bias;
     }
     return qtri_run_scaled((uint32_t)value + a->bias, a->up);
 }
 
-static inline void set_curve(qtri_curve *out, const middle *m, uint32_t value, int32_t slope,
-                             int32_t down)
+/* A curve whose slope is shifted left, or far right: few are. |l| < 2^30 */
+QTRI_NOINLINE static void set_steep_curve(qtri_curve *out, const middle *m, uint32_t value,
+                                          int32_t l, int32_t down)
 {
-    int32_t l = slope * m->square; /* |l| < 2^30 */
-    down += m->slope_down;
     if (down > 22) {
         l >>= qtri_least32(down - 22, 31);
         down = 22;
     }
+    const int32_t up = down < 0 ? -down : 0;
+    down = down < 0 ? 0 : down;
     const int32_t l_15 = l >> 15;
-    const int32_t to_start = l + ((l_15 * m->value_q16) >> 1);
-    const int32_t step = l + qtri_mul_s16(l, m->step_q16);
-    const int32_t bend = l_15 * m->bend_q15;
-    const int32_t twist = l_15 * m->twist_q12;
-    if (down >= 0) {
-        out->at = value - (uint32_t)(to_start >> down) * (uint32_t)m->half;
-        out->step = (uint32_t)(step >> down);
-        out->bend = (uint32_t)(bend >> (down + m->log2));
-        out->twist = (uint32_t)(twist >> (down + m->twist_down));
-    } else {
-        down = -down;
-        out->at = value - ((uint32_t)to_start << down) * (uint32_t)m->half;
-        out->step = (uint32_t)step << down;
-        out->bend = (uint32_t)(bend >> m->log2) << down;
-        out->twist = (uint32_t)(twist >> m->twist_down) << down;
+    const int32_t to_start = (l + ((l_15 * m->value_q16) >> 1)) >> down;
+    const int32_t step = (l + ((l_15 * m->step_q16) >> 1)) >> down;
+    out->at = value - ((uint32_t)to_start << up) * (uint32_t)m->half;
+    out->step = (uint32_t)step << up;
+    out->bend = (uint32_t)((l_15 * m->bend_q15) >> (down + m->log2)) << up;
+    out->twist = 0;
+    if (m->twist_q12 != 0) { /* down + 2 log2 - 3 <= 27 */
+        out->twist = (uint32_t)((l_15 * m->twist_q12) >> (down + 2 * m->log2 - 3)) << up;
+    }
+}
+
+QTRI_IN_PLACE void set_curve(qtri_curve *out, const middle *m, uint32_t value,
+                             const qtri_row_plane *plane, bool twisted)
+{
+    const int32_t l = plane->slope * m->square;
+    const int32_t down = plane->down + m->slope_down;
+    if ((uint32_t)down > 22) {
+        set_steep_curve(out, m, value, l, down);
+        return;
+    }
+    const int32_t l_15 = l >> 15;
+    const int32_t to_start = (l + ((l_15 * m->value_q16) >> 1)) >> down;
+    out->at = value - (uint32_t)to_start * (uint32_t)m->half;
+    out->step = (uint32_t)((l + ((l_15 * m->step_q16) >> 1)) >> down);
+    out->bend = (uint32_t)((l_15 * m->bend_q15) >> (down + m->log2));
+    out->twist =
+        twisted ? (uint32_t)((l_15 * m->twist_q12) >> (down + 2 * m->log2 - 3)) : (uint32_t)0;
+}
+
+QTRI_IN_PLACE void set_curves(qtri_scanline *row, middle *m, int32_t log2, int first, int end,
+                              bool twisted)
+{
+    set_shares(m, &row->job->color.perspective, log2, twisted);
+    for (int i = first; i < end; i++) {
+        set_curve(&row->curve[i], m, middle_value(row, m, i), &row->by.perspective.plane[i],
+                  twisted);
     }
 }
 
@@ -315,7 +327,7 @@ static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *li
     while (log2 > 0 && q < limits[log2 - 1]) {
         log2--;
     }
-    while (log2 > 0 && from >> log2 << log2 != from) {
+    while (log2 > 0 && (from & (((int32_t)1 << log2) - 1)) != 0) {
         log2--;
     }
     while (log2 > 0 && (int32_t)1 << (log2 - 1) >= rest) {
@@ -335,17 +347,18 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
     middle m;
     m.half = length >> 1;
     m.x = x + m.half;
-    set_middle(&m, row, log2, first == QTRI_U && log2 >= p->texels_twisted);
-    for (int i = first; i < end; i++) {
-        qtri_curve *out = &row->curve[i];
-        const uint32_t value = middle_value(row, &m, i);
-        if (log2 == 0) {
-            const qtri_curve one = {value, 0, 0, 0};
-            *out = one;
-        } else {
-            const qtri_row_plane *plane = &row->by.perspective.plane[i];
-            set_curve(out, &m, value, plane->slope, plane->down);
+    const uint32_t q = inv_w_at(row, m.x);
+    m.zeros = zeros_of(row, q);
+    m.reciprocal = qtri_reciprocal_near(q << m.zeros);
+    if (log2 == 0) {
+        for (int i = first; i < end; i++) {
+            const qtri_curve one = {middle_value(row, &m, i), 0, 0, 0};
+            row->curve[i] = one;
         }
+    } else if (first == QTRI_U && log2 >= p->texels_twisted) {
+        set_curves(row, &m, log2, first, end, true);
+    } else {
+        set_curves(row, &m, log2, first, end, false);
     }
     return qtri_least32(length, count);
 }

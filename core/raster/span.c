@@ -45,46 +45,83 @@ static uint32_t make_pixels(qtri_scanline *row, int32_t x, int32_t count, uint32
     return mask;
 }
 
+/* Pixels of a row in one colour. */
+static void fill_row(const qtri_scanline *row)
+{
+    const qtri_job *job = row->job;
+    const qtri_raster *raster = job->raster;
+    const qtri_pixels *memory = raster->format->pixels;
+    const uint32_t inverted = raster->depth.inverted ? UINT32_MAX : 0;
+    const uint32_t z_step = job->depth.dx;
+    uint8_t *pixels = row->pixels + (ptrdiff_t)row->x0 * memory->bytes;
+    uint16_t *depths = row->depths;
+    uint32_t z = 0;
+    int32_t rest = row->x1 - row->x0;
+    if (depths != NULL) {
+        depths += row->x0;
+        z = qtri_ramp_at(&job->depth, row->x0 - job->anchor_x, row->y - job->anchor_y);
+    }
+    for (;;) {
+        const int32_t count = qtri_least32(rest, QTRI_BATCH);
+        uint32_t mask = qtri_mask_of(count);
+        if (raster->depth.test != NULL) {
+            mask &= raster->depth.test(depths, z, z_step, count) ^ inverted;
+        }
+        if (mask != 0) {
+            memory->fill(pixels, job->pixel, mask, count);
+            if (raster->depth.write) {
+                qtri_depth_write(depths, z, z_step, mask, count);
+            }
+        }
+        rest -= count;
+        if (rest <= 0) {
+            return;
+        }
+        pixels += QTRI_BATCH * memory->bytes;
+        if (depths != NULL) {
+            depths += QTRI_BATCH;
+            z += QTRI_BATCH * z_step;
+        }
+    }
+}
+
 /*
- * Chunk by chunk: `from` is the first pixel of one that is drawn, of those that are computed x.
+ * The same of colours that vary: `from` is the first pixel of a chunk that is drawn, of those that
+ * are computed x.
  */
 static void draw_row(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
     const qtri_pixels *memory = raster->format->pixels;
-    const qtri_depth_test test = raster->depth.test;
     const uint32_t inverted = raster->depth.inverted ? UINT32_MAX : 0;
+    const bool linear = !job->packed && (!qtri_job_is_bent(job) || row->level);
     int32_t from = row->x0;
     int32_t x = row->left + ((from - row->left) & -QTRI_BATCH);
     uint8_t *pixels = row->pixels + (ptrdiff_t)from * memory->bytes;
-    uint16_t *depths = NULL;
+    uint16_t *depths = row->depths;
     uint32_t z = 0;
-    if (row->depths != NULL) {
-        depths = row->depths + from;
+    if (depths != NULL) {
+        depths += from;
         z = qtri_ramp_at(&job->depth, from - job->anchor_x, row->y - job->anchor_y);
     }
-    const bool linear =
-        job->first != job->end && !job->packed && (!qtri_job_is_bent(job) || row->level);
     if (linear) {
         qtri_linear_row(row, x);
     }
     for (;;) {
         const int32_t count = qtri_least32(x + QTRI_BATCH, row->x1) - from;
         uint32_t mask = qtri_mask_of(count);
-        if (test != NULL) {
-            mask &= test(depths, z, job->depth.dx, count) ^ inverted;
+        if (raster->depth.test != NULL) {
+            mask &= raster->depth.test(depths, z, job->depth.dx, count) ^ inverted;
         }
-        if (mask != 0 && job->first == job->end) {
-            memory->fill(pixels, job->pixel, mask, count);
-        } else if (mask != 0) {
+        if (mask != 0) {
             const int32_t whole = qtri_least32(QTRI_BATCH, row->right - x);
             const int32_t after = whole - (from - x) - count;
             mask = make_pixels(row, x, whole, mask << after) >> after;
             memory->store(pixels, raster->batch->color + (from - x), mask, count);
-        }
-        if (raster->depth.write && mask != 0) {
-            qtri_depth_write(depths, z, job->depth.dx, mask, count);
+            if (raster->depth.write && mask != 0) {
+                qtri_depth_write(depths, z, job->depth.dx, mask, count);
+            }
         }
         x += QTRI_BATCH;
         if (x >= row->x1) {
@@ -197,6 +234,8 @@ void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, in
             copy_row(&r);
         } else if (copies) {
             copy_bent_row(&r);
+        } else if (job->first == job->end) {
+            fill_row(&r);
         } else {
             draw_row(&r);
         }

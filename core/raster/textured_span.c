@@ -105,6 +105,7 @@ static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
     qtri_curve *uv = &row->curve[QTRI_U];
+    const bool clamped = !raster->repeated && raster->texel_cut != 0;
     int32_t done = 0;
     do {
         uint32_t *color = raster->batch->color + done;
@@ -131,7 +132,6 @@ static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
         } else {
             qtri_texel_numbers(color, uv, job->axis, some);
         }
-        uv = &row->curve[QTRI_U];
         done += some;
     } while (done < count);
 }
