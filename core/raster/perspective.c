@@ -295,7 +295,8 @@ QTRI_IN_PLACE void set_curve(qtri_curve *out, const middle *m, uint32_t value,
     const int32_t l = plane->slope * m->square;
     const int32_t down = plane->down + m->slope_down;
     if ((uint32_t)down > 22) {
-        set_steep_curve(out, m, value, l, down);
+        const middle copy = *m; /* or all of it would be in memory */
+        set_steep_curve(out, &copy, value, l, down);
         return;
     }
     const int32_t l_15 = l >> 15;

@@ -66,6 +66,7 @@ struct qtri_fused {
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
 typedef void (*qtri_modulate_stage)(uint32_t *color, const uint32_t *shade, int32_t count);
+typedef void (*qtri_curves_stage)(uint32_t *color, const qtri_curve channel[3], int32_t count);
 typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
                                 int32_t count);
 
@@ -100,6 +101,7 @@ struct qtri_raster {
     qtri_words_stage widen, narrow, convert;
     bool gray; /* what multiplies gives the format's kind */
     qtri_modulate_stage light, times;
+    qtri_curves_stage times_curves;
     qtri_tint_stage tinted; /* light, and the tint below */
     bool replace;
     bool repeated;      /* coordinates fill 32 bits, see texel_number.h */

@@ -33,7 +33,7 @@ void qtri_shade_light(uint32_t *shade, const qtri_curve *share, int32_t count)
 
 void qtri_shade_rgb(uint32_t *shade, const qtri_curve channel[3], int32_t count)
 {
-    QTRI_THREE_CURVES(shade, channel, 0x8000u - ((uint32_t)1 << 13), count, SHADES)
+    QTRI_THREE_CURVES(shade, channel, QTRI_SHADE_LESS, count, SHADES)
 }
 
 void qtri_shade_constant(uint32_t *shade, uint32_t value, int32_t count)
@@ -242,15 +242,12 @@ void qtri_888_to_565(uint32_t *color, int32_t count)
 #undef ONE
 }
 
-/* Luma, .299 .587 .114, of 2^14: white in light of 1, and a half, is 255.5 2^24 < 2^32. */
-static const uint32_t luma_q14[3] = {4899, 9617, 1868};
-
 /* What light of 1 makes of it. */
 void qtri_888_to_gray(uint32_t *color, int32_t count)
 {
-    uint32_t r = luma_q14[0];
-    uint32_t g = luma_q14[1];
-    uint32_t b = luma_q14[2];
+    uint32_t r = QTRI_LUMA_RED;
+    uint32_t g = QTRI_LUMA_GREEN;
+    uint32_t b = QTRI_LUMA_BLUE;
     uint32_t half = (uint32_t)1 << 13;
     QTRI_OPAQUE(half)
 #define ONE(i)                                                                                     \
@@ -301,9 +298,9 @@ void qtri_565_to_gray(uint32_t *color, int32_t count)
 void qtri_tint_gray(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
                     int32_t count)
 {
-    uint32_t r = (luma_q14[0] * tint_q10[0] + 512) >> 10;
-    uint32_t g = (luma_q14[1] * tint_q10[1] + 512) >> 10;
-    uint32_t b = (luma_q14[2] * tint_q10[2] + 512) >> 10;
+    uint32_t r = (QTRI_LUMA_RED * tint_q10[0] + 512) >> 10;
+    uint32_t g = (QTRI_LUMA_GREEN * tint_q10[1] + 512) >> 10;
+    uint32_t b = (QTRI_LUMA_BLUE * tint_q10[2] + 512) >> 10;
     uint32_t half = (uint32_t)1 << 23;
     QTRI_OPAQUE(half)
 #define ONE(i)                                                                                     \
@@ -330,9 +327,9 @@ void qtri_light_gray(uint32_t *color, const uint32_t *shade, int32_t count)
 /* Shades of 1020 are 1, 255 1020 2^14 < 2^32; 257/256 of that, which is within 2^-15 of 1024. */
 void qtri_times_gray(uint32_t *color, const uint32_t *shade, int32_t count)
 {
-    uint32_t r = luma_q14[0];
-    uint32_t g = luma_q14[1];
-    uint32_t b = luma_q14[2];
+    uint32_t r = QTRI_LUMA_RED;
+    uint32_t g = QTRI_LUMA_GREEN;
+    uint32_t b = QTRI_LUMA_BLUE;
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t pixel = color[i];                                                           \
@@ -349,3 +346,16 @@ void qtri_times_gray(uint32_t *color, const uint32_t *shade, int32_t count)
     QTRI_WORDS(count)
 #undef ONE
 }
+
+#define QTRI_STRAIGHT_TIMES_GRAY(i)                                                                \
+    {                                                                                              \
+        const uint32_t pixel = color[i];                                                           \
+        uint32_t luma = (pixel << 24 >> 24) * QTRI_LUMA_BLUE * (b >> 14);                          \
+        luma += (pixel << 16 >> 24) * QTRI_LUMA_GREEN * (g >> 14);                                 \
+        luma += (pixel << 8 >> 24) * QTRI_LUMA_RED * (r >> 14);                                    \
+        luma >>= 14;                                                                               \
+        color[i] = (luma + (luma >> 8) + 512) >> 10;                                               \
+    }                                                                                              \
+    QTRI_STEP_THREE
+
+#define QTRI_CURVED_TIMES_GRAY(i) QTRI_STRAIGHT_TIMES_GRAY(i) QTRI_BEND_THREE

@@ -16,6 +16,7 @@ static void set_kinds(qtri_raster *raster)
     raster->gray = to_gray;
     raster->light = in_565 ? qtri_light_565 : qtri_light_888;
     raster->times = in_565 ? qtri_times_565 : qtri_times_888;
+    raster->times_curves = in_565 ? qtri_times_curves_565 : qtri_times_curves_888;
     raster->tinted = in_565 ? qtri_tint_565 : qtri_tint_888;
     raster->widen = from_565 && !to_565 ? qtri_565_to_888 : NULL;
     raster->narrow = to_565 && !from_565 ? qtri_888_to_565 : NULL;
@@ -23,6 +24,7 @@ static void set_kinds(qtri_raster *raster)
     if (to_gray) {
         raster->light = qtri_light_gray;
         raster->times = qtri_times_gray;
+        raster->times_curves = qtri_times_curves_gray;
         raster->tinted = qtri_tint_gray;
         raster->narrow = qtri_888_to_gray;
         raster->convert = from_565 ? qtri_565_to_gray : qtri_888_to_gray;

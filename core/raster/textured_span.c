@@ -27,29 +27,61 @@ void qtri_textured_axes(qtri_job *job, uint32_t value[2][3], const qtri_attribut
     }
 }
 
-/* Light or colours for texels, into shades. */
-static void interpolate_shades(qtri_scanline *row, int32_t x, int32_t count)
+/* The shade of all of a triangle's texels as curves. */
+static void constant_curves(qtri_curve curve[3], uint32_t shade)
+{
+    for (int i = 2; i >= 0; i--) {
+        const qtri_curve one = {((shade & 1023) << 14) + QTRI_SHADE_LESS, 0, 0, 0};
+        curve[i] = one;
+        shade >>= QTRI_SHADE_GREEN;
+    }
+}
+
+/* Some of the batch's texels: stages work on four at a time, but the others are not yet due. */
+static inline void multiply_some(const qtri_raster *raster, uint32_t *color,
+                                 const qtri_curve channel[3], int32_t count)
+{
+    uint32_t *after = color + count;
+    const uint32_t kept[3] = {after[0], after[1], after[2]};
+    raster->times_curves(color, channel, count);
+    if ((count & 3) != 0) {
+        after[0] = kept[0];
+        after[1] = kept[1];
+        after[2] = kept[2];
+    }
+}
+
+/* Multiplies the batch's texels by light or colours. */
+static void shade_texels(qtri_scanline *row, int32_t x, int32_t count)
 {
     const qtri_job *job = row->job;
-    uint32_t *shade = job->raster->batch->by.shade;
+    const qtri_raster *raster = job->raster;
+    uint32_t *color = raster->batch->color;
+    uint32_t *shade = raster->batch->by.shade;
     if (job->first == QTRI_U) {
-        qtri_shade_constant(shade, job->pixel, count);
+        constant_curves(row->curve, job->pixel);
+        raster->times_curves(color, row->curve, count);
         return;
     }
-    do {
+    for (int32_t done = 0; done < count;) {
         int32_t some = count;
         if (qtri_job_is_bent(job)) {
-            some = qtri_interpolate_perspective(row, x, count, job->first, QTRI_U);
+            some = qtri_interpolate_perspective(row, x + done, count - done, job->first, QTRI_U);
         }
-        if (job->first == 0) {
-            qtri_shade_rgb(shade, row->curve, some);
+        if (job->first != 0) {
+            qtri_shade_light(shade + done, &row->curve[QTRI_U - 1], some);
+        } else if (some == count) {
+            raster->times_curves(color, row->curve, count);
         } else {
-            qtri_shade_light(shade, &row->curve[QTRI_U - 1], some);
+            multiply_some(raster, color + done, row->curve, some);
         }
-        shade += some;
-        x += some;
-        count -= some;
-    } while (count > 0);
+        done += some;
+    }
+    if (job->first == QTRI_U - 1 && raster->white) {
+        raster->light(color, shade, count);
+    } else if (job->first == QTRI_U - 1) {
+        raster->tinted(color, shade, raster->tint_q10, count);
+    }
 }
 
 /*
@@ -114,13 +146,13 @@ static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
         if (qtri_job_is_bent(job) && !row->level) {
             some =
                 qtri_interpolate_perspective(row, x + done, count - done, QTRI_U, QTRI_ATTRIBUTES);
-        }
-        if (!raster->repeated && raster->texel_cut != 0) {
+        } else if (clamped) { /* the next chunk goes on from what is kept */
             held[0] = uv[0];
             held[1] = uv[1];
             uv = held;
         }
-        if (uv == held && clamp_texels(job, done, uv, some)) {
+        if (clamped && clamp_texels(job, done, uv, some)) {
+            ;
         } else if (raster->texture->filter != NULL) {
             qtri_texel_coordinates(color, raster->batch->by.shade + done, uv, some);
 #ifndef __OPTIMIZE_SIZE__
@@ -142,21 +174,13 @@ uint32_t qtri_textured_chunk(qtri_scanline *row, int32_t x, int32_t count, uint3
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
     uint32_t *color = raster->batch->color;
-    uint32_t *shade = raster->batch->by.shade;
     interpolate_texels(row, x, count);
-    mask &= qtri_texels_color(raster, raster->texel_cut != 0 ? NULL : job->axis, color, shade,
-                              count, raster->fetched, job->shaded);
+    mask &= qtri_texels_color(raster, raster->texel_cut != 0 ? NULL : job->axis, color,
+                              raster->batch->by.shade, count, raster->fetched, job->shaded);
     if (mask == 0 || !job->shaded) {
         return mask;
     }
-    interpolate_shades(row, x, count);
-    if (job->first != QTRI_U - 1) {
-        raster->times(color, shade, count);
-    } else if (raster->white) {
-        raster->light(color, shade, count);
-    } else {
-        raster->tinted(color, shade, raster->tint_q10, count);
-    }
+    shade_texels(row, x, count);
     if (raster->narrow != NULL && !raster->gray) {
         raster->narrow(color, count);
     }
