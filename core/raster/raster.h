@@ -67,6 +67,7 @@ struct qtri_fused {
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
 typedef void (*qtri_modulate_stage)(uint32_t *color, const uint32_t *shade, int32_t count);
+typedef void (*qtri_curves_stage)(uint32_t *color, const qtri_curve channel[3], int32_t count);
 typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
                                 int32_t count);
 
@@ -109,9 +110,12 @@ struct qtri_raster {
     /* Texture: see textured.c. */
     const qtri_texturing *texturing;
     const qtri_colors *working; /* texels become colours of this kind */
-    qtri_words_stage widen,
-        narrow; /* from the texel's kind, and to the format's; NULL: it is that */
+    /* From the texel's kind to the working one, from that to the format's, where texels are
+       multiplied or filtered; from one to the other at once. NULL: they are the same. */
+    qtri_words_stage widen, narrow, convert;
+    bool gray; /* what multiplies gives the format's kind */
     qtri_modulate_stage light, times;
+    qtri_curves_stage times_curves;
     qtri_tint_stage tinted; /* light, and the tint below */
     uint32_t (*seen)(const qtri_raster *raster, const uint32_t *color,
                      int32_t count); /* the mask of texels with enough alpha; NULL: all */
@@ -119,7 +123,7 @@ struct qtri_raster {
     bool repeated;      /* coordinates fill 32 bits, see texel_number.h */
     bool fetched;       /* rows of texels are read at once with their numbers */
     bool copied;        /* nearest repeated texels of the format's own kind, without a key */
-    uint32_t texel_cut; /* see texel_copy.h */
+    uint32_t texel_cut; /* see texel_copy.h; 0 where that does not fit */
     struct {
         uint8_t unit, shift; /* bits of a repeat's and of a texel's fraction */
     } coordinate[2];         /* of repeated ones */

@@ -99,6 +99,14 @@ static void times(uint32_t *color, const uint32_t *shade, int32_t count)
     put_back(&s, color, count);
 }
 
+static void times_curves(uint32_t *color, const qtri_curve channel[3], int32_t count)
+{
+    saved s;
+    save(&s, color, count);
+    qtri_times_curves_888(color, channel, count);
+    put_back(&s, color, count);
+}
+
 static void tinted(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
                    int32_t count)
 {
@@ -130,14 +138,18 @@ static void init(qtri_raster *raster, const qtri_material *material)
     if (material->least_alpha != 0) {
         raster->seen = enough;
     }
-    if (raster->blend != NULL) {
+    if (raster->blend != NULL && material->texture->filter == NULL) {
         raster->wide = true;
+        raster->gray = false;
         raster->narrow = NULL;
+        raster->convert = NULL;
         raster->light = light;
         raster->times = times;
+        raster->times_curves = times_curves;
         raster->tinted = tinted;
     } else if (raster->narrow == NULL) {
         raster->narrow = strip;
+        raster->convert = strip;
     }
 }
 
