@@ -1,3 +1,4 @@
+#include "lights.h"
 #include "primitive.h"
 
 static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
@@ -68,22 +69,69 @@ QTRI_NOINLINE static fate place_usual(const qtri_primitive *primitive, const qtr
     return SEEN;
 }
 
+/* Triangles with corners of their own. */
+typedef struct loose {
+    const qtri_primitive *primitive;
+    const qtri_lights *lights;
+    const qtri_corner *corners;
+    uint32_t count;
+} loose;
+
+/* One that a view's lights light: in corners of their colours. */
+QTRI_NOINLINE static void draw_shaded(const loose *job, const qtri_illumination *by,
+                                      const qtri_corner *corners, qtri_shape *shape, fate found)
+{
+    const qtri_primitive *primitive = job->primitive;
+    qtri_corner own[3] = {corners[0], corners[1], corners[2]};
+    int64_t area = 0;
+    if (found == SEEN) {
+        area = qtri_triangle_area(&shape->fan[0].at, &shape->fan[1].at, &shape->fan[2].at);
+    } else {
+        fetch(primitive, corners, 3, shape->clip);
+    }
+    job->lights->model->shade_corners(by, primitive->material, found == SEEN ? NULL : shape->clip,
+                                      area, own);
+    if (found == SEEN) {
+        qtri_primitive_inside(primitive, shape->fan, attributes_of_triangle, own);
+    } else {
+        qtri_primitive_triangle(primitive, shape, attributes_of_triangle, own);
+    }
+}
+
+static void draw_all(const qtri_illumination *by, void *with)
+{
+    const loose *job = with;
+    const qtri_primitive *primitive = job->primitive;
+    const qtri_corner *corners = job->corners;
+    const bool solid = QTRI_WITH_FAST_PATHS && primitive->material->fill == NULL;
+    for (uint32_t i = 0; job->count - i >= 3; i += 3) {
+        qtri_shape shape;
+        const fate found = solid ? place_usual(primitive, &corners[i], shape.fan) : ELSEWHERE;
+        if (found == CULLED) {
+            continue;
+        }
+        if (by != NULL) {
+            draw_shaded(job, by, &corners[i], &shape, found);
+        } else if (found == SEEN) {
+            qtri_primitive_inside(primitive, shape.fan, attributes_of_triangle, &corners[i]);
+        } else {
+            fetch(primitive, &corners[i], 3, shape.clip);
+            qtri_primitive_triangle(primitive, &shape, attributes_of_triangle, &corners[i]);
+        }
+    }
+}
+
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
                          const qtri_transform *pose, const qtri_corner *corners,
                          uint32_t corner_count, const qtri_material *material)
 {
     qtri_primitive primitive;
+    loose job = {&primitive, view->lights, corners, corner_count};
     qtri_primitive_init(&primitive, surface, view, pose, material);
-    const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
-    for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
-        qtri_shape shape;
-        const fate found = solid ? place_usual(&primitive, &corners[i], shape.fan) : ELSEWHERE;
-        if (found == SEEN) {
-            qtri_primitive_inside(&primitive, shape.fan, attributes_of_triangle, &corners[i]);
-        } else if (found == ELSEWHERE) {
-            fetch(&primitive, &corners[i], 3, shape.clip);
-            qtri_primitive_triangle(&primitive, &shape, attributes_of_triangle, &corners[i]);
-        }
+    if (view->lights != NULL) {
+        view->lights->model->corners(view, pose, material, draw_all, &job);
+    } else {
+        draw_all(NULL, &job);
     }
     qtri_primitive_finish(&primitive);
 }

@@ -1,7 +1,7 @@
 /*
  * What the corners of a mesh's triangles bring: place, light, colours, texture coordinates.
  */
-#include "mesh_job.h"
+#include "lights.h"
 
 bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
                          qtri_vertex *out)
@@ -68,6 +68,12 @@ QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void
     light_corner(draw, indices, 0, a);
     light_corner(draw, indices, 1, b);
     light_corner(draw, indices, 2, c);
+    if (draw->lights != NULL && draw->lit_colors != NULL && draw->illumination != NULL) {
+        const uint32_t index[3] = {qtri_mesh_index(draw->mesh, indices, 0),
+                                   qtri_mesh_index(draw->mesh, indices, 1),
+                                   qtri_mesh_index(draw->mesh, indices, 2)};
+        draw->lights->model->meet(draw, index);
+    }
 }
 
 void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
@@ -115,4 +121,11 @@ void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint3
     color_8p16[0] = color->r * intensity; /* <= 255.0 */
     color_8p16[1] = color->g * intensity;
     color_8p16[2] = color->b * intensity;
+}
+
+void qtri_mesh_clear_light(const qtri_mesh_job *draw)
+{
+    for (uint32_t i = 0; draw->lit_colors != NULL && i < draw->mesh->vertex_count; i++) {
+        draw->lit_colors[i] = 0;
+    }
 }

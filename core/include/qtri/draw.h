@@ -19,11 +19,13 @@ typedef struct qtri_corner {
     qtri_vec4 position; /* object space, homogeneous: any w */
     qtri_rgb color;
     qtri_vec2 uv;
+    qtri_normal normal; /* any length; zero: that of the triangle */
 } qtri_corner;
 
 /*
  * Draws corner_count / 3 triangles (lines: corner_count / 2), transformed by
- * view->projection view->camera pose. Light does not apply: corners have no normals.
+ * view->projection view->camera pose. view->lights light triangles, see light.h, at the place
+ * (x/w, y/w, z/w) of each corner, rounded to Q16.16; view->light does not.
  */
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
                          const qtri_transform *pose, const qtri_corner *corners,
@@ -36,6 +38,7 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
  * Draws a mesh. Each vertex is transformed once when view->vertices has room for all of them.
  * With view->light the colours are scaled by its intensity: per vertex for smooth shading and a
  * mesh with normals, per face otherwise. Normals follow the inverse transpose of camera and pose.
+ * view->lights take its place, see light.h.
  */
 void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
                     const qtri_mesh *mesh, const qtri_material *material);
