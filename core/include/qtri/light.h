@@ -19,7 +19,7 @@
  * What a vertex shows, each channel by itself, is held to 0..1:
  *
  *     emission + ambient' ambient + sum over the sources of
- *         fade color (diffuse max(0, n . l) + specular (n . h)^shininess)
+ *         fade color cone (diffuse max(0, n . l) + specular (n . h)^shininess)
  *
  * n is the unit normal, l the direction to the source; h halves the angle between l and the line
  * to the eye, which is taken to be +z of eye space everywhere, as OpenGL does without a local
@@ -27,11 +27,14 @@
  * diffuse is the vertex's own colour, or the material's; ambient' is diffuse, or the reflection's
  * own. Products of fade and color are held to 16.
  *
- * Smooth shading and normals: every vertex is lit. Flat, or a mesh without normals: every face, at
- * the mean of its corners. Normals go through the inverse transpose of camera and pose and are
- * normalised; whatever length they have, only a zero normal is without a direction: it has emission
- * and ambient light, and so has a face without area. A triangle's colours are off by less than one
- * of 255, at a shininess up to 128; see the functions for what adds to that.
+ * Smooth shading: every vertex is lit, with its triangle's normal where it has none. Flat: every
+ * triangle, with its own normal, at the mean of its corners, in the provoking one's colour. Normals
+ * go through the inverse transpose of camera and pose and are normalised, whatever length they
+ * have; a zero one, or a triangle without area, has emission and ambient light only.
+ *
+ * A vertex's colours are within 1 of 255 of the formula's, up to a shininess of 128. Highlights of
+ * a source within 8 degrees of straight behind a vertex may be off by more, and so may the penumbra
+ * of a spot light whose cosines are less than .03 apart.
  *
  * Nothing of this is linked where qtri_lights_init is not named, nor a kind of light that no source
  * names. A single directional light without colour is qtri_light, see view.h, at a tenth of the
