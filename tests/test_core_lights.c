@@ -142,6 +142,9 @@ static bool exact_color(const world *w, const qtri_vec3 *p, const double normal[
         double l[3], h[3], cone;
         double share = reach(w, from, eye, l, &cone);
         double cosine = dot3(n, l);
+        if (r->shininess != NULL && share > 0 && (l[2] < -.99 || fabs(cosine) < 1e-3)) {
+            return false; /* see light.h */
+        }
         if (cosine <= 0 || share <= 0) {
             continue;
         }
@@ -149,9 +152,6 @@ static bool exact_color(const world *w, const qtri_vec3 *p, const double normal[
         h[1] = l[1];
         h[2] = l[2] + 1;
         normalise(h);
-        if (r->shininess != NULL && l[2] < -.99) {
-            return false; /* see light.h */
-        }
         double shine = r->shininess != NULL ? power(dot3(n, h), real(w->shininess)) : 0;
         const double light[3] = {real(from->source.color.r), real(from->source.color.g),
                                  real(from->source.color.b)};
