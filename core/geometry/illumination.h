@@ -12,6 +12,7 @@
 #define QTRI_GEOMETRY_ILLUMINATION_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "qtri/light.h"
 
@@ -138,6 +139,12 @@ static inline uint32_t qtri_shininess_at(const qtri_shininess *table, uint32_t t
     const uint16_t *value = &table->value_q15[i];
     const uint32_t rest_q15 = (t_q29 << (32 - table->shift)) >> 17;
     return value[0] - (((uint32_t)(value[0] - value[1]) * rest_q15) >> 15);
+}
+
+/* From here on the table is 0; 0 without one. */
+static inline uint32_t qtri_shininess_end_q29(const qtri_shininess *table)
+{
+    return table == NULL ? 0 : (uint32_t)table->count << table->shift;
 }
 
 /* 1 - a . b of two unit vectors: |a - b|^2 / 2. |a|, |b| <= 1.01 in Q14. */

@@ -1,6 +1,5 @@
 #include "light_point.h"
 
-#include "../bits/seed.h"
 #include "../math/sincos.h"
 
 /* 1 - cos(angle), for an angle held to 0..180 degrees. */
