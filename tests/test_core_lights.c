@@ -4,7 +4,7 @@
  */
 #include "support_transform.h"
 
-#include "geometry/illumination.h"
+#include "geometry/lit_point.h"
 
 static void of_vec3(double out[3], qtri_vec3 v)
 {

@@ -1,5 +1,7 @@
 #include "lights.h"
 
+#include "../geometry/lit_point.h"
+
 #define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */
 
 /* The sign of the homogeneous determinant; y points down. */
@@ -31,7 +33,7 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
     draw->illumination = NULL;
 }
 
-static void set_place(qtri_lit_point *point, const qtri_mesh_job *draw, uint32_t index)
+QTRI_IN_PLACE void set_place(qtri_lit_point *point, const qtri_mesh_job *draw, uint32_t index)
 {
     const qtri_mesh *mesh = draw->mesh;
     if (qtri_mesh_has_compact(mesh->positions16)) {
@@ -42,7 +44,7 @@ static void set_place(qtri_lit_point *point, const qtri_mesh_job *draw, uint32_t
 }
 
 /* A vertex in the light of its own normal. */
-static qtri_rgb light_vertex(const qtri_mesh_job *draw, uint32_t index, bool is_back)
+QTRI_NOINLINE static qtri_rgb light_vertex(const qtri_mesh_job *draw, uint32_t index, bool is_back)
 {
     const qtri_mesh *mesh = draw->mesh;
     const qtri_rgb *color = mesh->colors != NULL ? &mesh->colors[index] : &draw->material.color;
@@ -105,6 +107,13 @@ static void meet(const qtri_mesh_job *draw, const uint32_t index[3])
     for (int i = 0; i < 3 && draw->shaded_per_vertex; i++) {
         (void)vertex_color(draw, index[i], false);
     }
+}
+
+/* Where they are fewer: in one place. */
+QTRI_NOINLINE static qtri_rgb illuminate(const qtri_illumination *by, qtri_lit_point *point,
+                                         const qtri_rgb *color)
+{
+    return qtri_illuminate(by, point, color);
 }
 
 /* A third, rounded down; three of them fit. */
@@ -250,7 +259,7 @@ static void shade_corners(const qtri_illumination *by, const qtri_material *mate
         qtri_lit_point point;
         qtri_illuminated_normal(&point, by, turn * n[0], turn * n[1], turn * n[2]);
         qtri_illuminated_place(&point, by, smooth ? &p[i] : &mean);
-        corner[i].color = qtri_illuminate(by, &point, &corner[i].color);
+        corner[i].color = illuminate(by, &point, &corner[i].color);
     }
 }
 

@@ -97,23 +97,6 @@ void qtri_illumination_init(qtri_illumination *by, const qtri_lights *lights,
                             const qtri_transform *camera, const qtri_transform *pose,
                             const qtri_reflection *reflection, const qtri_mesh *compact);
 
-/* Sets a point's normal, from object space: any length, |.| <= 2^15. */
-void qtri_illuminated_normal(qtri_lit_point *point, const qtri_illumination *by, int32_t x,
-                             int32_t y, int32_t z);
-
-/* The normal of the triangle a b c, as three such numbers; 0 0 0 where it has no area. */
-void qtri_face_normal(int32_t normal[3], const qtri_vec3 *a, const qtri_vec3 *b,
-                      const qtri_vec3 *c);
-
-/* Sets a point's place. */
-void qtri_illuminated_place16(qtri_lit_point *point, const qtri_illumination *by,
-                              const qtri_position16 *position);
-void qtri_illuminated_place(qtri_lit_point *point, const qtri_illumination *by,
-                            const qtri_vec3 *position);
-
-/* What a point of this colour shows. */
-qtri_rgb qtri_illuminate(const qtri_illumination *by, qtri_lit_point *point, const qtri_rgb *color);
-
 /* ---- For kinds of light ---- */
 
 /* v / |v| with 14 fraction bits, within 2^-12 of its length; false, and zeros, for v = 0. */

@@ -64,7 +64,7 @@ QTRI_IN_PLACE bool qtri_light_way_find(qtri_light_way *way, const qtri_shine *so
         square <<= 2;
         even = 1;
     }
-    const uint32_t y_q15 = qtri_rsqrt_seed(square >> 16);
+    const uint32_t y_q15 = qtri_rsqrt_seed_in_place(square >> 16);
     const int32_t y_q14 = (int32_t)(y_q15 >> 1);
     const int32_t down = 16 - even;
     way->direction_q14[0] = (d[0] * y_q14) >> down;
@@ -134,7 +134,7 @@ QTRI_IN_PLACE uint32_t qtri_light_highlight_q15(const qtri_lit_point *point,
         down--;
     }
     const uint32_t v_q16 = square >> 14;
-    const int32_t y_q15 = (int32_t)qtri_rsqrt_seed(v_q16 > 0xFFFFu ? 0xFFFFu : v_q16);
+    const int32_t y_q15 = (int32_t)qtri_rsqrt_seed_in_place(v_q16 > 0xFFFFu ? 0xFFFFu : v_q16);
     h[0] = (h[0] * y_q15) >> down;
     h[1] = (h[1] * y_q15) >> down;
     h[2] = (h[2] * y_q15) >> down;
