@@ -303,7 +303,7 @@ static void against_double(bool even, bool compact)
             if (!exact_color(&w, &p, normal, color, exact)) {
                 continue;
             }
-            const qtri_rgb got = qtri_illuminate(&by, &point, &color);
+            const qtri_rgb got = qtri_lit_rgb(qtri_illuminate(&by, &point, &color));
             const double error = worst_of(got, exact);
             count++;
             many += error > 1;

@@ -44,7 +44,7 @@ QTRI_IN_PLACE void set_place(qtri_lit_point *point, const qtri_mesh_job *draw, u
 }
 
 /* A vertex in the light of its own normal. */
-QTRI_NOINLINE static qtri_rgb light_vertex(const qtri_mesh_job *draw, uint32_t index, bool is_back)
+QTRI_NOINLINE static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index, bool is_back)
 {
     const qtri_mesh *mesh = draw->mesh;
     const qtri_rgb *color = mesh->colors != NULL ? &mesh->colors[index] : &draw->material.color;
@@ -68,12 +68,7 @@ QTRI_NOINLINE static qtri_rgb light_vertex(const qtri_mesh_job *draw, uint32_t i
     }
     qtri_illuminated_normal(&point, draw->illumination, n[0], n[1], n[2]);
     set_place(&point, draw, index);
-    return qtri_illuminate(draw->illumination, &point, color);
-}
-
-static inline uint32_t word_of(qtri_rgb rgb)
-{
-    return LIT | (uint32_t)rgb.r << 16 | (uint32_t)rgb.g << 8 | rgb.b;
+    return LIT | qtri_illuminate(draw->illumination, &point, color);
 }
 
 static void light_list(const qtri_mesh_job *draw, uint32_t count)
@@ -83,7 +78,7 @@ static void light_list(const qtri_mesh_job *draw, uint32_t count)
     }
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t index = draw->vertices[i].index;
-        draw->lit_colors[index] = word_of(light_vertex(draw, index, false));
+        draw->lit_colors[index] = light_vertex(draw, index, false);
     }
 }
 
@@ -91,15 +86,14 @@ static void light_list(const qtri_mesh_job *draw, uint32_t count)
 static qtri_rgb vertex_color(const qtri_mesh_job *draw, uint32_t index, bool is_back)
 {
     if (is_back || draw->lit_colors == NULL) {
-        return light_vertex(draw, index, is_back);
+        return qtri_lit_rgb(light_vertex(draw, index, is_back));
     }
     uint32_t word = draw->lit_colors[index];
     if (word == 0 && draw->illumination != NULL) {
-        word = word_of(light_vertex(draw, index, false));
+        word = light_vertex(draw, index, false);
         draw->lit_colors[index] = word;
     }
-    const qtri_rgb color = {(uint8_t)(word >> 16), (uint8_t)(word >> 8), (uint8_t)word};
-    return color;
+    return qtri_lit_rgb(word);
 }
 
 static void meet(const qtri_mesh_job *draw, const uint32_t index[3])
@@ -113,7 +107,7 @@ static void meet(const qtri_mesh_job *draw, const uint32_t index[3])
 QTRI_NOINLINE static qtri_rgb illuminate(const qtri_illumination *by, qtri_lit_point *point,
                                          const qtri_rgb *color)
 {
-    return qtri_illuminate(by, point, color);
+    return qtri_lit_rgb(qtri_illuminate(by, point, color));
 }
 
 /* A third, rounded down; three of them fit. */
@@ -175,8 +169,8 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
             set_place(&point, draw, index[i]);
         }
         color[i] =
-            qtri_illuminate(draw->illumination, &point,
-                            mesh->colors != NULL ? &mesh->colors[index[i]] : &draw->material.color);
+            illuminate(draw->illumination, &point,
+                       mesh->colors != NULL ? &mesh->colors[index[i]] : &draw->material.color);
         if (!smooth) { /* all three are the provoking one's */
             const qtri_rgb all = color[i];
             color[0] = all;

@@ -47,8 +47,7 @@ typedef struct qtri_lit_point {
     int32_t normal_q14[3]; /* unit, or 0 */
     int32_t place[3];      /* |.| <= 2^29, times 2^exponent */
     int32_t exponent;
-    const int32_t *view_q14;         /* towards the eye */
-    const qtri_shininess *shininess; /* NULL: no highlights */
+    const struct qtri_illumination *by;
     uint32_t diffuse_q24[3], specular_q24[3];
 } qtri_lit_point;
 
@@ -72,19 +71,23 @@ struct qtri_light_kind {
     void (*add)(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *point);
 };
 
+/* Sources of one kind, from where the run before ended. */
+typedef struct qtri_light_run {
+    const qtri_light_kind *kind;
+    const qtri_shine *end;
+} qtri_light_run;
+
 typedef struct qtri_illumination {
     bool even, compact, two_sided;
     int32_t count;
-    struct {
-        const qtri_light_kind *kind;
-        const qtri_shine *end;
-    } run[QTRI_LIGHTS_MAX];
-    int32_t view_q14[3];
+    qtri_light_run run[QTRI_LIGHTS_MAX];
+    int32_t view_q14[3];     /* towards the eye */
     uint32_t ambient_q24[3]; /* times the diffuse colour */
-    uint32_t base_q15[3];    /* emission, and ambient light on a colour of its own: 0..17 255 */
+    uint32_t
+        base_q15[3]; /* emission, and ambient light on a colour of its own: 0..17 255, and half */
     qtri_rgb specular;
-    const qtri_shininess *shininess;
-    int32_t normal_q28[3][3]; /* not even: inverse transpose up to a positive factor */
+    const qtri_shininess *shininess; /* NULL: no highlights */
+    int32_t normal_q28[3][3];        /* not even: inverse transpose up to a positive factor */
     union {
         qtri_row16 compact[3]; /* not even: from a position to a place */
         qtri_row wide[3];

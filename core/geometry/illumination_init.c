@@ -218,7 +218,7 @@ static void set_material(qtri_illumination *by, const qtri_lights *lights,
     uint32_t light_q12[3];
     qtri_light_color_q12(light_q12, &lights->ambient);
     for (int i = 0; i < 3; i++) { /* < 2^19 2^8 */
-        by->base_q15[i] = ((uint32_t)emits[i] << 15) + reflects[i] * (light_q12[i] << 3);
+        by->base_q15[i] = ((uint32_t)emits[i] << 15) + reflects[i] * (light_q12[i] << 3) + 0x4000;
         by->ambient_q24[i] = own ? 0 : light_q12[i] << 12;
     }
     by->specular = reflection != NULL ? reflection->specular : black;

@@ -24,7 +24,7 @@ static bool prepare(qtri_shine *out, const qtri_light_source *source, const qtri
 QTRI_NOINLINE static void add_highlight(const qtri_shine *at, qtri_lit_point *point,
                                         uint32_t apart_q29)
 {
-    const qtri_shininess *table = point->shininess;
+    const qtri_shininess *table = point->by->shininess;
     const uint16_t *value = &table->value_q15[apart_q29 >> table->shift];
     const uint32_t rest_q15 = (apart_q29 << (32 - table->shift)) >> 17;
     const uint32_t first_q15 = value[0];
@@ -42,7 +42,7 @@ static void add(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *
 {
     const int32_t n[3] = {point->normal_q14[0], point->normal_q14[1], point->normal_q14[2]};
     uint32_t sum_q24[3] = {point->diffuse_q24[0], point->diffuse_q24[1], point->diffuse_q24[2]};
-    const uint32_t end_q29 = qtri_shininess_end_q29(point->shininess);
+    const uint32_t end_q29 = qtri_shininess_end_q29(point->by->shininess);
     for (const qtri_shine *at = first; at != end; at++) {
         const int32_t cosine_q28 = qtri_dot_q28(n, at->at);
         if (cosine_q28 <= 0) {

@@ -122,11 +122,18 @@ QTRI_IN_PLACE uint32_t qtri_light_highlight_q15(const qtri_lit_point *point,
                                                 const int32_t direction_q14[3])
 {
     int32_t h[3];
-    h[0] = direction_q14[0] + point->view_q14[0];
-    h[1] = direction_q14[1] + point->view_q14[1];
-    h[2] = direction_q14[2] + point->view_q14[2];
+    h[0] = direction_q14[0] + point->by->view_q14[0];
+    h[1] = direction_q14[1] + point->by->view_q14[1];
+    h[2] = direction_q14[2] + point->by->view_q14[2];
     uint32_t square = (uint32_t)(h[0] * h[0]) + (uint32_t)(h[1] * h[1]) + (uint32_t)(h[2] * h[2]);
     if (square >> 16 == 0) {
+        return 0;
+    }
+    /* Most points are outside of a highlight: (n . h)^2 tells, while it is precise. */
+    const int32_t along_q15 = qtri_dot_q28(point->normal_q14, h) >> 14; /* <= |l + v| */
+    if (along_q15 <= 0 ||
+        (square >> 28 != 0 &&
+         (uint32_t)(along_q15 * along_q15) < (square >> 15) * point->by->shininess->least_q15)) {
         return 0;
     }
     int32_t down = 16;
@@ -138,7 +145,7 @@ QTRI_IN_PLACE uint32_t qtri_light_highlight_q15(const qtri_lit_point *point,
     h[0] = (h[0] * y_q15) >> down;
     h[1] = (h[1] * y_q15) >> down;
     h[2] = (h[2] * y_q15) >> down;
-    return qtri_shininess_at(point->shininess, qtri_apart_q29(point->normal_q14, h));
+    return qtri_shininess_at(point->by->shininess, qtri_apart_q29(point->normal_q14, h));
 }
 
 /* Adds what is reflected of it. */
@@ -148,7 +155,7 @@ QTRI_IN_PLACE void qtri_light_fade_add(qtri_lit_point *point, const qtri_shine *
     const uint32_t cosine_q15 = (uint32_t)way->cosine_q28 >> 13; /* <= 2^15 (1 + 2^-12) */
     qtri_light_add(point->diffuse_q24, source->color_q12,
                    (fade->mantissa * cosine_q15) >> fade->shift);
-    if (point->shininess != NULL) {
+    if (point->by->shininess != NULL) {
         const uint32_t power_q15 = qtri_light_highlight_q15(point, way->direction_q14);
         if (power_q15 != 0) {
             qtri_light_add(point->specular_q24, source->color_q12,

@@ -86,26 +86,25 @@ QTRI_IN_PLACE void qtri_illuminated_place(qtri_lit_point *point, const qtri_illu
 }
 
 /*
- * A channel of a colour.
+ * A channel of a colour: base has half of a step in it.
  *
  * Of sums below 2^32 there remain 23 bits, times 255 less than 2^31; base is below 2^27. Only the
  * eight sources together, each far too bright, come near that.
  */
-static inline uint8_t qtri_reflect(uint32_t base_q15, uint32_t diffuse_q24, uint32_t specular_q24,
-                                   uint32_t color, uint32_t highlight)
+static inline uint32_t qtri_reflect(uint32_t base_q15, uint32_t diffuse_q24, uint32_t specular_q24,
+                                    uint32_t color, uint32_t highlight)
 {
     const uint32_t sum_q15 =
         base_q15 + (diffuse_q24 >> 9) * color + (specular_q24 >> 9) * highlight;
-    const uint32_t value = (sum_q15 + 0x4000u) >> 15;
-    return (uint8_t)(value > 255 ? 255 : value);
+    const uint32_t value = sum_q15 >> 15;
+    return value > 255 ? 255 : value;
 }
 
-/* What a point of this colour shows. */
-QTRI_IN_PLACE qtri_rgb qtri_illuminate(const qtri_illumination *by, qtri_lit_point *point,
+/* What a point of this colour shows: red, green and blue from bit 16, 8 and 0 on. */
+QTRI_IN_PLACE uint32_t qtri_illuminate(const qtri_illumination *by, qtri_lit_point *point,
                                        const qtri_rgb *color)
 {
-    point->view_q14 = by->view_q14;
-    point->shininess = by->shininess;
+    point->by = by;
     point->diffuse_q24[0] = by->ambient_q24[0];
     point->diffuse_q24[1] = by->ambient_q24[1];
     point->diffuse_q24[2] = by->ambient_q24[2];
@@ -113,19 +112,24 @@ QTRI_IN_PLACE qtri_rgb qtri_illuminate(const qtri_illumination *by, qtri_lit_poi
     point->specular_q24[1] = 0;
     point->specular_q24[2] = 0;
     const qtri_shine *first = by->shine;
-    for (int32_t i = 0; i < by->count; i++) {
-        by->run[i].kind->add(first, by->run[i].end, point);
-        first = by->run[i].end;
+    const qtri_light_run *end = by->run + by->count;
+    for (const qtri_light_run *run = by->run; run != end; run++) {
+        run->kind->add(first, run->end, point);
+        first = run->end;
     }
-    const qtri_rgb lit = {
-        qtri_reflect(by->base_q15[0], point->diffuse_q24[0], point->specular_q24[0], color->r,
-                     by->specular.r),
-        qtri_reflect(by->base_q15[1], point->diffuse_q24[1], point->specular_q24[1], color->g,
-                     by->specular.g),
-        qtri_reflect(by->base_q15[2], point->diffuse_q24[2], point->specular_q24[2], color->b,
-                     by->specular.b),
-    };
-    return lit;
+    const uint32_t red = qtri_reflect(by->base_q15[0], point->diffuse_q24[0],
+                                      point->specular_q24[0], color->r, by->specular.r);
+    const uint32_t green = qtri_reflect(by->base_q15[1], point->diffuse_q24[1],
+                                        point->specular_q24[1], color->g, by->specular.g);
+    const uint32_t blue = qtri_reflect(by->base_q15[2], point->diffuse_q24[2],
+                                       point->specular_q24[2], color->b, by->specular.b);
+    return red << 16 | green << 8 | blue;
+}
+
+static inline qtri_rgb qtri_lit_rgb(uint32_t word)
+{
+    const qtri_rgb rgb = {(uint8_t)(word >> 16), (uint8_t)(word >> 8), (uint8_t)word};
+    return rgb;
 }
 
 #endif

@@ -61,5 +61,7 @@ void qtri_shininess_init(qtri_shininess *table, q16 shininess)
     }
     table->value_q15[count] = (uint16_t)at;
     table->count = (uint8_t)count;
+    const uint32_t least_q15 = (ONE_Q31 - count * step_q31) >> 16;
+    table->least_q15 = (uint16_t)((least_q15 * least_q15) >> 15);
     table->shift = (uint8_t)(29 - log2);
 }

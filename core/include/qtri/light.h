@@ -67,6 +67,7 @@ typedef struct qtri_light_color {
  */
 typedef struct qtri_shininess {
     uint8_t shift, count;
+    uint16_t least_q15; /* the square of n . h where the table ends */
     uint16_t value_q15[130];
 } qtri_shininess;
 
