@@ -32,10 +32,10 @@
  * go through the inverse transpose of camera and pose and are normalised, whatever length they
  * have; a zero one, or a triangle without area, has emission and ambient light only.
  *
- * A vertex's colours are within 1 of 255 of the formula's, up to a shininess of 128. Where the
- * formula jumps or its arguments cancel they may be off by more: highlights where n . l is within
- * 2^-13 of 0, or of a source within 8 degrees of straight behind the vertex; the penumbra of a spot
- * light whose cosines are less than .03 apart.
+ * A vertex's colours are within 1 of 255 of the formula's, up to a shininess of 128 and a product
+ * of fade and color of 4. Where the formula jumps or its arguments cancel they may be off by more:
+ * highlights where n . l is within 2^-13 of 0, or of a source within 8 degrees of straight behind
+ * the vertex; the penumbra of a spot light whose cosines are less than .03 apart.
  *
  * Nothing of this is linked where qtri_lights_init is not named, nor a kind of light that no source
  * names. A single directional light without colour is qtri_light, see view.h, at a tenth of the
