@@ -1,33 +1,46 @@
 #include "lights.h"
 
 #include "../geometry/lit_point.h"
+#include "lit_corners.h"
 
 #define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */
 
-/* The sign of the homogeneous determinant; y points down. */
-static bool is_back_clipped(const qtri_clip_vertex v[3])
+static bool is_two_sided(const qtri_mesh_job *draw)
 {
-    qtri_wide p[3][3];
-    qtri_wide cross[3];
-    for (int i = 0; i < 3; i++) {
-        qtri_wide_set(&p[i][0], v[i].x, 0);
-        qtri_wide_set(&p[i][1], v[i].y, 0);
-        qtri_wide_set(&p[i][2], v[i].w, 0);
+    return draw->material.reflection != NULL && draw->material.reflection->two_sided;
+}
+
+/* Memory behind the vertices, if there is a slot for each and room for a word for each. */
+static void begin(qtri_mesh_job *draw)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const uint32_t all = mesh->vertex_count;
+    draw->tinted = false;
+    draw->more = true;
+    draw->shaded_per_vertex = qtri_shading_of(&draw->material) == QTRI_SMOOTH &&
+                              (mesh->normals != NULL || mesh->normals8 != NULL);
+    if (draw->slot_count >= all && draw->slot_count - all >= (all + 4) / 5) {
+        draw->lit_colors = (uint32_t *)(void *)(draw->vertices + all);
+        draw->slot_count = all;
     }
-    qtri_wide_cross(cross, p[0], p[1]);
-    qtri_wide sum = qtri_wide_mul(cross[0], p[2][0]);
-    qtri_wide_add_product(&sum, &cross[1], &p[2][1]);
-    qtri_wide_add_product(&sum, &cross[2], &p[2][2]);
-    return sum.m > 0;
+}
+
+static bool has_place(const qtri_mesh_job *draw, bool both_sides)
+{
+    return draw->lit_colors != NULL && draw->shaded_per_vertex &&
+           (!both_sides || !is_two_sided(draw));
 }
 
 static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose,
-                            void (*body)(qtri_mesh_job *draw, void *with), void *with)
+                            bool fresh, void (*body)(qtri_mesh_job *draw, void *with), void *with)
 {
     qtri_illumination illumination;
     qtri_illumination_init(&illumination, view->lights, &view->camera, pose,
                            draw->material.reflection,
                            qtri_mesh_has_compact(draw->mesh->positions16) ? draw->mesh : NULL);
+    for (uint32_t i = 0; fresh && draw->lit_colors != NULL && i < draw->mesh->vertex_count; i++) {
+        draw->lit_colors[i] = 0;
+    }
     draw->illumination = &illumination;
     body(draw, with);
     draw->illumination = NULL;
@@ -96,10 +109,11 @@ static qtri_rgb vertex_color(const qtri_mesh_job *draw, uint32_t index, bool is_
     return qtri_lit_rgb(word);
 }
 
-static void meet(const qtri_mesh_job *draw, const uint32_t index[3])
+static void meet(const qtri_mesh_job *draw, const void *indices)
 {
-    for (int i = 0; i < 3 && draw->shaded_per_vertex; i++) {
-        (void)vertex_color(draw, index[i], false);
+    const bool has_words = draw->lit_colors != NULL && draw->illumination != NULL;
+    for (int i = 0; i < 3 && has_words && draw->shaded_per_vertex; i++) {
+        (void)vertex_color(draw, qtri_mesh_index(draw->mesh, indices, i), false);
     }
 }
 
@@ -108,12 +122,6 @@ QTRI_NOINLINE static qtri_rgb illuminate(const qtri_illumination *by, qtri_lit_p
                                          const qtri_rgb *color)
 {
     return qtri_lit_rgb(qtri_illuminate(by, point, color));
-}
-
-/* A third, rounded down; three of them fit. */
-static int32_t third(int32_t x)
-{
-    return (int32_t)(qtri_mul_s32(x, 0x55555554) >> 32);
 }
 
 /* The vertices' positions, in a scale that does not matter for their triangle's normal. */
@@ -140,9 +148,9 @@ static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtr
                                       (int16_t)(((p[0].z + p[1].z + p[2].z) * 10923) >> 15)};
         qtri_illuminated_place16(point, draw->illumination, &mean);
     } else {
-        const qtri_vec3 mean = {third(p[0].x) + third(p[1].x) + third(p[2].x),
-                                third(p[0].y) + third(p[1].y) + third(p[2].y),
-                                third(p[0].z) + third(p[1].z) + third(p[2].z)};
+        const qtri_vec3 mean = {qtri_third(p[0].x) + qtri_third(p[1].x) + qtri_third(p[2].x),
+                                qtri_third(p[0].y) + qtri_third(p[1].y) + qtri_third(p[2].y),
+                                qtri_third(p[0].z) + qtri_third(p[1].z) + qtri_third(p[2].z)};
         qtri_illuminated_place(point, draw->illumination, &mean);
     }
 }
@@ -181,11 +189,6 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
     }
 }
 
-static bool is_two_sided(const qtri_mesh_job *draw)
-{
-    return draw->material.reflection != NULL && draw->material.reflection->two_sided;
-}
-
 static void shade_side(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back,
                        qtri_rgb color[3])
 {
@@ -205,66 +208,86 @@ static void shade(const qtri_mesh_job *draw, const uint32_t index[3], const qtri
     shade_side(draw, index, is_back, color);
 }
 
-static void shade_clipped(const qtri_mesh_job *draw, const uint32_t index[3],
-                          const qtri_clip_vertex v[3], qtri_rgb color[3])
+/* In 8 bits, as the raster's channels. */
+static void set_channels(int32_t channel[3][3], const qtri_mesh_job *draw, const uint32_t index[3],
+                         const qtri_vertex *const v[3])
 {
-    shade_side(draw, index, is_two_sided(draw) && is_back_clipped(v), color);
-}
-
-static void illuminate_corners(const qtri_view *view, const qtri_transform *pose,
-                               const qtri_material *material,
-                               void (*body)(const qtri_illumination *by, void *with), void *with)
-{
-    qtri_illumination illumination;
-    qtri_illumination_init(&illumination, view->lights, &view->camera, pose, material->reflection,
-                           NULL);
-    body(&illumination, with);
-}
-
-static qtri_vec3 place_of(const qtri_vec4 *position)
-{
-    qtri_vec3 place = {position->x, position->y, position->z};
-    if (position->w != Q16_ONE) {
-        place.x = q16_div(place.x, position->w);
-        place.y = q16_div(place.y, position->w);
-        place.z = q16_div(place.z, position->w);
-    }
-    return place;
-}
-
-static void shade_corners(const qtri_illumination *by, const qtri_material *material,
-                          const qtri_clip_vertex *clip, int64_t area, qtri_corner corner[3])
-{
-    const bool is_back = by->two_sided && (clip != NULL ? is_back_clipped(clip) : area > 0);
-    const int32_t turn = is_back ? -1 : 1;
-    const bool smooth = qtri_shading_of(material) == QTRI_SMOOTH;
-    const qtri_vec3 p[3] = {place_of(&corner[0].position), place_of(&corner[1].position),
-                            place_of(&corner[2].position)};
-    int32_t face[3];
-    qtri_face_normal(face, &p[0], &p[1], &p[2]);
+    qtri_rgb color[3];
+    shade(draw, index, v[0], v[1], v[2], color);
     for (int i = 0; i < 3; i++) {
-        const qtri_normal *own = &corner[i].normal;
-        const bool has_own = smooth && (own->x | own->y | own->z) != 0;
-        const int32_t n[3] = {has_own ? own->x : face[0], has_own ? own->y : face[1],
-                              has_own ? own->z : face[2]};
-        const qtri_vec3 mean = {third(p[0].x) + third(p[1].x) + third(p[2].x),
-                                third(p[0].y) + third(p[1].y) + third(p[2].y),
-                                third(p[0].z) + third(p[1].z) + third(p[2].z)};
-        qtri_lit_point point;
-        qtri_illuminated_normal(&point, by, turn * n[0], turn * n[1], turn * n[2]);
-        qtri_illuminated_place(&point, by, smooth ? &p[i] : &mean);
-        corner[i].color = illuminate(by, &point, &corner[i].color);
+        qtri_raster_lit_channels(channel[i], &draw->primitive.to.solid.raster, &color[i],
+                                 QTRI_INTENSITY_ONE);
     }
+}
+
+static void draw_small(const qtri_mesh_job *draw, const uint32_t index[3], qtri_list_triangle *t)
+{
+    int32_t channel[3][3];
+    set_channels(channel, draw, index, t->v);
+    t->color = (const int32_t(*)[3])channel;
+    qtri_list_draw(&draw->primitive.to.solid.raster, t);
+}
+
+static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3],
+                       qtri_triangle *triangle)
+{
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    const qtri_vertex *const v[3] = {vertex[0], vertex[1], vertex[2]};
+    int32_t channel[3][3];
+    uint32_t index[3];
+    qtri_attributes attributes[3];
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    set_channels(channel, draw, index, v);
+    for (int i = 0; i < 3; i++) {
+        qtri_vertex_attributes(&attributes[i], v[i], QTRI_INTENSITY_ONE);
+        for (int c = 0; c < 3; c++) {
+            attributes[i].color[c] = channel[i][c];
+        }
+        if (raster->texture != NULL) {
+            qtri_mesh_set_uv(&attributes[i].u_q32, &attributes[i].v_q32, draw->mesh, index[i]);
+        }
+    }
+    qtri_triangle_draw(raster, triangle, attributes);
+}
+
+/* One that is clipped: lit before, where the stack is not deep. */
+typedef struct lit_triangle {
+    const qtri_mesh *mesh;
+    uint32_t index[3];
+    qtri_rgb color[3];
+} lit_triangle;
+
+static void set_attributes(const void *from, qtri_screen_vertex out[3])
+{
+    const lit_triangle *triangle = from;
+    for (int i = 0; i < 3; i++) {
+        out[i].color_8p16[0] = triangle->color[i].r * 65536;
+        out[i].color_8p16[1] = triangle->color[i].g * 65536;
+        out[i].color_8p16[2] = triangle->color[i].b * 65536;
+        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, triangle->mesh, triangle->index[i]);
+    }
+}
+
+static void draw_clipped(const qtri_mesh_job *draw, const void *indices, qtri_shape *shape)
+{
+    lit_triangle triangle;
+    triangle.mesh = draw->mesh;
+    qtri_mesh_indices(triangle.index, indices, qtri_mesh_has_bytes(draw->mesh));
+    shade_side(draw, triangle.index, is_two_sided(draw) && qtri_clipped_is_back(shape->clip),
+               triangle.color);
+    qtri_primitive_triangle(&draw->primitive, shape, set_attributes, &triangle);
 }
 
 static const qtri_light_model model = {
+    .begin = begin,
     .mesh = illuminate_mesh,
+    .has_place = has_place,
     .list = light_list,
     .meet = meet,
     .shade = shade,
-    .shade_clipped = shade_clipped,
-    .corners = illuminate_corners,
-    .shade_corners = shade_corners,
+    .small = draw_small,
+    .large = draw_large,
+    .clipped = draw_clipped,
 };
 
 enum qtri_error qtri_lights_init(qtri_lights *lights, const qtri_light_source *sources,

@@ -22,7 +22,6 @@ typedef struct lit_triangle {
     const qtri_mesh_job *draw;
     const void *indices;
     uint32_t intensity_q15[3];
-    qtri_rgb color[3]; /* by a view's lights */
 } lit_triangle;
 
 /* Its colours and texture coordinates. */
@@ -32,13 +31,7 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
     const qtri_mesh_job *draw = triangle->draw;
     for (int i = 0; i < 3; i++) {
         uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
-        if (draw->lights != NULL) {
-            out[i].color_8p16[0] = triangle->color[i].r * 65536;
-            out[i].color_8p16[1] = triangle->color[i].g * 65536;
-            out[i].color_8p16[2] = triangle->color[i].b * 65536;
-        } else {
-            qtri_mesh_set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
-        }
+        qtri_mesh_set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
         qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
     }
 }
@@ -53,22 +46,21 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
     qtri_shape shape;
     lit_triangle triangle;
     const qtri_projector *projector = &draw->primitive.projector;
-    uint32_t index[3];
-    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
     for (int i = 0; i < 3; i++) {
+        uint32_t index = qtri_mesh_index(draw->mesh, indices, i);
         if (qtri_mesh_has_compact(draw->mesh->positions16)) {
-            qtri_projector_point16(projector, &draw->mesh->positions16[index[i]], &shape.clip[i]);
+            qtri_projector_point16(projector, &draw->mesh->positions16[index], &shape.clip[i]);
         } else {
-            qtri_projector_point(projector, &draw->mesh->positions[index[i]], &shape.clip[i]);
+            qtri_projector_point(projector, &draw->mesh->positions[index], &shape.clip[i]);
         }
+    }
+    if (draw->lights != NULL) {
+        draw->lights->model->clipped(draw, indices, &shape);
+        return;
     }
     triangle.draw = draw;
     triangle.indices = indices;
-    if (draw->lights != NULL) {
-        draw->lights->model->shade_clipped(draw, index, shape.clip, triangle.color);
-    } else {
-        light_triangle(triangle.intensity_q15, draw, indices, vertex);
-    }
+    light_triangle(triangle.intensity_q15, draw, indices, vertex);
     qtri_primitive_triangle(&draw->primitive, &shape, set_attributes, &triangle);
 }
 
@@ -212,7 +204,7 @@ QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_surface *surface
                                 const qtri_view *view, const qtri_transform *pose,
                                 const qtri_mesh *mesh, const qtri_material *material)
 {
-    qtri_mesh_job_init(draw, surface, view, mesh, material);
+    qtri_mesh_job_init(draw, surface, view, mesh, material, view->vertices, view->vertex_count);
     return qtri_mesh_job_place(draw, view, pose);
 }
 
@@ -241,8 +233,7 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
         return;
     }
     if (view->lights != NULL) {
-        qtri_mesh_clear_light(&draw);
-        view->lights->model->mesh(&draw, view, pose, draw_placed, NULL);
+        view->lights->model->mesh(&draw, view, pose, true, draw_placed, NULL);
     } else {
         draw_placed(&draw, NULL);
     }

@@ -68,11 +68,8 @@ QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void
     light_corner(draw, indices, 0, a);
     light_corner(draw, indices, 1, b);
     light_corner(draw, indices, 2, c);
-    if (draw->lights != NULL && draw->lit_colors != NULL && draw->illumination != NULL) {
-        const uint32_t index[3] = {qtri_mesh_index(draw->mesh, indices, 0),
-                                   qtri_mesh_index(draw->mesh, indices, 1),
-                                   qtri_mesh_index(draw->mesh, indices, 2)};
-        draw->lights->model->meet(draw, index);
+    if (draw->lights != NULL) {
+        draw->lights->model->meet(draw, indices);
     }
 }
 
@@ -121,11 +118,4 @@ void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint3
     color_8p16[0] = color->r * intensity; /* <= 255.0 */
     color_8p16[1] = color->g * intensity;
     color_8p16[2] = color->b * intensity;
-}
-
-void qtri_mesh_clear_light(const qtri_mesh_job *draw)
-{
-    for (uint32_t i = 0; draw->lit_colors != NULL && i < draw->mesh->vertex_count; i++) {
-        draw->lit_colors[i] = 0;
-    }
 }

@@ -1,4 +1,4 @@
-#include "mesh_job.h"
+#include "lights.h"
 
 /* Vertices from which on a look at eight corners pays. */
 enum { WORTH_A_BOX = 64 };
@@ -44,44 +44,26 @@ static bool is_built(const qtri_mesh *mesh)
            (QTRI_WITH_WIDE_MESHES || !is_wide(mesh));
 }
 
-void qtri_mesh_job_set_memory(qtri_mesh_job *draw, qtri_vertex *vertices, uint32_t count)
-{
-    const uint32_t all = draw->mesh->vertex_count;
-    draw->vertices = vertices;
-    draw->slot_count = count;
-    draw->lit_colors = NULL;
-    if (draw->lights != NULL && count >= all && count - all >= (all + 4) / 5) {
-        draw->lit_colors = (uint32_t *)(void *)(vertices + all);
-        draw->slot_count = all;
-    }
-}
-
-/* Colours come from the lights, corner by corner. */
-static void set_lights(qtri_mesh_job *draw, bool normals)
-{
-    draw->tinted = false;
-    draw->more = true;
-    draw->shaded_per_vertex = qtri_shading_of(&draw->material) == QTRI_SMOOTH && normals;
-}
-
 void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
-                        const qtri_mesh *mesh, const qtri_material *material)
+                        const qtri_mesh *mesh, const qtri_material *material, qtri_vertex *vertices,
+                        uint32_t vertex_count)
 {
     draw->material = *material;
     if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
         draw->material.texture = NULL;
     }
     draw->mesh = mesh;
+    draw->vertices = vertices;
+    draw->slot_count = vertex_count;
     draw->lights = view->lights;
     draw->illumination = NULL;
-    qtri_mesh_job_set_memory(draw, view->vertices, view->vertex_count);
+    draw->lit_colors = NULL;
     const bool solid = material->fill == NULL;
     qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
     draw->tinted = mesh->colors == NULL;
     draw->more = !draw->tinted;
-    const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     if (draw->lights != NULL) {
-        set_lights(draw, normals);
+        draw->lights->model->begin(draw);
     }
     if (solid) {
         qtri_raster *raster = &draw->primitive.to.solid.raster;
@@ -90,11 +72,12 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
             qtri_raster_set_tint(raster, draw->material.color);
         }
     }
-    const qtri_light *light = draw->lights == NULL ? view->light : NULL;
-    draw->lit_per_vertex = light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;
+    const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
+    const bool is_lit = view->light != NULL && view->lights == NULL;
+    draw->lit_per_vertex = is_lit && qtri_shading_of(material) == QTRI_SMOOTH && normals;
     draw->noted = false;
     draw->lit = false;
-    draw->lit_per_face = QTRI_WITH_FACE_LIGHT && light != NULL && !draw->lit_per_vertex;
+    draw->lit_per_face = QTRI_WITH_FACE_LIGHT && is_lit && !draw->lit_per_vertex;
     if (solid) {
         qtri_raster *raster = &draw->primitive.to.solid.raster;
         raster->lamp.find = qtri_mesh_find_light;

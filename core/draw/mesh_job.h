@@ -31,12 +31,13 @@ typedef struct qtri_mesh_job {
     bool shaded_per_vertex;
 } qtri_mesh_job;
 
-/* Gives it memory for vertices: with lights, for their colours behind them. */
-void qtri_mesh_job_set_memory(qtri_mesh_job *draw, qtri_vertex *vertices, uint32_t count);
-
-/* How it looks and where to: all that triangles inside all planes need, once they are lit. */
+/*
+ * How it looks and where to: all that triangles inside all planes need, once they are lit; and
+ * memory for its vertices.
+ */
 void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
-                        const qtri_mesh *mesh, const qtri_material *material);
+                        const qtri_mesh *mesh, const qtri_material *material, qtri_vertex *vertices,
+                        uint32_t vertex_count);
 
 /* Then geometry and light. False when nothing of the mesh can be seen on the surface. */
 bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose);

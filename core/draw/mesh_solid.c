@@ -14,41 +14,20 @@ QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
     }
 }
 
-/* In the colours that a view's lights give it. */
-QTRI_NOINLINE static void set_shaded(const qtri_mesh_job *draw, const uint32_t index[3],
-                                     const qtri_vertex *const vertex[3], int32_t color[3][3])
-{
-    qtri_rgb own[3];
-    draw->lights->model->shade(draw, index, vertex[0], vertex[1], vertex[2], own);
-    for (int i = 0; i < 3; i++) {
-        qtri_raster_lit_channels(color[i], &draw->primitive.to.solid.raster, &own[i],
-                                 QTRI_INTENSITY_ONE);
-    }
-}
-
 QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const void *indices,
                                    qtri_vertex *const vertex[3], qtri_triangle *triangle,
                                    uint32_t face_q15)
 {
     qtri_attributes attributes[3];
-    int32_t color[3][3];
     if (draw->lights != NULL) {
-        const uint32_t index[3] = {qtri_mesh_index(draw->mesh, indices, 0),
-                                   qtri_mesh_index(draw->mesh, indices, 1),
-                                   qtri_mesh_index(draw->mesh, indices, 2)};
-        const qtri_vertex *const v[3] = {vertex[0], vertex[1], vertex[2]};
-        set_shaded(draw, index, v, color);
+        draw->lights->model->large(draw, indices, vertex, triangle);
+        return;
     }
     for (int i = 0; i < 3; i++) {
         uint32_t intensity_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
         qtri_vertex_attributes(&attributes[i], vertex[i], intensity_q15);
         if (draw->more) {
             set_more(draw, qtri_mesh_index(draw->mesh, indices, i), intensity_q15, &attributes[i]);
-        }
-        if (draw->lights != NULL) {
-            attributes[i].color[0] = color[i][0];
-            attributes[i].color[1] = color[i][1];
-            attributes[i].color[2] = color[i][2];
         }
     }
     qtri_triangle_draw(&draw->primitive.to.solid.raster, triangle, attributes);
@@ -99,16 +78,6 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const uint32_t
     qtri_list_draw(raster, t);
 }
 
-/* The same in the colours of a view's lights. */
-QTRI_NOINLINE static void draw_shaded(const qtri_mesh_job *draw, const uint32_t index[3],
-                                      qtri_list_triangle *t)
-{
-    int32_t color[3][3];
-    set_shaded(draw, index, t->v, color);
-    t->color = (const int32_t(*)[3])color;
-    qtri_list_draw(&draw->primitive.to.solid.raster, t);
-}
-
 /* In place where code need not be small. */
 #ifdef __OPTIMIZE_SIZE__
 #define PLACE qtri_place_triangle
@@ -144,7 +113,7 @@ QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indice
             qtri_mesh_set_coordinates(uv, mesh, index);
         }
         if (draw->lights != NULL) {
-            draw_shaded(draw, index, &t);
+            draw->lights->model->small(draw, index, &t);
             return;
         }
         if (!draw->tinted) {

@@ -333,17 +333,9 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
 bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
                          const qtri_surface *surface, bool place)
 {
-    qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material);
-    qtri_mesh_job_set_memory(job, prepared->vertices, prepared->vertex_count);
+    qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material,
+                       prepared->vertices, prepared->vertex_count);
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
-}
-
-/* Whether bands find all colours of lights where they were left. */
-static bool is_lit_for_good(const qtri_mesh_job *job)
-{
-    const qtri_reflection *reflection = job->material.reflection;
-    return job->lights == NULL || (job->lit_colors != NULL && job->shaded_per_vertex &&
-                                   (reflection == NULL || !reflection->two_sided));
 }
 
 static void see(qtri_mesh_job *job, void *with)
@@ -382,9 +374,8 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     const qtri_rect none = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     prepared->extent_24p8 = none;
     begin_lists(&s, prepared);
-    if (job.lights != NULL && is_lit_for_good(&job)) {
-        qtri_mesh_clear_light(&job);
-        job.lights->model->mesh(&job, prepared->view, prepared->pose, see, &s);
+    if (job.lights != NULL && job.lights->model->has_place(&job, false)) {
+        job.lights->model->mesh(&job, prepared->view, prepared->pose, true, see, &s);
     } else {
         see(&job, &s);
     }
@@ -393,8 +384,8 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     prepared->is_solid = is_solid;
     prepared->is_anywhere = s.is_anywhere;
     prepared->group_log2 = (uint8_t)s.group_log2;
-    prepared->is_placed =
-        !s.is_complete || s.is_anywhere || job.lit_per_face || !is_lit_for_good(&job);
+    prepared->is_placed = !s.is_complete || s.is_anywhere || job.lit_per_face ||
+                          (job.lights != NULL && !job.lights->model->has_place(&job, true));
 }
 
 void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const qtri_view *view,

@@ -144,7 +144,7 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     }
     band_work work = {prepared, by_list, band, first, count};
     if (job.lights != NULL && prepared->is_placed) {
-        job.lights->model->mesh(&job, prepared->view, prepared->pose, draw_band, &work);
+        job.lights->model->mesh(&job, prepared->view, prepared->pose, false, draw_band, &work);
     } else {
         draw_band(&job, &work);
     }

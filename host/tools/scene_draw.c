@@ -174,6 +174,7 @@ static qtri_normal normal_of(const int32_t n[3])
 static void draw_triangle(struct drawing *d, const struct scene_op *op)
 {
     qtri_corner corner[3];
+    qtri_normal normal[3];
     for (int i = 0; i < 3; i++) {
         const struct scene_vertex *v = &op->u.triangle.vertex[i];
         qtri_vec4 position = {v->position[0], v->position[1], v->position[2], v->position[3]};
@@ -181,7 +182,7 @@ static void draw_triangle(struct drawing *d, const struct scene_op *op)
         corner[i].position = position;
         corner[i].color = d->pass == SCENE_IDS ? rgb_of_id(op->id) : scene_rgb(v->color);
         corner[i].uv = uv;
-        corner[i].normal = normal_of(v->normal);
+        normal[i] = normal_of(v->normal);
     }
     qtri_material material = d->material;
     if (!op->u.triangle.textured) {
@@ -189,7 +190,7 @@ static void draw_triangle(struct drawing *d, const struct scene_op *op)
     }
     const bool is_lit = d->pass == SCENE_COLORS && d->resources->lights.model != NULL;
     d->view.lights = is_lit ? &d->resources->lights : NULL;
-    qtri_draw_triangles(d->surface, &d->view, &d->modelview, corner, 3, &material);
+    qtri_draw_lit_triangles(d->surface, &d->view, &d->modelview, corner, normal, 3, &material);
 }
 
 /* Triangle by triangle, each in the colour of its id. */
@@ -206,8 +207,7 @@ static void draw_part_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
         for (int j = 0; j < 3; j++) {
             uint32_t vertex = mesh->triangles[i][j];
             const qtri_vec3 *p = &mesh->positions[vertex];
-            qtri_corner corner = {
-                {p->x, p->y, p->z, Q16_ONE}, rgb_of_id(id + i), {0, 0}, {0, 0, 0}};
+            qtri_corner corner = {{p->x, p->y, p->z, Q16_ONE}, rgb_of_id(id + i), {0, 0}};
             if (mesh->uvs != NULL) {
                 corner.uv = mesh->uvs[vertex];
             }

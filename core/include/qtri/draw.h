@@ -19,13 +19,12 @@ typedef struct qtri_corner {
     qtri_vec4 position; /* object space, homogeneous: any w */
     qtri_rgb color;
     qtri_vec2 uv;
-    qtri_normal normal; /* any length; zero: that of the triangle */
 } qtri_corner;
 
 /*
  * Draws corner_count / 3 triangles (lines: corner_count / 2), transformed by
- * view->projection view->camera pose. view->lights light triangles, see light.h, at the place
- * (x/w, y/w, z/w) of each corner, rounded to Q16.16; view->light does not.
+ * view->projection view->camera pose. Light does not apply: corners have no normals. What draws
+ * triangles in a view's lights is qtri_draw_lit_triangles, see light.h.
  */
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
                          const qtri_transform *pose, const qtri_corner *corners,

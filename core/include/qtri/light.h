@@ -47,6 +47,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "draw.h"
 #include "error.h"
 #include "mesh.h"
 #include "view.h"
@@ -105,7 +106,7 @@ typedef struct qtri_light_source {
     const qtri_shininess *falloff; /* NULL: none */
 } qtri_light_source;
 
-/* What draw calls do with lights. Internal. */
+/* What draw calls of meshes do with lights. Internal. */
 typedef struct qtri_light_model qtri_light_model;
 
 /*
@@ -142,6 +143,16 @@ typedef struct qtri_reflection {
     bool two_sided; /* triangles that show their back are lit there: their normals are turned.
                        Those are lit anew for every triangle. */
 } qtri_reflection;
+
+/*
+ * qtri_draw_triangles in the light of view->lights, if there are any: at the place (x/w, y/w, z/w)
+ * of each corner, rounded to Q16.16. normals: of each corner, in object space; NULL, or zero for a
+ * corner, for that of the triangle.
+ */
+void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
+                             const qtri_transform *pose, const qtri_corner *corners,
+                             const qtri_normal *normals, uint32_t corner_count,
+                             const qtri_material *material);
 
 /*
  * Texture coordinates that look up a picture of a lit sphere (matcap): u = (1 + n.x) / 2 and

@@ -67,7 +67,7 @@ typedef struct qtri_view {
     const qtri_light *light;   /* NULL: meshes show their plain colours */
     qtri_vertex *vertices;     /* scratch for mesh draws, overwritten by each; NULL with count 0 */
     uint32_t vertex_count;     /* fewer than a mesh's vertices is slower, never wrong */
-    const qtri_lights *lights; /* not NULL: in place of `light`, for meshes and triangles */
+    const qtri_lights *lights; /* not NULL: in place of `light` */
 } qtri_view;
 
 /* Identity camera and projection, the whole frame, no lights, no scratch. */
