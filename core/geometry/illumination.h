@@ -133,13 +133,13 @@ static inline uint32_t qtri_shininess_end_q29(const qtri_shininess *table)
     return table == NULL ? 0 : (uint32_t)table->count << table->shift;
 }
 
-/* 1 - a . b of two unit vectors: |a - b|^2 / 2. |a|, |b| <= 1.01 in Q14. */
+/* 1 - a . b of two unit vectors: |a - b|^2 / 2. |a| + |b| < 4 in Q14. */
 static inline uint32_t qtri_apart_q29(const int32_t a[3], const int32_t b[3])
 {
-    const int32_t x = a[0] - b[0];
-    const int32_t y = a[1] - b[1];
-    const int32_t z = a[2] - b[2];
-    return (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
+    const uint32_t x = (uint32_t)(a[0] - b[0]); /* squares fit 32 bits, unsigned */
+    const uint32_t y = (uint32_t)(a[1] - b[1]);
+    const uint32_t z = (uint32_t)(a[2] - b[2]);
+    return x * x + y * y + z * z;
 }
 
 static inline int32_t qtri_dot_q28(const int32_t a_q14[3], const int32_t b_q14[3])
