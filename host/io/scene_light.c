@@ -88,6 +88,9 @@ bool scene_statement_light(struct scene_parser *parser)
         return one_light(parser);
     }
     memset(&lamp, 0, sizeof lamp);
+    if (strchr("+-.0123456789", parser->arguments[0].text[0]) != NULL) {
+        return scene_fail_count(parser); /* numbers alone, but not five */
+    }
     if (!scene_choice(parser, 0, words, WORD_COUNT(words), &kind)) {
         return false;
     }
