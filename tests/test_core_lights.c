@@ -190,6 +190,11 @@ static void random_lamp(uint64_t *seed, world *w, uint32_t i)
     at->source.kind = kinds[random_in(seed, 0, 2)];
     at->source.position = random_vec3(seed, random_in(seed, 15, 20));
     at->source.direction = random_vec3(seed, 20);
+    if (random_in(seed, 0, 3) == 0) { /* on a plane, on an axis, at the origin */
+        at->source.position.x = 0;
+        at->source.position.y = random_flag(seed) ? 0 : at->source.position.y;
+        at->source.direction.z = random_flag(seed) ? 0 : at->source.direction.z;
+    }
     at->source.color = random_light(seed, random_flag(seed) ? .6 : 3);
     at->source.constant = random_flag(seed) ? Q16_ONE : random_in(seed, 0, 2 * Q16_ONE);
     at->source.linear = random_flag(seed) ? 0 : random_in(seed, 0, Q16_ONE);
@@ -224,8 +229,13 @@ static void random_world(uint64_t *seed, world *w, bool even)
 {
     const qtri_vec3 up = {0, Q16_ONE, 0};
     qtri_transform_identity(&w->camera);
-    qtri_transform_look_at(&w->camera, random_vec3(seed, 18), random_vec3(seed, 16), up);
+    if (random_in(seed, 0, 3) != 0) {
+        qtri_transform_look_at(&w->camera, random_vec3(seed, 18), random_vec3(seed, 16), up);
+    }
     random_pose(seed, &w->pose, even);
+    if (even && random_in(seed, 0, 3) == 0) {
+        qtri_transform_identity(&w->pose);
+    }
     qtri_transform_mul(&w->to_eye, &w->camera, &w->pose);
     w->count = (uint32_t)random_in(seed, 0, 8);
     for (uint32_t i = 0; i < w->count; i++) {
@@ -260,7 +270,7 @@ static double worst_of(qtri_rgb got, const double exact[3])
 }
 
 /*
- * Every colour within 1 of the formula's, rounded; and but for one in 10,000 of it unrounded. Where
+ * Every colour within 1 of the formula's, rounded; and but for one in 5,000 of it unrounded. Where
  * a source is brighter than 4, in that proportion.
  */
 static void against_double(bool even, bool compact)
@@ -316,7 +326,7 @@ static void against_double(bool even, bool compact)
     printf("even %d, compact %d: off by %.3f at most, by more than 1 at %d of %d\n", even, compact,
            worst, many, count);
     assert_true(worst < 1.5); /* 1.305 */
-    assert_true(many * 10000 <= count);
+    assert_true(many * 5000 <= count);
 }
 
 static void vertices_even(void **state)

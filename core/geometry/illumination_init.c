@@ -98,10 +98,13 @@ void qtri_light_place(int32_t out[3], int32_t *exponent, const qtri_light_space 
     *exponent = qtri_hold32(bits_of(local) - PLACE_BITS, 0, EXPONENT_MAX);
     for (int i = 0; i < 3; i++) {
         const int64_t bound = (int64_t)1 << PLACE_BITS;
-        const int32_t down = local[i].e + *exponent;
-        const int64_t at = down > 62   ? 0
-                           : down < 31 ? (local[i].m < 0 ? -bound : bound)
-                                       : qtri_shift_round(local[i].m, down);
+        const int32_t down = local[i].e + *exponent; /* below 31: the exponent was held */
+        int64_t at = local[i].m < 0 ? -bound : bound;
+        if (local[i].m == 0 || down > 62) {
+            at = 0;
+        } else if (down >= 31) {
+            at = qtri_shift_round(local[i].m, down);
+        }
         out[i] = (int32_t)(at > bound ? bound : at < -bound ? -bound : at);
     }
 }
