@@ -116,12 +116,12 @@ typedef struct qtri_light_model qtri_light_model;
  * colours of lit vertices if it has QTRI_LIT_VERTICES(n) elements for a mesh of n vertices.
  * With less, vertices are lit again for every triangle: slower, and the same pixels.
  */
-typedef struct qtri_lights {
+struct qtri_lights {
     const qtri_light_model *model;
     const qtri_light_source *sources;
     uint32_t count;
     qtri_light_color ambient;
-} qtri_lights;
+};
 
 /* static qtri_vertex memory[QTRI_LIT_VERTICES(500)]; */
 #define QTRI_LIT_VERTICES(count) ((count) + ((count) + 4u) / 5u)
@@ -134,7 +134,7 @@ enum qtri_error qtri_lights_init(qtri_lights *lights, const qtri_light_source *s
                                  uint32_t count, qtri_light_color ambient);
 
 /* What a material reflects beside its own colour: material->reflection. */
-typedef struct qtri_reflection {
+struct qtri_reflection {
     qtri_rgb ambient;  /* of ambient light; only with own_ambient, otherwise the diffuse colour */
     qtri_rgb specular; /* of highlights */
     qtri_rgb emission;
@@ -142,7 +142,7 @@ typedef struct qtri_reflection {
     bool own_ambient;
     bool two_sided; /* triangles that show their back are lit there: their normals are turned.
                        Those are lit anew for every triangle. */
-} qtri_reflection;
+};
 
 /*
  * qtri_draw_triangles in the light of view->lights, if there are any: at the place (x/w, y/w, z/w)
