@@ -275,7 +275,7 @@ static double worst_of(qtri_rgb got, const double exact[3])
  */
 static void against_double(bool even, bool compact)
 {
-    uint64_t seed = 1 + even * 2 + compact;
+    uint64_t seed = (even ? 3u : 1u) + (compact ? 1u : 0u);
     double worst = 0;
     int count = 0, many = 0;
     for (int n = 0; n < 4000; n++) {

@@ -22,7 +22,7 @@ static bool prepare(qtri_shine *out, const qtri_light_source *source, const qtri
     const uint32_t least = (uint32_t)1 << 21; /* 1/256 */
     const uint32_t penumbra =
         out->outer_q29 >= inner + least ? out->outer_q29 - inner : least; /* <= 2^30 */
-    out->penumbra_shift = 16 - qtri_clz32(penumbra);
+    out->penumbra_shift = qtri_greatest32(16 - qtri_clz32(penumbra), 0);  /* 6..15 */
     out->penumbra_inverse = qtri_reciprocal_seed_newton(penumbra >> out->penumbra_shift);
     out->falloff = source->falloff;
     return true;

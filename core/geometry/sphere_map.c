@@ -19,9 +19,9 @@ void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_tr
         int64_t eye[3];
         int32_t unit_q14[3];
         if (mesh->normals8 != NULL) {
-            n[0] = mesh->normals8[i].x;
-            n[1] = mesh->normals8[i].y;
-            n[2] = mesh->normals8[i].z;
+            n[0] = mesh->normals8[i].x * 128;
+            n[1] = mesh->normals8[i].y * 128;
+            n[2] = mesh->normals8[i].z * 128;
         } else if (mesh->normals != NULL) {
             n[0] = mesh->normals[i].x;
             n[1] = mesh->normals[i].y;
