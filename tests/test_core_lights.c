@@ -286,8 +286,12 @@ static void against_double(bool even, bool compact)
         qtri_mesh mesh = {.extent = random_in(&seed, Q16(.2), Q16(4)),
                           .origin = random_vec3(&seed, 17)};
         qtri_illumination by;
-        qtri_illumination_init(&by, &lights, &w.camera, &w.pose, &w.reflection,
-                               compact ? &mesh : NULL);
+        qtri_view view;
+        qtri_view_init(&view, 32, 32);
+        view.camera = w.camera;
+        view.lights = &lights;
+        qtri_transform_perspective(&view.projection, Q16(60), Q16(1), Q16(.1), Q16(100));
+        qtri_illumination_init(&by, &view, &w.pose, &w.reflection, compact ? &mesh : NULL);
         for (int i = 0; i < 20; i++) {
             const qtri_rgb color = random_rgb(&seed);
             qtri_vec3 p = random_vec3(&seed, 17);

@@ -473,8 +473,7 @@ static void any_bits(void **state)
         qtri_sphere_map(uvs, &view.camera, &pose, &mesh);
         /* What is not seen is lit as well. */
         qtri_illumination by;
-        qtri_illumination_init(&by, &l.lights, &view.camera, &pose, &l.reflection,
-                               compact ? &mesh : NULL);
+        qtri_illumination_init(&by, &view, &pose, &l.reflection, compact ? &mesh : NULL);
         for (int i = 0; i < 6; i++) {
             qtri_lit_point point;
             qtri_illuminated_normal(&point, &by, normals[i].x, normals[i].y, normals[i].z);

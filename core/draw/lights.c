@@ -35,8 +35,7 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
                             bool fresh, void (*body)(qtri_mesh_job *draw, void *with), void *with)
 {
     qtri_illumination illumination;
-    qtri_illumination_init(&illumination, view->lights, &view->camera, pose,
-                           draw->material.reflection,
+    qtri_illumination_init(&illumination, view, pose, draw->material.reflection,
                            qtri_mesh_has_compact(draw->mesh->positions16) ? draw->mesh : NULL);
     for (uint32_t i = 0; fresh && draw->lit_colors != NULL && i < draw->mesh->vertex_count; i++) {
         draw->lit_colors[i] = 0;

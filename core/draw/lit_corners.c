@@ -91,8 +91,7 @@ void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
     qtri_primitive primitive;
     qtri_illumination illumination;
     qtri_primitive_init(&primitive, surface, view, pose, material);
-    qtri_illumination_init(&illumination, view->lights, &view->camera, pose, material->reflection,
-                           NULL);
+    qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         draw_lit(&primitive, &illumination, &corners[i], normals != NULL ? &normals[i] : NULL);
     }

@@ -95,10 +95,10 @@ typedef struct qtri_illumination {
     qtri_shine shine[QTRI_LIGHTS_MAX];
 } qtri_illumination;
 
-/* mesh: NULL, or one whose positions16 are lit, by qtri_illuminated_place16. */
-void qtri_illumination_init(qtri_illumination *by, const qtri_lights *lights,
-                            const qtri_transform *camera, const qtri_transform *pose,
-                            const qtri_reflection *reflection, const qtri_mesh *compact);
+/* For view->lights. compact: NULL, or a mesh whose positions16 are lit. */
+void qtri_illumination_init(qtri_illumination *by, const qtri_view *view,
+                            const qtri_transform *pose, const qtri_reflection *reflection,
+                            const qtri_mesh *compact);
 
 /* ---- For kinds of light ---- */
 

@@ -229,21 +229,32 @@ static void set_material(qtri_illumination *by, const qtri_lights *lights,
     by->two_sided = reflection != NULL && reflection->two_sided;
 }
 
-void qtri_illumination_init(qtri_illumination *by, const qtri_lights *lights,
-                            const qtri_transform *camera, const qtri_transform *pose,
-                            const qtri_reflection *reflection, const qtri_mesh *compact)
+/*
+ * Which way along z the eye is: where w gets smaller, or the depth, if w is the same everywhere.
+ * Projections in OpenGL's form look down -z, in Direct3D's along +z.
+ */
+static int32_t towards_eye(const qtri_transform *projection)
+{
+    const int32_t w = projection->row[3].m[2];
+    return (w != 0 ? w : projection->row[2].m[2]) > 0 ? -1 : 1;
+}
+
+void qtri_illumination_init(qtri_illumination *by, const qtri_view *view,
+                            const qtri_transform *pose, const qtri_reflection *reflection,
+                            const qtri_mesh *compact)
 {
     qtri_transform object_to_eye;
     qtri_light_space space;
     int32_t m[3][4];
-    qtri_transform_mul(&object_to_eye, camera, pose);
+    qtri_transform_mul(&object_to_eye, &view->camera, pose);
     const int32_t exponent = qtri_linear_align(m, &object_to_eye);
-    space.camera = camera;
+    space.camera = &view->camera;
     space.even = qtri_linear_is_even(m) && exponent >= -512 && exponent <= 512;
-    qtri_wide view[3] = {qtri_wide_make(0, 0), qtri_wide_make(0, 0), qtri_wide_make(1, 0)};
+    qtri_wide eye[3] = {qtri_wide_make(0, 0), qtri_wide_make(0, 0),
+                        qtri_wide_make(towards_eye(&view->projection), 0)};
     if (space.even) {
         set_even_space(&space, m, exponent, &object_to_eye, compact);
-        turn_back(view, &space);
+        turn_back(eye, &space);
     } else {
         qtri_linear_normals(by->normal_q28, &object_to_eye);
         space.unit = qtri_wide_make(1, UNEVEN_UNIT_LOG2);
@@ -255,12 +266,12 @@ void qtri_illumination_init(qtri_illumination *by, const qtri_lights *lights,
             }
         }
     }
-    (void)unit_q14(space.view_q14, view);
+    (void)unit_q14(space.view_q14, eye);
     by->even = space.even;
     by->compact = compact != NULL;
     for (int i = 0; i < 3; i++) {
         by->view_q14[i] = space.view_q14[i];
     }
-    set_material(by, lights, reflection);
-    set_sources(by, lights, &space);
+    set_material(by, view->lights, reflection);
+    set_sources(by, view->lights, &space);
 }

@@ -13,9 +13,13 @@ static double clamp01(double x)
     return fmax(0.0, fmin(1.0, x));
 }
 
-struct ref_lighting ref_lighting_of(const struct scene *scene, const struct ref_matrix *modelview)
+/* The eye is where w gets smaller, or the depth in a parallel projection. */
+struct ref_lighting ref_lighting_of(const struct scene *scene, const struct ref_matrix *projection,
+                                    const struct ref_matrix *modelview)
 {
-    struct ref_lighting lighting = {.scene = scene, .to_eye = *modelview};
+    double away = projection->m[3][2] != 0.0 ? projection->m[3][2] : projection->m[2][2];
+    struct ref_lighting lighting = {
+        .scene = scene, .to_eye = *modelview, .eye = away > 0.0 ? -1.0 : 1.0};
 
     ref_matrix_normal(modelview, lighting.normal_matrix);
     return lighting;
@@ -58,10 +62,12 @@ struct reflected {
     double diffuse, specular;
 };
 
-static struct reflected reflect(const struct scene *scene, const double n[3], const double l[3])
+static struct reflected reflect(const struct ref_lighting *lighting, const double n[3],
+                                const double l[3])
 {
     struct reflected r = {fmax(0.0, ref_dot3(n, l)), 0.0};
-    double half[3] = {l[0], l[1], l[2] + 1.0};
+    double half[3] = {l[0], l[1], l[2] + lighting->eye};
+    const struct scene *scene = lighting->scene;
 
     if (r.diffuse > 0.0 && scene->reflection.shininess > 0) {
         ref_normalise3(half);
@@ -92,8 +98,8 @@ static double cone(const struct scene_lamp *lamp, const double l[3])
 }
 
 /* Adds one source to the sums of what reaches the point. */
-static void add_lamp(const struct scene *scene, const struct scene_lamp *lamp, const double n[3],
-                     const double at[3], double diffuse[3], double specular[3])
+static void add_lamp(const struct ref_lighting *lighting, const struct scene_lamp *lamp,
+                     const double n[3], const double at[3], double diffuse[3], double specular[3])
 {
     double l[3], color[3], fade[3], fading = 1.0;
 
@@ -107,7 +113,7 @@ static void add_lamp(const struct scene *scene, const struct scene_lamp *lamp, c
         fading = fade[0] + fade[1] * distance + fade[2] * distance * distance;
     }
     ref_normalise3(l);
-    struct reflected reflected = reflect(scene, n, l);
+    struct reflected reflected = reflect(lighting, n, l);
     double share = cone(lamp, l);
     double most = fmax(color[0], fmax(color[1], color[2]));
     if (most == 0.0)
@@ -120,17 +126,17 @@ static void add_lamp(const struct scene *scene, const struct scene_lamp *lamp, c
 }
 
 /* `light` with numbers alone, among others: a white directional one. */
-static void add_light(const struct scene *scene, const double n[3], double ambient[3],
+static void add_light(const struct ref_lighting *lighting, const double n[3], double ambient[3],
                       double diffuse[3], double specular[3])
 {
-    const struct scene_light *light = &scene->light;
+    const struct scene_light *light = &lighting->scene->light;
     double l[3];
 
     from_q16(light->towards, 3, l);
     if (ref_dot3(l, l) == 0.0)
         return;
     ref_normalise3(l);
-    struct reflected reflected = reflect(scene, n, l);
+    struct reflected reflected = reflect(lighting, n, l);
     for (int c = 0; c < 3; c++) {
         ambient[c] += (double)light->ambient / 65536.0;
         diffuse[c] += (double)light->diffuse / 65536.0 * reflected.diffuse;
@@ -153,9 +159,9 @@ void ref_illuminate(const struct ref_lighting *lighting, const double normal[3],
     from_q16(reflection->specular, 3, highlight);
     ref_light_normal(lighting, normal, n);
     ref_matrix_transform(&lighting->to_eye, at, at);
-    add_light(scene, n, ambient, diffuse, specular);
+    add_light(lighting, n, ambient, diffuse, specular);
     for (int i = 0; i < scene->lamp_count; i++)
-        add_lamp(scene, &scene->lamps[i], n, at, diffuse, specular);
+        add_lamp(lighting, &scene->lamps[i], n, at, diffuse, specular);
     for (int c = 0; c < 3; c++) {
         double reflects = reflection->own_ambient ? own[c] : color[c];
         out[c] = 255.0 * clamp01(emission[c] + reflects * ambient[c] + color[c] * diffuse[c] +

@@ -13,9 +13,11 @@ struct ref_lighting {
     const struct scene *scene;
     struct ref_matrix to_eye;
     double normal_matrix[3][3];
+    double eye; /* z of the direction to the eye: 1 or -1 */
 };
 
-struct ref_lighting ref_lighting_of(const struct scene *scene, const struct ref_matrix *modelview);
+struct ref_lighting ref_lighting_of(const struct scene *scene, const struct ref_matrix *projection,
+                                    const struct ref_matrix *modelview);
 
 /* The unit normal in eye space of one in object space; zero stays zero. */
 void ref_light_normal(const struct ref_lighting *lighting, const double normal[3], double out[3]);

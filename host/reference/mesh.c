@@ -109,7 +109,7 @@ bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
     const struct scene *scene = target->scene;
     const struct obj_mesh *mesh = &scene->meshes[op->u.mesh.mesh];
     struct ref_matrix to_clip = ref_matrix_multiply(projection, modelview);
-    struct ref_lighting light = ref_lighting_of(scene, modelview);
+    struct ref_lighting light = ref_lighting_of(scene, projection, modelview);
     struct drawing d = {.mesh = mesh, .light = &light};
     struct ref_vertex *vertices;
 

@@ -53,7 +53,8 @@ static void light_single(const struct replay *replay, const struct scene_op *op,
     const struct scene *scene = replay->target.scene;
     const int32_t *towards = scene->light.towards;
     struct ref_lighting light =
-        ref_lighting_of(scene, &replay->modelview.matrix[replay->modelview.top]);
+        ref_lighting_of(scene, &replay->projection.matrix[replay->projection.top],
+                        &replay->modelview.matrix[replay->modelview.top]);
     double p[3][3], face[3], middle[3];
     bool turned = scene->reflection.two_sided && ref_facing(triangle) < 0;
 
