@@ -192,6 +192,37 @@ static qtri_material build_material(struct reader *r, qtri_texture *texture, con
     return m;
 }
 
+/* Lights of any bits, and what they point to. */
+typedef struct lamps {
+    qtri_lights lights;
+    qtri_light_source sources[QTRI_LIGHTS_MAX];
+    qtri_shininess table;
+    qtri_reflection reflection;
+} lamps;
+
+static const qtri_lights *build_lamps(struct reader *r, lamps *l)
+{
+    static const qtri_light_kind *const kinds[4] = {&qtri_directional_light, &qtri_point_light,
+                                                    &qtri_spot_light, NULL};
+    qtri_light_color ambient;
+    const uint32_t count = take_byte(r) % (QTRI_LIGHTS_MAX + 2);
+    take(r, &ambient, sizeof ambient);
+    qtri_shininess_init(&l->table, take_number(r));
+    for (uint32_t i = 0; i < count && i < QTRI_LIGHTS_MAX; i++) {
+        take(r, &l->sources[i], sizeof l->sources[i]);
+        l->sources[i].kind = kinds[take_byte(r) % 4];
+        l->sources[i].falloff = take_byte(r) % 2 ? &l->table : NULL;
+    }
+    take(r, &l->reflection.ambient, sizeof l->reflection.ambient);
+    take(r, &l->reflection.specular, sizeof l->reflection.specular);
+    take(r, &l->reflection.emission, sizeof l->reflection.emission);
+    l->reflection.shininess = take_byte(r) % 2 ? &l->table : NULL;
+    l->reflection.own_ambient = take_byte(r) % 2;
+    l->reflection.two_sided = take_byte(r) % 2;
+    (void)qtri_lights_init(&l->lights, l->sources, count, ambient);
+    return &l->lights;
+}
+
 static void draw_mesh(struct reader *r, const qtri_surface *surface, const qtri_view *view,
                       const qtri_transform *pose, const qtri_material *material)
 {
@@ -262,6 +293,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     qtri_view view;
     qtri_vertex cache[CACHE];
     qtri_light light;
+    lamps lamps;
     qtri_transform pose;
     qtri_texture texture;
     qtri_corner corners[CORNERS];
@@ -275,9 +307,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     take(r, &light, sizeof light);
     view.light = take_byte(r) % 2 ? &light : NULL;
+    view.lights = take_byte(r) % 2 ? build_lamps(r, &lamps) : NULL;
     view.vertices = cache;
     view.vertex_count = take_byte(r) % (CACHE + 1);
     qtri_material material = build_material(r, &texture, texels);
+    material.reflection = view.lights != NULL ? &lamps.reflection : NULL;
 
     switch (take_byte(r) % 4) {
     case 0:
@@ -292,6 +326,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             take(r, &corners[i].uv, sizeof corners[i].uv);
         }
         qtri_draw_triangles(&surface, &view, &pose, corners, CORNERS, &material);
+        qtri_draw_lit_triangles(&surface, &view, &pose, corners, NULL, CORNERS, &material);
         qtri_draw_lines(&surface, &view, &pose, corners, CORNERS, &material);
         break;
     default:

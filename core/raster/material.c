@@ -13,6 +13,7 @@ qtri_material qtri_material_default(void)
         .depth_compare = QTRI_LESS,
         .depth_read_only = false,
         .alpha = 255,
+        .reflection = NULL,
     };
     return material;
 }
