@@ -1,5 +1,6 @@
 #include "fill.h"
 #include "mesh_faces.h"
+#include "outline.h"
 #include "prepared_lists.h"
 
 enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
@@ -14,6 +15,9 @@ void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t
     const qtri_rect nowhere = {0, 0, 0, 0};
     prepared->marked = nowhere;
     prepared->mesh = NULL;
+    prepared->halo = 0;
+    prepared->front = NULL;
+    prepared->front_of = NULL;
 }
 
 typedef struct sorter {
@@ -23,7 +27,8 @@ typedef struct sorter {
     bool is_listing;
     bool is_direct; /* groups are single triangles, and there is a block for every list */
     bool is_solid;
-    int32_t height;
+    int32_t height, halo;
+    uint8_t *front;       /* NULL: what faces the eye is not asked for */
     uint32_t rows, bands; /* of a band; of the frame */
     uint32_t rows_inverse, rows_shift;
     uint32_t next, end; /* places: of the next block, of the end of the memory */
@@ -132,8 +137,8 @@ QTRI_NOINLINE static void list_in_group(sorter *s, uint32_t number, int32_t top,
 /* A triangle that may touch these rows, if there are any. */
 static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_t bottom)
 {
-    top = qtri_greatest32(top, 0);
-    bottom = qtri_least32(bottom, s->height);
+    top = qtri_greatest32(top - s->halo, 0);
+    bottom = qtri_least32(bottom + s->halo, s->height);
     if (top >= bottom) {
         return;
     }
@@ -151,6 +156,9 @@ static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vert
     const int32_t a = vertex[0]->at.y_24p8;
     const int32_t b = vertex[1]->at.y_24p8;
     const int32_t c = vertex[2]->at.y_24p8;
+    if (s->front != NULL && qtri_front_is(s->job->material.cull, vertex[0], vertex[1], vertex[2])) {
+        qtri_front_set(s->front, number);
+    }
     list_triangle(
         s, number, (qtri_least32(a, qtri_least32(b, c)) + qtri_prepared_before_24p8(is_solid)) >> 8,
         (qtri_greatest32(a, qtri_greatest32(b, c)) + qtri_prepared_after_24p8(is_solid)) >> 8);
@@ -174,6 +182,9 @@ QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triang
     }
     if (!qtri_mesh_is_outside(vertex)) {
         s->is_anywhere = true;
+        if (s->front != NULL) {
+            qtri_front_set(s->front, number);
+        }
         meet_all(s, triangle, vertex);
         list_triangle(s, number, 0, s->height);
     }
@@ -359,9 +370,14 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
                 .is_complete = qtri_prepared_is_complete(prepared),
                 .is_solid = is_solid,
                 .height = prepared->height,
+                .halo = prepared->halo,
+                .front = prepared->front_of == mesh ? prepared->front : NULL,
                 .rows = (uint32_t)prepared->rows};
     const qtri_rect none = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     prepared->extent_24p8 = none;
+    if (s.front != NULL) {
+        qtri_front_clear(s.front, mesh->triangle_count);
+    }
     begin_lists(&s, prepared);
     if (s.is_complete) {
         see_whole(&s);

@@ -24,6 +24,13 @@ typedef enum bench_work {
                      own */
 } bench_work;
 
+/* What is done about jagged edges; all but the first not with BENCH_PLAIN. */
+typedef enum bench_smooth {
+    BENCH_JAGGED,
+    BENCH_EDGES, /* the mesh's outline, by neighbours */
+    BENCH_SUMS   /* the same by sums */
+} bench_smooth;
+
 typedef struct bench_scene {
     const char *name;
     bench_work work;
@@ -36,9 +43,24 @@ typedef struct bench_scene {
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
     q16 turn;               /* the mesh, about y */
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
+    bench_smooth smooth;
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
+
+#ifndef BENCH_PLAIN
+/* What smoothing needs. Bands with their halo lie one below the other. */
+typedef struct bench_smoother {
+    qtri_outline outline;
+    qtri_halo halo;
+    uint32_t outline_memory[QTRI_OUTLINE_WORDS(BENCH_TRIANGLES_MAX) +
+                            QTRI_OUTLINE_SUMS(BENCH_VERTICES_MAX) +
+                            QTRI_OUTLINE_LISTS(BENCH_TRIANGLES_MAX, BENCH_HEIGHT, 16)];
+    uint32_t edge_memory[QTRI_EDGES_WORDS(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES)];
+    uint32_t bands[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT * 18 / 16, QTRI_RGB565_BYTES) /
+                   sizeof(uint32_t)];
+} bench_smoother;
+#endif
 
 /* All that drawing a scene needs. */
 typedef struct bench_frame {
@@ -58,6 +80,7 @@ typedef struct bench_frame {
     qtri_frame bands;
     qtri_prepared prepared;
     uint16_t lists[QTRI_PREPARED_LISTS(BENCH_TRIANGLES_MAX, BENCH_HEIGHT, 16)];
+    bench_smoother smoother;
 #endif
 } bench_frame;
 
@@ -66,6 +89,14 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene);
 
 /* What is measured: the draw calls, without the clear; the clear for BENCH_CLEAR. */
 void bench_draw(bench_frame *frame);
+
+/* After it, and not measured: the picture is in frame->surface. */
+void bench_finish(bench_frame *frame);
+
+/* Those of them for a scene that is smoothed: bench_smooth.c. */
+bool bench_prepare_smooth(bench_frame *frame);
+void bench_draw_smooth(bench_frame *frame);
+void bench_finish_smooth(bench_frame *frame);
 
 /* Triangles that the draw call is given. */
 uint32_t bench_triangles(const bench_scene *scene);

@@ -17,7 +17,7 @@ BENCH_FPU_cortex-m4 := -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 SCENE_DIR     := $(BENCH_DIR)/scenes
 SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
 SCENE_WORLD   := $(wildcard core/*/*.c) $(addprefix host/bench/,bench_world.c bench_print.c) $(SCENE_DIR)/bench_meshes.c
-SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_program.c) $(SCENE_WORLD)
+SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_smooth.c bench_program.c) $(SCENE_WORLD)
 SCENE_FLAGS   := -std=c99 -g -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
 
 # The compiler and the flags of one object of a core. $1: core, $2: source.
@@ -26,7 +26,7 @@ scene_link    = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(BENCH_LINK)
 
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes
-$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_faces.c host/tools/mesh_generate.c $(wildcard host/io/*.c)) $(LIBRARY)
+$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_faces.c host/tools/mesh_neighbours.c host/tools/mesh_generate.c $(wildcard host/io/*.c)) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $^ -lm
 
