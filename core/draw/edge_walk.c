@@ -23,47 +23,59 @@
 
 #include "../bits/bits.h"
 #include "../bits/multiply.h"
-#include "../bits/seed.h"
+#include "../bits/reciprocal.h"
 
 enum {
     CHUNK_LOG2 = 7,
     CHUNK = 1 << CHUNK_LOG2,
     SHORT_24P8 = CHUNK << 8,
+    LEVEL_MOST = 4,   /* pixels of an edge whose depth counts as one, the nearest */
     FLAT_6 = 16 << 6, /* 16 steps of depth */
-    NO_LIMIT = INT32_MIN / 2
+    NO_LIMIT = INT32_MIN / 2,
+    SLOPES = 17,
+    SHARES = 17
 };
 
-/* Of one edge: what its pixels share. */
-typedef struct walk {
-    const qtri_edges *edges;
-    uint16_t *notes;
-    int32_t low, high;             /* pixels on the major axis that count */
-    int32_t first;                 /* pixel on the minor axis that is 0 */
-    uint32_t wide;                 /* pixels on it */
-    int32_t along, across, origin; /* steps of a note's place, and the place of pixel (0, first) */
-    uint32_t code;                 /* the note's direction on the minor axis */
-    uint32_t flip;                 /* depths are compared after this is exclusive-ored */
-    uint32_t weak;                 /* 0, or all bits: a pixel with a note keeps it */
-    int32_t half;                  /* of the slope, in 1/32 */
-    uint32_t inverse;              /* 2^16 / 4 half */
-} walk;
-
-/* A part of it: pixels k..end-1, from `at` on, 16.16 on the minor axis; limits of depth, n.6. */
+/* A part of an edge: pixels k..end-1, from `at` on, 16.16 on the minor axis; limits of depth, n.6.
+ */
 typedef struct part {
     int32_t k, end;
     int32_t at, step;
     int32_t limit, limit_step;
 } part;
 
-/* 2^16 / (4 n), rounded. */
-static const uint16_t inverses[17] = {0,    16384, 8192, 5461, 4096, 3277, 2731, 2341, 2048,
-                                      1820, 1638,  1489, 1365, 1260, 1170, 1092, 1024};
+/*
+ * Notes, as codes without a direction, for half the slope and w in 1/32 of a pixel, each 0..16:
+ * that of i in the low byte, that of j in the high one. (w + h)^2 / 4 h and (h - w)^2 / 4 h to
+ * nearest where w < h; else w and 0.
+ */
+/* clang-format off */
+static const uint16_t coverage[SLOPES][SHARES] = {
+    {0x0000, 0x0004, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0000, 0x0004, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0404, 0x0004, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0404, 0x0004, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0404, 0x0408, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0404, 0x0408, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0808, 0x0408, 0x040C, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0808, 0x0408, 0x040C, 0x0410, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0808, 0x080C, 0x040C, 0x0410, 0x0414, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0808, 0x080C, 0x040C, 0x0410, 0x0414, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0C0C, 0x080C, 0x0810, 0x0410, 0x0414, 0x0418, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0C0C, 0x080C, 0x0810, 0x0410, 0x0414, 0x0418, 0x041C, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0C0C, 0x0C10, 0x0810, 0x0814, 0x0414, 0x0418, 0x041C, 0x0420, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0C0C, 0x0C10, 0x0810, 0x0814, 0x0818, 0x0418, 0x041C, 0x0420, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x1010, 0x0C10, 0x0C14, 0x0814, 0x0818, 0x0418, 0x041C, 0x0420, 0x0424, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x1010, 0x0C10, 0x0C14, 0x0814, 0x0818, 0x081C, 0x041C, 0x0420, 0x0424, 0x0428, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x1010, 0x1014, 0x0C14, 0x0C18, 0x0818, 0x081C, 0x0820, 0x0420, 0x0424, 0x0428, 0x042C, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+};
+/* clang-format on */
 
 /* Notes `code` at place i if it is the greatest there, or the first and not hidden. */
-QTRI_INLINE void note(const walk *w, uint32_t i, uint32_t code, int32_t limit)
+QTRI_INLINE void note(const qtri_edge_walker *w, uint32_t i, uint32_t code, int32_t limit)
 {
     uint16_t *at = &w->notes[i];
-    uint32_t *marks = &w->edges->marks[i >> 5];
+    uint32_t *marks = &w->marks[i >> 5];
     const uint32_t mark = *marks;
     const uint32_t bit = (uint32_t)1 << (i & 31);
     const uint32_t stored = *at;
@@ -71,80 +83,57 @@ QTRI_INLINE void note(const walk *w, uint32_t i, uint32_t code, int32_t limit)
         if (code > (stored | w->weak)) {
             *at = (uint16_t)code;
         }
-    } else if ((int32_t)(stored ^ w->flip) >= limit) {
+    } else if ((int32_t)((stored ^ w->flip) << 6) >= limit) {
         *marks = mark | bit;
         *at = (uint16_t)code;
     }
 }
 
-QTRI_NOINLINE static void walk_part(const walk *w, const part *p)
+/* `shares`: the slope's row of the table. */
+QTRI_NOINLINE static void walk_part(const qtri_edge_walker *w, const qtri_edge_axis *axis,
+                                    const part *p, const uint16_t *shares)
 {
-    int32_t at = p->at - w->first * 65536;
+    int32_t at = p->at - axis->first * 65536;
     int32_t limit = p->limit;
-    int32_t place = w->origin + p->k * w->along;
-    const int32_t step = p->step;
+    int32_t place = axis->origin + p->k * axis->along;
     for (int32_t n = p->end - p->k; n > 0; n--) {
         const int32_t pixel = at >> 16;
         uint32_t share = (uint32_t)at >> 11 & 31;
         int32_t other = pixel - 1;
-        uint32_t code = w->code;
+        uint32_t direction = axis->direction;
         if (share >= 16) {
             share = 32 - share;
             other = pixel + 1;
-            code += QTRI_NOTE_AFTER;
+            direction += QTRI_NOTE_AFTER;
         }
-        if ((uint32_t)pixel < w->wide && (uint32_t)other < w->wide) {
-            const int32_t i = place + pixel * w->across;
-            const int32_t rest = w->half - (int32_t)share;
-            if (rest > 0) {
-                const uint32_t inverse = w->inverse;
-                const uint32_t sum = share + (uint32_t)w->half;          /* <= 32 */
-                const uint32_t less = (uint32_t)(rest * rest) * inverse; /* <= 16^2 2^14 */
-                share = (sum * sum * inverse + 0x8000) >> 16;            /* < half */
-                const uint32_t second = (less + 0x8000) >> 16;
-                if (second != 0) {
-                    note(w, (uint32_t)(place + other * w->across),
-                         second << QTRI_NOTE_SHARE_SHIFT | (code ^ QTRI_NOTE_AFTER), limit >> 6);
-                }
+        if ((uint32_t)pixel < axis->wide && (uint32_t)other < axis->wide) {
+            const uint32_t both = shares[share];
+            if (both >> 8 != 0) {
+                note(w, (uint32_t)(place + other * axis->across),
+                     both >> 8 | (direction ^ QTRI_NOTE_AFTER), limit);
             }
-            if (share != 0) {
-                note(w, (uint32_t)i, share << QTRI_NOTE_SHARE_SHIFT | code, limit >> 6);
+            if ((both & 0xFF) != 0) {
+                note(w, (uint32_t)(place + pixel * axis->across), (both & 0xFF) | direction, limit);
             }
         }
-        at += step;
+        at += p->step;
         limit += p->limit_step;
-        place += w->along;
+        place += axis->along;
     }
 }
 
 /* The pixels of the part that lie on the surface. */
-static inline void cut_part(const walk *w, part *p)
+static inline void cut_part(part *p, int32_t low, int32_t high)
 {
-    const int32_t before = w->low - p->k;
+    const int32_t before = low - p->k;
     if (before > 0) {
-        p->k = w->low;
-        p->at += before * p->step; /* within the edge's ends, if the part is not behind low */
+        p->k = low;
+        p->at += before * p->step; /* within the edge's ends, as the part is not behind low */
         p->limit += before * p->limit_step;
     }
-    if (p->end > w->high) {
-        p->end = w->high;
+    if (p->end > high) {
+        p->end = high;
     }
-}
-
-/* floor(2^31 / length), for 0 < length < 2^15: the same on all cores. */
-static inline uint32_t reciprocal_q31(uint32_t length)
-{
-#if QTRI_DIVIDE
-    return 0x80000000u / length;
-#else
-    const int32_t zeros = qtri_clz32(length); /* >= 17 */
-    const uint32_t x = length << (zeros - 16);
-    const uint32_t r_q15 = qtri_reciprocal_seed(x);
-    const int32_t error_q31 = (int32_t)(0x80000000u - x * r_q15); /* |error| < 2^17 */
-    uint32_t r = (r_q15 << 15) + (uint32_t)(((error_q31 >> 1) * (int32_t)r_q15) >> 15);
-    r >>= 31 - zeros; /* the quotient or one less: all lengths tried */
-    return r + (0x80000000u - r * length >= length);
-#endif
 }
 
 /* An edge by increasing major coordinate. */
@@ -155,41 +144,39 @@ typedef struct path {
     int32_t along;  /* from the first end to the centre of pixel `first`, 0..255 */
     int32_t first, end;
     int32_t depth, depth_delta; /* 16.6 */
+    bool hides;                 /* depth counts */
 } path;
 
-/* A depth in 16.6, nearer being smaller. */
-static inline int32_t depth_of(const qtri_vertex *v, qtri_edge_test test)
+/* Of a step on the minor axis: its row of the table. */
+static inline const uint16_t *shares_of(int32_t step)
 {
-    const int32_t depth = (int32_t)(v->depth_16p8 >> 10);
-    return test == QTRI_EDGE_FARTHER ? (65535 << 6) - depth : depth;
+    return coverage[(qtri_magnitude32(step) + 2048) >> 12]; /* |step| <= 2^16 */
 }
 
-static inline void set_slope(walk *w, int32_t step)
-{
-    w->half = (int32_t)((qtri_magnitude32(step) + 2048) >> 12); /* <= 16 */
-    w->inverse = inverses[w->half];
-}
-
-/* In one chunk. */
-static inline void walk_short(walk *w, const path *l, bool hides)
+/* In one chunk, of which a pixel is not before the surface. */
+static inline void walk_short(const qtri_edge_walker *w, const qtri_edge_axis *axis, const path *l)
 {
     part p;
-    const uint32_t r_q31 = reciprocal_q31((uint32_t)l->length);
-    const uint32_t magnitude = (qtri_magnitude32(l->delta) * r_q31) >> 15; /* <= 2^31 / 2^15 */
+    /* length x 2^-16 is 2^(zeros - 16) length = 1/2..1, and r its reciprocal within 2^-15. */
+    const int32_t up = qtri_clz32((uint32_t)l->length) - 16; /* >= 1 */
+    const uint32_t r = qtri_reciprocal_q31((uint32_t)l->length << up);
+    const uint32_t magnitude = ((qtri_magnitude32(l->delta) << up) * r) >> 15; /* <= 2^31 / 2^15 */
     p.step = l->delta < 0 ? -(int32_t)magnitude : (int32_t)magnitude;
     p.at = l->minor * 256 + ((p.step * l->along) >> 8);
     p.k = l->first;
     p.end = l->end;
     p.limit = NO_LIMIT;
     p.limit_step = 0;
-    if (hides) {
-        const int32_t step = qtri_mul_high_s31(l->depth_delta * 256, r_q31) * 2; /* < 2^30 */
-        p.limit_step = step;
-        p.limit = l->depth + (step >> 8) * l->along + (((step & 255) * l->along) >> 8);
+    if (l->hides) {
+        p.limit = l->depth + (l->depth_delta < 0 ? l->depth_delta : 0);
+        if (p.end - p.k > LEVEL_MOST) {
+            const int32_t step = qtri_mul_high_s31(l->depth_delta * 256, r << up) * 2; /* < 2^30 */
+            p.limit_step = step;
+            p.limit = l->depth + (step >> 8) * l->along + (((step & 255) * l->along) >> 8);
+        }
     }
-    set_slope(w, p.step);
-    cut_part(w, &p);
-    walk_part(w, &p);
+    cut_part(&p, axis->low, axis->high);
+    walk_part(w, axis, &p, shares_of(p.step));
 }
 
 /* x n / length 2^more, towards zero; |x|, n, length <= 2^23, length > 0. */
@@ -202,17 +189,17 @@ static int32_t share_of(int32_t x, int32_t n, int32_t length, int32_t more)
 }
 
 /* In chunks, each of which begins exactly. */
-QTRI_NOINLINE static void walk_long(walk *w, const path *l, bool hides)
+QTRI_NOINLINE static void walk_long(const qtri_edge_walker *w, const qtri_edge_axis *axis,
+                                    const path *l)
 {
     part p;
-    int32_t chunk = w->low > l->first ? (w->low - l->first) >> CHUNK_LOG2 : 0;
+    int32_t chunk = axis->low > l->first ? (axis->low - l->first) >> CHUNK_LOG2 : 0;
     const int32_t step = share_of(l->delta, 1, l->length, 16);
     const int32_t limit_step = share_of(l->depth_delta, 1, l->length, 8);
-    set_slope(w, step);
     for (;; chunk++) {
         p.k = l->first + chunk * CHUNK;
         p.end = p.k + CHUNK < l->end ? p.k + CHUNK : l->end;
-        if (p.k >= p.end || p.k >= w->high) {
+        if (p.k >= p.end || p.k >= axis->high) {
             return;
         }
         const int32_t along = l->along + chunk * SHORT_24P8; /* < length */
@@ -220,17 +207,17 @@ QTRI_NOINLINE static void walk_long(walk *w, const path *l, bool hides)
         p.at = l->minor * 256 + share_of(l->delta, along, l->length, 8);
         p.limit = NO_LIMIT;
         p.limit_step = 0;
-        if (hides) {
+        if (l->hides) {
             p.limit = l->depth + share_of(l->depth_delta, along, l->length, 0);
             p.limit_step = limit_step;
         }
-        cut_part(w, &p);
-        walk_part(w, &p);
+        cut_part(&p, axis->low, axis->high);
+        walk_part(w, axis, &p, shares_of(step));
     }
 }
 
 /* How much nearer than the edge a pixel may be, 16.6. c: the face's third vertex. */
-static int32_t slack_of(const path *l, int32_t depth_c, int32_t minor_c)
+static inline int32_t slack_of(const path *l, int32_t depth_c, int32_t minor_c)
 {
     const int32_t depth_b = l->depth + l->depth_delta;
     const int32_t minor_b = l->minor + l->delta;
@@ -245,81 +232,82 @@ static int32_t slack_of(const path *l, int32_t depth_c, int32_t minor_c)
     return slack + FLAT_6;
 }
 
-/* Where the pixels are, for an edge that is steep, its major axis being y, or not. */
-static inline void set_axes(walk *w, const qtri_edges *edges, bool steep)
+void qtri_edge_walker_init(qtri_edge_walker *w, const qtri_edges *edges, qtri_edge_test test)
 {
     const qtri_rect *bounds = &edges->bounds;
-    const int32_t first_row = edges->surface.first_row;
     const int32_t pitch = edges->pitch;
-    w->edges = edges;
+    const int32_t first_row = edges->surface.first_row;
+    const int32_t place = edges->origin - first_row * pitch; /* of pixel (0, 0), if it were there */
+    const qtri_edge_axis level = {.low = bounds->x0,
+                                  .high = bounds->x1,
+                                  .first = bounds->y0,
+                                  .wide = (uint32_t)(bounds->y1 - bounds->y0),
+                                  .along = 1,
+                                  .across = pitch,
+                                  .origin = place + bounds->y0 * pitch,
+                                  .direction = 0};
+    const qtri_edge_axis steep = {.low = bounds->y0,
+                                  .high = bounds->y1,
+                                  .first = bounds->x0,
+                                  .wide = (uint32_t)(bounds->x1 - bounds->x0),
+                                  .along = pitch,
+                                  .across = 1,
+                                  .origin = place + bounds->x0,
+                                  .direction = QTRI_NOTE_IN_ROW};
+    w->marks = edges->marks;
     w->notes = edges->notes;
-    if (steep) {
-        w->low = bounds->y0;
-        w->high = bounds->y1;
-        w->first = bounds->x0;
-        w->wide = (uint32_t)(bounds->x1 - bounds->x0);
-        w->along = pitch;
-        w->across = 1;
-        w->origin = edges->origin + bounds->x0 - first_row * pitch;
-        w->code = QTRI_NOTE_IN_ROW;
-    } else {
-        w->low = bounds->x0;
-        w->high = bounds->x1;
-        w->first = bounds->y0;
-        w->wide = (uint32_t)(bounds->y1 - bounds->y0);
-        w->along = 1;
-        w->across = pitch;
-        w->origin = edges->origin + (bounds->y0 - first_row) * pitch;
-        w->code = 0;
-    }
+    w->flip = test == QTRI_EDGE_FARTHER ? 0xFFFF : 0;
+    w->weak = 0;
+    w->hides = test != QTRI_EDGE_ALWAYS;
+    w->axis[0] = level;
+    w->axis[1] = steep;
 }
 
-void qtri_edge_note(const qtri_edges *edges, const qtri_vertex *a, const qtri_vertex *b,
-                    const qtri_vertex *c, qtri_edge_test test, bool weak)
+void qtri_edge_note(const qtri_edge_walker *w, const qtri_vertex *a, const qtri_vertex *b,
+                    const qtri_vertex *c)
 {
-    walk w;
     path l;
+    const qtri_edge_axis *axis = &w->axis[0];
     int32_t major = a->at.x_24p8;
     int32_t minor_c = c->at.y_24p8;
     l.minor = a->at.y_24p8;
     l.length = b->at.x_24p8 - major;
     l.delta = b->at.y_24p8 - l.minor;
-    const bool steep = qtri_magnitude32(l.delta) > qtri_magnitude32(l.length);
-    if (steep) {
+    if (qtri_magnitude32(l.delta) > qtri_magnitude32(l.length)) {
         const int32_t width = l.length;
+        axis = &w->axis[1];
         l.length = l.delta;
         l.delta = width;
         major = l.minor;
         l.minor = a->at.x_24p8;
         minor_c = c->at.x_24p8;
     }
-    l.depth = depth_of(a, test);
-    l.depth_delta = depth_of(b, test) - l.depth;
+    const qtri_vertex *end = b;
     if (l.length < 0) { /* from b to a */
         major += l.length;
         l.minor += l.delta;
-        l.depth += l.depth_delta;
         l.length = -l.length;
         l.delta = -l.delta;
-        l.depth_delta = -l.depth_delta;
+        end = a;
+        a = b;
     }
     /* Centres in [major, major + length): the first is ceil((major - 128) / 256). */
     l.first = (major + 127) >> 8;
     l.end = (major + l.length + 127) >> 8;
-    set_axes(&w, edges, steep);
-    if (l.first >= l.end || l.first >= w.high || l.end <= w.low) {
+    if (l.first >= l.end || l.first >= axis->high || l.end <= axis->low) {
         return;
     }
     l.along = (128 - major) & 255;
-    w.flip = test == QTRI_EDGE_FARTHER ? 0xFFFF : 0;
-    w.weak = weak ? UINT32_MAX : 0;
-    const bool hides = test != QTRI_EDGE_ALWAYS;
-    if (hides) {
-        l.depth -= slack_of(&l, depth_of(c, test), minor_c);
+    l.hides = w->hides;
+    if (l.hides) {
+        const uint32_t flip = w->flip << 6; /* 65535 less the depth */
+        l.depth = (int32_t)(a->depth_16p8 >> 10 ^ flip);
+        l.depth_delta = (int32_t)(end->depth_16p8 >> 10 ^ flip) - l.depth;
+        l.depth -= slack_of(&l, (int32_t)(c->depth_16p8 >> 10 ^ flip), minor_c);
     }
     if (l.length < SHORT_24P8) {
-        walk_short(&w, &l, hides);
+        walk_short(w, axis, &l);
     } else {
-        walk_long(&w, &l, hides);
+        walk_long(w, axis, &l);
     }
 }

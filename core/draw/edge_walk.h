@@ -19,11 +19,33 @@ typedef enum qtri_edge_test {
     QTRI_EDGE_ALWAYS   /* never */
 } qtri_edge_test;
 
+/* One of the two axes that edges are walked along. */
+typedef struct qtri_edge_axis {
+    int32_t low, high;             /* pixels on it that count */
+    int32_t first;                 /* pixel on the other axis that is 0 */
+    uint32_t wide;                 /* pixels on it */
+    int32_t along, across, origin; /* steps of a note's place, and the place of pixel (0, first) */
+    uint32_t direction;            /* of notes: in a row or not */
+} qtri_edge_axis;
+
+/* What the edges of an outline share. */
+typedef struct qtri_edge_walker {
+    uint32_t *marks;
+    uint16_t *notes;
+    uint32_t flip; /* depths are compared after this is exclusive-ored: 0, or all of their bits */
+    uint32_t weak; /* 0, or all bits: a pixel that has a note keeps it */
+    bool hides;    /* depths are compared */
+    qtri_edge_axis axis[2]; /* of edges that are longer in x, and in y */
+} qtri_edge_walker;
+
+/* For edges with bounds that are not empty; not weak at first. */
+void qtri_edge_walker_init(qtri_edge_walker *walker, const qtri_edges *edges, qtri_edge_test test);
+
 /*
- * Notes the edge from a to b of the face a b c. `weak`: only on pixels without a note. All three
- * are inside all planes: coordinates within +-QTRI_SCREEN_MAX_24P8.
+ * Notes the edge from a to b of the face a b c. All three are inside all planes: coordinates within
+ * +-QTRI_SCREEN_MAX_24P8.
  */
-void qtri_edge_note(const qtri_edges *edges, const qtri_vertex *a, const qtri_vertex *b,
-                    const qtri_vertex *c, qtri_edge_test test, bool weak);
+void qtri_edge_note(const qtri_edge_walker *walker, const qtri_vertex *a, const qtri_vertex *b,
+                    const qtri_vertex *c);
 
 #endif

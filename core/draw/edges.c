@@ -57,36 +57,41 @@ enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface,
     return QTRI_OK;
 }
 
-/* A row inside of the bounds: its first note and the first pixel's place. */
+/* A row of the surface, in the order that its notes have in memory. */
 typedef struct row {
-    uint8_t *pixels; /* of column 0 */
-    uint32_t place;  /* of column 0 */
+    uint32_t place, end; /* of its notes */
+    uint8_t *pixels;     /* of column 0 */
+    ptrdiff_t next;      /* to those of the row that follows in that order */
+    uint32_t length;     /* of a row of notes */
 } row;
 
-static row row_of(const qtri_edges *edges, int32_t y)
+static row first_row(const qtri_edges *edges)
 {
-    const int32_t down = y - edges->surface.first_row;
-    const row r = {edges->surface.pixels + down * edges->surface.pitch,
-                   (uint32_t)(edges->origin + down * edges->pitch)};
+    const qtri_surface *surface = &edges->surface;
+    const bool upwards = edges->pitch < 0;
+    const uint32_t length = (uint32_t)(upwards ? -edges->pitch : edges->pitch);
+    row r = {0, length, surface->pixels, surface->pitch, length};
+    if (upwards) {
+        r.pixels += (surface->rows - 1) * surface->pitch;
+        r.next = -surface->pitch;
+    }
     return r;
 }
 
-/*
- * The marks of places `from` to end - 1 that are in the word of `from`, the first at bit 0; `from`
- * is moved behind them.
- */
-static inline uint32_t next_marks(const qtri_edges *edges, uint32_t *from, uint32_t end)
+/* To the row of a place that is not before it. */
+static inline void find_row(row *r, uint32_t place)
 {
-    const uint32_t bit = *from % WORD_PIXELS;
-    const uint32_t left = end - *from;
-    uint32_t marks = edges->marks[*from / WORD_PIXELS] >> bit;
-    uint32_t count = WORD_PIXELS - bit;
-    if (left < count) {
-        count = left;
-        marks &= ((uint32_t)1 << left) - 1;
+    while (place >= r->end) {
+        r->place = r->end;
+        r->end += r->length;
+        r->pixels += r->next;
     }
-    *from += count;
-    return marks;
+}
+
+static uint32_t mark_words(const qtri_edges *edges)
+{
+    const uint32_t pitch = (uint32_t)(edges->pitch < 0 ? -edges->pitch : edges->pitch);
+    return (pitch * (uint32_t)edges->surface.rows + WORD_PIXELS - 1) / WORD_PIXELS;
 }
 
 static inline uint32_t is_marked(const qtri_edges *edges, uint32_t place)
@@ -94,122 +99,124 @@ static inline uint32_t is_marked(const qtri_edges *edges, uint32_t place)
     return edges->marks[place / WORD_PIXELS] >> place % WORD_PIXELS & 1;
 }
 
-/* Zero bits at the low end that are certain, of a word that is not 0: 0, 4, 8 ... */
-#define SKIP(marks, place)                                                                         \
-    if (((marks)&0xFFFF) == 0) {                                                                   \
-        (marks) >>= 16;                                                                            \
-        (place) += 16;                                                                             \
-    }                                                                                              \
-    if (((marks)&0xFF) == 0) {                                                                     \
-        (marks) >>= 8;                                                                             \
-        (place) += 8;                                                                              \
-    }                                                                                              \
-    if (((marks)&0xF) == 0) {                                                                      \
-        (marks) >>= 4;                                                                             \
-        (place) += 4;                                                                              \
-    }
-
-/* The pixel at `place`, column x, of a row of 16-bit pixels. */
-static inline void blend_565(const qtri_edges *edges, uint16_t *pixel, uint32_t place)
+/* The lowest bit's number, of a word that is not 0. */
+static inline uint32_t lowest(uint32_t marks)
 {
-    uint16_t *note = &edges->notes[place];
-    const uint32_t code = *note;
-    const bool in_row = (code & QTRI_NOTE_IN_ROW) != 0;
-    const uint32_t old = *pixel;
-    uint32_t neighbour;
-    if ((code & QTRI_NOTE_AFTER) != 0) {
-        neighbour =
-            in_row ? pixel[1] : *(uint16_t *)(void *)((uint8_t *)pixel + edges->surface.pitch);
-    } else {
-        const uint32_t other = in_row ? place - 1 : place - (uint32_t)edges->pitch;
-        if (is_marked(edges, other) != 0) {
-            neighbour = edges->notes[other];
-        } else {
-            neighbour =
-                in_row ? pixel[-1] : *(uint16_t *)(void *)((uint8_t *)pixel - edges->surface.pitch);
-        }
-    }
-    *note = (uint16_t)old;
-    *pixel = (uint16_t)qtri_mix_565(old, neighbour, code >> QTRI_NOTE_SHARE_SHIFT);
+#if defined(__GNUC__) && QTRI_LONG_MULTIPLY && (__SIZEOF_INT__ == 4)
+    return (uint32_t)__builtin_ctz(marks);
+#else
+    /* The product's upper five bits are another for each power of two (Leiserson 1998). */
+    static const uint8_t number[32] = {0,  1,  28, 2,  29, 14, 24, 3,  30, 22, 20,
+                                       15, 25, 17, 4,  8,  31, 27, 13, 23, 21, 19,
+                                       16, 7,  26, 12, 18, 6,  11, 5,  10, 9};
+    return number[(marks & (0 - marks)) * 0x077CB531u >> 27];
+#endif
 }
 
-enum qtri_error qtri_edges_blend_565(qtri_edges *edges)
+/* From a pixel to its neighbour, by the direction of a note. */
+typedef struct steps {
+    int32_t place[4];
+    ptrdiff_t pixel[4]; /* bytes */
+} steps;
+
+static steps steps_of(const qtri_edges *edges)
 {
-    const qtri_rect *bounds = &edges->bounds;
-    if (bounds->x0 < bounds->x1 && !qtri_is_565(edges->surface.format)) {
-        return QTRI_ERROR_FORMAT;
-    }
-    for (int32_t y = bounds->y0; y < bounds->y1; y++) {
-        const row r = row_of(edges, y);
-        uint16_t *pixels = (uint16_t *)(void *)r.pixels;
-        uint32_t from = r.place + (uint32_t)bounds->x0;
-        const uint32_t end = r.place + (uint32_t)bounds->x1;
-        while (from < end) {
-            uint32_t place = from;
-            uint32_t marks = next_marks(edges, &from, end);
-            for (; marks != 0; marks >>= 1, place++) {
-                SKIP(marks, place)
-                if ((marks & 1) != 0) {
-                    blend_565(edges, pixels + (place - r.place), place);
-                }
-            }
-        }
-    }
-    return QTRI_OK;
+    const ptrdiff_t pitch = edges->surface.pitch;
+    const ptrdiff_t bytes = edges->surface.format->pixels->bytes;
+    const steps s = {{-edges->pitch, edges->pitch, -1, 1}, {-pitch, pitch, -bytes, bytes}};
+    return s;
 }
 
-/* The colour of the neighbour that a note names, as it was. */
-static uint32_t neighbour_of(const qtri_edges *edges, const uint8_t *pixel, uint32_t place,
-                             int32_t x, uint32_t code)
-{
-    const qtri_pixels *pixels = edges->surface.format->pixels;
-    const bool in_row = (code & QTRI_NOTE_IN_ROW) != 0;
-    const ptrdiff_t step = in_row ? (ptrdiff_t)pixels->bytes : edges->surface.pitch;
-    if ((code & QTRI_NOTE_AFTER) != 0) {
-        return pixels->load(pixel + step);
-    }
-    const uint32_t other = in_row ? place - 1 : place - (uint32_t)edges->pitch;
-    if (is_marked(edges, other) == 0) {
-        return pixels->load(pixel - step);
-    }
-    return edges->line != NULL ? edges->line[in_row ? x - 1 : x] : edges->notes[other];
-}
+enum { DIRECTIONS = 3 };
 
-static void blend_pixel(const qtri_edges *edges, uint8_t *pixel, uint32_t place, int32_t x)
+/* The same in any format; x: the column. */
+static void blend_any(const qtri_edges *edges, const steps *s, uint8_t *pixel, uint32_t place,
+                      int32_t x)
 {
     const qtri_format *format = edges->surface.format;
-    const uint32_t code = edges->notes[place];
+    uint16_t *note = &edges->notes[place];
+    const uint32_t code = *note;
     const uint32_t old = format->pixels->load(pixel);
-    const uint32_t other = neighbour_of(edges, pixel, place, x, code);
-    const uint32_t mixed =
-        qtri_mix_colors(format->colors, qtri_color_of(format, old), qtri_color_of(format, other),
-                        code >> QTRI_NOTE_SHARE_SHIFT);
-    if (edges->line != NULL) {
-        edges->line[x] = old;
+    const int32_t step = s->place[code & DIRECTIONS];
+    uint32_t neighbour;
+    if (step >= 0 || is_marked(edges, place + (uint32_t)step) == 0) {
+        neighbour = format->pixels->load(pixel + s->pixel[code & DIRECTIONS]);
+    } else if (edges->line == NULL) {
+        neighbour = note[step];
     } else {
-        edges->notes[place] = (uint16_t)old;
+        neighbour = edges->line[(code & QTRI_NOTE_IN_ROW) != 0 ? x - 1 : x];
     }
+    if (edges->line == NULL) {
+        *note = (uint16_t)old;
+    } else {
+        edges->line[x] = old;
+    }
+    const uint32_t mixed =
+        qtri_mix_colors(format->colors, qtri_color_of(format, old),
+                        qtri_color_of(format, neighbour), code >> QTRI_NOTE_SHARE_SHIFT);
     const uint32_t stored = qtri_stored_of(format, mixed);
     format->pixels->store(pixel, &stored, 1, 1);
 }
 
 void qtri_edges_blend(qtri_edges *edges)
 {
-    const qtri_rect *bounds = &edges->bounds;
-    for (int32_t y = bounds->y0; y < bounds->y1; y++) {
-        const row r = row_of(edges, y);
-        uint32_t from = r.place + (uint32_t)bounds->x0;
-        const uint32_t end = r.place + (uint32_t)bounds->x1;
-        while (from < end) {
-            uint32_t place = from;
-            uint32_t marks = next_marks(edges, &from, end);
-            for (; marks != 0; marks >>= 1, place++) {
-                if ((marks & 1) != 0) {
-                    const int32_t x = (int32_t)(place - r.place);
-                    const ptrdiff_t bytes = edges->surface.format->pixels->bytes;
-                    blend_pixel(edges, r.pixels + x * bytes, place, x);
-                }
-            }
+    if (edges->bounds.x0 >= edges->bounds.x1) {
+        return;
+    }
+    const steps s = steps_of(edges);
+    const uint32_t *word = edges->marks;
+    const uint32_t *end = word + mark_words(edges);
+    const ptrdiff_t bytes = edges->surface.format->pixels->bytes;
+    row r = first_row(edges);
+    for (; word != end; word++) {
+        const uint32_t first = (uint32_t)(word - edges->marks) * WORD_PIXELS;
+        for (uint32_t marks = *word; marks != 0; marks &= marks - 1) {
+            const uint32_t place = first + lowest(marks);
+            find_row(&r, place);
+            const int32_t x = (int32_t)(place - r.place);
+            blend_any(edges, &s, r.pixels + x * bytes, place, x);
         }
     }
+}
+
+/* Notes of pixels that lie in memory as their colours do. */
+QTRI_NOINLINE static void blend_565(const qtri_edges *edges)
+{
+    const int32_t pitch = edges->pitch;
+    const int32_t step[4] = {-pitch, pitch, -1, 1};
+    const uint32_t *marks = edges->marks;
+    const uint32_t *end = marks + mark_words(edges);
+    uint16_t *note = edges->notes;
+    uint16_t *pixel = (uint16_t *)(void *)edges->surface.pixels;
+    for (const uint32_t *word = marks; word != end; word++) {
+        for (uint32_t left = *word; left != 0; left &= left - 1) {
+            const uint32_t place = (uint32_t)(word - marks) * WORD_PIXELS + lowest(left);
+            const uint32_t code = note[place];
+            const uint32_t old = pixel[place];
+            const int32_t to = step[code & DIRECTIONS];
+            const uint32_t other = place + (uint32_t)to;
+            uint32_t neighbour = pixel[other];
+            if (to < 0 && is_marked(edges, other) != 0) {
+                neighbour = note[other];
+            }
+            note[place] = (uint16_t)old;
+            pixel[place] = (uint16_t)qtri_mix_565(old, neighbour, code >> QTRI_NOTE_SHARE_SHIFT);
+        }
+    }
+}
+
+enum qtri_error qtri_edges_blend_565(qtri_edges *edges)
+{
+    if (edges->bounds.x0 >= edges->bounds.x1) {
+        return QTRI_OK;
+    }
+    if (!qtri_is_565(edges->surface.format)) {
+        return QTRI_ERROR_FORMAT;
+    }
+    if (edges->pitch > 0 && edges->surface.pitch == 2 * (ptrdiff_t)edges->pitch) {
+        blend_565(edges);
+    } else {
+        qtri_edges_blend(edges);
+    }
+    return QTRI_OK;
 }

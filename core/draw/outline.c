@@ -32,9 +32,8 @@ struct finder {
     const qtri_mesh_job *job; /* for light: NULL where no creases are asked for */
     /* Takes those of a triangle's edges that have a bit; false: it has no room for all of them. */
     bool (*take)(finder *f, uint32_t triangle, uint32_t edges, bool weak);
-    uint32_t from;     /* the first triangle that was not looked at or not taken */
-    qtri_edges *edges; /* for walks */
-    qtri_edge_test test;
+    uint32_t from;           /* the first triangle that was not looked at or not taken */
+    qtri_edge_walker walker; /* for walks */
     uint32_t bands, next, end, inverse, shift; /* for lists: entries, and 1 / rows */
 };
 
@@ -137,20 +136,26 @@ static bool find_by_sums(finder *f)
     return true;
 }
 
-/* Whether the triangle's indices are those of vertices that drawing has met. */
-static bool get_vertices(const qtri_outline *outline, uint32_t number, const qtri_vertex *vertex[3])
+/*
+ * The vertices of a triangle, if all are inside. One that is front, or has an edge in a list, has
+ * indices of vertices: whoever found that has looked at them.
+ */
+static inline bool get_vertices(const qtri_outline *outline, uint32_t number,
+                                qtri_vertex *vertex[3])
 {
     const qtri_mesh *mesh = outline->mesh;
     uint32_t index[3];
     qtri_mesh_indices(index, triangle_at(mesh, number), qtri_mesh_has_bytes(mesh));
-    if (index[0] >= mesh->vertex_count || index[1] >= mesh->vertex_count ||
-        index[2] >= mesh->vertex_count) {
-        return false;
-    }
-    for (int i = 0; i < 3; i++) {
-        vertex[i] = &outline->vertices[index[i]];
-    }
+    qtri_mesh_get(vertex, outline->vertices, index, qtri_vertex_size());
     return qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2]);
+}
+
+static bool has_vertices(const qtri_mesh *mesh, uint32_t number)
+{
+    uint32_t index[3];
+    qtri_mesh_indices(index, triangle_at(mesh, number), qtri_mesh_has_bytes(mesh));
+    return index[0] < mesh->vertex_count && index[1] < mesh->vertex_count &&
+           index[2] < mesh->vertex_count;
 }
 
 static bool find_borders(finder *f)
@@ -166,7 +171,7 @@ static bool find_borders(finder *f)
         const uint32_t edges = (uint32_t)(n[0] == none) | (uint32_t)(n[1] == none) << 1 |
                                (uint32_t)(n[2] == none) << 2;
         if (edges != 0 && (qtri_front_bit(outline->front, f->from) & 1) == 0 &&
-            !f->take(f, f->from, edges, false)) {
+            has_vertices(mesh, f->from) && !f->take(f, f->from, edges, false)) {
             return false;
         }
     }
@@ -304,7 +309,7 @@ static void append(finder *f, uint32_t band, uint32_t entry)
 
 static bool take_for_lists(finder *f, uint32_t triangle, uint32_t edges, bool weak)
 {
-    const qtri_vertex *vertex[3];
+    qtri_vertex *vertex[3];
     uint32_t first[3];
     uint32_t last[3];
     uint32_t count = 0;
@@ -369,7 +374,7 @@ void qtri_outline_clear(qtri_outline *outline)
     outline->left_from = 0;
 }
 
-void qtri_outline_set(qtri_outline *outline, const qtri_vertex *vertices, const qtri_view *view,
+void qtri_outline_set(qtri_outline *outline, qtri_vertex *vertices, const qtri_view *view,
                       const qtri_transform *pose, const qtri_material *material, int32_t width,
                       int32_t height)
 {
@@ -454,36 +459,41 @@ void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outl
 
 /* ---- Noting ---- */
 
-static void note_edge(const finder *f, const qtri_vertex *const vertex[3], uint32_t corner,
-                      bool weak)
+static void note_edge(const finder *f, qtri_vertex *const vertex[3], uint32_t corner)
 {
     const uint32_t next = corner == 2 ? 0 : corner + 1;
     const uint32_t last = corner == 0 ? 2 : corner - 1;
-    qtri_edge_note(f->edges, vertex[corner], vertex[next], vertex[last], f->test, weak);
+    qtri_edge_note(&f->walker, vertex[corner], vertex[next], vertex[last]);
 }
 
 static bool take_for_walks(finder *f, uint32_t triangle, uint32_t edges, bool weak)
 {
-    const qtri_vertex *vertex[3];
+    qtri_vertex *vertex[3];
+    f->walker.weak = weak ? UINT32_MAX : 0;
     if (get_vertices(f->outline, triangle, vertex)) {
-        for (uint32_t i = 0; i < 3; i++) {
-            if ((edges >> i & 1) != 0) {
-                note_edge(f, vertex, i, weak);
-            }
+        if ((edges & 1) != 0) {
+            qtri_edge_note(&f->walker, vertex[0], vertex[1], vertex[2]);
+        }
+        if ((edges & 2) != 0) {
+            qtri_edge_note(&f->walker, vertex[1], vertex[2], vertex[0]);
+        }
+        if ((edges & 4) != 0) {
+            qtri_edge_note(&f->walker, vertex[2], vertex[0], vertex[1]);
         }
     }
     return true;
 }
 
-static void note_list(const finder *f, uint32_t band)
+static void note_list(finder *f, uint32_t band)
 {
     const uint32_t *list = f->outline->list;
     const uint32_t *entries = list + f->bands;
     for (uint32_t number = list[band] >> 16; number != 0;) {
         const uint32_t entry = entries[number - 1];
-        const qtri_vertex *vertex[3];
+        qtri_vertex *vertex[3];
         if (get_vertices(f->outline, entry & 0xFFFF, vertex)) {
-            note_edge(f, vertex, entry >> CORNER_SHIFT & 3, (entry >> WEAK_SHIFT & 1) != 0);
+            f->walker.weak = (entry >> WEAK_SHIFT & 1) != 0 ? UINT32_MAX : 0;
+            note_edge(f, vertex, entry >> CORNER_SHIFT & 3);
         }
         number = entry >> NEXT_SHIFT;
     }
@@ -518,9 +528,9 @@ void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline)
         edges->surface.width != outline->width || edges->surface.height != outline->height) {
         return;
     }
-    finder f = {.outline = outline, .take = take_for_walks, .edges = edges};
+    finder f = {.outline = outline, .take = take_for_walks};
     uint32_t band;
-    f.test = test_of(edges, outline->material);
+    qtri_edge_walker_init(&f.walker, edges, test_of(edges, outline->material));
     if (!find_list(outline, bounds, &band)) {
         (void)find_from(&f, 0, 0);
         return;

@@ -42,7 +42,7 @@ static inline void qtri_front_clear(uint8_t *front, uint32_t count)
 void qtri_outline_clear(qtri_outline *outline);
 
 /* After facing is known: what the edges' search needs of a drawing in this memory of vertices. */
-void qtri_outline_set(qtri_outline *outline, const qtri_vertex *vertices, const qtri_view *view,
+void qtri_outline_set(qtri_outline *outline, qtri_vertex *vertices, const qtri_view *view,
                       const qtri_transform *pose, const qtri_material *material, int32_t width,
                       int32_t height);
 

@@ -81,10 +81,11 @@ QTRI_INLINE void see_list(const drawing *d, const qtri_mesh_faces *faces, uint32
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
     qtri_vertex *vertices = job->vertices;
+    const uint32_t third = qtri_mesh_faces_third();
     uint8_t *front = d->front + first / 8; /* lists are of QTRI_FACES_AT_ONCE triangles */
     for (const uint16_t *at = faces->list; at != end; at++) {
         const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
-        const uint32_t number = qtri_mesh_faces_number(*at);
+        const uint32_t number = qtri_mesh_faces_number(*at, third);
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, narrow);

@@ -149,6 +149,14 @@ static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_
     }
 }
 
+/* For an outline; a function of its own, as most meshes have none. */
+QTRI_NOINLINE static void note_front(const sorter *s, uint32_t number, qtri_vertex *const vertex[3])
+{
+    if (qtri_front_is(s->job->material.cull, vertex[0], vertex[1], vertex[2])) {
+        qtri_front_set(s->front, number);
+    }
+}
+
 /* A triangle inside all planes that is not turned away, and whose vertices were met. */
 static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vertex[3],
                              bool is_solid)
@@ -156,8 +164,8 @@ static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vert
     const int32_t a = vertex[0]->at.y_24p8;
     const int32_t b = vertex[1]->at.y_24p8;
     const int32_t c = vertex[2]->at.y_24p8;
-    if (s->front != NULL && qtri_front_is(s->job->material.cull, vertex[0], vertex[1], vertex[2])) {
-        qtri_front_set(s->front, number);
+    if (s->front != NULL) {
+        note_front(s, number, vertex);
     }
     list_triangle(
         s, number, (qtri_least32(a, qtri_least32(b, c)) + qtri_prepared_before_24p8(is_solid)) >> 8,
@@ -238,10 +246,11 @@ static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t fi
                             bool simple)
 {
     const uint32_t vertex_size = qtri_vertex_size();
+    const uint32_t third = qtri_mesh_faces_third();
     qtri_vertex *vertices = s->job->vertices;
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
         const uint8_t *triangle = qtri_mesh_faces_triangle(faces->triangles, *at, narrow);
-        const uint32_t number = first + qtri_mesh_faces_number(*at);
+        const uint32_t number = first + qtri_mesh_faces_number(*at, third);
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, narrow);

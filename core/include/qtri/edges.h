@@ -69,7 +69,7 @@ typedef struct qtri_outline {
     uint32_t *sums; /* NULL: by neighbours */
     uint32_t *list; /* lists of edges by band: heads, then entries */
     uint32_t list_words;
-    const qtri_vertex *vertices; /* NULL: nothing is seen */
+    qtri_vertex *vertices; /* NULL: nothing is seen */
     const qtri_view *view;
     const qtri_transform *pose;
     const qtri_material *material;
