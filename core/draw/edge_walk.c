@@ -32,6 +32,9 @@ enum {
     LEVEL_MOST = 4,   /* pixels of an edge whose depth counts as one, the nearest */
     FLAT_6 = 16 << 6, /* 16 steps of depth */
     NO_LIMIT = INT32_MIN / 2,
+    HALF = 1 << 15,   /* of a pixel */
+    SHARE_SHIFT = 11, /* to 1/32 */
+    ROUND = 1 << (SHARE_SHIFT - 1),
     SLOPES = 17,
     SHARES = 17
 };
@@ -98,16 +101,16 @@ QTRI_NOINLINE static void walk_part(const qtri_edge_walker *w, const qtri_edge_a
     int32_t place = axis->origin + p->k * axis->along;
     for (int32_t n = p->end - p->k; n > 0; n--) {
         const int32_t pixel = at >> 16;
-        uint32_t share = (uint32_t)at >> 11 & 31;
+        uint32_t fraction = qtri_low16((uint32_t)at);
         int32_t other = pixel - 1;
         uint32_t direction = axis->direction;
-        if (share >= 16) {
-            share = 32 - share;
+        if (fraction > HALF) { /* on the centre: it belongs to the side after the edge */
+            fraction = 2 * HALF - fraction;
             other = pixel + 1;
             direction += QTRI_NOTE_AFTER;
         }
         if ((uint32_t)pixel < axis->wide && (uint32_t)other < axis->wide) {
-            const uint32_t both = shares[share];
+            const uint32_t both = shares[(fraction + ROUND) >> SHARE_SHIFT];
             if (both >> 8 != 0) {
                 note(w, (uint32_t)(place + other * axis->across),
                      both >> 8 | (direction ^ QTRI_NOTE_AFTER), limit);
@@ -153,6 +156,21 @@ static inline const uint16_t *shares_of(int32_t step)
     return coverage[(qtri_magnitude32(step) + 2048) >> 12]; /* |step| <= 2^16 */
 }
 
+/*
+ * 2^16 delta / length to nearest, for delta <= length < 2^15 and r = 2^31 / (2^up length) or less
+ * than one below: the quotient by r is at most 3 too small.
+ */
+static inline uint32_t step_of(uint32_t delta, uint32_t length, uint32_t r, int32_t up)
+{
+    uint32_t step = ((delta << up) * r) >> 15; /* <= 2^31 / 2^15 */
+    uint32_t rest = (delta << 16) - step * length + length / 2;
+    while (rest >= length) {
+        rest -= length;
+        step++;
+    }
+    return step;
+}
+
 /* In one chunk, of which a pixel is not before the surface. */
 static inline void walk_short(const qtri_edge_walker *w, const qtri_edge_axis *axis, const path *l)
 {
@@ -160,9 +178,9 @@ static inline void walk_short(const qtri_edge_walker *w, const qtri_edge_axis *a
     /* length x 2^-16 is 2^(zeros - 16) length = 1/2..1, and r its reciprocal within 2^-15. */
     const int32_t up = qtri_clz32((uint32_t)l->length) - 16; /* >= 1 */
     const uint32_t r = qtri_reciprocal_q31((uint32_t)l->length << up);
-    const uint32_t magnitude = ((qtri_magnitude32(l->delta) << up) * r) >> 15; /* <= 2^31 / 2^15 */
+    const uint32_t magnitude = step_of(qtri_magnitude32(l->delta), (uint32_t)l->length, r, up);
     p.step = l->delta < 0 ? -(int32_t)magnitude : (int32_t)magnitude;
-    p.at = l->minor * 256 + ((p.step * l->along) >> 8);
+    p.at = l->minor * 256 + ((p.step * l->along + 128) >> 8);
     p.k = l->first;
     p.end = l->end;
     p.limit = NO_LIMIT;
