@@ -39,6 +39,8 @@
 #include "qtri/format.h"
 #include "qtri/frame.h"
 #include "qtri/halo.h"
+#include "qtri/image.h"
+#include "qtri/jitter.h"
 #include "qtri/mat.h"
 #include "qtri/material.h"
 #include "qtri/mesh.h"

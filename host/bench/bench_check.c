@@ -87,6 +87,10 @@ static const struct expectation {
     {"S4kb", BEGIN LIT COMPACT(KNOT), 0},
     {"S4e", BEGIN LIT COMPACT(SPOT), 0},
     {"S4es", BEGIN LIT COMPACT(SPOT), 0},
+    {"S4h", BEGIN LIT COMPACT(SPOT), 0},
+    {"S4f", BEGIN LIT COMPACT(SPOT), 0},
+    {"S4a", BEGIN LIT COMPACT(SPOT), 0},
+    {"S4m", BEGIN LIT COMPACT(SPOT), 0},
     {"S4be", BEGIN LIT COMPACT(SPOT), 0},
 };
 

@@ -5,7 +5,9 @@
  * wall's, which reach 4. S4w and S5w: with the wide mesh, Q16.16 positions. S4k, S5k and S7k: as
  * S4, S5 and S7 with the project's own mesh of like size, 5760 triangles. S4b, S4wb, S5b, S6b and
  * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
- * mesh of S4 as loose triangles. S4e and S4be: S4 and S4b with the edge pass, S4es by sums.
+ * mesh of S4 as loose triangles. S4e and S4be: S4 and S4b with the edge pass, S4es by sums. S4h: S4
+ * of 2 x 2 samples, with the clear; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a
+ * sum, and the storing of its mean.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -59,6 +61,10 @@ const bench_scene bench_scenes[] = {
     {.name = "S4kb", MESH(COMPACT(knot), Q16(30)), BANDS},
     {.name = "S4e", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_EDGES},
     {.name = "S4es", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_SUMS},
+    {.name = "S4h", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_HALVE},
+    {.name = "S4f", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_FXAA},
+    {.name = "S4a", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_ADD},
+    {.name = "S4m", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_STORE},
     {.name = "S4be", MESH(COMPACT(spot), Q16(150)), BANDS, .smooth = BENCH_EDGES},
 #endif
     {.name = NULL},
@@ -170,15 +176,14 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     if (scene->band_rows != 0 && !set_bands(frame)) {
         return false;
     }
-#ifndef BENCH_PLAIN
-    if (scene->smooth != BENCH_JAGGED && !bench_prepare_smooth(frame)) {
-        return false;
-    }
-#endif
     const qtri_rgb other = {255, 255, 255}; /* for S0, anything but what it is to become */
     qtri_surface_clear(&frame->surface, scene->work == BENCH_CLEAR ? other : bench_background,
                        scene->work == BENCH_CLEAR ? 0 : UINT16_MAX);
+#ifndef BENCH_PLAIN
+    return scene->smooth == BENCH_JAGGED || bench_prepare_smooth(frame);
+#else
     return true;
+#endif
 }
 
 void bench_finish(bench_frame *frame)

@@ -28,7 +28,11 @@ typedef enum bench_work {
 typedef enum bench_smooth {
     BENCH_JAGGED,
     BENCH_EDGES, /* the mesh's outline, by neighbours */
-    BENCH_SUMS   /* the same by sums */
+    BENCH_SUMS,  /* the same by sums */
+    BENCH_HALVE, /* drawn at twice the size, cleared before, and halved */
+    BENCH_FXAA,
+    BENCH_ADD, /* only a frame's addition to a sum, and only the mean's storing */
+    BENCH_STORE
 } bench_smooth;
 
 typedef struct bench_scene {
@@ -59,6 +63,10 @@ typedef struct bench_smoother {
     uint32_t edge_memory[QTRI_EDGES_WORDS(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES)];
     uint32_t bands[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT * 18 / 16, QTRI_RGB565_BYTES) /
                    sizeof(uint32_t)];
+    uint32_t large[QTRI_BAND_BYTES(2 * BENCH_WIDTH, 2 * BENCH_HEIGHT, QTRI_RGB565_BYTES) /
+                   sizeof(uint32_t)];
+    uint32_t rows[QTRI_FXAA_565_WORDS(BENCH_WIDTH)];
+    uint32_t sums[QTRI_SUM_565_WORDS(BENCH_WIDTH, BENCH_HEIGHT)];
 } bench_smoother;
 #endif
 

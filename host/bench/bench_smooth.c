@@ -25,11 +25,37 @@ static uint32_t *memory_of(bench_smoother *s, int32_t band)
     return &s->bands[band * ((BAND_ROWS + 2 * HALO) * BENCH_WIDTH)];
 }
 
+static void draw(bench_frame *frame, const qtri_surface *surface)
+{
+    qtri_draw_mesh(surface, &frame->view, &frame->pose, &frame->mesh, &frame->material);
+}
+
 bool bench_prepare_smooth(bench_frame *frame)
 {
     bench_smoother *s = &frame->smoother;
-    if (!prepare_outline(frame)) {
-        return false;
+    switch (frame->scene->smooth) {
+    case BENCH_EDGES:
+    case BENCH_SUMS:
+        if (!prepare_outline(frame)) {
+            return false;
+        }
+        break;
+    case BENCH_HALVE:
+        frame->view.viewport.width = 2 * BENCH_WIDTH;
+        frame->view.viewport.height = 2 * BENCH_HEIGHT;
+        break;
+    case BENCH_STORE:
+        draw(frame, &frame->surface);
+        qtri_sum_clear(s->sums, WORDS(s->sums));
+        for (int i = 0; i < 4; i++) {
+            (void)qtri_sum_add_565(s->sums, WORDS(s->sums), &frame->surface);
+        }
+        break;
+    case BENCH_ADD:
+        draw(frame, &frame->surface);
+        break;
+    default:
+        break;
     }
     if (frame->scene->band_rows == 0) {
         return true;
@@ -73,13 +99,50 @@ static bool next_band(bench_frame *frame, qtri_surface *band)
     return true;
 }
 
+/* At twice the size; the frame shows what is made of it. */
+static void draw_large(bench_frame *frame)
+{
+    bench_smoother *s = &frame->smoother;
+    qtri_surface large, half;
+    (void)qtri_surface_init(&large, &qtri_rgb565, 2 * BENCH_WIDTH, 2 * BENCH_HEIGHT, 0,
+                            2 * BENCH_HEIGHT, s->large, sizeof s->large);
+    qtri_surface_clear(&large, bench_background, UINT16_MAX);
+    draw(frame, &large);
+    (void)qtri_halve_565(&large, &half);
+    frame->surface.pixels = half.pixels;
+    frame->surface.pitch = half.pitch;
+}
+
+static void draw_whole(bench_frame *frame)
+{
+    bench_smoother *s = &frame->smoother;
+    switch (frame->scene->smooth) {
+    case BENCH_HALVE:
+        draw_large(frame);
+        break;
+    case BENCH_FXAA:
+        draw(frame, &frame->surface);
+        (void)qtri_fxaa_565(&frame->surface, s->rows, WORDS(s->rows));
+        break;
+    case BENCH_ADD:
+        (void)qtri_sum_add_565(s->sums, WORDS(s->sums), &frame->surface);
+        break;
+    case BENCH_STORE:
+        (void)qtri_sum_store_565(&frame->surface, s->sums, WORDS(s->sums), 2);
+        break;
+    default:
+        (void)qtri_draw_mesh_outlined(&frame->surface, &frame->view, &frame->pose, &frame->material,
+                                      &s->outline);
+        smooth(frame, &frame->surface);
+        break;
+    }
+}
+
 void bench_draw_smooth(bench_frame *frame)
 {
     bench_smoother *s = &frame->smoother;
     if (frame->scene->band_rows == 0) {
-        (void)qtri_draw_mesh_outlined(&frame->surface, &frame->view, &frame->pose, &frame->material,
-                                      &s->outline);
-        smooth(frame, &frame->surface);
+        draw_whole(frame);
         return;
     }
     qtri_surface band;
