@@ -24,9 +24,38 @@ static void filter_pixels(const window_565 *w, uint16_t *out, int32_t x, int32_t
     }
 }
 
+static inline int32_t luma_565(uint32_t color)
+{
+    return (int32_t)((color >> 10 & 0x3E) + (color >> 4 & 0x7E) + (color & 31));
+}
+
+/* Pixels x and x + 1 where one of them differs from its neighbours. */
+QTRI_NOINLINE static void filter_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width)
+{
+    const uint16_t *up = w->row[1] + x;
+    const uint16_t *own = w->row[2] + x;
+    const uint16_t *down = w->row[3] + x;
+    const int32_t first = luma_565(own[0]);
+    const int32_t second = luma_565(own[1]);
+    if (!qtri_fxaa_is_flat(first, luma_565(own[-1]), second, luma_565(up[0]), luma_565(down[0]))) {
+        out[x] = (uint16_t)filter_565(w, x, width);
+    }
+    if (!qtri_fxaa_is_flat(second, first, luma_565(own[2]), luma_565(up[1]), luma_565(down[1]))) {
+        out[x + 1] = (uint16_t)filter_565(w, x + 1, width);
+    }
+}
+
+/* Whether four words of three rows and the pixels beside them are all the same. */
+static inline bool are_same(const pair *up, const pair *own, const pair *down, uint32_t two)
+{
+    return up[0] == two && own[1] == two && up[1] == two && down[0] == two && down[1] == two &&
+           own[2] == two && up[2] == two && down[2] == two && own[3] == two && up[3] == two &&
+           down[3] == two && own[-1] == two && own[4] == two;
+}
+
 /*
- * Columns x..end - 1, x even, of rows of whole words: two pixels that are as all their neighbours
- * are done with a look.
+ * Columns x..end - 1, x even and at least 2, of rows of whole words: two or eight pixels that are
+ * as all their neighbours are done with a look.
  */
 QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32_t x, int32_t end,
                                        int32_t width)
@@ -34,17 +63,33 @@ QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32
     const pair *up = (const pair *)(const void *)(w->row[1] + x);
     const pair *own = (const pair *)(const void *)(w->row[2] + x);
     const pair *down = (const pair *)(const void *)(w->row[3] + x);
-    for (; end - x >= 2; x += 2, up++, own++, down++) {
+    int32_t left = end - x;
+    while (left >= 2) {
         const uint32_t two = own[0];
-        const uint16_t *pixel = w->row[2] + x;
-        if (two == up[0] && two == down[0] && pixel[0] == pixel[-1] && pixel[0] == pixel[1] &&
-            pixel[0] == pixel[2]) {
-            continue;
+        if (two == up[0] && two == down[0] && two == (two << 16 | two >> 16)) {
+            if (left >= 10 && are_same(up, own, down, two)) {
+                up += 4;
+                own += 4;
+                down += 4;
+                left -= 8;
+                continue;
+            }
+            const uint16_t *pixel = (const uint16_t *)(const void *)own;
+            if (pixel[-1] == pixel[0] && pixel[2] == pixel[0]) {
+                up++;
+                own++;
+                down++;
+                left -= 2;
+                continue;
+            }
         }
-        out[x] = (uint16_t)filter_565(w, x, width);
-        out[x + 1] = (uint16_t)filter_565(w, x + 1, width);
+        filter_two(w, out, end - left, width);
+        up++;
+        own++;
+        down++;
+        left -= 2;
     }
-    filter_pixels(w, out, x, end, width);
+    filter_pixels(w, out, end - left, end, width);
 }
 
 static bool are_pairs(const qtri_surface *surface)
@@ -57,8 +102,20 @@ static void copy_row(uint32_t *to, const uint16_t *row, int32_t width, bool pair
 {
     if (pairs) {
         const pair *from = (const pair *)(const void *)row;
-        for (int32_t i = 0; i < width / 2; i++) {
-            to[i] = from[i];
+        int32_t left = width / 2;
+        for (; left >= 4; left -= 4, to += 4, from += 4) {
+            const uint32_t a = from[0];
+            const uint32_t b = from[1];
+            const uint32_t c = from[2];
+            const uint32_t d = from[3];
+            to[0] = a;
+            to[1] = b;
+            to[2] = c;
+            to[3] = d;
+            QTRI_OPAQUE(to)
+        }
+        for (; left > 0; left--) {
+            *to++ = *from++;
         }
         return;
     }
