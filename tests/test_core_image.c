@@ -335,63 +335,59 @@ static void test_means_are_exact(void **state)
 
 /* ---- Jitter ---- */
 
-/* A point lands where it did, less the middle of the pixel: all places differ and fill it. */
+/* Pixels of a triangle that fills the picture below a slope of 1 in 3.19. */
+static int count_below_slope(const qtri_view *view)
+{
+    static uint32_t rows[QTRI_BAND_BYTES(320, 240, 1) / 4];
+    qtri_surface s;
+    (void)qtri_surface_init(&s, &qtri_gray8, 320, 240, 0, 240, rows, sizeof rows);
+    const qtri_rgb black = {0, 0, 0}, white = {255, 255, 255};
+    const q16 far = Q16(-10);
+    const qtri_corner corner[3] = {{{Q16(-20), Q16(3.1), far, Q16_ONE}, white, {0, 0}},
+                                   {{Q16(20), Q16(-9.436), far, Q16_ONE}, white, {0, 0}},
+                                   {{0, Q16(-40), far, Q16_ONE}, white, {0, 0}}};
+    qtri_transform pose;
+    qtri_material material = qtri_material_default();
+    material.cull = QTRI_CULL_NONE;
+    qtri_transform_identity(&pose);
+    qtri_surface_clear(&s, black, UINT16_MAX);
+    qtri_draw_triangles(&s, view, &pose, corner, 3, &material);
+    int count = 0;
+    for (int y = 0; y < 240; y++) {
+        for (int x = 0; x < 320; x++) {
+            count += qtri_surface_pixel(&s, x, y).g != 0;
+        }
+    }
+    return count;
+}
+
+/* Places are one in each part of a pixel, across and down, and the picture moves by them. */
 static void test_jitter(void **state)
 {
     (void)state;
-    double mean_x = 0, mean_y = 0;
-    bool met[4][4] = {{false}};
-    for (uint32_t n = 0; n < 2 * QTRI_JITTER_COUNT; n++) {
-        qtri_view view, moved;
-        qtri_view_init(&view, 320, 240);
-        qtri_transform_perspective(&view.projection, Q16(60), Q16(1.3333), Q16(.1), Q16(100));
-        qtri_view_jitter(&moved, &view, n);
-        double base2 = 0, base3 = 0, share = .5;
-        for (uint32_t i = n % QTRI_JITTER_COUNT + 1; i > 0; i /= 2, share /= 2) {
-            base2 += share * (i % 2);
-        }
-        share = 1. / 3;
-        for (uint32_t i = n % QTRI_JITTER_COUNT + 1; i > 0; i /= 3, share /= 3) {
-            base3 += share * (i % 3);
-        }
-        if (n < 16) {
-            mean_x += base2 / 16;
-            mean_y += base3 / 16;
-            met[(int)(base2 * 4)][(int)(base3 * 4)] = true;
-        }
-        /* A triangle's corner moves by as much, on the grid of 1/256. */
-        static uint32_t rows[QTRI_BAND_BYTES(320, 240, 1) / 4];
-        qtri_surface s;
-        (void)qtri_surface_init(&s, &qtri_gray8, 320, 240, 0, 240, rows, sizeof rows);
-        const qtri_rgb black = {0, 0, 0}, white = {255, 255, 255};
-        qtri_transform pose;
-        qtri_transform_identity(&pose);
-        qtri_material material = qtri_material_default();
-        material.cull = QTRI_CULL_NONE;
-        int inside[2] = {0, 0};
-        for (int jittered = 0; jittered < 2; jittered++) {
-            const q16 far = Q16(-10);
-            const qtri_corner corner[3] = {{{Q16(-20), Q16(3.1), far, Q16_ONE}, white, {0, 0}},
-                                           {{Q16(20), Q16(-9.436), far, Q16_ONE}, white, {0, 0}},
-                                           {{0, Q16(-40), far, Q16_ONE}, white, {0, 0}}};
-            qtri_surface_clear(&s, black, UINT16_MAX);
-            qtri_draw_triangles(&s, jittered != 0 ? &moved : &view, &pose, corner, 3, &material);
-            for (int y = 0; y < 240; y++) {
-                for (int x = 0; x < 320; x++) {
-                    inside[jittered] += qtri_surface_pixel(&s, x, y).g != 0;
-                }
+    qtri_view view, moved;
+    qtri_view_init(&view, 320, 240);
+    qtri_transform_perspective(&view.projection, Q16(60), Q16(1.3333), Q16(.1), Q16(100));
+    const int still = count_below_slope(&view);
+    for (int32_t log2 = 0; log2 <= QTRI_JITTER_LOG2_MAX; log2++) {
+        const int parts = 1 << log2;
+        double sum = 0;
+        for (int n = 0; n < parts; n++) {
+            int row = 0;
+            for (int bit = 0; bit < log2; bit++) {
+                row |= (n >> bit & 1) << (log2 - 1 - bit);
             }
+            row ^= log2 > 0;
+            const double x = (n + .5) / parts - .5, y = (row + .5) / parts - .5;
+            qtri_view_jitter(&moved, &view, (uint32_t)(n + 3 * parts), log2);
+            const double up = (count_below_slope(&moved) - still) / 320.0;
+            assert_true(fabs(up - y - .3134 * x) < .02);
+            sum += up / parts;
         }
-        /* Up by a share of a row of 320 pixels, and along the slope. */
-        const double up = (inside[1] - inside[0]) / 320.0;
-        assert_true(fabs(up - (base3 - .5) - .3134 * (base2 - .5)) < .02);
+        assert_true(fabs(sum) < .005);
     }
-    assert_true(fabs(mean_x - .5) < .05 && fabs(mean_y - .5) < .05);
-    int count = 0;
-    for (int i = 0; i < 16; i++) {
-        count += met[i / 4][i % 4];
-    }
-    assert_true(count >= 12);
+    qtri_view_init(&view, 0, -5);
+    qtri_view_jitter(&view, &view, UINT32_MAX, INT32_MIN);
 }
 
 int main(void)

@@ -92,6 +92,26 @@ bench: ## Count the instructions of every benchmark scene on emulated cores: bui
 
 bench-lines: $(SCENE_DIR)/host.txt $(SCENE_PRESENT:%=$(SCENE_DIR)/%/bench.txt)
 
+# Anti-aliasing --------------------------------------------------------------------------------------
+# POSES=12: as many of each subject; more are slower.
+
+POSES ?= 3
+
+SMOOTH_TOOL  := $(BENCH_DIR)/antialias
+SMOOTH_CORES := $(filter cortex-m0plus cortex-m3,$(SCENE_PRESENT))
+
+$(SMOOTH_TOOL): $(call objects,host/bench/antialias.c host/bench/bench_world.c) $(BUILD)/obj/bench_meshes.o $(HOST) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+.PHONY: antialias antialias-lines
+antialias: ## Print how good each kind of anti-aliasing is, what it costs and what memory it takes; POSES=12
+	@$(MAKE) -s $(PARALLEL) antialias-lines
+	@$(SMOOTH_TOOL) $(SCENE_DIR) $(or $(MODELS),none) $(POSES)
+	@sh host/bench/antialias.sh $(SCENE_DIR) $(SMOOTH_CORES)
+
+antialias-lines: $(SMOOTH_TOOL) $(SMOOTH_CORES:%=$(SCENE_DIR)/%/bench.txt)
+
 # Profile --------------------------------------------------------------------------------------------
 # FUNCTIONS="qtri_rows_next draw": also their disassembly, with how often each instruction ran.
 

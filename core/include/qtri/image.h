@@ -26,7 +26,7 @@
  *
  *     qtri_sum_clear(sums, sizeof sums / sizeof sums[0]);
  *     for (uint32_t n = 0; n < 16; n++) {
- *         qtri_view_jitter(&jittered, &view, n);
+ *         qtri_view_jitter(&jittered, &view, n, 4);
  *         ... clear and draw with `jittered` ...
  *         qtri_sum_add_565(sums, QTRI_SUM_565_WORDS(240, 16), &band);
  *     }
