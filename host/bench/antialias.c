@@ -286,11 +286,12 @@ static bool read_texture(const char *folder, const char *models, const struct su
     char text[8192], name[1024];
     struct text_error error;
     char *absolute = realpath(models, NULL); /* others are relative to the meshes */
-    snprintf(text, sizeof text, "texture %s/spot_texture.ppm\ntexformat rgb565\n%s",
-             absolute != NULL ? absolute : models, subject->text);
+    snprintf(text, sizeof text, "%stexture %s/spot_texture.ppm\ntexformat rgb565\n", subject->text,
+             absolute != NULL ? absolute : models);
     free(absolute);
     snprintf(name, sizeof name, "%s/textured", folder);
     if (!scene_parse(name, text, strlen(text), scene, &error)) {
+        fprintf(stderr, "antialias: %s\n", error.message);
         return false;
     }
     texture.texels = texels;

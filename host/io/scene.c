@@ -26,6 +26,7 @@ static const struct scene_statement statements[] = {
     {"texkey",      {1, 3},    scene_statement_texkey,        0, "off or texkey r g b"},
     {"interpolate", {1, 1},    scene_statement_interpolate,   0, "perspective|linear"},
     {"polygon",     {1, 1},    scene_statement_polygon,       0, "fill|line"},
+    {"antialias",   {1, 1},    scene_statement_antialias,     0, "off|edges|ssaa|fxaa|temporal"},
     {"light",       {5, 5},    scene_statement_light,         0, "x y z ambient diffuse"},
     {"mode",        {1, 1},    scene_statement_mode,          0, "projection|modelview"},
     {"identity",    {0, 0},    scene_statement_numbers,       SCENE_IDENTITY, ""},

@@ -94,7 +94,7 @@ scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_c
     scene_statement_cull, scene_statement_shade, scene_statement_texmode, scene_statement_texwrap,
     scene_statement_texfilter, scene_statement_texformat, scene_statement_texkey,
     scene_statement_interpolate, scene_statement_polygon, scene_statement_light,
-    scene_statement_texture;
+    scene_statement_texture, scene_statement_antialias;
 
 /* ---- Assets (scene_assets.c) ---- */
 

@@ -33,11 +33,12 @@ static const struct generated scenes[] = {
     {"07-knot-stretched.scene", "knot", "",
      "scale 1.5 .7 1\nrotate -35  1 0 0\nrotate 20  0 1 0\n"},
     {"07-torus-wireframe.scene", "torus", "polygon line\n", "rotate -50  1 0 0\n"},
+    {"11-knot-edges.scene", "knot", "antialias edges\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
 };
 
-const char *const demo_generated_scenes[] = {"07-knot-textured.scene", "07-knot-flat.scene",
+const char *const demo_generated_scenes[] = {"07-knot-textured.scene",  "07-knot-flat.scene",
                                              "07-knot-stretched.scene", "07-torus-wireframe.scene",
-                                             NULL};
+                                             "11-knot-edges.scene",     NULL};
 
 /* Opens folder/name for writing. */
 static FILE *create(const char *folder, const char *name, struct text_error *error)
