@@ -317,6 +317,8 @@ void qtri_edge_note(const qtri_edge_walker *w, const qtri_vertex *a, const qtri_
     }
     l.along = (128 - major) & 255;
     l.hides = w->hides;
+    l.depth = 0;
+    l.depth_delta = 0;
     if (l.hides) {
         const uint32_t flip = w->flip << 6; /* 65535 less the depth */
         l.depth = (int32_t)(a->depth_16p8 >> 10 ^ flip);

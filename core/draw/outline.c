@@ -310,8 +310,8 @@ static void append(finder *f, uint32_t band, uint32_t entry)
 static bool take_for_lists(finder *f, uint32_t triangle, uint32_t edges, bool weak)
 {
     qtri_vertex *vertex[3];
-    uint32_t first[3];
-    uint32_t last[3];
+    uint32_t first[3] = {0, 0, 0};
+    uint32_t last[3] = {0, 0, 0};
     uint32_t count = 0;
     if (!get_vertices(f->outline, triangle, vertex)) {
         return true;

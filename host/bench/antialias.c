@@ -35,16 +35,16 @@ static struct subject {
     const char *text; /* the scene, with a translation and a rotation to be set */
     const qtri_mesh *mesh;
     double turn, step; /* degrees */
-    int poses;         /* 0: as many as asked for */
     double fov, aspect, far, eye;
+    int poses; /* 0: as many as asked for */
     bool flat, wireframe, textured;
 } subjects[] = {
-    {"spot", MESH_STAGE "mesh spot-compact.obj" MESH_COLOR, &bench_mesh_spot_compact, 150, 29.7, 0,
-     60, 4. / 3, 100, 3, false, false, false},
-    {"knot", MESH_STAGE "mesh knot-compact.obj" MESH_COLOR, &bench_mesh_knot_compact, 150, 29.7, 0,
-     60, 4. / 3, 100, 3, false, false, false},
+    {"spot", MESH_STAGE "mesh spot-compact.obj" MESH_COLOR, &bench_mesh_spot_compact, 150, 29.7, 60,
+     4. / 3, 100, 3, 0, false, false, false},
+    {"knot", MESH_STAGE "mesh knot-compact.obj" MESH_COLOR, &bench_mesh_knot_compact, 150, 29.7, 60,
+     4. / 3, 100, 3, 0, false, false, false},
     {"teapot", MESH_STAGE "shade flat\nmesh teapot-compact.obj" MESH_COLOR,
-     &bench_mesh_teapot_compact, 150, 29.7, 0, 60, 4. / 3, 100, 3, true, false, false},
+     &bench_mesh_teapot_compact, 150, 29.7, 60, 4. / 3, 100, 3, 0, true, false, false},
     {"two triangles",
      "viewport 240 240\nclear 0 0 0\ndepth less\nmode projection\ntranslate 0 0 0\n"
      "perspective 45 1 .1 50\nmode modelview\nlookat 0 0 5  0 0 0  0 1 0\nrotate 0 0 1 0\n"
@@ -52,18 +52,18 @@ static struct subject {
      "-2 0 -2 1 .8509804 .9333333 .7254902\n"
      "tri 3.5 -1 -5 1 .7254902 .8509804 .9333333 2.5 1.5 -5 1 .7254902 .8509804 .9333333 "
      "-1 .5 -5 1 .7254902 .8509804 .9333333\n",
-     NULL, -18, 3.1, 0, 45, 1, 50, 5, true, false, false},
+     NULL, -18, 3.1, 45, 1, 50, 5, 0, true, false, false},
     {"wireframe", MESH_STAGE "polygon line\nmesh spot-compact.obj" MESH_COLOR,
-     &bench_mesh_spot_compact, 150, 0, 1, 60, 4. / 3, 100, 3, false, true, false},
+     &bench_mesh_spot_compact, 150, 0, 60, 4. / 3, 100, 3, 1, false, true, false},
     {"crossing",
      "viewport 256 256\nclear 0 0 0\ndepth less\nmode projection\ntranslate 0 0 0\n"
      "perspective 60 1 .1 10\nmode modelview\nlookat 0 0 3  0 0 0  0 1 0\nrotate 0 0 1 0\n"
      "tri -1 -.8 .6 1 1 .5019608 .1019608 1 -.8 -.6 1 1 .5019608 .1019608 "
      "0 1 0 1 1 .5019608 .1019608\n"
      "tri -1 -.8 -.6 1 .1019608 .4 1 1 -.8 .6 1 .1019608 .4 1 0 1 .1 1 .1019608 .4 1\n",
-     NULL, 0, 0, 1, 60, 1, 10, 3, true, false, false},
+     NULL, 0, 0, 60, 1, 10, 3, 1, true, false, false},
     {"textured spot", MESH_STAGE "mesh spot_uv-compact.obj color 1 1 1\n",
-     &bench_mesh_spot_uv_compact, 150, 0, 1, 60, 4. / 3, 100, 3, false, false, true},
+     &bench_mesh_spot_uv_compact, 150, 0, 60, 4. / 3, 100, 3, 1, false, false, true},
 };
 
 /* ---- The truth ---- */
@@ -102,7 +102,8 @@ static bool find_truth(struct scene *scene, double turn, bool mask)
     find_op(scene, SCENE_ROTATE)->u.number[0] = (int32_t)lrint(turn * 65536);
     for (int i = 0; i < SAMPLES; i++) {
         struct reference_image image;
-        const double x = (i % SIDE + .5) / SIDE - .5, y = (i / SIDE + .5) / SIDE - .5;
+        const int row = i / SIDE;
+        const double x = (i % SIDE + .5) / SIDE - .5, y = (row + .5) / SIDE - .5;
         move->u.number[0] = (int32_t)lrint(2 * x / scene->width * 65536);
         move->u.number[1] = (int32_t)lrint(2 * y / scene->height * 65536);
         if (!reference_render(scene, 0, &image)) {
@@ -317,7 +318,7 @@ static bool measure(const struct subject *subject, const char *folder, const cha
     struct scene scene, textured;
     struct text_error error;
     double mean[TECHNIQUES] = {0};
-    bool has[TECHNIQUES];
+    bool has[TECHNIQUES] = {false};
     snprintf(name, sizeof name, "%s/%s", folder, subject->name);
     if (subject->mesh != NULL && subject->mesh->triangle_count == 0) {
         printf("%-14s skipped: its model is not there\n", subject->name);
