@@ -35,6 +35,7 @@ struct finder {
     uint32_t from;           /* the first triangle that was not looked at or not taken */
     qtri_edge_walker walker; /* for walks */
     uint32_t bands, next, end, inverse, shift; /* for lists: entries, and 1 / rows */
+    int32_t height, above; /* rows of the frame; that an edge's pixels and halos reach beyond it */
 };
 
 static const void *triangle_at(const qtri_mesh *mesh, uint32_t number)
@@ -276,23 +277,22 @@ static uint32_t band_of(const finder *f, int32_t row)
 }
 
 /* The bands that walk along the edge between two vertices, and their halos; false: none. */
-static bool bands_of(const finder *f, const qtri_vertex *a, const qtri_vertex *b, uint32_t *band,
-                     uint32_t *last)
+static inline bool bands_of(const finder *f, const qtri_vertex *a, const qtri_vertex *b,
+                            uint32_t *band, uint32_t *last)
 {
-    const qtri_outline *outline = f->outline;
-    int32_t top = (qtri_least32(a->at.y_24p8, b->at.y_24p8) >> 8) - 1;
-    int32_t bottom = (qtri_greatest32(a->at.y_24p8, b->at.y_24p8) >> 8) + 1;
-    if (bottom < 0 || top >= outline->height) {
+    const int32_t y = a->at.y_24p8;
+    const int32_t other = b->at.y_24p8;
+    const int32_t top = ((y < other ? y : other) >> 8) - f->above;
+    const int32_t bottom = ((y < other ? other : y) >> 8) + f->above;
+    if (bottom < f->above - 1 || top >= f->height) { /* not within a pixel of the frame */
         return false;
     }
-    top = qtri_greatest32(top - outline->halo, 0);
-    bottom = qtri_least32(bottom + outline->halo, outline->height - 1);
-    *band = band_of(f, top);
-    *last = band_of(f, bottom);
+    *band = top < 0 ? 0 : band_of(f, top);
+    *last = bottom >= f->height ? f->bands - 1 : band_of(f, bottom);
     return true;
 }
 
-static void append(finder *f, uint32_t band, uint32_t entry)
+static inline void append(finder *f, uint32_t band, uint32_t entry)
 {
     uint32_t *list = f->outline->list;
     uint32_t *entries = list + f->bands;
@@ -307,33 +307,52 @@ static void append(finder *f, uint32_t band, uint32_t entry)
     }
 }
 
+/* The entries that these edges take. */
+QTRI_NOINLINE static uint32_t count_entries(const finder *f, qtri_vertex *const vertex[3],
+                                            uint32_t edges)
+{
+    uint32_t count = 0;
+    uint32_t band;
+    uint32_t last;
+    for (uint32_t i = 0; i < 3; i++) {
+        if ((edges >> i & 1) != 0 &&
+            bands_of(f, vertex[i], vertex[i == 2 ? 0 : i + 1], &band, &last)) {
+            count += last - band + 1;
+        }
+    }
+    return count;
+}
+
+static inline void list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b, uint32_t entry)
+{
+    uint32_t band;
+    uint32_t last;
+    if (bands_of(f, a, b, &band, &last)) {
+        for (; band <= last; band++) {
+            append(f, band, entry);
+        }
+    }
+}
+
 static bool take_for_lists(finder *f, uint32_t triangle, uint32_t edges, bool weak)
 {
     qtri_vertex *vertex[3];
-    uint32_t first[3] = {0, 0, 0};
-    uint32_t last[3] = {0, 0, 0};
-    uint32_t count = 0;
     if (!get_vertices(f->outline, triangle, vertex)) {
         return true;
     }
-    for (uint32_t i = 0; i < 3; i++) {
-        if ((edges >> i & 1) != 0 &&
-            bands_of(f, vertex[i], vertex[i == 2 ? 0 : i + 1], &first[i], &last[i])) {
-            count += last[i] - first[i] + 1;
-        } else {
-            edges &= ~((uint32_t)1 << i);
-        }
+    const uint32_t room = f->end - f->next;
+    if (room < 3 * f->bands && count_entries(f, vertex, edges) > room) {
+        return false; /* all of a triangle's edges are listed, or none */
     }
-    if (count > f->end - f->next) {
-        return false;
+    const uint32_t entry = (uint32_t)weak << WEAK_SHIFT | triangle;
+    if ((edges & 1) != 0) {
+        list_edge(f, vertex[0], vertex[1], entry);
     }
-    for (uint32_t i = 0; i < 3; i++) {
-        if ((edges >> i & 1) != 0) {
-            const uint32_t entry = (uint32_t)weak << WEAK_SHIFT | i << CORNER_SHIFT | triangle;
-            for (uint32_t band = first[i]; band <= last[i]; band++) {
-                append(f, band, entry);
-            }
-        }
+    if ((edges & 2) != 0) {
+        list_edge(f, vertex[1], vertex[2], entry | (uint32_t)1 << CORNER_SHIFT);
+    }
+    if ((edges & 4) != 0) {
+        list_edge(f, vertex[2], vertex[0], entry | (uint32_t)2 << CORNER_SHIFT);
     }
     return true;
 }
@@ -348,7 +367,12 @@ static void make_lists(qtri_outline *outline, int32_t rows, int32_t halo)
     if (outline->list_words <= bands) {
         return;
     }
-    finder f = {.outline = outline, .take = take_for_lists, .bands = bands, .shift = 13};
+    finder f = {.outline = outline,
+                .take = take_for_lists,
+                .bands = bands,
+                .shift = 13,
+                .height = outline->height,
+                .above = halo + 1};
     const uint32_t room = outline->list_words - bands;
     f.end = room < ENTRIES_MAX ? room : ENTRIES_MAX;
     while ((int32_t)1 << (f.shift - 13) < rows) {

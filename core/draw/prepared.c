@@ -157,15 +157,20 @@ QTRI_NOINLINE static void note_front(const sorter *s, uint32_t number, qtri_vert
     }
 }
 
-/* A triangle inside all planes that is not turned away, and whose vertices were met. */
+/* A triangle inside all planes that is not turned away, and whose vertices were met; `is_simple`:
+   of a mesh that culls its back faces. */
 static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vertex[3],
-                             bool is_solid)
+                             bool is_solid, bool is_simple)
 {
     const int32_t a = vertex[0]->at.y_24p8;
     const int32_t b = vertex[1]->at.y_24p8;
     const int32_t c = vertex[2]->at.y_24p8;
     if (s->front != NULL) {
-        note_front(s, number, vertex);
+        if (QTRI_WITH_FAST_PATHS && is_simple) {
+            qtri_front_set(s->front, number);
+        } else {
+            note_front(s, number, vertex);
+        }
     }
     list_triangle(
         s, number, (qtri_least32(a, qtri_least32(b, c)) + qtri_prepared_before_24p8(is_solid)) >> 8,
@@ -176,7 +181,7 @@ QTRI_NOINLINE static void see_solid(sorter *s, uint32_t number, const void *tria
                                     qtri_vertex *const vertex[3])
 {
     meet_all(s, triangle, vertex);
-    list_seen(s, number, vertex, true);
+    list_seen(s, number, vertex, true, true);
 }
 
 /* Any triangle that is not turned away. */
@@ -185,7 +190,7 @@ QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triang
 {
     if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         meet_all(s, triangle, vertex);
-        list_seen(s, number, vertex, s->is_solid);
+        list_seen(s, number, vertex, s->is_solid, false);
         return;
     }
     if (!qtri_mesh_is_outside(vertex)) {
@@ -260,7 +265,7 @@ static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t fi
             continue;
         }
         if (simple) {
-            list_seen(s, number, vertex, true);
+            list_seen(s, number, vertex, true, true);
         } else {
             see_any(s, number, triangle, vertex);
         }
