@@ -70,6 +70,37 @@ static int make_torus(void **state)
     return 0;
 }
 
+/* The neighbour across an edge has it the other way round; a closed mesh has all of them. */
+static void test_neighbours(void **state)
+{
+    (void)state;
+    int none = 0;
+    for (int t = 0; t < TRIANGLES; t++) {
+        for (int i = 0; i < 3; i++) {
+            const int n = neighbours[t][i];
+            bool back = false;
+            assert_in_range(n, 0, TRIANGLES - 1);
+            for (int k = 0; k < 3; k++) {
+                back |= neighbours[n][k] == t && triangles[n][k] == triangles[t][(i + 1) % 3] &&
+                        triangles[n][(k + 1) % 3] == triangles[t][i];
+            }
+            assert_true(back);
+            none += t < TRIANGLES - 40 && neighbours_open[t][i] == TRIANGLES - 40;
+        }
+    }
+    assert_in_range(none, 10, 60);
+    /* Corners of their own, an edge of three triangles, an index that is not there. */
+    static const qtri_vec3 corners[6] = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0},
+                                         {0, 0, 0}, {9, 0, 0}, {0, 0, 9}};
+    static const uint16_t odd[4][3] = {{0, 1, 2}, {4, 3, 5}, {1, 0, 5}, {0, 1, 6}};
+    static const uint16_t want[4][3] = {{1, 4, 4}, {0, 4, 4}, {4, 4, 4}, {4, 4, 4}};
+    uint16_t got[4][3];
+    qtri_mesh mesh = {
+        .positions = corners, .triangles = odd, .vertex_count = 6, .triangle_count = 4};
+    assert_true(mesh_neighbours_make(&mesh, got));
+    assert_memory_equal(got, want, sizeof want);
+}
+
 /* ---- A picture ---- */
 
 struct scene {
@@ -760,6 +791,7 @@ static void test_halo(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_neighbours),
         cmocka_unit_test(test_bands_and_lists),
         cmocka_unit_test(test_scissors_and_pitches),
         cmocka_unit_test(test_drawing_is_the_same),
