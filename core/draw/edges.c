@@ -14,6 +14,19 @@
 
 enum { WORD_PIXELS = 32 };
 
+static void clear(uint32_t *word, uint32_t count)
+{
+    for (; count >= 4; count -= 4, word += 4) {
+        word[0] = 0;
+        word[1] = 0;
+        word[2] = 0;
+        word[3] = 0;
+    }
+    for (; count > 0; count--) {
+        *word++ = 0;
+    }
+}
+
 enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface, uint32_t *memory,
                                  uint32_t words)
 {
@@ -47,12 +60,8 @@ enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface,
         edges->origin = (int32_t)(pixels - (uint32_t)magnitude);
         edges->notes -= edges->origin;
     }
-    for (uint32_t i = 0; i < marks; i++) {
-        memory[i] = 0;
-    }
-    for (uint32_t i = 0; i < notes; i++) {
-        memory[marks + line + i] = 0;
-    }
+    clear(memory, marks);
+    clear(memory + marks + line, notes);
     edges->bounds = bounds;
     return QTRI_OK;
 }

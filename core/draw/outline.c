@@ -44,7 +44,7 @@ static const void *triangle_at(const qtri_mesh *mesh, uint32_t number)
 }
 
 /* The edges of a front face whose neighbours are not front. */
-static inline uint32_t alone(const uint8_t *front, const uint16_t *neighbours)
+static inline uint32_t alone(const uint32_t *front, const uint16_t *neighbours)
 {
     const uint32_t a = qtri_front_bit(front, neighbours[0]);
     const uint32_t b = qtri_front_bit(front, neighbours[1]);
@@ -58,13 +58,19 @@ static inline uint32_t alone(const uint8_t *front, const uint16_t *neighbours)
 static bool find_by_neighbours(finder *f)
 {
     const qtri_mesh *mesh = f->outline->mesh;
-    const uint8_t *front = f->outline->front;
+    const uint32_t *front = f->outline->front;
     const uint16_t(*neighbours)[3] = mesh->neighbours;
     uint32_t number = f->from;
     while (number < mesh->triangle_count) {
-        uint32_t bits = qtri_front_bit(front, number);
-        const uint32_t next = (number | 7) + 1;
+        uint32_t bits = front[number >> 5] >> (number & 31);
+        const uint32_t next = (number | 31) + 1;
         for (const uint16_t *n = neighbours[number]; bits != 0; bits >>= 1, n += 3, number++) {
+            if ((bits & 0xFF) == 0) {
+                bits >>= 7;
+                n += 21;
+                number += 7;
+                continue;
+            }
             if ((bits & 1) == 0) {
                 continue;
             }
@@ -443,7 +449,7 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
         return QTRI_ERROR_MEMORY;
     }
     outline->mesh = mesh;
-    outline->front = (uint8_t *)(void *)memory;
+    outline->front = memory;
     outline->sums = mesh->neighbours == NULL ? memory + front : NULL;
     outline->list = memory + front + sums;
     outline->list_words = words - front - sums;

@@ -11,14 +11,24 @@
 
 #include "mesh_job.h"
 
-static inline void qtri_front_set(uint8_t *front, uint32_t triangle)
+static inline void qtri_front_set(uint32_t *front, uint32_t triangle)
 {
-    front[triangle >> 3] |= (uint8_t)(1u << (triangle & 7));
+    front[triangle >> 5] |= (uint32_t)1 << (triangle & 31);
 }
 
-static inline uint32_t qtri_front_bit(const uint8_t *front, uint32_t triangle)
+/* At bit 0, others being above it: rotated, so that the number needs no mask. */
+static inline uint32_t qtri_front_bit(const uint32_t *front, uint32_t triangle)
 {
-    return front[triangle >> 3] >> (triangle & 7);
+    uint32_t word = front[triangle >> 5];
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+    __asm__("ror %0, %1" : "+l"(word) : "l"(triangle) : "cc");
+    return word;
+#elif defined(__GNUC__) && defined(__thumb2__)
+    __asm__("ror %0, %0, %1" : "+r"(word) : "r"(triangle));
+    return word;
+#else
+    return word >> (triangle & 31);
+#endif
 }
 
 /* Whether a triangle that is not culled counts as front: one that crosses a plane does. */
@@ -30,11 +40,10 @@ static inline bool qtri_front_is(qtri_cull cull, const qtri_vertex *a, const qtr
 }
 
 /* No triangle of `count` faces the eye, nor does the one behind them. */
-static inline void qtri_front_clear(uint8_t *front, uint32_t count)
+static inline void qtri_front_clear(uint32_t *front, uint32_t count)
 {
-    uint32_t *word = (uint32_t *)(void *)front;
     for (uint32_t left = count / 32 + 1; left > 0; left--) {
-        *word++ = 0;
+        *front++ = 0;
     }
 }
 

@@ -5,7 +5,7 @@
 /* What one drawing does with triangles that are seen. */
 typedef struct drawing {
     const qtri_mesh_job *job;
-    uint8_t *front;
+    uint32_t *front;
     bool draws;
 } drawing;
 
@@ -25,7 +25,7 @@ QTRI_NOINLINE static void see_any(const drawing *d, const void *triangle, uint32
 }
 
 /* Of a mesh that culls back faces, one with all vertices inside. */
-QTRI_INLINE void see_solid(const qtri_mesh_job *job, uint8_t *front, const void *triangle,
+QTRI_INLINE void see_solid(const qtri_mesh_job *job, uint32_t *front, const void *triangle,
                            uint32_t number, qtri_vertex *const vertex[3])
 {
     if (!qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
@@ -42,7 +42,7 @@ QTRI_INLINE void see_triangles(const drawing *d, bool narrow, bool simple)
     const uint32_t size = qtri_vertex_size();
     const uint32_t count = mesh->vertex_count;
     qtri_vertex *vertices = job->vertices;
-    uint8_t *front = d->front;
+    uint32_t *front = d->front;
     for (uint32_t number = 0; number < mesh->triangle_count; number++) {
         const void *triangle = qtri_mesh_triangle(mesh, number, narrow);
         uint32_t index[3];
@@ -82,7 +82,7 @@ QTRI_INLINE void see_list(const drawing *d, const qtri_mesh_faces *faces, uint32
     const uint16_t *end = faces->end;
     qtri_vertex *vertices = job->vertices;
     const uint32_t third = qtri_mesh_faces_third();
-    uint8_t *front = d->front + first / 8; /* lists are of QTRI_FACES_AT_ONCE triangles */
+    uint32_t *front = d->front + first / 32; /* lists are of QTRI_FACES_AT_ONCE triangles */
     for (const uint16_t *at = faces->list; at != end; at++) {
         const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
         const uint32_t number = qtri_mesh_faces_number(*at, third);

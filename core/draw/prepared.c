@@ -28,7 +28,7 @@ typedef struct sorter {
     bool is_direct; /* groups are single triangles, and there is a block for every list */
     bool is_solid;
     int32_t height, halo;
-    uint8_t *front;       /* NULL: what faces the eye is not asked for */
+    uint32_t *front;      /* NULL: what faces the eye is not asked for */
     uint32_t rows, bands; /* of a band; of the frame */
     uint32_t rows_inverse, rows_shift;
     uint32_t next, end; /* places: of the next block, of the end of the memory */

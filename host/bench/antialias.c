@@ -90,8 +90,12 @@ static void add_sample(const struct reference_image *image, bool first)
         for (int k = 0; k < 3; k++) {
             truth[i][k] = (first ? 0 : truth[i][k]) + c[k] / SAMPLES;
         }
-        least_luma[i] = first || luma < least_luma[i] ? luma : least_luma[i];
-        most_luma[i] = first || luma > most_luma[i] ? luma : most_luma[i];
+        if (first || luma < least_luma[i]) {
+            least_luma[i] = luma;
+        }
+        if (first || luma > most_luma[i]) {
+            most_luma[i] = luma;
+        }
     }
 }
 
@@ -130,7 +134,7 @@ static double psnr(const qtri_surface *surface)
             count += 3;
         }
     }
-    return count == 0 ? NAN : 10 * log10(255.0 * 255.0 / (sum / (double)count));
+    return count == 0 ? 0.0 : 10 * log10(255.0 * 255.0 / (sum / (double)count));
 }
 
 /* ---- The core ---- */

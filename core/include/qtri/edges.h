@@ -65,9 +65,9 @@ typedef struct qtri_outline {
     bool creases; /* also blend between faces of different light: for flat shading of meshes with
                      neighbours, false at first */
     /* Internal. */
-    uint8_t *front; /* a bit a triangle, and one that stays 0 for no neighbour */
-    uint32_t *sums; /* NULL: by neighbours */
-    uint32_t *list; /* lists of edges by band: heads, then entries */
+    uint32_t *front; /* a bit a triangle, and one that stays 0 for no neighbour */
+    uint32_t *sums;  /* NULL: by neighbours */
+    uint32_t *list;  /* lists of edges by band: heads, then entries */
     uint32_t list_words;
     qtri_vertex *vertices; /* NULL: nothing is seen */
     const qtri_view *view;
