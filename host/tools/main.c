@@ -15,13 +15,14 @@ static const struct command commands[] = {
     {"compare", compare_main, "compare two pictures"},
     {"demo", demo_main, "render the demo scenes beside their references"},
     {"mesh", mesh_main, "generate a mesh as an OBJ file"},
+    {"neighbours", neighbours_main, "write a mesh's neighbours as C, for smooth outlines"},
 };
 
 static void help(FILE *out)
 {
     fputs("usage: qtri COMMAND [ARGUMENT ...]\n\n", out);
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
-        fprintf(out, "  %-8s  %s\n", commands[i].name, commands[i].summary);
+        fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].summary);
     }
     fputs("\n`qtri COMMAND --help` tells more.\n", out);
 }
