@@ -28,7 +28,7 @@ enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, in
         return QTRI_ERROR_FORMAT;
     }
     frame->band_bytes = QTRI_FRAME_BYTES(width, rows, format->pixels->bytes);
-    if (bytes < frame->band_bytes) {
+    if (memory == NULL || bytes < frame->band_bytes) {
         return QTRI_ERROR_MEMORY;
     }
     if (bytes >= QTRI_FRAME_BYTES_DOUBLE(width, rows, format->pixels->bytes)) {

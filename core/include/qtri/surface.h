@@ -32,7 +32,7 @@ typedef struct qtri_surface {
     uint16_t *depth;       /* depth of (0, first_row), or NULL: no depth test, no depth written */
     ptrdiff_t depth_pitch; /* elements from a row to the next */
     const qtri_format *format; /* NULL: nothing is drawn, pixels are black */
-    int32_t width, height;     /* of the frame, 1..QTRI_SURFACE_MAX */
+    int32_t width, height;     /* of the frame, 1..QTRI_SURFACE_MAX; more counts as that */
     int32_t first_row, rows;   /* the rows that this memory holds */
     qtri_rect scissor;         /* drawing and clearing stay inside; set to the frame at first */
 } qtri_surface;
@@ -50,7 +50,9 @@ typedef struct qtri_surface {
  * the surface then holds the rows that exist.
  * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX, or first_row outside the frame.
  * QTRI_ERROR_FORMAT: format is NULL.
- * QTRI_ERROR_MEMORY: bytes < QTRI_BAND_BYTES(width, rows, format->pixels->bytes).
+ * QTRI_ERROR_MEMORY: memory is NULL, or bytes < QTRI_BAND_BYTES(width, rows,
+ * format->pixels->bytes).
+ * After an error the surface is all zero: nothing is drawn on it or cleared, its pixels are black.
  */
 enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *format, int32_t width,
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
