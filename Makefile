@@ -42,6 +42,10 @@ DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/n
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
             -fsanitize=address,undefined,float-cast-overflow
 SANITIZE_THREADS := -O1 -g -fsanitize=thread
+SANITIZE_MEMORY  := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=memory
+
+# Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
+NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
 
 # -j for a make that this one starts, unless they already share the jobs.
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
@@ -93,10 +97,10 @@ setup: ## Install what the tests and checks need (Debian, as root); elsewhere na
 	@sh tests/check/setup.sh
 
 .PHONY: test
-test: ## Run every test: plain, sanitized, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
+test: ## Run every test: plain, sanitized, narrow, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-sanitized test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) test-math-targets; do \
+	for step in test-plain test-sanitized test-memory test-narrow test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) test-math-targets; do \
 	    $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
 	sh tests/check/total.sh $$status
@@ -113,6 +117,18 @@ test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
 .PHONY: test-threads
 test-threads: ## Run the tests that have threads under the thread sanitizer
 	@$(MAKE) -s $(PARALLEL) BUILD=build/threads CFLAGS='$(SANITIZE_THREADS)' TESTS='$(filter %_threads,$(TESTS))' test-plain
+
+# Only what runs code of core and port: cmocka and libm know nothing of this sanitizer, clang's alone.
+.PHONY: test-memory
+test-memory: ## Run the tests of core and panels under clang's sanitizer for memory that was never written
+	@if sh tests/check/have_memory.sh; then \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/memory CC=clang CFLAGS='$(SANITIZE_MEMORY)' \
+	        TESTS='$(filter test_core_% test_panel_%,$(TESTS))' test-plain; \
+	fi
+
+.PHONY: test-narrow
+test-narrow: ## Run the tests of core with the code of cores that have no long multiply and no divide
+	@$(MAKE) -s $(PARALLEL) BUILD=build/narrow CFLAGS='$(NARROW)' TESTS='$(filter test_core_%,$(TESTS))' test-plain
 
 .PHONY: test-fuzz fuzzers
 test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, with clang
