@@ -1,3 +1,4 @@
+#include "checked.h"
 #include "fill.h"
 #include "mesh_faces.h"
 
@@ -207,6 +208,10 @@ QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_surface *surface
 void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
                     const qtri_mesh *mesh, const qtri_material *material)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_mesh(mesh));
     qtri_mesh_job draw;
     if (!begin(&draw, surface, view, pose, mesh, material)) {
         return;

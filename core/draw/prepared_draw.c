@@ -1,3 +1,4 @@
+#include "checked.h"
 #include "fill.h"
 #include "prepared_lists.h"
 
@@ -102,6 +103,8 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
 
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_ASSERT(prepared != NULL);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     if (prepared->mesh == NULL || !prepared->is_seen || qtri_rect_is_empty(&bounds) ||
         surface->width != prepared->width || surface->height != prepared->height) {

@@ -24,6 +24,7 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
                                   size_t bytes)
 {
+    QTRI_ASSERT(surface != NULL);
     if (width < 1 || width > QTRI_SURFACE_MAX || height < 1 || height > QTRI_SURFACE_MAX ||
         first_row < 0 || first_row >= height || rows < 1 || rows > QTRI_SURFACE_MAX) {
         return refuse(surface, QTRI_ERROR_SIZE);
@@ -139,6 +140,7 @@ static void fill_row_of_pixels(const qtri_pixels *pixels, uint8_t *at, int32_t c
 
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth)
 {
+    QTRI_ASSERT(surface != NULL);
     qtri_rect bounds = qtri_surface_bounds(surface);
     if (bounds.x0 == bounds.x1) {
         return;
@@ -172,6 +174,7 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
 
 qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
 {
+    QTRI_ASSERT(surface != NULL);
     qtri_rgb rgb = {0, 0, 0};
     const qtri_format *format = surface->format;
     if (format == NULL || x < 0 || x >= surface->width || y < surface->first_row ||
@@ -185,6 +188,7 @@ qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
 
 qtri_rect qtri_surface_bounds(const qtri_surface *surface)
 {
+    QTRI_ASSERT(surface != NULL);
     static const qtri_rect nothing = {0, 0, 0, 0};
     qtri_rect bounds = surface->scissor;
     const int32_t width = qtri_least32(surface->width, QTRI_SURFACE_MAX);
