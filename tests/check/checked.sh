@@ -1,6 +1,7 @@
 #!/bin/sh
 # A library with QTRI_CHECKED stops at mistakes (checked.c) and nowhere else: correct programs draw what they draw without.
-# Q16() of a variable does not compile, so that no floating point is linked by mistake.
+# Q16() of a variable does not compile, so that no floating point is linked by mistake, and neither does drawing where int
+# has 16 bits.
 gate=checked
 . tests/check/files.sh
 need gcc arm-none-eabi-gcc
@@ -51,4 +52,19 @@ for compiler in gcc clang arm-none-eabi-gcc avr-gcc; do
         status=1
     }
 done
+
+# Where int has 16 bits there are the mathematics and the transforms, and a clear word against the rest.
+if command -v avr-gcc >/dev/null; then
+    for header in q16 q16_trig q16_exp vec mat quat transform surface draw frame; do
+        echo "#include <qtri/$header.h>" >"$work/header.c"
+        avr-gcc -mmcu=atmega1284p -std=c99 -Icore/include -c -o "$work/object" "$work/header.c" 2>"$work/said"
+        case $?$header in
+        0surface | 0draw | 0frame) echo "$header.h compiles where int has 16 bits"; status=1 ;;
+        1surface | 1draw | 1frame) grep -q 'error "qtri draws where int' "$work/said" || { cat "$work/said"; status=1; } ;;
+        1*) cat "$work/said"; status=1 ;;
+        esac
+    done
+else
+    echo "checked: skipped: avr-gcc not installed (make setup)"
+fi
 finish $status
