@@ -58,7 +58,11 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
                                   size_t bytes);
 
-/* Fills colour, and depth where there is one, inside the scissor. depth: 65535 is the farthest. */
+/*
+ * Fills colour, and depth where there is one, inside the scissor. depth: UINT16_MAX, 65535, is the
+ * farthest, which QTRI_LESS wants. 0 hides all that is drawn with QTRI_LESS, and so does Q16(1),
+ * which is 65536 and 0 in 16 bits: depths here are no Q16.16.
+ */
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth);
 
 /* The pixel's colour widened to 8 bits a channel; black outside the rows held. */
