@@ -157,7 +157,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 
 GATES := check-format check-cppcheck check-warnings check-headers check-levels \
          check-freestanding check-options check-compilers check-tree \
-         check-tidy check-budgets check-checked
+         check-tidy check-budgets check-checked check-stack
 
 .PHONY: check check-matrix $(GATES)
 check: ## Run every gate below
@@ -175,6 +175,7 @@ check-compilers:    ## tcc, a plain C99 compiler, builds all and draws the same 
 check-checked:      ## A build with QTRI_CHECKED stops at mistakes, and Q16() of a variable does not compile
 check-budgets:      ## No figure of bench and size is more than 2 % above its budget (make budgets)
 check-matrix:       ## No cell of bench-matrix costs twice its class's best or 2 % more than its budget (make matrix-budgets)
+check-stack:        ## Nothing calls itself, and no public function takes more stack than its limit
 check-tree:         ## No overlong or binary files, tabs or paths of one machine
 
 $(GATES) check-matrix: check-%:
