@@ -204,19 +204,19 @@ static void failed_surfaces(void **state)
     static uint8_t memory[QTRI_BAND_BYTES(SIDE, SIDE, QTRI_RGB565_BYTES)];
     const struct {
         const qtri_format *format;
-        int32_t width, first_row, rows;
         void *memory;
         size_t bytes;
+        int32_t width, first_row, rows;
         enum qtri_error error;
     } cases[] = {
-        {&qtri_rgb565, 0, 0, SIDE, memory, sizeof memory, QTRI_ERROR_SIZE},
-        {&qtri_rgb565, SIDE, SIDE, SIDE, memory, sizeof memory, QTRI_ERROR_SIZE},
-        {&qtri_rgb565, SIDE, 0, QTRI_SURFACE_MAX + 1, memory, sizeof memory, QTRI_ERROR_SIZE},
-        {NULL, SIDE, 0, SIDE, memory, sizeof memory, QTRI_ERROR_FORMAT},
-        {&qtri_rgb565, SIDE, 0, SIDE, memory, sizeof memory - 1, QTRI_ERROR_MEMORY},
-        {&qtri_rgb565, SIDE, 0, SIDE, memory, 0, QTRI_ERROR_MEMORY},
-        {&qtri_rgb565, SIDE, 0, SIDE, NULL, sizeof memory, QTRI_ERROR_MEMORY},
-        {&qtri_rgb565, SIDE, 0, SIDE, NULL, SIZE_MAX, QTRI_ERROR_MEMORY},
+        {&qtri_rgb565, memory, sizeof memory, 0, 0, SIDE, QTRI_ERROR_SIZE},
+        {&qtri_rgb565, memory, sizeof memory, SIDE, SIDE, SIDE, QTRI_ERROR_SIZE},
+        {&qtri_rgb565, memory, sizeof memory, SIDE, 0, QTRI_SURFACE_MAX + 1, QTRI_ERROR_SIZE},
+        {NULL, memory, sizeof memory, SIDE, 0, SIDE, QTRI_ERROR_FORMAT},
+        {&qtri_rgb565, memory, sizeof memory - 1, SIDE, 0, SIDE, QTRI_ERROR_MEMORY},
+        {&qtri_rgb565, memory, 0, SIDE, 0, SIDE, QTRI_ERROR_MEMORY},
+        {&qtri_rgb565, NULL, sizeof memory, SIDE, 0, SIDE, QTRI_ERROR_MEMORY},
+        {&qtri_rgb565, NULL, SIZE_MAX, SIDE, 0, SIDE, QTRI_ERROR_MEMORY},
     };
     memset(memory, 0xA5, sizeof memory);
     for (size_t i = 0; i < LENGTH_OF(cases); i++) {
@@ -239,16 +239,16 @@ static void failed_frames(void **state)
     static uint8_t memory[QTRI_FRAME_BYTES(SIDE, SIDE, QTRI_RGB565_BYTES)];
     const struct {
         const qtri_format *format;
-        int32_t rows;
         void *memory;
         size_t bytes;
+        int32_t rows;
         enum qtri_error error;
     } cases[] = {
-        {&qtri_rgb565, 0, memory, sizeof memory, QTRI_ERROR_SIZE},
-        {NULL, SIDE, memory, sizeof memory, QTRI_ERROR_FORMAT},
-        {&qtri_rgb565, SIDE, memory, sizeof memory - 1, QTRI_ERROR_MEMORY},
-        {&qtri_rgb565, SIDE, NULL, sizeof memory, QTRI_ERROR_MEMORY},
-        {&qtri_rgb565, SIDE, NULL, SIZE_MAX, QTRI_ERROR_MEMORY},
+        {&qtri_rgb565, memory, sizeof memory, 0, QTRI_ERROR_SIZE},
+        {NULL, memory, sizeof memory, SIDE, QTRI_ERROR_FORMAT},
+        {&qtri_rgb565, memory, sizeof memory - 1, SIDE, QTRI_ERROR_MEMORY},
+        {&qtri_rgb565, NULL, sizeof memory, SIDE, QTRI_ERROR_MEMORY},
+        {&qtri_rgb565, NULL, SIZE_MAX, SIDE, QTRI_ERROR_MEMORY},
     };
     static qtri_vertex vertices[3];
     static uint16_t lists[64];
