@@ -35,6 +35,7 @@ ARCHIVES := $(HELPERS) $(HOST) $(LIBRARY)
 # Tests also look inside: "math/bits.h", "io/scene.h".
 INCLUDES := -Icore/include -Iport/include
 $(BUILD)/obj/tests/%.o: INCLUDES += -Icore -Ihost
+$(BUILD)/obj/core/%.o:  INCLUDES += $(CORE_FLAGS)
 
 # Header dependencies, from every compiler that can write them.
 DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/null 2>/dev/null && echo -MMD -MP)
@@ -42,6 +43,12 @@ DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/n
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
             -fsanitize=address,undefined,float-cast-overflow
 SANITIZE_THREADS := -O1 -g -fsanitize=thread
+SANITIZE_MEMORY  := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=memory
+# Core is built for it as by any C99 compiler: an empty line of assembly would count as a use of room to spare.
+PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
+
+# Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
+NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
 
 # -j for a make that this one starts, unless they already share the jobs.
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
@@ -93,10 +100,10 @@ setup: ## Install what the tests and checks need (Debian, as root); elsewhere na
 	@sh tests/check/setup.sh
 
 .PHONY: test
-test: ## Run every test: plain, sanitized, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
+test: ## Run every test: plain, sanitized, narrow, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-sanitized test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) test-math-targets; do \
+	for step in test-plain test-sanitized test-memory test-narrow test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) test-math-targets; do \
 	    $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
 	sh tests/check/total.sh $$status
@@ -113,6 +120,18 @@ test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
 .PHONY: test-threads
 test-threads: ## Run the tests that have threads under the thread sanitizer
 	@$(MAKE) -s $(PARALLEL) BUILD=build/threads CFLAGS='$(SANITIZE_THREADS)' TESTS='$(filter %_threads,$(TESTS))' test-plain
+
+# Only what runs code of core and port: cmocka and libm know nothing of this sanitizer, clang's alone.
+.PHONY: test-memory
+test-memory: ## Run the tests of core and panels under clang's sanitizer for memory that was never written
+	@if sh tests/check/have_memory.sh; then \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/memory CC=clang CFLAGS='$(SANITIZE_MEMORY)' CORE_FLAGS='$(PLAIN_C99)' \
+	        TESTS='$(filter test_core_% test_panel_%,$(TESTS))' test-plain; \
+	fi
+
+.PHONY: test-narrow
+test-narrow: ## Run the tests of core with the code of cores that have no long multiply and no divide
+	@$(MAKE) -s $(PARALLEL) BUILD=build/narrow CFLAGS='$(NARROW)' TESTS='$(filter test_core_%,$(TESTS))' test-plain
 
 .PHONY: test-fuzz fuzzers
 test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, with clang
@@ -138,7 +157,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 
 GATES := check-format check-cppcheck check-warnings check-headers check-levels \
          check-freestanding check-options check-compilers check-tree \
-         check-tidy check-budgets
+         check-tidy check-budgets check-checked check-stack
 
 .PHONY: check check-matrix $(GATES)
 check: ## Run every gate below
@@ -153,8 +172,10 @@ check-levels:       ## A file includes only from its own folder and those below
 check-freestanding: ## The library for a Cortex-M0+ needs no libc, float, malloc or writable data
 check-options:      ## Built without any option of config.h, the library draws the same pixels of what is left
 check-compilers:    ## tcc, a plain C99 compiler, builds all and draws the same pictures
+check-checked:      ## A build with QTRI_CHECKED stops at mistakes, and Q16() of a variable does not compile
 check-budgets:      ## No figure of bench and size is more than 2 % above its budget (make budgets)
 check-matrix:       ## No cell of bench-matrix costs twice its class's best or 2 % more than its budget (make matrix-budgets)
+check-stack:        ## Nothing calls itself, and no public function takes more stack than its limit
 check-tree:         ## No overlong or binary files, tabs or paths of one machine
 
 $(GATES) check-matrix: check-%:

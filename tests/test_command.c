@@ -189,6 +189,139 @@ static void textures(void **state)
     }
 }
 
+/* Runs a line of the shell in the test's folder; $qtri is the command. Returns its status. */
+static int shell(const char *line)
+{
+    char all[2048];
+    snprintf(all, sizeof all, "cd '%s' && qtri='%s' && { %s; } 2>messages", folder,
+             getenv("QTRI_COMMAND"), line);
+    int status = system(all); /* NOLINT(cert-env33-c): a test of the command line */
+    assert_true(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+/* What a picture is drawn from is never replaced by it. */
+static void inputs_are_kept(void **state)
+{
+    (void)state;
+    write_file("in.ppm", triangle);
+    assert_int_equal(run("render in.ppm -o in"), 1);
+    assert_true(messages_contain("would be overwritten"));
+    assert_true(file_contains("in.ppm", "viewport 64 48"));
+    write_file("good.scene", triangle);
+    assert_int_equal(shell("ln -sf good.scene link.ppm; $qtri render good.scene -o link"), 1);
+    assert_true(file_contains("good.scene", "viewport 64 48"));
+    assert_int_equal(run("render good.scene -o image"), 0);
+    write_file("t.scene", "viewport 8 8\ntexture image.ppm\n");
+    assert_int_equal(shell("printf 'P6 2 2 255 123456789012' >image.ppm; cp image.ppm before.ppm;"
+                           "$qtri render t.scene -o image"),
+                     1);
+    assert_int_equal(shell("cmp image.ppm before.ppm"), 0);
+    assert_int_equal(run("render t.scene -o other"), 0);
+    /* A link is followed: the picture behind it is replaced, and not the link. */
+    assert_int_equal(shell("ln -sf other.ppm alias.ppm; $qtri render good.scene -o alias"), 0);
+    assert_int_equal(shell("test -L alias.ppm && cmp alias.ppm other.ppm"), 0);
+}
+
+/* Standard input and output, pipes and devices. */
+static void streams(void **state)
+{
+    (void)state;
+    write_file("good.scene", triangle);
+    assert_int_equal(run("render good.scene -o wanted"), 0);
+    assert_int_equal(shell("$qtri render good.scene -o - >a && cmp a wanted.ppm"), 0);
+    assert_int_equal(shell("$qtri render good.scene -o /dev/stdout | cmp - wanted.ppm"), 0);
+    assert_int_equal(shell("$qtri render good.scene -o /dev/stdout >b && cmp b wanted.ppm"), 0);
+    assert_int_equal(shell("$qtri render - -o c <good.scene && cmp c.ppm wanted.ppm"), 0);
+    assert_int_equal(shell("mkfifo in out; cat good.scene >in & cat out >d &"
+                           "$qtri render in -o out && wait && cmp d wanted.ppm"),
+                     0);
+    assert_int_equal(shell("$qtri mesh knot -o - >e && $qtri mesh knot -o f && cmp e f"), 0);
+    assert_int_equal(run("render good.scene -o - --dump"), 2);
+    assert_int_equal(run("mesh knot -o ."), 1); /* a folder */
+}
+
+/* A pipe that nobody writes to is an error after some seconds, and no reason to wait for ever. */
+static void silent_pipe(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("mkfifo silent; timeout 30 $qtri render silent -o x"), 1);
+    assert_true(messages_contain("silent: cannot be read"));
+}
+
+/* Status 1 where standard output is full. */
+static void full_output(void **state)
+{
+    (void)state;
+    if (access("/dev/full", W_OK) != 0) {
+        skip();
+    }
+    write_file("good.scene", triangle);
+    assert_int_equal(shell("$qtri --help >/dev/full"), 1);
+    assert_true(messages_contain("standard output"));
+    assert_int_equal(shell("$qtri render --help >/dev/full"), 1);
+    assert_int_equal(shell("$qtri render good.scene -o - >/dev/full"), 1);
+    assert_int_equal(shell("$qtri render good.scene -o /dev/full"), 1);
+    assert_int_equal(shell("$qtri mesh knot -o /dev/full"), 1);
+    assert_int_equal(shell("$qtri render good.scene -o p && $qtri compare p.ppm p.ppm >/dev/full"),
+                     1);
+}
+
+/* Ended by a signal in the middle of a file: neither a part nor half a picture is left. */
+static void ended_by_signals(void **state)
+{
+    (void)state;
+    write_file("large.scene", "viewport 4096 4096\n");
+    static const char *const signals[] = {"TERM", "INT", "HUP"};
+    for (int n = 0; n < 12; n++) {
+        char line[512];
+        /* The shell's background jobs ignore INT: env gives it back. */
+        snprintf(line, sizeof line,
+                 "rm -f large.ppm; timeout --preserve-status -s %s .%02d $qtri render large.scene "
+                 "-o large; test -z \"$(find . -name '.qtri-*.part')\" && "
+                 "{ test ! -e large.ppm || test $(wc -c <large.ppm) = 50331665; }",
+                 signals[n % 3], 6 * n + 2);
+        assert_int_equal(shell(line), 0);
+    }
+    /* For certain: the disk is slower than any limit on a file's size. */
+    assert_int_equal(shell("rm -f large.ppm; (ulimit -f 64; $qtri render large.scene -o large);"
+                           "test ! -e large.ppm && test -z \"$(find . -name '.qtri-*.part')\""),
+                     0);
+}
+
+/* Files that a scene names, and where they may be. */
+static void files_below(void **state)
+{
+    (void)state;
+    write_file("image.ppm", "P6 2 2 255 123456789012");
+    assert_int_equal(shell("mkdir -p sub/deep && cp image.ppm sub/deep/"), 0);
+    write_file("sub/up.scene", "viewport 8 8\ntexture ../image.ppm\n");
+    write_file("sub/down.scene", "viewport 8 8\ntexture deep/../deep/image.ppm\n");
+    write_file("sub/link.scene", "viewport 8 8\ntexture link.ppm\n");
+    write_file("sub/any.scene", "viewport 8 8\nmesh /etc/passwd\n");
+    assert_int_equal(run("render sub/up.scene -o x"), 1);
+    assert_true(messages_contain("not below the scene's folder"));
+    assert_int_equal(run("render sub/up.scene -o x --allow-files"), 0);
+    assert_int_equal(run("render sub/down.scene -o x"), 0);
+    assert_int_equal(shell("ln -sf ../image.ppm sub/link.ppm; $qtri render sub/link.scene -o x"),
+                     1);
+    assert_int_equal(run("render sub/any.scene -o x"), 1);
+    assert_true(messages_contain("not below the scene's folder"));
+    assert_int_equal(shell("cd sub && $qtri render up.scene -o x"), 1);
+    assert_int_equal(shell("cd sub && $qtri render down.scene -o x"), 0);
+}
+
+/* What 31 bytes can ask for. */
+static void memory_of_references(void **state)
+{
+    (void)state;
+    write_file("large.scene", "viewport 4096 4096\n");
+    assert_int_equal(run("render large.scene -o x --reference"), 1);
+    assert_true(messages_contain("--large"));
+    write_file("within.scene", "viewport 4096 1024\n");
+    assert_int_equal(run("render within.scene -o x --reference"), 0);
+}
+
 static int make_folder(void **state)
 {
     (void)state;
@@ -200,10 +333,20 @@ static int make_folder(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(usage_errors),   cmocka_unit_test(help),
-        cmocka_unit_test(bad_input),      cmocka_unit_test(formats_and_bands),
-        cmocka_unit_test(generated_mesh), cmocka_unit_test(textures),
         cmocka_unit_test(neighbours),
+        cmocka_unit_test(usage_errors),
+        cmocka_unit_test(help),
+        cmocka_unit_test(bad_input),
+        cmocka_unit_test(formats_and_bands),
+        cmocka_unit_test(generated_mesh),
+        cmocka_unit_test(textures),
+        cmocka_unit_test(inputs_are_kept),
+        cmocka_unit_test(streams),
+        cmocka_unit_test(silent_pipe),
+        cmocka_unit_test(full_output),
+        cmocka_unit_test(ended_by_signals),
+        cmocka_unit_test(files_below),
+        cmocka_unit_test(memory_of_references),
     };
     if (getenv("QTRI_COMMAND") == NULL) {
         puts("QTRI_COMMAND is not set: run `make test-plain TESTS=test_command`");

@@ -220,6 +220,54 @@ static void failures(void **state)
     }
 }
 
+/* A transfer that did not start has no end to wait for; the next one starts as if it had not been.
+ */
+static void failed_starts_have_no_finish(void **state)
+{
+    (void)state;
+    static setup s;
+    int failed_starts = 0;
+    int failed_finishes = 0;
+    for (int n = 0; n < SETUPS; n++) {
+        for (int fail = 1;; fail++) {
+            setup_init(&s, n);
+            if (s.wire.bus.data_start == NULL || setup_start(&s, QTRI_ROTATE_0, true) != QTRI_OK) {
+                setup_end(&s);
+                break;
+            }
+            assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
+            clear_log(&s.wire);
+            s.wire.fail_at = s.wire.calls + fail;
+            canvas band = canvas_band(&qtri_rgb565, qtri_panel_width(&s.panel),
+                                      qtri_panel_height(&s.panel), 0, 8);
+            const qtri_rect rect = {0, 0, 9, 8};
+            enum qtri_error error = qtri_panel_write_rect(&s.panel, &band.surface, rect);
+            const enum qtri_error end = qtri_panel_finish(&s.panel);
+            const bool reached = s.wire.calls >= s.wire.fail_at;
+            assert_true(reached == (error != QTRI_OK || end != QTRI_OK));
+            int starts = 0;
+            int finishes = 0;
+            for (const char *c = s.wire.log; *c != '\0'; c++) {
+                starts += *c == 's';
+                finishes += *c == 'f';
+            }
+            const bool start_failed = starts > finishes;
+            assert_true(starts - finishes <= 1 && (reached || !start_failed));
+            failed_starts += start_failed;
+            failed_finishes += end != QTRI_OK;
+            s.wire.fail_at = 0;
+            assert_int_equal(qtri_panel_write_rect(&s.panel, &band.surface, rect), QTRI_OK);
+            assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
+            canvas_free(&band);
+            setup_end(&s);
+            if (!reached) {
+                break;
+            }
+        }
+    }
+    assert_true(failed_starts > 0 && failed_finishes > 0);
+}
+
 /* Sizes and memory that do not fit are refused; surfaces of another frame too. */
 static void errors(void **state)
 {
@@ -329,10 +377,15 @@ static void any_rectangle(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ssd1306_sequence), cmocka_unit_test(i2c_sequence),
-        cmocka_unit_test(ssd0323_sequence), cmocka_unit_test(lcd_sequence),
-        cmocka_unit_test(paper_sequence),   cmocka_unit_test(failures),
-        cmocka_unit_test(errors),           cmocka_unit_test(any_rectangle),
+        cmocka_unit_test(ssd1306_sequence),
+        cmocka_unit_test(i2c_sequence),
+        cmocka_unit_test(ssd0323_sequence),
+        cmocka_unit_test(lcd_sequence),
+        cmocka_unit_test(paper_sequence),
+        cmocka_unit_test(failures),
+        cmocka_unit_test(failed_starts_have_no_finish),
+        cmocka_unit_test(errors),
+        cmocka_unit_test(any_rectangle),
     };
     return cmocka_run_group_tests_name("panel bus", tests, NULL, NULL);
 }

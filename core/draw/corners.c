@@ -1,3 +1,4 @@
+#include "checked.h"
 #include "corners.h"
 
 static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
@@ -63,6 +64,10 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
                          const qtri_transform *pose, const qtri_corner *corners,
                          uint32_t corner_count, const qtri_material *material)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_corners(corners, corner_count, 3));
     qtri_primitive primitive;
     qtri_primitive_init(&primitive, surface, view, pose, material);
     const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
@@ -84,6 +89,10 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
                      const qtri_corner *corners, uint32_t corner_count,
                      const qtri_material *material)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_corners(corners, corner_count, 2));
     qtri_primitive primitive;
     primitive.surface = surface;
     primitive.material = material;

@@ -1,3 +1,4 @@
+#include "checked.h"
 #include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
@@ -138,8 +139,9 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
 }
 
 /*
- * The vertex's slot, filled. Vertex i lives in slot i modulo their number; when another corner of
- * the same triangle holds it, or there is none, `spare` serves.
+ * The vertex's slot, filled: one that is empty holds no index to be read. Vertex i lives in slot i
+ * modulo their number; when another corner of the same triangle holds it, or there is none, `spare`
+ * serves.
  */
 static qtri_vertex *fetch(const qtri_mesh_job *draw, uint32_t index, qtri_vertex *spare,
                           qtri_vertex *const taken[2])
@@ -147,7 +149,7 @@ static qtri_vertex *fetch(const qtri_mesh_job *draw, uint32_t index, qtri_vertex
     qtri_vertex *slot = spare;
     if (draw->slot_count > 0) {
         qtri_vertex *own = &draw->vertices[index % draw->slot_count];
-        if (own->index == index && own->depth_16p8 != QTRI_VERTEX_EMPTY) {
+        if (own->depth_16p8 != QTRI_VERTEX_EMPTY && own->index == index) {
             return own;
         }
         slot = own == taken[0] || own == taken[1] ? spare : own;
@@ -228,6 +230,10 @@ static void draw_placed(qtri_mesh_job *draw, void *with)
 void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
                     const qtri_mesh *mesh, const qtri_material *material)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_mesh(mesh));
     qtri_mesh_job draw;
     if (!begin(&draw, surface, view, pose, mesh, material)) {
         return;

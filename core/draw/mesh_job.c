@@ -17,11 +17,9 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
         box.half.y = mesh->extent;
         box.half.z = mesh->extent;
     }
-    const qtri_rect *scissor = &surface->scissor;
-    const int32_t low[2] = {qtri_hold32(scissor->x0, 0, surface->width),
-                            qtri_hold32(scissor->y0, surface->first_row, surface->height)};
-    const int32_t high[2] = {qtri_hold32(scissor->x1, 0, surface->width),
-                             qtri_hold32(scissor->y1, 0, surface->first_row + surface->rows)};
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    const int32_t low[2] = {bounds.x0, bounds.y0};
+    const int32_t high[2] = {bounds.x1, bounds.y1};
     return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
 }
 
@@ -35,6 +33,12 @@ static bool is_wide(const qtri_mesh *mesh)
 {
     return mesh->positions16 == NULL || (mesh->normals != NULL && mesh->normals8 == NULL) ||
            (mesh->uvs != NULL && mesh->uvs16 == NULL);
+}
+
+/* Without vertices every index is past the end; the arrays of what is empty may be NULL. */
+static bool is_empty(const qtri_mesh *mesh)
+{
+    return mesh->vertex_count == 0 || mesh->triangle_count == 0;
 }
 
 /* Whether the library is built with what the mesh has, see config.h. */
@@ -93,7 +97,8 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
 {
     const qtri_mesh *mesh = draw->mesh;
     qtri_primitive_place(&draw->primitive, view, pose);
-    if (!is_built(mesh) || (QTRI_WITH_FAST_PATHS && is_missed(draw, draw->primitive.surface))) {
+    if (is_empty(mesh) || !is_built(mesh) ||
+        (QTRI_WITH_FAST_PATHS && is_missed(draw, draw->primitive.surface))) {
         return false;
     }
     if (qtri_mesh_has_compact(mesh->positions16)) {

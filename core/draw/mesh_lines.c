@@ -228,14 +228,21 @@ QTRI_INLINE void draw_edges(const qtri_mesh_job *draw, const void *triangle,
     }
 }
 
-/* The same, and what clipping leaves of a triangle that crosses a plane: in one place. */
+/* The same, of any colours: in one place. */
+QTRI_NOINLINE static void draw_inside(const qtri_mesh_job *draw, const void *triangle,
+                                      qtri_vertex *const vertex[3], uint32_t edges)
+{
+    draw_edges(draw, triangle, vertex, edges, is_tinted(draw));
+}
+
+/* And what clipping leaves of a triangle that crosses a plane. */
 QTRI_NOINLINE static void draw_seen(const qtri_mesh_job *draw, const void *triangle,
                                     qtri_vertex *const vertex[3], uint32_t edges)
 {
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         qtri_mesh_draw_seen(draw, triangle, vertex);
     } else {
-        draw_edges(draw, triangle, vertex, edges, is_tinted(draw));
+        draw_inside(draw, triangle, vertex, edges);
     }
 }
 
@@ -455,7 +462,7 @@ static void draw_triangle(const qtri_mesh_job *draw, const void *triangle,
             edges = qtri_mesh_note(draw, number);
         }
     }
-    draw_seen(draw, triangle, vertex, edges);
+    draw_inside(draw, triangle, vertex, edges); /* as fill.h promises: nothing calls itself */
 }
 
 static void prepare_mesh(const qtri_mesh_job *draw, bool back_only)

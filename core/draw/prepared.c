@@ -1,3 +1,4 @@
+#include "checked.h"
 #include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
@@ -9,6 +10,9 @@ enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
 void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t vertex_count,
                         uint16_t *lists, uint32_t list_count)
 {
+    QTRI_ASSERT(prepared != NULL);
+    QTRI_ASSERT(vertices != NULL || vertex_count == 0);
+    QTRI_ASSERT(lists != NULL || list_count == 0);
     prepared->vertices = vertices;
     prepared->vertex_count = vertex_count;
     prepared->lists = lists;
@@ -422,6 +426,10 @@ void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const q
                        const qtri_transform *pose, const qtri_mesh *mesh,
                        const qtri_material *material)
 {
+    QTRI_ASSERT(prepared != NULL && frame != NULL);
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_mesh(mesh));
     prepared->view = view;
     prepared->pose = pose;
     prepared->mesh = mesh;

@@ -1,3 +1,4 @@
+#include "checked.h"
 #include "fill.h"
 #include "lights.h"
 #include "prepared_lists.h"
@@ -119,6 +120,8 @@ static void draw_band(qtri_mesh_job *job, void *with)
 
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_ASSERT(prepared != NULL);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     if (prepared->mesh == NULL || !prepared->is_seen || qtri_rect_is_empty(&bounds) ||
         surface->width != prepared->width || surface->height != prepared->height) {

@@ -1,3 +1,4 @@
+#include "checked.h"
 #include "prepared_lists.h"
 
 static const qtri_rect nowhere = {0, 0, 0, 0};
@@ -33,6 +34,7 @@ static qtri_rect find_bounds(const qtri_prepared *prepared)
 
 void qtri_prepared_mark(qtri_prepared *prepared, qtri_frame *frame)
 {
+    QTRI_ASSERT(prepared != NULL && frame != NULL);
     qtri_frame_mark(frame, &prepared->marked);
     prepared->marked = find_bounds(prepared);
     qtri_frame_mark(frame, &prepared->marked);

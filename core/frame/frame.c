@@ -10,6 +10,7 @@ static bool is_side(int32_t x)
 enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, int32_t width,
                                 int32_t height, int32_t rows, void *memory, size_t bytes)
 {
+    QTRI_ASSERT(frame != NULL);
     frame->format = format;
     frame->width = 0;
     frame->height = 0;
@@ -28,7 +29,7 @@ enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, in
         return QTRI_ERROR_FORMAT;
     }
     frame->band_bytes = QTRI_FRAME_BYTES(width, rows, format->pixels->bytes);
-    if (bytes < frame->band_bytes) {
+    if (memory == NULL || bytes < frame->band_bytes) {
         return QTRI_ERROR_MEMORY;
     }
     if (bytes >= QTRI_FRAME_BYTES_DOUBLE(width, rows, format->pixels->bytes)) {
@@ -51,6 +52,7 @@ void qtri_frame_share(qtri_frame *frame, int32_t part, int32_t parts)
 
 void qtri_frame_begin(qtri_frame *frame)
 {
+    QTRI_ASSERT(frame != NULL);
     frame->next_row = 0;
     frame->only_changes = false;
     frame->changes = nothing;
@@ -72,6 +74,7 @@ static bool is_wanted(const qtri_frame *frame, int32_t row)
 
 bool qtri_frame_next_band(qtri_frame *frame, qtri_surface *band)
 {
+    QTRI_ASSERT(frame != NULL && band != NULL);
     int32_t row = frame->next_row;
     while (row < frame->height && !is_wanted(frame, row)) {
         row += frame->rows;
@@ -103,6 +106,7 @@ static bool is_empty(const qtri_rect *r)
 
 void qtri_frame_mark(qtri_frame *frame, const qtri_rect *rect)
 {
+    QTRI_ASSERT(frame != NULL && rect != NULL);
     qtri_rect r = {rect->x0 > 0 ? rect->x0 : 0, rect->y0 > 0 ? rect->y0 : 0,
                    rect->x1 < frame->width ? rect->x1 : frame->width,
                    rect->y1 < frame->height ? rect->y1 : frame->height};

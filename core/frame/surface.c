@@ -12,19 +12,28 @@ static uint8_t *align(uint8_t *p)
     return p + (0 - (uintptr_t)p) % 4;
 }
 
+/* What draws nothing, whatever was there before. */
+static enum qtri_error refuse(qtri_surface *surface, enum qtri_error error)
+{
+    static const qtri_surface nothing;
+    *surface = nothing;
+    return error;
+}
+
 enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *format, int32_t width,
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
                                   size_t bytes)
 {
+    QTRI_ASSERT(surface != NULL);
     if (width < 1 || width > QTRI_SURFACE_MAX || height < 1 || height > QTRI_SURFACE_MAX ||
         first_row < 0 || first_row >= height || rows < 1 || rows > QTRI_SURFACE_MAX) {
-        return QTRI_ERROR_SIZE;
+        return refuse(surface, QTRI_ERROR_SIZE);
     }
     if (format == NULL) {
-        return QTRI_ERROR_FORMAT;
+        return refuse(surface, QTRI_ERROR_FORMAT);
     }
-    if (bytes < QTRI_BAND_BYTES(width, rows, format->pixels->bytes)) {
-        return QTRI_ERROR_MEMORY;
+    if (memory == NULL || bytes < QTRI_BAND_BYTES(width, rows, format->pixels->bytes)) {
+        return refuse(surface, QTRI_ERROR_MEMORY);
     }
     size_t pitch = (size_t)width * format->pixels->bytes;
     /* Both at words, for loops that draw pairs: at most 3 + 3 of the 8 bytes to spare. */
@@ -131,6 +140,7 @@ static void fill_row_of_pixels(const qtri_pixels *pixels, uint8_t *at, int32_t c
 
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth)
 {
+    QTRI_ASSERT(surface != NULL);
     qtri_rect bounds = qtri_surface_bounds(surface);
     if (bounds.x0 == bounds.x1) {
         return;
@@ -164,6 +174,7 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
 
 qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
 {
+    QTRI_ASSERT(surface != NULL);
     qtri_rgb rgb = {0, 0, 0};
     const qtri_format *format = surface->format;
     if (format == NULL || x < 0 || x >= surface->width || y < surface->first_row ||
@@ -177,12 +188,15 @@ qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
 
 qtri_rect qtri_surface_bounds(const qtri_surface *surface)
 {
+    QTRI_ASSERT(surface != NULL);
     static const qtri_rect nothing = {0, 0, 0, 0};
     qtri_rect bounds = surface->scissor;
+    const int32_t width = qtri_least32(surface->width, QTRI_SURFACE_MAX);
+    const int32_t height = qtri_least32(surface->height, QTRI_SURFACE_MAX);
     int64_t held = (int64_t)surface->first_row + surface->rows;
-    int32_t end = held < surface->height ? qtri_saturate32(held) : surface->height;
+    int32_t end = held < height ? qtri_saturate32(held) : height;
     bounds.x0 = bounds.x0 > 0 ? bounds.x0 : 0;
-    bounds.x1 = bounds.x1 < surface->width ? bounds.x1 : surface->width;
+    bounds.x1 = bounds.x1 < width ? bounds.x1 : width;
     bounds.y0 = bounds.y0 > surface->first_row ? bounds.y0 : surface->first_row;
     bounds.y0 = bounds.y0 > 0 ? bounds.y0 : 0;
     bounds.y1 = bounds.y1 < end ? bounds.y1 : end;

@@ -3,6 +3,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "qtri/error.h"
+
+#include "../bits/bits.h"
 #include "../math/sincos.h"
 #include "row.h"
 
@@ -108,6 +111,11 @@ static void set_w_row(qtri_row *row, int64_t toward)
 static void perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z,
                         int64_t toward)
 {
+    /* A plain number in place of a Q16.16 is below 1/100 degree, or a ratio of 1 : 10000. */
+    QTRI_ASSERT(qtri_magnitude32(fovy) > 360);
+    QTRI_ASSERT(qtri_magnitude32(fovy) < (uint32_t)180 << 16);
+    QTRI_ASSERT(qtri_magnitude32(aspect) > 6);
+    QTRI_ASSERT(near_z != 0 && far_z != 0 && near_z != far_z);
     qtri_transform builder;
     qtri_wide g;
     const qtri_wide divisor = qtri_wide_make(aspect, 16);

@@ -46,8 +46,10 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
         }
     }
     for (int i = 0; i < 4; i++) {
-        int32_t shift = projector->row.wide[i].exponent - least + 2;
-        projector->shift[i] = qtri_hold32(shift, 2, 63);
+        /* A row of zeros may have any exponent, and a user's row too: 64 bits hold each distance.
+         */
+        const int64_t shift = (int64_t)projector->row.wide[i].exponent - least + 2;
+        projector->shift[i] = qtri_hold32(qtri_saturate32(shift), 2, 63);
     }
 
     q16 near_z = qtri_hold32(viewport->depth_near, 0, Q16_ONE);

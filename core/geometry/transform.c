@@ -2,6 +2,8 @@
 
 #include <stddef.h>
 
+#include "qtri/error.h"
+
 #include "../bits/bits.h"
 #include "../math/sincos.h"
 #include "row.h"
@@ -291,6 +293,7 @@ QTRI_NOINLINE static void mul_onto(qtri_transform *b, const qtri_transform *a)
 
 void qtri_transform_mul(qtri_transform *out, const qtri_transform *a, const qtri_transform *b)
 {
+    QTRI_ASSERT(out != NULL && a != NULL && b != NULL);
     if (out == b) {
         mul_onto(out, a);
     } else {

@@ -1,5 +1,6 @@
 #include "line.h"
 
+#include "checked.h"
 #include "dda.h"
 #include "line_path.h"
 
@@ -491,6 +492,9 @@ void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_ve
 void qtri_raster_line(const qtri_surface *surface, const qtri_material *material,
                       const qtri_screen_vertex v[2])
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_ASSERT(v != NULL);
     qtri_batch batch;
     qtri_line_job job;
     qtri_vertex end[2];

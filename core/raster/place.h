@@ -216,6 +216,7 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     p->dy2 = dy2;
     p->first = &middle[2 * first];
     middle[2 * end] = QTRI_PLACE_STOP;
+    middle[2 * end + 1] = QTRI_PLACE_STOP; /* read, and of no effect: nothing ends after a stop */
     QTRI_READ_AGAIN
     const int32_t ax = 256 - x - (QTRI_DIVIDE ? 0 : QTRI_PLACE_REACH); /* see qtri_place_walk */
     const int32_t bx = ax + dx1;

@@ -1,6 +1,7 @@
 #include "triangle.h"
 
 #include "../geometry/projector.h"
+#include "checked.h"
 #include "small.h"
 #include "rows.h"
 #include "setup.h"
@@ -124,6 +125,9 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
 void qtri_raster_triangle(const qtri_surface *surface, const qtri_material *material,
                           const qtri_screen_vertex v[3])
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_ASSERT(v != NULL);
     qtri_raster raster;
     qtri_batch batch;
     qtri_raster_init(&raster, surface, material, &batch);

@@ -1,3 +1,4 @@
+#define _XOPEN_SOURCE 700
 #include "scene.h"
 
 #include <stdlib.h>
@@ -252,17 +253,21 @@ static bool parse_all(struct scene_parser *parser, const char *text, size_t leng
     return scene_make_texture(parser);
 }
 
-bool scene_parse(const char *name, const char *text, size_t length, struct scene *scene,
-                 struct text_error *error)
+/* Takes `root`, which it frees. */
+static bool parse(const char *name, const char *text, size_t length, char *root, const char *output,
+                  struct scene *scene, struct text_error *error)
 {
     struct scene_parser parser;
     memset(&parser, 0, sizeof parser);
     parser.name = name;
     parser.error = error;
     parser.scene = scene;
+    parser.root = root;
+    parser.output = output;
     parser.mode = 1;
     set_defaults(scene);
     bool ok = parse_all(&parser, text, length);
+    free(parser.root);
     free(parser.mesh_files);
     free(parser.texture.path);
     if (!ok) {
@@ -271,16 +276,74 @@ bool scene_parse(const char *name, const char *text, size_t length, struct scene
     return ok;
 }
 
-bool scene_read(const char *path, struct scene *scene, struct text_error *error)
+bool scene_parse(const char *name, const char *text, size_t length, struct scene *scene,
+                 struct text_error *error)
+{
+    return parse(name, text, length, NULL, NULL, scene, error);
+}
+
+/* The folder of `path` without links; NULL when memory runs out or it is gone. */
+static char *folder_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+    char *folder = malloc(length + 2);
+    if (folder == NULL) {
+        return NULL;
+    }
+    memcpy(folder, path, length);
+    memcpy(folder + length, ".", 2);
+    char *real = realpath(folder, NULL);
+    free(folder);
+    return real;
+}
+
+static bool is_same_file(const char *a, const char *b)
+{
+    struct file_identity one;
+    struct file_identity other;
+    return file_inspect(a, &one) == FILE_REGULAR && file_inspect(b, &other) == FILE_REGULAR &&
+           one.device == other.device && one.number == other.number;
+}
+
+static bool read_scene(const char *path, bool below, const char *output, struct scene *scene,
+                       struct text_error *error)
 {
     struct file_content file;
     memset(scene, 0, sizeof *scene);
-    if (!file_read(path, &file, error)) {
+    if (output != NULL && is_same_file(path, output)) {
+        text_error_set(error, path, 0, "would be overwritten by %s", output);
         return false;
     }
-    bool ok = scene_parse(path, file.bytes, file.length, scene, error);
+    char *root = below ? folder_of(path) : NULL;
+    if (below && root == NULL) {
+        text_error_set(error, path, 0, "has no folder");
+        return false;
+    }
+    if (!file_read(path, &file, error)) {
+        free(root);
+        return false;
+    }
+    bool ok = parse(path, file.bytes, file.length, root, output, scene, error);
     free(file.bytes);
     return ok;
+}
+
+bool scene_read(const char *path, struct scene *scene, struct text_error *error)
+{
+    return read_scene(path, false, NULL, scene, error);
+}
+
+bool scene_read_for(const char *path, const char *output, struct scene *scene,
+                    struct text_error *error)
+{
+    return read_scene(path, false, output, scene, error);
+}
+
+bool scene_read_below(const char *path, const char *output, struct scene *scene,
+                      struct text_error *error)
+{
+    return read_scene(path, true, output, scene, error);
 }
 
 void scene_free(struct scene *scene)

@@ -202,6 +202,18 @@ bool scene_parse(const char *name, const char *text, size_t length, struct scene
 /* Reads a file and parses it as above. */
 bool scene_read(const char *path, struct scene *scene, struct text_error *error);
 
+/*
+ * The same for a scene from elsewhere: meshes and textures must lie in its folder or below, links
+ * followed, or they are an error. `output` (NULL: none) is a path that is going to be written: if
+ * it leads to the scene or to a file that it names, that is an error too.
+ */
+bool scene_read_below(const char *path, const char *output, struct scene *scene,
+                      struct text_error *error);
+
+/* scene_read, with the output looked at as above. */
+bool scene_read_for(const char *path, const char *output, struct scene *scene,
+                    struct text_error *error);
+
 void scene_free(struct scene *scene);
 
 /* The name and the arguments of statement `i` of the language; false behind the last. */

@@ -1,3 +1,4 @@
+#define _XOPEN_SOURCE 700
 #include "scene_parser.h"
 
 #include <stdlib.h>
@@ -30,12 +31,39 @@ static char *path_of(struct scene_parser *parser, int argument)
     return path;
 }
 
+/* Whether the scene may read it, see scene_read_below(). */
+static bool is_allowed(struct scene_parser *parser, const char *path,
+                       const struct file_identity *identity)
+{
+    struct file_identity output;
+    if (parser->output != NULL && file_inspect(parser->output, &output) == FILE_REGULAR &&
+        output.device == identity->device && output.number == identity->number) {
+        text_error_set(parser->error, parser->name, parser->line, "%s: %s would be overwritten",
+                       parser->statement->name, path);
+        return false;
+    }
+    if (parser->root == NULL) {
+        return true;
+    }
+    const size_t length = strlen(parser->root);
+    char *real = realpath(path, NULL);
+    const bool below = real != NULL && strncmp(real, parser->root, length) == 0 &&
+                       (real[length] == '/' || length == 1);
+    free(real);
+    if (!below) {
+        text_error_set(parser->error, parser->name, parser->line,
+                       "%s: %s is not below the scene's folder (--allow-files)",
+                       parser->statement->name, path);
+    }
+    return below;
+}
+
 /* Devices and pipes are refused: a scene from elsewhere should not be able to make us wait. */
 static bool inspect(struct scene_parser *parser, const char *path, struct file_identity *identity)
 {
     switch (file_inspect(path, identity)) {
     case FILE_REGULAR:
-        return true;
+        return is_allowed(parser, path, identity);
     case FILE_MISSING:
         text_error_set(parser->error, parser->name, parser->line, "%s: %s does not exist",
                        parser->statement->name, path);
@@ -148,7 +176,8 @@ static bool request_file(struct scene_parser *parser, struct scene_texture_reque
     if (request->path == NULL) {
         return false;
     }
-    if (!inspect(parser, request->path, NULL)) {
+    struct file_identity identity;
+    if (!inspect(parser, request->path, &identity)) {
         free(request->path);
         return false;
     }

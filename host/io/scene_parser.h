@@ -39,6 +39,8 @@ struct scene_parser {
     const char *name;
     struct text_error *error;
     struct scene *scene;
+    char *root;         /* files lie below this folder, which has no links; NULL: anywhere */
+    const char *output; /* a path that must not be one of them; NULL: none */
     int line;
     const struct scene_statement *statement; /* the one being parsed */
     struct token arguments[SCENE_MAX_ARGUMENTS];

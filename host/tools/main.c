@@ -27,7 +27,7 @@ static void help(FILE *out)
     fputs("\n`qtri COMMAND --help` tells more.\n", out);
 }
 
-int main(int argc, char **argv)
+static int run(int argc, char **argv)
 {
     if (argc < 2) {
         help(stderr);
@@ -44,4 +44,15 @@ int main(int argc, char **argv)
     }
     fprintf(stderr, "qtri: unknown command '%s'; `qtri --help` lists them\n", argv[1]);
     return 2;
+}
+
+/* What did not reach standard output is a failure too: of a full disk, or a pipe nobody reads. */
+int main(int argc, char **argv)
+{
+    int status = run(argc, argv);
+    if ((fflush(stdout) != 0 || ferror(stdout)) && status == 0) {
+        fputs("qtri: standard output cannot be written\n", stderr);
+        status = 1;
+    }
+    return status;
 }

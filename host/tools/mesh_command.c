@@ -1,6 +1,8 @@
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "../io/file.h"
 #include "commands.h"
 #include "mesh_generate.h"
 
@@ -37,16 +39,17 @@ int mesh_main(int argc, char **argv)
         fprintf(stderr, "qtri mesh: there is no mesh '%s'\n", argv[1]);
         return 2;
     }
-    FILE *out = fopen(argv[3], "w");
-    if (out == NULL) {
-        fprintf(stderr, "qtri mesh: %s: cannot be written\n", argv[3]);
-        return 1;
+    struct file_output output;
+    struct text_error error;
+    bool ok = file_output_open(&output, argv[3], &error);
+    if (ok) {
+        if (!mesh_generate(argv[1], output.stream)) {
+            output.failure = errno != 0 ? errno : EIO;
+        }
+        ok = file_output_commit(&output, &error);
     }
-    bool ok = mesh_generate(argv[1], out);
-    ok = fclose(out) == 0 && ok;
     if (!ok) {
-        fprintf(stderr, "qtri mesh: %s: writing failed\n", argv[3]);
-        remove(argv[3]);
+        fprintf(stderr, "qtri mesh: %s\n", error.message);
     }
     return ok ? 0 : 1;
 }

@@ -4,14 +4,19 @@
 
 #include "../reference/reference.h"
 #include "../reference/reference_picture.h"
+#include "../io/file.h"
 #include "commands.h"
 #include "scene_draw.h"
 
 static const char usage[] =
     "usage: qtri render SCENE -o PREFIX [OPTION ...]\n"
     "\n"
-    "Draws the scene file SCENE and writes PREFIX.ppm.\n"
+    "Draws the scene file SCENE (-: standard input) and writes PREFIX.ppm. A PREFIX that is a\n"
+    "device or a pipe, or - for standard output, is written as it is named. A picture is replaced\n"
+    "when it is complete, and never what it is drawn from. Meshes and textures are read in the\n"
+    "scene's folder and below.\n"
     "\n"
+    "  --allow-files    read meshes and textures wherever the scene says they are\n"
     "  --format FORMAT  rgb888 (default), rgb565 or gray8: the surface's pixel format;\n"
     "                   the PPM shows its colours widened to 8 bits\n"
     "  --dump           also write PREFIX.id (uint32) and PREFIX.depth (float64), little-endian,\n"
@@ -19,12 +24,16 @@ static const char usage[] =
     "  --rows N         draw in bands of N rows (default: the whole picture); same pixels\n"
     "  --reference      draw with the double-precision pipeline instead\n"
     "  --snap N         with --reference: snap vertices to N sub-pixel bits, 0..16 (default 0:\n"
-    "                   infinite precision)\n";
+    "                   infinite precision)\n"
+    "  --large          with --reference: pictures above 2048 x 2048 pixels, up to 4096 x 4096.\n"
+    "                   One takes 100 bytes of memory a pixel, 0.4 GB below the limit\n";
+
+#define REFERENCE_PIXELS (2048L * 2048L) /* without --large */
 
 struct options {
     const char *scene, *prefix;
     int format; /* see formats */
-    bool dump, reference;
+    bool dump, reference, allow_files, large;
     int snap, rows;
 };
 
@@ -102,6 +111,10 @@ static bool parse_options(int argc, char **argv, struct options *options)
             options->dump = true;
         } else if (strcmp(argument, "--reference") == 0) {
             options->reference = true;
+        } else if (strcmp(argument, "--allow-files") == 0) {
+            options->allow_files = true;
+        } else if (strcmp(argument, "--large") == 0) {
+            options->large = true;
         } else if (argument[0] == '-' && argument[1] != '\0') {
             fprintf(stderr, "qtri render: unknown option '%s'\n", argument);
             return false;
@@ -114,6 +127,10 @@ static bool parse_options(int argc, char **argv, struct options *options)
     }
     if (options->scene == NULL || options->prefix == NULL) {
         fprintf(stderr, "qtri render: a scene file and -o PREFIX are needed\n");
+        return false;
+    }
+    if (options->dump && file_is_stream(options->prefix)) {
+        fprintf(stderr, "qtri render: --dump writes three files: not to '%s'\n", options->prefix);
         return false;
     }
     return true;
@@ -135,20 +152,23 @@ static bool render(const struct options *options, const struct scene *scene,
     return ok;
 }
 
-static bool write_files(const struct options *options, const struct picture *picture,
-                        struct text_error *error)
+/* PREFIX.ppm, or a stream's own name; free() it. NULL when memory runs out. */
+static char *output_path(const struct options *options, const char *suffix)
 {
-    size_t length = strlen(options->prefix) + sizeof ".ppm";
+    size_t length = strlen(options->prefix) + strlen(suffix) + 1;
     char *path = malloc(length);
-    if (path == NULL) {
-        text_error_set(error, options->prefix, 0, "out of memory");
-        return false;
+    if (path != NULL) {
+        const bool is_stream = file_is_stream(options->prefix);
+        snprintf(path, length, "%s%s", options->prefix, is_stream ? "" : suffix);
     }
-    snprintf(path, length, "%s.ppm", options->prefix);
-    bool ok = (!options->dump || picture_write_dump(options->prefix, picture, error)) &&
-              picture_write_ppm(path, picture, error);
-    free(path);
-    return ok;
+    return path;
+}
+
+static bool write_files(const struct options *options, const char *path,
+                        const struct picture *picture, struct text_error *error)
+{
+    return (!options->dump || picture_write_dump(options->prefix, picture, error)) &&
+           picture_write_ppm(path, picture, error);
 }
 
 static void print_help(void)
@@ -160,6 +180,50 @@ static void print_help(void)
     for (size_t i = 0; scene_statement_usage(i, &name, &arguments); i++) {
         printf("  %-12s %s\n", name, arguments);
     }
+}
+
+/* A limit of what is drawn, with a message where it is exceeded. */
+static bool is_within_limits(const struct options *options, const struct scene *scene)
+{
+    if (options->dump && !options->reference && scene->triangle_count > SCENE_MAX_DUMP_ID) {
+        fprintf(stderr, "qtri render: %s: more than %u triangles cannot be dumped\n",
+                options->scene, SCENE_MAX_DUMP_ID);
+        return false;
+    }
+    if (options->reference && !options->large &&
+        (long)scene->width * scene->height > REFERENCE_PIXELS) {
+        fprintf(stderr, "qtri render: %s: %d x %d pixels are above 2048 x 2048 (--large)\n",
+                options->scene, scene->width, scene->height);
+        return false;
+    }
+    return true;
+}
+
+/* Draws the scene into the file; returns the exit status. */
+static int render_file(const struct options *options, const char *path)
+{
+    struct scene scene;
+    struct text_error error;
+    bool ok = options->allow_files ? scene_read_for(options->scene, path, &scene, &error)
+                                   : scene_read_below(options->scene, path, &scene, &error);
+    if (!ok) {
+        fprintf(stderr, "qtri render: %s\n", error.message);
+        return 1;
+    }
+    struct picture picture;
+    ok = is_within_limits(options, &scene);
+    if (ok && !render(options, &scene, &picture)) {
+        fprintf(stderr, "qtri render: out of memory\n");
+        ok = false;
+    } else if (ok) {
+        ok = write_files(options, path, &picture, &error);
+        if (!ok) {
+            fprintf(stderr, "qtri render: %s\n", error.message);
+        }
+        picture_free(&picture);
+    }
+    scene_free(&scene);
+    return ok ? 0 : 1;
 }
 
 int render_main(int argc, char **argv)
@@ -175,30 +239,12 @@ int render_main(int argc, char **argv)
         fputs("Try `qtri render --help`.\n", stderr);
         return 2;
     }
-    struct scene scene;
-    struct text_error error;
-    if (!scene_read(options.scene, &scene, &error)) {
-        fprintf(stderr, "qtri render: %s\n", error.message);
-        return 1;
-    }
-    if (options.dump && !options.reference && scene.triangle_count > SCENE_MAX_DUMP_ID) {
-        fprintf(stderr, "qtri render: %s: more than %u triangles cannot be dumped\n", options.scene,
-                SCENE_MAX_DUMP_ID);
-        scene_free(&scene);
-        return 1;
-    }
-    struct picture picture;
-    int status = 0;
-    if (!render(&options, &scene, &picture)) {
+    char *path = output_path(&options, ".ppm");
+    if (path == NULL) {
         fprintf(stderr, "qtri render: out of memory\n");
-        status = 1;
-    } else {
-        if (!write_files(&options, &picture, &error)) {
-            fprintf(stderr, "qtri render: %s\n", error.message);
-            status = 1;
-        }
-        picture_free(&picture);
+        return 1;
     }
-    scene_free(&scene);
+    int status = render_file(&options, path);
+    free(path);
     return status;
 }

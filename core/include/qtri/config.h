@@ -10,6 +10,18 @@
 #ifndef QTRI_CONFIG_H
 #define QTRI_CONFIG_H
 
+#include <limits.h>
+#include <stdint.h>
+
+/*
+ * Drawing needs an int and a size_t of 32 bits: on an AVR or an MSP430 memory for a frame would
+ * wrap at 64 KB, and sums of plain numbers at 32767. The mathematics and the transforms (q16.h,
+ * vec.h, mat.h, quat.h, transform.h) do not, and give the same bits there.
+ */
+#if INT_MAX < 0x7FFFFFFF || SIZE_MAX < 0xFFFFFFFF
+#error "qtri draws where int and size_t have 32 bits or more; here only its mathematics can be used"
+#endif
+
 /* Colours that vary over a triangle. Without: QTRI_SMOOTH is QTRI_FLAT_LAST. */
 #ifndef QTRI_WITH_SMOOTH
 #define QTRI_WITH_SMOOTH 1

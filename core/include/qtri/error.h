@@ -2,7 +2,20 @@
  * Three kinds of failure, kept apart:
  *   - what the environment or the caller's memory makes impossible: a negative enum qtri_error;
  *   - degenerate geometry (zero area, w = 0, a zero axis): a documented, ordinary result;
- *   - a caller's bug (a null pointer where none is allowed): QTRI_ASSERT, nothing unless defined.
+ *   - a caller's bug (a null pointer where none is allowed): nothing is tested, unless QTRI_CHECKED
+ *     is defined when core/ and the application are compiled.
+ *
+ * A build with -DQTRI_CHECKED stops at the call that is likely a mistake, with file, line and the
+ * condition that does not hold: null pointers, indices past the end of a mesh, numbers that no enum
+ * names, counts of corners that are no multiple of 3 (lines: of 2), transforms never initialised,
+ * textures without texels or with sides above 1024, a plain number where a Q16.16 belongs (a field
+ * of view of 60 in place of Q16(60)). All of that has a documented result or faults elsewhere; the
+ * checked build is for finding it. q16.h has QTRI_CHECK_MATH for the results of the mathematics.
+ *
+ * What stops is <assert.h>'s assert; without a C library (-ffreestanding), or with NDEBUG, a trap
+ * with the three in reach of a debugger. -DQTRI_FAULT=name calls a function of the application in
+ * place of either: void name(const char *condition, const char *file, int line). If that returns,
+ * so does the check, and the call has its documented result.
  */
 #ifndef QTRI_ERROR_H
 #define QTRI_ERROR_H
@@ -19,8 +32,38 @@ enum qtri_error {
     QTRI_ERROR_FORMAT = -4
 };
 
+/* May be defined from outside, as anything that takes a condition. */
 #ifndef QTRI_ASSERT
+#if !defined(QTRI_CHECKED)
 #define QTRI_ASSERT(condition) ((void)0)
+#elif defined(QTRI_FAULT)
+#ifdef __cplusplus
+extern "C"
+#endif
+    void
+    QTRI_FAULT(const char *condition, const char *file, int line);
+#define QTRI_ASSERT(condition) ((condition) ? (void)0 : QTRI_FAULT(#condition, __FILE__, __LINE__))
+#elif __STDC_HOSTED__ && !defined(NDEBUG)
+#include <assert.h>
+#define QTRI_ASSERT(condition) assert(condition)
+#else
+static inline void qtri_fault(const char *condition, const char *file, int line)
+{
+    const char *volatile failed = condition;
+    const char *volatile in_file = file;
+    volatile int at_line = line;
+    (void)failed;
+    (void)in_file;
+    (void)at_line;
+#ifdef __GNUC__
+    __builtin_trap();
+#else
+    for (;;) {
+    }
+#endif
+}
+#define QTRI_ASSERT(condition) ((condition) ? (void)0 : qtri_fault(#condition, __FILE__, __LINE__))
+#endif
 #endif
 
 #endif

@@ -67,7 +67,8 @@ typedef struct qtri_frame {
  *
  * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX.
  * QTRI_ERROR_FORMAT: format is NULL.
- * QTRI_ERROR_MEMORY: bytes < QTRI_FRAME_BYTES(width, rows, format->pixels->bytes).
+ * QTRI_ERROR_MEMORY: memory is NULL, or bytes < QTRI_FRAME_BYTES(width, rows,
+ * format->pixels->bytes).
  * After an error the frame has no bands.
  */
 enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, int32_t width,

@@ -39,9 +39,21 @@ typedef int32_t q16;
  * A constant, rounded to nearest: Q16(0.5), Q16(-3). The literal must lie in the range above; the
  * compiler folds it to an integer, no floating-point instruction remains. It does so in double:
  * where that has 24 bits, as with avr-gcc, so has the constant, and from 128 up it may be off by
- * 2^-23 of itself.
+ * 2^-23 of itself. Of a variable it would be floating point, on most cores by the compiler's long
+ * functions: GCC and Clang refuse to compile it. q16_from_int, q16_from_ratio and q16_from_fixed
+ * take variables.
  */
-#define Q16(literal) ((q16)((literal)*65536.0 + ((literal) < 0 ? -0.5 : 0.5)))
+#define Q16(literal)                                                                               \
+    ((q16)((literal)*65536.0 + ((literal) < 0 ? -0.5 : 0.5)) * QTRI_LITERAL(literal))
+
+/* 1 where the compiler knows the value; does not compile otherwise. */
+#if defined(__GNUC__) && !defined(__cplusplus)
+#define QTRI_LITERAL(x) ((q16) __builtin_choose_expr(__builtin_constant_p(x), 1, (void)0))
+#elif defined(__GNUC__)
+#define QTRI_LITERAL(x) ((q16)sizeof(char[__builtin_constant_p(x) ? 1 : -1]))
+#else
+#define QTRI_LITERAL(x) ((q16)1)
+#endif
 
 /* x as an integer is out of range from 32768 up and below -32768: saturates. Otherwise exact. */
 q16 q16_from_int(int32_t x);

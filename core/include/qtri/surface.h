@@ -32,7 +32,7 @@ typedef struct qtri_surface {
     uint16_t *depth;       /* depth of (0, first_row), or NULL: no depth test, no depth written */
     ptrdiff_t depth_pitch; /* elements from a row to the next */
     const qtri_format *format; /* NULL: nothing is drawn, pixels are black */
-    int32_t width, height;     /* of the frame, 1..QTRI_SURFACE_MAX */
+    int32_t width, height;     /* of the frame, 1..QTRI_SURFACE_MAX; more counts as that */
     int32_t first_row, rows;   /* the rows that this memory holds */
     qtri_rect scissor;         /* drawing and clearing stay inside; set to the frame at first */
 } qtri_surface;
@@ -50,13 +50,19 @@ typedef struct qtri_surface {
  * the surface then holds the rows that exist.
  * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX, or first_row outside the frame.
  * QTRI_ERROR_FORMAT: format is NULL.
- * QTRI_ERROR_MEMORY: bytes < QTRI_BAND_BYTES(width, rows, format->pixels->bytes).
+ * QTRI_ERROR_MEMORY: memory is NULL, or bytes < QTRI_BAND_BYTES(width, rows,
+ * format->pixels->bytes).
+ * After an error the surface is all zero: nothing is drawn on it or cleared, its pixels are black.
  */
 enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *format, int32_t width,
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
                                   size_t bytes);
 
-/* Fills colour, and depth where there is one, inside the scissor. depth: 65535 is the farthest. */
+/*
+ * Fills colour, and depth where there is one, inside the scissor. depth: UINT16_MAX, 65535, is the
+ * farthest, which QTRI_LESS wants. 0 hides all that is drawn with QTRI_LESS, and so does Q16(1),
+ * which is 65536 and 0 in 16 bits: depths here are no Q16.16.
+ */
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth);
 
 /* The pixel's colour widened to 8 bits a channel; black outside the rows held. */

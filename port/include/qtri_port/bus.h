@@ -38,7 +38,10 @@ typedef struct qtri_bus {
 
     /* DMA, or NULL, both: `data` sends pixels then. data_start sets D/C high, starts the transfer
        and returns at once; the bytes stay untouched and nothing else is called until data_finish,
-       which waits for the last bit. Each start is followed by exactly one finish. */
+       which waits for the last bit, also before an error is returned. A start that returned true is
+       followed by exactly one finish; one that returned false by none: nothing was started, and
+       pins and DMA are as they were before it. A finish that returned false has ended the transfer
+       all the same and is not repeated. */
     bool (*data_start)(void *context, const uint8_t *bytes, size_t count);
     bool (*data_finish)(void *context);
 

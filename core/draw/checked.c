@@ -1,0 +1,65 @@
+#include "checked.h"
+
+#ifdef QTRI_CHECKED
+
+/* What no builder makes: a last row of zeros, for w = 0 everywhere. */
+static bool is_zero(const qtri_transform *t)
+{
+    const qtri_row *w = &t->row[3];
+    return (w->m[0] | w->m[1] | w->m[2]) == 0 && w->t == 0;
+}
+
+/* 0..1 in Q16.16, and not the plain 1. */
+static bool is_window_depth(q16 z)
+{
+    return z >= 0 && z != 1 && z <= Q16_ONE;
+}
+
+void qtri_check_view(const qtri_view *view, const qtri_transform *pose)
+{
+    QTRI_ASSERT(view != NULL);
+    QTRI_ASSERT(pose != NULL);
+    QTRI_ASSERT(!is_zero(pose));
+    QTRI_ASSERT(!is_zero(&view->camera));
+    QTRI_ASSERT(!is_zero(&view->projection));
+    const qtri_viewport *viewport = &view->viewport;
+    QTRI_ASSERT(viewport->width >= 0 && viewport->width <= QTRI_VIEWPORT_MAX);
+    QTRI_ASSERT(viewport->height >= 0 && viewport->height <= QTRI_VIEWPORT_MAX);
+    QTRI_ASSERT(is_window_depth(viewport->depth_near) && is_window_depth(viewport->depth_far));
+    QTRI_ASSERT(view->vertices != NULL || view->vertex_count == 0);
+}
+
+static void check_arrays(const qtri_mesh *mesh)
+{
+    QTRI_ASSERT(mesh->vertex_count <= 65536);
+    QTRI_ASSERT(mesh->positions != NULL || mesh->positions16 != NULL || mesh->vertex_count == 0);
+    QTRI_ASSERT(mesh->positions16 == NULL || mesh->extent > 0);
+    QTRI_ASSERT(mesh->triangles != NULL || mesh->triangles8 != NULL || mesh->triangle_count == 0);
+    QTRI_ASSERT(mesh->faces.culling == NULL || mesh->faces.planes != NULL);
+}
+
+void qtri_check_mesh(const qtri_mesh *mesh)
+{
+    QTRI_ASSERT(mesh != NULL);
+    check_arrays(mesh);
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        for (int corner = 0; corner < 3; corner++) {
+            const uint32_t index =
+                mesh->triangles8 != NULL ? mesh->triangles8[i][corner] : mesh->triangles[i][corner];
+            QTRI_ASSERT(index < mesh->vertex_count);
+        }
+    }
+}
+
+void qtri_check_corners(const void *corners, uint32_t count, uint32_t each)
+{
+    QTRI_ASSERT(corners != NULL || count == 0);
+    QTRI_ASSERT(count % each == 0);
+}
+
+#else
+
+/* C99 wants a declaration in every file. */
+typedef int qtri_draw_is_not_checked;
+
+#endif

@@ -1,0 +1,23 @@
+/*
+ * Checks of what draw calls are given, for checked builds. Internal.
+ */
+#ifndef QTRI_DRAW_CHECKED_H
+#define QTRI_DRAW_CHECKED_H
+
+#include "qtri/mesh.h"
+#include "qtri/view.h"
+
+#include "../raster/checked.h"
+
+#ifdef QTRI_CHECKED
+/* Its transforms and its viewport are initialised, its vertices have memory; so is the pose. */
+void qtri_check_view(const qtri_view *view, const qtri_transform *pose);
+
+/* It has what its counts say, and every index is below the count of vertices. */
+void qtri_check_mesh(const qtri_mesh *mesh);
+
+/* Corners of primitives of `each`. */
+void qtri_check_corners(const void *corners, uint32_t count, uint32_t each);
+#endif
+
+#endif

@@ -1,0 +1,101 @@
+#!/bin/sh
+# The static call graph of the library, by the compiler: nothing calls itself, not through others either, no frame's size
+# depends on arguments, and no public function takes more stack than stack.calls allows. That file also lists what indirect
+# calls lead to; a function whose address is taken and that is in no list is a finding. STACK_SHOW=1 prints all depths.
+gate=stack
+. tests/check/files.sh
+need arm-none-eabi-gcc
+
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+status=0
+
+# A name is a line `symbol` of a public header's declaration.
+cat core/include/qtri/*.h port/include/qtri_port/*.h | grep -oE '\b(qtri|q16)_[a-z0-9_]+\(' | tr -d '(' | sort -u >"$work/public"
+
+for build in 'cortex-m0plus -Os' 'cortex-m3 -O2'; do
+    folder=$work/$(echo "$build" | tr -d ' ')
+    mkdir "$folder"
+    c_files core port/panels | grep '\.c$' | xargs -P "$jobs" -n 8 sh -c 'folder=$1 flags=$2; shift 2; for file; do
+        arm-none-eabi-gcc -std=c99 -mcpu=$flags -mthumb -ffreestanding -Icore/include -Iport/include -fcallgraph-info=su \
+            -c -o "$folder/$(echo "${file%.c}" | tr / +).o" "$file" || exit 1; done' sh "$folder" "$build" || finish 1
+    cat "$folder"/*.ci | awk -F '"' -v build="$build" -v show="${STACK_SHOW:-}" -v public="$work/public" '
+        BEGIN {
+            while ((getline line < public) > 0) is_public[line]
+            while ((getline line < "tests/check/stack.calls") > 0) {
+                n = split(line, field, " ")
+                if (field[1] == "group") for (i = 3; i <= n; i++) group[field[2]] = group[field[2]] " " field[i]
+                if (field[1] == "call") for (i = 3; i <= n; i++) targets[field[2]] = targets[field[2]] " " field[i]
+                if (field[1] == "limit") { limits++; limit_name[limits] = field[2]; limit_bytes[limits] = field[3] }
+            }
+        }
+        # "*" is any letters.
+        function pattern(glob) { gsub(/\./, "[.]", glob); gsub(/\*/, ".*", glob); return "^" glob "([.](part|constprop|isra)[.].*)?$" }
+        function complain(text) { print build ": " text; bad = 1 }
+        /^node:/ {
+            if (split($4, part, "\\\\n") >= 3 && match(part[3], /[0-9]+ bytes/)) {
+                frame[$2] = substr(part[3], RSTART) + 0
+                file_of[$2] = part[2]; sub(/:.*/, "", file_of[$2])
+                if (part[3] ~ /dynamic/) complain($2 ": the size of its frame depends on arguments")
+            }
+        }
+        /^edge:/ && !(($2, $4) in edge) { edge[$2, $4]; out[$2] = out[$2] " " $4; called[$4] }
+        # The functions that a word of the list stands for, each with a blank before it.
+        function expand(word,   t, n, i, list, found) {
+            if (word in expanded) return expanded[word]
+            found = ""
+            if (word in group) {
+                n = split(group[word], list, " ")
+                for (i = 1; i <= n; i++) found = found expand(list[i])
+            } else for (t in frame) if (t ~ pattern(word)) found = found " " t
+            return expanded[word] = found
+        }
+        function indirect(from,   key, n, i, list, found) {
+            key = from in targets ? from : file_of[from]
+            if (!(key in targets)) { complain(from ": its indirect call is in no list"); return "" }
+            n = split(targets[key], list, " ")
+            found = ""
+            for (i = 1; i <= n; i++) {
+                if (list[i] != "application" && expand(list[i]) == "") unknown[list[i]]
+                found = found expand(list[i])
+            }
+            return found
+        }
+        function depth(t,   n, i, list, d, best) {
+            if (t in known) return known[t]
+            if (t in busy) {
+                if (!((t, "met") in busy)) { busy[t, "met"]; complain(t ": calls itself, perhaps through others: " path) }
+                return 0
+            }
+            busy[t]
+            sub(/$/, " " t, path)
+            best = 0
+            n = split(out[t] ((t, "__indirect_call") in edge ? indirect(t) : ""), list, " ")
+            for (i = 1; i <= n; i++) if (list[i] != "__indirect_call") {
+                d = depth(list[i])
+                if (d > best) { best = d; next_of[t] = list[i] }
+            }
+            sub(/ [^ ]*$/, "", path)
+            delete busy[t]
+            return known[t] = frame[t] + best
+        }
+        function way(t,   text) {
+            for (text = ""; t != ""; t = next_of[t]) text = text " " t "(" frame[t] + 0 ")"
+            return text
+        }
+        END {
+            for (t in frame) depth(t)
+            for (t in frame) if (t in is_public) {
+                most = 0
+                for (i = limits; i >= 1; i--) if (t ~ pattern(limit_name[i])) most = limit_bytes[i]
+                if (known[t] > most) complain(t ": " known[t] " bytes of stack, above " most ":" way(t))
+                if (show) printf "%6d %s:%s\n", known[t], build, way(t)
+            }
+            for (key in unknown) if (key !~ /[*]/) complain(key ": in a list, and no function")
+            # Static functions are called by somebody: by name, or by a list.
+            for (key in targets) { n = split(targets[key], list, " "); for (i = 1; i <= n; i++) { m = split(expand(list[i]), each, " "); for (j = 1; j <= m; j++) listed[each[j]] } }
+            for (t in frame) if (t ~ /:/ && !(t in called) && !(t in listed) && t !~ /[.](part|constprop|isra)[.]/) complain(t ": its address is taken, and no list has it")
+            exit bad
+        }' || status=1
+done
+finish $status
