@@ -45,6 +45,7 @@
 #include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/raster.h"
+#include "qtri/stroke.h"
 #include "qtri/surface.h"
 #include "qtri/texture.h"
 #include "qtri/transform.h"

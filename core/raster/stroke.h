@@ -1,0 +1,140 @@
+/*
+ * Strokes: the union of the shapes of a line's parts, row by row. Internal.
+ *
+ * A part, the segment from a to b, is a convex shape: a rectangle and, at joints and round ends, a
+ * disc. Each row of pixels is drawn by itself, in windows of 32 columns that begin at multiples of
+ * 32: what a pixel becomes depends on the row, the window and the parts, never on what a band or a
+ * scissor leave of them.
+ */
+#ifndef QTRI_RASTER_STROKE_H
+#define QTRI_RASTER_STROKE_H
+
+#include "qtri/stroke.h"
+
+#include "../bits/bits.h"
+
+enum {
+    QTRI_STROKE_WINDOW = 32, /* columns */
+    QTRI_STROKE_SHAPES = 8,  /* that are kept from row to row */
+    QTRI_STROKE_PARTS = 16   /* of a row or a window whose numbers are kept */
+};
+
+/* What covers a whole pixel. */
+#define QTRI_STROKE_FULL ((int32_t)256 * 512)
+
+/* Where a part is. */
+typedef struct qtri_stroke_place {
+    qtri_screen_point end[2]; /* within +-QTRI_SCREEN_MAX_24P8 */
+    int32_t radius_24p8;      /* 1..2^16 */
+    uint8_t caps[2];          /* qtri_cap of the ends; joints are round */
+} qtri_stroke_place;
+
+/* What an end looks like. */
+typedef struct qtri_stroke_end {
+    uint32_t depth_16p8; /* 0..65535.0 */
+    int32_t color_8p16[3];
+} qtri_stroke_end;
+
+/* Parts 0 .. count-1. `place` is asked in every row, and says false of what is not to be seen. */
+typedef struct qtri_stroke_source {
+    const void *from;
+    uint32_t count;
+    bool (*place)(const void *from, uint32_t part, qtri_stroke_place *place);
+    void (*ends)(const void *from, uint32_t part, qtri_stroke_end end[2]);
+} qtri_stroke_source;
+
+/*
+ * A part made ready. a is its upper end. The rectangle's corners are a and b plus and minus
+ * `offset`; slopes are x for y along its long sides and its ends.
+ */
+typedef struct qtri_stroke_shape {
+    uint32_t part; /* UINT32_MAX: none */
+    qtri_screen_point a, b, disc[2], origin;
+    int32_t radius;
+    int32_t offset_x, offset_y;
+    int64_t slope_q32, end_slope_q32;
+    uint8_t discs; /* bit 0: around a, bit 1: around b */
+    bool even;     /* one colour */
+    /* From `origin`, the first end as it was given, along the part: */
+    int32_t along_x_q30, along_y_q30; /* its direction */
+    int32_t length_24p8;
+    uint32_t inverse;      /* of its length: 2^46 / length 2^inverse_shift */
+    uint8_t inverse_shift; /* a position times `inverse`, shifted down so far, is a share in Q16 */
+    qtri_stroke_end end[2];
+} qtri_stroke_shape;
+
+void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place);
+
+/* The columns that it may touch in a row: first and past the last. False: none. */
+bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int32_t *first,
+                               int32_t *end);
+
+/*
+ * From the level y0 to y1, in between of which no side begins or ends: the left and right bounds at
+ * both. False: it is not there.
+ */
+typedef struct qtri_stroke_slice {
+    int32_t left[2], right[2]; /* at y0 and y1, 24.8 */
+} qtri_stroke_slice;
+bool qtri_stroke_shape_slice(const qtri_stroke_shape *shape, int32_t y0, int32_t y1,
+                             qtri_stroke_slice *slice);
+
+/* The first level below y where a side or a disc begins or ends; `next` where none is before. */
+int32_t qtri_stroke_shape_break(const qtri_stroke_shape *shape, int32_t y, int32_t next);
+
+/* Parts of which the numbers are known, and from which on others may follow. */
+typedef struct qtri_stroke_parts {
+    uint32_t part[QTRI_STROKE_PARTS];
+    uint32_t count, rest;
+} qtri_stroke_parts;
+
+typedef struct qtri_stroker {
+    const qtri_surface *surface;
+    const qtri_stroke_source *source;
+    qtri_rect bounds;
+    qtri_compare compare;
+    bool depth_write;
+    uint32_t alpha; /* 1..256 */
+    const qtri_stroke_edges *edges;
+    int32_t row, column;      /* of the window */
+    qtri_stroke_parts in_row; /* may touch the row; and */
+    qtri_stroke_parts parts;  /*   the window */
+    qtri_stroke_shape shape[QTRI_STROKE_SHAPES];
+    int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of each pixel, 0..QTRI_STROKE_FULL */
+} qtri_stroker;
+
+struct qtri_stroke_edges {
+    /* Fills stroker->cover of the window. */
+    void (*cover)(qtri_stroker *stroker);
+};
+
+/* False: nothing can be drawn. Then parts of any source. */
+bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
+                       const qtri_material *material, const qtri_stroke *stroke);
+void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
+
+/*
+ * The parts of the window, in their order: *at is 0 at first, and counts on. NULL behind the last.
+ * A shape is there until the next is asked for.
+ */
+const qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at);
+
+/* Half of a width in 24.8; 0: nothing is drawn. */
+static inline int32_t qtri_stroke_radius(q16 width)
+{
+    const q16 most = QTRI_STROKE_WIDTH_MAX * Q16_ONE;
+    return width <= 0 ? 0 : (qtri_least32(width, most) + 256) >> 9;
+}
+
+static inline uint8_t qtri_stroke_cap(const qtri_stroke *stroke)
+{
+    const bool is_flat = stroke->cap == QTRI_CAP_BUTT || stroke->cap == QTRI_CAP_SQUARE;
+    return (uint8_t)(is_flat ? stroke->cap : QTRI_CAP_ROUND);
+}
+
+static inline int32_t qtri_stroke_hold(int32_t x)
+{
+    return qtri_hold32(x, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
+}
+
+#endif
