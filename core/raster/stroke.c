@@ -23,7 +23,7 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
     stroker->bounds = qtri_surface_bounds(surface);
     stroker->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : compare;
     stroker->depth_write = stroker->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
-    stroker->alpha = stroke->alpha + (stroke->alpha >> 7); /* 255: 256 */
+    stroker->alpha = stroke->alpha;
     stroker->edges = stroke->edges;
     return stroker->bounds.x0 < stroker->bounds.x1 && stroke->alpha != 0 && compare != QTRI_NEVER;
 }
@@ -143,32 +143,46 @@ typedef struct sample {
 
 /* Where along the parts pixels of a window are. */
 typedef struct position {
-    int32_t beyond; /* the part, in 24.8: 0 beside it */
+    uint64_t square; /* of the distance in 24.8 */
     uint32_t share_q16;
-    uint32_t part;
+    uint32_t part; /* UINT32_MAX: none yet */
 } position;
 
-/* Of the pixels first .. end-1 of the window: taken where the shape reaches nearer than others. */
+/* From a pixel's centre to the part; |along|, |across| < 2^25, far away taken as 2^22. */
+static uint64_t square_of(int32_t beyond, int32_t across)
+{
+    const int32_t most = (int32_t)1 << 22;
+    const int32_t x = qtri_hold32(beyond, -most, most);
+    const int32_t y = qtri_hold32(across, -most, most);
+    return (uint64_t)qtri_mul_s32(x, x) + (uint64_t)qtri_mul_s32(y, y);
+}
+
+/* Of the pixels first .. end-1 of the window: taken where the shape is nearer than others. */
 static void take_positions(position *at, const qtri_stroker *stroker,
                            const qtri_stroke_shape *shape, int32_t first, int32_t end)
 {
     const int32_t x = (stroker->column + first) * 256 + 128 - shape->origin.x_24p8;
     const int32_t y = stroker->row * 256 + 128 - shape->origin.y_24p8;
+    const int32_t length = shape->length_24p8;
+    const bool is_alone = stroker->parts.count == 1;
     /* |x|, |y| < 2^24: below 2^55. */
     int64_t along_q30 = qtri_mul_s32(x, shape->along_x_q30) + qtri_mul_s32(y, shape->along_y_q30);
+    int64_t across_q30 = qtri_mul_s32(y, shape->along_x_q30) - qtri_mul_s32(x, shape->along_y_q30);
     const int64_t step = (int64_t)shape->along_x_q30 * 256;
-    for (int32_t i = first; i < end; i++, along_q30 += step) {
+    const int64_t step_across = (int64_t)shape->along_y_q30 * -256;
+    for (int32_t i = first; i < end; i++) {
         const int32_t along = (int32_t)(along_q30 >> 30);
-        const int32_t length = shape->length_24p8;
         const int32_t held = qtri_hold32(along, 0, length);
-        const int32_t beyond = along < held ? held - along : along - held;
-        if (at[i].part == UINT32_MAX || beyond < at[i].beyond) {
+        const uint64_t square = is_alone ? 0 : square_of(along - held, (int32_t)(across_q30 >> 30));
+        if (at[i].part == UINT32_MAX || square < at[i].square) {
             const uint64_t product = qtri_mul_u32((uint32_t)held, shape->inverse);
             const uint32_t share = (uint32_t)(product >> shape->inverse_shift);
-            at[i].beyond = beyond;
+            at[i].square = square;
             at[i].share_q16 = share < 65536 ? share : 65536;
             at[i].part = shape->part;
         }
+        along_q30 += step;
+        across_q30 += step_across;
     }
 }
 
@@ -191,20 +205,33 @@ static void take_sample(sample *out, const qtri_stroke_shape *shape, uint32_t sh
     }
 }
 
-/* A colour, or what `weight` of 256 of it make of a stored pixel, before it is encoded. */
+/* A colour, or what a share of it, 0..2^16, makes of a stored pixel, before it is encoded. */
 static uint32_t word_of(const qtri_format *format, const sample *from, const uint8_t *pixel,
-                        uint32_t weight)
+                        int32_t share_q16)
 {
     int32_t color[3] = {from->color_8p16[0], from->color_8p16[1], from->color_8p16[2]};
-    if (weight < 256) {
+    if (share_q16 < 65536) {
         const uint32_t stored = format->decode(format->pixels->load(pixel));
         for (int i = 0; i < 3; i++) {
             const int32_t below = (int32_t)(stored >> (16 - 8 * i) & 0xFFu) << 16;
-            color[i] = below + ((color[i] - below) >> 8) * (int32_t)weight; /* |.| < 2^24 */
+            /* |.| <= 255 2^7 2^16 < 2^31 */
+            color[i] = below + ((((color[i] - below) >> 9) * share_q16) >> 7);
         }
     }
     const qtri_channels channels = qtri_channels_from_color(format->colors, color);
     return format->colors->pack(channels.c);
+}
+
+/* Less than a half of 1/256 is nothing. */
+#define LEAST (QTRI_STROKE_FULL / 512)
+
+/* cover alpha / 255 in Q16: 32897 / 2^23 is 1 / 255 within 2^-30. */
+static int32_t share_of(const qtri_stroker *stroker, int32_t cover)
+{
+    if (stroker->alpha == 255) {
+        return cover >> 1;
+    }
+    return (int32_t)((uint32_t)(cover >> 2) * ((stroker->alpha * 32897u) >> 8) >> 14);
 }
 
 /* The part of the window inside the bounds, from its first pixel on. */
@@ -239,9 +266,9 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
                        qtri_least32(end - stroker->column, in->end));
     }
     for (int32_t i = in->first; i < in->end; i++, pixel += format->pixels->bytes) {
-        const uint32_t weight = (uint32_t)(stroker->cover[i] + 256) >> 9; /* 0..256 */
+        const int32_t cover = stroker->cover[i];
         mask <<= 1;
-        if (weight == 0 || at[i].part == UINT32_MAX) {
+        if (cover < LEAST || at[i].part == UINT32_MAX) {
             continue;
         }
         sample s;
@@ -250,11 +277,11 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
             if (!passes(stroker->compare, s.depth, depth[i])) {
                 continue;
             }
-            if (stroker->depth_write && weight >= 128) {
+            if (stroker->depth_write && cover >= QTRI_STROKE_FULL / 2) {
                 depth[i] = (uint16_t)s.depth;
             }
         }
-        word[i - in->first] = word_of(format, &s, pixel, (weight * stroker->alpha + 128) >> 8);
+        word[i - in->first] = word_of(format, &s, pixel, share_of(stroker, cover));
         mask |= 1;
     }
     const int32_t count = in->end - in->first;

@@ -94,7 +94,7 @@ typedef struct qtri_stroker {
     qtri_rect bounds;
     qtri_compare compare;
     bool depth_write;
-    uint32_t alpha; /* 1..256 */
+    uint32_t alpha; /* 1..255 */
     const qtri_stroke_edges *edges;
     int32_t row, column;      /* of the window */
     qtri_stroke_parts in_row; /* may touch the row; and */

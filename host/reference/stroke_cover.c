@@ -136,10 +136,9 @@ size_t ref_stroke_nearest(const struct ref_stroke_part *part, size_t count, doub
         double length = direction(&part[i], unit);
         double at = unit[0] * (x - part[i].x0) + unit[1] * (y - part[i].y0);
         double held = fmax(0.0, fmin(length, at));
-        struct ref_stroke_part wide = part[i];
-        wide.radius += 2.0;
-        if (fabs(at - held) < best && ref_stroke_contains(&wide, 1, x, y)) {
-            best = fabs(at - held);
+        double distance = hypot(part[i].x0 + unit[0] * held - x, part[i].y0 + unit[1] * held - y);
+        if (distance < best) {
+            best = distance;
             found = i;
             *along = length > 0.0 ? held / length : 0.0;
         }

@@ -25,10 +25,7 @@ void ref_stroke_cover_row(const struct ref_stroke_part *part, size_t count, int 
 /* Whether the point lies inside the union. Left and upper sides count as inside. */
 bool ref_stroke_contains(const struct ref_stroke_part *part, size_t count, double x, double y);
 
-/*
- * Of the part that reaches nearest to the point along itself, the first of equals: its number, and
- * where along it the point is, 0..1.
- */
+/* The part whose line is nearest to the point: its number, and where along it that is, 0..1. */
 size_t ref_stroke_nearest(const struct ref_stroke_part *part, size_t count, double x, double y,
                           double *along);
 

@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "scene_stroke.h"
+
 /* The two matrix stacks while a scene is replayed. */
 struct stacks {
     qtri_transform matrix[2][SCENE_STACK_DEPTH + 1];
@@ -244,7 +246,7 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
     qtri_transform_identity(&stacks->matrix[1][0]);
     for (size_t i = 0; i < scene->op_count; i++) {
         const struct scene_op *op = &scene->ops[i];
-        if (op->kind != SCENE_TRIANGLE && op->kind != SCENE_MESH) {
+        if (op->kind < SCENE_TRIANGLE) {
             apply_to_stacks(stacks, op);
             continue;
         }
@@ -252,6 +254,10 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
         d.modelview = stacks->matrix[1][stacks->top[1]];
         if (op->kind == SCENE_TRIANGLE) {
             draw_triangle(&d, op);
+        } else if (op->kind == SCENE_STROKE) {
+            const qtri_rgb id = rgb_of_id(op->id);
+            scene_draw_stroke(scene, op, surface, &d.view, &d.modelview, &d.material,
+                              pass == SCENE_IDS ? &id : NULL);
         } else {
             draw_mesh(&d, op);
         }

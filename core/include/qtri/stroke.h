@@ -11,8 +11,8 @@
  * share of the colour that the stroke covers of its area, within 1/32; what is stored is read back
  * and blended, in any format.
  *
- * Colour and depth are linear on the screen along each part; at a joint those of the part are taken
- * that reaches nearest to the pixel, the first of equals. Depth is compared at each pixel's centre,
+ * Colour and depth are linear on the screen along each part; where parts overlap, those of the one
+ * are taken whose line is nearest to the pixel's centre. Depth is compared at each pixel's centre,
  * and written where half of a pixel or more is covered. A frame in bands, or drawn by any scissor,
  * has the pixels of the whole frame.
  *
@@ -99,15 +99,12 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
                               const qtri_transform *pose, const qtri_mesh *mesh,
                               const qtri_stroke *stroke, const qtri_material *material);
 
-/* Pixels without a colour: a surface of this format takes depth and leaves its pixels alone. */
-extern const qtri_format qtri_depth_only;
-
 /*
- * A wireframe without hidden lines: first the mesh's triangles into depth alone, then its edges
- * over them. The edges' depth is drawn nearer by `bias` of the range 0..1, held to that; lines
- * that are wide on steep faces need more. Q16(.002) serves for lines of a pixel on most meshes.
- * stroke NULL: lines of one pixel with hard edges, those of &qtri_wireframe. Depth compares with
- * material->depth_compare, and where that is QTRI_DEPTH_OFF nothing is hidden.
+ * A wireframe without hidden lines: first the mesh's triangles into depth alone (&qtri_depth_only),
+ * then its edges over them. The edges' depth is drawn nearer by `bias` of the range 0..1, held to
+ * that; lines that are wide on steep faces need more. Q16(.002) serves for lines of a pixel on most
+ * meshes. stroke NULL: lines of one pixel with hard edges, those of &qtri_wireframe. Depth compares
+ * with material->depth_compare, and where that is QTRI_DEPTH_OFF nothing is hidden.
  */
 void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
                             const qtri_transform *pose, const qtri_mesh *mesh,
