@@ -163,7 +163,8 @@ static void take_positions(position *at, const qtri_stroker *stroker,
 {
     const int32_t x = (stroker->column + first) * 256 + 128 - shape->origin.x_24p8;
     const int32_t y = stroker->row * 256 + 128 - shape->origin.y_24p8;
-    const int32_t length = shape->length_24p8;
+    const int32_t down = 30 - shape->up;
+    const int64_t length_q30 = (int64_t)((uint64_t)shape->length << down);
     const bool is_alone = stroker->parts.count == 1;
     /* |x|, |y| < 2^24: below 2^55. */
     int64_t along_q30 = qtri_mul_s32(x, shape->along_x_q30) + qtri_mul_s32(y, shape->along_y_q30);
@@ -171,11 +172,13 @@ static void take_positions(position *at, const qtri_stroker *stroker,
     const int64_t step = (int64_t)shape->along_x_q30 * 256;
     const int64_t step_across = (int64_t)shape->along_y_q30 * -256;
     for (int32_t i = first; i < end; i++) {
-        const int32_t along = (int32_t)(along_q30 >> 30);
-        const int32_t held = qtri_hold32(along, 0, length);
-        const uint64_t square = is_alone ? 0 : square_of(along - held, (int32_t)(across_q30 >> 30));
+        const int64_t held_q30 =
+            along_q30 < 0 ? 0 : (along_q30 > length_q30 ? length_q30 : along_q30);
+        const uint64_t square = is_alone ? 0
+                                         : square_of((int32_t)((along_q30 - held_q30) >> 30),
+                                                     (int32_t)(across_q30 >> 30));
         if (at[i].part == UINT32_MAX || square < at[i].square) {
-            const uint64_t product = qtri_mul_u32((uint32_t)held, shape->inverse);
+            const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> down), shape->inverse);
             const uint32_t share = (uint32_t)(product >> shape->inverse_shift);
             at[i].square = square;
             at[i].share_q16 = share < 65536 ? share : 65536;

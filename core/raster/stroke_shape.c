@@ -26,6 +26,8 @@ static void set_direction(qtri_stroke_shape *shape, int32_t dx, int32_t dy)
     shape->along_x_q30 = (int32_t)1 << 30;
     shape->along_y_q30 = 0;
     shape->length_24p8 = 0;
+    shape->length = 0;
+    shape->up = 0;
     shape->inverse = 0;
     shape->inverse_shift = 0;
     if (square == 0) {
@@ -42,7 +44,9 @@ static void set_direction(qtri_stroke_shape *shape, int32_t dx, int32_t dy)
     shape->along_y_q30 = qtri_hold32((int32_t)y, -most, most);
     shape->length_24p8 = (int32_t)((length + ((uint32_t)1 << up >> 1)) >> up);
     shape->inverse = (uint32_t)reciprocal;
-    shape->inverse_shift = (uint8_t)(46 - zeros - up); /* 15..40 */
+    shape->inverse_shift = (uint8_t)(46 - zeros); /* 45 or 46 */
+    shape->length = length;
+    shape->up = (uint8_t)up;
 }
 
 void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place)
