@@ -57,9 +57,8 @@ typedef struct qtri_stroke_shape {
     bool even;     /* one colour */
     /* From `origin`, the first end as it was given, along the part: */
     int32_t along_x_q30, along_y_q30; /* its direction */
-    int32_t length_24p8;
-    uint32_t length;       /* the same times 2^up: 2^30..2^31; 0: none */
-    uint8_t up;            /* 6..30 */
+    uint32_t length;                  /* in 24.8, times 2^up: 2^30..2^31; 0: none */
+    uint8_t up;                       /* 6..30 */
     uint8_t inverse_shift; /* a position times 2^up and `inverse`, so far down: a share in Q16 */
     uint32_t inverse;      /* of `length` */
     qtri_stroke_end end[2];

@@ -25,7 +25,6 @@ static void set_direction(qtri_stroke_shape *shape, int32_t dx, int32_t dy)
     const uint64_t square = (uint64_t)qtri_mul_s32(dx, dx) + (uint64_t)qtri_mul_s32(dy, dy);
     shape->along_x_q30 = (int32_t)1 << 30;
     shape->along_y_q30 = 0;
-    shape->length_24p8 = 0;
     shape->length = 0;
     shape->up = 0;
     shape->inverse = 0;
@@ -42,7 +41,6 @@ static void set_direction(qtri_stroke_shape *shape, int32_t dx, int32_t dy)
     const int64_t y = qtri_mul_s32(dy * ((int32_t)1 << up), reciprocal) >> (32 - zeros);
     shape->along_x_q30 = qtri_hold32((int32_t)x, -most, most);
     shape->along_y_q30 = qtri_hold32((int32_t)y, -most, most);
-    shape->length_24p8 = (int32_t)((length + ((uint32_t)1 << up >> 1)) >> up);
     shape->inverse = (uint32_t)reciprocal;
     shape->inverse_shift = (uint8_t)(46 - zeros); /* 45 or 46 */
     shape->length = length;
