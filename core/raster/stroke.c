@@ -28,22 +28,29 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
     return stroker->bounds.x0 < stroker->bounds.x1 && stroke->alpha != 0 && compare != QTRI_NEVER;
 }
 
-/* Whether a part may touch the row. A corner of a square cap is 3/2 radii away at most. */
-static bool touches_row(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place)
+/* How far a part reaches around its line: a corner of a square cap is 3/2 radii away at most. */
+static int32_t reach_of(const qtri_stroke_place *place)
 {
-    const qtri_stroke_source *source = stroker->source;
-    if (!source->place(source->from, part, place)) {
-        return false;
-    }
-    const int32_t top = stroker->row * 256;
-    const int32_t reach = place->radius_24p8 + (place->radius_24p8 >> 1) + 1;
-    const int32_t y0 = place->end[0].y_24p8;
-    const int32_t y1 = place->end[1].y_24p8;
-    return qtri_least32(y0, y1) <= top + 256 + reach && qtri_greatest32(y0, y1) >= top - reach;
+    return place->radius_24p8 + (place->radius_24p8 >> 1) + 1;
 }
 
-/* The shape of a part that is there; one that was made for another row is made no more. */
-static const qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
+/* Whether a part may touch the strip. */
+static bool touches_strip(const qtri_stroker *stroker, uint32_t part)
+{
+    const qtri_stroke_source *source = stroker->source;
+    qtri_stroke_place place;
+    if (!source->place(source->from, part, &place)) {
+        return false;
+    }
+    const int32_t left = stroker->column * 256;
+    const int32_t x0 = place.end[0].x_24p8;
+    const int32_t x1 = place.end[1].x_24p8;
+    return qtri_least32(x0, x1) <= left + QTRI_STROKE_WINDOW * 256 + reach_of(&place) &&
+           qtri_greatest32(x0, x1) >= left - reach_of(&place);
+}
+
+/* The shape of a part that is there. Of eight parts that follow each other all are kept. */
+static qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
 {
     const qtri_stroke_source *source = stroker->source;
     qtri_stroke_shape *shape = &stroker->shape[part % QTRI_STROKE_SHAPES];
@@ -60,59 +67,93 @@ static const qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
     return shape;
 }
 
-static bool touches_window(const qtri_stroke_shape *shape, const qtri_stroker *stroker)
-{
-    int32_t first;
-    int32_t end;
-    return qtri_stroke_shape_columns(shape, stroker->row, &first, &end) &&
-           first < stroker->column + QTRI_STROKE_WINDOW && end > stroker->column;
-}
-
 /*
- * The part behind those that *at has counted: of `parts`, or, behind them, any that touches the
- * row. UINT32_MAX: none.
+ * The parts that may touch the strip: those that are listed, and behind them any. *at is 0 at
+ * first; UINT32_MAX: none.
  */
-static uint32_t part_of(const qtri_stroker *stroker, const qtri_stroke_parts *parts, uint32_t *at)
+static uint32_t next_part(const qtri_stroker *stroker, uint32_t *at)
 {
-    if (*at < parts->count) {
-        return parts->part[(*at)++];
+    if (*at < stroker->part_count) {
+        return stroker->part[(*at)++];
     }
-    /* Behind the list *at is count + 1 and the number of the part that is next. */
-    uint32_t part = *at == parts->count ? parts->rest : *at - parts->count - 1;
-    for (; part < stroker->source->count; part++) {
-        qtri_stroke_place place;
-        if (touches_row(stroker, part, &place)) {
-            *at = parts->count + 1 + part + 1;
-            return part;
-        }
+    if (stroker->rest == UINT32_MAX) {
+        return UINT32_MAX;
     }
-    *at = UINT32_MAX;
-    return UINT32_MAX;
+    uint32_t part = stroker->rest + (*at - stroker->part_count);
+    while (part < stroker->source->count && !touches_strip(stroker, part)) {
+        part++;
+    }
+    *at = part + 1 - stroker->rest + stroker->part_count;
+    return part < stroker->source->count ? part : UINT32_MAX;
 }
 
-static void add_part(qtri_stroke_parts *parts, uint32_t part)
+/* Whether a part touches the row in the strip; its columns. */
+static bool find_columns(qtri_stroker *stroker, uint32_t part, int32_t *first, int32_t *end)
 {
-    if (parts->count < QTRI_STROKE_PARTS) {
-        parts->part[parts->count++] = part;
-    } else if (parts->rest == UINT32_MAX) {
-        parts->rest = part;
-    }
+    return qtri_stroke_shape_columns(shape_of(stroker, part), stroker->row, first, end) &&
+           *first<stroker->column + QTRI_STROKE_WINDOW && * end> stroker->column;
 }
 
-const qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at)
+qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at)
 {
-    const uint32_t known = stroker->parts.count;
+    if (stroker->touch_count != QTRI_STROKE_MANY) {
+        const uint32_t touch = stroker->first_touch + *at;
+        (*at)++;
+        return touch < stroker->touch_end ? shape_of(stroker, stroker->touch[touch].part) : NULL;
+    }
     for (;;) {
-        const bool is_known = *at < known;
-        const uint32_t part = part_of(stroker, &stroker->parts, at);
+        int32_t first;
+        int32_t end;
+        const uint32_t part = next_part(stroker, at);
         if (part == UINT32_MAX) {
             return NULL;
         }
-        const qtri_stroke_shape *shape = shape_of(stroker, part);
-        if (is_known || touches_window(shape, stroker)) {
-            return shape;
+        if (find_columns(stroker, part, &first, &end)) {
+            return shape_of(stroker, part);
         }
     }
+}
+
+/* Of the touches, those that begin at `from` and their columns touch. */
+static uint32_t group_end(const qtri_stroker *stroker, uint32_t from)
+{
+    int32_t end = stroker->touch[from].end;
+    uint32_t to = from + 1;
+    while (to < stroker->touch_count && stroker->touch[to].first < end) {
+        end = qtri_greatest32(end, stroker->touch[to].end);
+        to++;
+    }
+    return to;
+}
+
+static void set_group(qtri_stroker *stroker, uint32_t from)
+{
+    stroker->first_touch = from;
+    stroker->touch_end = stroker->touch_count == QTRI_STROKE_MANY ? 1 : group_end(stroker, from);
+}
+
+/* Lists the parts that touch the row, by their first columns. False: none. */
+static bool find_touches(qtri_stroker *stroker)
+{
+    uint32_t at = 0;
+    uint32_t count = 0;
+    for (uint32_t part; (part = next_part(stroker, &at)) != UINT32_MAX;) {
+        qtri_stroke_touch touch = {part, 0, 0};
+        if (!find_columns(stroker, part, &touch.first, &touch.end)) {
+            continue;
+        }
+        if (count == QTRI_STROKE_PARTS) {
+            stroker->touch_count = QTRI_STROKE_MANY;
+            return true;
+        }
+        uint32_t i = count++;
+        for (; i > 0 && stroker->touch[i - 1].first > touch.first; i--) {
+            stroker->touch[i] = stroker->touch[i - 1];
+        }
+        stroker->touch[i] = touch;
+    }
+    stroker->touch_count = count;
+    return count > 0;
 }
 
 static bool passes(qtri_compare compare, uint32_t depth, uint32_t stored)
@@ -159,13 +200,13 @@ static uint64_t square_of(int32_t beyond, int32_t across)
 
 /* Of the pixels first .. end-1 of the window: taken where the shape is nearer than others. */
 static void take_positions(position *at, const qtri_stroker *stroker,
-                           const qtri_stroke_shape *shape, int32_t first, int32_t end)
+                           const qtri_stroke_shape *shape, int32_t first, int32_t end,
+                           bool is_alone)
 {
     const int32_t x = (stroker->column + first) * 256 + 128 - shape->origin.x_24p8;
     const int32_t y = stroker->row * 256 + 128 - shape->origin.y_24p8;
     const int32_t down = 30 - shape->up;
     const int64_t length_q30 = (int64_t)((uint64_t)shape->length << down);
-    const bool is_alone = stroker->parts.count == 1;
     /* |x|, |y| < 2^24: below 2^55. */
     int64_t along_q30 = qtri_mul_s32(x, shape->along_x_q30) + qtri_mul_s32(y, shape->along_y_q30);
     int64_t across_q30 = qtri_mul_s32(y, shape->along_x_q30) - qtri_mul_s32(x, shape->along_y_q30);
@@ -186,6 +227,30 @@ static void take_positions(position *at, const qtri_stroker *stroker,
         }
         along_q30 += step;
         across_q30 += step_across;
+    }
+}
+
+/* The part of the window inside the bounds, from its first pixel on. */
+typedef struct clip {
+    int32_t first, end;
+} clip;
+
+/* Of all groups. */
+static void take_all_positions(position *at, qtri_stroker *stroker, const clip *in)
+{
+    const bool many = stroker->touch_count == QTRI_STROKE_MANY;
+    const uint32_t count = many ? 1 : stroker->touch_count;
+    for (uint32_t from = 0; from < count; from = stroker->touch_end) {
+        uint32_t listed = 0;
+        set_group(stroker, from);
+        const bool is_alone = !many && stroker->touch_end - from == 1;
+        for (const qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
+            int32_t first;
+            int32_t end;
+            (void)qtri_stroke_shape_columns(s, stroker->row, &first, &end);
+            take_positions(at, stroker, s, qtri_greatest32(first - stroker->column, in->first),
+                           qtri_least32(end - stroker->column, in->end), is_alone);
+        }
     }
 }
 
@@ -237,11 +302,6 @@ static int32_t share_of(const qtri_stroker *stroker, int32_t cover)
     return (int32_t)((uint32_t)(cover >> 2) * ((stroker->alpha * 32897u) >> 8) >> 14);
 }
 
-/* The part of the window inside the bounds, from its first pixel on. */
-typedef struct clip {
-    int32_t first, end;
-} clip;
-
 /* Depths, colours and stores of the pixels that are covered. */
 QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
 {
@@ -260,14 +320,7 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
     for (int32_t i = in->first; i < in->end; i++) {
         at[i].part = UINT32_MAX;
     }
-    uint32_t listed = 0;
-    for (const qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
-        int32_t first;
-        int32_t end;
-        (void)qtri_stroke_shape_columns(s, stroker->row, &first, &end);
-        take_positions(at, stroker, s, qtri_greatest32(first - stroker->column, in->first),
-                       qtri_least32(end - stroker->column, in->end));
-    }
+    take_all_positions(at, stroker, in);
     for (int32_t i = in->first; i < in->end; i++, pixel += format->pixels->bytes) {
         const int32_t cover = stroker->cover[i];
         mask <<= 1;
@@ -297,11 +350,11 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
 }
 
 /* Those whose centres lie inside. */
-static void cover_hard(qtri_stroker *stroker)
+static void add_hard(qtri_stroker *stroker)
 {
     const int32_t y = stroker->row * 256 + 128;
     uint32_t listed = 0;
-    for (const qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
+    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
         qtri_stroke_slice slice;
         /* Down to the next level, so that a side which ends here does not count. */
         if (!qtri_stroke_shape_slice(s, y, y + 1, &slice)) {
@@ -316,105 +369,105 @@ static void cover_hard(qtri_stroker *stroker)
     }
 }
 
-static void draw_window(qtri_stroker *stroker)
+/* The columns that the row's parts touch, inside the bounds; empty: none. */
+static clip clip_of(const qtri_stroker *stroker)
 {
-    const clip in = {qtri_greatest32(stroker->bounds.x0 - stroker->column, 0),
-                     qtri_least32(stroker->bounds.x1 - stroker->column, QTRI_STROKE_WINDOW)};
-    for (int i = 0; i <= QTRI_STROKE_WINDOW; i++) {
-        stroker->cover[i] = 0;
-    }
-    if (stroker->edges != NULL) {
-        stroker->edges->cover(stroker);
+    int32_t first = INT32_MAX;
+    int32_t end = INT32_MIN;
+    if (stroker->touch_count == QTRI_STROKE_MANY) {
+        first = stroker->column;
+        end = stroker->column + QTRI_STROKE_WINDOW;
     } else {
-        cover_hard(stroker);
-    }
-    draw_covered(stroker, &in);
-}
-
-/* Lists the parts that touch the window; returns the first column of those that begin behind it. */
-static int32_t list_window(qtri_stroker *stroker)
-{
-    const int32_t column = stroker->column;
-    int32_t next = INT32_MAX;
-    uint32_t at = 0;
-    stroker->parts.count = 0;
-    stroker->parts.rest = UINT32_MAX;
-    for (uint32_t part; (part = part_of(stroker, &stroker->in_row, &at)) != UINT32_MAX;) {
-        int32_t first;
-        int32_t end;
-        const qtri_stroke_shape *shape = shape_of(stroker, part);
-        if (!qtri_stroke_shape_columns(shape, stroker->row, &first, &end) || end <= column) {
-            continue;
-        }
-        if (first < column + QTRI_STROKE_WINDOW) {
-            add_part(&stroker->parts, part);
-        } else {
-            next = qtri_least32(next, first);
+        first = stroker->touch[0].first;
+        for (uint32_t i = 0; i < stroker->touch_count; i++) {
+            end = qtri_greatest32(end, stroker->touch[i].end);
         }
     }
-    return next;
+    first = qtri_greatest32(first, stroker->bounds.x0) - stroker->column;
+    end = qtri_least32(end, stroker->bounds.x1) - stroker->column;
+    const clip in = {qtri_greatest32(first, 0), qtri_least32(end, QTRI_STROKE_WINDOW)};
+    return in;
 }
 
 static void draw_row(qtri_stroker *stroker)
 {
-    qtri_stroke_parts *parts = &stroker->in_row;
-    parts->count = 0;
-    parts->rest = UINT32_MAX;
-    for (uint32_t part = 0; part < stroker->source->count; part++) {
-        qtri_stroke_place place;
-        if (touches_row(stroker, part, &place)) {
-            add_part(parts, part);
-            if (parts->rest != UINT32_MAX) {
-                break;
-            }
-        }
-    }
-    if (parts->count == 0) {
+    if (!find_touches(stroker)) {
         return;
     }
-    const int32_t to_window = ~(QTRI_STROKE_WINDOW - 1);
-    int32_t column = stroker->bounds.x0 & to_window;
-    while (column < stroker->bounds.x1) {
-        stroker->column = column;
-        const int32_t next = list_window(stroker);
-        column += QTRI_STROKE_WINDOW;
-        if (stroker->parts.count > 0) {
-            draw_window(stroker);
+    const clip in = clip_of(stroker);
+    if (in.first >= in.end) {
+        return;
+    }
+    for (int i = 0; i <= QTRI_STROKE_WINDOW; i++) {
+        stroker->cover[i] = 0;
+    }
+    const uint32_t count = stroker->touch_count == QTRI_STROKE_MANY ? 1 : stroker->touch_count;
+    for (uint32_t from = 0; from < count; from = stroker->touch_end) {
+        set_group(stroker, from);
+        if (stroker->edges != NULL) {
+            stroker->edges->add(stroker);
         } else {
-            column = next & to_window;
+            add_hard(stroker);
         }
     }
+    if (stroker->edges != NULL) {
+        stroker->edges->finish(stroker);
+    }
+    draw_covered(stroker, &in);
 }
 
-/* The rows that parts may touch. */
-static void find_rows(const qtri_stroker *stroker, int32_t *first, int32_t *end)
+/* Rows and columns that parts may touch, inside the bounds. */
+static void widen(int32_t range[2], int32_t a, int32_t b, int32_t reach)
+{
+    range[0] = qtri_least32(range[0], (qtri_least32(a, b) - reach) >> 8);
+    range[1] = qtri_greatest32(range[1], ((qtri_greatest32(a, b) + reach) >> 8) + 1);
+}
+
+/* Lists the parts of a strip, and finds its rows. */
+static void find_parts(qtri_stroker *stroker, int32_t rows[2])
 {
     const qtri_stroke_source *source = stroker->source;
-    int32_t top = QTRI_SCREEN_MAX_24P8 * 2;
-    int32_t bottom = -top;
+    stroker->part_count = 0;
+    stroker->rest = UINT32_MAX;
+    rows[0] = INT32_MAX;
+    rows[1] = INT32_MIN;
     for (uint32_t part = 0; part < source->count; part++) {
         qtri_stroke_place place;
-        if (source->place(source->from, part, &place)) {
-            const int32_t reach = place.radius_24p8 + (place.radius_24p8 >> 1) + 1;
-            const int32_t y0 = place.end[0].y_24p8;
-            const int32_t y1 = place.end[1].y_24p8;
-            top = qtri_least32(top, qtri_least32(y0, y1) - reach);
-            bottom = qtri_greatest32(bottom, qtri_greatest32(y0, y1) + reach);
+        if (!touches_strip(stroker, part)) {
+            continue;
+        }
+        (void)source->place(source->from, part, &place);
+        widen(rows, place.end[0].y_24p8, place.end[1].y_24p8, reach_of(&place));
+        if (stroker->part_count < QTRI_STROKE_PARTS) {
+            stroker->part[stroker->part_count++] = part;
+        } else if (stroker->rest == UINT32_MAX) {
+            stroker->rest = part;
         }
     }
-    *first = qtri_greatest32(top >> 8, stroker->bounds.y0);
-    *end = qtri_least32((bottom >> 8) + 1, stroker->bounds.y1);
+    rows[0] = qtri_greatest32(rows[0], stroker->bounds.y0);
+    rows[1] = qtri_least32(rows[1], stroker->bounds.y1);
 }
 
 void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source)
 {
-    int32_t end;
+    int32_t columns[2] = {INT32_MAX, INT32_MIN};
     stroker->source = source;
     for (int i = 0; i < QTRI_STROKE_SHAPES; i++) {
         stroker->shape[i].part = UINT32_MAX;
     }
-    find_rows(stroker, &stroker->row, &end);
-    for (; stroker->row < end; stroker->row++) {
-        draw_row(stroker);
+    for (uint32_t part = 0; part < source->count; part++) {
+        qtri_stroke_place place;
+        if (source->place(source->from, part, &place)) {
+            widen(columns, place.end[0].x_24p8, place.end[1].x_24p8, reach_of(&place));
+        }
+    }
+    columns[1] = qtri_least32(columns[1], stroker->bounds.x1);
+    stroker->column = qtri_greatest32(columns[0], stroker->bounds.x0) & ~(QTRI_STROKE_WINDOW - 1);
+    for (; stroker->column < columns[1]; stroker->column += QTRI_STROKE_WINDOW) {
+        int32_t rows[2];
+        find_parts(stroker, rows);
+        for (stroker->row = rows[0]; stroker->row < rows[1]; stroker->row++) {
+            draw_row(stroker);
+        }
     }
 }

@@ -2,9 +2,10 @@
  * Strokes: the union of the shapes of a line's parts, row by row. Internal.
  *
  * A part, the segment from a to b, is a convex shape: a rectangle and, at joints and round ends, a
- * disc. Each row of pixels is drawn by itself, in windows of 32 columns that begin at multiples of
- * 32: what a pixel becomes depends on the row, the window and the parts, never on what a band or a
- * scissor leave of them.
+ * disc. The picture is drawn in strips of 32 columns that begin at multiples of 32, row by row. In
+ * a row of a strip, parts whose columns touch are a group: their union is found together. What a
+ * pixel becomes depends on the row, the strip and the parts, never on what a band or a scissor
+ * leave of them.
  */
 #ifndef QTRI_RASTER_STROKE_H
 #define QTRI_RASTER_STROKE_H
@@ -14,9 +15,9 @@
 #include "../bits/bits.h"
 
 enum {
-    QTRI_STROKE_WINDOW = 32, /* columns */
+    QTRI_STROKE_WINDOW = 32, /* columns of a strip */
     QTRI_STROKE_SHAPES = 8,  /* that are kept from row to row */
-    QTRI_STROKE_PARTS = 16   /* of a row or a window whose numbers are kept */
+    QTRI_STROKE_PARTS = 16   /* of a strip or a row whose numbers are kept */
 };
 
 /* What covers a whole pixel. */
@@ -49,12 +50,14 @@ typedef struct qtri_stroke_source {
  */
 typedef struct qtri_stroke_shape {
     uint32_t part; /* UINT32_MAX: none */
-    qtri_screen_point a, b, disc[2], origin;
+    qtri_screen_point a, b, origin;
     int32_t radius;
     int32_t offset_x, offset_y;
     int64_t slope_q32, end_slope_q32;
-    uint8_t discs; /* bit 0: around a, bit 1: around b */
-    bool even;     /* one colour */
+    uint8_t discs;         /* bit 0: around a, bit 1: around b */
+    bool even;             /* one colour */
+    int32_t disc_level[2]; /* of the last chord, and half its length */
+    int32_t disc_half[2];
     /* From `origin`, the first end as it was given, along the part: */
     int32_t along_x_q30, along_y_q30; /* its direction */
     uint32_t length;                  /* in 24.8, times 2^up: 2^30..2^31; 0: none */
@@ -77,17 +80,17 @@ bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int3
 typedef struct qtri_stroke_slice {
     int32_t left[2], right[2]; /* at y0 and y1, 24.8 */
 } qtri_stroke_slice;
-bool qtri_stroke_shape_slice(const qtri_stroke_shape *shape, int32_t y0, int32_t y1,
+bool qtri_stroke_shape_slice(qtri_stroke_shape *shape, int32_t y0, int32_t y1,
                              qtri_stroke_slice *slice);
 
 /* The first level below y where a side or a disc begins or ends; `next` where none is before. */
 int32_t qtri_stroke_shape_break(const qtri_stroke_shape *shape, int32_t y, int32_t next);
 
-/* Parts of which the numbers are known, and from which on others may follow. */
-typedef struct qtri_stroke_parts {
-    uint32_t part[QTRI_STROKE_PARTS];
-    uint32_t count, rest;
-} qtri_stroke_parts;
+/* A part that may touch a row of the strip, in these columns. */
+typedef struct qtri_stroke_touch {
+    uint32_t part;
+    int32_t first, end; /* of the frame */
+} qtri_stroke_touch;
 
 typedef struct qtri_stroker {
     const qtri_surface *surface;
@@ -97,16 +100,23 @@ typedef struct qtri_stroker {
     bool depth_write;
     uint32_t alpha; /* 1..255 */
     const qtri_stroke_edges *edges;
-    int32_t row, column;      /* of the window */
-    qtri_stroke_parts in_row; /* may touch the row; and */
-    qtri_stroke_parts parts;  /*   the window */
+    int32_t column, row;              /* of the strip */
+    uint32_t part[QTRI_STROKE_PARTS]; /* that may touch the strip, in their order */
+    uint32_t part_count;              /* and */
+    uint32_t rest;                    /*   from which on others may follow; UINT32_MAX: none */
+    qtri_stroke_touch touch[QTRI_STROKE_PARTS]; /* of the row, by their first columns */
+    uint32_t touch_count; /* QTRI_STROKE_MANY: more than there is room for are one group */
+    uint32_t first_touch, touch_end; /* of the group */
     qtri_stroke_shape shape[QTRI_STROKE_SHAPES];
     int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of each pixel, 0..QTRI_STROKE_FULL */
 } qtri_stroker;
 
+#define QTRI_STROKE_MANY UINT32_MAX
+
 struct qtri_stroke_edges {
-    /* Fills stroker->cover of the window. */
-    void (*cover)(qtri_stroker *stroker);
+    /* Adds the parts of the group to stroker->cover; then makes of all sums what pixels have. */
+    void (*add)(qtri_stroker *stroker);
+    void (*finish)(qtri_stroker *stroker);
 };
 
 /* False: nothing can be drawn. Then parts of any source. */
@@ -115,10 +125,10 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
 void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
 
 /*
- * The parts of the window, in their order: *at is 0 at first, and counts on. NULL behind the last.
- * A shape is there until the next is asked for.
+ * The parts of the group: *at is 0 at first, and counts on. NULL behind the last. A shape is there
+ * until the next is asked for.
  */
-const qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at);
+qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at);
 
 /* Half of a width in 24.8; 0: nothing is drawn. */
 static inline int32_t qtri_stroke_radius(q16 width)

@@ -1,6 +1,7 @@
 #include "stroke.h"
 
 #include "../bits/reciprocal.h"
+#include "../bits/seed.h"
 
 /* dx / dy in Q32, |dx| < 2^25, 0 < dy < 2^25: off by 2^-30 of itself. */
 static int64_t slope_of(int32_t dx, int32_t dy)
@@ -69,6 +70,10 @@ void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *p
     shape->a = end[upper];
     shape->b = end[1 - upper];
     shape->discs = (uint8_t)((has_disc[upper] ? 1 : 0) | (has_disc[1 - upper] ? 2 : 0));
+    if (shape->discs == 3 && shape->length == 0) {
+        shape->discs = 1; /* the same one; the rectangle has no width there */
+    }
+    shape->disc_level[0] = shape->disc_level[1] = INT32_MAX;
     /* To the left of the direction, or where that is down, so that its y is not negative. */
     shape->offset_x = out_x < 0 ? out_y : -out_y;
     shape->offset_y = out_x < 0 ? -out_x : out_x;
@@ -122,25 +127,53 @@ static bool add_side(qtri_stroke_slice *slice, const int32_t level[2], int32_t x
     return true;
 }
 
-static bool add_disc(qtri_stroke_slice *slice, const int32_t level[2],
-                     const qtri_screen_point *center, int32_t radius)
+/*
+ * The root of x, to nearest; below 2^24 off by less than 3/4: the estimate is within 2^-13 of
+ * itself, so by half a unit of a root of 12 bits.
+ */
+static int32_t root_of(uint32_t radius_less, uint32_t radius_more)
 {
-    const int32_t down[2] = {level[0] - center->y_24p8, level[1] - center->y_24p8};
-    if (down[0] < -radius || down[1] > radius) {
+    const uint64_t x = qtri_mul_u32(radius_less, radius_more);
+    if (x >= (uint64_t)1 << 24) {
+        return (int32_t)qtri_sqrt64_round(x);
+    }
+    if (x == 0) {
+        return 0;
+    }
+    const int32_t zeros = qtri_clz32((uint32_t)x) & ~1; /* 8..30 */
+    const uint32_t t = ((uint32_t)x << zeros) >> 16;
+    const uint32_t root = (t * qtri_rsqrt_seed(t)) >> 15;
+    return (int32_t)((root + ((uint32_t)1 << (zeros >> 1) >> 1)) >> (zeros >> 1));
+}
+
+/* Half of the chord of disc i at a level within it; levels follow each other. */
+static int32_t half_chord(qtri_stroke_shape *shape, int i, int32_t center_y, int32_t level)
+{
+    if (shape->disc_level[i] != level) {
+        const int32_t down = level - center_y;
+        shape->disc_level[i] = level;
+        shape->disc_half[i] =
+            root_of((uint32_t)(shape->radius - down), (uint32_t)(shape->radius + down));
+    }
+    return shape->disc_half[i];
+}
+
+static bool add_disc(qtri_stroke_slice *slice, const int32_t level[2], qtri_stroke_shape *shape,
+                     int i)
+{
+    const qtri_screen_point *center = i == 0 ? &shape->a : &shape->b;
+    if (level[0] < center->y_24p8 - shape->radius || level[1] > center->y_24p8 + shape->radius) {
         return false;
     }
-    for (int i = 0; i < 2; i++) {
-        const uint64_t square =
-            qtri_mul_u32((uint32_t)(radius - down[i]), (uint32_t)(radius + down[i]));
-        const int32_t half = (int32_t)qtri_sqrt64_round(square);
-        slice->left[i] = qtri_least32(slice->left[i], center->x_24p8 - half);
-        slice->right[i] = qtri_greatest32(slice->right[i], center->x_24p8 + half);
+    for (int k = 0; k < 2; k++) {
+        const int32_t half = half_chord(shape, i, center->y_24p8, level[k]);
+        slice->left[k] = qtri_least32(slice->left[k], center->x_24p8 - half);
+        slice->right[k] = qtri_greatest32(slice->right[k], center->x_24p8 + half);
     }
     return true;
 }
 
-bool qtri_stroke_shape_slice(const qtri_stroke_shape *s, int32_t y0, int32_t y1,
-                             qtri_stroke_slice *slice)
+bool qtri_stroke_shape_slice(qtri_stroke_shape *s, int32_t y0, int32_t y1, qtri_stroke_slice *slice)
 {
     const int32_t level[2] = {y0, y1};
     const int32_t a_y = s->a.y_24p8;
@@ -153,12 +186,12 @@ bool qtri_stroke_shape_slice(const qtri_stroke_shape *s, int32_t y0, int32_t y1,
     found |= add_side(slice, level, s->a.x_24p8 - x, a_y - y, b_y - y, s->slope_q32);
     found |= add_side(slice, level, s->a.x_24p8 + x, a_y + y, b_y + y, s->slope_q32);
     if ((s->discs & 1) != 0) {
-        found |= add_disc(slice, level, &s->a, s->radius);
+        found |= add_disc(slice, level, s, 0);
     } else {
         found |= add_side(slice, level, s->a.x_24p8 - x, a_y - y, a_y + y, s->end_slope_q32);
     }
     if ((s->discs & 2) != 0) {
-        found |= add_disc(slice, level, &s->b, s->radius);
+        found |= add_disc(slice, level, s, 1);
     } else {
         found |= add_side(slice, level, s->b.x_24p8 - x, b_y - y, b_y + y, s->end_slope_q32);
     }

@@ -2,7 +2,7 @@
  * Smooth edges: the area of each pixel that the union of the parts covers.
  *
  * The row is cut at levels into slices. In a slice each part lies between two sides that are taken
- * as straight; the parts that overlap at its middle are one. Where a window has one part, and none
+ * as straight; the parts that overlap at its middle are one. Where a group has one part, and none
  * of its discs, the levels are those at which its sides begin and end: areas are exact. Elsewhere
  * they are 1/16 of a row apart as well. What that neglects: a chord of an arc leaves an area of
  * h w / 6 for a slice of height h in which the arc moves by w, less than 1/100 of a pixel in all
@@ -42,7 +42,7 @@ static void widen(int32_t side[2], const int32_t by[2], int32_t sign)
 /*
  * Adds one to the disjoint spans, which are sorted: those that it touches become one with it. Where
  * there is no room it is taken together with the one before it, a slice of which more than twelve
- * separate parts lie in one window.
+ * separate parts lie in one strip.
  */
 static void add_span(spans *all, const qtri_stroke_slice *slice)
 {
@@ -143,7 +143,7 @@ static void add_slice(qtri_stroker *stroker, int32_t y0, int32_t y1)
     spans all;
     all.count = 0;
     uint32_t listed = 0;
-    for (const qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
+    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
         qtri_stroke_slice slice;
         if (qtri_stroke_shape_slice(s, y0, y1, &slice)) {
             add_span(&all, &slice);
@@ -175,7 +175,7 @@ static bool has_disc(const qtri_stroke_shape *s, const qtri_stroker *stroker)
     return false;
 }
 
-static void cover_smooth(qtri_stroker *stroker)
+static void add_group(qtri_stroker *stroker)
 {
     const int32_t bottom = stroker->row * 256 + 256;
     uint32_t listed = 0;
@@ -193,6 +193,10 @@ static void cover_smooth(qtri_stroker *stroker)
         add_slice(stroker, y, next);
         y = next;
     }
+}
+
+static void finish(qtri_stroker *stroker)
+{
     int32_t sum = 0;
     for (int i = 0; i < QTRI_STROKE_WINDOW; i++) {
         sum += stroker->cover[i];
@@ -200,4 +204,4 @@ static void cover_smooth(qtri_stroker *stroker)
     }
 }
 
-const qtri_stroke_edges qtri_stroke_smooth = {cover_smooth};
+const qtri_stroke_edges qtri_stroke_smooth = {add_group, finish};
