@@ -401,6 +401,220 @@ static void depth(void **state)
     canvas_free(&c);
 }
 
+/* A view of WIDTH x HEIGHT pixels in which a unit is a pixel, y downwards, z towards the eye. */
+static qtri_view flat_view(void)
+{
+    qtri_view view;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    qtri_transform_ortho(&view.projection, 0, WIDTH * Q16_ONE, HEIGHT * Q16_ONE, 0, -Q16_ONE,
+                         Q16_ONE);
+    return view;
+}
+
+static qtri_corner corner_at(int32_t x_24p8, int32_t y_24p8)
+{
+    const qtri_corner corner = {{x_24p8 * 256, y_24p8 * 256, 0, Q16_ONE}, {255, 255, 255}, {0, 0}};
+    return corner;
+}
+
+/* Corners in space are the same line as vertices on the screen, however many are kept. */
+static void corners_in_space(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    canvas d = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    qtri_view view = flat_view();
+    qtri_transform pose;
+    qtri_vertex kept[POINTS];
+    uint64_t seed = 11;
+    qtri_transform_identity(&pose);
+    for (int n = 0; n < 100; n++) {
+        scene s = random_scene(&seed, POINTS);
+        qtri_corner corner[POINTS];
+        const qtri_material material = plain_material();
+        for (uint32_t i = 0; i < s.count; i++) {
+            s.v[i].depth_16p16 = (uint32_t)32768 << 16;
+            corner[i] = corner_at(s.v[i].x_24p8, s.v[i].y_24p8);
+        }
+        view.vertices = n % 3 == 0 ? NULL : kept;
+        view.vertex_count = n % 3 == 0 ? 0 : (uint32_t)random_in(&seed, 0, POINTS);
+        canvas_clear(&c);
+        canvas_clear(&d);
+        draw(&c.surface, &s);
+        qtri_draw_polyline(&d.surface, &view, &pose, corner, s.count, &s.stroke, &material);
+        assert_same_picture(&c.surface, &d.surface);
+        if (s.count == 2) {
+            canvas_clear(&d);
+            qtri_draw_wide_lines(&d.surface, &view, &pose, corner, 3, &s.stroke, &material);
+            assert_same_picture(&c.surface, &d.surface);
+        }
+        canvas_clear(&c);
+        canvas_clear(&d);
+        for (uint32_t i = 0; i < s.count; i++) {
+            qtri_raster_point(&c.surface, &material, &s.stroke, &s.v[i]);
+        }
+        qtri_draw_points(&d.surface, &view, &pose, corner, s.count, &s.stroke, &material);
+        assert_same_picture(&c.surface, &d.surface);
+        /* A unit is a pixel: splats are as large. */
+        canvas_clear(&d);
+        s.stroke.in_space = true;
+        qtri_draw_points(&d.surface, &view, &pose, corner, s.count, &s.stroke, &material);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                assert_near(stored_pixel(&c.surface, x, y), stored_pixel(&d.surface, x, y), 8);
+            }
+        }
+    }
+    canvas_free(&c);
+    canvas_free(&d);
+}
+
+static const qtri_vec3 cube_positions[8] = {
+    {-Q16_ONE, -Q16_ONE, -Q16_ONE}, {Q16_ONE, -Q16_ONE, -Q16_ONE}, {Q16_ONE, Q16_ONE, -Q16_ONE},
+    {-Q16_ONE, Q16_ONE, -Q16_ONE},  {-Q16_ONE, -Q16_ONE, Q16_ONE}, {Q16_ONE, -Q16_ONE, Q16_ONE},
+    {Q16_ONE, Q16_ONE, Q16_ONE},    {-Q16_ONE, Q16_ONE, Q16_ONE}};
+static const uint16_t cube_triangles[12][3] = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7},
+                                               {0, 1, 5}, {0, 5, 4}, {2, 3, 7}, {2, 7, 6},
+                                               {1, 2, 6}, {1, 6, 5}, {0, 4, 7}, {0, 7, 3}};
+
+typedef struct space {
+    qtri_view view;
+    qtri_transform pose;
+    qtri_mesh mesh;
+    qtri_light light;
+    qtri_vertex vertices[8];
+} space;
+
+static void set_space(space *s, uint64_t *seed, bool kept)
+{
+    const qtri_vec3 eye = {0, 0, random_in(seed, 60000, 400000)}, center = {0, 0, 0};
+    const qtri_vec3 up = {0, Q16_ONE, 0};
+    const qtri_light light = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.3), Q16(.7)};
+    memset(s, 0, sizeof *s);
+    qtri_view_init(&s->view, WIDTH, HEIGHT);
+    qtri_transform_look_at(&s->view.camera, eye, center, up);
+    qtri_transform_perspective(&s->view.projection, Q16(60), Q16(1.5), Q16(.5), Q16(30));
+    qtri_transform_identity(&s->pose);
+    qtri_transform_rotate_x(&s->pose, random_any(seed));
+    qtri_transform_rotate_y(&s->pose, random_any(seed));
+    s->light = light;
+    s->view.light = &s->light;
+    s->view.vertices = kept ? s->vertices : NULL;
+    s->view.vertex_count = kept ? 8 : 0;
+    s->mesh.positions = cube_positions;
+    s->mesh.triangles = cube_triangles;
+    s->mesh.vertex_count = 8;
+    s->mesh.triangle_count = 12;
+}
+
+/* Wireframes, with and without hidden lines: bands have the pixels of the whole frame. */
+static void wireframes(void **state)
+{
+    (void)state;
+    uint64_t seed = 12;
+    for (int n = 0; n < 40; n++) {
+        space s;
+        qtri_stroke stroke = qtri_stroke_default();
+        qtri_material material = qtri_material_default();
+        const qtri_format *format = drawn_format(n);
+        set_space(&s, &seed, n % 2 == 0);
+        stroke.width = random_in(&seed, 30000, 500000);
+        stroke.edges = n % 5 == 0 ? NULL : &qtri_stroke_smooth;
+        material.cull = n % 3 == 0 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
+        material.depth_compare = n % 7 == 0 ? QTRI_DEPTH_OFF : QTRI_LESS;
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        for (int hidden = 0; hidden < 2; hidden++) {
+            canvas_clear(&whole);
+            int drawn = 0;
+            for (int32_t first = -7; first < HEIGHT; first += 7) {
+                canvas band = canvas_band(format, WIDTH, HEIGHT, first < 0 ? 0 : first, 7);
+                const qtri_surface *to = first < 0 ? &whole.surface : &band.surface;
+                if (hidden != 0) {
+                    qtri_draw_hidden_lines(to, &s.view, &s.pose, &s.mesh,
+                                           n % 4 == 0 ? NULL : &stroke, &material, Q16(.01));
+                } else {
+                    qtri_draw_wide_wireframe(to, &s.view, &s.pose, &s.mesh, &stroke, &material);
+                }
+                if (first >= 0) {
+                    assert_same_picture(&whole.surface, to);
+                }
+                canvas_free(&band);
+            }
+            for (int i = 0; i < WIDTH * HEIGHT; i++) {
+                drawn += stored_pixel(&whole.surface, i % WIDTH, i / WIDTH) != 0;
+            }
+            assert_true(drawn > 20);
+        }
+        canvas_free(&whole);
+    }
+}
+
+/* Faces hide the edges behind them: a cube without culling looks as one with its back culled. */
+static void hidden_lines(void **state)
+{
+    (void)state;
+    uint64_t seed = 13;
+    int different = 0;
+    int drawn = 0;
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    canvas d = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    for (int n = 0; n < 40; n++) {
+        space s;
+        qtri_material material = qtri_material_default();
+        set_space(&s, &seed, true);
+        const qtri_vec3 eye = {0, 0, Q16(5)}, center = {0, 0, 0}, up = {0, Q16_ONE, 0};
+        qtri_transform_look_at(&s.view.camera, eye, center, up);
+        s.view.light = NULL;
+        canvas_clear(&c);
+        canvas_clear(&d);
+        qtri_draw_hidden_lines(&c.surface, &s.view, &s.pose, &s.mesh, NULL, &material, Q16(.01));
+        material.cull = QTRI_CULL_NONE;
+        qtri_draw_hidden_lines(&d.surface, &s.view, &s.pose, &s.mesh, NULL, &material, Q16(.01));
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                drawn += stored_pixel(&c.surface, x, y) != 0;
+                different +=
+                    (stored_pixel(&c.surface, x, y) != 0) != (stored_pixel(&d.surface, x, y) != 0);
+            }
+        }
+    }
+    print_message("hidden lines: %d of %d pixels differ\n", different, drawn);
+    assert_true(different * 20 < drawn);
+    canvas_free(&c);
+    canvas_free(&d);
+}
+
+/* Lines through the near plane and any corner and size. */
+static void extreme_corners(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    uint64_t seed = 14;
+    for (int n = 0; n < 1500; n++) {
+        space s;
+        qtri_corner corner[4];
+        qtri_stroke stroke = qtri_stroke_default();
+        const qtri_material material = qtri_material_default();
+        set_space(&s, &seed, n % 2 == 0);
+        for (int i = 0; i < 4; i++) {
+            const int32_t w = random_flag(&seed) ? Q16_ONE : random_any(&seed);
+            corner[i] = corner_at(0, 0);
+            corner[i].position.x = random_any(&seed);
+            corner[i].position.y = random_any(&seed);
+            corner[i].position.z = random_any(&seed);
+            corner[i].position.w = w;
+        }
+        stroke.width = random_flag(&seed) ? random_any(&seed) : Q16(2);
+        stroke.closed = random_flag(&seed);
+        stroke.in_space = random_flag(&seed);
+        stroke.cap = (qtri_cap)random_in(&seed, 0, 2);
+        qtri_draw_polyline(&c.surface, &s.view, &s.pose, corner, 4, &stroke, &material);
+        qtri_draw_wide_lines(&c.surface, &s.view, &s.pose, corner, 4, &stroke, &material);
+        qtri_draw_points(&c.surface, &s.view, &s.pose, corner, 4, &stroke, &material);
+    }
+    canvas_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -413,6 +627,10 @@ int main(void)
         cmocka_unit_test(extremes),
         cmocka_unit_test(nothing),
         cmocka_unit_test(depth),
+        cmocka_unit_test(corners_in_space),
+        cmocka_unit_test(wireframes),
+        cmocka_unit_test(hidden_lines),
+        cmocka_unit_test(extreme_corners),
     };
     return cmocka_run_group_tests_name("core_stroke", tests, NULL, NULL);
 }

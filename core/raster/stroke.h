@@ -58,6 +58,7 @@ typedef struct qtri_stroke_shape {
     bool even;             /* one colour */
     int32_t disc_level[2]; /* of the last chord, and half its length */
     int32_t disc_half[2];
+    int32_t side_level[2], side_x[2]; /* the same of the long sides */
     /* From `origin`, the first end as it was given, along the part: */
     int32_t along_x_q30, along_y_q30; /* its direction */
     uint32_t length;                  /* in 24.8, times 2^up: 2^30..2^31; 0: none */
@@ -83,8 +84,11 @@ typedef struct qtri_stroke_slice {
 bool qtri_stroke_shape_slice(qtri_stroke_shape *shape, int32_t y0, int32_t y1,
                              qtri_stroke_slice *slice);
 
-/* The first level below y where a side or a disc begins or ends; `next` where none is before. */
-int32_t qtri_stroke_shape_break(const qtri_stroke_shape *shape, int32_t y, int32_t next);
+/*
+ * Marks the levels from `top` to `top` + 255 where a side or a disc begins or ends: 32 in each
+ * word, the first in its lowest bit.
+ */
+void qtri_stroke_shape_breaks(const qtri_stroke_shape *shape, int32_t top, uint32_t levels[8]);
 
 /* A part that may touch a row of the strip, in these columns. */
 typedef struct qtri_stroke_touch {

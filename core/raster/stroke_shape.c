@@ -74,6 +74,7 @@ void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *p
         shape->discs = 1; /* the same one; the rectangle has no width there */
     }
     shape->disc_level[0] = shape->disc_level[1] = INT32_MAX;
+    shape->side_level[0] = shape->side_level[1] = INT32_MAX;
     /* To the left of the direction, or where that is down, so that its y is not negative. */
     shape->offset_x = out_x < 0 ? out_y : -out_y;
     shape->offset_y = out_x < 0 ? -out_x : out_x;
@@ -82,10 +83,16 @@ void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *p
     shape->end_slope_q32 = shape->offset_y == 0 ? 0 : slope_of(shape->offset_x, shape->offset_y);
 }
 
-/* x of a side that passes through `from`, at the level y. */
+/*
+ * x of a side that passes through `from`, at a level y below it, to nearest. |x| < 2^24 along the
+ * side, so that the product with the slope's whole part, which may be less by 1, is below 2^25.
+ */
 static int32_t side_x(int32_t from_x, int32_t from_y, int64_t slope_q32, int32_t y)
 {
-    return from_x + (int32_t)((slope_q32 * (y - from_y) + ((int64_t)1 << 31)) >> 32);
+    const int32_t down = y - from_y;
+    const int32_t whole = (int32_t)(slope_q32 >> 32) * down;
+    const uint64_t rest = qtri_mul_u32((uint32_t)slope_q32, (uint32_t)down);
+    return from_x + whole + (int32_t)((rest + ((uint32_t)1 << 31)) >> 32);
 }
 
 bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int32_t *first,
@@ -112,17 +119,42 @@ bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int3
     return true;
 }
 
-/* Widens the slice by a side from `y0` down to `y1`, if that is there at both levels. */
-static bool add_side(qtri_stroke_slice *slice, const int32_t level[2], int32_t x, int32_t y0,
-                     int32_t y1, int64_t slope_q32)
+static void widen(qtri_stroke_slice *slice, int i, int32_t left, int32_t right)
+{
+    slice->left[i] = qtri_least32(slice->left[i], left);
+    slice->right[i] = qtri_greatest32(slice->right[i], right);
+}
+
+/* Widens the slice by an end from `y0` down to `y1`, if that is there at both levels. */
+static bool add_end(qtri_stroke_slice *slice, const int32_t level[2], int32_t x, int32_t y0,
+                    int32_t y1, int64_t slope_q32)
 {
     if (y0 == y1 || y0 > level[0] || y1 < level[1]) {
         return false;
     }
     for (int i = 0; i < 2; i++) {
         const int32_t at = side_x(x, y0, slope_q32, level[i]);
-        slice->left[i] = qtri_least32(slice->left[i], at);
-        slice->right[i] = qtri_greatest32(slice->right[i], at);
+        widen(slice, i, at, at);
+    }
+    return true;
+}
+
+/* The same with one of the long sides, whose last level may be known. */
+static bool add_side(qtri_stroke_slice *slice, const int32_t level[2], qtri_stroke_shape *s, int k)
+{
+    const int32_t x = k == 0 ? s->a.x_24p8 - s->offset_x : s->a.x_24p8 + s->offset_x;
+    const int32_t across = k == 0 ? -s->offset_y : s->offset_y;
+    const int32_t y0 = s->a.y_24p8 + across;
+    const int32_t y1 = s->b.y_24p8 + across;
+    if (y0 == y1 || y0 > level[0] || y1 < level[1]) {
+        return false;
+    }
+    for (int i = 0; i < 2; i++) {
+        if (s->side_level[k] != level[i]) {
+            s->side_level[k] = level[i];
+            s->side_x[k] = side_x(x, y0, s->slope_q32, level[i]);
+        }
+        widen(slice, i, s->side_x[k], s->side_x[k]);
     }
     return true;
 }
@@ -167,8 +199,7 @@ static bool add_disc(qtri_stroke_slice *slice, const int32_t level[2], qtri_stro
     }
     for (int k = 0; k < 2; k++) {
         const int32_t half = half_chord(shape, i, center->y_24p8, level[k]);
-        slice->left[k] = qtri_least32(slice->left[k], center->x_24p8 - half);
-        slice->right[k] = qtri_greatest32(slice->right[k], center->x_24p8 + half);
+        widen(slice, k, center->x_24p8 - half, center->x_24p8 + half);
     }
     return true;
 }
@@ -183,32 +214,34 @@ bool qtri_stroke_shape_slice(qtri_stroke_shape *s, int32_t y0, int32_t y1, qtri_
     bool found = false;
     slice->left[0] = slice->left[1] = INT32_MAX;
     slice->right[0] = slice->right[1] = INT32_MIN;
-    found |= add_side(slice, level, s->a.x_24p8 - x, a_y - y, b_y - y, s->slope_q32);
-    found |= add_side(slice, level, s->a.x_24p8 + x, a_y + y, b_y + y, s->slope_q32);
+    found |= add_side(slice, level, s, 0);
+    found |= add_side(slice, level, s, 1);
     if ((s->discs & 1) != 0) {
         found |= add_disc(slice, level, s, 0);
     } else {
-        found |= add_side(slice, level, s->a.x_24p8 - x, a_y - y, a_y + y, s->end_slope_q32);
+        found |= add_end(slice, level, s->a.x_24p8 - x, a_y - y, a_y + y, s->end_slope_q32);
     }
     if ((s->discs & 2) != 0) {
         found |= add_disc(slice, level, s, 1);
     } else {
-        found |= add_side(slice, level, s->b.x_24p8 - x, b_y - y, b_y + y, s->end_slope_q32);
+        found |= add_end(slice, level, s->b.x_24p8 - x, b_y - y, b_y + y, s->end_slope_q32);
     }
     return found;
 }
 
-int32_t qtri_stroke_shape_break(const qtri_stroke_shape *s, int32_t y, int32_t next)
+void qtri_stroke_shape_breaks(const qtri_stroke_shape *s, int32_t top, uint32_t levels[8])
 {
-    const int32_t a_y = s->a.y_24p8;
-    const int32_t b_y = s->b.y_24p8;
-    const int32_t level[8] = {a_y - s->offset_y, a_y + s->offset_y, b_y - s->offset_y,
-                              b_y + s->offset_y, a_y - s->radius,   a_y + s->radius,
-                              b_y - s->radius,   b_y + s->radius};
-    for (int i = 0; i < 8; i++) {
-        if (level[i] > y && level[i] < next) {
-            next = level[i];
+    const qtri_screen_point *const center[2] = {&s->a, &s->b};
+    for (int i = 0; i < 2; i++) {
+        const int32_t y = center[i]->y_24p8 - top;
+        if (y + s->radius <= 0 || y - s->radius >= 256) {
+            continue; /* offset_y <= radius */
+        }
+        const int32_t level[4] = {y - s->offset_y, y + s->offset_y, y - s->radius, y + s->radius};
+        for (int k = 0; k < 4; k++) {
+            if ((uint32_t)level[k] < 256) {
+                levels[level[k] >> 5] |= (uint32_t)1 << (level[k] & 31);
+            }
         }
     }
-    return next;
 }
