@@ -9,6 +9,7 @@ static uint32_t load(const uint8_t *pixel)
     return 0;
 }
 
+/* The types of qtri_pixels: NOLINTBEGIN(readability-non-const-parameter) */
 static void fill(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count)
 {
     (void)pixel;
@@ -34,6 +35,8 @@ static void scatter(uint8_t *pixels, ptrdiff_t pitch, const uint32_t *place, con
     (void)stored;
     (void)count;
 }
+
+/* NOLINTEND(readability-non-const-parameter) */
 
 static uint32_t decode(uint32_t stored)
 {

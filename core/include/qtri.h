@@ -24,6 +24,7 @@
  *   material.h   colour, shading, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
  *   config.h     what the library is built with
+ *   stroke.h     lines of any width, smooth edges, points
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
  */
 #ifndef QTRI_H

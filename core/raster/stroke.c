@@ -2,19 +2,6 @@
 
 #include "../frame/pixel.h"
 
-qtri_stroke qtri_stroke_default(void)
-{
-    qtri_stroke stroke = {
-        .width = Q16_ONE,
-        .cap = QTRI_CAP_ROUND,
-        .edges = &qtri_stroke_smooth,
-        .alpha = 255,
-        .closed = false,
-        .in_space = false,
-    };
-    return stroke;
-}
-
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
 {

@@ -35,7 +35,7 @@ static void set_direction(qtri_stroke_shape *shape, int32_t dx, int32_t dy)
     }
     const int32_t up = (qtri_clz64(square) - 2) >> 1; /* square < 2^49: 6..30 */
     const uint32_t length = (uint32_t)qtri_sqrt64_round(square << (2 * up)); /* 2^30..2^31 */
-    const int32_t zeros = qtri_clz32(length);                                /* 0 or 1 */
+    const int32_t zeros = qtri_clz32(length | 1);                            /* 0 or 1 */
     const int32_t reciprocal = qtri_reciprocal_below(length << zeros);
     const int32_t most = (int32_t)1 << 30;
     const int64_t x = qtri_mul_s32(dx * ((int32_t)1 << up), reciprocal) >> (32 - zeros);

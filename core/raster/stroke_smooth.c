@@ -109,8 +109,8 @@ static void add_side(int32_t cover[], int32_t x0, int32_t x1, int32_t height)
         return;
     }
     /* Of height, up to each column's side: height (x - x0) / (x1 - x0), rounded down. */
-    const uint32_t width = (uint32_t)(x1 - x0); /* < 2^25 */
-    const int32_t zeros = qtri_clz32(width);    /* 7..31 */
+    const uint32_t width = (uint32_t)(x1 - x0);  /* < 2^25 */
+    const int32_t zeros = qtri_clz32(width | 1); /* 7..31 */
     const uint32_t reciprocal = (uint32_t)qtri_reciprocal_below(width << zeros);
     const uint32_t size = qtri_magnitude32(height);
     int32_t x = x0;

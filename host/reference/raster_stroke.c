@@ -154,8 +154,7 @@ static void draw_pixel(struct ref_target *target, const struct scene_op *op,
         image->color_max[3 * i + c] = fmax(mixed, image->color_max[3 * i + c]);
     }
     /* Where the centre is inside, and the depth beside it is the stroke's own. */
-    if ((!writes || share >= 0.5) &&
-        ref_stroke_contains(all->part, all->count, x + 0.5, y + 0.5))
+    if ((!writes || share >= 0.5) && ref_stroke_contains(all->part, all->count, x + 0.5, y + 0.5))
         image->id[i] = op->id;
 }
 
@@ -182,8 +181,8 @@ bool ref_draw_stroke(struct ref_target *target, const struct scene_op *op,
 {
     struct ref_matrix to_clip = ref_matrix_multiply(projection, modelview);
     size_t count = op->u.stroke.count;
-    struct strokes all = {malloc((count + 1) * sizeof *all.part),
-                          malloc((count + 1) * sizeof *all.ends), 0};
+    struct strokes all = {calloc(count + 1, sizeof *all.part), calloc(count + 1, sizeof *all.ends),
+                          0};
     double *share = malloc((size_t)target->scene->width * sizeof *share);
     bool ok = all.part != NULL && all.ends != NULL && share != NULL;
 

@@ -16,6 +16,8 @@
  * and written where half of a pixel or more is covered. A frame in bands, or drawn by any scissor,
  * has the pixels of the whole frame.
  *
+ * A call takes about 3 KB of stack. Instructions: the rows L1, L5, LP and LW of `make bench`.
+ *
  * Of a material count depth_compare and depth_read_only; for meshes also what tells their colour.
  */
 #ifndef QTRI_STROKE_H
@@ -51,7 +53,7 @@ typedef struct qtri_stroke {
                                        perspective: splats */
 } qtri_stroke;
 
-/* One pixel wide, smooth, round, opaque, open. */
+/* One pixel wide, smooth, round, opaque, open. It names &qtri_stroke_smooth. */
 qtri_stroke qtri_stroke_default(void);
 
 /*
@@ -102,9 +104,11 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
 /*
  * A wireframe without hidden lines: first the mesh's triangles into depth alone (&qtri_depth_only),
  * then its edges over them. The edges' depth is drawn nearer by `bias` of the range 0..1, held to
- * that; lines that are wide on steep faces need more. Q16(.002) serves for lines of a pixel on most
- * meshes. stroke NULL: lines of one pixel with hard edges, those of &qtri_wireframe. Depth compares
- * with material->depth_compare, and where that is QTRI_DEPTH_OFF nothing is hidden.
+ * that: somewhat more than depth changes by within half a line's width on the steepest faces, or
+ * those hide their own edges; with much more, edges shine through that lie little behind a face.
+ * Q16(.002) serves for lines of a pixel and a near plane at a tenth of the distance. stroke NULL:
+ * lines of one pixel with hard edges, those of &qtri_wireframe. Depth compares with
+ * material->depth_compare, and where that is QTRI_DEPTH_OFF nothing is hidden.
  */
 void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
                             const qtri_transform *pose, const qtri_mesh *mesh,
