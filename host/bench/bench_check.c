@@ -85,11 +85,11 @@ static const struct expectation {
     {"S6b", BEGIN LIT MODULATED COMPACT(SPOT_UV), 12414},
     {"S7b", BEGIN LIT "polygon line\n" COMPACT(SPOT), 0},
     {"S4kb", BEGIN LIT COMPACT(KNOT), 0},
-    {"L1", BEGIN "linewidth 1\n", 0},
-    {"L5", BEGIN "linewidth 5\n", 0},
-    {"LP", BEGIN "pointsize 6\n", 0},
-    {"LW", NULL, 0},
-    {"LH", NULL, 0},
+    {"K1", BEGIN "linewidth 1\n", 0},
+    {"K5", BEGIN "linewidth 5\n", 0},
+    {"KP", BEGIN "pointsize 6\n", 0},
+    {"KW", NULL, 0},
+    {"KH", NULL, 0},
 };
 
 static bool write_texture(const char *path)

@@ -5,8 +5,8 @@
  * wall's, which reach 4. S4w and S5w: with the wide mesh, Q16.16 positions. S4k, S5k and S7k: as
  * S4, S5 and S7 with the project's own mesh of like size, 5760 triangles. S4b, S4wb, S5b, S6b and
  * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
- * mesh of S4 as loose triangles. L1, L5: a polyline of 64 points, 1 and 5 pixels wide, with smooth
- * edges; LP: 256 such points of 6 pixels. LW: S7 with smooth edges; LH: S7 without hidden lines.
+ * mesh of S4 as loose triangles. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth
+ * edges; KP: 256 such points of 6 pixels. KW: S7 with smooth edges; KH: S7 without hidden lines.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -58,11 +58,11 @@ const bench_scene bench_scenes[] = {
     {.name = "S6b", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, BANDS},
     {.name = "S7b", MESH(COMPACT(spot), Q16(150)), .wireframe = true, BANDS},
     {.name = "S4kb", MESH(COMPACT(knot), Q16(30)), BANDS},
-    {.name = "L1", .work = BENCH_STROKE, .width = Q16(1)},
-    {.name = "L5", .work = BENCH_STROKE, .width = Q16(5)},
-    {.name = "LP", .work = BENCH_STROKE, .width = Q16(6), .points = true},
-    {.name = "LW", MESH(COMPACT(spot), Q16(150)), .width = Q16(1)},
-    {.name = "LH", MESH(COMPACT(spot), Q16(150)), .hidden = true},
+    {.name = "K1", .work = BENCH_STROKE, .width = Q16(1)},
+    {.name = "K5", .work = BENCH_STROKE, .width = Q16(5)},
+    {.name = "KP", .work = BENCH_STROKE, .width = Q16(6), .points = true},
+    {.name = "KW", MESH(COMPACT(spot), Q16(150)), .width = Q16(1)},
+    {.name = "KH", MESH(COMPACT(spot), Q16(150)), .hidden = true},
 #endif
     {.name = NULL},
 };
