@@ -25,6 +25,7 @@
  *   material.h   colour, shading, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
  *   config.h     what the library is built with
+ *   stroke.h     lines of any width, smooth edges, points
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
  *   antialias.h  smooth edges: edges.h, image.h           halo.h     bands that overlap
  */
@@ -54,6 +55,7 @@
 #include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/raster.h"
+#include "qtri/stroke.h"
 #include "qtri/surface.h"
 #include "qtri/texture.h"
 #include "qtri/transform.h"

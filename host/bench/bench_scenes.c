@@ -8,7 +8,9 @@
  * mesh of S4 as loose triangles. L1: S4 with a point light and Blinn-Phong highlights; L2 and L3:
  * and one and three directional lights; L1f: S5 so, L1b: L1 in bands. S4e and S4be: S4 and S4b with
  * the edge pass, S4es by sums. S4h: S4 of 2 x 2 samples, with the clear; S4f: S4 and FXAA. S4a and
- * S4m: only the addition of S4 to a sum, and the storing of its mean.
+ * S4m: only the addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of 64
+ * points, 1 and 5 pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with
+ * smooth edges; KH: S7 without hidden lines.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -72,6 +74,11 @@ const bench_scene bench_scenes[] = {
     {.name = "S4a", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_ADD},
     {.name = "S4m", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_STORE},
     {.name = "S4be", MESH(COMPACT(spot), Q16(150)), BANDS, .smooth = BENCH_EDGES},
+    {.name = "K1", .work = BENCH_STROKE, .width = Q16(1)},
+    {.name = "K5", .work = BENCH_STROKE, .width = Q16(5)},
+    {.name = "KP", .work = BENCH_STROKE, .width = Q16(6), .points = true},
+    {.name = "KW", MESH(COMPACT(spot), Q16(150)), .width = Q16(1)},
+    {.name = "KH", MESH(COMPACT(spot), Q16(150)), .hidden = true},
 #endif
     {.name = NULL},
 };
@@ -219,6 +226,13 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     } else if (scene->work == BENCH_CORNERS) {
         set_corners(frame);
     }
+#ifndef BENCH_PLAIN
+    if (scene->work == BENCH_STROKE) {
+        (void)bench_set_strokes(frame->corners, scene);
+        frame->view.vertices = frame->vertices;
+        frame->view.vertex_count = BENCH_VERTICES_MAX;
+    }
+#endif
     if (qtri_surface_init(&frame->surface, FORMAT, BENCH_WIDTH, BENCH_HEIGHT, 0, BENCH_HEIGHT,
                           frame->memory, sizeof frame->memory) != QTRI_OK) {
         return false;
@@ -264,8 +278,19 @@ void bench_draw(bench_frame *frame)
         qtri_surface_clear(&frame->surface, bench_background, UINT16_MAX);
         break;
     case BENCH_MESH:
+#ifndef BENCH_PLAIN
+        if (frame->scene->width != 0 || frame->scene->hidden) {
+            bench_draw_strokes(frame);
+            break;
+        }
+#endif
         qtri_draw_mesh(&frame->surface, &frame->view, &frame->pose, &frame->mesh, &frame->material);
         break;
+#ifndef BENCH_PLAIN
+    case BENCH_STROKE:
+        bench_draw_strokes(frame);
+        break;
+#endif
     default:
         qtri_draw_triangles(&frame->surface, &frame->view, &frame->pose, frame->corners,
                             3 * bench_triangles(frame->scene), &frame->material);

@@ -20,6 +20,7 @@ typedef enum bench_work {
     BENCH_CLEAR,  /* colour and depth */
     BENCH_QUAD,   /* two triangles */
     BENCH_MESH,   /* lit */
+    BENCH_STROKE, /* a polyline or points, see bench_strokes.c */
     BENCH_CORNERS /* the triangles of a wide mesh without indices or light, each with corners of its
                      own */
 } bench_work;
@@ -46,6 +47,8 @@ typedef struct bench_scene {
     const qtri_mesh *mesh;
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
     q16 turn;               /* the mesh, about y */
+    q16 width;              /* of strokes, with smooth edges; of a mesh: its wireframe's */
+    bool points, hidden;    /* points for a polyline; a wireframe without hidden lines */
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
     uint32_t lights; /* not 0: the first of bench_sources, and highlights, in place of the light */
     bench_smooth smooth;
@@ -116,6 +119,12 @@ void bench_finish_smooth(bench_frame *frame);
 
 /* Triangles that the draw call is given. */
 uint32_t bench_triangles(const bench_scene *scene);
+
+#ifndef BENCH_PLAIN
+/* The corners of a scene of strokes: returns how many, and draws them; or a mesh's edges. */
+uint32_t bench_set_strokes(qtri_corner *corners, const bench_scene *scene);
+void bench_draw_strokes(bench_frame *frame);
+#endif
 
 /* Whether the pixel is not of the background's colour and depth. */
 bool bench_is_drawn(const bench_frame *frame, int32_t x, int32_t y);

@@ -65,6 +65,15 @@ static const struct scene_statement statements[] = {
      "(x y z w r g b nx ny nz) x3"},
     {"tritn",       {36, 36},  scene_statement_triangle,      SCENE_TRIANGLE,
      "(x y z w r g b u v nx ny nz) x3"},
+    {"linewidth",   {1, 1},    scene_statement_linewidth,     0, "PIXELS"},
+    {"linesmooth",  {1, 1},    scene_statement_linesmooth,    0, "on|off"},
+    {"linecap",     {1, 1},    scene_statement_linecap,       0, "round|butt|square"},
+    {"linealpha",   {1, 1},    scene_statement_linealpha,     0, "A"},
+    {"line",        {14, 14},  scene_statement_line,          0, "(x y z w r g b) x2"},
+    {"polyline",    {1, 1},    scene_statement_polyline,      0, "open|closed"},
+    {"vertex",      {7, 7},    scene_statement_vertex,        0, "x y z w r g b"},
+    {"pointsize",   {1, 2},    scene_statement_pointsize,     0, "SIZE [space]"},
+    {"point",       {7, 7},    scene_statement_point,         0, "x y z w r g b"},
     {"mesh",        {1, 5},    scene_statement_mesh,          SCENE_MESH, "FILE.obj [color r g b]"},
 };
 /* clang-format on */
@@ -266,6 +275,7 @@ static bool parse(const char *name, const char *text, size_t length, char *root,
     parser.output = output;
     parser.mode = 1;
     set_defaults(scene);
+    scene_stroke_defaults(&parser);
     bool ok = parse_all(&parser, text, length);
     free(parser.root);
     free(parser.mesh_files);
@@ -353,6 +363,7 @@ void scene_free(struct scene *scene)
     }
     free(scene->meshes);
     free(scene->ops);
+    free(scene->stroke_vertices);
     free(scene->texture.rgb);
     memset(scene, 0, sizeof *scene);
 }

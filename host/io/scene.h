@@ -39,7 +39,8 @@ enum scene_op_kind {
     SCENE_PUSH,
     SCENE_POP, /* the parser guarantees that pops match pushes on each stack */
     SCENE_TRIANGLE /* vertex[0..2]; textured: whether it came from `trit` */,
-    SCENE_MESH /* mesh: index into scene.meshes; color: 0..1 */
+    SCENE_MESH,  /* mesh: index into scene.meshes; color: 0..1 */
+    SCENE_STROKE /* stroke: a line, a polyline or a point */
 };
 
 struct scene_vertex {
@@ -47,6 +48,18 @@ struct scene_vertex {
     int32_t color[3];    /* 0..1 */
     int32_t uv[2];       /* 0 for `tri` */
     int32_t normal[3];   /* of `trin` and `tritn`, any length; 0: that of the triangle */
+};
+
+enum scene_cap { SCENE_CAP_ROUND, SCENE_CAP_BUTT, SCENE_CAP_SQUARE };
+
+/* Lines and points, with the state that held when they were given. */
+struct scene_stroke {
+    size_t first, count; /* of scene.stroke_vertices */
+    bool is_point;       /* otherwise a polyline through all vertices */
+    int32_t width;       /* pixels; of a point in_space: units of object space */
+    int32_t alpha;       /* 0..1 */
+    enum scene_cap cap;
+    bool smooth, closed, in_space;
 };
 
 struct scene_op {
@@ -64,6 +77,7 @@ struct scene_op {
             size_t mesh;
             int32_t color[3];
         } mesh;
+        struct scene_stroke stroke;
     } u;
 };
 
@@ -181,6 +195,9 @@ struct scene {
     int lamp_count;
     struct scene_reflection reflection;
     bool texture_sphere; /* `texgen sphere`: meshes' coordinates are those of their normals */
+
+    struct scene_vertex *stroke_vertices; /* of all strokes, in order */
+    size_t stroke_vertex_count;
 
     struct scene_op *ops;
     size_t op_count;

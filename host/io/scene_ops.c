@@ -6,8 +6,7 @@
 
 #define DEGREES_180 (180 * SCENE_ONE)
 
-/* Appends an operation of the given kind; NULL with the error set when memory runs out. */
-static struct scene_op *add_op(struct scene_parser *parser, enum scene_op_kind kind)
+struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind kind)
 {
     struct scene *scene = parser->scene;
     struct scene_op *grown =
@@ -21,6 +20,7 @@ static struct scene_op *add_op(struct scene_parser *parser, enum scene_op_kind k
     memset(op, 0, sizeof *op);
     op->kind = kind;
     op->line = parser->line;
+    parser->polyline = NULL;
     return op;
 }
 
@@ -30,7 +30,8 @@ bool scene_statement_mode(struct scene_parser *parser)
     if (!scene_choice(parser, 0, words, 2, &parser->mode)) {
         return false;
     }
-    return add_op(parser, parser->mode == 0 ? SCENE_MODE_PROJECTION : SCENE_MODE_MODELVIEW) != NULL;
+    return scene_add_op(parser, parser->mode == 0 ? SCENE_MODE_PROJECTION : SCENE_MODE_MODELVIEW) !=
+           NULL;
 }
 
 /* ---- Statements that are a row of numbers ---- */
@@ -106,7 +107,7 @@ bool scene_statement_numbers(struct scene_parser *parser)
     if (problem != NULL) {
         return scene_fail(parser, problem);
     }
-    struct scene_op *op = add_op(parser, kind);
+    struct scene_op *op = scene_add_op(parser, kind);
     if (op == NULL) {
         return false;
     }
@@ -122,7 +123,7 @@ bool scene_statement_push(struct scene_parser *parser)
         return scene_fail(parser, "nested too deep");
     }
     parser->depth[parser->mode]++;
-    return add_op(parser, SCENE_PUSH) != NULL;
+    return scene_add_op(parser, SCENE_PUSH) != NULL;
 }
 
 bool scene_statement_pop(struct scene_parser *parser)
@@ -131,13 +132,12 @@ bool scene_statement_pop(struct scene_parser *parser)
         return scene_fail(parser, "without a push on the same stack");
     }
     parser->depth[parser->mode]--;
-    return add_op(parser, SCENE_POP) != NULL;
+    return scene_add_op(parser, SCENE_POP) != NULL;
 }
 
 /* ---- Geometry ---- */
 
-/* Numbers `count` triangles; *id is the first one's. */
-static bool take_ids(struct scene_parser *parser, size_t count, uint32_t *id)
+bool scene_take_ids(struct scene_parser *parser, size_t count, uint32_t *id)
 {
     uint32_t used = parser->scene->triangle_count;
     if (count > UINT32_MAX - used) {
@@ -148,8 +148,8 @@ static bool take_ids(struct scene_parser *parser, size_t count, uint32_t *id)
     return true;
 }
 
-static bool read_vertex(struct scene_parser *parser, int first, bool textured, bool normal,
-                        struct scene_vertex *vertex)
+bool scene_read_vertex(struct scene_parser *parser, int first, bool textured, bool normal,
+                       struct scene_vertex *vertex)
 {
     return scene_numbers(parser, first, 4, vertex->position) &&
            scene_fractions(parser, first + 4, 3, vertex->color) &&
@@ -165,12 +165,13 @@ bool scene_statement_triangle(struct scene_parser *parser)
     bool normal = per_vertex >= 10;
     memset(vertex, 0, sizeof vertex);
     for (int i = 0; i < 3; i++) {
-        if (!read_vertex(parser, i * per_vertex, textured, normal, &vertex[i])) {
+        if (!scene_read_vertex(parser, i * per_vertex, textured, normal, &vertex[i])) {
             return false;
         }
     }
     uint32_t id = 0;
-    struct scene_op *op = take_ids(parser, 1, &id) ? add_op(parser, SCENE_TRIANGLE) : NULL;
+    struct scene_op *op =
+        scene_take_ids(parser, 1, &id) ? scene_add_op(parser, SCENE_TRIANGLE) : NULL;
     if (op == NULL) {
         return false;
     }
@@ -193,10 +194,10 @@ bool scene_statement_mesh(struct scene_parser *parser)
     size_t mesh;
     uint32_t id = 0;
     if (!scene_find_mesh(parser, 0, &mesh) ||
-        !take_ids(parser, parser->scene->meshes[mesh].triangle_count, &id)) {
+        !scene_take_ids(parser, parser->scene->meshes[mesh].triangle_count, &id)) {
         return false;
     }
-    struct scene_op *op = add_op(parser, SCENE_MESH);
+    struct scene_op *op = scene_add_op(parser, SCENE_MESH);
     if (op == NULL) {
         return false;
     }

@@ -52,6 +52,9 @@ struct scene_parser {
     size_t mesh_capacity;
     struct file_identity *mesh_files; /* beside scene->meshes */
     size_t mesh_file_capacity;
+    struct scene_stroke line_state, point_state; /* of the next line and point */
+    struct scene_op *polyline; /* the last statement was about this one: vertices join it */
+    size_t stroke_vertex_capacity;
     struct scene_texture_request texture;
     int texformat_line; /* of the last `texformat`, in case its palette does not suffice */
     const struct scene_statement *texformat_statement;
@@ -110,6 +113,25 @@ scene_handler scene_statement_light, scene_statement_ambient, scene_statement_ma
     scene_statement_twosided, scene_statement_texgen;
 
 scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity;
+
+scene_handler scene_statement_linewidth, scene_statement_linesmooth, scene_statement_linecap,
+    scene_statement_linealpha, scene_statement_line, scene_statement_polyline,
+    scene_statement_vertex, scene_statement_pointsize, scene_statement_point;
+
+/* Lines are a pixel wide, smooth, round, opaque; points are 4 pixels. */
+void scene_stroke_defaults(struct scene_parser *parser);
+
+/* ---- Shared by the files of statements (scene_ops.c) ---- */
+
+/* Appends an operation of the given kind; NULL with the error set when memory runs out. */
+struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind kind);
+
+/* Numbers `count` triangles; *id is the first one's. */
+bool scene_take_ids(struct scene_parser *parser, size_t count, uint32_t *id);
+
+/* Position and colour, and texture coordinates where `textured`, from argument `first` on. */
+bool scene_read_vertex(struct scene_parser *parser, int first, bool textured, bool normal,
+                       struct scene_vertex *vertex);
 
 /* ---- Assets (scene_assets.c) ---- */
 

@@ -6,6 +6,7 @@
 #include "matrix.h"
 #include "mesh.h"
 #include "raster.h"
+#include "raster_stroke.h"
 
 #include <assert.h>
 #include <math.h>
@@ -174,6 +175,10 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
         return ref_draw_mesh(&replay->target, op,
                              &replay->projection.matrix[replay->projection.top],
                              &replay->modelview.matrix[replay->modelview.top]);
+    case SCENE_STROKE:
+        return ref_draw_stroke(&replay->target, op,
+                               &replay->projection.matrix[replay->projection.top],
+                               &replay->modelview.matrix[replay->modelview.top]);
     }
     return true;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "mesh_neighbours.h"
+#include "scene_stroke.h"
 
 /* The two matrix stacks while a scene is replayed. */
 struct stacks {
@@ -352,7 +353,7 @@ static void replay(struct drawing *d, struct stacks *stacks)
     qtri_transform_identity(&stacks->matrix[1][0]);
     for (size_t i = 0; i < scene->op_count; i++) {
         const struct scene_op *op = &scene->ops[i];
-        if (op->kind != SCENE_TRIANGLE && op->kind != SCENE_MESH) {
+        if (op->kind < SCENE_TRIANGLE) {
             apply_to_stacks(stacks, op);
             continue;
         }
@@ -363,6 +364,12 @@ static void replay(struct drawing *d, struct stacks *stacks)
         }
         if (op->kind == SCENE_MESH) {
             draw_mesh(d, op);
+        } else if (op->kind == SCENE_STROKE) {
+            const qtri_rgb id = rgb_of_id(op->id);
+            if (d->pass != SCENE_EDGES) {
+                scene_draw_stroke(scene, op, d->surface, &d->view, &d->modelview, &d->material,
+                                  d->pass == SCENE_IDS ? &id : NULL);
+            }
         } else if (d->pass == SCENE_EDGES) {
             const size_t count = run_of(scene, i);
             note_triangles(d, op, count);

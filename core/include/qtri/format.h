@@ -73,6 +73,9 @@ extern const qtri_format qtri_bgr888;         /* three bytes: blue, green, red *
 extern const qtri_format qtri_xrgb8888;       /* uint32_t, 0x00RRGGBB */
 extern const qtri_format qtri_gray8;          /* uint8_t, luma .299 R + .587 G + .114 B */
 
+/* Pixels that are not there: a surface of this format takes depth and leaves its memory alone. */
+extern const qtri_format qtri_depth_only;
+
 /*
  * What a stored pixel means, for descriptions of one's own: where `decode` is one of these, copies
  * and conversions know the format by it. bgr888 has that of xrgb8888.

@@ -1,0 +1,105 @@
+/*
+ * Points and splats: parts without a length.
+ *
+ * The size of a splat on the screen is half the distance of the points that lie a width apart
+ * around it, along the picture's rows' normal in eye space: the same for any projection.
+ */
+#include "stroke_job.h"
+
+/* A point that is seen. */
+typedef struct point {
+    qtri_stroke_place place;
+    qtri_stroke_end end;
+} point;
+
+static bool place_point(const void *from, uint32_t part, qtri_stroke_place *place)
+{
+    const point *p = from;
+    (void)part;
+    *place = p->place;
+    return true;
+}
+
+static void end_point(const void *from, uint32_t part, qtri_stroke_end end[2])
+{
+    const point *p = from;
+    (void)part;
+    end[0] = p->end;
+    end[1] = p->end;
+}
+
+/* Half a width along what is up in the picture, in object space. */
+static qtri_vec3 half_width_up(const qtri_view *view, const qtri_transform *pose, q16 width)
+{
+    qtri_transform object_to_eye;
+    qtri_mat4 m;
+    qtri_transform_mul(&object_to_eye, &view->camera, pose);
+    qtri_transform_to_mat4(&object_to_eye, &m);
+    const qtri_vec3 row = {m.m[1][0], m.m[1][1], m.m[1][2]};
+    const qtri_vec3 up = qtri_vec3_normalize(row);
+    const qtri_vec3 half = {q16_mul(up.x, width / 2), q16_mul(up.y, width / 2),
+                            q16_mul(up.z, width / 2)};
+    return half;
+}
+
+/* What a splat's half is on the screen: at least a 256th, at most QTRI_STROKE_WIDTH_MAX / 2. */
+static int32_t radius_in_space(const qtri_stroke_job *job, const qtri_vec4 *center,
+                               const qtri_vec3 *half, const qtri_screen_point *at)
+{
+    const int32_t most = QTRI_STROKE_WIDTH_MAX * 128;
+    qtri_vec4 rim = *center;
+    qtri_clip_vertex clip;
+    qtri_screen_vertex screen;
+    rim.x = qtri_saturate32((int64_t)rim.x + qtri_mul_s32(half->x, rim.w) / 65536);
+    rim.y = qtri_saturate32((int64_t)rim.y + qtri_mul_s32(half->y, rim.w) / 65536);
+    rim.z = qtri_saturate32((int64_t)rim.z + qtri_mul_s32(half->z, rim.w) / 65536);
+    const qtri_vec4 *const position[1] = {&rim};
+    qtri_projector_points(&job->projector, position, 1, &clip);
+    if ((qtri_clip_outcode(&clip) & ~(unsigned)QTRI_OUT_FAR) != 0) {
+        return most;
+    }
+    qtri_project(&job->projector, &clip, &screen);
+    /* Below 2^23 each. */
+    const int64_t x = (int64_t)screen.x_24p8 - at->x_24p8;
+    const int64_t y = (int64_t)screen.y_24p8 - at->y_24p8;
+    const uint64_t radius = qtri_sqrt64_round((uint64_t)(x * x) + (uint64_t)(y * y));
+    return radius > (uint64_t)most ? most : qtri_greatest32((int32_t)radius, 1);
+}
+
+void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
+                      const qtri_transform *pose, const qtri_corner *corners, uint32_t corner_count,
+                      const qtri_stroke *stroke, const qtri_material *material)
+{
+    qtri_stroke_job job;
+    qtri_stroker stroker;
+    qtri_vec3 half = {0, 0, 0};
+    point p;
+    if (stroke->width <= 0 || !qtri_stroker_init(&stroker, surface, material, stroke)) {
+        return;
+    }
+    qtri_stroke_job_init(&job, view, pose, corners, corner_count, stroke);
+    if (stroke->in_space) {
+        half = half_width_up(view, pose, stroke->width);
+    } else if (job.radius == 0) {
+        return;
+    }
+    p.place.radius_24p8 = job.radius;
+    p.place.caps[0] = job.cap == QTRI_CAP_ROUND ? QTRI_CAP_ROUND : QTRI_CAP_SQUARE;
+    p.place.caps[1] = p.place.caps[0];
+    const qtri_stroke_source source = {&p, 1, place_point, end_point};
+    for (uint32_t i = 0; i < corner_count; i++) {
+        qtri_vertex v;
+        qtri_stroke_job_vertex(&job, i, &v);
+        if ((v.depth_16p8 & QTRI_VERTEX_OUTSIDE) != 0) {
+            continue;
+        }
+        p.place.end[0] = v.at;
+        p.place.end[1] = v.at;
+        p.end.depth_16p8 = v.depth_16p8;
+        qtri_stroke_job_color(&p.end, &corners[i].color);
+        if (stroke->in_space) {
+            p.place.radius_24p8 = radius_in_space(&job, &corners[i].position, &half, &v.at);
+        }
+        qtri_stroker_draw(&stroker, &source);
+    }
+}

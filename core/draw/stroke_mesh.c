@@ -1,0 +1,121 @@
+/*
+ * Wireframes of strokes. Edges are found, lit and shared out as those of &qtri_wireframe are; only
+ * what draws an edge is another.
+ */
+#include <string.h>
+
+#include "fill.h"
+#include "stroke_job.h"
+
+/* A line job whose lines are strokes: `mesh` is first, and the line job in it tells where. */
+typedef struct wide_job {
+    qtri_mesh_job mesh;
+    qtri_stroker stroker;
+    qtri_stroke_source source;
+    qtri_stroke_place place;
+    qtri_stroke_end end[2];
+} wide_job;
+
+/*
+ * What the line job takes for its surface: one whose pixels are not 16 bits, so that nothing that
+ * only saves time takes its lines.
+ */
+static const qtri_surface no_surface = {.format = &qtri_depth_only};
+
+static bool place_edge(const void *from, uint32_t part, qtri_stroke_place *place)
+{
+    const wide_job *wide = from;
+    (void)part;
+    *place = wide->place;
+    return true;
+}
+
+static void end_edge(const void *from, uint32_t part, qtri_stroke_end end[2])
+{
+    const wide_job *wide = from;
+    (void)part;
+    end[0] = wide->end[0];
+    end[1] = wide->end[1];
+}
+
+/* See qtri_line_draws. */
+static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                      const qtri_line_color *color)
+{
+    wide_job *wide = (wide_job *)(void *)job->first;
+    const qtri_vertex *const vertex[2] = {a, b};
+    for (int i = 0; i < 2; i++) {
+        wide->place.end[i] = vertex[i]->at;
+        wide->end[i].depth_16p8 = vertex[i]->depth_16p8 & ~0xFFu;
+        if (color != NULL) {
+            memcpy(wide->end[i].color_8p16, color[i], sizeof wide->end[i].color_8p16);
+        } else {
+            const qtri_rgb *tint = &wide->mesh.material.color;
+            const int32_t light = (int32_t)vertex[i]->intensity_q15 * 2;
+            wide->end[i].color_8p16[0] = tint->r * light; /* <= 255.0 */
+            wide->end[i].color_8p16[1] = tint->g * light;
+            wide->end[i].color_8p16[2] = tint->b * light;
+        }
+    }
+    qtri_stroker_draw(&wide->stroker, &wide->source);
+}
+
+/* As qtri_draw_mesh does it with fewer slots than vertices. */
+static void draw_by_slots(const qtri_mesh_job *draw)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    qtri_mesh_clear_slots(draw);
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const void *triangle = qtri_mesh_triangle(mesh, i, qtri_mesh_has_bytes(mesh));
+        qtri_vertex spare[3];
+        qtri_vertex *vertex[3];
+        if (qtri_mesh_fetch_triangle(draw, triangle, spare, vertex) &&
+            !qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_seen(draw, triangle, vertex);
+        }
+    }
+}
+
+/* The rows in which the line job looks for triangles reach a radius beyond the surface's. */
+static void widen_rows(qtri_line_job *job, int32_t radius)
+{
+    job->top_24p8 -= radius + 1;
+    job->height_24p8 += 2 * (uint32_t)(radius + 1);
+}
+
+void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view,
+                              const qtri_transform *pose, const qtri_mesh *mesh,
+                              const qtri_stroke *stroke, const qtri_material *material)
+{
+    wide_job wide;
+    qtri_material wired = *material;
+    wired.fill = &qtri_wireframe;
+    wide.place.radius_24p8 = qtri_stroke_radius(stroke->width);
+    if (wide.place.radius_24p8 == 0 ||
+        !qtri_stroker_init(&wide.stroker, surface, material, stroke)) {
+        return;
+    }
+    wide.place.caps[0] = qtri_stroke_cap(stroke);
+    wide.place.caps[1] = wide.place.caps[0];
+    const qtri_stroke_source source = {&wide, 1, place_edge, end_edge};
+    wide.source = source;
+    /* Lines reach beyond their mesh: no box says that none can be seen. */
+    const qtri_box everywhere = {{0, 0, 0}, {INT32_MAX, INT32_MAX, INT32_MAX}};
+    qtri_mesh unbounded = *mesh;
+    unbounded.bounds = everywhere;
+    qtri_mesh_job_init(&wide.mesh, surface, view, &unbounded, &wired, view->vertices,
+                       view->vertex_count);
+    qtri_line_job *job = &wide.mesh.primitive.to.lines.job;
+    job->surface = &no_surface;
+    job->draw = draw_edge;
+    job->first = (uint8_t *)(void *)&wide;
+    widen_rows(job, wide.place.radius_24p8);
+    if (!qtri_mesh_job_place(&wide.mesh, view, pose)) {
+        return;
+    }
+    if (!QTRI_WITH_FAST_PATHS || wide.mesh.slot_count < unbounded.vertex_count) {
+        draw_by_slots(&wide.mesh);
+    } else {
+        qtri_wireframe.mesh(&wide.mesh);
+    }
+}

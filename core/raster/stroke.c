@@ -1,0 +1,460 @@
+#include "stroke.h"
+
+#include "../frame/pixel.h"
+
+bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
+                       const qtri_material *material, const qtri_stroke *stroke)
+{
+    const qtri_compare compare = material->depth_compare;
+    stroker->surface = surface;
+    stroker->bounds = qtri_surface_bounds(surface);
+    stroker->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : compare;
+    stroker->depth_write = stroker->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
+    stroker->alpha = stroke->alpha;
+    stroker->edges = stroke->edges;
+    return stroker->bounds.x0 < stroker->bounds.x1 && stroke->alpha != 0 && compare != QTRI_NEVER;
+}
+
+/* How far a part reaches around its line: a corner of a square cap is 3/2 radii away at most. */
+static int32_t reach_of(const qtri_stroke_place *place)
+{
+    return place->radius_24p8 + (place->radius_24p8 >> 1) + 1;
+}
+
+/* Whether a part may touch the strip. */
+static bool touches_strip(const qtri_stroker *stroker, uint32_t part)
+{
+    const qtri_stroke_source *source = stroker->source;
+    qtri_stroke_place place;
+    if (!source->place(source->from, part, &place)) {
+        return false;
+    }
+    const int32_t left = stroker->column * 256;
+    const int32_t x0 = place.end[0].x_24p8;
+    const int32_t x1 = place.end[1].x_24p8;
+    return qtri_least32(x0, x1) <= left + QTRI_STROKE_WINDOW * 256 + reach_of(&place) &&
+           qtri_greatest32(x0, x1) >= left - reach_of(&place);
+}
+
+/* The shape of a part that is there. Of eight parts that follow each other all are kept. */
+static qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
+{
+    const qtri_stroke_source *source = stroker->source;
+    qtri_stroke_shape *shape = &stroker->shape[part % QTRI_STROKE_SHAPES];
+    if (shape->part != part) {
+        qtri_stroke_place place;
+        (void)source->place(source->from, part, &place);
+        qtri_stroke_shape_init(shape, &place);
+        source->ends(source->from, part, shape->end);
+        const int32_t *first = shape->end[0].color_8p16;
+        const int32_t *last = shape->end[1].color_8p16;
+        shape->even = first[0] == last[0] && first[1] == last[1] && first[2] == last[2];
+        shape->part = part;
+    }
+    return shape;
+}
+
+/*
+ * The parts that may touch the strip: those that are listed, and behind them any. *at is 0 at
+ * first; UINT32_MAX: none.
+ */
+static uint32_t next_part(const qtri_stroker *stroker, uint32_t *at)
+{
+    if (*at < stroker->part_count) {
+        return stroker->part[(*at)++];
+    }
+    if (stroker->rest == UINT32_MAX) {
+        return UINT32_MAX;
+    }
+    uint32_t part = stroker->rest + (*at - stroker->part_count);
+    while (part < stroker->source->count && !touches_strip(stroker, part)) {
+        part++;
+    }
+    *at = part + 1 - stroker->rest + stroker->part_count;
+    return part < stroker->source->count ? part : UINT32_MAX;
+}
+
+/* Whether a part touches the row in the strip; its columns. */
+static bool find_columns(qtri_stroker *stroker, uint32_t part, int32_t *first, int32_t *end)
+{
+    return qtri_stroke_shape_columns(shape_of(stroker, part), stroker->row, first, end) &&
+           *first<stroker->column + QTRI_STROKE_WINDOW && * end> stroker->column;
+}
+
+qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at)
+{
+    if (stroker->touch_count != QTRI_STROKE_MANY) {
+        const uint32_t touch = stroker->first_touch + *at;
+        (*at)++;
+        return touch < stroker->touch_end ? shape_of(stroker, stroker->touch[touch].part) : NULL;
+    }
+    for (;;) {
+        int32_t first;
+        int32_t end;
+        const uint32_t part = next_part(stroker, at);
+        if (part == UINT32_MAX) {
+            return NULL;
+        }
+        if (find_columns(stroker, part, &first, &end)) {
+            return shape_of(stroker, part);
+        }
+    }
+}
+
+/* Of the touches, those that begin at `from` and their columns touch. */
+static uint32_t group_end(const qtri_stroker *stroker, uint32_t from)
+{
+    int32_t end = stroker->touch[from].end;
+    uint32_t to = from + 1;
+    while (to < stroker->touch_count && stroker->touch[to].first < end) {
+        end = qtri_greatest32(end, stroker->touch[to].end);
+        to++;
+    }
+    return to;
+}
+
+static void set_group(qtri_stroker *stroker, uint32_t from)
+{
+    stroker->first_touch = from;
+    stroker->touch_end = stroker->touch_count == QTRI_STROKE_MANY ? 1 : group_end(stroker, from);
+}
+
+/* Lists the parts that touch the row, by their first columns. False: none. */
+static bool find_touches(qtri_stroker *stroker)
+{
+    uint32_t at = 0;
+    uint32_t count = 0;
+    for (uint32_t part; (part = next_part(stroker, &at)) != UINT32_MAX;) {
+        qtri_stroke_touch touch = {part, 0, 0};
+        if (!find_columns(stroker, part, &touch.first, &touch.end)) {
+            continue;
+        }
+        if (count == QTRI_STROKE_PARTS) {
+            stroker->touch_count = QTRI_STROKE_MANY;
+            return true;
+        }
+        uint32_t i = count++;
+        for (; i > 0 && stroker->touch[i - 1].first > touch.first; i--) {
+            stroker->touch[i] = stroker->touch[i - 1];
+        }
+        stroker->touch[i] = touch;
+    }
+    stroker->touch_count = count;
+    return count > 0;
+}
+
+static bool passes(qtri_compare compare, uint32_t depth, uint32_t stored)
+{
+    switch (compare) {
+    case QTRI_LESS:
+        return depth < stored;
+    case QTRI_EQUAL:
+        return depth == stored;
+    case QTRI_LESS_EQUAL:
+        return depth <= stored;
+    case QTRI_GREATER:
+        return depth > stored;
+    case QTRI_NOT_EQUAL:
+        return depth != stored;
+    case QTRI_GREATER_EQUAL:
+        return depth >= stored;
+    default:
+        return true;
+    }
+}
+
+/* What a pixel takes of its part. */
+typedef struct sample {
+    uint32_t depth;        /* 0..65535 */
+    int32_t color_8p16[3]; /* 0..255.0 */
+} sample;
+
+/* Where along the parts pixels of a window are. */
+typedef struct position {
+    uint64_t square; /* of the distance in 24.8 */
+    uint32_t share_q16;
+    uint32_t part; /* UINT32_MAX: none yet */
+} position;
+
+/* From a pixel's centre to the part; |along|, |across| < 2^25, far away taken as 2^22. */
+static uint64_t square_of(int32_t beyond, int32_t across)
+{
+    const int32_t most = (int32_t)1 << 22;
+    const int32_t x = qtri_hold32(beyond, -most, most);
+    const int32_t y = qtri_hold32(across, -most, most);
+    return (uint64_t)qtri_mul_s32(x, x) + (uint64_t)qtri_mul_s32(y, y);
+}
+
+/* Of the pixels first .. end-1 of the window: taken where the shape is nearer than others. */
+static void take_positions(position *at, const qtri_stroker *stroker,
+                           const qtri_stroke_shape *shape, int32_t first, int32_t end,
+                           bool is_alone)
+{
+    const int32_t x = (stroker->column + first) * 256 + 128 - shape->origin.x_24p8;
+    const int32_t y = stroker->row * 256 + 128 - shape->origin.y_24p8;
+    const int32_t down = 30 - shape->up;
+    const int64_t length_q30 = (int64_t)((uint64_t)shape->length << down);
+    /* |x|, |y| < 2^24: below 2^55. */
+    int64_t along_q30 = qtri_mul_s32(x, shape->along_x_q30) + qtri_mul_s32(y, shape->along_y_q30);
+    int64_t across_q30 = qtri_mul_s32(y, shape->along_x_q30) - qtri_mul_s32(x, shape->along_y_q30);
+    const int64_t step = (int64_t)shape->along_x_q30 * 256;
+    const int64_t step_across = (int64_t)shape->along_y_q30 * -256;
+    for (int32_t i = first; i < end; i++) {
+        const int64_t held_q30 =
+            along_q30 < 0 ? 0 : (along_q30 > length_q30 ? length_q30 : along_q30);
+        const uint64_t square = is_alone ? 0
+                                         : square_of((int32_t)((along_q30 - held_q30) >> 30),
+                                                     (int32_t)(across_q30 >> 30));
+        if (at[i].part == UINT32_MAX || square < at[i].square) {
+            const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> down), shape->inverse);
+            const uint32_t share = (uint32_t)(product >> shape->inverse_shift);
+            at[i].square = square;
+            at[i].share_q16 = share < 65536 ? share : 65536;
+            at[i].part = shape->part;
+        }
+        along_q30 += step;
+        across_q30 += step_across;
+    }
+}
+
+/* The part of the window inside the bounds, from its first pixel on. */
+typedef struct clip {
+    int32_t first, end;
+} clip;
+
+/* Of all groups. */
+static void take_all_positions(position *at, qtri_stroker *stroker, const clip *in)
+{
+    const bool many = stroker->touch_count == QTRI_STROKE_MANY;
+    const uint32_t count = many ? 1 : stroker->touch_count;
+    for (uint32_t from = 0; from < count; from = stroker->touch_end) {
+        uint32_t listed = 0;
+        set_group(stroker, from);
+        const bool is_alone = !many && stroker->touch_end - from == 1;
+        for (const qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
+            int32_t first;
+            int32_t end;
+            (void)qtri_stroke_shape_columns(s, stroker->row, &first, &end);
+            take_positions(at, stroker, s, qtri_greatest32(first - stroker->column, in->first),
+                           qtri_least32(end - stroker->column, in->end), is_alone);
+        }
+    }
+}
+
+/* from + (to - from) share / 2^16; |to - from| < 2^24. */
+static int32_t mixed(int32_t from, int32_t to, uint32_t share_q16)
+{
+    return from + (int32_t)((qtri_mul_s32(to - from, (int32_t)share_q16) + 0x8000) >> 16);
+}
+
+static void take_sample(sample *out, const qtri_stroke_shape *shape, uint32_t share_q16)
+{
+    const qtri_stroke_end *from = &shape->end[0];
+    const qtri_stroke_end *to = &shape->end[1];
+    const int32_t depth_16p8 =
+        mixed((int32_t)(from->depth_16p8 >> 8), (int32_t)(to->depth_16p8 >> 8), share_q16);
+    out->depth = (uint32_t)(depth_16p8 + 128) >> 8;
+    for (int i = 0; i < 3; i++) {
+        out->color_8p16[i] = shape->even ? from->color_8p16[i]
+                                         : mixed(from->color_8p16[i], to->color_8p16[i], share_q16);
+    }
+}
+
+/* A colour, or what a share of it, 0..2^16, makes of a stored pixel, before it is encoded. */
+static uint32_t word_of(const qtri_format *format, const sample *from, const uint8_t *pixel,
+                        int32_t share_q16)
+{
+    int32_t color[3] = {from->color_8p16[0], from->color_8p16[1], from->color_8p16[2]};
+    if (share_q16 < 65536) {
+        const uint32_t stored = format->decode(format->pixels->load(pixel));
+        for (int i = 0; i < 3; i++) {
+            const int32_t below = (int32_t)(stored >> (16 - 8 * i) & 0xFFu) << 16;
+            /* |.| <= 255 2^7 2^16 < 2^31 */
+            color[i] = below + ((((color[i] - below) >> 9) * share_q16) >> 7);
+        }
+    }
+    const qtri_channels channels = qtri_channels_from_color(format->colors, color);
+    return format->colors->pack(channels.c);
+}
+
+/* Less than a half of 1/256 is nothing. */
+#define LEAST (QTRI_STROKE_FULL / 512)
+
+/* cover alpha / 255 in Q16: 32897 / 2^23 is 1 / 255 within 2^-30. */
+static int32_t share_of(const qtri_stroker *stroker, int32_t cover)
+{
+    if (stroker->alpha == 255) {
+        return cover >> 1;
+    }
+    return (int32_t)((uint32_t)(cover >> 2) * ((stroker->alpha * 32897u) >> 8) >> 14);
+}
+
+/* Depths, colours and stores of the pixels that are covered. */
+QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
+{
+    const qtri_surface *surface = stroker->surface;
+    const qtri_format *format = surface->format;
+    const ptrdiff_t row = stroker->row - surface->first_row;
+    uint8_t *pixel = surface->pixels + row * surface->pitch +
+                     (ptrdiff_t)format->pixels->bytes * (stroker->column + in->first);
+    uint8_t *first_pixel = pixel;
+    uint16_t *depth = stroker->compare != QTRI_DEPTH_OFF
+                          ? surface->depth + row * surface->depth_pitch + stroker->column
+                          : NULL;
+    position at[QTRI_STROKE_WINDOW];
+    uint32_t word[QTRI_STROKE_WINDOW + 4] = {0};
+    uint32_t mask = 0;
+    for (int32_t i = in->first; i < in->end; i++) {
+        at[i].part = UINT32_MAX;
+    }
+    take_all_positions(at, stroker, in);
+    for (int32_t i = in->first; i < in->end; i++, pixel += format->pixels->bytes) {
+        const int32_t cover = stroker->cover[i];
+        mask <<= 1;
+        if (cover < LEAST || at[i].part == UINT32_MAX) {
+            continue;
+        }
+        sample s;
+        take_sample(&s, shape_of(stroker, at[i].part), at[i].share_q16);
+        if (depth != NULL) {
+            if (!passes(stroker->compare, s.depth, depth[i])) {
+                continue;
+            }
+            if (stroker->depth_write && cover >= QTRI_STROKE_FULL / 2) {
+                depth[i] = (uint16_t)s.depth;
+            }
+        }
+        word[i - in->first] = word_of(format, &s, pixel, share_of(stroker, cover));
+        mask |= 1;
+    }
+    const int32_t count = in->end - in->first;
+    if (mask != 0) {
+        if (format->encode != NULL) {
+            format->encode(word, count);
+        }
+        format->pixels->store(first_pixel, word, mask, count);
+    }
+}
+
+/* Those whose centres lie inside. */
+static void add_hard(qtri_stroker *stroker)
+{
+    const int32_t y = stroker->row * 256 + 128;
+    uint32_t listed = 0;
+    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
+        qtri_stroke_slice slice;
+        /* Down to the next level, so that a side which ends here does not count. */
+        if (!qtri_stroke_shape_slice(s, y, y + 1, &slice)) {
+            continue;
+        }
+        const int32_t first = ((slice.left[0] + 127) >> 8) - stroker->column;
+        const int32_t end = ((slice.right[0] + 127) >> 8) - stroker->column;
+        for (int32_t i = qtri_greatest32(first, 0); i < qtri_least32(end, QTRI_STROKE_WINDOW);
+             i++) {
+            stroker->cover[i] = QTRI_STROKE_FULL;
+        }
+    }
+}
+
+/* The columns that the row's parts touch, inside the bounds; empty: none. */
+static clip clip_of(const qtri_stroker *stroker)
+{
+    int32_t first = INT32_MAX;
+    int32_t end = INT32_MIN;
+    if (stroker->touch_count == QTRI_STROKE_MANY) {
+        first = stroker->column;
+        end = stroker->column + QTRI_STROKE_WINDOW;
+    } else {
+        first = stroker->touch[0].first;
+        for (uint32_t i = 0; i < stroker->touch_count; i++) {
+            end = qtri_greatest32(end, stroker->touch[i].end);
+        }
+    }
+    first = qtri_greatest32(first, stroker->bounds.x0) - stroker->column;
+    end = qtri_least32(end, stroker->bounds.x1) - stroker->column;
+    const clip in = {qtri_greatest32(first, 0), qtri_least32(end, QTRI_STROKE_WINDOW)};
+    return in;
+}
+
+static void draw_row(qtri_stroker *stroker)
+{
+    if (!find_touches(stroker)) {
+        return;
+    }
+    const clip in = clip_of(stroker);
+    if (in.first >= in.end) {
+        return;
+    }
+    for (int i = 0; i <= QTRI_STROKE_WINDOW; i++) {
+        stroker->cover[i] = 0;
+    }
+    const uint32_t count = stroker->touch_count == QTRI_STROKE_MANY ? 1 : stroker->touch_count;
+    for (uint32_t from = 0; from < count; from = stroker->touch_end) {
+        set_group(stroker, from);
+        if (stroker->edges != NULL) {
+            stroker->edges->add(stroker);
+        } else {
+            add_hard(stroker);
+        }
+    }
+    if (stroker->edges != NULL) {
+        stroker->edges->finish(stroker);
+    }
+    draw_covered(stroker, &in);
+}
+
+/* Rows and columns that parts may touch, inside the bounds. */
+static void widen(int32_t range[2], int32_t a, int32_t b, int32_t reach)
+{
+    range[0] = qtri_least32(range[0], (qtri_least32(a, b) - reach) >> 8);
+    range[1] = qtri_greatest32(range[1], ((qtri_greatest32(a, b) + reach) >> 8) + 1);
+}
+
+/* Lists the parts of a strip, and finds its rows. */
+static void find_parts(qtri_stroker *stroker, int32_t rows[2])
+{
+    const qtri_stroke_source *source = stroker->source;
+    stroker->part_count = 0;
+    stroker->rest = UINT32_MAX;
+    rows[0] = INT32_MAX;
+    rows[1] = INT32_MIN;
+    for (uint32_t part = 0; part < source->count; part++) {
+        qtri_stroke_place place;
+        if (!touches_strip(stroker, part)) {
+            continue;
+        }
+        (void)source->place(source->from, part, &place);
+        widen(rows, place.end[0].y_24p8, place.end[1].y_24p8, reach_of(&place));
+        if (stroker->part_count < QTRI_STROKE_PARTS) {
+            stroker->part[stroker->part_count++] = part;
+        } else if (stroker->rest == UINT32_MAX) {
+            stroker->rest = part;
+        }
+    }
+    rows[0] = qtri_greatest32(rows[0], stroker->bounds.y0);
+    rows[1] = qtri_least32(rows[1], stroker->bounds.y1);
+}
+
+void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source)
+{
+    int32_t columns[2] = {INT32_MAX, INT32_MIN};
+    stroker->source = source;
+    for (int i = 0; i < QTRI_STROKE_SHAPES; i++) {
+        stroker->shape[i].part = UINT32_MAX;
+    }
+    for (uint32_t part = 0; part < source->count; part++) {
+        qtri_stroke_place place;
+        if (source->place(source->from, part, &place)) {
+            widen(columns, place.end[0].x_24p8, place.end[1].x_24p8, reach_of(&place));
+        }
+    }
+    columns[1] = qtri_least32(columns[1], stroker->bounds.x1);
+    stroker->column = qtri_greatest32(columns[0], stroker->bounds.x0) & ~(QTRI_STROKE_WINDOW - 1);
+    for (; stroker->column < columns[1]; stroker->column += QTRI_STROKE_WINDOW) {
+        int32_t rows[2];
+        find_parts(stroker, rows);
+        for (stroker->row = rows[0]; stroker->row < rows[1]; stroker->row++) {
+            draw_row(stroker);
+        }
+    }
+}

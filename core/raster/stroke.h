@@ -1,0 +1,155 @@
+/*
+ * Strokes: the union of the shapes of a line's parts, row by row. Internal.
+ *
+ * A part, the segment from a to b, is a convex shape: a rectangle and, at joints and round ends, a
+ * disc. The picture is drawn in strips of 32 columns that begin at multiples of 32, row by row. In
+ * a row of a strip, parts whose columns touch are a group: their union is found together. What a
+ * pixel becomes depends on the row, the strip and the parts, never on what a band or a scissor
+ * leave of them.
+ */
+#ifndef QTRI_RASTER_STROKE_H
+#define QTRI_RASTER_STROKE_H
+
+#include "qtri/stroke.h"
+
+#include "../bits/bits.h"
+
+enum {
+    QTRI_STROKE_WINDOW = 32, /* columns of a strip */
+    QTRI_STROKE_SHAPES = 8,  /* that are kept from row to row */
+    QTRI_STROKE_PARTS = 16   /* of a strip or a row whose numbers are kept */
+};
+
+/* What covers a whole pixel. */
+#define QTRI_STROKE_FULL ((int32_t)256 * 512)
+
+/* Where a part is. */
+typedef struct qtri_stroke_place {
+    qtri_screen_point end[2]; /* within +-QTRI_SCREEN_MAX_24P8 */
+    int32_t radius_24p8;      /* 1..2^16 */
+    uint8_t caps[2];          /* qtri_cap of the ends; joints are round */
+} qtri_stroke_place;
+
+/* What an end looks like. */
+typedef struct qtri_stroke_end {
+    uint32_t depth_16p8; /* 0..65535.0 */
+    int32_t color_8p16[3];
+} qtri_stroke_end;
+
+/* Parts 0 .. count-1. `place` is asked in every row, and says false of what is not to be seen. */
+typedef struct qtri_stroke_source {
+    const void *from;
+    uint32_t count;
+    bool (*place)(const void *from, uint32_t part, qtri_stroke_place *place);
+    void (*ends)(const void *from, uint32_t part, qtri_stroke_end end[2]);
+} qtri_stroke_source;
+
+/*
+ * A part made ready. a is its upper end. The rectangle's corners are a and b plus and minus
+ * `offset`; slopes are x for y along its long sides and its ends.
+ */
+typedef struct qtri_stroke_shape {
+    uint32_t part; /* UINT32_MAX: none */
+    qtri_screen_point a, b, origin;
+    int32_t radius;
+    int32_t offset_x, offset_y;
+    int64_t slope_q32, end_slope_q32;
+    uint8_t discs;         /* bit 0: around a, bit 1: around b */
+    bool even;             /* one colour */
+    int32_t disc_level[2]; /* of the last chord, and half its length */
+    int32_t disc_half[2];
+    int32_t side_level[2], side_x[2]; /* the same of the long sides */
+    /* From `origin`, the first end as it was given, along the part: */
+    int32_t along_x_q30, along_y_q30; /* its direction */
+    uint32_t length;                  /* in 24.8, times 2^up: 2^30..2^31; 0: none */
+    uint8_t up;                       /* 6..30 */
+    uint8_t inverse_shift; /* a position times 2^up and `inverse`, so far down: a share in Q16 */
+    uint32_t inverse;      /* of `length` */
+    qtri_stroke_end end[2];
+} qtri_stroke_shape;
+
+void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place);
+
+/* The columns that it may touch in a row: first and past the last. False: none. */
+bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int32_t *first,
+                               int32_t *end);
+
+/*
+ * From the level y0 to y1, in between of which no side begins or ends: the left and right bounds at
+ * both. False: it is not there.
+ */
+typedef struct qtri_stroke_slice {
+    int32_t left[2], right[2]; /* at y0 and y1, 24.8 */
+} qtri_stroke_slice;
+bool qtri_stroke_shape_slice(qtri_stroke_shape *shape, int32_t y0, int32_t y1,
+                             qtri_stroke_slice *slice);
+
+/*
+ * Marks the levels from `top` to `top` + 255 where a side or a disc begins or ends: 32 in each
+ * word, the first in its lowest bit.
+ */
+void qtri_stroke_shape_breaks(const qtri_stroke_shape *shape, int32_t top, uint32_t levels[8]);
+
+/* A part that may touch a row of the strip, in these columns. */
+typedef struct qtri_stroke_touch {
+    uint32_t part;
+    int32_t first, end; /* of the frame */
+} qtri_stroke_touch;
+
+typedef struct qtri_stroker {
+    const qtri_surface *surface;
+    const qtri_stroke_source *source;
+    qtri_rect bounds;
+    qtri_compare compare;
+    bool depth_write;
+    uint32_t alpha; /* 1..255 */
+    const qtri_stroke_edges *edges;
+    int32_t column, row;              /* of the strip */
+    uint32_t part[QTRI_STROKE_PARTS]; /* that may touch the strip, in their order */
+    uint32_t part_count;              /* and */
+    uint32_t rest;                    /*   from which on others may follow; UINT32_MAX: none */
+    qtri_stroke_touch touch[QTRI_STROKE_PARTS]; /* of the row, by their first columns */
+    uint32_t touch_count; /* QTRI_STROKE_MANY: more than there is room for are one group */
+    uint32_t first_touch, touch_end; /* of the group */
+    qtri_stroke_shape shape[QTRI_STROKE_SHAPES];
+    int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of each pixel, 0..QTRI_STROKE_FULL */
+} qtri_stroker;
+
+#define QTRI_STROKE_MANY UINT32_MAX
+
+struct qtri_stroke_edges {
+    /* Adds the parts of the group to stroker->cover; then makes of all sums what pixels have. */
+    void (*add)(qtri_stroker *stroker);
+    void (*finish)(qtri_stroker *stroker);
+};
+
+/* False: nothing can be drawn. Then parts of any source. */
+bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
+                       const qtri_material *material, const qtri_stroke *stroke);
+void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
+
+/*
+ * The parts of the group: *at is 0 at first, and counts on. NULL behind the last. A shape is there
+ * until the next is asked for.
+ */
+qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at);
+
+/* Half of a width in 24.8; 0: nothing is drawn. */
+static inline int32_t qtri_stroke_radius(q16 width)
+{
+    const q16 most = QTRI_STROKE_WIDTH_MAX * Q16_ONE;
+    return width <= 0 ? 0 : (qtri_least32(width, most) + 256) >> 9;
+}
+
+static inline uint8_t qtri_stroke_cap(const qtri_stroke *stroke)
+{
+    const bool is_flat = stroke->cap == QTRI_CAP_BUTT || stroke->cap == QTRI_CAP_SQUARE;
+    return (uint8_t)(is_flat ? stroke->cap : QTRI_CAP_ROUND);
+}
+
+static inline int32_t qtri_stroke_hold(int32_t x)
+{
+    return qtri_hold32(x, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
+}
+
+#endif

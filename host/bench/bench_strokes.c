@@ -1,0 +1,51 @@
+#include "bench_scenes.h"
+
+#ifndef BENCH_PLAIN
+
+enum { LINE_POINTS = 64, POINTS = 256 };
+
+/* Numbers that repeat on every machine: 0..65535. */
+static int32_t next(uint32_t *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (int32_t)(*state >> 16);
+}
+
+/* A chart across the screen, in 63 parts of 5 by up to 40 pixels; or points all over it. */
+uint32_t bench_set_strokes(qtri_corner *corners, const bench_scene *scene)
+{
+    uint32_t state = 1;
+    const uint32_t count = scene->points ? POINTS : LINE_POINTS;
+    for (uint32_t i = 0; i < count; i++) {
+        const int32_t x = scene->points ? next(&state) * 4 : (int32_t)i * 4096;
+        const int32_t y = scene->points ? next(&state) * 3 - 98304 : next(&state) / 2 - 16384;
+        const qtri_corner corner = {
+            {x - 131072, y, 0, Q16_ONE},
+            {(uint8_t)(255 - (i * 4 & 127)), (uint8_t)(128 + (i & 127)), (uint8_t)(60 + (i & 63))},
+            {0, 0}};
+        corners[i] = corner;
+    }
+    return count;
+}
+
+void bench_draw_strokes(bench_frame *frame)
+{
+    const bench_scene *scene = frame->scene;
+    qtri_stroke stroke = qtri_stroke_default();
+    stroke.width = scene->width;
+    if (scene->hidden) {
+        qtri_draw_hidden_lines(&frame->surface, &frame->view, &frame->pose, &frame->mesh, NULL,
+                               &frame->material, Q16(.002));
+    } else if (scene->work == BENCH_MESH) {
+        qtri_draw_wide_wireframe(&frame->surface, &frame->view, &frame->pose, &frame->mesh, &stroke,
+                                 &frame->material);
+    } else if (scene->points) {
+        qtri_draw_points(&frame->surface, &frame->view, &frame->pose, frame->corners, POINTS,
+                         &stroke, &frame->material);
+    } else {
+        qtri_draw_polyline(&frame->surface, &frame->view, &frame->pose, frame->corners, LINE_POINTS,
+                           &stroke, &frame->material);
+    }
+}
+
+#endif

@@ -1,0 +1,197 @@
+#include "raster_stroke.h"
+
+#include "clip.h"
+#include "snap.h"
+#include "stroke_cover.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* What a part's ends have beside their place. */
+struct ends {
+    double depth[2], color[2][3];
+};
+
+struct strokes {
+    struct ref_stroke_part *part;
+    struct ends *ends;
+    size_t count;
+};
+
+static struct ref_vertex vertex_of(const struct ref_matrix *to_clip, const struct scene_vertex *in)
+{
+    struct ref_vertex out = {0};
+    double p[4];
+
+    for (int k = 0; k < 4; k++)
+        p[k] = (double)in->position[k] / 65536.0;
+    ref_matrix_transform(to_clip, p, p);
+    out.x = p[0];
+    out.y = p[1];
+    out.z = p[2];
+    out.w = p[3];
+    for (int c = 0; c < 3; c++)
+        out.attribute[c] = 255.0 * fmax(0.0, fmin(1.0, (double)in->color[c] / 65536.0));
+    return out;
+}
+
+/* Window coordinates in pixels, snapped if the target is. */
+static void window_of(const struct ref_target *target, const struct ref_vertex *v, double out[2])
+{
+    int bits = target->subpixel_bits;
+    long double at[2] = {ref_window_x(v, target->scene->width) / v->w,
+                         ref_window_y(v, target->scene->height) / v->w};
+
+    for (int k = 0; k < 2; k++) {
+        if (bits > 0)
+            at[k] = ldexpl((long double)ref_snap(at[k], bits), -bits);
+        out[k] = (double)at[k];
+    }
+}
+
+/* The length of half a width along the picture's upwards on the screen. */
+static double radius_in_space(const struct ref_target *target, const struct scene_vertex *v,
+                              double width, const struct ref_matrix *to_clip,
+                              const struct ref_matrix *modelview)
+{
+    double up[3] = {modelview->m[1][0], modelview->m[1][1], modelview->m[1][2]};
+    double p[4];
+    double at[2][2];
+
+    ref_normalise3(up);
+    for (int i = 0; i < 2; i++) {
+        struct ref_vertex moved = {0};
+        for (int k = 0; k < 4; k++)
+            p[k] = (double)v->position[k] / 65536.0;
+        for (int k = 0; k < 3 && i == 1; k++)
+            p[k] += up[k] * width / 2.0 * p[3];
+        ref_matrix_transform(to_clip, p, p);
+        moved.x = p[0];
+        moved.y = p[1];
+        moved.w = p[3];
+        at[i][0] = (double)(ref_window_x(&moved, target->scene->width) / moved.w);
+        at[i][1] = (double)(ref_window_y(&moved, target->scene->height) / moved.w);
+    }
+    return hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]);
+}
+
+/* Appends what clipping leaves of the part between two vertices. */
+static struct ref_stroke_part *add_part(struct strokes *all, const struct ref_target *target,
+                                        const struct ref_vertex *a, const struct ref_vertex *b)
+{
+    struct ref_vertex end[2] = {*a, *b};
+    struct ref_stroke_part *part = &all->part[all->count];
+    struct ends *ends = &all->ends[all->count];
+    double at[2][2];
+
+    if (!ref_clip_line(end, target->scene->width, target->scene->height,
+                       ref_guard_band(target->subpixel_bits)))
+        return NULL;
+    for (int i = 0; i < 2; i++) {
+        window_of(target, &end[i], at[i]);
+        ends->depth[i] = ref_target_depth(target, end[i].z / end[i].w);
+        for (int c = 0; c < 3; c++)
+            ends->color[i][c] = end[i].attribute[c];
+    }
+    part->x0 = at[0][0];
+    part->y0 = at[0][1];
+    part->x1 = at[1][0];
+    part->y1 = at[1][1];
+    all->count++;
+    return part;
+}
+
+static void add_parts(struct strokes *all, const struct ref_target *target,
+                      const struct scene_op *op, const struct ref_matrix *to_clip,
+                      const struct ref_matrix *modelview)
+{
+    const struct scene_stroke *stroke = &op->u.stroke;
+    const struct scene_vertex *in = &target->scene->stroke_vertices[stroke->first];
+    bool closed = stroke->closed && stroke->count > 2;
+    size_t parts = closed || stroke->count == 1 ? stroke->count : stroke->count - 1;
+    enum ref_cap cap = (enum ref_cap)stroke->cap;
+
+    if (stroke->is_point && cap == REF_CAP_BUTT)
+        cap = REF_CAP_SQUARE;
+    for (size_t i = 0; i < parts; i++) {
+        struct ref_vertex a = vertex_of(to_clip, &in[i]);
+        struct ref_vertex b = vertex_of(to_clip, &in[(i + 1) % stroke->count]);
+        struct ref_stroke_part *part = add_part(all, target, &a, &b);
+        if (part == NULL)
+            continue;
+        double width = (double)stroke->width / 65536.0;
+        part->radius = stroke->in_space ? radius_in_space(target, &in[i], width, to_clip, modelview)
+                                        : width / 2.0;
+        part->radius = fmin(part->radius, 256.0);
+        part->cap[0] = closed || i > 0 ? REF_CAP_ROUND : cap;
+        part->cap[1] = closed || i + 1 < parts ? REF_CAP_ROUND : cap;
+    }
+}
+
+static void draw_pixel(struct ref_target *target, const struct scene_op *op,
+                       const struct strokes *all, int x, int y, double share)
+{
+    const struct scene *scene = target->scene;
+    const struct scene_stroke *stroke = &op->u.stroke;
+    struct reference_image *image = target->image;
+    size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
+    double along = 0.0;
+    size_t part = ref_stroke_nearest(all->part, all->count, x + 0.5, y + 0.5, &along);
+    const struct ends *ends = &all->ends[part];
+    double depth = ends->depth[0] + along * (ends->depth[1] - ends->depth[0]);
+    double weight = share * (double)stroke->alpha / 65536.0;
+
+    if (!ref_target_cover(target, x, y, depth))
+        return;
+    bool writes = scene->depth_test && scene->depth_write;
+    if (writes && share >= 0.5)
+        image->depth[i] = depth;
+    for (size_t c = 0; c < 3; c++) {
+        double color = ends->color[0][c] + along * (ends->color[1][c] - ends->color[0][c]);
+        double mixed = image->color[3 * i + c] * (1.0 - weight) + color * weight;
+        image->color[3 * i + c] = mixed;
+        image->color_min[3 * i + c] = fmin(mixed, image->color_min[3 * i + c]);
+        image->color_max[3 * i + c] = fmax(mixed, image->color_max[3 * i + c]);
+    }
+    /* Where the centre is inside, and the depth beside it is the stroke's own. */
+    if ((!writes || share >= 0.5) && ref_stroke_contains(all->part, all->count, x + 0.5, y + 0.5))
+        image->id[i] = op->id;
+}
+
+static void draw_rows(struct ref_target *target, const struct scene_op *op,
+                      const struct strokes *all, double *share)
+{
+    int width = target->scene->width;
+
+    for (int y = 0; y < target->scene->height; y++) {
+        if (op->u.stroke.smooth) {
+            ref_stroke_cover_row(all->part, all->count, y, width, share);
+        } else {
+            for (int x = 0; x < width; x++)
+                share[x] = ref_stroke_contains(all->part, all->count, x + 0.5, y + 0.5);
+        }
+        for (int x = 0; x < width; x++)
+            if (share[x] > 0.0)
+                draw_pixel(target, op, all, x, y, share[x]);
+    }
+}
+
+bool ref_draw_stroke(struct ref_target *target, const struct scene_op *op,
+                     const struct ref_matrix *projection, const struct ref_matrix *modelview)
+{
+    struct ref_matrix to_clip = ref_matrix_multiply(projection, modelview);
+    size_t count = op->u.stroke.count;
+    struct strokes all = {calloc(count + 1, sizeof *all.part), calloc(count + 1, sizeof *all.ends),
+                          0};
+    double *share = malloc((size_t)target->scene->width * sizeof *share);
+    bool ok = all.part != NULL && all.ends != NULL && share != NULL;
+
+    if (ok && count > 0 && op->u.stroke.width > 0) {
+        add_parts(&all, target, op, &to_clip, modelview);
+        draw_rows(target, op, &all, share);
+    }
+    free(all.part);
+    free(all.ends);
+    free(share);
+    return ok;
+}

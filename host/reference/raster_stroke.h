@@ -1,0 +1,14 @@
+/*
+ * Lines of any width and points, by exact coverage.
+ */
+#ifndef QTRI_HOST_REFERENCE_RASTER_STROKE_H
+#define QTRI_HOST_REFERENCE_RASTER_STROKE_H
+
+#include "matrix.h"
+#include "target.h"
+
+/* Draws a SCENE_STROKE; false when memory runs out. Without `linesmooth` by pixel centres. */
+bool ref_draw_stroke(struct ref_target *target, const struct scene_op *op,
+                     const struct ref_matrix *projection, const struct ref_matrix *modelview);
+
+#endif

@@ -1,0 +1,47 @@
+#include "scene_stroke.h"
+
+#include <stdlib.h>
+
+static qtri_corner corner_of(const struct scene_vertex *v, const qtri_rgb *id)
+{
+    qtri_corner corner = {
+        {v->position[0], v->position[1], v->position[2], v->position[3]}, {0, 0, 0}, {0, 0}};
+    const int32_t *c = v->color;
+    const qtri_rgb rgb = {(uint8_t)((c[0] * 255 + 32768) >> 16),
+                          (uint8_t)((c[1] * 255 + 32768) >> 16),
+                          (uint8_t)((c[2] * 255 + 32768) >> 16)};
+    corner.color = id != NULL ? *id : rgb;
+    return corner;
+}
+
+void scene_draw_stroke(const struct scene *scene, const struct scene_op *op,
+                       const qtri_surface *surface, const qtri_view *view,
+                       const qtri_transform *modelview, const qtri_material *material,
+                       const qtri_rgb *id)
+{
+    static const qtri_cap caps[] = {[SCENE_CAP_ROUND] = QTRI_CAP_ROUND,
+                                    [SCENE_CAP_BUTT] = QTRI_CAP_BUTT,
+                                    [SCENE_CAP_SQUARE] = QTRI_CAP_SQUARE};
+    const struct scene_stroke *from = &op->u.stroke;
+    qtri_stroke stroke = qtri_stroke_default();
+    stroke.width = from->width;
+    stroke.cap = caps[from->cap];
+    stroke.edges = from->smooth && id == NULL ? &qtri_stroke_smooth : NULL;
+    stroke.alpha = id != NULL ? 255 : (uint8_t)((from->alpha * 255 + 32768) >> 16);
+    stroke.closed = from->closed;
+    stroke.in_space = from->in_space;
+    qtri_corner *corners = malloc((from->count + 1) * sizeof *corners);
+    if (corners == NULL) {
+        abort();
+    }
+    for (size_t i = 0; i < from->count; i++) {
+        corners[i] = corner_of(&scene->stroke_vertices[from->first + i], id);
+    }
+    const uint32_t count = (uint32_t)from->count;
+    if (from->is_point) {
+        qtri_draw_points(surface, view, modelview, corners, count, &stroke, material);
+    } else {
+        qtri_draw_polyline(surface, view, modelview, corners, count, &stroke, material);
+    }
+    free(corners);
+}

@@ -1,0 +1,637 @@
+/*
+ * Strokes: coverage against exact areas, joints, bands and scissors, formats, depth, extremes.
+ */
+#include "support_core.h"
+
+#include "reference/stroke_cover.h"
+
+enum { WIDTH = 83, HEIGHT = 53, POINTS = 24 };
+
+typedef struct scene {
+    qtri_screen_vertex v[POINTS];
+    uint32_t count;
+    qtri_stroke stroke;
+} scene;
+
+static scene random_scene(uint64_t *seed, int32_t most)
+{
+    scene s;
+    const int32_t reach = random_flag(seed) ? 600 : 12000;
+    s.count = (uint32_t)random_in(seed, 1, most);
+    s.stroke = qtri_stroke_default();
+    s.stroke.width = random_in(seed, 0, 3) == 0 ? random_in(seed, 65536, 20 * 65536)
+                                                : random_in(seed, 20000, 3 * 65536);
+    s.stroke.cap = (qtri_cap)random_in(seed, 0, 2);
+    s.stroke.closed = random_in(seed, 0, 3) == 0;
+    int32_t x = random_in(seed, -2000, WIDTH * 256 + 2000);
+    int32_t y = random_in(seed, -2000, HEIGHT * 256 + 2000);
+    for (uint32_t i = 0; i < s.count; i++) {
+        s.v[i] = screen_at(x, y);
+        if (random_in(seed, 0, 3) != 0) {
+            x += random_in(seed, -reach, reach);
+        }
+        if (random_in(seed, 0, 3) != 0) {
+            y += random_in(seed, -reach, reach);
+        }
+    }
+    return s;
+}
+
+static size_t parts_of(const scene *s, struct ref_stroke_part part[POINTS])
+{
+    const bool closed = s->stroke.closed && s->count > 2;
+    const size_t count = closed || s->count == 1 ? s->count : s->count - 1;
+    for (size_t i = 0; i < count; i++) {
+        const qtri_screen_vertex *a = &s->v[i];
+        const qtri_screen_vertex *b = &s->v[(i + 1) % s->count];
+        const enum ref_cap cap = (enum ref_cap)s->stroke.cap;
+        struct ref_stroke_part one = {
+            a->x_24p8 / 256.0,
+            a->y_24p8 / 256.0,
+            b->x_24p8 / 256.0,
+            b->y_24p8 / 256.0,
+            s->stroke.width / 131072.0,
+            {closed || i > 0 ? REF_CAP_ROUND : cap, closed || i + 1 < count ? REF_CAP_ROUND : cap}};
+        part[i] = one;
+    }
+    return count;
+}
+
+static void draw(const qtri_surface *surface, const scene *s)
+{
+    qtri_material material = plain_material();
+    qtri_raster_polyline(surface, &material, &s->stroke, s->v, s->count);
+}
+
+/* White on black in gray: a pixel is its coverage. */
+static double worst_error(canvas *c, const scene *s)
+{
+    struct ref_stroke_part part[POINTS];
+    const size_t count = parts_of(s, part);
+    double worst = 0.0;
+    canvas_clear(c);
+    draw(&c->surface, s);
+    for (int y = 0; y < HEIGHT; y++) {
+        double share[WIDTH];
+        ref_stroke_cover_row(part, count, y, WIDTH, share);
+        for (int x = 0; x < WIDTH; x++) {
+            worst = fmax(worst, fabs(stored_pixel(&c->surface, x, y) / 255.0 - share[x]));
+        }
+    }
+    return worst;
+}
+
+static void coverage_of(uint64_t seed, int32_t most, int runs, double limit)
+{
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    double worst = 0.0;
+    for (int n = 0; n < runs; n++) {
+        const uint64_t from = seed;
+        const scene s = random_scene(&seed, most);
+        const double error = worst_error(&c, &s);
+        if (error > limit) {
+            fail_msg("scene %llx, %u points: off by %.4f", (unsigned long long)from,
+                     (unsigned)s.count, error);
+        }
+        worst = fmax(worst, error);
+    }
+    print_message("coverage of up to %d points: off by %.4f at most\n", (int)most, worst);
+    canvas_free(&c);
+}
+
+static void coverage(void **state)
+{
+    (void)state;
+    coverage_of(1, 1, 300, 1.0 / 32);
+    coverage_of(2, 2, 1000, 1.0 / 32);
+    coverage_of(3, 3, 700, 1.0 / 32);
+    coverage_of(4, POINTS, 300, 1.0 / 32);
+}
+
+/* Hard edges: by the pixel's centre. Sides that pass through a centre may go either way. */
+static void hard(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    uint64_t seed = 5;
+    int different = 0;
+    int covered = 0;
+    for (int n = 0; n < 400; n++) {
+        struct ref_stroke_part part[POINTS];
+        scene s = random_scene(&seed, 6);
+        s.stroke.edges = NULL;
+        const size_t count = parts_of(&s, part);
+        canvas_clear(&c);
+        draw(&c.surface, &s);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                const bool is = stored_pixel(&c.surface, x, y) != 0;
+                const bool expected = ref_stroke_contains(part, count, x + .5, y + .5);
+                covered += expected;
+                different += is != expected;
+                if (is != expected) {
+                    struct ref_stroke_part near[2][POINTS];
+                    for (size_t i = 0; i < count; i++) {
+                        near[0][i] = near[1][i] = part[i];
+                        near[0][i].radius += 1.5 / 128;
+                        near[1][i].radius -= 1.5 / 128;
+                    }
+                    /* Butt ends do not move with the radius. */
+                    assert_true(s.stroke.cap == QTRI_CAP_BUTT ||
+                                ref_stroke_contains(near[0], count, x + .5, y + .5) !=
+                                    ref_stroke_contains(near[1], count, x + .5, y + .5));
+                }
+            }
+        }
+    }
+    print_message("%d of %d pixels differ\n", different, covered);
+    assert_true(different * 500 < covered);
+    canvas_free(&c);
+}
+
+/* Colours and depths along the line, over a picture that is not empty. */
+static scene colored_scene(uint64_t *seed, int32_t most)
+{
+    scene s = random_scene(seed, most);
+    for (uint32_t i = 0; i < s.count; i++) {
+        s.v[i].depth_16p16 = (uint32_t)random_bits32(seed);
+        for (int k = 0; k < 3; k++) {
+            s.v[i].color_8p16[k] = random_in(seed, 0, 255 << 16);
+        }
+    }
+    s.stroke.alpha = random_flag(seed) ? 255 : (uint8_t)random_in(seed, 0, 255);
+    s.stroke.edges = random_in(seed, 0, 3) == 0 ? NULL : &qtri_stroke_smooth;
+    return s;
+}
+
+static void paint(const qtri_surface *surface, const scene *s, const qtri_material *material)
+{
+    const qtri_rgb below = {90, 140, 30};
+    qtri_surface_clear(surface, below, 30000);
+    qtri_raster_polyline(surface, material, &s->stroke, s->v, s->count);
+}
+
+/* Rows of any band and columns of any scissor are those of the whole frame, in every format. */
+static void bands_and_scissors(void **state)
+{
+    (void)state;
+    uint64_t seed = 6;
+    for (int n = 0; n < 160; n++) {
+        const qtri_format *format = drawn_format(n);
+        const scene s = colored_scene(&seed, n % 4 == 0 ? POINTS : 5);
+        qtri_material material = plain_material();
+        material.depth_compare = (qtri_compare)random_in(&seed, 0, 8);
+        material.depth_read_only = random_in(&seed, 0, 4) == 0;
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        paint(&whole.surface, &s, &material);
+        const int32_t rows = random_in(&seed, 1, 20);
+        for (int32_t first = 0; first < HEIGHT; first += rows) {
+            canvas band = canvas_band(format, WIDTH, HEIGHT, first, rows);
+            paint(&band.surface, &s, &material);
+            assert_same_picture(&whole.surface, &band.surface);
+            canvas_free(&band);
+        }
+        canvas tiles = canvas_new(format, WIDTH, HEIGHT);
+        const int32_t width = random_in(&seed, 1, 50);
+        for (int32_t x = 0; x < WIDTH; x += width) {
+            const qtri_rect scissor = {x, 0, x + width, HEIGHT};
+            tiles.surface.scissor = scissor;
+            paint(&tiles.surface, &s, &material);
+        }
+        assert_same_picture(&whole.surface, &tiles.surface);
+        canvas_free(&tiles);
+        canvas_free(&whole);
+    }
+}
+
+/* What is blended is within what a step of the format and the area allow; outside nothing is. */
+static void blending(void **state)
+{
+    (void)state;
+    uint64_t seed = 7;
+    for (int n = 0; n < 120; n++) {
+        const qtri_format *format = drawn_format(n);
+        canvas c = canvas_new(format, WIDTH, HEIGHT);
+        struct ref_stroke_part part[POINTS];
+        scene s = colored_scene(&seed, 5);
+        s.stroke.edges = &qtri_stroke_smooth;
+        for (uint32_t i = 1; i < s.count; i++) {
+            memcpy(s.v[i].color_8p16, s.v[0].color_8p16, sizeof s.v[0].color_8p16);
+        }
+        const qtri_material material = plain_material();
+        paint(&c.surface, &s, &material);
+        const size_t count = parts_of(&s, part);
+        const bool is_gray = format == &qtri_gray8;
+        const bool is_packed = format->pixels->bytes == 2;
+        for (int y = 0; y < HEIGHT; y++) {
+            double share[WIDTH];
+            ref_stroke_cover_row(part, count, y, WIDTH, share);
+            for (int x = 0; x < WIDTH; x++) {
+                const double weight = share[x] * s.stroke.alpha / 255.0;
+                const double from[3] = {90, 140, 30};
+                double color[3];
+                for (int k = 0; k < 3; k++) {
+                    color[k] = from[k] * (1 - weight) + weight * s.v[0].color_8p16[k] / 65536.0;
+                }
+                const qtri_rgb is = qtri_surface_pixel(&c.surface, x, y);
+                const uint8_t got[3] = {is.r, is.g, is.b};
+                const double luma = .299 * color[0] + .587 * color[1] + .114 * color[2];
+                for (int k = 0; k < 3; k++) {
+                    /* 1/32 of the difference, and the rounding: of what was there, and now. */
+                    const double step = is_packed ? (k == 1 ? 255 / 63.0 : 255 / 31.0) : 1;
+                    assert_near(got[k], is_gray ? luma : color[k], 255 / 32.0 + 1.1 * step);
+                }
+            }
+        }
+        canvas_free(&c);
+    }
+}
+
+/* A half transparent line is nowhere darker than once over what was there. */
+static void joints_are_blended_once(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    uint64_t seed = 8;
+    for (int n = 0; n < 300; n++) {
+        scene s = random_scene(&seed, POINTS);
+        s.stroke.alpha = 100;
+        s.stroke.edges = n % 3 == 0 ? NULL : &qtri_stroke_smooth;
+        canvas_clear(&c);
+        draw(&c.surface, &s);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                assert_in_range(stored_pixel(&c.surface, x, y), 0, 100);
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
+static bool is_same(const qtri_screen_vertex *a, const qtri_screen_vertex *b)
+{
+    return a->x_24p8 == b->x_24p8 && a->y_24p8 == b->y_24p8;
+}
+
+/* The same points the other way round cover the same; a point amid a part changes nothing. */
+static void order(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    canvas d = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    uint64_t seed = 9;
+    for (int n = 0; n < 200; n++) {
+        scene s = random_scene(&seed, 8);
+        scene turned = s;
+        for (uint32_t i = 0; i < s.count; i++) {
+            turned.v[i] = s.v[s.count - 1 - i];
+        }
+        if (s.count > 1 && (is_same(&s.v[0], &s.v[1]) || is_same(&turned.v[0], &turned.v[1]))) {
+            continue; /* its caps have no direction */
+        }
+        canvas_clear(&c);
+        canvas_clear(&d);
+        draw(&c.surface, &s);
+        draw(&d.surface, &turned);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                assert_near(stored_pixel(&c.surface, x, y), stored_pixel(&d.surface, x, y), 4);
+            }
+        }
+    }
+    canvas_free(&c);
+    canvas_free(&d);
+}
+
+/* Any 32 bits anywhere: nothing outside of the surface is touched, and nothing takes for ever. */
+static void extremes(void **state)
+{
+    (void)state;
+    int32_t value[STRESS_COUNT];
+    const int count = stress_values(value);
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    uint64_t seed = 10;
+    for (int n = 0; n < 6000; n++) {
+        scene s = colored_scene(&seed, 4);
+        for (uint32_t i = 0; i < s.count; i++) {
+            if (random_flag(&seed)) {
+                s.v[i].x_24p8 = value[random_in(&seed, 0, count - 1)];
+            }
+            if (random_flag(&seed)) {
+                s.v[i].y_24p8 = random_any(&seed);
+            }
+            s.v[i].color_8p16[0] = random_any(&seed);
+        }
+        if (random_flag(&seed)) {
+            s.stroke.width = value[random_in(&seed, 0, count - 1)];
+        }
+        s.stroke.cap = (qtri_cap)random_in(&seed, 0, 4);
+        qtri_material material = plain_material();
+        material.depth_compare = (qtri_compare)random_in(&seed, 0, 8);
+        qtri_raster_polyline(&c.surface, &material, &s.stroke, s.v, s.count);
+        qtri_raster_point(&c.surface, &material, &s.stroke, s.v);
+    }
+    canvas_free(&c);
+}
+
+static void nothing(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    scene s = {{screen_at(5000, 5000), screen_at(9000, 7000)}, 2, qtri_stroke_default()};
+    const qtri_stroke whole = s.stroke;
+    const scene usual = s;
+    draw(&c.surface, &s);
+    assert_int_not_equal(stored_pixel(&c.surface, 25, 22), 0);
+    canvas_clear(&c);
+    s.stroke.width = 0;
+    draw(&c.surface, &s);
+    s.stroke.width = INT32_MIN;
+    draw(&c.surface, &s);
+    s.stroke = whole;
+    s.stroke.alpha = 0;
+    draw(&c.surface, &s);
+    s.stroke = whole;
+    s.count = 0;
+    draw(&c.surface, &s);
+    s.count = 1;
+    s.stroke.cap = QTRI_CAP_BUTT;
+    draw(&c.surface, &s);
+    s = usual;
+    c.surface.format = NULL;
+    draw(&c.surface, &s);
+    c.surface.format = &qtri_gray8;
+    qtri_material never = plain_material();
+    never.depth_compare = QTRI_NEVER;
+    qtri_raster_polyline(&c.surface, &never, &s.stroke, s.v, s.count);
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            assert_int_equal(stored_pixel(&c.surface, x, y), 0);
+        }
+    }
+    canvas_free(&c);
+}
+
+/* Nearer ones are kept, and depth is written where half a pixel is covered. */
+static void depth(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    qtri_material material = plain_material();
+    material.depth_compare = QTRI_LESS;
+    scene s = {{screen_at(10 * 256, 20 * 256 + 128), screen_at(70 * 256, 20 * 256 + 128)},
+               2,
+               qtri_stroke_default()};
+    s.stroke.cap = QTRI_CAP_BUTT;
+    s.stroke.width = Q16(1.5);
+    s.v[0].depth_16p16 = 0;
+    s.v[1].depth_16p16 = (uint32_t)60000 << 16;
+    for (int x = 0; x < WIDTH; x++) {
+        c.surface.depth[20 * WIDTH + x] = 30000;
+    }
+    qtri_raster_polyline(&c.surface, &material, &s.stroke, s.v, s.count);
+    for (int x = 0; x < WIDTH; x++) {
+        const bool inside = x >= 10 && x < 70;
+        const bool nearer = inside && (x - 10 + .5) * 1000 < 30000;
+        assert_int_equal(stored_pixel(&c.surface, x, 20), nearer ? 255 : 0);
+        assert_near(stored_depth(&c.surface, x, 20), nearer ? (x - 10 + .5) * 1000 : 30000, 1);
+        assert_near(stored_pixel(&c.surface, x, 21), inside ? 64 : 0, 1);
+        assert_int_equal(stored_depth(&c.surface, x, 21), 65535);
+    }
+    canvas_free(&c);
+}
+
+/* A view of WIDTH x HEIGHT pixels in which a unit is a pixel, y downwards, z towards the eye. */
+static qtri_view flat_view(void)
+{
+    qtri_view view;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    qtri_transform_ortho(&view.projection, 0, WIDTH * Q16_ONE, HEIGHT * Q16_ONE, 0, -Q16_ONE,
+                         Q16_ONE);
+    return view;
+}
+
+static qtri_corner corner_at(int32_t x_24p8, int32_t y_24p8)
+{
+    const qtri_corner corner = {{x_24p8 * 256, y_24p8 * 256, 0, Q16_ONE}, {255, 255, 255}, {0, 0}};
+    return corner;
+}
+
+/* Corners in space are the same line as vertices on the screen, however many are kept. */
+static void corners_in_space(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    canvas d = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    qtri_view view = flat_view();
+    qtri_transform pose;
+    qtri_vertex kept[POINTS];
+    uint64_t seed = 11;
+    qtri_transform_identity(&pose);
+    for (int n = 0; n < 100; n++) {
+        scene s = random_scene(&seed, POINTS);
+        qtri_corner corner[POINTS];
+        const qtri_material material = plain_material();
+        for (uint32_t i = 0; i < s.count; i++) {
+            s.v[i].depth_16p16 = (uint32_t)32768 << 16;
+            corner[i] = corner_at(s.v[i].x_24p8, s.v[i].y_24p8);
+        }
+        view.vertices = n % 3 == 0 ? NULL : kept;
+        view.vertex_count = n % 3 == 0 ? 0 : (uint32_t)random_in(&seed, 0, POINTS);
+        canvas_clear(&c);
+        canvas_clear(&d);
+        draw(&c.surface, &s);
+        qtri_draw_polyline(&d.surface, &view, &pose, corner, s.count, &s.stroke, &material);
+        assert_same_picture(&c.surface, &d.surface);
+        if (s.count == 2) {
+            canvas_clear(&d);
+            qtri_draw_wide_lines(&d.surface, &view, &pose, corner, 3, &s.stroke, &material);
+            assert_same_picture(&c.surface, &d.surface);
+        }
+        canvas_clear(&c);
+        canvas_clear(&d);
+        for (uint32_t i = 0; i < s.count; i++) {
+            qtri_raster_point(&c.surface, &material, &s.stroke, &s.v[i]);
+        }
+        qtri_draw_points(&d.surface, &view, &pose, corner, s.count, &s.stroke, &material);
+        assert_same_picture(&c.surface, &d.surface);
+        /* A unit is a pixel: splats are as large. */
+        canvas_clear(&d);
+        s.stroke.in_space = true;
+        qtri_draw_points(&d.surface, &view, &pose, corner, s.count, &s.stroke, &material);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                assert_near(stored_pixel(&c.surface, x, y), stored_pixel(&d.surface, x, y), 8);
+            }
+        }
+    }
+    canvas_free(&c);
+    canvas_free(&d);
+}
+
+static const qtri_vec3 cube_positions[8] = {
+    {-Q16_ONE, -Q16_ONE, -Q16_ONE}, {Q16_ONE, -Q16_ONE, -Q16_ONE}, {Q16_ONE, Q16_ONE, -Q16_ONE},
+    {-Q16_ONE, Q16_ONE, -Q16_ONE},  {-Q16_ONE, -Q16_ONE, Q16_ONE}, {Q16_ONE, -Q16_ONE, Q16_ONE},
+    {Q16_ONE, Q16_ONE, Q16_ONE},    {-Q16_ONE, Q16_ONE, Q16_ONE}};
+static const uint16_t cube_triangles[12][3] = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7},
+                                               {0, 1, 5}, {0, 5, 4}, {2, 3, 7}, {2, 7, 6},
+                                               {1, 2, 6}, {1, 6, 5}, {0, 4, 7}, {0, 7, 3}};
+
+typedef struct space {
+    qtri_view view;
+    qtri_transform pose;
+    qtri_mesh mesh;
+    qtri_light light;
+    qtri_vertex vertices[8];
+} space;
+
+static void set_space(space *s, uint64_t *seed, bool kept)
+{
+    const qtri_vec3 eye = {0, 0, random_in(seed, 60000, 600000)}, center = {0, 0, 0};
+    const qtri_vec3 up = {0, Q16_ONE, 0};
+    const qtri_light light = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.3), Q16(.7)};
+    memset(s, 0, sizeof *s);
+    qtri_view_init(&s->view, WIDTH, HEIGHT);
+    qtri_transform_look_at(&s->view.camera, eye, center, up);
+    qtri_transform_perspective(&s->view.projection, Q16(60), Q16(1.5), Q16(.5), Q16(30));
+    qtri_transform_identity(&s->pose);
+    qtri_transform_rotate_x(&s->pose, random_any(seed));
+    qtri_transform_rotate_y(&s->pose, random_any(seed));
+    s->light = light;
+    s->view.light = &s->light;
+    s->view.vertices = kept ? s->vertices : NULL;
+    s->view.vertex_count = kept ? 8 : 0;
+    s->mesh.positions = cube_positions;
+    s->mesh.triangles = cube_triangles;
+    s->mesh.vertex_count = 8;
+    s->mesh.triangle_count = 12;
+}
+
+/* Wireframes, with and without hidden lines: bands have the pixels of the whole frame. */
+static void wireframes(void **state)
+{
+    (void)state;
+    uint64_t seed = 12;
+    for (int n = 0; n < 40; n++) {
+        space s;
+        qtri_stroke stroke = qtri_stroke_default();
+        qtri_material material = qtri_material_default();
+        const qtri_format *format = drawn_format(n);
+        set_space(&s, &seed, n % 2 == 0);
+        stroke.width = random_in(&seed, 30000, 500000);
+        stroke.edges = n % 5 == 0 ? NULL : &qtri_stroke_smooth;
+        material.cull = n % 3 == 0 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
+        material.depth_compare = n % 7 == 0 ? QTRI_DEPTH_OFF : QTRI_LESS;
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        for (int hidden = 0; hidden < 2; hidden++) {
+            canvas_clear(&whole);
+            int drawn = 0;
+            for (int32_t first = -7; first < HEIGHT; first += 7) {
+                canvas band = canvas_band(format, WIDTH, HEIGHT, first < 0 ? 0 : first, 7);
+                const qtri_surface *to = first < 0 ? &whole.surface : &band.surface;
+                if (hidden != 0) {
+                    qtri_draw_hidden_lines(to, &s.view, &s.pose, &s.mesh,
+                                           n % 4 == 0 ? NULL : &stroke, &material, Q16(.01));
+                } else {
+                    qtri_draw_wide_wireframe(to, &s.view, &s.pose, &s.mesh, &stroke, &material);
+                }
+                if (first >= 0) {
+                    assert_same_picture(&whole.surface, to);
+                }
+                canvas_free(&band);
+            }
+            for (int i = 0; i < WIDTH * HEIGHT; i++) {
+                drawn += stored_pixel(&whole.surface, i % WIDTH, i / WIDTH) != 0;
+            }
+            /* Or the eye is inside, where all faces turn away. */
+            assert_true(drawn > 20 || material.cull == QTRI_CULL_BACK);
+        }
+        canvas_free(&whole);
+    }
+}
+
+/* Faces hide the edges behind them: a cube without culling looks as one with its back culled. */
+static void hidden_lines(void **state)
+{
+    (void)state;
+    uint64_t seed = 13;
+    int different = 0;
+    int drawn = 0;
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    canvas d = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    for (int n = 0; n < 40; n++) {
+        space s;
+        qtri_material material = qtri_material_default();
+        set_space(&s, &seed, true);
+        const qtri_vec3 eye = {0, 0, Q16(5)}, center = {0, 0, 0}, up = {0, Q16_ONE, 0};
+        qtri_transform_look_at(&s.view.camera, eye, center, up);
+        s.view.light = NULL;
+        canvas_clear(&c);
+        canvas_clear(&d);
+        qtri_draw_hidden_lines(&c.surface, &s.view, &s.pose, &s.mesh, NULL, &material, Q16(.002));
+        material.cull = QTRI_CULL_NONE;
+        qtri_draw_hidden_lines(&d.surface, &s.view, &s.pose, &s.mesh, NULL, &material, Q16(.002));
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                drawn += stored_pixel(&c.surface, x, y) != 0;
+                different +=
+                    (stored_pixel(&c.surface, x, y) != 0) != (stored_pixel(&d.surface, x, y) != 0);
+            }
+        }
+    }
+    print_message("hidden lines: %d of %d pixels differ\n", different, drawn);
+    assert_true(different * 20 < drawn);
+    canvas_free(&c);
+    canvas_free(&d);
+}
+
+/* Lines through the near plane and any corner and size. */
+static void extreme_corners(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    uint64_t seed = 14;
+    for (int n = 0; n < 1500; n++) {
+        space s;
+        qtri_corner corner[4];
+        qtri_stroke stroke = qtri_stroke_default();
+        const qtri_material material = qtri_material_default();
+        set_space(&s, &seed, n % 2 == 0);
+        for (int i = 0; i < 4; i++) {
+            const int32_t w = random_flag(&seed) ? Q16_ONE : random_any(&seed);
+            corner[i] = corner_at(0, 0);
+            corner[i].position.x = random_any(&seed);
+            corner[i].position.y = random_any(&seed);
+            corner[i].position.z = random_any(&seed);
+            corner[i].position.w = w;
+        }
+        stroke.width = random_flag(&seed) ? random_any(&seed) : Q16(2);
+        stroke.closed = random_flag(&seed);
+        stroke.in_space = random_flag(&seed);
+        stroke.cap = (qtri_cap)random_in(&seed, 0, 2);
+        qtri_draw_polyline(&c.surface, &s.view, &s.pose, corner, 4, &stroke, &material);
+        qtri_draw_wide_lines(&c.surface, &s.view, &s.pose, corner, 4, &stroke, &material);
+        qtri_draw_points(&c.surface, &s.view, &s.pose, corner, 4, &stroke, &material);
+    }
+    canvas_free(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coverage),
+        cmocka_unit_test(hard),
+        cmocka_unit_test(bands_and_scissors),
+        cmocka_unit_test(blending),
+        cmocka_unit_test(joints_are_blended_once),
+        cmocka_unit_test(order),
+        cmocka_unit_test(extremes),
+        cmocka_unit_test(nothing),
+        cmocka_unit_test(depth),
+        cmocka_unit_test(corners_in_space),
+        cmocka_unit_test(wireframes),
+        cmocka_unit_test(hidden_lines),
+        cmocka_unit_test(extreme_corners),
+    };
+    return cmocka_run_group_tests_name("core_stroke", tests, NULL, NULL);
+}
