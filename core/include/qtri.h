@@ -25,6 +25,8 @@
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
  *   config.h     what the library is built with
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
+ *   paint.h      flat shapes: rectangles to polygons      image.h    pictures: copied, turned
+ *   font.h       text
  */
 #ifndef QTRI_H
 #define QTRI_H
@@ -33,11 +35,14 @@
 #include "qtri/config.h"
 #include "qtri/draw.h"
 #include "qtri/error.h"
+#include "qtri/font.h"
 #include "qtri/format.h"
 #include "qtri/frame.h"
+#include "qtri/image.h"
 #include "qtri/mat.h"
 #include "qtri/material.h"
 #include "qtri/mesh.h"
+#include "qtri/paint.h"
 #include "qtri/prepared.h"
 #include "qtri/q16.h"
 #include "qtri/q16_exp.h"
