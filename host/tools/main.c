@@ -15,6 +15,7 @@ static const struct command commands[] = {
     {"compare", compare_main, "compare two pictures"},
     {"demo", demo_main, "render the demo scenes beside their references"},
     {"mesh", mesh_main, "generate a mesh as an OBJ file"},
+    {"font", font_main, "make a font for the core of a BDF file"},
 };
 
 static void help(FILE *out)
