@@ -1,0 +1,293 @@
+/*
+ * Pictures on surfaces: against pixels placed one by one, in all pairs of formats.
+ */
+#include "support_core.h"
+
+#include <qtri/image.h>
+
+enum { SIDE = 40, MEMORY = 40 * 40 };
+
+/* Memory of a picture somewhere in a buffer, so that it is aligned for its format and no more. */
+typedef struct picture {
+    qtri_image image;
+    uint32_t memory[MEMORY];
+} picture;
+
+static void random_picture(picture *p, uint64_t *seed, const qtri_format *format)
+{
+    const int32_t bytes = format->pixels->bytes;
+    const int32_t width = random_in(seed, 1, 37);
+    const int32_t height = random_in(seed, 1, 20);
+    const int32_t units = random_in(seed, 0, 3);
+    const uint32_t levels[3] = {(uint32_t)random64(seed), (uint32_t)random64(seed), 0};
+    for (size_t i = 0; i < LENGTH_OF(p->memory); i++) {
+        p->memory[i] = (uint32_t)random64(seed);
+    }
+    ptrdiff_t pitch = (width + random_in(seed, 0, 2)) * bytes;
+    uint8_t *first = (uint8_t *)p->memory + (bytes == 3 ? 1 : bytes) * units;
+    const bool is_upwards = random_flag(seed);
+    p->image.pixels = is_upwards ? first + (height - 1) * pitch : first;
+    p->image.pitch = is_upwards ? -pitch : pitch;
+    p->image.format = format;
+    p->image.width = width;
+    p->image.height = height;
+    p->image.has_key = random_flag(seed);
+    p->image.key = levels[0] & (bytes == 4 ? 0xFFFFFFFFu : (1u << 8 * bytes) - 1);
+    for (int32_t y = 0; y < height; y++) { /* often the key */
+        for (int32_t x = 0; x < width; x++) {
+            if (random_flag(seed)) {
+                const uint32_t stored = levels[random_in(seed, 0, 1)];
+                uint8_t *at =
+                    (uint8_t *)(uintptr_t)p->image.pixels + y * p->image.pitch + x * bytes;
+                format->pixels->fill(at, stored, 1, 1);
+            }
+        }
+    }
+}
+
+static uint32_t stored_in(const qtri_image *image, int32_t x, int32_t y)
+{
+    return image->format->pixels->load((const uint8_t *)image->pixels + y * image->pitch +
+                                       x * image->format->pixels->bytes);
+}
+
+static bool is_key(const qtri_image *image, uint32_t stored)
+{
+    const uint32_t mask = image->format == &qtri_xrgb8888 ? 0xFFFFFF : UINT32_MAX;
+    return image->has_key && (stored & mask) == (image->key & mask);
+}
+
+static void background(qtri_surface *s)
+{
+    for (int32_t y = s->first_row; y < s->first_row + s->rows; y++) {
+        for (int32_t x = 0; x < SIDE; x++) {
+            const qtri_rgb color = {(uint8_t)(x * 6), (uint8_t)(y * 5), (uint8_t)(x * y)};
+            qtri_surface one = *s;
+            one.scissor.x0 = x;
+            one.scissor.x1 = x + 1;
+            one.scissor.y0 = y;
+            one.scissor.y1 = y + 1;
+            qtri_surface_clear(&one, color, 500);
+        }
+    }
+}
+
+/* A pixel of the picture on what was there before, of 255; 3/4 of a step of RGB565. */
+static void assert_pixel(const qtri_surface *before, const qtri_surface *after,
+                         const qtri_image *image, int32_t x, int32_t y, int32_t u, int32_t v,
+                         uint8_t alpha)
+{
+    const bool is_there = u >= 0 && u < image->width && v >= 0 && v < image->height;
+    const uint32_t stored = is_there ? stored_in(image, u, v) : 0;
+    if (!is_there || is_key(image, stored) || alpha == 0) {
+        assert_int_equal(stored_pixel(before, x, y), stored_pixel(after, x, y));
+        return;
+    }
+    if (alpha == 255 && image->format == after->format) {
+        assert_int_equal(stored_pixel(after, x, y), stored);
+        return;
+    }
+    const uint32_t color = image->format->decode(stored);
+    const qtri_rgb d = qtri_surface_pixel(before, x, y);
+    const qtri_rgb is = qtri_surface_pixel(after, x, y);
+    double s[3] = {color >> 16 & 255, color >> 8 & 255, color & 255};
+    if (after->format == &qtri_gray8) {
+        s[0] = s[1] = s[2] = .299 * s[0] + .587 * s[1] + .114 * s[2];
+    }
+    const double from[3] = {d.r, d.g, d.b};
+    const double got[3] = {is.r, is.g, is.b};
+    const bool is_same = image->format->colors == after->format->colors;
+    for (int i = 0; i < 3; i++) {
+        const double step =
+            after->format->colors != &qtri_colors_565 ? 1 : 255 / (i == 1 ? 63. : 31.);
+        const double wanted = from[i] + alpha / 255.0 * (s[i] - from[i]);
+        /* Converted, then mixed: both round. */
+        const double most = is_same || alpha == 255 ? .76 : 1.2;
+        if (fabs(got[i] - wanted) > fmax(most * step, alpha == 255 ? .51 : 1.5)) {
+            fail_msg("pixel %d,%d channel %d: %g, not %g", (int)x, (int)y, i, got[i], wanted);
+        }
+    }
+}
+
+static void placed(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    static picture p;
+    for (int n = 0; n < 1800; n++) {
+        const qtri_format *format = drawn_format(n);
+        random_picture(&p, &seed, drawn_format(n % 5 < 2 ? n : n / 6));
+        const uint8_t alpha = (uint8_t)(random_flag(&seed) ? 255 : random64(&seed));
+        const int32_t x = random_in(&seed, -40, SIDE + 2);
+        const int32_t y = random_in(&seed, -22, SIDE + 2);
+        canvas before = canvas_new(format, SIDE, SIDE);
+        canvas after = canvas_new(format, SIDE, SIDE);
+        background(&before.surface);
+        background(&after.surface);
+        if (alpha == 255 && random_flag(&seed)) {
+            qtri_image_paint(&after.surface, &p.image, x, y);
+        } else {
+            qtri_image_blend(&after.surface, &p.image, x, y, alpha);
+        }
+        for (int32_t j = 0; j < SIDE; j++) {
+            for (int32_t i = 0; i < SIDE; i++) {
+                assert_pixel(&before.surface, &after.surface, &p.image, i, j, i - x, j - y, alpha);
+                assert_int_equal(stored_depth(&after.surface, i, j), 500);
+            }
+        }
+        canvas_free(&before);
+        canvas_free(&after);
+    }
+}
+
+/* Turned and scaled: the picture's pixel at the centre, unless that is close to another. */
+static void turned(void **state)
+{
+    (void)state;
+    uint64_t seed = 12;
+    static picture p;
+    int checked = 0;
+    for (int n = 0; n < 1200; n++) {
+        const qtri_format *format = drawn_format(n);
+        random_picture(&p, &seed, drawn_format(n % 5 < 2 ? n : n / 6));
+        const uint8_t alpha = (uint8_t)(random_flag(&seed) ? 255 : random64(&seed));
+        const double degrees = random_in(&seed, -720, 720) / (n % 3 ? 1.7 : 1.0);
+        const double scale[2] = {random_in(&seed, -400, 400) / 100.0,
+                                 random_in(&seed, 10, 400) / 100.0};
+        const double pivot[2] = {random_in(&seed, 0, 30) / 2.0, random_in(&seed, 0, 30) / 2.0};
+        const double place[2] = {random_in(&seed, -20, 100) / 2.0,
+                                 random_in(&seed, -20, 100) / 2.0};
+        qtri_affine m;
+        qtri_affine_place(&m, fixed(pivot[0]), fixed(pivot[1]), fixed(place[0]), fixed(place[1]),
+                          fixed(scale[0]), fixed(scale[1]), fixed(degrees));
+        canvas before = canvas_new(format, SIDE, SIDE);
+        canvas after = canvas_new(format, SIDE, SIDE);
+        background(&before.surface);
+        background(&after.surface);
+        qtri_image_paint_affine(&after.surface, &p.image, &m, alpha);
+        const double c = cos(degrees * acos(-1) / 180);
+        const double s = sin(degrees * acos(-1) / 180);
+        for (int32_t j = 0; j < SIDE && fabs(scale[0]) > .05; j++) {
+            for (int32_t i = 0; i < SIDE; i++) {
+                const double dx = i + .5 - place[0];
+                const double dy = j + .5 - place[1];
+                const double u = pivot[0] + (c * dx + s * dy) / scale[0];
+                const double v = pivot[1] + (-s * dx + c * dy) / scale[1];
+                const double margin = .02;
+                if (fabs(u - floor(u + .5)) < margin || fabs(v - floor(v + .5)) < margin) {
+                    continue;
+                }
+                checked++;
+                assert_pixel(&before.surface, &after.surface, &p.image, i, j, (int32_t)floor(u),
+                             (int32_t)floor(v), alpha);
+            }
+        }
+        canvas_free(&before);
+        canvas_free(&after);
+    }
+    assert_true(checked > 1000000);
+}
+
+/* Bands and scissors show the whole frame's pixels; without turning, it is the plain way. */
+static void bands(void **state)
+{
+    (void)state;
+    uint64_t seed = 13;
+    static picture p;
+    for (int n = 0; n < 600; n++) {
+        const qtri_format *format = drawn_format(n);
+        random_picture(&p, &seed, drawn_format(n / 6));
+        qtri_affine m;
+        const int32_t x = random_in(&seed, -30, SIDE);
+        const int32_t y = random_in(&seed, -30, SIDE);
+        const bool is_plain = n % 3 == 0;
+        const uint8_t alpha = (uint8_t)(random_flag(&seed) ? 255 : random64(&seed));
+        qtri_affine_place(&m, 0, 0, x * 65536, y * 65536, is_plain ? Q16_ONE : random_any(&seed),
+                          is_plain ? Q16_ONE : random_in(&seed, 10000, 300000),
+                          is_plain ? 0 : random_any(&seed));
+        canvas whole = canvas_new(format, SIDE, SIDE);
+        background(&whole.surface);
+        qtri_image_paint_affine(&whole.surface, &p.image, &m, alpha);
+        canvas band = canvas_band(format, SIDE, SIDE, random_in(&seed, 0, SIDE - 1), 7);
+        background(&band.surface);
+        qtri_surface left = band.surface;
+        qtri_surface right = band.surface;
+        left.scissor.x1 = right.scissor.x0 = random_in(&seed, 0, SIDE);
+        if (is_plain) {
+            qtri_image_blend(&left, &p.image, x, y, alpha);
+            qtri_image_blend(&right, &p.image, x, y, alpha);
+        } else {
+            qtri_image_paint_affine(&left, &p.image, &m, alpha);
+            qtri_image_paint_affine(&right, &p.image, &m, alpha);
+        }
+        assert_same_picture(&whole.surface, &band.surface);
+        canvas_free(&whole);
+        canvas_free(&band);
+    }
+}
+
+/* Any numbers at all; what is no picture paints nothing. */
+static void any_arguments(void **state)
+{
+    (void)state;
+    uint64_t seed = 14;
+    static picture p;
+    canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
+    canvas other = canvas_new(&qtri_rgb565, SIDE, SIDE);
+    for (int n = 0; n < 20000; n++) {
+        random_picture(&p, &seed, drawn_format(n));
+        qtri_affine m = {random_any(&seed), random_any(&seed), random_any(&seed),
+                         random_any(&seed), random_any(&seed), random_any(&seed)};
+        qtri_image_paint_affine(&c.surface, &p.image, &m, (uint8_t)random64(&seed));
+        qtri_image_paint(&c.surface, &p.image, random_any(&seed), random_any(&seed));
+        qtri_image_blend(&c.surface, &p.image, random_any(&seed), random_any(&seed), 77);
+        qtri_affine_place(&m, random_any(&seed), random_any(&seed), random_any(&seed),
+                          random_any(&seed), random_any(&seed), random_any(&seed),
+                          random_any(&seed));
+        qtri_image_paint_affine(&c.surface, &p.image, &m, 255);
+    }
+    canvas_clear(&c);
+    const qtri_affine same = {Q16_ONE, 0, 0, 0, Q16_ONE, 0};
+    for (int n = 0; n < 5; n++) {
+        random_picture(&p, &seed, drawn_format(n));
+        p.image.has_key = false;
+        p.image.pixels = n == 0 ? NULL : p.image.pixels;
+        p.image.format = n == 1 ? NULL : p.image.format;
+        p.image.width = n == 2 ? 0 : (n == 3 ? 8193 : p.image.width);
+        p.image.height = n == 4 ? -1 : p.image.height;
+        qtri_image_paint(&c.surface, &p.image, 0, 0);
+        qtri_image_blend(&c.surface, &p.image, 0, 0, 99);
+        qtri_image_paint_affine(&c.surface, &p.image, &same, 255);
+    }
+    assert_same_picture(&other.surface, &c.surface);
+    canvas_free(&other);
+    canvas_free(&c);
+}
+
+/* A surface is a picture. */
+static void of_surfaces(void **state)
+{
+    (void)state;
+    canvas a = canvas_new(&qtri_rgb888, SIDE, SIDE);
+    canvas b = canvas_new(&qtri_rgb888, SIDE, SIDE);
+    background(&a.surface);
+    background(&b.surface);
+    canvas_clear(&b);
+    const qtri_image image = qtri_image_of(&a.surface);
+    qtri_image_paint(&b.surface, &image, 0, 0);
+    for (int32_t i = 0; i < SIDE * SIDE; i++) {
+        assert_int_equal(stored_pixel(&a.surface, i % SIDE, i / SIDE),
+                         stored_pixel(&b.surface, i % SIDE, i / SIDE));
+    }
+    canvas_free(&a);
+    canvas_free(&b);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(placed),        cmocka_unit_test(turned),      cmocka_unit_test(bands),
+        cmocka_unit_test(any_arguments), cmocka_unit_test(of_surfaces),
+    };
+    return cmocka_run_group_tests_name("core image", tests, NULL, NULL);
+}
