@@ -6,8 +6,7 @@
 
 #define DEGREES_180 (180 * SCENE_ONE)
 
-/* Appends an operation of the given kind; NULL with the error set when memory runs out. */
-static struct scene_op *add_op(struct scene_parser *parser, enum scene_op_kind kind)
+struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind kind)
 {
     struct scene *scene = parser->scene;
     struct scene_op *grown =
@@ -30,7 +29,8 @@ bool scene_statement_mode(struct scene_parser *parser)
     if (!scene_choice(parser, 0, words, 2, &parser->mode)) {
         return false;
     }
-    return add_op(parser, parser->mode == 0 ? SCENE_MODE_PROJECTION : SCENE_MODE_MODELVIEW) != NULL;
+    return scene_add_op(parser, parser->mode == 0 ? SCENE_MODE_PROJECTION : SCENE_MODE_MODELVIEW) !=
+           NULL;
 }
 
 /* ---- Statements that are a row of numbers ---- */
@@ -106,7 +106,7 @@ bool scene_statement_numbers(struct scene_parser *parser)
     if (problem != NULL) {
         return scene_fail(parser, problem);
     }
-    struct scene_op *op = add_op(parser, kind);
+    struct scene_op *op = scene_add_op(parser, kind);
     if (op == NULL) {
         return false;
     }
@@ -122,7 +122,7 @@ bool scene_statement_push(struct scene_parser *parser)
         return scene_fail(parser, "nested too deep");
     }
     parser->depth[parser->mode]++;
-    return add_op(parser, SCENE_PUSH) != NULL;
+    return scene_add_op(parser, SCENE_PUSH) != NULL;
 }
 
 bool scene_statement_pop(struct scene_parser *parser)
@@ -131,7 +131,7 @@ bool scene_statement_pop(struct scene_parser *parser)
         return scene_fail(parser, "without a push on the same stack");
     }
     parser->depth[parser->mode]--;
-    return add_op(parser, SCENE_POP) != NULL;
+    return scene_add_op(parser, SCENE_POP) != NULL;
 }
 
 /* ---- Geometry ---- */
@@ -168,7 +168,7 @@ bool scene_statement_triangle(struct scene_parser *parser)
         }
     }
     uint32_t id = 0;
-    struct scene_op *op = take_ids(parser, 1, &id) ? add_op(parser, SCENE_TRIANGLE) : NULL;
+    struct scene_op *op = take_ids(parser, 1, &id) ? scene_add_op(parser, SCENE_TRIANGLE) : NULL;
     if (op == NULL) {
         return false;
     }
@@ -194,7 +194,7 @@ bool scene_statement_mesh(struct scene_parser *parser)
         !take_ids(parser, parser->scene->meshes[mesh].triangle_count, &id)) {
         return false;
     }
-    struct scene_op *op = add_op(parser, SCENE_MESH);
+    struct scene_op *op = scene_add_op(parser, SCENE_MESH);
     if (op == NULL) {
         return false;
     }

@@ -4,6 +4,7 @@
 #include "reference.h"
 #include "matrix.h"
 #include "mesh.h"
+#include "paint.h"
 
 #include <assert.h>
 #include <math.h>
@@ -129,6 +130,9 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
         break;
     case SCENE_TRIANGLE:
         draw_single(replay, op);
+        break;
+    case SCENE_PAINT:
+        ref_paint(&replay->target, &op->u.paint);
         break;
     case SCENE_MESH:
         return ref_draw_mesh(&replay->target, op,

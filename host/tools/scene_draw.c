@@ -244,6 +244,12 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
     qtri_transform_identity(&stacks->matrix[1][0]);
     for (size_t i = 0; i < scene->op_count; i++) {
         const struct scene_op *op = &scene->ops[i];
+        if (op->kind == SCENE_PAINT) {
+            if (pass == SCENE_COLORS) {
+                scene_paint(resources, surface, &op->u.paint);
+            }
+            continue;
+        }
         if (op->kind != SCENE_TRIANGLE && op->kind != SCENE_MESH) {
             apply_to_stacks(stacks, op);
             continue;

@@ -36,6 +36,7 @@ struct scene_resources {
     qtri_light light;
     qtri_vertex *vertices; /* scratch for the largest part */
     uint32_t vertex_count;
+    struct scene_painting *painting; /* fonts and pictures */
 };
 
 enum scene_pass {
@@ -51,6 +52,12 @@ void scene_resources_free(struct scene_resources *resources);
 
 /* The part of scene_resources_create that is about the texture. */
 bool scene_texture_create(struct scene_resources *resources, const struct scene *scene);
+
+/* The part that is about flat shapes, text and pictures, and the operations of this kind. */
+bool scene_painting_create(struct scene_resources *resources, const struct scene *scene);
+void scene_painting_free(struct scene_resources *resources);
+void scene_paint(const struct scene_resources *resources, const qtri_surface *surface,
+                 const struct scene_paint *paint);
 
 /* Clears the surface and draws the scene into the rows and scissor it has. */
 void scene_draw(const struct scene_resources *resources, const qtri_surface *surface,
