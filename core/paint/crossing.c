@@ -55,11 +55,23 @@ bool qtri_outline_edge(const qtri_outline *outline, int32_t i, qtri_edge *edge)
     return a_y != b_y;
 }
 
+/* Whether a side of a polygon lies above the row, or below: most do. */
+static bool is_beside(const qtri_outline *outline, int32_t i, int32_t top)
+{
+    const int32_t a = outline->points[i].y_24p8;
+    const int32_t b = outline->points[i + 1 < outline->count ? i + 1 : 0].y_24p8;
+    const int32_t end = top + 256; /* rows lie between -2^21 and 2^21 */
+    return (a <= top && b <= top) || (a >= end && b >= end);
+}
+
 static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *crossing)
 {
     const qtri_outline *outline = crossings->outline;
     const int32_t top = crossings->row_24p8;
     qtri_edge room;
+    if (outline->points != NULL && is_beside(outline, i, top)) {
+        return false;
+    }
     if (!qtri_outline_edge(outline, i, &room)) {
         return false;
     }

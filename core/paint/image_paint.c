@@ -96,27 +96,32 @@ static void copy_row(uint8_t *to, const uint8_t *from, size_t bytes)
 QTRI_INLINE void keyed_row(int32_t bytes, uint8_t *to, const uint8_t *from, int32_t count,
                            uint32_t key, uint32_t mask)
 {
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t stored = qtri_stored_get(bytes, from + (i)*bytes);                          \
+        if ((stored & mask) != key) {                                                              \
+            QTRI_BRANCH                                                                            \
+            qtri_stored_put(bytes, to + (i)*bytes, stored);                                        \
+        }                                                                                          \
+    }
+#ifndef __OPTIMIZE_SIZE__
     for (; count >= 4; count -= 4) {
-        for (int32_t i = 0; i < 4; i++) {
-            const uint32_t stored = qtri_stored_get(bytes, from + i * bytes);
-            if ((stored & mask) != key) {
-                QTRI_BRANCH
-                qtri_stored_put(bytes, to + i * bytes, stored);
-            }
-        }
+        ONE(0)
+        ONE(1)
+        ONE(2)
+        ONE(3)
         to += 4 * bytes;
         from += 4 * bytes;
         QTRI_OPAQUE(to)
         QTRI_OPAQUE(from)
     }
+#endif
     for (; count > 0; count--) {
-        const uint32_t stored = qtri_stored_get(bytes, from);
-        if ((stored & mask) != key) {
-            qtri_stored_put(bytes, to, stored);
-        }
+        ONE(0)
         to += bytes;
         from += bytes;
     }
+#undef ONE
 }
 
 static void paint_keyed(const qtri_image *image, uint8_t *to, const uint8_t *from, int32_t count)

@@ -1,11 +1,15 @@
 #include "bench_scenes.h"
 
+#ifndef BENCH_PLAIN
+#include "bench_paint.h"
+#endif
+
 /*
  * Meshes are compact: 16-bit positions, 8-bit normals, 16-bit texture coordinates but for the
  * wall's, which reach 4. S4w and S5w: with the wide mesh, Q16.16 positions. S4k, S5k and S7k: as
  * S4, S5 and S7 with the project's own mesh of like size, 5760 triangles. S4b, S4wb, S5b, S6b and
  * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
- * mesh of S4 as loose triangles.
+ * mesh of S4 as loose triangles. P1 to P10: bench_paint.h.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -17,6 +21,10 @@
 #define FLAT                 .shading = QTRI_FLAT_LAST
 #define BANDS                .band_rows = 16
 #define FORMAT               &qtri_rgb565
+#define PAINT(name_, paint_)                                                                       \
+    {                                                                                              \
+        .name = (name_), .work = BENCH_PAINT, .paint = (paint_)                                    \
+    }
 
 static const qtri_rgb white[4] = {
     {255, 255, 255}, {255, 255, 255}, {255, 255, 255}, {255, 255, 255}};
@@ -57,6 +65,19 @@ const bench_scene bench_scenes[] = {
     {.name = "S6b", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, BANDS},
     {.name = "S7b", MESH(COMPACT(spot), Q16(150)), .wireframe = true, BANDS},
     {.name = "S4kb", MESH(COMPACT(knot), Q16(30)), BANDS},
+    PAINT("P1", bench_paint_rect),
+    PAINT("P2", bench_paint_rects),
+    PAINT("P3", bench_paint_alpha),
+    PAINT("P4", bench_paint_copy),
+    PAINT("P5", bench_paint_keyed),
+    PAINT("P6", bench_paint_turned),
+    PAINT("P7", bench_paint_circle),
+    PAINT("P8", bench_paint_smooth),
+    PAINT("P9", bench_paint_polygon),
+    {.name = "P10",
+     .work = BENCH_PAINT,
+     .paint = bench_paint_text,
+     .characters = BENCH_PAINT_CHARACTERS},
 #endif
     {.name = NULL},
 };
@@ -153,7 +174,9 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     if (scene->textured) {
         set_texture(frame, scene->work == BENCH_MESH ? QTRI_MODULATE : QTRI_REPLACE);
     }
-    if (scene->work == BENCH_QUAD) {
+    if (scene->work == BENCH_PAINT) {
+        set_texture(frame, QTRI_REPLACE); /* pictures are of its memory */
+    } else if (scene->work == BENCH_QUAD) {
         bench_set_quad(frame->corners, scene->quad, scene->colors);
     } else if (scene->work == BENCH_MESH) {
         set_mesh(frame);
@@ -183,6 +206,9 @@ void bench_draw(bench_frame *frame)
     case BENCH_CLEAR:
         qtri_surface_clear(&frame->surface, bench_background, UINT16_MAX);
         break;
+    case BENCH_PAINT:
+        frame->scene->paint(frame);
+        break;
     case BENCH_MESH:
         qtri_draw_mesh(&frame->surface, &frame->view, &frame->pose, &frame->mesh, &frame->material);
         break;
@@ -195,6 +221,9 @@ void bench_draw(bench_frame *frame)
 
 uint32_t bench_triangles(const bench_scene *scene)
 {
+    if (scene->work == BENCH_PAINT) {
+        return scene->characters;
+    }
     return scene->mesh != NULL ? scene->mesh->triangle_count : scene->quad != NULL ? 2 : 0;
 }
 

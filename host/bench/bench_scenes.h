@@ -16,10 +16,13 @@
 #define BENCH_HEIGHT      240
 #define BENCH_CORNERS_MAX (3 * BENCH_TRIANGLES_MAX)
 
+struct bench_frame;
+
 typedef enum bench_work {
     BENCH_CLEAR,  /* colour and depth */
     BENCH_QUAD,   /* two triangles */
     BENCH_MESH,   /* lit */
+    BENCH_PAINT,  /* flat shapes, pictures and text: see bench_paint.h */
     BENCH_CORNERS /* the triangles of a wide mesh without indices or light, each with corners of its
                      own */
 } bench_work;
@@ -36,6 +39,8 @@ typedef struct bench_scene {
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
     q16 turn;               /* the mesh, about y */
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
+    void (*paint)(struct bench_frame *frame);
+    uint32_t characters; /* that are painted */
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
@@ -67,7 +72,7 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene);
 /* What is measured: the draw calls, without the clear; the clear for BENCH_CLEAR. */
 void bench_draw(bench_frame *frame);
 
-/* Triangles that the draw call is given. */
+/* Triangles that the draw call is given; characters of text. */
 uint32_t bench_triangles(const bench_scene *scene);
 
 /* Whether the pixel is not of the background's colour and depth. */
