@@ -55,14 +55,20 @@ static bool in_arc(double dx, double dy, const double *n)
     return distance <= n[2] && distance > n[2] - n[3] && angle <= fabs(n[5]);
 }
 
-static bool in_stroke(double dx, double dy, const double *n)
+/* A rectangle along the way, whose sides follow the same rule as those of any area. */
+static bool in_stroke(double x, double y, const double *n)
 {
-    double length = hypot(n[2] - n[0], n[3] - n[1]);
-    double ux = (n[2] - n[0]) / length;
-    double uy = (n[3] - n[1]) / length;
-    double along = dx * ux + dy * uy;
+    double dx = n[2] - n[0];
+    double dy = n[3] - n[1];
+    double length = hypot(dx, dy);
 
-    return length > 0 && along >= 0 && along < length && fabs(dx * uy - dy * ux) <= n[4] / 2;
+    if (!(length > 0) || n[4] <= 0)
+        return false;
+    double ox = -dy / length * n[4] / 2;
+    double oy = dx / length * n[4] / 2;
+    double corner[8] = {n[0] + ox, n[1] + oy, n[2] + ox, n[3] + oy,
+                        n[2] - ox, n[3] - oy, n[0] - ox, n[1] - oy};
+    return in_area(x, y, corner, 4);
 }
 
 static bool is_inside(const struct shape *shape, double x, double y)
@@ -91,7 +97,7 @@ static bool is_inside(const struct shape *shape, double x, double y)
     case SCENE_PAINT_AREA:
         return in_area(x, y, n, shape->count / 2);
     case SCENE_PAINT_STROKE:
-        return in_stroke(dx, dy, n);
+        return in_stroke(x, y, n);
     case SCENE_PAINT_TEXT:
     case SCENE_PAINT_IMAGE:
         break;
