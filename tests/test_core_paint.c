@@ -181,13 +181,13 @@ static void random_star(shape *h, uint64_t *seed)
     }
 }
 
-static shape random_shape(uint64_t *seed, int kind)
+static shape random_shape(uint64_t *seed, int32_t n)
 {
     shape h = {0};
-    h.kind = kind;
+    h.kind = (enum shape_kind)n;
     h.center = random_point(seed);
     h.to = random_point(seed);
-    const int32_t least = kind == STROKE ? 256 : 0;
+    const int32_t least = n == STROKE ? 256 : 0;
     if (h.to.x_24p8 == h.center.x_24p8 && h.to.y_24p8 == h.center.y_24p8) {
         h.to.x_24p8 += 256;
     }
