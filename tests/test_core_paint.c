@@ -8,7 +8,7 @@
 
 typedef struct shape shape;
 struct shape {
-    enum {
+    enum shape_kind {
         RECT,
         RECT_OUTLINE,
         ROUND,

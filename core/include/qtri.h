@@ -26,11 +26,15 @@
  *   config.h     what the library is built with
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
  *   paint.h      flat shapes: rectangles to polygons      image.h    pictures: copied, turned
- *   font.h       text
+ *   font.h       text                                     shapes.h   spheres, boxes and other
+ * meshes animation.h  keys, hierarchies, morphing              bounds.h   what encloses, what is
+ * seen
  */
 #ifndef QTRI_H
 #define QTRI_H
 
+#include "qtri/animation.h"
+#include "qtri/bounds.h"
 #include "qtri/clip.h"
 #include "qtri/config.h"
 #include "qtri/draw.h"
@@ -50,6 +54,7 @@
 #include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/raster.h"
+#include "qtri/shapes.h"
 #include "qtri/surface.h"
 #include "qtri/texture.h"
 #include "qtri/transform.h"

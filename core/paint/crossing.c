@@ -9,11 +9,11 @@
  */
 static int32_t line_x(const qtri_edge *edge, int32_t y)
 {
-    if (y == edge->y1) {
+    const int32_t dx = edge->x1 - edge->x0;
+    const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
+    if (y == edge->y1 || dy == 0) {
         return edge->x1;
     }
-    const int32_t dx = edge->x1 - edge->x0;
-    const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* 1..2^23 */
     const int32_t zeros = qtri_clz32(dy);
     const uint32_t reciprocal = (uint32_t)qtri_reciprocal_below(dy << zeros);
     const uint32_t t_q29 = qtri_mul_high31((uint32_t)(y - edge->y0) << (zeros - 1), reciprocal);
