@@ -9,8 +9,8 @@
  * 12)}; qtri_mesh mesh; qtri_shape_sphere(&mesh, &memory, Q16(1), 24, 12);
  *
  * Around the origin, +y up, counter-clockwise seen from outside. u goes once around, v from the top
- * (0) down. Positions within 1.1 ULP, normals within 2^-14, of those of exact angles; they
- * saturate. A negative size mirrors: the shape is turned inside out. What encloses it is in
+ * (0) down. Positions are off by 1 ULP and 2^-16 of the size at most, normals by 2^-14;
+ * they saturate. A negative size mirrors: the shape is turned inside out. What encloses it is in
  * mesh->bounds.
  *
  * All return QTRI_ERROR_SIZE, when a count lies outside its range or the vertices are more than

@@ -92,7 +92,7 @@ void qtri_transform_billboard_upright(qtri_transform *t, const qtri_transform *c
 
 /*
  * Makes the linear part a rotation again, or one with a reflection, after so many products that
- * roundings have stretched it: x keeps its direction, y the plane of the two, z follows. To 2^-29;
+ * roundings have stretched it: x keeps its direction, y the plane of the two, z follows. To 2^-28;
  * ten thousand products of rotations are off by about 2^-17 without it. Translation and the row of
  * w stay. Where x and y have no directions of their own, or z lies in their plane, nothing changes.
  */
