@@ -73,7 +73,7 @@ uint32_t qtri_picture_mask(const qtri_image *image, const uint32_t *stored, int3
 #define DIVIDE_255(n) (((n) + 1 + ((n) >> 8)) >> 8)
 
 /* To the nearest of 32 and 64 levels: no colour lies half-way between two. */
-static uint32_t color_565(uint32_t c)
+static inline uint32_t color_565(uint32_t c)
 {
     const uint32_t red = DIVIDE_255((c >> 16 & 255) * 31 + 127);
     const uint32_t green = DIVIDE_255((c >> 8 & 255) * 63 + 127);
@@ -82,21 +82,64 @@ static uint32_t color_565(uint32_t c)
 }
 
 /* .299 .587 .114 of 2^16, whose sum they are. */
-static uint32_t color_gray(uint32_t c)
+static inline uint32_t color_gray(uint32_t c)
 {
     return ((c >> 16 & 255) * 19595u + (c >> 8 & 255) * 38470u + (c & 255) * 7471u + 0x8000u) >> 16;
+}
+
+/* As qtri_decode_rgb565. */
+static inline uint32_t color_of_565(uint32_t c)
+{
+    return ((c >> 11) * 527 + 23) >> 6 << 16 | ((c >> 5 & 63) * 259 + 33) >> 6 << 8 |
+           ((c & 31) * 527 + 23) >> 6;
+}
+
+/*
+ * From stored pixels to 0x00RRGGBB; of those known to be RGB565 without their bytes' order if that
+ * is all that is wanted. Frequent formats do not pay for a call a pixel.
+ */
+static void decode(const qtri_image *image, bool keep_565, uint32_t *color, int32_t count)
+{
+    const qtri_mix kind = qtri_mix_of(image->format);
+    const bool is_565 = kind == QTRI_MIX_565 || kind == QTRI_MIX_565_SWAPPED;
+    uint32_t *end = color + count;
+    if (kind == QTRI_MIX_565_SWAPPED) {
+        for (uint32_t *c = color; c != end; c++) {
+            *c = qtri_swapped16(*c);
+        }
+    }
+    if (is_565 && !keep_565) {
+        for (uint32_t *c = color; c != end; c++) {
+            *c = color_of_565(*c);
+        }
+    } else if (kind == QTRI_MIX_32) {
+        for (uint32_t *c = color; c != end; c++) {
+            *c &= 0x00FFFFFFu;
+        }
+    } else if (!is_565) {
+        for (uint32_t *c = color; c != end; c++) {
+            *c = image->format->decode(*c);
+        }
+    }
 }
 
 void qtri_picture_convert(const qtri_image *image, const qtri_surface *surface, uint32_t *stored,
                           int32_t count)
 {
-    uint32_t (*decode)(uint32_t) = image->format->decode;
     const qtri_format *format = surface->format;
-    for (int32_t i = 0; i < count; i++) {
-        const uint32_t color = decode(stored[i]);
-        stored[i] = format->colors == &qtri_colors_565    ? color_565(color)
-                    : format->colors == &qtri_colors_gray ? color_gray(color)
-                                                          : color;
+    const qtri_mix kind = qtri_mix_of(image->format);
+    const bool to_565 = format->colors == &qtri_colors_565;
+    const bool keep_565 = to_565 && (kind == QTRI_MIX_565 || kind == QTRI_MIX_565_SWAPPED);
+    const uint32_t *end = stored + count;
+    decode(image, keep_565, stored, count);
+    if (to_565 && !keep_565) {
+        for (uint32_t *c = stored; c != end; c++) {
+            *c = color_565(*c);
+        }
+    } else if (format->colors == &qtri_colors_gray) {
+        for (uint32_t *c = stored; c != end; c++) {
+            *c = color_gray(*c);
+        }
     }
     if (format->encode != NULL) {
         format->encode(stored, count);

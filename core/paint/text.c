@@ -3,6 +3,7 @@
 #include "../bits/bits.h"
 #include "../frame/barrier.h"
 #include "ink.h"
+#include "stored.h"
 
 /* What of a glyph's rows is painted: `width` bits from bit `skip` on, the highest bit first. */
 typedef struct bits {
@@ -28,16 +29,15 @@ static inline uint32_t bits_at(const uint8_t *row, int32_t at, int32_t count)
 #define BIT(i)                                                                                     \
     if ((int32_t)(value << (i)) < 0) {                                                             \
         QTRI_BRANCH                                                                                \
-        pixel[i] = (uint16_t)stored;                                                               \
+        qtri_stored_put(bytes, at + (i)*bytes, stored);                                            \
     }
 
-/* Eight pixels of two bytes, by far the most frequent. */
-QTRI_INLINE void paint_eight_16(uint8_t *at, uint32_t value, uint32_t stored)
+/* Eight pixels of 1 to 4 bytes. */
+QTRI_INLINE void paint_eight(int32_t bytes, uint8_t *at, uint32_t value, uint32_t stored)
 {
-    uint16_t *pixel = (uint16_t *)(void *)at;
     value <<= 24;
 #ifdef __OPTIMIZE_SIZE__
-    for (; value != 0; value <<= 1, pixel++) {
+    for (; value != 0; value <<= 1, at += bytes) {
         BIT(0)
     }
 #else
@@ -52,6 +52,44 @@ QTRI_INLINE void paint_eight_16(uint8_t *at, uint32_t value, uint32_t stored)
 #endif
 }
 
+/* Whole rows of up to eight pixels, which nothing clips: most characters. */
+QTRI_INLINE void paint_narrow(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+                              const bits *b)
+{
+    const uint32_t stored = painter->stored;
+    const ptrdiff_t pitch = painter->surface->pitch;
+    const uint32_t within = 0xFF00u >> b->width; /* of the low eight bits */
+    const uint8_t *end = b->row + b->height;
+    for (const uint8_t *row = b->row; row != end; row++) {
+        const uint32_t value = *row & within;
+        if (value != 0) {
+            paint_eight(bytes, to, value, stored);
+        }
+        to += pitch;
+    }
+}
+
+/* False: pixels of another size. */
+static bool paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
+{
+    switch (painter->surface->format->pixels->bytes) {
+    case 1:
+        paint_narrow(1, painter, to, b);
+        return true;
+    case 2:
+        paint_narrow(2, painter, to, b);
+        return true;
+    case 3:
+        paint_narrow(3, painter, to, b);
+        return true;
+    case 4:
+        paint_narrow(4, painter, to, b);
+        return true;
+    default:
+        return false;
+    }
+}
+
 static void paint_eight_mixed(const qtri_painter *painter, uint8_t *at, uint32_t value,
                               int32_t count)
 {
@@ -62,29 +100,12 @@ static void paint_eight_mixed(const qtri_painter *painter, uint8_t *at, uint32_t
     painter->ink->cover(painter, at, count, coverage);
 }
 
-/* Whole rows of up to eight pixels, which nothing clips: most characters. */
-static void paint_narrow_16(const qtri_painter *painter, uint8_t *to, const bits *b)
-{
-    const uint32_t stored = painter->stored;
-    const ptrdiff_t pitch = painter->surface->pitch;
-    const uint32_t within = 0xFF00u >> b->width; /* of the low eight bits */
-    const uint8_t *end = b->row + b->height;
-    for (const uint8_t *row = b->row; row != end; row++) {
-        const uint32_t value = *row & within;
-        if (value != 0) {
-            paint_eight_16(to, value, stored);
-        }
-        to += pitch;
-    }
-}
-
 static void paint_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
 {
     const qtri_pixels *pixels = painter->surface->format->pixels;
     const bool is_mixed = painter->ink != NULL && painter->alpha != 255;
     const uint8_t *row = b->row;
-    if (pixels->bytes == 2 && !is_mixed && b->stride == 1 && b->is_whole) {
-        paint_narrow_16(painter, to, b);
+    if (!is_mixed && b->stride == 1 && b->is_whole && paint_narrow_bits(painter, to, b)) {
         return;
     }
     for (int32_t rows = b->height; rows > 0; rows--) {
@@ -96,8 +117,6 @@ static void paint_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
                 /* nothing is painted */
             } else if (is_mixed) {
                 paint_eight_mixed(painter, at, value, count);
-            } else if (pixels->bytes == 2) {
-                paint_eight_16(at, value, painter->stored);
             } else {
                 pixels->fill(at, painter->stored, value >> (8 - count), count);
             }
