@@ -26,7 +26,8 @@ static void random_picture(picture *p, uint64_t *seed, const qtri_format *format
     ptrdiff_t pitch = (width + random_in(seed, 0, 2)) * bytes;
     uint8_t *first = (uint8_t *)p->memory + (bytes == 3 ? 1 : bytes) * units;
     const bool is_upwards = random_flag(seed);
-    p->image.pixels = is_upwards ? first + (height - 1) * pitch : first;
+    first += is_upwards ? (height - 1) * pitch : 0;
+    p->image.pixels = first;
     p->image.pitch = is_upwards ? -pitch : pitch;
     p->image.format = format;
     p->image.width = width;
@@ -37,8 +38,7 @@ static void random_picture(picture *p, uint64_t *seed, const qtri_format *format
         for (int32_t x = 0; x < width; x++) {
             if (random_flag(seed)) {
                 const uint32_t stored = levels[random_in(seed, 0, 1)];
-                uint8_t *at =
-                    (uint8_t *)(uintptr_t)p->image.pixels + y * p->image.pitch + x * bytes;
+                uint8_t *at = first + y * p->image.pitch + x * bytes;
                 format->pixels->fill(at, stored, 1, 1);
             }
         }
