@@ -429,6 +429,35 @@ static void whole_pixels(void **state)
     }
 }
 
+/* Sides on centres of pixels: the left and the upper ones belong to the shape. */
+static void sides_on_centers(void **state)
+{
+    (void)state;
+    const qtri_rgb white = {255, 255, 255};
+    const qtri_brush brush = qtri_brush_of(white);
+    const qtri_area box = {QTRI_PX(1.5), QTRI_PX(0.5), QTRI_PX(4.5), QTRI_PX(2.5)};
+    const qtri_point corner[4] = {{box.x0_24p8, box.y0_24p8},
+                                  {box.x1_24p8, box.y0_24p8},
+                                  {box.x1_24p8, box.y1_24p8},
+                                  {box.x0_24p8, box.y1_24p8}};
+    for (int n = 0; n < 4; n++) {
+        canvas c = canvas_new(&qtri_rgb565, 6, 4);
+        if (n == 0) {
+            qtri_paint_rect(&c.surface, &box, &brush);
+        } else if (n == 1) {
+            qtri_paint_polygon(&c.surface, corner, 4, &brush);
+        } else if (n == 2) {
+            qtri_paint_round_rect(&c.surface, &box, 0, &brush);
+        } else {
+            const qtri_point from = {QTRI_PX(1.5), QTRI_PX(1.5)};
+            const qtri_point to = {QTRI_PX(4.5), QTRI_PX(1.5)};
+            qtri_paint_stroke(&c.surface, &from, &to, QTRI_PX(2), &brush);
+        }
+        assert_raster(&c.surface, ".###..", ".###..", "......", "......");
+        canvas_free(&c);
+    }
+}
+
 /* Two shapes with a common side leave no gap and no pixel painted twice. */
 static void common_sides(void **state)
 {
@@ -486,9 +515,13 @@ static void any_arguments(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bands),         cmocka_unit_test(mixes),
-        cmocka_unit_test(whole_pixels),  cmocka_unit_test(common_sides),
-        cmocka_unit_test(any_arguments), cmocka_unit_test(hard_edges),
+        cmocka_unit_test(bands),
+        cmocka_unit_test(mixes),
+        cmocka_unit_test(whole_pixels),
+        cmocka_unit_test(common_sides),
+        cmocka_unit_test(sides_on_centers),
+        cmocka_unit_test(any_arguments),
+        cmocka_unit_test(hard_edges),
         cmocka_unit_test(smooth_edges),
     };
     return cmocka_run_group_tests_name("core paint", tests, NULL, NULL);
