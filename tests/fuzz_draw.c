@@ -128,6 +128,42 @@ static const qtri_texel_format *const texel_formats[6] = {&qtri_texel_rgb565,  &
 static const qtri_format *const surface_formats[6] = {
     &qtri_rgb565, &qtri_xrgb8888, &qtri_gray8, &qtri_rgb565_swapped, &qtri_rgb888, &qtri_bgr888};
 
+static qtri_fog fog;
+
+/* Blend, fog and alpha, of one input in two. */
+static void build_effects(struct reader *r, qtri_material *m, qtri_texture *texture)
+{
+    static const qtri_blend *const blends[6] = {NULL,
+                                                &qtri_blend_alpha,
+                                                &qtri_blend_add,
+                                                &qtri_blend_multiply,
+                                                &qtri_blend_none,
+                                                &qtri_blend_screen_door};
+    static const qtri_texel_format *const with_alpha[4] = {
+        &qtri_texel_argb4444, &qtri_texel_argb1555, &qtri_texel_argb8888, &qtri_texel_alpha8};
+    if (take_byte(r) % 2 == 0) {
+        return;
+    }
+    m->blend = blends[take_byte(r) % 6];
+    m->alpha = take_byte(r);
+    m->least_alpha = take_byte(r) % 2 ? take_byte(r) : 0;
+    if (take_byte(r) % 2) {
+        texture->format = with_alpha[take_byte(r) % 4];
+    }
+    const uint8_t kind = take_byte(r);
+    const qtri_fog_range range = {take_int(r), take_int(r), kind % 8 > 3};
+    const qtri_rgb color = {kind, 1, 2};
+    memset(&fog, 0, sizeof fog);
+    if (kind % 4 == 1) {
+        qtri_fog_linear(&fog, color, range, take_int(r), take_int(r));
+    } else if (kind % 4 == 2) {
+        qtri_fog_exp(&fog, color, range, take_int(r));
+    } else if (kind % 4 == 3) {
+        qtri_fog_exp2(&fog, color, range, take_int(r));
+    }
+    m->fog = kind % 16 == 0 ? NULL : &fog;
+}
+
 static qtri_material build_material(struct reader *r, qtri_texture *texture, const void *texels)
 {
     qtri_material m = qtri_material_default();
@@ -152,6 +188,7 @@ static qtri_material build_material(struct reader *r, qtri_texture *texture, con
     texture->has_key = take_byte(r) % 2;
     texture->key = take_byte(r) % 8 ? take_byte(r) : (uint32_t)take_int(r);
     m.texture = take_byte(r) % 2 ? texture : NULL;
+    build_effects(r, &m, texture);
     return m;
 }
 

@@ -5,7 +5,7 @@
 #include "raster/list.h"
 #include "support_core.h"
 
-enum { WIDTH = 48, HEIGHT = 44 };
+enum { WIDTH = 96, HEIGHT = 84 };
 
 static uint32_t colors[1 << 16];
 static uint16_t numbers[1 << 16]; /* each texel is its own number */
@@ -13,7 +13,7 @@ static uint16_t numbers[1 << 16]; /* each texel is its own number */
 /* kind 0: any; 1: tiny; 2: slivers; 3: with steep depth; 4: level. */
 static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
 {
-    const int32_t reach = kind == 1 ? random_in(seed, 1, 600) : random_in(seed, 256, 4095);
+    const int32_t reach = kind == 1 ? random_in(seed, 1, 600) : random_in(seed, 256, 9215);
     const int32_t x = random_in(seed, 0, WIDTH * 256);
     const int32_t y = random_in(seed, 0, HEIGHT * 256);
     const int32_t depth_reach = kind == 3 ? 65535 : (int32_t)1 << random_in(seed, 0, 16 - 1);

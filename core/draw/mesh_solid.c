@@ -1,4 +1,4 @@
-#include "../raster/list.h"
+#include "../raster/small.h"
 #include "mesh_job.h"
 
 /* What not every mesh has. */
@@ -71,7 +71,7 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const uint32_t
                                  draw->lit_per_vertex ? t->v[i]->intensity_q15 : t->light_q15);
     }
     t->color = (const int32_t(*)[3])color;
-    qtri_list_draw(raster, t);
+    qtri_small_draw(raster, t);
 }
 
 /* In place where code need not be small. */
@@ -113,7 +113,7 @@ QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indice
             return;
         }
     }
-    qtri_list_draw(raster, &t);
+    qtri_small_draw(raster, &t);
 }
 
 QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,

@@ -114,6 +114,9 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     if (placed != QTRI_PLACED_SMALL) {
         return placed == QTRI_PLACED_NOWHERE;
     }
+    if (p.cut && !qtri_place_cut(p.first, p.column, &raster->bounds)) {
+        return true;
+    }
     uint32_t light_q15 = QTRI_VERTEX_UNLIT;
     if (!raster->lamp.by_vertex || !qtri_vertices_are_lit(a, b, c)) {
         light_q15 = raster->lamp.find(raster->lamp.from, indices, a, b, c);

@@ -34,6 +34,7 @@
 #define QTRI_H
 
 #include "qtri/animation.h"
+#include "qtri/blend.h"
 #include "qtri/bounds.h"
 #include "qtri/clip.h"
 #include "qtri/config.h"

@@ -6,7 +6,7 @@
 
 /* Rows on their way into the batch. */
 typedef struct list_rows {
-    const uint8_t *span;
+    uint8_t *span;
     uint32_t place;     /* of the base column in this row */
     uint32_t z;         /* there, 16.16 */
     ptrdiff_t depth_at; /* its depth's place in memory: may be left of a row */
@@ -21,32 +21,39 @@ static void begin(list_rows *r, const qtri_raster *raster, const qtri_place *p,
     r->place = ((uint32_t)p->row << 16) + (uint32_t)p->column;
     r->z = 0;
     r->depth_at = 0;
+    qtri_list_set_depth(&r->depth, v);
     if (raster->compare != QTRI_DEPTH_OFF) {
-        qtri_place_depth(&r->depth, p, &v->inverse, v->t->v[0], v->t->v[v->second],
-                         v->t->v[v->third]);
         r->z = qtri_list_at(&r->depth, (uint32_t)p->column, (uint32_t)p->row);
         r->depth_at = (ptrdiff_t)p->row * surface->depth_pitch + p->column;
     }
 }
 
 /*
- * Appends fragments of rows as long as there is room for a whole one. False at the end of the
- * triangle. PIXELS(x, end) are those of a row.
+ * Appends fragments of rows as long as there is room; where it ends, what is left of a row's span
+ * waits. False at the end of the triangle. PIXELS are those from x to end of a row.
  */
 #define APPEND_ROWS                                                                                \
     uint32_t *next = batch->place + batch->count;                                                  \
     const uint32_t *const stop = batch->place + QTRI_BATCH;                                        \
-    const uint8_t *span = r->span;                                                                 \
+    uint8_t *span = r->span;                                                                       \
     bool more = false;                                                                             \
     for (;; span += 2) {                                                                           \
         const uint32_t x = span[0];                                                                \
-        const uint32_t end = span[1];                                                              \
+        uint32_t end = span[1];                                                                    \
         if (x < end) {                                                                             \
-            if (next + (end - x) > stop) {                                                         \
+            const uint32_t room = (uint32_t)(stop - next);                                         \
+            if (end - x > room) {                                                                  \
                 more = true;                                                                       \
-                break;                                                                             \
+                if (room == 0) {                                                                   \
+                    break;                                                                         \
+                }                                                                                  \
+                end = x + room;                                                                    \
+                span[0] = (uint8_t)end;                                                            \
             }                                                                                      \
             PIXELS                                                                                 \
+            if (more) {                                                                            \
+                break;                                                                             \
+            }                                                                                      \
         } else if (x == QTRI_PLACE_STOP) {                                                         \
             break;                                                                                 \
         }                                                                                          \
@@ -153,6 +160,30 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     }
 }
 
+/* Leaves fragments out that are not in the mask; writes the depths of the others. */
+static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count, const qtri_ramp *depth)
+{
+    const qtri_surface *surface = raster->surface;
+    qtri_batch *batch = raster->batch;
+    int32_t kept = 0;
+    mask <<= 32 - count;
+    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
+        if ((int32_t)mask >= 0) {
+            continue;
+        }
+        const uint32_t place = batch->place[i];
+        if (raster->depth_write) {
+            const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
+                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(z >> 16);
+        }
+        batch->color[kept] = batch->color[i];
+        batch->place[kept] = place;
+        kept++;
+    }
+    return kept;
+}
+
 /* The stages of what is in the batch. depth: where texels may be turned away, see the mask there.
  */
 static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *depth)
@@ -162,12 +193,21 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
     int32_t count = batch->count;
     batch->count = 0;
     if (raster->texture != NULL) {
-        count = raster->texturing->finish_list(raster, count, mask, depth);
+        mask = raster->texturing->finish_list(raster, count, mask);
+    } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
+        share_tint(raster, batch->color, count);
+    }
+    if (raster->alone) {
+        mask &= qtri_mask_of(count);
+        if (raster->effects != NULL && mask != 0) {
+            mask = raster->effects(raster, batch->color, batch->place, depth, mask, count);
+        }
+        if (raster->rejects) {
+            count = keep(raster, mask, count, depth);
+        }
         if (count == 0) {
             return;
         }
-    } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
-        share_tint(raster, batch->color, count);
     }
     if (format->encode != NULL) {
         format->encode(batch->color, count);
@@ -181,29 +221,6 @@ void qtri_list_flush(const qtri_raster *raster)
     if (raster->batch->count != 0) {
         finish(raster, UINT32_MAX, NULL);
     }
-}
-
-/* The one colour of an untextured triangle. */
-static uint32_t flat_color(const qtri_raster *raster, const qtri_list_triangle *t)
-{
-    return t->color != NULL ? raster->format->colors->pack(t->color[qtri_raster_provoking(raster)])
-                            : qtri_raster_tinted(raster, t->light_q15, 15);
-}
-
-/* The same of a textured one, as a shade. */
-static uint32_t flat_shade(const qtri_raster *raster, const qtri_list_triangle *t)
-{
-    return qtri_shade_of(t->color[qtri_raster_provoking(raster)]);
-}
-
-/* Whether all vertices have the same colour. */
-static bool is_one_color(const qtri_list_triangle *t)
-{
-    int32_t differ = 0;
-    for (int i = 0; i < 3; i++) {
-        differ |= (t->color[1][i] ^ t->color[0][i]) | (t->color[2][i] ^ t->color[0][i]);
-    }
-    return differ == 0;
 }
 
 /* Colours; returns what the words are. */
@@ -220,11 +237,11 @@ static uint8_t set_colors(qtri_list_values *v)
             return QTRI_LIST_TINT_SHARES;
         }
         v->channels = 0;
-        if (smooth && t->color != NULL && !is_one_color(t)) {
+        if (smooth && t->color != NULL && !qtri_list_is_one_color(t)) {
             qtri_list_set_channels(v, 16);
         }
         if (v->channels == 0) {
-            v->constant = flat_color(raster, t);
+            v->constant = qtri_list_flat_color(raster, t);
         }
         return QTRI_LIST_COLORS;
     }
@@ -239,11 +256,11 @@ static uint8_t set_colors(qtri_list_values *v)
                    ? QTRI_LIST_TEXELS
                    : QTRI_LIST_LIT_TEXELS;
     }
-    if (smooth && !is_one_color(t)) {
+    if (smooth && !qtri_list_is_one_color(t)) {
         qtri_list_set_channels(v, QTRI_CHANNEL_SHIFT);
     }
     if (v->channels == 0) {
-        v->constant = flat_shade(raster, t);
+        v->constant = qtri_list_flat_shade(raster, t);
         if (v->constant == QTRI_SHADE_WHITE && now != QTRI_LIST_RGB_TEXELS) {
             return QTRI_LIST_TEXELS;
         }
@@ -273,20 +290,17 @@ static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t coun
 
 QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    const bool late = raster->texture != NULL && raster->texture->has_key;
     qtri_batch *batch = raster->batch;
     qtri_list_values v;
     list_rows r;
     bool more;
     bool set = false;
-    v.raster = raster;
-    v.t = t;
-    v.second = t->place->back ? 2 : 1;
-    v.third = t->place->back ? 1 : 2;
-    v.has_e = false;
+    if (t->place->cut && !qtri_place_cut(t->place->first, t->place->column, &raster->bounds)) {
+        return;
+    }
+    qtri_list_begin(&v, raster, t);
     t->place->x -= t->place->column * 256;
     t->place->y -= t->place->row * 256;
-    qtri_inverse_init(&v.inverse, t->place->size);
     begin(&r, raster, t->place, &v);
     const uint8_t kind = set_colors(&v);
     if (kind != batch->kind) {
@@ -295,14 +309,14 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     }
     do {
         const int32_t first = batch->count;
-        more = append(&r, raster, late);
+        more = append(&r, raster, raster->rejects);
         if (batch->count != first) {
             if (!set && raster->texture != NULL) {
                 raster->texturing->set_list(&v);
             }
             set = true;
             const uint32_t mask = set_words(&v, first, batch->count);
-            if (late) {
+            if (raster->alone) {
                 finish(raster, mask, &r.depth);
             }
         }
@@ -313,25 +327,4 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     if (batch->count > 16) {
         qtri_list_flush(raster);
     }
-}
-
-void qtri_list_attributes(const qtri_raster *raster, qtri_place *place,
-                          const qtri_vertex *const v[3], const qtri_attributes attributes[3])
-{
-    int32_t color[3][3];
-    qtri_coordinates uv[2];
-    const qtri_list_triangle t = {
-        place, {v[0], v[1], v[2]}, (const int32_t(*)[3])color, QTRI_VERTEX_UNLIT, uv};
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            color[i][k] = attributes[i].color[k];
-        }
-    }
-    if (raster->texture != NULL) {
-        const int64_t u_q32[3] = {attributes[0].u_q32, attributes[1].u_q32, attributes[2].u_q32};
-        const int64_t v_q32[3] = {attributes[0].v_q32, attributes[1].v_q32, attributes[2].v_q32};
-        qtri_coordinates_set(&uv[0], u_q32);
-        qtri_coordinates_set(&uv[1], v_q32);
-    }
-    qtri_list_draw(raster, &t);
 }

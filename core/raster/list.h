@@ -40,10 +40,6 @@ typedef struct qtri_list_triangle {
 
 void qtri_list_draw(const qtri_raster *raster, const qtri_list_triangle *t);
 
-/* One that is not tinted. */
-void qtri_list_attributes(const qtri_raster *raster, qtri_place *place,
-                          const qtri_vertex *const v[3], const qtri_attributes attributes[3]);
-
 /* Draws those that wait: at the end of a draw call, and before anything else is drawn. */
 void qtri_list_flush(const qtri_raster *raster);
 

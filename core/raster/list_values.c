@@ -1,6 +1,7 @@
 #include "list_values.h"
 
 #include "../geometry/projector.h"
+#include "stage_color.h"
 
 /* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at most.
  */
@@ -41,6 +42,33 @@ void qtri_list_find_e(qtri_list_values *v)
 }
 
 /* Colours ------------------------------------------------------------------------------------- */
+
+uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    return t->color != NULL ? raster->format->colors->pack(t->color[qtri_raster_provoking(raster)])
+                            : qtri_raster_tinted(raster, t->light_q15, 15);
+}
+
+uint32_t qtri_list_flat_shade(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    if (t->color != NULL) {
+        return qtri_shade_of(t->color[qtri_raster_provoking(raster)]);
+    }
+    int32_t channel[3];
+    for (int i = 0; i < 3; i++) {
+        channel[i] = qtri_raster_shade(raster, (int32_t)(t->light_q15 << 7), i);
+    }
+    return qtri_shade_of(channel);
+}
+
+bool qtri_list_is_one_color(const qtri_list_triangle *t)
+{
+    int32_t differ = 0;
+    for (int i = 0; i < 3; i++) {
+        differ |= (t->color[1][i] ^ t->color[0][i]) | (t->color[2][i] ^ t->color[0][i]);
+    }
+    return differ == 0;
+}
 
 /* Of what a raster interpolates. */
 static inline bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, uint32_t part)

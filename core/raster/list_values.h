@@ -5,8 +5,8 @@
  *
  * With perspective an attribute is u_0 + l / (1 + e), where e, what 1/w has more than at vertex 0
  * by its value there, and l are linear on the screen: l_i = (u_i - u_0) (1 + e_i) at vertex i.
- * Since |e| <= 1/12.8, l (1 - w) with w = e - e^2 + e^3 is off by less than l e^4, the 24,000th
- * part of l, and of the 22.6 pixels that anything may be away from vertex 0 by 1/1000 of one.
+ * Since |e| <= 1/12.8, l (1 - w) with w = e - e^2 + e^3 - e^4 is off by less than 1.1 l e^5, and of
+ * the 51 pixels that anything may be away from vertex 0 by 1/6000 of one.
  */
 #ifndef QTRI_RASTER_LIST_VALUES_H
 #define QTRI_RASTER_LIST_VALUES_H
@@ -37,6 +37,8 @@ struct qtri_list_values {
     qtri_inverse inverse;
     uint8_t second, third; /* vertices in the order of the place */
     bool has_e;            /* e is set */
+    bool along_rows;       /* not for list.c, but for rows: see small.c */
+    uint8_t block;         /* there: pixels along which a curve holds */
     bool gentle;           /* uv are in their units, and |e| is small: see list_texel.c */
     bool curved;           /* colours are base + l (1 - w), not linear */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
@@ -52,6 +54,35 @@ struct qtri_list_values {
 /* What texels are multiplied by has 10 bits: of light that is 2^22, and of channels n.16. */
 #define QTRI_LIGHT_SHIFT   12
 #define QTRI_CHANNEL_SHIFT 14
+
+/* Of a triangle, without any value yet. */
+static inline void qtri_list_begin(qtri_list_values *v, const qtri_raster *raster,
+                                   const qtri_list_triangle *t)
+{
+    v->raster = raster;
+    v->t = t;
+    v->second = t->place->back ? 2 : 1;
+    v->third = t->place->back ? 1 : 2;
+    v->has_e = false;
+    v->along_rows = false;
+    qtri_inverse_init(&v->inverse, t->place->size);
+}
+
+/* Its depths, where the raster tests them. */
+static inline void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values *v)
+{
+    if (v->raster->with_depth) {
+        qtri_place_depth(depth, v->t->place, &v->inverse, v->t->v[0], v->t->v[v->second],
+                         v->t->v[v->third]);
+    }
+}
+
+/* The one colour of a triangle without texture; of one with, as a shade. */
+uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t);
+uint32_t qtri_list_flat_shade(const qtri_raster *raster, const qtri_list_triangle *t);
+
+/* Whether all vertices have the same colour. */
+bool qtri_list_is_one_color(const qtri_list_triangle *t);
 
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);
@@ -72,7 +103,8 @@ static inline int32_t qtri_list_w(const qtri_ramp *e_q26, uint32_t x, uint32_t y
 {
     const int32_t one = (int32_t)1 << 16;
     const int32_t e = (int32_t)qtri_list_at(e_q26, x, y) >> 10; /* |e| < 2^13 */
-    return (e * (one - ((e * (one - e)) >> 16))) >> 16;
+    const int32_t second = (e * (one - e)) >> 16;
+    return (e * (one - ((e * (one - second)) >> 16))) >> 16;
 }
 
 /* l (1 - w), |l| < 2^24 + 2^21. */
@@ -129,11 +161,9 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
                           const uint32_t *place, int32_t count);
 
 /*
- * The texel stages of `count` waiting fragments, and how many are left: those of the key's colour
- * go, and with it the others write their depths. mask: of those that are drawn, where texels were
- * filtered.
+ * The texel stages of `count` waiting fragments. mask: of those that are drawn, where texels were
+ * filtered. Returns it without those of the key's colour.
  */
-int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
-                                const qtri_ramp *depth);
+uint32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask);
 
 #endif

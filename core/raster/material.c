@@ -12,6 +12,7 @@ qtri_material qtri_material_default(void)
         .fill = NULL,
         .depth_compare = QTRI_LESS,
         .depth_read_only = false,
+        .alpha = 255,
     };
     return material;
 }

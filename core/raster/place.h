@@ -1,7 +1,7 @@
 /*
  * Where a small triangle is: its rows, and what its ramps have in common. Internal.
  *
- * Small is a triangle whose vertices 1 and 2 are within 16 pixels of vertex 0 in x and in y, and
+ * Small is a triangle whose vertices 1 and 2 are within 36 pixels of vertex 0 in x and in y, and
  * 1/w at most 1/12 from that of vertex 0. That is asked of the vertices alone, never of a scissor,
  * a band, a format or a material: so a triangle's depths are the same however often and in whatever
  * pieces of the frame it is drawn. All that follows fits 32 bits.
@@ -15,8 +15,9 @@
 #include "raster.h"
 #include "rows.h"
 
-#define QTRI_PLACE_PIXELS 16
+#define QTRI_PLACE_PIXELS 36
 #define QTRI_PLACE_REACH  ((int32_t)256 * QTRI_PLACE_PIXELS)
+#define QTRI_PLACE_NEAR   ((int32_t)1 << 13) /* within it in all four needs one comparison */
 
 typedef enum qtri_placed {
     QTRI_PLACED_NOWHERE, /* touches no pixel */
@@ -29,10 +30,11 @@ typedef struct qtri_place {
     int32_t column, row;        /* the base: spans count columns from it and begin in its row */
     int32_t x, y;               /* its centre from vertex 0, 1/256 pixel */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
-    uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^26 */
+    uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^28 */
     int32_t more1, more2;       /* qtri_place_near: what 1/w has more there, in vertex 0's scale */
     bool back;
-    const uint8_t *first; /* the first row's span, in the caller's memory */
+    bool cut;       /* spans may reach past the bounds, see qtri_place_cut */
+    uint8_t *first; /* the first row's span, in the caller's memory */
 } qtri_place;
 
 /*
@@ -68,8 +70,8 @@ static inline int32_t qtri_place_walk(uint8_t *side, const uint8_t *stop, int32_
  * An edge between rows `from` and `to`: of a front face it is on the left when it goes down. As in
  * cover.c its pixel in a row is numerator / (256 dy); with Y from the centre of vertex 0's first
  * row, X from half a pixel left of the base column's edge, and `cross` X dy - Y dx of either end,
- * the numerator is cross + 256 row dx - 1. |X|, |Y|, |dx|, |dy| < 2^13 + 2^9 and |row| <= 16: all
- * of that is below 2^29.
+ * the numerator is cross + 256 row dx - 1. |X|, |Y|, |dx|, |dy| <= 73 256 < 2^14.2 and |row| <= 36:
+ * all of that is below 2^30.
  *
  * Returns the sum of its pixels, negative on the right: of all three together it is 0 where no row
  * has a pixel, since edges never cross.
@@ -128,6 +130,15 @@ static inline bool qtri_place_is_level(const qtri_vertex *a, const qtri_vertex *
     return ((exponents & 0xFF) | most >> 26) == 0;
 }
 
+/* Whether any of these is outside the reach. */
+static inline bool qtri_place_is_far(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
+{
+    const uint32_t reach = QTRI_PLACE_REACH;
+    QTRI_RARELY();
+    return (uint32_t)dx1 + reach >= 2 * reach || (uint32_t)dy1 + reach >= 2 * reach ||
+           (uint32_t)dx2 + reach >= 2 * reach || (uint32_t)dy2 + reach >= 2 * reach;
+}
+
 /* Holds spans from `column` on to the columns of the bounds. False when nothing is left. */
 bool qtri_place_cut(uint8_t *span, int32_t column, const qtri_rect *bounds);
 
@@ -147,9 +158,10 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     int32_t dy1 = b->at.y_24p8 - y0;
     int32_t dx2 = c->at.x_24p8 - x0;
     int32_t dy2 = c->at.y_24p8 - y0;
-    const uint32_t reach = QTRI_PLACE_REACH;
-    if ((((uint32_t)dx1 + reach) | ((uint32_t)dy1 + reach) | ((uint32_t)dx2 + reach) |
-         ((uint32_t)dy2 + reach)) >= 2 * reach) {
+    const uint32_t near = QTRI_PLACE_NEAR;
+    if ((((uint32_t)dx1 + near) | ((uint32_t)dy1 + near) | ((uint32_t)dx2 + near) |
+         ((uint32_t)dy2 + near)) >= 2 * near &&
+        qtri_place_is_far(dx1, dy1, dx2, dy2)) {
         return QTRI_PLACED_LARGE;
     }
     int32_t size = dx2 * dy1 - dx1 * dy2;
@@ -216,10 +228,7 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     if (pixels == 0) {
         return QTRI_PLACED_NOWHERE;
     }
-    if (!inner && (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1)) {
-        return qtri_place_cut(&middle[2 * first], column, bounds) ? QTRI_PLACED_SMALL
-                                                                  : QTRI_PLACED_NOWHERE;
-    }
+    p->cut = !inner && (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1);
     return QTRI_PLACED_SMALL;
 }
 

@@ -33,14 +33,14 @@ static void divide(qtri_ramp *ramp, const qtri_place *p, uint32_t f0, int32_t f1
 
 /*
  * n 2^16 / size of a steep attribute: in two parts of 2^9, each with the inverse of gradient.h,
- * which makes n 2^17 / size of n. The higher one's steps, below 2^22, are off by half of 2^8, and
- * across 32 pixels by 2^12.
+ * which makes n 2^17 / size of n. The higher one's steps, below 2^25 with three bits more, are off
+ * by half of 2^5, and 36 pixels right and 36 down by 2^10.2.
  */
 static int32_t steep_step(int32_t high, int32_t low, int32_t inverse, int32_t left)
 {
     const int32_t one = (int32_t)1 << left;
-    return qtri_mul_high_s30(high * one, inverse) * 256 +
-           (qtri_mul_high_s30(low * one, inverse) >> 1) + 128;
+    return qtri_mul_high_s30(high * one * 8, inverse) * 32 +
+           (qtri_mul_high_s30(low * one, inverse) >> 1) + 16;
 }
 
 QTRI_NOINLINE void qtri_place_ramp_any(qtri_ramp *ramp, const qtri_place *p, uint32_t f0,

@@ -29,7 +29,7 @@ static inline void qtri_inverse_init(qtri_inverse *inverse, uint32_t size)
     inverse->down = 14 - zeros;
 }
 
-/* n y / 2^17 / 2^down, rounded down. |n| <= 2^30. */
+/* n y / 2^17 / 2^down, rounded down. |n| < 2^30.5. */
 static inline int32_t qtri_inverse_step(const qtri_inverse *by, int32_t n, int32_t down)
 {
 #if QTRI_LONG_MULTIPLY
@@ -45,7 +45,7 @@ static inline int32_t qtri_inverse_step(const qtri_inverse *by, int32_t n, int32
 
 /*
  * Numerators of an attribute's steps a pixel along x and y, from its differences at vertices 1 and
- * 2 without those bits. |f| <= 2^16: below 2^29.
+ * 2 without those bits. |f| <= 2^16: at most 2^16 18432 < 2^30.2.
  */
 static inline int32_t qtri_place_nx(const qtri_place *p, int32_t f1, int32_t f2)
 {
@@ -67,7 +67,7 @@ static inline void qtri_place_ramp_set(qtri_ramp *ramp, const qtri_place *p, uin
     ramp->dy = (uint32_t)gy;
 }
 
-/* Of any triangle, |f| < 2^24: off by 2^12 at most, and 2^-14 of the range. */
+/* Of any triangle, |f| < 2^24: off by 2^11 at most, and 2^-14 of the range. */
 void qtri_place_ramp_any(qtri_ramp *ramp, const qtri_place *p, uint32_t f0, int32_t f1, int32_t f2);
 
 /* The same by copies: what no address is taken of stays in registers. */

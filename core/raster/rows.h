@@ -38,7 +38,7 @@ static inline int32_t qtri_edge_next(qtri_edge *e, int32_t base)
     e->numerator += e->step;
     return base + quotient;
 #else
-    /* A pixel or two a row: cheaper than a division, and at most 33 at first. */
+    /* A pixel or two a row: cheaper than a division, and at most 73 at first. */
     int32_t numerator = e->numerator;
     int32_t quotient = e->quotient;
     (void)base;

@@ -85,23 +85,16 @@ static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
     return job->tinted && raster->units != &qtri_colors_565 ? range << 2 : range;
 }
 
-/*
- * Ramps of a tint's channels from that of its share: where it is not so steep that it wraps, one
- * serves all.
- */
-static void tint_ramps(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
+/* Where light is not so steep that it wraps. */
+void qtri_job_tint(qtri_job *job, const qtri_ramp *light)
 {
     const qtri_raster *raster = job->raster;
-    const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
-                               (uint32_t)v[2].color[0]};
-    qtri_ramp ramp;
-    qtri_ramp_multiply(&ramp, gradient, share);
-    const int32_t origin = (int32_t)(ramp.origin - 0x8000u);
+    const int32_t origin = (int32_t)(light->origin - 0x8000u);
     for (int i = job->first; i < QTRI_U; i++) {
         qtri_ramp *c = &job->attribute[i].ramp;
         c->origin = (uint32_t)qtri_raster_shade(raster, origin, i) + 0x8000u;
-        c->dx = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dx, i);
-        c->dy = (uint32_t)qtri_raster_shade(raster, (int32_t)ramp.dy, i);
+        c->dx = (uint32_t)qtri_raster_shade(raster, (int32_t)light->dx, i);
+        c->dy = (uint32_t)qtri_raster_shade(raster, (int32_t)light->dy, i);
     }
 }
 
@@ -111,11 +104,27 @@ static uint32_t pack_step(const qtri_job *job, uint32_t times)
     return qtri_pack_round(times * c[0].ramp.dx, times * c[1].ramp.dx, times * c[2].ramp.dx);
 }
 
+void qtri_job_pack(qtri_job *job)
+{
+    job->packed = job->raster->units == &qtri_colors_565;
+    if (job->packed) {
+        qtri_packed_steps *step = &job->color.step;
+        step->even = pack_step(job, 1);
+        step->odd = pack_step(job, 2) - step->even;
+        step->eight = pack_step(job, 8);
+        step->last = step->eight - 4 * step->even - 3 * step->odd;
+    }
+}
+
 static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
 {
     const bool textured = job->raster->texture != NULL;
     if (job->tinted && !textured && gradient->inverse != 0) {
-        tint_ramps(job, v, gradient);
+        const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
+                                   (uint32_t)v[2].color[0]};
+        qtri_ramp light;
+        qtri_ramp_multiply(&light, gradient, share);
+        qtri_job_tint(job, &light);
     } else {
         for (int i = job->first; i < QTRI_U; i++) {
             uint32_t f[3];
@@ -123,13 +132,8 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
             ramp_init(&job->attribute[i].ramp, gradient, f);
         }
     }
-    job->packed = !textured && job->raster->units == &qtri_colors_565;
-    if (job->packed) {
-        qtri_packed_steps *step = &job->color.step;
-        step->even = pack_step(job, 1);
-        step->odd = pack_step(job, 2) - step->even;
-        step->eight = pack_step(job, 8);
-        step->last = step->eight - 4 * step->even - 3 * step->odd;
+    if (!textured) {
+        qtri_job_pack(job);
     }
 }
 
@@ -204,7 +208,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     uint32_t value[2][3];
     const bool textured = raster->texture != NULL;
     job->raster = raster;
-    job->interpolate = qtri_interpolate_linear;
+    job->values = NULL;
     job->tinted = triangle->tinted;
     job->perspective = false;
     job->packed = false;
@@ -215,7 +219,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     gradient_from(&gradient, triangle, raster->surface);
     job->anchor_x = gradient.anchor_x;
     job->anchor_y = gradient.anchor_y;
-    if (raster->compare != QTRI_DEPTH_OFF) {
+    if (raster->with_depth) {
         const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
         ramp_init(&job->depth, &gradient, depth);
     }
@@ -238,7 +242,6 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     }
     job->perspective = needs_perspective(job, v, (const uint32_t(*)[3])value, range, q);
     if (job->perspective) {
-        job->interpolate = qtri_interpolate_perspective;
         qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, &gradient);
         return qtri_span_fill;
     }

@@ -25,6 +25,12 @@ static const struct scene_statement statements[] = {
     {"texformat",   {1, 1},    scene_statement_texformat,     0, "xrgb8888|rgb565|palette|gray8"},
     {"texkey",      {1, 3},    scene_statement_texkey,        0, "off or texkey r g b"},
     {"interpolate", {1, 1},    scene_statement_interpolate,   0, "perspective|linear"},
+    {"blend",       {1, 2},    scene_statement_blend,         0,
+     "off|alpha|add|multiply|none|screendoor [ALPHA]"},
+    {"fog",         {1, 8},    scene_statement_fog,           0,
+     "off or fog linear NEAR FAR r g b START END"},
+    {"fogdensity",  {7, 7},    scene_statement_fogdensity,    0,
+     "exp|exp2 NEAR FAR r g b DENSITY"},
     {"polygon",     {1, 1},    scene_statement_polygon,       0, "fill|line"},
     {"light",       {5, 5},    scene_statement_light,         0, "x y z ambient diffuse"},
     {"mode",        {1, 1},    scene_statement_mode,          0, "projection|modelview"},
@@ -218,6 +224,7 @@ static void set_defaults(struct scene *scene)
     scene->height = 256;
     scene->clear_depth = SCENE_ONE;
     scene->depth_write = true;
+    scene->alpha = 65536;
     scene->depth_compare = SCENE_LESS;
     scene->cull = SCENE_CULL_NONE;
     scene->provoking = 2;

@@ -101,6 +101,25 @@ struct scene_light {    /* towards[] all zero: no light */
     int32_t ambient, diffuse;
 };
 
+/* What becomes of a pixel that is drawn over another. */
+enum scene_blend {
+    SCENE_BLEND_OFF,
+    SCENE_BLEND_ALPHA,
+    SCENE_BLEND_ADD,
+    SCENE_BLEND_MULTIPLY,
+    SCENE_BLEND_NONE, /* only depths are written */
+    SCENE_BLEND_SCREENDOOR
+};
+
+enum scene_fog_kind { SCENE_FOG_OFF, SCENE_FOG_LINEAR, SCENE_FOG_EXP, SCENE_FOG_EXP2 };
+
+struct scene_fog {
+    enum scene_fog_kind kind;
+    int32_t range[2];  /* near and far of the projection, 0 < near < far */
+    int32_t color[3];  /* 0..1 */
+    int32_t number[2]; /* start and end, or the density */
+};
+
 struct scene {
     int width, height; /* viewport: the whole picture, 1..SCENE_MAX_SIZE */
     int32_t clear[3];  /* 0..1 */
@@ -114,6 +133,9 @@ struct scene {
     bool screen_linear; /* `interpolate linear`: attributes linear on the screen */
     bool wireframe;     /* `polygon line` */
     enum scene_texture_mode texture_mode;
+    enum scene_blend blend;
+    int32_t alpha; /* 0..1 */
+    struct scene_fog fog;
     bool texture_clamp[2];  /* `texwrap`, u and v; otherwise repeated */
     bool texture_bilinear;  /* `texfilter` */
     bool texture_keyed;     /* `texkey`: texels stored as texture_key would be are not drawn */

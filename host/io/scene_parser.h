@@ -120,6 +120,9 @@ scene_handler scene_statement_ink, scene_statement_edges, scene_statement_font,
 
 void scene_brush_free(struct scene_brush *brush);
 
+/* scene_blend.c */
+scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity;
+
 /* ---- Assets (scene_assets.c) ---- */
 
 /* The path that an argument names, seen from the scene file's folder; free() it. NULL with the

@@ -141,6 +141,16 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     if (scene->flat) {
         material.shading = scene->provoking == 0 ? QTRI_FLAT_FIRST : QTRI_FLAT_LAST;
     }
+    static const qtri_blend *const blends[] = {
+        [SCENE_BLEND_OFF] = NULL,
+        [SCENE_BLEND_ALPHA] = &qtri_blend_alpha,
+        [SCENE_BLEND_ADD] = &qtri_blend_add,
+        [SCENE_BLEND_MULTIPLY] = &qtri_blend_multiply,
+        [SCENE_BLEND_NONE] = &qtri_blend_none,
+        [SCENE_BLEND_SCREENDOOR] = &qtri_blend_screen_door,
+    };
+    material.blend = blends[scene->blend];
+    material.alpha = color_8(scene->alpha);
     material.texture = resources->texels != NULL ? &resources->texture : NULL;
     material.texture_mode = scene->texture_mode == SCENE_REPLACE ? QTRI_REPLACE : QTRI_MODULATE;
     return material;
@@ -154,7 +164,29 @@ struct drawing {
     qtri_view view;
     qtri_transform modelview;
     qtri_material material;
+    qtri_fog fog; /* the material's */
 };
+
+static void set_fog(struct drawing *d)
+{
+    const struct scene_fog *fog = &d->resources->scene->fog;
+    const qtri_fog_range range = {fog->range[0], fog->range[1], false};
+    const qtri_rgb color = rgb_8(fog->color);
+    switch (fog->kind) {
+    case SCENE_FOG_LINEAR:
+        qtri_fog_linear(&d->fog, color, range, fog->number[0], fog->number[1]);
+        break;
+    case SCENE_FOG_EXP:
+        qtri_fog_exp(&d->fog, color, range, fog->number[0]);
+        break;
+    case SCENE_FOG_EXP2:
+        qtri_fog_exp2(&d->fog, color, range, fog->number[0]);
+        break;
+    default:
+        return;
+    }
+    d->material.fog = &d->fog;
+}
 
 static void draw_triangle(struct drawing *d, const struct scene_op *op)
 {
@@ -234,6 +266,9 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
     const qtri_vec3 *towards = &resources->light.towards;
     d.view.light = (towards->x | towards->y | towards->z) != 0 ? &resources->light : NULL;
     d.material = material_of(resources, pass);
+    if (pass != SCENE_IDS) {
+        set_fog(&d);
+    }
 
     struct stacks *stacks = calloc(1, sizeof *stacks);
     if (stacks == NULL) {

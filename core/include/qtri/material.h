@@ -12,6 +12,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "blend.h"
 #include "surface.h"
 #include "texture.h"
 
@@ -61,7 +62,11 @@ typedef struct qtri_material {
     qtri_cull cull;
     const qtri_fill *fill;
     qtri_compare depth_compare;
-    bool depth_read_only; /* test but do not write */
+    bool depth_read_only;    /* test but do not write */
+    const qtri_blend *blend; /* NULL: pixels are stored as they are */
+    uint8_t alpha;           /* for the blend: 255 is all of it */
+    uint8_t least_alpha;     /* texels of less are not drawn, nor their depth; 0: all are */
+    const qtri_fog *fog;     /* NULL: none */
 } qtri_material;
 
 /* White, smooth, perspective, back faces culled, depth "less", written. */

@@ -1,0 +1,185 @@
+#include "small.h"
+
+#include "../geometry/projector.h"
+#include "list_values.h"
+#include "near.h"
+#include "setup.h"
+#include "textured.h"
+
+/*
+ * Whether rows have six pixels in the mean: then the longest has twice that, to what is cut off at
+ * its ends.
+ */
+static bool rows_are_long(const qtri_place *p)
+{
+    const int32_t height = qtri_greatest_from_0(p->dy1, p->dy2) - qtri_least_from_0(p->dy1, p->dy2);
+    return p->size >> 10 >= 3 * (uint32_t)height;
+}
+
+/* The job's values come along curves. False: they are too steep. */
+static bool set_curves(qtri_job *job, qtri_list_values *v)
+{
+    job->values = v;
+    job->perspective = true;
+    qtri_list_find_e(v);
+    const uint32_t steep = qtri_about((int32_t)v->e_q26.dx);
+    v->block = steep < QTRI_NEAR_STEEP_32 ? 32 : 16;
+    return steep < QTRI_NEAR_STEEP_16;
+}
+
+/*
+ * Colours without texture. Returns what fills rows, NULL where light would have to be curved, of
+ * which the tint's channels cannot be made.
+ */
+static qtri_fill_rows set_colors(qtri_job *job, qtri_list_values *v)
+{
+    const qtri_raster *raster = job->raster;
+    const qtri_list_triangle *t = v->t;
+    const bool smooth = QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH;
+    if (smooth && t->color == NULL && t->light_q15 == QTRI_VERTEX_UNLIT) {
+        qtri_list_set_light(v, 16);
+        if (v->curved) {
+            return NULL;
+        }
+        job->first = raster->units->single ? QTRI_U - 1 : 0;
+        qtri_job_tint(job, &v->channel[2]);
+    } else if (smooth && t->color != NULL && !qtri_list_is_one_color(t)) {
+        qtri_list_set_channels(v, 16);
+        job->first = QTRI_U - v->channels;
+        if (v->curved) {
+            return set_curves(job, v) ? qtri_span_fill : NULL;
+        }
+        for (int i = job->first; i < QTRI_U; i++) {
+            job->attribute[i].ramp = v->channel[i];
+        }
+    } else {
+        job->pixel = qtri_raster_stored(raster, qtri_list_flat_color(raster, t));
+        return raster->fill_flat;
+    }
+    qtri_job_pack(job);
+    return raster->fill_smooth;
+}
+
+/* What texels are multiplied by. */
+static void set_shades(qtri_job *job, qtri_list_values *v)
+{
+    const qtri_raster *raster = job->raster;
+    const qtri_list_triangle *t = v->t;
+    job->shaded = !raster->replace;
+    job->tinted = t->color == NULL;
+    if (raster->replace) {
+        return;
+    }
+    if (t->color == NULL && t->light_q15 == QTRI_VERTEX_UNLIT) {
+        qtri_list_set_light(v, 16);
+        job->first = QTRI_U - 1;
+    } else if (t->color != NULL && QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH &&
+               !qtri_list_is_one_color(t)) {
+        qtri_list_set_channels(v, 16);
+        job->first = 0;
+    } else {
+        job->pixel = qtri_list_flat_shade(raster, t);
+        job->shaded = job->pixel != QTRI_SHADE_WHITE;
+    }
+}
+
+static qtri_fill_rows set_job(qtri_job *job, qtri_list_values *v)
+{
+    const qtri_raster *raster = v->raster;
+    const qtri_place *p = v->t->place;
+    job->raster = raster;
+    job->values = NULL;
+    job->tinted = false;
+    job->perspective = false;
+    job->packed = false;
+    job->copies = false;
+    job->shaded = false;
+    job->cut = p->cut;
+    job->first = QTRI_U;
+    job->end = QTRI_U;
+    job->anchor_x = p->column;
+    job->anchor_y = p->row + raster->surface->first_row;
+    v->channels = 0;
+    v->curved = false;
+    if (raster->texture == NULL) {
+        const qtri_fill_rows fill = set_colors(job, v);
+        if (fill == NULL) {
+            return NULL;
+        }
+        qtri_list_set_depth(&job->depth, v);
+        return fill;
+    }
+    if (!QTRI_WITH_PERSPECTIVE || (raster->texel_cut != 0 && !raster->repeated) ||
+        !set_curves(job, v)) { /* clamped coordinates must not fill 32 bits */
+        return NULL;
+    }
+    job->end = QTRI_ATTRIBUTES;
+    set_shades(job, v);
+    job->copies = raster->copied && !job->shaded;
+    raster->texturing->set_list(v);
+    for (int i = 0; i < 2; i++) {
+        job->axis[i] = v->axis[i];
+    }
+    qtri_list_set_depth(&job->depth, v);
+    return qtri_span_fill;
+}
+
+/* False when it must go another way. */
+QTRI_NOINLINE static bool draw_rows(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    qtri_job job;
+    qtri_list_values v;
+    qtri_list_begin(&v, raster, t);
+    v.along_rows = true;
+    const qtri_fill_rows fill = set_job(&job, &v);
+    if (fill == NULL) {
+        return false;
+    }
+    qtri_list_flush(raster);
+    int32_t row = job.anchor_y;
+    const uint8_t *span = t->place->first;
+    while (span[0] != QTRI_PLACE_STOP) {
+        qtri_span spans[QTRI_ROWS_AHEAD];
+        int32_t count = 0;
+        do {
+            spans[count].left = (int16_t)(span[0] + job.anchor_x);
+            spans[count].right = (int16_t)(span[1] + job.anchor_x);
+            span += 2;
+            count++;
+        } while (span[0] != QTRI_PLACE_STOP && count < QTRI_ROWS_AHEAD);
+        fill(&job, spans, row, count);
+        row += count;
+    }
+    return true;
+}
+
+void qtri_small_draw(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    if (!rows_are_long(t->place) || !draw_rows(raster, t)) {
+        qtri_list_draw(raster, t);
+    }
+}
+
+void qtri_small_set_values(qtri_small_values *values, const qtri_raster *raster,
+                           const qtri_attributes attributes[3])
+{
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            values->color[i][k] = attributes[i].color[k];
+        }
+    }
+    if (raster->texture != NULL) {
+        const int64_t u_q32[3] = {attributes[0].u_q32, attributes[1].u_q32, attributes[2].u_q32};
+        const int64_t v_q32[3] = {attributes[0].v_q32, attributes[1].v_q32, attributes[2].v_q32};
+        qtri_coordinates_set(&values->uv[0], u_q32);
+        qtri_coordinates_set(&values->uv[1], v_q32);
+    }
+}
+
+void qtri_small_draw_values(const qtri_raster *raster, qtri_place *place,
+                            const qtri_vertex *const v[3], const qtri_small_values *values)
+{
+    const qtri_list_triangle t = {
+        place, {v[0], v[1], v[2]}, values->color, QTRI_VERTEX_UNLIT, values->uv};
+    qtri_small_draw(raster, &t);
+}
