@@ -1,12 +1,13 @@
 /*
- * Fuzz target: scene and OBJ text of any content is parsed or refused with a message, never more.
- * The first byte chooses the language.
+ * Fuzz target: scene, OBJ and BDF text of any content is parsed or refused with a message, never
+ * more. The first byte chooses the language.
  */
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "io/bdf.h"
 #include "io/obj.h"
 #include "io/palette.h"
 #include "io/scene.h"
@@ -59,6 +60,17 @@ static void check_scene(const struct scene *scene)
     require(scene->mesh_count > 0 || id == scene->triangle_count);
 }
 
+static void check_font(const struct bdf_font *font)
+{
+    require(font->glyph_count > 0 && font->missing < font->glyph_count);
+    for (size_t i = 0; i < font->glyph_count; i++) {
+        const struct bdf_glyph *glyph = &font->glyphs[i];
+        size_t bytes = ((size_t)glyph->width + 7) / 8 * (size_t)glyph->height;
+        require(glyph->first + bytes <= font->row_bytes);
+        require(i == 0 || glyph->character > glyph[-1].character);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct text_error error;
@@ -66,7 +78,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     }
     const char *text = (const char *)data + 1;
-    if (data[0] % 2 == 0) {
+    if (data[0] % 3 == 2) {
+        struct bdf_font font;
+        if (bdf_parse(NAME, text, size - 1, &font, &error)) {
+            check_font(&font);
+            bdf_free(&font);
+        } else {
+            check_message(&error);
+        }
+    } else if (data[0] % 3 == 0) {
         struct scene scene;
         if (scene_parse(NAME, text, size - 1, &scene, &error)) {
             check_scene(&scene);

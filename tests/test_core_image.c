@@ -1,401 +1,293 @@
 /*
- * Filters of finished pixels: 2x2 samples, FXAA, sums of frames; and jittered views.
+ * Pictures on surfaces: against pixels placed one by one, in all pairs of formats.
  */
 #include "support_core.h"
 
-enum { WIDTH = 70, HEIGHT = 50, FORMATS = 5 };
+#include <qtri/image.h>
 
-static const qtri_format *const formats[FORMATS] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8,
-                                                    &qtri_rgb565_swapped, &qtri_rgb888};
-static uint32_t memory[2 * QTRI_BAND_BYTES(WIDTH, HEIGHT + 20, 4) / 4];
-static uint32_t copy[2 * QTRI_BAND_BYTES(WIDTH, HEIGHT + 20, 4) / 4];
-static uint32_t words[QTRI_SUM_WORDS(WIDTH, HEIGHT)];
+enum { SIDE = 40, MEMORY = 40 * 40 };
 
-/* Edges of all kinds on a ground that is plain in most places. */
-static void draw_picture(const qtri_surface *surface, uint64_t seed)
+/* Memory of a picture somewhere in a buffer, so that it is aligned for its format and no more. */
+typedef struct picture {
+    qtri_image image;
+    uint32_t memory[MEMORY];
+} picture;
+
+static void random_picture(picture *p, uint64_t *seed, const qtri_format *format)
 {
-    const qtri_rgb sky = {24, 32, 48};
-    qtri_material material = qtri_material_default();
-    material.depth_compare = QTRI_DEPTH_OFF;
-    material.cull = QTRI_CULL_NONE;
-    qtri_surface_clear(surface, sky, 0);
-    for (int i = 0; i < 6; i++) {
-        qtri_screen_vertex v[3];
-        memset(v, 0, sizeof v);
-        for (int k = 0; k < 3; k++) {
-            v[k].x_24p8 = random_in(&seed, -10 * 256, (WIDTH + 10) * 256);
-            v[k].y_24p8 = random_in(&seed, -10 * 256, (HEIGHT + 10) * 256);
-            v[k].inv_w_q31 = 1u << 30;
-            for (int c = 0; c < 3; c++) {
-                v[k].color_8p16[c] = random_in(&seed, 0, 255 << 16);
+    const int32_t bytes = format->pixels->bytes;
+    const int32_t width = random_in(seed, 1, 37);
+    const int32_t height = random_in(seed, 1, 20);
+    const int32_t units = random_in(seed, 0, 3);
+    const uint32_t levels[3] = {(uint32_t)random64(seed), (uint32_t)random64(seed), 0};
+    for (size_t i = 0; i < LENGTH_OF(p->memory); i++) {
+        p->memory[i] = (uint32_t)random64(seed);
+    }
+    ptrdiff_t pitch = (width + random_in(seed, 0, 2)) * bytes;
+    uint8_t *first = (uint8_t *)p->memory + (bytes == 3 ? 1 : bytes) * units;
+    const bool is_upwards = random_flag(seed);
+    first += is_upwards ? (height - 1) * pitch : 0;
+    p->image.pixels = first;
+    p->image.pitch = is_upwards ? -pitch : pitch;
+    p->image.format = format;
+    p->image.width = width;
+    p->image.height = height;
+    p->image.has_key = random_flag(seed);
+    p->image.key = levels[0] & (bytes == 4 ? 0xFFFFFFFFu : (1u << 8 * bytes) - 1);
+    for (int32_t y = 0; y < height; y++) { /* often the key */
+        for (int32_t x = 0; x < width; x++) {
+            if (random_flag(seed)) {
+                const uint32_t stored = levels[random_in(seed, 0, 1)];
+                uint8_t *at = first + y * p->image.pitch + x * bytes;
+                format->pixels->fill(at, stored, 1, 1);
             }
         }
-        qtri_raster_triangle(surface, &material, v);
     }
 }
 
-static void begin(qtri_surface *surface, const qtri_format *format, uint64_t seed)
+static uint32_t stored_in(const qtri_image *image, int32_t x, int32_t y)
 {
-    assert_int_equal(
-        qtri_surface_init(surface, format, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory),
-        QTRI_OK);
-    draw_picture(surface, seed);
+    return image->format->pixels->load((const uint8_t *)image->pixels + y * image->pitch +
+                                       x * image->format->pixels->bytes);
 }
 
-static uint32_t pixel_at(const qtri_surface *surface, int32_t x, int32_t y)
+static bool is_key(const qtri_image *image, uint32_t stored)
 {
-    const qtri_rgb c = qtri_surface_pixel(surface, x, y);
-    return (uint32_t)c.r << 16 | (uint32_t)c.g << 8 | c.b;
+    const uint32_t mask = image->format == &qtri_xrgb8888 ? 0xFFFFFF : UINT32_MAX;
+    return image->has_key && (stored & mask) == (image->key & mask);
 }
 
-struct picture {
-    uint32_t pixel[HEIGHT][WIDTH];
-};
-
-static void keep(struct picture *out, const qtri_surface *s, qtri_rect r)
+static void background(qtri_surface *s)
 {
-    for (int32_t y = r.y0; y < r.y1; y++) {
-        for (int32_t x = r.x0; x < r.x1; x++) {
-            out->pixel[y][x] = pixel_at(s, x, y);
+    for (int32_t y = s->first_row; y < s->first_row + s->rows; y++) {
+        for (int32_t x = 0; x < SIDE; x++) {
+            const qtri_rgb color = {(uint8_t)(x * 6), (uint8_t)(y * 5), (uint8_t)(x * y)};
+            qtri_surface one = *s;
+            one.scissor.x0 = x;
+            one.scissor.x1 = x + 1;
+            one.scissor.y0 = y;
+            one.scissor.y1 = y + 1;
+            qtri_surface_clear(&one, color, 500);
         }
     }
 }
 
-static const qtri_rect all = {0, 0, WIDTH, HEIGHT};
-
-#define assert_same(a, b) assert_memory_equal(&(a), &(b), sizeof(struct picture))
-
-/* ---- 2x2 samples ---- */
-
-/* Full channels of a kind's steps. */
-static void levels_of(const qtri_format *format, double levels[3])
+/* A pixel of the picture on what was there before, of 255; 3/4 of a step of RGB565. */
+static void assert_pixel(const qtri_surface *before, const qtri_surface *after,
+                         const qtri_image *image, int32_t x, int32_t y, int32_t u, int32_t v,
+                         uint8_t alpha)
 {
-    const bool is_565 = format == &qtri_rgb565 || format == &qtri_rgb565_swapped;
-    levels[0] = is_565 ? 31 : 255;
-    levels[1] = is_565 ? 63 : 255;
-    levels[2] = levels[0];
+    const bool is_there = u >= 0 && u < image->width && v >= 0 && v < image->height;
+    const uint32_t stored = is_there ? stored_in(image, u, v) : 0;
+    if (!is_there || is_key(image, stored) || alpha == 0) {
+        assert_int_equal(stored_pixel(before, x, y), stored_pixel(after, x, y));
+        return;
+    }
+    if (alpha == 255 && image->format == after->format) {
+        assert_int_equal(stored_pixel(after, x, y), stored);
+        return;
+    }
+    const uint32_t color = image->format->decode(stored);
+    const qtri_rgb d = qtri_surface_pixel(before, x, y);
+    const qtri_rgb is = qtri_surface_pixel(after, x, y);
+    double s[3] = {color >> 16 & 255, color >> 8 & 255, color & 255};
+    if (after->format == &qtri_gray8) {
+        s[0] = s[1] = s[2] = .299 * s[0] + .587 * s[1] + .114 * s[2];
+    }
+    const double from[3] = {d.r, d.g, d.b};
+    const double got[3] = {is.r, is.g, is.b};
+    const bool is_same = image->format->colors == after->format->colors;
+    for (int i = 0; i < 3; i++) {
+        const double step =
+            after->format->colors != &qtri_colors_565 ? 1 : 255 / (i == 1 ? 63. : 31.);
+        const double wanted = from[i] + alpha / 255.0 * (s[i] - from[i]);
+        /* Converted, then mixed: both round. */
+        const double most = is_same || alpha == 255 ? .76 : 1.2;
+        if (fabs(got[i] - wanted) > fmax(most * step, alpha == 255 ? .51 : 1.5)) {
+            fail_msg("pixel %d,%d channel %d: %g, not %g", (int)x, (int)y, i, got[i], wanted);
+        }
+    }
 }
 
-static void test_halves_are_means(void **state)
+static void placed(void **state)
 {
     (void)state;
-    for (uint64_t seed = 0; seed < 60; seed++) {
-        qtri_surface large, half;
-        static struct picture before;
-        const qtri_format *format = formats[seed % FORMATS];
-        double levels[3];
-        levels_of(format, levels);
-        begin(&large, format, seed);
-        keep(&before, &large, all);
-        assert_int_equal(qtri_halve(&large, &half), QTRI_OK);
-        assert_int_equal(half.width, WIDTH / 2);
-        assert_int_equal(half.rows, HEIGHT / 2);
-        for (int y = 0; y < HEIGHT / 2; y++) {
-            for (int x = 0; x < WIDTH / 2; x++) {
-                const uint32_t got = pixel_at(&half, x, y);
-                for (int c = 0; c < 3; c++) {
-                    double sum = 0;
-                    for (int i = 0; i < 4; i++) {
-                        sum += round((before.pixel[2 * y + i / 2][2 * x + i % 2] >> 8 * c & 255) *
-                                     levels[c] / 255);
-                    }
-                    const double want = floor(sum / 4 + .5);
-                    assert_int_equal((int)round((got >> 8 * c & 255) * levels[c] / 255), (int)want);
+    uint64_t seed = 11;
+    static picture p;
+    for (int n = 0; n < 1800; n++) {
+        const qtri_format *format = drawn_format(n);
+        random_picture(&p, &seed, drawn_format(n % 5 < 2 ? n : n / 6));
+        const uint8_t alpha = (uint8_t)(random_flag(&seed) ? 255 : random64(&seed));
+        const int32_t x = random_in(&seed, -40, SIDE + 2);
+        const int32_t y = random_in(&seed, -22, SIDE + 2);
+        canvas before = canvas_new(format, SIDE, SIDE);
+        canvas after = canvas_new(format, SIDE, SIDE);
+        background(&before.surface);
+        background(&after.surface);
+        if (alpha == 255 && random_flag(&seed)) {
+            qtri_image_paint(&after.surface, &p.image, x, y);
+        } else {
+            qtri_image_blend(&after.surface, &p.image, x, y, alpha);
+        }
+        for (int32_t j = 0; j < SIDE; j++) {
+            for (int32_t i = 0; i < SIDE; i++) {
+                assert_pixel(&before.surface, &after.surface, &p.image, i, j, i - x, j - y, alpha);
+                assert_int_equal(stored_depth(&after.surface, i, j), 500);
+            }
+        }
+        canvas_free(&before);
+        canvas_free(&after);
+    }
+}
+
+/* Turned and scaled: the picture's pixel at the centre, unless that is close to another. */
+static void turned(void **state)
+{
+    (void)state;
+    uint64_t seed = 12;
+    static picture p;
+    int checked = 0;
+    for (int n = 0; n < 1200; n++) {
+        const qtri_format *format = drawn_format(n);
+        random_picture(&p, &seed, drawn_format(n % 5 < 2 ? n : n / 6));
+        const uint8_t alpha = (uint8_t)(random_flag(&seed) ? 255 : random64(&seed));
+        const double degrees = random_in(&seed, -720, 720) / (n % 3 ? 1.7 : 1.0);
+        const double scale[2] = {random_in(&seed, -400, 400) / 100.0,
+                                 random_in(&seed, 10, 400) / 100.0};
+        const double pivot[2] = {random_in(&seed, 0, 30) / 2.0, random_in(&seed, 0, 30) / 2.0};
+        const double place[2] = {random_in(&seed, -20, 100) / 2.0,
+                                 random_in(&seed, -20, 100) / 2.0};
+        qtri_affine m;
+        qtri_affine_place(&m, fixed(pivot[0]), fixed(pivot[1]), fixed(place[0]), fixed(place[1]),
+                          fixed(scale[0]), fixed(scale[1]), fixed(degrees));
+        canvas before = canvas_new(format, SIDE, SIDE);
+        canvas after = canvas_new(format, SIDE, SIDE);
+        background(&before.surface);
+        background(&after.surface);
+        qtri_image_paint_affine(&after.surface, &p.image, &m, alpha);
+        const double c = cos(degrees * acos(-1) / 180);
+        const double s = sin(degrees * acos(-1) / 180);
+        for (int32_t j = 0; j < SIDE && fabs(scale[0]) > .05; j++) {
+            for (int32_t i = 0; i < SIDE; i++) {
+                const double dx = i + .5 - place[0];
+                const double dy = j + .5 - place[1];
+                const double u = pivot[0] + (c * dx + s * dy) / scale[0];
+                const double v = pivot[1] + (-s * dx + c * dy) / scale[1];
+                const double margin = .02;
+                if (fabs(u - floor(u + .5)) < margin || fabs(v - floor(v + .5)) < margin) {
+                    continue;
                 }
+                checked++;
+                assert_pixel(&before.surface, &after.surface, &p.image, i, j, (int32_t)floor(u),
+                             (int32_t)floor(v), alpha);
             }
         }
-        if (format == &qtri_rgb565) { /* the quick way makes the same */
-            static struct picture one, other;
-            memset(&one, 0, sizeof one);
-            memset(&other, 0, sizeof other);
-            const qtri_rect quarter = {0, 0, WIDTH / 2, HEIGHT / 2};
-            keep(&one, &half, quarter);
-            begin(&large, format, seed);
-            assert_int_equal(qtri_halve_565(&large, &half), QTRI_OK);
-            keep(&other, &half, quarter);
-            assert_same(one, other);
-        }
+        canvas_free(&before);
+        canvas_free(&after);
     }
+    assert_true(checked > 1000000);
 }
 
-static void test_halves_of_bands(void **state)
+/* Bands and scissors show the whole frame's pixels; without turning, it is the plain way. */
+static void bands(void **state)
 {
     (void)state;
-    uint64_t seed = 1;
-    for (int round = 0; round < 100; round++) {
-        qtri_surface large, half, band, part;
-        static struct picture whole, banded;
-        const qtri_format *format = formats[round % FORMATS];
-        memset(&whole, 0, sizeof whole);
-        memset(&banded, 0, sizeof banded);
-        begin(&large, format, (uint64_t)round);
-        assert_int_equal(qtri_halve(&large, &half), QTRI_OK);
-        const qtri_rect quarter = {0, 0, WIDTH / 2, HEIGHT / 2};
-        keep(&whole, &half, quarter);
-        const int32_t rows = 2 * random_in(&seed, 1, 14);
-        for (int32_t first = 0; first < HEIGHT; first += rows) {
-            (void)qtri_surface_init(&band, format, WIDTH, HEIGHT, first, rows, copy, sizeof copy);
-            draw_picture(&band, (uint64_t)round);
-            const bool quick = qtri_halve_565(&band, &part) == QTRI_OK;
-            if (!quick) {
-                assert_int_equal(qtri_halve(&band, &part), QTRI_OK);
-            }
-            assert_true(quick == (format == &qtri_rgb565));
-            const qtri_rect r = {0, first / 2, WIDTH / 2, first / 2 + part.rows};
-            keep(&banded, &part, r);
+    uint64_t seed = 13;
+    static picture p;
+    for (int n = 0; n < 600; n++) {
+        const qtri_format *format = drawn_format(n);
+        random_picture(&p, &seed, drawn_format(n / 6));
+        qtri_affine m;
+        const int32_t x = random_in(&seed, -30, SIDE);
+        const int32_t y = random_in(&seed, -30, SIDE);
+        const bool is_plain = n % 3 == 0;
+        const uint8_t alpha = (uint8_t)(random_flag(&seed) ? 255 : random64(&seed));
+        qtri_affine_place(&m, 0, 0, x * 65536, y * 65536, is_plain ? Q16_ONE : random_any(&seed),
+                          is_plain ? Q16_ONE : random_in(&seed, 10000, 300000),
+                          is_plain ? 0 : random_any(&seed));
+        canvas whole = canvas_new(format, SIDE, SIDE);
+        background(&whole.surface);
+        qtri_image_paint_affine(&whole.surface, &p.image, &m, alpha);
+        canvas band = canvas_band(format, SIDE, SIDE, random_in(&seed, 0, SIDE - 1), 7);
+        background(&band.surface);
+        qtri_surface left = band.surface;
+        qtri_surface right = band.surface;
+        left.scissor.x1 = right.scissor.x0 = random_in(&seed, 0, SIDE);
+        if (is_plain) {
+            qtri_image_blend(&left, &p.image, x, y, alpha);
+            qtri_image_blend(&right, &p.image, x, y, alpha);
+        } else {
+            qtri_image_paint_affine(&left, &p.image, &m, alpha);
+            qtri_image_paint_affine(&right, &p.image, &m, alpha);
         }
-        assert_same(whole, banded);
-        /* A scissor: what has all its samples inside. */
-        begin(&large, format, (uint64_t)round);
-        const qtri_rect scissor = {random_in(&seed, 0, 20), random_in(&seed, 0, 20),
-                                   random_in(&seed, 40, WIDTH), random_in(&seed, 30, HEIGHT)};
-        large.scissor = scissor;
-        assert_int_equal(round % 2 == 0 && format == &qtri_rgb565 ? qtri_halve_565(&large, &half)
-                                                                  : qtri_halve(&large, &half),
-                         QTRI_OK);
-        for (int y = (scissor.y0 + 1) / 2; y < scissor.y1 / 2; y++) {
-            for (int x = (scissor.x0 + 1) / 2; x < scissor.x1 / 2; x++) {
-                assert_int_equal(pixel_at(&half, x, y), whole.pixel[y][x]);
-            }
-        }
-    }
-    qtri_surface odd, out;
-    begin(&odd, &qtri_gray8, 0);
-    assert_int_equal(qtri_halve_565(&odd, &out), QTRI_ERROR_FORMAT);
-    odd.width--;
-    assert_int_equal(qtri_halve(&odd, &out), QTRI_ERROR_SIZE);
-    odd.width++;
-    odd.format = NULL;
-    assert_int_equal(qtri_halve(&odd, &out), QTRI_ERROR_FORMAT);
-}
-
-/* ---- FXAA ---- */
-
-static void smooth(const qtri_surface *surface, bool quick)
-{
-    if (quick && surface->format == &qtri_rgb565) {
-        assert_int_equal(qtri_fxaa_565(surface, words, QTRI_FXAA_565_WORDS(WIDTH)), QTRI_OK);
-    } else {
-        assert_int_equal(qtri_fxaa(surface, words, QTRI_FXAA_WORDS(WIDTH)), QTRI_OK);
+        assert_same_picture(&whole.surface, &band.surface);
+        canvas_free(&whole);
+        canvas_free(&band);
     }
 }
 
-static void test_fxaa_bands_and_scissors(void **state)
+/* Any numbers at all; what is no picture paints nothing. */
+static void any_arguments(void **state)
 {
     (void)state;
-    uint64_t seed = 2;
-    int changed = 0;
-    for (int round = 0; round < 200; round++) {
-        qtri_surface surface, band, shown;
-        qtri_halo halo;
-        static struct picture plain, whole, part;
-        const qtri_format *format = formats[round % 2 == 0 ? 0 : round / 2 % FORMATS];
-        begin(&surface, format, (uint64_t)round);
-        keep(&plain, &surface, all);
-        smooth(&surface, false);
-        keep(&whole, &surface, all);
-        for (int y = 0; y < HEIGHT; y++) {
-            for (int x = 0; x < WIDTH; x++) {
-                changed += whole.pixel[y][x] != plain.pixel[y][x];
-            }
-        }
-        assert_int_equal(qtri_halo_init(&halo, format, WIDTH, HEIGHT, random_in(&seed, 1, 30),
-                                        QTRI_FXAA_HALO + random_in(&seed, 0, 1), copy, sizeof copy),
-                         QTRI_OK);
-        while (qtri_halo_next_band(&halo, &band, &shown)) {
-            draw_picture(&band, (uint64_t)round);
-            smooth(&band, true);
-            const qtri_rect r = {0, shown.first_row, WIDTH, shown.first_row + shown.rows};
-            keep(&part, &shown, r);
-        }
-        assert_same(whole, part);
-        begin(&surface, format, (uint64_t)round);
-        const qtri_rect r = {random_in(&seed, 0, 30), random_in(&seed, 0, 20),
-                             random_in(&seed, 31, WIDTH), random_in(&seed, 21, HEIGHT)};
-        const qtri_rect wide = {r.x0 - QTRI_FXAA_REACH, r.y0 - QTRI_FXAA_HALO,
-                                r.x1 + QTRI_FXAA_REACH, r.y1 + QTRI_FXAA_HALO};
-        surface.scissor = wide;
-        if (round % 4 == 0) { /* bottom up, and rows of no whole words */
-            memcpy(copy, memory, sizeof copy);
-            const ptrdiff_t pitch = surface.pitch;
-            const ptrdiff_t bytes = pitch + (format->pixels->bytes == 2 ? 2 : 12);
-            for (int y = 0; y < HEIGHT; y++) {
-                memcpy((uint8_t *)memory + (HEIGHT - 1 - y) * bytes,
-                       (uint8_t *)copy + (surface.pixels - (uint8_t *)memory) + y * pitch,
-                       (size_t)pitch);
-            }
-            surface.pixels = (uint8_t *)memory + (HEIGHT - 1) * bytes;
-            surface.pitch = -bytes;
-        }
-        smooth(&surface, true);
-        part = whole;
-        keep(&part, &surface, r);
-        assert_same(whole, part);
+    uint64_t seed = 14;
+    static picture p;
+    canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
+    canvas other = canvas_new(&qtri_rgb565, SIDE, SIDE);
+    for (int n = 0; n < 20000; n++) {
+        random_picture(&p, &seed, drawn_format(n));
+        qtri_affine m = {random_any(&seed), random_any(&seed), random_any(&seed),
+                         random_any(&seed), random_any(&seed), random_any(&seed)};
+        qtri_image_paint_affine(&c.surface, &p.image, &m, (uint8_t)random64(&seed));
+        qtri_image_paint(&c.surface, &p.image, random_any(&seed), random_any(&seed));
+        qtri_image_blend(&c.surface, &p.image, random_any(&seed), random_any(&seed), 77);
+        qtri_affine_place(&m, random_any(&seed), random_any(&seed), random_any(&seed),
+                          random_any(&seed), random_any(&seed), random_any(&seed),
+                          random_any(&seed));
+        qtri_image_paint_affine(&c.surface, &p.image, &m, 255);
     }
-    assert_true(changed > 10000);
+    canvas_clear(&c);
+    const qtri_affine same = {Q16_ONE, 0, 0, 0, Q16_ONE, 0};
+    for (int n = 0; n < 5; n++) {
+        random_picture(&p, &seed, drawn_format(n));
+        p.image.has_key = false;
+        p.image.pixels = n == 0 ? NULL : p.image.pixels;
+        p.image.format = n == 1 ? NULL : p.image.format;
+        p.image.width = n == 2 ? 0 : (n == 3 ? 8193 : p.image.width);
+        p.image.height = n == 4 ? -1 : p.image.height;
+        qtri_image_paint(&c.surface, &p.image, 0, 0);
+        qtri_image_blend(&c.surface, &p.image, 0, 0, 99);
+        qtri_image_paint_affine(&c.surface, &p.image, &same, 255);
+    }
+    assert_same_picture(&other.surface, &c.surface);
+    canvas_free(&other);
+    canvas_free(&c);
 }
 
-/* Pictures of one colour, smooth ones and single steps stay; colours lie between neighbours'. */
-static void test_fxaa_leaves_the_rest(void **state)
+/* A surface is a picture. */
+static void of_surfaces(void **state)
 {
     (void)state;
-    for (uint64_t seed = 0; seed < 50; seed++) {
-        qtri_surface surface;
-        static struct picture before;
-        begin(&surface, formats[seed % FORMATS], seed);
-        keep(&before, &surface, all);
-        smooth(&surface, seed % 2 == 0);
-        for (int y = 0; y < HEIGHT; y++) {
-            for (int x = 0; x < WIDTH; x++) {
-                const uint32_t now = pixel_at(&surface, x, y);
-                for (int c = 0; c < 24; c += 8) {
-                    int low = 255, high = 0;
-                    for (int i = 0; i < 5; i++) {
-                        static const int dx[5] = {0, 1, -1, 0, 0}, dy[5] = {0, 0, 0, 1, -1};
-                        const int px = x + dx[i], py = y + dy[i];
-                        if (px >= 0 && px < WIDTH && py >= 0 && py < HEIGHT) {
-                            const int v = (int)(before.pixel[py][px] >> c & 255);
-                            low = v < low ? v : low;
-                            high = v > high ? v : high;
-                        }
-                    }
-                    assert_in_range(now >> c & 255, low, high);
-                }
-            }
-        }
+    canvas a = canvas_new(&qtri_rgb888, SIDE, SIDE);
+    canvas b = canvas_new(&qtri_rgb888, SIDE, SIDE);
+    background(&a.surface);
+    background(&b.surface);
+    canvas_clear(&b);
+    const qtri_image image = qtri_image_of(&a.surface);
+    qtri_image_paint(&b.surface, &image, 0, 0);
+    for (int32_t i = 0; i < SIDE * SIDE; i++) {
+        assert_int_equal(stored_pixel(&a.surface, i % SIDE, i / SIDE),
+                         stored_pixel(&b.surface, i % SIDE, i / SIDE));
     }
-    qtri_surface surface;
-    begin(&surface, &qtri_gray8, 0);
-    assert_int_equal(qtri_fxaa(&surface, words, QTRI_FXAA_WORDS(WIDTH) - 1), QTRI_ERROR_MEMORY);
-    assert_int_equal(qtri_fxaa_565(&surface, words, LENGTH_OF(words)), QTRI_ERROR_FORMAT);
-    begin(&surface, &qtri_rgb565, 0);
-    assert_int_equal(qtri_fxaa_565(&surface, words, QTRI_FXAA_565_WORDS(WIDTH) - 1),
-                     QTRI_ERROR_MEMORY);
-    surface.scissor.x1 = 0;
-    assert_int_equal(qtri_fxaa_565(&surface, NULL, 0), QTRI_OK);
-}
-
-/* ---- Sums ---- */
-
-static void test_means_are_exact(void **state)
-{
-    (void)state;
-    uint64_t seed = 3;
-    for (int turn = 0; turn < 60; turn++) {
-        const qtri_format *format = formats[turn % FORMATS];
-        const int32_t log2 = random_in(&seed, 0, 5);
-        static double sum[HEIGHT][WIDTH][3];
-        double levels[3];
-        qtri_surface surface;
-        const bool quick = format == &qtri_rgb565 && turn % 2 == 0;
-        levels_of(format, levels);
-        memset(sum, 0, sizeof sum);
-        qtri_sum_clear(words, LENGTH_OF(words));
-        for (int frame = 0; frame < 1 << log2; frame++) {
-            begin(&surface, format, random64(&seed));
-            assert_int_equal(
-                quick ? qtri_sum_add_565(words, QTRI_SUM_565_WORDS(WIDTH, HEIGHT), &surface)
-                      : qtri_sum_add(words, QTRI_SUM_WORDS(WIDTH, HEIGHT), &surface),
-                QTRI_OK);
-            for (int y = 0; y < HEIGHT; y++) {
-                for (int x = 0; x < WIDTH; x++) {
-                    for (int c = 0; c < 3; c++) {
-                        sum[y][x][c] +=
-                            round((pixel_at(&surface, x, y) >> 8 * c & 255) * levels[c] / 255);
-                    }
-                }
-            }
-        }
-        surface.scissor.x0 = 1;
-        surface.scissor.y1 = HEIGHT - 1;
-        const uint32_t corner = pixel_at(&surface, 0, HEIGHT - 1);
-        assert_int_equal(quick ? qtri_sum_store_565(&surface, words, LENGTH_OF(words), log2)
-                               : qtri_sum_store(&surface, words, LENGTH_OF(words), log2),
-                         QTRI_OK);
-        assert_int_equal(pixel_at(&surface, 0, HEIGHT - 1), corner);
-        for (int y = 0; y < HEIGHT - 1; y++) {
-            for (int x = 1; x < WIDTH; x++) {
-                for (int c = 0; c < 3; c++) {
-                    const double mean = floor(sum[y][x][c] / (1 << log2) + .5);
-                    const double got = (pixel_at(&surface, x, y) >> 8 * c & 255) * levels[c] / 255;
-                    assert_int_equal((int)round(got), (int)mean);
-                }
-            }
-        }
-    }
-    qtri_surface surface;
-    begin(&surface, &qtri_rgb565, 0);
-    assert_int_equal(qtri_sum_add_565(words, QTRI_SUM_565_WORDS(WIDTH, HEIGHT) - 1, &surface),
-                     QTRI_ERROR_MEMORY);
-    assert_int_equal(qtri_sum_store(&surface, words, QTRI_SUM_WORDS(WIDTH, HEIGHT) - 1, 99),
-                     QTRI_ERROR_MEMORY);
-    begin(&surface, &qtri_gray8, 0);
-    assert_int_equal(qtri_sum_store_565(&surface, words, LENGTH_OF(words), 0), QTRI_ERROR_FORMAT);
-}
-
-/* ---- Jitter ---- */
-
-/* Pixels of a triangle that fills the picture below a slope of 1 in 3.19. */
-static int count_below_slope(const qtri_view *view)
-{
-    static uint32_t rows[QTRI_BAND_BYTES(320, 240, 1) / 4];
-    qtri_surface s;
-    (void)qtri_surface_init(&s, &qtri_gray8, 320, 240, 0, 240, rows, sizeof rows);
-    const qtri_rgb black = {0, 0, 0}, white = {255, 255, 255};
-    const q16 far = Q16(-10);
-    const qtri_corner corner[3] = {{{Q16(-20), Q16(3.1), far, Q16_ONE}, white, {0, 0}},
-                                   {{Q16(20), Q16(-9.436), far, Q16_ONE}, white, {0, 0}},
-                                   {{0, Q16(-40), far, Q16_ONE}, white, {0, 0}}};
-    qtri_transform pose;
-    qtri_material material = qtri_material_default();
-    material.cull = QTRI_CULL_NONE;
-    qtri_transform_identity(&pose);
-    qtri_surface_clear(&s, black, UINT16_MAX);
-    qtri_draw_triangles(&s, view, &pose, corner, 3, &material);
-    int count = 0;
-    for (int y = 0; y < 240; y++) {
-        for (int x = 0; x < 320; x++) {
-            count += qtri_surface_pixel(&s, x, y).g != 0;
-        }
-    }
-    return count;
-}
-
-/* Places are one in each part of a pixel, across and down, and the picture moves by them. */
-static void test_jitter(void **state)
-{
-    (void)state;
-    qtri_view view, moved;
-    qtri_view_init(&view, 320, 240);
-    qtri_transform_perspective(&view.projection, Q16(60), Q16(1.3333), Q16(.1), Q16(100));
-    const int still = count_below_slope(&view);
-    for (int32_t log2 = 0; log2 <= QTRI_JITTER_LOG2_MAX; log2++) {
-        const int parts = 1 << log2;
-        double sum = 0;
-        for (int n = 0; n < parts; n++) {
-            int row = 0;
-            for (int bit = 0; bit < log2; bit++) {
-                row |= (n >> bit & 1) << (log2 - 1 - bit);
-            }
-            row ^= log2 > 0;
-            const double x = (n + .5) / parts - .5, y = (row + .5) / parts - .5;
-            qtri_view_jitter(&moved, &view, (uint32_t)(n + 3 * parts), log2);
-            const double up = (count_below_slope(&moved) - still) / 320.0;
-            assert_true(fabs(up - y - .3134 * x) < .02);
-            sum += up / parts;
-        }
-        assert_true(fabs(sum) < .005);
-    }
-    qtri_view_init(&view, 0, -5);
-    qtri_view_jitter(&view, &view, UINT32_MAX, INT32_MIN);
+    canvas_free(&a);
+    canvas_free(&b);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_halves_are_means),        cmocka_unit_test(test_halves_of_bands),
-        cmocka_unit_test(test_fxaa_bands_and_scissors), cmocka_unit_test(test_fxaa_leaves_the_rest),
-        cmocka_unit_test(test_means_are_exact),         cmocka_unit_test(test_jitter),
+        cmocka_unit_test(placed),        cmocka_unit_test(turned),      cmocka_unit_test(bands),
+        cmocka_unit_test(any_arguments), cmocka_unit_test(of_surfaces),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("core image", tests, NULL, NULL);
 }

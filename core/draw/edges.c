@@ -10,7 +10,7 @@
 
 #include "edge_walk.h"
 
-#include "../image/mix.h"
+#include "../filter/mix.h"
 
 enum { WORD_PIXELS = 32 };
 

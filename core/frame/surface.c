@@ -1,10 +1,8 @@
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"
+#include "fill.h"
 #include "pixel.h"
-
-/* Pixels that a mask has bits for. */
-#define MASK_PIXELS 32
 
 /* The word that begins here, or next. */
 static uint8_t *align(uint8_t *p)
@@ -53,91 +51,6 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
     return QTRI_OK;
 }
 
-/* Stored to memory that is read as other types. */
-#ifdef __GNUC__
-typedef uint32_t __attribute__((__may_alias__)) word;
-#else
-typedef uint32_t word;
-#endif
-
-/* Four bytes of pixels or depths, as an aligned word and as its bytes lie in memory. */
-typedef union pattern {
-    uint32_t word;
-    uint8_t byte[4];
-} pattern;
-
-enum { BLOCK_BYTES = 64 };
-
-/* end - at is a multiple of BLOCK_BYTES and not 0. */
-static void store_blocks(uint8_t *at, const uint8_t *end, uint32_t x)
-{
-#if defined(__GNUC__) && defined(__thumb__)
-    /* GCC 12 stores several registers at once only what it has just loaded so. */
-    register uint32_t a __asm__("r3") = x;
-    register uint32_t b __asm__("r4") = x;
-    register uint32_t c __asm__("r5") = x;
-    register uint32_t d __asm__("r6") = x;
-    __asm__ volatile("1: stmia %0!, {%1, %2, %3, %4}\n\t"
-                     "stmia %0!, {%1, %2, %3, %4}\n\t"
-                     "stmia %0!, {%1, %2, %3, %4}\n\t"
-                     "stmia %0!, {%1, %2, %3, %4}\n\t"
-                     "cmp %0, %5\n\t"
-                     "bne 1b"
-                     : "+l"(at)
-                     : "l"(a), "l"(b), "l"(c), "l"(d), "l"(end)
-                     : "cc", "memory");
-#else
-    for (word *to = (word *)(void *)at; to != (const word *)(const void *)end; to += 4) {
-        to[0] = x;
-        to[1] = x;
-        to[2] = x;
-        to[3] = x;
-    }
-#endif
-}
-
-static void fill(uint8_t *at, size_t bytes, const pattern *stored)
-{
-    uint8_t *end = at + bytes;
-    while (at != end) {
-        size_t left = (size_t)(end - at);
-        if (((uintptr_t)at & 3) != 0 || left < 4) {
-            *at = stored->byte[(uintptr_t)at & 3];
-            at++;
-        } else if (!QTRI_WITH_FAST_PATHS || left < BLOCK_BYTES) {
-            *(word *)(void *)at = stored->word;
-            at += 4;
-        } else {
-            left &= ~(size_t)(BLOCK_BYTES - 1);
-            store_blocks(at, at + left, stored->word);
-            at += left;
-        }
-    }
-}
-
-/* Rows without gaps are one row. `bytes` > 0. */
-static void fill_rows(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t rows, uint32_t x)
-{
-    pattern stored = {x};
-    if (pitch == (ptrdiff_t)bytes) {
-        bytes *= (size_t)rows;
-        rows = 1;
-    }
-    for (int32_t row = 0; row < rows; row++) {
-        fill(first + row * pitch, bytes, &stored);
-    }
-}
-
-/* Where words do not hold whole pixels. */
-static void fill_row_of_pixels(const qtri_pixels *pixels, uint8_t *at, int32_t count,
-                               uint32_t stored)
-{
-    for (; count > 0; count -= MASK_PIXELS) {
-        pixels->fill(at, stored, UINT32_MAX, count < MASK_PIXELS ? count : MASK_PIXELS);
-        at += (ptrdiff_t)pixels->bytes * MASK_PIXELS;
-    }
-}
-
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth)
 {
     QTRI_ASSERT(surface != NULL);
@@ -145,30 +58,12 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
     if (bounds.x0 == bounds.x1) {
         return;
     }
-    int32_t columns = bounds.x1 - bounds.x0;
-    int32_t rows = bounds.y1 - bounds.y0;
-    ptrdiff_t stored_row = bounds.y0 - surface->first_row;
-    const qtri_pixels *pixels = surface->format->pixels;
-    const size_t pixel_bytes = pixels->bytes;
-    uint8_t *first = surface->pixels + stored_row * surface->pitch +
-                     (ptrdiff_t)(pixel_bytes * (size_t)bounds.x0);
-    uint32_t pixel = qtri_pixel_from_rgb(surface->format, color);
-    if (pixel_bytes == 1 || pixel_bytes == 2 || pixel_bytes == 4) {
-        if (pixel_bytes == 1) {
-            pixel = (pixel & 0xFF) * 0x101u;
-        }
-        if (pixel_bytes <= 2) {
-            pixel = (pixel & 0xFFFF) * 0x10001u;
-        }
-        fill_rows(first, surface->pitch, pixel_bytes * (size_t)columns, rows, pixel);
-    } else {
-        for (int32_t row = 0; row < rows; row++) {
-            fill_row_of_pixels(pixels, first + row * surface->pitch, columns, pixel);
-        }
-    }
+    qtri_fill_rect(surface, &bounds, qtri_pixel_from_rgb(surface->format, color));
     if (surface->depth != NULL) {
-        fill_rows((uint8_t *)(surface->depth + stored_row * surface->depth_pitch + bounds.x0),
-                  2 * surface->depth_pitch, 2 * (size_t)columns, rows, depth * 0x10001u);
+        ptrdiff_t stored_row = bounds.y0 - surface->first_row;
+        qtri_fill_rows((uint8_t *)(surface->depth + stored_row * surface->depth_pitch + bounds.x0),
+                       2 * surface->depth_pitch, 2 * (size_t)(bounds.x1 - bounds.x0),
+                       bounds.y1 - bounds.y0, depth * 0x10001u);
     }
 }
 

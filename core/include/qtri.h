@@ -27,18 +27,25 @@
  *   config.h     what the library is built with
  *   stroke.h     lines of any width, smooth edges, points
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
- *   antialias.h  smooth edges: edges.h, image.h           halo.h     bands that overlap
+ *   paint.h      flat shapes: rectangles to polygons      image.h    pictures: copied, turned
+ *   font.h       text                                     shapes.h   spheres, boxes and others
+ *   animation.h  keys, hierarchies, morphing              bounds.h   what encloses, what is seen
+ *   antialias.h  smooth edges: edges.h, filters.h         halo.h     bands that overlap
  */
 #ifndef QTRI_H
 #define QTRI_H
 
+#include "qtri/animation.h"
 #include "qtri/antialias.h"
 #include "qtri/blend.h"
+#include "qtri/bounds.h"
 #include "qtri/clip.h"
 #include "qtri/config.h"
 #include "qtri/draw.h"
 #include "qtri/edges.h"
 #include "qtri/error.h"
+#include "qtri/filters.h"
+#include "qtri/font.h"
 #include "qtri/format.h"
 #include "qtri/frame.h"
 #include "qtri/halo.h"
@@ -48,6 +55,7 @@
 #include "qtri/mat.h"
 #include "qtri/material.h"
 #include "qtri/mesh.h"
+#include "qtri/paint.h"
 #include "qtri/prepared.h"
 #include "qtri/q16.h"
 #include "qtri/q16_exp.h"
@@ -55,6 +63,7 @@
 #include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/raster.h"
+#include "qtri/shapes.h"
 #include "qtri/stroke.h"
 #include "qtri/surface.h"
 #include "qtri/texture.h"

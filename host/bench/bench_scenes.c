@@ -1,5 +1,9 @@
 #include "bench_scenes.h"
 
+#ifndef BENCH_PLAIN
+#include "bench_paint.h"
+#endif
+
 /*
  * Meshes are compact: 16-bit positions, 8-bit normals, 16-bit texture coordinates but for the
  * wall's, which reach 4. S4w and S5w: with the wide mesh, Q16.16 positions. S4k, S5k and S7k: as
@@ -10,7 +14,7 @@
  * the edge pass, S4es by sums. S4h: S4 of 2 x 2 samples, with the clear; S4f: S4 and FXAA. S4a and
  * S4m: only the addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of 64
  * points, 1 and 5 pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with
- * smooth edges; KH: S7 without hidden lines.
+ * smooth edges; KH: S7 without hidden lines. P1 to P10: bench_paint.h.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -22,6 +26,10 @@
 #define FLAT                 .shading = QTRI_FLAT_LAST
 #define BANDS                .band_rows = 16
 #define FORMAT               &qtri_rgb565
+#define PAINT(name_, paint_)                                                                       \
+    {                                                                                              \
+        .name = (name_), .work = BENCH_PAINT, .paint = (paint_)                                    \
+    }
 
 static const qtri_rgb white[4] = {
     {255, 255, 255}, {255, 255, 255}, {255, 255, 255}, {255, 255, 255}};
@@ -79,6 +87,19 @@ const bench_scene bench_scenes[] = {
     {.name = "KP", .work = BENCH_STROKE, .width = Q16(6), .points = true},
     {.name = "KW", MESH(COMPACT(spot), Q16(150)), .width = Q16(1)},
     {.name = "KH", MESH(COMPACT(spot), Q16(150)), .hidden = true},
+    PAINT("P1", bench_paint_rect),
+    PAINT("P2", bench_paint_rects),
+    PAINT("P3", bench_paint_alpha),
+    PAINT("P4", bench_paint_copy),
+    PAINT("P5", bench_paint_keyed),
+    PAINT("P6", bench_paint_turned),
+    PAINT("P7", bench_paint_circle),
+    PAINT("P8", bench_paint_smooth),
+    PAINT("P9", bench_paint_polygon),
+    {.name = "P10",
+     .work = BENCH_PAINT,
+     .paint = bench_paint_text,
+     .characters = BENCH_PAINT_CHARACTERS},
 #endif
     {.name = NULL},
 };
@@ -219,7 +240,9 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     if (scene->textured) {
         set_texture(frame, scene->work == BENCH_MESH ? QTRI_MODULATE : QTRI_REPLACE);
     }
-    if (scene->work == BENCH_QUAD) {
+    if (scene->work == BENCH_PAINT) {
+        set_texture(frame, QTRI_REPLACE); /* pictures are of its memory */
+    } else if (scene->work == BENCH_QUAD) {
         bench_set_quad(frame->corners, scene->quad, scene->colors);
     } else if (scene->work == BENCH_MESH) {
         set_mesh(frame);
@@ -277,6 +300,9 @@ void bench_draw(bench_frame *frame)
     case BENCH_CLEAR:
         qtri_surface_clear(&frame->surface, bench_background, UINT16_MAX);
         break;
+    case BENCH_PAINT:
+        frame->scene->paint(frame);
+        break;
     case BENCH_MESH:
 #ifndef BENCH_PLAIN
         if (frame->scene->width != 0 || frame->scene->hidden) {
@@ -300,6 +326,9 @@ void bench_draw(bench_frame *frame)
 
 uint32_t bench_triangles(const bench_scene *scene)
 {
+    if (scene->work == BENCH_PAINT) {
+        return scene->characters;
+    }
     return scene->mesh != NULL ? scene->mesh->triangle_count : scene->quad != NULL ? 2 : 0;
 }
 

@@ -16,11 +16,14 @@
 #define BENCH_HEIGHT      240
 #define BENCH_CORNERS_MAX (3 * BENCH_TRIANGLES_MAX)
 
+struct bench_frame;
+
 typedef enum bench_work {
     BENCH_CLEAR,  /* colour and depth */
     BENCH_QUAD,   /* two triangles */
     BENCH_MESH,   /* lit */
     BENCH_STROKE, /* a polyline or points, see bench_strokes.c */
+    BENCH_PAINT,  /* flat shapes, pictures and text: see bench_paint.h */
     BENCH_CORNERS /* the triangles of a wide mesh without indices or light, each with corners of its
                      own */
 } bench_work;
@@ -52,6 +55,8 @@ typedef struct bench_scene {
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
     uint32_t lights; /* not 0: the first of bench_sources, and highlights, in place of the light */
     bench_smooth smooth;
+    void (*paint)(struct bench_frame *frame);
+    uint32_t characters; /* that are painted */
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
@@ -118,6 +123,7 @@ void bench_draw_smooth(bench_frame *frame);
 void bench_finish_smooth(bench_frame *frame);
 
 /* Triangles that the draw call is given. */
+/* Triangles that the draw call is given; characters of text. */
 uint32_t bench_triangles(const bench_scene *scene);
 
 #ifndef BENCH_PLAIN

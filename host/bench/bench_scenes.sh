@@ -39,7 +39,7 @@ awk -F '\t' -v cores="$*" '
         target[name, "cortex-m0plus"] = m0plus; target[name, "cortex-m3"] = m3; target[name, "cortex-m4"] = m4
     }
     function figure_of(s, core) {
-        return instructions[s, core] / (unit[s] == "/px" ? pixels[s] : unit[s] == "/corner" ? 3 * triangles[s] : 1e6)
+        return instructions[s, core] / (unit[s] == "/px" ? pixels[s] : unit[s] == "/corner" ? 3 * triangles[s] : unit[s] == "/char" ? triangles[s] : 1e6)
     }
     function heading(from, to,   c) {
         printf "%-5s%8s%11s%9s", "scene", "pixels", "triangles", "unit"
@@ -62,6 +62,16 @@ awk -F '\t' -v cores="$*" '
         want("S10", "M", "", 1.4, 1.3)
         want("S11", "/px", 55, 35, "")
         want("ST", "/corner", "", "", "")
+        want("P1", "/px", 1.5, 1.5, 1.5)
+        want("P2", "/px", "", "", "")
+        want("P3", "/px", 45, 27, "")
+        want("P4", "/px", 4, 4, 4)
+        want("P5", "/px", 9, 9, 9)
+        want("P6", "/px", "", "", "")
+        want("P7", "/px", "", "", "")
+        want("P8", "/px", "", "", "")
+        want("P9", "/px", "", "", "")
+        want("P10", "/char", 1500, 900, 900)
         # Plain cores first, then those at -Os.
         n = split(cores, given, " ")
         for (c = 1; c <= n; c++) if (given[c] !~ /-Os$/) core[++plain] = given[c]

@@ -75,6 +75,18 @@ static const struct scene_statement statements[] = {
     {"pointsize",   {1, 2},    scene_statement_pointsize,     0, "SIZE [space]"},
     {"point",       {7, 7},    scene_statement_point,         0, "x y z w r g b"},
     {"mesh",        {1, 5},    scene_statement_mesh,          SCENE_MESH, "FILE.obj [color r g b]"},
+    {"ink",         {3, 4},    scene_statement_ink,           0, "R G B [ALPHA]"},
+    {"edges",       {1, 1},    scene_statement_edges,         0, "hard|smooth"},
+    {"rect",        {4, 5},    scene_statement_rect,          SCENE_PAINT, "x0 y0 x1 y1 [WIDTH]"},
+    {"roundrect",   {5, 6},    scene_statement_roundrect,     SCENE_PAINT, "x0 y0 x1 y1 RADIUS [WIDTH]"},
+    {"circle",      {3, 4},    scene_statement_circle,        SCENE_PAINT, "x y RADIUS [WIDTH]"},
+    {"arc",         {6, 6},    scene_statement_arc,           SCENE_PAINT, "x y RADIUS WIDTH FROM SWEEP"},
+    {"area",        {6, -16},  scene_statement_area,          SCENE_PAINT, "(x y) x3 to x8"},
+    {"stroke",      {5, 5},    scene_statement_stroke,        SCENE_PAINT, "x0 y0 x1 y1 WIDTH"},
+    {"font",        {1, 1},    scene_statement_font,          0, "FILE.bdf"},
+    {"text",        {3, -27},  scene_statement_text,          SCENE_PAINT, "x y WORD ..."},
+    {"imagekey",    {1, 3},    scene_statement_imagekey,      0, "off or imagekey r g b"},
+    {"image",       {3, 5},    scene_statement_image,         SCENE_PAINT, "FILE.ppm x y [DEGREES SCALE]"},
 };
 /* clang-format on */
 
@@ -193,7 +205,9 @@ static bool check_argument_count(struct scene_parser *parser)
     if (parser->argument_count == statement->counts[0] ||
         parser->argument_count == statement->counts[1] ||
         (statement->counts[1] == SCENE_ANY && parser->argument_count > statement->counts[0] &&
-         parser->argument_count <= SCENE_MAX_ARGUMENTS)) {
+         parser->argument_count <= SCENE_MAX_ARGUMENTS) ||
+        (parser->argument_count > statement->counts[0] &&
+         parser->argument_count <= -statement->counts[1])) {
         return true;
     }
     return scene_fail_count(parser);
@@ -280,6 +294,7 @@ static bool parse(const char *name, const char *text, size_t length, char *root,
     free(parser.root);
     free(parser.mesh_files);
     free(parser.texture.path);
+    scene_brush_free(&parser.brush);
     if (!ok) {
         scene_free(scene);
     }
@@ -365,5 +380,6 @@ void scene_free(struct scene *scene)
     free(scene->ops);
     free(scene->stroke_vertices);
     free(scene->texture.rgb);
+    scene_paints_free(&scene->paints);
     memset(scene, 0, sizeof *scene);
 }

@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #include "obj.h"
+#include "scene_paint.h"
 #include "text_error.h"
 
 #define SCENE_MAX_SIZE    4096 /* largest viewport width or height, pixels */
@@ -39,8 +40,9 @@ enum scene_op_kind {
     SCENE_PUSH,
     SCENE_POP, /* the parser guarantees that pops match pushes on each stack */
     SCENE_TRIANGLE /* vertex[0..2]; textured: whether it came from `trit` */,
-    SCENE_MESH,  /* mesh: index into scene.meshes; color: 0..1 */
-    SCENE_STROKE /* stroke: a line, a polyline or a point */
+    SCENE_MESH,   /* mesh: index into scene.meshes; color: 0..1 */
+    SCENE_STROKE, /* stroke: a line, a polyline or a point */
+    SCENE_PAINT /* paint: a flat shape, text or a picture; no matrix applies */
 };
 
 struct scene_vertex {
@@ -78,6 +80,7 @@ struct scene_op {
             int32_t color[3];
         } mesh;
         struct scene_stroke stroke;
+        struct scene_paint paint;
     } u;
 };
 
@@ -204,6 +207,7 @@ struct scene {
     struct obj_mesh *meshes; /* each file once, however often it is drawn */
     size_t mesh_count;
     uint32_t triangle_count; /* the largest id */
+    struct scene_paints paints;
 };
 
 /*

@@ -11,7 +11,7 @@
 /* ---- Files that a scene names ---- */
 
 /* An absolute path as it is, another one in the folder of the scene file. NULL with the error. */
-static char *path_of(struct scene_parser *parser, int argument)
+char *scene_path(struct scene_parser *parser, int argument)
 {
     const struct token *token = &parser->arguments[argument];
     if (token_is_binary(token)) {
@@ -59,8 +59,10 @@ static bool is_allowed(struct scene_parser *parser, const char *path,
 }
 
 /* Devices and pipes are refused: a scene from elsewhere should not be able to make us wait. */
-static bool inspect(struct scene_parser *parser, const char *path, struct file_identity *identity)
+bool scene_inspect(struct scene_parser *parser, const char *path, struct file_identity *identity)
 {
+    struct file_identity own;
+    identity = identity != NULL ? identity : &own;
     switch (file_inspect(path, identity)) {
     case FILE_REGULAR:
         return is_allowed(parser, path, identity);
@@ -110,7 +112,7 @@ static bool grow_meshes(struct scene_parser *parser)
 static bool find_or_read_mesh(struct scene_parser *parser, const char *path, size_t *mesh)
 {
     struct file_identity identity;
-    if (!inspect(parser, path, &identity)) {
+    if (!scene_inspect(parser, path, &identity)) {
         return false;
     }
     if (known_mesh(parser, &identity, mesh)) {
@@ -131,7 +133,7 @@ static bool find_or_read_mesh(struct scene_parser *parser, const char *path, siz
 
 bool scene_find_mesh(struct scene_parser *parser, int argument, size_t *mesh)
 {
-    char *path = path_of(parser, argument);
+    char *path = scene_path(parser, argument);
     bool found = path != NULL && find_or_read_mesh(parser, path, mesh);
     free(path);
     return found;
@@ -172,12 +174,11 @@ static bool request_checkers(struct scene_parser *parser, struct scene_texture_r
 
 static bool request_file(struct scene_parser *parser, struct scene_texture_request *request)
 {
-    request->path = path_of(parser, 0);
+    request->path = scene_path(parser, 0);
     if (request->path == NULL) {
         return false;
     }
-    struct file_identity identity;
-    if (!inspect(parser, request->path, &identity)) {
+    if (!scene_inspect(parser, request->path, NULL)) {
         free(request->path);
         return false;
     }

@@ -35,6 +35,18 @@ struct scene_texture_request {
     char *path;
 };
 
+/* What shapes, text and pictures are painted with from here on, and the files read so far. */
+struct scene_brush {
+    struct scene_paint paint;
+    bool is_set, has_font; /* `ink`, `font` were there */
+    struct scene_paint_file {
+        char *path;
+        bool is_font;
+        uint16_t index;
+    } * files;
+    size_t file_count, file_capacity, font_capacity, image_capacity, text_capacity;
+};
+
 struct scene_parser {
     const char *name;
     struct text_error *error;
@@ -58,6 +70,7 @@ struct scene_parser {
     struct scene_texture_request texture;
     int texformat_line; /* of the last `texformat`, in case its palette does not suffice */
     const struct scene_statement *texformat_statement;
+    struct scene_brush brush;
 };
 
 /* Takes the statement's arguments, whose number is right; false with the error set. */
@@ -66,7 +79,7 @@ typedef bool scene_handler(struct scene_parser *parser);
 struct scene_statement {
     const char *name;
     int counts[2]; /* permitted numbers of arguments; behind the first, SCENE_ANY: as the handler
-                      says */
+                      says; -n: up to n */
     scene_handler *handler;
     enum scene_op_kind kind; /* for scene_statement_numbers */
     const char *usage;       /* for messages */
@@ -95,6 +108,9 @@ bool scene_integer(struct scene_parser *parser, int argument, int minimum, int m
 bool scene_choice(struct scene_parser *parser, int argument, const char *const *words, int count,
                   int *choice);
 
+/* Appends an operation of the given kind; NULL with the error set when memory runs out. */
+struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind kind);
+
 /* ---- Handlers ---- */
 
 scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
@@ -112,6 +128,15 @@ scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_c
 scene_handler scene_statement_light, scene_statement_ambient, scene_statement_material,
     scene_statement_twosided, scene_statement_texgen;
 
+/* scene_paint.c */
+scene_handler scene_statement_ink, scene_statement_edges, scene_statement_font,
+    scene_statement_imagekey, scene_statement_rect, scene_statement_roundrect,
+    scene_statement_circle, scene_statement_arc, scene_statement_area, scene_statement_stroke,
+    scene_statement_text, scene_statement_image;
+
+void scene_brush_free(struct scene_brush *brush);
+
+/* scene_blend.c */
 scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity;
 
 scene_handler scene_statement_linewidth, scene_statement_linesmooth, scene_statement_linecap,
@@ -134,6 +159,13 @@ bool scene_read_vertex(struct scene_parser *parser, int first, bool textured, bo
                        struct scene_vertex *vertex);
 
 /* ---- Assets (scene_assets.c) ---- */
+
+/* The path that an argument names, seen from the scene file's folder; free() it. NULL with the
+   error. */
+char *scene_path(struct scene_parser *parser, int argument);
+
+/* Whether it is an ordinary file; `identity` may be NULL. False with the error. */
+bool scene_inspect(struct scene_parser *parser, const char *path, struct file_identity *identity);
 
 /* The index in scene->meshes of the file that an argument names; reads a file the first time. */
 bool scene_find_mesh(struct scene_parser *parser, int argument, size_t *mesh);

@@ -7,6 +7,7 @@
 #include "mesh.h"
 #include "raster.h"
 #include "raster_stroke.h"
+#include "paint.h"
 
 #include <assert.h>
 #include <math.h>
@@ -170,6 +171,9 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
         break;
     case SCENE_TRIANGLE:
         draw_single(replay, op);
+        break;
+    case SCENE_PAINT:
+        ref_paint(&replay->target, &op->u.paint);
         break;
     case SCENE_MESH:
         return ref_draw_mesh(&replay->target, op,

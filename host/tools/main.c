@@ -16,6 +16,7 @@ static const struct command commands[] = {
     {"demo", demo_main, "render the demo scenes beside their references"},
     {"mesh", mesh_main, "generate a mesh as an OBJ file"},
     {"neighbours", neighbours_main, "write a mesh's neighbours as C, for smooth outlines"},
+    {"font", font_main, "make a font for the core of a BDF file"},
 };
 
 static void help(FILE *out)

@@ -45,6 +45,7 @@ struct scene_resources {
     uint32_t vertex_count;
     uint32_t jitter; /* drawn from place `jitter` of 2^jitter_log2, see qtri_view_jitter() */
     int32_t jitter_log2;
+    struct scene_painting *painting; /* fonts and pictures */
 };
 
 enum scene_pass {
@@ -67,6 +68,11 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
 
 /* A colour 0..1 in 8 bits a channel. */
 qtri_rgb scene_rgb(const int32_t color[3]);
+/* The part that is about flat shapes, text and pictures, and the operations of this kind. */
+bool scene_painting_create(struct scene_resources *resources, const struct scene *scene);
+void scene_painting_free(struct scene_resources *resources);
+void scene_paint(const struct scene_resources *resources, const qtri_surface *surface,
+                 const struct scene_paint *paint);
 
 /* Clears the surface and draws the scene into the rows and scissor it has. */
 /*

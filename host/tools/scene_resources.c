@@ -124,7 +124,8 @@ bool scene_resources_create(struct scene_resources *resources, const struct scen
     resources->light.diffuse = scene->light.diffuse;
     scene_lights_create(resources, scene);
     resources->meshes = calloc(scene->mesh_count + 1, sizeof *resources->meshes);
-    bool ok = resources->meshes != NULL && scene_texture_create(resources, scene);
+    bool ok = resources->meshes != NULL && scene_texture_create(resources, scene) &&
+              scene_painting_create(resources, scene);
     for (size_t i = 0; ok && i < scene->mesh_count; i++) {
         struct scene_parts *parts = &resources->meshes[i];
         ok = parts_create(parts, &scene->meshes[i]);
@@ -163,5 +164,6 @@ void scene_resources_free(struct scene_resources *resources)
     free(resources->mask_texels);
     free(resources->vertices);
     free(resources->sphere_uvs);
+    scene_painting_free(resources);
     memset(resources, 0, sizeof *resources);
 }

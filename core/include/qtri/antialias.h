@@ -3,7 +3,7 @@
  *
  *   edges.h   the edge pass: outlines of meshes. What to use first: the best edges for 10 to 20 %
  *             more instructions and a bit a pixel.
- *   image.h   2x2 samples: all edges and what is in them, for three times the work;
+ *   filters.h   2x2 samples: all edges and what is in them, for three times the work;
  *             FXAA: pictures whose geometry is not at hand;
  *             sums of frames: what rests, as smooth as there is time for.
  *
@@ -15,7 +15,7 @@
 
 #include "edges.h"
 #include "halo.h"
-#include "image.h"
+#include "filters.h"
 #include "jitter.h"
 
 #endif

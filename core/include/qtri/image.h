@@ -1,110 +1,69 @@
 /*
- * Anti-aliasing of finished pixels, whatever they were drawn from.
+ * Pictures on a surface: copied, with a colour key, blended, scaled and turned.
  *
- * Each filter comes in two forms: one for every format, and NAME_565 for &qtri_rgb565 and others
- * that are stored like it, with the same pixels in a fraction of the time. Colours are mixed in
- * the steps of their format and rounded to nearest once.
- *
- * 2x2 samples a pixel: draw at twice the size, then halve.
- *
- *     qtri_frame_init(&frame, &qtri_rgb565, 2 * 240, 2 * 240, 2 * 8, memory, sizeof memory);
- *     qtri_view_init(&view, 2 * 240, 2 * 240);
- *     while (qtri_frame_next_band(&frame, &large)) {
- *         ... clear and draw on `large` ...
- *         qtri_halve_565(&large, &band);                 // 8 rows of 240 pixels, in its memory
- *         qtri_panel_write(&panel, &band);
- *     }
- *
- * FXAA (Lottes 2009): edges are guessed from the colours of neighbours. For pictures whose geometry
- * is not at hand, before text is drawn. In bands with a halo of QTRI_FXAA_HALO rows (halo.h).
- *
- *     static uint32_t rows[QTRI_FXAA_565_WORDS(240)];
- *     qtri_fxaa_565(&band, rows, sizeof rows / sizeof rows[0]);
- *
- * Temporal: what rests is drawn 4, 8 or 16 times, each time from a place a part of a pixel beside
- * (jitter.h), and averaged. Of the whole frame, or of each band, drawn as many times.
- *
- *     qtri_sum_clear(sums, sizeof sums / sizeof sums[0]);
- *     for (uint32_t n = 0; n < 16; n++) {
- *         qtri_view_jitter(&jittered, &view, n, 4);
- *         ... clear and draw with `jittered` ...
- *         qtri_sum_add_565(sums, QTRI_SUM_565_WORDS(240, 16), &band);
- *     }
- *     qtri_sum_store_565(&band, sums, QTRI_SUM_565_WORDS(240, 16), 4);
+ * A picture is memory in any format of surfaces: one drawn by the library itself, or constant data.
+ * What has the surface's own format is copied as it is stored; anything else is converted through 8
+ * bits a channel, 20 to 80 instructions a pixel on a Cortex-M0+. Everything is clipped, and a frame
+ * in bands has the pixels of the whole frame. Depth is neither tested nor written.
  */
 #ifndef QTRI_IMAGE_H
 #define QTRI_IMAGE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
-#include "error.h"
-#include "surface.h"
+#include "paint.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* ---- 2x2 samples ---- */
+typedef struct qtri_image {
+    const void *pixels;        /* of row 0, aligned for the format; NULL: nothing is painted */
+    ptrdiff_t pitch;           /* bytes from a row to the next; negative for bottom-up memory */
+    const qtri_format *format; /* NULL: nothing is painted */
+    int32_t width, height;     /* 1..QTRI_SURFACE_MAX; otherwise nothing is painted */
+    bool has_key;
+    uint32_t key; /* the stored pixel that is not painted, if has_key */
+} qtri_image;
+
+/* The picture that a surface holds: all rows of it, without a key. */
+qtri_image qtri_image_of(const qtri_surface *surface);
 
 /*
- * Makes one pixel of each 2 x 2 of a band, in the band's own memory; *out describes them: a frame
- * of half the size, its rows, half the scissor, rounded outwards, and no depth. Needs no other
- * memory: a band of 2 x 8 rows of 2 x 320 pixels takes 4 x 8 x 320 pixels of colour and depth,
- * 40 KB of RGB565. Pixels outside of out->scissor are not made; those whose four samples lie inside
- * of the band's scissor do not depend on it.
- * QTRI_ERROR_SIZE: width, height, first row or rows are odd. QTRI_ERROR_FORMAT: there is no format,
- * or for qtri_halve_565 another. *out is as it was then.
+ * The picture with its left upper corner at column x, row y. Of RGB565 on RGB565: 4 instructions a
+ * pixel at most, 9 with a key.
  */
-enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out);
-enum qtri_error qtri_halve_565(const qtri_surface *band, qtri_surface *out);
+void qtri_image_paint(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y);
 
-/* ---- FXAA ---- */
-
-/* How far it looks for the ends of an edge: along a row, and across rows. */
-#define QTRI_FXAA_REACH 12
-#define QTRI_FXAA_HALO  2
-
-/* Words of memory for surfaces of this width: old colours of five rows, and of three. */
-#define QTRI_FXAA_WORDS(width)     (5u * (uint32_t)(width))
-#define QTRI_FXAA_565_WORDS(width) (3u * (((uint32_t)(width) + 1u) / 2u))
+/* The same, mixed with what is there: alpha of 255 is the picture alone, 0 paints nothing. */
+void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
+                      uint8_t alpha);
 
 /*
- * Smooths what lies inside the scissor, in place. Pixels do not depend on band and scissor where
- * these have QTRI_FXAA_HALO rows and QTRI_FXAA_REACH columns more than what is shown.
- * QTRI_ERROR_MEMORY: too few words. QTRI_ERROR_FORMAT: for qtri_fxaa_565, another format. The
- * picture is as it was then.
+ * Where the pixels of a picture come to lie, Q16.16, x right and y down:
+ *
+ *     x' = xx x + xy y + x0        y' = yx x + yy y + y0
  */
-enum qtri_error qtri_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_t words);
-enum qtri_error qtri_fxaa_565(const qtri_surface *surface, uint32_t *memory, uint32_t words);
-
-/* ---- Sums of frames ---- */
-
-#define QTRI_SUM_FRAMES_LOG2_MAX 5 /* 32 frames */
-
-/* Words of memory for a surface of so many rows: two a pixel, and one. */
-#define QTRI_SUM_WORDS(width, rows)     (2u * (uint32_t)(width) * (uint32_t)(rows))
-#define QTRI_SUM_565_WORDS(width, rows) ((uint32_t)(width) * (uint32_t)(rows))
-
-/* Sums of no frame. */
-void qtri_sum_clear(uint32_t *sums, uint32_t words);
+typedef struct qtri_affine {
+    q16 xx, xy, x0, yx, yy, y0;
+} qtri_affine;
 
 /*
- * Adds the surface's pixels inside its scissor. After 32 frames sums are full: of more, what is
- * stored is undefined colours. QTRI_ERROR_MEMORY: too few words. QTRI_ERROR_FORMAT: for the form
- * for 565, another format. Nothing is added then.
+ * Scales a picture by (scale_x, scale_y), turns it by degrees, clockwise as seen in the picture,
+ * around its point `pivot`, and puts that to `place`: all Q16.16, pixels. Saturates.
  */
-enum qtri_error qtri_sum_add(uint32_t *sums, uint32_t words, const qtri_surface *surface);
-enum qtri_error qtri_sum_add_565(uint32_t *sums, uint32_t words, const qtri_surface *surface);
+void qtri_affine_place(qtri_affine *affine, q16 pivot_x, q16 pivot_y, q16 place_x, q16 place_y,
+                       q16 scale_x, q16 scale_y, q16 degrees);
 
 /*
- * Stores the mean of 2^frames_log2 frames (held to 0..5), rounded to nearest, halves up, inside the
- * surface's scissor. Errors as above. Sums stay as they are. Those that were added by one form are
- * for that form.
+ * The picture as `affine` says: each pixel whose centre it covers takes the picture's pixel there,
+ * nearest. One that does not turn and scales by 1 paints what qtri_image_blend does. A matrix
+ * without an inverse, or with one beyond 16384, paints nothing. The inverse is rounded to Q16.16:
+ * across n pixels the picture's coordinate is off by n / 131072 at most.
  */
-enum qtri_error qtri_sum_store(const qtri_surface *surface, const uint32_t *sums, uint32_t words,
-                               int32_t frames_log2);
-enum qtri_error qtri_sum_store_565(const qtri_surface *surface, const uint32_t *sums,
-                                   uint32_t words, int32_t frames_log2);
+void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *image,
+                             const qtri_affine *affine, uint8_t alpha);
 
 #ifdef __cplusplus
 }

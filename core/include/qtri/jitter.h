@@ -1,5 +1,5 @@
 /*
- * Views that are moved by a part of a pixel, for sums of frames (image.h).
+ * Views that are moved by a part of a pixel, for sums of frames (filters.h).
  */
 #ifndef QTRI_JITTER_H
 #define QTRI_JITTER_H

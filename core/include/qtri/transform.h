@@ -76,6 +76,29 @@ void qtri_transform_rotate_quat(qtri_transform *t, qtri_quat q);
 void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up);
 
 /*
+ * A camera that looks at `center` from a distance: azimuth degrees around it to the right of +z,
+ * elevation degrees above its horizon, past the poles as well. All 0: from +z, as look_at with +y.
+ */
+void qtri_transform_orbit(qtri_transform *t, qtri_vec3 center, q16 distance, q16 azimuth,
+                          q16 elevation);
+
+/*
+ * Billboards: turns what follows so that its x and y axes are those of the picture of `camera`, a
+ * product of turns, translations and even scales. With an upright one, y stays up and only z turns
+ * to the camera, as trees and people want it. A camera without directions does nothing.
+ */
+void qtri_transform_billboard(qtri_transform *t, const qtri_transform *camera);
+void qtri_transform_billboard_upright(qtri_transform *t, const qtri_transform *camera);
+
+/*
+ * Makes the linear part a rotation again, or one with a reflection, after so many products that
+ * roundings have stretched it: x keeps its direction, y the plane of the two, z follows. To 2^-28;
+ * ten thousand products of rotations are off by about 2^-17 without it. Translation and the row of
+ * w stay. Where x and y have no directions of their own, or z lies in their plane, nothing changes.
+ */
+void qtri_transform_orthonormalize(qtri_transform *t);
+
+/*
  * Projections to OpenGL clip space (-w..w). fovy: vertical field of view in (0, 180) degrees;
  * aspect: width / height; near and far: distances > 0. Source: COURSE formulae, glFrustum.
  *

@@ -4,7 +4,7 @@
 #ifndef QTRI_IMAGE_FXAA_H
 #define QTRI_IMAGE_FXAA_H
 
-#include "qtri/image.h"
+#include "qtri/filters.h"
 
 #include "mix.h"
 

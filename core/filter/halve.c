@@ -1,4 +1,4 @@
-#include "qtri/image.h"
+#include "qtri/filters.h"
 
 #include "mix.h"
 

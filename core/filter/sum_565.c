@@ -1,7 +1,7 @@
 /*
  * Sums of frames in lanes of a word; see sum.c and mix.h.
  */
-#include "qtri/image.h"
+#include "qtri/filters.h"
 
 #include "../frame/barrier.h"
 #include "mix.h"

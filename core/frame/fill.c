@@ -1,0 +1,161 @@
+#include "fill.h"
+
+/* Pixels that a mask has bits for. */
+#define MASK_PIXELS 32
+
+/* Stored to memory that is read as other types. */
+#ifdef __GNUC__
+typedef uint32_t __attribute__((__may_alias__)) word;
+#else
+typedef uint32_t word;
+#endif
+
+/* Four bytes of pixels or depths, as an aligned word and as its bytes lie in memory. */
+typedef union pattern {
+    uint32_t word;
+    uint8_t byte[4];
+} pattern;
+
+enum { BLOCK_BYTES = 64 };
+
+/* end - at is a multiple of BLOCK_BYTES and not 0. */
+static void store_blocks(uint8_t *at, const uint8_t *end, uint32_t x)
+{
+#if defined(__GNUC__) && defined(__thumb__)
+    /* GCC 12 stores several registers at once only what it has just loaded so. */
+    register uint32_t a __asm__("r3") = x;
+    register uint32_t b __asm__("r4") = x;
+    register uint32_t c __asm__("r5") = x;
+    register uint32_t d __asm__("r6") = x;
+    __asm__ volatile("1: stmia %0!, {%1, %2, %3, %4}\n\t"
+                     "stmia %0!, {%1, %2, %3, %4}\n\t"
+                     "stmia %0!, {%1, %2, %3, %4}\n\t"
+                     "stmia %0!, {%1, %2, %3, %4}\n\t"
+                     "cmp %0, %5\n\t"
+                     "bne 1b"
+                     : "+l"(at)
+                     : "l"(a), "l"(b), "l"(c), "l"(d), "l"(end)
+                     : "cc", "memory");
+#else
+    for (word *to = (word *)(void *)at; to != (const word *)(const void *)end; to += 4) {
+        to[0] = x;
+        to[1] = x;
+        to[2] = x;
+        to[3] = x;
+    }
+#endif
+}
+
+static void fill(uint8_t *at, size_t bytes, const pattern *stored)
+{
+    uint8_t *end = at + bytes;
+    while (at != end) {
+        size_t left = (size_t)(end - at);
+        if (((uintptr_t)at & 3) != 0 || left < 4) {
+            *at = stored->byte[(uintptr_t)at & 3];
+            at++;
+        } else if (!QTRI_WITH_FAST_PATHS || left < BLOCK_BYTES) {
+            const uint8_t *stop = at + (left & ~(size_t)3);
+            do {
+                *(word *)(void *)at = stored->word;
+                at += 4;
+            } while (at != stop);
+        } else {
+            left &= ~(size_t)(BLOCK_BYTES - 1);
+            store_blocks(at, at + left, stored->word);
+            at += left;
+        }
+    }
+}
+
+void qtri_fill_rows(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t rows, uint32_t value)
+{
+    pattern stored = {value};
+    if (pitch == (ptrdiff_t)bytes) {
+        bytes *= (size_t)rows;
+        rows = 1;
+    }
+    for (int32_t row = 0; row < rows; row++) {
+        fill(first + row * pitch, bytes, &stored);
+    }
+}
+
+/* Memory of pixels of another size than a word has room for. */
+static void fill_row_of_pixels(const qtri_pixels *pixels, uint8_t *at, int32_t count,
+                               uint32_t stored)
+{
+    for (; count > 0; count -= MASK_PIXELS) {
+        pixels->fill(at, stored, UINT32_MAX, count < MASK_PIXELS ? count : MASK_PIXELS);
+        at += (ptrdiff_t)pixels->bytes * MASK_PIXELS;
+    }
+}
+
+/* Four pixels of three bytes, as they lie in memory, are three words. */
+typedef union pattern24 {
+    uint32_t word[3];
+    uint8_t byte[12];
+} pattern24;
+
+/* Pixels until a word begins, eight at a time as words, and the rest. */
+static void fill_row_24(uint8_t *at, int32_t count, uint32_t stored)
+{
+    pattern24 four;
+    for (int i = 0; i < 12; i += 3) {
+        four.byte[i] = (uint8_t)stored;
+        four.byte[i + 1] = (uint8_t)(stored >> 8);
+        four.byte[i + 2] = (uint8_t)(stored >> 16);
+    }
+    for (; count > 0 && ((uintptr_t)at & 3) != 0; count--) { /* 3 n = 0 modulo 4 within 3 steps */
+        at[0] = (uint8_t)stored;
+        at[1] = (uint8_t)(stored >> 8);
+        at[2] = (uint8_t)(stored >> 16);
+        at += 3;
+    }
+    const uint32_t a = four.word[0];
+    const uint32_t b = four.word[1];
+    const uint32_t c = four.word[2];
+    for (; count >= 8; count -= 8) {
+        word *to = (word *)(void *)at;
+        to[0] = a;
+        to[1] = b;
+        to[2] = c;
+        to[3] = a;
+        to[4] = b;
+        to[5] = c;
+        at += 24;
+    }
+    for (; count > 0; count--) {
+        at[0] = (uint8_t)stored;
+        at[1] = (uint8_t)(stored >> 8);
+        at[2] = (uint8_t)(stored >> 16);
+        at += 3;
+    }
+}
+
+void qtri_fill_rect(const qtri_surface *surface, const qtri_rect *rect, uint32_t stored)
+{
+    const qtri_pixels *pixels = surface->format->pixels;
+    const size_t pixel_bytes = pixels->bytes;
+    const int32_t columns = rect->x1 - rect->x0;
+    const int32_t rows = rect->y1 - rect->y0;
+    uint8_t *first = surface->pixels + (ptrdiff_t)(rect->y0 - surface->first_row) * surface->pitch +
+                     (ptrdiff_t)(pixel_bytes * (size_t)rect->x0);
+    if (pixel_bytes == 1 || pixel_bytes == 2 || pixel_bytes == 4) {
+        if (pixel_bytes == 1) {
+            stored = (stored & 0xFF) * 0x101u;
+        }
+        if (pixel_bytes <= 2) {
+            stored = (stored & 0xFFFF) * 0x10001u;
+        }
+        qtri_fill_rows(first, surface->pitch, pixel_bytes * (size_t)columns, rows, stored);
+        return;
+    }
+    for (int32_t row = 0; row < rows; row++) {
+        if (pixel_bytes == 3) {
+            fill_row_24(first, columns, stored);
+        } else {
+            fill_row_of_pixels(pixels, first, columns, stored);
+        }
+        first += surface->pitch;
+    }
+}

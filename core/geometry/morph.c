@@ -1,0 +1,67 @@
+#include "qtri/animation.h"
+
+#include <stddef.h>
+
+#include "../bits/bits.h"
+
+/* a + (b - a) t, rounded: (2^16 - 1) 2^16 + 2^15 < 2^32, as an unsigned sum that does not wrap. */
+static int16_t between(int16_t a, int16_t b, uint32_t t)
+{
+    const int32_t d = b - a;
+    const uint32_t way = (qtri_magnitude32(d) * t + 0x8000u) >> 16;
+    return (int16_t)(d < 0 ? a - (int32_t)way : a + (int32_t)way);
+}
+
+void qtri_morph_positions(qtri_position16 *out, const qtri_position16 *from,
+                          const qtri_position16 *to, uint32_t count, q16 t)
+{
+    const uint32_t part = (uint32_t)q16_clamp(t, 0, Q16_ONE);
+    for (uint32_t i = 0; i < count; i++) {
+        const qtri_position16 p = {between(from[i].x, to[i].x, part),
+                                   between(from[i].y, to[i].y, part),
+                                   between(from[i].z, to[i].z, part)};
+        out[i] = p;
+    }
+}
+
+void qtri_morph_targets(qtri_position16 *out, const qtri_position16 *base,
+                        const qtri_position16 *const *target, const q16 *weight, int32_t targets,
+                        uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const int16_t p[3] = {base[i].x, base[i].y, base[i].z};
+        int64_t
+            sum[3]; /* each target adds less than 2^47: held below 2^60, far beyond any result */
+        for (int k = 0; k < 3; k++) {
+            sum[k] = (int64_t)p[k] * 65536;
+        }
+        for (int32_t n = 0; n < targets; n++) {
+            const int16_t q[3] = {target[n][i].x, target[n][i].y, target[n][i].z};
+            for (int k = 0; k < 3; k++) {
+                const int64_t most = (int64_t)1 << 60;
+                sum[k] += qtri_mul_s32(weight[n], q[k] - p[k]);
+                sum[k] = sum[k] > most ? most : (sum[k] < -most ? -most : sum[k]);
+            }
+        }
+        int16_t held[3];
+        for (int k = 0; k < 3; k++) {
+            held[k] = (int16_t)qtri_hold32(qtri_saturate32((sum[k] + 0x8000) >> 16), -32767, 32767);
+        }
+        const qtri_position16 result = {held[0], held[1], held[2]};
+        out[i] = result;
+    }
+}
+
+void qtri_frames_positions(qtri_position16 *out, const qtri_position16 *positions, int32_t frames,
+                           uint32_t count, q16 at)
+{
+    if (frames < 1) {
+        return;
+    }
+    const int32_t number = frames < 32767 ? frames : 32767;
+    const q16 place = q16_mod(at, number * 65536);
+    const uint32_t from = (uint32_t)place >> 16;
+    const uint32_t to = from + 1 < (uint32_t)number ? from + 1 : 0;
+    qtri_morph_positions(out, positions + (size_t)from * count, positions + (size_t)to * count,
+                         count, place & 0xFFFF);
+}

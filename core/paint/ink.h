@@ -1,0 +1,104 @@
+/*
+ * From shapes to pixels. Internal.
+ *
+ * A shape is an outline: edges that go down the picture, straight ones and quarters of circles,
+ * each with the direction in which the outline passes it. A row of pixels is painted from the edges
+ * that cross it, and knows nothing of other rows: any split into bands paints the same.
+ */
+#ifndef QTRI_PAINT_INK_H
+#define QTRI_PAINT_INK_H
+
+#include <stdbool.h>
+
+#include "qtri/paint.h"
+
+#include "../frame/pixel.h"
+
+/* The brush, made ready for a surface. */
+typedef struct qtri_painter {
+    const qtri_surface *surface;
+    const qtri_ink *ink;
+    qtri_rect bounds;       /* not empty */
+    uint32_t stored;        /* the brush's colour as a pixel */
+    qtri_channels channels; /* and exactly; only with an ink */
+    uint32_t alpha;         /* 1..255 */
+} qtri_painter;
+
+/* Half-open in y: y0 < y1. Across, x0 belongs to y0 and x1 to y1. */
+typedef struct qtri_edge {
+    int32_t x0, y0, x1, y1;           /* 24.8 */
+    int32_t center_x, center_y, side; /* of an arc: x = center_x + side sqrt(r r - (y - cy)^2) */
+    int32_t radius;                   /* 0: straight */
+    int32_t winding;                  /* +1: the outline goes down here, -1: up */
+} qtri_edge;
+
+/* Edges, or the sides of a polygon. */
+typedef struct qtri_outline {
+    const qtri_edge *edges;
+    const qtri_point *points; /* NULL: edges */
+    int32_t count;            /* of one or the other */
+} qtri_outline;
+
+/* x of an edge at y0 <= y <= y1, rounded to 1/256. */
+int32_t qtri_edge_x(const qtri_edge *edge, int32_t y_24p8);
+
+/* Edge i of an outline; false: a side of the polygon is horizontal. */
+bool qtri_outline_edge(const qtri_outline *outline, int32_t i, qtri_edge *edge);
+
+struct qtri_ink {
+    /* `count` > 0 pixels from `at` on, covered by the same share, 1..255. */
+    void (*span)(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
+    /* One share each, 0..255. */
+    void (*cover)(const qtri_painter *painter, uint8_t *at, int32_t count, const uint8_t *coverage);
+    /* A row of an outline, and a rectangle. */
+    void (*row)(const qtri_painter *painter, const qtri_outline *outline, int32_t row);
+    void (*rect)(const qtri_painter *painter, const qtri_area *box);
+};
+
+/* False: nothing is to be painted. */
+bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface,
+                        const qtri_brush *brush);
+
+/* Where a pixel of a row that is held is stored. */
+uint8_t *qtri_painter_at(const qtri_painter *painter, int32_t x, int32_t row);
+
+/* Columns x0..x1-1 of a row within bounds, clipped, covered by one share, 1..255. */
+void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int32_t x1,
+                       uint32_t coverage);
+
+/* Whole pixels of a rectangle, clipped. */
+void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect);
+
+/* Those whose centres lie inside: what rows and rectangles become without smooth edges. */
+void qtri_hard_row(const qtri_painter *painter, const qtri_outline *outline, int32_t row);
+void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box);
+
+/* Paints an outline. */
+void qtri_paint_outline(const qtri_surface *surface, const qtri_outline *outline,
+                        const qtri_brush *brush);
+
+/* Blended pixels, in any format; see ink_blend.c. */
+void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
+void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
+                      const uint8_t *coverage);
+
+/* The first pixel whose centre lies at x or behind it. */
+static inline int32_t qtri_first_center(int32_t x_24p8)
+{
+    return (x_24p8 + 127) >> 8;
+}
+
+static inline int32_t qtri_hold_24p8(int32_t x)
+{
+    return x < -QTRI_PAINT_MAX_24P8 ? -QTRI_PAINT_MAX_24P8
+                                    : (x > QTRI_PAINT_MAX_24P8 ? QTRI_PAINT_MAX_24P8 : x);
+}
+
+static inline qtri_area qtri_hold_area(const qtri_area *box)
+{
+    qtri_area held = {qtri_hold_24p8(box->x0_24p8), qtri_hold_24p8(box->y0_24p8),
+                      qtri_hold_24p8(box->x1_24p8), qtri_hold_24p8(box->y1_24p8)};
+    return held;
+}
+
+#endif

@@ -1,0 +1,230 @@
+#include "crossing.h"
+
+#include "../bits/multiply.h"
+#include "../bits/reciprocal.h"
+
+/*
+ * Area of a pixel to the right of an edge, summed with the edges' directions, is what the outline
+ * covers of it: the sum in 1/512 by 1/256 pixel, so FULL is all.
+ *
+ * A window of pixels has a sum each: what an edge adds within one pixel, and the rest of what it
+ * adds to the next one, so that the sum of all sums so far is the share of a pixel. Wherever a
+ * window begins, a pixel's sum is the same: an edge is cut at the sides of columns, each cut being
+ * a function of the edge and the column alone, and what lies left of the window is the difference
+ * of two of them.
+ */
+enum { WINDOW = 32 };
+
+#define FULL ((int32_t)512 * 256)
+
+typedef struct window {
+    int32_t x; /* its first column */
+    int32_t sum[WINDOW + 1];
+} window;
+
+/* A straight piece of an edge from left to right, y in the row. */
+typedef struct piece {
+    int32_t x0, y0, x1, y1;
+    int32_t zeros;       /* of x1 - x0, */
+    uint32_t reciprocal; /*   and its reciprocal */
+} piece;
+
+/* y0 + (y1 - y0) (x - x0) / (x1 - x0), rounded; x0 <= x <= x1. Monotone in x. */
+static int32_t piece_y(const piece *p, int32_t x)
+{
+    if (x == p->x1) {
+        return p->y1;
+    }
+    const uint32_t n = (uint32_t)(x - p->x0) << (p->zeros - 1); /* < 2^31 */
+    const int32_t t_q21 = (int32_t)(qtri_mul_high31(n, p->reciprocal) >> 8);
+    return p->y0 + (((p->y1 - p->y0) * t_q21 + ((int32_t)1 << 20)) >> 21); /* |.| <= 2^29 + 2^20 */
+}
+
+/* `height` of an edge, with its sign, whose ends are `ends` in 1/256 behind the column's side. */
+static void add(window *w, int32_t column, int32_t height, int32_t ends)
+{
+    w->sum[column] += height * (512 - ends);
+    w->sum[column + 1] += height * ends;
+}
+
+static void add_piece(window *w, int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t winding)
+{
+    const int32_t left = w->x * 256;
+    const int32_t right = left + WINDOW * 256;
+    const int32_t height = winding * (y1 - y0);
+    piece p = {x0, y0, x1, y1, 0, 0};
+    if (x0 > x1) {
+        const piece turned = {x1, y1, x0, y0, 0, 0};
+        p = turned;
+    }
+    if (p.x0 >= right) {
+        return;
+    }
+    if (p.x1 <= left) {
+        w->sum[0] += height * 512;
+        return;
+    }
+    if (p.x0 >> 8 == (p.x1 - 1) >> 8 || p.x0 == p.x1) {
+        const int32_t column = p.x0 >> 8;
+        add(w, column - w->x, height, p.x0 + p.x1 - 2 * 256 * column);
+        return;
+    }
+    p.zeros = qtri_clz32((uint32_t)(p.x1 - p.x0));
+    p.reciprocal = (uint32_t)qtri_reciprocal_below((uint32_t)(p.x1 - p.x0) << p.zeros);
+    const int32_t sign = p.y1 > p.y0 ? winding : -winding;
+    int32_t x = p.x0;
+    int32_t y = p.y0;
+    if (x < left) {
+        y = piece_y(&p, left);
+        w->sum[0] += sign * (y - p.y0) * 512;
+        x = left;
+    }
+    while (x < p.x1 && x < right) {
+        const int32_t side = x & ~(int32_t)255;
+        const int32_t to = qtri_least32(side + 256, p.x1);
+        const int32_t to_y = piece_y(&p, to);
+        add(w, (side - left) >> 8, sign * (to_y - y), x + to - 2 * side);
+        x = to;
+        y = to_y;
+    }
+}
+
+/*
+ * Chords of an arc. One of length l leaves the arc of radius r by l^2 / 8 r; a 64th of a pixel is
+ * 4 / 256. Where the arc is steep, four chords have a quarter of its length each, or little more;
+ * near its highest and lowest point 16 of equal height h leave it by h / 4, a 64th again.
+ */
+static int32_t chords_of(const qtri_crossing *c)
+{
+    const int32_t across = qtri_least32(c->x1 > c->x0 ? c->x1 - c->x0 : c->x0 - c->x1, 32767);
+    const int32_t down = c->y1 - c->y0;
+    const uint32_t square = (uint32_t)(across * across) + (uint32_t)(down * down); /* < 2^31 */
+    const uint32_t radius = (uint32_t)c->arc->radius;                              /* <= 2^22 */
+    if (square <= 32 * radius) {
+        return 1;
+    }
+    return square <= 256 * radius && across <= 2 * down ? 4 : 16;
+}
+
+static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
+{
+    const int32_t chords = c->arc == NULL ? 1 : chords_of(c);
+    const int32_t least = qtri_least32(c->x0, c->x1);
+    const int32_t most = qtri_greatest32(c->x0, c->x1);
+    if (chords == 1 || most <= w->x * 256 || least >= (w->x + WINDOW) * 256) {
+        add_piece(w, c->x0, c->y0, c->x1, c->y1, c->winding);
+        return;
+    }
+    int32_t x = c->x0;
+    int32_t y = c->y0;
+    for (int32_t i = 1; i <= chords; i++) {
+        const int32_t to_y = c->y0 + (c->y1 - c->y0) * i / chords;
+        const int32_t to = i == chords ? c->x1 : qtri_edge_x(c->arc, row * 256 + to_y);
+        if (to_y > y) {
+            add_piece(w, x, y, to, to_y, c->winding);
+        }
+        x = to;
+        y = to_y;
+    }
+}
+
+/* Of 255. What is covered more than once is covered. */
+static uint32_t coverage_of(int32_t sum)
+{
+    const uint32_t share = qtri_magnitude32(sum);
+    return share >= (uint32_t)FULL ? 255 : (share * 255 + FULL / 2) / FULL;
+}
+
+/*
+ * Adds what begins before the window's end. *busy: the end of the pixels that edges pass through;
+ * *next: where the first edge behind the window begins.
+ */
+static void fill_window(window *w, const qtri_crossings *crossings, int32_t row, int32_t *busy,
+                        int32_t *next)
+{
+    for (int i = 0; i <= WINDOW; i++) {
+        w->sum[i] = 0;
+    }
+    *busy = w->x;
+    *next = INT32_MAX;
+    int32_t position = 0;
+    qtri_crossing room;
+    const qtri_crossing *c;
+    while ((c = qtri_crossings_next(crossings, &position, &room)) != NULL) {
+        const int32_t first = qtri_least32(c->x0, c->x1) >> 8;
+        if (first >= w->x + WINDOW) {
+            *next = qtri_least32(*next, first);
+            continue;
+        }
+        *busy = qtri_greatest32(*busy, (qtri_greatest32(c->x0, c->x1) + 255) >> 8);
+        add_crossing(w, c, row);
+    }
+}
+
+/* Windows where edges are, even runs between. */
+static void smooth_row(const qtri_painter *painter, const qtri_outline *outline, int32_t row)
+{
+    qtri_crossings crossings;
+    qtri_crossings_init(&crossings, outline, row, false);
+    const int32_t end = painter->bounds.x1;
+    window w;
+    w.x = painter->bounds.x0;
+    while (w.x < end) {
+        int32_t busy;
+        int32_t next;
+        fill_window(&w, &crossings, row, &busy, &next);
+        int32_t count = qtri_least32(qtri_least32(busy, end) - w.x, WINDOW);
+        int32_t sum = 0;
+        if (count > 0) {
+            uint8_t coverage[WINDOW];
+            for (int32_t i = 0; i < count; i++) {
+                sum += w.sum[i];
+                coverage[i] = (uint8_t)coverage_of(sum);
+            }
+            painter->ink->cover(painter, qtri_painter_at(painter, w.x, row), count, coverage);
+        }
+        w.x += count;
+        if (busy > w.x) {
+            continue; /* the window was too short */
+        }
+        sum += w.sum[count]; /* no edge goes further */
+        const uint32_t even = coverage_of(sum);
+        if (even != 0) {
+            qtri_painter_span(painter, row, w.x, next, even);
+        }
+        w.x = next;
+    }
+}
+
+/* What [from, to) covers of the pixel or row i, in 1/256. */
+static int32_t share_of(int32_t i, int32_t from, int32_t to)
+{
+    return qtri_least32(to - i * 256, 256) - qtri_greatest32(from - i * 256, 0);
+}
+
+/* Each share is a product of two: exact. */
+static void smooth_rect(const qtri_painter *painter, const qtri_area *box)
+{
+    const int32_t left = box->x0_24p8 >> 8;
+    const int32_t right = (box->x1_24p8 - 1) >> 8;
+    const uint32_t first = (uint32_t)share_of(left, box->x0_24p8, box->x1_24p8);
+    const uint32_t last = (uint32_t)share_of(right, box->x0_24p8, box->x1_24p8);
+    int32_t row = qtri_greatest32(box->y0_24p8 >> 8, painter->bounds.y0);
+    const int32_t end = qtri_least32((box->y1_24p8 + 255) >> 8, painter->bounds.y1);
+    for (; row < end; row++) {
+        const uint32_t rows = (uint32_t)share_of(row, box->y0_24p8, box->y1_24p8);
+        const uint32_t share[3] = {(first * rows * 255 + 0x8000) >> 16, (rows * 255 + 128) >> 8,
+                                   (last * rows * 255 + 0x8000) >> 16};
+        if (share[0] != 0) {
+            qtri_painter_span(painter, row, left, left + 1, share[0]);
+        }
+        if (share[1] != 0) {
+            qtri_painter_span(painter, row, left + 1, right, share[1]);
+        }
+        if (right > left && share[2] != 0) {
+            qtri_painter_span(painter, row, right, right + 1, share[2]);
+        }
+    }
+}
+
+const qtri_ink qtri_ink_smooth = {qtri_blend_span, qtri_blend_cover, smooth_row, smooth_rect};

@@ -1,0 +1,177 @@
+/*
+ * Two stored pixels become one: d (256 - a) + s a, a being 0..256, each channel rounded once.
+ * Internal.
+ *
+ * A weight of 255 steps in 256 is off by 1/512: with the rounding, 1 of 255 and .63 of a step of
+ * RGB565.
+ *
+ * Channels that are whole bytes may stand in any order, and those of RGB565 may have their bytes
+ * exchanged: such pixels are mixed as they are stored, two channels at a time. Of other formats
+ * only what `decode` and `encode` say is known.
+ */
+#ifndef QTRI_PAINT_MIX_H
+#define QTRI_PAINT_MIX_H
+
+#include "../bits/bits.h"
+#include "../frame/pixel.h"
+
+typedef enum qtri_mix {
+    QTRI_MIX_GRAY8,
+    QTRI_MIX_565,
+    QTRI_MIX_565_SWAPPED,
+    QTRI_MIX_24,
+    QTRI_MIX_32,
+    QTRI_MIX_OTHER
+} qtri_mix;
+
+qtri_mix qtri_mix_of(const qtri_format *format);
+
+/* coverage alpha / 255^2 of 256, rounded: 258 / 2^16 is 256 / 255^2 within 2^-18. */
+static inline uint32_t qtri_mix_weight(uint32_t coverage, uint32_t alpha)
+{
+    return (coverage * alpha * 258u + 0x8000u) >> 16;
+}
+
+/* Two channels of up to 8 bits at bits 0 and 16: 255 * 256 + 128 < 2^16. */
+static inline uint32_t qtri_mix_lanes(uint32_t d, uint32_t s, uint32_t a)
+{
+    return (d * (256 - a) + s * a + 0x00800080u) >> 8;
+}
+
+static inline uint32_t qtri_mix_bytes(uint32_t d, uint32_t s, uint32_t a)
+{
+    const uint32_t mask = 0x00FF00FFu;
+    const uint32_t low = qtri_mix_lanes(d & mask, s & mask, a) & mask;
+    return low | (qtri_mix_lanes(d >> 8 & mask, s >> 8 & mask, a) & mask) << 8;
+}
+
+static inline uint32_t qtri_lanes_565(uint32_t x)
+{
+    return (x & 0x1F) | (x & 0xF800) << 5;
+}
+
+static inline uint32_t qtri_mix_565(uint32_t d, uint32_t s, uint32_t a)
+{
+    const uint32_t rb = qtri_mix_lanes(qtri_lanes_565(d), qtri_lanes_565(s), a);
+    const uint32_t g = ((d >> 5 & 63) * (256 - a) + (s >> 5 & 63) * a + 128) >> 8;
+    return (rb & 0x1F) | g << 5 | (rb >> 5 & 0xF800);
+}
+
+static inline uint32_t qtri_swapped16(uint32_t x)
+{
+    return (x & 0xFF) << 8 | (x >> 8 & 0xFF);
+}
+
+/* Of a format whose pixels are nothing that is known here. */
+uint32_t qtri_mix_other(const qtri_format *format, uint32_t d, uint32_t s, uint32_t a);
+
+QTRI_INLINE uint32_t qtri_mix_stored(qtri_mix mix, const qtri_format *format, uint32_t d,
+                                     uint32_t s, uint32_t a)
+{
+    switch (mix) {
+    case QTRI_MIX_GRAY8:
+        return qtri_mix_lanes(d, s & 0xFF, a);
+    case QTRI_MIX_565:
+        return qtri_mix_565(d, s, a);
+    case QTRI_MIX_565_SWAPPED:
+        return qtri_swapped16(qtri_mix_565(qtri_swapped16(d), qtri_swapped16(s), a));
+    case QTRI_MIX_24:
+    case QTRI_MIX_32:
+        return qtri_mix_bytes(d, s, a);
+    default:
+        return qtri_mix_other(format, d, s, a);
+    }
+}
+
+/* A colour times its weight with the half that rounds, as lanes: what is added to every pixel. */
+typedef struct qtri_mix_share {
+    uint32_t low, high; /* bits 0 and 16 on; of RGB565 low is blue and red, high green */
+} qtri_mix_share;
+
+/* n.16 up to 255.0 times a, less than 2^24 in 1/256; the half that rounds is added. */
+static inline uint32_t qtri_mix_channel(int32_t channel, uint32_t a)
+{
+    return ((uint32_t)channel >> 8) * a / 256 + 128;
+}
+
+/* Of the exact colour where channels are coarse, of the stored one where a step is 1 of 255. */
+QTRI_INLINE qtri_mix_share qtri_mix_share_of(qtri_mix mix, const qtri_channels *channels,
+                                             uint32_t stored, uint32_t a)
+{
+    const int32_t *c = channels->c;
+    const uint32_t mask = 0x00FF00FFu;
+    qtri_mix_share share;
+    if (mix == QTRI_MIX_GRAY8) {
+        share.low = qtri_mix_channel(c[0] + c[1] + c[2], a);
+        share.high = 0;
+    } else if (mix == QTRI_MIX_24 || mix == QTRI_MIX_32) {
+        share.low = (stored & mask) * a + 0x00800080u;
+        share.high = (stored >> 8 & mask) * a + 0x00800080u;
+    } else {
+        share.low = qtri_mix_channel(c[2], a) | qtri_mix_channel(c[0], a) << 16;
+        share.high = qtri_mix_channel(c[1], a);
+    }
+    return share;
+}
+
+/* d (256 - a) and that share. */
+QTRI_INLINE uint32_t qtri_mix_add(qtri_mix mix, uint32_t d, uint32_t keep, qtri_mix_share share)
+{
+    const uint32_t mask = 0x00FF00FFu;
+    if (mix == QTRI_MIX_GRAY8) {
+        return (d * keep + share.low) >> 8;
+    }
+    if (mix == QTRI_MIX_24 || mix == QTRI_MIX_32) {
+        const uint32_t low = (d & mask) * keep + share.low;
+        const uint32_t high = (d >> 8 & mask) * keep + share.high;
+        return (low >> 8 & mask) | (high & ~mask);
+    }
+    d = mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(d) : d;
+    const uint32_t rb = (qtri_lanes_565(d) * keep + share.low) >> 8;
+    const uint32_t g = ((d >> 5 & 63) * keep + share.high) >> 8;
+    d = (rb & 0x1F) | g << 5 | (rb >> 5 & 0xF800);
+    return mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(d) : d;
+}
+
+QTRI_INLINE uint32_t qtri_mix_get(qtri_mix mix, const qtri_format *format, const uint8_t *at)
+{
+    switch (mix) {
+    case QTRI_MIX_GRAY8:
+        return at[0];
+    case QTRI_MIX_565:
+    case QTRI_MIX_565_SWAPPED:
+        return *(const uint16_t *)(const void *)at;
+    case QTRI_MIX_24:
+        return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
+    case QTRI_MIX_32:
+        return *(const uint32_t *)(const void *)at;
+    default:
+        return format->pixels->load(at);
+    }
+}
+
+QTRI_INLINE void qtri_mix_put(qtri_mix mix, const qtri_format *format, uint8_t *at, uint32_t stored)
+{
+    switch (mix) {
+    case QTRI_MIX_GRAY8:
+        at[0] = (uint8_t)stored;
+        break;
+    case QTRI_MIX_565:
+    case QTRI_MIX_565_SWAPPED:
+        *(uint16_t *)(void *)at = (uint16_t)stored;
+        break;
+    case QTRI_MIX_24:
+        at[0] = (uint8_t)stored;
+        at[1] = (uint8_t)(stored >> 8);
+        at[2] = (uint8_t)(stored >> 16);
+        break;
+    case QTRI_MIX_32:
+        *(uint32_t *)(void *)at = stored;
+        break;
+    default:
+        format->pixels->fill(at, stored, 1, 1);
+        break;
+    }
+}
+
+#endif

@@ -1,0 +1,52 @@
+/*
+ * What the ways to paint a picture share. Internal.
+ *
+ * Where rows are not just copied, up to 32 pixels are taken out of the picture as they are stored
+ * there, with a mask of those that are painted, become pixels as the surface stores them, and are
+ * stored or mixed: stages, so that formats need no loops of their own for each other.
+ */
+#ifndef QTRI_PAINT_PICTURE_H
+#define QTRI_PAINT_PICTURE_H
+
+#include "qtri/image.h"
+
+#include "mix.h"
+#include "stored.h"
+
+enum { QTRI_PICTURE_BATCH = 32 };
+
+bool qtri_picture_is_usable(const qtri_image *image);
+
+/* Whether a pixel means the same as a pixel of the surface. */
+bool qtri_picture_is_alike(const qtri_image *image, const qtri_surface *surface);
+
+/* The part of the surface that the picture at (x, y) covers, which becomes its first pixel there;
+   false: none. */
+bool qtri_picture_clip(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
+                       qtri_rect *rect, const uint8_t **first);
+
+/* The bits of a stored pixel that are compared with the key. */
+uint32_t qtri_picture_key_mask(const qtri_image *image);
+
+/* `count` pixels of a row from `at` on, as they are stored. */
+void qtri_picture_fetch(const qtri_image *image, const uint8_t *at, uint32_t *stored,
+                        int32_t count);
+
+/* A bit for each pixel that is not the key's, the lowest for the last. */
+uint32_t qtri_picture_mask(const qtri_image *image, const uint32_t *stored, int32_t count);
+
+/* From the picture's format to the surface's, in place; room for a multiple of four. */
+void qtri_picture_convert(const qtri_image *image, const qtri_surface *surface, uint32_t *stored,
+                          int32_t count);
+
+/* Mixes `count` pixels of the surface with others, a of 256. */
+void qtri_picture_mix(const qtri_surface *surface, uint8_t *at, const uint32_t *stored,
+                      uint32_t mask, int32_t count, uint32_t a);
+
+static inline uint8_t *qtri_surface_at(const qtri_surface *surface, int32_t x, int32_t row)
+{
+    return surface->pixels + (ptrdiff_t)(row - surface->first_row) * surface->pitch +
+           (ptrdiff_t)surface->format->pixels->bytes * x;
+}
+
+#endif

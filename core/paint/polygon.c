@@ -1,0 +1,10 @@
+#include "ink.h"
+
+void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
+                        const qtri_brush *brush)
+{
+    if (count >= 3) {
+        const qtri_outline outline = {NULL, point, count};
+        qtri_paint_outline(surface, &outline, brush);
+    }
+}

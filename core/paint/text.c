@@ -1,0 +1,208 @@
+#include "qtri/font.h"
+
+#include "../bits/bits.h"
+#include "../frame/barrier.h"
+#include "ink.h"
+#include "stored.h"
+
+/* What of a glyph's rows is painted: `width` bits from bit `skip` on, the highest bit first. */
+typedef struct bits {
+    const uint8_t *row;
+    int32_t stride;        /* bytes of a row */
+    int32_t skip;          /* 0..254 */
+    int32_t width, height; /* > 0 */
+    bool is_whole;         /* all of the glyph's width */
+} bits;
+
+/* Up to eight bits of a row from bit `at` on, the first in the highest of eight; 0 behind them. */
+static inline uint32_t bits_at(const uint8_t *row, int32_t at, int32_t count)
+{
+    const uint8_t *byte = row + (at >> 3);
+    const uint32_t shift = (uint32_t)at & 7;
+    uint32_t value = (uint32_t)*byte << shift;
+    if (shift + (uint32_t)count > 8) {
+        value |= (uint32_t)byte[1] >> (8 - shift);
+    }
+    return value & 0xFF & (0xFF00u >> count);
+}
+
+#define BIT(i)                                                                                     \
+    if ((int32_t)(value << (i)) < 0) {                                                             \
+        QTRI_BRANCH                                                                                \
+        qtri_stored_put(bytes, at + (i)*bytes, stored);                                            \
+    }
+
+/* Eight pixels of 1 to 4 bytes. */
+QTRI_INLINE void paint_eight(int32_t bytes, uint8_t *at, uint32_t value, uint32_t stored)
+{
+    value <<= 24;
+#ifdef __OPTIMIZE_SIZE__
+    for (; value != 0; value <<= 1, at += bytes) {
+        BIT(0)
+    }
+#else
+    BIT(0)
+    BIT(1)
+    BIT(2)
+    BIT(3)
+    BIT(4)
+    BIT(5)
+    BIT(6)
+    BIT(7)
+#endif
+}
+
+/* Whole rows of up to eight pixels, which nothing clips: most characters. */
+QTRI_INLINE void paint_narrow(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+                              const bits *b)
+{
+    const uint32_t stored = painter->stored;
+    const ptrdiff_t pitch = painter->surface->pitch;
+    const uint32_t within = 0xFF00u >> b->width; /* of the low eight bits */
+    const uint8_t *end = b->row + b->height;
+    for (const uint8_t *row = b->row; row != end; row++) {
+        const uint32_t value = *row & within;
+        if (value != 0) {
+            paint_eight(bytes, to, value, stored);
+        }
+        to += pitch;
+    }
+}
+
+/* False: pixels of another size. */
+static bool paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
+{
+    switch (painter->surface->format->pixels->bytes) {
+    case 1:
+        paint_narrow(1, painter, to, b);
+        return true;
+    case 2:
+        paint_narrow(2, painter, to, b);
+        return true;
+    case 3:
+        paint_narrow(3, painter, to, b);
+        return true;
+    case 4:
+        paint_narrow(4, painter, to, b);
+        return true;
+    default:
+        return false;
+    }
+}
+
+static void paint_eight_mixed(const qtri_painter *painter, uint8_t *at, uint32_t value,
+                              int32_t count)
+{
+    uint8_t coverage[8];
+    for (int32_t i = 0; i < count; i++) {
+        coverage[i] = value & 0x80u >> i ? 255 : 0;
+    }
+    painter->ink->cover(painter, at, count, coverage);
+}
+
+static void paint_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
+{
+    const qtri_pixels *pixels = painter->surface->format->pixels;
+    const bool is_mixed = painter->ink != NULL && painter->alpha != 255;
+    const uint8_t *row = b->row;
+    if (!is_mixed && b->stride == 1 && b->is_whole && paint_narrow_bits(painter, to, b)) {
+        return;
+    }
+    for (int32_t rows = b->height; rows > 0; rows--) {
+        uint8_t *at = to;
+        for (int32_t done = 0; done < b->width; done += 8) {
+            const int32_t count = qtri_least32(b->width - done, 8);
+            const uint32_t value = bits_at(row, b->skip + done, count);
+            if (value == 0) {
+                /* nothing is painted */
+            } else if (is_mixed) {
+                paint_eight_mixed(painter, at, value, count);
+            } else {
+                pixels->fill(at, painter->stored, value >> (8 - count), count);
+            }
+            at += 8 * (ptrdiff_t)pixels->bytes;
+        }
+        to += painter->surface->pitch;
+        row += b->stride;
+    }
+}
+
+/* x, y: the left upper corner; beyond the largest frame on either side nothing is to be seen. */
+static void paint_glyph(const qtri_painter *painter, const qtri_font *font, const qtri_glyph *glyph,
+                        int32_t x, int32_t y)
+{
+    const qtri_rect *bounds = &painter->bounds;
+    const int32_t limit = 2 * QTRI_SURFACE_MAX;
+    if (x < -limit || x > limit || y < -limit || y > limit) {
+        return;
+    }
+    const int32_t x0 = qtri_greatest32(x, bounds->x0);
+    const int32_t x1 = qtri_least32(x + glyph->width, bounds->x1);
+    const int32_t y0 = qtri_greatest32(y, bounds->y0);
+    const int32_t y1 = qtri_least32(y + glyph->height, bounds->y1);
+    if (x0 < x1 && y0 < y1) {
+        const int32_t stride = (glyph->width + 7) >> 3;
+        const bits b = {font->rows + glyph->first + (y0 - y) * stride,
+                        stride,
+                        x0 - x,
+                        x1 - x0,
+                        y1 - y0,
+                        x1 - x0 == glyph->width};
+        paint_bits(painter, qtri_painter_at(painter, x0, y0), &b);
+    }
+}
+
+static int32_t add_saturated(int32_t a, int32_t b)
+{
+    return qtri_saturate32((int64_t)a + b);
+}
+
+const qtri_glyph *qtri_font_glyph(const qtri_font *font, uint32_t character)
+{
+    for (uint32_t i = 0; i < font->range_count; i++) {
+        const qtri_glyph_range *range = &font->ranges[i];
+        if (character - range->first < range->count) {
+            return &font->glyphs[range->glyph + (character - range->first)];
+        }
+    }
+    return &font->glyphs[font->missing];
+}
+
+int32_t qtri_text_paint(const qtri_surface *surface, const qtri_font *font, int32_t x, int32_t y,
+                        const char *text, const qtri_brush *brush)
+{
+    qtri_painter painter;
+    const bool is_seen = qtri_painter_begin(&painter, surface, brush);
+    int32_t pen = x;
+    for (;;) {
+        const uint32_t character = qtri_text_next(&text);
+        if (character == 0) {
+            return pen;
+        }
+        if (character == '\n') {
+            pen = x;
+            y = add_saturated(y, font->ascent + font->descent);
+            continue;
+        }
+        const qtri_glyph *glyph = qtri_font_glyph(font, character);
+        if (is_seen) {
+            paint_glyph(&painter, font, glyph, add_saturated(pen, glyph->left),
+                        add_saturated(y, -glyph->top));
+        }
+        pen = add_saturated(pen, glyph->advance);
+    }
+}
+
+int32_t qtri_text_width(const qtri_font *font, const char *text)
+{
+    int32_t widest = 0;
+    int32_t pen = 0;
+    for (;;) {
+        const uint32_t character = qtri_text_next(&text);
+        widest = qtri_greatest32(widest, pen);
+        if (character == 0) {
+            return widest;
+        }
+        pen = character == '\n' ? 0 : add_saturated(pen, qtri_font_glyph(font, character)->advance);
+    }
+}

@@ -1,0 +1,175 @@
+#include <stdlib.h>
+
+#include "font_build.h"
+#include "scene_draw.h"
+
+struct scene_painting {
+    struct font_build *fonts;
+    size_t font_count;
+    uint32_t **pixels; /* of the pictures, 0x00RRGGBB */
+    size_t image_count;
+};
+
+static bool create_fonts(struct scene_painting *painting, const struct scene_paints *paints)
+{
+    painting->fonts = calloc(paints->font_count + 1, sizeof *painting->fonts);
+    bool ok = painting->fonts != NULL;
+    for (size_t i = 0; ok && i < paints->font_count; i++) {
+        ok = font_build_create(&painting->fonts[i], &paints->fonts[i]);
+        painting->font_count += ok;
+    }
+    return ok;
+}
+
+static bool create_images(struct scene_painting *painting, const struct scene_paints *paints)
+{
+    painting->pixels = calloc(paints->image_count + 1, sizeof *painting->pixels);
+    bool ok = painting->pixels != NULL;
+    for (size_t i = 0; ok && i < paints->image_count; i++) {
+        const struct picture *image = &paints->images[i];
+        const size_t count = (size_t)image->width * (size_t)image->height;
+        uint32_t *pixels = malloc(count * sizeof *pixels);
+        ok = pixels != NULL;
+        for (size_t j = 0; ok && j < count; j++) {
+            const uint8_t *rgb = &image->rgb[3 * j];
+            pixels[j] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+        }
+        painting->pixels[i] = pixels;
+        painting->image_count += ok;
+    }
+    return ok;
+}
+
+bool scene_painting_create(struct scene_resources *resources, const struct scene *scene)
+{
+    resources->painting = calloc(1, sizeof *resources->painting);
+    return resources->painting != NULL && create_fonts(resources->painting, &scene->paints) &&
+           create_images(resources->painting, &scene->paints);
+}
+
+void scene_painting_free(struct scene_resources *resources)
+{
+    struct scene_painting *painting = resources->painting;
+    if (painting == NULL) {
+        return;
+    }
+    for (size_t i = 0; i < painting->font_count; i++) {
+        font_build_free(&painting->fonts[i]);
+    }
+    for (size_t i = 0; i < painting->image_count; i++) {
+        free(painting->pixels[i]);
+    }
+    free(painting->fonts);
+    free(painting->pixels);
+    free(painting);
+}
+
+/* Q16.16 to 24.8, and to whole pixels. */
+static int32_t px(int32_t n)
+{
+    return (int32_t)(((int64_t)n + 128) >> 8);
+}
+
+static int32_t whole(int32_t n)
+{
+    return (int32_t)(((int64_t)n + 32768) >> 16);
+}
+
+static uint8_t byte_of(int32_t c)
+{
+    return (uint8_t)((c * 255 + 32768) >> 16); /* 0 <= c <= 1 */
+}
+
+static void paint_image(const struct scene_resources *resources, const qtri_surface *surface,
+                        const struct scene_paint *paint, uint8_t alpha)
+{
+    const struct picture *from = &resources->scene->paints.images[paint->image];
+    const uint8_t *key = paint->key;
+    const int32_t *n = paint->number;
+    const qtri_image image = {.pixels = resources->painting->pixels[paint->image],
+                              .pitch = (ptrdiff_t)from->width * 4,
+                              .format = &qtri_xrgb8888,
+                              .width = from->width,
+                              .height = from->height,
+                              .has_key = paint->has_key != 0,
+                              .key = (uint32_t)key[0] << 16 | (uint32_t)key[1] << 8 | key[2]};
+    if (paint->count == 2) {
+        qtri_image_blend(surface, &image, whole(n[0]), whole(n[1]), alpha);
+        return;
+    }
+    qtri_affine affine;
+    qtri_affine_place(&affine, from->width * 32768, from->height * 32768, n[0], n[1], n[3], n[3],
+                      n[2]);
+    qtri_image_paint_affine(surface, &image, &affine, alpha);
+}
+
+static void paint_shape(const qtri_surface *surface, const struct scene_paint *paint,
+                        const qtri_brush *brush)
+{
+    int32_t n[SCENE_PAINT_NUMBERS];
+    for (int i = 0; i < SCENE_PAINT_NUMBERS; i++) {
+        n[i] = px(paint->number[i]);
+    }
+    const qtri_area box = {n[0], n[1], n[2], n[3]};
+    const qtri_point from = {n[0], n[1]};
+    const qtri_point to = {n[2], n[3]};
+    qtri_point point[SCENE_PAINT_NUMBERS / 2];
+    switch (paint->kind) {
+    case SCENE_PAINT_RECT:
+        if (paint->count == 4) {
+            qtri_paint_rect(surface, &box, brush);
+        } else {
+            qtri_paint_rect_outline(surface, &box, n[4], brush);
+        }
+        break;
+    case SCENE_PAINT_ROUNDRECT:
+        if (paint->count == 5) {
+            qtri_paint_round_rect(surface, &box, n[4], brush);
+        } else {
+            qtri_paint_round_rect_outline(surface, &box, n[4], n[5], brush);
+        }
+        break;
+    case SCENE_PAINT_CIRCLE:
+        if (paint->count == 3) {
+            qtri_paint_circle(surface, &from, n[2], brush);
+        } else {
+            qtri_paint_ring(surface, &from, n[2], n[3], brush);
+        }
+        break;
+    case SCENE_PAINT_ARC:
+        qtri_paint_arc(surface, &from, n[2], n[3], paint->number[4], paint->number[5], brush);
+        break;
+    case SCENE_PAINT_STROKE:
+        qtri_paint_stroke(surface, &from, &to, n[4], brush);
+        break;
+    default:
+        for (int i = 0; i < SCENE_PAINT_NUMBERS / 2; i++) {
+            const qtri_point p = {n[2 * i], n[2 * i + 1]};
+            point[i] = p;
+        }
+        qtri_paint_polygon(surface, point, paint->count / 2, brush);
+        break;
+    }
+}
+
+void scene_paint(const struct scene_resources *resources, const qtri_surface *surface,
+                 const struct scene_paint *paint)
+{
+    const int32_t *c = paint->color;
+    const qtri_brush brush = {{byte_of(c[0]), byte_of(c[1]), byte_of(c[2])},
+                              byte_of(paint->alpha),
+                              paint->is_smooth ? &qtri_ink_smooth : &qtri_ink_blend};
+    switch (paint->kind) {
+    case SCENE_PAINT_IMAGE:
+        paint_image(resources, surface, paint, brush.alpha);
+        break;
+    case SCENE_PAINT_TEXT:
+        qtri_text_paint(surface, &resources->painting->fonts[paint->font].font,
+                        whole(paint->number[0]), whole(paint->number[1]),
+                        resources->scene->paints.texts[paint->text], &brush);
+        break;
+    default:
+        paint_shape(surface, paint, &brush);
+        break;
+    }
+}
