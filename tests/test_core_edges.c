@@ -725,6 +725,12 @@ static void test_errors(void **state)
     qtri_edges_blend(&edges);
     assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, words), QTRI_OK);
     assert_int_equal(qtri_edges_blend_565(&edges), QTRI_ERROR_FORMAT);
+    surface.depth_pitch = WIDTH - 1;
+    assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, words), QTRI_ERROR_SIZE);
+    surface.depth_pitch = -65537;
+    assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, words), QTRI_ERROR_SIZE);
+    qtri_edges_note(&edges, &outline[0]);
+    qtri_edges_blend(&edges);
     surface.depth = NULL;
     const uint32_t more = QTRI_EDGES_WORDS_WITHOUT_DEPTH(WIDTH, HEIGHT, 4);
     assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, more), QTRI_OK);

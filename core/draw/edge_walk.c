@@ -92,33 +92,49 @@ QTRI_INLINE void note(const qtri_edge_walker *w, uint32_t i, uint32_t code, int3
     }
 }
 
+/* The same, where few come: it leaves the registers of the rest alone. */
+QTRI_NOINLINE static void note_second(const qtri_edge_walker *w, uint32_t i, uint32_t code,
+                                      int32_t limit)
+{
+    note(w, i, code, limit);
+}
+
+/* Notes what one pixel of an edge, `at` on the minor axis, gives itself and its neighbour. */
+QTRI_NOINLINE static void note_pixel(const qtri_edge_walker *w, const qtri_edge_axis *axis,
+                                     const uint16_t *shares, int32_t at, int32_t place,
+                                     int32_t limit)
+{
+    const int32_t pixel = at >> 16;
+    uint32_t fraction = qtri_low16((uint32_t)at);
+    int32_t other = pixel - 1;
+    uint32_t direction = axis->direction;
+    if (fraction > HALF) { /* on the centre: it belongs to the side after the edge */
+        fraction = 2 * HALF - fraction;
+        other = pixel + 1;
+        direction += QTRI_NOTE_AFTER;
+    }
+    if ((uint32_t)pixel >= axis->wide || (uint32_t)other >= axis->wide) {
+        return;
+    }
+    const uint32_t both = shares[(fraction + ROUND) >> SHARE_SHIFT];
+    if (both >> 8 != 0) {
+        note_second(w, (uint32_t)(place + other * axis->across),
+                    both >> 8 | (direction ^ QTRI_NOTE_AFTER), limit);
+    }
+    if ((both & 0xFF) != 0) {
+        note(w, (uint32_t)(place + pixel * axis->across), (both & 0xFF) | direction, limit);
+    }
+}
+
 /* `shares`: the slope's row of the table. */
-QTRI_NOINLINE static void walk_part(const qtri_edge_walker *w, const qtri_edge_axis *axis,
-                                    const part *p, const uint16_t *shares)
+QTRI_INLINE void walk_part(const qtri_edge_walker *w, const qtri_edge_axis *axis, const part *p,
+                           const uint16_t *shares)
 {
     int32_t at = p->at - axis->first * 65536;
     int32_t limit = p->limit;
     int32_t place = axis->origin + p->k * axis->along;
     for (int32_t n = p->end - p->k; n > 0; n--) {
-        const int32_t pixel = at >> 16;
-        uint32_t fraction = qtri_low16((uint32_t)at);
-        int32_t other = pixel - 1;
-        uint32_t direction = axis->direction;
-        if (fraction > HALF) { /* on the centre: it belongs to the side after the edge */
-            fraction = 2 * HALF - fraction;
-            other = pixel + 1;
-            direction += QTRI_NOTE_AFTER;
-        }
-        if ((uint32_t)pixel < axis->wide && (uint32_t)other < axis->wide) {
-            const uint32_t both = shares[(fraction + ROUND) >> SHARE_SHIFT];
-            if (both >> 8 != 0) {
-                note(w, (uint32_t)(place + other * axis->across),
-                     both >> 8 | (direction ^ QTRI_NOTE_AFTER), limit);
-            }
-            if ((both & 0xFF) != 0) {
-                note(w, (uint32_t)(place + pixel * axis->across), (both & 0xFF) | direction, limit);
-            }
-        }
+        note_pixel(w, axis, shares, at, place, limit);
         at += p->step;
         limit += p->limit_step;
         place += axis->along;

@@ -12,7 +12,7 @@
 
 #include "../filter/mix.h"
 
-enum { WORD_PIXELS = 32 };
+enum { WORD_PIXELS = 32, PITCH_MAX = 1 << 16 };
 
 static void clear(uint32_t *word, uint32_t count)
 {
@@ -40,8 +40,8 @@ enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface,
     }
     const ptrdiff_t pitch = has_depth ? surface->depth_pitch : (ptrdiff_t)surface->width;
     const ptrdiff_t magnitude = pitch < 0 ? -pitch : pitch;
-    if (magnitude > QTRI_SURFACE_MAX * 8) {
-        return QTRI_ERROR_MEMORY;
+    if (magnitude < surface->width || magnitude > PITCH_MAX) {
+        return QTRI_ERROR_SIZE;
     }
     /* <= 2^16 2^13 */
     const uint32_t pixels = (uint32_t)magnitude * (uint32_t)surface->rows;

@@ -37,24 +37,18 @@ QTRI_NOINLINE static void filter_two(const window_565 *w, uint16_t *out, int32_t
     const uint16_t *down = w->row[3] + x;
     const int32_t first = luma_565(own[0]);
     const int32_t second = luma_565(own[1]);
-    if (!qtri_fxaa_is_flat(first, luma_565(own[-1]), second, luma_565(up[0]), luma_565(down[0]))) {
-        out[x] = (uint16_t)filter_565(w, x, width);
+    const int32_t luma[5] = {first, luma_565(up[0]), luma_565(down[0]), luma_565(own[-1]), second};
+    if (!qtri_fxaa_is_flat(first, luma[1], luma[2], luma[3], second)) {
+        out[x] = (uint16_t)resolve_565(w, x, width, luma);
     }
-    if (!qtri_fxaa_is_flat(second, first, luma_565(own[2]), luma_565(up[1]), luma_565(down[1]))) {
-        out[x + 1] = (uint16_t)filter_565(w, x + 1, width);
+    const int32_t next[5] = {second, luma_565(up[1]), luma_565(down[1]), first, luma_565(own[2])};
+    if (!qtri_fxaa_is_flat(second, next[1], next[2], first, next[4])) {
+        out[x + 1] = (uint16_t)resolve_565(w, x + 1, width, next);
     }
-}
-
-/* Whether four words of three rows and the pixels beside them are all the same. */
-static inline bool are_same(const pair *up, const pair *own, const pair *down, uint32_t two)
-{
-    return up[0] == two && own[1] == two && up[1] == two && down[0] == two && down[1] == two &&
-           own[2] == two && up[2] == two && down[2] == two && own[3] == two && up[3] == two &&
-           down[3] == two && own[-1] == two && own[4] == two;
 }
 
 /*
- * Columns x..end - 1, x even and at least 2, of rows of whole words: two or eight pixels that are
+ * Columns x..end - 1, x even and at least 2, of rows of whole words: two pixels that are
  * as all their neighbours are done with a look.
  */
 QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32_t x, int32_t end,
@@ -67,13 +61,6 @@ QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32
     while (left >= 2) {
         const uint32_t two = own[0];
         if (two == up[0] && two == down[0] && two == (two << 16 | two >> 16)) {
-            if (left >= 10 && are_same(up, own, down, two)) {
-                up += 4;
-                own += 4;
-                down += 4;
-                left -= 8;
-                continue;
-            }
             const uint16_t *pixel = (const uint16_t *)(const void *)own;
             if (pixel[-1] == pixel[0] && pixel[2] == pixel[0]) {
                 up++;
@@ -90,6 +77,44 @@ QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32
         left -= 2;
     }
     filter_pixels(w, out, end - left, end, width);
+}
+
+/* What a row has besides the colour that it begins and ends with: columns first..end - 1. */
+typedef struct extent {
+    uint32_t color; /* of two pixels */
+    int32_t first, end;
+} extent;
+
+static extent extent_of(const uint16_t *row, int32_t width)
+{
+    const pair *words = (const pair *)(const void *)row;
+    const int32_t count = width / 2;
+    const uint32_t color = words[0];
+    extent e = {color, 0, width};
+    if (color != (color << 16 | color >> 16)) {
+        return e;
+    }
+    int32_t i = 0;
+    while (i < count && words[i] == color) {
+        i++;
+    }
+    e.first = 2 * i;
+    for (i = count; i > 0 && words[i - 1] == color;) {
+        i--;
+    }
+    e.end = 2 * i; /* 0, and first is the width, where there is nothing else */
+    return e;
+}
+
+/* Columns that differ from a neighbour lie in first..end - 1, of a row between two others. */
+static extent extent_of_three(const extent *a, const extent *b, const extent *c, int32_t width)
+{
+    extent e = {b->color, 0, width};
+    if (a->color == b->color && b->color == c->color) {
+        e.first = qtri_least32(a->first, qtri_least32(b->first, c->first)) - 2;
+        e.end = qtri_greatest32(a->end, qtri_greatest32(b->end, c->end)) + 2;
+    }
+    return e;
 }
 
 static bool are_pairs(const qtri_surface *surface)
@@ -130,13 +155,11 @@ static uint16_t *row_of(const qtri_surface *surface, int32_t y)
     return (uint16_t *)(void *)(surface->pixels + (y - surface->first_row) * surface->pitch);
 }
 
-/* Row y of the bounds, whose old colours and those above are kept. */
-static void filter_row(const qtri_surface *surface, const qtri_rect *bounds, const window_565 *w,
-                       int32_t y, bool pairs)
+/* Row y, whose old colours and those above are kept: columns first..end - 1. */
+static void filter_row(const qtri_surface *surface, const window_565 *w, int32_t y, int32_t first,
+                       int32_t end, bool pairs)
 {
     const int32_t width = surface->width;
-    const int32_t first = bounds->x0 > 0 ? bounds->x0 : 1;
-    const int32_t end = bounds->x1 < width ? bounds->x1 : width - 1;
     uint16_t *out = row_of(surface, y);
     if (!pairs || end - first < 4) {
         filter_pixels(w, out, first, end, width);
@@ -162,6 +185,7 @@ enum qtri_error qtri_fxaa_565(const qtri_surface *surface, uint32_t *memory, uin
     }
     const bool pairs = are_pairs(surface);
     window_565 w = {{NULL, NULL, NULL, NULL, NULL}};
+    extent rows[ROWS] = {{0, 0, width}, {0, 0, width}, {0, 0, width}}; /* above, this, below */
     for (int32_t y = bounds.y0; y < bounds.y1; y++) {
         uint32_t *slot = memory + (ptrdiff_t)(y % ROWS) * ((width + 1) / 2);
         copy_row(slot, row_of(surface, y), width, pairs);
@@ -170,8 +194,18 @@ enum qtri_error qtri_fxaa_565(const qtri_surface *surface, uint32_t *memory, uin
         w.row[2] = (const uint16_t *)(const void *)slot;
         w.row[3] = y + 1 < bounds.y1 ? row_of(surface, y + 1) : NULL;
         w.row[4] = y + 2 < bounds.y1 ? row_of(surface, y + 2) : NULL;
+        extent all = {0, 0, width};
+        if (pairs) {
+            rows[0] = rows[1];
+            rows[1] = y == bounds.y0 ? extent_of(w.row[2], width) : rows[2];
+            if (w.row[3] != NULL) {
+                rows[2] = extent_of(w.row[3], width);
+            }
+            all = extent_of_three(&rows[0], &rows[1], &rows[2], width);
+        }
         if (w.row[1] != NULL && w.row[3] != NULL) {
-            filter_row(surface, &bounds, &w, y, pairs);
+            filter_row(surface, &w, y, qtri_greatest32(all.first, bounds.x0 > 0 ? bounds.x0 : 1),
+                       qtri_least32(all.end, bounds.x1 < width ? bounds.x1 : width - 1), pairs);
         }
     }
     return QTRI_OK;

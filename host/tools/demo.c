@@ -25,7 +25,8 @@ static const char usage[] =
     "\n"
     "The reference has infinite sub-pixel precision; `snapped` counts coverage mismatches against\n"
     "the reference with vertices snapped to 8 bits, as the core does. Errors are over the pixels\n"
-    "that show the same triangle in both. Colour: of 255; depth: of 65535.\n";
+    "that show the same triangle in both. Colour: of 255; depth: of 65535. The reference has one\n"
+    "sample a pixel: scenes with `antialias` differ from it at edges.\n";
 
 struct demo {
     const char *out, *scenes, *models;

@@ -104,7 +104,7 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
  * it draws. view->vertices must have room for all vertices of the mesh, and stay as they are, as
  * must all that is pointed to, until the edges are noted.
  * QTRI_ERROR_MEMORY: they have not. The mesh is drawn, and has no outline. A wireframe has none
- * either, without an error.
+ * either, without an error. Also QTRI_ERROR_MEMORY, and nothing is drawn: qtri_outline_init failed.
  */
 enum qtri_error qtri_draw_mesh_outlined(const qtri_surface *surface, const qtri_view *view,
                                         const qtri_transform *pose, const qtri_material *material,
@@ -157,8 +157,8 @@ typedef struct qtri_edges {
 
 /*
  * Begins a pass over what is drawn on the surface, inside its scissor. Nothing may be drawn on it
- * until the blend. QTRI_ERROR_MEMORY: too few words; the pass has no pixels then, and what follows
- * does nothing.
+ * until the blend. QTRI_ERROR_MEMORY: too few words. QTRI_ERROR_SIZE: |depth_pitch| is less than
+ * the width or more than 65536. The pass has no pixels then, and what follows does nothing.
  *
  * Pixels of the outermost rows and columns inside the scissor may lack a share from outside of it:
  * a scissor, like a band, needs a halo of one pixel. Inside of that the pixels do not depend on
