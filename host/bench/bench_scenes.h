@@ -36,7 +36,7 @@ typedef struct bench_scene {
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
     q16 turn;               /* the mesh, about y */
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
-    uint32_t lights; /* not 0: the first of bench_sources, and highlights, in place of the light */
+    uint32_t lights;        /* not 0: so many sources, and highlights, in place of the light */
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
