@@ -53,7 +53,7 @@ typedef struct bench_scene {
     q16 width;              /* of strokes, with smooth edges; of a mesh: its wireframe's */
     bool points, hidden;    /* points for a polyline; a wireframe without hidden lines */
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
-    uint32_t lights; /* not 0: the first of bench_sources, and highlights, in place of the light */
+    uint32_t lights;        /* not 0: so many sources, and highlights, in place of the light */
     bench_smooth smooth;
     void (*paint)(struct bench_frame *frame);
     uint32_t characters; /* that are painted */

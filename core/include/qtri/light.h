@@ -23,9 +23,10 @@
  *
  * n is the unit normal, l the direction to the source; h halves the angle between l and the line
  * to the eye, which is taken to be parallel to z of eye space everywhere, as OpenGL does without a
- * local viewer: +z, or -z where the projection looks along +z, as Direct3D's do. A source lights nothing where n . l <= 0, and a highlight is nothing where n . h <= 0.
- * diffuse is the vertex's own colour, or the material's; ambient' is diffuse, or the reflection's
- * own. Products of fade and color are held to 16.
+ * local viewer: +z, or -z where the projection looks along +z, as Direct3D's do. A source lights
+ * nothing where n . l <= 0, and a highlight is nothing where n . h <= 0. diffuse is the vertex's
+ * own colour, or the material's; ambient' is diffuse, or the reflection's own. Products of fade and
+ * color are held to 16.
  *
  * Smooth shading: every vertex is lit, with its triangle's normal where it has none. Flat: every
  * triangle, with its own normal, at the mean of its corners, in the provoking one's colour. Normals

@@ -113,9 +113,17 @@ void qtri_transform_ortho(qtri_transform *t, q16 left, q16 right, q16 bottom, q1
                           q16 far_z);
 
 /*
- * Direct3D's left-handed perspective (looking down +z, clip z in 0..w), converted here: what
- * follows sees OpenGL clip space with the same picture and the same window depth.
+ * Direct3D's left-handed forms: the camera looks along +z, clip z is in 0..w. Converted here: what
+ * follows sees OpenGL clip space with the same picture and the same window depth, and
+ * counter-clockwise in the picture is front all the same; Direct3D's own default is
+ * QTRI_CULL_FRONT. The viewport that goes with them is qtri_viewport_top. Without a direction of
+ * its own a camera looks as qtri_transform_look_at has it.
  */
+void qtri_transform_look_at_d3d(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up);
+void qtri_transform_frustum_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top,
+                                q16 near_z, q16 far_z);
+void qtri_transform_ortho_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top,
+                              q16 near_z, q16 far_z);
 void qtri_transform_perspective_d3d(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z);
 
 #ifdef __cplusplus
