@@ -39,13 +39,16 @@ bool file_read(const char *path, struct file_content *content, struct text_error
 {
     content->bytes = NULL;
     content->length = 0;
-    FILE *stream = fopen(path, "rb");
+    bool is_input = strcmp(path, "-") == 0;
+    FILE *stream = is_input ? stdin : fopen(path, "rb");
     if (stream == NULL) {
         text_error_set(error, path, 0, "cannot be opened: %s", strerror(errno));
         return false;
     }
     int failure = read_stream(stream, content);
-    (void)fclose(stream); /* only read from */
+    if (!is_input) {
+        (void)fclose(stream); /* only read from */
+    }
     if (failure != 0) {
         text_error_set(error, path, 0, "cannot be read: %s", strerror(failure));
         free(content->bytes);
@@ -119,6 +122,10 @@ static void release(struct file_output *output)
 bool file_output_open(struct file_output *output, const char *path, struct text_error *error)
 {
     memset(output, 0, sizeof *output);
+    if (strcmp(path, "-") == 0) {
+        output->stream = stdout;
+        return true;
+    }
     if (file_inspect(path, NULL) == FILE_OTHER) { /* rename would replace a device */
         text_error_set(error, path, 0, "cannot be written: not an ordinary file");
         return false;
@@ -139,8 +146,27 @@ void file_output_write(struct file_output *output, const void *bytes, size_t len
     }
 }
 
+/* Standard output has no name to take and stays open. */
+static bool commit_standard(struct file_output *output, struct text_error *error)
+{
+    if ((fflush(stdout) != 0 || ferror(stdout)) && output->failure == 0) {
+        output->failure = errno != 0 ? errno : EIO;
+    }
+    if (output->failure != 0) {
+        text_error_set(error, "standard output", 0, "cannot be written: %s",
+                       strerror(output->failure));
+    }
+    return output->failure == 0;
+}
+
 bool file_output_commit(struct file_output *output, struct text_error *error)
 {
+    if (output->stream == stdout) {
+        return commit_standard(output, error);
+    }
+    if (ferror(output->stream) && output->failure == 0) { /* of who wrote to the stream itself */
+        output->failure = EIO;
+    }
     if (fclose(output->stream) != 0 && output->failure == 0) {
         output->failure = errno;
     }
@@ -154,4 +180,13 @@ bool file_output_commit(struct file_output *output, struct text_error *error)
     }
     release(output);
     return written;
+}
+
+void file_output_cancel(struct file_output *output)
+{
+    if (output->stream != NULL && output->stream != stdout) {
+        (void)fclose(output->stream);
+        (void)unlink(output->temporary);
+    }
+    release(output);
 }

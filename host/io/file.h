@@ -18,7 +18,8 @@ struct file_content {
     size_t length;
 };
 
-/* Reads all of a file, a pipe or a device; an empty one is fine. False with *error set. */
+/* Reads all of a file, a pipe or a device, or standard input as "-"; an empty one is fine. False
+   with *error set. */
 bool file_read(const char *path, struct file_content *content, struct text_error *error);
 
 enum file_kind { FILE_MISSING, FILE_REGULAR, FILE_OTHER /* folder, device, pipe, unreachable */ };
@@ -43,12 +44,16 @@ struct file_output {
     int failure; /* errno of the first write that failed */
 };
 
+/* "-" is standard output, which gets the bytes as they are written. */
 bool file_output_open(struct file_output *output, const char *path, struct text_error *error);
 
-/* Failures are kept and reported by commit. */
+/* Failures are kept and reported by commit, as are those of writing to `stream` itself. */
 void file_output_write(struct file_output *output, const void *bytes, size_t length);
 
 /* Ends the output: the target is complete, or false with *error set. */
 bool file_output_commit(struct file_output *output, struct text_error *error);
+
+/* Gives the output up: the target stays as it was. */
+void file_output_cancel(struct file_output *output);
 
 #endif
