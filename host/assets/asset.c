@@ -200,8 +200,7 @@ static uint32_t add_packed(struct draft *draft, uint32_t *slots, size_t mask,
                            const struct packed *packed)
 {
     size_t at = hash_packed(packed) & mask;
-    while (slots[at] != 0 &&
-           memcmp(&draft->vertices[slots[at] - 1], packed, sizeof *packed) != 0) {
+    while (slots[at] != 0 && memcmp(&draft->vertices[slots[at] - 1], packed, sizeof *packed) != 0) {
         at = (at + 1) & mask;
     }
     if (slots[at] == 0) {

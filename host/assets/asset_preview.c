@@ -92,7 +92,7 @@ bool asset_preview(const struct asset *asset, int width, int height, struct pict
 {
     const qtri_light light = {{Q16(0.4), Q16(0.6), Q16(0.7)}, Q16(0.25), Q16(0.75)};
     const size_t bytes = QTRI_BAND_BYTES(width, height, 4);
-    const qtri_vec3 eye = {0, 0, Q16(3.2)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
+    const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
     uint32_t most = 0;
     for (size_t i = 0; i < asset->count; i++) {
         uint32_t count = asset->parts[i].mesh.vertex_count;

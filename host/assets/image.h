@@ -27,7 +27,6 @@ bool image_parse(const char *path, const char *bytes, size_t length, struct imag
 void image_free(struct image *image);
 
 /* Writes PNG to a path that ends in .png, else PPM. False with *error set. */
-bool image_write_picture(const char *path, const struct picture *picture,
-                         struct text_error *error);
+bool image_write_picture(const char *path, const struct picture *picture, struct text_error *error);
 
 #endif

@@ -102,7 +102,7 @@ static bool copy_texture(const struct request *request, const struct aiMaterial 
         return true;
     }
     if (name.data[0] == '*') { /* inside the file */
-        (void)snprintf(to->texture, sizeof to->texture, "%s", name.data);
+        (void)snprintf(to->texture, sizeof to->texture, "%.15s", name.data);
         return true;
     }
     if (!model_path_beside(to->texture, sizeof to->texture, request->path, name.data)) {
@@ -120,7 +120,7 @@ static bool copy_material(const struct request *request, const struct aiMaterial
     struct aiString name;
     struct aiColor4D color;
     if (aiGetMaterialString(from, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS) {
-        (void)snprintf(to->name, sizeof to->name, "%s", name.data);
+        (void)snprintf(to->name, sizeof to->name, "%.63s", name.data);
     }
     if (aiGetMaterialColor(from, AI_MATKEY_BASE_COLOR, &color) == aiReturn_SUCCESS ||
         aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &color) == aiReturn_SUCCESS) {

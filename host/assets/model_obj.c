@@ -83,8 +83,8 @@ static int option_length(const struct token *option)
     static const struct {
         const char *name;
         int length;
-    } options[] = {{"-blendu", 1}, {"-blendv", 1}, {"-cc", 1},    {"-clamp", 1},  {"-mm", 2},
-                   {"-o", -3},     {"-s", -3},     {"-t", -3},    {"-texres", 1}, {"-bm", 1},
+    } options[] = {{"-blendu", 1}, {"-blendv", 1}, {"-cc", 1},     {"-clamp", 1},  {"-mm", 2},
+                   {"-o", -3},     {"-s", -3},     {"-t", -3},     {"-texres", 1}, {"-bm", 1},
                    {"-boost", 1},  {"-type", 1},   {"-imfchan", 1}};
     for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
         if (token_equals(option, options[i].name)) {

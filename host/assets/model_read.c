@@ -56,8 +56,8 @@ static bool is_binary_stl(const char *text, size_t length)
 static bool is_json(const char *text, size_t length)
 {
     size_t at = begins(text, length, "\xEF\xBB\xBF") ? 3 : 0;
-    while (at < length && (text[at] == ' ' || text[at] == '\n' || text[at] == '\r' ||
-                           text[at] == '\t')) {
+    while (at < length &&
+           (text[at] == ' ' || text[at] == '\n' || text[at] == '\r' || text[at] == '\t')) {
         at++;
     }
     return at < length && text[at] == '{';

@@ -144,41 +144,16 @@ static bool make(struct mesh_options *options, struct asset *asset, struct text_
 
 /* ---- Files ---- */
 
-static const char *base_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
-
-/* NAME.h and, with --split, NAME.c; neither where one of them cannot be written. */
 static bool write_c(const struct mesh_options *options, const struct asset *asset,
                     struct text_error *error)
 {
-    struct file_output header, source = {.stream = NULL};
-    char *source_path = strdup(options->output);
-    bool ok = source_path != NULL;
-    if (!ok) {
-        text_error_set(error, options->output, 0, "out of memory");
+    struct asset_files files;
+    if (!asset_files_open(&files, options->output, options->split, error)) {
         return false;
     }
-    source_path[strlen(source_path) - 1] = 'c';
-    ok = file_output_open(&header, options->output, error);
-    if (ok && options->split && !file_output_open(&source, source_path, error)) {
-        file_output_cancel(&header);
-        ok = false;
-    }
-    if (ok) {
-        asset_write_c(asset, options->name, base_name(options->output), header.stream,
-                      source.stream);
-        ok = !options->split || file_output_commit(&source, error);
-        if (ok) {
-            ok = file_output_commit(&header, error);
-        } else {
-            file_output_cancel(&header);
-        }
-    }
-    free(source_path);
-    return ok;
+    asset_write_c(asset, options->name, files.header_name, files.header.stream,
+                  files.source.stream);
+    return asset_files_commit(&files, error);
 }
 
 static bool write_obj(const struct mesh_options *options, const struct asset *asset,
@@ -236,8 +211,7 @@ static void report(const struct mesh_options *options, const struct asset *asset
 {
     int rows = options->rows < options->panel_height ? options->rows : options->panel_height;
     const struct asset_error *error = &asset->error;
-    struct asset_memory ram =
-        asset_ram(asset, options->panel_width, options->panel_height, rows);
+    struct asset_memory ram = asset_ram(asset, options->panel_width, options->panel_height, rows);
     fprintf(out, "%s: %" PRIu32 " vertices, %" PRIu32 " triangles", options->name,
             asset_vertex_count(asset), asset_triangle_count(asset));
     fprintf(out, asset->count > 1 ? ", %zu meshes\n" : "\n", asset->count);

@@ -100,8 +100,8 @@ static void write_tube(const struct tube *tube, FILE *out)
 }
 
 /* Order of mesh_names: what is not a tube is of mesh_solids.c. */
-const char *const mesh_names[] = {"knot",   "torus", "cube", "sphere", "cylinder",
-                                  "cone",   "grid",  "gear", NULL};
+const char *const mesh_names[] = {"knot", "torus", "cube", "sphere", "cylinder",
+                                  "cone", "grid",  "gear", NULL};
 
 bool mesh_generate(const char *name, FILE *out)
 {

@@ -9,8 +9,10 @@
 static const char usage[] =
     "usage: qtri mesh IN -o NAME.h [OPTION ...]\n"
     "\n"
-    "Makes constant data for qtri_draw_mesh of a model: a header that C99 and C++11 compile, or an\n"
-    "OBJ file where the output is named so. IN is a file named .obj, .gltf, .glb, .stl or .ply, or\n"
+    "Makes constant data for qtri_draw_mesh of a model: a header that C99 and C++11 compile, or "
+    "an\n"
+    "OBJ file where the output is named so. IN is a file named .obj, .gltf, .glb, .stl or .ply, "
+    "or\n"
     "- for standard input; -o - is standard output.\n"
     "\n"
     "  --compact          16-bit positions and texture coordinates, 8-bit normals and indices\n"
@@ -19,7 +21,8 @@ static const char usage[] =
     "  --up y|z           the file's axis that points up (default y)\n"
     "  --normals keep     those of the file; smooth where it has none (default)\n"
     "  --normals smooth DEGREES   smooth where faces meet at less than DEGREES\n"
-    "  --normals flat     those of faces; --normals none, without any, looks the same and is smaller\n"
+    "  --normals flat     those of faces; --normals none, without any, looks the same and is "
+    "smaller\n"
     "  --colors           colours of materials and vertices become vertex colours of one mesh;\n"
     "                     without, there is one mesh a material\n"
     "  --plain            one mesh; materials and pictures are not looked for\n"
@@ -172,7 +175,7 @@ static bool set_value(struct mesh_options *options, const char *name, int argc, 
 
 static bool takes_value(const char *name)
 {
-    static const char *const names[] = {"-o",    "--fit",  "--up",      "--normals", "--simplify",
+    static const char *const names[] = {"-o",     "--fit",   "--up",   "--normals", "--simplify",
                                         "--name", "--panel", "--rows", "--preview"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         if (strcmp(name, names[i]) == 0) {

@@ -302,8 +302,8 @@ void mesh_solid_gear(FILE *out)
     enum { GEAR_RINGS = 8, RINGS = 10 };
     /* From the front of the outline inwards, through the bore, and outwards behind. */
     static const struct ring rings[RINGS] = {
-        {OUTLINE, 0.0, .2}, {RING, .7, .2},    {RING, .66, .08},   {RING, .2, .08},
-        {RING, .2, -.08},   {RING, .66, -.08}, {RING, .7, -.2},    {OUTLINE, 0.0, -.2},
+        {OUTLINE, 0.0, .2}, {RING, .7, .2},    {RING, .66, .08}, {RING, .2, .08},
+        {RING, .2, -.08},   {RING, .66, -.08}, {RING, .7, -.2},  {OUTLINE, 0.0, -.2},
         {RING, .17, .34},   {RING, .17, -.34},
     };
     int first[RINGS];
