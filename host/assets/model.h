@@ -62,6 +62,9 @@ bool model_parse_obj(const char *path, const char *text, size_t length, bool wit
 bool model_read_library(const char *path, const char *text, size_t length, const char *format,
                         bool with_materials, struct model *model, struct text_error *error);
 
+/* Whether a PLY file holds what its header promises, and no more than a model may have. */
+bool model_check_ply(const char *path, const char *text, size_t length, struct text_error *error);
+
 /* Materials of an MTL file by name: colour (Kd) and texture (map_Kd) of those that the model has.
    Statements that are not known are passed over, as their number grows. */
 bool model_parse_mtl(const char *path, const char *text, size_t length, struct model *model,

@@ -78,6 +78,46 @@ static const char *sniff(const char *text, size_t length)
     return is_json(text, length) ? "gltf" : "obj";
 }
 
+/* Text ends in `endsolid`; without it, its end is missing. */
+static bool check_stl(const char *path, const char *text, size_t length, struct text_error *error)
+{
+    static const char word[] = "endsolid";
+    int lines = 1;
+    for (size_t i = 0; i < length; i++) {
+        lines += text[i] == '\n' ? 1 : 0;
+    }
+    if (is_binary_stl(text, length)) {
+        return true;
+    }
+    for (size_t at = length; at >= sizeof word - 1 && at + 1024 > length; at--) {
+        if (memcmp(text + at - (sizeof word - 1), word, sizeof word - 1) == 0) {
+            return true;
+        }
+    }
+    text_error_set(error, path, lines, "ends without `endsolid`");
+    return false;
+}
+
+/* Programs write anything for the normals of an STL file: they are made anew. */
+static bool face_normals(const char *path, struct model *model, struct text_error *error)
+{
+    bool ok = model_make_normals(model, MODEL_NORMALS_FLAT, 0.0);
+    if (!ok) {
+        text_error_set(error, path, 0, "out of memory");
+    }
+    return ok;
+}
+
+/* What the library would not notice. */
+static bool check_complete(const char *path, const char *text, size_t length, const char *format,
+                           struct text_error *error)
+{
+    if (strcmp(format, "ply") == 0) {
+        return model_check_ply(path, text, length, error);
+    }
+    return strcmp(format, "stl") != 0 || check_stl(path, text, length, error);
+}
+
 static bool read_as(const char *path, const char *text, size_t length, bool with_materials,
                     struct model *model, struct text_error *error)
 {
@@ -98,7 +138,16 @@ static bool read_as(const char *path, const char *text, size_t length, bool with
         text_error_set(error, path, 0, "%s (%s)", problem, format);
         return false;
     }
-    return model_read_library(path, text, length, format, with_materials, model, error);
+    if (!check_complete(path, text, length, format, error) ||
+        !model_read_library(path, text, length, format, with_materials, model, error)) {
+        return false;
+    }
+    if (strcmp(format, "stl") == 0 &&
+        (!model_check(path, model, error) || !face_normals(path, model, error))) {
+        model_free(model);
+        return false;
+    }
+    return true;
 }
 
 bool model_read(const char *path, bool with_materials, struct model *model,
