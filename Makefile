@@ -36,7 +36,8 @@ ARCHIVES := $(HELPERS) $(HOST) $(LIBRARY)
 INCLUDES := -Icore/include -Iport/include
 $(BUILD)/obj/tests/%.o: INCLUDES += -Icore -Ihost
 
-include host/assets/libraries.mk
+
+include host/assets/assets.mk
 
 # Header dependencies, from every compiler that can write them.
 DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/null 2>/dev/null && echo -MMD -MP)

@@ -29,3 +29,23 @@ endif
 endif
 
 $(BUILD)/obj/host/assets/%.o: INCLUDES += $(HOST_DEFINES)
+
+# gear.h of the README, and the README's sample, word for word, for tests/test_readme.c -----------------------------------
+
+README_DIR := $(BUILD)/readme
+
+$(README_DIR)/gear.h: $(BUILD)/qtri
+	@mkdir -p $(@D)
+	@$(BUILD)/qtri mesh gear -o $@ >/dev/null
+
+$(README_DIR)/sample.c: README.md
+	@mkdir -p $(@D)
+	@awk '/^```c$$/ { on = 1; next } /^```$$/ { on = 0 } on' README.md >$@
+	@echo 'const qtri_mesh *readme_gear(void); const qtri_mesh *readme_gear(void) { return &gear; }' >>$@
+
+$(README_DIR)/sample.o: $(README_DIR)/sample.c $(README_DIR)/gear.h $(BUILD)/flags
+	$(CC) -std=c99 $(CFLAGS) -Wall -Wextra $(INCLUDES) -I$(README_DIR) -c -o $@ $<
+
+$(BUILD)/tests/test_readme: $(BUILD)/obj/tests/test_readme.o $(README_DIR)/sample.o $(HELPERS) $(HOST) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
