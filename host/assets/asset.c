@@ -467,8 +467,10 @@ static bool set_packing(struct packing *packing, const char *path, const struct 
             return fail(error, path, "reaches beyond 32767, Q16.16's end; --fit makes it smaller");
         }
         packing->origin[i] = round((box.low[i] + box.high[i]) / 2.0 * ONE);
-        packing->extent = fmax(packing->extent, ceil(fmax(box.high[i] * ONE - packing->origin[i],
-                                                          packing->origin[i] - box.low[i] * ONE)));
+        /* So that the farthest is 32767 and not 32768, which would be held: half a unit off. */
+        double reach =
+            fmax(box.high[i] * ONE - packing->origin[i], packing->origin[i] - box.low[i] * ONE);
+        packing->extent = fmax(packing->extent, ceil(reach * 32768.0 / 32767.0));
     }
     for (size_t i = 0; i < model->vertex_count && packing->uvs; i++) {
         for (int j = 0; j < 2; j++) {
