@@ -10,6 +10,7 @@
 #include "assets/asset.h"
 #include "assets/model.h"
 #include "assets/texture.h"
+#include "tools/mesh_faces.h"
 
 /* Nothing is there, so that names in a model do not reach the machine's files. */
 #define NAME "/nonexistent/fuzz"
@@ -60,7 +61,7 @@ static void make_asset(struct model *model, uint8_t choice)
     struct asset asset;
     struct text_error error;
     const struct asset_options options = {choice % 2 == 1, choice / 2 % 2 == 1, choice / 4 % 2 == 1,
-                                          true};
+                                          mesh_faces_make};
     double distance;
     if (choice / 8 % 2 == 1) {
         model_center(model);
@@ -102,8 +103,8 @@ static void fuzz_mtl(const char *text, size_t length)
     struct model model;
     struct text_error error;
     require(model_create(&model, 0, 0, 3));
-    strcpy(model.materials[1].name, "a");
-    strcpy(model.materials[2].name, "b");
+    model.materials[1].name[0] = 'a';
+    model.materials[2].name[0] = 'b';
     if (!model_parse_mtl(NAME, text, length, &model, &error)) {
         check_message(&error);
     }

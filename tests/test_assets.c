@@ -18,6 +18,7 @@
 #include "assets/model.h"
 #include "assets/texture.h"
 #include "io/number.h"
+#include "tools/mesh_faces.h"
 
 static struct model parse(const char *text)
 {
@@ -104,7 +105,8 @@ static struct model bumpy(int n, double size)
     assert_true(model_create(&model, side * side, (size_t)(2 * n * n), 2));
     for (size_t i = 0; i < side * side; i++) {
         struct model_vertex *v = &model.vertices[i];
-        double x = (double)(i % side) / n, y = (double)(i / side) / n;
+        size_t row = i / side;
+        double x = (double)(i % side) / n, y = (double)row / n;
         v->position[0] = size * (x + 3.0);
         v->position[1] = size * (y - 5.0);
         v->position[2] = size * .2 * sin(9.0 * x) * cos(7.0 * y);
@@ -179,7 +181,8 @@ static void triangles_are_the_models_and_errors_as_reported(void **state)
     for (int n = 0; n < 8; n++) {
         struct asset asset;
         struct text_error error;
-        const struct asset_options options = {n % 2 == 1, n / 2 % 2 == 1, n / 4 == 0, true};
+        const struct asset_options options = {n % 2 == 1, n / 2 % 2 == 1, n / 4 == 0,
+                                              mesh_faces_make};
         const double size = n < 4 ? 1.0 : 40.0;
         struct model model = bumpy(n < 6 ? 14 : 20, size);
         assert_true(asset_make("x", &model, &options, &asset, &error));
@@ -217,7 +220,7 @@ static void boxes_hold_and_vertices_follow(void **state)
     for (int n = 0; n < 2; n++) {
         struct asset asset;
         struct text_error error;
-        const struct asset_options options = {n == 1, false, true, false};
+        const struct asset_options options = {n == 1, false, true, NULL};
         struct model model = bumpy(30, 100.0);
         assert_true(asset_make("x", &model, &options, &asset, &error));
         const qtri_mesh *mesh = &asset.parts[0].mesh;
@@ -254,7 +257,7 @@ static void what_does_not_fit_is_refused(void **state)
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 99999 0\nf 1/1 2/1 3/1\n", "x: has a texture coordinate"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const struct asset_options options = {false, false, false, true};
+        const struct asset_options options = {false, false, false, mesh_faces_make};
         struct asset asset;
         struct text_error error;
         struct model model = parse(cases[i].text);
@@ -263,7 +266,7 @@ static void what_does_not_fit_is_refused(void **state)
         model_free(&model);
     }
     struct model model = bumpy(260, 1.0); /* 261^2 vertices */
-    const struct asset_options options = {false, false, false, false};
+    const struct asset_options options = {false, false, false, NULL};
     struct asset asset;
     struct text_error error;
     assert_false(asset_make("x", &model, &options, &asset, &error));
@@ -281,7 +284,7 @@ static void materials_become_meshes_or_colors(void **state)
     struct text_error error;
     struct asset asset;
     assert_true(model_parse_mtl("x.mtl", mtl, sizeof mtl - 1, &model, &error));
-    struct asset_options options = {false, false, false, false};
+    struct asset_options options = {false, false, false, NULL};
     assert_true(asset_make("x", &model, &options, &asset, &error));
     assert_int_equal(asset.count, 2);
     assert_string_equal(asset.parts[0].material.name, "a");
@@ -341,7 +344,7 @@ static void ply_files_are_complete(void **state)
     }
     int length = snprintf(text, sizeof text, head, "ascii");
     assert_false(model_check_ply("x", text, (size_t)length, &error));
-    strcat(text, "1\n\n2\n3 0 1 0");
+    snprintf(text + length, sizeof text - (size_t)length, "1\n\n2\n3 0 1 0");
     assert_true(model_check_ply("x", text, strlen(text), &error));
     static const char many[] = "ply\nelement face 10000000\nend_header\n";
     assert_false(model_check_ply("x", many, sizeof many - 1, &error));

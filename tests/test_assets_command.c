@@ -343,13 +343,14 @@ static size_t make_glb(char out[4096], const char *nodes, const char *material, 
     while (length % 4 != 0) {
         json[length++] = ' ';
     }
-    memcpy(out, "glTF\2\0\0\0", 8);
+    put_32(out, 0x46546C67u); /* glTF */
+    put_32(out + 4, 2);
     put_32(out + 8, (uint32_t)length + 28 + 72);
     put_32(out + 12, (uint32_t)length);
-    memcpy(out + 16, "JSON", 4);
+    put_32(out + 16, 0x4E4F534Au); /* JSON */
     memcpy(out + 20, json, (size_t)length);
     put_32(out + 20 + length, 72);
-    memcpy(out + 24 + length, "BIN\0", 4);
+    put_32(out + 24 + length, 0x004E4942u); /* BIN */
     memcpy(out + 28 + length, data, 72);
     return (size_t)length + 28 + 72;
 }

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../tools/mesh_faces.h"
-
 #define ONE 65536.0
 #define PI  3.14159265358979323846
 
@@ -55,7 +53,7 @@ static void part_free(struct asset_part *part)
 
 void asset_free(struct asset *asset)
 {
-    for (size_t i = 0; i < asset->count; i++) {
+    for (size_t i = 0; asset->parts != NULL && i < asset->count; i++) {
         part_free(&asset->parts[i]);
     }
     free(asset->parts);
@@ -336,34 +334,37 @@ static bool make_compact(struct asset_part *part, const struct draft *draft,
     return true;
 }
 
+static bool make_wide_uvs(struct asset_part *part, const struct draft *draft)
+{
+    part->uvs = calloc(draft->vertex_count, sizeof *part->uvs);
+    for (size_t i = 0; part->uvs != NULL && i < draft->vertex_count; i++) {
+        const int32_t *uv = &draft->vertices[i].number[PACKED_UV];
+        const qtri_vec2 wide = {uv[0], uv[1]};
+        part->uvs[i] = wide;
+    }
+    part->mesh.uvs = part->uvs;
+    return part->uvs != NULL;
+}
+
+static bool make_compact_uvs(struct asset_part *part, const struct draft *draft)
+{
+    part->uvs16 = calloc(draft->vertex_count, sizeof *part->uvs16);
+    for (size_t i = 0; part->uvs16 != NULL && i < draft->vertex_count; i++) {
+        const int32_t *uv = &draft->vertices[i].number[PACKED_UV];
+        const qtri_uv16 narrow = {(int16_t)uv[0], (int16_t)uv[1]};
+        part->uvs16[i] = narrow;
+    }
+    part->mesh.uvs16 = part->uvs16;
+    return part->uvs16 != NULL;
+}
+
 static bool make_uvs(struct asset_part *part, const struct draft *draft,
                      const struct packing *packing)
 {
-    size_t count = draft->vertex_count;
     if (!packing->uvs) {
         return true;
     }
-    if (packing->compact_uvs) {
-        part->uvs16 = calloc(count, sizeof *part->uvs16);
-    } else {
-        part->uvs = calloc(count, sizeof *part->uvs);
-    }
-    if (part->uvs16 == NULL && part->uvs == NULL) {
-        return false;
-    }
-    for (size_t i = 0; i < count; i++) {
-        const int32_t *uv = &draft->vertices[i].number[PACKED_UV];
-        if (packing->compact_uvs) {
-            const qtri_uv16 narrow = {(int16_t)uv[0], (int16_t)uv[1]};
-            part->uvs16[i] = narrow;
-        } else {
-            const qtri_vec2 wide = {uv[0], uv[1]};
-            part->uvs[i] = wide;
-        }
-    }
-    part->mesh.uvs = part->uvs;
-    part->mesh.uvs16 = part->uvs16;
-    return true;
+    return packing->compact_uvs ? make_compact_uvs(part, draft) : make_wide_uvs(part, draft);
 }
 
 static bool make_colors(struct asset_part *part, const struct draft *draft,
@@ -436,12 +437,12 @@ static bool make_part(struct asset_part *part, const struct draft *draft,
     part->mesh.vertex_count = (uint32_t)draft->vertex_count;
     part->mesh.triangle_count = (uint32_t)draft->triangle_count;
     set_bounds(&part->mesh, draft, packing);
-    if (packing->options->faces) {
+    if (packing->options->make_faces != NULL) {
         part->planes = calloc(draft->triangle_count, sizeof *part->planes);
         if (part->planes == NULL) {
             return false;
         }
-        (void)mesh_faces_make(&part->mesh, part->planes);
+        (void)packing->options->make_faces(&part->mesh, part->planes);
     }
     return true;
 }

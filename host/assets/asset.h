@@ -18,7 +18,8 @@ struct asset_options {
     bool compact; /* 16-bit positions and uvs, 8-bit normals and indices, where they fit */
     bool colors;  /* the materials' colours and the vertices' become vertex colours of one mesh */
     bool normals; /* normals are wanted */
-    bool faces;   /* planes of faces, where they pay */
+    /* Gives a mesh planes of its faces where they pay: mesh_faces_make, or NULL for none. */
+    bool (*make_faces)(qtri_mesh *mesh, qtri_face8 *planes);
 };
 
 /* A mesh with the memory of its arrays. */

@@ -101,6 +101,12 @@ static size_t hash_vertex(const struct model_vertex *vertex)
     return (size_t)(hash ^ hash >> 29);
 }
 
+/* model_check has left no NaN and no -0, so that bytes tell whether numbers are equal. */
+static bool same_bytes(const void *a, const void *b)
+{
+    return memcmp(a, b, sizeof(struct model_vertex)) == 0;
+}
+
 /* Fills same[i], the first vertex equal to i. */
 static bool find_equal(const struct model *model, uint32_t *same)
 {
@@ -111,8 +117,8 @@ static bool find_equal(const struct model *model, uint32_t *same)
     uint32_t *slots = calloc(size, sizeof *slots); /* vertex + 1, or 0 */
     for (size_t i = 0; slots != NULL && i < model->vertex_count; i++) {
         size_t at = hash_vertex(&model->vertices[i]) & (size - 1);
-        while (slots[at] != 0 && memcmp(&model->vertices[slots[at] - 1], &model->vertices[i],
-                                        sizeof *model->vertices) != 0) {
+        while (slots[at] != 0 &&
+               !same_bytes(&model->vertices[slots[at] - 1], &model->vertices[i])) {
             at = (at + 1) & (size - 1);
         }
         if (slots[at] == 0) {

@@ -2,7 +2,7 @@
  * glTF, GLB, STL and PLY by the library assimp, in a process of its own: what a broken file does to
  * the library's memory, time or stack ends there, and here it is one sentence.
  */
-#define _DEFAULT_SOURCE
+#define _XOPEN_SOURCE 700
 #include "model.h"
 
 #include <errno.h>

@@ -162,7 +162,7 @@ static void box_mean(const struct reduction *reduction, const struct box *box, u
         }
     }
     for (int c = 0; c < 3; c++) {
-        color[c] = (uint8_t)((sum[c] + count / 2) / count);
+        color[c] = (uint8_t)(count > 0 ? (sum[c] + count / 2) / count : 0);
     }
 }
 

@@ -288,7 +288,7 @@ static bool parse_name(struct obj_parser *parser, struct line *line, struct obj_
     }
     struct obj_name *grown =
         array_grow(names->items, names->count, &names->capacity, sizeof *grown);
-    char *text = malloc(length + 1);
+    char *text = calloc(length + 1, 1);
     if (grown != NULL) {
         names->items = grown;
     }
@@ -297,7 +297,6 @@ static bool parse_name(struct obj_parser *parser, struct line *line, struct obj_
         return fail(parser, "out of memory");
     }
     memcpy(text, line->at, length);
-    text[length] = '\0';
     grown[names->count].line = parser->line;
     grown[names->count++].text = text;
     return true;

@@ -8,6 +8,7 @@
 #include "../assets/image.h"
 #include "../io/file.h"
 #include "commands.h"
+#include "mesh_faces.h"
 #include "mesh_generate.h"
 #include "mesh_options.h"
 
@@ -131,7 +132,7 @@ static bool make(struct mesh_options *options, struct asset *asset, struct text_
             .compact = options->compact,
             .colors = options->colors,
             .normals = options->normals != MODEL_NORMALS_NONE,
-            .faces = !options->no_faces,
+            .make_faces = options->no_faces ? NULL : mesh_faces_make,
         };
         ok = asset_make(options->input, &model, &wanted, asset, error);
     }

@@ -105,7 +105,7 @@ static bool parse_name(struct mesh_options *options, const char *text)
     if (!is_identifier(text)) {
         return false;
     }
-    strcpy(options->name, text); /* is_identifier has measured it */
+    memcpy(options->name, text, strlen(text) + 1); /* is_identifier has measured it */
     return true;
 }
 

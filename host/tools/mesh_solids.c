@@ -237,7 +237,8 @@ static double ring_turn(int count, int point)
     if (count != OUTLINE) {
         return (double)point / count;
     }
-    return (point / TOOTH_POINTS + .25 + tooth[point % TOOTH_POINTS]) / TEETH;
+    int number = point / TOOTH_POINTS;
+    return (number + .25 + tooth[point % TOOTH_POINTS]) / TEETH;
 }
 
 /* The outline goes from root to root over a tip that is a little round. */
