@@ -1,8 +1,11 @@
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 #include "file.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
+#include <poll.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -10,8 +13,19 @@
 
 #define FIRST_READ ((size_t)1 << 16)
 
+/* Nobody who writes to a pipe, or nothing from him, for so long is an error: ETIMEDOUT. */
+static int wait_for_input(int descriptor)
+{
+    struct pollfd input = {descriptor, POLLIN, 0};
+    int ready = 0;
+    do {
+        ready = poll(&input, 1, FILE_PIPE_SECONDS * 1000);
+    } while (ready < 0 && errno == EINTR);
+    return ready > 0 ? 0 : (ready == 0 ? ETIMEDOUT : errno);
+}
+
 /* Reads to the end; returns 0 or an errno. The bytes read so far are in *content either way. */
-static int read_stream(FILE *stream, struct file_content *content)
+static int read_all(int descriptor, struct file_content *content)
 {
     size_t capacity = 0;
     for (;;) {
@@ -26,11 +40,19 @@ static int read_stream(FILE *stream, struct file_content *content)
             }
             content->bytes = larger;
         }
-        errno = 0;
-        size_t got = fread(content->bytes + content->length, 1, capacity - content->length, stream);
-        content->length += got;
+        int failure = wait_for_input(descriptor);
+        if (failure != 0) {
+            return failure;
+        }
+        ssize_t got =
+            read(descriptor, content->bytes + content->length, capacity - content->length);
         if (got == 0) {
-            return ferror(stream) ? (errno != 0 ? errno : EIO) : 0;
+            return 0;
+        }
+        if (got > 0) {
+            content->length += (size_t)got;
+        } else if (errno != EINTR && errno != EAGAIN) {
+            return errno;
         }
     }
 }
@@ -39,15 +61,16 @@ bool file_read(const char *path, struct file_content *content, struct text_error
 {
     content->bytes = NULL;
     content->length = 0;
-    bool is_input = strcmp(path, "-") == 0;
-    FILE *stream = is_input ? stdin : fopen(path, "rb");
-    if (stream == NULL) {
+    /* Without waiting in open(): a pipe that nobody writes to would never let us go. */
+    const bool standard = strcmp(path, "-") == 0;
+    int descriptor = standard ? STDIN_FILENO : open(path, O_RDONLY | O_NONBLOCK);
+    if (descriptor < 0) {
         text_error_set(error, path, 0, "cannot be opened: %s", strerror(errno));
         return false;
     }
-    int failure = read_stream(stream, content);
-    if (!is_input) {
-        (void)fclose(stream); /* only read from */
+    int failure = read_all(descriptor, content);
+    if (!standard) {
+        (void)close(descriptor); /* only read from */
     }
     if (failure != 0) {
         text_error_set(error, path, 0, "cannot be read: %s", strerror(failure));
@@ -85,6 +108,44 @@ static char *temporary_name(const char *path, int attempt)
     return name;
 }
 
+/* ---- What a signal must not leave behind: one output is open at a time ---- */
+
+static char unfinished[PATH_MAX];
+static volatile sig_atomic_t is_unfinished;
+
+static void remove_and_end(int number)
+{
+    if (is_unfinished) {
+        (void)unlink(unfinished);
+    }
+    (void)signal(number, SIG_DFL);
+    (void)raise(number);
+}
+
+/* Signals that are ignored stay ignored, as nohup wants it. */
+static void catch_signals(void)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGXFSZ};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        struct sigaction action;
+        if (sigaction(numbers[i], NULL, &action) == 0 && action.sa_handler == SIG_DFL) {
+            action.sa_handler = remove_and_end;
+            (void)sigaction(numbers[i], &action, NULL);
+        }
+    }
+}
+
+/* From before the file exists, or a signal could come in between. */
+static void remember(const char *temporary)
+{
+    is_unfinished = 0;
+    if (strlen(temporary) < sizeof unfinished) {
+        memcpy(unfinished, temporary, strlen(temporary) + 1);
+        catch_signals();
+        is_unfinished = 1;
+    }
+}
+
 /* Opens output->temporary for writing; returns 0 or an errno. The user's umask applies. */
 static int open_temporary(struct file_output *output)
 {
@@ -93,6 +154,7 @@ static int open_temporary(struct file_output *output)
         if (output->temporary == NULL) {
             return ENOMEM;
         }
+        remember(output->temporary);
         int descriptor = open(output->temporary, O_CREAT | O_EXCL | O_WRONLY, 0666);
         if (descriptor >= 0) {
             output->stream = fdopen(descriptor, "wb");
@@ -104,6 +166,7 @@ static int open_temporary(struct file_output *output)
             return ENOMEM;
         }
         int failure = errno;
+        is_unfinished = 0;
         free(output->temporary);
         output->temporary = NULL;
         if (failure != EEXIST || attempt == 1000) {
@@ -119,19 +182,47 @@ static void release(struct file_output *output)
     memset(output, 0, sizeof *output);
 }
 
+bool file_is_stream(const char *path)
+{
+    struct stat status;
+    return strcmp(path, "-") == 0 || strncmp(path, "/dev/", 5) == 0 ||
+           strncmp(path, "/proc/", 6) == 0 ||
+           (stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode));
+}
+
+/* Written as it is: a device, a pipe, standard output. Returns 0 or an errno. */
+static int open_stream(struct file_output *output)
+{
+    if (strcmp(output->path, "-") == 0) {
+        output->stream = stdout;
+        return 0;
+    }
+    int descriptor = open(output->path, O_WRONLY | O_TRUNC);
+    if (descriptor < 0) {
+        return errno;
+    }
+    output->stream = fdopen(descriptor, "wb");
+    if (output->stream == NULL) {
+        (void)close(descriptor);
+        return ENOMEM;
+    }
+    return 0;
+}
+
 bool file_output_open(struct file_output *output, const char *path, struct text_error *error)
 {
     memset(output, 0, sizeof *output);
-    if (strcmp(path, "-") == 0) {
-        output->stream = stdout;
-        return true;
+    /* Behind a link: it is the picture that is replaced, not the link. */
+    const bool is_stream = file_is_stream(path);
+    char *target = is_stream ? NULL : realpath(path, NULL);
+    output->path = target != NULL ? target : strdup(path);
+    int failure = output->path == NULL ? ENOMEM : 0;
+    if (failure == 0 && !is_stream && file_inspect(output->path, NULL) == FILE_OTHER) {
+        failure = EISDIR;
     }
-    if (file_inspect(path, NULL) == FILE_OTHER) { /* rename would replace a device */
-        text_error_set(error, path, 0, "cannot be written: not an ordinary file");
-        return false;
+    if (failure == 0) {
+        failure = is_stream ? open_stream(output) : open_temporary(output);
     }
-    output->path = strdup(path);
-    int failure = output->path == NULL ? ENOMEM : open_temporary(output);
     if (failure != 0) {
         text_error_set(error, path, 0, "cannot be written: %s", strerror(failure));
         release(output);
@@ -146,36 +237,26 @@ void file_output_write(struct file_output *output, const void *bytes, size_t len
     }
 }
 
-/* Standard output has no name to take and stays open. */
-static bool commit_standard(struct file_output *output, struct text_error *error)
-{
-    if ((fflush(stdout) != 0 || ferror(stdout)) && output->failure == 0) {
-        output->failure = errno != 0 ? errno : EIO;
-    }
-    if (output->failure != 0) {
-        text_error_set(error, "standard output", 0, "cannot be written: %s",
-                       strerror(output->failure));
-    }
-    return output->failure == 0;
-}
-
 bool file_output_commit(struct file_output *output, struct text_error *error)
 {
-    if (output->stream == stdout) {
-        return commit_standard(output, error);
-    }
-    if (ferror(output->stream) && output->failure == 0) { /* of who wrote to the stream itself */
+    const bool is_standard = output->stream == stdout;
+    if ((ferror(output->stream) != 0) && output->failure == 0) {
         output->failure = EIO;
     }
-    if (fclose(output->stream) != 0 && output->failure == 0) {
+    if ((is_standard ? fflush(stdout) : fclose(output->stream)) != 0 && output->failure == 0) {
         output->failure = errno;
     }
-    if (output->failure == 0 && rename(output->temporary, output->path) != 0) {
-        output->failure = errno;
+    if (output->temporary != NULL) {
+        if (output->failure == 0 && rename(output->temporary, output->path) != 0) {
+            output->failure = errno;
+        }
+        if (output->failure != 0) {
+            (void)unlink(output->temporary);
+        }
+        is_unfinished = 0;
     }
     bool written = output->failure == 0;
     if (!written) {
-        (void)unlink(output->temporary);
         text_error_set(error, output->path, 0, "cannot be written: %s", strerror(output->failure));
     }
     release(output);
@@ -186,7 +267,10 @@ void file_output_cancel(struct file_output *output)
 {
     if (output->stream != NULL && output->stream != stdout) {
         (void)fclose(output->stream);
+    }
+    if (output->temporary != NULL) {
         (void)unlink(output->temporary);
+        is_unfinished = 0;
     }
     release(output);
 }

@@ -18,8 +18,10 @@ struct file_content {
     size_t length;
 };
 
-/* Reads all of a file, a pipe or a device, or standard input as "-"; an empty one is fine. False
-   with *error set. */
+#define FILE_PIPE_SECONDS 10 /* a pipe that says nothing for so long is an error */
+
+/* Reads all of a file, a pipe or a device, "-": standard input; an empty one is fine. False with
+ *error set. */
 bool file_read(const char *path, struct file_content *content, struct text_error *error);
 
 enum file_kind { FILE_MISSING, FILE_REGULAR, FILE_OTHER /* folder, device, pipe, unreachable */ };
@@ -33,21 +35,25 @@ struct file_identity {
 /* `identity` may be NULL; it is written for files that exist. */
 enum file_kind file_inspect(const char *path, struct file_identity *identity);
 
+/* "-", a device, a pipe: what cannot be replaced as a whole. */
+bool file_is_stream(const char *path);
+
 /*
  * A file being written. The bytes go to a temporary file in the target's folder, which takes the
- * target's name on commit; until then, and after any failure, the target is as it was.
+ * target's name on commit; until then, and after any failure, the target is as it was. Signals
+ * that end the program remove the temporary file. What is no ordinary file, and "-", standard
+ * output, is written as it is. One output is open at a time.
  */
 struct file_output {
     FILE *stream;
     char *path;
-    char *temporary;
-    int failure; /* errno of the first write that failed */
+    char *temporary; /* NULL: written as it is */
+    int failure;     /* errno of the first write that failed */
 };
 
-/* "-" is standard output, which gets the bytes as they are written. */
 bool file_output_open(struct file_output *output, const char *path, struct text_error *error);
 
-/* Failures are kept and reported by commit, as are those of writing to `stream` itself. */
+/* Failures are kept and reported by commit. */
 void file_output_write(struct file_output *output, const void *bytes, size_t length);
 
 /* Ends the output: the target is complete, or false with *error set. */
