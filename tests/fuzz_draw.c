@@ -128,6 +128,42 @@ static const qtri_texel_format *const texel_formats[6] = {&qtri_texel_rgb565,  &
 static const qtri_format *const surface_formats[6] = {
     &qtri_rgb565, &qtri_xrgb8888, &qtri_gray8, &qtri_rgb565_swapped, &qtri_rgb888, &qtri_bgr888};
 
+static qtri_fog fog;
+
+/* Blend, fog and alpha, of one input in two. */
+static void build_effects(struct reader *r, qtri_material *m, qtri_texture *texture)
+{
+    static const qtri_blend *const blends[6] = {NULL,
+                                                &qtri_blend_alpha,
+                                                &qtri_blend_add,
+                                                &qtri_blend_multiply,
+                                                &qtri_blend_none,
+                                                &qtri_blend_screen_door};
+    static const qtri_texel_format *const with_alpha[4] = {
+        &qtri_texel_argb4444, &qtri_texel_argb1555, &qtri_texel_argb8888, &qtri_texel_alpha8};
+    if (take_byte(r) % 2 == 0) {
+        return;
+    }
+    m->blend = blends[take_byte(r) % 6];
+    m->alpha = take_byte(r);
+    m->least_alpha = take_byte(r) % 2 ? take_byte(r) : 0;
+    if (take_byte(r) % 2) {
+        texture->format = with_alpha[take_byte(r) % 4];
+    }
+    const uint8_t kind = take_byte(r);
+    const qtri_fog_range range = {take_int(r), take_int(r), kind % 8 > 3};
+    const qtri_rgb color = {kind, 1, 2};
+    memset(&fog, 0, sizeof fog);
+    if (kind % 4 == 1) {
+        qtri_fog_linear(&fog, color, range, take_int(r), take_int(r));
+    } else if (kind % 4 == 2) {
+        qtri_fog_exp(&fog, color, range, take_int(r));
+    } else if (kind % 4 == 3) {
+        qtri_fog_exp2(&fog, color, range, take_int(r));
+    }
+    m->fog = kind % 16 == 0 ? NULL : &fog;
+}
+
 static qtri_material build_material(struct reader *r, qtri_texture *texture, const void *texels)
 {
     qtri_material m = qtri_material_default();
@@ -152,7 +188,39 @@ static qtri_material build_material(struct reader *r, qtri_texture *texture, con
     texture->has_key = take_byte(r) % 2;
     texture->key = take_byte(r) % 8 ? take_byte(r) : (uint32_t)take_int(r);
     m.texture = take_byte(r) % 2 ? texture : NULL;
+    build_effects(r, &m, texture);
     return m;
+}
+
+/* Lights of any bits, and what they point to. */
+typedef struct lamps {
+    qtri_lights lights;
+    qtri_light_source sources[QTRI_LIGHTS_MAX];
+    qtri_shininess table;
+    qtri_reflection reflection;
+} lamps;
+
+static const qtri_lights *build_lamps(struct reader *r, lamps *l)
+{
+    static const qtri_light_kind *const kinds[4] = {&qtri_directional_light, &qtri_point_light,
+                                                    &qtri_spot_light, NULL};
+    qtri_light_color ambient;
+    const uint32_t count = take_byte(r) % (QTRI_LIGHTS_MAX + 2);
+    take(r, &ambient, sizeof ambient);
+    qtri_shininess_init(&l->table, take_number(r));
+    for (uint32_t i = 0; i < count && i < QTRI_LIGHTS_MAX; i++) {
+        take(r, &l->sources[i], sizeof l->sources[i]);
+        l->sources[i].kind = kinds[take_byte(r) % 4];
+        l->sources[i].falloff = take_byte(r) % 2 ? &l->table : NULL;
+    }
+    take(r, &l->reflection.ambient, sizeof l->reflection.ambient);
+    take(r, &l->reflection.specular, sizeof l->reflection.specular);
+    take(r, &l->reflection.emission, sizeof l->reflection.emission);
+    l->reflection.shininess = take_byte(r) % 2 ? &l->table : NULL;
+    l->reflection.own_ambient = take_byte(r) % 2;
+    l->reflection.two_sided = take_byte(r) % 2;
+    (void)qtri_lights_init(&l->lights, l->sources, count, ambient);
+    return &l->lights;
 }
 
 static void draw_mesh(struct reader *r, const qtri_surface *surface, const qtri_view *view,
@@ -225,6 +293,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     qtri_view view;
     qtri_vertex cache[CACHE];
     qtri_light light;
+    lamps lamps;
     qtri_transform pose;
     qtri_texture texture;
     qtri_corner corners[CORNERS];
@@ -238,9 +307,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     take(r, &light, sizeof light);
     view.light = take_byte(r) % 2 ? &light : NULL;
+    view.lights = take_byte(r) % 2 ? build_lamps(r, &lamps) : NULL;
     view.vertices = cache;
     view.vertex_count = take_byte(r) % (CACHE + 1);
     qtri_material material = build_material(r, &texture, texels);
+    material.reflection = view.lights != NULL ? &lamps.reflection : NULL;
 
     switch (take_byte(r) % 4) {
     case 0:
@@ -255,6 +326,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             take(r, &corners[i].uv, sizeof corners[i].uv);
         }
         qtri_draw_triangles(&surface, &view, &pose, corners, CORNERS, &material);
+        qtri_draw_lit_triangles(&surface, &view, &pose, corners, NULL, CORNERS, &material);
         qtri_draw_lines(&surface, &view, &pose, corners, CORNERS, &material);
         break;
     default:

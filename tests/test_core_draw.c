@@ -636,18 +636,39 @@ static void fill_random(void *memory, size_t bytes, uint64_t *seed)
 }
 
 /* Random bits in every field that is not a pointer or a bool. */
+/* Lights of any bits, of kinds and tables that exist. */
+static void random_lights(qtri_lights *lights, qtri_light_source sources[QTRI_LIGHTS_MAX],
+                          const qtri_shininess *table, uint64_t *seed)
+{
+    static const qtri_light_kind *const kinds[] = {&qtri_directional_light, &qtri_point_light,
+                                                   &qtri_spot_light, NULL};
+    qtri_light_color ambient;
+    fill_random(&ambient, sizeof ambient, seed);
+    fill_random(sources, QTRI_LIGHTS_MAX * sizeof *sources, seed);
+    for (int i = 0; i < QTRI_LIGHTS_MAX; i++) {
+        sources[i].kind = kinds[random_in(seed, 0, 3)];
+        sources[i].falloff = random_flag(seed) ? table : NULL;
+    }
+    (void)qtri_lights_init(lights, sources, (uint32_t)random_in(seed, 0, 9), ambient);
+}
+
 static void garbage(void **state)
 {
     (void)state;
     static full_mesh m;
-    static qtri_vertex scratch[VERTICES];
+    static qtri_vertex scratch[QTRI_LIT_VERTICES(VERTICES)];
     static qtri_corner corners[12];
+    static qtri_normal normals[12];
     uint64_t seed = 106;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     for (int n = 0; n < 8000; n++) {
         qtri_view view;
         qtri_transform pose;
         qtri_light light;
+        qtri_lights lights;
+        qtri_light_source sources[QTRI_LIGHTS_MAX];
+        qtri_shininess table;
+        qtri_reflection reflection;
         fill_random(&view, sizeof view, &seed);
         fill_random(&pose, sizeof pose, &seed);
         fill_random(&light, sizeof light, &seed);
@@ -691,7 +712,16 @@ static void garbage(void **state)
         }
         view.light = random_flag(&seed) ? &light : NULL;
         view.vertices = random_flag(&seed) ? scratch : NULL;
-        view.vertex_count = view.vertices != NULL ? VERTICES : 0;
+        view.vertex_count = view.vertices != NULL ? LENGTH_OF(scratch) : 0;
+        qtri_shininess_init(&table, random_any(&seed));
+        random_lights(&lights, sources, &table, &seed);
+        view.lights = random_flag(&seed) ? &lights : NULL;
+        fill_random(&reflection.ambient, sizeof reflection.ambient, &seed);
+        fill_random(&reflection.specular, sizeof reflection.specular, &seed);
+        fill_random(&reflection.emission, sizeof reflection.emission, &seed);
+        reflection.shininess = random_flag(&seed) ? &table : NULL;
+        reflection.own_ambient = random_flag(&seed);
+        reflection.two_sided = random_flag(&seed);
         qtri_texture texture = checker;
         texture.fields = (uint16_t)random64(&seed);
         texture.width_log2 = (uint8_t)random64(&seed);
@@ -706,8 +736,11 @@ static void garbage(void **state)
         material.shading = (qtri_shading)random_bits32(&seed);
         material.fill = random_bits32(&seed) >> 30 != 0 ? &qtri_wireframe : NULL;
         material.depth_compare = (qtri_compare)random_bits32(&seed);
+        material.reflection = random_flag(&seed) ? &reflection : NULL;
+        fill_random(normals, sizeof normals, &seed);
         qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
         qtri_draw_triangles(&c.surface, &view, &pose, corners, 12, &material);
+        qtri_draw_lit_triangles(&c.surface, &view, &pose, corners, normals, 12, &material);
         qtri_draw_lines(&c.surface, &view, &pose, corners, 12, &material);
     }
     canvas_free(&c);

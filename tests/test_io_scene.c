@@ -164,6 +164,51 @@ static void state_statements(void **state)
     scene_free(&scene);
 }
 
+static void light_statements(void **state)
+{
+    (void)state;
+    struct scene scene = parse("ambient .25 .5 2\nlight directional 0 0 2 1 .5 0\n"
+                               "light point 1 2 3 1 1 16\nlight point 1 2 3 1 1 1 .5 .25 2\n"
+                               "light spot 1 2 3 0 -1 0 10 20 1 1 1\n"
+                               "light spot 1 2 3 0 -1 0 10 20 1 1 1 0 0 1 4\n"
+                               "material specular 1 .5 0 30\nmaterial emission .25 0 0\n"
+                               "twosided on\ntexgen sphere\n"
+                               "trin 0 0 0 1 1 0 0 0 0 1  1 0 0 1 0 1 0 0 1 0  "
+                               "0 1 0 1 0 0 1 1 0 0\n");
+    assert_true(scene.lamps_on);
+    assert_int_equal(scene.ambient[2], 2 * ONE);
+    assert_int_equal(scene.lamp_count, 5);
+    assert_int_equal(scene.lamps[0].kind, SCENE_DIRECTIONAL);
+    assert_int_equal(scene.lamps[0].position[2], 2 * ONE);
+    assert_int_equal(scene.lamps[1].kind, SCENE_POINT);
+    assert_int_equal(scene.lamps[1].color[2], 16 * ONE);
+    assert_int_equal(scene.lamps[1].fade[0], ONE);
+    assert_int_equal(scene.lamps[1].fade[2], 0);
+    assert_int_equal(scene.lamps[2].fade[1], ONE / 4);
+    assert_int_equal(scene.lamps[3].kind, SCENE_SPOT);
+    assert_int_equal(scene.lamps[3].direction[1], -ONE);
+    assert_int_equal(scene.lamps[3].outer, 20 * ONE);
+    assert_int_equal(scene.lamps[3].exponent, 0);
+    assert_int_equal(scene.lamps[4].exponent, 4 * ONE);
+    assert_int_equal(scene.reflection.specular[1], ONE / 2);
+    assert_int_equal(scene.reflection.shininess, 30 * ONE);
+    assert_int_equal(scene.reflection.emission[0], ONE / 4);
+    assert_false(scene.reflection.own_ambient);
+    assert_true(scene.reflection.two_sided);
+    assert_true(scene.texture_sphere);
+    assert_int_equal(scene.ops[0].u.triangle.vertex[1].normal[1], ONE);
+    assert_false(scene.ops[0].u.triangle.textured);
+    scene_free(&scene);
+    scene = parse("light 0 0 1 .2 .8\n");
+    assert_false(scene.lamps_on);
+    scene_free(&scene);
+    char many[400] = "";
+    for (int i = 0; i <= SCENE_MAX_LAMPS; i++) {
+        strcat(many, "light point 0 0 0 1 1 1\n");
+    }
+    assert_error(many, "x.scene:8: light: more lights than can be drawn with");
+}
+
 static void the_last_statement_wins(void **state)
 {
     (void)state;
@@ -613,6 +658,17 @@ static void value_errors(void **state)
         {"light 1e-9 0 0 .5 .5", "light: the direction must not be zero"},
         {"light 0 0 1 1.5 .5", "light: '1.5' does not lie in 0..1"},
         {"light 0 0 1 .5 -.5", "light: '-.5' does not lie in 0..1"},
+        {"light directional 0 0 0 1 1 1", "light: the direction must not be zero"},
+        {"light directional 0 0 1 1 17 1", "light: '17' does not lie in 0..16"},
+        {"light point 0 0 1 1 1 1 1 -1 0", "light: '-1' must not be below 0"},
+        {"light spot 0 0 1 0 0 0 10 20 1 1 1", "light: the direction must not be zero"},
+        {"light spot 0 0 1 0 0 1 10 181 1 1 1", "light: '181' is not an angle of 0..180 degrees"},
+        {"light spot 0 0 1 0 0 1 9 9 1 1 1 1 0 0 .5", "light: '.5' does not lie in 1..1024"},
+        {"ambient 0 0 -1", "ambient: '-1' does not lie in 0..16"},
+        {"material specular 1 1 1 0", "material: '0' does not lie in 1..1024"},
+        {"material emission 1 1 2", "material: '2' does not lie in 0..1"},
+        {"twosided yes", "'yes' is unknown here: twosided off|on"},
+        {"texgen on", "'on' is unknown here: texgen off|sphere"},
         {"translate 40000 0 0", "translate: '40000' does not fit Q16.16"},
         {"translate 0 0 0x10", "translate: '0x10' is not a number"},
         {"scale nan 1 1", "scale: 'nan' is not a number"},
@@ -700,11 +756,12 @@ static void wrong_number_of_values(void **state)
     } cases[] = {
         {"viewport", 2},    {"clear", 3},   {"cleardepth", 1}, {"depth", 1},
         {"depthmask", 1},   {"cull", 1},    {"texmode", 1},    {"depthrange", 2},
-        {"interpolate", 1}, {"polygon", 1}, {"light", 5},      {"mode", 1},
+        {"interpolate", 1}, {"polygon", 1}, {"ambient", 3},    {"mode", 1},
         {"identity", 0},    {"load", 16},   {"mult", 16},      {"lookat", 9},
         {"perspective", 4}, {"frustum", 6}, {"ortho", 6},      {"translate", 3},
         {"rotate", 4},      {"scale", 3},   {"push", 0},       {"pop", 0},
-        {"tri", 21},        {"trit", 27},
+        {"tri", 21},        {"trit", 27},   {"trin", 30},      {"tritn", 36},
+        {"twosided", 1},    {"texgen", 1},
     };
     for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {
         for (int count = cases[i].count - 1; count <= cases[i].count + 1; count += 2) {
@@ -797,6 +854,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(empty_scenes_have_defaults),
         cmocka_unit_test(state_statements),
+        cmocka_unit_test(light_statements),
         cmocka_unit_test(the_last_statement_wins),
         cmocka_unit_test(depth_comparisons),
         cmocka_unit_test(provoking_vertex),

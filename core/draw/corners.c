@@ -1,4 +1,4 @@
-#include "primitive.h"
+#include "corners.h"
 
 static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
 {
@@ -9,8 +9,7 @@ static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
     out->v_q32 = (int64_t)corner->uv.y * 65536;
 }
 
-/* From three corners. */
-static void attributes_of_triangle(const void *from, qtri_screen_vertex attributes[3])
+void qtri_corners_attributes(const void *from, qtri_screen_vertex attributes[3])
 {
     const qtri_corner *corners = from;
     for (int i = 0; i < 3; i++) {
@@ -18,9 +17,8 @@ static void attributes_of_triangle(const void *from, qtri_screen_vertex attribut
     }
 }
 
-/* Transforms `count` corners of one primitive, which then share one scale. */
-static void fetch(const qtri_primitive *primitive, const qtri_corner *corners, int count,
-                  qtri_clip_vertex v[3])
+void qtri_corners_fetch(const qtri_primitive *primitive, const qtri_corner *corners, int count,
+                        qtri_clip_vertex v[3])
 {
     const qtri_vec4 *position[3];
     for (int i = 0; i < count; i++) {
@@ -29,34 +27,27 @@ static void fetch(const qtri_primitive *primitive, const qtri_corner *corners, i
     qtri_projector_points(&primitive->projector, position, count, v);
 }
 
-/* What becomes of a triangle's corners. */
-typedef enum fate {
-    ELSEWHERE, /* not decided: one is outside, or not at w = 1 */
-    CULLED,
-    SEEN /* all of it */
-} fate;
-
-/* A solid triangle whose corners are like vertices of a mesh, as most are: in their way. */
-QTRI_NOINLINE static fate place_usual(const qtri_primitive *primitive, const qtri_corner *corners,
-                                      qtri_fan_vertex fan[3])
+QTRI_NOINLINE qtri_corners_fate qtri_corners_place(const qtri_primitive *primitive,
+                                                   const qtri_corner *corners,
+                                                   qtri_fan_vertex fan[3])
 {
     qtri_vec3 p[3];
     qtri_vertex v[3];
     for (int i = 0; i < 3; i++) {
         const qtri_vec4 *position = &corners[i].position;
         if (position->w != Q16_ONE) {
-            return ELSEWHERE;
+            return QTRI_CORNERS_ELSEWHERE;
         }
         p[i].x = position->x;
         p[i].y = position->y;
         p[i].z = position->z;
     }
     if (!qtri_projector_vertices(&primitive->projector, p, 3, v)) {
-        return ELSEWHERE;
+        return QTRI_CORNERS_ELSEWHERE;
     }
     const int64_t area = qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at);
     if (area == 0 || qtri_is_culled(primitive->material->cull, area)) {
-        return CULLED;
+        return QTRI_CORNERS_CULLED;
     }
     for (int i = 0; i < 3; i++) {
         fan[i].at = v[i].at;
@@ -65,7 +56,7 @@ QTRI_NOINLINE static fate place_usual(const qtri_primitive *primitive, const qtr
         fan[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
         fan[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
     }
-    return SEEN;
+    return QTRI_CORNERS_SEEN;
 }
 
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
@@ -77,12 +68,13 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
     const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         qtri_shape shape;
-        const fate found = solid ? place_usual(&primitive, &corners[i], shape.fan) : ELSEWHERE;
-        if (found == SEEN) {
-            qtri_primitive_inside(&primitive, shape.fan, attributes_of_triangle, &corners[i]);
-        } else if (found == ELSEWHERE) {
-            fetch(&primitive, &corners[i], 3, shape.clip);
-            qtri_primitive_triangle(&primitive, &shape, attributes_of_triangle, &corners[i]);
+        const qtri_corners_fate found =
+            solid ? qtri_corners_place(&primitive, &corners[i], shape.fan) : QTRI_CORNERS_ELSEWHERE;
+        if (found == QTRI_CORNERS_SEEN) {
+            qtri_primitive_inside(&primitive, shape.fan, qtri_corners_attributes, &corners[i]);
+        } else if (found == QTRI_CORNERS_ELSEWHERE) {
+            qtri_corners_fetch(&primitive, &corners[i], 3, shape.clip);
+            qtri_primitive_triangle(&primitive, &shape, qtri_corners_attributes, &corners[i]);
         }
     }
     qtri_primitive_finish(&primitive);
@@ -100,7 +92,7 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
         qtri_clip_vertex v[3];
         qtri_screen_vertex attributes[2];
-        fetch(&primitive, &corners[i], 2, v);
+        qtri_corners_fetch(&primitive, &corners[i], 2, v);
         attributes_of(&attributes[0], &corners[i]);
         attributes_of(&attributes[1], &corners[i + 1]);
         qtri_primitive_line(&primitive, v, attributes);

@@ -1,4 +1,5 @@
 #include "fill.h"
+#include "lights.h"
 #include "mesh_faces.h"
 
 /* What light makes of the corners' colours. */
@@ -52,6 +53,10 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
         } else {
             qtri_projector_point(projector, &draw->mesh->positions[index], &shape.clip[i]);
         }
+    }
+    if (draw->lights != NULL) {
+        draw->lights->model->clipped(draw, indices, &shape);
+        return;
     }
     triangle.draw = draw;
     triangle.indices = indices;
@@ -199,8 +204,25 @@ QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_surface *surface
                                 const qtri_view *view, const qtri_transform *pose,
                                 const qtri_mesh *mesh, const qtri_material *material)
 {
-    qtri_mesh_job_init(draw, surface, view, mesh, material);
+    qtri_mesh_job_init(draw, surface, view, mesh, material, view->vertices, view->vertex_count);
     return qtri_mesh_job_place(draw, view, pose);
+}
+
+/* Once it is placed, and lit by a view's lights. */
+static void draw_placed(qtri_mesh_job *draw, void *with)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    (void)with;
+    if (!QTRI_WITH_FAST_PATHS || draw->slot_count < mesh->vertex_count) {
+        draw_by_slots(draw);
+    } else if (draw->material.fill != NULL) {
+        draw->material.fill->mesh(draw);
+    } else {
+        const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
+        if (culling == NULL || !culling->draw(draw)) {
+            draw_whole(draw);
+        }
+    }
 }
 
 void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
@@ -210,15 +232,10 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     if (!begin(&draw, surface, view, pose, mesh, material)) {
         return;
     }
-    if (!QTRI_WITH_FAST_PATHS || draw.slot_count < mesh->vertex_count) {
-        draw_by_slots(&draw);
-    } else if (material->fill != NULL) {
-        material->fill->mesh(&draw);
+    if (view->lights != NULL) {
+        view->lights->model->mesh(&draw, view, pose, true, draw_placed, NULL);
     } else {
-        const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
-        if (culling == NULL || !culling->draw(&draw)) {
-            draw_whole(&draw);
-        }
+        draw_placed(&draw, NULL);
     }
     qtri_primitive_finish(&draw.primitive);
 }

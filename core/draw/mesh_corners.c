@@ -1,7 +1,7 @@
 /*
  * What the corners of a mesh's triangles bring: place, light, colours, texture coordinates.
  */
-#include "mesh_job.h"
+#include "lights.h"
 
 bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
                          qtri_vertex *out)
@@ -68,6 +68,9 @@ QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void
     light_corner(draw, indices, 0, a);
     light_corner(draw, indices, 1, b);
     light_corner(draw, indices, 2, c);
+    if (draw->lights != NULL) {
+        draw->lights->model->meet(draw, indices);
+    }
 }
 
 void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)

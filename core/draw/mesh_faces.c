@@ -1,5 +1,7 @@
 #include "mesh_faces.h"
 
+#include "lights.h"
+
 static bool find_eye(qtri_eye *eye, const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
@@ -131,6 +133,9 @@ static bool transform(const qtri_mesh_job *draw, uint32_t count)
 static void light(const qtri_mesh_job *draw, uint32_t count)
 {
     const qtri_mesh *mesh = draw->mesh;
+    if (draw->lights != NULL) {
+        draw->lights->model->list(draw, count);
+    }
     if (!draw->lit_per_vertex) {
         for (uint32_t i = 0; i < count; i++) {
             draw->vertices[draw->vertices[i].index].intensity_q15 = QTRI_INTENSITY_ONE;

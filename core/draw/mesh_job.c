@@ -1,4 +1,4 @@
-#include "mesh_job.h"
+#include "lights.h"
 
 /* Vertices from which on a look at eight corners pays. */
 enum { WORTH_A_BOX = 64 };
@@ -45,19 +45,26 @@ static bool is_built(const qtri_mesh *mesh)
 }
 
 void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
-                        const qtri_mesh *mesh, const qtri_material *material)
+                        const qtri_mesh *mesh, const qtri_material *material, qtri_vertex *vertices,
+                        uint32_t vertex_count)
 {
     draw->material = *material;
     if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
         draw->material.texture = NULL;
     }
     draw->mesh = mesh;
-    draw->vertices = view->vertices;
-    draw->slot_count = view->vertex_count;
+    draw->vertices = vertices;
+    draw->slot_count = vertex_count;
+    draw->lights = view->lights;
+    draw->illumination = NULL;
+    draw->lit_colors = NULL;
     const bool solid = material->fill == NULL;
     qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
     draw->tinted = mesh->colors == NULL;
     draw->more = !draw->tinted;
+    if (draw->lights != NULL) {
+        draw->lights->model->begin(draw);
+    }
     if (solid) {
         qtri_raster *raster = &draw->primitive.to.solid.raster;
         draw->more |= raster->texture != NULL;
@@ -66,11 +73,11 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
         }
     }
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
-    draw->lit_per_vertex =
-        view->light != NULL && qtri_shading_of(material) == QTRI_SMOOTH && normals;
+    const bool is_lit = view->light != NULL && view->lights == NULL;
+    draw->lit_per_vertex = is_lit && qtri_shading_of(material) == QTRI_SMOOTH && normals;
     draw->noted = false;
     draw->lit = false;
-    draw->lit_per_face = QTRI_WITH_FACE_LIGHT && view->light != NULL && !draw->lit_per_vertex;
+    draw->lit_per_face = QTRI_WITH_FACE_LIGHT && is_lit && !draw->lit_per_vertex;
     if (solid) {
         qtri_raster *raster = &draw->primitive.to.solid.raster;
         raster->lamp.find = qtri_mesh_find_light;
@@ -92,7 +99,7 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
     if (qtri_mesh_has_compact(mesh->positions16)) {
         qtri_projector_compact(&draw->primitive.projector, &mesh->origin, mesh->extent);
     }
-    if (view->light != NULL) {
+    if (view->light != NULL && view->lights == NULL) {
         qtri_transform object_to_eye;
         qtri_transform_mul(&object_to_eye, &view->camera, pose);
         const bool bytes = QTRI_WITH_COMPACT_MESHES && mesh->normals8 != NULL;

@@ -4,6 +4,8 @@
 #ifndef QTRI_DRAW_MESH_JOB_H
 #define QTRI_DRAW_MESH_JOB_H
 
+#include "qtri/light.h"
+
 #include "../geometry/lighting.h"
 #include "../bits/bits.h"
 #include "../raster/list.h"
@@ -22,11 +24,20 @@ typedef struct qtri_mesh_job {
     bool tinted; /* the mesh has no colours of its own */
     bool more;   /* colours of their own or a texture */
     qtri_lighting lighting;
+    /* view->lights, and with them: */
+    const qtri_lights *lights;
+    const struct qtri_illumination *illumination; /* NULL: all that is needed is lit */
+    uint32_t *lit_colors;                         /* of every vertex; NULL: there is no room */
+    bool shaded_per_vertex;
 } qtri_mesh_job;
 
-/* How it looks and where to: all that triangles inside all planes need, once they are lit. */
+/*
+ * How it looks and where to: all that triangles inside all planes need, once they are lit; and
+ * memory for its vertices.
+ */
 void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
-                        const qtri_mesh *mesh, const qtri_material *material);
+                        const qtri_mesh *mesh, const qtri_material *material, qtri_vertex *vertices,
+                        uint32_t vertex_count);
 
 /* Then geometry and light. False when nothing of the mesh can be seen on the surface. */
 bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose);

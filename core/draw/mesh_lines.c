@@ -28,6 +28,7 @@
  * every band that the edge touches.
  */
 #include "fill.h"
+#include "lights.h"
 #include "mesh_faces.h"
 
 #include "../fast/line_16.h"
@@ -133,11 +134,19 @@ QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *
     const qtri_line_job *line = &draw->primitive.to.lines.job;
     const qtri_shading shading = draw->material.shading;
     const qtri_rgb *colors = draw->mesh->colors;
+    qtri_rgb shaded[3];
     uint32_t index[3];
     uint32_t light_q15[3];
     qtri_line_color color[4]; /* the first once more: an edge's are next to each other */
     qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
-    if (draw->lit_per_face) {
+    if (draw->lights != NULL) {
+        draw->lights->model->shade(draw, index, vertex[0], vertex[1], vertex[2], shaded);
+        colors = shaded;
+        index[0] = 0;
+        index[1] = 1;
+        index[2] = 2;
+        light_q15[0] = light_q15[1] = light_q15[2] = QTRI_INTENSITY_ONE;
+    } else if (draw->lit_per_face) {
         light_q15[0] = qtri_mesh_light_face(draw, triangle);
         light_q15[1] = light_q15[2] = light_q15[0];
     } else {
@@ -168,13 +177,17 @@ QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *
 /* Whether the light of a mesh's vertices tells what colours lines have. */
 static inline bool is_tinted(const qtri_mesh_job *draw)
 {
-    return draw->mesh->colors == NULL && !draw->lit_per_face;
+    return draw->mesh->colors == NULL && !draw->lit_per_face && draw->lights == NULL;
 }
 
 /* Some edges of a triangle inside all planes, in other colours. */
 QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *triangle,
                                        qtri_vertex *const vertex[3], uint32_t edges)
 {
+    if (draw->lights != NULL) {
+        draw_in_colors(draw, triangle, vertex, edges);
+        return;
+    }
     if (draw->mesh->colors == NULL) {
         draw_in_face_light(draw, triangle, vertex, edges);
         return;
@@ -369,7 +382,7 @@ QTRI_NOINLINE static void draw_any_noted(const qtri_mesh_job *draw)
 /* A mesh has lines enough for a table, if they are tinted. */
 static void begin_mesh(qtri_mesh_job *draw)
 {
-    if (draw->mesh->colors == NULL) {
+    if (draw->mesh->colors == NULL && draw->lights == NULL) {
         qtri_line_make_table(&draw->primitive.to.lines.job);
         qtri_line_16_choose(&draw->primitive.to.lines.job);
     }

@@ -1,5 +1,5 @@
 #include "../raster/small.h"
-#include "mesh_job.h"
+#include "lights.h"
 
 /* What not every mesh has. */
 QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
@@ -19,6 +19,10 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const void *indice
                                    uint32_t face_q15)
 {
     qtri_attributes attributes[3];
+    if (draw->lights != NULL) {
+        draw->lights->model->large(draw, indices, vertex, triangle);
+        return;
+    }
     for (int i = 0; i < 3; i++) {
         uint32_t intensity_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
         qtri_vertex_attributes(&attributes[i], vertex[i], intensity_q15);
@@ -107,6 +111,10 @@ QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indice
                                    qtri_mesh_index(mesh, indices, 2)};
         if (raster->texture != NULL) {
             qtri_mesh_set_coordinates(uv, mesh, index);
+        }
+        if (draw->lights != NULL) {
+            draw->lights->model->small(draw, index, &t);
+            return;
         }
         if (!draw->tinted) {
             draw_colored(draw, index, &t);

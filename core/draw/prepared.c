@@ -1,4 +1,5 @@
 #include "fill.h"
+#include "lights.h"
 #include "mesh_faces.h"
 #include "prepared_lists.h"
 
@@ -332,10 +333,20 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
 bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
                          const qtri_surface *surface, bool place)
 {
-    qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material);
-    job->vertices = prepared->vertices;
-    job->slot_count = prepared->vertex_count;
+    qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material,
+                       prepared->vertices, prepared->vertex_count);
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
+}
+
+static void see(qtri_mesh_job *job, void *with)
+{
+    sorter *s = with;
+    if (s->is_complete) {
+        see_whole(s);
+    } else {
+        qtri_mesh_clear_slots(job);
+        see_by_slots(s);
+    }
 }
 
 static void prepare(qtri_prepared *prepared, const qtri_format *format)
@@ -363,18 +374,18 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     const qtri_rect none = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     prepared->extent_24p8 = none;
     begin_lists(&s, prepared);
-    if (s.is_complete) {
-        see_whole(&s);
+    if (job.lights != NULL && job.lights->model->has_place(&job, false)) {
+        job.lights->model->mesh(&job, prepared->view, prepared->pose, true, see, &s);
     } else {
-        qtri_mesh_clear_slots(&job);
-        see_by_slots(&s);
+        see(&job, &s);
     }
     list_pending(&s);
     prepared->is_seen = true;
     prepared->is_solid = is_solid;
     prepared->is_anywhere = s.is_anywhere;
     prepared->group_log2 = (uint8_t)s.group_log2;
-    prepared->is_placed = !s.is_complete || s.is_anywhere || job.lit_per_face;
+    prepared->is_placed = !s.is_complete || s.is_anywhere || job.lit_per_face ||
+                          (job.lights != NULL && !job.lights->model->has_place(&job, true));
 }
 
 void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const qtri_view *view,

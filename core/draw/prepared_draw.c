@@ -1,4 +1,5 @@
 #include "fill.h"
+#include "lights.h"
 #include "prepared_lists.h"
 
 /*
@@ -100,6 +101,22 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
     }
 }
 
+/* The band that a surface is: its list, and triangles that are in none. */
+typedef struct band_work {
+    const qtri_prepared *prepared;
+    bool by_list;
+    uint32_t band, first, count;
+} band_work;
+
+static void draw_band(qtri_mesh_job *job, void *with)
+{
+    const band_work *work = with;
+    if (work->by_list) {
+        draw_list(job, work->prepared, work->band);
+    }
+    draw_range(job, work->prepared, work->first, work->count);
+}
+
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
@@ -125,9 +142,11 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     if (job.material.fill != NULL) {
         job.material.fill->band(&job);
     }
-    if (by_list) {
-        draw_list(&job, prepared, band);
+    band_work work = {prepared, by_list, band, first, count};
+    if (job.lights != NULL && prepared->is_placed) {
+        job.lights->model->mesh(&job, prepared->view, prepared->pose, false, draw_band, &work);
+    } else {
+        draw_band(&job, &work);
     }
-    draw_range(&job, prepared, first, count);
     qtri_primitive_finish(&job.primitive);
 }

@@ -198,14 +198,21 @@ QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_triangle
     return qtri_job_init(job, &p->primitive->to.solid.raster, triangle, own);
 }
 
-/* One that is small: attributes are found again, so that they take no stack in between. */
+QTRI_NOINLINE static void small_piece_values(qtri_small_values *values, const piece *p)
+{
+    qtri_attributes own[3];
+    piece_attributes(own, p);
+    qtri_small_set_values(values, &p->primitive->to.solid.raster, own);
+}
+
+/* One that is small. */
 QTRI_NOINLINE static void draw_small_piece(const piece *p, qtri_place *place,
                                            const qtri_vertex v[3])
 {
-    qtri_attributes own[3];
+    qtri_small_values values;
     const qtri_vertex *const vertex[3] = {&v[0], &v[1], &v[2]};
-    piece_attributes(own, p);
-    qtri_small_attributes(&p->primitive->to.solid.raster, place, vertex, own);
+    small_piece_values(&values, p);
+    qtri_small_draw_values(&p->primitive->to.solid.raster, place, vertex, &values);
 }
 
 QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)

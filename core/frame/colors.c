@@ -27,48 +27,72 @@ static uint32_t pack_gray(const int32_t channel[3])
     return qtri_pack_gray(channel);
 }
 
-static uint32_t magnitude(uint32_t x)
+static inline uint32_t magnitude(uint32_t x)
 {
     return (int32_t)x < 0 ? 0 - x : x;
 }
 
-/*
- * In pieces of 2^log2 pixels along chords, in one word with fractions of five bits, see
- * raster/packed.h: a curve leaves its chord by bend 4^log2 / 8, which is held below 1/8 of a step.
- */
-static void smooth_565(uint32_t *color, const qtri_curve *c, int32_t count)
+/* n.16 in one word with fractions of five bits, see raster/packed.h. */
+static inline uint32_t packed_565(uint32_t r, uint32_t g, uint32_t b)
 {
-    const uint32_t mask = 0xF81F07E0u;
-    const uint32_t most = magnitude(c[0].bend) | magnitude(c[1].bend) | magnitude(c[2].bend);
-    uint32_t at[3] = {c[0].at, c[1].at, c[2].at};
-    uint32_t step[3] = {c[0].step, c[1].step, c[2].step};
-    int32_t log2 = 3;
-    for (uint32_t limit = 1024; log2 > 0 && most >= limit; limit <<= 2) {
-        log2--;
+    return (r >> 10 << 21) + (b & ~(uint32_t)0x7FF) + (uint32_t)((int32_t)g >> 11);
+}
+
+static inline uint32_t eighth(uint32_t rise, uint32_t half)
+{
+    return (uint32_t)((int32_t)rise >> 3) + half;
+}
+
+#define QTRI_PACKED_565(i)                                                                         \
+    {                                                                                              \
+        const uint32_t shown = packed & mask;                                                      \
+        color[i] = shown | shown >> 16;                                                            \
+        packed += step;                                                                            \
+        QTRI_OPAQUE(packed)                                                                        \
     }
-    const int32_t size = (int32_t)1 << log2;
-    do {
-        uint32_t rise[3];
-        for (int i = 0; i < 3; i++) {
-            rise[i] = (step[i] << log2) + (uint32_t)(size * (size - 1) / 2) * c[i].bend;
-        }
-        uint32_t packed =
-            (at[0] >> 10 << 21) + (at[2] & ~(uint32_t)0x7FF) + (uint32_t)((int32_t)at[1] >> 11);
-        const uint32_t red = (uint32_t)((int32_t)rise[0] >> log2) + 0x200;
-        const uint32_t green = (uint32_t)((int32_t)rise[1] >> log2) + 0x400;
-        const uint32_t blue = (uint32_t)((int32_t)rise[2] >> log2) + 0x400;
-        const uint32_t packed_step =
-            (red >> 10 << 21) + (blue & ~(uint32_t)0x7FF) + (uint32_t)((int32_t)green >> 11);
-        for (int32_t i = 0; i < size; i++) {
-            const uint32_t shown = packed & mask;
-            *color++ = shown | shown >> 16;
-            packed += packed_step;
+
+/* Along chords of eight pixels: a curve leaves them by bend 8^2 / 8. */
+static void chords_565(uint32_t *color, const qtri_curve *c, int32_t count)
+{
+    uint32_t mask = 0xF81F07E0u;
+    uint32_t at[3] = {c[0].at, c[1].at, c[2].at};
+    uint32_t rise[3];
+    for (int i = 0; i < 3; i++) {
+        rise[i] = 8 * c[i].step + 28 * c[i].bend;
+    }
+    QTRI_OPAQUE(mask)
+    for (;;) {
+        uint32_t packed = packed_565(at[0], at[1], at[2]);
+        const uint32_t step =
+            packed_565(eighth(rise[0], 0x200), eighth(rise[1], 0x400), eighth(rise[2], 0x400));
+        int32_t some = count < 8 ? count : 8;
+        QTRI_CURVE_WORDS(color, some, QTRI_PACKED_565)
+        count -= 8;
+        if (count <= 0) {
+            return;
         }
         for (int i = 0; i < 3; i++) {
             at[i] += rise[i];
-            step[i] += c[i].bend << log2;
+            rise[i] += 64 * c[i].bend;
         }
-    } while ((count -= size) > 0);
+    }
+}
+
+#define QTRI_STRAIGHT_565(i)                                                                       \
+    color[i] = r >> 16 << 11 | g >> 16 << 5 | b >> 16;                                             \
+    QTRI_STEP_THREE
+
+#define QTRI_CURVED_565(i) QTRI_STRAIGHT_565(i) QTRI_BEND_THREE
+
+/* Chords where they are within 1/8 of a step. */
+static void smooth_565(uint32_t *color, const qtri_curve *c, int32_t count)
+{
+    const uint32_t most = magnitude(c[0].bend) | magnitude(c[1].bend) | magnitude(c[2].bend);
+    if (most < 1024) {
+        chords_565(color, c, count);
+    } else {
+        QTRI_CURVED_CURVES(color, c, 0, count, 565)
+    }
 }
 
 #define QTRI_STRAIGHT_888(i)                                                                       \

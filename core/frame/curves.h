@@ -32,21 +32,31 @@
  */
 #define QTRI_THREE_CURVES(out, curve, less, count, PACK)                                           \
     {                                                                                              \
-        uint32_t r = (curve)[0].at - (less);                                                       \
-        uint32_t g = (curve)[1].at - (less);                                                       \
-        uint32_t b = (curve)[2].at - (less);                                                       \
-        uint32_t r_step = (curve)[0].step;                                                         \
-        uint32_t g_step = (curve)[1].step;                                                         \
-        uint32_t b_step = (curve)[2].step;                                                         \
-        uint32_t r_bend = (curve)[0].bend;                                                         \
-        uint32_t g_bend = (curve)[1].bend;                                                         \
-        uint32_t b_bend = (curve)[2].bend;                                                         \
+        QTRI_THREE_BEGIN(curve, less)                                                              \
         if (!QTRI_SMALL_CODE && (r_bend | g_bend | b_bend) == 0) {                                 \
             QTRI_CURVE_WORDS(out, count, QTRI_STRAIGHT_##PACK)                                     \
         } else {                                                                                   \
             QTRI_CURVE_WORDS(out, count, QTRI_CURVED_##PACK)                                       \
         }                                                                                          \
     }
+
+/* The same of those that are bent. */
+#define QTRI_CURVED_CURVES(out, curve, less, count, PACK)                                          \
+    {                                                                                              \
+        QTRI_THREE_BEGIN(curve, less)                                                              \
+        QTRI_CURVE_WORDS(out, count, QTRI_CURVED_##PACK)                                           \
+    }
+
+#define QTRI_THREE_BEGIN(curve, less)                                                              \
+    uint32_t r = (curve)[0].at - (less);                                                           \
+    uint32_t g = (curve)[1].at - (less);                                                           \
+    uint32_t b = (curve)[2].at - (less);                                                           \
+    uint32_t r_step = (curve)[0].step;                                                             \
+    uint32_t g_step = (curve)[1].step;                                                             \
+    uint32_t b_step = (curve)[2].step;                                                             \
+    uint32_t r_bend = (curve)[0].bend;                                                             \
+    uint32_t g_bend = (curve)[1].bend;                                                             \
+    uint32_t b_bend = (curve)[2].bend;
 
 #ifdef __OPTIMIZE_SIZE__
 #define QTRI_SMALL_CODE 1

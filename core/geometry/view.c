@@ -28,4 +28,5 @@ void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
     view->light = NULL;
     view->vertices = NULL;
     view->vertex_count = 0;
+    view->lights = NULL;
 }

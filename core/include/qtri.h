@@ -20,6 +20,7 @@
  *   q16.h q16_trig.h q16_exp.h q16_text.h   scalars       vec.h mat.h quat.h   vectors and more
  *   transform.h  poses, cameras, projections at full precision
  *   view.h       viewport, light, vertex scratch          surface.h  frames and bands
+ *   light.h      several coloured lights, highlights
  *   format.h     what a pixel is                          texture.h  what a texel is, textures
  *   material.h   colour, shading, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
@@ -29,12 +30,14 @@
 #ifndef QTRI_H
 #define QTRI_H
 
+#include "qtri/blend.h"
 #include "qtri/clip.h"
 #include "qtri/config.h"
 #include "qtri/draw.h"
 #include "qtri/error.h"
 #include "qtri/format.h"
 #include "qtri/frame.h"
+#include "qtri/light.h"
 #include "qtri/mat.h"
 #include "qtri/material.h"
 #include "qtri/mesh.h"

@@ -8,11 +8,12 @@
 
 struct qtri_filter {
     /*
-     * Colours of the kind that the raster works in from coordinates, u in place. Returns the mask
-     * of those that are drawn: all without a key.
+     * Colours of the kind that the raster works in from coordinates, u in place; v is lost. They
+     * fill 32 bits where there is no axis. Returns the mask of those that are drawn: all without a
+     * key.
      */
     uint32_t (*sample)(const qtri_raster *raster, const qtri_texel_axis axis[2], uint32_t *u,
-                       const uint32_t *v, int32_t count);
+                       uint32_t *v, int32_t count);
 };
 
 #endif

@@ -70,17 +70,9 @@ typedef struct qtri_packed_steps {
 
 typedef struct qtri_scanline qtri_scanline;
 
-/*
- * Curves of attributes first..end - 1 from pixel x of the row on, into out[0], out[1], ...: for how
- * many pixels they hold, 1..count.
- */
-typedef int32_t (*qtri_interpolate)(qtri_scanline *row, int32_t x, int32_t count, int first,
-                                    int end, qtri_curve *out);
-
 struct qtri_job {
     const qtri_raster *raster;
-    const qtri_list_values *values; /* of a small triangle, see small.c */
-    qtri_interpolate interpolate;
+    const qtri_list_values *values; /* of a small triangle with curves: see near.c; NULL: planes */
     uint8_t first, end; /* the attributes that vary: all from the first to before the end */
     bool tinted;        /* colours are shares of the raster's tint */
     bool perspective;
@@ -124,8 +116,9 @@ struct qtri_scanline {
             int32_t zeros; /* of inv_w, when it was last asked */
         } perspective;
     } by;
-    int32_t run; /* linear coordinates: the pixel where uv[].at is */
-    qtri_curve uv[2];
+    int32_t run_length; /* pixels after which linear coordinates begin anew, 2^n */
+    /* Of the job's attributes, from a chunk's start on, or a block's with perspective. */
+    qtri_curve curve[QTRI_ATTRIBUTES];
 };
 
 /* Pixels x .. x+count-1 of a row that copies texels; all values at the first. */
@@ -136,6 +129,12 @@ struct qtri_run {
     uint32_t z;                 /* 16.16 */
     uint32_t value[2], step[2]; /* u and v as texel_copy.h has them */
 };
+
+/* Whether attributes are divided: without perspective in the library none are. */
+static inline bool qtri_job_is_bent(const qtri_job *job)
+{
+    return QTRI_WITH_PERSPECTIVE && job->perspective;
+}
 
 /* Any job, by stages. */
 void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);

@@ -6,14 +6,31 @@
 
 #include "job.h"
 
-/* Texture coordinates, before the first row that is filled. */
+/* Before the first row that is filled. */
 void qtri_linear_begin(qtri_scanline *row);
 
-/* A qtri_interpolate. */
-int32_t qtri_interpolate_linear(qtri_scanline *row, int32_t x, int32_t count, int first, int end,
-                                qtri_curve *out);
+/* Coordinates where a run begins: at pixel x. */
+void qtri_linear_start(qtri_scanline *row, int32_t x);
 
-/* Up to where coordinates step from the start that they have at x: for texels that fill 32 bits. */
-int32_t qtri_run_end(const qtri_scanline *row, int32_t x);
+/*
+ * Texture coordinates at a pixel of the row. Returns where their run ends; along a level row they
+ * are one, which perspective.c began at the span's left end.
+ */
+int32_t qtri_linear_texels(qtri_scanline *row, int32_t x);
+
+/* All attributes at the first chunk of a row; then at the chunk after, which begins at x. */
+void qtri_linear_row(qtri_scanline *row, int32_t x);
+
+static inline void qtri_linear_next(qtri_scanline *row, int32_t x)
+{
+    const qtri_job *job = row->job;
+    qtri_curve *curve = &row->curve[job->first];
+    for (const qtri_curve *end = &row->curve[job->end]; curve != end; curve++) {
+        curve->at += curve->step * QTRI_BATCH;
+    }
+    if (job->end == QTRI_ATTRIBUTES && ((x - row->left) & (row->run_length - 1)) == 0) {
+        qtri_linear_start(row, x);
+    }
+}
 
 #endif

@@ -160,6 +160,30 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     }
 }
 
+/* Leaves fragments out that are not in the mask; writes the depths of the others. */
+static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count, const qtri_ramp *depth)
+{
+    const qtri_surface *surface = raster->surface;
+    qtri_batch *batch = raster->batch;
+    int32_t kept = 0;
+    mask <<= 32 - count;
+    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
+        if ((int32_t)mask >= 0) {
+            continue;
+        }
+        const uint32_t place = batch->place[i];
+        if (raster->depth_write) {
+            const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
+                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(z >> 16);
+        }
+        batch->color[kept] = batch->color[i];
+        batch->place[kept] = place;
+        kept++;
+    }
+    return kept;
+}
+
 /* The stages of what is in the batch. depth: where texels may be turned away, see the mask there.
  */
 static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *depth)
@@ -169,12 +193,21 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
     int32_t count = batch->count;
     batch->count = 0;
     if (raster->texture != NULL) {
-        count = raster->texturing->finish_list(raster, count, mask, depth);
+        mask = raster->texturing->finish_list(raster, count, mask);
+    } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
+        share_tint(raster, batch->color, count);
+    }
+    if (raster->alone) {
+        mask &= qtri_mask_of(count);
+        if (raster->effects != NULL && mask != 0) {
+            mask = raster->effects(raster, batch->color, batch->place, depth, mask, count);
+        }
+        if (raster->rejects) {
+            count = keep(raster, mask, count, depth);
+        }
         if (count == 0) {
             return;
         }
-    } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
-        share_tint(raster, batch->color, count);
     }
     if (format->encode != NULL) {
         format->encode(batch->color, count);
@@ -257,7 +290,6 @@ static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t coun
 
 QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    const bool late = raster->texture != NULL && raster->texture->has_key;
     qtri_batch *batch = raster->batch;
     qtri_list_values v;
     list_rows r;
@@ -277,14 +309,14 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     }
     do {
         const int32_t first = batch->count;
-        more = append(&r, raster, late);
+        more = append(&r, raster, raster->rejects);
         if (batch->count != first) {
             if (!set && raster->texture != NULL) {
                 raster->texturing->set_list(&v);
             }
             set = true;
             const uint32_t mask = set_words(&v, first, batch->count);
-            if (late) {
+            if (raster->alone) {
                 finish(raster, mask, &r.depth);
             }
         }

@@ -61,12 +61,15 @@ static inline int32_t differences(int32_t f[2], const qtri_list_values *v,
 }
 
 /*
- * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter,
- * edges are nothing special.
+ * Coordinates on a texel's edge, give or take an error, go up by 2^-10 of a texel. To a filter they
+ * count from texels' centres, and edges are nothing special.
  */
 static uint32_t bias_of(const qtri_list_values *v, int32_t shift)
 {
-    return shift > 10 && v->raster->texture->filter == NULL ? (uint32_t)1 << (shift - 10) : 0;
+    if (v->raster->texture->filter != NULL) {
+        return 0u - ((uint32_t)1 << (shift - 1));
+    }
+    return shift > 10 ? (uint32_t)1 << (shift - 10) : 0;
 }
 
 /*
@@ -272,60 +275,35 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
     return mask;
 }
 
-/* Leaves fragments out that are not in the mask; writes the depths of the others. */
-static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count, const qtri_ramp *depth)
-{
-    const qtri_surface *surface = raster->surface;
-    qtri_batch *batch = raster->batch;
-    int32_t kept = 0;
-    mask <<= 32 - count;
-    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
-        if ((int32_t)mask >= 0) {
-            continue;
-        }
-        const uint32_t place = batch->place[i];
-        if (raster->depth_write) {
-            const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
-            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
-                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(z >> 16);
-        }
-        batch->color[kept] = batch->color[i];
-        batch->by.shade[kept] = batch->by.shade[i];
-        batch->place[kept] = place;
-        kept++;
-    }
-    return kept;
-}
-
 static void shade_texels(const qtri_raster *raster, qtri_batch *batch, int32_t count)
 {
     if (batch->kind == QTRI_LIST_LIT_TEXELS && !raster->white) {
         raster->tinted(batch->color, batch->by.shade, raster->tint_q10, count);
     } else if (batch->kind == QTRI_LIST_LIT_TEXELS) {
         raster->light(batch->color, batch->by.shade, count);
-    } else if (batch->kind == QTRI_LIST_RGB_TEXELS) {
+    } else {
         raster->times(batch->color, batch->by.shade, count);
     }
-    if (raster->narrow != NULL) {
+    if (raster->narrow != NULL && !raster->gray) {
         raster->narrow(batch->color, count);
     }
 }
 
-int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
-                                const qtri_ramp *depth)
+uint32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask)
 {
     qtri_batch *batch = raster->batch;
+    const bool shaded = batch->kind == QTRI_LIST_LIT_TEXELS || batch->kind == QTRI_LIST_RGB_TEXELS;
     if (raster->texture->filter == NULL) {
         for (int32_t i = count; (i & 3) != 0; i++) {
             batch->color[i] = 0; /* must be numbers of texels */
         }
-        mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false);
+        mask = qtri_texels_color(raster, NULL, batch->color, NULL, count, false, true);
     }
-    if (raster->texture->has_key) {
-        count = keep(raster, mask, count, depth);
-    }
-    if (count != 0) {
+    mask &= qtri_mask_of(count);
+    if (mask != 0 && shaded) {
         shade_texels(raster, batch, count);
+    } else if (mask != 0 && raster->narrow != NULL) { /* as if in light of 1 */
+        raster->narrow(batch->color, count);
     }
-    return count;
+    return mask;
 }

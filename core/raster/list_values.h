@@ -71,7 +71,7 @@ static inline void qtri_list_begin(qtri_list_values *v, const qtri_raster *raste
 /* Its depths, where the raster tests them. */
 static inline void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values *v)
 {
-    if (v->raster->compare != QTRI_DEPTH_OFF) {
+    if (v->raster->with_depth) {
         qtri_place_depth(depth, v->t->place, &v->inverse, v->t->v[0], v->t->v[v->second],
                          v->t->v[v->third]);
     }
@@ -161,11 +161,9 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
                           const uint32_t *place, int32_t count);
 
 /*
- * The texel stages of `count` waiting fragments, and how many are left: those of the key's colour
- * go, and with it the others write their depths. mask: of those that are drawn, where texels were
- * filtered.
+ * The texel stages of `count` waiting fragments. mask: of those that are drawn, where texels were
+ * filtered. Returns it without those of the key's colour.
  */
-int32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask,
-                                const qtri_ramp *depth);
+uint32_t qtri_list_finish_texels(const qtri_raster *raster, int32_t count, uint32_t mask);
 
 #endif

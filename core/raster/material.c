@@ -12,6 +12,8 @@ qtri_material qtri_material_default(void)
         .fill = NULL,
         .depth_compare = QTRI_LESS,
         .depth_read_only = false,
+        .alpha = 255,
+        .reflection = NULL,
     };
     return material;
 }

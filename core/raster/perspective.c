@@ -29,7 +29,7 @@
 
 #include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
-#include "linear.h"
+#include "near.h"
 
 /* A plane at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
 static inline uint32_t plane_at(const qtri_row_plane *row, const qtri_projected *plane, int32_t x)
@@ -104,7 +104,7 @@ static void begin_level(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
     const divider d = divider_for(row->by.perspective.plane[job->end].at);
-    row->run = row->left;
+    row->run_length = (int32_t)1 << 30;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *plane = &job->attribute[QTRI_U + i].projected;
         const qtri_texel_axis *axis = &job->axis[i];
@@ -112,8 +112,11 @@ static void begin_level(qtri_scanline *row)
         const uint64_t product = qtri_mul_u32(s, d.reciprocal);
         const int32_t value =
             qtri_saturate32((int64_t)(d.shift >= 0 ? product >> d.shift : product << -d.shift));
-        row->uv[i].at = qtri_run_scaled((uint32_t)value + axis->bias, axis->up);
-        row->uv[i].step = divide_step((int32_t)plane->dx, plane->dx_rest, &d, axis->up);
+        qtri_curve *curve = &row->curve[QTRI_U + i];
+        curve->at = qtri_run_scaled((uint32_t)value + axis->bias, axis->up);
+        curve->step = divide_step((int32_t)plane->dx, plane->dx_rest, &d, axis->up);
+        curve->bend = 0;
+        curve->twist = 0;
     }
 }
 
@@ -139,6 +142,9 @@ static inline int32_t bits_cut(int32_t slope, int32_t cut)
 
 void qtri_perspective_begin(qtri_scanline *row)
 {
+    if (row->job->values != NULL) {
+        return;
+    }
     row->by.perspective.zeros = 0;
     for (int i = 0; i < QTRI_ATTRIBUTES; i++) {
         row->by.perspective.plane[i].cut = 0;
@@ -148,6 +154,9 @@ void qtri_perspective_begin(qtri_scanline *row)
 void qtri_perspective_row(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
+    if (job->values != NULL) {
+        return;
+    }
     const uint32_t y = (uint32_t)row->y;
     const qtri_attribute *from = &job->attribute[job->first];
     qtri_row_plane *to = &row->by.perspective.plane[job->first];
@@ -198,6 +207,7 @@ static inline int32_t zeros_of(qtri_scanline *row, uint32_t q)
  *
  * where - 21 T of the step and 18 T of the bend make a curve of second order pass through the
  * fourth and the eighth pixel from where it begins, and where it does so again after every eighth.
+ * Without a third order T is 0 but in A and L.
  */
 typedef struct middle {
     int32_t x, half, log2; /* pixel; log2 of half of a whole block */
@@ -208,31 +218,21 @@ typedef struct middle {
     int32_t value_q16, step_q16; /* without 1 */
     int32_t bend_q15;            /* times 2^log2 */
     int32_t twist_q12;           /* times 4^log2 */
-    int32_t twist_down;          /* 2 log2 - 3; 0 without a twist */
 } middle;
 
-static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted)
+/* log2: of a whole block, 1 or more. */
+static inline void set_shares(middle *m, const qtri_perspective *p, int32_t log2, bool twisted)
 {
-    const qtri_perspective *p = &row->job->color.perspective;
-    const uint32_t q = inv_w_at(row, m->x);
-    const int32_t zeros = zeros_of(row, q);
-    const uint32_t reciprocal = qtri_reciprocal_near(q << zeros);
-    m->zeros = zeros;
-    m->reciprocal = reciprocal;
-    m->step_q16 = 0;
-    if (log2 == 0) {
-        return;
-    }
-    const uint32_t y_q15 = reciprocal >> 16; /* 2^14..2^15 */
+    const uint32_t y_q15 = m->reciprocal >> 16; /* 2^14..2^15 */
     /* E = e h, at most 1/8 of it, so that the shift is not negative. */
-    int32_t down = -(p->slope_exponent + zeros + log2);
+    int32_t down = -(p->slope_exponent + m->zeros + log2);
     down = down > 31 ? 31 : down;
     log2--;
     m->log2 = log2;
     const int32_t e_q16 = (p->slope * (int32_t)y_q15) >> down;
     const int32_t e2_q16 = (e_q16 * e_q16) >> 16;
     /* The reciprocal's square: 30 bits, of which 15 count, times 15/16 (1 + 3/4 E^2) <= .99. */
-    uint32_t square = y_q15 * y_q15 + ((y_q15 * qtri_low16(reciprocal)) >> 15); /* 2^28..2^30 */
+    uint32_t square = y_q15 * y_q15 + ((y_q15 * qtri_low16(m->reciprocal)) >> 15); /* 2^28..2^30 */
     square -= square >> 4;
     const int32_t half = m->half;
     if (twisted) {
@@ -244,7 +244,6 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
         m->step_q16 = 2 * arc + 3 * t2 - ((a_q16 + 3 * t1 + (20 * e2_q16 >> log2)) >> log2);
         m->bend_q15 = (12 * e2_q16 >> log2) - a_q16 - 3 * t1;
         m->twist_q12 = (24 * e2_q16) >> 4;
-        m->twist_down = 2 * log2 - 3;
     } else {
         const int32_t a_q16 = e_q16 + ((4 * e_q16 * e2_q16) >> 20); /* of 1 + 3/4 E^2 */
         const int32_t arc = (a_q16 * half) >> log2;
@@ -253,12 +252,11 @@ static void set_middle(middle *m, qtri_scanline *row, int32_t log2, bool twisted
         m->step_q16 = 2 * arc - (a_q16 >> log2);
         m->bend_q15 = -a_q16;
         m->twist_q12 = 0;
-        m->twist_down = 0;
     }
     const int32_t odd = square >> 29 == 0;
     square = ((square << odd) + 0x4000u) >> 15;
     m->square = (int32_t)(square - (square >> 15));
-    m->slope_down = odd - 2 * zeros;
+    m->slope_down = odd - 2 * m->zeros;
 }
 
 /* Attribute i in the middle, in the unit of curves. */
@@ -271,35 +269,59 @@ static inline uint32_t middle_value(const qtri_scanline *row, const middle *m, i
         const qtri_perspective *p = &row->job->color.perspective;
         value >>= QTRI_COLOR_PERSPECTIVE_SHIFT - 2;
         value = qtri_hold32(value, p->least[i], p->greatest[i]);
+        return (uint32_t)value + a->bias;
     }
     return qtri_run_scaled((uint32_t)value + a->bias, a->up);
 }
 
-static inline void set_curve(qtri_curve *out, const middle *m, uint32_t value, int32_t slope,
-                             int32_t down)
+/* A curve whose slope is shifted left, or far right: few are. |l| < 2^30 */
+QTRI_NOINLINE static void set_steep_curve(qtri_curve *out, const middle *m, uint32_t value,
+                                          int32_t l, int32_t down)
 {
-    int32_t l = slope * m->square; /* |l| < 2^30 */
-    down += m->slope_down;
     if (down > 22) {
         l >>= qtri_least32(down - 22, 31);
         down = 22;
     }
+    const int32_t up = down < 0 ? -down : 0;
+    down = down < 0 ? 0 : down;
     const int32_t l_15 = l >> 15;
-    const int32_t to_start = l + ((l_15 * m->value_q16) >> 1);
-    const int32_t step = l + qtri_mul_s16(l, m->step_q16);
-    const int32_t bend = l_15 * m->bend_q15;
-    const int32_t twist = l_15 * m->twist_q12;
-    if (down >= 0) {
-        out->at = value - (uint32_t)(to_start >> down) * (uint32_t)m->half;
-        out->step = (uint32_t)(step >> down);
-        out->bend = (uint32_t)(bend >> (down + m->log2));
-        out->twist = (uint32_t)(twist >> (down + m->twist_down));
-    } else {
-        down = -down;
-        out->at = value - ((uint32_t)to_start << down) * (uint32_t)m->half;
-        out->step = (uint32_t)step << down;
-        out->bend = (uint32_t)(bend >> m->log2) << down;
-        out->twist = (uint32_t)(twist >> m->twist_down) << down;
+    const int32_t to_start = (l + ((l_15 * m->value_q16) >> 1)) >> down;
+    const int32_t step = (l + ((l_15 * m->step_q16) >> 1)) >> down;
+    out->at = value - ((uint32_t)to_start << up) * (uint32_t)m->half;
+    out->step = (uint32_t)step << up;
+    out->bend = (uint32_t)((l_15 * m->bend_q15) >> (down + m->log2)) << up;
+    out->twist = 0;
+    if (m->twist_q12 != 0) { /* down + 2 log2 - 3 <= 27 */
+        out->twist = (uint32_t)((l_15 * m->twist_q12) >> (down + 2 * m->log2 - 3)) << up;
+    }
+}
+
+QTRI_IN_PLACE void set_curve(qtri_curve *out, const middle *m, uint32_t value,
+                             const qtri_row_plane *plane, bool twisted)
+{
+    const int32_t l = plane->slope * m->square;
+    const int32_t down = plane->down + m->slope_down;
+    if ((uint32_t)down > 22) {
+        const middle copy = *m; /* or all of it would be in memory */
+        set_steep_curve(out, &copy, value, l, down);
+        return;
+    }
+    const int32_t l_15 = l >> 15;
+    const int32_t to_start = (l + ((l_15 * m->value_q16) >> 1)) >> down;
+    out->at = value - (uint32_t)to_start * (uint32_t)m->half;
+    out->step = (uint32_t)((l + ((l_15 * m->step_q16) >> 1)) >> down);
+    out->bend = (uint32_t)((l_15 * m->bend_q15) >> (down + m->log2));
+    out->twist =
+        twisted ? (uint32_t)((l_15 * m->twist_q12) >> (down + 2 * m->log2 - 3)) : (uint32_t)0;
+}
+
+QTRI_IN_PLACE void set_curves(qtri_scanline *row, middle *m, int32_t log2, int first, int end,
+                              bool twisted)
+{
+    set_shares(m, &row->job->color.perspective, log2, twisted);
+    for (int i = first; i < end; i++) {
+        set_curve(&row->curve[i], m, middle_value(row, m, i), &row->by.perspective.plane[i],
+                  twisted);
     }
 }
 
@@ -313,7 +335,7 @@ static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *li
     while (log2 > 0 && q < limits[log2 - 1]) {
         log2--;
     }
-    while (log2 > 0 && from >> log2 << log2 != from) {
+    while (log2 > 0 && (from & (((int32_t)1 << log2) - 1)) != 0) {
         log2--;
     }
     while (log2 > 0 && (int32_t)1 << (log2 - 1) >= rest) {
@@ -323,10 +345,10 @@ static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *li
 }
 
 int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t count, int first,
-                                     int end, qtri_curve *out)
+                                     int end)
 {
-    if (row->level) {
-        return qtri_interpolate_linear(row, x, count, first, end, out);
+    if (row->job->values != NULL) {
+        return qtri_interpolate_near(row, x, count, first, end);
     }
     const qtri_perspective *p = &row->job->color.perspective;
     const int32_t from = (x - row->left) & (QTRI_BATCH - 1);
@@ -336,16 +358,18 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
     middle m;
     m.half = length >> 1;
     m.x = x + m.half;
-    set_middle(&m, row, log2, first == QTRI_U && log2 >= p->texels_twisted);
-    for (int i = first; i < end; i++, out++) {
-        const uint32_t value = middle_value(row, &m, i);
-        if (log2 == 0) {
-            const qtri_curve one = {value, 0, 0, 0};
-            *out = one;
-        } else {
-            const qtri_row_plane *plane = &row->by.perspective.plane[i];
-            set_curve(out, &m, value, plane->slope, plane->down);
+    const uint32_t q = inv_w_at(row, m.x);
+    m.zeros = zeros_of(row, q);
+    m.reciprocal = qtri_reciprocal_near(q << m.zeros);
+    if (log2 == 0) {
+        for (int i = first; i < end; i++) {
+            const qtri_curve one = {middle_value(row, &m, i), 0, 0, 0};
+            row->curve[i] = one;
         }
+    } else if (first == QTRI_U && log2 >= p->texels_twisted) {
+        set_curves(row, &m, log2, first, end, true);
+    } else {
+        set_curves(row, &m, log2, first, end, false);
     }
     return qtri_least32(length, count);
 }

@@ -23,10 +23,11 @@ void qtri_perspective_begin(qtri_scanline *row);
 void qtri_perspective_row(qtri_scanline *row);
 
 /*
- * Colours or texture coordinates, not both; x is a chunk's first pixel or the one after those that
- * the call before gave.
+ * Curves of attributes first..end - 1, colours or texture coordinates, not both, from pixel x of
+ * the row on, which is not level, into row->curve. Returns for how many pixels they hold, up to
+ * `count`. x is a chunk's first pixel or the one after those that the call before gave.
  */
 int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t count, int first,
-                                     int end, qtri_curve *out);
+                                     int end);
 
 #endif

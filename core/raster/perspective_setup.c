@@ -214,7 +214,8 @@ static int32_t set_texels(qtri_job *job, int i, const uint32_t value[3], const s
     qtri_projected *a = &job->attribute[QTRI_U + i].projected;
     a->up = axis->up;
     const int32_t k_log2 = set_attribute(a, value, s, axis->shift);
-    const uint32_t bias = axis->bias >> 2; /* what blocks have of a value is a quarter */
+    const uint32_t bias =
+        (uint32_t)((int32_t)axis->bias >> 2); /* blocks have a quarter of values */
     a->up = (int8_t)(axis->up + 2);
     a->bias = bias + (bias == 0);
     return k_log2;

@@ -1,5 +1,6 @@
 #include "raster.h"
 
+#include "effect.h"
 #include "loop.h"
 #include "job.h"
 #include "textured.h"
@@ -23,6 +24,27 @@ static void set_bounds(qtri_raster *raster, const qtri_rect *bounds)
     raster->inner.height = height < 0 ? 0 : (uint32_t)height;
 }
 
+/* Fog and blend: see effect.h. */
+static void set_effects(qtri_raster *raster, const qtri_material *material, bool textured)
+{
+    const qtri_fog *fog = material->fog;
+    raster->blend = material->blend;
+    raster->fog = fog != NULL && fog->stages != NULL ? fog : NULL;
+    raster->alpha = material->alpha;
+    raster->least_alpha = material->least_alpha;
+    raster->wide = false;
+    raster->effects = NULL;
+    if (raster->fog != NULL) {
+        raster->effects = raster->fog->stages->effects;
+    } else if (raster->blend != NULL) {
+        raster->effects = raster->blend->effects;
+    }
+    raster->rejects = (textured && (material->texture->has_key || material->least_alpha != 0)) ||
+                      (raster->blend != NULL && raster->blend->rejects);
+    raster->alone = raster->rejects || raster->effects != NULL;
+    raster->with_depth = raster->compare != QTRI_DEPTH_OFF || raster->fog != NULL;
+}
+
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material, qtri_batch *batch)
 {
@@ -41,8 +63,8 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
     raster->cull = material->cull;
     raster->shading = qtri_shading_of(material);
-    raster->depth = qtri_depth_stages(raster->compare, raster->depth_write,
-                                      textured && material->texture->has_key);
+    set_effects(raster, material, textured);
+    raster->depth = qtri_depth_stages(raster->compare, raster->depth_write, raster->rejects);
     raster->texture = NULL;
     raster->replace = false;
     raster->copied = false;
@@ -64,8 +86,8 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->texturing->init(raster, material);
     }
     raster->tint_small = NULL;
-    if (QTRI_WITH_FAST_PATHS && format->fused != NULL && raster->compare == QTRI_LESS &&
-        raster->depth_write) {
+    if (QTRI_WITH_FAST_PATHS && raster->effects == NULL && format->fused != NULL &&
+        raster->compare == QTRI_LESS && raster->depth_write) {
         const qtri_fused *fused = format->fused;
         raster->fill_flat = fused->flat_less != NULL ? fused->flat_less : qtri_span_fill;
         raster->fill_smooth = fused->smooth_less != NULL ? fused->smooth_less : qtri_span_fill;
@@ -128,7 +150,7 @@ void qtri_raster_set_tint(qtri_raster *raster, qtri_rgb color)
 uint32_t qtri_raster_stored(const qtri_raster *raster, uint32_t color)
 {
     uint32_t words[4] = {color};
-    if (raster->format->encode != NULL) {
+    if (raster->format->encode != NULL && raster->effects == NULL) {
         raster->format->encode(words, 1);
     }
     return words[0];

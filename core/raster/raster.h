@@ -11,6 +11,7 @@
 #include "../bits/bits.h"
 #include "../frame/pixel.h"
 #include "batch.h"
+#include "gradient.h"
 #include "stage_depth.h"
 #include "texel.h"
 
@@ -66,8 +67,13 @@ struct qtri_fused {
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
 typedef void (*qtri_modulate_stage)(uint32_t *color, const uint32_t *shade, int32_t count);
+typedef void (*qtri_curves_stage)(uint32_t *color, const qtri_curve channel[3], int32_t count);
 typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
                                 int32_t count);
+
+/* See effect.h. */
+typedef uint32_t (*qtri_effect)(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+                                const qtri_ramp *depth, uint32_t mask, int32_t count);
 
 struct qtri_raster {
     const qtri_surface *surface;
@@ -80,7 +86,16 @@ struct qtri_raster {
     } inner;              /* where vertex 0 of a small triangle is too far inside them to be cut */
     qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
-    bool perspective; /* as the material asks */
+    bool with_depth; /* depths are needed: for that, or for fog */
+    bool alone;      /* fragments of two triangles may not share a batch */
+    bool rejects;    /* a stage after the depth test may turn fragments away */
+    bool wide;       /* colours have 8 bits a channel, and alpha above, for the blend */
+    uint8_t alpha;
+    uint8_t least_alpha;
+    const qtri_blend *blend; /* NULL: none, see effect.h */
+    const qtri_fog *fog;
+    qtri_effect effects; /* NULL: neither */
+    bool perspective;    /* as the material asks */
     qtri_cull cull;
     qtri_shading shading;
     qtri_depth depth;
@@ -95,15 +110,20 @@ struct qtri_raster {
     /* Texture: see textured.c. */
     const qtri_texturing *texturing;
     const qtri_colors *working; /* texels become colours of this kind */
-    qtri_words_stage widen,
-        narrow; /* from the texel's kind, and to the format's; NULL: it is that */
+    /* From the texel's kind to the working one, from that to the format's, where texels are
+       multiplied or filtered; from one to the other at once. NULL: they are the same. */
+    qtri_words_stage widen, narrow, convert;
+    bool gray; /* what multiplies gives the format's kind */
     qtri_modulate_stage light, times;
+    qtri_curves_stage times_curves;
     qtri_tint_stage tinted; /* light, and the tint below */
+    uint32_t (*seen)(const qtri_raster *raster, const uint32_t *color,
+                     int32_t count); /* the mask of texels with enough alpha; NULL: all */
     bool replace;
     bool repeated;      /* coordinates fill 32 bits, see texel_number.h */
     bool fetched;       /* rows of texels are read at once with their numbers */
     bool copied;        /* nearest repeated texels of the format's own kind, without a key */
-    uint32_t texel_cut; /* see texel_copy.h */
+    uint32_t texel_cut; /* see texel_copy.h; 0 where that does not fit */
     struct {
         uint8_t unit, shift; /* bits of a repeat's and of a texel's fraction */
     } coordinate[2];         /* of repeated ones */

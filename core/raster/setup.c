@@ -208,7 +208,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     uint32_t value[2][3];
     const bool textured = raster->texture != NULL;
     job->raster = raster;
-    job->interpolate = qtri_interpolate_linear;
+    job->values = NULL;
     job->tinted = triangle->tinted;
     job->perspective = false;
     job->packed = false;
@@ -219,7 +219,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     gradient_from(&gradient, triangle, raster->surface);
     job->anchor_x = gradient.anchor_x;
     job->anchor_y = gradient.anchor_y;
-    if (raster->compare != QTRI_DEPTH_OFF) {
+    if (raster->with_depth) {
         const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
         ramp_init(&job->depth, &gradient, depth);
     }
@@ -242,7 +242,6 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     }
     job->perspective = needs_perspective(job, v, (const uint32_t(*)[3])value, range, q);
     if (job->perspective) {
-        job->interpolate = qtri_interpolate_perspective;
         qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, &gradient);
         return qtri_span_fill;
     }

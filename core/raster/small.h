@@ -11,8 +11,15 @@
 
 void qtri_small_draw(const qtri_raster *raster, const qtri_list_triangle *t);
 
-/* One that is not tinted. */
-void qtri_small_attributes(const qtri_raster *raster, qtri_place *place,
-                           const qtri_vertex *const v[3], const qtri_attributes attributes[3]);
+/* Colours and texture coordinates of one that is not tinted. */
+typedef struct qtri_small_values {
+    int32_t color[3][3];
+    qtri_coordinates uv[2];
+} qtri_small_values;
+
+void qtri_small_set_values(qtri_small_values *values, const qtri_raster *raster,
+                           const qtri_attributes attributes[3]);
+void qtri_small_draw_values(const qtri_raster *raster, qtri_place *place,
+                            const qtri_vertex *const v[3], const qtri_small_values *values);
 
 #endif

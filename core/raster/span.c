@@ -4,6 +4,7 @@
  */
 #include "span.h"
 
+#include "linear.h"
 #include "loop.h"
 #include "packed.h"
 
@@ -17,14 +18,16 @@ static void interpolate_colors(qtri_scanline *row, int32_t x, int32_t count)
         qtri_packed_colors(color, job, x, row->y, (x - row->left) & (QTRI_PACKED_RUN - 1), count);
         return;
     }
-    while (count > 0) {
-        qtri_curve curve[3];
-        const int32_t some = job->interpolate(row, x, count, job->first, QTRI_U, curve);
-        raster->format->colors->smooth(color, curve, some);
+    do {
+        int32_t some = count;
+        if (qtri_job_is_bent(job)) {
+            some = qtri_interpolate_perspective(row, x, count, job->first, QTRI_U);
+        }
+        raster->format->colors->smooth(color, &row->curve[job->first], some);
         color += some;
         x += some;
         count -= some;
-    }
+    } while (count > 0);
 }
 
 /* Stored pixels into the batch for a chunk of `count` pixels at x; the mask of those drawn. */
@@ -33,56 +36,133 @@ static uint32_t make_pixels(qtri_scanline *row, int32_t x, int32_t count, uint32
     const qtri_raster *raster = row->job->raster;
     if (raster->texture != NULL) {
         mask = raster->texturing->color_chunk(row, x, count, mask);
+    } else if (row->job->first == row->job->end) {
+        for (int32_t i = 0; i < count; i++) {
+            raster->batch->color[i] = row->job->pixel;
+        }
     } else {
         interpolate_colors(row, x, count);
     }
-    if (raster->format->encode != NULL && mask != 0) {
+    if (raster->format->encode != NULL && raster->effects == NULL && mask != 0) {
         raster->format->encode(raster->batch->color, count);
     }
     return mask;
 }
 
+/* Fog and blend for colours of `count` pixels from x on, then what stores them. */
+QTRI_NOINLINE static uint32_t apply_effects(const qtri_scanline *row, uint32_t *color, int32_t x,
+                                            uint32_t mask, int32_t count)
+{
+    const qtri_job *job = row->job;
+    const qtri_raster *raster = job->raster;
+    const int32_t first_row = raster->surface->first_row;
+    uint32_t *place = raster->batch->place;
+    const uint32_t first = ((uint32_t)(row->y - first_row) << 16) + (uint32_t)x;
+    qtri_ramp depth = job->depth;
+    if (mask == 0) {
+        return 0;
+    }
+    depth.origin = qtri_ramp_at(&depth, -job->anchor_x, first_row - job->anchor_y);
+    for (int32_t i = 0; i < count; i++) {
+        place[i] = first + (uint32_t)i;
+    }
+    mask = raster->effects(raster, color, place, &depth, mask, count);
+    if (raster->format->encode != NULL) {
+        raster->format->encode(color, count);
+    }
+    return mask;
+}
+
+/* Pixels of a row in one colour. */
+static void fill_row(const qtri_scanline *row)
+{
+    const qtri_job *job = row->job;
+    const qtri_raster *raster = job->raster;
+    const qtri_pixels *memory = raster->format->pixels;
+    const uint32_t inverted = raster->depth.inverted ? UINT32_MAX : 0;
+    const uint32_t z_step = job->depth.dx;
+    uint8_t *pixels = row->pixels + (ptrdiff_t)row->x0 * memory->bytes;
+    uint16_t *depths = row->depths;
+    uint32_t z = 0;
+    int32_t rest = row->x1 - row->x0;
+    if (depths != NULL) {
+        depths += row->x0;
+        z = qtri_ramp_at(&job->depth, row->x0 - job->anchor_x, row->y - job->anchor_y);
+    }
+    for (;;) {
+        const int32_t count = qtri_least32(rest, QTRI_BATCH);
+        uint32_t mask = qtri_mask_of(count);
+        if (raster->depth.test != NULL) {
+            mask &= raster->depth.test(depths, z, z_step, count) ^ inverted;
+        }
+        if (mask != 0) {
+            memory->fill(pixels, job->pixel, mask, count);
+            if (raster->depth.write) {
+                qtri_depth_write(depths, z, z_step, mask, count);
+            }
+        }
+        rest -= count;
+        if (rest <= 0) {
+            return;
+        }
+        pixels += QTRI_BATCH * memory->bytes;
+        if (depths != NULL) {
+            depths += QTRI_BATCH;
+            z += QTRI_BATCH * z_step;
+        }
+    }
+}
+
 /*
- * Chunk by chunk: `from` is the first pixel of one that is drawn, of those that are computed x.
+ * The same of colours that vary: `from` is the first pixel of a chunk that is drawn, of those that
+ * are computed x.
  */
 static void draw_row(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
     const qtri_pixels *memory = raster->format->pixels;
-    const qtri_depth_test test = raster->depth.test;
     const uint32_t inverted = raster->depth.inverted ? UINT32_MAX : 0;
+    const bool linear = !job->packed && (!qtri_job_is_bent(job) || row->level);
     int32_t from = row->x0;
     int32_t x = row->left + ((from - row->left) & -QTRI_BATCH);
     uint8_t *pixels = row->pixels + (ptrdiff_t)from * memory->bytes;
-    uint16_t *depths = NULL;
+    uint16_t *depths = row->depths;
     uint32_t z = 0;
-    if (row->depths != NULL) {
-        depths = row->depths + from;
+    if (depths != NULL) {
+        depths += from;
         z = qtri_ramp_at(&job->depth, from - job->anchor_x, row->y - job->anchor_y);
+    }
+    if (linear) {
+        qtri_linear_row(row, x);
     }
     for (;;) {
         const int32_t count = qtri_least32(x + QTRI_BATCH, row->x1) - from;
         uint32_t mask = qtri_mask_of(count);
-        if (test != NULL) {
-            mask &= test(depths, z, job->depth.dx, count) ^ inverted;
+        if (raster->depth.test != NULL) {
+            mask &= raster->depth.test(depths, z, job->depth.dx, count) ^ inverted;
         }
-        if (mask != 0 && job->first == job->end) {
-            memory->fill(pixels, job->pixel, mask, count);
-        } else if (mask != 0) {
+        if (mask != 0) {
+            uint32_t *color = raster->batch->color + (from - x);
             const int32_t whole = qtri_least32(QTRI_BATCH, row->right - x);
             const int32_t after = whole - (from - x) - count;
             mask = make_pixels(row, x, whole, mask << after) >> after;
-            memory->store(pixels, raster->batch->color + (from - x), mask, count);
-        }
-        if (raster->depth.write && mask != 0) {
-            qtri_depth_write(depths, z, job->depth.dx, mask, count);
+            if (raster->effects != NULL) {
+                mask = apply_effects(row, color, from, mask, count);
+            }
+            memory->store(pixels, color, mask, count);
+            if (raster->depth.write && mask != 0) {
+                qtri_depth_write(depths, z, job->depth.dx, mask, count);
+            }
         }
         x += QTRI_BATCH;
         if (x >= row->x1) {
             return;
         }
         from = x;
+        if (linear) {
+            qtri_linear_next(row, x);
+        }
         pixels += (ptrdiff_t)count * memory->bytes;
         if (depths != NULL) {
             depths += count;
@@ -99,15 +179,13 @@ static void copy_row(qtri_scanline *row)
     run.pixels = row->pixels;
     run.depths = row->depths;
     for (int32_t x = row->x0; x < row->x1; x += run.count) {
-        qtri_curve uv[2];
-        const int32_t end = row->level ? row->x1 : qtri_least32(qtri_run_end(row, x), row->x1);
-        (void)qtri_interpolate_linear(row, x, end - x, QTRI_U, QTRI_ATTRIBUTES, uv);
+        const int32_t end = qtri_least32(qtri_linear_texels(row, x), row->x1);
         run.x = x;
         run.count = end - x;
         run.z = qtri_ramp_at(&job->depth, x - job->anchor_x, row->y - job->anchor_y);
         for (int i = 0; i < 2; i++) {
-            run.value[i] = uv[i].at;
-            run.step[i] = uv[i].step;
+            run.value[i] = row->curve[QTRI_U + i].at;
+            run.step[i] = row->curve[QTRI_U + i].step;
         }
         job->raster->copy_run(job, &run);
     }
@@ -121,23 +199,17 @@ static void copy_bent_row(qtri_scanline *row)
     run.pixels = row->pixels;
     run.depths = row->depths;
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
-        qtri_curve uv[2];
-        const int32_t length = job->interpolate(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES, uv);
+        const int32_t length =
+            qtri_interpolate_perspective(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
         run.count = qtri_least32(length, row->x1 - x) - skip;
         if (run.count > 0) {
             run.x = x + skip;
             run.z = qtri_ramp_at(&job->depth, run.x - job->anchor_x, row->y - job->anchor_y);
-            job->raster->copy_bent(job, &run, uv, skip);
+            job->raster->copy_bent(job, &run, &row->curve[QTRI_U], skip);
         }
         x += length;
     }
-}
-
-/* Of texture coordinates that are linear on the screen. */
-static bool has_planes(const qtri_job *job)
-{
-    return job->interpolate == qtri_interpolate_linear && job->end == QTRI_ATTRIBUTES;
 }
 
 static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
@@ -148,13 +220,11 @@ static void begin(qtri_scanline *row, const qtri_job *job, int32_t y)
     row->pixels = qtri_pixels_at(raster->surface, y);
     row->depths = raster->compare != QTRI_DEPTH_OFF ? qtri_depths_at(raster->surface, y) : NULL;
     row->level = false;
-    if (job->perspective) {
+    if (qtri_job_is_bent(job)) {
         qtri_perspective_begin(row);
         return;
     }
-    if (has_planes(job)) {
-        qtri_linear_begin(row);
-    }
+    qtri_linear_begin(row);
 }
 
 static void go_on(qtri_scanline *row)
@@ -166,7 +236,10 @@ static void go_on(qtri_scanline *row)
     if (row->depths != NULL) {
         row->depths += surface->depth_pitch;
     }
-    for (int i = 0; i < 2 && has_planes(job); i++) {
+    if (qtri_job_is_bent(job)) {
+        return;
+    }
+    for (int i = 0; i < 2 && job->end == QTRI_ATTRIBUTES; i++) {
         // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): as qtri_linear_begin set it
         row->by.plane[i] += job->attribute[QTRI_U + i].plane.dy;
     }
@@ -185,14 +258,15 @@ void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, in
         r.x1 = r.x0 + pixels;
         r.left = spans->left;
         r.right = spans->right;
-        r.run = INT32_MIN;
-        if (job->perspective) {
+        if (qtri_job_is_bent(job)) {
             qtri_perspective_row(&r);
         }
-        if (copies && (has_planes(job) || r.level)) {
+        if (copies && (!qtri_job_is_bent(job) || r.level)) {
             copy_row(&r);
         } else if (copies) {
             copy_bent_row(&r);
+        } else if (job->first == job->end && job->raster->effects == NULL) {
+            fill_row(&r);
         } else {
             draw_row(&r);
         }

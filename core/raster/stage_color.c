@@ -33,7 +33,7 @@ void qtri_shade_light(uint32_t *shade, const qtri_curve *share, int32_t count)
 
 void qtri_shade_rgb(uint32_t *shade, const qtri_curve channel[3], int32_t count)
 {
-    QTRI_THREE_CURVES(shade, channel, 0x8000u - ((uint32_t)1 << 13), count, SHADES)
+    QTRI_THREE_CURVES(shade, channel, QTRI_SHADE_LESS, count, SHADES)
 }
 
 void qtri_shade_constant(uint32_t *shade, uint32_t value, int32_t count)
@@ -181,55 +181,181 @@ void qtri_times_888(uint32_t *color, const uint32_t *shade, int32_t count)
     color += (n);                                                                                  \
     QTRI_OPAQUE(color)
 
+/* (255 x + 15) / 31 and (255 x + 31) / 63 for all x; red and blue in lanes: 31 527 + 23 < 2^14. */
 void qtri_565_to_888(uint32_t *color, int32_t count)
 {
-    uint32_t five = 527; /* (255 x + 15) / 31 and (255 x + 31) / 63 for all x */
-    uint32_t six = 259;
+    uint32_t lanes = 0x001F001Fu;
+    uint32_t both_ways = 0x00FF00FFu;
+    uint32_t five = 527;
+    uint32_t half = 0x00170017u;
+    uint32_t six = 259 * 4;
+    uint32_t half_six = 33 * 4;
+    QTRI_OPAQUE(both_ways)
+    QTRI_OPAQUE(five)
+    QTRI_OPAQUE(half)
+    QTRI_OPAQUE(six)
+    QTRI_OPAQUE(half_six)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t pixel = color[i];                                                           \
-        const uint32_t red = ((pixel << 16 >> 27) * five + 23) >> 6;                               \
-        const uint32_t green = ((pixel << 21 >> 26) * six + 33) >> 6;                              \
-        const uint32_t blue = ((pixel << 27 >> 27) * five + 23) >> 6;                              \
-        color[i] = red << 16 | green << 8 | blue;                                                  \
+        uint32_t both = ((pixel | pixel << 5) & lanes) * five + half;                              \
+        both = both >> 6 & both_ways;                                                              \
+        const uint32_t green = (pixel << 21 >> 26) * six + half_six;                               \
+        color[i] = both | green >> 8 << 8;                                                         \
+        QTRI_ASIDE(lanes)                                                                          \
+        QTRI_ASIDE(both_ways)                                                                      \
         QTRI_ASIDE(five)                                                                           \
+        QTRI_ASIDE(half)                                                                           \
         QTRI_ASIDE(six)                                                                            \
     }
     QTRI_WORDS(count)
 #undef ONE
 }
 
-/* 31/255 = 1/8 (1 - 1/32 + ...), 63/255 = 1/4 (1 - 1/64 + ...): red and blue in lanes. */
+/*
+ * 249/2048 of 255 is 31 and .004 more, 253/1024 is 63 and .003 more: red and blue in lanes, of
+ * 255 249 + 1024 < 2^16.
+ */
 void qtri_888_to_565(uint32_t *color, int32_t count)
 {
+    uint32_t bytes = 0x00FF00FFu;
+    uint32_t five = 249;
+    uint32_t six = 253;
+    uint32_t half = 0x04000400u;
+    uint32_t lanes = 0x001F001Fu;
+    QTRI_OPAQUE(five)
+    QTRI_OPAQUE(six)
+    QTRI_OPAQUE(half)
+    QTRI_OPAQUE(lanes)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t pixel = color[i];                                                           \
-        uint32_t both = pixel & 0x00FF00FFu;                                                       \
-        both -= both >> 5 & 0x00070007u;                                                           \
-        both = (both + 0x00040004u) >> 3 & 0x001F001Fu;                                            \
-        uint32_t green = pixel << 16 >> 24;                                                        \
-        green = (green - (green >> 6) + 2) >> 2;                                                   \
-        color[i] = both | both >> 5 | green << 5;                                                  \
+        uint32_t both = (pixel & bytes) * five + half;                                             \
+        both = both >> 11 & lanes;                                                                 \
+        const uint32_t green = (pixel << 16 >> 24) * six + 512;                                    \
+        color[i] = both | both >> 5 | green >> 10 << 5;                                            \
+        QTRI_ASIDE(bytes)                                                                          \
+        QTRI_ASIDE(half)                                                                           \
+        QTRI_ASIDE(lanes)                                                                          \
     }
     QTRI_WORDS(count)
 #undef ONE
 }
 
+/* What light of 1 makes of it. */
 void qtri_888_to_gray(uint32_t *color, int32_t count)
 {
-    uint32_t r = 19595; /* .299 .587 .114 of 2^16, whose sum they are */
-    uint32_t g = 38470;
-    uint32_t b = 7471;
-    uint32_t half = 0x8000u;
+    uint32_t r = QTRI_LUMA_RED;
+    uint32_t g = QTRI_LUMA_GREEN;
+    uint32_t b = QTRI_LUMA_BLUE;
+    uint32_t half = (uint32_t)1 << 13;
+    QTRI_OPAQUE(half)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t pixel = color[i];                                                           \
         color[i] =                                                                                 \
             ((pixel << 8 >> 24) * r + (pixel << 16 >> 24) * g + (pixel << 24 >> 24) * b + half) >> \
-            16;                                                                                    \
+            14;                                                                                    \
+        QTRI_ASIDE(r)                                                                              \
+        QTRI_ASIDE(g)                                                                              \
+        QTRI_ASIDE(b)                                                                              \
         QTRI_ASIDE(half)                                                                           \
     }
     QTRI_WORDS(count)
 #undef ONE
 }
+
+/* Of 2^16, of 255 in 31 and in 63 steps. */
+void qtri_565_to_gray(uint32_t *color, int32_t count)
+{
+    uint32_t r = 161187;
+    uint32_t g = 155710;
+    uint32_t b = 61456;
+    uint32_t half = 0x8000u;
+    QTRI_OPAQUE(half)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t pixel = color[i];                                                           \
+        color[i] = ((pixel << 16 >> 27) * r + (pixel << 21 >> 26) * g + (pixel << 27 >> 27) * b +  \
+                    half) >>                                                                       \
+                   16;                                                                             \
+        QTRI_ASIDE(r)                                                                              \
+        QTRI_ASIDE(g)                                                                              \
+        QTRI_ASIDE(b)                                                                              \
+        QTRI_ASIDE(half)                                                                           \
+    }
+    QTRI_WORDS(count)
+#undef ONE
+}
+
+#undef MOVE
+#define MOVE(n)                                                                                    \
+    color += (n);                                                                                  \
+    shade += (n);                                                                                  \
+    QTRI_OPAQUE(color)                                                                             \
+    QTRI_OPAQUE(shade)
+
+void qtri_tint_gray(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
+                    int32_t count)
+{
+    uint32_t r = (QTRI_LUMA_RED * tint_q10[0] + 512) >> 10;
+    uint32_t g = (QTRI_LUMA_GREEN * tint_q10[1] + 512) >> 10;
+    uint32_t b = (QTRI_LUMA_BLUE * tint_q10[2] + 512) >> 10;
+    uint32_t half = (uint32_t)1 << 23;
+    QTRI_OPAQUE(half)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t pixel = color[i];                                                           \
+        const uint32_t luma =                                                                      \
+            (pixel << 8 >> 24) * r + (pixel << 16 >> 24) * g + (pixel << 24 >> 24) * b;            \
+        color[i] = (luma * shade[i] + half) >> 24;                                                 \
+        QTRI_ASIDE(r)                                                                              \
+        QTRI_ASIDE(g)                                                                              \
+        QTRI_ASIDE(b)                                                                              \
+        QTRI_ASIDE(half)                                                                           \
+    }
+    QTRI_WORDS(count)
+#undef ONE
+}
+
+void qtri_light_gray(uint32_t *color, const uint32_t *shade, int32_t count)
+{
+    static const uint32_t white_q10[3] = {1024, 1024, 1024};
+    qtri_tint_gray(color, shade, white_q10, count);
+}
+
+/* Shades of 1020 are 1, 255 1020 2^14 < 2^32; 257/256 of that, which is within 2^-15 of 1024. */
+void qtri_times_gray(uint32_t *color, const uint32_t *shade, int32_t count)
+{
+    uint32_t r = QTRI_LUMA_RED;
+    uint32_t g = QTRI_LUMA_GREEN;
+    uint32_t b = QTRI_LUMA_BLUE;
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t pixel = color[i];                                                           \
+        const uint32_t by = shade[i];                                                              \
+        uint32_t luma = (pixel << 8 >> 24) * r * (by >> QTRI_SHADE_RED);                           \
+        luma += (pixel << 16 >> 24) * g * (by << 12 >> 22);                                        \
+        luma += (pixel << 24 >> 24) * b * (by << 22 >> 22);                                        \
+        luma >>= 14;                                                                               \
+        color[i] = (luma + (luma >> 8) + 512) >> 10;                                               \
+        QTRI_ASIDE(r)                                                                              \
+        QTRI_ASIDE(g)                                                                              \
+        QTRI_ASIDE(b)                                                                              \
+    }
+    QTRI_WORDS(count)
+#undef ONE
+}
+
+#define QTRI_STRAIGHT_TIMES_GRAY(i)                                                                \
+    {                                                                                              \
+        const uint32_t pixel = color[i];                                                           \
+        uint32_t luma = (pixel << 24 >> 24) * QTRI_LUMA_BLUE * (b >> 14);                          \
+        luma += (pixel << 16 >> 24) * QTRI_LUMA_GREEN * (g >> 14);                                 \
+        luma += (pixel << 8 >> 24) * QTRI_LUMA_RED * (r >> 14);                                    \
+        luma >>= 14;                                                                               \
+        color[i] = (luma + (luma >> 8) + 512) >> 10;                                               \
+    }                                                                                              \
+    QTRI_STEP_THREE
+
+#define QTRI_CURVED_TIMES_GRAY(i) QTRI_STRAIGHT_TIMES_GRAY(i) QTRI_BEND_THREE

@@ -14,6 +14,12 @@
 #define QTRI_SHADE_RED   20
 #define QTRI_SHADE_GREEN 10
 
+/* What channels n.16, 1/2 of 2^-16 added, have too much for their highest 10 bits to be rounded. */
+#define QTRI_SHADE_LESS (0x8000u - ((uint32_t)1 << 13))
+
+/* Luma, .299 .587 .114, of 2^14: white in light of 1, and a half, is 255.5 2^24 < 2^32. */
+enum { QTRI_LUMA_RED = 4899, QTRI_LUMA_GREEN = 9617, QTRI_LUMA_BLUE = 1868 };
+
 /* Interpolation to shades ---------------------------------------------------------------------- */
 
 /* Light of 0..1024, from shares: Q22 of 1, 1/2 of 2^-16 added as ramps have it. */
@@ -41,17 +47,29 @@ void qtri_light_888(uint32_t *color, const uint32_t *shade, int32_t count);
 void qtri_times_565(uint32_t *color, const uint32_t *shade, int32_t count);
 void qtri_times_888(uint32_t *color, const uint32_t *shade, int32_t count);
 
+/* What qtri_shade_rgb and then times_ make: also of up to three words past the end. */
+void qtri_times_curves_565(uint32_t *color, const qtri_curve channel[3], int32_t count);
+void qtri_times_curves_888(uint32_t *color, const qtri_curve channel[3], int32_t count);
+void qtri_times_curves_gray(uint32_t *color, const qtri_curve channel[3], int32_t count);
+
 /* color times light times a tint, 1024 being 1 of both: RGB565 within .54, 8 bits .63. */
 void qtri_tint_565(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
                    int32_t count);
 void qtri_tint_888(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
                    int32_t count);
 
+/* 8 bits to gray, which are multiplied as well: within .53 (times .52). */
+void qtri_light_gray(uint32_t *color, const uint32_t *shade, int32_t count);
+void qtri_times_gray(uint32_t *color, const uint32_t *shade, int32_t count);
+void qtri_tint_gray(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
+                    int32_t count);
+
 /* Conversion ----------------------------------------------------------------------------------- */
 
-/* 31 and 63 become 255, correctly rounded between; back: within .60 (green .69); luma: .51. */
+/* 31 and 63 become 255, correctly rounded between; back: within .51; luma: .51. */
 void qtri_565_to_888(uint32_t *color, int32_t count);
 void qtri_888_to_565(uint32_t *color, int32_t count);
 void qtri_888_to_gray(uint32_t *color, int32_t count);
+void qtri_565_to_gray(uint32_t *color, int32_t count);
 
 #endif

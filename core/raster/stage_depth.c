@@ -1,20 +1,7 @@
 #include "stage_depth.h"
 
 #include "loop.h"
-
-/*
- * mask = 2 mask + (a >= b). A comparison leaves that in the carry, and adding with it is one
- * instruction.
- */
-#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
-#define PUSH_GREATER_EQUAL(mask, a, b)                                                             \
-    __asm__(".syntax unified\n\tcmp %1, %2\n\tadcs %0, %0" : "+l"(mask) : "l"(a), "l"(b) : "cc");
-#elif defined(__GNUC__) && defined(__thumb2__)
-#define PUSH_GREATER_EQUAL(mask, a, b)                                                             \
-    __asm__("cmp %1, %2\n\tadcs %0, %0, %0" : "+r"(mask) : "r"(a), "r"(b) : "cc");
-#else
-#define PUSH_GREATER_EQUAL(mask, a, b) (mask) = 2 * (mask) + ((a) >= (b));
-#endif
+#include "words.h"
 
 /* Repeats ONE(i) for `count` pixels, which move on. */
 #ifdef __OPTIMIZE_SIZE__
@@ -49,7 +36,7 @@ static uint32_t not_less(uint16_t *depth, uint32_t z, uint32_t step, int32_t cou
     {                                                                                              \
         const uint32_t top = z >> 16;                                                              \
         const uint32_t stored = depth[i];                                                          \
-        PUSH_GREATER_EQUAL(mask, top, stored)                                                      \
+        QTRI_PUSH_GREATER_EQUAL(mask, top, stored)                                                 \
         z += step;                                                                                 \
         QTRI_OPAQUE(z)                                                                             \
     }
@@ -66,7 +53,7 @@ static uint32_t not_greater(uint16_t *depth, uint32_t z, uint32_t step, int32_t 
     {                                                                                              \
         const uint32_t top = z >> 16;                                                              \
         const uint32_t stored = depth[i];                                                          \
-        PUSH_GREATER_EQUAL(mask, stored, top)                                                      \
+        QTRI_PUSH_GREATER_EQUAL(mask, stored, top)                                                 \
         z += step;                                                                                 \
         QTRI_OPAQUE(z)                                                                             \
     }
@@ -83,7 +70,7 @@ static uint32_t equal(uint16_t *depth, uint32_t z, uint32_t step, int32_t count)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t differ = (z >> 16) ^ depth[i];                                              \
-        PUSH_GREATER_EQUAL(mask, zero, differ)                                                     \
+        QTRI_PUSH_GREATER_EQUAL(mask, zero, differ)                                                \
         z += step;                                                                                 \
         QTRI_OPAQUE(z)                                                                             \
     }

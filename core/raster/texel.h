@@ -19,7 +19,9 @@ typedef struct qtri_texel_axis {
     uint8_t side_log2;
     bool clamped;
     uint16_t mask; /* side - 1 */
-    uint32_t bias; /* 2^-16 texel: values on a texel's edge, give or take an error, go up */
+    /* 2^-16 texel: values on a texel's edge, give or take an error, go up. To a filter coordinates
+       count from texels' centres: less half a texel. */
+    uint32_t bias;
     int32_t first; /* clamped: what is shifted, at coordinate 0: within +-2^29 */
 } qtri_texel_axis;
 

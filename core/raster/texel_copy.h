@@ -29,11 +29,10 @@ static inline uint32_t qtri_shift_by_byte(uint32_t x, uint32_t by)
 #endif
 }
 
-/* Repeated, and v fits: 1 <= w, w + h <= 16. */
+/* v fits: 1 <= w, w + h <= 16. */
 static inline bool qtri_texel_copy_fits(const qtri_texture *texture)
 {
-    return texture->wrap_u != QTRI_CLAMP && texture->wrap_v != QTRI_CLAMP &&
-           texture->width_log2 >= 1 && texture->width_log2 <= 10 && texture->height_log2 <= 10 &&
+    return texture->width_log2 >= 1 && texture->width_log2 <= 10 && texture->height_log2 <= 10 &&
            texture->width_log2 + texture->height_log2 <= 16;
 }
 

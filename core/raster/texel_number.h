@@ -1,9 +1,10 @@
 /*
  * Where texture coordinates lead: to numbers of texels, row << width_log2 | column. Internal.
  *
- * Coordinates of a triangle are in one of two units. Where the texture repeats on both axes and has
- * at most 2^16 texels, all 32 bits count, so that they wrap by themselves and a number is quickly
- * made of them, see texel_copy.h. Elsewhere they are as texel.h has them.
+ * Coordinates of a triangle are in one of two units. On an axis that repeats, of a texture of at
+ * most 2^16 texels, all 32 bits count, so that they wrap by themselves and a number is quickly made
+ * of them, see texel_copy.h. Elsewhere they are as texel.h has them; those of clamped axes of such
+ * textures are brought to 32 bits along a row, most by a look at both ends.
  */
 #ifndef QTRI_RASTER_TEXEL_NUMBER_H
 #define QTRI_RASTER_TEXEL_NUMBER_H
@@ -23,6 +24,18 @@ void qtri_texel_numbers(uint32_t *number, const qtri_curve uv[2], const qtri_tex
 
 /* The coordinates themselves. */
 void qtri_texel_coordinates(uint32_t *u, uint32_t *v, const qtri_curve uv[2], int32_t count);
+
+/*
+ * Of `count` pixels of a clamped axis: brings the curve to 32 bits where all of them are inside the
+ * texture, or all on one side of it. False, and nothing is changed, where it may be otherwise.
+ * to: where the fraction ends then. Of a filtered texture, inside is between texels' centres.
+ */
+bool qtri_texel_curve_held(qtri_curve *curve, const qtri_texel_axis *axis, int32_t to,
+                           int32_t count);
+
+/* Any coordinates of a clamped axis, in place. */
+void qtri_texel_coordinates_held(uint32_t *at, const qtri_texel_axis *axis, int32_t to,
+                                 int32_t count);
 
 /* The column or row of a coordinate's whole part. */
 static inline uint32_t qtri_texel_wrapped(const qtri_texel_axis *axis, uint32_t whole)

@@ -25,8 +25,7 @@ struct qtri_texturing {
     void (*set_list)(qtri_list_values *v);
     uint32_t (*color_list)(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
                            const uint32_t *place, int32_t count);
-    int32_t (*finish_list)(const qtri_raster *raster, int32_t count, uint32_t mask,
-                           const qtri_ramp *depth);
+    uint32_t (*finish_list)(const qtri_raster *raster, int32_t count, uint32_t mask);
 };
 
 void qtri_textured_init(qtri_raster *raster, const qtri_material *material);
@@ -34,10 +33,11 @@ void qtri_textured_axes(qtri_job *job, uint32_t value[2][3], const qtri_attribut
 uint32_t qtri_textured_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask);
 
 /*
- * Numbers of texels, texels (`fetched`), or u and v where they are filtered, become colours of the
- * working kind. Returns the mask of those that are drawn: the others are the colour key.
+ * Numbers of texels, texels (`fetched`), or u and v where they are filtered, become colours: of the
+ * working kind where they are to be multiplied (`shaded`), else of the format's. Returns the mask
+ * of those that are drawn: the others are the colour key.
  */
 uint32_t qtri_texels_color(const qtri_raster *raster, const qtri_texel_axis axis[2],
-                           uint32_t *color, const uint32_t *v, int32_t count, bool fetched);
+                           uint32_t *color, uint32_t *v, int32_t count, bool fetched, bool shaded);
 
 #endif

@@ -1,6 +1,8 @@
 /*
  * What textures add to rows of large triangles.
  */
+#include "linear.h"
+#include "perspective.h"
 #include "texel_copy.h"
 #include "texel_number.h"
 #include "textured.h"
@@ -10,89 +12,177 @@ void qtri_textured_axes(qtri_job *job, uint32_t value[2][3], const qtri_attribut
 {
     const qtri_raster *raster = job->raster;
     const qtri_texture *texture = raster->texture;
+    const bool clamped[2] = {texture->wrap_u == QTRI_CLAMP, texture->wrap_v == QTRI_CLAMP};
     for (int i = 0; i < 2; i++) {
         int64_t f_q32[3];
         for (int k = 0; k < 3; k++) {
             f_q32[k] = i == 0 ? v[k].u_q32 : v[k].v_q32;
         }
-        qtri_texel_axis_init(&job->axis[i], value[i], f_q32,
-                             i == 0 ? texture->width_log2 : texture->height_log2,
-                             (i == 0 ? texture->wrap_u : texture->wrap_v) == QTRI_CLAMP,
-                             raster->repeated ? qtri_texel_copy_shift(texture, i) : 0);
+        qtri_texel_axis_init(
+            &job->axis[i], value[i], f_q32, i == 0 ? texture->width_log2 : texture->height_log2,
+            clamped[i], clamped[i] || raster->texel_cut == 0 ? 0 : raster->coordinate[i].shift);
+        if (texture->filter != NULL) { /* from texels' centres */
+            job->axis[i].bias -= (uint32_t)1 << (job->axis[i].shift - 1);
+        }
     }
 }
 
-/* Light or colours for texels, into shades. */
-static void interpolate_shades(qtri_scanline *row, int32_t x, int32_t count)
+/* The shade of all of a triangle's texels as curves. */
+static void constant_curves(qtri_curve curve[3], uint32_t shade)
+{
+    for (int i = 2; i >= 0; i--) {
+        const qtri_curve one = {((shade & 1023) << 14) + QTRI_SHADE_LESS, 0, 0, 0};
+        curve[i] = one;
+        shade >>= QTRI_SHADE_GREEN;
+    }
+}
+
+/* Some of the batch's texels: stages work on four at a time, but the others are not yet due. */
+static inline void multiply_some(const qtri_raster *raster, uint32_t *color,
+                                 const qtri_curve channel[3], int32_t count)
+{
+    uint32_t *after = color + count;
+    const uint32_t kept[3] = {after[0], after[1], after[2]};
+    raster->times_curves(color, channel, count);
+    if ((count & 3) != 0) {
+        after[0] = kept[0];
+        after[1] = kept[1];
+        after[2] = kept[2];
+    }
+}
+
+/* Multiplies the batch's texels by light or colours. */
+static void shade_texels(qtri_scanline *row, int32_t x, int32_t count)
 {
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
+    uint32_t *color = raster->batch->color;
     uint32_t *shade = raster->batch->by.shade;
-    while (count > 0) {
-        qtri_curve curve[3];
-        const int32_t some = job->interpolate(row, x, count, job->first, QTRI_U, curve);
-        if (job->first == 0) {
-            qtri_shade_rgb(shade, curve, some);
-        } else {
-            qtri_shade_light(shade, curve, some);
+    if (job->first == QTRI_U) {
+        constant_curves(row->curve, job->pixel);
+        raster->times_curves(color, row->curve, count);
+        return;
+    }
+    for (int32_t done = 0; done < count;) {
+        int32_t some = count;
+        if (qtri_job_is_bent(job)) {
+            some = qtri_interpolate_perspective(row, x + done, count - done, job->first, QTRI_U);
         }
-        shade += some;
-        x += some;
-        count -= some;
+        if (job->first != 0) {
+            qtri_shade_light(shade + done, &row->curve[QTRI_U - 1], some);
+        } else if (some == count) {
+            raster->times_curves(color, row->curve, count);
+        } else {
+            multiply_some(raster, color + done, row->curve, some);
+        }
+        done += some;
+    }
+    if (job->first == QTRI_U - 1 && raster->white) {
+        raster->light(color, shade, count);
+    } else if (job->first == QTRI_U - 1) {
+        raster->tinted(color, shade, raster->tint_q10, count);
     }
 }
 
-/* Texture coordinates into the batch: as numbers of texels, or, filtered, as they are. */
+/*
+ * Where coordinates are brought to 32 bits one by one, as a chunk lies partly outside of the
+ * texture.
+ */
+QTRI_NOINLINE static void hold_texels(const qtri_raster *raster, const qtri_texel_axis axis[2],
+                                      uint32_t *color, uint32_t *across, const bool held[2],
+                                      int32_t count)
+{
+    if (!held[0]) {
+        qtri_texel_coordinates_held(color, &axis[0], raster->coordinate[0].shift, count);
+    }
+    if (!held[1]) {
+        qtri_texel_coordinates_held(across, &axis[1], raster->coordinate[1].shift, count);
+    }
+    if (raster->texture->filter != NULL) {
+        return;
+    }
+    const uint16_t *texels = raster->texture->texels;
+    for (const uint32_t *end = color + ((count + 3) & ~3); color != end; color++) {
+        const uint32_t number = qtri_texel_index(*color, *across++, raster->texel_cut);
+        *color = raster->fetched ? texels[number] : number;
+    }
+}
+
+/*
+ * Of a clamped texture, along curves: brings them to 32 bits, or, where that is not so quickly
+ * done, finds the texels.
+ */
+QTRI_NOINLINE static bool clamp_texels(const qtri_job *job, int32_t done, qtri_curve uv[2],
+                                       int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    uint32_t *color = raster->batch->color + done;
+    uint32_t *across = raster->batch->by.shade + done;
+    bool held[2];
+    for (int i = 0; i < 2; i++) {
+        held[i] = !job->axis[i].clamped ||
+                  qtri_texel_curve_held(&uv[i], &job->axis[i], raster->coordinate[i].shift, count);
+    }
+    if (held[0] && held[1]) {
+        return false;
+    }
+    qtri_texel_coordinates(color, across, uv, count);
+    hold_texels(raster, job->axis, color, across, held, count);
+    return true;
+}
+
+/* Texture coordinates into the batch: as texels, their numbers or as they are. */
 static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
 {
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
-    qtri_batch *batch = raster->batch;
+    qtri_curve *uv = &row->curve[QTRI_U];
+    const bool clamped = !raster->repeated && raster->texel_cut != 0;
     int32_t done = 0;
-    while (done < count) {
-        qtri_curve uv[2];
-        const int32_t some =
-            job->interpolate(row, x + done, count - done, QTRI_U, QTRI_ATTRIBUTES, uv);
-        if (raster->texture->filter != NULL) {
-            qtri_texel_coordinates(batch->color + done, batch->by.shade + done, uv, some);
+    do {
+        uint32_t *color = raster->batch->color + done;
+        int32_t some = count;
+        qtri_curve held[2];
+        if (qtri_job_is_bent(job) && !row->level) {
+            some =
+                qtri_interpolate_perspective(row, x + done, count - done, QTRI_U, QTRI_ATTRIBUTES);
+        } else if (clamped) { /* the next chunk goes on from what is kept */
+            held[0] = uv[0];
+            held[1] = uv[1];
+            uv = held;
+        }
+        if (clamped && clamp_texels(job, done, uv, some)) {
+            ;
+        } else if (raster->texture->filter != NULL) {
+            qtri_texel_coordinates(color, raster->batch->by.shade + done, uv, some);
 #ifndef __OPTIMIZE_SIZE__
         } else if (raster->fetched) {
-            qtri_texels_repeated_16(batch->color + done, uv, raster->texel_cut,
-                                    raster->texture->texels, some);
+            qtri_texels_repeated_16(color, uv, raster->texel_cut, raster->texture->texels, some);
 #endif
-        } else if (raster->repeated) {
-            qtri_texel_numbers_repeated(batch->color + done, uv, raster->texel_cut, some);
+        } else if (raster->texel_cut != 0) {
+            qtri_texel_numbers_repeated(color, uv, raster->texel_cut, some);
         } else {
-            qtri_texel_numbers(batch->color + done, uv, job->axis, some);
+            qtri_texel_numbers(color, uv, job->axis, some);
         }
         done += some;
-    }
+    } while (done < count);
 }
 
-/* Colours of the format's kind for `count` pixels of the chunk at x. Gives those that are drawn. */
+/* Pixels of the format's kind for `count` pixels of the chunk at x. Gives those that are drawn. */
 uint32_t qtri_textured_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
 {
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
-    qtri_batch *batch = raster->batch;
+    uint32_t *color = raster->batch->color;
     interpolate_texels(row, x, count);
-    mask &=
-        qtri_texels_color(raster, job->axis, batch->color, batch->by.shade, count, raster->fetched);
-    if (mask != 0 && job->shaded) {
-        if (job->first == QTRI_U) {
-            qtri_shade_constant(batch->by.shade, job->pixel, count);
-        } else {
-            interpolate_shades(row, x, count);
-        }
-        if (job->first == QTRI_U - 1 && !raster->white) {
-            raster->tinted(batch->color, batch->by.shade, raster->tint_q10, count);
-        } else {
-            (job->first == QTRI_U - 1 ? raster->light : raster->times)(batch->color,
-                                                                       batch->by.shade, count);
-        }
+    mask &= qtri_texels_color(raster, raster->texel_cut != 0 ? NULL : job->axis, color,
+                              raster->batch->by.shade, count, raster->fetched, job->shaded);
+    if (mask == 0 || !job->shaded) {
+        return mask;
     }
-    if (mask != 0 && raster->narrow != NULL) {
-        raster->narrow(batch->color, count);
+    shade_texels(row, x, count);
+    if (raster->narrow != NULL && !raster->gray) {
+        raster->narrow(color, count);
     }
     return mask;
 }

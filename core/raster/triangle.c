@@ -80,6 +80,14 @@ static void draw_large(const qtri_raster *raster, const qtri_screen_point p[3],
     }
 }
 
+static void draw_small(const qtri_raster *raster, qtri_place *place,
+                       const qtri_vertex *const vertex[3], const qtri_attributes attributes[3])
+{
+    qtri_small_values values;
+    qtri_small_set_values(&values, raster, attributes);
+    qtri_small_draw_values(raster, place, vertex, &values);
+}
+
 void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
 {
     qtri_screen_point p[3];
@@ -102,7 +110,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
     switch (qtri_place_triangle(&place, spans, raster, corner[0], corner[1], corner[2])) {
     case QTRI_PLACED_SMALL:
-        qtri_small_attributes(raster, &place, corner, attributes);
+        draw_small(raster, &place, corner, attributes);
         qtri_list_flush(raster);
         break;
     case QTRI_PLACED_LARGE:

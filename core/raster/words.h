@@ -8,6 +8,27 @@
 #ifndef QTRI_RASTER_WORDS_H
 #define QTRI_RASTER_WORDS_H
 
+/*
+ * mask = 2 mask + (a >= b). A comparison leaves that in the carry, and adding with it is one
+ * instruction.
+ */
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+#define QTRI_PUSH_GREATER_EQUAL(mask, a, b)                                                        \
+    __asm__(".syntax unified\n\tcmp %1, %2\n\tadcs %0, %0" : "+l"(mask) : "l"(a), "l"(b) : "cc");
+#elif defined(__GNUC__) && defined(__thumb2__)
+#define QTRI_PUSH_GREATER_EQUAL(mask, a, b)                                                        \
+    __asm__("cmp %1, %2\n\tadcs %0, %0, %0" : "+r"(mask) : "r"(a), "r"(b) : "cc");
+#else
+#define QTRI_PUSH_GREATER_EQUAL(mask, a, b) (mask) = 2 * (mask) + ((a) >= (b));
+#endif
+
+/* How many words past `count` are worked on. */
+#ifdef __OPTIMIZE_SIZE__
+#define QTRI_WORDS_PAST(count) 0
+#else
+#define QTRI_WORDS_PAST(count) (-(count)&3)
+#endif
+
 #ifdef __OPTIMIZE_SIZE__
 #define QTRI_WORDS(count)                                                                          \
     do {                                                                                           \

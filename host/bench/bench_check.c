@@ -33,8 +33,14 @@
     "1.1 1.5 -1.9052559 1 1 1 1 2 0\n"                                                             \
     "trit -1.1 -1.5 1.9052559 1 1 1 1 0 2  1.1 1.5 -1.9052559 1 1 1 1 2 0  "                       \
     "-1.1 1.5 1.9052559 1 1 1 1 0 0\n"
-#define MODULATED       "texture texture.ppm\ntexformat rgb565\ntexmode modulate\n"
-#define LIT             "light .4 .6 .69282032 .2 .8\ncull back\n"
+#define MODULATED "texture texture.ppm\ntexformat rgb565\ntexmode modulate\n"
+#define LIT       "light .4 .6 .69282032 .2 .8\ncull back\n"
+/* In eye space. */
+#define LIGHTS                                                                                     \
+    "ambient .125 .125 .125\nmaterial specular 1 1 1 30\ncull back\n"                              \
+    "light point 1.5 1 0 1 .9 .8 1 0 .05\n"
+#define LIGHT2          "light directional -1 .5 .3 .1 .2 .4\n"
+#define LIGHT34         "light directional .4 .6 .69282032 .2 .2 .2\nlight directional .2 -.8 .5 .2 .1 .1\n"
 #define MESH_COLOR      " color 1 .7058823529 .3529411765\n"
 #define TURN_SPOT       "rotate 150 0 1 0\n"
 #define SPOT            TURN_SPOT "mesh spot.obj" MESH_COLOR
@@ -85,6 +91,11 @@ static const struct expectation {
     {"S6b", BEGIN LIT MODULATED COMPACT(SPOT_UV), 12414},
     {"S7b", BEGIN LIT "polygon line\n" COMPACT(SPOT), 0},
     {"S4kb", BEGIN LIT COMPACT(KNOT), 0},
+    {"L1", BEGIN LIGHTS SPOT_COMPACT, 12414},
+    {"L2", BEGIN LIGHTS LIGHT2 SPOT_COMPACT, 12414},
+    {"L3", BEGIN LIGHTS LIGHT2 LIGHT34 SPOT_COMPACT, 12414},
+    {"L1f", BEGIN LIGHTS "shade flat\n" TEAPOT_COMPACT, 15296},
+    {"L1b", BEGIN LIGHTS SPOT_COMPACT, 12414},
 };
 
 static bool write_texture(const char *path)

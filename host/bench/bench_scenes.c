@@ -5,7 +5,8 @@
  * wall's, which reach 4. S4w and S5w: with the wide mesh, Q16.16 positions. S4k, S5k and S7k: as
  * S4, S5 and S7 with the project's own mesh of like size, 5760 triangles. S4b, S4wb, S5b, S6b and
  * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
- * mesh of S4 as loose triangles.
+ * mesh of S4 as loose triangles. L1: S4 with a point light and Blinn-Phong highlights; L2 and L3:
+ * and one and three directional lights; L1f: S5 so, L1b: L1 in bands.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -57,6 +58,11 @@ const bench_scene bench_scenes[] = {
     {.name = "S6b", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, BANDS},
     {.name = "S7b", MESH(COMPACT(spot), Q16(150)), .wireframe = true, BANDS},
     {.name = "S4kb", MESH(COMPACT(knot), Q16(30)), BANDS},
+    {.name = "L1", MESH(COMPACT(spot), Q16(150)), .lights = 1},
+    {.name = "L2", MESH(COMPACT(spot), Q16(150)), .lights = 2},
+    {.name = "L3", MESH(COMPACT(spot), Q16(150)), .lights = 4},
+    {.name = "L1f", MESH(COMPACT(teapot), Q16(30)), FLAT, .lights = 1},
+    {.name = "L1b", MESH(COMPACT(spot), Q16(150)), BANDS, .lights = 1},
 #endif
     {.name = NULL},
 };
@@ -76,6 +82,48 @@ static void set_texture(bench_frame *frame, qtri_texture_mode mode)
     frame->material.texture_mode = mode;
 }
 
+#ifndef BENCH_PLAIN
+static const qtri_light_source sources[] = {
+    {.kind = &qtri_point_light,
+     .position = {Q16(1.5), Q16(1), Q16(3)},
+     .color = {Q16(1), Q16(.9), Q16(.8)},
+     .constant = Q16(1),
+     .quadratic = Q16(.05)},
+    {.kind = &qtri_directional_light,
+     .position = {Q16(-1), Q16(.5), Q16(.3)},
+     .color = {Q16(.1), Q16(.2), Q16(.4)}},
+    {.kind = &qtri_directional_light,
+     .position = {Q16(.4), Q16(.6), Q16(.69282032)},
+     .color = {Q16(.2), Q16(.2), Q16(.2)}},
+    {.kind = &qtri_directional_light,
+     .position = {Q16(.2), Q16(-.8), Q16(.5)},
+     .color = {Q16(.2), Q16(.1), Q16(.1)}},
+};
+
+/* In the world; the camera looks at it from z = 3. */
+static void set_lights(bench_frame *frame)
+{
+    const qtri_light_color ambient = {Q16(.125), Q16(.125), Q16(.125)};
+    const qtri_reflection reflection = {.specular = {255, 255, 255},
+                                        .shininess = &frame->shininess};
+    frame->view.lights = NULL;
+    if (frame->scene->lights == 0) {
+        return;
+    }
+    qtri_shininess_init(&frame->shininess, Q16(30));
+    (void)qtri_lights_init(&frame->lights, sources, frame->scene->lights, ambient);
+    frame->reflection = reflection;
+    frame->material.reflection = &frame->reflection;
+    frame->view.lights = &frame->lights;
+    frame->view.vertex_count = QTRI_LIT_VERTICES(BENCH_VERTICES_MAX);
+}
+#else
+static void set_lights(bench_frame *frame)
+{
+    (void)frame;
+}
+#endif
+
 static void set_mesh(bench_frame *frame)
 {
     frame->view.light = &bench_light;
@@ -83,6 +131,7 @@ static void set_mesh(bench_frame *frame)
     frame->view.vertex_count = frame->scene->mesh->vertex_count;
     frame->mesh = *frame->scene->mesh;
     frame->mesh.colors = frame->scene->colors;
+    set_lights(frame);
 }
 
 static void set_corners(bench_frame *frame)
@@ -115,7 +164,8 @@ static void draw_bands(bench_frame *frame)
 
 static bool set_bands(bench_frame *frame)
 {
-    qtri_prepared_init(&frame->prepared, frame->vertices, BENCH_VERTICES_MAX, frame->lists,
+    qtri_prepared_init(&frame->prepared, frame->vertices,
+                       sizeof frame->vertices / sizeof frame->vertices[0], frame->lists,
                        sizeof frame->lists / sizeof frame->lists[0]);
     return qtri_frame_init(&frame->bands, FORMAT, BENCH_WIDTH, BENCH_HEIGHT,
                            frame->scene->band_rows, frame->memory, sizeof frame->memory) == QTRI_OK;

@@ -36,6 +36,7 @@ typedef struct bench_scene {
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
     q16 turn;               /* the mesh, about y */
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
+    uint32_t lights; /* not 0: the first of bench_sources, and highlights, in place of the light */
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
@@ -52,7 +53,14 @@ typedef struct bench_frame {
     qtri_corner corners[BENCH_CORNERS_MAX];
     uint32_t
         memory[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES) / sizeof(uint32_t)];
+#ifdef BENCH_PLAIN
     qtri_vertex vertices[QTRI_MESH_VERTICES(BENCH_VERTICES_MAX)];
+#else
+    qtri_vertex vertices[QTRI_LIT_VERTICES(BENCH_VERTICES_MAX)];
+    qtri_lights lights;
+    qtri_shininess shininess;
+    qtri_reflection reflection;
+#endif
     uint16_t texels[BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE];
 #ifndef BENCH_PLAIN
     qtri_frame bands;

@@ -2,7 +2,7 @@
 # Gathers what the cores printed: matrix.sh FOLDER TABLE.tsv CORE...   (called by `make bench-matrix`)
 # FOLDER/matrix-host.txt and FOLDER/CORE/matrix.txt hold lines `case hash pixels instructions`. Writes the table
 # `case core instructions pixels per_pixel`, and TABLE-classes.tsv, which it prints: how far the cells of a class are apart.
-# A class is what has source, filter and geometry in common. Fails where a core's picture is not the host's.
+# A class is what has source, texels, filter, wrap and geometry in common, and a depth test or none. Fails where a core's picture is not the host's.
 set -eu
 folder=$1 table=$2
 shift 2
@@ -30,7 +30,8 @@ done | awk -v OFS='\t' -v cores="$*" '
 awk -F '\t' -v OFS='\t' -v cores="$*" '
     function class_of(name,   part, n) {
         n = split(name, part, "/")
-        return n == 4 ? part[3] "/" part[4] : part[3] "/" part[5] "/" part[7]
+        class = n == 4 ? part[3] "/" part[4] : part[3] "/" part[4] "/" part[5] "/" part[6] "/" part[7]
+        return part[2] == "off" ? class "/off" : class
     }
     function sort(list, n,   gap, i, j, value) {
         for (gap = int(n / 2); gap > 0; gap = int(gap / 2))
@@ -67,20 +68,20 @@ awk -F '\t' -v cores="$*" '
     # The case without what its class says.
     function rest_of(name,   part, n) {
         n = split(name, part, "/")
-        return n == 4 ? part[1] "/" part[2] : part[1] "/" part[2] "/" part[4] "/" part[6]
+        return part[1] "/" part[2]
     }
     function finish() {
-        if (class != "") printf "%-32s%6d%s  %s\n", class, cells, line, rest_of(which)
+        if (class != "") printf "%-50s%6d%s  %s\n", class, cells, line, rest_of(which)
         line = ""
         most = 0
     }
     BEGIN {
         columns = split(cores, core, " ")
         print "Instructions a pixel: the best, median and worst cell of each class, and the worst as times the best, ! above 2; behind"
-        print "them the cell that is most: surface, depth test, texel format and wrap."
-        printf "%-32s%6s", "", ""
+        print "them the cell that is most: surface and depth test."
+        printf "%-50s%6s", "", ""
         for (c = 1; c <= columns; c++) printf "%18s%15s", core[c], ""
-        printf "\n%-32s%6s", "class", "cells"
+        printf "\n%-50s%6s", "class", "cells"
         for (c = 1; c <= columns; c++) printf "%8s%8s%9s%7s ", "best", "median", "worst", "times"
         print "  which"
     }

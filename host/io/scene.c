@@ -25,8 +25,22 @@ static const struct scene_statement statements[] = {
     {"texformat",   {1, 1},    scene_statement_texformat,     0, "xrgb8888|rgb565|palette|gray8"},
     {"texkey",      {1, 3},    scene_statement_texkey,        0, "off or texkey r g b"},
     {"interpolate", {1, 1},    scene_statement_interpolate,   0, "perspective|linear"},
+    {"blend",       {1, 2},    scene_statement_blend,         0,
+     "off|alpha|add|multiply|none|screendoor [ALPHA]"},
+    {"fog",         {1, 8},    scene_statement_fog,           0,
+     "off or fog linear NEAR FAR r g b START END"},
+    {"fogdensity",  {7, 7},    scene_statement_fogdensity,    0,
+     "exp|exp2 NEAR FAR r g b DENSITY"},
     {"polygon",     {1, 1},    scene_statement_polygon,       0, "fill|line"},
-    {"light",       {5, 5},    scene_statement_light,         0, "x y z ambient diffuse"},
+    {"light",       {5, SCENE_ANY}, scene_statement_light,    0,
+     "x y z ambient diffuse, light directional x y z r g b, light point x y z r g b [constant linear "
+     "quadratic] or light spot x y z dx dy dz inner outer r g b [constant linear quadratic "
+     "[exponent]]"},
+    {"ambient",     {3, 3},    scene_statement_ambient,       0, "r g b"},
+    {"material",    {4, 5},    scene_statement_material,      0,
+     "ambient r g b, material emission r g b or material specular r g b shininess"},
+    {"twosided",    {1, 1},    scene_statement_twosided,      0, "off|on"},
+    {"texgen",      {1, 1},    scene_statement_texgen,        0, "off|sphere"},
     {"mode",        {1, 1},    scene_statement_mode,          0, "projection|modelview"},
     {"identity",    {0, 0},    scene_statement_numbers,       SCENE_IDENTITY, ""},
     {"load",        {16, 16},  scene_statement_numbers,       SCENE_LOAD, "m0..m15"},
@@ -45,6 +59,10 @@ static const struct scene_statement statements[] = {
     {"tri",         {21, 21},  scene_statement_triangle,      SCENE_TRIANGLE, "(x y z w r g b) x3"},
     {"trit",        {27, 27},  scene_statement_triangle,      SCENE_TRIANGLE,
      "(x y z w r g b u v) x3"},
+    {"trin",        {30, 30},  scene_statement_triangle,      SCENE_TRIANGLE,
+     "(x y z w r g b nx ny nz) x3"},
+    {"tritn",       {36, 36},  scene_statement_triangle,      SCENE_TRIANGLE,
+     "(x y z w r g b u v nx ny nz) x3"},
     {"mesh",        {1, 5},    scene_statement_mesh,          SCENE_MESH, "FILE.obj [color r g b]"},
 };
 /* clang-format on */
@@ -162,9 +180,17 @@ static bool check_argument_count(struct scene_parser *parser)
 {
     const struct scene_statement *statement = parser->statement;
     if (parser->argument_count == statement->counts[0] ||
-        parser->argument_count == statement->counts[1]) {
+        parser->argument_count == statement->counts[1] ||
+        (statement->counts[1] == SCENE_ANY && parser->argument_count > statement->counts[0] &&
+         parser->argument_count <= SCENE_MAX_ARGUMENTS)) {
         return true;
     }
+    return scene_fail_count(parser);
+}
+
+bool scene_fail_count(struct scene_parser *parser)
+{
+    const struct scene_statement *statement = parser->statement;
     text_error_set(parser->error, parser->name, parser->line,
                    "wrong number of values (%d) for %s%s%s", parser->argument_count,
                    statement->name, statement->usage[0] != '\0' ? " " : "", statement->usage);
@@ -204,6 +230,7 @@ static void set_defaults(struct scene *scene)
     scene->height = 256;
     scene->clear_depth = SCENE_ONE;
     scene->depth_write = true;
+    scene->alpha = 65536;
     scene->depth_compare = SCENE_LESS;
     scene->cull = SCENE_CULL_NONE;
     scene->provoking = 2;

@@ -46,6 +46,7 @@ struct scene_vertex {
     int32_t position[4]; /* object space x y z w */
     int32_t color[3];    /* 0..1 */
     int32_t uv[2];       /* 0 for `tri` */
+    int32_t normal[3];   /* of `trin` and `tritn`, any length; 0: that of the triangle */
 };
 
 struct scene_op {
@@ -93,9 +94,51 @@ struct scene_texture { /* width == 0: texturing is off */
     uint8_t *rgb;      /* width * height * 3 bytes, row 0 (v = 0) first, owned by the scene */
 };
 
+/* Of `light directional|point|spot`: eye space, colours 0..16. */
+enum scene_lamp_kind { SCENE_DIRECTIONAL, SCENE_POINT, SCENE_SPOT };
+
+#define SCENE_MAX_LAMPS 7 /* and `light` with numbers alone is one more */
+
+struct scene_lamp {
+    enum scene_lamp_kind kind;
+    int32_t position[3]; /* directional: the direction to it, any length but 0 */
+    int32_t color[3];
+    int32_t fade[3];      /* point, spot: constant, linear, quadratic */
+    int32_t direction[3]; /* spot: to where it shines, any length but 0 */
+    int32_t inner, outer; /* degrees, 0..180 */
+    int32_t exponent;     /* 1..1024; 0: none */
+};
+
+/* `material`: what a surface reflects beside its own colour, 0..1. */
+struct scene_reflection {
+    bool own_ambient;
+    int32_t ambient[3], specular[3], emission[3];
+    int32_t shininess; /* 1..1024; 0: no highlights */
+    bool two_sided;
+};
+
 struct scene_light {    /* towards[] all zero: no light */
     int32_t towards[3]; /* direction to the light in eye space, any length */
     int32_t ambient, diffuse;
+};
+
+/* What becomes of a pixel that is drawn over another. */
+enum scene_blend {
+    SCENE_BLEND_OFF,
+    SCENE_BLEND_ALPHA,
+    SCENE_BLEND_ADD,
+    SCENE_BLEND_MULTIPLY,
+    SCENE_BLEND_NONE, /* only depths are written */
+    SCENE_BLEND_SCREENDOOR
+};
+
+enum scene_fog_kind { SCENE_FOG_OFF, SCENE_FOG_LINEAR, SCENE_FOG_EXP, SCENE_FOG_EXP2 };
+
+struct scene_fog {
+    enum scene_fog_kind kind;
+    int32_t range[2];  /* near and far of the projection, 0 < near < far */
+    int32_t color[3];  /* 0..1 */
+    int32_t number[2]; /* start and end, or the density */
 };
 
 struct scene {
@@ -111,6 +154,9 @@ struct scene {
     bool screen_linear; /* `interpolate linear`: attributes linear on the screen */
     bool wireframe;     /* `polygon line` */
     enum scene_texture_mode texture_mode;
+    enum scene_blend blend;
+    int32_t alpha; /* 0..1 */
+    struct scene_fog fog;
     bool texture_clamp[2];  /* `texwrap`, u and v; otherwise repeated */
     bool texture_bilinear;  /* `texfilter` */
     bool texture_keyed;     /* `texkey`: texels stored as texture_key would be are not drawn */
@@ -119,6 +165,12 @@ struct scene {
     struct scene_texture texture;
     int32_t depth_near, depth_far; /* `depthrange`, 0..1 each, either order */
     struct scene_light light;
+    bool lamps_on; /* `ambient`, `material` or a kind of `light` was met: meshes and triangles */
+    int32_t ambient[3];
+    struct scene_lamp lamps[SCENE_MAX_LAMPS];
+    int lamp_count;
+    struct scene_reflection reflection;
+    bool texture_sphere; /* `texgen sphere`: meshes' coordinates are those of their normals */
 
     struct scene_op *ops;
     size_t op_count;

@@ -148,22 +148,24 @@ static bool take_ids(struct scene_parser *parser, size_t count, uint32_t *id)
     return true;
 }
 
-static bool read_vertex(struct scene_parser *parser, int first, bool textured,
+static bool read_vertex(struct scene_parser *parser, int first, bool textured, bool normal,
                         struct scene_vertex *vertex)
 {
     return scene_numbers(parser, first, 4, vertex->position) &&
            scene_fractions(parser, first + 4, 3, vertex->color) &&
-           (!textured || scene_numbers(parser, first + 7, 2, vertex->uv));
+           (!textured || scene_numbers(parser, first + 7, 2, vertex->uv)) &&
+           (!normal || scene_numbers(parser, first + (textured ? 9 : 7), 3, vertex->normal));
 }
 
 bool scene_statement_triangle(struct scene_parser *parser)
 {
     struct scene_vertex vertex[3];
-    int per_vertex = parser->argument_count / 3; /* 7, or 9 with texture coordinates */
-    bool textured = per_vertex == 9;
+    int per_vertex = parser->argument_count / 3; /* 7, 2 for texture coordinates, 3 for normals */
+    bool textured = per_vertex == 9 || per_vertex == 12;
+    bool normal = per_vertex >= 10;
     memset(vertex, 0, sizeof vertex);
     for (int i = 0; i < 3; i++) {
-        if (!read_vertex(parser, i * per_vertex, textured, &vertex[i])) {
+        if (!read_vertex(parser, i * per_vertex, textured, normal, &vertex[i])) {
             return false;
         }
     }

@@ -15,8 +15,10 @@
 #include "scene.h"
 
 #define SCENE_ONE           65536 /* 1.0 */
-#define SCENE_MAX_ARGUMENTS 27    /* trit */
+#define SCENE_MAX_ARGUMENTS 36    /* tritn */
 #define SCENE_MAX_TEXTURE   1024  /* texels along a side */
+
+#define SCENE_ANY (-1)
 
 struct scene_statement;
 
@@ -58,7 +60,8 @@ typedef bool scene_handler(struct scene_parser *parser);
 
 struct scene_statement {
     const char *name;
-    int counts[2]; /* permitted numbers of arguments */
+    int counts[2]; /* permitted numbers of arguments; behind the first, SCENE_ANY: as the handler
+                      says */
     scene_handler *handler;
     enum scene_op_kind kind; /* for scene_statement_numbers */
     const char *usage;       /* for messages */
@@ -68,6 +71,9 @@ struct scene_statement {
 
 /* Sets the error, "FILE:LINE: STATEMENT: sentence", and returns false. */
 bool scene_fail(struct scene_parser *parser, const char *sentence);
+
+/* The message for a number of arguments that is none of the statement's; false. */
+bool scene_fail_count(struct scene_parser *parser);
 
 /* "FILE:LINE: STATEMENT: 'ARGUMENT' problem". */
 bool scene_fail_argument(struct scene_parser *parser, int argument, const char *problem);
@@ -93,8 +99,14 @@ scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_c
     scene_statement_depth, scene_statement_depthmask, scene_statement_depthrange,
     scene_statement_cull, scene_statement_shade, scene_statement_texmode, scene_statement_texwrap,
     scene_statement_texfilter, scene_statement_texformat, scene_statement_texkey,
-    scene_statement_interpolate, scene_statement_polygon, scene_statement_light,
-    scene_statement_texture;
+    scene_statement_interpolate, scene_statement_polygon, scene_statement_texture;
+
+/* ---- Light (scene_light.c) ---- */
+
+scene_handler scene_statement_light, scene_statement_ambient, scene_statement_material,
+    scene_statement_twosided, scene_statement_texgen;
+
+scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity;
 
 /* ---- Assets (scene_assets.c) ---- */
 

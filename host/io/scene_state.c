@@ -158,17 +158,3 @@ bool scene_statement_polygon(struct scene_parser *parser)
 {
     return second_word(parser, 0, "fill", "line", &parser->scene->wireframe);
 }
-
-bool scene_statement_light(struct scene_parser *parser)
-{
-    struct scene_light *light = &parser->scene->light;
-    if (!scene_numbers(parser, 0, 3, light->towards) ||
-        !scene_fractions(parser, 3, 1, &light->ambient) ||
-        !scene_fractions(parser, 4, 1, &light->diffuse)) {
-        return false;
-    }
-    if ((light->towards[0] | light->towards[1] | light->towards[2]) == 0) {
-        return scene_fail(parser, "the direction must not be zero");
-    }
-    return true;
-}

@@ -2,8 +2,10 @@
  * Replays a scene: two matrix stacks, and the geometry where it stands.
  */
 #include "reference.h"
+#include "light.h"
 #include "matrix.h"
 #include "mesh.h"
+#include "raster.h"
 
 #include <assert.h>
 #include <math.h>
@@ -44,6 +46,43 @@ static void pop(struct stack *stack)
     stack->top--;
 }
 
+/* Colours of a single triangle in the scene's lights: by its corners' normals or its own. */
+static void light_single(const struct replay *replay, const struct scene_op *op,
+                         struct ref_triangle *triangle)
+{
+    const struct scene *scene = replay->target.scene;
+    const int32_t *towards = scene->light.towards;
+    struct ref_lighting light =
+        ref_lighting_of(scene, &replay->projection.matrix[replay->projection.top],
+                        &replay->modelview.matrix[replay->modelview.top]);
+    double p[3][3], face[3], middle[3];
+    bool turned = scene->reflection.two_sided && ref_facing(triangle) < 0;
+
+    if (!scene->lamps_on && (towards[0] | towards[1] | towards[2]) == 0)
+        return;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            p[i][k] = (double)op->u.triangle.vertex[i].position[k] /
+                      (double)op->u.triangle.vertex[i].position[3];
+    for (int k = 0; k < 3; k++)
+        middle[k] = (p[0][k] + p[1][k] + p[2][k]) / 3.0;
+    ref_face_normal(p[0], p[1], p[2], face);
+    for (int i = 0; i < 3; i++) {
+        const struct scene_vertex *in = &op->u.triangle.vertex[i];
+        const struct scene_vertex *colored =
+            scene->flat ? &op->u.triangle.vertex[scene->provoking] : in;
+        bool own = !scene->flat && (in->normal[0] | in->normal[1] | in->normal[2]) != 0;
+        double n[3], color[3];
+
+        for (int k = 0; k < 3; k++) {
+            n[k] = (own ? (double)in->normal[k] : face[k]) * (turned ? -1.0 : 1.0);
+            color[k] = fmax(0.0, fmin(1.0, (double)colored->color[k] / 65536.0));
+        }
+        ref_illuminate(&light, n, scene->flat ? middle : p[i], color,
+                       triangle->vertex[i].attribute);
+    }
+}
+
 static void draw_single(struct replay *replay, const struct scene_op *op)
 {
     const struct scene *scene = replay->target.scene;
@@ -74,6 +113,7 @@ static void draw_single(struct replay *replay, const struct scene_op *op)
         out->attribute[REF_U] = (double)in->uv[0] / 65536.0;
         out->attribute[REF_V] = (double)in->uv[1] / 65536.0;
     }
+    light_single(replay, op, &triangle);
     ref_draw_triangle(&replay->target, &triangle);
 }
 

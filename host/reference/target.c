@@ -1,4 +1,5 @@
 #include "target.h"
+#include "blend.h"
 #include "texture.h"
 
 #include <math.h>
@@ -131,8 +132,11 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
 
     if (triangle->textured && !ref_texture_at(scene, attribute[REF_U], attribute[REF_V], texel))
         return;
+    if (!ref_passes_door(scene, x, y))
+        return;
     if (scene->depth_test && scene->depth_write)
         image->depth[i] = depth;
+    const bool blended = ref_is_blended(scene);
     for (size_t c = 0; c < 3; c++) {
         double a = vertex[0].attribute[c];
         double b = vertex[1].attribute[c];
@@ -144,6 +148,11 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
             color = texel[c];
         else if (triangle->textured)
             color = color * texel[c] / 255.0;
+        if (blended) {
+            color = ref_blend(scene, (int)c, color, image->color[3 * i + c], depth);
+            least = 0;
+            greatest = 255;
+        }
         image->color[3 * i + c] = color;
         image->color_min[3 * i + c] = least;
         image->color_max[3 * i + c] = greatest;

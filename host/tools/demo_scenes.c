@@ -33,11 +33,36 @@ static const struct generated scenes[] = {
     {"07-knot-stretched.scene", "knot", "",
      "scale 1.5 .7 1\nrotate -35  1 0 0\nrotate 20  0 1 0\n"},
     {"07-torus-wireframe.scene", "torus", "polygon line\n", "rotate -50  1 0 0\n"},
+    {"11-light-point.scene", "knot",
+     "light 0 0 1 0 0\nambient .1 .1 .15\nmaterial specular 1 1 1 40\n"
+     "light point 1.5 1 .2 1 .9 .8 1 0 .1\nlight directional -1 0 .3 .2 .3 .6\n",
+     "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"11-light-spots-flat.scene", "knot",
+     "light 0 0 1 0 0\nambient .05 .05 .05\nshade flat\nmaterial specular .6 .6 .6 20\n"
+     "light spot 0 0 1  0 0 -1  5 20  1 1 1\n"
+     "light spot 2 2 -1  -1 -1 -1  10 25  1 .2 .2  .5 0 .05 4\n"
+     "light spot -2 1 -1  .8 -.5 -.8  10 25  .2 1 .2\n",
+     "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"11-light-stretched.scene", "knot",
+     "light 0 0 1 0 0\nambient .1 .1 .15\nmaterial specular 1 1 1 100\n"
+     "material emission .1 0 0\nmaterial ambient 0 .5 1\nlight point 1.5 1 .2 1 .9 .8 1 0 .1\n",
+     "scale 1.5 .7 1\nrotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"11-light-two-sided.scene", "torus",
+     "light 0 0 1 0 0\ncull front\ntwosided on\nambient .1 .1 .15\nmaterial specular 1 1 1 30\n"
+     "light point 0 1 0 1 1 1 1 .2 .2\nlight point 2 2 -2 1 .3 .3\n",
+     "rotate -50  1 0 0\n"},
+    {"11-sphere-map.scene", "knot",
+     "light 0 0 1 1 0\ntexgen sphere\ntexture 256 256 8  255 200 60 60 30 90\n"
+     "texwrap clamp\ntexmode replace\n",
+     "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
 };
 
-const char *const demo_generated_scenes[] = {"07-knot-textured.scene", "07-knot-flat.scene",
-                                             "07-knot-stretched.scene", "07-torus-wireframe.scene",
-                                             NULL};
+const char *const demo_generated_scenes[] = {
+    "07-knot-textured.scene",   "07-knot-flat.scene",
+    "07-knot-stretched.scene",  "07-torus-wireframe.scene",
+    "11-light-point.scene",     "11-light-spots-flat.scene",
+    "11-light-stretched.scene", "11-light-two-sided.scene",
+    "11-sphere-map.scene",      NULL};
 
 /* Opens folder/name for writing. */
 static FILE *create(const char *folder, const char *name, struct text_error *error)

@@ -1,5 +1,6 @@
 #include "scene_draw.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* The two matrix stacks while a scene is replayed. */
@@ -96,7 +97,7 @@ static uint8_t color_8(int32_t c)
     return (uint8_t)((c * 255 + 32768) >> 16); /* 0 <= c <= 1 */
 }
 
-static qtri_rgb rgb_8(const int32_t color[3])
+qtri_rgb scene_rgb(const int32_t color[3])
 {
     qtri_rgb rgb = {color_8(color[0]), color_8(color[1]), color_8(color[2])};
     return rgb;
@@ -141,8 +142,19 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     if (scene->flat) {
         material.shading = scene->provoking == 0 ? QTRI_FLAT_FIRST : QTRI_FLAT_LAST;
     }
+    static const qtri_blend *const blends[] = {
+        [SCENE_BLEND_OFF] = NULL,
+        [SCENE_BLEND_ALPHA] = &qtri_blend_alpha,
+        [SCENE_BLEND_ADD] = &qtri_blend_add,
+        [SCENE_BLEND_MULTIPLY] = &qtri_blend_multiply,
+        [SCENE_BLEND_NONE] = &qtri_blend_none,
+        [SCENE_BLEND_SCREENDOOR] = &qtri_blend_screen_door,
+    };
+    material.blend = blends[scene->blend];
+    material.alpha = color_8(scene->alpha);
     material.texture = resources->texels != NULL ? &resources->texture : NULL;
     material.texture_mode = scene->texture_mode == SCENE_REPLACE ? QTRI_REPLACE : QTRI_MODULATE;
+    material.reflection = &resources->reflection;
     return material;
 }
 
@@ -154,24 +166,63 @@ struct drawing {
     qtri_view view;
     qtri_transform modelview;
     qtri_material material;
+    qtri_fog fog; /* the material's */
 };
+
+static void set_fog(struct drawing *d)
+{
+    const struct scene_fog *fog = &d->resources->scene->fog;
+    const qtri_fog_range range = {fog->range[0], fog->range[1], false};
+    const qtri_rgb color = rgb_8(fog->color);
+    switch (fog->kind) {
+    case SCENE_FOG_LINEAR:
+        qtri_fog_linear(&d->fog, color, range, fog->number[0], fog->number[1]);
+        break;
+    case SCENE_FOG_EXP:
+        qtri_fog_exp(&d->fog, color, range, fog->number[0]);
+        break;
+    case SCENE_FOG_EXP2:
+        qtri_fog_exp2(&d->fog, color, range, fog->number[0]);
+        break;
+    default:
+        return;
+    }
+    d->material.fog = &d->fog;
+}
+
+/* The nearest unit normal in Q2.14. */
+static qtri_normal normal_of(const int32_t n[3])
+{
+    const double length = sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]);
+    qtri_normal normal = {0, 0, 0};
+    if (length > 0.0) {
+        normal.x = (int16_t)lround(n[0] * 16384.0 / length);
+        normal.y = (int16_t)lround(n[1] * 16384.0 / length);
+        normal.z = (int16_t)lround(n[2] * 16384.0 / length);
+    }
+    return normal;
+}
 
 static void draw_triangle(struct drawing *d, const struct scene_op *op)
 {
     qtri_corner corner[3];
+    qtri_normal normal[3];
     for (int i = 0; i < 3; i++) {
         const struct scene_vertex *v = &op->u.triangle.vertex[i];
         qtri_vec4 position = {v->position[0], v->position[1], v->position[2], v->position[3]};
         qtri_vec2 uv = {v->uv[0], v->uv[1]};
         corner[i].position = position;
-        corner[i].color = d->pass == SCENE_IDS ? rgb_of_id(op->id) : rgb_8(v->color);
+        corner[i].color = d->pass == SCENE_IDS ? rgb_of_id(op->id) : scene_rgb(v->color);
         corner[i].uv = uv;
+        normal[i] = normal_of(v->normal);
     }
     qtri_material material = d->material;
     if (!op->u.triangle.textured) {
         material.texture = NULL;
     }
-    qtri_draw_triangles(d->surface, &d->view, &d->modelview, corner, 3, &material);
+    const bool is_lit = d->pass == SCENE_COLORS && d->resources->lights.model != NULL;
+    d->view.lights = is_lit ? &d->resources->lights : NULL;
+    qtri_draw_lit_triangles(d->surface, &d->view, &d->modelview, corner, normal, 3, &material);
 }
 
 /* Triangle by triangle, each in the colour of its id. */
@@ -205,13 +256,20 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
 {
     const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
     uint32_t id = op->id;
-    d->material.color = rgb_8(op->u.mesh.color);
+    const bool is_lit = d->pass == SCENE_COLORS && d->resources->scene->lamps_on;
+    d->view.lights = is_lit ? &d->resources->lights : NULL;
+    d->material.color = scene_rgb(op->u.mesh.color);
     for (size_t i = 0; i < parts->count; i++) {
         const qtri_mesh *mesh = &parts->part[i].mesh;
         if (d->pass == SCENE_IDS) {
             draw_part_ids(d, mesh, id);
         } else {
-            qtri_draw_mesh(d->surface, &d->view, &d->modelview, mesh, &d->material);
+            qtri_mesh shown = *mesh;
+            if (d->resources->sphere_uvs != NULL) {
+                qtri_sphere_map(d->resources->sphere_uvs, &d->view.camera, &d->modelview, mesh);
+                shown.uvs16 = d->resources->sphere_uvs;
+            }
+            qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &d->material);
         }
         id += mesh->triangle_count;
     }
@@ -222,7 +280,7 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
 {
     const struct scene *scene = resources->scene;
     const qtri_rgb black = {0, 0, 0};
-    qtri_surface_clear(surface, pass == SCENE_IDS ? black : rgb_8(scene->clear),
+    qtri_surface_clear(surface, pass == SCENE_IDS ? black : scene_rgb(scene->clear),
                        (uint16_t)(((int64_t)scene->clear_depth * 65535 + 32768) >> 16));
 
     struct drawing d = {.resources = resources, .surface = surface, .pass = pass};
@@ -234,6 +292,9 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
     const qtri_vec3 *towards = &resources->light.towards;
     d.view.light = (towards->x | towards->y | towards->z) != 0 ? &resources->light : NULL;
     d.material = material_of(resources, pass);
+    if (pass != SCENE_IDS) {
+        set_fog(&d);
+    }
 
     struct stacks *stacks = calloc(1, sizeof *stacks);
     if (stacks == NULL) {

@@ -34,6 +34,12 @@ struct scene_resources {
     uint8_t *mask_texels; /* NULL without a colour key */
     qtri_texture mask;    /* white, with the same holes: ids are drawn through it */
     qtri_light light;
+    /* Of `light`, `ambient`, `material`: they point into resources. */
+    qtri_lights lights;
+    qtri_light_source sources[QTRI_LIGHTS_MAX];
+    qtri_shininess shininess, falloff[QTRI_LIGHTS_MAX];
+    qtri_reflection reflection;
+    qtri_uv16 *sphere_uvs; /* scratch for the largest part; NULL without `texgen sphere` */
     qtri_vertex *vertices; /* scratch for the largest part */
     uint32_t vertex_count;
 };
@@ -49,8 +55,14 @@ enum scene_pass {
 bool scene_resources_create(struct scene_resources *resources, const struct scene *scene);
 void scene_resources_free(struct scene_resources *resources);
 
-/* The part of scene_resources_create that is about the texture. */
+/* The part of scene_resources_create that is about light. */
+void scene_lights_create(struct scene_resources *resources, const struct scene *scene);
+
+/* The part that is about the texture. */
 bool scene_texture_create(struct scene_resources *resources, const struct scene *scene);
+
+/* A colour 0..1 in 8 bits a channel. */
+qtri_rgb scene_rgb(const int32_t color[3]);
 
 /* Clears the surface and draws the scene into the rows and scissor it has. */
 void scene_draw(const struct scene_resources *resources, const qtri_surface *surface,

@@ -117,6 +117,7 @@ bool scene_resources_create(struct scene_resources *resources, const struct scen
     resources->light.towards.z = scene->light.towards[2];
     resources->light.ambient = scene->light.ambient;
     resources->light.diffuse = scene->light.diffuse;
+    scene_lights_create(resources, scene);
     resources->meshes = calloc(scene->mesh_count + 1, sizeof *resources->meshes);
     bool ok = resources->meshes != NULL && scene_texture_create(resources, scene);
     for (size_t i = 0; ok && i < scene->mesh_count; i++) {
@@ -129,8 +130,14 @@ bool scene_resources_create(struct scene_resources *resources, const struct scen
         }
     }
     if (ok) {
+        const uint32_t largest = resources->vertex_count;
+        resources->vertex_count = QTRI_LIT_VERTICES(largest);
         resources->vertices = malloc((resources->vertex_count + 1) * sizeof *resources->vertices);
         ok = resources->vertices != NULL;
+        if (ok && scene->texture_sphere) {
+            resources->sphere_uvs = malloc((largest + 1) * sizeof *resources->sphere_uvs);
+            ok = resources->sphere_uvs != NULL;
+        }
     }
     if (!ok) {
         scene_resources_free(resources);
@@ -150,5 +157,6 @@ void scene_resources_free(struct scene_resources *resources)
     free(resources->texels);
     free(resources->mask_texels);
     free(resources->vertices);
+    free(resources->sphere_uvs);
     memset(resources, 0, sizeof *resources);
 }

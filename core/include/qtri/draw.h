@@ -23,7 +23,8 @@ typedef struct qtri_corner {
 
 /*
  * Draws corner_count / 3 triangles (lines: corner_count / 2), transformed by
- * view->projection view->camera pose. Light does not apply: corners have no normals.
+ * view->projection view->camera pose. Light does not apply: corners have no normals. What draws
+ * triangles in a view's lights is qtri_draw_lit_triangles, see light.h.
  */
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
                          const qtri_transform *pose, const qtri_corner *corners,
@@ -36,6 +37,7 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
  * Draws a mesh. Each vertex is transformed once when view->vertices has room for all of them.
  * With view->light the colours are scaled by its intensity: per vertex for smooth shading and a
  * mesh with normals, per face otherwise. Normals follow the inverse transpose of camera and pose.
+ * view->lights take its place, see light.h.
  */
 void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
                     const qtri_mesh *mesh, const qtri_material *material);

@@ -12,6 +12,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "blend.h"
 #include "surface.h"
 #include "texture.h"
 
@@ -39,6 +40,9 @@ typedef enum qtri_cull { QTRI_CULL_NONE, QTRI_CULL_BACK, QTRI_CULL_FRONT } qtri_
 typedef struct qtri_fill qtri_fill;
 extern const qtri_fill qtri_wireframe; /* their edges as lines */
 
+/* What else than its colour it reflects of a view's `lights`: see light.h. */
+typedef struct qtri_reflection qtri_reflection;
+
 /* A fragment is drawn when `its depth COMPARE stored depth`. */
 typedef enum qtri_compare {
     QTRI_DEPTH_OFF, /* always drawn, never written */
@@ -61,7 +65,12 @@ typedef struct qtri_material {
     qtri_cull cull;
     const qtri_fill *fill;
     qtri_compare depth_compare;
-    bool depth_read_only; /* test but do not write */
+    bool depth_read_only;    /* test but do not write */
+    const qtri_blend *blend; /* NULL: pixels are stored as they are */
+    uint8_t alpha;           /* for the blend: 255 is all of it */
+    uint8_t least_alpha;     /* texels of less are not drawn, nor their depth; 0: all are */
+    const qtri_fog *fog;     /* NULL: none */
+    const qtri_reflection *reflection; /* NULL: no highlights, no emission, one side */
 } qtri_material;
 
 /* White, smooth, perspective, back faces culled, depth "less", written. */

@@ -37,6 +37,9 @@ typedef struct qtri_light {
     q16 ambient, diffuse;
 } qtri_light;
 
+/* Several lights with colours of their own: see light.h. */
+typedef struct qtri_lights qtri_lights;
+
 /* On the screen, in 1/256 pixel of the frame. */
 typedef struct qtri_screen_point {
     int32_t x_24p8, y_24p8;
@@ -61,12 +64,13 @@ typedef struct qtri_view {
     qtri_transform camera;     /* world to eye */
     qtri_transform projection; /* eye to clip space */
     qtri_viewport viewport;
-    const qtri_light *light; /* NULL: meshes show their plain colours */
-    qtri_vertex *vertices;   /* scratch for mesh draws, overwritten by each; NULL with count 0 */
-    uint32_t vertex_count;   /* fewer than a mesh's vertices is slower, never wrong */
+    const qtri_light *light;   /* NULL: meshes show their plain colours */
+    qtri_vertex *vertices;     /* scratch for mesh draws, overwritten by each; NULL with count 0 */
+    uint32_t vertex_count;     /* fewer than a mesh's vertices is slower, never wrong */
+    const qtri_lights *lights; /* not NULL: in place of `light` */
 } qtri_view;
 
-/* Identity camera and projection, the whole frame, no light, no scratch. */
+/* Identity camera and projection, the whole frame, no lights, no scratch. */
 void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height);
 
 #ifdef __cplusplus

@@ -1,0 +1,27 @@
+/*
+ * Triangles whose corners are no mesh's vertices: what draws them, lit and unlit. Internal.
+ */
+#ifndef QTRI_DRAW_CORNERS_H
+#define QTRI_DRAW_CORNERS_H
+
+#include "primitive.h"
+
+/* What becomes of a triangle's corners. */
+typedef enum qtri_corners_fate {
+    QTRI_CORNERS_ELSEWHERE, /* not decided: one is outside, or not at w = 1 */
+    QTRI_CORNERS_CULLED,
+    QTRI_CORNERS_SEEN /* all of it */
+} qtri_corners_fate;
+
+/* A solid triangle whose corners are like vertices of a mesh, as most are: in their way. */
+qtri_corners_fate qtri_corners_place(const qtri_primitive *primitive, const qtri_corner *corners,
+                                     qtri_fan_vertex fan[3]);
+
+/* Transforms `count` corners of one primitive, which then share one scale. */
+void qtri_corners_fetch(const qtri_primitive *primitive, const qtri_corner *corners, int count,
+                        qtri_clip_vertex v[3]);
+
+/* A qtri_attribute_source, from three corners. */
+void qtri_corners_attributes(const void *from, qtri_screen_vertex attributes[3]);
+
+#endif

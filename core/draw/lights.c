@@ -1,0 +1,300 @@
+#include "lights.h"
+
+#include "../geometry/lit_point.h"
+#include "lit_corners.h"
+
+#define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */
+
+static bool is_two_sided(const qtri_mesh_job *draw)
+{
+    return draw->material.reflection != NULL && draw->material.reflection->two_sided;
+}
+
+/* Memory behind the vertices, if there is a slot for each and room for a word for each. */
+static void begin(qtri_mesh_job *draw)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const uint32_t all = mesh->vertex_count;
+    draw->tinted = false;
+    draw->more = true;
+    draw->shaded_per_vertex = qtri_shading_of(&draw->material) == QTRI_SMOOTH &&
+                              (mesh->normals != NULL || mesh->normals8 != NULL);
+    if (draw->slot_count >= all && draw->slot_count - all >= (all + 4) / 5) {
+        draw->lit_colors = (uint32_t *)(void *)(draw->vertices + all);
+        draw->slot_count = all;
+    }
+}
+
+static bool has_place(const qtri_mesh_job *draw, bool both_sides)
+{
+    return draw->lit_colors != NULL && draw->shaded_per_vertex &&
+           (!both_sides || !is_two_sided(draw));
+}
+
+static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose,
+                            bool fresh, void (*body)(qtri_mesh_job *draw, void *with), void *with)
+{
+    qtri_illumination illumination;
+    qtri_illumination_init(&illumination, view, pose, draw->material.reflection,
+                           qtri_mesh_has_compact(draw->mesh->positions16) ? draw->mesh : NULL);
+    for (uint32_t i = 0; fresh && draw->lit_colors != NULL && i < draw->mesh->vertex_count; i++) {
+        draw->lit_colors[i] = 0;
+    }
+    draw->illumination = &illumination;
+    body(draw, with);
+    draw->illumination = NULL;
+}
+
+QTRI_IN_PLACE void set_place(qtri_lit_point *point, const qtri_mesh_job *draw, uint32_t index)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    if (qtri_mesh_has_compact(mesh->positions16)) {
+        qtri_illuminated_place16(point, draw->illumination, &mesh->positions16[index]);
+    } else {
+        qtri_illuminated_place(point, draw->illumination, &mesh->positions[index]);
+    }
+}
+
+/* A vertex in the light of its own normal. */
+QTRI_NOINLINE static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index, bool is_back)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const qtri_rgb *color = mesh->colors != NULL ? &mesh->colors[index] : &draw->material.color;
+    int32_t n[3];
+    qtri_lit_point point;
+    if (qtri_mesh_has_compact(mesh->normals8)) {
+        const qtri_normal8 *normal = &mesh->normals8[index];
+        n[0] = normal->x * 128;
+        n[1] = normal->y * 128;
+        n[2] = normal->z * 128;
+    } else {
+        const qtri_normal *normal = &mesh->normals[index];
+        n[0] = normal->x;
+        n[1] = normal->y;
+        n[2] = normal->z;
+    }
+    if (is_back) {
+        n[0] = -n[0];
+        n[1] = -n[1];
+        n[2] = -n[2];
+    }
+    qtri_illuminated_normal(&point, draw->illumination, n[0], n[1], n[2]);
+    set_place(&point, draw, index);
+    return LIT | qtri_illuminate(draw->illumination, &point, color);
+}
+
+static void light_list(const qtri_mesh_job *draw, uint32_t count)
+{
+    if (!draw->shaded_per_vertex || draw->lit_colors == NULL) {
+        return;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t index = draw->vertices[i].index;
+        draw->lit_colors[index] = light_vertex(draw, index, false);
+    }
+}
+
+/* Front sides of vertices that have room are lit once. */
+static qtri_rgb vertex_color(const qtri_mesh_job *draw, uint32_t index, bool is_back)
+{
+    if (is_back || draw->lit_colors == NULL) {
+        return qtri_lit_rgb(light_vertex(draw, index, is_back));
+    }
+    uint32_t word = draw->lit_colors[index];
+    if (word == 0 && draw->illumination != NULL) {
+        word = light_vertex(draw, index, false);
+        draw->lit_colors[index] = word;
+    }
+    return qtri_lit_rgb(word);
+}
+
+static void meet(const qtri_mesh_job *draw, const void *indices)
+{
+    const bool has_words = draw->lit_colors != NULL && draw->illumination != NULL;
+    for (int i = 0; i < 3 && has_words && draw->shaded_per_vertex; i++) {
+        (void)vertex_color(draw, qtri_mesh_index(draw->mesh, indices, i), false);
+    }
+}
+
+/* Where they are fewer: in one place. */
+QTRI_NOINLINE static qtri_rgb illuminate(const qtri_illumination *by, qtri_lit_point *point,
+                                         const qtri_rgb *color)
+{
+    return qtri_lit_rgb(qtri_illuminate(by, point, color));
+}
+
+/* The vertices' positions, in a scale that does not matter for their triangle's normal. */
+static void get_positions(qtri_vec3 p[3], const qtri_mesh *mesh, const uint32_t index[3])
+{
+    for (int i = 0; i < 3; i++) {
+        if (qtri_mesh_has_compact(mesh->positions16)) {
+            const qtri_position16 *from = &mesh->positions16[index[i]];
+            p[i].x = from->x;
+            p[i].y = from->y;
+            p[i].z = from->z;
+        } else {
+            p[i] = mesh->positions[index[i]];
+        }
+    }
+}
+
+static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtri_vec3 p[3])
+{
+    if (qtri_mesh_has_compact(draw->mesh->positions16)) {
+        /* Within a step: 10923 / 2^15 is 1/3 and 2^-16.6, and sums are below 2^16.6. */
+        const qtri_position16 mean = {(int16_t)(((p[0].x + p[1].x + p[2].x) * 10923) >> 15),
+                                      (int16_t)(((p[0].y + p[1].y + p[2].y) * 10923) >> 15),
+                                      (int16_t)(((p[0].z + p[1].z + p[2].z) * 10923) >> 15)};
+        qtri_illuminated_place16(point, draw->illumination, &mean);
+    } else {
+        const qtri_vec3 mean = {qtri_third(p[0].x) + qtri_third(p[1].x) + qtri_third(p[2].x),
+                                qtri_third(p[0].y) + qtri_third(p[1].y) + qtri_third(p[2].y),
+                                qtri_third(p[0].z) + qtri_third(p[1].z) + qtri_third(p[2].z)};
+        qtri_illuminated_place(point, draw->illumination, &mean);
+    }
+}
+
+/* In the light of the face's normal: at its middle when flat, otherwise at each corner. */
+static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back,
+                       qtri_rgb color[3])
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const int32_t turn = is_back ? -1 : 1;
+    const bool smooth = qtri_shading_of(&draw->material) == QTRI_SMOOTH;
+    qtri_lit_point point;
+    qtri_vec3 p[3];
+    int32_t n[3];
+    get_positions(p, mesh, index);
+    qtri_face_normal(n, &p[0], &p[1], &p[2]);
+    qtri_illuminated_normal(&point, draw->illumination, turn * n[0], turn * n[1], turn * n[2]);
+    if (!smooth) {
+        set_mean(&point, draw, p);
+    }
+    const int provoking = draw->material.shading == QTRI_FLAT_FIRST ? 0 : 2;
+    for (int i = smooth ? 0 : provoking; i < 3; i++) {
+        if (smooth) {
+            set_place(&point, draw, index[i]);
+        }
+        color[i] =
+            illuminate(draw->illumination, &point,
+                       mesh->colors != NULL ? &mesh->colors[index[i]] : &draw->material.color);
+        if (!smooth) { /* all three are the provoking one's */
+            const qtri_rgb all = color[i];
+            color[0] = all;
+            color[1] = all;
+            color[2] = all;
+            break;
+        }
+    }
+}
+
+static void shade_side(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back,
+                       qtri_rgb color[3])
+{
+    if (!draw->shaded_per_vertex) {
+        shade_face(draw, index, is_back, color);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        color[i] = vertex_color(draw, index[i], is_back);
+    }
+}
+
+static void shade(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
+                  const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3])
+{
+    const bool is_back = is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
+    shade_side(draw, index, is_back, color);
+}
+
+/* In 8 bits, as the raster's channels. */
+static void set_channels(int32_t channel[3][3], const qtri_mesh_job *draw, const uint32_t index[3],
+                         const qtri_vertex *const v[3])
+{
+    qtri_rgb color[3];
+    shade(draw, index, v[0], v[1], v[2], color);
+    for (int i = 0; i < 3; i++) {
+        qtri_raster_lit_channels(channel[i], &draw->primitive.to.solid.raster, &color[i],
+                                 QTRI_INTENSITY_ONE);
+    }
+}
+
+static void draw_small(const qtri_mesh_job *draw, const uint32_t index[3], qtri_list_triangle *t)
+{
+    int32_t channel[3][3];
+    set_channels(channel, draw, index, t->v);
+    t->color = (const int32_t(*)[3])channel;
+    qtri_list_draw(&draw->primitive.to.solid.raster, t);
+}
+
+static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3],
+                       qtri_triangle *triangle)
+{
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    const qtri_vertex *const v[3] = {vertex[0], vertex[1], vertex[2]};
+    int32_t channel[3][3];
+    uint32_t index[3];
+    qtri_attributes attributes[3];
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    set_channels(channel, draw, index, v);
+    for (int i = 0; i < 3; i++) {
+        qtri_vertex_attributes(&attributes[i], v[i], QTRI_INTENSITY_ONE);
+        for (int c = 0; c < 3; c++) {
+            attributes[i].color[c] = channel[i][c];
+        }
+        if (raster->texture != NULL) {
+            qtri_mesh_set_uv(&attributes[i].u_q32, &attributes[i].v_q32, draw->mesh, index[i]);
+        }
+    }
+    qtri_triangle_draw(raster, triangle, attributes);
+}
+
+/* One that is clipped: lit before, where the stack is not deep. */
+typedef struct lit_triangle {
+    const qtri_mesh *mesh;
+    uint32_t index[3];
+    qtri_rgb color[3];
+} lit_triangle;
+
+static void set_attributes(const void *from, qtri_screen_vertex out[3])
+{
+    const lit_triangle *triangle = from;
+    for (int i = 0; i < 3; i++) {
+        out[i].color_8p16[0] = triangle->color[i].r * 65536;
+        out[i].color_8p16[1] = triangle->color[i].g * 65536;
+        out[i].color_8p16[2] = triangle->color[i].b * 65536;
+        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, triangle->mesh, triangle->index[i]);
+    }
+}
+
+static void draw_clipped(const qtri_mesh_job *draw, const void *indices, qtri_shape *shape)
+{
+    lit_triangle triangle;
+    triangle.mesh = draw->mesh;
+    qtri_mesh_indices(triangle.index, indices, qtri_mesh_has_bytes(draw->mesh));
+    shade_side(draw, triangle.index, is_two_sided(draw) && qtri_clipped_is_back(shape->clip),
+               triangle.color);
+    qtri_primitive_triangle(&draw->primitive, shape, set_attributes, &triangle);
+}
+
+static const qtri_light_model model = {
+    .begin = begin,
+    .mesh = illuminate_mesh,
+    .has_place = has_place,
+    .list = light_list,
+    .meet = meet,
+    .shade = shade,
+    .small = draw_small,
+    .large = draw_large,
+    .clipped = draw_clipped,
+};
+
+enum qtri_error qtri_lights_init(qtri_lights *lights, const qtri_light_source *sources,
+                                 uint32_t count, qtri_light_color ambient)
+{
+    lights->model = &model;
+    lights->sources = sources;
+    lights->count = count < QTRI_LIGHTS_MAX ? count : QTRI_LIGHTS_MAX;
+    lights->ambient = ambient;
+    return count <= QTRI_LIGHTS_MAX ? QTRI_OK : QTRI_ERROR_SIZE;
+}

@@ -1,0 +1,38 @@
+/*
+ * What draw calls of meshes do with the lights of a view: lights->model. Internal.
+ *
+ * Nothing else names these functions: where no lights are set, nothing of them is linked.
+ */
+#ifndef QTRI_DRAW_LIGHTS_H
+#define QTRI_DRAW_LIGHTS_H
+
+#include "../geometry/illumination.h"
+#include "mesh_job.h"
+
+struct qtri_light_model {
+    /* For a job that has memory: its colours come from the lights, and have a place in it. */
+    void (*begin)(qtri_mesh_job *draw);
+    /*
+     * Calls `body` while draw->illumination is there: on the stack. `fresh`: nothing of what was
+     * lit before counts.
+     */
+    void (*mesh)(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose, bool fresh,
+                 void (*body)(qtri_mesh_job *draw, void *with), void *with);
+    /* Whether the colours of fronts have a place, to be found there later; of all that is drawn. */
+    bool (*has_place)(const qtri_mesh_job *draw, bool both_sides);
+    /* Lights the vertices whose numbers are vertices[0..count-1].index, where they have a place. */
+    void (*list)(const qtri_mesh_job *draw, uint32_t count);
+    /* Lights the vertices of a triangle likewise. */
+    void (*meet)(const qtri_mesh_job *draw, const void *indices);
+    /* A triangle's colours; it is inside all planes. */
+    void (*shade)(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
+                  const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3]);
+    /* Draws a solid triangle inside all planes: one that list.h draws, or any. */
+    void (*small)(const qtri_mesh_job *draw, const uint32_t index[3], qtri_list_triangle *t);
+    void (*large)(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3],
+                  qtri_triangle *triangle);
+    /* Draws one that may cross planes. */
+    void (*clipped)(const qtri_mesh_job *draw, const void *indices, qtri_shape *shape);
+};
+
+#endif

@@ -1,0 +1,99 @@
+#include "lit_corners.h"
+
+#include "../geometry/lit_point.h"
+
+/* The sign of the homogeneous determinant; y points down. */
+bool qtri_clipped_is_back(const qtri_clip_vertex v[3])
+{
+    qtri_wide p[3][3];
+    qtri_wide cross[3];
+    for (int i = 0; i < 3; i++) {
+        qtri_wide_set(&p[i][0], v[i].x, 0);
+        qtri_wide_set(&p[i][1], v[i].y, 0);
+        qtri_wide_set(&p[i][2], v[i].w, 0);
+    }
+    qtri_wide_cross(cross, p[0], p[1]);
+    qtri_wide sum = qtri_wide_mul(cross[0], p[2][0]);
+    qtri_wide_add_product(&sum, &cross[1], &p[2][1]);
+    qtri_wide_add_product(&sum, &cross[2], &p[2][2]);
+    return sum.m > 0;
+}
+
+static qtri_vec3 place_of(const qtri_vec4 *position)
+{
+    qtri_vec3 place = {position->x, position->y, position->z};
+    if (position->w != Q16_ONE) {
+        place.x = q16_div(place.x, position->w);
+        place.y = q16_div(place.y, position->w);
+        place.z = q16_div(place.z, position->w);
+    }
+    return place;
+}
+
+/* A triangle with its colours in the light. */
+static void light(qtri_corner lit[3], const qtri_illumination *by, const qtri_corner *corners,
+                  const qtri_normal *normals, bool smooth, bool is_back)
+{
+    const int32_t turn = is_back ? -1 : 1;
+    const qtri_vec3 p[3] = {place_of(&corners[0].position), place_of(&corners[1].position),
+                            place_of(&corners[2].position)};
+    const qtri_vec3 mean = {qtri_third(p[0].x) + qtri_third(p[1].x) + qtri_third(p[2].x),
+                            qtri_third(p[0].y) + qtri_third(p[1].y) + qtri_third(p[2].y),
+                            qtri_third(p[0].z) + qtri_third(p[1].z) + qtri_third(p[2].z)};
+    int32_t face[3];
+    qtri_face_normal(face, &p[0], &p[1], &p[2]);
+    for (int i = 0; i < 3; i++) {
+        int32_t n[3] = {face[0], face[1], face[2]};
+        qtri_lit_point point;
+        if (smooth && normals != NULL && (normals[i].x | normals[i].y | normals[i].z) != 0) {
+            n[0] = normals[i].x;
+            n[1] = normals[i].y;
+            n[2] = normals[i].z;
+        }
+        lit[i] = corners[i];
+        qtri_illuminated_normal(&point, by, turn * n[0], turn * n[1], turn * n[2]);
+        qtri_illuminated_place(&point, by, smooth ? &p[i] : &mean);
+        lit[i].color = qtri_lit_rgb(qtri_illuminate(by, &point, &corners[i].color));
+    }
+}
+
+static void draw_lit(const qtri_primitive *primitive, const qtri_illumination *by,
+                     const qtri_corner *corners, const qtri_normal *normals)
+{
+    const qtri_material *material = primitive->material;
+    const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
+    const bool smooth = qtri_shading_of(material) == QTRI_SMOOTH;
+    qtri_shape shape;
+    qtri_corner lit[3];
+    const qtri_corners_fate found =
+        solid ? qtri_corners_place(primitive, corners, shape.fan) : QTRI_CORNERS_ELSEWHERE;
+    if (found == QTRI_CORNERS_SEEN) {
+        const bool is_back =
+            qtri_triangle_area(&shape.fan[0].at, &shape.fan[1].at, &shape.fan[2].at) > 0;
+        light(lit, by, corners, normals, smooth, by->two_sided && is_back);
+        qtri_primitive_inside(primitive, shape.fan, qtri_corners_attributes, lit);
+    } else if (found == QTRI_CORNERS_ELSEWHERE) {
+        qtri_corners_fetch(primitive, corners, 3, shape.clip);
+        light(lit, by, corners, normals, smooth, by->two_sided && qtri_clipped_is_back(shape.clip));
+        qtri_primitive_triangle(primitive, &shape, qtri_corners_attributes, lit);
+    }
+}
+
+void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
+                             const qtri_transform *pose, const qtri_corner *corners,
+                             const qtri_normal *normals, uint32_t corner_count,
+                             const qtri_material *material)
+{
+    if (view->lights == NULL) {
+        qtri_draw_triangles(surface, view, pose, corners, corner_count, material);
+        return;
+    }
+    qtri_primitive primitive;
+    qtri_illumination illumination;
+    qtri_primitive_init(&primitive, surface, view, pose, material);
+    qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
+    for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
+        draw_lit(&primitive, &illumination, &corners[i], normals != NULL ? &normals[i] : NULL);
+    }
+    qtri_primitive_finish(&primitive);
+}

@@ -1,0 +1,54 @@
+/*
+ * Two colours mixed, channel by channel. Internal.
+ */
+#ifndef QTRI_FRAME_MIX_H
+#define QTRI_FRAME_MIX_H
+
+#include "colors.h"
+
+/* A share of 10 bits and 1 of an alpha of 8: 255 is 1024, and none is off by more than 2. */
+static inline uint32_t qtri_mix_share(uint32_t alpha)
+{
+    return 4 * alpha + (alpha >> 6) + (alpha >> 7);
+}
+
+/* `over` in a share of `k`, the rest is `under`: within 1/2 and what the share is off. */
+static inline uint32_t qtri_mix_over(uint32_t over, uint32_t under, uint32_t k)
+{
+    const int32_t difference = (int32_t)(over - under) * (int32_t)k; /* |.| <= 255 2^10 */
+    return under + (uint32_t)((difference + 512) >> 10);
+}
+
+/*
+ * CHANNEL(over, under, k, most) for all channels of color[i] and other[i], with k its share: SHARE.
+ * A colour's high byte stays as it is.
+ */
+#define QTRI_MIX(color, other, count, kind, SHARE, CHANNEL)                                        \
+    if ((kind) == &qtri_colors_565) {                                                              \
+        for (int32_t i = 0; i < (count); i++) {                                                    \
+            const uint32_t c = (color)[i];                                                         \
+            const uint32_t o = (other);                                                            \
+            const uint32_t k = (SHARE);                                                            \
+            (color)[i] = CHANNEL(c >> 11 & 31, o >> 11 & 31, k, 31u) << 11 |                       \
+                         CHANNEL(c >> 5 & 63, o >> 5 & 63, k, 63u) << 5 |                          \
+                         CHANNEL(c & 31, o & 31, k, 31u);                                          \
+        }                                                                                          \
+    } else if ((kind) == &qtri_colors_gray) {                                                      \
+        for (int32_t i = 0; i < (count); i++) {                                                    \
+            const uint32_t o = (other);                                                            \
+            const uint32_t k = (SHARE);                                                            \
+            (color)[i] = CHANNEL((color)[i] & 255, o & 255, k, 255u);                              \
+        }                                                                                          \
+    } else {                                                                                       \
+        for (int32_t i = 0; i < (count); i++) {                                                    \
+            const uint32_t c = (color)[i];                                                         \
+            const uint32_t o = (other);                                                            \
+            const uint32_t k = (SHARE);                                                            \
+            (color)[i] = (c & 0xFF000000u) |                                                       \
+                         CHANNEL(c >> 16 & 255, o >> 16 & 255, k, 255u) << 16 |                    \
+                         CHANNEL(c >> 8 & 255, o >> 8 & 255, k, 255u) << 8 |                       \
+                         CHANNEL(c & 255, o & 255, k, 255u);                                       \
+        }                                                                                          \
+    }
+
+#endif

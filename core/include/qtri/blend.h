@@ -1,0 +1,73 @@
+/*
+ * What becomes of a pixel that is drawn over another: material.blend, and fog.
+ *
+ * A blend is chosen by its address; what no material names is not linked. It works on pixels that
+ * have passed the depth test, one after the other where triangles overlap, in every format of
+ * surface, and draws the same pixels for every band and scissor. Depths are written as without;
+ * what is seen through is drawn last, from far to near, with material.depth_read_only.
+ *
+ * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one.
+ * Colours are within 1 of 255, and within a step of RGB565, of exact ones.
+ * Lines and wireframes are drawn as without a blend.
+ */
+#ifndef QTRI_BLEND_H
+#define QTRI_BLEND_H
+
+#include <stdbool.h>
+
+#include "format.h"
+#include "q16.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct qtri_blend qtri_blend;
+
+extern const qtri_blend qtri_blend_alpha;    /* colour alpha + stored (1 - alpha) */
+extern const qtri_blend qtri_blend_add;      /* stored + colour alpha, at most full */
+extern const qtri_blend qtri_blend_multiply; /* stored times colour, whatever the alpha */
+extern const qtri_blend qtri_blend_none;     /* stored: depths alone are written */
+
+/* A share of alpha of the pixels, in a pattern of 4 by 4: no order, nothing read. */
+extern const qtri_blend qtri_blend_screen_door;
+
+/*
+ * Fog by depth: colour f + fog's colour (1 - f), where f falls with z, the distance from the eye's
+ * plane: linear (end - z) / (end - start), held to 0..1, or exp(-density z), or exp(-(density
+ * z)^2).
+ *
+ * z is found from the depth of the pixel, so the projection's near and far are asked for, and the
+ * viewport's depths must be 0 and 1. f is within 1/256 where a step of 16-bit depth is.
+ */
+typedef struct qtri_fog qtri_fog;
+
+/* Where depths of 0 and 1 are. near_z is at least 1/65536, far_z more than it: both are held. */
+typedef struct qtri_fog_range {
+    q16 near_z, far_z;
+    bool orthographic; /* depth is linear in z */
+} qtri_fog_range;
+
+enum { QTRI_FOG_STEPS = 16 * 8 + 2 };
+
+struct qtri_fog {
+    const struct qtri_fog_stages *stages; /* of the functions below; NULL: no fog */
+    uint32_t word[3];                     /* its colour, as those of the three kinds */
+    /* f, 1024 being 1, and beyond 0..1, held there: by eighths of octaves of t = 65536 - depth, or,
+       with a scale, by equal steps from `first` on. */
+    uint32_t first, range, scale;
+    int16_t share[QTRI_FOG_STEPS];
+};
+
+/* end <= start: all beyond start is fog. */
+void qtri_fog_linear(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 start, q16 end);
+
+/* Negative densities count as 0. */
+void qtri_fog_exp(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 density);
+void qtri_fog_exp2(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 density);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,170 @@
+/*
+ * Several coloured lights: ambient, directional, point and spot lights, Blinn-Phong highlights,
+ * emission, two-sided surfaces, and what makes a normal a place in a picture of a sphere.
+ *
+ *     static const qtri_light_source sources[] = {
+ *         {.kind = &qtri_point_light, .position = {Q16(2), Q16(3), Q16(1)},
+ *          .color = {Q16(1), Q16(.9), Q16(.7)}, .constant = Q16(1), .quadratic = Q16(.05)},
+ *         {.kind = &qtri_directional_light, .position = {0, Q16(1), 0},
+ *          .color = {Q16(.2), Q16(.2), Q16(.3)}}};
+ *     const qtri_light_color dim = {Q16(.1), Q16(.1), Q16(.1)};
+ *     qtri_lights lights;
+ *     qtri_shininess polished;
+ *     qtri_lights_init(&lights, sources, 2, dim);
+ *     qtri_shininess_init(&polished, Q16(40));
+ *     const qtri_reflection steel = {.specular = {255, 255, 255}, .shininess = &polished};
+ *     view.lights = &lights;
+ *     material.reflection = &steel;
+ *
+ * What a vertex shows, each channel by itself, is held to 0..1:
+ *
+ *     emission + ambient' ambient + sum over the sources of
+ *         fade color cone (diffuse max(0, n . l) + specular (n . h)^shininess)
+ *
+ * n is the unit normal, l the direction to the source; h halves the angle between l and the line
+ * to the eye, which is taken to be parallel to z of eye space everywhere, as OpenGL does without a
+ * local viewer: +z, or -z where the projection looks along +z, as Direct3D's do. A source lights nothing where n . l <= 0, and a highlight is nothing where n . h <= 0.
+ * diffuse is the vertex's own colour, or the material's; ambient' is diffuse, or the reflection's
+ * own. Products of fade and color are held to 16.
+ *
+ * Smooth shading: every vertex is lit, with its triangle's normal where it has none. Flat: every
+ * triangle, with its own normal, at the mean of its corners, in the provoking one's colour. Normals
+ * go through the inverse transpose of camera and pose and are normalised, whatever length they
+ * have; a zero one, or a triangle without area, has emission and ambient light only.
+ *
+ * A vertex's colours are within 1 of 255 of the formula's, up to a shininess of 128 and a product
+ * of fade and color of 4. Where the formula jumps or its arguments cancel they may be off by more:
+ * highlights where n . l is within 2^-13 of 0, or of a source within 8 degrees of straight behind
+ * the vertex; the penumbra of a spot light whose cosines are less than .03 apart.
+ *
+ * Nothing of this is linked where qtri_lights_init is not named, nor a kind of light that no source
+ * names. A single directional light without colour is qtri_light, see view.h, at a tenth of the
+ * cost.
+ */
+#ifndef QTRI_LIGHT_H
+#define QTRI_LIGHT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "draw.h"
+#include "error.h"
+#include "mesh.h"
+#include "view.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define QTRI_LIGHTS_MAX 8
+
+/* 0..16 a channel, 1: all that a surface reflects is shown as it is. Held to that range. */
+typedef struct qtri_light_color {
+    q16 r, g, b;
+} qtri_light_color;
+
+/*
+ * (n . h)^shininess, made once: up to 129 values, linear in between. Fields are internal.
+ */
+typedef struct qtri_shininess {
+    uint8_t shift, count;
+    uint16_t least_q15; /* the square of n . h where the table ends */
+    uint16_t value_q15[130];
+} qtri_shininess;
+
+/*
+ * shininess is held to 1..1024. Values are within 2^-9 of the power, and 0 where that is below
+ * 2^-10.
+ */
+void qtri_shininess_init(qtri_shininess *table, q16 shininess);
+
+/* How a source shines; linked where one names it. */
+typedef struct qtri_light_kind qtri_light_kind;
+extern const qtri_light_kind qtri_directional_light, qtri_point_light, qtri_spot_light;
+
+typedef struct qtri_light_source {
+    const qtri_light_kind *kind; /* NULL: is off */
+    /* In the world. Of a directional light: the direction to it, any length; zero: is off. A vertex
+       at the very position of a source is not lit by it. */
+    qtri_vec3 position;
+    qtri_light_color color;
+
+    /*
+     * Point and spot: fade = 1 / (constant + linear d + quadratic d^2) at a distance d, measured
+     * in eye space. Below 0 counts as 0. Less than 1/1024 of full light is none.
+     */
+    q16 constant, linear, quadratic;
+
+    /*
+     * Spot: where it shines to, any length (zero: is off), and the angle from there in degrees,
+     * held to 0..180. Light is full up to `inner`, gone from `outer` on and linear in the cosine
+     * between; where inner >= outer it ends at `outer` within 1/256 of the cosine. With `falloff`
+     * it is also times cos(angle)^shininess, as OpenGL's spot exponent.
+     */
+    qtri_vec3 direction;
+    q16 inner, outer;
+    const qtri_shininess *falloff; /* NULL: none */
+} qtri_light_source;
+
+/* What draw calls of meshes do with lights. Internal. */
+typedef struct qtri_light_model qtri_light_model;
+
+/*
+ * The lights of a view, set by qtri_lights_init.
+ *
+ * Scratch memory of a draw call, view->vertices or a prepared mesh's vertices, has room for the
+ * colours of lit vertices if it has QTRI_LIT_VERTICES(n) elements for a mesh of n vertices.
+ * With less, vertices are lit again for every triangle: slower, and the same pixels.
+ */
+struct qtri_lights {
+    const qtri_light_model *model;
+    const qtri_light_source *sources;
+    uint32_t count;
+    qtri_light_color ambient;
+};
+
+/* static qtri_vertex memory[QTRI_LIT_VERTICES(500)]; */
+#define QTRI_LIT_VERTICES(count) ((count) + ((count) + 4u) / 5u)
+
+/*
+ * Sources are read by every draw call: they may move between frames. QTRI_ERROR_SIZE, and the first
+ * QTRI_LIGHTS_MAX of them, when there are more.
+ */
+enum qtri_error qtri_lights_init(qtri_lights *lights, const qtri_light_source *sources,
+                                 uint32_t count, qtri_light_color ambient);
+
+/* What a material reflects beside its own colour: material->reflection. */
+struct qtri_reflection {
+    qtri_rgb ambient;  /* of ambient light; only with own_ambient, otherwise the diffuse colour */
+    qtri_rgb specular; /* of highlights */
+    qtri_rgb emission;
+    const qtri_shininess *shininess; /* NULL: no highlights */
+    bool own_ambient;
+    bool two_sided; /* triangles that show their back are lit there: their normals are turned.
+                       Those are lit anew for every triangle. */
+};
+
+/*
+ * qtri_draw_triangles in the light of view->lights, if there are any: at the place (x/w, y/w, z/w)
+ * of each corner, rounded to Q16.16. normals: of each corner, in object space; NULL, or zero for a
+ * corner, for that of the triangle.
+ */
+void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
+                             const qtri_transform *pose, const qtri_corner *corners,
+                             const qtri_normal *normals, uint32_t corner_count,
+                             const qtri_material *material);
+
+/*
+ * Texture coordinates that look up a picture of a lit sphere (matcap): u = (1 + n.x) / 2 and
+ * v = (1 - n.y) / 2 of the unit normal in eye space, for every vertex of a mesh with normals; (1/2,
+ * 1/2) without, and for a zero normal. Within 2^-13. Draw a copy of the mesh that has them as
+ * uvs16, with a texture that clamps.
+ */
+void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_transform *pose,
+                     const qtri_mesh *mesh);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

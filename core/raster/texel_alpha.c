@@ -1,0 +1,170 @@
+/*
+ * Formats of texels with alpha. Their colours are 0xAARRGGBB as far as the blend: stages of 8 bits
+ * a channel look at the low 24, and those that multiply are followed by what puts alpha back.
+ */
+#include "stage_color.h"
+#include "list_values.h"
+#include "texel_format.h"
+#include "textured.h"
+
+static bool usable(const qtri_texture *texture)
+{
+    return texture->texels != NULL;
+}
+
+static void fetch_8(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const uint8_t *texels = texture->texels;
+    QTRI_EACH_WORD(texel, count, number, texels[number])
+}
+
+static void fetch_16(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const uint16_t *texels = texture->texels;
+    QTRI_EACH_WORD(texel, count, number, texels[number])
+}
+
+static void fetch_32(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const uint32_t *texels = texture->texels;
+    QTRI_EACH_WORD(texel, count, number, texels[number])
+}
+
+/* Each digit of x becomes two. */
+static inline uint32_t widen_4444(uint32_t x)
+{
+    x = (x & 0xF000) << 12 | (x & 0xF00) << 8 | (x & 0xF0) << 4 | (x & 0xF);
+    return x | x << 4;
+}
+
+/* 31 becomes 255, rounded between. */
+static inline uint32_t widen_1555(uint32_t x)
+{
+    const uint32_t red = ((x >> 10 & 31) * 527 + 23) >> 6;
+    const uint32_t green = ((x >> 5 & 31) * 527 + 23) >> 6;
+    const uint32_t blue = ((x & 31) * 527 + 23) >> 6;
+    return ((x & 0x8000) != 0 ? 0xFF000000u : 0) | red << 16 | green << 8 | blue;
+}
+
+static void decode_4444(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    (void)texture;
+    QTRI_EACH_WORD(texel, count, x, widen_4444(x))
+}
+
+static void decode_1555(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    (void)texture;
+    QTRI_EACH_WORD(texel, count, x, widen_1555(x))
+}
+
+static void decode_alpha(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    (void)texture;
+    QTRI_EACH_WORD(texel, count, x, x << 24 | 0xFFFFFFu)
+}
+
+/* Stages that multiply, with alpha saved before and put back after. */
+typedef struct saved {
+    uint8_t alpha[QTRI_BATCH];
+} saved;
+
+static void save(saved *s, const uint32_t *color, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++) {
+        s->alpha[i] = (uint8_t)(color[i] >> 24);
+    }
+}
+
+static void put_back(const saved *s, uint32_t *color, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++) {
+        color[i] |= (uint32_t)s->alpha[i] << 24;
+    }
+}
+
+static void light(uint32_t *color, const uint32_t *shade, int32_t count)
+{
+    saved s;
+    save(&s, color, count);
+    qtri_light_888(color, shade, count);
+    put_back(&s, color, count);
+}
+
+static void times(uint32_t *color, const uint32_t *shade, int32_t count)
+{
+    saved s;
+    save(&s, color, count);
+    qtri_times_888(color, shade, count);
+    put_back(&s, color, count);
+}
+
+static void times_curves(uint32_t *color, const qtri_curve channel[3], int32_t count)
+{
+    saved s;
+    save(&s, color, count);
+    qtri_times_curves_888(color, channel, count);
+    put_back(&s, color, count);
+}
+
+static void tinted(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
+                   int32_t count)
+{
+    saved s;
+    save(&s, color, count);
+    qtri_tint_888(color, shade, tint_q10, count);
+    put_back(&s, color, count);
+}
+
+/* Without a blend. */
+static void strip(uint32_t *color, int32_t count)
+{
+    QTRI_EACH_WORD(color, count, x, x & 0xFFFFFF)
+}
+
+static uint32_t enough(const qtri_raster *raster, const uint32_t *color, int32_t count)
+{
+    const uint32_t least = (uint32_t)raster->least_alpha << 24;
+    uint32_t mask = 0;
+    for (const uint32_t *end = color + count; color != end; color++) {
+        mask = 2 * mask + (*color >= least);
+    }
+    return mask;
+}
+
+static void init(qtri_raster *raster, const qtri_material *material)
+{
+    qtri_textured_init(raster, material);
+    if (material->least_alpha != 0) {
+        raster->seen = enough;
+    }
+    if (raster->blend != NULL && material->texture->filter == NULL) {
+        raster->wide = true;
+        raster->gray = false;
+        raster->narrow = NULL;
+        raster->convert = NULL;
+        raster->light = light;
+        raster->times = times;
+        raster->times_curves = times_curves;
+        raster->tinted = tinted;
+    } else if (raster->narrow == NULL) {
+        raster->narrow = strip;
+        raster->convert = strip;
+    }
+}
+
+static const qtri_texturing stages = {init,
+                                      qtri_textured_axes,
+                                      qtri_textured_chunk,
+                                      qtri_list_set_texels,
+                                      qtri_list_texels,
+                                      qtri_list_finish_texels};
+
+const qtri_texel_format qtri_texel_argb4444 = {&stages, &qtri_colors_888, 0xFFFF,     0,
+                                               usable,  fetch_16,         decode_4444};
+const qtri_texel_format qtri_texel_argb1555 = {&stages, &qtri_colors_888, 0xFFFF,     0,
+                                               usable,  fetch_16,         decode_1555};
+const qtri_texel_format qtri_texel_argb8888 = {&stages, &qtri_colors_888, UINT32_MAX, 0,
+                                               usable,  fetch_32,         NULL};
+const qtri_texel_format qtri_texel_alpha8 = {&stages, &qtri_colors_888, 0xFF,        0,
+                                             usable,  fetch_8,          decode_alpha};

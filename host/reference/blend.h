@@ -1,0 +1,20 @@
+/*
+ * Pixels over pixels: fog by depth, and blends.
+ */
+#ifndef QTRI_HOST_REFERENCE_BLEND_H
+#define QTRI_HOST_REFERENCE_BLEND_H
+
+#include <stdbool.h>
+
+#include "../io/scene.h"
+
+/* Whether colours may leave the range of their triangle's vertices. */
+bool ref_is_blended(const struct scene *scene);
+
+/* Whether the screen door lets pixel (x, y) through. */
+bool ref_passes_door(const struct scene *scene, int x, int y);
+
+/* What becomes of a channel, 0..255, at window depth `depth` over what is `under` it. */
+double ref_blend(const struct scene *scene, int channel, double color, double under, double depth);
+
+#endif

@@ -1,0 +1,477 @@
+/*
+ * Pixels over pixels: blends and fog against exact arithmetic, once for each pixel, in order, and
+ * the same for every band and scissor.
+ */
+#include "support_core.h"
+
+enum { WIDTH = 96, HEIGHT = 80 };
+
+static const qtri_blend *const blends[] = {&qtri_blend_alpha, &qtri_blend_add, &qtri_blend_multiply,
+                                           &qtri_blend_none};
+
+/* Of a colour 0..255 in steps of the format's channel. */
+static double steps_of(const qtri_format *format, const double rgb[3], int channel)
+{
+    if (format->colors == &qtri_colors_gray) {
+        return .299 * rgb[0] + .587 * rgb[1] + .114 * rgb[2];
+    }
+    return format->colors == &qtri_colors_565 ? rgb[channel] * (channel == 1 ? 63 : 31) / 255
+                                              : rgb[channel];
+}
+
+static double most_of(const qtri_format *format, int channel)
+{
+    const double white[3] = {255, 255, 255};
+    return steps_of(format, white, channel);
+}
+
+/* A stored pixel's channel in those steps. */
+static double stored_steps(const qtri_format *format, uint32_t stored, int channel)
+{
+    const uint32_t decoded = format->decode(stored);
+    const double value = decoded >> (16 - 8 * channel) & 255;
+    return format->colors == &qtri_colors_565 ? round(value * (channel == 1 ? 63 : 31) / 255)
+                                              : value;
+}
+
+static qtri_material blended(const qtri_blend *blend, int32_t alpha)
+{
+    qtri_material m = qtri_material_default();
+    m.cull = QTRI_CULL_NONE;
+    m.shading = QTRI_FLAT_FIRST;
+    m.blend = blend;
+    m.alpha = (uint8_t)alpha;
+    return m;
+}
+
+static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, const uint8_t rgb[3])
+{
+    const int32_t x = random_in(seed, 0, WIDTH * 256);
+    const int32_t y = random_in(seed, 0, HEIGHT * 256);
+    const int32_t reach = random_flag(seed) ? 2000 : 30000;
+    for (int i = 0; i < 3; i++) {
+        v[i] = screen_at(x + random_in(seed, -reach, reach), y + random_in(seed, -reach, reach));
+        v[i].depth_16p16 = (uint32_t)random_in(seed, 0, 65000) << 16;
+        for (int k = 0; k < 3; k++) {
+            v[i].color_8p16[k] = (int32_t)rgb[k] << 16;
+        }
+    }
+}
+
+static double mixed(const qtri_blend *blend, double over, double under, double alpha, double most)
+{
+    if (blend == &qtri_blend_alpha) {
+        return over * alpha + under * (1 - alpha);
+    }
+    if (blend == &qtri_blend_add) {
+        return fmin(most, under + over * alpha);
+    }
+    return blend == &qtri_blend_multiply ? over * under / most : under;
+}
+
+/* Pixels of `drawn` against the mixture of `before` and a colour where `covered` is not black. */
+static double compare(const canvas *drawn, const canvas *before, const canvas *covered,
+                      const qtri_blend *blend, const double rgb[3], double alpha)
+{
+    const qtri_format *format = drawn->surface.format;
+    double worst = 0;
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const int32_t x = i % WIDTH;
+        const int32_t y = i / WIDTH;
+        const uint32_t is = stored_pixel(&drawn->surface, x, y);
+        const uint32_t was = stored_pixel(&before->surface, x, y);
+        if (stored_pixel(&covered->surface, x, y) == 0) {
+            assert_int_equal(is, was);
+            continue;
+        }
+        for (int k = 0; k < 3; k++) {
+            const double should = mixed(blend, steps_of(format, rgb, k),
+                                        stored_steps(format, was, k), alpha, most_of(format, k));
+            worst = fmax(worst, fabs(stored_steps(format, is, k) - should));
+        }
+    }
+    return worst;
+}
+
+static void mixes(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    for (int f = 0; f < 6; f++) {
+        const qtri_format *format = drawn_format(f);
+        canvas drawn = canvas_new(format, WIDTH, HEIGHT);
+        canvas before = canvas_new(format, WIDTH, HEIGHT);
+        canvas covered = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+        double worst[4] = {0};
+        for (int n = 0; n < 2000; n++) {
+            const int which = n % 4;
+            const int32_t alpha = n % 5 == 0 ? 255 : random_in(&seed, 0, 255);
+            const uint8_t rgb[3] = {(uint8_t)random_in(&seed, 0, 255),
+                                    (uint8_t)random_in(&seed, 0, 255),
+                                    (uint8_t)random_in(&seed, 0, 255)};
+            const uint8_t white[3] = {255, 255, 255};
+            const double exact[3] = {rgb[0], rgb[1], rgb[2]};
+            qtri_screen_vertex v[3];
+            qtri_material m = blended(blends[which], alpha);
+            const qtri_material solid = blended(NULL, 0);
+            const qtri_rgb sky = {(uint8_t)random_in(&seed, 0, 255),
+                                  (uint8_t)random_in(&seed, 0, 255),
+                                  (uint8_t)random_in(&seed, 0, 255)};
+            qtri_surface_clear(&drawn.surface, sky, 65535);
+            qtri_surface_clear(&before.surface, sky, 65535);
+            canvas_clear(&covered);
+            const uint64_t same = seed;
+            random_triangle(v, &seed, rgb);
+            qtri_raster_triangle(&drawn.surface, &m, v);
+            seed = same;
+            random_triangle(v, &seed, white);
+            qtri_raster_triangle(&covered.surface, &solid, v);
+            for (int32_t i = 0; i < WIDTH * HEIGHT; i++) { /* depths as without a blend */
+                assert_int_equal(stored_depth(&drawn.surface, i % WIDTH, i / WIDTH),
+                                 stored_depth(&covered.surface, i % WIDTH, i / WIDTH));
+            }
+            worst[which] = fmax(worst[which], compare(&drawn, &before, &covered, blends[which],
+                                                      exact, alpha / 255.0));
+        }
+        print_message("format %d: alpha %.3f, add %.3f, multiply %.3f, none %.3f of a step\n", f,
+                      worst[0], worst[1], worst[2], worst[3]);
+        for (int i = 0; i < 3; i++) {
+            assert_true(worst[i] <= 1);
+        }
+        assert_true(worst[3] == 0);
+        canvas_free(&drawn);
+        canvas_free(&before);
+        canvas_free(&covered);
+    }
+}
+
+/* A texture of one texel, which brings alpha. */
+static void texels(void **state)
+{
+    (void)state;
+    uint64_t seed = 2;
+    static const qtri_texel_format *const formats[3] = {&qtri_texel_argb4444, &qtri_texel_argb1555,
+                                                        &qtri_texel_argb8888};
+    for (int f = 0; f < 6; f++) {
+        const qtri_format *format = drawn_format(f);
+        canvas drawn = canvas_new(format, WIDTH, HEIGHT);
+        canvas before = canvas_new(format, WIDTH, HEIGHT);
+        canvas covered = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+        double worst = 0;
+        for (int n = 0; n < 1500; n++) {
+            const int kind = n % 3;
+            const int which = n / 3 % 2;
+            const uint32_t digits = (uint32_t)random_bits32(&seed);
+            const uint16_t texel16 = (uint16_t)digits;
+            const uint32_t texel32 = digits;
+            const uint8_t white[3] = {255, 255, 255};
+            double argb[4];
+            qtri_texture texture = {.texels = kind == 2 ? (const void *)&texel32 : &texel16,
+                                    .format = formats[kind]};
+            for (int i = 0; i < 4; i++) {
+                argb[i] = kind == 2   ? digits >> (24 - 8 * i) & 255
+                          : kind == 0 ? 17 * (digits >> (12 - 4 * i) & 15)
+                                      : (digits >> (15 - 5 * i) & 31) * 255.0 / 31;
+            }
+            if (kind == 1) {
+                argb[0] = (digits & 0x8000) != 0 ? 255 : 0;
+            }
+            qtri_screen_vertex v[3];
+            const int32_t alpha = random_in(&seed, 0, 255);
+            qtri_material m = blended(n % 7 == 0 ? NULL : blends[which], alpha);
+            m.texture = &texture;
+            m.texture_mode = n % 2 == 0 ? QTRI_MODULATE : QTRI_REPLACE;
+            m.least_alpha = n % 5 == 0 ? (uint8_t)random_in(&seed, 0, 255) : 0;
+            const qtri_material solid = blended(NULL, 0);
+            canvas_clear(&drawn);
+            canvas_clear(&before);
+            canvas_clear(&covered);
+            random_triangle(v, &seed, white);
+            qtri_raster_triangle(&drawn.surface, &m, v);
+            if (argb[0] >= m.least_alpha) {
+                qtri_raster_triangle(&covered.surface, &solid, v);
+            }
+            worst = fmax(worst, compare(&drawn, &before, &covered, blends[which], argb + 1,
+                                        m.blend == NULL ? 1 : argb[0] * alpha / 255 / 255));
+        }
+        print_message("format %d: %.3f of a step\n", f, worst);
+        assert_true(worst <= 1.05);
+        canvas_free(&drawn);
+        canvas_free(&before);
+        canvas_free(&covered);
+    }
+}
+
+/* A wavy grid over the whole frame, cells of any size: each pixel belongs to one triangle. */
+enum { COLUMNS = 9, ROWS = 7, CORNERS = (COLUMNS + 1) * (ROWS + 1), CELLS = COLUMNS * ROWS };
+static qtri_vec3 grid_positions[CORNERS];
+static uint16_t grid_triangles[2 * CELLS][3];
+
+static qtri_mesh wavy_grid(uint64_t *seed)
+{
+    qtri_mesh mesh = {.positions = grid_positions,
+                      .triangles = (const uint16_t(*)[3])grid_triangles,
+                      .vertex_count = CORNERS,
+                      .triangle_count = 2 * CELLS};
+    for (int i = 0; i < CORNERS; i++) {
+        const int column = i % (COLUMNS + 1);
+        const int row = i / (COLUMNS + 1);
+        const bool edge = column == 0 || row == 0 || column == COLUMNS || row == ROWS;
+        grid_positions[i].x =
+            fixed(2.2 * column / COLUMNS - 1.1) + (edge ? 0 : random_in(seed, -3000, 3000));
+        grid_positions[i].y =
+            fixed(2.2 * row / ROWS - 1.1) + (edge ? 0 : random_in(seed, -3000, 3000));
+        grid_positions[i].z = 0;
+    }
+    for (int i = 0; i < CELLS; i++) {
+        const uint16_t corner = (uint16_t)(i / COLUMNS * (COLUMNS + 1) + i % COLUMNS);
+        const uint16_t below = (uint16_t)(corner + COLUMNS + 1);
+        const uint16_t indices[2][3] = {{corner, (uint16_t)(corner + 1), below},
+                                        {(uint16_t)(corner + 1), (uint16_t)(below + 1), below}};
+        memcpy(grid_triangles[2 * i], indices, sizeof indices);
+    }
+    return mesh;
+}
+
+static void set_view(qtri_view *view)
+{
+    qtri_view_init(view, WIDTH, HEIGHT);
+    qtri_transform_identity(&view->camera);
+    qtri_transform_ortho(&view->projection, Q16(-1), Q16(1), Q16(-1), Q16(1), Q16(-2), Q16(2));
+}
+
+static void once(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    qtri_view view;
+    qtri_transform pose;
+    set_view(&view);
+    for (int n = 0; n < 40; n++) {
+        const qtri_mesh mesh = wavy_grid(&seed);
+        qtri_material m = blended(&qtri_blend_add, 255);
+        m.color.r = 8;
+        m.color.g = 16;
+        m.color.b = 24;
+        m.depth_compare = n % 2 == 0 ? QTRI_DEPTH_OFF : QTRI_LESS_EQUAL;
+        qtri_transform_identity(&pose);
+        canvas_clear(&c);
+        qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &m);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            assert_int_equal(stored_pixel(&c.surface, i % WIDTH, i / WIDTH), 0x081018);
+        }
+    }
+    canvas_free(&c);
+}
+
+/* A heap of triangles, in one call and each alone, whole and in pieces. */
+static void heaps(void **state)
+{
+    (void)state;
+    enum { COUNT = 60 };
+    uint64_t seed = 4;
+    static qtri_vec3 positions[3 * COUNT];
+    static uint16_t triangles[COUNT][3];
+    static qtri_rgb colors[3 * COUNT];
+    qtri_view view;
+    qtri_transform pose;
+    qtri_fog fog;
+    const qtri_fog_range range = {Q16(-2) + 1, Q16(2), true};
+    const qtri_rgb gray = {90, 100, 110};
+    set_view(&view);
+    qtri_transform_identity(&pose);
+    qtri_fog_linear(&fog, gray, range, Q16(0.1), Q16(3));
+    for (int n = 0; n < 48; n++) {
+        const qtri_format *format = drawn_format(n);
+        for (int i = 0; i < COUNT; i++) {
+            const double x = random_in(&seed, -1000, 1000) / 1000.0;
+            const double y = random_in(&seed, -1000, 1000) / 1000.0;
+            const double size = i % 3 == 0 ? 1 : .12;
+            for (int k = 0; k < 3; k++) {
+                positions[3 * i + k] = vec3_of(x + size * random_in(&seed, -1000, 1000) / 1000.0,
+                                               y + size * random_in(&seed, -1000, 1000) / 1000.0,
+                                               random_in(&seed, -1500, 1500) / 1000.0);
+                triangles[i][k] = (uint16_t)(3 * i + k);
+                colors[3 * i + k].r = (uint8_t)random_in(&seed, 0, 255);
+                colors[3 * i + k].g = (uint8_t)random_in(&seed, 0, 255);
+                colors[3 * i + k].b = (uint8_t)random_in(&seed, 0, 255);
+            }
+        }
+        qtri_mesh mesh = {.positions = positions,
+                          .triangles = (const uint16_t(*)[3])triangles,
+                          .colors = colors,
+                          .vertex_count = 3 * COUNT,
+                          .triangle_count = COUNT};
+        qtri_material m = blended(n % 6 == 5 ? &qtri_blend_screen_door : blends[n % 6 % 4],
+                                  random_in(&seed, 0, 255));
+        m.shading = n % 2 == 0 ? QTRI_SMOOTH : QTRI_FLAT_LAST;
+        m.depth_compare = n % 4 == 0 ? QTRI_DEPTH_OFF : (n % 4 == 1 ? QTRI_ALWAYS : QTRI_LESS);
+        m.fog = n % 3 == 0 ? &fog : NULL;
+        m.blend = n % 9 == 0 ? NULL : m.blend;
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        canvas parts = canvas_new(format, WIDTH, HEIGHT);
+        qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &m);
+        for (int i = 0; i < COUNT; i++) {
+            mesh.triangles = (const uint16_t(*)[3])triangles + i;
+            mesh.triangle_count = 1;
+            qtri_draw_mesh(&parts.surface, &view, &pose, &mesh, &m);
+        }
+        assert_same_picture(&whole.surface, &parts.surface);
+        mesh.triangles = (const uint16_t(*)[3])triangles;
+        mesh.triangle_count = COUNT;
+        canvas_clear(&parts);
+        const int32_t cut = random_in(&seed, 1, WIDTH - 1);
+        const qtri_rect left = {0, 0, cut, HEIGHT};
+        const qtri_rect right = {cut, 0, WIDTH, HEIGHT};
+        parts.surface.scissor = left;
+        qtri_draw_mesh(&parts.surface, &view, &pose, &mesh, &m);
+        parts.surface.scissor = right;
+        qtri_draw_mesh(&parts.surface, &view, &pose, &mesh, &m);
+        assert_same_picture(&whole.surface, &parts.surface);
+        const int32_t rows = random_in(&seed, 1, 20);
+        for (int32_t y = 0; y < HEIGHT; y += rows) {
+            canvas band = canvas_band(format, WIDTH, HEIGHT, y, rows);
+            qtri_draw_mesh(&band.surface, &view, &pose, &mesh, &m);
+            assert_same_picture(&whole.surface, &band.surface);
+            canvas_free(&band);
+        }
+        canvas_free(&whole);
+        canvas_free(&parts);
+    }
+}
+
+static double fog_share(int kind, double z, double a, double b)
+{
+    if (kind == 0) {
+        return z <= a ? 1 : (z >= b ? 0 : (b - z) / (b - a));
+    }
+    return kind == 1 ? exp(-a * z) : exp(-(a * z) * (a * z));
+}
+
+static void fogs(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    canvas c = canvas_new(&qtri_xrgb8888, 8, 8);
+    double worst[2][3] = {{0}};
+    for (int n = 0; n < 4000; n++) {
+        qtri_fog fog;
+        const int kind = n % 3;
+        const bool flat = n % 2 == 0;
+        const double near_z = random_in(&seed, 6553, 65536) / 65536.0;
+        const double far_z = near_z + random_in(&seed, 65536, 100 * 65536) / 65536.0;
+        const qtri_fog_range range = {fixed(near_z), fixed(far_z), flat};
+        const qtri_rgb color = {255, 0, 128};
+        double a = random_in(&seed, 0, 65536 * 4) / 65536.0;
+        const double b = a + random_in(&seed, 65536, 65536 * 60) / 65536.0;
+        if (kind == 0) {
+            qtri_fog_linear(&fog, color, range, fixed(a), fixed(b));
+        } else if (kind == 1) {
+            a /= 16;
+            qtri_fog_exp(&fog, color, range, fixed(a));
+        } else {
+            a /= 16;
+            qtri_fog_exp2(&fog, color, range, fixed(a));
+        }
+        qtri_material m = blended(NULL, 255);
+        m.depth_compare = QTRI_ALWAYS;
+        m.fog = &fog;
+        qtri_screen_vertex v[3] = {screen_at(-2560, -2560), screen_at(-2560, 9999),
+                                   screen_at(9999, -2560)};
+        const int32_t depth = random_in(&seed, 0, 65535);
+        for (int i = 0; i < 3; i++) {
+            v[i].depth_16p16 = (uint32_t)depth << 16;
+            v[i].color_8p16[0] = 0;
+            v[i].color_8p16[2] = 0;
+        }
+        qtri_raster_triangle(&c.surface, &m, v);
+        const double t = 1 - depth / 65535.0;
+        const double z =
+            flat ? far_z - t * (far_z - near_z) : near_z * far_z / (near_z + t * (far_z - near_z));
+        const double green = stored_pixel(&c.surface, 1, 1) >> 8 & 255;
+        const double error = fabs(green - 255 * fog_share(kind, z, a, b));
+        /* Of perspective only where a step of depth is not seen. */
+        const double step = z * z / near_z / 65536;
+        const double seen = 255 * fabs(fog_share(kind, z + step, a, b) - fog_share(kind, z, a, b));
+        if (error - seen > worst[flat][kind]) {
+            worst[flat][kind] = error - seen;
+        }
+    }
+    print_message("fog: perspective %.2f %.2f %.2f, orthographic %.2f %.2f %.2f of 255\n",
+                  worst[0][0], worst[0][1], worst[0][2], worst[1][0], worst[1][1], worst[1][2]);
+    for (int i = 0; i < 6; i++) {
+        assert_true(worst[i / 3][i % 3] <= 1.5);
+    }
+    canvas_free(&c);
+}
+
+/* Any parameters; fog that nobody set is none. */
+static void extremes(void **state)
+{
+    (void)state;
+    uint64_t seed = 6;
+    canvas c = canvas_new(&qtri_rgb565, 16, 16);
+    for (int n = 0; n < 20000; n++) {
+        qtri_fog fog = {0};
+        const qtri_fog_range range = {random_any(&seed), random_any(&seed), random_flag(&seed)};
+        const qtri_rgb color = {1, 2, 3};
+        switch (n % 4) {
+        case 0:
+            qtri_fog_linear(&fog, color, range, random_any(&seed), random_any(&seed));
+            break;
+        case 1:
+            qtri_fog_exp(&fog, color, range, random_any(&seed));
+            break;
+        case 2:
+            qtri_fog_exp2(&fog, color, range, random_any(&seed));
+            break;
+        default:
+            break;
+        }
+        for (int i = 0; i < QTRI_FOG_STEPS; i++) {
+            assert_true(n % 4 == 0 || fog.share[i] <= 1024);
+        }
+        qtri_material m = blended(NULL, 0);
+        m.fog = &fog;
+        qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(0, 9999), screen_at(9999, 0)};
+        v[0].depth_16p16 = (uint32_t)random_bits32(&seed);
+        qtri_raster_triangle(&c.surface, &m, v);
+    }
+    canvas_free(&c);
+}
+
+/* More alpha, more pixels, none of which goes; 0 none, 255 all. */
+static void doors(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_rgb565, 16, 16);
+    bool before[256] = {false};
+    for (int32_t alpha = 0; alpha <= 255; alpha++) {
+        qtri_material m = blended(&qtri_blend_screen_door, alpha);
+        qtri_screen_vertex v[3] = {screen_at(-256, -256), screen_at(-256, 9999),
+                                   screen_at(9999, -256)};
+        int drawn = 0;
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, v);
+        for (int32_t i = 0; i < 256; i++) {
+            const bool is = stored_pixel(&c.surface, i % 16, i / 16) != 0;
+            assert_int_equal(is, stored_depth(&c.surface, i % 16, i / 16) != 65535);
+            assert_true(is || !before[i]);
+            before[i] = is;
+            drawn += is;
+        }
+        assert_near(drawn, alpha * 256 / 255.0, 9);
+        assert_true((alpha == 0) <= (drawn == 0) && (alpha == 255) <= (drawn == 256));
+    }
+    canvas_free(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(mixes), cmocka_unit_test(texels),
+                                       cmocka_unit_test(once),  cmocka_unit_test(heaps),
+                                       cmocka_unit_test(fogs),  cmocka_unit_test(extremes),
+                                       cmocka_unit_test(doors)};
+    return cmocka_run_group_tests_name("core blend", tests, NULL, NULL);
+}
