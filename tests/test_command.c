@@ -89,6 +89,7 @@ static void usage_errors(void **state)
     assert_int_equal(run("compare one.ppm"), 2);
     assert_int_equal(run("mesh knot"), 2);
     assert_int_equal(run("mesh dodo -o x.obj"), 2);
+    assert_int_equal(run("neighbours x.obj"), 2);
     assert_int_equal(run("demo --frobnicate"), 2);
     assert_false(exists("x.obj"));
 }
@@ -101,6 +102,7 @@ static void help(void **state)
     assert_true(file_contains("output", "texfilter    nearest|bilinear\n"));
     assert_int_equal(run("compare --help"), 0);
     assert_int_equal(run("mesh --help"), 0);
+    assert_int_equal(run("neighbours --help"), 0);
     assert_int_equal(run("demo --help"), 0);
 }
 
@@ -153,6 +155,18 @@ static void generated_mesh(void **state)
     assert_int_equal(run("compare torus.ppm expected.ppm --max-color 1 --max-depth .52"), 0);
 }
 
+/* A mesh's neighbours as C. */
+static void neighbours(void **state)
+{
+    (void)state;
+    write_file("two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+    assert_int_equal(run("neighbours two.obj -o two.h"), 0);
+    assert_true(
+        file_contains("two.h", "two_neighbours[2][3] = {\n    {2, 2, 1},\n    {0, 2, 2},\n"));
+    assert_int_equal(run("neighbours none.obj -o none.h"), 1);
+    assert_false(exists("none.h"));
+}
+
 /* Every texel format, wrapped, filtered and with holes: as the reference draws it. */
 static void textures(void **state)
 {
@@ -189,6 +203,7 @@ int main(void)
         cmocka_unit_test(usage_errors),   cmocka_unit_test(help),
         cmocka_unit_test(bad_input),      cmocka_unit_test(formats_and_bands),
         cmocka_unit_test(generated_mesh), cmocka_unit_test(textures),
+        cmocka_unit_test(neighbours),
     };
     if (getenv("QTRI_COMMAND") == NULL) {
         puts("QTRI_COMMAND is not set: run `make test-plain TESTS=test_command`");

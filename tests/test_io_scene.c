@@ -107,6 +107,7 @@ static void assert_defaults(const struct scene *scene)
     assert_int_equal(scene->provoking, 2);
     assert_false(scene->screen_linear);
     assert_false(scene->wireframe);
+    assert_int_equal(scene->antialias, SCENE_ANTIALIAS_OFF);
     assert_int_equal(scene->texture_mode, SCENE_MODULATE);
     assert_int_equal(scene->texture.width, 0);
     assert_null(scene->texture.rgb);

@@ -1,6 +1,7 @@
 #include "lights.h"
 
 #include "../geometry/lit_point.h"
+#include "../raster/small.h"
 #include "lit_corners.h"
 
 #define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */
@@ -224,7 +225,7 @@ static void draw_small(const qtri_mesh_job *draw, const uint32_t index[3], qtri_
     int32_t channel[3][3];
     set_channels(channel, draw, index, t->v);
     t->color = (const int32_t(*)[3])channel;
-    qtri_list_draw(&draw->primitive.to.solid.raster, t);
+    qtri_small_draw(&draw->primitive.to.solid.raster, t);
 }
 
 static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3],

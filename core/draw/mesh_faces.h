@@ -35,10 +35,21 @@ static inline const uint8_t *qtri_mesh_faces_triangle(const uint8_t *triangles, 
     return &triangles[narrow ? entry / 2 : entry];
 }
 
-/* How many triangles it is from the list's first. */
-static inline uint32_t qtri_mesh_faces_number(uint32_t entry)
+/*
+ * How many triangles it is from the list's first; `third`: qtri_mesh_faces_third(), from outside of
+ * the caller's loop.
+ */
+static inline uint32_t qtri_mesh_faces_number(uint32_t entry, uint32_t third)
 {
-    return (entry / 2) * 0xAAAAAAABu; /* 3 times that is 1 modulo 2^32 */
+    return (entry / 2) * third;
+}
+
+/* 3 times that is 1 modulo 2^32. Opaque: GCC 12 would make shifts and sums of the product. */
+static inline uint32_t qtri_mesh_faces_third(void)
+{
+    uint32_t third = 0xAAAAAAABu;
+    QTRI_HOLD(third);
+    return third;
 }
 
 /* qtri_faces.culling. */

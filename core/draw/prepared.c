@@ -1,6 +1,7 @@
 #include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
+#include "outline.h"
 #include "prepared_lists.h"
 
 enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
@@ -15,6 +16,9 @@ void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t
     const qtri_rect nowhere = {0, 0, 0, 0};
     prepared->marked = nowhere;
     prepared->mesh = NULL;
+    prepared->halo = 0;
+    prepared->front = NULL;
+    prepared->front_of = NULL;
 }
 
 typedef struct sorter {
@@ -24,7 +28,8 @@ typedef struct sorter {
     bool is_listing;
     bool is_direct; /* groups are single triangles, and there is a block for every list */
     bool is_solid;
-    int32_t height;
+    int32_t height, halo;
+    uint32_t *front;      /* NULL: what faces the eye is not asked for */
     uint32_t rows, bands; /* of a band; of the frame */
     uint32_t rows_inverse, rows_shift;
     uint32_t next, end; /* places: of the next block, of the end of the memory */
@@ -133,8 +138,8 @@ QTRI_NOINLINE static void list_in_group(sorter *s, uint32_t number, int32_t top,
 /* A triangle that may touch these rows, if there are any. */
 static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_t bottom)
 {
-    top = qtri_greatest32(top, 0);
-    bottom = qtri_least32(bottom, s->height);
+    top = qtri_greatest32(top - s->halo, 0);
+    bottom = qtri_least32(bottom + s->halo, s->height);
     if (top >= bottom) {
         return;
     }
@@ -145,13 +150,29 @@ static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_
     }
 }
 
-/* A triangle inside all planes that is not turned away, and whose vertices were met. */
+/* For an outline; a function of its own, as most meshes have none. */
+QTRI_NOINLINE static void note_front(const sorter *s, uint32_t number, qtri_vertex *const vertex[3])
+{
+    if (qtri_front_is(s->job->material.cull, vertex[0], vertex[1], vertex[2])) {
+        qtri_front_set(s->front, number);
+    }
+}
+
+/* A triangle inside all planes that is not turned away, and whose vertices were met; `is_simple`:
+   of a mesh that culls its back faces. */
 static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vertex[3],
-                             bool is_solid)
+                             bool is_solid, bool is_simple)
 {
     const int32_t a = vertex[0]->at.y_24p8;
     const int32_t b = vertex[1]->at.y_24p8;
     const int32_t c = vertex[2]->at.y_24p8;
+    if (s->front != NULL) {
+        if (QTRI_WITH_FAST_PATHS && is_simple) {
+            qtri_front_set(s->front, number);
+        } else {
+            note_front(s, number, vertex);
+        }
+    }
     list_triangle(
         s, number, (qtri_least32(a, qtri_least32(b, c)) + qtri_prepared_before_24p8(is_solid)) >> 8,
         (qtri_greatest32(a, qtri_greatest32(b, c)) + qtri_prepared_after_24p8(is_solid)) >> 8);
@@ -161,7 +182,7 @@ QTRI_NOINLINE static void see_solid(sorter *s, uint32_t number, const void *tria
                                     qtri_vertex *const vertex[3])
 {
     meet_all(s, triangle, vertex);
-    list_seen(s, number, vertex, true);
+    list_seen(s, number, vertex, true, true);
 }
 
 /* Any triangle that is not turned away. */
@@ -170,11 +191,14 @@ QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triang
 {
     if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         meet_all(s, triangle, vertex);
-        list_seen(s, number, vertex, s->is_solid);
+        list_seen(s, number, vertex, s->is_solid, false);
         return;
     }
     if (!qtri_mesh_is_outside(vertex)) {
         s->is_anywhere = true;
+        if (s->front != NULL) {
+            qtri_front_set(s->front, number);
+        }
         meet_all(s, triangle, vertex);
         list_triangle(s, number, 0, s->height);
     }
@@ -228,10 +252,11 @@ static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t fi
                             bool simple)
 {
     const uint32_t vertex_size = qtri_vertex_size();
+    const uint32_t third = qtri_mesh_faces_third();
     qtri_vertex *vertices = s->job->vertices;
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
         const uint8_t *triangle = qtri_mesh_faces_triangle(faces->triangles, *at, narrow);
-        const uint32_t number = first + qtri_mesh_faces_number(*at);
+        const uint32_t number = first + qtri_mesh_faces_number(*at, third);
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, narrow);
@@ -241,7 +266,7 @@ static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t fi
             continue;
         }
         if (simple) {
-            list_seen(s, number, vertex, true);
+            list_seen(s, number, vertex, true, true);
         } else {
             see_any(s, number, triangle, vertex);
         }
@@ -370,9 +395,14 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
                 .is_complete = qtri_prepared_is_complete(prepared),
                 .is_solid = is_solid,
                 .height = prepared->height,
+                .halo = prepared->halo,
+                .front = prepared->front_of == mesh ? prepared->front : NULL,
                 .rows = (uint32_t)prepared->rows};
     const qtri_rect none = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     prepared->extent_24p8 = none;
+    if (s.front != NULL) {
+        qtri_front_clear(s.front, mesh->triangle_count);
+    }
     begin_lists(&s, prepared);
     if (job.lights != NULL && job.lights->model->has_place(&job, false)) {
         job.lights->model->mesh(&job, prepared->view, prepared->pose, true, see, &s);

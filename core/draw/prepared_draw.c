@@ -124,11 +124,12 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
         surface->width != prepared->width || surface->height != prepared->height) {
         return;
     }
-    /* Rows of one band of the frame have a list; others look at all triangles. */
+    /* Rows of one band of the frame, and its halo, have a list; others look at all triangles. */
     const uint32_t count = prepared->mesh->triangle_count;
-    const uint32_t band = (uint32_t)(bounds.y0 / prepared->rows);
-    const bool by_list =
-        prepared->listed > 0 && (uint32_t)((bounds.y1 - 1) / prepared->rows) == band;
+    const int32_t number = (bounds.y0 + prepared->halo) / prepared->rows;
+    const uint32_t band = (uint32_t)number;
+    const bool by_list = prepared->listed > 0 && number * prepared->rows < prepared->height &&
+                         bounds.y1 <= (number + 1) * prepared->rows + prepared->halo;
     const uint32_t first = by_list ? prepared->listed : 0;
     qtri_mesh_job job;
     if ((first >= count && prepared->lists[2 * band] == 0) ||

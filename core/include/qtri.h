@@ -26,17 +26,23 @@
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
  *   config.h     what the library is built with
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
+ *   antialias.h  smooth edges: edges.h, image.h           halo.h     bands that overlap
  */
 #ifndef QTRI_H
 #define QTRI_H
 
+#include "qtri/antialias.h"
 #include "qtri/blend.h"
 #include "qtri/clip.h"
 #include "qtri/config.h"
 #include "qtri/draw.h"
+#include "qtri/edges.h"
 #include "qtri/error.h"
 #include "qtri/format.h"
 #include "qtri/frame.h"
+#include "qtri/halo.h"
+#include "qtri/image.h"
+#include "qtri/jitter.h"
 #include "qtri/light.h"
 #include "qtri/mat.h"
 #include "qtri/material.h"

@@ -3,9 +3,9 @@
 #include <qtri_port/panel.h>
 #include <string.h>
 
-/* sizeof (qtri_mesh) with 32-bit pointers: 9 of them, 2 counts, origin and extent, faces with 2
+/* sizeof (qtri_mesh) with 32-bit pointers: 10 of them, 2 counts, origin and extent, faces with 2
    pointers and 8 bytes, bounds. */
-#define MESH_BYTES (9 * 4 + 2 * 4 + 16 + 16 + 24)
+#define MESH_BYTES (10 * 4 + 2 * 4 + 16 + 16 + 24)
 
 uint32_t asset_vertex_count(const struct asset *asset)
 {

@@ -233,6 +233,7 @@ static void write_mesh(const struct writer *writer, const qtri_mesh *mesh)
             "    {{%" PRId32 ", %" PRId32 ", %" PRId32 "}, {%" PRId32 ", %" PRId32 ", %" PRId32
             "}}, /* bounds */\n",
             box->center.x, box->center.y, box->center.z, box->half.x, box->half.y, box->half.z);
+    fputs("    NULL, /* neighbours: `qtri neighbours` makes them */\n", out);
 }
 
 static void upper(const char *name, char *out, size_t size)

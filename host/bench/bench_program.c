@@ -89,6 +89,7 @@ int board_program(void *memory, size_t bytes)
         uint32_t start = board_ticks();
         bench_draw(frame);
         uint32_t instructions = board_instructions(start, board_ticks());
+        bench_finish(frame);
         board_write(scene->name);
         board_write(" ");
         bench_write_number(checksum(&frame->surface), 16, 8);

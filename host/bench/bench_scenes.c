@@ -6,7 +6,9 @@
  * S4, S5 and S7 with the project's own mesh of like size, 5760 triangles. S4b, S4wb, S5b, S6b and
  * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
  * mesh of S4 as loose triangles. L1: S4 with a point light and Blinn-Phong highlights; L2 and L3:
- * and one and three directional lights; L1f: S5 so, L1b: L1 in bands.
+ * and one and three directional lights; L1f: S5 so, L1b: L1 in bands. S4e and S4be: S4 and S4b with
+ * the edge pass, S4es by sums. S4h: S4 of 2 x 2 samples, with the clear; S4f: S4 and FXAA. S4a and
+ * S4m: only the addition of S4 to a sum, and the storing of its mean.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -63,6 +65,13 @@ const bench_scene bench_scenes[] = {
     {.name = "L3", MESH(COMPACT(spot), Q16(150)), .lights = 4},
     {.name = "L1f", MESH(COMPACT(teapot), Q16(30)), FLAT, .lights = 1},
     {.name = "L1b", MESH(COMPACT(spot), Q16(150)), BANDS, .lights = 1},
+    {.name = "S4e", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_EDGES},
+    {.name = "S4es", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_SUMS},
+    {.name = "S4h", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_HALVE},
+    {.name = "S4f", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_FXAA},
+    {.name = "S4a", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_ADD},
+    {.name = "S4m", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_STORE},
+    {.name = "S4be", MESH(COMPACT(spot), Q16(150)), BANDS, .smooth = BENCH_EDGES},
 #endif
     {.name = NULL},
 };
@@ -220,11 +229,32 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     const qtri_rgb other = {255, 255, 255}; /* for S0, anything but what it is to become */
     qtri_surface_clear(&frame->surface, scene->work == BENCH_CLEAR ? other : bench_background,
                        scene->work == BENCH_CLEAR ? 0 : UINT16_MAX);
+#ifndef BENCH_PLAIN
+    return scene->smooth == BENCH_JAGGED || bench_prepare_smooth(frame);
+#else
     return true;
+#endif
+}
+
+void bench_finish(bench_frame *frame)
+{
+#ifndef BENCH_PLAIN
+    if (frame->scene->smooth != BENCH_JAGGED) {
+        bench_finish_smooth(frame);
+    }
+#else
+    (void)frame;
+#endif
 }
 
 void bench_draw(bench_frame *frame)
 {
+#ifndef BENCH_PLAIN
+    if (frame->scene->smooth != BENCH_JAGGED) {
+        bench_draw_smooth(frame);
+        return;
+    }
+#endif
     if (frame->scene->band_rows != 0) {
         draw_bands(frame);
         return;

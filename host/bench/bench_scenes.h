@@ -24,6 +24,17 @@ typedef enum bench_work {
                      own */
 } bench_work;
 
+/* What is done about jagged edges; all but the first not with BENCH_PLAIN. */
+typedef enum bench_smooth {
+    BENCH_JAGGED,
+    BENCH_EDGES, /* the mesh's outline, by neighbours */
+    BENCH_SUMS,  /* the same by sums */
+    BENCH_HALVE, /* drawn at twice the size, cleared before, and halved */
+    BENCH_FXAA,
+    BENCH_ADD, /* only a frame's addition to a sum, and only the mean's storing */
+    BENCH_STORE
+} bench_smooth;
+
 typedef struct bench_scene {
     const char *name;
     bench_work work;
@@ -37,9 +48,28 @@ typedef struct bench_scene {
     q16 turn;               /* the mesh, about y */
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
     uint32_t lights; /* not 0: the first of bench_sources, and highlights, in place of the light */
+    bench_smooth smooth;
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
+
+#ifndef BENCH_PLAIN
+/* What smoothing needs. Bands with their halo lie one below the other. */
+typedef struct bench_smoother {
+    qtri_outline outline;
+    qtri_halo halo;
+    uint32_t outline_memory[QTRI_OUTLINE_WORDS(BENCH_TRIANGLES_MAX) +
+                            QTRI_OUTLINE_SUMS(BENCH_VERTICES_MAX) +
+                            QTRI_OUTLINE_LISTS(BENCH_TRIANGLES_MAX, BENCH_HEIGHT, 16)];
+    uint32_t edge_memory[QTRI_EDGES_WORDS(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES)];
+    uint32_t bands[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT * 18 / 16, QTRI_RGB565_BYTES) /
+                   sizeof(uint32_t)];
+    uint32_t large[QTRI_BAND_BYTES(2 * BENCH_WIDTH, 2 * BENCH_HEIGHT, QTRI_RGB565_BYTES) /
+                   sizeof(uint32_t)];
+    uint32_t rows[QTRI_FXAA_565_WORDS(BENCH_WIDTH)];
+    uint32_t sums[QTRI_SUM_565_WORDS(BENCH_WIDTH, BENCH_HEIGHT)];
+} bench_smoother;
+#endif
 
 /* All that drawing a scene needs. */
 typedef struct bench_frame {
@@ -66,6 +96,7 @@ typedef struct bench_frame {
     qtri_frame bands;
     qtri_prepared prepared;
     uint16_t lists[QTRI_PREPARED_LISTS(BENCH_TRIANGLES_MAX, BENCH_HEIGHT, 16)];
+    bench_smoother smoother;
 #endif
 } bench_frame;
 
@@ -74,6 +105,14 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene);
 
 /* What is measured: the draw calls, without the clear; the clear for BENCH_CLEAR. */
 void bench_draw(bench_frame *frame);
+
+/* After it, and not measured: the picture is in frame->surface. */
+void bench_finish(bench_frame *frame);
+
+/* Those of them for a scene that is smoothed: bench_smooth.c. */
+bool bench_prepare_smooth(bench_frame *frame);
+void bench_draw_smooth(bench_frame *frame);
+void bench_finish_smooth(bench_frame *frame);
 
 /* Triangles that the draw call is given. */
 uint32_t bench_triangles(const bench_scene *scene);

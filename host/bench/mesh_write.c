@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "../tools/mesh_faces.h"
+#include "../tools/mesh_neighbours.h"
 
 #define ONE 65536
 
@@ -170,6 +171,21 @@ static void *allocate(size_t count, size_t size)
     return memory;
 }
 
+static void write_neighbours(FILE *out, const char *name, qtri_mesh *mesh)
+{
+    uint16_t(*neighbours)[3] = allocate(mesh->triangle_count, sizeof *neighbours);
+    if (!mesh_neighbours_make(mesh, neighbours)) {
+        fprintf(stderr, "bench_meshes: out of memory\n");
+        exit(1);
+    }
+    fprintf(out, "static const uint16_t %s_neighbours[][3] = {\n", name);
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        fprintf(out, "{%u, %u, %u},\n", neighbours[i][0], neighbours[i][1], neighbours[i][2]);
+    }
+    fprintf(out, "};\n");
+    free(neighbours);
+}
+
 /* Positions and triangles of the compact mesh. Those of faces that pay are written. */
 static void write_faces(FILE *out, const char *name, const struct obj_mesh *mesh, int32_t extent,
                         qtri_faces *faces)
@@ -200,6 +216,7 @@ static void write_faces(FILE *out, const char *name, const struct obj_mesh *mesh
         }
         fprintf(out, "};\n");
     }
+    write_neighbours(out, name, &compact);
     *faces = compact.faces;
     free(positions);
     free(triangles);
@@ -247,9 +264,9 @@ static void write_compact(FILE *out, const char *name, const struct obj_mesh *me
     }
     write_bounds(out, half);
     fprintf(out,
-            "    .triangles = %s_triangles,\n    .vertex_count = %zu,\n"
-            "    .triangle_count = %zu};\n#endif\n\n",
-            name, mesh->vertex_count, mesh->triangle_count);
+            "    .triangles = %s_triangles,\n    .neighbours = %s_neighbours,\n"
+            "    .vertex_count = %zu,\n    .triangle_count = %zu};\n#endif\n\n",
+            name, name, mesh->vertex_count, mesh->triangle_count);
 }
 
 void mesh_write_empty(FILE *out, const char *name)

@@ -17,7 +17,7 @@ BENCH_FPU_cortex-m4 := -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 SCENE_DIR     := $(BENCH_DIR)/scenes
 SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
 SCENE_WORLD   := $(wildcard core/*/*.c) $(addprefix host/bench/,bench_world.c bench_print.c) $(SCENE_DIR)/bench_meshes.c
-SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_program.c) $(SCENE_WORLD)
+SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_smooth.c bench_program.c) $(SCENE_WORLD)
 SCENE_FLAGS   := -std=c99 -g -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
 
 # The compiler and the flags of one object of a core. $1: core, $2: source.
@@ -26,7 +26,7 @@ scene_link    = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(BENCH_LINK)
 
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes
-$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_faces.c host/tools/mesh_generate.c host/tools/mesh_solids.c $(wildcard host/io/*.c)) $(LIBRARY)
+$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_faces.c host/tools/mesh_neighbours.c host/tools/mesh_generate.c host/tools/mesh_solids.c $(wildcard host/io/*.c)) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $^ -lm
 
@@ -91,6 +91,26 @@ bench: ## Count the instructions of every benchmark scene on emulated cores: bui
 	@sh host/bench/bench_scenes.sh $(SCENE_DIR) $(BUILD)/bench.tsv "$(BENCH_SCENES)" $(SCENE_PRESENT)
 
 bench-lines: $(SCENE_DIR)/host.txt $(SCENE_PRESENT:%=$(SCENE_DIR)/%/bench.txt)
+
+# Anti-aliasing --------------------------------------------------------------------------------------
+# POSES=12: as many of each subject; more are slower.
+
+POSES ?= 3
+
+SMOOTH_TOOL  := $(BENCH_DIR)/antialias
+SMOOTH_CORES := $(filter cortex-m0plus cortex-m3,$(SCENE_PRESENT))
+
+$(SMOOTH_TOOL): $(call objects,host/bench/antialias.c host/bench/bench_world.c) $(BUILD)/obj/bench_meshes.o $(HOST) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+.PHONY: antialias antialias-lines
+antialias: ## Print how good each kind of anti-aliasing is, what it costs and what memory it takes; POSES=12
+	@$(MAKE) -s $(PARALLEL) antialias-lines
+	@$(SMOOTH_TOOL) $(SCENE_DIR) $(or $(MODELS),none) $(POSES)
+	@sh host/bench/antialias.sh $(SCENE_DIR) $(SMOOTH_CORES)
+
+antialias-lines: $(SMOOTH_TOOL) $(SMOOTH_CORES:%=$(SCENE_DIR)/%/bench.txt)
 
 # Profile --------------------------------------------------------------------------------------------
 # FUNCTIONS="qtri_rows_next draw": also their disassembly, with how often each instruction ran.

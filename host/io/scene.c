@@ -41,6 +41,7 @@ static const struct scene_statement statements[] = {
      "ambient r g b, material emission r g b or material specular r g b shininess"},
     {"twosided",    {1, 1},    scene_statement_twosided,      0, "off|on"},
     {"texgen",      {1, 1},    scene_statement_texgen,        0, "off|sphere"},
+    {"antialias",   {1, 1},    scene_statement_antialias,     0, "off|edges|ssaa|fxaa|temporal"},
     {"mode",        {1, 1},    scene_statement_mode,          0, "projection|modelview"},
     {"identity",    {0, 0},    scene_statement_numbers,       SCENE_IDENTITY, ""},
     {"load",        {16, 16},  scene_statement_numbers,       SCENE_LOAD, "m0..m15"},

@@ -80,6 +80,15 @@ enum scene_compare {
 enum scene_cull { SCENE_CULL_NONE, SCENE_CULL_BACK, SCENE_CULL_FRONT };
 enum scene_texture_mode { SCENE_REPLACE, SCENE_MODULATE };
 
+/* What the fixed-point core does about jagged edges; the reference always samples centres. */
+enum scene_antialias {
+    SCENE_ANTIALIAS_OFF,
+    SCENE_ANTIALIAS_EDGES,
+    SCENE_ANTIALIAS_SSAA,
+    SCENE_ANTIALIAS_FXAA,
+    SCENE_ANTIALIAS_TEMPORAL
+};
+
 /* What the texture's 8-bit colours are stored as. Each renderer converts them: to the nearest level
    of RGB565, to .299 r + .587 g + .114 b, rounded, for GRAY8. A palette holds them as they are. */
 enum scene_texel_format {
@@ -153,6 +162,7 @@ struct scene {
     int provoking;      /* flat: the vertex, 0 or 2, whose colour the triangle takes */
     bool screen_linear; /* `interpolate linear`: attributes linear on the screen */
     bool wireframe;     /* `polygon line` */
+    enum scene_antialias antialias;
     enum scene_texture_mode texture_mode;
     enum scene_blend blend;
     int32_t alpha; /* 0..1 */

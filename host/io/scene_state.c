@@ -158,3 +158,18 @@ bool scene_statement_polygon(struct scene_parser *parser)
 {
     return second_word(parser, 0, "fill", "line", &parser->scene->wireframe);
 }
+
+bool scene_statement_antialias(struct scene_parser *parser)
+{
+    static const char *const words[] = {
+        [SCENE_ANTIALIAS_OFF] = "off",           [SCENE_ANTIALIAS_EDGES] = "edges",
+        [SCENE_ANTIALIAS_SSAA] = "ssaa",         [SCENE_ANTIALIAS_FXAA] = "fxaa",
+        [SCENE_ANTIALIAS_TEMPORAL] = "temporal",
+    };
+    int choice;
+    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
+        return false;
+    }
+    parser->scene->antialias = (enum scene_antialias)choice;
+    return true;
+}

@@ -16,13 +16,14 @@ static const struct command commands[] = {
     {"demo", demo_main, "render the demo scenes beside their references"},
     {"mesh", mesh_main, "make C data of a model, or of a mesh that it generates"},
     {"texture", texture_main, "make C data of a picture"},
+    {"neighbours", neighbours_main, "write a mesh's neighbours as C, for smooth outlines"},
 };
 
 static void help(FILE *out)
 {
     fputs("usage: qtri COMMAND [ARGUMENT ...]\n\n", out);
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
-        fprintf(out, "  %-8s  %s\n", commands[i].name, commands[i].summary);
+        fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].summary);
     }
     fputs("\n`qtri COMMAND --help` tells more.\n", out);
 }

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "mesh_neighbours.h"
+
 /* The two matrix stacks while a scene is replayed. */
 struct stacks {
     qtri_transform matrix[2][SCENE_STACK_DEPTH + 1];
@@ -163,6 +165,7 @@ struct drawing {
     const struct scene_resources *resources;
     const qtri_surface *surface;
     enum scene_pass pass;
+    qtri_edges *edges; /* to note outlines on, for SCENE_EDGES */
     qtri_view view;
     qtri_transform modelview;
     qtri_material material;
@@ -173,7 +176,7 @@ static void set_fog(struct drawing *d)
 {
     const struct scene_fog *fog = &d->resources->scene->fog;
     const qtri_fog_range range = {fog->range[0], fog->range[1], false};
-    const qtri_rgb color = rgb_8(fog->color);
+    const qtri_rgb color = scene_rgb(fog->color);
     switch (fog->kind) {
     case SCENE_FOG_LINEAR:
         qtri_fog_linear(&d->fog, color, range, fog->number[0], fog->number[1]);
@@ -252,6 +255,20 @@ static void draw_part_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     }
 }
 
+static void note_edges(struct drawing *d, const qtri_mesh *mesh)
+{
+    qtri_outline outline;
+    const uint32_t words =
+        QTRI_OUTLINE_WORDS(mesh->triangle_count) + QTRI_OUTLINE_SUMS(mesh->vertex_count);
+    uint32_t *memory = malloc(words * sizeof *memory);
+    if (memory != NULL && qtri_outline_init(&outline, mesh, memory, words) == QTRI_OK) {
+        outline.creases = d->material.shading != QTRI_SMOOTH;
+        (void)qtri_find_outline(d->surface, &d->view, &d->modelview, &d->material, &outline);
+        qtri_edges_note(d->edges, &outline);
+    }
+    free(memory);
+}
+
 static void draw_mesh(struct drawing *d, const struct scene_op *op)
 {
     const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
@@ -263,6 +280,8 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
         const qtri_mesh *mesh = &parts->part[i].mesh;
         if (d->pass == SCENE_IDS) {
             draw_part_ids(d, mesh, id);
+        } else if (d->pass == SCENE_EDGES) {
+            note_edges(d, mesh);
         } else {
             qtri_mesh shown = *mesh;
             if (d->resources->sphere_uvs != NULL) {
@@ -275,16 +294,116 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
     }
 }
 
+/*
+ * The outlines of `count` triangles that follow each other, as of one mesh. Homogeneous ones have
+ * none: a mesh has no w.
+ */
+static void note_triangles(struct drawing *d, const struct scene_op *ops, size_t count)
+{
+    qtri_vec3 *positions = malloc(3 * count * sizeof *positions);
+    uint16_t(*triangles)[3] = malloc(count * sizeof *triangles);
+    uint16_t(*neighbours)[3] = malloc(count * sizeof *neighbours);
+    qtri_vertex *vertices = malloc(3 * count * sizeof *vertices);
+    qtri_mesh mesh = {.positions = positions, .triangles = (const uint16_t(*)[3])triangles};
+    if (positions != NULL && triangles != NULL && neighbours != NULL && vertices != NULL) {
+        for (size_t i = 0; i < count; i++) {
+            const struct scene_vertex *v = ops[i].u.triangle.vertex;
+            bool is_plain = true;
+            for (int k = 0; k < 3; k++) {
+                const qtri_vec3 p = {v[k].position[0], v[k].position[1], v[k].position[2]};
+                positions[mesh.vertex_count + (uint32_t)k] = p;
+                triangles[mesh.triangle_count][k] = (uint16_t)(mesh.vertex_count + (uint32_t)k);
+                is_plain = is_plain && v[k].position[3] == Q16_ONE;
+            }
+            mesh.vertex_count += is_plain ? 3 : 0;
+            mesh.triangle_count += is_plain ? 1 : 0;
+        }
+        d->view.vertices = vertices;
+        d->view.vertex_count = mesh.vertex_count;
+        if (mesh.triangle_count > 0 && mesh_neighbours_make(&mesh, neighbours)) {
+            note_edges(d, &mesh);
+        }
+        d->view.vertices = d->resources->vertices;
+        d->view.vertex_count = d->resources->vertex_count;
+    }
+    free(positions);
+    free(triangles);
+    free(neighbours);
+    free(vertices);
+}
+
+/* How many triangles follow each other from this operation on, at most what a mesh numbers. */
+static size_t run_of(const struct scene *scene, size_t first)
+{
+    enum { RUN_MAX = 65536 / 3 };
+    size_t count = 0;
+    while (first + count < scene->op_count && count < RUN_MAX &&
+           scene->ops[first + count].kind == SCENE_TRIANGLE) {
+        count++;
+    }
+    return count;
+}
+
+static void replay(struct drawing *d, struct stacks *stacks)
+{
+    const struct scene *scene = d->resources->scene;
+    stacks->current = 1;
+    qtri_transform_identity(&stacks->matrix[0][0]);
+    qtri_transform_identity(&stacks->matrix[1][0]);
+    for (size_t i = 0; i < scene->op_count; i++) {
+        const struct scene_op *op = &scene->ops[i];
+        if (op->kind != SCENE_TRIANGLE && op->kind != SCENE_MESH) {
+            apply_to_stacks(stacks, op);
+            continue;
+        }
+        d->view.projection = stacks->matrix[0][stacks->top[0]];
+        d->modelview = stacks->matrix[1][stacks->top[1]];
+        if (d->resources->jitter_log2 > 0) {
+            qtri_view_jitter(&d->view, &d->view, d->resources->jitter, d->resources->jitter_log2);
+        }
+        if (op->kind == SCENE_MESH) {
+            draw_mesh(d, op);
+        } else if (d->pass == SCENE_EDGES) {
+            const size_t count = run_of(scene, i);
+            note_triangles(d, op, count);
+            i += count - 1;
+        } else {
+            draw_triangle(d, op);
+        }
+    }
+}
+
+/* Memory for the pass over a surface with depth. */
+static uint32_t *begin_edges(qtri_edges *edges, const qtri_surface *surface)
+{
+    const uint32_t words =
+        QTRI_EDGES_WORDS(surface->width, surface->rows, surface->format->pixels->bytes);
+    uint32_t *memory = malloc(words * sizeof *memory);
+    if (memory != NULL && qtri_edges_begin(edges, surface, memory, words) != QTRI_OK) {
+        free(memory);
+        memory = NULL;
+    }
+    return memory;
+}
+
 void scene_draw(const struct scene_resources *resources, const qtri_surface *surface,
                 enum scene_pass pass)
 {
     const struct scene *scene = resources->scene;
     const qtri_rgb black = {0, 0, 0};
-    qtri_surface_clear(surface, pass == SCENE_IDS ? black : scene_rgb(scene->clear),
-                       (uint16_t)(((int64_t)scene->clear_depth * 65535 + 32768) >> 16));
-
-    struct drawing d = {.resources = resources, .surface = surface, .pass = pass};
-    qtri_view_init(&d.view, scene->width, scene->height);
+    qtri_edges edges;
+    uint32_t *memory = NULL;
+    struct drawing d = {.resources = resources, .surface = surface, .pass = pass, .edges = &edges};
+    if (pass == SCENE_EDGES) {
+        memory = begin_edges(&edges, surface);
+        if (memory == NULL) {
+            return;
+        }
+    } else {
+        qtri_surface_clear(surface, pass == SCENE_IDS ? black : scene_rgb(scene->clear),
+                           (uint16_t)(((int64_t)scene->clear_depth * 65535 + 32768) >> 16));
+    }
+    qtri_view_init(&d.view, surface->width, surface->height);
     d.view.viewport.depth_near = scene->depth_near;
     d.view.viewport.depth_far = scene->depth_far;
     d.view.vertices = resources->vertices;
@@ -300,22 +419,10 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
     if (stacks == NULL) {
         abort(); /* a few kilobytes: nothing sensible is left to do */
     }
-    stacks->current = 1;
-    qtri_transform_identity(&stacks->matrix[0][0]);
-    qtri_transform_identity(&stacks->matrix[1][0]);
-    for (size_t i = 0; i < scene->op_count; i++) {
-        const struct scene_op *op = &scene->ops[i];
-        if (op->kind != SCENE_TRIANGLE && op->kind != SCENE_MESH) {
-            apply_to_stacks(stacks, op);
-            continue;
-        }
-        d.view.projection = stacks->matrix[0][stacks->top[0]];
-        d.modelview = stacks->matrix[1][stacks->top[1]];
-        if (op->kind == SCENE_TRIANGLE) {
-            draw_triangle(&d, op);
-        } else {
-            draw_mesh(&d, op);
-        }
-    }
+    replay(&d, stacks);
     free(stacks);
+    if (pass == SCENE_EDGES) {
+        qtri_edges_blend(&edges);
+    }
+    free(memory);
 }

@@ -16,6 +16,7 @@ struct scene_part {
     qtri_normal *normals;
     qtri_vec2 *uvs; /* NULL when the file has none */
     uint16_t (*triangles)[3];
+    uint16_t (*neighbours)[3];
     qtri_face8 *planes; /* mesh.faces has them where they pay */
 };
 
@@ -42,11 +43,14 @@ struct scene_resources {
     qtri_uv16 *sphere_uvs; /* scratch for the largest part; NULL without `texgen sphere` */
     qtri_vertex *vertices; /* scratch for the largest part */
     uint32_t vertex_count;
+    uint32_t jitter; /* drawn from place `jitter` of 2^jitter_log2, see qtri_view_jitter() */
+    int32_t jitter_log2;
 };
 
 enum scene_pass {
     SCENE_COLORS, /* what the scene shows */
-    SCENE_IDS     /* flat triangle ids as 24-bit colours, for XRGB8888 surfaces */
+    SCENE_IDS,    /* flat triangle ids as 24-bit colours, for XRGB8888 surfaces */
+    SCENE_EDGES   /* on a surface with its colours and depths: smooths the outlines */
 };
 
 #define SCENE_MAX_DUMP_ID 0xFFFFFFu /* ids travel as 24-bit colours */
@@ -65,6 +69,11 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
 qtri_rgb scene_rgb(const int32_t color[3]);
 
 /* Clears the surface and draws the scene into the rows and scissor it has. */
+/*
+ * Clears the surface and draws the scene into the rows and scissor it has. The viewport is the
+ * surface's frame. SCENE_EDGES: blends the outlines of what is there, if memory suffices, and
+ * spends the depth; triangles that follow each other in the file are one mesh.
+ */
 void scene_draw(const struct scene_resources *resources, const qtri_surface *surface,
                 enum scene_pass pass);
 

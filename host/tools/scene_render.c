@@ -2,16 +2,31 @@
 
 #include <stdlib.h>
 
-/* Draws the rows of one band and copies them to the picture. */
-static void render_band(const struct scene_resources *resources, const qtri_surface *surface,
-                        enum scene_pass pass, struct picture *picture)
+/* Frames of a picture that is a mean, and rows of halo that techniques need. */
+enum { FRAMES_LOG2 = 4, EDGES_HALO = 1 };
+
+/* What a pass takes beside the scene. */
+struct target {
+    struct scene_resources *resources;
+    const qtri_format *format;
+    enum scene_pass pass;
+    struct picture *picture;
+    void *memory; /* of the largest band */
+    size_t bytes;
+    uint32_t *words; /* for filters */
+    uint32_t word_count;
+};
+
+/* Copies rows first..end - 1 of a surface to the picture. */
+static void keep_rows(const struct target *t, const qtri_surface *surface, int32_t first,
+                      int32_t end)
 {
-    scene_draw(resources, surface, pass);
-    for (int32_t y = surface->first_row; y < surface->first_row + surface->rows; y++) {
+    struct picture *picture = t->picture;
+    for (int32_t y = first; y < end; y++) {
         for (int32_t x = 0; x < picture->width; x++) {
             size_t at = (size_t)y * (size_t)picture->width + (size_t)x;
             qtri_rgb rgb = qtri_surface_pixel(surface, x, y);
-            if (pass == SCENE_IDS) {
+            if (t->pass == SCENE_IDS) {
                 ptrdiff_t row = y - surface->first_row;
                 picture->id[at] = (uint32_t)rgb.r << 16 | (uint32_t)rgb.g << 8 | rgb.b;
                 picture->depth[at] = surface->depth[row * surface->depth_pitch + x] / 65535.0;
@@ -24,24 +39,83 @@ static void render_band(const struct scene_resources *resources, const qtri_surf
     }
 }
 
-static bool render_pass(const struct scene_resources *resources, const qtri_format *format,
-                        int32_t rows, enum scene_pass pass, struct picture *picture)
+/* Rows of a frame `scale` times as large. */
+static void begin_rows(const struct target *t, qtri_surface *surface, int32_t scale, int32_t first,
+                       int32_t end)
 {
-    size_t bytes = QTRI_BAND_BYTES(picture->width, rows, format->pixels->bytes);
-    void *memory = malloc(bytes);
-    if (memory == NULL) {
-        return false;
+    if (qtri_surface_init(surface, t->format, scale * t->picture->width, scale * t->picture->height,
+                          scale * first, scale * (end - first), t->memory, t->bytes) != QTRI_OK) {
+        abort(); /* the scene reader keeps sizes within the core's range */
     }
-    for (int32_t first = 0; first < picture->height; first += rows) {
-        qtri_surface surface;
-        if (qtri_surface_init(&surface, format, picture->width, picture->height, first, rows,
-                              memory, bytes) != QTRI_OK) {
-            abort(); /* the scene reader keeps sizes within the core's range */
-        }
-        render_band(resources, &surface, pass, picture);
+}
+
+/* The mean of several frames. */
+static void draw_mean(const struct target *t, const qtri_surface *surface)
+{
+    struct scene_resources *resources = t->resources;
+    qtri_sum_clear(t->words, t->word_count);
+    resources->jitter_log2 = FRAMES_LOG2;
+    for (resources->jitter = 0; resources->jitter < 1u << FRAMES_LOG2; resources->jitter++) {
+        scene_draw(resources, surface, SCENE_COLORS);
+        (void)qtri_sum_add(t->words, t->word_count, surface);
     }
-    free(memory);
-    return true;
+    resources->jitter_log2 = 0;
+    (void)qtri_sum_store(surface, t->words, t->word_count, FRAMES_LOG2);
+}
+
+static int32_t halo_of(enum scene_antialias antialias)
+{
+    return antialias == SCENE_ANTIALIAS_EDGES  ? EDGES_HALO
+           : antialias == SCENE_ANTIALIAS_FXAA ? QTRI_FXAA_HALO
+                                               : 0;
+}
+
+static enum scene_antialias antialias_of(const struct target *t)
+{
+    return t->pass == SCENE_COLORS ? t->resources->scene->antialias : SCENE_ANTIALIAS_OFF;
+}
+
+/* Draws rows first..end - 1 and copies them to the picture. */
+static void render_band(const struct target *t, int32_t first, int32_t end)
+{
+    const enum scene_antialias antialias = antialias_of(t);
+    const int32_t halo = halo_of(antialias);
+    const int32_t last = end + halo < t->picture->height ? end + halo : t->picture->height;
+    qtri_surface surface;
+    begin_rows(t, &surface, antialias == SCENE_ANTIALIAS_SSAA ? 2 : 1,
+               first > halo ? first - halo : 0, last);
+    if (antialias == SCENE_ANTIALIAS_TEMPORAL) {
+        draw_mean(t, &surface);
+    } else {
+        scene_draw(t->resources, &surface, t->pass);
+    }
+    if (antialias == SCENE_ANTIALIAS_EDGES) {
+        scene_draw(t->resources, &surface, SCENE_EDGES);
+    } else if (antialias == SCENE_ANTIALIAS_FXAA) {
+        (void)qtri_fxaa(&surface, t->words, t->word_count);
+    } else if (antialias == SCENE_ANTIALIAS_SSAA) {
+        (void)qtri_halve(&surface, &surface);
+    }
+    keep_rows(t, &surface, first, end);
+}
+
+static bool render_pass(struct scene_resources *resources, const qtri_format *format, int32_t rows,
+                        enum scene_pass pass, struct picture *picture)
+{
+    struct target t = {.resources = resources, .format = format, .pass = pass, .picture = picture};
+    const int32_t scale = antialias_of(&t) == SCENE_ANTIALIAS_SSAA ? 2 : 1;
+    const int32_t held = rows + 2 * halo_of(antialias_of(&t));
+    t.bytes = QTRI_BAND_BYTES(scale * picture->width, scale * held, format->pixels->bytes);
+    t.memory = malloc(t.bytes);
+    t.word_count = QTRI_SUM_WORDS(picture->width, held) + QTRI_FXAA_WORDS(picture->width);
+    t.words = malloc(t.word_count * sizeof *t.words);
+    const bool ok = t.memory != NULL && t.words != NULL;
+    for (int32_t first = 0; ok && first < picture->height; first += rows) {
+        render_band(&t, first, first + rows < picture->height ? first + rows : picture->height);
+    }
+    free(t.memory);
+    free(t.words);
+    return ok;
 }
 
 bool scene_render(const struct scene *scene, const qtri_format *format, int32_t rows,

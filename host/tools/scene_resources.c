@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "mesh_faces.h"
+#include "mesh_neighbours.h"
 
 #define PART_VERTICES 65536u
 
@@ -34,6 +35,7 @@ static void part_free(struct scene_part *part)
     free(part->normals);
     free(part->uvs);
     free(part->triangles);
+    free(part->neighbours);
     free(part->planes);
 }
 
@@ -72,6 +74,7 @@ static size_t part_fill(struct scene_part *part, const struct obj_mesh *mesh, si
     };
     part->mesh = view;
     (void)mesh_faces_make(&part->mesh, part->planes);
+    (void)mesh_neighbours_make(&part->mesh, part->neighbours); /* without: found by sums */
     return triangle;
 }
 
@@ -84,8 +87,10 @@ static bool part_allocate(struct scene_part *part, const struct obj_mesh *mesh, 
     part->uvs = mesh->uvs != NULL ? malloc((vertices + 1) * sizeof *part->uvs) : NULL;
     part->triangles = malloc((triangles + 1) * sizeof *part->triangles);
     part->planes = malloc((triangles + 1) * sizeof *part->planes);
+    part->neighbours = malloc((triangles + 1) * sizeof *part->neighbours);
     return part->positions != NULL && part->normals != NULL && part->triangles != NULL &&
-           part->planes != NULL && (mesh->uvs == NULL || part->uvs != NULL);
+           part->planes != NULL && part->neighbours != NULL &&
+           (mesh->uvs == NULL || part->uvs != NULL);
 }
 
 static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The pipeline's levels: who may include whom.
-#   core/bits < math < geometry < frame < raster < fast < draw, host/io < reference < assets < tools < bench: own folder or lower;
+#   core/bits < math < geometry < frame < image < raster < fast < draw, host/io < reference < assets < tools < bench: own folder or lower;
 #   the same for calls between files of core, which may not go in circles either;
 #   core and port/panels: public headers and five system headers; neither the umbrella qtri.h nor the host;
 #   host/reference: nothing of core, not even by way of another header.
@@ -25,8 +25,8 @@ found=$(c_files core port/include port/panels host | xargs grep -n '^ *# *includ
     }
     function complain(text) { print $1 ":" $2 ": includes " name ": " text }
     BEGIN {
-        level["core/bits"] = 0; level["core/math"] = 1; level["core/geometry"] = 2; level["core/frame"] = 3; level["core/raster"] = 4; level["core/fast"] = 5
-        level["core/draw"] = 6
+        level["core/bits"] = 0; level["core/math"] = 1; level["core/geometry"] = 2; level["core/frame"] = 3; level["core/image"] = 4; level["core/raster"] = 5
+        level["core/fast"] = 6; level["core/draw"] = 7
         level["host/io"] = 1; level["host/reference"] = 2; level["host/assets"] = 3; level["host/tools"] = 4
         level["host/bench"] = 5
         freestanding = "^(stdint|stddef|stdbool|limits|string)\\.h$"
@@ -70,7 +70,7 @@ awk 'NR == FNR { if ($2 != "U") home[$3] = $1; next }
      $2 == "U" && ($3 in home) && home[$3] != $1 && !seen[$1, home[$3]]++ { print $1, home[$3], $3 }' \
     "$work/symbols" "$work/symbols" >"$work/calls"
 calls=$(awk '
-    BEGIN { split("bits math geometry frame raster fast draw", order, " "); for (i in order) level[order[i]] = i }
+    BEGIN { split("bits math geometry frame image raster fast draw", order, " "); for (i in order) level[order[i]] = i }
     { split($1, from, "/"); split($2, to, "/") }
     level[to[2]] > level[from[2]] { print $1 ": names " $3 " of " $2 ", which is above" }' "$work/calls"
     awk '{ print $1, $2 }' "$work/calls" | tsort 2>&1 >/dev/null | sed -n 's,^tsort: core,core,p' |

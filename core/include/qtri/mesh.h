@@ -104,6 +104,9 @@ typedef struct qtri_mesh {
     qtri_faces faces;
     qtri_box bounds; /* of all positions, in object space: a mesh that cannot be seen is skipped at
                         once; half = 0: unknown */
+    /* triangle_count, or NULL: the triangles across the edges from corner 0 to 1, 1 to 2 and 2 to
+       0, or triangle_count where there is none; for outlines, see edges.h */
+    const uint16_t (*neighbours)[3];
 } qtri_mesh;
 
 #ifdef __cplusplus

@@ -41,6 +41,9 @@ typedef struct qtri_prepared {
     uint8_t group_log2;
     uint32_t listed; /* triangles; those that follow are not in lists */
     int32_t width, height, rows;
+    int32_t halo;    /* rows beyond each band that its list reaches; see edges.h */
+    uint32_t *front; /* an outline's, for this mesh; NULL: none */
+    const qtri_mesh *front_of;
     qtri_rect extent_24p8, marked;
     const qtri_view *view;
     const qtri_transform *pose;

@@ -1,0 +1,333 @@
+/*
+ * The walk along an edge.
+ *
+ * An edge is followed along its major axis, the one on which it is longer. At the centre of each
+ * column (or row) it passes through pixel i of the minor axis, at a fraction f of it. The pixel has
+ * been drawn in the colour of the side that its centre lies on; the other side, that of the nearer
+ * neighbour j, covers the share w = min(f, 1 - f) <= 1/2 of it if the edge is level. One of slope s
+ * leaves the pixel within its width where w < s / 2: it then covers (w + s/2)^2 / 2s of i, and the
+ * triangle on the other side (s/2 - w)^2 / 2s of j, which takes that of i. Both are exact for an
+ * edge that goes on beyond the column.
+ *
+ * Places, in 16.16, and depths are linear from the edge's first pixel on, in chunks of CHUNK pixels
+ * each of which begins exactly: a pixel's values depend on the edge alone, not on the surface's
+ * rows or its scissor.
+ *
+ * A pixel is noted where the edge is not hidden: where the stored depth is not nearer than the
+ * edge's less some slack. At a pixel's centre the face's depth differs from that on the edge, by
+ * up to what it has across a pixel or two; slack is 8 to 16 times its range over its extent across,
+ * and FLAT steps. (Half as much loses outlines of faces seen at a low angle, more gains nothing.)
+ * Each pixel that would change is tested alone.
+ */
+#include "edge_walk.h"
+
+#include "../bits/bits.h"
+#include "../bits/multiply.h"
+#include "../bits/reciprocal.h"
+
+enum {
+    CHUNK_LOG2 = 7,
+    CHUNK = 1 << CHUNK_LOG2,
+    SHORT_24P8 = CHUNK << 8,
+    LEVEL_MOST = 4,   /* pixels of an edge whose depth counts as one, the nearest */
+    FLAT_6 = 16 << 6, /* 16 steps of depth */
+    NO_LIMIT = INT32_MIN / 2,
+    HALF = 1 << 15,   /* of a pixel */
+    SHARE_SHIFT = 11, /* to 1/32 */
+    ROUND = 1 << (SHARE_SHIFT - 1),
+    SLOPES = 17,
+    SHARES = 17
+};
+
+/* A part of an edge: pixels k..end-1, from `at` on, 16.16 on the minor axis; limits of depth, n.6.
+ */
+typedef struct part {
+    int32_t k, end;
+    int32_t at, step;
+    int32_t limit, limit_step;
+} part;
+
+/*
+ * Notes, as codes without a direction, for half the slope and w in 1/32 of a pixel, each 0..16:
+ * that of i in the low byte, that of j in the high one. (w + h)^2 / 4 h and (h - w)^2 / 4 h to
+ * nearest where w < h; else w and 0.
+ */
+/* clang-format off */
+static const uint16_t coverage[SLOPES][SHARES] = {
+    {0x0000, 0x0004, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0000, 0x0004, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0404, 0x0004, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0404, 0x0004, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0404, 0x0408, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0404, 0x0408, 0x0008, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0808, 0x0408, 0x040C, 0x000C, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0808, 0x0408, 0x040C, 0x0410, 0x0010, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0808, 0x080C, 0x040C, 0x0410, 0x0414, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0808, 0x080C, 0x040C, 0x0410, 0x0414, 0x0014, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0C0C, 0x080C, 0x0810, 0x0410, 0x0414, 0x0418, 0x0018, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0C0C, 0x080C, 0x0810, 0x0410, 0x0414, 0x0418, 0x041C, 0x001C, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0C0C, 0x0C10, 0x0810, 0x0814, 0x0414, 0x0418, 0x041C, 0x0420, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x0C0C, 0x0C10, 0x0810, 0x0814, 0x0818, 0x0418, 0x041C, 0x0420, 0x0020, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x1010, 0x0C10, 0x0C14, 0x0814, 0x0818, 0x0418, 0x041C, 0x0420, 0x0424, 0x0024, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x1010, 0x0C10, 0x0C14, 0x0814, 0x0818, 0x081C, 0x041C, 0x0420, 0x0424, 0x0428, 0x0028, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+    {0x1010, 0x1014, 0x0C14, 0x0C18, 0x0818, 0x081C, 0x0820, 0x0420, 0x0424, 0x0428, 0x042C, 0x002C, 0x0030, 0x0034, 0x0038, 0x003C, 0x0040},
+};
+/* clang-format on */
+
+/* Notes `code` at place i if it is the greatest there, or the first and not hidden. */
+QTRI_INLINE void note(const qtri_edge_walker *w, uint32_t i, uint32_t code, int32_t limit)
+{
+    uint16_t *at = &w->notes[i];
+    uint32_t *marks = &w->marks[i >> 5];
+    const uint32_t mark = *marks;
+    const uint32_t bit = (uint32_t)1 << (i & 31);
+    const uint32_t stored = *at;
+    if ((mark & bit) != 0) {
+        if (code > (stored | w->weak)) {
+            *at = (uint16_t)code;
+        }
+    } else if ((int32_t)((stored ^ w->flip) << 6) >= limit) {
+        *marks = mark | bit;
+        *at = (uint16_t)code;
+    }
+}
+
+/* `shares`: the slope's row of the table. */
+QTRI_NOINLINE static void walk_part(const qtri_edge_walker *w, const qtri_edge_axis *axis,
+                                    const part *p, const uint16_t *shares)
+{
+    int32_t at = p->at - axis->first * 65536;
+    int32_t limit = p->limit;
+    int32_t place = axis->origin + p->k * axis->along;
+    for (int32_t n = p->end - p->k; n > 0; n--) {
+        const int32_t pixel = at >> 16;
+        uint32_t fraction = qtri_low16((uint32_t)at);
+        int32_t other = pixel - 1;
+        uint32_t direction = axis->direction;
+        if (fraction > HALF) { /* on the centre: it belongs to the side after the edge */
+            fraction = 2 * HALF - fraction;
+            other = pixel + 1;
+            direction += QTRI_NOTE_AFTER;
+        }
+        if ((uint32_t)pixel < axis->wide && (uint32_t)other < axis->wide) {
+            const uint32_t both = shares[(fraction + ROUND) >> SHARE_SHIFT];
+            if (both >> 8 != 0) {
+                note(w, (uint32_t)(place + other * axis->across),
+                     both >> 8 | (direction ^ QTRI_NOTE_AFTER), limit);
+            }
+            if ((both & 0xFF) != 0) {
+                note(w, (uint32_t)(place + pixel * axis->across), (both & 0xFF) | direction, limit);
+            }
+        }
+        at += p->step;
+        limit += p->limit_step;
+        place += axis->along;
+    }
+}
+
+/* The pixels of the part that lie on the surface. */
+static inline void cut_part(part *p, int32_t low, int32_t high)
+{
+    const int32_t before = low - p->k;
+    if (before > 0) {
+        p->k = low;
+        p->at += before * p->step; /* within the edge's ends, as the part is not behind low */
+        p->limit += before * p->limit_step;
+    }
+    if (p->end > high) {
+        p->end = high;
+    }
+}
+
+/* An edge by increasing major coordinate. */
+typedef struct path {
+    int32_t minor;  /* of the first end, 1/256 pixel */
+    int32_t delta;  /* to the other end: |delta| <= length */
+    int32_t length; /* 0..2^23 */
+    int32_t along;  /* from the first end to the centre of pixel `first`, 0..255 */
+    int32_t first, end;
+    int32_t depth, depth_delta; /* 16.6 */
+    bool hides;                 /* depth counts */
+} path;
+
+/* Of a step on the minor axis: its row of the table. */
+static inline const uint16_t *shares_of(int32_t step)
+{
+    return coverage[(qtri_magnitude32(step) + 2048) >> 12]; /* |step| <= 2^16 */
+}
+
+/*
+ * 2^16 delta / length to nearest, for delta <= length < 2^15 and r = 2^31 / (2^up length) or less
+ * than one below: the quotient by r is at most 3 too small.
+ */
+static inline uint32_t step_of(uint32_t delta, uint32_t length, uint32_t r, int32_t up)
+{
+    uint32_t step = ((delta << up) * r) >> 15; /* <= 2^31 / 2^15 */
+    uint32_t rest = (delta << 16) - step * length + length / 2;
+    while (rest >= length) {
+        rest -= length;
+        step++;
+    }
+    return step;
+}
+
+/* In one chunk, of which a pixel is not before the surface. */
+static inline void walk_short(const qtri_edge_walker *w, const qtri_edge_axis *axis, const path *l)
+{
+    part p;
+    /* length x 2^-16 is 2^(zeros - 16) length = 1/2..1, and r its reciprocal within 2^-15. */
+    const int32_t up = qtri_clz32((uint32_t)l->length) - 16; /* >= 1 */
+    const uint32_t r = qtri_reciprocal_q31((uint32_t)l->length << up);
+    const uint32_t magnitude = step_of(qtri_magnitude32(l->delta), (uint32_t)l->length, r, up);
+    p.step = l->delta < 0 ? -(int32_t)magnitude : (int32_t)magnitude;
+    p.at = l->minor * 256 + ((p.step * l->along + 128) >> 8);
+    p.k = l->first;
+    p.end = l->end;
+    p.limit = NO_LIMIT;
+    p.limit_step = 0;
+    if (l->hides) {
+        p.limit = l->depth + (l->depth_delta < 0 ? l->depth_delta : 0);
+        if (p.end - p.k > LEVEL_MOST) {
+            const int32_t step = qtri_mul_high_s31(l->depth_delta * 256, r << up) * 2; /* < 2^30 */
+            p.limit_step = step;
+            p.limit = l->depth + (step >> 8) * l->along + (((step & 255) * l->along) >> 8);
+        }
+    }
+    cut_part(&p, axis->low, axis->high);
+    walk_part(w, axis, &p, shares_of(p.step));
+}
+
+/* x n / length 2^more, towards zero; |x|, n, length <= 2^23, length > 0. */
+static int32_t share_of(int32_t x, int32_t n, int32_t length, int32_t more)
+{
+    bool half;
+    const uint64_t product = qtri_mul_u32(qtri_magnitude32(x), (uint32_t)n);
+    const int32_t q = (int32_t)qtri_divide64(product, (uint32_t)length, more, &half);
+    return x < 0 ? -q : q;
+}
+
+/* In chunks, each of which begins exactly. */
+QTRI_NOINLINE static void walk_long(const qtri_edge_walker *w, const qtri_edge_axis *axis,
+                                    const path *l)
+{
+    part p;
+    int32_t chunk = axis->low > l->first ? (axis->low - l->first) >> CHUNK_LOG2 : 0;
+    const int32_t step = share_of(l->delta, 1, l->length, 16);
+    const int32_t limit_step = share_of(l->depth_delta, 1, l->length, 8);
+    for (;; chunk++) {
+        p.k = l->first + chunk * CHUNK;
+        p.end = p.k + CHUNK < l->end ? p.k + CHUNK : l->end;
+        if (p.k >= p.end || p.k >= axis->high) {
+            return;
+        }
+        const int32_t along = l->along + chunk * SHORT_24P8; /* < length */
+        p.step = step;
+        p.at = l->minor * 256 + share_of(l->delta, along, l->length, 8);
+        p.limit = NO_LIMIT;
+        p.limit_step = 0;
+        if (l->hides) {
+            p.limit = l->depth + share_of(l->depth_delta, along, l->length, 0);
+            p.limit_step = limit_step;
+        }
+        cut_part(&p, axis->low, axis->high);
+        walk_part(w, axis, &p, shares_of(step));
+    }
+}
+
+/* How much nearer than the edge a pixel may be, 16.6. c: the face's third vertex. */
+static inline int32_t slack_of(const path *l, int32_t depth_c, int32_t minor_c)
+{
+    const int32_t depth_b = l->depth + l->depth_delta;
+    const int32_t minor_b = l->minor + l->delta;
+    const int32_t range = qtri_greatest32(qtri_greatest32(l->depth, depth_b), depth_c) -
+                          qtri_least32(qtri_least32(l->depth, depth_b), depth_c); /* < 2^22 */
+    const int32_t extent = qtri_greatest32(qtri_greatest32(l->minor, minor_b), minor_c) -
+                           qtri_least32(qtri_least32(l->minor, minor_b), minor_c);
+    int32_t slack = 8 * range;
+    if (extent >= 512) {
+        slack >>= 23 - qtri_clz32((uint32_t)extent); /* 1 for 2 pixels and more, 2 for 4 ... */
+    }
+    return slack + FLAT_6;
+}
+
+void qtri_edge_walker_init(qtri_edge_walker *w, const qtri_edges *edges, qtri_edge_test test)
+{
+    const qtri_rect *bounds = &edges->bounds;
+    const int32_t pitch = edges->pitch;
+    const int32_t first_row = edges->surface.first_row;
+    const int32_t place = edges->origin - first_row * pitch; /* of pixel (0, 0), if it were there */
+    const qtri_edge_axis level = {.low = bounds->x0,
+                                  .high = bounds->x1,
+                                  .first = bounds->y0,
+                                  .wide = (uint32_t)(bounds->y1 - bounds->y0),
+                                  .along = 1,
+                                  .across = pitch,
+                                  .origin = place + bounds->y0 * pitch,
+                                  .direction = 0};
+    const qtri_edge_axis steep = {.low = bounds->y0,
+                                  .high = bounds->y1,
+                                  .first = bounds->x0,
+                                  .wide = (uint32_t)(bounds->x1 - bounds->x0),
+                                  .along = pitch,
+                                  .across = 1,
+                                  .origin = place + bounds->x0,
+                                  .direction = QTRI_NOTE_IN_ROW};
+    w->marks = edges->marks;
+    w->notes = edges->notes;
+    w->flip = test == QTRI_EDGE_FARTHER ? 0xFFFF : 0;
+    w->weak = 0;
+    w->hides = test != QTRI_EDGE_ALWAYS;
+    w->axis[0] = level;
+    w->axis[1] = steep;
+}
+
+void qtri_edge_note(const qtri_edge_walker *w, const qtri_vertex *a, const qtri_vertex *b,
+                    const qtri_vertex *c)
+{
+    path l;
+    const qtri_edge_axis *axis = &w->axis[0];
+    int32_t major = a->at.x_24p8;
+    int32_t minor_c = c->at.y_24p8;
+    l.minor = a->at.y_24p8;
+    l.length = b->at.x_24p8 - major;
+    l.delta = b->at.y_24p8 - l.minor;
+    if (qtri_magnitude32(l.delta) > qtri_magnitude32(l.length)) {
+        const int32_t width = l.length;
+        axis = &w->axis[1];
+        l.length = l.delta;
+        l.delta = width;
+        major = l.minor;
+        l.minor = a->at.x_24p8;
+        minor_c = c->at.x_24p8;
+    }
+    const qtri_vertex *end = b;
+    if (l.length < 0) { /* from b to a */
+        major += l.length;
+        l.minor += l.delta;
+        l.length = -l.length;
+        l.delta = -l.delta;
+        end = a;
+        a = b;
+    }
+    /* Centres in [major, major + length): the first is ceil((major - 128) / 256). */
+    l.first = (major + 127) >> 8;
+    l.end = (major + l.length + 127) >> 8;
+    if (l.first >= l.end || l.first >= axis->high || l.end <= axis->low) {
+        return;
+    }
+    l.along = (128 - major) & 255;
+    l.hides = w->hides;
+    l.depth = 0;
+    l.depth_delta = 0;
+    if (l.hides) {
+        const uint32_t flip = w->flip << 6; /* 65535 less the depth */
+        l.depth = (int32_t)(a->depth_16p8 >> 10 ^ flip);
+        l.depth_delta = (int32_t)(end->depth_16p8 >> 10 ^ flip) - l.depth;
+        l.depth -= slack_of(&l, (int32_t)(c->depth_16p8 >> 10 ^ flip), minor_c);
+    }
+    if (l.length < SHORT_24P8) {
+        walk_short(w, axis, &l);
+    } else {
+        walk_long(w, axis, &l);
+    }
+}

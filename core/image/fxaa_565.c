@@ -1,0 +1,178 @@
+#include "fxaa.h"
+
+#include "../frame/barrier.h"
+
+#define NAME(name)      name##_565
+#define COLOR           uint16_t
+#define LUMA(c)         ((int32_t)(2u * ((c) >> 11) + ((uint32_t)(c) >> 4 & 0x7E) + ((c)&31u)))
+#define MIX(w, a, b, s) qtri_mix_565(a, b, s)
+#include "fxaa.inc"
+
+enum { ROWS = 3 }; /* old colours that are kept: of this row and two above */
+
+/* Two pixels as a word, which are read as single ones elsewhere. */
+#ifdef __GNUC__
+typedef uint32_t __attribute__((__may_alias__)) pair;
+#else
+typedef uint32_t pair;
+#endif
+
+static void filter_pixels(const window_565 *w, uint16_t *out, int32_t x, int32_t end, int32_t width)
+{
+    for (; x < end; x++) {
+        out[x] = (uint16_t)filter_565(w, x, width);
+    }
+}
+
+static inline int32_t luma_565(uint32_t color)
+{
+    return (int32_t)((color >> 10 & 0x3E) + (color >> 4 & 0x7E) + (color & 31));
+}
+
+/* Pixels x and x + 1 where one of them differs from its neighbours. */
+QTRI_NOINLINE static void filter_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width)
+{
+    const uint16_t *up = w->row[1] + x;
+    const uint16_t *own = w->row[2] + x;
+    const uint16_t *down = w->row[3] + x;
+    const int32_t first = luma_565(own[0]);
+    const int32_t second = luma_565(own[1]);
+    if (!qtri_fxaa_is_flat(first, luma_565(own[-1]), second, luma_565(up[0]), luma_565(down[0]))) {
+        out[x] = (uint16_t)filter_565(w, x, width);
+    }
+    if (!qtri_fxaa_is_flat(second, first, luma_565(own[2]), luma_565(up[1]), luma_565(down[1]))) {
+        out[x + 1] = (uint16_t)filter_565(w, x + 1, width);
+    }
+}
+
+/* Whether four words of three rows and the pixels beside them are all the same. */
+static inline bool are_same(const pair *up, const pair *own, const pair *down, uint32_t two)
+{
+    return up[0] == two && own[1] == two && up[1] == two && down[0] == two && down[1] == two &&
+           own[2] == two && up[2] == two && down[2] == two && own[3] == two && up[3] == two &&
+           down[3] == two && own[-1] == two && own[4] == two;
+}
+
+/*
+ * Columns x..end - 1, x even and at least 2, of rows of whole words: two or eight pixels that are
+ * as all their neighbours are done with a look.
+ */
+QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32_t x, int32_t end,
+                                       int32_t width)
+{
+    const pair *up = (const pair *)(const void *)(w->row[1] + x);
+    const pair *own = (const pair *)(const void *)(w->row[2] + x);
+    const pair *down = (const pair *)(const void *)(w->row[3] + x);
+    int32_t left = end - x;
+    while (left >= 2) {
+        const uint32_t two = own[0];
+        if (two == up[0] && two == down[0] && two == (two << 16 | two >> 16)) {
+            if (left >= 10 && are_same(up, own, down, two)) {
+                up += 4;
+                own += 4;
+                down += 4;
+                left -= 8;
+                continue;
+            }
+            const uint16_t *pixel = (const uint16_t *)(const void *)own;
+            if (pixel[-1] == pixel[0] && pixel[2] == pixel[0]) {
+                up++;
+                own++;
+                down++;
+                left -= 2;
+                continue;
+            }
+        }
+        filter_two(w, out, end - left, width);
+        up++;
+        own++;
+        down++;
+        left -= 2;
+    }
+    filter_pixels(w, out, end - left, end, width);
+}
+
+static bool are_pairs(const qtri_surface *surface)
+{
+    return (((uintptr_t)surface->pixels | (uintptr_t)surface->pitch) & 3) == 0 &&
+           (surface->width & 1) == 0;
+}
+
+static void copy_row(uint32_t *to, const uint16_t *row, int32_t width, bool pairs)
+{
+    if (pairs) {
+        const pair *from = (const pair *)(const void *)row;
+        int32_t left = width / 2;
+        for (; left >= 4; left -= 4, to += 4, from += 4) {
+            const uint32_t a = from[0];
+            const uint32_t b = from[1];
+            const uint32_t c = from[2];
+            const uint32_t d = from[3];
+            to[0] = a;
+            to[1] = b;
+            to[2] = c;
+            to[3] = d;
+            QTRI_OPAQUE(to)
+        }
+        for (; left > 0; left--) {
+            *to++ = *from++;
+        }
+        return;
+    }
+    uint16_t *pixel = (uint16_t *)(void *)to;
+    for (int32_t x = 0; x < width; x++) {
+        pixel[x] = row[x];
+    }
+}
+
+static uint16_t *row_of(const qtri_surface *surface, int32_t y)
+{
+    return (uint16_t *)(void *)(surface->pixels + (y - surface->first_row) * surface->pitch);
+}
+
+/* Row y of the bounds, whose old colours and those above are kept. */
+static void filter_row(const qtri_surface *surface, const qtri_rect *bounds, const window_565 *w,
+                       int32_t y, bool pairs)
+{
+    const int32_t width = surface->width;
+    const int32_t first = bounds->x0 > 0 ? bounds->x0 : 1;
+    const int32_t end = bounds->x1 < width ? bounds->x1 : width - 1;
+    uint16_t *out = row_of(surface, y);
+    if (!pairs || end - first < 4) {
+        filter_pixels(w, out, first, end, width);
+        return;
+    }
+    const int32_t even = (first + 1) & ~1;
+    filter_pixels(w, out, first, even, width);
+    filter_pairs(w, out, even, end, width);
+}
+
+enum qtri_error qtri_fxaa_565(const qtri_surface *surface, uint32_t *memory, uint32_t words)
+{
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    const int32_t width = surface->width;
+    if (bounds.x0 >= bounds.x1) {
+        return QTRI_OK;
+    }
+    if (!qtri_is_565(surface->format)) {
+        return QTRI_ERROR_FORMAT;
+    }
+    if (words < QTRI_FXAA_565_WORDS(width)) {
+        return QTRI_ERROR_MEMORY;
+    }
+    const bool pairs = are_pairs(surface);
+    window_565 w = {{NULL, NULL, NULL, NULL, NULL}};
+    for (int32_t y = bounds.y0; y < bounds.y1; y++) {
+        uint32_t *slot = memory + (ptrdiff_t)(y % ROWS) * ((width + 1) / 2);
+        copy_row(slot, row_of(surface, y), width, pairs);
+        w.row[0] = w.row[1];
+        w.row[1] = w.row[2];
+        w.row[2] = (const uint16_t *)(const void *)slot;
+        w.row[3] = y + 1 < bounds.y1 ? row_of(surface, y + 1) : NULL;
+        w.row[4] = y + 2 < bounds.y1 ? row_of(surface, y + 2) : NULL;
+        if (w.row[1] != NULL && w.row[3] != NULL) {
+            filter_row(surface, &bounds, &w, y, pairs);
+        }
+    }
+    return QTRI_OK;
+}

@@ -1,0 +1,147 @@
+#include "qtri/image.h"
+
+#include "mix.h"
+
+/* What becomes of the band; its pixels are not changed yet. */
+static enum qtri_error describe(const qtri_surface *band, qtri_surface *half)
+{
+    if (((band->width | band->height | band->first_row | band->rows) & 1) != 0) {
+        return QTRI_ERROR_SIZE;
+    }
+    if (band->format == NULL) {
+        return QTRI_ERROR_FORMAT;
+    }
+    const qtri_rect bounds = qtri_surface_bounds(band);
+    *half = *band;
+    half->depth = NULL;
+    half->width = band->width / 2;
+    half->height = band->height / 2;
+    half->first_row = band->first_row / 2;
+    half->rows = band->rows / 2;
+    half->scissor.x0 = bounds.x0 / 2;
+    half->scissor.y0 = bounds.y0 / 2;
+    half->scissor.x1 = (bounds.x1 + 1) / 2;
+    half->scissor.y1 = (bounds.y1 + 1) / 2;
+    return QTRI_OK;
+}
+
+/* The mean of four stored pixels. */
+static uint32_t mean_of(const qtri_format *format, const uint32_t stored[4])
+{
+    qtri_masks masks;
+    uint32_t color[4];
+    uint32_t mean = 0;
+    qtri_masks_of(&masks, format->colors);
+    for (int i = 0; i < 4; i++) {
+        color[i] = qtri_color_of(format, stored[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+        uint32_t sum = 2;
+        for (int sample = 0; sample < 4; sample++) {
+            sum += color[sample] >> masks.shift[i] & masks.mask[i];
+        }
+        mean |= sum >> 2 << masks.shift[i];
+    }
+    return qtri_stored_of(format, mean);
+}
+
+/* Pixels are made where they are not needed any more: row y of rows 2 y and 2 y + 1. */
+enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out)
+{
+    qtri_surface half;
+    const enum qtri_error error = describe(band, &half);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    const qtri_pixels *pixels = half.format->pixels;
+    const ptrdiff_t bytes = pixels->bytes;
+    for (int32_t y = half.scissor.y0; y < half.scissor.y1; y++) {
+        const uint8_t *from = band->pixels + (2 * y - band->first_row) * band->pitch;
+        uint8_t *to = half.pixels + (y - half.first_row) * half.pitch;
+        for (int32_t x = half.scissor.x0; x < half.scissor.x1; x++) {
+            const uint8_t *at = from + 2 * x * bytes;
+            const uint32_t stored[4] = {pixels->load(at), pixels->load(at + bytes),
+                                        pixels->load(at + band->pitch),
+                                        pixels->load(at + band->pitch + bytes)};
+            const uint32_t mean = mean_of(half.format, stored);
+            pixels->store(to + x * bytes, &mean, 1, 1);
+        }
+    }
+    *out = half;
+    return QTRI_OK;
+}
+
+/* In each lane four channels and 2: less than 2^8. */
+static inline uint32_t mean_565(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+{
+    const uint32_t sum =
+        qtri_lanes_565(a) + qtri_lanes_565(b) + qtri_lanes_565(c) + qtri_lanes_565(d);
+    return qtri_packed_565((sum + 0x00401002u) >> 2);
+}
+
+/* Loads of two pixels at once, which are read as single ones elsewhere. */
+#ifdef __GNUC__
+typedef uint32_t __attribute__((__may_alias__)) pair;
+#else
+typedef uint32_t pair;
+#endif
+
+/* Of two pixels above each other, as two words: low and high half are next to each other. */
+static inline uint32_t mean_of_pairs(uint32_t upper, uint32_t lower)
+{
+    if (upper == lower && upper == (upper << 16 | upper >> 16)) {
+        return qtri_low16(upper);
+    }
+    return mean_565(qtri_low16(upper), upper >> 16, qtri_low16(lower), lower >> 16);
+}
+
+/* Whether rows of pairs are aligned. */
+static bool are_pairs(const qtri_surface *band)
+{
+    return (((uintptr_t)band->pixels | (uintptr_t)band->pitch) & 3) == 0;
+}
+
+QTRI_NOINLINE static void halve_pairs(const pair *upper, const pair *lower, uint16_t *to,
+                                      int32_t count)
+{
+    for (; count >= 2 && ((uintptr_t)to & 3) == 0; count -= 2, upper += 2, lower += 2, to += 2) {
+        const uint32_t first = upper[0];
+        if (first == upper[1] && first == lower[0] && first == lower[1] &&
+            first == (first << 16 | first >> 16)) {
+            *(pair *)(void *)to = first; /* of one colour, as most are */
+        } else {
+            const uint32_t other = mean_of_pairs(upper[1], lower[1]);
+            to[0] = (uint16_t)mean_of_pairs(first, lower[0]);
+            to[1] = (uint16_t)other;
+        }
+    }
+    for (; count > 0; count--) {
+        *to++ = (uint16_t)mean_of_pairs(*upper++, *lower++);
+    }
+}
+
+enum qtri_error qtri_halve_565(const qtri_surface *band, qtri_surface *out)
+{
+    qtri_surface half;
+    const enum qtri_error error = describe(band, &half);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    if (!qtri_is_565(half.format)) {
+        return QTRI_ERROR_FORMAT;
+    }
+    if (!are_pairs(band)) {
+        return qtri_halve(band, out);
+    }
+    const qtri_rect *scissor = &half.scissor;
+    for (int32_t y = scissor->y0; y < scissor->y1; y++) {
+        const uint8_t *from =
+            band->pixels + (2 * y - band->first_row) * band->pitch + 4 * scissor->x0;
+        uint8_t *to = half.pixels + (y - half.first_row) * half.pitch + 2 * scissor->x0;
+        halve_pairs((const pair *)(const void *)from,
+                    (const pair *)(const void *)(from + band->pitch), (uint16_t *)(void *)to,
+                    scissor->x1 - scissor->x0);
+    }
+    *out = half;
+    return QTRI_OK;
+}

@@ -1,0 +1,32 @@
+#!/bin/sh
+# What anti-aliasing adds to spot's instructions: antialias.sh FOLDER CORE...   (called by `make antialias`)
+set -eu
+folder=$1
+shift
+
+[ $# -gt 0 ] || { echo "antialias: instructions skipped: no compiler or emulator (make setup)"; exit 0; }
+grep -q '^S4 ' "$folder/$1/bench.txt" || { echo "antialias: instructions skipped: no spot.obj in MODELS"; exit 0; }
+for core; do
+    sed "s/^/$core /" "$folder/$core/bench.txt"
+done | awk -v cores="$*" '
+    function line(what, scene, base, scale, unit,   c) {
+        printf "%-46s", what
+        for (c = 1; c <= n; c++) printf "%16.3f", (count[core[c], scene] - (base != "" ? count[core[c], base] : 0)) / scale
+        print "  " unit
+    }
+    BEGIN { n = split(cores, core, " ") }
+    { count[$1, $2] = $6 }
+    END {
+        printf "\n%-46s", "Instructions on top of none (S4, S4b)"
+        for (c = 1; c <= n; c++) printf "%16s", core[c]
+        print ""
+        line("none, whole frame", "S4", "", 1e6, "M")
+        line("edge pass", "S4e", "S4", 1e6, "M")
+        line("edge pass by sums", "S4es", "S4", 1e6, "M")
+        line("none, bands of 16 rows", "S4b", "", 1e6, "M")
+        line("edge pass and its halo", "S4be", "S4b", 1e6, "M")
+        line("2x2 samples", "S4h", "S4", 1e6, "M")
+        line("FXAA", "S4f", "S4", 1e6, "M")
+        line("a frame more to a sum, beside drawing", "S4a", "", 76800, "a pixel")
+        line("the mean of a sum", "S4m", "", 76800, "a pixel")
+    }'

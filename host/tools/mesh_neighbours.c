@@ -1,0 +1,149 @@
+#include "mesh_neighbours.h"
+
+#include <stdlib.h>
+
+/* An edge from vertex to vertex, which are the first of those that share their position. */
+struct edge {
+    uint32_t from, to;
+    uint32_t triangle;
+    int corner;
+};
+
+struct place {
+    q16 at[3];
+    uint32_t vertex;
+};
+
+static int compare_numbers(int64_t a, int64_t b)
+{
+    return (a > b) - (a < b);
+}
+
+static int compare_places(const void *left, const void *right)
+{
+    const struct place *a = left;
+    const struct place *b = right;
+    for (int axis = 0; axis < 3; axis++) {
+        if (a->at[axis] != b->at[axis]) {
+            return compare_numbers(a->at[axis], b->at[axis]);
+        }
+    }
+    return compare_numbers(a->vertex, b->vertex);
+}
+
+/* By the pair of vertices, whatever the direction, then in the order of the mesh. */
+static int compare_edges(const void *left, const void *right)
+{
+    const struct edge *a = left;
+    const struct edge *b = right;
+    const uint32_t a_low = a->from < a->to ? a->from : a->to;
+    const uint32_t b_low = b->from < b->to ? b->from : b->to;
+    const uint32_t a_high = a->from ^ a->to ^ a_low;
+    const uint32_t b_high = b->from ^ b->to ^ b_low;
+    if (a_low != b_low) {
+        return compare_numbers(a_low, b_low);
+    }
+    if (a_high != b_high) {
+        return compare_numbers(a_high, b_high);
+    }
+    return compare_numbers((int64_t)a->triangle * 3 + a->corner,
+                           (int64_t)b->triangle * 3 + b->corner);
+}
+
+/* first[i]: the first vertex at the place of vertex i. */
+static void find_first(const qtri_mesh *mesh, struct place *places, uint32_t *first)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        struct place *place = &places[i];
+        place->vertex = i;
+        if (mesh->positions16 != NULL) {
+            place->at[0] = mesh->positions16[i].x;
+            place->at[1] = mesh->positions16[i].y;
+            place->at[2] = mesh->positions16[i].z;
+        } else {
+            place->at[0] = mesh->positions[i].x;
+            place->at[1] = mesh->positions[i].y;
+            place->at[2] = mesh->positions[i].z;
+        }
+    }
+    qsort(places, mesh->vertex_count, sizeof *places, compare_places);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const struct place *place = &places[i];
+        const bool is_same = i > 0 && place->at[0] == place[-1].at[0] &&
+                             place->at[1] == place[-1].at[1] && place->at[2] == place[-1].at[2];
+        first[place->vertex] = is_same ? first[place[-1].vertex] : place->vertex;
+    }
+}
+
+/* Edges of triangles whose indices exist; returns how many. */
+static uint32_t find_edges(const qtri_mesh *mesh, const uint32_t *first, struct edge *edges)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        uint32_t index[3];
+        bool exists = true;
+        for (int corner = 0; corner < 3; corner++) {
+            index[corner] =
+                mesh->triangles8 != NULL ? mesh->triangles8[i][corner] : mesh->triangles[i][corner];
+            exists = exists && index[corner] < mesh->vertex_count;
+        }
+        for (int corner = 0; corner < 3 && exists; corner++) {
+            struct edge edge = {first[index[corner]], first[index[(corner + 1) % 3]], i, corner};
+            if (edge.from != edge.to) {
+                edges[count++] = edge;
+            }
+        }
+    }
+    return count;
+}
+
+/* Pairs those of one place, edges[0..count-1]: each with the next free one of the other way. */
+static void pair(const struct edge *edges, uint32_t count, uint16_t (*neighbours)[3], uint16_t none)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        uint16_t *own = &neighbours[edges[i].triangle][edges[i].corner];
+        for (uint32_t j = i + 1; j < count && *own == none; j++) {
+            uint16_t *other = &neighbours[edges[j].triangle][edges[j].corner];
+            if (*other == none && edges[j].from == edges[i].to &&
+                edges[j].triangle != edges[i].triangle) {
+                *own = (uint16_t)edges[j].triangle;
+                *other = (uint16_t)edges[i].triangle;
+            }
+        }
+    }
+}
+
+static bool is_same_place(const struct edge *a, const struct edge *b)
+{
+    return (a->from == b->from && a->to == b->to) || (a->from == b->to && a->to == b->from);
+}
+
+bool mesh_neighbours_make(qtri_mesh *mesh, uint16_t (*neighbours)[3])
+{
+    const uint32_t count = mesh->triangle_count;
+    struct place *places = malloc((mesh->vertex_count + (size_t)1) * sizeof *places);
+    uint32_t *first = malloc((mesh->vertex_count + (size_t)1) * sizeof *first);
+    struct edge *edges = malloc((3 * (size_t)count + 1) * sizeof *edges);
+    const bool ok = places != NULL && first != NULL && edges != NULL && count <= UINT16_MAX;
+    mesh->neighbours = NULL;
+    if (ok) {
+        find_first(mesh, places, first);
+        const uint32_t found = find_edges(mesh, first, edges);
+        qsort(edges, found, sizeof *edges, compare_edges);
+        for (uint32_t i = 0; i < count; i++) {
+            for (int corner = 0; corner < 3; corner++) {
+                neighbours[i][corner] = (uint16_t)count;
+            }
+        }
+        for (uint32_t i = 0, end; i < found; i = end) {
+            for (end = i + 1; end < found && is_same_place(&edges[i], &edges[end]); end++) {
+            }
+            pair(&edges[i], end - i, neighbours, (uint16_t)count);
+        }
+        mesh->neighbours = (const uint16_t(*)[3])neighbours;
+    }
+    free(places);
+    free(first);
+    free(edges);
+    return ok;
+}
