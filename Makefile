@@ -24,7 +24,7 @@ FUZZ_SECONDS ?= 60
 TEST_SECONDS ?= 300
 
 LIBRARY_SOURCES := $(wildcard core/*/*.c port/panels/*.c)
-HOST_SOURCES    := $(filter-out host/tools/main.c,$(wildcard host/io/*.c host/panels/*.c host/reference/*.c host/tools/*.c))
+HOST_SOURCES    := $(filter-out host/tools/main.c,$(wildcard host/assets/*.c host/io/*.c host/panels/*.c host/reference/*.c host/tools/*.c))
 HELPER_SOURCES  := $(filter-out tests/test_%.c tests/fuzz_%.c,$(wildcard tests/*.c))
 
 LIBRARY  := $(BUILD)/libqtri.a
@@ -36,6 +36,9 @@ ARCHIVES := $(HELPERS) $(HOST) $(LIBRARY)
 INCLUDES := -Icore/include -Iport/include
 $(BUILD)/obj/tests/%.o: INCLUDES += -Icore -Ihost
 $(BUILD)/obj/core/%.o:  INCLUDES += $(CORE_FLAGS)
+
+
+include host/assets/assets.mk
 
 # Header dependencies, from every compiler that can write them.
 DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/null 2>/dev/null && echo -MMD -MP)
@@ -56,10 +59,11 @@ PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 # Building -----------------------------------------------------------------------------------------
 
 .PHONY: all
+.DEFAULT_GOAL := all
 all: $(LIBRARY) $(BUILD)/qtri ## Build build/libqtri.a and build/qtri (the default); needs only a C99 compiler
 
 $(BUILD)/qtri: $(BUILD)/obj/host/tools/main.o $(HOST) $(LIBRARY)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm $(HOST_LIBS)
 
 objects = $(1:%.c=$(BUILD)/obj/%.o)
 $(LIBRARY): $(call objects,$(LIBRARY_SOURCES))
@@ -77,7 +81,7 @@ $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 # The compiler and its flags; rewritten when they change, so that everything is rebuilt.
 $(BUILD)/flags: FORCE
 	@mkdir -p $(@D)
-	@echo '$(CC) $(CFLAGS)' | cmp -s - $@ || echo '$(CC) $(CFLAGS)' > $@
+	@echo '$(CC) $(CFLAGS) $(HOST_DEFINES)' | cmp -s - $@ || echo '$(CC) $(CFLAGS) $(HOST_DEFINES)' > $@
 
 .PHONY: FORCE
 .SECONDARY:
@@ -146,7 +150,7 @@ $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
 $(BUILD)/tests/%_threads: LDFLAGS += -pthread
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
 
 .PHONY: test-math-targets
 test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V, big-endian PowerPC, AVR

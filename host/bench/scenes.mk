@@ -26,7 +26,7 @@ scene_link    = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(BENCH_LINK)
 
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes
-$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_faces.c host/tools/mesh_neighbours.c host/tools/mesh_generate.c $(wildcard host/io/*.c)) $(LIBRARY)
+$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_faces.c host/tools/mesh_neighbours.c host/tools/mesh_generate.c host/tools/mesh_solids.c $(wildcard host/io/*.c)) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $^ -lm
 

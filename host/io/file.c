@@ -262,3 +262,15 @@ bool file_output_commit(struct file_output *output, struct text_error *error)
     release(output);
     return written;
 }
+
+void file_output_cancel(struct file_output *output)
+{
+    if (output->stream != NULL && output->stream != stdout) {
+        (void)fclose(output->stream);
+    }
+    if (output->temporary != NULL) {
+        (void)unlink(output->temporary);
+        is_unfinished = 0;
+    }
+    release(output);
+}

@@ -59,4 +59,7 @@ void file_output_write(struct file_output *output, const void *bytes, size_t len
 /* Ends the output: the target is complete, or false with *error set. */
 bool file_output_commit(struct file_output *output, struct text_error *error);
 
+/* Gives the output up: the target stays as it was. */
+void file_output_cancel(struct file_output *output);
+
 #endif

@@ -1,5 +1,6 @@
 #include "number.h"
 
+#include <math.h>
 #include <stdbool.h>
 
 #define FRACTION_DIGITS 17                          /* all that can matter, see to_q16 */
@@ -138,6 +139,44 @@ enum number_result number_parse_q16(const char *text, size_t length, int32_t *va
         return NUMBER_MALFORMED;
     }
     return to_q16(&decimal, value);
+}
+
+/* 19 digits fit 64 bits; those that follow are below half a unit of a double's last place. */
+static enum number_result to_real(const struct decimal *decimal, double *value)
+{
+    uint64_t mantissa = 0;
+    int digits = 0;
+    int64_t power = decimal->integer_digits + decimal->exponent; /* of ten; of the digit before */
+    for (const char *p = decimal->digits; p < decimal->digits_end && digits < 19; p++) {
+        if (*p != '.') {
+            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+            digits += mantissa != 0 ? 1 : 0;
+            power--;
+        }
+    }
+    if (mantissa == 0 || power < -400) {
+        *value = 0.0;
+        return NUMBER_OK;
+    }
+    if (power > 40) {
+        return NUMBER_OUT_OF_RANGE;
+    }
+    double magnitude = power < 0 ? (double)mantissa / pow(10.0, (double)-power)
+                                 : (double)mantissa * pow(10.0, (double)power);
+    if (!(magnitude <= 1e30)) {
+        return NUMBER_OUT_OF_RANGE;
+    }
+    *value = decimal->negative ? -magnitude : magnitude;
+    return NUMBER_OK;
+}
+
+enum number_result number_parse_real(const char *text, size_t length, double *value)
+{
+    struct decimal decimal;
+    if (!split(text, text + length, &decimal)) {
+        return NUMBER_MALFORMED;
+    }
+    return to_real(&decimal, value);
 }
 
 enum number_result number_parse_integer(const char *text, size_t length, int64_t minimum,

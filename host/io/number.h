@@ -25,6 +25,12 @@ enum number_result number_parse_q16(const char *text, size_t length, int32_t *va
 enum number_result number_parse_integer(const char *text, size_t length, int64_t minimum,
                                         int64_t maximum, int64_t *value);
 
+/*
+ * A decimal number as above in double precision: correctly rounded for up to 15 digits and powers
+ * of ten up to 22, else within 3 ULP. Out of range: beyond +-1e30.
+ */
+enum number_result number_parse_real(const char *text, size_t length, double *value);
+
 /* What to say after the text of a number that was refused as Q16.16: "is not a number", ... */
 const char *number_problem(enum number_result result);
 

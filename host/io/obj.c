@@ -16,7 +16,8 @@ struct obj_parser {
     const char *name;
     struct text_error *error;
     int line;
-    struct obj_source source;
+    uint32_t material; /* of the faces that follow */
+    struct obj_source *source;
     /* Faces may name elements that follow; the largest such index is checked at the end. */
     struct {
         uint32_t index; /* 1-based, 0: none */
@@ -56,47 +57,94 @@ static const struct obj_numbers number_statements[] = {
     [OBJ_NORMAL] = {3, 3, 3},
 };
 
-static bool read_numbers(struct obj_parser *parser, struct line *line,
-                         const struct obj_numbers *shape, int32_t out[3])
+/* Q16.16 exactly, or in double precision. */
+static enum number_result parse_number(const struct obj_parser *parser, const struct token *token,
+                                       double *out)
+{
+    int32_t value;
+    if (parser->source->full) {
+        return number_parse_real(token->text, token->length, out);
+    }
+    enum number_result result = number_parse_q16(token->text, token->length, &value);
+    if (result == NUMBER_OK) {
+        *out = (double)value / ONE;
+    }
+    return result;
+}
+
+enum { MOST_NUMBERS = 7 };
+
+/* Returns how many there are, or -1. */
+static int read_numbers(struct obj_parser *parser, struct line *line,
+                        const struct obj_numbers *shape, double out[MOST_NUMBERS])
 {
     struct token token;
     int count = 0;
     for (; line_token(line, &token); count++) {
         if (count == shape->accepted) {
-            return fail_token(parser, &token, "is more than the statement takes");
+            fail_token(parser, &token, "is more than the statement takes");
+            return -1;
         }
-        int32_t value;
-        enum number_result result = number_parse_q16(token.text, token.length, &value);
+        enum number_result result = parse_number(parser, &token, &out[count]);
         if (result == NUMBER_MALFORMED || (result != NUMBER_OK && count < shape->kept)) {
-            return fail_token(parser, &token, number_problem(result));
-        }
-        if (count < shape->kept) {
-            out[count] = value;
+            fail_token(parser, &token, number_problem(result));
+            return -1;
         }
     }
-    return count >= shape->needed || fail(parser, "too few numbers");
+    if (count < shape->needed) {
+        fail(parser, "too few numbers");
+        return -1;
+    }
+    return count;
+}
+
+static bool append(struct obj_list *list, const double numbers[3])
+{
+    double(*grown)[3] = array_grow(list->items, list->count, &list->capacity, sizeof *grown);
+    if (grown == NULL || list->count >= OBJ_MAX_COUNT) {
+        return false;
+    }
+    list->items = grown;
+    memcpy(grown[list->count++], numbers, sizeof *grown);
+    return true;
+}
+
+/* v x y z r g b and v x y z w r g b: the last three of six or seven numbers. */
+static bool append_color(struct obj_source *source, const double *numbers, int count)
+{
+    double color[3] = {1.0, 1.0, 1.0};
+    if (count >= 6) {
+        for (int i = 0; i < 3; i++) {
+            double value = numbers[count - 3 + i];
+            color[i] = value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
+        }
+        source->has_colors = true;
+    }
+    return append(&source->colors, color);
 }
 
 static bool parse_numbers(struct obj_parser *parser, struct line *line,
                           enum obj_attribute attribute)
 {
-    int32_t numbers[3] = {0, 0, 0};
-    if (!read_numbers(parser, line, &number_statements[attribute], numbers)) {
+    double numbers[MOST_NUMBERS] = {0.0};
+    struct obj_source *source = parser->source;
+    int count = read_numbers(parser, line, &number_statements[attribute], numbers);
+    if (count < 0) {
         return false;
     }
+    for (int i = number_statements[attribute].kept; i < 3; i++) {
+        numbers[i] = 0.0;
+    }
     if (attribute == OBJ_UV) { /* the file counts v from a picture's last row */
-        if (numbers[1] < ONE - INT32_MAX) {
+        numbers[1] = 1.0 - numbers[1];
+        if (!source->full && numbers[1] > (double)INT32_MAX / ONE) {
             return fail(parser, "1 - v does not fit Q16.16");
         }
-        numbers[1] = ONE - numbers[1];
     }
-    struct obj_list *list = &parser->source.lists[attribute];
-    int32_t(*grown)[3] = array_grow(list->items, list->count, &list->capacity, sizeof *grown);
-    if (grown == NULL || list->count >= OBJ_MAX_COUNT) {
+    if (!append(&source->lists[attribute], numbers) ||
+        (source->full && attribute == OBJ_POSITION && !append_color(source, numbers, count))) {
         return fail(parser, "out of memory");
     }
-    list->items = grown;
-    memcpy(grown[list->count++], numbers, sizeof numbers);
     return true;
 }
 
@@ -106,7 +154,7 @@ static bool parse_numbers(struct obj_parser *parser, struct line *line,
 static bool parse_index(struct obj_parser *parser, const struct token *corner,
                         enum obj_attribute attribute, const struct token *text, uint32_t *index)
 {
-    int64_t count = (int64_t)parser->source.lists[attribute].count;
+    int64_t count = (int64_t)parser->source->lists[attribute].count;
     int64_t value;
     enum number_result result =
         number_parse_integer(text->text, text->length, -count, (int64_t)OBJ_MAX_COUNT, &value);
@@ -135,6 +183,7 @@ static bool parse_corner(struct obj_parser *parser, const struct token *token,
     for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
         corner->index[i] = OBJ_ABSENT;
     }
+    corner->material = parser->material;
     for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
         const char *slash = memchr(at, '/', (size_t)(end - at));
         struct token text = {at, (size_t)((slash != NULL ? slash : end) - at)};
@@ -153,13 +202,16 @@ static bool parse_corner(struct obj_parser *parser, const struct token *token,
 
 static bool add_triangle(struct obj_parser *parser, uint32_t a, uint32_t b, uint32_t c)
 {
-    struct obj_source *source = &parser->source;
+    struct obj_source *source = parser->source;
     uint32_t(*grown)[3] = array_grow(source->triangles, source->triangle_count,
                                      &source->triangle_capacity, sizeof *grown);
     if (grown == NULL || source->triangle_count >= OBJ_MAX_COUNT) {
         return fail(parser, "out of memory");
     }
-    source->triangles = grown;
+    source->triangles = grown; /* the old block is gone, whatever follows */
+    if (source->full && source->triangle_count >= OBJ_MAX_TRIANGLES) {
+        return fail(parser, "more than 2097152 triangles; simplify the model elsewhere first");
+    }
     uint32_t *triangle = grown[source->triangle_count++];
     triangle[0] = a;
     triangle[1] = b;
@@ -179,7 +231,7 @@ static bool parse_face(struct obj_parser *parser, struct line *line)
         if (!parse_corner(parser, &token, &corner)) {
             return false;
         }
-        if (!obj_add_corner(&parser->source, &corner, &vertex)) {
+        if (!obj_add_corner(parser->source, &corner, &vertex)) {
             return fail(parser, "out of memory");
         }
         if (corners >= 2 && !add_triangle(parser, first, previous, vertex)) {
@@ -213,6 +265,53 @@ static bool is_passed_over(const struct token *keyword)
     return false;
 }
 
+/* The place of the line's rest among the names, where it is added if it is new. */
+static bool parse_name(struct obj_parser *parser, struct line *line, struct obj_names *names,
+                       size_t *place)
+{
+    const char *end = line->end;
+    while (line->at < end && text_is_space(*line->at)) {
+        line->at++;
+    }
+    while (end > line->at && text_is_space(end[-1])) {
+        end--;
+    }
+    size_t length = (size_t)(end - line->at);
+    for (*place = 0; *place < names->count; (*place)++) {
+        const char *known = names->items[*place].text;
+        if (strlen(known) == length && memcmp(known, line->at, length) == 0) {
+            return true;
+        }
+    }
+    if (names->count == OBJ_MAX_NAMES || memchr(line->at, 0, length) != NULL) {
+        return fail(parser, "too many names, or a name that holds a NUL");
+    }
+    struct obj_name *grown =
+        array_grow(names->items, names->count, &names->capacity, sizeof *grown);
+    char *text = calloc(length + 1, 1);
+    if (grown != NULL) {
+        names->items = grown;
+    }
+    if (grown == NULL || text == NULL) {
+        free(text);
+        return fail(parser, "out of memory");
+    }
+    memcpy(text, line->at, length);
+    grown[names->count].line = parser->line;
+    grown[names->count++].text = text;
+    return true;
+}
+
+static bool parse_material(struct obj_parser *parser, struct line *line)
+{
+    size_t place;
+    if (!parse_name(parser, line, &parser->source->materials, &place)) {
+        return false;
+    }
+    parser->material = (uint32_t)place;
+    return true;
+}
+
 static bool parse_statement(struct obj_parser *parser, struct line *line)
 {
     struct token keyword;
@@ -227,6 +326,13 @@ static bool parse_statement(struct obj_parser *parser, struct line *line)
     if (token_equals(&keyword, "f") || token_equals(&keyword, "fo")) { /* fo: before 1990 */
         return parse_face(parser, line);
     }
+    if (parser->source->full && token_equals(&keyword, "usemtl")) {
+        return parse_material(parser, line);
+    }
+    if (parser->source->full && token_equals(&keyword, "mtllib")) {
+        size_t place;
+        return parse_name(parser, line, &parser->source->libraries, &place);
+    }
     if (is_passed_over(&keyword)) {
         return true;
     }
@@ -238,7 +344,7 @@ static bool parse_statement(struct obj_parser *parser, struct line *line)
 static bool check_forward_references(struct obj_parser *parser)
 {
     for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
-        size_t count = parser->source.lists[i].count;
+        size_t count = parser->source->lists[i].count;
         if (parser->forward[i].index > count) {
             text_error_set(parser->error, parser->name, parser->forward[i].line,
                            "index %lu is out of range: the file has %zu %s statements",
@@ -261,26 +367,40 @@ static bool parse_all(struct obj_parser *parser, const char *text, size_t length
         }
     }
     parser->line = 0; /* what follows is about the whole file */
-    if (parser->source.triangle_count == 0) {
+    if (parser->source->triangle_count == 0) {
         return fail(parser, "has no faces");
     }
     return check_forward_references(parser);
 }
 
+bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
+                      struct text_error *error)
+{
+    struct obj_parser parser = {.name = name, .error = error, .source = source};
+    if (source->full) { /* the material of faces before any usemtl */
+        struct line nothing = {text, text, 0};
+        if (!parse_material(&parser, &nothing)) {
+            return false;
+        }
+    }
+    return parse_all(&parser, text, length);
+}
+
 bool obj_parse(const char *name, const char *text, size_t length, struct obj_mesh *mesh,
                struct text_error *error)
 {
-    struct obj_parser parser = {.name = name, .error = error};
+    struct obj_source source = {.full = false};
     memset(mesh, 0, sizeof *mesh);
-    bool ok = parse_all(&parser, text, length);
+    bool ok = obj_parse_source(name, text, length, &source, error);
     if (ok) {
         mesh->path = strdup(name);
-        if (mesh->path == NULL || !obj_build(&parser.source, mesh)) {
-            ok = fail(&parser, "out of memory");
+        if (mesh->path == NULL || !obj_build(&source, mesh)) {
+            text_error_set(error, name, 0, "out of memory");
+            ok = false;
             obj_free(mesh);
         }
     }
-    obj_source_free(&parser.source);
+    obj_source_free(&source);
     return ok;
 }
 

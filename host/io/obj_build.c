@@ -8,11 +8,22 @@
 
 #define ONE 65536
 
+static void free_names(struct obj_names *names)
+{
+    for (size_t i = 0; i < names->count; i++) {
+        free(names->items[i].text);
+    }
+    free(names->items);
+}
+
 void obj_source_free(struct obj_source *source)
 {
     for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
         free(source->lists[i].items);
     }
+    free(source->colors.items);
+    free_names(&source->materials);
+    free_names(&source->libraries);
     free(source->vertices);
     free(source->triangles);
     free(source->table.slots);
@@ -24,7 +35,7 @@ void obj_source_free(struct obj_source *source)
 /* Multiply and shift after each index (the finaliser of SplitMix64): neighbours spread well. */
 static size_t hash_corner(const struct obj_corner *corner)
 {
-    uint64_t h = 0;
+    uint64_t h = corner->material;
     for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
         h = (h ^ corner->index[i]) + UINT64_C(0x9E3779B97F4A7C15);
         h = (h ^ (h >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
@@ -36,7 +47,7 @@ static size_t hash_corner(const struct obj_corner *corner)
 
 static bool same_corner(const struct obj_corner *a, const struct obj_corner *b)
 {
-    return memcmp(a->index, b->index, sizeof a->index) == 0;
+    return memcmp(a->index, b->index, sizeof a->index) == 0 && a->material == b->material;
 }
 
 /* The slot that holds the corner, or the free one where it belongs. The table is never full. */
@@ -97,10 +108,10 @@ static void add_area(const struct obj_source *source, const uint32_t triangle[3]
     for (int i = 0; i < 3; i++) {
         position[i] = source->vertices[triangle[i]].index[OBJ_POSITION];
     }
-    const int32_t(*p)[3] = (const int32_t(*)[3])source->lists[OBJ_POSITION].items;
+    const double(*p)[3] = (const double(*)[3])source->lists[OBJ_POSITION].items;
     for (int i = 0; i < 3; i++) {
-        edge[0][i] = (double)p[position[1]][i] - (double)p[position[0]][i];
-        edge[1][i] = (double)p[position[2]][i] - (double)p[position[0]][i];
+        edge[0][i] = p[position[1]][i] - p[position[0]][i];
+        edge[1][i] = p[position[2]][i] - p[position[0]][i];
     }
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -128,9 +139,7 @@ static void vertex_normal(const struct obj_source *source, const struct obj_corn
                           const double (*sums)[3], int32_t out[3])
 {
     if (corner->index[OBJ_NORMAL] != OBJ_ABSENT) {
-        const int32_t *given = source->lists[OBJ_NORMAL].items[corner->index[OBJ_NORMAL]];
-        const double vector[3] = {given[0], given[1], given[2]};
-        if (normalise(vector, out)) {
+        if (normalise(source->lists[OBJ_NORMAL].items[corner->index[OBJ_NORMAL]], out)) {
             return;
         }
     }
@@ -183,6 +192,14 @@ static bool allocate(const struct obj_source *source, struct obj_mesh *mesh)
     return true;
 }
 
+/* Numbers that were read as Q16.16: exact. */
+static void to_q16(const double *numbers, int count, int32_t *out)
+{
+    for (int i = 0; i < count; i++) {
+        out[i] = (int32_t)lround(numbers[i] * ONE);
+    }
+}
+
 bool obj_build(struct obj_source *source, struct obj_mesh *mesh)
 {
     if (!allocate(source, mesh) || !build_normals(source, mesh)) {
@@ -190,10 +207,9 @@ bool obj_build(struct obj_source *source, struct obj_mesh *mesh)
     }
     for (size_t i = 0; i < source->vertex_count; i++) {
         const uint32_t *index = source->vertices[i].index;
-        memcpy(mesh->positions[i], source->lists[OBJ_POSITION].items[index[OBJ_POSITION]],
-               sizeof mesh->positions[i]);
+        to_q16(source->lists[OBJ_POSITION].items[index[OBJ_POSITION]], 3, mesh->positions[i]);
         if (index[OBJ_UV] != OBJ_ABSENT) {
-            memcpy(mesh->uvs[i], source->lists[OBJ_UV].items[index[OBJ_UV]], sizeof mesh->uvs[i]);
+            to_q16(source->lists[OBJ_UV].items[index[OBJ_UV]], 2, mesh->uvs[i]);
         }
     }
     mesh->vertex_count = source->vertex_count;

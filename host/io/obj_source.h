@@ -16,14 +16,32 @@
 
 enum obj_attribute { OBJ_POSITION, OBJ_UV, OBJ_NORMAL, OBJ_ATTRIBUTES };
 
-/* A corner of a face: 0-based index of each attribute, or OBJ_ABSENT. */
+/* Of a `full` source: what a microcontroller's mesh could be made of, and a scan no longer is. */
+#define OBJ_MAX_TRIANGLES ((size_t)1 << 21)
+
+/* A corner of a face: 0-based index of each attribute, or OBJ_ABSENT; its place in `names`. */
 struct obj_corner {
     uint32_t index[OBJ_ATTRIBUTES];
+    uint32_t material;
 };
 
-/* The numbers of all v, vt or vn statements; uv uses [0] and [1], v already turned over. */
+/* The numbers of all v, vt or vn statements; uv uses [0] and [1], v already turned over. Those that
+   were read as Q16.16 are multiples of 2^-16, exactly. */
 struct obj_list {
-    int32_t (*items)[3];
+    double (*items)[3];
+    size_t count, capacity;
+};
+
+/* A name that the file mentions: of a material, or of a file of materials. */
+struct obj_name {
+    char *text;
+    int line;
+};
+
+#define OBJ_MAX_NAMES 4096 /* of either kind; they are found one by one */
+
+struct obj_names {
+    struct obj_name *items;
     size_t count, capacity;
 };
 
@@ -40,7 +58,20 @@ struct obj_source {
     uint32_t (*triangles)[3];
     size_t triangle_count, triangle_capacity;
     struct obj_table table;
+    /* Where `full`: all that follows, and numbers in double precision. */
+    bool full;
+    struct obj_list colors; /* one for each position, 0..1; white where the file gives none */
+    bool has_colors;
+    struct obj_names materials; /* the first, "", is that of faces before any usemtl */
+    struct obj_names libraries; /* mtllib */
 };
+
+/*
+ * Parses the text into *source, which is zero but for `full`. False with *error set. Either way the
+ * source is to be freed.
+ */
+bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
+                      struct text_error *error);
 
 void obj_source_free(struct obj_source *source);
 

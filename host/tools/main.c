@@ -14,7 +14,8 @@ static const struct command commands[] = {
     {"render", render_main, "draw a scene file to a PPM picture"},
     {"compare", compare_main, "compare two pictures"},
     {"demo", demo_main, "render the demo scenes beside their references"},
-    {"mesh", mesh_main, "generate a mesh as an OBJ file"},
+    {"mesh", mesh_main, "make C data of a model, or of a mesh that it generates"},
+    {"texture", texture_main, "make C data of a picture"},
     {"neighbours", neighbours_main, "write a mesh's neighbours as C, for smooth outlines"},
     {"font", font_main, "make a font for the core of a BDF file"},
 };

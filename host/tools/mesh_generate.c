@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "mesh_solids.h"
+
 /* A closed tube: a circle of `radius` swept along a closed curve. */
 struct tube {
     void (*curve)(double t, double point[3]); /* t in 0..1 */
@@ -97,7 +99,9 @@ static void write_tube(const struct tube *tube, FILE *out)
     }
 }
 
-const char *const mesh_names[] = {"knot", "torus", NULL};
+/* Order of mesh_names: what is not a tube is of mesh_solids.c. */
+const char *const mesh_names[] = {"knot", "torus", "cube", "sphere", "cylinder",
+                                  "cone", "grid",  "gear", NULL};
 
 bool mesh_generate(const char *name, FILE *out)
 {
@@ -105,10 +109,18 @@ bool mesh_generate(const char *name, FILE *out)
         {knot_curve, 0.26, 160, 18, 12, 1},
         {torus_curve, 0.4, 48, 24, 6, 2},
     };
+    static void (*const solids[])(FILE *) = {mesh_solid_cube,     mesh_solid_sphere,
+                                             mesh_solid_cylinder, mesh_solid_cone,
+                                             mesh_solid_grid,     mesh_solid_gear};
+    const int tube_count = sizeof tubes / sizeof tubes[0];
     for (int i = 0; mesh_names[i] != NULL; i++) {
         if (strcmp(name, mesh_names[i]) == 0) {
             fprintf(out, "# generated: qtri mesh %s\n", name);
-            write_tube(&tubes[i], out);
+            if (i < tube_count) {
+                write_tube(&tubes[i], out);
+            } else {
+                solids[i - tube_count](out);
+            }
             return true;
         }
     }

@@ -11,8 +11,8 @@
 extern const char *const mesh_names[];
 
 /*
- * Writes the mesh `name` as OBJ text with normals and texture coordinates, counter-clockwise seen
- * from outside, within about 1.5 of the origin. False for an unknown name.
+ * Writes the mesh `name` as OBJ text, counter-clockwise seen from outside, within about 1.5 of the
+ * origin, with normals and texture coordinates but for the gear. False for an unknown name.
  */
 bool mesh_generate(const char *name, FILE *out);
 

@@ -10,8 +10,8 @@ status=0
 
 for compiler in gcc tcc; do
     mkdir "$work/$compiler"
-    $compiler -std=c99 -O2 -Icore/include -o "$work/$compiler/qtri" \
-        core/*/*.c host/io/*.c host/reference/*.c host/tools/*.c -lm || finish 1
+    $compiler -std=c99 -O2 -Icore/include -Iport/include -o "$work/$compiler/qtri" \
+        core/*/*.c host/assets/*.c host/io/*.c host/reference/*.c host/tools/*.c -lm || finish 1
     for scene in 03-colour-triangle 05-crossing 09-floor; do
         "$work/$compiler/qtri" render host/scenes/$scene.scene -o "$work/$compiler/$scene" --dump || status=1
     done

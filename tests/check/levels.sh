@@ -1,6 +1,6 @@
 #!/bin/sh
 # The pipeline's levels: who may include whom.
-#   core/bits < math < geometry < frame < filter < paint < raster < fast < draw, host/io < reference < tools < bench: own folder or lower;
+#   core/bits < math < geometry < frame < filter < paint < raster < fast < draw, host/io < reference < assets < tools < bench: own folder or lower;
 #   the same for calls between files of core, which may not go in circles either;
 #   core and port/panels: public headers and five system headers, a checked build also assert.h; neither the umbrella qtri.h nor the host;
 #   host/reference: nothing of core, not even by way of another header.
@@ -27,7 +27,8 @@ found=$(c_files core port/include port/panels host | xargs grep -n '^ *# *includ
     BEGIN {
          level["core/bits"] = 0; level["core/math"] = 1; level["core/geometry"] = 2; level["core/frame"] = 3; level["core/filter"] = 4
          level["core/paint"] = 5; level["core/raster"] = 6; level["core/fast"] = 7; level["core/draw"] = 8
-        level["host/io"] = 1; level["host/reference"] = 2; level["host/tools"] = 3; level["host/bench"] = 4
+        level["host/io"] = 1; level["host/reference"] = 2; level["host/assets"] = 3; level["host/tools"] = 4
+         level["host/bench"] = 5
         freestanding = "^(stdint|stddef|stdbool|limits|string)\\.h$"
     }
     {

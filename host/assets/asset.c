@@ -1,0 +1,567 @@
+#include "asset.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ONE 65536.0
+#define PI  3.14159265358979323846
+
+/* The most of a coordinate: Q16.16 with a unit to spare. */
+#define MOST_POSITION 32767.0
+#define MOST_VERTICES 65536u
+
+/* How the numbers of a vertex are stored; the same for all parts, so that they join. */
+struct packing {
+    const struct asset_options *options;
+    bool uvs, compact_uvs;
+    double origin[3], extent; /* in units of Q16.16; of compact positions */
+};
+
+/* A vertex as it will be stored. */
+enum {
+    PACKED_POSITION = 0,
+    PACKED_NORMAL = 3,
+    PACKED_UV = 6,
+    PACKED_COLOR = 8,
+    PACKED_NUMBERS = 11
+};
+struct packed {
+    int32_t number[PACKED_NUMBERS];
+};
+
+/* A part while it is made. */
+struct draft {
+    struct packed *vertices;
+    uint32_t (*triangles)[3];
+    size_t vertex_count, triangle_count;
+};
+
+static void part_free(struct asset_part *part)
+{
+    free(part->positions);
+    free(part->normals);
+    free(part->uvs);
+    free(part->colors);
+    free(part->triangles);
+    free(part->positions16);
+    free(part->normals8);
+    free(part->uvs16);
+    free(part->triangles8);
+    free(part->planes);
+}
+
+void asset_free(struct asset *asset)
+{
+    for (size_t i = 0; asset->parts != NULL && i < asset->count; i++) {
+        part_free(&asset->parts[i]);
+    }
+    free(asset->parts);
+    memset(asset, 0, sizeof *asset);
+}
+
+/* ---- Packing ---- */
+
+static int32_t held(double value, double most)
+{
+    return (int32_t)lround(fmin(fmax(value, -most), most));
+}
+
+static void pack_position(const struct packing *packing, const double position[3], int32_t out[3])
+{
+    for (int i = 0; i < 3; i++) {
+        out[i] = packing->options->compact
+                     ? held((position[i] * ONE - packing->origin[i]) * 32768.0 / packing->extent,
+                            32767.0)
+                     : (int32_t)lround(position[i] * ONE);
+    }
+}
+
+static void unpack_position(const struct packing *packing, const int32_t in[3], double out[3])
+{
+    for (int i = 0; i < 3; i++) {
+        out[i] = packing->options->compact
+                     ? (packing->origin[i] + packing->extent * in[i] / 32768.0) / ONE
+                     : in[i] / ONE;
+    }
+}
+
+static double uv_scale(const struct packing *packing)
+{
+    return packing->compact_uvs ? 16384.0 : ONE;
+}
+
+static void pack(const struct packing *packing, const struct model *model,
+                 const struct model_vertex *vertex, struct packed *out)
+{
+    const uint8_t *color = model->materials[vertex->material].color;
+    memset(out, 0, sizeof *out);
+    pack_position(packing, vertex->position, &out->number[PACKED_POSITION]);
+    for (int i = 0; i < 3; i++) {
+        if (packing->options->normals) {
+            double scale = packing->options->compact ? 127.0 : 16384.0;
+            out->number[PACKED_NORMAL + i] = (int32_t)lround(vertex->normal[i] * scale);
+        }
+        if (packing->options->colors) {
+            out->number[PACKED_COLOR + i] = (vertex->color[i] * color[i] + 127) / 255;
+        }
+    }
+    for (int i = 0; i < 2 && packing->uvs; i++) {
+        out->number[PACKED_UV + i] = (int32_t)lround(vertex->uv[i] * uv_scale(packing));
+    }
+}
+
+static double length_of(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static double angle_between(const double a[3], const double b[3])
+{
+    double sine[3];
+    double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        sine[i] = a[j] * b[k] - a[k] * b[j];
+    }
+    return atan2(length_of(sine), cosine) * 180.0 / PI;
+}
+
+static void measure(const struct packing *packing, const struct model_vertex *vertex,
+                    const struct packed *packed, struct asset_error *error)
+{
+    double at[3], normal[3], off[3];
+    unpack_position(packing, &packed->number[PACKED_POSITION], at);
+    for (int i = 0; i < 3; i++) {
+        off[i] = at[i] - vertex->position[i];
+        normal[i] = packed->number[PACKED_NORMAL + i];
+    }
+    error->position = fmax(error->position, length_of(off));
+    if (packing->options->normals) {
+        error->normal_degrees = fmax(error->normal_degrees, angle_between(normal, vertex->normal));
+    }
+    for (int i = 0; i < 2 && packing->uvs; i++) {
+        double stored = packed->number[PACKED_UV + i] / uv_scale(packing);
+        error->uv = fmax(error->uv, fabs(stored - vertex->uv[i]));
+    }
+}
+
+/* ---- What is equal is one, what has no area goes ---- */
+
+static size_t hash_packed(const struct packed *packed)
+{
+    uint64_t hash = 0;
+    for (int i = 0; i < PACKED_NUMBERS; i++) {
+        hash = (hash ^ (uint32_t)packed->number[i]) * UINT64_C(0x9E3779B97F4A7C15);
+        hash ^= hash >> 29;
+    }
+    return (size_t)hash;
+}
+
+static bool same_position(const int32_t *a, const int32_t *b)
+{
+    return memcmp(a, b, 3 * sizeof *a) == 0;
+}
+
+/*
+ * Whether a b != c d, for factors below 2^33: from 2^62 on the difference in double precision says
+ * so, as its error is below 2^14; below, it fits 64 bits, and is 0 when it is so modulo 2^64.
+ */
+static bool products_differ(int64_t a, int64_t b, int64_t c, int64_t d)
+{
+    double difference = (double)a * (double)b - (double)c * (double)d;
+    return fabs(difference) >= 4611686018427387904.0 ||
+           (uint64_t)a * (uint64_t)b != (uint64_t)c * (uint64_t)d;
+}
+
+static bool has_area(const int32_t *a, const int32_t *b, const int32_t *c)
+{
+    int64_t edge[2][3];
+    if (same_position(a, b) || same_position(b, c) || same_position(a, c)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        edge[0][i] = (int64_t)b[i] - a[i];
+        edge[1][i] = (int64_t)c[i] - a[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        if (products_differ(edge[0][j], edge[1][k], edge[0][k], edge[1][j])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The draft's vertex equal to the packed one, new or known. */
+static uint32_t add_packed(struct draft *draft, uint32_t *slots, size_t mask,
+                           const struct packed *packed)
+{
+    size_t at = hash_packed(packed) & mask;
+    while (slots[at] != 0 && memcmp(&draft->vertices[slots[at] - 1], packed, sizeof *packed) != 0) {
+        at = (at + 1) & mask;
+    }
+    if (slots[at] == 0) {
+        draft->vertices[draft->vertex_count++] = *packed;
+        slots[at] = (uint32_t)draft->vertex_count;
+    }
+    return slots[at] - 1;
+}
+
+static void add_triangles(struct draft *draft, const struct packing *packing,
+                          const struct model *model, int material, uint32_t *slots, size_t mask,
+                          struct asset_error *error)
+{
+    for (size_t i = 0; i < model->triangle_count; i++) {
+        const uint32_t *corner = model->triangles[i];
+        struct packed packed[3];
+        if (material >= 0 && model->vertices[corner[0]].material != material) {
+            continue;
+        }
+        for (int j = 0; j < 3; j++) {
+            pack(packing, model, &model->vertices[corner[j]], &packed[j]);
+        }
+        if (has_area(packed[0].number, packed[1].number, packed[2].number)) {
+            for (int j = 0; j < 3; j++) {
+                measure(packing, &model->vertices[corner[j]], &packed[j], error);
+                draft->triangles[draft->triangle_count][j] =
+                    add_packed(draft, slots, mask, &packed[j]);
+            }
+            draft->triangle_count++;
+        }
+    }
+}
+
+/* Triangles for the cache, vertices in the order of their first use. */
+static bool order(struct draft *draft)
+{
+    struct packed *moved = calloc(draft->vertex_count + 1, sizeof *moved);
+    uint32_t *place = calloc(draft->vertex_count + 1, sizeof *place); /* new index + 1, or 0 */
+    bool ok = moved != NULL && place != NULL &&
+              asset_order_triangles(draft->triangles, draft->triangle_count, draft->vertex_count);
+    uint32_t count = 0;
+    for (size_t i = 0; ok && i < 3 * draft->triangle_count; i++) {
+        uint32_t *corner = &draft->triangles[i / 3][i % 3];
+        if (place[*corner] == 0) {
+            moved[count] = draft->vertices[*corner];
+            place[*corner] = ++count;
+        }
+        *corner = place[*corner] - 1;
+    }
+    if (ok) {
+        free(draft->vertices);
+        draft->vertices = moved;
+        moved = NULL;
+    }
+    free(moved);
+    free(place);
+    return ok;
+}
+
+/* Of all triangles, or of those of a material, 0 or more. */
+static bool make_draft(struct draft *draft, const struct packing *packing,
+                       const struct model *model, int material, struct asset_error *error)
+{
+    size_t size = 64;
+    size_t corners = 3 * model->triangle_count;
+    size_t most = corners < model->vertex_count ? corners : model->vertex_count;
+    while (size < 2 * most) {
+        size *= 2;
+    }
+    uint32_t *slots = calloc(size, sizeof *slots);
+    draft->vertices = calloc(most + 1, sizeof *draft->vertices);
+    draft->triangles = calloc(model->triangle_count + 1, sizeof *draft->triangles);
+    bool ok = slots != NULL && draft->vertices != NULL && draft->triangles != NULL;
+    if (ok) {
+        add_triangles(draft, packing, model, material, slots, size - 1, error);
+        ok = order(draft);
+    }
+    free(slots);
+    return ok;
+}
+
+/* ---- The arrays of a part ---- */
+
+static bool make_wide(struct asset_part *part, const struct draft *draft,
+                      const struct packing *packing)
+{
+    size_t count = draft->vertex_count;
+    part->positions = calloc(count, sizeof *part->positions);
+    part->normals = packing->options->normals ? calloc(count, sizeof *part->normals) : NULL;
+    if (part->positions == NULL || (packing->options->normals && part->normals == NULL)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const int32_t *p = &draft->vertices[i].number[PACKED_POSITION];
+        const int32_t *n = &draft->vertices[i].number[PACKED_NORMAL];
+        const qtri_vec3 position = {p[0], p[1], p[2]};
+        const qtri_normal normal = {(int16_t)n[0], (int16_t)n[1], (int16_t)n[2]};
+        part->positions[i] = position;
+        if (part->normals != NULL) {
+            part->normals[i] = normal;
+        }
+    }
+    part->mesh.positions = part->positions;
+    part->mesh.normals = part->normals;
+    return true;
+}
+
+static bool make_compact(struct asset_part *part, const struct draft *draft,
+                         const struct packing *packing)
+{
+    size_t count = draft->vertex_count;
+    part->positions16 = calloc(count, sizeof *part->positions16);
+    part->normals8 = packing->options->normals ? calloc(count, sizeof *part->normals8) : NULL;
+    if (part->positions16 == NULL || (packing->options->normals && part->normals8 == NULL)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const int32_t *p = &draft->vertices[i].number[PACKED_POSITION];
+        const int32_t *n = &draft->vertices[i].number[PACKED_NORMAL];
+        const qtri_position16 position = {(int16_t)p[0], (int16_t)p[1], (int16_t)p[2]};
+        const qtri_normal8 normal = {(int8_t)n[0], (int8_t)n[1], (int8_t)n[2]};
+        part->positions16[i] = position;
+        if (part->normals8 != NULL) {
+            part->normals8[i] = normal;
+        }
+    }
+    part->mesh.positions16 = part->positions16;
+    part->mesh.normals8 = part->normals8;
+    part->mesh.origin.x = (q16)packing->origin[0];
+    part->mesh.origin.y = (q16)packing->origin[1];
+    part->mesh.origin.z = (q16)packing->origin[2];
+    part->mesh.extent = (q16)packing->extent;
+    return true;
+}
+
+static bool make_wide_uvs(struct asset_part *part, const struct draft *draft)
+{
+    part->uvs = calloc(draft->vertex_count, sizeof *part->uvs);
+    for (size_t i = 0; part->uvs != NULL && i < draft->vertex_count; i++) {
+        const int32_t *uv = &draft->vertices[i].number[PACKED_UV];
+        const qtri_vec2 wide = {uv[0], uv[1]};
+        part->uvs[i] = wide;
+    }
+    part->mesh.uvs = part->uvs;
+    return part->uvs != NULL;
+}
+
+static bool make_compact_uvs(struct asset_part *part, const struct draft *draft)
+{
+    part->uvs16 = calloc(draft->vertex_count, sizeof *part->uvs16);
+    for (size_t i = 0; part->uvs16 != NULL && i < draft->vertex_count; i++) {
+        const int32_t *uv = &draft->vertices[i].number[PACKED_UV];
+        const qtri_uv16 narrow = {(int16_t)uv[0], (int16_t)uv[1]};
+        part->uvs16[i] = narrow;
+    }
+    part->mesh.uvs16 = part->uvs16;
+    return part->uvs16 != NULL;
+}
+
+static bool make_uvs(struct asset_part *part, const struct draft *draft,
+                     const struct packing *packing)
+{
+    if (!packing->uvs) {
+        return true;
+    }
+    return packing->compact_uvs ? make_compact_uvs(part, draft) : make_wide_uvs(part, draft);
+}
+
+static bool make_colors(struct asset_part *part, const struct draft *draft,
+                        const struct packing *packing)
+{
+    if (!packing->options->colors) {
+        return true;
+    }
+    part->colors = calloc(draft->vertex_count, sizeof *part->colors);
+    for (size_t i = 0; part->colors != NULL && i < draft->vertex_count; i++) {
+        const int32_t *c = &draft->vertices[i].number[PACKED_COLOR];
+        const qtri_rgb color = {(uint8_t)c[0], (uint8_t)c[1], (uint8_t)c[2]};
+        part->colors[i] = color;
+    }
+    part->mesh.colors = part->colors;
+    return part->colors != NULL;
+}
+
+static bool make_triangles(struct asset_part *part, const struct draft *draft,
+                           const struct packing *packing)
+{
+    bool narrow = packing->options->compact && draft->vertex_count <= 256;
+    part->triangles = calloc(draft->triangle_count, sizeof *part->triangles);
+    part->triangles8 = calloc(draft->triangle_count, sizeof *part->triangles8);
+    if (part->triangles == NULL || part->triangles8 == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < 3 * draft->triangle_count; i++) {
+        uint32_t corner = draft->triangles[i / 3][i % 3];
+        part->triangles[i / 3][i % 3] = (uint16_t)corner;
+        part->triangles8[i / 3][i % 3] = (uint8_t)corner;
+    }
+    part->mesh.triangles = narrow ? NULL : (const uint16_t(*)[3])part->triangles;
+    part->mesh.triangles8 = narrow ? (const uint8_t(*)[3])part->triangles8 : NULL;
+    return true;
+}
+
+/* The smallest box of whole units that holds what the core will see. */
+static void set_bounds(qtri_mesh *mesh, const struct draft *draft, const struct packing *packing)
+{
+    q16 *center[3] = {&mesh->bounds.center.x, &mesh->bounds.center.y, &mesh->bounds.center.z};
+    q16 *half[3] = {&mesh->bounds.half.x, &mesh->bounds.half.y, &mesh->bounds.half.z};
+    double low[3] = {INFINITY, INFINITY, INFINITY};
+    double high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (size_t i = 0; i < draft->vertex_count; i++) {
+        double at[3];
+        unpack_position(packing, &draft->vertices[i].number[PACKED_POSITION], at);
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = fmin(low[axis], at[axis] * ONE);
+            high[axis] = fmax(high[axis], at[axis] * ONE);
+        }
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        double middle = floor((low[axis] + high[axis]) / 2.0);
+        *center[axis] = (q16)middle;
+        *half[axis] = (q16)fmax(1.0, ceil(fmax(high[axis] - middle, middle - low[axis])));
+    }
+}
+
+static bool make_part(struct asset_part *part, const struct draft *draft,
+                      const struct packing *packing)
+{
+    bool ok = (packing->options->compact ? make_compact(part, draft, packing)
+                                         : make_wide(part, draft, packing)) &&
+              make_uvs(part, draft, packing) && make_colors(part, draft, packing) &&
+              make_triangles(part, draft, packing);
+    if (!ok) {
+        return false;
+    }
+    part->mesh.vertex_count = (uint32_t)draft->vertex_count;
+    part->mesh.triangle_count = (uint32_t)draft->triangle_count;
+    set_bounds(&part->mesh, draft, packing);
+    if (packing->options->make_faces != NULL) {
+        part->planes = calloc(draft->triangle_count, sizeof *part->planes);
+        if (part->planes == NULL) {
+            return false;
+        }
+        (void)packing->options->make_faces(&part->mesh, part->planes);
+    }
+    return true;
+}
+
+/* ---- The asset ---- */
+
+static bool fail(struct text_error *error, const char *path, const char *problem)
+{
+    text_error_set(error, path, 0, "%s", problem);
+    return false;
+}
+
+/* Whether the model fits, and how its numbers are stored. */
+static bool set_packing(struct packing *packing, const char *path, const struct model *model,
+                        struct text_error *error)
+{
+    struct model_box box = model_bounds(model);
+    packing->uvs = model->has_uvs;
+    packing->compact_uvs = packing->options->compact;
+    packing->extent = 1.0;
+    for (int i = 0; i < 3; i++) {
+        if (box.low[i] < -MOST_POSITION || box.high[i] > MOST_POSITION) {
+            return fail(error, path, "reaches beyond 32767, Q16.16's end; --fit makes it smaller");
+        }
+        packing->origin[i] = round((box.low[i] + box.high[i]) / 2.0 * ONE);
+        /* So that the farthest is 32767 and not 32768, which would be held: half a unit off. */
+        double reach =
+            fmax(box.high[i] * ONE - packing->origin[i], packing->origin[i] - box.low[i] * ONE);
+        packing->extent = fmax(packing->extent, ceil(reach * 32768.0 / 32767.0));
+    }
+    for (size_t i = 0; i < model->vertex_count && packing->uvs; i++) {
+        for (int j = 0; j < 2; j++) {
+            double uv = model->vertices[i].uv[j];
+            if (fabs(uv) > MOST_POSITION) {
+                return fail(error, path, "has a texture coordinate beyond 32767");
+            }
+            double compact = round(uv * 16384.0);
+            packing->compact_uvs =
+                packing->compact_uvs && compact >= -32768.0 && compact <= 32767.0;
+        }
+    }
+    return true;
+}
+
+static bool add_part(struct asset *asset, const char *path, const struct packing *packing,
+                     const struct model *model, int material, struct text_error *error)
+{
+    struct draft draft = {NULL, NULL, 0, 0};
+    struct asset_part *part = &asset->parts[asset->count];
+    bool ok = make_draft(&draft, packing, model, material, &asset->error) ||
+              fail(error, path, "out of memory");
+    if (ok && draft.vertex_count > MOST_VERTICES) {
+        text_error_set(error, path, 0, "%zu vertices, and a mesh has up to 65536; see --simplify",
+                       draft.vertex_count);
+        ok = false;
+    }
+    if (ok && draft.triangle_count > 0) {
+        asset->count++;
+        part->material = model->materials[material < 0 ? 0 : material];
+        if (packing->options->colors) {
+            memset(part->material.color, 255, sizeof part->material.color);
+        }
+        ok = make_part(part, &draft, packing) || fail(error, path, "out of memory");
+    }
+    free(draft.vertices);
+    free(draft.triangles);
+    return ok;
+}
+
+/* A mesh for each material that triangles have. */
+static bool add_parts(struct asset *asset, const char *path, const struct packing *packing,
+                      const struct model *model, struct text_error *error)
+{
+    bool *used = calloc(model->material_count + 1, sizeof *used);
+    bool ok = used != NULL || fail(error, path, "out of memory");
+    size_t count = 0;
+    for (size_t i = 0; ok && i < model->triangle_count; i++) {
+        bool *flag = &used[model->vertices[model->triangles[i][0]].material];
+        count += *flag ? 0 : 1;
+        *flag = true;
+    }
+    if (ok && count > 64) {
+        ok = fail(error, path, "more than 64 materials; --colors makes one mesh of them");
+    }
+    for (size_t i = 0; ok && i < model->material_count; i++) {
+        if (used[i]) {
+            ok = add_part(asset, path, packing, model, (int)i, error);
+        }
+    }
+    free(used);
+    return ok;
+}
+
+bool asset_make(const char *path, const struct model *model, const struct asset_options *options,
+                struct asset *asset, struct text_error *error)
+{
+    struct packing packing = {.options = options};
+    memset(asset, 0, sizeof *asset);
+    if (!set_packing(&packing, path, model, error)) {
+        return false;
+    }
+    asset->parts = calloc(model->material_count + 1, sizeof *asset->parts);
+    bool ok = asset->parts != NULL || fail(error, path, "out of memory");
+    if (ok) {
+        ok = options->colors ? add_part(asset, path, &packing, model, -1, error)
+                             : add_parts(asset, path, &packing, model, error);
+    }
+    if (ok && asset->count == 0) {
+        ok = fail(error, path, "is so small that no triangle is left; --fit makes it larger");
+    }
+    if (!ok) {
+        asset_free(asset);
+        return false;
+    }
+    struct model_box box = model_bounds(model);
+    double largest = 0.0;
+    for (int i = 0; i < 3; i++) {
+        largest = fmax(largest, box.high[i] - box.low[i]);
+    }
+    asset->error.position_share = largest > 0.0 ? asset->error.position / largest : 0.0;
+    return true;
+}

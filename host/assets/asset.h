@@ -1,0 +1,114 @@
+/*
+ * Meshes for a microcontroller: constant data as qtri/mesh.h describes it, made of a model.
+ */
+#ifndef QTRI_HOST_ASSETS_ASSET_H
+#define QTRI_HOST_ASSETS_ASSET_H
+
+#include <qtri.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "../io/file.h"
+#include "../io/picture.h"
+#include "../io/text_error.h"
+#include "model.h"
+
+struct asset_options {
+    bool compact; /* 16-bit positions and uvs, 8-bit normals and indices, where they fit */
+    bool colors;  /* the materials' colours and the vertices' become vertex colours of one mesh */
+    bool normals; /* normals are wanted */
+    /* Gives a mesh planes of its faces where they pay: mesh_faces_make, or NULL for none. */
+    bool (*make_faces)(qtri_mesh *mesh, qtri_face8 *planes);
+};
+
+/* A mesh with the memory of its arrays. */
+struct asset_part {
+    qtri_mesh mesh;
+    struct model_material material; /* what draws it; white where vertices have colours */
+    qtri_vec3 *positions;
+    qtri_normal *normals;
+    qtri_vec2 *uvs;
+    qtri_rgb *colors;
+    uint16_t (*triangles)[3];
+    qtri_position16 *positions16;
+    qtri_normal8 *normals8;
+    qtri_uv16 *uvs16;
+    uint8_t (*triangles8)[3];
+    qtri_face8 *planes;
+};
+
+/* Of all parts together. */
+struct asset_error {
+    double position;       /* the greatest distance of a vertex from where the model has it */
+    double position_share; /* of the largest side of the model's box */
+    double normal_degrees; /* the greatest angle */
+    double uv;             /* the greatest difference of a coordinate */
+};
+
+struct asset {
+    struct asset_part *parts; /* one a material that triangles have, or one */
+    size_t count;
+    struct asset_error error;
+};
+
+/*
+ * Makes meshes of a welded model. Vertices that are equal in what the microcontroller will see are
+ * one, triangles that have no area there are left out, triangles follow each other so that vertices
+ * are used again soon, vertices in the order of their first use. False with *error set, which
+ * begins with `path`: what does not fit a qtri_mesh, or out of memory.
+ */
+bool asset_make(const char *path, const struct model *model, const struct asset_options *options,
+                struct asset *asset, struct text_error *error);
+void asset_free(struct asset *asset);
+
+/* Reorders triangles (indices of `vertices` vertices); false when memory runs out. Without the
+   library they stay as they are. */
+bool asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices);
+
+uint32_t asset_vertex_count(const struct asset *asset);
+uint32_t asset_triangle_count(const struct asset *asset);
+
+/* Bytes of constant data on a machine with 32-bit pointers. */
+size_t asset_flash_bytes(const struct asset *asset);
+
+/* RAM of a program like the README's: RGB565 bands with depth, a panel's line buffer, a prepared
+   mesh. */
+struct asset_memory {
+    size_t bands, line, vertices, lists;
+};
+struct asset_memory asset_ram(const struct asset *asset, int32_t width, int32_t height,
+                              int32_t rows);
+
+/*
+ * C source, as C99 and C++11: the data and `const qtri_mesh NAME`, or `NAME[NAME_MESHES]` with the
+ * materials' colours beside it. To `header` alone, or, where `source` is not NULL, declarations to
+ * `header` and the data to `source`, which includes `header_name`.
+ */
+void asset_write_c(const struct asset *asset, const char *name, const char *header_name,
+                   FILE *header, FILE *source);
+
+/* Wavefront OBJ, of what the meshes hold after quantisation. */
+void asset_write_obj(const struct asset *asset, FILE *out);
+
+/* Draws the meshes with the core, lit, from a little above: all of them fit. False when memory runs
+   out. *drawn: pixels that show something. */
+bool asset_preview(const struct asset *asset, int width, int height, struct picture *picture,
+                   size_t *drawn);
+
+/*
+ * The files that C is written to: NAME.h, "-" for standard output, and with `split` NAME.c, whose
+ * stream is NULL else. Both appear or, where one of them cannot be written, neither.
+ */
+struct asset_files {
+    struct file_output header, source;
+    const char *header_name; /* without its folder */
+};
+bool asset_files_open(struct asset_files *files, const char *path, bool split,
+                      struct text_error *error);
+bool asset_files_commit(struct asset_files *files, struct text_error *error);
+
+/* A name for C made of a file's: "my-part 2.glb" gives "my_part_2". */
+void asset_identifier(const char *path, char *out, size_t size);
+
+#endif

@@ -1,0 +1,123 @@
+#include "asset.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ONE 65536.0
+
+static q16 q16_of(double value)
+{
+    return (q16)lround(fmin(fmax(value * ONE, -2147483647.0), 2147483647.0));
+}
+
+/* The box of all parts, in units of Q16.16: its middle, and half its diagonal. */
+static double find_sphere(const struct asset *asset, double middle[3])
+{
+    double low[3] = {INFINITY, INFINITY, INFINITY};
+    double high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double sum = 0.0;
+    for (size_t i = 0; i < asset->count; i++) {
+        const qtri_box *box = &asset->parts[i].mesh.bounds;
+        const double center[3] = {box->center.x, box->center.y, box->center.z};
+        const double half[3] = {box->half.x, box->half.y, box->half.z};
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = fmin(low[axis], center[axis] - half[axis]);
+            high[axis] = fmax(high[axis], center[axis] + half[axis]);
+        }
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        middle[axis] = (low[axis] + high[axis]) / 2.0;
+        sum += (high[axis] - low[axis]) * (high[axis] - low[axis]) / 4.0;
+    }
+    return sqrt(sum);
+}
+
+/* Scales by any factor up to 2^30, in two steps that Q16.16 holds with 8 digits. */
+static void scale(qtri_transform *transform, double factor)
+{
+    const q16 step = q16_of(sqrt(factor));
+    const q16 rest = q16_of(factor / (step / ONE));
+    const qtri_vec3 first = {step, step, step}, second = {rest, rest, rest};
+    qtri_transform_scale(transform, first);
+    qtri_transform_scale(transform, second);
+}
+
+/* The sphere becomes that of radius 1 about the origin, seen from above and from the side. */
+static void set_pose(const struct asset *asset, qtri_transform *pose)
+{
+    double middle[3];
+    double radius = fmax(find_sphere(asset, middle), 1.0);
+    const qtri_vec3 back = {(q16)-middle[0], (q16)-middle[1], (q16)-middle[2]};
+    qtri_transform_identity(pose);
+    qtri_transform_rotate_x(pose, Q16(25));
+    qtri_transform_rotate_y(pose, Q16(-35));
+    scale(pose, ONE / radius);
+    qtri_transform_translate(pose, back);
+}
+
+static void draw(const struct asset *asset, const qtri_surface *surface, qtri_view *view)
+{
+    qtri_transform pose;
+    const qtri_rgb sky = {24, 32, 48};
+    set_pose(asset, &pose);
+    qtri_surface_clear(surface, sky, UINT16_MAX);
+    for (size_t i = 0; i < asset->count; i++) {
+        const struct asset_part *part = &asset->parts[i];
+        qtri_material material = qtri_material_default();
+        material.color.r = part->material.color[0];
+        material.color.g = part->material.color[1];
+        material.color.b = part->material.color[2];
+        qtri_draw_mesh(surface, view, &pose, &part->mesh, &material);
+    }
+}
+
+static void copy_pixels(const qtri_surface *surface, struct picture *picture, size_t *drawn)
+{
+    *drawn = 0;
+    for (int32_t y = 0; y < surface->height; y++) {
+        for (int32_t x = 0; x < surface->width; x++) {
+            uint8_t *pixel = &picture->rgb[3 * ((size_t)y * (size_t)surface->width + (size_t)x)];
+            const qtri_rgb color = qtri_surface_pixel(surface, x, y);
+            pixel[0] = color.r;
+            pixel[1] = color.g;
+            pixel[2] = color.b;
+            *drawn += surface->depth[y * surface->depth_pitch + x] != UINT16_MAX ? 1 : 0;
+        }
+    }
+}
+
+bool asset_preview(const struct asset *asset, int width, int height, struct picture *picture,
+                   size_t *drawn)
+{
+    const qtri_light light = {{Q16(0.4), Q16(0.6), Q16(0.7)}, Q16(0.25), Q16(0.75)};
+    const size_t bytes = QTRI_BAND_BYTES(width, height, 4);
+    const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
+    uint32_t most = 0;
+    for (size_t i = 0; i < asset->count; i++) {
+        uint32_t count = asset->parts[i].mesh.vertex_count;
+        most = count > most ? count : most;
+    }
+    void *memory = malloc(bytes);
+    qtri_vertex *vertices = malloc((most + (size_t)1) * sizeof *vertices);
+    qtri_surface surface;
+    bool ok = memory != NULL && vertices != NULL &&
+              qtri_surface_init(&surface, &qtri_xrgb8888, width, height, 0, height, memory,
+                                bytes) == QTRI_OK &&
+              picture_create(picture, width, height, false);
+    if (ok) {
+        qtri_view view;
+        qtri_view_init(&view, width, height);
+        qtri_transform_look_at(&view.camera, eye, center, up);
+        qtri_transform_perspective(&view.projection, Q16(40), q16_from_ratio(width, height),
+                                   Q16(0.5), Q16(10));
+        view.light = &light;
+        view.vertices = vertices;
+        view.vertex_count = most;
+        draw(asset, &surface, &view);
+        copy_pixels(&surface, picture, drawn);
+    }
+    free(memory);
+    free(vertices);
+    return ok;
+}

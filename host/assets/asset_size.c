@@ -1,0 +1,67 @@
+#include "asset.h"
+
+#include <qtri_port/panel.h>
+#include <string.h>
+
+/* sizeof (qtri_mesh) with 32-bit pointers: 10 of them, 2 counts, origin and extent, faces with 2
+   pointers and 8 bytes, bounds. */
+#define MESH_BYTES (10 * 4 + 2 * 4 + 16 + 16 + 24)
+
+uint32_t asset_vertex_count(const struct asset *asset)
+{
+    uint32_t count = 0;
+    for (size_t i = 0; i < asset->count; i++) {
+        count += asset->parts[i].mesh.vertex_count;
+    }
+    return count;
+}
+
+uint32_t asset_triangle_count(const struct asset *asset)
+{
+    uint32_t count = 0;
+    for (size_t i = 0; i < asset->count; i++) {
+        count += asset->parts[i].mesh.triangle_count;
+    }
+    return count;
+}
+
+static size_t if_there(const void *array, size_t bytes)
+{
+    return array != NULL ? bytes : 0;
+}
+
+size_t asset_flash_bytes(const struct asset *asset)
+{
+    size_t bytes = 0;
+    for (size_t i = 0; i < asset->count; i++) {
+        const qtri_mesh *mesh = &asset->parts[i].mesh;
+        size_t vertex = if_there(mesh->positions, sizeof *mesh->positions) +
+                        if_there(mesh->normals, sizeof *mesh->normals) +
+                        if_there(mesh->uvs, sizeof *mesh->uvs) +
+                        if_there(mesh->colors, sizeof *mesh->colors) +
+                        if_there(mesh->positions16, sizeof *mesh->positions16) +
+                        if_there(mesh->normals8, sizeof *mesh->normals8) +
+                        if_there(mesh->uvs16, sizeof *mesh->uvs16);
+        size_t triangle = if_there(mesh->triangles, sizeof *mesh->triangles) +
+                          if_there(mesh->triangles8, sizeof *mesh->triangles8) +
+                          if_there(mesh->faces.planes, sizeof *mesh->faces.planes);
+        bytes += MESH_BYTES + mesh->vertex_count * vertex + mesh->triangle_count * triangle;
+    }
+    return bytes;
+}
+
+/* A prepared mesh each. */
+struct asset_memory asset_ram(const struct asset *asset, int32_t width, int32_t height,
+                              int32_t rows)
+{
+    struct asset_memory memory = {
+        .bands = QTRI_FRAME_BYTES(width, rows, QTRI_RGB565_BYTES),
+        .line = QTRI_PANEL_LINE_BYTES(width),
+    };
+    for (size_t i = 0; i < asset->count; i++) {
+        const qtri_mesh *mesh = &asset->parts[i].mesh;
+        memory.vertices += QTRI_MESH_VERTICES(mesh->vertex_count) * sizeof(qtri_vertex);
+        memory.lists += QTRI_PREPARED_LISTS(mesh->triangle_count, height, rows) * sizeof(uint16_t);
+    }
+    return memory;
+}

@@ -1,0 +1,432 @@
+#include "asset.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLUMNS = 100 };
+
+/* An array being written: rows of elements, as many as fit a line. */
+struct array {
+    FILE *out;
+    int column;
+};
+
+static void begin_array(struct array *array, FILE *out, const char *type, const char *name,
+                        const char *dimensions)
+{
+    array->out = out;
+    array->column = 0;
+    fprintf(out, "static const %s %s%s = {", type, name, dimensions);
+}
+
+static void end_array(const struct array *array)
+{
+    fputs("\n};\n\n", array->out);
+}
+
+static void write_element(struct array *array, const int32_t *numbers, int count)
+{
+    char text[80];
+    int length = 0;
+    for (int i = 0; i < count; i++) { /* 4 numbers of 11 characters at most, and what is between */
+        length += snprintf(text + length, sizeof text - (size_t)length, "%s%" PRId32,
+                           i == 0 ? "{" : ", ", numbers[i]);
+    }
+    length += snprintf(text + length, sizeof text - (size_t)length, "},");
+    if (array->column == 0 || array->column + 1 + length > COLUMNS) {
+        fprintf(array->out, "\n    %s", text);
+        array->column = 4 + length;
+    } else {
+        fprintf(array->out, " %s", text);
+        array->column += 1 + length;
+    }
+}
+
+static void name_of(char out[160], const char *name, size_t part, size_t count, const char *what)
+{
+    if (count == 1) {
+        (void)snprintf(out, 160, "%s_%s", name, what);
+    } else {
+        (void)snprintf(out, 160, "%s_%zu_%s", name, part, what);
+    }
+}
+
+/* What a comment may hold. */
+static void write_comment_text(FILE *out, const char *text)
+{
+    for (; *text != '\0'; text++) {
+        bool plain = *text >= ' ' && *text <= '~' && strchr("*\\?", *text) == NULL;
+        fputc(plain ? *text : '_', out);
+    }
+}
+
+/* ---- The arrays of a mesh ---- */
+
+struct writer {
+    FILE *out;
+    const char *name;
+    size_t part, count;
+};
+
+static void write_vertices(const struct writer *writer, const qtri_mesh *mesh, const char *type,
+                           const char *what, int numbers,
+                           void (*element)(const qtri_mesh *mesh, uint32_t i, int32_t *numbers))
+{
+    struct array array;
+    char name[160];
+    name_of(name, writer->name, writer->part, writer->count, what);
+    begin_array(&array, writer->out, type, name, "[]");
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        int32_t values[4];
+        element(mesh, i, values);
+        write_element(&array, values, numbers);
+    }
+    end_array(&array);
+}
+
+static void set3(int32_t *out, int32_t x, int32_t y, int32_t z)
+{
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+}
+
+static void element_position(const qtri_mesh *mesh, uint32_t i, int32_t *out)
+{
+    set3(out, mesh->positions[i].x, mesh->positions[i].y, mesh->positions[i].z);
+}
+
+static void element_position16(const qtri_mesh *mesh, uint32_t i, int32_t *out)
+{
+    set3(out, mesh->positions16[i].x, mesh->positions16[i].y, mesh->positions16[i].z);
+}
+
+static void element_normal(const qtri_mesh *mesh, uint32_t i, int32_t *out)
+{
+    set3(out, mesh->normals[i].x, mesh->normals[i].y, mesh->normals[i].z);
+}
+
+static void element_normal8(const qtri_mesh *mesh, uint32_t i, int32_t *out)
+{
+    set3(out, mesh->normals8[i].x, mesh->normals8[i].y, mesh->normals8[i].z);
+}
+
+static void element_uv(const qtri_mesh *mesh, uint32_t i, int32_t *out)
+{
+    set3(out, mesh->uvs[i].x, mesh->uvs[i].y, 0);
+}
+
+static void element_uv16(const qtri_mesh *mesh, uint32_t i, int32_t *out)
+{
+    set3(out, mesh->uvs16[i].x, mesh->uvs16[i].y, 0);
+}
+
+static void element_color(const qtri_mesh *mesh, uint32_t i, int32_t *out)
+{
+    set3(out, mesh->colors[i].r, mesh->colors[i].g, mesh->colors[i].b);
+}
+
+static void write_triangles(const struct writer *writer, const qtri_mesh *mesh)
+{
+    struct array array;
+    char name[160];
+    bool narrow = mesh->triangles8 != NULL;
+    name_of(name, writer->name, writer->part, writer->count, "triangles");
+    begin_array(&array, writer->out, narrow ? "uint8_t" : "uint16_t", name, "[][3]");
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        int32_t corners[3];
+        for (int j = 0; j < 3; j++) {
+            corners[j] = narrow ? mesh->triangles8[i][j] : mesh->triangles[i][j];
+        }
+        write_element(&array, corners, 3);
+    }
+    end_array(&array);
+}
+
+static void write_planes(const struct writer *writer, const qtri_mesh *mesh)
+{
+    struct array array;
+    char name[160];
+    if (mesh->faces.planes == NULL) {
+        return;
+    }
+    name_of(name, writer->name, writer->part, writer->count, "planes");
+    begin_array(&array, writer->out, "qtri_face8", name, "[]");
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const qtri_face8 *plane = &mesh->faces.planes[i];
+        const int32_t numbers[4] = {plane->x, plane->y, plane->z, plane->d};
+        write_element(&array, numbers, 4);
+    }
+    end_array(&array);
+}
+
+static void write_arrays(const struct writer *writer, const qtri_mesh *mesh)
+{
+    if (mesh->positions != NULL) {
+        write_vertices(writer, mesh, "qtri_vec3", "positions", 3, element_position);
+    }
+    if (mesh->positions16 != NULL) {
+        write_vertices(writer, mesh, "qtri_position16", "positions", 3, element_position16);
+    }
+    if (mesh->normals != NULL) {
+        write_vertices(writer, mesh, "qtri_normal", "normals", 3, element_normal);
+    }
+    if (mesh->normals8 != NULL) {
+        write_vertices(writer, mesh, "qtri_normal8", "normals", 3, element_normal8);
+    }
+    if (mesh->uvs != NULL) {
+        write_vertices(writer, mesh, "qtri_vec2", "uvs", 2, element_uv);
+    }
+    if (mesh->uvs16 != NULL) {
+        write_vertices(writer, mesh, "qtri_uv16", "uvs", 2, element_uv16);
+    }
+    if (mesh->colors != NULL) {
+        write_vertices(writer, mesh, "qtri_rgb", "colors", 3, element_color);
+    }
+    write_triangles(writer, mesh);
+    write_planes(writer, mesh);
+}
+
+/* ---- The mesh itself ---- */
+
+/* An array's name, or NULL where the mesh has it not. */
+static void write_pointer(const struct writer *writer, const void *array, const char *what,
+                          const char *field)
+{
+    char name[160] = "NULL";
+    if (array != NULL) {
+        name_of(name, writer->name, writer->part, writer->count, what);
+    }
+    fprintf(writer->out, "    %s, /* %s */\n", name, field);
+}
+
+/* Every member by its place: C++11 has no names in initialisers. */
+static void write_mesh(const struct writer *writer, const qtri_mesh *mesh)
+{
+    FILE *out = writer->out;
+    const qtri_box *box = &mesh->bounds;
+    write_pointer(writer, mesh->positions, "positions", "positions");
+    write_pointer(writer, mesh->normals, "normals", "normals");
+    write_pointer(writer, mesh->uvs, "uvs", "uvs");
+    write_pointer(writer, mesh->colors, "colors", "colors");
+    write_pointer(writer, mesh->triangles, "triangles", "triangles");
+    fprintf(out, "    %" PRIu32 "u, %" PRIu32 "u, /* vertices, triangles */\n", mesh->vertex_count,
+            mesh->triangle_count);
+    write_pointer(writer, mesh->positions16, "positions", "positions16");
+    write_pointer(writer, mesh->normals8, "normals", "normals8");
+    write_pointer(writer, mesh->uvs16, "uvs", "uvs16");
+    write_pointer(writer, mesh->triangles8, "triangles", "triangles8");
+    fprintf(out, "    {%" PRId32 ", %" PRId32 ", %" PRId32 "}, %" PRId32 ", /* origin, extent */\n",
+            mesh->origin.x, mesh->origin.y, mesh->origin.z, mesh->extent);
+    if (mesh->faces.planes != NULL) {
+        char name[160];
+        name_of(name, writer->name, writer->part, writer->count, "planes");
+        fprintf(out, "    {&qtri_cull_by_planes, %s, %" PRIu32 "u, %u, %u}, /* faces */\n", name,
+                mesh->faces.thin, mesh->faces.error_q16, mesh->faces.radius_q14);
+    } else {
+        fputs("    {NULL, NULL, 0, 0, 0}, /* faces */\n", out);
+    }
+    fprintf(out,
+            "    {{%" PRId32 ", %" PRId32 ", %" PRId32 "}, {%" PRId32 ", %" PRId32 ", %" PRId32
+            "}}, /* bounds */\n",
+            box->center.x, box->center.y, box->center.z, box->half.x, box->half.y, box->half.z);
+    fputs("    NULL, /* neighbours: `qtri neighbours` makes them */\n", out);
+}
+
+static void upper(const char *name, char *out, size_t size)
+{
+    size_t i = 0;
+    for (; name[i] != '\0' && i + 1 < size; i++) {
+        out[i] = (char)(name[i] >= 'a' && name[i] <= 'z' ? name[i] - 'a' + 'A' : name[i]);
+    }
+    out[i] = '\0';
+}
+
+static void write_summary(const struct asset *asset, const char *name, FILE *out)
+{
+    fprintf(out,
+            "/*\n * %s: %" PRIu32 " vertices, %" PRIu32
+            " triangles, %zu bytes of flash. Made by `qtri mesh`.\n",
+            name, asset_vertex_count(asset), asset_triangle_count(asset), asset_flash_bytes(asset));
+    for (size_t i = 0; i < asset->count; i++) {
+        const struct asset_part *part = &asset->parts[i];
+        const uint8_t *c = part->material.color;
+        if (asset->count == 1 && part->material.name[0] == '\0') {
+            continue;
+        }
+        fprintf(out, " * Material %zu, ", i);
+        write_comment_text(out, part->material.name[0] != '\0' ? part->material.name : "unnamed");
+        fprintf(out, ": colour %d %d %d", c[0], c[1], c[2]);
+        if (part->material.texture[0] != '\0') {
+            fputs(", texture ", out);
+            write_comment_text(out, part->material.texture);
+        }
+        fputs("\n", out);
+    }
+    fputs(" */\n", out);
+}
+
+static void write_data(const struct asset *asset, const char *name, const char *linkage, FILE *out)
+{
+    char capitals[100];
+    upper(name, capitals, sizeof capitals);
+    for (size_t i = 0; i < asset->count; i++) {
+        const struct writer writer = {out, name, i, asset->count};
+        write_arrays(&writer, &asset->parts[i].mesh);
+    }
+    if (asset->count == 1) {
+        const struct writer writer = {out, name, 0, 1};
+        fprintf(out, "%sconst qtri_mesh %s = {\n", linkage, name);
+        write_mesh(&writer, &asset->parts[0].mesh);
+        fputs("};\n", out);
+        return;
+    }
+    fprintf(out, "%sconst qtri_rgb %s_materials[%s_MESHES] = {\n", linkage, name, capitals);
+    for (size_t i = 0; i < asset->count; i++) {
+        const uint8_t *c = asset->parts[i].material.color;
+        fprintf(out, "    {%d, %d, %d},\n", c[0], c[1], c[2]);
+    }
+    fprintf(out, "};\n\n%sconst qtri_mesh %s[%s_MESHES] = {\n", linkage, name, capitals);
+    for (size_t i = 0; i < asset->count; i++) {
+        const struct writer writer = {out, name, i, asset->count};
+        fputs("    {\n", out);
+        write_mesh(&writer, &asset->parts[i].mesh);
+        fputs("    },\n", out);
+    }
+    fputs("};\n", out);
+}
+
+static void write_declarations(const struct asset *asset, const char *name, const char *capitals,
+                               FILE *out)
+{
+    fputs("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", out);
+    if (asset->count == 1) {
+        fprintf(out, "extern const qtri_mesh %s;\n", name);
+    } else {
+        fprintf(out, "extern const qtri_mesh %s[%s_MESHES];\n", name, capitals);
+        fprintf(out, "extern const qtri_rgb %s_materials[%s_MESHES];\n", name, capitals);
+    }
+    fputs("\n#ifdef __cplusplus\n}\n#endif\n", out);
+}
+
+void asset_write_c(const struct asset *asset, const char *name, const char *header_name,
+                   FILE *header, FILE *source)
+{
+    char capitals[100];
+    upper(name, capitals, sizeof capitals);
+    write_summary(asset, name, header);
+    fprintf(header, "#ifndef %s_MESH_H\n#define %s_MESH_H\n\n", capitals, capitals);
+    fputs("#include <qtri.h>\n#include <stddef.h>\n\n", header);
+    if (asset->count > 1) {
+        fprintf(header, "#define %s_MESHES %zu /* one a material */\n\n", capitals, asset->count);
+    }
+    if (source == NULL) {
+        write_data(asset, name, "static ", header);
+    } else {
+        write_declarations(asset, name, capitals, header);
+        fprintf(source, "#include \"%s\"\n\n", header_name);
+        write_data(asset, name, "", source);
+    }
+    fputs("\n#endif\n", header);
+}
+
+void asset_identifier(const char *path, char *out, size_t size)
+{
+    const char *slash = strrchr(path, '/');
+    const char *name = slash != NULL ? slash + 1 : path;
+    size_t length = 0;
+    if (strcmp(name, "-") == 0) {
+        name = "mesh";
+    }
+    if (name[0] >= '0' && name[0] <= '9' && size > 8) {
+        memcpy(out, "mesh_", 5);
+        length = 5;
+    }
+    for (; *name != '\0' && *name != '.' && length + 1 < size; name++) {
+        bool letter = (*name >= 'a' && *name <= 'z') || (*name >= 'A' && *name <= 'Z') ||
+                      (*name >= '0' && *name <= '9');
+        out[length++] = (char)(letter ? *name : '_');
+    }
+    out[length] = '\0';
+}
+
+/* ---- OBJ ---- */
+
+static void position_of(const qtri_mesh *mesh, uint32_t i, double out[3])
+{
+    int32_t p[3];
+    if (mesh->positions != NULL) {
+        element_position(mesh, i, p);
+    } else {
+        element_position16(mesh, i, p);
+    }
+    const int32_t origin[3] = {mesh->origin.x, mesh->origin.y, mesh->origin.z};
+    for (int axis = 0; axis < 3; axis++) {
+        out[axis] = mesh->positions != NULL
+                        ? p[axis] / 65536.0
+                        : (origin[axis] + (double)mesh->extent * p[axis] / 32768.0) / 65536.0;
+    }
+}
+
+static void write_obj_vertex(const qtri_mesh *mesh, uint32_t i, FILE *out)
+{
+    double at[3];
+    int32_t n[3] = {0, 0, 0};
+    position_of(mesh, i, at);
+    fprintf(out, "v %.9g %.9g %.9g", at[0], at[1], at[2]);
+    if (mesh->colors != NULL) {
+        const qtri_rgb c = mesh->colors[i];
+        fprintf(out, " %.4g %.4g %.4g", c.r / 255.0, c.g / 255.0, c.b / 255.0);
+    }
+    fputc('\n', out);
+    if (mesh->normals != NULL) {
+        element_normal(mesh, i, n);
+        fprintf(out, "vn %.7g %.7g %.7g\n", n[0] / 16384.0, n[1] / 16384.0, n[2] / 16384.0);
+    } else if (mesh->normals8 != NULL) {
+        element_normal8(mesh, i, n);
+        fprintf(out, "vn %.4g %.4g %.4g\n", n[0] / 127.0, n[1] / 127.0, n[2] / 127.0);
+    }
+    if (mesh->uvs != NULL) {
+        const qtri_vec2 uv = mesh->uvs[i];
+        fprintf(out, "vt %.9g %.9g\n", uv.x / 65536.0, 1.0 - uv.y / 65536.0);
+    } else if (mesh->uvs16 != NULL) {
+        const qtri_uv16 uv = mesh->uvs16[i];
+        fprintf(out, "vt %.9g %.9g\n", uv.x / 16384.0, 1.0 - uv.y / 16384.0);
+    }
+}
+
+void asset_write_obj(const struct asset *asset, FILE *out)
+{
+    uint32_t first = 1;
+    fputs("# made by qtri mesh\n", out);
+    for (size_t part = 0; part < asset->count; part++) {
+        const qtri_mesh *mesh = &asset->parts[part].mesh;
+        bool uvs = mesh->uvs != NULL || mesh->uvs16 != NULL;
+        bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            write_obj_vertex(mesh, i, out);
+        }
+        if (asset->count > 1) {
+            fprintf(out, "g material_%zu\n", part);
+        }
+        for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+            fputc('f', out);
+            for (int j = 0; j < 3; j++) {
+                uint32_t at = first + (mesh->triangles8 != NULL ? mesh->triangles8[i][j]
+                                                                : mesh->triangles[i][j]);
+                fprintf(out, " %" PRIu32, at);
+                if (uvs) {
+                    fprintf(out, "/%" PRIu32, at);
+                }
+                if (normals) {
+                    fprintf(out, "%s%" PRIu32, uvs ? "/" : "//", at);
+                }
+            }
+            fputc('\n', out);
+        }
+        first += mesh->vertex_count;
+    }
+}

@@ -1,0 +1,51 @@
+# Libraries that read files and work on meshes for the commands `qtri mesh` and `qtri texture`. Each is used where it is
+# installed; without it the command is built all the same and says what it therefore cannot do. WITH= builds without any.
+
+WITH ?= libpng assimp meshoptimizer
+
+HOST_DEFINES :=
+HOST_LIBS    :=
+
+ifneq ($(filter libpng,$(WITH)),)
+ifeq ($(shell pkg-config --exists libpng 2>/dev/null && echo yes),yes)
+HOST_DEFINES += -DQTRI_HAVE_LIBPNG $(shell pkg-config --cflags libpng)
+HOST_LIBS    += $(shell pkg-config --libs libpng)
+endif
+endif
+
+ifneq ($(filter assimp,$(WITH)),)
+ifeq ($(shell pkg-config --exists assimp 2>/dev/null && echo yes),yes)
+HOST_DEFINES += -DQTRI_HAVE_ASSIMP $(shell pkg-config --cflags assimp)
+HOST_LIBS    += $(shell pkg-config --libs assimp)
+endif
+endif
+
+# Debian's package of libmeshoptimizer brings no file for pkg-config: whether it links is tried.
+ifneq ($(filter meshoptimizer,$(WITH)),)
+ifeq ($(shell echo 'int main(void) { return 0; }' | $(CC) -x c -include meshoptimizer.h - -o /dev/null -lmeshoptimizer 2>/dev/null && echo yes),yes)
+HOST_DEFINES += -DQTRI_HAVE_MESHOPTIMIZER
+HOST_LIBS    += -lmeshoptimizer
+endif
+endif
+
+$(BUILD)/obj/host/assets/%.o: INCLUDES += $(HOST_DEFINES)
+
+# gear.h of the README, and the README's sample, word for word, for tests/test_readme.c -----------------------------------
+
+README_DIR := $(BUILD)/readme
+
+$(README_DIR)/gear.h: $(BUILD)/qtri
+	@mkdir -p $(@D)
+	@$(BUILD)/qtri mesh gear -o $@ >/dev/null
+
+$(README_DIR)/sample.c: README.md
+	@mkdir -p $(@D)
+	@awk '/^```c$$/ { on = 1; next } /^```$$/ { on = 0 } on' README.md >$@
+	@echo 'const qtri_mesh *readme_gear(void); const qtri_mesh *readme_gear(void) { return &gear; }' >>$@
+
+$(README_DIR)/sample.o: $(README_DIR)/sample.c $(README_DIR)/gear.h $(BUILD)/flags
+	$(CC) -std=c99 $(CFLAGS) -Wall -Wextra $(INCLUDES) -I$(README_DIR) -c -o $@ $<
+
+$(BUILD)/tests/test_readme: $(BUILD)/obj/tests/test_readme.o $(README_DIR)/sample.o $(HELPERS) $(HOST) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)

@@ -1,0 +1,207 @@
+#include "image.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "../io/file.h"
+#include "../io/lines.h"
+
+static const char png_magic[8] = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1A', '\n'};
+
+static bool fail(struct text_error *error, const char *path, const char *problem)
+{
+    text_error_set(error, path, 0, "%s", problem);
+    return false;
+}
+
+static bool create(const char *path, struct image *image, uint32_t width, uint32_t height,
+                   struct text_error *error)
+{
+    if (width < 1 || height < 1 || width > IMAGE_MAX_SIDE || height > IMAGE_MAX_SIDE) {
+        return fail(error, path, "has a side that is not in 1..16384");
+    }
+    image->rgba = calloc((size_t)width * height, 4);
+    image->width = (int)width;
+    image->height = (int)height;
+    return image->rgba != NULL || fail(error, path, "out of memory");
+}
+
+void image_free(struct image *image)
+{
+    free(image->rgba);
+    memset(image, 0, sizeof *image);
+}
+
+/* ---- PNG ---- */
+
+#ifdef QTRI_HAVE_LIBPNG
+
+#include <png.h>
+
+static bool parse_png(const char *path, const char *bytes, size_t length, struct image *image,
+                      struct text_error *error)
+{
+    png_image png;
+    memset(&png, 0, sizeof png);
+    png.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&png, bytes, length) == 0) {
+        text_error_set(error, path, 0, "cannot be read as PNG: %s", png.message);
+        return false;
+    }
+    png.format = PNG_FORMAT_RGBA;
+    bool ok = create(path, image, png.width, png.height, error);
+    if (ok && png_image_finish_read(&png, NULL, image->rgba, 0, NULL) == 0) {
+        text_error_set(error, path, 0, "cannot be read as PNG: %s", png.message);
+        ok = false;
+    }
+    png_image_free(&png);
+    return ok;
+}
+
+static bool write_png(const char *path, const struct picture *picture, struct text_error *error)
+{
+    struct file_output output;
+    png_image png;
+    memset(&png, 0, sizeof png);
+    png.version = PNG_IMAGE_VERSION;
+    png.width = (png_uint_32)picture->width;
+    png.height = (png_uint_32)picture->height;
+    png.format = PNG_FORMAT_RGB;
+    size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+    void *bytes = malloc(size);
+    if (bytes == NULL ||
+        png_image_write_to_memory(&png, bytes, &size, 0, picture->rgb, 0, NULL) == 0) {
+        free(bytes);
+        return fail(error, path, "out of memory");
+    }
+    bool ok = file_output_open(&output, path, error);
+    if (ok) {
+        file_output_write(&output, bytes, size);
+        ok = file_output_commit(&output, error);
+    }
+    free(bytes);
+    return ok;
+}
+
+#else
+
+static bool parse_png(const char *path, const char *bytes, size_t length, struct image *image,
+                      struct text_error *error)
+{
+    (void)bytes;
+    (void)length;
+    (void)image;
+    return fail(error, path, "this qtri was built without libpng and reads PPM and PGM only");
+}
+
+static bool write_png(const char *path, const struct picture *picture, struct text_error *error)
+{
+    (void)picture;
+    return fail(error, path, "this qtri was built without libpng and writes PPM only");
+}
+
+#endif
+
+/* ---- PPM and PGM ---- */
+
+/* The next number of a header, after white space and comments; 0 when there is none to 16384. */
+static uint32_t header_number(const char *bytes, size_t length, size_t *at)
+{
+    uint32_t number = 0;
+    while (*at < length && (text_is_space(bytes[*at]) || bytes[*at] == '#')) {
+        bool comment = bytes[*at] == '#';
+        while (comment && *at < length && bytes[*at] != '\n') {
+            (*at)++;
+        }
+        *at += *at < length ? 1 : 0;
+    }
+    for (; *at < length && bytes[*at] >= '0' && bytes[*at] <= '9'; (*at)++) {
+        number = number * 10 + (uint32_t)(bytes[*at] - '0');
+        if (number > IMAGE_MAX_SIDE) {
+            return 0;
+        }
+    }
+    return number;
+}
+
+static uint8_t scale_sample(char sample, uint32_t most)
+{
+    uint32_t value = (uint8_t)sample;
+    value = value > most ? most : value;
+    return (uint8_t)((value * 255 + most / 2) / most);
+}
+
+static bool parse_pnm(const char *path, const char *bytes, size_t length, struct image *image,
+                      struct text_error *error)
+{
+    size_t at = 2;
+    size_t channels = bytes[1] == '5' ? 1 : 3;
+    uint32_t width = header_number(bytes, length, &at);
+    uint32_t height = header_number(bytes, length, &at);
+    uint32_t most = header_number(bytes, length, &at);
+    if (width == 0 || height == 0) {
+        return fail(error, path, "has a side that is not in 1..16384");
+    }
+    if (most < 1 || most > 255) {
+        return fail(error, path, "has a largest value that is not in 1..255");
+    }
+    if (at >= length || !text_is_space(bytes[at])) {
+        return fail(error, path, "ends in its header");
+    }
+    at++;
+    if ((length - at) / channels / width < height) {
+        return fail(error, path, "ends before its last pixel");
+    }
+    if (!create(path, image, width, height, error)) {
+        return false;
+    }
+    size_t count = (size_t)width * height;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t channel = 0; channel < 3; channel++) {
+            size_t sample = channels * i + (channels == 1 ? 0 : channel);
+            image->rgba[4 * i + channel] = scale_sample(bytes[at + sample], most);
+        }
+        image->rgba[4 * i + 3] = 255;
+    }
+    return true;
+}
+
+bool image_parse(const char *path, const char *bytes, size_t length, struct image *image,
+                 struct text_error *error)
+{
+    bool ok;
+    memset(image, 0, sizeof *image);
+    if (length >= sizeof png_magic && memcmp(bytes, png_magic, sizeof png_magic) == 0) {
+        ok = parse_png(path, bytes, length, image, error);
+    } else if (length > 2 && bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '6') &&
+               (text_is_space(bytes[2]) || bytes[2] == '#')) {
+        ok = parse_pnm(path, bytes, length, image, error);
+    } else {
+        ok = fail(error, path, "is neither PNG nor binary PPM or PGM");
+    }
+    if (!ok) {
+        image_free(image);
+    }
+    return ok;
+}
+
+bool image_read(const char *path, struct image *image, struct text_error *error)
+{
+    struct file_content file;
+    memset(image, 0, sizeof *image);
+    if (!file_read(path, &file, error)) {
+        return false;
+    }
+    bool ok = image_parse(path, file.bytes, file.length, image, error);
+    free(file.bytes);
+    return ok;
+}
+
+bool image_write_picture(const char *path, const struct picture *picture, struct text_error *error)
+{
+    size_t length = strlen(path);
+    if (length > 4 && strcmp(path + length - 4, ".png") == 0) {
+        return write_png(path, picture, error);
+    }
+    return picture_write_ppm(path, picture, error);
+}

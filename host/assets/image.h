@@ -1,0 +1,32 @@
+/*
+ * Pictures with transparency, read from PNG, PPM and PGM, and pictures written as PNG.
+ */
+#ifndef QTRI_HOST_ASSETS_IMAGE_H
+#define QTRI_HOST_ASSETS_IMAGE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "../io/picture.h"
+#include "../io/text_error.h"
+
+#define IMAGE_MAX_SIDE 16384
+
+/* Row 0 is the top; 4 bytes a pixel: sRGB, and how opaque it is. */
+struct image {
+    int width, height;
+    uint8_t *rgba;
+};
+
+/* The first bytes decide: PNG (where libpng was there when this was built), P5, P6. "-" is standard
+   input. False with *error set. */
+bool image_read(const char *path, struct image *image, struct text_error *error);
+bool image_parse(const char *path, const char *bytes, size_t length, struct image *image,
+                 struct text_error *error);
+void image_free(struct image *image);
+
+/* Writes PNG to a path that ends in .png, else PPM. False with *error set. */
+bool image_write_picture(const char *path, const struct picture *picture, struct text_error *error);
+
+#endif

@@ -1,0 +1,245 @@
+#include "model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool model_create(struct model *model, size_t vertices, size_t triangles, size_t materials)
+{
+    memset(model, 0, sizeof *model);
+    model->vertices = calloc(vertices + 1, sizeof *model->vertices);
+    model->triangles = calloc(triangles + 1, sizeof *model->triangles);
+    model->materials = calloc(materials + 1, sizeof *model->materials);
+    if (model->vertices == NULL || model->triangles == NULL || model->materials == NULL) {
+        model_free(model);
+        return false;
+    }
+    model->vertex_count = vertices;
+    model->triangle_count = triangles;
+    model->material_count = materials;
+    for (size_t i = 0; i < materials; i++) {
+        memset(model->materials[i].color, 255, sizeof model->materials[i].color);
+    }
+    return true;
+}
+
+void model_free(struct model *model)
+{
+    free(model->vertices);
+    free(model->triangles);
+    free(model->materials);
+    memset(model, 0, sizeof *model);
+}
+
+/* ---- What a file may hold ---- */
+
+static bool is_in_range(const double *numbers, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (!(fabs(numbers[i]) <= MODEL_MAX_VALUE)) { /* NaN too */
+            return false;
+        }
+    }
+    return true;
+}
+
+static void normalise(double vector[3])
+{
+    double length = sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    for (int axis = 0; axis < 3; axis++) {
+        vector[axis] = length > 0.0 ? vector[axis] / length : 0.0;
+    }
+}
+
+static bool check_vertex(struct model_vertex *vertex)
+{
+    if (!is_in_range(vertex->position, 3) || !is_in_range(vertex->normal, 3) ||
+        !is_in_range(vertex->uv, 2)) {
+        return false;
+    }
+    normalise(vertex->normal);
+    for (int i = 0; i < 3; i++) { /* -0 becomes 0: they are the same place */
+        vertex->position[i] += 0.0;
+        vertex->normal[i] += 0.0;
+        vertex->uv[i % 2] += 0.0;
+    }
+    return true;
+}
+
+bool model_check(const char *path, struct model *model, struct text_error *error)
+{
+    for (size_t i = 0; i < model->vertex_count; i++) {
+        if (!check_vertex(&model->vertices[i]) ||
+            model->vertices[i].material >= model->material_count) {
+            text_error_set(error, path, 0, "vertex %zu is not a number, or beyond 1e9", i + 1);
+            return false;
+        }
+    }
+    for (size_t i = 0; i < model->triangle_count; i++) {
+        const uint32_t *corner = model->triangles[i];
+        for (int j = 0; j < 3; j++) {
+            if (corner[j] >= model->vertex_count) {
+                text_error_set(error, path, 0, "triangle %zu names a vertex that is not there",
+                               i + 1);
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* ---- One vertex for all that are equal ---- */
+
+/* FNV-1a over the bytes, then mixed once: neighbours on a grid differ in few bits. */
+static size_t hash_vertex(const struct model_vertex *vertex)
+{
+    const unsigned char *bytes = (const unsigned char *)vertex;
+    uint64_t hash = UINT64_C(0xCBF29CE484222325);
+    for (size_t i = 0; i < sizeof *vertex; i++) {
+        hash = (hash ^ bytes[i]) * UINT64_C(0x100000001B3);
+    }
+    return (size_t)(hash ^ hash >> 29);
+}
+
+/* model_check has left no NaN and no -0, so that bytes tell whether numbers are equal. */
+static bool same_bytes(const void *a, const void *b)
+{
+    return memcmp(a, b, sizeof(struct model_vertex)) == 0;
+}
+
+/* Fills same[i], the first vertex equal to i. */
+static bool find_equal(const struct model *model, uint32_t *same)
+{
+    size_t size = 64;
+    while (size < 2 * model->vertex_count) {
+        size *= 2;
+    }
+    uint32_t *slots = calloc(size, sizeof *slots); /* vertex + 1, or 0 */
+    for (size_t i = 0; slots != NULL && i < model->vertex_count; i++) {
+        size_t at = hash_vertex(&model->vertices[i]) & (size - 1);
+        while (slots[at] != 0 &&
+               !same_bytes(&model->vertices[slots[at] - 1], &model->vertices[i])) {
+            at = (at + 1) & (size - 1);
+        }
+        if (slots[at] == 0) {
+            slots[at] = (uint32_t)i + 1;
+        }
+        same[i] = slots[at] - 1;
+    }
+    free(slots);
+    return slots != NULL;
+}
+
+static bool has_area(const struct model *model, const uint32_t triangle[3])
+{
+    double edge[2][3];
+    for (int axis = 0; axis < 3; axis++) {
+        double first = model->vertices[triangle[0]].position[axis];
+        edge[0][axis] = model->vertices[triangle[1]].position[axis] - first;
+        edge[1][axis] = model->vertices[triangle[2]].position[axis] - first;
+    }
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        if (edge[0][j] * edge[1][k] != edge[0][k] * edge[1][j]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Keeps the vertices that triangles name, in the order they are named. place: all zero. */
+static void keep_named(struct model *model, struct model_vertex *kept, uint32_t *place)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < model->triangle_count; i++) {
+        for (int j = 0; j < 3; j++) {
+            uint32_t *corner = &model->triangles[i][j];
+            if (place[*corner] == 0) {
+                kept[count++] = model->vertices[*corner];
+                place[*corner] = (uint32_t)count;
+            }
+            *corner = place[*corner] - 1;
+        }
+    }
+    model->vertex_count = count;
+}
+
+bool model_weld(struct model *model)
+{
+    uint32_t *same = calloc(model->vertex_count + 1, sizeof *same);
+    struct model_vertex *kept = calloc(model->vertex_count + 1, sizeof *kept);
+    bool ok = same != NULL && kept != NULL && find_equal(model, same);
+    if (ok) {
+        size_t count = 0;
+        for (size_t i = 0; i < model->triangle_count; i++) {
+            const uint32_t *t = model->triangles[i];
+            const uint32_t corner[3] = {same[t[0]], same[t[1]], same[t[2]]};
+            if (has_area(model, corner)) {
+                memcpy(model->triangles[count++], corner, sizeof corner);
+            }
+        }
+        model->triangle_count = count;
+        memset(same, 0, (model->vertex_count + 1) * sizeof *same);
+        keep_named(model, kept, same);
+        free(model->vertices);
+        model->vertices = kept;
+        kept = NULL;
+    }
+    free(same);
+    free(kept);
+    return ok;
+}
+
+/* ---- Where it stands ---- */
+
+struct model_box model_bounds(const struct model *model)
+{
+    struct model_box box = {{0, 0, 0}, {0, 0, 0}};
+    for (size_t i = 0; i < model->vertex_count; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            double at = model->vertices[i].position[axis];
+            box.low[axis] = i == 0 || at < box.low[axis] ? at : box.low[axis];
+            box.high[axis] = i == 0 || at > box.high[axis] ? at : box.high[axis];
+        }
+    }
+    return box;
+}
+
+static void turn(double vector[3])
+{
+    double y = vector[1];
+    vector[1] = vector[2];
+    vector[2] = 0.0 - y; /* never -0 */
+}
+
+void model_turn_up(struct model *model, char up)
+{
+    for (size_t i = 0; up == 'z' && i < model->vertex_count; i++) {
+        turn(model->vertices[i].position);
+        turn(model->vertices[i].normal);
+    }
+}
+
+void model_center(struct model *model)
+{
+    struct model_box box = model_bounds(model);
+    for (size_t i = 0; i < model->vertex_count; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            model->vertices[i].position[axis] -= (box.low[axis] + box.high[axis]) / 2.0;
+        }
+    }
+}
+
+void model_fit(struct model *model, double size)
+{
+    struct model_box box = model_bounds(model);
+    double largest = 0.0;
+    for (int axis = 0; axis < 3; axis++) {
+        largest = fmax(largest, box.high[axis] - box.low[axis]);
+    }
+    for (size_t i = 0; largest > 0.0 && i < model->vertex_count; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            model->vertices[i].position[axis] *= size / largest;
+        }
+    }
+}

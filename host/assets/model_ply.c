@@ -1,0 +1,208 @@
+/*
+ * Whether a PLY file is as long as its header says: the library that reads it makes up what is
+ * missing.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../io/lines.h"
+#include "../io/number.h"
+#include "model.h"
+
+enum { MOST_ELEMENTS = 16, MOST_PROPERTIES = 64 };
+
+/* Bytes of a value, and of a list's count, 0 where it is no list. */
+struct property {
+    size_t bytes, count_bytes;
+};
+
+struct element {
+    int64_t count;
+    struct property properties[MOST_PROPERTIES];
+    int property_count;
+};
+
+struct ply {
+    const char *path;
+    struct text_error *error;
+    int line;
+    bool is_ascii, is_big_endian, ended;
+    struct element elements[MOST_ELEMENTS];
+    int element_count;
+};
+
+static bool fail(const struct ply *ply, int line, const char *problem)
+{
+    text_error_set(ply->error, ply->path, line, "%s", problem);
+    return false;
+}
+
+/* ---- The header ---- */
+
+static size_t bytes_of(const struct token *type)
+{
+    static const struct {
+        const char *name;
+        size_t bytes;
+    } types[] = {{"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},
+                 {"short", 2}, {"ushort", 2},  {"int16", 2},  {"uint16", 2},
+                 {"int", 4},   {"uint", 4},    {"int32", 4},  {"uint32", 4},
+                 {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
+        if (token_equals(type, types[i].name)) {
+            return types[i].bytes;
+        }
+    }
+    return 0;
+}
+
+static bool parse_element(struct ply *ply, struct line *line)
+{
+    struct token name, count;
+    if (ply->element_count == MOST_ELEMENTS) {
+        return fail(ply, ply->line, "more than 16 elements");
+    }
+    struct element *element = &ply->elements[ply->element_count++];
+    memset(element, 0, sizeof *element);
+    if (!line_token(line, &name) || !line_token(line, &count) ||
+        number_parse_integer(count.text, count.length, 0, INT64_C(1) << 32, &element->count) !=
+            NUMBER_OK) {
+        return fail(ply, ply->line, "an element needs a name and a count");
+    }
+    if (token_equals(&name, "face") && element->count > (int64_t)MODEL_MAX_TRIANGLES) {
+        return fail(ply, ply->line,
+                    "more than 2097152 triangles; simplify the model elsewhere first");
+    }
+    return true;
+}
+
+static bool parse_property(struct ply *ply, struct line *line)
+{
+    struct token type;
+    struct property property = {0, 0};
+    if (ply->element_count == 0) {
+        return fail(ply, ply->line, "a property before the first element");
+    }
+    struct element *element = &ply->elements[ply->element_count - 1];
+    bool ok = element->property_count < MOST_PROPERTIES && line_token(line, &type);
+    if (ok && token_equals(&type, "list")) {
+        ok = line_token(line, &type);
+        property.count_bytes = ok ? bytes_of(&type) : 0;
+        ok = property.count_bytes > 0 && line_token(line, &type);
+    }
+    property.bytes = ok ? bytes_of(&type) : 0;
+    if (property.bytes == 0) {
+        return fail(ply, ply->line, "a property of no known type");
+    }
+    element->properties[element->property_count++] = property;
+    return true;
+}
+
+static bool parse_line(struct ply *ply, struct line *line)
+{
+    struct token keyword, format;
+    if (!line_token(line, &keyword)) {
+        return true;
+    }
+    if (token_equals(&keyword, "element")) {
+        return parse_element(ply, line);
+    }
+    if (token_equals(&keyword, "property")) {
+        return parse_property(ply, line);
+    }
+    if (token_equals(&keyword, "format") && line_token(line, &format)) {
+        ply->is_ascii = token_equals(&format, "ascii");
+        ply->is_big_endian = token_equals(&format, "binary_big_endian");
+    }
+    ply->ended = token_equals(&keyword, "end_header");
+    return true;
+}
+
+/* ---- The data ---- */
+
+static bool check_text(const struct ply *ply, struct line_reader *reader)
+{
+    int64_t lines = 0, needed = 0;
+    struct line line;
+    struct token token;
+    int last = ply->line;
+    for (int i = 0; i < ply->element_count; i++) {
+        needed += ply->elements[i].count;
+    }
+    while (lines_next(reader, &line)) {
+        lines += line_token(&line, &token) ? 1 : 0;
+        last = line.number;
+    }
+    return lines >= needed || fail(ply, last, "ends before the last of its elements");
+}
+
+static uint64_t list_length(const struct ply *ply, const char *at, size_t bytes)
+{
+    uint64_t count = 0;
+    for (size_t i = 0; i < bytes && i < 4; i++) {
+        size_t place = ply->is_big_endian ? i : bytes - 1 - i;
+        count = count << 8 | (unsigned char)at[place];
+    }
+    return count;
+}
+
+/* Passes over one element; false where the file ends before. */
+static bool skip_element(const struct ply *ply, const struct element *element, const char **at,
+                         const char *end)
+{
+    for (int i = 0; i < element->property_count; i++) {
+        const struct property *property = &element->properties[i];
+        uint64_t bytes = property->bytes;
+        if ((size_t)(end - *at) < property->count_bytes) {
+            return false;
+        }
+        if (property->count_bytes > 0) {
+            bytes *= list_length(ply, *at, property->count_bytes);
+            *at += property->count_bytes;
+        }
+        if ((uint64_t)(end - *at) < bytes) {
+            return false;
+        }
+        *at += bytes;
+    }
+    return true;
+}
+
+static bool check_binary(const struct ply *ply, const char *at, const char *end)
+{
+    for (int i = 0; i < ply->element_count; i++) {
+        const struct element *element = &ply->elements[i];
+        for (int64_t j = 0; j < element->count && element->property_count > 0; j++) {
+            if (!skip_element(ply, element, &at, end)) {
+                return fail(ply, 0, "ends before the last of its elements");
+            }
+        }
+    }
+    return true;
+}
+
+bool model_check_ply(const char *path, const char *text, size_t length, struct text_error *error)
+{
+    struct ply *ply = calloc(1, sizeof *ply);
+    struct line_reader reader;
+    struct line line;
+    bool ok = ply != NULL;
+    if (!ok) {
+        text_error_set(error, path, 0, "out of memory");
+        return false;
+    }
+    ply->path = path;
+    ply->error = error;
+    lines_begin(&reader, text, length, false);
+    while (ok && !ply->ended && lines_next(&reader, &line)) {
+        ply->line = line.number;
+        ok = parse_line(ply, &line);
+    }
+    if (ok && !ply->ended) {
+        ok = fail(ply, ply->line, "the header does not end");
+    } else if (ok) {
+        ok = ply->is_ascii ? check_text(ply, &reader) : check_binary(ply, reader.at, reader.end);
+    }
+    free(ply);
+    return ok;
+}

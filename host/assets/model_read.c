@@ -1,0 +1,186 @@
+#include "model.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../io/file.h"
+
+/* Formats by the end of a file's name. */
+static const char *const endings[] = {"obj", "gltf", "glb", "stl", "ply"};
+
+enum { ENDINGS = sizeof endings / sizeof endings[0] };
+
+static char lower(char c)
+{
+    return (char)(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+}
+
+/* The ending of a name, one of `endings`, or NULL. */
+static const char *ending_of(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    for (int i = 0; dot != NULL && i < ENDINGS; i++) {
+        size_t at = 0;
+        while (endings[i][at] != '\0' && lower(dot[1 + at]) == endings[i][at]) {
+            at++;
+        }
+        if (endings[i][at] == '\0' && dot[1 + at] == '\0') {
+            return endings[i];
+        }
+    }
+    return NULL;
+}
+
+bool model_is_file_name(const char *path)
+{
+    return strcmp(path, "-") == 0 || ending_of(path) != NULL;
+}
+
+static bool begins(const char *text, size_t length, const char *magic)
+{
+    return length >= strlen(magic) && memcmp(text, magic, strlen(magic)) == 0;
+}
+
+/* A binary STL says in bytes 80..83 how many triangles of 50 bytes follow. */
+static bool is_binary_stl(const char *text, size_t length)
+{
+    uint64_t count = 0;
+    for (int i = 3; length >= 84 && i >= 0; i--) {
+        count = count << 8 | (unsigned char)text[80 + i];
+    }
+    return length >= 84 && (uint64_t)length - 84 >= 50 * count && count > 0 &&
+           (uint64_t)length - 84 < 50 * count + 50;
+}
+
+static bool is_json(const char *text, size_t length)
+{
+    size_t at = begins(text, length, "\xEF\xBB\xBF") ? 3 : 0;
+    while (at < length &&
+           (text[at] == ' ' || text[at] == '\n' || text[at] == '\r' || text[at] == '\t')) {
+        at++;
+    }
+    return at < length && text[at] == '{';
+}
+
+/* The format that the bytes look like; OBJ has nothing to know it by. */
+static const char *sniff(const char *text, size_t length)
+{
+    if (begins(text, length, "glTF")) {
+        return "glb";
+    }
+    if (begins(text, length, "ply\n") || begins(text, length, "ply\r")) {
+        return "ply";
+    }
+    if (is_binary_stl(text, length) || begins(text, length, "solid")) {
+        return "stl";
+    }
+    return is_json(text, length) ? "gltf" : "obj";
+}
+
+/* Text ends in `endsolid`; without it, its end is missing. */
+static bool check_stl(const char *path, const char *text, size_t length, struct text_error *error)
+{
+    static const char word[] = "endsolid";
+    int lines = 1;
+    for (size_t i = 0; i < length; i++) {
+        lines += text[i] == '\n' ? 1 : 0;
+    }
+    if (is_binary_stl(text, length)) {
+        return true;
+    }
+    for (size_t at = length; at >= sizeof word - 1 && at + 1024 > length; at--) {
+        if (memcmp(text + at - (sizeof word - 1), word, sizeof word - 1) == 0) {
+            return true;
+        }
+    }
+    text_error_set(error, path, lines, "ends without `endsolid`");
+    return false;
+}
+
+/* Programs write anything for the normals of an STL file: they are made anew. */
+static bool face_normals(const char *path, struct model *model, struct text_error *error)
+{
+    bool ok = model_make_normals(model, MODEL_NORMALS_FLAT, 0.0);
+    if (!ok) {
+        text_error_set(error, path, 0, "out of memory");
+    }
+    return ok;
+}
+
+/* What the library would not notice. */
+static bool check_complete(const char *path, const char *text, size_t length, const char *format,
+                           struct text_error *error)
+{
+    if (strcmp(format, "ply") == 0) {
+        return model_check_ply(path, text, length, error);
+    }
+    return strcmp(format, "stl") != 0 || check_stl(path, text, length, error);
+}
+
+static bool read_as(const char *path, const char *text, size_t length, bool with_materials,
+                    struct model *model, struct text_error *error)
+{
+    const char *seen = sniff(text, length);
+    const char *format = strcmp(path, "-") == 0 ? seen : ending_of(path);
+    if (format == NULL) {
+        text_error_set(error, path, 0, "is not named .obj, .gltf, .glb, .stl or .ply");
+        return false;
+    }
+    if (strcmp(format, "obj") == 0) {
+        return model_parse_obj(path, text, length, with_materials, model, error);
+    }
+    if (strcmp(format, seen) != 0) {
+        const char *problem = strcmp(format, "stl") == 0
+                                  ? "is neither text that begins with `solid` nor as long as its "
+                                    "count of triangles says"
+                                  : "does not begin as such a file does";
+        text_error_set(error, path, 0, "%s (%s)", problem, format);
+        return false;
+    }
+    if (!check_complete(path, text, length, format, error) ||
+        !model_read_library(path, text, length, format, with_materials, model, error)) {
+        return false;
+    }
+    if (strcmp(format, "stl") == 0 &&
+        (!model_check(path, model, error) || !face_normals(path, model, error))) {
+        model_free(model);
+        return false;
+    }
+    return true;
+}
+
+bool model_read(const char *path, bool with_materials, struct model *model,
+                struct text_error *error)
+{
+    struct file_content file;
+    memset(model, 0, sizeof *model);
+    if (!file_read(path, &file, error)) {
+        return false;
+    }
+    bool ok = read_as(path, file.bytes, file.length, with_materials, model, error);
+    free(file.bytes);
+    if (!ok || !model_check(path, model, error)) {
+        model_free(model);
+        return false;
+    }
+    if (!model_weld(model)) {
+        text_error_set(error, path, 0, "out of memory");
+        model_free(model);
+        return false;
+    }
+    if (model->triangle_count == 0) {
+        text_error_set(error, path, 0, "has no triangle with an area");
+        model_free(model);
+        return false;
+    }
+    return true;
+}
+
+bool model_path_beside(char *out, size_t size, const char *beside, const char *name)
+{
+    const char *slash = strrchr(beside, '/');
+    int folder = slash == NULL || name[0] == '/' ? 0 : (int)(slash - beside) + 1;
+    int length = snprintf(out, size, "%.*s%s", folder, beside, name);
+    return length >= 0 && (size_t)length < size;
+}

@@ -1,0 +1,254 @@
+#include "texture.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const texture_format_names[TEXTURE_FORMATS] = {"rgb565", "palette", "gray8",
+                                                           "xrgb8888"};
+
+void texture_free(struct texture *texture)
+{
+    free(texture->texels);
+    memset(texture, 0, sizeof *texture);
+}
+
+/* ---- Colours and stored texels ---- */
+
+static uint32_t level(int value, int steps)
+{
+    return (uint32_t)((value * steps + 127) / 255);
+}
+
+static uint32_t nearest_entry(const struct texture *texture, const int color[3], int first)
+{
+    int best = first, least = 1 << 30;
+    for (int i = first; i < texture->palette_count; i++) {
+        int sum = 0;
+        for (int c = 0; c < 3; c++) {
+            int difference = color[c] - texture->palette[i][c];
+            sum += difference * difference;
+        }
+        if (sum < least) {
+            least = sum;
+            best = i;
+        }
+    }
+    return (uint32_t)best;
+}
+
+static uint32_t encode(const struct texture *texture, const int color[3])
+{
+    switch (texture->format) {
+    case TEXTURE_RGB565:
+        return level(color[0], 31) << 11 | level(color[1], 63) << 5 | level(color[2], 31);
+    case TEXTURE_GRAY8:
+        return (uint32_t)(299 * color[0] + 587 * color[1] + 114 * color[2] + 500) / 1000;
+    case TEXTURE_PALETTE:
+        return nearest_entry(texture, color, texture->has_key ? 1 : 0);
+    default:
+        return (uint32_t)color[0] << 16 | (uint32_t)color[1] << 8 | (uint32_t)color[2];
+    }
+}
+
+/* As the core widens texels to 8 bits a channel. */
+static void decode(const struct texture *texture, uint32_t texel, int color[3])
+{
+    if (texture->format == TEXTURE_RGB565) {
+        int r = (int)(texel >> 11), g = (int)(texel >> 5 & 63), b = (int)(texel & 31);
+        color[0] = r << 3 | r >> 2;
+        color[1] = g << 2 | g >> 4;
+        color[2] = b << 3 | b >> 2;
+        return;
+    }
+    for (int c = 0; c < 3; c++) {
+        color[c] = texture->format == TEXTURE_GRAY8     ? (int)texel
+                   : texture->format == TEXTURE_PALETTE ? texture->palette[texel][c]
+                                                        : (int)(texel >> (16 - 8 * c) & 255);
+    }
+}
+
+/* A texel that is to be seen must not be the key's: the nearest other one. */
+static uint32_t keep_off_key(const struct texture *texture, uint32_t texel)
+{
+    if (!texture->has_key || texel != texture->key || texture->format == TEXTURE_PALETTE) {
+        return texel;
+    }
+    uint32_t step = texture->format == TEXTURE_RGB565 ? 1U << 5 : 1U;
+    return texel ^ step; /* one step of green, gray or blue up or down */
+}
+
+/* ---- Dithering ---- */
+
+/* Error diffusion (Floyd and Steinberg 1976): errors of this row's pixels to come and the next's,
+   in sixteenths. */
+struct diffusion {
+    int (*row)[3], (*next)[3]; /* width + 2 each, the first is left of the picture */
+};
+
+static void diffuse(struct diffusion *diffusion, int x, const int error[3])
+{
+    for (int c = 0; c < 3; c++) {
+        diffusion->row[x + 2][c] += 7 * error[c];
+        diffusion->next[x][c] += 3 * error[c];
+        diffusion->next[x + 1][c] += 5 * error[c];
+        diffusion->next[x + 2][c] += error[c];
+    }
+}
+
+static int with_error(int value, int sixteenths)
+{
+    int moved = value + (sixteenths >= 0 ? (sixteenths + 8) / 16 : -((8 - sixteenths) / 16));
+    return moved < 0 ? 0 : moved > 255 ? 255 : moved;
+}
+
+static bool is_key(const struct texture_options *options, const uint8_t *pixel)
+{
+    return options->has_key && (pixel[3] < 128 || memcmp(pixel, options->key, 3) == 0);
+}
+
+static void convert_row(struct texture *texture, const struct texture_options *options,
+                        const struct image *image, int y, struct diffusion *diffusion)
+{
+    for (int x = 0; x < texture->width; x++) {
+        size_t at = (size_t)y * (size_t)texture->width + (size_t)x;
+        const uint8_t *pixel = &image->rgba[4 * at];
+        int wanted[3], got[3], error[3];
+        if (is_key(options, pixel)) {
+            texture->texels[at] = texture->key;
+            continue;
+        }
+        for (int c = 0; c < 3; c++) {
+            wanted[c] = options->dither ? with_error(pixel[c], diffusion->row[x + 1][c]) : pixel[c];
+        }
+        texture->texels[at] = keep_off_key(texture, encode(texture, wanted));
+        decode(texture, texture->texels[at], got);
+        for (int c = 0; c < 3; c++) {
+            error[c] = wanted[c] - got[c];
+        }
+        if (texture->format != TEXTURE_GRAY8) {
+            diffuse(diffusion, x, error);
+        }
+    }
+}
+
+static bool convert(struct texture *texture, const struct texture_options *options,
+                    const struct image *image)
+{
+    size_t columns = (size_t)texture->width + 2;
+    int(*rows)[3] = calloc(2 * columns, sizeof *rows);
+    if (rows == NULL) {
+        return false;
+    }
+    for (int y = 0; y < texture->height; y++) {
+        struct diffusion diffusion = {&rows[(size_t)(y & 1) * columns],
+                                      &rows[(size_t)(~y & 1) * columns]};
+        memset(diffusion.next, 0, columns * sizeof *rows);
+        convert_row(texture, options, image, y, &diffusion);
+    }
+    free(rows);
+    return true;
+}
+
+static void measure(struct texture *texture, const struct texture_options *options,
+                    const struct image *image)
+{
+    double sum = 0.0;
+    size_t seen = 0, count = (size_t)texture->width * (size_t)texture->height;
+    for (size_t i = 0; i < count; i++) {
+        int color[3];
+        if (is_key(options, &image->rgba[4 * i])) {
+            continue;
+        }
+        seen++;
+        decode(texture, texture->texels[i], color);
+        for (int c = 0; c < 3; c++) {
+            int difference = abs(color[c] - image->rgba[4 * i + (size_t)c]);
+            sum += (double)difference * difference;
+            texture->error.greatest =
+                difference > texture->error.greatest ? difference : texture->error.greatest;
+        }
+    }
+    texture->error.rms = seen > 0 ? sqrt(sum / (3.0 * (double)seen)) : 0.0;
+}
+
+/* ---- The texture ---- */
+
+/* Of a palette with a key, entry 0 is the key's. */
+static bool make_palette(struct texture *texture, const struct texture_options *options,
+                         const struct image *image)
+{
+    int first = options->has_key ? 1 : 0;
+    uint8_t colors[256][3];
+    int count = texture_palette(image, 256 - first, colors);
+    memcpy(texture->palette[0], options->key, 3);
+    memcpy(texture->palette[first], colors, (size_t)(256 - first) * 3);
+    texture->palette_count = count + first;
+    return count > 0;
+}
+
+static bool fill(struct texture *texture, const struct texture_options *options,
+                 const struct image *image)
+{
+    const int key[3] = {options->key[0], options->key[1], options->key[2]};
+    texture->texels =
+        calloc((size_t)texture->width * (size_t)texture->height, sizeof *texture->texels);
+    if (texture->texels == NULL ||
+        (texture->format == TEXTURE_PALETTE && !make_palette(texture, options, image))) {
+        return false;
+    }
+    texture->has_key = options->has_key;
+    texture->key =
+        options->has_key && texture->format != TEXTURE_PALETTE ? encode(texture, key) : 0;
+    return convert(texture, options, image);
+}
+
+bool texture_make(const char *path, const struct image *image,
+                  const struct texture_options *options, struct texture *texture,
+                  struct text_error *error)
+{
+    struct image sized;
+    memset(texture, 0, sizeof *texture);
+    texture->format = options->format;
+    texture->width = options->width > 0 ? options->width : texture_nearest_side(image->width);
+    texture->height = options->height > 0 ? options->height : texture_nearest_side(image->height);
+    bool ok = texture_resample(image, texture->width, texture->height, &sized) &&
+              fill(texture, options, &sized);
+    if (ok) {
+        measure(texture, options, &sized);
+    } else {
+        text_error_set(error, path, 0, "out of memory");
+        texture_free(texture);
+    }
+    image_free(&sized);
+    return ok;
+}
+
+static size_t texel_bytes(const struct texture *texture)
+{
+    return texture->format == TEXTURE_XRGB8888 ? 4 : texture->format == TEXTURE_RGB565 ? 2 : 1;
+}
+
+/* 44: sizeof (qtri_texture) with 32-bit pointers and enums. */
+size_t texture_flash_bytes(const struct texture *texture)
+{
+    return (size_t)texture->width * (size_t)texture->height * texel_bytes(texture) +
+           (texture->format == TEXTURE_PALETTE ? 768U : 0U) + 44U;
+}
+
+bool texture_picture(const struct texture *texture, struct picture *picture)
+{
+    if (!picture_create(picture, texture->width, texture->height, false)) {
+        return false;
+    }
+    size_t count = (size_t)texture->width * (size_t)texture->height;
+    for (size_t i = 0; i < count; i++) {
+        int color[3];
+        decode(texture, texture->texels[i], color);
+        for (size_t c = 0; c < 3; c++) {
+            picture->rgb[3 * i + c] = (uint8_t)color[c];
+        }
+    }
+    return true;
+}

@@ -1,0 +1,98 @@
+#include "texture.h"
+
+#include <inttypes.h>
+
+/* How the formats are written. */
+static const struct {
+    const char *type, *description;
+    int digits, in_row;
+} formats[TEXTURE_FORMATS] = {
+    [TEXTURE_RGB565] = {"uint16_t", "qtri_texel_rgb565", 4, 12},
+    [TEXTURE_PALETTE] = {"uint8_t", "qtri_texel_palette8", 2, 16},
+    [TEXTURE_GRAY8] = {"uint8_t", "qtri_texel_gray8", 2, 16},
+    [TEXTURE_XRGB8888] = {"uint32_t", "qtri_texel_xrgb8888", 8, 8},
+};
+
+static int log2_of(int side)
+{
+    int log2 = 0;
+    while (side > 1) {
+        side /= 2;
+        log2++;
+    }
+    return log2;
+}
+
+static void write_texels(const struct texture *texture, const char *name, FILE *out)
+{
+    size_t count = (size_t)texture->width * (size_t)texture->height;
+    int in_row = formats[texture->format].in_row;
+    fprintf(out, "static const %s %s_texels[] = {", formats[texture->format].type, name);
+    for (size_t i = 0; i < count; i++) {
+        fprintf(out, "%s0x%0*" PRIX32 ",", i % (size_t)in_row == 0 ? "\n    " : " ",
+                formats[texture->format].digits, texture->texels[i]);
+    }
+    fputs("\n};\n\n", out);
+}
+
+static void write_palette(const struct texture *texture, const char *name, FILE *out)
+{
+    fprintf(out, "static const qtri_rgb %s_palette[256] = {", name);
+    for (int i = 0; i < 256; i++) {
+        const uint8_t *c = texture->palette[i];
+        fprintf(out, "%s{%d, %d, %d},", i % 5 == 0 ? "\n    " : " ", c[0], c[1], c[2]);
+    }
+    fputs("\n};\n\n", out);
+}
+
+/* Every member by its place: C++11 has no names in initialisers. */
+static void write_data(const struct texture *texture, const char *name, const char *linkage,
+                       FILE *out)
+{
+    bool palette = texture->format == TEXTURE_PALETTE;
+    write_texels(texture, name, out);
+    if (palette) {
+        write_palette(texture, name, out);
+    }
+    fprintf(out, "%sconst qtri_texture %s = {\n", linkage, name);
+    fprintf(out, "    %s_texels, &%s,\n", name, formats[texture->format].description);
+    fprintf(out, "    %d, %d, /* width_log2, height_log2: %d x %d */\n", log2_of(texture->width),
+            log2_of(texture->height), texture->width, texture->height);
+    fputs("    0, {{0, 0, 0}, {0, 0, 0}}, /* fields, color: of checkers */\n", out);
+    fputs("    QTRI_REPEAT, QTRI_REPEAT, NULL, /* wrap_u, wrap_v, filter: nearest */\n", out);
+    fprintf(out, "    %s%s, /* palette */\n", palette ? name : "NULL", palette ? "_palette" : "");
+    fprintf(out, "    %s, 0x%" PRIX32 "u, /* has_key, key */\n};\n",
+            texture->has_key ? "true" : "false", texture->key);
+}
+
+static void upper(const char *name, char *out, size_t size)
+{
+    size_t i = 0;
+    for (; name[i] != '\0' && i + 1 < size; i++) {
+        out[i] = (char)(name[i] >= 'a' && name[i] <= 'z' ? name[i] - 'a' + 'A' : name[i]);
+    }
+    out[i] = '\0';
+}
+
+void texture_write_c(const struct texture *texture, const char *name, const char *header_name,
+                     FILE *header, FILE *source)
+{
+    char capitals[100];
+    upper(name, capitals, sizeof capitals);
+    fprintf(header,
+            "/*\n * %s: %d x %d texels, %s, %zu bytes of flash. Made by `qtri texture`.\n */\n",
+            name, texture->width, texture->height, texture_format_names[texture->format],
+            texture_flash_bytes(texture));
+    fprintf(header, "#ifndef %s_TEXTURE_H\n#define %s_TEXTURE_H\n\n", capitals, capitals);
+    fputs("#include <qtri.h>\n#include <stddef.h>\n\n", header);
+    if (source == NULL) {
+        write_data(texture, name, "static ", header);
+    } else {
+        fputs("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", header);
+        fprintf(header, "extern const qtri_texture %s;\n", name);
+        fputs("\n#ifdef __cplusplus\n}\n#endif\n", header);
+        fprintf(source, "#include \"%s\"\n\n", header_name);
+        write_data(texture, name, "", source);
+    }
+    fputs("\n#endif\n", header);
+}

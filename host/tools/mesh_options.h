@@ -1,0 +1,33 @@
+/*
+ * What `qtri mesh` was asked for.
+ */
+#ifndef QTRI_HOST_TOOLS_MESH_OPTIONS_H
+#define QTRI_HOST_TOOLS_MESH_OPTIONS_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "../assets/model.h"
+
+struct mesh_options {
+    const char *input, *output;
+    const char *preview; /* NULL: none */
+    char name[64];       /* of the mesh in C */
+    bool is_generated;   /* the input is a name that mesh_generate knows */
+    bool is_obj;         /* the output is OBJ, not C */
+    bool is_changed;     /* an option asks for more than the generated text */
+    bool split, compact, center, colors, plain, no_faces;
+    char up;    /* 'y' or 'z' */
+    double fit; /* 0: as it is */
+    enum model_normals normals;
+    double smooth_degrees;
+    long simplify; /* 0: all triangles */
+    int panel_width, panel_height, rows;
+};
+
+/* False after a message on standard error: wrong usage. */
+bool mesh_options_parse(int argc, char **argv, struct mesh_options *options);
+
+void mesh_options_help(FILE *out);
+
+#endif

@@ -1,0 +1,327 @@
+#define _XOPEN_SOURCE 700 /* M_PI */
+
+#include "mesh_solids.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+/* 0 in place of -0, which a reader may take for another place. */
+static double positive_zero(double value)
+{
+    return fabs(value) < 5e-7 ? 0.0 : value;
+}
+
+static void write_numbers(FILE *out, const char *keyword, double x, double y, double z)
+{
+    fprintf(out, "%s %.6f %.6f %.6f\n", keyword, positive_zero(x), positive_zero(y),
+            positive_zero(z));
+}
+
+/* ---- Surfaces of (columns + 1) x (rows + 1) vertices that have all three attributes ---- */
+
+struct vertex {
+    double position[3], normal[3], uv[2];
+};
+
+struct sheet {
+    int columns, rows;
+    /* u and v in 0..1; seen from outside u grows to the right and v downwards */
+    void (*at)(double u, double v, struct vertex *out);
+    bool first_is_point, last_is_point; /* a row that is one point has no triangles of its own */
+};
+
+static void write_corner(FILE *out, int index)
+{
+    fprintf(out, " %d/%d/%d", index, index, index);
+}
+
+static void write_face(FILE *out, int a, int b, int c)
+{
+    fputc('f', out);
+    write_corner(out, a);
+    write_corner(out, b);
+    write_corner(out, c);
+    fputc('\n', out);
+}
+
+/* Returns the index of the next sheet's first vertex. */
+static int write_sheet(FILE *out, const struct sheet *sheet, int first)
+{
+    int stride = sheet->columns + 1;
+    for (int row = 0; row <= sheet->rows; row++) {
+        for (int column = 0; column <= sheet->columns; column++) {
+            struct vertex vertex;
+            double u = (double)column / sheet->columns, v = (double)row / sheet->rows;
+            sheet->at(u, v, &vertex);
+            write_numbers(out, "v", vertex.position[0], vertex.position[1], vertex.position[2]);
+            write_numbers(out, "vn", vertex.normal[0], vertex.normal[1], vertex.normal[2]);
+            fprintf(out, "vt %.6f %.6f\n", vertex.uv[0], 1.0 - vertex.uv[1]);
+        }
+    }
+    for (int row = 0; row < sheet->rows; row++) {
+        for (int column = 0; column < sheet->columns; column++) {
+            int a = first + row * stride + column;
+            int below = a + stride;
+            if (!sheet->first_is_point || row > 0) {
+                write_face(out, a, below, a + 1);
+            }
+            if (!sheet->last_is_point || row + 1 < sheet->rows) {
+                write_face(out, a + 1, below, below + 1);
+            }
+        }
+    }
+    return first + stride * (sheet->rows + 1);
+}
+
+static void set(double out[3], double x, double y, double z)
+{
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+}
+
+static void set_uv(struct vertex *out, double u, double v)
+{
+    out->uv[0] = u;
+    out->uv[1] = v;
+}
+
+/* The angle of u around y, whose last column lies exactly on the first. */
+static double around(double u)
+{
+    return u == 1.0 ? 0.0 : 2.0 * M_PI * u;
+}
+
+static void sphere_at(double u, double v, struct vertex *out)
+{
+    double r = v == 0.0 || v == 1.0 ? 0.0 : sin(M_PI * v);
+    set(out->position, r * sin(around(u)), cos(M_PI * v), r * cos(around(u)));
+    set(out->normal, out->position[0], out->position[1], out->position[2]);
+    set_uv(out, u, v);
+}
+
+static void side_at(double u, double v, struct vertex *out)
+{
+    double x = sin(around(u)), z = cos(around(u));
+    set(out->position, x, 1.0 - 2.0 * v, z);
+    set(out->normal, x, 0.0, z);
+    set_uv(out, u, v);
+}
+
+/* The slope of a cone as high as wide: its normal rises by half of what it goes out. */
+static void cone_at(double u, double v, struct vertex *out)
+{
+    double x = sin(around(u)), z = cos(around(u));
+    set(out->position, v * x, 1.0 - 2.0 * v, v * z);
+    set(out->normal, x * sqrt(.8), sqrt(.2), z * sqrt(.8));
+    set_uv(out, u, v);
+}
+
+static void top_at(double u, double v, struct vertex *out)
+{
+    double x = v * sin(around(u)), z = v * cos(around(u));
+    set(out->position, x, 1.0, z);
+    set(out->normal, 0.0, 1.0, 0.0);
+    set_uv(out, .5 + .5 * x, .5 + .5 * z);
+}
+
+static void bottom_at(double u, double v, struct vertex *out)
+{
+    double x = (1.0 - v) * sin(around(u)), z = (1.0 - v) * cos(around(u));
+    set(out->position, x, -1.0, z);
+    set(out->normal, 0.0, -1.0, 0.0);
+    set_uv(out, .5 + .5 * x, .5 - .5 * z);
+}
+
+static void grid_at(double u, double v, struct vertex *out)
+{
+    set(out->position, 2.0 * u - 1.0, 0.0, 2.0 * v - 1.0);
+    set(out->normal, 0.0, 1.0, 0.0);
+    set_uv(out, u, v);
+}
+
+static void front_at(double u, double v, struct vertex *out)
+{
+    set(out->position, 2.0 * u - 1.0, 1.0 - 2.0 * v, 1.0);
+    set(out->normal, 0.0, 0.0, 1.0);
+    set_uv(out, u, v);
+}
+
+static void back_at(double u, double v, struct vertex *out)
+{
+    set(out->position, 1.0 - 2.0 * u, 1.0 - 2.0 * v, -1.0);
+    set(out->normal, 0.0, 0.0, -1.0);
+    set_uv(out, u, v);
+}
+
+static void right_at(double u, double v, struct vertex *out)
+{
+    set(out->position, 1.0, 1.0 - 2.0 * v, 1.0 - 2.0 * u);
+    set(out->normal, 1.0, 0.0, 0.0);
+    set_uv(out, u, v);
+}
+
+static void left_at(double u, double v, struct vertex *out)
+{
+    set(out->position, -1.0, 1.0 - 2.0 * v, 2.0 * u - 1.0);
+    set(out->normal, -1.0, 0.0, 0.0);
+    set_uv(out, u, v);
+}
+
+static void lid_at(double u, double v, struct vertex *out)
+{
+    grid_at(u, v, out);
+    out->position[1] = 1.0;
+}
+
+static void floor_at(double u, double v, struct vertex *out)
+{
+    set(out->position, 2.0 * u - 1.0, -1.0, 1.0 - 2.0 * v);
+    set(out->normal, 0.0, -1.0, 0.0);
+    set_uv(out, u, v);
+}
+
+static void write_sheets(FILE *out, const struct sheet *sheets, int count)
+{
+    int first = 1;
+    for (int i = 0; i < count; i++) {
+        first = write_sheet(out, &sheets[i], first);
+    }
+}
+
+void mesh_solid_cube(FILE *out)
+{
+    static const struct sheet sheets[] = {
+        {1, 1, front_at, false, false}, {1, 1, right_at, false, false},
+        {1, 1, back_at, false, false},  {1, 1, left_at, false, false},
+        {1, 1, lid_at, false, false},   {1, 1, floor_at, false, false},
+    };
+    write_sheets(out, sheets, 6);
+}
+
+void mesh_solid_sphere(FILE *out)
+{
+    static const struct sheet sheets[] = {{32, 16, sphere_at, true, true}};
+    write_sheets(out, sheets, 1);
+}
+
+void mesh_solid_cylinder(FILE *out)
+{
+    static const struct sheet sheets[] = {{32, 1, side_at, false, false},
+                                          {32, 1, top_at, true, false},
+                                          {32, 1, bottom_at, false, true}};
+    write_sheets(out, sheets, 3);
+}
+
+void mesh_solid_cone(FILE *out)
+{
+    static const struct sheet sheets[] = {{32, 1, cone_at, true, false},
+                                          {32, 1, bottom_at, false, true}};
+    write_sheets(out, sheets, 2);
+}
+
+void mesh_solid_grid(FILE *out)
+{
+    static const struct sheet sheets[] = {{16, 16, grid_at, false, false}};
+    write_sheets(out, sheets, 1);
+}
+
+/* ---- The gear: rings about z, joined one to the next ---- */
+
+enum { TEETH = 21, TOOTH_POINTS = 5, OUTLINE = TEETH * TOOTH_POINTS, RING = 36 };
+
+/* The angle of a ring's point, in turns; rings of any count begin together. */
+static double ring_turn(int count, int point)
+{
+    static const double tooth[TOOTH_POINTS] = {-.25, -.12, 0.0, .12, .25};
+    if (count != OUTLINE) {
+        return (double)point / count;
+    }
+    int number = point / TOOTH_POINTS;
+    return (number + .25 + tooth[point % TOOTH_POINTS]) / TEETH;
+}
+
+/* The outline goes from root to root over a tip that is a little round. */
+static double outline_radius(int point)
+{
+    static const double radius[TOOTH_POINTS] = {.84, .99, 1.0, .99, .84};
+    return radius[point % TOOTH_POINTS];
+}
+
+struct ring {
+    int count;     /* of its points */
+    double radius; /* 0: the gear's outline */
+    double z;
+};
+
+static void write_ring(FILE *out, const struct ring *ring)
+{
+    for (int i = 0; i < ring->count; i++) {
+        double radius = ring->radius == 0.0 ? outline_radius(i) : ring->radius;
+        double angle = 2.0 * M_PI * ring_turn(ring->count, i);
+        write_numbers(out, "v", radius * cos(angle), radius * sin(angle), ring->z);
+    }
+}
+
+/* Triangles between ring a, whose points begin at index a_first, and ring b, which is further along
+   the profile: whichever point comes next is the next triangle's. */
+static void join_rings(FILE *out, const struct ring *a, int a_first, const struct ring *b,
+                       int b_first)
+{
+    int i = 0, j = 0;
+    while (i < a->count || j < b->count) {
+        int at_a = a_first + i % a->count, at_b = b_first + j % b->count;
+        double next_a = i < a->count ? ring_turn(a->count, i + 1) : 2.0;
+        double next_b = j < b->count ? ring_turn(b->count, j + 1) : 2.0;
+        if (i + 1 == a->count) {
+            next_a = 1.0;
+        }
+        if (j + 1 == b->count) {
+            next_b = 1.0;
+        }
+        if (next_a <= next_b) {
+            i++;
+            fprintf(out, "f %d %d %d\n", at_a, at_b, a_first + i % a->count);
+        } else {
+            j++;
+            fprintf(out, "f %d %d %d\n", at_a, at_b, b_first + j % b->count);
+        }
+    }
+}
+
+/* A fan that closes a ring; seen from +z where `up`. */
+static void close_ring(FILE *out, const struct ring *ring, int first, int center, bool up)
+{
+    for (int i = 0; i < ring->count; i++) {
+        int a = first + i, b = first + (i + 1) % ring->count;
+        fprintf(out, "f %d %d %d\n", center, up ? a : b, up ? b : a);
+    }
+}
+
+void mesh_solid_gear(FILE *out)
+{
+    enum { GEAR_RINGS = 8, RINGS = 10 };
+    /* From the front of the outline inwards, through the bore, and outwards behind. */
+    static const struct ring rings[RINGS] = {
+        {OUTLINE, 0.0, .2}, {RING, .7, .2},    {RING, .66, .08}, {RING, .2, .08},
+        {RING, .2, -.08},   {RING, .66, -.08}, {RING, .7, -.2},  {OUTLINE, 0.0, -.2},
+        {RING, .17, .34},   {RING, .17, -.34},
+    };
+    int first[RINGS];
+    int next = 1;
+    for (int i = 0; i < RINGS; i++) {
+        first[i] = next;
+        write_ring(out, &rings[i]);
+        next += rings[i].count;
+    }
+    write_numbers(out, "v", 0.0, 0.0, rings[GEAR_RINGS].z);
+    write_numbers(out, "v", 0.0, 0.0, rings[GEAR_RINGS + 1].z);
+    for (int i = 0; i < GEAR_RINGS; i++) {
+        int after = (i + 1) % GEAR_RINGS;
+        join_rings(out, &rings[after], first[after], &rings[i], first[i]);
+    }
+    join_rings(out, &rings[GEAR_RINGS], first[GEAR_RINGS], &rings[GEAR_RINGS + 1],
+               first[GEAR_RINGS + 1]);
+    close_ring(out, &rings[GEAR_RINGS], first[GEAR_RINGS], next, true);
+    close_ring(out, &rings[GEAR_RINGS + 1], first[GEAR_RINGS + 1], next + 1, false);
+}
