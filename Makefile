@@ -138,7 +138,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 
 GATES := check-format check-cppcheck check-warnings check-headers check-levels \
          check-freestanding check-options check-compilers check-tree \
-         check-tidy check-budgets
+         check-tidy check-budgets check-version check-packages
 
 .PHONY: check check-matrix $(GATES)
 check: ## Run every gate below
@@ -155,6 +155,8 @@ check-options:      ## Built without any option of config.h, the library draws t
 check-compilers:    ## tcc, a plain C99 compiler, builds all and draws the same pictures
 check-budgets:      ## No figure of bench and size is more than 2 % above its budget (make budgets)
 check-matrix:       ## No cell of bench-matrix costs twice its class's best or 2 % more than its budget (make matrix-budgets)
+check-version:      ## Every manifest has the version of qtri/version.h, every source its SPDX line
+check-packages:     ## Each package is built and used; what needs a missing tool is skipped by name
 check-tree:         ## No overlong or binary files, tabs or paths of one machine
 
 $(GATES) check-matrix: check-%:
@@ -170,3 +172,4 @@ help: ## List these targets
 -include host/generate/generate.mk
 -include host/bench/bench.mk
 -include host/verify/verify.mk
+-include port/packages/packages.mk

@@ -23,7 +23,7 @@
  *   format.h     what a pixel is                          texture.h  what a texel is, textures
  *   material.h   colour, shading, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
- *   config.h     what the library is built with
+ *   config.h     what the library is built with           version.h  which one it is
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
  */
 #ifndef QTRI_H
@@ -49,6 +49,7 @@
 #include "qtri/texture.h"
 #include "qtri/transform.h"
 #include "qtri/vec.h"
+#include "qtri/version.h"
 #include "qtri/view.h"
 
 #endif
