@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # qtri: a fixed-point 3D renderer in C99. `make help` lists what can be made.
 #
 #   core/ and port/panels/   -> build/libqtri.a        freestanding: what a firmware links

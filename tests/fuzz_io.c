@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Fuzz target: scene and OBJ text of any content is parsed or refused with a message, never more.
  * The first byte chooses the language.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the tests of panels share: a bus that ends in a simulated controller, and keeps a log;
  * pictures to show; what should be seen.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What panels say on the bus: call by call, when something fails, and when there is too little
  * memory. */
 #include "support_panel.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The simulated controllers refuse what the chips would not do as meant: streams, and broken
  * drivers. */
 #include "support_panel.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Defined whatever this file is compiled for: others may be compiled for size. In the amalgamation
    there are no others. */
 #ifndef QTRI_AMALGAMATION

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "primitive.h"
 
 static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "mesh_faces.h"
 
 static bool find_eye(qtri_eye *eye, const qtri_mesh_job *draw)

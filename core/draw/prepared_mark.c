@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "prepared_lists.h"
 
 static const qtri_rect nowhere = {0, 0, 0, 0};

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * qtri: a fixed-point 3D renderer for microcontroller displays.
  *

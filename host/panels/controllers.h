@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The simulated controllers, each on the glass of a module. */
 #ifndef QTRI_HOST_PANELS_CONTROLLERS_H
 #define QTRI_HOST_PANELS_CONTROLLERS_H

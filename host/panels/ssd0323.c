@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "controllers.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include <qtri/version.h>
 #include <stdio.h>
 #include <string.h>

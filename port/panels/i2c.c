@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri_port/i2c.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri_port/ili9341.h"
 
 #include "internal.h"

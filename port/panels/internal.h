@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the files of this folder share. */
 #ifndef QTRI_PANELS_INTERNAL_H
 #define QTRI_PANELS_INTERNAL_H

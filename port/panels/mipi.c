@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Addressing of TFT controllers with MIPI's command set: ILI9341, ST7789 and their like. */
 #include "internal.h"
 

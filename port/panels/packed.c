@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Gray displays, several pixels a byte. A rectangle of the frame is turned onto the glass, its
  * levels are put into bytes of the panel's memory, and the rows of bytes are sent: from an image of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "internal.h"
 
 /* Pixel (x, y) of the frame on a glass of w x h, clockwise: */

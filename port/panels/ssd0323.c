@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri_port/ssd0323.h"
 
 #include "internal.h"

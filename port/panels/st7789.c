@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri_port/st7789.h"
 
 #include "internal.h"

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # cppcheck's warnings on the code that ships. An exception is written at its line: // cppcheck-suppress ID
 gate=cppcheck
 . tests/check/files.sh

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # A public header compiles alone, in C99 and in C++11, and a C++ program links with all it declares.
 gate=headers
 . tests/check/files.sh

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Installs what `make test` and `make check` need on Debian, as root; elsewhere names it and fails.
 set -eu
 packages='git gcc g++ tcc make libcmocka-dev libmpfr-dev clang clang-format clang-tidy cppcheck

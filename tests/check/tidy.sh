@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # clang-tidy with the checks that .clang-tidy chooses; any finding is an error there.
 gate=tidy
 . tests/check/files.sh

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # gcc and clang compile every file of the host as strict C99 without a warning, and the cross compiler the firmware of
 # the boards. Compiled for real, at -O2: some warnings come from the optimizer.
 gate=warnings

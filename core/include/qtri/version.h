@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The version of the library, by semantic versioning: MAJOR changes with what applications must
  * change for, MINOR with what is new, PATCH with what is mended; while MAJOR is 0, MINOR stands for

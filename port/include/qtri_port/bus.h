@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A bus: how bytes reach a display. The user fills in a few functions; nothing else of the port
  * touches hardware.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Memory-mapped displays: an LCD controller (STM32's LTDC, Arm's PL110) shows a framebuffer that
  * the board has set up. No bus, no commands; qtri_panel_write converts, rotates and stores.

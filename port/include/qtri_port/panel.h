@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Panels: a display is a description (constant data, one per model), a bus (functions of the
  * user's) and memory (the caller's).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * SSD1306: OLED of 128x64 pixels, one bit each, over SPI, or I2C with i2c.h at address 0x3C or
  * 0x3D. With its charge pump on: modules that run from one voltage.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * ST7789: TFT of up to 240x320 pixels, RGB565 over SPI. Its glass is normally black and shows
  * colours as they are with inversion on.
