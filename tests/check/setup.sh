@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what `make test` and `make check` need on Debian, as root; elsewhere names it and fails.
 set -eu
-packages='git gcc g++ tcc make libcmocka-dev libmpfr-dev clang clang-format clang-tidy cppcheck
+packages='git gcc g++ tcc make libcmocka-dev libmpfr-dev clang clang-format clang-tidy cppcheck cmake pkg-config jq
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
           gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr
           gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user'
