@@ -47,6 +47,9 @@ enum qtri_error qtri_panel_stream(qtri_panel *panel, const qtri_surface *surface
 enum qtri_error qtri_panel_packed(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);
 void qtri_panel_store(const qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);
 
+/* The description's window, when what DMA sends has arrived. */
+enum qtri_error qtri_panel_open(qtri_panel *panel, const qtri_rect *bytes);
+
 /* Windows of the families of controllers. */
 enum qtri_error qtri_panel_mipi_window(const qtri_panel *panel, const qtri_rect *window);
 
