@@ -23,6 +23,16 @@ for header in $headers; do
     done
 done
 
+# A step of a panel with 15 parameters compiles, one with 16 does not, in neither language.
+for count in 15 16; do
+    echo '#include "qtri_port/panel.h"' >"$work/step.c"
+    echo "extern const qtri_panel_step step; const qtri_panel_step step = QTRI_STEP(0xE0, 0$(seq -s '' -f ', %g' $count));" >>"$work/step.c"
+    for compiler in 'gcc -std=c99 -x c' 'g++ -std=c++11 -x c++'; do
+        $compiler $flags -fsyntax-only "$work/step.c" 2>/dev/null && compiles=15 || compiles=16
+        [ "$compiles" = "$count" ] || { echo "qtri_port/panel.h: a step of $count parameters, ${compiler%% *}"; status=1; }
+    done
+done
+
 # The address of every function that both a header and an object name; a header without extern "C" does not link.
 for file in $(c_files core port/panels | grep '\.c$'); do
     gcc -std=c99 -Icore/include -Iport/include -c -o "$work/$(echo "$file" | tr / -).o" "$file" || status=1

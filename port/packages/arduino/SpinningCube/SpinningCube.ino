@@ -37,7 +37,7 @@ static void resetDisplay(void *, bool active)
     digitalWrite(PIN_RESET, active ? LOW : HIGH);
 }
 
-static const qtri_bus bus = {NULL, sendCommand, sendData, NULL, NULL, waitMs, resetDisplay, NULL};
+static const qtri_bus bus = {NULL, sendCommand, sendData, NULL, NULL, waitMs, resetDisplay, NULL, 0};
 
 static const qtri_vec3 corners[8] = {
     {-Q16(1), -Q16(1), -Q16(1)}, {Q16(1), -Q16(1), -Q16(1)}, {-Q16(1), Q16(1), -Q16(1)}, {Q16(1), Q16(1), -Q16(1)},
