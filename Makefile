@@ -174,3 +174,4 @@ help: ## List these targets
 -include host/bench/bench.mk
 -include host/verify/verify.mk
 -include port/packages/packages.mk
+-include port/examples/examples.mk
