@@ -97,7 +97,7 @@ setup: ## Install what the tests and checks need (Debian, as root); elsewhere na
 test: ## Run every test: plain, sanitized, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-sanitized test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) test-math-targets; do \
+	for step in test-plain test-sanitized test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) $(if $(wildcard port/examples/examples.mk),test-examples) test-math-targets; do \
 	    $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
 	sh tests/check/total.sh $$status

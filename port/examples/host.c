@@ -65,12 +65,12 @@ static void reset(void *context, bool active)
 
 enum qtri_error example_display(qtri_panel *panel)
 {
-    static const qtri_panel_description lcd =
+    static const qtri_panel_description screen =
         QTRI_FRAMEBUFFER(LCD_WIDTH, LCD_HEIGHT, QTRI_PANEL_RGB565, QTRI_ORDER_NATIVE);
     static const qtri_bus bus = {NULL,    send_command, send_data, NULL, NULL,
                                  wait_ms, reset,        NULL,      0};
     if (!host.is_oled) {
-        return qtri_panel_init(panel, &lcd, NULL, QTRI_ROTATE_0, host.framebuffer,
+        return qtri_panel_init(panel, &screen, NULL, QTRI_ROTATE_0, host.framebuffer,
                                sizeof host.framebuffer);
     }
     ssd0323_init(&host.chip);
@@ -137,7 +137,7 @@ static long compare_picture(const char *path, int width, int height, const unsig
 bool example_next_frame(qtri_panel *panel)
 {
     int width = (int)qtri_panel_width(panel), height = (int)qtri_panel_height(panel);
-    unsigned char *rgb = malloc((size_t)width * (size_t)height * 3);
+    unsigned char *rgb = calloc((size_t)width * (size_t)height, 3);
     if (rgb == NULL || qtri_panel_finish(panel) != QTRI_OK) {
         fail(example_name, "no picture");
     }

@@ -18,7 +18,7 @@ compile()
 
 status=0
 # -Wdouble-promotion is gcc's alone: clang also takes NAN and INFINITY, and a double in a long double, for promotions.
-c_files core port/panels host tests | grep -v '^tests/fuzz_' | compile gcc -Wdouble-promotion $includes || status=1
-c_files core port/panels host tests | compile clang $includes || status=1
+c_files core port/panels port/examples host tests | grep -v '^tests/fuzz_' | compile gcc -Wdouble-promotion $includes || status=1
+c_files core port/panels port/examples host tests | compile clang $includes || status=1
 c_files port/boards | compile arm-none-eabi-gcc -ffreestanding -mcpu=cortex-m3 -mthumb -Icore/include -Iport/include || status=1
 finish $status
