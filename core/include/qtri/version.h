@@ -21,7 +21,6 @@
 
 /* To compare with: #if QTRI_VERSION >= QTRI_VERSION_NUMBER(0, 2, 0). Parts are below 1000. */
 #define QTRI_VERSION_NUMBER(major, minor, patch) ((major)*1000000L + (minor)*1000L + (patch))
-#define QTRI_VERSION                                                                               \
-    QTRI_VERSION_NUMBER(QTRI_VERSION_MAJOR, QTRI_VERSION_MINOR, QTRI_VERSION_PATCH)
+#define QTRI_VERSION                             QTRI_VERSION_NUMBER(QTRI_VERSION_MAJOR, QTRI_VERSION_MINOR, QTRI_VERSION_PATCH)
 
 #endif
