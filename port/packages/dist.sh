@@ -12,7 +12,8 @@ mkdir -p "$part/single" "$part/arduino/qtri"
 
 # The amalgamation -----------------------------------------------------------------------------------------------------
 
-sources=$(LC_ALL=C ls core/bits/*.c core/math/*.c core/geometry/*.c core/frame/*.c core/raster/*.c core/fast/*.c core/draw/*.c port/panels/*.c)
+# In any order: private headers come where the first file includes them.
+sources=$(LC_ALL=C ls core/*/*.c port/panels/*.c)
 headers=$(LC_ALL=C ls core/include/qtri/*.h port/include/qtri_port/*.h)
 awk -v mode=header -v version="$version" -f port/packages/amalgamate.awk core/include/qtri.h $headers >"$part/single/qtri.h"
 awk -v mode=source -v version="$version" -f port/packages/amalgamate.awk $sources >"$part/single/qtri.c"
@@ -29,11 +30,13 @@ cp core/include/qtri/*.h "$library/src/qtri/"
 # by `../bits/bits.h` and need no folder to search.
 cp port/include/qtri_port/*.h "$library/src/qtri_port/"
 mkdir -p "$library/src/core" "$library/src/core/panels"
-for folder in bits math geometry frame raster fast draw; do
-    mkdir -p "$library/src/core/$folder"
-    cp core/$folder/*.[ch] "$library/src/core/$folder/"
-    for file in core/$folder/*.inc; do
-        [ ! -f "$file" ] || cp "$file" "$library/src/core/$folder/"
+for folder in core/*/; do
+    folder=${folder%/}
+    [ "$folder" != core/include ] || continue
+    mkdir -p "$library/src/$folder"
+    cp "$folder"/*.[ch] "$library/src/$folder/"
+    for file in "$folder"/*.inc; do
+        [ ! -f "$file" ] || cp "$file" "$library/src/$folder/"
     done
 done
 cp port/panels/*.[ch] "$library/src/core/panels/"
