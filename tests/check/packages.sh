@@ -100,6 +100,14 @@ if has g++ "Arduino sketches"; then
     done
 fi
 
+# The glue of the examples, with stand-ins of what it calls: frames arrive at a simulated controller -------------------
+
+for example in mesh gauge; do
+    quiet "Pico SDK, $example" gcc -std=c11 -O1 -Wall -Wextra -Wno-cast-qual -Werror -Icore/include -Iport/include -Ihost -Itests/packages/pico -o "$work/pico" \
+        port/examples/$example/$example.c port/examples/glue/pico.c tests/packages/pico/sdk.c build/libqtri-host.a build/libqtri.a -lm &&
+        quiet "Pico SDK, $example runs" timeout 60 "$work/pico"
+done
+
 # CMake -----------------------------------------------------------------------------------------------------------------
 
 # consumer WAY OPTION...: configures, builds and runs it

@@ -8,7 +8,7 @@ need gcc clang arm-none-eabi-gcc
 
 flags='-std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
        -Wundef -Wcast-qual -Wwrite-strings -Werror'
-includes='-Icore/include -Iport/include -Icore -Ihost'
+includes='-Icore/include -Iport/include -Icore -Ihost -Itests/packages/pico'
 
 # compile COMPILER FLAGS... < FILES; succeeds if all of them do
 compile()
