@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The stand-ins of the Pico SDK at work: what the glue sends goes to a simulated ILI9341. Bytes that DMA sends are
- * taken when it has finished, and must be as they were when it began. After three frames: status 0
- * if the controller has no complaint and its display shows a picture.
+ * The stand-ins of the Pico SDK at work: what the glue sends goes to a simulated ILI9341. Bytes
+ * that DMA sends are taken when it has finished, and must be as they were when it began. After
+ * three frames: status 0 if the controller has no complaint and its display shows a picture.
  */
 #include "hardware/dma.h"
 #include "hardware/spi.h"
