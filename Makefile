@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # qtri: a fixed-point 3D renderer in C99. `make help` lists what can be made.
 #
 #   core/ and port/panels/   -> build/libqtri.a        freestanding: what a firmware links
@@ -107,7 +108,7 @@ setup: ## Install what the tests and checks need (Debian, as root); elsewhere na
 test: ## Run every test: plain, sanitized, narrow, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-sanitized test-memory test-narrow test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) test-math-targets; do \
+	for step in test-plain test-sanitized test-memory test-narrow test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) $(if $(wildcard port/examples/examples.mk),test-examples) test-math-targets; do \
 	    $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
 	sh tests/check/total.sh $$status
@@ -161,7 +162,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 
 GATES := check-format check-cppcheck check-warnings check-headers check-levels \
          check-freestanding check-options check-compilers check-tree \
-         check-tidy check-budgets check-checked check-stack
+         check-tidy check-budgets check-checked check-stack check-version check-packages
 
 .PHONY: check check-matrix $(GATES)
 check: ## Run every gate below
@@ -180,6 +181,8 @@ check-checked:      ## A build with QTRI_CHECKED stops at mistakes, and Q16() of
 check-budgets:      ## No figure of bench and size is more than 2 % above its budget (make budgets)
 check-matrix:       ## No cell of bench-matrix costs twice its class's best or 2 % more than its budget (make matrix-budgets)
 check-stack:        ## Nothing calls itself, and no public function takes more stack than its limit
+check-version:      ## Every manifest has the version of qtri/version.h, every source its SPDX line
+check-packages:     ## Each package is built and used; what needs a missing tool is skipped by name
 check-tree:         ## No overlong or binary files, tabs or paths of one machine
 
 $(GATES) check-matrix: check-%:
@@ -195,3 +198,5 @@ help: ## List these targets
 -include host/generate/generate.mk
 -include host/bench/bench.mk
 -include host/verify/verify.mk
+-include port/packages/packages.mk
+-include port/examples/examples.mk

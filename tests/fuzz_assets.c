@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Fuzz target: models, materials and pictures of any content are read or refused with a message,
  * and what was read goes all the way to C. The first byte chooses what the rest is.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Arbitrary bytes as views, poses, materials, meshes and screen vertices: nothing may trap,
  * overflow or write outside the surface. `make fuzz` runs it under AddressSanitizer and UBSan.

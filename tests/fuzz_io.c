@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Fuzz target: scene, OBJ and BDF text of any content is parsed or refused with a message, never
  * more. The first byte chooses the language.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the tests of host/io share: files of their own, and errors compared as a whole.
  */

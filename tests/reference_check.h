@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the tests of the double-precision reference share: rendering a scene written as text, and
  * pictures of coverage a reviewer can read.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "reference_soup.h"
 
 #include "reference_check.h"

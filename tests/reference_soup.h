@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scenes built by hand for the tests of the double-precision reference: triangles in clip space,
  * with numbers no scene file could hold.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Random scene files: every statement of the language, geometry that hurts.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the tests of core/ share: random numbers that are the same everywhere, values that hurt
  * fixed-point code, surfaces with memory to look at, and pictures a reviewer can read.

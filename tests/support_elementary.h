@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The elementary functions as a table: as the library has them, and as a core without a long
  * multiply compiles them.

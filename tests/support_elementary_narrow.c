@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The elementary functions compiled for a core without a long multiply.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Meshes with planes of faces, in every form, and views of them.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The functions of pairs.h in both ways to decide which pixels pass, whatever the host.
  */

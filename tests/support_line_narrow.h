@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #ifndef QTRI_TESTS_SUPPORT_LINE_NARROW_H
 #define QTRI_TESTS_SUPPORT_LINE_NARROW_H
 

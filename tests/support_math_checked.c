@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Elementary functions, vectors, matrices and quaternions as a debug build has them. The scalars
  * are those of support_q16_checked.c; what the build would stop at is counted there.

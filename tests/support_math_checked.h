@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Expressions of the debug build (support_math_checked.c), with and without a result.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the tests of panels share: a bus that ends in a simulated controller, and keeps a log;
  * pictures to show; what should be seen.
@@ -9,13 +10,17 @@
 
 #include <panels/controllers.h>
 #include <qtri/dither.h>
+#include <qtri/frame.h>
 #include <qtri_port/framebuffer.h>
+#include <qtri_port/gc9a01.h>
 #include <qtri_port/i2c.h>
 #include <qtri_port/ili9341.h>
 #include <qtri_port/panel.h>
+#include <qtri_port/sh1106.h>
 #include <qtri_port/ssd0323.h>
 #include <qtri_port/ssd1306.h>
 #include <qtri_port/ssd1680.h>
+#include <qtri_port/st7735.h>
 #include <qtri_port/st7789.h>
 
 /* A simulated controller at the end of a bus. */
@@ -26,6 +31,7 @@ typedef struct wire {
     uint8_t i2c_buffer[32];
     int calls, fail_at; /* the call that fails; 0: none */
     bool stuck;         /* BUSY never falls */
+    size_t most_bytes;  /* of a transfer of data; 0: any number */
 
     const uint8_t *sending; /* by DMA */
     uint8_t *sent;
@@ -76,7 +82,7 @@ static inline bool wire_command(void *context, const uint8_t *bytes, size_t coun
 static inline bool wire_data(void *context, const uint8_t *bytes, size_t count)
 {
     wire *w = (wire *)context;
-    assert_true(count >= 1);
+    assert_true(count >= 1 && (w->most_bytes == 0 || count <= w->most_bytes));
     wire_log(w, 'd', bytes, count, 0);
     if (!wire_call(w)) {
         return false;
@@ -88,7 +94,7 @@ static inline bool wire_data(void *context, const uint8_t *bytes, size_t count)
 static inline bool wire_start(void *context, const uint8_t *bytes, size_t count)
 {
     wire *w = (wire *)context;
-    assert_true(count >= 1);
+    assert_true(count >= 1 && (w->most_bytes == 0 || count <= w->most_bytes));
     wire_log(w, 's', bytes, count, 0);
     if (!wire_call(w)) {
         return false;
@@ -154,7 +160,7 @@ static inline void wire_init(wire *w, chip *to, wiring how)
 {
     memset(w, 0, sizeof *w);
     w->chip = to;
-    qtri_bus bus = {w, wire_command, wire_data, NULL, NULL, wire_wait, wire_reset, wire_busy};
+    qtri_bus bus = {w, wire_command, wire_data, NULL, NULL, wire_wait, wire_reset, wire_busy, 0};
     w->bus = bus;
     if (how == WIRE_DMA) {
         w->bus.data_start = wire_start;
@@ -181,6 +187,7 @@ typedef struct setup {
     union {
         chip chip;
         ssd1306 ssd1306;
+        sh1106 sh1106;
         ssd0323 ssd0323;
         lcd lcd;
         ssd1680 ssd1680;
@@ -190,7 +197,7 @@ typedef struct setup {
     qtri_panel panel;
 } setup;
 
-enum { SETUPS = 12 };
+enum { SETUPS = 21 };
 
 /* Number n of SETUPS, its controller fresh. */
 static inline void setup_init(setup *s, int n)
@@ -212,27 +219,44 @@ static inline void setup_init(setup *s, int n)
         {"ST7789", &qtri_st7789, WIRE_SPI},
         {"ST7789 240x240", &qtri_st7789_240x240, WIRE_DMA},
         {"ST7789 135x240", &qtri_st7789_135x240, WIRE_SPI},
+        {"ST7789 170x320", &qtri_st7789_170x320, WIRE_DMA},
+        {"ST7735", &qtri_st7735, WIRE_SPI},
+        {"ST7735 green", &qtri_st7735_green, WIRE_DMA},
+        {"ST7735 80x160", &qtri_st7735_80x160, WIRE_SPI},
+        {"GC9A01", &qtri_gc9a01, WIRE_SPI},
+        {"SSD1306 72x40", &qtri_ssd1306_72x40, WIRE_SPI},
+        {"SH1106", &qtri_sh1106, WIRE_SPI},
+        {"SH1106 DMA", &qtri_sh1106, WIRE_DMA},
+        {"SH1106 I2C", &qtri_sh1106, WIRE_I2C},
     };
     s->name = all[n].name;
     s->description = all[n].description;
     s->how = all[n].how;
+    int w = s->description->width;
+    int h = s->description->height;
     if (n <= 3) {
-        ssd1306_init(&s->sim.ssd1306, s->description->height);
+        ssd1306_init(&s->sim.ssd1306, h);
     } else if (n <= 5) {
         ssd0323_init(&s->sim.ssd0323);
     } else if (n == 6) {
         ssd1680_init(&s->sim.ssd1680);
     } else if (n <= 8) {
         ili9341_init(&s->sim.lcd);
-    } else {
-        lcd_glass glass = {s->description->width,
-                           s->description->height,
-                           n == 11 ? 52 : 0,
-                           n == 11 ? 40 : 0,
-                           false,
-                           false,
-                           true};
+    } else if (n <= 12) {
+        static const int firsts[4][2] = {{0, 0}, {0, 0}, {52, 40}, {35, 0}};
+        lcd_glass glass = {w, h, firsts[n - 9][0], firsts[n - 9][1], false, false, true, false};
         st7789_init(&s->sim.lcd, &glass);
+    } else if (n <= 15) {
+        static const int firsts[3][2] = {{0, 0}, {2, 1}, {26, 1}};
+        lcd_glass glass = {w, h, firsts[n - 13][0], firsts[n - 13][1], true, true, n == 15, true};
+        st7735_init(&s->sim.lcd, &glass, n == 13 ? 128 : 132, n == 13 ? 160 : 162);
+    } else if (n == 16) {
+        lcd_glass glass = {w, h, 0, 0, false, true, true, false};
+        gc9a01_init(&s->sim.lcd, &glass);
+    } else if (n == 17) {
+        ssd1306_init_at(&s->sim.ssd1306, 40, 28);
+    } else {
+        sh1106_init(&s->sim.sh1106);
     }
     wire_init(&s->wire, &s->sim.chip, s->how);
     s->memory = NULL;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The arithmetic scalars as a table, so that tests can run them in three builds: as the library has
  * them, as a core without a long multiply and without a division compiles them, and with

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The scalars as a debug build has them; what it would stop at is counted.
  */

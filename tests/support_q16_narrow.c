@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The scalars compiled for a core without a long multiply and without a division.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the tests of textures share: triangles with texture coordinates, the coordinates at a pixel
  * in double precision, and a quad that shows a texture once.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Double matrices from the course's formulae, and how far a qtri_transform is from one.
  */

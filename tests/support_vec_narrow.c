@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Vectors, matrices and quaternions compiled for a core without a long multiply.
  */

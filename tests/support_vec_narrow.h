@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What support_vec_narrow.c compiles for a core without a long multiply: the same results.
  */

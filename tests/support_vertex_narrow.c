@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The vertex stage compiled for a core without long multiply and divide.
  */

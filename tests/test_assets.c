@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What makes meshes and textures for a microcontroller of models and pictures: nothing is lost but
  * what rounding takes, and that is as small as reported.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * `qtri mesh` and `qtri texture` as a user meets them: what they write compiles, bad input is one
  * line on standard error and leaves nothing behind.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The attitude scene's filter (tests/boards/attitude.h) on its recorded flight: where it is, what
  * it would be without the accelerometer, and how far Q16.16 takes it from double precision.

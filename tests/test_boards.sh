@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Runs the boards' firmware in QEMU and compares what it draws with what the host draws.
 #   tests/test_boards.sh BUILD BOARD:CORE:DISPLAY:EMULATOR...
 # EMULATOR is a command that lacks only the firmware, BUILD/boards/BOARD_CORE/firmware.elf. Where DISPLAY is `-`, the

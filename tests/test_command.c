@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The command as a user meets it: exit statuses, messages, and what is left on disk.
  */

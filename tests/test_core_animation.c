@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Motion: orbits, billboards, orthonormalising, keys, hierarchies and morphing, against double
  * precision.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What was found by attack: arguments at their extremes, objects whose initialisation failed, and
  * limits that no picture of the other tests depends on. Most of them fail by a sanitizer's word.

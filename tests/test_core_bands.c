@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The same pixels however a frame is cut: bands, scissors, pitches; and nothing outside them.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Pixels over pixels: blends and fog against exact arithmetic, once for each pixel, in order, and
  * the same for every band and scissor.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Cameras and projections against double matrices built from the course's formulae.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Clearing: exactly the rectangle, whatever the format, the alignment and the pitch.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Direct3D's builders against its documentation's formulae, and the same picture, light included,
  * from both conventions.

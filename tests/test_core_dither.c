@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Luma, ordered dither and error diffusion: exact ends, kept means, no seams, any arguments. */
 #include "support_core.h"
 

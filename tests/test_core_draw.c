@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Draw calls: meshes and corners through the whole pipeline.
  */

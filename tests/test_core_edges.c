@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The edge pass: exact shares, the same pixels for every band, scissor, format and memory, and
  * what it must leave alone.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Elementary functions against long double, their properties, and the generated coefficients.
  *

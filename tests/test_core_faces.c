@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Planes of faces: none is culled that would have been drawn, pictures stay as they are, and what
  * the host makes keeps the contract.

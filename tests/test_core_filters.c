@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Filters of finished pixels: 2x2 samples, FXAA, sums of frames; and jittered views.
  */

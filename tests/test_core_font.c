@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Text: glyphs against their bits, pens, UTF-8, and that the library's font is its BDF file.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Formats of surfaces: what is stored and what it means, and the loops that store it, against a
  * plain model of memory.

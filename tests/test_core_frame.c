@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Frames in bands and prepared meshes: the pixels of the whole frame, whatever the height of the
  * bands, their order and the memory there is; and what a frame says has changed.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Pictures on surfaces: against pixels placed one by one, in all pairs of formats.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * light.h: vertices in many lights against the formula in double precision, and through draw
  * calls.

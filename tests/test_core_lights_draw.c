@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * light.h through draw calls: the same pixels with any memory, in bands, of meshes and of loose
  * triangles; the other side; power tables; spheres; and any bits as arguments.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Lines: the rule of raster.h exactly, both directions, chains, pictures, values along them.
  */

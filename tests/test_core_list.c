@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Small triangles: their pixels against the fill rule and against double precision, and against
  * models of the depth test, for whatever they look like and however the frame is cut up.

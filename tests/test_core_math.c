@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scalars, integer helpers, trigonometry and wide numbers against exact or longer arithmetic.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Flat shapes: against areas and insides in double precision, and that no band, scissor or format
  * changes a pixel.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Perspective along rows against double precision from the snapped vertices: texture coordinates
  * within 1/256 of a texel, or of what a pixel steps by; colours within 3/4 of a step; the same

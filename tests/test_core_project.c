@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The vertex stage and the clipper: from object space to snapped screen coordinates, against exact
  * arithmetic.

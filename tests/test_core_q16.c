@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Arithmetic scalars against exact 128-bit arithmetic, in all builds of support_q16.h.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The fill rule of raster.h, exactly: against an independent integer edge function, on meshes whose
  * triangles must meet without gaps, and as pictures.

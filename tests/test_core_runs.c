@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What fills rows fastest, here or on another core, draws what the stages draws, to the bit:
  * every format, shading, interpolation, depth mode, texture, alignment and cut by a scissor.

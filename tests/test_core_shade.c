@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Colour and depth of covered pixels against double barycentrics of the snapped vertices; depth
  * comparisons; stored formats.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Computed meshes and what encloses them: closed, outwards, round; and what a view sees.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The stages that make a pixel, each alone: against exact arithmetic over all that they may be
  * given, and against a plain model of one fragment after the other.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Strokes: coverage against exact areas, joints, bands and scissors, formats, depth, extremes.
  */

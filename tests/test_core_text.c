@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Numbers as decimal text: exact rounding, shortest text, every value there and back.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Texture fetch: the texel under each pixel against double arithmetic, for every size and format,
  * near and far from the origin; replace and modulate; textures that are none.

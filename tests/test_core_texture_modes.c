@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What textures offer beyond the nearest texel of a repeating picture: clamping, bilinear filter,
  * palettes, gray texels and colour keys, against double arithmetic.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Poses: builders, products and round trips against double matrices.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The vertex stage of meshes: the fast way, the exact way and the code for small cores give the
  * same bits; 16-bit positions and normals are as good as they claim.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Wireframes of meshes: edges that triangles share are left out only where nobody sees it. The
  * picture is that of every triangle drawn alone, in turn, for every way to look and to draw.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The scenes of the course through the fixed-point core, and the facts they must show.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Two cores: threads that draw alternate bands of one frame from shared data, each into memory of
  * its own. `make test-threads` runs it under the thread sanitizer.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * BDF files: what is read, and a message with the line for what is wrong.
  */

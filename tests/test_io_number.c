@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Decimal text to Q16.16, integers, lines and tokens.
  */

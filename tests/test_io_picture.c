@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * PPM files and dumps.
  */

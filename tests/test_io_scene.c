@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scene files: every statement's effect and every error, with its line.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The accuracy of every function of the mathematics, over strata of its arguments, by the code of
  * `make verify-math`, which looks at all of them; and that code itself: it finds what is wrong.

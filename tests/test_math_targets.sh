@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The mathematics gives the same results everywhere: builds the checksums (tests/boards/math_sums*.c) for one target after
 # another, runs them, natively or emulated, and compares every line with the host's. Called by `make test-math-targets`.
 # A target whose compiler or emulator is missing is skipped and named. JOBS: how many at a time; SAMPLES: of each function.

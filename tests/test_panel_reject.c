@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The simulated controllers refuse what the chips would not do as meant: streams, and broken
  * drivers. */
 #include "support_panel.h"
@@ -213,16 +214,15 @@ static void broken_sequences(void **state)
         {0, 7, {0xA0, 0, {0}, 0}, NULL},                 /* mirrored */
         {0, 8, {0xC0, 0, {0}, 0}, NULL},                 /* upside down */
         {0, 9, {0xDA, 1, {0x02}, 0}, NULL},              /* rows in another order */
-        {0, 15, {0xA7, 0, {0}, 0}, NULL},                /* inverse */
-        {0, 16, {0, 0, {0}, 0}, NULL},                   /* off */
-        {0, 16, {0xFE, 0, {0}, 0}, "unknown command 0xFE"},
+        {0, 15, {0, 0, {0}, 0}, NULL},                   /* off */
+        {0, 15, {0xFE, 0, {0}, 0}, "unknown command 0xFE"},
         {4, 3, {0xA0, 1, {0x50}, 0}, NULL}, /* halves of bytes swapped */
         {4, 3, {0xA0, 1, {0x42}, 0}, NULL}, /* upside down */
         {4, 3, {0xA0, 1, {0x53}, 0}, NULL}, /* mirrored */
         {4, 3, {0xA0, 1, {0x56}, 0}, NULL}, /* downwards */
         {4, 3, {0xA0, 1, {0x12}, 0}, NULL}, /* rows not split */
         {4, 5, {0xA2, 1, {0}, 0}, NULL},    /* shifted */
-        {4, 14, {0xB8, 7, {0}, 0}, "unknown command 0x03"},
+        {4, 13, {0xB8, 7, {0}, 0}, "unknown command 0x03"},
         {7, 1, {0, 0, {0}, 0}, "data in pixel format 0x66"},
         {7, 1, {0x3A, 2, {0x55, 0}, 0}, "command 0x3A has 1 parameters, not more"},
         {7, 1, {0x3A, 0, {0}, 0}, "command 0x3A has 1 parameters, not 0"},
@@ -230,7 +230,6 @@ static void broken_sequences(void **state)
         {7, 3, {0x11, 0, {0}, 0}, "5 ms too early"},
         {7, 3, {0, 0, {0}, 0}, NULL},                 /* asleep */
         {7, 4, {0, 0, {0}, 0}, NULL},                 /* off */
-        {9, 3, {0, 0, {0}, 0}, NULL},                 /* not inverted */
         {6, 0, {0x12, 0, {0}, 0}, "10 ms too early"}, /* does not wait */
         {6, 1, {0x01, 2, {249, 0}, 0}, "command 0x01 has 3 parameters, not 2"},
         {6, 1, {0x01, 3, {199, 0, 0}, 0}, NULL}, /* 200 rows */
@@ -268,16 +267,17 @@ static void broken_fields(void **state)
 {
     (void)state;
     static setup s;
-    for (int n = 0; n < 8; n++) {
-        static const int setups[8] = {7, 7, 7, 7, 0, 4, 11, 6};
-        static const char *const errors[8] = {"command 0x3A has 1 parameters, not 0",
+    for (int n = 0; n < 9; n++) {
+        static const int setups[9] = {7, 7, 7, 7, 0, 4, 11, 6, 9};
+        static const char *const errors[9] = {"command 0x3A has 1 parameters, not 0",
                                               NULL,
                                               NULL,
                                               "columns",
                                               "has 1 parameters, not 0",
                                               "has 1 parameters, not 0",
                                               NULL,
-                                              "command 0x01 has 3 parameters, not 0"};
+                                              "command 0x01 has 3 parameters, not 0",
+                                              NULL};
         setup_init(&s, setups[n]);
         qtri_panel_description d = *s.description;
         switch (n) {
@@ -292,6 +292,9 @@ static void broken_fields(void **state)
             break;
         case 6:
             d.first_column = 0;
+            break;
+        case 8:
+            d.inverted = false;
             break;
         default:
             d.parameters_are_data = !d.parameters_are_data;

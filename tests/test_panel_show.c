@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Every panel shows pictures as they are: rotations, bands, formats, memory, rectangles. */
 #include "support_panel.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Random scenes through the fixed-point pipeline and the reference: the error budget of the README.
  */

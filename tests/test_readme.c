@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The README's sample, word for word, compiled with the gear.h that the build makes: what it sends
  * to a simulated display is the gear, turned by two degrees a frame.

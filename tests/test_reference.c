@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The double-precision reference against the facts of the course material (computed to 50 digits).
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The double-precision reference on the benchmark scenes: pixels and fragments must be the counts
  * every renderer of these scenes is measured against.

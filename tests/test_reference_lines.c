@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The lines of the double-precision reference: outlines of triangles, and their clipping.
  */

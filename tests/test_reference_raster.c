@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The triangles of the double-precision reference: which pixels belong to them, snapped and not,
  * for every sign of w.

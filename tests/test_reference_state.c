@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the double-precision reference does with a scene's state: depth comparison and writing,
  * culling, shading, textures, light; and its pictures in the formats of displays.

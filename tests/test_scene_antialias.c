@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Anti-aliased scenes: the same pixels in bands, and nearer to many samples than without.
  */

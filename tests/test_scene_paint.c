@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Flat shapes, text and pictures in scene files: against the reference, in bands, and messages; and
  * `qtri font` as a user meets it.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Integer helpers the whole core shares: saturation, rounding shifts, leading zeros, long products,
  * roots and reciprocals of plain integers. Internal.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bits.h"
 
 uint64_t qtri_divide64(uint64_t n, uint64_t divisor, int32_t more, bool *half)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * High words of products. Internal.
  *

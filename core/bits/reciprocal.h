@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Reciprocals for where there is one a vertex, a triangle or a few pixels. Internal.
  */

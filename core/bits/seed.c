@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "seed.h"
 
 uint32_t qtri_rsqrt_seed(uint32_t t)

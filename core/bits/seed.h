@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * First estimates of quotients and roots, of products that fit 32 bits. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Wide scalars: a 62-bit mantissa and an exponent. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "wide.h"
 
 qtri_wide qtri_wide_make(int64_t m, int32_t e)

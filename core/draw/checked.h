@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Checks of what draw calls are given, for checked builds. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Triangles whose corners are no mesh's vertices: what draws them, lit and unlit. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * An edge of a mesh's outline, noted on the pixels that it passes through. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The pass over a surface: where notes are kept, and what becomes of them.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What draw calls make of triangles: material->fill. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/stroke.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What draw calls of meshes do with the lights of a view: lights->model. Internal.
  *

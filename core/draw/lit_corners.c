@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "lit_corners.h"
 
 #include "../geometry/lit_point.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "checked.h"
 #include "fill.h"
 #include "lights.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the corners of a mesh's triangles bring: place, light, colours, texture coordinates.
  */

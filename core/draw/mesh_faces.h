@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A mesh whose faces have planes, see mesh.h: some triangles at a time, those that may be seen,
  * with their vertices. Internal.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "lights.h"
 
 /* Vertices from which on a look at eight corners pays. */

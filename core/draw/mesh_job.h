@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the two ways to draw a mesh share: mesh.c, whole, and prepared.c, band by band. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Edges of outlines: passes over the triangles that face the eye.
  *

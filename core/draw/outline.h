@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Outlines from inside: what faces the eye, and who looks for edges in it. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "fill.h"
 #include "mesh_faces.h"
 #include "outline.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Lists of triangles by band. In the caller's memory, one after another:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * From homogeneous screen coordinates to the rasterizer: clip, project, fan. Internal.
  */

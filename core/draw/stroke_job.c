@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "stroke_job.h"
 
 void qtri_stroke_job_init(qtri_stroke_job *job, const qtri_view *view, const qtri_transform *pose,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Strokes from object space: parts between corners, clipped. Internal.
  */

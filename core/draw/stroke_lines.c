@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "stroke_job.h"
 
 void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,

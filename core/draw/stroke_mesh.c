@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Wireframes of strokes. Edges are found, lit and shared out as those of &qtri_wireframe are; only
  * what draws an edge is another.

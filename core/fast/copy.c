@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../raster/loop.h"
 #include "../raster/texel_copy.h"
 #include "fused.h"

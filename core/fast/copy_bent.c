@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../frame/curves.h"
 #include "../raster/loop.h"
 #include "../raster/texel_copy.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../raster/loop.h"
 #include "fused.h"
 

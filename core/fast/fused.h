@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Fused loops of surfaces of 16 bits with depth "less" and written: whole rows of one colour, of
  * linear colours in RGB565, runs of texels that become pixels as they are, and small triangles in

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Short lines on pixels of 16 bits, without depth, or with depth "less" and written in surfaces
  * whose rows of pixels and of depths are equally far apart: most of a wireframe. The pixels are

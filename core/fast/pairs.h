@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Two pixels at a time, on cores with Thumb-2. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Rows of packed colours, for functions that draw part of a row. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Small triangles of a mesh of one colour, as most are: in surfaces of 16 bits with depth "less"
  * and written, whose rows of pixels and of depths are equally far apart. Light looks its pixel up

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "fxaa.h"
 
 const uint16_t qtri_fxaa_inverses[2 * QTRI_FXAA_REACH + 1] = {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "fxaa.h"
 
 #include "../frame/barrier.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Colours of stored pixels, mixed in the steps of their format. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Sums of frames. In any format a pixel has two words: red and blue, 16 bits each, and green, all
  * in the steps of the kind of colour. For 565 one is enough: lanes of 10, 10 and 11 bits hold 32

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Sums of frames in lanes of a word; see sum.c and mix.h.
  */

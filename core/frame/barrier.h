@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Against what GCC 12 makes of unrolled loops. Internal.
  *

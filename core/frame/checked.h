@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What a checked build asks of arguments, see qtri/error.h. Without QTRI_CHECKED nothing is here to
  * be compiled, called or linked. Internal.

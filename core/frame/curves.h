@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Words of pixels from curves along a row: what sources of colour are made of. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Memory filled with one value, in the widest stores that there are. Internal.
  */

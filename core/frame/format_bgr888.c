@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/format.h"
 
 /* 0x00RRGGBB as it is: of three bytes the lowest is first, blue. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A format without pixels: what is drawn on it leaves depth alone.
  */

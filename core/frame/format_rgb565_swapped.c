@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/format.h"
 
 #include "barrier.h"

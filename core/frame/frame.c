@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/frame.h"
 
 static const qtri_rect nothing = {0, 0, 0, 0};

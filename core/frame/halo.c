@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/halo.h"
 
 enum qtri_error qtri_halo_init(qtri_halo *halo, const qtri_format *format, int32_t width,

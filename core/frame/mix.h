@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Two colours mixed, channel by channel. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * From colours of 8 bits to channels in units of the target's own steps, and on to stored pixels.
  * Internal; see colors.h.

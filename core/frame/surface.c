@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "projector.h"
 
 /* What all corners of a box lie outside of: the near and far plane and the sides of a rectangle. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/clip.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "vertex.h"
 
 void qtri_row16_set(qtri_row16 *row, const int32_t m[3], int64_t t)

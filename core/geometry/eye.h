@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The point from which a mesh is seen, and the faces that turn away from it. Internal.
  */

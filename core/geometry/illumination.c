@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "lit_point.h"
 
 #include "../bits/seed.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The lights of light.h in one draw call: what is the same for all its vertices, and one vertex in
  * their light. Internal.

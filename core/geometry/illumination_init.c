@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "illumination.h"
 
 #include "linear_part.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/jitter.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "light_point.h"
 
 enum { NEVER = -4096 }; /* as `up` of a part that is 0 */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What point and spot lights share. Internal.
  */

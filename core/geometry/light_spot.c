@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "light_point.h"
 
 #include "../math/sincos.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * One directional light for one draw call. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "linear_part.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the linear part of a transform does to directions. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A vertex, or another point of a surface, in the light of a draw call: normal, place, then colour.
  * In place, since vertices are many. Internal.

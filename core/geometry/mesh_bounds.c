@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/bounds.h"
 
 #include <stddef.h>

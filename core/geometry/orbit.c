@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/transform.h"
 
 void qtri_transform_orbit(qtri_transform *t, qtri_vec3 center, q16 distance, q16 azimuth,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/animation.h"
 
 void qtri_poses_compose(qtri_transform *world, const qtri_transform *local, const int16_t *parent,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "projector.h"
 
 #include "../bits/bits.h"

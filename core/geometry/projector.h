@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The vertex stage: object space to the screen, for one draw call. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Rows of transforms, to and from wide scalars. Internal.
  */

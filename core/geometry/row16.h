@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Rows that are applied to vectors of 16-bit integers: positions and normals. Internal.
  *

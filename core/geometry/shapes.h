@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What computed meshes are put together with. Internal.
  */

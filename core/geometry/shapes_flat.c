@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "shapes.h"
 
 /* Two triangles of four corners: left above, left below, right below, right above. */

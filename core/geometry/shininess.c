@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "illumination.h"
 
 #include "qtri/q16_exp.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the exact way and the fast way of a vertex to the screen share. Internal.
  */

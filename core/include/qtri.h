@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * qtri: a fixed-point 3D renderer for microcontroller displays.
  *
@@ -24,7 +25,7 @@
  *   format.h     what a pixel is                          texture.h  what a texel is, textures
  *   material.h   colour, shading, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
- *   config.h     what the library is built with
+ *   config.h     what the library is built with           version.h  which one it is
  *   stroke.h     lines of any width, smooth edges, points
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
  *   paint.h      flat shapes: rectangles to polygons      image.h    pictures: copied, turned
@@ -69,6 +70,7 @@
 #include "qtri/texture.h"
 #include "qtri/transform.h"
 #include "qtri/vec.h"
+#include "qtri/version.h"
 #include "qtri/view.h"
 
 #endif

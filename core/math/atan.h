@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The angle that atan2, asin and acos share. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "quat_q30.h"
 #include "unit.h"
 

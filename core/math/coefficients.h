@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Printed by host/generate/coefficients.c (`make tables`): do not edit.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "dot.h"
 
 /* high 2^16 + low in Q32: four products of 2^62 and more would not fit 64 bits. */

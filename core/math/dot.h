@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Sums of products of Q16.16 numbers that round once and never overflow. Internal.
  *

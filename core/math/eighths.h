@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The polynomials that sine and cosine share. Internal.
  */

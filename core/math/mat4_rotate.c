@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/mat.h"
 #include "qtri/q16_trig.h"
 

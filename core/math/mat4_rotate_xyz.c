@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "rotation.h"
 
 qtri_mat4 qtri_mat4_rotate_x_deg(q16 degrees)

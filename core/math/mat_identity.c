@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Apart from the matrices that begin as an identity: they call it, and are no copies of it.
  */

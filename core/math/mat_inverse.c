@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Determinants and inverses: exact cofactors, one rounding.
  *

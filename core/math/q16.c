@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Sums and products of Q16.16, and what rounds them.
  */

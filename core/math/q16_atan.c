@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/q16_trig.h"
 
 q16 q16_atan(q16 x)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Quotients of Q16.16. All of them estimate digits by a short reciprocal, from below, and correct
  * by the remainder, which is exact.

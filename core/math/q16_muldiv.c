@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/q16.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Divisions under other names; apart from q16_div, which they would be made copies of.
  */

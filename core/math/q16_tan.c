@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/q16_trig.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/q16_text.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Between public quaternions and those of rotation.h. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/quat.h"
 
 #include "../bits/bits.h"

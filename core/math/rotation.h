@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Rotations at 30 fraction bits: unit quaternions w, x, y, z and their matrices. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "scaled.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the conversions between fixed-point formats share. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "atan.h"
 #include "../bits/bits.h"
 

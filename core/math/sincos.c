@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "sincos.h"
 
 #include "../bits/bits.h"

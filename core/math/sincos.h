@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Sine and cosine with the precision that rotations need. Internal.
  */

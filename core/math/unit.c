@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "unit.h"
 
 /* 128 / sqrt((i + 8.5) / 32): the reciprocal root in the middle of each 32nd from 1/4 to 1. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Directions at 30 fraction bits: what normalising, rotating and interpolating start from.
  * Internal.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "wide_q16.h"
 
 #include "../bits/bits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * From wide scalars to Q16.16. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Made of small.bdf by `qtri font`. */
 #include "qtri/font.h"
 

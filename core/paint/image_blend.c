@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
 static void blend_row(const qtri_surface *surface, const qtri_image *image, uint8_t *to,

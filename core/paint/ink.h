@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * From shapes to pixels. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "crossing.h"
 
 #include "../bits/multiply.h"

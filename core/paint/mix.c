@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "mix.h"
 
 /* What is stored is known by the function that decodes it; see format.h. */

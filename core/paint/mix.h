@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Two stored pixels become one: d (256 - a) + s a, a being 0..256, each channel rounded once.
  * Internal.

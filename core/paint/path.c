@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "path.h"
 
 void qtri_path_line(qtri_path *path, const qtri_point *from, const qtri_point *to)

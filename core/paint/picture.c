@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
 bool qtri_picture_is_usable(const qtri_image *image)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
 QTRI_INLINE void mix_of(qtri_mix mix, const qtri_format *format, uint8_t *at,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "ink.h"
 
 void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,

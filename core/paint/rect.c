@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "ink.h"
 
 void qtri_paint_rect(const qtri_surface *surface, const qtri_area *box, const qtri_brush *brush)

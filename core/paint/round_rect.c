@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "path.h"
 
 /* Right and left side, and a quarter of a circle at each corner. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Stored pixels of a size that a loop knows. Internal.
  */

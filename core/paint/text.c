@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/font.h"
 
 #include "../bits/bits.h"

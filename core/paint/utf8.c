@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/font.h"
 
 /* A first byte 110xxxxx, 1110xxxx or 11110xxx tells how many bytes 10xxxxxx follow. */

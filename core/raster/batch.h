@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Fragments on their way to pixels, some at a time. Internal.
  *

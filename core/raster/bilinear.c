@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Bilinear filtering: the weighted sum of the four texels whose centres lie around a coordinate.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "checked.h"
 
 #ifdef QTRI_CHECKED

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Checks of what the rasterizer is given, for checked builds. Internal.
  */

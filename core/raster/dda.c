@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "dda.h"
 
 #include "qtri/config.h"

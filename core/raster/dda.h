@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Exact digital differential analyser: floor of a rational that advances by a constant. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Many quotients by one number; for two or three, a division costs less. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What follows the colour of a fragment: fog, and a blend with the pixel under it. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "gradient.h"
 
 #define SMALL ((int32_t)1 << 15) /* 128 pixels */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A triangle on its way to pixels: what its rows share. Internal.
  *

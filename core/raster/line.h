@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Lines of one draw call: what they share is prepared once. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A line's pixels and what lies between its ends. Internal: line.c draws any line by it, and
  * fast/line_16.c short ones.

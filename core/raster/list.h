@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Small triangles: fragments that pass the depth test wait in the raster's batch until there are
  * enough of them to go through the stages of their pixels together, whichever triangles of the draw

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bilinear.h"
 #include "list_values.h"
 #include "stage_color.h"

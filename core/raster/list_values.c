@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "list_values.h"
 
 #include "../geometry/projector.h"

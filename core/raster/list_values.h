@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Attributes of fragments anywhere in a small triangle. Internal.
  *

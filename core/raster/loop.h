@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What loops over pixels are made of. Internal.
  */

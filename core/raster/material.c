@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/material.h"
 
 qtri_material qtri_material_default(void)

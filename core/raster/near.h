@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Rows of small triangles, along curves that take no division. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "packed.h"
 
 void qtri_packed_colors(uint32_t *color, const qtri_job *job, int32_t x, int32_t y, int32_t phase,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A colour of RGB565 with fractions in one word. Internal.
  *

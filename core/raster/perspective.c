@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Rows with perspective: an attribute a is s / q of two that are linear on the screen, q = 1/w
  * being 1 at the vertex nearest to the eye. One reciprocal serves a block of up to 32 pixels: d

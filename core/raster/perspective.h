@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Attributes with perspective: set-up of a triangle, and curves along its rows. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "perspective.h"
 
 #include "rows.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "place.h"
 
 bool qtri_inv_w_more(int32_t *more, const qtri_vertex *a, const qtri_vertex *b)

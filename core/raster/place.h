@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Where a small triangle is: its rows, and what its ramps have in common. Internal.
  *

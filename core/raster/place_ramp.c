@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "place_ramp.h"
 
 #include "../bits/multiply.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What is linear on the screen over a small triangle. Internal.
  */

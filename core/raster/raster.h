@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the triangles of a draw call share: where they are drawn, and the stages that their pixels
  * go through, chosen once. Internal.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "rows.h"
 
 static void dda_init(qtri_dda *dda, const qtri_screen_point *a, const qtri_screen_point *b,

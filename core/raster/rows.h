@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Which pixels of a row belong to a triangle. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Everything about a triangle that does not change from row to row. Internal.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Small triangles, see place.h: where rows are short by fragments of list.c, where they are long
  * row by row as large ones, along curves that take no division. Internal.

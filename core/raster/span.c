@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Rows of large triangles by stages: chunks of up to 32 pixels, counted from the span's left end,
  * whatever of them a scissor or a band leaves. So pixels do not depend on either.

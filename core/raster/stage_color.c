@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "stage_color.h"
 
 #include "../frame/curves.h"

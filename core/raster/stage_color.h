@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Stages between interpolated values and stored pixels. Internal.
  *

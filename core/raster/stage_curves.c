@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Texels times colours along curves: what qtri_shade_rgb and then times_ make, to the bit, without
  * shades that are put down. In one colour there are loops of their own, for speed.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "stage_depth.h"
 
 #include "loop.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Strokes: the union of the shapes of a line's parts, row by row. Internal.
  *

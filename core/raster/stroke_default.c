@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri/stroke.h"
 
 qtri_stroke qtri_stroke_default(void)

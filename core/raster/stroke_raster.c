@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "stroke.h"
 
 /* A polyline on the screen. */

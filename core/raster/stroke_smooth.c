@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Smooth edges: the area of each pixel that the union of the parts covers.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Formats of texels with alpha. Their colours are 0xAARRGGBB as far as the blend: stages of 8 bits
  * a channel look at the low 24, and those that multiply are followed by what puts alpha back.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Texels that become pixels as they are: the nearest of a repeated RGB565 texture, unmodulated, on
  * an RGB565 surface. Internal.

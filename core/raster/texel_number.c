@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "texel_number.h"
 
 #include "../bits/bits.h"

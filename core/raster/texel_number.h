@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Where texture coordinates lead: to numbers of texels, row << width_log2 | column. Internal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "texel_format.h"
 
 static bool usable(const qtri_texture *texture)

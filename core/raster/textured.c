@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "textured.h"
 
 #include "bilinear.h"

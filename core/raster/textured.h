@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What textures add to a raster: which stages texels go through. Internal.
  */

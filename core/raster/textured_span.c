@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What textures add to rows of large triangles.
  */

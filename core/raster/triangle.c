@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "triangle.h"
 
 #include "../geometry/projector.h"

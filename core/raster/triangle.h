@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The rasterizer behind raster.h, in steps: for draw calls that light a triangle only after it is
  * known to touch a pixel. Internal.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Meshes for a microcontroller: constant data as qtri/mesh.h describes it, made of a model.
  */

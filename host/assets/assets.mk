@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Libraries that read files and work on meshes for the commands `qtri mesh` and `qtri texture`. Each is used where it is
 # installed; without it the command is built all the same and says what it therefore cannot do. WITH= builds without any.
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Pictures with transparency, read from PNG, PPM and PGM, and pictures written as PNG.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A model as its file has it, whatever the format: what meshes for a microcontroller are made of.
  */

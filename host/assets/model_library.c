@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * glTF, GLB, STL and PLY by the library assimp, in a process of its own: what a broken file does to
  * the library's memory, time or stack ends there, and here it is one sentence.

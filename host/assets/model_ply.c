@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Whether a PLY file is as long as its header says: the library that reads it makes up what is
  * missing.

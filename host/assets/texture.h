@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Textures for a microcontroller: constant texels as qtri/texture.h describes them, of a picture.
  */

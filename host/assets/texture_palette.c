@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The colours of a palette: median cut over a histogram of 5 bits a channel (Heckbert 1982), then
  * k-means.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * How good anti-aliasing is: antialias FOLDER MODELS [POSES]
  *

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # What anti-aliasing adds to spot's instructions: antialias.sh FOLDER CORE...   (called by `make antialias`)
 set -eu
 folder=$1

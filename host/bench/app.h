@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * An application, as `make size` measures it: written as a user would, through qtri.h alone.
  */

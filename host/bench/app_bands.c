@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A lit mesh of 500 vertices and 1000 triangles, 320x240 RGB565 with depth, in bands of 16 rows:
  * everything in 24 KB of RAM. Vertices are kept for a few triangles only, and lists hold groups of

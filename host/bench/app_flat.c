@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The smallest useful application: flat triangles with depth, here an octahedron.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A lit and textured crate on an RGB565 display, in bands, with depth.
  */

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Counting instructions on emulated cores, and bytes of code. Included by the main Makefile.
 
 BENCH_DIR   := $(BUILD)/bench

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The host's pictures of the scenes against the double-precision reference.
  */

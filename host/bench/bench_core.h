@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What firmware for a core sets up before it draws.
  */

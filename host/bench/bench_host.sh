@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Times the scenes on the host: bench_host.sh TABLE.tsv PROGRAM [BASE-PROGRAM]   (called by `make bench-host`)
 # Each program prints `scene median least`, microseconds. They run three times in turn, and of three figures the middle one
 # counts. Writes `scene microseconds least`, with a base also `base ratio`: what the base takes, and times this one.

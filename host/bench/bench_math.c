@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The program of a board: one line `function instructions` for each, with one decimal.
  *

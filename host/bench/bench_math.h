@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Counting the instructions of a call of each function of the mathematics, on an emulated core.
  */

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Gathers what the cores printed: bench_math.sh FOLDER TABLE.tsv CORE...   (called by `make bench-math`)
 # Writes the table `function core instructions`, and prints it a function a line, beside the targets of the project.
 set -eu

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bench_math.h"
 
 #include "qtri/q16_text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Writes the meshes of the benchmark as C and as OBJ: bench_meshes FOLDER MODELS
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bench_paint.h"
 
 static const qtri_rgb color = {255, 128, 64};

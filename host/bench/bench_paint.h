@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Benchmark scenes of flat shapes, pictures and text, on the frame of bench_scenes.h:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bench_print.h"
 
 #include "../../port/boards/board.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bench_scenes.h"
 
 #ifndef BENCH_PLAIN

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The benchmark scenes: the same work on boards and on the host, and for every renderer.
  *

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Gathers what the cores printed: bench_scenes.sh FOLDER TABLE.tsv "SCENE..." CORE...   (called by `make bench`)
 # FOLDER/host.txt and FOLDER/CORE/bench.txt hold lines `scene crc pixels triangles instructions`. Writes the table, prints
 # it a scene a line beside the targets of the project, and fails where a core's picture is not the host's. A core named

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the benchmark draws: meshes, quads, texture, light and camera, for scenes and matrix.
  *

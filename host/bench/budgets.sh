@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Prints the table of budgets, as host/bench/budgets.tsv has it, from what `make bench` and `make size` left in a folder:
 # budgets.sh BUILD   (called by `make budgets` and by the gate tests/check/budgets.sh)
 set -eu

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The matrix: every product of surface format, depth test, source of colour, texture and geometry,
  * so that no combination is slow while its neighbours are fast. Freestanding.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The matrix: instructions of every product of formats, tests, sources and geometries (matrix.h), and whether all cores draw
 # the host's pixels. Included by bench.mk; compilers, objects and emulators are those of scenes.mk.
 #

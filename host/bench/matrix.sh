@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Gathers what the cores printed: matrix.sh FOLDER TABLE.tsv CORE...   (called by `make bench-matrix`)
 # FOLDER/matrix-host.txt and FOLDER/CORE/matrix.txt hold lines `case hash pixels instructions`. Writes the table
 # `case core instructions pixels per_pixel`, and TABLE-classes.tsv, which it prints: how far the cells of a class are apart.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Prints the table of the matrix's budgets, as host/bench/matrix-budgets.tsv has it, from what `make bench-matrix` left in a
 # folder: matrix_budgets.sh BUILD   (called by `make matrix-budgets` and by the gate tests/check/matrix.sh)
 # A line for each case, a column of instructions for each core.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "matrix.h"
 
 static const matrix_surface surfaces[] = {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "matrix.h"
 
 #define BYTES_OF(frame, offset) ((const void *)((const uint8_t *)(frame) + (offset)))

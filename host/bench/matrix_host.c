@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The matrix on the host: the pictures that the boards must reproduce.
  */

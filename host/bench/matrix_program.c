@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The matrix on a board, or on the host: one line for each case,
  *

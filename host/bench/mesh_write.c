@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "mesh_write.h"
 
 #include <inttypes.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A mesh of the benchmark in both its forms, wide and compact.
  */

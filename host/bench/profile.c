@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Where the instructions of one draw call go: profile TABLE COUNTS < LOG
  *

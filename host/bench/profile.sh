@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Where the instructions of one scene go: profile.sh PROGRAM.elf PROFILE TOOL-PREFIX EMULATOR...  (called by `make bench-profile`)
 # PROGRAM draws one scene, PROFILE is profile.c compiled. The table of instructions is left beside PROGRAM.
 set -eu

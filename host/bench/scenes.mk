@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The benchmark scenes: instructions on emulated cores, time on the host. Included by bench.mk, whose
 # compilers, boards and emulators these rules use.
 #

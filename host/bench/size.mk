@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Code, constants, static memory and deepest stack of three applications. Included by bench.mk, whose compilers, boards and
 # emulators these rules use.
 

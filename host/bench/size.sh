@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Gathers the sizes of applications: size.sh FOLDER TABLE.tsv "APPLICATION..." CORE-OPTIMIZATION...   (called by `make size`)
 # FOLDER/CORE-OPTIMIZATION/APPLICATION.map tells what was linked, .txt how much stack it used, app_APPLICATION.su how
 # much of that was the application's own functions'.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The program of a board: the application's set-up and frames on a painted stack. Prints
  *

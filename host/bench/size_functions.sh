@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Where code and stack of an application go: size_functions.sh FOLDER APPLICATION   (called by `make size-functions`)
 # FOLDER is the one of a core and an optimization. Prints the bytes of every file and of the largest functions linked, and
 # the calls that go deepest, by the compiler's call graph. What an indirect call leads to is taken to be every static

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Bytes of code and constants of core/math: size_math.sh FOLDER TABLE.tsv CORE...   (called by `make size-math`)
 # FOLDER/size-CORE/ holds the objects. Writes `object core bytes` and prints it; "everything" and the program are linked, so
 # that they include what the compiler's library adds (64-bit division).

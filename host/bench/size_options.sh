@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Bytes that each option of config.h saves alone: size_options.sh FOLDER "APPLICATION..." COMPILER...   (called by
 # `make size-options`)
 # COMPILER... compiles for a core; FOLDER holds the objects. What an application links without an option is compared with

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Fits the polynomials of core/math by Remez' exchange and prints core/math/coefficients.h.
  *
@@ -224,7 +225,7 @@ static void print_log_table(FILE *out)
 
 void generate_coefficients(FILE *out)
 {
-    fprintf(out, "/*\n"
+    fprintf(out, "/* SPDX-License-Identifier: MIT */\n/*\n"
                  " * Printed by host/generate/coefficients.c (`make tables`): do not edit.\n"
                  " *\n"
                  " * Coefficient k of a polynomial in v times 2^Q, without its sign. Internal.\n"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Tables that programs print. Included by the main Makefile.
 
 GENERATE_DIR := $(BUILD)/generate

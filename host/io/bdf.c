@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bdf.h"
 
 #include <stdlib.h>

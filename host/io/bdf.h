@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Bitmap fonts in Adobe's Glyph Bitmap Distribution Format, version 2.1.
  */

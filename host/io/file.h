@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Files as a whole: read into memory, or written so that they appear complete or not at all.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Lines and tokens of a text in memory: any bytes, nothing copied, nothing terminated by NUL.
  * Scene files and OBJ files share the rules: tokens are separated by white space (a carriage

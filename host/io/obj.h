@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Wavefront OBJ meshes, triangulated and indexed by one index per corner.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Inside the OBJ reader: what the parser (obj.c) collects, and what makes a mesh of it
  * (obj_build.c).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Palettes: a picture of few colours as their list and a number for every pixel.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scene files: a parsed scene, ready for a renderer to replay.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Statements about pixels over pixels: blend and fog. */
 #include "scene_parser.h"
 

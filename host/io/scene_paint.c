@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "scene_paint.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Flat shapes, text and pictures in scene files: statements that paint onto the picture where they
  * stand, in pixels, in the colour and with the edges that were chosen last.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Inside the scene reader. scene.c reads the text and finds the statement in the table; the
  * statements themselves are in scene_ops.c (matrices and geometry, kept in order),

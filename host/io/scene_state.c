@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "scene_parser.h"
 
 #define WORD_COUNT(words) ((int)(sizeof(words) / sizeof(words)[0]))

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "text_error.h"
 
 #include <stdarg.h>

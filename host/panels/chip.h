@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Display controllers, simulated from their data sheets, to test drivers with: bytes go in with the
  * level of D/C, what an eye would see on the glass comes out. Nothing here knows the drivers.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "controllers.h"
 
 #include <string.h>
@@ -26,8 +27,23 @@ static const chip_command st7789_commands[] = {
     {0xC3, 0xC4, 1}, {0xC6, 0xC6, 1}, {0xD0, 0xD0, 2}, {0xE0, 0xE1, 14},
 };
 
+static const chip_command st7735_commands[] = {
+    MIPI_COMMANDS,   {0xB1, 0xB2, 3}, {0xB3, 0xB3, 6},  {0xB4, 0xB4, 1},
+    {0xB6, 0xB6, 2}, {0xC0, 0xC0, 3}, {0xC1, 0xC1, 1},  {0xC2, 0xC4, 2},
+    {0xC5, 0xC5, 1}, {0xC7, 0xC7, 1}, {0xE0, 0xE1, 16}, {0xFC, 0xFC, 1},
+};
+
+/* Those without a name by the numbers of parameters that they come with. */
+static const chip_command gc9a01_commands[] = {
+    MIPI_COMMANDS,   {0x62, 0x63, 12}, {0x64, 0x64, 7}, {0x66, 0x67, 10}, {0x70, 0x70, 9},
+    {0x74, 0x74, 7}, {0x84, 0x8F, 1},  {0x90, 0x90, 4}, {0x98, 0x98, 2},  {0xAE, 0xAE, 1},
+    {0xB5, 0xB5, 3}, {0xB6, 0xB6, 2},  {0xBA, 0xBA, 1}, {0xBC, 0xBE, 1},  {0xC1, 0xC1, 1},
+    {0xC3, 0xC4, 1}, {0xC9, 0xC9, 1},  {0xCD, 0xCD, 1}, {0xDF, 0xDF, 3},  {0xE1, 0xE1, 2},
+    {0xE8, 0xE8, 1}, {0xEB, 0xEB, 1},  {0xED, 0xED, 2}, {0xEF, 0xEF, 0},  {0xF0, 0xF3, 6},
+    {0xFE, 0xFE, 0}, {0xFF, 0xFF, 3},
+};
+
 enum { ROWS_REVERSED = 0x80, COLUMNS_REVERSED = 0x40, EXCHANGED = 0x20, BLUE_FIRST = 0x08 };
-enum { COLUMNS = 240, ROWS = 320 };
 
 static lcd *self(chip *it)
 {
@@ -41,8 +57,8 @@ static void reset(chip *it)
     s->address_mode = 0;
     s->pixel_format = 0x66;
     s->columns[0] = s->pages[0] = 0;
-    s->columns[1] = COLUMNS - 1;
-    s->pages[1] = ROWS - 1;
+    s->columns[1] = s->width - 1;
+    s->pages[1] = s->height - 1;
     s->on = s->awake = s->inverted = s->half = false;
     it->ready_ms = it->now_ms + 5;
     s->wake_ms = it->now_ms + 120;
@@ -53,15 +69,15 @@ static void begin_write(chip *it)
 {
     lcd *s = self(it);
     bool exchanged = (s->address_mode & EXCHANGED) != 0;
-    int last_column = exchanged ? ROWS - 1 : COLUMNS - 1;
-    int last_page = exchanged ? COLUMNS - 1 : ROWS - 1;
+    int last_column = exchanged ? s->height - 1 : s->width - 1;
+    int last_page = exchanged ? s->width - 1 : s->height - 1;
     if (s->columns[0] > s->columns[1] || s->columns[1] > last_column) {
         chip_reject(it, "columns %d..%d of 0..%d", s->columns[0], s->columns[1], last_column);
     }
     if (s->pages[0] > s->pages[1] || s->pages[1] > last_page) {
         chip_reject(it, "pages %d..%d of 0..%d", s->pages[0], s->pages[1], last_page);
     }
-    if (s->pixel_format != 0x55) {
+    if (s->pixel_format != 0x55 && s->pixel_format != 0x05) { /* the bits for the bus */
         chip_reject(it, "data in pixel format 0x%02X, only 16 bits are simulated", s->pixel_format);
     }
     chip_window window = {s->columns[0], s->columns[1], s->pages[0], s->pages[1],
@@ -73,9 +89,10 @@ static void begin_write(chip *it)
 static void set_range(chip *it, int range[2])
 {
     const uint8_t *p = it->parameters;
+    int longest = self(it)->width > self(it)->height ? self(it)->width : self(it)->height;
     range[0] = p[0] << 8 | p[1];
     range[1] = p[2] << 8 | p[3];
-    if (range[0] > range[1] || range[1] >= ROWS) {
+    if (range[0] > range[1] || range[1] >= longest) {
         chip_reject(it, "command 0x%02X: range %d..%d", it->command, range[0], range[1]);
     }
 }
@@ -151,8 +168,8 @@ static void store(chip *it, uint8_t byte)
     bool exchanged = (s->address_mode & EXCHANGED) != 0;
     int column = exchanged ? it->window.y : it->window.x;
     int row = exchanged ? it->window.x : it->window.y;
-    column = (s->address_mode & COLUMNS_REVERSED) != 0 ? COLUMNS - 1 - column : column;
-    row = (s->address_mode & ROWS_REVERSED) != 0 ? ROWS - 1 - row : row;
+    column = (s->address_mode & COLUMNS_REVERSED) != 0 ? s->width - 1 - column : column;
+    row = (s->address_mode & ROWS_REVERSED) != 0 ? s->height - 1 - row : row;
     s->memory[row][column] = (uint16_t)(s->high << 8 | byte);
     chip_advance(it, false);
 }
@@ -170,7 +187,8 @@ static uint32_t pixel(const chip *it, int x, int y)
         return 0;
     }
     int across = g->columns_from_right ? g->width - 1 - x : x;
-    uint32_t c = s->memory[g->first_row + y][g->first_column + across];
+    int down = g->rows_from_bottom ? g->height - 1 - y : y;
+    uint32_t c = s->memory[g->first_row + down][g->first_column + across];
     uint32_t first = widened(c >> 11, 31);
     uint32_t green = widened(c >> 5 & 63, 63);
     uint32_t last = widened(c & 31, 31);
@@ -179,9 +197,11 @@ static uint32_t pixel(const chip *it, int x, int y)
     return s->inverted != g->normally_black ? ~seen & 0xFFFFFF : seen;
 }
 
-static void init(lcd *s, const chip_model *model, const lcd_glass *glass)
+static void init(lcd *s, const chip_model *model, const lcd_glass *glass, int width, int height)
 {
     s->glass = *glass;
+    s->width = width;
+    s->height = height;
     s->chip.busy_pin = false;
     memset(s->memory, 0x5A, sizeof s->memory);
     chip_init(&s->chip, model);
@@ -189,7 +209,7 @@ static void init(lcd *s, const chip_model *model, const lcd_glass *glass)
 
 void ili9341_init(lcd *s)
 {
-    static const lcd_glass glass = {240, 320, 0, 0, true, true, false};
+    static const lcd_glass glass = {240, 320, 0, 0, true, true, false, false};
     static const chip_model model = {"ILI9341",
                                      ili9341_commands,
                                      sizeof ili9341_commands / sizeof ili9341_commands[0],
@@ -198,7 +218,7 @@ void ili9341_init(lcd *s)
                                      execute,
                                      store,
                                      pixel};
-    init(s, &model, &glass);
+    init(s, &model, &glass, 240, 320);
 }
 
 void st7789_init(lcd *s, const lcd_glass *glass)
@@ -211,5 +231,31 @@ void st7789_init(lcd *s, const lcd_glass *glass)
                                      execute,
                                      store,
                                      pixel};
-    init(s, &model, glass);
+    init(s, &model, glass, 240, 320);
+}
+
+void st7735_init(lcd *s, const lcd_glass *glass, int width, int height)
+{
+    static const chip_model model = {"ST7735",
+                                     st7735_commands,
+                                     sizeof st7735_commands / sizeof st7735_commands[0],
+                                     true,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &model, glass, width, height);
+}
+
+void gc9a01_init(lcd *s, const lcd_glass *glass)
+{
+    static const chip_model model = {"GC9A01",
+                                     gc9a01_commands,
+                                     sizeof gc9a01_commands / sizeof gc9a01_commands[0],
+                                     true,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &model, glass, 240, 240);
 }

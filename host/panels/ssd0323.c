@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "controllers.h"
 
 #include <string.h>
@@ -125,7 +126,7 @@ static uint32_t pixel(const chip *it, int x, int y)
     }
     int column = (s->remap & COLUMNS_REVERSED) != 0 ? 63 - x / 2 : x / 2;
     int line = (s->remap & COMS_REVERSED) != 0 ? y : 63 - y;
-    int row = (line + s->start_line + s->offset - 76 + 80) % 80;
+    int row = (line + s->start_line + s->offset - 76 + 80 + s->first_row) % 80;
     bool high = (x % 2 != 0) != ((s->remap & NIBBLES_SWAPPED) != 0);
     int level = high ? s->memory[row][column] >> 4 : s->memory[row][column] & 15;
     level = s->mode == 0xA7 ? 15 - level : level;
@@ -137,6 +138,7 @@ void ssd0323_init(ssd0323 *s)
     static const chip_model model = {"SSD0323", commands, sizeof commands / sizeof commands[0],
                                      false,     reset,    execute,
                                      store,     pixel};
+    s->first_row = 0;
     s->chip.busy_pin = false;
     chip_init(&s->chip, &model);
 }

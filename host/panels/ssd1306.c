@@ -1,15 +1,16 @@
+/* SPDX-License-Identifier: MIT */
 #include "controllers.h"
 
 #include <string.h>
 
-/* Data sheet, table 9-1. */
+/* Data sheet, table 9-1; 0xAD is of revision B. */
 static const chip_command commands[] = {
     {0x00, 0x1F, 0}, /* column start, page addressing mode */
     {0x20, 0x20, 1}, {0x21, 0x21, 2}, {0x22, 0x22, 2}, {0x26, 0x27, 6}, {0x29, 0x2A, 5},
     {0x2E, 0x2F, 0}, {0x40, 0x7F, 0}, {0x81, 0x81, 1}, {0x8D, 0x8D, 1}, {0xA0, 0xA1, 0},
-    {0xA3, 0xA3, 2}, {0xA4, 0xA7, 0}, {0xA8, 0xA8, 1}, {0xAE, 0xAF, 0}, {0xB0, 0xB7, 0},
-    {0xC0, 0xC0, 0}, {0xC8, 0xC8, 0}, {0xD3, 0xD3, 1}, {0xD5, 0xD5, 1}, {0xD9, 0xD9, 1},
-    {0xDA, 0xDA, 1}, {0xDB, 0xDB, 1}, {0xE3, 0xE3, 0},
+    {0xA3, 0xA3, 2}, {0xA4, 0xA7, 0}, {0xA8, 0xA8, 1}, {0xAD, 0xAD, 1}, {0xAE, 0xAF, 0},
+    {0xB0, 0xB7, 0}, {0xC0, 0xC0, 0}, {0xC8, 0xC8, 0}, {0xD3, 0xD3, 1}, {0xD5, 0xD5, 1},
+    {0xD9, 0xD9, 1}, {0xDA, 0xDA, 1}, {0xDB, 0xDB, 1}, {0xE3, 0xE3, 0},
 };
 
 static ssd1306 *self(chip *it)
@@ -28,6 +29,8 @@ static void reset(chip *it)
     s->columns_reversed = s->rows_reversed = s->inverse = s->all_on = s->on = s->pump = false;
     it->window.x1 = 127;
     it->window.y1 = 7;
+    it->ready_ms =
+        it->now_ms + 100; /* 3 us by the data sheet; slow modules' supply takes this long */
 }
 
 static void range(chip *it, int most)
@@ -133,7 +136,7 @@ static void store(chip *it, uint8_t byte)
 static uint32_t pixel(const chip *it, int x, int y)
 {
     const ssd1306 *s = (const ssd1306 *)(const void *)it;
-    int wired = s->rows == 64 ? 0x12 : 0x02; /* the glass's rows alternate between COM halves */
+    int wired = s->rows == 32 ? 0x02 : 0x12; /* the glass's rows alternate between COM halves */
     if (!s->on || !s->pump || s->pins != wired || s->multiplex != s->rows - 1) {
         return 0;
     }
@@ -143,7 +146,7 @@ static uint32_t pixel(const chip *it, int x, int y)
     int com = s->rows - 1 - y;
     int line = s->rows_reversed ? s->multiplex - com : com;
     int row = (line + s->start_line + s->offset) & 63;
-    int segment = 127 - x;
+    int segment = 127 - s->first_column - x;
     bool lit = (s->memory[row >> 3][segment] >> (row & 7) & 1) != 0;
     return lit != s->inverse ? 0xFFFFFF : 0;
 }
@@ -154,6 +157,13 @@ void ssd1306_init(ssd1306 *s, int rows)
                                      false,     reset,    execute,
                                      store,     pixel};
     s->rows = rows;
+    s->first_column = 0;
     s->chip.busy_pin = false;
     chip_init(&s->chip, &model);
+}
+
+void ssd1306_init_at(ssd1306 *s, int rows, int first_column)
+{
+    ssd1306_init(s, rows);
+    s->first_column = first_column;
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "controllers.h"
 
 #include <string.h>
@@ -155,7 +156,8 @@ static uint32_t pixel(const chip *it, int x, int y)
     if (s->gates != 250 || (s->options[1] & 0x80) == 0) {
         return 0x808080; /* not driven as the glass is wired */
     }
-    return (s->shown[y][x / 8] >> (7 - x % 8) & 1) != 0 ? 0xFFFFFF : 0;
+    int column = s->first_column + x;
+    return (s->shown[s->first_row + y][column / 8] >> (7 - column % 8) & 1) != 0 ? 0xFFFFFF : 0;
 }
 
 void ssd1680_init(ssd1680 *s)
@@ -165,7 +167,7 @@ void ssd1680_init(ssd1680 *s)
                                      store,     pixel};
     memset(s->memory, 0xC3, sizeof s->memory);
     memset(s->shown, 0xC3, sizeof s->shown);
-    s->refreshes = 0;
+    s->refreshes = s->first_column = s->first_row = 0;
     s->chip.busy_pin = true;
     chip_init(&s->chip, &model);
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "blend.h"
 
 #include <math.h>

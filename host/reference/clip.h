@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Clipping in homogeneous coordinates: near, far, and a guard band in x and y.
  *

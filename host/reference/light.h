@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The light of scenes: `light`, `ambient` and `material`, at one point of a surface.
  */

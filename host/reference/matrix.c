@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "matrix.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * 4x4 matrices in double precision and the transforms of the scene language.
  *

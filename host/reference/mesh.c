@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "mesh.h"
 #include "clip.h"
 #include "light.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Meshes: the vertex stage, lighting, and assembly into triangles.
  */

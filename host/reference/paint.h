@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Flat shapes, text and pictures in double precision: the inside of a shape is a test of a point,
  * and what it covers of a pixel the share of 32 x 32 points in it.

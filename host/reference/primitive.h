@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What passes between the stages of the reference: clip-space vertices and the triangle they form.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The three rasterizers of the reference. Pixel centres are at +0.5; a triangle covers the pixels
  * whose centre is inside it, and of those on its border the ones on top or left edges.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Lines one pixel wide: one pixel for every column (or row, if the line is steeper than 45
  * degrees) whose centre lies between the ends, the right end excluded.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Triangles whose vertices are snapped to a grid of 2^-N pixels: what an ideal fixed-point
  * renderer with N sub-pixel bits draws. Coverage is decided in integers, without any rounding.

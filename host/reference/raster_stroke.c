@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "raster_stroke.h"
 
 #include "clip.h"

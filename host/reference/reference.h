@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The pipeline in double precision: what every picture of the fixed-point core is measured against.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Replays a scene: two matrix stacks, and the geometry where it stands.
  */

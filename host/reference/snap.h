@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Snapping to the sub-pixel grid. Coordinates reach 2^29 at the guard band, so the product of two
  * differences fits 61 bits and edge functions 62.

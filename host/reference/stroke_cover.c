@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "stroke_cover.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Exact coverage of strokes: which share of each pixel's area a union of discs and rectangles has.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The picture being drawn: depth test, shading of one pixel, and the record of what is visible.
  */

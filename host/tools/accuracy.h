@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * How far a picture of the fixed-point core is from the double-precision reference.
  */

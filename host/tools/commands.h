@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The commands of `qtri`. Each takes its own arguments, argv[0] being its name, and returns the
  * exit status: 0 done, 1 bad input, 2 wrong usage; messages go to stderr.

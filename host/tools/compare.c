@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Measures of difference between two pictures. The command that prints them is compare_main.c.
  */

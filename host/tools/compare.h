@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Comparing two pictures: colours, which triangle is visible, and depth.
  */

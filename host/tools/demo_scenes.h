@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scene files that the demo writes: around generated meshes and around the user's models.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "font_build.h"
 
 #include <stdlib.h>

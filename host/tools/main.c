@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: MIT */
+#include <qtri/version.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -26,7 +28,7 @@ static void help(FILE *out)
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].summary);
     }
-    fputs("\n`qtri COMMAND --help` tells more.\n", out);
+    fputs("\n`qtri COMMAND --help` tells more, `qtri --version` which one it is.\n", out);
 }
 
 static int run(int argc, char **argv)
@@ -37,6 +39,10 @@ static int run(int argc, char **argv)
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
         help(stdout);
+        return 0;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        puts("qtri " QTRI_VERSION_TEXT);
         return 0;
     }
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Planes of a mesh's faces, see qtri_faces in mesh.h.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "mesh_neighbours.h"
 
 #include <stdlib.h>

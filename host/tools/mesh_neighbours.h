@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Neighbours of a mesh's triangles, see qtri_mesh in mesh.h.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The generated meshes that are not tubes, each as OBJ text.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "scene_draw.h"
 
 static qtri_vec3 vec3_of(const int32_t v[3])

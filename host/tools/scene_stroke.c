@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "scene_stroke.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Draws the lines and points of a scene with the fixed-point core.
  */

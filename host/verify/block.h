@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Smooth functions over 1024 consecutive inputs, by interpolation.
  */

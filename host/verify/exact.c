@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * References by integers alone: the rounded result is decided without floating point, which only
  * expresses how far the exact value is from it.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the functions are asked. Random numbers are the same in every run and on every thread.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Lengths, unit vectors and quaternions. References are long double from exact sums of squares: off
  * by less than 2^-40 ULP.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * qtri-verify: the accuracy of every function of core/math as a table, and plots of errors.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The error of a function over its domain as SVG: for every column of the picture the least, the
  * mean and the largest error of the inputs that fall into it. Rounding alone makes half an ULP of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Sums of products, rounded once. References are exact: sums in 128 bits, below 2^66, and a result
  * that fits is exact in long double with its sixteen bits of fraction.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What must hold for every angle: symmetry, sin^2 + cos^2 = 1, the pair as each of its halves, and
  * exact right angles.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * `exact` asks MPFR for 200 bits: a value has at most 31 before the point, and among 2^32 inputs
  * (or 2^34 pairs) none can be expected within 2^-100 of a tie without being one. `fast` asks libm

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The references that table.c chooses from. */
 #ifndef QTRI_VERIFY_REFERENCE_H
 #define QTRI_VERIFY_REFERENCE_H

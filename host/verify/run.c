@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Chunks of a test, shared out to threads; each has rows of its own, merged at the end.
  */

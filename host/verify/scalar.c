@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The scalar functions of the table: all inputs of one argument, many of two and three.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A page of panels, one above the other, each with the errors over an axis; as SVG. A panel shows
  * the least and the largest error of every column, the mean, and the limits.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The table of scalar functions. To add one: a line in table.c, and its reference if that is new.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Functions of vectors, matrices and quaternions: of stressed components and random ones, the
  * smallest and the largest among them.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Functions of many arguments or results: what tuple.c tries and length.c and product.c list.
  */

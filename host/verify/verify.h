@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Proof of accuracy: the functions of core/math against correctly rounded references.
  *

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The accuracy of core/math: build/qtri-verify, its table and plots; and what tests/test_math_quick.c links.
 #
 # Included by the main Makefile. Needs MPFR (libmpfr-dev), and so is no part of `make`.

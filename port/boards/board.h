@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What lies between a board and the program that every board runs. The host implements the board's
  * side as well (tests/boards/board_host.c).

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Emulated boards: firmware, and the check that a board draws the host's pixels.
 #
 # Included by the main Makefile. A target is <board>_<core>. To add one: a folder beside this file for a new board, a

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Memory-mapped displays: pixels are stored where the display controller reads them. */
 #include "internal.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri_port/i2c.h"
 
 #include <string.h>
@@ -45,8 +46,8 @@ enum qtri_error qtri_i2c_bus(qtri_bus *bus, qtri_i2c *i2c)
     if (i2c->bytes < QTRI_I2C_BYTES) {
         return QTRI_ERROR_MEMORY;
     }
-    qtri_bus filled = {i2c, command, data, NULL, NULL, wait_ms, i2c->reset != NULL ? reset : NULL,
-                       NULL};
+    qtri_bus filled = {i2c,  command, data, NULL, NULL, wait_ms, i2c->reset != NULL ? reset : NULL,
+                       NULL, 0};
     *bus = filled;
     return QTRI_OK;
 }

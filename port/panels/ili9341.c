@@ -1,14 +1,15 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri_port/ili9341.h"
 
 #include "internal.h"
 
 /* Voltages, timing and gamma stay at the chip's reset values; modules work with them. */
 static const qtri_panel_step init[] = {
-    {0x01, 0, {0}, 120},  /* software reset, for modules without the pin; 120 ms in sleep */
-    {0x3A, 1, {0x55}, 0}, /* pixel format: 16 bits */
-    {0x26, 1, {0x01}, 0}, /* gamma curve 1 */
-    {0x11, 0, {0}, 120},  /* sleep out: supplies and oscillator start */
-    {0x29, 0, {0}, 0},    /* display on */
+    QTRI_STEP_ALONE(0x01, 120), /* software reset, for modules without the pin; 120 ms in sleep */
+    QTRI_STEP(0x3A, 0, 0x55),   /* pixel format: 16 bits */
+    QTRI_STEP(0x26, 0, 0x01),   /* gamma curve 1 */
+    QTRI_STEP_ALONE(0x11, 120), /* sleep out: supplies and oscillator start */
+    QTRI_STEP_ALONE(0x29, 0),   /* display on */
 };
 
 /* Address mode: rows reversed 0x80, columns reversed 0x40, exchanged 0x20, blue first 0x08. */
@@ -27,4 +28,5 @@ const qtri_panel_description qtri_ili9341 = {
     .memory_width = 240,
     .memory_height = 320,
     .window = qtri_panel_mipi_window,
+    .invert_commands = {0x20, 0x21},
 };

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the files of this folder share. */
 #ifndef QTRI_PANELS_INTERNAL_H
 #define QTRI_PANELS_INTERNAL_H
@@ -45,6 +46,9 @@ bool qtri_panel_is_in_place(const qtri_surface *surface, qtri_byte_order order);
 enum qtri_error qtri_panel_stream(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);
 enum qtri_error qtri_panel_packed(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);
 void qtri_panel_store(const qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);
+
+/* The description's window, when what DMA sends has arrived. */
+enum qtri_error qtri_panel_open(qtri_panel *panel, const qtri_rect *bytes);
 
 /* Windows of the families of controllers. */
 enum qtri_error qtri_panel_mipi_window(const qtri_panel *panel, const qtri_rect *window);

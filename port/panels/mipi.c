@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Addressing of TFT controllers with MIPI's command set: ILI9341, ST7789 and their like. */
 #include "internal.h"
 
@@ -25,9 +26,9 @@ static enum qtri_error set_range(const qtri_panel *panel, uint8_t command, int32
 enum qtri_error qtri_panel_mipi_window(const qtri_panel *panel, const qtri_rect *window)
 {
     const qtri_panel_description *d = panel->description;
-    uint8_t orientation = d->orientation[panel->rotation];
-    int32_t column = d->first_column;
-    int32_t row = d->first_row;
+    uint8_t orientation = panel->orientation;
+    int32_t column = panel->column;
+    int32_t row = panel->row;
     if ((orientation & COLUMNS_REVERSED) != 0) {
         column = d->memory_width - d->width - column;
     }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Gray displays, several pixels a byte. A rectangle of the frame is turned onto the glass, its
  * levels are put into bytes of the panel's memory, and the rows of bytes are sent: from an image of
@@ -113,20 +114,26 @@ static void draw(qtri_panel *panel, const layout *l, const qtri_surface *surface
     }
 }
 
-/* Bytes of the memory, row by row or, where rows touch, all at once. */
+/*
+ * Bytes of the memory, row by row or, where rows touch, all at once. Controllers whose windows are
+ * rows get one for each; for the others it is open already.
+ */
 static enum qtri_error send(qtri_panel *panel, const layout *l, qtri_rect bytes)
 {
+    bool by_row = panel->description->window_is_row;
     size_t pitch = (size_t)(l->kept.x1 - l->kept.x0);
     size_t width = (size_t)(bytes.x1 - bytes.x0);
     size_t rows = (size_t)(bytes.y1 - bytes.y0);
     const uint8_t *at =
         panel->memory + (size_t)(bytes.y0 - l->kept.y0) * pitch + (size_t)(bytes.x0 - l->kept.x0);
-    if (width == pitch) {
+    if (width == pitch && !by_row) {
         return qtri_panel_data(panel, at, width * rows);
     }
     enum qtri_error error = QTRI_OK;
     for (size_t i = 0; i < rows && error == QTRI_OK; i++) {
-        error = qtri_panel_data(panel, at + i * pitch, width);
+        qtri_rect row = {bytes.x0, bytes.y0 + (int32_t)i, bytes.x1, bytes.y0 + (int32_t)i + 1};
+        error = by_row ? qtri_panel_open(panel, &row) : QTRI_OK;
+        error = error == QTRI_OK ? qtri_panel_data(panel, at + i * pitch, width) : error;
     }
     return error;
 }
@@ -149,7 +156,7 @@ static enum qtri_error send_rows(qtri_panel *panel, layout *l, const qtri_surfac
     }
     size_t width = (size_t)(bytes.x1 - bytes.x0);
     size_t rows = panel->bytes / width; /* >= 1: the memory holds the widest row */
-    enum qtri_error error = d->window(panel, &bytes);
+    enum qtri_error error = d->window_is_row ? QTRI_OK : qtri_panel_open(panel, &bytes);
     for (int32_t y = bytes.y0; y < bytes.y1 && error == QTRI_OK;) {
         int32_t left = bytes.y1 - y;
         l->kept = bytes;
@@ -177,6 +184,6 @@ enum qtri_error qtri_panel_packed(qtri_panel *panel, const qtri_surface *surface
         return send_rows(panel, &l, surface, bytes);
     }
     draw(panel, &l, surface, rect);
-    enum qtri_error error = d->window(panel, &bytes);
+    enum qtri_error error = d->window_is_row ? QTRI_OK : qtri_panel_open(panel, &bytes);
     return error == QTRI_OK ? send(panel, &l, bytes) : error;
 }

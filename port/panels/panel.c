@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "internal.h"
 
 #include <string.h>
@@ -41,32 +42,80 @@ static uint64_t least_bytes(const qtri_panel_description *d)
     return pitch < row ? 0 : (uint64_t)pitch * (d->height - 1u) + row;
 }
 
-/* Pixels, all of them in the controller's memory. */
-static bool has_glass(const qtri_panel_description *d)
-{
-    return d->width >= 1 && d->width <= QTRI_SURFACE_MAX && d->height >= 1 &&
-           d->height <= QTRI_SURFACE_MAX &&
-           d->first_column + (int32_t)d->width <= d->memory_width &&
-           d->first_row + (int32_t)d->height <= d->memory_height;
-}
-
-/* Black all over, from the panel's memory: as many zeros at a time as that holds. */
-static enum qtri_error blank(qtri_panel *panel)
+/* Pixels, all of them in the controller's memory, the first of packed ones where a byte begins. */
+static bool has_glass(const qtri_panel *panel)
 {
     const qtri_panel_description *d = panel->description;
-    size_t unit = packed(d->format) ? 1 : 2;
-    qtri_rect all = {0, 0, qtri_panel_width(panel), qtri_panel_height(panel)};
-    if (unit == 1) {
-        all.x1 = (int32_t)QTRI_PANEL_ROW_BYTES(d->width, d->format);
-        all.y1 = (int32_t)QTRI_PANEL_ROWS(d->height, d->format);
-    }
-    uint32_t left = (uint32_t)all.x1 * (uint32_t)all.y1 * (uint32_t)unit;
-    enum qtri_error error = d->window(panel, &all);
+    bool pages = d->format == QTRI_PANEL_GRAY1_PAGE;
+    int32_t across = d->format == QTRI_PANEL_GRAY4 ? 1 : (d->format == QTRI_PANEL_GRAY1 ? 7 : 0);
+    return d->width >= 1 && d->width <= QTRI_SURFACE_MAX && d->height >= 1 &&
+           d->height <= QTRI_SURFACE_MAX && panel->column >= 0 && panel->row >= 0 &&
+           panel->column + (int32_t)d->width <= d->memory_width &&
+           panel->row + (int32_t)d->height <= d->memory_height && (panel->column & across) == 0 &&
+           (panel->row & (pages ? 7 : 0)) == 0;
+}
+
+/* What the description cannot do for a module. */
+static bool can_be(const qtri_panel *panel)
+{
+    const qtri_panel_description *d = panel->description;
+    return (!panel->module.swap_red_blue || d->orientation_command != 0) &&
+           (!panel->module.invert || d->invert_commands[0] != 0);
+}
+
+enum qtri_error qtri_panel_open(qtri_panel *panel, const qtri_rect *bytes)
+{
+    enum qtri_error error = qtri_panel_finish(panel);
+    return error == QTRI_OK ? panel->description->window(panel, bytes) : error;
+}
+
+/* Black in a window, from the panel's memory: as many zeros at a time as that holds. */
+static enum qtri_error blank_window(qtri_panel *panel, qtri_rect window)
+{
+    size_t unit = packed(panel->description->format) ? 1 : 2;
+    uint32_t left =
+        (uint32_t)(window.x1 - window.x0) * (uint32_t)(window.y1 - window.y0) * (uint32_t)unit;
+    enum qtri_error error = qtri_panel_open(panel, &window);
     while (left > 0 && error == QTRI_OK) {
         size_t n = panel->bytes < left ? panel->bytes / unit * unit : left;
         memset(panel->memory, 0, n);
         error = qtri_panel_data(panel, panel->memory, n);
         left -= (uint32_t)n;
+    }
+    return error;
+}
+
+/* Black all over. */
+static enum qtri_error blank(qtri_panel *panel)
+{
+    const qtri_panel_description *d = panel->description;
+    qtri_rect all = {0, 0, qtri_panel_width(panel), qtri_panel_height(panel)};
+    if (packed(d->format)) {
+        all.x1 = (int32_t)QTRI_PANEL_ROW_BYTES(d->width, d->format);
+        all.y1 = (int32_t)QTRI_PANEL_ROWS(d->height, d->format);
+    }
+    if (!d->window_is_row) {
+        return blank_window(panel, all);
+    }
+    enum qtri_error error = QTRI_OK;
+    for (int32_t y = 0; y < all.y1 && error == QTRI_OK; y++) {
+        qtri_rect row = {0, y, all.x1, y + 1};
+        error = blank_window(panel, row);
+    }
+    return error;
+}
+
+/* What the description and the module say of how the glass is mounted. */
+static enum qtri_error mount(qtri_panel *panel)
+{
+    const qtri_panel_description *d = panel->description;
+    enum qtri_error error = QTRI_OK;
+    if (d->orientation_command != 0) {
+        error = qtri_panel_command(panel, d->orientation_command, &panel->orientation, 1);
+    }
+    if (error == QTRI_OK && d->invert_commands[0] != 0) {
+        bool on = d->inverted != panel->module.invert;
+        error = qtri_panel_command(panel, d->invert_commands[on ? 1 : 0], NULL, 0);
     }
     return error;
 }
@@ -87,10 +136,7 @@ static enum qtri_error start(qtri_panel *panel)
     bus->wait_ms(bus->context, d->start_ms);
     size_t last = d->init_count > 0 && d->init != NULL ? d->init_count - 1 : 0;
     enum qtri_error error = qtri_panel_send(panel, d->init, last);
-    if (error == QTRI_OK && d->orientation_command != 0) {
-        error =
-            qtri_panel_command(panel, d->orientation_command, &d->orientation[panel->rotation], 1);
-    }
+    error = error == QTRI_OK ? mount(panel) : error;
     if (error == QTRI_OK && d->window != NULL && d->refresh == NULL) {
         error = blank(panel);
     }
@@ -103,7 +149,7 @@ static enum qtri_error start(qtri_panel *panel)
 static enum qtri_error check(const qtri_panel *panel)
 {
     const qtri_panel_description *d = panel->description;
-    if ((unsigned)panel->rotation > QTRI_ROTATE_270 || !has_glass(d) ||
+    if ((unsigned)panel->rotation > QTRI_ROTATE_270 || !has_glass(panel) || !can_be(panel) ||
         (d->window != NULL && panel->bus == NULL)) {
         return QTRI_ERROR_SIZE;
     }
@@ -118,16 +164,37 @@ enum qtri_error qtri_panel_init(qtri_panel *panel, const qtri_panel_description 
                                 const qtri_bus *bus, qtri_rotation rotation, void *memory,
                                 size_t bytes)
 {
+    return qtri_panel_init_module(panel, description, NULL, bus, rotation, memory, bytes);
+}
+
+/* Bits of MIPI's address mode that a module turns. */
+static uint8_t orientation_of(const qtri_panel *panel)
+{
+    const qtri_module *m = &panel->module;
+    uint8_t bits = panel->description->orientation[(unsigned)panel->rotation & 3];
+    return (uint8_t)(bits ^ (m->mirror_rows ? 0x80u : 0) ^ (m->mirror_columns ? 0x40u : 0) ^
+                     (m->swap_red_blue ? 0x08u : 0));
+}
+
+enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_description *description,
+                                       const qtri_module *module, const qtri_bus *bus,
+                                       qtri_rotation rotation, void *memory, size_t bytes)
+{
     /* A panel without pixels: no surface fits it. */
     static const qtri_panel_description nothing =
         QTRI_FRAMEBUFFER(0, 0, QTRI_PANEL_RGB565, QTRI_ORDER_NATIVE);
-    static const qtri_panel unusable = {&nothing,           NULL, QTRI_ROTATE_0, NULL, 0,
-                                        QTRI_DITHER_BAYER8, NULL, false};
-    qtri_panel fresh = {description,        bus,  rotation, (uint8_t *)memory, bytes,
-                        QTRI_DITHER_BAYER8, NULL, false};
+    static const qtri_module as_described = {false, false, false, false, 0, 0};
+    qtri_panel fresh = {description, bus, rotation, (uint8_t *)memory,  bytes, as_described,
+                        0,           0,   0,        QTRI_DITHER_BAYER8, NULL,  false};
     *panel = fresh;
+    panel->module = module != NULL ? *module : as_described;
+    panel->orientation = orientation_of(panel);
+    panel->column = description->first_column + (int32_t)panel->module.column;
+    panel->row = description->first_row + (int32_t)panel->module.row;
     enum qtri_error error = check(panel);
     if (error != QTRI_OK) {
+        qtri_panel unusable = {&nothing, NULL, QTRI_ROTATE_0,      NULL, 0,    as_described, 0,
+                               0,        0,    QTRI_DITHER_BAYER8, NULL, false};
         *panel = unusable;
         return error;
     }

@@ -1,10 +1,15 @@
+/* SPDX-License-Identifier: MIT */
 #include "internal.h"
 
-/* Pixel (x, y) of the frame on a glass of w x h, clockwise: */
+/*
+ * Pixel (x, y) of the frame on a glass of w x h, clockwise. A controller that rotates mirrors too;
+ * for the others a mirrored module's glass is another one, seen from its end.
+ */
 static void place(const qtri_panel *panel, int32_t x, int32_t y, int32_t *glass_x, int32_t *glass_y)
 {
     int32_t w = panel->description->width;
     int32_t h = panel->description->height;
+    bool itself = panel->description->orientation_command != 0;
     switch (panel->rotation) {
     case QTRI_ROTATE_90: /* the top row becomes the right column */
         *glass_x = w - 1 - y;
@@ -22,6 +27,12 @@ static void place(const qtri_panel *panel, int32_t x, int32_t y, int32_t *glass_
         *glass_x = x;
         *glass_y = y;
         break;
+    }
+    if (panel->module.mirror_columns && !itself) {
+        *glass_x = w - 1 - *glass_x;
+    }
+    if (panel->module.mirror_rows && !itself) {
+        *glass_y = h - 1 - *glass_y;
     }
 }
 
@@ -46,6 +57,12 @@ qtri_rect qtri_panel_from_glass(const qtri_panel *panel, qtri_rect rect)
 {
     int32_t w = panel->description->width;
     int32_t h = panel->description->height;
+    if (panel->module.mirror_columns) {
+        rect = spanned(w - 1 - rect.x0, rect.y0, w - rect.x1, rect.y1 - 1);
+    }
+    if (panel->module.mirror_rows) {
+        rect = spanned(rect.x0, h - 1 - rect.y0, rect.x1 - 1, h - rect.y1);
+    }
     switch (panel->rotation) {
     case QTRI_ROTATE_90:
         return spanned(rect.y0, w - 1 - rect.x0, rect.y1 - 1, w - rect.x1);

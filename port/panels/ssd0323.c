@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri_port/ssd0323.h"
 
 #include "internal.h"
@@ -5,30 +6,32 @@
 enum { SET_COLUMNS = 0x15, SET_ROWS = 0x75 };
 
 static const qtri_panel_step init[] = {
-    {0xAE, 0, {0}, 0},    /* display off */
-    {0x81, 1, {50}, 0},   /* contrast, of 127 */
-    {0x85, 0, {0}, 0},    /* half of the current range */
-    {0xA0, 1, {0x52}, 0}, /* rows alternate between the sides, from the last; left pixel high */
-    {0xA1, 1, {0}, 0},    /* start line */
-    {0xA2, 1, {76}, 0},   /* offset: the glass has 64 of the chip's 80 rows */
-    {0xA4, 0, {0}, 0},    /* show the memory */
-    {0xA8, 1, {63}, 0},   /* rows - 1 */
-    {0xB1, 1, {0x22}, 0}, /* phases: 2 and 2 clocks */
-    {0xB2, 1, {70}, 0},   /* row period, clocks */
-    {0xB3, 1, {0xF1}, 0}, /* fastest oscillator, divided by 2 */
-    {0xBF, 1, {0x0D}, 0}, /* VSL */
-    {0xBE, 1, {0x02}, 0}, /* VCOMH */
-    {0xBC, 1, {0x10}, 0}, /* precharge voltage */
-    {0xB8, 8, {0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76}, 0}, /* gray levels, their widths */
-    {0xAD, 1, {0x03}, 0},                                           /* DC-DC converter on */
-    {0xAF, 0, {0}, 0},                                              /* display on */
+    QTRI_STEP_ALONE(0xAE, 0), /* display off */
+    QTRI_STEP(0x81, 0, 50),   /* contrast, of 127 */
+    QTRI_STEP_ALONE(0x85, 0), /* half of the current range */
+    QTRI_STEP(0xA0, 0, 0x52), /* rows alternate between the sides, from the last; left pixel high */
+    QTRI_STEP(0xA1, 0, 0),    /* start line */
+    QTRI_STEP(0xA2, 0, 76),   /* offset: the glass has 64 of the chip's 80 rows */
+    QTRI_STEP(0xA8, 0, 63),   /* rows - 1 */
+    QTRI_STEP(0xB1, 0, 0x22), /* phases: 2 and 2 clocks */
+    QTRI_STEP(0xB2, 0, 70),   /* row period, clocks */
+    QTRI_STEP(0xB3, 0, 0xF1), /* fastest oscillator, divided by 2 */
+    QTRI_STEP(0xBF, 0, 0x0D), /* VSL */
+    QTRI_STEP(0xBE, 0, 0x02), /* VCOMH */
+    QTRI_STEP(0xBC, 0, 0x10), /* precharge voltage */
+    QTRI_STEP(0xB8, 0, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65,
+              0x76),          /* gray levels, their widths */
+    QTRI_STEP(0xAD, 0, 0x03), /* DC-DC converter on */
+    QTRI_STEP_ALONE(0xAF, 0), /* display on */
 };
 
 /* Columns are bytes, two pixels. */
 static enum qtri_error window(const qtri_panel *panel, const qtri_rect *bytes)
 {
-    uint8_t columns[2] = {(uint8_t)bytes->x0, (uint8_t)(bytes->x1 - 1)};
-    uint8_t rows[2] = {(uint8_t)bytes->y0, (uint8_t)(bytes->y1 - 1)};
+    int32_t x = panel->column / 2;
+    int32_t y = panel->row;
+    uint8_t columns[2] = {(uint8_t)(bytes->x0 + x), (uint8_t)(bytes->x1 - 1 + x)};
+    uint8_t rows[2] = {(uint8_t)(bytes->y0 + y), (uint8_t)(bytes->y1 - 1 + y)};
     enum qtri_error error = qtri_panel_command(panel, SET_COLUMNS, columns, 2);
     return error == QTRI_OK ? qtri_panel_command(panel, SET_ROWS, rows, 2) : error;
 }
@@ -44,4 +47,5 @@ const qtri_panel_description qtri_ssd0323 = {
     .memory_width = 128,
     .memory_height = 80,
     .window = window,
+    .invert_commands = {0xA4, 0xA7},
 };

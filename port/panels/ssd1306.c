@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri_port/ssd1306.h"
 
 #include "internal.h"
@@ -5,59 +6,83 @@
 enum { SET_COLUMNS = 0x21, SET_PAGES = 0x22 };
 
 static const qtri_panel_step init_64[] = {
-    {0xAE, 0, {0}, 0},    /* display off */
-    {0xD5, 1, {0x80}, 0}, /* clock: divided by 1, oscillator at its reset value */
-    {0xA8, 1, {63}, 0},   /* rows - 1 */
-    {0xD3, 1, {0}, 0},    /* display offset */
-    {0x40, 0, {0}, 0},    /* start line 0 */
-    {0x8D, 1, {0x14}, 0}, /* charge pump on */
-    {0x20, 1, {0x00}, 0}, /* horizontal addressing */
-    {0xA1, 0, {0}, 0},    /* column 0 at SEG127, */
-    {0xC8, 0, {0}, 0},    /* row 0 at the last COM: modules are wired so */
-    {0xDA, 1, {0x12}, 0}, /* rows alternate between the halves of the COM pins */
-    {0x81, 1, {0xCF}, 0}, /* contrast */
-    {0xD9, 1, {0xF1}, 0}, /* precharge: 1 and 15 clocks, for the charge pump */
-    {0xDB, 1, {0x20}, 0}, /* VCOMH .77 VCC */
-    {0x2E, 0, {0}, 0},    /* no scrolling */
-    {0xA4, 0, {0}, 0},    /* show the memory */
-    {0xA6, 0, {0}, 0},    /* 1 is lit */
-    {0xAF, 0, {0}, 0},    /* display on */
+    QTRI_STEP_ALONE(0xAE, 0), /* display off */
+    QTRI_STEP(0xD5, 0, 0x80), /* clock: divided by 1, oscillator at its reset value */
+    QTRI_STEP(0xA8, 0, 63),   /* rows - 1 */
+    QTRI_STEP(0xD3, 0, 0),    /* display offset */
+    QTRI_STEP_ALONE(0x40, 0), /* start line 0 */
+    QTRI_STEP(0x8D, 0, 0x14), /* charge pump on */
+    QTRI_STEP(0x20, 0, 0x00), /* horizontal addressing */
+    QTRI_STEP_ALONE(0xA1, 0), /* column 0 at SEG127, */
+    QTRI_STEP_ALONE(0xC8, 0), /* row 0 at the last COM: modules are wired so */
+    QTRI_STEP(0xDA, 0, 0x12), /* rows alternate between the halves of the COM pins */
+    QTRI_STEP(0x81, 0, 0xCF), /* contrast */
+    QTRI_STEP(0xD9, 0, 0xF1), /* precharge: 1 and 15 clocks, for the charge pump */
+    QTRI_STEP(0xDB, 0, 0x20), /* VCOMH .77 VCC */
+    QTRI_STEP_ALONE(0x2E, 0), /* no scrolling */
+    QTRI_STEP_ALONE(0xA4, 0), /* show the memory */
+    QTRI_STEP_ALONE(0xAF, 0), /* display on */
 };
 
 static const qtri_panel_step init_32[] = {
-    {0xAE, 0, {0}, 0},    /* display off */
-    {0xD5, 1, {0x80}, 0}, /* clock: divided by 1, oscillator at its reset value */
-    {0xA8, 1, {31}, 0},   /* rows - 1 */
-    {0xD3, 1, {0}, 0},    /* display offset */
-    {0x40, 0, {0}, 0},    /* start line 0 */
-    {0x8D, 1, {0x14}, 0}, /* charge pump on */
-    {0x20, 1, {0x00}, 0}, /* horizontal addressing */
-    {0xA1, 0, {0}, 0},    /* column 0 at SEG127, */
-    {0xC8, 0, {0}, 0},    /* row 0 at the last COM: modules are wired so */
-    {0xDA, 1, {0x02}, 0}, /* rows follow the COM pins */
-    {0x81, 1, {0x8F}, 0}, /* contrast */
-    {0xD9, 1, {0xF1}, 0}, /* precharge: 1 and 15 clocks, for the charge pump */
-    {0xDB, 1, {0x20}, 0}, /* VCOMH .77 VCC */
-    {0x2E, 0, {0}, 0},    /* no scrolling */
-    {0xA4, 0, {0}, 0},    /* show the memory */
-    {0xA6, 0, {0}, 0},    /* 1 is lit */
-    {0xAF, 0, {0}, 0},    /* display on */
+    QTRI_STEP_ALONE(0xAE, 0), /* display off */
+    QTRI_STEP(0xD5, 0, 0x80), /* clock: divided by 1, oscillator at its reset value */
+    QTRI_STEP(0xA8, 0, 31),   /* rows - 1 */
+    QTRI_STEP(0xD3, 0, 0),    /* display offset */
+    QTRI_STEP_ALONE(0x40, 0), /* start line 0 */
+    QTRI_STEP(0x8D, 0, 0x14), /* charge pump on */
+    QTRI_STEP(0x20, 0, 0x00), /* horizontal addressing */
+    QTRI_STEP_ALONE(0xA1, 0), /* column 0 at SEG127, */
+    QTRI_STEP_ALONE(0xC8, 0), /* row 0 at the last COM: modules are wired so */
+    QTRI_STEP(0xDA, 0, 0x02), /* rows follow the COM pins */
+    QTRI_STEP(0x81, 0, 0x8F), /* contrast */
+    QTRI_STEP(0xD9, 0, 0xF1), /* precharge: 1 and 15 clocks, for the charge pump */
+    QTRI_STEP(0xDB, 0, 0x20), /* VCOMH .77 VCC */
+    QTRI_STEP_ALONE(0x2E, 0), /* no scrolling */
+    QTRI_STEP_ALONE(0xA4, 0), /* show the memory */
+    QTRI_STEP_ALONE(0xAF, 0), /* display on */
+};
+
+/* Modules of 0.42 inch, whose reference current is the chip's own: 0xAD, of later revisions. */
+static const qtri_panel_step init_40[] = {
+    QTRI_STEP_ALONE(0xAE, 0), /* display off */
+    QTRI_STEP(0xD5, 0, 0x80), /* clock: divided by 1, oscillator at its reset value */
+    QTRI_STEP(0xA8, 0, 39),   /* rows - 1 */
+    QTRI_STEP(0xD3, 0, 0),    /* display offset */
+    QTRI_STEP(0xAD, 0, 0x30), /* internal reference current */
+    QTRI_STEP_ALONE(0x40, 0), /* start line 0 */
+    QTRI_STEP(0x8D, 0, 0x14), /* charge pump on */
+    QTRI_STEP(0x20, 0, 0x00), /* horizontal addressing */
+    QTRI_STEP_ALONE(0xA1, 0), /* column 0 at SEG127, */
+    QTRI_STEP_ALONE(0xC8, 0), /* row 0 at the last COM: modules are wired so */
+    QTRI_STEP(0xDA, 0, 0x12), /* rows alternate between the halves of the COM pins */
+    QTRI_STEP(0x81, 0, 0xAF), /* contrast */
+    QTRI_STEP(0xD9, 0, 0x22), /* precharge: 2 and 2 clocks */
+    QTRI_STEP(0xDB, 0, 0x20), /* VCOMH .77 VCC */
+    QTRI_STEP_ALONE(0x2E, 0), /* no scrolling */
+    QTRI_STEP_ALONE(0xA4, 0), /* show the memory */
+    QTRI_STEP_ALONE(0xAF, 0), /* display on */
 };
 
 static enum qtri_error window(const qtri_panel *panel, const qtri_rect *bytes)
 {
-    uint8_t columns[2] = {(uint8_t)bytes->x0, (uint8_t)(bytes->x1 - 1)};
-    uint8_t pages[2] = {(uint8_t)bytes->y0, (uint8_t)(bytes->y1 - 1)};
+    int32_t x = panel->column;
+    int32_t y = panel->row / 8;
+    uint8_t columns[2] = {(uint8_t)(bytes->x0 + x), (uint8_t)(bytes->x1 - 1 + x)};
+    uint8_t pages[2] = {(uint8_t)(bytes->y0 + y), (uint8_t)(bytes->y1 - 1 + y)};
     enum qtri_error error = qtri_panel_command(panel, SET_COLUMNS, columns, 2);
     return error == QTRI_OK ? qtri_panel_command(panel, SET_PAGES, pages, 2) : error;
 }
 
-#define SSD1306(rows, steps)                                                                       \
+/* Reset takes 3 us by the data sheet; slow modules want 100 ms until their supply stands. */
+#define SSD1306(columns, rows, first, steps)                                                       \
     {                                                                                              \
-        .width = 128, .height = (rows), .format = QTRI_PANEL_GRAY1_PAGE, .init = (steps),          \
-        .init_count = sizeof(steps) / sizeof(steps)[0], .reset_ms = 1 /* 3 us */, .start_ms = 1,   \
-        .memory_width = 128, .memory_height = 64, .window = window                                 \
+        .width = (columns), .height = (rows), .format = QTRI_PANEL_GRAY1_PAGE, .init = (steps),    \
+        .init_count = sizeof(steps) / sizeof(steps)[0], .reset_ms = 1, .start_ms = 100,            \
+        .first_column = (first), .invert_commands = {0xA6, 0xA7}, .memory_width = 128,             \
+        .memory_height = 64, .window = window                                                      \
     }
 
-const qtri_panel_description qtri_ssd1306 = SSD1306(64, init_64);
-const qtri_panel_description qtri_ssd1306_128x32 = SSD1306(32, init_32);
+const qtri_panel_description qtri_ssd1306 = SSD1306(128, 64, 0, init_64);
+const qtri_panel_description qtri_ssd1306_128x32 = SSD1306(128, 32, 0, init_32);
+const qtri_panel_description qtri_ssd1306_72x40 = SSD1306(72, 40, 28, init_40);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "qtri_port/ssd1680.h"
 
 #include "internal.h"
@@ -11,25 +12,27 @@ enum {
 };
 
 static const qtri_panel_step init[] = {
-    {0x12, 0, {0}, QTRI_STEP_UNTIL_READY}, /* software reset */
-    {0x01, 3, {249, 0, 0x00}, 0},          /* gates: 250 rows, from the first, in order */
-    {0x11, 1, {0x03}, 0},                  /* addresses count up, along a row first */
-    {0x3C, 1, {0x05}, 0},                  /* the border follows the white waveform */
-    {0x18, 1, {0x80}, 0},                  /* the temperature sensor inside */
-    {0x21, 2, {0x40, 0x80}, 0},            /* memory of the second colour as 0; sources 8..167 */
+    QTRI_STEP_ALONE(0x12, QTRI_STEP_UNTIL_READY), /* software reset */
+    QTRI_STEP(0x01, 0, 249, 0, 0x00),             /* gates: 250 rows, from the first, in order */
+    QTRI_STEP(0x11, 0, 0x03),                     /* addresses count up, along a row first */
+    QTRI_STEP(0x3C, 0, 0x05),                     /* the border follows the white waveform */
+    QTRI_STEP(0x18, 0, 0x80),                     /* the temperature sensor inside */
+    QTRI_STEP(0x21, 0, 0x40, 0x80), /* memory of the second colour as 0; sources 8..167 */
 };
 
 static const qtri_panel_step refresh[] = {
-    {0x22, 1, {0xF7}, 0},                  /* clock, supplies, temperature, waveform 1, all off */
-    {0x20, 0, {0}, QTRI_STEP_UNTIL_READY}, /* do so */
+    QTRI_STEP(0x22, 0, 0xF7), /* clock, supplies, temperature, waveform 1, all off */
+    QTRI_STEP_ALONE(0x20, QTRI_STEP_UNTIL_READY), /* do so */
 };
 
 /* Across in bytes of eight pixels. The counters begin where the window does. */
 static enum qtri_error window(const qtri_panel *panel, const qtri_rect *bytes)
 {
-    int32_t y1 = bytes->y1 - 1;
-    uint8_t x[2] = {(uint8_t)bytes->x0, (uint8_t)(bytes->x1 - 1)};
-    uint8_t y[4] = {(uint8_t)bytes->y0, (uint8_t)(bytes->y0 >> 8), (uint8_t)y1, (uint8_t)(y1 >> 8)};
+    int32_t column = panel->column / 8;
+    int32_t y0 = bytes->y0 + panel->row;
+    int32_t y1 = bytes->y1 - 1 + panel->row;
+    uint8_t x[2] = {(uint8_t)(bytes->x0 + column), (uint8_t)(bytes->x1 - 1 + column)};
+    uint8_t y[4] = {(uint8_t)y0, (uint8_t)(y0 >> 8), (uint8_t)y1, (uint8_t)(y1 >> 8)};
     const struct {
         uint8_t command, count;
         const uint8_t *parameters;
@@ -57,6 +60,7 @@ const qtri_panel_description qtri_ssd1680 = {
     .reset_ms = 10,
     .start_ms = 10,
     .busy_ms = 10000, /* a full refresh takes 2 s, more in the cold */
+    .blind_ms = 2000,
     .memory_width = 176,
     .memory_height = 296,
     .window = window,

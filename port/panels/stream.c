@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* RGB565 over a bus: whole pixels, row by row, into a window of the controller's memory. */
 #include "internal.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "internal.h"
 
 #include <string.h>
@@ -13,7 +14,7 @@ enum qtri_error qtri_panel_command(const qtri_panel *panel, uint8_t command,
     const qtri_bus *bus = panel->bus;
     uint8_t bytes[1 + QTRI_STEP_PARAMETERS];
     if (count > QTRI_STEP_PARAMETERS) {
-        count = QTRI_STEP_PARAMETERS;
+        return QTRI_ERROR_SIZE;
     }
     bytes[0] = command;
     if (count > 0) {
@@ -26,7 +27,8 @@ enum qtri_error qtri_panel_command(const qtri_panel *panel, uint8_t command,
                 (count == 0 || bus->data(bus->context, bytes + 1, count)));
 }
 
-enum qtri_error qtri_panel_data(qtri_panel *panel, const uint8_t *bytes, size_t count)
+/* One transfer. */
+static enum qtri_error transfer(qtri_panel *panel, const uint8_t *bytes, size_t count)
 {
     const qtri_bus *bus = panel->bus;
     if (bus->data_start == NULL) {
@@ -40,6 +42,19 @@ enum qtri_error qtri_panel_data(qtri_panel *panel, const uint8_t *bytes, size_t 
     return error;
 }
 
+enum qtri_error qtri_panel_data(qtri_panel *panel, const uint8_t *bytes, size_t count)
+{
+    size_t most = panel->bus->most_bytes == 0 ? count : panel->bus->most_bytes;
+    enum qtri_error error = QTRI_OK;
+    while (count > 0 && error == QTRI_OK) {
+        size_t n = count < most ? count : most;
+        error = transfer(panel, bytes, n);
+        bytes += n;
+        count -= n;
+    }
+    return error;
+}
+
 enum qtri_error qtri_panel_finish(qtri_panel *panel)
 {
     if (!panel->sending) {
@@ -49,12 +64,11 @@ enum qtri_error qtri_panel_finish(qtri_panel *panel)
     return sent(panel->bus->data_finish(panel->bus->context));
 }
 
-/* A pin that cannot be read might be busy all the time. */
 static enum qtri_error wait_until_ready(const qtri_panel *panel)
 {
     const qtri_bus *bus = panel->bus;
     if (bus->busy == NULL) {
-        bus->wait_ms(bus->context, panel->description->busy_ms);
+        bus->wait_ms(bus->context, panel->description->blind_ms);
         return QTRI_OK;
     }
     for (uint32_t ms = 0; bus->busy(bus->context); ms++) {

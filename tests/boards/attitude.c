@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "attitude.h"
 
 #include "qtri/vec.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The attitude of a body from its gyroscope and its accelerometer, in Q16.16: Mahony's
  * complementary filter (Mahony, Hamel, Pflimlin, "Nonlinear complementary filters on the special

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Prints attitude_samples.c: what sensors with offsets and noise deliver on a flight that is known.
  * The body rolls, pitches and turns as three sines; double precision, a random generator of its
@@ -96,10 +97,10 @@ static int q16_of(double value)
 
 int main(void)
 {
-    printf(
-        "/* Printed by attitude_generate.c: make attitude-samples. */\n#include \"attitude.h\"\n\n"
-        "/* clang-format off */\n"
-        "const attitude_sample attitude_samples[ATTITUDE_SAMPLES] = {\n");
+    printf("/* SPDX-License-Identifier: MIT */\n/* Printed by attitude_generate.c: make "
+           "attitude-samples. */\n#include \"attitude.h\"\n\n"
+           "/* clang-format off */\n"
+           "const attitude_sample attitude_samples[ATTITUDE_SAMPLES] = {\n");
     for (int i = 0; i < SAMPLES; i++) {
         print_sample(i);
     }

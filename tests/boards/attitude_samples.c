@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Printed by attitude_generate.c: make attitude-samples. */
 #include "attitude.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The host as one more board: prints the lines that the emulated boards must reproduce.
  * With a folder as argument it also writes every scene in every format as a PPM there.

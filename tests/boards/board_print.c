@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "board_print.h"
 
 #include "../../port/boards/board.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers on the board's console. */
 #ifndef QTRI_BOARD_PRINT_H
 #define QTRI_BOARD_PRINT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Draws every board scene in every format, as a whole frame and in bands, and writes one line for
  * each to the board's console:

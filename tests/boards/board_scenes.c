@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "board_scenes.h"
 
 /* n = (cos b cos a, sin b, cos b sin a); position = (cos a, 0, sin a) + .4 n */

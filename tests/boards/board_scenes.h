@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scenes that every emulated board and the host draw, to compare their pixels bit for bit.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What a board's display must show, computed on the host, and the comparison:
  *

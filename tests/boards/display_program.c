@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The program of a board with a display: draws the pictures of a display_show in bands, sends them
  * to the display, and tells the console of each when it can be seen:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What an emulated display shows: pictures that a board draws in bands and sends to its display,
  * and that the host draws as whole frames, to compare them pixel by pixel.

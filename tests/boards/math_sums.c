@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "math_sums.h"
 
 #include "../../port/boards/board.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Checksums of the mathematics over a sample of arguments: the same on every machine and compiler.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The program of a board: MATH_SUMS_SAMPLES samples of every function.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "math_sums.h"
 
 #include "qtri/q16_text.h"

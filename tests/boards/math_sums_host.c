@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The same program for a machine with a C library: the host, and others by QEMU's user emulation.
  *   math_sums SAMPLES

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "math_sums.h"
 
 static qtri_vec3 vec3(const q16 *x)

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Runs the firmware of a board with a display in QEMU and keeps what the display shows.
 #   tests/boards/run_display.sh 'EMULATOR ... -kernel' FIRMWARE FOLDER [ppm|png]
 # For each line `frame NUMBER SCENE ...` of the firmware the display goes to FOLDER/NUMBER-SCENE.ppm; then the firmware

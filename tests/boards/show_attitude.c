@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * An aircraft above a grid, seen from behind, on an OLED of 128x64 grays; its attitude follows the
  * samples of a gyroscope and an accelerometer (attitude.h).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Three scenes on a colour LCD of 320x240: a Gouraud-shaded quad, a textured floor in perspective
  * and a lit mesh, as the benchmark scenes S2, S3 and S4 are, the last with a torus made here.

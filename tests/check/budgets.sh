@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # No figure of `make bench` and `make size` is more than 2 % above its budget in host/bench/budgets.tsv, which `make budgets`
 # writes. Counts repeat exactly with one compiler; with another version, differences are told but do not fail.
 gate=budgets

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * For the gate checked.sh: a library with QTRI_CHECKED stops at mistakes, and names the condition.
  * Prints a line for each that it let pass, and ends with their number.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # A library with QTRI_CHECKED stops at mistakes (checked.c) and nowhere else: correct programs draw what they draw without.
 # Q16() of a variable does not compile, so that no floating point is linked by mistake, and neither does drawing where int
 # has 16 bits.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # A plain C99 compiler, tcc, builds the library and the command, and its pictures are gcc's to the bit.
 gate=compilers
 . tests/check/files.sh

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Sourced by the gates: the files they read, and how they end.
 
 # C files below the folders named, generated ones left out: c_files core host

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Every C file is as clang-format writes it; `clang-format -i FILE` makes it so.
 gate=format
 . tests/check/files.sh

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The library compiled for a Cortex-M0+ without a libc: what its objects need, hold and export.
 gate=freestanding
 . tests/check/files.sh

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Succeeds where clang can link a libFuzzer program.
 program=$(mktemp) || exit 1
 trap 'rm -f "$program"' EXIT

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Succeeds where clang can build and run with its sanitizer for memory that was never written; says so where it cannot.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # A public header compiles alone, in C99 and in C++11, and a C++ program links with all it declares.
 gate=headers
 . tests/check/files.sh
@@ -19,6 +20,16 @@ for header in $headers; do
     done
     for compiler in g++ clang++; do
         $compiler -std=c++11 $flags -x c++ -fsyntax-only "$work/one.c" || { echo "$header: $compiler"; status=1; }
+    done
+done
+
+# A step of a panel with 15 parameters compiles, one with 16 does not, in neither language.
+for count in 15 16; do
+    echo '#include "qtri_port/panel.h"' >"$work/step.c"
+    echo "extern const qtri_panel_step step; const qtri_panel_step step = QTRI_STEP(0xE0, 0$(seq -s '' -f ', %g' $count));" >>"$work/step.c"
+    for compiler in 'gcc -std=c99 -x c' 'g++ -std=c++11 -x c++'; do
+        $compiler $flags -fsyntax-only "$work/step.c" 2>/dev/null && compiles=15 || compiles=16
+        [ "$compiles" = "$count" ] || { echo "qtri_port/panel.h: a step of $count parameters, ${compiler%% *}"; status=1; }
     done
 done
 

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The pipeline's levels: who may include whom.
 #   core/bits < math < geometry < frame < filter < paint < raster < fast < draw, host/io < reference < assets < tools < bench: own folder or lower;
 #   the same for calls between files of core, which may not go in circles either;

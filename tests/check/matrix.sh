@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # No cell of `make bench-matrix` costs more than twice the best cell of its class, so that what is fast is fast next door too,
 # (those of host/bench/matrix-apart.tsv: than they do there), nor more than 2 % above its budget in host/bench/matrix-budgets.tsv, which `make matrix-budgets` writes. Counts repeat
 # exactly with one compiler; with another version, differences from budgets are told but do not fail.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Draws pictures that use everything options can leave out, and prints a checksum for each. For the
  * gate options.sh: a library without an option must draw what the whole library draws when

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The library without each option of config.h, without all of them, and as `make size` builds it: it compiles without a
 # warning, and what is left draws the pixels of the whole library (options.c).
 gate=options

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Runs the fuzz targets side by side, FUZZ_SECONDS each: run_fuzzers.sh NAME...   (called by `make test-fuzz`)
 # tests/NAME.dict and tests/NAME.seeds/ are used where they exist. What was found stays in build/fuzz/corpus/NAME,
 # an input that fails in build/fuzz/findings/NAME-*; `build/fuzz/tests/NAME FILE` repeats it.

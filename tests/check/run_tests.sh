@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Runs cmocka programs, JOBS at a time: run_tests.sh NAME...   (called by `make test-plain`)
 # A program's output goes to $BUILD/tests/NAME.log, its counts to build/results/; both are shown if it fails.
 set -u

@@ -1,8 +1,9 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Installs what `make test` and `make check` need on Debian, as root; elsewhere names it and fails.
 set -eu
-packages='git gcc g++ tcc make pkg-config libcmocka-dev libmpfr-dev libpng-dev libassimp-dev libmeshoptimizer-dev
-          clang clang-format clang-tidy cppcheck
+packages='git gcc g++ tcc make cmake pkg-config jq libcmocka-dev libmpfr-dev libpng-dev libassimp-dev
+          libmeshoptimizer-dev clang clang-format clang-tidy cppcheck
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
           gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr
           gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user'

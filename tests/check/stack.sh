@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The static call graph of the library, by the compiler: nothing calls itself, not through others either, no frame's size
 # depends on arguments, and no public function takes more stack than stack.calls allows. That file also lists what indirect
 # calls lead to; a function whose address is taken and that is in no list is a finding. STACK_SHOW=1 prints all depths.

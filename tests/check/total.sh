@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The last line of `make test`: adds up build/results/. total.sh STATUS, where STATUS tells whether a step failed.
 cat build/results/* 2>/dev/null | awk -v status="$1" '
     { passed += $1; failed += $2; skipped += $3 }

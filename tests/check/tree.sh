@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The files of the repository, committed or about to be: short, text, no tabs, no path of one machine.
 gate=tree
 . tests/check/files.sh

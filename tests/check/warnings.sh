@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # gcc and clang compile every file of the host as strict C99 without a warning, and the cross compiler the firmware of
 # the boards. Compiled for real, at -O2: some warnings come from the optimizer.
 gate=warnings
@@ -7,7 +8,7 @@ need gcc clang arm-none-eabi-gcc
 
 flags='-std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
        -Wundef -Wcast-qual -Wwrite-strings -Werror'
-includes='-Icore/include -Iport/include -Icore -Ihost'
+includes='-Icore/include -Iport/include -Icore -Ihost -Itests/packages/pico'
 
 # compile COMPILER FLAGS... < FILES; succeeds if all of them do
 compile()
@@ -17,7 +18,7 @@ compile()
 
 status=0
 # -Wdouble-promotion is gcc's alone: clang also takes NAN and INFINITY, and a double in a long double, for promotions.
-c_files core port/panels host tests | grep -v '^tests/fuzz_' | compile gcc -Wdouble-promotion $includes || status=1
-c_files core port/panels host tests | compile clang $includes || status=1
+c_files core port/panels port/examples host tests | grep -v '^tests/fuzz_' | compile gcc -Wdouble-promotion $includes || status=1
+c_files core port/panels port/examples host tests | compile clang $includes || status=1
 c_files port/boards | compile arm-none-eabi-gcc -ffreestanding -mcpu=cortex-m3 -mthumb -Icore/include -Iport/include || status=1
 finish $status

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Motion: key-framed poses, hierarchies of poses, and meshes that change their shape.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Anti-aliasing: four ways, each with the same pixels for every band and scissor.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What becomes of a pixel that is drawn over another: material.blend, and fog.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What encloses a mesh, and whether it can be seen.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Clipping in homogeneous coordinates (Blinn and Newell 1978; Sutherland and Hodgman 1974).
  *

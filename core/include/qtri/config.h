@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the library is built with. Each option is 1, the default, or 0: left out, to save code.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Dithering: from the pixels of a surface to the few levels of gray that a display can show.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Draw calls: from object space to pixels. Each composes stages that can be called alone:
  * transform (transform.h), vertex stage, clipping (clip.h), rasterizer (raster.h).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Edge anti-aliasing: what to use first. The frame is drawn as always; then each silhouette of a
  * mesh is walked once more, and every pixel that it passes through takes from the pixel across it

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Three kinds of failure, kept apart:
  *   - what the environment or the caller's memory makes impossible: a negative enum qtri_error;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Anti-aliasing of finished pixels, whatever they were drawn from.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Text on a surface: proportional bitmap fonts, UTF-8.
  *

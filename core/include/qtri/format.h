@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Formats of surfaces: what a pixel is, as constant data.
  *

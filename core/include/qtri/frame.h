@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Frames in bands: the rows of a picture a few at a time, so that 320x240 pixels with depth need
  * 20 KB and not 300.

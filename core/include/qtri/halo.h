@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Bands that overlap: each with some rows more above and below than it shows. What looks at a
  * pixel's neighbours, as anti-aliasing does, then gives the pixels of the whole frame.

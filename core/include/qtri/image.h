@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Pictures on a surface: copied, with a colour key, blended, scaled and turned.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Views that are moved by a part of a pixel, for sums of frames (filters.h).
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Several coloured lights: ambient, directional, point and spot lights, Blinn-Phong highlights,
  * emission, two-sided surfaces, and what makes a normal a place in a picture of a sphere.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Q16.16 matrices, m[row][column], acting on column vectors: M v; (A B) v = A (B v).
  *

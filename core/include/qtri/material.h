@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * How triangles and lines look: colour, shading, texture, and what decides whether a pixel is
  * drawn.

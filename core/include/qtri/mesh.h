@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Indexed triangle meshes: constant data, so that they can stay in flash.
  */

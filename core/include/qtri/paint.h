@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Flat shapes on a surface: rectangles, circles, rings, arcs, polygons, strokes.
  *

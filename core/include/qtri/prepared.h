@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Meshes prepared for a frame in bands: vertices are transformed and lit once per frame, and each
  * band looks only at the triangles that may touch it.

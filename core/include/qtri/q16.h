@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Q16.16 scalars: an int32_t that counts 1/65536. Range [-32768, 32767.99998], resolution 1.5e-5.
  *

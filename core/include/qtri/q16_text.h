@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Q16.16 numbers as decimal text. No libc, no locale: the decimal sign is '.'.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Trigonometry in Q16.16, in radians as in <math.h> and in degrees, where right angles are exact.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Quaternions for orientations: w + xi + yj + zk, Hamilton's product, Q16.16 components.
  *

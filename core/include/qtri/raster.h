@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Triangles and lines on the screen: the rasterizer alone, for those who bring their own geometry.
  *

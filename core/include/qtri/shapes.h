@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Meshes that are computed: box, sphere, cylinder, cone, torus, grid, into memory of the caller's.
  *

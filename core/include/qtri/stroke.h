@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Lines of any width, and points of any size: hard or with smooth edges, joints round,
  * depth-tested, in colours that run along them.

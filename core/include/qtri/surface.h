@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Surfaces: colour and depth in the caller's memory, the whole frame or a band of its rows.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Textures: texels in memory or computed, how they become colours, and what lies beyond them.
  *

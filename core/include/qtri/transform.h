@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Transforms that keep their precision: poses, cameras, projections and the products they form.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Vectors of 2, 3 and 4 Q16.16 components.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * How the world is seen: camera, projection, the rectangle of the frame it lands in, light, and the
  * memory that a draw call may use.

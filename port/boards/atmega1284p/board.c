@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Microchip ATmega1284P: 8 bits, int of 16 bits, 128 KB of flash, 16 KB of RAM; run by simavr.
  * Console on USART 0. Start-up and linker script are avr-libc's.

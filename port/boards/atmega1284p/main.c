@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../board.h"
 
 static uint32_t memory[1024 / sizeof(uint32_t)];

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What C cannot say: where the registers are (data sheet 8272, 35: register summary), and how to stop.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What a compiler calls behind the program's back, for boards without a C library.
  * Words where both sides are aligned; -fno-tree-loop-distribute-patterns keeps these loops from

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Arm's UART PL011 (DDI 0183), polled: the console of Versatile boards and, renamed, of TI's
  * Stellaris microcontrollers.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Semihosting: requests to the debugger or emulator (Arm's "Semihosting for AArch32 and AArch64").
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * TI (Luminary) LM3S6965 evaluation board (QEMU lm3s6965evb): Cortex-M3 at 50 MHz, console on
  * UART 0, instructions by SysTick. The OLED is in oled.c; the start-up code is that of ../mps2.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What this board uses of the LM3S6965 (TI, data sheet SPMS035): register addresses, in words, and
  * the few accesses that need more than one line.

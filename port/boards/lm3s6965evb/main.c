@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../board.h"
 
 /* The whole frame of 128x64 in GRAY8 with depth, 24 KB, and what the scene needs. */

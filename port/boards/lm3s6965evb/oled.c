@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The board's OLED, an SSD0323 with 128x64 pixels of 16 grays, on SSI 0:
  *

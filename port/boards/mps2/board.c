@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Arm MPS2 (QEMU mps2-an385, -an386, -an500): console on UART 0, instructions by SysTick.
  */

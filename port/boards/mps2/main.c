@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../board.h"
 
 /* Enough for whole frames; a microcontroller has less, and the program draws in bands only. */

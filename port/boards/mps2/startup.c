@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Start-up of a Cortex-M: vector table, initial memory, main. No C library.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Arm Versatile/PB (DUI 0225; QEMU versatilepb): ARM926EJ-S without floating point, a colour LCD
  * of 320x240 on a PL110 controller, console on UART 0, instructions by the 24 MHz counter.

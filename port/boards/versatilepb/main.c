@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../board.h"
 
 /* A band of the frame, and what the scenes need. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Start-up of an ARM926: vectors, stack, initial memory, main. The emulator, or a boot loader, has
  * put every segment where it runs, so there is no data to copy.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * RISC-V "virt" board of QEMU: console on a 16550A UART, exit by SiFive's test finisher,
  * instructions by the core's own counter (startup.S).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../board.h"
 
 static uint64_t memory[512 * 1024 / sizeof(uint64_t)];

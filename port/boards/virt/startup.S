@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Start-up of a 32-bit RISC-V core: stack, initial memory, main; and the instruction counter, which
  * C cannot read. QEMU loads every segment to where it runs, so there is no data to copy.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A bus: how bytes reach a display. The user fills in a few functions; nothing else of the port
  * touches hardware.
@@ -52,8 +53,12 @@ typedef struct qtri_bus {
     void (*reset)(void *context, bool active);
 
     /* True while the controller is busy: e-paper's BUSY pin. NULL where there is none: the panel
-       then waits as long as the pin might be busy. */
+       then waits as long as its controller mostly takes. */
     bool (*busy)(void *context);
+
+    /* The most bytes that `data` and `data_start` are given at once, as 65535 for many DMA engines;
+       longer ones are split. 0: any number. Others than 0 are even. */
+    size_t most_bytes;
 } qtri_bus;
 
 #ifdef __cplusplus

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Memory-mapped displays: an LCD controller (STM32's LTDC, Arm's PL110) shows a framebuffer that
  * the board has set up. No bus, no commands; qtri_panel_write converts, rotates and stores.
@@ -22,8 +23,11 @@ extern "C" {
  */
 #define QTRI_FRAMEBUFFER(width, height, format, order)                                             \
     {                                                                                              \
-        width, height, format, order, NULL, 0, NULL, 0, false, 0, 0, 0, 0, {0, 0, 0, 0}, width,    \
-            height, 0, 0, NULL, 0                                                                  \
+        width, height, format, order, NULL, 0, NULL, 0, false, 0, 0, 0, 0, 0, {0, 0, 0, 0}, width, \
+            height, 0, 0, NULL, 0, false, false,                                                   \
+        {                                                                                          \
+            0, 0                                                                                   \
+        }                                                                                          \
     }
 
 #ifdef __cplusplus

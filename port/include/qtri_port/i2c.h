@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A bus for OLEDs on I2C: each transfer begins with a control byte, 0x00 before commands, 0x40
  * before data, and is cut to what the user's buffer holds.

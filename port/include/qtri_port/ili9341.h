@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * ILI9341: TFT of 240x320 pixels, RGB565 over SPI. Modules are wired so that columns run from the
  * right and colours blue first; the descriptions allow for both.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Panels: a display is a description (constant data, one per model), a bus (functions of the
  * user's) and memory (the caller's).
@@ -76,19 +77,62 @@ typedef enum qtri_byte_order {
 /* wait_ms: until the controller is ready, at most the description's busy_ms. */
 #define QTRI_STEP_UNTIL_READY 255
 
-/* One command of a sequence: {0x2A, 4, {0, 0, 0, 239}, 0} is CASET, columns 0..239. */
+/* One command of a sequence. */
 typedef struct qtri_panel_step {
     uint8_t command;
-    uint8_t count; /* of parameters; more than QTRI_STEP_PARAMETERS is taken as that */
+    uint8_t count; /* of parameters, up to QTRI_STEP_PARAMETERS; more is QTRI_ERROR_SIZE */
     uint8_t parameters[QTRI_STEP_PARAMETERS];
     uint8_t wait_ms; /* after it */
 } qtri_panel_step;
 
+/*
+ * Steps as constants, whose parameters are counted: QTRI_STEP(0x2A, 0, 0, 0, 0, 239) is CASET,
+ * columns 0..239, and no wait; QTRI_STEP_ALONE(0x11, 120) has none and 120 ms. A step with more
+ * than 15 parameters does not compile: it stops at qtri_step_has_more_than_15_parameters.
+ */
+#define QTRI_STEP_ALONE(command, wait_ms)                                                          \
+    {                                                                                              \
+        command, 0, {0}, wait_ms                                                                   \
+    }
+#define QTRI_STEP(command, wait_ms, ...)                                                           \
+    {                                                                                              \
+        command, QTRI_STEP_COUNT(__VA_ARGS__), {__VA_ARGS__}, wait_ms                              \
+    }
+
+/* The 33rd argument: what stands as far behind the parameters as there are of them. */
+#define QTRI_STEP_MORE qtri_step_has_more_than_15_parameters
+#define QTRI_STEP_COUNT(...)                                                                       \
+    QTRI_STEP_AT_33(__VA_ARGS__, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE,   \
+                    QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE,                \
+                    QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE,                \
+                    QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE,                \
+                    QTRI_STEP_MORE, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0)
+#define QTRI_STEP_AT_33(a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15, a16,     \
+                        a17, a18, a19, a20, a21, a22, a23, a24, a25, a26, a27, a28, a29, a30, a31, \
+                        a32, a33, ...)                                                             \
+    a33
+
 typedef struct qtri_panel qtri_panel;
 
 /*
+ * How a module differs from the description of its model: makers of modules mount and wire the same
+ * glass in several ways. All false and 0: it does not. Fields are set one by one, none is needed:
+ *
+ *     qtri_module mine = {0};
+ *     mine.swap_red_blue = true;
+ *     qtri_panel_init_module(&panel, &qtri_st7789_135x240, &mine, &spi, ...);
+ */
+typedef struct qtri_module {
+    bool swap_red_blue;  /* red looks blue. Controllers with an orientation_command only */
+    bool invert;         /* black looks white. Controllers with invert_commands only */
+    bool mirror_columns; /* left and right of the glass are exchanged, whatever the rotation */
+    bool mirror_rows;    /* top and bottom are */
+    int16_t column, row; /* added to the description's first_column and first_row: pixels */
+} qtri_module;
+
+/*
  * A model of display. Those in this folder are constants to use or to copy and change: another
- * size, where the glass begins in the controller's memory, a module wired the other way round.
+ * size, another sequence. What differs from module to module is a qtri_module.
  */
 typedef struct qtri_panel_description {
     uint16_t width, height; /* pixels of the glass, not rotated */
@@ -101,9 +145,10 @@ typedef struct qtri_panel_description {
     size_t refresh_count;
     bool parameters_are_data; /* D/C is high for parameters (MIPI), or low (Solomon's OLEDs) */
 
-    uint8_t reset_ms; /* how long reset is active */
-    uint8_t start_ms; /* from there to the first command */
-    uint16_t busy_ms; /* the longest that QTRI_STEP_UNTIL_READY waits; longer is an error */
+    uint8_t reset_ms;  /* how long reset is active */
+    uint8_t start_ms;  /* from there to the first command */
+    uint16_t busy_ms;  /* the longest that QTRI_STEP_UNTIL_READY waits; longer is an error */
+    uint16_t blind_ms; /* what it waits where the BUSY pin is not wired */
 
     /* Where the controller rotates: a command and its parameter for each rotation. 0: it does
        not. Bits as in MIPI's address mode: 0x80 rows, 0x40 columns reversed, 0x20 exchanged. */
@@ -111,14 +156,19 @@ typedef struct qtri_panel_description {
     uint8_t orientation[4];
 
     uint16_t memory_width, memory_height; /* pixels of the controller's memory, not rotated */
-    uint16_t first_column, first_row;     /* of the glass in it */
+    uint16_t first_column, first_row;     /* of the glass in it; whole bytes of packed pixels */
 
     /* Sends the commands after which the data of a window follow, row by row, and stay inside.
        columns, rows: half-open, in units of the memory: pixels; bytes across for GRAY4 and GRAY1;
-       pages down for GRAY1_PAGE. Rotated where the controller rotates. NULL: memory-mapped. */
+       pages down for GRAY1_PAGE. Those of the frame where the controller rotates, of the memory
+       elsewhere. NULL: memory-mapped. */
     enum qtri_error (*window)(const qtri_panel *panel, const qtri_rect *window);
 
     uint32_t pitch; /* memory-mapped: bytes from a row to the next; 0: without gaps */
+
+    bool window_is_row;         /* packed pixels: windows are one row of bytes, a page, each */
+    bool inverted;              /* inversion on shows colours as they are */
+    uint8_t invert_commands[2]; /* inversion off, and on. 0: there are none, `init` decides */
 } qtri_panel_description;
 
 struct qtri_panel {
@@ -127,6 +177,10 @@ struct qtri_panel {
     qtri_rotation rotation;
     uint8_t *memory;
     size_t bytes;
+
+    qtri_module module;
+    uint8_t orientation; /* the parameter that was sent */
+    int32_t column, row; /* of the glass in the controller's memory */
 
     /* For the user to set between frames; BAYER8 and NULL after init. GRAY1 and GRAY4 only. */
     qtri_dither dither;
@@ -155,8 +209,9 @@ struct qtri_panel {
  * dark. E-paper keeps what it shows, framebuffers what they hold. bus may be NULL for the latter.
  *
  * QTRI_ERROR_SIZE: a rotation outside 0..3; a description without pixels, with more than
- *   QTRI_SURFACE_MAX a side, or with some outside the controller's memory; a format that does not
- *   go with a bus, or without one.
+ *   QTRI_SURFACE_MAX a side, with some outside the controller's memory, or, of packed pixels,
+ *   with a first one inside a byte; a format that does not go with a bus, or without one; a step of
+ *   too many parameters; something of the module that the controller cannot do.
  * QTRI_ERROR_MEMORY: bytes below the least stated above; a framebuffer that is too small.
  * QTRI_ERROR_BUS: a function of the bus returned false, or the display was busy for too long.
  *
@@ -165,6 +220,11 @@ struct qtri_panel {
 enum qtri_error qtri_panel_init(qtri_panel *panel, const qtri_panel_description *description,
                                 const qtri_bus *bus, qtri_rotation rotation, void *memory,
                                 size_t bytes);
+
+/* As qtri_panel_init, for a module that differs from its description; NULL: it does not. */
+enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_description *description,
+                                       const qtri_module *module, const qtri_bus *bus,
+                                       qtri_rotation rotation, void *memory, size_t bytes);
 
 /* The frame that the panel shows: width and height of its surfaces. */
 int32_t qtri_panel_width(const qtri_panel *panel);
@@ -199,7 +259,12 @@ enum qtri_error qtri_panel_finish(qtri_panel *panel);
 /* Shows what was written on displays that need to be told (e-paper), and waits until they have. */
 enum qtri_error qtri_panel_refresh(qtri_panel *panel);
 
-/* Sends commands of the user's: contrast, sleep, other gamma curves. */
+/*
+ * Sends commands of the user's: contrast, sleep, other gamma curves.
+ *
+ * QTRI_ERROR_SIZE: a step of more than QTRI_STEP_PARAMETERS parameters; it and what follows is not
+ *   sent.
+ */
 enum qtri_error qtri_panel_send(qtri_panel *panel, const qtri_panel_step *steps, size_t count);
 
 #ifdef __cplusplus

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * SSD0323: OLED of 128x64 pixels, 16 levels of gray, over SPI. The wiring is that of OSRAM's
  * Pictiva module on Luminary's LM3S boards. Command parameters go with D/C low.

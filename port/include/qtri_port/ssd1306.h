@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * SSD1306: OLED of 128x64 pixels, one bit each, over SPI, or I2C with i2c.h at address 0x3C or
  * 0x3D. With its charge pump on: modules that run from one voltage.
@@ -13,6 +14,7 @@ extern "C" {
 
 extern const qtri_panel_description qtri_ssd1306; /* 128x64 */
 extern const qtri_panel_description qtri_ssd1306_128x32;
+extern const qtri_panel_description qtri_ssd1306_72x40; /* 0.42 inch, from column 28 */
 
 /* Memory for bands and rectangles of any shape: 1024 bytes. */
 #define QTRI_SSD1306_BYTES QTRI_PANEL_IMAGE_BYTES(128, 64, QTRI_PANEL_GRAY1_PAGE)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * SSD1680: e-paper of up to 176x296 pixels, black and white, over SPI; here the 2.13 inch glass of
  * 122x250. Send a frame, whole or in bands, then qtri_panel_refresh: about 2 seconds, BUSY is high.

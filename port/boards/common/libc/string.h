@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the library uses of <string.h>, for compilers that come without a C library (Debian's for
  * RISC-V): -idirafter this folder. The functions are in ../memory.c.

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT */
+#include "controllers.h"
+
+#include <string.h>
+
+/* Data sheet, "command table". */
+static const chip_command commands[] = {
+    {0x00, 0x1F, 0}, /* column address: low and high half */
+    {0x30, 0x33, 0}, {0x40, 0x7F, 0}, {0x81, 0x81, 1}, {0xA0, 0xA1, 0},
+    {0xA4, 0xA7, 0}, {0xA8, 0xA8, 1}, {0xAD, 0xAD, 1}, {0xAE, 0xAF, 0},
+    {0xB0, 0xB7, 0}, {0xC0, 0xC8, 0}, {0xD3, 0xD3, 1}, {0xD5, 0xD5, 1},
+    {0xD9, 0xD9, 1}, {0xDA, 0xDA, 1}, {0xDB, 0xDB, 1}, {0xE3, 0xE3, 0},
+};
+
+static sh1106 *self(chip *it)
+{
+    return (sh1106 *)(void *)it;
+}
+
+static void reset(chip *it)
+{
+    sh1106 *s = self(it);
+    memset(s->memory, 0xA5, sizeof s->memory); /* whatever it holds */
+    s->column = s->page = 0;
+    s->multiplex = 63;
+    s->offset = s->start_line = 0;
+    s->pins = 0x12;
+    s->columns_reversed = s->rows_reversed = s->inverse = s->all_on = s->on = false;
+    s->pump = true;
+    it->ready_ms = it->now_ms + 100; /* slow modules */
+}
+
+static void allow(chip *it, bool allowed)
+{
+    if (!allowed) {
+        chip_reject(it, "command 0x%02X: parameter 0x%02X", it->command, it->parameters[0]);
+    }
+}
+
+/* Data go to the column and page that are set; the page ends where the memory does. */
+static void move(chip *it)
+{
+    sh1106 *s = self(it);
+    if (s->column >= 132) {
+        chip_reject(it, "column %d", s->column);
+    }
+    chip_window window = {0, 131, s->page, s->page, s->column, s->page, true, false};
+    it->window = window;
+}
+
+static void execute(chip *it)
+{
+    sh1106 *s = self(it);
+    const uint8_t *p = it->parameters;
+    int command = it->command;
+    switch (command) {
+    case 0x81:
+    case 0xD5:
+    case 0xDB:
+        break;
+    case 0xA0:
+    case 0xA1:
+        s->columns_reversed = command == 0xA1;
+        break;
+    case 0xA4:
+    case 0xA5:
+        s->all_on = command == 0xA5;
+        break;
+    case 0xA6:
+    case 0xA7:
+        s->inverse = command == 0xA7;
+        break;
+    case 0xA8:
+        allow(it, p[0] <= 63);
+        s->multiplex = p[0];
+        break;
+    case 0xAD:
+        allow(it, (p[0] & ~1) == 0x8A);
+        s->pump = (p[0] & 1) != 0;
+        break;
+    case 0xAE:
+    case 0xAF:
+        s->on = command == 0xAF;
+        break;
+    case 0xC0:
+    case 0xC8:
+        s->rows_reversed = command == 0xC8;
+        break;
+    case 0xD3:
+        allow(it, p[0] <= 63);
+        s->offset = p[0];
+        break;
+    case 0xD9:
+        allow(it, (p[0] & 15) != 0 && p[0] >> 4 != 0);
+        break;
+    case 0xDA:
+        allow(it, (p[0] & ~0x10) == 0x02);
+        s->pins = p[0];
+        break;
+    default:
+        if (command >= 0x40 && command <= 0x7F) {
+            s->start_line = command & 63;
+        } else if (command >= 0xB0 && command <= 0xB7) {
+            s->page = command & 7;
+            move(it);
+        } else if (command < 0x10) {
+            s->column = (s->column & 0xF0) | command;
+            move(it);
+        } else if (command < 0x20) {
+            s->column = (s->column & 15) | (command & 15) << 4;
+            it->window.set = false; /* until the low half is there too */
+        }
+        break;
+    }
+}
+
+static void store(chip *it, uint8_t byte)
+{
+    sh1106 *s = self(it);
+    int x = it->window.x;
+    s->memory[it->window.y][s->columns_reversed ? 131 - x : x] = byte; /* by segment */
+    chip_advance(it, false);
+}
+
+static uint32_t pixel(const chip *it, int x, int y)
+{
+    const sh1106 *s = (const sh1106 *)(const void *)it;
+    if (!s->on || !s->pump || s->pins != 0x12 || s->multiplex != 63) {
+        return 0;
+    }
+    if (s->all_on) {
+        return 0xFFFFFF;
+    }
+    int com = 63 - y;
+    int line = s->rows_reversed ? s->multiplex - com : com;
+    int row = (line + s->start_line + s->offset) & 63;
+    bool lit = (s->memory[row >> 3][129 - x] >> (row & 7) & 1) != 0;
+    return lit != s->inverse ? 0xFFFFFF : 0;
+}
+
+void sh1106_init(sh1106 *s)
+{
+    static const chip_model model = {"SH1106", commands, sizeof commands / sizeof commands[0],
+                                     false,    reset,    execute,
+                                     store,    pixel};
+    s->chip.busy_pin = false;
+    chip_init(&s->chip, &model);
+}

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+# The examples: programs of this computer, which write pictures, and firmware of the emulated boards. Included by the
+# main Makefile, behind boards.mk, whose objects the firmware is linked of.
+
+EXAMPLES := mesh gauge wireframe attitude
+# What each is for, lcd or oled, and the board that has it.
+example_display_mesh      := lcd
+example_display_gauge     := lcd
+example_display_wireframe := oled
+example_display_attitude  := oled
+example_target_lcd  := versatilepb_arm926ej-s
+example_target_oled := lm3s6965evb_cortex-m3
+example_target       = $(example_target_$(example_display_$1))
+example_sources      = $(wildcard port/examples/$1/*.c)
+
+EXAMPLE_DIR := $(BUILD)/examples
+EXAMPLE_RUN := $(foreach e,$(EXAMPLES),$(if $(filter $(call example_target,$e),$(DISPLAY_RUN)),$e))
+
+define example_rules
+$(EXAMPLE_DIR)/$1/host: $(call objects,$(call example_sources,$1) port/examples/host.c) $(HOST) $(LIBRARY)
+	@mkdir -p $$(@D)
+	$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ -lm
+
+$(EXAMPLE_DIR)/$1/firmware.elf: $(filter-out $(BOARD_DIR)/$2/tests/%,$($2_objects)) \
+        $(patsubst %.c,$(BOARD_DIR)/$2/%.o,$(call example_sources,$1) port/examples/board.c)
+	@mkdir -p $$(@D)
+	@echo "link $$@"
+	@$(call core_cc,$(call core_of,$2)) $(BOARD_LINK) -T port/boards/$(call board_of,$2)/$(call board_of,$2).ld $$^ -lgcc -o $$@
+endef
+$(foreach e,$(EXAMPLES),$(eval $(call example_rules,$e,$(call example_target,$e))))
+
+$(BUILD)/obj/port/examples/%.o: INCLUDES += -Ihost
+
+.PHONY: examples test-examples
+examples: $(EXAMPLES:%=$(EXAMPLE_DIR)/%/host) ## Draw the frames of the examples into build/examples/NAME/frames
+	@$(foreach e,$(EXAMPLES),mkdir -p $(EXAMPLE_DIR)/$e/frames && \
+	    $(EXAMPLE_DIR)/$e/host $(example_display_$e) $(EXAMPLE_DIR)/$e/frames >$(EXAMPLE_DIR)/$e/frames.txt &&) true
+	@ls -d $(EXAMPLES:%=$(EXAMPLE_DIR)/%/frames)
+
+test-examples: examples $(EXAMPLE_RUN:%=$(EXAMPLE_DIR)/%/firmware.elf) ## Run the examples on emulated boards, whose displays must show the host's pixels
+	@$(board_skips)
+	@sh tests/test_examples.sh $(EXAMPLE_DIR) \
+	    $(foreach e,$(EXAMPLE_RUN),'$e:$(example_display_$e):$(board_run_$(call example_target,$e))')

@@ -1,0 +1,148 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Each package is made, and used by an application, whose picture must be that of the library as make builds it. What
+# needs a tool that is not installed is skipped, by name.
+gate=packages
+. tests/check/files.sh
+need gcc make
+
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+status=0
+root=$(pwd)
+
+fail()
+{
+    echo "packages: $*"
+    status=1
+}
+
+# has TOOL WHAT: whether there is one; otherwise says what is skipped.
+has()
+{
+    command -v "$1" >/dev/null 2>&1 || { echo "packages: skipped: $2: $1 is not installed"; return 1; }
+}
+
+# quiet LOG COMMAND...: its output, if it fails.
+quiet()
+{
+    log=$1
+    shift
+    "$@" >"$work/$log" 2>&1 || { tail -20 "$work/$log"; fail "$log"; return 1; }
+}
+
+quiet library make -s all || finish 1
+gcc -std=c99 -Icore/include -Iport/include -o "$work/plain" tests/packages/consumer.c build/libqtri.a || finish 1
+expected=$("$work/plain") || fail "the application itself"
+[ "$(build/qtri --version)" = "qtri $(sh port/packages/version.sh)" ] || fail "qtri --version"
+
+# same NAME PROGRAM
+same()
+{
+    [ "$("$2" 2>&1)" = "$expected" ] || fail "$1: '$("$2" 2>&1)', not '$expected'"
+}
+
+# make install, with an option and without ------------------------------------------------------------------------------
+
+quiet install make -s install PREFIX="$work/prefix"
+if has pkg-config "qtri.pc"; then
+    PKG_CONFIG_PATH=$work/prefix/lib/pkgconfig
+    export PKG_CONFIG_PATH
+    quiet pkg-config gcc -std=c99 -o "$work/installed" tests/packages/consumer.c $(pkg-config --cflags --libs qtri) &&
+        same "make install" "$work/installed"
+    pkg-config --exact-version="$(sh port/packages/version.sh)" qtri || fail "qtri.pc: its version"
+fi
+
+# The amalgamation ------------------------------------------------------------------------------------------------------
+
+quiet dist sh port/packages/dist.sh "$work/dist" || finish 1
+single=$work/dist/single
+flags='-std=c99 -Wall -Wextra -Wpedantic -Werror'
+quiet "amalgamation, gcc" gcc $flags -O1 -c -o "$single/qtri.o" "$single/qtri.c" || finish 1
+quiet "amalgamation, gcc -Os" gcc $flags -Os -fsyntax-only "$single/qtri.c"
+quiet "amalgamation, application" gcc $flags -I"$single" -o "$single/app" tests/packages/consumer.c "$single/qtri.o" &&
+    same "amalgamation" "$single/app"
+has clang "amalgamation" && quiet "amalgamation, clang" clang $flags -c -o "$single/clang.o" "$single/qtri.c"
+has tcc "amalgamation" && quiet "amalgamation, tcc" tcc -std=c99 -c -o "$single/tcc.o" "$single/qtri.c"
+if has arm-none-eabi-gcc "amalgamation"; then
+    quiet "amalgamation, Cortex-M0+" arm-none-eabi-gcc $flags -O1 -mcpu=cortex-m0plus -mthumb -ffreestanding -c -o "$single/arm.o" "$single/qtri.c"
+    quiet "amalgamation, Cortex-M4" arm-none-eabi-gcc $flags -Os -mcpu=cortex-m4 -mthumb -ffreestanding -fsyntax-only "$single/qtri.c"
+fi
+has g++ "amalgamation as C++" && echo '#include "qtri.h"' >"$work/one.cc" &&
+    quiet "amalgamation, C++" g++ -std=c++11 -Wall -Wextra -Werror -fsyntax-only -I"$single" "$work/one.cc"
+stray=$(nm -g --defined-only "$single/qtri.o" | awk '$3 !~ /^(qtri|q16)_/ { print $3 }')
+[ -z "$stray" ] || fail "amalgamation: exports $stray"
+
+# The demo's pictures, by the command with this library in place of its own.
+quiet "amalgamation, command" gcc -o "$single/qtri" build/obj/host/tools/main.o build/libqtri-host.a "$single/qtri.o" -lm &&
+    for scene in host/scenes/*.scene; do
+        name=$(basename "$scene" .scene)
+        build/qtri render "$scene" -o "$work/$name.make" >/dev/null 2>&1 && "$single/qtri" render "$scene" -o "$work/$name.single" >/dev/null 2>&1 ||
+            fail "amalgamation: $scene is not drawn"
+        for picture in "$work/$name.make"*; do
+            cmp -s "$picture" "$(echo "$picture" | sed 's/\.make/.single/')" || fail "amalgamation: $scene is drawn otherwise"
+        done
+    done
+
+# The Arduino library: src/ is the only folder that is searched ---------------------------------------------------------
+
+arduino=$work/dist/arduino/qtri
+grep -q "^version=$(sh port/packages/version.sh)$" "$arduino/library.properties" || fail "library.properties: its version"
+awk -F '\t' 'NF != 2 || $2 !~ /^(KEYWORD1|KEYWORD2|LITERAL1)$/ { exit 1 }' "$arduino/keywords.txt" || fail "keywords.txt"
+[ "$(grep -c -e '^qtri_draw_mesh.KEYWORD2$' -e '^qtri_mesh.KEYWORD1$' "$arduino/keywords.txt")" = 2 ] || fail "keywords.txt lacks names"
+find "$arduino/src" -name '*.c' -exec gcc -std=gnu11 -w -I"$arduino/src" -fsyntax-only {} + || fail "Arduino: sources"
+if has g++ "Arduino sketches"; then
+    for sketch in "$arduino"/examples/*/*.ino; do
+        name=$(basename "$sketch" .ino)
+        quiet "Arduino, $name" g++ -std=gnu++11 -Wall -Wextra -I"$arduino/src" -Itests/packages/arduino -include Arduino.h \
+            -o "$work/$name" -x c++ "$sketch" tests/packages/arduino/core.cpp -x none build/libqtri.a &&
+            quiet "Arduino, $name runs" "$work/$name"
+    done
+fi
+
+# The glue of the examples, with stand-ins of what it calls: frames arrive at a simulated controller -------------------
+
+for example in mesh gauge; do
+    quiet "Pico SDK, $example" gcc -std=c11 -O1 -Wall -Wextra -Wno-cast-qual -Werror -Icore/include -Iport/include -Ihost -Itests/packages/pico -o "$work/pico" \
+        port/examples/$example/$example.c port/examples/glue/pico.c tests/packages/pico/sdk.c build/libqtri-host.a build/libqtri.a -lm &&
+        quiet "Pico SDK, $example runs" timeout 60 "$work/pico"
+done
+
+# CMake -----------------------------------------------------------------------------------------------------------------
+
+# consumer WAY OPTION...: configures, builds and runs it
+consumer()
+{
+    way=$1
+    shift
+    quiet "cmake, $way, configured" cmake -S tests/packages/cmake -B "$work/cmake-$way" -DWAY="$way" -DQTRI="$root" "$@" &&
+        quiet "cmake, $way, built" cmake --build "$work/cmake-$way" -j "$jobs" --target consumer
+}
+
+if has cmake "CMake, ESP-IDF, Pico SDK and Zephyr"; then
+    quiet "cmake, configured" cmake -S . -B "$work/cmake" -DCMAKE_INSTALL_PREFIX="$work/cmake-prefix" &&
+        quiet "cmake, built" cmake --build "$work/cmake" -j "$jobs" --target install
+    consumer package -DCMAKE_PREFIX_PATH="$work/cmake-prefix" -DWANTED="$(sh port/packages/version.sh)" &&
+        same "find_package" "$work/cmake-package/consumer"
+    # Built otherwise than its library, it must not link; another minor version must not be found.
+    cmake -S tests/packages/cmake -B "$work/cmake-package" -DOTHER_OPTIONS=QTRI_WITH_SMOOTH=0 >/dev/null 2>&1 &&
+        cmake --build "$work/cmake-package" >/dev/null 2>&1 && fail "an application with other options was linked"
+    cmake -S tests/packages/cmake -B "$work/cmake-newer" -DWAY=package -DCMAKE_PREFIX_PATH="$work/cmake-prefix" -DWANTED=99.0 >/dev/null 2>&1 &&
+        fail "find_package found a version that there is not"
+    # Without smooth colours: another picture, of library and application built alike.
+    consumer subdirectory && "$work/cmake-subdirectory/consumer" >/dev/null || fail "add_subdirectory"
+    nm "$work/cmake-subdirectory/qtri/libqtri.a" 2>/dev/null | grep -q 'qtri_frame_init_built_01111111' || fail "add_subdirectory: its option"
+    # These compile the same files: that they are configured, what with, and that the application compiles.
+    for way in fetch pico esp zephyr; do
+        quiet "cmake, $way" cmake -S tests/packages/cmake -B "$work/cmake-$way" -DWAY="$way" -DQTRI="$root" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON || continue
+        commands=$work/cmake-$way/compile_commands.json
+        [ "$(grep -c '"file": .*/core/' "$commands")" = "$(ls core/*/*.c | wc -l)" ] || fail "cmake, $way: not all files of core/"
+        case $way in
+        esp) off=QTRI_WITH_TEXTURES ;;
+        zephyr) off=QTRI_WITH_FAST_PATHS ;;
+        *) continue ;;
+        esac
+        [ "$(grep -c "D$off=0" "$commands")" = "$(grep -c '"file":' "$commands")" ] || fail "cmake, $way: $off=0 does not reach all files"
+    done
+fi
+finish $status
