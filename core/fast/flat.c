@@ -2,7 +2,8 @@
 #include "fused.h"
 
 /* A pixel is a load, a compare, two stores and an addition. */
-void qtri_flat_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+QTRI_IN_PLACE void fill(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
+                        bool equal)
 {
     const qtri_raster *raster = job->raster;
     qtri_lines lines = qtri_lines_at(raster->surface, row);
@@ -16,7 +17,7 @@ void qtri_flat_less(const qtri_job *job, const qtri_span *spans, int32_t row, in
             const uint32_t step = job->depth.dx;
             const uint16_t color = (uint16_t)job->pixel;
 #define ONE(i)                                                                                     \
-    if (z >> 16 < depth[i]) {                                                                      \
+    if (qtri_passes(z >> 16, depth[i], equal)) {                                                   \
         QTRI_BRANCH                                                                                \
         depth[i] = (uint16_t)(z >> 16);                                                            \
         pixel[i] = color;                                                                          \
@@ -31,3 +32,15 @@ void qtri_flat_less(const qtri_job *job, const qtri_span *spans, int32_t row, in
         lines.depths += raster->surface->depth_pitch;
     }
 }
+
+void qtri_flat_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    fill(job, spans, row, count, false);
+}
+
+#ifndef __OPTIMIZE_SIZE__
+void qtri_flat_lequal(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    fill(job, spans, row, count, true);
+}
+#endif
