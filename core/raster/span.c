@@ -167,7 +167,6 @@ static void copy_bent_row(qtri_scanline *row)
     run.pixels = row->pixels;
     run.depths = row->depths;
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
-        qtri_curve uv[2];
         const int32_t length =
             qtri_interpolate_perspective(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
