@@ -11,4 +11,10 @@ void selected_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t ro
 void selected_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void selected_copy_pairs(const qtri_job *job, const qtri_run *run);
 
+void selected_flat_pairs_lequal(const qtri_job *job, const qtri_span *spans, int32_t row,
+                                int32_t count);
+void selected_smooth_pairs_lequal(const qtri_job *job, const qtri_span *spans, int32_t row,
+                                  int32_t count);
+void selected_copy_pairs_lequal(const qtri_job *job, const qtri_run *run);
+
 #endif

@@ -45,7 +45,8 @@ static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
     m->cull = QTRI_CULL_NONE;
     m->depth_compare = (qtri_compare)random_in(seed, 0, 8);
     if (random_flag(seed)) {
-        m->depth_compare = random_flag(seed) ? QTRI_LESS : QTRI_DEPTH_OFF;
+        static const qtri_compare usual[3] = {QTRI_LESS, QTRI_LESS_EQUAL, QTRI_DEPTH_OFF};
+        m->depth_compare = usual[random_in(seed, 0, 2)];
     }
     m->depth_read_only = random_in(seed, 0, 3) == 0;
     qtri_texture texture = {.texels = texels, .format = &qtri_texel_rgb565};
@@ -65,18 +66,24 @@ enum way { CHOSEN, STAGES, PAIRS, SELECTED, WAYS };
 
 static void choose(qtri_raster *raster, enum way way)
 {
+    static const struct {
+        qtri_fill_rows flat, smooth;
+        qtri_draw_run copy;
+    } loops[2][2] = {
+        {{qtri_flat_pairs, qtri_smooth_pairs, qtri_copy_pairs},
+         {qtri_flat_pairs_lequal, qtri_smooth_pairs_lequal, qtri_copy_pairs_lequal}},
+        {{selected_flat_pairs, selected_smooth_pairs, selected_copy_pairs},
+         {selected_flat_pairs_lequal, selected_smooth_pairs_lequal, selected_copy_pairs_lequal}},
+    };
     const bool has_loops = raster->fill_flat != qtri_span_fill;
     if (way == STAGES) {
         raster->fill_flat = raster->fill_smooth = qtri_span_fill;
         raster->copy_run = NULL;
-    } else if (way == PAIRS && has_loops) {
-        raster->fill_flat = qtri_flat_pairs;
-        raster->fill_smooth = qtri_smooth_pairs;
-        raster->copy_run = raster->copied ? qtri_copy_pairs : NULL;
-    } else if (way == SELECTED && has_loops) {
-        raster->fill_flat = selected_flat_pairs;
-        raster->fill_smooth = selected_smooth_pairs;
-        raster->copy_run = raster->copied ? selected_copy_pairs : NULL;
+    } else if (way != CHOSEN && has_loops) {
+        const int equal = raster->compare == QTRI_LESS_EQUAL;
+        raster->fill_flat = loops[way == SELECTED][equal].flat;
+        raster->fill_smooth = loops[way == SELECTED][equal].smooth;
+        raster->copy_run = raster->copied ? loops[way == SELECTED][equal].copy : NULL;
     }
 }
 

@@ -3,7 +3,7 @@
 #include "../raster/texel_copy.h"
 #include "fused.h"
 
-void qtri_copy_less(const qtri_job *job, const qtri_run *run)
+QTRI_IN_PLACE void copy(const qtri_job *job, const qtri_run *run, bool equal)
 {
     const qtri_raster *raster = job->raster;
     const uint8_t *texels = raster->texture->texels;
@@ -18,7 +18,7 @@ void qtri_copy_less(const qtri_job *job, const qtri_run *run)
     uint32_t v_step = run->step[1];
     int32_t count = run->count;
 #define ONE(i)                                                                                     \
-    if (z >> 16 < depth[i]) {                                                                      \
+    if (qtri_passes(z >> 16, depth[i], equal)) {                                                   \
         QTRI_BRANCH                                                                                \
         depth[i] = (uint16_t)(z >> 16);                                                            \
         uint32_t at = qtri_texel_index(u, v, cut) * 2;                                             \
@@ -38,3 +38,15 @@ void qtri_copy_less(const qtri_job *job, const qtri_run *run)
     QTRI_PIXELS(count)
 #undef ONE
 }
+
+void qtri_copy_less(const qtri_job *job, const qtri_run *run)
+{
+    copy(job, run, false);
+}
+
+#ifndef __OPTIMIZE_SIZE__
+void qtri_copy_lequal(const qtri_job *job, const qtri_run *run)
+{
+    copy(job, run, true);
+}
+#endif

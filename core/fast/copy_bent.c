@@ -13,11 +13,11 @@
 /* clang-format off */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) &&                           \
     !defined(__OPTIMIZE_SIZE__) && defined(__thumb__) && !defined(__thumb2__)
-#define PIXEL(offset)                                                                              \
+#define PIXEL(offset, fails)                                                                              \
     "lsrs %[top], %[z], #16\n\t"                                                                   \
     "ldrh %[other], [%[depth], #" offset "]\n\t"                                                   \
     "cmp %[top], %[other]\n\t"                                                                     \
-    "bcs 1f\n\t"                                                                                   \
+    fails " 1f\n\t"                                                                                   \
     "strh %[top], [%[depth], #" offset "]\n\t"                                                     \
     "movs %[top], %[u]\n\t"                                                                        \
     "lsrs %[top], %[cut]\n\t"                                                                      \
@@ -48,17 +48,25 @@
                            [u_bend] "h"(u_bend), [v_bend] "h"(v_bend)                              \
                          : "cc", "memory");                                                        \
     }
-#define DRAW_ONE DRAW(PIXEL("0"))
-#define DRAW_EIGHT                                                                                 \
-    DRAW(PIXEL("0") PIXEL("2") PIXEL("4") PIXEL("6")                                               \
-         PIXEL("8") PIXEL("10") PIXEL("12") PIXEL("14"))
+#define ONE_PIXEL(fails) PIXEL("0", fails)
+#define EIGHT_PIXELS(fails)                                                                        \
+    PIXEL("0", fails) PIXEL("2", fails) PIXEL("4", fails) PIXEL("6", fails)                        \
+    PIXEL("8", fails) PIXEL("10", fails) PIXEL("12", fails) PIXEL("14", fails)
+#define DRAW_PIXELS(PIXELS)                                                                        \
+    if (equal) {                                                                                   \
+        DRAW(PIXELS("bhi"))                                                                        \
+    } else {                                                                                       \
+        DRAW(PIXELS("bcs"))                                                                        \
+    }
+#define DRAW_ONE   DRAW_PIXELS(ONE_PIXEL)
+#define DRAW_EIGHT DRAW_PIXELS(EIGHT_PIXELS)
 #define MOVE(n) depth += (n);
 #define ASSEMBLER 1
 #else
 #define ASSEMBLER 0
 #define MOVE(n) QTRI_MOVE(n)
 #define ONE(i)                                                                                     \
-    if (z >> 16 < depth[i]) {                                                                      \
+    if (qtri_passes(z >> 16, depth[i], equal)) {                                                                      \
         QTRI_BRANCH                                                                                \
         depth[i] = (uint16_t)(z >> 16);                                                            \
         pixel[i] = texels[qtri_texel_index(u, v, cut)];                                            \
@@ -77,8 +85,8 @@
     QTRI_TURN(u_step, u_bend, uv[0].twist)                                                         \
     QTRI_TURN(v_step, v_bend, uv[1].twist)
 
-void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
-                         int32_t skip)
+QTRI_IN_PLACE void copy(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
+                        int32_t skip, bool equal)
 {
     const uint16_t *texels = job->raster->texture->texels;
     const uint32_t cut = job->raster->texel_cut;
@@ -128,3 +136,17 @@ void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run, const qtri_cu
         TURN
     }
 }
+
+void qtri_copy_bent_less(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
+                         int32_t skip)
+{
+    copy(job, run, uv, skip, false);
+}
+
+#ifndef __OPTIMIZE_SIZE__
+void qtri_copy_bent_lequal(const qtri_job *job, const qtri_run *run, const qtri_curve uv[2],
+                           int32_t skip)
+{
+    copy(job, run, uv, skip, true);
+}
+#endif

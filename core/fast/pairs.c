@@ -10,7 +10,7 @@
  * and 2 i + 1, and after n of them comes MOVE(n).
  */
 #define SINGLE(s)                                                                                  \
-    if (z >> 16 < *depth) {                                                                        \
+    if (qtri_passes(z >> 16, *depth, equal)) {                                                     \
         QTRI_BRANCH                                                                                \
         *depth = (uint16_t)(z >> 16);                                                              \
         COLOR(shown)                                                                               \
@@ -31,7 +31,7 @@
         uint32_t next = z + depth_step;                                                            \
         uint32_t depths = qtri_pair_high(z, next);                                                 \
         z = next + depth_step;                                                                     \
-        qtri_pair_select(&pixel, &depth, depths, qtri_pair_low(first, second));                    \
+        qtri_pair_select(&pixel, &depth, depths, qtri_pair_low(first, second), equal);             \
         QTRI_OPAQUE(z)                                                                             \
     }
 #define MOVE(n)
@@ -40,7 +40,7 @@
 #define PAIR(i, s, t)                                                                              \
     {                                                                                              \
         uint32_t stored = qtri_pair_load(depth + 2 * (i));                                         \
-        if (z < stored << 16) {                                                                    \
+        if (equal ? z >> 16 <= (stored & 0xFFFF) : z < stored << 16) {                             \
             QTRI_BRANCH                                                                            \
             depth[2 * (i)] = (uint16_t)(z >> 16);                                                  \
             COLOR(shown)                                                                           \
@@ -50,7 +50,7 @@
         STEP(s)                                                                                    \
         uint32_t top = z >> 16;                                                                    \
         QTRI_OPAQUE(top)                                                                           \
-        if (top < stored >> 16) {                                                                  \
+        if (qtri_passes(top, stored >> 16, equal)) {                                               \
             QTRI_BRANCH                                                                            \
             depth[2 * (i) + 1] = (uint16_t)top;                                                    \
             COLOR(shown)                                                                           \
@@ -85,7 +85,8 @@ enum { LONG = 12 }; /* pixels of one colour from which pairs are worth the while
 #define COLOR(name) const uint32_t name = color;
 #define STEP(s)
 
-void qtri_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+QTRI_IN_PLACE void fill(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
+                        bool equal)
 {
     const qtri_raster *raster = job->raster;
     qtri_lines lines = qtri_lines_at(raster->surface, row);
@@ -125,14 +126,14 @@ void qtri_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, i
     QTRI_OPAQUE(packed)
 
 /* Pairs are those of a group of eight, or begin with its second pixel. */
-static void packed_row(qtri_packed_row *row, const qtri_job *job)
+QTRI_IN_PLACE void packed_row(qtri_packed_row *row, const qtri_job *job, bool equal)
 {
     const uint32_t depth_step = job->depth.dx;
     const qtri_packed_steps *step = &job->color.step;
     uint16_t *pixel = row->pixel;
     uint16_t *depth = row->depth;
     if (!qtri_pairs_fit(pixel, depth)) {
-        qtri_packed_singly(row, job);
+        (equal ? qtri_packed_singly_equal : qtri_packed_singly)(row, job);
         return;
     }
     uint32_t z = row->z;
@@ -177,9 +178,14 @@ static void packed_row(qtri_packed_row *row, const qtri_job *job)
     }
 }
 
+static void row_less(qtri_packed_row *row, const qtri_job *job)
+{
+    packed_row(row, job, false);
+}
+
 void qtri_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
-    qtri_packed_rows(job, spans, row, count, packed_row);
+    qtri_packed_rows(job, spans, row, count, row_less, false);
 }
 
 #undef COLOR
@@ -193,7 +199,7 @@ void qtri_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row,
     QTRI_OPAQUE(u)                                                                                 \
     QTRI_OPAQUE(v)
 
-void qtri_copy_pairs(const qtri_job *job, const qtri_run *run)
+QTRI_IN_PLACE void copy(const qtri_job *job, const qtri_run *run, bool equal)
 {
     const qtri_raster *raster = job->raster;
     const uint16_t *texels = raster->texture->texels;
@@ -219,3 +225,36 @@ void qtri_copy_pairs(const qtri_job *job, const qtri_run *run)
     }
     PAIRS(count)
 }
+
+void qtri_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    fill(job, spans, row, count, false);
+}
+
+void qtri_copy_pairs(const qtri_job *job, const qtri_run *run)
+{
+    copy(job, run, false);
+}
+
+#ifndef __OPTIMIZE_SIZE__
+void qtri_flat_pairs_lequal(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    fill(job, spans, row, count, true);
+}
+
+static void row_lequal(qtri_packed_row *row, const qtri_job *job)
+{
+    packed_row(row, job, true);
+}
+
+void qtri_smooth_pairs_lequal(const qtri_job *job, const qtri_span *spans, int32_t row,
+                              int32_t count)
+{
+    qtri_packed_rows(job, spans, row, count, row_lequal, true);
+}
+
+void qtri_copy_pairs_lequal(const qtri_job *job, const qtri_run *run)
+{
+    copy(job, run, true);
+}
+#endif

@@ -18,6 +18,7 @@
 
 #include "../raster/job.h"
 #include "../raster/loop.h"
+#include "fused.h"
 
 #if defined(__GNUC__) && defined(__thumb2__) && defined(__ARM_FEATURE_DSP) &&                      \
     defined(__ARM_FEATURE_SIMD32) && !defined(__ARM_BIG_ENDIAN)
@@ -74,26 +75,41 @@ static inline uint32_t qtri_pair_high(uint32_t first, uint32_t second)
 #endif
 }
 
-/* Draws two pixels where `z` is less than the depths that are stored, and moves on. */
-static inline void qtri_pair_select(uint16_t **pixel, uint16_t **depth, uint32_t z, uint32_t colors)
+/* Draws two pixels where `z` is less than the depths that are stored, or equal, and moves on. */
+QTRI_IN_PLACE void qtri_pair_select(uint16_t **pixel, uint16_t **depth, uint32_t z, uint32_t colors,
+                                    bool equal)
 {
 #if QTRI_DSP
     uint32_t stored, shown;
-    __asm__ volatile(
-        "ldr %[stored], [%[depth]]\n\t"
-        "usub16 %[shown], %[z], %[stored]\n\t" /* GE: not nearer */
-        "ldr %[shown], [%[pixel]]\n\t"
-        "sel %[stored], %[stored], %[z]\n\t"
-        "sel %[shown], %[shown], %[colors]\n\t"
-        "str %[stored], [%[depth]], #4\n\t"
-        "str %[shown], [%[pixel]], #4"
-        : [stored] "=&r"(stored), [shown] "=&r"(shown), [depth] "+&r"(*depth), [pixel] "+&r"(*pixel)
-        : [z] "r"(z), [colors] "r"(colors)
-        : "memory");
+    if (equal) {
+        __asm__ volatile("ldr %[stored], [%[depth]]\n\t"
+                         "usub16 %[shown], %[stored], %[z]\n\t" /* GE: not farther */
+                         "ldr %[shown], [%[pixel]]\n\t"
+                         "sel %[stored], %[z], %[stored]\n\t"
+                         "sel %[shown], %[colors], %[shown]\n\t"
+                         "str %[stored], [%[depth]], #4\n\t"
+                         "str %[shown], [%[pixel]], #4"
+                         : [stored] "=&r"(stored), [shown] "=&r"(shown), [depth] "+&r"(*depth),
+                           [pixel] "+&r"(*pixel)
+                         : [z] "r"(z), [colors] "r"(colors)
+                         : "memory");
+    } else {
+        __asm__ volatile("ldr %[stored], [%[depth]]\n\t"
+                         "usub16 %[shown], %[z], %[stored]\n\t" /* GE: not nearer */
+                         "ldr %[shown], [%[pixel]]\n\t"
+                         "sel %[stored], %[stored], %[z]\n\t"
+                         "sel %[shown], %[shown], %[colors]\n\t"
+                         "str %[stored], [%[depth]], #4\n\t"
+                         "str %[shown], [%[pixel]], #4"
+                         : [stored] "=&r"(stored), [shown] "=&r"(shown), [depth] "+&r"(*depth),
+                           [pixel] "+&r"(*pixel)
+                         : [z] "r"(z), [colors] "r"(colors)
+                         : "memory");
+    }
 #else
     for (int i = 0; i < 2; i++) {
         uint16_t z_i = (uint16_t)(z >> 16 * i);
-        if (z_i < **depth) {
+        if (qtri_passes(z_i, **depth, equal)) {
             **depth = z_i;
             **pixel = (uint16_t)(colors >> 16 * i);
         }
@@ -118,5 +134,12 @@ static inline bool qtri_pair_begins(const uint16_t *depth)
 void qtri_flat_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_smooth_pairs(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_copy_pairs(const qtri_job *job, const qtri_run *run);
+
+/* The same of depth "less or equal". */
+void qtri_flat_pairs_lequal(const qtri_job *job, const qtri_span *spans, int32_t row,
+                            int32_t count);
+void qtri_smooth_pairs_lequal(const qtri_job *job, const qtri_span *spans, int32_t row,
+                              int32_t count);
+void qtri_copy_pairs_lequal(const qtri_job *job, const qtri_run *run);
 
 #endif

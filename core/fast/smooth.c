@@ -5,11 +5,12 @@
 #include "pairs.h"
 
 /* `count` pixels, the first of which is pixel `phase` of a group. */
-static void draw(qtri_packed_row *row, const qtri_job *job, int32_t phase, int32_t count)
+static void draw(qtri_packed_row *row, const qtri_job *job, int32_t phase, int32_t count,
+                 bool equal)
 {
     const qtri_packed_steps *step = &job->color.step;
     for (; count > 0; count--, phase++) {
-        if (row->z >> 16 < *row->depth) {
+        if (qtri_passes(row->z >> 16, *row->depth, equal)) {
             *row->depth = (uint16_t)(row->z >> 16);
             *row->pixel = (uint16_t)qtri_packed_pixel(row->packed);
         }
@@ -31,12 +32,12 @@ static bool next_run(qtri_packed_row *row, const qtri_job *job)
     return true;
 }
 
-bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip)
+bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip, bool equal)
 {
     const int32_t to_group = -skip & 7;
     const int32_t count = to_group < row->part ? to_group : row->part;
     row->packed += qtri_packed_skip(job, skip);
-    draw(row, job, skip, count);
+    draw(row, job, skip, count, equal);
     row->part -= count;
     return row->part > 0 || next_run(row, job);
 }
@@ -44,17 +45,17 @@ bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip)
 #if QTRI_PAIRS
 
 /* Small code: where there are pairs, few surfaces need it. */
-void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
+static void singly(qtri_packed_row *row, const qtri_job *job, bool equal)
 {
     do {
-        draw(row, job, 0, row->part);
+        draw(row, job, 0, row->part, equal);
     } while (next_run(row, job));
 }
 
 #else
 
 #define PIXEL(i, step)                                                                             \
-    if (z >> 16 < depth[i]) {                                                                      \
+    if (qtri_passes(z >> 16, depth[i], equal)) {                                                   \
         QTRI_BRANCH                                                                                \
         depth[i] = (uint16_t)(z >> 16);                                                            \
         pixel[i] = (uint16_t)qtri_packed_pixel(packed);                                            \
@@ -67,7 +68,7 @@ void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
     QTRI_ASIDE(even)                                                                               \
     QTRI_ASIDE(odd)
 
-void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
+QTRI_IN_PLACE void singly(qtri_packed_row *row, const qtri_job *job, bool equal)
 {
     uint32_t depth_step = job->depth.dx;
     uint32_t even = job->color.step.even;
@@ -124,7 +125,24 @@ void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
 
 #endif
 
+void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job)
+{
+    singly(row, job, false);
+}
+
 void qtri_smooth_less(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
-    qtri_packed_rows(job, spans, row, count, qtri_packed_singly);
+    qtri_packed_rows(job, spans, row, count, qtri_packed_singly, false);
 }
+
+#ifndef __OPTIMIZE_SIZE__
+void qtri_packed_singly_equal(qtri_packed_row *row, const qtri_job *job)
+{
+    singly(row, job, true);
+}
+
+void qtri_smooth_lequal(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    qtri_packed_rows(job, spans, row, count, qtri_packed_singly_equal, true);
+}
+#endif

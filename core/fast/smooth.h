@@ -8,6 +8,7 @@
 #include "../raster/job.h"
 #include "../raster/loop.h"
 #include "../raster/packed.h"
+#include "fused.h"
 
 /* A row: what is left of a run, and the runs after it. */
 typedef struct qtri_packed_row {
@@ -44,21 +45,22 @@ typedef void (*qtri_packed_draw)(qtri_packed_row *row, const qtri_job *job);
  * Where a scissor cuts off `skip` pixels of the first run: draws up to the next group. False when
  * that was all.
  */
-bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip);
+bool qtri_packed_cut(qtri_packed_row *row, const qtri_job *job, int32_t skip, bool equal);
 
 /* One pixel after the other. */
 void qtri_packed_singly(qtri_packed_row *row, const qtri_job *job);
+void qtri_packed_singly_equal(qtri_packed_row *row, const qtri_job *job);
 
 /* Fewer pixels than a group has, from its first on: meshes have many such rows. */
 static inline void qtri_packed_short(const qtri_job *job, uint16_t *pixel, uint16_t *depth,
-                                     int32_t count, uint32_t z, uint32_t packed)
+                                     int32_t count, uint32_t z, uint32_t packed, bool equal)
 {
     const uint32_t depth_step = job->depth.dx;
     const uint32_t two_steps = job->color.step.even + job->color.step.odd;
     uint32_t step = job->color.step.even;
     const uint16_t *stop = depth + count;
     do {
-        if (z >> 16 < *depth) {
+        if (qtri_passes(z >> 16, *depth, equal)) {
             QTRI_BRANCH
             *depth = (uint16_t)(z >> 16);
             *pixel = (uint16_t)qtri_packed_pixel(packed);
@@ -71,8 +73,9 @@ static inline void qtri_packed_short(const qtri_job *job, uint16_t *pixel, uint1
     } while (depth != stop);
 }
 
-static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans, int32_t row,
-                                    int32_t count, qtri_packed_draw draw)
+/* equal: what passes, as `draw` has it. */
+QTRI_IN_PLACE void qtri_packed_rows(const qtri_job *job, const qtri_span *spans, int32_t row,
+                                    int32_t count, qtri_packed_draw draw, bool equal)
 {
     const qtri_raster *raster = job->raster;
     const qtri_attribute *color = job->attribute;
@@ -92,11 +95,11 @@ static inline void qtri_packed_rows(const qtri_job *job, const qtri_span *spans,
             uint32_t b = qtri_ramp_at(&color[2].ramp, dx, dy);
             uint32_t packed = qtri_pack_floor(r, g, b);
             if (skip == 0 && rest < 8) {
-                qtri_packed_short(job, pixel, depth, rest, z, packed);
+                qtri_packed_short(job, pixel, depth, rest, z, packed, equal);
             } else {
                 int32_t part = QTRI_PACKED_RUN - skip < rest ? QTRI_PACKED_RUN - skip : rest;
                 qtri_packed_row at = {pixel, depth, z, packed, part, rest - part, r, g, b};
-                if (skip == 0 || qtri_packed_cut(&at, job, skip)) {
+                if (skip == 0 || qtri_packed_cut(&at, job, skip, equal)) {
                     draw(&at, job);
                 }
             }

@@ -306,15 +306,15 @@ static uint32_t without_keys(const qtri_texture *texture, uint32_t *tap, const u
 QTRI_NOINLINE static void blend(uint32_t *color, const uint32_t *tap, const uint32_t *weight,
                                 int32_t count)
 {
-    for (const uint32_t *end = color + count; color != end; tap += 4) {
-        const uint32_t both = *weight++;
+    for (int32_t i = 0; i < count; i++, tap += 4) {
+        const uint32_t both = weight[i];
         const weights w = exact_weights(both & 2047, both >> 16);
         sums s = {0, 0, 0};
         add_888(&s, tap[0], w.left_above);
         add_888(&s, tap[1], w.right_above);
         add_888(&s, tap[2], w.left_below);
         add_888(&s, tap[3], w.right_below);
-        *color++ = color_888(&s);
+        color[i] = color_888(&s);
     }
 }
 
@@ -322,15 +322,15 @@ QTRI_NOINLINE static void blend_565(uint32_t *color, const uint32_t *tap, const 
                                     int32_t count)
 {
     lanes s = {0, 0, 0x001F001Fu, 0x7E0};
-    for (const uint32_t *end = color + count; color != end; tap += 4) {
-        const uint32_t both = *weight++;
+    for (int32_t i = 0; i < count; i++, tap += 4) {
+        const uint32_t both = weight[i];
         const weights w = short_weights(both & 2047, both >> 16);
         begin_565(&s);
         add_565(&s, tap[0], w.left_above);
         add_565(&s, tap[1], w.right_above);
         add_565(&s, tap[2], w.left_below);
         add_565(&s, tap[3], w.right_below);
-        *color++ = color_565(&s);
+        color[i] = color_565(&s);
     }
 }
 

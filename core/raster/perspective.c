@@ -30,6 +30,7 @@
 
 #include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
+#include "../frame/curves.h"
 #include "near.h"
 
 /* A plane at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
@@ -304,7 +305,7 @@ QTRI_IN_PLACE void set_curve(qtri_curve *out, const middle *m, uint32_t value,
     const int32_t down = plane->down + m->slope_down;
     if ((uint32_t)down > 22) {
         const middle copy = *m; /* or all of it would be in memory */
-        set_steep_curve(out, &copy, value, l, down);
+        set_steep_curve(out, QTRI_SMALL_CODE ? m : &copy, value, l, down);
         return;
     }
     const int32_t l_15 = l >> 15;
@@ -367,10 +368,13 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
             const qtri_curve one = {middle_value(row, &m, i), 0, 0, 0};
             row->curve[i] = one;
         }
-    } else if (first == QTRI_U && log2 >= p->texels_twisted) {
-        set_curves(row, &m, log2, first, end, true);
-    } else {
-        set_curves(row, &m, log2, first, end, false);
+    } else { /* two copies of what follows, or one where code is to be small */
+        const bool twisted = first == QTRI_U && log2 >= p->texels_twisted;
+        if (!QTRI_SMALL_CODE && twisted) {
+            set_curves(row, &m, log2, first, end, true);
+        } else {
+            set_curves(row, &m, log2, first, end, QTRI_SMALL_CODE && twisted);
+        }
     }
     return qtri_least32(length, count);
 }

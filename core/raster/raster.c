@@ -46,6 +46,19 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->with_depth = raster->compare != QTRI_DEPTH_OFF || raster->fog != NULL;
 }
 
+/* The format's fused loops for what becomes of depth; NULL: none. */
+static const qtri_fused *fused_of(const qtri_raster *raster)
+{
+    const qtri_fused *fused = raster->format->fused;
+    if (!QTRI_WITH_FAST_PATHS || fused == NULL || raster->effects != NULL || !raster->depth_write) {
+        return NULL;
+    }
+    if (raster->compare == QTRI_LESS_EQUAL) {
+        return fused->less_equal;
+    }
+    return raster->compare == QTRI_LESS ? fused : NULL;
+}
+
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material, qtri_batch *batch)
 {
@@ -87,15 +100,14 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->texturing->init(raster, material);
     }
     raster->tint_small = NULL;
-    if (QTRI_WITH_FAST_PATHS && raster->effects == NULL && format->fused != NULL &&
-        raster->compare == QTRI_LESS && raster->depth_write) {
-        const qtri_fused *fused = format->fused;
-        raster->fill_flat = fused->flat_less != NULL ? fused->flat_less : qtri_span_fill;
-        raster->fill_smooth = fused->smooth_less != NULL ? fused->smooth_less : qtri_span_fill;
-        raster->copy_run = raster->copied ? fused->copy_less : NULL;
-        raster->copy_bent = raster->copied ? fused->copy_bent_less : NULL;
+    const qtri_fused *fused = fused_of(raster);
+    if (fused != NULL) {
+        raster->fill_flat = fused->flat != NULL ? fused->flat : qtri_span_fill;
+        raster->fill_smooth = fused->smooth != NULL ? fused->smooth : qtri_span_fill;
+        raster->copy_run = raster->copied ? fused->copy : NULL;
+        raster->copy_bent = raster->copied ? fused->copy_bent : NULL;
         if (!textured && surface->pitch == 2 * surface->depth_pitch) {
-            raster->tint_small = fused->tint_less;
+            raster->tint_small = fused->tint;
         }
     }
 }

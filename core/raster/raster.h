@@ -60,10 +60,11 @@ typedef struct qtri_lamp {
 
 /* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
 struct qtri_fused {
-    qtri_fill_rows flat_less, smooth_less;
-    qtri_draw_run copy_less;
-    qtri_draw_bent copy_bent_less;
-    qtri_draw_small tint_less;
+    qtri_fill_rows flat, smooth;
+    qtri_draw_run copy;
+    qtri_draw_bent copy_bent;
+    qtri_draw_small tint;
+    const qtri_fused *less_equal; /* where depth is that */
 };
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);

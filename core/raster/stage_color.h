@@ -59,7 +59,7 @@ void qtri_tint_565(uint32_t *color, const uint32_t *shade, const uint32_t tint_q
 void qtri_tint_888(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],
                    int32_t count);
 
-/* 8 bits to gray, which are multiplied as well: within .53 (times .52). */
+/* The same of 8 bits, to gray: one rounding, so no farther off than 8 bits are. */
 void qtri_light_gray(uint32_t *color, const uint32_t *shade, int32_t count);
 void qtri_times_gray(uint32_t *color, const uint32_t *shade, int32_t count);
 void qtri_tint_gray(uint32_t *color, const uint32_t *shade, const uint32_t tint_q10[3],

@@ -170,7 +170,7 @@ bool qtri_texel_curve_held(qtri_curve *curve, const qtri_texel_axis *axis, int32
     const int32_t up = to - shift;
     const int32_t most = axis->mask;
     const int32_t first = (int32_t)(curve->at >> shift) - axis->first;
-    int32_t last = first;
+    int32_t last;
     if ((curve->bend | curve->twist) == 0) {
         last = (int32_t)((curve->at + (uint32_t)(count - 1) * curve->step) >> shift) - axis->first;
     } else if (is_steady(curve, count)) {
