@@ -31,25 +31,25 @@ QTRI_IN_PLACE void qtri_illuminated_normal(qtri_lit_point *point, const qtri_ill
                                            int32_t x, int32_t y, int32_t z)
 {
     const uint32_t one_q28 = (uint32_t)1 << 28;
-    int32_t *n = point->normal_q14;
-    n[0] = x;
-    n[1] = y;
-    n[2] = z;
     if (!by->even) {
         const int32_t v[3] = {x, y, z};
         qtri_illuminated_uneven(point, by, v);
         return;
     }
-    const uint32_t square =
-        (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z); /* <= 3 2^30 */
+    const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z); /* 3 2^30 */
     if (square - (one_q28 - one_q28 / 32) < one_q28 / 16) {
         const int32_t factor_q15 = (int32_t)((3 * one_q28 - square) >> 14);
-        n[0] = (x * factor_q15 + 0x4000) >> 15;
-        n[1] = (y * factor_q15 + 0x4000) >> 15;
-        n[2] = (z * factor_q15 + 0x4000) >> 15;
-    } else if (square != 0) {
+        point->normal_q14[0] = (x * factor_q15 + 0x4000) >> 15;
+        point->normal_q14[1] = (y * factor_q15 + 0x4000) >> 15;
+        point->normal_q14[2] = (z * factor_q15 + 0x4000) >> 15;
+        return;
+    }
+    point->normal_q14[0] = 0;
+    point->normal_q14[1] = 0;
+    point->normal_q14[2] = 0;
+    if (square != 0) {
         const int32_t v[3] = {x, y, z};
-        qtri_normalize_q14(n, v, square);
+        qtri_normalize_q14(point->normal_q14, v, square);
     }
 }
 
