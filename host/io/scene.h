@@ -43,7 +43,7 @@ enum scene_op_kind {
     SCENE_TRIANGLE /* vertex[0..2]; textured: whether it came from `trit` */,
     SCENE_MESH,   /* mesh: index into scene.meshes; color: 0..1 */
     SCENE_STROKE, /* stroke: a line, a polyline or a point */
-    SCENE_PAINT /* paint: a flat shape, text or a picture; no matrix applies */
+    SCENE_PAINT   /* paint: a flat shape, text or a picture; no matrix applies */
 };
 
 struct scene_vertex {

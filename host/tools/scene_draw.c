@@ -358,6 +358,12 @@ static void replay(struct drawing *d, struct stacks *stacks)
             apply_to_stacks(stacks, op);
             continue;
         }
+        if (op->kind == SCENE_PAINT) {
+            if (d->pass == SCENE_COLORS) {
+                scene_paint(d->resources, d->surface, &op->u.paint);
+            }
+            continue;
+        }
         d->view.projection = stacks->matrix[0][stacks->top[0]];
         d->modelview = stacks->matrix[1][stacks->top[1]];
         if (d->resources->jitter_log2 > 0) {
