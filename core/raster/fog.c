@@ -26,7 +26,7 @@ static uint32_t share_at(const qtri_fog *fog, uint32_t depth)
         step = at >> 10;
         part = (int32_t)(at & 1023);
     } else {
-        const int32_t zeros = qtri_clz32(t);
+        const int32_t zeros = qtri_clz32(t | 1);
         const uint32_t mantissa = t << zeros << 1; /* without the leading bit */
         step = (uint32_t)(31 - zeros) * 8 + (mantissa >> 29);
         part = (int32_t)(mantissa >> 19 & 1023);

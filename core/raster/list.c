@@ -23,7 +23,7 @@ static void begin(list_rows *r, const qtri_raster *raster, const qtri_place *p,
     r->z = 0;
     r->depth_at = 0;
     qtri_list_set_depth(&r->depth, v);
-    if (raster->compare != QTRI_DEPTH_OFF) {
+    if (raster->with_depth) {
         r->z = qtri_list_at(&r->depth, (uint32_t)p->column, (uint32_t)p->row);
         r->depth_at = (ptrdiff_t)p->row * surface->depth_pitch + p->column;
     }

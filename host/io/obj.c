@@ -289,7 +289,7 @@ static bool parse_name(struct obj_parser *parser, struct line *line, struct obj_
     }
     struct obj_name *grown =
         array_grow(names->items, names->count, &names->capacity, sizeof *grown);
-    char *text = calloc(length + 1, 1);
+    char *text = calloc(length + 1, 1); // NOLINT(clang-analyzer-optin*): never 0 bytes
     if (grown != NULL) {
         names->items = grown;
     }

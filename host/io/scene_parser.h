@@ -149,9 +149,6 @@ void scene_stroke_defaults(struct scene_parser *parser);
 
 /* ---- Shared by the files of statements (scene_ops.c) ---- */
 
-/* Appends an operation of the given kind; NULL with the error set when memory runs out. */
-struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind kind);
-
 /* Numbers `count` triangles; *id is the first one's. */
 bool scene_take_ids(struct scene_parser *parser, size_t count, uint32_t *id);
 

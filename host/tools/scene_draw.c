@@ -302,6 +302,7 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
  */
 static void note_triangles(struct drawing *d, const struct scene_op *ops, size_t count)
 {
+    count = count < 1 ? 1 : count; /* never 0 */
     qtri_vec3 *positions = malloc(3 * count * sizeof *positions);
     uint16_t(*triangles)[3] = malloc(count * sizeof *triangles);
     uint16_t(*neighbours)[3] = malloc(count * sizeof *neighbours);
