@@ -12,6 +12,16 @@ static void gather(uint32_t *stored, const qtri_raster *raster, const uint32_t *
     const ptrdiff_t pitch = raster->surface->pitch;
     const uint32_t bytes = memory->bytes;
     uint8_t *pixels = raster->surface->pixels;
+    if (bytes == 2 && mask == qtri_mask_of(count) &&
+        place[count - 1] - place[0] == (uint32_t)count - 1) { /* neighbours, as places ascend */
+        const uint16_t *pixel =
+            (const uint16_t *)(const void *)(pixels + (ptrdiff_t)(place[0] >> 16) * pitch) +
+            (place[0] & 0xFFFF);
+        for (const uint32_t *end = stored + count; stored != end; stored++) {
+            *stored = *pixel++;
+        }
+        return;
+    }
     mask <<= 32 - count;
     for (int32_t i = 0; i < count; i++, mask <<= 1) {
         const uint8_t *at =
@@ -116,14 +126,18 @@ static inline uint32_t times(uint32_t c, uint32_t s, uint32_t most)
 }
 #define TIMES(c, s, k, most) ((void)(k), times(c, s, most))
 
-#define MIX(CHANNEL)                                                                               \
+#define SUM_565(c, s, k)   QTRI_MIX_565(sum, c, s, k)
+#define TIMES_565(c, s, k) QTRI_MIX_565(TIMES, c, s, k)
+
+#define MIX(CHANNEL, PIXEL_565)                                                                    \
     mixture m;                                                                                     \
     begin(&m, raster, place, mask, count);                                                         \
     if (m.wide) {                                                                                  \
-        QTRI_MIX(color, m.stored[i], count, &qtri_colors_888, share_of(&m, color[i]), CHANNEL)     \
+        QTRI_MIX(color, m.stored[i], count, &qtri_colors_888, share_of(&m, color[i]), CHANNEL,     \
+                 PIXEL_565)                                                                        \
     } else {                                                                                       \
         const uint32_t share = qtri_mix_share(m.alpha);                                            \
-        QTRI_MIX(color, m.stored[i], count, m.kind, share, CHANNEL)                                \
+        QTRI_MIX(color, m.stored[i], count, m.kind, share, CHANNEL, PIXEL_565)                     \
     }                                                                                              \
     finish(&m, raster, color, count);                                                              \
     return mask;
@@ -131,19 +145,19 @@ static inline uint32_t times(uint32_t c, uint32_t s, uint32_t most)
 static uint32_t blend_alpha(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
                             uint32_t mask, int32_t count)
 {
-    MIX(OVER)
+    MIX(OVER, qtri_mix_over_565)
 }
 
 static uint32_t blend_add(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
                           uint32_t mask, int32_t count)
 {
-    MIX(sum)
+    MIX(sum, SUM_565)
 }
 
 static uint32_t blend_multiply(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
                                uint32_t mask, int32_t count)
 {
-    MIX(TIMES)
+    MIX(TIMES, TIMES_565)
 }
 
 static uint32_t blend_none(const qtri_raster *raster, uint32_t *color, const uint32_t *place,

@@ -43,7 +43,7 @@ static void apply(const qtri_fog *fog, const qtri_format *format, uint32_t *colo
     const uint32_t gray = fog->word[wide || kind == &qtri_colors_888 ? 1
                                     : kind == &qtri_colors_565       ? 0
                                                                      : 2];
-    QTRI_MIX(color, gray, count, kind, share_at(fog, depth[i]), OVER)
+    QTRI_MIX(color, gray, count, kind, share_at(fog, depth[i]), OVER, qtri_mix_over_565)
 }
 
 static uint64_t quotient(uint64_t n, uint64_t divisor, int32_t more)

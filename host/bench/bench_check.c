@@ -11,6 +11,8 @@
 #include "../reference/reference_picture.h"
 #include "bench_program.h"
 
+#define HALF "blend alpha .501961\n"
+#define FOG  "fogdensity exp2 .1 100 .501961 .564706 .627451 .18\n"
 #define BEGIN                                                                                      \
     "viewport 320 240\nclear .0941176471 .1254901961 .1882352941\ndepth less\n"                    \
     "mode projection\nperspective 60 1.33333333 .1 100\n"                                          \
@@ -109,6 +111,12 @@ static const struct expectation {
     {"KP", BEGIN "pointsize 6\n", 0},
     {"KW", NULL, 0},
     {"KH", NULL, 0},
+    {"B1", BEGIN HALF SCREEN(ORANGE, ORANGE, ORANGE, ORANGE), 76800},
+    {"B2", BEGIN HALF SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
+    {"B3", BEGIN "blend add .501961\n" SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
+    {"B4", BEGIN HALF LIT COMPACT(SPOT), 12414},
+    {"F2", BEGIN FOG SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
+    {"F4", BEGIN FOG LIT COMPACT(SPOT), 12414},
 };
 
 static bool write_texture(const char *path)

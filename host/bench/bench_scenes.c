@@ -15,7 +15,8 @@
  * the edge pass, S4es by sums. S4h: S4 of 2 x 2 samples, with the clear; S4f: S4 and FXAA. S4a and
  * S4m: only the addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of 64
  * points, 1 and 5 pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with
- * smooth edges; KH: S7 without hidden lines. P1 to P10: bench_paint.h.
+ * smooth edges; KH: S7 without hidden lines. P1 to P10: bench_paint.h. B1, B2
+ * and B4: S1, S2 and S4 at half alpha, B3: S2 added; F2 and F4: S2 and S4 in fog.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -88,6 +89,12 @@ const bench_scene bench_scenes[] = {
     {.name = "KP", .work = BENCH_STROKE, .width = Q16(6), .points = true},
     {.name = "KW", MESH(COMPACT(spot), Q16(150)), .width = Q16(1)},
     {.name = "KH", MESH(COMPACT(spot), Q16(150)), .hidden = true},
+    {.name = "B1", QUAD(&bench_screen, orange), FLAT, .blend = &qtri_blend_alpha},
+    {.name = "B2", QUAD(&bench_screen, rainbow), .blend = &qtri_blend_alpha},
+    {.name = "B3", QUAD(&bench_screen, rainbow), .blend = &qtri_blend_add},
+    {.name = "B4", MESH(COMPACT(spot), Q16(150)), .blend = &qtri_blend_alpha},
+    {.name = "F2", QUAD(&bench_screen, rainbow), .fog = true},
+    {.name = "F4", MESH(COMPACT(spot), Q16(150)), .fog = true},
     PAINT("P1", bench_paint_rect),
     PAINT("P2", bench_paint_rects),
     PAINT("P3", bench_paint_alpha),
@@ -220,6 +227,21 @@ static bool set_bands(bench_frame *frame)
 }
 #endif
 
+#ifndef BENCH_PLAIN
+/* Half of each pixel; fog that hides a quarter of the middle. */
+static void set_effects(bench_frame *frame, const bench_scene *scene)
+{
+    static const qtri_fog_range range = {Q16(0.1), Q16(100), false};
+    static const qtri_rgb gray = {128, 144, 160};
+    frame->material.blend = scene->blend;
+    frame->material.alpha = 128;
+    if (scene->fog) {
+        qtri_fog_exp2(&frame->fog, gray, range, Q16(0.18));
+        frame->material.fog = &frame->fog;
+    }
+}
+#endif
+
 bool bench_prepare(bench_frame *frame, const bench_scene *scene)
 {
     if (scene->mesh != NULL && scene->mesh->triangle_count == 0) {
@@ -235,6 +257,9 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     frame->material.shading = scene->shading;
     frame->material.interpolation = scene->interpolation;
     frame->material.fill = scene->wireframe ? &qtri_wireframe : NULL;
+#ifndef BENCH_PLAIN
+    set_effects(frame, scene);
+#endif
     if (scene->without_depth) {
         frame->material.depth_compare = QTRI_DEPTH_OFF;
     }

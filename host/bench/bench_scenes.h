@@ -57,7 +57,9 @@ typedef struct bench_scene {
     uint32_t lights;        /* not 0: so many sources, and highlights, in place of the light */
     bench_smooth smooth;
     void (*paint)(struct bench_frame *frame);
-    uint32_t characters; /* that are painted */
+    uint32_t characters;     /* that are painted */
+    const qtri_blend *blend; /* at half alpha */
+    bool fog;
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
@@ -86,6 +88,7 @@ typedef struct bench_frame {
     qtri_surface surface;
     qtri_view view;
     qtri_transform pose;
+    qtri_fog fog; /* the material's */
     qtri_material material;
     qtri_texture texture;
     qtri_mesh mesh; /* with the scene's colours */
