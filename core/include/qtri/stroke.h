@@ -17,7 +17,7 @@
  * and written where half of a pixel or more is covered. A frame in bands, or drawn by any scissor,
  * has the pixels of the whole frame.
  *
- * A call takes about 3 KB of stack, a wide wireframe 4 KB. Instructions: the rows L1, L5, LP and LW
+ * A call takes about 3 KB of stack, a wide wireframe 4 KB. Instructions: the rows K1, K5, KP and KW
  * of `make bench`.
  *
  * Of a material count depth_compare and depth_read_only; for meshes also what tells their colour.
