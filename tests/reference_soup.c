@@ -43,6 +43,7 @@ struct scene_vertex window_vertex(double x, double y, double z, double w)
          q16(z * w), q16(w)},
         {65536, 65536, 65536},
         {0, 0},
+        {0, 0, 0},
     };
     return v;
 }

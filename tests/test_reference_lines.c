@@ -86,7 +86,7 @@ static void shared_lines_coincide(void **state)
     uint32_t seed = 6;
 
     for (int round = 0; round < 500; round++) {
-        struct scene_vertex v[3] = {{{0}, {0}, {0}}};
+        struct scene_vertex v[3] = {{{0}, {0}, {0}, {0}}};
         struct reference_image image[2];
         for (int k = 0; k < 4; k++)
             for (int i = 0; i < 3; i++)

@@ -210,7 +210,7 @@ QTRI_NOINLINE static void blend_565(const qtri_edges *edges)
                 neighbour = note[other];
             }
             note[place] = (uint16_t)old;
-            pixel[place] = (uint16_t)qtri_mix_565(old, neighbour, code >> QTRI_NOTE_SHARE_SHIFT);
+            pixel[place] = (uint16_t)qtri_lerp_565(old, neighbour, code >> QTRI_NOTE_SHARE_SHIFT);
         }
     }
 }

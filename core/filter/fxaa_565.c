@@ -6,7 +6,7 @@
 #define NAME(name)      name##_565
 #define COLOR           uint16_t
 #define LUMA(c)         ((int32_t)(2u * ((c) >> 11) + ((uint32_t)(c) >> 4 & 0x7E) + ((c)&31u)))
-#define MIX(w, a, b, s) qtri_mix_565(a, b, s)
+#define MIX(w, a, b, s) qtri_lerp_565(a, b, s)
 #include "fxaa.inc"
 
 enum { ROWS = 3 }; /* old colours that are kept: of this row and two above */

@@ -36,7 +36,7 @@ static inline uint32_t qtri_packed_565(uint32_t lanes)
  * 32 a + (b - a) share + 16 lies in 0..32 * 63 + 16 < 2^11, and lanes are 10 and 11 bits apart:
  * what a difference borrows from the next lane it gives back.
  */
-static inline uint32_t qtri_mix_565(uint32_t a, uint32_t b, uint32_t share)
+static inline uint32_t qtri_lerp_565(uint32_t a, uint32_t b, uint32_t share)
 {
     const uint32_t p = qtri_lanes_565(a);
     const uint32_t q = qtri_lanes_565(b);
@@ -54,7 +54,7 @@ static inline bool qtri_is_565(const qtri_format *format)
 uint32_t qtri_color_of(const qtri_format *format, uint32_t stored);
 uint32_t qtri_stored_of(const qtri_format *format, uint32_t color);
 
-/* The mix of two colours of a kind, as qtri_mix_565(). */
+/* The mix of two colours of a kind, as qtri_lerp_565(). */
 uint32_t qtri_mix_colors(const qtri_colors *kind, uint32_t a, uint32_t b, uint32_t share);
 
 /* Bits of the kind's channels red, green and blue, in place, of a colour. */

@@ -69,7 +69,7 @@ static void fill(uint8_t *at, size_t bytes, const pattern *stored)
     }
 }
 
-void qtri_fill_rows(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t rows, uint32_t value)
+void qtri_fill_words(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t rows, uint32_t value)
 {
     pattern stored = {value};
     if (pitch == (ptrdiff_t)bytes) {
@@ -148,7 +148,7 @@ void qtri_fill_rect(const qtri_surface *surface, const qtri_rect *rect, uint32_t
         if (pixel_bytes <= 2) {
             stored = (stored & 0xFFFF) * 0x10001u;
         }
-        qtri_fill_rows(first, surface->pitch, pixel_bytes * (size_t)columns, rows, stored);
+        qtri_fill_words(first, surface->pitch, pixel_bytes * (size_t)columns, rows, stored);
         return;
     }
     for (int32_t row = 0; row < rows; row++) {

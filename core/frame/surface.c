@@ -62,9 +62,9 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
     qtri_fill_rect(surface, &bounds, qtri_pixel_from_rgb(surface->format, color));
     if (surface->depth != NULL) {
         ptrdiff_t stored_row = bounds.y0 - surface->first_row;
-        qtri_fill_rows((uint8_t *)(surface->depth + stored_row * surface->depth_pitch + bounds.x0),
-                       2 * surface->depth_pitch, 2 * (size_t)(bounds.x1 - bounds.x0),
-                       bounds.y1 - bounds.y0, depth * 0x10001u);
+        qtri_fill_words((uint8_t *)(surface->depth + stored_row * surface->depth_pitch + bounds.x0),
+                        2 * surface->depth_pitch, 2 * (size_t)(bounds.x1 - bounds.x0),
+                        bounds.y1 - bounds.y0, depth * 0x10001u);
     }
 }
 

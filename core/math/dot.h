@@ -9,8 +9,8 @@
  *     uint32_t flags = 0;
  *     qtri_right x = qtri_right_of(v.x, &flags), y = qtri_right_beside(v.y, &flags);
  *     qtri_sum sum = qtri_sum_start();
- *     qtri_sum_add(&sum, a.x, x, &flags);
- *     qtri_sum_add(&sum, a.y, y, &flags);
+ *     qtri_sum_product(&sum, a.x, x, &flags);
+ *     qtri_sum_product(&sum, a.y, y, &flags);
  *     q16 result = qtri_sum_q16(&sum, &flags);
  *     return qtri_sum_good(flags) ? result : qtri_dot(...);
  */
@@ -79,7 +79,7 @@ static inline qtri_sum qtri_sum_start(void)
     return 0;
 }
 
-static inline void qtri_sum_add(qtri_sum *sum, int32_t a, qtri_right b, uint32_t *flags)
+static inline void qtri_sum_product(qtri_sum *sum, int32_t a, qtri_right b, uint32_t *flags)
 {
     *flags |= 0u; /* any left factor will do */
     *sum += (uint64_t)((int64_t)a * b);
@@ -160,7 +160,7 @@ static inline qtri_sum qtri_sum_start(void)
     return sum;
 }
 
-static inline void qtri_sum_add(qtri_sum *sum, int32_t a, qtri_right b, uint32_t *flags)
+static inline void qtri_sum_product(qtri_sum *sum, int32_t a, qtri_right b, uint32_t *flags)
 {
     uint32_t high = (uint32_t)(a >> 15);
     uint32_t low = (uint32_t)a & 0x7FFFu;

@@ -55,10 +55,10 @@ qtri_mat4 qtri_mat4_from_linear(const qtri_mat3 *linear)
 static inline q16 row_product(const q16 row[4], const qtri_right v[4], uint32_t *flags)
 {
     qtri_sum sum = qtri_sum_start();
-    qtri_sum_add(&sum, row[0], v[0], flags);
-    qtri_sum_add(&sum, row[1], v[1], flags);
-    qtri_sum_add(&sum, row[2], v[2], flags);
-    qtri_sum_add(&sum, row[3], v[3], flags);
+    qtri_sum_product(&sum, row[0], v[0], flags);
+    qtri_sum_product(&sum, row[1], v[1], flags);
+    qtri_sum_product(&sum, row[2], v[2], flags);
+    qtri_sum_product(&sum, row[3], v[3], flags);
     return qtri_sum_q16(&sum, flags);
 }
 

@@ -33,10 +33,10 @@ static qtri_quat exact_product(qtri_quat a, qtri_quat b)
 #define COMPONENT(b0, b1, b2, b3)                                                                  \
     do {                                                                                           \
         qtri_sum sum = qtri_sum_start();                                                           \
-        qtri_sum_add(&sum, a.w, b0, &flags);                                                       \
-        qtri_sum_add(&sum, a.x, b1, &flags);                                                       \
-        qtri_sum_add(&sum, a.y, b2, &flags);                                                       \
-        qtri_sum_add(&sum, a.z, b3, &flags);                                                       \
+        qtri_sum_product(&sum, a.w, b0, &flags);                                                   \
+        qtri_sum_product(&sum, a.x, b1, &flags);                                                   \
+        qtri_sum_product(&sum, a.y, b2, &flags);                                                   \
+        qtri_sum_product(&sum, a.z, b3, &flags);                                                   \
         result = qtri_sum_q16(&sum, &flags);                                                       \
     } while (0)
 

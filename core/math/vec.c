@@ -17,9 +17,9 @@ q16 qtri_vec3_dot(qtri_vec3 a, qtri_vec3 b)
 {
     uint32_t flags = 0;
     qtri_sum sum = qtri_sum_start();
-    qtri_sum_add(&sum, a.x, qtri_right_of(b.x, &flags), &flags);
-    qtri_sum_add(&sum, a.y, qtri_right_beside(b.y, &flags), &flags);
-    qtri_sum_add(&sum, a.z, qtri_right_beside(b.z, &flags), &flags);
+    qtri_sum_product(&sum, a.x, qtri_right_of(b.x, &flags), &flags);
+    qtri_sum_product(&sum, a.y, qtri_right_beside(b.y, &flags), &flags);
+    qtri_sum_product(&sum, a.z, qtri_right_beside(b.z, &flags), &flags);
     q16 result = qtri_sum_q16(&sum, &flags);
     if (qtri_sum_good(flags)) {
         return result;

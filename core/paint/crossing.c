@@ -8,7 +8,7 @@
  * x0 + (x1 - x0) (y - y0) / (y1 - y0). The quotient t in Q29 is too small by 2^-29 at most, and
  * |x1 - x0| <= 2^23: x is off by 2^-6 of a step before it is rounded.
  */
-static int32_t line_x(const qtri_edge *edge, int32_t y)
+static int32_t line_x(const qtri_ink_edge *edge, int32_t y)
 {
     const int32_t dx = edge->x1 - edge->x0;
     const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
@@ -21,7 +21,7 @@ static int32_t line_x(const qtri_edge *edge, int32_t y)
     return edge->x0 + ((qtri_mul_high_s31(dx * 128, t_q29) + 8) >> 4);
 }
 
-int32_t qtri_edge_x(const qtri_edge *edge, int32_t y_24p8)
+int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8)
 {
     if (edge->radius == 0) {
         return line_x(edge, y_24p8);
@@ -32,14 +32,14 @@ int32_t qtri_edge_x(const qtri_edge *edge, int32_t y_24p8)
     return edge->center_x + (edge->side < 0 ? -(int32_t)half : (int32_t)half);
 }
 
-bool qtri_outline_edge(const qtri_outline *outline, int32_t i, qtri_edge *edge)
+bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge)
 {
-    if (outline->points == NULL) {
-        *edge = outline->edges[i];
+    if (contour->points == NULL) {
+        *edge = contour->edges[i];
         return true;
     }
-    const qtri_point *a = &outline->points[i];
-    const qtri_point *b = &outline->points[i + 1 < outline->count ? i + 1 : 0];
+    const qtri_point *a = &contour->points[i];
+    const qtri_point *b = &contour->points[i + 1 < contour->count ? i + 1 : 0];
     const int32_t a_y = qtri_hold_24p8(a->y_24p8);
     const int32_t b_y = qtri_hold_24p8(b->y_24p8);
     edge->winding = a_y < b_y ? 1 : -1;
@@ -57,32 +57,32 @@ bool qtri_outline_edge(const qtri_outline *outline, int32_t i, qtri_edge *edge)
 }
 
 /* Whether a side of a polygon lies above the row, or below: most do. */
-static bool is_beside(const qtri_outline *outline, int32_t i, int32_t top)
+static bool is_beside(const qtri_contour *contour, int32_t i, int32_t top)
 {
-    const int32_t a = outline->points[i].y_24p8;
-    const int32_t b = outline->points[i + 1 < outline->count ? i + 1 : 0].y_24p8;
+    const int32_t a = contour->points[i].y_24p8;
+    const int32_t b = contour->points[i + 1 < contour->count ? i + 1 : 0].y_24p8;
     const int32_t end = top + 256; /* rows lie between -2^21 and 2^21 */
     return (a <= top && b <= top) || (a >= end && b >= end);
 }
 
 static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *crossing)
 {
-    const qtri_outline *outline = crossings->outline;
+    const qtri_contour *contour = crossings->contour;
     const int32_t top = crossings->row_24p8;
-    qtri_edge room;
-    if (outline->points != NULL && is_beside(outline, i, top)) {
+    qtri_ink_edge room;
+    if (contour->points != NULL && is_beside(contour, i, top)) {
         return false;
     }
-    if (!qtri_outline_edge(outline, i, &room)) {
+    if (!qtri_contour_edge(contour, i, &room)) {
         return false;
     }
     crossing->winding = room.winding;
-    crossing->arc = room.radius != 0 ? &outline->edges[i] : NULL;
+    crossing->arc = room.radius != 0 ? &contour->edges[i] : NULL;
     if (crossings->at_center) {
         if (room.y0 > top + 128 || room.y1 <= top + 128) {
             return false;
         }
-        crossing->x0 = crossing->x1 = qtri_edge_x(&room, top + 128);
+        crossing->x0 = crossing->x1 = qtri_ink_edge_x(&room, top + 128);
         return true;
     }
     const int32_t y0 = qtri_greatest32(room.y0, top);
@@ -92,20 +92,20 @@ static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *cro
     }
     crossing->y0 = y0 - top;
     crossing->y1 = y1 - top;
-    crossing->x0 = y0 == room.y0 ? room.x0 : qtri_edge_x(&room, y0);
-    crossing->x1 = y1 == room.y1 ? room.x1 : qtri_edge_x(&room, y1);
+    crossing->x0 = y0 == room.y0 ? room.x0 : qtri_ink_edge_x(&room, y0);
+    crossing->x1 = y1 == room.y1 ? room.x1 : qtri_ink_edge_x(&room, y1);
     return true;
 }
 
-void qtri_crossings_init(qtri_crossings *crossings, const qtri_outline *outline, int32_t row,
+void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour, int32_t row,
                          bool at_center)
 {
-    crossings->outline = outline;
+    crossings->contour = contour;
     crossings->row_24p8 = row * 256;
     crossings->at_center = at_center;
     crossings->kept = 0;
     int32_t i = 0;
-    for (; i < outline->count && crossings->kept < QTRI_CROSSINGS_KEPT; i++) {
+    for (; i < contour->count && crossings->kept < QTRI_CROSSINGS_KEPT; i++) {
         crossings->kept += cross(crossings, i, &crossings->crossing[crossings->kept]);
     }
     crossings->others = i;
@@ -118,7 +118,7 @@ const qtri_crossing *qtri_crossings_next(const qtri_crossings *crossings, int32_
         return &crossings->crossing[(*position)++];
     }
     int32_t i = crossings->others + (*position - crossings->kept);
-    for (; i < crossings->outline->count; i++) {
+    for (; i < crossings->contour->count; i++) {
         (*position)++;
         if (cross(crossings, i, room)) {
             return room;

@@ -2,8 +2,8 @@
 /*
  * From shapes to pixels. Internal.
  *
- * A shape is an outline: edges that go down the picture, straight ones and quarters of circles,
- * each with the direction in which the outline passes it. A row of pixels is painted from the edges
+ * A shape is a contour: edges that go down the picture, straight ones and quarters of circles,
+ * each with the direction in which the contour passes it. A row of pixels is painted from the edges
  * that cross it, and knows nothing of other rows: any split into bands paints the same.
  */
 #ifndef QTRI_PAINT_INK_H
@@ -26,33 +26,33 @@ typedef struct qtri_painter {
 } qtri_painter;
 
 /* Half-open in y: y0 < y1. Across, x0 belongs to y0 and x1 to y1. */
-typedef struct qtri_edge {
+typedef struct qtri_ink_edge {
     int32_t x0, y0, x1, y1;           /* 24.8 */
     int32_t center_x, center_y, side; /* of an arc: x = center_x + side sqrt(r r - (y - cy)^2) */
     int32_t radius;                   /* 0: straight */
-    int32_t winding;                  /* +1: the outline goes down here, -1: up */
-} qtri_edge;
+    int32_t winding;                  /* +1: the contour goes down here, -1: up */
+} qtri_ink_edge;
 
 /* Edges, or the sides of a polygon. */
-typedef struct qtri_outline {
-    const qtri_edge *edges;
+typedef struct qtri_contour {
+    const qtri_ink_edge *edges;
     const qtri_point *points; /* NULL: edges */
     int32_t count;            /* of one or the other */
-} qtri_outline;
+} qtri_contour;
 
 /* x of an edge at y0 <= y <= y1, rounded to 1/256. */
-int32_t qtri_edge_x(const qtri_edge *edge, int32_t y_24p8);
+int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8);
 
-/* Edge i of an outline; false: a side of the polygon is horizontal. */
-bool qtri_outline_edge(const qtri_outline *outline, int32_t i, qtri_edge *edge);
+/* Edge i of a contour; false: a side of the polygon is horizontal. */
+bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge);
 
 struct qtri_ink {
     /* `count` > 0 pixels from `at` on, covered by the same share, 1..255. */
     void (*span)(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
     /* One share each, 0..255. */
     void (*cover)(const qtri_painter *painter, uint8_t *at, int32_t count, const uint8_t *coverage);
-    /* A row of an outline, and a rectangle. */
-    void (*row)(const qtri_painter *painter, const qtri_outline *outline, int32_t row);
+    /* A row of a contour, and a rectangle. */
+    void (*row)(const qtri_painter *painter, const qtri_contour *contour, int32_t row);
     void (*rect)(const qtri_painter *painter, const qtri_area *box);
 };
 
@@ -71,11 +71,11 @@ void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int
 void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect);
 
 /* Those whose centres lie inside: what rows and rectangles become without smooth edges. */
-void qtri_hard_row(const qtri_painter *painter, const qtri_outline *outline, int32_t row);
+void qtri_hard_row(const qtri_painter *painter, const qtri_contour *contour, int32_t row);
 void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box);
 
-/* Paints an outline. */
-void qtri_paint_outline(const qtri_surface *surface, const qtri_outline *outline,
+/* Paints a contour. */
+void qtri_paint_contour(const qtri_surface *surface, const qtri_contour *contour,
                         const qtri_brush *brush);
 
 /* Blended pixels, in any format; see ink_blend.c. */
@@ -84,7 +84,7 @@ void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
                       const uint8_t *coverage);
 
 /* The first pixel whose centre lies at x or behind it. */
-static inline int32_t qtri_first_center(int32_t x_24p8)
+static inline int32_t qtri_pixel_from(int32_t x_24p8)
 {
     return (x_24p8 + 127) >> 8;
 }

@@ -3,7 +3,7 @@
 #include "mix.h"
 
 QTRI_INLINE void span_of(qtri_mix mix, uint8_t *at, int32_t bytes, int32_t count, uint32_t keep,
-                         qtri_mix_share share)
+                         qtri_mix_part share)
 {
     for (; count > 0; count--) {
         const uint32_t mixed = qtri_mix_add(mix, qtri_mix_get(mix, NULL, at), keep, share);
@@ -27,7 +27,7 @@ void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, ui
     const qtri_format *format = painter->surface->format;
     const qtri_mix mix = qtri_mix_of(format);
     const uint32_t a = qtri_mix_weight(coverage, painter->alpha);
-    const qtri_mix_share share = qtri_mix_share_of(mix, &painter->channels, painter->stored, a);
+    const qtri_mix_part share = qtri_mix_part_of(mix, &painter->channels, painter->stored, a);
     switch (mix) {
     case QTRI_MIX_GRAY8:
         span_of(QTRI_MIX_GRAY8, at, 1, count, 256 - a, share);
@@ -69,7 +69,7 @@ QTRI_INLINE void cover_of(qtri_mix mix, const qtri_painter *painter, uint8_t *at
             if (mix == QTRI_MIX_OTHER) {
                 mixed = qtri_mix_other(format, d, stored, a);
             } else {
-                mixed = qtri_mix_add(mix, d, 256 - a, qtri_mix_share_of(mix, &channels, stored, a));
+                mixed = qtri_mix_add(mix, d, 256 - a, qtri_mix_part_of(mix, &channels, stored, a));
             }
             qtri_mix_put(mix, format, at, mixed);
         }

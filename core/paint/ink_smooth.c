@@ -5,7 +5,7 @@
 #include "../bits/reciprocal.h"
 
 /*
- * Area of a pixel to the right of an edge, summed with the edges' directions, is what the outline
+ * Area of a pixel to the right of an edge, summed with the edges' directions, is what the contour
  * covers of it: the sum in 1/512 by 1/256 pixel, so FULL is all.
  *
  * A window of pixels has a sum each: what an edge adds within one pixel, and the rest of what it
@@ -120,7 +120,7 @@ static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
     int32_t y = c->y0;
     for (int32_t i = 1; i <= chords; i++) {
         const int32_t to_y = c->y0 + (c->y1 - c->y0) * i / chords;
-        const int32_t to = i == chords ? c->x1 : qtri_edge_x(c->arc, row * 256 + to_y);
+        const int32_t to = i == chords ? c->x1 : qtri_ink_edge_x(c->arc, row * 256 + to_y);
         if (to_y > y) {
             add_piece(w, x, y, to, to_y, c->winding);
         }
@@ -163,10 +163,10 @@ static void fill_window(window *w, const qtri_crossings *crossings, int32_t row,
 }
 
 /* Windows where edges are, even runs between. */
-static void smooth_row(const qtri_painter *painter, const qtri_outline *outline, int32_t row)
+static void smooth_row(const qtri_painter *painter, const qtri_contour *contour, int32_t row)
 {
     qtri_crossings crossings;
-    qtri_crossings_init(&crossings, outline, row, false);
+    qtri_crossings_init(&crossings, contour, row, false);
     const int32_t end = painter->bounds.x1;
     window w;
     w.x = painter->bounds.x0;

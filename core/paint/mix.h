@@ -46,14 +46,14 @@ static inline uint32_t qtri_mix_bytes(uint32_t d, uint32_t s, uint32_t a)
     return low | (qtri_mix_lanes(d >> 8 & mask, s >> 8 & mask, a) & mask) << 8;
 }
 
-static inline uint32_t qtri_lanes_565(uint32_t x)
+static inline uint32_t qtri_mix_red_blue(uint32_t x)
 {
     return (x & 0x1F) | (x & 0xF800) << 5;
 }
 
 static inline uint32_t qtri_mix_565(uint32_t d, uint32_t s, uint32_t a)
 {
-    const uint32_t rb = qtri_mix_lanes(qtri_lanes_565(d), qtri_lanes_565(s), a);
+    const uint32_t rb = qtri_mix_lanes(qtri_mix_red_blue(d), qtri_mix_red_blue(s), a);
     const uint32_t g = ((d >> 5 & 63) * (256 - a) + (s >> 5 & 63) * a + 128) >> 8;
     return (rb & 0x1F) | g << 5 | (rb >> 5 & 0xF800);
 }
@@ -85,9 +85,9 @@ QTRI_INLINE uint32_t qtri_mix_stored(qtri_mix mix, const qtri_format *format, ui
 }
 
 /* A colour times its weight with the half that rounds, as lanes: what is added to every pixel. */
-typedef struct qtri_mix_share {
+typedef struct qtri_mix_part {
     uint32_t low, high; /* bits 0 and 16 on; of RGB565 low is blue and red, high green */
-} qtri_mix_share;
+} qtri_mix_part;
 
 /* n.16 up to 255.0 times a, less than 2^24 in 1/256; the half that rounds is added. */
 static inline uint32_t qtri_mix_channel(int32_t channel, uint32_t a)
@@ -96,12 +96,12 @@ static inline uint32_t qtri_mix_channel(int32_t channel, uint32_t a)
 }
 
 /* Of the exact colour where channels are coarse, of the stored one where a step is 1 of 255. */
-QTRI_INLINE qtri_mix_share qtri_mix_share_of(qtri_mix mix, const qtri_channels *channels,
-                                             uint32_t stored, uint32_t a)
+QTRI_INLINE qtri_mix_part qtri_mix_part_of(qtri_mix mix, const qtri_channels *channels,
+                                           uint32_t stored, uint32_t a)
 {
     const int32_t *c = channels->c;
     const uint32_t mask = 0x00FF00FFu;
-    qtri_mix_share share;
+    qtri_mix_part share;
     if (mix == QTRI_MIX_GRAY8) {
         share.low = qtri_mix_channel(c[0] + c[1] + c[2], a);
         share.high = 0;
@@ -116,7 +116,7 @@ QTRI_INLINE qtri_mix_share qtri_mix_share_of(qtri_mix mix, const qtri_channels *
 }
 
 /* d (256 - a) and that share. */
-QTRI_INLINE uint32_t qtri_mix_add(qtri_mix mix, uint32_t d, uint32_t keep, qtri_mix_share share)
+QTRI_INLINE uint32_t qtri_mix_add(qtri_mix mix, uint32_t d, uint32_t keep, qtri_mix_part share)
 {
     const uint32_t mask = 0x00FF00FFu;
     if (mix == QTRI_MIX_GRAY8) {
@@ -128,7 +128,7 @@ QTRI_INLINE uint32_t qtri_mix_add(qtri_mix mix, uint32_t d, uint32_t keep, qtri_
         return (low >> 8 & mask) | (high & ~mask);
     }
     d = mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(d) : d;
-    const uint32_t rb = (qtri_lanes_565(d) * keep + share.low) >> 8;
+    const uint32_t rb = (qtri_mix_red_blue(d) * keep + share.low) >> 8;
     const uint32_t g = ((d >> 5 & 63) * keep + share.high) >> 8;
     d = (rb & 0x1F) | g << 5 | (rb >> 5 & 0xF800);
     return mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(d) : d;

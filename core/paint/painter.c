@@ -70,7 +70,7 @@ void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect)
 
 void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box)
 {
-    const qtri_rect rect = {qtri_first_center(box->x0_24p8), qtri_first_center(box->y0_24p8),
-                            qtri_first_center(box->x1_24p8), qtri_first_center(box->y1_24p8)};
+    const qtri_rect rect = {qtri_pixel_from(box->x0_24p8), qtri_pixel_from(box->y0_24p8),
+                            qtri_pixel_from(box->x1_24p8), qtri_pixel_from(box->y1_24p8)};
     qtri_painter_rect(painter, &rect);
 }

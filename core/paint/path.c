@@ -11,8 +11,8 @@ void qtri_path_line(qtri_path *path, const qtri_point *from, const qtri_point *t
         winding = -winding;
     }
     if (from->y_24p8 < to->y_24p8) {
-        const qtri_edge edge = {from->x_24p8, from->y_24p8, to->x_24p8, to->y_24p8, 0, 0, 0, 0,
-                                winding};
+        const qtri_ink_edge edge = {from->x_24p8, from->y_24p8, to->x_24p8, to->y_24p8, 0, 0, 0, 0,
+                                    winding};
         path->edge[path->count++] = edge;
     }
 }
@@ -24,17 +24,17 @@ void qtri_path_quarter(qtri_path *path, const qtri_point *center, int32_t radius
         return;
     }
     const bool is_right = quarter == 0 || quarter == 3;
-    qtri_edge edge = {0,
-                      y0_24p8,
-                      0,
-                      y1_24p8,
-                      center->x_24p8,
-                      center->y_24p8,
-                      is_right ? 1 : -1,
-                      radius_24p8,
-                      is_right ? path->direction : -path->direction};
-    edge.x0 = qtri_edge_x(&edge, y0_24p8);
-    edge.x1 = qtri_edge_x(&edge, y1_24p8);
+    qtri_ink_edge edge = {0,
+                          y0_24p8,
+                          0,
+                          y1_24p8,
+                          center->x_24p8,
+                          center->y_24p8,
+                          is_right ? 1 : -1,
+                          radius_24p8,
+                          is_right ? path->direction : -path->direction};
+    edge.x0 = qtri_ink_edge_x(&edge, y0_24p8);
+    edge.x1 = qtri_ink_edge_x(&edge, y1_24p8);
     path->edge[path->count++] = edge;
 }
 
@@ -49,6 +49,6 @@ void qtri_path_circle(qtri_path *path, const qtri_point *center, int32_t radius_
 
 void qtri_path_paint(const qtri_path *path, const qtri_surface *surface, const qtri_brush *brush)
 {
-    const qtri_outline outline = {path->edge, NULL, path->count};
-    qtri_paint_outline(surface, &outline, brush);
+    const qtri_contour contour = {path->edge, NULL, path->count};
+    qtri_paint_contour(surface, &contour, brush);
 }

@@ -13,7 +13,7 @@ enum { QTRI_PATH_EDGES = 12 };
 typedef struct qtri_path {
     int32_t count;
     int32_t direction; /* +1, or -1: edges are added against their direction */
-    qtri_edge edge[QTRI_PATH_EDGES];
+    qtri_ink_edge edge[QTRI_PATH_EDGES];
 } qtri_path;
 
 static inline void qtri_path_init(qtri_path *path)

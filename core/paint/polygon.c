@@ -5,7 +5,7 @@ void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, in
                         const qtri_brush *brush)
 {
     if (count >= 3) {
-        const qtri_outline outline = {NULL, point, count};
-        qtri_paint_outline(surface, &outline, brush);
+        const qtri_contour contour = {NULL, point, count};
+        qtri_paint_contour(surface, &contour, brush);
     }
 }

@@ -3,7 +3,7 @@
 
 /*
  * Above and below with their corners, then what is left at the sides. Mixed pixels must be painted
- * in one go, as a pixel that two smooth edges share would be mixed twice: that is an outline.
+ * in one go, as a pixel that two smooth edges share would be mixed twice: that is a contour.
  */
 void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, int32_t width_24p8,
                              const qtri_brush *brush)

@@ -130,8 +130,7 @@ static int64_t linear(q16 z, q16 start, q16 end)
         return z <= start ? Q16_ONE : 0;
     }
     const int64_t rest = (int64_t)end - z;
-    const uint64_t share =
-        quotient(qtri_magnitude64((uint64_t)rest), (uint64_t)((int64_t)end - start), 16);
+    const uint64_t share = quotient(qtri_magnitude64(rest), (uint64_t)((int64_t)end - start), 16);
     return rest < 0 ? -(int64_t)share : (int64_t)share;
 }
 

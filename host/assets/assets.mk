@@ -31,6 +31,11 @@ endif
 
 $(BUILD)/obj/host/assets/%.o: INCLUDES += $(HOST_DEFINES)
 
+# For who links the host's library by other means than make, as the gate of packages does.
+.PHONY: host-libs
+host-libs:
+	@echo '$(HOST_LIBS)'
+
 # gear.h of the README, and the README's sample, word for word, for tests/test_readme.c -----------------------------------
 
 README_DIR := $(BUILD)/readme

@@ -39,10 +39,10 @@ done
 # The names of checks are in nothing that is not checked.
 nm "$work/plain"/*.o | grep -E 'qtri_check_|qtri_fault' && { echo "checks in a library that is not checked"; status=1; }
 
-echo '#include <qtri.h>
+echo '#include <qtri/q16.h>
 q16 literal(void);
 q16 literal(void) { return Q16(-0.5) + Q16(60); }' >"$work/literal.c"
-echo '#include <qtri.h>
+echo '#include <qtri/q16.h>
 q16 variable(int x);
 q16 variable(int x) { return Q16(x); }' >"$work/variable.c"
 for compiler in gcc clang arm-none-eabi-gcc avr-gcc; do

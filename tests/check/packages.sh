@@ -74,7 +74,7 @@ stray=$(nm -g --defined-only "$single/qtri.o" | awk '$3 !~ /^(qtri|q16)_/ { prin
 [ -z "$stray" ] || fail "amalgamation: exports $stray"
 
 # The demo's pictures, by the command with this library in place of its own.
-quiet "amalgamation, command" gcc -o "$single/qtri" build/obj/host/tools/main.o build/libqtri-host.a "$single/qtri.o" -lm &&
+quiet "amalgamation, command" gcc -o "$single/qtri" build/obj/host/tools/main.o build/libqtri-host.a "$single/qtri.o" -lm $(make -s host-libs) &&
     for scene in host/scenes/*.scene; do
         name=$(basename "$scene" .scene)
         build/qtri render "$scene" -o "$work/$name.make" >/dev/null 2>&1 && "$single/qtri" render "$scene" -o "$work/$name.single" >/dev/null 2>&1 ||
