@@ -70,8 +70,9 @@ static qtri_screen_vertex random_vertex(uint64_t *seed, bool tame)
 {
     static const int32_t reach[] = {2000, 6000, 20000, 1 << 20, 1 << 22};
     int32_t r = reach[random_in(seed, 0, 4)];
-    qtri_screen_vertex v = screen_at(random_in(seed, WIDTH * 128 - r, WIDTH * 128 + r),
-                                     random_in(seed, HEIGHT * 128 - r, HEIGHT * 128 + r));
+    const int32_t x = random_in(seed, WIDTH * 128 - r, WIDTH * 128 + r);
+    const int32_t y = random_in(seed, HEIGHT * 128 - r, HEIGHT * 128 + r);
+    qtri_screen_vertex v = screen_at(x, y);
     if (!tame) {
         v.x_24p8 = random_in(seed, 0, 3) == 0 ? random_any(seed) : v.x_24p8;
         v.y_24p8 = random_in(seed, 0, 3) == 0 ? random_any(seed) : v.y_24p8;
@@ -141,6 +142,66 @@ static void bands(void **state)
             int32_t rows = n < HEIGHT ? n + 1 : random_in(&seed, 1, HEIGHT / 2);
             canvas band = canvas_band(format, WIDTH, HEIGHT, first, rows);
             draw_scene(&band.surface, &s);
+            assert_same_picture(&whole.surface, &band.surface);
+            canvas_free(&band);
+            first += rows;
+        }
+        canvas_free(&whole);
+    }
+}
+
+/* Small triangles of a mesh whose vertices are lit: their rows are cut off at both ends. */
+static void lit_meshes(void **state)
+{
+    (void)state;
+    enum { MESH_TRIANGLES = 8, MESH_VERTICES = 3 * MESH_TRIANGLES };
+    static const uint16_t indices[MESH_TRIANGLES][3] = {{0, 1, 2},    {3, 4, 5},    {6, 7, 8},
+                                                        {9, 10, 11},  {12, 13, 14}, {15, 16, 17},
+                                                        {18, 19, 20}, {21, 22, 23}};
+    static qtri_vertex vertices[MESH_VERTICES];
+    const qtri_light light = {{30000, -20000, 50000}, Q16(.1), Q16(.9)};
+    uint64_t seed = 66;
+    for (int n = 0; n < 1000; n++) {
+        const qtri_format *format = formats[n % 3];
+        qtri_vec3 positions[MESH_VERTICES];
+        qtri_normal normals[MESH_VERTICES];
+        for (int i = 0; i < MESH_VERTICES; i++) { /* within 32 pixels of a corner */
+            const qtri_vec3 *first = &positions[i - i % 3];
+            const int32_t reach = Q16(1.3);
+            positions[i].x = i % 3 == 0 ? random_in(&seed, -Q16(1), Q16(1))
+                                        : first->x + random_in(&seed, -reach, reach);
+            positions[i].y = i % 3 == 0 ? random_in(&seed, -Q16(1), Q16(1))
+                                        : first->y + random_in(&seed, -reach, reach);
+            positions[i].z = random_in(&seed, -Q16(2), -Q16(1));
+            normals[i].x = (int16_t)random_in(&seed, -9000, 9000);
+            normals[i].y = (int16_t)random_in(&seed, -9000, 9000);
+            normals[i].z = (int16_t)random_in(&seed, -9000, 9000);
+        }
+        const qtri_mesh mesh = {.positions = positions,
+                                .normals = normals,
+                                .triangles = indices,
+                                .vertex_count = MESH_VERTICES,
+                                .triangle_count = MESH_TRIANGLES};
+        qtri_material material = qtri_material_default();
+        material.color.r = (uint8_t)random64(&seed);
+        material.color.g = (uint8_t)random64(&seed);
+        material.color.b = (uint8_t)random64(&seed);
+        material.cull = QTRI_CULL_NONE;
+        material.depth_compare = n % 2 != 0 ? QTRI_LESS : QTRI_DEPTH_OFF;
+        qtri_transform identity;
+        qtri_view view;
+        qtri_transform_identity(&identity);
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_transform_ortho(&view.projection, -Q16(1), Q16(1), -Q16(1), Q16(1), Q16(.5), Q16(4));
+        view.light = &light;
+        view.vertices = vertices;
+        view.vertex_count = MESH_VERTICES;
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        qtri_draw_mesh(&whole.surface, &view, &identity, &mesh, &material);
+        for (int32_t first = 0; first < HEIGHT;) {
+            const int32_t rows = random_in(&seed, 1, 16);
+            canvas band = canvas_band(format, WIDTH, HEIGHT, first, rows);
+            qtri_draw_mesh(&band.surface, &view, &identity, &mesh, &material);
             assert_same_picture(&whole.surface, &band.surface);
             canvas_free(&band);
             first += rows;
@@ -348,7 +409,8 @@ static void any_bounds(void **state)
             assert_true((r.x0 | r.y0 | r.x1 | r.y1) == 0);
         }
         s.rows = s.rows > 0 ? -s.rows : s.rows;
-        qtri_rgb none = qtri_surface_pixel(&s, random_any(&seed), random_any(&seed));
+        const int32_t x = random_any(&seed);
+        qtri_rgb none = qtri_surface_pixel(&s, x, random_any(&seed));
         assert_true((none.r | none.g | none.b) == 0);
     }
 }
@@ -356,8 +418,10 @@ static void any_bounds(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bands),    cmocka_unit_test(scissors),       cmocka_unit_test(pitches),
-        cmocka_unit_test(no_depth), cmocka_unit_test(surface_errors), cmocka_unit_test(any_bounds),
+        cmocka_unit_test(bands),          cmocka_unit_test(scissors),
+        cmocka_unit_test(pitches),        cmocka_unit_test(no_depth),
+        cmocka_unit_test(surface_errors), cmocka_unit_test(any_bounds),
+        cmocka_unit_test(lit_meshes),
     };
     return cmocka_run_group_tests_name("core bands", tests, fill_textures, NULL);
 }

@@ -28,6 +28,31 @@ static bool set_curves(qtri_job *job, qtri_list_values *v)
     return steep < QTRI_NEAR_STEEP_16;
 }
 
+/* How many of the triangle's rows the surface's bounds leave out above the base. */
+static int32_t rows_above(const qtri_place *p)
+{
+    const int32_t y = ((p->y - 1) & 255) + 1; /* of vertex 0's first row: 1..256 */
+    const int32_t first = qtri_least_from_0((p->dy1 - y + 255) >> 8, (p->dy2 - y + 255) >> 8);
+    return ((p->y - 1) >> 8) - first;
+}
+
+/*
+ * The tint's channels are rounded from light, so this is done where no band or scissor moves it: in
+ * the first row of the whole triangle. That is between its vertices in y, as the base is, and light
+ * is no steeper than it would be without bounds.
+ */
+static void tint(qtri_job *job, const qtri_list_values *v)
+{
+    const uint32_t rows = (uint32_t)rows_above(v->t->place);
+    qtri_ramp light = v->channel[2];
+    light.origin -= rows * light.dy;
+    qtri_job_tint(job, &light);
+    for (int i = job->first; i < QTRI_U; i++) {
+        qtri_ramp *c = &job->attribute[i].ramp;
+        c->origin += rows * c->dy;
+    }
+}
+
 /*
  * Colours without texture. Returns what fills rows, NULL where light would have to be curved, of
  * which the tint's channels cannot be made.
@@ -43,7 +68,7 @@ static qtri_fill_rows set_colors(qtri_job *job, qtri_list_values *v)
             return NULL;
         }
         job->first = raster->units->single ? QTRI_U - 1 : 0;
-        qtri_job_tint(job, &v->channel[2]);
+        tint(job, v);
     } else if (smooth && t->color != NULL && !qtri_list_is_one_color(t)) {
         qtri_list_set_channels(v, 16);
         job->first = QTRI_U - v->channels;
