@@ -187,8 +187,8 @@ bool model_check_ply(const char *path, const char *text, size_t length, struct t
     struct ply *ply = calloc(1, sizeof *ply);
     struct line_reader reader;
     struct line line;
-    bool ok = ply != NULL;
-    if (!ok) {
+    bool ok = true;
+    if (ply == NULL) {
         text_error_set(error, path, 0, "out of memory");
         return false;
     }

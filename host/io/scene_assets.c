@@ -62,7 +62,7 @@ static bool is_allowed(struct scene_parser *parser, const char *path,
 /* Devices and pipes are refused: a scene from elsewhere should not be able to make us wait. */
 bool scene_inspect(struct scene_parser *parser, const char *path, struct file_identity *identity)
 {
-    struct file_identity own;
+    struct file_identity own = {0};
     identity = identity != NULL ? identity : &own;
     switch (file_inspect(path, identity)) {
     case FILE_REGULAR:
