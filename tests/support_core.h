@@ -58,7 +58,8 @@ static inline int32_t random_in(uint64_t *state, int32_t low, int32_t high)
 /* Any magnitude, either sign. */
 static inline int32_t random_any(uint64_t *state)
 {
-    return random_bits32(state) >> random_in(state, 0, 31);
+    const int32_t bits = random_bits32(state); /* here and elsewhere: one at a time, in order */
+    return bits >> random_in(state, 0, 31);
 }
 
 static inline bool random_flag(uint64_t *state)

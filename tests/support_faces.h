@@ -126,15 +126,16 @@ static inline void faces_pose(qtri_transform *pose, uint64_t *seed, const qtri_m
     const double away =
         random_in(seed, 0, 9) == 0 ? faces_random(seed, 10, 100) : faces_random(seed, .9, 8);
     const double far = radius * away;
-    const qtri_vec3 place =
-        vec3_of(faces_random(seed, -.6, .6) * far, faces_random(seed, -.6, .6) * far, -far);
+    const double beside = faces_random(seed, -.6, .6) * far;
+    const qtri_vec3 place = vec3_of(beside, faces_random(seed, -.6, .6) * far, -far);
     const qtri_vec3 axis = {random_any(seed), random_any(seed), random_any(seed)};
     const qtri_vec3 back = {-mesh->origin.x, -mesh->origin.y, -mesh->origin.z};
     qtri_vec3 factor = {Q16_ONE, Q16_ONE, Q16_ONE};
     switch (random_in(seed, 0, 4)) {
     case 0:
-        factor = vec3_of(faces_random(seed, .2, 2), faces_random(seed, .2, 2),
-                         faces_random(seed, .2, 2));
+        factor.x = fixed(faces_random(seed, .2, 2));
+        factor.y = fixed(faces_random(seed, .2, 2));
+        factor.z = fixed(faces_random(seed, .2, 2));
         break;
     case 1:
         factor.x = -factor.x;

@@ -78,13 +78,16 @@ static qtri_screen_vertex random_vertex(uint64_t *seed, bool tame)
         v.y_24p8 = random_in(seed, 0, 3) == 0 ? random_any(seed) : v.y_24p8;
     }
     v.depth_16p16 = (uint32_t)random64(seed) >> (tame ? 1 : 0);
-    v.inv_w_q31 = (uint32_t)random64(seed) >> random_in(seed, 0, tame ? 6 : 31);
+    v.inv_w_q31 = (uint32_t)random64(seed);
+    v.inv_w_q31 >>= random_in(seed, 0, tame ? 6 : 31);
     v.inv_w_exponent = tame ? random_in(seed, 0, 3) : random_any(seed);
     for (int i = 0; i < 3; i++) {
         v.color_8p16[i] = tame ? random_in(seed, 0, 255 << 16) : random_any(seed);
     }
-    v.u_q32 = (int64_t)random64(seed) >> (tame ? 26 : random_in(seed, 0, 63));
-    v.v_q32 = (int64_t)random64(seed) >> (tame ? 26 : random_in(seed, 0, 63));
+    v.u_q32 = (int64_t)random64(seed);
+    v.v_q32 = (int64_t)random64(seed);
+    v.u_q32 >>= tame ? 26 : random_in(seed, 0, 63);
+    v.v_q32 >>= tame ? 26 : random_in(seed, 0, 63);
     return v;
 }
 

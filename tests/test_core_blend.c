@@ -51,7 +51,8 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, const uint8
     const int32_t y = random_in(seed, 0, HEIGHT * 256);
     const int32_t reach = random_flag(seed) ? 2000 : 30000;
     for (int i = 0; i < 3; i++) {
-        v[i] = screen_at(x + random_in(seed, -reach, reach), y + random_in(seed, -reach, reach));
+        const int32_t dx = random_in(seed, -reach, reach);
+        v[i] = screen_at(x + dx, y + random_in(seed, -reach, reach));
         v[i].depth_16p16 = (uint32_t)random_in(seed, 0, 65000) << 16;
         for (int k = 0; k < 3; k++) {
             v[i].color_8p16[k] = (int32_t)rgb[k] << 16;

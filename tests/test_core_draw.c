@@ -114,8 +114,10 @@ static void random_view(qtri_view *view, uint64_t *seed)
     qtri_vec3 center = {random_in(seed, -65536, 65536), 0, 0};
     qtri_view_init(view, WIDTH, HEIGHT);
     qtri_transform_look_at(&view->camera, eye, center, up);
-    qtri_transform_perspective(&view->projection, random_in(seed, 20 << 16, 150 << 16), Q16(1.2),
-                               random_in(seed, 66, 65536), random_in(seed, 131072, 1 << 20));
+    const q16 angle = random_in(seed, 20 << 16, 150 << 16);
+    const q16 near_z = random_in(seed, 66, 65536);
+    const q16 far_z = random_in(seed, 131072, 1 << 20);
+    qtri_transform_perspective(&view->projection, angle, Q16(1.2), near_z, far_z);
 }
 
 static void random_pose(qtri_transform *pose, uint64_t *seed)

@@ -126,9 +126,11 @@ static void any_numbers(void **state)
         qtri_transform t;
         qtri_projector projector;
         qtri_mat4 m;
-        const qtri_viewport viewport =
-            qtri_viewport_top(random_in(&seed, -9000, 9000), random_in(&seed, -300, 300),
-                              random_in(&seed, 0, 9000), random_in(&seed, 0, 1000));
+        const int32_t left = random_in(&seed, -9000, 9000);
+        const int32_t top = random_in(&seed, -300, 300);
+        const int32_t width = random_in(&seed, 0, 9000);
+        const int32_t height = random_in(&seed, 0, 1000);
+        const qtri_viewport viewport = qtri_viewport_top(left, top, width, height);
         for (int i = 0; i < 16; i++) {
             m.m[i / 4][i % 4] = random_in(&seed, 0, 3) == 0 ? 0 : random_any(&seed);
         }

@@ -52,7 +52,9 @@ for build in 'cortex-m0plus -Os' 'cortex-m3 -O2'; do
             return expanded[word] = found
         }
         function indirect(from,   key, n, i, list, found) {
-            key = from in targets ? from : file_of[from]
+            key = from
+            sub(/[.](part|constprop|isra)[.].*$/, "", key)
+            if (!(key in targets)) key = file_of[from]
             if (!(key in targets)) { complain(from ": its indirect call is in no list"); return "" }
             n = split(targets[key], list, " ")
             found = ""
