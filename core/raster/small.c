@@ -135,8 +135,9 @@ static qtri_fill_rows set_job(qtri_job *job, qtri_list_values *v)
         qtri_list_set_depth(&job->depth, v);
         return fill;
     }
-    if (!QTRI_WITH_PERSPECTIVE || (raster->texel_cut != 0 && !raster->repeated) ||
-        !set_curves(job, v)) { /* clamped coordinates must not fill 32 bits */
+    /* Clamped coordinates must not fill 32 bits; straight ones are the list's, in any build. */
+    if (!(QTRI_WITH_PERSPECTIVE && raster->perspective) ||
+        (raster->texel_cut != 0 && !raster->repeated) || !set_curves(job, v)) {
         return NULL;
     }
     job->end = QTRI_ATTRIBUTES;

@@ -77,7 +77,7 @@ stray=$(nm -g --defined-only "$single/qtri.o" | awk '$3 !~ /^(qtri|q16)_/ { prin
 quiet "amalgamation, command" gcc -o "$single/qtri" build/obj/host/tools/main.o build/libqtri-host.a "$single/qtri.o" -lm $(make -s host-libs) &&
     for scene in host/scenes/*.scene; do
         name=$(basename "$scene" .scene)
-        build/qtri render "$scene" -o "$work/$name.make" >/dev/null 2>&1 && "$single/qtri" render "$scene" -o "$work/$name.single" >/dev/null 2>&1 ||
+        build/qtri render --allow-files "$scene" -o "$work/$name.make" >/dev/null 2>&1 && "$single/qtri" render --allow-files "$scene" -o "$work/$name.single" >/dev/null 2>&1 ||
             fail "amalgamation: $scene is not drawn"
         for picture in "$work/$name.make"*; do
             cmp -s "$picture" "$(echo "$picture" | sed 's/\.make/.single/')" || fail "amalgamation: $scene is drawn otherwise"
