@@ -45,7 +45,7 @@ typedef struct bench_scene {
     bench_work work;
     qtri_shading shading;
     qtri_interpolation interpolation;
-    bool wireframe, without_depth;
+    bool wireframe, without_depth, fog;
     bool textured; /* REPLACE on quads, MODULATE on meshes */
     const bench_quad *quad;
     const qtri_mesh *mesh;
@@ -59,7 +59,6 @@ typedef struct bench_scene {
     void (*paint)(struct bench_frame *frame);
     uint32_t characters;     /* that are painted */
     const qtri_blend *blend; /* at half alpha */
-    bool fog;
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
