@@ -18,7 +18,7 @@ done
 unset MAKEFLAGS MFLAGS
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
-make -s bench size BENCH_SCENES= >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
+alone make -s bench size BENCH_SCENES= >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
 grep 'skipped' "$work/log" | sed 's/^/check: budgets: /'
 
 sh host/bench/budgets.sh "${BUILD:-build}" >"$work/now" || finish 1
