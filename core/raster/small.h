@@ -4,6 +4,10 @@
  * row by row as large ones, along curves that take no division. Internal.
  *
  * Which of the two depends on the vertices alone, and depths are the same by both.
+ *
+ * By the matrix's wall on Cortex-M0+ and M3, rows save 15 to 32 % of instructions where there is no
+ * texture, and up to 25 % where texels may be the key; other textured walls are from 17 % dearer to
+ * 20 % cheaper than by fragments, and meshes of tiny triangles pay .6 % for the question.
  */
 #ifndef QTRI_RASTER_SMALL_H
 #define QTRI_RASTER_SMALL_H

@@ -125,7 +125,6 @@ bool bench_prepare_smooth(bench_frame *frame);
 void bench_draw_smooth(bench_frame *frame);
 void bench_finish_smooth(bench_frame *frame);
 
-/* Triangles that the draw call is given. */
 /* Triangles that the draw call is given; characters of text. */
 uint32_t bench_triangles(const bench_scene *scene);
 
