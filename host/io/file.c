@@ -82,6 +82,12 @@ bool file_read(const char *path, struct file_content *content, struct text_error
     return failure == 0;
 }
 
+bool file_name_ends_in(const char *name, const char *end)
+{
+    size_t length = strlen(name), tail = strlen(end);
+    return length > tail && strcmp(name + length - tail, end) == 0;
+}
+
 enum file_kind file_inspect(const char *path, struct file_identity *identity)
 {
     struct stat status;

@@ -33,6 +33,9 @@ struct file_identity {
     uint64_t number;
 };
 
+/* Whether a name ends in `end`, .png for example, and is more than that. */
+bool file_name_ends_in(const char *name, const char *end);
+
 /* `identity` may be NULL; it is written for files that exist. */
 enum file_kind file_inspect(const char *path, struct file_identity *identity);
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../io/file.h"
 #include "mesh_options.h"
 
 #include <stdlib.h>
@@ -229,12 +230,6 @@ static bool parse_arguments(int argc, char **argv, struct mesh_options *options)
     return true;
 }
 
-static bool ends_in(const char *text, const char *end)
-{
-    size_t length = strlen(text), tail = strlen(end);
-    return length > tail && strcmp(text + length - tail, end) == 0;
-}
-
 /* What the names say about input and output. */
 static bool check_names(struct mesh_options *options)
 {
@@ -248,8 +243,9 @@ static bool check_names(struct mesh_options *options)
         return complain("neither a mesh that it makes nor .obj, .gltf, .glb, .stl or .ply: ",
                         options->input);
     }
-    options->is_obj = ends_in(options->output, ".obj");
-    if (strcmp(options->output, "-") != 0 && !options->is_obj && !ends_in(options->output, ".h")) {
+    options->is_obj = file_name_ends_in(options->output, ".obj");
+    if (strcmp(options->output, "-") != 0 && !options->is_obj &&
+        !file_name_ends_in(options->output, ".h")) {
         return complain("the output is named neither .h nor .obj: ", options->output);
     }
     if (options->split && (options->is_obj || strcmp(options->output, "-") == 0)) {

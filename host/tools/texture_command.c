@@ -141,20 +141,15 @@ static bool parse_arguments(int argc, char **argv, struct options *options)
     return true;
 }
 
-static bool ends_in(const char *text, const char *end)
-{
-    size_t length = strlen(text), tail = strlen(end);
-    return length > tail && strcmp(text + length - tail, end) == 0;
-}
-
 static bool check_names(struct options *options)
 {
     if (options->input == NULL || options->output == NULL) {
         return complain("a picture and -o NAME.h are needed", "");
     }
     bool is_standard = strcmp(options->output, "-") == 0;
-    options->is_picture = ends_in(options->output, ".png") || ends_in(options->output, ".ppm");
-    if (!is_standard && !options->is_picture && !ends_in(options->output, ".h")) {
+    options->is_picture =
+        file_name_ends_in(options->output, ".png") || file_name_ends_in(options->output, ".ppm");
+    if (!is_standard && !options->is_picture && !file_name_ends_in(options->output, ".h")) {
         return complain("the output is named neither .h nor .png nor .ppm: ", options->output);
     }
     if (options->split && (is_standard || options->is_picture)) {
