@@ -73,7 +73,6 @@ typedef struct qtri_scanline qtri_scanline;
 
 struct qtri_job {
     const qtri_raster *raster;
-    const qtri_list_values *values; /* of a small triangle with curves: see near.c; NULL: planes */
     uint8_t first, end; /* the attributes that vary: all from the first to before the end */
     bool tinted;        /* colours are shares of the raster's tint */
     bool perspective;

@@ -144,7 +144,7 @@ void qtri_list_set_texels(qtri_list_values *v)
                    texture->wrap_v == QTRI_CLAMP);
         return;
     }
-    v->gentle = !v->along_rows && texture->filter == NULL &&
+    v->gentle = texture->filter == NULL &&
                 ((qtri_about(v->e1_q18) | qtri_about(v->e2_q18)) >> 13) == 0 && fill_axes(v, true);
     if (!v->gentle) {
         (void)fill_axes(v, false);

@@ -38,8 +38,6 @@ struct qtri_list_values {
     qtri_inverse inverse;
     uint8_t second, third; /* vertices in the order of the place */
     bool has_e;            /* e is set */
-    bool along_rows;       /* not for list.c, but for rows: see small.c */
-    uint8_t block;         /* there: pixels along which a curve holds */
     bool gentle;           /* uv are in their units, and |e| is small: see list_texel.c */
     bool curved;           /* colours are base + l (1 - w), not linear */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
@@ -65,7 +63,6 @@ static inline void qtri_list_begin(qtri_list_values *v, const qtri_raster *raste
     v->second = t->place->back ? 2 : 1;
     v->third = t->place->back ? 1 : 2;
     v->has_e = false;
-    v->along_rows = false;
     qtri_inverse_init(&v->inverse, t->place->size);
 }
 

@@ -209,7 +209,6 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     uint32_t value[2][3];
     const bool textured = raster->texture != NULL;
     job->raster = raster;
-    job->values = NULL;
     job->tinted = triangle->tinted;
     job->perspective = false;
     job->packed = false;
