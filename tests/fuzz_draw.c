@@ -168,7 +168,7 @@ static void build_effects(struct reader *r, qtri_material *m, qtri_texture *text
 static qtri_material build_material(struct reader *r, qtri_texture *texture, const void *texels)
 {
     qtri_material m = qtri_material_default();
-    m.shading = (qtri_shading)(take_byte(r) % 3);
+    m.shading = shading_of(take_byte(r) % 3);
     m.interpolation = (qtri_interpolation)(take_byte(r) % 2);
     m.texture_mode = (qtri_texture_mode)(take_byte(r) % 2);
     m.cull = (qtri_cull)(take_byte(r) % 3);

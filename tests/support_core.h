@@ -249,6 +249,13 @@ static inline qtri_screen_vertex screen_at(int32_t x_24p8, int32_t y_24p8)
 }
 
 /* Flat, untextured, both sides, no depth. */
+/* 0: smooth, 1 and 2: flat. */
+static inline const qtri_shading *shading_of(int n)
+{
+    const qtri_shading *const all[3] = {QTRI_SMOOTH, QTRI_FLAT_FIRST, QTRI_FLAT_LAST};
+    return all[n];
+}
+
 static inline qtri_material plain_material(void)
 {
     qtri_material material = qtri_material_default();

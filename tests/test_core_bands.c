@@ -95,7 +95,7 @@ static void random_scene(scene *s, uint64_t *seed, bool tame)
 {
     for (int n = 0; n < TRIANGLES; n++) {
         qtri_material m = qtri_material_default();
-        m.shading = (qtri_shading)random_in(seed, 0, 2);
+        m.shading = shading_of((int)random_in(seed, 0, 2));
         m.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
         m.texture = random_flag(seed) ? &textures[random_in(seed, 0, 5)] : NULL;
         m.texture_mode = (qtri_texture_mode)random_in(seed, 0, 1);
@@ -103,7 +103,7 @@ static void random_scene(scene *s, uint64_t *seed, bool tame)
         m.depth_compare = (qtri_compare)random_in(seed, 0, 8);
         m.depth_read_only = random_flag(seed);
         if (!tame && random_flag(seed)) {
-            m.shading = (qtri_shading)random_bits32(seed);
+            m.shading = random_flag(seed) ? NULL : QTRI_SMOOTH;
             m.interpolation = (qtri_interpolation)random_bits32(seed);
             m.texture_mode = (qtri_texture_mode)random_bits32(seed);
             m.cull = (qtri_cull)random_bits32(seed);

@@ -305,7 +305,7 @@ static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
     static const qtri_texel_format *const formats[3] = {&qtri_texel_rgb565, &qtri_texel_xrgb8888,
                                                         &qtri_texel_gray8};
     *m = drawn_material();
-    m->shading = (qtri_shading)random_in(seed, 0, 2);
+    m->shading = shading_of((int)random_in(seed, 0, 2));
     m->interpolation = (qtri_interpolation)random_in(seed, 0, 1);
     m->texture_mode = (qtri_texture_mode)random_in(seed, 0, 1);
     m->depth_compare = (qtri_compare)random_in(seed, 0, 9);

@@ -50,7 +50,7 @@ static double worst_texel(uint64_t seed, int count, int32_t reach, int32_t uv_re
         m.texture = &texture;
         m.texture_mode = QTRI_REPLACE;
         m.interpolation = (qtri_interpolation)(n % 2);
-        m.shading = (qtri_shading)(n / 2 % 3);
+        m.shading = shading_of(n / 2 % 3);
         m.depth_compare = QTRI_LESS;
         random_triangle(v, &seed, reach, uv_reach);
         for (int i = 0; i < 3; i++) {

@@ -129,7 +129,7 @@ static void random_scene(scene *s, uint64_t *seed)
     s->mesh = mesh;
     s->material = qtri_material_default();
     s->material.color.g = (uint8_t)random64(seed);
-    s->material.shading = (qtri_shading)(random_in(seed, 0, 3) % 3);
+    s->material.shading = shading_of((int)(random_in(seed, 0, 3) % 3));
     s->material.cull = (qtri_cull)(random_in(seed, 0, 3) % 3);
     s->material.fill = &qtri_wireframe;
     s->material.depth_compare =

@@ -136,7 +136,8 @@ static inline bool qtri_job_is_bent(const qtri_job *job)
     return QTRI_WITH_PERSPECTIVE && job->perspective;
 }
 
-/* Any job, by stages. */
+/* Jobs of one colour, without effects, by stages; then any. */
+void qtri_span_flat(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 
 /* The part of a span inside the bounds: its first pixel, and how many; may be negative. */

@@ -12,6 +12,7 @@
 #ifndef QTRI_RASTER_LIST_VALUES_H
 #define QTRI_RASTER_LIST_VALUES_H
 
+#include "../geometry/projector.h"
 #include "list.h"
 #include "place_ramp.h"
 
@@ -79,8 +80,13 @@ static inline void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values 
 uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t);
 uint32_t qtri_list_flat_shade(const qtri_raster *raster, const qtri_list_triangle *t);
 
-/* Whether all vertices have the same colour. */
+/* Whether the vertices differ in colour or, where they have none, in light. */
 bool qtri_list_is_one_color(const qtri_list_triangle *t);
+
+static inline bool qtri_list_varies(const qtri_list_triangle *t)
+{
+    return t->color != NULL ? !qtri_list_is_one_color(t) : t->light_q15 == QTRI_VERTEX_UNLIT;
+}
 
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);

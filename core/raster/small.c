@@ -4,6 +4,7 @@
 #include "../geometry/projector.h"
 #include "list_values.h"
 #include "setup.h"
+#include "shading.h"
 #include "textured.h"
 
 /*
@@ -41,28 +42,20 @@ static void tint(qtri_job *job, const qtri_list_values *v)
     }
 }
 
-/*
- * Returns what fills rows; NULL where colours would have to be curved: then they are the list's.
- */
-static qtri_fill_rows set_colors(qtri_job *job, qtri_list_values *v)
+qtri_fill_rows qtri_small_set_rows(qtri_job *job, qtri_list_values *v)
 {
     const qtri_raster *raster = job->raster;
-    const qtri_list_triangle *t = v->t;
-    const bool smooth = QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH;
-    if (smooth && t->color == NULL && t->light_q15 == QTRI_VERTEX_UNLIT) {
+    if (v->t->color == NULL) {
         qtri_list_set_light(v, 16);
         job->first = raster->units->single ? QTRI_U - 1 : 0;
-    } else if (smooth && t->color != NULL && !qtri_list_is_one_color(t)) {
+    } else {
         qtri_list_set_channels(v, 16);
         job->first = QTRI_U - v->channels;
-    } else {
-        job->pixel = qtri_raster_stored(raster, qtri_list_flat_color(raster, t));
-        return raster->fill_flat;
     }
     if (v->curved) {
         return NULL;
     }
-    if (t->color == NULL) {
+    if (v->t->color == NULL) {
         tint(job, v);
     } else {
         for (int i = job->first; i < QTRI_U; i++) {
@@ -89,7 +82,11 @@ static qtri_fill_rows set_job(qtri_job *job, qtri_list_values *v)
     job->anchor_x = p->column;
     job->anchor_y = p->row + raster->surface->first_row;
     qtri_list_set_depth(&job->depth, v);
-    return set_colors(job, v);
+    if (raster->smooth && qtri_list_varies(v->t)) {
+        return raster->varying->set_rows(job, v);
+    }
+    job->pixel = qtri_raster_stored(raster, qtri_list_flat_color(raster, v->t));
+    return raster->fill_flat;
 }
 
 /* False when it must go by the list. */

@@ -12,7 +12,7 @@ SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Ic
 SIZE_ONLY_APPS     := textured flat
 SIZE_ONLY_VARIANTS := $(filter cortex-m0plus-Os cortex-m3-Os,$(SIZE_VARIANTS))
 SIZE_LEFT_OUT_textured := FACE_LIGHT UNEVEN_LIGHT COMPACT_MESHES FAST_PATHS
-SIZE_LEFT_OUT_flat     := SMOOTH PERSPECTIVE TEXTURES FAST_PATHS
+SIZE_LEFT_OUT_flat     := PERSPECTIVE FAST_PATHS
 
 # $1: core-optimization; $2: core; $3: optimization; $4: the start-up code's board; $5: options of config.h left out.
 define size_rules
