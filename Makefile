@@ -6,7 +6,7 @@
 #   host/tools/main.c        -> build/qtri             the command
 #   tests/test_X.c           -> build/tests/test_X     one cmocka program each
 #   tests/fuzz_X.c           -> build/fuzz/tests/fuzz_X   one libFuzzer program each
-#   other tests/*.c          -> build/libqtri-test.a   what the tests share
+#   tests/support/*.c        -> build/libqtri-test.a   what the tests share
 #
 # The same rules serve the sanitized and the fuzzed build; only BUILD, CC and CFLAGS differ.
 
@@ -26,7 +26,7 @@ TEST_SECONDS ?= 300
 
 LIBRARY_SOURCES := $(wildcard core/*/*.c port/panels/*.c)
 HOST_SOURCES    := $(filter-out host/tools/main.c,$(wildcard host/assets/*.c host/io/*.c host/panels/*.c host/reference/*.c host/tools/*.c))
-HELPER_SOURCES  := $(filter-out tests/test_%.c tests/fuzz_%.c,$(wildcard tests/*.c))
+HELPER_SOURCES  := $(wildcard tests/support/*.c)
 
 LIBRARY  := $(BUILD)/libqtri.a
 HOST     := $(BUILD)/libqtri-host.a
@@ -116,7 +116,7 @@ test: ## Run every test: plain, sanitized, narrow, fuzzed, on boards; FUZZ_SECON
 	sh tests/check/total.sh $$status
 
 .PHONY: test-plain
-test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_clip runs one
+test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_core_project runs one
 	@BUILD=$(BUILD) JOBS=$(JOBS) TEST_SECONDS=$(TEST_SECONDS) MODELS=$(MODELS) \
 	    sh tests/check/run_tests.sh $(TESTS)
 

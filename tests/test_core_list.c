@@ -4,7 +4,7 @@
  * models of the depth test, for whatever they look like and however the frame is cut up.
  */
 #include "raster/list.h"
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 96, HEIGHT = 84 };
 

@@ -4,7 +4,7 @@
  * within 1/256 of a texel, or of what a pixel steps by; colours within 3/4 of a step; the same
  * pixels under any scissor, in any bands and by any loop.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 320, HEIGHT = 240, SIDE_MAX = 1024 };
 
