@@ -394,9 +394,9 @@ static void jittered_views(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(halves_are_means),        cmocka_unit_test(test_halves_of_bands),
-        cmocka_unit_test(fxaa_bands_and_scissors), cmocka_unit_test(test_fxaa_leaves_the_rest),
-        cmocka_unit_test(means_are_exact),         cmocka_unit_test(test_jitter),
+        cmocka_unit_test(halves_are_means),        cmocka_unit_test(halves_of_bands),
+        cmocka_unit_test(fxaa_bands_and_scissors), cmocka_unit_test(fxaa_leaves_the_rest),
+        cmocka_unit_test(means_are_exact),         cmocka_unit_test(jittered_views),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
