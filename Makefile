@@ -110,10 +110,15 @@ setup: ## Install what the tests and checks need (Debian, as root); elsewhere na
 test: ## Run every test: plain, sanitized, narrow, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-sanitized test-memory test-narrow test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) $(if $(wildcard port/examples/examples.mk),test-examples) test-math-targets; do \
+	for step in test-plain test-sanitized test-memory test-narrow test-fuzz; do \
 	    $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
+	$(MAKE) -s -k $(PARALLEL) --output-sync=target $(TOGETHER) || status=1; \
 	sh tests/check/total.sh $$status
+
+# One emulator after the other leaves processors idle: these run beside each other.
+TOGETHER := test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
+            $(if $(wildcard port/examples/examples.mk),test-examples) test-math-targets
 
 .PHONY: test-plain
 test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_core_project runs one
