@@ -2,7 +2,7 @@
 /*
  * Draw calls: meshes and corners through the whole pipeline.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 48, HEIGHT = 40, VERTICES = 30, TRIANGLES = 40 };
 

@@ -3,12 +3,12 @@
  * Planes of faces: none is culled that would have been drawn, pictures stay as they are, and what
  * the host makes keeps the contract.
  */
-#include "support_faces.h"
+#include "support/faces.h"
 
 #include "geometry/eye.h"
 #include "geometry/lighting.h"
 #include "raster/triangle.h"
-#include "support_vertex_narrow.h"
+#include "support/vertex_narrow.h"
 
 enum { WIDTH = 160, HEIGHT = 120 };
 

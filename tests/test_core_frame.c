@@ -3,7 +3,7 @@
  * Frames in bands and prepared meshes: the pixels of the whole frame, whatever the height of the
  * bands, their order and the memory there is; and what a frame says has changed.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 56, HEIGHT = 44, RINGS = 12, SIDES = 9, VERTICES = RINGS * SIDES };
 enum { TRIANGLES = 2 * VERTICES, EXTRA = 3, LISTS = 4000 };

@@ -3,8 +3,8 @@
  * light.h through draw calls: the same pixels with any memory, in bands, of meshes and of loose
  * triangles; the other side; power tables; spheres; and any bits as arguments.
  */
-#include "support_faces.h"
-#include "support_transform.h"
+#include "support/faces.h"
+#include "support/transform.h"
 
 #include "geometry/lit_point.h"
 

@@ -5,8 +5,8 @@
  */
 #include "raster/span.h"
 #include "raster/triangle.h"
-#include "support_core.h"
-#include "support_fill.h"
+#include "support/core.h"
+#include "support/fill.h"
 
 enum { WIDTH = 150, HEIGHT = 40 };
 

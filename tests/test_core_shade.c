@@ -3,7 +3,7 @@
  * Colour and depth of covered pixels against double barycentrics of the snapped vertices; depth
  * comparisons; stored formats.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 40, HEIGHT = 36 };
 

@@ -3,7 +3,7 @@
  * Wireframes of meshes: edges that triangles share are left out only where nobody sees it. The
  * picture is that of every triangle drawn alone, in turn, for every way to look and to draw.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include "draw/mesh_job.h"
 

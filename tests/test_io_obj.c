@@ -3,7 +3,7 @@
  * Wavefront OBJ files.
  */
 #define _POSIX_C_SOURCE 200809L
-#include "io_check.h"
+#include "support/io.h"
 
 #include <math.h>
 

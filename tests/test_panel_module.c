@@ -3,7 +3,7 @@
  * Modules that differ from the description of their display: where the glass lies in the memory,
  * how it is mounted and wired; what a bus and a step may be; how much of a transfer drawing hides.
  */
-#include "support_panel.h"
+#include "support/panel.h"
 
 static enum qtri_error start_module(setup *s, const qtri_module *module, qtri_rotation rotation,
                                     bool most)

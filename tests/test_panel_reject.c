@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The simulated controllers refuse what the chips would not do as meant: streams, and broken
  * drivers. */
-#include "support_panel.h"
+#include "support/panel.h"
 
 typedef struct stream {
     const char *bytes; /* "c2A d0003" as in the log of a wire; "w120" waits, "r" resets */

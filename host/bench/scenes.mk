@@ -19,7 +19,8 @@ SCENE_DIR     := $(BENCH_DIR)/scenes
 SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
 SCENE_WORLD   := $(wildcard core/*/*.c) $(addprefix host/bench/,bench_world.c bench_print.c) $(SCENE_DIR)/bench_meshes.c
 SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_smooth.c bench_paint.c bench_strokes.c bench_program.c) $(SCENE_WORLD)
-SCENE_FLAGS   := -std=c99 -g -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
+# What -fstack-usage and -fcallgraph-info write, `make size` reads; they change no code.
+SCENE_FLAGS   := -std=c99 -g -fstack-usage -fcallgraph-info=su -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
 
 # The compiler and the flags of one object of a core. $1: core, $2: source.
 scene_compile = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(if $(filter core/%,$2),$(bench_optimize),-O2) $(SCENE_FLAGS)

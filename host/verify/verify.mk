@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The accuracy of core/math: build/qtri-verify, its table and plots; and what tests/test_math_quick.c links.
+# The accuracy of core/math: build/qtri-verify, its table and plots; and what tests/test_verify_math.c links.
 #
 # Included by the main Makefile. Needs MPFR (libmpfr-dev), and so is no part of `make`.
 
@@ -25,7 +25,7 @@ endif
 $(BUILD)/qtri-verify: $(BUILD)/obj/host/verify/main.o $(VERIFY_LIBRARY) $(LIBRARY)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(VERIFY_LIBS)
 
-$(BUILD)/tests/test_math_quick: $(BUILD)/obj/tests/test_math_quick.o $(VERIFY_LIBRARY) $(LIBRARY)
+$(BUILD)/tests/test_verify_math: $(BUILD)/obj/tests/test_verify_math.o $(VERIFY_LIBRARY) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka $(VERIFY_LIBS)
 

@@ -48,6 +48,6 @@
 #include "math/series.c"
 #include "math/sincos.c"
 
-#include "support_elementary.h"
+#include "elementary.h"
 
 const elementary_build elementary_narrow_build = ELEMENTARY_BUILD;

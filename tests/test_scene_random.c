@@ -13,7 +13,7 @@
 #include <cmocka.h>
 
 #include "reference/reference.h"
-#include "scene_random.h"
+#include "support/scene_random.h"
 #include "tools/accuracy.h"
 #include "tools/scene_draw.h"
 

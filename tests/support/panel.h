@@ -6,7 +6,7 @@
 #ifndef QTRI_TESTS_SUPPORT_PANEL_H
 #define QTRI_TESTS_SUPPORT_PANEL_H
 
-#include "support_core.h"
+#include "core.h"
 
 #include <panels/controllers.h>
 #include <qtri/dither.h>

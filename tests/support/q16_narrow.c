@@ -5,6 +5,6 @@
 #define QTRI_LONG_MULTIPLY 0
 #define QTRI_DIVIDE        0
 #define OTHER(name)        narrow_##name
-#include "support_q16_other.inc"
+#include "q16_other.inc"
 
 const q16_build q16_narrow_build = Q16_BUILD("narrow");

@@ -8,7 +8,7 @@
 #define QTRI_MATH_FAULT  q16_checked_fault
 #define QTRI_LONG_DIVIDE 0
 #define OTHER(name)      checked_##name
-#include "support_q16_other.inc"
+#include "q16_other.inc"
 
 int q16_checked_faults;
 

@@ -34,7 +34,7 @@
 #include "geometry/lighting_init.c"
 #include "geometry/projector.c"
 
-#include "support_vertex_narrow.h"
+#include "vertex_narrow.h"
 
 void narrow_vertices(const qtri_transform *object_to_clip, const qtri_viewport *viewport,
                      const qtri_vec3 *p, uint32_t count, qtri_vertex *out)

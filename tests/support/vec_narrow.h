@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What support_vec_narrow.c compiles for a core without a long multiply: the same results.
+ * What vec_narrow.c compiles for a core without a long multiply: the same results.
  */
 #ifndef QTRI_TESTS_SUPPORT_VEC_NARROW_H
 #define QTRI_TESTS_SUPPORT_VEC_NARROW_H

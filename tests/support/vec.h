@@ -5,8 +5,8 @@
 #ifndef QTRI_TESTS_SUPPORT_VEC_H
 #define QTRI_TESTS_SUPPORT_VEC_H
 
-#include "support_core.h"
-#include "support_vec_narrow.h"
+#include "core.h"
+#include "vec_narrow.h"
 
 /* Of any size, with extremes among them. */
 static inline qtri_vec3 random_vec3(uint64_t *seed)

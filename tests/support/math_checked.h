@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Expressions of the debug build (support_math_checked.c), with and without a result.
+ * Expressions of the debug build (math_checked.c), with and without a result.
  */
 #ifndef QTRI_TESTS_SUPPORT_MATH_CHECKED_H
 #define QTRI_TESTS_SUPPORT_MATH_CHECKED_H

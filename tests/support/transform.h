@@ -5,7 +5,7 @@
 #ifndef QTRI_TESTS_SUPPORT_TRANSFORM_H
 #define QTRI_TESTS_SUPPORT_TRANSFORM_H
 
-#include "support_core.h"
+#include "core.h"
 
 typedef struct matrix {
     double m[4][4];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Elementary functions, vectors, matrices and quaternions as a debug build has them. The scalars
- * are those of support_q16_checked.c; what the build would stop at is counted there.
+ * are those of q16_checked.c; what the build would stop at is counted there.
  */
 #ifndef QTRI_CHECK_MATH
 #define QTRI_CHECK_MATH
@@ -105,7 +105,7 @@
 #define transform transform3
 #include "math/mat3.c"
 
-#include "support_math_checked.h"
+#include "math_checked.h"
 
 static const qtri_vec2 far2 = {Q16(30000), Q16(-30000)};
 static const qtri_vec3 far3 = {Q16(30000), Q16(-30000), Q16(30000)};

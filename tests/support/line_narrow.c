@@ -15,7 +15,7 @@
 
 #include "raster/line.c"
 
-#include "support_line_narrow.h"
+#include "line_narrow.h"
 
 uint32_t narrow_line_reciprocal(uint32_t length)
 {

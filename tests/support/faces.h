@@ -5,7 +5,7 @@
 #ifndef QTRI_TESTS_SUPPORT_FACES_H
 #define QTRI_TESTS_SUPPORT_FACES_H
 
-#include "support_core.h"
+#include "core.h"
 
 #include "tools/mesh_faces.h"
 

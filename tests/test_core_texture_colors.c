@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What textures offer beyond the nearest texel of a repeating picture: clamping, bilinear filter,
- * palettes, gray texels and colour keys, against double arithmetic.
+ * What becomes of texels: replace and modulate, the bilinear filter, palettes, gray texels, fields
+ * and colour keys, against double arithmetic.
  */
-#include "support_texture.h"
+#include "support/texture.h"
 
 enum { NOISE_LOG2 = 5, NOISE = 1 << NOISE_LOG2 };
 
@@ -45,129 +45,79 @@ static qtri_texture noise_texture(const void *texels, const qtri_texel_format *f
     return t;
 }
 
-/* ---- Clamping ---- */
+/* ---- Colours ---- */
 
-/* Every texel of `address` is its own place: row * side + column. */
-static uint32_t address[1024 * 1024];
-
-static qtri_texture address_texture(int width_log2, int height_log2)
+static void modulates(void **state)
 {
-    qtri_texture t = {.texels = address,
-                      .format = &qtri_texel_xrgb8888,
-                      .width_log2 = (uint8_t)width_log2,
-                      .height_log2 = (uint8_t)height_log2};
-    for (uint32_t i = 0; i < 1u << (width_log2 + height_log2); i++) {
-        address[i] = i;
-    }
-    return t;
-}
-
-/* How far a coordinate, in texels, is outside of texel `index` of a side that ends. */
-static double outside_clamped(double coordinate, int index, int side)
-{
-    double low = index == 0 ? -HUGE_VAL : index;
-    double high = index == side - 1 ? HUGE_VAL : index + 1;
-    return fmax(fmax(low - coordinate, coordinate - high), 0);
-}
-
-/* Largest distance of a clamped coordinate from the texel that was fetched for it, of the bound. */
-static double worst_clamped(uint64_t seed, int count, int32_t reach, int32_t uv_reach,
-                            int32_t uv_offset)
-{
+    (void)state;
     double worst = 0;
-    int pixels = 0;
+    uint64_t seed = 96;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
-    for (int n = 0; n < count; n++) {
-        int width_log2 = random_in(&seed, 0, 10);
-        int height_log2 = random_in(&seed, 0, 10);
-        qtri_texture texture = address_texture(width_log2, height_log2);
-        texture.wrap_u = texture.wrap_v = QTRI_CLAMP;
+    for (int n = 0; n < 3000; n++) {
+        uint32_t one_texel = (uint32_t)random64(&seed) & 0xFFFFFFu;
+        uint16_t one_565 = (uint16_t)random64(&seed);
+        bool narrow = n % 2 != 0;
+        if (n % 7 == 0) {
+            one_texel = 0xFFFFFFu;
+            one_565 = 0xFFFF;
+        }
+        qtri_texture texture = {.texels = &one_texel, .format = &qtri_texel_xrgb8888};
+        if (narrow) {
+            texture.texels = &one_565;
+            texture.format = &qtri_texel_rgb565;
+        }
         qtri_material m = plain_material();
-        qtri_screen_vertex v[3];
         m.texture = &texture;
-        m.texture_mode = QTRI_REPLACE;
-        m.interpolation = (qtri_interpolation)(n % 2);
-        m.depth_compare = QTRI_LESS;
-        random_triangle(v, &seed, reach, uv_reach);
-        int64_t offset = (int64_t)(random_flag(&seed) ? uv_offset : -uv_offset) * 65536;
+        int level[3] = {random_in(&seed, 0, 255), random_in(&seed, 0, 255), n % 256};
+        draw_quad(&c, &m, level);
+        uint32_t drawn = stored_pixel(&c.surface, 7, 9);
+        int texel[3] = {(int)(one_texel >> 16), (int)(one_texel >> 8 & 255),
+                        (int)(one_texel & 255)};
+        if (narrow) {
+            texel[0] = ((one_565 >> 11) * 255 + 15) / 31;
+            texel[1] = ((one_565 >> 5 & 63) * 255 + 31) / 63;
+            texel[2] = ((one_565 & 31) * 255 + 15) / 31;
+        }
         for (int i = 0; i < 3; i++) {
-            v[i].u_q32 += offset;
-            v[i].v_q32 -= offset;
+            double is = drawn >> (16 - 8 * i) & 255;
+            worst = fmax(worst, fabs(is - level[i] * texel[i] / 255.));
+            assert_true(texel[i] != 255 || is == level[i]); /* white changes nothing */
         }
-        canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            int32_t x = i % WIDTH;
-            int32_t y = i / WIDTH;
-            if (stored_depth(&c.surface, x, y) == 65535) {
-                continue;
-            }
-            uint32_t texel = stored_pixel(&c.surface, x, y);
-            int width = 1 << width_log2;
-            int height = 1 << height_log2;
-            double u = perspective_sum(v, x, y, n % 2 == 0, false) * width;
-            double t = perspective_sum(v, x, y, n % 2 == 0, true) * height;
-            worst = fmax(worst, outside_clamped(u, (int)texel & (width - 1), width) /
-                                    coordinate_unit(v, x, y, n % 2 == 0, false, width));
-            worst = fmax(worst, outside_clamped(t, (int)(texel >> width_log2), height) /
-                                    coordinate_unit(v, x, y, n % 2 == 0, true, height));
-            pixels++;
-        }
-    }
-    canvas_free(&c);
-    assert_true(pixels > 1000);
-    return worst;
-}
-
-static void clamps(void **state)
-{
-    (void)state;
-    double usual = worst_clamped(701, 300, 12000, Q16(2), 0);
-    double large = worst_clamped(702, 300, 1 << 19, Q16(16), Q16(3));
-    double beyond = worst_clamped(703, 300, 12000, Q16(2), Q16(5));
-    double far_beyond = worst_clamped(704, 300, 12000, Q16(1), Q16(32766));
-    double far_out = worst_clamped(705, 300, 12000, Q16(30000), 0);
-    print_message("clamped, off, of the bound: %.6f, 2048 px %.6f, outside %.6f, far outside %.6f, "
-                  "coordinates of 30000 %.4f\n",
-                  usual, large, beyond, far_beyond, far_out);
-    assert_true(usual <= 1);
-    assert_true(large <= 1);
-    assert_true(beyond == 0);
-    assert_true(far_beyond == 0);
-    assert_true(far_out <= 1);
-}
-
-/* One texel a pixel, begun anywhere: each pixel shows its texel or the border's; either axis. */
-static void clamps_each_axis(void **state)
-{
-    (void)state;
-    static const int32_t origins[] = {0, -7, 7, -31, 31, -32, 32, -33, 1000, -1000, 32000, -32000};
-    canvas c = canvas_new(&qtri_xrgb8888, 32, 32);
-    qtri_texture texture = address_texture(4, 4);
-    for (size_t n = 0; n < 4 * LENGTH_OF(origins); n++) {
-        int32_t origin = origins[n / 4]; /* in texels */
-        texture.wrap_u = n % 2 ? QTRI_CLAMP : QTRI_REPEAT;
-        texture.wrap_v = n / 2 % 2 ? QTRI_CLAMP : QTRI_REPEAT;
-        qtri_material m = plain_material();
-        m.texture = &texture;
         m.texture_mode = QTRI_REPLACE;
-        qtri_screen_vertex q[4] = {screen_at(0, 0), screen_at(32 * 256, 0),
-                                   screen_at(32 * 256, 32 * 256), screen_at(0, 32 * 256)};
-        for (int i = 0; i < 4; i++) {
-            q[i].u_q32 = ((int64_t)origin + (i == 1 || i == 2 ? 32 : 0)) * (1 << 28);
-            q[i].v_q32 = ((int64_t)origin + (i >= 2 ? 32 : 0)) * (1 << 28);
-        }
-        qtri_screen_vertex second[3] = {q[0], q[2], q[3]};
-        qtri_raster_triangle(&c.surface, &m, q);
-        qtri_raster_triangle(&c.surface, &m, second);
-        for (int32_t i = 0; i < 32 * 32; i++) {
-            int32_t at[2] = {origin + i % 32, origin + i / 32};
-            for (int axis = 0; axis < 2; axis++) {
-                bool clamp = (axis == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP;
-                int32_t held = at[axis] < 0 ? 0 : (at[axis] > 15 ? 15 : at[axis]);
-                at[axis] = clamp ? held : (int32_t)((uint32_t)at[axis] & 15);
-            }
-            assert_int_equal(stored_pixel(&c.surface, i % 32, i / 32), at[1] * 16 + at[0]);
+        draw_quad(&c, &m, level);
+        assert_int_equal(stored_pixel(&c.surface, 7, 9),
+                         (uint32_t)(texel[0] << 16 | texel[1] << 8 | texel[2]));
+    }
+    print_message("modulate: %.4f of 255\n", worst);
+    assert_true(worst <= .75); /* see stage_color.h */
+    canvas_free(&c);
+}
+
+static void checkers(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    static const int fields[] = {0, 1, 2, 8, 3, 64, 65535};
+    for (size_t n = 0; n < LENGTH_OF(fields); n++) {
+        qtri_texture texture = {
+            .format = &qtri_texel_checker,
+            .width_log2 = 6,
+            .height_log2 = 5,
+            .fields = (uint16_t)fields[n],
+            .color = {{255, 0, 1}, {2, 255, 3}},
+        };
+        qtri_material m = plain_material();
+        const int white[3] = {255, 255, 255};
+        m.texture = &texture;
+        draw_quad(&c, &m, white);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            int x = i % WIDTH;
+            int y = i / WIDTH;
+            /* texel under the centre, never on a boundary here */
+            int column = (2 * x + 1) * 64 / (2 * WIDTH);
+            int row = (2 * y + 1) * 32 / (2 * HEIGHT);
+            int field = column * fields[n] / 64 + row * fields[n] / 32;
+            assert_int_equal(stored_pixel(&c.surface, x, y), field % 2 ? 0x02FF03 : 0xFF0001);
         }
     }
     canvas_free(&c);
@@ -255,7 +205,7 @@ static double worst_bilinear(uint64_t seed, int count, int32_t uv_reach)
  * neighbours 255 apart, a weight's step, 255/2048, and what the coordinate may be off: of that the
  * share is printed.
  */
-static void filters(void **state)
+static void bilinear_filter(void **state)
 {
     (void)state;
     double small = worst_bilinear(710, 400, Q16(0.5));
@@ -270,7 +220,7 @@ static void filters(void **state)
 }
 
 /* 16 pixels a texel: weights are odd 32nds, which 8 bits hold; only the colour is rounded. */
-static void exact_weights(void **state)
+static void bilinear_weights_are_exact(void **state)
 {
     (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, 16 * NOISE, 16 * NOISE);
@@ -300,7 +250,7 @@ static void exact_weights(void **state)
 }
 
 /* At texel centres, and where all texels are alike, the filter changes nothing. */
-static void filter_at_centres(void **state)
+static void bilinear_at_centres(void **state)
 {
     (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, NOISE, NOISE);
@@ -380,7 +330,7 @@ static void formats_agree(void **state)
 /* ---- Colour key ---- */
 
 /* Where the key lies, neither colour nor depth changes; elsewhere both do. Any filter. */
-static void keys(void **state)
+static void keys_leave_holes(void **state)
 {
     (void)state;
     static uint8_t from_levels[NOISE * NOISE]; /* numbers whose palette repeats colours */
@@ -504,54 +454,8 @@ static void checker_with_a_key(void **state)
     canvas_free(&c);
 }
 
-/* ---- Extremes ---- */
-
-/* Memory of exactly the texture's size: the sanitizer watches its ends. */
-static void stays_inside(void **state)
-{
-    (void)state;
-    static const struct {
-        const qtri_texel_format *format;
-        uint8_t size;
-    } texels_of[] = {{&qtri_texel_rgb565, 2},
-                     {&qtri_texel_xrgb8888, 4},
-                     {&qtri_texel_checker, 0},
-                     {&qtri_texel_palette8, 1},
-                     {&qtri_texel_gray8, 1}};
-    static const int8_t sides[] = {0, 1, 5, 10};
-    uint64_t seed = 730;
-    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    for (int n = 0; n < 5 * 16 * 20; n++) {
-        qtri_texture texture = {.format = texels_of[n % 5].format,
-                                .width_log2 = (uint8_t)sides[n / 5 % 4],
-                                .height_log2 = (uint8_t)sides[n / 20 % 4],
-                                .wrap_u = (qtri_wrap)random_in(&seed, 0, 1),
-                                .wrap_v = (qtri_wrap)random_in(&seed, 0, 1),
-                                .filter = &qtri_bilinear,
-                                .palette = palette,
-                                .has_key = random_flag(&seed),
-                                .key = 1};
-        size_t count = (size_t)1 << (texture.width_log2 + texture.height_log2);
-        void *texels = texels_of[n % 5].size ? calloc(count, texels_of[n % 5].size) : NULL;
-        texture.texels = texels;
-        qtri_material m = plain_material();
-        qtri_screen_vertex v[3];
-        m.texture = &texture;
-        m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
-        random_triangle(v, &seed, 6000, Q16(2));
-        for (int i = 0; i < 3 && n % 3 != 0; i++) { /* any number whatever */
-            v[i].u_q32 = (int64_t)random64(&seed) >> random_in(&seed, 0, 40);
-            v[i].v_q32 = (int64_t)random64(&seed) >> random_in(&seed, 0, 40);
-            v[i].inv_w_q31 = (uint32_t)random64(&seed) >> random_in(&seed, 0, 31);
-        }
-        qtri_raster_triangle(&c.surface, &m, v);
-        free(texels);
-    }
-    canvas_free(&c);
-}
-
 /* Nothing to read from: untextured. Words that are none: the zero ones. */
-static void odd_textures(void **state)
+static void textures_without_texels(void **state)
 {
     (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
@@ -579,18 +483,17 @@ static void odd_textures(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(clamps),
-        cmocka_unit_test(clamps_each_axis),
-        cmocka_unit_test(filters),
-        cmocka_unit_test(exact_weights),
-        cmocka_unit_test(filter_at_centres),
+        cmocka_unit_test(modulates),
+        cmocka_unit_test(checkers),
+        cmocka_unit_test(bilinear_filter),
+        cmocka_unit_test(bilinear_weights_are_exact),
+        cmocka_unit_test(bilinear_at_centres),
         cmocka_unit_test(formats_agree),
-        cmocka_unit_test(keys),
+        cmocka_unit_test(keys_leave_holes),
         cmocka_unit_test(keys_that_match_nothing),
         cmocka_unit_test(keys_do_not_bleed),
         cmocka_unit_test(checker_with_a_key),
-        cmocka_unit_test(stays_inside),
-        cmocka_unit_test(odd_textures),
+        cmocka_unit_test(textures_without_texels),
     };
-    return cmocka_run_group_tests_name("core texture modes", tests, fill_textures, NULL);
+    return cmocka_run_group_tests_name("core texture colors", tests, fill_textures, NULL);
 }

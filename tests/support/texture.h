@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "support_core.h"
+#include "core.h"
 
 enum { WIDTH = 40, HEIGHT = 36 };
 

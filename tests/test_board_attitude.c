@@ -101,7 +101,7 @@ static attitude_sample gyroscope_only(attitude_sample sample)
     return sample;
 }
 
-static void test_flight(void **state)
+static void flight(void **state)
 {
     (void)state;
     attitude_filter filter, gyroscope;
@@ -133,7 +133,7 @@ static void test_flight(void **state)
 }
 
 /* Standing still, tilted: the filter comes to rest there, whatever it believed at first. */
-static void test_settles(void **state)
+static void settles(void **state)
 {
     (void)state;
     const double angles[] = {-170.0, -90.0, -30.0, 45.0, 120.0};
@@ -158,8 +158,8 @@ static void test_settles(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_flight),
-        cmocka_unit_test(test_settles),
+        cmocka_unit_test(flight),
+        cmocka_unit_test(settles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

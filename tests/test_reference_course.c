@@ -2,7 +2,7 @@
 /*
  * The double-precision reference against the facts of the course material (computed to 50 digits).
  */
-#include "reference_check.h"
+#include "support/reference.h"
 
 #include "reference/matrix.h"
 #include "reference/mesh.h"

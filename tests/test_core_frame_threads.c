@@ -5,7 +5,7 @@
  */
 #define _POSIX_C_SOURCE 200112L
 
-#include "support_core.h"
+#include "support/core.h"
 
 #include <pthread.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference_soup.h"
 
-#include "reference_check.h"
+#include "reference.h"
 
 struct soup soup;
 
