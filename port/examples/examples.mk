@@ -2,10 +2,11 @@
 # The examples: programs of this computer, which write pictures, and firmware of the emulated boards. Included by the
 # main Makefile, behind boards.mk, whose objects the firmware is linked of.
 
-EXAMPLES := mesh gauge wireframe attitude
+EXAMPLES := mesh gauge wireframe attitude terrain
 # What each is for, lcd or oled, and the board that has it.
 example_display_mesh      := lcd
 example_display_gauge     := lcd
+example_display_terrain   := lcd
 example_display_wireframe := oled
 example_display_attitude  := oled
 example_target_lcd  := versatilepb_arm926ej-s
