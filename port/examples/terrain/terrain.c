@@ -44,11 +44,12 @@ static q16 noise_of(int32_t x, int32_t z)
     return (q16)((h ^ h >> 16) & 0xFFFF);
 }
 
-/* A quotient, and a rest that is never negative: 1 << log2 points lie between two of the noise. */
+/* Rounded down: 1 << log2 points lie between two of the noise. */
 static int32_t floor_of(int32_t value, int32_t log2)
 {
-    int32_t step = (int32_t)1 << log2;
-    return (value - (value % step + step) % step) / step;
+    int32_t one = (int32_t)1 << log2;
+    int32_t rest = value % one;
+    return (value - (rest < 0 ? rest + one : rest)) / one;
 }
 
 static q16 mix(q16 a, q16 b, q16 share)
@@ -61,7 +62,7 @@ static q16 smooth_noise(int32_t x, int32_t z, int32_t log2)
 {
     int32_t column = floor_of(x, log2), row = floor_of(z, log2);
     int32_t one = (int32_t)1 << log2;
-    q16 u = q16_from_ratio(x - column * one, one), v = q16_from_ratio(z - row * one, one);
+    q16 u = (x - column * one) * (Q16(1) / one), v = (z - row * one) * (Q16(1) / one);
     u = q16_mul(q16_mul(u, u), Q16(3) - 2 * u);
     v = q16_mul(q16_mul(v, v), Q16(3) - 2 * v);
     return mix(mix(noise_of(column, row), noise_of(column + 1, row), u),
@@ -96,13 +97,16 @@ static qtri_rgb color_at(q16 height, q16 slope)
 /* The land about field (x, z), where the eye is: a little behind it, most of it ahead. */
 static void make_land(int32_t x, int32_t z)
 {
-    for (int32_t i = 0; i < VERTICES; i++) {
-        int32_t column = x - ACROSS / 2 + i % (ACROSS + 1), row = z - 2 + i / (ACROSS + 1);
-        q16 height = height_at(column, row);
-        q16 slope = height_at(column + 1, row) - height;
-        qtri_vec3 p = {(column - x) * Q16(1), height > 0 ? height : 0, -(row - z) * Q16(1)};
-        positions[i] = p;
-        colors[i] = color_at(height, slope);
+    for (int32_t i = 0; i <= AHEAD; i++) {
+        int32_t row = z - 2 + i;
+        q16 height = height_at(x - ACROSS / 2, row);
+        for (int32_t j = 0; j <= ACROSS; j++) {
+            q16 next = height_at(x - ACROSS / 2 + j + 1, row);
+            qtri_vec3 p = {(j - ACROSS / 2) * Q16(1), height > 0 ? height : 0, (2 - i) * Q16(1)};
+            positions[i * (ACROSS + 1) + j] = p;
+            colors[i * (ACROSS + 1) + j] = color_at(height, next - height);
+            height = next;
+        }
     }
 }
 
@@ -176,6 +180,7 @@ enum qtri_error example_run(void)
     qtri_transform_perspective(&view.projection, Q16(50), q16_from_ratio(width, height),
                                range.near_z, range.far_z);
 
+    int32_t made_column = 0, made_row = 0; /* of the land that was made last: none yet */
     flight now = {60, Q16(4), 0, Q16(6), 0};
     do {
         qtri_transform still;
@@ -186,7 +191,11 @@ enum qtri_error example_run(void)
         q16 bank = -8 * q16_cos_deg(now.phase); /* degrees: into the turn */
         qtri_vec3 center = {eye.x + q16_sin_deg(now.phase) / 4, eye.y - Q16(.3), eye.z - Q16(1)};
         qtri_vec3 up = {-q16_sin_deg(bank), q16_cos_deg(bank), 0};
-        make_land(column, now.row);
+        if (column != made_column || now.row != made_row) {
+            make_land(column, now.row);
+            made_column = column;
+            made_row = now.row;
+        }
         qtri_transform_identity(&view.camera);
         qtri_transform_look_at(&view.camera, eye, center, up);
         qtri_transform_identity(&still);
