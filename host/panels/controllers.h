@@ -75,9 +75,11 @@ typedef struct ssd1680 {
     int first_column, first_row; /* of the glass in what is shown of the memory; 0 after init */
     uint8_t memory[296][22];
     uint8_t shown[296][22]; /* since the last refresh */
+    uint8_t second[296][22];
+    bool to_second; /* where data go */
     int gates, entry, x[2], y[2], counter_x, counter_y, update, options[2];
     bool counters_set;
-    int refreshes;
+    int refreshes, partial_refreshes;
 } ssd1680;
 void ssd1680_init(ssd1680 *s);
 

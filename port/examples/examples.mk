@@ -2,11 +2,13 @@
 # The examples: programs of this computer, which write pictures, and firmware of the emulated boards. Included by the
 # main Makefile, behind boards.mk, whose objects the firmware is linked of.
 
-EXAMPLES := mesh gauge wireframe attitude terrain
-# What each is for, lcd or oled, and the board that has it.
+EXAMPLES := mesh gauge wireframe attitude terrain map
+# What each is for, and the board that has such a display: no emulated board has e-paper, the map is shown on the LCD
+# there, and on the simulated controller of e-paper here.
 example_display_mesh      := lcd
 example_display_gauge     := lcd
 example_display_terrain   := lcd
+example_display_map       := lcd
 example_display_wireframe := oled
 example_display_attitude  := oled
 example_target_lcd  := versatilepb_arm926ej-s
@@ -36,7 +38,8 @@ $(BUILD)/obj/port/examples/%.o: INCLUDES += -Ihost
 examples: $(EXAMPLES:%=$(EXAMPLE_DIR)/%/host) ## Draw the frames of the examples into build/examples/NAME/frames
 	@$(foreach e,$(EXAMPLES),mkdir -p $(EXAMPLE_DIR)/$e/frames && \
 	    $(EXAMPLE_DIR)/$e/host $(example_display_$e) $(EXAMPLE_DIR)/$e/frames >$(EXAMPLE_DIR)/$e/frames.txt &&) true
-	@ls -d $(EXAMPLES:%=$(EXAMPLE_DIR)/%/frames)
+	@mkdir -p $(EXAMPLE_DIR)/map/paper && $(EXAMPLE_DIR)/map/host paper $(EXAMPLE_DIR)/map/paper >$(EXAMPLE_DIR)/map/paper.txt
+	@ls -d $(EXAMPLES:%=$(EXAMPLE_DIR)/%/frames) $(EXAMPLE_DIR)/map/paper
 
 test-examples: examples $(EXAMPLE_RUN:%=$(EXAMPLE_DIR)/%/firmware.elf) ## Run the examples on emulated boards, whose displays must show the host's pixels
 	@$(board_skips)
