@@ -24,7 +24,8 @@ typedef struct place {
 } place;
 
 typedef struct street {
-    const char *name; /* stands above its first point; NULL: none */
+    const char *name; /* NULL: none */
+    place label;      /* where it begins, on its baseline */
     uint8_t width, count;
     place point[6];
 } street;
@@ -34,21 +35,25 @@ static const place lake[] = {{150, 120}, {190, 100}, {250, 108}, {290, 140},
 static const place river[] = {{282, 160}, {330, 175}, {370, 230}, {430, 250}, {520, 330}};
 static const place park[] = {{330, 40}, {450, 30}, {470, 120}, {400, 150}, {340, 130}};
 static const street streets[] = {
-    {"Lake Road", 6, 6, {{0, 90}, {120, 84}, {200, 78}, {310, 100}, {330, 160}, {330, 320}}},
-    {"Mill Lane", 4, 4, {{310, 100}, {400, 170}, {480, 190}, {600, 180}}},
-    {"Old Street", 4, 4, {{40, 0}, {60, 87}, {90, 220}, {110, 320}}},
-    {"South Bank", 4, 5, {{90, 220}, {170, 232}, {250, 240}, {330, 236}, {460, 290}}},
-    {NULL, 2, 3, {{330, 40}, {400, 92}, {470, 120}}},
-    {NULL, 2, 3, {{60, 87}, {110, 130}, {120, 226}}},
-    {NULL, 2, 2, {{400, 170}, {392, 262}}},
-    {NULL, 2, 3, {{200, 78}, {214, 30}, {330, 40}}},
-    {"Station", 6, 3, {{440, 0}, {480, 190}, {500, 320}}},
+    {"Lake Road",
+     {206, 70},
+     6,
+     6,
+     {{0, 90}, {120, 84}, {200, 78}, {310, 100}, {330, 160}, {330, 320}}},
+    {"Mill Lane", {408, 164}, 4, 4, {{310, 100}, {400, 170}, {480, 190}, {600, 180}}},
+    {"Old Street", {70, 60}, 4, 4, {{40, 0}, {60, 87}, {90, 220}, {110, 320}}},
+    {"South Bank", {180, 252}, 4, 5, {{90, 220}, {170, 232}, {250, 240}, {330, 236}, {460, 290}}},
+    {NULL, {0, 0}, 2, 3, {{330, 40}, {400, 92}, {470, 120}}},
+    {NULL, {0, 0}, 2, 3, {{60, 87}, {110, 130}, {120, 226}}},
+    {"Park", {366, 62}, 2, 2, {{400, 170}, {392, 262}}},
+    {NULL, {0, 0}, 2, 3, {{200, 78}, {214, 30}, {330, 40}}},
+    {"Station", {492, 178}, 6, 3, {{440, 0}, {480, 190}, {500, 320}}},
 };
 
 /* The walk, and back to its beginning. */
-static const place route[] = {{60, 87},   {120, 84},  {200, 78},  {310, 100},
-                              {400, 170}, {480, 190}, {460, 290}, {330, 236},
-                              {250, 240}, {170, 232}, {120, 226}, {110, 130}};
+static const place route[] = {{310, 100}, {400, 170}, {480, 190}, {460, 290},
+                              {330, 236}, {250, 240}, {170, 232}, {120, 226},
+                              {110, 130}, {60, 87},   {120, 84},  {200, 78}};
 enum { CORNERS = sizeof route / sizeof route[0], STEP = 6 };
 
 /* What is seen of the map: its pixel at the upper left of the frame. */
@@ -86,6 +91,16 @@ static void draw_way(const qtri_surface *band, const window *w, const place *p, 
     }
 }
 
+/* Black on a border of white, which keeps it off the streets. */
+static void draw_name(const qtri_surface *band, int32_t x, int32_t y, const char *name)
+{
+    const qtri_brush paper = qtri_brush_of(white), ink = qtri_brush_of(black);
+    for (int32_t i = 0; i < 9; i++) {
+        qtri_text_paint(band, &qtri_font_small, x - 1 + i % 3, y - 1 + i / 3, name, &paper);
+    }
+    qtri_text_paint(band, &qtri_font_small, x, y, name, &ink);
+}
+
 static void draw_streets(const qtri_surface *band, const window *w)
 {
     const qtri_brush outline = qtri_brush_of(black), inside = qtri_brush_of(white);
@@ -103,9 +118,7 @@ static void draw_streets(const qtri_surface *band, const window *w)
     }
     for (int32_t i = 0; i < count; i++) {
         if (streets[i].name != NULL) {
-            place p = streets[i].point[1];
-            qtri_text_paint(band, &qtri_font_small, p.x - w->x + 6, p.y - w->y - 6, streets[i].name,
-                            &outline);
+            draw_name(band, streets[i].label.x - w->x, streets[i].label.y - w->y, streets[i].name);
         }
     }
 }
