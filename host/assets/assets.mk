@@ -2,7 +2,7 @@
 # Libraries that read files and work on meshes for the commands `qtri mesh` and `qtri texture`. Each is used where it is
 # installed; without it the command is built all the same and says what it therefore cannot do. WITH= builds without any.
 
-WITH ?= libpng assimp meshoptimizer
+WITH ?= libpng stb assimp meshoptimizer
 
 HOST_DEFINES :=
 HOST_LIBS    :=
@@ -11,6 +11,13 @@ ifneq ($(filter libpng,$(WITH)),)
 ifeq ($(shell pkg-config --exists libpng 2>/dev/null && echo yes),yes)
 HOST_DEFINES += -DQTRI_HAVE_LIBPNG $(shell pkg-config --cflags libpng)
 HOST_LIBS    += $(shell pkg-config --libs libpng)
+endif
+endif
+
+ifneq ($(filter stb,$(WITH)),)
+ifeq ($(shell pkg-config --exists stb 2>/dev/null && echo yes),yes)
+HOST_DEFINES += -DQTRI_HAVE_STB $(shell pkg-config --cflags stb)
+HOST_LIBS    += $(shell pkg-config --libs stb)
 endif
 endif
 
