@@ -334,26 +334,6 @@ void asset_write_c(const struct asset *asset, const char *name, const char *head
     fputs("\n#endif\n", header);
 }
 
-void asset_identifier(const char *path, char *out, size_t size)
-{
-    const char *slash = strrchr(path, '/');
-    const char *name = slash != NULL ? slash + 1 : path;
-    size_t length = 0;
-    if (strcmp(name, "-") == 0) {
-        name = "mesh";
-    }
-    if (name[0] >= '0' && name[0] <= '9' && size > 8) {
-        memcpy(out, "mesh_", 5);
-        length = 5;
-    }
-    for (; *name != '\0' && *name != '.' && length + 1 < size; name++) {
-        bool letter = (*name >= 'a' && *name <= 'z') || (*name >= 'A' && *name <= 'Z') ||
-                      (*name >= '0' && *name <= '9');
-        out[length++] = (char)(letter ? *name : '_');
-    }
-    out[length] = '\0';
-}
-
 /* ---- OBJ ---- */
 
 static void position_of(const qtri_mesh *mesh, uint32_t i, double out[3])

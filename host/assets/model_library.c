@@ -322,9 +322,8 @@ static bool send_picture(FILE *file, void *context, struct text_error *error)
         return fail(request, "cannot be read: ", aiGetErrorString());
     }
     if (request->picture >= scene->mNumTextures) {
-        text_error_set(error, request->path, 0, "has %u pictures inside%s", scene->mNumTextures,
-                       scene->mNumTextures == 0 ? "; those it names are files beside it"
-                                                : ", counted from 0");
+        text_error_set(error, request->path, 0, "there is no picture %u inside, of %u in all",
+                       request->picture, scene->mNumTextures);
         return false;
     }
     const struct aiTexture *picture = scene->mTextures[request->picture];
