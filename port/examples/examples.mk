@@ -22,13 +22,12 @@ EXAMPLE_RUN := $(foreach e,$(EXAMPLES),$(if $(filter $(call example_target,$e),$
 define example_rules
 $(EXAMPLE_DIR)/$1/host: $(call objects,$(call example_sources,$1) port/examples/host.c) $(HOST) $(LIBRARY)
 	@mkdir -p $$(@D)
-	$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ -lm
+	$$(call run,link $$@)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ -lm
 
 $(EXAMPLE_DIR)/$1/firmware.elf: $(filter-out $(BOARD_DIR)/$2/tests/%,$($2_objects)) \
         $(patsubst %.c,$(BOARD_DIR)/$2/%.o,$(call example_sources,$1) port/examples/board.c)
 	@mkdir -p $$(@D)
-	@echo "link $$@"
-	@$(call core_cc,$(call core_of,$2)) $(BOARD_LINK) -T port/boards/$(call board_of,$2)/$(call board_of,$2).ld $$^ -lgcc -o $$@
+	$$(call run,link $$@)$(call core_cc,$(call core_of,$2)) $(BOARD_LINK) -T port/boards/$(call board_of,$2)/$(call board_of,$2).ld $$^ -lgcc -o $$@
 endef
 $(foreach e,$(EXAMPLES),$(eval $(call example_rules,$e,$(call example_target,$e))))
 
