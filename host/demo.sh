@@ -51,8 +51,13 @@ if [ -n "$missing" ]; then
     fi
     echo "demo: installing$missing"
     export DEBIAN_FRONTEND=noninteractive
-    apt-get update -qq >/dev/null
-    apt-get install -y -qq --no-install-recommends $missing >/dev/null
+    log=$(mktemp)
+    if ! { apt-get update -qq && apt-get install -y -qq --no-install-recommends $missing; } >"$log" 2>&1; then
+        cat "$log"
+        rm -f "$log"
+        exit 1
+    fi
+    rm -f "$log"
     look
     if [ -n "$missing" ]; then
         echo "demo: still missing: $named"
