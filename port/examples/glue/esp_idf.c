@@ -25,6 +25,8 @@
 enum { PIN_CS = 5, PIN_CLOCK = 18, PIN_DATA = 23, PIN_DC = 2, PIN_RESET = 4 };
 enum { SPI_HZ = 40000000, MOST_BYTES = 320 * 16 * 2 }; /* a band */
 
+void app_main(void); /* ESP-IDF's main task calls it */
+
 static spi_device_handle_t device;
 static spi_transaction_t pixels; /* stays until the transfer is over */
 static uint8_t line_memory[QTRI_PANEL_LINE_BYTES(320)];

@@ -14,7 +14,7 @@ static struct {
     const uint8_t *sending;
     uint8_t sent[WIDTH * HEIGHT * 2];
     size_t sending_bytes;
-    unsigned long pixels;
+    unsigned long bytes;               /* of pixels */
     uint8_t shown[WIDTH * HEIGHT * 2]; /* of windows */
     int x, y, left, right, bottom;
 } display;
@@ -80,8 +80,9 @@ void glue_wait(uint32_t ms)
 static void take(const uint8_t *bytes, size_t count)
 {
     chip_send(&begun()->chip, display.is_data, bytes, count);
-    display.pixels += display.is_data && count >= 64 ? count / 2 : 0; /* others are parameters */
-    if (display.pixels >= (FRAMES + 1ul) * WIDTH * HEIGHT) { /* the black of the beginning is one */
+    display.bytes += display.is_data && begun()->chip.expected == CHIP_STREAM ? count : 0;
+    if (display.bytes >=
+        (FRAMES + 1ul) * WIDTH * HEIGHT * 2) { /* the black of the beginning is one */
         end_of_frames();
     }
 }
@@ -144,8 +145,8 @@ void glue_pixels(const void *bytes, size_t count)
             display.y++;
         }
     }
-    display.pixels += count;
-    if (display.pixels >= (FRAMES + 1ul) * WIDTH * HEIGHT) {
+    display.bytes += 2 * count;
+    if (display.bytes >= (FRAMES + 1ul) * WIDTH * HEIGHT * 2) {
         unsigned long drawn = 0;
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             drawn += memcmp(&display.shown[2 * i], display.shown, 2) != 0;
