@@ -191,7 +191,7 @@ static void cannot(void **state)
     setup_end(&s);
     setup_init(&s, 0);
     assert_int_equal(start_module(&s, &white, QTRI_ROTATE_0, true), QTRI_OK);
-    assert_true(s.sim.ssd1306.inverse);
+    assert_true(s.sim.ssd1306.drive.inverse);
     setup_end(&s);
 }
 

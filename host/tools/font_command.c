@@ -105,20 +105,10 @@ static bool write_font(const struct options *options, const struct bdf_font *bdf
 
 /* ---- Arguments ---- */
 
-static bool set_output(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    ((struct options *)options)->out = value;
-    return *value != '\0';
-}
+#define AT(member) offsetof(struct options, member)
 
-static bool set_name(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_name(value, ((struct options *)options)->name);
-}
-
-static const struct option options_of_font[] = {{"-o", set_output, 0}, {"--name", set_name, 0}};
+static const struct option options_of_font[] = {{"-o", OPTION_TEXT, AT(out), NULL},
+                                                {"--name", OPTION_NAME, AT(name), NULL}};
 
 static const struct option_list list = {"font", "BDF file", offsetof(struct options, in),
                                         options_of_font,

@@ -47,26 +47,6 @@ void mesh_options_help(FILE *out)
     fputc('\n', out);
 }
 
-static bool set_output(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    ((struct mesh_options *)options)->output = value;
-    return *value != '\0';
-}
-
-static bool set_preview(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    ((struct mesh_options *)options)->preview = value;
-    return *value != '\0';
-}
-
-static bool set_name(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_name(value, ((struct mesh_options *)options)->name);
-}
-
 static bool set_panel(void *options, const char *value, struct option_words *more)
 {
     struct mesh_options *o = (struct mesh_options *)options;
@@ -118,14 +98,24 @@ static bool set_normals(void *options, const char *value, struct option_words *m
     return false;
 }
 
-#define FLAG(member) NULL, offsetof(struct mesh_options, member)
+#define AT(member) offsetof(struct mesh_options, member)
 
 static const struct option options_of_mesh[] = {
-    {"-o", set_output, 0},      {"--preview", set_preview, 0},   {"--name", set_name, 0},
-    {"--panel", set_panel, 0},  {"--rows", set_rows, 0},         {"--fit", set_fit, 0},
-    {"--up", set_up, 0},        {"--simplify", set_simplify, 0}, {"--normals", set_normals, 0},
-    {"--split", FLAG(split)},   {"--compact", FLAG(compact)},    {"--center", FLAG(center)},
-    {"--colors", FLAG(colors)}, {"--plain", FLAG(plain)},        {"--no-faces", FLAG(no_faces)},
+    {"-o", OPTION_TEXT, AT(output), NULL},
+    {"--preview", OPTION_TEXT, AT(preview), NULL},
+    {"--name", OPTION_NAME, AT(name), NULL},
+    {"--panel", OPTION_SET, 0, set_panel},
+    {"--rows", OPTION_SET, 0, set_rows},
+    {"--fit", OPTION_SET, 0, set_fit},
+    {"--up", OPTION_SET, 0, set_up},
+    {"--simplify", OPTION_SET, 0, set_simplify},
+    {"--normals", OPTION_SET, 0, set_normals},
+    {"--split", OPTION_FLAG, AT(split), NULL},
+    {"--compact", OPTION_FLAG, AT(compact), NULL},
+    {"--center", OPTION_FLAG, AT(center), NULL},
+    {"--colors", OPTION_FLAG, AT(colors), NULL},
+    {"--plain", OPTION_FLAG, AT(plain), NULL},
+    {"--no-faces", OPTION_FLAG, AT(no_faces), NULL},
 };
 
 static const struct option_list list = {"mesh", "model", offsetof(struct mesh_options, input),

@@ -24,20 +24,10 @@ struct options {
     char name[OPTION_NAME_SIZE];
 };
 
-static bool set_output(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    ((struct options *)options)->out = value;
-    return *value != '\0';
-}
+#define AT(member) offsetof(struct options, member)
 
-static bool set_name(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_name(value, ((struct options *)options)->name);
-}
-
-static const struct option all[] = {{"-o", set_output, 0}, {"--name", set_name, 0}};
+static const struct option all[] = {{"-o", OPTION_TEXT, AT(out), NULL},
+                                    {"--name", OPTION_NAME, AT(name), NULL}};
 static const struct option_list list = {"neighbours", "mesh", offsetof(struct options, in), all,
                                         sizeof all / sizeof all[0]};
 

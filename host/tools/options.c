@@ -37,18 +37,32 @@ static const struct option *find(const struct option_list *list, const char *nam
     return NULL;
 }
 
+static bool set_value(const struct option *option, void *options, const char *value,
+                      struct option_words *words)
+{
+    void *at = (char *)options + option->at;
+    if (option->kind == OPTION_SET) {
+        return option->set(options, value, words);
+    }
+    if (option->kind == OPTION_NAME) {
+        return option_name(value, (char *)at);
+    }
+    *(const char **)at = value;
+    return *value != '\0';
+}
+
 static bool take(const struct option_list *list, const struct option *option, void *options,
                  struct option_words *words)
 {
-    if (option->set == NULL) {
-        *(bool *)((char *)options + option->flag) = true;
+    if (option->kind == OPTION_FLAG) {
+        *(bool *)((char *)options + option->at) = true;
         return true;
     }
     const char *value = option_next(words);
     if (value == NULL) {
         return options_complain(list, "a value is missing after ", option->name);
     }
-    if (!option->set(options, value, words)) {
+    if (!set_value(option, options, value, words)) {
         fprintf(stderr, "qtri %s: '%s' is no value for %s\n", list->command, value, option->name);
         return false;
     }

@@ -21,13 +21,16 @@ struct option_words {
 const char *option_next(struct option_words *words);
 
 /*
- * An option: one that takes a value calls `set` with it, which may take further words and says
- * whether they are what it wants; one without `set` is a flag, the bool at `flag` in the options.
+ * An option. `at` is where it stands in the command's options: a bool that becomes true; a
+ * const char * to any text but an empty one; a name in C. Others call `set` with their value, which
+ * may take further words and says whether they are what it wants.
  */
+enum option_kind { OPTION_FLAG, OPTION_TEXT, OPTION_NAME, OPTION_SET };
 struct option {
     const char *name;
+    enum option_kind kind;
+    size_t at;
     bool (*set)(void *options, const char *value, struct option_words *more);
-    size_t flag;
 };
 
 /* A command: what its one input is called in messages, and where in its options that stands. */

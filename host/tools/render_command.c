@@ -54,13 +54,6 @@ static const struct {
     {"gray8", &qtri_gray8, REFERENCE_GRAY8},
 };
 
-static bool set_output(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    ((struct options *)options)->output = value;
-    return *value != '\0';
-}
-
 static bool set_format(void *options, const char *value, struct option_words *more)
 {
     (void)more;
@@ -91,17 +84,17 @@ static bool set_snap(void *options, const char *value, struct option_words *more
     return ok;
 }
 
-#define FLAG(member) NULL, offsetof(struct options, member)
+#define AT(member) offsetof(struct options, member)
 
 static const struct option options_of_render[] = {
-    {"-o", set_output, 0},
-    {"--format", set_format, 0},
-    {"--rows", set_rows, 0},
-    {"--snap", set_snap, 0},
-    {"--dump", FLAG(dump)},
-    {"--reference", FLAG(reference)},
-    {"--allow-files", FLAG(allow_files)},
-    {"--large", FLAG(large)},
+    {"-o", OPTION_TEXT, AT(output), NULL},
+    {"--format", OPTION_SET, 0, set_format},
+    {"--rows", OPTION_SET, 0, set_rows},
+    {"--snap", OPTION_SET, 0, set_snap},
+    {"--dump", OPTION_FLAG, AT(dump), NULL},
+    {"--reference", OPTION_FLAG, AT(reference), NULL},
+    {"--allow-files", OPTION_FLAG, AT(allow_files), NULL},
+    {"--large", OPTION_FLAG, AT(large), NULL},
 };
 
 static const struct option_list list = {"render", "scene", offsetof(struct options, scene),

@@ -41,13 +41,6 @@ static bool is_side(int side)
     return (side & (side - 1)) == 0;
 }
 
-static bool set_output(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    ((struct options *)options)->output = value;
-    return *value != '\0';
-}
-
 static bool set_size(void *options, const char *value, struct option_words *more)
 {
     struct texture_options *texture = &((struct options *)options)->texture;
@@ -83,27 +76,23 @@ static bool set_format(void *options, const char *value, struct option_words *mo
     return false;
 }
 
-static bool set_name(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_name(value, ((struct options *)options)->name);
-}
-
 static bool set_picture(void *options, const char *value, struct option_words *more)
 {
     (void)more;
     return option_whole(value, 0, 65535, &((struct options *)options)->picture);
 }
 
+#define AT(member) offsetof(struct options, member)
+
 static const struct option options_of_texture[] = {
-    {"-o", set_output, 0},
-    {"--format", set_format, 0},
-    {"--size", set_size, 0},
-    {"--key", set_key, 0},
-    {"--name", set_name, 0},
-    {"--picture", set_picture, 0},
-    {"--dither", NULL, offsetof(struct options, texture.dither)},
-    {"--split", NULL, offsetof(struct options, split)},
+    {"-o", OPTION_TEXT, AT(output), NULL},
+    {"--format", OPTION_SET, 0, set_format},
+    {"--size", OPTION_SET, 0, set_size},
+    {"--key", OPTION_SET, 0, set_key},
+    {"--name", OPTION_NAME, AT(name), NULL},
+    {"--picture", OPTION_SET, 0, set_picture},
+    {"--dither", OPTION_FLAG, AT(texture.dither), NULL},
+    {"--split", OPTION_FLAG, AT(split), NULL},
 };
 
 static const struct option_list list = {"texture", "picture", offsetof(struct options, input),
