@@ -483,6 +483,7 @@ static void names_in_c(void **state)
     (void)state;
     assert_int_equal(run("mesh cube -o union.h"), 0);
     assert_true(contains("union.h", "const qtri_mesh union_ = {"));
+    assert_true(contains("union.h", "#define UNION__VERTICES 24\n#define UNION__TRIANGLES 12\n"));
     assert_compiles("union.h", "union_");
     assert_int_equal(run("mesh cube -o x.h --name class"), 2);
 }

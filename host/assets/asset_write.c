@@ -313,6 +313,20 @@ static void write_declarations(const struct asset *asset, const char *name, cons
     fputs("\n#ifdef __cplusplus\n}\n#endif\n", out);
 }
 
+/* What QTRI_MESH_VERTICES and QTRI_PREPARED_LISTS are asked with. */
+static void write_counts(const struct asset *asset, const char *capitals, FILE *out)
+{
+    uint32_t vertices = 0, triangles = 0;
+    for (size_t i = 0; i < asset->count; i++) {
+        const qtri_mesh *mesh = &asset->parts[i].mesh;
+        vertices = mesh->vertex_count > vertices ? mesh->vertex_count : vertices;
+        triangles = mesh->triangle_count > triangles ? mesh->triangle_count : triangles;
+    }
+    fprintf(out, "#define %s_VERTICES %" PRIu32 "%s\n", capitals, vertices,
+            asset->count > 1 ? " /* of the largest mesh */" : "");
+    fprintf(out, "#define %s_TRIANGLES %" PRIu32 "\n\n", capitals, triangles);
+}
+
 void asset_write_c(const struct asset *asset, const char *name, const char *header_name,
                    FILE *header, FILE *source)
 {
@@ -321,6 +335,7 @@ void asset_write_c(const struct asset *asset, const char *name, const char *head
     write_summary(asset, name, header);
     fprintf(header, "#ifndef %s_MESH_H\n#define %s_MESH_H\n\n", capitals, capitals);
     fputs("#include <qtri.h>\n#include <stddef.h>\n\n", header);
+    write_counts(asset, capitals, header);
     if (asset->count > 1) {
         fprintf(header, "#define %s_MESHES %zu /* one a material */\n\n", capitals, asset->count);
     }

@@ -120,6 +120,12 @@ glue stm32_hal mesh stm32
 glue esp_idf mesh esp_idf
 glue zephyr mesh zephyr
 glue lvgl mesh lvgl
+# The first example with a model, as `make examples MODEL=knot` makes it.
+quiet "a model" build/qtri mesh knot -o "$work/model.h" --name model --compact --center --fit 2 --plain
+echo '#define MODEL_HAS_NO_SKIN' >"$work/skin.h"
+quiet "the example with a model" gcc -std=c99 $glue_flags -Ihost -I"$work" -DQTRI_EXAMPLE_MODEL -o "$work/model" port/examples/mesh/mesh.c \
+    port/examples/host.c $glue_libraries && quiet "the example with a model runs" "$work/model" lcd "$work"
+
 if has g++ "glue of Arduino's libraries"; then
     quiet "glue, the example" gcc -std=c11 $glue_flags -c -o "$work/example.o" port/examples/mesh/mesh.c
     quiet "glue, the display" gcc -std=c11 $glue_flags -Ihost -c -o "$work/display.o" tests/packages/glue/display.c

@@ -11,7 +11,7 @@
  *
  *   mesh/mesh.ino                    empty: setup() and loop() are here
  *   mesh/src/example.h
- *   mesh/src/mesh/mesh.c
+ *   mesh/src/mesh/mesh.c, ring.h     the folder as it is
  *   mesh/src/glue/arduino.cpp        this file; tft_espi.cpp or lovyangfx.cpp in its place
  *
  * SPI.transfer works on every board. Where a core has SPI.transfer with a buffer that it does not
