@@ -31,8 +31,8 @@ bool model_library_picture(const char *path, const char *text, size_t length, co
     (void)text;
     (void)length;
     (void)number;
-    (void)bytes;
-    (void)bytes_length;
+    *bytes = NULL;
+    *bytes_length = 0;
     text_error_set(error, path, 0, "this qtri was built without libassimp and cannot read %s",
                    format);
     return false;

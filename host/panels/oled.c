@@ -15,30 +15,35 @@ void oled_allow(chip *it, bool allowed)
     }
 }
 
-/* Commands that set a bit by the last of theirs; NULL: none of them. */
-static bool *switch_of(oled_drive *drive, uint8_t command)
+/* Commands whose last bit is what they set; false: none of them. */
+static bool set_switch(oled_drive *drive, uint8_t command)
 {
+    const bool on = (command & 1) != 0;
     switch (command & ~1) {
     case 0xA0: /* only data that follow are written so: the memory must be written again */
-        return &drive->columns_reversed;
+        drive->columns_reversed = on;
+        return true;
     case 0xA4:
-        return &drive->all_on;
+        drive->all_on = on;
+        return true;
     case 0xA6:
-        return &drive->inverse;
+        drive->inverse = on;
+        return true;
     case 0xAE:
-        return &drive->on;
+        drive->on = on;
+        return true;
     default:
-        return NULL;
+        return false;
     }
 }
 
 bool oled_execute(chip *it, oled_drive *drive)
 {
     const uint8_t command = it->command, p = it->parameters[0];
-    bool *set = switch_of(drive, command);
-    if (set != NULL) {
-        *set = (command & 1) != 0;
-    } else if (command >= 0x40 && command <= 0x7F) {
+    if (set_switch(drive, command)) {
+        return true;
+    }
+    if (command >= 0x40 && command <= 0x7F) {
         drive->start_line = command & 63;
     } else if (command >= 0xC0 && command <= 0xC8) {
         drive->rows_reversed = command == 0xC8;

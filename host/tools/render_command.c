@@ -138,11 +138,11 @@ static char *name_with(const struct options *options, const char *ending)
 {
     const char *name = options->output;
     const bool is_named = file_name_ends_in(name, ".ppm") || file_name_ends_in(name, ".png");
-    size_t length = strlen(name) - (is_named ? 4 : 0);
-    char *path = malloc(length + strlen(ending) + 1);
+    const size_t length = strlen(name) - (is_named ? 4 : 0);
+    const size_t size = length + strlen(ending) + 1;
+    char *path = malloc(size);
     if (path != NULL) {
-        memcpy(path, name, length);
-        memcpy(path + length, ending, strlen(ending) + 1);
+        (void)snprintf(path, size, "%.*s%s", (int)length, name, ending);
     }
     return path;
 }
@@ -152,8 +152,9 @@ static char *picture_path(const struct options *options)
 {
     const bool is_png = file_name_ends_in(options->output, ".png");
     if (file_is_stream(options->output)) {
-        char *path = malloc(strlen(options->output) + 1);
-        return path != NULL ? strcpy(path, options->output) : NULL;
+        const size_t size = strlen(options->output) + 1;
+        char *path = malloc(size);
+        return path != NULL ? memcpy(path, options->output, size) : NULL;
     }
     return name_with(options, is_png ? ".png" : ".ppm");
 }
