@@ -52,7 +52,8 @@ $(EXAMPLE_DIR)/mesh/model.h: $(BUILD)/qtri $(wildcard $(MODEL)) $(EXAMPLE_DIR)/m
 # Its own picture, where there is one and no other was named.
 $(EXAMPLE_DIR)/mesh/skin.h: $(BUILD)/qtri $(wildcard $(MODEL) $(SKIN)) $(EXAMPLE_DIR)/mesh/asked
 	$(if $(SKIN),$(BUILD)/qtri texture $(SKIN) -o $@ --name skin,\
-	    @$(BUILD)/qtri texture $(MODEL) -o $@ --name skin 2>/dev/null || echo '#define MODEL_HAS_NO_SKIN' >$@)
+	    @$(BUILD)/qtri texture $(MODEL) -o $@ --name skin 2>$@.why || \
+	        { echo "without a picture (SKIN=FILE names one): $$(cat $@.why)"; echo '#define MODEL_HAS_NO_SKIN' >$@; })
 endif
 
 # What the example's objects were made with.
