@@ -56,6 +56,9 @@ SLOW_IN_MEMORY := test_core_perspective
 # Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
 NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
 
+# In front of a command: a short line in its place, or the command itself with V=1; neither with -s.
+run = $(if $(V),,@$(if $(findstring s,$(firstword -$(MAKEFLAGS))),,echo '$1' && ))
+
 # -j for a make that this one starts, unless they already share the jobs.
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 
@@ -66,7 +69,7 @@ PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 all: $(LIBRARY) $(BUILD)/qtri ## Build build/libqtri.a and build/qtri (the default); needs only a C99 compiler
 
 $(BUILD)/qtri: $(BUILD)/obj/host/tools/main.o $(HOST) $(LIBRARY)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm $(HOST_LIBS)
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm $(HOST_LIBS)
 
 objects = $(1:%.c=$(BUILD)/obj/%.o)
 $(LIBRARY): $(call objects,$(LIBRARY_SOURCES))
@@ -75,11 +78,11 @@ $(HELPERS): $(call objects,$(HELPER_SOURCES))
 
 $(ARCHIVES):
 	@mkdir -p $(@D) && rm -f $@
-	$(AR) rc $@ $^
+	$(call run,archive $@)$(AR) rc $@ $^
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(CC) -std=c99 $(CFLAGS) $(INCLUDES) $(DEPENDENCIES) -c -o $@ $<
+	$(call run,compile $<)$(CC) -std=c99 $(CFLAGS) $(INCLUDES) $(DEPENDENCIES) -c -o $@ $<
 
 # The compiler and its flags; rewritten when they change, so that everything is rebuilt.
 $(BUILD)/flags: FORCE
@@ -158,7 +161,7 @@ $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
 $(BUILD)/tests/%_threads: LDFLAGS += -pthread
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
 
 .PHONY: test-math-targets
 test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V, big-endian PowerPC, AVR
@@ -196,7 +199,7 @@ $(GATES): check-%:
 	@sh tests/check/$*.sh
 
 .PHONY: help
-help: ## List these targets
+help: ## List these targets; V=1 with any of them shows commands in full
 	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## / { printf "make %-20s%s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 # Boards: firmware for emulated microcontrollers, its targets among them `test-boards` ----------------

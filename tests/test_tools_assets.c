@@ -315,8 +315,9 @@ static void put_32(char *at, uint32_t value)
     }
 }
 
-/* A tetrahedron as GLB, its nodes and materials as given. Returns the bytes. */
-static size_t make_glb(char out[4096], const char *nodes, const char *material, uint32_t first_bits)
+/* A tetrahedron as GLB, its nodes, materials and picture as given. Returns the bytes. */
+static size_t make_glb_of(char out[4096], const char *nodes, const char *material,
+                          uint32_t first_bits, const char *picture)
 {
     static const uint16_t corners[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
     char json[2048], data[72] = {0};
@@ -332,7 +333,7 @@ static size_t make_glb(char out[4096], const char *nodes, const char *material, 
         json, sizeof json,
         "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
         "\"nodes\":[%s],\"materials\":[{\"name\":\"red\",\"pbrMetallicRoughness\":{%s}}],"
-        "\"images\":[{\"uri\":\"gone.png\"}],\"textures\":[{\"source\":0}],"
+        "\"images\":[{\"uri\":\"%s\"}],\"textures\":[{\"source\":0}],"
         "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1,"
         "\"material\":0}]}],\"buffers\":[{\"byteLength\":72}],"
         "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},"
@@ -340,7 +341,7 @@ static size_t make_glb(char out[4096], const char *nodes, const char *material, 
         "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\","
         "\"min\":[0,0,0],\"max\":[1,1,1]},"
         "{\"bufferView\":1,\"componentType\":5123,\"count\":12,\"type\":\"SCALAR\"}]}",
-        nodes, material);
+        nodes, material, picture);
     while (length % 4 != 0) {
         json[length++] = ' ';
     }
@@ -354,6 +355,11 @@ static size_t make_glb(char out[4096], const char *nodes, const char *material, 
     put_32(out + 24 + length, 0x004E4942u); /* BIN */
     memcpy(out + 28 + length, data, 72);
     return (size_t)length + 28 + 72;
+}
+
+static size_t make_glb(char out[4096], const char *nodes, const char *material, uint32_t first_bits)
+{
+    return make_glb_of(out, nodes, material, first_bits, "gone.png");
 }
 
 #define RED "\"baseColorFactor\":[1,0.25,0,1]"
@@ -416,6 +422,70 @@ static void bad_gltf(void **state)
         write_bytes("cut.glb", glb, length - cut);
         assert_refused("mesh cut.glb -o bad.h", "qtri mesh: cut.glb: ");
     }
+}
+
+/* A red pixel as PNG, and 8 x 8 brown ones as JPEG. */
+static const char png_uri[] =
+    "data:image/png;base64,"
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAA"
+    "AElFTkSuQmCC";
+static const char jpeg_uri[] =
+    "data:image/jpeg;base64,"
+    "/9j/4AAQSkZJRgABAQAAAQABAAD/2wCEABALDA4MChAODQ4SERATGCgaGBYWGDEjJR0oOjM9PDkzODdA"
+    "SFxOQERXRTc4UG1RV19iZ2hnPk1xeXBkeFxlZ2MBERISGBUYLxoaL2NCOEJjY2NjY2NjY2NjY2NjY2Nj"
+    "Y2NjY2NjY2NjY2NjY2NjY2NjY2NjY2NjY2NjY2NjY2NjY//AABEIAAgACAMBIgACEQEDEQH/xAGiAAAB"
+    "BQEBAQEBAQAAAAAAAAAAAQIDBAUGBwgJCgsQAAIBAwMCBAMFBQQEAAABfQECAwAEEQUSITFBBhNRYQci"
+    "cRQygZGhCCNCscEVUtHwJDNicoIJChYXGBkaJSYnKCkqNDU2Nzg5OkNERUZHSElKU1RVVldYWVpjZGVm"
+    "Z2hpanN0dXZ3eHl6g4SFhoeIiYqSk5SVlpeYmZqio6Slpqeoqaqys7S1tre4ubrCw8TFxsfIycrS09TV"
+    "1tfY2drh4uPk5ebn6Onq8fLz9PX29/j5+gEAAwEBAQEBAQEBAQAAAAAAAAECAwQFBgcICQoLEQACAQIE"
+    "BAMEBwUEBAABAncAAQIDEQQFITEGEkFRB2FxEyIygQgUQpGhscEJIzNS8BVictEKFiQ04SXxFxgZGiYn"
+    "KCkqNTY3ODk6Q0RFRkdISUpTVFVWV1hZWmNkZWZnaGlqc3R1dnd4eXqCg4SFhoeIiYqSk5SVlpeYmZqi"
+    "o6Slpqeoqaqys7S1tre4ubrCw8TFxsfIycrS09TV1tfY2dri4+Tl5ufo6ery8/T19vf4+fr/2gAMAwEA"
+    "AhEDEQA/AG0UUV5J7R//2Q==";
+
+/* The picture that a model has inside becomes a texture; broken ones end in one line. */
+static void pictures_inside(void **state)
+{
+    (void)state;
+    need_library();
+    char glb[4096];
+    const char *const textured = "\"baseColorTexture\":{\"index\":0}";
+    size_t length = make_glb_of(glb, "{\"mesh\":0}", textured, 0, png_uri);
+    write_bytes("in.glb", glb, length);
+    assert_int_equal(run("mesh in.glb -o in.h"), 0);
+    assert_true(contains("output", "`qtri texture in.glb --picture 0`"));
+    assert_refused("texture in.glb --picture 1 -o bad.h",
+                   "qtri texture: in.glb: there is no picture 1 inside, of 1 in all");
+    assert_refused("texture t.glb -o bad.h", "qtri texture: t.glb: there is no picture 0 inside");
+    if (run("texture in.glb -o skin.h") != 0) {
+        assert_true(contains("messages", "was built without libpng"));
+    } else {
+        assert_compiles("skin.h", "skin");
+        assert_true(contains("skin.h", "0xF800"));
+        assert_int_equal(shell("\"$QTRI_COMMAND\" texture - -o - <in.glb >piped.h"), 0);
+        assert_true(contains("piped.h", "qtri_texture texture = {"));
+    }
+    length = make_glb_of(glb, "{\"mesh\":0}", textured, 0, jpeg_uri);
+    write_bytes("in.glb", glb, length);
+    if (run("texture in.glb -o brown.h") != 0) {
+        assert_true(contains("messages", "was built without libstb"));
+    } else {
+        assert_true(contains("brown.h", "0xC325"));
+        write_bytes("cut.jpg", "\xFF\xD8\xFF\xE0 cut", 8);
+        assert_refused("texture cut.jpg -o bad.h",
+                       "qtri texture: cut.jpg: cannot be read as JPEG: ");
+    }
+}
+
+/* Names that C and C++ have taken. */
+static void names_in_c(void **state)
+{
+    (void)state;
+    assert_int_equal(run("mesh cube -o union.h"), 0);
+    assert_true(contains("union.h", "const qtri_mesh union_ = {"));
+    assert_true(contains("union.h", "#define UNION__VERTICES 24\n#define UNION__TRIANGLES 12\n"));
+    assert_compiles("union.h", "union_");
+    assert_int_equal(run("mesh cube -o x.h --name class"), 2);
 }
 
 /* Bytes changed at random: a mesh or one line, and nothing but these. */
@@ -535,6 +605,8 @@ int main(void)
         cmocka_unit_test(other_formats),
         cmocka_unit_test(bad_gltf),
         cmocka_unit_test(damaged_files),
+        cmocka_unit_test(pictures_inside),
+        cmocka_unit_test(names_in_c),
         cmocka_unit_test(simplified),
         cmocka_unit_test(previews),
         cmocka_unit_test(textures),

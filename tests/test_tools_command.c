@@ -156,6 +156,34 @@ static void generated_mesh(void **state)
     assert_int_equal(run("compare torus.ppm expected.ppm --max-color 1 --max-depth .52"), 0);
 }
 
+/* The output's name says which format; what shows nothing says so. */
+static void pictures(void **state)
+{
+    (void)state;
+    write_file("good.scene", triangle);
+    assert_int_equal(run("render good.scene -o named.ppm --dump"), 0);
+    assert_true(exists("named.ppm") && exists("named.id") && exists("named.depth"));
+    assert_false(exists("named.ppm.ppm"));
+    assert_false(messages_contain("background"));
+    assert_int_equal(run("render good.scene -o plain"), 0);
+    assert_int_equal(run("compare named.ppm plain.ppm"), 0);
+    if (run("render good.scene -o named.png --dump") != 0) {
+        assert_true(messages_contain("was built without libpng"));
+    } else {
+        assert_int_equal(run("compare named.ppm named.png --max-depth 0 -o difference.png"), 0);
+        assert_true(exists("difference.png"));
+    }
+    static const char *const ways[] = {"", "--format rgb565", "--format gray8", "--reference"};
+    write_file("empty.scene", "viewport 64 48\nclear .3 .7 .2\n"
+                              "tri 5 5 0 1 1 0 0  6 5 0 1 0 1 0  5 6 0 1 0 0 1\n");
+    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
+        char line[128];
+        snprintf(line, sizeof line, "render empty.scene -o empty %s", ways[i]);
+        assert_int_equal(run(line), 0);
+        assert_true(messages_contain("empty.scene: nothing is seen in the picture"));
+    }
+}
+
 /* A mesh's neighbours as C. */
 static void neighbours(void **state)
 {
@@ -164,6 +192,8 @@ static void neighbours(void **state)
     assert_int_equal(run("neighbours two.obj -o two.h"), 0);
     assert_true(
         file_contains("two.h", "two_neighbours[2][3] = {\n    {2, 2, 1},\n    {0, 2, 2},\n"));
+    assert_int_equal(run("neighbours - -o - --name other <two.obj"), 0);
+    assert_true(file_contains("output", "other_neighbours[2][3] = {"));
     assert_int_equal(run("neighbours none.obj -o none.h"), 1);
     assert_false(exists("none.h"));
 }
@@ -340,6 +370,7 @@ int main(void)
         cmocka_unit_test(bad_input),
         cmocka_unit_test(formats_and_bands),
         cmocka_unit_test(generated_mesh),
+        cmocka_unit_test(pictures),
         cmocka_unit_test(textures),
         cmocka_unit_test(inputs_are_kept),
         cmocka_unit_test(streams),

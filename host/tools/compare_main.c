@@ -3,6 +3,8 @@
  * The command `qtri compare`.
  */
 #include "compare.h"
+#include "../assets/image.h"
+#include "../io/file.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -26,9 +28,10 @@ struct options {
 static void print_usage(FILE *file)
 {
     fputs(
-        "usage: qtri compare [OPTION]... A.ppm B.ppm\n"
+        "usage: qtri compare [OPTION]... A B\n"
         "\n"
-        "Compares two pictures, and the dumps beside them (A.id, A.depth) where both have them.\n"
+        "Compares two pictures, PPM or PNG (-: PPM of standard input), and the dumps beside them\n"
+        "(A.id, A.depth of A.ppm) where both have them.\n"
         "Prints one measure a line. Exit status 0: the same within the limits below; 1: "
         "different,\n"
         "or a file cannot be read; 2: wrong usage.\n"
@@ -38,7 +41,7 @@ static void print_usage(FILE *file)
         "  --max-coverage N  how many pixels may be covered in one picture only (default 0)\n"
         "  --max-depth X     greatest depth difference, in 1/65535 (default 0); where there are\n"
         "                    ids, of the pixels that show the same triangle in both\n"
-        "  -o FILE.ppm       write a picture of the differences: dark grey where there is none,\n"
+        "  -o FILE           write a picture of the differences: dark grey where there is none,\n"
         "                    64 + 16 times the difference in each channel where there is one,\n"
         "                    red where only one picture is covered\n"
         "  --help            print this\n",
@@ -136,13 +139,31 @@ static bool parse_options(int argc, char **argv, struct options *out)
     return false;
 }
 
+/* PNG, where this was built with its library, or PPM. */
+static bool read_pixels(const char *path, struct picture *picture, struct text_error *error)
+{
+    struct image image;
+
+    if (!file_name_ends_in(path, ".png"))
+        return picture_read_ppm(path, picture, error);
+    if (!image_read(path, &image, error))
+        return false;
+    bool made = picture_create(picture, image.width, image.height, false);
+    for (size_t i = 0; made && i < (size_t)image.width * (size_t)image.height; i++)
+        memcpy(&picture->rgb[3 * i], &image.rgba[4 * i], 3);
+    image_free(&image);
+    if (!made)
+        text_error_set(error, path, 0, "out of memory");
+    return made;
+}
+
 /* Reads the picture and the dumps beside it: PREFIX.id and PREFIX.depth of PREFIX.ppm. */
 static bool read_picture(const char *path, struct picture *picture)
 {
     struct text_error error;
     size_t length = strlen(path);
 
-    if (!picture_read_ppm(path, picture, &error)) {
+    if (!read_pixels(path, picture, &error)) {
         fprintf(stderr, "%s\n", error.message);
         return false;
     }
@@ -153,7 +174,7 @@ static bool read_picture(const char *path, struct picture *picture)
         return false;
     }
     memcpy(prefix, path, length + 1);
-    if (length >= 4 && strcmp(&path[length - 4], ".ppm") == 0)
+    if (file_name_ends_in(path, ".ppm") || file_name_ends_in(path, ".png"))
         prefix[length - 4] = '\0';
     bool read = picture_read_dump(prefix, picture, &error);
     free(prefix);
@@ -215,7 +236,7 @@ static bool write_difference(const char *path, const struct picture picture[2])
         fprintf(stderr, "qtri compare: out of memory\n");
         return false;
     }
-    bool written = picture_write_ppm(path, &difference, &error);
+    bool written = image_write_picture(path, &difference, &error);
     if (!written)
         fprintf(stderr, "%s\n", error.message);
     picture_free(&difference);

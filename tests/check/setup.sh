@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what `make test` and `make check` need on Debian, as root; elsewhere names it and fails.
 set -eu
-packages='git gcc g++ tcc make cmake pkg-config jq libcmocka-dev libmpfr-dev libpng-dev libassimp-dev
+packages='git gcc g++ tcc make cmake pkg-config jq libcmocka-dev libmpfr-dev libpng-dev libstb-dev libassimp-dev
           libmeshoptimizer-dev clang clang-format clang-tidy cppcheck
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
           gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr

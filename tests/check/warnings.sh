@@ -8,7 +8,8 @@ need gcc clang arm-none-eabi-gcc
 
 flags='-std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
        -Wundef -Wcast-qual -Wwrite-strings -Werror'
-includes='-Icore/include -Iport/include -Icore -Ihost -Itests/packages/pico'
+includes='-Icore/include -Iport/include -Icore -Ihost -Itests/packages/pico -Itests/packages/stm32
+          -Itests/packages/esp_idf -Itests/packages/zephyr -Itests/packages/lvgl'
 
 # compile COMPILER FLAGS... < FILES; succeeds if all of them do
 compile()
