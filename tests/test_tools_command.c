@@ -172,6 +172,9 @@ static void pictures(void **state)
     } else {
         assert_int_equal(run("compare named.ppm named.png --max-depth 0 -o difference.png"), 0);
         assert_true(exists("difference.png"));
+        assert_int_equal(run("compare named.png - -o - <named.ppm"), 0);
+        assert_true(messages_contain("pixels-differing     0"));
+        assert_true(file_contains("output", "P6\n64 48\n255\n"));
     }
     static const char *const ways[] = {"", "--format rgb565", "--format gray8", "--reference"};
     write_file("empty.scene", "viewport 64 48\nclear .3 .7 .2\n"

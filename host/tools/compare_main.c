@@ -185,38 +185,38 @@ static bool read_picture(const char *path, struct picture *picture)
     return read;
 }
 
-static void print_count(const char *name, uint64_t value)
+static void print_count(FILE *out, const char *name, uint64_t value)
 {
-    printf("%-20s %" PRIu64 "\n", name, value);
+    fprintf(out, "%-20s %" PRIu64 "\n", name, value);
 }
 
-static void print_number(const char *name, double value)
+static void print_number(FILE *out, const char *name, double value)
 {
     if (isinf(value))
-        printf("%-20s inf\n", name);
+        fprintf(out, "%-20s inf\n", name);
     else
-        printf("%-20s %.6g\n", name, value);
+        fprintf(out, "%-20s %.6g\n", name, value);
 }
 
-static void print_comparison(const struct comparison *c)
+static void print_comparison(FILE *out, const struct comparison *c)
 {
-    printf("%-20s %dx%d\n", "size", c->width[0], c->height[0]);
-    print_count("pixels", c->pixels);
-    print_count("pixels-differing", c->differing);
-    print_count("color-max", (uint64_t)c->max_color_error);
-    print_number("color-mean", c->mean_color_error);
-    print_number("psnr-db", c->psnr);
+    fprintf(out, "%-20s %dx%d\n", "size", c->width[0], c->height[0]);
+    print_count(out, "pixels", c->pixels);
+    print_count(out, "pixels-differing", c->differing);
+    print_count(out, "color-max", (uint64_t)c->max_color_error);
+    print_number(out, "color-mean", c->mean_color_error);
+    print_number(out, "psnr-db", c->psnr);
     if (c->has_id) {
-        print_count("covered-a", c->covered[0]);
-        print_count("covered-b", c->covered[1]);
-        print_count("coverage-mismatches", c->coverage_mismatches);
-        print_count("other-triangle", c->other_triangle);
+        print_count(out, "covered-a", c->covered[0]);
+        print_count(out, "covered-b", c->covered[1]);
+        print_count(out, "coverage-mismatches", c->coverage_mismatches);
+        print_count(out, "other-triangle", c->other_triangle);
     }
     if (c->has_depth) {
-        print_count("depth-pixels", c->depth_pixels);
-        print_number("depth-max", c->max_depth_error);
-        print_number("depth-mean", c->mean_depth_error);
-        print_number("depth-p99.9", c->p999_depth_error);
+        print_count(out, "depth-pixels", c->depth_pixels);
+        print_number(out, "depth-max", c->max_depth_error);
+        print_number(out, "depth-mean", c->mean_depth_error);
+        print_number(out, "depth-p99.9", c->p999_depth_error);
     }
 }
 
@@ -254,7 +254,9 @@ static int compare_read_pictures(const struct options *options, const struct pic
                 comparison.width[1], comparison.height[1]);
         return STATUS_DIFFERENT;
     }
-    print_comparison(&comparison);
+    /* Where the picture of the differences goes to standard output, the measures go elsewhere. */
+    bool is_piped = options->difference_path && strcmp(options->difference_path, "-") == 0;
+    print_comparison(is_piped ? stderr : stdout, &comparison);
     if (options->difference_path && !write_difference(options->difference_path, picture))
         return STATUS_DIFFERENT;
     return within_limits(&comparison, options) ? STATUS_SAME : STATUS_DIFFERENT;

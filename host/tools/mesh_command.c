@@ -239,6 +239,13 @@ static void report(const struct mesh_options *options, const struct asset *asset
     report_materials(options->input, asset, out);
 }
 
+/* What was made goes to standard output: the report goes elsewhere. */
+static bool is_piped(const struct mesh_options *options)
+{
+    return strcmp(options->output, "-") == 0 ||
+           (options->preview != NULL && strcmp(options->preview, "-") == 0);
+}
+
 static int run(struct mesh_options *options)
 {
     struct text_error error;
@@ -253,7 +260,7 @@ static int run(struct mesh_options *options)
                             : (options->is_obj ? write_obj(options, &asset, &error)
                                                : write_c(options, &asset, &error)));
             if (ok && !only_text) {
-                report(options, &asset, strcmp(options->output, "-") == 0 ? stderr : stdout);
+                report(options, &asset, is_piped(options) ? stderr : stdout);
             }
             asset_free(&asset);
         }
