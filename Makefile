@@ -163,6 +163,32 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
 
+.PHONY: fuzz
+fuzz: ## Fuzz for hours: FUZZ_SECONDS=3600 FUZZERS="fuzz_draw fuzz_math"; what is reached stays in build/fuzz/corpus
+	@$(MAKE) -s test-fuzz FUZZ_SECONDS=$(if $(filter command%,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600)
+
+# Not part of `make test`: minutes, and hours. They need python3 and llvm (make setup-proof).
+
+COVERAGE := -O1 -g -fprofile-instr-generate -fcoverage-mapping
+MUTANTS  ?= 500
+SEED     ?= 1
+
+.PHONY: coverage mutate misra setup-proof
+coverage: ## Lines and branches of core and port that the plain tests reach; tests/coverage.allow lists what they do not
+	@rm -rf build/coverage/raw && mkdir -p build/coverage/raw
+	@PROFILES=$(CURDIR)/build/coverage/raw $(MAKE) -s $(PARALLEL) BUILD=build/coverage CC=clang CFLAGS='$(COVERAGE)' test-plain
+	@python3 tests/tools/coverage.py build/coverage tests/coverage.allow
+
+mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of core at random and report what no test notices; MUTANTS=500 SEED=1
+	@[ -f build/coverage/lines.tsv ] || $(MAKE) -s coverage || [ -f build/coverage/lines.tsv ]
+	@HOST_LIBS='$(HOST_LIBS)' QTRI_MODELS='$(abspath $(MODELS))' python3 tests/tools/mutate.py $(BUILD) $(MUTANTS) $(SEED)
+
+misra: ## What cppcheck says of MISRA C:2012 in core, by rule; tests/misra.md has the deviations
+	@sh tests/tools/misra.sh
+
+setup-proof: ## Install what coverage and mutate need besides (Debian, as root)
+	apt-get install -y -qq --no-install-recommends python3 llvm
+
 .PHONY: test-math-targets
 test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V, big-endian PowerPC, AVR
 	@JOBS=$(JOBS) sh tests/test_math_targets.sh

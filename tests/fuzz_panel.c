@@ -220,7 +220,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     const qtri_panel_description *d =
         descriptions[take(&r, 1) % (sizeof descriptions / sizeof descriptions[0])];
     w.fails_at = take(&r, 1) % 3 == 0 ? take(&r, 1) : 0;
-    w.most_bytes = take(&r, 1) % 3 == 0 ? 2 * (size_t)(1 + take(&r, 1)) : 0;
+    w.most_bytes = take(&r, 1) % 3 == 0 ? 2 * (size_t)(8 + take(&r, 1)) : 0;
     init_bus(&bus, &i2c, buffer, &w, take(&r, 1));
     qtri_module module = {false, false, false, false, 0, 0};
     const uint32_t choices = take(&r, 1);

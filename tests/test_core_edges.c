@@ -795,6 +795,33 @@ static void halo_bands_join(void **state)
     }
 }
 
+/* What a halo adds to what has changed: in the middle, and at each border of the frame. */
+static void halo_widens_changes(void **state)
+{
+    (void)state;
+    enum { HALO = 2, SIDE = 20, ROWS = 5 };
+    static uint32_t memory[QTRI_HALO_BYTES(SIDE, ROWS, HALO, 4) / 4 + 4];
+    static const struct {
+        qtri_rect changed, widened;
+    } cases[] = {{{7, 8, 11, 12}, {5, 6, 13, 14}}, {{3, 3, 17, 17}, {1, 1, 19, 19}},
+                 {{2, 2, 18, 18}, {0, 0, 20, 20}}, {{1, 0, 19, 20}, {0, 0, 20, 20}},
+                 {{0, 9, 1, 10}, {0, 7, 3, 12}},   {{19, 9, 20, 10}, {17, 7, 20, 12}}};
+    for (size_t i = 0; i < LENGTH_OF(cases); i++) {
+        qtri_halo halo;
+        assert_int_equal(
+            qtri_halo_init(&halo, &qtri_xrgb8888, SIDE, SIDE, ROWS, HALO, memory, sizeof memory),
+            QTRI_OK);
+        qtri_surface band, shown;
+        qtri_halo_begin(&halo); /* of the first frame everything has changed */
+        while (qtri_halo_next_band(&halo, &band, &shown)) {
+        }
+        qtri_halo_begin(&halo);
+        qtri_frame_mark(&halo.frame, &cases[i].changed);
+        qtri_halo_only_changes(&halo);
+        assert_memory_equal(&halo.frame.changes, &cases[i].widened, sizeof(qtri_rect));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -809,6 +836,7 @@ int main(void)
         cmocka_unit_test(hidden_edges),
         cmocka_unit_test(errors),
         cmocka_unit_test(halo_bands_join),
+        cmocka_unit_test(halo_widens_changes),
     };
     return cmocka_run_group_tests(tests, make_torus, NULL);
 }

@@ -249,6 +249,47 @@ static void bilinear_weights_are_exact(void **state)
     canvas_free(&c);
 }
 
+/* RGB565 texels on RGB565, where each tap has a weight of few bits: any colours, each channel. */
+static void bilinear_of_565(void **state)
+{
+    (void)state;
+    static uint16_t texels[NOISE * NOISE];
+    static uint32_t channel[3][NOISE * NOISE];
+    static const bool clamp[2] = {false, false};
+    uint64_t seed = 740;
+    for (size_t i = 0; i < LENGTH_OF(texels); i++) {
+        texels[i] = (uint16_t)random64(&seed);
+        channel[0][i] = texels[i] >> 11;
+        channel[1][i] = texels[i] >> 5 & 63;
+        channel[2][i] = texels[i] & 31;
+    }
+    canvas c = canvas_new(&qtri_rgb565, 16 * NOISE, 16 * NOISE);
+    qtri_texture texture = noise_texture(texels, &qtri_texel_rgb565);
+    texture.filter = &qtri_bilinear;
+    qtri_material m = plain_material();
+    m.texture = &texture;
+    m.texture_mode = QTRI_REPLACE;
+    qtri_screen_vertex q[3] = {screen_at(0, 0), screen_at(32 * NOISE * 256, 0),
+                               screen_at(0, 32 * NOISE * 256)};
+    q[1].u_q32 = q[2].v_q32 = (int64_t)2 << 32;
+    qtri_raster_triangle(&c.surface, &m, q);
+    double worst = 0; /* in steps of the channel */
+    for (int32_t y = 0; y < 16 * NOISE; y++) {
+        for (int32_t x = 0; x < 16 * NOISE; x++) {
+            const uint32_t is = stored_pixel(&c.surface, x, y);
+            const uint32_t part[3] = {is >> 11, is >> 5 & 63, is & 31};
+            for (int k = 0; k < 3; k++) {
+                const double should =
+                    bilinear_at(channel[k], (x + .5) / 16, (y + .5) / 16, clamp, 0);
+                worst = fmax(worst, fabs(part[k] - should));
+            }
+        }
+    }
+    print_message("bilinear in 565: %.4f of a step\n", worst);
+    assert_true(worst <= .501); /* weights are exact here, only the colour is rounded */
+    canvas_free(&c);
+}
+
 /* At texel centres, and where all texels are alike, the filter changes nothing. */
 static void bilinear_at_centres(void **state)
 {
@@ -487,6 +528,7 @@ int main(void)
         cmocka_unit_test(checkers),
         cmocka_unit_test(bilinear_filter),
         cmocka_unit_test(bilinear_weights_are_exact),
+        cmocka_unit_test(bilinear_of_565),
         cmocka_unit_test(bilinear_at_centres),
         cmocka_unit_test(formats_agree),
         cmocka_unit_test(keys_leave_holes),

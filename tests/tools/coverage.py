@@ -10,6 +10,7 @@ stay unreached, with reasons. Prints a table, leaves BUILD/lines.tsv (which test
 import glob
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -34,6 +35,18 @@ def lines_of(segments):
     return counts
 
 
+def blocks(missing):
+    """(first, last, what) of what is missing; lines in a row that never run are one."""
+    found = []
+    for line, what in sorted(missing.items()):
+        what = "; ".join(what)
+        if found and what == "never runs" == found[-1][2] and found[-1][1] == line - 1:
+            found[-1] = (found[-1][0], line, what)
+        else:
+            found.append((line, line, what))
+    return found
+
+
 def export(build, name, root):
     """The coverage of one test program, and of the command that it may have run."""
     raw = glob.glob(f"{build}/raw/{name}-*.profraw")
@@ -49,13 +62,14 @@ def export(build, name, root):
 
 
 def read_allowed(path):
-    """`FILE: TEXT OF THE LINE: REASON`, blank lines and # apart; text that stands in a line, or `*` for the file."""
+    """`FILE | TEXT | REASON`, blank lines and # apart; TEXT stands in the line, `*` is any of the file."""
     allowed = []
     for number, line in enumerate(open(path), 1):
         line = line.rstrip("\n")
         if not line.strip() or line.startswith("#"):
             continue
-        parts = line.split(" | ")
+        parts = line.split(" | ", 1)
+        parts = parts[:1] + parts[-1].rsplit(" | ", 1)
         if len(parts) != 3 or not parts[2].strip():
             sys.exit(f"{path}:{number}: not FILE | TEXT | REASON")
         allowed.append({"file": parts[0].strip(), "text": parts[1].strip(), "number": number, "met": False})
@@ -97,12 +111,14 @@ def main():
                 missing[line] = ["never runs"]
         sides = done = 0
         for (line, column, _, last), (yes, no) in sorted(branches.get(path, {}).items()):
-            # A condition that the compiler knows, `while (0)` and the like, has no counts.
+            text = source[line - 1][column - 1:last - 1]
+            # An option is known when it is compiled: one side is not there.
+            if re.fullmatch(r"!?QTRI_[A-Z0-9_]+", text):
+                continue
             sides += 2
             done += (yes > 0) + (no > 0)
             if line in missing and missing[line][0] == "never runs":
                 continue
-            text = source[line - 1][column - 1:last - 1]
             if not yes:
                 missing.setdefault(line, []).append(f"`{text}` is never true")
             if not no:
@@ -111,12 +127,14 @@ def main():
         table.append((path, ran, len(lines[path]), done, sides))
         for i, n in enumerate((ran, len(lines[path]), done, sides)):
             total[i] += n
-        for line, what in sorted(missing.items()):
-            match = [a for a in allowed if a["file"] == path and (a["text"] == "*" or a["text"] in source[line - 1])]
+        for line, end, what in blocks(missing):
+            # The line in front too: it names the function.
+            text = "\n".join(source[max(0, line - (2 if what == "never runs" else 1)):end])
+            match = [a for a in allowed if a["file"] == path and (a["text"] == "*" or a["text"] in text)]
             for a in match:
                 a["met"] = True
             if not match:
-                findings.append(f"{path}:{line}: {'; '.join(what)}: {source[line - 1].strip()}")
+                findings.append(f"{path}:{line}: {what}: {source[line - 1].strip()}")
     width = max(len(t[0]) for t in table)
     print(f"{'file':{width}}       lines              branches")
     for path, ran, all_lines, done, sides in table + [("all", *total)]:

@@ -57,7 +57,8 @@ typedef struct qtri_bus {
     bool (*busy)(void *context);
 
     /* The most bytes that `data` and `data_start` are given at once, as 65535 for many DMA engines;
-       longer ones are split. 0: any number. Others than 0 are even. */
+       longer ones are split. 0: any number. Others than 0 are even and 16 or more: the
+       parameters of a command are not split. */
     size_t most_bytes;
 } qtri_bus;
 
