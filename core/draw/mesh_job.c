@@ -19,8 +19,9 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
         box.half.z = mesh->extent;
     }
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    const int32_t low[2] = {bounds.x0, bounds.y0};
-    const int32_t high[2] = {bounds.x1, bounds.y1};
+    const int32_t more = draw->material.fill != NULL; /* smooth lines reach out of their mesh */
+    const int32_t low[2] = {bounds.x0 - more, bounds.y0 - more};
+    const int32_t high[2] = {bounds.x1 + more, bounds.y1 + more};
     return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
 }
 

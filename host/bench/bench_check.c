@@ -110,6 +110,7 @@ static const struct expectation {
     {"K5", BEGIN "linewidth 5\n", 0},
     {"KP", BEGIN "pointsize 6\n", 0},
     {"KW", NULL, 0},
+    {"KS", NULL, 0},
     {"KH", NULL, 0},
     {"B1", BEGIN HALF SCREEN(ORANGE, ORANGE, ORANGE, ORANGE), 76800},
     {"B2", BEGIN HALF SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},

@@ -52,6 +52,7 @@ typedef struct bench_scene {
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
     q16 turn;               /* the mesh, about y */
     q16 width;              /* of strokes, with smooth edges; of a mesh: its wireframe's */
+    bool thin;              /* a wireframe of smooth lines */
     bool points, hidden;    /* points for a polyline; a wireframe without hidden lines */
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
     uint32_t lights;        /* not 0: so many sources, and highlights, in place of the light */
