@@ -93,7 +93,7 @@ static void coverage(void **state)
             for (int x = 0; x < WIDTH; x++) {
                 const double error =
                     fabs(stored_pixel(&c.surface, x, y) / 255.0 - share[x]);
-                if (error > 1.0 / 64) {
+                if (error > 1.0 / 32) {
                     fail_msg("line %d (%d %d)-(%d %d) r %d: pixel %d %d is off by %.4f", n,
                              (int)l.v[0].at.x_24p8, (int)l.v[0].at.y_24p8,
                              (int)l.v[1].at.x_24p8, (int)l.v[1].at.y_24p8,

@@ -10,7 +10,7 @@
 
 /* What covers a whole pixel: 256 of a width by 512 halves of 1/256 of a height. */
 #define FULL  ((int32_t)256 * 512)
-#define LEAST (FULL / 256) /* less is nothing */
+#define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
 
 enum {
     CELLS = 8,   /* of a column, with what follows the last */
@@ -33,6 +33,7 @@ typedef struct wire {
     int32_t offset_x, offset_y; /* |offset_x| <= offset_y <= radius */
     int32_t half_q16;           /* of its extent across, in a column: <= sqrt(2) pixels */
     int32_t first, end;         /* columns */
+    int32_t inner, inner_end;   /* those where it has no end */
     int32_t bounds[4];          /* pixels inside: along from, to; across from, to */
     bool inside;                /* all of it lies in them */
     int32_t share_step;         /* Q24 of its length a column; at most 2^28 */
@@ -42,6 +43,11 @@ typedef struct wire {
     const qtri_line_color *from, *to; /* NULL: shares of the tint */
     uint32_t alpha_q8;                /* 256: opaque */
     uint32_t place_along, place_across;
+    bool steep; /* along is y */
+    /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
+    const uint16_t *table;
+    uint8_t *pixels, *depths;
+    int32_t pixel_along, pixel_across, depth_along, depth_across;
 } wire;
 
 /*
@@ -83,40 +89,50 @@ QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int
 }
 
 /* An end of the rectangle, from its near corner to the far one, as far as it lies in the column. */
-static void add_end(int32_t *cell, const wire *w, int end, int32_t column, int32_t base)
+QTRI_INLINE void add_end(int32_t *cell, const wire *w, int end, int32_t x, int32_t first)
 {
     const int32_t near_x = w->x[end] + w->offset_x;
-    const int32_t near_y = w->y[end] - w->offset_y;
     const int32_t far_x = w->x[end] - w->offset_x;
-    const int32_t far_y = w->y[end] + w->offset_y;
-    const int32_t left = qtri_greatest32(qtri_least32(near_x, far_x), column * 256);
-    const int32_t right = qtri_least32(qtri_greatest32(near_x, far_x), column * 256 + 256);
+    const bool forwards = far_x > near_x;
+    const int32_t left = qtri_greatest32(forwards ? near_x : far_x, x);
+    const int32_t right = qtri_least32(forwards ? far_x : near_x, x + 256);
     if (left >= right) {
         return;
     }
-    const bool forwards = far_x > near_x;
-    const int32_t from = forwards ? left - near_x : near_x - right;
+    const int32_t near_y = w->y[end] - w->offset_y - first;
+    const int32_t far_y = w->y[end] + w->offset_y - first;
+    const int32_t from = forwards ? left - near_x : near_x - right; /* < 2^9 */
     const int32_t to = forwards ? right - near_x : near_x - left;
-    const int32_t first = base * 256;
-    const int32_t ya =
-        qtri_least32(near_y + (int32_t)(((uint32_t)from * (uint32_t)w->inverse_q8) >> 8), far_y);
-    const int32_t yb =
-        qtri_least32(near_y + (int32_t)(((uint32_t)to * (uint32_t)w->inverse_q8) >> 8), far_y);
+    const int32_t ya = qtri_least32(near_y + ((from * w->inverse_q8) >> 8), far_y);
+    const int32_t yb = qtri_least32(near_y + ((to * w->inverse_q8) >> 8), far_y);
     const int32_t dx = (forwards == (end == 1)) ? right - left : left - right;
-    add_side(cell, dx, ya - first, yb - first, (int32_t)(w->slope_q30 >> 22));
+    add_side(cell, dx, ya, yb, (int32_t)(w->slope_q30 >> 22));
 }
 
 /* One of the long sides in a column where the line ends: `y` at the column's start. */
-static void add_part(int32_t *cell, const wire *w, int32_t sign, int32_t column, int32_t y)
+QTRI_INLINE void add_part(int32_t *cell, const wire *w, int32_t sign, int32_t x, int32_t y)
 {
     const int32_t offset = sign * w->offset_x;
-    const int32_t x = column * 256;
     const int32_t left = qtri_greatest32(w->x[0] + offset, x);
     const int32_t right = qtri_least32(w->x[1] + offset, x + 256);
     if (left < right) {
-        const int32_t slope_q8 = w->slope_q16;
-        add_side(cell, sign * (right - left), y + ((slope_q8 * (left - x)) >> 16),
-                 y + ((slope_q8 * (right - x)) >> 16), w->inverse_q8);
+        add_side(cell, sign * (right - left), y + ((w->slope_q16 * (left - x)) >> 16),
+                 y + ((w->slope_q16 * (right - x)) >> 16), w->inverse_q8);
+    }
+}
+
+/* All sides of a column where the line ends; `y` is the near side at its start, in cell 0. */
+QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column, int32_t first,
+                                   int32_t y, int32_t wide)
+{
+    const int32_t x = column * 256;
+    add_part(cell, w, 1, x, y);
+    add_part(cell, w, -1, x, y + wide);
+    if (column < w->inner) {
+        add_end(cell, w, 0, x, first);
+    }
+    if (column >= w->inner_end) {
+        add_end(cell, w, 1, x, first);
     }
 }
 
@@ -141,6 +157,18 @@ static void color_words(uint32_t *word, const wire *w, const pixels *p)
         }
         word[i] = colors->pack(c);
     }
+}
+
+/* Of a cover, 32nds to nearest. */
+static inline uint32_t share_565(uint32_t cover)
+{
+    return (cover + FULL / 64) / (FULL / 32);
+}
+
+/* The same of a share of 10 bits, in which covers are cut off to a multiple of 1/1024. */
+static inline uint32_t mix_565(uint32_t over, uint32_t under, uint32_t k)
+{
+    return qtri_lerp_565(under, over, (k + 16) >> 5);
 }
 
 static inline uint32_t mix_channel(uint32_t over, uint32_t under, uint32_t k, uint32_t most)
@@ -177,7 +205,7 @@ QTRI_NOINLINE static void store(const wire *w, pixels *p)
                                                       (ptrdiff_t)(place >> 16) * surface->pitch +
                                                       (ptrdiff_t)(place & 0xFFFF) * memory->bytes));
     }
-    QTRI_MIX(word, under[i], count, format->colors, p->cover[i], mix_channel, qtri_mix_over_565)
+    QTRI_MIX(word, under[i], count, format->colors, p->cover[i], mix_channel, mix_565)
     if (format->encode != NULL) {
         format->encode(word, count);
     }
@@ -185,34 +213,39 @@ QTRI_NOINLINE static void store(const wire *w, pixels *p)
     p->count = 0;
 }
 
-/* What a column's pixels have in common, and where the first is. */
+static inline int32_t held_share(int32_t share_q24)
+{
+    const int32_t share = share_q24 >> (24 - SHARE_BITS);
+    const int32_t one = (int32_t)1 << SHARE_BITS;
+    return (uint32_t)share <= (uint32_t)one ? share : (share < 0 ? 0 : one);
+}
+
+/* Where a column's cells are, and the share at the first in Q24. */
 typedef struct column {
-    uint32_t place;
-    int32_t share, row; /* Q24; across */
+    const int32_t *cell, *end;
+    int32_t share, along, across;
 } column;
 
-/* Pixels of a column, from its cells. */
-QTRI_INLINE void take_pixels(const wire *w, pixels *p, const int32_t *cell, const int32_t *end,
-                             const column *at, bool direct)
+/* Pixels of a column for any format. */
+static void take_pixels(const wire *w, pixels *p, const column *c)
 {
     const qtri_line_job *job = w->job;
     const qtri_surface *surface = job->surface;
-    const uint16_t *table = qtri_batch_table(job->batch);
-    uint32_t place = at->place;
-    int32_t share_q24 = at->share;
-    int32_t row = at->row;
+    uint32_t place = (uint32_t)c->along * w->place_along + (uint32_t)c->across * w->place_across -
+                     job->first_place;
+    int32_t share_q24 = c->share;
+    int32_t row = c->across;
     int32_t sum = 0;
-    for (; cell != end; cell++, place += w->place_across, share_q24 += w->share_across, row++) {
+    for (const int32_t *cell = c->cell; cell != c->end;
+         cell++, place += w->place_across, share_q24 += w->share_across, row++) {
         sum += *cell;
-        if (sum < LEAST || (!w->inside && (row < w->bounds[2] || row >= w->bounds[3]))) {
+        if (sum < LEAST || row < w->bounds[2] || row >= w->bounds[3]) {
             continue;
         }
-        const int32_t share =
-            qtri_hold32(share_q24 >> (24 - SHARE_BITS), 0, (int32_t)1 << SHARE_BITS);
-        const ptrdiff_t y = (ptrdiff_t)(place >> 16);
-        const ptrdiff_t x = (ptrdiff_t)(place & 0xFFFF);
+        const int32_t share = held_share(share_q24);
         if (job->has_depth) {
-            uint16_t *depth = surface->depth + y * surface->depth_pitch + x;
+            uint16_t *depth = surface->depth + (ptrdiff_t)(place >> 16) * surface->depth_pitch +
+                              (ptrdiff_t)(place & 0xFFFF);
             const uint32_t z = (uint32_t)(w->z_16p14 + w->z_step * share) >> 14;
             if (z - *depth - job->less >= job->passing) {
                 continue;
@@ -221,60 +254,93 @@ QTRI_INLINE void take_pixels(const wire *w, pixels *p, const int32_t *cell, cons
                 *depth = (uint16_t)z;
             }
         }
-        const uint32_t cover = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
-        if (direct) {
-            uint16_t *pixel = (uint16_t *)(void *)(surface->pixels + y * surface->pitch) + x;
-            const uint32_t word =
-                table[((uint32_t)(w->light_q29 + w->light_step * share) + (1u << 21)) >> 22];
-            *pixel = (uint16_t)qtri_mix_over_565(word, *pixel, cover);
-        } else {
-            const int32_t i = p->count++;
-            p->place[i] = place;
-            p->share[i] = (uint32_t)share;
-            p->cover[i] = cover;
-        }
+        const int32_t i = p->count++;
+        p->place[i] = place;
+        p->share[i] = (uint32_t)share;
+        p->cover[i] = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
     }
 }
 
-/* Columns from `column` to `end`, which are of one chunk; `low` is the near side at the first. */
-QTRI_INLINE void walk(const wire *w, int32_t column, int32_t end, int32_t low_q16, int32_t share,
-                      bool direct)
+/* The same, stored, where pixels are RGB565 with a table of tints; none is outside. */
+QTRI_INLINE void draw_pixels(const wire *w, const column *c, bool has_depth)
+{
+    const int32_t *cell = c->cell;
+    const int32_t *const end = c->end;
+    const uint16_t *table = w->table;
+    uint8_t *pixel = w->pixels + c->along * w->pixel_along + c->across * w->pixel_across;
+    uint8_t *depth =
+        has_depth ? w->depths + c->along * w->depth_along + c->across * w->depth_across : NULL;
+    int32_t share_q24 = c->share;
+    int32_t sum = 0;
+    do {
+        sum += *cell++;
+        if (sum >= LEAST) {
+            const int32_t share = held_share(share_q24);
+            uint16_t *at = (uint16_t *)(void *)depth;
+            const uint32_t z = (uint32_t)(w->z_16p14 + w->z_step * share) >> 14;
+            if (!has_depth || z < *at) {
+                uint16_t *to = (uint16_t *)(void *)pixel;
+                const uint32_t light = (uint32_t)(w->light_q29 + w->light_step * share);
+                const uint32_t word = table[(light + (1u << 21)) >> 22];
+                if (has_depth && sum >= FULL / 2) {
+                    *at = (uint16_t)z;
+                }
+                *to = (uint16_t)qtri_lerp_565(*to, word, share_565((uint32_t)sum));
+            }
+        }
+        share_q24 += w->share_across;
+        pixel += w->pixel_across;
+        if (has_depth) {
+            depth += w->depth_across;
+        }
+    } while (cell != end);
+}
+
+/*
+ * Columns from `column` to `end`, which are of one chunk; `low` is the near side at the first.
+ * how: ANY format; OVER what is there, or NEARER than that, in RGB565.
+ */
+enum { ANY, OVER, NEARER };
+
+QTRI_INLINE void walk(const wire *w, int32_t column_of, int32_t end, int32_t low_q16, int32_t share,
+                      int how)
 {
     pixels p;
+    int32_t cell[CELLS];
     const int32_t slope = w->slope_q16;
     const int32_t wide = 2 * w->half_q16 >> 8;
-    const int32_t reach = w->offset_x < 0 ? -w->offset_x : w->offset_x;
-    const int32_t from = (w->x[0] + reach + 255) >> 8;
-    const int32_t to = (w->x[1] - reach) >> 8;
+    column c;
     p.count = 0;
-    for (; column < end; column++, low_q16 += slope, share += w->share_step) {
-        int32_t cell[CELLS] = {0};
+    c.cell = cell;
+    for (c.along = column_of; c.along < end; c.along++, low_q16 += slope, share += w->share_step) {
+        cell[0] = cell[1] = cell[2] = cell[3] = 0;
+        cell[4] = cell[5] = cell[6] = 0;
         /* 1/32 less, for corners that were rounded. */
         const int32_t base = ((slope < 0 ? low_q16 + slope : low_q16) - 0x800) >> 16;
-        const int32_t near_a = (low_q16 >> 8) - base * 256;
-        const int32_t near_b = ((low_q16 + slope) >> 8) - base * 256;
-        if (column >= from && column < to) {
+        const int32_t first = base * 256;
+        const int32_t near_a = (low_q16 >> 8) - first;
+        const int32_t near_b = ((low_q16 + slope) >> 8) - first;
+        if (c.along >= w->inner && c.along < w->inner_end) {
             add_side(cell, 256, near_a, near_b, w->inverse_q8);
             add_side(cell, -256, near_a + wide, near_b + wide, w->inverse_q8);
         } else {
-            add_part(cell, w, 1, column, near_a);
-            add_part(cell, w, -1, column, near_a + wide);
-            add_end(cell, w, 0, column, base);
-            add_end(cell, w, 1, column, base);
+            add_ends(cell, w, c.along, first, near_a, wide);
         }
-        const int32_t last = (qtri_greatest32(near_a, near_b) + wide + 8) >> 8;
         /* From the line at the column's middle to the first cell's: 1/256 pixel. */
         const int32_t middle = (low_q16 + (slope >> 1) + w->half_q16) >> 8;
-        const struct column at = {(uint32_t)column * w->place_along +
-                                      (uint32_t)base * w->place_across - w->job->first_place,
-                                  share + (w->share_across >> 8) * (base * 256 + 128 - middle),
-                                  base};
-        if (!direct && p.count > QTRI_BATCH - CELLS) {
+        c.end = cell + ((qtri_greatest32(near_a, near_b) + wide + 8) >> 8) + 1;
+        c.share = share + (w->share_across >> 8) * (first + 128 - middle);
+        c.across = base;
+        if (how != ANY) {
+            draw_pixels(w, &c, how == NEARER);
+            continue;
+        }
+        if (p.count > QTRI_BATCH - CELLS) {
             store(w, &p);
         }
-        take_pixels(w, &p, cell, cell + last + 1, &at, direct);
+        take_pixels(w, &p, &c);
     }
-    if (!direct) {
+    if (how == ANY) {
         store(w, &p);
     }
 }
@@ -282,13 +348,19 @@ QTRI_INLINE void walk(const wire *w, int32_t column, int32_t end, int32_t low_q1
 QTRI_NOINLINE static void walk_any(const wire *w, int32_t column, int32_t end, int32_t low_q16,
                                    int32_t share)
 {
-    walk(w, column, end, low_q16, share, false);
+    walk(w, column, end, low_q16, share, ANY);
 }
 
-QTRI_NOINLINE static void walk_565(const wire *w, int32_t column, int32_t end, int32_t low_q16,
-                                   int32_t share)
+QTRI_NOINLINE static void walk_over(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+                                    int32_t share)
 {
-    walk(w, column, end, low_q16, share, true);
+    walk(w, column, end, low_q16, share, OVER);
+}
+
+QTRI_NOINLINE static void walk_nearer(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+                                      int32_t share)
+{
+    walk(w, column, end, low_q16, share, NEARER);
 }
 
 /*
@@ -386,6 +458,9 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
     w->bounds[1] = steep ? bottom : right;
     w->bounds[2] = steep ? left : top;
     w->bounds[3] = steep ? right : bottom;
+    w->steep = steep;
+    w->inner = (w->x[0] + reach + 255) >> 8;
+    w->inner_end = (w->x[1] - reach) >> 8;
     w->first = (w->x[0] - reach) >> 8;
     w->end = (w->x[1] + reach + 255) >> 8;
     const int32_t low = (qtri_least32(w->y[0], w->y[1]) - w->offset_y) >> 8;
@@ -394,6 +469,37 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
                 high + 1 < w->bounds[3];
     return w->end > w->bounds[0] && w->first < w->bounds[1] && high + 1 >= w->bounds[2] &&
            low <= w->bounds[3];
+}
+
+typedef void (*walk_columns)(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+                             int32_t share);
+
+/* What walks a line of which nothing is outside. */
+static walk_columns walk_of(wire *w, const qtri_line_color *color)
+{
+    const qtri_line_job *job = w->job;
+    const qtri_surface *surface = job->surface;
+    const bool nearer = job->has_depth && job->is_less && job->depth_write;
+    const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
+    if (!QTRI_WITH_FAST_PATHS || color != NULL || job->smooth->alpha != 255 ||
+        !job->batch->has_table || (job->has_depth && !nearer) || !qtri_is_565(surface->format) ||
+        surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
+        surface->depth_pitch >= pitch_end / 2 || surface->depth_pitch <= -pitch_end / 2) {
+        return walk_any;
+    }
+    const int32_t pitch = (int32_t)surface->pitch;
+    w->table = qtri_batch_table(job->batch);
+    w->pixels = surface->pixels - surface->first_row * surface->pitch;
+    w->pixel_along = w->steep ? pitch : 2;
+    w->pixel_across = w->steep ? 2 : pitch;
+    if (!nearer) {
+        return walk_over;
+    }
+    const int32_t depth_pitch = 2 * (int32_t)surface->depth_pitch;
+    w->depths = (uint8_t *)(void *)(surface->depth - surface->first_row * surface->depth_pitch);
+    w->depth_along = w->steep ? depth_pitch : 2;
+    w->depth_across = w->steep ? 2 : depth_pitch;
+    return walk_nearer;
 }
 
 void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
@@ -405,22 +511,16 @@ void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const
     }
     const uint32_t alpha = job->smooth->alpha;
     w.alpha_q8 = alpha + (alpha >> 7);
-    const bool direct = color == NULL && job->batch->has_table && qtri_is_565(job->surface->format);
+    const walk_columns columns = w.inside ? walk_of(&w, color) : walk_any;
     for (int32_t start = w.first; start < w.end; start += CHUNK) {
         int32_t low_q16;
         int32_t share;
         const int32_t end = qtri_least32(qtri_least32(start + CHUNK, w.end), w.bounds[1]);
         const int32_t skip = qtri_greatest32(w.bounds[0] - start, 0);
-        if (start + skip >= end) {
-            continue;
-        }
-        begin_chunk(&w, start, &low_q16, &share);
-        low_q16 += skip * w.slope_q16;
-        share += skip * w.share_step;
-        if (direct) {
-            walk_565(&w, start + skip, end, low_q16, share);
-        } else {
-            walk_any(&w, start + skip, end, low_q16, share);
+        if (start + skip < end) {
+            begin_chunk(&w, start, &low_q16, &share);
+            columns(&w, start + skip, end, low_q16 + skip * w.slope_q16,
+                    share + skip * w.share_step);
         }
     }
 }
