@@ -59,8 +59,7 @@ static void draw(const qtri_surface *surface, const qtri_material *material, con
     if (turned) {
         job.draw(&job, &l->v[1], &l->v[0], l->colored ? color : NULL);
     } else {
-        job.draw(&job, &l->v[0], &l->v[1],
-                 l->colored ? (const qtri_line_color *)l->color : NULL);
+        job.draw(&job, &l->v[0], &l->v[1], l->colored ? (const qtri_line_color *)l->color : NULL);
     }
     qtri_line_flush(&job);
 }
@@ -77,12 +76,12 @@ static void coverage(void **state)
         line l = random_line(&seed);
         l.colored = false;
         l.v[0].intensity_q15 = l.v[1].intensity_q15 = 32768;
-        const bool is_there = l.v[0].at.x_24p8 != l.v[1].at.x_24p8 ||
-                              l.v[0].at.y_24p8 != l.v[1].at.y_24p8;
+        const bool is_there =
+            l.v[0].at.x_24p8 != l.v[1].at.x_24p8 || l.v[0].at.y_24p8 != l.v[1].at.y_24p8;
         const enum ref_cap cap = l.style.square ? REF_CAP_SQUARE : REF_CAP_BUTT;
-        const struct ref_stroke_part part = {
-            l.v[0].at.x_24p8 / 256.0, l.v[0].at.y_24p8 / 256.0, l.v[1].at.x_24p8 / 256.0,
-            l.v[1].at.y_24p8 / 256.0, l.style.radius_24p8 / 256.0, {cap, cap}};
+        const struct ref_stroke_part part = {l.v[0].at.x_24p8 / 256.0,    l.v[0].at.y_24p8 / 256.0,
+                                             l.v[1].at.x_24p8 / 256.0,    l.v[1].at.y_24p8 / 256.0,
+                                             l.style.radius_24p8 / 256.0, {cap, cap}};
         canvas_clear(&c);
         draw(&c.surface, &material, &l, false);
         for (int y = 0; y < HEIGHT; y++) {
@@ -91,13 +90,11 @@ static void coverage(void **state)
                 ref_stroke_cover_row(&part, 1, y, WIDTH, share);
             }
             for (int x = 0; x < WIDTH; x++) {
-                const double error =
-                    fabs(stored_pixel(&c.surface, x, y) / 255.0 - share[x]);
+                const double error = fabs(stored_pixel(&c.surface, x, y) / 255.0 - share[x]);
                 if (error > 1.0 / 32) {
                     fail_msg("line %d (%d %d)-(%d %d) r %d: pixel %d %d is off by %.4f", n,
-                             (int)l.v[0].at.x_24p8, (int)l.v[0].at.y_24p8,
-                             (int)l.v[1].at.x_24p8, (int)l.v[1].at.y_24p8,
-                             (int)l.style.radius_24p8, x, y, error);
+                             (int)l.v[0].at.x_24p8, (int)l.v[0].at.y_24p8, (int)l.v[1].at.x_24p8,
+                             (int)l.v[1].at.y_24p8, (int)l.style.radius_24p8, x, y, error);
                 }
                 worst = fmax(worst, error);
             }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/samples.h"
 #include "lights.h"
 
 /* Vertices from which on a look at eight corners pays. */
@@ -19,7 +20,8 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
         box.half.z = mesh->extent;
     }
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    const int32_t more = draw->material.fill != NULL; /* smooth lines reach out of their mesh */
+    /* Smooth lines reach out of their mesh, and samples lie beside the centres of pixels. */
+    const int32_t more = draw->material.fill != NULL || qtri_sampling_of(surface->format) != NULL;
     const int32_t low[2] = {bounds.x0 - more, bounds.y0 - more};
     const int32_t high[2] = {bounds.x1 + more, bounds.y1 + more};
     return qtri_projector_misses(&draw->primitive.projector, &box, low, high);

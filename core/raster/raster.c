@@ -95,6 +95,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     }
     set_bounds(raster, &bounds);
     raster->units = format->colors;
+    raster->samples = format->fused != NULL ? format->fused->samples : NULL;
     if (textured) {
         raster->texturing = material->texture->format->texturing;
         raster->texturing->init(raster, material);
