@@ -32,9 +32,10 @@ typedef enum bench_work {
 /* What is done about jagged edges; all but the first not with BENCH_PLAIN. */
 typedef enum bench_smooth {
     BENCH_JAGGED,
-    BENCH_EDGES, /* the mesh's outline, by neighbours */
-    BENCH_SUMS,  /* the same by sums */
-    BENCH_HALVE, /* drawn at twice the size, cleared before, and halved */
+    BENCH_EDGES,   /* the mesh's outline, by neighbours */
+    BENCH_SUMS,    /* the same by sums */
+    BENCH_HALVE,   /* drawn at twice the size, cleared before, and halved */
+    BENCH_SAMPLES, /* four a pixel, cleared before, and resolved */
     BENCH_FXAA,
     BENCH_ADD, /* only a frame's addition to a sum, and only the mean's storing */
     BENCH_STORE
