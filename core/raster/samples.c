@@ -129,6 +129,10 @@ typedef struct work {
     int32_t y, x, count;    /* a chunk of it, of up to QTRI_BATCH pixels */
     uint32_t cover[PLACES]; /* of the chunk */
     uint32_t pass[QTRI_SAMPLES];
+    uint8_t *record;                /* of the chunk's first pixel */
+    uint16_t *depths[QTRI_SAMPLES]; /* and where its samples keep theirs */
+    uint32_t z[QTRI_SAMPLES];
+    ptrdiff_t steps[QTRI_SAMPLES];
     uint32_t word[QTRI_BATCH];
 } work;
 
@@ -151,7 +155,7 @@ static void set_shade(work *w)
     w->shade.samples = NULL;
     w->shade.compare = QTRI_DEPTH_OFF;
     w->shade.depth_write = false;
-    w->shade.with_depth = raster->fog != NULL;
+    w->shade.with_depth = raster->with_depth;
     w->shade.depth = qtri_depth_stages(QTRI_DEPTH_OFF, false, true);
     w->shade.fill_flat = qtri_span_fill;
     w->shade.fill_smooth = qtri_span_fill;
@@ -160,23 +164,60 @@ static void set_shade(work *w)
     w->depth = qtri_depth_stages(raster->compare, raster->depth_write, true);
 }
 
-/* The depths of samples. Colours take no part: they would only cost. */
+/*
+ * Whether depth changes by less than 2^31 from pixel to pixel, so that its ramp did not wrap: of no
+ * sliver (gradient.h: |area| >= 32 extents, where both differences are at most an extent) it is at
+ * most 16 times the range of the vertices.
+ */
+static bool is_gentle(const work *w, const qtri_triangle *t)
+{
+    const uint32_t half = (uint32_t)1 << 25;
+    const uint32_t first = w->v[0].depth_16p16;
+    const int64_t size = t->area < 0 ? -t->area : t->area;
+    return size >= (int64_t)t->extent * 32 && w->v[1].depth_16p16 - first + half < 2 * half &&
+           w->v[2].depth_16p16 - first + half < 2 * half;
+}
+
+/* The job of a place. */
+static void make_ready(work *w, int place)
+{
+    moved *m = &w->at[place];
+    if (!m->ready) {
+        m->fill = qtri_job_init(&m->job, &w->shade, &m->triangle, w->v);
+        m->ready = true;
+    }
+}
+
+/* The depths of samples: the centre's, moved, or each by itself, without colours. */
 static void set_depths(work *w)
 {
+    const bool is_whole = w->at[CENTER].any && is_gentle(w, &w->at[CENTER].triangle);
     qtri_raster plain = w->shade;
     qtri_job job;
-    plain.texture = NULL;
-    plain.units = plain.format->colors;
-    plain.effects = NULL;
-    plain.fog = NULL;
-    plain.shading = QTRI_FLAT_FIRST;
-    plain.with_depth = true;
+    if (is_whole) {
+        make_ready(w, CENTER);
+    } else {
+        plain.texture = NULL;
+        plain.units = plain.format->colors;
+        plain.effects = NULL;
+        plain.fog = NULL;
+        plain.shading = QTRI_FLAT_FIRST;
+    }
     for (int k = 0; k < QTRI_SAMPLES; k++) {
-        if (w->at[k].any) {
-            (void)qtri_job_init(&job, &plain, &w->at[k].triangle, w->v);
-            w->at[k].depth = job.depth;
-            w->at[k].anchor_x = job.anchor_x;
-            w->at[k].anchor_y = job.anchor_y;
+        moved *m = &w->at[k];
+        const qtri_job *from = is_whole ? &w->at[CENTER].job : &job;
+        if (!m->any) {
+            continue;
+        }
+        if (!is_whole) {
+            (void)qtri_job_init(&job, &plain, &m->triangle, w->v);
+        }
+        m->depth = from->depth;
+        m->anchor_x = from->anchor_x;
+        m->anchor_y = from->anchor_y;
+        if (is_whole) {
+            m->depth.origin += qtri_gradient_along((int32_t)m->depth.dx, offset[k][0],
+                                                   (int32_t)m->depth.dy, offset[k][1]);
         }
     }
 }
@@ -189,43 +230,40 @@ static uint32_t mask_in(const work *w, const qtri_span *span)
     return first >= end ? 0 : qtri_mask_of(end - first) << (w->count - end);
 }
 
-static uint8_t *record_at(const work *w)
+/* Where the samples of the chunk's pixels are, and their depths at the first. */
+static void find_samples(work *w)
 {
     const qtri_surface *surface = w->raster->surface;
-    return qtri_pixels_at(surface, w->y) + (ptrdiff_t)w->x * surface->format->pixels->bytes;
-}
-
-/* Where sample k of the chunk's first pixel keeps its depth; *step: to the next pixel's. */
-static uint16_t *depth_at(const work *w, int k, ptrdiff_t *step)
-{
-    const qtri_surface *surface = w->raster->surface;
-    if (k == 0) {
-        *step = 1;
-        return qtri_depths_at(surface, w->y) + w->x;
+    const int32_t size = surface->format->pixels->bytes;
+    const int32_t bytes = w->raster->samples->format->pixels->bytes;
+    w->record = qtri_pixels_at(surface, w->y) + (ptrdiff_t)w->x * size;
+    for (int k = 0; k < QTRI_SAMPLES; k++) {
+        const moved *m = &w->at[k];
+        w->depths[k] = NULL;
+        w->steps[k] = 0;
+        w->z[k] = 0;
+        if (w->raster->compare == QTRI_DEPTH_OFF) {
+            continue;
+        }
+        w->depths[k] =
+            k == 0 ? qtri_depths_at(surface, w->y) + w->x : qtri_sample_depth(w->record, bytes, k);
+        w->steps[k] = k == 0 ? 1 : size / 2;
+        w->z[k] = qtri_ramp_at(&m->depth, w->x - m->anchor_x, w->y - m->anchor_y);
     }
-    *step = surface->format->pixels->bytes / 2;
-    return qtri_sample_depth(record_at(w), w->raster->samples->format->pixels->bytes, k);
-}
-
-static uint32_t depth_of(const work *w, int k)
-{
-    const moved *m = &w->at[k];
-    return qtri_ramp_at(&m->depth, w->x - m->anchor_x, w->y - m->anchor_y);
 }
 
 /* Which of the covered samples pass. */
 static uint32_t test(const work *w, int k)
 {
     uint16_t stored[QTRI_BATCH];
-    ptrdiff_t step;
     if (w->depth.test == NULL || w->cover[k] == 0) {
         return w->cover[k];
     }
-    const uint16_t *depth = depth_at(w, k, &step);
-    for (int32_t i = 0; i < w->count; i++, depth += step) {
+    const uint16_t *depth = w->depths[k];
+    for (int32_t i = 0; i < w->count; i++, depth += w->steps[k]) {
         stored[i] = *depth;
     }
-    const uint32_t passed = w->depth.test(stored, depth_of(w, k), w->at[k].depth.dx, w->count);
+    const uint32_t passed = w->depth.test(stored, w->z[k], w->at[k].depth.dx, w->count);
     return (passed ^ (w->depth.inverted ? UINT32_MAX : 0)) & w->cover[k];
 }
 
@@ -233,20 +271,19 @@ static uint32_t test(const work *w, int k)
 static void shade_at(work *w, int place, uint32_t mask)
 {
     moved *m = &w->at[place];
-    if (mask != 0 && !m->ready) {
-        m->fill = qtri_job_init(&m->job, &w->shade, &m->triangle, w->v);
-        m->ready = true;
+    if (mask == 0) {
+        return;
     }
-    for (int32_t i = 0; i < w->count; i++) {
-        const int32_t first = i;
-        while (i < w->count && (mask >> (w->count - 1 - i) & 1) != 0) {
-            i++;
-        }
-        if (i > first) {
-            w->shade.bounds.x0 = w->x + first;
-            w->shade.bounds.x1 = w->x + i;
-            m->fill(&m->job, &w->span[place], w->y, 1);
-        }
+    make_ready(w, place);
+    mask <<= 32 - w->count; /* the first pixel's bit is the mask's sign */
+    for (int32_t i = w->x; mask != 0;) {
+        const int32_t zeros = qtri_clz32(mask);
+        const int32_t ones = ~(mask << zeros) == 0 ? 32 : qtri_clz32(~(mask << zeros));
+        w->shade.bounds.x0 = i + zeros;
+        w->shade.bounds.x1 = i + zeros + ones;
+        m->fill(&m->job, &w->span[place], w->y, 1);
+        i += zeros + ones;
+        mask = zeros + ones < 32 ? mask << (zeros + ones) : 0;
     }
 }
 
@@ -274,32 +311,44 @@ static uint32_t drawn(const work *w)
 }
 
 /* Words and depths to sample k of these pixels. */
-static void put(const work *w, int k, uint32_t mask)
+QTRI_INLINE void put_of(const work *w, int k, uint32_t mask, int32_t bytes, int32_t size)
 {
-    const int32_t bytes = w->raster->samples->format->pixels->bytes;
-    const int32_t size = w->raster->format->pixels->bytes;
-    uint8_t *record = record_at(w);
-    ptrdiff_t step = 0;
-    uint16_t *depth = w->raster->depth_write ? depth_at(w, k, &step) : NULL;
-    uint32_t z = depth_of(w, k);
-    for (int32_t i = 0; i < w->count; i++, record += size, z += w->at[k].depth.dx) {
-        if ((mask >> (w->count - 1 - i) & 1) != 0) {
-            qtri_sample_set_color(record, bytes, k, w->word[i] & ~DRAWN);
-            if (depth != NULL) {
-                depth[i * step] = (uint16_t)(z >> 16);
+    const bool writes = w->raster->depth_write;
+    const uint32_t dz = w->at[k].depth.dx;
+    const ptrdiff_t step = w->steps[k];
+    const uint32_t *word = w->word;
+    uint8_t *record = w->record;
+    uint16_t *depth = w->depths[k];
+    uint32_t z = w->z[k];
+    /* The first pixel's bit is the mask's sign. */
+    mask <<= 32 - w->count;
+    for (ptrdiff_t i = 0; mask != 0; mask <<= 1, word++, record += size, z += dz, i += step) {
+        if ((int32_t)mask < 0) {
+            qtri_sample_set_color(record, bytes, k, *word & ~DRAWN);
+            if (writes) {
+                depth[i] = (uint16_t)(z >> 16);
             }
         }
     }
 }
 
-/* Stored colours of sample k, for what blends with them; k -1: none. */
+static void put(const work *w, int k, uint32_t mask)
+{
+    const int32_t size = w->raster->format->pixels->bytes;
+    if (size == QTRI_RGB565_X4_BYTES) {
+        put_of(w, k, mask, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
+    } else {
+        put_of(w, k, mask, qtri_sample_bytes(size), size);
+    }
+}
+
+/* Stored colours of sample k, for what blends with them. */
 static void set_words(work *w, int k)
 {
-    const int32_t bytes = w->raster->samples->format->pixels->bytes;
     const int32_t size = w->raster->format->pixels->bytes;
-    const uint8_t *record = record_at(w);
+    const uint8_t *record = w->record;
     for (int32_t i = 0; i < w->count; i++, record += size) {
-        w->word[i] = k < 0 ? 0 : qtri_sample_color(record, bytes, k);
+        w->word[i] = qtri_sample_color(record, qtri_sample_bytes(size), k);
     }
 }
 
@@ -309,6 +358,7 @@ static void draw_chunk(work *w)
     for (int k = 0; k < PLACES; k++) {
         w->cover[k] = mask_in(w, &w->span[k]);
     }
+    find_samples(w);
     for (int k = 0; k < QTRI_SAMPLES; k++) {
         w->pass[k] = test(w, k);
         any |= w->pass[k];
@@ -326,7 +376,9 @@ static void draw_chunk(work *w)
         }
         return;
     }
-    set_words(w, -1);
+    for (int32_t i = 0; i < w->count; i++) {
+        w->word[i] = 0;
+    }
     shade(w, any);
     any = drawn(w);
     for (int k = 0; k < QTRI_SAMPLES; k++) {
