@@ -3,7 +3,21 @@
 
 #include "../frame/barrier.h"
 
+/* Lumas of two pixels, the first in the lower half: what is masked is masked once for both. */
+static inline uint32_t lumas_565(uint32_t first, uint32_t second)
+{
+    const uint32_t two = first | second << 16;
+    return (two >> 10 & 0x003E003Eu) + (two >> 4 & 0x007E007Eu) + (two & 0x001F001Fu);
+}
+
+static inline int32_t luma_sum_565(uint32_t a, uint32_t b)
+{
+    const uint32_t lumas = lumas_565(a, b);
+    return (int32_t)((lumas + (lumas >> 16)) & 0xFFFF);
+}
+
 #define NAME(name)      name##_565
+#define LUMAS(a, b)     luma_sum_565(a, b)
 #define COLOR           uint16_t
 #define LUMA(c)         ((int32_t)(2u * ((c) >> 11) + ((uint32_t)(c) >> 4 & 0x7E) + ((c)&31u)))
 #define MIX(w, a, b, s) qtri_lerp_565(a, b, s)
@@ -23,13 +37,6 @@ static void filter_pixels(const window_565 *w, uint16_t *out, int32_t x, int32_t
     for (; x < end; x++) {
         out[x] = (uint16_t)filter_565(w, x, width);
     }
-}
-
-/* Lumas of two pixels, the first in the lower half: what is masked is masked once for both. */
-static inline uint32_t lumas_565(uint32_t first, uint32_t second)
-{
-    const uint32_t two = first | second << 16;
-    return (two >> 10 & 0x003E003Eu) + (two >> 4 & 0x007E007Eu) + (two & 0x001F001Fu);
 }
 
 /* Pixels x and x + 1 where one of them differs from its neighbours. */
