@@ -3,9 +3,11 @@
 #define SIZE   QTRI_RGB888_X4_BYTES
 #include "samples_format.inc"
 
+#include "../frame/barrier.h"
+
 static void encode(uint32_t *color, int32_t count)
 {
-    qtri_rgb888.encode(color, count);
+    QTRI_EACH_WORD(color, count, c, qtri_reversed(c) >> 8)
 }
 
 static uint32_t decode(uint32_t stored)
