@@ -7,8 +7,9 @@
  *   filters.h   2x2 samples: all edges and what is in them, for three times the work;
  *             FXAA: pictures whose geometry is not at hand;
  *             sums of frames: what rests, as smooth as there is time for.
+ *   samples.h   4 samples a pixel: few, large triangles that cut through each other.
  *
- *   samples.h   4 samples a pixel: large triangles that cut through each other or have dear textures.
+ * Wireframes have lines of their own, &qtri_smooth_wireframe (stroke.h).
  *
  * halo.h has bands that overlap, which the first and FXAA need; jitter.h the views of which sums
  * are made. `make antialias` prints how good each is, what it costs and what memory it takes.

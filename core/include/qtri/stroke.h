@@ -99,8 +99,8 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
  * wherever &qtri_wireframe serves: meshes, whole or prepared, and triangles. An edge is the
  * rectangle of all points within half a pixel of it, flat at its ends, as smooth lines of OpenGL
  * are. Coverage is exact to 1/64; colour, depth and blending are those of strokes. An edge that
- * neighbours share is drawn once where view->vertices has room for the mesh. It takes two to three
- * times the instructions of &qtri_wireframe: row KS of `make bench`.
+ * neighbours share is drawn once where view->vertices has room for the mesh. It takes four to
+ * six times the instructions of &qtri_wireframe: row KS of `make bench`.
  */
 extern const qtri_fill qtri_smooth_wireframe;
 
