@@ -221,13 +221,13 @@ static inline int32_t held_share(int32_t share_q24)
 }
 
 /* Where a column's cells are, and the share at the first in Q24. */
-typedef struct column {
+typedef struct cells {
     const int32_t *cell, *end;
     int32_t share, along, across;
-} column;
+} cells;
 
 /* Pixels of a column for any format. */
-static void take_pixels(const wire *w, pixels *p, const column *c)
+static void take_pixels(const wire *w, pixels *p, const cells *c)
 {
     const qtri_line_job *job = w->job;
     const qtri_surface *surface = job->surface;
@@ -262,7 +262,7 @@ static void take_pixels(const wire *w, pixels *p, const column *c)
 }
 
 /* The same, stored, where pixels are RGB565 with a table of tints; none is outside. */
-QTRI_INLINE void draw_pixels(const wire *w, const column *c, bool has_depth)
+QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
 {
     const int32_t *cell = c->cell;
     const int32_t *const end = c->end;
@@ -309,7 +309,7 @@ QTRI_INLINE void walk(const wire *w, int32_t column_of, int32_t end, int32_t low
     int32_t cell[CELLS];
     const int32_t slope = w->slope_q16;
     const int32_t wide = 2 * w->half_q16 >> 8;
-    column c;
+    cells c;
     p.count = 0;
     c.cell = cell;
     for (c.along = column_of; c.along < end; c.along++, low_q16 += slope, share += w->share_step) {
