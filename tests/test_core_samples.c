@@ -28,9 +28,10 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int32_t low
     const int32_t reach = random_in(seed, 0, 2) * 6000 + 300;
     const int32_t x = random_in(seed, -2000, WIDTH * 256 + 2000);
     const int32_t y = random_in(seed, -2000, HEIGHT * 256 + 2000);
+    const bool gentle = random_flag(seed); /* depths of samples are moved, not set up */
     for (int i = 0; i < 3; i++) {
         v[i] = screen_at(x + random_in(seed, -reach, reach), y + random_in(seed, -reach, reach));
-        v[i].depth_16p16 = (uint32_t)random_in(seed, 0, 65535) << 16;
+        v[i].depth_16p16 = (uint32_t)random_in(seed, 0, gentle ? 700 : 65535) << 16;
         v[i].inv_w_q31 = (uint32_t)random_in(seed, 1 << 29, INT32_MAX);
         for (int k = 0; k < 3; k++) {
             v[i].color_8p16[k] = random_in(seed, low, high) << 16;

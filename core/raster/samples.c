@@ -119,6 +119,7 @@ static qtri_span span_in(moved *m, int32_t row)
 
 typedef struct work {
     const qtri_raster *raster;
+    const qtri_triangle *triangle; /* where it is; whether a band has its centres does not count */
     const qtri_attributes *v;
     qtri_raster shade; /* into `word` */
     qtri_surface row;
@@ -183,7 +184,8 @@ static void make_ready(work *w, int place)
 {
     moved *m = &w->at[place];
     if (!m->ready) {
-        m->fill = qtri_job_init(&m->job, &w->shade, &m->triangle, w->v);
+        m->fill =
+            qtri_job_init(&m->job, &w->shade, place == CENTER ? w->triangle : &m->triangle, w->v);
         m->ready = true;
     }
 }
@@ -191,7 +193,7 @@ static void make_ready(work *w, int place)
 /* The depths of samples: the centre's, moved, or each by itself, without colours. */
 static void set_depths(work *w)
 {
-    const bool is_whole = w->at[CENTER].any && is_gentle(w, &w->at[CENTER].triangle);
+    const bool is_whole = is_gentle(w, w->triangle);
     qtri_raster plain = w->shade;
     qtri_job job;
     if (is_whole) {
@@ -414,6 +416,7 @@ QTRI_NOINLINE void qtri_samples_draw(const qtri_raster *raster, const qtri_trian
     int32_t row = INT32_MAX;
     int32_t end = INT32_MIN;
     w.raster = raster;
+    w.triangle = triangle;
     w.v = v;
     set_shade(&w);
     for (int k = 0; k < PLACES; k++) {
