@@ -15,9 +15,9 @@
 #include "reference/reference.h"
 #include "tools/scene_draw.h"
 
-enum { WIDTH = 120, HEIGHT = 90, SIDE = 8, MODES = 5 };
+enum { WIDTH = 120, HEIGHT = 90, SIDE = 8, MODES = 6 };
 
-static const char *const modes[MODES] = {"off", "edges", "ssaa", "fxaa", "temporal"};
+static const char *const modes[MODES] = {"off", "edges", "ssaa", "fxaa", "temporal", "msaa"};
 
 static const char text[] =
     "viewport 120 90\nclear .1 .1 .2\ndepth less\nshade flat\nantialias %s\nmode projection\n"
@@ -105,6 +105,7 @@ static void quality(void **state)
     assert_true(psnr_of("ssaa") > off + 7);
     assert_true(psnr_of("fxaa") > off + 3);
     assert_true(psnr_of("temporal") > off + 13);
+    assert_true(psnr_of("msaa") > off + 7);
 }
 
 int main(void)

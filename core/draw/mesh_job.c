@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../fast/fused.h"
+#include "../raster/samples.h"
 #include "lights.h"
 
 /* Vertices from which on a look at eight corners pays. */
@@ -20,8 +21,10 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
         box.half.z = mesh->extent;
     }
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    const int32_t low[2] = {bounds.x0, bounds.y0};
-    const int32_t high[2] = {bounds.x1, bounds.y1};
+    /* Smooth lines reach out of their mesh, and samples lie beside the centres of pixels. */
+    const int32_t more = draw->material.fill != NULL || qtri_sampling_of(surface->format) != NULL;
+    const int32_t low[2] = {bounds.x0 - more, bounds.y0 - more};
+    const int32_t high[2] = {bounds.x1 + more, bounds.y1 + more};
     return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
 }
 

@@ -19,8 +19,9 @@
  * Indices are below 2^16, so no other j gives the same; 0 is no edge, or one from a vertex to
  * itself, which has no pixel. A neighbour that faces the same way has the edge from j to i.
  * Triangles are looked at from the first on, or from the last one back, and one that finds its edge
- * noted does not take it. What is not noted is drawn again: there is room for two edges only, and a
- * mesh may have faces that disagree on what is front.
+ * noted does not take it, and makes room for another. What is not noted is drawn again: there is
+ * room for two edges only that wait, and a mesh may have faces that disagree on what is front. Of
+ * spot's edges that is one in a thousand.
  *
  * Where drawing is another matter, which edges triangles take is noted too: for four triangles in
  * each vertex, in the half-word that tells elsewhere whose vertex is in a slot (mesh_job.h). In a
@@ -61,15 +62,25 @@ static taker taker_by_job(const qtri_mesh_job *draw)
                     !draw->material.depth_read_only);
 }
 
-QTRI_INLINE bool is_noted(const qtri_vertex *vertex, uint32_t edge)
+/* Whether the edge is noted; it is not any more then. */
+QTRI_INLINE bool was_noted(qtri_vertex *vertex, uint32_t edge)
 {
-    return (vertex->inv_w & 0xFFFFu) == edge || vertex->inv_w >> 16 == edge;
+    const uint32_t notes = vertex->inv_w;
+    if ((notes & 0xFFFFu) == edge) {
+        vertex->inv_w = notes >> 16;
+        return true;
+    }
+    if (notes >> 16 == edge) {
+        vertex->inv_w = notes & 0xFFFFu;
+        return true;
+    }
+    return false;
 }
 
 /* Whether the edge from a to b is not noted the other way round; it is noted then. */
-QTRI_INLINE bool takes_edge(qtri_vertex *a, const qtri_vertex *b, uint32_t from, uint32_t to)
+QTRI_INLINE bool takes_edge(qtri_vertex *a, qtri_vertex *b, uint32_t from, uint32_t to)
 {
-    if (is_noted(b, (from - to) & 0xFFFFu)) {
+    if (was_noted(b, (from - to) & 0xFFFFu)) {
         return false;
     }
     a->inv_w = a->inv_w << 16 | ((to - from) & 0xFFFFu);

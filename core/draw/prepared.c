@@ -3,6 +3,7 @@
 #include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
+#include "../raster/samples.h"
 #include "outline.h"
 #include "prepared_lists.h"
 
@@ -308,7 +309,7 @@ static void see_whole(sorter *s)
         s->prepared->back_only = inside && job->material.cull == QTRI_CULL_BACK;
         see_complete(s);
     }
-    if (!s->is_solid) {
+    if (job->material.fill != NULL) {
         job->material.fill->prepare(job, s->prepared->back_only);
     }
 }
@@ -394,7 +395,8 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
         !qtri_prepared_begin(&job, prepared, &whole, true)) {
         return;
     }
-    const bool is_solid = job.material.fill == NULL;
+    /* Of samples rows are as for lines: they lie beside the centres of pixels. */
+    const bool is_solid = job.material.fill == NULL && qtri_sampling_of(format) == NULL;
     sorter s = {.job = &job,
                 .prepared = prepared,
                 .is_complete = qtri_prepared_is_complete(prepared),

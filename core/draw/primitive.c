@@ -245,13 +245,20 @@ QTRI_NOINLINE static void draw_large_piece(const piece *p, int64_t area)
     if (!qtri_triangle_begin(&p->primitive->to.solid.raster, &triangle)) {
         return;
     }
+    if (p->primitive->to.solid.raster.samples != NULL) {
+        qtri_attributes own[3];
+        piece_attributes(own, p);
+        qtri_triangle_draw(&p->primitive->to.solid.raster, &triangle, own);
+        return;
+    }
     qtri_job job;
     qtri_triangle_fill(&job, &triangle, piece_job(&job, &triangle, p));
 }
 
 static void draw_piece(const piece *p, int64_t area)
 {
-    if (draw_placed_piece(p) == QTRI_PLACED_LARGE) {
+    if (p->primitive->to.solid.raster.samples != NULL ||
+        draw_placed_piece(p) == QTRI_PLACED_LARGE) {
         draw_large_piece(p, area);
     }
 }

@@ -5,6 +5,7 @@
  */
 #include <string.h>
 
+#include "../raster/stroke_line.h"
 #include "fill.h"
 #include "stroke_job.h"
 
@@ -84,6 +85,13 @@ static void widen_rows(qtri_line_job *job, int32_t radius)
     job->height_24p8 += 2 * (uint32_t)(radius + 1);
 }
 
+/* Whether edges are lines that need no union of parts: no wider than two pixels, with flat ends. */
+static bool is_thin(const qtri_stroke *stroke, const qtri_stroke_place *place)
+{
+    return stroke->edges != NULL && place->radius_24p8 <= QTRI_STROKE_LINE_RADIUS &&
+           place->caps[0] != QTRI_CAP_ROUND;
+}
+
 void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view,
                               const qtri_transform *pose, const qtri_mesh *mesh,
                               const qtri_stroke *stroke, const qtri_material *material)
@@ -107,10 +115,16 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     qtri_mesh_job_init(&wide.mesh, surface, view, &unbounded, &wired, view->vertices,
                        view->vertex_count);
     qtri_line_job *job = &wide.mesh.primitive.to.lines.job;
-    job->surface = &no_surface;
-    job->draw = draw_edge;
-    job->first = (uint8_t *)(void *)&wide;
-    widen_rows(job, wide.place.radius_24p8);
+    const qtri_stroke_line thin = {wide.place.radius_24p8, wide.place.caps[0] == QTRI_CAP_SQUARE,
+                                   stroke->alpha};
+    if (is_thin(stroke, &wide.place)) {
+        qtri_stroke_line_choose(job, &thin, stroke->edges->line);
+    } else {
+        job->surface = &no_surface;
+        job->draw = draw_edge;
+        job->first = (uint8_t *)(void *)&wide;
+        widen_rows(job, wide.place.radius_24p8);
+    }
     if (!qtri_mesh_job_place(&wide.mesh, view, pose)) {
         return;
     }

@@ -27,6 +27,7 @@ static const qtri_colors *kind_of(const void *window);
 #define COLOR           uint32_t
 #define LUMA(c)         ((int32_t)((c) >> LUMA_SHIFT))
 #define MIX(w, a, b, s) qtri_mix_colors(kind_of(w), a, b, s)
+#define LUMAS(a, b)     (LUMA(a) + LUMA(b))
 #include "fxaa.inc"
 
 /* A window that knows its kind of colour. */

@@ -23,16 +23,14 @@ static inline int32_t qtri_fxaa_magnitude(int32_t x)
 /* Whether a pixel's luma and that of its four neighbours differ too little to look further. */
 static inline bool qtri_fxaa_is_flat(int32_t m, int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    int32_t high = m;
-    int32_t low = m;
-    high = a > high ? a : high;
-    low = a < low ? a : low;
-    high = b > high ? b : high;
-    low = b < low ? b : low;
-    high = c > high ? c : high;
-    low = c < low ? c : low;
-    high = d > high ? d : high;
-    low = d < low ? d : low;
+    const int32_t low_1 = a < b ? a : b;
+    const int32_t high_1 = a < b ? b : a;
+    const int32_t low_2 = c < d ? c : d;
+    const int32_t high_2 = c < d ? d : c;
+    int32_t high = high_1 > high_2 ? high_1 : high_2;
+    int32_t low = low_1 < low_2 ? low_1 : low_2;
+    high = m > high ? m : high;
+    low = m < low ? m : low;
     return high - low < QTRI_FXAA_LEAST || (high - low) * 8 < high;
 }
 

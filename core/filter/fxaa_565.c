@@ -3,7 +3,21 @@
 
 #include "../frame/barrier.h"
 
+/* Lumas of two pixels, the first in the lower half: what is masked is masked once for both. */
+static inline uint32_t lumas_565(uint32_t first, uint32_t second)
+{
+    const uint32_t two = first | second << 16;
+    return (two >> 10 & 0x003E003Eu) + (two >> 4 & 0x007E007Eu) + (two & 0x001F001Fu);
+}
+
+static inline int32_t luma_sum_565(uint32_t a, uint32_t b)
+{
+    const uint32_t lumas = lumas_565(a, b);
+    return (int32_t)((lumas + (lumas >> 16)) & 0xFFFF);
+}
+
 #define NAME(name)      name##_565
+#define LUMAS(a, b)     luma_sum_565(a, b)
 #define COLOR           uint16_t
 #define LUMA(c)         ((int32_t)(2u * ((c) >> 11) + ((uint32_t)(c) >> 4 & 0x7E) + ((c)&31u)))
 #define MIX(w, a, b, s) qtri_lerp_565(a, b, s)
@@ -25,24 +39,25 @@ static void filter_pixels(const window_565 *w, uint16_t *out, int32_t x, int32_t
     }
 }
 
-static inline int32_t luma_565(uint32_t color)
-{
-    return (int32_t)((color >> 10 & 0x3E) + (color >> 4 & 0x7E) + (color & 31));
-}
-
 /* Pixels x and x + 1 where one of them differs from its neighbours. */
 QTRI_NOINLINE static void filter_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width)
 {
     const uint16_t *up = w->row[1] + x;
     const uint16_t *own = w->row[2] + x;
     const uint16_t *down = w->row[3] + x;
-    const int32_t first = luma_565(own[0]);
-    const int32_t second = luma_565(own[1]);
-    const int32_t luma[5] = {first, luma_565(up[0]), luma_565(down[0]), luma_565(own[-1]), second};
+    const uint32_t both = lumas_565(own[0], own[1]);
+    const uint32_t above = lumas_565(up[0], up[1]);
+    const uint32_t below = lumas_565(down[0], down[1]);
+    const uint32_t beside = lumas_565(own[-1], own[2]);
+    const int32_t first = (int32_t)(both & 0xFFFF);
+    const int32_t second = (int32_t)(both >> 16);
+    const int32_t luma[5] = {first, (int32_t)(above & 0xFFFF), (int32_t)(below & 0xFFFF),
+                             (int32_t)(beside & 0xFFFF), second};
     if (!qtri_fxaa_is_flat(first, luma[1], luma[2], luma[3], second)) {
         out[x] = (uint16_t)resolve_565(w, x, width, luma);
     }
-    const int32_t next[5] = {second, luma_565(up[1]), luma_565(down[1]), first, luma_565(own[2])};
+    const int32_t next[5] = {second, (int32_t)(above >> 16), (int32_t)(below >> 16), first,
+                             (int32_t)(beside >> 16)};
     if (!qtri_fxaa_is_flat(second, next[1], next[2], first, next[4])) {
         out[x + 1] = (uint16_t)resolve_565(w, x + 1, width, next);
     }
@@ -95,15 +110,26 @@ static extent extent_of(const uint16_t *row, int32_t width)
     if (color != (color << 16 | color >> 16)) {
         return e;
     }
-    int32_t i = 0;
-    while (i < count && words[i] == color) {
-        i++;
+    const pair *at = words;
+    const pair *end = words + count;
+    while (end - at >= 4 &&
+           ((at[0] ^ color) | (at[1] ^ color) | (at[2] ^ color) | (at[3] ^ color)) == 0) {
+        at += 4;
+        QTRI_OPAQUE(at)
     }
-    e.first = 2 * i;
-    for (i = count; i > 0 && words[i - 1] == color;) {
-        i--;
+    while (at != end && *at == color) {
+        at++;
     }
-    e.end = 2 * i; /* 0, and first is the width, where there is nothing else */
+    e.first = 2 * (int32_t)(at - words);
+    while (end - at >= 4 &&
+           ((end[-1] ^ color) | (end[-2] ^ color) | (end[-3] ^ color) | (end[-4] ^ color)) == 0) {
+        end -= 4;
+        QTRI_OPAQUE(end)
+    }
+    while (end != at && end[-1] == color) {
+        end--;
+    }
+    e.end = end == at ? 0 : 2 * (int32_t)(end - words); /* first is the width where that is 0 */
     return e;
 }
 

@@ -97,7 +97,7 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
     }
     t->row = qtri_greatest32(qtri_first_center(top->y_24p8), raster->bounds.y0);
     t->end = qtri_least32(qtri_first_center(bottom->y_24p8), raster->bounds.y1);
-    if (t->row >= t->end) {
+    if (t->row >= t->end && raster->samples == NULL) {
         return false;
     }
     int32_t x_least = qtri_least32(top->x_24p8, qtri_least32(middle->x_24p8, bottom->x_24p8));
@@ -110,8 +110,9 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
     t->x_least = x_least;
     t->x_greatest = x_greatest;
     t->cut = x_least < raster->bounds.x0 * 256 || x_greatest > raster->bounds.x1 * 256;
-    if (t->cut && qtri_greatest32(qtri_first_center(x_least), raster->bounds.x0) >=
-                      qtri_least32(qtri_first_center(x_greatest), raster->bounds.x1)) {
+    if (t->cut && raster->samples == NULL &&
+        qtri_greatest32(qtri_first_center(x_least), raster->bounds.x0) >=
+            qtri_least32(qtri_first_center(x_greatest), raster->bounds.x1)) {
         return false;
     }
     const int32_t width = x_greatest - x_least;
@@ -119,7 +120,7 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *t)
     t->extent = width + height;
     t->is_short =
         t->end - t->row <= QTRI_ROWS_AHEAD && width < NARROW && height < ((int32_t)1 << 15);
-    return !QTRI_WITH_FAST_PATHS || !t->is_short || find_spans(t);
+    return !QTRI_WITH_FAST_PATHS || !t->is_short || raster->samples != NULL || find_spans(t);
 }
 
 #if !QTRI_LONG_MULTIPLY

@@ -149,10 +149,7 @@ QTRI_NOINLINE static void shade_pixels(const shade *s, const qtri_line_job *job,
     }
 }
 
-/*
- * Makes colour words of `count` shares in Q22. Times a tint of at most 255.0 they are below 2^26.
- */
-QTRI_NOINLINE static void tint_pixels(uint32_t *color, const qtri_line_job *job, int32_t count)
+QTRI_NOINLINE void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int32_t count)
 {
     const qtri_colors *colors = job->surface->format->colors;
     const uint32_t red = colors->red;
@@ -182,7 +179,7 @@ void qtri_line_make_table(const qtri_line_job *job)
         for (uint32_t k = 0; k < 4; k++) {
             color[k] = (i + k) << QTRI_LINE_TINT_SHIFT;
         }
-        tint_pixels(color, job, 4);
+        qtri_line_tint(color, job, 4);
         if (format->encode != NULL) {
             format->encode(color, 4);
         }
@@ -214,7 +211,7 @@ QTRI_NOINLINE void qtri_line_flush(const qtri_line_job *job)
     if (are_stored) {
         look_up(batch);
     } else if (batch->kind == QTRI_LINE_SHARES) {
-        tint_pixels(batch->color, job, count);
+        qtri_line_tint(batch->color, job, count);
     }
     if (!are_stored && format->encode != NULL) {
         format->encode(batch->color, count);
@@ -463,6 +460,7 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->width_24p8 = 0;
     job->height_24p8 = 0;
     job->first_place = (uint32_t)surface->first_row << 16;
+    job->smooth = NULL;
     job->depth_mask = ~0xFFu;
     job->has_depth = surface->depth != NULL && compare != QTRI_DEPTH_OFF;
     job->is_less = compare == QTRI_LESS;

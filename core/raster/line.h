@@ -16,6 +16,7 @@
 #include "batch.h"
 
 typedef struct qtri_line_job qtri_line_job;
+struct qtri_stroke_line;
 
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
 typedef int32_t qtri_line_color[3];
@@ -48,6 +49,7 @@ struct qtri_line_job {
     uint32_t less, passing;           /* depths that pass: see line.c */
     bool has_depth, depth_write, is_less;
     uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */
+    const struct qtri_stroke_line *smooth; /* what draws them is stroke_line.c; NULL: it is not */
     /* For fast/line_16.c: the first depth, or the first pixel where there are none; bytes from the
        one to the other, from row to row, and from the frame to the surface. */
     uint8_t *first;
@@ -58,6 +60,12 @@ struct qtri_line_job {
 /* Tinted by the material's colour. `batch` is there as long as the job. */
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_batch *batch);
+
+/*
+ * Makes colour words of `count` shares of the tint in Q22. Times a tint of at most 255.0 they are
+ * below 2^26.
+ */
+void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int32_t count);
 
 /* Makes a table of tints if there can be one: the same pixels, sooner where there are many. */
 void qtri_line_make_table(const qtri_line_job *job);

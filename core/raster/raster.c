@@ -96,6 +96,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     }
     set_bounds(raster, &bounds);
     raster->units = format->colors;
+    raster->samples = format->fused != NULL ? format->fused->samples : NULL;
     if (textured) {
         raster->texturing = material->texture->format->texturing;
         raster->texturing->init(raster, material);
@@ -104,7 +105,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->tint_small = NULL;
     const qtri_fused *fused = fused_of(raster);
     if (fused != NULL) {
-        raster->fill_flat = fused->flat;
+        raster->fill_flat = fused->flat != NULL ? fused->flat : raster->fill_flat;
         raster->fill_smooth = fused->smooth != NULL ? fused->smooth : raster->fill_smooth;
         raster->copy_run = raster->copied ? fused->copy : NULL;
         raster->copy_bent = raster->copied ? fused->copy_bent : NULL;

@@ -60,12 +60,15 @@ typedef struct qtri_lamp {
     bool by_vertex; /* and need not find it where vertices have it */
 } qtri_lamp;
 
+struct qtri_sampling;
+
 /* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
 struct qtri_fused {
     qtri_fill_rows flat, smooth;
     qtri_draw_run copy;
     qtri_draw_bent copy_bent;
-    const qtri_fused *less_equal; /* where depth is that */
+    const qtri_fused *less_equal;        /* where depth is that */
+    const struct qtri_sampling *samples; /* several a pixel, see samples.h; NULL: one */
 };
 
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
@@ -79,7 +82,8 @@ struct qtri_raster {
     const qtri_format *format;
     const qtri_texture *texture; /* NULL: none */
     qtri_batch *batch;
-    qtri_rect bounds; /* empty where nothing is to be drawn */
+    const struct qtri_sampling *samples; /* NULL: one a pixel */
+    qtri_rect bounds;                    /* empty where nothing is to be drawn */
     struct {
         uint32_t x, y, width, height; /* 24.8 */
     } inner;              /* where vertex 0 of a small triangle is too far inside them to be cut */

@@ -14,6 +14,7 @@
 #include "qtri/stroke.h"
 
 #include "../bits/bits.h"
+#include "line.h"
 
 enum {
     QTRI_STROKE_WINDOW = 32, /* columns of a strip */
@@ -122,6 +123,7 @@ struct qtri_stroke_edges {
     /* Adds the parts of the group to stroker->cover; then makes of all sums what pixels have. */
     void (*add)(qtri_stroker *stroker);
     void (*finish)(qtri_stroker *stroker);
+    qtri_line_draws line; /* thin ones, each by itself: see stroke_line.h */
 };
 
 /* False: nothing can be drawn. Then parts of any source. */

@@ -13,6 +13,7 @@
 
 #include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
+#include "stroke_line.h"
 
 enum { SPANS = 12 };
 
@@ -222,4 +223,4 @@ static void finish(qtri_stroker *stroker)
     }
 }
 
-const qtri_stroke_edges qtri_stroke_smooth = {add_group, finish};
+const qtri_stroke_edges qtri_stroke_smooth = {add_group, finish, qtri_stroke_line_draw};

@@ -5,6 +5,7 @@
 #include "checked.h"
 #include "small.h"
 #include "rows.h"
+#include "samples.h"
 #include "setup.h"
 
 /* Apart, as its edges take stack that most triangles do without. */
@@ -37,6 +38,10 @@ void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
                         const qtri_attributes v[3])
 {
     qtri_job job;
+    if (raster->samples != NULL) {
+        raster->samples->draw(raster, triangle, v);
+        return;
+    }
     qtri_triangle_fill(&job, triangle, qtri_job_init(&job, raster, triangle, v));
 }
 
@@ -110,6 +115,10 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
         vertex_from_attributes(&vertex[i], &p[i], &attributes[i], attributes[0].inv_w_exponent);
     }
     const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
+    if (raster->samples != NULL) {
+        draw_large(raster, p, attributes, area);
+        return;
+    }
     switch (qtri_place_triangle(&place, spans, raster, corner[0], corner[1], corner[2])) {
     case QTRI_PLACED_SMALL:
         draw_small(raster, &place, corner, attributes);

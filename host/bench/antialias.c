@@ -18,7 +18,7 @@
 #include "../reference/reference.h"
 #include "bench_world.h"
 
-enum { SIDE = 8, SAMPLES = SIDE * SIDE, PIXELS_MAX = 320 * 256, POSES = 3, TECHNIQUES = 10 };
+enum { SIDE = 8, SAMPLES = SIDE * SIDE, PIXELS_MAX = 320 * 256, POSES = 3, TECHNIQUES = 11 };
 
 #define MESH_STAGE                                                                                 \
     "viewport 320 240\nclear .0941176471 .1254901961 .1882352941\ndepth less\ncull back\n"         \
@@ -27,9 +27,9 @@ enum { SIDE = 8, SAMPLES = SIDE * SIDE, PIXELS_MAX = 320 * 256, POSES = 3, TECHN
     "rotate 0 0 1 0\n"
 #define MESH_COLOR " color 1 .7058823529 .3529411765\n"
 
-static const char *const techniques[TECHNIQUES] = {"none",     "edges",    "by sums", "creases",
-                                                   "FXAA",     "edges+F",  "2x2",     "4 frames",
-                                                   "8 frames", "16 frames"};
+static const char *const techniques[TECHNIQUES] = {"none",     "edges",     "by sums",  "creases",
+                                                   "FXAA",     "edges+F",   "2x2",      "4 frames",
+                                                   "8 frames", "16 frames", "4 samples"};
 
 static struct subject {
     const char *name;
@@ -140,7 +140,7 @@ static double psnr(const qtri_surface *surface)
 
 /* ---- The core ---- */
 
-static uint32_t memory[QTRI_BAND_BYTES(640, 512, 2) / 4];
+static uint32_t memory[QTRI_BAND_BYTES(640, 512, 2) / 4]; /* of 4 samples a pixel no less */
 static uint32_t outline_memory[20000], edge_memory[QTRI_EDGES_WORDS(320, 256, 2)];
 static uint32_t rows[QTRI_FXAA_565_WORDS(320)], sums[QTRI_SUM_565_WORDS(320, 256)];
 static qtri_vertex vertices[BENCH_VERTICES_MAX];
@@ -252,6 +252,19 @@ static void draw_frames(struct drawing *d, int width, int height, int32_t log2)
     (void)qtri_sum_store_565(&d->surface, sums, WORDS(sums), log2);
 }
 
+/* Wireframes have none: their lines are smooth. */
+static void draw_samples(struct drawing *d, int width, int height)
+{
+    qtri_surface samples;
+    if (qtri_surface_init(&samples, &qtri_rgb565_x4, width, height, 0, height, memory,
+                          sizeof memory) != QTRI_OK) {
+        abort();
+    }
+    qtri_samples_clear(&samples, d->sky, UINT16_MAX);
+    qtri_draw_mesh(&samples, &d->view, &d->pose, &d->mesh, &d->material);
+    (void)qtri_samples_resolve(&samples, &d->surface);
+}
+
 /* False where a technique is nothing for a subject. */
 static bool apply(struct drawing *d, const struct subject *subject, const struct scene *scene,
                   int technique)
@@ -262,6 +275,15 @@ static bool apply(struct drawing *d, const struct subject *subject, const struct
         d->view.viewport.height *= 2;
         draw(d, 2, width, height);
         (void)qtri_halve_565(&d->surface, &d->surface);
+        return true;
+    }
+    if (technique == 10) {
+        draw_samples(d, width, height);
+        return !subject->wireframe;
+    }
+    if (technique == 1 && subject->wireframe) { /* what serves lines in its place */
+        d->material.fill = &qtri_smooth_wireframe;
+        draw(d, 1, width, height);
         return true;
     }
     if (technique >= 7) {
@@ -385,6 +407,10 @@ static void print_memory(void)
     printf("2x2: colour and depth of twice the columns and rows    %10u    %10u\n",
            (unsigned)(QTRI_BAND_BYTES(640, 480, 2) - QTRI_BAND_BYTES(320, 240, 2)),
            (unsigned)(QTRI_BAND_BYTES(640, 32, 2) - QTRI_BAND_BYTES(320, 16, 2)));
+    printf(
+        "4 samples: their colours and depths                    %10u    %10u\n",
+        (unsigned)(QTRI_BAND_BYTES(320, 240, QTRI_RGB565_X4_BYTES) - QTRI_BAND_BYTES(320, 240, 2)),
+        (unsigned)(QTRI_BAND_BYTES(320, 16, QTRI_RGB565_X4_BYTES) - QTRI_BAND_BYTES(320, 16, 2)));
     printf("FXAA: old rows, and in bands its halo                  %10u    %10u\n",
            (unsigned)(4 * QTRI_FXAA_565_WORDS(320)),
            (unsigned)(4 * QTRI_FXAA_565_WORDS(320) + QTRI_HALO_BYTES(320, 16, QTRI_FXAA_HALO, 2) -

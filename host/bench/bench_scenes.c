@@ -12,11 +12,13 @@
  * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
  * mesh of S4 as loose triangles. L1: S4 with a point light and Blinn-Phong highlights; L2 and L3:
  * and one and three directional lights; L1f: S5 so, L1b: L1 in bands. S4e and S4be: S4 and S4b with
- * the edge pass, S4es by sums. S4h: S4 of 2 x 2 samples, with the clear; S4f: S4 and FXAA. S4a and
+ * the edge pass, S4es by sums. S4h: S4 of 2 x 2 samples, with the clear; S4x, S6x and S11x: S4,
+ * S6 and S11 with four samples a pixel, likewise; S4f: S4 and FXAA. S4a and
  * S4m: only the addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of 64
  * points, 1 and 5 pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with
- * smooth edges; KH: S7 without hidden lines. P1 to P10: bench_paint.h. B1, B2
- * and B4: S1, S2 and S4 at half alpha, B3: S2 added; F2 and F4: S2 and S4 in fog.
+ * smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7 without hidden lines. P1 to P10:
+ * bench_paint.h. B1, B2 and B4: S1, S2 and S4 at half alpha, B3: S2 added; F2 and F4: S2 and S4 in
+ * fog.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -80,6 +82,9 @@ const bench_scene bench_scenes[] = {
     {.name = "S4e", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_EDGES},
     {.name = "S4es", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_SUMS},
     {.name = "S4h", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_HALVE},
+    {.name = "S4x", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_SAMPLES},
+    {.name = "S6x", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .smooth = BENCH_SAMPLES},
+    {.name = "S11x", QUAD(&bench_turned, white), .textured = true, .smooth = BENCH_SAMPLES},
     {.name = "S4f", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_FXAA},
     {.name = "S4a", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_ADD},
     {.name = "S4m", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_STORE},
@@ -88,6 +93,7 @@ const bench_scene bench_scenes[] = {
     {.name = "K5", .work = BENCH_STROKE, .width = Q16(5)},
     {.name = "KP", .work = BENCH_STROKE, .width = Q16(6), .points = true},
     {.name = "KW", MESH(COMPACT(spot), Q16(150)), .width = Q16(1)},
+    {.name = "KS", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .thin = true},
     {.name = "KH", MESH(COMPACT(spot), Q16(150)), .hidden = true},
     {.name = "B1", QUAD(&bench_screen, orange), FLAT, .blend = &qtri_blend_alpha},
     {.name = "B2", QUAD(&bench_screen, rainbow), .blend = &qtri_blend_alpha},
@@ -256,7 +262,9 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     frame->material.cull = scene->mesh != NULL ? QTRI_CULL_BACK : QTRI_CULL_NONE;
     frame->material.shading = scene->shading != NULL ? scene->shading : QTRI_SMOOTH;
     frame->material.interpolation = scene->interpolation;
-    frame->material.fill = scene->wireframe ? &qtri_wireframe : NULL;
+    frame->material.fill = scene->thin        ? &qtri_smooth_wireframe
+                           : scene->wireframe ? &qtri_wireframe
+                                              : NULL;
 #ifndef BENCH_PLAIN
     set_effects(frame, scene);
 #endif

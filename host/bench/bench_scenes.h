@@ -32,9 +32,10 @@ typedef enum bench_work {
 /* What is done about jagged edges; all but the first not with BENCH_PLAIN. */
 typedef enum bench_smooth {
     BENCH_JAGGED,
-    BENCH_EDGES, /* the mesh's outline, by neighbours */
-    BENCH_SUMS,  /* the same by sums */
-    BENCH_HALVE, /* drawn at twice the size, cleared before, and halved */
+    BENCH_EDGES,   /* the mesh's outline, by neighbours */
+    BENCH_SUMS,    /* the same by sums */
+    BENCH_HALVE,   /* drawn at twice the size, cleared before, and halved */
+    BENCH_SAMPLES, /* four a pixel, cleared before, and resolved */
     BENCH_FXAA,
     BENCH_ADD, /* only a frame's addition to a sum, and only the mean's storing */
     BENCH_STORE
@@ -52,6 +53,7 @@ typedef struct bench_scene {
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
     q16 turn;               /* the mesh, about y */
     q16 width;              /* of strokes, with smooth edges; of a mesh: its wireframe's */
+    bool thin;              /* a wireframe of smooth lines */
     bool points, hidden;    /* points for a polyline; a wireframe without hidden lines */
     int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
     uint32_t lights;        /* not 0: so many sources, and highlights, in place of the light */

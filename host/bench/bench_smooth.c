@@ -114,12 +114,34 @@ static void draw_large(bench_frame *frame)
     frame->surface.pitch = half.pitch;
 }
 
+/* With four samples a pixel; as above. */
+static void draw_samples(bench_frame *frame)
+{
+    bench_smoother *s = &frame->smoother;
+    qtri_surface samples;
+    (void)qtri_surface_init(&samples, &qtri_rgb565_x4, BENCH_WIDTH, BENCH_HEIGHT, 0, BENCH_HEIGHT,
+                            s->large, sizeof s->large);
+    qtri_samples_clear(&samples, bench_background, UINT16_MAX);
+    if (frame->scene->work == BENCH_MESH) {
+        draw(frame, &samples);
+    } else {
+        qtri_draw_triangles(&samples, &frame->view, &frame->pose, frame->corners,
+                            3 * bench_triangles(frame->scene), &frame->material);
+    }
+    (void)qtri_samples_resolve(&samples, &samples);
+    frame->surface.pixels = samples.pixels;
+    frame->surface.pitch = samples.pitch;
+}
+
 static void draw_whole(bench_frame *frame)
 {
     bench_smoother *s = &frame->smoother;
     switch (frame->scene->smooth) {
     case BENCH_HALVE:
         draw_large(frame);
+        break;
+    case BENCH_SAMPLES:
+        draw_samples(frame);
         break;
     case BENCH_FXAA:
         draw(frame, &frame->surface);

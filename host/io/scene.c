@@ -33,7 +33,7 @@ static const struct scene_statement statements[] = {
      "off or fog linear NEAR FAR r g b START END"},
     {"fogdensity",  {7, 7},    scene_statement_fogdensity,    0,
      "exp|exp2 NEAR FAR r g b DENSITY"},
-    {"polygon",     {1, 1},    scene_statement_polygon,       0, "fill|line"},
+    {"polygon",     {1, 1},    scene_statement_polygon,       0, "fill|line|smooth"},
     {"light",       {5, SCENE_ANY}, scene_statement_light,    0,
      "x y z ambient diffuse, light directional x y z r g b, light point x y z r g b [constant linear "
      "quadratic] or light spot x y z dx dy dz inner outer r g b [constant linear quadratic "
@@ -43,7 +43,7 @@ static const struct scene_statement statements[] = {
      "ambient r g b, material emission r g b or material specular r g b shininess"},
     {"twosided",    {1, 1},    scene_statement_twosided,      0, "off|on"},
     {"texgen",      {1, 1},    scene_statement_texgen,        0, "off|sphere"},
-    {"antialias",   {1, 1},    scene_statement_antialias,     0, "off|edges|ssaa|fxaa|temporal"},
+    {"antialias",   {1, 1},    scene_statement_antialias,     0, "off|edges|ssaa|fxaa|temporal|msaa"},
     {"mode",        {1, 1},    scene_statement_mode,          0, "projection|modelview"},
     {"identity",    {0, 0},    scene_statement_numbers,       SCENE_IDENTITY, ""},
     {"load",        {16, 16},  scene_statement_numbers,       SCENE_LOAD, "m0..m15"},

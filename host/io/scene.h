@@ -104,7 +104,8 @@ enum scene_antialias {
     SCENE_ANTIALIAS_EDGES,
     SCENE_ANTIALIAS_SSAA,
     SCENE_ANTIALIAS_FXAA,
-    SCENE_ANTIALIAS_TEMPORAL
+    SCENE_ANTIALIAS_TEMPORAL,
+    SCENE_ANTIALIAS_MSAA
 };
 
 /* What the texture's 8-bit colours are stored as. Each renderer converts them: to the nearest level
@@ -179,7 +180,8 @@ struct scene {
     bool flat;
     int provoking;      /* flat: the vertex, 0 or 2, whose colour the triangle takes */
     bool screen_linear; /* `interpolate linear`: attributes linear on the screen */
-    bool wireframe;     /* `polygon line` */
+    bool wireframe;     /* `polygon line` and `polygon smooth` */
+    bool smooth_lines;  /* `polygon smooth`: the reference draws the lines of `line` */
     enum scene_antialias antialias;
     enum scene_texture_mode texture_mode;
     enum scene_blend blend;

@@ -157,7 +157,14 @@ bool scene_statement_interpolate(struct scene_parser *parser)
 
 bool scene_statement_polygon(struct scene_parser *parser)
 {
-    return second_word(parser, 0, "fill", "line", &parser->scene->wireframe);
+    static const char *const words[] = {"fill", "line", "smooth"};
+    int choice;
+    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
+        return false;
+    }
+    parser->scene->wireframe = choice != 0;
+    parser->scene->smooth_lines = choice == 2;
+    return true;
 }
 
 bool scene_statement_antialias(struct scene_parser *parser)
@@ -165,7 +172,7 @@ bool scene_statement_antialias(struct scene_parser *parser)
     static const char *const words[] = {
         [SCENE_ANTIALIAS_OFF] = "off",           [SCENE_ANTIALIAS_EDGES] = "edges",
         [SCENE_ANTIALIAS_SSAA] = "ssaa",         [SCENE_ANTIALIAS_FXAA] = "fxaa",
-        [SCENE_ANTIALIAS_TEMPORAL] = "temporal",
+        [SCENE_ANTIALIAS_TEMPORAL] = "temporal", [SCENE_ANTIALIAS_MSAA] = "msaa",
     };
     int choice;
     if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {

@@ -56,20 +56,15 @@ static const struct generated scenes[] = {
      "light 0 0 1 1 0\ntexgen sphere\ntexture 256 256 8  255 200 60 60 30 90\n"
      "texwrap clamp\ntexmode replace\n",
      "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"11-torus-smooth-lines.scene", "torus", "polygon smooth\n", "rotate -50  1 0 0\n"},
     {"11-knot-edges.scene", "knot", "antialias edges\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
 };
 
-const char *const demo_generated_scenes[] = {"07-knot-textured.scene",
-                                             "07-knot-flat.scene",
-                                             "07-knot-stretched.scene",
-                                             "07-torus-wireframe.scene",
-                                             "11-light-point.scene",
-                                             "11-light-spots-flat.scene",
-                                             "11-light-stretched.scene",
-                                             "11-light-two-sided.scene",
-                                             "11-sphere-map.scene",
-                                             "11-knot-edges.scene",
-                                             NULL};
+const char *const demo_generated_scenes[] = {
+    "07-knot-textured.scene",      "07-knot-flat.scene",       "07-knot-stretched.scene",
+    "07-torus-wireframe.scene",    "11-light-point.scene",     "11-light-spots-flat.scene",
+    "11-light-stretched.scene",    "11-light-two-sided.scene", "11-sphere-map.scene",
+    "11-torus-smooth-lines.scene", "11-knot-edges.scene",      NULL};
 
 /* Opens folder/name for writing. */
 static FILE *create(const char *folder, const char *name, struct text_error *error)

@@ -136,6 +136,9 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     material.interpolation = scene->screen_linear ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
     material.cull = cull[scene->cull];
     material.fill = scene->wireframe ? &qtri_wireframe : NULL;
+    if (scene->smooth_lines && pass != SCENE_IDS) {
+        material.fill = &qtri_smooth_wireframe;
+    }
     material.depth_compare = compare_of(scene);
     material.depth_read_only = !scene->depth_write;
     if (pass == SCENE_IDS) {
@@ -415,7 +418,7 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
             return;
         }
     } else {
-        qtri_surface_clear(surface, pass == SCENE_IDS ? black : scene_rgb(scene->clear),
+        qtri_samples_clear(surface, pass == SCENE_IDS ? black : scene_rgb(scene->clear),
                            (uint16_t)(((int64_t)scene->clear_depth * 65535 + 32768) >> 16));
     }
     qtri_view_init(&d.view, surface->width, surface->height);

@@ -76,6 +76,22 @@ static enum scene_antialias antialias_of(const struct target *t)
     return t->pass == SCENE_COLORS ? t->resources->scene->antialias : SCENE_ANTIALIAS_OFF;
 }
 
+/* The same format with four samples a pixel; itself where there is none. */
+static const qtri_format *sampled(const qtri_format *format)
+{
+    static const qtri_format *const formats[][2] = {
+        {&qtri_rgb565, &qtri_rgb565_x4}, {&qtri_rgb565_swapped, &qtri_rgb565_swapped_x4},
+        {&qtri_rgb888, &qtri_rgb888_x4}, {&qtri_xrgb8888, &qtri_xrgb8888_x4},
+        {&qtri_gray8, &qtri_gray8_x4},
+    };
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        if (formats[i][0] == format) {
+            return formats[i][1];
+        }
+    }
+    return format;
+}
+
 /* Draws rows first..end - 1 and copies them to the picture. */
 static void render_band(const struct target *t, int32_t first, int32_t end)
 {
@@ -94,6 +110,8 @@ static void render_band(const struct target *t, int32_t first, int32_t end)
         scene_draw(t->resources, &surface, SCENE_EDGES);
     } else if (antialias == SCENE_ANTIALIAS_FXAA) {
         (void)qtri_fxaa(&surface, t->words, t->word_count);
+    } else if (antialias == SCENE_ANTIALIAS_MSAA) {
+        (void)qtri_samples_resolve(&surface, &surface);
     } else if (antialias == SCENE_ANTIALIAS_SSAA) {
         (void)qtri_halve(&surface, &surface);
     }
@@ -105,6 +123,9 @@ static bool render_pass(struct scene_resources *resources, const qtri_format *fo
 {
     struct target t = {.resources = resources, .format = format, .pass = pass, .picture = picture};
     const int32_t scale = antialias_of(&t) == SCENE_ANTIALIAS_SSAA ? 2 : 1;
+    if (antialias_of(&t) == SCENE_ANTIALIAS_MSAA) {
+        t.format = format = sampled(format);
+    }
     const int32_t held = rows + 2 * halo_of(antialias_of(&t));
     t.bytes = QTRI_BAND_BYTES(scale * picture->width, scale * held, format->pixels->bytes);
     t.memory = malloc(t.bytes);

@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Anti-aliasing: four ways, each with the same pixels for every band and scissor.
+ * Anti-aliasing: five ways, each with the same pixels for every band and scissor.
  *
  *   edges.h   the edge pass: outlines of meshes. What to use first: the best edges for 10 to 20 %
  *             more instructions and a bit a pixel.
  *   filters.h   2x2 samples: all edges and what is in them, for three times the work;
  *             FXAA: pictures whose geometry is not at hand;
  *             sums of frames: what rests, as smooth as there is time for.
+ *   samples.h   4 samples a pixel: few, large triangles that cut through each other.
+ *
+ * Wireframes have lines of their own, &qtri_smooth_wireframe (stroke.h).
  *
  * halo.h has bands that overlap, which the first and FXAA need; jitter.h the views of which sums
  * are made. `make antialias` prints how good each is, what it costs and what memory it takes.
@@ -18,5 +21,6 @@
 #include "halo.h"
 #include "filters.h"
 #include "jitter.h"
+#include "samples.h"
 
 #endif

@@ -95,9 +95,21 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
                       const qtri_stroke *stroke, const qtri_material *material);
 
 /*
+ * material.fill = &qtri_smooth_wireframe: the edges of triangles as smooth lines one pixel wide,
+ * wherever &qtri_wireframe serves: meshes, whole or prepared, and triangles. An edge is the
+ * rectangle of all points within half a pixel of it, flat at its ends, as smooth lines of OpenGL
+ * are. Coverage is exact to 1/64; colour, depth and blending are those of strokes. An edge that
+ * neighbours share is drawn once where view->vertices has room for the mesh: all but one in a
+ * thousand, of vertices with three and more edges whose second triangle is yet to come. It takes
+ * four to six times the instructions of &qtri_wireframe: row KS of `make bench`.
+ */
+extern const qtri_fill qtri_smooth_wireframe;
+
+/*
  * The edges of a mesh's triangles, culled as the material says, lit and coloured as those of
  * &qtri_wireframe; material->fill does not count. Each edge is a line by itself, drawn once where
- * neighbours share it and view->vertices has room for the mesh; edges meet in round caps.
+ * neighbours share it and view->vertices has room for the mesh. Smooth edges of up to two pixels
+ * with flat ends, QTRI_CAP_BUTT or SQUARE, take a tenth of the time of all others.
  */
 void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view,
                               const qtri_transform *pose, const qtri_mesh *mesh,

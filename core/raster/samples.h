@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Surfaces with four samples a pixel: see qtri/samples.h. Internal.
+ *
+ * A pixel is a record: four stored colours, then the depths of samples 1 to 3; that of sample 0 is
+ * the surface's.
+ */
+#ifndef QTRI_RASTER_SAMPLES_H
+#define QTRI_RASTER_SAMPLES_H
+
+#include "qtri/samples.h"
+
+#include "triangle.h"
+
+enum { QTRI_SAMPLES = 4 };
+
+/* format->fused->samples. */
+struct qtri_sampling {
+    const qtri_format *format; /* of resolved pixels */
+    /* A triangle of any size and area that is not culled; its p, area and tinted are set. */
+    void (*draw)(const qtri_raster *raster, const qtri_triangle *triangle,
+                 const qtri_attributes v[3]);
+};
+
+static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *format)
+{
+    return format != NULL && format->fused != NULL ? format->fused->samples : NULL;
+}
+
+void qtri_samples_draw(const qtri_raster *raster, const qtri_triangle *triangle,
+                       const qtri_attributes v[3]);
+
+/* The mean of a record as a stored pixel. */
+uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record);
+
+/* Bytes of a colour in records of `size` bytes: 10, 14, 18 and 24. */
+static inline int32_t qtri_sample_bytes(int32_t size)
+{
+    return (size - 6) / QTRI_SAMPLES;
+}
+
+/* Colour `k` of a record. */
+static inline uint32_t qtri_sample_color(const uint8_t *record, int32_t bytes, int32_t k)
+{
+    const uint8_t *at = record + (ptrdiff_t)k * bytes;
+    switch (bytes) {
+    case 1:
+        return *at;
+    case 2:
+        return *(const uint16_t *)(const void *)at;
+    case 3:
+        return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
+    default:
+        return *(const uint32_t *)(const void *)at;
+    }
+}
+
+static inline void qtri_sample_set_color(uint8_t *record, int32_t bytes, int32_t k, uint32_t stored)
+{
+    uint8_t *at = record + (ptrdiff_t)k * bytes;
+    switch (bytes) {
+    case 1:
+        *at = (uint8_t)stored;
+        break;
+    case 2:
+        *(uint16_t *)(void *)at = (uint16_t)stored;
+        break;
+    case 3:
+        at[0] = (uint8_t)stored;
+        at[1] = (uint8_t)(stored >> 8);
+        at[2] = (uint8_t)(stored >> 16);
+        break;
+    default:
+        *(uint32_t *)(void *)at = stored;
+    }
+}
+
+/* Depth `k`, 1 to 3, of a record whose colours have so many bytes. */
+static inline uint16_t *qtri_sample_depth(uint8_t *record, int32_t bytes, int32_t k)
+{
+    return (uint16_t *)(void *)(record + QTRI_SAMPLES * bytes) + (k - 1);
+}
+
+/* What qtri_pixels asks, of records of `size` bytes: all samples of a pixel alike. */
+void qtri_samples_fill(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count, int32_t size);
+void qtri_samples_store(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count,
+                        int32_t size);
+void qtri_samples_scatter(uint8_t *pixels, ptrdiff_t pitch, const uint32_t *place,
+                          const uint32_t *stored, int32_t count, int32_t size);
+
+#endif

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Records of samples: written alike, cleared, and resolved.
+ */
+#include "samples.h"
+
+#include "../filter/mix.h"
+#include "../frame/pixel.h"
+#include "loop.h"
+
+static void set_all(uint8_t *record, int32_t size, uint32_t stored)
+{
+    const int32_t bytes = qtri_sample_bytes(size);
+    for (int k = 0; k < QTRI_SAMPLES; k++) {
+        qtri_sample_set_color(record, bytes, k, stored);
+    }
+}
+
+void qtri_samples_fill(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count, int32_t size)
+{
+    for (; count > 0; count--, pixel += size) {
+        if ((mask >> (count - 1) & 1) != 0) {
+            set_all(pixel, size, stored);
+        }
+    }
+}
+
+void qtri_samples_store(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count,
+                        int32_t size)
+{
+    for (; count > 0; count--, pixel += size, stored++) {
+        if ((mask >> (count - 1) & 1) != 0) {
+            set_all(pixel, size, *stored);
+        }
+    }
+}
+
+void qtri_samples_scatter(uint8_t *pixels, ptrdiff_t pitch, const uint32_t *place,
+                          const uint32_t *stored, int32_t count, int32_t size)
+{
+    for (; count > 0; count--, place++, stored++) {
+        set_all(pixels + (ptrdiff_t)(*place >> 16) * pitch + (ptrdiff_t)(*place & 0xFFFF) * size,
+                size, *stored);
+    }
+}
+
+/* In each lane four channels and 2: less than 2^8. */
+static inline uint32_t mean_565(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+{
+    const uint32_t sum =
+        qtri_lanes_565(a) + qtri_lanes_565(b) + qtri_lanes_565(c) + qtri_lanes_565(d);
+    return qtri_packed_565((sum + 0x00401002u) >> 2);
+}
+
+uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record)
+{
+    const int32_t bytes = format->pixels->bytes;
+    uint32_t stored[QTRI_SAMPLES];
+    for (int k = 0; k < QTRI_SAMPLES; k++) {
+        stored[k] = qtri_sample_color(record, bytes, k);
+    }
+    if (stored[0] == stored[1] && stored[0] == stored[2] && stored[0] == stored[3]) {
+        return stored[0];
+    }
+    if (qtri_is_565(format)) {
+        return mean_565(stored[0], stored[1], stored[2], stored[3]);
+    }
+    qtri_masks masks;
+    uint32_t mean = 0;
+    qtri_masks_of(&masks, format->colors);
+    for (int i = 0; i < 3; i++) {
+        uint32_t sum = 2;
+        for (int k = 0; k < QTRI_SAMPLES; k++) {
+            sum += qtri_color_of(format, stored[k]) >> masks.shift[i] & masks.mask[i];
+        }
+        mean |= sum >> 2 << masks.shift[i];
+    }
+    return qtri_stored_of(format, mean);
+}
+
+/* Records from `record` on. */
+QTRI_INLINE void clear_row(uint8_t *record, int32_t count, uint32_t stored, uint16_t depth,
+                           int32_t bytes, int32_t size)
+{
+    for (; count > 0; count--, record += size) {
+        uint16_t *to = qtri_sample_depth(record, bytes, 1);
+        for (int k = 0; k < QTRI_SAMPLES; k++) {
+            qtri_sample_set_color(record, bytes, k, stored);
+        }
+        to[0] = depth;
+        to[1] = depth;
+        to[2] = depth;
+    }
+}
+
+void qtri_samples_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth)
+{
+    const struct qtri_sampling *sampling = qtri_sampling_of(surface->format);
+    if (sampling == NULL) {
+        qtri_surface_clear(surface, color, depth);
+        return;
+    }
+    qtri_surface plain = *surface; /* for the depths of sample 0 */
+    plain.format = &qtri_depth_only;
+    qtri_surface_clear(&plain, color, depth);
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    const uint32_t stored = qtri_pixel_from_rgb(surface->format, color);
+    const int32_t size = surface->format->pixels->bytes;
+    for (int32_t y = bounds.y0; y < bounds.y1; y++) {
+        uint8_t *record = qtri_pixels_at(surface, y) + (ptrdiff_t)bounds.x0 * size;
+        if (size == QTRI_RGB565_X4_BYTES) {
+            clear_row(record, bounds.x1 - bounds.x0, stored, depth, QTRI_RGB565_BYTES,
+                      QTRI_RGB565_X4_BYTES);
+        } else {
+            clear_row(record, bounds.x1 - bounds.x0, stored, depth, qtri_sample_bytes(size), size);
+        }
+    }
+}
+
+/* Pixels of RGB565; most have one colour. */
+static void resolve_565(const uint8_t *record, uint16_t *to, int32_t count)
+{
+    for (; count > 0; count--, record += QTRI_RGB565_X4_BYTES) {
+        const uint16_t *color = (const uint16_t *)(const void *)record;
+        const uint32_t first = color[0];
+        const uint32_t second = color[1];
+        const uint32_t third = color[2];
+        const uint32_t fourth = color[3];
+        if (first == second && first == third && first == fourth) {
+            *to++ = (uint16_t)first;
+        } else {
+            *to++ = (uint16_t)mean_565(first, second, third, fourth);
+        }
+    }
+}
+
+/* Pixels are made where records are not needed any more: a row's begin where its records do. */
+enum qtri_error qtri_samples_resolve(const qtri_surface *samples, qtri_surface *out)
+{
+    const struct qtri_sampling *sampling = qtri_sampling_of(samples->format);
+    if (sampling == NULL) {
+        return QTRI_ERROR_FORMAT;
+    }
+    const qtri_surface from = *samples;
+    const qtri_format *format = sampling->format;
+    const qtri_rect bounds = qtri_surface_bounds(&from);
+    const int32_t size = from.format->pixels->bytes;
+    const int32_t bytes = format->pixels->bytes;
+    *out = from;
+    out->format = format;
+    out->depth = NULL;
+    for (int32_t y = bounds.y0; y < bounds.y1; y++) {
+        uint8_t *row = qtri_pixels_at(&from, y);
+        if (qtri_is_565(format)) {
+            resolve_565(row + (ptrdiff_t)bounds.x0 * size, (uint16_t *)(void *)row + bounds.x0,
+                        bounds.x1 - bounds.x0);
+            continue;
+        }
+        for (int32_t x = bounds.x0; x < bounds.x1; x++) {
+            const uint32_t mean = qtri_samples_mean(format, row + (ptrdiff_t)x * size);
+            qtri_sample_set_color(row + (ptrdiff_t)x * bytes, bytes, 0, mean);
+        }
+    }
+    return QTRI_OK;
+}

@@ -1,0 +1,526 @@
+/* SPDX-License-Identifier: MIT */
+#include "stroke_line.h"
+
+#include "../bits/multiply.h"
+#include "../bits/reciprocal.h"
+#include "../filter/mix.h"
+#include "../frame/mix.h"
+#include "../frame/pixel.h"
+#include "line_path.h"
+
+/* What covers a whole pixel: 256 of a width by 512 halves of 1/256 of a height. */
+#define FULL  ((int32_t)256 * 512)
+#define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
+
+enum {
+    CELLS = 8,   /* of a column, with what follows the last */
+    CHUNK = 128, /* columns after which a line starts anew: see line_path.h */
+    SHARE_BITS = 14
+};
+
+/*
+ * A line by its longer axis, "along", and the other, "across". Its rectangle's corners lie at an
+ * end less the offset, on the near side, and at the end plus the offset, on the far one:
+ * (offset_x, -offset_y) from it. 24.8 where nothing else is said.
+ */
+typedef struct wire {
+    const qtri_line_job *job;
+    int32_t x[2], y[2];         /* of the ends, along and across; x[0] < x[1] */
+    int32_t origin_x, origin_y; /* of the first end, without a cap */
+    int32_t slope_q16;          /* across for along: -1..1 */
+    uint32_t slope_q30;         /* its magnitude */
+    int32_t inverse_q8;         /* along for across, its magnitude, at most 2^22 */
+    int32_t offset_x, offset_y; /* |offset_x| <= offset_y <= radius */
+    int32_t half_q16;           /* of its extent across, in a column: <= sqrt(2) pixels */
+    int32_t first, end;         /* columns */
+    int32_t inner, inner_end;   /* those where it has no end */
+    int32_t bounds[4];          /* pixels inside: along from, to; across from, to */
+    bool inside;                /* all of it lies in them */
+    int32_t share_step;         /* Q24 of its length a column; at most 2^28 */
+    int32_t share_across;       /* the same for a pixel across */
+    int32_t z_16p14, z_step;    /* at the first end; from end to end */
+    int32_t light_q29, light_step;
+    const qtri_line_color *from, *to; /* NULL: shares of the tint */
+    uint32_t alpha_q8;                /* 256: opaque */
+    uint32_t place_along, place_across;
+    bool steep; /* along is y */
+    /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
+    const uint16_t *table;
+    uint8_t *pixels, *depths;
+    int32_t pixel_along, pixel_across, depth_along, depth_across;
+} wire;
+
+/*
+ * Adds the area on the far side of a side that goes from `ya` to `yb`, 1/256 pixel behind the
+ * column's first cell, while `dx` (signed) goes by along. Once all sides are there, the sum of all
+ * cells up to one is what its pixel has, of FULL. ratio_q8: |dx| for |yb - ya|.
+ */
+QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int32_t ratio_q8)
+{
+    int32_t k = ya >> 8;
+    const int32_t last = yb >> 8;
+    if (k == last) {
+        const int32_t behind = dx * ((ya & 255) + (yb & 255));
+        cell[k] += dx * 512 - behind;
+        cell[k + 1] += behind;
+        return;
+    }
+    const int32_t size = dx < 0 ? -dx : dx;
+    const int32_t step = yb > ya ? 1 : -1;
+    int32_t y = ya - k * 256;
+    int32_t gone = 0; /* across */
+    int32_t done = 0; /* along */
+    do {
+        const int32_t to = step > 0 ? 256 : 0;
+        gone += (to - y) * step;
+        const int32_t upto = qtri_least32((gone * ratio_q8) >> 8, size); /* 2^10 2^21 */
+        const int32_t part = dx < 0 ? done - upto : upto - done;
+        const int32_t behind = part * (y + to);
+        cell[k] += part * 512 - behind;
+        cell[k + 1] += behind;
+        k += step;
+        y = 256 - to;
+        done = upto;
+    } while (k != last);
+    const int32_t part = dx < 0 ? done - size : size - done;
+    const int32_t behind = part * (y + yb - k * 256);
+    cell[k] += part * 512 - behind;
+    cell[k + 1] += behind;
+}
+
+/* An end of the rectangle, from its near corner to the far one, as far as it lies in the column. */
+QTRI_INLINE void add_end(int32_t *cell, const wire *w, int end, int32_t x, int32_t first)
+{
+    const int32_t near_x = w->x[end] + w->offset_x;
+    const int32_t far_x = w->x[end] - w->offset_x;
+    const bool forwards = far_x > near_x;
+    const int32_t left = qtri_greatest32(forwards ? near_x : far_x, x);
+    const int32_t right = qtri_least32(forwards ? far_x : near_x, x + 256);
+    if (left >= right) {
+        return;
+    }
+    const int32_t near_y = w->y[end] - w->offset_y - first;
+    const int32_t far_y = w->y[end] + w->offset_y - first;
+    const int32_t from = forwards ? left - near_x : near_x - right; /* < 2^9 */
+    const int32_t to = forwards ? right - near_x : near_x - left;
+    const int32_t ya = qtri_least32(near_y + ((from * w->inverse_q8) >> 8), far_y);
+    const int32_t yb = qtri_least32(near_y + ((to * w->inverse_q8) >> 8), far_y);
+    const int32_t dx = (forwards == (end == 1)) ? right - left : left - right;
+    add_side(cell, dx, ya, yb, (int32_t)(w->slope_q30 >> 22));
+}
+
+/* One of the long sides in a column where the line ends: `y` at the column's start. */
+QTRI_INLINE void add_part(int32_t *cell, const wire *w, int32_t sign, int32_t x, int32_t y)
+{
+    const int32_t offset = sign * w->offset_x;
+    const int32_t left = qtri_greatest32(w->x[0] + offset, x);
+    const int32_t right = qtri_least32(w->x[1] + offset, x + 256);
+    if (left < right) {
+        add_side(cell, sign * (right - left), y + ((w->slope_q16 * (left - x)) >> 16),
+                 y + ((w->slope_q16 * (right - x)) >> 16), w->inverse_q8);
+    }
+}
+
+/* All sides of a column where the line ends; `y` is the near side at its start, in cell 0. */
+QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column, int32_t first,
+                                   int32_t y, int32_t wide)
+{
+    const int32_t x = column * 256;
+    add_part(cell, w, 1, x, y);
+    add_part(cell, w, -1, x, y + wide);
+    if (column < w->inner) {
+        add_end(cell, w, 0, x, first);
+    }
+    if (column >= w->inner_end) {
+        add_end(cell, w, 1, x, first);
+    }
+}
+
+/* Pixels of a line on their way. */
+typedef struct pixels {
+    int32_t count;
+    uint32_t place[QTRI_BATCH];
+    uint32_t share[QTRI_BATCH]; /* of the line's length, 0..2^SHARE_BITS */
+    uint32_t cover[QTRI_BATCH + 4];
+} pixels;
+
+/* Colour words of a line in colours of its own. */
+static void color_words(uint32_t *word, const wire *w, const pixels *p)
+{
+    const qtri_colors *colors = w->job->surface->format->colors;
+    const qtri_channels from = qtri_channels_from_color(colors, *w->from);
+    const qtri_channels to = qtri_channels_from_color(colors, *w->to);
+    for (int32_t i = 0; i < p->count; i++) {
+        int32_t c[3];
+        for (int k = 0; k < 3; k++) { /* 2^16 steps of 1/256 by 2^14 */
+            c[k] = from.c[k] + (((to.c[k] - from.c[k]) >> 8) * (int32_t)p->share[i] >> 6);
+        }
+        word[i] = colors->pack(c);
+    }
+}
+
+/* Of a cover, 32nds to nearest. */
+static inline uint32_t share_565(uint32_t cover)
+{
+    return (cover + FULL / 64) / (FULL / 32);
+}
+
+/* The same of a share of 10 bits, in which covers are cut off to a multiple of 1/1024. */
+static inline uint32_t mix_565(uint32_t over, uint32_t under, uint32_t k)
+{
+    return qtri_lerp_565(under, over, (k + 16) >> 5);
+}
+
+static inline uint32_t mix_channel(uint32_t over, uint32_t under, uint32_t k, uint32_t most)
+{
+    (void)most;
+    return qtri_mix_over(over, under, k);
+}
+
+/* Stores pixels of one line, of any format. No pixel is there twice. */
+QTRI_NOINLINE static void store(const wire *w, pixels *p)
+{
+    const qtri_surface *surface = w->job->surface;
+    const qtri_format *format = surface->format;
+    const qtri_pixels *memory = format->pixels;
+    uint32_t word[QTRI_BATCH_ROOM] = {0};
+    uint32_t under[QTRI_BATCH];
+    const int32_t count = p->count;
+    p->count = 0;
+    if (count == 0) {
+        return;
+    }
+    p->count = count;
+    if (w->from != NULL) {
+        color_words(word, w, p);
+    } else {
+        for (int32_t i = 0; i < count; i++) {
+            word[i] = (uint32_t)(w->light_q29 + w->light_step * (int32_t)p->share[i]) >> 7;
+        }
+        qtri_line_tint(word, w->job, count);
+    }
+    for (int32_t i = 0; i < count; i++) {
+        const uint32_t place = p->place[i];
+        under[i] = qtri_color_of(format, memory->load(surface->pixels +
+                                                      (ptrdiff_t)(place >> 16) * surface->pitch +
+                                                      (ptrdiff_t)(place & 0xFFFF) * memory->bytes));
+    }
+    QTRI_MIX(word, under[i], count, format->colors, p->cover[i], mix_channel, mix_565)
+    if (format->encode != NULL) {
+        format->encode(word, count);
+    }
+    memory->scatter(surface->pixels, surface->pitch, p->place, word, count);
+    p->count = 0;
+}
+
+static inline int32_t held_share(int32_t share_q24)
+{
+    const int32_t share = share_q24 >> (24 - SHARE_BITS);
+    const int32_t one = (int32_t)1 << SHARE_BITS;
+    return (uint32_t)share <= (uint32_t)one ? share : (share < 0 ? 0 : one);
+}
+
+/* Where a column's cells are, and the share at the first in Q24. */
+typedef struct cells {
+    const int32_t *cell, *end;
+    int32_t share, along, across;
+} cells;
+
+/* Pixels of a column for any format. */
+static void take_pixels(const wire *w, pixels *p, const cells *c)
+{
+    const qtri_line_job *job = w->job;
+    const qtri_surface *surface = job->surface;
+    uint32_t place = (uint32_t)c->along * w->place_along + (uint32_t)c->across * w->place_across -
+                     job->first_place;
+    int32_t share_q24 = c->share;
+    int32_t row = c->across;
+    int32_t sum = 0;
+    for (const int32_t *cell = c->cell; cell != c->end;
+         cell++, place += w->place_across, share_q24 += w->share_across, row++) {
+        sum += *cell;
+        if (sum < LEAST || row < w->bounds[2] || row >= w->bounds[3]) {
+            continue;
+        }
+        const int32_t share = held_share(share_q24);
+        if (job->has_depth) {
+            uint16_t *depth = surface->depth + (ptrdiff_t)(place >> 16) * surface->depth_pitch +
+                              (ptrdiff_t)(place & 0xFFFF);
+            const uint32_t z = (uint32_t)(w->z_16p14 + w->z_step * share) >> 14;
+            if (z - *depth - job->less >= job->passing) {
+                continue;
+            }
+            if (job->depth_write && sum >= FULL / 2) {
+                *depth = (uint16_t)z;
+            }
+        }
+        const int32_t i = p->count++;
+        p->place[i] = place;
+        p->share[i] = (uint32_t)share;
+        p->cover[i] = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
+    }
+}
+
+/* The same, stored, where pixels are RGB565 with a table of tints; none is outside. */
+QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
+{
+    const int32_t *cell = c->cell;
+    const int32_t *const end = c->end;
+    const uint16_t *table = w->table;
+    uint8_t *pixel = w->pixels + c->along * w->pixel_along + c->across * w->pixel_across;
+    uint8_t *depth =
+        has_depth ? w->depths + c->along * w->depth_along + c->across * w->depth_across : NULL;
+    int32_t share_q24 = c->share;
+    int32_t sum = 0;
+    do {
+        sum += *cell++;
+        if (sum >= LEAST) {
+            const int32_t share = held_share(share_q24);
+            uint16_t *at = (uint16_t *)(void *)depth;
+            const uint32_t z = (uint32_t)(w->z_16p14 + w->z_step * share) >> 14;
+            if (!has_depth || z < *at) {
+                uint16_t *to = (uint16_t *)(void *)pixel;
+                const uint32_t light = (uint32_t)(w->light_q29 + w->light_step * share);
+                const uint32_t word = table[(light + (1u << 21)) >> 22];
+                if (has_depth && sum >= FULL / 2) {
+                    *at = (uint16_t)z;
+                }
+                *to = (uint16_t)qtri_lerp_565(*to, word, share_565((uint32_t)sum));
+            }
+        }
+        share_q24 += w->share_across;
+        pixel += w->pixel_across;
+        if (has_depth) {
+            depth += w->depth_across;
+        }
+    } while (cell != end);
+}
+
+/*
+ * Columns from `column` to `end`, which are of one chunk; `low` is the near side at the first.
+ * how: ANY format; OVER what is there, or NEARER than that, in RGB565.
+ */
+enum { ANY, OVER, NEARER };
+
+QTRI_INLINE void walk(const wire *w, int32_t column_of, int32_t end, int32_t low_q16, int32_t share,
+                      int how)
+{
+    pixels p;
+    int32_t cell[CELLS];
+    const int32_t slope = w->slope_q16;
+    const int32_t wide = 2 * w->half_q16 >> 8;
+    cells c;
+    p.count = 0;
+    c.cell = cell;
+    for (c.along = column_of; c.along < end; c.along++, low_q16 += slope, share += w->share_step) {
+        cell[0] = cell[1] = cell[2] = cell[3] = 0;
+        cell[4] = cell[5] = cell[6] = 0;
+        /* 1/32 less, for corners that were rounded. */
+        const int32_t base = ((slope < 0 ? low_q16 + slope : low_q16) - 0x800) >> 16;
+        const int32_t first = base * 256;
+        const int32_t near_a = (low_q16 >> 8) - first;
+        const int32_t near_b = ((low_q16 + slope) >> 8) - first;
+        if (c.along >= w->inner && c.along < w->inner_end) {
+            add_side(cell, 256, near_a, near_b, w->inverse_q8);
+            add_side(cell, -256, near_a + wide, near_b + wide, w->inverse_q8);
+        } else {
+            add_ends(cell, w, c.along, first, near_a, wide);
+        }
+        /* From the line at the column's middle to the first cell's: 1/256 pixel. */
+        const int32_t middle = (low_q16 + (slope >> 1) + w->half_q16) >> 8;
+        c.end = cell + ((qtri_greatest32(near_a, near_b) + wide + 8) >> 8) + 1;
+        c.share = share + (w->share_across >> 8) * (first + 128 - middle);
+        c.across = base;
+        if (how != ANY) {
+            draw_pixels(w, &c, how == NEARER);
+            continue;
+        }
+        if (p.count > QTRI_BATCH - CELLS) {
+            store(w, &p);
+        }
+        take_pixels(w, &p, &c);
+    }
+    if (how == ANY) {
+        store(w, &p);
+    }
+}
+
+QTRI_NOINLINE static void walk_any(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+                                   int32_t share)
+{
+    walk(w, column, end, low_q16, share, ANY);
+}
+
+QTRI_NOINLINE static void walk_over(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+                                    int32_t share)
+{
+    walk(w, column, end, low_q16, share, OVER);
+}
+
+QTRI_NOINLINE static void walk_nearer(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+                                      int32_t share)
+{
+    walk(w, column, end, low_q16, share, NEARER);
+}
+
+/*
+ * Direction and what follows from it, of a line that is `length` along and `delta` across. Its
+ * cosine is 1 / sqrt(1 + slope^2), within 2^-12 of itself.
+ */
+static void set_direction(wire *w, int32_t length, int32_t delta, int32_t radius)
+{
+    const int32_t zeros = qtri_clz32((uint32_t)length); /* 8..31 */
+    const uint32_t reciprocal = qtri_reciprocal_near((uint32_t)length << zeros);
+    const uint32_t slope_q30 = qtri_mul_high32(qtri_magnitude32(delta) << zeros, reciprocal);
+    w->slope_q30 = slope_q30 < (uint32_t)1 << 30 ? slope_q30 : (uint32_t)1 << 30;
+    const int32_t magnitude_q16 = (int32_t)(w->slope_q30 >> 14);
+    w->slope_q16 = delta < 0 ? -magnitude_q16 : magnitude_q16;
+    w->inverse_q8 = (int32_t)1 << 22;
+    if (w->slope_q30 >= (uint32_t)1 << 16) {
+        const int32_t up = qtri_clz32(w->slope_q30); /* 1..15 */
+        w->inverse_q8 = (int32_t)(qtri_reciprocal_near(w->slope_q30 << up) >> (24 - up));
+    }
+    const uint32_t s_q15 = w->slope_q30 >> 15;
+    const uint32_t square_q15 = (s_q15 * s_q15) >> 15; /* <= 1 */
+    const uint32_t t = 32768 + square_q15;
+    const uint32_t cosine_q15 = (qtri_rsqrt_seed(t < 65535 ? t : 65535) * 46341u) >> 16;
+    const int32_t sine_q15 = (int32_t)((cosine_q15 * s_q15 + 16384) >> 15);
+    w->offset_y = (radius * (int32_t)cosine_q15 + 16384) >> 15;
+    w->offset_x = (radius * sine_q15 + 16384) >> 15;
+    w->offset_x = delta < 0 ? -w->offset_x : w->offset_x;
+    w->half_q16 = (int32_t)(((uint32_t)radius * (((32768 + square_q15) * cosine_q15) >> 15)) >> 7);
+    const uint32_t step = zeros < 28 ? reciprocal >> (30 - zeros) : (uint32_t)1 << 28;
+    w->share_step = (int32_t)(step < (uint32_t)1 << 28 ? step : (uint32_t)1 << 28);
+    const uint32_t square_cosine_q15 = (cosine_q15 * cosine_q15) >> 15;
+    const int32_t across_q15 = (int32_t)((square_cosine_q15 * s_q15) >> 15);
+    w->share_across = (int32_t)((uint32_t)(w->share_step >> 12) * (uint32_t)across_q15 >> 3);
+    w->share_across = delta < 0 ? -w->share_across : w->share_across;
+}
+
+/* The near side at the start of a column that begins a chunk, and the share at its middle. */
+static void begin_chunk(const wire *w, int32_t column, int32_t *low_q16, int32_t *share)
+{
+    const int32_t x = column * 256 - w->origin_x; /* |x| < 2^23 */
+    int64_t rise = (int64_t)qtri_mul_u32(qtri_magnitude32(x), w->slope_q30);
+    rise = (x < 0) == (w->slope_q16 < 0) ? rise : -rise;
+    *low_q16 = w->origin_y * 256 + (int32_t)(rise >> 22) - w->half_q16;
+    *share = (int32_t)(qtri_mul_s32(x + 128, w->share_step) >> 8);
+}
+
+/* Ends and what they bring, by the longer axis. False: nothing is covered. */
+static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                     const qtri_line_color *color)
+{
+    qtri_line_path l;
+    qtri_line_path_init(&l, a, b, 1, 65536);
+    if (l.length == 0) {
+        return false;
+    }
+    const int32_t z[2] = {(int32_t)((l.first->depth_16p8 & job->depth_mask) >> 8),
+                          (int32_t)((l.last->depth_16p8 & job->depth_mask) >> 8)};
+    w->job = job;
+    w->place_along = (uint32_t)l.step;
+    w->place_across = (uint32_t)l.step_minor;
+    w->x[0] = l.steep ? l.first->at.y_24p8 : l.first->at.x_24p8;
+    w->x[1] = w->x[0] + l.length;
+    w->y[0] = l.minor;
+    w->y[1] = l.minor + l.delta;
+    w->origin_x = w->x[0];
+    w->origin_y = w->y[0];
+    w->z_16p14 = (z[0] << 6) + (1 << 13);
+    w->z_step = (z[1] - z[0] + 128) >> 8;
+    w->from = NULL;
+    w->to = NULL;
+    w->light_q29 = 0;
+    w->light_step = 0;
+    if (color != NULL) {
+        w->from = &color[l.first != a];
+        w->to = &color[l.first == a];
+    } else {
+        w->light_q29 = (int32_t)((uint32_t)l.first->intensity_q15 << SHARE_BITS);
+        w->light_step = (int32_t)l.last->intensity_q15 - (int32_t)l.first->intensity_q15;
+    }
+    set_direction(w, l.length, l.delta, job->smooth->radius_24p8);
+    if (job->smooth->square) {
+        w->x[0] -= w->offset_y; /* radius times cosine */
+        w->x[1] += w->offset_y;
+        w->y[0] -= w->offset_x;
+        w->y[1] += w->offset_x;
+    }
+    const bool steep = l.steep;
+    const int32_t left = job->left_24p8 >> 8;
+    const int32_t more = QTRI_STROKE_LINE_REACH >> 8;
+    const int32_t top = (job->top_24p8 >> 8) + more;
+    const int32_t right = left + (int32_t)(job->width_24p8 >> 8);
+    const int32_t bottom = top + (int32_t)(job->height_24p8 >> 8) - 2 * more;
+    const int32_t reach = w->offset_x < 0 ? -w->offset_x : w->offset_x;
+    w->bounds[0] = steep ? top : left;
+    w->bounds[1] = steep ? bottom : right;
+    w->bounds[2] = steep ? left : top;
+    w->bounds[3] = steep ? right : bottom;
+    w->steep = steep;
+    w->inner = (w->x[0] + reach + 255) >> 8;
+    w->inner_end = (w->x[1] - reach) >> 8;
+    w->first = (w->x[0] - reach) >> 8;
+    w->end = (w->x[1] + reach + 255) >> 8;
+    const int32_t low = (qtri_least32(w->y[0], w->y[1]) - w->offset_y) >> 8;
+    const int32_t high = (qtri_greatest32(w->y[0], w->y[1]) + w->offset_y) >> 8;
+    w->inside = w->first >= w->bounds[0] && w->end <= w->bounds[1] && low > w->bounds[2] &&
+                high + 1 < w->bounds[3];
+    return w->end > w->bounds[0] && w->first < w->bounds[1] && high + 1 >= w->bounds[2] &&
+           low <= w->bounds[3];
+}
+
+typedef void (*walk_columns)(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+                             int32_t share);
+
+/* What walks a line of which nothing is outside. */
+static walk_columns walk_of(wire *w, const qtri_line_color *color)
+{
+    const qtri_line_job *job = w->job;
+    const qtri_surface *surface = job->surface;
+    const bool nearer = job->has_depth && job->is_less && job->depth_write;
+    const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
+    if (!QTRI_WITH_FAST_PATHS || color != NULL || job->smooth->alpha != 255 ||
+        !job->batch->has_table || (job->has_depth && !nearer) || !qtri_is_565(surface->format) ||
+        surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
+        surface->depth_pitch >= pitch_end / 2 || surface->depth_pitch <= -pitch_end / 2) {
+        return walk_any;
+    }
+    const int32_t pitch = (int32_t)surface->pitch;
+    w->table = qtri_batch_table(job->batch);
+    w->pixels = surface->pixels - surface->first_row * surface->pitch;
+    w->pixel_along = w->steep ? pitch : 2;
+    w->pixel_across = w->steep ? 2 : pitch;
+    if (!nearer) {
+        return walk_over;
+    }
+    const int32_t depth_pitch = 2 * (int32_t)surface->depth_pitch;
+    w->depths = (uint8_t *)(void *)(surface->depth - surface->first_row * surface->depth_pitch);
+    w->depth_along = w->steep ? depth_pitch : 2;
+    w->depth_across = w->steep ? 2 : depth_pitch;
+    return walk_nearer;
+}
+
+void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                           const qtri_line_color *color)
+{
+    wire w;
+    if (job->width_24p8 == 0 || !set_ends(&w, job, a, b, color)) {
+        return;
+    }
+    const uint32_t alpha = job->smooth->alpha;
+    w.alpha_q8 = alpha + (alpha >> 7);
+    const walk_columns columns = w.inside ? walk_of(&w, color) : walk_any;
+    for (int32_t start = w.first; start < w.end; start += CHUNK) {
+        int32_t low_q16;
+        int32_t share;
+        const int32_t end = qtri_least32(qtri_least32(start + CHUNK, w.end), w.bounds[1]);
+        const int32_t skip = qtri_greatest32(w.bounds[0] - start, 0);
+        if (start + skip < end) {
+            begin_chunk(&w, start, &low_q16, &share);
+            columns(&w, start + skip, end, low_q16 + skip * w.slope_q16,
+                    share + skip * w.share_step);
+        }
+    }
+}

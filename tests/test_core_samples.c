@@ -1,0 +1,356 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Surfaces of four samples a pixel: samples against plain surfaces that are moved, colours in
+ * range, no seams, blends, bands, scissors, prepared meshes, resolves.
+ */
+#include "support_core.h"
+
+#include "raster/samples.h"
+
+enum { WIDTH = 61, HEIGHT = 47, FORMATS = 5 };
+
+static const qtri_format *const plain[FORMATS] = {&qtri_rgb565, &qtri_rgb565_swapped,
+                                                  &qtri_xrgb8888, &qtri_rgb888, &qtri_gray8};
+static const qtri_format *const four[FORMATS] = {
+    &qtri_rgb565_x4, &qtri_rgb565_swapped_x4, &qtri_xrgb8888_x4, &qtri_rgb888_x4, &qtri_gray8_x4};
+static const int32_t offsets[4][2] = {{-32, -96}, {96, -32}, {-96, 32}, {32, 96}};
+
+static uint32_t sample_at(const qtri_surface *s, int32_t x, int32_t y, int k)
+{
+    const int32_t size = s->format->pixels->bytes;
+    const uint8_t *record = s->pixels + (y - s->first_row) * s->pitch + (ptrdiff_t)x * size;
+    return qtri_sample_color(record, qtri_sample_bytes(size), k);
+}
+
+/* Any size, from dots to more than the frame; colours within a range. */
+static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int32_t low, int32_t high)
+{
+    const int32_t reach = random_in(seed, 0, 2) * 6000 + 300;
+    const int32_t x = random_in(seed, -2000, WIDTH * 256 + 2000);
+    const int32_t y = random_in(seed, -2000, HEIGHT * 256 + 2000);
+    const bool gentle = random_flag(seed); /* depths of samples are moved, not set up */
+    for (int i = 0; i < 3; i++) {
+        v[i] = screen_at(x + random_in(seed, -reach, reach), y + random_in(seed, -reach, reach));
+        v[i].depth_16p16 = (uint32_t)random_in(seed, 0, gentle ? 700 : 65535) << 16;
+        v[i].inv_w_q31 = (uint32_t)random_in(seed, 1 << 29, INT32_MAX);
+        for (int k = 0; k < 3; k++) {
+            v[i].color_8p16[k] = random_in(seed, low, high) << 16;
+        }
+    }
+}
+
+/* Flat and without depth: each sample is a plain surface's, drawn with the triangle moved. */
+static void coverage(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    for (int n = 0; n < 200; n++) {
+        canvas c = canvas_new(four[n % FORMATS], WIDTH, HEIGHT);
+        canvas moved[4];
+        qtri_material material = plain_material();
+        const qtri_rgb sky = {10, 20, 30};
+        material.shading = QTRI_FLAT_LAST;
+        material.depth_compare = n % 2 == 0 ? QTRI_DEPTH_OFF : QTRI_ALWAYS;
+        qtri_samples_clear(&c.surface, sky, 65535);
+        for (int k = 0; k < 4; k++) {
+            moved[k] = canvas_new(plain[n % FORMATS], WIDTH, HEIGHT);
+            qtri_surface_clear(&moved[k].surface, sky, 65535);
+        }
+        for (int i = 0; i < 8; i++) {
+            qtri_screen_vertex v[3];
+            random_triangle(v, &seed, 0, 255);
+            qtri_raster_triangle(&c.surface, &material, v);
+            for (int k = 0; k < 4; k++) {
+                qtri_screen_vertex w[3] = {v[0], v[1], v[2]};
+                for (int j = 0; j < 3; j++) {
+                    w[j].x_24p8 -= offsets[k][0];
+                    w[j].y_24p8 -= offsets[k][1];
+                }
+                qtri_raster_triangle(&moved[k].surface, &material, w);
+            }
+        }
+        for (int k = 0; k < 4; k++) {
+            for (int y = 0; y < HEIGHT; y++) {
+                for (int x = 0; x < WIDTH; x++) {
+                    assert_int_equal(sample_at(&c.surface, x, y, k),
+                                     stored_pixel(&moved[k].surface, x, y));
+                }
+            }
+            canvas_free(&moved[k]);
+        }
+        canvas_free(&c);
+    }
+}
+
+/* Depth: nearly always the sample of the moved picture; where two are as near either may win. */
+static void depths(void **state)
+{
+    (void)state;
+    uint64_t seed = 7;
+    long wrong = 0;
+    long all = 0;
+    for (int n = 0; n < 60; n++) {
+        canvas c = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+        canvas moved[4];
+        qtri_material material = plain_material();
+        const qtri_rgb sky = {10, 20, 30};
+        material.shading = QTRI_FLAT_LAST;
+        material.depth_compare = QTRI_LESS;
+        qtri_samples_clear(&c.surface, sky, 65535);
+        for (int k = 0; k < 4; k++) {
+            moved[k] = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+            qtri_surface_clear(&moved[k].surface, sky, 65535);
+        }
+        for (int i = 0; i < 12; i++) {
+            qtri_screen_vertex v[3];
+            random_triangle(v, &seed, 0, 255);
+            qtri_raster_triangle(&c.surface, &material, v);
+            for (int k = 0; k < 4; k++) {
+                qtri_screen_vertex w[3] = {v[0], v[1], v[2]};
+                for (int j = 0; j < 3; j++) {
+                    w[j].x_24p8 -= offsets[k][0];
+                    w[j].y_24p8 -= offsets[k][1];
+                }
+                qtri_raster_triangle(&moved[k].surface, &material, w);
+            }
+        }
+        for (int k = 0; k < 4; k++) {
+            for (int i = 0; i < WIDTH * HEIGHT; i++, all++) {
+                wrong += sample_at(&c.surface, i % WIDTH, i / WIDTH, k) !=
+                         stored_pixel(&moved[k].surface, i % WIDTH, i / WIDTH);
+            }
+            canvas_free(&moved[k]);
+        }
+        canvas_free(&c);
+    }
+    print_message("%ld of %ld samples differ\n", wrong, all);
+    assert_true(wrong * 5000 < all);
+}
+
+/* Colours stay between those of the vertices, at edges too, and with perspective. */
+static void range(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    for (int n = 0; n < 400; n++) {
+        canvas c = canvas_new(&qtri_xrgb8888_x4, WIDTH, HEIGHT);
+        qtri_material material = plain_material();
+        qtri_screen_vertex v[3];
+        const qtri_rgb sky = {128, 128, 128};
+        qtri_samples_clear(&c.surface, sky, 65535);
+        material.interpolation = n % 2 == 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
+        random_triangle(v, &seed, 100, 150);
+        qtri_raster_triangle(&c.surface, &material, v);
+        for (int i = 0; i < WIDTH * HEIGHT * 4; i++) {
+            const uint32_t stored = sample_at(&c.surface, i / 4 % WIDTH, i / 4 / WIDTH, i % 4);
+            for (int k = 0; k < 24; k += 8) {
+                assert_in_range(stored >> k & 255, 99, 151);
+            }
+        }
+        canvas_free(&c);
+    }
+}
+
+/* A square of two triangles of one colour: no sample is left out along their edge, none twice. */
+static void seams(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int n = 0; n < 100; n++) {
+        canvas c = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+        qtri_material material = plain_material();
+        material.blend = &qtri_blend_add;
+        qtri_samples_clear(&c.surface, (qtri_rgb){0, 0, 0}, 65535);
+        qtri_screen_vertex v[4];
+        const int32_t far_x = WIDTH * 256 + 300;
+        const int32_t far_y = HEIGHT * 256 + 300;
+        v[0] = screen_at(-300, random_in(&seed, -2000, -300));
+        v[1] = screen_at(random_in(&seed, far_x, far_x + 999), -300);
+        v[2] = screen_at(far_x + 1500, far_y);
+        v[3] = screen_at(-random_in(&seed, 300, 2000), far_y + 200);
+        for (int i = 0; i < 4; i++) {
+            for (int k = 0; k < 3; k++) {
+                v[i].color_8p16[k] = 132 << 16;
+            }
+        }
+        const qtri_screen_vertex first[3] = {v[0], v[1], v[2]};
+        const qtri_screen_vertex second[3] = {v[0], v[2], v[3]};
+        qtri_raster_triangle(&c.surface, &material, first);
+        qtri_raster_triangle(&c.surface, &material, second);
+        const uint32_t want = sample_at(&c.surface, 30, 5, 0);
+        assert_int_equal(want, 16 << 11 | 33 << 5 | 16);
+        for (int i = 0; i < WIDTH * HEIGHT * 4; i++) {
+            assert_int_equal(sample_at(&c.surface, i / 4 % WIDTH, i / 4 / WIDTH, i % 4), want);
+        }
+        canvas_free(&c);
+    }
+}
+
+/* The mean of four, in each format's steps; of other surfaces an error. */
+static void resolve(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    for (int f = 0; f < FORMATS; f++) {
+        canvas c = canvas_new(four[f], WIDTH, HEIGHT);
+        canvas copy = canvas_new(four[f], WIDTH, HEIGHT);
+        qtri_surface out;
+        qtri_material material = plain_material();
+        canvas *both[2] = {&c, &copy};
+        const uint64_t from = seed;
+        for (int i = 0; i < 2; i++) {
+            seed = from;
+            qtri_samples_clear(&both[i]->surface, (qtri_rgb){40, 90, 200}, 65535);
+            for (int n = 0; n < 20; n++) {
+                qtri_screen_vertex v[3];
+                random_triangle(v, &seed, 0, 255);
+                qtri_raster_triangle(&both[i]->surface, &material, v);
+            }
+        }
+        assert_int_equal(qtri_samples_resolve(&c.surface, &out), QTRI_OK);
+        assert_true(out.format == plain[f] && out.depth == NULL);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            const int x = i % WIDTH;
+            const int y = i / WIDTH;
+            const qtri_rgb got = qtri_surface_pixel(&out, x, y);
+            const int channel[3] = {got.r, got.g, got.b};
+            for (int k = 0; k < 3; k++) {
+                double mean = 0;
+                for (int s = 0; s < 4; s++) {
+                    const uint32_t color = plain[f]->decode(sample_at(&copy.surface, x, y, s));
+                    mean += (color >> (16 - 8 * k) & 255) / 4.0;
+                }
+                assert_true(fabs(mean - channel[k]) <= (f < 2 ? 5.2 : .51));
+            }
+        }
+        assert_int_equal(qtri_samples_resolve(&out, &out), QTRI_ERROR_FORMAT);
+        canvas_free(&c);
+        canvas_free(&copy);
+    }
+}
+
+/* A lit mesh that reaches out of the frame and through the near plane, by bands and scissors. */
+static void draw_scene(const qtri_surface *surface, uint64_t seed, int way, qtri_prepared *prepared)
+{
+    (void)way;
+    qtri_samples_clear(surface, (qtri_rgb){24, 32, 48}, 65535);
+    if (prepared != NULL) {
+        qtri_draw_prepared(surface, prepared);
+        return;
+    }
+    qtri_material material = plain_material();
+    material.depth_compare = QTRI_LESS;
+    for (int i = 0; i < 10; i++) {
+        qtri_screen_vertex v[3];
+        random_triangle(v, &seed, 0, 255);
+        material.blend = i % 3 == 2 ? &qtri_blend_alpha : NULL;
+        material.alpha = 100;
+        qtri_raster_triangle(surface, &material, v);
+    }
+}
+
+static void assert_samples(const qtri_surface *whole, const qtri_surface *part, qtri_rect in)
+{
+    for (int32_t y = in.y0; y < in.y1; y++) {
+        for (int32_t x = in.x0; x < in.x1; x++) {
+            for (int k = 0; k < 4; k++) {
+                assert_int_equal(sample_at(whole, x, y, k), sample_at(part, x, y, k));
+            }
+        }
+    }
+}
+
+static qtri_vec3 positions[64];
+static qtri_normal normals[64];
+static uint16_t triangles[126][3];
+static qtri_vertex slots[64];
+
+static qtri_mesh random_mesh(uint64_t *seed)
+{
+    const qtri_mesh mesh = {.positions = positions,
+                            .normals = normals,
+                            .triangles = (const uint16_t(*)[3])triangles,
+                            .vertex_count = 64,
+                            .triangle_count = 98};
+    for (int i = 0; i < 64; i++) {
+        positions[i] = vec3_of(i % 8 * .4 - 1.5, i / 8 * .4 - 1.5, random_in(seed, -99, 99) / 80.);
+        normals[i].x = (int16_t)random_in(seed, -9000, 9000);
+        normals[i].y = (int16_t)random_in(seed, -9000, 9000);
+        normals[i].z = (int16_t)random_in(seed, 4000, 12000);
+    }
+    for (int i = 0, n = 0; i < 49; i++) {
+        const int at = i / 7 * 8 + i % 7;
+        const int corner[6] = {at, at + 1, at + 9, at, at + 9, at + 8};
+        for (int k = 0; k < 6; k++) {
+            triangles[n + k / 3][k % 3] = (uint16_t)corner[k];
+        }
+        n += 2;
+    }
+    return mesh;
+}
+
+static void bands(void **state)
+{
+    (void)state;
+    uint64_t seed = 21;
+    static uint16_t lists[QTRI_PREPARED_LISTS(98, HEIGHT, 5)];
+    for (int n = 0; n < 24; n++) {
+        const qtri_format *format = four[n % FORMATS];
+        const uint64_t own = seed += 77;
+        const bool has_mesh = n % 2 == 0;
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        qtri_mesh mesh = random_mesh(&seed);
+        qtri_view view;
+        qtri_light light = {vec3_of(.3, .5, .8), Q16(.2), Q16(.8)};
+        qtri_transform pose;
+        qtri_material material = qtri_material_default();
+        material.color = (qtri_rgb){255, 180, 90};
+        material.cull = n % 4 == 0 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
+        material.shading = n % 3 == 0 ? QTRI_FLAT_LAST : QTRI_SMOOTH;
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_transform_look_at(&view.camera, vec3_of(0, 0, n % 6 == 0 ? .9 : 3), vec3_of(0, 0, 0),
+                               vec3_of(0, 1, 0));
+        qtri_transform_perspective(&view.projection, Q16(60), Q16(1.3), Q16(.1), Q16(50));
+        view.light = &light;
+        view.vertices = slots;
+        view.vertex_count = 64;
+        qtri_transform_identity(&pose);
+        qtri_transform_rotate_y(&pose, random_in(&seed, 0, 60 << 16));
+        if (has_mesh) {
+            qtri_samples_clear(&whole.surface, (qtri_rgb){24, 32, 48}, 65535);
+            qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &material);
+        } else {
+            draw_scene(&whole.surface, own, 0, NULL);
+        }
+        qtri_frame frame = {.width = WIDTH, .height = HEIGHT, .rows = 5, .format = format};
+        qtri_prepared prepared;
+        qtri_prepared_init(&prepared, slots, 64, lists, sizeof lists / sizeof lists[0]);
+        if (has_mesh) {
+            qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+        }
+        for (int32_t row = 0; row < HEIGHT; row += 5) {
+            const int32_t end = row + 5 < HEIGHT ? row + 5 : HEIGHT;
+            canvas band = canvas_band(format, WIDTH, HEIGHT, row, end - row);
+            draw_scene(&band.surface, own, 0, has_mesh ? &prepared : NULL);
+            const qtri_rect rows = {0, row, WIDTH, end};
+            assert_samples(&whole.surface, &band.surface, rows);
+            canvas_free(&band);
+        }
+        canvas cut = canvas_new(format, WIDTH, HEIGHT);
+        cut.surface.scissor = (qtri_rect){random_in(&seed, 1, 30), random_in(&seed, 1, 20),
+                                          random_in(&seed, 31, WIDTH), random_in(&seed, 21, 40)};
+        draw_scene(&cut.surface, own, 0, has_mesh ? &prepared : NULL);
+        assert_samples(&whole.surface, &cut.surface, cut.surface.scissor);
+        canvas_free(&cut);
+        canvas_free(&whole);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coverage), cmocka_unit_test(depths),  cmocka_unit_test(range),
+        cmocka_unit_test(seams),    cmocka_unit_test(resolve), cmocka_unit_test(bands),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,323 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Smooth lines of up to two pixels: coverage against exact areas, bands and scissors, formats,
+ * ends that change places, extremes; wireframes of them, whole, prepared and clipped.
+ */
+#include "support_core.h"
+
+#include "raster/stroke_line.h"
+#include "reference/stroke_cover.h"
+
+enum { WIDTH = 75, HEIGHT = 53 };
+
+typedef struct line {
+    qtri_vertex v[2];
+    qtri_line_color color[2];
+    bool colored;
+    qtri_stroke_line style;
+} line;
+
+static line random_line(uint64_t *seed)
+{
+    line l;
+    const int32_t reach = random_in(seed, 0, 3) == 0 ? 12000 : 1500;
+    int32_t x = random_in(seed, -1000, WIDTH * 256 + 1000);
+    int32_t y = random_in(seed, -1000, HEIGHT * 256 + 1000);
+    for (int i = 0; i < 2; i++) {
+        l.v[i].at.x_24p8 = x;
+        l.v[i].at.y_24p8 = y;
+        l.v[i].depth_16p8 = (uint32_t)random_in(seed, 0, 65535) << 16;
+        l.v[i].intensity_q15 = (uint16_t)random_in(seed, 0, 32768);
+        for (int k = 0; k < 3; k++) {
+            l.color[i][k] = random_in(seed, 0, 255 << 16);
+        }
+        x += random_in(seed, 0, 4) == 0 ? 0 : random_in(seed, -reach, reach);
+        y += random_in(seed, 0, 4) == 0 ? 0 : random_in(seed, -reach, reach);
+    }
+    if (random_in(seed, 0, 9) == 0) {
+        l.v[1].at.y_24p8 = l.v[0].at.y_24p8 + (l.v[1].at.x_24p8 - l.v[0].at.x_24p8);
+    }
+    l.style.radius_24p8 = random_flag(seed) ? 128 : random_in(seed, 64, 256);
+    l.style.square = random_flag(seed);
+    l.style.alpha = 255;
+    l.colored = random_flag(seed);
+    return l;
+}
+
+static void draw(const qtri_surface *surface, const qtri_material *material, const line *l,
+                 bool turned)
+{
+    qtri_batch batch;
+    qtri_line_job job;
+    const qtri_line_color color[2] = {
+        {l->color[1][0], l->color[1][1], l->color[1][2]},
+        {l->color[0][0], l->color[0][1], l->color[0][2]},
+    };
+    qtri_line_job_init(&job, surface, material, &batch);
+    qtri_line_make_table(&job);
+    qtri_stroke_line_choose(&job, &l->style, qtri_stroke_line_draw);
+    if (turned) {
+        job.draw(&job, &l->v[1], &l->v[0], l->colored ? color : NULL);
+    } else {
+        job.draw(&job, &l->v[0], &l->v[1], l->colored ? (const qtri_line_color *)l->color : NULL);
+    }
+    qtri_line_flush(&job);
+}
+
+/* White on black in gray: a pixel is its coverage. */
+static void coverage(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    qtri_material material = plain_material();
+    uint64_t seed = 1;
+    double worst = 0;
+    for (int n = 0; n < 3000; n++) {
+        line l = random_line(&seed);
+        l.colored = false;
+        l.v[0].intensity_q15 = l.v[1].intensity_q15 = 32768;
+        const bool is_there =
+            l.v[0].at.x_24p8 != l.v[1].at.x_24p8 || l.v[0].at.y_24p8 != l.v[1].at.y_24p8;
+        const enum ref_cap cap = l.style.square ? REF_CAP_SQUARE : REF_CAP_BUTT;
+        const struct ref_stroke_part part = {l.v[0].at.x_24p8 / 256.0,    l.v[0].at.y_24p8 / 256.0,
+                                             l.v[1].at.x_24p8 / 256.0,    l.v[1].at.y_24p8 / 256.0,
+                                             l.style.radius_24p8 / 256.0, {cap, cap}};
+        canvas_clear(&c);
+        draw(&c.surface, &material, &l, false);
+        for (int y = 0; y < HEIGHT; y++) {
+            double share[WIDTH] = {0};
+            if (is_there) {
+                ref_stroke_cover_row(&part, 1, y, WIDTH, share);
+            }
+            for (int x = 0; x < WIDTH; x++) {
+                const double error = fabs(stored_pixel(&c.surface, x, y) / 255.0 - share[x]);
+                if (error > 1.0 / 32) {
+                    fail_msg("line %d (%d %d)-(%d %d) r %d: pixel %d %d is off by %.4f", n,
+                             (int)l.v[0].at.x_24p8, (int)l.v[0].at.y_24p8, (int)l.v[1].at.x_24p8,
+                             (int)l.v[1].at.y_24p8, (int)l.style.radius_24p8, x, y, error);
+                }
+                worst = fmax(worst, error);
+            }
+        }
+    }
+    print_message("coverage: off by %.4f at most\n", worst);
+    canvas_free(&c);
+}
+
+/* Turned round, in bands and by scissors: the same pixels, in every format, with and without depth.
+ */
+static void pieces(void **state)
+{
+    (void)state;
+    uint64_t seed = 2;
+    for (int n = 0; n < 300; n++) {
+        line l[4];
+        const qtri_format *format = drawn_format(random_in(&seed, 0, 5));
+        qtri_material material = plain_material();
+        material.color = (qtri_rgb){255, 200, 100};
+        material.depth_compare = (qtri_compare)random_in(&seed, QTRI_DEPTH_OFF, QTRI_ALWAYS);
+        material.depth_read_only = random_in(&seed, 0, 3) == 0;
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        canvas other = canvas_new(format, WIDTH, HEIGHT);
+        canvas cut = canvas_new(format, WIDTH, HEIGHT);
+        canvas_clear(&whole);
+        canvas_clear(&other);
+        canvas_clear(&cut);
+        cut.surface.scissor =
+            (qtri_rect){random_in(&seed, 0, 30), random_in(&seed, 0, 20),
+                        random_in(&seed, 31, WIDTH), random_in(&seed, 21, HEIGHT)};
+        for (int i = 0; i < 4; i++) {
+            l[i] = random_line(&seed);
+            l[i].style.alpha = (uint8_t)(random_flag(&seed) ? 255 : random_in(&seed, 1, 254));
+            draw(&whole.surface, &material, &l[i], false);
+            draw(&other.surface, &material, &l[i], true);
+            draw(&cut.surface, &material, &l[i], false);
+        }
+        assert_same_picture(&whole.surface, &other.surface);
+        for (int32_t row = 0; row < HEIGHT; row += 9) {
+            canvas band =
+                canvas_band(format, WIDTH, HEIGHT, row, HEIGHT - row < 9 ? HEIGHT - row : 9);
+            canvas_clear(&band);
+            for (int i = 0; i < 4; i++) {
+                draw(&band.surface, &material, &l[i], false);
+            }
+            assert_same_picture(&whole.surface, &band.surface);
+            canvas_free(&band);
+        }
+        const qtri_rect *in = &cut.surface.scissor;
+        for (int y = in->y0; y < in->y1; y++) {
+            for (int x = in->x0; x < in->x1; x++) {
+                assert_int_equal(stored_pixel(&cut.surface, x, y),
+                                 stored_pixel(&whole.surface, x, y));
+            }
+        }
+        canvas_free(&whole);
+        canvas_free(&other);
+        canvas_free(&cut);
+    }
+}
+
+/* Ends anywhere: nothing is written outside, and nothing overflows. */
+static void extremes(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    qtri_material material = plain_material();
+    material.depth_compare = QTRI_LESS;
+    for (int n = 0; n < 4000; n++) {
+        line l = random_line(&seed);
+        const int32_t most =
+            random_flag(&seed) ? QTRI_SCREEN_MAX_24P8 : 1 << random_in(&seed, 4, 22);
+        for (int i = 0; i < 2; i++) {
+            l.v[i].at.x_24p8 = random_in(&seed, -most, most);
+            l.v[i].at.y_24p8 =
+                random_in(&seed, 0, 3) == 0 ? 5000 + i : random_in(&seed, -most, most);
+        }
+        draw(&c.surface, &material, &l, false);
+    }
+    canvas_free(&c);
+}
+
+/* ---- Wireframes ---- */
+
+enum { SIDE = 8, VERTICES = SIDE * SIDE, TRIANGLES = 2 * VERTICES };
+
+static qtri_vec3 positions[VERTICES];
+static uint16_t triangles[TRIANGLES][3];
+static qtri_vertex slots[VERTICES];
+
+/* A torus. */
+static qtri_mesh torus(void)
+{
+    const qtri_mesh mesh = {.positions = positions,
+                            .triangles = (const uint16_t(*)[3])triangles,
+                            .vertex_count = VERTICES,
+                            .triangle_count = TRIANGLES};
+    for (int i = 0; i < VERTICES; i++) {
+        const double u = i % SIDE * 6.2831853 / SIDE;
+        const double v = i / SIDE * 6.2831853 / SIDE; /* NOLINT(bugprone-integer-division): a row */
+        const double r = 1 + .5 * cos(v);
+        const int right = i / SIDE * SIDE + (i + 1) % SIDE;
+        const int up = (i + SIDE) % VERTICES;
+        const int both = (right + SIDE) % VERTICES;
+        const int corner[6] = {i, right, both, i, both, up};
+        positions[i] = vec3_of(r * cos(u), r * sin(u), .5 * sin(v));
+        for (int k = 0; k < 6; k++) {
+            triangles[2 * i + k / 3][k % 3] = (uint16_t)corner[k];
+        }
+    }
+    return mesh;
+}
+
+static void set_view(qtri_view *view, double distance)
+{
+    qtri_view_init(view, WIDTH, HEIGHT);
+    qtri_transform_look_at(&view->camera, vec3_of(0, 0, distance), vec3_of(0, 0, 0),
+                           vec3_of(0, 1, 0));
+    qtri_transform_perspective(&view->projection, Q16(60), Q16(1.4), Q16(.1), Q16(50));
+    view->vertices = slots;
+    view->vertex_count = VERTICES;
+}
+
+/* Bands of a prepared mesh, bands of the mesh, and the whole, also where it is clipped. */
+static void wireframes(void **state)
+{
+    (void)state;
+    uint64_t seed = 4;
+    static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, 7)];
+    const qtri_mesh mesh = torus();
+    for (int n = 0; n < 60; n++) {
+        qtri_view view;
+        qtri_transform pose;
+        qtri_prepared prepared;
+        const qtri_format *format = drawn_format(n % 6);
+        qtri_material material = qtri_material_default();
+        material.fill = &qtri_smooth_wireframe;
+        material.color = (qtri_rgb){250, 220, 120};
+        material.cull = n % 2 == 0 ? QTRI_CULL_BACK : QTRI_CULL_NONE;
+        material.depth_compare = n % 3 == 0 ? QTRI_DEPTH_OFF : QTRI_LESS;
+        set_view(&view, n % 5 == 0 ? 1.2 : 3);
+        qtri_transform_identity(&pose);
+        qtri_transform_rotate_y(&pose, random_in(&seed, 0, 360 << 16));
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        canvas_clear(&whole);
+        qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &material);
+        const qtri_frame frame = {.width = WIDTH, .height = HEIGHT, .rows = 7, .format = format};
+        qtri_prepared_init(&prepared, slots, VERTICES, lists, sizeof lists / sizeof lists[0]);
+        for (int way = 0; way < 2; way++) {
+            if (way == 1) {
+                qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+            }
+            for (int32_t row = 0; row < HEIGHT; row += 7) {
+                canvas band =
+                    canvas_band(format, WIDTH, HEIGHT, row, HEIGHT - row < 7 ? HEIGHT - row : 7);
+                canvas_clear(&band);
+                if (way == 1) {
+                    qtri_draw_prepared(&band.surface, &prepared);
+                } else {
+                    qtri_draw_mesh(&band.surface, &view, &pose, &mesh, &material);
+                }
+                assert_same_picture(&whole.surface, &band.surface);
+                canvas_free(&band);
+            }
+        }
+        canvas_free(&whole);
+    }
+}
+
+/* An edge that two triangles share is blended once: as of thin strokes, and as of either alone. */
+static void shared_edges(void **state)
+{
+    (void)state;
+    const qtri_vec3 square[4] = {vec3_of(-1, -1, 0), vec3_of(1, -.9, 0), vec3_of(.8, 1, 0),
+                                 vec3_of(-1.1, .7, 0)};
+    const uint16_t two[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    qtri_mesh mesh = {
+        .positions = square, .triangles = two, .vertex_count = 4, .triangle_count = 2};
+    qtri_view view;
+    qtri_transform pose;
+    qtri_material material = qtri_material_default();
+    canvas both = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    canvas one = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    canvas stroked = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    set_view(&view, 3);
+    qtri_transform_identity(&pose);
+    material.fill = &qtri_smooth_wireframe;
+    for (int compare = QTRI_DEPTH_OFF; compare <= QTRI_ALWAYS; compare++) {
+        material.depth_compare = (qtri_compare)compare;
+        if (compare == QTRI_NEVER || compare == QTRI_EQUAL || compare == QTRI_NOT_EQUAL) {
+            continue;
+        }
+        qtri_stroke stroke = qtri_stroke_default();
+        stroke.cap = QTRI_CAP_BUTT;
+        canvas_clear(&both);
+        canvas_clear(&one);
+        canvas_clear(&stroked);
+        mesh.triangle_count = 2;
+        qtri_draw_mesh(&both.surface, &view, &pose, &mesh, &material);
+        qtri_draw_wide_wireframe(&stroked.surface, &view, &pose, &mesh, &stroke, &material);
+        mesh.triangle_count = 1;
+        qtri_draw_mesh(&one.surface, &view, &pose, &mesh, &material);
+        assert_same_picture(&both.surface, &stroked.surface);
+        /* On the diagonal, far from its ends. */
+        for (int y = HEIGHT / 2 - 4; y < HEIGHT / 2 + 4; y++) {
+            for (int x = WIDTH / 2 - 4; x < WIDTH / 2 + 4; x++) {
+                assert_int_equal(stored_pixel(&both.surface, x, y),
+                                 stored_pixel(&one.surface, x, y));
+            }
+        }
+    }
+    canvas_free(&both);
+    canvas_free(&one);
+    canvas_free(&stroked);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coverage),   cmocka_unit_test(pieces),       cmocka_unit_test(extremes),
+        cmocka_unit_test(wireframes), cmocka_unit_test(shared_edges),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
