@@ -3,7 +3,7 @@
  * Surfaces of four samples a pixel: samples against plain surfaces that are moved, colours in
  * range, no seams, blends, bands, scissors, prepared meshes, resolves.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include "raster/samples.h"
 

@@ -3,7 +3,7 @@
  * Smooth lines of up to two pixels: coverage against exact areas, bands and scissors, formats,
  * ends that change places, extremes; wireframes of them, whole, prepared and clipped.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include "raster/stroke_line.h"
 #include "reference/stroke_cover.h"
