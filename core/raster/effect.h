@@ -13,11 +13,18 @@
 
 #include "raster.h"
 
+/* Where fragments are: row << 16 | column, from the surface's first pixel. */
+struct qtri_fragments {
+    const uint32_t *place;  /* of each; NULL: neighbours of a row */
+    uint32_t first;         /* of the first */
+    const qtri_ramp *depth; /* 16.16 with the half that rounds, from place 0 on */
+};
+
 struct qtri_fog_stages {
     qtri_effect effects; /* qtri_effects */
-    /* Colours, of the format's kind or `wide`, with 16-bit depths. */
-    void (*apply)(const qtri_fog *fog, const qtri_format *format, uint32_t *color,
-                  const uint16_t *depth, int32_t count, bool wide);
+    /* Colours, of the format's kind or `wide`, in place. */
+    void (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                  int32_t count);
 };
 typedef struct qtri_fog_stages qtri_fog_stages;
 
@@ -27,13 +34,13 @@ struct qtri_blend {
      * Colours, of the format's kind or `wide`, become what is stored there, of the format's kind,
      * in place. mask: as in batch.h; returns that of those that are drawn.
      */
-    uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+    uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count);
     bool rejects; /* the mask may lose some */
 };
 
-/* Both, for `count` fragments in the mask; depth from place 0 on. Returns the new mask. */
-uint32_t qtri_effects(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
-                      const qtri_ramp *depth, uint32_t mask, int32_t count);
+/* Both, for `count` fragments, of which the mask's are drawn. Returns the new mask. */
+uint32_t qtri_effects(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                      uint32_t mask, int32_t count);
 
 #endif

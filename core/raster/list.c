@@ -2,6 +2,7 @@
 #include "list.h"
 
 #include "../geometry/projector.h"
+#include "effect.h"
 #include "list_values.h"
 #include "textured.h"
 
@@ -201,7 +202,8 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
     if (raster->alone) {
         mask &= qtri_mask_of(count);
         if (raster->effects != NULL && mask != 0) {
-            mask = raster->effects(raster, batch->color, batch->place, depth, mask, count);
+            const qtri_fragments at = {batch->place, batch->place[0], depth};
+            mask = raster->effects(raster, batch->color, &at, mask, count);
         }
         if (raster->rejects) {
             count = keep(raster, mask, count, depth);

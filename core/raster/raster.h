@@ -74,8 +74,9 @@ typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const ui
                                 int32_t count);
 
 /* See effect.h. */
-typedef uint32_t (*qtri_effect)(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
-                                const qtri_ramp *depth, uint32_t mask, int32_t count);
+typedef struct qtri_fragments qtri_fragments;
+typedef uint32_t (*qtri_effect)(const qtri_raster *raster, uint32_t *color,
+                                const qtri_fragments *at, uint32_t mask, int32_t count);
 
 struct qtri_raster {
     const qtri_surface *surface;

@@ -54,9 +54,10 @@ enum { QTRI_FOG_STEPS = 16 * 8 + 2 };
 struct qtri_fog {
     const struct qtri_fog_stages *stages; /* of the functions below; NULL: no fog */
     uint32_t word[3];                     /* its colour, as those of the three kinds */
-    /* f, 1024 being 1, and beyond 0..1, held there: by eighths of octaves of t = 65536 - depth, or,
-       with a scale, by equal steps from `first` on. */
-    uint32_t first, range, scale;
+    /* f, 1024 being 1, and beyond 0..1, held there: by eighths of octaves of how far the depth is
+       from the farthest, or, where step_bits is not 0, by steps of 2^that from `first` on. */
+    uint32_t first;
+    uint8_t step_bits;
     int16_t share[QTRI_FOG_STEPS];
 };
 
