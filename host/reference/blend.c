@@ -18,6 +18,20 @@ bool ref_passes_door(const struct scene *scene, int x, int y)
     return floor(scene->alpha / 65536.0 * 255 + .5) > 16 * rank + 8;
 }
 
+double ref_kept(const struct scene *scene)
+{
+    switch (scene->blend) {
+    case SCENE_BLEND_ALPHA:
+        return 1 - scene->alpha / 65536.0;
+    case SCENE_BLEND_ADD:
+    case SCENE_BLEND_MULTIPLY:
+    case SCENE_BLEND_NONE:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
 /* How much of a colour is left at a distance. */
 static double clear_share(const struct scene_fog *fog, double z)
 {

@@ -35,4 +35,10 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
 void ref_interpolate(const struct ref_vertex *const vertex[3], double weight1, double weight2,
                      double attribute[REF_ATTRIBUTES]);
 
+/*
+ * Notes in the image that pixel i was mixed: `kept` of what was there is left, and it is stored
+ * anew. `edge`: how far the area of a smooth edge moves it, 0..255.
+ */
+void ref_target_mixed(struct ref_target *target, size_t i, double kept, double edge);
+
 #endif

@@ -138,8 +138,10 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     material.fill = scene->wireframe ? &qtri_wireframe : NULL;
     material.depth_compare = compare_of(scene);
     material.depth_read_only = !scene->depth_write;
+    material.alpha = color_8(scene->alpha);
     if (pass == SCENE_IDS) {
         material.shading = QTRI_FLAT_LAST;
+        material.blend = scene->blend == SCENE_BLEND_SCREENDOOR ? &qtri_blend_screen_door : NULL;
         material.texture = resources->mask_texels != NULL ? &resources->mask : NULL;
         return material; /* modulated: white leaves an id as it is */
     }
@@ -155,7 +157,6 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
         [SCENE_BLEND_SCREENDOOR] = &qtri_blend_screen_door,
     };
     material.blend = blends[scene->blend];
-    material.alpha = color_8(scene->alpha);
     material.texture = resources->texels != NULL ? &resources->texture : NULL;
     material.texture_mode = scene->texture_mode == SCENE_REPLACE ? QTRI_REPLACE : QTRI_MODULATE;
     material.reflection = &resources->reflection;
