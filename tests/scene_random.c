@@ -78,7 +78,7 @@ static void put_vertex(struct writer *w, struct point p, bool textured)
     put(w, "  %.5f %.5f %.5f %.5f  %.3f %.3f %.3f", p.x, p.y, p.z, p.w, uniform(w, 0, 1),
         uniform(w, 0, 1), uniform(w, 0, 1));
     if (textured) {
-        double size = chance(w, 10) ? 20.0 : 1.5;
+        double size = chance(w, 10) && !w->mixed ? 20.0 : 1.5;
         if (w->textured && chance(w, 20)) {
             size = 0.2; /* texels larger than pixels */
         }

@@ -117,12 +117,14 @@ static int count_inside(const struct shape *shape, int x, int y, int k)
     return inside;
 }
 
-/* Eight by eight points tell whether an edge passes through. */
+/* Eight by eight points and the corners tell whether an edge passes through. */
 static double coverage(const struct shape *shape, int x, int y)
 {
     int few = count_inside(shape, x, y, 8);
+    int corners = is_inside(shape, x, y) + is_inside(shape, x + 1, y) + is_inside(shape, x, y + 1) +
+                  is_inside(shape, x + 1, y + 1);
 
-    if (few == 0 || few == 64)
+    if ((few == 0 && corners == 0) || (few == 64 && corners == 4))
         return few / 64.0;
     return count_inside(shape, x, y, SAMPLES) / (double)(SAMPLES * SAMPLES);
 }
