@@ -421,6 +421,9 @@ static void put_mixed_state(struct writer *w)
     if (chance(w, 20)) {
         put(w, "shade flat %s\n", either(w, "first", "last"));
     }
+    if (chance(w, 10)) {
+        put(w, "colormask %s %s on\n", either(w, "on", "off"), either(w, "on", "off"));
+    }
     put(w, "blend %s %.3f\n", blend[pick(w, 6)], chance(w, 20) ? 1.0 : uniform(w, .1, 1));
     if (chance(w, 30)) {
         put(w, "fog linear %.4f %.4f", near_z, far_z);
@@ -504,7 +507,7 @@ char *scene_random_mixed(uint32_t seed, size_t *length)
                        .mixed = true};
     put_mixed_state(&w);
     for (int groups = 4 + pick(&w, 6); groups > 0; groups--) {
-        put(&w, "push\n");
+        put(&w, "push\ndepthbias %.5f\n", chance(&w, 20) ? symmetric(&w, .003) : 0);
         put(&w, "rotate %.3f  %.3f %.3f %.3f\n", symmetric(&w, 180), symmetric(&w, 1),
             symmetric(&w, 1), uniform(&w, .1, 1));
         switch (pick(&w, 5)) {

@@ -88,11 +88,37 @@ static void mixtures(void **state)
                       accuracy_per_100k(a->coverage, a->covered),
                       accuracy_per_100k(a->other_triangle, a->covered),
                       accuracy_per_100k(a->mixed_above, a->mixed), a->max_mixed);
+        assert_true(a->mixed > 1000);
+        assert_true(accuracy_per_100k(a->coverage, a->covered) <= 40);
+        assert_true(accuracy_per_100k(a->other_triangle, a->covered) <= 20);
+    }
+    assert_true(accuracy_per_100k(kinds[0].sum.mixed_above, kinds[0].sum.mixed) <= 20);
+    assert_true(accuracy_per_100k(kinds[1].sum.mixed_above, kinds[1].sum.mixed) <= 1500);
+}
+
+/* The picture in bands, and one of any format, is that of the whole frame. */
+static void bands(void **state)
+{
+    (void)state;
+    static const qtri_format *const formats[4] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8,
+                                                  &qtri_rgb565_swapped};
+    for (unsigned i = 0; i < 16; i++) {
+        struct scene scene;
+        struct picture whole;
+        struct picture banded;
+        read_scene(900 + i, &scene);
+        assert_true(scene_render(&scene, formats[i % 4], 0, false, &whole));
+        assert_true(
+            scene_render(&scene, formats[i % 4], 1 + (int32_t)(i * 7 % 30), false, &banded));
+        assert_memory_equal(whole.rgb, banded.rgb, 3 * (size_t)whole.width * (size_t)whole.height);
+        picture_free(&whole);
+        picture_free(&banded);
+        scene_free(&scene);
     }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(mixtures)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(mixtures), cmocka_unit_test(bands)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -124,8 +124,30 @@ static void begin(mixture *m, const qtri_raster *raster, const qtri_fragments *a
     decode(m->stored, raster->format, m->wide, count);
 }
 
+/* The bits of a colour that stay as they are. */
+static uint32_t kept_bits(const qtri_colors *kind, uint32_t keep)
+{
+    const uint32_t red = keep & QTRI_KEEP_RED;
+    const uint32_t green = keep & QTRI_KEEP_GREEN;
+    const uint32_t blue = keep & QTRI_KEEP_BLUE;
+    if (kind->single) {
+        return red != 0 && green != 0 && blue != 0 ? 255 : 0;
+    }
+    return kind == &qtri_colors_565
+               ? (red != 0 ? 0xF800u : 0) | (green != 0 ? 0x07E0u : 0) | (blue != 0 ? 0x1Fu : 0)
+               : (red != 0 ? 0xFF0000u : 0) | (green != 0 ? 0xFF00u : 0) | (blue != 0 ? 255u : 0);
+}
+
+/* Of the kind that was mixed to that of the format, without what is to stay. */
 static void finish(const mixture *m, const qtri_raster *raster, uint32_t *color, int32_t count)
 {
+    if (raster->keep != 0) {
+        const uint32_t kept = kept_bits(m->kind, raster->keep);
+        for (int32_t i = 0; i < count; i++) {
+            const uint32_t stored = m->kind == &qtri_colors_565 ? m->under[i] : m->stored[i];
+            color[i] = (color[i] & ~kept) | (stored & kept);
+        }
+    }
     if (m->wide) {
         for (int32_t i = 0; i < count; i++) {
             color[i] &= 0xFFFFFF;
@@ -312,8 +334,7 @@ static inline uint32_t times_565(uint32_t c, uint32_t u)
     } else {                                                                                       \
         const uint32_t share = qtri_mix_share(m.alpha);                                            \
         QTRI_MIX(color, m.stored[i], count, m.kind, share, CHANNEL)                                \
-    }                                                                                              \
-    finish(&m, raster, color, count);
+    }
 
 static uint32_t blend_alpha(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                             uint32_t mask, int32_t count)
@@ -322,9 +343,10 @@ static uint32_t blend_alpha(const qtri_raster *raster, uint32_t *color, const qt
     begin(&m, raster, at, count);
     if (m.kind == &qtri_colors_565) {
         over_565(color, m.under, count, m.alpha);
-        return mask;
+    } else {
+        MIX(OVER)
     }
-    MIX(OVER)
+    finish(&m, raster, color, count);
     return mask;
 }
 
@@ -339,9 +361,10 @@ static uint32_t blend_add(const qtri_raster *raster, uint32_t *color, const qtri
         } else {
             add_565(color, m.under, count, m.alpha);
         }
-        return mask;
+    } else {
+        MIX(sum)
     }
-    MIX(sum)
+    finish(&m, raster, color, count);
     return mask;
 }
 
@@ -354,9 +377,10 @@ static uint32_t blend_multiply(const qtri_raster *raster, uint32_t *color, const
         for (int32_t i = 0; i < count; i++) {
             color[i] = times_565(color[i], m.under[i]);
         }
-        return mask;
+    } else {
+        MIX(TIMES)
     }
-    MIX(TIMES)
+    finish(&m, raster, color, count);
     return mask;
 }
 
@@ -368,6 +392,15 @@ static uint32_t blend_none(const qtri_raster *raster, uint32_t *color, const qtr
     for (int32_t i = 0; i < count; i++) {
         color[i] = m.kind == &qtri_colors_565 ? m.under[i] : m.stored[i];
     }
+    finish(&m, raster, color, count);
+    return mask;
+}
+
+static uint32_t blend_replace(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                              uint32_t mask, int32_t count)
+{
+    mixture m;
+    begin(&m, raster, at, count);
     finish(&m, raster, color, count);
     return mask;
 }
@@ -398,4 +431,5 @@ const qtri_blend qtri_blend_alpha = {qtri_effects, blend_alpha, false};
 const qtri_blend qtri_blend_add = {qtri_effects, blend_add, false};
 const qtri_blend qtri_blend_multiply = {qtri_effects, blend_multiply, false};
 const qtri_blend qtri_blend_none = {qtri_effects, blend_none, false};
+const qtri_blend qtri_blend_replace = {qtri_effects, blend_replace, false};
 const qtri_blend qtri_blend_screen_door = {qtri_effects, screen_door, true};

@@ -33,6 +33,7 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->fog = fog != NULL && fog->stages != NULL ? fog : NULL;
     raster->alpha = material->alpha;
     raster->least_alpha = material->least_alpha;
+    raster->keep = material->keep;
     raster->wide = false;
     raster->effects = NULL;
     if (raster->fog != NULL) {

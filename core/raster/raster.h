@@ -95,6 +95,7 @@ struct qtri_raster {
     bool wide;       /* colours have 8 bits a channel, and alpha above, for the blend */
     uint8_t alpha;
     uint8_t least_alpha;
+    uint8_t keep; /* channels that a blend leaves */
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     qtri_effect effects; /* NULL: neither */

@@ -60,8 +60,7 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->scene = scene;
     target->image = image;
     target->subpixel_bits = subpixel_bits;
-    target->depth_near = unit_from_q16(scene->depth_near);
-    target->depth_far = unit_from_q16(scene->depth_far);
+    ref_target_bias(target, 0);
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
     double clear_depth = unit_from_q16(scene->clear_depth);
@@ -83,6 +82,13 @@ void ref_target_mixed(struct ref_target *target, size_t i, double kept, double e
     struct reference_image *image = target->image;
     image->rounding[i] = 1 + kept * image->rounding[i];
     image->edge[i] = edge + kept * image->edge[i];
+}
+
+void ref_target_bias(struct ref_target *target, int32_t bias)
+{
+    const double by = bias / 65536.0;
+    target->depth_near = clamp(unit_from_q16(target->scene->depth_near) + by, 0.0, 1.0);
+    target->depth_far = clamp(unit_from_q16(target->scene->depth_far) + by, 0.0, 1.0);
 }
 
 double ref_target_depth(const struct ref_target *target, long double z_over_w)

@@ -19,6 +19,9 @@ struct ref_target {
 bool ref_target_open(struct ref_target *target, const struct scene *scene, int subpixel_bits,
                      struct reference_image *image);
 
+/* What follows has its depths moved by `bias`, Q16.16; the range's ends are held to 0..1. */
+void ref_target_bias(struct ref_target *target, int32_t bias);
+
 /* Window depth of clip z / w: -1..1 to the depth range. */
 double ref_target_depth(const struct ref_target *target, long double z_over_w);
 

@@ -7,6 +7,7 @@
  * surface, and draws the same pixels for every band and scissor. Depths are written as without;
  * what is seen through is drawn last, from far to near, with material.depth_read_only.
  *
+ * All but the screen door leave channels of stored pixels alone that material.keep names.
  * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one.
  * Colours are within 1 of 255, and within a step of RGB565, of exact ones.
  * Lines and wireframes are drawn as without a blend.
@@ -29,6 +30,7 @@ extern const qtri_blend qtri_blend_alpha;    /* colour alpha + stored (1 - alpha
 extern const qtri_blend qtri_blend_add;      /* stored + colour alpha, at most full */
 extern const qtri_blend qtri_blend_multiply; /* stored times colour, whatever the alpha */
 extern const qtri_blend qtri_blend_none;     /* stored: depths alone are written */
+extern const qtri_blend qtri_blend_replace;  /* colour, but for the channels of material.keep */
 
 /* A share of alpha of the pixels, in a pattern of 4 by 4: no order, nothing read. */
 extern const qtri_blend qtri_blend_screen_door;
