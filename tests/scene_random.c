@@ -421,6 +421,9 @@ static void put_mixed_state(struct writer *w)
     if (chance(w, 20)) {
         put(w, "shade flat %s\n", either(w, "first", "last"));
     }
+    if (chance(w, 12)) {
+        put(w, "polygon line\n");
+    }
     if (chance(w, 10)) {
         put(w, "colormask %s %s on\n", either(w, "on", "off"), either(w, "on", "off"));
     }

@@ -315,6 +315,7 @@ static void heaps(void **state)
         m.depth_compare = n % 4 == 0 ? QTRI_DEPTH_OFF : (n % 4 == 1 ? QTRI_ALWAYS : QTRI_LESS);
         m.fog = n % 3 == 0 ? &fog : NULL;
         m.blend = n % 9 == 0 ? NULL : m.blend;
+        m.fill = n % 5 == 4 ? &qtri_wireframe : NULL;
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         canvas parts = canvas_new(format, WIDTH, HEIGHT);
         qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &m);
@@ -523,7 +524,7 @@ static void biases(void **state)
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     set_view(&view);
     qtri_transform_identity(&pose);
-    for (int n = 0; n < 200; n++) {
+    for (int n = 0; n < 60; n++) {
         qtri_material m = blended(NULL, 255);
         const q16 bias = n % 4 == 0 ? random_any(&seed) : random_in(&seed, -20000, 20000);
         canvas_clear(&c);
@@ -537,6 +538,9 @@ static void biases(void **state)
         const double far_z = fmin(1, fmax(0, 1 + bias / 65536.0));
         const double depth = 65535 * (near_z + far_z) / 2;
         const bool nearer = depth < 32767;
+        if (fabs(depth - 32767.5) < 1.5) {
+            continue; /* a matter of rounding */
+        }
         for (int32_t i = 0; i < WIDTH * HEIGHT; i += 7) {
             const uint32_t green = stored_pixel(&c.surface, i % WIDTH, i / WIDTH) >> 8 & 255;
             assert_int_equal(green, nearer ? 255 : 0);

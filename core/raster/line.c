@@ -3,6 +3,7 @@
 
 #include "checked.h"
 #include "dda.h"
+#include "effect.h"
 #include "line_path.h"
 
 #include "../frame/colors.h"
@@ -174,7 +175,7 @@ void qtri_line_make_table(const qtri_line_job *job)
     const qtri_format *format = job->surface->format;
     uint16_t *table = qtri_batch_table(job->batch);
     if (table == NULL || format == NULL || format->colors->light_bits != QTRI_TINT_BITS ||
-        format->pixels->bytes > 2) {
+        format->pixels->bytes > 2 || job->effects != NULL) {
         return;
     }
     for (uint32_t i = 0; i < (1u << QTRI_TINT_BITS) + 1; i += 4) {
@@ -220,6 +221,59 @@ QTRI_NOINLINE void qtri_line_flush(const qtri_line_job *job)
         format->encode(batch->color, count);
     }
     format->pixels->scatter(surface->pixels, surface->pitch, batch->place, batch->color, count);
+    batch->count = 0;
+}
+
+/* Leaves fragments out that are not in the mask; writes the depths of the others. */
+static void keep_seen(const qtri_line_job *job, uint32_t mask, const qtri_ramp *depth)
+{
+    const qtri_surface *surface = job->surface;
+    qtri_batch *batch = job->batch;
+    uint32_t kept = 0;
+    mask <<= 32 - batch->count;
+    for (uint32_t i = 0; i < batch->count; i++, mask <<= 1) {
+        const uint32_t place = batch->place[i];
+        if ((mask & 0x80000000u) == 0) {
+            continue;
+        }
+        if (job->has_depth && job->depth_write) {
+            const uint32_t z =
+                depth->origin + (place & 0xFFFF) * depth->dx + (place >> 16) * depth->dy;
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
+                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(z >> 16);
+        }
+        batch->color[kept] = batch->color[i];
+        batch->place[kept] = place;
+        kept++;
+    }
+    batch->count = (uint8_t)kept;
+}
+
+/* Fog and blend for what is in the batch, of one line; then it is stored. */
+QTRI_NOINLINE static void flush_affected(const qtri_line_job *job, const qtri_ramp *depth)
+{
+    qtri_batch *batch = job->batch;
+    const qtri_format *format = job->surface->format;
+    const int32_t count = batch->count;
+    if (count == 0) {
+        return;
+    }
+    if (batch->kind == QTRI_LINE_SHARES) {
+        tint_pixels(batch->color, job, count);
+    }
+    const qtri_fragments at = {batch->place, batch->place[0], depth};
+    const uint32_t mask =
+        job->effects->effects(job->effects, batch->color, &at, qtri_mask_of(count), count);
+    if (job->effects->rejects) {
+        keep_seen(job, mask, depth);
+    }
+    if (batch->count != 0) {
+        if (format->encode != NULL) {
+            format->encode(batch->color, batch->count);
+        }
+        format->pixels->scatter(job->surface->pixels, job->surface->pitch, batch->place,
+                                batch->color, batch->count);
+    }
     batch->count = 0;
 }
 
@@ -281,7 +335,7 @@ QTRI_INLINE void take_pixels(walk *walk_of, int32_t count, const qtri_line_job *
         const ptrdiff_t pitch = job->surface->depth_pitch;
         const uint32_t less = job->less;
         const uint32_t passing = job->passing;
-        const bool is_written = job->depth_write;
+        const bool is_written = job->writes_early;
         do {
             uint16_t *depth =
                 &depths[(ptrdiff_t)(w.place >> 16) * pitch + (ptrdiff_t)(w.place & 0xFFFFu)];
@@ -308,6 +362,18 @@ static inline void make_room(const qtri_line_job *job, int32_t count, uint8_t ki
         qtri_line_flush(job);
         batch->kind = kind;
     }
+}
+
+/* Depths of a chunk, 16.16, by the places of its pixels: along the major axis. */
+static void depth_ramp(qtri_ramp *depth, const qtri_line_job *job, const qtri_line_path *l,
+                       const qtri_line_ramp *z, int32_t start)
+{
+    const uint32_t step = 2 * z->step;
+    const uint32_t first =
+        (uint32_t)(l->position + start) - (l->steep ? job->first_place >> 16 : 0);
+    depth->dx = l->steep ? 0 : step;
+    depth->dy = l->steep ? step : 0;
+    depth->origin = 2 * (z->value + QTRI_LINE_DEPTH_HALF) - first * step;
 }
 
 /* `rest` pixels from `at` on, in the chunk of a line that begins at pixel `start`. */
@@ -338,6 +404,11 @@ static void draw_chunk(const qtri_line_job *job, const qtri_line_path *l, const 
         take_pixels(&w, count, job);
         if (color != NULL) {
             shade_pixels(&s, job, taken);
+        }
+        if (job->effects != NULL) {
+            qtri_ramp depth;
+            depth_ramp(&depth, job, l, &z, start);
+            flush_affected(job, &depth);
         }
         rest -= count;
     }
@@ -370,6 +441,15 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
             draw_chunk(job, l, &by, &at, start, rest, a, color);
         }
     }
+}
+
+/* With fog or a blend: what is in the batch lies on different pixels, and in one chunk. */
+static void draw_affected(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                          const qtri_line_color *color)
+{
+    qtri_line_path l;
+    qtri_line_path_init(&l, a, b, 1, 65536);
+    draw_long(job, &l, a, color);
 }
 
 void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
@@ -467,6 +547,8 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->has_depth = surface->depth != NULL && compare != QTRI_DEPTH_OFF;
     job->is_less = compare == QTRI_LESS;
     job->depth_write = !material->depth_read_only;
+    job->writes_early = job->depth_write;
+    job->effects = NULL;
     job->less = differences[compare].less;
     job->passing = differences[compare].passing;
     if (surface->format != NULL) { /* or nothing is drawn */
@@ -477,6 +559,16 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     batch->count = 0;
     batch->kind = QTRI_LINE_SHARES;
     batch->has_table = false;
+}
+
+void qtri_line_set_effects(qtri_line_job *job, const qtri_material *material, qtri_raster *effects)
+{
+    if ((material->blend != NULL || material->fog != NULL) &&
+        qtri_raster_set_effects(effects, job->surface, material)) {
+        job->effects = effects;
+        job->draw = draw_affected;
+        job->writes_early = job->depth_write && !effects->rejects;
+    }
 }
 
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v)
@@ -498,12 +590,14 @@ void qtri_raster_line(const qtri_surface *surface, const qtri_material *material
     QTRI_ASSERT(v != NULL);
     qtri_batch batch;
     qtri_line_job job;
+    qtri_raster effects;
     qtri_vertex end[2];
     qtri_line_color color[2];
     qtri_line_job_init(&job, surface, material, &batch);
+    qtri_line_set_effects(&job, material, &effects);
     job.depth_mask = UINT32_MAX;
     qtri_line_end(&end[0], color[0], &v[0]);
     qtri_line_end(&end[1], color[1], &v[1]);
-    qtri_line_draw(&job, &end[0], &end[1], (const qtri_line_color *)color);
+    job.draw(&job, &end[0], &end[1], (const qtri_line_color *)color);
     qtri_line_flush(&job);
 }

@@ -13,7 +13,7 @@
 #include "qtri/raster.h"
 #include "qtri/view.h"
 
-#include "batch.h"
+#include "raster.h"
 
 typedef struct qtri_line_job qtri_line_job;
 
@@ -47,7 +47,9 @@ struct qtri_line_job {
     uint32_t depth_mask;              /* what of depth_16p8 is depth */
     uint32_t less, passing;           /* depths that pass: see line.c */
     bool has_depth, depth_write, is_less;
-    uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */
+    bool writes_early;          /* depth as soon as it is compared */
+    const qtri_raster *effects; /* fog and a blend, of which no more is set; NULL: neither */
+    uint32_t tint_n8[3];        /* channels of the tint, in steps; of one that is single the last */
     /* For fast/line_16.c: the first depth, or the first pixel where there are none; bytes from the
        one to the other, from row to row, and from the frame to the surface. */
     uint8_t *first;
@@ -58,6 +60,9 @@ struct qtri_line_job {
 /* Tinted by the material's colour. `batch` is there as long as the job. */
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_batch *batch);
+
+/* And with the material's fog and blend; `effects`, where they are kept, is there as long. */
+void qtri_line_set_effects(qtri_line_job *job, const qtri_material *material, qtri_raster *effects);
 
 /* Makes a table of tints if there can be one: the same pixels, sooner where there are many. */
 void qtri_line_make_table(const qtri_line_job *job);

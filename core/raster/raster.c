@@ -47,6 +47,16 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->with_depth = raster->compare != QTRI_DEPTH_OFF || raster->fog != NULL;
 }
 
+bool qtri_raster_set_effects(qtri_raster *raster, const qtri_surface *surface,
+                             const qtri_material *material)
+{
+    raster->surface = surface;
+    raster->format = surface->format;
+    raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
+    set_effects(raster, material, false);
+    return raster->effects != NULL;
+}
+
 /* The format's fused loops for what becomes of depth; NULL: none. */
 static const qtri_fused *fused_of(const qtri_raster *raster)
 {

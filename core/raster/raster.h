@@ -95,7 +95,7 @@ struct qtri_raster {
     bool wide;       /* colours have 8 bits a channel, and alpha above, for the blend */
     uint8_t alpha;
     uint8_t least_alpha;
-    uint8_t keep; /* channels that a blend leaves */
+    uint8_t keep;            /* channels that a blend leaves */
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     qtri_effect effects; /* NULL: neither */
@@ -145,6 +145,13 @@ struct qtri_raster {
 /* batch: the caller's, used while the raster is. */
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material, qtri_batch *batch);
+
+/*
+ * Only what fog and a blend need, of fragments that bring no texture. False: the material has
+ * neither.
+ */
+bool qtri_raster_set_effects(qtri_raster *raster, const qtri_surface *surface,
+                             const qtri_material *material);
 
 /* The same of a colour in light <= 2^15, which is 1. */
 void qtri_raster_lit_channels(int32_t channel[3], const qtri_raster *raster, const qtri_rgb *color,

@@ -10,7 +10,9 @@
  * All but the screen door leave channels of stored pixels alone that material.keep names.
  * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one.
  * Colours are within 1 of 255, and within a step of RGB565, of exact ones.
- * Lines and wireframes are drawn as without a blend.
+ * Lines and wireframes are blended and fogged as well: each edge of each triangle, so that one that
+ * two triangles share is drawn twice where depth does not turn the second away. Strokes (stroke.h)
+ * have an alpha of their own instead.
  */
 #ifndef QTRI_BLEND_H
 #define QTRI_BLEND_H
