@@ -240,6 +240,8 @@ QTRI_NOINLINE static void over_565(uint32_t *color, const uint16_t *under, int32
     uint32_t red_blue = share.red_blue;
     uint32_t green = share.green;
     QTRI_OPAQUE(mask)
+    QTRI_OPAQUE(half)
+    QTRI_OPAQUE(green_half)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         uint32_t c = color[i];                                                                     \
@@ -298,6 +300,8 @@ QTRI_NOINLINE static void add_565(uint32_t *color, const uint16_t *under, int32_
     uint32_t green_half = 0x1000u;
     uint32_t red_blue = share.red_blue;
     uint32_t green = share.green;
+    QTRI_OPAQUE(half)
+    QTRI_OPAQUE(green_half)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         uint32_t c = color[i];                                                                     \
@@ -322,6 +326,21 @@ QTRI_NOINLINE static void add_565(uint32_t *color, const uint16_t *under, int32_
 #undef ONE
 }
 
+/*
+ * What is stored under a row of which nothing else is to be known: pixels that are colours of the
+ * kind 565, all channels of which are written. NULL: not that.
+ */
+static inline const uint16_t *plain_row(const qtri_raster *raster, const qtri_fragments *at)
+{
+    const qtri_format *format = raster->format;
+    if (at->place != NULL || raster->wide || raster->keep != 0 ||
+        format->colors != &qtri_colors_565 || format->encode != NULL ||
+        format->pixels->bytes != 2) {
+        return NULL;
+    }
+    return (const uint16_t *)(const void *)pixel_at(raster, at, 0);
+}
+
 static inline uint32_t times_565(uint32_t c, uint32_t u)
 {
     return times(c >> 11 & 31, u >> 11, 31) << 11 | times(c >> 5 & 63, u >> 5 & 63, 63) << 5 |
@@ -336,8 +355,8 @@ static inline uint32_t times_565(uint32_t c, uint32_t u)
         QTRI_MIX(color, m.stored[i], count, m.kind, share, CHANNEL)                                \
     }
 
-static uint32_t blend_alpha(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
-                            uint32_t mask, int32_t count)
+QTRI_NOINLINE static uint32_t mix_alpha(const qtri_raster *raster, uint32_t *color,
+                                        const qtri_fragments *at, uint32_t mask, int32_t count)
 {
     mixture m;
     begin(&m, raster, at, count);
@@ -350,21 +369,48 @@ static uint32_t blend_alpha(const qtri_raster *raster, uint32_t *color, const qt
     return mask;
 }
 
-static uint32_t blend_add(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
-                          uint32_t mask, int32_t count)
+static uint32_t blend_alpha(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                            uint32_t mask, int32_t count)
+{
+    const uint16_t *under = plain_row(raster, at);
+    if (under == NULL) {
+        return mix_alpha(raster, color, at, mask, count);
+    }
+    over_565(color, under, count, raster->alpha);
+    return mask;
+}
+
+static void add_all_565(uint32_t *color, const uint16_t *under, int32_t count, uint32_t alpha)
+{
+    if (alpha == 255) {
+        sum_565(color, under, count);
+    } else {
+        add_565(color, under, count, alpha);
+    }
+}
+
+QTRI_NOINLINE static uint32_t mix_add(const qtri_raster *raster, uint32_t *color,
+                                      const qtri_fragments *at, uint32_t mask, int32_t count)
 {
     mixture m;
     begin(&m, raster, at, count);
     if (m.kind == &qtri_colors_565) {
-        if (m.alpha == 255) {
-            sum_565(color, m.under, count);
-        } else {
-            add_565(color, m.under, count, m.alpha);
-        }
+        add_all_565(color, m.under, count, m.alpha);
     } else {
         MIX(sum)
     }
     finish(&m, raster, color, count);
+    return mask;
+}
+
+static uint32_t blend_add(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                          uint32_t mask, int32_t count)
+{
+    const uint16_t *under = plain_row(raster, at);
+    if (under == NULL) {
+        return mix_add(raster, color, at, mask, count);
+    }
+    add_all_565(color, under, count, raster->alpha);
     return mask;
 }
 
