@@ -144,6 +144,7 @@ static void finish(const mixture *m, const qtri_raster *raster, uint32_t *color,
     if (raster->keep != 0) {
         const uint32_t kept = kept_bits(m->kind, raster->keep);
         for (int32_t i = 0; i < count; i++) {
+            // NOLINTNEXTLINE(clang-analyzer-core.*): begin() has set what the kind needs
             const uint32_t stored = m->kind == &qtri_colors_565 ? m->under[i] : m->stored[i];
             color[i] = (color[i] & ~kept) | (stored & kept);
         }
@@ -473,9 +474,9 @@ static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const qt
     return mask;
 }
 
-const qtri_blend qtri_blend_alpha = {qtri_effects, blend_alpha, false};
-const qtri_blend qtri_blend_add = {qtri_effects, blend_add, false};
-const qtri_blend qtri_blend_multiply = {qtri_effects, blend_multiply, false};
-const qtri_blend qtri_blend_none = {qtri_effects, blend_none, false};
-const qtri_blend qtri_blend_replace = {qtri_effects, blend_replace, false};
-const qtri_blend qtri_blend_screen_door = {qtri_effects, screen_door, true};
+const qtri_blend qtri_blend_alpha = {&qtri_effects, blend_alpha, false};
+const qtri_blend qtri_blend_add = {&qtri_effects, blend_add, false};
+const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, false};
+const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, false};
+const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, false};
+const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, true};

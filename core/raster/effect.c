@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "effect.h"
 
-uint32_t qtri_effects(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count)
 {
     if (raster->fog != NULL) {
@@ -9,3 +9,5 @@ uint32_t qtri_effects(const qtri_raster *raster, uint32_t *color, const qtri_fra
     }
     return raster->blend != NULL ? raster->blend->apply(raster, color, at, mask, count) : mask;
 }
+
+const struct qtri_effect_stages qtri_effects = {apply, qtri_line_effects};

@@ -20,8 +20,21 @@ struct qtri_fragments {
     const qtri_ramp *depth; /* 16.16 with the half that rounds, from place 0 on */
 };
 
+/*
+ * What both come with, &qtri_effects. Lines: fog and blend for what is in a job's batch, fragments
+ * of one chunk of one line with its depths; then they are stored.
+ */
+struct qtri_effect_stages {
+    /* Both, for `count` fragments, of which the mask's are drawn. Returns the new mask. */
+    qtri_effect fragments;
+    qtri_line_effect line;
+};
+extern const struct qtri_effect_stages qtri_effects;
+
+void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth);
+
 struct qtri_fog_stages {
-    qtri_effect effects; /* qtri_effects */
+    const struct qtri_effect_stages *effects;
     /* Colours, of the format's kind or `wide`, in place. */
     void (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                   int32_t count);
@@ -29,7 +42,7 @@ struct qtri_fog_stages {
 typedef struct qtri_fog_stages qtri_fog_stages;
 
 struct qtri_blend {
-    qtri_effect effects; /* qtri_effects */
+    const struct qtri_effect_stages *effects;
     /*
      * Colours, of the format's kind or `wide`, become what is stored there, of the format's kind,
      * in place. mask: as in batch.h; returns that of those that are drawn.
@@ -38,9 +51,5 @@ struct qtri_blend {
                       uint32_t mask, int32_t count);
     bool rejects; /* the mask may lose some */
 };
-
-/* Both, for `count` fragments, of which the mask's are drawn. Returns the new mask. */
-uint32_t qtri_effects(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
-                      uint32_t mask, int32_t count);
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "checked.h"
 #include "dda.h"
-#include "effect.h"
 #include "line_path.h"
 
 #include "../frame/colors.h"
@@ -150,10 +149,8 @@ QTRI_NOINLINE static void shade_pixels(const shade *s, const qtri_line_job *job,
     }
 }
 
-/*
- * Makes colour words of `count` shares in Q22. Times a tint of at most 255.0 they are below 2^26.
- */
-QTRI_NOINLINE static void tint_pixels(uint32_t *color, const qtri_line_job *job, int32_t count)
+/* Times a tint of at most 255.0 shares are below 2^26. */
+QTRI_NOINLINE void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int32_t count)
 {
     const qtri_colors *colors = job->surface->format->colors;
     const uint32_t red = colors->red;
@@ -183,7 +180,7 @@ void qtri_line_make_table(const qtri_line_job *job)
         for (uint32_t k = 0; k < 4; k++) {
             color[k] = (i + k) << QTRI_LINE_TINT_SHIFT;
         }
-        tint_pixels(color, job, 4);
+        qtri_line_tint(color, job, 4);
         if (format->encode != NULL) {
             format->encode(color, 4);
         }
@@ -215,65 +212,12 @@ QTRI_NOINLINE void qtri_line_flush(const qtri_line_job *job)
     if (are_stored) {
         look_up(batch);
     } else if (batch->kind == QTRI_LINE_SHARES) {
-        tint_pixels(batch->color, job, count);
+        qtri_line_tint(batch->color, job, count);
     }
     if (!are_stored && format->encode != NULL) {
         format->encode(batch->color, count);
     }
     format->pixels->scatter(surface->pixels, surface->pitch, batch->place, batch->color, count);
-    batch->count = 0;
-}
-
-/* Leaves fragments out that are not in the mask; writes the depths of the others. */
-static void keep_seen(const qtri_line_job *job, uint32_t mask, const qtri_ramp *depth)
-{
-    const qtri_surface *surface = job->surface;
-    qtri_batch *batch = job->batch;
-    uint32_t kept = 0;
-    mask <<= 32 - batch->count;
-    for (uint32_t i = 0; i < batch->count; i++, mask <<= 1) {
-        const uint32_t place = batch->place[i];
-        if ((mask & 0x80000000u) == 0) {
-            continue;
-        }
-        if (job->has_depth && job->depth_write) {
-            const uint32_t z =
-                depth->origin + (place & 0xFFFF) * depth->dx + (place >> 16) * depth->dy;
-            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
-                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(z >> 16);
-        }
-        batch->color[kept] = batch->color[i];
-        batch->place[kept] = place;
-        kept++;
-    }
-    batch->count = (uint8_t)kept;
-}
-
-/* Fog and blend for what is in the batch, of one line; then it is stored. */
-QTRI_NOINLINE static void flush_affected(const qtri_line_job *job, const qtri_ramp *depth)
-{
-    qtri_batch *batch = job->batch;
-    const qtri_format *format = job->surface->format;
-    const int32_t count = batch->count;
-    if (count == 0) {
-        return;
-    }
-    if (batch->kind == QTRI_LINE_SHARES) {
-        tint_pixels(batch->color, job, count);
-    }
-    const qtri_fragments at = {batch->place, batch->place[0], depth};
-    const uint32_t mask =
-        job->effects->effects(job->effects, batch->color, &at, qtri_mask_of(count), count);
-    if (job->effects->rejects) {
-        keep_seen(job, mask, depth);
-    }
-    if (batch->count != 0) {
-        if (format->encode != NULL) {
-            format->encode(batch->color, batch->count);
-        }
-        format->pixels->scatter(job->surface->pixels, job->surface->pitch, batch->place,
-                                batch->color, batch->count);
-    }
     batch->count = 0;
 }
 
@@ -408,7 +352,7 @@ static void draw_chunk(const qtri_line_job *job, const qtri_line_path *l, const 
         if (job->effects != NULL) {
             qtri_ramp depth;
             depth_ramp(&depth, job, l, &z, start);
-            flush_affected(job, &depth);
+            job->effects->line_effects(job, &depth);
         }
         rest -= count;
     }

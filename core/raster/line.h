@@ -15,8 +15,6 @@
 
 #include "raster.h"
 
-typedef struct qtri_line_job qtri_line_job;
-
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
 typedef int32_t qtri_line_color[3];
 
@@ -66,6 +64,9 @@ void qtri_line_set_effects(qtri_line_job *job, const qtri_material *material, qt
 
 /* Makes a table of tints if there can be one: the same pixels, sooner where there are many. */
 void qtri_line_make_table(const qtri_line_job *job);
+
+/* Makes colour words of `count` shares in Q22. */
+void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int32_t count);
 
 /* A vertex of any coordinates as an end, its depth within depth_16p8, and its colour. */
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v);

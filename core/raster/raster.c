@@ -36,10 +36,11 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->keep = material->keep;
     raster->wide = false;
     raster->effects = NULL;
-    if (raster->fog != NULL) {
-        raster->effects = raster->fog->stages->effects;
-    } else if (raster->blend != NULL) {
-        raster->effects = raster->blend->effects;
+    if (raster->fog != NULL || raster->blend != NULL) {
+        const struct qtri_effect_stages *stages =
+            raster->fog != NULL ? raster->fog->stages->effects : raster->blend->effects;
+        raster->effects = stages->fragments;
+        raster->line_effects = stages->line;
     }
     raster->rejects = (textured && (material->texture->has_key || material->least_alpha != 0)) ||
                       (raster->blend != NULL && raster->blend->rejects);

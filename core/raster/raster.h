@@ -78,6 +78,9 @@ typedef struct qtri_fragments qtri_fragments;
 typedef uint32_t (*qtri_effect)(const qtri_raster *raster, uint32_t *color,
                                 const qtri_fragments *at, uint32_t mask, int32_t count);
 
+typedef struct qtri_line_job qtri_line_job;
+typedef void (*qtri_line_effect)(const qtri_line_job *job, const qtri_ramp *depth);
+
 struct qtri_raster {
     const qtri_surface *surface;
     const qtri_format *format;
@@ -99,7 +102,8 @@ struct qtri_raster {
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     qtri_effect effects; /* NULL: neither */
-    bool perspective;    /* as the material asks */
+    qtri_line_effect line_effects;
+    bool perspective; /* as the material asks */
     qtri_cull cull;
     qtri_shading shading;
     qtri_depth depth;
