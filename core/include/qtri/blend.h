@@ -9,7 +9,8 @@
  *
  * All but the screen door leave channels of stored pixels alone that material.keep names.
  * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one.
- * Colours are within 1 of 255, and within a step of RGB565, of exact ones.
+ * Colours are within 1 of 255, and within a step of RGB565, of exact ones; in fog within 1 1/4
+ * steps of RGB565, since colours and fog are rounded before they are mixed.
  * Lines and wireframes are blended and fogged as well: each edge of each triangle, so that one that
  * two triangles share is drawn twice where depth does not turn the second away. Strokes (stroke.h)
  * have an alpha of their own instead.
@@ -42,8 +43,8 @@ extern const qtri_blend qtri_blend_screen_door;
  * plane: linear (end - z) / (end - start), held to 0..1, or exp(-density z), or exp(-(density
  * z)^2).
  *
- * z is found from the depth of the pixel, so the projection's near and far are asked for, and the
- * viewport's depths must be 0 and 1. f is within 1/256 where a step of 16-bit depth is.
+ * z is found from the depth of the pixel, with its fraction, so the projection's near and far are
+ * asked for, and the viewport's depths must be 0 and 1. f is within 1/256.
  */
 typedef struct qtri_fog qtri_fog;
 
