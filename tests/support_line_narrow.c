@@ -5,15 +5,14 @@
 #define QTRI_LONG_MULTIPLY 0
 #define QTRI_DIVIDE        0
 
-#define qtri_line_cut_short   narrow_line_cut_short
-#define qtri_line_draw        narrow_line_draw
-#define qtri_line_end         narrow_line_end
-#define qtri_line_flush       narrow_line_flush
-#define qtri_line_job_init    narrow_line_job_init
-#define qtri_line_set_effects narrow_line_set_effects
-#define qtri_line_tint        narrow_line_tint
-#define qtri_line_make_table  narrow_line_make_table
-#define qtri_raster_line      narrow_raster_line
+#define qtri_line_cut_short  narrow_line_cut_short
+#define qtri_line_draw       narrow_line_draw
+#define qtri_line_end        narrow_line_end
+#define qtri_line_flush      narrow_line_flush
+#define qtri_line_job_init   narrow_line_job_init
+#define qtri_line_tint       narrow_line_tint
+#define qtri_line_make_table narrow_line_make_table
+#define qtri_raster_line     narrow_raster_line
 
 #include "raster/line.c"
 

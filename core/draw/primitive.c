@@ -30,8 +30,6 @@ void qtri_primitive_begin_lines(qtri_primitive *primitive)
 {
     qtri_line_job_init(&primitive->to.lines.job, primitive->surface, primitive->material,
                        &primitive->to.lines.batch);
-    qtri_line_set_effects(&primitive->to.lines.job, primitive->material,
-                          &primitive->to.lines.effects);
 }
 
 void qtri_primitive_finish_lines(const qtri_primitive *primitive)

@@ -23,9 +23,8 @@ typedef struct qtri_primitive {
         } solid;              /* triangles */
         struct {
             qtri_line_job job;
-            qtri_batch batch;    /* the job's, */
-            qtri_raster effects; /* and what it does to pixels */
-        } lines;                 /* and wireframes */
+            qtri_batch batch; /* the job's */
+        } lines;              /* and wireframes */
     } to;
     qtri_projector projector;
 } qtri_primitive;

@@ -11,7 +11,7 @@
 
 #include "qtri/blend.h"
 
-#include "raster.h"
+#include "line.h"
 
 /* Where fragments are: row << 16 | column, from the surface's first pixel. */
 struct qtri_fragments {
@@ -51,5 +51,14 @@ struct qtri_blend {
                       uint32_t mask, int32_t count);
     bool rejects; /* the mask may lose some */
 };
+
+/* Of a material with fog or a blend; NULL: neither. */
+static inline const struct qtri_effect_stages *qtri_effect_stages_of(const qtri_material *material)
+{
+    if (material->fog != NULL && material->fog->stages != NULL) {
+        return material->fog->stages->effects;
+    }
+    return material->blend != NULL ? material->blend->effects : NULL;
+}
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "checked.h"
 #include "dda.h"
+#include "effect.h"
 #include "line_path.h"
 
 #include "../frame/colors.h"
@@ -172,7 +173,7 @@ void qtri_line_make_table(const qtri_line_job *job)
     const qtri_format *format = job->surface->format;
     uint16_t *table = qtri_batch_table(job->batch);
     if (table == NULL || format == NULL || format->colors->light_bits != QTRI_TINT_BITS ||
-        format->pixels->bytes > 2 || job->effects != NULL) {
+        format->pixels->bytes > 2 || job->effect != NULL) {
         return;
     }
     for (uint32_t i = 0; i < (1u << QTRI_TINT_BITS) + 1; i += 4) {
@@ -349,10 +350,10 @@ static void draw_chunk(const qtri_line_job *job, const qtri_line_path *l, const 
         if (color != NULL) {
             shade_pixels(&s, job, taken);
         }
-        if (job->effects != NULL) {
+        if (job->effect != NULL) {
             qtri_ramp depth;
             depth_ramp(&depth, job, l, &z, start);
-            job->effects->line_effects(job, &depth);
+            job->effect(job, &depth);
         }
         rest -= count;
     }
@@ -473,6 +474,17 @@ static void set_tint(qtri_line_job *job, const qtri_colors *colors, qtri_rgb col
     }
 }
 
+QTRI_NOINLINE static void set_effect(qtri_line_job *job, const qtri_material *material)
+{
+    const struct qtri_effect_stages *stages = qtri_effect_stages_of(material);
+    if (stages != NULL) {
+        job->effect = stages->line;
+        job->draw = draw_affected;
+        job->writes_early =
+            job->depth_write && (material->blend == NULL || !material->blend->rejects);
+    }
+}
+
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_batch *batch)
 {
@@ -492,7 +504,11 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->is_less = compare == QTRI_LESS;
     job->depth_write = !material->depth_read_only;
     job->writes_early = job->depth_write;
-    job->effects = NULL;
+    job->material = material;
+    job->effect = NULL;
+    if (material->fog != NULL || material->blend != NULL) {
+        set_effect(job, material);
+    }
     job->less = differences[compare].less;
     job->passing = differences[compare].passing;
     if (surface->format != NULL) { /* or nothing is drawn */
@@ -503,16 +519,6 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     batch->count = 0;
     batch->kind = QTRI_LINE_SHARES;
     batch->has_table = false;
-}
-
-void qtri_line_set_effects(qtri_line_job *job, const qtri_material *material, qtri_raster *effects)
-{
-    if ((material->blend != NULL || material->fog != NULL) &&
-        qtri_raster_set_effects(effects, job->surface, material)) {
-        job->effects = effects;
-        job->draw = draw_affected;
-        job->writes_early = job->depth_write && !effects->rejects;
-    }
 }
 
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v)
@@ -534,11 +540,9 @@ void qtri_raster_line(const qtri_surface *surface, const qtri_material *material
     QTRI_ASSERT(v != NULL);
     qtri_batch batch;
     qtri_line_job job;
-    qtri_raster effects;
     qtri_vertex end[2];
     qtri_line_color color[2];
     qtri_line_job_init(&job, surface, material, &batch);
-    qtri_line_set_effects(&job, material, &effects);
     job.depth_mask = UINT32_MAX;
     qtri_line_end(&end[0], color[0], &v[0]);
     qtri_line_end(&end[1], color[1], &v[1]);

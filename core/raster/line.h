@@ -18,6 +18,11 @@
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
 typedef int32_t qtri_line_color[3];
 
+typedef struct qtri_line_job qtri_line_job;
+
+/* See effect.h. */
+typedef void (*qtri_line_effect)(const qtri_line_job *job, const qtri_ramp *depth);
+
 /*
  * Draws the line a b; the pixels of b a are the same. Its colours are color[0] at a and color[1] at
  * b; NULL: shares of the tint, a and b being lit.
@@ -45,9 +50,10 @@ struct qtri_line_job {
     uint32_t depth_mask;              /* what of depth_16p8 is depth */
     uint32_t less, passing;           /* depths that pass: see line.c */
     bool has_depth, depth_write, is_less;
-    bool writes_early;          /* depth as soon as it is compared */
-    const qtri_raster *effects; /* fog and a blend, of which no more is set; NULL: neither */
-    uint32_t tint_n8[3];        /* channels of the tint, in steps; of one that is single the last */
+    bool writes_early;             /* depth as soon as it is compared */
+    qtri_line_effect effect;       /* of fog and a blend; NULL: neither */
+    const qtri_material *material; /* theirs */
+    uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */
     /* For fast/line_16.c: the first depth, or the first pixel where there are none; bytes from the
        one to the other, from row to row, and from the frame to the surface. */
     uint8_t *first;
@@ -55,12 +61,9 @@ struct qtri_line_job {
     int32_t pitch, origin;
 };
 
-/* Tinted by the material's colour. `batch` is there as long as the job. */
+/* Tinted by the material's colour. `batch` and the material are there as long as the job. */
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_batch *batch);
-
-/* And with the material's fog and blend; `effects`, where they are kept, is there as long. */
-void qtri_line_set_effects(qtri_line_job *job, const qtri_material *material, qtri_raster *effects);
 
 /* Makes a table of tints if there can be one: the same pixels, sooner where there are many. */
 void qtri_line_make_table(const qtri_line_job *job);

@@ -35,27 +35,12 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->least_alpha = material->least_alpha;
     raster->keep = material->keep;
     raster->wide = false;
-    raster->effects = NULL;
-    if (raster->fog != NULL || raster->blend != NULL) {
-        const struct qtri_effect_stages *stages =
-            raster->fog != NULL ? raster->fog->stages->effects : raster->blend->effects;
-        raster->effects = stages->fragments;
-        raster->line_effects = stages->line;
-    }
+    const struct qtri_effect_stages *stages = qtri_effect_stages_of(material);
+    raster->effects = stages != NULL ? stages->fragments : NULL;
     raster->rejects = (textured && (material->texture->has_key || material->least_alpha != 0)) ||
                       (raster->blend != NULL && raster->blend->rejects);
     raster->alone = raster->rejects || raster->effects != NULL;
     raster->with_depth = raster->compare != QTRI_DEPTH_OFF || raster->fog != NULL;
-}
-
-bool qtri_raster_set_effects(qtri_raster *raster, const qtri_surface *surface,
-                             const qtri_material *material)
-{
-    raster->surface = surface;
-    raster->format = surface->format;
-    raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
-    set_effects(raster, material, false);
-    return raster->effects != NULL;
 }
 
 /* The format's fused loops for what becomes of depth; NULL: none. */

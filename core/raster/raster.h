@@ -78,9 +78,6 @@ typedef struct qtri_fragments qtri_fragments;
 typedef uint32_t (*qtri_effect)(const qtri_raster *raster, uint32_t *color,
                                 const qtri_fragments *at, uint32_t mask, int32_t count);
 
-typedef struct qtri_line_job qtri_line_job;
-typedef void (*qtri_line_effect)(const qtri_line_job *job, const qtri_ramp *depth);
-
 struct qtri_raster {
     const qtri_surface *surface;
     const qtri_format *format;
@@ -102,8 +99,7 @@ struct qtri_raster {
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     qtri_effect effects; /* NULL: neither */
-    qtri_line_effect line_effects;
-    bool perspective; /* as the material asks */
+    bool perspective;    /* as the material asks */
     qtri_cull cull;
     qtri_shading shading;
     qtri_depth depth;
@@ -149,13 +145,6 @@ struct qtri_raster {
 /* batch: the caller's, used while the raster is. */
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
                       const qtri_material *material, qtri_batch *batch);
-
-/*
- * Only what fog and a blend need, of fragments that bring no texture. False: the material has
- * neither.
- */
-bool qtri_raster_set_effects(qtri_raster *raster, const qtri_surface *surface,
-                             const qtri_material *material);
 
 /* The same of a colour in light <= 2^15, which is 1. */
 void qtri_raster_lit_channels(int32_t channel[3], const qtri_raster *raster, const qtri_rgb *color,
