@@ -166,6 +166,22 @@ static void state_statements(void **state)
     scene_free(&scene);
 }
 
+static void masks_and_biases(void **state)
+{
+    (void)state;
+    struct scene scene = parse("colormask on off on\nblend replace\npoint 0 0 0 1 1 1 1\n"
+                               "depthbias -.25\npoint 0 0 0 1 1 1 1\ndepthbias 0\n"
+                               "point 0 0 0 1 1 1 1\n");
+    assert_false(scene.keep[0] || scene.keep[2]);
+    assert_true(scene.keep[1]);
+    assert_int_equal(scene.blend, SCENE_BLEND_REPLACE);
+    assert_int_equal(scene.op_count, 3);
+    assert_int_equal(scene.ops[0].depth_bias, 0);
+    assert_int_equal(scene.ops[1].depth_bias, -ONE / 4);
+    assert_int_equal(scene.ops[2].depth_bias, 0);
+    scene_free(&scene);
+}
+
 static void light_statements(void **state)
 {
     (void)state;
@@ -653,6 +669,8 @@ static void value_errors(void **state)
         {"clear 0 0 1.1", "clear: '1.1' does not lie in 0..1"},
         {"clear -.1 0 1", "clear: '-.1' does not lie in 0..1"},
         {"clear 0 0 x", "clear: 'x' is not a number"},
+        {"depthbias 1.5", "depthbias: the bias must lie between -1 and 1"},
+        {"colormask on off red", "'red' is unknown here: colormask on|off on|off on|off"},
         {"cleardepth 2", "cleardepth: '2' does not lie in 0..1"},
         {"depthrange 0 1.5", "depthrange: '1.5' does not lie in 0..1"},
         {"depthrange -1 1", "depthrange: '-1' does not lie in 0..1"},
@@ -856,6 +874,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(empty_scenes_have_defaults),
         cmocka_unit_test(state_statements),
+        cmocka_unit_test(masks_and_biases),
         cmocka_unit_test(light_statements),
         cmocka_unit_test(the_last_statement_wins),
         cmocka_unit_test(depth_comparisons),

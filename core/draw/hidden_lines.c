@@ -3,16 +3,14 @@
 
 #include "../bits/bits.h"
 
-/* The range of depth, moved towards the eye by `bias`, which is where the comparison says. */
-static void move_nearer(qtri_viewport *viewport, qtri_compare compare, q16 bias)
+/* A bias towards the eye, which is where the comparison says. */
+static q16 nearer_by(const qtri_material *material, q16 bias)
 {
-    const bool is_greater = compare == QTRI_GREATER || compare == QTRI_GREATER_EQUAL;
+    const bool is_greater =
+        material->depth_compare == QTRI_GREATER || material->depth_compare == QTRI_GREATER_EQUAL;
     const q16 held = qtri_hold32(bias, 0, Q16_ONE);
-    const q16 by = is_greater ? held : -held;
-    const q16 near_z = qtri_hold32(viewport->depth_near, 0, Q16_ONE);
-    const q16 far_z = qtri_hold32(viewport->depth_far, 0, Q16_ONE);
-    viewport->depth_near = qtri_hold32(near_z + by, 0, Q16_ONE);
-    viewport->depth_far = qtri_hold32(far_z + by, 0, Q16_ONE);
+    const int64_t sum = (int64_t)material->depth_bias + (is_greater ? held : -held);
+    return qtri_saturate32(sum);
 }
 
 void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
@@ -22,7 +20,7 @@ void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
     qtri_surface depth = *surface;
     qtri_material solid = *material;
     qtri_material lines = *material;
-    qtri_view nearer = *view;
+    qtri_view unlit = *view;
     if (surface->format != NULL) {
         depth.format = &qtri_depth_only;
     }
@@ -33,13 +31,12 @@ void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
         solid.texture = NULL;
     }
     lines.fill = &qtri_wireframe;
-    nearer.light = NULL;
-    qtri_draw_mesh(&depth, &nearer, pose, mesh, &solid);
-    nearer.light = view->light;
-    move_nearer(&nearer.viewport, material->depth_compare, bias);
+    lines.depth_bias = nearer_by(material, bias);
+    unlit.light = NULL;
+    qtri_draw_mesh(&depth, &unlit, pose, mesh, &solid);
     if (stroke != NULL) {
-        qtri_draw_wide_wireframe(surface, &nearer, pose, mesh, stroke, &lines);
+        qtri_draw_wide_wireframe(surface, view, pose, mesh, stroke, &lines);
     } else {
-        qtri_draw_mesh(surface, &nearer, pose, mesh, &lines);
+        qtri_draw_mesh(surface, view, pose, mesh, &lines);
     }
 }

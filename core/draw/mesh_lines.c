@@ -14,6 +14,8 @@
  * - "Not equal", written: the second of two lines fails where nothing was drawn in between, and
  *   covers what was. Every triangle draws it.
  *
+ * With a blend every triangle draws its edges, so that a picture does not depend on what was noted.
+ *
  * Vertices note the edges that leave them, in the word that has 1/w for solid triangles: from
  * vertex i to vertex j it is (j - i) modulo 2^16, in either half, the newest in the lower one.
  * Indices are below 2^16, so no other j gives the same; 0 is no edge, or one from a vertex to
@@ -52,12 +54,18 @@ static taker taker_of(bool has_depth, qtri_compare compare, bool depth_write)
 /* In bands with depth, as most are. */
 static taker taker_by_material(const qtri_material *material)
 {
+    if (material->blend != NULL) {
+        return EVERY;
+    }
     return taker_of(material->depth_compare != QTRI_DEPTH_OFF, material->depth_compare,
                     !material->depth_read_only);
 }
 
 static taker taker_by_job(const qtri_mesh_job *draw)
 {
+    if (draw->material.blend != NULL) {
+        return EVERY;
+    }
     return taker_of(draw->primitive.to.lines.job.has_depth, draw->material.depth_compare,
                     !draw->material.depth_read_only);
 }

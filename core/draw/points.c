@@ -78,7 +78,7 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
     if (stroke->width <= 0 || !qtri_stroker_init(&stroker, surface, material, stroke)) {
         return;
     }
-    qtri_stroke_job_init(&job, view, pose, corners, corner_count, stroke);
+    qtri_stroke_job_init(&job, view, pose, corners, corner_count, stroke, material);
     if (stroke->in_space) {
         half = half_width_up(view, pose, stroke->width);
     } else if (job.radius == 0) {

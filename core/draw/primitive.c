@@ -44,14 +44,18 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
     qtri_transform_mul(&object_to_clip, &view->camera, pose);
     qtri_transform_mul(&object_to_clip, &view->projection, &object_to_clip);
     qtri_projector_init(&primitive->projector, &object_to_clip, &view->viewport);
+    if (primitive->material->depth_bias != 0) {
+        qtri_projector_set_depth(&primitive->projector, &view->viewport,
+                                 primitive->material->depth_bias);
+    }
 }
 
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
                          const qtri_material *material)
 {
-    qtri_primitive_place(primitive, view, pose);
     qtri_primitive_set_target(primitive, surface, material);
+    qtri_primitive_place(primitive, view, pose);
 }
 
 /* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16: 33 bits times 31. */

@@ -2,12 +2,14 @@
 #include "stroke_job.h"
 
 void qtri_stroke_job_init(qtri_stroke_job *job, const qtri_view *view, const qtri_transform *pose,
-                          const qtri_corner *corners, uint32_t count, const qtri_stroke *stroke)
+                          const qtri_corner *corners, uint32_t count, const qtri_stroke *stroke,
+                          const qtri_material *material)
 {
     qtri_transform object_to_clip;
     qtri_transform_mul(&object_to_clip, &view->camera, pose);
     qtri_transform_mul(&object_to_clip, &view->projection, &object_to_clip);
     qtri_projector_init(&job->projector, &object_to_clip, &view->viewport);
+    qtri_projector_set_depth(&job->projector, &view->viewport, material->depth_bias);
     job->corners = corners;
     job->count = count;
     job->vertices = NULL;

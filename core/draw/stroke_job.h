@@ -22,9 +22,11 @@ typedef struct qtri_stroke_job {
     bool closed;
 } qtri_stroke_job;
 
-/* projection camera pose, and what the stroke says; no vertices are kept. */
+/* projection camera pose, the material's depth bias, and what the stroke says; no vertices are
+ * kept. */
 void qtri_stroke_job_init(qtri_stroke_job *job, const qtri_view *view, const qtri_transform *pose,
-                          const qtri_corner *corners, uint32_t count, const qtri_stroke *stroke);
+                          const qtri_corner *corners, uint32_t count, const qtri_stroke *stroke,
+                          const qtri_material *material);
 
 /* A corner on the screen; outside of a plane it is marked as vertices of meshes are. */
 void qtri_stroke_job_vertex(const qtri_stroke_job *job, uint32_t corner, qtri_vertex *out);

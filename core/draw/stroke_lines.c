@@ -11,7 +11,7 @@ void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
     if (corner_count == 0 || !qtri_stroker_init(&stroker, surface, material, stroke)) {
         return;
     }
-    qtri_stroke_job_init(&job, view, pose, corners, corner_count, stroke);
+    qtri_stroke_job_init(&job, view, pose, corners, corner_count, stroke, material);
     if (job.radius == 0) {
         return;
     }
@@ -39,7 +39,7 @@ void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
     if (!qtri_stroker_init(&stroker, surface, material, stroke)) {
         return;
     }
-    qtri_stroke_job_init(&job, view, pose, corners, 2, stroke);
+    qtri_stroke_job_init(&job, view, pose, corners, 2, stroke, material);
     if (job.radius == 0) {
         return;
     }

@@ -26,6 +26,21 @@ static uint32_t half_depth(uint32_t x)
     return 32768 * x - (x + 1) / 2;
 }
 
+static q16 biased(q16 depth, q16 bias)
+{
+    return qtri_hold32(qtri_hold32(depth, 0, Q16_ONE) + qtri_hold32(bias, -Q16_ONE, Q16_ONE), 0,
+                       Q16_ONE);
+}
+
+void qtri_projector_set_depth(qtri_projector *projector, const qtri_viewport *viewport, q16 bias)
+{
+    const q16 near_z = biased(viewport->depth_near, bias);
+    const q16 far_z = biased(viewport->depth_far, bias);
+    const uint32_t reach = half_depth(qtri_magnitude32(far_z - near_z)); /* < 2^31 */
+    projector->depth_center = half_depth((uint32_t)(near_z + far_z)) + 0x80u;
+    projector->depth_reach = far_z < near_z ? -(int32_t)reach : (int32_t)reach;
+}
+
 void qtri_projector_init(qtri_projector *projector, const qtri_transform *object_to_clip,
                          const qtri_viewport *viewport)
 {
@@ -53,11 +68,7 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
         projector->shift[i] = qtri_hold32(qtri_saturate32(shift), 2, 63);
     }
 
-    q16 near_z = qtri_hold32(viewport->depth_near, 0, Q16_ONE);
-    q16 far_z = qtri_hold32(viewport->depth_far, 0, Q16_ONE);
-    uint32_t reach = half_depth(qtri_magnitude32(far_z - near_z)); /* < 2^31 */
-    projector->depth_center = half_depth((uint32_t)(near_z + far_z)) + 0x80u;
-    projector->depth_reach = far_z < near_z ? -(int32_t)reach : (int32_t)reach;
+    qtri_projector_set_depth(projector, viewport, 0);
 }
 
 /* |m| <= 2^30, |t| < 2^61: the sum stays below 3 2^61 + 2^61 = 2^63. */

@@ -25,7 +25,10 @@ typedef struct qtri_projector {
     int32_t depth_reach;   /*   half a step is in the center */
 } qtri_projector;
 
-/* object_to_clip = projection camera pose. */
+/* Depths of the viewport with a bias, all held to 0..1. */
+void qtri_projector_set_depth(qtri_projector *projector, const qtri_viewport *viewport, q16 bias);
+
+/* object_to_clip = projection camera pose; no bias. */
 void qtri_projector_init(qtri_projector *projector, const qtri_transform *object_to_clip,
                          const qtri_viewport *viewport);
 

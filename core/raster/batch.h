@@ -15,7 +15,10 @@
 
 #include "qtri/config.h"
 
+#include "qtri/surface.h"
+
 #include "../frame/colors.h"
+#include "gradient.h"
 
 enum {
     QTRI_BATCH = 32,                  /* fragments: as many as a mask has bits */
@@ -54,6 +57,13 @@ static inline uint16_t *qtri_batch_table(qtri_batch *batch)
     return NULL;
 #endif
 }
+
+/*
+ * Leaves fragments out of the first `count` that are not in the mask; `write`: and writes the
+ * depths of the others, 16.16 from place 0 on. Returns how many are left.
+ */
+int32_t qtri_batch_keep(qtri_batch *batch, const qtri_surface *surface, const qtri_ramp *depth,
+                        uint32_t mask, int32_t count, bool write);
 
 /* A mask of `count` fragments, 1..32: the first is its highest bit. */
 static inline uint32_t qtri_mask_of(int32_t count)

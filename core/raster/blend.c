@@ -2,34 +2,45 @@
 #include "effect.h"
 #include "stage_color.h"
 
+#include "../frame/barrier.h"
 #include "../frame/mix.h"
 
-/* Stored pixels of those in the mask. */
-static void gather(uint32_t *stored, const qtri_raster *raster, const uint32_t *place,
-                   uint32_t mask, int32_t count)
+/* Where fragment i is in memory. */
+static inline const uint8_t *pixel_at(const qtri_raster *raster, const qtri_fragments *at,
+                                      int32_t i)
+{
+    const qtri_surface *surface = raster->surface;
+    const uint32_t place = at->place != NULL ? at->place[i] : at->first + (uint32_t)i;
+    return surface->pixels + (ptrdiff_t)(place >> 16) * surface->pitch +
+           (ptrdiff_t)((place & 0xFFFF) * raster->format->pixels->bytes);
+}
+
+/* Stored pixels of two bytes: those of a row are read where they are. */
+static const uint16_t *gather_16(uint16_t *stored, const qtri_raster *raster,
+                                 const qtri_fragments *at, int32_t count)
+{
+    const uint8_t *pixels = raster->surface->pixels;
+    const ptrdiff_t pitch = raster->surface->pitch;
+    const uint32_t *place = at->place;
+    uint16_t *out = stored;
+    if (place == NULL) {
+        return (const uint16_t *)(const void *)pixel_at(raster, at, 0);
+    }
+    for (const uint16_t *end = out + count; out != end; out++) {
+        const uint32_t from = *place++;
+        const uint8_t *row = pixels + (ptrdiff_t)(from >> 16) * pitch;
+        *out = ((const uint16_t *)(const void *)row)[from & 0xFFFF];
+    }
+    return stored;
+}
+
+/* Stored pixels of any size. */
+static void gather(uint32_t *stored, const qtri_raster *raster, const qtri_fragments *at,
+                   int32_t count)
 {
     const qtri_pixels *memory = raster->format->pixels;
-    const ptrdiff_t pitch = raster->surface->pitch;
-    const uint32_t bytes = memory->bytes;
-    uint8_t *pixels = raster->surface->pixels;
-    if (bytes == 2 && mask == qtri_mask_of(count) &&
-        place[count - 1] - place[0] == (uint32_t)count - 1) { /* neighbours, as places ascend */
-        const uint16_t *pixel =
-            (const uint16_t *)(const void *)(pixels + (ptrdiff_t)(place[0] >> 16) * pitch) +
-            (place[0] & 0xFFFF);
-        for (const uint32_t *end = stored + count; stored != end; stored++) {
-            *stored = *pixel++;
-        }
-        return;
-    }
-    mask <<= 32 - count;
-    for (int32_t i = 0; i < count; i++, mask <<= 1) {
-        const uint8_t *at =
-            pixels + (ptrdiff_t)(place[i] >> 16) * pitch + (ptrdiff_t)((place[i] & 0xFFFF) * bytes);
-        stored[i] = 0;
-        if ((int32_t)mask < 0) {
-            stored[i] = bytes == 2 ? *(const uint16_t *)(const void *)at : memory->load(at);
-        }
+    for (int32_t i = 0; i < count; i++) {
+        stored[i] = memory->load(pixel_at(raster, at, i));
     }
 }
 
@@ -70,23 +81,74 @@ static void decode(uint32_t *stored, const qtri_format *format, bool wide, int32
 /* Which colours are mixed, and with what. */
 typedef struct mixture {
     uint32_t stored[QTRI_BATCH_ROOM];
+    uint16_t halves[QTRI_BATCH_ROOM];
+    const uint16_t *under; /* of the kind 565 what is stored: halves, or the pixels */
     const qtri_colors *kind;
     uint32_t alpha; /* of all: material.alpha, 0..255 */
     bool wide;      /* each has its own, in the high byte of its colour */
 } mixture;
 
-static void begin(mixture *m, const qtri_raster *raster, const uint32_t *place, uint32_t mask,
-                  int32_t count)
+/* Of the kind 565, where the format's pixels may be that as they are, or with bytes exchanged. */
+static void begin_565(mixture *m, const qtri_raster *raster, const qtri_fragments *at,
+                      int32_t count)
+{
+    const qtri_format *format = raster->format;
+    const bool swapped = format->decode == qtri_decode_rgb565_swapped;
+    uint16_t *half = m->halves;
+    m->under = half;
+    if (format->pixels->bytes == 2 && (format->encode == NULL || swapped)) {
+        m->under = gather_16(half, raster, at, count);
+        for (int32_t i = 0; swapped && i < count; i++) {
+            half[i] = (uint16_t)(m->under[i] << 8 | m->under[i] >> 8);
+        }
+        m->under = swapped ? half : m->under;
+        return;
+    }
+    gather(m->stored, raster, at, count);
+    decode(m->stored, format, false, count);
+    for (int32_t i = 0; i < count; i++) {
+        half[i] = (uint16_t)m->stored[i];
+    }
+}
+
+static void begin(mixture *m, const qtri_raster *raster, const qtri_fragments *at, int32_t count)
 {
     m->wide = raster->wide;
     m->kind = m->wide ? &qtri_colors_888 : raster->format->colors;
     m->alpha = raster->alpha;
-    gather(m->stored, raster, place, mask, count);
+    if (m->kind == &qtri_colors_565) {
+        begin_565(m, raster, at, count);
+        return;
+    }
+    gather(m->stored, raster, at, count);
     decode(m->stored, raster->format, m->wide, count);
 }
 
+/* The bits of a colour that stay as they are. */
+static uint32_t kept_bits(const qtri_colors *kind, uint32_t keep)
+{
+    const uint32_t red = keep & QTRI_KEEP_RED;
+    const uint32_t green = keep & QTRI_KEEP_GREEN;
+    const uint32_t blue = keep & QTRI_KEEP_BLUE;
+    if (kind->single) {
+        return red != 0 && green != 0 && blue != 0 ? 255 : 0;
+    }
+    return kind == &qtri_colors_565
+               ? (red != 0 ? 0xF800u : 0) | (green != 0 ? 0x07E0u : 0) | (blue != 0 ? 0x1Fu : 0)
+               : (red != 0 ? 0xFF0000u : 0) | (green != 0 ? 0xFF00u : 0) | (blue != 0 ? 255u : 0);
+}
+
+/* Of the kind that was mixed to that of the format, without what is to stay. */
 static void finish(const mixture *m, const qtri_raster *raster, uint32_t *color, int32_t count)
 {
+    if (raster->keep != 0) {
+        const uint32_t kept = kept_bits(m->kind, raster->keep);
+        for (int32_t i = 0; i < count; i++) {
+            // NOLINTNEXTLINE(clang-analyzer-core.*): begin() has set what the kind needs
+            const uint32_t stored = m->kind == &qtri_colors_565 ? m->under[i] : m->stored[i];
+            color[i] = (color[i] & ~kept) | (stored & kept);
+        }
+    }
     if (m->wide) {
         for (int32_t i = 0; i < count; i++) {
             color[i] &= 0xFFFFFF;
@@ -126,55 +188,273 @@ static inline uint32_t times(uint32_t c, uint32_t s, uint32_t most)
 }
 #define TIMES(c, s, k, most) ((void)(k), times(c, s, most))
 
-#define SUM_565(c, s, k)   QTRI_MIX_565(sum, c, s, k)
-#define TIMES_565(c, s, k) QTRI_MIX_565(TIMES, c, s, k)
+/*
+ * Pixels of RGB565, red and blue in one word: shares of 64 of 31 steps fit between them, and are
+ * off by 1/128, .25 of a step; those of green are of 256, off by 1/512, .13 of one.
+ */
+#define RED_BLUE 0xF81Fu
+#define GREEN    0x07E0u
 
-#define MIX(CHANNEL, PIXEL_565)                                                                    \
-    mixture m;                                                                                     \
-    begin(&m, raster, place, mask, count);                                                         \
+typedef struct share_565 {
+    uint32_t red_blue, green;
+} share_565;
+
+static inline share_565 share_565_of(uint32_t alpha)
+{
+    const share_565 share = {(alpha * 257 + 512) >> 10, alpha + (alpha >> 7)}; /* to nearest */
+    return share;
+}
+
+/* ONE(i), which replaces color[i], four at a time: they move on with what is under them. */
+#ifdef __OPTIMIZE_SIZE__
+#define EACH_565
+#else
+#define EACH_565                                                                                   \
+    for (; count >= 4; count -= 4) {                                                               \
+        ONE(0) ONE(1) ONE(2) ONE(3) color += 4;                                                    \
+        under += 4;                                                                                \
+        QTRI_OPAQUE(color)                                                                         \
+        QTRI_OPAQUE(under)                                                                         \
+    }
+#endif
+#define FOR_565                                                                                    \
+    EACH_565                                                                                       \
+    for (; count > 0; count--) {                                                                   \
+        ONE(0)                                                                                     \
+        color++;                                                                                   \
+        under++;                                                                                   \
+        QTRI_OPAQUE(color)                                                                         \
+    }
+
+/*
+ * under + (color - under) share, rounded: with the half 64 under + difference share + 32 of each
+ * channel is 32..2016, whatever lower ones borrow.
+ */
+QTRI_NOINLINE static void over_565(uint32_t *color, const uint16_t *under, int32_t count,
+                                   uint32_t alpha)
+{
+    const share_565 share = share_565_of(alpha);
+    uint32_t mask = RED_BLUE;
+    uint32_t green_mask = GREEN;
+    uint32_t half = 0x10020u;
+    uint32_t green_half = 0x1000u;
+    uint32_t red_blue = share.red_blue;
+    uint32_t green = share.green;
+    QTRI_OPAQUE(mask)
+    QTRI_OPAQUE(half)
+    QTRI_OPAQUE(green_half)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        uint32_t c = color[i];                                                                     \
+        uint32_t u = under[i];                                                                     \
+        const uint32_t rb = u & mask;                                                              \
+        uint32_t x = ((c & mask) - rb) * red_blue + half;                                          \
+        u -= rb;                                                                                   \
+        x = (rb + (uint32_t)((int32_t)x >> 6)) & mask;                                             \
+        c = ((c & green_mask) - u) * green + green_half;                                           \
+        c = (u + (uint32_t)((int32_t)c >> 8)) & green_mask;                                        \
+        color[i] = x | c;                                                                          \
+        QTRI_OPAQUE(color)                                                                         \
+        QTRI_ASIDE(green_mask)                                                                     \
+        QTRI_ASIDE(half)                                                                           \
+        QTRI_ASIDE(green_half)                                                                     \
+        QTRI_ASIDE(green)                                                                          \
+    }
+    FOR_565
+#undef ONE
+}
+
+/*
+ * under + color, at most full. Channels are apart, green above, and what one has too much is the
+ * bit after it: less its lowest bit, that fills the channel.
+ */
+QTRI_NOINLINE static void sum_565(uint32_t *color, const uint16_t *under, int32_t count)
+{
+    uint32_t lanes = 0x07E0F81Fu;
+    uint32_t over = 0x08010020u;
+    QTRI_OPAQUE(lanes)
+    QTRI_OPAQUE(over)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t c = color[i];                                                               \
+        const uint32_t u = under[i];                                                               \
+        uint32_t x = ((c | c << 16) & lanes) + ((u | u << 16) & lanes);                            \
+        const uint32_t full = x & over;                                                            \
+        x |= full - (full >> 5);                                                                   \
+        x = (x | full >> 6) & lanes; /* green has six bits */                                      \
+        color[i] = x | x >> 16;      /* what is above is not the pixel's */                        \
+        QTRI_OPAQUE(color)                                                                         \
+    }
+    FOR_565
+#undef ONE
+}
+
+/* A share of each colour is added, rounded. */
+QTRI_NOINLINE static void add_565(uint32_t *color, const uint16_t *under, int32_t count,
+                                  uint32_t alpha)
+{
+    const share_565 share = share_565_of(alpha);
+    uint32_t mask = RED_BLUE;
+    uint32_t lanes = 0x07E0F81Fu;
+    uint32_t over = 0x08010020u;
+    uint32_t half = 0x10020u;
+    uint32_t green_half = 0x1000u;
+    uint32_t red_blue = share.red_blue;
+    uint32_t green = share.green;
+    QTRI_OPAQUE(half)
+    QTRI_OPAQUE(green_half)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        uint32_t c = color[i];                                                                     \
+        const uint32_t u = under[i];                                                               \
+        uint32_t x = ((c & mask) * red_blue + half) >> 6 & mask;                                   \
+        c = ((c & GREEN) * green + green_half) << 8 & (lanes ^ mask);                              \
+        x = (x | c) + ((u | u << 16) & lanes);                                                     \
+        c = x & over;                                                                              \
+        x |= c - (c >> 5);                                                                         \
+        x = (x | c >> 6) & lanes;                                                                  \
+        color[i] = x | x >> 16;                                                                    \
+        QTRI_OPAQUE(color)                                                                         \
+        QTRI_ASIDE(half)                                                                           \
+        QTRI_ASIDE(green_half)                                                                     \
+        QTRI_ASIDE(green)                                                                          \
+        QTRI_ASIDE(red_blue)                                                                       \
+        QTRI_ASIDE(over)                                                                           \
+        QTRI_OPAQUE(lanes)                                                                         \
+        QTRI_OPAQUE(mask)                                                                          \
+    }
+    FOR_565
+#undef ONE
+}
+
+/*
+ * What is stored under a row of which nothing else is to be known: pixels that are colours of the
+ * kind 565, all channels of which are written. NULL: not that.
+ */
+static inline const uint16_t *plain_row(const qtri_raster *raster, const qtri_fragments *at)
+{
+    const qtri_format *format = raster->format;
+    if (at->place != NULL || raster->wide || raster->keep != 0 ||
+        format->colors != &qtri_colors_565 || format->encode != NULL ||
+        format->pixels->bytes != 2) {
+        return NULL;
+    }
+    return (const uint16_t *)(const void *)pixel_at(raster, at, 0);
+}
+
+static inline uint32_t times_565(uint32_t c, uint32_t u)
+{
+    return times(c >> 11 & 31, u >> 11, 31) << 11 | times(c >> 5 & 63, u >> 5 & 63, 63) << 5 |
+           times(c & 31, u & 31, 31);
+}
+
+#define MIX(CHANNEL)                                                                               \
     if (m.wide) {                                                                                  \
-        QTRI_MIX(color, m.stored[i], count, &qtri_colors_888, share_of(&m, color[i]), CHANNEL,     \
-                 PIXEL_565)                                                                        \
+        QTRI_MIX(color, m.stored[i], count, &qtri_colors_888, share_of(&m, color[i]), CHANNEL)     \
     } else {                                                                                       \
         const uint32_t share = qtri_mix_share(m.alpha);                                            \
-        QTRI_MIX(color, m.stored[i], count, m.kind, share, CHANNEL, PIXEL_565)                     \
-    }                                                                                              \
-    finish(&m, raster, color, count);                                                              \
-    return mask;
+        QTRI_MIX(color, m.stored[i], count, m.kind, share, CHANNEL)                                \
+    }
 
-static uint32_t blend_alpha(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+QTRI_NOINLINE static uint32_t mix_alpha(const qtri_raster *raster, uint32_t *color,
+                                        const qtri_fragments *at, uint32_t mask, int32_t count)
+{
+    mixture m;
+    begin(&m, raster, at, count);
+    if (m.kind == &qtri_colors_565) {
+        over_565(color, m.under, count, m.alpha);
+    } else {
+        MIX(OVER)
+    }
+    finish(&m, raster, color, count);
+    return mask;
+}
+
+static uint32_t blend_alpha(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                             uint32_t mask, int32_t count)
 {
-    MIX(OVER, qtri_mix_over_565)
+    const uint16_t *under = plain_row(raster, at);
+    if (under == NULL) {
+        return mix_alpha(raster, color, at, mask, count);
+    }
+    over_565(color, under, count, raster->alpha);
+    return mask;
 }
 
-static uint32_t blend_add(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+static void add_all_565(uint32_t *color, const uint16_t *under, int32_t count, uint32_t alpha)
+{
+    if (alpha == 255) {
+        sum_565(color, under, count);
+    } else {
+        add_565(color, under, count, alpha);
+    }
+}
+
+QTRI_NOINLINE static uint32_t mix_add(const qtri_raster *raster, uint32_t *color,
+                                      const qtri_fragments *at, uint32_t mask, int32_t count)
+{
+    mixture m;
+    begin(&m, raster, at, count);
+    if (m.kind == &qtri_colors_565) {
+        add_all_565(color, m.under, count, m.alpha);
+    } else {
+        MIX(sum)
+    }
+    finish(&m, raster, color, count);
+    return mask;
+}
+
+static uint32_t blend_add(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                           uint32_t mask, int32_t count)
 {
-    MIX(sum, SUM_565)
+    const uint16_t *under = plain_row(raster, at);
+    if (under == NULL) {
+        return mix_add(raster, color, at, mask, count);
+    }
+    add_all_565(color, under, count, raster->alpha);
+    return mask;
 }
 
-static uint32_t blend_multiply(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+static uint32_t blend_multiply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                                uint32_t mask, int32_t count)
 {
-    MIX(TIMES, TIMES_565)
+    mixture m;
+    begin(&m, raster, at, count);
+    if (m.kind == &qtri_colors_565) {
+        for (int32_t i = 0; i < count; i++) {
+            color[i] = times_565(color[i], m.under[i]);
+        }
+    } else {
+        MIX(TIMES)
+    }
+    finish(&m, raster, color, count);
+    return mask;
 }
 
-static uint32_t blend_none(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+static uint32_t blend_none(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                            uint32_t mask, int32_t count)
 {
     mixture m;
-    begin(&m, raster, place, mask, count);
+    begin(&m, raster, at, count);
     for (int32_t i = 0; i < count; i++) {
-        color[i] = m.stored[i];
+        color[i] = m.kind == &qtri_colors_565 ? m.under[i] : m.stored[i];
     }
+    finish(&m, raster, color, count);
+    return mask;
+}
+
+static uint32_t blend_replace(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                              uint32_t mask, int32_t count)
+{
+    mixture m;
+    begin(&m, raster, at, count);
     finish(&m, raster, color, count);
     return mask;
 }
 
 /* Bayer's pattern, by rows and columns of the frame: drawn where alpha is more than 16 of it + 8.
  */
-static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                             uint32_t mask, int32_t count)
 {
     static const uint8_t pattern[4][4] = {
@@ -182,7 +462,8 @@ static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const ui
     const uint32_t first_row = (uint32_t)raster->surface->first_row;
     uint32_t bit = (uint32_t)1 << (count - 1);
     for (int32_t i = 0; i < count; i++, bit >>= 1) {
-        const uint32_t step = pattern[((place[i] >> 16) + first_row) & 3][place[i] & 3];
+        const uint32_t place = at->place != NULL ? at->place[i] : at->first + (uint32_t)i;
+        const uint32_t step = pattern[((place >> 16) + first_row) & 3][place & 3];
         const uint32_t alpha =
             raster->wide ? product(color[i] >> 24, raster->alpha) : raster->alpha;
         mask &= alpha > 16 * step + 8 ? UINT32_MAX : ~bit;
@@ -193,8 +474,9 @@ static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const ui
     return mask;
 }
 
-const qtri_blend qtri_blend_alpha = {qtri_effects, blend_alpha, false};
-const qtri_blend qtri_blend_add = {qtri_effects, blend_add, false};
-const qtri_blend qtri_blend_multiply = {qtri_effects, blend_multiply, false};
-const qtri_blend qtri_blend_none = {qtri_effects, blend_none, false};
-const qtri_blend qtri_blend_screen_door = {qtri_effects, screen_door, true};
+const qtri_blend qtri_blend_alpha = {&qtri_effects, blend_alpha, false};
+const qtri_blend qtri_blend_add = {&qtri_effects, blend_add, false};
+const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, false};
+const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, false};
+const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, false};
+const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, true};

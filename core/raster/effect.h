@@ -11,35 +11,55 @@
 
 #include "qtri/blend.h"
 
-#include "raster.h"
+#include "line.h"
 
-struct qtri_effect_stages {
-    /* Both, for `count` fragments in the mask; depth from place 0 on. Returns the new mask. */
-    uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
-                      const qtri_ramp *depth, uint32_t mask, int32_t count);
-    qtri_fill_rows fill; /* rows of large triangles, of one colour too */
+/* Where fragments are: row << 16 | column, from the surface's first pixel. */
+struct qtri_fragments {
+    const uint32_t *place;  /* of each; NULL: neighbours of a row */
+    uint32_t first;         /* of the first */
+    const qtri_ramp *depth; /* 16.16 with the half that rounds, from place 0 on */
 };
 
-/* Those that both descriptions name. */
-extern const qtri_effect_stages qtri_effects[1];
+/*
+ * What both come with, &qtri_effects. Lines: fog and blend for what is in a job's batch, fragments
+ * of one chunk of one line with its depths; then they are stored.
+ */
+struct qtri_effect_stages {
+    /* Both, for `count` fragments, of which the mask's are drawn. Returns the new mask. */
+    qtri_effect fragments;
+    qtri_line_effect line;
+    qtri_fill_rows fill; /* rows of large triangles, of one colour too */
+};
+extern const qtri_effect_stages qtri_effects;
+
+void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth);
 
 struct qtri_fog_stages {
-    const qtri_effect_stages *effects; /* qtri_effects */
-    /* Colours, of the format's kind or `wide`, with 16-bit depths. */
-    void (*apply)(const qtri_fog *fog, const qtri_format *format, uint32_t *color,
-                  const uint16_t *depth, int32_t count, bool wide);
+    const qtri_effect_stages *effects;
+    /* Colours, of the format's kind or `wide`, in place. */
+    void (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                  int32_t count);
 };
 typedef struct qtri_fog_stages qtri_fog_stages;
 
 struct qtri_blend {
-    const qtri_effect_stages *effects; /* qtri_effects */
+    const qtri_effect_stages *effects;
     /*
      * Colours, of the format's kind or `wide`, become what is stored there, of the format's kind,
      * in place. mask: as in batch.h; returns that of those that are drawn.
      */
-    uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+    uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count);
     bool rejects; /* the mask may lose some */
 };
+
+/* Of a material with fog or a blend; NULL: neither. */
+static inline const qtri_effect_stages *qtri_effect_stages_of(const qtri_material *material)
+{
+    if (material->fog != NULL && material->fog->stages != NULL) {
+        return material->fog->stages->effects;
+    }
+    return material->blend != NULL ? material->blend->effects : NULL;
+}
 
 #endif

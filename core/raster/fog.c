@@ -1,49 +1,209 @@
 /* SPDX-License-Identifier: MIT */
+#include "effect.h"
+#include "list_values.h"
+
 #include "qtri/q16_exp.h"
 
 #include "../bits/bits.h"
+#include "../frame/barrier.h"
 #include "../frame/mix.h"
-#include "effect.h"
 #include "stage_color.h"
 
 #define OVER(c, o, k, most) qtri_mix_over(c, o, k)
 
-enum { EVEN_STEPS = QTRI_FOG_STEPS - 2 };
+enum {
+    OCTAVE_STEPS = 8 * 16,       /* and share[OCTAVE_STEPS] ends the last */
+    LOWEST = QTRI_FOG_STEPS - 1, /* by octaves: the share where t is 0 */
+    PART_BITS = 12               /* of a step, which are enough */
+};
 
 /*
- * The share of a depth, by t = 65536 - depth. With perspective that is nearly 65536 near / z, so
- * that eighths of octaves are equally fine in z near and far; where only a small part of them would
- * count, equal steps are finer.
+ * Shares are kept by t = ~depth, 16.16: 1/2 more than how far the depth is from 65535.0, for depths
+ * come with the half that rounds. With perspective t is nearly 65535 near / z, so that eighths of
+ * octaves are equally fine in z near and far; where only a small part of them would count, equal
+ * steps are finer. Within a step a share is linear in t.
  */
-static uint32_t share_at(const qtri_fog *fog, uint32_t depth)
+typedef struct fog_step {
+    uint32_t from, size; /* t */
+    uint32_t shift;      /* (t - from) >> shift has at most PART_BITS bits */
+    int32_t base, slope; /* base + that times the slope is 1024 2^PART_BITS where all is clear */
+} fog_step;
+
+/* Between two shares, over 2^bits of t: 2^12 of 2^17, the rise being so, is below 2^30. */
+static void set_step(fog_step *s, int32_t low, int32_t high, uint32_t bits)
 {
-    const uint32_t t = 65536 - depth; /* 1..65536 */
-    uint32_t step;
-    int32_t part; /* of a step, Q10 */
-    if (fog->scale != 0) {
-        const uint32_t from = t < fog->first ? 0 : t - fog->first;
-        const uint32_t at = (from < fog->range ? from : fog->range) * fog->scale >> 12;
-        step = at >> 10;
-        part = (int32_t)(at & 1023);
-    } else {
-        const int32_t zeros = qtri_clz32(t | 1);
-        const uint32_t mantissa = t << zeros << 1; /* without the leading bit */
-        step = (uint32_t)(31 - zeros) * 8 + (mantissa >> 29);
-        part = (int32_t)(mantissa >> 19 & 1023);
-    }
-    const int32_t low = fog->share[step];
-    const int32_t share = low + (((fog->share[step + 1] - low) * part + 512) >> 10);
-    return (uint32_t)qtri_hold32(share, 0, 1024);
+    const int32_t less = (int32_t)bits - PART_BITS;
+    s->shift = less > 0 ? (uint32_t)less : 0;
+    s->base = low * (1 << PART_BITS) + (1 << (PART_BITS - 1));
+    s->slope = (high - low) * (less > 0 ? 1 : 1 << -less);
 }
 
-static void apply(const qtri_fog *fog, const qtri_format *format, uint32_t *color,
-                  const uint16_t *depth, int32_t count, bool wide)
+/* The step that t is in. */
+QTRI_NOINLINE static void find_step(fog_step *s, const qtri_fog *fog, uint32_t t)
 {
-    const qtri_colors *kind = wide ? &qtri_colors_888 : format->colors;
-    const uint32_t gray = fog->word[wide || kind == &qtri_colors_888 ? 1
-                                    : kind == &qtri_colors_565       ? 0
-                                                                     : 2];
-    QTRI_MIX(color, gray, count, kind, share_at(fog, depth[i]), OVER, qtri_mix_over_565)
+    const int16_t *share = fog->share;
+    if (fog->step_bits != 0) {
+        const uint32_t number = (t - fog->first) >> fog->step_bits;
+        if (t < fog->first) {
+            s->from = 0;
+            s->size = fog->first;
+            set_step(s, share[0], share[0], 0);
+        } else if (number >= OCTAVE_STEPS) {
+            s->from = t;
+            s->size = 0 - t;
+            set_step(s, share[OCTAVE_STEPS], share[OCTAVE_STEPS], 0);
+        } else {
+            s->from = fog->first + (number << fog->step_bits);
+            s->size = (uint32_t)1 << fog->step_bits;
+            set_step(s, share[number], share[number + 1], fog->step_bits);
+        }
+    } else if (t >> 16 == 0) {
+        s->from = 0;
+        s->size = 65536;
+        set_step(s, share[LOWEST], share[0], 16);
+    } else {
+        const uint32_t zeros = (uint32_t)qtri_clz32(t); /* at most 15 */
+        const uint32_t bits = 28 - zeros;
+        const uint32_t number = (15 - zeros) * 8 + (t >> bits & 7);
+        s->from = t >> bits << bits;
+        s->size = (uint32_t)1 << bits;
+        set_step(s, share[number], share[number + 1], bits);
+    }
+}
+
+/* A share of 1024 at t, `in` s where it can be. */
+static inline uint32_t share_in(const fog_step *s, uint32_t within)
+{
+    const int32_t part = (int32_t)(within >> s->shift);
+    const int32_t share = (s->base + part * s->slope) >> PART_BITS;
+    return (uint32_t)share > 1024 ? (share < 0 ? 0 : 1024) : (uint32_t)share;
+}
+
+/*
+ * Along a row, from a t within s on, as long as four neighbours are in that step: where the first
+ * and the last are, for t is as linear as depth and steps end before 2^32. Returns how many.
+ */
+QTRI_NOINLINE static int32_t shares_in(uint32_t *share, const fog_step *s, uint32_t within,
+                                       uint32_t step, int32_t count)
+{
+    const uint32_t *first = share;
+    const uint32_t *last = share + count - 4;
+    const uint32_t shift = s->shift;
+    const int32_t slope = s->slope;
+    int32_t base = s->base;
+    for (; share <= last && within + 3 * step < s->size; share += 4) {
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        int32_t f = (base + (int32_t)(within >> shift) * slope) >> PART_BITS;                      \
+        if ((uint32_t)f > 1024) {                                                                  \
+            f = f < 0 ? 0 : 1024;                                                                  \
+        }                                                                                          \
+        share[i] = (uint32_t)f;                                                                    \
+        within += step;                                                                            \
+        QTRI_OPAQUE(within)                                                                        \
+        QTRI_ASIDE(base)                                                                           \
+    }
+        ONE(0)
+        ONE(1)
+        ONE(2)
+        ONE(3)
+#undef ONE
+    }
+    return (int32_t)(share - first);
+}
+
+static void shares_of_row(uint32_t *share, const qtri_fog *fog, uint32_t t, uint32_t step,
+                          int32_t count)
+{
+    fog_step s = {0, 0, 0, 0, 0};
+    while (count > 0) {
+        uint32_t within = t - s.from;
+        if (within >= s.size) {
+            find_step(&s, fog, t);
+            within = t - s.from;
+        }
+        int32_t done = count >= 4 ? shares_in(share, &s, within, step, count) : 0;
+        if (done == 0) {
+            *share = share_in(&s, within);
+            done = 1;
+        }
+        share += done;
+        t += (uint32_t)done * step;
+        count -= done;
+    }
+}
+
+QTRI_NOINLINE static void shares_of_places(uint32_t *share, const qtri_fog *fog,
+                                           const qtri_fragments *at, int32_t count)
+{
+    const uint32_t *place = at->place;
+    fog_step s = {0, 0, 0, 0, 0};
+    for (const uint32_t *end = share + count; share != end; share++, place++) {
+        const uint32_t t = ~qtri_list_at(at->depth, *place & 0xFFFF, *place >> 16);
+        if (t - s.from >= s.size) {
+            find_step(&s, fog, t);
+        }
+        *share = share_in(&s, t - s.from);
+    }
+}
+
+/* As blend.c mixes RGB565, of 64 and of 256, each within 1/2. */
+QTRI_NOINLINE static void mix_565(uint32_t *color, uint32_t gray, const uint32_t *share,
+                                  int32_t count)
+{
+    const uint32_t rb = gray & 0xF81F;
+    const uint32_t g = gray & 0x07E0;
+    uint32_t less = 0 - rb;
+    uint32_t green_less = 0 - g;
+    uint32_t more = (rb << 6) + 0x10020u;
+    uint32_t green_more = (g << 8) + 0x1000u;
+    uint32_t mask = 0xF81F;
+    uint32_t green_mask = 0x07E0;
+    QTRI_OPAQUE(mask)
+    QTRI_OPAQUE(green_mask)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        uint32_t c = color[i];                                                                     \
+        const uint32_t k = share[i];                                                               \
+        const uint32_t x = ((c & mask) + less) * ((k + 8) >> 4) + more;                            \
+        c = ((c & green_mask) + green_less) * ((k + 2) >> 2) + green_more;                         \
+        color[i] = (x >> 6 & mask) | (c >> 8 & green_mask);                                        \
+        QTRI_OPAQUE(color)                                                                         \
+        QTRI_ASIDE(less)                                                                           \
+        QTRI_ASIDE(green_less)                                                                     \
+        QTRI_ASIDE(more)                                                                           \
+        QTRI_ASIDE(green_more)                                                                     \
+    }
+    const uint32_t *end = color + count;
+    for (; color < end; color += 4, share += 4) {
+        /* NOLINTBEGIN(clang-analyzer-core.*): shares past the end are of spare words */
+        ONE(0)
+        ONE(1)
+        ONE(2)
+        ONE(3)
+        /* NOLINTEND(clang-analyzer-core.*) */
+    }
+#undef ONE
+}
+
+static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                  int32_t count)
+{
+    const qtri_fog *fog = raster->fog;
+    const qtri_colors *kind = raster->wide ? &qtri_colors_888 : raster->format->colors;
+    uint32_t share[QTRI_BATCH_ROOM];
+    if (at->place != NULL) {
+        shares_of_places(share, fog, at, count);
+    } else {
+        const uint32_t depth = qtri_list_at(at->depth, at->first & 0xFFFF, at->first >> 16);
+        shares_of_row(share, fog, ~depth, 0 - at->depth->dx, count);
+    }
+    if (kind == &qtri_colors_565) {
+        mix_565(color, fog->word[0], share, count);
+        return;
+    }
+    const uint32_t gray = fog->word[kind == &qtri_colors_888 ? 1 : 2];
+    QTRI_MIX(color, gray, count, kind, share[i], OVER)
 }
 
 static uint64_t quotient(uint64_t n, uint64_t divisor, int32_t more)
@@ -52,39 +212,52 @@ static uint64_t quotient(uint64_t n, uint64_t divisor, int32_t more)
     return qtri_divide64(n, divisor, more, &half);
 }
 
-/* Distance from the eye's plane where 1 - depth is t / 65536, t 1..65536; Q16. */
-static q16 distance_at(qtri_fog_range range, uint32_t t)
+/* Where depths of 0 and 1 are: at least 1, and beyond that. */
+typedef struct fog_planes {
+    uint64_t near_z, far_z;
+} fog_planes;
+
+static fog_planes planes_of(qtri_fog_range range)
 {
-    const int64_t near_z = qtri_greatest32(range.near_z, 1);
-    const int64_t far_z = range.far_z > near_z ? range.far_z : near_z + 1;
-    const int64_t beyond = (int64_t)t * (far_z - near_z) / 65536; /* < 2^31 */
-    if (range.orthographic) {
-        return qtri_saturate32(far_z - beyond);
-    }
-    return qtri_saturate32(
-        (int64_t)quotient((uint64_t)(near_z * far_z), (uint64_t)(near_z + beyond), 0));
+    fog_planes planes;
+    planes.near_z = (uint64_t)qtri_greatest32(range.near_z, 1);
+    planes.far_z = range.far_z > (q16)planes.near_z ? (uint64_t)range.far_z : planes.near_z + 1;
+    return planes;
 }
 
-/* The t of a distance. */
+/* All of t: 65535.0. */
+#define WHOLE 0xFFFF0000u
+
+/* Distance from the eye's plane where the depth is t < 2^32 less than 65535.0; Q16. */
+static q16 distance_at(qtri_fog_range range, uint64_t t)
+{
+    const fog_planes p = planes_of(range);
+    t = t < WHOLE ? t : WHOLE;
+    const uint64_t beyond = quotient(t * (p.far_z - p.near_z), WHOLE, 0); /* t.. < 2^63 */
+    if (range.orthographic) {
+        return (q16)(p.far_z - beyond);
+    }
+    return qtri_saturate32((int64_t)quotient(p.near_z * p.far_z, p.near_z + beyond, 0));
+}
+
+/* What the depth is less there. */
 static uint32_t t_of(qtri_fog_range range, q16 z)
 {
-    const int64_t near_z = qtri_greatest32(range.near_z, 1);
-    const int64_t far_z = range.far_z > near_z ? range.far_z : near_z + 1;
-    if (z <= near_z) {
-        return 65536;
+    const fog_planes p = planes_of(range);
+    if (z <= (q16)p.near_z) {
+        return WHOLE;
     }
-    if (z >= far_z) {
-        return 1;
+    if (z >= (int64_t)p.far_z) {
+        return 0;
     }
-    uint64_t part = quotient((uint64_t)(far_z - z), (uint64_t)(far_z - near_z), 30); /* < 2^30 */
+    uint64_t part = quotient(p.far_z - (uint64_t)z, p.far_z - p.near_z, 32); /* < 2^32 */
     if (!range.orthographic) {
-        part = quotient(part * (uint64_t)near_z, (uint64_t)z, 0);
+        part = quotient(part * p.near_z, (uint64_t)z, 0);
     }
-    const uint32_t t = (uint32_t)(part >> 14);
-    return t < 1 ? 1 : t;
+    return part < WHOLE ? (uint32_t)part : WHOLE;
 }
 
-static const qtri_fog_stages stages = {qtri_effects, apply};
+static const qtri_fog_stages stages = {&qtri_effects, apply};
 
 /* How the share, Q16, follows from the distance and two numbers. */
 typedef int64_t (*law)(q16 z, q16 a, q16 b);
@@ -93,11 +266,14 @@ static void set_shares(qtri_fog *fog, qtri_fog_range range, law share, q16 a, q1
 {
     const int32_t most = (int32_t)31 << 16;
     for (int32_t i = 0; i < QTRI_FOG_STEPS; i++) {
-        uint32_t t = ((uint32_t)(8 + (i & 7)) << (i >> 3)) >> 3;
-        if (fog->scale != 0) {
-            t = fog->first + fog->range * (uint32_t)i / EVEN_STEPS;
+        uint64_t t = (uint64_t)(8 + (i & 7)) << ((i >> 3) + 13);
+        if (fog->step_bits != 0) {
+            t = fog->first + ((uint64_t)i << fog->step_bits);
+        } else if (i == LOWEST) {
+            t = 0;
         }
-        const int64_t f = share(distance_at(range, t > 65536 ? 65536 : (t < 1 ? 1 : t)), a, b);
+        t = t < 0x8000 ? 0 : t - 0x8000; /* t.. without its half */
+        const int64_t f = share(distance_at(range, t), a, b);
         fog->share[i] = (int16_t)(((f < -most ? -most : (f > most ? most : (int32_t)f)) + 32) >> 6);
     }
 }
@@ -117,10 +293,12 @@ static void begin(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 z0, q
     const uint32_t t0 = t_of(range, z1);
     const uint32_t t1 = t_of(range, z0);
     fog->first = t0;
-    fog->range = t1 > t0 ? t1 - t0 : 1;
-    fog->scale = 0;
-    if (range.orthographic || t1 < 4 * t0) {
-        fog->scale = ((uint32_t)EVEN_STEPS << 22) / fog->range;
+    fog->step_bits = 0;
+    if (range.orthographic || t1 >> 2 <= t0) {
+        fog->step_bits = 1;
+        while (t1 > t0 && (t1 - t0 - 1) >> fog->step_bits >= OCTAVE_STEPS) {
+            fog->step_bits++;
+        }
     }
 }
 

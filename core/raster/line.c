@@ -3,6 +3,7 @@
 
 #include "checked.h"
 #include "dda.h"
+#include "effect.h"
 #include "line_path.h"
 
 #include "../frame/colors.h"
@@ -149,6 +150,7 @@ QTRI_NOINLINE static void shade_pixels(const shade *s, const qtri_line_job *job,
     }
 }
 
+/* Times a tint of at most 255.0 shares are below 2^26. */
 QTRI_NOINLINE void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int32_t count)
 {
     const qtri_colors *colors = job->surface->format->colors;
@@ -171,7 +173,7 @@ void qtri_line_make_table(const qtri_line_job *job)
     const qtri_format *format = job->surface->format;
     uint16_t *table = qtri_batch_table(job->batch);
     if (table == NULL || format == NULL || format->colors->light_bits != QTRI_TINT_BITS ||
-        format->pixels->bytes > 2) {
+        format->pixels->bytes > 2 || job->effect != NULL) {
         return;
     }
     for (uint32_t i = 0; i < (1u << QTRI_TINT_BITS) + 1; i += 4) {
@@ -278,7 +280,7 @@ QTRI_INLINE void take_pixels(walk *walk_of, int32_t count, const qtri_line_job *
         const ptrdiff_t pitch = job->surface->depth_pitch;
         const uint32_t less = job->less;
         const uint32_t passing = job->passing;
-        const bool is_written = job->depth_write;
+        const bool is_written = job->writes_early;
         do {
             uint16_t *depth =
                 &depths[(ptrdiff_t)(w.place >> 16) * pitch + (ptrdiff_t)(w.place & 0xFFFFu)];
@@ -305,6 +307,18 @@ static inline void make_room(const qtri_line_job *job, int32_t count, uint8_t ki
         qtri_line_flush(job);
         batch->kind = kind;
     }
+}
+
+/* Depths of a chunk, 16.16, by the places of its pixels: along the major axis. */
+static void depth_ramp(qtri_ramp *depth, const qtri_line_job *job, const qtri_line_path *l,
+                       const qtri_line_ramp *z, int32_t start)
+{
+    const uint32_t step = 2 * z->step;
+    const uint32_t first =
+        (uint32_t)(l->position + start) - (l->steep ? job->first_place >> 16 : 0);
+    depth->dx = l->steep ? 0 : step;
+    depth->dy = l->steep ? step : 0;
+    depth->origin = 2 * (z->value + QTRI_LINE_DEPTH_HALF) - first * step;
 }
 
 /* `rest` pixels from `at` on, in the chunk of a line that begins at pixel `start`. */
@@ -335,6 +349,11 @@ static void draw_chunk(const qtri_line_job *job, const qtri_line_path *l, const 
         take_pixels(&w, count, job);
         if (color != NULL) {
             shade_pixels(&s, job, taken);
+        }
+        if (job->effect != NULL) {
+            qtri_ramp depth;
+            depth_ramp(&depth, job, l, &z, start);
+            job->effect(job, &depth);
         }
         rest -= count;
     }
@@ -367,6 +386,15 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
             draw_chunk(job, l, &by, &at, start, rest, a, color);
         }
     }
+}
+
+/* With fog or a blend: what is in the batch lies on different pixels, and in one chunk. */
+static void draw_affected(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                          const qtri_line_color *color)
+{
+    qtri_line_path l;
+    qtri_line_path_init(&l, a, b, 1, 65536);
+    draw_long(job, &l, a, color);
 }
 
 void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
@@ -446,6 +474,17 @@ static void set_tint(qtri_line_job *job, const qtri_colors *colors, qtri_rgb col
     }
 }
 
+QTRI_NOINLINE static void set_effect(qtri_line_job *job, const qtri_material *material)
+{
+    const struct qtri_effect_stages *stages = qtri_effect_stages_of(material);
+    if (stages != NULL) {
+        job->effect = stages->line;
+        job->draw = draw_affected;
+        job->writes_early =
+            job->depth_write && (material->blend == NULL || !material->blend->rejects);
+    }
+}
+
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_batch *batch)
 {
@@ -465,6 +504,12 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->has_depth = surface->depth != NULL && compare != QTRI_DEPTH_OFF;
     job->is_less = compare == QTRI_LESS;
     job->depth_write = !material->depth_read_only;
+    job->writes_early = job->depth_write;
+    job->material = material;
+    job->effect = NULL;
+    if (material->fog != NULL || material->blend != NULL) {
+        set_effect(job, material);
+    }
     job->less = differences[compare].less;
     job->passing = differences[compare].passing;
     if (surface->format != NULL) { /* or nothing is drawn */
@@ -502,6 +547,6 @@ void qtri_raster_line(const qtri_surface *surface, const qtri_material *material
     job.depth_mask = UINT32_MAX;
     qtri_line_end(&end[0], color[0], &v[0]);
     qtri_line_end(&end[1], color[1], &v[1]);
-    qtri_line_draw(&job, &end[0], &end[1], (const qtri_line_color *)color);
+    job.draw(&job, &end[0], &end[1], (const qtri_line_color *)color);
     qtri_line_flush(&job);
 }

@@ -13,13 +13,18 @@
 #include "qtri/raster.h"
 #include "qtri/view.h"
 
-#include "batch.h"
+#include "raster.h"
 
 typedef struct qtri_line_job qtri_line_job;
 struct qtri_stroke_line;
 
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
 typedef int32_t qtri_line_color[3];
+
+typedef struct qtri_line_job qtri_line_job;
+
+/* See effect.h. */
+typedef void (*qtri_line_effect)(const qtri_line_job *job, const qtri_ramp *depth);
 
 /*
  * Draws the line a b; the pixels of b a are the same. Its colours are color[0] at a and color[1] at
@@ -48,6 +53,9 @@ struct qtri_line_job {
     uint32_t depth_mask;              /* what of depth_16p8 is depth */
     uint32_t less, passing;           /* depths that pass: see line.c */
     bool has_depth, depth_write, is_less;
+    bool writes_early;             /* depth as soon as it is compared */
+    qtri_line_effect effect;       /* of fog and a blend; NULL: neither */
+    const qtri_material *material; /* theirs */
     uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */
     const struct qtri_stroke_line *smooth; /* what draws them is stroke_line.c; NULL: it is not */
     /* For fast/line_16.c: the first depth, or the first pixel where there are none; bytes from the
@@ -57,7 +65,7 @@ struct qtri_line_job {
     int32_t pitch, origin;
 };
 
-/* Tinted by the material's colour. `batch` is there as long as the job. */
+/* Tinted by the material's colour. `batch` and the material are there as long as the job. */
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_batch *batch);
 
@@ -69,6 +77,9 @@ void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int32_t count);
 
 /* Makes a table of tints if there can be one: the same pixels, sooner where there are many. */
 void qtri_line_make_table(const qtri_line_job *job);
+
+/* Makes colour words of `count` shares in Q22. */
+void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int32_t count);
 
 /* A vertex of any coordinates as an end, its depth within depth_16p8, and its colour. */
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v);

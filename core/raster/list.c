@@ -163,30 +163,6 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     }
 }
 
-/* Leaves fragments out that are not in the mask; writes the depths of the others. */
-static int32_t keep(const qtri_raster *raster, uint32_t mask, int32_t count, const qtri_ramp *depth)
-{
-    const qtri_surface *surface = raster->surface;
-    qtri_batch *batch = raster->batch;
-    int32_t kept = 0;
-    mask <<= 32 - count;
-    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
-        if ((int32_t)mask >= 0) {
-            continue;
-        }
-        const uint32_t place = batch->place[i];
-        if (raster->depth_write) {
-            const uint32_t z = qtri_list_at(depth, place & 0xFFFF, place >> 16);
-            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
-                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(z >> 16);
-        }
-        batch->color[kept] = batch->color[i];
-        batch->place[kept] = place;
-        kept++;
-    }
-    return kept;
-}
-
 /* The stages of what is in the batch. depth: where texels may be turned away, see the mask there.
  */
 static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *depth)
@@ -203,10 +179,12 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
     if (raster->alone) {
         mask &= qtri_mask_of(count);
         if (raster->effects != NULL && mask != 0) {
-            mask = raster->effects->apply(raster, batch->color, batch->place, depth, mask, count);
+            const qtri_fragments at = {batch->place, batch->place[0], depth};
+            mask = raster->effects->fragments(raster, batch->color, &at, mask, count);
         }
         if (raster->rejects) {
-            count = keep(raster, mask, count, depth);
+            count =
+                qtri_batch_keep(batch, raster->surface, depth, mask, count, raster->depth_write);
         }
         if (count == 0) {
             return;

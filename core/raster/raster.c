@@ -33,13 +33,10 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->fog = fog != NULL && fog->stages != NULL ? fog : NULL;
     raster->alpha = material->alpha;
     raster->least_alpha = material->least_alpha;
+    raster->keep = material->keep;
     raster->wide = false;
-    raster->effects = NULL;
-    if (raster->fog != NULL) {
-        raster->effects = raster->fog->stages->effects;
-    } else if (raster->blend != NULL) {
-        raster->effects = raster->blend->effects;
-    }
+    const struct qtri_effect_stages *stages = qtri_effect_stages_of(material);
+    raster->effects = stages;
     raster->rejects = (textured && (material->texture->has_key || material->least_alpha != 0)) ||
                       (raster->blend != NULL && raster->blend->rejects);
     raster->alone = raster->rejects || raster->effects != NULL;

@@ -77,6 +77,11 @@ typedef void (*qtri_curves_stage)(uint32_t *color, const qtri_curve channel[3], 
 typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
                                 int32_t count);
 
+/* See effect.h. */
+typedef struct qtri_fragments qtri_fragments;
+typedef uint32_t (*qtri_effect)(const qtri_raster *raster, uint32_t *color,
+                                const qtri_fragments *at, uint32_t mask, int32_t count);
+
 struct qtri_raster {
     const qtri_surface *surface;
     const qtri_format *format;
@@ -95,6 +100,7 @@ struct qtri_raster {
     bool wide;       /* colours have 8 bits a channel, and alpha above, for the blend */
     uint8_t alpha;
     uint8_t least_alpha;
+    uint8_t keep;            /* channels that a blend leaves */
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     const qtri_effect_stages *effects; /* NULL: neither */

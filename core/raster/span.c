@@ -58,20 +58,19 @@ QTRI_NOINLINE static uint32_t apply_effects(const qtri_scanline *row, uint32_t *
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
     const int32_t first_row = raster->surface->first_row;
-    uint32_t *place = raster->batch->place;
-    const uint32_t first = ((uint32_t)(row->y - first_row) << 16) + (uint32_t)x;
     qtri_ramp depth = {0, 0, 0}; /* not read */
+    qtri_fragments at;
     if (mask == 0) {
         return 0;
     }
+    at.place = NULL;
+    at.first = ((uint32_t)(row->y - first_row) << 16) + (uint32_t)x;
+    at.depth = &depth;
     if (raster->with_depth) {
         depth = job->depth;
-        depth.origin = qtri_ramp_at(&depth, -job->anchor_x, first_row - job->anchor_y);
+        depth.origin = qtri_ramp_at(&job->depth, -job->anchor_x, first_row - job->anchor_y);
     }
-    for (int32_t i = 0; i < count; i++) {
-        place[i] = first + (uint32_t)i;
-    }
-    mask = raster->effects->apply(raster, color, place, &depth, mask, count);
+    mask = raster->effects->fragments(raster, color, &at, mask, count);
     if (raster->format->encode != NULL) {
         raster->format->encode(color, count);
     }

@@ -205,7 +205,13 @@ QTRI_NOINLINE static void store(const wire *w, pixels *p)
                                                       (ptrdiff_t)(place >> 16) * surface->pitch +
                                                       (ptrdiff_t)(place & 0xFFFF) * memory->bytes));
     }
-    QTRI_MIX(word, under[i], count, format->colors, p->cover[i], mix_channel, mix_565)
+    if (format->colors == &qtri_colors_565) {
+        for (int32_t i = 0; i < count; i++) {
+            word[i] = mix_565(word[i], under[i], p->cover[i]);
+        }
+    } else {
+        QTRI_MIX(word, under[i], count, format->colors, p->cover[i], mix_channel)
+    }
     if (format->encode != NULL) {
         format->encode(word, count);
     }

@@ -67,7 +67,8 @@ struct scene_stroke {
 
 struct scene_op {
     enum scene_op_kind kind;
-    int line;    /* line in the scene file, for messages */
+    int line;           /* line in the scene file, for messages */
+    int32_t depth_bias; /* of geometry, -1..1 */
     uint32_t id; /* TRIANGLE: its id; MESH: id of its first triangle, the others follow in order.
                     1-based rank among all triangles of the file; 0 for other operations */
     union {
@@ -156,7 +157,8 @@ enum scene_blend {
     SCENE_BLEND_ALPHA,
     SCENE_BLEND_ADD,
     SCENE_BLEND_MULTIPLY,
-    SCENE_BLEND_NONE, /* only depths are written */
+    SCENE_BLEND_NONE,    /* only depths are written */
+    SCENE_BLEND_REPLACE, /* as off, but for what is kept */
     SCENE_BLEND_SCREENDOOR
 };
 
@@ -186,6 +188,7 @@ struct scene {
     enum scene_texture_mode texture_mode;
     enum scene_blend blend;
     int32_t alpha; /* 0..1 */
+    bool keep[3];  /* `colormask`: channels that a blend does not write */
     struct scene_fog fog;
     bool texture_clamp[2];  /* `texwrap`, u and v; otherwise repeated */
     bool texture_bilinear;  /* `texfilter` */

@@ -7,9 +7,13 @@
 bool scene_statement_blend(struct scene_parser *parser)
 {
     static const char *const words[] = {
-        [SCENE_BLEND_OFF] = "off",   [SCENE_BLEND_ALPHA] = "alpha",
-        [SCENE_BLEND_ADD] = "add",   [SCENE_BLEND_MULTIPLY] = "multiply",
-        [SCENE_BLEND_NONE] = "none", [SCENE_BLEND_SCREENDOOR] = "screendoor",
+        [SCENE_BLEND_OFF] = "off",
+        [SCENE_BLEND_ALPHA] = "alpha",
+        [SCENE_BLEND_ADD] = "add",
+        [SCENE_BLEND_MULTIPLY] = "multiply",
+        [SCENE_BLEND_NONE] = "none",
+        [SCENE_BLEND_REPLACE] = "replace",
+        [SCENE_BLEND_SCREENDOOR] = "screendoor",
     };
     struct scene *scene = parser->scene;
     int choice;
@@ -19,6 +23,32 @@ bool scene_statement_blend(struct scene_parser *parser)
     scene->blend = (enum scene_blend)choice;
     scene->alpha = 65536;
     return parser->argument_count == 1 || scene_fractions(parser, 1, 1, &scene->alpha);
+}
+
+bool scene_statement_colormask(struct scene_parser *parser)
+{
+    static const char *const words[] = {"off", "on"};
+    for (int i = 0; i < 3; i++) {
+        int choice;
+        if (!scene_choice(parser, i, words, WORD_COUNT(words), &choice)) {
+            return false;
+        }
+        parser->scene->keep[i] = choice == 0;
+    }
+    return true;
+}
+
+bool scene_statement_depthbias(struct scene_parser *parser)
+{
+    int32_t bias;
+    if (!scene_numbers(parser, 0, 1, &bias)) {
+        return false;
+    }
+    if (bias < -65536 || bias > 65536) {
+        return scene_fail(parser, "the bias must lie between -1 and 1");
+    }
+    parser->depth_bias = bias;
+    return true;
 }
 
 /* Where the range, the colour and `numbers` numbers follow the kind. */

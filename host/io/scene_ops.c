@@ -21,6 +21,7 @@ struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind ki
     memset(op, 0, sizeof *op);
     op->kind = kind;
     op->line = parser->line;
+    op->depth_bias = parser->depth_bias;
     parser->polyline = NULL;
     return op;
 }

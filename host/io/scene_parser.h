@@ -68,6 +68,7 @@ struct scene_parser {
     struct scene_stroke line_state, point_state; /* of the next line and point */
     struct scene_op *polyline; /* the last statement was about this one: vertices join it */
     size_t stroke_vertex_capacity;
+    int32_t depth_bias; /* of the geometry that follows */
     struct scene_texture_request texture;
     int texformat_line; /* of the last `texformat`, in case its palette does not suffice */
     const struct scene_statement *texformat_statement;
@@ -138,7 +139,8 @@ scene_handler scene_statement_ink, scene_statement_edges, scene_statement_font,
 void scene_brush_free(struct scene_brush *brush);
 
 /* scene_blend.c */
-scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity;
+scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity,
+    scene_statement_colormask, scene_statement_depthbias;
 
 scene_handler scene_statement_linewidth, scene_statement_linesmooth, scene_statement_linecap,
     scene_statement_linealpha, scene_statement_line, scene_statement_polyline,

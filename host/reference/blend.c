@@ -5,7 +5,8 @@
 
 bool ref_is_blended(const struct scene *scene)
 {
-    return scene->blend != SCENE_BLEND_OFF || scene->fog.kind != SCENE_FOG_OFF;
+    return scene->blend != SCENE_BLEND_OFF || scene->fog.kind != SCENE_FOG_OFF || scene->keep[0] ||
+           scene->keep[1] || scene->keep[2];
 }
 
 bool ref_passes_door(const struct scene *scene, int x, int y)
@@ -16,6 +17,20 @@ bool ref_passes_door(const struct scene *scene, int x, int y)
     if (scene->blend != SCENE_BLEND_SCREENDOOR)
         return true;
     return floor(scene->alpha / 65536.0 * 255 + .5) > 16 * rank + 8;
+}
+
+double ref_kept(const struct scene *scene)
+{
+    switch (scene->blend) {
+    case SCENE_BLEND_ALPHA:
+        return 1 - scene->alpha / 65536.0;
+    case SCENE_BLEND_ADD:
+    case SCENE_BLEND_MULTIPLY:
+    case SCENE_BLEND_NONE:
+        return 1;
+    default:
+        return 0;
+    }
 }
 
 /* How much of a colour is left at a distance. */
@@ -50,6 +65,8 @@ static double fogged(const struct scene_fog *fog, int channel, double color, dou
 double ref_blend(const struct scene *scene, int channel, double color, double under, double depth)
 {
     const double alpha = scene->alpha / 65536.0;
+    if (scene->keep[channel] && scene->blend != SCENE_BLEND_SCREENDOOR)
+        return under;
     if (scene->fog.kind != SCENE_FOG_OFF)
         color = fogged(&scene->fog, channel, color, depth);
     switch (scene->blend) {

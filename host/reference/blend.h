@@ -18,4 +18,7 @@ bool ref_passes_door(const struct scene *scene, int x, int y);
 /* What becomes of a channel, 0..255, at window depth `depth` over what is `under` it. */
 double ref_blend(const struct scene *scene, int channel, double color, double under, double depth);
 
+/* How much of what is stored a blend leaves, at most. */
+double ref_kept(const struct scene *scene);
+
 #endif

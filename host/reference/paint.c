@@ -117,27 +117,34 @@ static int count_inside(const struct shape *shape, int x, int y, int k)
     return inside;
 }
 
-/* Eight by eight points tell whether an edge passes through. */
+/* Eight by eight points and the corners tell whether an edge passes through. */
 static double coverage(const struct shape *shape, int x, int y)
 {
     int few = count_inside(shape, x, y, 8);
+    int corners = is_inside(shape, x, y) + is_inside(shape, x + 1, y) + is_inside(shape, x, y + 1) +
+                  is_inside(shape, x + 1, y + 1);
 
-    if (few == 0 || few == 64)
+    if ((few == 0 && corners == 0) || (few == 64 && corners == 4))
         return few / 64.0;
     return count_inside(shape, x, y, SAMPLES) / (double)(SAMPLES * SAMPLES);
 }
 
-static void mix(struct ref_target *target, int x, int y, const double color[3], double alpha)
+static void mix(struct ref_target *target, int x, int y, const double color[3], double alpha,
+                bool is_edge)
 {
     struct reference_image *image = target->image;
-    size_t i = 3 * ((size_t)y * (size_t)image->width + (size_t)x);
+    size_t pixel = (size_t)y * (size_t)image->width + (size_t)x;
+    size_t i = 3 * pixel;
+    double most = 0;
 
     for (size_t c = 0; c < 3; c++) {
         double *to = &image->color[i + c];
+        most = fmax(most, fabs(color[c] - *to));
         *to += alpha * (color[c] - *to);
         image->color_min[i + c] = fmin(image->color_min[i + c], *to);
         image->color_max[i + c] = fmax(image->color_max[i + c], *to);
     }
+    ref_target_mixed(target, pixel, 1 - alpha, is_edge ? most : 0);
 }
 
 /* Pixels that the shape may reach: its points and radii, generously. */
@@ -179,7 +186,7 @@ static void paint_shape(struct ref_target *target, const struct scene_paint *pai
             double share = paint->is_smooth ? coverage(&shape, x, y)
                                             : (double)is_inside(&shape, x + 0.5, y + 0.5);
             if (share > 0)
-                mix(target, x, y, color, alpha * share);
+                mix(target, x, y, color, alpha * share, share < 1);
         }
     }
 }
@@ -199,7 +206,7 @@ static void paint_glyph(struct ref_target *target, const struct bdf_font *font,
             int y = baseline - glyph->top + j;
             if ((byte & 0x80u >> i % 8) != 0 && x >= 0 && x < target->image->width && y >= 0 &&
                 y < target->image->height)
-                mix(target, x, y, color, alpha);
+                mix(target, x, y, color, alpha, false);
         }
     }
 }
@@ -257,7 +264,7 @@ static void paint_texel(struct ref_target *target, const struct scene_paint *pai
         rgb[2] == paint->key[2])
         return;
     double color[3] = {rgb[0], rgb[1], rgb[2]};
-    mix(target, x, y, color, alpha);
+    mix(target, x, y, color, alpha, false);
 }
 
 static void paint_image(struct ref_target *target, const struct scene_paint *paint, double alpha)

@@ -147,13 +147,16 @@ static void draw_pixel(struct ref_target *target, const struct scene_op *op,
     bool writes = scene->depth_test && scene->depth_write;
     if (writes && share >= 0.5)
         image->depth[i] = depth;
+    double most = 0;
     for (size_t c = 0; c < 3; c++) {
         double color = ends->color[0][c] + along * (ends->color[1][c] - ends->color[0][c]);
+        most = fmax(most, fabs(color - image->color[3 * i + c]));
         double mixed = image->color[3 * i + c] * (1.0 - weight) + color * weight;
         image->color[3 * i + c] = mixed;
         image->color_min[3 * i + c] = fmin(mixed, image->color_min[3 * i + c]);
         image->color_max[3 * i + c] = fmax(mixed, image->color_max[3 * i + c]);
     }
+    ref_target_mixed(target, i, 1.0 - weight, stroke->smooth ? most : 0);
     /* Where the centre is inside, and the depth beside it is the stroke's own. */
     if ((!writes || share >= 0.5) && ref_stroke_contains(all->part, all->count, x + 0.5, y + 0.5))
         image->id[i] = op->id;

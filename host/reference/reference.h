@@ -23,9 +23,13 @@ struct reference_image {
     double *color_min; /* 3 a pixel: least and greatest value each channel has at the three */
     double *color_max; /*   vertices of the visible triangle, before texturing; background: clear */
     double *depth;     /* window depth 0..1 */
-    uint32_t *id;      /* 0 = background */
-    uint32_t *hits;    /* how many triangles (or wireframe edges) covered the pixel, before the
-                          depth test and the colour key, after culling and clipping */
+    double *rounding; /* how many roundings may have added up: one where a pixel is stored, and what
+                         is left of those of what it was mixed with */
+    double *edge;     /* what smooth edges mixed, of 0..255: how far the greatest channel may be off
+                         for an area that is off by a pixel */
+    uint32_t *id;     /* 0 = background */
+    uint32_t *hits;   /* how many triangles (or wireframe edges) covered the pixel, before the
+                         depth test and the colour key, after culling and clipping */
 };
 
 /* subpixel_bits: 0 = infinite precision, 1..16 = snap. False when memory runs out. */

@@ -127,6 +127,7 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
     for (int i = 0; i < 9; i++) /* meaningless, and unused, for geometry */
         n[i] = op->kind < SCENE_TRIANGLE ? (double)op->u.number[i] / 65536.0 : 0.0;
 
+    ref_target_bias(&replay->target, op->depth_bias);
     switch (op->kind) {
     case SCENE_MODE_PROJECTION:
         replay->current = &replay->projection;

@@ -26,12 +26,14 @@ static bool allocate(struct reference_image *image, int width, int height)
         .color_min = malloc(pixels * 3 * sizeof(double)),
         .color_max = malloc(pixels * 3 * sizeof(double)),
         .depth = malloc(pixels * sizeof(double)),
+        .rounding = malloc(pixels * sizeof(double)),
+        .edge = calloc(pixels, sizeof(double)),
         .id = calloc(pixels, sizeof(uint32_t)),
         .hits = calloc(pixels, sizeof(uint32_t)),
     };
     *image = fresh;
-    if (image->color && image->color_min && image->color_max && image->depth && image->id &&
-        image->hits)
+    if (image->color && image->color_min && image->color_max && image->depth && image->rounding &&
+        image->edge && image->id && image->hits)
         return true;
     reference_free(image);
     return false;
@@ -43,6 +45,8 @@ void reference_free(struct reference_image *image)
     free(image->color_min);
     free(image->color_max);
     free(image->depth);
+    free(image->rounding);
+    free(image->edge);
     free(image->id);
     free(image->hits);
     *image = (struct reference_image){0};
@@ -56,13 +60,13 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->scene = scene;
     target->image = image;
     target->subpixel_bits = subpixel_bits;
-    target->depth_near = unit_from_q16(scene->depth_near);
-    target->depth_far = unit_from_q16(scene->depth_far);
+    ref_target_bias(target, 0);
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
     double clear_depth = unit_from_q16(scene->clear_depth);
     for (size_t i = 0; i < pixels; i++) {
         image->depth[i] = clear_depth;
+        image->rounding[i] = 1;
         for (size_t c = 0; c < 3; c++) {
             double value = 255.0 * unit_from_q16(scene->clear[c]);
             image->color[3 * i + c] = value;
@@ -71,6 +75,20 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
         }
     }
     return true;
+}
+
+void ref_target_mixed(struct ref_target *target, size_t i, double kept, double edge)
+{
+    struct reference_image *image = target->image;
+    image->rounding[i] = 1 + kept * image->rounding[i];
+    image->edge[i] = edge + kept * image->edge[i];
+}
+
+void ref_target_bias(struct ref_target *target, int32_t bias)
+{
+    const double by = bias / 65536.0;
+    target->depth_near = clamp(unit_from_q16(target->scene->depth_near) + by, 0.0, 1.0);
+    target->depth_far = clamp(unit_from_q16(target->scene->depth_far) + by, 0.0, 1.0);
 }
 
 double ref_target_depth(const struct ref_target *target, long double z_over_w)
@@ -159,6 +177,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         image->color_max[3 * i + c] = greatest;
     }
     image->id[i] = triangle->id;
+    ref_target_mixed(target, i, ref_kept(scene), 0);
 }
 
 void ref_interpolate(const struct ref_vertex *const vertex[3], double weight1, double weight2,

@@ -19,6 +19,9 @@ struct ref_target {
 bool ref_target_open(struct ref_target *target, const struct scene *scene, int subpixel_bits,
                      struct reference_image *image);
 
+/* What follows has its depths moved by `bias`, Q16.16; the range's ends are held to 0..1. */
+void ref_target_bias(struct ref_target *target, int32_t bias);
+
 /* Window depth of clip z / w: -1..1 to the depth range. */
 double ref_target_depth(const struct ref_target *target, long double z_over_w);
 
@@ -34,5 +37,11 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
 /* a0 + w1 (a1 - a0) + w2 (a2 - a0) for weights that sum to 1: equal values stay exactly equal. */
 void ref_interpolate(const struct ref_vertex *const vertex[3], double weight1, double weight2,
                      double attribute[REF_ATTRIBUTES]);
+
+/*
+ * Notes in the image that pixel i was mixed: `kept` of what was there is left, and it is stored
+ * anew. `edge`: how far the area of a smooth edge moves it, 0..255.
+ */
+void ref_target_mixed(struct ref_target *target, size_t i, double kept, double edge);
 
 #endif

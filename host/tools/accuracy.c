@@ -25,6 +25,54 @@ static void add_color(struct accuracy *sum, const uint8_t rgb[3], const double c
     sum->max_color = worst > sum->max_color ? worst : sum->max_color;
 }
 
+/* What smooth edges mixed there: they may reach a pixel further in one picture. */
+static double edge_near(const struct reference_image *reference, size_t i)
+{
+    const int width = reference->width;
+    const int x = (int)(i % (size_t)width);
+    const int y = (int)(i / (size_t)width);
+    double most = 0;
+    for (int row = y - 1; row <= y + 1; row++) {
+        for (int column = x - 1; column <= x + 1; column++) {
+            if (row >= 0 && row < reference->height && column >= 0 && column < width) {
+                most = fmax(most, reference->edge[(size_t)row * (size_t)width + (size_t)column]);
+            }
+        }
+    }
+    return most;
+}
+
+/* How many times what its roundings and edges allow a pixel is off. */
+static double mixed_error(const struct picture *picture, const struct reference_image *reference,
+                          size_t i, const int steps[3], double step)
+{
+    const double edge = edge_near(reference, i);
+    double worst = 0;
+    for (size_t c = 0; c < 3; c++) {
+        double exact = reference->color[3 * i + c] * steps[c] / 255;
+        exact = steps[c] == 255 ? floor(exact + .5) : exact;
+        const double got = floor(picture->rgb[3 * i + c] * steps[c] / 255.0 + .5);
+        const double allowed = step * reference->rounding[i] + edge * steps[c] / 255 / 32;
+        worst = fmax(worst, fabs(got - exact) / allowed);
+    }
+    return worst;
+}
+
+void accuracy_add_mixed(struct accuracy *sum, const struct picture *picture,
+                        const struct reference_image *reference, const int steps[3], double step)
+{
+    const size_t pixels = (size_t)picture->width * (size_t)picture->height;
+    for (size_t i = 0; i < pixels; i++) {
+        if (picture->id[i] != reference->id[i]) {
+            continue;
+        }
+        const double error = mixed_error(picture, reference, i, steps, step);
+        sum->mixed++;
+        sum->mixed_above += error > 1;
+        sum->max_mixed = fmax(sum->max_mixed, error);
+    }
+}
+
 void accuracy_add(struct accuracy *sum, const struct picture *picture,
                   const struct reference_image *reference, bool textured)
 {

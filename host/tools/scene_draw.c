@@ -141,8 +141,10 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     }
     material.depth_compare = compare_of(scene);
     material.depth_read_only = !scene->depth_write;
+    material.alpha = color_8(scene->alpha);
     if (pass == SCENE_IDS) {
         material.shading = QTRI_FLAT_LAST;
+        material.blend = scene->blend == SCENE_BLEND_SCREENDOOR ? &qtri_blend_screen_door : NULL;
         material.texture = resources->mask_texels != NULL ? &resources->mask : NULL;
         return material; /* modulated: white leaves an id as it is */
     }
@@ -155,10 +157,15 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
         [SCENE_BLEND_ADD] = &qtri_blend_add,
         [SCENE_BLEND_MULTIPLY] = &qtri_blend_multiply,
         [SCENE_BLEND_NONE] = &qtri_blend_none,
+        [SCENE_BLEND_REPLACE] = &qtri_blend_replace,
         [SCENE_BLEND_SCREENDOOR] = &qtri_blend_screen_door,
     };
     material.blend = blends[scene->blend];
-    material.alpha = color_8(scene->alpha);
+    material.keep = (uint8_t)(scene->keep[0] * QTRI_KEEP_RED | scene->keep[1] * QTRI_KEEP_GREEN |
+                              scene->keep[2] * QTRI_KEEP_BLUE);
+    if (material.keep != 0 && material.blend == NULL) {
+        material.blend = &qtri_blend_replace;
+    }
     material.texture = resources->texels != NULL ? &resources->texture : NULL;
     material.texture_mode = scene->texture_mode == SCENE_REPLACE ? QTRI_REPLACE : QTRI_MODULATE;
     material.reflection = &resources->reflection;
@@ -370,6 +377,7 @@ static void replay(struct drawing *d, struct stacks *stacks)
         }
         d->view.projection = stacks->matrix[0][stacks->top[0]];
         d->modelview = stacks->matrix[1][stacks->top[1]];
+        d->material.depth_bias = op->depth_bias;
         if (d->resources->jitter_log2 > 0) {
             qtri_view_jitter(&d->view, &d->view, d->resources->jitter, d->resources->jitter_log2);
         }

@@ -10,6 +10,7 @@
 #define qtri_line_end        narrow_line_end
 #define qtri_line_flush      narrow_line_flush
 #define qtri_line_job_init   narrow_line_job_init
+#define qtri_line_tint       narrow_line_tint
 #define qtri_line_make_table narrow_line_make_table
 #define qtri_raster_line     narrow_raster_line
 

@@ -14,6 +14,7 @@ struct writer {
     bool clip_space; /* both matrices are the identity: geometry brings its own w */
     double reach;    /* how far geometry spreads */
     bool textured;   /* about textures: most triangles have them, and they vary */
+    bool mixed;      /* of all that makes colours: vertices have normals */
 };
 
 static void put(struct writer *w, const char *format, ...)
@@ -77,11 +78,14 @@ static void put_vertex(struct writer *w, struct point p, bool textured)
     put(w, "  %.5f %.5f %.5f %.5f  %.3f %.3f %.3f", p.x, p.y, p.z, p.w, uniform(w, 0, 1),
         uniform(w, 0, 1), uniform(w, 0, 1));
     if (textured) {
-        double size = chance(w, 10) ? 20.0 : 1.5;
+        double size = chance(w, 10) && !w->mixed ? 20.0 : 1.5;
         if (w->textured && chance(w, 20)) {
             size = 0.2; /* texels larger than pixels */
         }
         put(w, "  %.4f %.4f", symmetric(w, size), symmetric(w, size));
+    }
+    if (w->mixed) {
+        put(w, "  %.3f %.3f %.3f", symmetric(w, 1), symmetric(w, 1), uniform(w, .2, 1));
     }
 }
 
@@ -89,6 +93,7 @@ static void put_triangle(struct writer *w, struct point a, struct point b, struc
 {
     bool textured = chance(w, w->textured ? 85 : 40);
     put(w, textured ? "trit" : "tri");
+    put(w, w->mixed ? "n" : "");
     put_vertex(w, a, textured);
     put_vertex(w, b, textured);
     put_vertex(w, c, textured);
@@ -350,6 +355,185 @@ static void put_geometry(struct writer *w)
         }
         break;
     }
+}
+
+/* ---- Scenes that mix ---- */
+
+static void put_color(struct writer *w, double most)
+{
+    put(w, " %.3f %.3f %.3f", uniform(w, 0, most), uniform(w, 0, most), uniform(w, 0, most));
+}
+
+static void put_place(struct writer *w, double reach)
+{
+    put(w, " %.3f %.3f %.3f", symmetric(w, reach), symmetric(w, reach), symmetric(w, reach));
+}
+
+static void put_lights(struct writer *w)
+{
+    put(w, "ambient");
+    put_color(w, .4);
+    for (int count = 1 + pick(w, 4); count > 0; count--) {
+        switch (pick(w, 3)) {
+        case 0:
+            put(w, "\nlight directional %.3f %.3f %.3f ", symmetric(w, 1), symmetric(w, 1),
+                uniform(w, .1, 1));
+            put_color(w, .8);
+            break;
+        case 1:
+            put(w, "\nlight point");
+            put_place(w, 3);
+            put_color(w, 1.5);
+            put(w, "  %.3f %.3f %.3f", uniform(w, .2, 1), uniform(w, 0, .4), uniform(w, 0, .2));
+            break;
+        default:
+            put(w, "\nlight spot");
+            put_place(w, 3);
+            put(w, " %.3f %.3f -1 ", symmetric(w, 1), symmetric(w, 1));
+            put(w, " %.2f %.2f ", uniform(w, 5, 40), uniform(w, 45, 120));
+            put_color(w, 2);
+            break;
+        }
+    }
+    put(w, "\n");
+    if (chance(w, 60)) {
+        put(w, "material specular");
+        put_color(w, .8);
+        put(w, " %.2f\n", uniform(w, 2, 60));
+    }
+    if (chance(w, 30)) {
+        put(w, "material emission");
+        put_color(w, .3);
+        put(w, "\n");
+    }
+    put(w, "twosided %s\n", either(w, "on", "off"));
+}
+
+static void put_mixed_state(struct writer *w)
+{
+    static const char *const blend[] = {"off", "alpha", "alpha", "add", "multiply", "screendoor"};
+    static const char *const depth[] = {"less", "less", "lequal", "always", "off"};
+    const double near_z = uniform(w, .3, 1);
+    const double far_z = uniform(w, 8, 60);
+    put(w, "viewport %d %d\nclear", 96 + pick(w, 5) * 32, 64 + pick(w, 100));
+    put_color(w, 1);
+    put(w, "\ndepth %s\ncull %s\n", depth[pick(w, 5)], chance(w, 25) ? "back" : "none");
+    if (chance(w, 20)) {
+        put(w, "shade flat %s\n", either(w, "first", "last"));
+    }
+    if (chance(w, 12)) {
+        put(w, "polygon line\n");
+    }
+    if (chance(w, 10)) {
+        put(w, "colormask %s %s on\n", either(w, "on", "off"), either(w, "on", "off"));
+    }
+    put(w, "blend %s %.3f\n", blend[pick(w, 6)], chance(w, 20) ? 1.0 : uniform(w, .1, 1));
+    if (chance(w, 30)) {
+        put(w, "fog linear %.4f %.4f", near_z, far_z);
+        put_color(w, 1);
+        put(w, " %.3f %.3f\n", uniform(w, 0, 3), uniform(w, 4, 12));
+    } else if (chance(w, 60)) {
+        put(w, "fogdensity %s %.4f %.4f", either(w, "exp", "exp2"), near_z, far_z);
+        put_color(w, 1);
+        put(w, " %.3f\n", uniform(w, .02, .4));
+    }
+    if (chance(w, 75)) {
+        put_lights(w);
+    }
+    if (chance(w, 60)) {
+        put(w, "texture 16 16 %d", 1 + pick(w, 4));
+        for (int i = 0; i < 6; i++) {
+            put(w, " %d", pick(w, 256));
+        }
+        put(w, "\ntexfilter bilinear\ntexmode %s\n", chance(w, 30) ? "replace" : "modulate");
+    }
+    put(w, "mode projection\nperspective %.3f %.4f %.4f %.4f\n", uniform(w, 30, 90),
+        uniform(w, .8, 1.6), near_z, far_z);
+    put(w, "mode modelview\nlookat %.4f %.4f %.4f  0 0 0  0 1 0\n", symmetric(w, 1.5),
+        symmetric(w, 1.5), uniform(w, 2.5, 5));
+}
+
+static void put_strokes(struct writer *w)
+{
+    put(w, "linewidth %.3f\nlinesmooth %s\n", uniform(w, .5, 9), chance(w, 75) ? "on" : "off");
+    put(w, "linecap %s\n", chance(w, 60) ? "round" : either(w, "butt", "square"));
+    put(w, "linealpha %.3f\n", chance(w, 50) ? 1.0 : uniform(w, .1, 1));
+    if (chance(w, 40)) {
+        put(w, "pointsize %.3f\npoint", uniform(w, 2, 20));
+        put_place(w, 1.5);
+        put(w, " 1");
+        put_color(w, 1);
+        put(w, "\n");
+        return;
+    }
+    put(w, "polyline %s\n", either(w, "open", "closed"));
+    for (int count = 2 + pick(w, 4); count > 0; count--) {
+        put(w, "vertex");
+        put_place(w, 1.5);
+        put(w, " 1");
+        put_color(w, 1);
+        put(w, "\n");
+    }
+}
+
+static void put_paint(struct writer *w)
+{
+    const double x = uniform(w, 0, 180);
+    const double y = uniform(w, 0, 120);
+    put(w, "ink");
+    put_color(w, 1);
+    put(w, " %.3f\nedges %s\n", chance(w, 40) ? 1.0 : uniform(w, .1, 1),
+        either(w, "hard", "smooth"));
+    switch (pick(w, 4)) {
+    case 0:
+        put(w, "rect %.3f %.3f %.3f %.3f\n", x, y, x + uniform(w, 1, 60), y + uniform(w, 1, 60));
+        break;
+    case 1:
+        put(w, "roundrect %.3f %.3f %.3f %.3f 6 %.3f\n", x, y, x + uniform(w, 14, 60),
+            y + uniform(w, 14, 60), uniform(w, 1, 5));
+        break;
+    case 2:
+        put(w, "circle %.3f %.3f %.3f\n", x, y, uniform(w, 1, 40));
+        break;
+    default:
+        put(w, "stroke %.3f %.3f %.3f %.3f %.3f\n", x, y, x + symmetric(w, 60),
+            y + symmetric(w, 60), uniform(w, 1, 9));
+        break;
+    }
+}
+
+char *scene_random_mixed(uint32_t seed, size_t *length)
+{
+    struct writer w = {.text = NULL,
+                       .state = (seed + UINT64_C(1)) * UINT64_C(0xA0761D6478BD642F),
+                       .reach = 1.6,
+                       .mixed = true};
+    put_mixed_state(&w);
+    for (int groups = 4 + pick(&w, 6); groups > 0; groups--) {
+        put(&w, "push\ndepthbias %.5f\n", chance(&w, 20) ? symmetric(&w, .003) : 0);
+        put(&w, "rotate %.3f  %.3f %.3f %.3f\n", symmetric(&w, 180), symmetric(&w, 1),
+            symmetric(&w, 1), uniform(&w, .1, 1));
+        switch (pick(&w, 5)) {
+        case 0:
+            put_fan(&w);
+            break;
+        case 1:
+            put_grid(&w);
+            break;
+        case 2:
+            put_strokes(&w);
+            break;
+        case 3:
+            put_paint(&w);
+            break;
+        default:
+            put_triangle(&w, random_point(&w), random_point(&w), random_point(&w));
+            break;
+        }
+        put(&w, "pop\n");
+    }
+    *length = w.length;
+    return w.text;
 }
 
 static char *write_scene(uint32_t seed, bool textured, size_t *length)

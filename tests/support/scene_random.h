@@ -18,4 +18,10 @@ char *scene_random(uint32_t seed, size_t *length);
 /* Another scene, textured: wrap modes, filters, texel formats and colour keys. */
 char *scene_random_textured(uint32_t seed, size_t *length);
 
+/*
+ * One that mixes all that makes colours: several lights of each kind with highlights, fog, blends,
+ * textures, lines and points of any width, smooth and hard, and shapes painted over and under them.
+ */
+char *scene_random_mixed(uint32_t seed, size_t *length);
+
 #endif

@@ -7,9 +7,13 @@
  * surface, and draws the same pixels for every band and scissor. Depths are written as without;
  * what is seen through is drawn last, from far to near, with material.depth_read_only.
  *
+ * All but the screen door leave channels of stored pixels alone that material.keep names.
  * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one.
- * Colours are within 1 of 255, and within a step of RGB565, of exact ones.
- * Lines and wireframes are drawn as without a blend.
+ * Colours are within 1 of 255, and within a step of RGB565, of exact ones; in fog within 1 1/4
+ * steps of RGB565, since colours and fog are rounded before they are mixed.
+ * Lines and wireframes are blended and fogged as well: each edge of each triangle, so that one that
+ * two triangles share is drawn twice where depth does not turn the second away. Strokes (stroke.h)
+ * have an alpha of their own instead.
  */
 #ifndef QTRI_BLEND_H
 #define QTRI_BLEND_H
@@ -29,6 +33,7 @@ extern const qtri_blend qtri_blend_alpha;    /* colour alpha + stored (1 - alpha
 extern const qtri_blend qtri_blend_add;      /* stored + colour alpha, at most full */
 extern const qtri_blend qtri_blend_multiply; /* stored times colour, whatever the alpha */
 extern const qtri_blend qtri_blend_none;     /* stored: depths alone are written */
+extern const qtri_blend qtri_blend_replace;  /* colour, but for the channels of material.keep */
 
 /* A share of alpha of the pixels, in a pattern of 4 by 4: no order, nothing read. */
 extern const qtri_blend qtri_blend_screen_door;
@@ -38,8 +43,8 @@ extern const qtri_blend qtri_blend_screen_door;
  * plane: linear (end - z) / (end - start), held to 0..1, or exp(-density z), or exp(-(density
  * z)^2).
  *
- * z is found from the depth of the pixel, so the projection's near and far are asked for, and the
- * viewport's depths must be 0 and 1. f is within 1/256 where a step of 16-bit depth is.
+ * z is found from the depth of the pixel, with its fraction, so the projection's near and far are
+ * asked for, and the viewport's depths must be 0 and 1. f is within 1/256.
  */
 typedef struct qtri_fog qtri_fog;
 
@@ -54,9 +59,10 @@ enum { QTRI_FOG_STEPS = 16 * 8 + 2 };
 struct qtri_fog {
     const struct qtri_fog_stages *stages; /* of the functions below; NULL: no fog */
     uint32_t word[3];                     /* its colour, as those of the three kinds */
-    /* f, 1024 being 1, and beyond 0..1, held there: by eighths of octaves of t = 65536 - depth, or,
-       with a scale, by equal steps from `first` on. */
-    uint32_t first, range, scale;
+    /* f, 1024 being 1, and beyond 0..1, held there: by eighths of octaves of how far the depth is
+       from the farthest, or, where step_bits is not 0, by steps of 2^that from `first` on. */
+    uint32_t first;
+    uint8_t step_bits;
     int16_t share[QTRI_FOG_STEPS];
 };
 

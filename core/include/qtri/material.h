@@ -65,6 +65,9 @@ typedef enum qtri_compare {
     QTRI_ALWAYS
 } qtri_compare;
 
+/* Channels that stay as they are. Of GRAY8: only all three. */
+enum { QTRI_KEEP_BLUE = 1, QTRI_KEEP_GREEN = 2, QTRI_KEEP_RED = 4 };
+
 typedef struct qtri_material {
     qtri_rgb color;              /* of meshes that bring no colours of their own */
     const qtri_shading *shading; /* NULL: flat */
@@ -74,9 +77,13 @@ typedef struct qtri_material {
     qtri_cull cull;
     const qtri_fill *fill;
     qtri_compare depth_compare;
-    bool depth_read_only;    /* test but do not write */
+    bool depth_read_only; /* test but do not write */
+    q16 depth_bias; /* is added to the viewport's depths, which are held to 0..1: negative draws
+                       nearer, what lies on a surface over it. All of it counts where the viewport
+                       leaves room, and else at the far plane, and in proportion before it */
     const qtri_blend *blend; /* NULL: pixels are stored as they are */
     uint8_t alpha;           /* for the blend: 255 is all of it */
+    uint8_t keep;            /* QTRI_KEEP_RED and others: channels that a blend does not write */
     uint8_t least_alpha;     /* texels of less are not drawn, nor their depth; 0: all are */
     const qtri_fog *fog;     /* NULL: none */
     const qtri_reflection *reflection; /* NULL: no highlights, no emission, one side */
