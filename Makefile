@@ -176,7 +176,7 @@ SEED     ?= 1
 .PHONY: coverage mutate misra setup-proof
 coverage: ## Lines and branches of core and port that the plain tests reach; tests/coverage.allow lists what they do not
 	@rm -rf build/coverage/raw && mkdir -p build/coverage/raw
-	@PROFILES=$(CURDIR)/build/coverage/raw $(MAKE) -s $(PARALLEL) BUILD=build/coverage CC=clang CFLAGS='$(COVERAGE)' test-plain
+	@LLVM_PROFILE_FILE=$(CURDIR)/build/coverage/raw/build-%m.profraw PROFILES=$(CURDIR)/build/coverage/raw $(MAKE) -s $(PARALLEL) BUILD=build/coverage CC=clang CFLAGS='$(COVERAGE)' test-plain
 	@python3 tests/tools/coverage.py build/coverage tests/coverage.allow
 
 mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of core at random and report what no test notices; MUTANTS=500 SEED=1

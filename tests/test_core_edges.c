@@ -800,7 +800,7 @@ static void halo_widens_changes(void **state)
 {
     (void)state;
     enum { HALO = 2, SIDE = 20, ROWS = 5 };
-    static uint32_t memory[QTRI_HALO_BYTES(SIDE, ROWS, HALO, 4) / 4 + 4];
+    static uint32_t bytes[QTRI_HALO_BYTES(SIDE, ROWS, HALO, 4) / 4 + 4];
     static const struct {
         qtri_rect changed, widened;
     } cases[] = {{{7, 8, 11, 12}, {5, 6, 13, 14}}, {{3, 3, 17, 17}, {1, 1, 19, 19}},
@@ -809,7 +809,7 @@ static void halo_widens_changes(void **state)
     for (size_t i = 0; i < LENGTH_OF(cases); i++) {
         qtri_halo halo;
         assert_int_equal(
-            qtri_halo_init(&halo, &qtri_xrgb8888, SIDE, SIDE, ROWS, HALO, memory, sizeof memory),
+            qtri_halo_init(&halo, &qtri_xrgb8888, SIDE, SIDE, ROWS, HALO, bytes, sizeof bytes),
             QTRI_OK);
         qtri_surface band, shown;
         qtri_halo_begin(&halo); /* of the first frame everything has changed */

@@ -130,8 +130,8 @@ static void sizes_and_memory(void **state)
         assert_true(s.pixels >= memory + n / 3);
         assert_true((uint8_t *)s.depth >= s.pixels + 5 * s.pitch);
         assert_true((uint8_t *)(s.depth + 5 * s.depth_pitch) <= memory + n / 3 + bytes);
-        qtri_rgb color = {255, 0, 255};
-        qtri_surface_clear(&s, color, 7);
+        const qtri_rgb purple = {255, 0, 255};
+        qtri_surface_clear(&s, purple, 7);
         qtri_rgb at = qtri_surface_pixel(&s, 12, 6);
         assert_true(at.r == (format == &qtri_gray8 ? 105 : 255)); /* .413 * 255 */
         qtri_rgb out = qtri_surface_pixel(&s, 12, 7);
