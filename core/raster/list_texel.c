@@ -131,6 +131,30 @@ static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_li
     qtri_place_ramp(&out->l, v->t->place, &v->inverse, 0, f[0], f[1]);
 }
 
+static inline bool is_below(uint32_t step, int32_t limit)
+{
+    return step + (uint32_t)limit < 2 * (uint32_t)limit;
+}
+
+/* Whether rows are followed: where that is allowed, and they have three pixels in the mean. */
+static void set_blocks(qtri_list_values *v)
+{
+    const qtri_place *p = v->t->place;
+    const int32_t height = qtri_greatest_from_0(p->dy1, p->dy2) - qtri_least_from_0(p->dy1, p->dy2);
+    const int32_t left = qtri_least_from_0(p->dx1, p->dx2);
+    const int32_t right = qtri_greatest_from_0(p->dx1, p->dx2);
+    const int32_t half = (right - left + 0x100) >> 9;
+    if (p->size < (uint32_t)height * (2 * 3 * 256) || !is_below(v->e_q26.dx, QTRI_PIECE_E_Q26) ||
+        !is_below(v->uv[0].l.dx, QTRI_PIECE_L) || !is_below(v->uv[1].l.dx, QTRI_PIECE_L)) {
+        return;
+    }
+    v->blocks = true;
+    v->half = (uint8_t)(half > QTRI_PIECE / 2 ? QTRI_PIECE / 2 : half);
+    v->left = (uint32_t)((left + 128 - p->x) >> 8);
+    const int32_t e_q16 = ((int32_t)v->e_q26.dx >> 10) * v->half; /* <= 1/32 */
+    v->cubic_q16 = (uint8_t)((3 * e_q16 * e_q16) >> 18);
+}
+
 void qtri_list_set_texels(qtri_list_values *v)
 {
     const qtri_raster *raster = v->raster;
@@ -144,10 +168,12 @@ void qtri_list_set_texels(qtri_list_values *v)
                    texture->wrap_v == QTRI_CLAMP);
         return;
     }
+    v->blocks = false;
     v->gentle = texture->filter == NULL &&
                 ((qtri_about(v->e1_q18) | qtri_about(v->e2_q18)) >> 13) == 0 && fill_axes(v, true);
     if (!v->gentle) {
         (void)fill_axes(v, false);
+        set_blocks(v);
     }
     if (texture->filter != NULL) {
         for (int i = 0; i < 2; i++) {
@@ -211,6 +237,65 @@ static inline void numbers_gentle(const qtri_list_values *v, uint32_t *number, u
     } while (place != end);
 }
 
+/* The pieces of the row that the fragment at a place is in; returns where they begin. */
+static uint32_t find_pieces(qtri_list_piece piece[3], const qtri_list_values *v, uint32_t place,
+                            bool lit)
+{
+    const uint32_t left = ((place & 0xFFFF) - v->left) & (QTRI_PIECE - 1);
+    const uint32_t x = (place & 0xFFFF) - left + v->half;
+    const uint32_t y = place >> 16;
+    const int32_t w = qtri_list_w(&v->e_q26, x, y);
+    qtri_list_piece_set(&piece[0], v, &v->uv[0].l, x, y, w, v->uv[0].at, v->uv[0].up);
+    qtri_list_piece_set(&piece[1], v, &v->uv[1].l, x, y, w, v->uv[1].at, v->uv[1].up);
+    if (lit && v->curved) {
+        qtri_list_piece_set(&piece[2], v, &v->channel[2], x, y, w, v->base[2], 0);
+    } else if (lit) {
+        qtri_list_piece_linear(&piece[2], &v->channel[2], x - v->half, y);
+    }
+    return place - left;
+}
+
+/* The same along rows, see qtri_list_piece. After the last place there is one far from it. */
+static void numbers_lit(const qtri_list_values *v, uint32_t *number, uint32_t *shade,
+                        const uint32_t *place, int32_t count)
+{
+    const uint32_t cut = v->raster->texel_cut;
+    const uint32_t *const end = place + count;
+    do {
+        qtri_list_piece piece[3];
+        const uint32_t first = find_pieces(piece, v, *place, true);
+        const qtri_list_piece u_piece = piece[0];
+        const qtri_list_piece v_piece = piece[1];
+        const qtri_list_piece light = piece[2];
+        uint32_t d = *place - first;
+        do {
+            *shade++ = qtri_list_piece_at(&light, d) >> QTRI_LIGHT_SHIFT;
+            *number++ = qtri_texel_index(qtri_list_piece_at(&u_piece, d),
+                                         qtri_list_piece_at(&v_piece, d), cut);
+            d = *++place - first;
+        } while (d < QTRI_PIECE);
+    } while (place != end);
+}
+
+static void numbers_along(const qtri_list_values *v, uint32_t *number, const uint32_t *place,
+                          int32_t count)
+{
+    const uint32_t cut = v->raster->texel_cut;
+    const uint32_t *const end = place + count;
+    do {
+        qtri_list_piece piece[3];
+        const uint32_t first = find_pieces(piece, v, *place, false);
+        const qtri_list_piece u_piece = piece[0];
+        const qtri_list_piece v_piece = piece[1];
+        uint32_t d = *place - first;
+        do {
+            *number++ = qtri_texel_index(qtri_list_piece_at(&u_piece, d),
+                                         qtri_list_piece_at(&v_piece, d), cut);
+            d = *++place - first;
+        } while (d < QTRI_PIECE);
+    } while (place != end);
+}
+
 static void coordinates(const qtri_list_values *v, uint32_t *out_u, uint32_t *out_v,
                         const uint32_t *place, int32_t count)
 {
@@ -256,7 +341,14 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
     const qtri_texture *texture = raster->texture;
     uint32_t mask = UINT32_MAX;
     if (raster->repeated && texture->filter == NULL) {
-        if (!v->gentle) {
+        raster->batch->place[raster->batch->count] = *place ^ (uint32_t)1 << 31;
+        if (v->blocks && raster->batch->kind == QTRI_LIST_LIT_TEXELS && v->channels != 0) {
+            numbers_lit(v, color, shade, place, count);
+            return mask;
+        }
+        if (v->blocks) {
+            numbers_along(v, color, place, count);
+        } else if (!v->gentle) {
             numbers_repeated(v, color, place, count);
         } else if (raster->batch->kind == QTRI_LIST_LIT_TEXELS && v->channels != 0 && !v->curved) {
             numbers_gentle(v, color, shade, place, count, true);
