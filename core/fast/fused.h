@@ -31,6 +31,8 @@ static inline bool qtri_passes(uint32_t top, uint32_t stored, bool equal)
     return equal ? top <= stored : top < stored;
 }
 
+void qtri_lit_list(const qtri_raster *raster, int32_t count);
+
 bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
                     qtri_vertex *c);
 

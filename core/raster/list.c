@@ -193,6 +193,10 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
     const qtri_format *format = raster->format;
     int32_t count = batch->count;
     batch->count = 0;
+    if (raster->lit_list != NULL && batch->kind == QTRI_LIST_LIT_TEXELS) {
+        raster->lit_list(raster, count);
+        return;
+    }
     if (raster->texture != NULL) {
         mask = raster->texturing->finish_list(raster, count, mask);
     } else if (batch->kind == QTRI_LIST_TINT_SHARES) {

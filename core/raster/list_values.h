@@ -145,10 +145,10 @@ static inline void qtri_list_piece_set(qtri_list_piece *piece, const qtri_list_v
     const int32_t h = v->half;
     const int32_t inverse = ((int32_t)1 << 16) - w; /* < 2^16.17 */
     const int32_t e_q23 = (int32_t)v->e_q26.dx >> 3;
-    const int32_t s = qtri_list_divided((int32_t)qtri_list_at(l, x, y), w);    /* < 2^24.2 */
-    const int32_t slope = (int32_t)l->dx - (((s >> 10) * e_q23) >> 13);        /* < 2^20 */
+    const int32_t s = qtri_list_divided((int32_t)qtri_list_at(l, x, y), w);          /* < 2^24.2 */
+    const int32_t slope = (int32_t)l->dx - (((s >> 10) * e_q23) >> 13);              /* < 2^20 */
     const int32_t b = (((slope + 16) >> 5) * ((inverse + v->cubic_q16) >> 1)) >> 10; /* < 2^20.2 */
-    const int32_t bend = ((b >> 6) * ((e_q23 * (inverse >> 2)) >> 14)) >> 17;  /* < 2^12.4 */
+    const int32_t bend = ((b >> 6) * ((e_q23 * (inverse >> 2)) >> 14)) >> 17;        /* < 2^12.4 */
     piece->at = base + ((uint32_t)(s - h * (b + h * bend)) << up);
     piece->step = (uint32_t)(b + 2 * h * bend) << up;
     piece->bend = (0u - (uint32_t)bend) << up;

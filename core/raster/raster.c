@@ -88,6 +88,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->fill_smooth = qtri_span_fill;
     raster->copy_run = NULL;
     raster->copy_bent = NULL;
+    raster->lit_list = NULL;
     if (format == NULL || raster->compare == QTRI_NEVER) {
         bounds = nowhere;
         raster->format = &qtri_xrgb8888;
@@ -106,6 +107,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->fill_smooth = fused->smooth != NULL ? fused->smooth : qtri_span_fill;
         raster->copy_run = raster->copied ? fused->copy : NULL;
         raster->copy_bent = raster->copied ? fused->copy_bent : NULL;
+        raster->lit_list = raster->copied && !raster->alone ? fused->lit : NULL;
         if (!textured && surface->pitch == 2 * surface->depth_pitch) {
             raster->tint_small = fused->tint;
         }
