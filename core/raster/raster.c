@@ -132,11 +132,7 @@ void qtri_raster_lit_channels(int32_t channel[3], const qtri_raster *raster, con
     const uint32_t color_8p16[3] = {color->r * 2 * light_q15, color->g * 2 * light_q15,
                                     color->b * 2 * light_q15}; /* <= 255.0 */
     for (int i = 0; i < 3; i++) {
-        const uint32_t ratio_q32 = units->ratio_q30[i] << 2; /* 0: 1 */
-        const uint32_t c = color_8p16[i];
-        channel[i] =
-            (int32_t)(ratio_q32 == 0 ? c
-                                     : (qtri_mul_u32(c, ratio_q32) + ((uint32_t)1 << 31)) >> 32);
+        channel[i] = (int32_t)qtri_channel_scaled(color_8p16[i], units->ratio_q30[i]);
     }
     if (units->single) {
         channel[2] += channel[0] + channel[1];
