@@ -152,7 +152,7 @@ static void one(uint32_t *out, const uint32_t *place, int32_t count, const qtri_
     } while (place != end);
 }
 
-static void three(uint32_t *out, const uint32_t *place, int32_t count, const qtri_ramp ramp[3],
+static inline void three(uint32_t *out, const uint32_t *place, int32_t count, const qtri_ramp ramp[3],
                   uint32_t shift, uint32_t red, uint32_t green)
 {
     const qtri_ramp r = ramp[0];
@@ -198,6 +198,10 @@ void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *p
         curves(v, out, place, count, shift, red, green);
     } else if (v->channels == 1) {
         one(out, place, count, &v->channel[2], shift);
+#ifndef __OPTIMIZE_SIZE__
+    } else if (red == 11) { /* RGB565: constants leave registers free */
+        three(out, place, count, v->channel, 16, 11, 5);
+#endif
     } else {
         three(out, place, count, v->channel, shift, red, green);
     }
