@@ -97,7 +97,9 @@ static inline int32_t qtri_list_scaled(int32_t f, int32_t e_q18)
 
 static inline uint32_t qtri_list_at(const qtri_ramp *ramp, uint32_t x, uint32_t y)
 {
-    return ramp->origin + x * ramp->dx + y * ramp->dy;
+    uint32_t at = ramp->origin + x * ramp->dx;
+    QTRI_TOGETHER(at)
+    return at + y * ramp->dy;
 }
 
 /* w, 16 bits of fraction. */
