@@ -104,17 +104,18 @@ void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
     }
 }
 
-/* Whether all channels are linear. */
+/* Whether all channels are linear: the one that varies most is. */
 static bool are_linear(const qtri_list_values *v, int first)
 {
     const int32_t(*color)[3] = v->t->color;
+    int32_t most = 0;
     for (int i = first; i < 3; i++) {
-        if (!is_linear(v, (color[v->second][i] - color[0][i]) >> 7,
-                       (color[v->third][i] - color[0][i]) >> 7, 3)) {
-            return false;
-        }
+        const int32_t d1 = (color[v->second][i] - color[0][i]) >> 7;
+        const int32_t d2 = (color[v->third][i] - color[0][i]) >> 7;
+        const int32_t range = qtri_greatest_from_0(d1, d2) - qtri_least_from_0(d1, d2);
+        most = range > most ? range : most;
     }
-    return true;
+    return is_linear(v, most, 0, 3);
 }
 
 void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)
