@@ -334,6 +334,7 @@ static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t coun
     qtri_batch *batch = raster->batch;
     const uint32_t *place = batch->place + first;
     uint32_t *color = batch->color + first;
+    batch->place[count] = *place ^ (uint32_t)1 << 31; /* far from all: it ends a piece of a row */
     count -= first;
     if (raster->texture != NULL) {
         return raster->texturing->color_list(v, color, batch->by.shade + first, place, count);

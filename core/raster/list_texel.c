@@ -131,30 +131,6 @@ static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_li
     qtri_place_ramp(&out->l, v->t->place, &v->inverse, 0, f[0], f[1]);
 }
 
-static inline bool is_below(uint32_t step, int32_t limit)
-{
-    return step + (uint32_t)limit < 2 * (uint32_t)limit;
-}
-
-/* Whether rows are followed: where that is allowed, and they have three pixels in the mean. */
-static void set_blocks(qtri_list_values *v)
-{
-    const qtri_place *p = v->t->place;
-    const int32_t height = qtri_greatest_from_0(p->dy1, p->dy2) - qtri_least_from_0(p->dy1, p->dy2);
-    const int32_t left = qtri_least_from_0(p->dx1, p->dx2);
-    const int32_t right = qtri_greatest_from_0(p->dx1, p->dx2);
-    const int32_t half = (right - left + 0x100) >> 9;
-    if (p->size < (uint32_t)height * (2 * 3 * 256) || !is_below(v->e_q26.dx, QTRI_PIECE_E_Q26) ||
-        !is_below(v->uv[0].l.dx, QTRI_PIECE_L) || !is_below(v->uv[1].l.dx, QTRI_PIECE_L)) {
-        return;
-    }
-    v->blocks = true;
-    v->half = (uint8_t)(half > QTRI_PIECE / 2 ? QTRI_PIECE / 2 : half);
-    v->left = (uint32_t)((left + 128 - p->x) >> 8);
-    const int32_t e_q16 = ((int32_t)v->e_q26.dx >> 10) * v->half; /* <= 1/32 */
-    v->cubic_q16 = (uint8_t)((3 * e_q16 * e_q16) >> 18);
-}
-
 void qtri_list_set_texels(qtri_list_values *v)
 {
     const qtri_raster *raster = v->raster;
@@ -173,7 +149,8 @@ void qtri_list_set_texels(qtri_list_values *v)
                 ((qtri_about(v->e1_q18) | qtri_about(v->e2_q18)) >> 13) == 0 && fill_axes(v, true);
     if (!v->gentle) {
         (void)fill_axes(v, false);
-        set_blocks(v);
+        v->blocks =
+            qtri_list_is_even(&v->uv[0].l) && qtri_list_is_even(&v->uv[1].l) && qtri_list_follow(v);
     }
     if (texture->filter != NULL) {
         for (int i = 0; i < 2; i++) {
@@ -241,8 +218,8 @@ static inline void numbers_gentle(const qtri_list_values *v, uint32_t *number, u
 static uint32_t find_pieces(qtri_list_piece piece[3], const qtri_list_values *v, uint32_t place,
                             bool lit)
 {
-    const uint32_t left = ((place & 0xFFFF) - v->left) & (QTRI_PIECE - 1);
-    const uint32_t x = (place & 0xFFFF) - left + v->half;
+    const uint32_t first = qtri_list_piece_first(v, place);
+    const uint32_t x = (place & 0xFFFF) - (place - first) + v->half;
     const uint32_t y = place >> 16;
     const int32_t w = qtri_list_w(&v->e_q26, x, y);
     qtri_list_piece_set(&piece[0], v, &v->uv[0].l, x, y, w, v->uv[0].at, v->uv[0].up);
@@ -252,10 +229,10 @@ static uint32_t find_pieces(qtri_list_piece piece[3], const qtri_list_values *v,
     } else if (lit) {
         qtri_list_piece_linear(&piece[2], &v->channel[2], x - v->half, y);
     }
-    return place - left;
+    return first;
 }
 
-/* The same along rows, see qtri_list_piece. After the last place there is one far from it. */
+/* The same along rows, see qtri_list_piece. */
 static void numbers_lit(const qtri_list_values *v, uint32_t *number, uint32_t *shade,
                         const uint32_t *place, int32_t count)
 {
@@ -341,7 +318,6 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
     const qtri_texture *texture = raster->texture;
     uint32_t mask = UINT32_MAX;
     if (raster->repeated && texture->filter == NULL) {
-        raster->batch->place[raster->batch->count] = *place ^ (uint32_t)1 << 31;
         if (v->blocks && raster->batch->kind == QTRI_LIST_LIT_TEXELS && v->channels != 0) {
             numbers_lit(v, color, shade, place, count);
             return mask;

@@ -41,6 +41,7 @@ struct qtri_list_values {
     bool gentle;           /* uv are in their units, and |e| is small: see list_texel.c */
     bool blocks;           /* uv may be followed along rows, see qtri_list_piece */
     bool curved;           /* colours are base + l (1 - w), not linear */
+    bool even;             /* such colours may be followed along rows */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
     uint8_t half;          /* of a piece, 4..8 pixels */
     uint8_t cubic_q16;     /* 3/4 of the square of e_x times that: 48 at most */
@@ -135,6 +136,24 @@ typedef struct qtri_list_piece {
 } qtri_list_piece;
 
 enum { QTRI_PIECE = 16, QTRI_PIECE_L = 7 << 17, QTRI_PIECE_E_Q26 = 1 << 18 };
+
+/* Whether l has that limit; |l| is below 2^23.12 anyway. */
+static inline bool qtri_list_is_even(const qtri_ramp *l)
+{
+    return l->dx + QTRI_PIECE_L < 2 * (uint32_t)QTRI_PIECE_L;
+}
+
+/*
+ * Whether rows are followed: where e has its limit, and they have three pixels in the mean. Then
+ * the longest has six, so that no attribute changes by more than a sixth of its range in one.
+ */
+bool qtri_list_follow(qtri_list_values *v);
+
+/* Where the piece begins that has this place; after the last place there is one far from it. */
+static inline uint32_t qtri_list_piece_first(const qtri_list_values *v, uint32_t place)
+{
+    return place - (((place & 0xFFFF) - v->left) & (QTRI_PIECE - 1));
+}
 
 /*
  * Of the pixels around (x, y), where it is w, from v->half to the left of it on: the attribute is
