@@ -131,6 +131,11 @@ static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_li
     qtri_place_ramp(&out->l, v->t->place, &v->inverse, 0, f[0], f[1]);
 }
 
+static bool can_follow(qtri_list_values *v)
+{
+    return qtri_list_is_even(&v->uv[0].l) && qtri_list_is_even(&v->uv[1].l) && qtri_list_follow(v);
+}
+
 void qtri_list_set_texels(qtri_list_values *v)
 {
     const qtri_raster *raster = v->raster;
@@ -142,6 +147,7 @@ void qtri_list_set_texels(qtri_list_values *v)
                    texture->wrap_u == QTRI_CLAMP);
         clamp_axis(&v->uv[1], &v->axis[1], v, &uv[1], texture->height_log2,
                    texture->wrap_v == QTRI_CLAMP);
+        v->blocks = can_follow(v);
         return;
     }
     v->blocks = false;
@@ -273,6 +279,24 @@ static void numbers_along(const qtri_list_values *v, uint32_t *number, const uin
     } while (place != end);
 }
 
+static void coordinates_along(const qtri_list_values *v, uint32_t *out_u, uint32_t *out_v,
+                              const uint32_t *place, int32_t count)
+{
+    const uint32_t *const end = place + count;
+    do {
+        qtri_list_piece piece[3];
+        const uint32_t first = find_pieces(piece, v, *place, false);
+        const qtri_list_piece u_piece = piece[0];
+        const qtri_list_piece v_piece = piece[1];
+        uint32_t d = *place - first;
+        do {
+            *out_u++ = qtri_list_piece_at(&u_piece, d);
+            *out_v++ = qtri_list_piece_at(&v_piece, d);
+            d = *++place - first;
+        } while (d < QTRI_PIECE);
+    } while (place != end);
+}
+
 static void coordinates(const qtri_list_values *v, uint32_t *out_u, uint32_t *out_v,
                         const uint32_t *place, int32_t count)
 {
@@ -333,7 +357,11 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
             numbers_gentle(v, color, shade, place, count, false);
         }
     } else {
-        coordinates(v, color, shade, place, count);
+        if (v->blocks) {
+            coordinates_along(v, color, shade, place, count);
+        } else {
+            coordinates(v, color, shade, place, count);
+        }
         if (texture->filter != NULL) {
             mask = texture->filter->sample(raster, v->axis, color, shade, count);
         } else {
