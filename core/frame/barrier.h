@@ -30,7 +30,7 @@
 #endif
 
 /* What was just computed: a product and its sum are one instruction, which GCC takes apart. */
-#if defined(__GNUC__) && defined(__thumb2__)
+#if defined(__GNUC__) && defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__)
 #define QTRI_TOGETHER(x) QTRI_OPAQUE(x)
 #else
 #define QTRI_TOGETHER(x)

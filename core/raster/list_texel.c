@@ -279,8 +279,8 @@ static void numbers_along(const qtri_list_values *v, uint32_t *number, const uin
     } while (place != end);
 }
 
-static void coordinates_along(const qtri_list_values *v, uint32_t *out_u, uint32_t *out_v,
-                              const uint32_t *place, int32_t count)
+QTRI_NOINLINE static void coordinates_along(const qtri_list_values *v, uint32_t *out_u,
+                                            uint32_t *out_v, const uint32_t *place, int32_t count)
 {
     const uint32_t *const end = place + count;
     do {
