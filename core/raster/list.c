@@ -119,6 +119,7 @@ static void append_few(const list_rows *r, qtri_batch *batch, const qtri_surface
     uint32_t *next = batch->place + batch->count;
     uint32_t place = r->place;
     uint32_t z_row = r->z;
+    // NOLINTNEXTLINE(clang-analyzer-core.*): with a depth test, begin() has set depths
     uint32_t step = r->depth.dx;
     const uint32_t dy = r->depth.dy;
     const uintptr_t pitch = (uintptr_t)(2 * surface->depth_pitch);
@@ -245,6 +246,9 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
     qtri_batch *batch = raster->batch;
     const qtri_format *format = raster->format;
     int32_t count = batch->count;
+    if (count == 0) {
+        return;
+    }
     batch->count = 0;
     if (raster->lit_list != NULL && batch->kind == QTRI_LIST_LIT_TEXELS) {
         raster->lit_list(raster, count);
@@ -369,7 +373,7 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     do {
         const int32_t first = batch->count;
         more = append(&r, raster, t->place->pixels, raster->rejects);
-        if (batch->count != first) {
+        if (batch->count > first) {
             if (!set && raster->texture != NULL) {
                 raster->texturing->set_list(&v);
             }
