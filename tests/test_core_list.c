@@ -494,6 +494,9 @@ static void fused_loops(void **state)
     static qtri_vec3 positions[3 * TRIANGLES];
     static qtri_normal normals[3 * TRIANGLES];
     static uint16_t triangles[TRIANGLES][3];
+    static qtri_vec2 uvs[3 * TRIANGLES];
+    static const qtri_texture texture = {
+        .texels = numbers, .format = &qtri_texel_rgb565, .width_log2 = 7, .height_log2 = 5};
     static qtri_vertex scratch[3 * TRIANGLES];
     uint64_t seed = 7;
     int64_t pixels = 0;
@@ -503,6 +506,7 @@ static void fused_loops(void **state)
     for (int n = 0; n < 4000; n++) {
         const qtri_mesh mesh = {.positions = positions,
                                 .normals = n % 3 == 0 ? NULL : normals,
+                                .uvs = uvs,
                                 .triangles = (const uint16_t(*)[3])triangles,
                                 .vertex_count = 3 * TRIANGLES,
                                 .triangle_count = TRIANGLES};
@@ -511,6 +515,10 @@ static void fused_loops(void **state)
         qtri_material m = drawn_material();
         qtri_view view;
         random_mesh(positions, normals, triangles, &seed);
+        for (size_t i = 0; i < LENGTH_OF(uvs); i++) {
+            uvs[i].x = random_in(&seed, -90000, 90000);
+            uvs[i].y = random_in(&seed, -90000, 90000);
+        }
         qtri_transform_identity(&pose);
         qtri_transform_translate(&pose, vec3_of(0, 0, -3));
         qtri_view_init(&view, WIDTH, HEIGHT);
@@ -524,6 +532,10 @@ static void fused_loops(void **state)
         m.cull = n % 2 == 0 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
         m.color.r = (uint8_t)random_in(&seed, 0, 255);
         m.color.g = (uint8_t)random_in(&seed, 0, 255);
+        if (n % 11 < 5) {
+            m.texture = &texture;
+            m.depth_compare = n % 2 == 0 ? QTRI_LESS : QTRI_LESS_EQUAL;
+        }
         canvas_clear(&fused);
         canvas_clear(&stages);
         canvas_clear(&bands);

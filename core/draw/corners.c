@@ -29,24 +29,54 @@ void qtri_corners_fetch(const qtri_primitive *primitive, const qtri_corner *corn
     qtri_projector_points(&primitive->projector, position, count, v);
 }
 
+static inline bool is_at(const qtri_vec4 *a, const qtri_vec4 *b)
+{
+    return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+/* The vertex of three corners that is at this position; NULL: none. */
+static inline const qtri_vertex *find_vertex(const qtri_vertex v[3], const qtri_corner *corners,
+                                             const qtri_vec4 *position)
+{
+    if (is_at(&corners[2].position, position)) { /* fans and strips share these */
+        return &v[2];
+    }
+    if (is_at(&corners[0].position, position)) {
+        return &v[0];
+    }
+    return is_at(&corners[1].position, position) ? &v[1] : NULL;
+}
+
 QTRI_NOINLINE qtri_corners_fate qtri_corners_place(const qtri_primitive *primitive,
+                                                   qtri_corner_vertices *kept,
                                                    const qtri_corner *corners,
                                                    qtri_fan_vertex fan[3])
 {
+    const qtri_vertex *before = kept->before;
+    qtri_vertex *v = kept->vertex[before == kept->vertex[0]];
+    kept->before = NULL;
     qtri_vec3 p[3];
-    qtri_vertex v[3];
-    for (int i = 0; i < 3; i++) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < 3; i++) {
         const qtri_vec4 *position = &corners[i].position;
         if (position->w != Q16_ONE) {
             return QTRI_CORNERS_ELSEWHERE;
         }
+        const qtri_vertex *same =
+            before != NULL ? find_vertex(before, corners - 3, position) : NULL;
+        if (same != NULL) {
+            v[i] = *same;
+            continue;
+        }
         p[i].x = position->x;
         p[i].y = position->y;
         p[i].z = position->z;
+        v[count++].index = (uint16_t)i;
     }
-    if (!qtri_projector_vertices(&primitive->projector, p, 3, v)) {
+    if (count != 0 && !qtri_projector_list(&primitive->projector, p, count, v)) {
         return QTRI_CORNERS_ELSEWHERE;
     }
+    kept->before = v;
     const int64_t area = qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at);
     if (area == 0 || qtri_is_culled(primitive->material->cull, area)) {
         return QTRI_CORNERS_CULLED;
@@ -72,10 +102,13 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
     qtri_primitive primitive;
     qtri_primitive_init(&primitive, surface, view, pose, material);
     const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
+    qtri_corner_vertices kept;
+    kept.before = NULL;
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         qtri_shape shape;
         const qtri_corners_fate found =
-            solid ? qtri_corners_place(&primitive, &corners[i], shape.fan) : QTRI_CORNERS_ELSEWHERE;
+            solid ? qtri_corners_place(&primitive, &kept, &corners[i], shape.fan)
+                  : QTRI_CORNERS_ELSEWHERE;
         if (found == QTRI_CORNERS_SEEN) {
             qtri_primitive_inside(&primitive, shape.fan, qtri_corners_attributes, &corners[i]);
         } else if (found == QTRI_CORNERS_ELSEWHERE) {

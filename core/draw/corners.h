@@ -14,9 +14,18 @@ typedef enum qtri_corners_fate {
     QTRI_CORNERS_SEEN /* all of it */
 } qtri_corners_fate;
 
+/*
+ * Vertices of a triangle and of the one before, with which it shares a third of its corners or more
+ * where triangles are in the order that files have them in. `before` is NULL where none was placed.
+ */
+typedef struct qtri_corner_vertices {
+    qtri_vertex vertex[2][3];
+    const qtri_vertex *before;
+} qtri_corner_vertices;
+
 /* A solid triangle whose corners are like vertices of a mesh, as most are: in their way. */
-qtri_corners_fate qtri_corners_place(const qtri_primitive *primitive, const qtri_corner *corners,
-                                     qtri_fan_vertex fan[3]);
+qtri_corners_fate qtri_corners_place(const qtri_primitive *primitive, qtri_corner_vertices *kept,
+                                     const qtri_corner *corners, qtri_fan_vertex fan[3]);
 
 /* Transforms `count` corners of one primitive, which then share one scale. */
 void qtri_corners_fetch(const qtri_primitive *primitive, const qtri_corner *corners, int count,

@@ -58,8 +58,9 @@ static void light(qtri_corner lit[3], const qtri_illumination *by, const qtri_co
     }
 }
 
-static void draw_lit(const qtri_primitive *primitive, const qtri_illumination *by,
-                     const qtri_corner *corners, const qtri_normal *normals)
+static void draw_lit(const qtri_primitive *primitive, qtri_corner_vertices *kept,
+                     const qtri_illumination *by, const qtri_corner *corners,
+                     const qtri_normal *normals)
 {
     const qtri_material *material = primitive->material;
     const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
@@ -67,7 +68,7 @@ static void draw_lit(const qtri_primitive *primitive, const qtri_illumination *b
     qtri_shape shape;
     qtri_corner lit[3];
     const qtri_corners_fate found =
-        solid ? qtri_corners_place(primitive, corners, shape.fan) : QTRI_CORNERS_ELSEWHERE;
+        solid ? qtri_corners_place(primitive, kept, corners, shape.fan) : QTRI_CORNERS_ELSEWHERE;
     if (found == QTRI_CORNERS_SEEN) {
         const bool is_back =
             qtri_triangle_area(&shape.fan[0].at, &shape.fan[1].at, &shape.fan[2].at) > 0;
@@ -91,10 +92,13 @@ void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
     }
     qtri_primitive primitive;
     qtri_illumination illumination;
+    qtri_corner_vertices kept;
+    kept.before = NULL;
     qtri_primitive_init(&primitive, surface, view, pose, material);
     qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
-        draw_lit(&primitive, &illumination, &corners[i], normals != NULL ? &normals[i] : NULL);
+        draw_lit(&primitive, &kept, &illumination, &corners[i],
+                 normals != NULL ? &normals[i] : NULL);
     }
     qtri_primitive_finish(&primitive);
 }

@@ -3,23 +3,35 @@
 #include "pairs.h"
 
 #if QTRI_PAIRS
-static const qtri_fused lequal = {qtri_flat_pairs_lequal,
-                                  qtri_smooth_pairs_lequal,
-                                  qtri_copy_pairs_lequal,
-                                  qtri_copy_bent_lequal,
-                                  NULL,
-                                  NULL};
-static const qtri_fused loops = {qtri_flat_pairs,     qtri_smooth_pairs, qtri_copy_pairs,
-                                 qtri_copy_bent_less, &lequal,           NULL};
+static const qtri_fused lequal = {.flat = qtri_flat_pairs_lequal,
+                                  .smooth = qtri_smooth_pairs_lequal,
+                                  .copy = qtri_copy_pairs_lequal,
+                                  .copy_bent = qtri_copy_bent_lequal,
+                                  .lit = qtri_lit_list};
+static const qtri_fused loops = {.flat = qtri_flat_pairs,
+                                 .smooth = qtri_smooth_pairs,
+                                 .copy = qtri_copy_pairs,
+                                 .copy_bent = qtri_copy_bent_less,
+                                 .lit = qtri_lit_list,
+                                 .less_equal = &lequal};
 #elif defined(__OPTIMIZE_SIZE__)
-/* Rolled, the loop for smooth colours is slower than the stages. */
-static const qtri_fused loops = {qtri_flat_less,      NULL, qtri_copy_less,
-                                 qtri_copy_bent_less, NULL, NULL};
+/* Rolled, a loop for smooth colours would be slower than the stages. */
+static const qtri_fused loops = {.flat = qtri_flat_less,
+                                 .copy = qtri_copy_less,
+                                 .copy_bent = qtri_copy_bent_less,
+                                 .lit = qtri_lit_list};
 #else
-static const qtri_fused lequal = {
-    qtri_flat_lequal, qtri_smooth_lequal, qtri_copy_lequal, qtri_copy_bent_lequal, NULL, NULL};
-static const qtri_fused loops = {qtri_flat_less,      qtri_smooth_less, qtri_copy_less,
-                                 qtri_copy_bent_less, &lequal,          NULL};
+static const qtri_fused lequal = {.flat = qtri_flat_lequal,
+                                  .smooth = qtri_smooth_lequal,
+                                  .copy = qtri_copy_lequal,
+                                  .copy_bent = qtri_copy_bent_lequal,
+                                  .lit = qtri_lit_list};
+static const qtri_fused loops = {.flat = qtri_flat_less,
+                                 .smooth = qtri_smooth_less,
+                                 .copy = qtri_copy_less,
+                                 .copy_bent = qtri_copy_bent_less,
+                                 .lit = qtri_lit_list,
+                                 .less_equal = &lequal};
 #endif
 
 const qtri_format qtri_rgb565 = {&qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565,

@@ -10,13 +10,13 @@ static void encode(uint32_t *color, int32_t count)
 
 /* A stored pixel is one as any other of 16 bits. */
 #if QTRI_PAIRS
-static const qtri_fused lequal = {qtri_flat_pairs_lequal, NULL, NULL, NULL, NULL, NULL};
-static const qtri_fused loops = {qtri_flat_pairs, NULL, NULL, NULL, &lequal, NULL};
+static const qtri_fused lequal = {.flat = qtri_flat_pairs_lequal};
+static const qtri_fused loops = {.flat = qtri_flat_pairs, .less_equal = &lequal};
 #elif defined(__OPTIMIZE_SIZE__)
-static const qtri_fused loops = {qtri_flat_less, NULL, NULL, NULL, NULL, NULL};
+static const qtri_fused loops = {.flat = qtri_flat_less};
 #else
-static const qtri_fused lequal = {qtri_flat_lequal, NULL, NULL, NULL, NULL, NULL};
-static const qtri_fused loops = {qtri_flat_less, NULL, NULL, NULL, &lequal, NULL};
+static const qtri_fused lequal = {.flat = qtri_flat_lequal};
+static const qtri_fused loops = {.flat = qtri_flat_less, .less_equal = &lequal};
 #endif
 
 const qtri_format qtri_rgb565_swapped = {&qtri_pixels_16, &qtri_colors_565, encode,

@@ -31,6 +31,8 @@ static inline bool qtri_passes(uint32_t top, uint32_t stored, bool equal)
     return equal ? top <= stored : top < stored;
 }
 
+void qtri_lit_list(const qtri_raster *raster, int32_t count);
+
 /*
  * Small triangles of a mesh of one colour, in any format of 16 bits: what a raster asks of them,
  * and the loop, see raster.h.

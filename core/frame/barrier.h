@@ -29,6 +29,13 @@
 #define QTRI_BRANCH
 #endif
 
+/* What was just computed: a product and its sum are one instruction, which GCC takes apart. */
+#if defined(__GNUC__) && defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__)
+#define QTRI_TOGETHER(x) QTRI_OPAQUE(x)
+#else
+#define QTRI_TOGETHER(x)
+#endif
+
 /* Bytes in the other order: an instruction of Arm's, which the barrier keeps whole. */
 static inline uint32_t qtri_reversed(uint32_t x)
 {

@@ -3,7 +3,6 @@
 
 #include "../bits/bits.h"
 
-/* Rounded. A ratio of 1 is 0 in Q32. */
 static int32_t scaled(int32_t color_8p16, uint32_t ratio_q30)
 {
     const uint32_t white = (uint32_t)255 << 16;
@@ -12,11 +11,7 @@ static int32_t scaled(int32_t color_8p16, uint32_t ratio_q30)
         QTRI_RARELY();
         c = color_8p16 < 0 ? 0 : white;
     }
-    uint32_t ratio_q32 = ratio_q30 << 2;
-    if (ratio_q32 != 0) {
-        c = (uint32_t)((qtri_mul_u32(c, ratio_q32) + ((uint32_t)1 << 31)) >> 32);
-    }
-    return (int32_t)c;
+    return (int32_t)qtri_channel_scaled(c, ratio_q30);
 }
 
 qtri_channels qtri_channels_from_color(const qtri_colors *colors, const int32_t color_8p16[3])

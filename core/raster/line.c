@@ -6,7 +6,7 @@
 #include "effect.h"
 #include "line_path.h"
 
-#include "../frame/colors.h"
+#include "../frame/pixel.h"
 
 /* Pixels begin..end - 1 of a path are inside along the major axis, these on the minor one. */
 typedef struct limits {
@@ -81,21 +81,6 @@ static void ramp_init(qtri_line_ramp *r, int32_t from, int32_t to, int32_t along
     r->step = (uint32_t)quotient * 256u + (uint32_t)qtri_divide(remainder * 256, by);
 }
 
-/*
- * A channel in steps of a colour word, n.16: color_8p16 (0..255.0) times ratio_q30 to nearest, as
- * qtri_channels_from_color has it. A ratio of 1 is 0 in Q32.
- */
-static inline uint32_t scaled(int32_t color_8p16, uint32_t ratio_q30)
-{
-    const uint32_t ratio_q32 = ratio_q30 << 2;
-    const uint32_t c = (uint32_t)color_8p16;
-    if (ratio_q32 == 0) {
-        return c;
-    }
-    const uint64_t product = qtri_mul_u32(c, ratio_q32);
-    return (uint32_t)(product >> 32) + ((uint32_t)product >> 31);
-}
-
 /* Colours from the chunk's first pixel on: channels in steps of a colour word, n.16. */
 typedef struct shade {
     qtri_line_ramp channel[3];
@@ -110,12 +95,12 @@ QTRI_NOINLINE static void shade_init(shade *s, const qtri_colors *colors, const 
     const uint32_t *ratio_q30 = colors->ratio_q30;
     uint32_t from[3];
     uint32_t to[3];
-    from[0] = scaled(first[0], ratio_q30[0]) + half;
-    to[0] = scaled(last[0], ratio_q30[0]) + half;
-    from[1] = scaled(first[1], ratio_q30[1]) + half;
-    to[1] = scaled(last[1], ratio_q30[1]) + half;
-    from[2] = scaled(first[2], ratio_q30[2]) + half;
-    to[2] = scaled(last[2], ratio_q30[2]) + half;
+    from[0] = qtri_channel_scaled((uint32_t)first[0], ratio_q30[0]) + half;
+    to[0] = qtri_channel_scaled((uint32_t)last[0], ratio_q30[0]) + half;
+    from[1] = qtri_channel_scaled((uint32_t)first[1], ratio_q30[1]) + half;
+    to[1] = qtri_channel_scaled((uint32_t)last[1], ratio_q30[1]) + half;
+    from[2] = qtri_channel_scaled((uint32_t)first[2], ratio_q30[2]) + half;
+    to[2] = qtri_channel_scaled((uint32_t)last[2], ratio_q30[2]) + half;
     if (colors->single) {
         from[2] += from[0] + from[1] - 2 * half;
         to[2] += to[0] + to[1] - 2 * half;
@@ -462,9 +447,9 @@ static const struct {
 
 static void set_tint(qtri_line_job *job, const qtri_colors *colors, qtri_rgb color)
 {
-    uint32_t channel[3] = {scaled(color.r << 16, colors->ratio_q30[0]),
-                           scaled(color.g << 16, colors->ratio_q30[1]),
-                           scaled(color.b << 16, colors->ratio_q30[2])};
+    uint32_t channel[3] = {qtri_channel_scaled((uint32_t)color.r << 16, colors->ratio_q30[0]),
+                           qtri_channel_scaled((uint32_t)color.g << 16, colors->ratio_q30[1]),
+                           qtri_channel_scaled((uint32_t)color.b << 16, colors->ratio_q30[2])};
     if (colors->single) {
         channel[2] += channel[0] + channel[1];
         channel[0] = channel[1] = 0;

@@ -110,6 +110,54 @@ static bool append_less(list_rows *r, qtri_batch *batch, const qtri_surface *sur
 #undef PIXELS
 }
 
+#ifndef __OPTIMIZE_SIZE__
+/*
+ * The same of a triangle with room for all of its pixels, as most have: what changes from row to
+ * row stays in registers. Addresses are integers, since no pointer may lead to the left of a row.
+ */
+static void append_few(const list_rows *r, qtri_batch *batch, const qtri_surface *surface)
+{
+    const uint8_t *span = r->span;
+    uint32_t *next = batch->place + batch->count;
+    uint32_t place = r->place;
+    uint32_t z_row = r->z;
+    // NOLINTNEXTLINE(clang-analyzer-core.*): with a depth test, begin() has set depths
+    uint32_t step = r->depth.dx;
+    const uint32_t dy = r->depth.dy;
+    const uintptr_t pitch = (uintptr_t)(2 * surface->depth_pitch);
+    uintptr_t depths = (uintptr_t)surface->depth + (uintptr_t)(2 * r->depth_at);
+    for (;;) {
+        const uint32_t x = span[0];
+        const uint32_t end = span[1];
+        span += 2;
+        if (x < end) {
+            uint32_t z = z_row + x * step;
+            uint32_t at = place + x;
+            uint16_t *depth = (uint16_t *)(depths + 2 * x); /* NOLINT(performance-no-int-to-ptr) */
+            const uint16_t *const row_end = depth + (end - x);
+            do {
+                if (z >> 16 < *depth) {
+                    QTRI_BRANCH
+                    *depth = (uint16_t)(z >> 16);
+                    *next++ = at;
+                }
+                z += step;
+                at++;
+                depth++;
+                QTRI_OPAQUE(depth)
+                QTRI_ASIDE(step)
+            } while (depth != row_end);
+        } else if (x == QTRI_PLACE_STOP) {
+            break;
+        }
+        place += (uint32_t)1 << 16;
+        z_row += dy;
+        depths += pitch;
+    }
+    batch->count = (uint8_t)(next - batch->place);
+}
+#endif
+
 /* Any comparison: `passes` has bits for less, equal, greater. */
 static bool append_passing(list_rows *r, qtri_batch *batch, const qtri_surface *surface,
                            uint32_t passes, bool write)
@@ -138,8 +186,8 @@ static bool append_passing(list_rows *r, qtri_batch *batch, const qtri_surface *
 #undef PIXELS
 }
 
-/* `late`: depths are written with the pixels. */
-static bool append(list_rows *r, const qtri_raster *raster, bool late)
+/* `pixels`: there are no more. `late`: depths are written with the pixels. */
+static bool append(list_rows *r, const qtri_raster *raster, int32_t pixels, bool late)
 {
     const qtri_surface *surface = raster->surface;
     qtri_batch *batch = raster->batch;
@@ -148,6 +196,12 @@ static bool append(list_rows *r, const qtri_raster *raster, bool late)
     }
     const bool write = raster->depth_write && !late;
     if (raster->compare == QTRI_LESS && write) {
+#ifndef __OPTIMIZE_SIZE__
+        if (pixels <= QTRI_BATCH - batch->count) {
+            append_few(r, batch, surface);
+            return false;
+        }
+#endif
         return append_less(r, batch, surface);
     }
     const uint32_t passes =
@@ -170,7 +224,14 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
     qtri_batch *batch = raster->batch;
     const qtri_format *format = raster->format;
     int32_t count = batch->count;
+    if (count == 0) {
+        return;
+    }
     batch->count = 0;
+    if (raster->lit_list != NULL && batch->kind == QTRI_LIST_LIT_TEXELS) {
+        raster->lit_list(raster, count);
+        return;
+    }
     if (raster->texture != NULL) {
         mask = raster->texturing->finish_list(raster, count, mask);
     } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
@@ -253,6 +314,7 @@ static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t coun
     qtri_batch *batch = raster->batch;
     const uint32_t *place = batch->place + first;
     uint32_t *color = batch->color + first;
+    batch->place[count] = *place ^ (uint32_t)1 << 31; /* far from all: it ends a piece of a row */
     count -= first;
     if (raster->texture != NULL) {
         return raster->texturing->color_list(v, color, batch->by.shade + first, place, count);
@@ -290,8 +352,8 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     }
     do {
         const int32_t first = batch->count;
-        more = append(&r, raster, raster->rejects);
-        if (batch->count != first) {
+        more = append(&r, raster, t->place->pixels, raster->rejects);
+        if (batch->count > first) {
             if (!set && raster->texture != NULL) {
                 raster->texturing->set_list(&v);
             }

@@ -110,6 +110,11 @@ static void clamp_axis(qtri_list_axis *out, qtri_texel_axis *axis, const qtri_li
     qtri_place_ramp(&out->l, v->t->place, &v->inverse, 0, f[0], f[1]);
 }
 
+static bool can_follow(qtri_list_values *v)
+{
+    return qtri_list_is_even(&v->uv[0].l) && qtri_list_is_even(&v->uv[1].l) && qtri_list_follow(v);
+}
+
 void qtri_list_set_texels(qtri_list_values *v)
 {
     const qtri_raster *raster = v->raster;
@@ -121,12 +126,16 @@ void qtri_list_set_texels(qtri_list_values *v)
                    texture->wrap_u == QTRI_CLAMP);
         clamp_axis(&v->uv[1], &v->axis[1], v, &uv[1], texture->height_log2,
                    texture->wrap_v == QTRI_CLAMP);
+        v->blocks = can_follow(v);
         return;
     }
+    v->blocks = false;
     v->gentle = texture->filter == NULL &&
                 ((qtri_about(v->e1_q18) | qtri_about(v->e2_q18)) >> 13) == 0 && fill_axes(v, true);
     if (!v->gentle) {
         (void)fill_axes(v, false);
+        v->blocks =
+            qtri_list_is_even(&v->uv[0].l) && qtri_list_is_even(&v->uv[1].l) && qtri_list_follow(v);
     }
     if (texture->filter != NULL) {
         for (int i = 0; i < 2; i++) {
@@ -190,6 +199,83 @@ static inline void numbers_gentle(const qtri_list_values *v, uint32_t *number, u
     } while (place != end);
 }
 
+/* The pieces of the row that the fragment at a place is in; returns where they begin. */
+static uint32_t find_pieces(qtri_list_piece piece[3], const qtri_list_values *v, uint32_t place,
+                            bool lit)
+{
+    const uint32_t first = qtri_list_piece_first(v, place);
+    const uint32_t x = (place & 0xFFFF) - (place - first) + v->half;
+    const uint32_t y = place >> 16;
+    const int32_t w = qtri_list_w(&v->e_q26, x, y);
+    qtri_list_piece_set(&piece[0], v, &v->uv[0].l, x, y, w, v->uv[0].at, v->uv[0].up);
+    qtri_list_piece_set(&piece[1], v, &v->uv[1].l, x, y, w, v->uv[1].at, v->uv[1].up);
+    if (lit && v->curved) {
+        qtri_list_piece_set(&piece[2], v, &v->channel[2], x, y, w, v->base[2], 0);
+    } else if (lit) {
+        qtri_list_piece_linear(&piece[2], &v->channel[2], x - v->half, y);
+    }
+    return first;
+}
+
+/* The same along rows, see qtri_list_piece. */
+static void numbers_lit(const qtri_list_values *v, uint32_t *number, uint32_t *shade,
+                        const uint32_t *place, int32_t count)
+{
+    const uint32_t cut = v->raster->texel_cut;
+    const uint32_t *const end = place + count;
+    do {
+        qtri_list_piece piece[3];
+        const uint32_t first = find_pieces(piece, v, *place, true);
+        const qtri_list_piece u_piece = piece[0];
+        const qtri_list_piece v_piece = piece[1];
+        const qtri_list_piece light = piece[2];
+        uint32_t d = *place - first;
+        do {
+            *shade++ = qtri_list_piece_at(&light, d) >> QTRI_LIGHT_SHIFT;
+            *number++ = qtri_texel_index(qtri_list_piece_at(&u_piece, d),
+                                         qtri_list_piece_at(&v_piece, d), cut);
+            d = *++place - first;
+        } while (d < QTRI_PIECE);
+    } while (place != end);
+}
+
+static void numbers_along(const qtri_list_values *v, uint32_t *number, const uint32_t *place,
+                          int32_t count)
+{
+    const uint32_t cut = v->raster->texel_cut;
+    const uint32_t *const end = place + count;
+    do {
+        qtri_list_piece piece[3];
+        const uint32_t first = find_pieces(piece, v, *place, false);
+        const qtri_list_piece u_piece = piece[0];
+        const qtri_list_piece v_piece = piece[1];
+        uint32_t d = *place - first;
+        do {
+            *number++ = qtri_texel_index(qtri_list_piece_at(&u_piece, d),
+                                         qtri_list_piece_at(&v_piece, d), cut);
+            d = *++place - first;
+        } while (d < QTRI_PIECE);
+    } while (place != end);
+}
+
+QTRI_NOINLINE static void coordinates_along(const qtri_list_values *v, uint32_t *out_u,
+                                            uint32_t *out_v, const uint32_t *place, int32_t count)
+{
+    const uint32_t *const end = place + count;
+    do {
+        qtri_list_piece piece[3];
+        const uint32_t first = find_pieces(piece, v, *place, false);
+        const qtri_list_piece u_piece = piece[0];
+        const qtri_list_piece v_piece = piece[1];
+        uint32_t d = *place - first;
+        do {
+            *out_u++ = qtri_list_piece_at(&u_piece, d);
+            *out_v++ = qtri_list_piece_at(&v_piece, d);
+            d = *++place - first;
+        } while (d < QTRI_PIECE);
+    } while (place != end);
+}
+
 static void coordinates(const qtri_list_values *v, uint32_t *out_u, uint32_t *out_v,
                         const uint32_t *place, int32_t count)
 {
@@ -235,7 +321,13 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
     const qtri_texture *texture = raster->texture;
     uint32_t mask = UINT32_MAX;
     if (raster->repeated && texture->filter == NULL) {
-        if (!v->gentle) {
+        if (v->blocks && raster->batch->kind == QTRI_LIST_LIT_TEXELS && v->channels != 0) {
+            numbers_lit(v, color, shade, place, count);
+            return mask;
+        }
+        if (v->blocks) {
+            numbers_along(v, color, place, count);
+        } else if (!v->gentle) {
             numbers_repeated(v, color, place, count);
         } else if (raster->batch->kind == QTRI_LIST_LIT_TEXELS && v->channels != 0 && !v->curved) {
             numbers_gentle(v, color, shade, place, count, true);
@@ -244,7 +336,11 @@ uint32_t qtri_list_texels(const qtri_list_values *v, uint32_t *color, uint32_t *
             numbers_gentle(v, color, shade, place, count, false);
         }
     } else {
-        coordinates(v, color, shade, place, count);
+        if (v->blocks) {
+            coordinates_along(v, color, shade, place, count);
+        } else {
+            coordinates(v, color, shade, place, count);
+        }
         if (texture->filter != NULL) {
             mask = texture->filter->sample(raster, v->axis, color, shade, count);
         } else {

@@ -42,6 +42,24 @@ void qtri_list_find_e(qtri_list_values *v)
     }
 }
 
+bool qtri_list_follow(qtri_list_values *v)
+{
+    const qtri_place *p = v->t->place;
+    const int32_t height = qtri_greatest_from_0(p->dy1, p->dy2) - qtri_least_from_0(p->dy1, p->dy2);
+    const int32_t left = qtri_least_from_0(p->dx1, p->dx2);
+    const int32_t right = qtri_greatest_from_0(p->dx1, p->dx2);
+    const int32_t half = (right - left + 0x100) >> 9;
+    const uint32_t limit = QTRI_PIECE_E_Q26;
+    if (p->size < (uint32_t)height * (2 * 3 * 256) || v->e_q26.dx + limit >= 2 * limit) {
+        return false;
+    }
+    v->half = (uint8_t)(half > QTRI_PIECE / 2 ? QTRI_PIECE / 2 : half);
+    v->left = (uint32_t)((left + 128 - p->x) >> 8);
+    const int32_t e_q16 = ((int32_t)v->e_q26.dx >> 10) * v->half; /* <= 1/32 */
+    v->cubic_q16 = (uint8_t)((3 * e_q16 * e_q16) >> 18);
+    return true;
+}
+
 /* Colours ------------------------------------------------------------------------------------- */
 
 uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t)
@@ -99,22 +117,24 @@ void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
     if (v->curved) {
         qtri_list_find_e(v);
         curve_of(&v->channel[2], v, f1, f2);
+        v->even = qtri_list_follow(v);
     } else {
         ramp_of(&v->channel[2], v, v->base[2], f1, f2);
     }
 }
 
-/* Whether all channels are linear. */
+/* Whether all channels are linear: the one that varies most is. */
 static bool are_linear(const qtri_list_values *v, int first)
 {
     const int32_t(*color)[3] = v->t->color;
+    int32_t most = 0;
     for (int i = first; i < 3; i++) {
-        if (!is_linear(v, (color[v->second][i] - color[0][i]) >> 7,
-                       (color[v->third][i] - color[0][i]) >> 7, 3)) {
-            return false;
-        }
+        const int32_t d1 = (color[v->second][i] - color[0][i]) >> 7;
+        const int32_t d2 = (color[v->third][i] - color[0][i]) >> 7;
+        const int32_t range = qtri_greatest_from_0(d1, d2) - qtri_least_from_0(d1, d2);
+        most = range > most ? range : most;
     }
-    return true;
+    return is_linear(v, most, 0, 3);
 }
 
 void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)
@@ -127,6 +147,7 @@ void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)
     v->channels = (uint8_t)(3 - first);
     if (!linear) {
         qtri_list_find_e(v);
+        v->even = qtri_list_follow(v);
     }
     for (int i = first; i < 3; i++) {
         const int32_t c0 = color[0][i];
@@ -137,6 +158,8 @@ void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)
             ramp_of(&v->channel[i], v, v->base[i], f1, f2);
         } else {
             curve_of(&v->channel[i], v, f1, f2);
+            v->even = v->even && (qtri_about(f1) | qtri_about(f2)) >> 15 == 0 &&
+                      qtri_list_is_even(&v->channel[i]);
         }
     }
 }
@@ -152,8 +175,8 @@ static void one(uint32_t *out, const uint32_t *place, int32_t count, const qtri_
     } while (place != end);
 }
 
-static void three(uint32_t *out, const uint32_t *place, int32_t count, const qtri_ramp ramp[3],
-                  uint32_t shift, uint32_t red, uint32_t green)
+static inline void three(uint32_t *out, const uint32_t *place, int32_t count,
+                         const qtri_ramp ramp[3], uint32_t shift, uint32_t red, uint32_t green)
 {
     const qtri_ramp r = ramp[0];
     const qtri_ramp g = ramp[1];
@@ -187,6 +210,33 @@ static void curves(const qtri_list_values *v, uint32_t *out, const uint32_t *pla
     } while (place != end);
 }
 
+/* The same along rows, see qtri_list_piece. */
+static void curves_along(const qtri_list_values *v, uint32_t *out, const uint32_t *place,
+                         int32_t count, uint32_t shift, uint32_t red, uint32_t green)
+{
+    const uint32_t *const end = place + count;
+    qtri_list_piece piece[3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    do {
+        const uint32_t first = qtri_list_piece_first(v, *place);
+        const uint32_t x = (*place & 0xFFFF) - (*place - first) + v->half;
+        const uint32_t y = *place >> 16;
+        const int32_t w = qtri_list_w(&v->e_q26, x, y);
+        for (int i = 3 - v->channels; i < 3; i++) {
+            qtri_list_piece_set(&piece[i], v, &v->channel[i], x, y, w, v->base[i], 0);
+        }
+        const qtri_list_piece r = piece[0];
+        const qtri_list_piece g = piece[1];
+        const qtri_list_piece b = piece[2];
+        uint32_t d = *place - first;
+        do {
+            *out++ = qtri_list_piece_at(&r, d) >> shift << red |
+                     qtri_list_piece_at(&g, d) >> shift << green |
+                     qtri_list_piece_at(&b, d) >> shift;
+            d = *++place - first;
+        } while (d < QTRI_PIECE);
+    } while (place != end);
+}
+
 void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *place, int32_t count,
                      uint32_t shift, uint32_t red, uint32_t green)
 {
@@ -194,10 +244,16 @@ void qtri_list_words(const qtri_list_values *v, uint32_t *out, const uint32_t *p
         do {
             *out++ = v->constant;
         } while (--count > 0);
+    } else if (v->curved && v->even) {
+        curves_along(v, out, place, count, shift, red, green);
     } else if (v->curved) {
         curves(v, out, place, count, shift, red, green);
     } else if (v->channels == 1) {
         one(out, place, count, &v->channel[2], shift);
+#ifndef __OPTIMIZE_SIZE__
+    } else if (red == 11) { /* RGB565: constants leave registers free */
+        three(out, place, count, v->channel, 16, 11, 5);
+#endif
     } else {
         three(out, place, count, v->channel, shift, red, green);
     }

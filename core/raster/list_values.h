@@ -40,8 +40,13 @@ struct qtri_list_values {
     uint8_t second, third; /* vertices in the order of the place */
     bool has_e;            /* e is set */
     bool gentle;           /* uv are in their units, and |e| is small: see list_texel.c */
+    bool blocks;           /* uv may be followed along rows, see qtri_list_piece */
     bool curved;           /* colours are base + l (1 - w), not linear */
+    bool even;             /* such colours may be followed along rows */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
+    uint8_t half;          /* of a piece, 4..8 pixels */
+    uint8_t cubic_q16;     /* 3/4 of the square of e_x times that: 48 at most */
+    uint32_t left;         /* where they begin */
     int32_t e1_q18, e2_q18;
     qtri_ramp e_q26;
     uint32_t constant; /* without channels: the word */
@@ -99,7 +104,9 @@ static inline int32_t qtri_list_scaled(int32_t f, int32_t e_q18)
 
 static inline uint32_t qtri_list_at(const qtri_ramp *ramp, uint32_t x, uint32_t y)
 {
-    return ramp->origin + x * ramp->dx + y * ramp->dy;
+    uint32_t at = ramp->origin + x * ramp->dx;
+    QTRI_TOGETHER(at)
+    return at + y * ramp->dy;
 }
 
 /* w, 16 bits of fraction. */
@@ -115,6 +122,77 @@ static inline int32_t qtri_list_w(const qtri_ramp *e_q26, uint32_t x, uint32_t y
 static inline int32_t qtri_list_divided(int32_t l, int32_t w)
 {
     return l - (((l >> 6) * w) >> 10);
+}
+
+/*
+ * Along rows. From a pixel in the middle, with s = l / (1 + e), y = 1 / (1 + e) and E = e_x y, an
+ * attribute is d pixels farther right
+ *
+ *     s + b d / (1 + E d) = s + b (d - E d^2 + E^2 d^3 - ...), b = (l_x - s e_x) y
+ *
+ * For |d| <= h the cubic term is 3/4 E^2 h^2 d within E^2 h^3 / 4: h = 8 and |e_x| < 1/256 make
+ * that 1/500 of a pixel. The sixteen are counted from the leftmost vertex of the triangle, so that
+ * a pixel's value does not depend on which of them are drawn. The middle may be outside of the
+ * triangle, so |l_x| has a limit too: l, below 2^23.12 in the triangle, is then below 2^23.97, and
+ * |e| < 1/12.8 + 1/32, so that the products of qtri_list_divided are below 2^31.
+ */
+typedef struct qtri_list_piece {
+    uint32_t at; /* at the first of them */
+    uint32_t step, bend;
+} qtri_list_piece;
+
+enum { QTRI_PIECE = 16, QTRI_PIECE_L = 7 << 17, QTRI_PIECE_E_Q26 = 1 << 18 };
+
+/* Whether l has that limit; |l| is below 2^23.12 anyway. */
+static inline bool qtri_list_is_even(const qtri_ramp *l)
+{
+    return l->dx + QTRI_PIECE_L < 2 * (uint32_t)QTRI_PIECE_L;
+}
+
+/*
+ * Whether rows are followed: where e has its limit, and they have three pixels in the mean. Then
+ * the longest has six, so that no attribute changes by more than a sixth of its range in one.
+ */
+bool qtri_list_follow(qtri_list_values *v);
+
+/* Where the piece begins that has this place; after the last place there is one far from it. */
+static inline uint32_t qtri_list_piece_first(const qtri_list_values *v, uint32_t place)
+{
+    return place - (((place & 0xFFFF) - v->left) & (QTRI_PIECE - 1));
+}
+
+/*
+ * Of the pixels around (x, y), where it is w, from v->half to the left of it on: the attribute is
+ * base + s 2^up.
+ */
+static inline void qtri_list_piece_set(qtri_list_piece *piece, const qtri_list_values *v,
+                                       const qtri_ramp *l, uint32_t x, uint32_t y, int32_t w,
+                                       uint32_t base, int32_t up)
+{
+    const int32_t h = v->half;
+    const int32_t inverse = ((int32_t)1 << 16) - w; /* < 2^16.17 */
+    const int32_t e_q23 = (int32_t)v->e_q26.dx >> 3;
+    const int32_t s = qtri_list_divided((int32_t)qtri_list_at(l, x, y), w);          /* < 2^24.2 */
+    const int32_t slope = (int32_t)l->dx - (((s >> 10) * e_q23) >> 13);              /* < 2^20 */
+    const int32_t b = (((slope + 16) >> 5) * ((inverse + v->cubic_q16) >> 1)) >> 10; /* < 2^20.2 */
+    const int32_t bend = ((b >> 6) * ((e_q23 * (inverse >> 2)) >> 14)) >> 17;        /* < 2^12.4 */
+    piece->at = base + ((uint32_t)(s - h * (b + h * bend)) << up);
+    piece->step = (uint32_t)(b + 2 * h * bend) << up;
+    piece->bend = (0u - (uint32_t)bend) << up;
+}
+
+/* Of what is linear on the screen, from x on. */
+static inline void qtri_list_piece_linear(qtri_list_piece *piece, const qtri_ramp *ramp, uint32_t x,
+                                          uint32_t y)
+{
+    piece->at = qtri_list_at(ramp, x, y);
+    piece->step = ramp->dx;
+    piece->bend = 0;
+}
+
+static inline uint32_t qtri_list_piece_at(const qtri_list_piece *piece, uint32_t d)
+{
+    return piece->at + d * (piece->step + d * piece->bend);
 }
 
 /*

@@ -33,6 +33,7 @@ typedef struct qtri_place {
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0; of a back face 2 and 1 */
     uint32_t size;              /* twice the area, 1/256 pixel squared: < 2^28 */
     int32_t more1, more2;       /* qtri_place_near: what 1/w has more there, in vertex 0's scale */
+    int32_t pixels;             /* of all rows, before they are cut */
     bool back;
     bool cut;       /* spans may reach past the bounds, see qtri_place_cut */
     uint8_t *first; /* the first row's span, in the caller's memory */
@@ -230,6 +231,7 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     if (pixels == 0) {
         return QTRI_PLACED_NOWHERE;
     }
+    p->pixels = -pixels;
     p->cut = !inner && (column < bounds->x0 || column + 2 * QTRI_PLACE_PIXELS + 1 > bounds->x1);
     return QTRI_PLACED_SMALL;
 }

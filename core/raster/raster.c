@@ -86,6 +86,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->fill_flat = raster->effects != NULL ? raster->effects->fill : qtri_span_flat;
     raster->copy_run = NULL;
     raster->copy_bent = NULL;
+    raster->lit_list = NULL;
     if (format == NULL || raster->compare == QTRI_NEVER) {
         bounds = nowhere;
         raster->format = &qtri_xrgb8888;
@@ -106,6 +107,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->fill_smooth = fused->smooth != NULL ? fused->smooth : raster->fill_smooth;
         raster->copy_run = raster->copied ? fused->copy : NULL;
         raster->copy_bent = raster->copied ? fused->copy_bent : NULL;
+        raster->lit_list = raster->copied && !raster->alone ? fused->lit : NULL;
     }
 }
 
@@ -127,11 +129,7 @@ void qtri_raster_lit_channels(int32_t channel[3], const qtri_raster *raster, con
     const uint32_t color_8p16[3] = {color->r * 2 * light_q15, color->g * 2 * light_q15,
                                     color->b * 2 * light_q15}; /* <= 255.0 */
     for (int i = 0; i < 3; i++) {
-        const uint32_t ratio_q32 = units->ratio_q30[i] << 2; /* 0: 1 */
-        const uint32_t c = color_8p16[i];
-        channel[i] =
-            (int32_t)(ratio_q32 == 0 ? c
-                                     : (qtri_mul_u32(c, ratio_q32) + ((uint32_t)1 << 31)) >> 32);
+        channel[i] = (int32_t)qtri_channel_scaled(color_8p16[i], units->ratio_q30[i]);
     }
     if (units->single) {
         channel[2] += channel[0] + channel[1];

@@ -49,6 +49,9 @@ typedef void (*qtri_draw_bent)(const qtri_job *job, const qtri_run *run, const q
 typedef bool (*qtri_draw_small)(const qtri_raster *raster, const void *indices, qtri_vertex *a,
                                 qtri_vertex *b, qtri_vertex *c);
 
+/* Draws `count` waiting fragments, whose texels are lit: of the batch's numbers and shades. */
+typedef void (*qtri_draw_list)(const qtri_raster *raster, int32_t count);
+
 /*
  * Where light comes from when a triangle touches a pixel: that of all its pixels, or
  * QTRI_VERTEX_UNLIT for that of its vertices, which then have theirs.
@@ -67,6 +70,7 @@ struct qtri_fused {
     qtri_fill_rows flat, smooth;
     qtri_draw_run copy;
     qtri_draw_bent copy_bent;
+    qtri_draw_list lit;
     const qtri_fused *less_equal;        /* where depth is that */
     const struct qtri_sampling *samples; /* several a pixel, see samples.h; NULL: one */
 };
@@ -146,6 +150,7 @@ struct qtri_raster {
     qtri_draw_run copy_run;     /* NULL: none */
     qtri_draw_bent copy_bent;   /* NULL: none */
     qtri_draw_small tint_small; /* NULL: none */
+    qtri_draw_list lit_list;    /* NULL: none */
     qtri_lamp lamp;             /* where there is one */
 };
 
