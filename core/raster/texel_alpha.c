@@ -156,6 +156,7 @@ static void init(qtri_raster *raster, const qtri_material *material)
 
 static const qtri_texturing stages = {init,
                                       qtri_textured_axes,
+                                      qtri_textured_begin_large,
                                       qtri_textured_chunk,
                                       qtri_list_set_texels,
                                       qtri_list_texels,

@@ -62,6 +62,10 @@ typedef enum qtri_wrap {
 /* NULL: nearest, the texel that the coordinates lie in. */
 typedef struct qtri_filter qtri_filter;
 extern const qtri_filter qtri_bilinear; /* the four whose centres lie around them, weighted */
+/* Of the texture's levels the one whose texels are as large as pixels: there nearest, or bilinear.
+ */
+extern const qtri_filter qtri_mipmapped;
+extern const qtri_filter qtri_mipmapped_bilinear;
 
 /*
  * u = v = 0 is the first texel's first corner, u = 1 and v = 1 one past the last column and row;
@@ -79,6 +83,22 @@ extern const qtri_filter qtri_bilinear; /* the four whose centres lie around the
  * filtering draws is decided by the nearest texel: the same pixels as without the filter. There
  * the nearest texel also stands in for those of the four that equal the key, whose colour is seen
  * nowhere.
+ *
+ * Levels are the same picture in texels of twice the side each, so that a texture that is far away
+ * neither crawls nor sparkles: `qtri texture --mipmaps` makes them. Level 0 is `texels`, level i
+ * levels[i - 1], of width_log2 - i and height_log2 - i, or 0. Widths end at two texels: what is
+ * beyond is not used. Format, palette, key and wrapping are those of the texture.
+ *
+ * A pixel's footprint is the longer of two steps on the texture, in texels of level 0: that to the
+ * pixel on the right and that to the pixel below, as derivatives have them. The length of a step
+ * (du, dv) is the larger of |du| and |dv| and 3/8 of the smaller, which is .97 to 1.07 of it. Drawn
+ * is level i where the footprint is 2^(i - 1/2) to 2^(i + 1/2), the first and the last also where
+ * it is less and more. It is asked at vertex 0 of a triangle that is small, whose vertices 1 and 2
+ * lie within 36 pixels; once of one that is linear on the screen; elsewhere in the middle of every
+ * 2 to 32 pixels of a row, so that across them 1/w varies by 1/8 to both sides at most, or of 128
+ * where w does not change along the row. Within those pixels the level is off by what the footprint
+ * varies: on small triangles less than 1/4 of a level, along rows by what 1/w does, less than 2/5.
+ * All of it is counted from the triangle and its rows: no band or scissor changes a level.
  *
  * Coordinates are interpolated as they are and clamped at each pixel, so that a clamped texture may
  * lie anywhere on a large triangle. 30 bits hold a triangle's range of coordinates, from the whole
@@ -99,6 +119,9 @@ struct qtri_texture {
     const qtri_rgb *palette;
     bool has_key;
     uint32_t key; /* the stored texel that is not drawn, if has_key */
+    /* For the filters above; NULL, or a null pointer in it: there are none from there on. */
+    const void *const *levels;
+    uint8_t level_count; /* besides level 0: up to 9 count */
 };
 
 #ifdef __cplusplus

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: MIT */
+#include "mipmap.h"
+
+#include <string.h>
+
+#include "bilinear.h"
+#include "list_values.h"
+#include "texel_copy.h"
+#include "texel_format.h"
+
+void qtri_level_set(qtri_levels *levels, uint32_t level)
+{
+    qtri_texture *texture = &levels->texture;
+    qtri_raster *raster = levels->raster;
+    if (levels->level == level) {
+        return;
+    }
+    levels->level = (uint8_t)level;
+    texture->texels = level == 0 ? levels->whole->texels : levels->whole->levels[level - 1];
+    texture->width_log2 =
+        (uint8_t)(qtri_side_log2(levels->whole->width_log2) - qtri_level_down(levels, 0));
+    texture->height_log2 =
+        (uint8_t)(qtri_side_log2(levels->whole->height_log2) - qtri_level_down(levels, 1));
+    if (raster->texel_cut != 0) {
+        raster->texel_cut = qtri_texel_cut(texture);
+    }
+    qtri_textured_set_coordinates(raster);
+}
+
+/* Levels that can be used besides the first: their widths are 2 texels or more. */
+static uint8_t last_level(const qtri_texture *texture)
+{
+    const int32_t width_log2 = qtri_side_log2(texture->width_log2);
+    uint8_t last = 0;
+    if (texture->levels != NULL) {
+        while (last + 1 < width_log2 && last < texture->level_count &&
+               texture->levels[last] != NULL) {
+            last++;
+        }
+    }
+    return last;
+}
+
+/* Small triangles ------------------------------------------------------------------------------ */
+
+/* x 2^up, rounded down. */
+static inline int32_t shifted(int32_t x, int32_t up)
+{
+    return up >= 0 ? x * ((int32_t)1 << up) : x >> qtri_least32(-up, 31);
+}
+
+/*
+ * The footprint at vertex 0. With the names of list_values.h what u gains from there is l / (1 + e)
+ * with l = 0, so its steps are those of l: n / size, where n are the numerators of place_ramp.h,
+ * times 256 a pixel. Differences have 15 bits of the greatest, in 2^-fraction of a texel: n is
+ * below 2^29.5, and its length below 2^30.
+ *
+ * A level is left behind where length 2^(8 - fraction) / size is 2^(level + 1/2) or more; 1 + 1/4 +
+ * 1/8 + 1/32 + 1/128 stands in for 2^(1/2), .00011 of it less.
+ */
+static uint32_t small_level(qtri_list_values *v, uint32_t last)
+{
+    const qtri_place *p = v->t->place;
+    const qtri_texture *texture = v->raster->texture;
+    const uint8_t side_log2[2] = {texture->width_log2, texture->height_log2};
+    int32_t d[2][2];
+    int32_t up[2]; /* to 15 bits; then of what a texel has of them */
+    int32_t fraction = INT32_MAX;
+    qtri_list_find_e(v);
+    for (int i = 0; i < 2; i++) {
+        const qtri_coordinates *c = &v->t->uv[i];
+        d[i][0] = c->at[v->second] - c->at[0];
+        d[i][1] = c->at[v->third] - c->at[0];
+        up[i] = c->fraction - side_log2[i];
+        const int32_t zeros = qtri_clz32(qtri_about(d[i][0]) | qtri_about(d[i][1]));
+        fraction = qtri_least32(fraction, zeros - 17 + up[i]);
+    }
+    uint32_t right[2];
+    uint32_t down[2];
+    for (int i = 0; i < 2; i++) {
+        const int32_t f1 = qtri_list_scaled(shifted(d[i][0], fraction - up[i]), v->e1_q18);
+        const int32_t f2 = qtri_list_scaled(shifted(d[i][1], fraction - up[i]), v->e2_q18);
+        right[i] = qtri_magnitude32(qtri_place_nx(p, f1, f2));
+        down[i] = qtri_magnitude32(qtri_place_ny(p, f1, f2));
+    }
+    const uint32_t across = qtri_step_length(right[0], right[1]);
+    const uint32_t along = qtri_step_length(down[0], down[1]);
+    const uint32_t length = across > along ? across : along;
+    const uint32_t size = p->size; /* < 2^28 */
+    const uint32_t limit = size + (size >> 2) + (size >> 3) + (size >> 5) + (size >> 7);
+    uint32_t level = 0;
+    while (level < last) {
+        const int32_t shift = (int32_t)level + fraction - 8;
+        if (shift >= 0 ? length >> qtri_least32(shift, 31) < limit
+                       : length <= (limit - 1) >> qtri_least32(-shift, 31)) {
+            break;
+        }
+        level++;
+    }
+    return level;
+}
+
+static void set_list(qtri_list_values *v)
+{
+    qtri_levels *levels = qtri_levels_of(v->raster);
+    qtri_level_set(levels, 0);
+    qtri_level_set(levels, small_level(v, levels->last));
+    qtri_list_set_texels(v);
+}
+
+/*
+ * Fragments of other triangles that wait are of another level: they are drawn first, and those of
+ * this one, which have only their places as yet, begin the batch anew.
+ */
+static uint32_t color_list(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
+                           const uint32_t *place, int32_t count)
+{
+    qtri_batch *batch = v->raster->batch;
+    qtri_levels *levels = qtri_levels_of(v->raster);
+    if (levels->waiting != levels->level) {
+        const int32_t first = (int32_t)(place - batch->place);
+        if (first != 0) {
+            batch->count = (uint8_t)first;
+            qtri_list_flush(v->raster);
+            memmove(batch->place, place, (size_t)count * sizeof batch->place[0]);
+            batch->count = (uint8_t)count;
+            color = batch->color;
+            shade = batch->by.shade;
+            place = batch->place;
+        }
+        levels->waiting = levels->level;
+    }
+    return qtri_list_texels(v, color, shade, place, count);
+}
+
+static uint32_t finish_list(const qtri_raster *raster, int32_t count, uint32_t mask)
+{
+    qtri_levels *levels = qtri_levels_of(raster);
+    const uint32_t level = levels->level;
+    qtri_level_set(levels, levels->waiting);
+    mask = qtri_list_finish_texels(raster, count, mask);
+    qtri_level_set(levels, level);
+    return mask;
+}
+
+/* The filters ---------------------------------------------------------------------------------- */
+
+static const qtri_texturing stages = {qtri_textured_init, qtri_mipmap_axes, qtri_mipmap_begin_large,
+                                      qtri_mipmap_chunk,  set_list,         color_list,
+                                      finish_list};
+
+static void init(qtri_raster *raster)
+{
+    qtri_levels *levels = qtri_levels_of(raster);
+    levels->whole = raster->texture;
+    levels->raster = raster;
+    levels->texture = *raster->texture;
+    levels->texture.filter = NULL;
+    levels->level = 0;
+    levels->waiting = 0;
+    levels->last = last_level(raster->texture);
+    levels->footprint.row = INT32_MIN;
+    raster->texture = &levels->texture;
+    if (levels->last != 0) {
+        raster->texturing = &stages;
+    }
+}
+
+static void init_bilinear(qtri_raster *raster)
+{
+    init(raster);
+    qtri_levels_of(raster)->texture.filter = &qtri_bilinear;
+    qtri_bilinear_init(raster);
+}
+
+/* Neither samples: the raster's texture has another filter, or none. */
+const qtri_filter qtri_mipmapped = {init, NULL};
+const qtri_filter qtri_mipmapped_bilinear = {init_bilinear, NULL};

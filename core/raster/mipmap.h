@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Textures with levels: the one that is drawn, and how it is chosen. Internal.
+ */
+#ifndef QTRI_RASTER_MIPMAP_H
+#define QTRI_RASTER_MIPMAP_H
+
+#include "texel_format.h"
+#include "textured.h"
+
+static inline qtri_levels *qtri_levels_of(const qtri_raster *raster)
+{
+    return &raster->batch->by.textured.levels;
+}
+
+/* Makes the raster's texture the level, 0..last. */
+void qtri_level_set(qtri_levels *levels, uint32_t level);
+
+/* How many steps a level takes away from the log2 of a side. */
+static inline uint32_t qtri_level_down(const qtri_levels *levels, int axis)
+{
+    const uint32_t level = levels->level;
+    const uint32_t height_log2 = qtri_side_log2(levels->whole->height_log2);
+    return axis == 0 || level < height_log2 ? level : height_log2;
+}
+
+/* The length of a step, of the magnitudes of both its parts: .97 to 1.07 of it. < 2^31 */
+static inline uint32_t qtri_step_length(uint32_t a, uint32_t b)
+{
+    return a > b ? a + (3 * (b >> 3)) : b + (3 * (a >> 3));
+}
+
+/* Of large triangles: those of qtri_texturing. */
+void qtri_mipmap_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3]);
+qtri_fill_rows qtri_mipmap_begin_large(qtri_job *job, const qtri_triangle *triangle,
+                                       const uint32_t value[2][3], const uint32_t q[3]);
+uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask);
+
+#endif
