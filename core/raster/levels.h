@@ -31,6 +31,7 @@ typedef struct qtri_levels {
     struct qtri_raster *raster; /* the one that has this */
     uint8_t level, last;        /* now, and the smallest */
     uint8_t waiting;            /* of the fragments in the batch */
+    uint8_t down[2];            /* what a level takes away from the log2 of its sides */
     qtri_footprint footprint;
 } qtri_levels;
 

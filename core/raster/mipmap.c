@@ -8,19 +8,20 @@
 #include "texel_copy.h"
 #include "texel_format.h"
 
-void qtri_level_set(qtri_levels *levels, uint32_t level)
+void qtri_level_change(qtri_levels *levels, uint32_t level)
 {
+    const qtri_texture *whole = levels->whole;
     qtri_texture *texture = &levels->texture;
     qtri_raster *raster = levels->raster;
-    if (levels->level == level) {
-        return;
-    }
+    const uint32_t width_log2 = qtri_side_log2(whole->width_log2);
+    const uint32_t height_log2 = qtri_side_log2(whole->height_log2);
+    const uint32_t down = level < height_log2 ? level : height_log2;
     levels->level = (uint8_t)level;
-    texture->texels = level == 0 ? levels->whole->texels : levels->whole->levels[level - 1];
-    texture->width_log2 =
-        (uint8_t)(qtri_side_log2(levels->whole->width_log2) - qtri_level_down(levels, 0));
-    texture->height_log2 =
-        (uint8_t)(qtri_side_log2(levels->whole->height_log2) - qtri_level_down(levels, 1));
+    levels->down[0] = (uint8_t)level;
+    levels->down[1] = (uint8_t)down;
+    texture->texels = level == 0 ? whole->texels : whole->levels[level - 1];
+    texture->width_log2 = (uint8_t)(width_log2 - level);
+    texture->height_log2 = (uint8_t)(height_log2 - down);
     if (raster->texel_cut != 0) {
         raster->texel_cut = qtri_texel_cut(texture);
     }
@@ -58,11 +59,11 @@ static inline int32_t shifted(int32_t x, int32_t up)
  * A level is left behind where length 2^(8 - fraction) / size is 2^(level + 1/2) or more; 1 + 1/4 +
  * 1/8 + 1/32 + 1/128 stands in for 2^(1/2), .00011 of it less.
  */
-static uint32_t small_level(qtri_list_values *v, uint32_t last)
+static uint32_t small_level(qtri_list_values *v, const qtri_levels *levels)
 {
     const qtri_place *p = v->t->place;
-    const qtri_texture *texture = v->raster->texture;
-    const uint8_t side_log2[2] = {texture->width_log2, texture->height_log2};
+    const uint8_t side_log2[2] = {qtri_side_log2(levels->whole->width_log2),
+                                  qtri_side_log2(levels->whole->height_log2)};
     int32_t d[2][2];
     int32_t up[2]; /* to 15 bits; then of what a texel has of them */
     int32_t fraction = INT32_MAX;
@@ -89,7 +90,7 @@ static uint32_t small_level(qtri_list_values *v, uint32_t last)
     const uint32_t size = p->size; /* < 2^28 */
     const uint32_t limit = size + (size >> 2) + (size >> 3) + (size >> 5) + (size >> 7);
     uint32_t level = 0;
-    while (level < last) {
+    while (level < levels->last) {
         const int32_t shift = (int32_t)level + fraction - 8;
         if (shift >= 0 ? length >> qtri_least32(shift, 31) < limit
                        : length <= (limit - 1) >> qtri_least32(-shift, 31)) {
@@ -103,8 +104,7 @@ static uint32_t small_level(qtri_list_values *v, uint32_t last)
 static void set_list(qtri_list_values *v)
 {
     qtri_levels *levels = qtri_levels_of(v->raster);
-    qtri_level_set(levels, 0);
-    qtri_level_set(levels, small_level(v, levels->last));
+    qtri_level_set(levels, small_level(v, levels));
     qtri_list_set_texels(v);
 }
 
@@ -158,6 +158,8 @@ static void init(qtri_raster *raster)
     levels->texture.filter = NULL;
     levels->level = 0;
     levels->waiting = 0;
+    levels->down[0] = 0;
+    levels->down[1] = 0;
     levels->last = last_level(raster->texture);
     levels->footprint.row = INT32_MIN;
     raster->texture = &levels->texture;

@@ -13,15 +13,14 @@ static inline qtri_levels *qtri_levels_of(const qtri_raster *raster)
     return &raster->batch->by.textured.levels;
 }
 
-/* Makes the raster's texture the level, 0..last. */
-void qtri_level_set(qtri_levels *levels, uint32_t level);
+/* Makes the raster's texture another level, 0..last. */
+void qtri_level_change(qtri_levels *levels, uint32_t level);
 
-/* How many steps a level takes away from the log2 of a side. */
-static inline uint32_t qtri_level_down(const qtri_levels *levels, int axis)
+static inline void qtri_level_set(qtri_levels *levels, uint32_t level)
 {
-    const uint32_t level = levels->level;
-    const uint32_t height_log2 = qtri_side_log2(levels->whole->height_log2);
-    return axis == 0 || level < height_log2 ? level : height_log2;
+    if (levels->level != level) {
+        qtri_level_change(levels, level);
+    }
 }
 
 /* The length of a step, of the magnitudes of both its parts: .97 to 1.07 of it. < 2^31 */

@@ -72,7 +72,7 @@ static uint32_t linear_level(const qtri_job *job, uint32_t last)
 /* All rows of the job are of the raster's level. */
 static void set_axes_down(qtri_job *job, const qtri_levels *levels)
 {
-    const uint32_t down[2] = {qtri_level_down(levels, 0), qtri_level_down(levels, 1)};
+    const uint8_t *down = levels->down;
     for (int i = 0; i < 2; i++) {
         qtri_texel_axis *axis = &job->axis[i];
         if (levels->texture.filter != NULL) {
@@ -82,7 +82,7 @@ static void set_axes_down(qtri_job *job, const qtri_levels *levels)
             axis_down(axis, down[i]);
         } else {
             axis->texel_shift = levels->raster->coordinate[i].shift;
-            axis->up = (int8_t)(i == 0 ? axis->up : axis->up - (int32_t)(down[0] + down[1]));
+            axis->up = (int8_t)(i == 0 ? axis->up : axis->up - down[0] - down[1]);
         }
     }
 }
@@ -195,8 +195,12 @@ static inline uint32_t inv_w_at(const qtri_scanline *row, int32_t x)
     return q - 1 < 0xC0000000u ? q : 1;
 }
 
+/* Of the step right, of all of a row. */
 QTRI_NOINLINE static uint32_t row_length(qtri_footprint *f, int32_t y)
 {
+    if (f->row == y) {
+        return f->length;
+    }
     f->row = y;
     f->length =
         qtri_step_length(qtri_magnitude32((int32_t)(f->right[0] + (uint32_t)y * f->right_dy[0])),
@@ -213,32 +217,75 @@ static inline bool reaches(uint32_t length, uint32_t limit, int32_t shift)
     return length >= limit >> qtri_least32(-shift, 31);
 }
 
+/* What lengths are compared with at a pixel of the row: limit 2^(shift + level). */
+typedef struct limit {
+    uint32_t limit; /* 2^13.6..2^15.6 */
+    int32_t shift;
+    uint32_t length; /* of the step right */
+} limit;
+
 /*
- * The level of a block whose middle is pixel x. A level is left behind where the footprint,
- * length 15/16 2^-exponent / q^2, is 2^(level + 1/2) or more: q^2 has 15 bits, 2^-17 - 2 zeros +
- * ... of 2^31 squared being 1, and 49431 / 2^15 is 2^(1/2) 16/15.
+ * A level is left behind where the footprint, length 15/16 2^-exponent / q^2, is 2^(level + 1/2) or
+ * more. q^2 is q_q15^2 2^-(30 + 2 zeros); 49431 / 2^15 is 2^(1/2) 16/15.
  */
-static uint32_t level_at(const qtri_scanline *row, qtri_levels *levels, int32_t x)
+static inline limit limit_at(const qtri_levels *levels, uint32_t length, uint32_t q, int32_t zeros)
 {
-    qtri_footprint *f = &levels->footprint;
-    uint32_t length = f->row == row->y ? f->length : row_length(f, row->y);
+    const uint32_t q_q15 = q << zeros >> 16;
+    const limit l = {((q_q15 * q_q15 >> 17) * 49431u) >> 15,
+                     levels->footprint.exponent - 13 - 2 * zeros, length};
+    return l;
+}
+
+/* Leading zeros of q, which is not 0, where blocks are curves: perspective.c has just asked. */
+static inline int32_t zeros_of(const qtri_scanline *row, uint32_t q)
+{
+#if QTRI_LONG_MULTIPLY
+    (void)row;
+    return qtri_clz32(q);
+#else
+    int32_t zeros = row->by.perspective.zeros;
+    while (q >> (31 - zeros) > 1) {
+        zeros--;
+    }
+    while ((int32_t)(q << zeros) >= 0) {
+        zeros++;
+    }
+    return zeros;
+#endif
+}
+
+/* The level at pixel x. */
+static inline uint32_t level_at(const qtri_levels *levels, const limit *l, int32_t x)
+{
+    const qtri_footprint *f = &levels->footprint;
     const uint32_t along =
         qtri_step_length(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
                          qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
-    const uint32_t q = inv_w_at(row, x);
-    const int32_t zeros = qtri_clz32(q);
-    const uint32_t q_q15 = q << zeros >> 16;
-    const uint32_t limit = ((q_q15 * q_q15 >> 17) * 49431u) >> 15; /* 2^13.6..2^15.6 */
-    const int32_t shift = f->exponent - 13 - 2 * zeros;
     int32_t level = levels->level;
-    length = length > along ? length : along;
-    while (level < levels->last && reaches(length, limit, shift + level)) {
+    const uint32_t length = l->length > along ? l->length : along;
+    while (level < levels->last && reaches(length, l->limit, l->shift + level)) {
         level++;
     }
-    while (level > 0 && !reaches(length, limit, shift + level - 1)) {
+    while (level > 0 && !reaches(length, l->limit, l->shift + level - 1)) {
         level--;
     }
     return (uint32_t)level;
+}
+
+/* Sets that of a block of curves whose middle is pixel x. length: of its row's step right. */
+static inline void set_block(const qtri_scanline *row, qtri_levels *levels, uint32_t length,
+                             int32_t x)
+{
+    const uint32_t q = inv_w_at(row, x);
+    const limit l = limit_at(levels, length, q, zeros_of(row, q));
+    qtri_level_set(levels, level_at(levels, &l, x));
+}
+
+/* That of all of a row along which w does not change. */
+static inline limit row_limit(const qtri_scanline *row, qtri_levels *levels)
+{
+    const uint32_t q = inv_w_at(row, 0);
+    return limit_at(levels, row_length(&levels->footprint, row->y), q, qtri_clz32(q));
 }
 
 static inline uint32_t curve_down(uint32_t step, uint32_t down)
@@ -254,7 +301,10 @@ static inline uint32_t curve_down(uint32_t step, uint32_t down)
  */
 static inline void scale_v(qtri_curve *v, const qtri_levels *levels)
 {
-    const uint32_t down = qtri_level_down(levels, 0) + qtri_level_down(levels, 1);
+    const uint32_t down = (uint32_t)levels->down[0] + levels->down[1];
+    if (down == 0) {
+        return;
+    }
     v->at >>= down;
     v->step = curve_down(v->step, down);
     if ((v->bend | v->twist) != 0) {
@@ -285,12 +335,12 @@ static void scale_curves(qtri_curve uv[2], const qtri_levels *levels, const qtri
  * at the run of LEVEL_RUN pixels that it lies in, which is where they are scaled. Returns where
  * the run begins; at: that of the row's curves.
  */
-static int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, qtri_curve uv[2],
-                         int32_t at, int32_t x)
+static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, const limit *l,
+                                qtri_curve uv[2], int32_t at, int32_t x)
 {
     const int32_t first = x - ((x - row->left) & (LEVEL_RUN - 1));
     const int32_t length = qtri_least32(LEVEL_RUN, row->right - first);
-    qtri_level_set(levels, level_at(row, levels, first + (length >> 1)));
+    qtri_level_set(levels, level_at(levels, l, first + (length >> 1)));
     for (int i = 0; i < 2; i++) {
         uv[i] = row->curve[QTRI_U + i];
         uv[i].at += (uint32_t)(first - at) * uv[i].step;
@@ -309,17 +359,18 @@ static int32_t color_block(qtri_scanline *row, qtri_levels *levels, int32_t x, i
     qtri_curve uv[2];
     int32_t first = x + done;
     if (row->level) {
-        first = begin_run(row, levels, uv, x, x);
+        const limit l = row_limit(row, levels);
+        first = begin_run(row, levels, &l, uv, x, x);
     } else {
         count = qtri_interpolate_perspective(row, first, count, QTRI_U, QTRI_ATTRIBUTES);
-        qtri_level_set(levels, level_at(row, levels, first + (count >> 1)));
+        set_block(row, levels, row_length(&levels->footprint, row->y), first + (count >> 1));
         uv[0] = row->curve[QTRI_U];
         uv[1] = row->curve[QTRI_U + 1];
     }
     axis[0] = job->axis[0];
     axis[1] = job->axis[1];
-    axis_down(&axis[0], qtri_level_down(levels, 0));
-    axis_down(&axis[1], qtri_level_down(levels, 1));
+    axis_down(&axis[0], levels->down[0]);
+    axis_down(&axis[1], levels->down[1]);
     scale_curves(uv, levels, axis);
     for (int i = 0; i < 2; i++) {
         uv[i].at += (uint32_t)(x + done - first) * uv[i].step;
@@ -362,9 +413,10 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
 static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
 {
     const qtri_job *job = row->job;
+    const limit l = row_limit(row, levels);
     for (int32_t x = row->x0; x < row->x1; x += run->count) {
         qtri_curve uv[2];
-        const int32_t first = begin_run(row, levels, uv, row->left, x);
+        const int32_t first = begin_run(row, levels, &l, uv, row->left, x);
         scale_v(&uv[1], levels);
         run->x = x;
         run->count = qtri_least32(first + LEVEL_RUN, row->x1) - x;
@@ -380,13 +432,14 @@ static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *level
 static void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
 {
     const qtri_job *job = row->job;
+    const uint32_t right = row_length(&levels->footprint, row->y);
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
         const int32_t length =
             qtri_interpolate_perspective(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
         run->count = qtri_least32(length, row->x1 - x) - skip;
         if (run->count > 0) {
-            qtri_level_set(levels, level_at(row, levels, x + (length >> 1)));
+            set_block(row, levels, right, x + (length >> 1));
             scale_v(&row->curve[QTRI_U + 1], levels);
             run->x = x + skip;
             run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, row->y - job->anchor_y);
