@@ -23,6 +23,7 @@ struct reference_image {
     double *color_min; /* 3 a pixel: least and greatest value each channel has at the three */
     double *color_max; /*   vertices of the visible triangle, before texturing; background: clear */
     double *depth;     /* window depth 0..1 */
+    double *footprint; /* texels a pixel, of a texture that is mipmapped; else 0 */
     uint32_t *id;      /* 0 = background */
     uint32_t *hits;    /* how many triangles (or wireframe edges) covered the pixel, before the
                           depth test and the colour key, after culling and clipping */

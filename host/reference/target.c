@@ -26,12 +26,13 @@ static bool allocate(struct reference_image *image, int width, int height)
         .color_min = malloc(pixels * 3 * sizeof(double)),
         .color_max = malloc(pixels * 3 * sizeof(double)),
         .depth = malloc(pixels * sizeof(double)),
+        .footprint = calloc(pixels, sizeof(double)),
         .id = calloc(pixels, sizeof(uint32_t)),
         .hits = calloc(pixels, sizeof(uint32_t)),
     };
     *image = fresh;
-    if (image->color && image->color_min && image->color_max && image->depth && image->id &&
-        image->hits)
+    if (image->color && image->color_min && image->color_max && image->depth && image->footprint &&
+        image->id && image->hits)
         return true;
     reference_free(image);
     return false;
@@ -43,6 +44,7 @@ void reference_free(struct reference_image *image)
     free(image->color_min);
     free(image->color_max);
     free(image->depth);
+    free(image->footprint);
     free(image->id);
     free(image->hits);
     *image = (struct reference_image){0};
@@ -123,7 +125,8 @@ bool ref_target_cover(struct ref_target *target, int x, int y, double depth)
 }
 
 void ref_target_shade(struct ref_target *target, int x, int y, double depth,
-                      const struct ref_triangle *triangle, const double attribute[REF_ATTRIBUTES])
+                      const struct ref_triangle *triangle, const double attribute[REF_ATTRIBUTES],
+                      double footprint)
 {
     const struct scene *scene = target->scene;
     const struct ref_vertex *vertex = triangle->vertex;
@@ -131,7 +134,8 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
     size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
     double texel[3];
 
-    if (triangle->textured && !ref_texture_at(scene, attribute[REF_U], attribute[REF_V], texel))
+    if (triangle->textured &&
+        !ref_texture_at(scene, attribute[REF_U], attribute[REF_V], footprint, texel))
         return;
     if (!ref_passes_door(scene, x, y))
         return;
@@ -159,6 +163,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         image->color_max[3 * i + c] = greatest;
     }
     image->id[i] = triangle->id;
+    image->footprint[i] = footprint;
 }
 
 void ref_interpolate(const struct ref_vertex *const vertex[3], double weight1, double weight2,
