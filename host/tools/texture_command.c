@@ -20,6 +20,7 @@ static const char usage[] =
     "  --format FORMAT  rgb565 (default), palette (256 colours), gray8 or xrgb8888\n"
     "  --size WxH       powers of two up to 1024 (default: those nearest to the picture's sides)\n"
     "  --dither         spread rounding errors over neighbours: rgb565 and palette\n"
+    "  --mipmaps        levels of half the size each, down to 2 texels, for &qtri_mipmapped\n"
     "  --key RRGGBB     the colour that is not drawn; pixels that are less than half opaque get "
     "it\n"
     "  --name NAME      of the qtri_texture (default: the output's, the input's)\n"
@@ -120,6 +121,8 @@ static bool parse_arguments(int argc, char **argv, struct options *options)
         const char *argument = argv[i];
         if (strcmp(argument, "--dither") == 0) {
             options->texture.dither = true;
+        } else if (strcmp(argument, "--mipmaps") == 0) {
+            options->texture.mipmaps = true;
         } else if (strcmp(argument, "--split") == 0) {
             options->split = true;
         } else if (takes_value(argument)) {
@@ -193,6 +196,9 @@ static void report(const struct options *options, const struct texture *texture,
             texture_format_names[texture->format]);
     if (texture->format == TEXTURE_PALETTE) {
         fprintf(out, " of %d colours", texture->palette_count);
+    }
+    if (texture->level_count > 0) {
+        fprintf(out, ", %d levels", texture->level_count + 1);
     }
     fprintf(out, "\nflash: %zu bytes\ncolour error: at most %d of 255, %.2f rms\n",
             texture_flash_bytes(texture), texture->error.greatest, texture->error.rms);

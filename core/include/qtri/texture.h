@@ -46,8 +46,9 @@ extern const qtri_texel_format qtri_texel_checker;  /* two colours, no memory: s
 extern const qtri_texel_format qtri_texel_palette8; /* texels: const uint8_t *, palette entries */
 extern const qtri_texel_format qtri_texel_gray8;    /* texels: const uint8_t *, white is 255 */
 
-/* With alpha, for material.blend and .least_alpha; without either it is not looked at, nor where
-   texels are filtered. */
+/* With alpha, for material.blend and .least_alpha; without either it is not looked at. Filtered,
+   alpha is the weighted mean of the texels', which is what least_alpha is compared with, and
+   colours are weighted by alpha as well: what is not seen lends no colour to its neighbours. */
 extern const qtri_texel_format qtri_texel_argb4444; /* texels: const uint16_t *, a digit each */
 extern const qtri_texel_format qtri_texel_argb1555; /* texels: const uint16_t *, alpha 0 or 255 */
 extern const qtri_texel_format qtri_texel_argb8888; /* texels: const uint32_t * */
