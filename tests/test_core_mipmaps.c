@@ -132,11 +132,15 @@ static double off_block(const qtri_screen_vertex v[3], int32_t x, int32_t y, boo
                         int level, const qtri_texture *t)
 {
     const int width = 1 << t->width_log2, height = 1 << t->height_log2;
-    double least = HUGE_VAL;
+    double least =
+        off_level(log2_footprint(v, x, y, perspective, width, height), level, t->level_count);
+    if (least == 0) {
+        return 0;
+    }
     if (is_small(v)) {
         const double log2 = log2_footprint(v, v[0].x_24p8 / 256.0 - 0.5, v[0].y_24p8 / 256.0 - 0.5,
                                            perspective, width, height);
-        least = off_level(log2, level, t->level_count);
+        least = fmin(least, off_level(log2, level, t->level_count));
     }
     for (int32_t at = x - 64; at <= x + 64; at++) {
         if (at == x || is_inside(v, at, y)) {
@@ -259,10 +263,187 @@ static void chooses_by_footprint(void **state)
     assert_true(small.place < 1.1 && large.place < 1.1 && sides.place < 1.1);
 }
 
+/* ---- Bilinear ---- */
+
+static double texel_gray(const qtri_texture *t, int level, int column, int row)
+{
+    const int w_log2 = t->width_log2 - level;
+    const int h_log2 = t->height_log2 > level ? t->height_log2 - level : 0;
+    const uint8_t *texels8 = level == 0 ? t->texels : t->levels[level - 1];
+    column &= (1 << w_log2) - 1;
+    row &= (1 << h_log2) - 1;
+    return texels8[(row << w_log2) + column];
+}
+
+static double bilinear(const qtri_texture *t, int level, double u, double v)
+{
+    const double column = u * ldexp(1, t->width_log2 - level) - 0.5;
+    const double row = v * ldexp(1, t->height_log2 > level ? t->height_log2 - level : 0) - 0.5;
+    const int left = (int)floor(column), above = (int)floor(row);
+    const double along = column - left, across = row - above;
+    return (texel_gray(t, level, left, above) * (1 - along) +
+            texel_gray(t, level, left + 1, above) * along) *
+               (1 - across) +
+           (texel_gray(t, level, left, above + 1) * (1 - along) +
+            texel_gray(t, level, left + 1, above + 1) * along) *
+               across;
+}
+
+/* Smooth noise, the same in all levels but for a shift: so that a level's place counts. */
+static void filters_in_levels(void **state)
+{
+    (void)state;
+    static uint8_t gray[2 * 64 * 64];
+    static const void *gray_table[LEVELS];
+    uint64_t seed = 910;
+    double worst = 0;
+    int pixels = 0;
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    for (size_t i = 0; i < LENGTH_OF(gray); i++) {
+        gray[i] = (uint8_t)random_in(&seed, 0, 255);
+    }
+    for (int n = 0; n < 200; n++) {
+        qtri_texture t = {.texels = gray,
+                          .format = &qtri_texel_gray8,
+                          .width_log2 = (uint8_t)random_in(&seed, 3, 6),
+                          .height_log2 = (uint8_t)random_in(&seed, 1, 6),
+                          .filter = &qtri_mipmapped_bilinear,
+                          .levels = gray_table};
+        size_t at = (size_t)1 << (t.width_log2 + t.height_log2);
+        for (int i = 1; i < t.width_log2; i++) {
+            gray_table[i - 1] = gray + at;
+            at += (size_t)1 << (t.width_log2 - i + (t.height_log2 > i ? t.height_log2 - i : 0));
+            t.level_count++;
+        }
+        qtri_material m = plain_material();
+        qtri_screen_vertex v[3];
+        m.texture = &t;
+        m.texture_mode = QTRI_REPLACE;
+        m.depth_compare = QTRI_LESS;
+        any_triangle(v, &seed, n, n % 2 == 0 ? 3000 : 20000);
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, v);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const int32_t x = i % WIDTH, y = i / WIDTH;
+            if (stored_depth(&c.surface, x, y) == 65535 || is_sliver(v)) {
+                continue;
+            }
+            const double u = perspective_sum(v, x, y, true, false);
+            const double w = perspective_sum(v, x, y, true, true);
+            const double is = stored_pixel(&c.surface, x, y) & 255;
+            double least = HUGE_VAL;
+            for (int level = 0; level <= t.level_count; level++) {
+                if (off_block(v, x, y, true, level, &t) < 0.03) {
+                    const double unit = /* 1/256 of a texel, or of a pixel's step */
+                        coordinate_unit(v, x, y, true, false, 1 << (t.width_log2 - level)) +
+                        coordinate_unit(v, x, y, true, true,
+                                        t.height_log2 > level ? 1 << (t.height_log2 - level) : 1);
+                    least = fmin(least, fmax(fabs(is - bilinear(&t, level, u, w)) - 0.52, 0) /
+                                            (255 * unit));
+                }
+            }
+            worst = fmax(worst, least);
+            pixels++;
+        }
+    }
+    print_message("%d pixels, off, of the bound: %.3f\n", pixels, worst);
+    assert_true(pixels > 5000);
+    assert_true(worst < 1);
+    canvas_free(&c);
+}
+
+/* ---- Many triangles in one draw call ---- */
+
+/* Fragments of small triangles wait for each other, whatever levels they are of. */
+static void draws_batches(void **state)
+{
+    (void)state;
+    enum { TRIANGLES = 40 };
+    uint64_t seed = 920;
+    canvas together = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas apart = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int n = 0; n < 120; n++) {
+        qtri_texture t = chain(6, random_in(&seed, 3, 6), true);
+        qtri_material m = qtri_material_default();
+        qtri_corner corners[3 * TRIANGLES];
+        qtri_view view;
+        qtri_transform pose;
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_transform_identity(&pose);
+        m.cull = QTRI_CULL_NONE;
+        m.texture = &t;
+        m.texture_mode = n % 2 == 0 ? QTRI_REPLACE : QTRI_MODULATE;
+        t.has_key = n % 3 == 0;
+        t.key = texels_565[1];
+        t.filter = n % 4 == 0 ? &qtri_mipmapped_bilinear : &qtri_mipmapped;
+        for (int i = 0; i < TRIANGLES; i++) {
+            const int32_t x = random_in(&seed, -Q16_ONE, Q16_ONE);
+            const int32_t y = random_in(&seed, -Q16_ONE, Q16_ONE);
+            const int32_t z = random_in(&seed, -Q16_ONE, Q16_ONE);
+            const int32_t repeats = Q16_ONE >> random_in(&seed, 0, 6);
+            for (int k = 0; k < 3; k++) {
+                const qtri_corner corner = {
+                    {x + random_in(&seed, -16000, 16000), y + random_in(&seed, -16000, 16000), z,
+                     Q16_ONE},
+                    {255, (uint8_t)random_in(&seed, 0, 255), 128},
+                    {random_in(&seed, 0, repeats), random_in(&seed, 0, repeats)}};
+                corners[3 * i + k] = corner;
+            }
+        }
+        canvas_clear(&together);
+        canvas_clear(&apart);
+        qtri_draw_triangles(&together.surface, &view, &pose, corners, 3 * TRIANGLES, &m);
+        for (int i = 0; i < TRIANGLES; i++) {
+            qtri_draw_triangles(&apart.surface, &view, &pose, &corners[3 * i], 3, &m);
+        }
+        assert_memory_equal(together.memory, apart.memory, together.bytes);
+    }
+    canvas_free(&together);
+    canvas_free(&apart);
+}
+
+/* ---- What there need not be ---- */
+
+/* Without levels, and with a null pointer among them, it is the filter without levels. */
+static void does_without(void **state)
+{
+    (void)state;
+    uint64_t seed = 930;
+    canvas with = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas without = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int n = 0; n < 200; n++) {
+        static const void *const hole[4] = {NULL, texels_565, texels_565, texels_565};
+        static const void *const all[4] = {texels_565, texels_565, texels_565, texels_565};
+        qtri_texture t = chain(random_in(&seed, 0, 6), random_in(&seed, 0, 6), true);
+        qtri_texture plain = t;
+        qtri_material m = plain_material();
+        qtri_screen_vertex v[3];
+        plain.filter = n % 2 == 0 ? NULL : &qtri_bilinear;
+        t.filter = n % 2 == 0 ? &qtri_mipmapped : &qtri_mipmapped_bilinear;
+        t.levels = n % 3 == 0 ? NULL : (n % 3 == 1 ? hole : all);
+        t.level_count = n % 3 == 2 ? 0 : 255;
+        m.depth_compare = QTRI_LESS;
+        m.texture_mode = QTRI_REPLACE;
+        any_triangle(v, &seed, n, 6000);
+        canvas_clear(&with);
+        canvas_clear(&without);
+        m.texture = &t;
+        qtri_raster_triangle(&with.surface, &m, v);
+        m.texture = &plain;
+        qtri_raster_triangle(&without.surface, &m, v);
+        assert_memory_equal(with.memory, without.memory, with.bytes);
+    }
+    canvas_free(&with);
+    canvas_free(&without);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(chooses_by_footprint),
+        cmocka_unit_test(filters_in_levels),
+        cmocka_unit_test(draws_batches),
+        cmocka_unit_test(does_without),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("core mipmaps", tests, NULL, NULL);
 }
