@@ -8,7 +8,7 @@
 #ifndef QTRI_RASTER_LEVELS_H
 #define QTRI_RASTER_LEVELS_H
 
-#include "qtri/texture.h"
+#include "texel.h"
 
 struct qtri_raster;
 
@@ -20,8 +20,8 @@ struct qtri_raster;
 typedef struct qtri_footprint {
     uint32_t right[2], right_dy[2]; /* in row 0, for one row down */
     uint32_t down[2], down_dx[2];   /* in column 0, for one column right */
-    int32_t exponent;
-    int32_t row;     /* that was last asked for: */
+    int16_t exponent;
+    int16_t row;     /* that was last asked for; -1: none */
     uint32_t length; /* of its step right */
 } qtri_footprint;
 
@@ -29,6 +29,7 @@ typedef struct qtri_levels {
     qtri_texture texture;       /* the raster's */
     const qtri_texture *whole;  /* the material's */
     struct qtri_raster *raster; /* the one that has this */
+    qtri_texel_axis *axis;      /* those that change with the level too; NULL: none */
     uint8_t level, last;        /* now, and the smallest */
     uint8_t waiting;            /* of the fragments in the batch */
     uint8_t down[2];            /* what a level takes away from the log2 of its sides */

@@ -8,6 +8,31 @@
 #include "texel_copy.h"
 #include "texel_format.h"
 
+void qtri_axis_move(qtri_texel_axis *axis, int32_t down)
+{
+    const uint32_t by = (uint32_t)(down < 0 ? -down : down);
+    axis->texel_shift = (uint8_t)(axis->texel_shift + down);
+    axis->side_log2 = (uint8_t)(axis->side_log2 - down);
+    axis->mask = (uint16_t)((1u << axis->side_log2) - 1);
+    if (down < 0) {
+        axis->first *= (int32_t)1 << by;
+    } else {
+        axis->first >>= by; /* without a rest: sides are powers of two */
+    }
+}
+
+/* The axes of the triangle whose rows are drawn. */
+static void move_axes(const qtri_levels *levels, int32_t along, int32_t across)
+{
+    const bool fills = levels->raster->texel_cut != 0;
+    if (!fills || levels->axis[0].clamped) {
+        qtri_axis_move(&levels->axis[0], along);
+    }
+    if (!fills || levels->axis[1].clamped) {
+        qtri_axis_move(&levels->axis[1], across);
+    }
+}
+
 void qtri_level_change(qtri_levels *levels, uint32_t level)
 {
     const qtri_texture *whole = levels->whole;
@@ -16,6 +41,9 @@ void qtri_level_change(qtri_levels *levels, uint32_t level)
     const uint32_t width_log2 = qtri_side_log2(whole->width_log2);
     const uint32_t height_log2 = qtri_side_log2(whole->height_log2);
     const uint32_t down = level < height_log2 ? level : height_log2;
+    if (levels->axis != NULL) {
+        move_axes(levels, (int32_t)level - levels->down[0], (int32_t)down - levels->down[1]);
+    }
     levels->level = (uint8_t)level;
     levels->down[0] = (uint8_t)level;
     levels->down[1] = (uint8_t)down;
@@ -104,6 +132,7 @@ static uint32_t small_level(qtri_list_values *v, const qtri_levels *levels)
 static void set_list(qtri_list_values *v)
 {
     qtri_levels *levels = qtri_levels_of(v->raster);
+    qtri_levels_vary(levels, false);
     qtri_level_set(levels, small_level(v, levels));
     qtri_list_set_texels(v);
 }
@@ -145,15 +174,25 @@ static uint32_t finish_list(const qtri_raster *raster, int32_t count, uint32_t m
 
 /* The filters ---------------------------------------------------------------------------------- */
 
-static const qtri_texturing stages = {qtri_textured_init, qtri_mipmap_axes, qtri_mipmap_begin_large,
-                                      qtri_mipmap_chunk,  set_list,         color_list,
-                                      finish_list};
+/* Where all pixels of a triangle are of one level, and where that changes along its rows. */
+static const qtri_texturing stages[2] = {
+    {qtri_textured_init, qtri_mipmap_axes, qtri_mipmap_begin_large, qtri_textured_chunk, set_list,
+     color_list, finish_list},
+    {qtri_textured_init, qtri_mipmap_axes, qtri_mipmap_begin_large, qtri_mipmap_chunk, set_list,
+     color_list, finish_list}};
+
+void qtri_levels_vary(qtri_levels *levels, bool vary)
+{
+    levels->raster->texturing = &stages[vary];
+    levels->axis = NULL;
+}
 
 static void init(qtri_raster *raster)
 {
     qtri_levels *levels = qtri_levels_of(raster);
     levels->whole = raster->texture;
     levels->raster = raster;
+    levels->axis = NULL;
     levels->texture = *raster->texture;
     levels->texture.filter = NULL;
     levels->level = 0;
@@ -161,10 +200,9 @@ static void init(qtri_raster *raster)
     levels->down[0] = 0;
     levels->down[1] = 0;
     levels->last = last_level(raster->texture);
-    levels->footprint.row = INT32_MIN;
     raster->texture = &levels->texture;
     if (levels->last != 0) {
-        raster->texturing = &stages;
+        qtri_levels_vary(levels, false);
     }
 }
 

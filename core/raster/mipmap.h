@@ -23,6 +23,12 @@ static inline void qtri_level_set(qtri_levels *levels, uint32_t level)
     }
 }
 
+/* An axis whose coordinates do not fill 32 bits, with texels 2^down as large. */
+void qtri_axis_move(qtri_texel_axis *axis, int32_t down);
+
+/* Whether rows of the next triangle have more levels than one. */
+void qtri_levels_vary(qtri_levels *levels, bool vary);
+
 /* The length of a step, of the magnitudes of both its parts: .97 to 1.07 of it. < 2^31 */
 static inline uint32_t qtri_step_length(uint32_t a, uint32_t b)
 {

@@ -24,6 +24,7 @@
 void qtri_mipmap_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3])
 {
     qtri_levels *levels = qtri_levels_of(job->raster);
+    levels->axis = NULL;
     qtri_level_set(levels, 0);
     qtri_textured_axes(job, value, v);
     for (int i = 0; i < 2; i++) { /* from corners, until the level is known */
@@ -31,15 +32,6 @@ void qtri_mipmap_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes
             job->axis[i].bias += (uint32_t)1 << (job->axis[i].shift - 1);
         }
     }
-}
-
-/* The axis of a level, `down` steps smaller, where coordinates do not fill 32 bits. */
-static void axis_down(qtri_texel_axis *axis, uint32_t down)
-{
-    axis->texel_shift = (uint8_t)(axis->texel_shift + down);
-    axis->side_log2 = (uint8_t)(axis->side_log2 - down);
-    axis->mask = (uint16_t)(axis->mask >> down);
-    axis->first >>= down; /* without a rest: sides are powers of two */
 }
 
 /* 2^-12 texel a pixel, held to 2^30. slope: 2^-(16 + shift). */
@@ -79,7 +71,7 @@ static void set_axes_down(qtri_job *job, const qtri_levels *levels)
             axis->bias -= (uint32_t)1 << ((uint32_t)axis->shift + down[i] - 1);
         }
         if (axis->clamped || levels->raster->texel_cut == 0) {
-            axis_down(axis, down[i]);
+            qtri_axis_move(axis, down[i]);
         } else {
             axis->texel_shift = levels->raster->coordinate[i].shift;
             axis->up = (int8_t)(i == 0 ? axis->up : axis->up - down[0] - down[1]);
@@ -171,8 +163,8 @@ static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_t
                              qtri_magnitude64(e[i].down[0]) | qtri_magnitude64(e[i].down[1]);
         bits = qtri_greatest32(bits, 64 - qtri_clz64(all | 1) + e[i].exponent);
     }
-    out->exponent = 29 - bits;
-    out->row = INT32_MIN;
+    out->exponent = (int16_t)(29 - bits);
+    out->row = -1;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *a = &job->attribute[QTRI_U + i].projected;
         const int32_t up = out->exponent + e[i].exponent;
@@ -201,7 +193,7 @@ QTRI_NOINLINE static uint32_t row_length(qtri_footprint *f, int32_t y)
     if (f->row == y) {
         return f->length;
     }
-    f->row = y;
+    f->row = (int16_t)y;
     f->length =
         qtri_step_length(qtri_magnitude32((int32_t)(f->right[0] + (uint32_t)y * f->right_dy[0])),
                          qtri_magnitude32((int32_t)(f->right[1] + (uint32_t)y * f->right_dy[1])));
@@ -348,37 +340,23 @@ static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, c
     return first;
 }
 
-/* Colours of `count` pixels from `x + done` on in one level; returns how many. */
-static int32_t color_block(qtri_scanline *row, qtri_levels *levels, int32_t x, int32_t done,
-                           int32_t count, uint32_t *mask)
+/*
+ * Along a row where w does not change colours do not vary either, see level_pixels() of
+ * perspective.c, so curves of the run that pixel x lies in have room in place of theirs. Returns
+ * how many pixels x is into it.
+ */
+QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels, int32_t x)
 {
-    const qtri_job *job = row->job;
-    const qtri_raster *raster = job->raster;
-    const bool fills = raster->texel_cut != 0;
-    qtri_texel_axis axis[2];
-    qtri_curve uv[2];
-    int32_t first = x + done;
-    if (row->level) {
-        const limit l = row_limit(row, levels);
-        first = begin_run(row, levels, &l, uv, x, x);
-    } else {
-        count = qtri_interpolate_perspective(row, first, count, QTRI_U, QTRI_ATTRIBUTES);
-        set_block(row, levels, row_length(&levels->footprint, row->y), first + (count >> 1));
-        uv[0] = row->curve[QTRI_U];
-        uv[1] = row->curve[QTRI_U + 1];
-    }
-    axis[0] = job->axis[0];
-    axis[1] = job->axis[1];
-    axis_down(&axis[0], levels->down[0]);
-    axis_down(&axis[1], levels->down[1]);
-    scale_curves(uv, levels, axis);
-    for (int i = 0; i < 2; i++) {
-        uv[i].at += (uint32_t)(x + done - first) * uv[i].step;
-    }
-    qtri_number_texels(raster, axis, done, uv, !raster->repeated && fills, count);
-    *mask = qtri_texels_color(raster, fills ? NULL : axis, raster->batch->color + done,
-                              raster->batch->by.shade + done, count, raster->fetched, job->shaded) &
-            qtri_mask_of(count);
+    const limit l = row_limit(row, levels);
+    return x - begin_run(row, levels, &l, row->curve, x, x);
+}
+
+/* The same of a block of curves, of up to `count` pixels: returns how many it has. */
+QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels, int32_t x,
+                                        int32_t count)
+{
+    count = qtri_interpolate_perspective(row, x, count, QTRI_U, QTRI_ATTRIBUTES);
+    set_block(row, levels, row_length(&levels->footprint, row->y), x + (count >> 1));
     return count;
 }
 
@@ -386,14 +364,28 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
 {
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
+    qtri_levels *levels = qtri_levels_of(raster);
+    const bool fills = raster->texel_cut != 0;
     uint32_t drawn = 0;
-    if (!qtri_job_is_bent(job) || job->values != NULL) {
-        return qtri_textured_chunk(row, x, count, mask);
-    }
     for (int32_t done = 0; done < count;) {
-        uint32_t some;
-        const int32_t length =
-            color_block(row, qtri_levels_of(raster), x, done, count - done, &some);
+        qtri_curve *uv = &row->curve[QTRI_U];
+        int32_t length = count;
+        int32_t skip = 0;
+        if (row->level) {
+            uv = row->curve;
+            skip = begin_level(row, levels, x);
+        } else {
+            length = begin_bent(row, levels, x + done, count - done);
+        }
+        scale_curves(uv, levels, job->axis);
+        uv[0].at += (uint32_t)skip * uv[0].step; /* 0, or the curves are straight */
+        uv[1].at += (uint32_t)skip * uv[1].step;
+        qtri_number_texels(raster, job->axis, done, uv, !raster->repeated && fills, length);
+        const uint32_t some =
+            qtri_texels_color(raster, fills ? NULL : job->axis, raster->batch->color + done,
+                              raster->batch->by.shade + done, length, raster->fetched,
+                              job->shaded) &
+            qtri_mask_of(length);
         drawn = done == 0 ? some : drawn << length | some;
         done += length;
     }
@@ -487,11 +479,13 @@ qtri_fill_rows qtri_mipmap_begin_large(qtri_job *job, const qtri_triangle *trian
 {
     const qtri_raster *raster = job->raster;
     qtri_levels *levels = qtri_levels_of(raster);
+    qtri_levels_vary(levels, qtri_job_is_bent(job));
     if (!qtri_job_is_bent(job)) {
         qtri_level_set(levels, linear_level(job, levels->last));
         set_axes_down(job, levels);
         return qtri_span_fill;
     }
     set_footprint(&levels->footprint, job, triangle, value, q);
+    levels->axis = job->axis;
     return job->copies && raster->copy_run != NULL ? fill_copies : qtri_span_fill;
 }
