@@ -165,6 +165,7 @@ static double outside(double coordinate, int index, int side, bool clamped)
 
 typedef struct worst {
     double level, own, place; /* off: of its block's, of its own pixel's, texels of the unit */
+    double small;             /* of its own pixel's, on small triangles */
     int pixels, levels[LEVELS + 1];
 } worst;
 
@@ -184,9 +185,10 @@ static void look_at(worst *w, const canvas *c, const qtri_screen_vertex v[3], co
         const int index = (int)(texel & 0xFFFFF);
         if (!is_sliver(v)) {
             w->level = fmax(w->level, off_block(v, x, y, perspective, level, t));
-            w->own = fmax(w->own, off_level(log2_footprint(v, x, y, perspective, 1 << t->width_log2,
-                                                           1 << t->height_log2),
-                                            level, t->level_count));
+            const double own = off_level(
+                log2_footprint(v, x, y, perspective, 1 << t->width_log2, 1 << t->height_log2),
+                level, t->level_count);
+            *(is_small(v) ? &w->small : &w->own) = fmax(is_small(v) ? w->small : w->own, own);
         }
         for (int k = 0; k < 2; k++) {
             const int side = 1 << (k == 0 ? w_log2 : h_log2);
@@ -241,9 +243,10 @@ static worst draw_many(uint64_t seed, int count, int32_t reach, int side_log2_ma
 
 static void print_worst(const char *name, const worst *w)
 {
-    print_message("%s: %d pixels, level off by %.3f of its block's, %.3f of the pixel's; place, of "
+    print_message("%s: %d pixels, level off by %.3f of its block's, %.3f of the pixel's, small "
+                  "%.3f; place, of "
                   "the bound: %.3f; of each level",
-                  name, w->pixels, w->level, w->own, w->place);
+                  name, w->pixels, w->level, w->own, w->small, w->place);
     for (int i = 0; i <= LEVELS; i++) {
         print_message(" %d", w->levels[i]);
     }
@@ -260,6 +263,7 @@ static void chooses_by_footprint(void **state)
     print_worst("large", &large);
     print_worst("any sides", &sides);
     assert_true(small.level < 0.03 && large.level < 0.03 && sides.level < 0.03);
+    assert_true(small.small < 0.4 && large.own < 0.4 && sides.own < 0.4);
     assert_true(small.place < 1.1 && large.place < 1.1 && sides.place < 1.1);
 }
 

@@ -93,13 +93,17 @@ extern const qtri_filter qtri_mipmapped_bilinear;
  * A pixel's footprint is the longer of two steps on the texture, in texels of level 0: that to the
  * pixel on the right and that to the pixel below, as derivatives have them. The length of a step
  * (du, dv) is the larger of |du| and |dv| and 3/8 of the smaller, which is .97 to 1.07 of it. Drawn
- * is level i where the footprint is 2^(i - 1/2) to 2^(i + 1/2), the first and the last also where
- * it is less and more. It is asked at vertex 0 of a triangle that is small, whose vertices 1 and 2
- * lie within 36 pixels; once of one that is linear on the screen; elsewhere in the middle of every
- * 2 to 32 pixels of a row, so that across them 1/w varies by 1/8 to both sides at most, or of 128
- * where w does not change along the row. Within those pixels the level is off by what the footprint
- * varies: on small triangles less than 1/4 of a level, along rows by what 1/w does, less than 2/5.
- * All of it is counted from the triangle and its rows: no band or scissor changes a level.
+ * is level i where the footprint is 2^(i - 1/2) to 2^(i + 1/2); the first and the last also where
+ * it is less and more.
+ *
+ * It is asked once for a triangle that is linear on the screen, or small: vertices 1 and 2 within
+ * 36 pixels of vertex 0, which is where it is asked, and 1/w within 1/12 of that there. On others
+ * it is asked in the middle of every 2 to 32 pixels of a row, along which 1/w varies by 1/8 to both
+ * sides at most; of 128 where w does not change along rows, as on floors. Inside of them the level
+ * is off by what the footprint varies: 2/5 of a level for what w does, and on planes whose horizon
+ * is r rows away, for pixels h from the middle, by h / r of the step right in the step down. On
+ * slivers of less than a pixel's height it may be any. All is counted from the whole triangle and
+ * its rows, so no band or scissor changes a level.
  *
  * Coordinates are interpolated as they are and clamped at each pixel, so that a clamped texture may
  * lie anywhere on a large triangle. 30 bits hold a triangle's range of coordinates, from the whole
