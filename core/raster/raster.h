@@ -122,7 +122,7 @@ struct qtri_raster {
     bool gray; /* what multiplies gives the format's kind */
     qtri_modulate_stage light, times;
     qtri_curves_stage times_curves;
-    qtri_tint_stage tinted; /* light, and the tint below */
+    qtri_tint_stage tinted;   /* light, and the tint below */
     qtri_taps_stage mix_taps; /* where texels are filtered */
     uint32_t (*seen)(const qtri_raster *raster, const uint32_t *color,
                      int32_t count); /* the mask of texels with enough alpha; NULL: all */
