@@ -26,13 +26,14 @@ typedef struct qtri_footprint {
 } qtri_footprint;
 
 typedef struct qtri_levels {
-    qtri_texture texture;       /* the raster's */
-    const qtri_texture *whole;  /* the material's */
-    struct qtri_raster *raster; /* the one that has this */
-    qtri_texel_axis *axis;      /* those that change with the level too; NULL: none */
-    uint8_t level, last;        /* now, and the smallest */
-    uint8_t waiting;            /* of the fragments in the batch */
-    uint8_t down[2];            /* what a level takes away from the log2 of its sides */
+    qtri_texture texture;                /* the raster's */
+    const qtri_texture *whole;           /* the material's */
+    struct qtri_raster *raster;          /* the one that has this */
+    const struct qtri_texturing *stages; /* two of them: see qtri_levels_vary */
+    qtri_texel_axis *axis;               /* those that change with the level too; NULL: none */
+    uint8_t level, last;                 /* now, and the smallest */
+    uint8_t waiting;                     /* of the fragments in the batch */
+    uint8_t down[2];                     /* what a level takes away from the log2 of its sides */
     qtri_footprint footprint;
 } qtri_levels;
 

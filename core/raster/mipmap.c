@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "bilinear.h"
 #include "list_values.h"
 #include "texel_copy.h"
 #include "texel_format.h"
@@ -54,20 +53,6 @@ void qtri_level_change(qtri_levels *levels, uint32_t level)
         raster->texel_cut = qtri_texel_cut(texture);
     }
     qtri_textured_set_coordinates(raster);
-}
-
-/* Levels that can be used besides the first: their widths are 2 texels or more. */
-static uint8_t last_level(const qtri_texture *texture)
-{
-    const int32_t width_log2 = qtri_side_log2(texture->width_log2);
-    uint8_t last = 0;
-    if (texture->levels != NULL) {
-        while (last + 1 < width_log2 && last < texture->level_count &&
-               texture->levels[last] != NULL) {
-            last++;
-        }
-    }
-    return last;
 }
 
 /* Small triangles ------------------------------------------------------------------------------ */
@@ -129,7 +114,7 @@ static uint32_t small_level(qtri_list_values *v, const qtri_levels *levels)
     return level;
 }
 
-static void set_list(qtri_list_values *v)
+void qtri_mipmap_set_list(qtri_list_values *v)
 {
     qtri_levels *levels = qtri_levels_of(v->raster);
     qtri_levels_vary(levels, false);
@@ -141,8 +126,8 @@ static void set_list(qtri_list_values *v)
  * Fragments of other triangles that wait are of another level: they are drawn first, and those of
  * this one, which have only their places as yet, begin the batch anew.
  */
-static uint32_t color_list(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
-                           const uint32_t *place, int32_t count)
+uint32_t qtri_mipmap_color_list(const qtri_list_values *v, uint32_t *color, uint32_t *shade,
+                                const uint32_t *place, int32_t count)
 {
     qtri_batch *batch = v->raster->batch;
     qtri_levels *levels = qtri_levels_of(v->raster);
@@ -162,7 +147,7 @@ static uint32_t color_list(const qtri_list_values *v, uint32_t *color, uint32_t 
     return qtri_list_texels(v, color, shade, place, count);
 }
 
-static uint32_t finish_list(const qtri_raster *raster, int32_t count, uint32_t mask)
+uint32_t qtri_mipmap_finish_list(const qtri_raster *raster, int32_t count, uint32_t mask)
 {
     qtri_levels *levels = qtri_levels_of(raster);
     const uint32_t level = levels->level;
@@ -171,48 +156,3 @@ static uint32_t finish_list(const qtri_raster *raster, int32_t count, uint32_t m
     qtri_level_set(levels, level);
     return mask;
 }
-
-/* The filters ---------------------------------------------------------------------------------- */
-
-/* Where all pixels of a triangle are of one level, and where that changes along its rows. */
-static const qtri_texturing stages[2] = {
-    {qtri_textured_init, qtri_mipmap_axes, qtri_mipmap_begin_large, qtri_textured_chunk, set_list,
-     color_list, finish_list},
-    {qtri_textured_init, qtri_mipmap_axes, qtri_mipmap_begin_large, qtri_mipmap_chunk, set_list,
-     color_list, finish_list}};
-
-void qtri_levels_vary(qtri_levels *levels, bool vary)
-{
-    levels->raster->texturing = &stages[vary];
-    levels->axis = NULL;
-}
-
-static void init(qtri_raster *raster)
-{
-    qtri_levels *levels = qtri_levels_of(raster);
-    levels->whole = raster->texture;
-    levels->raster = raster;
-    levels->axis = NULL;
-    levels->texture = *raster->texture;
-    levels->texture.filter = NULL;
-    levels->level = 0;
-    levels->waiting = 0;
-    levels->down[0] = 0;
-    levels->down[1] = 0;
-    levels->last = last_level(raster->texture);
-    raster->texture = &levels->texture;
-    if (levels->last != 0) {
-        qtri_levels_vary(levels, false);
-    }
-}
-
-static void init_bilinear(qtri_raster *raster)
-{
-    init(raster);
-    qtri_levels_of(raster)->texture.filter = &qtri_bilinear;
-    qtri_bilinear_init(raster);
-}
-
-/* Neither samples: the raster's texture has another filter, or none. */
-const qtri_filter qtri_mipmapped = {init, NULL};
-const qtri_filter qtri_mipmapped_bilinear = {init_bilinear, NULL};
