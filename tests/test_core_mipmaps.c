@@ -32,7 +32,8 @@ static qtri_texture chain(int width_log2, int height_log2, bool is_565)
         if (level == 0) {
             t.texels = first;
         } else {
-            (is_565 ? table_565 : table)[level - 1] = first;
+            table[level - 1] = is_565 ? table[level - 1] : first;
+            table_565[level - 1] = is_565 ? first : table_565[level - 1];
         }
         for (uint32_t i = 0; i < 1u << (w + h); i++) {
             texels[at + i] = texel_of((uint32_t)level, i);
