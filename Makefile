@@ -6,7 +6,7 @@
 #   host/tools/main.c        -> build/qtri             the command
 #   tests/test_X.c           -> build/tests/test_X     one cmocka program each
 #   tests/fuzz_X.c           -> build/fuzz/tests/fuzz_X   one libFuzzer program each
-#   other tests/*.c          -> build/libqtri-test.a   what the tests share
+#   tests/support/*.c        -> build/libqtri-test.a   what the tests share
 #
 # The same rules serve the sanitized and the fuzzed build; only BUILD, CC and CFLAGS differ.
 
@@ -26,7 +26,7 @@ TEST_SECONDS ?= 300
 
 LIBRARY_SOURCES := $(wildcard core/*/*.c port/panels/*.c)
 HOST_SOURCES    := $(filter-out host/tools/main.c,$(wildcard host/assets/*.c host/io/*.c host/panels/*.c host/reference/*.c host/tools/*.c))
-HELPER_SOURCES  := $(filter-out tests/test_%.c tests/fuzz_%.c,$(wildcard tests/*.c))
+HELPER_SOURCES  := $(wildcard tests/support/*.c)
 
 LIBRARY  := $(BUILD)/libqtri.a
 HOST     := $(BUILD)/libqtri-host.a
@@ -56,6 +56,9 @@ SLOW_IN_MEMORY := test_core_perspective
 # Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
 NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
 
+# In front of a command: a short line in its place, or the command itself with V=1; neither with -s.
+run = $(if $(V),,@$(if $(findstring s,$(firstword -$(MAKEFLAGS))),,echo '$1' && ))
+
 # -j for a make that this one starts, unless they already share the jobs.
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 
@@ -66,7 +69,7 @@ PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 all: $(LIBRARY) $(BUILD)/qtri ## Build build/libqtri.a and build/qtri (the default); needs only a C99 compiler
 
 $(BUILD)/qtri: $(BUILD)/obj/host/tools/main.o $(HOST) $(LIBRARY)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm $(HOST_LIBS)
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm $(HOST_LIBS)
 
 objects = $(1:%.c=$(BUILD)/obj/%.o)
 $(LIBRARY): $(call objects,$(LIBRARY_SOURCES))
@@ -75,11 +78,11 @@ $(HELPERS): $(call objects,$(HELPER_SOURCES))
 
 $(ARCHIVES):
 	@mkdir -p $(@D) && rm -f $@
-	$(AR) rc $@ $^
+	$(call run,archive $@)$(AR) rc $@ $^
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(CC) -std=c99 $(CFLAGS) $(INCLUDES) $(DEPENDENCIES) -c -o $@ $<
+	$(call run,compile $<)$(CC) -std=c99 $(CFLAGS) $(INCLUDES) $(DEPENDENCIES) -c -o $@ $<
 
 # The compiler and its flags; rewritten when they change, so that everything is rebuilt.
 $(BUILD)/flags: FORCE
@@ -110,13 +113,18 @@ setup: ## Install what the tests and checks need (Debian, as root); elsewhere na
 test: ## Run every test: plain, sanitized, narrow, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-sanitized test-memory test-narrow test-threads test-fuzz $(if $(wildcard port/boards/boards.mk),test-boards) $(if $(wildcard port/examples/examples.mk),test-examples) test-math-targets; do \
+	for step in test-plain test-sanitized test-memory test-narrow test-fuzz; do \
 	    $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
+	$(MAKE) -s -k $(PARALLEL) --output-sync=target $(TOGETHER) || status=1; \
 	sh tests/check/total.sh $$status
 
+# One emulator after the other leaves processors idle: these run beside each other.
+TOGETHER := test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
+            $(if $(wildcard port/examples/examples.mk),test-examples) test-math-targets
+
 .PHONY: test-plain
-test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_clip runs one
+test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_core_project runs one
 	@BUILD=$(BUILD) JOBS=$(JOBS) TEST_SECONDS=$(TEST_SECONDS) MODELS=$(MODELS) \
 	    sh tests/check/run_tests.sh $(TESTS)
 
@@ -153,7 +161,7 @@ $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
 $(BUILD)/tests/%_threads: LDFLAGS += -pthread
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
 
 .PHONY: test-math-targets
 test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V, big-endian PowerPC, AVR
@@ -163,7 +171,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 # Each gate is a script of its name in tests/check/ and prints `check: NAME ok` or its findings.
 
 GATES := check-format check-cppcheck check-warnings check-headers check-levels \
-         check-freestanding check-options check-compilers check-tree \
+         check-freestanding check-options check-same check-tree \
          check-tidy check-budgets check-matrix check-checked check-stack check-version check-packages
 
 .PHONY: check $(GATES)
@@ -178,7 +186,7 @@ check-headers:      ## Every public header compiles alone, in C99 and C++11, and
 check-levels:       ## A file includes only from its own folder and those below
 check-freestanding: ## The library for a Cortex-M0+ needs no libc, float, malloc or writable data
 check-options:      ## Built without any option of config.h, the library draws the same pixels of what is left
-check-compilers:    ## tcc, a plain C99 compiler, builds all and draws the same pictures
+check-same:         ## gcc, clang and tcc, at all levels, of 32 bits and big-endian, draw the same 2,300 pictures
 check-checked:      ## A build with QTRI_CHECKED stops at mistakes, and Q16() of a variable does not compile
 check-budgets:      ## No figure of bench and size is more than 2 % above its budget (make budgets)
 check-matrix:       ## No cell of bench-matrix costs twice its class's best or 2 % more than its budget (make matrix-budgets)
@@ -191,7 +199,7 @@ $(GATES): check-%:
 	@sh tests/check/$*.sh
 
 .PHONY: help
-help: ## List these targets
+help: ## List these targets; V=1 with any of them shows commands in full
 	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## / { printf "make %-20s%s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 # Boards: firmware for emulated microcontrollers, its targets among them `test-boards` ----------------

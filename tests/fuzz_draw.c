@@ -168,8 +168,9 @@ static void build_effects(struct reader *r, qtri_material *m, qtri_texture *text
 static qtri_material build_material(struct reader *r, qtri_texture *texture, const void *levels[4],
                                     const void *texels)
 {
+    const qtri_shading *const shadings[3] = {QTRI_SMOOTH, QTRI_FLAT_FIRST, QTRI_FLAT_LAST};
     qtri_material m = qtri_material_default();
-    m.shading = (qtri_shading)(take_byte(r) % 3);
+    m.shading = shadings[take_byte(r) % 3];
     m.interpolation = (qtri_interpolation)(take_byte(r) % 2);
     m.texture_mode = (qtri_texture_mode)(take_byte(r) % 2);
     m.cull = (qtri_cull)(take_byte(r) % 3);

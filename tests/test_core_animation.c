@@ -3,7 +3,7 @@
  * Motion: orbits, billboards, orthonormalising, keys, hierarchies and morphing, against double
  * precision.
  */
-#include "support_transform.h"
+#include "support/transform.h"
 
 #include <qtri/animation.h>
 

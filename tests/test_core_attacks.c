@@ -3,7 +3,7 @@
  * What was found by attack: arguments at their extremes, objects whose initialisation failed, and
  * limits that no picture of the other tests depends on. Most of them fail by a sanitizer's word.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { SIDE = 32 };
 

@@ -3,7 +3,7 @@
  * Pixels over pixels: blends and fog against exact arithmetic, once for each pixel, in order, and
  * the same for every band and scissor.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 96, HEIGHT = 80 };
 

@@ -2,7 +2,7 @@
 /*
  * Cameras and projections against double matrices built from the course's formulae.
  */
-#include "support_transform.h"
+#include "support/transform.h"
 
 static matrix looking(qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up)
 {

@@ -3,8 +3,8 @@
  * Direct3D's builders against its documentation's formulae, and the same picture, light included,
  * from both conventions.
  */
-#include "support_faces.h"
-#include "support_transform.h"
+#include "support/faces.h"
+#include "support/transform.h"
 
 /* D3DXMatrixLookAtLH, for column vectors. */
 static matrix looking(qtri_vec3 eye, qtri_vec3 at, qtri_vec3 up)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Luma, ordered dither and error diffusion: exact ends, kept means, no seams, any arguments. */
-#include "support_core.h"
+#include "support/core.h"
 
 #include <qtri/dither.h>
 

@@ -2,7 +2,7 @@
 /*
  * Draw calls: meshes and corners through the whole pipeline.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 48, HEIGHT = 40, VERTICES = 30, TRIANGLES = 40 };
 
@@ -97,7 +97,7 @@ static void compact_mesh(full_mesh *m, uint64_t *seed)
 static qtri_material random_material(uint64_t *seed)
 {
     qtri_material m = qtri_material_default();
-    m.shading = (qtri_shading)random_in(seed, 0, 2);
+    m.shading = shading_of((int)random_in(seed, 0, 2));
     m.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
     m.texture = random_flag(seed) ? &checker : NULL;
     m.cull = (qtri_cull)random_in(seed, 0, 2);
@@ -527,7 +527,7 @@ static void lit(void **state)
         qtri_transform_mul(&to_eye, &view.camera, &pose);
 
         qtri_material material = plain_material();
-        material.shading = per_vertex ? QTRI_SMOOTH : (qtri_shading)random_in(&seed, 1, 2);
+        material.shading = per_vertex ? QTRI_SMOOTH : shading_of((int)random_in(&seed, 1, 2));
         canvas_clear(&c);
         qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
         double nd[3] = {normal.x, normal.y, normal.z};
@@ -736,7 +736,7 @@ static void garbage(void **state)
         qtri_material material = random_material(&seed);
         material.texture = random_flag(&seed) ? &texture : NULL;
         material.cull = (qtri_cull)random_bits32(&seed);
-        material.shading = (qtri_shading)random_bits32(&seed);
+        material.shading = random_flag(&seed) ? NULL : QTRI_SMOOTH;
         material.fill = random_bits32(&seed) >> 30 != 0 ? &qtri_wireframe : NULL;
         material.depth_compare = (qtri_compare)random_bits32(&seed);
         material.reflection = random_flag(&seed) ? &reflection : NULL;

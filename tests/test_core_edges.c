@@ -3,7 +3,7 @@
  * The edge pass: exact shares, the same pixels for every band, scissor, format and memory, and
  * what it must leave alone.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include "tools/mesh_faces.h"
 #include "tools/mesh_neighbours.h"
@@ -72,7 +72,7 @@ static int make_torus(void **state)
 }
 
 /* The neighbour across an edge has it the other way round; a closed mesh has all of them. */
-static void test_neighbours(void **state)
+static void neighbours_are_found(void **state)
 {
     (void)state;
     int none = 0;
@@ -252,7 +252,7 @@ static void draw_whole(struct scene *s, struct picture *out)
 
 /* ---- The same pixels ---- */
 
-static void test_bands_and_lists(void **state)
+static void bands_and_lists(void **state)
 {
     (void)state;
     uint64_t seed = 1;
@@ -305,7 +305,7 @@ static void test_bands_and_lists(void **state)
     }
 }
 
-static void test_scissors_and_pitches(void **state)
+static void scissors_and_pitches(void **state)
 {
     (void)state;
     uint64_t seed = 2;
@@ -345,7 +345,7 @@ static void test_scissors_and_pitches(void **state)
 }
 
 /* Until the blend, an outlined mesh is drawn as any other, and only pixels near edges change. */
-static void test_drawing_is_the_same(void **state)
+static void drawing_is_the_same(void **state)
 {
     (void)state;
     uint64_t seed = 3;
@@ -470,7 +470,7 @@ static double coverage_of(const struct polygon *polygon, int px, int py)
  * Far from corners, the box's coverage. An edge that passes a pixel's centre by less than the walk
  * knows, 2^-10 of a pixel, may find the neighbour on the wrong side: then nothing changes.
  */
-static void test_shares_are_the_coverage(void **state)
+static void shares_are_the_coverage(void **state)
 {
     (void)state;
     uint64_t seed = 4;
@@ -526,7 +526,7 @@ static void test_shares_are_the_coverage(void **state)
 }
 
 /* Edge a b is edge b a: triangles of either winding have the same outline. */
-static void test_winding_does_not_matter(void **state)
+static void winding_does_not_matter(void **state)
 {
     (void)state;
     uint64_t seed = 5;
@@ -551,7 +551,7 @@ static void test_winding_does_not_matter(void **state)
 }
 
 /* Two triangles of one colour over black: no seam inside, nothing darker than their coverage. */
-static void test_shared_edges_leave_no_seam(void **state)
+static void shared_edges_leave_no_seam(void **state)
 {
     (void)state;
     uint64_t seed = 6;
@@ -575,7 +575,7 @@ static void test_shared_edges_leave_no_seam(void **state)
 }
 
 /* 8192 pixels wide: shares are as exact at the far end. */
-static void test_long_edges(void **state)
+static void long_edges(void **state)
 {
     (void)state;
     static uint32_t wide[QTRI_BAND_BYTES(8192, 6, 1) / 4 + 1];
@@ -632,7 +632,7 @@ static void test_long_edges(void **state)
 /* ---- What is left alone ---- */
 
 /* A mesh behind a near quad: none of the quad's pixels changes but on its own border. */
-static void test_hidden_edges(void **state)
+static void hidden_edges(void **state)
 {
     (void)state;
     uint64_t seed = 8;
@@ -688,7 +688,7 @@ static void test_hidden_edges(void **state)
 }
 
 /* Memory and arguments that do not serve. */
-static void test_errors(void **state)
+static void errors(void **state)
 {
     (void)state;
     uint64_t seed = 9;
@@ -741,7 +741,7 @@ static void test_errors(void **state)
 }
 
 /* Bands with a halo: where they lie, and what is changed. */
-static void test_halo(void **state)
+static void halo_bands_join(void **state)
 {
     (void)state;
     uint64_t seed = 10;
@@ -798,17 +798,17 @@ static void test_halo(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_neighbours),
-        cmocka_unit_test(test_bands_and_lists),
-        cmocka_unit_test(test_scissors_and_pitches),
-        cmocka_unit_test(test_drawing_is_the_same),
-        cmocka_unit_test(test_shares_are_the_coverage),
-        cmocka_unit_test(test_winding_does_not_matter),
-        cmocka_unit_test(test_shared_edges_leave_no_seam),
-        cmocka_unit_test(test_long_edges),
-        cmocka_unit_test(test_hidden_edges),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_halo),
+        cmocka_unit_test(neighbours_are_found),
+        cmocka_unit_test(bands_and_lists),
+        cmocka_unit_test(scissors_and_pitches),
+        cmocka_unit_test(drawing_is_the_same),
+        cmocka_unit_test(shares_are_the_coverage),
+        cmocka_unit_test(winding_does_not_matter),
+        cmocka_unit_test(shared_edges_leave_no_seam),
+        cmocka_unit_test(long_edges),
+        cmocka_unit_test(hidden_edges),
+        cmocka_unit_test(errors),
+        cmocka_unit_test(halo_bands_join),
     };
     return cmocka_run_group_tests(tests, make_torus, NULL);
 }

@@ -5,8 +5,8 @@
  * The short run takes every argument near those that hurt, windows of neighbours all over the range
  * and random ones; with QTRI_TEST_LONG every argument is tried.
  */
-#include "support_core.h"
-#include "support_elementary.h"
+#include "support/core.h"
+#include "support/elementary.h"
 
 #include <float.h>
 

@@ -3,12 +3,12 @@
  * Planes of faces: none is culled that would have been drawn, pictures stay as they are, and what
  * the host makes keeps the contract.
  */
-#include "support_faces.h"
+#include "support/faces.h"
 
 #include "geometry/eye.h"
 #include "geometry/lighting.h"
 #include "raster/triangle.h"
-#include "support_vertex_narrow.h"
+#include "support/vertex_narrow.h"
 
 enum { WIDTH = 160, HEIGHT = 120 };
 
@@ -162,7 +162,7 @@ static void any_numbers(void **state)
 static qtri_material random_material(uint64_t *seed)
 {
     qtri_material m = qtri_material_default();
-    m.shading = (qtri_shading)random_in(seed, 0, 2);
+    m.shading = shading_of((int)random_in(seed, 0, 2));
     m.cull = (qtri_cull)random_in(seed, 0, 2);
     m.fill = random_in(seed, 0, 2) == 0 ? &qtri_wireframe : NULL;
     m.depth_compare = random_in(seed, 0, 3) == 0 ? QTRI_DEPTH_OFF : QTRI_LESS;

@@ -2,7 +2,7 @@
 /*
  * Filters of finished pixels: 2x2 samples, FXAA, sums of frames; and jittered views.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 70, HEIGHT = 50, FORMATS = 5 };
 
@@ -77,7 +77,7 @@ static void levels_of(const qtri_format *format, double levels[3])
     levels[2] = levels[0];
 }
 
-static void test_halves_are_means(void **state)
+static void halves_are_means(void **state)
 {
     (void)state;
     for (uint64_t seed = 0; seed < 60; seed++) {
@@ -119,7 +119,7 @@ static void test_halves_are_means(void **state)
     }
 }
 
-static void test_halves_of_bands(void **state)
+static void halves_of_bands(void **state)
 {
     (void)state;
     uint64_t seed = 1;
@@ -181,7 +181,7 @@ static void smooth(const qtri_surface *surface, bool quick)
     }
 }
 
-static void test_fxaa_bands_and_scissors(void **state)
+static void fxaa_bands_and_scissors(void **state)
 {
     (void)state;
     uint64_t seed = 2;
@@ -237,7 +237,7 @@ static void test_fxaa_bands_and_scissors(void **state)
 }
 
 /* Pictures of one colour, smooth ones and single steps stay; colours lie between neighbours'. */
-static void test_fxaa_leaves_the_rest(void **state)
+static void fxaa_leaves_the_rest(void **state)
 {
     (void)state;
     for (uint64_t seed = 0; seed < 50; seed++) {
@@ -278,7 +278,7 @@ static void test_fxaa_leaves_the_rest(void **state)
 
 /* ---- Sums ---- */
 
-static void test_means_are_exact(void **state)
+static void means_are_exact(void **state)
 {
     (void)state;
     uint64_t seed = 3;
@@ -363,7 +363,7 @@ static int count_below_slope(const qtri_view *view)
 }
 
 /* Places are one in each part of a pixel, across and down, and the picture moves by them. */
-static void test_jitter(void **state)
+static void jittered_views(void **state)
 {
     (void)state;
     qtri_view view, moved;
@@ -394,9 +394,9 @@ static void test_jitter(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_halves_are_means),        cmocka_unit_test(test_halves_of_bands),
-        cmocka_unit_test(test_fxaa_bands_and_scissors), cmocka_unit_test(test_fxaa_leaves_the_rest),
-        cmocka_unit_test(test_means_are_exact),         cmocka_unit_test(test_jitter),
+        cmocka_unit_test(halves_are_means),        cmocka_unit_test(halves_of_bands),
+        cmocka_unit_test(fxaa_bands_and_scissors), cmocka_unit_test(fxaa_leaves_the_rest),
+        cmocka_unit_test(means_are_exact),         cmocka_unit_test(jittered_views),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

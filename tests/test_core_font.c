@@ -2,7 +2,7 @@
 /*
  * Text: glyphs against their bits, pens, UTF-8, and that the library's font is its BDF file.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include <qtri/font.h>
 

@@ -3,7 +3,7 @@
  * Formats of surfaces: what is stored and what it means, and the loops that store it, against a
  * plain model of memory.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include <qtri/dither.h>
 

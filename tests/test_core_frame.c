@@ -3,7 +3,7 @@
  * Frames in bands and prepared meshes: the pixels of the whole frame, whatever the height of the
  * bands, their order and the memory there is; and what a frame says has changed.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 56, HEIGHT = 44, RINGS = 12, SIDES = 9, VERTICES = RINGS * SIDES };
 enum { TRIANGLES = 2 * VERTICES, EXTRA = 3, LISTS = 4000 };
@@ -98,7 +98,7 @@ static void random_scene(scene *s, uint64_t *seed)
     }
     s->material = qtri_material_default();
     s->material.color.g = (uint8_t)random64(seed);
-    s->material.shading = (qtri_shading)(random_in(seed, 0, 5) / 2);
+    s->material.shading = shading_of((int)(random_in(seed, 0, 5) / 2));
     s->material.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
     s->material.texture = random_flag(seed) ? &checker : NULL;
     s->material.cull = (qtri_cull)(random_in(seed, 1, 7) % 3);

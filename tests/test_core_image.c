@@ -2,7 +2,7 @@
 /*
  * Pictures on surfaces: against pixels placed one by one, in all pairs of formats.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include <qtri/image.h>
 

@@ -3,7 +3,7 @@
  * light.h: vertices in many lights against the formula in double precision, and through draw
  * calls.
  */
-#include "support_transform.h"
+#include "support/transform.h"
 
 #include "geometry/lit_point.h"
 

@@ -3,8 +3,8 @@
  * light.h through draw calls: the same pixels with any memory, in bands, of meshes and of loose
  * triangles; the other side; power tables; spheres; and any bits as arguments.
  */
-#include "support_faces.h"
-#include "support_transform.h"
+#include "support/faces.h"
+#include "support/transform.h"
 
 #include "geometry/lit_point.h"
 
@@ -70,7 +70,7 @@ static qtri_material random_material(uint64_t *seed, const lamps *l)
 {
     qtri_material material = qtri_material_default();
     material.color = random_rgb(seed);
-    material.shading = (qtri_shading)random_in(seed, 0, 2);
+    material.shading = shading_of((int)random_in(seed, 0, 2));
     material.cull = (qtri_cull)random_in(seed, 0, 2);
     material.fill = random_in(seed, 0, 3) == 0 ? &qtri_wireframe : NULL;
     material.texture = random_in(seed, 0, 3) == 0 ? &texture : NULL;

@@ -2,8 +2,8 @@
 /*
  * Lines: the rule of raster.h exactly, both directions, chains, pictures, values along them.
  */
-#include "support_core.h"
-#include "support_line_narrow.h"
+#include "support/core.h"
+#include "support/line_narrow.h"
 
 #include "fast/line_16.h"
 

@@ -4,7 +4,7 @@
  * models of the depth test, for whatever they look like and however the frame is cut up.
  */
 #include "raster/list.h"
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 96, HEIGHT = 84 };
 
@@ -116,6 +116,7 @@ static void coverage_and_depth(void **state)
     (void)state;
     uint64_t seed = 1;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    const canvas cleared = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     double worst[5] = {0};
     int pixels = 0;
     for (int n = 0; n < 30000; n++) {
@@ -127,21 +128,22 @@ static void coverage_and_depth(void **state)
         for (int i = 0; i < 3; i++) {
             v[0].color_8p16[i] = 255 << 16;
         }
-        canvas_clear(&c);
         qtri_raster_triangle(&c.surface, &m, v);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const qtri_rect box = pixels_around(&c.surface, v);
+        for (screen_pixel at = first_pixel(box); at.y < box.y1; at = next_pixel(at, box)) {
             double b[3];
-            const bool inside = weights(b, v, i % WIDTH, i / WIDTH);
-            assert_int_equal(stored_pixel(&c.surface, i % WIDTH, i / WIDTH), inside ? 0xFFFF : 0);
+            const bool inside = weights(b, v, at.x, at.y);
+            assert_int_equal(stored_pixel(&c.surface, at.x, at.y), inside ? 0xFFFF : 0);
             if (inside) {
                 const double depth =
                     (b[0] * v[0].depth_16p16 + b[1] * v[1].depth_16p16 + b[2] * v[2].depth_16p16) /
                     65536;
-                const double error = fabs(stored_depth(&c.surface, i % WIDTH, i / WIDTH) - depth);
+                const double error = fabs(stored_depth(&c.surface, at.x, at.y) - depth);
                 worst[n % 5] = error > worst[n % 5] ? error : worst[n % 5];
                 pixels++;
             }
         }
+        erase_and_check(&c, box, &cleared);
     }
     print_message("%d pixels: depth off by %.3f; tiny %.3f, slivers %.3f, steep %.3f, level %.3f\n",
                   pixels, worst[0], worst[1], worst[2], worst[3], worst[4]);
@@ -149,6 +151,7 @@ static void coverage_and_depth(void **state)
         assert_true(worst[i] <= 1);
     }
     canvas_free(&c);
+    free(cleared.memory);
 }
 
 /* Of 31, 63, 31; of 255; of 255 luma. */
@@ -186,10 +189,12 @@ static void smooth_colors(void **state)
             random_triangle(v, &seed, n % 5);
             m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
             qtri_raster_triangle(&c.surface, &m, v);
-            for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const qtri_rect box = pixels_around(&c.surface, v);
+            for (screen_pixel here = first_pixel(box); here.y < box.y1;
+                 here = next_pixel(here, box)) {
                 double b[3];
                 double rgb[3];
-                if (!weights(b, v, i % WIDTH, i / WIDTH)) {
+                if (!weights(b, v, here.x, here.y)) {
                     continue;
                 }
                 if (m.interpolation == QTRI_PERSPECTIVE) {
@@ -201,7 +206,7 @@ static void smooth_colors(void **state)
                              65536;
                 }
                 for (int k = 0; k < 3; k++) {
-                    const uint32_t pixel = stored_pixel(&c.surface, i % WIDTH, i / WIDTH);
+                    const uint32_t pixel = stored_pixel(&c.surface, here.x, here.y);
                     const double error =
                         fabs(drawn_step(format, pixel, k) - step_of(format, rgb, k));
                     worst = error > worst ? error : worst;
@@ -270,15 +275,16 @@ static void texels(void **state)
             const double t = range * 256 / length;
             per_pixel[k] = t > 1 ? t : 1;
         }
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const qtri_rect box = pixels_around(&c.surface, v);
+        for (screen_pixel here = first_pixel(box); here.y < box.y1; here = next_pixel(here, box)) {
             double b[3];
-            if (!weights(b, v, i % WIDTH, i / WIDTH)) {
+            if (!weights(b, v, here.x, here.y)) {
                 continue;
             }
             if (m.interpolation == QTRI_PERSPECTIVE) {
                 divide(b, v);
             }
-            const int32_t number = (int32_t)stored_pixel(&c.surface, i % WIDTH, i / WIDTH);
+            const int32_t number = (int32_t)stored_pixel(&c.surface, here.x, here.y);
             for (int k = 0; k < 2; k++) {
                 double at = 0;
                 for (int j = 0; j < 3; j++) {
@@ -305,7 +311,7 @@ static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
     static const qtri_texel_format *const formats[3] = {&qtri_texel_rgb565, &qtri_texel_xrgb8888,
                                                         &qtri_texel_gray8};
     *m = drawn_material();
-    m->shading = (qtri_shading)random_in(seed, 0, 2);
+    m->shading = shading_of((int)random_in(seed, 0, 2));
     m->interpolation = (qtri_interpolation)random_in(seed, 0, 1);
     m->texture_mode = (qtri_texture_mode)random_in(seed, 0, 1);
     m->depth_compare = (qtri_compare)random_in(seed, 0, 9);
@@ -380,6 +386,14 @@ static void cuts(void **state)
     }
 }
 
+static void copy_pixel(const qtri_surface *to, const qtri_surface *from, int32_t x, int32_t y)
+{
+    const size_t bytes = to->format->pixels->bytes;
+    memcpy(to->pixels + y * to->pitch + x * (ptrdiff_t)bytes,
+           from->pixels + y * from->pitch + x * (ptrdiff_t)bytes, bytes);
+    to->depth[y * to->depth_pitch + x] = from->depth[y * from->depth_pitch + x];
+}
+
 static bool passes(qtri_compare compare, uint32_t z, uint32_t stored)
 {
     switch (compare) {
@@ -431,10 +445,11 @@ static void comparisons(void **state)
         m.depth_compare = QTRI_ALWAYS;
         m.depth_read_only = false;
         qtri_raster_triangle(&always.surface, &m, v);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const qtri_rect box = pixels_around(&drawn.surface, v);
+        for (screen_pixel at = first_pixel(box); at.y < box.y1; at = next_pixel(at, box)) {
             double b[3];
-            const int32_t x = i % WIDTH;
-            const int32_t y = i / WIDTH;
+            const int32_t x = at.x;
+            const int32_t y = at.y;
             const uint16_t stored = stored_depth(&before.surface, x, y);
             const uint16_t z = stored_depth(&always.surface, x, y);
             const bool passed = weights(b, v, x, y) && passes(compare, z, stored);
@@ -442,7 +457,9 @@ static void comparisons(void **state)
             assert_int_equal(stored_depth(&drawn.surface, x, y), written ? z : stored);
             assert_int_equal(stored_pixel(&drawn.surface, x, y),
                              stored_pixel(passed ? &always.surface : &before.surface, x, y));
+            copy_pixel(&drawn.surface, &before.surface, x, y);
         }
+        assert_memory_equal(drawn.memory, before.memory, drawn.bytes); /* nothing outside */
         canvas_free(&before);
     }
     canvas_free(&drawn);

@@ -2,7 +2,7 @@
 /*
  * Q16.16 matrices against exact or longer arithmetic.
  */
-#include "support_vec.h"
+#include "support/vec.h"
 
 #define PI_L 3.14159265358979323846264338L
 

@@ -2,13 +2,13 @@
 /*
  * Scalars, integer helpers, trigonometry and wide numbers against exact or longer arithmetic.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include "bits/bits.h"
 #include "math/sincos.h"
 #include "bits/wide.h"
-#include "support_math_checked.h"
-#include "support_q16.h"
+#include "support/math_checked.h"
+#include "support/q16.h"
 
 static const long double pi = 3.141592653589793238462643383279502884L;
 

@@ -3,7 +3,7 @@
  * Levels of a texture: which one is drawn, against footprints in double precision; where in it a
  * pixel lies; and that neither bands, scissors nor fused loops change any of it.
  */
-#include "support_texture.h"
+#include "support/texture.h"
 
 enum { LEVELS = 10, TEXELS = 1 << 21 };
 

@@ -3,7 +3,7 @@
  * Flat shapes: against areas and insides in double precision, and that no band, scissor or format
  * changes a pixel.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include <qtri/paint.h>
 

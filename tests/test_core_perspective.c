@@ -4,7 +4,7 @@
  * within 1/256 of a texel, or of what a pixel steps by; colours within 3/4 of a step; the same
  * pixels under any scissor, in any bands and by any loop.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 320, HEIGHT = 240, SIDE_MAX = 1024 };
 
@@ -51,20 +51,39 @@ typedef struct exact {
     double u, v, color[3];
 } exact;
 
-static exact exact_at(const qtri_screen_vertex t[3], double x, double y)
+/* A vertex as exact_at() needs it, in double precision. */
+typedef struct exact_vertex {
+    double x, y, inv_w, u, v, color[3];
+} exact_vertex;
+
+static void exact_triangle(exact_vertex e[3], const qtri_screen_vertex t[3])
+{
+    for (int i = 0; i < 3; i++) {
+        e[i].x = t[i].x_24p8;
+        e[i].y = t[i].y_24p8;
+        e[i].inv_w = ldexp((double)t[i].inv_w_q31, t[i].inv_w_exponent);
+        e[i].u = ldexp((double)t[i].u_q32, -32);
+        e[i].v = ldexp((double)t[i].v_q32, -32);
+        for (int k = 0; k < 3; k++) {
+            e[i].color[k] = t[i].color_8p16[k] / 65536.0;
+        }
+    }
+}
+
+static exact exact_at(const exact_vertex t[3], double x, double y)
 {
     exact e = {0, 0, {0, 0, 0}};
     double total = 0;
     for (int i = 0; i < 3; i++) {
-        const qtri_screen_vertex *p = &t[(i + 1) % 3];
-        const qtri_screen_vertex *q = &t[(i + 2) % 3];
-        double b = (double)(q->x_24p8 - p->x_24p8) * ((y + .5) * 256 - p->y_24p8) -
-                   (double)(q->y_24p8 - p->y_24p8) * ((x + .5) * 256 - p->x_24p8);
-        b *= ldexp((double)t[i].inv_w_q31, t[i].inv_w_exponent);
-        e.u += b * ldexp((double)t[i].u_q32, -32);
-        e.v += b * ldexp((double)t[i].v_q32, -32);
+        const exact_vertex *p = &t[(i + 1) % 3];
+        const exact_vertex *q = &t[(i + 2) % 3];
+        double b =
+            (q->x - p->x) * ((y + .5) * 256 - p->y) - (q->y - p->y) * ((x + .5) * 256 - p->x);
+        b *= t[i].inv_w;
+        e.u += b * t[i].u;
+        e.v += b * t[i].v;
         for (int k = 0; k < 3; k++) {
-            e.color[k] += b * t[i].color_8p16[k] / 65536.0;
+            e.color[k] += b * t[i].color[k];
         }
         total += b;
     }
@@ -89,21 +108,23 @@ typedef struct tally {
     double worst; /* in 1/256 of a texel or a step */
 } tally;
 
-static void judge(tally *sum, const canvas *c, const qtri_screen_vertex t[3],
+/* Leaves the canvas cleared. */
+static void judge(tally *sum, canvas *c, const canvas *cleared, const qtri_screen_vertex t[3],
                   const qtri_texture *texture)
 {
     const int width = 1 << texture->width_log2;
     const int height = 1 << texture->height_log2;
-    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const int32_t x = i % WIDTH;
-        const int32_t y = i / WIDTH;
-        if (stored_depth(&c->surface, x, y) == 65535) {
+    exact_vertex e[3];
+    exact_triangle(e, t);
+    const qtri_rect box = pixels_around(&c->surface, t);
+    for (screen_pixel p = first_pixel(box); p.y < box.y1; p = next_pixel(p, box)) {
+        if (stored_depth(&c->surface, p.x, p.y) == 65535) {
             continue;
         }
-        const uint32_t texel = stored_pixel(&c->surface, x, y);
-        const exact at = exact_at(t, x, y);
-        const exact right = exact_at(t, x + 1, y);
-        const exact below = exact_at(t, x, y + 1);
+        const uint32_t texel = stored_pixel(&c->surface, p.x, p.y);
+        const exact at = exact_at(e, p.x, p.y);
+        const exact right = exact_at(e, p.x + 1, p.y);
+        const exact below = exact_at(e, p.x, p.y + 1);
         double step = fmax(fabs(right.u - at.u), fabs(below.u - at.u)) * width;
         step = fmax(step, fmax(fabs(right.v - at.v), fabs(below.v - at.v)) * height);
         const double u = outside(at.u * width, (int)(texel & (uint32_t)(width - 1)), width);
@@ -113,6 +134,7 @@ static void judge(tally *sum, const canvas *c, const qtri_screen_vertex t[3],
         sum->farther += fmax(u, v) > fmax(1, step / 256);
         sum->worst = fmax(sum->worst, 256 * fmax(u, v) / fmax(1, step));
     }
+    erase_and_check(c, box, cleared);
 }
 
 static qtri_texture texture_of(const qtri_format *format, int width_log2, int height_log2)
@@ -157,6 +179,7 @@ static tally random_triangles(uint64_t seed, int count, const qtri_format *forma
 {
     tally sum = {0, 0, 0, 0};
     canvas c = canvas_new(format, WIDTH, HEIGHT);
+    const canvas cleared = canvas_new(format, WIDTH, HEIGHT);
     for (int n = 0; n < count; n++) {
         const int width_log2 = side_log2 != 0 ? side_log2 : random_in(&seed, 1, 10);
         int height_log2 = side_log2 != 0 ? side_log2 : random_in(&seed, 1, 10);
@@ -170,11 +193,11 @@ static tally random_triangles(uint64_t seed, int count, const qtri_format *forma
             corner at = random_corner(&seed, reach, limit, repeats);
             t[i] = vertex_of(&at);
         }
-        canvas_clear(&c);
         draw(&c, &texture, t);
-        judge(&sum, &c, t, &texture);
+        judge(&sum, &c, &cleared, t, &texture);
     }
     canvas_free(&c);
+    free(cleared.memory);
     return sum;
 }
 
@@ -185,6 +208,7 @@ static tally walls(uint64_t seed, int count, const qtri_format *format, double d
 {
     tally sum = {0, 0, 0, 0};
     canvas c = canvas_new(format, WIDTH, HEIGHT);
+    const canvas cleared = canvas_new(format, WIDTH, HEIGHT);
     const qtri_texture texture = texture_of(format, side_log2, side_log2);
     const double turn = degrees * acos(-1) / 180;
     for (int n = 0; n < count; n++) {
@@ -209,12 +233,12 @@ static tally walls(uint64_t seed, int count, const qtri_format *format, double d
         for (int half_quad = 0; half_quad < 2; half_quad++) {
             qtri_screen_vertex t[3] = {vertex_of(&q[0]), vertex_of(&q[1 + half_quad]),
                                        vertex_of(&q[2 + half_quad])};
-            canvas_clear(&c);
             draw(&c, &texture, t);
-            judge(&sum, &c, t, &texture);
+            judge(&sum, &c, &cleared, t, &texture);
         }
     }
     canvas_free(&c);
+    free(cleared.memory);
     return sum;
 }
 
@@ -276,6 +300,7 @@ static double random_colors(uint64_t seed, int count, const qtri_format *format,
     double worst = 0;
     long pixels = 0;
     canvas c = canvas_new(format, WIDTH, HEIGHT);
+    const canvas cleared = canvas_new(format, WIDTH, HEIGHT);
     for (int n = 0; n < count; n++) {
         const double limit = pow(ratio, uniform(&seed));
         qtri_screen_vertex t[3];
@@ -290,18 +315,18 @@ static double random_colors(uint64_t seed, int count, const qtri_format *format,
         m.texture = texture;
         m.shading = QTRI_SMOOTH;
         m.depth_compare = QTRI_LESS;
-        canvas_clear(&c);
         qtri_raster_triangle(&c.surface, &m, t);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            const int32_t x = i % WIDTH;
-            const int32_t y = i / WIDTH;
-            if (stored_depth(&c.surface, x, y) == 65535) {
+        exact_vertex e[3];
+        exact_triangle(e, t);
+        const qtri_rect box = pixels_around(&c.surface, t);
+        for (screen_pixel p = first_pixel(box); p.y < box.y1; p = next_pixel(p, box)) {
+            if (stored_depth(&c.surface, p.x, p.y) == 65535) {
                 continue;
             }
-            const exact at = exact_at(t, x, y);
+            const exact at = exact_at(e, p.x, p.y);
             double stored[3];
             double should[3];
-            channels_of(stored, should, format, stored_pixel(&c.surface, x, y), at.color);
+            channels_of(stored, should, format, stored_pixel(&c.surface, p.x, p.y), at.color);
             for (int k = 0; k < 3; k++) {
                 if (fabs(stored[k] - should[k]) > worst) {
                     worst = fabs(stored[k] - should[k]);
@@ -309,8 +334,10 @@ static double random_colors(uint64_t seed, int count, const qtri_format *format,
             }
             pixels++;
         }
+        erase_and_check(&c, box, &cleared);
     }
     canvas_free(&c);
+    free(cleared.memory);
     assert_true(pixels > 10000);
     return worst;
 }

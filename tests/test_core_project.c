@@ -3,7 +3,7 @@
  * The vertex stage and the clipper: from object space to snapped screen coordinates, against exact
  * arithmetic.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include "geometry/projector.h"
 

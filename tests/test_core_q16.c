@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Arithmetic scalars against exact 128-bit arithmetic, in all builds of support_q16.h.
+ * Arithmetic scalars against exact 128-bit arithmetic, in all builds of support/q16.h.
  */
-#include "support_core.h"
-#include "support_q16.h"
+#include "support/core.h"
+#include "support/q16.h"
 
 #include <limits.h>
 

@@ -3,7 +3,7 @@
  * The fill rule of raster.h, exactly: against an independent integer edge function, on meshes whose
  * triangles must meet without gaps, and as pictures.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 typedef struct point {
     int32_t x, y;

@@ -5,8 +5,8 @@
  */
 #include "raster/span.h"
 #include "raster/triangle.h"
-#include "support_core.h"
-#include "support_fill.h"
+#include "support/core.h"
+#include "support/fill.h"
 
 enum { WIDTH = 150, HEIGHT = 40 };
 
@@ -39,7 +39,7 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
 static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
 {
     *m = qtri_material_default();
-    m->shading = (qtri_shading)random_in(seed, 0, 2);
+    m->shading = shading_of((int)random_in(seed, 0, 2));
     m->interpolation = (qtri_interpolation)random_in(seed, 0, 1);
     m->texture_mode = (qtri_texture_mode)random_in(seed, 0, 1);
     m->cull = QTRI_CULL_NONE;
@@ -80,9 +80,10 @@ static void choose(qtri_raster *raster, enum way way)
         {{selected_flat_pairs, selected_smooth_pairs, selected_copy_pairs},
          {selected_flat_pairs_lequal, selected_smooth_pairs_lequal, selected_copy_pairs_lequal}},
     };
-    const bool has_loops = raster->fill_flat != qtri_span_fill;
+    const bool has_loops = raster->fill_flat != qtri_span_flat;
     if (way == STAGES) {
-        raster->fill_flat = raster->fill_smooth = qtri_span_fill;
+        raster->fill_flat = qtri_span_flat;
+        raster->fill_smooth = qtri_span_fill;
         raster->copy_run = NULL;
     } else if (way != CHOSEN && has_loops) {
         const int equal = raster->compare == QTRI_LESS_EQUAL;
@@ -102,7 +103,7 @@ static bool draw(const qtri_surface *surface, const qtri_material *material,
     choose(&raster, way);
     qtri_raster_draw(&raster, v);
     return raster.texture != NULL             ? raster.copy_run != NULL
-           : material->shading != QTRI_SMOOTH ? raster.fill_flat != qtri_span_fill
+           : material->shading != QTRI_SMOOTH ? raster.fill_flat != qtri_span_flat
                                               : raster.fill_smooth != qtri_span_fill;
 }
 

@@ -3,7 +3,7 @@
  * Colour and depth of covered pixels against double barycentrics of the snapped vertices; depth
  * comparisons; stored formats.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 enum { WIDTH = 40, HEIGHT = 36 };
 
@@ -125,7 +125,8 @@ static void interpolation(void **state)
         for (int n = 0; n < 9000; n++) {
             qtri_screen_vertex v[3];
             qtri_material m = plain_material();
-            m.shading = (qtri_shading)(n % 4 == 1 ? 1 : n % 4 == 2 ? 2 : 0);
+            const int shading = n % 4 == 1 ? 1 : n % 4 == 2 ? 2 : 0;
+            m.shading = shading_of(shading);
             m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
             m.depth_compare = QTRI_LESS;
             random_triangle(v, &seed, n);
@@ -138,7 +139,7 @@ static void interpolation(void **state)
             qtri_raster_triangle(&c.surface, &m, v);
             for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
                 if (stored_depth(&c.surface, i % WIDTH, i / WIDTH) != 65535) {
-                    check_pixel(&c, &m, v, i % WIDTH, i / WIDTH, &w[m.shading][m.interpolation]);
+                    check_pixel(&c, &m, v, i % WIDTH, i / WIDTH, &w[shading][m.interpolation]);
                 }
             }
         }

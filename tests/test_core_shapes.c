@@ -2,7 +2,7 @@
 /*
  * Computed meshes and what encloses them: closed, outwards, round; and what a view sees.
  */
-#include "support_transform.h"
+#include "support/transform.h"
 
 #include <qtri/bounds.h>
 #include <qtri/shapes.h>

@@ -9,7 +9,7 @@
 #include "raster/stage_color.h"
 #include "raster/stage_depth.h"
 #include "raster/textured.h"
-#include "support_core.h"
+#include "support/core.h"
 
 /* ---- Colours ---- */
 

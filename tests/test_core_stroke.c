@@ -2,7 +2,7 @@
 /*
  * Strokes: coverage against exact areas, joints, bands and scissors, formats, depth, extremes.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include "reference/stroke_cover.h"
 

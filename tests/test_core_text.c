@@ -2,7 +2,7 @@
 /*
  * Numbers as decimal text: exact rounding, shortest text, every value there and back.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 static void check_round_trip(q16 x)
 {

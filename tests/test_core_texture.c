@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Texture fetch: the texel under each pixel against double arithmetic, for every size and format,
- * near and far from the origin; replace and modulate; textures that are none.
+ * Texture fetch: the texel under each pixel against double arithmetic, for every size, repeated and
+ * clamped, near and far from the origin; nothing is read beside the texture; textures that are
+ * none.
  */
-#include "support_texture.h"
+#include "support/texture.h"
 
 enum { SIDE = 1024 };
 
@@ -35,43 +36,73 @@ static double outside(double coordinate, int index, int side)
     return fmin(offset - 1, side - offset);
 }
 
+/* How far a coordinate, in texels, is outside of texel `index` of a side that ends. */
+static double outside_clamped(double coordinate, int index, int side)
+{
+    double low = index == 0 ? -HUGE_VAL : index;
+    double high = index == side - 1 ? HUGE_VAL : index + 1;
+    return fmax(fmax(low - coordinate, coordinate - high), 0);
+}
+
+/* What random triangles show of their textures. */
+typedef struct sample {
+    uint64_t seed;
+    int count;
+    int32_t reach;     /* of positions, 24.8 */
+    int32_t uv_reach;  /* Q16.16 */
+    int32_t uv_offset; /* Q16.16, to one side or the other */
+    int size_log2;     /* of both sides, or -1: any */
+    qtri_wrap wrap;
+} sample;
+
+/* How far along `side` a coordinate is from the texel that was fetched for it, of the bound. */
+static double off(const sample *s, const qtri_screen_vertex v[3], const int32_t at[2],
+                  bool perspective, bool second, int side, int index)
+{
+    const double is = perspective_sum(v, at[0], at[1], perspective, second) * side;
+    const double by =
+        s->wrap == QTRI_CLAMP ? outside_clamped(is, index, side) : outside(is, index, side);
+    return by / coordinate_unit(v, at[0], at[1], perspective, second, side);
+}
+
 /* Largest distance between a coordinate and the texel that was fetched for it, of the bound. */
-static double worst_texel(uint64_t seed, int count, int32_t reach, int32_t uv_reach, int size_log2)
+static double worst_texel(sample s)
 {
     double worst = 0;
     int pixels = 0;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
-    for (int n = 0; n < count; n++) {
-        int width_log2 = size_log2 >= 0 ? size_log2 : random_in(&seed, 0, 10);
-        int height_log2 = size_log2 >= 0 ? size_log2 : random_in(&seed, 0, 10);
+    for (int n = 0; n < s.count; n++) {
+        const int width_log2 = s.size_log2 >= 0 ? s.size_log2 : random_in(&s.seed, 0, 10);
+        const int height_log2 = s.size_log2 >= 0 ? s.size_log2 : random_in(&s.seed, 0, 10);
         qtri_texture texture = address_texture(width_log2, height_log2);
+        texture.wrap_u = texture.wrap_v = s.wrap;
         qtri_material m = plain_material();
         qtri_screen_vertex v[3];
         m.texture = &texture;
         m.texture_mode = QTRI_REPLACE;
         m.interpolation = (qtri_interpolation)(n % 2);
-        m.shading = (qtri_shading)(n / 2 % 3);
+        m.shading = shading_of(n / 2 % 3);
         m.depth_compare = QTRI_LESS;
-        random_triangle(v, &seed, reach, uv_reach);
+        random_triangle(v, &s.seed, s.reach, s.uv_reach);
+        const int64_t offset = (int64_t)(random_flag(&s.seed) ? s.uv_offset : -s.uv_offset) * 65536;
         for (int i = 0; i < 3; i++) {
             v[i].color_8p16[i] = 7 << 16; /* does not matter */
+            v[i].u_q32 += offset;
+            v[i].v_q32 -= offset;
         }
         canvas_clear(&c);
         qtri_raster_triangle(&c.surface, &m, v);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            int32_t x = i % WIDTH;
-            int32_t y = i / WIDTH;
-            if (stored_depth(&c.surface, x, y) == 65535) {
+            const int32_t at[2] = {i % WIDTH, i / WIDTH};
+            if (stored_depth(&c.surface, at[0], at[1]) == 65535) {
                 continue;
             }
-            uint32_t texel = stored_pixel(&c.surface, x, y);
-            double u = perspective_sum(v, x, y, n % 2 == 0, false) * (1 << width_log2);
-            double t = perspective_sum(v, x, y, n % 2 == 0, true) * (1 << height_log2);
-            worst =
-                fmax(worst, outside(u, (int)(texel & ((1u << width_log2) - 1)), 1 << width_log2) /
-                                coordinate_unit(v, x, y, n % 2 == 0, false, 1 << width_log2));
-            worst = fmax(worst, outside(t, (int)(texel >> width_log2), 1 << height_log2) /
-                                    coordinate_unit(v, x, y, n % 2 == 0, true, 1 << height_log2));
+            const uint32_t texel = stored_pixel(&c.surface, at[0], at[1]);
+            const int width = 1 << width_log2;
+            const int column = (int)(texel & (uint32_t)(width - 1));
+            const int row = (int)(texel >> width_log2);
+            worst = fmax(worst, off(&s, v, at, n % 2 == 0, false, width, column));
+            worst = fmax(worst, off(&s, v, at, n % 2 == 0, true, 1 << height_log2, row));
             pixels++;
         }
     }
@@ -80,22 +111,41 @@ static double worst_texel(uint64_t seed, int count, int32_t reach, int32_t uv_re
     return worst;
 }
 
-static void texels(void **state)
+static void texels_that_repeat(void **state)
 {
     (void)state;
-    double usual = worst_texel(91, 600, 6000, Q16(2), 6);
-    double sizes = worst_texel(92, 600, 12000, Q16(4), -1);
-    double large = worst_texel(93, 300, 1 << 19, Q16(20), 8);
-    double guard_band = worst_texel(94, 300, 4100000, Q16(100), 8);
-    double far_out = worst_texel(95, 600, 6000, Q16(30000), 8);
+    const double usual = worst_texel((sample){91, 600, 6000, Q16(2), 0, 6, QTRI_REPEAT});
+    const double sizes = worst_texel((sample){92, 600, 12000, Q16(4), 0, -1, QTRI_REPEAT});
+    const double large = worst_texel((sample){93, 300, 1 << 19, Q16(20), 0, 8, QTRI_REPEAT});
+    const double guard = worst_texel((sample){94, 300, 4100000, Q16(100), 0, 8, QTRI_REPEAT});
+    const double far_out = worst_texel((sample){95, 600, 6000, Q16(30000), 0, 8, QTRI_REPEAT});
     print_message(
         "off, of the bound: 64 on screen %.6f, any size %.6f, 2048 px %.6f, guard band %.6f, "
         "coordinates of 30000 %.4f\n",
-        usual, sizes, large, guard_band, far_out);
+        usual, sizes, large, guard, far_out);
     assert_true(usual <= 1);
     assert_true(sizes <= 1);
     assert_true(large <= 1);
-    assert_true(guard_band <= .02 * 256);
+    assert_true(guard <= .02 * 256);
+    assert_true(far_out <= 1);
+}
+
+static void texels_that_are_clamped(void **state)
+{
+    (void)state;
+    const double usual = worst_texel((sample){701, 300, 12000, Q16(2), 0, -1, QTRI_CLAMP});
+    const double large = worst_texel((sample){702, 300, 1 << 19, Q16(16), Q16(3), -1, QTRI_CLAMP});
+    const double beyond = worst_texel((sample){703, 300, 12000, Q16(2), Q16(5), -1, QTRI_CLAMP});
+    const double far_beyond =
+        worst_texel((sample){704, 300, 12000, Q16(1), Q16(32766), -1, QTRI_CLAMP});
+    const double far_out = worst_texel((sample){705, 300, 12000, Q16(30000), 0, -1, QTRI_CLAMP});
+    print_message("clamped, off, of the bound: %.6f, 2048 px %.6f, outside %.6f, far outside %.6f, "
+                  "coordinates of 30000 %.4f\n",
+                  usual, large, beyond, far_beyond, far_out);
+    assert_true(usual <= 1);
+    assert_true(large <= 1);
+    assert_true(beyond == 0);
+    assert_true(far_beyond == 0);
     assert_true(far_out <= 1);
 }
 
@@ -133,84 +183,89 @@ static void pixel_for_texel(void **state)
     canvas_free(&c);
 }
 
-static void modulates(void **state)
+/* One texel a pixel, begun anywhere: each pixel shows its texel or the border's; either axis. */
+static void clamps_each_axis(void **state)
 {
     (void)state;
-    double worst = 0;
-    uint64_t seed = 96;
-    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
-    for (int n = 0; n < 3000; n++) {
-        uint32_t one_texel = (uint32_t)random64(&seed) & 0xFFFFFFu;
-        uint16_t one_565 = (uint16_t)random64(&seed);
-        bool narrow = n % 2 != 0;
-        if (n % 7 == 0) {
-            one_texel = 0xFFFFFFu;
-            one_565 = 0xFFFF;
-        }
-        qtri_texture texture = {.texels = &one_texel, .format = &qtri_texel_xrgb8888};
-        if (narrow) {
-            texture.texels = &one_565;
-            texture.format = &qtri_texel_rgb565;
-        }
+    static const int32_t origins[] = {0, -7, 7, -31, 31, -32, 32, -33, 1000, -1000, 32000, -32000};
+    canvas c = canvas_new(&qtri_xrgb8888, 32, 32);
+    qtri_texture texture = address_texture(4, 4);
+    for (size_t n = 0; n < 4 * LENGTH_OF(origins); n++) {
+        int32_t origin = origins[n / 4]; /* in texels */
+        texture.wrap_u = n % 2 ? QTRI_CLAMP : QTRI_REPEAT;
+        texture.wrap_v = n / 2 % 2 ? QTRI_CLAMP : QTRI_REPEAT;
         qtri_material m = plain_material();
         m.texture = &texture;
-        int level[3] = {random_in(&seed, 0, 255), random_in(&seed, 0, 255), n % 256};
-        draw_quad(&c, &m, level);
-        uint32_t drawn = stored_pixel(&c.surface, 7, 9);
-        int texel[3] = {(int)(one_texel >> 16), (int)(one_texel >> 8 & 255),
-                        (int)(one_texel & 255)};
-        if (narrow) {
-            texel[0] = ((one_565 >> 11) * 255 + 15) / 31;
-            texel[1] = ((one_565 >> 5 & 63) * 255 + 31) / 63;
-            texel[2] = ((one_565 & 31) * 255 + 15) / 31;
-        }
-        for (int i = 0; i < 3; i++) {
-            double is = drawn >> (16 - 8 * i) & 255;
-            worst = fmax(worst, fabs(is - level[i] * texel[i] / 255.));
-            assert_true(texel[i] != 255 || is == level[i]); /* white changes nothing */
-        }
         m.texture_mode = QTRI_REPLACE;
-        draw_quad(&c, &m, level);
-        assert_int_equal(stored_pixel(&c.surface, 7, 9),
-                         (uint32_t)(texel[0] << 16 | texel[1] << 8 | texel[2]));
+        qtri_screen_vertex q[4] = {screen_at(0, 0), screen_at(32 * 256, 0),
+                                   screen_at(32 * 256, 32 * 256), screen_at(0, 32 * 256)};
+        for (int i = 0; i < 4; i++) {
+            q[i].u_q32 = ((int64_t)origin + (i == 1 || i == 2 ? 32 : 0)) * (1 << 28);
+            q[i].v_q32 = ((int64_t)origin + (i >= 2 ? 32 : 0)) * (1 << 28);
+        }
+        qtri_screen_vertex second[3] = {q[0], q[2], q[3]};
+        qtri_raster_triangle(&c.surface, &m, q);
+        qtri_raster_triangle(&c.surface, &m, second);
+        for (int32_t i = 0; i < 32 * 32; i++) {
+            int32_t at[2] = {origin + i % 32, origin + i / 32};
+            for (int axis = 0; axis < 2; axis++) {
+                bool clamp = (axis == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP;
+                int32_t held = at[axis] < 0 ? 0 : (at[axis] > 15 ? 15 : at[axis]);
+                at[axis] = clamp ? held : (int32_t)((uint32_t)at[axis] & 15);
+            }
+            assert_int_equal(stored_pixel(&c.surface, i % 32, i / 32), at[1] * 16 + at[0]);
+        }
     }
-    print_message("modulate: %.4f of 255\n", worst);
-    assert_true(worst <= .75); /* see stage_color.h */
     canvas_free(&c);
 }
 
-static void checkers(void **state)
+/* Memory of exactly the texture's size: the sanitizer watches its ends. */
+static void stays_inside(void **state)
 {
     (void)state;
-    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
-    static const int fields[] = {0, 1, 2, 8, 3, 64, 65535};
-    for (size_t n = 0; n < LENGTH_OF(fields); n++) {
-        qtri_texture texture = {
-            .format = &qtri_texel_checker,
-            .width_log2 = 6,
-            .height_log2 = 5,
-            .fields = (uint16_t)fields[n],
-            .color = {{255, 0, 1}, {2, 255, 3}},
-        };
+    static const struct {
+        const qtri_texel_format *format;
+        uint8_t size;
+    } texels_of[] = {{&qtri_texel_rgb565, 2},
+                     {&qtri_texel_xrgb8888, 4},
+                     {&qtri_texel_checker, 0},
+                     {&qtri_texel_palette8, 1},
+                     {&qtri_texel_gray8, 1}};
+    static const int8_t sides[] = {0, 1, 5, 10};
+    static const qtri_rgb palette[256];
+    uint64_t seed = 730;
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int n = 0; n < 5 * 16 * 20; n++) {
+        qtri_texture texture = {.format = texels_of[n % 5].format,
+                                .width_log2 = (uint8_t)sides[n / 5 % 4],
+                                .height_log2 = (uint8_t)sides[n / 20 % 4],
+                                .wrap_u = (qtri_wrap)random_in(&seed, 0, 1),
+                                .wrap_v = (qtri_wrap)random_in(&seed, 0, 1),
+                                .filter = &qtri_bilinear,
+                                .palette = palette,
+                                .has_key = random_flag(&seed),
+                                .key = 1};
+        size_t count = (size_t)1 << (texture.width_log2 + texture.height_log2);
+        void *texels = texels_of[n % 5].size ? calloc(count, texels_of[n % 5].size) : NULL;
+        texture.texels = texels;
         qtri_material m = plain_material();
-        const int white[3] = {255, 255, 255};
+        qtri_screen_vertex v[3];
         m.texture = &texture;
-        draw_quad(&c, &m, white);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            int x = i % WIDTH;
-            int y = i / WIDTH;
-            /* texel under the centre, never on a boundary here */
-            int column = (2 * x + 1) * 64 / (2 * WIDTH);
-            int row = (2 * y + 1) * 32 / (2 * HEIGHT);
-            int field = column * fields[n] / 64 + row * fields[n] / 32;
-            assert_int_equal(stored_pixel(&c.surface, x, y), field % 2 ? 0x02FF03 : 0xFF0001);
+        m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
+        random_triangle(v, &seed, 6000, Q16(2));
+        for (int i = 0; i < 3 && n % 3 != 0; i++) { /* any number whatever */
+            v[i].u_q32 = (int64_t)random64(&seed) >> random_in(&seed, 0, 40);
+            v[i].v_q32 = (int64_t)random64(&seed) >> random_in(&seed, 0, 40);
+            v[i].inv_w_q31 = (uint32_t)random64(&seed) >> random_in(&seed, 0, 31);
         }
+        qtri_raster_triangle(&c.surface, &m, v);
+        free(texels);
     }
     canvas_free(&c);
 }
 
 /* No texels, no format, sides too large: untextured or held to 1024. */
-static void odd_textures(void **state)
+static void textures_that_are_none(void **state)
 {
     (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
@@ -242,8 +297,9 @@ static void odd_textures(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(texels),   cmocka_unit_test(pixel_for_texel), cmocka_unit_test(modulates),
-        cmocka_unit_test(checkers), cmocka_unit_test(odd_textures),
+        cmocka_unit_test(texels_that_repeat), cmocka_unit_test(texels_that_are_clamped),
+        cmocka_unit_test(pixel_for_texel),    cmocka_unit_test(clamps_each_axis),
+        cmocka_unit_test(stays_inside),       cmocka_unit_test(textures_that_are_none),
     };
     return cmocka_run_group_tests_name("core texture", tests, NULL, NULL);
 }

@@ -2,7 +2,7 @@
 /*
  * Texels with alpha, filtered: against double precision, in every format of theirs.
  */
-#include "support_texture.h"
+#include "support/texture.h"
 
 enum { SIDE_LOG2 = 3, SIDE = 1 << SIDE_LOG2 };
 

@@ -2,7 +2,7 @@
 /*
  * Poses: builders, products and round trips against double matrices.
  */
-#include "support_transform.h"
+#include "support/transform.h"
 
 static void simple_builders(void **state)
 {

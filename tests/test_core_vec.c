@@ -2,7 +2,7 @@
 /*
  * Vectors against exact or longer arithmetic.
  */
-#include "support_vec.h"
+#include "support/vec.h"
 
 static void check_length(q16 length, int128 square)
 {

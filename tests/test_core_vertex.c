@@ -3,11 +3,11 @@
  * The vertex stage of meshes: the fast way, the exact way and the code for small cores give the
  * same bits; 16-bit positions and normals are as good as they claim.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include "geometry/lighting.h"
 #include "geometry/vertex.h"
-#include "support_vertex_narrow.h"
+#include "support/vertex_narrow.h"
 
 enum { POINTS = 64 };
 

@@ -3,7 +3,7 @@
  * Wireframes of meshes: edges that triangles share are left out only where nobody sees it. The
  * picture is that of every triangle drawn alone, in turn, for every way to look and to draw.
  */
-#include "support_core.h"
+#include "support/core.h"
 
 #include "draw/mesh_job.h"
 
@@ -129,7 +129,7 @@ static void random_scene(scene *s, uint64_t *seed)
     s->mesh = mesh;
     s->material = qtri_material_default();
     s->material.color.g = (uint8_t)random64(seed);
-    s->material.shading = (qtri_shading)(random_in(seed, 0, 3) % 3);
+    s->material.shading = shading_of((int)(random_in(seed, 0, 3) % 3));
     s->material.cull = (qtri_cull)(random_in(seed, 0, 3) % 3);
     s->material.fill = &qtri_wireframe;
     s->material.depth_compare =

@@ -4,7 +4,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "io_check.h"
+#include "support/io.h"
 
 #include "io/bdf.h"
 

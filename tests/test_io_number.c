@@ -3,7 +3,7 @@
  * Decimal text to Q16.16, integers, lines and tokens.
  */
 #define _POSIX_C_SOURCE 200809L
-#include "io_check.h"
+#include "support/io.h"
 
 #include "io/lines.h"
 #include "io/number.h"

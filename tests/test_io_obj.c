@@ -3,7 +3,7 @@
  * Wavefront OBJ files.
  */
 #define _POSIX_C_SOURCE 200809L
-#include "io_check.h"
+#include "support/io.h"
 
 #include <math.h>
 
@@ -193,6 +193,22 @@ static void normals_are_weighted_by_area_per_position(void **state)
     assert_vec3(mesh.normals[3], x, 0, z);
     assert_vec3(mesh.normals[4], ONE, 0, 0);
     assert_vec3(mesh.normals[5], x, 0, z);
+    obj_free(&mesh);
+}
+
+/* The same two faces, in a file that repeats the positions of their edge, one of them as -0. */
+static void normals_are_smooth_across_equal_positions(void **state)
+{
+    (void)state;
+    struct obj_mesh mesh = parse("v 0 0 0\nv 0 1 0\nv -1 0 0\nv 0 0 -2\nv -0 0 0\nv 0 1 0\n"
+                                 "f 1 2 3\nf 5 4 6\n");
+    assert_int_equal(mesh.vertex_count, 6);
+    const int32_t x = 58617, z = 29309;
+    const int32_t expected[6][3] = {{x, 0, z}, {x, 0, z},   {0, 0, ONE},
+                                    {x, 0, z}, {ONE, 0, 0}, {x, 0, z}};
+    for (int i = 0; i < 6; i++) {
+        assert_vec3(mesh.normals[i], expected[i][0], expected[i][1], expected[i][2]);
+    }
     obj_free(&mesh);
 }
 
@@ -425,6 +441,7 @@ int main(void)
         cmocka_unit_test(triples_become_vertices),
         cmocka_unit_test(many_triples),
         cmocka_unit_test(normals_are_weighted_by_area_per_position),
+        cmocka_unit_test(normals_are_smooth_across_equal_positions),
         cmocka_unit_test(normals_without_a_direction),
         cmocka_unit_test(huge_coordinates),
         cmocka_unit_test(other_statements_are_passed_over),

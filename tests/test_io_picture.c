@@ -3,7 +3,7 @@
  * PPM files and dumps.
  */
 #define _XOPEN_SOURCE 700 /* setrlimit */
-#include "io_check.h"
+#include "support/io.h"
 
 #include <signal.h>
 #include <sys/resource.h>

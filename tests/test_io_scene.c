@@ -3,7 +3,7 @@
  * Scene files: every statement's effect and every error, with its line.
  */
 #define _POSIX_C_SOURCE 200809L
-#include "io_check.h"
+#include "support/io.h"
 
 #include "io/picture.h"
 #include "io/palette.h"

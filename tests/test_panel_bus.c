@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What panels say on the bus: call by call, when something fails, and when there is too little
  * memory. */
-#include "support_panel.h"
+#include "support/panel.h"
 
 static void assert_log(wire *w, const char *expected)
 {

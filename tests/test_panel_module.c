@@ -3,7 +3,10 @@
  * Modules that differ from the description of their display: where the glass lies in the memory,
  * how it is mounted and wired; what a bus and a step may be; how much of a transfer drawing hides.
  */
-#include "support_panel.h"
+#include "support/panel.h"
+
+#include <qtri_port/completion.h>
+#include <qtri_port/tearing.h>
 
 static enum qtri_error start_module(setup *s, const qtri_module *module, qtri_rotation rotation,
                                     bool most)
@@ -188,7 +191,7 @@ static void cannot(void **state)
     setup_end(&s);
     setup_init(&s, 0);
     assert_int_equal(start_module(&s, &white, QTRI_ROTATE_0, true), QTRI_OK);
-    assert_true(s.sim.ssd1306.inverse);
+    assert_true(s.sim.ssd1306.drive.inverse);
     setup_end(&s);
 }
 
@@ -314,6 +317,233 @@ static void hidden(void **state)
     assert_int_equal(qtri_panel_finish(&panel), QTRI_OK);
 }
 
+/*
+ * E-paper that refreshes changes alone: it shows what a refresh of everything would, in a fifth of
+ * the time, and the first refresh of all is one of everything, whatever was asked for. The
+ * simulated controller compares what it is told with what it shows.
+ */
+static void changes_alone(void **state)
+{
+    (void)state;
+    static setup s;
+    for (int rotation = 0; rotation < 4; rotation++) {
+        setup_init(&s, 6);
+        s.description = &qtri_ssd1680_partial;
+        assert_int_equal(setup_start(&s, (qtri_rotation)rotation, false), QTRI_ERROR_MEMORY);
+        assert_int_equal(setup_start(&s, (qtri_rotation)rotation, true), QTRI_OK);
+        int32_t w = qtri_panel_width(&s.panel), h = qtri_panel_height(&s.panel);
+        canvas whole = canvas_new(&qtri_gray8, w, h);
+        draw_picture(&whole.surface, 3);
+        assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
+        assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+        assert_int_equal(s.sim.ssd1680.refreshes, 1);
+        for (int i = 0; i < 3; i++) {
+            qtri_rect rect = {8 + 9 * i, 16, 40 + 9 * i, 33};
+            whole.surface.scissor = rect;
+            qtri_rgb gray = {(uint8_t)(70 * i), 0, 90};
+            qtri_surface_clear(&whole.surface, gray, 65535);
+            assert_int_equal(qtri_panel_write_rect(&s.panel, &whole.surface, rect), QTRI_OK);
+            uint64_t before = s.sim.chip.now_ms;
+            assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+            assert_true(s.sim.chip.now_ms - before <= 400);
+            uint32_t *expected = picture_expected(&whole.surface, &s.panel);
+            assert_seen(&s, expected);
+            free(expected);
+        }
+        assert_int_equal(s.sim.ssd1680.refreshes, 1);
+        assert_int_equal(s.sim.ssd1680.partial_refreshes, 3);
+        assert_int_equal(qtri_panel_refresh(&s.panel), QTRI_OK);
+        assert_int_equal(s.sim.ssd1680.refreshes, 2);
+        assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+        assert_int_equal(s.sim.ssd1680.partial_refreshes, 4);
+        assert_chip_content(&s.sim.chip);
+
+        /* After one that failed the controller may show anything: everything again. */
+        s.wire.fail_at = s.wire.calls + 3;
+        assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_ERROR_BUS);
+        s.wire.fail_at = 0;
+        assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+        assert_int_equal(s.sim.ssd1680.refreshes, 3);
+        canvas_free(&whole);
+        setup_end(&s);
+    }
+    /* Displays without it: as a refresh, here of nothing. */
+    setup_init(&s, 7);
+    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    int calls = s.wire.calls;
+    assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+    assert_int_equal(s.wire.calls, calls);
+    setup_end(&s);
+}
+
+/* A DMA whose interrupt comes at the n-th access to the bus, counted from its start. */
+typedef struct interrupted {
+    qtri_completion completion;
+    qtri_bus bus;
+    int calls, due, done, starts;
+    bool flying;
+} interrupted;
+
+static void interrupt_if_due(interrupted *it)
+{
+    if (it->flying && it->calls++ >= it->due) {
+        it->flying = false;
+        qtri_completion_sent(&it->completion);
+    }
+}
+
+static bool interrupted_send(void *context, const uint8_t *bytes, size_t count)
+{
+    interrupted *it = (interrupted *)context;
+    (void)bytes;
+    (void)count;
+    assert_false(it->flying);
+    return true;
+}
+
+static bool interrupted_start(void *context, const uint8_t *bytes, size_t count)
+{
+    interrupted *it = (interrupted *)context;
+    (void)bytes;
+    (void)count;
+    assert_false(it->flying);
+    it->flying = true;
+    it->calls = 0;
+    it->starts++;
+    interrupt_if_due(it);
+    return true;
+}
+
+static bool interrupted_finish(void *context)
+{
+    interrupted *it = (interrupted *)context;
+    while (it->flying) {
+        interrupt_if_due(it);
+    }
+    return true;
+}
+
+static void interrupted_wait(void *context, uint32_t ms)
+{
+    (void)context;
+    (void)ms;
+}
+
+static void count_done(void *context)
+{
+    interrupted *it = (interrupted *)context;
+    assert_false(it->flying);
+    assert_int_equal(it->completion.sent, it->completion.started);
+    it->done++;
+}
+
+static bool refuse(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context;
+    (void)bytes;
+    (void)count;
+    return false;
+}
+
+/* One call for each request, when the last of all transfers is over; none without a request. */
+static void completion(void **state)
+{
+    (void)state;
+    enum { W = 24, ROWS = 8 };
+    static uint8_t line[QTRI_PANEL_LINE_BYTES(240)];
+    for (int n = 0; n < 8; n++) {
+        bool by_dma = n % 2 == 0;
+        interrupted it;
+        memset(&it, 0, sizeof it);
+        qtri_bus bus = {&it,
+                        interrupted_send,
+                        interrupted_send,
+                        by_dma ? interrupted_start : NULL,
+                        by_dma ? interrupted_finish : NULL,
+                        interrupted_wait,
+                        NULL,
+                        NULL,
+                        100};
+        it.bus = bus;
+        it.due = n / 2;
+        const qtri_bus *watched = qtri_completion_init(&it.completion, &it.bus, count_done, &it);
+        qtri_panel panel;
+        assert_int_equal(
+            qtri_panel_init(&panel, &qtri_ili9341, watched, QTRI_ROTATE_0, line, sizeof line),
+            QTRI_OK);
+        canvas band = canvas_new(&qtri_rgb565, 240, 320);
+        int before = it.starts;
+        assert_int_equal(it.done, 0);
+        for (int i = 1; i <= 3; i++) {
+            qtri_rect rect = {0, 0, W * i, ROWS};
+            assert_int_equal(qtri_panel_write_rect(&panel, &band.surface, rect), QTRI_OK);
+            qtri_completion_notify(&it.completion);
+            assert_int_equal(qtri_panel_finish(&panel), QTRI_OK);
+            assert_int_equal(it.done, i);
+        }
+        assert_true(by_dma ? it.starts >= before + 3 * 4 : it.starts == 0);
+        qtri_rect rect = {0, 0, W, ROWS};
+        assert_int_equal(qtri_panel_write_rect(&panel, &band.surface, rect), QTRI_OK);
+        assert_int_equal(qtri_panel_finish(&panel), QTRI_OK);
+        assert_int_equal(it.done, 3);
+        if (by_dma) { /* what did not start is not waited for */
+            it.bus.data_start = refuse;
+            assert_int_equal(qtri_panel_write_rect(&panel, &band.surface, rect), QTRI_ERROR_BUS);
+            qtri_completion_notify(&it.completion);
+            assert_int_equal(it.done, 4);
+        }
+        canvas_free(&band);
+    }
+}
+
+/* Levels of the pin, one a read; '1' is high. */
+typedef struct te_pin {
+    const char *levels;
+    uint32_t reads;
+} te_pin;
+
+static te_pin te;
+
+static bool te_is_high(void *context)
+{
+    assert_true(context == NULL || ((const wire *)context)->sending == NULL);
+    return te.levels[te.reads++] == '1';
+}
+
+static void tearing(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *levels;
+        uint32_t most, reads;
+        enum qtri_error error;
+    } cases[] = {{"0001", 9, 4, QTRI_OK},         {"1101", 9, 4, QTRI_OK},
+                 {"11111", 5, 5, QTRI_ERROR_BUS}, {"00000", 5, 5, QTRI_ERROR_BUS},
+                 {"1", 0, 0, QTRI_ERROR_BUS},     {"01", 2, 2, QTRI_OK}};
+    static setup s;
+    setup_init(&s, 8); /* by DMA */
+    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_int_equal(qtri_tearing_on(&s.panel), QTRI_OK);
+    canvas whole = canvas_new(&qtri_rgb565, 240, 320);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
+        te.levels = cases[i].levels;
+        te.reads = 0;
+        assert_int_equal(qtri_tearing_wait(&s.panel, te_is_high, cases[i].most), cases[i].error);
+        assert_int_equal(te.reads, cases[i].reads);
+        assert_null(s.wire.sending);
+    }
+    assert_chip_content(&s.sim.chip);
+    canvas_free(&whole);
+    setup_end(&s);
+    setup_init(&s, 0);
+    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    int calls = s.wire.calls;
+    assert_int_equal(qtri_tearing_on(&s.panel), QTRI_ERROR_SIZE);
+    assert_int_equal(s.wire.calls, calls);
+    setup_end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -325,6 +555,9 @@ int main(void)
         cmocka_unit_test(too_many_parameters),
         cmocka_unit_test(split_transfers),
         cmocka_unit_test(hidden),
+        cmocka_unit_test(changes_alone),
+        cmocka_unit_test(completion),
+        cmocka_unit_test(tearing),
     };
     return cmocka_run_group_tests_name("panel module", tests, NULL, NULL);
 }

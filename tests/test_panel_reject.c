@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The simulated controllers refuse what the chips would not do as meant: streams, and broken
  * drivers. */
-#include "support_panel.h"
+#include "support/panel.h"
 
 typedef struct stream {
     const char *bytes; /* "c2A d0003" as in the log of a wire; "w120" waits, "r" resets */
@@ -161,6 +161,8 @@ static void paper_streams(void **state)
         {"r c13", "unknown command 0x13"},
         {"r c21 d4080 c22 dC7 c20", "update sequence 0xC7"},
         {"r c22 dF7 c20", "the memory of the second colour"},
+        {"r c21 d0080 c22 dFF c20", "the second memory is not what is shown in row 0"},
+        {"r c21 d4080 c22 dFF c20", "a partial refresh without the second memory"},
         {"r c21 d4080 c22 dF7 c20 w1999 c22", "command 0x22 1 ms too early"},
         {"r c21 d4080 c22 dF7 c20 w2000 c22 dF7", NULL},
         {"r c01 d280100", "297 gates"},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Every panel shows pictures as they are: rotations, bands, formats, memory, rectangles. */
-#include "support_panel.h"
+#include "support/panel.h"
 
 static const qtri_format *const formats[] = {&qtri_rgb565,         &qtri_xrgb8888, &qtri_gray8,
                                              &qtri_rgb565_swapped, &qtri_rgb888,   &qtri_bgr888};

@@ -3,7 +3,7 @@
  * The README's sample, word for word, compiled with the gear.h that the build makes: what it sends
  * to a simulated display is the gear, turned by two degrees a frame.
  */
-#include "support_panel.h"
+#include "support/panel.h"
 
 #include <setjmp.h>
 

@@ -3,7 +3,7 @@
  * The double-precision reference on the benchmark scenes: pixels and fragments must be the counts
  * every renderer of these scenes is measured against.
  */
-#include "reference_check.h"
+#include "support/reference.h"
 
 #define CAMERA                                                                                     \
     "viewport 320 240\nclear .094 .125 .188\ndepth less\n"                                         \

@@ -2,8 +2,8 @@
 /*
  * The lines of the double-precision reference: outlines of triangles, and their clipping.
  */
-#include "reference_check.h"
-#include "reference_soup.h"
+#include "support/reference.h"
+#include "support/reference_soup.h"
 
 #include "reference/clip.h"
 

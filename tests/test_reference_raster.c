@@ -3,8 +3,8 @@
  * The triangles of the double-precision reference: which pixels belong to them, snapped and not,
  * for every sign of w.
  */
-#include "reference_check.h"
-#include "reference_soup.h"
+#include "support/reference.h"
+#include "support/reference_soup.h"
 
 /* ---- The top-left rule ---- */
 

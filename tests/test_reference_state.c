@@ -3,7 +3,7 @@
  * What the double-precision reference does with a scene's state: depth comparison and writing,
  * culling, shading, textures, light; and its pictures in the formats of displays.
  */
-#include "reference_check.h"
+#include "support/reference.h"
 
 #include "reference/reference_picture.h"
 

@@ -39,7 +39,7 @@ static struct scene parse(const char *mode)
     return scene;
 }
 
-static void test_bands(void **state)
+static void bands(void **state)
 {
     (void)state;
     const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
@@ -96,7 +96,7 @@ static double psnr_of(const char *mode)
     return 10 * log10(255. * 255. / (sum / (WIDTH * HEIGHT * 3)));
 }
 
-static void test_quality(void **state)
+static void quality(void **state)
 {
     (void)state;
     find_truth();
@@ -110,8 +110,8 @@ static void test_quality(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bands),
-        cmocka_unit_test(test_quality),
+        cmocka_unit_test(bands),
+        cmocka_unit_test(quality),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

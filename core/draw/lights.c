@@ -19,8 +19,8 @@ static void begin(qtri_mesh_job *draw)
     const uint32_t all = mesh->vertex_count;
     draw->tinted = false;
     draw->more = true;
-    draw->shaded_per_vertex = qtri_shading_of(&draw->material) == QTRI_SMOOTH &&
-                              (mesh->normals != NULL || mesh->normals8 != NULL);
+    draw->shaded_per_vertex =
+        qtri_is_smooth(&draw->material) && (mesh->normals != NULL || mesh->normals8 != NULL);
     if (draw->slot_count >= all && draw->slot_count - all >= (all + 4) / 5) {
         draw->lit_colors = (uint32_t *)(void *)(draw->vertices + all);
         draw->slot_count = all;
@@ -162,7 +162,7 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
 {
     const qtri_mesh *mesh = draw->mesh;
     const int32_t turn = is_back ? -1 : 1;
-    const bool smooth = qtri_shading_of(&draw->material) == QTRI_SMOOTH;
+    const bool smooth = qtri_is_smooth(&draw->material);
     qtri_lit_point point;
     qtri_vec3 p[3];
     int32_t n[3];
@@ -172,7 +172,7 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
     if (!smooth) {
         set_mean(&point, draw, p);
     }
-    const int provoking = draw->material.shading == QTRI_FLAT_FIRST ? 0 : 2;
+    const int provoking = qtri_provoking_of(&draw->material);
     for (int i = smooth ? 0 : provoking; i < 3; i++) {
         if (smooth) {
             set_place(&point, draw, index[i]);

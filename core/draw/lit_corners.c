@@ -63,7 +63,7 @@ static void draw_lit(const qtri_primitive *primitive, const qtri_illumination *b
 {
     const qtri_material *material = primitive->material;
     const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
-    const bool smooth = qtri_shading_of(material) == QTRI_SMOOTH;
+    const bool smooth = qtri_is_smooth(material);
     qtri_shape shape;
     qtri_corner lit[3];
     const qtri_corners_fate found =

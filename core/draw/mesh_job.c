@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../fast/fused.h"
 #include "lights.h"
 
 /* Vertices from which on a look at eight corners pays. */
@@ -79,7 +80,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     }
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     const bool is_lit = view->light != NULL && view->lights == NULL;
-    draw->lit_per_vertex = is_lit && qtri_shading_of(material) == QTRI_SMOOTH && normals;
+    draw->lit_per_vertex = is_lit && qtri_is_smooth(material) && normals;
     draw->noted = false;
     draw->lit = false;
     draw->lit_per_face = QTRI_WITH_FACE_LIGHT && is_lit && !draw->lit_per_vertex;
@@ -88,9 +89,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
         raster->lamp.find = qtri_mesh_find_light;
         raster->lamp.from = draw;
         raster->lamp.by_vertex = draw->lit_per_vertex;
-        if (draw->more) {
-            raster->tint_small = NULL;
-        }
+        raster->tint_small = !draw->more && qtri_tint_fits(raster) ? qtri_tint_less : NULL;
     }
 }
 

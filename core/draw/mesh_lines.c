@@ -133,7 +133,6 @@ QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *
                                          qtri_vertex *const vertex[3], uint32_t edges)
 {
     const qtri_line_job *line = &draw->primitive.to.lines.job;
-    const qtri_shading shading = draw->material.shading;
     const qtri_rgb *colors = draw->mesh->colors;
     qtri_rgb shaded[3];
     uint32_t index[3];
@@ -155,8 +154,8 @@ QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *
         light_q15[1] = vertex[1]->intensity_q15;
         light_q15[2] = vertex[2]->intensity_q15;
     }
-    if (shading != QTRI_SMOOTH) {
-        const int from = shading == QTRI_FLAT_FIRST ? 0 : 2;
+    if (!qtri_is_smooth(&draw->material)) {
+        const int from = qtri_provoking_of(&draw->material);
         light_q15[0] = light_q15[1] = light_q15[2] = light_q15[from];
         index[0] = index[1] = index[2] = index[from];
     }

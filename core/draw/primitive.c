@@ -82,10 +82,10 @@ QTRI_NOINLINE static void blend_attributes(qtri_screen_vertex *out, const qtri_s
 /* Flat: lines and the pieces of a clipped triangle have no provoking vertex of their own. */
 static void spread_provoking(const qtri_material *material, qtri_screen_vertex v[3])
 {
-    if (qtri_shading_of(material) == QTRI_SMOOTH) {
+    if (qtri_is_smooth(material)) {
         return;
     }
-    const qtri_screen_vertex *from = &v[material->shading == QTRI_FLAT_FIRST ? 0 : 2];
+    const qtri_screen_vertex *from = &v[qtri_provoking_of(material)];
     for (int i = 0; i < 3; i++) {
         for (int channel = 0; channel < 3; channel++) {
             v[i].color_8p16[channel] = from->color_8p16[channel];
@@ -155,7 +155,7 @@ QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_ve
 {
     qtri_screen_vertex blend;
     const qtri_screen_vertex *from = &blend;
-    int own = QTRI_WITH_SMOOTH || QTRI_WITH_TEXTURES ? own_vertex(v) : 0; /* flat: all are equal */
+    int own = own_vertex(v);
     if (own >= 0) {
         from = &attributes[own];
     } else {

@@ -31,6 +31,11 @@ static inline bool qtri_passes(uint32_t top, uint32_t stored, bool equal)
     return equal ? top <= stored : top < stored;
 }
 
+/*
+ * Small triangles of a mesh of one colour, in any format of 16 bits: what a raster asks of them,
+ * and the loop, see raster.h.
+ */
+bool qtri_tint_fits(const qtri_raster *raster);
 bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
                     qtri_vertex *c);
 

@@ -102,6 +102,14 @@ QTRI_NOINLINE static bool is_simple(const qtri_raster *raster, const qtri_vertex
             qtri_list_is_linear(a->inv_w, more1, more2, i1, i2, 3));
 }
 
+bool qtri_tint_fits(const qtri_raster *raster)
+{
+    const qtri_surface *surface = raster->surface;
+    return QTRI_WITH_FAST_PATHS && raster->format->pixels == &qtri_pixels_16 &&
+           raster->compare == QTRI_LESS && raster->depth_write && raster->effects == NULL &&
+           raster->texture == NULL && surface->pitch == 2 * surface->depth_pitch;
+}
+
 bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
                     qtri_vertex *c)
 {
@@ -122,7 +130,7 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     if (!raster->lamp.by_vertex || !qtri_vertices_are_lit(a, b, c)) {
         light_q15 = raster->lamp.find(raster->lamp.from, indices, a, b, c);
     }
-    const bool smooth = QTRI_WITH_SMOOTH && light_q15 == QTRI_VERTEX_UNLIT;
+    const bool smooth = light_q15 == QTRI_VERTEX_UNLIT;
     const qtri_surface *surface = raster->surface;
     int32_t i1 = 0;
     int32_t i2 = 0;

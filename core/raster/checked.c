@@ -34,7 +34,6 @@ static void check_texture(const qtri_texture *texture)
 void qtri_check_material(const qtri_material *material)
 {
     QTRI_ASSERT(material != NULL);
-    QTRI_ASSERT(is_one_of(material->shading, QTRI_FLAT_LAST));
     QTRI_ASSERT(is_one_of(material->interpolation, QTRI_SCREEN_LINEAR));
     QTRI_ASSERT(is_one_of(material->texture_mode, QTRI_REPLACE));
     QTRI_ASSERT(is_one_of(material->cull, QTRI_CULL_FRONT));

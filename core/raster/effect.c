@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "effect.h"
 
+#include "job.h"
 #include "list_values.h"
 
 static void add_fog(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
@@ -13,7 +14,7 @@ static void add_fog(const qtri_raster *raster, uint32_t *color, const uint32_t *
     raster->fog->stages->apply(raster->fog, raster->format, color, z, count, raster->wide);
 }
 
-uint32_t qtri_effects(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+static uint32_t apply(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
                       const qtri_ramp *depth, uint32_t mask, int32_t count)
 {
     if (raster->fog != NULL) {
@@ -21,3 +22,5 @@ uint32_t qtri_effects(const qtri_raster *raster, uint32_t *color, const uint32_t
     }
     return raster->blend != NULL ? raster->blend->apply(raster, color, place, mask, count) : mask;
 }
+
+const qtri_effect_stages qtri_effects[1] = {{apply, qtri_span_fill}};

@@ -13,8 +13,18 @@
 
 #include "raster.h"
 
+struct qtri_effect_stages {
+    /* Both, for `count` fragments in the mask; depth from place 0 on. Returns the new mask. */
+    uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
+                      const qtri_ramp *depth, uint32_t mask, int32_t count);
+    qtri_fill_rows fill; /* rows of large triangles, of one colour too */
+};
+
+/* Those that both descriptions name. */
+extern const qtri_effect_stages qtri_effects[1];
+
 struct qtri_fog_stages {
-    qtri_effect effects; /* qtri_effects */
+    const qtri_effect_stages *effects; /* qtri_effects */
     /* Colours, of the format's kind or `wide`, with 16-bit depths. */
     void (*apply)(const qtri_fog *fog, const qtri_format *format, uint32_t *color,
                   const uint16_t *depth, int32_t count, bool wide);
@@ -22,7 +32,7 @@ struct qtri_fog_stages {
 typedef struct qtri_fog_stages qtri_fog_stages;
 
 struct qtri_blend {
-    qtri_effect effects; /* qtri_effects */
+    const qtri_effect_stages *effects; /* qtri_effects */
     /*
      * Colours, of the format's kind or `wide`, become what is stored there, of the format's kind,
      * in place. mask: as in batch.h; returns that of those that are drawn.
@@ -31,9 +41,5 @@ struct qtri_blend {
                       uint32_t mask, int32_t count);
     bool rejects; /* the mask may lose some */
 };
-
-/* Both, for `count` fragments in the mask; depth from place 0 on. Returns the new mask. */
-uint32_t qtri_effects(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
-                      const qtri_ramp *depth, uint32_t mask, int32_t count);
 
 #endif

@@ -73,7 +73,6 @@ typedef struct qtri_scanline qtri_scanline;
 
 struct qtri_job {
     const qtri_raster *raster;
-    const qtri_list_values *values; /* of a small triangle with curves: see near.c; NULL: planes */
     uint8_t first, end; /* the attributes that vary: all from the first to before the end */
     bool tinted;        /* colours are shares of the raster's tint */
     bool perspective;
@@ -137,7 +136,8 @@ static inline bool qtri_job_is_bent(const qtri_job *job)
     return QTRI_WITH_PERSPECTIVE && job->perspective;
 }
 
-/* Any job, by stages. */
+/* Jobs of one colour, without effects, by stages; then any. */
+void qtri_span_flat(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 
 /* The part of a span inside the bounds: its first pixel, and how many; may be negative. */

@@ -2,7 +2,9 @@
 #include "list.h"
 
 #include "../geometry/projector.h"
+#include "effect.h"
 #include "list_values.h"
+#include "shading.h"
 #include "textured.h"
 
 /* Rows on their way into the batch. */
@@ -201,7 +203,7 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
     if (raster->alone) {
         mask &= qtri_mask_of(count);
         if (raster->effects != NULL && mask != 0) {
-            mask = raster->effects(raster, batch->color, batch->place, depth, mask, count);
+            mask = raster->effects->apply(raster, batch->color, batch->place, depth, mask, count);
         }
         if (raster->rejects) {
             count = keep(raster, mask, count, depth);
@@ -229,42 +231,38 @@ static uint8_t set_colors(qtri_list_values *v)
 {
     const qtri_raster *raster = v->raster;
     const qtri_list_triangle *t = v->t;
-    const bool smooth = QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH;
     const qtri_colors *colors = raster->format->colors;
     const uint8_t now = raster->batch->kind;
+    v->channels = 0;
     if (raster->texture == NULL) {
-        if (t->color == NULL && smooth && t->light_q15 == QTRI_VERTEX_UNLIT) {
-            qtri_list_set_light(v, 22u - colors->light_bits);
+        if (!raster->smooth || !qtri_list_varies(t)) {
+            v->constant = qtri_list_flat_color(raster, t);
+            return QTRI_LIST_COLORS;
+        }
+        if (t->color == NULL) {
+            raster->varying->set_light(v, 22u - colors->light_bits);
             return QTRI_LIST_TINT_SHARES;
         }
-        v->channels = 0;
-        if (smooth && t->color != NULL && !qtri_list_is_one_color(t)) {
-            qtri_list_set_channels(v, 16);
-        }
-        if (v->channels == 0) {
-            v->constant = qtri_list_flat_color(raster, t);
-        }
+        raster->varying->set_channels(v, 16);
         return QTRI_LIST_COLORS;
     }
-    v->channels = 0;
     if (raster->replace) {
         return QTRI_LIST_TEXELS;
     }
     if (t->color == NULL) {
-        qtri_list_set_light(v, QTRI_LIGHT_SHIFT);
+        raster->varying->set_light(v, QTRI_LIGHT_SHIFT);
         return now != QTRI_LIST_LIT_TEXELS && v->channels == 0 && v->constant == 1024 &&
                        raster->white
                    ? QTRI_LIST_TEXELS
                    : QTRI_LIST_LIT_TEXELS;
     }
-    if (smooth && !qtri_list_is_one_color(t)) {
-        qtri_list_set_channels(v, QTRI_CHANNEL_SHIFT);
+    if (raster->smooth && !qtri_list_is_one_color(t)) {
+        raster->varying->set_channels(v, QTRI_CHANNEL_SHIFT);
+        return QTRI_LIST_RGB_TEXELS;
     }
-    if (v->channels == 0) {
-        v->constant = qtri_list_flat_shade(raster, t);
-        if (v->constant == QTRI_SHADE_WHITE && now != QTRI_LIST_RGB_TEXELS) {
-            return QTRI_LIST_TEXELS;
-        }
+    v->constant = qtri_list_flat_shade(raster, t);
+    if (v->constant == QTRI_SHADE_WHITE && now != QTRI_LIST_RGB_TEXELS) {
+        return QTRI_LIST_TEXELS;
     }
     return QTRI_LIST_RGB_TEXELS;
 }
@@ -281,10 +279,14 @@ static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t coun
     if (raster->texture != NULL) {
         return raster->texturing->color_list(v, color, batch->by.shade + first, place, count);
     }
-    if (batch->kind == QTRI_LIST_TINT_SHARES) {
-        qtri_list_words(v, color, place, count, 22u - colors->light_bits, 0, 0);
+    if (v->channels == 0) {
+        for (int32_t i = 0; i < count; i++) {
+            color[i] = v->constant;
+        }
+    } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
+        raster->varying->words(v, color, place, count, 22u - colors->light_bits, 0, 0);
     } else {
-        qtri_list_words(v, color, place, count, 16, colors->red, colors->green);
+        raster->varying->words(v, color, place, count, 16, colors->red, colors->green);
     }
     return UINT32_MAX;
 }

@@ -6,27 +6,6 @@
 #include "texel_number.h"
 #include "textured.h"
 
-void qtri_coordinates_set(qtri_coordinates *out, const int64_t at_q32[3])
-{
-    const int64_t limit = (int64_t)1 << 48;
-    int64_t offset[3];
-    uint64_t all = 0;
-    for (int i = 0; i < 3; i++) {
-        offset[i] = at_q32[i] < -limit ? -limit : (at_q32[i] > limit ? limit : at_q32[i]);
-    }
-    out->repeats = (int32_t)(offset[0] >> 32);
-    for (int i = 0; i < 3; i++) {
-        offset[i] -= (int64_t)out->repeats * ((int64_t)1 << 32); /* < 2^50 */
-        all |= qtri_magnitude64(offset[i]);
-    }
-    int32_t down = 34 - qtri_clz64(all); /* to below 2^30 */
-    down = down < 2 ? 2 : down;
-    out->fraction = 32 - down;
-    for (int i = 0; i < 3; i++) {
-        out->at[i] = (int32_t)(offset[i] >> down);
-    }
-}
-
 enum {
     GENTLE_UP = 31 - 24, /* |f| < 2^15 + 2^10: |l| < 2^24 */
     KEPT = 15,           /* bits of the larger difference */
@@ -144,7 +123,7 @@ void qtri_list_set_texels(qtri_list_values *v)
                    texture->wrap_v == QTRI_CLAMP);
         return;
     }
-    v->gentle = !v->along_rows && texture->filter == NULL &&
+    v->gentle = texture->filter == NULL &&
                 ((qtri_about(v->e1_q18) | qtri_about(v->e2_q18)) >> 13) == 0 && fill_axes(v, true);
     if (!v->gentle) {
         (void)fill_axes(v, false);

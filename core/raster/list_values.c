@@ -46,14 +46,14 @@ void qtri_list_find_e(qtri_list_values *v)
 
 uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    return t->color != NULL ? raster->format->colors->pack(t->color[qtri_raster_provoking(raster)])
+    return t->color != NULL ? raster->format->colors->pack(t->color[raster->provoking])
                             : qtri_raster_tinted(raster, t->light_q15, 15);
 }
 
 uint32_t qtri_list_flat_shade(const qtri_raster *raster, const qtri_list_triangle *t)
 {
     if (t->color != NULL) {
-        return qtri_shade_of(t->color[qtri_raster_provoking(raster)]);
+        return qtri_shade_of(t->color[raster->provoking]);
     }
     int32_t channel[3];
     for (int i = 0; i < 3; i++) {

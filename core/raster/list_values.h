@@ -12,6 +12,7 @@
 #ifndef QTRI_RASTER_LIST_VALUES_H
 #define QTRI_RASTER_LIST_VALUES_H
 
+#include "../geometry/projector.h"
 #include "list.h"
 #include "place_ramp.h"
 
@@ -38,8 +39,6 @@ struct qtri_list_values {
     qtri_inverse inverse;
     uint8_t second, third; /* vertices in the order of the place */
     bool has_e;            /* e is set */
-    bool along_rows;       /* not for list.c, but for rows: see small.c */
-    uint8_t block;         /* there: pixels along which a curve holds */
     bool gentle;           /* uv are in their units, and |e| is small: see list_texel.c */
     bool curved;           /* colours are base + l (1 - w), not linear */
     uint8_t channels;      /* that vary: 0, 1 or 3 */
@@ -65,7 +64,6 @@ static inline void qtri_list_begin(qtri_list_values *v, const qtri_raster *raste
     v->second = t->place->back ? 2 : 1;
     v->third = t->place->back ? 1 : 2;
     v->has_e = false;
-    v->along_rows = false;
     qtri_inverse_init(&v->inverse, t->place->size);
 }
 
@@ -82,8 +80,13 @@ static inline void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values 
 uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t);
 uint32_t qtri_list_flat_shade(const qtri_raster *raster, const qtri_list_triangle *t);
 
-/* Whether all vertices have the same colour. */
+/* Whether the vertices differ in colour or, where they have none, in light. */
 bool qtri_list_is_one_color(const qtri_list_triangle *t);
+
+static inline bool qtri_list_varies(const qtri_list_triangle *t)
+{
+    return t->color != NULL ? !qtri_list_is_one_color(t) : t->light_q15 == QTRI_VERTEX_UNLIT;
+}
 
 /* Finds e, unless it has been found. */
 void qtri_list_find_e(qtri_list_values *v);

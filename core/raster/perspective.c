@@ -31,7 +31,6 @@
 #include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
 #include "../frame/curves.h"
-#include "near.h"
 
 /* A plane at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
 static inline uint32_t plane_at(const qtri_row_plane *row, const qtri_projected *plane, int32_t x)
@@ -144,9 +143,6 @@ static inline int32_t bits_cut(int32_t slope, int32_t cut)
 
 void qtri_perspective_begin(qtri_scanline *row)
 {
-    if (row->job->values != NULL) {
-        return;
-    }
     row->by.perspective.zeros = 0;
     for (int i = 0; i < QTRI_ATTRIBUTES; i++) {
         row->by.perspective.plane[i].cut = 0;
@@ -156,9 +152,6 @@ void qtri_perspective_begin(qtri_scanline *row)
 void qtri_perspective_row(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
-    if (job->values != NULL) {
-        return;
-    }
     const uint32_t y = (uint32_t)row->y;
     const qtri_attribute *from = &job->attribute[job->first];
     qtri_row_plane *to = &row->by.perspective.plane[job->first];
@@ -349,9 +342,6 @@ static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *li
 int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t count, int first,
                                      int end)
 {
-    if (row->job->values != NULL) {
-        return qtri_interpolate_near(row, x, count, first, end);
-    }
     const qtri_perspective *p = &row->job->color.perspective;
     const int32_t from = (x - row->left) & (QTRI_BATCH - 1);
     const int32_t rest = qtri_least32(row->right - x, QTRI_BATCH - from);

@@ -4,13 +4,13 @@
 #include "effect.h"
 #include "loop.h"
 #include "job.h"
-#include "textured.h"
+#include "shading.h"
+#include "span.h"
 
 static bool has_texture(const qtri_material *material)
 {
     const qtri_texture *texture = material->texture;
-    return QTRI_WITH_TEXTURES && texture != NULL && texture->format != NULL &&
-           texture->format->usable(texture);
+    return texture != NULL && texture->format != NULL && texture->format->usable(texture);
 }
 
 static void set_bounds(qtri_raster *raster, const qtri_rect *bounds)
@@ -76,7 +76,9 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->depth_write = raster->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
     raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
     raster->cull = material->cull;
-    raster->shading = qtri_shading_of(material);
+    raster->provoking = qtri_shading_of(material)->provoking;
+    raster->varying = qtri_shading_of(material)->varying;
+    raster->smooth = raster->varying != NULL;
     set_effects(raster, material, textured);
     raster->depth = qtri_depth_stages(raster->compare, raster->depth_write, raster->rejects);
     raster->texture = NULL;
@@ -84,8 +86,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->copied = false;
     raster->fetched = false;
     raster->repeated = false;
-    raster->fill_flat = qtri_span_fill;
-    raster->fill_smooth = qtri_span_fill;
+    raster->fill_flat = raster->effects != NULL ? raster->effects->fill : qtri_span_flat;
     raster->copy_run = NULL;
     raster->copy_bent = NULL;
     if (format == NULL || raster->compare == QTRI_NEVER) {
@@ -99,16 +100,14 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->texturing = material->texture->format->texturing;
         raster->texturing->init(raster, material);
     }
+    raster->fill_smooth = raster->varying != NULL ? raster->varying->fill : raster->fill_flat;
     raster->tint_small = NULL;
     const qtri_fused *fused = fused_of(raster);
     if (fused != NULL) {
-        raster->fill_flat = fused->flat != NULL ? fused->flat : qtri_span_fill;
-        raster->fill_smooth = fused->smooth != NULL ? fused->smooth : qtri_span_fill;
+        raster->fill_flat = fused->flat;
+        raster->fill_smooth = fused->smooth != NULL ? fused->smooth : raster->fill_smooth;
         raster->copy_run = raster->copied ? fused->copy : NULL;
         raster->copy_bent = raster->copied ? fused->copy_bent : NULL;
-        if (!textured && surface->pitch == 2 * surface->depth_pitch) {
-            raster->tint_small = fused->tint;
-        }
     }
 }
 

@@ -19,6 +19,8 @@
 typedef struct qtri_job qtri_job;
 typedef struct qtri_list_values qtri_list_values; /* see list_values.h */
 typedef struct qtri_raster qtri_raster;
+typedef struct qtri_varying qtri_varying;             /* see shading.h */
+typedef struct qtri_effect_stages qtri_effect_stages; /* see effect.h */
 
 /* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
 typedef struct qtri_span {
@@ -63,7 +65,6 @@ struct qtri_fused {
     qtri_fill_rows flat, smooth;
     qtri_draw_run copy;
     qtri_draw_bent copy_bent;
-    qtri_draw_small tint;
     const qtri_fused *less_equal; /* where depth is that */
 };
 
@@ -76,10 +77,6 @@ typedef void (*qtri_taps_stage)(uint32_t *color, const uint32_t *tap, const uint
                                 int32_t count);
 typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
                                 int32_t count);
-
-/* See effect.h. */
-typedef uint32_t (*qtri_effect)(const qtri_raster *raster, uint32_t *color, const uint32_t *place,
-                                const qtri_ramp *depth, uint32_t mask, int32_t count);
 
 struct qtri_raster {
     const qtri_surface *surface;
@@ -100,10 +97,12 @@ struct qtri_raster {
     uint8_t least_alpha;
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
-    qtri_effect effects; /* NULL: neither */
-    bool perspective;    /* as the material asks */
+    const qtri_effect_stages *effects; /* NULL: neither */
+    bool perspective;                  /* as the material asks */
     qtri_cull cull;
-    qtri_shading shading;
+    uint8_t provoking;           /* the vertex whose colour a flat triangle has */
+    bool smooth;                 /* colours vary */
+    const qtri_varying *varying; /* NULL: nothing does, nor is there a texture */
     qtri_depth depth;
     /*
      * Units of colours' channels, n.16: those of the format, or, where there is a texture, 8 bits.
@@ -162,12 +161,6 @@ qtri_channels qtri_raster_channels(const qtri_raster *raster, const int32_t colo
 /* A colour of the format's kind as a stored pixel. */
 uint32_t qtri_raster_stored(const qtri_raster *raster, uint32_t color);
 
-/* The vertex whose colour a flat triangle has. */
-static inline int qtri_raster_provoking(const qtri_raster *raster)
-{
-    return raster->shading == QTRI_FLAT_FIRST ? 0 : 2;
-}
-
 /* share_q22 <= 2^22 of a tint's channel, or of a step of it. */
 static inline int32_t qtri_raster_shade(const qtri_raster *raster, int32_t share_q22, int i)
 {
@@ -191,11 +184,9 @@ static inline uint32_t qtri_raster_tinted(const qtri_raster *raster, uint32_t li
     return color;
 }
 
-/* What a material asks for and the library is built with: see config.h. */
-static inline qtri_shading qtri_shading_of(const qtri_material *material)
-{
-    return QTRI_WITH_SMOOTH || material->shading == QTRI_FLAT_FIRST ? material->shading
-                                                                    : QTRI_FLAT_LAST;
-}
+/* Of a material. */
+const qtri_shading *qtri_shading_of(const qtri_material *material);
+bool qtri_is_smooth(const qtri_material *material);
+int qtri_provoking_of(const qtri_material *material);
 
 #endif

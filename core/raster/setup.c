@@ -3,6 +3,7 @@
 
 #include "packed.h"
 #include "perspective.h"
+#include "shading.h"
 #include "span.h"
 #include "texel_copy.h"
 #include "textured.h"
@@ -181,7 +182,7 @@ static void gradient_from(qtri_gradient *g, const qtri_triangle *t, const qtri_s
 static void constant_color(qtri_job *job, const qtri_attributes v[3])
 {
     const qtri_raster *raster = job->raster;
-    const qtri_attributes *from = &v[qtri_raster_provoking(raster)];
+    const qtri_attributes *from = &v[raster->provoking];
     int32_t channel[3];
     if (job->tinted && raster->texture == NULL) { /* as small triangles have it */
         job->pixel = qtri_raster_stored(
@@ -200,35 +201,18 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
     job->copies = raster->copied && !job->shaded;
 }
 
-qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
-                             const qtri_triangle *triangle, const qtri_attributes v[3])
+qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle,
+                                    const qtri_attributes v[3], const qtri_gradient *gradient)
 {
-    qtri_gradient gradient;
+    const qtri_raster *raster = job->raster;
+    const bool textured = raster->texture != NULL;
     uint32_t range = 0; /* of colours to interpolate */
     uint32_t q[3];
     uint32_t value[2][3];
-    const bool textured = raster->texture != NULL;
-    job->raster = raster;
-    job->values = NULL;
-    job->tinted = triangle->tinted;
-    job->perspective = false;
-    job->packed = false;
-    job->copies = false;
-    job->shaded = false;
-    job->cut = triangle->cut;
-    job->end = textured ? QTRI_ATTRIBUTES : QTRI_U;
-    gradient_from(&gradient, triangle, raster->surface);
-    job->anchor_x = gradient.anchor_x;
-    job->anchor_y = gradient.anchor_y;
-    if (raster->with_depth) {
-        const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
-        ramp_init(&job->depth, &gradient, depth);
-    }
-    if (QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH && !raster->replace) {
+    if (raster->smooth && !raster->replace) {
         range = color_range(job, v);
     }
     if (range == 0) {
-        job->first = QTRI_U;
         constant_color(job, v);
         if (!textured) {
             return raster->fill_flat;
@@ -243,19 +227,46 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     }
     job->perspective = needs_perspective(job, v, (const uint32_t(*)[3])value, range, q);
     if (job->perspective) {
-        qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, &gradient);
+        qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, gradient);
         return textured
                    ? raster->texturing->begin_large(job, triangle, (const uint32_t(*)[3])value, q)
                    : qtri_span_fill;
     }
     if (range != 0) {
-        linear_colors(job, v, &gradient);
+        linear_colors(job, v, gradient);
     }
     if (!textured) {
         return raster->fill_smooth;
     }
     for (int i = QTRI_U; i < QTRI_ATTRIBUTES; i++) {
-        qtri_plane_init(&job->attribute[i].plane, &gradient, value[i - QTRI_U]);
+        qtri_plane_init(&job->attribute[i].plane, gradient, value[i - QTRI_U]);
     }
     return raster->texturing->begin_large(job, triangle, (const uint32_t(*)[3])value, q);
+}
+
+qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
+                             const qtri_triangle *triangle, const qtri_attributes v[3])
+{
+    qtri_gradient gradient;
+    job->raster = raster;
+    job->tinted = triangle->tinted;
+    job->perspective = false;
+    job->packed = false;
+    job->copies = false;
+    job->shaded = false;
+    job->cut = triangle->cut;
+    job->first = QTRI_U;
+    job->end = raster->texture != NULL ? QTRI_ATTRIBUTES : QTRI_U;
+    gradient_from(&gradient, triangle, raster->surface);
+    job->anchor_x = gradient.anchor_x;
+    job->anchor_y = gradient.anchor_y;
+    if (raster->with_depth) {
+        const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+        ramp_init(&job->depth, &gradient, depth);
+    }
+    if (raster->varying != NULL) {
+        return raster->varying->set_job(job, triangle, v, &gradient);
+    }
+    constant_color(job, v);
+    return raster->fill_flat;
 }

@@ -11,6 +11,10 @@
 qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
                              const qtri_triangle *triangle, const qtri_attributes v[3]);
 
+/* The part of it for attributes that vary; job and gradient are set so far. */
+qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle,
+                                    const qtri_attributes v[3], const qtri_gradient *gradient);
+
 /* Colour i of the three vertices: a channel, or their share of a tint. */
 void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i);
 

@@ -3,8 +3,8 @@
 
 #include "../geometry/projector.h"
 #include "list_values.h"
-#include "near.h"
 #include "setup.h"
+#include "shading.h"
 #include "textured.h"
 
 /*
@@ -15,17 +15,6 @@ static bool rows_are_long(const qtri_place *p)
 {
     const int32_t height = qtri_greatest_from_0(p->dy1, p->dy2) - qtri_least_from_0(p->dy1, p->dy2);
     return p->size >> 10 >= 3 * (uint32_t)height;
-}
-
-/* The job's values come along curves. False: they are too steep. */
-static bool set_curves(qtri_job *job, qtri_list_values *v)
-{
-    job->values = v;
-    job->perspective = true;
-    qtri_list_find_e(v);
-    const uint32_t steep = qtri_about((int32_t)v->e_q26.dx);
-    v->block = steep < QTRI_NEAR_STEEP_32 ? 32 : 16;
-    return steep < QTRI_NEAR_STEEP_16;
 }
 
 /* How many of the triangle's rows the surface's bounds leave out above the base. */
@@ -53,60 +42,28 @@ static void tint(qtri_job *job, const qtri_list_values *v)
     }
 }
 
-/*
- * Colours without texture. Returns what fills rows, NULL where light would have to be curved, of
- * which the tint's channels cannot be made.
- */
-static qtri_fill_rows set_colors(qtri_job *job, qtri_list_values *v)
+qtri_fill_rows qtri_small_set_rows(qtri_job *job, qtri_list_values *v)
 {
     const qtri_raster *raster = job->raster;
-    const qtri_list_triangle *t = v->t;
-    const bool smooth = QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH;
-    if (smooth && t->color == NULL && t->light_q15 == QTRI_VERTEX_UNLIT) {
+    if (v->t->color == NULL) {
         qtri_list_set_light(v, 16);
-        if (v->curved) {
-            return NULL;
-        }
         job->first = raster->units->single ? QTRI_U - 1 : 0;
-        tint(job, v);
-    } else if (smooth && t->color != NULL && !qtri_list_is_one_color(t)) {
+    } else {
         qtri_list_set_channels(v, 16);
         job->first = QTRI_U - v->channels;
-        if (v->curved) {
-            return set_curves(job, v) ? qtri_span_fill : NULL;
-        }
+    }
+    if (v->curved) {
+        return NULL;
+    }
+    if (v->t->color == NULL) {
+        tint(job, v);
+    } else {
         for (int i = job->first; i < QTRI_U; i++) {
             job->attribute[i].ramp = v->channel[i];
         }
-    } else {
-        job->pixel = qtri_raster_stored(raster, qtri_list_flat_color(raster, t));
-        return raster->fill_flat;
     }
     qtri_job_pack(job);
     return raster->fill_smooth;
-}
-
-/* What texels are multiplied by. */
-static void set_shades(qtri_job *job, qtri_list_values *v)
-{
-    const qtri_raster *raster = job->raster;
-    const qtri_list_triangle *t = v->t;
-    job->shaded = !raster->replace;
-    job->tinted = t->color == NULL;
-    if (raster->replace) {
-        return;
-    }
-    if (t->color == NULL && t->light_q15 == QTRI_VERTEX_UNLIT) {
-        qtri_list_set_light(v, 16);
-        job->first = QTRI_U - 1;
-    } else if (t->color != NULL && QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH &&
-               !qtri_list_is_one_color(t)) {
-        qtri_list_set_channels(v, 16);
-        job->first = 0;
-    } else {
-        job->pixel = qtri_list_flat_shade(raster, t);
-        job->shaded = job->pixel != QTRI_SHADE_WHITE;
-    }
 }
 
 static qtri_fill_rows set_job(qtri_job *job, qtri_list_values *v)
@@ -114,7 +71,6 @@ static qtri_fill_rows set_job(qtri_job *job, qtri_list_values *v)
     const qtri_raster *raster = v->raster;
     const qtri_place *p = v->t->place;
     job->raster = raster;
-    job->values = NULL;
     job->tinted = false;
     job->perspective = false;
     job->packed = false;
@@ -125,39 +81,20 @@ static qtri_fill_rows set_job(qtri_job *job, qtri_list_values *v)
     job->end = QTRI_U;
     job->anchor_x = p->column;
     job->anchor_y = p->row + raster->surface->first_row;
-    v->channels = 0;
-    v->curved = false;
-    if (raster->texture == NULL) {
-        const qtri_fill_rows fill = set_colors(job, v);
-        if (fill == NULL) {
-            return NULL;
-        }
-        qtri_list_set_depth(&job->depth, v);
-        return fill;
-    }
-    /* Clamped coordinates must not fill 32 bits; straight ones are the list's, in any build. */
-    if (!(QTRI_WITH_PERSPECTIVE && raster->perspective) ||
-        (raster->texel_cut != 0 && !raster->repeated) || !set_curves(job, v)) {
-        return NULL;
-    }
-    job->end = QTRI_ATTRIBUTES;
-    set_shades(job, v);
-    job->copies = raster->copied && !job->shaded;
-    raster->texturing->set_list(v);
-    for (int i = 0; i < 2; i++) {
-        job->axis[i] = v->axis[i];
-    }
     qtri_list_set_depth(&job->depth, v);
-    return qtri_span_fill;
+    if (raster->smooth && qtri_list_varies(v->t)) {
+        return raster->varying->set_rows(job, v);
+    }
+    job->pixel = qtri_raster_stored(raster, qtri_list_flat_color(raster, v->t));
+    return raster->fill_flat;
 }
 
-/* False when it must go another way. */
+/* False when it must go by the list. */
 QTRI_NOINLINE static bool draw_rows(const qtri_raster *raster, const qtri_list_triangle *t)
 {
     qtri_job job;
     qtri_list_values v;
     qtri_list_begin(&v, raster, t);
-    v.along_rows = true;
     const qtri_fill_rows fill = set_job(&job, &v);
     if (fill == NULL) {
         return false;
@@ -182,7 +119,7 @@ QTRI_NOINLINE static bool draw_rows(const qtri_raster *raster, const qtri_list_t
 
 void qtri_small_draw(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    if (!rows_are_long(t->place) || !draw_rows(raster, t)) {
+    if (raster->texture != NULL || !rows_are_long(t->place) || !draw_rows(raster, t)) {
         qtri_list_draw(raster, t);
     }
 }

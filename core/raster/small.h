@@ -16,6 +16,12 @@
 
 void qtri_small_draw(const qtri_raster *raster, const qtri_list_triangle *t);
 
+/*
+ * What fills rows of a small triangle whose colours vary, without texture; NULL where they would
+ * have to be curved: then they are the list's.
+ */
+qtri_fill_rows qtri_small_set_rows(qtri_job *job, qtri_list_values *v);
+
 /* Colours and texture coordinates of one that is not tinted. */
 typedef struct qtri_small_values {
     int32_t color[3][3];

@@ -5,6 +5,7 @@
  */
 #include "span.h"
 
+#include "effect.h"
 #include "linear.h"
 #include "loop.h"
 #include "packed.h"
@@ -70,7 +71,7 @@ QTRI_NOINLINE static uint32_t apply_effects(const qtri_scanline *row, uint32_t *
     for (int32_t i = 0; i < count; i++) {
         place[i] = first + (uint32_t)i;
     }
-    mask = raster->effects(raster, color, place, &depth, mask, count);
+    mask = raster->effects->apply(raster, color, place, &depth, mask, count);
     if (raster->format->encode != NULL) {
         raster->format->encode(color, count);
     }
@@ -269,10 +270,26 @@ void qtri_span_fill(const qtri_job *job, const qtri_span *spans, int32_t row, in
             copy_row(&r);
         } else if (copies) {
             copy_bent_row(&r);
-        } else if (job->first == job->end && job->raster->effects == NULL) {
-            fill_row(&r);
         } else {
             draw_row(&r);
+        }
+    }
+}
+
+void qtri_span_flat(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    qtri_scanline r;
+    r.job = job;
+    for (; count > 0; count--, spans++, row++) {
+        const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &r.x0);
+        if (pixels > 0) {
+            r.x1 = r.x0 + pixels;
+            r.y = row;
+            r.pixels = qtri_pixels_at(raster->surface, row);
+            r.depths =
+                raster->compare != QTRI_DEPTH_OFF ? qtri_depths_at(raster->surface, row) : NULL;
+            fill_row(&r);
         }
     }
 }

@@ -2,6 +2,7 @@
 #include "textured.h"
 
 #include "bilinear.h"
+#include "shading.h"
 #include "loop.h"
 #include "texel_copy.h"
 #include "words.h"
@@ -47,6 +48,7 @@ void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
     const qtri_texture *texture = material->texture;
     const qtri_format *format = raster->format;
     raster->texture = texture;
+    raster->varying = &qtri_varying_stages;
     raster->replace = material->texture_mode == QTRI_REPLACE;
     raster->units = &qtri_colors_888;
     raster->seen = NULL;

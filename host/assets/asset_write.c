@@ -313,6 +313,20 @@ static void write_declarations(const struct asset *asset, const char *name, cons
     fputs("\n#ifdef __cplusplus\n}\n#endif\n", out);
 }
 
+/* What QTRI_MESH_VERTICES and QTRI_PREPARED_LISTS are asked with. */
+static void write_counts(const struct asset *asset, const char *capitals, FILE *out)
+{
+    uint32_t vertices = 0, triangles = 0;
+    for (size_t i = 0; i < asset->count; i++) {
+        const qtri_mesh *mesh = &asset->parts[i].mesh;
+        vertices = mesh->vertex_count > vertices ? mesh->vertex_count : vertices;
+        triangles = mesh->triangle_count > triangles ? mesh->triangle_count : triangles;
+    }
+    fprintf(out, "#define %s_VERTICES %" PRIu32 "%s\n", capitals, vertices,
+            asset->count > 1 ? " /* of the largest mesh */" : "");
+    fprintf(out, "#define %s_TRIANGLES %" PRIu32 "\n\n", capitals, triangles);
+}
+
 void asset_write_c(const struct asset *asset, const char *name, const char *header_name,
                    FILE *header, FILE *source)
 {
@@ -321,6 +335,7 @@ void asset_write_c(const struct asset *asset, const char *name, const char *head
     write_summary(asset, name, header);
     fprintf(header, "#ifndef %s_MESH_H\n#define %s_MESH_H\n\n", capitals, capitals);
     fputs("#include <qtri.h>\n#include <stddef.h>\n\n", header);
+    write_counts(asset, capitals, header);
     if (asset->count > 1) {
         fprintf(header, "#define %s_MESHES %zu /* one a material */\n\n", capitals, asset->count);
     }
@@ -332,26 +347,6 @@ void asset_write_c(const struct asset *asset, const char *name, const char *head
         write_data(asset, name, "", source);
     }
     fputs("\n#endif\n", header);
-}
-
-void asset_identifier(const char *path, char *out, size_t size)
-{
-    const char *slash = strrchr(path, '/');
-    const char *name = slash != NULL ? slash + 1 : path;
-    size_t length = 0;
-    if (strcmp(name, "-") == 0) {
-        name = "mesh";
-    }
-    if (name[0] >= '0' && name[0] <= '9' && size > 8) {
-        memcpy(out, "mesh_", 5);
-        length = 5;
-    }
-    for (; *name != '\0' && *name != '.' && length + 1 < size; name++) {
-        bool letter = (*name >= 'a' && *name <= 'z') || (*name >= 'A' && *name <= 'Z') ||
-                      (*name >= '0' && *name <= '9');
-        out[length++] = (char)(letter ? *name : '_');
-    }
-    out[length] = '\0';
 }
 
 /* ---- OBJ ---- */

@@ -2,7 +2,7 @@
 # Libraries that read files and work on meshes for the commands `qtri mesh` and `qtri texture`. Each is used where it is
 # installed; without it the command is built all the same and says what it therefore cannot do. WITH= builds without any.
 
-WITH ?= libpng assimp meshoptimizer
+WITH ?= libpng stb assimp meshoptimizer
 
 HOST_DEFINES :=
 HOST_LIBS    :=
@@ -11,6 +11,13 @@ ifneq ($(filter libpng,$(WITH)),)
 ifeq ($(shell pkg-config --exists libpng 2>/dev/null && echo yes),yes)
 HOST_DEFINES += -DQTRI_HAVE_LIBPNG $(shell pkg-config --cflags libpng)
 HOST_LIBS    += $(shell pkg-config --libs libpng)
+endif
+endif
+
+ifneq ($(filter stb,$(WITH)),)
+ifeq ($(shell pkg-config --exists stb 2>/dev/null && echo yes),yes)
+HOST_DEFINES += -DQTRI_HAVE_STB $(shell pkg-config --cflags stb)
+HOST_LIBS    += $(shell pkg-config --libs stb)
 endif
 endif
 
@@ -50,8 +57,8 @@ $(README_DIR)/sample.c: README.md
 	@echo 'const qtri_mesh *readme_gear(void); const qtri_mesh *readme_gear(void) { return &gear; }' >>$@
 
 $(README_DIR)/sample.o: $(README_DIR)/sample.c $(README_DIR)/gear.h $(BUILD)/flags
-	$(CC) -std=c99 $(CFLAGS) -Wall -Wextra $(INCLUDES) -I$(README_DIR) -c -o $@ $<
+	$(call run,compile $<)$(CC) -std=c99 $(CFLAGS) -Wall -Wextra $(INCLUDES) -I$(README_DIR) -c -o $@ $<
 
 $(BUILD)/tests/test_readme: $(BUILD)/obj/tests/test_readme.o $(README_DIR)/sample.o $(HELPERS) $(HOST) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)

@@ -92,7 +92,7 @@ static bool parse_png(const char *path, const char *bytes, size_t length, struct
     (void)bytes;
     (void)length;
     (void)image;
-    return fail(error, path, "this qtri was built without libpng and reads PPM and PGM only");
+    return fail(error, path, "this qtri was built without libpng and cannot read PNG");
 }
 
 static bool write_png(const char *path, const struct picture *picture, struct text_error *error)
@@ -174,11 +174,13 @@ bool image_parse(const char *path, const char *bytes, size_t length, struct imag
     memset(image, 0, sizeof *image);
     if (length >= sizeof png_magic && memcmp(bytes, png_magic, sizeof png_magic) == 0) {
         ok = parse_png(path, bytes, length, image, error);
+    } else if (length > 2 && memcmp(bytes, "\xFF\xD8\xFF", 3) == 0) {
+        ok = image_parse_jpeg(path, bytes, length, image, error);
     } else if (length > 2 && bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '6') &&
                (text_is_space(bytes[2]) || bytes[2] == '#')) {
         ok = parse_pnm(path, bytes, length, image, error);
     } else {
-        ok = fail(error, path, "is neither PNG nor binary PPM or PGM");
+        ok = fail(error, path, "is neither PNG nor JPEG nor binary PPM or PGM");
     }
     if (!ok) {
         image_free(image);

@@ -63,6 +63,19 @@ bool model_parse_obj(const char *path, const char *text, size_t length, bool wit
 bool model_read_library(const char *path, const char *text, size_t length, const char *format,
                         bool with_materials, struct model *model, struct text_error *error);
 
+/* Whether these are the bytes of glTF or GLB, as far as one can see. */
+bool model_can_hold_pictures(const char *text, size_t length);
+
+/*
+ * The bytes of picture `number`, from 0, that is stored inside such a model: PNG or JPEG. free()
+ * them. False with *error set. `text` is all of `path`, "-" being standard input.
+ */
+bool model_picture(const char *path, const char *text, size_t length, unsigned number, char **bytes,
+                   size_t *bytes_length, struct text_error *error);
+bool model_library_picture(const char *path, const char *text, size_t length, const char *format,
+                           unsigned number, char **bytes, size_t *bytes_length,
+                           struct text_error *error);
+
 /* Whether a PLY file holds what its header promises, and no more than a model may have. */
 bool model_check_ply(const char *path, const char *text, size_t length, struct text_error *error);
 

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * glTF, GLB, STL and PLY by the library assimp, in a process of its own: what a broken file does to
- * the library's memory, time or stack ends there, and here it is one sentence.
+ * glTF, GLB, STL and PLY by the library assimp, in a process of its own.
  */
 #define _XOPEN_SOURCE 700
 #include "model.h"
 
-#include <errno.h>
 #include <math.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +24,20 @@ bool model_read_library(const char *path, const char *text, size_t length, const
     return false;
 }
 
+bool model_library_picture(const char *path, const char *text, size_t length, const char *format,
+                           unsigned number, char **bytes, size_t *bytes_length,
+                           struct text_error *error)
+{
+    (void)text;
+    (void)length;
+    (void)number;
+    *bytes = NULL;
+    *bytes_length = 0;
+    text_error_set(error, path, 0, "this qtri was built without libassimp and cannot read %s",
+                   format);
+    return false;
+}
+
 #else
 
 #include <assimp/cimport.h>
@@ -34,31 +45,16 @@ bool model_read_library(const char *path, const char *text, size_t length, const
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
+#include <assimp/texture.h>
 #include <unistd.h>
 
-/* What the process may take: seconds, bytes. */
-#define MOST_SECONDS 60
-#define MOST_MEMORY  ((rlim_t)4 << 30)
-
-/* The sanitizers reserve terabytes of addresses. */
-#if defined(__SANITIZE_ADDRESS__)
-#define LIMIT_MEMORY 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define LIMIT_MEMORY 0
-#endif
-#endif
-#ifndef LIMIT_MEMORY
-#define LIMIT_MEMORY 1
-#endif
+#include "apart.h"
 
 struct request {
     const char *path, *text, *format;
     size_t length;
     bool with_materials;
+    unsigned picture; /* the number that is wanted */
     struct text_error *error;
 };
 
@@ -243,114 +239,127 @@ static bool read_scene(const struct request *request, struct model *model)
 /* ---- Between the two processes ---- */
 
 struct reply {
-    bool ok, has_uvs, has_colors;
+    bool has_uvs, has_colors;
     size_t vertex_count, triangle_count, material_count;
-    struct text_error error;
 };
 
-static bool send_model(FILE *file, const struct request *request, const struct model *model,
-                       bool ok)
+static bool write_all(FILE *file, const void *elements, size_t size, size_t count)
 {
+    return fwrite(elements, size, count, file) == count;
+}
+
+/* In the other process: what fails to be written is noticed there. */
+static bool send_model(FILE *file, void *context, struct text_error *error)
+{
+    struct request *request = (struct request *)context;
+    struct model model;
     struct reply reply;
+    memset(&model, 0, sizeof model);
     memset(&reply, 0, sizeof reply);
-    reply.ok = ok;
-    reply.has_uvs = model->has_uvs;
-    reply.has_colors = model->has_colors;
-    reply.vertex_count = model->vertex_count;
-    reply.triangle_count = model->triangle_count;
-    reply.material_count = model->material_count;
-    reply.error = *request->error;
-    bool sent = fwrite(&reply, sizeof reply, 1, file) == 1;
-    if (ok) {
-        sent = sent &&
-               fwrite(model->vertices, sizeof *model->vertices, model->vertex_count, file) ==
-                   model->vertex_count &&
-               fwrite(model->triangles, sizeof *model->triangles, model->triangle_count, file) ==
-                   model->triangle_count &&
-               fwrite(model->materials, sizeof *model->materials, model->material_count, file) ==
-                   model->material_count;
+    request->error = error;
+    if (!read_scene(request, &model)) {
+        return false;
     }
-    return fflush(file) == 0 && sent;
+    reply.has_uvs = model.has_uvs;
+    reply.has_colors = model.has_colors;
+    reply.vertex_count = model.vertex_count;
+    reply.triangle_count = model.triangle_count;
+    reply.material_count = model.material_count;
+    (void)(write_all(file, &reply, sizeof reply, 1) &&
+           write_all(file, model.vertices, sizeof *model.vertices, model.vertex_count) &&
+           write_all(file, model.triangles, sizeof *model.triangles, model.triangle_count) &&
+           write_all(file, model.materials, sizeof *model.materials, model.material_count));
+    return true;
+}
+
+static bool read_all(FILE *file, void *elements, size_t size, size_t count)
+{
+    return fread(elements, size, count, file) == count;
 }
 
 static bool receive_model(FILE *file, const struct request *request, struct model *model)
 {
     struct reply reply;
-    rewind(file);
-    if (fread(&reply, sizeof reply, 1, file) != 1) {
-        return fail(request, "cannot be read: out of memory", "");
-    }
-    if (!reply.ok) {
-        *request->error = reply.error;
-        return false;
+    if (!read_all(file, &reply, sizeof reply, 1)) {
+        return fail(request, "cannot be read: the reader's answer is incomplete", "");
     }
     if (!model_create(model, reply.vertex_count, reply.triangle_count, reply.material_count)) {
         return fail(request, "out of memory", "");
     }
     model->has_uvs = reply.has_uvs;
     model->has_colors = reply.has_colors;
-    if (fread(model->vertices, sizeof *model->vertices, model->vertex_count, file) !=
-            model->vertex_count ||
-        fread(model->triangles, sizeof *model->triangles, model->triangle_count, file) !=
-            model->triangle_count ||
-        fread(model->materials, sizeof *model->materials, model->material_count, file) !=
-            model->material_count) {
+    if (!read_all(file, model->vertices, sizeof *model->vertices, model->vertex_count) ||
+        !read_all(file, model->triangles, sizeof *model->triangles, model->triangle_count) ||
+        !read_all(file, model->materials, sizeof *model->materials, model->material_count)) {
         model_free(model);
         return fail(request, "cannot be read: the reader's answer is incomplete", "");
     }
     return true;
 }
 
-static void set_limit(int resource, rlim_t value)
-{
-    const struct rlimit limit = {value, value};
-    (void)setrlimit(resource, &limit);
-}
-
-/* The other process: no way back into the caller's code, whose buffers it must not write out. */
-static void serve(FILE *file, const struct request *request)
-{
-    struct model model;
-    memset(&model, 0, sizeof model);
-    set_limit(RLIMIT_CORE, 0);
-    set_limit(RLIMIT_CPU, MOST_SECONDS);
-    if (LIMIT_MEMORY) {
-        set_limit(RLIMIT_AS, MOST_MEMORY);
-    }
-    int nowhere = open("/dev/null", O_WRONLY); /* the library's own last words */
-    if (nowhere >= 0) {
-        (void)dup2(nowhere, STDERR_FILENO);
-        (void)dup2(nowhere, STDOUT_FILENO);
-    }
-    bool ok = read_scene(request, &model);
-    _exit(send_model(file, request, &model, ok) ? 0 : 1);
-}
-
 bool model_read_library(const char *path, const char *text, size_t length, const char *format,
                         bool with_materials, struct model *model, struct text_error *error)
 {
-    const struct request request = {path, text, format, length, with_materials, error};
-    memset(error, 0, sizeof *error);
+    struct request request = {path, text, format, length, with_materials, 0, error};
     memset(model, 0, sizeof *model);
-    FILE *file = tmpfile();
-    pid_t child = file == NULL ? -1 : fork();
-    if (child == 0) {
-        serve(file, &request);
+    FILE *file = apart_run(path, send_model, &request, error);
+    bool ok = file != NULL && receive_model(file, &request, model);
+    if (file != NULL) {
+        (void)fclose(file);
     }
-    int status = 0;
-    bool ok = false;
-    if (child < 0) {
-        (void)fail(&request, "cannot be read: ", strerror(errno));
-    } else if (waitpid(child, &status, 0) != child || !WIFEXITED(status)) {
-        (void)fail(&request, "cannot be read: ",
-                   WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU
-                       ? "it takes longer than a minute"
-                       : "the file is broken, and the library that reads it ended in a crash");
-    } else if (WEXITSTATUS(status) != 0) {
-        (void)fail(&request, "cannot be read: the library gave up on it", "");
-    } else {
-        ok = receive_model(file, &request, model);
+    return ok;
+}
+
+/* ---- Pictures inside of models ---- */
+
+/* A picture that is stored as its file was; others, texel by texel, are of formats long gone. */
+static bool send_picture(FILE *file, void *context, struct text_error *error)
+{
+    struct request *request = (struct request *)context;
+    request->error = error;
+    const struct aiScene *scene = import(request);
+    if (scene == NULL) {
+        return fail(request, "cannot be read: ", aiGetErrorString());
     }
+    if (request->picture >= scene->mNumTextures) {
+        text_error_set(error, request->path, 0, "there is no picture %u inside, of %u in all",
+                       request->picture, scene->mNumTextures);
+        return false;
+    }
+    const struct aiTexture *picture = scene->mTextures[request->picture];
+    if (picture->mHeight != 0) {
+        return fail(request, "its picture is not stored as PNG or JPEG", "");
+    }
+    (void)write_all(file, picture->pcData, 1, picture->mWidth);
+    return true;
+}
+
+static bool receive_picture(FILE *file, const struct request *request, char **bytes, size_t *length)
+{
+    const long start = ftell(file);
+    long end = start;
+    if (start >= 0 && fseek(file, 0, SEEK_END) == 0) {
+        end = ftell(file);
+    }
+    *length = end > start ? (size_t)(end - start) : 0;
+    *bytes = malloc(*length + 1);
+    if (*bytes == NULL) {
+        return fail(request, "out of memory", "");
+    }
+    if (fseek(file, start, SEEK_SET) != 0 || !read_all(file, *bytes, 1, *length)) {
+        free(*bytes);
+        return fail(request, "cannot be read: the reader's answer is incomplete", "");
+    }
+    return true;
+}
+
+bool model_library_picture(const char *path, const char *text, size_t length, const char *format,
+                           unsigned number, char **bytes, size_t *bytes_length,
+                           struct text_error *error)
+{
+    struct request request = {path, text, format, length, false, number, error};
+    FILE *file = apart_run(path, send_picture, &request, error);
+    bool ok = file != NULL && receive_picture(file, &request, bytes, bytes_length);
     if (file != NULL) {
         (void)fclose(file);
     }

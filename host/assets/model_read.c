@@ -178,6 +178,18 @@ bool model_read(const char *path, bool with_materials, struct model *model,
     return true;
 }
 
+bool model_can_hold_pictures(const char *text, size_t length)
+{
+    return sniff(text, length)[0] == 'g'; /* gltf, glb */
+}
+
+bool model_picture(const char *path, const char *text, size_t length, unsigned number, char **bytes,
+                   size_t *bytes_length, struct text_error *error)
+{
+    return model_library_picture(path, text, length, sniff(text, length), number, bytes,
+                                 bytes_length, error);
+}
+
 bool model_path_beside(char *out, size_t size, const char *beside, const char *name)
 {
     const char *slash = strrchr(beside, '/');

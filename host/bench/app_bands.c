@@ -70,8 +70,10 @@ static const qtri_mesh torus = {
 };
 
 static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
-static const qtri_material material = {
-    .color = {255, 180, 90}, .cull = QTRI_CULL_BACK, .depth_compare = QTRI_LESS};
+static const qtri_material material = {.color = {255, 180, 90},
+                                       .shading = QTRI_SMOOTH,
+                                       .cull = QTRI_CULL_BACK,
+                                       .depth_compare = QTRI_LESS};
 
 static uint32_t band_memory[(QTRI_FRAME_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565_BYTES) + 3) /
                             sizeof(uint32_t)];

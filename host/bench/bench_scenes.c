@@ -294,7 +294,7 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     frame->material = qtri_material_default();
     frame->material.color = bench_lit_color;
     frame->material.cull = scene->mesh != NULL ? QTRI_CULL_BACK : QTRI_CULL_NONE;
-    frame->material.shading = scene->shading;
+    frame->material.shading = scene->shading != NULL ? scene->shading : QTRI_SMOOTH;
     frame->material.interpolation = scene->interpolation;
     frame->material.fill = scene->wireframe ? &qtri_wireframe : NULL;
 #ifndef BENCH_PLAIN

@@ -43,7 +43,7 @@ typedef enum bench_smooth {
 typedef struct bench_scene {
     const char *name;
     bench_work work;
-    qtri_shading shading;
+    const qtri_shading *shading; /* NULL: smooth */
     qtri_interpolation interpolation;
     bool wireframe, without_depth, fog;
     bool textured; /* REPLACE on quads, MODULATE on meshes */

@@ -41,7 +41,7 @@ typedef enum matrix_colors {
 typedef struct matrix_source {
     const char *name;
     matrix_colors colors;
-    qtri_shading shading;
+    const qtri_shading *shading;
     qtri_texture_mode mode; /* where textured */
     bool textured;
     bool paired; /* see matrix_next */

@@ -31,8 +31,7 @@ $(SCENE_DIR)/$1/host/bench/matrix_program.o: private SCENE_EXTRA = $$(MATRIX_DEF
 $(SCENE_DIR)/$1/host/bench/matrix_program.o: $(MATRIX_ASKED) host/bench/matrix.mk
 
 $(SCENE_DIR)/$1/matrix.elf: $3 port/boards/$2/$2.ld
-	@echo "link $$@"
-	@$(call scene_link,$1) -T port/boards/$2/$2.ld -o $$@ $3 -lgcc
+	$$(call run,link $$@)$(call scene_link,$1) -T port/boards/$2/$2.ld -o $$@ $3 -lgcc
 
 $(SCENE_DIR)/$1/matrix.txt: $(SCENE_DIR)/$1/matrix.elf
 	@$$(call scene_run,$1,$$<,$(MATRIX_SECONDS))
@@ -46,7 +45,7 @@ MATRIX_HOST := $(BENCH_DIR)/matrix_host
 $(MATRIX_HOST): $(call objects,host/bench/matrix_host.c host/bench/bench_host_board.c $(filter host/bench/%,$(MATRIX_SOURCES))) \
                 $(BUILD)/obj/bench_meshes.o $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 $(BUILD)/obj/host/bench/matrix_program.o: private INCLUDES += $(MATRIX_DEFINES)
 $(BUILD)/obj/host/bench/matrix_program.o: $(MATRIX_ASKED)

@@ -19,7 +19,8 @@ SCENE_DIR     := $(BENCH_DIR)/scenes
 SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
 SCENE_WORLD   := $(wildcard core/*/*.c) $(addprefix host/bench/,bench_world.c bench_print.c) $(SCENE_DIR)/bench_meshes.c
 SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_smooth.c bench_paint.c bench_strokes.c bench_program.c) $(SCENE_WORLD)
-SCENE_FLAGS   := -std=c99 -g -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
+# What -fstack-usage and -fcallgraph-info write, `make size` reads; they change no code.
+SCENE_FLAGS   := -std=c99 -g -fstack-usage -fcallgraph-info=su -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
 
 # The compiler and the flags of one object of a core. $1: core, $2: source.
 scene_compile = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(if $(filter core/%,$2),$(bench_optimize),-O2) $(SCENE_FLAGS)
@@ -29,7 +30,7 @@ scene_link    = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(BENCH_LINK)
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes
 $(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_faces.c host/tools/mesh_neighbours.c host/tools/mesh_generate.c host/tools/mesh_solids.c $(wildcard host/io/*.c)) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -o $@ $^ -lm
+	$(call run,link $@)$(CC) $(CFLAGS) -o $@ $^ -lm
 
 $(SCENE_DIR)/bench_meshes.c: $(SCENE_TOOL) $(SCENE_MODELS) $(SCENE_DIR)/models
 	$(SCENE_TOOL) $(@D) $(or $(MODELS),none)
@@ -45,8 +46,7 @@ scene_run = timeout $3 $(call bench_emulator,$1) -display none -monitor none -se
 # One program for each core. $1: core, $2: its board, $3: its objects.
 define scene_rules
 $(SCENE_DIR)/$1/bench.elf: $3 port/boards/$2/$2.ld
-	@echo "link $$@"
-	@$(call scene_link,$1) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$2/$2.ld -o $$@ $3 -lgcc
+	$$(call run,link $$@)$(call scene_link,$1) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$2/$2.ld -o $$@ $3 -lgcc
 
 $(SCENE_DIR)/$1/port/boards/common/memory.o: private SCENE_EXTRA := -fno-tree-loop-distribute-patterns
 
@@ -74,11 +74,11 @@ SCENE_HOST_SOURCES := $(addprefix host/bench/,bench_host.c bench_host_board.c be
 $(SCENE_HOST): $(call objects,$(SCENE_HOST_SOURCES)) \
                $(BUILD)/obj/bench_meshes.o $(HOST) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
 $(BUILD)/obj/bench_meshes.o: $(SCENE_DIR)/bench_meshes.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(CC) -std=c99 $(CFLAGS) $(INCLUDES) -Ihost/bench -c -o $@ $<
+	$(call run,compile $<)$(CC) -std=c99 $(CFLAGS) $(INCLUDES) -Ihost/bench -c -o $@ $<
 
 $(SCENE_DIR)/host.txt: $(SCENE_HOST)
 	@$(SCENE_HOST) >$@.part && $(SCENE_HOST) check $(SCENE_DIR) >$(SCENE_DIR)/check.txt || \
@@ -103,7 +103,7 @@ SMOOTH_CORES := $(filter cortex-m0plus cortex-m3,$(SCENE_PRESENT))
 
 $(SMOOTH_TOOL): $(call objects,host/bench/antialias.c host/bench/bench_world.c) $(BUILD)/obj/bench_meshes.o $(HOST) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
 .PHONY: antialias antialias-lines
 antialias: ## Print how good each kind of anti-aliasing is, what it costs and what memory it takes; POSES=12
@@ -121,7 +121,7 @@ PROFILE_TOOL   := $(SCENE_DIR)/profile
 
 $(PROFILE_TOOL): $(call objects,host/bench/profile.c)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -o $@ $^
+	$(call run,link $@)$(CC) $(CFLAGS) -o $@ $^
 
 # The program of one scene: that of all, with another bench_program.o.
 profile_dir     := $(SCENE_DIR)/$(PROFILE_CORE)

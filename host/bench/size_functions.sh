@@ -65,7 +65,8 @@ find "$folder/core" "$folder/host/bench/app_$application.ci" -name '*.ci' -exec 
     }
     function show(start,   t, sum) {
         sum = 0
-        for (t = start; t != ""; t = next_of[t]) {
+        for (t = start; t != "" && !((start, t) in shown); t = next_of[t]) {
+            shown[start, t]
             sum += frame[t]
             printf "%6d %7d   %s\n", frame[t], sum, t
         }

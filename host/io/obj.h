@@ -18,7 +18,7 @@ struct obj_mesh {
     size_t triangle_count;
     int32_t (*positions)[3];
     int32_t (*normals)[3]; /* unit length. From the file, or where the file gives none or zero,
-                              area-weighted over the faces that share the position; (0,0,1)
+                              area-weighted over the faces at equal positions; (0,0,1)
                               where those have no area or cancel */
     int32_t (*uvs)[2];     /* NULL when no corner has any; 0 0 for corners without.
                               v = 0 is the first row of a texture: 1 - v of the file */

@@ -101,13 +101,63 @@ bool obj_add_corner(struct obj_source *source, const struct obj_corner *corner, 
 
 /* ---- Normals ---- */
 
+/* A position and its number in the file. */
+struct place {
+    double at[3];
+    uint32_t number;
+};
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct place *x = (const struct place *)a;
+    const struct place *y = (const struct place *)b;
+    for (int axis = 0; axis < 3; axis++) {
+        if (x->at[axis] != y->at[axis]) {
+            return x->at[axis] < y->at[axis] ? -1 : 1;
+        }
+    }
+    return (x->number > y->number) - (x->number < y->number);
+}
+
+/*
+ * For each position the first of the file that is equal: seams, along which files repeat positions,
+ * are smoothed over. NULL when memory runs out.
+ */
+static uint32_t *equal_positions(const struct obj_source *source)
+{
+    const size_t count = source->lists[OBJ_POSITION].count;
+    struct place *places = malloc((count + 1) * sizeof *places);
+    uint32_t *first = malloc((count + 1) * sizeof *first);
+    bool ok = places != NULL && first != NULL;
+    for (size_t i = 0; ok && i < count; i++) {
+        memcpy(places[i].at, source->lists[OBJ_POSITION].items[i], sizeof places[i].at);
+        places[i].number = (uint32_t)i;
+    }
+    if (ok) {
+        qsort(places, count, sizeof *places, compare_places);
+    }
+    for (size_t i = 0, group = 0; ok && i < count; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            group = places[i].at[axis] != places[group].at[axis] ? i : group;
+        }
+        first[places[i].number] = places[group].number;
+    }
+    free(places);
+    if (!ok) {
+        free(first);
+        return NULL;
+    }
+    return first;
+}
+
 /* Adds twice the triangle's area vector to the normal of each of its positions. */
-static void add_area(const struct obj_source *source, const uint32_t triangle[3], double (*sums)[3])
+static void add_area(const struct obj_source *source, const uint32_t *equal,
+                     const uint32_t triangle[3], double (*sums)[3])
 {
     uint32_t position[3];
     double edge[2][3];
     for (int i = 0; i < 3; i++) {
-        position[i] = source->vertices[triangle[i]].index[OBJ_POSITION];
+        position[i] = equal[source->vertices[triangle[i]].index[OBJ_POSITION]];
     }
     const double(*p)[3] = (const double(*)[3])source->lists[OBJ_POSITION].items;
     for (int i = 0; i < 3; i++) {
@@ -136,15 +186,15 @@ static bool normalise(const double vector[3], int32_t out[3])
     return true;
 }
 
-static void vertex_normal(const struct obj_source *source, const struct obj_corner *corner,
-                          const double (*sums)[3], int32_t out[3])
+static void vertex_normal(const struct obj_source *source, const uint32_t *equal,
+                          const struct obj_corner *corner, const double (*sums)[3], int32_t out[3])
 {
     if (corner->index[OBJ_NORMAL] != OBJ_ABSENT) {
         if (normalise(source->lists[OBJ_NORMAL].items[corner->index[OBJ_NORMAL]], out)) {
             return;
         }
     }
-    if (!normalise(sums[corner->index[OBJ_POSITION]], out)) {
+    if (!normalise(sums[equal[corner->index[OBJ_POSITION]]], out)) {
         out[0] = 0;
         out[1] = 0;
         out[2] = ONE;
@@ -154,17 +204,18 @@ static void vertex_normal(const struct obj_source *source, const struct obj_corn
 static bool build_normals(const struct obj_source *source, struct obj_mesh *mesh)
 {
     double(*sums)[3] = calloc(source->lists[OBJ_POSITION].count, sizeof *sums);
-    if (sums == NULL) {
-        return false;
+    uint32_t *equal = equal_positions(source);
+    const bool ok = sums != NULL && equal != NULL;
+    for (size_t i = 0; ok && i < source->triangle_count; i++) {
+        add_area(source, equal, source->triangles[i], sums);
     }
-    for (size_t i = 0; i < source->triangle_count; i++) {
-        add_area(source, source->triangles[i], sums);
+    for (size_t i = 0; ok && i < source->vertex_count; i++) {
+        vertex_normal(source, equal, &source->vertices[i], (const double(*)[3])sums,
+                      mesh->normals[i]);
     }
-    for (size_t i = 0; i < source->vertex_count; i++) {
-        vertex_normal(source, &source->vertices[i], (const double(*)[3])sums, mesh->normals[i]);
-    }
+    free(equal);
     free(sums);
-    return true;
+    return ok;
 }
 
 /* ---- The mesh ---- */

@@ -3,7 +3,7 @@
 #ifndef QTRI_HOST_PANELS_CONTROLLERS_H
 #define QTRI_HOST_PANELS_CONTROLLERS_H
 
-#include "chip.h"
+#include "oled.h"
 
 /* SSD1306 (Solomon Systech, rev 1.1) on a glass of 128 x rows, 64 or 32, SEG127 left, last COM on
  * top. */
@@ -11,8 +11,8 @@ typedef struct ssd1306 {
     chip chip;
     int rows, first_column;
     uint8_t memory[8][128];
-    int mode, multiplex, offset, start_line, pins;
-    bool columns_reversed, rows_reversed, inverse, all_on, on, pump;
+    int mode;
+    oled_drive drive;
 } ssd1306;
 void ssd1306_init(ssd1306 *s, int rows);
 
@@ -24,8 +24,8 @@ void ssd1306_init_at(ssd1306 *s, int rows, int first_column);
 typedef struct sh1106 {
     chip chip;
     uint8_t memory[8][132];
-    int column, page, multiplex, offset, start_line, pins;
-    bool columns_reversed, rows_reversed, inverse, all_on, on, pump;
+    int column, page;
+    oled_drive drive;
 } sh1106;
 void sh1106_init(sh1106 *s);
 
@@ -75,9 +75,11 @@ typedef struct ssd1680 {
     int first_column, first_row; /* of the glass in what is shown of the memory; 0 after init */
     uint8_t memory[296][22];
     uint8_t shown[296][22]; /* since the last refresh */
+    uint8_t second[296][22];
+    bool to_second; /* where data go */
     int gates, entry, x[2], y[2], counter_x, counter_y, update, options[2];
     bool counters_set;
-    int refreshes;
+    int refreshes, partial_refreshes;
 } ssd1680;
 void ssd1680_init(ssd1680 *s);
 

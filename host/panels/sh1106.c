@@ -22,19 +22,8 @@ static void reset(chip *it)
     sh1106 *s = self(it);
     memset(s->memory, 0xA5, sizeof s->memory); /* whatever it holds */
     s->column = s->page = 0;
-    s->multiplex = 63;
-    s->offset = s->start_line = 0;
-    s->pins = 0x12;
-    s->columns_reversed = s->rows_reversed = s->inverse = s->all_on = s->on = false;
-    s->pump = true;
-    it->ready_ms = it->now_ms + 100; /* slow modules */
-}
-
-static void allow(chip *it, bool allowed)
-{
-    if (!allowed) {
-        chip_reject(it, "command 0x%02X: parameter 0x%02X", it->command, it->parameters[0]);
-    }
+    oled_reset(it, &s->drive);
+    s->drive.pump = true;
 }
 
 /* Data go to the column and page that are set; the page ends where the memory does. */
@@ -53,54 +42,28 @@ static void execute(chip *it)
     sh1106 *s = self(it);
     const uint8_t *p = it->parameters;
     int command = it->command;
+    if (oled_execute(it, &s->drive)) {
+        return;
+    }
     switch (command) {
     case 0x81:
     case 0xD5:
     case 0xDB:
         break;
-    case 0xA0:
-    case 0xA1:
-        s->columns_reversed = command == 0xA1;
-        break;
-    case 0xA4:
-    case 0xA5:
-        s->all_on = command == 0xA5;
-        break;
-    case 0xA6:
-    case 0xA7:
-        s->inverse = command == 0xA7;
-        break;
     case 0xA8:
-        allow(it, p[0] <= 63);
-        s->multiplex = p[0];
+        oled_allow(it, p[0] <= 63);
+        s->drive.multiplex = p[0];
         break;
     case 0xAD:
-        allow(it, (p[0] & ~1) == 0x8A);
-        s->pump = (p[0] & 1) != 0;
-        break;
-    case 0xAE:
-    case 0xAF:
-        s->on = command == 0xAF;
-        break;
-    case 0xC0:
-    case 0xC8:
-        s->rows_reversed = command == 0xC8;
-        break;
-    case 0xD3:
-        allow(it, p[0] <= 63);
-        s->offset = p[0];
-        break;
-    case 0xD9:
-        allow(it, (p[0] & 15) != 0 && p[0] >> 4 != 0);
+        oled_allow(it, (p[0] & ~1) == 0x8A);
+        s->drive.pump = (p[0] & 1) != 0;
         break;
     case 0xDA:
-        allow(it, (p[0] & ~0x10) == 0x02);
-        s->pins = p[0];
+        oled_allow(it, (p[0] & ~0x10) == 0x02);
+        s->drive.pins = p[0];
         break;
     default:
-        if (command >= 0x40 && command <= 0x7F) {
-            s->start_line = command & 63;
-        } else if (command >= 0xB0 && command <= 0xB7) {
+        if (command >= 0xB0 && command <= 0xB7) {
             s->page = command & 7;
             move(it);
         } else if (command < 0x10) {
@@ -118,24 +81,22 @@ static void store(chip *it, uint8_t byte)
 {
     sh1106 *s = self(it);
     int x = it->window.x;
-    s->memory[it->window.y][s->columns_reversed ? 131 - x : x] = byte; /* by segment */
+    s->memory[it->window.y][s->drive.columns_reversed ? 131 - x : x] = byte; /* by segment */
     chip_advance(it, false);
 }
 
 static uint32_t pixel(const chip *it, int x, int y)
 {
     const sh1106 *s = (const sh1106 *)(const void *)it;
-    if (!s->on || !s->pump || s->pins != 0x12 || s->multiplex != 63) {
+    if (!s->drive.on || !s->drive.pump || s->drive.pins != 0x12 || s->drive.multiplex != 63) {
         return 0;
     }
-    if (s->all_on) {
+    if (s->drive.all_on) {
         return 0xFFFFFF;
     }
-    int com = 63 - y;
-    int line = s->rows_reversed ? s->multiplex - com : com;
-    int row = (line + s->start_line + s->offset) & 63;
+    int row = oled_row(&s->drive, 64, y);
     bool lit = (s->memory[row >> 3][129 - x] >> (row & 7) & 1) != 0;
-    return lit != s->inverse ? 0xFFFFFF : 0;
+    return lit != s->drive.inverse ? 0xFFFFFF : 0;
 }
 
 void sh1106_init(sh1106 *s)

@@ -23,14 +23,9 @@ static void reset(chip *it)
     ssd1306 *s = self(it);
     memset(s->memory, 0xA5, sizeof s->memory); /* whatever it holds */
     s->mode = 2;
-    s->multiplex = 63;
-    s->offset = s->start_line = 0;
-    s->pins = 0x12;
-    s->columns_reversed = s->rows_reversed = s->inverse = s->all_on = s->on = s->pump = false;
+    oled_reset(it, &s->drive);
     it->window.x1 = 127;
     it->window.y1 = 7;
-    it->ready_ms =
-        it->now_ms + 100; /* 3 us by the data sheet; slow modules' supply takes this long */
 }
 
 static void range(chip *it, int most)
@@ -41,21 +36,17 @@ static void range(chip *it, int most)
     }
 }
 
-static void allow(chip *it, bool allowed)
-{
-    if (!allowed) {
-        chip_reject(it, "command 0x%02X: parameter 0x%02X", it->command, it->parameters[0]);
-    }
-}
-
 static void execute(chip *it)
 {
     ssd1306 *s = self(it);
     chip_window *w = &it->window;
     const uint8_t *p = it->parameters;
+    if (oled_execute(it, &s->drive)) {
+        return;
+    }
     switch (it->command) {
     case 0x20:
-        allow(it, p[0] <= 2);
+        oled_allow(it, p[0] <= 2);
         s->mode = p[0];
         break;
     case 0x21:
@@ -76,51 +67,21 @@ static void execute(chip *it)
         chip_reject(it, "scrolling is not simulated");
         break;
     case 0x8D:
-        allow(it, (p[0] & ~4) == 0x10);
-        s->pump = (p[0] & 4) != 0;
-        break;
-    case 0xA0:
-    case 0xA1: /* only data that follow are written so: the memory must be written again */
-        s->columns_reversed = it->command == 0xA1;
-        break;
-    case 0xA4:
-    case 0xA5:
-        s->all_on = it->command == 0xA5;
-        break;
-    case 0xA6:
-    case 0xA7:
-        s->inverse = it->command == 0xA7;
+        oled_allow(it, (p[0] & ~4) == 0x10);
+        s->drive.pump = (p[0] & 4) != 0;
         break;
     case 0xA8:
-        allow(it, p[0] >= 15 && p[0] <= 63);
-        s->multiplex = p[0];
-        break;
-    case 0xAE:
-    case 0xAF:
-        s->on = it->command == 0xAF;
-        break;
-    case 0xC0:
-    case 0xC8:
-        s->rows_reversed = it->command == 0xC8;
-        break;
-    case 0xD3:
-        allow(it, p[0] <= 63);
-        s->offset = p[0];
-        break;
-    case 0xD9:
-        allow(it, (p[0] & 15) != 0 && p[0] >> 4 != 0);
+        oled_allow(it, p[0] >= 15 && p[0] <= 63);
+        s->drive.multiplex = p[0];
         break;
     case 0xDA:
-        allow(it, (p[0] & ~0x30) == 0x02);
-        s->pins = p[0];
+        oled_allow(it, (p[0] & ~0x30) == 0x02);
+        s->drive.pins = p[0];
         break;
     case 0xDB:
-        allow(it, p[0] == 0x00 || p[0] == 0x20 || p[0] == 0x30);
+        oled_allow(it, p[0] == 0x00 || p[0] == 0x20 || p[0] == 0x30);
         break;
     default:
-        if (it->command >= 0x40 && it->command <= 0x7F) {
-            s->start_line = it->command & 63;
-        }
         break;
     }
 }
@@ -129,7 +90,7 @@ static void store(chip *it, uint8_t byte)
 {
     ssd1306 *s = self(it);
     int x = it->window.x;
-    s->memory[it->window.y][s->columns_reversed ? 127 - x : x] = byte; /* by segment */
+    s->memory[it->window.y][s->drive.columns_reversed ? 127 - x : x] = byte; /* by segment */
     chip_advance(it, s->mode == 1);
 }
 
@@ -137,18 +98,17 @@ static uint32_t pixel(const chip *it, int x, int y)
 {
     const ssd1306 *s = (const ssd1306 *)(const void *)it;
     int wired = s->rows == 32 ? 0x02 : 0x12; /* the glass's rows alternate between COM halves */
-    if (!s->on || !s->pump || s->pins != wired || s->multiplex != s->rows - 1) {
+    if (!s->drive.on || !s->drive.pump || s->drive.pins != wired ||
+        s->drive.multiplex != s->rows - 1) {
         return 0;
     }
-    if (s->all_on) {
+    if (s->drive.all_on) {
         return 0xFFFFFF;
     }
-    int com = s->rows - 1 - y;
-    int line = s->rows_reversed ? s->multiplex - com : com;
-    int row = (line + s->start_line + s->offset) & 63;
+    int row = oled_row(&s->drive, s->rows, y);
     int segment = 127 - s->first_column - x;
     bool lit = (s->memory[row >> 3][segment] >> (row & 7) & 1) != 0;
-    return lit != s->inverse ? 0xFFFFFF : 0;
+    return lit != s->drive.inverse ? 0xFFFFFF : 0;
 }
 
 void ssd1306_init(ssd1306 *s, int rows)

@@ -15,8 +15,8 @@ static const chip_command commands[] = {
 };
 
 enum { X_UP = 1, Y_UP = 2, Y_FIRST = 4 };
-enum { LAST_X = 21, LAST_Y = 295 };
-enum { RESET_MS = 10, REFRESH_MS = 2000 };
+enum { LAST_X = 21, LAST_Y = 295, GLASS_BYTES = 16, GLASS_ROWS = 250 };
+enum { RESET_MS = 10, REFRESH_MS = 2000, PARTIAL_MS = 400 };
 
 static ssd1680 *self(chip *it)
 {
@@ -67,10 +67,39 @@ static void begin_write(chip *it)
     s->counters_set = false;
 }
 
-/* Clock and analogue on, waveform from its store, drive, all off: a full refresh is 0xF7. */
+/*
+ * Waveform 2 drives pixels that differ between both memories. One that the second does not hold as
+ * it is shown would be driven from a state that it is not in.
+ */
+static void show_changes(chip *it)
+{
+    ssd1680 *s = self(it);
+    if ((s->options[0] & 0xF0) != 0) {
+        chip_reject(it, "a partial refresh without the second memory");
+    }
+    for (int y = 0; y < GLASS_ROWS; y++) {
+        const uint8_t *is = &s->shown[s->first_row + y][s->first_column / 8];
+        const uint8_t *held = &s->second[s->first_row + y][s->first_column / 8];
+        if (memcmp(is, held, GLASS_BYTES) != 0) {
+            chip_reject(it, "the second memory is not what is shown in row %d", y);
+        }
+    }
+    memcpy(s->shown, s->memory, sizeof s->shown);
+    s->partial_refreshes++;
+    it->ready_ms = it->now_ms + PARTIAL_MS;
+}
+
+/*
+ * Clock and analogue on, waveform from its store, drive, all off: a full refresh is 0xF7, one of
+ * changes 0xFF.
+ */
 static void activate(chip *it)
 {
     ssd1680 *s = self(it);
+    if (s->update == 0xFF) {
+        show_changes(it);
+        return;
+    }
     if (s->update != 0xF7) {
         chip_reject(it, "update sequence 0x%02X is not simulated", s->update);
     }
@@ -116,10 +145,9 @@ static void execute(chip *it)
         s->update = p[0];
         break;
     case 0x24:
-        begin_write(it);
-        break;
     case 0x26:
-        chip_reject(it, "the memory of the second colour is not simulated");
+        s->to_second = it->command == 0x26;
+        begin_write(it);
         break;
     case 0x44:
         s->x[0] = p[0];
@@ -146,7 +174,7 @@ static void execute(chip *it)
 static void store(chip *it, uint8_t byte)
 {
     ssd1680 *s = self(it);
-    s->memory[it->window.y][it->window.x] = byte;
+    (s->to_second ? s->second : s->memory)[it->window.y][it->window.x] = byte;
     chip_advance(it, (s->entry & Y_FIRST) != 0);
 }
 
@@ -167,7 +195,8 @@ void ssd1680_init(ssd1680 *s)
                                      store,     pixel};
     memset(s->memory, 0xC3, sizeof s->memory);
     memset(s->shown, 0xC3, sizeof s->shown);
-    s->refreshes = s->first_column = s->first_row = 0;
+    memset(s->second, 0x5A, sizeof s->second); /* whatever it holds */
+    s->refreshes = s->partial_refreshes = s->first_column = s->first_row = 0;
     s->chip.busy_pin = true;
     chip_init(&s->chip, &model);
 }

@@ -3,6 +3,8 @@
  * The command `qtri compare`.
  */
 #include "compare.h"
+#include "../assets/image.h"
+#include "../io/file.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -26,9 +28,10 @@ struct options {
 static void print_usage(FILE *file)
 {
     fputs(
-        "usage: qtri compare [OPTION]... A.ppm B.ppm\n"
+        "usage: qtri compare [OPTION]... A B\n"
         "\n"
-        "Compares two pictures, and the dumps beside them (A.id, A.depth) where both have them.\n"
+        "Compares two pictures, PPM or PNG (-: PPM of standard input), and the dumps beside them\n"
+        "(A.id, A.depth of A.ppm) where both have them.\n"
         "Prints one measure a line. Exit status 0: the same within the limits below; 1: "
         "different,\n"
         "or a file cannot be read; 2: wrong usage.\n"
@@ -38,7 +41,7 @@ static void print_usage(FILE *file)
         "  --max-coverage N  how many pixels may be covered in one picture only (default 0)\n"
         "  --max-depth X     greatest depth difference, in 1/65535 (default 0); where there are\n"
         "                    ids, of the pixels that show the same triangle in both\n"
-        "  -o FILE.ppm       write a picture of the differences: dark grey where there is none,\n"
+        "  -o FILE           write a picture of the differences: dark grey where there is none,\n"
         "                    64 + 16 times the difference in each channel where there is one,\n"
         "                    red where only one picture is covered\n"
         "  --help            print this\n",
@@ -136,13 +139,31 @@ static bool parse_options(int argc, char **argv, struct options *out)
     return false;
 }
 
+/* PNG, where this was built with its library, or PPM. */
+static bool read_pixels(const char *path, struct picture *picture, struct text_error *error)
+{
+    struct image image;
+
+    if (!file_name_ends_in(path, ".png"))
+        return picture_read_ppm(path, picture, error);
+    if (!image_read(path, &image, error))
+        return false;
+    bool made = picture_create(picture, image.width, image.height, false);
+    for (size_t i = 0; made && i < (size_t)image.width * (size_t)image.height; i++)
+        memcpy(&picture->rgb[3 * i], &image.rgba[4 * i], 3);
+    image_free(&image);
+    if (!made)
+        text_error_set(error, path, 0, "out of memory");
+    return made;
+}
+
 /* Reads the picture and the dumps beside it: PREFIX.id and PREFIX.depth of PREFIX.ppm. */
 static bool read_picture(const char *path, struct picture *picture)
 {
     struct text_error error;
     size_t length = strlen(path);
 
-    if (!picture_read_ppm(path, picture, &error)) {
+    if (!read_pixels(path, picture, &error)) {
         fprintf(stderr, "%s\n", error.message);
         return false;
     }
@@ -153,7 +174,7 @@ static bool read_picture(const char *path, struct picture *picture)
         return false;
     }
     memcpy(prefix, path, length + 1);
-    if (length >= 4 && strcmp(&path[length - 4], ".ppm") == 0)
+    if (file_name_ends_in(path, ".ppm") || file_name_ends_in(path, ".png"))
         prefix[length - 4] = '\0';
     bool read = picture_read_dump(prefix, picture, &error);
     free(prefix);
@@ -164,38 +185,38 @@ static bool read_picture(const char *path, struct picture *picture)
     return read;
 }
 
-static void print_count(const char *name, uint64_t value)
+static void print_count(FILE *out, const char *name, uint64_t value)
 {
-    printf("%-20s %" PRIu64 "\n", name, value);
+    fprintf(out, "%-20s %" PRIu64 "\n", name, value);
 }
 
-static void print_number(const char *name, double value)
+static void print_number(FILE *out, const char *name, double value)
 {
     if (isinf(value))
-        printf("%-20s inf\n", name);
+        fprintf(out, "%-20s inf\n", name);
     else
-        printf("%-20s %.6g\n", name, value);
+        fprintf(out, "%-20s %.6g\n", name, value);
 }
 
-static void print_comparison(const struct comparison *c)
+static void print_comparison(FILE *out, const struct comparison *c)
 {
-    printf("%-20s %dx%d\n", "size", c->width[0], c->height[0]);
-    print_count("pixels", c->pixels);
-    print_count("pixels-differing", c->differing);
-    print_count("color-max", (uint64_t)c->max_color_error);
-    print_number("color-mean", c->mean_color_error);
-    print_number("psnr-db", c->psnr);
+    fprintf(out, "%-20s %dx%d\n", "size", c->width[0], c->height[0]);
+    print_count(out, "pixels", c->pixels);
+    print_count(out, "pixels-differing", c->differing);
+    print_count(out, "color-max", (uint64_t)c->max_color_error);
+    print_number(out, "color-mean", c->mean_color_error);
+    print_number(out, "psnr-db", c->psnr);
     if (c->has_id) {
-        print_count("covered-a", c->covered[0]);
-        print_count("covered-b", c->covered[1]);
-        print_count("coverage-mismatches", c->coverage_mismatches);
-        print_count("other-triangle", c->other_triangle);
+        print_count(out, "covered-a", c->covered[0]);
+        print_count(out, "covered-b", c->covered[1]);
+        print_count(out, "coverage-mismatches", c->coverage_mismatches);
+        print_count(out, "other-triangle", c->other_triangle);
     }
     if (c->has_depth) {
-        print_count("depth-pixels", c->depth_pixels);
-        print_number("depth-max", c->max_depth_error);
-        print_number("depth-mean", c->mean_depth_error);
-        print_number("depth-p99.9", c->p999_depth_error);
+        print_count(out, "depth-pixels", c->depth_pixels);
+        print_number(out, "depth-max", c->max_depth_error);
+        print_number(out, "depth-mean", c->mean_depth_error);
+        print_number(out, "depth-p99.9", c->p999_depth_error);
     }
 }
 
@@ -215,7 +236,7 @@ static bool write_difference(const char *path, const struct picture picture[2])
         fprintf(stderr, "qtri compare: out of memory\n");
         return false;
     }
-    bool written = picture_write_ppm(path, &difference, &error);
+    bool written = image_write_picture(path, &difference, &error);
     if (!written)
         fprintf(stderr, "%s\n", error.message);
     picture_free(&difference);
@@ -233,7 +254,9 @@ static int compare_read_pictures(const struct options *options, const struct pic
                 comparison.width[1], comparison.height[1]);
         return STATUS_DIFFERENT;
     }
-    print_comparison(&comparison);
+    /* Where the picture of the differences goes to standard output, the measures go elsewhere. */
+    bool is_piped = options->difference_path && strcmp(options->difference_path, "-") == 0;
+    print_comparison(is_piped ? stderr : stdout, &comparison);
     if (options->difference_path && !write_difference(options->difference_path, picture))
         return STATUS_DIFFERENT;
     return within_limits(&comparison, options) ? STATUS_SAME : STATUS_DIFFERENT;

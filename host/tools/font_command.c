@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,18 +6,20 @@
 #include "../io/file.h"
 #include "commands.h"
 #include "font_build.h"
+#include "options.h"
 
 static const char usage[] =
     "usage: qtri font IN.bdf -o OUT.h [--name NAME]\n"
     "\n"
     "Makes a font for qtri/font.h of a BDF file: constant data, a `static const qtri_font NAME`.\n"
-    "An OUT that ends in .c defines a font that other files declare themselves.\n"
+    "IN - is standard input, -o - standard output. An OUT that ends in .c defines a font that "
+    "other files declare themselves.\n"
     "\n"
     "  --name NAME   what the font is called in C (default: the file name of OUT)\n";
 
 struct options {
     const char *in, *out;
-    char name[64];
+    char name[OPTION_NAME_SIZE];
 };
 
 /* Formats into the file. */
@@ -104,64 +105,24 @@ static bool write_font(const struct options *options, const struct bdf_font *bdf
 
 /* ---- Arguments ---- */
 
-static bool is_identifier(const char *name)
-{
-    for (size_t i = 0; name[i] != '\0'; i++) {
-        const unsigned char c = (unsigned char)name[i];
-        if (c >= 128 || (c != '_' && !isalpha(c) && !(i > 0 && isdigit(c)))) {
-            return false;
-        }
-    }
-    return name[0] != '\0';
-}
+#define AT(member) offsetof(struct options, member)
 
-/* The file name up to its last dot. */
-static void name_of_file(struct options *options)
-{
-    const char *slash = strrchr(options->out, '/');
-    const char *name = slash != NULL ? slash + 1 : options->out;
-    const char *dot = strrchr(name, '.');
-    const size_t length = dot != NULL ? (size_t)(dot - name) : strlen(name);
-    snprintf(options->name, sizeof options->name, "%.*s",
-             length < sizeof options->name ? (int)length : 0, name);
-}
+static const struct option options_of_font[] = {{"-o", OPTION_TEXT, AT(out), NULL},
+                                                {"--name", OPTION_NAME, AT(name), NULL}};
+
+static const struct option_list list = {"font", "BDF file", offsetof(struct options, in),
+                                        options_of_font,
+                                        sizeof options_of_font / sizeof options_of_font[0]};
 
 static bool parse(int argc, char **argv, struct options *options)
 {
-    const char *name = NULL;
-    for (int i = 1; i < argc; i++) {
-        const char **value = strcmp(argv[i], "-o") == 0       ? &options->out
-                             : strcmp(argv[i], "--name") == 0 ? &name
-                                                              : NULL;
-        if (value != NULL && i + 1 == argc) {
-            fprintf(stderr, "qtri font: %s needs a value\n", argv[i]);
-            return false;
-        }
-        if (value == NULL && (argv[i][0] == '-' || options->in != NULL)) {
-            fprintf(stderr, "qtri font: '%s' is not understood\n", argv[i]);
-            return false;
-        }
-        if (value != NULL) {
-            *value = argv[++i];
-        } else {
-            options->in = argv[i];
-        }
+    if (!options_parse(&list, options, argc, argv)) {
+        return false;
     }
     if (options->in == NULL || options->out == NULL) {
-        fprintf(stderr, "qtri font: a BDF file and -o are needed\n");
-        return false;
+        return options_complain(&list, "a BDF file and -o are needed", "");
     }
-    name_of_file(options);
-    if (name != NULL) {
-        snprintf(options->name, sizeof options->name, "%s",
-                 strlen(name) < sizeof options->name ? name : "");
-    }
-    if (!is_identifier(options->name)) {
-        fprintf(stderr, "qtri font: '%.60s' is not a name in C; --name gives one\n",
-                name != NULL ? name : options->name);
-        return false;
-    }
-    return true;
+    return options_default_name(&list, options->in, options->out, options->name);
 }
 
 int font_main(int argc, char **argv)
@@ -170,7 +131,7 @@ int font_main(int argc, char **argv)
     struct bdf_font bdf;
     struct font_build build;
     struct text_error error;
-    if (argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
+    if (options_ask_help(argc, argv)) {
         fputs(usage, stdout);
         return 0;
     }

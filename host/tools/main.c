@@ -13,7 +13,7 @@ struct command {
 };
 
 static const struct command commands[] = {
-    {"render", render_main, "draw a scene file to a PPM picture"},
+    {"render", render_main, "draw a scene file to a picture, PNG or PPM"},
     {"compare", compare_main, "compare two pictures"},
     {"demo", demo_main, "render the demo scenes beside their references"},
     {"mesh", mesh_main, "make C data of a model, or of a mesh that it generates"},

@@ -192,7 +192,7 @@ static bool write_preview(const struct mesh_options *options, const struct asset
 
 /* ---- What the user wants to know ---- */
 
-static void report_materials(const struct asset *asset, FILE *out)
+static void report_materials(const char *input, const struct asset *asset, FILE *out)
 {
     for (size_t i = 0; i < asset->count; i++) {
         const struct asset_part *part = &asset->parts[i];
@@ -202,7 +202,8 @@ static void report_materials(const struct asset *asset, FILE *out)
                     part->material.name, part->mesh.triangle_count, c[0], c[1], c[2]);
         }
         if (part->material.texture[0] == '*') {
-            fprintf(out, "texture: inside the file, number %s\n", part->material.texture + 1);
+            fprintf(out, "texture: inside the file, for `qtri texture %s --picture %s`\n", input,
+                    part->material.texture + 1);
         } else if (part->material.texture[0] != '\0') {
             fprintf(out, "texture: %s, for `qtri texture`\n", part->material.texture);
         }
@@ -235,7 +236,14 @@ static void report(const struct mesh_options *options, const struct asset *asset
     if (error->position_share > 1.0 / 256.0) {
         fputs("the model is so small that its shape suffers; --fit makes it larger\n", stderr);
     }
-    report_materials(asset, out);
+    report_materials(options->input, asset, out);
+}
+
+/* What was made goes to standard output: the report goes elsewhere. */
+static bool is_piped(const struct mesh_options *options)
+{
+    return strcmp(options->output, "-") == 0 ||
+           (options->preview != NULL && strcmp(options->preview, "-") == 0);
 }
 
 static int run(struct mesh_options *options)
@@ -252,7 +260,7 @@ static int run(struct mesh_options *options)
                             : (options->is_obj ? write_obj(options, &asset, &error)
                                                : write_c(options, &asset, &error)));
             if (ok && !only_text) {
-                report(options, &asset, strcmp(options->output, "-") == 0 ? stderr : stdout);
+                report(options, &asset, is_piped(options) ? stderr : stdout);
             }
             asset_free(&asset);
         }
@@ -268,11 +276,9 @@ static int run(struct mesh_options *options)
 int mesh_main(int argc, char **argv)
 {
     struct mesh_options options;
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            mesh_options_help(stdout);
-            return 0;
-        }
+    if (options_ask_help(argc, argv)) {
+        mesh_options_help(stdout);
+        return 0;
     }
     return mesh_options_parse(argc, argv, &options) ? run(&options) : 2;
 }

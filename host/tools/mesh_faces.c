@@ -117,22 +117,29 @@ static void set_face(struct face *face, const qtri_mesh *mesh, uint32_t triangle
     }
 }
 
-/* The longest plane with these limits; length 0: none. */
-static struct plane find_plane(const struct face *face, double thin, double error_max)
+/* A whole number of a byte, without a call: most of the time of this file is spent here. */
+static double nearest(double x)
 {
-    struct plane none = {{0, 0, 0, 0}, 0.0, 0.0};
+    return (double)(int)(x < 0.0 ? x - .5 : x + .5);
+}
+
+enum { PART_MIN = 8, PART_MAX = 127 };
+
+/* The planes nearest to a face whose largest part is PART_MIN and more; length 0: not allowed. */
+static void find_planes(struct plane planes[PART_MAX + 1], const struct face *face)
+{
     const double *n = face->normal;
-    const double length_max = thin * face->radius;
-    if (face->radius <= 0.0 || length_max < LENGTH_MIN) {
-        return none;
-    }
     const double largest = fmax(fabs(n[0]), fmax(fabs(n[1]), fabs(n[2])));
-    const double most = fmin(127.0, floor(length_max * largest) + 1.0);
-    for (int part = (int)most; part >= 8; part--) {
+    for (int part = PART_MIN; part <= PART_MAX; part++) {
+        struct plane *plane = &planes[part];
         double q[3];
         double beside = 0.0;
+        *plane = (struct plane){{0, 0, 0, 0}, 0.0, 0.0};
+        if (!(largest > 0.0)) {
+            continue; /* no area, no normal */
+        }
         for (int axis = 0; axis < 3; axis++) {
-            q[axis] = round(n[axis] * part / largest);
+            q[axis] = nearest(n[axis] * part / largest);
         }
         const double length = dot(q, n);
         for (int axis = 0; axis < 3; axis++) {
@@ -140,30 +147,70 @@ static struct plane find_plane(const struct face *face, double thin, double erro
             beside += difference * difference;
         }
         beside = sqrt(beside);
+        if (beside > ANGLE_MAX * length || dot(q, q) < LENGTH_MIN * LENGTH_MIN) {
+            continue;
+        }
         const double d = round(dot(q, face->corner));
-        if (length <= length_max && beside <= error_max && beside <= ANGLE_MAX * length &&
-            d >= -128.0 && d <= 127.0 && dot(q, q) >= LENGTH_MIN * LENGTH_MIN) {
-            struct plane plane = {
+        if (d >= -128.0 && d <= 127.0) {
+            *plane = (struct plane){
                 {(int8_t)q[0], (int8_t)q[1], (int8_t)q[2], (int8_t)d}, length, beside};
-            return plane;
         }
     }
-    return none;
 }
 
-/* The share of directions from which planes of these limits cull a face, over some of the faces. */
-static double share(const struct face *faces, uint32_t count, double thin, double error_max)
+/* The longest of them with these limits; length 0: none. */
+static struct plane longest(const struct plane planes[PART_MAX + 1], const struct face *face,
+                            double thin, double error_max)
 {
+    const double length_max = thin * face->radius;
+    if (face->radius > 0.0 && length_max >= LENGTH_MIN) {
+        /* A plane is as long as its largest part, but for the angle between it and the normal. */
+        const int most = (int)fmin(PART_MAX, length_max + 1.0);
+        for (int part = most; part >= PART_MIN; part--) {
+            const struct plane *plane = &planes[part];
+            if (plane->length > 0.0 && plane->length <= length_max && plane->error <= error_max) {
+                return *plane;
+            }
+        }
+    }
+    return (struct plane){{0, 0, 0, 0}, 0.0, 0.0};
+}
+
+/* The limits that are tried: of errors, and of lengths in median radii. */
+static const double errors[] = {.06, .1, .15, .2, .3, .4, .6, .87};
+static const double lengths[] = {16, 24, 32, 48, 64, 80, 96, 128, 160, 220, 320};
+enum { ERRORS = sizeof errors / sizeof errors[0], LENGTHS = sizeof lengths / sizeof lengths[0] };
+
+static double thin_of(int length, double median)
+{
+    return fmin(lengths[length] / median, (double)UINT32_MAX);
+}
+
+/*
+ * The share of directions from which planes of all limits cull a face, over some of the faces. The
+ * planes of a face are found once.
+ */
+static void find_shares(double share[ERRORS][LENGTHS], const struct face *faces, uint32_t count,
+                        double median)
+{
+    struct plane planes[PART_MAX + 1];
     const uint32_t step = count / SAMPLES + 1;
-    const double least = SNAPPING * thin + OFF * error_max + ROUNDED;
-    double sum = 0.0;
     uint32_t samples = 0;
     for (uint32_t i = 0; i < count; i += step) {
-        const struct plane plane = find_plane(&faces[i], thin, error_max);
-        sum += plane.length > least ? .5 * (1.0 - least / plane.length) : 0.0;
+        find_planes(planes, &faces[i]);
+        for (int k = 0; k < ERRORS * LENGTHS; k++) {
+            const double error_max = errors[k / LENGTHS];
+            const double thin = thin_of(k % LENGTHS, median);
+            const double least = SNAPPING * thin + OFF * error_max + ROUNDED;
+            const struct plane plane = longest(planes, &faces[i], thin, error_max);
+            share[k / LENGTHS][k % LENGTHS] +=
+                plane.length > least ? .5 * (1.0 - least / plane.length) : 0.0;
+        }
         samples++;
     }
-    return samples == 0 ? 0.0 : sum / samples;
+    for (int k = 0; k < ERRORS * LENGTHS && samples > 0; k++) {
+        share[k / LENGTHS][k % LENGTHS] /= samples;
+    }
 }
 
 static int compare_doubles(const void *a, const void *b)
@@ -195,29 +242,29 @@ static uint32_t above(double value, double most)
 
 static double fill(qtri_mesh *mesh, qtri_face8 *planes, const struct face *faces)
 {
-    static const double errors[] = {.06, .1, .15, .2, .3, .4, .6, .87};
-    static const double lengths[] = {16, 24, 32, 48, 64, 80, 96, 128, 160, 220, 320};
     const uint32_t count = mesh->triangle_count;
     const double median = median_radius(faces, count);
+    double share[ERRORS][LENGTHS] = {{0}};
     double best = 0.0;
     double error_max = 0.0;
     double thin_max = 0.0;
-    for (size_t i = 0; i < sizeof errors / sizeof errors[0] && median > 0.0; i++) {
-        for (size_t j = 0; j < sizeof lengths / sizeof lengths[0]; j++) {
-            const double thin = fmin(lengths[j] / median, (double)UINT32_MAX);
-            const double worth = share(faces, count, thin, errors[i]);
-            if (worth > best) {
-                best = worth;
-                error_max = errors[i];
-                thin_max = thin;
-            }
+    if (median > 0.0) {
+        find_shares(share, faces, count, median);
+    }
+    for (int k = 0; k < ERRORS * LENGTHS; k++) {
+        if (share[k / LENGTHS][k % LENGTHS] > best) {
+            best = share[k / LENGTHS][k % LENGTHS];
+            error_max = errors[k / LENGTHS];
+            thin_max = thin_of(k % LENGTHS, median);
         }
     }
     double thin = 0.0;
     double error = 0.0;
     double radius = 1.0;
     for (uint32_t i = 0; i < count; i++) {
-        const struct plane plane = find_plane(&faces[i], thin_max, error_max);
+        struct plane near[PART_MAX + 1];
+        find_planes(near, &faces[i]);
+        const struct plane plane = longest(near, &faces[i], thin_max, error_max);
         planes[i] = plane.face;
         error = fmax(error, plane.error);
         thin = plane.length > 0.0 ? fmax(thin, plane.length / faces[i].radius) : thin;

@@ -9,14 +9,15 @@
 #include <stdio.h>
 
 #include "../assets/model.h"
+#include "options.h"
 
 struct mesh_options {
     const char *input, *output;
-    const char *preview; /* NULL: none */
-    char name[64];       /* of the mesh in C */
-    bool is_generated;   /* the input is a name that mesh_generate knows */
-    bool is_obj;         /* the output is OBJ, not C */
-    bool is_changed;     /* an option asks for more than the generated text */
+    const char *preview;         /* NULL: none */
+    char name[OPTION_NAME_SIZE]; /* of the mesh in C */
+    bool is_generated;           /* the input is a name that mesh_generate knows */
+    bool is_obj;                 /* the output is OBJ, not C */
+    bool is_changed;             /* an option asks for more than the generated text */
     bool split, compact, center, colors, plain, no_faces;
     char up;    /* 'y' or 'z' */
     double fit; /* 0: as it is */

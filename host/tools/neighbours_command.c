@@ -1,33 +1,35 @@
 /* SPDX-License-Identifier: MIT */
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../assets/asset.h"
+#include "../io/file.h"
 #include "../io/obj.h"
 #include "commands.h"
 #include "mesh_neighbours.h"
+#include "options.h"
 
 static const char usage[] =
-    "usage: qtri neighbours MESH.obj -o FILE\n"
+    "usage: qtri neighbours MESH.obj -o FILE [--name NAME]\n"
     "\n"
-    "Writes qtri_mesh.neighbours of a mesh as C, for outlines (qtri/edges.h): MESH_neighbours, "
-    "three\n"
+    "Writes qtri_mesh.neighbours of a mesh as C, for outlines (qtri/edges.h): NAME_neighbours,\n"
+    "MESH_neighbours without --name; - is standard input, -o - standard output. There are three\n"
     "numbers a triangle, in the order of the file's faces, polygons being fans. Triangles are\n"
     "neighbours across an edge of equal positions, whatever their normals and texture "
     "coordinates.\n";
 
-/* The file's name without folder and ending, as a name in C. */
-static void name_of(const char *path, char *name, size_t size)
-{
-    const char *base = strrchr(path, '/');
-    base = base != NULL ? base + 1 : path;
-    size_t length = 0;
-    for (; base[length] != '\0' && base[length] != '.' && length + 1 < size; length++) {
-        name[length] = isalnum((unsigned char)base[length]) != 0 ? base[length] : '_';
-    }
-    name[length] = '\0';
-}
+struct options {
+    const char *in, *out;
+    char name[OPTION_NAME_SIZE];
+};
+
+#define AT(member) offsetof(struct options, member)
+
+static const struct option all[] = {{"-o", OPTION_TEXT, AT(out), NULL},
+                                    {"--name", OPTION_NAME, AT(name), NULL}};
+static const struct option_list list = {"neighbours", "mesh", offsetof(struct options, in), all,
+                                        sizeof all / sizeof all[0]};
 
 /* The neighbours of the mesh; NULL where it has too many vertices or triangles, or memory ends. */
 static uint16_t (*make(const struct obj_mesh *mesh))[3]
@@ -62,53 +64,74 @@ static uint16_t (*make(const struct obj_mesh *mesh))[3]
     return neighbours;
 }
 
-static bool write(const char *path, const char *name, uint16_t (*neighbours)[3], size_t count)
+static bool write(const char *path, const char *name, uint16_t (*neighbours)[3], size_t count,
+                  struct text_error *error)
 {
-    FILE *out = fopen(path, "w");
-    if (out == NULL) {
+    struct file_output output;
+    if (!file_output_open(&output, path, error)) {
         return false;
     }
-    fprintf(out,
+    fprintf(output.stream,
             "/* qtri_mesh.neighbours: the triangle across each edge, %zu for none. */\n"
             "static const uint16_t %s_neighbours[%zu][3] = {\n",
             count, name, count);
     for (size_t i = 0; i < count; i++) {
-        fprintf(out, "    {%u, %u, %u},\n", neighbours[i][0], neighbours[i][1], neighbours[i][2]);
+        fprintf(output.stream, "    {%u, %u, %u},\n", neighbours[i][0], neighbours[i][1],
+                neighbours[i][2]);
     }
-    fprintf(out, "};\n");
-    const bool ok = !ferror(out);
-    return fclose(out) == 0 && ok;
+    fprintf(output.stream, "};\n");
+    return file_output_commit(&output, error);
+}
+
+/* Neighbours are called as the mesh is, unless --name says otherwise. */
+static bool parse(int argc, char **argv, struct options *options)
+{
+    if (!options_parse(&list, options, argc, argv)) {
+        return false;
+    }
+    if (options->in == NULL || options->out == NULL) {
+        return options_complain(&list, "an OBJ file and -o FILE are needed", "");
+    }
+    if (options->name[0] == '\0') {
+        asset_identifier(strcmp(options->in, "-") == 0 ? "mesh" : options->in, options->name,
+                         sizeof options->name);
+    }
+    return options->name[0] != '\0' || options_complain(&list, "--name NAME is needed", "");
+}
+
+static bool run(const struct options *options, struct text_error *error)
+{
+    struct obj_mesh mesh;
+    if (!obj_read(options->in, &mesh, error)) {
+        return false;
+    }
+    uint16_t(*neighbours)[3] = make(&mesh);
+    bool ok = neighbours != NULL;
+    if (ok) {
+        ok = write(options->out, options->name, neighbours, mesh.triangle_count, error);
+    } else {
+        text_error_set(error, options->in, 0, "more than a mesh holds, or out of memory");
+    }
+    free(neighbours);
+    obj_free(&mesh);
+    return ok;
 }
 
 int neighbours_main(int argc, char **argv)
 {
-    if (argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
+    struct options options = {0};
+    struct text_error error;
+    if (options_ask_help(argc, argv)) {
         fputs(usage, stdout);
         return 0;
     }
-    if (argc != 4 || strcmp(argv[2], "-o") != 0) {
-        fputs(usage, stderr);
+    if (!parse(argc, argv, &options)) {
+        fputs("Try `qtri neighbours --help`.\n", stderr);
         return 2;
     }
-    struct obj_mesh mesh;
-    struct text_error error;
-    if (!obj_read(argv[1], &mesh, &error)) {
+    if (!run(&options, &error)) {
         fprintf(stderr, "qtri neighbours: %s\n", error.message);
         return 1;
     }
-    char name[64];
-    name_of(argv[1], name, sizeof name);
-    uint16_t(*neighbours)[3] = make(&mesh);
-    int status = 0;
-    if (neighbours == NULL) {
-        fprintf(stderr, "qtri neighbours: %s: more than a mesh holds, or out of memory\n", argv[1]);
-        status = 1;
-    } else if (!write(argv[3], name, neighbours, mesh.triangle_count)) {
-        fprintf(stderr, "qtri neighbours: %s: cannot be written\n", argv[3]);
-        remove(argv[3]);
-        status = 1;
-    }
-    free(neighbours);
-    obj_free(&mesh);
-    return status;
+    return 0;
 }

@@ -3,25 +3,31 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../assets/image.h"
 #include "../reference/reference.h"
 #include "../reference/reference_picture.h"
 #include "../io/file.h"
 #include "commands.h"
+#include "options.h"
 #include "scene_draw.h"
 
 static const char usage[] =
-    "usage: qtri render SCENE -o PREFIX [OPTION ...]\n"
+    "usage: qtri render SCENE -o PICTURE [OPTION ...]\n"
     "\n"
-    "Draws the scene file SCENE (-: standard input) and writes PREFIX.ppm. A PREFIX that is a\n"
-    "device or a pipe, or - for standard output, is written as it is named. A picture is replaced\n"
-    "when it is complete, and never what it is drawn from. Meshes and textures are read in the\n"
-    "scene's folder and below.\n"
+    "Draws the scene file SCENE (-: standard input) and writes PICTURE: PNG where it is named "
+    ".png,\n"
+    "else PPM, to which a name without an ending adds .ppm. A PICTURE that is a device or a pipe, "
+    "or\n"
+    "- for standard output, is written as it is named. A picture is replaced when it is complete,\n"
+    "and never what it is drawn from. Meshes and textures are read in the scene's folder and "
+    "below.\n"
     "\n"
     "  --allow-files    read meshes and textures wherever the scene says they are\n"
     "  --format FORMAT  rgb888 (default), rgb565 or gray8: the surface's pixel format;\n"
     "                   the PPM shows its colours widened to 8 bits\n"
-    "  --dump           also write PREFIX.id (uint32) and PREFIX.depth (float64), little-endian,\n"
-    "                   top row first: visible triangle (0: background), window depth 0..1\n"
+    "  --dump           also write, with .id and .depth as the name's ending, uint32 and float64,\n"
+    "                   little-endian, top row first: visible triangle (0: background), window\n"
+    "                   depth 0..1\n"
     "  --rows N         draw in bands of N rows (default: the whole picture); same pixels\n"
     "  --reference      draw with the double-precision pipeline instead\n"
     "  --snap N         with --reference: snap vertices to N sub-pixel bits, 0..16 (default 0:\n"
@@ -32,7 +38,7 @@ static const char usage[] =
 #define REFERENCE_PIXELS (2048L * 2048L) /* without --large */
 
 struct options {
-    const char *scene, *prefix;
+    const char *scene, *output;
     int format; /* see formats */
     bool dump, reference, allow_files, large;
     int snap, rows;
@@ -48,91 +54,64 @@ static const struct {
     {"gray8", &qtri_gray8, REFERENCE_GRAY8},
 };
 
-/* Reads a decimal in 0..max; false for anything else. */
-static bool parse_count(const char *text, int max, int *out)
+static bool set_format(void *options, const char *value, struct option_words *more)
 {
-    char *end = NULL;
-    long value = strtol(text, &end, 10);
-    if (*text == '\0' || *end != '\0' || value < 0 || value > max) {
-        return false;
-    }
-    *out = (int)value;
-    return true;
-}
-
-static bool parse_format(const char *text, int *out)
-{
+    (void)more;
     for (int i = 0; i < (int)(sizeof formats / sizeof formats[0]); i++) {
-        if (strcmp(text, formats[i].name) == 0) {
-            *out = i;
+        if (strcmp(value, formats[i].name) == 0) {
+            ((struct options *)options)->format = i;
             return true;
         }
     }
     return false;
 }
 
-/* One option with a value; false when the value does not fit it. */
-static bool set_value(struct options *options, const char *name, const char *value)
+static bool set_rows(void *options, const char *value, struct option_words *more)
 {
-    if (strcmp(name, "-o") == 0) {
-        options->prefix = value;
-        return *value != '\0';
-    }
-    if (strcmp(name, "--format") == 0) {
-        return parse_format(value, &options->format);
-    }
-    if (strcmp(name, "--rows") == 0) {
-        return parse_count(value, SCENE_MAX_SIZE, &options->rows);
-    }
-    return parse_count(value, 16, &options->snap);
+    long rows = 0;
+    (void)more;
+    bool ok = option_whole(value, 0, SCENE_MAX_SIZE, &rows);
+    ((struct options *)options)->rows = (int)rows;
+    return ok;
 }
 
-static bool takes_value(const char *name)
+static bool set_snap(void *options, const char *value, struct option_words *more)
 {
-    return strcmp(name, "-o") == 0 || strcmp(name, "--format") == 0 ||
-           strcmp(name, "--rows") == 0 || strcmp(name, "--snap") == 0;
+    long bits = 0;
+    (void)more;
+    bool ok = option_whole(value, 0, 16, &bits);
+    ((struct options *)options)->snap = (int)bits;
+    return ok;
 }
+
+#define AT(member) offsetof(struct options, member)
+
+static const struct option options_of_render[] = {
+    {"-o", OPTION_TEXT, AT(output), NULL},
+    {"--format", OPTION_SET, 0, set_format},
+    {"--rows", OPTION_SET, 0, set_rows},
+    {"--snap", OPTION_SET, 0, set_snap},
+    {"--dump", OPTION_FLAG, AT(dump), NULL},
+    {"--reference", OPTION_FLAG, AT(reference), NULL},
+    {"--allow-files", OPTION_FLAG, AT(allow_files), NULL},
+    {"--large", OPTION_FLAG, AT(large), NULL},
+};
+
+static const struct option_list list = {"render", "scene", offsetof(struct options, scene),
+                                        options_of_render,
+                                        sizeof options_of_render / sizeof options_of_render[0]};
 
 /* Fills *options; false after a message. */
 static bool parse_options(int argc, char **argv, struct options *options)
 {
-    for (int i = 1; i < argc; i++) {
-        const char *argument = argv[i];
-        if (takes_value(argument)) {
-            if (i + 1 == argc) {
-                fprintf(stderr, "qtri render: %s needs a value\n", argument);
-                return false;
-            }
-            i++;
-            if (!set_value(options, argument, argv[i])) {
-                fprintf(stderr, "qtri render: '%s' is not a value for %s\n", argv[i], argument);
-                return false;
-            }
-        } else if (strcmp(argument, "--dump") == 0) {
-            options->dump = true;
-        } else if (strcmp(argument, "--reference") == 0) {
-            options->reference = true;
-        } else if (strcmp(argument, "--allow-files") == 0) {
-            options->allow_files = true;
-        } else if (strcmp(argument, "--large") == 0) {
-            options->large = true;
-        } else if (argument[0] == '-' && argument[1] != '\0') {
-            fprintf(stderr, "qtri render: unknown option '%s'\n", argument);
-            return false;
-        } else if (options->scene != NULL) {
-            fprintf(stderr, "qtri render: one scene at a time, please: '%s'\n", argument);
-            return false;
-        } else {
-            options->scene = argument;
-        }
-    }
-    if (options->scene == NULL || options->prefix == NULL) {
-        fprintf(stderr, "qtri render: a scene file and -o PREFIX are needed\n");
+    if (!options_parse(&list, options, argc, argv)) {
         return false;
     }
-    if (options->dump && file_is_stream(options->prefix)) {
-        fprintf(stderr, "qtri render: --dump writes three files: not to '%s'\n", options->prefix);
-        return false;
+    if (options->scene == NULL || options->output == NULL) {
+        return options_complain(&list, "a scene file and -o PICTURE are needed", "");
+    }
+    if (options->dump && file_is_stream(options->output)) {
+        return options_complain(&list, "--dump writes three files: not to ", options->output);
     }
     return true;
 }
@@ -153,23 +132,69 @@ static bool render(const struct options *options, const struct scene *scene,
     return ok;
 }
 
-/* PREFIX.ppm, or a stream's own name; free() it. NULL when memory runs out. */
-static char *output_path(const struct options *options, const char *suffix)
+/* The output's name with another ending, or none, in place of .ppm or .png; free() it. NULL when
+   memory runs out. */
+static char *name_with(const struct options *options, const char *ending)
 {
-    size_t length = strlen(options->prefix) + strlen(suffix) + 1;
-    char *path = malloc(length);
+    const char *name = options->output;
+    const bool is_named = file_name_ends_in(name, ".ppm") || file_name_ends_in(name, ".png");
+    const size_t length = strlen(name) - (is_named ? 4 : 0);
+    const size_t size = length + strlen(ending) + 1;
+    char *path = malloc(size);
     if (path != NULL) {
-        const bool is_stream = file_is_stream(options->prefix);
-        snprintf(path, length, "%s%s", options->prefix, is_stream ? "" : suffix);
+        (void)snprintf(path, size, "%.*s%s", (int)length, name, ending);
     }
     return path;
+}
+
+/* The picture's name: as it was given where it is a stream or has an ending, else with .ppm. */
+static char *picture_path(const struct options *options)
+{
+    const bool is_png = file_name_ends_in(options->output, ".png");
+    if (file_is_stream(options->output)) {
+        const size_t size = strlen(options->output) + 1;
+        char *path = malloc(size);
+        return path != NULL ? memcpy(path, options->output, size) : NULL;
+    }
+    return name_with(options, is_png ? ".png" : ".ppm");
 }
 
 static bool write_files(const struct options *options, const char *path,
                         const struct picture *picture, struct text_error *error)
 {
-    return (!options->dump || picture_write_dump(options->prefix, picture, error)) &&
-           picture_write_ppm(path, picture, error);
+    char *prefix = name_with(options, "");
+    bool ok = prefix != NULL;
+    if (!ok) {
+        text_error_set(error, path, 0, "out of memory");
+    }
+    ok = ok && (!options->dump || picture_write_dump(prefix, picture, error)) &&
+         image_write_picture(path, picture, error);
+    free(prefix);
+    return ok;
+}
+
+/*
+ * Whether the picture is what it is without anything drawn: all pixels are that of a picture of
+ * one, into which nothing goes. False where memory runs out.
+ */
+static bool is_empty(const struct options *options, const struct scene *scene,
+                     const struct picture *picture)
+{
+    struct scene nothing = *scene;
+    struct picture one;
+    nothing.width = nothing.height = 1;
+    nothing.op_count = 0;
+    nothing.antialias = SCENE_ANTIALIAS_OFF;
+    if (!render(options, &nothing, &one)) {
+        return false;
+    }
+    const size_t count = (size_t)picture->width * (size_t)picture->height;
+    size_t same = 0;
+    while (same < count && memcmp(&picture->rgb[3 * same], one.rgb, 3) == 0) {
+        same++;
+    }
+    picture_free(&one);
+    return same == count;
 }
 
 static void print_help(void)
@@ -220,6 +245,9 @@ static int render_file(const struct options *options, const char *path)
         ok = write_files(options, path, &picture, &error);
         if (!ok) {
             fprintf(stderr, "qtri render: %s\n", error.message);
+        } else if (is_empty(options, &scene, &picture)) {
+            fprintf(stderr, "qtri render: %s: nothing is seen in the picture but its background\n",
+                    options->scene);
         }
         picture_free(&picture);
     }
@@ -229,18 +257,16 @@ static int render_file(const struct options *options, const char *path)
 
 int render_main(int argc, char **argv)
 {
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            print_help();
-            return 0;
-        }
+    if (options_ask_help(argc, argv)) {
+        print_help();
+        return 0;
     }
     struct options options = {0};
     if (!parse_options(argc, argv, &options)) {
         fputs("Try `qtri render --help`.\n", stderr);
         return 2;
     }
-    char *path = output_path(&options, ".ppm");
+    char *path = picture_path(&options);
     if (path == NULL) {
         fprintf(stderr, "qtri render: out of memory\n");
         return 1;

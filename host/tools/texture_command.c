@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: MIT */
-#define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../assets/asset.h"
+#include "../assets/model.h"
 #include "../assets/texture.h"
 #include "../io/file.h"
 #include "commands.h"
+#include "options.h"
 
 static const char usage[] =
     "usage: qtri texture IN -o NAME.h [OPTION ...]\n"
     "\n"
     "Makes a constant qtri_texture of a picture: a header that C99 and C++11 compile, or a "
     "picture\n"
-    "of what it will show where the output is named .png or .ppm. IN is PNG, PPM or PGM, or - for\n"
-    "standard input; -o - is standard output.\n"
+    "of what it will show where the output is named .png or .ppm. IN is PNG, JPEG, PPM or PGM, or "
+    "a\n"
+    "glTF or GLB model with pictures inside; - is standard input, -o - standard output.\n"
     "\n"
     "  --format FORMAT  rgb565 (default), palette (256 colours), gray8 or xrgb8888\n"
     "  --size WxH       powers of two up to 1024 (default: those nearest to the picture's sides)\n"
@@ -23,146 +25,98 @@ static const char usage[] =
     "  --mipmaps        levels of half the size each, down to 2 texels, for &qtri_mipmapped\n"
     "  --key RRGGBB     the colour that is not drawn; pixels that are less than half opaque get "
     "it\n"
+    "  --picture N      of a model: which of its pictures, from 0 (default 0)\n"
     "  --name NAME      of the qtri_texture (default: the output's, the input's)\n"
     "  --split          a declaration in NAME.h, data in NAME.c\n";
 
 struct options {
     const char *input, *output;
-    char name[64];
+    char name[OPTION_NAME_SIZE];
     bool split, is_picture;
+    long picture; /* inside a model */
     struct texture_options texture;
 };
 
-static bool complain(const char *problem, const char *what)
+static bool is_side(int side)
 {
-    fprintf(stderr, "qtri texture: %s%s\n", problem, what);
-    return false;
+    return (side & (side - 1)) == 0;
 }
 
-static bool is_side(long side)
+static bool set_size(void *options, const char *value, struct option_words *more)
 {
-    return side >= 1 && side <= TEXTURE_MAX_SIDE && (side & (side - 1)) == 0;
+    struct texture_options *texture = &((struct options *)options)->texture;
+    (void)more;
+    return option_size(value, TEXTURE_MAX_SIDE, &texture->width, &texture->height) &&
+           is_side(texture->width) && is_side(texture->height);
 }
 
-static bool parse_size(struct options *options, const char *text)
+static bool set_key(void *options, const char *value, struct option_words *more)
 {
-    char *end = NULL;
-    long width = strtol(text, &end, 10);
-    if (*text < '0' || *text > '9' || *end != 'x' || end[1] < '0' || end[1] > '9') {
+    struct texture_options *texture = &((struct options *)options)->texture;
+    (void)more;
+    if (strlen(value) != 6 || strspn(value, "0123456789abcdefABCDEF") != 6) {
         return false;
     }
-    long height = strtol(end + 1, &end, 10);
-    if (*end != '\0' || !is_side(width) || !is_side(height)) {
-        return false;
-    }
-    options->texture.width = (int)width;
-    options->texture.height = (int)height;
-    return true;
-}
-
-static bool parse_key(struct options *options, const char *text)
-{
-    if (strlen(text) != 6 || strspn(text, "0123456789abcdefABCDEF") != 6) {
-        return false;
-    }
-    unsigned long value = strtoul(text, NULL, 16);
+    unsigned long number = strtoul(value, NULL, 16);
     for (int i = 0; i < 3; i++) {
-        options->texture.key[i] = (uint8_t)(value >> (16 - 8 * i));
+        texture->key[i] = (uint8_t)(number >> (16 - 8 * i));
     }
-    options->texture.has_key = true;
+    texture->has_key = true;
     return true;
 }
 
-static bool parse_format(struct options *options, const char *text)
+static bool set_format(void *options, const char *value, struct option_words *more)
 {
+    (void)more;
     for (int i = 0; i < TEXTURE_FORMATS; i++) {
-        if (strcmp(text, texture_format_names[i]) == 0) {
-            options->texture.format = (enum texture_format)i;
+        if (strcmp(value, texture_format_names[i]) == 0) {
+            ((struct options *)options)->texture.format = (enum texture_format)i;
             return true;
         }
     }
     return false;
 }
 
-static bool parse_name(struct options *options, const char *text)
+static bool set_picture(void *options, const char *value, struct option_words *more)
 {
-    size_t length = strlen(text);
-    asset_identifier(text, options->name, sizeof options->name);
-    return length > 0 && length < sizeof options->name && strcmp(text, options->name) == 0;
+    (void)more;
+    return option_whole(value, 0, 65535, &((struct options *)options)->picture);
 }
 
-static bool set_value(struct options *options, const char *name, const char *value)
-{
-    if (strcmp(name, "-o") == 0) {
-        options->output = value;
-        return *value != '\0';
-    }
-    if (strcmp(name, "--format") == 0) {
-        return parse_format(options, value);
-    }
-    if (strcmp(name, "--size") == 0) {
-        return parse_size(options, value);
-    }
-    if (strcmp(name, "--name") == 0) {
-        return parse_name(options, value);
-    }
-    return parse_key(options, value);
-}
+#define AT(member) offsetof(struct options, member)
 
-static bool takes_value(const char *name)
-{
-    return strcmp(name, "-o") == 0 || strcmp(name, "--format") == 0 ||
-           strcmp(name, "--size") == 0 || strcmp(name, "--key") == 0 || strcmp(name, "--name") == 0;
-}
+static const struct option options_of_texture[] = {
+    {"-o", OPTION_TEXT, AT(output), NULL},
+    {"--format", OPTION_SET, 0, set_format},
+    {"--size", OPTION_SET, 0, set_size},
+    {"--key", OPTION_SET, 0, set_key},
+    {"--name", OPTION_NAME, AT(name), NULL},
+    {"--picture", OPTION_SET, 0, set_picture},
+    {"--dither", OPTION_FLAG, AT(texture.dither), NULL},
+    {"--mipmaps", OPTION_FLAG, AT(texture.mipmaps), NULL},
+    {"--split", OPTION_FLAG, AT(split), NULL},
+};
 
-static bool parse_arguments(int argc, char **argv, struct options *options)
-{
-    for (int i = 1; i < argc; i++) {
-        const char *argument = argv[i];
-        if (strcmp(argument, "--dither") == 0) {
-            options->texture.dither = true;
-        } else if (strcmp(argument, "--mipmaps") == 0) {
-            options->texture.mipmaps = true;
-        } else if (strcmp(argument, "--split") == 0) {
-            options->split = true;
-        } else if (takes_value(argument)) {
-            if (++i == argc) {
-                return complain("a value is missing after ", argument);
-            }
-            if (!set_value(options, argument, argv[i])) {
-                fprintf(stderr, "qtri texture: '%s' is no value for %s\n", argv[i], argument);
-                return false;
-            }
-        } else if (argument[0] == '-' && argument[1] != '\0') {
-            return complain("unknown option ", argument);
-        } else if (options->input != NULL) {
-            return complain("one picture at a time, please: ", argument);
-        } else {
-            options->input = argument;
-        }
-    }
-    return true;
-}
+static const struct option_list list = {"texture", "picture", offsetof(struct options, input),
+                                        options_of_texture,
+                                        sizeof options_of_texture / sizeof options_of_texture[0]};
 
 static bool check_names(struct options *options)
 {
     if (options->input == NULL || options->output == NULL) {
-        return complain("a picture and -o NAME.h are needed", "");
+        return options_complain(&list, "a picture and -o NAME.h are needed", "");
     }
     bool is_standard = strcmp(options->output, "-") == 0;
     options->is_picture =
         file_name_ends_in(options->output, ".png") || file_name_ends_in(options->output, ".ppm");
     if (!is_standard && !options->is_picture && !file_name_ends_in(options->output, ".h")) {
-        return complain("the output is named neither .h nor .png nor .ppm: ", options->output);
+        return options_complain(
+            &list, "the output is named neither .h nor .png nor .ppm: ", options->output);
     }
     if (options->split && (is_standard || options->is_picture)) {
-        return complain("--split needs an output named .h", "");
+        return options_complain(&list, "--split needs an output named .h", "");
     }
-    if (options->name[0] == '\0') {
-        asset_identifier(is_standard ? options->input : options->output, options->name,
-                         sizeof options->name);
-    }
-    return options->name[0] != '\0' || complain("--name is needed", "");
+    return options_default_name(&list, options->input, options->output, options->name);
 }
 
 static bool write_picture(const struct options *options, const struct texture *texture,
@@ -204,11 +158,30 @@ static void report(const struct options *options, const struct texture *texture,
             texture_flash_bytes(texture), texture->error.greatest, texture->error.rms);
 }
 
+/* The input's picture, or one of those inside a model. */
+static bool read_image(const struct options *options, struct image *image, struct text_error *error)
+{
+    struct file_content file;
+    char *inside = NULL;
+    size_t length = 0;
+    if (!file_read(options->input, &file, error)) {
+        return false;
+    }
+    bool is_model = model_can_hold_pictures(file.bytes, file.length);
+    bool ok = !is_model || model_picture(options->input, file.bytes, file.length,
+                                         (unsigned)options->picture, &inside, &length, error);
+    ok = ok && image_parse(options->input, is_model ? inside : file.bytes,
+                           is_model ? length : file.length, image, error);
+    free(inside);
+    free(file.bytes);
+    return ok;
+}
+
 static bool run(const struct options *options, struct text_error *error)
 {
     struct image image;
     struct texture texture;
-    if (!image_read(options->input, &image, error)) {
+    if (!read_image(options, &image, error)) {
         return false;
     }
     bool ok = texture_make(options->input, &image, &options->texture, &texture, error);
@@ -229,13 +202,11 @@ int texture_main(int argc, char **argv)
     struct options options;
     struct text_error error;
     memset(&options, 0, sizeof options);
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            fputs(usage, stdout);
-            return 0;
-        }
+    if (options_ask_help(argc, argv)) {
+        fputs(usage, stdout);
+        return 0;
     }
-    if (!parse_arguments(argc, argv, &options) || !check_names(&options)) {
+    if (!options_parse(&list, &options, argc, argv) || !check_names(&options)) {
         fputs("Try `qtri texture --help`.\n", stderr);
         return 2;
     }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The accuracy of core/math: build/qtri-verify, its table and plots; and what tests/test_math_quick.c links.
+# The accuracy of core/math: build/qtri-verify, its table and plots; and what tests/test_verify_math.c links.
 #
 # Included by the main Makefile. Needs MPFR (libmpfr-dev), and so is no part of `make`.
 
@@ -14,7 +14,7 @@ VERIFY_LIBS    := -lmpfr -lgmp -lm -pthread
 
 $(VERIFY_LIBRARY): $(call objects,$(VERIFY_SOURCES))
 	@mkdir -p $(@D) && rm -f $@
-	$(AR) rc $@ $^
+	$(call run,archive $@)$(AR) rc $@ $^
 
 # Loops over 1024 values are what its time is spent in. A sanitized build comes with its own CFLAGS.
 # private: $(BUILD)/flags is a prerequisite and must not see this.
@@ -23,11 +23,11 @@ $(BUILD)/obj/host/verify/%.o: private CFLAGS := -O3
 endif
 
 $(BUILD)/qtri-verify: $(BUILD)/obj/host/verify/main.o $(VERIFY_LIBRARY) $(LIBRARY)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(VERIFY_LIBS)
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(VERIFY_LIBS)
 
-$(BUILD)/tests/test_math_quick: $(BUILD)/obj/tests/test_math_quick.o $(VERIFY_LIBRARY) $(LIBRARY)
+$(BUILD)/tests/test_verify_math: $(BUILD)/obj/tests/test_verify_math.o $(VERIFY_LIBRARY) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka $(VERIFY_LIBS)
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka $(VERIFY_LIBS)
 
 .PHONY: verify-math
 verify-math: $(BUILD)/qtri-verify ## Table of the error of every function, all inputs; VERIFY=quick|long, FUNCTIONS="sin sqrt"

@@ -71,8 +71,7 @@ define board_rules
 $1_objects := $(addprefix $(BOARD_DIR)/$1/,$(addsuffix .o,$(basename $(call board_sources,$2))))
 
 $(BOARD_DIR)/$1/firmware.elf: $$($1_objects) $(wildcard port/boards/$2/$2.ld)
-	@echo "link $$@"
-	@$3 $(if $(filter linux,$2),-static,$(BOARD_LINK) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$2/$2.ld) \
+	$$(call run,link $$@)$3 $(if $(filter linux,$2),-static,$(BOARD_LINK) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$2/$2.ld) \
 	    $$($1_objects) $(if $(filter linux,$2),,-lgcc) -o $$@
 	@$(patsubst %gcc,%size,$(firstword $3)) $$@ >$$(@:.elf=.size)
 
@@ -80,11 +79,11 @@ $(BOARD_DIR)/$1/port/boards/common/memory.o: private BOARD_EXTRA := -fno-tree-lo
 
 $(BOARD_DIR)/$1/%.o: %.c port/boards/boards.mk
 	@mkdir -p $$(@D)
-	$3 $(BOARD_FLAGS) $(if $(filter linux,$2),,-ffreestanding) $$(BOARD_EXTRA) -MMD -MP -c -o $$@ $$<
+	$$(call run,compile $$< for $1)$3 $(BOARD_FLAGS) $(if $(filter linux,$2),,-ffreestanding) $$(BOARD_EXTRA) -MMD -MP -c -o $$@ $$<
 
 $(BOARD_DIR)/$1/%.o: %.S port/boards/boards.mk
 	@mkdir -p $$(@D)
-	$3 -c -o $$@ $$<
+	$$(call run,compile $$< for $1)$3 -c -o $$@ $$<
 
 -include $$(wildcard $$($1_objects:.o=.d))
 endef
@@ -101,12 +100,11 @@ $(foreach t,$(DISPLAY_TARGETS),$(eval $(BOARD_DIR)/host/show_$(call board_of,$t)
     board_host_objects,tests/boards/display_host.c tests/boards/show_$(board_show_$(call board_of,$t)).c $(ATTITUDE))))
 
 $(BOARD_HOST) $(SHOW_HOSTS):
-	@echo "link $@"
-	@$(CC) $^ -o $@
+	$(call run,link $@)$(CC) $^ -o $@
 
 $(BOARD_DIR)/host/%.o: %.c port/boards/boards.mk
 	@mkdir -p $(@D)
-	$(CC) $(BOARD_FLAGS) -MMD -MP -c $< -o $@
+	$(call run,compile $<)$(CC) $(BOARD_FLAGS) -MMD -MP -c $< -o $@
 
 -include $(shell find $(BOARD_DIR)/host -name '*.d' 2>/dev/null)
 

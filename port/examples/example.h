@@ -10,6 +10,10 @@
 
 #include "qtri_port/panel.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Switches the display on; the panel is then ready for qtri_panel_write. */
 enum qtri_error example_display(qtri_panel *panel);
 
@@ -22,5 +26,9 @@ bool example_next_frame(qtri_panel *panel);
 /* The example itself. QTRI_OK when it was to end; otherwise what went wrong. */
 enum qtri_error example_run(void);
 extern const char example_name[];
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

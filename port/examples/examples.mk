@@ -2,10 +2,13 @@
 # The examples: programs of this computer, which write pictures, and firmware of the emulated boards. Included by the
 # main Makefile, behind boards.mk, whose objects the firmware is linked of.
 
-EXAMPLES := mesh gauge wireframe attitude
-# What each is for, lcd or oled, and the board that has it.
+EXAMPLES := mesh gauge wireframe attitude terrain map
+# What each is for, and the board that has such a display: no emulated board has e-paper, the map is shown on the LCD
+# there, and on the simulated controller of e-paper here.
 example_display_mesh      := lcd
 example_display_gauge     := lcd
+example_display_terrain   := lcd
+example_display_map       := lcd
 example_display_wireframe := oled
 example_display_attitude  := oled
 example_target_lcd  := versatilepb_arm926ej-s
@@ -13,29 +16,58 @@ example_target_oled := lm3s6965evb_cortex-m3
 example_target       = $(example_target_$(example_display_$1))
 example_sources      = $(wildcard port/examples/$1/*.c)
 
+# A model for the example `mesh`: make examples MODEL=duck.glb [SKIN=duck.png] [MODEL_OPTIONS="--simplify 2000"]
+MODEL         ?=
+SKIN          ?=
+MODEL_OPTIONS ?= --plain
+
 EXAMPLE_DIR := $(BUILD)/examples
 EXAMPLE_RUN := $(foreach e,$(EXAMPLES),$(if $(filter $(call example_target,$e),$(DISPLAY_RUN)),$e))
 
 define example_rules
 $(EXAMPLE_DIR)/$1/host: $(call objects,$(call example_sources,$1) port/examples/host.c) $(HOST) $(LIBRARY)
 	@mkdir -p $$(@D)
-	$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ -lm
+	$$(call run,link $$@)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ -lm
 
 $(EXAMPLE_DIR)/$1/firmware.elf: $(filter-out $(BOARD_DIR)/$2/tests/%,$($2_objects)) \
         $(patsubst %.c,$(BOARD_DIR)/$2/%.o,$(call example_sources,$1) port/examples/board.c)
 	@mkdir -p $$(@D)
-	@echo "link $$@"
-	@$(call core_cc,$(call core_of,$2)) $(BOARD_LINK) -T port/boards/$(call board_of,$2)/$(call board_of,$2).ld $$^ -lgcc -o $$@
+	$$(call run,link $$@)$(call core_cc,$(call core_of,$2)) $(BOARD_LINK) -T port/boards/$(call board_of,$2)/$(call board_of,$2).ld $$^ -lgcc -o $$@
 endef
 $(foreach e,$(EXAMPLES),$(eval $(call example_rules,$e,$(call example_target,$e))))
 
 $(BUILD)/obj/port/examples/%.o: INCLUDES += -Ihost
 
+ifneq ($(MODEL),)
+MODEL_FLAGS := -DQTRI_EXAMPLE_MODEL -I$(EXAMPLE_DIR)/mesh
+MODEL_FILES := $(EXAMPLE_DIR)/mesh/model.h $(EXAMPLE_DIR)/mesh/skin.h
+mesh_objects := $(BUILD)/obj/port/examples/mesh/mesh.o $(BOARD_DIR)/$(example_target_lcd)/port/examples/mesh/mesh.o
+$(mesh_objects): $(MODEL_FILES)
+$(BUILD)/obj/port/examples/mesh/mesh.o: INCLUDES += $(MODEL_FLAGS)
+$(BOARD_DIR)/$(example_target_lcd)/port/examples/mesh/mesh.o: private BOARD_EXTRA := $(MODEL_FLAGS)
+
+$(EXAMPLE_DIR)/mesh/model.h: $(BUILD)/qtri $(wildcard $(MODEL)) $(EXAMPLE_DIR)/mesh/asked
+	$(BUILD)/qtri mesh $(MODEL) -o $@ --name model --compact --center --fit 2 $(MODEL_OPTIONS)
+
+# Its own picture, where there is one and no other was named.
+$(EXAMPLE_DIR)/mesh/skin.h: $(BUILD)/qtri $(wildcard $(MODEL) $(SKIN)) $(EXAMPLE_DIR)/mesh/asked
+	$(if $(SKIN),$(BUILD)/qtri texture $(SKIN) -o $@ --name skin,\
+	    @$(BUILD)/qtri texture $(MODEL) -o $@ --name skin 2>$@.why || \
+	        { echo "without a picture (SKIN=FILE names one): $$(cat $@.why)"; echo '#define MODEL_HAS_NO_SKIN' >$@; })
+endif
+
+# What the example's objects were made with.
+$(BUILD)/obj/port/examples/mesh/mesh.o $(BOARD_DIR)/$(example_target_lcd)/port/examples/mesh/mesh.o: $(EXAMPLE_DIR)/mesh/asked
+$(EXAMPLE_DIR)/mesh/asked: FORCE
+	@mkdir -p $(@D)
+	@echo '$(MODEL) $(SKIN) $(MODEL_OPTIONS)' | cmp -s - $@ || echo '$(MODEL) $(SKIN) $(MODEL_OPTIONS)' >$@
+
 .PHONY: examples test-examples
 examples: $(EXAMPLES:%=$(EXAMPLE_DIR)/%/host) ## Draw the frames of the examples into build/examples/NAME/frames
 	@$(foreach e,$(EXAMPLES),mkdir -p $(EXAMPLE_DIR)/$e/frames && \
 	    $(EXAMPLE_DIR)/$e/host $(example_display_$e) $(EXAMPLE_DIR)/$e/frames >$(EXAMPLE_DIR)/$e/frames.txt &&) true
-	@ls -d $(EXAMPLES:%=$(EXAMPLE_DIR)/%/frames)
+	@mkdir -p $(EXAMPLE_DIR)/map/paper && $(EXAMPLE_DIR)/map/host paper $(EXAMPLE_DIR)/map/paper >$(EXAMPLE_DIR)/map/paper.txt
+	@ls -d $(EXAMPLES:%=$(EXAMPLE_DIR)/%/frames) $(EXAMPLE_DIR)/map/paper
 
 test-examples: examples $(EXAMPLE_RUN:%=$(EXAMPLE_DIR)/%/firmware.elf) ## Run the examples on emulated boards, whose displays must show the host's pixels
 	@$(board_skips)

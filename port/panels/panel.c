@@ -30,7 +30,8 @@ static bool packed(qtri_panel_format format)
 static uint64_t least_bytes(const qtri_panel_description *d)
 {
     if (d->window != NULL) {
-        return packed(d->format)                ? QTRI_PANEL_ROW_BYTES(d->width, d->format)
+        return d->partial != NULL  ? QTRI_PANEL_IMAGE_BYTES(d->width, d->height, d->format)
+               : packed(d->format) ? QTRI_PANEL_ROW_BYTES(d->width, d->format)
                : d->format == QTRI_PANEL_RGB565 ? QTRI_PANEL_LINE_BYTES(1)
                                                 : 0;
     }
@@ -185,7 +186,8 @@ enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_descr
         QTRI_FRAMEBUFFER(0, 0, QTRI_PANEL_RGB565, QTRI_ORDER_NATIVE);
     static const qtri_module as_described = {false, false, false, false, 0, 0};
     qtri_panel fresh = {description, bus, rotation, (uint8_t *)memory,  bytes, as_described,
-                        0,           0,   0,        QTRI_DITHER_BAYER8, NULL,  false};
+                        0,           0,   0,        QTRI_DITHER_BAYER8, NULL,  false,
+                        false};
     *panel = fresh;
     panel->module = module != NULL ? *module : as_described;
     panel->orientation = orientation_of(panel);
@@ -193,8 +195,8 @@ enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_descr
     panel->row = description->first_row + (int32_t)panel->module.row;
     enum qtri_error error = check(panel);
     if (error != QTRI_OK) {
-        qtri_panel unusable = {&nothing, NULL, QTRI_ROTATE_0,      NULL, 0,    as_described, 0,
-                               0,        0,    QTRI_DITHER_BAYER8, NULL, false};
+        qtri_panel unusable = {&nothing, NULL, QTRI_ROTATE_0,      NULL, 0,     as_described, 0,
+                               0,        0,    QTRI_DITHER_BAYER8, NULL, false, false};
         *panel = unusable;
         return error;
     }
@@ -249,11 +251,33 @@ enum qtri_error qtri_panel_write_rect(qtri_panel *panel, const qtri_surface *sur
                                               : qtri_panel_stream(panel, surface, rect);
 }
 
+/* Shows it, and tells controllers that compare what they show now. */
+static enum qtri_error show(qtri_panel *panel, const qtri_panel_step *steps, size_t count)
+{
+    const qtri_panel_partial *partial = panel->description->partial;
+    enum qtri_error error = qtri_panel_send(panel, steps, count);
+    panel->is_shown = false;
+    if (partial != NULL && error == QTRI_OK) {
+        error = partial->shown(panel);
+        error = error == QTRI_OK ? qtri_panel_finish(panel) : error;
+        panel->is_shown = error == QTRI_OK;
+    }
+    return error;
+}
+
 enum qtri_error qtri_panel_refresh(qtri_panel *panel)
 {
     enum qtri_error error = qtri_panel_finish(panel);
-    if (error != QTRI_OK) {
-        return error;
+    const qtri_panel_description *d = panel->description;
+    return error == QTRI_OK ? show(panel, d->refresh, d->refresh_count) : error;
+}
+
+enum qtri_error qtri_panel_refresh_changes(qtri_panel *panel)
+{
+    const qtri_panel_partial *partial = panel->description->partial;
+    if (partial == NULL || !panel->is_shown) {
+        return qtri_panel_refresh(panel);
     }
-    return qtri_panel_send(panel, panel->description->refresh, panel->description->refresh_count);
+    enum qtri_error error = qtri_panel_finish(panel);
+    return error == QTRI_OK ? show(panel, partial->refresh, partial->refresh_count) : error;
 }

@@ -5,64 +5,29 @@
 
 enum { SET_COLUMNS = 0x21, SET_PAGES = 0x22 };
 
-static const qtri_panel_step init_64[] = {
-    QTRI_STEP_ALONE(0xAE, 0), /* display off */
-    QTRI_STEP(0xD5, 0, 0x80), /* clock: divided by 1, oscillator at its reset value */
-    QTRI_STEP(0xA8, 0, 63),   /* rows - 1 */
-    QTRI_STEP(0xD3, 0, 0),    /* display offset */
-    QTRI_STEP_ALONE(0x40, 0), /* start line 0 */
-    QTRI_STEP(0x8D, 0, 0x14), /* charge pump on */
-    QTRI_STEP(0x20, 0, 0x00), /* horizontal addressing */
-    QTRI_STEP_ALONE(0xA1, 0), /* column 0 at SEG127, */
-    QTRI_STEP_ALONE(0xC8, 0), /* row 0 at the last COM: modules are wired so */
-    QTRI_STEP(0xDA, 0, 0x12), /* rows alternate between the halves of the COM pins */
-    QTRI_STEP(0x81, 0, 0xCF), /* contrast */
-    QTRI_STEP(0xD9, 0, 0xF1), /* precharge: 1 and 15 clocks, for the charge pump */
-    QTRI_STEP(0xDB, 0, 0x20), /* VCOMH .77 VCC */
-    QTRI_STEP_ALONE(0x2E, 0), /* no scrolling */
-    QTRI_STEP_ALONE(0xA4, 0), /* show the memory */
-    QTRI_STEP_ALONE(0xAF, 0), /* display on */
-};
+/* Display off, the clock divided by 1, the oscillator at its reset value, rows - 1, no offset. */
+#define SSD1306_BEGIN(rows)                                                                        \
+    QTRI_STEP_ALONE(0xAE, 0), QTRI_STEP(0xD5, 0, 0x80), QTRI_STEP(0xA8, 0, (rows)-1),              \
+        QTRI_STEP(0xD3, 0, 0)
 
-static const qtri_panel_step init_32[] = {
-    QTRI_STEP_ALONE(0xAE, 0), /* display off */
-    QTRI_STEP(0xD5, 0, 0x80), /* clock: divided by 1, oscillator at its reset value */
-    QTRI_STEP(0xA8, 0, 31),   /* rows - 1 */
-    QTRI_STEP(0xD3, 0, 0),    /* display offset */
-    QTRI_STEP_ALONE(0x40, 0), /* start line 0 */
-    QTRI_STEP(0x8D, 0, 0x14), /* charge pump on */
-    QTRI_STEP(0x20, 0, 0x00), /* horizontal addressing */
-    QTRI_STEP_ALONE(0xA1, 0), /* column 0 at SEG127, */
-    QTRI_STEP_ALONE(0xC8, 0), /* row 0 at the last COM: modules are wired so */
-    QTRI_STEP(0xDA, 0, 0x02), /* rows follow the COM pins */
-    QTRI_STEP(0x81, 0, 0x8F), /* contrast */
-    QTRI_STEP(0xD9, 0, 0xF1), /* precharge: 1 and 15 clocks, for the charge pump */
-    QTRI_STEP(0xDB, 0, 0x20), /* VCOMH .77 VCC */
-    QTRI_STEP_ALONE(0x2E, 0), /* no scrolling */
-    QTRI_STEP_ALONE(0xA4, 0), /* show the memory */
-    QTRI_STEP_ALONE(0xAF, 0), /* display on */
-};
+/*
+ * Start line 0, charge pump on, horizontal addressing, column 0 at SEG127 and row 0 at the last
+ * COM: modules are wired so. `pins`: how rows follow the COM pins, 0x02 in their order, 0x12
+ * alternating between their halves; then contrast, precharge (0xF1: 1 and 15 clocks, for the charge
+ * pump), VCOMH .77 VCC, no scrolling, show the memory, display on.
+ */
+#define SSD1306_END(pins, contrast, precharge)                                                     \
+    QTRI_STEP_ALONE(0x40, 0), QTRI_STEP(0x8D, 0, 0x14), QTRI_STEP(0x20, 0, 0x00),                  \
+        QTRI_STEP_ALONE(0xA1, 0), QTRI_STEP_ALONE(0xC8, 0), QTRI_STEP(0xDA, 0, pins),              \
+        QTRI_STEP(0x81, 0, contrast), QTRI_STEP(0xD9, 0, precharge), QTRI_STEP(0xDB, 0, 0x20),     \
+        QTRI_STEP_ALONE(0x2E, 0), QTRI_STEP_ALONE(0xA4, 0), QTRI_STEP_ALONE(0xAF, 0)
+
+static const qtri_panel_step init_64[] = {SSD1306_BEGIN(64), SSD1306_END(0x12, 0xCF, 0xF1)};
+static const qtri_panel_step init_32[] = {SSD1306_BEGIN(32), SSD1306_END(0x02, 0x8F, 0xF1)};
 
 /* Modules of 0.42 inch, whose reference current is the chip's own: 0xAD, of later revisions. */
-static const qtri_panel_step init_40[] = {
-    QTRI_STEP_ALONE(0xAE, 0), /* display off */
-    QTRI_STEP(0xD5, 0, 0x80), /* clock: divided by 1, oscillator at its reset value */
-    QTRI_STEP(0xA8, 0, 39),   /* rows - 1 */
-    QTRI_STEP(0xD3, 0, 0),    /* display offset */
-    QTRI_STEP(0xAD, 0, 0x30), /* internal reference current */
-    QTRI_STEP_ALONE(0x40, 0), /* start line 0 */
-    QTRI_STEP(0x8D, 0, 0x14), /* charge pump on */
-    QTRI_STEP(0x20, 0, 0x00), /* horizontal addressing */
-    QTRI_STEP_ALONE(0xA1, 0), /* column 0 at SEG127, */
-    QTRI_STEP_ALONE(0xC8, 0), /* row 0 at the last COM: modules are wired so */
-    QTRI_STEP(0xDA, 0, 0x12), /* rows alternate between the halves of the COM pins */
-    QTRI_STEP(0x81, 0, 0xAF), /* contrast */
-    QTRI_STEP(0xD9, 0, 0x22), /* precharge: 2 and 2 clocks */
-    QTRI_STEP(0xDB, 0, 0x20), /* VCOMH .77 VCC */
-    QTRI_STEP_ALONE(0x2E, 0), /* no scrolling */
-    QTRI_STEP_ALONE(0xA4, 0), /* show the memory */
-    QTRI_STEP_ALONE(0xAF, 0), /* display on */
-};
+static const qtri_panel_step init_40[] = {SSD1306_BEGIN(40), QTRI_STEP(0xAD, 0, 0x30),
+                                          SSD1306_END(0x12, 0xAF, 0x22)};
 
 static enum qtri_error window(const qtri_panel *panel, const qtri_rect *bytes)
 {

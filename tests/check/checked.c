@@ -136,7 +136,6 @@ static void null_pointers(void)
 static void wrong_numbers(void)
 {
     STOPS("index < mesh->vertex_count", (triangles[1][2] = 3, draw_all()));
-    STOPS("shading", (material.shading = (qtri_shading)3, draw_all()));
     STOPS("interpolation", (material.interpolation = (qtri_interpolation)2, draw_all()));
     STOPS("texture_mode", (material.texture_mode = (qtri_texture_mode)7, draw_all()));
     STOPS("cull", (material.cull = (qtri_cull)3, draw_all()));

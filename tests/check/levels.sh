@@ -63,7 +63,7 @@ done)
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 c_files core | grep '\.c$' | xargs -P "$jobs" -n 8 sh -c 'for file; do
-    gcc -std=c99 -O1 -Icore/include -c -o "$0/$(echo "$file" | tr / +).o" "$file" || exit 1; done' "$work"
+    gcc -std=c99 -O0 -Icore/include -c -o "$0/$(echo "$file" | tr / +).o" "$file" || exit 1; done' "$work"
 for object in "$work"/*.o; do
     nm -g "$object" | awk -v file="$(basename "$object" .o | tr + /)" '{ print file, $(NF - 1), $NF }'
 done >"$work/symbols"

@@ -140,18 +140,12 @@ static uint16_t lists[QTRI_PREPARED_LISTS(2 * POINTS, HEIGHT, ROWS)];
 static void substitute(picture *p, qtri_texture *texture)
 {
     qtri_material *m = &p->material;
-    if (without("SMOOTH") && m->shading == QTRI_SMOOTH) {
-        m->shading = QTRI_FLAT_LAST;
-    }
     if (without("PERSPECTIVE")) {
         m->interpolation = QTRI_SCREEN_LINEAR;
     }
     if (m->texture != NULL) {
         *texture = *m->texture;
         m->texture = texture;
-        if (without("TEXTURES")) {
-            m->texture = NULL;
-        }
     }
     if ((without("FACE_LIGHT") && (m->shading != QTRI_SMOOTH || !p->has_normals)) ||
         (without("UNEVEN_LIGHT") && p->is_uneven)) {

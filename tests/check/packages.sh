@@ -102,11 +102,39 @@ fi
 
 # The glue of the examples, with stand-ins of what it calls: frames arrive at a simulated controller -------------------
 
+glue_flags='-O1 -Wall -Wextra -Werror -Icore/include -Iport/include'
+glue_libraries="build/libqtri-host.a build/libqtri.a -lm $(make -s host-libs)"
+
+# glue NAME EXAMPLE FOLDER: port/examples/glue/NAME.c with the stand-ins of tests/packages/FOLDER
+glue()
+{
+    quiet "glue, $1, $2" gcc -std=c11 $glue_flags -Ihost -Itests/packages/"$3" -o "$work/glue" port/examples/"$2/$2".c \
+        port/examples/glue/"$1".c tests/packages/"$3"/*.c tests/packages/glue/display.c $glue_libraries &&
+        quiet "glue, $1, $2 runs" timeout 60 "$work/glue"
+}
+
 for example in mesh gauge; do
-    quiet "Pico SDK, $example" gcc -std=c11 -O1 -Wall -Wextra -Wno-cast-qual -Werror -Icore/include -Iport/include -Ihost -Itests/packages/pico -o "$work/pico" \
-        port/examples/$example/$example.c port/examples/glue/pico.c tests/packages/pico/sdk.c build/libqtri-host.a build/libqtri.a -lm &&
-        quiet "Pico SDK, $example runs" timeout 60 "$work/pico"
+    glue pico $example pico
 done
+glue stm32_hal mesh stm32
+glue esp_idf mesh esp_idf
+glue zephyr mesh zephyr
+glue lvgl mesh lvgl
+# The first example with a model, as `make examples MODEL=knot` makes it.
+quiet "a model" build/qtri mesh knot -o "$work/model.h" --name model --compact --center --fit 2 --plain
+echo '#define MODEL_HAS_NO_SKIN' >"$work/skin.h"
+quiet "the example with a model" gcc -std=c99 $glue_flags -Ihost -I"$work" -DQTRI_EXAMPLE_MODEL -o "$work/model" port/examples/mesh/mesh.c \
+    port/examples/host.c $glue_libraries && quiet "the example with a model runs" "$work/model" lcd "$work"
+
+if has g++ "glue of Arduino's libraries"; then
+    quiet "glue, the example" gcc -std=c11 $glue_flags -c -o "$work/example.o" port/examples/mesh/mesh.c
+    quiet "glue, the display" gcc -std=c11 $glue_flags -Ihost -c -o "$work/display.o" tests/packages/glue/display.c
+    for name in arduino tft_espi lovyangfx; do
+        quiet "glue, $name" g++ -std=gnu++11 $glue_flags -Itests/packages/$name -Itests/packages/arduino -o "$work/glue" \
+            port/examples/glue/$name.cpp tests/packages/$name/glue.cpp "$work/example.o" "$work/display.o" $glue_libraries &&
+            quiet "glue, $name runs" timeout 60 "$work/glue"
+    done
+fi
 
 # CMake -----------------------------------------------------------------------------------------------------------------
 
@@ -125,20 +153,20 @@ if has cmake "CMake, ESP-IDF, Pico SDK and Zephyr"; then
     consumer package -DCMAKE_PREFIX_PATH="$work/cmake-prefix" -DWANTED="$(sh port/packages/version.sh)" &&
         same "find_package" "$work/cmake-package/consumer"
     # Built otherwise than its library, it must not link; another minor version must not be found.
-    cmake -S tests/packages/cmake -B "$work/cmake-package" -DOTHER_OPTIONS=QTRI_WITH_SMOOTH=0 >/dev/null 2>&1 &&
+    cmake -S tests/packages/cmake -B "$work/cmake-package" -DOTHER_OPTIONS=QTRI_WITH_PERSPECTIVE=0 >/dev/null 2>&1 &&
         cmake --build "$work/cmake-package" >/dev/null 2>&1 && fail "an application with other options was linked"
     cmake -S tests/packages/cmake -B "$work/cmake-newer" -DWAY=package -DCMAKE_PREFIX_PATH="$work/cmake-prefix" -DWANTED=99.0 >/dev/null 2>&1 &&
         fail "find_package found a version that there is not"
-    # Without smooth colours: another picture, of library and application built alike.
+    # Without perspective: another picture, of library and application built alike.
     consumer subdirectory && "$work/cmake-subdirectory/consumer" >/dev/null || fail "add_subdirectory"
-    nm "$work/cmake-subdirectory/qtri/libqtri.a" 2>/dev/null | grep -q 'qtri_frame_init_built_01111111' || fail "add_subdirectory: its option"
+    nm "$work/cmake-subdirectory/qtri/libqtri.a" 2>/dev/null | grep -q 'qtri_frame_init_built_011111' || fail "add_subdirectory: its option"
     # These compile the same files: that they are configured, what with, and that the application compiles.
     for way in fetch pico esp zephyr; do
         quiet "cmake, $way" cmake -S tests/packages/cmake -B "$work/cmake-$way" -DWAY="$way" -DQTRI="$root" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON || continue
         commands=$work/cmake-$way/compile_commands.json
         [ "$(grep -c '"file": .*/core/' "$commands")" = "$(ls core/*/*.c | wc -l)" ] || fail "cmake, $way: not all files of core/"
         case $way in
-        esp) off=QTRI_WITH_TEXTURES ;;
+        esp) off=QTRI_WITH_FACE_LIGHT ;;
         zephyr) off=QTRI_WITH_FAST_PATHS ;;
         *) continue ;;
         esac

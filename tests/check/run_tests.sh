@@ -29,6 +29,8 @@ fi
 
 name=$2 log=$BUILD/tests/$2.log
 limit=''
+# A build that counts what runs (make coverage) does so for each test, the commands that it starts included.
+[ -z "${PROFILES:-}" ] || export LLVM_PROFILE_FILE="$PROFILES/$name-%m.profraw"
 command -v timeout >/dev/null 2>&1 && limit="timeout $TEST_SECONDS"
 status=0
 $limit "$BUILD/tests/$name" >"$log" 2>&1 </dev/null || status=$?

@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: MIT
 # Installs what `make test` and `make check` need on Debian, as root; elsewhere names it and fails.
 set -eu
-packages='git gcc g++ tcc make cmake pkg-config jq libcmocka-dev libmpfr-dev libpng-dev libassimp-dev
+packages='git gcc g++ tcc make cmake pkg-config jq libcmocka-dev libmpfr-dev libpng-dev libstb-dev libassimp-dev
           libmeshoptimizer-dev clang clang-format clang-tidy cppcheck
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
           gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr
-          gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user'
+          gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
+          gcc-i686-linux-gnu libc6-dev-i386-cross'
 packages=$(echo $packages)
 
 if ! command -v apt-get >/dev/null || [ "$(id -u)" != 0 ]; then

@@ -11,10 +11,10 @@ findings=$(
     tab=$(printf '\t')
     git ls-files --cached --others --exclude-standard | while IFS= read -r file; do
         [ -f "$file" ] || continue
-        # The README's pictures, small ones, are the only binaries.
+        # The READMEs' pictures, small ones, are the only binaries.
         case $file in
         *.png)
-            [ "$(wc -c <"$file")" -le 65536 ] && grep -q "$file" README.md && continue
+            [ "$(wc -c <"$file")" -le 65536 ] && grep -q "${file##*/}" README.md port/README.md && continue
             ;;
         esac
         LC_ALL=C tr -d '\000' <"$file" | cmp -s - "$file" || { echo "$file: binary"; continue; }

@@ -29,7 +29,7 @@ fi
 
 unlicensed=$(git ls-files --cached --others --exclude-standard | while IFS= read -r file; do
     case $file in
-    *.[chS] | *.inc | *.ld | *.sh | *.mk | *.awk | *.cmake | *.ino | */CMakeLists.txt | CMakeLists.txt | Makefile | .ci/run) ;;
+    *.[chS] | *.cpp | *.hpp | *.inc | *.ld | *.sh | *.mk | *.awk | *.cmake | *.ino | */CMakeLists.txt | CMakeLists.txt | Makefile | .ci/run) ;;
     *) continue ;;
     esac
     [ ! -f "$file" ] || head -n 3 "$file" | grep -q 'SPDX-License-Identifier: MIT' || echo "$file: no SPDX line"

@@ -4,7 +4,7 @@
  * drawn.
  *
  * A material is constant data that a draw call reads; there is no current state anywhere.
- * A zeroed material is black, smooth, perspective-correct, untextured, culls nothing and ignores
+ * A zeroed material is black, flat, perspective-correct, untextured, culls nothing and ignores
  * depth; qtri_material_default is the one most meshes want.
  */
 #ifndef QTRI_MATERIAL_H
@@ -21,11 +21,19 @@
 extern "C" {
 #endif
 
-typedef enum qtri_shading {
-    QTRI_SMOOTH,     /* colours interpolated between the vertices */
-    QTRI_FLAT_FIRST, /* the first vertex's colour; light per face */
-    QTRI_FLAT_LAST   /* the last vertex's colour; light per face */
-} qtri_shading;
+/*
+ * Which colour the inside of a triangle has. What interpolates colours is linked by the name of
+ * smooth shading alone. NULL: flat, as QTRI_FLAT_LAST.
+ */
+typedef struct qtri_shading qtri_shading;
+extern const qtri_shading qtri_smooth;     /* colours interpolated between the vertices */
+extern const qtri_shading qtri_flat_first; /* the first vertex's colour; light per face */
+extern const qtri_shading qtri_flat_last;  /* the last vertex's colour; light per face */
+
+/* The same, in the spelling of the choices below. */
+#define QTRI_SMOOTH     (&qtri_smooth)
+#define QTRI_FLAT_FIRST (&qtri_flat_first)
+#define QTRI_FLAT_LAST  (&qtri_flat_last)
 
 typedef enum qtri_interpolation {
     QTRI_PERSPECTIVE,  /* linear on the surface of the triangle */
@@ -58,8 +66,8 @@ typedef enum qtri_compare {
 } qtri_compare;
 
 typedef struct qtri_material {
-    qtri_rgb color; /* of meshes that bring no colours of their own */
-    qtri_shading shading;
+    qtri_rgb color;              /* of meshes that bring no colours of their own */
+    const qtri_shading *shading; /* NULL: flat */
     qtri_interpolation interpolation;
     const qtri_texture *texture; /* NULL: none */
     qtri_texture_mode texture_mode;

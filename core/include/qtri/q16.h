@@ -45,7 +45,10 @@ typedef int32_t q16;
  * take variables.
  */
 #define Q16(literal)                                                                               \
-    ((q16)((literal)*65536.0 + ((literal) < 0 ? -0.5 : 0.5)) * QTRI_LITERAL(literal))
+    ((q16)((literal)*65536.0 + (QTRI_BELOW_0(literal) ? -0.5 : 0.5)) * QTRI_LITERAL(literal))
+
+/* As an integer: tcc takes no comparison of floating-point numbers for a constant. */
+#define QTRI_BELOW_0(literal) ((int64_t)((literal)*4294967296.0) < 0)
 
 /* 1 where the compiler knows the value; does not compile otherwise. */
 #if defined(__GNUC__) && !defined(__cplusplus)

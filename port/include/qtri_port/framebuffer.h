@@ -24,10 +24,7 @@ extern "C" {
 #define QTRI_FRAMEBUFFER(width, height, format, order)                                             \
     {                                                                                              \
         width, height, format, order, NULL, 0, NULL, 0, false, 0, 0, 0, 0, 0, {0, 0, 0, 0}, width, \
-            height, 0, 0, NULL, 0, false, false,                                                   \
-        {                                                                                          \
-            0, 0                                                                                   \
-        }                                                                                          \
+            height, 0, 0, NULL, 0, false, false, {0, 0}, NULL                                      \
     }
 
 #ifdef __cplusplus

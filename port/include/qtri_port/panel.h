@@ -114,6 +114,14 @@ typedef struct qtri_panel_step {
 
 typedef struct qtri_panel qtri_panel;
 
+/* E-paper that can refresh what has changed alone: fast, and without turning black and white. */
+typedef struct qtri_panel_partial {
+    const qtri_panel_step *refresh;
+    size_t refresh_count;
+    /* Tells the controller what it shows now; called after each refresh. */
+    enum qtri_error (*shown)(qtri_panel *panel);
+} qtri_panel_partial;
+
 /*
  * How a module differs from the description of its model: makers of modules mount and wire the same
  * glass in several ways. All false and 0: it does not. Fields are set one by one, none is needed:
@@ -169,6 +177,8 @@ typedef struct qtri_panel_description {
     bool window_is_row;         /* packed pixels: windows are one row of bytes, a page, each */
     bool inverted;              /* inversion on shows colours as they are */
     uint8_t invert_commands[2]; /* inversion off, and on. 0: there are none, `init` decides */
+
+    const qtri_panel_partial *partial; /* such a panel needs an image. NULL: none of these */
 } qtri_panel_description;
 
 struct qtri_panel {
@@ -186,7 +196,8 @@ struct qtri_panel {
     qtri_dither dither;
     qtri_diffusion *diffusion; /* instead, if not NULL: bands in order; needs an image */
 
-    bool sending; /* between data_start and data_finish */
+    bool sending;  /* between data_start and data_finish */
+    bool is_shown; /* partial: the controller knows what it shows */
 };
 
 /* Memory of an RGB565 panel on a bus: two buffers of `pixels`, one row or less; 1 at least. */
@@ -258,6 +269,13 @@ enum qtri_error qtri_panel_finish(qtri_panel *panel);
 
 /* Shows what was written on displays that need to be told (e-paper), and waits until they have. */
 enum qtri_error qtri_panel_refresh(qtri_panel *panel);
+
+/*
+ * Shows what has changed since the last refresh, where the description has `partial`; the first
+ * refresh of a panel, and those of others, are as qtri_panel_refresh. What is left of old pictures
+ * adds up: refresh everything after some twenty of these.
+ */
+enum qtri_error qtri_panel_refresh_changes(qtri_panel *panel);
 
 /*
  * Sends commands of the user's: contrast, sleep, other gamma curves.

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs a sketch for two frames; prints how many bytes of pixels it sent and how many were not sky. */
+/* Runs a sketch for two frames; prints how many bytes of pixels it sent and how many were not sky.
+ */
 #include "SPI.h"
 
 #include <stdio.h>
@@ -9,8 +10,12 @@ static unsigned long bytes, drawn;
 static bool isData;
 static uint8_t high;
 
-void pinMode(uint8_t, uint8_t) {}
-void delay(unsigned long) {}
+void pinMode(uint8_t, uint8_t)
+{
+}
+void delay(unsigned long)
+{
+}
 
 void digitalWrite(uint8_t pin, uint8_t value)
 {
@@ -19,9 +24,15 @@ void digitalWrite(uint8_t pin, uint8_t value)
     }
 }
 
-SPISettings::SPISettings(uint32_t, uint8_t, uint8_t) {}
-void SPIClass::begin() {}
-void SPIClass::beginTransaction(SPISettings) {}
+SPISettings::SPISettings(uint32_t, uint8_t, uint8_t)
+{
+}
+void SPIClass::begin()
+{
+}
+void SPIClass::beginTransaction(SPISettings)
+{
+}
 
 uint8_t SPIClass::transfer(uint8_t byte)
 {

@@ -1,0 +1,91 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The same pictures to the bit from every compiler, optimisation level, width of a pointer, signedness of char and byte
+# order: the benchmarks' scenes and the matrix of formats, depth tests, sources and geometries (host/bench), drawn by the
+# library as each builds it. Boards draw them too, in check-budgets and check-matrix. tcc, a plain C99 compiler, also
+# builds the command, whose pictures are compared as files. SAME=all takes two minutes and draws with every build of the
+# list below, SAME="tcc gcc-O1" with some.
+gate=same
+. tests/check/files.sh
+need gcc clang tcc cmp
+
+build=${BUILD:-build}
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+status=0
+alone make -s "$build/bench/scenes/bench_meshes.c" "$build/libqtri.a" MAKEFLAGS= >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
+sh port/packages/dist.sh "$work/dist" >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
+
+# NAME LIBRARY COMMAND...: how each builds, the slowest first. `one` is the library as one file, `all` its own files,
+# `make` what make has built, with which all are compared.
+usual='gcc-O3 gcc-O2-flto clang-O3 big-endian-O1 32-bit-O2 clang-Os gcc-O0 tcc'
+cat >"$work/list" <<'END'
+make make gcc -O2
+gcc-O3 one gcc -O3
+gcc-O2-flto all gcc -O2 -flto
+clang-O3 one clang -O3
+clang-O2 one clang -O2
+32-bit-O2 one i686-linux-gnu-gcc -O2 -static
+clang-Os one clang -Os -funsigned-char
+clang-O1 one clang -O1 -flto
+gcc-Os one gcc -Os
+big-endian-O1 one powerpc-linux-gnu-gcc -O1 -static
+gcc-O1 one gcc -O1 -funsigned-char
+clang-O0 one clang -O0
+gcc-O0 one gcc -O0
+tcc all tcc
+END
+cat >"$work/draw" <<'END'
+work=$1 meshes=$2 name=$3 library=$4
+shift 4
+command -v "$1" >/dev/null 2>&1 || { echo "same: skipped: $name: $1 not installed (make setup)" >"$work/$name.skipped"; exit 0; }
+case $name in big-endian*) run=qemu-ppc ;; *) run='' ;; esac
+[ -z "$run" ] || command -v $run >/dev/null 2>&1 || { echo "same: skipped: $name: $run not installed (make setup)" >"$work/$name.skipped"; exit 0; }
+set -- "$@" -std=c99 -Icore/include -Ihost/bench
+case $library in
+one)
+    "$@" -c -o "$work/$name.o" "$work/dist/single/qtri.c" || exit 1
+    library=$work/$name.o
+    ;;
+all) library=$(echo core/*/*.c) ;;
+make) library=${BUILD:-build}/libqtri.a ;;
+esac
+here=host/bench
+"$@" -o "$work/$name.program" "$meshes" $here/same.c $here/bench_host_board.c $here/bench_world.c \
+    $here/bench_print.c $here/bench_scenes.c $here/bench_smooth.c $here/bench_paint.c $here/bench_strokes.c \
+    $here/matrix_cases.c $here/matrix_draw.c $library &&
+    $run "$work/$name.program" >"$work/$name.pictures" || { echo "$name: not built or not run"; exit 1; }
+rm -f "$work/$name.program" "$work/$name.o"
+END
+[ "${SAME:=$usual}" != all ] || SAME='.*'
+grep -E "^($(echo "make $SAME" | tr ' ' '|')) " "$work/list" |
+    sed "s|^|$work $build/bench/scenes/bench_meshes.c |" | xargs -P "$jobs" -L 1 sh "$work/draw" || status=1
+
+cat "$work"/*.skipped 2>/dev/null
+[ "$(wc -l <"$work/make.pictures")" -gt 2000 ] || { echo "too few pictures"; status=1; }
+for file in "$work"/*.pictures; do
+    name=${file##*/}
+    cmp -s "$file" "$work/make.pictures" || {
+        diff "$work/make.pictures" "$file" | sed -n "s/^> /${name%.pictures} draws otherwise: /p" | head -5
+        status=1
+    }
+done
+echo "check: $gate: $(wc -l <"$work/make.pictures") pictures by $(ls "$work"/*.pictures | wc -l) builds"
+
+case " $SAME " in *' tcc '* | ' .* ') ;; *) finish $status; exit 0 ;; esac
+for compiler in gcc tcc; do
+    mkdir "$work/$compiler"
+    if [ $compiler = gcc ] && [ -x "$build/qtri" ]; then
+        cp "$build/qtri" "$work/gcc/qtri"
+    else
+        $compiler -std=c99 -O2 -Icore/include -Iport/include -o "$work/$compiler/qtri" \
+            core/*/*.c host/assets/*.c host/io/*.c host/reference/*.c host/tools/*.c -lm || finish 1
+    fi
+    for scene in 03-colour-triangle 05-crossing 09-floor; do
+        "$work/$compiler/qtri" render host/scenes/$scene.scene -o "$work/$compiler/$scene" --dump || status=1
+    done
+done
+for file in "$work"/gcc/*.ppm "$work"/gcc/*.id "$work"/gcc/*.depth; do
+    cmp "$file" "$work/tcc/${file##*/}" || status=1
+done
+finish $status

@@ -1,0 +1,332 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What the tests of core/ share: random numbers that are the same everywhere, values that hurt
+ * fixed-point code, surfaces with memory to look at, and pictures a reviewer can read.
+ */
+#ifndef QTRI_TESTS_SUPPORT_CORE_H
+#define QTRI_TESTS_SUPPORT_CORE_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <qtri.h>
+
+__extension__ typedef __int128 int128;
+
+#define LENGTH_OF(array) (sizeof(array) / sizeof((array)[0]))
+
+/* Sweeps over all 2^32 arguments and the like: only when asked for. */
+static inline bool long_run(void)
+{
+    const char *value = getenv("QTRI_TEST_LONG");
+    return value != NULL && value[0] != '\0' && strcmp(value, "0") != 0;
+}
+
+/* splitmix64 (Steele, Lea and Flood 2014). */
+static inline uint64_t random64(uint64_t *state)
+{
+    uint64_t z = (*state += 0x9E3779B97F4A7C15u);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
+}
+
+static inline int32_t random_bits32(uint64_t *state)
+{
+    uint32_t bits = (uint32_t)(random64(state) >> 32);
+    int32_t value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* Uniform in low..high. */
+static inline int32_t random_in(uint64_t *state, int32_t low, int32_t high)
+{
+    uint64_t count = (uint64_t)((int64_t)high - low) + 1;
+    return (int32_t)(low + (int64_t)((random64(state) >> 16) % count));
+}
+
+/* Any magnitude, either sign. */
+static inline int32_t random_any(uint64_t *state)
+{
+    const int32_t bits = random_bits32(state); /* here and elsewhere: one at a time, in order */
+    return bits >> random_in(state, 0, 31);
+}
+
+static inline bool random_flag(uint64_t *state)
+{
+    return (random64(state) >> 40 & 1) != 0;
+}
+
+enum { STRESS_COUNT = 205 };
+
+/* 0, powers of two and their neighbours, halves, extremes; both signs. Returns how many. */
+static inline int stress_values(int32_t value[STRESS_COUNT])
+{
+    int count = 0;
+    value[count++] = 0;
+    for (int bit = 0; bit < 31; bit++) {
+        for (int32_t near_by = -1; near_by <= 1; near_by++) {
+            int32_t v = (int32_t)1 << bit;
+            v = bit == 30 && near_by == 1 ? INT32_MAX : v + near_by;
+            value[count++] = v;
+            value[count++] = -v;
+        }
+    }
+    static const int32_t more[] = {
+        INT32_MIN, INT32_MIN + 1,   INT32_MAX - 1, 3 << 15,     -(3 << 15), 3 * 65536,   -3 * 65536,
+        360 << 16, (360 << 16) + 1, 45 << 16,      -(45 << 16), 0x5A82799A, -0x5A82799A, 7};
+    for (size_t i = 0; i < LENGTH_OF(more); i++) {
+        value[count++] = more[i];
+    }
+    return count;
+}
+
+/* Quotient towards minus infinity. */
+static inline int128 floor_div(int128 a, int128 b)
+{
+    int128 quotient = a / b;
+    return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
+}
+
+static inline int32_t saturated(int128 x)
+{
+    return x > INT32_MAX ? INT32_MAX : (x < INT32_MIN ? INT32_MIN : (int32_t)x);
+}
+
+/* Q32 to Q16, halves up, saturated. */
+static inline int32_t q16_of_products(int128 sum)
+{
+    return saturated(floor_div(sum + 32768, 65536));
+}
+
+static inline double real(int32_t x)
+{
+    return (double)x / 65536.0;
+}
+
+static inline q16 fixed(double x)
+{
+    return (q16)floor(x * 65536.0 + 0.5);
+}
+
+static inline qtri_vec3 vec3_of(double x, double y, double z)
+{
+    qtri_vec3 v = {fixed(x), fixed(y), fixed(z)};
+    return v;
+}
+
+static inline void assert_near(double value, double expected, double tolerance)
+{
+    if (!(fabs(value - expected) <= tolerance)) {
+        fail_msg("%.12g is not within %g of %.12g", value, tolerance, expected);
+    }
+}
+
+/* One of the formats that are drawn on. */
+static inline const qtri_format *drawn_format(int32_t n)
+{
+    static const qtri_format *const formats[6] = {&qtri_rgb565, &qtri_xrgb8888,
+                                                  &qtri_gray8,  &qtri_rgb565_swapped,
+                                                  &qtri_rgb888, &qtri_bgr888};
+    return formats[n % 6];
+}
+
+/* A surface with memory of its own, cleared to black and farthest. */
+typedef struct canvas {
+    qtri_surface surface;
+    void *memory;
+    size_t bytes;
+} canvas;
+
+static inline canvas canvas_band(const qtri_format *format, int32_t width, int32_t height,
+                                 int32_t first, int32_t rows)
+{
+    canvas c;
+    qtri_rgb black = {0, 0, 0};
+    c.bytes = QTRI_BAND_BYTES(width, rows, format->pixels->bytes);
+    c.memory = calloc(1, c.bytes);
+    assert_non_null(c.memory);
+    assert_int_equal(
+        qtri_surface_init(&c.surface, format, width, height, first, rows, c.memory, c.bytes),
+        QTRI_OK);
+    qtri_surface_clear(&c.surface, black, 65535);
+    return c;
+}
+
+static inline canvas canvas_new(const qtri_format *format, int32_t width, int32_t height)
+{
+    return canvas_band(format, width, height, 0, height);
+}
+
+static inline void canvas_clear(canvas *c)
+{
+    qtri_rgb black = {0, 0, 0};
+    qtri_surface_clear(&c->surface, black, 65535);
+}
+
+static inline void canvas_free(canvas *c)
+{
+    free(c->memory);
+}
+
+static inline uint32_t stored_pixel(const qtri_surface *s, int32_t x, int32_t y)
+{
+    const uint8_t *row = s->pixels + (y - s->first_row) * s->pitch;
+    uint32_t pixel32;
+    uint16_t pixel16;
+    switch (s->format->pixels->bytes) {
+    case 3:
+        return row[3 * x] | (uint32_t)row[3 * x + 1] << 8 | (uint32_t)row[3 * x + 2] << 16;
+    case 2:
+        memcpy(&pixel16, row + 2 * x, sizeof pixel16);
+        return pixel16;
+    case 4:
+        memcpy(&pixel32, row + 4 * x, sizeof pixel32);
+        return pixel32;
+    default:
+        return row[x];
+    }
+}
+
+static inline uint16_t stored_depth(const qtri_surface *s, int32_t x, int32_t y)
+{
+    return s->depth[(y - s->first_row) * s->depth_pitch + x];
+}
+
+/* The pixels of a row, and its depths, are the same in memory. */
+static inline bool same_row(const qtri_surface *a, const qtri_surface *b, int32_t y)
+{
+    const ptrdiff_t row_a = y - a->first_row;
+    const ptrdiff_t row_b = y - b->first_row;
+    return memcmp(a->pixels + row_a * a->pitch, b->pixels + row_b * b->pitch,
+                  (size_t)b->width * b->format->pixels->bytes) == 0 &&
+           memcmp(a->depth + row_a * a->depth_pitch, b->depth + row_b * b->depth_pitch,
+                  (size_t)b->width * sizeof(uint16_t)) == 0;
+}
+
+/* Rows that both hold have the same pixels and depths. */
+static inline void assert_same_picture(const qtri_surface *whole, const qtri_surface *part)
+{
+    for (int32_t y = part->first_row; y < part->first_row + part->rows; y++) {
+        if (same_row(whole, part, y)) {
+            continue;
+        }
+        for (int32_t x = 0; x < part->width; x++) {
+            if (stored_pixel(whole, x, y) != stored_pixel(part, x, y)) {
+                fail_msg("pixel %d,%d: %x and %x", (int)x, (int)y,
+                         (unsigned)stored_pixel(whole, x, y), (unsigned)stored_pixel(part, x, y));
+            }
+            if (stored_depth(whole, x, y) != stored_depth(part, x, y)) {
+                fail_msg("depth %d,%d: %u and %u", (int)x, (int)y, stored_depth(whole, x, y),
+                         stored_depth(part, x, y));
+            }
+        }
+    }
+}
+
+/* The pixels that a triangle may cover, and at least one more on each side, within the surface. */
+static inline qtri_rect pixels_around(const qtri_surface *s, const qtri_screen_vertex v[3])
+{
+    qtri_rect r = {s->width, s->height, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        const int32_t x = v[i].x_24p8 / 256; /* towards zero: one too many or too few */
+        const int32_t y = v[i].y_24p8 / 256;
+        r.x0 = x - 2 < r.x0 ? x - 2 : r.x0;
+        r.y0 = y - 2 < r.y0 ? y - 2 : r.y0;
+        r.x1 = x + 3 > r.x1 ? x + 3 : r.x1;
+        r.y1 = y + 3 > r.y1 ? y + 3 : r.y1;
+    }
+    r.x0 = r.x0 < 0 ? 0 : r.x0;
+    r.y0 = r.y0 < 0 ? 0 : r.y0;
+    r.x1 = r.x1 > s->width ? s->width : r.x1;
+    r.y1 = r.y1 > s->height ? s->height : r.y1;
+    return r;
+}
+
+/* The pixels of a rectangle, row by row: for (at = first_pixel(r); at.y < r.y1; at = next_pixel(at,
+ * r)). */
+typedef struct screen_pixel {
+    int32_t x, y;
+} screen_pixel;
+
+static inline screen_pixel first_pixel(qtri_rect r)
+{
+    const screen_pixel at = {r.x0, r.x0 < r.x1 ? r.y0 : r.y1};
+    return at;
+}
+
+static inline screen_pixel next_pixel(screen_pixel at, qtri_rect r)
+{
+    at.x++;
+    if (at.x == r.x1) {
+        at.x = r.x0;
+        at.y++;
+    }
+    return at;
+}
+
+/* Nothing but these pixels differs from a canvas as it is cleared; clears them. */
+static inline void erase_and_check(canvas *c, qtri_rect drawn, const canvas *cleared)
+{
+    c->surface.scissor = drawn;
+    canvas_clear(c);
+    c->surface.scissor = cleared->surface.scissor;
+    assert_same_picture(&cleared->surface, &c->surface);
+}
+
+/* Rows of the surface from the top: '#' is any colour but black. Ends with NULL. */
+static inline void assert_rows(const qtri_surface *s, const char *const rows[])
+{
+    for (int32_t y = 0; rows[y] != NULL; y++) {
+        for (int32_t x = 0; rows[y][x] != '\0'; x++) {
+            char is = stored_pixel(s, x, y) != 0 ? '#' : '.';
+            if (is != rows[y][x]) {
+                fail_msg("row %d \"%s\": pixel %d is '%c'", (int)y, rows[y], (int)x, is);
+            }
+        }
+    }
+}
+
+#define assert_raster(surface, ...) assert_rows(surface, (const char *const[]){__VA_ARGS__, NULL})
+
+/* A white vertex at a distance of 1, coordinates in 1/256 pixel. */
+static inline qtri_screen_vertex screen_at(int32_t x_24p8, int32_t y_24p8)
+{
+    qtri_screen_vertex v = {0};
+    v.x_24p8 = x_24p8;
+    v.y_24p8 = y_24p8;
+    v.inv_w_q31 = 0x80000000u;
+    for (int i = 0; i < 3; i++) {
+        v.color_8p16[i] = 255 << 16;
+    }
+    return v;
+}
+
+/* Flat, untextured, both sides, no depth. */
+/* 0: smooth, 1 and 2: flat. */
+static inline const qtri_shading *shading_of(int n)
+{
+    const qtri_shading *const all[3] = {QTRI_SMOOTH, QTRI_FLAT_FIRST, QTRI_FLAT_LAST};
+    return all[n];
+}
+
+static inline qtri_material plain_material(void)
+{
+    qtri_material material = qtri_material_default();
+    material.shading = QTRI_FLAT_FIRST;
+    material.cull = QTRI_CULL_NONE;
+    material.depth_compare = QTRI_DEPTH_OFF;
+    return material;
+}
+
+#endif

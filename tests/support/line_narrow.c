@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Lines compiled for a core without long multiply and divide.
+ */
+#define QTRI_LONG_MULTIPLY 0
+#define QTRI_DIVIDE        0
+
+#define qtri_line_cut_short  narrow_line_cut_short
+#define qtri_line_draw       narrow_line_draw
+#define qtri_line_end        narrow_line_end
+#define qtri_line_flush      narrow_line_flush
+#define qtri_line_job_init   narrow_line_job_init
+#define qtri_line_make_table narrow_line_make_table
+#define qtri_raster_line     narrow_raster_line
+
+#include "raster/line.c"
+
+#include "line_narrow.h"
+
+uint32_t narrow_line_reciprocal(uint32_t length)
+{
+    qtri_divider by;
+    qtri_divider_init_short(&by, length);
+    return by.reciprocal_q32;
+}

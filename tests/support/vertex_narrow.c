@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The vertex stage compiled for a core without long multiply and divide.
+ */
+#define QTRI_LONG_MULTIPLY 0
+#define QTRI_DIVIDE        0
+
+#define qtri_eye_find             narrow_eye_find
+#define qtri_eye_mirror           narrow_eye_mirror
+#define qtri_lighting_face        narrow_lighting_face
+#define qtri_lighting_face16      narrow_lighting_face16
+#define qtri_lighting_face8       narrow_lighting_face8
+#define qtri_lighting_init        narrow_lighting_init
+#define qtri_lighting_list        narrow_lighting_list
+#define qtri_lighting_list8       narrow_lighting_list8
+#define qtri_lighting_vertex      narrow_lighting_vertex
+#define qtri_lighting_vertex8     narrow_lighting_vertex8
+#define qtri_project              narrow_project
+#define qtri_projector_compact    narrow_projector_compact
+#define qtri_projector_init       narrow_projector_init
+#define qtri_projector_list       narrow_projector_list
+#define qtri_projector_list16     narrow_projector_list16
+#define qtri_projector_point      narrow_projector_point
+#define qtri_projector_point16    narrow_projector_point16
+#define qtri_projector_points     narrow_projector_points
+#define qtri_projector_vertices   narrow_projector_vertices
+#define qtri_projector_vertices16 narrow_projector_vertices16
+#define qtri_row16_set            narrow_row16_set
+#define qtri_vertex_exact         narrow_vertex_exact
+
+#include "geometry/compact.c"
+#include "geometry/eye.c"
+#include "geometry/lighting.c"
+#include "geometry/lighting_init.c"
+#include "geometry/projector.c"
+
+#include "vertex_narrow.h"
+
+void narrow_vertices(const qtri_transform *object_to_clip, const qtri_viewport *viewport,
+                     const qtri_vec3 *p, uint32_t count, qtri_vertex *out)
+{
+    qtri_projector projector;
+    qtri_projector_init(&projector, object_to_clip, viewport);
+    (void)qtri_projector_vertices(&projector, p, count, out);
+}
+
+void narrow_vertices16(const qtri_transform *object_to_clip, const qtri_viewport *viewport,
+                       const qtri_vec3 *origin, q16 extent, const qtri_position16 *p,
+                       uint32_t count, qtri_vertex *out)
+{
+    qtri_projector projector;
+    qtri_projector_init(&projector, object_to_clip, viewport);
+    qtri_projector_compact(&projector, origin, extent);
+    (void)qtri_projector_vertices16(&projector, p, count, out);
+}
+
+bool narrow_eye(const qtri_transform *object_to_clip, const qtri_viewport *viewport,
+                const qtri_mesh *mesh, const qtri_eye *expected)
+{
+    qtri_projector projector;
+    qtri_eye eye;
+    qtri_projector_init(&projector, object_to_clip, viewport);
+    qtri_projector_compact(&projector, &mesh->origin, mesh->extent);
+    return qtri_eye_find(&eye, &projector, &mesh->faces) && eye.x == expected->x &&
+           eye.y == expected->y && eye.z == expected->z && eye.w == expected->w &&
+           eye.behind == expected->behind;
+}
+
+uint32_t narrow_light_vertex(const qtri_light *light, const qtri_transform *object_to_eye,
+                             const qtri_normal *normal)
+{
+    qtri_lighting lighting;
+    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
+    return qtri_lighting_vertex(&lighting, normal);
+}
+
+uint32_t narrow_light_face(const qtri_light *light, const qtri_transform *object_to_eye,
+                           const qtri_vec3 corner[3])
+{
+    qtri_lighting lighting;
+    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
+    return qtri_lighting_face(&lighting, &corner[0], &corner[1], &corner[2]);
+}
+
+uint32_t narrow_light_plane(const qtri_light *light, const qtri_transform *object_to_eye,
+                            const qtri_face8 *face)
+{
+    qtri_lighting lighting;
+    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
+    return qtri_lighting_face8(&lighting, face);
+}

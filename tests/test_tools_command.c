@@ -1,0 +1,391 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The command as a user meets it: exit statuses, messages, and what is left on disk.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static char folder[512];
+
+/* Runs `qtri ARGUMENTS` in the test's folder, standard error into the file `messages`. */
+static int run(const char *arguments)
+{
+    char line[2048];
+    const char *command = getenv("QTRI_COMMAND");
+    snprintf(line, sizeof line, "cd '%s' && '%s' %s >output 2>messages", folder, command,
+             arguments);
+    int status = system(line); /* NOLINT(cert-env33-c): a test of the command line */
+    assert_true(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+static void path_of(char *path, size_t size, const char *name)
+{
+    snprintf(path, size, "%s/%s", folder, name);
+}
+
+static void write_file(const char *name, const char *text)
+{
+    char path[1024];
+    path_of(path, sizeof path, name);
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+static bool exists(const char *name)
+{
+    char path[1024];
+    path_of(path, sizeof path, name);
+    return access(path, F_OK) == 0;
+}
+
+static bool file_contains(const char *name, const char *text)
+{
+    char path[1024];
+    char content[4096];
+    path_of(path, sizeof path, name);
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    size_t length = fread(content, 1, sizeof content - 1, file);
+    content[length] = '\0';
+    fclose(file);
+    return strstr(content, text) != NULL;
+}
+
+static bool messages_contain(const char *text)
+{
+    return file_contains("messages", text);
+}
+
+static const char triangle[] = "viewport 64 48\ndepth less\n"
+                               "tri -.5 -.5 0 1 1 0 0  .5 -.5 0 1 0 1 0  0 .5 0 1 0 0 1\n";
+
+static void usage_errors(void **state)
+{
+    (void)state;
+    assert_int_equal(run(""), 2);
+    assert_int_equal(run("nonsense"), 2);
+    assert_int_equal(run("render"), 2);
+    assert_int_equal(run("render a.scene"), 2);
+    assert_int_equal(run("render a.scene -o"), 2);
+    assert_int_equal(run("render a.scene -o x --format cmyk"), 2);
+    assert_int_equal(run("render a.scene -o x --rows -1"), 2);
+    assert_int_equal(run("render a.scene -o x --snap 17 --reference"), 2);
+    assert_int_equal(run("render a.scene -o x --frobnicate"), 2);
+    assert_true(messages_contain("--frobnicate"));
+    assert_int_equal(run("compare one.ppm"), 2);
+    assert_int_equal(run("mesh knot"), 2);
+    assert_int_equal(run("mesh dodo -o x.obj"), 2);
+    assert_int_equal(run("neighbours x.obj"), 2);
+    assert_int_equal(run("demo --frobnicate"), 2);
+    assert_false(exists("x.obj"));
+}
+
+static void help(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--help"), 0);
+    assert_int_equal(run("render --help"), 0);
+    assert_true(file_contains("output", "texfilter    nearest|bilinear [mipmaps]\n"));
+    assert_int_equal(run("compare --help"), 0);
+    assert_int_equal(run("mesh --help"), 0);
+    assert_int_equal(run("neighbours --help"), 0);
+    assert_int_equal(run("demo --help"), 0);
+}
+
+static void bad_input(void **state)
+{
+    (void)state;
+    write_file("bad.scene", "viewport 64 48\ntri 1 2 3\n");
+    assert_int_equal(run("render bad.scene -o bad --dump"), 1);
+    assert_true(messages_contain("bad.scene:2"));
+    assert_false(exists("bad.ppm"));
+    assert_false(exists("bad.id"));
+    assert_int_equal(run("render missing.scene -o bad"), 1);
+    assert_int_equal(run("compare missing.ppm missing.ppm"), 1);
+    write_file("good.scene", triangle);
+    assert_int_equal(run("render good.scene -o no/such/folder/x"), 1);
+    assert_int_equal(run("mesh knot -o no/such/folder/x.obj"), 1);
+    assert_int_equal(run("demo --scenes no/such/folder -o demo"), 1);
+}
+
+static void formats_and_bands(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"rgb888", "rgb565", "gray8"};
+    write_file("good.scene", triangle);
+    for (size_t i = 0; i < 3; i++) {
+        char line[256];
+        snprintf(line, sizeof line, "render good.scene -o whole --dump --format %s", formats[i]);
+        assert_int_equal(run(line), 0);
+        snprintf(line, sizeof line, "render good.scene -o bands --dump --rows 7 --format %s",
+                 formats[i]);
+        assert_int_equal(run(line), 0);
+        assert_int_equal(run("compare whole.ppm bands.ppm"), 0);
+        snprintf(line, sizeof line, "render good.scene -o expected --dump --reference --format %s",
+                 formats[i]);
+        assert_int_equal(run(line), 0);
+        assert_int_equal(run("compare whole.ppm expected.ppm --max-color 9 --max-depth .51"), 0);
+    }
+    assert_int_equal(run("compare whole.ppm expected.ppm --max-depth 0"), 1);
+}
+
+static void generated_mesh(void **state)
+{
+    (void)state;
+    assert_int_equal(run("mesh torus -o torus.obj"), 0);
+    write_file("torus.scene", "viewport 80 60\ndepth less\nlight 0 0 1 .2 .8\n"
+                              "mode projection\nperspective 60 1.333 .1 100\nmode modelview\n"
+                              "translate 0 0 -4\nmesh torus.obj color 1 .5 0\n");
+    assert_int_equal(run("render torus.scene -o torus --dump"), 0);
+    assert_int_equal(run("render torus.scene -o expected --dump --reference --snap 8"), 0);
+    assert_int_equal(run("compare torus.ppm expected.ppm --max-color 1 --max-depth .52"), 0);
+}
+
+/* The output's name says which format; what shows nothing says so. */
+static void pictures(void **state)
+{
+    (void)state;
+    write_file("good.scene", triangle);
+    assert_int_equal(run("render good.scene -o named.ppm --dump"), 0);
+    assert_true(exists("named.ppm") && exists("named.id") && exists("named.depth"));
+    assert_false(exists("named.ppm.ppm"));
+    assert_false(messages_contain("background"));
+    assert_int_equal(run("render good.scene -o plain"), 0);
+    assert_int_equal(run("compare named.ppm plain.ppm"), 0);
+    if (run("render good.scene -o named.png --dump") != 0) {
+        assert_true(messages_contain("was built without libpng"));
+    } else {
+        assert_int_equal(run("compare named.ppm named.png --max-depth 0 -o difference.png"), 0);
+        assert_true(exists("difference.png"));
+        assert_int_equal(run("compare named.png - -o - <named.ppm"), 0);
+        assert_true(messages_contain("pixels-differing     0"));
+        assert_true(file_contains("output", "P6\n64 48\n255\n"));
+    }
+    static const char *const ways[] = {"", "--format rgb565", "--format gray8", "--reference"};
+    write_file("empty.scene", "viewport 64 48\nclear .3 .7 .2\n"
+                              "tri 5 5 0 1 1 0 0  6 5 0 1 0 1 0  5 6 0 1 0 0 1\n");
+    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
+        char line[128];
+        snprintf(line, sizeof line, "render empty.scene -o empty %s", ways[i]);
+        assert_int_equal(run(line), 0);
+        assert_true(messages_contain("empty.scene: nothing is seen in the picture"));
+    }
+}
+
+/* A mesh's neighbours as C. */
+static void neighbours(void **state)
+{
+    (void)state;
+    write_file("two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+    assert_int_equal(run("neighbours two.obj -o two.h"), 0);
+    assert_true(
+        file_contains("two.h", "two_neighbours[2][3] = {\n    {2, 2, 1},\n    {0, 2, 2},\n"));
+    assert_int_equal(run("neighbours - -o - --name other <two.obj"), 0);
+    assert_true(file_contains("output", "other_neighbours[2][3] = {"));
+    assert_int_equal(run("neighbours none.obj -o none.h"), 1);
+    assert_false(exists("none.h"));
+}
+
+/* Every texel format, wrapped, filtered and with holes: as the reference draws it. */
+static void textures(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"xrgb8888", "rgb565", "palette", "gray8"};
+    for (int n = 0; n < 16; n++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "viewport 90 70\ndepth less\ntexture 8 16 4 255 40 0 20 90 200\n"
+                 "texformat %s\ntexfilter %s\ntexwrap repeat clamp\ntexkey %s\n"
+                 "tri -.9 -.5 .3 1 1 0 0  .5 -.9 .3 1 0 1 0  0 .8 .3 1 0 0 1\n"
+                 "trit -1 -1 0 1 1 .5 0 -.4 -.3   1.8 -1 .2 2 0 1 1 1.1 -.2"
+                 "   0 1 0 1 1 1 1 .3 1.4\n",
+                 formats[n % 4], n / 4 % 2 ? "bilinear" : "nearest", n / 8 ? "20 90 200" : "off");
+        write_file("t.scene", text);
+        assert_int_equal(run("render t.scene -o t --dump"), 0);
+        assert_int_equal(run("render t.scene -o expected --dump --reference --snap 8"), 0);
+        assert_int_equal(
+            run("compare t.ppm expected.ppm --max-color 1 --max-pixels 3 --max-depth .52"), 0);
+    }
+}
+
+/* Runs a line of the shell in the test's folder; $qtri is the command. Returns its status. */
+static int shell(const char *line)
+{
+    char all[2048];
+    snprintf(all, sizeof all, "cd '%s' && qtri='%s' && { %s; } 2>messages", folder,
+             getenv("QTRI_COMMAND"), line);
+    int status = system(all); /* NOLINT(cert-env33-c): a test of the command line */
+    assert_true(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+/* What a picture is drawn from is never replaced by it. */
+static void inputs_are_kept(void **state)
+{
+    (void)state;
+    write_file("in.ppm", triangle);
+    assert_int_equal(run("render in.ppm -o in"), 1);
+    assert_true(messages_contain("would be overwritten"));
+    assert_true(file_contains("in.ppm", "viewport 64 48"));
+    write_file("good.scene", triangle);
+    assert_int_equal(shell("ln -sf good.scene link.ppm; $qtri render good.scene -o link"), 1);
+    assert_true(file_contains("good.scene", "viewport 64 48"));
+    assert_int_equal(run("render good.scene -o image"), 0);
+    write_file("t.scene", "viewport 8 8\ntexture image.ppm\n");
+    assert_int_equal(shell("printf 'P6 2 2 255 123456789012' >image.ppm; cp image.ppm before.ppm;"
+                           "$qtri render t.scene -o image"),
+                     1);
+    assert_int_equal(shell("cmp image.ppm before.ppm"), 0);
+    assert_int_equal(run("render t.scene -o other"), 0);
+    /* A link is followed: the picture behind it is replaced, and not the link. */
+    assert_int_equal(shell("ln -sf other.ppm alias.ppm; $qtri render good.scene -o alias"), 0);
+    assert_int_equal(shell("test -L alias.ppm && cmp alias.ppm other.ppm"), 0);
+}
+
+/* Standard input and output, pipes and devices. */
+static void streams(void **state)
+{
+    (void)state;
+    write_file("good.scene", triangle);
+    assert_int_equal(run("render good.scene -o wanted"), 0);
+    assert_int_equal(shell("$qtri render good.scene -o - >a && cmp a wanted.ppm"), 0);
+    assert_int_equal(shell("$qtri render good.scene -o /dev/stdout | cmp - wanted.ppm"), 0);
+    assert_int_equal(shell("$qtri render good.scene -o /dev/stdout >b && cmp b wanted.ppm"), 0);
+    assert_int_equal(shell("$qtri render - -o c <good.scene && cmp c.ppm wanted.ppm"), 0);
+    assert_int_equal(shell("mkfifo in out; cat good.scene >in & cat out >d &"
+                           "$qtri render in -o out && wait && cmp d wanted.ppm"),
+                     0);
+    assert_int_equal(shell("$qtri mesh knot -o - >e && test -s e"), 0);
+    assert_int_equal(run("render good.scene -o - --dump"), 2);
+    assert_int_equal(run("mesh knot -o no/such/folder.obj"), 1);
+}
+
+/* A pipe that nobody writes to is an error after some seconds, and no reason to wait for ever. */
+static void silent_pipe(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("mkfifo silent; timeout 30 $qtri render silent -o x"), 1);
+    assert_true(messages_contain("silent: cannot be read"));
+}
+
+/* Status 1 where standard output is full. */
+static void full_output(void **state)
+{
+    (void)state;
+    if (access("/dev/full", W_OK) != 0) {
+        skip();
+    }
+    write_file("good.scene", triangle);
+    assert_int_equal(shell("$qtri --help >/dev/full"), 1);
+    assert_true(messages_contain("standard output"));
+    assert_int_equal(shell("$qtri render --help >/dev/full"), 1);
+    assert_int_equal(shell("$qtri render good.scene -o - >/dev/full"), 1);
+    assert_int_equal(shell("$qtri render good.scene -o /dev/full"), 1);
+    assert_int_equal(shell("$qtri mesh knot -o - >/dev/full"), 1);
+    assert_int_equal(shell("$qtri render good.scene -o p && $qtri compare p.ppm p.ppm >/dev/full"),
+                     1);
+}
+
+/* Ended by a signal in the middle of a file: neither a part nor half a picture is left. */
+static void ended_by_signals(void **state)
+{
+    (void)state;
+    write_file("large.scene", "viewport 4096 4096\n");
+    static const char *const signals[] = {"TERM", "INT", "HUP"};
+    for (int n = 0; n < 12; n++) {
+        char line[512];
+        /* The shell's background jobs ignore INT: env gives it back. */
+        snprintf(line, sizeof line,
+                 "rm -f large.ppm; timeout --preserve-status -s %s .%02d $qtri render large.scene "
+                 "-o large; test -z \"$(find . -name '.qtri-*.part')\" && "
+                 "{ test ! -e large.ppm || test $(wc -c <large.ppm) = 50331665; }",
+                 signals[n % 3], 6 * n + 2);
+        assert_int_equal(shell(line), 0);
+    }
+    /* For certain: the disk is slower than any limit on a file's size. */
+    assert_int_equal(shell("rm -f large.ppm; (ulimit -f 64; $qtri render large.scene -o large);"
+                           "test ! -e large.ppm && test -z \"$(find . -name '.qtri-*.part')\""),
+                     0);
+}
+
+/* Files that a scene names, and where they may be. */
+static void files_below(void **state)
+{
+    (void)state;
+    write_file("image.ppm", "P6 2 2 255 123456789012");
+    assert_int_equal(shell("mkdir -p sub/deep && cp image.ppm sub/deep/"), 0);
+    write_file("sub/up.scene", "viewport 8 8\ntexture ../image.ppm\n");
+    write_file("sub/down.scene", "viewport 8 8\ntexture deep/../deep/image.ppm\n");
+    write_file("sub/link.scene", "viewport 8 8\ntexture link.ppm\n");
+    write_file("sub/any.scene", "viewport 8 8\nmesh /etc/passwd\n");
+    assert_int_equal(run("render sub/up.scene -o x"), 1);
+    assert_true(messages_contain("not below the scene's folder"));
+    assert_int_equal(run("render sub/up.scene -o x --allow-files"), 0);
+    assert_int_equal(run("render sub/down.scene -o x"), 0);
+    assert_int_equal(shell("ln -sf ../image.ppm sub/link.ppm; $qtri render sub/link.scene -o x"),
+                     1);
+    assert_int_equal(run("render sub/any.scene -o x"), 1);
+    assert_true(messages_contain("not below the scene's folder"));
+    assert_int_equal(shell("cd sub && $qtri render up.scene -o x"), 1);
+    assert_int_equal(shell("cd sub && $qtri render down.scene -o x"), 0);
+}
+
+/* What 31 bytes can ask for. */
+static void memory_of_references(void **state)
+{
+    (void)state;
+    write_file("large.scene", "viewport 4096 4096\n");
+    assert_int_equal(run("render large.scene -o x --reference"), 1);
+    assert_true(messages_contain("--large"));
+    write_file("within.scene", "viewport 4096 1024\n");
+    assert_int_equal(run("render within.scene -o x --reference"), 0);
+}
+
+static int make_folder(void **state)
+{
+    (void)state;
+    const char *base = getenv("QTRI_TMP");
+    snprintf(folder, sizeof folder, "%s/qtri-command-XXXXXX", base != NULL ? base : "/tmp");
+    return mkdtemp(folder) == NULL;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(neighbours),
+        cmocka_unit_test(usage_errors),
+        cmocka_unit_test(help),
+        cmocka_unit_test(bad_input),
+        cmocka_unit_test(formats_and_bands),
+        cmocka_unit_test(generated_mesh),
+        cmocka_unit_test(pictures),
+        cmocka_unit_test(textures),
+        cmocka_unit_test(inputs_are_kept),
+        cmocka_unit_test(streams),
+        cmocka_unit_test(silent_pipe),
+        cmocka_unit_test(full_output),
+        cmocka_unit_test(ended_by_signals),
+        cmocka_unit_test(files_below),
+        cmocka_unit_test(memory_of_references),
+    };
+    if (getenv("QTRI_COMMAND") == NULL) {
+        puts("QTRI_COMMAND is not set: run `make test-plain TESTS=test_command`");
+        return 1;
+    }
+    return cmocka_run_group_tests(tests, make_folder, NULL);
+}
