@@ -165,7 +165,8 @@ static void build_effects(struct reader *r, qtri_material *m, qtri_texture *text
     m->fog = kind % 16 == 0 ? NULL : &fog;
 }
 
-static qtri_material build_material(struct reader *r, qtri_texture *texture, const void *texels)
+static qtri_material build_material(struct reader *r, qtri_texture *texture, const void *levels[4],
+                                    const void *texels)
 {
     const qtri_shading *const shadings[3] = {QTRI_SMOOTH, QTRI_FLAT_FIRST, QTRI_FLAT_LAST};
     qtri_material m = qtri_material_default();
@@ -185,7 +186,15 @@ static qtri_material build_material(struct reader *r, qtri_texture *texture, con
     take(r, texture->color, sizeof texture->color);
     texture->wrap_u = (qtri_wrap)(take_byte(r) % 3);
     texture->wrap_v = (qtri_wrap)(take_byte(r) % 3);
-    texture->filter = take_byte(r) % 3 == 1 ? &qtri_bilinear : NULL;
+    static const qtri_filter *const filters[] = {NULL, &qtri_bilinear, &qtri_mipmapped,
+                                                 &qtri_mipmapped_bilinear};
+    texture->filter = filters[take_byte(r) % 4];
+    const uint8_t holes = take_byte(r);
+    for (size_t i = 0; i < 4; i++) {
+        levels[i] = holes >> i & 1 ? NULL : texels;
+    }
+    texture->levels = holes % 16 == 5 ? NULL : levels;
+    texture->level_count = holes >> 4;
     texture->palette = take_byte(r) % 16 ? palette : NULL;
     texture->has_key = take_byte(r) % 2;
     texture->key = take_byte(r) % 8 ? take_byte(r) : (uint32_t)take_int(r);
@@ -298,6 +307,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     lamps lamps;
     qtri_transform pose;
     qtri_texture texture;
+    const void *levels[4];
     qtri_corner corners[CORNERS];
     qtri_screen_vertex screen[3];
     qtri_view_init(&view, SIDE, SIDE);
@@ -312,7 +322,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     view.lights = take_byte(r) % 2 ? build_lamps(r, &lamps) : NULL;
     view.vertices = cache;
     view.vertex_count = take_byte(r) % (CACHE + 1);
-    qtri_material material = build_material(r, &texture, texels);
+    qtri_material material = build_material(r, &texture, levels, texels);
     material.reflection = view.lights != NULL ? &lamps.reflection : NULL;
 
     switch (take_byte(r) % 4) {

@@ -11,7 +11,11 @@ static uint32_t texels8888[32 * 32];
 static uint8_t texels8[16 * 32]; /* few values, so that keys are met */
 static qtri_rgb palette[256];
 
-static const qtri_texture textures[6] = {
+static const void *const levels565[3] = {texels565 + 5, texels565 + 9, texels565};
+static const void *const levels8888[4] = {texels8888 + 3, texels8888 + 1, texels8888 + 8,
+                                          texels8888};
+
+static const qtri_texture textures[8] = {
     {.texels = texels565, .format = &qtri_texel_rgb565, .width_log2 = 4, .height_log2 = 3},
     {.texels = texels8888, .format = &qtri_texel_xrgb8888, .width_log2 = 5, .height_log2 = 5},
     {.format = &qtri_texel_checker,
@@ -39,7 +43,22 @@ static const qtri_texture textures[6] = {
      .height_log2 = 4,
      .filter = &qtri_bilinear,
      .has_key = true,
-     .key = 2}};
+     .key = 2},
+    {.texels = texels8888,
+     .format = &qtri_texel_xrgb8888,
+     .width_log2 = 5,
+     .height_log2 = 5,
+     .filter = &qtri_mipmapped_bilinear,
+     .wrap_u = QTRI_CLAMP,
+     .levels = levels8888,
+     .level_count = 4},
+    {.texels = texels565,
+     .format = &qtri_texel_rgb565,
+     .width_log2 = 4,
+     .height_log2 = 3,
+     .filter = &qtri_mipmapped,
+     .levels = levels565,
+     .level_count = 3}};
 
 static int fill_textures(void **state)
 {
@@ -97,7 +116,7 @@ static void random_scene(scene *s, uint64_t *seed, bool tame)
         qtri_material m = qtri_material_default();
         m.shading = shading_of((int)random_in(seed, 0, 2));
         m.interpolation = (qtri_interpolation)random_in(seed, 0, 1);
-        m.texture = random_flag(seed) ? &textures[random_in(seed, 0, 5)] : NULL;
+        m.texture = random_flag(seed) ? &textures[random_in(seed, 0, 7)] : NULL;
         m.texture_mode = (qtri_texture_mode)random_in(seed, 0, 1);
         m.cull = (qtri_cull)(random_in(seed, 0, 5) / 2);
         m.depth_compare = (qtri_compare)random_in(seed, 0, 8);

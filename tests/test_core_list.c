@@ -319,7 +319,12 @@ static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
     qtri_texture texture = {.texels = colors, .format = formats[random_in(seed, 0, 2)]};
     texture.width_log2 = (uint8_t)random_in(seed, 0, 8);
     texture.height_log2 = (uint8_t)random_in(seed, 0, 8);
-    texture.filter = random_in(seed, 0, 3) == 0 ? &qtri_bilinear : NULL;
+    static const qtri_filter *const filters[4] = {&qtri_bilinear, &qtri_mipmapped,
+                                                  &qtri_mipmapped_bilinear};
+    static const void *const levels[4] = {colors + 1, colors + 7, colors + 3, colors};
+    texture.filter = filters[random_in(seed, 0, 3)];
+    texture.levels = levels; /* any texels */
+    texture.level_count = 4;
     texture.wrap_u = random_in(seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
     texture.wrap_v = random_in(seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
     texture.has_key = random_in(seed, 0, 2) == 0;

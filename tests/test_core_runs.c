@@ -53,7 +53,12 @@ static void random_material(qtri_material *m, qtri_texture *t, uint64_t *seed)
     texture.width_log2 = (uint8_t)random_in(seed, 0, 9);
     texture.height_log2 = (uint8_t)random_in(seed, 0, 16 - texture.width_log2);
     texture.height_log2 = texture.height_log2 > 10 ? 10 : texture.height_log2;
-    texture.filter = random_in(seed, 0, 5) == 0 ? &qtri_bilinear : NULL;
+    static const qtri_filter *const filters[6] = {&qtri_bilinear, &qtri_mipmapped, &qtri_mipmapped,
+                                                  &qtri_mipmapped_bilinear};
+    static const void *const levels[5] = {texels + 1, texels + 7, texels + 3, texels + 9, texels};
+    texture.filter = filters[random_in(seed, 0, 5)];
+    texture.levels = levels; /* any texels: which ones is the same for all ways */
+    texture.level_count = 5;
     texture.wrap_u = random_in(seed, 0, 5) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
     texture.has_key = random_in(seed, 0, 5) == 0;
     texture.key = texels[0];

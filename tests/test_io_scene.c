@@ -501,7 +501,7 @@ static void texture_state(void **state)
     }
     struct scene scene = parse("texwrap clamp\ntexfilter bilinear\ntexkey 0 128 255\n");
     assert_true(scene.texture_clamp[0] && scene.texture_clamp[1]);
-    assert_true(scene.texture_bilinear && scene.texture_keyed);
+    assert_true(scene.texture_bilinear && scene.texture_keyed && !scene.texture_mipmapped);
     assert_memory_equal(scene.texture_key, "\0\200\377", 3);
     scene_free(&scene);
     scene = parse("texwrap clamp repeat\n");
@@ -704,7 +704,8 @@ static void value_errors(void **state)
         {"texmode add", "'add' is unknown here: texmode replace|modulate"},
         {"texwrap mirror", "'mirror' is unknown here: texwrap repeat|clamp [repeat|clamp]"},
         {"texwrap clamp off", "'off' is unknown here: texwrap repeat|clamp [repeat|clamp]"},
-        {"texfilter linear", "'linear' is unknown here: texfilter nearest|bilinear"},
+        {"texfilter linear", "'linear' is unknown here: texfilter nearest|bilinear [mipmaps]"},
+        {"texfilter nearest mips", "'mips' is unknown here: texfilter nearest|bilinear [mipmaps]"},
         {"texformat cmyk", "'cmyk' is unknown here: texformat xrgb8888|rgb565|palette|gray8"},
         {"texkey on", "'on' is unknown here: texkey off or texkey r g b"},
         {"texkey 1 2 256", "texkey: '256' is not a whole number in 0..255"},

@@ -100,7 +100,7 @@ static void help(void **state)
     (void)state;
     assert_int_equal(run("--help"), 0);
     assert_int_equal(run("render --help"), 0);
-    assert_true(file_contains("output", "texfilter    nearest|bilinear\n"));
+    assert_true(file_contains("output", "texfilter    nearest|bilinear [mipmaps]\n"));
     assert_int_equal(run("compare --help"), 0);
     assert_int_equal(run("mesh --help"), 0);
     assert_int_equal(run("neighbours --help"), 0);

@@ -357,7 +357,7 @@ static uint32_t sample_some(const qtri_raster *raster, const qtri_texel_axis axi
     if (raster->widen != NULL) {
         raster->widen(tap, 4 * count);
     }
-    (raster->working == &qtri_colors_565 ? blend_565 : blend)(u, tap, weight, count);
+    raster->mix_taps(u, tap, weight, count);
     return drawn;
 }
 
@@ -378,6 +378,7 @@ static uint32_t sample(const qtri_raster *raster, const qtri_texel_axis axis[2],
                        uint32_t *v, int32_t count)
 {
     const qtri_texture *texture = raster->texture;
+    const uint32_t *first = u;
     uint32_t drawn = 0;
     if (axis != NULL && raster->texel_cut != 0) {
         fill_32_bits(u, &axis[0], raster->coordinate[0].shift, count);
@@ -391,12 +392,18 @@ static uint32_t sample(const qtri_raster *raster, const qtri_texel_axis axis[2],
         const int32_t some = count < TOGETHER ? count : TOGETHER;
         drawn = drawn << some | sample_some(raster, axis, u, v, some);
         count -= some;
-        if (count == 0) {
-            return drawn;
-        }
         u += some;
+        if (count == 0) {
+            return raster->seen == NULL ? drawn
+                                        : drawn & raster->seen(raster, first, (int32_t)(u - first));
+        }
         v += some;
     }
 }
 
-const qtri_filter qtri_bilinear = {sample};
+void qtri_bilinear_init(qtri_raster *raster)
+{
+    raster->mix_taps = raster->working == &qtri_colors_565 ? blend_565 : blend;
+}
+
+const qtri_filter qtri_bilinear = {qtri_bilinear_init, sample};

@@ -8,6 +8,9 @@
 #include "raster.h"
 
 struct qtri_filter {
+    /* What else a raster needs that has its texture and kinds of colours; it may put another
+       texture in place of it, with another filter or none. */
+    void (*init)(qtri_raster *raster);
     /*
      * Colours of the kind that the raster works in from coordinates, u in place; v is lost. They
      * fill 32 bits where there is no axis. Returns the mask of those that are drawn: all without a
@@ -16,5 +19,8 @@ struct qtri_filter {
     uint32_t (*sample)(const qtri_raster *raster, const qtri_texel_axis axis[2], uint32_t *u,
                        uint32_t *v, int32_t count);
 };
+
+/* Of qtri_bilinear. */
+void qtri_bilinear_init(qtri_raster *raster);
 
 #endif

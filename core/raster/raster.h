@@ -78,6 +78,10 @@ struct qtri_fused {
 typedef void (*qtri_words_stage)(uint32_t *color, int32_t count);
 typedef void (*qtri_modulate_stage)(uint32_t *color, const uint32_t *shade, int32_t count);
 typedef void (*qtri_curves_stage)(uint32_t *color, const qtri_curve channel[3], int32_t count);
+/* Colours from four texels each and the shares of the second column, of 2048, and the second row
+   << 16. */
+typedef void (*qtri_taps_stage)(uint32_t *color, const uint32_t *tap, const uint32_t *weight,
+                                int32_t count);
 typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const uint32_t tint_q10[3],
                                 int32_t count);
 
@@ -131,7 +135,8 @@ struct qtri_raster {
     bool gray; /* what multiplies gives the format's kind */
     qtri_modulate_stage light, times;
     qtri_curves_stage times_curves;
-    qtri_tint_stage tinted; /* light, and the tint below */
+    qtri_tint_stage tinted;   /* light, and the tint below */
+    qtri_taps_stage mix_taps; /* where texels are filtered */
     uint32_t (*seen)(const qtri_raster *raster, const uint32_t *color,
                      int32_t count); /* the mask of texels with enough alpha; NULL: all */
     bool replace;

@@ -228,7 +228,9 @@ qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle
     job->perspective = needs_perspective(job, v, (const uint32_t(*)[3])value, range, q);
     if (job->perspective) {
         qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, gradient);
-        return qtri_span_fill;
+        return textured
+                   ? raster->texturing->begin_large(job, triangle, (const uint32_t(*)[3])value, q)
+                   : qtri_span_fill;
     }
     if (range != 0) {
         linear_colors(job, v, gradient);
@@ -239,7 +241,7 @@ qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle
     for (int i = QTRI_U; i < QTRI_ATTRIBUTES; i++) {
         qtri_plane_init(&job->attribute[i].plane, gradient, value[i - QTRI_U]);
     }
-    return qtri_span_fill;
+    return raster->texturing->begin_large(job, triangle, (const uint32_t(*)[3])value, q);
 }
 
 qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,

@@ -33,6 +33,16 @@ static void set_kinds(qtri_raster *raster)
     }
 }
 
+void qtri_textured_set_coordinates(qtri_raster *raster)
+{
+    const qtri_texture *texture = raster->texture;
+    for (int i = 0; i < 2; i++) {
+        const int32_t shift = qtri_texel_copy_shift(texture, i);
+        raster->coordinate[i].shift = (uint8_t)shift;
+        raster->coordinate[i].unit = (uint8_t)(i == 0 ? 32 : shift + texture->height_log2);
+    }
+}
+
 void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
 {
     const qtri_texture *texture = material->texture;
@@ -43,14 +53,14 @@ void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
     raster->units = &qtri_colors_888;
     raster->seen = NULL;
     set_kinds(raster);
+    if (texture->filter != NULL) {
+        texture->filter->init(raster);
+        texture = raster->texture;
+    }
     raster->texel_cut = qtri_texel_copy_fits(texture) ? qtri_texel_cut(texture) : 0;
     raster->repeated =
         raster->texel_cut != 0 && texture->wrap_u != QTRI_CLAMP && texture->wrap_v != QTRI_CLAMP;
-    for (int i = 0; i < 2; i++) {
-        const int32_t shift = qtri_texel_copy_shift(texture, i);
-        raster->coordinate[i].shift = (uint8_t)shift;
-        raster->coordinate[i].unit = (uint8_t)(i == 0 ? 32 : shift + texture->height_log2);
-    }
+    qtri_textured_set_coordinates(raster);
 #ifndef __OPTIMIZE_SIZE__
     raster->fetched =
         raster->texel_cut != 0 && texture->format->bytes == 2 && texture->filter == NULL;

@@ -20,6 +20,10 @@ struct qtri_texturing {
     void (*init)(qtri_raster *raster, const qtri_material *material);
     /* Of a large triangle: its axes and the vertices' coordinates on them. */
     void (*set_axes)(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3]);
+    /* When the attributes of one are set: returns what fills its rows. value as above, q: 1/w of
+       the vertices, read where it has perspective. */
+    qtri_fill_rows (*begin_large)(qtri_job *job, const qtri_triangle *triangle,
+                                  const uint32_t value[2][3], const uint32_t q[3]);
     /* Colours of `count` pixels of the row from x on; the mask of those that are drawn. */
     uint32_t (*color_chunk)(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask);
     /* Of small triangles: see list_values.h. */
@@ -29,8 +33,13 @@ struct qtri_texturing {
     uint32_t (*finish_list)(const qtri_raster *raster, int32_t count, uint32_t mask);
 };
 
+/* What the raster's coordinates are, of its texture's sides. */
+void qtri_textured_set_coordinates(qtri_raster *raster);
+
 void qtri_textured_init(qtri_raster *raster, const qtri_material *material);
 void qtri_textured_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3]);
+qtri_fill_rows qtri_textured_begin_large(qtri_job *job, const qtri_triangle *triangle,
+                                         const uint32_t value[2][3], const uint32_t q[3]);
 uint32_t qtri_textured_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask);
 
 /*

@@ -2,11 +2,7 @@
 /*
  * What textures add to rows of large triangles.
  */
-#include "linear.h"
-#include "perspective.h"
-#include "texel_copy.h"
-#include "texel_number.h"
-#include "textured.h"
+#include "textured_span.h"
 
 /* The axes and the vertices' coordinates on them. */
 void qtri_textured_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3])
@@ -28,61 +24,14 @@ void qtri_textured_axes(qtri_job *job, uint32_t value[2][3], const qtri_attribut
     }
 }
 
-/* The shade of all of a triangle's texels as curves. */
-static void constant_curves(qtri_curve curve[3], uint32_t shade)
+qtri_fill_rows qtri_textured_begin_large(qtri_job *job, const qtri_triangle *triangle,
+                                         const uint32_t value[2][3], const uint32_t q[3])
 {
-    for (int i = 2; i >= 0; i--) {
-        const qtri_curve one = {((shade & 1023) << 14) + QTRI_SHADE_LESS, 0, 0, 0};
-        curve[i] = one;
-        shade >>= QTRI_SHADE_GREEN;
-    }
-}
-
-/* Some of the batch's texels: stages work on four at a time, but the others are not yet due. */
-static inline void multiply_some(const qtri_raster *raster, uint32_t *color,
-                                 const qtri_curve channel[3], int32_t count)
-{
-    uint32_t *after = color + count;
-    const uint32_t kept[3] = {after[0], after[1], after[2]};
-    raster->times_curves(color, channel, count);
-    if ((count & 3) != 0) {
-        after[0] = kept[0];
-        after[1] = kept[1];
-        after[2] = kept[2];
-    }
-}
-
-/* Multiplies the batch's texels by light or colours. */
-static void shade_texels(qtri_scanline *row, int32_t x, int32_t count)
-{
-    const qtri_job *job = row->job;
-    const qtri_raster *raster = job->raster;
-    uint32_t *color = raster->batch->color;
-    uint32_t *shade = raster->batch->by.shade;
-    if (job->first == QTRI_U) {
-        constant_curves(row->curve, job->pixel);
-        raster->times_curves(color, row->curve, count);
-        return;
-    }
-    for (int32_t done = 0; done < count;) {
-        int32_t some = count;
-        if (qtri_job_is_bent(job)) {
-            some = qtri_interpolate_perspective(row, x + done, count - done, job->first, QTRI_U);
-        }
-        if (job->first != 0) {
-            qtri_shade_light(shade + done, &row->curve[QTRI_U - 1], some);
-        } else if (some == count) {
-            raster->times_curves(color, row->curve, count);
-        } else {
-            multiply_some(raster, color + done, row->curve, some);
-        }
-        done += some;
-    }
-    if (job->first == QTRI_U - 1 && raster->white) {
-        raster->light(color, shade, count);
-    } else if (job->first == QTRI_U - 1) {
-        raster->tinted(color, shade, raster->tint_q10, count);
-    }
+    (void)job;
+    (void)triangle;
+    (void)value;
+    (void)q;
+    return qtri_span_fill;
 }
 
 /*
@@ -109,26 +58,21 @@ QTRI_NOINLINE static void hold_texels(const qtri_raster *raster, const qtri_texe
     }
 }
 
-/*
- * Of a clamped texture, along curves: brings them to 32 bits, or, where that is not so quickly
- * done, finds the texels.
- */
-QTRI_NOINLINE static bool clamp_texels(const qtri_job *job, int32_t done, qtri_curve uv[2],
-                                       int32_t count)
+QTRI_NOINLINE bool qtri_clamp_texels(const qtri_raster *raster, const qtri_texel_axis axis[2],
+                                     int32_t done, qtri_curve uv[2], int32_t count)
 {
-    const qtri_raster *raster = job->raster;
     uint32_t *color = raster->batch->color + done;
     uint32_t *across = raster->batch->by.shade + done;
     bool held[2];
     for (int i = 0; i < 2; i++) {
-        held[i] = !job->axis[i].clamped ||
-                  qtri_texel_curve_held(&uv[i], &job->axis[i], raster->coordinate[i].shift, count);
+        held[i] = !axis[i].clamped ||
+                  qtri_texel_curve_held(&uv[i], &axis[i], raster->coordinate[i].shift, count);
     }
     if (held[0] && held[1]) {
         return false;
     }
     qtri_texel_coordinates(color, across, uv, count);
-    hold_texels(raster, job->axis, color, across, held, count);
+    hold_texels(raster, axis, color, across, held, count);
     return true;
 }
 
@@ -141,7 +85,6 @@ static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
     const bool clamped = !raster->repeated && raster->texel_cut != 0;
     int32_t done = 0;
     do {
-        uint32_t *color = raster->batch->color + done;
         int32_t some = count;
         qtri_curve held[2];
         if (qtri_job_is_bent(job) && !row->level) {
@@ -152,19 +95,7 @@ static void interpolate_texels(qtri_scanline *row, int32_t x, int32_t count)
             held[1] = uv[1];
             uv = held;
         }
-        if (clamped && clamp_texels(job, done, uv, some)) {
-            ;
-        } else if (raster->texture->filter != NULL) {
-            qtri_texel_coordinates(color, raster->batch->by.shade + done, uv, some);
-#ifndef __OPTIMIZE_SIZE__
-        } else if (raster->fetched) {
-            qtri_texels_repeated_16(color, uv, raster->texel_cut, raster->texture->texels, some);
-#endif
-        } else if (raster->texel_cut != 0) {
-            qtri_texel_numbers_repeated(color, uv, raster->texel_cut, some);
-        } else {
-            qtri_texel_numbers(color, uv, job->axis, some);
-        }
+        qtri_number_texels(raster, job->axis, done, uv, clamped, some);
         done += some;
     } while (done < count);
 }
@@ -181,7 +112,7 @@ uint32_t qtri_textured_chunk(qtri_scanline *row, int32_t x, int32_t count, uint3
     if (mask == 0 || !job->shaded) {
         return mask;
     }
-    shade_texels(row, x, count);
+    qtri_shade_texels(row, x, count);
     if (raster->narrow != NULL && !raster->gray) {
         raster->narrow(color, count);
     }

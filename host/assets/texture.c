@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/mipmap.h"
+
 const char *const texture_format_names[TEXTURE_FORMATS] = {"rgb565", "palette", "gray8",
                                                            "xrgb8888"};
 
@@ -109,22 +111,24 @@ static bool is_key(const struct texture_options *options, const uint8_t *pixel)
     return options->has_key && (pixel[3] < 128 || memcmp(pixel, options->key, 3) == 0);
 }
 
-static void convert_row(struct texture *texture, const struct texture_options *options,
-                        const struct image *image, int y, struct diffusion *diffusion)
+/* texels: of a picture's first row. */
+static void convert_row(const struct texture *texture, const struct texture_options *options,
+                        const struct image *image, int y, uint32_t *texels,
+                        struct diffusion *diffusion)
 {
-    for (int x = 0; x < texture->width; x++) {
-        size_t at = (size_t)y * (size_t)texture->width + (size_t)x;
+    for (int x = 0; x < image->width; x++) {
+        size_t at = (size_t)y * (size_t)image->width + (size_t)x;
         const uint8_t *pixel = &image->rgba[4 * at];
         int wanted[3], got[3], error[3];
         if (is_key(options, pixel)) {
-            texture->texels[at] = texture->key;
+            texels[at] = texture->key;
             continue;
         }
         for (int c = 0; c < 3; c++) {
             wanted[c] = options->dither ? with_error(pixel[c], diffusion->row[x + 1][c]) : pixel[c];
         }
-        texture->texels[at] = keep_off_key(texture, encode(texture, wanted));
-        decode(texture, texture->texels[at], got);
+        texels[at] = keep_off_key(texture, encode(texture, wanted));
+        decode(texture, texels[at], got);
         for (int c = 0; c < 3; c++) {
             error[c] = wanted[c] - got[c];
         }
@@ -134,22 +138,55 @@ static void convert_row(struct texture *texture, const struct texture_options *o
     }
 }
 
-static bool convert(struct texture *texture, const struct texture_options *options,
-                    const struct image *image)
+static bool convert(const struct texture *texture, const struct texture_options *options,
+                    const struct image *image, uint32_t *texels)
 {
-    size_t columns = (size_t)texture->width + 2;
+    size_t columns = (size_t)image->width + 2;
     int(*rows)[3] = calloc(2 * columns, sizeof *rows);
     if (rows == NULL) {
         return false;
     }
-    for (int y = 0; y < texture->height; y++) {
+    for (int y = 0; y < image->height; y++) {
         struct diffusion diffusion = {&rows[(size_t)(y & 1) * columns],
                                       &rows[(size_t)(~y & 1) * columns]};
         memset(diffusion.next, 0, columns * sizeof *rows);
-        convert_row(texture, options, image, y, &diffusion);
+        convert_row(texture, options, image, y, texels, &diffusion);
     }
     free(rows);
     return true;
+}
+
+size_t texture_level_at(const struct texture *texture, int level)
+{
+    size_t at = 0;
+    for (int i = 0; i < level; i++) {
+        at += (size_t)mipmap_side(texture->width, i) * (size_t)mipmap_side(texture->height, i);
+    }
+    return at;
+}
+
+/* Levels of the picture, of which what is the key's counts as transparent. */
+static bool convert_levels(const struct texture *texture, const struct texture_options *options,
+                           const struct image *image)
+{
+    size_t count = (size_t)image->width * (size_t)image->height;
+    uint8_t *seen = malloc(4 * count), *smaller = malloc(4 * count);
+    bool ok = seen != NULL && smaller != NULL;
+    for (size_t i = 0; ok && i < count; i++) {
+        const uint8_t *pixel = &image->rgba[4 * i];
+        memcpy(&seen[4 * i], pixel, 4);
+        seen[4 * i + 3] = is_key(options, pixel) ? 0 : pixel[3];
+    }
+    for (int level = 1; ok && level <= texture->level_count; level++) {
+        const struct image picture = {mipmap_side(image->width, level),
+                                      mipmap_side(image->height, level), smaller};
+        mipmap_level(seen, image->width, image->height, level, smaller);
+        ok =
+            convert(texture, options, &picture, &texture->texels[texture_level_at(texture, level)]);
+    }
+    free(seen);
+    free(smaller);
+    return ok;
 }
 
 static void measure(struct texture *texture, const struct texture_options *options,
@@ -193,8 +230,9 @@ static bool fill(struct texture *texture, const struct texture_options *options,
                  const struct image *image)
 {
     const int key[3] = {options->key[0], options->key[1], options->key[2]};
+    texture->level_count = options->mipmaps ? mipmap_count(texture->width) : 0;
     texture->texels =
-        calloc((size_t)texture->width * (size_t)texture->height, sizeof *texture->texels);
+        calloc(texture_level_at(texture, texture->level_count + 1), sizeof *texture->texels);
     if (texture->texels == NULL ||
         (texture->format == TEXTURE_PALETTE && !make_palette(texture, options, image))) {
         return false;
@@ -202,7 +240,8 @@ static bool fill(struct texture *texture, const struct texture_options *options,
     texture->has_key = options->has_key;
     texture->key =
         options->has_key && texture->format != TEXTURE_PALETTE ? encode(texture, key) : 0;
-    return convert(texture, options, image);
+    return convert(texture, options, image, texture->texels) &&
+           convert_levels(texture, options, image);
 }
 
 bool texture_make(const char *path, const struct image *image,
@@ -231,11 +270,12 @@ static size_t texel_bytes(const struct texture *texture)
     return texture->format == TEXTURE_XRGB8888 ? 4 : texture->format == TEXTURE_RGB565 ? 2 : 1;
 }
 
-/* 44: sizeof (qtri_texture) with 32-bit pointers and enums. */
+/* 52: sizeof (qtri_texture) with 32-bit pointers and enums; a pointer for each level. */
 size_t texture_flash_bytes(const struct texture *texture)
 {
-    return (size_t)texture->width * (size_t)texture->height * texel_bytes(texture) +
-           (texture->format == TEXTURE_PALETTE ? 768U : 0U) + 44U;
+    return texture_level_at(texture, texture->level_count + 1) * texel_bytes(texture) +
+           (texture->format == TEXTURE_PALETTE ? 768U : 0U) + 52U +
+           4U * (size_t)texture->level_count;
 }
 
 bool texture_picture(const struct texture *texture, struct picture *picture)

@@ -26,6 +26,7 @@ extern const char *const texture_format_names[TEXTURE_FORMATS];
 struct texture_options {
     enum texture_format format;
     bool dither;       /* error diffusion, for rgb565 and palette */
+    bool mipmaps;      /* levels down to a width of two texels: see io/mipmap.h */
     bool has_key;      /* texels that are less than half opaque are the key's */
     uint8_t key[3];    /* its colour; texels of the picture that have it are the key's too */
     int width, height; /* powers of two up to TEXTURE_MAX_SIDE; 0: the nearest of the picture's */
@@ -34,7 +35,8 @@ struct texture_options {
 struct texture {
     enum texture_format format;
     int width, height;
-    uint32_t *texels; /* as they are stored */
+    uint32_t *texels; /* as they are stored; levels behind each other */
+    int level_count;  /* besides the first */
     uint8_t palette[256][3];
     int palette_count;
     bool has_key;
@@ -64,6 +66,9 @@ bool texture_make(const char *path, const struct image *image,
                   const struct texture_options *options, struct texture *texture,
                   struct text_error *error);
 void texture_free(struct texture *texture);
+
+/* The first texel of a level; of the one after the last, how many there are. */
+size_t texture_level_at(const struct texture *texture, int level);
 
 /* Bytes of constant data on a machine with 32-bit pointers. */
 size_t texture_flash_bytes(const struct texture *texture);

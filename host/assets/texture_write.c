@@ -26,12 +26,22 @@ static int log2_of(int side)
 
 static void write_texels(const struct texture *texture, const char *name, FILE *out)
 {
-    size_t count = (size_t)texture->width * (size_t)texture->height;
+    size_t count = texture_level_at(texture, texture->level_count + 1);
     int in_row = formats[texture->format].in_row;
     fprintf(out, "static const %s %s_texels[] = {", formats[texture->format].type, name);
     for (size_t i = 0; i < count; i++) {
         fprintf(out, "%s0x%0*" PRIX32 ",", i % (size_t)in_row == 0 ? "\n    " : " ",
                 formats[texture->format].digits, texture->texels[i]);
+    }
+    fputs("\n};\n\n", out);
+}
+
+static void write_levels(const struct texture *texture, const char *name, FILE *out)
+{
+    fprintf(out, "static const void *const %s_levels[] = {", name);
+    for (int i = 1; i <= texture->level_count; i++) {
+        fprintf(out, "%s%s_texels + %zu,", i % 4 == 1 ? "\n    " : " ", name,
+                texture_level_at(texture, i));
     }
     fputs("\n};\n\n", out);
 }
@@ -55,15 +65,22 @@ static void write_data(const struct texture *texture, const char *name, const ch
     if (palette) {
         write_palette(texture, name, out);
     }
+    if (texture->level_count > 0) {
+        write_levels(texture, name, out);
+    }
     fprintf(out, "%sconst qtri_texture %s = {\n", linkage, name);
     fprintf(out, "    %s_texels, &%s,\n", name, formats[texture->format].description);
     fprintf(out, "    %d, %d, /* width_log2, height_log2: %d x %d */\n", log2_of(texture->width),
             log2_of(texture->height), texture->width, texture->height);
     fputs("    0, {{0, 0, 0}, {0, 0, 0}}, /* fields, color: of checkers */\n", out);
-    fputs("    QTRI_REPEAT, QTRI_REPEAT, NULL, /* wrap_u, wrap_v, filter: nearest */\n", out);
+    fprintf(out, "    QTRI_REPEAT, QTRI_REPEAT, %s, /* wrap_u, wrap_v, filter */\n",
+            texture->level_count > 0 ? "&qtri_mipmapped" : "NULL");
     fprintf(out, "    %s%s, /* palette */\n", palette ? name : "NULL", palette ? "_palette" : "");
-    fprintf(out, "    %s, 0x%" PRIX32 "u, /* has_key, key */\n};\n",
+    fprintf(out, "    %s, 0x%" PRIX32 "u, /* has_key, key */\n",
             texture->has_key ? "true" : "false", texture->key);
+    fprintf(out, "    %s%s, %d, /* levels, level_count */\n};\n",
+            texture->level_count > 0 ? name : "NULL", texture->level_count > 0 ? "_levels" : "",
+            texture->level_count);
 }
 
 static void upper(const char *name, char *out, size_t size)

@@ -121,6 +121,10 @@ static const struct expectation {
     {"B4", BEGIN HALF LIT COMPACT(SPOT), 12414},
     {"F2", BEGIN FOG SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
     {"F4", BEGIN FOG LIT COMPACT(SPOT), 12414},
+    {"S3m", NULL, 53290},
+    {"S6m", NULL, 12414},
+    {"S8m", NULL, 0},
+    {"S11m", NULL, 0},
 };
 
 static bool write_texture(const char *path)

@@ -101,6 +101,10 @@ const bench_scene bench_scenes[] = {
     {.name = "B4", MESH(COMPACT(spot), Q16(150)), .blend = &qtri_blend_alpha},
     {.name = "F2", QUAD(&bench_screen, rainbow), .fog = true},
     {.name = "F4", MESH(COMPACT(spot), Q16(150)), .fog = true},
+    {.name = "S3m", QUAD(&bench_floor, white), .textured = true, .filter = &qtri_mipmapped},
+    {.name = "S6m", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .filter = &qtri_mipmapped},
+    {.name = "S8m", MESH(COMPACT(wall), 0), .textured = true, .filter = &qtri_mipmapped},
+    {.name = "S11m", QUAD(&bench_turned, white), .textured = true, .filter = &qtri_mipmapped},
     PAINT("P1", bench_paint_rect),
     PAINT("P2", bench_paint_rects),
     PAINT("P3", bench_paint_alpha),
@@ -118,6 +122,39 @@ const bench_scene bench_scenes[] = {
     {.name = NULL},
 };
 
+#ifndef BENCH_PLAIN
+/* The mean of four texels, without what makes it right in linear light. */
+static uint16_t mean_of(const uint16_t *row, uint32_t side)
+{
+    const uint16_t four[4] = {row[0], row[1], row[side], row[side + 1]};
+    uint32_t red_blue = 0, green = 0;
+    for (int i = 0; i < 4; i++) {
+        red_blue += (four[i] & 0xF800u) << 8 | (four[i] & 0x1Fu);
+        green += four[i] & 0x7E0u;
+    }
+    return (uint16_t)((red_blue >> 10 & 0xF800) | (green >> 2 & 0x7E0) | (red_blue >> 2 & 0x1F));
+}
+
+static void set_levels(bench_frame *frame)
+{
+    const uint16_t *from = frame->texels;
+    uint16_t *to = frame->texels + BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE;
+    uint32_t side = BENCH_TEXTURE_SIDE;
+    for (uint32_t level = 0; level < BENCH_TEXTURE_LOG2 - 1; level++) {
+        frame->levels[level] = to;
+        for (uint32_t i = 0; i < side * side / 4; i++) {
+            to[i] = mean_of(&from[2 * (i / (side / 2) * side + i % (side / 2))], side);
+        }
+        from = to;
+        to += side * side / 4;
+        side /= 2;
+    }
+    frame->texture.levels = frame->levels;
+    frame->texture.level_count = BENCH_TEXTURE_LOG2 - 1;
+    frame->texture.filter = frame->scene->filter;
+}
+#endif
+
 static void set_texture(bench_frame *frame, qtri_texture_mode mode)
 {
     for (uint32_t i = 0; i < BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE; i++) {
@@ -129,6 +166,9 @@ static void set_texture(bench_frame *frame, qtri_texture_mode mode)
                                   .width_log2 = BENCH_TEXTURE_LOG2,
                                   .height_log2 = BENCH_TEXTURE_LOG2};
     frame->texture = texture;
+#ifndef BENCH_PLAIN
+    set_levels(frame);
+#endif
     frame->material.texture = &frame->texture;
     frame->material.texture_mode = mode;
 }

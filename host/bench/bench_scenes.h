@@ -48,6 +48,7 @@ typedef struct bench_scene {
     qtri_interpolation interpolation;
     bool wireframe, without_depth, fog;
     bool textured; /* REPLACE on quads, MODULATE on meshes */
+    const qtri_filter *filter;
     const bench_quad *quad;
     const qtri_mesh *mesh;
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
@@ -104,8 +105,9 @@ typedef struct bench_frame {
     qtri_shininess shininess;
     qtri_reflection reflection;
 #endif
-    uint16_t texels[BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE];
+    uint16_t texels[BENCH_CHAIN_TEXELS];
 #ifndef BENCH_PLAIN
+    const void *levels[BENCH_TEXTURE_LOG2 - 1];
     qtri_frame bands;
     qtri_prepared prepared;
     uint16_t lists[QTRI_PREPARED_LISTS(BENCH_TRIANGLES_MAX, BENCH_HEIGHT, 16)];

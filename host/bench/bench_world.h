@@ -42,6 +42,8 @@ extern const qtri_rgb bench_lit_color; /* of meshes, before light */
 
 #define BENCH_TEXTURE_LOG2 6
 #define BENCH_TEXTURE_SIDE (1 << BENCH_TEXTURE_LOG2)
+/* And of its levels, down to 2 x 2. */
+#define BENCH_CHAIN_TEXELS ((4 * BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE - 4) / 3)
 
 /* The texture's colour, and the one nearest to a colour that RGB565 has. */
 qtri_rgb bench_texel(uint32_t u, uint32_t v);

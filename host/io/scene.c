@@ -23,7 +23,7 @@ static const struct scene_statement statements[] = {
      "off, texture FILE.ppm or texture W H CELLS r g b r g b"},
     {"texmode",     {1, 1},    scene_statement_texmode,       0, "replace|modulate"},
     {"texwrap",     {1, 2},    scene_statement_texwrap,       0, "repeat|clamp [repeat|clamp]"},
-    {"texfilter",   {1, 1},    scene_statement_texfilter,     0, "nearest|bilinear"},
+    {"texfilter",   {1, 2},    scene_statement_texfilter,     0, "nearest|bilinear [mipmaps]"},
     {"texformat",   {1, 1},    scene_statement_texformat,     0, "xrgb8888|rgb565|palette|gray8"},
     {"texkey",      {1, 3},    scene_statement_texkey,        0, "off or texkey r g b"},
     {"interpolate", {1, 1},    scene_statement_interpolate,   0, "perspective|linear"},
@@ -383,6 +383,9 @@ void scene_free(struct scene *scene)
     free(scene->ops);
     free(scene->stroke_vertices);
     free(scene->texture.rgb);
+    for (int i = 0; i < scene->texture.level_count; i++) {
+        free(scene->texture.level[i]);
+    }
     scene_paints_free(&scene->paints);
     memset(scene, 0, sizeof *scene);
 }

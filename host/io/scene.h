@@ -118,9 +118,14 @@ enum scene_texel_format {
     SCENE_TEXEL_GRAY8
 };
 
+#define SCENE_MAX_LEVELS 9 /* besides the first, of a width of 1024 */
+
 struct scene_texture { /* width == 0: texturing is off */
     int width, height; /* powers of two, 1..1024 */
     uint8_t *rgb;      /* width * height * 3 bytes, row 0 (v = 0) first, owned by the scene */
+    /* Where it is mipmapped, behind them: each of mipmap_side() of the sides, see mipmap.h. */
+    int level_count;
+    uint8_t *level[SCENE_MAX_LEVELS];
 };
 
 /* Of `light directional|point|spot`: eye space, colours 0..16. */
@@ -192,6 +197,7 @@ struct scene {
     struct scene_fog fog;
     bool texture_clamp[2];  /* `texwrap`, u and v; otherwise repeated */
     bool texture_bilinear;  /* `texfilter` */
+    bool texture_mipmapped; /* its second word */
     bool texture_keyed;     /* `texkey`: texels stored as texture_key would be are not drawn */
     uint8_t texture_key[3]; /* 8 bits a channel */
     enum scene_texel_format texel_format; /* PALETTE: the parser guarantees 256 colours at most */

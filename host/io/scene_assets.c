@@ -2,10 +2,12 @@
 #define _XOPEN_SOURCE 700
 #include "scene_parser.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "array.h"
+#include "mipmap.h"
 #include "palette.h"
 #include "picture.h"
 
@@ -262,21 +264,75 @@ static bool make_texels(struct scene_parser *parser)
     return true;
 }
 
+/* What a level's pixel is stored as: the key where it is less than half opaque, of a palette the
+   nearest colour that the texture has. */
+static void finish_pixel(const struct scene *scene, const struct palette *palette,
+                         const uint8_t rgba[4], uint8_t rgb[3])
+{
+    long least = LONG_MAX;
+    memcpy(rgb, scene->texture_keyed && rgba[3] < 128 ? scene->texture_key : rgba, 3);
+    if (scene->texel_format != SCENE_TEXEL_PALETTE || (scene->texture_keyed && rgba[3] < 128)) {
+        return;
+    }
+    for (int i = 0; i < palette->count; i++) {
+        const uint8_t *color = palette->color[i];
+        const long r = color[0] - rgba[0], g = color[1] - rgba[1], b = color[2] - rgba[2];
+        const long far = r * r + g * g + b * b;
+        if (far < least && !(scene->texture_keyed && memcmp(color, scene->texture_key, 3) == 0)) {
+            least = far;
+            memcpy(rgb, color, 3);
+        }
+    }
+}
+
+static bool make_levels(struct scene *scene, const struct palette *palette)
+{
+    struct scene_texture *texture = &scene->texture;
+    const size_t count = (size_t)texture->width * (size_t)texture->height;
+    uint8_t *rgba = malloc(4 * count), *smaller = malloc(4 * count);
+    bool ok = rgba != NULL && smaller != NULL;
+    for (size_t i = 0; ok && i < count; i++) {
+        const bool hidden =
+            scene->texture_keyed && memcmp(&texture->rgb[3 * i], scene->texture_key, 3) == 0;
+        memcpy(&rgba[4 * i], &texture->rgb[3 * i], 3);
+        rgba[4 * i + 3] = hidden ? 0 : 255;
+    }
+    for (int level = 1; ok && level <= mipmap_count(texture->width); level++) {
+        const size_t pixels = (size_t)mipmap_side(texture->width, level) *
+                              (size_t)mipmap_side(texture->height, level);
+        uint8_t *rgb = malloc(3 * pixels);
+        ok = rgb != NULL;
+        if (ok) {
+            texture->level[texture->level_count++] = rgb;
+            mipmap_level(rgba, texture->width, texture->height, level, smaller);
+        }
+        for (size_t i = 0; ok && i < pixels; i++) {
+            finish_pixel(scene, palette, &smaller[4 * i], &rgb[3 * i]);
+        }
+    }
+    free(rgba);
+    free(smaller);
+    return ok;
+}
+
 bool scene_make_texture(struct scene_parser *parser)
 {
-    const struct scene *scene = parser->scene;
+    struct scene *scene = parser->scene;
+    struct palette palette = {.count = 0};
     if (!make_texels(parser)) {
         return false;
     }
     if (scene->texel_format == SCENE_TEXEL_PALETTE) {
         size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
-        struct palette palette;
         if (!palette_make(&palette, scene->texture.rgb, count, NULL)) {
             text_error_set(parser->error, parser->name, parser->texformat_line,
                            "%s: the texture of line %d has more than %d colours",
                            parser->texformat_statement->name, parser->texture.line, PALETTE_MAX);
             return false;
         }
+    }
+    if (scene->texture_mipmapped && scene->texture.width > 0 && !make_levels(scene, &palette)) {
+        return scene_fail(parser, "out of memory");
     }
     return true;
 }

@@ -110,7 +110,12 @@ bool scene_statement_texwrap(struct scene_parser *parser)
 
 bool scene_statement_texfilter(struct scene_parser *parser)
 {
-    return second_word(parser, 0, "nearest", "bilinear", &parser->scene->texture_bilinear);
+    static const char *const words[] = {"mipmaps"};
+    int choice;
+    parser->scene->texture_mipmapped = parser->argument_count == 2;
+    return second_word(parser, 0, "nearest", "bilinear", &parser->scene->texture_bilinear) &&
+           (parser->argument_count == 1 ||
+            scene_choice(parser, 1, words, WORD_COUNT(words), &choice));
 }
 
 bool scene_statement_texformat(struct scene_parser *parser)

@@ -11,6 +11,7 @@
  */
 #include "raster.h"
 #include "clip.h"
+#include "texture.h"
 
 #include <math.h>
 
@@ -117,9 +118,25 @@ static bool inside(const struct edge *e, long double value)
     return value > 0 || (value == 0 && e->owns_border);
 }
 
+/* What the vertices count at the pixel, linear on the screen or in the triangle's plane. */
+static double footprint_of(const struct ref_target *target,
+                           const struct ref_vertex *const vertex[3], const struct edge edge[3],
+                           const long double value[3])
+{
+    double weight[3], right[3], down[3];
+
+    for (int i = 0; i < 3; i++) {
+        double factor = target->scene->screen_linear ? (double)vertex[i]->w : 1.0;
+        weight[i] = (double)value[i] * factor;
+        right[i] = (double)edge[i].a * factor;
+        down[i] = (double)edge[i].b * factor;
+    }
+    return ref_footprint(target->scene, vertex, weight, right, down);
+}
+
 /* `value` are the three edge functions at the pixel: b / w times the determinant's magnitude. */
-static void fragment(struct ref_target *target, const struct ref_triangle *triangle, int x, int y,
-                     const long double value[3])
+static void fragment(struct ref_target *target, const struct ref_triangle *triangle,
+                     const struct edge edge[3], int x, int y, const long double value[3])
 {
     const struct ref_vertex *v = triangle->vertex;
     const struct ref_vertex *const vertex[3] = {&v[0], &v[1], &v[2]};
@@ -149,7 +166,8 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
         weight2 = (double)(value[2] * v[2].w / w);
     }
     ref_interpolate(vertex, weight1, weight2, attribute);
-    ref_target_shade(target, x, y, depth, triangle, attribute);
+    ref_target_shade(target, x, y, depth, triangle, attribute,
+                     footprint_of(target, vertex, edge, value));
 }
 
 static void scan(struct ref_target *target, const struct ref_triangle *triangle,
@@ -167,7 +185,7 @@ static void scan(struct ref_target *target, const struct ref_triangle *triangle,
                 covered = inside(&edge[i], value[i]);
             }
             if (covered)
-                fragment(target, triangle, x, y, value);
+                fragment(target, triangle, edge, x, y, value);
         }
     }
 }

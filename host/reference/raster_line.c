@@ -54,7 +54,7 @@ static void pixel(struct ref_target *target, const struct ref_triangle *triangle
         double a = from->source->attribute[k];
         attribute[k] = a + t * (to->source->attribute[k] - a);
     }
-    ref_target_shade(target, x, y, depth, triangle, attribute);
+    ref_target_shade(target, x, y, depth, triangle, attribute, 0.0);
 }
 
 static void walk(struct ref_target *target, const struct ref_triangle *triangle,

@@ -6,6 +6,7 @@
 #include "raster.h"
 #include "clip.h"
 #include "snap.h"
+#include "texture.h"
 
 #include <math.h>
 
@@ -68,9 +69,26 @@ static struct ref_box bounds(const struct snapped_vertex *const v[3], int bits, 
     return box;
 }
 
+/* What the vertices count at the pixel: on the screen, or divided by w in the triangle's plane. */
+static double footprint_of(const struct ref_target *target, const struct snapped_vertex *const v[3],
+                           const struct integer_edge edge[3], const int64_t value[3])
+{
+    const struct ref_vertex *const source[3] = {v[0]->source, v[1]->source, v[2]->source};
+    double weight[3], right[3], down[3];
+    double pixel = ldexp(1.0, target->subpixel_bits);
+
+    for (int i = 0; i < 3; i++) {
+        double factor = target->scene->screen_linear ? 1.0 : 1.0 / v[i]->w;
+        weight[i] = (double)value[i] * factor;
+        right[i] = (double)edge[i].a * pixel * factor;
+        down[i] = (double)edge[i].b * pixel * factor;
+    }
+    return ref_footprint(target->scene, source, weight, right, down);
+}
+
 static void fragment(struct ref_target *target, const struct ref_triangle *triangle,
-                     const struct snapped_vertex *const v[3], int x, int y, const int64_t value[3],
-                     double area)
+                     const struct snapped_vertex *const v[3], const struct integer_edge edge[3],
+                     int x, int y, const int64_t value[3], double area)
 {
     double b0 = (double)value[0] / area; /* weights on the screen */
     double b1 = (double)value[1] / area;
@@ -89,7 +107,8 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
     const struct ref_vertex *const source[3] = {v[0]->source, v[1]->source, v[2]->source};
     double attribute[REF_ATTRIBUTES];
     ref_interpolate(source, b1, b2, attribute);
-    ref_target_shade(target, x, y, depth, triangle, attribute);
+    ref_target_shade(target, x, y, depth, triangle, attribute,
+                     footprint_of(target, v, edge, value));
 }
 
 static void scan(struct ref_target *target, const struct ref_triangle *triangle,
@@ -115,7 +134,7 @@ static void scan(struct ref_target *target, const struct ref_triangle *triangle,
                 covered = value[i] > 0 || (value[i] == 0 && e->owns_border);
             }
             if (covered)
-                fragment(target, triangle, v, x, y, value, area);
+                fragment(target, triangle, v, edge, x, y, value, area);
         }
     }
 }

@@ -23,6 +23,7 @@ struct reference_image {
     double *color_min; /* 3 a pixel: least and greatest value each channel has at the three */
     double *color_max; /*   vertices of the visible triangle, before texturing; background: clear */
     double *depth;     /* window depth 0..1 */
+    double *footprint; /* texels a pixel, of a texture that is mipmapped; else 0 */
     double *rounding; /* how many roundings may have added up: one where a pixel is stored, and what
                          is left of those of what it was mixed with */
     double *edge;     /* what smooth edges mixed, of 0..255: how far the greatest channel may be off

@@ -28,12 +28,13 @@ static bool allocate(struct reference_image *image, int width, int height)
         .depth = malloc(pixels * sizeof(double)),
         .rounding = malloc(pixels * sizeof(double)),
         .edge = calloc(pixels, sizeof(double)),
+        .footprint = calloc(pixels, sizeof(double)),
         .id = calloc(pixels, sizeof(uint32_t)),
         .hits = calloc(pixels, sizeof(uint32_t)),
     };
     *image = fresh;
     if (image->color && image->color_min && image->color_max && image->depth && image->rounding &&
-        image->edge && image->id && image->hits)
+        image->edge && image->footprint && image->id && image->hits)
         return true;
     reference_free(image);
     return false;
@@ -47,6 +48,7 @@ void reference_free(struct reference_image *image)
     free(image->depth);
     free(image->rounding);
     free(image->edge);
+    free(image->footprint);
     free(image->id);
     free(image->hits);
     *image = (struct reference_image){0};
@@ -141,7 +143,8 @@ bool ref_target_cover(struct ref_target *target, int x, int y, double depth)
 }
 
 void ref_target_shade(struct ref_target *target, int x, int y, double depth,
-                      const struct ref_triangle *triangle, const double attribute[REF_ATTRIBUTES])
+                      const struct ref_triangle *triangle, const double attribute[REF_ATTRIBUTES],
+                      double footprint)
 {
     const struct scene *scene = target->scene;
     const struct ref_vertex *vertex = triangle->vertex;
@@ -149,7 +152,8 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
     size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
     double texel[3];
 
-    if (triangle->textured && !ref_texture_at(scene, attribute[REF_U], attribute[REF_V], texel))
+    if (triangle->textured &&
+        !ref_texture_at(scene, attribute[REF_U], attribute[REF_V], footprint, texel))
         return;
     if (!ref_passes_door(scene, x, y))
         return;
@@ -178,6 +182,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
     }
     image->id[i] = triangle->id;
     ref_target_mixed(target, i, ref_kept(scene), 0);
+    image->footprint[i] = footprint;
 }
 
 void ref_interpolate(const struct ref_vertex *const vertex[3], double weight1, double weight2,

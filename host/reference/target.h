@@ -30,9 +30,11 @@ double ref_target_depth(const struct ref_target *target, long double z_over_w);
 bool ref_target_cover(struct ref_target *target, int x, int y, double depth);
 
 /* Colours pixel (x, y) with the attributes there and, if the scene says so, writes the depth;
-   `triangle` tells id, texturing and the colours' range. Nothing where the texture has its key. */
+   `triangle` tells id, texturing and the colours' range. Nothing where the texture has its key.
+   footprint: texels a pixel, see texture.h; of lines 0. */
 void ref_target_shade(struct ref_target *target, int x, int y, double depth,
-                      const struct ref_triangle *triangle, const double attribute[REF_ATTRIBUTES]);
+                      const struct ref_triangle *triangle, const double attribute[REF_ATTRIBUTES],
+                      double footprint);
 
 /* a0 + w1 (a1 - a0) + w2 (a2 - a0) for weights that sum to 1: equal values stay exactly equal. */
 void ref_interpolate(const struct ref_vertex *const vertex[3], double weight1, double weight2,

@@ -3,6 +3,13 @@
 
 #include <math.h>
 
+/* The texels that are looked at: the whole texture, or one of its levels. */
+struct sheet {
+    const struct scene *scene;
+    const uint8_t *rgb;
+    int width, height;
+};
+
 /* The nearest of `steps` + 1 evenly spaced levels. */
 static double level(double value, double steps)
 {
@@ -38,14 +45,14 @@ static size_t wrap(double texel, int size, bool clamp)
 }
 
 /* The texel in `column` and `row`, counted from (u, v) = 0. False: it has the key's colour. */
-static bool texel_at(const struct scene *scene, double column, double row, double color[3])
+static bool texel_at(const struct sheet *sheet, double column, double row, double color[3])
 {
-    const struct scene_texture *texture = &scene->texture;
-    size_t x = wrap(column, texture->width, scene->texture_clamp[0]);
-    size_t y = wrap(row, texture->height, scene->texture_clamp[1]);
+    const struct scene *scene = sheet->scene;
+    size_t x = wrap(column, sheet->width, scene->texture_clamp[0]);
+    size_t y = wrap(row, sheet->height, scene->texture_clamp[1]);
     double key[3];
 
-    store(scene->texel_format, &texture->rgb[3 * (y * (size_t)texture->width + x)], color);
+    store(scene->texel_format, &sheet->rgb[3 * (y * (size_t)sheet->width + x)], color);
     if (!scene->texture_keyed)
         return true;
     store(scene->texel_format, scene->texture_key, key);
@@ -53,7 +60,7 @@ static bool texel_at(const struct scene *scene, double column, double row, doubl
 }
 
 /* column and row: of the point among texel centres. */
-static void bilinear(const struct scene *scene, double column, double row, const double nearest[3],
+static void bilinear(const struct sheet *sheet, double column, double row, const double nearest[3],
                      double color[3])
 {
     double along = column - floor(column);
@@ -66,25 +73,77 @@ static void bilinear(const struct scene *scene, double column, double row, const
         double weight = (right ? along : 1.0 - along) * (below ? across : 1.0 - across);
         double texel[3];
         const double *shown =
-            texel_at(scene, floor(column) + right, floor(row) + below, texel) ? texel : nearest;
+            texel_at(sheet, floor(column) + right, floor(row) + below, texel) ? texel : nearest;
         for (int c = 0; c < 3; c++)
             color[c] += weight * shown[c];
     }
 }
 
-bool ref_texture_at(const struct scene *scene, double u, double v, double color[3])
+/* Halved as often as makes a texel nearest to the footprint, in proportion; while there are levels
+   and their width is two texels or more. */
+static struct sheet sheet_of(const struct scene *scene, double footprint)
 {
-    double column = u * scene->texture.width;
-    double row = v * scene->texture.height;
+    const struct scene_texture *texture = &scene->texture;
+    struct sheet sheet = {scene, texture->rgb, texture->width, texture->height};
+    double most = sqrt(2.0);
+
+    if (!scene->texture_mipmapped)
+        return sheet;
+    for (int i = 0; i < texture->level_count && footprint >= most; i++) {
+        sheet.rgb = texture->level[i];
+        sheet.width /= 2;
+        sheet.height = sheet.height > 1 ? sheet.height / 2 : 1;
+        most *= 2.0;
+    }
+    return sheet;
+}
+
+bool ref_texture_at(const struct scene *scene, double u, double v, double footprint,
+                    double color[3])
+{
+    struct sheet sheet = sheet_of(scene, footprint);
+    double column = u * sheet.width;
+    double row = v * sheet.height;
     double nearest[3];
 
-    if (!texel_at(scene, floor(column), floor(row), nearest))
+    if (!texel_at(&sheet, floor(column), floor(row), nearest))
         return false;
     if (scene->texture_bilinear && isfinite(column) && isfinite(row)) {
-        bilinear(scene, column - 0.5, row - 0.5, nearest, color);
+        bilinear(&sheet, column - 0.5, row - 0.5, nearest, color);
     } else {
         for (int c = 0; c < 3; c++)
             color[c] = nearest[c];
     }
     return true;
+}
+
+/* Of a mean with weights the derivative: sum w' (f - mean) / sum w. */
+static double derivative(const struct ref_vertex *const vertex[3], int attribute,
+                         const double weight[3], const double slope[3])
+{
+    double sum = weight[0] + weight[1] + weight[2];
+    double mean = 0.0, change = 0.0;
+
+    for (int i = 0; i < 3; i++)
+        mean += weight[i] / sum * vertex[i]->attribute[attribute];
+    for (int i = 0; i < 3; i++)
+        change += slope[i] / sum * (vertex[i]->attribute[attribute] - mean);
+    return change;
+}
+
+static double step_length(const struct scene *scene, const struct ref_vertex *const vertex[3],
+                          const double weight[3], const double slope[3])
+{
+    double u = fabs(derivative(vertex, REF_U, weight, slope)) * scene->texture.width;
+    double v = fabs(derivative(vertex, REF_V, weight, slope)) * scene->texture.height;
+    return fmax(u, v) + 0.375 * fmin(u, v);
+}
+
+double ref_footprint(const struct scene *scene, const struct ref_vertex *const vertex[3],
+                     const double weight[3], const double right[3], const double down[3])
+{
+    if (!scene->texture_mipmapped)
+        return 0.0;
+    return fmax(step_length(scene, vertex, weight, right),
+                step_length(scene, vertex, weight, down));
 }

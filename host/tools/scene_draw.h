@@ -33,6 +33,7 @@ struct scene_resources {
     void *texels;               /* NULL when texturing is off */
     qtri_rgb palette[256];      /* what texture.palette points at: resources must not be moved */
     qtri_texture texture;
+    const void *levels[SCENE_MAX_LEVELS], *mask_levels[SCENE_MAX_LEVELS];
     uint8_t *mask_texels; /* NULL without a colour key */
     qtri_texture mask;    /* white, with the same holes: ids are drawn through it */
     qtri_light light;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/mipmap.h"
 #include "../io/palette.h"
 
 static uint8_t log2_of(int side)
@@ -52,24 +53,61 @@ static bool make_palette(struct scene_resources *resources, const struct scene *
     return true;
 }
 
-static void make_texels(struct scene_resources *resources, const struct scene *scene, size_t count)
+static void store_texels(void *texels, enum scene_texel_format format, const uint8_t *rgb,
+                         size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        uint32_t texel = texel_of(scene->texel_format, &scene->texture.rgb[3 * i]);
-        switch (scene->texel_format) {
+        uint32_t texel = texel_of(format, &rgb[3 * i]);
+        switch (format) {
         case SCENE_TEXEL_RGB565:
-            ((uint16_t *)resources->texels)[i] = (uint16_t)texel;
+            ((uint16_t *)texels)[i] = (uint16_t)texel;
             break;
         case SCENE_TEXEL_GRAY8:
-            ((uint8_t *)resources->texels)[i] = (uint8_t)texel;
+            ((uint8_t *)texels)[i] = (uint8_t)texel;
             break;
         default:
-            ((uint32_t *)resources->texels)[i] = texel;
+            ((uint32_t *)texels)[i] = texel;
             break;
         }
     }
+}
+
+static void make_texels(struct scene_resources *resources, const struct scene *scene, size_t count)
+{
+    store_texels(resources->texels, scene->texel_format, scene->texture.rgb, count);
     resources->texture.has_key = scene->texture_keyed;
     resources->texture.key = texel_of(scene->texel_format, scene->texture_key);
+}
+
+/* The texture's levels, behind it in the same memory. */
+static void make_levels(struct scene_resources *resources, const struct scene *scene, size_t size)
+{
+    const struct scene_texture *from = &scene->texture;
+    uint8_t *at = (uint8_t *)resources->texels + size * (size_t)from->width * (size_t)from->height;
+    for (int i = 0; i < from->level_count; i++) {
+        const size_t count =
+            (size_t)mipmap_side(from->width, i + 1) * (size_t)mipmap_side(from->height, i + 1);
+        resources->levels[i] = at;
+        if (scene->texel_format != SCENE_TEXEL_PALETTE) {
+            store_texels(at, scene->texel_format, from->level[i], count);
+        } else {
+            for (size_t k = 0; k < count;
+                 k++) { /* the scene reader has chosen colours that are there */
+                const uint8_t *rgb = &from->level[i][3 * k];
+                const qtri_rgb *entry = resources->palette;
+                while (entry < &resources->palette[255] &&
+                       (entry->r != rgb[0] || entry->g != rgb[1] || entry->b != rgb[2])) {
+                    entry++;
+                }
+                at[k] = (uint8_t)(entry - resources->palette);
+            }
+        }
+        at += size * count;
+    }
+    resources->texture.levels = resources->levels;
+    resources->texture.level_count = (uint8_t)from->level_count;
+    resources->texture.filter =
+        scene->texture_bilinear ? &qtri_mipmapped_bilinear : &qtri_mipmapped;
 }
 
 static uint32_t stored_texel(const qtri_texture *texture, size_t i)
@@ -79,21 +117,32 @@ static uint32_t stored_texel(const qtri_texture *texture, size_t i)
     return texel[0];
 }
 
-/* White, and black for the key. */
+/* White, and black for the key. Levels as the texture's, behind it in the same memory. */
 static bool make_mask(struct scene_resources *resources, size_t count)
 {
     const qtri_texture *texture = &resources->texture;
-    resources->mask_texels = malloc(count);
-    if (resources->mask_texels == NULL) {
+    qtri_texture level = *texture;
+    uint8_t *at = malloc(2 * count);
+    resources->mask_texels = at;
+    if (at == NULL) {
         return false;
     }
-    for (size_t i = 0; i < count; i++) {
-        resources->mask_texels[i] = stored_texel(texture, i) == texture->key ? 0 : 255;
+    for (int i = 0; i <= texture->level_count; i++) {
+        const size_t width = (size_t)1 << (texture->width_log2 - i);
+        const size_t height = (size_t)1 << texture->height_log2 >> i;
+        if (i > 0) {
+            level.texels = texture->levels[i - 1];
+            resources->mask_levels[i - 1] = at;
+        }
+        for (size_t k = 0; k < width * (height > 0 ? height : 1); k++) {
+            *at++ = stored_texel(&level, k) == texture->key ? 0 : 255;
+        }
     }
     resources->mask = *texture;
     resources->mask.texels = resources->mask_texels;
     resources->mask.format = &qtri_texel_gray8;
-    resources->mask.filter = NULL;
+    resources->mask.filter = texture->level_count > 0 ? &qtri_mipmapped : NULL;
+    resources->mask.levels = resources->mask_levels;
     resources->mask.key = 0;
     return true;
 }
@@ -114,7 +163,7 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
     if (count == 0) {
         return true;
     }
-    resources->texels = calloc(count, texel[scene->texel_format].size);
+    resources->texels = calloc(2 * count, texel[scene->texel_format].size); /* levels too */
     if (resources->texels == NULL) {
         return false;
     }
@@ -130,6 +179,9 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
         make_texels(resources, scene, count);
     } else if (!make_palette(resources, scene, count)) {
         return false;
+    }
+    if (scene->texture_mipmapped) {
+        make_levels(resources, scene, texel[scene->texel_format].size);
     }
     return !texture->has_key || make_mask(resources, count);
 }

@@ -22,6 +22,7 @@ static const char usage[] =
     "  --format FORMAT  rgb565 (default), palette (256 colours), gray8 or xrgb8888\n"
     "  --size WxH       powers of two up to 1024 (default: those nearest to the picture's sides)\n"
     "  --dither         spread rounding errors over neighbours: rgb565 and palette\n"
+    "  --mipmaps        levels of half the size each, down to 2 texels, for &qtri_mipmapped\n"
     "  --key RRGGBB     the colour that is not drawn; pixels that are less than half opaque get "
     "it\n"
     "  --picture N      of a model: which of its pictures, from 0 (default 0)\n"
@@ -92,6 +93,7 @@ static const struct option options_of_texture[] = {
     {"--name", OPTION_NAME, AT(name), NULL},
     {"--picture", OPTION_SET, 0, set_picture},
     {"--dither", OPTION_FLAG, AT(texture.dither), NULL},
+    {"--mipmaps", OPTION_FLAG, AT(texture.mipmaps), NULL},
     {"--split", OPTION_FLAG, AT(split), NULL},
 };
 
@@ -148,6 +150,9 @@ static void report(const struct options *options, const struct texture *texture,
             texture_format_names[texture->format]);
     if (texture->format == TEXTURE_PALETTE) {
         fprintf(out, " of %d colours", texture->palette_count);
+    }
+    if (texture->level_count > 0) {
+        fprintf(out, ", %d levels", texture->level_count + 1);
     }
     fprintf(out, "\nflash: %zu bytes\ncolour error: at most %d of 255, %.2f rms\n",
             texture_flash_bytes(texture), texture->error.greatest, texture->error.rms);

@@ -21,6 +21,7 @@
  *
  * Lines, strokes and flat shapes have no samples: they are drawn after the resolve, or colour all
  * samples of a pixel, by the depth of the first. The surfaces may not be dithered or sent before.
+ * Of mipmapped textures their first level is drawn.
  *
  * Memory: 16 bytes a pixel of RGB565 with its depths, 26 of XRGB8888; about 6 KB of stack.
  * It serves a few large triangles. Meshes of small ones take ten times the instructions: for these

@@ -46,8 +46,9 @@ extern const qtri_texel_format qtri_texel_checker;  /* two colours, no memory: s
 extern const qtri_texel_format qtri_texel_palette8; /* texels: const uint8_t *, palette entries */
 extern const qtri_texel_format qtri_texel_gray8;    /* texels: const uint8_t *, white is 255 */
 
-/* With alpha, for material.blend and .least_alpha; without either it is not looked at, nor where
-   texels are filtered. */
+/* With alpha, for material.blend and .least_alpha; without either it is not looked at. Filtered,
+   alpha is the weighted mean of the texels', which is what least_alpha is compared with, and
+   colours are weighted by alpha as well: what is not seen lends no colour to its neighbours. */
 extern const qtri_texel_format qtri_texel_argb4444; /* texels: const uint16_t *, a digit each */
 extern const qtri_texel_format qtri_texel_argb1555; /* texels: const uint16_t *, alpha 0 or 255 */
 extern const qtri_texel_format qtri_texel_argb8888; /* texels: const uint32_t * */
@@ -62,6 +63,10 @@ typedef enum qtri_wrap {
 /* NULL: nearest, the texel that the coordinates lie in. */
 typedef struct qtri_filter qtri_filter;
 extern const qtri_filter qtri_bilinear; /* the four whose centres lie around them, weighted */
+/* Of the texture's levels the one whose texels are as large as pixels: there nearest, or bilinear.
+ */
+extern const qtri_filter qtri_mipmapped;
+extern const qtri_filter qtri_mipmapped_bilinear;
 
 /*
  * u = v = 0 is the first texel's first corner, u = 1 and v = 1 one past the last column and row;
@@ -79,6 +84,26 @@ extern const qtri_filter qtri_bilinear; /* the four whose centres lie around the
  * filtering draws is decided by the nearest texel: the same pixels as without the filter. There
  * the nearest texel also stands in for those of the four that equal the key, whose colour is seen
  * nowhere.
+ *
+ * Levels are the same picture in texels of twice the side each, so that a texture that is far away
+ * neither crawls nor sparkles: `qtri texture --mipmaps` makes them. Level 0 is `texels`, level i
+ * levels[i - 1], of width_log2 - i and height_log2 - i, or 0. Widths end at two texels: what is
+ * beyond is not used. Format, palette, key and wrapping are those of the texture.
+ *
+ * A pixel's footprint is the longer of two steps on the texture, in texels of level 0: that to the
+ * pixel on the right and that to the pixel below, as derivatives have them. The length of a step
+ * (du, dv) is the larger of |du| and |dv| and 3/8 of the smaller, which is .97 to 1.07 of it. Drawn
+ * is level i where the footprint is 2^(i - 1/2) to 2^(i + 1/2); the first and the last also where
+ * it is less and more.
+ *
+ * It is asked once for a triangle that is linear on the screen, or small: vertices 1 and 2 within
+ * 36 pixels of vertex 0, which is where it is asked, and 1/w within 1/12 of that there. On others
+ * it is asked in the middle of every 2 to 32 pixels of a row, along which 1/w varies by 1/8 to both
+ * sides at most; of 128 where w does not change along rows, as on floors. Inside of them the level
+ * is off by what the footprint varies: 2/5 of a level for what w does, and on planes whose horizon
+ * is r rows away, for pixels h from the middle, by h / r of the step right in the step down. On
+ * slivers of less than a pixel's height it may be any. All is counted from the whole triangle and
+ * its rows, so no band or scissor changes a level.
  *
  * Coordinates are interpolated as they are and clamped at each pixel, so that a clamped texture may
  * lie anywhere on a large triangle. 30 bits hold a triangle's range of coordinates, from the whole
@@ -99,6 +124,9 @@ struct qtri_texture {
     const qtri_rgb *palette;
     bool has_key;
     uint32_t key; /* the stored texel that is not drawn, if has_key */
+    /* For the filters above; NULL, or a null pointer in it: there are none from there on. */
+    const void *const *levels;
+    uint8_t level_count; /* besides level 0: up to 9 count */
 };
 
 #ifdef __cplusplus

@@ -1,0 +1,491 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Levels along rows of large triangles.
+ *
+ * A texture coordinate u is s / q of two that are linear on the screen, q = 1/w. Its steps to the
+ * right and down are
+ *
+ *     u_x = K / q^2,  K = s_x q - s q_x        u_y = M / q^2,  M = s_y q - s q_y
+ *
+ * where K is linear in y and does not change along a row, see perspective_setup.c, M is linear in x
+ * and does not change along a column, and what K grows by in a row M loses in a column. So the
+ * footprint of a block of pixels is one sum for each coordinate, a length, and q in its middle.
+ */
+#include "loop.h"
+#include "mipmap.h"
+#include "rows.h"
+#include "textured_span.h"
+
+/* Pixels along a row where w does not change that have one level. */
+#define LEVEL_RUN 128
+
+/* Setting up ----------------------------------------------------------------------------------- */
+
+void qtri_mipmap_axes(qtri_job *job, uint32_t value[2][3], const qtri_attributes v[3])
+{
+    qtri_levels *levels = qtri_levels_of(job->raster);
+    levels->axis = NULL;
+    qtri_level_set(levels, 0);
+    qtri_textured_axes(job, value, v);
+    for (int i = 0; i < 2; i++) { /* from corners, until the level is known */
+        if (levels->texture.filter != NULL) {
+            job->axis[i].bias += (uint32_t)1 << (job->axis[i].shift - 1);
+        }
+    }
+}
+
+/* 2^-12 texel a pixel, held to 2^30. slope: 2^-(16 + shift). */
+static uint32_t linear_step(uint64_t slope, int32_t shift)
+{
+    const uint64_t size = qtri_magnitude64(qtri_wrap64(slope)) >> (4 + shift);
+    return size >> 30 != 0 ? (uint32_t)1 << 30 : (uint32_t)size;
+}
+
+/* The level of coordinates that are linear. 5793 is 2^(1/2) 2^12. */
+static uint32_t linear_level(const qtri_job *job, uint32_t last)
+{
+    uint32_t right[2];
+    uint32_t down[2];
+    for (int i = 0; i < 2; i++) {
+        const qtri_plane *plane = &job->attribute[QTRI_U + i].plane;
+        right[i] = linear_step(plane->dx, job->axis[i].shift);
+        down[i] = linear_step(plane->dy, job->axis[i].shift);
+    }
+    const uint32_t across = qtri_step_length(right[0], right[1]);
+    const uint32_t along = qtri_step_length(down[0], down[1]);
+    const uint32_t length = across > along ? across : along;
+    uint32_t level = 0;
+    while (level < last && length >= (uint32_t)5793 << level) {
+        level++;
+    }
+    return level;
+}
+
+/* All rows of the job are of the raster's level. */
+static void set_axes_down(qtri_job *job, const qtri_levels *levels)
+{
+    const uint8_t *down = levels->down;
+    for (int i = 0; i < 2; i++) {
+        qtri_texel_axis *axis = &job->axis[i];
+        if (levels->texture.filter != NULL) {
+            axis->bias -= (uint32_t)1 << ((uint32_t)axis->shift + down[i] - 1);
+        }
+        if (axis->clamped || levels->raster->texel_cut == 0) {
+            qtri_axis_move(axis, down[i]);
+        } else {
+            axis->texel_shift = levels->raster->coordinate[i].shift;
+            axis->up = (int8_t)(i == 0 ? axis->up : axis->up - down[0] - down[1]);
+        }
+    }
+}
+
+/* An attribute's K and M where the triangle's first and last row and column in the frame are. */
+typedef struct ends {
+    int64_t right[2], down[2]; /* 15/16 2^exponent texels */
+    int32_t exponent;
+} ends;
+
+/* What the attributes have in common. */
+typedef struct frame {
+    int32_t row[2], column[2];
+    int32_t nearest; /* the vertex whose q is the greatest */
+    int32_t q;
+    int32_t x_24p8; /* of it */
+    int32_t q_dy;
+} frame;
+
+static void set_frame(frame *f, const qtri_job *job, const qtri_triangle *t, const uint32_t q[3])
+{
+    const qtri_projected *inv_w = &job->attribute[job->end].projected;
+    const qtri_surface *surface = job->raster->surface;
+    const int32_t last_row = surface->height - 1;
+    const int32_t last_column = surface->width - 1;
+    f->nearest = q[0] >= q[1] ? 0 : 1;
+    f->nearest = q[f->nearest] >= q[2] ? f->nearest : 2;
+    f->q = (int32_t)(q[f->nearest] >> 1);
+    f->x_24p8 = t->p[f->nearest]->x_24p8;
+    f->q_dy = (int32_t)(inv_w->dy + (inv_w->dy_rest >> 15));
+    f->row[0] = qtri_hold32(qtri_first_center(t->top->y_24p8), 0, last_row);
+    f->row[1] = qtri_hold32(qtri_first_center(t->bottom->y_24p8) - 1, 0, last_row);
+    f->column[0] = qtri_hold32(qtri_first_center(t->x_least), 0, last_column);
+    f->column[1] = qtri_hold32(qtri_first_center(t->x_greatest) - 1, 0, last_column);
+}
+
+/*
+ * M at the nearest vertex is q (s_y - a q_y), a being the coordinate there: as set_slope() of
+ * perspective_setup.c has K, with 30 bits of the difference and of q. The difference is in 2^-16 of
+ * half of s, so the product without 2^cut is in 2^(cut - 14) of u and, as K, is to be in
+ * 15/16 2^-(down + up + 1).
+ */
+static int64_t down_at(const frame *f, const qtri_projected *a, uint32_t value)
+{
+    const uint64_t dy = ((uint64_t)a->dy << 16) + a->dy_rest;
+    const int64_t slope = (int64_t)(int32_t)a->dy * 65536 + (int64_t)(dy & 0xFFFF);
+    const int64_t difference = slope - (qtri_mul_s32(f->q_dy, (int32_t)value) >> 16);
+    const int32_t cut = qtri_greatest32(34 - qtri_clz64(qtri_magnitude64(difference)), 0);
+    int64_t product = qtri_mul_s32((int32_t)(difference >> cut), f->q) >> 31;
+    product += (product >> 4) + (product >> 8) + (product >> 12) + (product >> 16);
+    const int32_t up = cut - 14 + a->down + a->up - 1; /* a->up: two more than the axis has */
+    return up >= 0 ? product * ((int64_t)1 << qtri_least32(up, 31))
+                   : product >> qtri_least32(-up, 63);
+}
+
+static void set_ends(ends *e, const frame *f, const qtri_job *job, int i, uint32_t value)
+{
+    const qtri_projected *a = &job->attribute[QTRI_U + i].projected;
+    const int32_t slope_dy = (int32_t)a->slope_dy;
+    const int64_t down = down_at(f, a, value);
+    for (int k = 0; k < 2; k++) {
+        const int32_t x_24p8 = f->column[k] * 256 + 128 - f->x_24p8; /* < 2^23 */
+        e->right[k] = (int32_t)(a->slope + a->slope_dy * (uint32_t)f->row[k]);
+        e->down[k] = down - (qtri_mul_s32(slope_dy, x_24p8) >> 8);
+    }
+    e->exponent = -(a->down + 1 + job->axis[i].texel_shift);
+}
+
+/* 2^up x, which is below 2^29, rounded down. */
+static uint32_t scaled_end(int64_t x, int32_t up)
+{
+    return (uint32_t)(uint64_t)(up >= 0 ? x * ((int64_t)1 << qtri_least32(up, 31))
+                                        : x >> qtri_least32(-up, 63));
+}
+
+static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_triangle *t,
+                          const uint32_t value[2][3], const uint32_t q[3])
+{
+    frame f;
+    ends e[2];
+    int32_t bits = INT32_MIN;
+    set_frame(&f, job, t, q);
+    for (int i = 0; i < 2; i++) {
+        set_ends(&e[i], &f, job, i, value[i][f.nearest]);
+        const uint64_t all = qtri_magnitude64(e[i].right[0]) | qtri_magnitude64(e[i].right[1]) |
+                             qtri_magnitude64(e[i].down[0]) | qtri_magnitude64(e[i].down[1]);
+        bits = qtri_greatest32(bits, 64 - qtri_clz64(all | 1) + e[i].exponent);
+    }
+    out->exponent = (int16_t)(29 - bits);
+    out->row = -1;
+    for (int i = 0; i < 2; i++) {
+        const qtri_projected *a = &job->attribute[QTRI_U + i].projected;
+        const int32_t up = out->exponent + e[i].exponent;
+        out->right_dy[i] = scaled_end((int32_t)a->slope_dy, up);
+        out->down_dx[i] = 0u - out->right_dy[i];
+        out->right[i] = scaled_end(e[i].right[0], up) - (uint32_t)f.row[0] * out->right_dy[i];
+        out->down[i] = scaled_end(e[i].down[0], up) - (uint32_t)f.column[0] * out->down_dx[i];
+    }
+}
+
+/* Along a row ---------------------------------------------------------------------------------- */
+
+/* 1/w at a pixel of the row, held to 1..2^31: see perspective.c. */
+static inline uint32_t inv_w_at(const qtri_scanline *row, int32_t x)
+{
+    const qtri_row_plane *at = &row->by.perspective.plane[row->job->end];
+    const qtri_projected *plane = &row->job->attribute[row->job->end].projected;
+    const uint32_t q = at->at + plane->dx * (uint32_t)x +
+                       (uint32_t)((at->rest + (int32_t)plane->dx_rest * x) >> 16);
+    return q - 1 < 0xC0000000u ? q : 1;
+}
+
+/* Of the step right, of all of a row. */
+QTRI_NOINLINE static uint32_t row_length(qtri_footprint *f, int32_t y)
+{
+    if (f->row == y) {
+        return f->length;
+    }
+    f->row = (int16_t)y;
+    f->length =
+        qtri_step_length(qtri_magnitude32((int32_t)(f->right[0] + (uint32_t)y * f->right_dy[0])),
+                         qtri_magnitude32((int32_t)(f->right[1] + (uint32_t)y * f->right_dy[1])));
+    return f->length;
+}
+
+/* Whether a length, 2^30 at most, is 2^shift of a limit >= 2^13 or more. */
+static inline bool reaches(uint32_t length, uint32_t limit, int32_t shift)
+{
+    if (shift >= 0) {
+        return shift < 18 && length >> shift >= limit;
+    }
+    return length >= limit >> qtri_least32(-shift, 31);
+}
+
+/* What lengths are compared with at a pixel of the row: limit 2^(shift + level). */
+typedef struct limit {
+    uint32_t limit; /* 2^13.6..2^15.6 */
+    int32_t shift;
+    uint32_t length; /* of the step right */
+} limit;
+
+/*
+ * A level is left behind where the footprint, length 15/16 2^-exponent / q^2, is 2^(level + 1/2) or
+ * more. q^2 is q_q15^2 2^-(30 + 2 zeros); 49431 / 2^15 is 2^(1/2) 16/15.
+ */
+static inline limit limit_at(const qtri_levels *levels, uint32_t length, uint32_t q, int32_t zeros)
+{
+    const uint32_t q_q15 = q << zeros >> 16;
+    const limit l = {((q_q15 * q_q15 >> 17) * 49431u) >> 15,
+                     levels->footprint.exponent - 13 - 2 * zeros, length};
+    return l;
+}
+
+/* Leading zeros of q, which is not 0, where blocks are curves: perspective.c has just asked. */
+static inline int32_t zeros_of(const qtri_scanline *row, uint32_t q)
+{
+#if QTRI_LONG_MULTIPLY
+    (void)row;
+    return qtri_clz32(q);
+#else
+    int32_t zeros = row->by.perspective.zeros;
+    while (q >> (31 - zeros) > 1) {
+        zeros--;
+    }
+    while ((int32_t)(q << zeros) >= 0) {
+        zeros++;
+    }
+    return zeros;
+#endif
+}
+
+/* The level at pixel x. */
+static inline uint32_t level_at(const qtri_levels *levels, const limit *l, int32_t x)
+{
+    const qtri_footprint *f = &levels->footprint;
+    const uint32_t along =
+        qtri_step_length(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
+                         qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
+    int32_t level = levels->level;
+    const uint32_t length = l->length > along ? l->length : along;
+    while (level < levels->last && reaches(length, l->limit, l->shift + level)) {
+        level++;
+    }
+    while (level > 0 && !reaches(length, l->limit, l->shift + level - 1)) {
+        level--;
+    }
+    return (uint32_t)level;
+}
+
+/* Sets that of a block of curves whose middle is pixel x. length: of its row's step right. */
+static inline void set_block(const qtri_scanline *row, qtri_levels *levels, uint32_t length,
+                             int32_t x)
+{
+    const uint32_t q = inv_w_at(row, x);
+    const limit l = limit_at(levels, length, q, zeros_of(row, q));
+    qtri_level_set(levels, level_at(levels, &l, x));
+}
+
+/* That of all of a row along which w does not change. */
+static inline limit row_limit(const qtri_scanline *row, qtri_levels *levels)
+{
+    const uint32_t q = inv_w_at(row, 0);
+    return limit_at(levels, row_length(&levels->footprint, row->y), q, qtri_clz32(q));
+}
+
+static inline uint32_t curve_down(uint32_t step, uint32_t down)
+{
+    // cppcheck-suppress shiftTooManyBitsSigned
+    return (uint32_t)((int32_t)(step + ((uint32_t)1 << down >> 1)) >> down);
+}
+
+/*
+ * v in the unit of the level, where it fills 32 bits: a texel's fraction ends two bits lower for
+ * each level, one where the height goes down no more, see texel_copy.h. Steps are off by half of
+ * the last bit, 2^-(17 + width_log2) of the level's texel: 128 pixels on by 2^-11 of one.
+ */
+static inline void scale_v(qtri_curve *v, const qtri_levels *levels)
+{
+    const uint32_t down = (uint32_t)levels->down[0] + levels->down[1];
+    if (down == 0) {
+        return;
+    }
+    v->at >>= down;
+    v->step = curve_down(v->step, down);
+    if ((v->bend | v->twist) != 0) {
+        v->bend = curve_down(v->bend, down);
+        v->twist = curve_down(v->twist, down);
+    }
+}
+
+/* Curves in base units to those of the level; axis: its, where coordinates do not fill 32 bits. */
+static void scale_curves(qtri_curve uv[2], const qtri_levels *levels, const qtri_texel_axis axis[2])
+{
+    const qtri_raster *raster = levels->raster;
+    if (raster->texel_cut != 0 && !axis[1].clamped) {
+        scale_v(&uv[1], levels);
+    }
+    if (levels->texture.filter != NULL) {
+        for (int i = 0; i < 2; i++) {
+            const uint32_t shift = raster->texel_cut == 0 || axis[i].clamped
+                                       ? axis[i].texel_shift
+                                       : raster->coordinate[i].shift;
+            uv[i].at -= (uint32_t)1 << (shift - 1);
+        }
+    }
+}
+
+/*
+ * Of a row along which w does not change: the level at pixel x, with curves of u and v that begin
+ * at the run of LEVEL_RUN pixels that it lies in, which is where they are scaled. Returns where
+ * the run begins; at: that of the row's curves.
+ */
+static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, const limit *l,
+                                qtri_curve uv[2], int32_t at, int32_t x)
+{
+    const int32_t first = x - ((x - row->left) & (LEVEL_RUN - 1));
+    const int32_t length = qtri_least32(LEVEL_RUN, row->right - first);
+    qtri_level_set(levels, level_at(levels, l, first + (length >> 1)));
+    for (int i = 0; i < 2; i++) {
+        uv[i] = row->curve[QTRI_U + i];
+        uv[i].at += (uint32_t)(first - at) * uv[i].step;
+    }
+    return first;
+}
+
+/*
+ * Along a row where w does not change colours do not vary either, see level_pixels() of
+ * perspective.c, so curves of the run that pixel x lies in have room in place of theirs. Returns
+ * how many pixels x is into it.
+ */
+QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels, int32_t x)
+{
+    const limit l = row_limit(row, levels);
+    return x - begin_run(row, levels, &l, row->curve, x, x);
+}
+
+/* The same of a block of curves, of up to `count` pixels: returns how many it has. */
+QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels, int32_t x,
+                                        int32_t count)
+{
+    count = qtri_interpolate_perspective(row, x, count, QTRI_U, QTRI_ATTRIBUTES);
+    set_block(row, levels, row_length(&levels->footprint, row->y), x + (count >> 1));
+    return count;
+}
+
+uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
+{
+    const qtri_job *job = row->job;
+    const qtri_raster *raster = job->raster;
+    qtri_levels *levels = qtri_levels_of(raster);
+    const bool fills = raster->texel_cut != 0;
+    uint32_t drawn = 0;
+    for (int32_t done = 0; done < count;) {
+        qtri_curve *uv = &row->curve[QTRI_U];
+        int32_t length = count;
+        int32_t skip = 0;
+        if (row->level) {
+            uv = row->curve;
+            skip = begin_level(row, levels, x);
+        } else {
+            length = begin_bent(row, levels, x + done, count - done);
+        }
+        scale_curves(uv, levels, job->axis);
+        uv[0].at += (uint32_t)skip * uv[0].step; /* 0, or the curves are straight */
+        uv[1].at += (uint32_t)skip * uv[1].step;
+        qtri_number_texels(raster, job->axis, done, uv, !raster->repeated && fills, length);
+        const uint32_t some =
+            qtri_texels_color(raster, fills ? NULL : job->axis, raster->batch->color + done,
+                              raster->batch->by.shade + done, length, raster->fetched,
+                              job->shaded) &
+            qtri_mask_of(length);
+        drawn = done == 0 ? some : drawn << length | some;
+        done += length;
+    }
+    mask &= drawn;
+    if (mask == 0 || !job->shaded) {
+        return mask;
+    }
+    qtri_shade_texels(row, x, count);
+    if (raster->narrow != NULL && !raster->gray) {
+        raster->narrow(raster->batch->color, count);
+    }
+    return mask;
+}
+
+/* Rows that become pixels as they are ---------------------------------------------------------- */
+
+static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
+{
+    const qtri_job *job = row->job;
+    const limit l = row_limit(row, levels);
+    for (int32_t x = row->x0; x < row->x1; x += run->count) {
+        qtri_curve uv[2];
+        const int32_t first = begin_run(row, levels, &l, uv, row->left, x);
+        scale_v(&uv[1], levels);
+        run->x = x;
+        run->count = qtri_least32(first + LEVEL_RUN, row->x1) - x;
+        run->z = qtri_ramp_at(&job->depth, x - job->anchor_x, row->y - job->anchor_y);
+        for (int i = 0; i < 2; i++) {
+            run->value[i] = uv[i].at + (uint32_t)(x - first) * uv[i].step;
+            run->step[i] = uv[i].step;
+        }
+        job->raster->copy_run(job, run);
+    }
+}
+
+static void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
+{
+    const qtri_job *job = row->job;
+    const uint32_t right = row_length(&levels->footprint, row->y);
+    for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
+        const int32_t length =
+            qtri_interpolate_perspective(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES);
+        const int32_t skip = qtri_greatest32(row->x0 - x, 0);
+        run->count = qtri_least32(length, row->x1 - x) - skip;
+        if (run->count > 0) {
+            set_block(row, levels, right, x + (length >> 1));
+            scale_v(&row->curve[QTRI_U + 1], levels);
+            run->x = x + skip;
+            run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, row->y - job->anchor_y);
+            job->raster->copy_bent(job, run, &row->curve[QTRI_U], skip);
+        }
+        x += length;
+    }
+}
+
+/* As qtri_span_fill does it, level by level. */
+static void fill_copies(const qtri_job *job, const qtri_span *spans, int32_t y, int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    qtri_levels *levels = qtri_levels_of(raster);
+    qtri_lines lines = qtri_lines_at(raster->surface, y);
+    qtri_scanline row;
+    row.job = job;
+    row.y = y;
+    row.level = false;
+    qtri_perspective_begin(&row);
+    for (; count > 0; count--, spans++) {
+        const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &row.x0);
+        if (pixels > 0) {
+            qtri_run run;
+            run.pixels = lines.pixels;
+            run.depths = lines.depths;
+            row.x1 = row.x0 + pixels;
+            row.left = spans->left;
+            row.right = spans->right;
+            qtri_perspective_row(&row);
+            if (row.level) {
+                copy_level_row(&row, &run, levels);
+            } else {
+                copy_bent_row(&row, &run, levels);
+            }
+        }
+        row.y++;
+        lines.pixels += raster->surface->pitch;
+        lines.depths += raster->surface->depth_pitch;
+    }
+}
+
+qtri_fill_rows qtri_mipmap_begin_large(qtri_job *job, const qtri_triangle *triangle,
+                                       const uint32_t value[2][3], const uint32_t q[3])
+{
+    const qtri_raster *raster = job->raster;
+    qtri_levels *levels = qtri_levels_of(raster);
+    qtri_levels_vary(levels, qtri_job_is_bent(job));
+    if (!qtri_job_is_bent(job)) {
+        qtri_level_set(levels, linear_level(job, levels->last));
+        set_axes_down(job, levels);
+        return qtri_span_fill;
+    }
+    set_footprint(&levels->footprint, job, triangle, value, q);
+    levels->axis = job->axis;
+    return job->copies && raster->copy_run != NULL ? fill_copies : qtri_span_fill;
+}
