@@ -6,6 +6,7 @@
 #include "span.h"
 #include "texel_copy.h"
 #include "textured.h"
+#include "unsnapped.h"
 
 /*
  * Colours may stray by 1/4 of a step for being linear on the screen: with the rounding to a pixel
@@ -117,19 +118,22 @@ void qtri_job_pack(qtri_job *job)
     }
 }
 
-static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
+static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient,
+                          const qtri_unsnapped *unsnapped)
 {
     const bool textured = job->raster->texture != NULL;
     if (job->tinted && !textured && gradient->inverse != 0) {
-        const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
-                                   (uint32_t)v[2].color[0]};
+        uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
+                             (uint32_t)v[2].color[0]};
         qtri_ramp light;
+        qtri_unsnapped_move_inside(share, unsnapped);
         qtri_ramp_multiply(&light, gradient, share);
         qtri_job_tint(job, &light);
     } else {
         for (int i = job->first; i < QTRI_U; i++) {
             uint32_t f[3];
             qtri_job_color(f, job, v, i);
+            qtri_unsnapped_move_inside(f, unsnapped);
             ramp_init(&job->attribute[i].ramp, gradient, f);
         }
     }
@@ -204,6 +208,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
                              const qtri_triangle *triangle, const qtri_attributes v[3])
 {
     qtri_gradient gradient;
+    qtri_unsnapped unsnapped;
     uint32_t range = 0; /* of colours to interpolate */
     uint32_t q[3];
     uint32_t value[2][3];
@@ -220,8 +225,10 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     gradient_from(&gradient, triangle, raster->surface);
     job->anchor_x = gradient.anchor_x;
     job->anchor_y = gradient.anchor_y;
+    uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+    qtri_unsnapped_init(&unsnapped, raster, triangle, v);
     if (raster->with_depth) {
-        const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+        qtri_unsnapped_move(depth, &unsnapped, 0, (uint32_t)65535 << 16);
         ramp_init(&job->depth, &gradient, depth);
     }
     if (QTRI_WITH_SMOOTH && raster->shading == QTRI_SMOOTH && !raster->replace) {
@@ -243,17 +250,18 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     }
     job->perspective = needs_perspective(job, v, (const uint32_t(*)[3])value, range, q);
     if (job->perspective) {
-        qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, &gradient);
+        qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, &gradient,
+                              &unsnapped);
         return qtri_span_fill;
     }
     if (range != 0) {
-        linear_colors(job, v, &gradient);
+        linear_colors(job, v, &gradient, &unsnapped);
     }
     if (!textured) {
         return raster->fill_smooth;
     }
     for (int i = QTRI_U; i < QTRI_ATTRIBUTES; i++) {
-        qtri_plane_init(&job->attribute[i].plane, &gradient, value[i - QTRI_U]);
+        qtri_unsnapped_plane(&job->attribute[i].plane, &gradient, &unsnapped, value[i - QTRI_U]);
     }
     return qtri_span_fill;
 }
