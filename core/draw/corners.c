@@ -87,8 +87,32 @@ QTRI_NOINLINE qtri_corners_fate qtri_corners_place(const qtri_primitive *primiti
         fan[i].inv_w_q31 = v[i].inv_w;
         fan[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
         fan[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
+        fan[i].rest[0] = 0;
+        fan[i].rest[1] = 0;
     }
     return QTRI_CORNERS_SEEN;
+}
+
+/* Apart, as the wide coordinates take stack that most triangles do without. */
+QTRI_NOINLINE static void set_rests(const qtri_primitive *primitive, qtri_fan_vertex fan[3],
+                                    const qtri_corner *corners)
+{
+    for (int i = 0; i < 3; i++) {
+        const qtri_vec4 *position = &corners[i].position;
+        const qtri_vec3 p = {position->x, position->y, position->z};
+        qtri_clip_vertex clip;
+        qtri_projector_point(&primitive->projector, &p, &clip);
+        qtri_project_rest(fan[i].rest, &clip, &fan[i].at, fan[i].inv_w_q31);
+    }
+}
+
+void qtri_corners_draw(const qtri_primitive *primitive, qtri_fan_vertex fan[3],
+                       const qtri_corner *corners, const qtri_corner *attributes)
+{
+    if (!qtri_primitive_inside(primitive, fan, qtri_corners_attributes, attributes)) {
+        set_rests(primitive, fan, corners);
+        qtri_primitive_large(primitive, fan, qtri_corners_attributes, attributes);
+    }
 }
 
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
@@ -110,7 +134,7 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
             solid ? qtri_corners_place(&primitive, &kept, &corners[i], shape.fan)
                   : QTRI_CORNERS_ELSEWHERE;
         if (found == QTRI_CORNERS_SEEN) {
-            qtri_primitive_inside(&primitive, shape.fan, qtri_corners_attributes, &corners[i]);
+            qtri_corners_draw(&primitive, shape.fan, &corners[i], &corners[i]);
         } else if (found == QTRI_CORNERS_ELSEWHERE) {
             qtri_corners_fetch(&primitive, &corners[i], 3, shape.clip);
             qtri_primitive_triangle(&primitive, &shape, qtri_corners_attributes, &corners[i]);

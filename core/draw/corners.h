@@ -27,6 +27,10 @@ typedef struct qtri_corner_vertices {
 qtri_corners_fate qtri_corners_place(const qtri_primitive *primitive, qtri_corner_vertices *kept,
                                      const qtri_corner *corners, qtri_fan_vertex fan[3]);
 
+/* Draws it, at the corners' positions and with the colours and coordinates of `attributes`. */
+void qtri_corners_draw(const qtri_primitive *primitive, qtri_fan_vertex fan[3],
+                       const qtri_corner *corners, const qtri_corner *attributes);
+
 /* Transforms `count` corners of one primitive, which then share one scale. */
 void qtri_corners_fetch(const qtri_primitive *primitive, const qtri_corner *corners, int count,
                         qtri_clip_vertex v[3]);

@@ -248,6 +248,7 @@ static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vert
             qtri_mesh_set_uv(&attributes[i].u_q32, &attributes[i].v_q32, draw->mesh, index[i]);
         }
     }
+    qtri_mesh_set_rests(attributes, draw, indices, triangle);
     qtri_triangle_draw(raster, triangle, attributes);
 }
 

@@ -73,7 +73,7 @@ static void draw_lit(const qtri_primitive *primitive, qtri_corner_vertices *kept
         const bool is_back =
             qtri_triangle_area(&shape.fan[0].at, &shape.fan[1].at, &shape.fan[2].at) > 0;
         light(lit, by, corners, normals, smooth, by->two_sided && is_back);
-        qtri_primitive_inside(primitive, shape.fan, qtri_corners_attributes, lit);
+        qtri_corners_draw(primitive, shape.fan, corners, lit);
     } else if (found == QTRI_CORNERS_ELSEWHERE) {
         qtri_corners_fetch(primitive, corners, 3, shape.clip);
         light(lit, by, corners, normals, smooth, by->two_sided && qtri_clipped_is_back(shape.clip));

@@ -67,6 +67,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->lights = view->lights;
     draw->illumination = NULL;
     draw->lit_colors = NULL;
+    draw->late = NULL;
     const bool solid = material->fill == NULL;
     qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
     draw->tinted = mesh->colors == NULL;

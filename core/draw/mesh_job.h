@@ -12,6 +12,14 @@
 #include "../raster/list.h"
 #include "primitive.h"
 
+/* A job's transforms, which are not set before something asks for them. */
+typedef struct qtri_late_place {
+    qtri_primitive *primitive; /* the job's */
+    const qtri_view *view;
+    const qtri_transform *pose;
+    bool is_set;
+} qtri_late_place;
+
 /* One draw call: what every triangle needs. */
 typedef struct qtri_mesh_job {
     qtri_primitive primitive;
@@ -30,6 +38,7 @@ typedef struct qtri_mesh_job {
     const struct qtri_illumination *illumination; /* NULL: all that is needed is lit */
     uint32_t *lit_colors;                         /* of every vertex; NULL: there is no room */
     bool shaded_per_vertex;
+    qtri_late_place *late; /* NULL: transforms are set */
 } qtri_mesh_job;
 
 /*
@@ -77,6 +86,10 @@ void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uin
 /* The texture coordinates of a triangle's corners, for list.h. */
 void qtri_mesh_set_coordinates(qtri_coordinates uv[2], const qtri_mesh *mesh,
                                const uint32_t index[3]);
+
+/* Where a large triangle's vertices truly are, if that matters; see ../raster/unsnapped.h. */
+void qtri_mesh_set_rests(qtri_attributes v[3], const qtri_mesh_job *draw, const void *indices,
+                         const qtri_triangle *triangle);
 
 /* Any culling, and triangles that may cross planes; those are never turned away. */
 bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,

@@ -31,6 +31,7 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const void *indice
             set_more(draw, qtri_mesh_index(draw->mesh, indices, i), intensity_q15, &attributes[i]);
         }
     }
+    qtri_mesh_set_rests(attributes, draw, indices, triangle);
     qtri_triangle_draw(&draw->primitive.to.solid.raster, triangle, attributes);
 }
 

@@ -140,6 +140,8 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
         !qtri_prepared_begin(&job, prepared, surface, prepared->is_placed)) {
         return;
     }
+    qtri_late_place late = {&job.primitive, prepared->view, prepared->pose, false};
+    job.late = prepared->is_placed ? NULL : &late;
     job.lit = qtri_prepared_is_complete(prepared);
     if (!job.lit) {
         qtri_mesh_clear_slots(&job);

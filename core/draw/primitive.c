@@ -2,6 +2,7 @@
 #include "fill.h"
 
 #include "../raster/small.h"
+#include "../raster/unsnapped.h"
 
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
                                const qtri_material *material)
@@ -121,6 +122,7 @@ QTRI_NOINLINE static int clip_to_screen(const qtri_projector *projector,
         out->inv_w_q31 = screen.inv_w_q31;
         out->b1_q30 = polygon[i].b1_q30;
         out->b2_q30 = polygon[i].b2_q30;
+        qtri_project_rest(out->rest, &polygon[i], &out->at, out->inv_w_q31);
     }
     return count;
 }
@@ -175,6 +177,8 @@ QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_ve
     }
     out->u_q32 = from->u_q32;
     out->v_q32 = from->v_q32;
+    out->rest[0] = v->rest[0];
+    out->rest[1] = v->rest[1];
 }
 
 /* A triangle of what clipping left. */
@@ -238,7 +242,8 @@ QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
     return placed;
 }
 
-QTRI_NOINLINE static void draw_large_piece(const piece *p, int64_t area)
+/* False, and nothing is drawn, when the fan has no rests but they matter. */
+QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool with_rests)
 {
     qtri_triangle triangle;
     for (int i = 0; i < 3; i++) {
@@ -246,25 +251,33 @@ QTRI_NOINLINE static void draw_large_piece(const piece *p, int64_t area)
     }
     triangle.area = area;
     triangle.tinted = false;
-    if (!qtri_triangle_begin(&p->primitive->to.solid.raster, &triangle)) {
-        return;
+    const qtri_raster *raster = &p->primitive->to.solid.raster;
+    if (!qtri_triangle_begin(raster, &triangle)) {
+        return true;
     }
-    if (p->primitive->to.solid.raster.samples != NULL) {
+    const uint32_t depth_16p16[3] = {p->vertex[0]->depth_16p8, p->vertex[1]->depth_16p8,
+                                     p->vertex[2]->depth_16p8};
+    if (!with_rests && qtri_unsnapped_matters(raster, &triangle, depth_16p16)) {
+        return false;
+    }
+    if (raster->samples != NULL) {
         qtri_attributes own[3];
         piece_attributes(own, p);
-        qtri_triangle_draw(&p->primitive->to.solid.raster, &triangle, own);
-        return;
+        qtri_triangle_draw(raster, &triangle, own);
+        return true;
     }
     qtri_job job;
     qtri_triangle_fill(&job, &triangle, piece_job(&job, &triangle, p));
+    return true;
 }
 
-static void draw_piece(const piece *p, int64_t area)
+static bool draw_piece(const piece *p, int64_t area, bool with_rests)
 {
-    if (p->primitive->to.solid.raster.samples != NULL ||
-        draw_placed_piece(p) == QTRI_PLACED_LARGE) {
-        draw_large_piece(p, area);
+    if (p->primitive->to.solid.raster.samples == NULL &&
+        draw_placed_piece(p) != QTRI_PLACED_LARGE) {
+        return true;
     }
+    return draw_large_piece(p, area, with_rests);
 }
 
 /* The edge between two vertices, given twice: as coordinates, and as attributes. */
@@ -369,16 +382,23 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
         if (area != 0 && (area ^ sum) >= 0) {
             p.vertex[1] = &shape->fan[i - 1];
             p.vertex[2] = &shape->fan[i];
-            draw_piece(&p, area);
+            (void)draw_piece(&p, area, true);
         }
     }
 }
 
-void qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
+bool qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
                            qtri_attribute_source source, const void *from)
 {
     const piece p = {primitive, source, from, {&corner[0], &corner[1], &corner[2]}};
-    draw_piece(&p, piece_area(corner, 2));
+    return draw_piece(&p, piece_area(corner, 2), false);
+}
+
+void qtri_primitive_large(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
+                          qtri_attribute_source source, const void *from)
+{
+    const piece p = {primitive, source, from, {&corner[0], &corner[1], &corner[2]}};
+    (void)draw_large_piece(&p, piece_area(corner, 2), true);
 }
 
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],

@@ -35,6 +35,7 @@ typedef struct qtri_fan_vertex {
     uint32_t depth_16p8; /* times 256, and in the low byte the exponent of inv_w */
     uint32_t inv_w_q31;
     int32_t b1_q30, b2_q30;
+    int16_t rest[2]; /* as in qtri_attributes; not of qtri_primitive_inside() */
 } qtri_fan_vertex;
 
 /* A triangle before and after clipping. */
@@ -77,9 +78,16 @@ void qtri_primitive_finish_lines(const qtri_primitive *primitive);
 void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
                             unsigned planes, qtri_attribute_source source, const void *from);
 
-/* Draws a solid triangle inside all planes that has an area and is not culled. */
-void qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
+/*
+ * Draws a solid triangle inside all planes that has an area and is not culled. False when it is
+ * large and not drawn: then where its vertices truly are matters, and qtri_primitive_large() draws
+ * it when that is known.
+ */
+bool qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
                            qtri_attribute_source source, const void *from);
+
+void qtri_primitive_large(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
+                          qtri_attribute_source source, const void *from);
 
 /* Draws a line. `attributes` bring colour; their positions are not read. */
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],

@@ -178,6 +178,30 @@ void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
         qtri_vertex_depth(projector, z_q31 < least_q31 ? least_q31 : z_q31, reciprocal);
 }
 
+/*
+ * With R = 512 x - 2 w at, exact modulo 2^64 and within +-w in truth, R / 2w of a step are left:
+ * the upper half of R 2^(zeros - 1), 31 bits and a sign, times the reciprocal 2^62 / w_q32.
+ */
+static int16_t rest_of(int64_t x, int64_t w, int32_t at, int32_t reciprocal)
+{
+    const int64_t rest =
+        qtri_wrap64(((uint64_t)x << 9) - ((uint64_t)w << 1) * (uint64_t)(int64_t)at);
+    if (rest < -w || rest > w) {
+        return 0; /* held to the guard band */
+    }
+    const int32_t zeros = qtri_clz64((uint64_t)w);
+    const int32_t size = (int32_t)(rest * ((int64_t)1 << (zeros - 1)) >> 32);
+    return (int16_t)qtri_hold32((int32_t)(qtri_mul_s32(size, reciprocal) >> 46), -32768, 32767);
+}
+
+void qtri_project_rest(int16_t rest[2], const qtri_clip_vertex *v, const qtri_screen_point *at,
+                       uint32_t inv_w_q31)
+{
+    const int64_t w = v->w > 0 ? v->w : 1;
+    rest[0] = rest_of(v->x, w, at->x_24p8, (int32_t)inv_w_q31);
+    rest[1] = rest_of(v->y, w, at->y_24p8, (int32_t)inv_w_q31);
+}
+
 void qtri_vertex_exact(const qtri_projector *projector, const qtri_clip_vertex *clip,
                        qtri_vertex *out)
 {

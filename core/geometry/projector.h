@@ -62,6 +62,13 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
 void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
                   qtri_screen_vertex *out);
 
+/*
+ * x and y of where that vertex truly is, less where it was snapped to, in 2^-16 of 1/256 pixel;
+ * 0 for what was held. `inv_w_q31`: what qtri_project() found.
+ */
+void qtri_project_rest(int16_t rest[2], const qtri_clip_vertex *v, const qtri_screen_point *at,
+                       uint32_t inv_w_q31);
+
 /* What the low byte of qtri_vertex.depth_16p8 and an intensity may say. */
 #define QTRI_VERTEX_OUTSIDE                                                                        \
     0x80u /* of planes: the low six bits are an outcode, not an exponent                           \

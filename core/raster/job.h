@@ -39,10 +39,11 @@
 typedef struct qtri_projected {
     uint32_t origin, dx, dy;   /* at the centre of pixel (0, 0), for one pixel right, one down */
     uint16_t dx_rest, dy_rest; /* 2^-16 of the unit */
-    uint32_t slope, slope_dy;  /* the attribute's slope times inv_w^2: in row 0, one row down */
-    uint32_t bias;             /* of values */
-    int8_t down;               /* slopes are times 2^-down in the curve's unit */
-    int8_t up;                 /* of values */
+    uint16_t origin_rest;
+    uint32_t slope, slope_dy; /* the attribute's slope times inv_w^2: in row 0, one row down */
+    uint32_t bias;            /* of values */
+    int8_t down;              /* slopes are times 2^-down in the curve's unit */
+    int8_t up;                /* of values */
 } qtri_projected;
 
 typedef union qtri_attribute {

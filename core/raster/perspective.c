@@ -20,8 +20,8 @@
  *
  * is off by L h E^3 (3/16 + E / (1 - E)). It is drawn as curves of second order from one eighth
  * pixel to the next, through its values there and halfway: L e^2 n (n - 4) (n - 8) more, up to 24.6
- * L e^2. All that is to be less than 1/256 of a texel, or of what a pixel steps by where that is
- * more; perspective_setup.c finds from which q on. Colours have bounds of their own.
+ * L e^2. All that is to be less than 1/256 of a texel, or of what a pixel steps by, up to four,
+ * where that is more; perspective_setup.c finds from which q on. Colours have bounds of their own.
  *
  * Blocks begin at a chunk's start, 32 pixels apart from the span's left end, plus multiples of
  * their length, and q at their start decides: pixels do not depend on scissor or band.
@@ -60,22 +60,28 @@ static inline uint32_t inv_w_at(const qtri_scanline *row, int32_t x)
  */
 typedef struct divider {
     uint32_t reciprocal;
-    int32_t shift;
+    int32_t zeros;
 } divider;
 
-static divider divider_for(uint32_t inv_w)
+/* With the bits below the unit that are free, of values whose zeros are more than 16 not all. */
+static inline uint32_t normalized(uint32_t whole, uint32_t rest, int32_t zeros)
 {
-    const uint32_t exact = held(inv_w);
+    return (whole << zeros) + (qtri_low16(rest) << zeros >> 16);
+}
+
+static divider divider_for(const qtri_row_plane *inv_w)
+{
+    const uint32_t exact = held(inv_w->at + (uint32_t)(inv_w->rest >> 16));
     const uint32_t q = exact == 0 ? 1 : exact;
     const int32_t zeros = qtri_clz32(q);
-    const divider d = {qtri_reciprocal_q62(q << zeros), 30 - zeros};
+    const divider d = {qtri_reciprocal_q62(normalized(q, (uint32_t)inv_w->rest, zeros)), zeros};
     return d;
 }
 
 /* (whole + rest 2^-16) r / 2^down. */
 static uint32_t divide_step(int32_t whole, uint32_t rest, const divider *d, int32_t up)
 {
-    const int32_t down = d->shift - up; /* -21..42 */
+    const int32_t down = 30 - d->zeros - up; /* -21..42 */
     const uint64_t low = qtri_mul_u32(rest, d->reciprocal) >> 16;
     const uint64_t product = (uint64_t)whole * d->reciprocal + low;
     return (uint32_t)(down >= 0 ? (uint64_t)(qtri_wrap64(product) >> down) : product << -down);
@@ -84,12 +90,12 @@ static uint32_t divide_step(int32_t whole, uint32_t rest, const divider *d, int3
 /*
  * Where w does not change along rows, as on floors and walls, texture coordinates are linear as
  * they are. Returns the pixels of a span below which a step's last bit adds up to 2^-10 of a texel
- * at most; 0: w changes.
+ * at most; 0: w changes by a unit or more a pixel.
  */
 static int32_t level_pixels(const qtri_job *job)
 {
     const qtri_projected *inv_w = &job->attribute[job->end].projected;
-    if ((inv_w->dx | inv_w->dx_rest) != 0 || job->first != QTRI_U) {
+    if (inv_w->dx + 1 > 1 || job->first != QTRI_U) {
         return 0;
     }
     int32_t bits = 16;
@@ -100,22 +106,39 @@ static int32_t level_pixels(const qtri_job *job)
     return bits < 0 ? 0 : (int32_t)1 << bits;
 }
 
+/*
+ * Whether it changes so little, as where vertices of a level floor were rounded: with K the slope
+ * and e = q'/q, d pixels from where it begins K e d^2 is missed, here 2^-14 of a pixel's step.
+ */
+static bool is_level(const qtri_scanline *row)
+{
+    const qtri_job *job = row->job;
+    const qtri_projected *inv_w = &job->attribute[job->end].projected;
+    if ((inv_w->dx | inv_w->dx_rest) == 0) {
+        return true;
+    }
+    const uint32_t step =
+        qtri_magnitude32((int32_t)(inv_w->dx * 65536u) + (int32_t)inv_w->dx_rest); /* <= 2^16 */
+    const uint32_t length = (uint32_t)(row->right - row->left);                    /* < 2^15 */
+    return qtri_mul_u32(length * length, step) >> 2 <= inv_w->origin + inv_w->dy * (uint32_t)row->y;
+}
+
 /* The one division of a row along which w does not change. */
 static void begin_level(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
-    const divider d = divider_for(row->by.perspective.plane[job->end].at);
+    const divider d = divider_for(&row->by.perspective.plane[job->end]);
     row->run_length = (int32_t)1 << 30;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *plane = &job->attribute[QTRI_U + i].projected;
-        const qtri_texel_axis *axis = &job->axis[i];
-        const uint32_t s = held(plane_at(&row->by.perspective.plane[QTRI_U + i], plane, row->left));
-        const uint64_t product = qtri_mul_u32(s, d.reciprocal);
-        const int32_t value =
-            qtri_saturate32((int64_t)(d.shift >= 0 ? product >> d.shift : product << -d.shift));
+        const qtri_row_plane *at = &row->by.perspective.plane[QTRI_U + i];
+        const int32_t rest = at->rest + (int32_t)plane->dx_rest * row->left;
+        const uint32_t s = held(at->at + plane->dx * (uint32_t)row->left + (uint32_t)(rest >> 16));
+        const int32_t value = qtri_mul_high_s31((int32_t)normalized(s, (uint32_t)rest, d.zeros),
+                                                d.reciprocal); /* a quarter */
         qtri_curve *curve = &row->curve[QTRI_U + i];
-        curve->at = qtri_run_scaled((uint32_t)value + axis->bias, axis->up);
-        curve->step = divide_step((int32_t)plane->dx, plane->dx_rest, &d, axis->up);
+        curve->at = qtri_run_scaled((uint32_t)value + plane->bias, plane->up);
+        curve->step = divide_step((int32_t)plane->dx, plane->dx_rest, &d, job->axis[i].up);
         curve->bend = 0;
         curve->twist = 0;
     }
@@ -155,11 +178,11 @@ void qtri_perspective_row(qtri_scanline *row)
     const uint32_t y = (uint32_t)row->y;
     const qtri_attribute *from = &job->attribute[job->first];
     qtri_row_plane *to = &row->by.perspective.plane[job->first];
-    const bool level = row->right - row->left < level_pixels(job);
+    const bool level = row->right - row->left < level_pixels(job) && is_level(row);
     row->level = level;
     for (int i = job->first; i <= job->end; i++, from++, to++) {
         to->at = from->projected.origin + from->projected.dy * y;
-        to->rest = (int32_t)(from->projected.dy_rest * y);
+        to->rest = (int32_t)(from->projected.dy_rest * y + from->projected.origin_rest);
         if (!level && i < job->end) {
             const int32_t slope = (int32_t)(from->projected.slope + from->projected.slope_dy * y);
             const int32_t cut = bits_cut(slope, to->cut);

@@ -7,7 +7,13 @@
 /* What all attributes of a triangle share. */
 typedef struct shared {
     const qtri_gradient *gradient;
-    const uint32_t *q;
+    const qtri_unsnapped *unsnapped;
+    uint32_t q[3];       /* of the vertices, */
+    uint32_t q_low[3];   /*   and 2^-8 of its unit more */
+    uint32_t q_there[3]; /* where they are snapped to */
+    bool fine;           /* planes are fine, and all of them times 2^up: */
+    int32_t up;
+    qtri_divisor area;
     int top, bottom;     /* of the vertices: the highest and the lowest */
     uint32_t reciprocal; /* 2^(62 - zeros) / height */
     int32_t zeros;
@@ -38,18 +44,52 @@ static void set_plane(qtri_projected *p, const qtri_plane *plane)
     p->origin = (uint32_t)(plane->origin >> 16);
     p->dx = (uint32_t)(plane->dx >> 16);
     p->dy = (uint32_t)(plane->dy >> 16);
+    p->origin_rest = (uint16_t)(plane->origin & 0xFFFFu);
     p->dx_rest = (uint16_t)(plane->dx & 0xFFFFu);
     p->dy_rest = (uint16_t)(plane->dy & 0xFFFFu);
+}
+
+/* In 2^-16, times 2^up. */
+static void coarse(qtri_plane *plane, const qtri_fine_plane *fine, int32_t up)
+{
+    const int32_t down = 14 - up; /* >= 0 */
+    plane->origin = (uint64_t)(qtri_wrap64(fine->origin) >> down);
+    plane->dx = (uint64_t)(qtri_wrap64(fine->dx) >> down);
+    plane->dy = (uint64_t)(qtri_wrap64(fine->dy) >> down);
+}
+
+/* f in 2^-8 at the snapped vertices. */
+static void fine_plane(qtri_fine_plane *plane, const shared *s, int64_t there_q8[3],
+                       const uint32_t f[3], const uint32_t low[3])
+{
+    for (int k = 0; k < 3; k++) {
+        there_q8[k] = (int64_t)f[k] * 256 + low[k];
+        if (s->unsnapped->is_on) {
+            there_q8[k] -= qtri_unsnapped_less(s->unsnapped, f, k, 8);
+        }
+    }
+    qtri_fine_plane_init(plane, s->gradient, &s->area, there_q8);
 }
 
 /* The vertices' a q / 2^32, rounded: below 2^29. */
 static void attribute_plane(qtri_plane *plane, const uint32_t a[3], const shared *s)
 {
     uint32_t f[3];
+    uint32_t low[3];
     for (int k = 0; k < 3; k++) {
-        f[k] = (uint32_t)((qtri_mul_u32(a[k], s->q[k]) + 0x80000000u) >> 32);
+        uint64_t product = qtri_mul_u32(a[k], s->q[k]) + (qtri_mul_u32(a[k], s->q_low[k]) >> 8);
+        product += s->fine ? 0x800000u : 0x80000000u;
+        f[k] = (uint32_t)(product >> 32);
+        low[k] = (uint32_t)product >> 24;
     }
-    qtri_plane_init(plane, s->gradient, f);
+    if (s->fine) {
+        qtri_fine_plane fine;
+        int64_t there_q8[3];
+        fine_plane(&fine, s, there_q8, f, low);
+        coarse(plane, &fine, s->up);
+    } else {
+        qtri_unsnapped_plane(plane, s->gradient, s->unsnapped, f);
+    }
 }
 
 /*
@@ -76,11 +116,11 @@ static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint
     }
     const int32_t cut = qtri_greatest32(34 - qtri_clz64(all), 0);
     for (int i = 0; i < 2; i++) {
-        const int32_t half_q = (int32_t)(s->q[vertex[i]] >> 1);
+        const int32_t half_q = (int32_t)(s->q_there[vertex[i]] >> 1);
         const int32_t whole = (int32_t)(qtri_mul_s32((int32_t)(m[i] >> cut), half_q) >> 31);
         k[i] = whole + (whole >> 4) + (whole >> 8) + (whole >> 12) + (whole >> 16);
     }
-    p->down = (int8_t) - (cut - 14 + p->up + 1);
+    p->down = (int8_t) - (cut - 14 + p->up + 1 + s->up);
     const int32_t rise = k[1] - k[0];
     const int64_t per_row = qtri_mul_s32(rise, (int32_t)s->reciprocal) >> (54 - s->zeros);
     const int32_t along = (int32_t)(qtri_mul_s32(rise, (int32_t)s->along_q31) >> 31);
@@ -91,6 +131,9 @@ static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint
     return first > last ? first : last;
 }
 
+/* Errors of blocks grow with the texels that a pixel steps over up to 2^this. */
+enum { TEXELS_LOG2 = 2 };
+
 /*
  * The least q at the start of a block of 2 h pixels, h = 2^l. For the bounds of perspective.c, all
  * with E = h |q'| / q <= 1/8, and K the triangle's greatest, in texels or in 256 times what a
@@ -100,7 +143,9 @@ static uint32_t set_slope(qtri_projected *p, const qtri_plane *plane, const uint
  *     16 pixels      q >= 100 |q'|             or  (9000 K q'^2)^(1/4), (430 h^4 K |q'|^3)^(1/5)
  *     32 pixels      q >= 186 |q'|             or  (31488 K q'^2)^(1/4), (120 h^4 K |q'|^3)^(1/5)
  *
- * The left column, which bounds errors by shares of a pixel's step, is for texels. It is q in the
+ * The left column, which bounds errors by shares of a pixel's step, is for texels, of
+ * which a pixel steps over up to 2^TEXELS_LOG2: where it steps over more, the right one counts with
+ * that many in place of one. It is q in the
  * middle that counts, and where q grows that at the start too, as a span's last block has its
  * middle sooner. Logarithms are in 1/256; each may be 22 too little.
  */
@@ -123,7 +168,8 @@ static void set_limits(qtri_block_limits limits, const shared *s, bool texels, b
                                          (fifth * 205) >> 10); /* / 5 */
         }
         if (texels) {
-            least_log2 = qtri_least32(least_log2, share + q_log2);
+            least_log2 = qtri_least32(
+                least_log2, qtri_greatest32(share + q_log2, least_log2 - (TEXELS_LOG2 * 256 >> 2)));
         }
         uint32_t least = exp2_above_q31(least_log2 + 1);
         const uint32_t eighth = s->q_steep >> (28 - l) != 0 ? UINT32_MAX : s->q_steep << (l + 3);
@@ -159,11 +205,40 @@ static uint32_t color_bias(const qtri_raster *raster, bool light)
     return 0x8000u + (light ? 4096u : 12288u);
 }
 
-static void set_shared(shared *s, const qtri_triangle *t, const uint32_t q[3],
-                       const qtri_gradient *gradient)
+/*
+ * Where vertices are moved by weights of 2^-6 at most, 1/w grows by 2^-5 of itself: less 1/32 it
+ * stays below 2^31, as its ratios are all that counts.
+ */
+static void set_q(shared *s, const qtri_attributes v[3], const uint32_t q[3])
+{
+    const uint32_t moves = s->unsnapped->is_on ? 1 : 0;
+    const int32_t most = qtri_greatest32(v[0].inv_w_exponent,
+                                         qtri_greatest32(v[1].inv_w_exponent, v[2].inv_w_exponent));
+    for (int i = 0; i < 3; i++) {
+        const uint32_t down = (uint32_t)most - (uint32_t)v[i].inv_w_exponent;
+        uint64_t q_q8 = (uint64_t)q[i] << 8;
+        if (s->fine && down <= 29) {
+            q_q8 = (uint64_t)v[i].inv_w_q31 << 8 >> down;
+        }
+        q_q8 -= (q_q8 >> 5) * moves;
+        s->q[i] = (uint32_t)(q_q8 >> 8);
+        s->q_low[i] = (uint32_t)(q_q8 & 0xFFu);
+        s->q_there[i] = s->q[i];
+    }
+    if (!s->fine) {
+        qtri_unsnapped_move(s->q_there, s->unsnapped, 1, 0x80000000u);
+    }
+}
+
+static void set_shared(shared *s, const qtri_triangle *t, const qtri_attributes v[3],
+                       const uint32_t q[3], const qtri_gradient *gradient,
+                       const qtri_unsnapped *unsnapped)
 {
     s->gradient = gradient;
-    s->q = q;
+    s->unsnapped = unsnapped;
+    s->up = 0;
+    s->fine = qtri_divisor_init(&s->area, gradient, t->extent);
+    set_q(s, v, q);
     for (int i = 0; i < 3; i++) {
         s->top = t->p[i] == t->top ? i : (i == 0 ? 0 : s->top);
         s->bottom = t->p[i] == t->bottom ? i : (i == 0 ? 0 : s->bottom);
@@ -222,12 +297,50 @@ static int32_t set_texels(qtri_job *job, int i, const uint32_t value[3], const s
     return k_log2;
 }
 
+/*
+ * By how many bits 1/w may grow and still be 2^31 or less wherever the triangle meets the frame:
+ * the plane is greatest in a corner of the rectangle where their bounds do. Slopes must grow as
+ * well. Neither scissor nor band is asked.
+ */
+static int32_t room_above(const qtri_fine_plane *q, const qtri_job *job, const qtri_triangle *t)
+{
+    const qtri_surface *surface = job->raster->surface;
+    const int64_t dx = qtri_wrap64(q->dx);
+    const int64_t dy = qtri_wrap64(q->dy);
+    const int32_t x = dx < 0 ? qtri_hold32(t->x_least >> 8, 0, surface->width - 1)
+                             : qtri_hold32(t->x_greatest >> 8, 0, surface->width - 1);
+    const int32_t y = dy < 0 ? qtri_hold32(t->top->y_24p8 >> 8, 0, surface->height - 1)
+                             : qtri_hold32(t->bottom->y_24p8 >> 8, 0, surface->height - 1);
+    const uint64_t columns = (uint64_t)(uint32_t)(t->x_greatest - t->x_least) / 256 + 1;
+    const uint64_t rows = (uint64_t)(uint32_t)(t->bottom->y_24p8 - t->top->y_24p8) / 256 + 1;
+    if ((qtri_magnitude64(dx) >> 30) * columns + (qtri_magnitude64(dy) >> 30) * rows >> 32 != 0) {
+        return 0; /* of steep ones that corner may be out of reach */
+    }
+    const int64_t most = qtri_wrap64(qtri_fine_plane_at(q, x, y));
+    if (most <= 0) {
+        return 0;
+    }
+    const uint64_t all = (uint64_t)most | qtri_magnitude64(dx) | qtri_magnitude64(dy);
+    return qtri_hold32(qtri_clz64(all) - 3, 0, 14);
+}
+
 /* inv_w: its plane, and how it changes along rows. */
-static void set_inv_w(qtri_job *job, shared *s)
+static void set_inv_w(qtri_job *job, const qtri_triangle *t, shared *s)
 {
     qtri_perspective *p = &job->color.perspective;
     qtri_plane plane;
-    qtri_plane_init(&plane, s->gradient, s->q);
+    if (s->fine) {
+        qtri_fine_plane fine;
+        int64_t there_q8[3];
+        fine_plane(&fine, s, there_q8, s->q, s->q_low);
+        for (int i = 0; i < 3; i++) {
+            s->q_there[i] = there_q8[i] < 256 ? 1 : (uint32_t)(there_q8[i] >> 8);
+        }
+        s->up = room_above(&fine, job, t);
+        coarse(&plane, &fine, s->up);
+    } else {
+        qtri_plane_init(&plane, s->gradient, s->q_there);
+    }
     set_plane(&job->attribute[job->end].projected, &plane);
     const int64_t dx = qtri_wrap64(plane.dx);
     const uint64_t steep = qtri_magnitude64(dx);
@@ -250,15 +363,15 @@ static uint32_t floor_of(int32_t least_down)
 
 void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle, const qtri_attributes v[3],
                            const uint32_t value[2][3], const uint32_t q[3],
-                           const qtri_gradient *gradient)
+                           const qtri_gradient *gradient, const qtri_unsnapped *unsnapped)
 {
     qtri_perspective *p = &job->color.perspective;
     shared s;
     int32_t colors_log2 = INT32_MIN / 2;
     int32_t texels_log2 = INT32_MIN / 2;
     int32_t least_down = INT8_MAX;
-    set_shared(&s, triangle, q, gradient);
-    set_inv_w(job, &s);
+    set_shared(&s, triangle, v, q, gradient, unsnapped);
+    set_inv_w(job, triangle, &s);
     for (int i = job->first; i < job->end; i++) {
         if (i < QTRI_U) {
             colors_log2 = qtri_greatest32(colors_log2, set_color(job, i, v, &s));

@@ -7,6 +7,7 @@
 #include "span.h"
 #include "texel_copy.h"
 #include "textured.h"
+#include "unsnapped.h"
 
 /*
  * Colours may stray by 1/4 of a step for being linear on the screen: with the rounding to a pixel
@@ -118,19 +119,22 @@ void qtri_job_pack(qtri_job *job)
     }
 }
 
-static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient)
+static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient,
+                          const qtri_unsnapped *unsnapped)
 {
     const bool textured = job->raster->texture != NULL;
     if (job->tinted && !textured && gradient->inverse != 0) {
-        const uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
-                                   (uint32_t)v[2].color[0]};
+        uint32_t share[3] = {(uint32_t)v[0].color[0], (uint32_t)v[1].color[0],
+                             (uint32_t)v[2].color[0]};
         qtri_ramp light;
+        qtri_unsnapped_move_inside(share, unsnapped);
         qtri_ramp_multiply(&light, gradient, share);
         qtri_job_tint(job, &light);
     } else {
         for (int i = job->first; i < QTRI_U; i++) {
             uint32_t f[3];
             qtri_job_color(f, job, v, i);
+            qtri_unsnapped_move_inside(f, unsnapped);
             ramp_init(&job->attribute[i].ramp, gradient, f);
         }
     }
@@ -202,7 +206,8 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
 }
 
 qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle,
-                                    const qtri_attributes v[3], const qtri_gradient *gradient)
+                                    const qtri_attributes v[3], const qtri_gradient *gradient,
+                                    const qtri_unsnapped *unsnapped)
 {
     const qtri_raster *raster = job->raster;
     const bool textured = raster->texture != NULL;
@@ -227,19 +232,20 @@ qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle
     }
     job->perspective = needs_perspective(job, v, (const uint32_t(*)[3])value, range, q);
     if (job->perspective) {
-        qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, gradient);
+        qtri_perspective_init(job, triangle, v, (const uint32_t(*)[3])value, q, gradient,
+                              unsnapped);
         return textured
                    ? raster->texturing->begin_large(job, triangle, (const uint32_t(*)[3])value, q)
                    : qtri_span_fill;
     }
     if (range != 0) {
-        linear_colors(job, v, gradient);
+        linear_colors(job, v, gradient, unsnapped);
     }
     if (!textured) {
         return raster->fill_smooth;
     }
     for (int i = QTRI_U; i < QTRI_ATTRIBUTES; i++) {
-        qtri_plane_init(&job->attribute[i].plane, gradient, value[i - QTRI_U]);
+        qtri_unsnapped_plane(&job->attribute[i].plane, gradient, unsnapped, value[i - QTRI_U]);
     }
     return raster->texturing->begin_large(job, triangle, (const uint32_t(*)[3])value, q);
 }
@@ -248,6 +254,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
                              const qtri_triangle *triangle, const qtri_attributes v[3])
 {
     qtri_gradient gradient;
+    qtri_unsnapped unsnapped;
     job->raster = raster;
     job->tinted = triangle->tinted;
     job->perspective = false;
@@ -260,12 +267,14 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     gradient_from(&gradient, triangle, raster->surface);
     job->anchor_x = gradient.anchor_x;
     job->anchor_y = gradient.anchor_y;
+    qtri_unsnapped_init(&unsnapped, raster, triangle, v);
     if (raster->with_depth) {
-        const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+        uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+        qtri_unsnapped_move(depth, &unsnapped, 0, (uint32_t)65535 << 16);
         ramp_init(&job->depth, &gradient, depth);
     }
     if (raster->varying != NULL) {
-        return raster->varying->set_job(job, triangle, v, &gradient);
+        return raster->varying->set_job(job, triangle, v, &gradient, &unsnapped);
     }
     constant_color(job, v);
     return raster->fill_flat;

@@ -6,6 +6,7 @@
 #define QTRI_RASTER_SETUP_H
 
 #include "triangle.h"
+#include "unsnapped.h"
 
 /* Returns the function that fills the job's rows. */
 qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
@@ -13,7 +14,8 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
 
 /* The part of it for attributes that vary; job and gradient are set so far. */
 qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle,
-                                    const qtri_attributes v[3], const qtri_gradient *gradient);
+                                    const qtri_attributes v[3], const qtri_gradient *gradient,
+                                    const qtri_unsnapped *unsnapped);
 
 /* Colour i of the three vertices: a channel, or their share of a tint. */
 void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i);

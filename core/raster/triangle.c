@@ -60,6 +60,8 @@ static void attributes_from_screen(qtri_attributes *out, const qtri_screen_verte
     }
     out->u_q32 = v->u_q32;
     out->v_q32 = v->v_q32;
+    out->rest[0] = 0;
+    out->rest[1] = 0;
 }
 
 /* The same as vertices of a mesh are kept: of exponents only what is near the first counts. */

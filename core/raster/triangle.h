@@ -34,6 +34,7 @@ typedef struct qtri_attributes {
     int32_t inv_w_exponent;
     int32_t color[3]; /* n.16 in units of the target; with a tint, color[0] is Q22 of it, <= 1 */
     int64_t u_q32, v_q32;
+    int16_t rest[2]; /* x and y of where it truly is, less where it was snapped to: 2^-24 pixel */
 } qtri_attributes;
 
 #if !QTRI_LONG_MULTIPLY
@@ -109,6 +110,8 @@ static inline void qtri_vertex_attributes(qtri_attributes *out, const qtri_verte
     out->inv_w_q31 = vertex->inv_w;
     out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
     out->color[0] = (int32_t)(intensity_q15 << 7); /* Q22 of the one colour */
+    out->rest[0] = 0;
+    out->rest[1] = 0;
 }
 
 /* Takes p and area, which are set, area not 0. False when no pixel is covered. */

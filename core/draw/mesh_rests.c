@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Where the vertices of large triangles truly are: vertices do not keep it, since the small
+ * triangles that meshes have most of do not ask. It is found again from the mesh's positions.
+ */
+#include "../raster/unsnapped.h"
+#include "mesh_job.h"
+
+/* Of meshes that were prepared, a band sets transforms only for large triangles. */
+QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
+{
+    qtri_late_place *late = draw->late;
+    const qtri_mesh *mesh = draw->mesh;
+    qtri_primitive_place(late->primitive, late->view, late->pose);
+    if (qtri_mesh_has_compact(mesh->positions16)) {
+        qtri_projector_compact(&late->primitive->projector, &mesh->origin, mesh->extent);
+    }
+    late->is_set = true;
+}
+
+QTRI_NOINLINE static void set_rests(qtri_attributes v[3], const qtri_mesh_job *draw,
+                                    const void *indices, const qtri_triangle *triangle)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    const qtri_projector *projector = &draw->primitive.projector;
+    if (draw->late != NULL && !draw->late->is_set) {
+        place_late(draw);
+    }
+    for (int i = 0; i < 3; i++) {
+        qtri_clip_vertex clip;
+        const uint32_t index = qtri_mesh_index(mesh, indices, i);
+        if (qtri_mesh_has_compact(mesh->positions16)) {
+            qtri_projector_point16(projector, &mesh->positions16[index], &clip);
+        } else {
+            qtri_projector_point(projector, &mesh->positions[index], &clip);
+        }
+        qtri_project_rest(v[i].rest, &clip, triangle->p[i], v[i].inv_w_q31);
+    }
+}
+
+void qtri_mesh_set_rests(qtri_attributes v[3], const qtri_mesh_job *draw, const void *indices,
+                         const qtri_triangle *triangle)
+{
+    if (qtri_attributes_matter(&draw->primitive.to.solid.raster, triangle, v)) {
+        set_rests(v, draw, indices, triangle);
+    }
+}
