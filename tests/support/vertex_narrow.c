@@ -16,6 +16,8 @@
 #define qtri_lighting_vertex      narrow_lighting_vertex
 #define qtri_lighting_vertex8     narrow_lighting_vertex8
 #define qtri_project              narrow_project
+#define qtri_project_rest         narrow_project_rest
+#define qtri_projector_set_depth  narrow_projector_set_depth
 #define qtri_projector_compact    narrow_projector_compact
 #define qtri_projector_init       narrow_projector_init
 #define qtri_projector_list       narrow_projector_list
