@@ -185,7 +185,6 @@ static void font_command(void **state)
     assert_int_equal(run(""), 2);
     assert_int_equal(run("f.bdf"), 2);
     assert_int_equal(run("f.bdf -o"), 2);
-    assert_int_equal(run("f.bdf -o 3.h"), 2);
     assert_int_equal(run("f.bdf g.bdf -o x.h"), 2);
     assert_int_equal(run("f.bdf -o x.h --name a-b"), 2);
     assert_int_equal(run("f.bdf -o x.h --frobnicate"), 2);

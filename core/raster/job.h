@@ -60,7 +60,8 @@ typedef struct qtri_perspective {
     int32_t slope; /* inv_w's dx with 15 bits, times 2^slope_exponent where inv_w is 2^31 */
     int32_t slope_exponent;
     qtri_block_limits colors, texels;
-    uint8_t texels_twisted;        /* log2 of the least blocks of texels that are of third order */
+    uint8_t up, moved;      /* planes are 2^up (1 - moved / 32) of those of the vertices' inv_w */
+    uint8_t texels_twisted; /* log2 of the least blocks of texels that are of third order */
     int32_t least[3], greatest[3]; /* colours of the vertices, n.16 */
 } qtri_perspective;
 

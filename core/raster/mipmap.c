@@ -136,7 +136,8 @@ uint32_t qtri_mipmap_color_list(const qtri_list_values *v, uint32_t *color, uint
         if (first != 0) {
             batch->count = (uint8_t)first;
             qtri_list_flush(v->raster);
-            memmove(batch->place, place, (size_t)count * sizeof batch->place[0]);
+            memmove(batch->place, place,
+                    (size_t)(count + 1) * sizeof batch->place[0]); /* its end */
             batch->count = (uint8_t)count;
             color = batch->color;
             shade = batch->by.shade;

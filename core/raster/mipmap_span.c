@@ -90,6 +90,7 @@ typedef struct frame {
     int32_t row[2], column[2];
     int32_t nearest; /* the vertex whose q is the greatest */
     int32_t q;
+    int32_t up;     /* of planes, which q has not */
     int32_t x_24p8; /* of it */
     int32_t q_dy;
 } frame;
@@ -102,7 +103,9 @@ static void set_frame(frame *f, const qtri_job *job, const qtri_triangle *t, con
     const int32_t last_column = surface->width - 1;
     f->nearest = q[0] >= q[1] ? 0 : 1;
     f->nearest = q[f->nearest] >= q[2] ? f->nearest : 2;
-    f->q = (int32_t)(q[f->nearest] >> 1);
+    const uint32_t moved = (q[f->nearest] >> 5) * job->color.perspective.moved;
+    f->q = (int32_t)((q[f->nearest] - moved) >> 1);
+    f->up = job->color.perspective.up;
     f->x_24p8 = t->p[f->nearest]->x_24p8;
     f->q_dy = (int32_t)(inv_w->dy + (inv_w->dy_rest >> 15));
     f->row[0] = qtri_hold32(qtri_first_center(t->top->y_24p8), 0, last_row);
@@ -125,7 +128,8 @@ static int64_t down_at(const frame *f, const qtri_projected *a, uint32_t value)
     const int32_t cut = qtri_greatest32(34 - qtri_clz64(qtri_magnitude64(difference)), 0);
     int64_t product = qtri_mul_s32((int32_t)(difference >> cut), f->q) >> 31;
     product += (product >> 4) + (product >> 8) + (product >> 12) + (product >> 16);
-    const int32_t up = cut - 14 + a->down + a->up - 1; /* a->up: two more than the axis has */
+    /* a->up: two more than the axis has */
+    const int32_t up = cut - 14 + f->up + a->down + a->up - 1;
     return up >= 0 ? product * ((int64_t)1 << qtri_least32(up, 31))
                    : product >> qtri_least32(-up, 63);
 }
@@ -273,10 +277,10 @@ static inline void set_block(const qtri_scanline *row, qtri_levels *levels, uint
     qtri_level_set(levels, level_at(levels, &l, x));
 }
 
-/* That of all of a row along which w does not change. */
+/* That of all of a row along which w does not change, or hardly does along its span. */
 static inline limit row_limit(const qtri_scanline *row, qtri_levels *levels)
 {
-    const uint32_t q = inv_w_at(row, 0);
+    const uint32_t q = inv_w_at(row, row->left);
     return limit_at(levels, row_length(&levels->footprint, row->y), q, qtri_clz32(q));
 }
 
@@ -332,7 +336,9 @@ static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, c
 {
     const int32_t first = x - ((x - row->left) & (LEVEL_RUN - 1));
     const int32_t length = qtri_least32(LEVEL_RUN, row->right - first);
-    qtri_level_set(levels, level_at(levels, l, first + (length >> 1)));
+    const int32_t last = row->job->raster->surface->width - 1;
+    const int32_t middle = qtri_hold32(first + (length >> 1), 0, last); /* in the frame */
+    qtri_level_set(levels, level_at(levels, l, middle));
     for (int i = 0; i < 2; i++) {
         uv[i] = row->curve[QTRI_U + i];
         uv[i].at += (uint32_t)(first - at) * uv[i].step;

@@ -372,6 +372,8 @@ void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle, const q
     int32_t least_down = INT8_MAX;
     set_shared(&s, triangle, v, q, gradient, unsnapped);
     set_inv_w(job, triangle, &s);
+    p->up = (uint8_t)s.up;
+    p->moved = unsnapped->is_on ? 1 : 0;
     for (int i = job->first; i < job->end; i++) {
         if (i < QTRI_U) {
             colors_log2 = qtri_greatest32(colors_log2, set_color(job, i, v, &s));

@@ -107,7 +107,10 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->fill_smooth = fused->smooth != NULL ? fused->smooth : raster->fill_smooth;
         raster->copy_run = raster->copied ? fused->copy : NULL;
         raster->copy_bent = raster->copied ? fused->copy_bent : NULL;
-        raster->lit_list = raster->copied && !raster->alone ? fused->lit : NULL;
+        if (raster->copied && !raster->alone &&
+            raster->texturing == material->texture->format->texturing) { /* of one level */
+            raster->lit_list = fused->lit;
+        }
     }
 }
 
