@@ -301,7 +301,7 @@ static void filters_in_levels(void **state)
     static uint8_t gray[2 * 64 * 64];
     static const void *gray_table[LEVELS];
     uint64_t seed = 910;
-    double worst = 0;
+    double greatest = 0;
     int pixels = 0;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     for (size_t i = 0; i < LENGTH_OF(gray); i++) {
@@ -347,13 +347,13 @@ static void filters_in_levels(void **state)
                                             (255 * unit));
                 }
             }
-            worst = fmax(worst, least);
+            greatest = fmax(greatest, least);
             pixels++;
         }
     }
-    print_message("%d pixels, off, of the bound: %.3f\n", pixels, worst);
+    print_message("%d pixels, off, of the bound: %.3f\n", pixels, greatest);
     assert_true(pixels > 5000);
-    assert_true(worst < 1);
+    assert_true(greatest < 1);
     canvas_free(&c);
 }
 

@@ -448,7 +448,7 @@ static void every_scene_is_rendered(void **state)
         soup.scene.op_count = 12;
         for (size_t i = 0; i < soup.scene.op_count; i++)
             random_op(&soup.ops[i], &seed);
-        soup.scene.texture = (struct scene_texture){8, 4, texels};
+        soup.scene.texture = (struct scene_texture){.width = 8, .height = 4, .rgb = texels};
         soup.scene.depth_test = soup.scene.depth_write = true;
         soup.scene.depth_compare = (enum scene_compare)(next_random(&seed) % 8);
         soup.scene.screen_linear = next_random(&seed) & 1;

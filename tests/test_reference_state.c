@@ -461,7 +461,7 @@ static void meshes_without_uvs_are_not_textured(void **state)
     struct reference_image image;
 
     scene.light.towards[2] = 0;
-    scene.texture = (struct scene_texture){1, 1, black};
+    scene.texture = (struct scene_texture){.width = 1, .height = 1, .rgb = black};
     for (int with_uvs = 0; with_uvs < 2; with_uvs++) {
         mesh.uvs = with_uvs ? uvs : NULL;
         assert_true(reference_render(&scene, 0, &image));

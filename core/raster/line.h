@@ -15,7 +15,6 @@
 
 #include "raster.h"
 
-typedef struct qtri_line_job qtri_line_job;
 struct qtri_stroke_line;
 
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */

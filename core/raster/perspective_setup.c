@@ -313,7 +313,8 @@ static int32_t room_above(const qtri_fine_plane *q, const qtri_job *job, const q
                              : qtri_hold32(t->bottom->y_24p8 >> 8, 0, surface->height - 1);
     const uint64_t columns = (uint64_t)(uint32_t)(t->x_greatest - t->x_least) / 256 + 1;
     const uint64_t rows = (uint64_t)(uint32_t)(t->bottom->y_24p8 - t->top->y_24p8) / 256 + 1;
-    if ((qtri_magnitude64(dx) >> 30) * columns + (qtri_magnitude64(dy) >> 30) * rows >> 32 != 0) {
+    if ((qtri_magnitude64(dx) >> 30) * columns + (qtri_magnitude64(dy) >> 30) * rows >= (uint64_t)1
+                                                                                            << 32) {
         return 0; /* of steep ones that corner may be out of reach */
     }
     const int64_t most = qtri_wrap64(qtri_fine_plane_at(q, x, y));

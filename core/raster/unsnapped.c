@@ -23,7 +23,7 @@ bool qtri_unsnapped_matters(const qtri_raster *raster, const qtri_triangle *tria
     uint32_t greatest;
     find_range(&least, &greatest, depth_16p16);
     const uint32_t depth = (greatest - least) >> 14; /* in quarters of a step */
-    const uint32_t range = qtri_greatest32((int32_t)depth, 4 * 255);
+    const uint32_t range = depth > 4 * 255 ? depth : 4 * 255;
     return qtri_mul_u32(range, (uint32_t)triangle->extent) > qtri_magnitude64(triangle->area);
 }
 
