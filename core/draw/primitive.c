@@ -263,6 +263,10 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
     if (raster->samples != NULL) {
         qtri_attributes own[3];
         piece_attributes(own, p);
+        for (int i = 0; i < 3; i++) {
+            own[i].rest[0] = 0;
+            own[i].rest[1] = 0;
+        }
         qtri_triangle_draw(raster, &triangle, own);
         return true;
     }

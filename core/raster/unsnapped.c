@@ -16,6 +16,9 @@ static void find_range(uint32_t *least, uint32_t *greatest, const uint32_t f[3])
 bool qtri_unsnapped_matters(const qtri_raster *raster, const qtri_triangle *triangle,
                             const uint32_t depth_16p16[3])
 {
+    if (raster->samples != NULL) {
+        return false; /* five jobs a triangle would pay for it */
+    }
     if (raster->texture != NULL) {
         return true;
     }
