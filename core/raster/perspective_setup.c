@@ -299,16 +299,17 @@ static int32_t set_texels(qtri_job *job, int i, const uint32_t value[3], const s
 
 /*
  * By how many bits 1/w may grow and still be 2^31 or less wherever the triangle meets the frame:
- * the plane is greatest in a corner of the rectangle where their bounds do. Slopes must grow as
- * well. Neither scissor nor band is asked.
+ * the plane is greatest in a corner of the rectangle where their bounds do, to which chunks add
+ * pixels at both sides that are computed and not drawn. Slopes must grow as well. Neither scissor
+ * nor band is asked.
  */
 static int32_t room_above(const qtri_fine_plane *q, const qtri_job *job, const qtri_triangle *t)
 {
     const qtri_surface *surface = job->raster->surface;
     const int64_t dx = qtri_wrap64(q->dx);
     const int64_t dy = qtri_wrap64(q->dy);
-    const int32_t x = dx < 0 ? qtri_hold32(t->x_least >> 8, 0, surface->width - 1)
-                             : qtri_hold32(t->x_greatest >> 8, 0, surface->width - 1);
+    const int32_t end = surface->width - 1 + QTRI_BATCH;
+    const int32_t x = qtri_hold32((dx < 0 ? t->x_least : t->x_greatest) >> 8, -QTRI_BATCH, end);
     const int32_t y = dy < 0 ? qtri_hold32(t->top->y_24p8 >> 8, 0, surface->height - 1)
                              : qtri_hold32(t->bottom->y_24p8 >> 8, 0, surface->height - 1);
     const uint64_t columns = (uint64_t)(uint32_t)(t->x_greatest - t->x_least) / 256 + 1;
