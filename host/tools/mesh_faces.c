@@ -86,8 +86,7 @@ static void set_face(struct face *face, const qtri_mesh *mesh, uint32_t triangle
     double p[3][3];
     double edge[3][3];
     double around = 0.0;
-    face->radius = 0.0;
-    face->twice_area = 0.0;
+    *face = (struct face){0};
     for (int i = 0; i < 3; i++) {
         uint32_t index =
             mesh->triangles8 != NULL ? mesh->triangles8[triangle][i] : mesh->triangles[triangle][i];
@@ -129,7 +128,10 @@ enum { PART_MIN = 8, PART_MAX = 127 };
 static void find_planes(struct plane planes[PART_MAX + 1], const struct face *face)
 {
     const double *n = face->normal;
-    const double largest = fmax(fabs(n[0]), fmax(fabs(n[1]), fabs(n[2])));
+    double largest = 0.0;
+    for (int axis = 0; axis < 3; axis++) {
+        largest = fabs(n[axis]) > largest ? fabs(n[axis]) : largest;
+    }
     for (int part = PART_MIN; part <= PART_MAX; part++) {
         struct plane *plane = &planes[part];
         double q[3];
