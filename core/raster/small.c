@@ -17,53 +17,18 @@ static bool rows_are_long(const qtri_place *p)
     return p->size >> 10 >= 3 * (uint32_t)height;
 }
 
-/* How many of the triangle's rows the surface's bounds leave out above the base. */
-static int32_t rows_above(const qtri_place *p)
-{
-    const int32_t y = ((p->y - 1) & 255) + 1; /* of vertex 0's first row: 1..256 */
-    const int32_t first = qtri_least_from_0((p->dy1 - y + 255) >> 8, (p->dy2 - y + 255) >> 8);
-    return ((p->y - 1) >> 8) - first;
-}
-
-/*
- * The tint's channels are rounded from light, so this is done where no band or scissor moves it: in
- * the first row of the whole triangle. That is between its vertices in y, as the base is, and light
- * is no steeper than it would be without bounds.
- */
-static void tint(qtri_job *job, const qtri_list_values *v)
-{
-    const uint32_t rows = (uint32_t)rows_above(v->t->place);
-    qtri_ramp light = v->channel[2];
-    light.origin -= rows * light.dy;
-    qtri_job_tint(job, &light);
-    for (int i = job->first; i < QTRI_U; i++) {
-        qtri_ramp *c = &job->attribute[i].ramp;
-        c->origin += rows * c->dy;
-    }
-}
-
 qtri_fill_rows qtri_small_set_rows(qtri_job *job, qtri_list_values *v)
 {
-    const qtri_raster *raster = job->raster;
-    if (v->t->color == NULL) {
-        qtri_list_set_light(v, 16);
-        job->first = raster->units->single ? QTRI_U - 1 : 0;
-    } else {
-        qtri_list_set_channels(v, 16);
-        job->first = QTRI_U - v->channels;
-    }
+    qtri_list_set_channels(v, 16);
     if (v->curved) {
         return NULL;
     }
-    if (v->t->color == NULL) {
-        tint(job, v);
-    } else {
-        for (int i = job->first; i < QTRI_U; i++) {
-            job->attribute[i].ramp = v->channel[i];
-        }
+    job->first = QTRI_U - v->channels;
+    for (int i = job->first; i < QTRI_U; i++) {
+        job->attribute[i].ramp = v->channel[i];
     }
     qtri_job_pack(job);
-    return raster->fill_smooth;
+    return job->raster->fill_smooth;
 }
 
 static qtri_fill_rows set_job(qtri_job *job, qtri_list_values *v)
@@ -117,9 +82,16 @@ QTRI_NOINLINE static bool draw_rows(const qtri_raster *raster, const qtri_list_t
     return true;
 }
 
+/* Shares of a tint are rounded from light at each pixel, as in core/fast: they are the list's. */
+static bool are_shares(const qtri_raster *raster, const qtri_list_triangle *t)
+{
+    return raster->smooth && t->color == NULL && t->light_q15 == QTRI_VERTEX_UNLIT;
+}
+
 void qtri_small_draw(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    if (raster->texture != NULL || !rows_are_long(t->place) || !draw_rows(raster, t)) {
+    if (raster->texture != NULL || are_shares(raster, t) || !rows_are_long(t->place) ||
+        !draw_rows(raster, t)) {
         qtri_list_draw(raster, t);
     }
 }

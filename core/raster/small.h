@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Small triangles, see place.h: where rows are short by fragments of list.c, where they are long
- * row by row as large ones, along curves that take no division. Internal.
+ * Small triangles, see place.h: by fragments of list.c, but where rows are long and neither texture
+ * nor light that varies is in the way, row by row as large ones. Internal.
  *
- * Which of the two depends on the vertices alone, and depths are the same by both.
- *
- * By the matrix's wall on Cortex-M0+ and M3, rows save 15 to 32 % of instructions where there is no
- * texture, and up to 25 % where texels may be the key; other textured walls are from 17 % dearer to
- * 20 % cheaper than by fragments, and meshes of tiny triangles pay .6 % for the question.
+ * Which of the two depends on the vertices and the material alone, and depths are the same by both.
+ * By the matrix's wall rows save an eighth of instructions; textured ones gain nothing by them.
  */
 #ifndef QTRI_RASTER_SMALL_H
 #define QTRI_RASTER_SMALL_H
@@ -17,8 +14,8 @@
 void qtri_small_draw(const qtri_raster *raster, const qtri_list_triangle *t);
 
 /*
- * What fills rows of a small triangle whose colours vary, without texture; NULL where they would
- * have to be curved: then they are the list's.
+ * What fills rows of a small triangle whose vertices have colours, without texture; NULL where they
+ * would have to be curved: then they are the list's.
  */
 qtri_fill_rows qtri_small_set_rows(qtri_job *job, qtri_list_values *v);
 

@@ -200,10 +200,10 @@ function renamed(line, prefix,   out, token, was_comment, following)
 
 function own_name(name)
 {
-    if (is_word(name) && name !~ /^(qtri_|q16_|QTRI_)/ && !(name in keyword)) own[name]
+    if (is_word(name) && name !~ /^(qtri_|q16_|QTRI_)/ && !(name in keyword) && !(name in macro)) own[name]
 }
 
-# The names of file scope of a .c file, into own[]; its macros, and those of .inc files, into macro[].
+# The names of file scope of a .c file and its .inc files, into own[]; their macros into macro[].
 function scan(path,   n, i, token, inner)
 {
     scan_depth = 0
@@ -226,7 +226,10 @@ function scan_lines(path,   n, i, line, name, directive, token, was_comment)
                 sub(/[^A-Za-z0-9_].*/, "", name)
                 macro[name]
             }
-            if (!directive && included(line, path) ~ /\.inc$/) scan_macros(included(line, path))
+            if (!directive && included(line, path) ~ /\.inc$/) {
+                scan_lines(included(line, path))
+                in_comment = 0
+            }
             directive = line ~ /\\$/
             continue
         }
@@ -235,19 +238,6 @@ function scan_lines(path,   n, i, line, name, directive, token, was_comment)
             was_comment = in_comment
             token = next_token()
             if (!was_comment && !is_blank(token)) take(token)
-        }
-    }
-}
-
-function scan_macros(path,   n, i, name)
-{
-    n = read(path)
-    for (i = 1; i <= n; i++) {
-        if (text[path, i] ~ /^ *# *define /) {
-            name = text[path, i]
-            sub(/^ *# *define +/, "", name)
-            sub(/[^A-Za-z0-9_].*/, "", name)
-            macro[name]
         }
     }
 }
