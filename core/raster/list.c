@@ -196,7 +196,9 @@ static bool append(list_rows *r, const qtri_raster *raster, int32_t pixels, bool
     }
     const bool write = raster->depth_write && !late;
     if (raster->compare == QTRI_LESS && write) {
-#ifndef __OPTIMIZE_SIZE__
+#ifdef __OPTIMIZE_SIZE__
+        (void)pixels;
+#else
         if (pixels <= QTRI_BATCH - batch->count) {
             append_few(r, batch, surface);
             return false;
