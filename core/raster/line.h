@@ -77,9 +77,6 @@ void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int32_t count);
 /* Makes a table of tints if there can be one: the same pixels, sooner where there are many. */
 void qtri_line_make_table(const qtri_line_job *job);
 
-/* Makes colour words of `count` shares in Q22. */
-void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int32_t count);
-
 /* A vertex of any coordinates as an end, its depth within depth_16p8, and its colour. */
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v);
 

@@ -43,25 +43,25 @@ typedef enum bench_smooth {
 
 typedef struct bench_scene {
     const char *name;
-    bench_work work;
     const qtri_shading *shading; /* NULL: smooth */
-    qtri_interpolation interpolation;
-    bool wireframe, without_depth, fog;
-    bool textured; /* REPLACE on quads, MODULATE on meshes */
     const qtri_filter *filter;
     const bench_quad *quad;
     const qtri_mesh *mesh;
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
-    q16 turn;               /* the mesh, about y */
-    q16 width;              /* of strokes, with smooth edges; of a mesh: its wireframe's */
-    bool thin;              /* a wireframe of smooth lines */
-    bool points, hidden;    /* points for a polyline; a wireframe without hidden lines */
-    int32_t band_rows;      /* not 0: prepared, then drawn in bands of so many rows */
-    uint32_t lights;        /* not 0: so many sources, and highlights, in place of the light */
-    bench_smooth smooth;
     void (*paint)(struct bench_frame *frame);
-    uint32_t characters;     /* that are painted */
     const qtri_blend *blend; /* at half alpha */
+    bench_work work;
+    qtri_interpolation interpolation;
+    q16 turn;          /* the mesh, about y */
+    q16 width;         /* of strokes, with smooth edges; of a mesh: its wireframe's */
+    int32_t band_rows; /* not 0: prepared, then drawn in bands of so many rows */
+    uint32_t lights;   /* not 0: so many sources, and highlights, in place of the light */
+    bench_smooth smooth;
+    uint32_t characters; /* that are painted */
+    bool wireframe, without_depth, fog;
+    bool textured;       /* REPLACE on quads, MODULATE on meshes */
+    bool thin;           /* a wireframe of smooth lines */
+    bool points, hidden; /* points for a polyline; a wireframe without hidden lines */
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */

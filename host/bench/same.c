@@ -10,10 +10,10 @@ int draw_scenes(void *memory, size_t bytes);
 
 /* Both are the program of a board. */
 #define board_program draw_matrix
-#include "matrix_program.c"
+#include "matrix_program.c" // NOLINT(bugprone-suspicious-include)
 #undef board_program
 #define board_program draw_scenes
-#include "bench_program.c"
+#include "bench_program.c" // NOLINT(bugprone-suspicious-include)
 
 int main(void)
 {
