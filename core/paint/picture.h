@@ -12,7 +12,7 @@
 #include "qtri/image.h"
 
 #include "mix.h"
-#include "stored.h"
+#include "../frame/stored.h"
 
 enum { QTRI_PICTURE_BATCH = 32 };
 

@@ -4,7 +4,7 @@
 #include "../bits/bits.h"
 #include "../frame/barrier.h"
 #include "ink.h"
-#include "stored.h"
+#include "../frame/stored.h"
 
 /* What of a glyph's rows is painted: `width` bits from bit `skip` on, the highest bit first. */
 typedef struct bits {

@@ -217,21 +217,23 @@ static uint32_t find_pieces(qtri_list_piece piece[3], const qtri_list_values *v,
     return first;
 }
 
-/* The same along rows, see qtri_list_piece. */
-static void numbers_lit(const qtri_list_values *v, uint32_t *number, uint32_t *shade,
-                        const uint32_t *place, int32_t count)
+/* The same along rows, see qtri_list_piece; lit: light that varies, too. */
+QTRI_INLINE void follow(const qtri_list_values *v, uint32_t *number, uint32_t *shade,
+                        const uint32_t *place, int32_t count, bool lit)
 {
     const uint32_t cut = v->raster->texel_cut;
     const uint32_t *const end = place + count;
     do {
         qtri_list_piece piece[3];
-        const uint32_t first = find_pieces(piece, v, *place, true);
+        const uint32_t first = find_pieces(piece, v, *place, lit);
         const qtri_list_piece u_piece = piece[0];
         const qtri_list_piece v_piece = piece[1];
-        const qtri_list_piece light = piece[2];
+        const qtri_list_piece light = lit ? piece[2] : piece[0];
         uint32_t d = *place - first;
         do {
-            *shade++ = qtri_list_piece_at(&light, d) >> QTRI_LIGHT_SHIFT;
+            if (lit) {
+                *shade++ = qtri_list_piece_at(&light, d) >> QTRI_LIGHT_SHIFT;
+            }
             *number++ = qtri_texel_index(qtri_list_piece_at(&u_piece, d),
                                          qtri_list_piece_at(&v_piece, d), cut);
             d = *++place - first;
@@ -239,23 +241,16 @@ static void numbers_lit(const qtri_list_values *v, uint32_t *number, uint32_t *s
     } while (place != end);
 }
 
+static void numbers_lit(const qtri_list_values *v, uint32_t *number, uint32_t *shade,
+                        const uint32_t *place, int32_t count)
+{
+    follow(v, number, shade, place, count, true);
+}
+
 static void numbers_along(const qtri_list_values *v, uint32_t *number, const uint32_t *place,
                           int32_t count)
 {
-    const uint32_t cut = v->raster->texel_cut;
-    const uint32_t *const end = place + count;
-    do {
-        qtri_list_piece piece[3];
-        const uint32_t first = find_pieces(piece, v, *place, false);
-        const qtri_list_piece u_piece = piece[0];
-        const qtri_list_piece v_piece = piece[1];
-        uint32_t d = *place - first;
-        do {
-            *number++ = qtri_texel_index(qtri_list_piece_at(&u_piece, d),
-                                         qtri_list_piece_at(&v_piece, d), cut);
-            d = *++place - first;
-        } while (d < QTRI_PIECE);
-    } while (place != end);
+    follow(v, number, NULL, place, count, false);
 }
 
 QTRI_NOINLINE static void coordinates_along(const qtri_list_values *v, uint32_t *out_u,

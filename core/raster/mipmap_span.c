@@ -181,16 +181,6 @@ static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_t
 
 /* Along a row ---------------------------------------------------------------------------------- */
 
-/* 1/w at a pixel of the row, held to 1..2^31: see perspective.c. */
-static inline uint32_t inv_w_at(const qtri_scanline *row, int32_t x)
-{
-    const qtri_row_plane *at = &row->by.perspective.plane[row->job->end];
-    const qtri_projected *plane = &row->job->attribute[row->job->end].projected;
-    const uint32_t q = at->at + plane->dx * (uint32_t)x +
-                       (uint32_t)((at->rest + (int32_t)plane->dx_rest * x) >> 16);
-    return q - 1 < 0xC0000000u ? q : 1;
-}
-
 /* Of the step right, of all of a row. */
 QTRI_NOINLINE static uint32_t row_length(qtri_footprint *f, int32_t y)
 {
@@ -232,24 +222,6 @@ static inline limit limit_at(const qtri_levels *levels, uint32_t length, uint32_
     return l;
 }
 
-/* Leading zeros of q, which is not 0, where blocks are curves: perspective.c has just asked. */
-static inline int32_t zeros_of(const qtri_scanline *row, uint32_t q)
-{
-#if QTRI_LONG_MULTIPLY
-    (void)row;
-    return qtri_clz32(q);
-#else
-    int32_t zeros = row->by.perspective.zeros;
-    while (q >> (31 - zeros) > 1) {
-        zeros--;
-    }
-    while ((int32_t)(q << zeros) >= 0) {
-        zeros++;
-    }
-    return zeros;
-#endif
-}
-
 /* The level at pixel x. */
 static inline uint32_t level_at(const qtri_levels *levels, const limit *l, int32_t x)
 {
@@ -269,18 +241,17 @@ static inline uint32_t level_at(const qtri_levels *levels, const limit *l, int32
 }
 
 /* Sets that of a block of curves whose middle is pixel x. length: of its row's step right. */
-static inline void set_block(const qtri_scanline *row, qtri_levels *levels, uint32_t length,
-                             int32_t x)
+static inline void set_block(qtri_scanline *row, qtri_levels *levels, uint32_t length, int32_t x)
 {
-    const uint32_t q = inv_w_at(row, x);
-    const limit l = limit_at(levels, length, q, zeros_of(row, q));
+    const uint32_t q = qtri_row_inv_w_at(row, x);
+    const limit l = limit_at(levels, length, q, qtri_row_zeros(row, q));
     qtri_level_set(levels, level_at(levels, &l, x));
 }
 
 /* That of all of a row along which w does not change, or hardly does along its span. */
 static inline limit row_limit(const qtri_scanline *row, qtri_levels *levels)
 {
-    const uint32_t q = inv_w_at(row, row->left);
+    const uint32_t q = qtri_row_inv_w_at(row, row->left);
     return limit_at(levels, row_length(&levels->footprint, row->y), q, qtri_clz32(q));
 }
 

@@ -32,26 +32,10 @@
 #include "../bits/reciprocal.h"
 #include "../frame/curves.h"
 
-/* A plane at a pixel of the row: |x| <= 2^14, so that products of the rest fit 31 bits. */
-static inline uint32_t plane_at(const qtri_row_plane *row, const qtri_projected *plane, int32_t x)
-{
-    return row->at + plane->dx * (uint32_t)x +
-           (uint32_t)((row->rest + (int32_t)plane->dx_rest * x) >> 16);
-}
-
 /* What rounding leaves below 0 or above 2^31, held there. */
 static uint32_t held(uint32_t value)
 {
     return value > 0xC0000000u ? 0 : (value > 0x80000000u ? 0x80000000u : value);
-}
-
-/* 1/w at a pixel of the row: where it is all but 0, rounding may leave it there or below. */
-static inline uint32_t inv_w_at(const qtri_scanline *row, int32_t x)
-{
-    const qtri_job *job = row->job;
-    const uint32_t q =
-        plane_at(&row->by.perspective.plane[job->end], &job->attribute[job->end].projected, x);
-    return q - 1 < 0xC0000000u ? q : 1;
 }
 
 /*
@@ -196,25 +180,6 @@ void qtri_perspective_row(qtri_scanline *row)
     }
 }
 
-/* Leading zeros of q, not 0: of the block before nearly as many. */
-static inline int32_t zeros_of(qtri_scanline *row, uint32_t q)
-{
-#if QTRI_LONG_MULTIPLY
-    (void)row;
-    return qtri_clz32(q);
-#else
-    int32_t zeros = row->by.perspective.zeros;
-    while (q >> (31 - zeros) > 1) {
-        zeros--;
-    }
-    while ((int32_t)(q << zeros) >= 0) {
-        zeros++;
-    }
-    row->by.perspective.zeros = zeros;
-    return zeros;
-#endif
-}
-
 /*
  * What curves of a block have in common, as shares of L. With A = e (1 + ...), T = e^2 and `half`
  * pixels from the first to the middle, a curve's first value is
@@ -281,7 +246,7 @@ static inline void set_shares(middle *m, const qtri_perspective *p, int32_t log2
 static inline uint32_t middle_value(const qtri_scanline *row, const middle *m, int i)
 {
     const qtri_projected *a = &row->job->attribute[i].projected;
-    const uint32_t s = plane_at(&row->by.perspective.plane[i], a, m->x);
+    const uint32_t s = qtri_row_plane_at(&row->by.perspective.plane[i], a, m->x);
     int32_t value = qtri_mul_high_s31((int32_t)(s << m->zeros), m->reciprocal);
     if (i < QTRI_U) {
         const qtri_perspective *p = &row->job->color.perspective;
@@ -348,7 +313,7 @@ QTRI_IN_PLACE void set_curves(qtri_scanline *row, middle *m, int32_t log2, int f
 static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *limits, int32_t x,
                                     int32_t from, int32_t rest)
 {
-    const uint32_t q = inv_w_at(row, x);
+    const uint32_t q = qtri_row_inv_w_at(row, x);
     int32_t log2 = QTRI_BLOCK_LOG2;
     while (log2 > 0 && q < limits[log2 - 1]) {
         log2--;
@@ -373,8 +338,8 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
     middle m;
     m.half = length >> 1;
     m.x = x + m.half;
-    const uint32_t q = inv_w_at(row, m.x);
-    m.zeros = zeros_of(row, q);
+    const uint32_t q = qtri_row_inv_w_at(row, m.x);
+    m.zeros = qtri_row_zeros(row, q);
     m.reciprocal = qtri_reciprocal_near(q << m.zeros);
     if (log2 == 0) {
         for (int i = first; i < end; i++) {

@@ -35,8 +35,7 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->least_alpha = material->least_alpha;
     raster->keep = material->keep;
     raster->wide = false;
-    const struct qtri_effect_stages *stages = qtri_effect_stages_of(material);
-    raster->effects = stages;
+    raster->effects = qtri_effect_stages_of(material);
     raster->rejects = (textured && (material->texture->has_key || material->least_alpha != 0)) ||
                       (raster->blend != NULL && raster->blend->rejects);
     raster->alone = raster->rejects || raster->effects != NULL;

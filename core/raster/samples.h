@@ -10,6 +10,7 @@
 
 #include "qtri/samples.h"
 
+#include "../frame/stored.h"
 #include "triangle.h"
 
 enum { QTRI_SAMPLES = 4 };
@@ -42,37 +43,12 @@ static inline int32_t qtri_sample_bytes(int32_t size)
 /* Colour `k` of a record. */
 static inline uint32_t qtri_sample_color(const uint8_t *record, int32_t bytes, int32_t k)
 {
-    const uint8_t *at = record + (ptrdiff_t)k * bytes;
-    switch (bytes) {
-    case 1:
-        return *at;
-    case 2:
-        return *(const uint16_t *)(const void *)at;
-    case 3:
-        return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
-    default:
-        return *(const uint32_t *)(const void *)at;
-    }
+    return qtri_stored_get(bytes, record + (ptrdiff_t)k * bytes);
 }
 
 static inline void qtri_sample_set_color(uint8_t *record, int32_t bytes, int32_t k, uint32_t stored)
 {
-    uint8_t *at = record + (ptrdiff_t)k * bytes;
-    switch (bytes) {
-    case 1:
-        *at = (uint8_t)stored;
-        break;
-    case 2:
-        *(uint16_t *)(void *)at = (uint16_t)stored;
-        break;
-    case 3:
-        at[0] = (uint8_t)stored;
-        at[1] = (uint8_t)(stored >> 8);
-        at[2] = (uint8_t)(stored >> 16);
-        break;
-    default:
-        *(uint32_t *)(void *)at = stored;
-    }
+    qtri_stored_put(bytes, record + (ptrdiff_t)k * bytes, stored);
 }
 
 /* Depth `k`, 1 to 3, of a record whose colours have so many bytes. */

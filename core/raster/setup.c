@@ -88,8 +88,9 @@ static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
     return job->tinted && raster->units != &qtri_colors_565 ? range << 2 : range;
 }
 
-/* Where light is not so steep that it wraps. */
-void qtri_job_tint(qtri_job *job, const qtri_ramp *light)
+/* Ramps of a tint's channels from that of light, Q22 of it, where it is not so steep that it wraps.
+ */
+static void set_tint(qtri_job *job, const qtri_ramp *light)
 {
     const qtri_raster *raster = job->raster;
     const int32_t origin = (int32_t)(light->origin - 0x8000u);
@@ -129,7 +130,7 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
         qtri_ramp light;
         qtri_unsnapped_move_inside(share, unsnapped);
         qtri_ramp_multiply(&light, gradient, share);
-        qtri_job_tint(job, &light);
+        set_tint(job, &light);
     } else {
         for (int i = job->first; i < QTRI_U; i++) {
             uint32_t f[3];

@@ -20,9 +20,6 @@ qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle
 /* Colour i of the three vertices: a channel, or their share of a tint. */
 void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i);
 
-/* Ramps of a tint's channels from that of light, Q22 of it. */
-void qtri_job_tint(qtri_job *job, const qtri_ramp *light);
-
 /* When ramps of colours are set: packed.h's steps, where they serve. */
 void qtri_job_pack(qtri_job *job);
 

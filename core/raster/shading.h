@@ -11,7 +11,7 @@
 
 struct qtri_varying {
     qtri_fill_rows fill; /* any job, by stages */
-    /* The rest of qtri_job_init: returns what fills the rows. range: of the colours. */
+    /* The rest of qtri_job_init: returns what fills the rows. */
     qtri_fill_rows (*set_job)(qtri_job *job, const qtri_triangle *triangle,
                               const qtri_attributes v[3], const qtri_gradient *gradient,
                               const qtri_unsnapped *unsnapped);

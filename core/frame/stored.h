@@ -2,8 +2,8 @@
 /*
  * Stored pixels of a size that a loop knows. Internal.
  */
-#ifndef QTRI_PAINT_STORED_H
-#define QTRI_PAINT_STORED_H
+#ifndef QTRI_FRAME_STORED_H
+#define QTRI_FRAME_STORED_H
 
 #include <stdint.h>
 
