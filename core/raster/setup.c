@@ -108,7 +108,8 @@ static uint32_t pack_step(const qtri_job *job, uint32_t times)
     return qtri_pack_round(times * c[0].ramp.dx, times * c[1].ramp.dx, times * c[2].ramp.dx);
 }
 
-void qtri_job_pack(qtri_job *job)
+/* When ramps of colours are set: the steps of packed.h, where they serve. */
+static void set_steps(qtri_job *job)
 {
     job->packed = job->raster->units == &qtri_colors_565;
     if (job->packed) {
@@ -140,7 +141,7 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
         }
     }
     if (!textured) {
-        qtri_job_pack(job);
+        set_steps(job);
     }
 }
 

@@ -20,9 +20,6 @@ qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle
 /* Colour i of the three vertices: a channel, or their share of a tint. */
 void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i);
 
-/* When ramps of colours are set: packed.h's steps, where they serve. */
-void qtri_job_pack(qtri_job *job);
-
 /* Where the vertices are. */
 static inline void qtri_gradient_place(qtri_gradient *g, const qtri_triangle *t)
 {

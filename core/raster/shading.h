@@ -15,8 +15,6 @@ struct qtri_varying {
     qtri_fill_rows (*set_job)(qtri_job *job, const qtri_triangle *triangle,
                               const qtri_attributes v[3], const qtri_gradient *gradient,
                               const qtri_unsnapped *unsnapped);
-    /* Colours along rows of a small triangle, without texture; NULL: they are the list's. */
-    qtri_fill_rows (*set_rows)(qtri_job *job, qtri_list_values *v);
     /* Of small triangles: see list_values.h. */
     void (*set_light)(qtri_list_values *v, uint32_t shift);
     void (*set_channels)(qtri_list_values *v, uint32_t shift);

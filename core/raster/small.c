@@ -4,7 +4,6 @@
 #include "../geometry/projector.h"
 #include "list_values.h"
 #include "setup.h"
-#include "shading.h"
 #include "textured.h"
 
 /*
@@ -17,53 +16,31 @@ static bool rows_are_long(const qtri_place *p)
     return p->size >> 10 >= 3 * (uint32_t)height;
 }
 
-qtri_fill_rows qtri_small_set_rows(qtri_job *job, qtri_list_values *v)
+/* A function of its own, so that its stack is free again. */
+QTRI_NOINLINE static void set_job(qtri_job *job, const qtri_raster *raster,
+                                  const qtri_list_triangle *t)
 {
-    qtri_list_set_channels(v, 16);
-    if (v->curved) {
-        return NULL;
-    }
-    job->first = QTRI_U - v->channels;
-    for (int i = job->first; i < QTRI_U; i++) {
-        job->attribute[i].ramp = v->channel[i];
-    }
-    qtri_job_pack(job);
-    return job->raster->fill_smooth;
-}
-
-static qtri_fill_rows set_job(qtri_job *job, qtri_list_values *v)
-{
-    const qtri_raster *raster = v->raster;
-    const qtri_place *p = v->t->place;
+    qtri_list_values v;
+    qtri_list_begin(&v, raster, t);
     job->raster = raster;
     job->tinted = false;
     job->perspective = false;
     job->packed = false;
     job->copies = false;
     job->shaded = false;
-    job->cut = p->cut;
+    job->cut = t->place->cut;
     job->first = QTRI_U;
     job->end = QTRI_U;
-    job->anchor_x = p->column;
-    job->anchor_y = p->row + raster->surface->first_row;
-    qtri_list_set_depth(&job->depth, v);
-    if (raster->smooth && qtri_list_varies(v->t)) {
-        return raster->varying->set_rows(job, v);
-    }
-    job->pixel = qtri_raster_stored(raster, qtri_list_flat_color(raster, v->t));
-    return raster->fill_flat;
+    job->anchor_x = t->place->column;
+    job->anchor_y = t->place->row + raster->surface->first_row;
+    qtri_list_set_depth(&job->depth, &v);
+    job->pixel = qtri_raster_stored(raster, qtri_list_flat_color(raster, t));
 }
 
-/* False when it must go by the list. */
-QTRI_NOINLINE static bool draw_rows(const qtri_raster *raster, const qtri_list_triangle *t)
+QTRI_NOINLINE static void draw_rows(const qtri_raster *raster, const qtri_list_triangle *t)
 {
     qtri_job job;
-    qtri_list_values v;
-    qtri_list_begin(&v, raster, t);
-    const qtri_fill_rows fill = set_job(&job, &v);
-    if (fill == NULL) {
-        return false;
-    }
+    set_job(&job, raster, t);
     qtri_list_flush(raster);
     int32_t row = job.anchor_y;
     const uint8_t *span = t->place->first;
@@ -76,22 +53,17 @@ QTRI_NOINLINE static bool draw_rows(const qtri_raster *raster, const qtri_list_t
             span += 2;
             count++;
         } while (span[0] != QTRI_PLACE_STOP && count < QTRI_ROWS_AHEAD);
-        fill(&job, spans, row, count);
+        raster->fill_flat(&job, spans, row, count);
         row += count;
     }
-    return true;
-}
-
-/* Shares of a tint are rounded from light at each pixel, as in core/fast: they are the list's. */
-static bool are_shares(const qtri_raster *raster, const qtri_list_triangle *t)
-{
-    return raster->smooth && t->color == NULL && t->light_q15 == QTRI_VERTEX_UNLIT;
 }
 
 void qtri_small_draw(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    if (raster->texture != NULL || are_shares(raster, t) || !rows_are_long(t->place) ||
-        !draw_rows(raster, t)) {
+    if (raster->texture == NULL && rows_are_long(t->place) &&
+        !(raster->smooth && qtri_list_varies(t))) {
+        draw_rows(raster, t);
+    } else {
         qtri_list_draw(raster, t);
     }
 }
