@@ -2,7 +2,8 @@
 /*
  * Fragments of lit textured triangles, in light of one colour: nearest RGB565 texels, which become
  * RGB565 pixels. What fetch, qtri_tint_565 (or qtri_light_565, which is that with a tint of 1024)
- * and scatter make of them one after the other.
+ * and scatter make of them one after the other: without, S6 takes 3 % more on a Cortex-M0+ and 5 %
+ * on an M3, S8 5 and 10 %.
  */
 #include "fused.h"
 
