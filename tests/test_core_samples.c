@@ -39,6 +39,23 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int32_t low
     }
 }
 
+/* A random triangle, and on plain surfaces moved so that each sample lies where centres do. */
+static void draw_moved(const canvas *c, const canvas moved[4], const qtri_material *material,
+                       uint64_t *seed)
+{
+    qtri_screen_vertex v[3];
+    random_triangle(v, seed, 0, 255);
+    qtri_raster_triangle(&c->surface, material, v);
+    for (int k = 0; k < 4; k++) {
+        qtri_screen_vertex w[3] = {v[0], v[1], v[2]};
+        for (int j = 0; j < 3; j++) {
+            w[j].x_24p8 -= offsets[k][0];
+            w[j].y_24p8 -= offsets[k][1];
+        }
+        qtri_raster_triangle(&moved[k].surface, material, w);
+    }
+}
+
 /* Flat and without depth: each sample is a plain surface's, drawn with the triangle moved. */
 static void coverage(void **state)
 {
@@ -57,17 +74,7 @@ static void coverage(void **state)
             qtri_surface_clear(&moved[k].surface, sky, 65535);
         }
         for (int i = 0; i < 8; i++) {
-            qtri_screen_vertex v[3];
-            random_triangle(v, &seed, 0, 255);
-            qtri_raster_triangle(&c.surface, &material, v);
-            for (int k = 0; k < 4; k++) {
-                qtri_screen_vertex w[3] = {v[0], v[1], v[2]};
-                for (int j = 0; j < 3; j++) {
-                    w[j].x_24p8 -= offsets[k][0];
-                    w[j].y_24p8 -= offsets[k][1];
-                }
-                qtri_raster_triangle(&moved[k].surface, &material, w);
-            }
+            draw_moved(&c, moved, &material, &seed);
         }
         for (int k = 0; k < 4; k++) {
             for (int y = 0; y < HEIGHT; y++) {
@@ -102,17 +109,7 @@ static void depths(void **state)
             qtri_surface_clear(&moved[k].surface, sky, 65535);
         }
         for (int i = 0; i < 12; i++) {
-            qtri_screen_vertex v[3];
-            random_triangle(v, &seed, 0, 255);
-            qtri_raster_triangle(&c.surface, &material, v);
-            for (int k = 0; k < 4; k++) {
-                qtri_screen_vertex w[3] = {v[0], v[1], v[2]};
-                for (int j = 0; j < 3; j++) {
-                    w[j].x_24p8 -= offsets[k][0];
-                    w[j].y_24p8 -= offsets[k][1];
-                }
-                qtri_raster_triangle(&moved[k].surface, &material, w);
-            }
+            draw_moved(&c, moved, &material, &seed);
         }
         for (int k = 0; k < 4; k++) {
             for (int i = 0; i < WIDTH * HEIGHT; i++, all++) {
