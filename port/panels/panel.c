@@ -64,12 +64,6 @@ static bool can_be(const qtri_panel *panel)
            (!panel->module.invert || d->invert_commands[0] != 0);
 }
 
-enum qtri_error qtri_panel_open(qtri_panel *panel, const qtri_rect *bytes)
-{
-    enum qtri_error error = qtri_panel_finish(panel);
-    return error == QTRI_OK ? panel->description->window(panel, bytes) : error;
-}
-
 /* Black in a window, from the panel's memory: as many zeros at a time as that holds. */
 static enum qtri_error blank_window(qtri_panel *panel, qtri_rect window)
 {

@@ -64,6 +64,12 @@ enum qtri_error qtri_panel_finish(qtri_panel *panel)
     return sent(panel->bus->data_finish(panel->bus->context));
 }
 
+enum qtri_error qtri_panel_open(qtri_panel *panel, const qtri_rect *bytes)
+{
+    enum qtri_error error = qtri_panel_finish(panel);
+    return error == QTRI_OK ? panel->description->window(panel, bytes) : error;
+}
+
 static enum qtri_error wait_until_ready(const qtri_panel *panel)
 {
     const qtri_bus *bus = panel->bus;
