@@ -173,6 +173,12 @@ COVERAGE := -O1 -g -fprofile-instr-generate -fcoverage-mapping
 MUTANTS  ?= 500
 SEED     ?= 1
 
+.PHONY: pictures
+pictures: $(BUILD)/tests/test_scene_pictures ## Record in tests/pictures.tsv the pictures that the core draws now
+	@rm -f $(BUILD)/pictures.tsv
+	@CMOCKA_MESSAGE_OUTPUT=TAP QTRI_RECORD=$(BUILD)/pictures.tsv $< >$(BUILD)/pictures.log || { cat $(BUILD)/pictures.log; exit 1; }
+	@mv $(BUILD)/pictures.tsv tests/pictures.tsv
+
 .PHONY: coverage mutate misra setup-proof
 coverage: ## Lines and branches of core and port that the plain tests reach; tests/coverage.allow lists what they do not
 	@rm -rf build/coverage/raw && mkdir -p build/coverage/raw

@@ -69,23 +69,36 @@ static double symmetric(struct writer *w, double size)
     return uniform(w, -size, size);
 }
 
+/* A blank and a number for each entry: between two limits, with so many digits. The last is drawn
+   first. */
+static void put_numbers(struct writer *w, const double entry[][3], int count)
+{
+    double number[8];
+    for (int i = count - 1; i >= 0; i--) {
+        number[i] = uniform(w, entry[i][0], entry[i][1]);
+    }
+    for (int i = 0; i < count; i++) {
+        put(w, " %.*f", (int)entry[i][2], number[i]);
+    }
+}
+
 struct point {
     double x, y, z, w;
 };
 
 static void put_vertex(struct writer *w, struct point p, bool textured)
 {
-    put(w, "  %.5f %.5f %.5f %.5f  %.3f %.3f %.3f", p.x, p.y, p.z, p.w, uniform(w, 0, 1),
-        uniform(w, 0, 1), uniform(w, 0, 1));
+    put(w, "  %.5f %.5f %.5f %.5f", p.x, p.y, p.z, p.w);
+    put_numbers(w, (const double[][3]){{0, 1, 3}, {0, 1, 3}, {0, 1, 3}}, 3);
     if (textured) {
         double size = chance(w, 10) && !w->mixed ? 20.0 : 1.5;
         if (w->textured && chance(w, 20)) {
             size = 0.2; /* texels larger than pixels */
         }
-        put(w, "  %.4f %.4f", symmetric(w, size), symmetric(w, size));
+        put_numbers(w, (const double[][3]){{-size, size, 4}, {-size, size, 4}}, 2);
     }
     if (w->mixed) {
-        put(w, "  %.3f %.3f %.3f", symmetric(w, 1), symmetric(w, 1), uniform(w, .2, 1));
+        put_numbers(w, (const double[][3]){{-1, 1, 3}, {-1, 1, 3}, {.2, 1, 3}}, 3);
     }
 }
 
@@ -102,7 +115,10 @@ static void put_triangle(struct writer *w, struct point a, struct point b, struc
 
 static struct point random_point(struct writer *w)
 {
-    struct point p = {symmetric(w, w->reach), symmetric(w, w->reach), symmetric(w, w->reach), 1};
+    struct point p = {0, 0, 0, 1};
+    p.x = symmetric(w, w->reach);
+    p.y = symmetric(w, w->reach);
+    p.z = symmetric(w, w->reach);
     if (w->clip_space) {
         p.z = symmetric(w, 1.1);
         p.w = chance(w, 70) ? uniform(w, 0.2, 2) : symmetric(w, 2);
@@ -211,16 +227,23 @@ static void put_pose(struct writer *w)
     for (int steps = pick(w, 3); steps > 0; steps--) {
         switch (pick(w, 4)) {
         case 0:
-            put(w, "translate %.4f %.4f %.4f\n", symmetric(w, 1), symmetric(w, 1), symmetric(w, 1));
+            put(w, "translate");
+            put_numbers(w, (const double[][3]){{-1, 1, 4}, {-1, 1, 4}, {-1, 1, 4}}, 3);
+            put(w, "\n");
             break;
         case 1:
-            put(w, "rotate %.3f  %.3f %.3f %.3f\n", symmetric(w, 360), symmetric(w, 1),
-                symmetric(w, 1), uniform(w, 0.1, 1));
+            put(w, "rotate");
+            put_numbers(w, (const double[][3]){{-360, 360, 3}, {-1, 1, 3}, {-1, 1, 3}, {0.1, 1, 3}},
+                        4);
+            put(w, "\n");
             break;
-        case 2:
-            put(w, "scale %.4f %.4f %.4f\n", uniform(w, 0.4, 1.6) * (chance(w, 10) ? -1 : 1),
-                uniform(w, 0.4, 1.6), uniform(w, 0.4, 1.6));
+        case 2: {
+            const double z = uniform(w, 0.4, 1.6);
+            const double y = uniform(w, 0.4, 1.6);
+            const double x = uniform(w, 0.4, 1.6) * (chance(w, 10) ? -1 : 1);
+            put(w, "scale %.4f %.4f %.4f\n", x, y, z);
             break;
+        }
         default:
             put_matrix(w, "mult");
             break;
@@ -241,23 +264,42 @@ static void put_view(struct writer *w, int kind)
     }
     double aspect = uniform(w, 0.7, 1.5);
     if (kind == 1 || kind == 2) {
-        put(w, "perspective %.3f %.4f %.4f %.3f\n", uniform(w, 25, 110), aspect,
-            uniform(w, 0.05, 1), uniform(w, 4, 80));
+        const double far_z = uniform(w, 4, 80);
+        const double near_z = uniform(w, 0.05, 1);
+        const double degrees = uniform(w, 25, 110);
+        put(w, "perspective %.3f %.4f %.4f %.3f\n", degrees, aspect, near_z, far_z);
     } else if (kind == 3) {
-        put(w, "frustum %.4f %.4f %.4f %.4f %.4f %.3f\n", uniform(w, -.6, -.2), uniform(w, .2, .6),
-            uniform(w, -.6, -.2), uniform(w, .2, .6), uniform(w, .3, 1), uniform(w, 5, 50));
+        put(w, "frustum");
+        put_numbers(
+            w,
+            (const double[][3]){
+                {-.6, -.2, 4}, {.2, .6, 4}, {-.6, -.2, 4}, {.2, .6, 4}, {.3, 1, 4}, {5, 50, 3}},
+            6);
+        put(w, "\n");
     } else {
-        put(w, "ortho %.4f %.4f %.4f %.4f %.4f %.4f\n", uniform(w, -2, -1), uniform(w, 1, 2),
-            uniform(w, -2, -1), uniform(w, 1, 2), uniform(w, 0, 1), uniform(w, 4, 8));
+        put(w, "ortho");
+        put_numbers(w,
+                    (const double[][3]){
+                        {-2, -1, 4}, {1, 2, 4}, {-2, -1, 4}, {1, 2, 4}, {0, 1, 4}, {4, 8, 4}},
+                    6);
+        put(w, "\n");
     }
     put(w, "mode modelview\n");
     if (chance(w, 10)) {
-        put(w, "load 1 0 0 0  0 1 0 0  0 0 1 0  %.4f %.4f %.4f 1\n", symmetric(w, 1),
-            symmetric(w, 1), uniform(w, -4, -1.5));
+        put(w, "load 1 0 0 0  0 1 0 0  0 0 1 0");
+        put_numbers(w, (const double[][3]){{-1, 1, 4}, {-1, 1, 4}, {-4, -1.5, 4}}, 3);
+        put(w, " 1\n");
     } else {
-        put(w, "lookat %.4f %.4f %.4f  %.4f %.4f %.4f  %.3f 1 %.3f\n", symmetric(w, 2),
-            symmetric(w, 2), uniform(w, 0.3, 4), symmetric(w, .5), symmetric(w, .5),
-            symmetric(w, .5), symmetric(w, .5), symmetric(w, .5));
+        const double up_z = symmetric(w, .5);
+        const double up_x = symmetric(w, .5);
+        const double z = symmetric(w, .5);
+        const double y = symmetric(w, .5);
+        const double x = symmetric(w, .5);
+        const double eye_z = uniform(w, 0.3, 4);
+        const double eye_y = symmetric(w, 2);
+        const double eye_x = symmetric(w, 2);
+        put(w, "lookat %.4f %.4f %.4f  %.4f %.4f %.4f  %.3f 1 %.3f\n", eye_x, eye_y, eye_z, x, y, z,
+            up_x, up_z);
     }
 }
 
@@ -286,7 +328,9 @@ static void put_texture(struct writer *w)
     }
     put(w, "texwrap %s\n", either(w, "repeat", "clamp"));
     if (chance(w, 30)) {
-        put(w, "texwrap %s %s\n", either(w, "repeat", "clamp"), either(w, "repeat", "clamp"));
+        const char *v = either(w, "repeat", "clamp");
+        const char *u = either(w, "repeat", "clamp");
+        put(w, "texwrap %s %s\n", u, v);
     }
     put(w, "texfilter %s\n", chance(w, 35) ? "nearest" : "bilinear");
     put(w, "texformat %s\n", format[pick(w, 4)]);
@@ -300,11 +344,16 @@ static void put_state(struct writer *w)
 {
     static const char *const depth[] = {"less", "less", "less", "lequal", "less", "always", "off"};
     static const char *const cull[] = {"none", "none", "back", "front"};
-    put(w, "viewport %d %d\n", 64 + pick(w, 5) * 64, 48 + pick(w, 200));
-    put(w, "clear %.3f %.3f %.3f\n", uniform(w, 0, 1), uniform(w, 0, 1), uniform(w, 0, 1));
+    const int height = 48 + pick(w, 200);
+    const int width = 64 + pick(w, 5) * 64;
+    put(w, "viewport %d %d\n", width, height);
+    put(w, "clear");
+    put_numbers(w, (const double[][3]){{0, 1, 3}, {0, 1, 3}, {0, 1, 3}}, 3);
+    put(w, "\n");
     if (chance(w, 12)) {
-        put(w, "depth %s\ncleardepth %.3f\n", chance(w, 50) ? "greater" : "gequal",
-            uniform(w, 0, .3));
+        const double cleared = uniform(w, 0, .3);
+        const char *compare = chance(w, 50) ? "greater" : "gequal";
+        put(w, "depth %s\ncleardepth %.3f\n", compare, cleared);
     } else {
         put(w, "depth %s\n", depth[pick(w, 7)]);
         if (chance(w, 10)) {
@@ -321,7 +370,9 @@ static void put_state(struct writer *w)
         put(w, "interpolate linear\n");
     }
     if (chance(w, 10)) {
-        put(w, "depthrange %.3f %.3f\n", uniform(w, 0, 1), uniform(w, 0, 1));
+        put(w, "depthrange");
+        put_numbers(w, (const double[][3]){{0, 1, 3}, {0, 1, 3}}, 2);
+        put(w, "\n");
     }
     if (chance(w, 5)) {
         put(w, "depthmask off\n");
@@ -361,12 +412,13 @@ static void put_geometry(struct writer *w)
 
 static void put_color(struct writer *w, double most)
 {
-    put(w, " %.3f %.3f %.3f", uniform(w, 0, most), uniform(w, 0, most), uniform(w, 0, most));
+    put_numbers(w, (const double[][3]){{0, most, 3}, {0, most, 3}, {0, most, 3}}, 3);
 }
 
 static void put_place(struct writer *w, double reach)
 {
-    put(w, " %.3f %.3f %.3f", symmetric(w, reach), symmetric(w, reach), symmetric(w, reach));
+    put_numbers(w, (const double[][3]){{-reach, reach, 3}, {-reach, reach, 3}, {-reach, reach, 3}},
+                3);
 }
 
 static void put_lights(struct writer *w)
@@ -376,21 +428,22 @@ static void put_lights(struct writer *w)
     for (int count = 1 + pick(w, 4); count > 0; count--) {
         switch (pick(w, 3)) {
         case 0:
-            put(w, "\nlight directional %.3f %.3f %.3f ", symmetric(w, 1), symmetric(w, 1),
-                uniform(w, .1, 1));
+            put(w, "\nlight directional");
+            put_numbers(w, (const double[][3]){{-1, 1, 3}, {-1, 1, 3}, {.1, 1, 3}}, 3);
             put_color(w, .8);
             break;
         case 1:
             put(w, "\nlight point");
             put_place(w, 3);
             put_color(w, 1.5);
-            put(w, "  %.3f %.3f %.3f", uniform(w, .2, 1), uniform(w, 0, .4), uniform(w, 0, .2));
+            put_numbers(w, (const double[][3]){{.2, 1, 3}, {0, .4, 3}, {0, .2, 3}}, 3);
             break;
         default:
             put(w, "\nlight spot");
             put_place(w, 3);
-            put(w, " %.3f %.3f -1 ", symmetric(w, 1), symmetric(w, 1));
-            put(w, " %.2f %.2f ", uniform(w, 5, 40), uniform(w, 45, 120));
+            put_numbers(w, (const double[][3]){{-1, 1, 3}, {-1, 1, 3}}, 2);
+            put(w, " -1 ");
+            put_numbers(w, (const double[][3]){{5, 40, 2}, {45, 120, 2}}, 2);
             put_color(w, 2);
             break;
         }
@@ -415,9 +468,13 @@ static void put_mixed_state(struct writer *w)
     static const char *const depth[] = {"less", "less", "lequal", "always", "off"};
     const double near_z = uniform(w, .3, 1);
     const double far_z = uniform(w, 8, 60);
-    put(w, "viewport %d %d\nclear", 96 + pick(w, 5) * 32, 64 + pick(w, 100));
+    const int height = 64 + pick(w, 100);
+    const int width = 96 + pick(w, 5) * 32;
+    put(w, "viewport %d %d\nclear", width, height);
     put_color(w, 1);
-    put(w, "\ndepth %s\ncull %s\n", depth[pick(w, 5)], chance(w, 25) ? "back" : "none");
+    const char *culled = chance(w, 25) ? "back" : "none";
+    const char *compare = depth[pick(w, 5)];
+    put(w, "\ndepth %s\ncull %s\n", compare, culled);
     if (chance(w, 20)) {
         put(w, "shade flat %s\n", either(w, "first", "last"));
     }
@@ -425,13 +482,18 @@ static void put_mixed_state(struct writer *w)
         put(w, "polygon line\n");
     }
     if (chance(w, 10)) {
-        put(w, "colormask %s %s on\n", either(w, "on", "off"), either(w, "on", "off"));
+        const char *green = either(w, "on", "off");
+        const char *red = either(w, "on", "off");
+        put(w, "colormask %s %s on\n", red, green);
     }
-    put(w, "blend %s %.3f\n", blend[pick(w, 6)], chance(w, 20) ? 1.0 : uniform(w, .1, 1));
+    const double alpha = chance(w, 20) ? 1.0 : uniform(w, .1, 1);
+    const char *name = blend[pick(w, 6)];
+    put(w, "blend %s %.3f\n", name, alpha);
     if (chance(w, 30)) {
         put(w, "fog linear %.4f %.4f", near_z, far_z);
         put_color(w, 1);
-        put(w, " %.3f %.3f\n", uniform(w, 0, 3), uniform(w, 4, 12));
+        put_numbers(w, (const double[][3]){{0, 3, 3}, {4, 12, 3}}, 2);
+        put(w, "\n");
     } else if (chance(w, 60)) {
         put(w, "fogdensity %s %.4f %.4f", either(w, "exp", "exp2"), near_z, far_z);
         put_color(w, 1);
@@ -447,15 +509,19 @@ static void put_mixed_state(struct writer *w)
         }
         put(w, "\ntexfilter bilinear\ntexmode %s\n", chance(w, 30) ? "replace" : "modulate");
     }
-    put(w, "mode projection\nperspective %.3f %.4f %.4f %.4f\n", uniform(w, 30, 90),
-        uniform(w, .8, 1.6), near_z, far_z);
-    put(w, "mode modelview\nlookat %.4f %.4f %.4f  0 0 0  0 1 0\n", symmetric(w, 1.5),
-        symmetric(w, 1.5), uniform(w, 2.5, 5));
+    const double aspect = uniform(w, .8, 1.6);
+    const double degrees = uniform(w, 30, 90);
+    put(w, "mode projection\nperspective %.3f %.4f %.4f %.4f\n", degrees, aspect, near_z, far_z);
+    put(w, "mode modelview\nlookat");
+    put_numbers(w, (const double[][3]){{-1.5, 1.5, 4}, {-1.5, 1.5, 4}, {2.5, 5, 4}}, 3);
+    put(w, " 0 0 0  0 1 0\n");
 }
 
 static void put_strokes(struct writer *w)
 {
-    put(w, "linewidth %.3f\nlinesmooth %s\n", uniform(w, .5, 9), chance(w, 75) ? "on" : "off");
+    const char *smooth = chance(w, 75) ? "on" : "off";
+    const double width = uniform(w, .5, 9);
+    put(w, "linewidth %.3f\nlinesmooth %s\n", width, smooth);
     put(w, "linecap %s\n", chance(w, 60) ? "round" : either(w, "butt", "square"));
     put(w, "linealpha %.3f\n", chance(w, 50) ? 1.0 : uniform(w, .1, 1));
     if (chance(w, 40)) {
@@ -482,24 +548,30 @@ static void put_paint(struct writer *w)
     const double y = uniform(w, 0, 120);
     put(w, "ink");
     put_color(w, 1);
-    put(w, " %.3f\nedges %s\n", chance(w, 40) ? 1.0 : uniform(w, .1, 1),
-        either(w, "hard", "smooth"));
+    const char *edges = either(w, "hard", "smooth");
+    const double alpha = chance(w, 40) ? 1.0 : uniform(w, .1, 1);
+    put(w, " %.3f\nedges %s\n", alpha, edges);
     switch (pick(w, 4)) {
     case 0:
-        put(w, "rect %.3f %.3f %.3f %.3f\n", x, y, x + uniform(w, 1, 60), y + uniform(w, 1, 60));
+        put(w, "rect %.3f %.3f", x, y);
+        put_numbers(w, (const double[][3]){{x + 1, x + 60, 3}, {y + 1, y + 60, 3}}, 2);
         break;
-    case 1:
-        put(w, "roundrect %.3f %.3f %.3f %.3f 6 %.3f\n", x, y, x + uniform(w, 14, 60),
-            y + uniform(w, 14, 60), uniform(w, 1, 5));
-        break;
-    case 2:
-        put(w, "circle %.3f %.3f %.3f\n", x, y, uniform(w, 1, 40));
-        break;
-    default:
-        put(w, "stroke %.3f %.3f %.3f %.3f %.3f\n", x, y, x + symmetric(w, 60),
-            y + symmetric(w, 60), uniform(w, 1, 9));
+    case 1: {
+        const double radius = uniform(w, 1, 5);
+        put(w, "roundrect %.3f %.3f", x, y);
+        put_numbers(w, (const double[][3]){{x + 14, x + 60, 3}, {y + 14, y + 60, 3}}, 2);
+        put(w, " 6 %.3f", radius);
         break;
     }
+    case 2:
+        put(w, "circle %.3f %.3f %.3f", x, y, uniform(w, 1, 40));
+        break;
+    default:
+        put(w, "stroke %.3f %.3f", x, y);
+        put_numbers(w, (const double[][3]){{x - 60, x + 60, 3}, {y - 60, y + 60, 3}, {1, 9, 3}}, 3);
+        break;
+    }
+    put(w, "\n");
 }
 
 char *scene_random_mixed(uint32_t seed, size_t *length)
@@ -511,8 +583,9 @@ char *scene_random_mixed(uint32_t seed, size_t *length)
     put_mixed_state(&w);
     for (int groups = 4 + pick(&w, 6); groups > 0; groups--) {
         put(&w, "push\ndepthbias %.5f\n", chance(&w, 20) ? symmetric(&w, .003) : 0);
-        put(&w, "rotate %.3f  %.3f %.3f %.3f\n", symmetric(&w, 180), symmetric(&w, 1),
-            symmetric(&w, 1), uniform(&w, .1, 1));
+        put(&w, "rotate");
+        put_numbers(&w, (const double[][3]){{-180, 180, 3}, {-1, 1, 3}, {-1, 1, 3}, {.1, 1, 3}}, 4);
+        put(&w, "\n");
         switch (pick(&w, 5)) {
         case 0:
             put_fan(&w);
@@ -526,9 +599,12 @@ char *scene_random_mixed(uint32_t seed, size_t *length)
         case 3:
             put_paint(&w);
             break;
-        default:
-            put_triangle(&w, random_point(&w), random_point(&w), random_point(&w));
+        default: {
+            const struct point c = random_point(&w);
+            const struct point b = random_point(&w);
+            put_triangle(&w, random_point(&w), b, c);
             break;
+        }
         }
         put(&w, "pop\n");
     }
