@@ -4,7 +4,7 @@
     mutate.py BUILD COUNT SEED [FILE...]
 
 Of all changes COUNT are drawn at random. For each, the file is compiled again, and those test programs run that
-reach the line (BUILD/coverage/lines.tsv, by `make coverage`), the quickest first, until one fails. A change that
+reach the line (BUILD/coverage/lines.tsv, by `make coverage`) or are newer than that, the quickest first, until one fails. A change that
 leaves the object as it was is no mutant. BUILD/mutants.tsv has a line for each. Survivors that
 tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart.
 """
@@ -90,10 +90,13 @@ class Bench:
         self.programs = self.link_tests()
         self.reach = {}
         self.reach_file = {}
+        seen = set()
         for line in open(f"{build}/coverage/lines.tsv"):
             path, number, tests = line.rstrip("\n").split("\t")
             self.reach[path, int(number)] = tests.split()
             self.reach_file.setdefault(path, set()).update(tests.split())
+            seen.update(tests.split())
+        self.new = [name for name in self.programs if name not in seen]
         self.environment = dict(os.environ, QTRI_TMP=os.path.abspath(f"{self.here}/tmp"), MALLOC_PERTURB_="165",
                                 QTRI_COMMAND=os.path.abspath(f"{self.here}/qtri"))
 
@@ -166,7 +169,7 @@ class Bench:
             shutil.copyfile(path, f"{self.src}/{path}")
         line = text.count("\n", 0, at) + 1
         tests = self.reach.get((path, line)) or self.reach_file.get(path) or self.programs
-        for name in sorted((t for t in tests if t in self.seconds), key=self.seconds.get):
+        for name in sorted((t for t in set(tests) | set(self.new) if t in self.seconds), key=self.seconds.get):
             passed, _ = self.run(name, int(4 * self.seconds[name]) + 3)
             if not passed:
                 return name
