@@ -20,14 +20,14 @@ static inline uint32_t turns_of_radians(q16 radians)
 }
 
 /*
- * 2^16 / 360 = 182 + 2/45 for a degree. The exact result, rounded up to a whole number, so that
- * angles a whole turn apart are the same: 2/45 in Q35 is less than 2^-5 of its last place too
- * small, 2^-9 for 2^31 units, and an exact fraction is a multiple of 1/45. (0 gives 1: no matter.)
+ * 2^16 / 360 = 182 + 2/45 for a degree. The exact result to nearest, so that angles a whole turn
+ * apart are the same, negative ones too: an exact fraction is a multiple of 1/45, at least 1/90
+ * from a half, and 2/45 in Q35 is less than 2^-5 of its last place too small: 2^-9 for 2^31 units.
  */
 static inline uint32_t turns_of_degrees(q16 degrees)
 {
     uint32_t size = qtri_magnitude32(degrees);
-    return size * 182u + (qtri_mul_high31(size, 1527099483u) >> 3) + 1;
+    return size * 182u + ((qtri_mul_high31(size, 1527099483u) + 4) >> 3);
 }
 
 static inline q16 rounded_q30(uint32_t size_q30, uint32_t negative)
