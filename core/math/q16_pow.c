@@ -22,7 +22,7 @@ static int64_t precise_log2_q43(uint32_t x)
     uint32_t one = below ? 0 : 0x80000000u; /* modulo 2^32 */
     uint32_t difference = below ? one - m : m - one;
     int64_t log_q43 = 0;
-    if (difference != 0) {                                           /* then it is 2 or more */
+    if (difference != 0) { /* then it is 2 or more */
         uint32_t half_sum = (m >> 1) + (below ? 0x80000000u : 0x40000000u); /* in (2^31, 2^32) */
         int32_t up = qtri_clz32(difference);                                /* 1..30 */
         int32_t shift = 32 + up;
