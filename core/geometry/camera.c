@@ -24,7 +24,7 @@ static void side_axis(qtri_wide side[3], const qtri_wide forward[3], const qtri_
         const qtri_vec3 substitute = {0, i == 1 ? Q16_ONE : 0, i == 2 ? Q16_ONE : 0};
         qtri_wide candidate[3];
         wide_from_vec3(candidate, i == 0 ? up : &substitute);
-        if (!qtri_wide_normalize(candidate)) {
+        if (qtri_wide_normalize(candidate) == 0) {
             continue;
         }
         qtri_wide_cross(side, forward, candidate);
@@ -33,7 +33,7 @@ static void side_axis(qtri_wide side[3], const qtri_wide forward[3], const qtri_
                 qtri_wide_set(&side[axis], 0, 0);
             }
         }
-        if (qtri_wide_normalize(side)) {
+        if (qtri_wide_normalize(side) != 0) {
             return;
         }
     }
@@ -47,7 +47,7 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
     qtri_wide_set(&axis[2][0], (int64_t)center.x - eye.x, 16);
     qtri_wide_set(&axis[2][1], (int64_t)center.y - eye.y, 16);
     qtri_wide_set(&axis[2][2], (int64_t)center.z - eye.z, 16);
-    if (!qtri_wide_normalize(axis[2])) {
+    if (qtri_wide_normalize(axis[2]) == 0) {
         qtri_wide_set(&axis[2][2], -1, 0);
     }
     side_axis(axis[0], axis[2], &up);

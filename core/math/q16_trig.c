@@ -50,7 +50,7 @@ static q16 sine_of_turns(uint32_t turn, uint32_t negative)
     uint32_t before;
     uint32_t w_q31 = eighths_q31(shifted, &before);
     negative ^= shifted >> 31;
-    if (shifted & 0x40000000u) {
+    if ((shifted & 0x40000000u) != 0) {
         return rounded_q30(qtri_cosine_of_eighths_q30(w_q31), negative);
     }
     return rounded_q30(qtri_sine_of_eighths_q30(w_q31), negative ^ before);
@@ -65,7 +65,7 @@ static void sincos_of_turns(uint32_t turn, uint32_t negative, q16 *sine, q16 *co
     uint32_t half = quarter >> 1;
     q16 s = rounded_q30(qtri_sine_of_eighths_q30(w_q31), before);
     q16 c = rounded_q30(qtri_cosine_of_eighths_q30(w_q31), 0);
-    if (quarter & 1) {
+    if ((quarter & 1) != 0) {
         q16 swap = s;
         s = c;
         c = -swap;

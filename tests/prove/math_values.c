@@ -149,9 +149,20 @@ void prove_log(void)
         for (uint32_t i = 0; i < 16; i++) { /* the table's ranges */
             uint32_t low = one + (uint32_t)(((uint64_t)one * i) >> 4);
             uint32_t high = one + (uint32_t)(((uint64_t)one * (i + 1)) >> 4) - 1;
-            if (low <= high) {
-                logs_between(low, high);
+            if (low > high) {
+                continue;
             }
+            if (high != 65535) {
+                logs_between(low, high);
+                continue;
+            }
+            //@ loop unroll 11;
+            for (int k = 0; k < 11;
+                 k++) { /* 63489..65535: to 1, whose logarithm changes its sign */
+                uint32_t step = (uint32_t)1 << k;
+                logs_between(65537 - 2 * step, 65536 - step);
+            }
+            logs_between(63488, 63488);
         }
     }
 }
