@@ -50,7 +50,7 @@ static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri
         wide->place.end[i] = vertex[i]->at;
         wide->end[i].depth_16p8 = vertex[i]->depth_16p8 & ~0xFFu;
         if (color != NULL) {
-            (void)memcpy(wide->end[i].color_8p16, color[i], sizeof wide->end[i].color_8p16);
+            memcpy(wide->end[i].color_8p16, color[i], sizeof wide->end[i].color_8p16);
         } else {
             const qtri_rgb *tint = &wide->mesh.material.color;
             const int32_t light = (int32_t)vertex[i]->intensity_q15 * 2;

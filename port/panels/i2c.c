@@ -11,7 +11,7 @@ static bool send(qtri_i2c *i2c, uint8_t control, const uint8_t *bytes, size_t co
     while (count > 0 && ok) {
         size_t n = count < i2c->bytes - 1 ? count : i2c->bytes - 1;
         i2c->buffer[0] = control;
-        (void)memcpy(i2c->buffer + 1, bytes, n);
+        memcpy(i2c->buffer + 1, bytes, n);
         ok = i2c->write(i2c->context, i2c->buffer, n + 1);
         bytes += n;
         count -= n;
