@@ -179,7 +179,7 @@ pictures: $(BUILD)/tests/test_scene_pictures ## Record in tests/pictures.tsv the
 	@CMOCKA_MESSAGE_OUTPUT=TAP QTRI_RECORD=$(BUILD)/pictures.tsv $< >$(BUILD)/pictures.log || { cat $(BUILD)/pictures.log; exit 1; }
 	@mv $(BUILD)/pictures.tsv tests/pictures.tsv
 
-.PHONY: coverage mutate misra setup-proof
+.PHONY: coverage mutate misra prove prove-inputs setup-proof
 coverage: ## Lines and branches of core and port that the plain tests reach; tests/coverage.allow lists what they do not
 	@rm -rf build/coverage/raw && mkdir -p build/coverage/raw
 	@LLVM_PROFILE_FILE=$(CURDIR)/build/coverage/raw/build-%m.profraw PROFILES=$(CURDIR)/build/coverage/raw $(MAKE) -s $(PARALLEL) BUILD=build/coverage CC=clang CFLAGS='$(COVERAGE)' test-plain
@@ -192,8 +192,14 @@ mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of cor
 misra: ## What cppcheck says of MISRA C:2012 in core, by rule; tests/misra.md has the deviations
 	@sh tests/tools/misra.sh
 
-setup-proof: ## Install what coverage and mutate need besides (Debian, as root)
-	apt-get install -y -qq --no-install-recommends python3 llvm
+prove: ## Prove by Frama-C that the scalars do nothing that C does not define, for all arguments; minutes
+	@sh tests/tools/prove.sh values
+
+prove-inputs: ## The same by trying all 2^32 arguments of the functions of one; FUNCTIONS="sqrt recip"
+	@sh tests/tools/prove.sh inputs
+
+setup-proof: ## Install what coverage, mutate, misra and prove need besides (Debian, as root)
+	apt-get install -y -qq --no-install-recommends python3 llvm cppcheck frama-c-base
 
 .PHONY: test-math-targets
 test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V, big-endian PowerPC, AVR

@@ -238,6 +238,83 @@ static void perspectives(void **state)
     assert_true(worst_narrow <= 3);
 }
 
+static matrix perspective_matrix(double fovy, double aspect, double near_z, double far_z, bool d3d)
+{
+    const double g = 1 / tan(fovy / 2 * radians);
+    matrix p = projecting(-aspect, aspect, -1, 1, near_z, far_z, false);
+    p.m[0][0] = g / aspect;
+    p.m[1][1] = g;
+    if (d3d) {
+        p.m[2][2] = -p.m[2][2];
+        p.m[3][2] = 1;
+    }
+    return p;
+}
+
+static qtri_transform perspective_of(q16 fovy, q16 aspect, q16 near_z, q16 far_z, bool d3d)
+{
+    qtri_transform t;
+    qtri_transform_identity(&t);
+    if (d3d) {
+        qtri_transform_perspective_d3d(&t, fovy, aspect, near_z, far_z);
+    } else {
+        qtri_transform_perspective(&t, fovy, aspect, near_z, far_z);
+    }
+    return t;
+}
+
+/* Fields of view down to 1/65536 degree, and as near to 180: the half angle's sine alone would keep
+   13 digits of it. The tangent of what lacks to 180 is what double precision still has. */
+static void narrowest_and_widest(void **state)
+{
+    (void)state;
+    double worst[2] = {0, 0};
+    for (q16 rest = 1; rest < Q16(30); rest += rest < 700 ? 1 : 4001) {
+        for (int i = 0; i < 4; i++) {
+            const bool wide = i >= 2;
+            const qtri_transform t =
+                perspective_of(wide ? Q16(180) - rest : rest, Q16(1.5), Q16(.5), Q16(20), i % 2);
+            const double half = tan(real(rest) / 2 * radians);
+            const double g = wide ? half : 1 / half;
+            worst[wide] = fmax(worst[wide], fabs(element(&t, 1, 1) / g - 1));
+            worst[wide] = fmax(worst[wide], fabs(element(&t, 0, 0) / g * 1.5 - 1));
+        }
+    }
+    print_message("narrow: 2^%.2f of itself, wide: 2^%.2f\n", log2(worst[0]), log2(worst[1]));
+    assert_true(worst[0] <= ldexp(1, -27) && worst[1] <= ldexp(1, -27));
+}
+
+/* Negative angles and ratios, near beyond far: the formulae hold on, as the header says. */
+static void outside_of_ranges(void **state)
+{
+    (void)state;
+    uint64_t seed = 31;
+    for (int n = 0; n < 2000; n++) {
+        const bool d3d = n % 2 != 0;
+        const q16 fovy = random_in(&seed, 40, Q16(140)) * (n & 2 ? -1 : 1);
+        const q16 aspect = random_in(&seed, 16384, Q16(4)) * (n & 4 ? -1 : 1);
+        const q16 low = random_in(&seed, 655, Q16(10));
+        const q16 high = low + random_in(&seed, 655, Q16(1000));
+        const q16 near_z = n & 8 ? high : low;
+        const q16 far_z = n & 8 ? low : high;
+        const qtri_transform t = perspective_of(fovy, aspect, near_z, far_z, d3d);
+        const matrix exact =
+            perspective_matrix(real(fovy), real(aspect), real(near_z), real(far_z), d3d);
+        for (int i = 0; i < 4; i++) {
+            for (int j = 0; j < 4; j++) {
+                const double e = exact.m[i][j];
+                const double most = fmax(fabs(e), i == 2 ? fabs(exact.m[2][2]) : 0);
+                assert_true(fabs(element(&t, i, j) - e) <= ldexp(most, -26));
+            }
+        }
+        /* A negative angle is half a turn of the picture. */
+        const qtri_transform turned = perspective_of(-fovy, aspect, near_z, far_z, d3d);
+        assert_true(element(&turned, 0, 0) == -element(&t, 0, 0));
+        assert_true(element(&turned, 1, 1) == -element(&t, 1, 1));
+        assert_memory_equal(&turned.row[2], &t.row[2], 2 * sizeof t.row[2]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -246,6 +323,8 @@ int main(void)
         cmocka_unit_test(translations_cancel),
         cmocka_unit_test(boxes),
         cmocka_unit_test(perspectives),
+        cmocka_unit_test(narrowest_and_widest),
+        cmocka_unit_test(outside_of_ranges),
     };
     return cmocka_run_group_tests_name("core camera", tests, NULL, NULL);
 }

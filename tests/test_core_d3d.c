@@ -193,12 +193,87 @@ static void same_picture(void **state)
     }
 }
 
+/* One of six: perspective, frustum, ortho, and Direct3D's. */
+static void project_by(qtri_transform *t, int form, q16 near_z, q16 far_z)
+{
+    switch (form) {
+    case 0:
+        qtri_transform_perspective(t, Q16(50), Q16(1.5), near_z, far_z);
+        break;
+    case 1:
+        qtri_transform_perspective_d3d(t, Q16(50), Q16(1.5), near_z, far_z);
+        break;
+    case 2: /* that of near = .5: a frustum's sides are those at near_z */
+        qtri_transform_frustum(t, near_z * -2 / 3, near_z * 2 / 3, near_z / -2, near_z / 2, near_z,
+                               far_z);
+        break;
+    case 3:
+        qtri_transform_frustum_d3d(t, near_z * -2 / 3, near_z * 2 / 3, near_z / -2, near_z / 2,
+                                   near_z, far_z);
+        break;
+    case 4:
+        qtri_transform_ortho(t, Q16(-3), Q16(3), Q16(-2), Q16(2), near_z, far_z);
+        break;
+    default:
+        qtri_transform_ortho_d3d(t, Q16(-3), Q16(3), Q16(-2), Q16(2), near_z, far_z);
+        break;
+    }
+}
+
+/* near beyond far: "greater" after a clear to 0 draws what "less" after one to 65535 does. */
+static void depth_reversed(void **state)
+{
+    (void)state;
+    static faces_mesh m;
+    uint64_t seed = 5;
+    int pixels = 0;
+    int differ = 0;
+    for (int n = 0; n < 60; n++) {
+        faces_mesh_make(&m, &seed, 0);
+        canvas c[2] = {canvas_new(&qtri_xrgb8888, 64, 48), canvas_new(&qtri_xrgb8888, 64, 48)};
+        for (int i = 0; i < 2; i++) {
+            const qtri_vec3 eye = {0, 0, n % 2 != 0 ? Q16(-5) : Q16(5)};
+            const qtri_vec3 up = {0, Q16_ONE, 0};
+            const qtri_rgb black = {0, 0, 0};
+            qtri_view view;
+            qtri_transform pose;
+            qtri_material material = qtri_material_default();
+            qtri_view_init(&view, 64, 48);
+            qtri_transform_identity(&pose);
+            if (n % 2 != 0) {
+                qtri_transform_look_at_d3d(&view.camera, eye, m.wide.origin, up);
+            } else {
+                qtri_transform_look_at(&view.camera, eye, m.wide.origin, up);
+            }
+            project_by(&view.projection, n % 6, i == 0 ? Q16(.5) : Q16(20),
+                       i == 0 ? Q16(20) : Q16(.5));
+            material.depth_compare = i == 0 ? QTRI_LESS : QTRI_GREATER;
+            qtri_surface_clear(&c[i].surface, black, i == 0 ? 65535 : 0);
+            qtri_draw_mesh(&c[i].surface, &view, &pose, &m.wide, &material);
+        }
+        for (int32_t i = 0; i < 64 * 48; i++) {
+            const uint32_t a = stored_pixel(&c[0].surface, i % 64, i / 64);
+            const uint32_t b = stored_pixel(&c[1].surface, i % 64, i / 64);
+            const int depths = stored_depth(&c[0].surface, i % 64, i / 64) +
+                               stored_depth(&c[1].surface, i % 64, i / 64);
+            pixels += a != 0;
+            differ += a != b || abs(depths - 65535) > 2;
+        }
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+    print_message("%d of %d pixels differ\n", differ, pixels);
+    assert_true(pixels > 10000);
+    assert_true(differ * 1000 < pixels); /* triangles as far as each other, steep ones */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cameras),
         cmocka_unit_test(projections),
         cmocka_unit_test(same_picture),
+        cmocka_unit_test(depth_reversed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -382,6 +382,130 @@ static void reading_files(void **state)
     obj_free(&mesh);
 }
 
+/* ---- Scales ---- */
+
+enum { RINGS = 24, SECTORS = 48, SPHERE_TRIANGLES = 2 * RINGS * SECTORS - 2 * SECTORS };
+
+/* A sphere about the origin, and a vertex far away that no face names. */
+static char *sphere_text(double radius)
+{
+    enum { ROOM = 200000 };
+    char *text = malloc(ROOM);
+    size_t used = (size_t)snprintf(text, ROOM, "v %.17g 0 0\n", radius * 1e9);
+    for (int ring = 0; ring <= RINGS; ring++) {
+        for (int sector = 0; sector < SECTORS; sector++) {
+            const double a = 3.14159265358979 * ring / RINGS;
+            const double b = 2 * 3.14159265358979 * sector / SECTORS;
+            used += (size_t)snprintf(text + used, ROOM - used, "v %.17g %.17g %.17g\n",
+                                     radius * sin(a) * cos(b), radius * cos(a),
+                                     radius * sin(a) * sin(b));
+        }
+    }
+    for (int i = 0; i < RINGS * SECTORS; i++) {
+        const int next = i % SECTORS == SECTORS - 1 ? i - SECTORS + 1 : i + 1;
+        if (i >= SECTORS) {
+            used += (size_t)snprintf(text + used, ROOM - used, "f %d %d %d\n", i + 2, next + 2,
+                                     next + SECTORS + 2);
+        }
+        if (i < (RINGS - 1) * SECTORS) {
+            used += (size_t)snprintf(text + used, ROOM - used, "f %d %d %d\n", i + 2,
+                                     next + SECTORS + 2, i + SECTORS + 2);
+        }
+    }
+    assert_true(used < ROOM);
+    return text;
+}
+
+static struct obj_mesh sphere(double radius, double factor, double fit)
+{
+    const struct obj_scale scale = {factor, fit};
+    struct obj_mesh mesh;
+    struct text_error error;
+    char *text = sphere_text(radius);
+    if (!obj_parse_scaled("x.obj", text, strlen(text), factor == 0 && fit == 0 ? NULL : &scale,
+                          &mesh, &error)) {
+        fail_msg("%s", error.message);
+    }
+    free(text);
+    assert_int_equal(mesh.triangle_count, SPHERE_TRIANGLES);
+    return mesh;
+}
+
+/* Triangles of which two corners are at one place. */
+static int lost(const struct obj_mesh *mesh)
+{
+    int count = 0;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        bool is_lost = false;
+        for (int k = 0; k < 3; k++) {
+            const int32_t *a = mesh->positions[mesh->triangles[i][k]];
+            const int32_t *b = mesh->positions[mesh->triangles[i][(k + 1) % 3]];
+            is_lost = is_lost || (a[0] == b[0] && a[1] == b[1] && a[2] == b[2]);
+        }
+        count += is_lost;
+    }
+    return count;
+}
+
+static void assert_same_positions(const struct obj_mesh *a, const struct obj_mesh *b)
+{
+    assert_int_equal(a->vertex_count, b->vertex_count);
+    for (size_t i = 0; i < a->vertex_count; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            assert_true(labs((long)a->positions[i][axis] - b->positions[i][axis]) <= 1);
+        }
+    }
+}
+
+/* The same shape whatever the file's unit is, where Q16.16 alone would lose it. */
+static void scales_keep_small_models(void **state)
+{
+    (void)state;
+    struct obj_mesh one = sphere(1.0, 1.0, 0.0);
+    const double radius[] = {1e-12, 1e-4, .01, 7.0, 1e6};
+    for (size_t i = 0; i < ARRAY_LENGTH(radius); i++) {
+        struct obj_mesh fitted = sphere(radius[i], 0.0, 2.0);
+        struct obj_mesh scaled = sphere(radius[i], 1.0 / radius[i], 0.0);
+        assert_int_equal(lost(&fitted), 0);
+        assert_same_positions(&fitted, &one);
+        assert_same_positions(&scaled, &one);
+        obj_free(&fitted);
+        obj_free(&scaled);
+    }
+    obj_free(&one);
+    char *text = sphere_text(1e-4);
+    char *faces = strchr(text, '\n') + 1; /* without the vertex that is far away: indices shift */
+    struct text_error error;
+    struct obj_mesh small;
+    memmove(text, "v 0 0 0\n", 8);
+    memmove(text + 8, faces, strlen(faces) + 1);
+    assert_true(obj_parse("x.obj", text, strlen(text), &small, &error));
+    assert_true(lost(&small) > SPHERE_TRIANGLES / 10);
+    obj_free(&small);
+    free(text);
+}
+
+static void scales_that_do_not_fit(void **state)
+{
+    (void)state;
+    static const char text[] = "v 0 0 0\nv 0 0 40000\nv 1 0 0\nf 1 2 3\n";
+    static const char point[] = "v 3 3 3\nf 1 1 1\n";
+    const struct obj_scale as_it_is = {1.0, 0.0};
+    const struct obj_scale half = {.5, 0.0};
+    const struct obj_scale fit = {0.0, 2.0};
+    struct obj_mesh mesh;
+    struct text_error error;
+    assert_false(obj_parse_scaled("x.obj", LITERAL(text), &as_it_is, &mesh, &error));
+    assert_string_equal(error.message, "x.obj: does not fit Q16.16 when it is scaled");
+    assert_null(mesh.positions);
+    assert_true(obj_parse_scaled("x.obj", LITERAL(text), &half, &mesh, &error));
+    assert_int_equal(mesh.positions[1][2], 20000 * ONE);
+    obj_free(&mesh);
+    assert_true(obj_parse_scaled("x.obj", LITERAL(point), &fit, &mesh, &error)); /* no size */
+    assert_vec3(mesh.positions[0], 3 * ONE, 3 * ONE, 3 * ONE);
+    obj_free(&mesh);
+}
+
 /* ---- Models from elsewhere ---- */
 
 static void assert_model(const char *name, size_t vertices, size_t triangles, bool uvs)
@@ -453,6 +577,8 @@ int main(void)
         cmocka_unit_test(bad_numbers),
         cmocka_unit_test(files_that_are_no_meshes),
         cmocka_unit_test_teardown(reading_files, io_remove_files),
+        cmocka_unit_test(scales_keep_small_models),
+        cmocka_unit_test(scales_that_do_not_fit),
         cmocka_unit_test(model_spot),
         cmocka_unit_test(model_teapot),
         cmocka_unit_test(model_suzanne),

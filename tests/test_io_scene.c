@@ -589,6 +589,31 @@ static void meshes_are_read_once(void **state)
     scene_free(&scene);
 }
 
+/* A file in another scale is another mesh. */
+static void meshes_are_scaled(void **state)
+{
+    (void)state;
+    (void)io_write_text("small.obj", "v 0 0 0\nv .00001 0 0\nv 0 .000005 0\nf 1 2 3\n");
+    struct scene scene = parse("mesh small.obj\nmesh small.obj fit 2\n"
+                               "mesh small.obj scale 1e5 color 0 1 0\n"
+                               "mesh small.obj fit 2 color 0 .5 0\nmesh small.obj color 1 1 0\n");
+    static const size_t mesh[] = {0, 1, 2, 1, 0};
+    static const int32_t far_x[] = {1, 2 * ONE, ONE};
+    static const int32_t far_y[] = {0, ONE, ONE / 2};
+    assert_int_equal(scene.mesh_count, 3);
+    assert_int_equal(scene.op_count, ARRAY_LENGTH(mesh));
+    for (size_t i = 0; i < ARRAY_LENGTH(mesh); i++) {
+        assert_int_equal(scene.ops[i].u.mesh.mesh, mesh[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        assert_int_equal(scene.meshes[i].positions[1][0], far_x[i]);
+        assert_int_equal(scene.meshes[i].positions[2][1], far_y[i]);
+    }
+    assert_int_equal(scene.ops[2].u.mesh.color[0], 0);
+    assert_int_equal(scene.ops[3].u.mesh.color[1], ONE / 2);
+    scene_free(&scene);
+}
+
 static void mesh_errors(void **state)
 {
     (void)state;
@@ -600,13 +625,23 @@ static void mesh_errors(void **state)
     assert_error_in_folder("mesh none.obj\n", "1: mesh: @/none.obj does not exist");
     assert_error_in_folder("mesh .\n", "1: mesh: @/. is not an ordinary file");
     assert_error_in_folder("mesh /dev/zero\n", "1: mesh: /dev/zero is not an ordinary file");
-    assert_error_in_folder("mesh one.obj colour 1 1 1\n",
-                           "1: 'colour' is unknown here: mesh FILE.obj [color r g b]");
+    assert_error_in_folder(
+        "mesh one.obj colour 1 1 1\n",
+        "1: 'colour' is unknown here: mesh FILE.obj [fit SIZE | scale FACTOR] [color r g b]");
+    assert_error_in_folder("mesh one.obj fit 0\n", "1: mesh: '0' is not a size of .001 to 65534");
+    assert_error_in_folder("mesh one.obj fit nan\n",
+                           "1: mesh: 'nan' is not a size of .001 to 65534");
+    assert_error_in_folder("mesh one.obj scale -1\n",
+                           "1: mesh: '-1' is not a factor of 1e-9 to 1e9");
+    assert_error_in_folder("mesh one.obj scale 1e9 color 1 1 1\n",
+                           "1: mesh: @/one.obj: does not fit Q16.16 when it is scaled");
     assert_error_in_folder("mesh one.obj color 1 1 1.5\n", "1: mesh: '1.5' does not lie in 0..1");
-    assert_error_in_folder("mesh one.obj color 1 1\n",
-                           "1: wrong number of values (4) for mesh FILE.obj [color r g b]");
-    assert_error_in_folder("mesh\n",
-                           "1: wrong number of values (0) for mesh FILE.obj [color r g b]");
+    assert_error_in_folder(
+        "mesh one.obj color 1 1\n",
+        "1: wrong number of values (4) for mesh FILE.obj [fit SIZE | scale FACTOR] [color r g b]");
+    assert_error_in_folder(
+        "mesh\n",
+        "1: wrong number of values (0) for mesh FILE.obj [fit SIZE | scale FACTOR] [color r g b]");
 }
 
 static void scene_files(void **state)
@@ -890,6 +925,7 @@ int main(void)
         cmocka_unit_test(texture_state),
         cmocka_unit_test_setup_teardown(palettes, in_folder, out_of_folder),
         cmocka_unit_test_setup_teardown(meshes_are_read_once, in_folder, out_of_folder),
+        cmocka_unit_test_setup_teardown(meshes_are_scaled, in_folder, out_of_folder),
         cmocka_unit_test_setup_teardown(mesh_errors, in_folder, out_of_folder),
         cmocka_unit_test_teardown(scene_files, io_remove_files),
         cmocka_unit_test(model_in_a_scene),

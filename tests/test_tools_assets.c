@@ -141,6 +141,9 @@ static void usage_errors(void **state)
         "mesh cube -o",
         "mesh cube -o x.h --fit 0",
         "mesh cube -o x.h --fit",
+        "mesh cube -o x.h --scale 0",
+        "mesh cube -o x.h --scale -1",
+        "mesh cube -o x.h --scale 2 --fit 2",
         "mesh cube -o x.h --up x",
         "mesh cube -o x.h --normals",
         "mesh cube -o x.h --normals smooth",
@@ -284,6 +287,8 @@ static void bad_models(void **state)
     write_text("far.obj", "v 0 0 0\nv 1e6 0 0\nv 0 1e6 0\nf 1 2 3\n");
     assert_refused("mesh far.obj -o bad.h", "qtri mesh: far.obj: reaches beyond 32767");
     assert_int_equal(run("mesh far.obj -o far.h --fit 2"), 0);
+    assert_int_equal(run("mesh far.obj -o scaled.h --scale 2e-6"), 0);
+    assert_int_equal(shell("sed 's/scaled/far/; s/SCALED/FAR/' scaled.h | cmp - far.h"), 0);
     assert_refused("mesh none.obj -o bad.h", "qtri mesh: none.obj: cannot be opened");
     assert_refused("mesh none.stl -o bad.h", "qtri mesh: none.stl: cannot be opened");
     write_text("wrong.glb", "solid, but no GLB");

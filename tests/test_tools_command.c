@@ -144,6 +144,34 @@ static void formats_and_bands(void **state)
     assert_int_equal(run("compare whole.ppm expected.ppm --max-depth 0"), 1);
 }
 
+/* A model of a few thousandths, as it is and fitted: core and reference draw the same of both. */
+static void small_models(void **state)
+{
+    (void)state;
+    write_file("small.obj", "v -4e-5 -3e-5 0\nv 4e-5 -3e-5 0\nv 0 4e-5 0\nv 0 0 5e-5\n"
+                            "f 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    write_file("one.obj", "v -.8 -.6 0\nv .8 -.6 0\nv 0 .8 0\nv 0 0 1\n"
+                          "f 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    static const char *const mesh[] = {"one.obj", "small.obj fit 1.6", "small.obj scale 20000",
+                                       "small.obj"};
+    for (size_t i = 0; i < 4; i++) {
+        char text[256];
+        snprintf(text, sizeof text,
+                 "viewport 64 48\ndepth less\nlight 0 .6 .8 .2 .8\northo -1 1 -1 1 -1 1\nmesh %s\n",
+                 mesh[i]);
+        write_file("s.scene", text);
+        assert_int_equal(
+            run(i == 0 ? "render s.scene -o whole --dump" : "render s.scene -o small --dump"), 0);
+        assert_int_equal(run("render s.scene -o expected --dump --reference"), 0);
+        if (i > 0) {
+            assert_int_equal(run("compare whole.ppm small.ppm"), i < 3 ? 0 : 1);
+        }
+        snprintf(text, sizeof text, "compare %s.ppm expected.ppm --max-depth 8",
+                 i == 0 ? "whole" : "small");
+        assert_int_equal(run(text), 0);
+    }
+}
+
 static void generated_mesh(void **state)
 {
     (void)state;
@@ -372,6 +400,7 @@ int main(void)
         cmocka_unit_test(help),
         cmocka_unit_test(bad_input),
         cmocka_unit_test(formats_and_bands),
+        cmocka_unit_test(small_models),
         cmocka_unit_test(generated_mesh),
         cmocka_unit_test(pictures),
         cmocka_unit_test(textures),

@@ -95,7 +95,7 @@ QTRI_IN_PLACE void singly(qtri_packed_row *row, const qtri_job *job, bool equal)
                 QTRI_MOVE(8)
             } while (depth != stop);
         }
-        if (count & 4) {
+        if ((count & 4) != 0) {
             PIXEL(0, even)
             PIXEL(1, odd)
             PIXEL(2, even)
@@ -103,13 +103,13 @@ QTRI_IN_PLACE void singly(qtri_packed_row *row, const qtri_job *job, bool equal)
             depth += 4;
             pixel += 4;
         }
-        if (count & 2) {
+        if ((count & 2) != 0) {
             PIXEL(0, even)
             PIXEL(1, odd)
             depth += 2;
             pixel += 2;
         }
-        if (count & 1) {
+        if ((count & 1) != 0) {
             PIXEL(0, even)
             depth++;
             pixel++;

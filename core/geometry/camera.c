@@ -24,7 +24,7 @@ static void side_axis(qtri_wide side[3], const qtri_wide forward[3], const qtri_
         const qtri_vec3 substitute = {0, i == 1 ? Q16_ONE : 0, i == 2 ? Q16_ONE : 0};
         qtri_wide candidate[3];
         wide_from_vec3(candidate, i == 0 ? up : &substitute);
-        if (!qtri_wide_normalize(candidate)) {
+        if (qtri_wide_normalize(candidate) == 0) {
             continue;
         }
         qtri_wide_cross(side, forward, candidate);
@@ -33,7 +33,7 @@ static void side_axis(qtri_wide side[3], const qtri_wide forward[3], const qtri_
                 qtri_wide_set(&side[axis], 0, 0);
             }
         }
-        if (qtri_wide_normalize(side)) {
+        if (qtri_wide_normalize(side) != 0) {
             return;
         }
     }
@@ -47,7 +47,7 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
     qtri_wide_set(&axis[2][0], (int64_t)center.x - eye.x, 16);
     qtri_wide_set(&axis[2][1], (int64_t)center.y - eye.y, 16);
     qtri_wide_set(&axis[2][2], (int64_t)center.z - eye.z, 16);
-    if (!qtri_wide_normalize(axis[2])) {
+    if (qtri_wide_normalize(axis[2]) == 0) {
         qtri_wide_set(&axis[2][2], -1, 0);
     }
     side_axis(axis[0], axis[2], &up);
@@ -64,9 +64,40 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
     qtri_transform_mul(t, t, &builder);
 }
 
-/* cot(degrees / 2), from the form of the half-angle formula that does not cancel. */
+#define DEGREES(n)             ((uint32_t)(n)*65536u)
+#define RADIANS_PER_DEGREE_Q37 2398762259u /* pi / 180 * 2^37, rounded */
+
+/* cot(degrees / 2), or its inverse, for degrees < 16: cos h / (h (sin h / h)), which cancels
+   nowhere: within 2^-29 of itself. */
+static void narrow_cotangent(qtri_wide *out, uint32_t degrees, bool is_inverse)
+{
+    const uint64_t half_q54 = (uint64_t)degrees * RADIANS_PER_DEGREE_Q37; /* < 2^52 */
+    const uint32_t half_q31 = (uint32_t)((half_q54 + 0x400000u) >> 23);   /* < 2^29 */
+    const uint32_t square_q31 = qtri_mul_q31(half_q31, half_q31);
+    const qtri_wide ratio = qtri_wide_make(qtri_sine_ratio_q31(square_q31), 31);
+    const qtri_wide cosine = qtri_wide_make(qtri_cosine_q31(square_q31), 31);
+    qtri_wide sine = qtri_wide_make((int64_t)half_q54, 54);
+    qtri_wide_mul_by(&sine, &ratio);
+    *out = is_inverse ? sine : cosine;
+    qtri_wide_div_by(out, is_inverse ? &cosine : &sine);
+}
+
+/*
+ * cot(degrees / 2), from the form of the half-angle formula that does not cancel. Near 0 and 180
+ * the sine that it has left keeps few digits of its 30: the angle, or what it lacks to 180, has
+ * all.
+ */
 static void half_cotangent(qtri_wide *out, q16 degrees)
 {
+    const uint32_t size = qtri_magnitude32(degrees);
+    const uint32_t rest = size < DEGREES(90) ? size : DEGREES(180) - size; /* beyond 180: large */
+    if (rest < DEGREES(16)) {
+        narrow_cotangent(out, rest, size != rest);
+        if (degrees < 0) {
+            out->m = -out->m;
+        }
+        return;
+    }
     int32_t sine_q30;
     int32_t cosine_q30;
     qtri_sincos_deg_q30(degrees, &sine_q30, &cosine_q30);

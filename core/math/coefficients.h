@@ -42,11 +42,12 @@
 #define QTRI_EXP2_6_Q35 495518u
 #define QTRI_EXP2_7_Q35 62035u
 
-/* 2 atanh(w) / (w ln 2), w^2 = v in [0, 3 - sqrt(8)]^2, within 2^-28.8 */
-#define QTRI_LOG2S_0_Q30 3098164007u
-#define QTRI_LOG2S_1_Q32 4130894622u
-#define QTRI_LOG2S_2_Q32 2476967055u
-#define QTRI_LOG2S_3_Q32 1854345005u
+/* 2 atanh(w) / (w ln 2), w^2 = v in [0, 3 - sqrt(8)]^2, within 2^-31.4 */
+#define QTRI_LOG2S_0_Q30 3098164009u
+#define QTRI_LOG2S_1_Q32 4130885257u
+#define QTRI_LOG2S_2_Q32 2478555185u
+#define QTRI_LOG2S_3_Q32 1768117457u
+#define QTRI_LOG2S_4_Q16 22331u
 
 /* For m in [1 + i/16, 1 + (i+1)/16): a factor f with m f in [1, 1 + 1/16], and -log2(f). */
 #define QTRI_LOG2_FACTORS_Q16 \

@@ -7,7 +7,7 @@
 
 #include "qtri/q16.h"
 
-/* 2^(factor log) for |log| <= 16 in Q40; errors as q16_exp. */
-q16 qtri_exp2_product(q16 factor, int64_t log_q40);
+/* 2^(factor log) for a log in [-16, 16) in Q43; errors as q16_exp. */
+q16 qtri_exp2_product(q16 factor, int64_t log_q43);
 
 #endif

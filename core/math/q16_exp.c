@@ -6,7 +6,7 @@
 #include "exp2.h"
 #include "../bits/multiply.h"
 
-#define LOG2_E_Q40 1586259972792
+#define LOG2_E_Q43 12690079782337
 #define LN2_Q16    45426u
 
 /* 2^v - 1 in Q32 for v in [0, 1): products with the 16 bits of v are exact but for the floor. */
@@ -46,11 +46,11 @@ q16 q16_exp2(q16 x)
 }
 
 /* 2^(v + w) = 2^v (1 + w ln 2 + ...) for w < 2^-16: the next term is below 2^-34. */
-q16 qtri_exp2_product(q16 factor, int64_t log_q40)
+q16 qtri_exp2_product(q16 factor, int64_t log_q43)
 {
-    int64_t x_q40 = qtri_mul_s32(factor, (int32_t)(log_q40 >> 16)) +
-                    (qtri_mul_s32(factor, (int32_t)(log_q40 & 0xFFFF)) >> 16); /* < 2^60 */
-    int64_t exponent = x_q40 >> 40;
+    int64_t x_q43 = qtri_mul_s32(factor, (int32_t)(log_q43 >> 16)) +
+                    (qtri_mul_s32(factor, (int32_t)(log_q43 & 0xFFFF)) >> 16); /* <= 2^62 */
+    int64_t exponent = x_q43 >> 43;
     if (exponent >= 15) {
         QTRI_MATH_CHECK(false);
         return Q16_MAX;
@@ -58,10 +58,10 @@ q16 qtri_exp2_product(q16 factor, int64_t log_q40)
     if (exponent < -17) {
         return 0;
     }
-    uint32_t v_q16 = (uint32_t)(x_q40 >> 24) & 0xFFFFu;
-    uint32_t w_q40 = (uint32_t)x_q40 & 0xFFFFFFu;
+    uint32_t v_q16 = (uint32_t)(x_q43 >> 27) & 0xFFFFu;
+    uint32_t w_q43 = (uint32_t)x_q43 & 0x7FFFFFFu;
     uint32_t p_q32 = power_q32(v_q16);
-    uint32_t w_q32 = (qtri_mul_high16(w_q40 << 8, LN2_Q16) + 0x8000u) >> 16;
+    uint32_t w_q32 = (qtri_mul_high16(w_q43 << 5, LN2_Q16) + 0x8000u) >> 16;
     uint32_t more_q32 = w_q32 + ((qtri_mul_high16(p_q32, w_q32) + 0x8000u) >> 16);
     p_q32 = p_q32 > UINT32_MAX - more_q32 ? UINT32_MAX : p_q32 + more_q32;
     return scaled(p_q32, (int32_t)exponent);
@@ -69,5 +69,5 @@ q16 qtri_exp2_product(q16 factor, int64_t log_q40)
 
 q16 q16_exp(q16 x)
 {
-    return qtri_exp2_product(x, LOG2_E_Q40);
+    return qtri_exp2_product(x, LOG2_E_Q43);
 }

@@ -7,14 +7,21 @@
 #define PI_Q30 3373259426u
 
 /*
+ * Half turns of 2^31 units at most, of half turns per Q16.16 unit in two words: high in Q48 + up,
+ * low in Q80 + up.
+ */
+static inline uint64_t half_turns_q64(q16 x, uint32_t high, uint32_t low, int32_t up)
+{
+    uint32_t size = qtri_magnitude32(x);
+    return (qtri_mul_u32(size, high) << (16 - up)) + (qtri_mul_u32(size, low) >> (16 + up));
+}
+
+/*
  * tan repeats after half a turn. Near a pole the distance to it counts: half turns per Q16.16
  * unit are kept in Q80, so that the argument's last bit and 2^31 units leave 2^-50 half turns.
  */
-static q16 tangent(q16 x, uint32_t factor_high, uint32_t factor_low)
+static q16 tangent(q16 x, uint64_t turn_q64)
 {
-    uint32_t size = qtri_magnitude32(x);
-    uint64_t turn_q64 =
-        (qtri_mul_u32(size, factor_high) << 16) + (qtri_mul_u32(size, factor_low) >> 16);
     uint64_t shifted_q48 = ((turn_q64 + 0x8000u) >> 16) + ((uint64_t)1 << 46);
     bool pole = (shifted_q48 >> 47) & 1;
     int64_t rest_q48 = (int64_t)(shifted_q48 & (((uint64_t)1 << 47) - 1)) -
@@ -57,10 +64,14 @@ static q16 tangent(q16 x, uint32_t factor_high, uint32_t factor_low)
 
 q16 q16_tan(q16 radians)
 {
-    return tangent(radians, 0x517CC1B7u, 0x27220A95u); /* 2^64 / pi */
+    return tangent(radians, half_turns_q64(radians, 0x517CC1B7u, 0x27220A95u, 0)); /* 2^64 / pi */
 }
 
+/*
+ * 2^71 / 180. In Q48 an exact result is a multiple of 1/45, at least 1/90 from a half, and what
+ * 2^31 units lose here is 2^-9: angles half a turn apart are the same.
+ */
 q16 q16_tan_deg(q16 degrees)
 {
-    return tangent(degrees, 0x016C16C1u, 0x6C16C16Cu); /* 2^64 / 180 */
+    return tangent(degrees, half_turns_q64(degrees, 0xB60B60B6u, 0x0B60B60Bu, 7));
 }

@@ -20,14 +20,14 @@ static inline uint32_t turns_of_radians(q16 radians)
 }
 
 /*
- * 2^16 / 360 = 182 + 2/45 for a degree. The exact result, rounded up to a whole number, so that
- * angles a whole turn apart are the same: 2/45 in Q35 is less than 2^-5 of its last place too
- * small, 2^-9 for 2^31 units, and an exact fraction is a multiple of 1/45. (0 gives 1: no matter.)
+ * 2^16 / 360 = 182 + 2/45 for a degree. The exact result to nearest, so that angles a whole turn
+ * apart are the same, negative ones too: an exact fraction is a multiple of 1/45, at least 1/90
+ * from a half, and 2/45 in Q35 is less than 2^-5 of its last place too small: 2^-9 for 2^31 units.
  */
 static inline uint32_t turns_of_degrees(q16 degrees)
 {
     uint32_t size = qtri_magnitude32(degrees);
-    return size * 182u + (qtri_mul_high31(size, 1527099483u) >> 3) + 1;
+    return size * 182u + ((qtri_mul_high31(size, 1527099483u) + 4) >> 3);
 }
 
 static inline q16 rounded_q30(uint32_t size_q30, uint32_t negative)
@@ -50,7 +50,7 @@ static q16 sine_of_turns(uint32_t turn, uint32_t negative)
     uint32_t before;
     uint32_t w_q31 = eighths_q31(shifted, &before);
     negative ^= shifted >> 31;
-    if (shifted & 0x40000000u) {
+    if ((shifted & 0x40000000u) != 0) {
         return rounded_q30(qtri_cosine_of_eighths_q30(w_q31), negative);
     }
     return rounded_q30(qtri_sine_of_eighths_q30(w_q31), negative ^ before);
@@ -65,7 +65,7 @@ static void sincos_of_turns(uint32_t turn, uint32_t negative, q16 *sine, q16 *co
     uint32_t half = quarter >> 1;
     q16 s = rounded_q30(qtri_sine_of_eighths_q30(w_q31), before);
     q16 c = rounded_q30(qtri_cosine_of_eighths_q30(w_q31), 0);
-    if (quarter & 1) {
+    if ((quarter & 1) != 0) {
         q16 swap = s;
         s = c;
         c = -swap;

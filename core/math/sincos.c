@@ -27,9 +27,9 @@ void qtri_sincos_deg_q30(int32_t degrees, int32_t *sine_q30, int32_t *cosine_q30
     if (rest < 0) {
         sine = -sine;
     }
-    *sine_q30 = (quarter & 1) ? cosine : sine;
-    *cosine_q30 = (quarter & 1) ? -sine : cosine;
-    if (quarter & 2) {
+    *sine_q30 = (quarter & 1) != 0 ? cosine : sine;
+    *cosine_q30 = (quarter & 1) != 0 ? -sine : cosine;
+    if ((quarter & 2) != 0) {
         *sine_q30 = -*sine_q30;
         *cosine_q30 = -*cosine_q30;
     }

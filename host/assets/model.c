@@ -231,6 +231,15 @@ void model_center(struct model *model)
     }
 }
 
+void model_scale(struct model *model, double factor)
+{
+    for (size_t i = 0; i < model->vertex_count; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            model->vertices[i].position[axis] *= factor;
+        }
+    }
+}
+
 void model_fit(struct model *model, double size)
 {
     struct model_box box = model_bounds(model);
@@ -238,9 +247,7 @@ void model_fit(struct model *model, double size)
     for (int axis = 0; axis < 3; axis++) {
         largest = fmax(largest, box.high[axis] - box.low[axis]);
     }
-    for (size_t i = 0; largest > 0.0 && i < model->vertex_count; i++) {
-        for (int axis = 0; axis < 3; axis++) {
-            model->vertices[i].position[axis] *= size / largest;
-        }
+    if (largest > 0.0) {
+        model_scale(model, size / largest);
     }
 }

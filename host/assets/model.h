@@ -105,6 +105,9 @@ void model_turn_up(struct model *model, char up);
 /* The middle of the box becomes the origin. */
 void model_center(struct model *model);
 
+/* Scales about the origin: by a factor. */
+void model_scale(struct model *model, double factor);
+
 /* Scales about the origin: the largest side of the box becomes `size`. */
 void model_fit(struct model *model, double size);
 

@@ -81,8 +81,8 @@ static const fit fits[] = {
      "LOG2S",
      "2 atanh(w) / (w ln 2), w^2 = v in [0, 3 - sqrt(8)]^2",
      area_tangent,
-     4,
-     {30, 32, 32, 32}},
+     5,
+     {30, 32, 32, 32, 16}},
 };
 
 static real polynomial(const real *c, int terms, real v)

@@ -60,10 +60,10 @@ static const struct obj_numbers number_statements[] = {
 
 /* Q16.16 exactly, or in double precision. */
 static enum number_result parse_number(const struct obj_parser *parser, const struct token *token,
-                                       double *out)
+                                       bool is_wide, double *out)
 {
     int32_t value;
-    if (parser->source->full) {
+    if (parser->source->full || is_wide) {
         return number_parse_real(token->text, token->length, out);
     }
     enum number_result result = number_parse_q16(token->text, token->length, &value);
@@ -76,9 +76,11 @@ static enum number_result parse_number(const struct obj_parser *parser, const st
 enum { MOST_NUMBERS = 7 };
 
 /* Returns how many there are, or -1. */
-static int read_numbers(struct obj_parser *parser, struct line *line,
-                        const struct obj_numbers *shape, double out[MOST_NUMBERS])
+static int read_numbers(struct obj_parser *parser, struct line *line, enum obj_attribute attribute,
+                        double out[MOST_NUMBERS])
 {
+    const struct obj_numbers *shape = &number_statements[attribute];
+    const bool is_wide = attribute == OBJ_POSITION && parser->source->wide_positions;
     struct token token;
     int count = 0;
     for (; line_token(line, &token); count++) {
@@ -86,7 +88,7 @@ static int read_numbers(struct obj_parser *parser, struct line *line,
             fail_token(parser, &token, "is more than the statement takes");
             return -1;
         }
-        enum number_result result = parse_number(parser, &token, &out[count]);
+        enum number_result result = parse_number(parser, &token, is_wide, &out[count]);
         if (result == NUMBER_MALFORMED || (result != NUMBER_OK && count < shape->kept)) {
             fail_token(parser, &token, number_problem(result));
             return -1;
@@ -129,7 +131,7 @@ static bool parse_numbers(struct obj_parser *parser, struct line *line,
 {
     double numbers[MOST_NUMBERS] = {0.0};
     struct obj_source *source = parser->source;
-    int count = read_numbers(parser, line, &number_statements[attribute], numbers);
+    int count = read_numbers(parser, line, attribute, numbers);
     if (count < 0) {
         return false;
     }
@@ -387,12 +389,17 @@ bool obj_parse_source(const char *name, const char *text, size_t length, struct 
     return parse_all(&parser, text, length);
 }
 
-bool obj_parse(const char *name, const char *text, size_t length, struct obj_mesh *mesh,
-               struct text_error *error)
+bool obj_parse_scaled(const char *name, const char *text, size_t length,
+                      const struct obj_scale *scale, struct obj_mesh *mesh,
+                      struct text_error *error)
 {
-    struct obj_source source = {.full = false};
+    struct obj_source source = {.full = false, .wide_positions = scale != NULL};
     memset(mesh, 0, sizeof *mesh);
     bool ok = obj_parse_source(name, text, length, &source, error);
+    if (ok && scale != NULL && !obj_scale_positions(&source, scale)) {
+        text_error_set(error, name, 0, "does not fit Q16.16 when it is scaled");
+        ok = false;
+    }
     if (ok) {
         mesh->path = strdup(name);
         if (mesh->path == NULL || !obj_build(&source, mesh)) {
@@ -405,14 +412,26 @@ bool obj_parse(const char *name, const char *text, size_t length, struct obj_mes
     return ok;
 }
 
+bool obj_parse(const char *name, const char *text, size_t length, struct obj_mesh *mesh,
+               struct text_error *error)
+{
+    return obj_parse_scaled(name, text, length, NULL, mesh, error);
+}
+
 bool obj_read(const char *path, struct obj_mesh *mesh, struct text_error *error)
+{
+    return obj_read_scaled(path, NULL, mesh, error);
+}
+
+bool obj_read_scaled(const char *path, const struct obj_scale *scale, struct obj_mesh *mesh,
+                     struct text_error *error)
 {
     struct file_content file;
     memset(mesh, 0, sizeof *mesh);
     if (!file_read(path, &file, error)) {
         return false;
     }
-    bool ok = obj_parse(path, file.bytes, file.length, mesh, error);
+    bool ok = obj_parse_scaled(path, file.bytes, file.length, scale, mesh, error);
     free(file.bytes);
     return ok;
 }

@@ -26,6 +26,21 @@ struct obj_mesh {
 };
 
 /*
+ * Positions are scaled about the origin before they become Q16.16, so that models of any unit keep
+ * their shape: in Q16.16 a model of radius .01 has only 1,310 places along an axis, and triangles
+ * that share them are gone.
+ */
+struct obj_scale {
+    double factor; /* 0: 1 */
+    double fit; /* above 0: the largest side of the box of what faces name becomes this, instead */
+};
+
+#define OBJ_SCALE_MIN 1e-9 /* of a factor that a user gives */
+#define OBJ_SCALE_MAX 1e9
+#define OBJ_FIT_MIN   1e-3
+#define OBJ_FIT_MAX   65534.0
+
+/*
  * Parses `length` bytes of OBJ text: v, vt, vn and f with any mix of v, v/vt, v//vn, v/vt/vn,
  * negative indices, polygons (fans), comments, line continuations; o g s usemtl mtllib and other
  * known statements are passed over. Faces may name elements that follow them. A vertex that no face
@@ -35,6 +50,14 @@ struct obj_mesh {
  */
 bool obj_parse(const char *name, const char *text, size_t length, struct obj_mesh *mesh,
                struct text_error *error);
+
+/* The same with positions scaled; `scale` NULL: as they are. */
+bool obj_parse_scaled(const char *name, const char *text, size_t length,
+                      const struct obj_scale *scale, struct obj_mesh *mesh,
+                      struct text_error *error);
+
+bool obj_read_scaled(const char *path, const struct obj_scale *scale, struct obj_mesh *mesh,
+                     struct text_error *error);
 
 bool obj_read(const char *path, struct obj_mesh *mesh, struct text_error *error);
 

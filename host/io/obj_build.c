@@ -99,6 +99,49 @@ bool obj_add_corner(struct obj_source *source, const struct obj_corner *corner, 
     return true;
 }
 
+/* ---- Scaling ---- */
+
+/* The largest side of the box around the positions that faces name. */
+static double largest_side(const struct obj_source *source)
+{
+    double(*const items)[3] = source->lists[OBJ_POSITION].items;
+    double largest = 0.0;
+    for (int axis = 0; axis < 3; axis++) {
+        double low = HUGE_VAL;
+        double high = -HUGE_VAL;
+        for (size_t i = 0; i < source->vertex_count; i++) {
+            const double at = items[source->vertices[i].index[OBJ_POSITION]][axis];
+            low = fmin(low, at);
+            high = fmax(high, at);
+        }
+        largest = fmax(largest, high - low);
+    }
+    return largest;
+}
+
+/* Positions that no face names may lie anywhere: nothing takes them. No zero is negative. */
+bool obj_scale_positions(struct obj_source *source, const struct obj_scale *scale)
+{
+    struct obj_list *list = &source->lists[OBJ_POSITION];
+    const double side = scale->fit > 0.0 ? largest_side(source) : 0.0;
+    const double given = scale->factor > 0.0 ? scale->factor : 1.0;
+    const double factor = side > 0.0 ? scale->fit / side : given;
+    for (size_t i = 0; i < list->count; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            list->items[i][axis] = round(list->items[i][axis] * factor * ONE) / ONE + 0.0;
+        }
+    }
+    for (size_t i = 0; i < source->vertex_count; i++) {
+        const double *at = list->items[source->vertices[i].index[OBJ_POSITION]];
+        for (int axis = 0; axis < 3; axis++) {
+            if (at[axis] < (double)INT32_MIN / ONE || at[axis] > (double)INT32_MAX / ONE) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 /* ---- Normals ---- */
 
 /* A position and its number in the file. */

@@ -61,6 +61,7 @@ struct obj_source {
     struct obj_table table;
     /* Where `full`: all that follows, and numbers in double precision. */
     bool full;
+    bool wide_positions;    /* positions alone are in double precision: they will be scaled */
     struct obj_list colors; /* one for each position, 0..1; white where the file gives none */
     bool has_colors;
     struct obj_names materials; /* the first, "", is that of faces before any usemtl */
@@ -78,6 +79,9 @@ void obj_source_free(struct obj_source *source);
 
 /* The vertex of a corner, new or known. False when memory runs out. */
 bool obj_add_corner(struct obj_source *source, const struct obj_corner *corner, uint32_t *vertex);
+
+/* Scales the positions that faces name and rounds them to Q16.16. False where one does not fit. */
+bool obj_scale_positions(struct obj_source *source, const struct obj_scale *scale);
 
 /*
  * Makes the mesh (all but `path`). Every index of every corner lies inside its list. Takes the

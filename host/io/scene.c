@@ -77,7 +77,7 @@ static const struct scene_statement statements[] = {
     {"vertex",      {7, 7},    scene_statement_vertex,        0, "x y z w r g b"},
     {"pointsize",   {1, 2},    scene_statement_pointsize,     0, "SIZE [space]"},
     {"point",       {7, 7},    scene_statement_point,         0, "x y z w r g b"},
-    {"mesh",        {1, 5},    scene_statement_mesh,          SCENE_MESH, "FILE.obj [color r g b]"},
+    {"mesh",        {1, -7},   scene_statement_mesh,          SCENE_MESH, "FILE.obj [fit SIZE | scale FACTOR] [color r g b]"},
     {"ink",         {3, 4},    scene_statement_ink,           0, "R G B [ALPHA]"},
     {"edges",       {1, 1},    scene_statement_edges,         0, "hard|smooth"},
     {"rect",        {4, 5},    scene_statement_rect,          SCENE_PAINT, "x0 y0 x1 y1 [WIDTH]"},

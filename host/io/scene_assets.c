@@ -83,12 +83,14 @@ bool scene_inspect(struct scene_parser *parser, const char *path, struct file_id
 
 /* ---- Meshes ---- */
 
-static bool known_mesh(const struct scene_parser *parser, const struct file_identity *identity,
+static bool known_mesh(const struct scene_parser *parser, const struct scene_mesh_file *wanted,
                        size_t *mesh)
 {
     for (size_t i = 0; i < parser->scene->mesh_count; i++) {
-        if (parser->mesh_files[i].device == identity->device &&
-            parser->mesh_files[i].number == identity->number) {
+        const struct scene_mesh_file *known = &parser->mesh_files[i];
+        if (known->identity.device == wanted->identity.device &&
+            known->identity.number == wanted->identity.number &&
+            known->scale.factor == wanted->scale.factor && known->scale.fit == wanted->scale.fit) {
             *mesh = i;
             return true;
         }
@@ -104,7 +106,7 @@ static bool grow_meshes(struct scene_parser *parser)
     if (meshes != NULL) {
         parser->scene->meshes = meshes;
     }
-    struct file_identity *files =
+    struct scene_mesh_file *files =
         array_grow(parser->mesh_files, count, &parser->mesh_file_capacity, sizeof *files);
     if (files != NULL) {
         parser->mesh_files = files;
@@ -112,13 +114,15 @@ static bool grow_meshes(struct scene_parser *parser)
     return (meshes != NULL && files != NULL) || scene_fail(parser, "out of memory");
 }
 
-static bool find_or_read_mesh(struct scene_parser *parser, const char *path, size_t *mesh)
+static bool find_or_read_mesh(struct scene_parser *parser, const char *path,
+                              const struct obj_scale *scale, size_t *mesh)
 {
-    struct file_identity identity;
-    if (!scene_inspect(parser, path, &identity)) {
+    struct scene_mesh_file file = {.scale = *scale};
+    const bool is_scaled = scale->factor > 0.0 || scale->fit > 0.0;
+    if (!scene_inspect(parser, path, &file.identity)) {
         return false;
     }
-    if (known_mesh(parser, &identity, mesh)) {
+    if (known_mesh(parser, &file, mesh)) {
         return true;
     }
     struct text_error error;
@@ -126,18 +130,19 @@ static bool find_or_read_mesh(struct scene_parser *parser, const char *path, siz
         return false;
     }
     *mesh = parser->scene->mesh_count;
-    if (!obj_read(path, &parser->scene->meshes[*mesh], &error)) {
+    if (!obj_read_scaled(path, is_scaled ? scale : NULL, &parser->scene->meshes[*mesh], &error)) {
         return scene_fail(parser, error.message);
     }
-    parser->mesh_files[*mesh] = identity;
+    parser->mesh_files[*mesh] = file;
     parser->scene->mesh_count++;
     return true;
 }
 
-bool scene_find_mesh(struct scene_parser *parser, int argument, size_t *mesh)
+bool scene_find_mesh(struct scene_parser *parser, int argument, const struct obj_scale *scale,
+                     size_t *mesh)
 {
     char *path = scene_path(parser, argument);
-    bool found = path != NULL && find_or_read_mesh(parser, path, mesh);
+    bool found = path != NULL && find_or_read_mesh(parser, path, scale, mesh);
     free(path);
     return found;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "array.h"
+#include "number.h"
 
 #define DEGREES_180 (180 * SCENE_ONE)
 
@@ -183,19 +184,54 @@ bool scene_statement_triangle(struct scene_parser *parser)
     return true;
 }
 
+/* fit SIZE, or scale FACTOR: in double precision, as the file's positions are multiplied by it. */
+static bool read_mesh_scale(struct scene_parser *parser, struct obj_scale *scale)
+{
+    static const char *const words[] = {"fit", "scale"};
+    static const double least[] = {OBJ_FIT_MIN, OBJ_SCALE_MIN};
+    static const double most[] = {OBJ_FIT_MAX, OBJ_SCALE_MAX};
+    const struct token *token = &parser->arguments[2];
+    int choice;
+    double value;
+    if (!scene_choice(parser, 1, words, 2, &choice)) {
+        return false;
+    }
+    if (number_parse_real(token->text, token->length, &value) != NUMBER_OK ||
+        value < least[choice] || value > most[choice]) {
+        return scene_fail_argument(parser, 2,
+                                   choice == 0 ? "is not a size of .001 to 65534"
+                                               : "is not a factor of 1e-9 to 1e9");
+    }
+    scale->fit = choice == 0 ? value : 0.0;
+    scale->factor = choice == 1 ? value : 0.0;
+    return true;
+}
+
 bool scene_statement_mesh(struct scene_parser *parser)
 {
     int32_t color[3] = {SCENE_ONE, SCENE_ONE, SCENE_ONE};
-    if (parser->argument_count == 5) {
+    struct obj_scale scale = {0.0, 0.0};
+    int next = 1;
+    if (parser->argument_count % 2 == 0) {
+        return scene_fail_count(parser);
+    }
+    if (parser->argument_count == 3 || parser->argument_count == 7) {
+        if (!read_mesh_scale(parser, &scale)) {
+            return false;
+        }
+        next = 3;
+    }
+    if (parser->argument_count > next) {
         static const char *const words[] = {"color"};
         int choice;
-        if (!scene_choice(parser, 1, words, 1, &choice) || !scene_fractions(parser, 2, 3, color)) {
+        if (!scene_choice(parser, next, words, 1, &choice) ||
+            !scene_fractions(parser, next + 1, 3, color)) {
             return false;
         }
     }
     size_t mesh;
     uint32_t id = 0;
-    if (!scene_find_mesh(parser, 0, &mesh) ||
+    if (!scene_find_mesh(parser, 0, &scale, &mesh) ||
         !scene_take_ids(parser, parser->scene->meshes[mesh].triangle_count, &id)) {
         return false;
     }

@@ -48,6 +48,12 @@ struct scene_brush {
     size_t file_count, file_capacity, font_capacity, image_capacity, text_capacity;
 };
 
+/* What a mesh was made of. */
+struct scene_mesh_file {
+    struct file_identity identity;
+    struct obj_scale scale;
+};
+
 struct scene_parser {
     const char *name;
     struct text_error *error;
@@ -63,7 +69,7 @@ struct scene_parser {
     int mode;     /* 0 projection, 1 modelview */
     int depth[2]; /* matrices pushed on each stack */
     size_t mesh_capacity;
-    struct file_identity *mesh_files; /* beside scene->meshes */
+    struct scene_mesh_file *mesh_files; /* beside scene->meshes */
     size_t mesh_file_capacity;
     struct scene_stroke line_state, point_state; /* of the next line and point */
     struct scene_op *polyline; /* the last statement was about this one: vertices join it */
@@ -167,8 +173,10 @@ char *scene_path(struct scene_parser *parser, int argument);
 /* Whether it is an ordinary file; `identity` may be NULL. False with the error. */
 bool scene_inspect(struct scene_parser *parser, const char *path, struct file_identity *identity);
 
-/* The index in scene->meshes of the file that an argument names; reads a file the first time. */
-bool scene_find_mesh(struct scene_parser *parser, int argument, size_t *mesh);
+/* The index in scene->meshes of the file that an argument names, in this scale; reads a file the
+   first time, and anew in another scale. */
+bool scene_find_mesh(struct scene_parser *parser, int argument, const struct obj_scale *scale,
+                     size_t *mesh);
 
 /* Fills scene->texture with what the last `texture` statement asks for; checks the last
  * `texformat`. */

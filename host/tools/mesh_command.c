@@ -103,6 +103,9 @@ static bool shape(const struct mesh_options *options, struct model *model)
     if (options->fit > 0.0) {
         model_fit(model, options->fit);
     }
+    if (options->scale > 0.0) {
+        model_scale(model, options->scale);
+    }
     return simplify(options, model) &&
            model_make_normals(model, options->normals, options->smooth_degrees) &&
            model_weld(model);
@@ -234,7 +237,8 @@ static void report(const struct mesh_options *options, const struct asset *asset
     }
     fputc('\n', out);
     if (error->position_share > 1.0 / 256.0) {
-        fputs("the model is so small that its shape suffers; --fit makes it larger\n", stderr);
+        fputs("the model is so small that its shape suffers; --fit or --scale makes it larger\n",
+              stderr);
     }
     report_materials(options->input, asset, out);
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../assets/asset.h"
+#include "../io/obj.h"
 #include "mesh_generate.h"
 #include "options.h"
 
@@ -19,6 +20,7 @@ static const char usage[] =
     "\n"
     "  --compact          16-bit positions and texture coordinates, 8-bit normals and indices\n"
     "  --fit SIZE         scale: the largest side of the model's box becomes SIZE\n"
+    "  --scale FACTOR     scale by a factor: .001 makes metres of millimetres\n"
     "  --center           the middle of the model's box becomes the origin\n"
     "  --up y|z           the file's axis that points up (default y)\n"
     "  --normals keep     those of the file; smooth where it has none (default)\n"
@@ -69,6 +71,13 @@ static bool set_fit(void *options, const char *value, struct option_words *more)
     return option_real(value, 1e-3, 65534.0, &((struct mesh_options *)options)->fit);
 }
 
+static bool set_scale(void *options, const char *value, struct option_words *more)
+{
+    (void)more;
+    return option_real(value, OBJ_SCALE_MIN, OBJ_SCALE_MAX,
+                       &((struct mesh_options *)options)->scale);
+}
+
 static bool set_up(void *options, const char *value, struct option_words *more)
 {
     (void)more;
@@ -100,6 +109,7 @@ static bool set_normals(void *options, const char *value, struct option_words *m
 
 #define AT(member) offsetof(struct mesh_options, member)
 
+/* clang-format off */
 static const struct option options_of_mesh[] = {
     {"-o", OPTION_TEXT, AT(output), NULL},
     {"--preview", OPTION_TEXT, AT(preview), NULL},
@@ -107,6 +117,7 @@ static const struct option options_of_mesh[] = {
     {"--panel", OPTION_SET, 0, set_panel},
     {"--rows", OPTION_SET, 0, set_rows},
     {"--fit", OPTION_SET, 0, set_fit},
+    {"--scale", OPTION_SET, 0, set_scale},
     {"--up", OPTION_SET, 0, set_up},
     {"--simplify", OPTION_SET, 0, set_simplify},
     {"--normals", OPTION_SET, 0, set_normals},
@@ -117,6 +128,7 @@ static const struct option options_of_mesh[] = {
     {"--plain", OPTION_FLAG, AT(plain), NULL},
     {"--no-faces", OPTION_FLAG, AT(no_faces), NULL},
 };
+/* clang-format on */
 
 static const struct option_list list = {"mesh", "model", offsetof(struct mesh_options, input),
                                         options_of_mesh,
@@ -126,7 +138,7 @@ static const struct option_list list = {"mesh", "model", offsetof(struct mesh_op
 static bool is_changed(const struct mesh_options *o)
 {
     return o->compact || o->center || o->colors || o->plain || o->no_faces || o->fit > 0.0 ||
-           o->up != 'y' || o->simplify > 0 || o->normals != MODEL_NORMALS_KEEP;
+           o->scale > 0.0 || o->up != 'y' || o->simplify > 0 || o->normals != MODEL_NORMALS_KEEP;
 }
 
 /* What the names say about input and output. */
@@ -148,6 +160,9 @@ static bool check_names(struct mesh_options *options)
         !file_name_ends_in(options->output, ".h")) {
         return options_complain(&list,
                                 "the output is named neither .h nor .obj: ", options->output);
+    }
+    if (options->fit > 0.0 && options->scale > 0.0) {
+        return options_complain(&list, "--fit and --scale exclude each other", "");
     }
     if (options->split && (options->is_obj || strcmp(options->output, "-") == 0)) {
         return options_complain(&list, "--split needs an output named .h", "");

@@ -19,8 +19,8 @@ struct mesh_options {
     bool is_obj;                 /* the output is OBJ, not C */
     bool is_changed;             /* an option asks for more than the generated text */
     bool split, compact, center, colors, plain, no_faces;
-    char up;    /* 'y' or 'z' */
-    double fit; /* 0: as it is */
+    char up;           /* 'y' or 'z' */
+    double fit, scale; /* 0: as it is */
     enum model_normals normals;
     double smooth_degrees;
     long simplify; /* 0: all triangles */

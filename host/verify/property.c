@@ -10,18 +10,19 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { ODD, EVEN, UNIT, PAIR };
+enum { ODD, EVEN, UNIT, PAIR, PERIOD };
 
 typedef struct circle {
     const char *suffix; /* of "sin", for the names of the rows */
     q16 (*sine)(q16);
     q16 (*cosine)(q16);
     void (*both)(q16, q16 *, q16 *);
+    q16 turn; /* after which both repeat; 0: no whole number of ULPs */
 } circle;
 
 static const circle circles[] = {
-    {"", q16_sin, q16_cos, q16_sincos},
-    {"_deg", q16_sin_deg, q16_cos_deg, q16_sincos_deg},
+    {"", q16_sin, q16_cos, q16_sincos, 0},
+    {"_deg", q16_sin_deg, q16_cos_deg, q16_sincos_deg, Q16(360)},
 };
 
 static double unit_error(q16 sine, q16 cosine)
@@ -62,6 +63,13 @@ static void circle_at(const circle *c, q16 x, verify_row *rows)
     add_unit(&rows[UNIT], -x, sine_back, cosine_back);
     add(&rows[PAIR], x, pair_error(c, x, sine, cosine));
     add(&rows[PAIR], -x, pair_error(c, -x, sine_back, cosine_back));
+    if (c->turn != 0) { /* one turn down from x, one up from -x: every angle with the next */
+        double s = fmax(fabs((double)sine - c->sine(x - c->turn)),
+                        fabs((double)sine_back - c->sine(c->turn - x)));
+        double k = fmax(fabs((double)cosine - c->cosine(x - c->turn)),
+                        fabs((double)cosine_back - c->cosine(c->turn - x)));
+        add(&rows[PERIOD], x, fmax(s, k));
+    }
 }
 
 enum { CHUNK_BLOCKS = 2048, CHUNK_STRATA = 64 };
@@ -96,7 +104,7 @@ static void circle_run(const verify_test *test, const verify_options *options, u
 
 static bool circle_label(const verify_test *test, int index, verify_label *label)
 {
-    static const verify_label labels[2][4] = {
+    static const verify_label labels[2][5] = {
         {{"sin", "_odd", "sin(-x) = -sin(x)", 1, 0, true},
          {"cos", "_even", "cos(-x) = cos(x)", 1, 0, true},
          {"sincos", "_unit", "sin^2 + cos^2 = 1", 1, 2, false},
@@ -104,9 +112,10 @@ static bool circle_label(const verify_test *test, int index, verify_label *label
         {{"sin_deg", "_odd", "sin(-x) = -sin(x)", 1, 0, true},
          {"cos_deg", "_even", "cos(-x) = cos(x)", 1, 0, true},
          {"sincos_deg", "_unit", "sin^2 + cos^2 = 1", 1, 2, false},
-         {"sincos_deg", "", "as sin and cos", 1, 0, true}},
+         {"sincos_deg", "", "as sin and cos", 1, 0, true},
+         {"sincos_deg", "_period", "as of x - 360 and x + 360", 1, 0, true}},
     };
-    if (index > PAIR) {
+    if (index > PERIOD) {
         return false;
     }
     *label = labels[(const circle *)test->subject - circles][index];

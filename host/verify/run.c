@@ -109,5 +109,6 @@ size_t verify_all_tests(verify_test tests[VERIFY_TESTS])
     size_t count = verify_scalar_tests(tests, VERIFY_TESTS);
     count += verify_property_tests(tests + count, VERIFY_TESTS - count);
     count += verify_tuple_tests(tests + count, VERIFY_TESTS - count);
+    count += verify_power_tests(tests + count, VERIFY_TESTS - count);
     return count;
 }

@@ -149,6 +149,7 @@ q16 verify_stratum(int index);
 size_t verify_scalar_tests(verify_test *tests, size_t room);   /* scalar.c, from table.c */
 size_t verify_property_tests(verify_test *tests, size_t room); /* property.c */
 size_t verify_tuple_tests(verify_test *tests, size_t room);    /* tuple.c */
+size_t verify_power_tests(verify_test *tests, size_t room);    /* power.c */
 
 enum { VERIFY_TESTS = 160 };
 size_t verify_all_tests(verify_test tests[VERIFY_TESTS]);

@@ -17,7 +17,8 @@ extern "C" {
 
 /*
  * Sine and cosine of any angle, in [-1, 1], within .51 ULP. In degrees multiples of 90 are exact;
- * so is sin of 30. sincos gives the same results in less time than both calls.
+ * so is sin of 30, and angles whole turns apart have the same results to the bit. sincos gives the
+ * same results in less time than both calls.
  * Minimax polynomials of degree 7 and 6 on an eighth of a turn.
  */
 q16 q16_sin(q16 radians);
@@ -30,7 +31,7 @@ void q16_sincos_deg(q16 degrees, q16 *sine, q16 *cosine);
 /*
  * Tangent, within .53 ULP while it is below 256 and 2^-24.9 of itself beyond; saturates to
  * Q16_MAX and Q16_MIN. Odd multiples of 90 degrees, where there is none, give Q16_MAX with the sign
- * of the argument: Q16_MIN for negative ones.
+ * of the argument: Q16_MIN for negative ones. In degrees all others repeat to the bit after 180.
  */
 q16 q16_tan(q16 radians);
 q16 q16_tan_deg(q16 degrees);

@@ -101,11 +101,14 @@ void qtri_transform_orthonormalize(qtri_transform *t);
 
 /*
  * Projections to OpenGL clip space (-w..w). fovy: vertical field of view in (0, 180) degrees;
- * aspect: width / height; near and far: distances > 0. Source: COURSE formulae, glFrustum.
+ * aspect: width / height; near and far: distances > 0. Elements are within 2^-27 of themselves, for
+ * the narrowest fovy, 1/65536 degree, too. Source: COURSE formulae, glFrustum.
  *
  * Outside of that range: a negative fovy turns the picture by half a turn, a negative aspect
- * mirrors it left to right; near_z > far_z keeps what is seen and reverses depth, near_z's plane
- * being 0 still: then QTRI_GREATER and a clear to 0 draw what LESS and 65535 do otherwise.
+ * mirrors it left to right, left > right and bottom > top mirror it along their axis; what is
+ * mirrored once has its front faces clockwise. near_z > far_z keeps what is seen and reverses
+ * depth, near_z's plane being 0 still: then QTRI_GREATER and a clear to 0 draw what LESS and 65535
+ * do otherwise.
  */
 void qtri_transform_perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z);
 void qtri_transform_frustum(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top, q16 near_z,
@@ -118,7 +121,8 @@ void qtri_transform_ortho(qtri_transform *t, q16 left, q16 right, q16 bottom, q1
  * follows sees OpenGL clip space with the same picture and the same window depth, and
  * counter-clockwise in the picture is front all the same; Direct3D's own default is
  * QTRI_CULL_FRONT. The viewport that goes with them is qtri_viewport_top. Without a direction of
- * its own a camera looks as qtri_transform_look_at has it.
+ * its own a camera looks as qtri_transform_look_at has it. Arguments outside of their range do what
+ * they do in the forms above.
  */
 void qtri_transform_look_at_d3d(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up);
 void qtri_transform_frustum_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top,

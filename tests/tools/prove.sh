@@ -1,0 +1,65 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Proves that the mathematics does nothing that C does not define, whatever its arguments; prints a line a proof.
+#
+#   prove.sh values    tests/prove/math_values.c by Frama-C's Eva, for int of 32 bits; minutes
+#   prove.sh inputs    tests/prove/math_inputs.c by trying every argument, with and without long multiply; ten minutes
+set -u
+log=build/prove
+mkdir -p "$log"
+failed=0
+
+# The functions that other proofs take as specified; a function is not specified in the proof of itself.
+values() {
+    command -v frama-c >/dev/null 2>&1 || { echo "prove: skipped: frama-c is not installed (make setup-proof)"; exit 0; }
+    sources="core/math/eighths.c core/math/scaled.c core/math/sincos.c core/math/series.c $(ls core/bits/*.c) \
+        $(ls core/math/q16*.c | grep -v 'q16_pow\.c') $(frama-c -print-share-path)/libc/__fc_builtin.c"
+    for name in ${PROOFS:-$(sed -n 's/^void \(prove_[a-z0-9_]*\)(void)$/\1/p' tests/prove/math_values.c)}; do
+        specified=qtri_reciprocal_q62,precise_log2_q43
+        slevel=100
+        precision=1
+        [ "$name" = prove_pow_log ] && specified=qtri_reciprocal_q62
+        [ "$name" = prove_div ] && slevel=40
+        [ "$name" = prove_sin ] && precision=4
+        start=$(date +%s)
+        # shellcheck disable=SC2086
+        frama-c -machdep x86_32 -cpp-extra-args='-U__GNUC__ -Icore/include -Icore' -eva -eva-precision $precision \
+            -eva-slevel $slevel -eva-slevel-function prove_log:5000,prove_pow_log:5000 -eva-use-spec $specified \
+            -main "$name" tests/prove/math_values.c $sources >"$log/$name.txt" 2>&1
+        status=$?
+        if [ $status = 0 ] && grep -q '0 alarms generated' "$log/$name.txt" &&
+            ! grep -q 'status unknown\|status invalid\|NON TERMINATING' "$log/$name.txt"; then
+            echo "prove: ${name#prove_}: proved, $(($(date +%s) - start)) s"
+        else
+            echo "prove: ${name#prove_}: NOT proved; $log/$name.txt"
+            failed=1
+        fi
+    done
+}
+
+inputs() {
+    command -v clang >/dev/null 2>&1 || { echo "prove: skipped: clang is not installed (make setup)"; exit 0; }
+    for variant in wide narrow; do
+        flags=
+        [ $variant = narrow ] && flags='-DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0'
+        # shellcheck disable=SC2086
+        clang -std=c99 -O2 -fsanitize=undefined -fno-sanitize-recover=all $flags -Icore/include -Icore \
+            -o "$log/inputs-$variant" tests/prove/math_inputs.c core/math/q16*.c core/math/eighths.c core/math/scaled.c \
+            core/math/series.c core/math/sincos.c core/math/side_angle.c core/bits/*.c || exit 1
+        for name in ${FUNCTIONS:-$("$log/inputs-$variant")}; do
+            start=$(date +%s)
+            if "$log/inputs-$variant" "$name" 2>"$log/$name-$variant.txt"; then
+                echo "prove: $name, $variant: every argument, $(($(date +%s) - start)) s"
+            else
+                echo "prove: $name, $variant: FAILED; $log/$name-$variant.txt"
+                failed=1
+            fi
+        done
+    done
+}
+
+case ${1:-} in
+values | inputs) "$1" ;;
+*) echo "usage: prove.sh values|inputs" >&2; exit 2 ;;
+esac
+exit $failed
