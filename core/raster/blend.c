@@ -88,10 +88,10 @@ typedef struct mixture {
     bool wide;      /* each has its own, in the high byte of its colour */
 } mixture;
 
-/* Whether pixels are colours of the kind 565 as they are, or with their bytes exchanged. */
+/* Of colours of the kind 565: whether pixels are that as they are, or with their bytes exchanged. */
 static bool are_565(const qtri_format *format)
 {
-    return format->colors == &qtri_colors_565 && format->pixels->bytes == 2 &&
+    return format->pixels->bytes == 2 &&
            (format->encode == NULL || format->decode == qtri_decode_rgb565_swapped);
 }
 

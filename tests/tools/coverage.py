@@ -77,7 +77,7 @@ def look_at(counts, path, source):
     missing = []
     before = 0
     for line, count in sorted(lines.items()):
-        if not count:
+        if not count and not source[line - 1].startswith("#"):  # the preprocessor's
             if line - 1 != before:  # lines in a row that never run are one
                 missing.append((line, NEVER))
             before = line
