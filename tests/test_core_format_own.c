@@ -202,6 +202,13 @@ static void pictures_are_converted(void **state)
                 qtri_surface_clear(&to.surface, red, 0);
                 qtri_image_paint(&to.surface, &picture, 3, 2);
                 assert_same_stored(&want.surface, &to.surface, 0x00FFFFFF);
+                /* Mixed with itself it stays, within a step. */
+                qtri_image_blend(&to.surface, &picture, 3, 2, 130);
+                for (int32_t x = 0; x < WIDTH; x++) {
+                    const qtri_rgb a = qtri_surface_pixel(&want.surface, x, 20);
+                    const qtri_rgb b = qtri_surface_pixel(&to.surface, x, 20);
+                    assert_true(abs(a.r - b.r) <= 9 && abs(a.g - b.g) <= 9 && abs(a.b - b.b) <= 9);
+                }
                 canvas_free(&to);
             }
             canvas_free(&source);
