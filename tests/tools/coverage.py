@@ -37,6 +37,15 @@ def lines_of(segments):
     return counts
 
 
+def skipped_by(segments):
+    """Lines that the preprocessor left out."""
+    lines = set()
+    for own, following in zip(segments, segments[1:]):
+        if not own[3] and own[4]:
+            lines.update(range(own[0], following[0] + (following[1] > 1)))
+    return lines
+
+
 def export(build, name, root):
     """The coverage of one test program, and of the command where it ran that, too."""
     raw = glob.glob(f"{build}/raw/{name}-*.profraw")
@@ -57,9 +66,10 @@ class Counts:
     """How often each line and each side of a branch ran: by file, the sums of all tests."""
 
     def __init__(self):
-        self.lines, self.branches, self.reached_by = {}, {}, {}
+        self.lines, self.branches, self.reached_by, self.skipped = {}, {}, {}, {}
 
     def add(self, name, path, file):
+        self.skipped.setdefault(path, set()).update(skipped_by(file["segments"]))
         of_file = self.lines.setdefault(path, {})
         for line, count in lines_of(file["segments"]).items():
             of_file[line] = of_file.get(line, 0) + count
@@ -73,11 +83,12 @@ class Counts:
 
 def look_at(counts, path, source):
     """(lines that ran, lines, sides that ran, sides) of a file, and [(line, what)] of those that did not."""
-    lines = counts.lines[path]
+    # A function that nobody calls counts as a whole, with what is left out of it elsewhere.
+    lines = {line: count for line, count in counts.lines[path].items() if count or line not in counts.skipped[path]}
     missing = []
     before = 0
     for line, count in sorted(lines.items()):
-        if not count and not source[line - 1].startswith("#"):  # the preprocessor's
+        if not count:
             if line - 1 != before:  # lines in a row that never run are one
                 missing.append((line, NEVER))
             before = line
