@@ -7,6 +7,7 @@
 
 #include "geometry/vertex.h"
 
+#include <qtri/blend.h>
 #include <qtri/edges.h>
 #include <qtri/frame.h>
 #include <qtri/halo.h>
@@ -237,6 +238,24 @@ static void hidden_lines_of_all_comparisons(void **state)
     }
 }
 
+/* Without a format there is nothing to draw on. */
+static void hidden_lines_on_no_surface(void **state)
+{
+    (void)state;
+    qtri_transform pose;
+    const qtri_view view = view_of(6, &pose);
+    const qtri_mesh mesh = cube();
+    const qtri_material material = qtri_material_default();
+    canvas c = new_canvas();
+    canvas empty = new_canvas();
+    qtri_surface none = c.surface;
+    none.format = NULL;
+    qtri_draw_hidden_lines(&none, &view, &pose, &mesh, NULL, &material, Q16(.004));
+    assert_same_picture(&empty.surface, &c.surface);
+    canvas_free(&c);
+    canvas_free(&empty);
+}
+
 /* What a texture leaves out hides nothing: by its key, or by its alpha. */
 static void hidden_lines_through_holes(void **state)
 {
@@ -439,6 +458,40 @@ static void prepared_in_many_lights(void **state)
     }
 }
 
+/* Memory of light that something else has cleared since: what is drawn is black. */
+static void prepared_light_that_was_lost(void **state)
+{
+    (void)state;
+    const qtri_light_source source = {
+        .kind = &qtri_directional_light, .position = vec3_of(1, 2, 2), .color = {Q16(1), 0, 0}};
+    const qtri_light_color dark = {0, 0, 0};
+    qtri_lights lights;
+    qtri_transform pose;
+    qtri_view view = view_of(5, &pose);
+    const qtri_mesh mesh = cube();
+    const qtri_material material = qtri_material_default();
+    qtri_prepared prepared;
+    qtri_frame frame;
+    canvas c = new_canvas(), empty = new_canvas();
+    assert_int_equal(qtri_lights_init(&lights, &source, 1, dark), QTRI_OK);
+    view.lights = &lights;
+    qtri_prepared_init(&prepared, vertices, LENGTH_OF(vertices), lists, LENGTH_OF(lists));
+    assert_int_equal(
+        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c.memory, c.bytes), QTRI_OK);
+    qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+    memset(&vertices[VERTICES], 0, sizeof vertices - VERTICES * sizeof vertices[0]);
+    qtri_draw_prepared(&c.surface, &prepared);
+    int black = 0;
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const uint32_t pixel = stored_pixel(&c.surface, i % WIDTH, i / WIDTH);
+        assert_true(pixel == 0 || pixel == stored_pixel(&empty.surface, 0, 0));
+        black += pixel == 0;
+    }
+    assert_true(black > 100);
+    canvas_free(&c);
+    canvas_free(&empty);
+}
+
 /* Surfaces of another width or height; rows behind the last band; memory for all that places can
    count. */
 static void prepared_for_another_frame(void **state)
@@ -509,6 +562,107 @@ static void prepared_with_the_largest_groups(void **state)
     canvas_free(&c[1]);
 }
 
+/* Bands of one row: more lists than there are blocks. And a frame that has lost its rows. */
+static void prepared_in_rows(void **state)
+{
+    (void)state;
+    static const uint32_t counts[4] = {88, 150, 200, 400};
+    qtri_transform pose;
+    const qtri_view view = view_of(5, &pose);
+    const qtri_mesh mesh = cube();
+    const qtri_material material = qtri_material_default();
+    for (int n = 0; n < 5; n++) {
+        qtri_prepared prepared;
+        qtri_frame frame;
+        canvas c[2] = {new_canvas(), new_canvas()};
+        canvas empty = new_canvas();
+        qtri_prepared_init(&prepared, vertices, VERTICES, lists, counts[n & 3]);
+        assert_int_equal(
+            qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 1, c[0].memory, c[0].bytes),
+            QTRI_OK);
+        frame.height = n < 4 ? HEIGHT : 0;
+        qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+        for (int32_t row = 0; row < HEIGHT; row++) {
+            qtri_surface band = c[0].surface;
+            band.scissor.y0 = row;
+            band.scissor.y1 = row + 1;
+            band.height = n < 4 ? HEIGHT : 0;
+            qtri_draw_prepared(&band, &prepared);
+        }
+        qtri_draw_mesh(&c[1].surface, &view, &pose, &mesh, &material);
+        assert_same_picture(n < 4 ? &c[1].surface : &empty.surface, &c[0].surface);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+        canvas_free(&empty);
+    }
+}
+
+/* ---- Memory that is laid out otherwise ---- */
+
+/* Rows far apart, upside down, or not as far apart as those of depth; depth that is not written. */
+static void surfaces_of_any_pitch(void **state)
+{
+    (void)state;
+    enum { FAR = 70000 };
+    static uint16_t far[FAR / 2 * HEIGHT];
+    qtri_transform pose;
+    const qtri_view view = view_of(5, &pose);
+    for (int n = 0; n < 12; n++) {
+        canvas c = new_canvas();
+        qtri_surface s = c.surface;
+        const int32_t first = n % 4 == 1 ? HEIGHT - 1 : 0; /* bottom-up */
+        const bool only_pixels = n >= 8;
+        s.pitch = n % 4 == 3 ? 2 * (WIDTH + 1) : (n % 4 == 1 ? -FAR : FAR);
+        s.pixels = (uint8_t *)far + first * (ptrdiff_t)FAR;
+        if (n % 4 == 0 || n % 4 == 1) { /* as far apart as depths, which have their own place */
+            s.depth = NULL;
+        }
+        qtri_material material = qtri_material_default();
+        material.fill = n & 4 ? &qtri_wireframe : NULL;
+        material.depth_read_only = only_pixels;
+        material.depth_compare = s.depth == NULL ? QTRI_DEPTH_OFF : QTRI_LESS;
+        const qtri_mesh mesh = cube();
+        qtri_surface_clear(&s, sky, 65535);
+        canvas want = new_canvas();
+        want.surface.depth = s.depth == NULL ? NULL : want.surface.depth;
+        qtri_draw_mesh(&s, &view, &pose, &mesh, &material);
+        qtri_draw_mesh(&want.surface, &view, &pose, &mesh, &material);
+        for (int32_t y = 0; y < HEIGHT; y++) {
+            assert_memory_equal(s.pixels + y * s.pitch, want.surface.pixels + y * 2 * WIDTH,
+                                2 * WIDTH);
+            for (int32_t x = 0; x < WIDTH && only_pixels; x++) {
+                assert_int_equal(c.surface.depth[y * WIDTH + x], 65535);
+            }
+        }
+        canvas_free(&want);
+        canvas_free(&c);
+    }
+}
+
+/* Blended edges are drawn by every triangle that has them, in bands as in the frame. */
+static void blended_wireframes(void **state)
+{
+    (void)state;
+    static const qtri_compare compares[3] = {QTRI_LESS, QTRI_LESS_EQUAL, QTRI_DEPTH_OFF};
+    qtri_transform pose;
+    const qtri_view view = view_of(5, &pose);
+    const qtri_mesh mesh = cube();
+    for (int n = 0; n < 3; n++) {
+        canvas c[2] = {new_canvas(), new_canvas()};
+        qtri_material material = qtri_material_default();
+        material.fill = &qtri_wireframe;
+        material.blend = &qtri_blend_alpha;
+        material.alpha = 100;
+        material.depth_compare = compares[n];
+        qtri_draw_mesh(&c[0].surface, &view, &pose, &mesh, &material);
+        draw_bands(&c[1], &mesh, &view, &pose, &material);
+        assert_same_picture(&c[0].surface, &c[1].surface);
+        assert_true(count_drawn(&c[0]) > 50);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
 /* ---- Boxes ---- */
 
 /* A mesh with bounds, moved out of the frame by parts of a pixel: as one without. */
@@ -550,11 +704,16 @@ int main(void)
         cmocka_unit_test(vertices_that_were_never_met),
         cmocka_unit_test(hidden_lines_of_all_comparisons),
         cmocka_unit_test(hidden_lines_through_holes),
+        cmocka_unit_test(hidden_lines_on_no_surface),
         cmocka_unit_test(strokes_of_nothing),
         cmocka_unit_test(wide_wireframes_of_wrong_meshes),
         cmocka_unit_test(prepared_in_many_lights),
+        cmocka_unit_test(prepared_light_that_was_lost),
         cmocka_unit_test(prepared_for_another_frame),
         cmocka_unit_test(prepared_with_the_largest_groups),
+        cmocka_unit_test(prepared_in_rows),
+        cmocka_unit_test(surfaces_of_any_pitch),
+        cmocka_unit_test(blended_wireframes),
         cmocka_unit_test(samples_beside_the_frame),
     };
     return cmocka_run_group_tests_name("core draw ends", tests, make_normals, NULL);

@@ -150,8 +150,9 @@ static void prepared_outlines_that_cannot_be(void **state)
     static uint32_t more_memory[WORDS];
     static qtri_vertex few[VERTICES];
     qtri_transform pose;
-    const qtri_mesh mesh = cube(true);
+    qtri_mesh mesh = cube(true);
     const qtri_mesh other = cube(true);
+    mesh.bounds.half = vec3_of(1, 1, 1);
     for (int n = 0; n < 7; n++) {
         const qtri_view view = view_of(0, n == 4 ? -6 : 5, &pose);
         qtri_material material = qtri_material_default();
@@ -304,7 +305,7 @@ static void parts_that_have_no_list(void **state)
 {
     (void)state;
     int changed = 0;
-    for (int n = 0; n < 28; n++) {
+    for (int n = 0; n < 42; n++) {
         const qtri_compare compare = compares[n % 7];
         qtri_transform pose;
         const qtri_view view = view_of(n * .1, 4, &pose);
@@ -316,7 +317,12 @@ static void parts_that_have_no_list(void **state)
         qtri_frame frame;
         material.depth_compare = compare;
         material.shading = QTRI_FLAT_LAST;
-        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+        /* With room for the lists of silhouettes and for some creases, too. */
+        const uint32_t least =
+            QTRI_OUTLINE_WORDS(TRIANGLES) + (n & 1 ? 0 : QTRI_OUTLINE_SUMS(VERTICES));
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory,
+                                           n < 28 ? WORDS : least + 10 + 4 * (uint32_t)(n - 28)),
+                         QTRI_OK);
         outline.creases = n >= 14;
         assert_int_equal(
             qtri_draw_mesh_outlined(&whole.surface, &view, &pose, &material, &outline), QTRI_OK);
@@ -339,6 +345,10 @@ static void parts_that_have_no_list(void **state)
             c.surface.scissor.y0 = row - 2;
             c.surface.scissor.y1 = row + 7;
             qtri_draw_prepared(&c.surface, &prepared);
+            qtri_surface last = c.surface; /* the frame's last row alone has nothing beside it */
+            last.scissor.y0 = row == 0 ? HEIGHT - 1 : HEIGHT;
+            last.scissor.y1 = HEIGHT;
+            blend_edges(&last, &outline);
             blend_edges(&c.surface, &outline);
             for (int32_t i = row * WIDTH; i < (row + 5) * WIDTH && i < WIDTH * HEIGHT; i++) {
                 assert_int_equal(stored_pixel(&whole.surface, i % WIDTH, i / WIDTH),
