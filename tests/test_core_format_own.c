@@ -102,6 +102,20 @@ static void draw_stored(const qtri_surface *s)
     (void)qtri_text_paint(s, &qtri_font_small, 3, 38, "own: 42", &solid);
 }
 
+static void blend_cubes(const qtri_surface *s)
+{
+    static const qtri_blend *const blends[3] = {&qtri_blend_alpha, &qtri_blend_add,
+                                                &qtri_blend_multiply};
+    for (int i = 0; i < 3; i++) {
+        qtri_material material = qtri_material_default();
+        material.color = sand;
+        material.blend = blends[i];
+        material.alpha = (uint8_t)(90 + 60 * i);
+        material.depth_bias = -Q16(.01) * (i + 1);
+        draw_cube(s, material);
+    }
+}
+
 static void assert_same_stored(const qtri_surface *a, const qtri_surface *b, uint32_t mask)
 {
     for (int32_t y = a->first_row; y < a->first_row + a->rows; y++) {
@@ -127,6 +141,9 @@ static void another_size_has_the_same_picture(void **state)
         canvas b = canvas_new(&own, WIDTH, HEIGHT);
         draw_stored(&a.surface);
         draw_stored(&b.surface);
+        assert_same_stored(&a.surface, &b.surface, 0x00FFFFFF);
+        blend_cubes(&a.surface);
+        blend_cubes(&b.surface);
         assert_same_stored(&a.surface, &b.surface, 0x00FFFFFF);
         /* Read, as gray and as colours. */
         for (int32_t y = 0; y < HEIGHT; y++) {
@@ -275,20 +292,6 @@ static uint32_t decode_bgr565(uint32_t stored)
 
 static const qtri_format bgr565 = {&qtri_pixels_16, &qtri_colors_565, encode_bgr565,
                                    decode_bgr565, NULL};
-
-static void blend_cubes(const qtri_surface *s)
-{
-    static const qtri_blend *const blends[3] = {&qtri_blend_alpha, &qtri_blend_add,
-                                                &qtri_blend_multiply};
-    for (int i = 0; i < 3; i++) {
-        qtri_material material = qtri_material_default();
-        material.color = sand;
-        material.blend = blends[i];
-        material.alpha = (uint8_t)(90 + 60 * i);
-        material.depth_bias = -Q16(.01) * (i + 1);
-        draw_cube(s, material);
-    }
-}
 
 static void exchanged_channels_have_the_same_picture(void **state)
 {

@@ -17,10 +17,7 @@ void qtri_gradient_init(qtri_gradient *g, int32_t extent)
         2u * SMALL) {
         return;
     }
-    uint32_t size = qtri_magnitude32((int32_t)g->area); /* < 2^31 */
-    if (size == 0) {
-        return; /* nobody draws it */
-    }
+    uint32_t size = qtri_magnitude32((int32_t)g->area); /* < 2^31, not 0 */
     g->zeros = qtri_clz32(size);
     g->reciprocal = qtri_reciprocal_below(size << g->zeros) >> 1;
     if (!qtri_gradient_is_sliver(size, extent)) {
