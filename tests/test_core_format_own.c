@@ -98,6 +98,20 @@ static void draw_stored(const qtri_surface *s)
     material.color = sand;
     material.depth_bias = -Q16(.02);
     draw_cube(s, material);
+    material.fill = NULL; /* a floor, whose rows have one distance */
+    material.texture = &texture;
+    material.texture_mode = QTRI_REPLACE;
+    material.depth_compare = QTRI_LESS;
+    material.cull = QTRI_CULL_NONE;
+    qtri_screen_vertex floor[3] = {screen_at(-5000, 7000), screen_at(30000, 7000),
+                                   screen_at(5000, 20000)};
+    for (int i = 0; i < 3; i++) {
+        floor[i].depth_16p16 = (uint32_t)(i < 2 ? 65000 : 60000) << 16;
+        floor[i].inv_w_q31 = i < 2 ? 0x10000000u : 0x80000000u;
+        floor[i].u_q32 = (int64_t)(i == 1 ? 9 : 0) << 32;
+        floor[i].v_q32 = (int64_t)(i == 2 ? 9 : 0) << 32;
+    }
+    qtri_raster_triangle(s, &material, floor);
     qtri_paint_rect(s, &box, &solid);
     (void)qtri_text_paint(s, &qtri_font_small, 3, 38, "own: 42", &solid);
 }
@@ -328,6 +342,38 @@ static void exchanged_channels_have_the_same_picture(void **state)
     canvas_free(&c);
 }
 
+/* Colours of 565 in a byte: what is stored is that of RGB565, encoded. */
+static void encode_332(uint32_t *color, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++) {
+        color[i] = (color[i] >> 8 & 0xE0) | (color[i] >> 6 & 0x1C) | (color[i] >> 3 & 3);
+    }
+}
+
+static uint32_t decode_332(uint32_t stored)
+{
+    return qtri_decode_rgb565((stored & 0xE0) << 8 | (stored & 0x1C) << 6 | (stored & 3) << 3);
+}
+
+static void a_byte_of_565(void **state)
+{
+    (void)state;
+    static const qtri_format rgb332 = {&qtri_pixels_8, &qtri_colors_565, encode_332, decode_332,
+                                       NULL};
+    make_texels();
+    canvas a = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas b = canvas_new(&rgb332, WIDTH, HEIGHT);
+    draw_stored(&a.surface);
+    draw_stored(&b.surface);
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        uint32_t want = stored_pixel(&a.surface, i % WIDTH, i / WIDTH);
+        encode_332(&want, 1);
+        assert_int_equal(stored_pixel(&b.surface, i % WIDTH, i / WIDTH), want);
+    }
+    canvas_free(&a);
+    canvas_free(&b);
+}
+
 /* On depth alone nothing is painted: there are no pixels. */
 static void depth_alone_has_no_pixels(void **state)
 {
@@ -377,6 +423,7 @@ int main(void)
         cmocka_unit_test(pictures_are_converted),
         cmocka_unit_test(filters_are_the_same),
         cmocka_unit_test(exchanged_channels_have_the_same_picture),
+        cmocka_unit_test(a_byte_of_565),
         cmocka_unit_test(depth_alone_has_no_pixels),
     };
     return cmocka_run_group_tests_name("core format own", tests, NULL, NULL);

@@ -257,6 +257,26 @@ static void halves_of_odd_memory(void **state)
     canvas_free(&c);
 }
 
+/* Rows of an odd number of pixels that begin at words: as the form for any format. */
+static void fxaa_of_odd_rows(void **state)
+{
+    (void)state;
+    static uint32_t words[QTRI_FXAA_WORDS(WIDTH)];
+    canvas c[2] = {canvas_new(&qtri_rgb565, WIDTH, HEIGHT), canvas_new(&qtri_rgb565, WIDTH, HEIGHT)};
+    for (int i = 0; i < 2; i++) {
+        paint_test(&c[i].surface);
+        qtri_surface odd = c[i].surface;
+        odd.width--;
+        odd.scissor.x1--;
+        assert_int_equal(i == 0 ? qtri_fxaa(&odd, words, LENGTH_OF(words))
+                                : qtri_fxaa_565(&odd, words, LENGTH_OF(words)),
+                         QTRI_OK);
+    }
+    assert_same_picture(&c[0].surface, &c[1].surface);
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -267,6 +287,7 @@ int main(void)
         cmocka_unit_test(nothing_to_filter),
         cmocka_unit_test(too_little_memory_changes_nothing),
         cmocka_unit_test(halves_of_odd_memory),
+        cmocka_unit_test(fxaa_of_odd_rows),
     };
     return cmocka_run_group_tests_name("core frame ends", tests, NULL, NULL);
 }

@@ -9,6 +9,7 @@
 
 #include <qtri/blend.h>
 #include <qtri/font.h>
+#include <qtri/image.h>
 #include <qtri/paint.h>
 #include <qtri/samples.h>
 #include <qtri/stroke.h>
@@ -120,7 +121,8 @@ static void draw_all(const qtri_surface *s, qtri_material material)
     for (int n = 0; n < 6; n++) {
         material.shading = shading_of(n % 3);
         material.texture_mode = n < 3 ? QTRI_MODULATE : QTRI_REPLACE;
-        material.color = (qtri_rgb){255, (uint8_t)(n & 1 ? 255 : 130), 200};
+        const uint8_t less = (uint8_t)(n == 0 ? 255 : 130 + 10 * n); /* white, and colours */
+        material.color = (qtri_rgb){255, less, (uint8_t)(n == 0 ? 255 : 200)};
         material.cull = QTRI_CULL_NONE;
         draw_triangles(s, &material, n % 2 == 0, 77 + (uint64_t)n);
         material.cull = QTRI_CULL_BACK;
@@ -149,7 +151,7 @@ static void opaque_texels_are_texels(void **state)
     (void)state;
     qtri_fog fog;
     const qtri_fog_range range = {Q16(.5), Q16(40), false};
-    qtri_fog_linear(&fog, (qtri_rgb){200, 190, 170}, range, Q16(2), Q16(30));
+    qtri_fog_linear(&fog, (qtri_rgb){200, 190, 170}, range, Q16(1), Q16(3));
     for (int f = 0; f < 6; f++) {
         for (int n = 0; n < 8; n++) {
             qtri_texture without = texture_of(&qtri_texel_xrgb8888, xrgb);
@@ -327,7 +329,9 @@ static void samples_that_are_alike(void **state)
                     draw_lines(on[i], &material);
                 }
                 qtri_paint_rect(on[i], &box, &brush);
+                const qtri_image image = {xrgb, 4 * SIDE, &qtri_xrgb8888, SIDE, SIDE, true, xrgb[3]};
                 (void)qtri_text_paint(on[i], &qtri_font_small, 3, 30, "alike", &brush);
+                qtri_image_paint(on[i], &image, 30, 3);
             }
             for (int32_t i = 0; i < WIDTH * HEIGHT; i++) { /* read as the pixels that they are */
                 const qtri_rgb a = qtri_surface_pixel(&want.surface, i % WIDTH, i / WIDTH);
@@ -570,6 +574,196 @@ static void sides_above_1024(void **state)
     }
 }
 
+/*
+ * Levels of one colour each, on a texture of 512 x 256: as of 256 x 256, across twice as often. The
+ * larger one's coordinates do not fit half a word, and it is drawn by other stages.
+ */
+static void levels_of_large_textures(void **state)
+{
+    (void)state;
+    static uint16_t level0[2][512 * 256], texels[2][9][512 * 256 / 4];
+    const void *levels[2][9];
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 512 * 256; k++) {
+            level0[i][k] = 0xF81F;
+        }
+        for (int n = 0; n < 9; n++) {
+            for (int k = 0; k < 512 * 256 / 4; k++) {
+                texels[i][n][k] = (uint16_t)(0x1111 * (n + 2));
+            }
+            levels[i][n] = texels[i][n];
+        }
+    }
+    for (int n = 0; n < 8; n++) {
+        canvas c[2];
+        for (int i = 0; i < 2; i++) {
+            qtri_texture texture = texture_of(&qtri_texel_rgb565, level0[i]);
+            texture.width_log2 = i == 0 ? 9 : 8;
+            texture.height_log2 = 8;
+            texture.levels = levels[i];
+            texture.level_count = 7;
+            texture.filter = n & 1 ? &qtri_mipmapped_bilinear : &qtri_mipmapped;
+            qtri_material material = plain_material();
+            material.texture = &texture;
+            c[i] = new_canvas(n & 4 ? &qtri_xrgb8888 : &qtri_rgb565);
+            /* A floor, or a wall that is seen straight, from near to far. */
+            qtri_screen_vertex v[3] = {screen_at(-6000, 200), screen_at(90000, 200),
+                                       screen_at(-6000, 30000)};
+            for (int k = 0; k < 3; k++) {
+                const int64_t unit = (int64_t)40 << 32;
+                v[k].inv_w_q31 = k < 2 && (n & 2) ? 0x04000000u : 0x80000000u;
+                v[k].u_q32 = k == 1 ? unit << (i == 1 ? 1 : 0) : 0;
+                v[k].v_q32 = k == 2 ? unit : 0;
+            }
+            qtri_raster_triangle(&c[i].surface, &material, v);
+        }
+        int other = 0;
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            other += stored_pixel(&c[0].surface, i % WIDTH, i / WIDTH) !=
+                     stored_pixel(&c[1].surface, i % WIDTH, i / WIDTH);
+        }
+        assert_in_range(other, 0, WIDTH * HEIGHT / 50); /* where a level begins */
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
+/* ---- Triangles that no scene has ---- */
+
+/* From the whole guard band, of any 1/w, steep and flat: in parts as in one. */
+static void extremes_in_parts(void **state)
+{
+    (void)state;
+    uint64_t seed = 77;
+    const qtri_texture texture = texture_of(&qtri_texel_rgb565, rgb565);
+    for (int n = 0; n < 3000; n++) {
+        static const int32_t reaches[5] = {300, 9000, 70000, 1 << 20, QTRI_SCREEN_MAX_24P8};
+        const int32_t reach = reaches[n % 5];
+        qtri_screen_vertex v[3];
+        for (int i = 0; i < 3; i++) {
+            v[i] = screen_at(random_in(&seed, -reach, reach), random_in(&seed, -reach, reach));
+            v[i].x_24p8 = n % 7 == 0 && i == 2 ? v[0].x_24p8 + random_in(&seed, -9, 9) : v[i].x_24p8;
+            v[i].depth_16p16 = (uint32_t)random64(&seed) >> random_in(&seed, 0, 24);
+            v[i].inv_w_q31 = n % 3 == 0 ? 1u << random_in(&seed, 0, 31)
+                                        : (uint32_t)random64(&seed) >> random_in(&seed, 0, 31);
+            v[i].inv_w_q31 |= 1;
+            v[i].inv_w_exponent = random_in(&seed, 0, n % 2 == 0 ? 3 : 60);
+            v[i].u_q32 = (int64_t)random_any(&seed) << random_in(&seed, 0, 16);
+            v[i].v_q32 = (int64_t)random_any(&seed) << random_in(&seed, 0, 16);
+            for (int k = 0; k < 3; k++) {
+                v[i].color_8p16[k] = random_in(&seed, 0, 255 << 16);
+            }
+        }
+        qtri_material material = qtri_material_default();
+        material.cull = QTRI_CULL_NONE;
+        material.texture = n & 1 ? &texture : NULL;
+        material.depth_compare = QTRI_ALWAYS;
+        const qtri_format *const format = plain[n % 6];
+        canvas whole = new_canvas(format), parts = new_canvas(format);
+        qtri_raster_triangle(&whole.surface, &material, v);
+        const int32_t column = random_in(&seed, 1, WIDTH - 1), row = random_in(&seed, 1, HEIGHT - 1);
+        for (int part = 0; part < 4; part++) {
+            qtri_surface s = parts.surface;
+            s.scissor.x0 = part & 1 ? column : 0;
+            s.scissor.x1 = part & 1 ? WIDTH : column;
+            s.scissor.y0 = part & 2 ? row : 0;
+            s.scissor.y1 = part & 2 ? HEIGHT : row;
+            qtri_raster_triangle(&s, &material, v);
+        }
+        assert_same_picture(&whole.surface, &parts.surface);
+        canvas_free(&whole);
+        canvas_free(&parts);
+    }
+}
+
+/* At the end of the screen's numbers samples cannot be moved: such triangles are not seen. */
+static void samples_at_the_end(void **state)
+{
+    (void)state;
+    static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_X4_BYTES) / 4];
+    static uint8_t before[sizeof memory];
+    qtri_surface s;
+    assert_int_equal(qtri_surface_init(&s, &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT, memory,
+                                       sizeof memory),
+                     QTRI_OK);
+    qtri_samples_clear(&s, sky, 65535);
+    memcpy(before, memory, sizeof memory);
+    const qtri_material material = plain_material();
+    const int32_t end = QTRI_SCREEN_MAX_24P8;
+    for (int n = 0; n < 4; n++) {
+        const int32_t sign = n & 1 ? -1 : 1;
+        qtri_screen_vertex v[3] = {screen_at(sign * end, -end), screen_at(sign * (end - 20), 3000),
+                                   screen_at(sign * (end - 10), end)};
+        for (int i = 0; i < 3 && (n & 2); i++) {
+            const int32_t x = v[i].x_24p8;
+            v[i].x_24p8 = v[i].y_24p8;
+            v[i].y_24p8 = x;
+        }
+        qtri_raster_triangle(&s, &material, v);
+    }
+    assert_memory_equal(before, memory, sizeof memory);
+}
+
+/* Corners on one line in space: what snapping makes of them draws nothing wrong, or nothing. */
+static void triangles_that_are_lines(void **state)
+{
+    (void)state;
+    uint64_t seed = 9;
+    const qtri_texture texture = texture_of(&qtri_texel_rgb565, rgb565);
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    for (int n = 0; n < 1500; n++) {
+        const q16 x = random_in(&seed, -60000, 60000), y = random_in(&seed, -60000, 60000);
+        const q16 dx = random_in(&seed, -30000, 30000), dy = random_in(&seed, -30000, 30000);
+        const qtri_vec3 p[3] = {{x - dx, y - dy, 0}, {x, y, 0}, {x + dx, y + dy, 0}};
+        const qtri_vec2 uv[3] = {{0, 0}, {Q16(3), 0}, {0, Q16(3)}};
+        const qtri_mesh mesh = {.positions = p,
+                                .uvs = uv,
+                                .triangles = triangle,
+                                .vertex_count = 3,
+                                .triangle_count = 1};
+        qtri_material material = qtri_material_default();
+        qtri_vertex vertices[QTRI_MESH_VERTICES(3)];
+        qtri_transform pose;
+        qtri_view view;
+        material.cull = QTRI_CULL_NONE;
+        material.texture = &texture;
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        view.vertices = vertices;
+        view.vertex_count = LENGTH_OF(vertices);
+        qtri_transform_identity(&pose);
+        canvas c[2] = {new_canvas(&qtri_rgb565), new_canvas(&qtri_rgb565)};
+        qtri_draw_mesh(&c[0].surface, &view, &pose, &mesh, &material);
+        for (int part = 0; part < 2; part++) {
+            qtri_surface s = c[1].surface;
+            s.scissor.y0 = part == 0 ? 0 : 17;
+            s.scissor.y1 = part == 0 ? 17 : HEIGHT;
+            qtri_draw_mesh(&s, &view, &pose, &mesh, &material);
+        }
+        assert_same_picture(&c[0].surface, &c[1].surface);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
+/* Smooth wireframes on a surface without a format, and where nothing is to be drawn. */
+static void smooth_lines_of_nothing(void **state)
+{
+    (void)state;
+    canvas c = new_canvas(&qtri_rgb565), empty = new_canvas(&qtri_rgb565);
+    qtri_material material = qtri_material_default();
+    material.fill = &qtri_smooth_wireframe;
+    for (int n = 0; n < 2; n++) {
+        qtri_surface none = c.surface;
+        none.format = n == 0 ? NULL : none.format;
+        none.scissor.x1 = n == 1 ? 0 : none.scissor.x1;
+        draw_cube(&none, &material, false);
+        draw_cube(&none, &material, true);
+    }
+    assert_same_picture(&empty.surface, &c.surface);
+    canvas_free(&c);
+    canvas_free(&empty);
+}
+
 /* ---- Slopes of slivers ---- */
 
 /* Areas of a few units: the plane is that of exact division, within what gradient.c says of a step. */
@@ -617,6 +811,11 @@ int main(void)
         cmocka_unit_test(thin_lines_of_any_pitch),
         cmocka_unit_test(own_texels_of_565),
         cmocka_unit_test(sides_above_1024),
+        cmocka_unit_test(levels_of_large_textures),
+        cmocka_unit_test(extremes_in_parts),
+        cmocka_unit_test(samples_at_the_end),
+        cmocka_unit_test(triangles_that_are_lines),
+        cmocka_unit_test(smooth_lines_of_nothing),
         cmocka_unit_test(planes_of_slivers),
     };
     return cmocka_run_group_tests_name("core raster ends", tests, make_texels, NULL);
