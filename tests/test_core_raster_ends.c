@@ -78,7 +78,7 @@ static void draw_triangles(const qtri_surface *s, const qtri_material *material,
 }
 
 /* A lit cube, whose faces are small triangles and large ones. */
-static void draw_cube(const qtri_surface *s, const qtri_material *material, bool is_small)
+static void draw_cube(const qtri_surface *s, const qtri_material *material, double distance)
 {
     static const qtri_vec3 positions[8] = {
         {Q16(-1), Q16(-1), Q16(-1)}, {Q16(1), Q16(-1), Q16(-1)}, {Q16(-1), Q16(1), Q16(-1)},
@@ -109,7 +109,7 @@ static void draw_cube(const qtri_surface *s, const qtri_material *material, bool
     view.vertices = vertices;
     view.vertex_count = LENGTH_OF(vertices);
     qtri_transform_identity(&pose);
-    qtri_transform_translate(&pose, vec3_of(.2, .1, is_small ? -20 : -4));
+    qtri_transform_translate(&pose, vec3_of(.2, .1, -distance));
     qtri_transform_rotate_y(&pose, Q16(33));
     qtri_transform_rotate_x(&pose, Q16(21));
     qtri_draw_mesh(s, &view, &pose, &cube, material);
@@ -126,8 +126,8 @@ static void draw_all(const qtri_surface *s, qtri_material material)
         material.cull = QTRI_CULL_NONE;
         draw_triangles(s, &material, n % 2 == 0, 77 + (uint64_t)n);
         material.cull = QTRI_CULL_BACK;
-        draw_cube(s, &material, n & 1);
-        draw_cube(s, &material, !(n & 1));
+        draw_cube(s, &material, n & 1 ? 20 : 4);
+        draw_cube(s, &material, n & 1 ? 4 : 20);
     }
 }
 
@@ -151,7 +151,7 @@ static void opaque_texels_are_texels(void **state)
     (void)state;
     qtri_fog fog;
     const qtri_fog_range range = {Q16(.5), Q16(40), false};
-    qtri_fog_linear(&fog, (qtri_rgb){200, 190, 170}, range, Q16(1), Q16(3));
+    qtri_fog_linear(&fog, (qtri_rgb){200, 190, 170}, range, Q16(.6), Q16(10));
     for (int f = 0; f < 6; f++) {
         for (int n = 0; n < 8; n++) {
             qtri_texture without = texture_of(&qtri_texel_xrgb8888, xrgb);
@@ -653,10 +653,21 @@ static void extremes_in_parts(void **state)
             for (int k = 0; k < 3; k++) {
                 v[i].color_8p16[k] = random_in(&seed, 0, 255 << 16);
             }
+            if (n % 4 == 3) { /* at the centre of a pixel, where 1/w is a corner's or none */
+                v[i].x_24p8 = random_in(&seed, 0, WIDTH - 1) * 256 + 128;
+                v[i].y_24p8 = random_in(&seed, 0, HEIGHT - 1) * 256 + 128;
+                v[i].inv_w_q31 = random_flag(&seed) ? 0x80000000u : 1;
+                v[i].inv_w_exponent = random_flag(&seed) ? 0 : 40;
+            }
+        }
+        if (n % 8 == 7) { /* level */
+            v[1].y_24p8 = v[0].y_24p8;
+            v[1].inv_w_q31 = v[0].inv_w_q31;
+            v[1].inv_w_exponent = v[0].inv_w_exponent;
         }
         qtri_material material = qtri_material_default();
         material.cull = QTRI_CULL_NONE;
-        material.texture = n & 1 ? &texture : NULL;
+        material.texture = n % 16 != 0 ? &texture : NULL;
         material.depth_compare = QTRI_ALWAYS;
         const qtri_format *const format = plain[n % 6];
         canvas whole = new_canvas(format), parts = new_canvas(format);
@@ -702,6 +713,136 @@ static void samples_at_the_end(void **state)
         qtri_raster_triangle(&s, &material, v);
     }
     assert_memory_equal(before, memory, sizeof memory);
+}
+
+/* Small triangles that are next to lines, of steep attributes and flat ones. */
+static void small_slivers_in_parts(void **state)
+{
+    (void)state;
+    uint64_t seed = 15;
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    int drawn = 0;
+    for (int n = 0; n < 4000; n++) {
+        const double x = random_in(&seed, 0, WIDTH), y = random_in(&seed, 0, HEIGHT);
+        const double dx = random_in(&seed, -8900, 8900) / 256., dy = random_in(&seed, -8900, 8900) / 256.;
+        const double part = random_in(&seed, 1, 9) / 10.;
+        const double off = random_in(&seed, 1, 12000) / 1000. / (fabs(dx) + fabs(dy) + 1);
+        const double at[3][2] = {
+            {x, y}, {x + dx, y + dy}, {x + part * dx - off * (dy > 0 ? 1 : -1), y + part * dy + off * (dx > 0 ? 1 : -1)}};
+        qtri_vec3 p[3];
+        qtri_rgb colors[3];
+        for (int i = 0; i < 3; i++) {
+            const double z = random_in(&seed, -65536, 65536) / (n & 1 ? 65536. : 900000.);
+            p[i] = vec3_of(2 * at[i][0] / WIDTH - 1, 1 - 2 * at[i][1] / HEIGHT, z);
+            colors[i] = (qtri_rgb){(uint8_t)random64(&seed), (uint8_t)random64(&seed), 9};
+        }
+        const qtri_mesh mesh = {.positions = p,
+                                .colors = n & 2 ? colors : NULL,
+                                .triangles = triangle,
+                                .vertex_count = 3,
+                                .triangle_count = 1};
+        qtri_material material = qtri_material_default();
+        qtri_vertex vertices[QTRI_MESH_VERTICES(3)];
+        qtri_transform pose;
+        qtri_view view;
+        material.cull = QTRI_CULL_NONE;
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        view.vertices = vertices;
+        view.vertex_count = LENGTH_OF(vertices);
+        qtri_transform_identity(&pose);
+        canvas c[2] = {new_canvas(&qtri_rgb565), new_canvas(&qtri_rgb565)};
+        qtri_draw_mesh(&c[0].surface, &view, &pose, &mesh, &material);
+        for (int k = 0; k < 2; k++) {
+            qtri_surface s = c[1].surface;
+            s.scissor.y0 = k == 0 ? 0 : 17;
+            s.scissor.y1 = k == 0 ? 17 : HEIGHT;
+            qtri_draw_mesh(&s, &view, &pose, &mesh, &material);
+        }
+        assert_same_picture(&c[0].surface, &c[1].surface);
+        const double low = 65535 * (fmin(real(p[0].z), fmin(real(p[1].z), real(p[2].z))) + 1) / 2;
+        const double high = 65535 * (fmax(real(p[0].z), fmax(real(p[1].z), real(p[2].z))) + 1) / 2;
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint16_t depth = stored_depth(&c[0].surface, i % WIDTH, i / WIDTH);
+            if (depth != 65535) { /* never far out of the range of its corners */
+                assert_true(depth >= low - 40 && depth <= high + 40);
+                drawn++;
+            }
+        }
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+    assert_true(drawn > 2000);
+}
+
+/* A comb of more lines in one strip than are told apart: none of them is lost. */
+static void more_lines_than_spans(void **state)
+{
+    (void)state;
+    enum { TEETH = 16 };
+    qtri_screen_vertex v[2 * TEETH];
+    for (int i = 0; i < 2 * TEETH; i++) {
+        v[i] = screen_at(512 + i / 2 * 512 + 128, (i + 1) / 2 % 2 == 0 ? -3000 : HEIGHT * 256 + 3000);
+        for (int k = 0; k < 3; k++) {
+            v[i].color_8p16[k] = 0;
+        }
+    }
+    for (int n = 0; n < 4; n++) {
+        qtri_stroke stroke = qtri_stroke_default();
+        qtri_material material = qtri_material_default();
+        canvas c = new_canvas(&qtri_xrgb8888);
+        stroke.width = n % 2 == 0 ? Q16(1) : Q16(.5);
+        for (int i = 0; i < TEETH && n == 2; i++) { /* from the right */
+            const qtri_screen_vertex other = v[i];
+            v[i] = v[2 * TEETH - 1 - i];
+            v[2 * TEETH - 1 - i] = other;
+        }
+        material.depth_compare = QTRI_DEPTH_OFF;
+        qtri_raster_polyline(&c.surface, &material, &stroke, v, 2 * TEETH);
+        for (int i = 0; i < TEETH; i++) {
+            const uint32_t sky888 = (uint32_t)sky.r << 16 | (uint32_t)sky.g << 8 | sky.b;
+            assert_true((stored_pixel(&c.surface, 2 + 2 * i, 20) & 255) <= (sky888 & 255) * (1 + n % 2) / 2);
+        }
+        canvas_free(&c);
+    }
+}
+
+/* Diagonals of 257 pixels, of all lengths around the one whose slope is rounded up to 1: as seen
+   from the other side of the diagonal. */
+static void diagonals(void **state)
+{
+    (void)state;
+    enum { PIXELS = 48 };
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    int drawn = 0;
+    for (int32_t length = 65790; length < 65840; length++) { /* 1/256 pixel, of 24 to a unit */
+        const q16 end = (q16)lrint(length * 65536. / (24 * 256));
+        const qtri_vec3 p[3] = {{-32768, 32768, 0}, {end - 32768, 32768 - end, 0}, {0, 0, 0}};
+        const qtri_mesh mesh = {
+            .positions = p, .triangles = triangle, .vertex_count = 3, .triangle_count = 1};
+        qtri_material material = qtri_material_default();
+        qtri_stroke stroke = qtri_stroke_default();
+        qtri_vertex vertices[QTRI_MESH_VERTICES(3)];
+        qtri_transform pose;
+        qtri_view view;
+        canvas c = canvas_new(&qtri_xrgb8888, PIXELS, PIXELS);
+        stroke.cap = QTRI_CAP_BUTT;
+        material.cull = QTRI_CULL_NONE;
+        qtri_view_init(&view, PIXELS, PIXELS);
+        view.vertices = vertices;
+        view.vertex_count = LENGTH_OF(vertices);
+        qtri_transform_identity(&pose);
+        qtri_draw_wide_wireframe(&c.surface, &view, &pose, &mesh, &stroke, &material);
+        for (int32_t y = 14; y < PIXELS; y++) { /* behind its end */
+            for (int32_t x = 14; x < PIXELS; x++) {
+                const int a = (int)(stored_pixel(&c.surface, x, y) & 255);
+                const int b = (int)(stored_pixel(&c.surface, y, x) & 255);
+                assert_true(abs(a - b) <= 16);
+                drawn += a != 0;
+            }
+        }
+        canvas_free(&c);
+    }
+    assert_true(drawn > 50 * 34);
 }
 
 /* Corners on one line in space: what snapping makes of them draws nothing wrong, or nothing. */
@@ -756,8 +897,9 @@ static void smooth_lines_of_nothing(void **state)
         qtri_surface none = c.surface;
         none.format = n == 0 ? NULL : none.format;
         none.scissor.x1 = n == 1 ? 0 : none.scissor.x1;
-        draw_cube(&none, &material, false);
-        draw_cube(&none, &material, true);
+        for (int distance = 1; distance < 9; distance++) { /* through the near plane, too */
+            draw_cube(&none, &material, distance);
+        }
     }
     assert_same_picture(&empty.surface, &c.surface);
     canvas_free(&c);
@@ -816,6 +958,9 @@ int main(void)
         cmocka_unit_test(samples_at_the_end),
         cmocka_unit_test(triangles_that_are_lines),
         cmocka_unit_test(smooth_lines_of_nothing),
+        cmocka_unit_test(small_slivers_in_parts),
+        cmocka_unit_test(more_lines_than_spans),
+        cmocka_unit_test(diagonals),
         cmocka_unit_test(planes_of_slivers),
     };
     return cmocka_run_group_tests_name("core raster ends", tests, make_texels, NULL);
