@@ -176,8 +176,10 @@ SEED     ?= 1
 .PHONY: coverage mutate misra setup-proof
 coverage: ## Lines and branches of core and port that the plain tests reach; tests/coverage.allow lists what they do not
 	@rm -rf build/coverage/raw && mkdir -p build/coverage/raw
-	@LLVM_PROFILE_FILE=$(CURDIR)/build/coverage/raw/build-%m.profraw PROFILES=$(CURDIR)/build/coverage/raw $(MAKE) -s $(PARALLEL) BUILD=build/coverage CC=clang CFLAGS='$(COVERAGE)' test-plain
-	@python3 tests/tools/coverage.py build/coverage tests/coverage.allow
+	@status=0; \
+	LLVM_PROFILE_FILE=$(CURDIR)/build/coverage/raw/build-%m.profraw PROFILES=$(CURDIR)/build/coverage/raw $(MAKE) -s $(PARALLEL) BUILD=build/coverage CC=clang CFLAGS='$(COVERAGE)' test-plain || status=1; \
+	python3 tests/tools/coverage.py build/coverage tests/coverage.allow || status=1; \
+	exit $$status
 
 mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of core at random and report what no test notices; MUTANTS=500 SEED=1
 	@[ -f build/coverage/lines.tsv ] || $(MAKE) -s coverage || [ -f build/coverage/lines.tsv ]

@@ -25,11 +25,11 @@ static const qtri_vec3 positions[VERTICES] = {
     {Q16(-1), Q16(-1), Q16(-1)}, {Q16(1), Q16(-1), Q16(-1)}, {Q16(-1), Q16(1), Q16(-1)},
     {Q16(1), Q16(1), Q16(-1)},   {Q16(-1), Q16(-1), Q16(1)}, {Q16(1), Q16(-1), Q16(1)},
     {Q16(-1), Q16(1), Q16(1)},   {Q16(1), Q16(1), Q16(1)}};
-static const qtri_rgb colors[VERTICES] = {{255, 0, 0},   {0, 255, 0},   {0, 0, 255},
-                                          {255, 255, 0}, {255, 0, 255}, {0, 255, 255},
+static const qtri_rgb colors[VERTICES] = {{255, 0, 0},   {0, 255, 0},    {0, 0, 255},
+                                          {255, 255, 0}, {255, 0, 255},  {0, 255, 255},
                                           {90, 90, 90},  {255, 255, 255}};
-static const qtri_vec2 uvs[VERTICES] = {{0, 0},      {Q16(1), 0},       {0, Q16(1)},
-                                        {Q16(1), Q16(1)}, {Q16(1), 0},  {0, 0},
+static const qtri_vec2 uvs[VERTICES] = {{0, 0},           {Q16(1), 0}, {0, Q16(1)},
+                                        {Q16(1), Q16(1)}, {Q16(1), 0}, {0, 0},
                                         {Q16(1), Q16(1)}, {0, Q16(1)}};
 /* A cube, and a triangle without an area: no multiple of four. */
 static const uint16_t triangles[TRIANGLES][3] = {
@@ -105,8 +105,8 @@ static void draw_bands(canvas *c, const qtri_mesh *mesh, const qtri_view *view,
     qtri_prepared prepared;
     qtri_frame frame;
     qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
-    assert_int_equal(
-        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c->memory, c->bytes), QTRI_OK);
+    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c->memory, c->bytes),
+                     QTRI_OK);
     qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, view, pose, mesh, material);
     for (int32_t row = 0; row < HEIGHT; row += 7) {
@@ -142,11 +142,11 @@ static void planes_of_a_smaller_mesh(void **state)
         draw_bands(&c[2], &wrong, &view, &pose, &material);
         assert_same_picture(&c[0].surface, &c[2].surface);
         qtri_outline outline;
-        assert_int_equal(qtri_outline_init(&outline, &wrong, outline_memory,
-                                           LENGTH_OF(outline_memory)),
-                         QTRI_OK);
         assert_int_equal(
-            qtri_draw_mesh_outlined(&c[3].surface, &view, &pose, &material, &outline), QTRI_OK);
+            qtri_outline_init(&outline, &wrong, outline_memory, LENGTH_OF(outline_memory)),
+            QTRI_OK);
+        assert_int_equal(qtri_draw_mesh_outlined(&c[3].surface, &view, &pose, &material, &outline),
+                         QTRI_OK);
         assert_same_picture(&c[0].surface, &c[3].surface);
         met += count_drawn(&c[0]);
         for (int i = 0; i < 4; i++) {
@@ -161,9 +161,9 @@ static void vertices_that_were_never_met(void **state)
 {
     (void)state;
     static const qtri_face8 away[TRIANGLES] = {
-        {0, 0, -120, 120}, {0, 0, -120, 120}, {0, 0, 120, 120},  {0, 0, 120, 120},
-        {-120, 0, 0, 120}, {-120, 0, 0, 120}, {120, 0, 0, 120},  {120, 0, 0, 120},
-        {0, -120, 0, 120}, {0, -120, 0, 120}, {0, 120, 0, 120},  {0, 120, 0, 120}};
+        {0, 0, -120, 120}, {0, 0, -120, 120}, {0, 0, 120, 120}, {0, 0, 120, 120},
+        {-120, 0, 0, 120}, {-120, 0, 0, 120}, {120, 0, 0, 120}, {120, 0, 0, 120},
+        {0, -120, 0, 120}, {0, -120, 0, 120}, {0, 120, 0, 120}, {0, 120, 0, 120}};
     qtri_transform pose;
     const qtri_view view = view_of(6, &pose);
     qtri_mesh mesh = cube();
@@ -175,8 +175,8 @@ static void vertices_that_were_never_met(void **state)
     qtri_frame frame;
     canvas c = new_canvas();
     qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
-    assert_int_equal(
-        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c.memory, c.bytes), QTRI_OK);
+    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c.memory, c.bytes),
+                     QTRI_OK);
     qtri_frame_begin(&frame);
     qtri_surface band;
     while (qtri_frame_next_band(&frame, &band)) {
@@ -399,15 +399,14 @@ static void prepared_in_many_lights(void **state)
     static qtri_normal up[3 * VERTICES];
     static uint16_t all[3 * TRIANGLES][3];
     static qtri_vertex room[QTRI_LIT_VERTICES(3 * VERTICES)];
-    const qtri_light_source sources[2] = {
-        {.kind = &qtri_directional_light,
-         .position = vec3_of(1, 2, 2),
-         .color = {Q16(.9), Q16(.4), 0}},
-        {.kind = &qtri_point_light,
-         .position = vec3_of(0, 1, -3),
-         .color = {0, Q16(1), Q16(2)},
-         .constant = Q16(1),
-         .quadratic = Q16(.1)}};
+    const qtri_light_source sources[2] = {{.kind = &qtri_directional_light,
+                                           .position = vec3_of(1, 2, 2),
+                                           .color = {Q16(.9), Q16(.4), 0}},
+                                          {.kind = &qtri_point_light,
+                                           .position = vec3_of(0, 1, -3),
+                                           .color = {0, Q16(1), Q16(2)},
+                                           .constant = Q16(1),
+                                           .quadratic = Q16(.1)}};
     const qtri_light_color dark = {Q16(.1), Q16(.1), Q16(.1)};
     qtri_lights lights;
     assert_int_equal(qtri_lights_init(&lights, sources, 2, dark), QTRI_OK);
@@ -476,8 +475,8 @@ static void prepared_light_that_was_lost(void **state)
     assert_int_equal(qtri_lights_init(&lights, &source, 1, dark), QTRI_OK);
     view.lights = &lights;
     qtri_prepared_init(&prepared, vertices, LENGTH_OF(vertices), lists, LENGTH_OF(lists));
-    assert_int_equal(
-        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c.memory, c.bytes), QTRI_OK);
+    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c.memory, c.bytes),
+                     QTRI_OK);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
     memset(&vertices[VERTICES], 0, sizeof vertices - VERTICES * sizeof vertices[0]);
     qtri_draw_prepared(&c.surface, &prepared);

@@ -43,13 +43,12 @@ static void make_texels(void)
 
 static void draw_cube(const qtri_surface *s, qtri_material material)
 {
-    static const qtri_vec3 positions[8] = {
-        {Q16(-1), Q16(-1), Q16(-1)}, {Q16(1), Q16(-1), Q16(-1)}, {Q16(-1), Q16(1), Q16(-1)},
-        {Q16(1), Q16(1), Q16(-1)},   {Q16(-1), Q16(-1), Q16(1)}, {Q16(1), Q16(-1), Q16(1)},
-        {Q16(-1), Q16(1), Q16(1)},   {Q16(1), Q16(1), Q16(1)}};
-    static const qtri_vec2 uvs[8] = {{0, 0},         {Q16(1), 0}, {0, Q16(1)}, {Q16(1), Q16(1)},
-                                     {Q16(1), 0},    {0, 0},      {Q16(1), Q16(1)},
-                                     {0, Q16(1)}};
+    static const qtri_vec3 positions[8] = {{Q16(-1), Q16(-1), Q16(-1)}, {Q16(1), Q16(-1), Q16(-1)},
+                                           {Q16(-1), Q16(1), Q16(-1)},  {Q16(1), Q16(1), Q16(-1)},
+                                           {Q16(-1), Q16(-1), Q16(1)},  {Q16(1), Q16(-1), Q16(1)},
+                                           {Q16(-1), Q16(1), Q16(1)},   {Q16(1), Q16(1), Q16(1)}};
+    static const qtri_vec2 uvs[8] = {{0, 0},      {Q16(1), 0}, {0, Q16(1)},      {Q16(1), Q16(1)},
+                                     {Q16(1), 0}, {0, 0},      {Q16(1), Q16(1)}, {0, Q16(1)}};
     static const uint16_t triangles[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
                                               {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5},
                                               {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}};
@@ -304,8 +303,8 @@ static uint32_t decode_bgr565(uint32_t stored)
     return qtri_decode_rgb565(stored);
 }
 
-static const qtri_format bgr565 = {&qtri_pixels_16, &qtri_colors_565, encode_bgr565,
-                                   decode_bgr565, NULL};
+static const qtri_format bgr565 = {&qtri_pixels_16, &qtri_colors_565, encode_bgr565, decode_bgr565,
+                                   NULL};
 
 static void exchanged_channels_have_the_same_picture(void **state)
 {

@@ -51,9 +51,8 @@ static void changes_of_nothing(void **state)
 {
     (void)state;
     static uint8_t memory[QTRI_HALO_BYTES(WIDTH, 4, 2, QTRI_RGB565_BYTES)];
-    static const qtri_rect empty[] = {{3, 3, 3, 9},   {3, 3, 9, 3},
-                                      {9, 3, 3, 9},   {3, 9, 9, 3},
-                                      {30, 3, 40, 9}, {3, -9, 9, -2}};
+    static const qtri_rect empty[] = {{3, 3, 3, 9}, {3, 3, 9, 3},   {9, 3, 3, 9},
+                                      {3, 9, 9, 3}, {30, 3, 40, 9}, {3, -9, 9, -2}};
     qtri_halo halo;
     qtri_surface band;
     qtri_surface shown;
@@ -115,7 +114,8 @@ static void errors_are_held(void **state)
         for (int32_t y = 0; y < 60; y++) {
             const bool ends = y >= 30;
             for (int32_t x = 0; x < WIDTH; x++) { /* half of a level, so that all go one way */
-                const int32_t due = (sign ? 128 : 127) - d.right - (x == 0 && y == 0 ? 0 : errors[x]);
+                const int32_t due =
+                    (sign ? 128 : 127) - d.right - (x == 0 && y == 0 ? 0 : errors[x]);
                 const uint8_t gray = (uint8_t)(due < 0 ? 0 : (due > 255 ? 255 : due));
                 uint8_t level;
                 qtri_diffuse_row(&d, ends ? 0 : 1, x, y, &gray, 1, &level);
@@ -262,7 +262,8 @@ static void fxaa_of_odd_rows(void **state)
 {
     (void)state;
     static uint32_t words[QTRI_FXAA_WORDS(WIDTH)];
-    canvas c[2] = {canvas_new(&qtri_rgb565, WIDTH, HEIGHT), canvas_new(&qtri_rgb565, WIDTH, HEIGHT)};
+    canvas c[2] = {canvas_new(&qtri_rgb565, WIDTH, HEIGHT),
+                   canvas_new(&qtri_rgb565, WIDTH, HEIGHT)};
     for (int i = 0; i < 2; i++) {
         paint_test(&c[i].surface);
         qtri_surface odd = c[i].surface;

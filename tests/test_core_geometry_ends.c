@@ -154,9 +154,9 @@ static void rests_without_w(void **state)
 static void boxes_of_all_numbers(void **state)
 {
     (void)state;
-    static const q16 ends[][2] = {{Q16_MIN, Q16_MAX}, {Q16_MIN + 1, Q16_MAX}, {Q16_MIN, -1},
-                                  {0, Q16_MAX},       {-3, 4},                {5, 5},
-                                  {Q16_MAX, Q16_MAX}, {Q16_MIN, Q16_MIN}};
+    static const q16 ends[][2] = {
+        {Q16_MIN, Q16_MAX}, {Q16_MIN + 1, Q16_MAX}, {Q16_MIN, -1}, {0, Q16_MAX}, {-3, 4}, {5, 5},
+        {Q16_MAX, Q16_MAX}, {Q16_MIN, Q16_MIN}};
     for (size_t i = 0; i < LENGTH_OF(ends); i++) {
         const qtri_vec3 p[2] = {{ends[i][0], 0, 0}, {ends[i][1], 0, 0}};
         const qtri_mesh mesh = {.positions = p, .vertex_count = 2};
@@ -289,8 +289,7 @@ static void any_ambient_and_diffuse(void **state)
                        element(&pose, i, 2) * c[2]);
             length += (double)c[i] * c[i];
         }
-        const double exact =
-            fmin(1, fmax(0, ambient + diffuse * fmax(0, cosine / sqrt(length))));
+        const double exact = fmin(1, fmax(0, ambient + diffuse * fmax(0, cosine / sqrt(length))));
         const double tolerance = 3e-5 + fabs(diffuse) * 1.3e-4; /* of the normal's length */
         assert_near(qtri_lighting_vertex(&lighting, &normal) / 32768., exact, tolerance);
     }
@@ -351,8 +350,7 @@ static void sizes_beyond_any_do_not_dim(void **state)
             const double angle = 70 * radians;
             const double n2[3] = {3, 9 * cos(angle) - 13 * sin(angle),
                                   9 * sin(angle) + 13 * cos(angle)};
-            const double cosine =
-                (n2[0] + 2 * n2[1] + 2 * n2[2]) / 3 / sqrt(9 + 81 + 169);
+            const double cosine = (n2[0] + 2 * n2[1] + 2 * n2[2]) / 3 / sqrt(9 + 81 + 169);
             assert_near(color & 255, 255 * cosine, 1.5);
             uneven += !by.even;
             qtri_transform_scale(&pose, same);

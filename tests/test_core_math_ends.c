@@ -21,7 +21,8 @@ static void quotients_round_up_to_the_end(void **state)
     assert_int_equal(q16_muldiv(-65537, -65535, 2), Q16_MAX);
     assert_int_equal(q16_muldiv(Q16_MAX, 3, 3), Q16_MAX);
     assert_int_equal(q16_muldiv(Q16_MIN, 3, 3), Q16_MIN);
-    for (int32_t c = 2; c < 3000; c++) { /* all between 2^31 - 1/2 and 2^31 that the factors reach */
+    for (int32_t c = 2; c < 3000;
+         c++) { /* all between 2^31 - 1/2 and 2^31 that the factors reach */
         const int64_t product = ((int64_t)c << 31) - 1;
         const int32_t b = product % 3 == 0 ? 3 : (product % 7 == 0 ? 7 : 1);
         if (product / b <= INT32_MAX) {

@@ -203,8 +203,8 @@ static void drawn_outlines_that_cannot_be(void **state)
         const enum qtri_error error = n / 2 == 2 ? QTRI_ERROR_MEMORY : QTRI_OK;
         if (n & 1) { /* without drawing */
             qtri_draw_mesh(&c[1].surface, &view, &pose, &mesh, &material);
-            assert_int_equal(
-                qtri_find_outline(&c[1].surface, &view, &pose, &material, &outline), error);
+            assert_int_equal(qtri_find_outline(&c[1].surface, &view, &pose, &material, &outline),
+                             error);
         } else {
             assert_int_equal(
                 qtri_draw_mesh_outlined(&c[1].surface, &view, &pose, &material, &outline), error);
@@ -274,8 +274,8 @@ static void surfaces_of_other_sizes(void **state)
     canvas c[2] = {new_canvas(QTRI_LESS), new_canvas(QTRI_LESS)};
     assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
     for (int i = 0; i < 2; i++) {
-        assert_int_equal(
-            qtri_draw_mesh_outlined(&c[i].surface, &view, &pose, &material, &outline), QTRI_OK);
+        assert_int_equal(qtri_draw_mesh_outlined(&c[i].surface, &view, &pose, &material, &outline),
+                         QTRI_OK);
     }
     for (int n = 0; n < 3; n++) {
         qtri_surface other = c[1].surface;
@@ -293,13 +293,13 @@ static void surfaces_of_other_sizes(void **state)
     canvas_free(&c[1]);
 }
 
-static const qtri_compare compares[7] = {QTRI_LESS,       QTRI_LESS_EQUAL,    QTRI_GREATER,
-                                         QTRI_DEPTH_OFF,  QTRI_GREATER_EQUAL, QTRI_ALWAYS,
+static const qtri_compare compares[7] = {QTRI_LESS,      QTRI_LESS_EQUAL,    QTRI_GREATER,
+                                         QTRI_DEPTH_OFF, QTRI_GREATER_EQUAL, QTRI_ALWAYS,
                                          QTRI_EQUAL};
 
 /*
- * Lists are for bands of so many rows and a halo: parts of a frame that are cut otherwise, the whole
- * frame among them, look at all triangles. Memory for more entries than there can be.
+ * Lists are for bands of so many rows and a halo: parts of a frame that are cut otherwise, the
+ * whole frame among them, look at all triangles. Memory for more entries than there can be.
  */
 static void parts_that_have_no_list(void **state)
 {
@@ -311,7 +311,8 @@ static void parts_that_have_no_list(void **state)
         const qtri_view view = view_of(n * .1, 4, &pose);
         const qtri_mesh mesh = cube(n & 1);
         qtri_material material = qtri_material_default();
-        canvas whole = new_canvas(compare), parts = new_canvas(compare), plain = new_canvas(compare);
+        canvas whole = new_canvas(compare), parts = new_canvas(compare),
+               plain = new_canvas(compare);
         qtri_outline outline;
         qtri_prepared prepared;
         qtri_frame frame;
@@ -324,12 +325,12 @@ static void parts_that_have_no_list(void **state)
                                            n < 28 ? WORDS : least + 10 + 4 * (uint32_t)(n - 28)),
                          QTRI_OK);
         outline.creases = n >= 14;
-        assert_int_equal(
-            qtri_draw_mesh_outlined(&whole.surface, &view, &pose, &material, &outline), QTRI_OK);
-        blend_edges(&whole.surface, &outline);
-        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, plain.memory,
-                                         plain.bytes),
+        assert_int_equal(qtri_draw_mesh_outlined(&whole.surface, &view, &pose, &material, &outline),
                          QTRI_OK);
+        blend_edges(&whole.surface, &outline);
+        assert_int_equal(
+            qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, plain.memory, plain.bytes),
+            QTRI_OK);
         qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
         qtri_prepared_set_outline(&prepared, &outline, 2);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
@@ -382,8 +383,8 @@ static void creases_without_light(void **state)
         outline.creases = n > 0;
         qtri_material flat = material;
         flat.depth_compare = QTRI_LESS;
-        assert_int_equal(
-            qtri_draw_mesh_outlined(&c[n].surface, &view, &pose, &flat, &outline), QTRI_OK);
+        assert_int_equal(qtri_draw_mesh_outlined(&c[n].surface, &view, &pose, &flat, &outline),
+                         QTRI_OK);
         blend_edges(&c[n].surface, &outline);
     }
     assert_same_pixels(&c[0], &c[1]);
@@ -394,9 +395,9 @@ static void creases_without_light(void **state)
         qtri_mesh mesh = cube(true);
         mesh.bounds.half = vec3_of(1, 1, 1);
         const qtri_view view = view_of(-4.2 - n * .02, 5, &pose);
-        assert_int_equal(qtri_surface_init(&s, &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT, memory,
-                                           sizeof memory),
-                         QTRI_OK);
+        assert_int_equal(
+            qtri_surface_init(&s, &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory),
+            QTRI_OK);
         qtri_samples_clear(&s, sky, 65535);
         assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
         outline.creases = true;

@@ -518,7 +518,7 @@ static void many_sides_in_a_row(void **state)
 {
     (void)state;
     enum { TEETH = 11, POINTS = 4 * TEETH };
-    static const qtri_ink *const inks[3] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
+    static const qtri_ink *const kinds[3] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
     qtri_point point[POINTS];
     for (int i = 0; i < TEETH; i++) {
         const int32_t x = QTRI_PX(2 + 4 * i), y = QTRI_PX(3 + i % 3);
@@ -527,7 +527,7 @@ static void many_sides_in_a_row(void **state)
         memcpy(&point[4 * i], tooth, sizeof tooth);
     }
     for (int n = 0; n < 3; n++) {
-        const qtri_brush brush = {{9, 99, 199}, 255, inks[n]};
+        const qtri_brush brush = {{9, 99, 199}, 255, kinds[n]};
         canvas comb = canvas_new(&qtri_rgb565, SIDE, SIDE);
         canvas teeth = canvas_new(&qtri_rgb565, SIDE, SIDE);
         qtri_paint_polygon(&comb.surface, point, POINTS, &brush);

@@ -172,13 +172,12 @@ static void framebuffers_need_no_bus(void **state)
     static recorder r;
     static uint8_t memory[4 * W * H];
     const qtri_bus bus = recording(&r);
-    const qtri_panel_description d =
-        QTRI_FRAMEBUFFER(W, H, QTRI_PANEL_XRGB8888, QTRI_ORDER_NATIVE);
+    const qtri_panel_description d = QTRI_FRAMEBUFFER(W, H, QTRI_PANEL_XRGB8888, QTRI_ORDER_NATIVE);
     for (int n = 0; n < 2; n++) {
         qtri_panel panel;
-        assert_int_equal(qtri_panel_init(&panel, &d, n == 0 ? NULL : &bus, QTRI_ROTATE_0, memory,
-                                         sizeof memory),
-                         QTRI_OK);
+        assert_int_equal(
+            qtri_panel_init(&panel, &d, n == 0 ? NULL : &bus, QTRI_ROTATE_0, memory, sizeof memory),
+            QTRI_OK);
         canvas whole = canvas_new(&qtri_rgb565, W, H);
         draw_picture(&whole.surface, 4);
         memset(memory, 0, sizeof memory);
@@ -208,15 +207,15 @@ static void descriptions_without_a_sequence(void **state)
     (void)state;
     static recorder r;
     static uint8_t memory[200];
-    static const qtri_panel_step steps[] = {QTRI_STEP(0x29, 0)};
+    static const qtri_panel_step steps[] = {QTRI_STEP_ALONE(0x29, 0)};
     for (int n = 0; n < 4; n++) {
         const qtri_bus bus = recording(&r);
         qtri_panel_description d = plain(10, 6, QTRI_PANEL_RGB565, QTRI_ORDER_BIG);
         qtri_panel panel;
         d.init = n & 1 ? steps : NULL;
         d.init_count = n & 2 ? 1 : 0;
-        assert_int_equal(
-            qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, sizeof memory), QTRI_OK);
+        assert_int_equal(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, sizeof memory),
+                         QTRI_OK);
         assert_int_equal(r.commands, n == 3);
         assert_int_equal(r.count, 2 * 10 * 6);
     }
@@ -227,8 +226,7 @@ static void orders_of_converted_pixels(void **state)
 {
     (void)state;
     enum { W = 50, H = 7 };
-    static const qtri_byte_order orders[3] = {QTRI_ORDER_BIG, QTRI_ORDER_LITTLE,
-                                              QTRI_ORDER_NATIVE};
+    static const qtri_byte_order orders[3] = {QTRI_ORDER_BIG, QTRI_ORDER_LITTLE, QTRI_ORDER_NATIVE};
     static recorder r[3];
     uint8_t memory[44];
     const uint16_t one = 1;
@@ -238,8 +236,8 @@ static void orders_of_converted_pixels(void **state)
         const qtri_bus bus = recording(&r[n]);
         const qtri_panel_description d = plain(W, H, QTRI_PANEL_RGB565, orders[n]);
         qtri_panel panel;
-        assert_int_equal(
-            qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, sizeof memory), QTRI_OK);
+        assert_int_equal(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, sizeof memory),
+                         QTRI_OK);
         r[n].count = 0;
         canvas whole = canvas_new(&qtri_xrgb8888, W, H);
         draw_picture(&whole.surface, 4);
@@ -269,8 +267,7 @@ static void formats_of_other_sizes(void **state)
                 const qtri_byte_order to = order == 0 ? QTRI_ORDER_BIG : QTRI_ORDER_LITTLE;
                 const qtri_bus bus = recording(&r[n]);
                 const qtri_panel_description d = plain(W, H, QTRI_PANEL_RGB565, to);
-                const qtri_panel_description mapped =
-                    QTRI_FRAMEBUFFER(W, H, QTRI_PANEL_RGB565, to);
+                const qtri_panel_description mapped = QTRI_FRAMEBUFFER(W, H, QTRI_PANEL_RGB565, to);
                 qtri_format own = *of[f];
                 qtri_panel panel;
                 own.fused = NULL;
@@ -344,7 +341,8 @@ static void completion_passes_pins(void **state)
         int done = 0;
         setup_init(&s, 6);
         wire_init(&s.wire, &s.sim.chip, n == 0 ? WIRE_SPI : WIRE_DMA);
-        const qtri_bus *const bus = qtri_completion_init(&completion, &s.wire.bus, count_done, &done);
+        const qtri_bus *const bus =
+            qtri_completion_init(&completion, &s.wire.bus, count_done, &done);
         const size_t bytes = memory_bytes(s.description, true);
         s.memory = (uint8_t *)malloc(bytes);
         assert_non_null(s.memory);

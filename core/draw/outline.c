@@ -221,7 +221,8 @@ static bool find_creases(finder *f)
     return true;
 }
 
-/* Passes from this one of the three on, the first from a triangle on; returns the one that was not finished. */
+/* Passes from this one of the three on, the first from a triangle on; returns the one that was not
+ * finished. */
 static uint32_t find(finder *f, uint32_t pass, uint32_t from)
 {
     f->from = from;

@@ -5,8 +5,8 @@
 #include "../bits/reciprocal.h"
 
 /*
- * x0 + (x1 - x0) (y - y0) / (y1 - y0) for y0 < y < y1. The quotient t in Q29 is too small by 2^-29 at most, and
- * |x1 - x0| <= 2^23: x is off by 2^-6 of a step before it is rounded.
+ * x0 + (x1 - x0) (y - y0) / (y1 - y0) for y0 < y < y1. The quotient t in Q29 is too small by 2^-29
+ * at most, and |x1 - x0| <= 2^23: x is off by 2^-6 of a step before it is rounded.
  */
 static int32_t line_x(const qtri_ink_edge *edge, int32_t y)
 {

@@ -88,7 +88,8 @@ typedef struct mixture {
     bool wide;      /* each has its own, in the high byte of its colour */
 } mixture;
 
-/* Of colours of the kind 565: whether pixels are that as they are, or with their bytes exchanged. */
+/* Of colours of the kind 565: whether pixels are that as they are, or with their bytes exchanged.
+ */
 static bool are_565(const qtri_format *format)
 {
     return format->pixels->bytes == 2 &&

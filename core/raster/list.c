@@ -220,7 +220,8 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     }
 }
 
-/* The stages of what is in the batch, one fragment at least. depth: where texels may be turned away, see the mask there.
+/* The stages of what is in the batch, one fragment at least. depth: where texels may be turned
+ * away, see the mask there.
  */
 static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *depth)
 {

@@ -75,8 +75,9 @@ static bool set_weight(int32_t *b, int32_t numerator, int32_t r, int32_t shift)
  *     b1 = (rest x Dy2 - rest y Dx2) 2^-16 2^(down - 7) / area
  *
  * times 2^36 is that numerator times r 2^-(62 + 16 + 7 + 32 - zeros - down - 36). What is cut off D
- * is 2^-15 of the greatest weight or less. That shift is 2 at least, of an area of 1 and the longest
- * sides, down = 16; and 53 at most: 2^(64 - zeros) is 4 d^2 or less, and d < 2^(15 + down - 7).
+ * is 2^-15 of the greatest weight or less. That shift is 2 at least, of an area of 1 and the
+ * longest sides, down = 16; and 53 at most: 2^(64 - zeros) is 4 d^2 or less, and d < 2^(15 + down -
+ * 7).
  */
 void qtri_unsnapped_init(qtri_unsnapped *u, const qtri_raster *raster, const qtri_triangle *t,
                          const qtri_attributes v[3])
