@@ -140,8 +140,8 @@ static void extremes_in_parts(void **state)
                                         : (uint32_t)random64(&seed) >> random_in(&seed, 0, 31);
             v[i].inv_w_q31 |= 1;
             v[i].inv_w_exponent = random_in(&seed, 0, n % 2 == 0 ? 3 : 60);
-            v[i].u_q32 = (int64_t)random_any(&seed) << random_in(&seed, 0, 16);
-            v[i].v_q32 = (int64_t)random_any(&seed) << random_in(&seed, 0, 16);
+            v[i].u_q32 = (int64_t)random_any(&seed) * ((int64_t)1 << random_in(&seed, 0, 16));
+            v[i].v_q32 = (int64_t)random_any(&seed) * ((int64_t)1 << random_in(&seed, 0, 16));
             for (int k = 0; k < 3; k++) {
                 v[i].color_8p16[k] = random_in(&seed, 0, 255 << 16);
             }
