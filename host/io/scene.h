@@ -99,7 +99,7 @@ enum scene_compare {
 enum scene_cull { SCENE_CULL_NONE, SCENE_CULL_BACK, SCENE_CULL_FRONT };
 enum scene_texture_mode { SCENE_REPLACE, SCENE_MODULATE };
 
-/* What the fixed-point core does about jagged edges; the reference always samples centres. */
+/* What becomes of jagged edges. EDGES and FXAA are the core's: the reference samples centres. */
 enum scene_antialias {
     SCENE_ANTIALIAS_OFF,
     SCENE_ANTIALIAS_EDGES,

@@ -162,17 +162,21 @@ static void draw_pixel(struct ref_target *target, const struct scene_op *op,
         image->id[i] = op->id;
 }
 
+/* A hard edge is where the pixel is looked at; four samples of a pixel are as its centre. */
 static void draw_rows(struct ref_target *target, const struct scene_op *op,
                       const struct strokes *all, double *share)
 {
     int width = target->scene->width;
+    double along = target->at.shades_pixels ? 0.0 : target->at.x;
+    double across = target->at.shades_pixels ? 0.0 : target->at.y;
 
     for (int y = 0; y < target->scene->height; y++) {
         if (op->u.stroke.smooth) {
             ref_stroke_cover_row(all->part, all->count, y, width, share);
         } else {
             for (int x = 0; x < width; x++)
-                share[x] = ref_stroke_contains(all->part, all->count, x + 0.5, y + 0.5);
+                share[x] =
+                    ref_stroke_contains(all->part, all->count, x + 0.5 + along, y + 0.5 + across);
         }
         for (int x = 0; x < width; x++)
             if (share[x] > 0.0)

@@ -9,6 +9,7 @@
 #include "raster.h"
 #include "raster_stroke.h"
 #include "paint.h"
+#include "samples.h"
 
 #include <assert.h>
 #include <math.h>
@@ -189,13 +190,15 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
     return true;
 }
 
-bool reference_render(const struct scene *scene, int subpixel_bits, struct reference_image *image)
+bool ref_render_at(const struct scene *scene, int subpixel_bits, const struct ref_sampling *at,
+                   struct reference_image *image)
 {
     struct replay replay;
 
     assert(subpixel_bits >= 0 && subpixel_bits <= 16);
     if (!ref_target_open(&replay.target, scene, subpixel_bits, image))
         return false;
+    replay.target.at = *at;
     replay.projection.top = 0;
     replay.projection.matrix[0] = ref_matrix_identity();
     replay.modelview.top = 0;

@@ -62,6 +62,7 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->scene = scene;
     target->image = image;
     target->subpixel_bits = subpixel_bits;
+    target->at = (struct ref_sampling){.scale = 1.0};
     ref_target_bias(target, 0);
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;

@@ -26,8 +26,10 @@ static const char usage[] =
     "\n"
     "The reference has infinite sub-pixel precision; `snapped` counts coverage mismatches against\n"
     "the reference with vertices snapped to 8 bits, as the core does. Errors are over the pixels\n"
-    "that show the same triangle in both. Colour: of 255; depth: of 65535. The reference has one\n"
-    "sample a pixel: scenes with `antialias` differ from it at edges.\n";
+    "that show the same triangle in both. Colour: of 255; depth: of 65535. With `antialias` msaa,\n"
+    "ssaa or temporal the reference looks at the same places of each pixel; `edges` and `fxaa` "
+    "differ\n"
+    "from its one sample at edges.\n";
 
 struct demo {
     const char *out, *scenes, *models;
