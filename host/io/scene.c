@@ -24,7 +24,10 @@ static const struct scene_statement statements[] = {
     {"texmode",     {1, 1},    scene_statement_texmode,       0, "replace|modulate"},
     {"texwrap",     {1, 2},    scene_statement_texwrap,       0, "repeat|clamp [repeat|clamp]"},
     {"texfilter",   {1, 2},    scene_statement_texfilter,     0, "nearest|bilinear [mipmaps]"},
-    {"texformat",   {1, 1},    scene_statement_texformat,     0, "xrgb8888|rgb565|palette|gray8"},
+    {"texformat",   {1, 1},    scene_statement_texformat,     0, 
+     "xrgb8888|rgb565|palette|gray8|argb4444|argb1555|argb8888|alpha8"},
+    {"texalpha",    {1, 2},    scene_statement_texalpha,      0, "off, texalpha FILE.ppm or texalpha A B"},
+    {"alphatest",   {1, 1},    scene_statement_alphatest,     0, "off|LEAST"},
     {"texkey",      {1, 3},    scene_statement_texkey,        0, "off or texkey r g b"},
     {"interpolate", {1, 1},    scene_statement_interpolate,   0, "perspective|linear"},
     {"blend",       {1, 2},    scene_statement_blend,         0,
@@ -297,6 +300,7 @@ static bool parse(const char *name, const char *text, size_t length, char *root,
     free(parser.root);
     free(parser.mesh_files);
     free(parser.texture.path);
+    free(parser.texalpha.path);
     scene_brush_free(&parser.brush);
     if (!ok) {
         scene_free(scene);
@@ -383,8 +387,10 @@ void scene_free(struct scene *scene)
     free(scene->ops);
     free(scene->stroke_vertices);
     free(scene->texture.rgb);
+    free(scene->texture.alpha);
     for (int i = 0; i < scene->texture.level_count; i++) {
         free(scene->texture.level[i]);
+        free(scene->texture.level_alpha[i]);
     }
     scene_paints_free(&scene->paints);
     memset(scene, 0, sizeof *scene);

@@ -115,17 +115,28 @@ enum scene_texel_format {
     SCENE_TEXEL_XRGB8888,
     SCENE_TEXEL_RGB565,
     SCENE_TEXEL_PALETTE,
-    SCENE_TEXEL_GRAY8
+    SCENE_TEXEL_GRAY8,
+    SCENE_TEXEL_ARGB4444, /* from here on with alpha: see scene_texel_has_alpha */
+    SCENE_TEXEL_ARGB1555,
+    SCENE_TEXEL_ARGB8888,
+    SCENE_TEXEL_ALPHA8
 };
+
+static inline bool scene_texel_has_alpha(enum scene_texel_format format)
+{
+    return format >= SCENE_TEXEL_ARGB4444;
+}
 
 #define SCENE_MAX_LEVELS 9 /* besides the first, of a width of 1024 */
 
 struct scene_texture { /* width == 0: texturing is off */
     int width, height; /* powers of two, 1..1024 */
     uint8_t *rgb;      /* width * height * 3 bytes, row 0 (v = 0) first, owned by the scene */
+    uint8_t *alpha;    /* width * height bytes of a format with alpha, else NULL */
     /* Where it is mipmapped, behind them: each of mipmap_side() of the sides, see mipmap.h. */
     int level_count;
     uint8_t *level[SCENE_MAX_LEVELS];
+    uint8_t *level_alpha[SCENE_MAX_LEVELS];
 };
 
 /* Of `light directional|point|spot`: eye space, colours 0..16. */
@@ -200,6 +211,7 @@ struct scene {
     bool texture_mipmapped; /* its second word */
     bool texture_keyed;     /* `texkey`: texels stored as texture_key would be are not drawn */
     uint8_t texture_key[3]; /* 8 bits a channel */
+    int least_alpha;        /* `alphatest`: texels of less are not drawn, 0..255 */
     enum scene_texel_format texel_format; /* PALETTE: the parser guarantees 256 colours at most */
     struct scene_texture texture;
     int32_t depth_near, depth_far; /* `depthrange`, 0..1 each, either order */

@@ -36,6 +36,14 @@ struct scene_texture_request {
     char *path;
 };
 
+/* The last `texalpha` statement, kept for the same reason. */
+struct scene_alpha_request {
+    enum { SCENE_ALPHA_OFF, SCENE_ALPHA_CHECKERS, SCENE_ALPHA_FILE } kind;
+    int line;
+    uint8_t alpha[2];
+    char *path;
+};
+
 /* What shapes, text and pictures are painted with from here on, and the files read so far. */
 struct scene_brush {
     struct scene_paint paint;
@@ -70,6 +78,8 @@ struct scene_parser {
     size_t stroke_vertex_capacity;
     int32_t depth_bias; /* of the geometry that follows */
     struct scene_texture_request texture;
+    struct scene_alpha_request texalpha;
+    int alphatest_line, texkey_line; /* of the last of each that is not off, or 0 */
     int texformat_line; /* of the last `texformat`, in case its palette does not suffice */
     const struct scene_statement *texformat_statement;
     struct scene_brush brush;
@@ -157,6 +167,13 @@ bool scene_take_ids(struct scene_parser *parser, size_t count, uint32_t *id);
 /* Position and colour, and texture coordinates where `textured`, from argument `first` on. */
 bool scene_read_vertex(struct scene_parser *parser, int first, bool textured, bool normal,
                        struct scene_vertex *vertex);
+
+/* ---- The alpha of textures (scene_alpha.c) ---- */
+
+scene_handler scene_statement_texalpha, scene_statement_alphatest;
+
+/* Fills scene->texture.alpha, after its colours, and checks what goes with what. */
+bool scene_make_alpha(struct scene_parser *parser);
 
 /* ---- Assets (scene_assets.c) ---- */
 

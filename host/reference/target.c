@@ -151,12 +151,12 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
     const struct ref_vertex *vertex = triangle->vertex;
     struct reference_image *image = target->image;
     size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
-    double texel[3];
+    double texel[4] = {255.0, 255.0, 255.0, 255.0};
 
     if (triangle->textured &&
         !ref_texture_at(scene, attribute[REF_U], attribute[REF_V], footprint, texel))
         return;
-    if (!ref_passes_door(scene, x, y))
+    if (!ref_passes_door(scene, texel[3] / 255.0, x, y))
         return;
     if (scene->depth_test && scene->depth_write)
         image->depth[i] = depth;
@@ -173,7 +173,8 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         else if (triangle->textured)
             color = color * texel[c] / 255.0;
         if (blended) {
-            color = ref_blend(scene, (int)c, color, image->color[3 * i + c], depth);
+            color =
+                ref_blend(scene, (int)c, color, texel[3] / 255.0, image->color[3 * i + c], depth);
             least = 0;
             greatest = 255;
         }
@@ -182,7 +183,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         image->color_max[3 * i + c] = greatest;
     }
     image->id[i] = triangle->id;
-    ref_target_mixed(target, i, ref_kept(scene), 0);
+    ref_target_mixed(target, i, ref_kept(scene, texel[3] / 255.0), 0);
     image->footprint[i] = footprint;
 }
 

@@ -142,6 +142,7 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     material.depth_compare = compare_of(scene);
     material.depth_read_only = !scene->depth_write;
     material.alpha = color_8(scene->alpha);
+    material.least_alpha = (uint8_t)scene->least_alpha;
     if (pass == SCENE_IDS) {
         material.shading = QTRI_FLAT_LAST;
         material.blend = scene->blend == SCENE_BLEND_SCREENDOOR ? &qtri_blend_screen_door : NULL;

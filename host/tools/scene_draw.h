@@ -34,8 +34,8 @@ struct scene_resources {
     qtri_rgb palette[256];      /* what texture.palette points at: resources must not be moved */
     qtri_texture texture;
     const void *levels[SCENE_MAX_LEVELS], *mask_levels[SCENE_MAX_LEVELS];
-    uint8_t *mask_texels; /* NULL without a colour key */
-    qtri_texture mask;    /* white, with the same holes: ids are drawn through it */
+    uint8_t *mask_texels; /* NULL without a colour key or alpha */
+    qtri_texture mask;    /* white, with the same holes or alpha: ids are drawn through it */
     qtri_light light;
     /* Of `light`, `ambient`, `material`: they point into resources. */
     qtri_lights lights;
