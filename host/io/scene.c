@@ -62,6 +62,28 @@ static const struct scene_statement statements[] = {
     {"translate",   {3, 3},    scene_statement_numbers,       SCENE_TRANSLATE, "x y z"},
     {"rotate",      {4, 4},    scene_statement_numbers,       SCENE_ROTATE, "degrees x y z"},
     {"scale",       {3, 3},    scene_statement_numbers,       SCENE_SCALE, "x y z"},
+    {"rotateabout", {7, 7},    scene_statement_numbers,       SCENE_ROTATE_ABOUT,
+     "degrees ax ay az px py pz"},
+    {"rotatetriangle", {10, 10}, scene_statement_numbers,     SCENE_ROTATE_TRIANGLE,
+     "degrees (x y z) x3"},
+    {"quaternion",  {4, 4},    scene_statement_numbers,       SCENE_QUATERNION, "w x y z"},
+    {"orbit",       {6, 6},    scene_statement_numbers,       SCENE_ORBIT,
+     "cx cy cz distance azimuth elevation"},
+    {"lookatd3d",   {9, 9},    scene_statement_numbers,       SCENE_LOOKAT_D3D,
+     "ex ey ez cx cy cz ux uy uz"},
+    {"perspectived3d", {4, 4}, scene_statement_numbers,       SCENE_PERSPECTIVE_D3D,
+     "fovy aspect near far"},
+    {"frustumd3d",  {6, 6},    scene_statement_numbers,       SCENE_FRUSTUM_D3D, "l r b t near far"},
+    {"orthod3d",    {6, 6},    scene_statement_numbers,       SCENE_ORTHO_D3D, "l r b t near far"},
+    {"orthonormalize", {0, 0}, scene_statement_numbers,       SCENE_ORTHONORMALIZE, ""},
+    {"camera",      {0, 0},    scene_statement_camera,        SCENE_CAMERA, ""},
+    {"billboard",   {0, 1},    scene_statement_billboard,     SCENE_BILLBOARD, "[upright]"},
+    {"key",         {11, 11},  scene_statement_key,           0,
+     "time x y z degrees ax ay az sx sy sz"},
+    {"keys",        {1, 1},    scene_statement_keys,          SCENE_KEYS, "time"},
+    {"joint",       {1, 1},    scene_statement_joint,         SCENE_JOINT, "none|PARENT"},
+    {"atjoint",     {1, 1},    scene_statement_atjoint,       SCENE_AT_JOINT, "JOINT"},
+    {"window",      {4, 5},    scene_statement_window,        SCENE_WINDOW, "X Y W H [bottom]"},
     {"push",        {0, 0},    scene_statement_push,          SCENE_PUSH, ""},
     {"pop",         {0, 0},    scene_statement_pop,           SCENE_POP, ""},
     {"tri",         {21, 21},  scene_statement_triangle,      SCENE_TRIANGLE, "(x y z w r g b) x3"},
@@ -386,6 +408,7 @@ void scene_free(struct scene *scene)
     free(scene->meshes);
     free(scene->ops);
     free(scene->stroke_vertices);
+    free(scene->keys);
     free(scene->texture.rgb);
     free(scene->texture.alpha);
     for (int i = 0; i < scene->texture.level_count; i++) {

@@ -29,15 +29,32 @@ enum scene_op_kind {
     SCENE_MODE_PROJECTION, /* following matrix statements change the projection matrix */
     SCENE_MODE_MODELVIEW,  /* ... the modelview matrix (the state at the start) */
     SCENE_IDENTITY,
-    SCENE_LOAD,        /* number[0..15], column-major, replaces the current matrix */
-    SCENE_MULT,        /* number[0..15], column-major; current = current * given, as all below */
-    SCENE_LOOKAT,      /* eye xyz, center xyz, up xyz */
-    SCENE_PERSPECTIVE, /* fovy degrees, aspect, near, far */
-    SCENE_FRUSTUM,     /* left right bottom top near far */
-    SCENE_ORTHO,       /* left right bottom top near far */
-    SCENE_TRANSLATE,   /* x y z */
-    SCENE_ROTATE,      /* degrees, axis x y z (any non-zero length) */
-    SCENE_SCALE,       /* x y z */
+    SCENE_LOAD,         /* number[0..15], column-major, replaces the current matrix */
+    SCENE_MULT,         /* number[0..15], column-major; current = current * given, as all below */
+    SCENE_LOOKAT,       /* eye xyz, center xyz, up xyz */
+    SCENE_PERSPECTIVE,  /* fovy degrees, aspect, near, far */
+    SCENE_FRUSTUM,      /* left right bottom top near far */
+    SCENE_ORTHO,        /* left right bottom top near far */
+    SCENE_TRANSLATE,    /* x y z */
+    SCENE_ROTATE,       /* degrees, axis x y z (any non-zero length) */
+    SCENE_SCALE,        /* x y z */
+    SCENE_ROTATE_ABOUT, /* degrees, axis x y z, a point x y z */
+    SCENE_ROTATE_TRIANGLE, /* degrees, three points: about their normal through their middle */
+    SCENE_QUATERNION,      /* w x y z, of any length but 0 */
+    SCENE_ORBIT,           /* center xyz, distance, azimuth and elevation in degrees */
+    SCENE_LOOKAT_D3D,      /* these four as the ones above, left-handed: the camera looks along */
+    SCENE_PERSPECTIVE_D3D, /* +z, as Direct3D has it */
+    SCENE_FRUSTUM_D3D,
+    SCENE_ORTHO_D3D,
+    SCENE_ORTHONORMALIZE,
+    SCENE_CAMERA,    /* the current matrix is the camera of the billboards that follow */
+    SCENE_BILLBOARD, /* number[0]: 0, or 1 upright */
+    SCENE_KEYS,      /* current = current * the pose of `keys` at a time */
+    SCENE_JOINT,     /* number[0]: the parent, an earlier joint, or -1; its pose in it is the
+                        current matrix */
+    SCENE_AT_JOINT,  /* number[0]: current = current * joint in its first ancestor's frame */
+    SCENE_WINDOW,    /* number[0..3], whole pixels: x y width height of what follows; y down
+                        from the top, or number[4] != 0: up from the bottom */
     SCENE_PUSH,
     SCENE_POP, /* the parser guarantees that pops match pushes on each stack */
     SCENE_TRIANGLE /* vertex[0..2]; textured: whether it came from `trit` */,
@@ -54,6 +71,22 @@ struct scene_vertex {
 };
 
 enum scene_cap { SCENE_CAP_ROUND, SCENE_CAP_BUTT, SCENE_CAP_SQUARE };
+
+#define SCENE_MAX_JOINTS 64
+
+/* `key`: a pose at a time. */
+struct scene_key {
+    int32_t time;
+    int32_t position[3];
+    int32_t degrees, axis[3]; /* the axis is not 0 */
+    int32_t scale[3];
+};
+
+/* Keys with growing times, and the time that is looked at. */
+struct scene_track {
+    size_t first, count; /* of scene.keys; count > 0 */
+    int32_t time;
+};
 
 /* Lines and points, with the state that held when they were given. */
 struct scene_stroke {
@@ -73,6 +106,7 @@ struct scene_op {
                     1-based rank among all triangles of the file; 0 for other operations */
     union {
         int32_t number[16];
+        struct scene_track track;
         struct {
             struct scene_vertex vertex[3];
             bool textured;
@@ -225,6 +259,8 @@ struct scene {
 
     struct scene_vertex *stroke_vertices; /* of all strokes, in order */
     size_t stroke_vertex_count;
+    struct scene_key *keys; /* of all tracks, in order */
+    size_t key_count;
 
     struct scene_op *ops;
     size_t op_count;

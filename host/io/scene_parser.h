@@ -76,6 +76,11 @@ struct scene_parser {
     struct scene_stroke line_state, point_state; /* of the next line and point */
     struct scene_op *polyline; /* the last statement was about this one: vertices join it */
     size_t stroke_vertex_capacity;
+    size_t key_capacity;
+    size_t track_first; /* the first key of the track that `keys` looks at */
+    bool track_is_used; /* the next `key` begins another one */
+    bool has_camera;    /* `camera` was there */
+    int joint_count;
     int32_t depth_bias; /* of the geometry that follows */
     struct scene_texture_request texture;
     struct scene_alpha_request texalpha;
@@ -128,6 +133,11 @@ struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind ki
 scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
     scene_statement_pop, scene_statement_triangle, scene_statement_mesh;
 
+/* scene_pose.c */
+scene_handler scene_statement_key, scene_statement_keys, scene_statement_joint,
+    scene_statement_atjoint, scene_statement_camera, scene_statement_billboard,
+    scene_statement_window;
+
 scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_cleardepth,
     scene_statement_depth, scene_statement_depthmask, scene_statement_depthrange,
     scene_statement_cull, scene_statement_shade, scene_statement_texmode, scene_statement_texwrap,
@@ -160,6 +170,8 @@ scene_handler scene_statement_linewidth, scene_statement_linesmooth, scene_state
 void scene_stroke_defaults(struct scene_parser *parser);
 
 /* ---- Shared by the files of statements (scene_ops.c) ---- */
+
+bool scene_is_zero(const int32_t v[3]);
 
 /* Numbers `count` triangles; *id is the first one's. */
 bool scene_take_ids(struct scene_parser *parser, size_t count, uint32_t *id);

@@ -229,7 +229,8 @@ void ref_raster_homogeneous(struct ref_target *target, const struct ref_triangle
         return;
     for (int i = 0; i < 3; i++) {
         const struct ref_vertex *v = &triangle->vertex[i];
-        p[i] = (struct window_point){ref_window_x(v, width), ref_window_y(v, height), v->w};
+        p[i] = (struct window_point){ref_window_x(v, &target->window),
+                                     ref_window_y(v, &target->window), v->w};
     }
     struct edge edge[3] = {
         edge_between(p[1], p[2]),

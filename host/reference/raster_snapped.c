@@ -171,8 +171,8 @@ static void snap_vertex(const struct ref_target *target, const struct ref_vertex
 {
     int bits = target->subpixel_bits;
 
-    out->x = ref_snap(ref_window_x(vertex, target->scene->width) / vertex->w, bits);
-    out->y = ref_snap(ref_window_y(vertex, target->scene->height) / vertex->w, bits);
+    out->x = ref_snap(ref_window_x(vertex, &target->window) / vertex->w, bits);
+    out->y = ref_snap(ref_window_y(vertex, &target->window) / vertex->w, bits);
     out->depth = ref_target_depth(target, vertex->z / vertex->w);
     out->w = (double)vertex->w;
     out->source = vertex;
@@ -191,8 +191,8 @@ void ref_raster_snapped(struct ref_target *target, const struct ref_triangle *tr
 
     if (ref_clip_all_outside(triangle->vertex))
         return;
-    ref_clip_triangle(triangle->vertex, target->scene->width, target->scene->height,
-                      ref_guard_band(target->subpixel_bits), &polygon);
+    ref_clip_triangle(triangle->vertex, &target->window, ref_guard_band(target->subpixel_bits),
+                      &polygon);
     for (int i = 0; i < polygon.count; i++)
         snap_vertex(target, &polygon.vertex[i], &snapped[i]);
     for (int i = 2; i < polygon.count; i++)

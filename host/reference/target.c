@@ -63,6 +63,7 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->image = image;
     target->subpixel_bits = subpixel_bits;
     target->at = (struct ref_sampling){.scale = 1.0};
+    target->window = (struct ref_window){0, 0, scene->width, scene->height};
     ref_target_bias(target, 0);
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
@@ -134,8 +135,12 @@ static bool passes(enum scene_compare compare, double incoming, double stored)
 bool ref_target_cover(struct ref_target *target, int x, int y, double depth)
 {
     const struct scene *scene = target->scene;
+    const struct ref_window *window = &target->window;
     size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
 
+    if (x < window->x || x - window->x >= window->width || y < window->y ||
+        y - window->y >= window->height)
+        return false;
     target->image->hits[i]++;
     if (!scene->depth_test)
         return true;

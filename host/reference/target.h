@@ -23,6 +23,7 @@ struct ref_target {
     int subpixel_bits;
     double depth_near, depth_far; /* of the depth range */
     struct ref_sampling at;
+    struct ref_window window; /* pixels outside of it are not drawn */
 };
 
 /* Allocates the image and clears it; false when memory runs out, with nothing to free. */

@@ -6,95 +6,7 @@
 
 #include "mesh_neighbours.h"
 #include "scene_stroke.h"
-
-/* The two matrix stacks while a scene is replayed. */
-struct stacks {
-    qtri_transform matrix[2][SCENE_STACK_DEPTH + 1];
-    int top[2];
-    int current; /* 0 projection, 1 modelview */
-};
-
-static void load(qtri_transform *out, const int32_t number[16])
-{
-    qtri_mat4 m;
-    for (int column = 0; column < 4; column++) {
-        for (int row = 0; row < 4; row++) {
-            m.m[row][column] = number[4 * column + row];
-        }
-    }
-    qtri_transform_from_mat4(out, &m);
-}
-
-static qtri_vec3 vec3_at(const int32_t *n)
-{
-    qtri_vec3 v = {n[0], n[1], n[2]};
-    return v;
-}
-
-static void apply(qtri_transform *current, const struct scene_op *op)
-{
-    const int32_t *n = op->u.number;
-    qtri_transform given;
-    switch (op->kind) {
-    case SCENE_IDENTITY:
-        qtri_transform_identity(current);
-        break;
-    case SCENE_LOAD:
-        load(current, n);
-        break;
-    case SCENE_MULT:
-        load(&given, n);
-        qtri_transform_mul(current, current, &given);
-        break;
-    case SCENE_LOOKAT:
-        qtri_transform_look_at(current, vec3_at(n), vec3_at(n + 3), vec3_at(n + 6));
-        break;
-    case SCENE_PERSPECTIVE:
-        qtri_transform_perspective(current, n[0], n[1], n[2], n[3]);
-        break;
-    case SCENE_FRUSTUM:
-        qtri_transform_frustum(current, n[0], n[1], n[2], n[3], n[4], n[5]);
-        break;
-    case SCENE_ORTHO:
-        qtri_transform_ortho(current, n[0], n[1], n[2], n[3], n[4], n[5]);
-        break;
-    case SCENE_TRANSLATE:
-        qtri_transform_translate(current, vec3_at(n));
-        break;
-    case SCENE_ROTATE:
-        qtri_transform_rotate(current, n[0], vec3_at(n + 1));
-        break;
-    case SCENE_SCALE:
-        qtri_transform_scale(current, vec3_at(n));
-        break;
-    default:
-        break;
-    }
-}
-
-static void apply_to_stacks(struct stacks *stacks, const struct scene_op *op)
-{
-    int *top = &stacks->top[stacks->current];
-    qtri_transform *matrices = stacks->matrix[stacks->current];
-    switch (op->kind) {
-    case SCENE_MODE_PROJECTION:
-        stacks->current = 0;
-        break;
-    case SCENE_MODE_MODELVIEW:
-        stacks->current = 1;
-        break;
-    case SCENE_PUSH:
-        matrices[*top + 1] = matrices[*top];
-        (*top)++;
-        break;
-    case SCENE_POP:
-        (*top)--;
-        break;
-    default:
-        apply(&matrices[*top], op);
-        break;
-    }
-}
+#include "scene_transform.h"
 
 static uint8_t color_8(int32_t c)
 {
@@ -176,7 +88,9 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
 /* One scene being drawn into one surface. */
 struct drawing {
     const struct scene_resources *resources;
-    const qtri_surface *surface;
+    const qtri_surface *surface; /* `whole`, or a window of it */
+    const qtri_surface *whole;
+    qtri_surface window;
     enum scene_pass pass;
     qtri_edges *edges; /* to note outlines on, for SCENE_EDGES */
     qtri_view view;
@@ -358,21 +272,45 @@ static size_t run_of(const struct scene *scene, size_t first)
     return count;
 }
 
-static void replay(struct drawing *d, struct stacks *stacks)
+/* What follows is seen in a part of the frame. */
+static void set_window(struct drawing *d, const int32_t n[5])
+{
+    const int32_t scale = d->whole->width / d->resources->scene->width; /* 2: 2x2 samples */
+    const int32_t x = n[0] * scale, y = n[1] * scale, width = n[2] * scale, height = n[3] * scale;
+    const qtri_viewport before = d->view.viewport;
+    d->view.viewport = n[4] != 0 ? qtri_viewport_bottom(x, y, width, height, d->whole->height)
+                                 : qtri_viewport_top(x, y, width, height);
+    d->view.viewport.depth_near = before.depth_near;
+    d->view.viewport.depth_far = before.depth_far;
+    const qtri_viewport *now = &d->view.viewport;
+    const qtri_rect inside = {now->x, now->y, now->x + width, now->y + height};
+    qtri_rect scissor = d->whole->scissor;
+    scissor.x0 = inside.x0 > scissor.x0 ? inside.x0 : scissor.x0;
+    scissor.y0 = inside.y0 > scissor.y0 ? inside.y0 : scissor.y0;
+    scissor.x1 = inside.x1 < scissor.x1 ? inside.x1 : scissor.x1;
+    scissor.y1 = inside.y1 < scissor.y1 ? inside.y1 : scissor.y1;
+    d->window = *d->whole;
+    d->window.scissor = scissor;
+    d->surface = &d->window;
+}
+
+static void replay(struct drawing *d, struct scene_stacks *stacks)
 {
     const struct scene *scene = d->resources->scene;
-    stacks->current = 1;
-    qtri_transform_identity(&stacks->matrix[0][0]);
-    qtri_transform_identity(&stacks->matrix[1][0]);
+    scene_stacks_begin(stacks);
     for (size_t i = 0; i < scene->op_count; i++) {
         const struct scene_op *op = &scene->ops[i];
+        if (op->kind == SCENE_WINDOW) {
+            set_window(d, op->u.number);
+            continue;
+        }
         if (op->kind < SCENE_TRIANGLE) {
-            apply_to_stacks(stacks, op);
+            scene_stacks_apply(stacks, scene, op);
             continue;
         }
         if (op->kind == SCENE_PAINT) {
             if (d->pass == SCENE_COLORS) {
-                scene_paint(d->resources, d->surface, &op->u.paint);
+                scene_paint(d->resources, d->whole, &op->u.paint);
             }
             continue;
         }
@@ -420,7 +358,11 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
     const qtri_rgb black = {0, 0, 0};
     qtri_edges edges;
     uint32_t *memory = NULL;
-    struct drawing d = {.resources = resources, .surface = surface, .pass = pass, .edges = &edges};
+    struct drawing d = {.resources = resources,
+                        .surface = surface,
+                        .whole = surface,
+                        .pass = pass,
+                        .edges = &edges};
     if (pass == SCENE_EDGES) {
         memory = begin_edges(&edges, surface);
         if (memory == NULL) {
@@ -442,7 +384,7 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
         set_fog(&d);
     }
 
-    struct stacks *stacks = calloc(1, sizeof *stacks);
+    struct scene_stacks *stacks = calloc(1, sizeof *stacks);
     if (stacks == NULL) {
         abort(); /* a few kilobytes: nothing sensible is left to do */
     }
