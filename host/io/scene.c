@@ -103,6 +103,16 @@ static const struct scene_statement statements[] = {
     {"pointsize",   {1, 2},    scene_statement_pointsize,     0, "SIZE [space]"},
     {"point",       {7, 7},    scene_statement_point,         0, "x y z w r g b"},
     {"mesh",        {1, 5},    scene_statement_mesh,          SCENE_MESH, "FILE.obj [color r g b]"},
+    {"shape",       {4, SCENE_ANY}, scene_statement_shape,    SCENE_MODEL,
+     "box HX HY HZ, shape sphere R SLICES ROWS, shape cylinder R H SLICES, shape cone R H SLICES, "
+     "shape torus R TUBE SLICES RINGS or shape grid HX HZ COLUMNS ROWS, [color r g b]"},
+    {"morph",       {3, 7},    scene_statement_morph,         SCENE_MODEL,
+     "T FROM.obj TO.obj [color r g b]"},
+    {"frames",      {3, SCENE_ANY}, scene_statement_frames,   SCENE_MODEL,
+     "AT FILE.obj x2 to x16 [color r g b]"},
+    {"targets",     {3, SCENE_ANY}, scene_statement_targets,  SCENE_MODEL,
+     "BASE.obj (WEIGHT FILE.obj) x1 to x15 [color r g b]"},
+    {"frustumcull", {1, 1},    scene_statement_frustumcull,   0, "off|box|ball"},
     {"ink",         {3, 4},    scene_statement_ink,           0, "R G B [ALPHA]"},
     {"edges",       {1, 1},    scene_statement_edges,         0, "hard|smooth"},
     {"rect",        {4, 5},    scene_statement_rect,          SCENE_PAINT, "x0 y0 x1 y1 [WIDTH]"},
@@ -409,6 +419,7 @@ void scene_free(struct scene *scene)
     free(scene->ops);
     free(scene->stroke_vertices);
     free(scene->keys);
+    free(scene->models);
     free(scene->texture.rgb);
     free(scene->texture.alpha);
     for (int i = 0; i < scene->texture.level_count; i++) {

@@ -59,6 +59,7 @@ enum scene_op_kind {
     SCENE_POP, /* the parser guarantees that pops match pushes on each stack */
     SCENE_TRIANGLE /* vertex[0..2]; textured: whether it came from `trit` */,
     SCENE_MESH,   /* mesh: index into scene.meshes; color: 0..1 */
+    SCENE_MODEL,  /* mesh: index into scene.models; color: 0..1 */
     SCENE_STROKE, /* stroke: a line, a polyline or a point */
     SCENE_PAINT   /* paint: a flat shape, text or a picture; no matrix applies */
 };
@@ -71,6 +72,38 @@ struct scene_vertex {
 };
 
 enum scene_cap { SCENE_CAP_ROUND, SCENE_CAP_BUTT, SCENE_CAP_SQUARE };
+
+enum scene_model_kind {
+    SCENE_SHAPE,  /* computed */
+    SCENE_MORPH,  /* between two meshes */
+    SCENE_FRAMES, /* between two of several, one after the other */
+    SCENE_TARGETS /* a mesh, and weighted differences of others to it */
+};
+
+enum scene_shape {
+    SCENE_BOX,      /* size: half the sides */
+    SCENE_SPHERE,   /* size[0]: radius; count: slices around, rows from pole to pole */
+    SCENE_CYLINDER, /* size: radius, half the height; count[0]: slices; so has the next */
+    SCENE_CONE,
+    SCENE_TORUS, /* size: radius, that of the tube; count: slices, rings around the tube */
+    SCENE_GRID   /* size: half of x and z; count: columns, rows */
+};
+
+#define SCENE_MAX_MODEL_MESHES   16
+#define SCENE_MAX_MODEL_VERTICES 65536
+
+struct scene_model {
+    enum scene_model_kind kind;
+    enum scene_shape shape;
+    int32_t size[3];
+    int count[2];
+    /* Indices into scene.meshes, all with the triangles of the first, and their weights. */
+    size_t mesh[SCENE_MAX_MODEL_MESHES];
+    int32_t weight[SCENE_MAX_MODEL_MESHES]; /* TARGETS: of all but the first */
+    int mesh_count;
+    int32_t at; /* MORPH: 0..1; FRAMES: 1.5 is half-way from the second to the third */
+    uint32_t vertices, triangles;
+};
 
 #define SCENE_MAX_JOINTS 64
 
@@ -130,6 +163,8 @@ enum scene_compare {
     SCENE_NOTEQUAL,
     SCENE_NEVER
 };
+/* Whether meshes outside of the frustum are left out: the picture is the same. */
+enum scene_frustum_cull { SCENE_FRUSTUM_OFF, SCENE_FRUSTUM_BOX, SCENE_FRUSTUM_BALL };
 enum scene_cull { SCENE_CULL_NONE, SCENE_CULL_BACK, SCENE_CULL_FRONT };
 enum scene_texture_mode { SCENE_REPLACE, SCENE_MODULATE };
 
@@ -229,6 +264,7 @@ struct scene {
     bool depth_write; /* false only after `depthmask off` */
     enum scene_compare depth_compare;
     enum scene_cull cull;
+    enum scene_frustum_cull frustum_cull;
     bool flat;
     int provoking;      /* flat: the vertex, 0 or 2, whose colour the triangle takes */
     bool screen_linear; /* `interpolate linear`: attributes linear on the screen */
@@ -266,6 +302,8 @@ struct scene {
     size_t op_count;
     struct obj_mesh *meshes; /* each file once, however often it is drawn */
     size_t mesh_count;
+    struct scene_model *models; /* of each operation its own */
+    size_t model_count;
     uint32_t triangle_count; /* the largest id */
     struct scene_paints paints;
 };

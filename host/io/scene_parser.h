@@ -70,7 +70,7 @@ struct scene_parser {
     size_t op_capacity;
     int mode;     /* 0 projection, 1 modelview */
     int depth[2]; /* matrices pushed on each stack */
-    size_t mesh_capacity;
+    size_t mesh_capacity, model_capacity;
     struct file_identity *mesh_files; /* beside scene->meshes */
     size_t mesh_file_capacity;
     struct scene_stroke line_state, point_state; /* of the next line and point */
@@ -132,6 +132,10 @@ struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind ki
 
 scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
     scene_statement_pop, scene_statement_triangle, scene_statement_mesh;
+
+/* scene_model.c */
+scene_handler scene_statement_shape, scene_statement_morph, scene_statement_frames,
+    scene_statement_targets, scene_statement_frustumcull;
 
 /* scene_pose.c */
 scene_handler scene_statement_key, scene_statement_keys, scene_statement_joint,

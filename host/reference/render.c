@@ -251,6 +251,7 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
         ref_paint(&replay->target, &op->u.paint);
         break;
     case SCENE_MESH:
+    case SCENE_MODEL:
         return ref_draw_mesh(&replay->target, op,
                              &replay->projection.matrix[replay->projection.top],
                              &replay->modelview.matrix[replay->modelview.top]);

@@ -182,6 +182,38 @@ static void draw_part_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     }
 }
 
+/* The same for a mesh of 16-bit positions: each triangle is a mesh of its own. */
+static void draw_compact_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
+{
+    static const uint16_t corners[1][3] = {{0, 1, 2}};
+    qtri_position16 positions[3];
+    qtri_vec2 uvs[3];
+    qtri_material material = d->material;
+    qtri_mesh one = *mesh;
+    one.positions16 = positions;
+    one.uvs = mesh->uvs != NULL ? uvs : NULL;
+    one.normals8 = NULL;
+    one.triangles = corners;
+    one.vertex_count = 3;
+    one.triangle_count = 1;
+    one.bounds.half = (qtri_vec3){0, 0, 0};
+    if (mesh->uvs == NULL) {
+        material.texture = NULL;
+    }
+    qtri_view view = d->view;
+    view.light = NULL;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        for (int j = 0; j < 3; j++) {
+            positions[j] = mesh->positions16[mesh->triangles[i][j]];
+            if (mesh->uvs != NULL) {
+                uvs[j] = mesh->uvs[mesh->triangles[i][j]];
+            }
+        }
+        material.color = rgb_of_id(id + i);
+        qtri_draw_mesh(d->surface, &view, &d->modelview, &one, &material);
+    }
+}
+
 static void note_edges(struct drawing *d, const qtri_mesh *mesh)
 {
     qtri_outline outline;
@@ -196,28 +228,60 @@ static void note_edges(struct drawing *d, const qtri_mesh *mesh)
     free(memory);
 }
 
+/* Whether the view could see any of it, where the scene asks. */
+static bool may_be_seen(const struct drawing *d, const qtri_mesh *mesh)
+{
+    const enum scene_frustum_cull cull = d->resources->scene->frustum_cull;
+    if (cull == SCENE_FRUSTUM_BOX) {
+        const qtri_box box = qtri_mesh_box(mesh);
+        return qtri_view_sees_box(&d->view, &d->modelview, &box);
+    }
+    if (cull == SCENE_FRUSTUM_BALL) {
+        const qtri_ball ball = qtri_mesh_ball(mesh);
+        return qtri_view_sees_ball(&d->view, &d->modelview, &ball);
+    }
+    return true;
+}
+
+static void draw_part(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
+{
+    if (!may_be_seen(d, mesh)) {
+        return;
+    }
+    if (d->pass == SCENE_IDS) {
+        (mesh->positions != NULL ? draw_part_ids : draw_compact_ids)(d, mesh, id);
+    } else if (d->pass == SCENE_EDGES) {
+        note_edges(d, mesh);
+    } else {
+        qtri_mesh shown = *mesh;
+        if (d->resources->sphere_uvs != NULL) {
+            qtri_sphere_map(d->resources->sphere_uvs, &d->view.camera, &d->modelview, mesh);
+            shown.uvs16 = d->resources->sphere_uvs;
+        }
+        qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &d->material);
+    }
+}
+
 static void draw_mesh(struct drawing *d, const struct scene_op *op)
 {
-    const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
+    const struct scene *scene = d->resources->scene;
     uint32_t id = op->id;
-    const bool is_lit = d->pass == SCENE_COLORS && d->resources->scene->lamps_on;
+    const bool is_lit = d->pass == SCENE_COLORS && scene->lamps_on;
     d->view.lights = is_lit ? &d->resources->lights : NULL;
     d->material.color = scene_rgb(op->u.mesh.color);
-    for (size_t i = 0; i < parts->count; i++) {
-        const qtri_mesh *mesh = &parts->part[i].mesh;
-        if (d->pass == SCENE_IDS) {
-            draw_part_ids(d, mesh, id);
-        } else if (d->pass == SCENE_EDGES) {
-            note_edges(d, mesh);
-        } else {
-            qtri_mesh shown = *mesh;
-            if (d->resources->sphere_uvs != NULL) {
-                qtri_sphere_map(d->resources->sphere_uvs, &d->view.camera, &d->modelview, mesh);
-                shown.uvs16 = d->resources->sphere_uvs;
-            }
-            qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &d->material);
+    if (op->kind == SCENE_MODEL) {
+        struct scene_part part;
+        if (!scene_model_create(&part, scene, &scene->models[op->u.mesh.mesh])) {
+            abort(); /* no more than meshes take that were read before */
         }
-        id += mesh->triangle_count;
+        draw_part(d, &part.mesh, id);
+        scene_part_free(&part);
+        return;
+    }
+    const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
+    for (size_t i = 0; i < parts->count; i++) {
+        draw_part(d, &parts->part[i].mesh, id);
+        id += parts->part[i].mesh.triangle_count;
     }
 }
 
@@ -320,7 +384,7 @@ static void replay(struct drawing *d, struct scene_stacks *stacks)
         if (d->resources->jitter_log2 > 0) {
             qtri_view_jitter(&d->view, &d->view, d->resources->jitter, d->resources->jitter_log2);
         }
-        if (op->kind == SCENE_MESH) {
+        if (op->kind == SCENE_MESH || op->kind == SCENE_MODEL) {
             draw_mesh(d, op);
         } else if (op->kind == SCENE_STROKE) {
             const qtri_rgb id = rgb_of_id(op->id);
