@@ -266,10 +266,12 @@ struct scene {
     enum scene_cull cull;
     enum scene_frustum_cull frustum_cull;
     bool flat;
-    int provoking;      /* flat: the vertex, 0 or 2, whose colour the triangle takes */
-    bool screen_linear; /* `interpolate linear`: attributes linear on the screen */
-    bool wireframe;     /* `polygon line` and `polygon smooth` */
-    bool smooth_lines;  /* `polygon smooth`: the reference draws the lines of `line` */
+    int provoking;       /* flat: the vertex, 0 or 2, whose colour the triangle takes */
+    bool screen_linear;  /* `interpolate linear`: attributes linear on the screen */
+    bool wireframe;      /* `polygon line` and `polygon smooth` */
+    bool hidden_lines;   /* `polygon hidden`: of meshes, their surface hides what is behind it */
+    int32_t hidden_bias; /* 0..1: how much nearer their lines are */
+    bool smooth_lines;   /* `polygon smooth`: the reference draws the lines of `line` */
     enum scene_antialias antialias;
     enum scene_texture_mode texture_mode;
     enum scene_blend blend;

@@ -164,14 +164,20 @@ bool scene_statement_interpolate(struct scene_parser *parser)
 
 bool scene_statement_polygon(struct scene_parser *parser)
 {
-    static const char *const words[] = {"fill", "line", "smooth"};
+    static const char *const words[] = {"fill", "line", "smooth", "hidden"};
+    struct scene *scene = parser->scene;
     int choice;
     if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
         return false;
     }
-    parser->scene->wireframe = choice != 0;
-    parser->scene->smooth_lines = choice == 2;
-    return true;
+    if (choice != 3 && parser->argument_count == 2) {
+        return scene_fail_count(parser);
+    }
+    scene->wireframe = choice != 0;
+    scene->smooth_lines = choice == 2;
+    scene->hidden_lines = choice == 3;
+    scene->hidden_bias = 131; /* .002 */
+    return parser->argument_count == 1 || scene_fractions(parser, 1, 1, &scene->hidden_bias);
 }
 
 bool scene_statement_antialias(struct scene_parser *parser)

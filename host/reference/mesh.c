@@ -13,7 +13,7 @@ void ref_draw_triangle(struct ref_target *target, const struct ref_triangle *tri
     for (int i = 0; i < 3; i++)
         if (!ref_vertex_is_finite(&triangle->vertex[i]))
             return;
-    if (target->scene->wireframe)
+    if (target->scene->wireframe && !target->depth_only)
         ref_raster_outline(target, triangle);
     else if (target->subpixel_bits == 0)
         ref_raster_homogeneous(target, triangle);
@@ -119,6 +119,20 @@ static void draw(struct ref_target *target, const struct scene_op *op, const str
     }
 }
 
+/* The lines of a surface that hides what is behind it: depths first, then lines a little nearer. */
+static void draw_hidden(struct ref_target *target, const struct scene_op *op,
+                        const struct drawing *d, const struct ref_vertex *vertices)
+{
+    const struct scene *scene = target->scene;
+    bool greater = scene->depth_compare == SCENE_GREATER || scene->depth_compare == SCENE_GEQUAL;
+
+    target->depth_only = true;
+    draw(target, op, d, vertices);
+    target->depth_only = false;
+    ref_target_bias(target, op->depth_bias + (greater ? scene->hidden_bias : -scene->hidden_bias));
+    draw(target, op, d, vertices);
+}
+
 bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
                    const struct ref_matrix *projection, const struct ref_matrix *modelview)
 {
@@ -134,7 +148,7 @@ bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
         d.color[c] = fmax(0.0, fmin(1.0, (double)op->u.mesh.color[c] / 65536.0));
     if (vertices) {
         transform_vertices(&d, &to_clip, vertices);
-        draw(target, op, &d, vertices);
+        (target->scene->hidden_lines ? draw_hidden : draw)(target, op, &d, vertices);
     }
     ref_model_free(&mesh);
     free(vertices);

@@ -64,6 +64,7 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->subpixel_bits = subpixel_bits;
     target->at = (struct ref_sampling){.scale = 1.0};
     target->window = (struct ref_window){0, 0, scene->width, scene->height};
+    target->depth_only = false;
     ref_target_bias(target, 0);
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
@@ -165,6 +166,11 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         return;
     if (scene->depth_test && scene->depth_write)
         image->depth[i] = depth;
+    if (target->depth_only) {
+        if (scene->depth_test)
+            image->depth[i] = depth;
+        return;
+    }
     const bool blended = ref_is_blended(scene);
     for (size_t c = 0; c < 3; c++) {
         double a = vertex[0].attribute[c];

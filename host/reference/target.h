@@ -23,6 +23,7 @@ struct ref_target {
     int subpixel_bits;
     double depth_near, depth_far; /* of the depth range */
     struct ref_sampling at;
+    bool depth_only;          /* triangles are solid, write their depth and have no colour */
     struct ref_window window; /* pixels outside of it are not drawn */
 };
 

@@ -243,12 +243,32 @@ static bool may_be_seen(const struct drawing *d, const qtri_mesh *mesh)
     return true;
 }
 
+/* Ids over depths: what qtri_draw_hidden_lines does, triangle by triangle. */
+static void draw_hidden_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
+{
+    const qtri_material before = d->material;
+    const bool is_greater =
+        before.depth_compare == QTRI_GREATER || before.depth_compare == QTRI_GREATER_EQUAL;
+    const q16 bias = d->resources->scene->hidden_bias;
+    qtri_surface depth = *d->surface;
+    qtri_material solid = before;
+    depth.format = &qtri_depth_only;
+    solid.fill = NULL;
+    solid.depth_read_only = false;
+    qtri_draw_mesh(&depth, &d->view, &d->modelview, mesh, &solid);
+    d->material.depth_bias += is_greater ? bias : -bias; /* both within -1..1 */
+    (mesh->positions != NULL ? draw_part_ids : draw_compact_ids)(d, mesh, id);
+    d->material = before;
+}
+
 static void draw_part(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
 {
     if (!may_be_seen(d, mesh)) {
         return;
     }
-    if (d->pass == SCENE_IDS) {
+    if (d->pass == SCENE_IDS && d->resources->scene->hidden_lines) {
+        draw_hidden_ids(d, mesh, id);
+    } else if (d->pass == SCENE_IDS) {
         (mesh->positions != NULL ? draw_part_ids : draw_compact_ids)(d, mesh, id);
     } else if (d->pass == SCENE_EDGES) {
         note_edges(d, mesh);
@@ -258,7 +278,12 @@ static void draw_part(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
             qtri_sphere_map(d->resources->sphere_uvs, &d->view.camera, &d->modelview, mesh);
             shown.uvs16 = d->resources->sphere_uvs;
         }
-        qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &d->material);
+        if (d->resources->scene->hidden_lines) {
+            qtri_draw_hidden_lines(d->surface, &d->view, &d->modelview, &shown, NULL, &d->material,
+                                   d->resources->scene->hidden_bias);
+        } else {
+            qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &d->material);
+        }
     }
 }
 
