@@ -92,7 +92,7 @@ bool scene_statement_joint(struct scene_parser *parser)
 
 bool scene_statement_atjoint(struct scene_parser *parser)
 {
-    int joint;
+    int joint = 0;
     return earlier_joint(parser, &joint) && add_number(parser, SCENE_AT_JOINT, joint);
 }
 
