@@ -69,8 +69,9 @@ static bool read_alpha(struct scene_parser *parser)
                        "texalpha: %s is %d x %d, the texture %d x %d", parser->texalpha.path,
                        picture.width, picture.height, texture->width, texture->height);
     }
-    for (size_t i = 0; fits && i < (size_t)texture->width * (size_t)texture->height; i++) {
-        const uint8_t *rgb = &picture.rgb[3 * i];
+    const uint8_t *rgb = picture.rgb;
+    for (size_t i = 0; fits && i < (size_t)texture->width * (size_t)texture->height;
+         i++, rgb += 3) {
         texture->alpha[i] = (uint8_t)((299u * rgb[0] + 587u * rgb[1] + 114u * rgb[2] + 500) / 1000);
     }
     picture_free(&picture);
