@@ -3,6 +3,15 @@
 # The first command of all: what `make demo` needs and this machine lacks is installed (Debian and its descendants, as
 # root), or named; then the demo is built and drawn. Arguments go to make: sh host/demo.sh MODELS=~/models
 set -eu
+# A folder of models is named from where this is called, the demo is built where it lies.
+for word; do
+    case $word in
+    MODELS=/* | MODELS=) ;;
+    MODELS=*) word=MODELS=$PWD/${word#MODELS=} ;;
+    esac
+    shift
+    set -- "$@" "$word"
+done
 cd "$(dirname "$0")/.."
 
 have()

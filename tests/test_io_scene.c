@@ -486,10 +486,10 @@ static void texture_state(void **state)
 {
     (void)state;
     static const char *const formats[] = {
-        [SCENE_TEXEL_XRGB8888] = "xrgb8888",
-        [SCENE_TEXEL_RGB565] = "rgb565",
-        [SCENE_TEXEL_PALETTE] = "palette",
-        [SCENE_TEXEL_GRAY8] = "gray8",
+        [SCENE_TEXEL_XRGB8888] = "xrgb8888", [SCENE_TEXEL_RGB565] = "rgb565",
+        [SCENE_TEXEL_PALETTE] = "palette",   [SCENE_TEXEL_GRAY8] = "gray8",
+        [SCENE_TEXEL_ARGB4444] = "argb4444", [SCENE_TEXEL_ARGB1555] = "argb1555",
+        [SCENE_TEXEL_ARGB8888] = "argb8888", [SCENE_TEXEL_ALPHA8] = "alpha8",
     };
     for (size_t i = 0; i < ARRAY_LENGTH(formats); i++) {
         char text[200];
@@ -741,12 +741,13 @@ static void value_errors(void **state)
         {"texwrap clamp off", "'off' is unknown here: texwrap repeat|clamp [repeat|clamp]"},
         {"texfilter linear", "'linear' is unknown here: texfilter nearest|bilinear [mipmaps]"},
         {"texfilter nearest mips", "'mips' is unknown here: texfilter nearest|bilinear [mipmaps]"},
-        {"texformat cmyk", "'cmyk' is unknown here: texformat xrgb8888|rgb565|palette|gray8"},
+        {"texformat cmyk", "'cmyk' is unknown here: texformat xrgb8888|rgb565|palette|gray8|"
+                           "argb4444|argb1555|argb8888|alpha8"},
         {"texkey on", "'on' is unknown here: texkey off or texkey r g b"},
         {"texkey 1 2 256", "texkey: '256' is not a whole number in 0..255"},
         {"texkey 1 2", "wrong number of values (2) for texkey off or texkey r g b"},
         {"interpolate cubic", "'cubic' is unknown here: interpolate perspective|linear"},
-        {"polygon point", "'point' is unknown here: polygon fill|line|smooth"},
+        {"polygon point", "'point' is unknown here: polygon fill|line|smooth|hidden [BIAS]"},
         {"mode texture", "'texture' is unknown here: mode projection|modelview"},
     };
     for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {
@@ -810,13 +811,13 @@ static void wrong_number_of_values(void **state)
         const char *name;
         int count;
     } cases[] = {
-        {"viewport", 2},    {"clear", 3},   {"cleardepth", 1}, {"depth", 1},
-        {"depthmask", 1},   {"cull", 1},    {"texmode", 1},    {"depthrange", 2},
-        {"interpolate", 1}, {"polygon", 1}, {"ambient", 3},    {"mode", 1},
-        {"identity", 0},    {"load", 16},   {"mult", 16},      {"lookat", 9},
-        {"perspective", 4}, {"frustum", 6}, {"ortho", 6},      {"translate", 3},
-        {"rotate", 4},      {"scale", 3},   {"push", 0},       {"pop", 0},
-        {"tri", 21},        {"trit", 27},   {"trin", 30},      {"tritn", 36},
+        {"viewport", 2},    {"clear", 3},     {"cleardepth", 1}, {"depth", 1},
+        {"depthmask", 1},   {"cull", 1},      {"texmode", 1},    {"depthrange", 2},
+        {"interpolate", 1}, {"alphatest", 1}, {"ambient", 3},    {"mode", 1},
+        {"identity", 0},    {"load", 16},     {"mult", 16},      {"lookat", 9},
+        {"perspective", 4}, {"frustum", 6},   {"ortho", 6},      {"translate", 3},
+        {"rotate", 4},      {"scale", 3},     {"push", 0},       {"pop", 0},
+        {"tri", 21},        {"trit", 27},     {"trin", 30},      {"tritn", 36},
         {"twosided", 1},    {"texgen", 1},
     };
     for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {

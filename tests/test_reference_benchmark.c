@@ -53,7 +53,9 @@ static void assert_model_counts(const char *file, const char *statements, int co
     snprintf(path, sizeof path, "%s/%s", folder ? folder : "", file);
     FILE *model = folder ? fopen(path, "rb") : NULL;
     if (!model) {
-        print_message("skipped: no %s in the folder QTRI_MODELS names\n", file);
+        print_message("skipped: no %s in the folder of MODELS: host/bench/README.md, Models, has "
+                      "where to get it\n",
+                      file);
         skip();
     }
     fclose(model);

@@ -21,9 +21,10 @@ static struct projected project(const struct ref_matrix *projection, const struc
 
     ref_matrix_transform(&to_clip, p, p);
     struct ref_vertex v = {p[0], p[1], p[2], p[3], {0}};
+    const struct ref_window picture = {0, 0, width, height};
     struct projected r = {
-        (double)(ref_window_x(&v, width) / v.w),
-        (double)(ref_window_y(&v, height) / v.w),
+        (double)(ref_window_x(&v, &picture) / v.w),
+        (double)(ref_window_y(&v, &picture) / v.w),
         (p[2] / p[3] + 1.0) / 2.0,
         p[3],
     };

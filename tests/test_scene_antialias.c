@@ -108,11 +108,109 @@ static void quality(void **state)
     assert_true(psnr_of("msaa") > off + 7);
 }
 
+/*
+ * The reference looks at the same places. With its vertices on the core's grid the two differ by
+ * roundings: of four samples and their mean, or of sixteen. Without, edges move by 1/256 pixel, and
+ * now and then a sample is on their other side.
+ */
+static void places(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *mode;
+        double least_snapped, least_exact; /* dB */
+        int most_snapped;                  /* of 255 */
+    } expected[] = {{"msaa", 55, 48, 1}, {"ssaa", 55, 48, 1}, {"temporal", 50, 50, 16}};
+    for (int i = 0; i < 3; i++) {
+        struct scene scene = parse(expected[i].mode);
+        struct picture picture;
+        assert_true(scene_render(&scene, &qtri_xrgb8888, 0, false, &picture));
+        for (int bits = 0; bits <= 9; bits++) {
+            /* Vertices of two by two samples lie on a grid of half the step. */
+            const int own = strcmp(expected[i].mode, "ssaa") == 0 ? 9 : 8;
+            struct reference_image image;
+            double sum = 0;
+            int most = 0;
+            if (bits != 0 && bits != own) {
+                continue;
+            }
+            assert_true(reference_render(&scene, bits, &image));
+            for (int k = 0; k < WIDTH * HEIGHT * 3; k++) {
+                const double error = fabs(picture.rgb[k] - image.color[k]);
+                sum += error * error;
+                most = (int)fmax(most, floor(error + .5));
+            }
+            const double psnr = 10 * log10(255. * 255. / (sum / (WIDTH * HEIGHT * 3)));
+            print_message("%s, %d bits: %.1f dB, off by %d at most\n", expected[i].mode, bits, psnr,
+                          most);
+            assert_true(psnr >= (bits == 0 ? expected[i].least_exact : expected[i].least_snapped));
+            assert_true(bits == 0 || most <= expected[i].most_snapped);
+            reference_free(&image);
+        }
+        picture_free(&picture);
+        scene_free(&scene);
+    }
+}
+
+/* Depths and ids are those of pixel centres whatever becomes of colours. */
+static void reference_dumps(void **state)
+{
+    (void)state;
+    struct scene off = parse("off");
+    struct scene four = parse("msaa");
+    struct reference_image a, b;
+    assert_true(reference_render(&off, 8, &a));
+    assert_true(reference_render(&four, 8, &b));
+    assert_memory_equal(a.id, b.id, sizeof *a.id * WIDTH * HEIGHT);
+    assert_memory_equal(a.depth, b.depth, sizeof *a.depth * WIDTH * HEIGHT);
+    assert_memory_not_equal(a.color, b.color, sizeof *a.color * 3 * WIDTH * HEIGHT);
+    reference_free(&a);
+    reference_free(&b);
+    scene_free(&off);
+    scene_free(&four);
+}
+
+/* What is given in pixels has its size on a surface of 2x2 samples too. */
+static void paint_has_its_size(void **state)
+{
+    (void)state;
+    static const char flat[] =
+        "viewport 120 90\nantialias %s\nink .9 .5 .1\nrect 10 10 60 40\nink 0 .5 1 .5\n"
+        "area 20 20 100 20 100 70 20 70\nfont host/fonts/small.bdf\ntext 12 80 Twice\nimage %s 70 "
+        "5\nlinesmooth off\n"
+        "linecap butt\nlinewidth 6\nline -.5 -.6 0 1 1 1 1  .5 -.6 0 1 1 1 1\n";
+    static const char *const mode[] = {"off", "ssaa"};
+    struct picture picture[2];
+    char name[L_tmpnam + 8], filled[2048];
+    struct text_error error;
+    uint8_t rgb[8 * 6 * 3];
+    struct picture image = {.width = 8, .height = 6, .rgb = rgb};
+    for (int i = 0; i < (int)sizeof rgb; i++) {
+        rgb[i] = (uint8_t)(i * 37);
+    }
+    snprintf(name, sizeof name, "%s", "build/paint-has-its-size.ppm");
+    assert_true(picture_write_ppm(name, &image, &error));
+    for (int i = 0; i < 2; i++) {
+        struct scene scene;
+        snprintf(filled, sizeof filled, flat, mode[i], name);
+        assert_true(scene_parse("test.scene", filled, strlen(filled), &scene, &error));
+        assert_true(scene_render(&scene, &qtri_xrgb8888, 0, false, &picture[i]));
+        scene_free(&scene);
+    }
+    assert_memory_equal(picture[0].rgb, picture[1].rgb, (size_t)3 * WIDTH * HEIGHT);
+    picture_free(&picture[0]);
+    picture_free(&picture[1]);
+    (void)remove(name);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bands),
         cmocka_unit_test(quality),
+        cmocka_unit_test(places),
+        cmocka_unit_test(reference_dumps),
+        cmocka_unit_test(paint_has_its_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

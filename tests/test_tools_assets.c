@@ -582,6 +582,9 @@ static void bad_pictures(void **state)
     assert_refused("texture wrong.png -o bad.h", "qtri texture: wrong.png: is neither PNG nor");
     write_text("large.pgm", "P5 99999 99999 255\n");
     assert_refused("texture large.pgm -o bad.h", "qtri texture: large.pgm: has a side");
+    write_text("much.pgm", "P5 16384 4097 255\n");
+    assert_refused("texture much.pgm -o bad.h",
+                   "qtri texture: much.pgm: has more than 8192 x 8192 pixels");
     assert_refused("texture none.png -o bad.h", "qtri texture: none.png: cannot be opened");
     write_bytes("cut.png", "\x89PNG\r\n\x1a\n\0\0\0\15IHDR\0\0\0\1", 20);
     assert_refused("texture cut.png -o bad.h", "qtri texture: cut.png: ");

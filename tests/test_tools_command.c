@@ -17,6 +17,14 @@
 
 #include <cmocka.h>
 
+#ifdef __SANITIZE_ADDRESS__
+#define SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SANITIZED
+#endif
+#endif
+
 static char folder[512];
 
 /* Runs `qtri ARGUMENTS` in the test's folder, standard error into the file `messages`. */
@@ -384,6 +392,68 @@ static void memory_of_references(void **state)
     assert_int_equal(run("render within.scene -o x --reference"), 0);
 }
 
+/* A program in a folder below its sources finds their scenes wherever it is called. */
+static void demo_from_any_folder(void **state)
+{
+    (void)state;
+    char line[4096];
+    write_file("one.scene", triangle);
+    snprintf(
+        line, sizeof line,
+        "cd '%s' && mkdir -p tree/build/deep tree/host/scenes && cp '%s' tree/build/deep/qtri && "
+        "mv one.scene tree/host/scenes/ && cd / && '%s/tree/build/deep/qtri' demo --only one "
+        ">'%s/output' 2>'%s/messages'",
+        folder, getenv("QTRI_COMMAND"), folder, folder, folder);
+    assert_int_equal(system(line), 0); /* NOLINT(cert-env33-c): a test of the command line */
+    assert_true(file_contains("output", "\none  "));
+    assert_true(exists("tree/build/demo/one-difference.ppm"));
+    assert_false(exists("tree/build/demo/12-morph.ppm"));
+    snprintf(line, sizeof line, "rm -rf '%s/tree'", folder);
+    assert_int_equal(system(line), 0); /* NOLINT(cert-env33-c) */
+}
+
+/* A few lines that ask for minutes end when they are told to, and leave nothing behind. */
+static void work_without_end(void **state)
+{
+    (void)state;
+    char text[16384] = "viewport 4096 4096\nantialias temporal\n";
+    for (int i = 0; i < 200; i++) {
+        strcat(text, "tri -1 -1 0 1 1 0 0  1 -1 0 1 0 1 0  0 1 0 1 0 0 1\n");
+    }
+    write_file("long.scene", text);
+    assert_int_equal(run("--seconds 1 render long.scene -o long.ppm"), 1);
+    assert_true(messages_contain("qtri render: not done after 1 seconds"));
+    assert_false(exists("long.ppm"));
+    assert_int_equal(run("--seconds"), 2);
+    assert_int_equal(run("--seconds -1 render long.scene -o x"), 2);
+    assert_true(messages_contain("--seconds wants a whole number"));
+    assert_int_equal(run("--seconds 0 --help"), 0);
+    assert_true(file_contains("output", "after 300 seconds"));
+}
+
+/*
+ * Statements that make meshes hold one at a time: 40 spheres of 65,536 vertices, 5 MB each. Where a
+ * sanitizer keeps what is freed nothing is measured.
+ */
+static void memory_of_many_shapes(void **state)
+{
+    (void)state;
+    char text[2048] = "viewport 8 8\n";
+    for (int i = 0; i < 40; i++) {
+        strcat(text, "shape sphere 1 255 255\n");
+    }
+    write_file("shapes.scene", text);
+#ifdef SANITIZED
+    assert_int_equal(run("render shapes.scene -o shapes.ppm"), 0);
+#else
+    char line[2048];
+    snprintf(line, sizeof line,
+             "ulimit -v 98304; cd '%s' && '%s' render shapes.scene -o shapes.ppm", folder,
+             getenv("QTRI_COMMAND"));
+    assert_int_equal(system(line), 0); /* NOLINT(cert-env33-c): in 96 MB, libraries among them */
+#endif
+}
+
 static int make_folder(void **state)
 {
     (void)state;
@@ -411,6 +481,9 @@ int main(void)
         cmocka_unit_test(ended_by_signals),
         cmocka_unit_test(files_below),
         cmocka_unit_test(memory_of_references),
+        cmocka_unit_test(demo_from_any_folder),
+        cmocka_unit_test(work_without_end),
+        cmocka_unit_test(memory_of_many_shapes),
     };
     if (getenv("QTRI_COMMAND") == NULL) {
         puts("QTRI_COMMAND is not set: run `make test-plain TESTS=test_command`");

@@ -15,11 +15,20 @@ static bool fail(struct text_error *error, const char *path, const char *problem
     return false;
 }
 
+const char *image_size_problem(long width, long height)
+{
+    if (width < 1 || height < 1 || width > IMAGE_MAX_SIDE || height > IMAGE_MAX_SIDE) {
+        return "has a side that is not in 1..16384";
+    }
+    return width > IMAGE_MAX_PIXELS / height ? "has more than 8192 x 8192 pixels" : NULL;
+}
+
 static bool create(const char *path, struct image *image, uint32_t width, uint32_t height,
                    struct text_error *error)
 {
-    if (width < 1 || height < 1 || width > IMAGE_MAX_SIDE || height > IMAGE_MAX_SIDE) {
-        return fail(error, path, "has a side that is not in 1..16384");
+    const char *problem = image_size_problem((long)width, (long)height);
+    if (problem != NULL) {
+        return fail(error, path, problem);
     }
     image->rgba = calloc((size_t)width * height, 4);
     image->width = (int)width;
@@ -140,8 +149,9 @@ static bool parse_pnm(const char *path, const char *bytes, size_t length, struct
     uint32_t width = header_number(bytes, length, &at);
     uint32_t height = header_number(bytes, length, &at);
     uint32_t most = header_number(bytes, length, &at);
-    if (width == 0 || height == 0) {
-        return fail(error, path, "has a side that is not in 1..16384");
+    const char *problem = image_size_problem((long)width, (long)height);
+    if (problem != NULL) {
+        return fail(error, path, problem);
     }
     if (most < 1 || most > 255) {
         return fail(error, path, "has a largest value that is not in 1..255");

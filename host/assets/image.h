@@ -12,7 +12,12 @@
 #include "../io/picture.h"
 #include "../io/text_error.h"
 
-#define IMAGE_MAX_SIDE 16384
+/* A few kilobytes can unpack to any number of pixels: what a picture takes has a bound. */
+#define IMAGE_MAX_SIDE   16384
+#define IMAGE_MAX_PIXELS (1L << 26) /* 8192 x 8192 */
+
+/* What is wrong with a picture of this size, or NULL. */
+const char *image_size_problem(long width, long height);
 
 /* Row 0 is the top; 4 bytes a pixel: sRGB, and how opaque it is. */
 struct image {

@@ -37,10 +37,12 @@ static bool send(FILE *answer, void *context, struct text_error *error)
     const unsigned char *bytes = (const unsigned char *)request->bytes;
     int size[2] = {0, 0}, channels = 0;
     int length = request->length <= INT_MAX ? (int)request->length : 0;
-    if (stbi_info_from_memory(bytes, length, &size[0], &size[1], &channels) != 0 &&
-        (size[0] > IMAGE_MAX_SIDE || size[1] > IMAGE_MAX_SIDE)) {
-        text_error_set(error, request->path, 0, "has a side that is not in 1..16384");
-        return false;
+    if (stbi_info_from_memory(bytes, length, &size[0], &size[1], &channels) != 0) {
+        const char *problem = image_size_problem(size[0], size[1]);
+        if (problem != NULL) {
+            text_error_set(error, request->path, 0, "%s", problem);
+            return false;
+        }
     }
     unsigned char *rgba = stbi_load_from_memory(bytes, length, &size[0], &size[1], &channels, 4);
     if (rgba == NULL) {
@@ -57,8 +59,7 @@ static bool send(FILE *answer, void *context, struct text_error *error)
 static bool receive(FILE *answer, struct image *image)
 {
     int size[2];
-    if (fread(size, sizeof size, 1, answer) != 1 || size[0] < 1 || size[1] < 1 ||
-        size[0] > IMAGE_MAX_SIDE || size[1] > IMAGE_MAX_SIDE) {
+    if (fread(size, sizeof size, 1, answer) != 1 || image_size_problem(size[0], size[1]) != NULL) {
         return false;
     }
     size_t count = (size_t)size[0] * (size_t)size[1];

@@ -1,16 +1,25 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What anti-aliasing adds to spot's instructions: antialias.sh FOLDER CORE...   (called by `make antialias`)
+# What anti-aliasing adds to the instructions of spot, or without it of the knot: antialias.sh FOLDER CORE...
+# (called by `make antialias`)
 set -eu
 folder=$1
 shift
 
 [ $# -gt 0 ] || { echo "antialias: instructions skipped: no compiler or emulator (make setup)"; exit 0; }
-grep -q '^S4 ' "$folder/$1/bench.txt" || { echo "antialias: instructions skipped: no spot.obj in MODELS"; exit 0; }
+mesh=
+grep -q '^S4 ' "$folder/$1/bench.txt" || {
+    echo "antialias: no spot.obj in MODELS: instructions are those of the project's knot"
+    mesh=k
+}
 for core; do
     sed "s/^/$core /" "$folder/$core/bench.txt"
-done | awk -v cores="$*" '
+done | awk -v cores="$*" -v mesh="$mesh" '
+    # Rows of the knot end in k, but for S4kb; that of two triangles has no mesh.
+    function row(scene) { return scene == "" || scene ~ /^S11/ ? scene : mesh == "" ? scene : scene == "S4b" ? "S4kb" : scene mesh }
     function line(what, scene, base, scale, unit,   c) {
+        scene = row(scene)
+        base = row(base)
         printf "%-46s", what
         for (c = 1; c <= n; c++) printf "%16.3f", (count[core[c], scene] - (base != "" ? count[core[c], base] : 0)) / scale
         print "  " unit

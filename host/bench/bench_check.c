@@ -46,6 +46,9 @@
 #define LIGHT34         "light directional .4 .6 .69282032 .2 .2 .2\nlight directional .2 -.8 .5 .2 .1 .1\n"
 #define MESH_COLOR      " color 1 .7058823529 .3529411765\n"
 #define TURN_SPOT       "rotate 150 0 1 0\n"
+#define TURN_KNOT       "rotate 30 0 1 0\n"
+#define KNOT_UV         TURN_KNOT "mesh knot_uv.obj" MESH_COLOR
+#define KNOT_UV_COMPACT TURN_KNOT "mesh knot_uv-compact.obj" MESH_COLOR
 #define SPOT            TURN_SPOT "mesh spot.obj" MESH_COLOR
 #define TEAPOT          "rotate 30 0 1 0\nmesh teapot.obj" MESH_COLOR
 #define KNOT            "rotate 30 0 1 0\nmesh knot.obj" MESH_COLOR
@@ -125,6 +128,36 @@ static const struct expectation {
     {"S6m", NULL, 12414},
     {"S8m", NULL, 0},
     {"S11m", NULL, 0},
+    {"S6k", BEGIN LIT MODULATED COMPACT(KNOT_UV), 0},
+    {"S9k", BEGIN "cull back\n" TURN_KNOT, 0},
+    {"S10k", BEGIN LIT "depth off\npolygon line\n" COMPACT(KNOT), 0},
+    {"STk", BEGIN "cull back\n" TURN_KNOT, 0},
+    {"S4wk", BEGIN LIT KNOT, 0},
+    {"S5wk", BEGIN LIT "shade flat\n" KNOT, 0},
+    {"S4wbk", BEGIN LIT KNOT, 0},
+    {"S5bk", BEGIN LIT "shade flat\n" COMPACT(KNOT), 0},
+    {"S6bk", BEGIN LIT MODULATED COMPACT(KNOT_UV), 0},
+    {"S7bk", BEGIN LIT "polygon line\n" COMPACT(KNOT), 0},
+    {"L1k", BEGIN LIGHTS KNOT_COMPACT, 0},
+    {"L2k", BEGIN LIGHTS LIGHT2 KNOT_COMPACT, 0},
+    {"L3k", BEGIN LIGHTS LIGHT2 LIGHT34 KNOT_COMPACT, 0},
+    {"L1fk", BEGIN LIGHTS "shade flat\n" KNOT_COMPACT, 0},
+    {"L1bk", BEGIN LIGHTS KNOT_COMPACT, 0},
+    {"S4ek", BEGIN LIT COMPACT(KNOT), 0},
+    {"S4esk", BEGIN LIT COMPACT(KNOT), 0},
+    {"S4hk", BEGIN LIT COMPACT(KNOT), 0},
+    {"S4xk", BEGIN LIT COMPACT(KNOT), 0},
+    {"S6xk", NULL, 0},
+    {"S4fk", BEGIN LIT COMPACT(KNOT), 0},
+    {"S4ak", BEGIN LIT COMPACT(KNOT), 0},
+    {"S4mk", BEGIN LIT COMPACT(KNOT), 0},
+    {"S4bek", BEGIN LIT COMPACT(KNOT), 0},
+    {"KWk", NULL, 0},
+    {"KSk", NULL, 0},
+    {"KHk", NULL, 0},
+    {"B4k", BEGIN HALF LIT COMPACT(KNOT), 0},
+    {"F4k", BEGIN FOG LIT COMPACT(KNOT), 0},
+    {"S6mk", NULL, 0},
 };
 
 static bool write_texture(const char *path)

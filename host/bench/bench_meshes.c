@@ -43,6 +43,7 @@ static const struct model {
     {"spot_uv", "spot", 1.28748383, SOURCE_FILE, true},
     {"teapot", "teapot", .48920438, SOURCE_FILE, false},
     {"knot", "knot", 1.0, SOURCE_GENERATED, false},
+    {"knot_uv", "knot", 1.0, SOURCE_GENERATED, true},
     {"wall", NULL, 1.0, SOURCE_WALL, true},
 };
 

@@ -8,17 +8,17 @@
 /*
  * Meshes are compact: 16-bit positions, 8-bit normals, 16-bit texture coordinates but for the
  * wall's, which reach 4. S4w and S5w: with the wide mesh, Q16.16 positions. S4k, S5k and S7k: as
- * S4, S5 and S7 with the project's own mesh of like size, 5760 triangles. S4b, S4wb, S5b, S6b and
- * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
- * mesh of S4 as loose triangles. L1: S4 with a point light and Blinn-Phong highlights; L2 and L3:
- * and one and three directional lights; L1f: S5 so, L1b: L1 in bands. S4e and S4be: S4 and S4b with
- * the edge pass, S4es by sums. S4h: S4 of 2 x 2 samples, with the clear; S4x, S6x and S11x: S4,
- * S6 and S11 with four samples a pixel, likewise; S4f: S4 and FXAA. S4a and
- * S4m: only the addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of 64
- * points, 1 and 5 pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with
- * smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7 without hidden lines. P1 to P10:
- * bench_paint.h. B1, B2 and B4: S1, S2 and S4 at half alpha, B3: S2 added; F2 and F4: S2 and S4 in
- * fog.
+ * S4, S5 and S7 with the project's own mesh of like size, 5760 triangles; what else ends in k is
+ * the row of that name with that mesh. S4b, S4wb, S5b, S6b and S7b: S4, S4w, S5, S6 and S7 in 15
+ * bands of 16 rows, all of a frame's work but the clear. ST: the mesh of S4 as loose triangles. L1:
+ * S4 with a point light and Blinn-Phong highlights; L2 and L3: and one and three directional
+ * lights; L1f: S5 so, L1b: L1 in bands. S4e and S4be: S4 and S4b with the edge pass, S4es by sums.
+ * S4h: S4 of 2 x 2 samples, with the clear; S4x, S6x and S11x: S4, S6 and S11 with four samples a
+ * pixel, likewise; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a sum, and the storing
+ * of its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP: 256
+ * such points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7
+ * without hidden lines. P1 to P10: bench_paint.h. B1, B2 and B4: S1, S2 and S4 at half alpha, B3:
+ * S2 added; F2 and F4: S2 and S4 in fog.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -105,6 +105,41 @@ const bench_scene bench_scenes[] = {
     {.name = "S6m", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .filter = &qtri_mipmapped},
     {.name = "S8m", MESH(COMPACT(wall), 0), .textured = true, .filter = &qtri_mipmapped},
     {.name = "S11m", QUAD(&bench_turned, white), .textured = true, .filter = &qtri_mipmapped},
+    /* The rows of models once more, with a mesh that everybody has. */
+    {.name = "S6k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true},
+    {.name = "S9k", MESH(COMPACT(knot), Q16(30)), .colors = bench_colors_knot},
+    {.name = "S10k", MESH(COMPACT(knot), Q16(30)), .wireframe = true, .without_depth = true},
+    {.name = "STk",
+     .work = BENCH_CORNERS,
+     .mesh = &bench_mesh_knot,
+     .turn = Q16(30),
+     .colors = bench_colors_knot},
+    {.name = "S4wk", MESH(&bench_mesh_knot, Q16(30))},
+    {.name = "S5wk", MESH(&bench_mesh_knot, Q16(30)), FLAT},
+    {.name = "S4wbk", MESH(&bench_mesh_knot, Q16(30)), BANDS},
+    {.name = "S5bk", MESH(COMPACT(knot), Q16(30)), FLAT, BANDS},
+    {.name = "S6bk", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, BANDS},
+    {.name = "S7bk", MESH(COMPACT(knot), Q16(30)), .wireframe = true, BANDS},
+    {.name = "L1k", MESH(COMPACT(knot), Q16(30)), .lights = 1},
+    {.name = "L2k", MESH(COMPACT(knot), Q16(30)), .lights = 2},
+    {.name = "L3k", MESH(COMPACT(knot), Q16(30)), .lights = 4},
+    {.name = "L1fk", MESH(COMPACT(knot), Q16(30)), FLAT, .lights = 1},
+    {.name = "L1bk", MESH(COMPACT(knot), Q16(30)), BANDS, .lights = 1},
+    {.name = "S4ek", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_EDGES},
+    {.name = "S4esk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_SUMS},
+    {.name = "S4hk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_HALVE},
+    {.name = "S4xk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_SAMPLES},
+    {.name = "S6xk", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .smooth = BENCH_SAMPLES},
+    {.name = "S4fk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_FXAA},
+    {.name = "S4ak", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_ADD},
+    {.name = "S4mk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_STORE},
+    {.name = "S4bek", MESH(COMPACT(knot), Q16(30)), BANDS, .smooth = BENCH_EDGES},
+    {.name = "KWk", MESH(COMPACT(knot), Q16(30)), .width = Q16(1)},
+    {.name = "KSk", MESH(COMPACT(knot), Q16(30)), .wireframe = true, .thin = true},
+    {.name = "KHk", MESH(COMPACT(knot), Q16(30)), .hidden = true},
+    {.name = "B4k", MESH(COMPACT(knot), Q16(30)), .blend = &qtri_blend_alpha},
+    {.name = "F4k", MESH(COMPACT(knot), Q16(30)), .fog = true},
+    {.name = "S6mk", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .filter = &qtri_mipmapped},
     PAINT("P1", bench_paint_rect),
     PAINT("P2", bench_paint_rects),
     PAINT("P3", bench_paint_alpha),

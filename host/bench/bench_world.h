@@ -19,12 +19,14 @@
 /* Written by bench_meshes.c. A model that is not there has no triangles. spot_uv has texture
    coordinates, and more vertices for it; wall is a grid of 16 x 8 cells with coordinates. */
 extern const qtri_mesh bench_mesh_spot, bench_mesh_spot_uv, bench_mesh_teapot, bench_mesh_knot,
-    bench_mesh_wall;
+    bench_mesh_knot_uv, bench_mesh_wall;
 extern const qtri_mesh bench_mesh_spot_compact, bench_mesh_spot_uv_compact,
-    bench_mesh_teapot_compact, bench_mesh_knot_compact, bench_mesh_wall_compact;
+    bench_mesh_teapot_compact, bench_mesh_knot_compact, bench_mesh_knot_uv_compact,
+    bench_mesh_wall_compact;
 
 /* A colour for each vertex. */
-extern const qtri_rgb bench_colors_spot[], bench_colors_spot_uv[], bench_colors_wall[];
+extern const qtri_rgb bench_colors_spot[], bench_colors_spot_uv[], bench_colors_wall[],
+    bench_colors_knot[];
 
 /* Corners (-,-) (+,-) (+,+) (-,+), texture coordinates (0,n) (n,n) (n,0) (0,0). */
 typedef struct bench_quad {

@@ -87,7 +87,7 @@ $(SCENE_DIR)/host.txt: $(SCENE_HOST)
 
 .PHONY: bench bench-lines
 bench: ## Count the instructions of every benchmark scene on emulated cores: build/bench.tsv
-	@$(MAKE) -s $(PARALLEL) bench-lines
+	@$(ALIVE) bench $(MAKE) -s $(PARALLEL) bench-lines
 	@$(if $(SCENE_ABSENT),echo "bench: skipped: $(SCENE_ABSENT): no compiler or emulator (make setup)",:)
 	@sh host/bench/bench_scenes.sh $(SCENE_DIR) $(BUILD)/bench.tsv "$(BENCH_SCENES)" $(SCENE_PRESENT)
 

@@ -120,11 +120,16 @@ static char *temporary_name(const char *path, int attempt)
 static char unfinished[PATH_MAX];
 static volatile sig_atomic_t is_unfinished;
 
-static void remove_and_end(int number)
+void file_remove_unfinished(void)
 {
     if (is_unfinished) {
         (void)unlink(unfinished);
     }
+}
+
+static void remove_and_end(int number)
+{
+    file_remove_unfinished();
     (void)signal(number, SIG_DFL);
     (void)raise(number);
 }

@@ -66,4 +66,8 @@ bool file_output_commit(struct file_output *output, struct text_error *error);
 /* Gives the output up: the target stays as it was. */
 void file_output_cancel(struct file_output *output);
 
+/* For signal handlers that end the program: removes the temporary file of an output that is open.
+ */
+void file_remove_unfinished(void);
+
 #endif

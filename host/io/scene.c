@@ -24,7 +24,10 @@ static const struct scene_statement statements[] = {
     {"texmode",     {1, 1},    scene_statement_texmode,       0, "replace|modulate"},
     {"texwrap",     {1, 2},    scene_statement_texwrap,       0, "repeat|clamp [repeat|clamp]"},
     {"texfilter",   {1, 2},    scene_statement_texfilter,     0, "nearest|bilinear [mipmaps]"},
-    {"texformat",   {1, 1},    scene_statement_texformat,     0, "xrgb8888|rgb565|palette|gray8"},
+    {"texformat",   {1, 1},    scene_statement_texformat,     0, 
+     "xrgb8888|rgb565|palette|gray8|argb4444|argb1555|argb8888|alpha8"},
+    {"texalpha",    {1, 2},    scene_statement_texalpha,      0, "off, texalpha FILE.ppm or texalpha A B"},
+    {"alphatest",   {1, 1},    scene_statement_alphatest,     0, "off|LEAST"},
     {"texkey",      {1, 3},    scene_statement_texkey,        0, "off or texkey r g b"},
     {"interpolate", {1, 1},    scene_statement_interpolate,   0, "perspective|linear"},
     {"blend",       {1, 2},    scene_statement_blend,         0,
@@ -35,7 +38,7 @@ static const struct scene_statement statements[] = {
      "off or fog linear NEAR FAR r g b START END"},
     {"fogdensity",  {7, 7},    scene_statement_fogdensity,    0,
      "exp|exp2 NEAR FAR r g b DENSITY"},
-    {"polygon",     {1, 1},    scene_statement_polygon,       0, "fill|line|smooth"},
+    {"polygon",     {1, 2},    scene_statement_polygon,       0, "fill|line|smooth|hidden [BIAS]"},
     {"light",       {5, SCENE_ANY}, scene_statement_light,    0,
      "x y z ambient diffuse, light directional x y z r g b, light point x y z r g b [constant linear "
      "quadratic] or light spot x y z dx dy dz inner outer r g b [constant linear quadratic "
@@ -59,6 +62,28 @@ static const struct scene_statement statements[] = {
     {"translate",   {3, 3},    scene_statement_numbers,       SCENE_TRANSLATE, "x y z"},
     {"rotate",      {4, 4},    scene_statement_numbers,       SCENE_ROTATE, "degrees x y z"},
     {"scale",       {3, 3},    scene_statement_numbers,       SCENE_SCALE, "x y z"},
+    {"rotateabout", {7, 7},    scene_statement_numbers,       SCENE_ROTATE_ABOUT,
+     "degrees ax ay az px py pz"},
+    {"rotatetriangle", {10, 10}, scene_statement_numbers,     SCENE_ROTATE_TRIANGLE,
+     "degrees (x y z) x3"},
+    {"quaternion",  {4, 4},    scene_statement_numbers,       SCENE_QUATERNION, "w x y z"},
+    {"orbit",       {6, 6},    scene_statement_numbers,       SCENE_ORBIT,
+     "cx cy cz distance azimuth elevation"},
+    {"lookatd3d",   {9, 9},    scene_statement_numbers,       SCENE_LOOKAT_D3D,
+     "ex ey ez cx cy cz ux uy uz"},
+    {"perspectived3d", {4, 4}, scene_statement_numbers,       SCENE_PERSPECTIVE_D3D,
+     "fovy aspect near far"},
+    {"frustumd3d",  {6, 6},    scene_statement_numbers,       SCENE_FRUSTUM_D3D, "l r b t near far"},
+    {"orthod3d",    {6, 6},    scene_statement_numbers,       SCENE_ORTHO_D3D, "l r b t near far"},
+    {"orthonormalize", {0, 0}, scene_statement_numbers,       SCENE_ORTHONORMALIZE, ""},
+    {"camera",      {0, 0},    scene_statement_camera,        SCENE_CAMERA, ""},
+    {"billboard",   {0, 1},    scene_statement_billboard,     SCENE_BILLBOARD, "[upright]"},
+    {"key",         {11, 11},  scene_statement_key,           0,
+     "time x y z degrees ax ay az sx sy sz"},
+    {"keys",        {1, 1},    scene_statement_keys,          SCENE_KEYS, "time"},
+    {"joint",       {1, 1},    scene_statement_joint,         SCENE_JOINT, "none|PARENT"},
+    {"atjoint",     {1, 1},    scene_statement_atjoint,       SCENE_AT_JOINT, "JOINT"},
+    {"window",      {4, 5},    scene_statement_window,        SCENE_WINDOW, "X Y W H [bottom]"},
     {"push",        {0, 0},    scene_statement_push,          SCENE_PUSH, ""},
     {"pop",         {0, 0},    scene_statement_pop,           SCENE_POP, ""},
     {"tri",         {21, 21},  scene_statement_triangle,      SCENE_TRIANGLE, "(x y z w r g b) x3"},
@@ -78,6 +103,16 @@ static const struct scene_statement statements[] = {
     {"pointsize",   {1, 2},    scene_statement_pointsize,     0, "SIZE [space]"},
     {"point",       {7, 7},    scene_statement_point,         0, "x y z w r g b"},
     {"mesh",        {1, -7},   scene_statement_mesh,          SCENE_MESH, "FILE.obj [fit SIZE | scale FACTOR] [color r g b]"},
+    {"shape",       {4, SCENE_ANY}, scene_statement_shape,    SCENE_MODEL,
+     "box HX HY HZ, shape sphere R SLICES ROWS, shape cylinder R H SLICES, shape cone R H SLICES, "
+     "shape torus R TUBE SLICES RINGS or shape grid HX HZ COLUMNS ROWS, [color r g b]"},
+    {"morph",       {3, 7},    scene_statement_morph,         SCENE_MODEL,
+     "T FROM.obj TO.obj [color r g b]"},
+    {"frames",      {3, SCENE_ANY}, scene_statement_frames,   SCENE_MODEL,
+     "AT FILE.obj x2 to x16 [color r g b]"},
+    {"targets",     {3, SCENE_ANY}, scene_statement_targets,  SCENE_MODEL,
+     "BASE.obj (WEIGHT FILE.obj) x1 to x15 [color r g b]"},
+    {"frustumcull", {1, 1},    scene_statement_frustumcull,   0, "off|box|ball"},
     {"ink",         {3, 4},    scene_statement_ink,           0, "R G B [ALPHA]"},
     {"edges",       {1, 1},    scene_statement_edges,         0, "hard|smooth"},
     {"rect",        {4, 5},    scene_statement_rect,          SCENE_PAINT, "x0 y0 x1 y1 [WIDTH]"},
@@ -297,6 +332,7 @@ static bool parse(const char *name, const char *text, size_t length, char *root,
     free(parser.root);
     free(parser.mesh_files);
     free(parser.texture.path);
+    free(parser.texalpha.path);
     scene_brush_free(&parser.brush);
     if (!ok) {
         scene_free(scene);
@@ -382,9 +418,13 @@ void scene_free(struct scene *scene)
     free(scene->meshes);
     free(scene->ops);
     free(scene->stroke_vertices);
+    free(scene->keys);
+    free(scene->models);
     free(scene->texture.rgb);
+    free(scene->texture.alpha);
     for (int i = 0; i < scene->texture.level_count; i++) {
         free(scene->texture.level[i]);
+        free(scene->texture.level_alpha[i]);
     }
     scene_paints_free(&scene->paints);
     memset(scene, 0, sizeof *scene);

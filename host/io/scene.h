@@ -29,19 +29,37 @@ enum scene_op_kind {
     SCENE_MODE_PROJECTION, /* following matrix statements change the projection matrix */
     SCENE_MODE_MODELVIEW,  /* ... the modelview matrix (the state at the start) */
     SCENE_IDENTITY,
-    SCENE_LOAD,        /* number[0..15], column-major, replaces the current matrix */
-    SCENE_MULT,        /* number[0..15], column-major; current = current * given, as all below */
-    SCENE_LOOKAT,      /* eye xyz, center xyz, up xyz */
-    SCENE_PERSPECTIVE, /* fovy degrees, aspect, near, far */
-    SCENE_FRUSTUM,     /* left right bottom top near far */
-    SCENE_ORTHO,       /* left right bottom top near far */
-    SCENE_TRANSLATE,   /* x y z */
-    SCENE_ROTATE,      /* degrees, axis x y z (any non-zero length) */
-    SCENE_SCALE,       /* x y z */
+    SCENE_LOAD,         /* number[0..15], column-major, replaces the current matrix */
+    SCENE_MULT,         /* number[0..15], column-major; current = current * given, as all below */
+    SCENE_LOOKAT,       /* eye xyz, center xyz, up xyz */
+    SCENE_PERSPECTIVE,  /* fovy degrees, aspect, near, far */
+    SCENE_FRUSTUM,      /* left right bottom top near far */
+    SCENE_ORTHO,        /* left right bottom top near far */
+    SCENE_TRANSLATE,    /* x y z */
+    SCENE_ROTATE,       /* degrees, axis x y z (any non-zero length) */
+    SCENE_SCALE,        /* x y z */
+    SCENE_ROTATE_ABOUT, /* degrees, axis x y z, a point x y z */
+    SCENE_ROTATE_TRIANGLE, /* degrees, three points: about their normal through their middle */
+    SCENE_QUATERNION,      /* w x y z, of any length but 0 */
+    SCENE_ORBIT,           /* center xyz, distance, azimuth and elevation in degrees */
+    SCENE_LOOKAT_D3D,      /* these four as the ones above, left-handed: the camera looks along */
+    SCENE_PERSPECTIVE_D3D, /* +z, as Direct3D has it */
+    SCENE_FRUSTUM_D3D,
+    SCENE_ORTHO_D3D,
+    SCENE_ORTHONORMALIZE,
+    SCENE_CAMERA,    /* the current matrix is the camera of the billboards that follow */
+    SCENE_BILLBOARD, /* number[0]: 0, or 1 upright */
+    SCENE_KEYS,      /* current = current * the pose of `keys` at a time */
+    SCENE_JOINT,     /* number[0]: the parent, an earlier joint, or -1; its pose in it is the
+                        current matrix */
+    SCENE_AT_JOINT,  /* number[0]: current = current * joint in its first ancestor's frame */
+    SCENE_WINDOW,    /* number[0..3], whole pixels: x y width height of what follows; y down
+                        from the top, or number[4] != 0: up from the bottom */
     SCENE_PUSH,
     SCENE_POP, /* the parser guarantees that pops match pushes on each stack */
     SCENE_TRIANGLE /* vertex[0..2]; textured: whether it came from `trit` */,
     SCENE_MESH,   /* mesh: index into scene.meshes; color: 0..1 */
+    SCENE_MODEL,  /* mesh: index into scene.models; color: 0..1 */
     SCENE_STROKE, /* stroke: a line, a polyline or a point */
     SCENE_PAINT   /* paint: a flat shape, text or a picture; no matrix applies */
 };
@@ -54,6 +72,54 @@ struct scene_vertex {
 };
 
 enum scene_cap { SCENE_CAP_ROUND, SCENE_CAP_BUTT, SCENE_CAP_SQUARE };
+
+enum scene_model_kind {
+    SCENE_SHAPE,  /* computed */
+    SCENE_MORPH,  /* between two meshes */
+    SCENE_FRAMES, /* between two of several, one after the other */
+    SCENE_TARGETS /* a mesh, and weighted differences of others to it */
+};
+
+enum scene_shape {
+    SCENE_BOX,      /* size: half the sides */
+    SCENE_SPHERE,   /* size[0]: radius; count: slices around, rows from pole to pole */
+    SCENE_CYLINDER, /* size: radius, half the height; count[0]: slices; so has the next */
+    SCENE_CONE,
+    SCENE_TORUS, /* size: radius, that of the tube; count: slices, rings around the tube */
+    SCENE_GRID   /* size: half of x and z; count: columns, rows */
+};
+
+#define SCENE_MAX_MODEL_MESHES   16
+#define SCENE_MAX_MODEL_VERTICES 65536
+
+struct scene_model {
+    enum scene_model_kind kind;
+    enum scene_shape shape;
+    int32_t size[3];
+    int count[2];
+    /* Indices into scene.meshes, all with the triangles of the first, and their weights. */
+    size_t mesh[SCENE_MAX_MODEL_MESHES];
+    int32_t weight[SCENE_MAX_MODEL_MESHES]; /* TARGETS: of all but the first */
+    int mesh_count;
+    int32_t at; /* MORPH: 0..1; FRAMES: 1.5 is half-way from the second to the third */
+    uint32_t vertices, triangles;
+};
+
+#define SCENE_MAX_JOINTS 64
+
+/* `key`: a pose at a time. */
+struct scene_key {
+    int32_t time;
+    int32_t position[3];
+    int32_t degrees, axis[3]; /* the axis is not 0 */
+    int32_t scale[3];
+};
+
+/* Keys with growing times, and the time that is looked at. */
+struct scene_track {
+    size_t first, count; /* of scene.keys; count > 0 */
+    int32_t time;
+};
 
 /* Lines and points, with the state that held when they were given. */
 struct scene_stroke {
@@ -73,6 +139,7 @@ struct scene_op {
                     1-based rank among all triangles of the file; 0 for other operations */
     union {
         int32_t number[16];
+        struct scene_track track;
         struct {
             struct scene_vertex vertex[3];
             bool textured;
@@ -96,10 +163,12 @@ enum scene_compare {
     SCENE_NOTEQUAL,
     SCENE_NEVER
 };
+/* Whether meshes outside of the frustum are left out: the picture is the same. */
+enum scene_frustum_cull { SCENE_FRUSTUM_OFF, SCENE_FRUSTUM_BOX, SCENE_FRUSTUM_BALL };
 enum scene_cull { SCENE_CULL_NONE, SCENE_CULL_BACK, SCENE_CULL_FRONT };
 enum scene_texture_mode { SCENE_REPLACE, SCENE_MODULATE };
 
-/* What the fixed-point core does about jagged edges; the reference always samples centres. */
+/* What becomes of jagged edges. EDGES and FXAA are the core's: the reference samples centres. */
 enum scene_antialias {
     SCENE_ANTIALIAS_OFF,
     SCENE_ANTIALIAS_EDGES,
@@ -115,17 +184,28 @@ enum scene_texel_format {
     SCENE_TEXEL_XRGB8888,
     SCENE_TEXEL_RGB565,
     SCENE_TEXEL_PALETTE,
-    SCENE_TEXEL_GRAY8
+    SCENE_TEXEL_GRAY8,
+    SCENE_TEXEL_ARGB4444, /* from here on with alpha: see scene_texel_has_alpha */
+    SCENE_TEXEL_ARGB1555,
+    SCENE_TEXEL_ARGB8888,
+    SCENE_TEXEL_ALPHA8
 };
+
+static inline bool scene_texel_has_alpha(enum scene_texel_format format)
+{
+    return format >= SCENE_TEXEL_ARGB4444;
+}
 
 #define SCENE_MAX_LEVELS 9 /* besides the first, of a width of 1024 */
 
 struct scene_texture { /* width == 0: texturing is off */
     int width, height; /* powers of two, 1..1024 */
     uint8_t *rgb;      /* width * height * 3 bytes, row 0 (v = 0) first, owned by the scene */
+    uint8_t *alpha;    /* width * height bytes of a format with alpha, else NULL */
     /* Where it is mipmapped, behind them: each of mipmap_side() of the sides, see mipmap.h. */
     int level_count;
     uint8_t *level[SCENE_MAX_LEVELS];
+    uint8_t *level_alpha[SCENE_MAX_LEVELS];
 };
 
 /* Of `light directional|point|spot`: eye space, colours 0..16. */
@@ -184,11 +264,14 @@ struct scene {
     bool depth_write; /* false only after `depthmask off` */
     enum scene_compare depth_compare;
     enum scene_cull cull;
+    enum scene_frustum_cull frustum_cull;
     bool flat;
-    int provoking;      /* flat: the vertex, 0 or 2, whose colour the triangle takes */
-    bool screen_linear; /* `interpolate linear`: attributes linear on the screen */
-    bool wireframe;     /* `polygon line` and `polygon smooth` */
-    bool smooth_lines;  /* `polygon smooth`: the reference draws the lines of `line` */
+    int provoking;       /* flat: the vertex, 0 or 2, whose colour the triangle takes */
+    bool screen_linear;  /* `interpolate linear`: attributes linear on the screen */
+    bool wireframe;      /* `polygon line` and `polygon smooth` */
+    bool hidden_lines;   /* `polygon hidden`: of meshes, their surface hides what is behind it */
+    int32_t hidden_bias; /* 0..1: how much nearer their lines are */
+    bool smooth_lines;   /* `polygon smooth`: the reference draws the lines of `line` */
     enum scene_antialias antialias;
     enum scene_texture_mode texture_mode;
     enum scene_blend blend;
@@ -200,6 +283,7 @@ struct scene {
     bool texture_mipmapped; /* its second word */
     bool texture_keyed;     /* `texkey`: texels stored as texture_key would be are not drawn */
     uint8_t texture_key[3]; /* 8 bits a channel */
+    int least_alpha;        /* `alphatest`: texels of less are not drawn, 0..255 */
     enum scene_texel_format texel_format; /* PALETTE: the parser guarantees 256 colours at most */
     struct scene_texture texture;
     int32_t depth_near, depth_far; /* `depthrange`, 0..1 each, either order */
@@ -213,11 +297,15 @@ struct scene {
 
     struct scene_vertex *stroke_vertices; /* of all strokes, in order */
     size_t stroke_vertex_count;
+    struct scene_key *keys; /* of all tracks, in order */
+    size_t key_count;
 
     struct scene_op *ops;
     size_t op_count;
     struct obj_mesh *meshes; /* each file once, however often it is drawn */
     size_t mesh_count;
+    struct scene_model *models; /* of each operation its own */
+    size_t model_count;
     uint32_t triangle_count; /* the largest id */
     struct scene_paints paints;
 };

@@ -117,8 +117,11 @@ static bool grow_meshes(struct scene_parser *parser)
 static bool find_or_read_mesh(struct scene_parser *parser, const char *path,
                               const struct obj_scale *scale, size_t *mesh)
 {
-    struct scene_mesh_file file = {.scale = *scale};
-    const bool is_scaled = scale->factor > 0.0 || scale->fit > 0.0;
+    struct scene_mesh_file file = {.scale = {0}};
+    if (scale != NULL) {
+        file.scale = *scale;
+    }
+    const bool is_scaled = file.scale.factor > 0.0 || file.scale.fit > 0.0;
     if (!scene_inspect(parser, path, &file.identity)) {
         return false;
     }
@@ -130,7 +133,8 @@ static bool find_or_read_mesh(struct scene_parser *parser, const char *path,
         return false;
     }
     *mesh = parser->scene->mesh_count;
-    if (!obj_read_scaled(path, is_scaled ? scale : NULL, &parser->scene->meshes[*mesh], &error)) {
+    if (!obj_read_scaled(path, is_scaled ? &file.scale : NULL, &parser->scene->meshes[*mesh],
+                         &error)) {
         return scene_fail(parser, error.message);
     }
     parser->mesh_files[*mesh] = file;
@@ -300,19 +304,25 @@ static bool make_levels(struct scene *scene, const struct palette *palette)
         const bool hidden =
             scene->texture_keyed && memcmp(&texture->rgb[3 * i], scene->texture_key, 3) == 0;
         memcpy(&rgba[4 * i], &texture->rgb[3 * i], 3);
-        rgba[4 * i + 3] = hidden ? 0 : 255;
+        rgba[4 * i + 3] = hidden ? 0 : texture->alpha != NULL ? texture->alpha[i] : 255;
     }
     for (int level = 1; ok && level <= mipmap_count(texture->width); level++) {
         const size_t pixels = (size_t)mipmap_side(texture->width, level) *
                               (size_t)mipmap_side(texture->height, level);
         uint8_t *rgb = malloc(3 * pixels);
-        ok = rgb != NULL;
-        if (ok) {
+        uint8_t *alpha = malloc(pixels);
+        ok = rgb != NULL && alpha != NULL;
+        if (!ok) {
+            free(rgb);
+            free(alpha);
+        } else {
+            texture->level_alpha[texture->level_count] = alpha;
             texture->level[texture->level_count++] = rgb;
             mipmap_level(rgba, texture->width, texture->height, level, smaller);
         }
         for (size_t i = 0; ok && i < pixels; i++) {
             finish_pixel(scene, palette, &smaller[4 * i], &rgb[3 * i]);
+            alpha[i] = smaller[4 * i + 3];
         }
     }
     free(rgba);
@@ -324,7 +334,7 @@ bool scene_make_texture(struct scene_parser *parser)
 {
     struct scene *scene = parser->scene;
     struct palette palette = {.count = 0};
-    if (!make_texels(parser)) {
+    if (!make_texels(parser) || !scene_make_alpha(parser)) {
         return false;
     }
     if (scene->texel_format == SCENE_TEXEL_PALETTE) {

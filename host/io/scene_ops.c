@@ -39,7 +39,7 @@ bool scene_statement_mode(struct scene_parser *parser)
 
 /* ---- Statements that are a row of numbers ---- */
 
-static bool is_zero(const int32_t v[3])
+bool scene_is_zero(const int32_t v[3])
 {
     return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
@@ -51,7 +51,7 @@ static const char *lookat_problem(const int32_t *n)
     if (memcmp(n, n + 3, 3 * sizeof *n) == 0) {
         return "the eye and the center must differ";
     }
-    return is_zero(n + 6) ? "the up vector must not be zero" : NULL;
+    return scene_is_zero(n + 6) ? "the up vector must not be zero" : NULL;
 }
 
 static const char *planes_problem(int32_t near_plane, int32_t far_plane)
@@ -83,17 +83,24 @@ static const char *numbers_problem(enum scene_op_kind kind, const int32_t *n)
     const char *problem;
     switch (kind) {
     case SCENE_LOOKAT:
+    case SCENE_LOOKAT_D3D:
         return lookat_problem(n);
     case SCENE_PERSPECTIVE:
+    case SCENE_PERSPECTIVE_D3D:
         return perspective_problem(n);
     case SCENE_FRUSTUM:
+    case SCENE_FRUSTUM_D3D:
         problem = sides_problem(n);
         return problem != NULL ? problem : planes_problem(n[4], n[5]);
     case SCENE_ORTHO:
+    case SCENE_ORTHO_D3D:
         problem = sides_problem(n);
         return problem == NULL && n[4] == n[5] ? "near and far must differ" : problem;
     case SCENE_ROTATE:
-        return is_zero(n + 1) ? "the axis must not be zero" : NULL;
+    case SCENE_ROTATE_ABOUT:
+        return scene_is_zero(n + 1) ? "the axis must not be zero" : NULL;
+    case SCENE_QUATERNION:
+        return n[0] == 0 && scene_is_zero(n + 1) ? "the quaternion must not be zero" : NULL;
     default:
         return NULL;
     }

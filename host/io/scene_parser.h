@@ -36,6 +36,14 @@ struct scene_texture_request {
     char *path;
 };
 
+/* The last `texalpha` statement, kept for the same reason. */
+struct scene_alpha_request {
+    enum { SCENE_ALPHA_OFF, SCENE_ALPHA_CHECKERS, SCENE_ALPHA_FILE } kind;
+    int line;
+    uint8_t alpha[2];
+    char *path;
+};
+
 /* What shapes, text and pictures are painted with from here on, and the files read so far. */
 struct scene_brush {
     struct scene_paint paint;
@@ -68,14 +76,21 @@ struct scene_parser {
     size_t op_capacity;
     int mode;     /* 0 projection, 1 modelview */
     int depth[2]; /* matrices pushed on each stack */
-    size_t mesh_capacity;
+    size_t mesh_capacity, model_capacity;
     struct scene_mesh_file *mesh_files; /* beside scene->meshes */
     size_t mesh_file_capacity;
     struct scene_stroke line_state, point_state; /* of the next line and point */
     struct scene_op *polyline; /* the last statement was about this one: vertices join it */
     size_t stroke_vertex_capacity;
+    size_t key_capacity;
+    size_t track_first; /* the first key of the track that `keys` looks at */
+    bool track_is_used; /* the next `key` begins another one */
+    bool has_camera;    /* `camera` was there */
+    int joint_count;
     int32_t depth_bias; /* of the geometry that follows */
     struct scene_texture_request texture;
+    struct scene_alpha_request texalpha;
+    int alphatest_line, texkey_line; /* of the last of each that is not off, or 0 */
     int texformat_line; /* of the last `texformat`, in case its palette does not suffice */
     const struct scene_statement *texformat_statement;
     struct scene_brush brush;
@@ -124,6 +139,15 @@ struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind ki
 scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
     scene_statement_pop, scene_statement_triangle, scene_statement_mesh;
 
+/* scene_model.c */
+scene_handler scene_statement_shape, scene_statement_morph, scene_statement_frames,
+    scene_statement_targets, scene_statement_frustumcull;
+
+/* scene_pose.c */
+scene_handler scene_statement_key, scene_statement_keys, scene_statement_joint,
+    scene_statement_atjoint, scene_statement_camera, scene_statement_billboard,
+    scene_statement_window;
+
 scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_cleardepth,
     scene_statement_depth, scene_statement_depthmask, scene_statement_depthrange,
     scene_statement_cull, scene_statement_shade, scene_statement_texmode, scene_statement_texwrap,
@@ -157,12 +181,21 @@ void scene_stroke_defaults(struct scene_parser *parser);
 
 /* ---- Shared by the files of statements (scene_ops.c) ---- */
 
+bool scene_is_zero(const int32_t v[3]);
+
 /* Numbers `count` triangles; *id is the first one's. */
 bool scene_take_ids(struct scene_parser *parser, size_t count, uint32_t *id);
 
 /* Position and colour, and texture coordinates where `textured`, from argument `first` on. */
 bool scene_read_vertex(struct scene_parser *parser, int first, bool textured, bool normal,
                        struct scene_vertex *vertex);
+
+/* ---- The alpha of textures (scene_alpha.c) ---- */
+
+scene_handler scene_statement_texalpha, scene_statement_alphatest;
+
+/* Fills scene->texture.alpha, after its colours, and checks what goes with what. */
+bool scene_make_alpha(struct scene_parser *parser);
 
 /* ---- Assets (scene_assets.c) ---- */
 
@@ -173,8 +206,8 @@ char *scene_path(struct scene_parser *parser, int argument);
 /* Whether it is an ordinary file; `identity` may be NULL. False with the error. */
 bool scene_inspect(struct scene_parser *parser, const char *path, struct file_identity *identity);
 
-/* The index in scene->meshes of the file that an argument names, in this scale; reads a file the
-   first time, and anew in another scale. */
+/* The index in scene->meshes of the file that an argument names, in this scale (NULL: as it is);
+   reads a file the first time, and anew in another scale. */
 bool scene_find_mesh(struct scene_parser *parser, int argument, const struct obj_scale *scale,
                      size_t *mesh);
 

@@ -121,10 +121,10 @@ bool scene_statement_texfilter(struct scene_parser *parser)
 bool scene_statement_texformat(struct scene_parser *parser)
 {
     static const char *const words[] = {
-        [SCENE_TEXEL_XRGB8888] = "xrgb8888",
-        [SCENE_TEXEL_RGB565] = "rgb565",
-        [SCENE_TEXEL_PALETTE] = "palette",
-        [SCENE_TEXEL_GRAY8] = "gray8",
+        [SCENE_TEXEL_XRGB8888] = "xrgb8888", [SCENE_TEXEL_RGB565] = "rgb565",
+        [SCENE_TEXEL_PALETTE] = "palette",   [SCENE_TEXEL_GRAY8] = "gray8",
+        [SCENE_TEXEL_ARGB4444] = "argb4444", [SCENE_TEXEL_ARGB1555] = "argb1555",
+        [SCENE_TEXEL_ARGB8888] = "argb8888", [SCENE_TEXEL_ALPHA8] = "alpha8",
     };
     int choice;
     if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
@@ -142,9 +142,11 @@ bool scene_statement_texkey(struct scene_parser *parser)
         static const char *const words[] = {"off"};
         int choice;
         parser->scene->texture_keyed = false;
+        parser->texkey_line = 0;
         return scene_choice(parser, 0, words, WORD_COUNT(words), &choice);
     }
     parser->scene->texture_keyed = true;
+    parser->texkey_line = parser->line;
     for (int i = 0; i < 3; i++) {
         int byte;
         if (!scene_integer(parser, i, 0, 255, &byte)) {
@@ -162,14 +164,20 @@ bool scene_statement_interpolate(struct scene_parser *parser)
 
 bool scene_statement_polygon(struct scene_parser *parser)
 {
-    static const char *const words[] = {"fill", "line", "smooth"};
+    static const char *const words[] = {"fill", "line", "smooth", "hidden"};
+    struct scene *scene = parser->scene;
     int choice;
     if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
         return false;
     }
-    parser->scene->wireframe = choice != 0;
-    parser->scene->smooth_lines = choice == 2;
-    return true;
+    if (choice != 3 && parser->argument_count == 2) {
+        return scene_fail_count(parser);
+    }
+    scene->wireframe = choice != 0;
+    scene->smooth_lines = choice == 2;
+    scene->hidden_lines = choice == 3;
+    scene->hidden_bias = 131; /* .002 */
+    return parser->argument_count == 1 || scene_fractions(parser, 1, 1, &scene->hidden_bias);
 }
 
 bool scene_statement_antialias(struct scene_parser *parser)

@@ -9,21 +9,22 @@ bool ref_is_blended(const struct scene *scene)
            scene->keep[1] || scene->keep[2];
 }
 
-bool ref_passes_door(const struct scene *scene, int x, int y)
+bool ref_passes_door(const struct scene *scene, double opaque, int x, int y)
 {
     /* Ordered dithering: bits of x ^ y and y, the lowest first, make the rank. */
     const unsigned a = (unsigned)(x ^ y), b = (unsigned)y;
     const unsigned rank = (a & 1) << 3 | (b & 1) << 2 | (a & 2) | (b & 2) >> 1;
     if (scene->blend != SCENE_BLEND_SCREENDOOR)
         return true;
-    return floor(scene->alpha / 65536.0 * 255 + .5) > 16 * rank + 8;
+    const double material = floor(scene->alpha / 65536.0 * 255 + .5);
+    return floor(material * opaque + .5) > 16 * rank + 8;
 }
 
-double ref_kept(const struct scene *scene)
+double ref_kept(const struct scene *scene, double opaque)
 {
     switch (scene->blend) {
     case SCENE_BLEND_ALPHA:
-        return 1 - scene->alpha / 65536.0;
+        return 1 - scene->alpha / 65536.0 * opaque;
     case SCENE_BLEND_ADD:
     case SCENE_BLEND_MULTIPLY:
     case SCENE_BLEND_NONE:
@@ -62,9 +63,10 @@ static double fogged(const struct scene_fog *fog, int channel, double color, dou
     return color * share + 255 * (fog->color[channel] / 65536.0) * (1 - share);
 }
 
-double ref_blend(const struct scene *scene, int channel, double color, double under, double depth)
+double ref_blend(const struct scene *scene, int channel, double color, double opaque, double under,
+                 double depth)
 {
-    const double alpha = scene->alpha / 65536.0;
+    const double alpha = scene->alpha / 65536.0 * opaque;
     if (scene->keep[channel] && scene->blend != SCENE_BLEND_SCREENDOOR)
         return under;
     if (scene->fog.kind != SCENE_FOG_OFF)

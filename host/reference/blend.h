@@ -12,13 +12,15 @@
 /* Whether colours may leave the range of their triangle's vertices. */
 bool ref_is_blended(const struct scene *scene);
 
-/* Whether the screen door lets pixel (x, y) through. */
-bool ref_passes_door(const struct scene *scene, int x, int y);
+/* Whether the screen door lets pixel (x, y) through. `opaque`, here and below: what a texel adds to
+   the scene's alpha, 0..1. */
+bool ref_passes_door(const struct scene *scene, double opaque, int x, int y);
 
 /* What becomes of a channel, 0..255, at window depth `depth` over what is `under` it. */
-double ref_blend(const struct scene *scene, int channel, double color, double under, double depth);
+double ref_blend(const struct scene *scene, int channel, double color, double opaque, double under,
+                 double depth);
 
 /* How much of what is stored a blend leaves, at most. */
-double ref_kept(const struct scene *scene);
+double ref_kept(const struct scene *scene, double opaque);
 
 #endif

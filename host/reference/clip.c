@@ -10,8 +10,8 @@ long double ref_guard_band(int subpixel_bits)
 
 /* How far inside plane `plane` a vertex is; >= 0 is inside. Near and far together leave w >= 0,
    and the guard band leaves of w = 0 only the point (0, 0, 0, 0), which is dropped at the end. */
-static long double plane_distance(int plane, const struct ref_vertex *v, int width, int height,
-                                  long double guard)
+static long double plane_distance(int plane, const struct ref_vertex *v,
+                                  const struct ref_window *window, long double guard)
 {
     switch (plane) {
     case 0:
@@ -19,13 +19,13 @@ static long double plane_distance(int plane, const struct ref_vertex *v, int wid
     case 1:
         return v->w - v->z;
     case 2:
-        return guard * v->w + ref_window_x(v, width);
+        return guard * v->w + ref_window_x(v, window);
     case 3:
-        return guard * v->w - ref_window_x(v, width);
+        return guard * v->w - ref_window_x(v, window);
     case 4:
-        return guard * v->w + ref_window_y(v, height);
+        return guard * v->w + ref_window_y(v, window);
     default:
-        return guard * v->w - ref_window_y(v, height);
+        return guard * v->w - ref_window_y(v, window);
     }
 }
 
@@ -48,15 +48,16 @@ static void cut(const struct ref_vertex *inside, long double d_inside,
 }
 
 /* One plane of Sutherland and Hodgman (1974), in homogeneous coordinates. */
-static void clip_polygon_by_plane(const struct ref_polygon *in, int plane, int width, int height,
-                                  long double guard, struct ref_polygon *out)
+static void clip_polygon_by_plane(const struct ref_polygon *in, int plane,
+                                  const struct ref_window *window, long double guard,
+                                  struct ref_polygon *out)
 {
     out->count = 0;
     for (int i = 0; i < in->count; i++) {
         const struct ref_vertex *from = &in->vertex[i];
         const struct ref_vertex *to = &in->vertex[(i + 1) % in->count];
-        long double d_from = plane_distance(plane, from, width, height, guard);
-        long double d_to = plane_distance(plane, to, width, height, guard);
+        long double d_from = plane_distance(plane, from, window, guard);
+        long double d_to = plane_distance(plane, to, window, guard);
 
         if (d_from >= 0)
             out->vertex[out->count++] = *from;
@@ -77,8 +78,8 @@ static void drop_vertices_at_infinity(struct ref_polygon *polygon)
     polygon->count = kept >= 3 ? kept : 0;
 }
 
-void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height, long double guard,
-                       struct ref_polygon *polygon)
+void ref_clip_triangle(const struct ref_vertex vertex[3], const struct ref_window *window,
+                       long double guard, struct ref_polygon *polygon)
 {
     struct ref_polygon other;
 
@@ -86,17 +87,17 @@ void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height,
     for (int i = 0; i < 3; i++)
         polygon->vertex[i] = vertex[i];
     for (int plane = 0; plane < REF_CLIP_PLANES; plane += 2) {
-        clip_polygon_by_plane(polygon, plane, width, height, guard, &other);
-        clip_polygon_by_plane(&other, plane + 1, width, height, guard, polygon);
+        clip_polygon_by_plane(polygon, plane, window, guard, &other);
+        clip_polygon_by_plane(&other, plane + 1, window, guard, polygon);
     }
     drop_vertices_at_infinity(polygon);
 }
 
-bool ref_clip_line(struct ref_vertex end[2], int width, int height, long double guard)
+bool ref_clip_line(struct ref_vertex end[2], const struct ref_window *window, long double guard)
 {
     for (int plane = 0; plane < REF_CLIP_PLANES; plane++) {
-        long double d0 = plane_distance(plane, &end[0], width, height, guard);
-        long double d1 = plane_distance(plane, &end[1], width, height, guard);
+        long double d0 = plane_distance(plane, &end[0], window, guard);
+        long double d1 = plane_distance(plane, &end[1], window, guard);
         struct ref_vertex point;
 
         if (d0 < 0 && d1 < 0)

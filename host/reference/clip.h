@@ -23,13 +23,13 @@ struct ref_polygon {
 /* Pixels to each side for vertices snapped to this many sub-pixel bits; 0 counts as 8. */
 long double ref_guard_band(int subpixel_bits);
 
-/* Clips a triangle for a picture of this size. All vertices of the result have w > 0; it has 0 or
+/* Clips a triangle for this part of a picture. All vertices of the result have w > 0; it has 0 or
    at least 3 vertices, in the order of the triangle's. */
-void ref_clip_triangle(const struct ref_vertex vertex[3], int width, int height, long double guard,
-                       struct ref_polygon *polygon);
+void ref_clip_triangle(const struct ref_vertex vertex[3], const struct ref_window *window,
+                       long double guard, struct ref_polygon *polygon);
 
 /* The same for a line, in place; false if nothing is left. */
-bool ref_clip_line(struct ref_vertex end[2], int width, int height, long double guard);
+bool ref_clip_line(struct ref_vertex end[2], const struct ref_window *window, long double guard);
 
 /* Whether every coordinate is a finite number. */
 bool ref_vertex_is_finite(const struct ref_vertex *vertex);

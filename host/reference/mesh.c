@@ -2,6 +2,7 @@
 #include "mesh.h"
 #include "clip.h"
 #include "light.h"
+#include "model.h"
 #include "raster.h"
 
 #include <math.h>
@@ -12,18 +13,12 @@ void ref_draw_triangle(struct ref_target *target, const struct ref_triangle *tri
     for (int i = 0; i < 3; i++)
         if (!ref_vertex_is_finite(&triangle->vertex[i]))
             return;
-    if (target->scene->wireframe)
+    if (target->scene->wireframe && !target->depth_only)
         ref_raster_outline(target, triangle);
     else if (target->subpixel_bits == 0)
         ref_raster_homogeneous(target, triangle);
     else
         ref_raster_snapped(target, triangle);
-}
-
-static void from_q16(const int32_t *in, int count, double *out)
-{
-    for (int i = 0; i < count; i++)
-        out[i] = (double)in[i] / 65536.0;
 }
 
 static void set_color(struct ref_vertex *vertex, const double color[3], double factor)
@@ -34,7 +29,7 @@ static void set_color(struct ref_vertex *vertex, const double color[3], double f
 
 /* One mesh being drawn. */
 struct drawing {
-    const struct obj_mesh *mesh;
+    const struct ref_model *mesh;
     const struct ref_lighting *light;
     double color[3];
 };
@@ -62,22 +57,23 @@ static void light_vertex(const struct drawing *d, struct ref_vertex *vertex, con
 static void transform_vertices(const struct drawing *d, const struct ref_matrix *to_clip,
                                struct ref_vertex *out)
 {
-    const struct obj_mesh *mesh = d->mesh;
+    const struct ref_model *mesh = d->mesh;
 
     for (size_t i = 0; i < mesh->vertex_count; i++) {
-        double position[4] = {0, 0, 0, 1};
+        const double *normal = mesh->normals[i];
+        const double *at = mesh->positions[i];
+        double position[4] = {at[0], at[1], at[2], 1};
         double clip[4];
-        double normal[3];
 
-        from_q16(mesh->positions[i], 3, position);
         ref_matrix_transform(to_clip, position, clip);
         out[i] = (struct ref_vertex){clip[0], clip[1], clip[2], clip[3], {0}};
-        from_q16(mesh->normals[i], 3, normal);
         light_vertex(d, &out[i], normal, position);
         if (d->light->scene->texture_sphere)
             set_sphere(&out[i], d->light, normal);
-        else if (mesh->uvs)
-            from_q16(mesh->uvs[i], 2, &out[i].attribute[REF_U]);
+        else if (mesh->uvs) {
+            out[i].attribute[REF_U] = mesh->uvs[i][0];
+            out[i].attribute[REF_V] = mesh->uvs[i][1];
+        }
     }
 }
 
@@ -87,41 +83,29 @@ static void light_triangle(const struct drawing *d, struct ref_triangle *triangl
 {
     const struct scene *scene = d->light->scene;
     bool turned = scene->reflection.two_sided && scene->lamps_on && ref_facing(triangle) < 0;
-    double p[3][3], normal[3], middle[3];
+    const double *p[3];
+    double normal[3], middle[3];
 
     for (int i = 0; i < 3; i++)
-        from_q16(d->mesh->positions[index[i]], 3, p[i]);
+        p[i] = d->mesh->positions[index[i]];
     for (int k = 0; k < 3; k++)
         middle[k] = (p[0][k] + p[1][k] + p[2][k]) / 3.0;
     ref_face_normal(p[0], p[1], p[2], normal);
     for (int i = 0; i < 3 && (scene->flat || turned); i++) {
+        const double *own = scene->flat ? normal : d->mesh->normals[index[i]];
         double n[3];
 
-        from_q16(d->mesh->normals[index[i]], 3, n);
         for (int k = 0; k < 3; k++)
-            n[k] = (scene->flat ? normal[k] : n[k]) * (turned ? -1.0 : 1.0);
+            n[k] = own[k] * (turned ? -1.0 : 1.0);
         light_vertex(d, &triangle->vertex[i], n, scene->flat ? middle : p[i]);
     }
 }
 
-bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
-                   const struct ref_matrix *projection, const struct ref_matrix *modelview)
+static void draw(struct ref_target *target, const struct scene_op *op, const struct drawing *d,
+                 const struct ref_vertex *vertices)
 {
+    const struct ref_model *mesh = d->mesh;
     const struct scene *scene = target->scene;
-    const struct obj_mesh *mesh = &scene->meshes[op->u.mesh.mesh];
-    struct ref_matrix to_clip = ref_matrix_multiply(projection, modelview);
-    struct ref_lighting light = ref_lighting_of(scene, projection, modelview);
-    struct drawing d = {.mesh = mesh, .light = &light};
-    struct ref_vertex *vertices;
-
-    if (mesh->triangle_count == 0)
-        return true;
-    vertices = malloc(mesh->vertex_count * sizeof *vertices);
-    if (!vertices)
-        return false;
-    for (int c = 0; c < 3; c++)
-        d.color[c] = fmax(0.0, fmin(1.0, (double)op->u.mesh.color[c] / 65536.0));
-    transform_vertices(&d, &to_clip, vertices);
 
     for (size_t t = 0; t < mesh->triangle_count; t++) {
         const uint32_t *index = mesh->triangles[t];
@@ -130,9 +114,43 @@ bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
             op->id + (uint32_t)t,
             (mesh->uvs || scene->texture_sphere) && scene->texture.width != 0,
         };
-        light_triangle(&d, &triangle, index);
+        light_triangle(d, &triangle, index);
         ref_draw_triangle(target, &triangle);
     }
+}
+
+/* The lines of a surface that hides what is behind it: depths first, then lines a little nearer. */
+static void draw_hidden(struct ref_target *target, const struct scene_op *op,
+                        const struct drawing *d, const struct ref_vertex *vertices)
+{
+    const struct scene *scene = target->scene;
+    bool greater = scene->depth_compare == SCENE_GREATER || scene->depth_compare == SCENE_GEQUAL;
+
+    target->depth_only = true;
+    draw(target, op, d, vertices);
+    target->depth_only = false;
+    ref_target_bias(target, op->depth_bias + (greater ? scene->hidden_bias : -scene->hidden_bias));
+    draw(target, op, d, vertices);
+}
+
+bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
+                   const struct ref_matrix *projection, const struct ref_matrix *modelview)
+{
+    struct ref_matrix to_clip = ref_matrix_multiply(projection, modelview);
+    struct ref_lighting light = ref_lighting_of(target->scene, projection, modelview);
+    struct ref_model mesh;
+    struct drawing d = {.mesh = &mesh, .light = &light};
+
+    if (!ref_model_create(&mesh, target->scene, op))
+        return false;
+    struct ref_vertex *vertices = malloc((mesh.vertex_count + 1) * sizeof *vertices);
+    for (int c = 0; c < 3; c++)
+        d.color[c] = fmax(0.0, fmin(1.0, (double)op->u.mesh.color[c] / 65536.0));
+    if (vertices) {
+        transform_vertices(&d, &to_clip, vertices);
+        (target->scene->hidden_lines ? draw_hidden : draw)(target, op, &d, vertices);
+    }
+    ref_model_free(&mesh);
     free(vertices);
-    return true;
+    return vertices != NULL;
 }

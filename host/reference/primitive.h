@@ -27,16 +27,21 @@ struct ref_triangle {
     bool textured;
 };
 
-/* A viewport that covers the picture, in homogeneous coordinates: window x = X / w. Dividing last
-   keeps exact what is exact, (x/w + 1) W/2 would round three times. Row 0 is the top. */
-static inline long double ref_window_x(const struct ref_vertex *v, int width)
+/* The part of the picture that clip space fills, in pixels of the picture. */
+struct ref_window {
+    int x, y, width, height;
+};
+
+/* In homogeneous coordinates: window x = X / w. Dividing last keeps exact what is exact,
+   (x/w + 1) W/2 would round three times. Row 0 is the top. */
+static inline long double ref_window_x(const struct ref_vertex *v, const struct ref_window *window)
 {
-    return (v->x + v->w) * ((long double)width / 2);
+    return (v->x + v->w) * ((long double)window->width / 2) + window->x * v->w;
 }
 
-static inline long double ref_window_y(const struct ref_vertex *v, int height)
+static inline long double ref_window_y(const struct ref_vertex *v, const struct ref_window *window)
 {
-    return (v->w - v->y) * ((long double)height / 2);
+    return (v->w - v->y) * ((long double)window->height / 2) + window->y * v->w;
 }
 
 #endif

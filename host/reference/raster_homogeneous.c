@@ -131,12 +131,36 @@ static double footprint_of(const struct ref_target *target,
         right[i] = (double)edge[i].a * factor;
         down[i] = (double)edge[i].b * factor;
     }
-    return ref_footprint(target->scene, vertex, weight, right, down);
+    return ref_footprint(target->scene, vertex, weight, right, down) * target->at.scale;
+}
+
+/* The edge functions `x` and `y` away from the centre of a pixel; whether that is covered. */
+static bool values_at(const struct edge edge[3], long double x, long double y, long double value[3])
+{
+    bool covered = true;
+
+    for (int i = 0; i < 3; i++) {
+        value[i] = edge[i].a * x + (edge[i].b * y + edge[i].c);
+        covered = covered && inside(&edge[i], value[i]);
+    }
+    return covered;
+}
+
+/* Where a pixel is shaded of which a sample is covered: its centre, or the first sample that is
+   covered. */
+static void shading_values(const struct ref_sampling *at, const struct edge edge[3], int x, int y,
+                           long double value[3])
+{
+    bool covered = values_at(edge, x + 0.5L, y + 0.5L, value);
+
+    for (int i = 0; i < at->sample_count && !covered; i++)
+        covered =
+            values_at(edge, x + 0.5L + at->samples[i][0], y + 0.5L + at->samples[i][1], value);
 }
 
 /* `value` are the three edge functions at the pixel: b / w times the determinant's magnitude. */
 static void fragment(struct ref_target *target, const struct ref_triangle *triangle,
-                     const struct edge edge[3], int x, int y, const long double value[3])
+                     const struct edge edge[3], int x, int y, long double value[3])
 {
     const struct ref_vertex *v = triangle->vertex;
     const struct ref_vertex *const vertex[3] = {&v[0], &v[1], &v[2]};
@@ -155,6 +179,11 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
     double depth = ref_target_depth(target, z / w);
     if (!ref_target_cover(target, x, y, depth))
         return;
+    if (target->at.shades_pixels) {
+        shading_values(&target->at, edge, x, y, value);
+        sum = value[0] + value[1] + value[2];
+        w = value[0] * v[0].w + value[1] * v[1].w + value[2] * v[2].w;
+    }
 
     double attribute[REF_ATTRIBUTES];
     double weight1 = (double)(value[1] / sum);
@@ -176,12 +205,12 @@ static void scan(struct ref_target *target, const struct ref_triangle *triangle,
     for (int y = box->y_low; y < box->y_high; y++) {
         long double row[3];
         for (int i = 0; i < 3; i++)
-            row[i] = edge[i].b * (y + 0.5L) + edge[i].c;
+            row[i] = edge[i].b * (y + 0.5L + target->at.y) + edge[i].c;
         for (int x = box->x_low; x < box->x_high; x++) {
             long double value[3];
             bool covered = true;
             for (int i = 0; i < 3 && covered; i++) {
-                value[i] = edge[i].a * (x + 0.5L) + row[i];
+                value[i] = edge[i].a * (x + 0.5L + target->at.x) + row[i];
                 covered = inside(&edge[i], value[i]);
             }
             if (covered)
@@ -200,7 +229,8 @@ void ref_raster_homogeneous(struct ref_target *target, const struct ref_triangle
         return;
     for (int i = 0; i < 3; i++) {
         const struct ref_vertex *v = &triangle->vertex[i];
-        p[i] = (struct window_point){ref_window_x(v, width), ref_window_y(v, height), v->w};
+        p[i] = (struct window_point){ref_window_x(v, &target->window),
+                                     ref_window_y(v, &target->window), v->w};
     }
     struct edge edge[3] = {
         edge_between(p[1], p[2]),

@@ -81,13 +81,12 @@ static void draw_line(struct ref_target *target, const struct ref_triangle *tria
     struct end end[2];
     long double window[2][2];
 
-    if (!ref_clip_line(vertex, target->scene->width, target->scene->height,
-                       ref_guard_band(target->subpixel_bits)))
+    if (!ref_clip_line(vertex, &target->window, ref_guard_band(target->subpixel_bits)))
         return;
     for (int i = 0; i < 2; i++) {
         const struct ref_vertex *v = &vertex[i];
-        window[i][0] = ref_window_x(v, target->scene->width) / v->w;
-        window[i][1] = ref_window_y(v, target->scene->height) / v->w;
+        window[i][0] = ref_window_x(v, &target->window) / v->w;
+        window[i][1] = ref_window_y(v, &target->window) / v->w;
         for (int k = 0; k < 2 && target->subpixel_bits > 0; k++)
             window[i][k] = ldexpl((long double)ref_snap(window[i][k], target->subpixel_bits),
                                   -target->subpixel_bits);

@@ -44,9 +44,10 @@ static struct integer_edge edge_between(const struct snapped_vertex *p,
     return e;
 }
 
-static int64_t centre(int pixel, int bits)
+/* `offset` pixels from its centre, to the grid. */
+static int64_t place(int pixel, int bits, double offset)
 {
-    return ((int64_t)pixel << bits) + ((int64_t)1 << (bits - 1));
+    return ((int64_t)pixel << bits) + ((int64_t)1 << (bits - 1)) + llround(ldexp(offset, bits));
 }
 
 static struct ref_box bounds(const struct snapped_vertex *const v[3], int bits, int width,
@@ -83,12 +84,39 @@ static double footprint_of(const struct ref_target *target, const struct snapped
         right[i] = (double)edge[i].a * pixel * factor;
         down[i] = (double)edge[i].b * pixel * factor;
     }
-    return ref_footprint(target->scene, source, weight, right, down);
+    return ref_footprint(target->scene, source, weight, right, down) * target->at.scale;
+}
+
+/* The edge functions at a point of the grid; whether it is covered. */
+static bool values_at(const struct integer_edge edge[3], int64_t x, int64_t y, int64_t value[3])
+{
+    bool covered = true;
+
+    for (int i = 0; i < 3; i++) {
+        const struct integer_edge *e = &edge[i];
+        value[i] = e->a * (x - e->origin[0]) + e->b * (y - e->origin[1]);
+        covered = covered && (value[i] > 0 || (value[i] == 0 && e->owns_border));
+    }
+    return covered;
+}
+
+/* Where a pixel is shaded of which a sample is covered: its centre, or the first sample that is
+   covered. */
+static void shading_values(const struct ref_target *target, const struct integer_edge edge[3],
+                           int x, int y, int64_t value[3])
+{
+    const struct ref_sampling *at = &target->at;
+    int bits = target->subpixel_bits;
+    bool covered = values_at(edge, place(x, bits, 0.0), place(y, bits, 0.0), value);
+
+    for (int i = 0; i < at->sample_count && !covered; i++)
+        covered = values_at(edge, place(x, bits, at->samples[i][0]),
+                            place(y, bits, at->samples[i][1]), value);
 }
 
 static void fragment(struct ref_target *target, const struct ref_triangle *triangle,
                      const struct snapped_vertex *const v[3], const struct integer_edge edge[3],
-                     int x, int y, const int64_t value[3], double area)
+                     int x, int y, int64_t value[3], double area)
 {
     double b0 = (double)value[0] / area; /* weights on the screen */
     double b1 = (double)value[1] / area;
@@ -98,6 +126,12 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
 
     if (!ref_target_cover(target, x, y, depth))
         return;
+    if (target->at.shades_pixels) {
+        shading_values(target, edge, x, y, value);
+        b0 = (double)value[0] / area;
+        b1 = (double)value[1] / area;
+        b2 = (double)value[2] / area;
+    }
     if (!target->scene->screen_linear) {
         /* weights in the triangle's plane: proportional to b_i / w_i */
         double sum = b0 / v[0]->w + b1 / v[1]->w + b2 / v[2]->w;
@@ -126,14 +160,7 @@ static void scan(struct ref_target *target, const struct ref_triangle *triangle,
     for (int y = box.y_low; y < box.y_high; y++) {
         for (int x = box.x_low; x < box.x_high; x++) {
             int64_t value[3];
-            bool covered = true;
-            for (int i = 0; i < 3 && covered; i++) {
-                const struct integer_edge *e = &edge[i];
-                value[i] = e->a * (centre(x, bits) - e->origin[0]) +
-                           e->b * (centre(y, bits) - e->origin[1]);
-                covered = value[i] > 0 || (value[i] == 0 && e->owns_border);
-            }
-            if (covered)
+            if (values_at(edge, place(x, bits, target->at.x), place(y, bits, target->at.y), value))
                 fragment(target, triangle, v, edge, x, y, value, area);
         }
     }
@@ -144,8 +171,8 @@ static void snap_vertex(const struct ref_target *target, const struct ref_vertex
 {
     int bits = target->subpixel_bits;
 
-    out->x = ref_snap(ref_window_x(vertex, target->scene->width) / vertex->w, bits);
-    out->y = ref_snap(ref_window_y(vertex, target->scene->height) / vertex->w, bits);
+    out->x = ref_snap(ref_window_x(vertex, &target->window) / vertex->w, bits);
+    out->y = ref_snap(ref_window_y(vertex, &target->window) / vertex->w, bits);
     out->depth = ref_target_depth(target, vertex->z / vertex->w);
     out->w = (double)vertex->w;
     out->source = vertex;
@@ -164,8 +191,8 @@ void ref_raster_snapped(struct ref_target *target, const struct ref_triangle *tr
 
     if (ref_clip_all_outside(triangle->vertex))
         return;
-    ref_clip_triangle(triangle->vertex, target->scene->width, target->scene->height,
-                      ref_guard_band(target->subpixel_bits), &polygon);
+    ref_clip_triangle(triangle->vertex, &target->window, ref_guard_band(target->subpixel_bits),
+                      &polygon);
     for (int i = 0; i < polygon.count; i++)
         snap_vertex(target, &polygon.vertex[i], &snapped[i]);
     for (int i = 2; i < polygon.count; i++)

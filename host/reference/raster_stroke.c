@@ -40,8 +40,8 @@ static struct ref_vertex vertex_of(const struct ref_matrix *to_clip, const struc
 static void window_of(const struct ref_target *target, const struct ref_vertex *v, double out[2])
 {
     int bits = target->subpixel_bits;
-    long double at[2] = {ref_window_x(v, target->scene->width) / v->w,
-                         ref_window_y(v, target->scene->height) / v->w};
+    long double at[2] = {ref_window_x(v, &target->window) / v->w,
+                         ref_window_y(v, &target->window) / v->w};
 
     for (int k = 0; k < 2; k++) {
         if (bits > 0)
@@ -70,8 +70,8 @@ static double radius_in_space(const struct ref_target *target, const struct scen
         moved.x = p[0];
         moved.y = p[1];
         moved.w = p[3];
-        at[i][0] = (double)(ref_window_x(&moved, target->scene->width) / moved.w);
-        at[i][1] = (double)(ref_window_y(&moved, target->scene->height) / moved.w);
+        at[i][0] = (double)(ref_window_x(&moved, &target->window) / moved.w);
+        at[i][1] = (double)(ref_window_y(&moved, &target->window) / moved.w);
     }
     return hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]);
 }
@@ -85,8 +85,7 @@ static struct ref_stroke_part *add_part(struct strokes *all, const struct ref_ta
     struct ends *ends = &all->ends[all->count];
     double at[2][2];
 
-    if (!ref_clip_line(end, target->scene->width, target->scene->height,
-                       ref_guard_band(target->subpixel_bits)))
+    if (!ref_clip_line(end, &target->window, ref_guard_band(target->subpixel_bits)))
         return NULL;
     for (int i = 0; i < 2; i++) {
         window_of(target, &end[i], at[i]);
@@ -162,17 +161,21 @@ static void draw_pixel(struct ref_target *target, const struct scene_op *op,
         image->id[i] = op->id;
 }
 
+/* A hard edge is where the pixel is looked at; four samples of a pixel are as its centre. */
 static void draw_rows(struct ref_target *target, const struct scene_op *op,
                       const struct strokes *all, double *share)
 {
     int width = target->scene->width;
+    double along = target->at.shades_pixels ? 0.0 : target->at.x;
+    double across = target->at.shades_pixels ? 0.0 : target->at.y;
 
     for (int y = 0; y < target->scene->height; y++) {
         if (op->u.stroke.smooth) {
             ref_stroke_cover_row(all->part, all->count, y, width, share);
         } else {
             for (int x = 0; x < width; x++)
-                share[x] = ref_stroke_contains(all->part, all->count, x + 0.5, y + 0.5);
+                share[x] =
+                    ref_stroke_contains(all->part, all->count, x + 0.5 + along, y + 0.5 + across);
         }
         for (int x = 0; x < width; x++)
             if (share[x] > 0.0)

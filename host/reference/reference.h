@@ -7,6 +7,9 @@
  * without clipping (Olano and Greer 1997); with vertices snapped to N sub-pixel bits it clips
  * (near, far, and a guard band only a reference can afford) and evaluates exact integer edge
  * functions, the ideal renderer of that precision.
+ *
+ * A scene that is anti-aliased with samples is looked at in the same places, see samples.h: colours
+ * are their means, ids and depths those of pixel centres.
  */
 #ifndef QTRI_HOST_REFERENCE_REFERENCE_H
 #define QTRI_HOST_REFERENCE_REFERENCE_H

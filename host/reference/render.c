@@ -6,9 +6,11 @@
 #include "light.h"
 #include "matrix.h"
 #include "mesh.h"
+#include "pose.h"
 #include "raster.h"
 #include "raster_stroke.h"
 #include "paint.h"
+#include "samples.h"
 
 #include <assert.h>
 #include <math.h>
@@ -20,6 +22,9 @@ struct stack {
 
 struct replay {
     struct ref_target target;
+    struct ref_matrix camera; /* of billboards */
+    struct ref_matrix joint[SCENE_MAX_JOINTS];
+    int joint_count;
     struct stack projection, modelview;
     struct stack *current;
 };
@@ -120,12 +125,34 @@ static void draw_single(struct replay *replay, const struct scene_op *op)
     ref_draw_triangle(&replay->target, &triangle);
 }
 
+/* A joint's pose in its parent's frame is the matrix that stands there. */
+static void add_joint(struct replay *replay, int32_t parent)
+{
+    struct ref_matrix pose = replay->current->matrix[replay->current->top];
+
+    assert(replay->joint_count < SCENE_MAX_JOINTS && parent < replay->joint_count);
+    if (parent >= 0)
+        pose = ref_matrix_multiply(&replay->joint[parent], &pose);
+    replay->joint[replay->joint_count++] = pose;
+}
+
+static void set_window(struct replay *replay, const int32_t n[5])
+{
+    int height = replay->target.scene->height;
+
+    replay->target.window =
+        (struct ref_window){n[0], n[4] != 0 ? height - n[1] - n[3] : n[1], n[2], n[3]};
+}
+
 static bool replay_op(struct replay *replay, const struct scene_op *op)
 {
-    double n[9];
+    double n[16];
+    struct ref_matrix *top = &replay->current->matrix[replay->current->top];
 
-    for (int i = 0; i < 9; i++) /* meaningless, and unused, for geometry */
-        n[i] = op->kind < SCENE_TRIANGLE ? (double)op->u.number[i] / 65536.0 : 0.0;
+    for (int i = 0; i < 16; i++) /* meaningless, and unused, for geometry */
+        n[i] = op->kind < SCENE_TRIANGLE && op->kind != SCENE_KEYS
+                   ? (double)op->u.number[i] / 65536.0
+                   : 0.0;
 
     ref_target_bias(&replay->target, op->depth_bias);
     switch (op->kind) {
@@ -165,6 +192,52 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
     case SCENE_SCALE:
         multiply_current(replay, ref_matrix_scale(n));
         break;
+    case SCENE_ROTATE_ABOUT:
+        multiply_current(replay, ref_matrix_rotate_about(n[0], &n[1], &n[4]));
+        break;
+    case SCENE_ROTATE_TRIANGLE:
+        multiply_current(replay, ref_matrix_rotate_triangle(n[0], &n[1]));
+        break;
+    case SCENE_QUATERNION:
+        multiply_current(replay, ref_matrix_quaternion(n));
+        break;
+    case SCENE_ORBIT:
+        multiply_current(replay, ref_matrix_orbit(&n[0], n[3], n[4], n[5]));
+        break;
+    case SCENE_LOOKAT_D3D:
+        multiply_current(replay, ref_matrix_look_at_d3d(&n[0], &n[3], &n[6]));
+        break;
+    case SCENE_PERSPECTIVE_D3D:
+        multiply_current(replay, ref_matrix_perspective_d3d(n[0], n[1], n[2], n[3]));
+        break;
+    case SCENE_FRUSTUM_D3D:
+        multiply_current(replay, ref_matrix_frustum_d3d(n));
+        break;
+    case SCENE_ORTHO_D3D:
+        multiply_current(replay, ref_matrix_ortho_d3d(n));
+        break;
+    case SCENE_ORTHONORMALIZE:
+        *top = ref_matrix_orthonormalized(top);
+        break;
+    case SCENE_CAMERA:
+        replay->camera = *top;
+        break;
+    case SCENE_BILLBOARD:
+        multiply_current(replay, ref_matrix_billboard(&replay->camera, op->u.number[0] != 0));
+        break;
+    case SCENE_KEYS:
+        multiply_current(replay, ref_matrix_keys(&replay->target.scene->keys[op->u.track.first],
+                                                 op->u.track.count, op->u.track.time));
+        break;
+    case SCENE_JOINT:
+        add_joint(replay, op->u.number[0]);
+        break;
+    case SCENE_AT_JOINT:
+        multiply_current(replay, replay->joint[op->u.number[0]]);
+        break;
+    case SCENE_WINDOW:
+        set_window(replay, op->u.number);
+        break;
     case SCENE_PUSH:
         push(replay->current);
         break;
@@ -178,6 +251,7 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
         ref_paint(&replay->target, &op->u.paint);
         break;
     case SCENE_MESH:
+    case SCENE_MODEL:
         return ref_draw_mesh(&replay->target, op,
                              &replay->projection.matrix[replay->projection.top],
                              &replay->modelview.matrix[replay->modelview.top]);
@@ -189,13 +263,17 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
     return true;
 }
 
-bool reference_render(const struct scene *scene, int subpixel_bits, struct reference_image *image)
+bool ref_render_at(const struct scene *scene, int subpixel_bits, const struct ref_sampling *at,
+                   struct reference_image *image)
 {
     struct replay replay;
 
     assert(subpixel_bits >= 0 && subpixel_bits <= 16);
     if (!ref_target_open(&replay.target, scene, subpixel_bits, image))
         return false;
+    replay.target.at = *at;
+    replay.camera = ref_matrix_identity();
+    replay.joint_count = 0;
     replay.projection.top = 0;
     replay.projection.matrix[0] = ref_matrix_identity();
     replay.modelview.top = 0;

@@ -62,6 +62,9 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->scene = scene;
     target->image = image;
     target->subpixel_bits = subpixel_bits;
+    target->at = (struct ref_sampling){.scale = 1.0};
+    target->window = (struct ref_window){0, 0, scene->width, scene->height};
+    target->depth_only = false;
     ref_target_bias(target, 0);
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
@@ -133,8 +136,12 @@ static bool passes(enum scene_compare compare, double incoming, double stored)
 bool ref_target_cover(struct ref_target *target, int x, int y, double depth)
 {
     const struct scene *scene = target->scene;
+    const struct ref_window *window = &target->window;
     size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
 
+    if (x < window->x || x - window->x >= window->width || y < window->y ||
+        y - window->y >= window->height)
+        return false;
     target->image->hits[i]++;
     if (!scene->depth_test)
         return true;
@@ -150,15 +157,20 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
     const struct ref_vertex *vertex = triangle->vertex;
     struct reference_image *image = target->image;
     size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
-    double texel[3];
+    double texel[4] = {255.0, 255.0, 255.0, 255.0};
 
     if (triangle->textured &&
         !ref_texture_at(scene, attribute[REF_U], attribute[REF_V], footprint, texel))
         return;
-    if (!ref_passes_door(scene, x, y))
+    if (!ref_passes_door(scene, texel[3] / 255.0, x, y))
         return;
     if (scene->depth_test && scene->depth_write)
         image->depth[i] = depth;
+    if (target->depth_only) {
+        if (scene->depth_test)
+            image->depth[i] = depth;
+        return;
+    }
     const bool blended = ref_is_blended(scene);
     for (size_t c = 0; c < 3; c++) {
         double a = vertex[0].attribute[c];
@@ -172,7 +184,8 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         else if (triangle->textured)
             color = color * texel[c] / 255.0;
         if (blended) {
-            color = ref_blend(scene, (int)c, color, image->color[3 * i + c], depth);
+            color =
+                ref_blend(scene, (int)c, color, texel[3] / 255.0, image->color[3 * i + c], depth);
             least = 0;
             greatest = 255;
         }
@@ -181,7 +194,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         image->color_max[3 * i + c] = greatest;
     }
     image->id[i] = triangle->id;
-    ref_target_mixed(target, i, ref_kept(scene), 0);
+    ref_target_mixed(target, i, ref_kept(scene, texel[3] / 255.0), 0);
     image->footprint[i] = footprint;
 }
 

@@ -8,11 +8,23 @@
 #include "primitive.h"
 #include "reference.h"
 
+/* Where pixels are looked at, from their centres; see samples.h. */
+struct ref_sampling {
+    double x, y;                /* multiples of 1/32 pixel */
+    bool shades_pixels;         /* shaded once a pixel, not where it is looked at */
+    const double (*samples)[2]; /* shades_pixels: all samples of a pixel, the first one first */
+    int sample_count;
+    double scale; /* footprints of textures are this share of a pixel's; 0: the finest level */
+};
+
 struct ref_target {
     const struct scene *scene;
     struct reference_image *image;
     int subpixel_bits;
     double depth_near, depth_far; /* of the depth range */
+    struct ref_sampling at;
+    bool depth_only;          /* triangles are solid, write their depth and have no colour */
+    struct ref_window window; /* pixels outside of it are not drawn */
 };
 
 /* Allocates the image and clears it; false when memory runs out, with nothing to free. */

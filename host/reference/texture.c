@@ -7,6 +7,7 @@
 struct sheet {
     const struct scene *scene;
     const uint8_t *rgb;
+    const uint8_t *alpha; /* NULL: opaque */
     int width, height;
 };
 
@@ -26,15 +27,32 @@ static void store(enum scene_texel_format format, const uint8_t rgb[3], double s
         case SCENE_TEXEL_RGB565:
             stored[c] = level(rgb[c], c == 1 ? 63.0 : 31.0);
             break;
+        case SCENE_TEXEL_ARGB4444:
+            stored[c] = level(rgb[c], 15.0);
+            break;
+        case SCENE_TEXEL_ARGB1555:
+            stored[c] = level(rgb[c], 31.0);
+            break;
+        case SCENE_TEXEL_ALPHA8:
+            stored[c] = 255.0;
+            break;
         case SCENE_TEXEL_GRAY8:
             stored[c] = floor(gray + 0.5);
             break;
         case SCENE_TEXEL_XRGB8888:
         case SCENE_TEXEL_PALETTE:
+        case SCENE_TEXEL_ARGB8888:
             stored[c] = rgb[c];
             break;
         }
     }
+}
+
+static double store_alpha(enum scene_texel_format format, uint8_t alpha)
+{
+    if (format == SCENE_TEXEL_ARGB4444)
+        return level(alpha, 15.0);
+    return format == SCENE_TEXEL_ARGB1555 ? level(alpha, 1.0) : alpha;
 }
 
 /* Texel number `texel` of a side that repeats or ends at its last texels. 0 for NaN. */
@@ -44,8 +62,9 @@ static size_t wrap(double texel, int size, bool clamp)
     return wrapped > 0.0 && wrapped < size ? (size_t)wrapped : 0;
 }
 
-/* The texel in `column` and `row`, counted from (u, v) = 0. False: it has the key's colour. */
-static bool texel_at(const struct sheet *sheet, double column, double row, double color[3])
+/* The texel in `column` and `row`, counted from (u, v) = 0, and its alpha. False: it has the key's
+   colour. */
+static bool texel_at(const struct sheet *sheet, double column, double row, double color[4])
 {
     const struct scene *scene = sheet->scene;
     size_t x = wrap(column, sheet->width, scene->texture_clamp[0]);
@@ -53,30 +72,48 @@ static bool texel_at(const struct sheet *sheet, double column, double row, doubl
     double key[3];
 
     store(scene->texel_format, &sheet->rgb[3 * (y * (size_t)sheet->width + x)], color);
+    color[3] = 255.0;
+    if (sheet->alpha != NULL)
+        color[3] = store_alpha(scene->texel_format, sheet->alpha[y * (size_t)sheet->width + x]);
     if (!scene->texture_keyed)
         return true;
     store(scene->texel_format, scene->texture_key, key);
     return color[0] != key[0] || color[1] != key[1] || color[2] != key[2];
 }
 
-/* column and row: of the point among texel centres. */
-static void bilinear(const struct sheet *sheet, double column, double row, const double nearest[3],
-                     double color[3])
+/* Whether anything looks at alpha: if not, colours are mixed as if there were none. */
+static bool counts_alpha(const struct sheet *sheet)
 {
+    const struct scene *scene = sheet->scene;
+    return sheet->alpha != NULL && (scene->blend != SCENE_BLEND_OFF || scene->least_alpha > 0 ||
+                                    scene->keep[0] || scene->keep[1] || scene->keep[2]);
+}
+
+/* column and row: of the point among texel centres. What is not seen lends no colour. */
+static void bilinear(const struct sheet *sheet, double column, double row, const double nearest[4],
+                     double color[4])
+{
+    bool weighted = counts_alpha(sheet);
+    double sum = 0.0;
     double along = column - floor(column);
     double across = row - floor(row);
 
-    color[0] = color[1] = color[2] = 0.0;
+    color[0] = color[1] = color[2] = color[3] = 0.0;
     for (int i = 0; i < 4; i++) {
         int right = i % 2;
         int below = i / 2;
         double weight = (right ? along : 1.0 - along) * (below ? across : 1.0 - across);
-        double texel[3];
+        double texel[4];
         const double *shown =
             texel_at(sheet, floor(column) + right, floor(row) + below, texel) ? texel : nearest;
+        double share = weighted ? weight * shown[3] / 255.0 : weight;
         for (int c = 0; c < 3; c++)
-            color[c] += weight * shown[c];
+            color[c] += share * shown[c];
+        color[3] += weight * shown[3];
+        sum += share;
     }
+    for (int c = 0; c < 3 && weighted && sum > 0.0; c++)
+        color[c] /= sum;
 }
 
 /* Halved as often as makes a texel nearest to the footprint, in proportion; while there are levels
@@ -84,13 +121,14 @@ static void bilinear(const struct sheet *sheet, double column, double row, const
 static struct sheet sheet_of(const struct scene *scene, double footprint)
 {
     const struct scene_texture *texture = &scene->texture;
-    struct sheet sheet = {scene, texture->rgb, texture->width, texture->height};
+    struct sheet sheet = {scene, texture->rgb, texture->alpha, texture->width, texture->height};
     double most = sqrt(2.0);
 
     if (!scene->texture_mipmapped)
         return sheet;
     for (int i = 0; i < texture->level_count && footprint >= most; i++) {
         sheet.rgb = texture->level[i];
+        sheet.alpha = texture->alpha != NULL ? texture->level_alpha[i] : NULL;
         sheet.width /= 2;
         sheet.height = sheet.height > 1 ? sheet.height / 2 : 1;
         most *= 2.0;
@@ -99,22 +137,23 @@ static struct sheet sheet_of(const struct scene *scene, double footprint)
 }
 
 bool ref_texture_at(const struct scene *scene, double u, double v, double footprint,
-                    double color[3])
+                    double color[4])
 {
     struct sheet sheet = sheet_of(scene, footprint);
     double column = u * sheet.width;
     double row = v * sheet.height;
-    double nearest[3];
+    double nearest[4];
 
     if (!texel_at(&sheet, floor(column), floor(row), nearest))
         return false;
     if (scene->texture_bilinear && isfinite(column) && isfinite(row)) {
         bilinear(&sheet, column - 0.5, row - 0.5, nearest, color);
     } else {
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 4; c++)
             color[c] = nearest[c];
     }
-    return true;
+    /* Alpha has 8 bits before it is compared. */
+    return floor(color[3] + 0.5) >= scene->least_alpha;
 }
 
 /* Of a mean with weights the derivative: sum w' (f - mean) / sum w. */

@@ -12,12 +12,13 @@
 
 /*
  * The colour at (u, v), 0..255 a channel and not rounded: of the texels as the scene's format can
- * hold them, wrapped and filtered as it says. False where the texel under (u, v) has the key's
- * colour. Bilinear filtering takes that texel's colour for neighbours that have the key's.
- * Of a texture that is mipmapped, the level whose texels are nearest to the footprint's size.
+ * hold them, wrapped and filtered as it says, and their alpha, 255 without. False where the texel
+ * under (u, v) has the key's colour, or alpha is less than what the scene draws. Bilinear filtering
+ * takes that texel's colour for neighbours that have the key's. Of a texture that is mipmapped, the
+ * level whose texels are nearest to the footprint's size.
  */
 bool ref_texture_at(const struct scene *scene, double u, double v, double footprint,
-                    double color[3]);
+                    double color[4]);
 
 /*
  * How many texels of the whole texture a pixel is as large as: the longer of the steps to the right

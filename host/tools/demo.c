@@ -18,19 +18,27 @@
 #include "scene_draw.h"
 
 static const char usage[] =
-    "usage: qtri demo [-o DIR] [--scenes DIR] [--models DIR]\n"
+    "usage: qtri demo [-o DIR] [--scenes DIR] [--models DIR] [--only WORD]\n"
     "\n"
-    "Renders every *.scene file of the scenes folder (default host/scenes), generated meshes and,\n"
-    "with --models, every OBJ file there, into the output folder (default build/demo): each as\n"
+    "Renders every *.scene file of the scenes folder, generated meshes and, with --models, every\n"
+    "OBJ file there, into the output folder. Both are, where nothing is said, those of the "
+    "sources\n"
+    "that this program was built in, wherever it is called: host/scenes and build/demo. Each is\n"
     "NAME.ppm beside NAME-reference.ppm and NAME-difference.ppm. Prints one row a scene.\n"
+    "--only draws those whose names contain WORD.\n"
     "\n"
     "The reference has infinite sub-pixel precision; `snapped` counts coverage mismatches against\n"
     "the reference with vertices snapped to 8 bits, as the core does. Errors are over the pixels\n"
-    "that show the same triangle in both. Colour: of 255; depth: of 65535. The reference has one\n"
-    "sample a pixel: scenes with `antialias` differ from it at edges.\n";
+    "that show the same triangle in both. Colour: of 255; depth: of 65535. With `antialias` msaa,\n"
+    "ssaa or temporal the reference looks at the same places of each pixel; `edges` and `fxaa` "
+    "differ\n"
+    "from its one sample at edges.\n";
+
+enum { PATH_SIZE = 1024 };
 
 struct demo {
     const char *out, *scenes, *models;
+    const char *only; /* a part of the names of what is drawn; NULL: all */
 };
 
 static const char header[] =
@@ -77,12 +85,20 @@ static bool run_scene(const struct demo *demo, const char *name, const struct sc
     return ok;
 }
 
+static bool is_wanted(const struct demo *demo, const char *file)
+{
+    return demo->only == NULL || strstr(file, demo->only) != NULL;
+}
+
 static bool run_file(const struct demo *demo, const char *folder, const char *file)
 {
     char path[1024];
     char name[256];
     struct scene scene;
     struct text_error error;
+    if (!is_wanted(demo, file)) {
+        return true;
+    }
     snprintf(path, sizeof path, "%s/%s", folder, file);
     snprintf(name, sizeof name, "%.*s", (int)(strlen(file) - strlen(".scene")), file);
     bool ok = scene_read(path, &scene, &error);
@@ -152,6 +168,9 @@ static bool run_generated(const struct demo *demo)
     bool ok = true;
     for (int i = 0; demo_generated_scenes[i] != NULL; i++) {
         const char *name = demo_generated_scenes[i];
+        if (!is_wanted(demo, name)) {
+            continue;
+        }
         if (!demo_write_generated_scene(demo->out, name, &error)) {
             fprintf(stderr, "qtri demo: %s\n", error.message);
             return false;
@@ -181,9 +200,51 @@ static bool make_folder(const char *path)
     return true;
 }
 
+/* The folder of this program without links and the slash behind it; false where nobody tells. */
+static bool program_folder(char *folder, size_t size)
+{
+    const ssize_t length = readlink("/proc/self/exe", folder, size - 1);
+    if (length <= 0) {
+        return false;
+    }
+    folder[length] = '\0';
+    char *slash = strrchr(folder, '/');
+    if (slash == NULL) {
+        return false;
+    }
+    *slash = '\0';
+    return true;
+}
+
+/*
+ * Scenes and pictures where nothing is said: those here, or those beside the program, which is
+ * built in build/ or below.
+ */
+static void set_folders(struct demo *demo, char scenes[PATH_SIZE], char out[PATH_SIZE])
+{
+    char folder[PATH_SIZE];
+    if (access("host/scenes", R_OK) == 0 || !program_folder(folder, sizeof folder)) {
+        return;
+    }
+    char *end = folder + strlen(folder);
+    while (end != NULL && end != folder) {
+        *end = '\0';
+        const int length = snprintf(scenes, PATH_SIZE, "%s/host/scenes", folder);
+        if (length < PATH_SIZE && access(scenes, R_OK) == 0) {
+            (void)snprintf(out, PATH_SIZE, "%s/build/demo", folder);
+            demo->scenes = scenes;
+            demo->out = out;
+            return;
+        }
+        end = strrchr(folder, '/');
+    }
+}
+
 int demo_main(int argc, char **argv)
 {
-    struct demo demo = {"build/demo", "host/scenes", NULL};
+    struct demo demo = {"build/demo", "host/scenes", NULL, NULL};
+    char scenes[PATH_SIZE], out[PATH_SIZE];
+    set_folders(&demo, scenes, out);
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
             fputs(usage, stdout);
@@ -192,6 +253,7 @@ int demo_main(int argc, char **argv)
         const char **value = strcmp(argv[i], "-o") == 0         ? &demo.out
                              : strcmp(argv[i], "--scenes") == 0 ? &demo.scenes
                              : strcmp(argv[i], "--models") == 0 ? &demo.models
+                             : strcmp(argv[i], "--only") == 0   ? &demo.only
                                                                 : NULL;
         if (value == NULL || i + 1 == argc) {
             fprintf(stderr, "qtri demo: '%s' is not understood\n%s", argv[i], usage);

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "../io/obj.h"
+#include "demo_waves.h"
 #include "mesh_generate.h"
 
 static const char stage[] = "viewport 320 240\n"
@@ -24,9 +25,14 @@ static const char camera[] = "mode projection\n"
 
 static const char checker[] = "texture 64 64 8  255 240 220  90 130 200\n";
 
+/* mesh NULL: `pose` ends with what is drawn, of the meshes of demo_waves.h. */
 struct generated {
     const char *name, *mesh, *state, *pose;
 };
+
+static const char flag[] = "cull none\ntwosided on\nambient .2 .2 .2\nlight 0 0 1 0 0\n"
+                           "light directional .4 .6 .7 .8 .8 .8\n"
+                           "texture 64 32 8  255 80 60  255 240 220\n";
 
 static const struct generated scenes[] = {
     {"07-knot-textured.scene", "knot", checker, "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
@@ -57,14 +63,31 @@ static const struct generated scenes[] = {
      "texwrap clamp\ntexmode replace\n",
      "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
     {"11-torus-smooth-lines.scene", "torus", "polygon smooth\n", "rotate -50  1 0 0\n"},
+    {"11-torus-hidden-lines.scene", "torus", "cull none\npolygon hidden .004\n",
+     "rotate -50  1 0 0\n"},
+    {"12-morph.scene", NULL, flag,
+     "rotate -25  0 1 0\nmorph .3 wave-0.obj wave-1.obj color 1 1 1\n"},
+    {"12-frames.scene", NULL, flag,
+     "push\ntranslate 0 .8 0\nscale .7 .7 .7\nrotate -25  0 1 0\n"
+     "frames 1.5 wave-0.obj wave-1.obj wave-2.obj wave-3.obj\npop\n"
+     "push\ntranslate 0 -.1 0\nscale .7 .7 .7\nrotate -25  0 1 0\n"
+     "frames -.25 wave-0.obj wave-1.obj wave-2.obj wave-3.obj\npop\n"
+     "push\ntranslate 0 -1 0\nscale .7 .7 .7\nrotate -25  0 1 0\n"
+     "frames 8 wave-0.obj wave-1.obj wave-2.obj wave-3.obj color .6 .8 1\npop\n"},
+    {"12-targets.scene", NULL, flag,
+     "rotate -25  0 1 0\ntargets wave-0.obj 1.5 wave-1.obj -.5 wave-2.obj color .9 1 .8\n"},
     {"11-knot-edges.scene", "knot", "antialias edges\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
 };
 
 const char *const demo_generated_scenes[] = {
-    "07-knot-textured.scene",      "07-knot-flat.scene",       "07-knot-stretched.scene",
-    "07-torus-wireframe.scene",    "11-light-point.scene",     "11-light-spots-flat.scene",
-    "11-light-stretched.scene",    "11-light-two-sided.scene", "11-sphere-map.scene",
-    "11-torus-smooth-lines.scene", "11-knot-edges.scene",      NULL};
+    "07-knot-textured.scene",   "07-knot-flat.scene",
+    "07-knot-stretched.scene",  "07-torus-wireframe.scene",
+    "11-light-point.scene",     "11-light-spots-flat.scene",
+    "11-light-stretched.scene", "11-light-two-sided.scene",
+    "11-sphere-map.scene",      "11-torus-smooth-lines.scene",
+    "11-knot-edges.scene",      "11-torus-hidden-lines.scene",
+    "12-morph.scene",           "12-frames.scene",
+    "12-targets.scene",         NULL};
 
 /* Opens folder/name for writing. */
 static FILE *create(const char *folder, const char *name, struct text_error *error)
@@ -107,12 +130,16 @@ bool demo_write_generated_scene(const char *folder, const char *name, struct tex
         if (strcmp(scene->name, name) != 0) {
             continue;
         }
-        FILE *file = write_mesh(folder, scene->mesh, error) ? create(folder, name, error) : NULL;
+        const bool has_meshes = scene->mesh != NULL ? write_mesh(folder, scene->mesh, error)
+                                                    : demo_write_waves(folder, error);
+        FILE *file = has_meshes ? create(folder, name, error) : NULL;
         if (file == NULL) {
             return false;
         }
-        fprintf(file, "%s%s%s%smesh %s.obj color 1 .75 .4\n", stage, scene->state, camera,
-                scene->pose, scene->mesh);
+        fprintf(file, "%s%s%s%s", stage, scene->state, camera, scene->pose);
+        if (scene->mesh != NULL) {
+            fprintf(file, "mesh %s.obj color 1 .75 .4\n", scene->mesh);
+        }
         return finish(file, name, error);
     }
     text_error_set(error, name, 0, "is not a generated scene");

@@ -5,21 +5,25 @@
 
 #include "commands.h"
 #include "compare.h"
+#include "options.h"
+#include "watch.h"
 
 struct command {
     const char *name;
     int (*run)(int argc, char **argv);
     const char *summary;
+    long seconds; /* it may take, where --seconds says nothing */
 };
 
 static const struct command commands[] = {
-    {"render", render_main, "draw a scene file to a picture, PNG or PPM"},
-    {"compare", compare_main, "compare two pictures"},
-    {"demo", demo_main, "render the demo scenes beside their references"},
-    {"mesh", mesh_main, "make C data of a model, or of a mesh that it generates"},
-    {"texture", texture_main, "make C data of a picture"},
-    {"neighbours", neighbours_main, "write a mesh's neighbours as C, for smooth outlines"},
-    {"font", font_main, "make a font for the core of a BDF file"},
+    {"render", render_main, "draw a scene file to a picture, PNG or PPM", WATCH_SECONDS},
+    {"compare", compare_main, "compare two pictures", WATCH_SECONDS},
+    {"demo", demo_main, "render the demo scenes beside their references", 0},
+    {"mesh", mesh_main, "make C data of a model, or of a mesh that it generates", WATCH_SECONDS},
+    {"texture", texture_main, "make C data of a picture", WATCH_SECONDS},
+    {"neighbours", neighbours_main, "write a mesh's neighbours as C, for smooth outlines",
+     WATCH_SECONDS},
+    {"font", font_main, "make a font for the core of a BDF file", WATCH_SECONDS},
 };
 
 static void help(FILE *out)
@@ -28,11 +32,32 @@ static void help(FILE *out)
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].summary);
     }
-    fputs("\n`qtri COMMAND --help` tells more, `qtri --version` which one it is.\n", out);
+    fputs("\n`qtri COMMAND --help` tells more, `qtri --version` which one it is.\n"
+          "A command that reads files ends with a message when it is not done after 300 seconds;\n"
+          "`qtri --seconds N COMMAND ...` gives it N, 0: as many as it takes.\n",
+          out);
+}
+
+/* The number behind --seconds; false after a message. */
+static bool take_seconds(int argc, char **argv, long *seconds)
+{
+    const bool ok = argc > 2 && option_whole(argv[2], 0, 1000000, seconds);
+    if (!ok) {
+        fputs("qtri: --seconds wants a whole number of seconds\n", stderr);
+    }
+    return ok;
 }
 
 static int run(int argc, char **argv)
 {
+    long seconds = -1;
+    if (argc >= 2 && strcmp(argv[1], "--seconds") == 0) {
+        if (!take_seconds(argc, argv, &seconds)) {
+            return 2;
+        }
+        argc -= 2;
+        argv += 2;
+    }
     if (argc < 2) {
         help(stderr);
         return 2;
@@ -47,6 +72,7 @@ static int run(int argc, char **argv)
     }
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         if (strcmp(argv[1], commands[i].name) == 0) {
+            watch_begin(commands[i].name, seconds < 0 ? commands[i].seconds : seconds);
             return commands[i].run(argc - 1, argv + 1);
         }
     }

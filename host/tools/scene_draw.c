@@ -6,95 +6,7 @@
 
 #include "mesh_neighbours.h"
 #include "scene_stroke.h"
-
-/* The two matrix stacks while a scene is replayed. */
-struct stacks {
-    qtri_transform matrix[2][SCENE_STACK_DEPTH + 1];
-    int top[2];
-    int current; /* 0 projection, 1 modelview */
-};
-
-static void load(qtri_transform *out, const int32_t number[16])
-{
-    qtri_mat4 m;
-    for (int column = 0; column < 4; column++) {
-        for (int row = 0; row < 4; row++) {
-            m.m[row][column] = number[4 * column + row];
-        }
-    }
-    qtri_transform_from_mat4(out, &m);
-}
-
-static qtri_vec3 vec3_at(const int32_t *n)
-{
-    qtri_vec3 v = {n[0], n[1], n[2]};
-    return v;
-}
-
-static void apply(qtri_transform *current, const struct scene_op *op)
-{
-    const int32_t *n = op->u.number;
-    qtri_transform given;
-    switch (op->kind) {
-    case SCENE_IDENTITY:
-        qtri_transform_identity(current);
-        break;
-    case SCENE_LOAD:
-        load(current, n);
-        break;
-    case SCENE_MULT:
-        load(&given, n);
-        qtri_transform_mul(current, current, &given);
-        break;
-    case SCENE_LOOKAT:
-        qtri_transform_look_at(current, vec3_at(n), vec3_at(n + 3), vec3_at(n + 6));
-        break;
-    case SCENE_PERSPECTIVE:
-        qtri_transform_perspective(current, n[0], n[1], n[2], n[3]);
-        break;
-    case SCENE_FRUSTUM:
-        qtri_transform_frustum(current, n[0], n[1], n[2], n[3], n[4], n[5]);
-        break;
-    case SCENE_ORTHO:
-        qtri_transform_ortho(current, n[0], n[1], n[2], n[3], n[4], n[5]);
-        break;
-    case SCENE_TRANSLATE:
-        qtri_transform_translate(current, vec3_at(n));
-        break;
-    case SCENE_ROTATE:
-        qtri_transform_rotate(current, n[0], vec3_at(n + 1));
-        break;
-    case SCENE_SCALE:
-        qtri_transform_scale(current, vec3_at(n));
-        break;
-    default:
-        break;
-    }
-}
-
-static void apply_to_stacks(struct stacks *stacks, const struct scene_op *op)
-{
-    int *top = &stacks->top[stacks->current];
-    qtri_transform *matrices = stacks->matrix[stacks->current];
-    switch (op->kind) {
-    case SCENE_MODE_PROJECTION:
-        stacks->current = 0;
-        break;
-    case SCENE_MODE_MODELVIEW:
-        stacks->current = 1;
-        break;
-    case SCENE_PUSH:
-        matrices[*top + 1] = matrices[*top];
-        (*top)++;
-        break;
-    case SCENE_POP:
-        (*top)--;
-        break;
-    default:
-        apply(&matrices[*top], op);
-        break;
-    }
-}
+#include "scene_transform.h"
 
 static uint8_t color_8(int32_t c)
 {
@@ -142,6 +54,7 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     material.depth_compare = compare_of(scene);
     material.depth_read_only = !scene->depth_write;
     material.alpha = color_8(scene->alpha);
+    material.least_alpha = (uint8_t)scene->least_alpha;
     if (pass == SCENE_IDS) {
         material.shading = QTRI_FLAT_LAST;
         material.blend = scene->blend == SCENE_BLEND_SCREENDOOR ? &qtri_blend_screen_door : NULL;
@@ -175,7 +88,9 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
 /* One scene being drawn into one surface. */
 struct drawing {
     const struct scene_resources *resources;
-    const qtri_surface *surface;
+    const qtri_surface *surface; /* `whole`, or a window of it */
+    const qtri_surface *whole;
+    qtri_surface window;
     enum scene_pass pass;
     qtri_edges *edges; /* to note outlines on, for SCENE_EDGES */
     qtri_view view;
@@ -267,6 +182,38 @@ static void draw_part_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     }
 }
 
+/* The same for a mesh of 16-bit positions: each triangle is a mesh of its own. */
+static void draw_compact_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
+{
+    static const uint16_t corners[1][3] = {{0, 1, 2}};
+    qtri_position16 positions[3];
+    qtri_vec2 uvs[3];
+    qtri_material material = d->material;
+    qtri_mesh one = *mesh;
+    one.positions16 = positions;
+    one.uvs = mesh->uvs != NULL ? uvs : NULL;
+    one.normals8 = NULL;
+    one.triangles = corners;
+    one.vertex_count = 3;
+    one.triangle_count = 1;
+    one.bounds.half = (qtri_vec3){0, 0, 0};
+    if (mesh->uvs == NULL) {
+        material.texture = NULL;
+    }
+    qtri_view view = d->view;
+    view.light = NULL;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        for (int j = 0; j < 3; j++) {
+            positions[j] = mesh->positions16[mesh->triangles[i][j]];
+            if (mesh->uvs != NULL) {
+                uvs[j] = mesh->uvs[mesh->triangles[i][j]];
+            }
+        }
+        material.color = rgb_of_id(id + i);
+        qtri_draw_mesh(d->surface, &view, &d->modelview, &one, &material);
+    }
+}
+
 static void note_edges(struct drawing *d, const qtri_mesh *mesh)
 {
     qtri_outline outline;
@@ -281,28 +228,85 @@ static void note_edges(struct drawing *d, const qtri_mesh *mesh)
     free(memory);
 }
 
-static void draw_mesh(struct drawing *d, const struct scene_op *op)
+/* Whether the view could see any of it, where the scene asks. */
+static bool may_be_seen(const struct drawing *d, const qtri_mesh *mesh)
 {
-    const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
-    uint32_t id = op->id;
-    const bool is_lit = d->pass == SCENE_COLORS && d->resources->scene->lamps_on;
-    d->view.lights = is_lit ? &d->resources->lights : NULL;
-    d->material.color = scene_rgb(op->u.mesh.color);
-    for (size_t i = 0; i < parts->count; i++) {
-        const qtri_mesh *mesh = &parts->part[i].mesh;
-        if (d->pass == SCENE_IDS) {
-            draw_part_ids(d, mesh, id);
-        } else if (d->pass == SCENE_EDGES) {
-            note_edges(d, mesh);
+    const enum scene_frustum_cull cull = d->resources->scene->frustum_cull;
+    if (cull == SCENE_FRUSTUM_BOX) {
+        const qtri_box box = qtri_mesh_box(mesh);
+        return qtri_view_sees_box(&d->view, &d->modelview, &box);
+    }
+    if (cull == SCENE_FRUSTUM_BALL) {
+        const qtri_ball ball = qtri_mesh_ball(mesh);
+        return qtri_view_sees_ball(&d->view, &d->modelview, &ball);
+    }
+    return true;
+}
+
+/* Ids over depths: what qtri_draw_hidden_lines does, triangle by triangle. */
+static void draw_hidden_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
+{
+    const qtri_material before = d->material;
+    const bool is_greater =
+        before.depth_compare == QTRI_GREATER || before.depth_compare == QTRI_GREATER_EQUAL;
+    const q16 bias = d->resources->scene->hidden_bias;
+    qtri_surface depth = *d->surface;
+    qtri_material solid = before;
+    depth.format = &qtri_depth_only;
+    solid.fill = NULL;
+    solid.depth_read_only = false;
+    qtri_draw_mesh(&depth, &d->view, &d->modelview, mesh, &solid);
+    d->material.depth_bias += is_greater ? bias : -bias; /* both within -1..1 */
+    (mesh->positions != NULL ? draw_part_ids : draw_compact_ids)(d, mesh, id);
+    d->material = before;
+}
+
+static void draw_part(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
+{
+    if (!may_be_seen(d, mesh)) {
+        return;
+    }
+    if (d->pass == SCENE_IDS && d->resources->scene->hidden_lines) {
+        draw_hidden_ids(d, mesh, id);
+    } else if (d->pass == SCENE_IDS) {
+        (mesh->positions != NULL ? draw_part_ids : draw_compact_ids)(d, mesh, id);
+    } else if (d->pass == SCENE_EDGES) {
+        note_edges(d, mesh);
+    } else {
+        qtri_mesh shown = *mesh;
+        if (d->resources->sphere_uvs != NULL) {
+            qtri_sphere_map(d->resources->sphere_uvs, &d->view.camera, &d->modelview, mesh);
+            shown.uvs16 = d->resources->sphere_uvs;
+        }
+        if (d->resources->scene->hidden_lines) {
+            qtri_draw_hidden_lines(d->surface, &d->view, &d->modelview, &shown, NULL, &d->material,
+                                   d->resources->scene->hidden_bias);
         } else {
-            qtri_mesh shown = *mesh;
-            if (d->resources->sphere_uvs != NULL) {
-                qtri_sphere_map(d->resources->sphere_uvs, &d->view.camera, &d->modelview, mesh);
-                shown.uvs16 = d->resources->sphere_uvs;
-            }
             qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &d->material);
         }
-        id += mesh->triangle_count;
+    }
+}
+
+static void draw_mesh(struct drawing *d, const struct scene_op *op)
+{
+    const struct scene *scene = d->resources->scene;
+    uint32_t id = op->id;
+    const bool is_lit = d->pass == SCENE_COLORS && scene->lamps_on;
+    d->view.lights = is_lit ? &d->resources->lights : NULL;
+    d->material.color = scene_rgb(op->u.mesh.color);
+    if (op->kind == SCENE_MODEL) {
+        struct scene_part part;
+        if (!scene_model_create(&part, scene, &scene->models[op->u.mesh.mesh])) {
+            abort(); /* no more than meshes take that were read before */
+        }
+        draw_part(d, &part.mesh, id);
+        scene_part_free(&part);
+        return;
+    }
+    const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
+    for (size_t i = 0; i < parts->count; i++) {
+        draw_part(d, &parts->part[i].mesh, id);
+        id += parts->part[i].mesh.triangle_count;
     }
 }
 
@@ -357,21 +361,45 @@ static size_t run_of(const struct scene *scene, size_t first)
     return count;
 }
 
-static void replay(struct drawing *d, struct stacks *stacks)
+/* What follows is seen in a part of the frame. */
+static void set_window(struct drawing *d, const int32_t n[5])
+{
+    const int32_t scale = d->whole->width / d->resources->scene->width; /* 2: 2x2 samples */
+    const int32_t x = n[0] * scale, y = n[1] * scale, width = n[2] * scale, height = n[3] * scale;
+    const qtri_viewport before = d->view.viewport;
+    d->view.viewport = n[4] != 0 ? qtri_viewport_bottom(x, y, width, height, d->whole->height)
+                                 : qtri_viewport_top(x, y, width, height);
+    d->view.viewport.depth_near = before.depth_near;
+    d->view.viewport.depth_far = before.depth_far;
+    const qtri_viewport *now = &d->view.viewport;
+    const qtri_rect inside = {now->x, now->y, now->x + width, now->y + height};
+    qtri_rect scissor = d->whole->scissor;
+    scissor.x0 = inside.x0 > scissor.x0 ? inside.x0 : scissor.x0;
+    scissor.y0 = inside.y0 > scissor.y0 ? inside.y0 : scissor.y0;
+    scissor.x1 = inside.x1 < scissor.x1 ? inside.x1 : scissor.x1;
+    scissor.y1 = inside.y1 < scissor.y1 ? inside.y1 : scissor.y1;
+    d->window = *d->whole;
+    d->window.scissor = scissor;
+    d->surface = &d->window;
+}
+
+static void replay(struct drawing *d, struct scene_stacks *stacks)
 {
     const struct scene *scene = d->resources->scene;
-    stacks->current = 1;
-    qtri_transform_identity(&stacks->matrix[0][0]);
-    qtri_transform_identity(&stacks->matrix[1][0]);
+    scene_stacks_begin(stacks);
     for (size_t i = 0; i < scene->op_count; i++) {
         const struct scene_op *op = &scene->ops[i];
+        if (op->kind == SCENE_WINDOW) {
+            set_window(d, op->u.number);
+            continue;
+        }
         if (op->kind < SCENE_TRIANGLE) {
-            apply_to_stacks(stacks, op);
+            scene_stacks_apply(stacks, scene, op);
             continue;
         }
         if (op->kind == SCENE_PAINT) {
             if (d->pass == SCENE_COLORS) {
-                scene_paint(d->resources, d->surface, &op->u.paint);
+                scene_paint(d->resources, d->whole, &op->u.paint);
             }
             continue;
         }
@@ -381,7 +409,7 @@ static void replay(struct drawing *d, struct stacks *stacks)
         if (d->resources->jitter_log2 > 0) {
             qtri_view_jitter(&d->view, &d->view, d->resources->jitter, d->resources->jitter_log2);
         }
-        if (op->kind == SCENE_MESH) {
+        if (op->kind == SCENE_MESH || op->kind == SCENE_MODEL) {
             draw_mesh(d, op);
         } else if (op->kind == SCENE_STROKE) {
             const qtri_rgb id = rgb_of_id(op->id);
@@ -419,7 +447,11 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
     const qtri_rgb black = {0, 0, 0};
     qtri_edges edges;
     uint32_t *memory = NULL;
-    struct drawing d = {.resources = resources, .surface = surface, .pass = pass, .edges = &edges};
+    struct drawing d = {.resources = resources,
+                        .surface = surface,
+                        .whole = surface,
+                        .pass = pass,
+                        .edges = &edges};
     if (pass == SCENE_EDGES) {
         memory = begin_edges(&edges, surface);
         if (memory == NULL) {
@@ -441,7 +473,7 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
         set_fog(&d);
     }
 
-    struct stacks *stacks = calloc(1, sizeof *stacks);
+    struct scene_stacks *stacks = calloc(1, sizeof *stacks);
     if (stacks == NULL) {
         abort(); /* a few kilobytes: nothing sensible is left to do */
     }

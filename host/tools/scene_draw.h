@@ -18,7 +18,9 @@ struct scene_part {
     qtri_vec2 *uvs; /* NULL when the file has none */
     uint16_t (*triangles)[3];
     uint16_t (*neighbours)[3];
-    qtri_face8 *planes; /* mesh.faces has them where they pay */
+    qtri_face8 *planes;           /* mesh.faces has them where they pay */
+    qtri_position16 *positions16; /* of a model that changes its shape, in place of positions */
+    qtri_normal8 *normals8;
 };
 
 struct scene_parts {
@@ -34,8 +36,8 @@ struct scene_resources {
     qtri_rgb palette[256];      /* what texture.palette points at: resources must not be moved */
     qtri_texture texture;
     const void *levels[SCENE_MAX_LEVELS], *mask_levels[SCENE_MAX_LEVELS];
-    uint8_t *mask_texels; /* NULL without a colour key */
-    qtri_texture mask;    /* white, with the same holes: ids are drawn through it */
+    uint8_t *mask_texels; /* NULL without a colour key or alpha */
+    qtri_texture mask;    /* white, with the same holes or alpha: ids are drawn through it */
     qtri_light light;
     /* Of `light`, `ambient`, `material`: they point into resources. */
     qtri_lights lights;
@@ -76,7 +78,11 @@ void scene_painting_free(struct scene_resources *resources);
 void scene_paint(const struct scene_resources *resources, const qtri_surface *surface,
                  const struct scene_paint *paint);
 
-/* Clears the surface and draws the scene into the rows and scissor it has. */
+/* A model of the scene as it is at this moment; free it. False when memory runs out. */
+bool scene_model_create(struct scene_part *part, const struct scene *scene,
+                        const struct scene_model *model);
+void scene_part_free(struct scene_part *part);
+
 /*
  * Clears the surface and draws the scene into the rows and scissor it has. The viewport is the
  * surface's frame. SCENE_EDGES: blends the outlines of what is there, if memory suffices, and

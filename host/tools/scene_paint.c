@@ -81,6 +81,17 @@ static uint8_t byte_of(int32_t c)
     return (uint8_t)((c * 255 + 32768) >> 16); /* 0 <= c <= 1 */
 }
 
+/* Twice as large on the surface of 2x2 samples a pixel. */
+static int32_t scale_of(const struct scene_resources *resources, const qtri_surface *surface)
+{
+    return surface->width / resources->scene->width;
+}
+
+static int32_t saturated(int64_t n)
+{
+    return (int32_t)(n > INT32_MAX ? INT32_MAX : n < INT32_MIN ? INT32_MIN : n);
+}
+
 static void paint_image(const struct scene_resources *resources, const qtri_surface *surface,
                         const struct scene_paint *paint, uint8_t alpha)
 {
@@ -94,22 +105,70 @@ static void paint_image(const struct scene_resources *resources, const qtri_surf
                               .height = from->height,
                               .has_key = paint->has_key != 0,
                               .key = (uint32_t)key[0] << 16 | (uint32_t)key[1] << 8 | key[2]};
-    if (paint->count == 2) {
+    const int32_t scale = scale_of(resources, surface);
+    if (paint->count == 2 && scale == 1) {
         qtri_image_blend(surface, &image, whole(n[0]), whole(n[1]), alpha);
         return;
     }
+    const int32_t centre[2] = {from->width * 32768, from->height * 32768};
+    int32_t at[2];
+    for (int i = 0; i < 2; i++) {
+        const int64_t upright = (int64_t)whole(n[i]) * 65536 + centre[i];
+        at[i] = saturated(scale * (paint->count == 2 ? upright : n[i]));
+    }
+    const int32_t size = saturated((int64_t)scale * (paint->count == 2 ? Q16_ONE : n[3]));
     qtri_affine affine;
-    qtri_affine_place(&affine, from->width * 32768, from->height * 32768, n[0], n[1], n[3], n[3],
-                      n[2]);
+    qtri_affine_place(&affine, centre[0], centre[1], at[0], at[1], size, size,
+                      paint->count == 2 ? 0 : n[2]);
     qtri_image_paint_affine(surface, &image, &affine, alpha);
 }
 
+/* The pixels of a glyph as squares of `scale` pixels. */
+static void paint_glyph(const qtri_surface *surface, const qtri_font *font, const qtri_glyph *glyph,
+                        int64_t x, int64_t y, int32_t scale, const qtri_brush *brush)
+{
+    for (int32_t row = 0; row < glyph->height; row++) {
+        for (int32_t column = 0; column < glyph->width; column++) {
+            const int32_t pitch = (glyph->width + 7) / 8;
+            const uint8_t byte = font->rows[glyph->first + row * pitch + column / 8];
+            if ((byte << column % 8 & 128) != 0) {
+                const int64_t left = (x + column) * scale * 256;
+                const int64_t top = (y + row) * scale * 256;
+                const qtri_area square = {saturated(left), saturated(top),
+                                          saturated(left + 256 * scale),
+                                          saturated(top + 256 * scale)};
+                qtri_paint_rect(surface, &square, brush);
+            }
+        }
+    }
+}
+
+static void paint_text(const struct scene_resources *resources, const qtri_surface *surface,
+                       const struct scene_paint *paint, const qtri_brush *brush)
+{
+    const qtri_font *font = &resources->painting->fonts[paint->font].font;
+    const char *text = resources->scene->paints.texts[paint->text];
+    const int32_t scale = scale_of(resources, surface);
+    int64_t x = whole(paint->number[0]);
+    const int64_t y = whole(paint->number[1]);
+    if (scale == 1) {
+        qtri_text_paint(surface, font, (int32_t)x, (int32_t)y, text, brush);
+        return;
+    }
+    for (uint32_t character = qtri_text_next(&text); character != 0;
+         character = qtri_text_next(&text)) {
+        const qtri_glyph *glyph = qtri_font_glyph(font, character);
+        paint_glyph(surface, font, glyph, x + glyph->left, y - glyph->top, scale, brush);
+        x += glyph->advance;
+    }
+}
+
 static void paint_shape(const qtri_surface *surface, const struct scene_paint *paint,
-                        const qtri_brush *brush)
+                        const qtri_brush *brush, int32_t scale)
 {
     int32_t n[SCENE_PAINT_NUMBERS];
     for (int i = 0; i < SCENE_PAINT_NUMBERS; i++) {
-        n[i] = px(paint->number[i]);
+        n[i] = px(paint->number[i]) * scale; /* |px| <= 2^23 */
     }
     const qtri_area box = {n[0], n[1], n[2], n[3]};
     const qtri_point from = {n[0], n[1]};
@@ -165,12 +224,10 @@ void scene_paint(const struct scene_resources *resources, const qtri_surface *su
         paint_image(resources, surface, paint, brush.alpha);
         break;
     case SCENE_PAINT_TEXT:
-        qtri_text_paint(surface, &resources->painting->fonts[paint->font].font,
-                        whole(paint->number[0]), whole(paint->number[1]),
-                        resources->scene->paints.texts[paint->text], &brush);
+        paint_text(resources, surface, paint, &brush);
         break;
     default:
-        paint_shape(surface, paint, &brush);
+        paint_shape(surface, paint, &brush, scale_of(resources, surface));
         break;
     }
 }

@@ -30,7 +30,7 @@ static void copy_vertex(struct scene_part *part, uint32_t to, const struct obj_m
     }
 }
 
-static void part_free(struct scene_part *part)
+void scene_part_free(struct scene_part *part)
 {
     free(part->positions);
     free(part->normals);
@@ -38,6 +38,8 @@ static void part_free(struct scene_part *part)
     free(part->triangles);
     free(part->neighbours);
     free(part->planes);
+    free(part->positions16);
+    free(part->normals8);
 }
 
 /*
@@ -136,6 +138,10 @@ bool scene_resources_create(struct scene_resources *resources, const struct scen
                 count > resources->vertex_count ? count : resources->vertex_count;
         }
     }
+    for (size_t i = 0; ok && i < scene->model_count; i++) {
+        const uint32_t count = scene->models[i].vertices;
+        resources->vertex_count = count > resources->vertex_count ? count : resources->vertex_count;
+    }
     if (ok) {
         const uint32_t largest = resources->vertex_count;
         resources->vertex_count = QTRI_LIT_VERTICES(largest);
@@ -156,7 +162,7 @@ void scene_resources_free(struct scene_resources *resources)
 {
     for (size_t i = 0; resources->meshes != NULL && i < resources->scene->mesh_count; i++) {
         for (size_t j = 0; j < resources->meshes[i].count; j++) {
-            part_free(&resources->meshes[i].part[j]);
+            scene_part_free(&resources->meshes[i].part[j]);
         }
         free(resources->meshes[i].part);
     }

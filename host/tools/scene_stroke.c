@@ -25,7 +25,9 @@ void scene_draw_stroke(const struct scene *scene, const struct scene_op *op,
                                     [SCENE_CAP_SQUARE] = QTRI_CAP_SQUARE};
     const struct scene_stroke *from = &op->u.stroke;
     qtri_stroke stroke = qtri_stroke_default();
-    stroke.width = from->width;
+    const int64_t scale = from->in_space ? 1 : surface->width / scene->width; /* 2: 2x2 samples */
+    const int64_t width = from->width * scale;
+    stroke.width = (q16)(width > INT32_MAX ? INT32_MAX : width < INT32_MIN ? INT32_MIN : width);
     stroke.cap = caps[from->cap];
     stroke.edges = from->smooth && id == NULL ? &qtri_stroke_smooth : NULL;
     stroke.alpha = id != NULL ? 255 : (uint8_t)((from->alpha * 255 + 32768) >> 16);

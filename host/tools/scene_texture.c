@@ -23,16 +23,24 @@ static uint32_t level(uint8_t value, uint32_t steps)
     return (value * steps + 127) / 255;
 }
 
-/* An 8-bit colour as a texel; not for palettes. */
-static uint32_t texel_of(enum scene_texel_format format, const uint8_t rgb[3])
+/* An 8-bit colour and alpha as a texel; not for palettes. */
+static uint32_t texel_of(enum scene_texel_format format, const uint8_t rgb[3], uint8_t alpha)
 {
     switch (format) {
+    case SCENE_TEXEL_ARGB4444:
+        return level(alpha, 15) << 12 | level(rgb[0], 15) << 8 | level(rgb[1], 15) << 4 |
+               level(rgb[2], 15);
+    case SCENE_TEXEL_ARGB1555:
+        return level(alpha, 1) << 15 | level(rgb[0], 31) << 10 | level(rgb[1], 31) << 5 |
+               level(rgb[2], 31);
+    case SCENE_TEXEL_ALPHA8:
+        return alpha;
     case SCENE_TEXEL_RGB565:
         return level(rgb[0], 31) << 11 | level(rgb[1], 63) << 5 | level(rgb[2], 31);
     case SCENE_TEXEL_GRAY8:
         return (299u * rgb[0] + 587u * rgb[1] + 114u * rgb[2] + 500) / 1000;
     default:
-        return (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+        return (uint32_t)alpha << 24 | (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
     }
 }
 
@@ -53,16 +61,20 @@ static bool make_palette(struct scene_resources *resources, const struct scene *
     return true;
 }
 
+/* alpha NULL: opaque, or without. */
 static void store_texels(void *texels, enum scene_texel_format format, const uint8_t *rgb,
-                         size_t count)
+                         const uint8_t *alpha, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        uint32_t texel = texel_of(format, &rgb[3 * i]);
+        uint32_t texel = texel_of(format, &rgb[3 * i], alpha != NULL ? alpha[i] : 0);
         switch (format) {
         case SCENE_TEXEL_RGB565:
+        case SCENE_TEXEL_ARGB4444:
+        case SCENE_TEXEL_ARGB1555:
             ((uint16_t *)texels)[i] = (uint16_t)texel;
             break;
         case SCENE_TEXEL_GRAY8:
+        case SCENE_TEXEL_ALPHA8:
             ((uint8_t *)texels)[i] = (uint8_t)texel;
             break;
         default:
@@ -74,9 +86,10 @@ static void store_texels(void *texels, enum scene_texel_format format, const uin
 
 static void make_texels(struct scene_resources *resources, const struct scene *scene, size_t count)
 {
-    store_texels(resources->texels, scene->texel_format, scene->texture.rgb, count);
+    store_texels(resources->texels, scene->texel_format, scene->texture.rgb, scene->texture.alpha,
+                 count);
     resources->texture.has_key = scene->texture_keyed;
-    resources->texture.key = texel_of(scene->texel_format, scene->texture_key);
+    resources->texture.key = texel_of(scene->texel_format, scene->texture_key, 0);
 }
 
 /* The texture's levels, behind it in the same memory. */
@@ -89,7 +102,8 @@ static void make_levels(struct scene_resources *resources, const struct scene *s
             (size_t)mipmap_side(from->width, i + 1) * (size_t)mipmap_side(from->height, i + 1);
         resources->levels[i] = at;
         if (scene->texel_format != SCENE_TEXEL_PALETTE) {
-            store_texels(at, scene->texel_format, from->level[i], count);
+            store_texels(at, scene->texel_format, from->level[i],
+                         from->alpha != NULL ? from->level_alpha[i] : NULL, count);
         } else {
             for (size_t k = 0; k < count;
                  k++) { /* the scene reader has chosen colours that are there */
@@ -147,6 +161,39 @@ static bool make_mask(struct scene_resources *resources, size_t count)
     return true;
 }
 
+/* How opaque the stored texels are, as a texture of its own. */
+static bool make_alpha_mask(struct scene_resources *resources, size_t count)
+{
+    const qtri_texture *texture = &resources->texture;
+    qtri_texture level = *texture;
+    uint8_t *at = malloc(2 * count);
+    resources->mask_texels = at;
+    if (at == NULL) {
+        return false;
+    }
+    for (int i = 0; i <= texture->level_count; i++) {
+        const size_t width = (size_t)1 << (texture->width_log2 - i);
+        const size_t height = (size_t)1 << texture->height_log2 >> i;
+        if (i > 0) {
+            level.texels = texture->levels[i - 1];
+            resources->mask_levels[i - 1] = at;
+        }
+        for (size_t k = 0; k < width * (height > 0 ? height : 1); k++) {
+            uint32_t texel[4] = {(uint32_t)k, (uint32_t)k, (uint32_t)k, (uint32_t)k};
+            texture->format->fetch(texel, &level, 1);
+            if (texture->format->decode != NULL) {
+                texture->format->decode(texel, &level, 1);
+            }
+            *at++ = (uint8_t)(texel[0] >> 24);
+        }
+    }
+    resources->mask = *texture;
+    resources->mask.texels = resources->mask_texels;
+    resources->mask.format = &qtri_texel_alpha8;
+    resources->mask.levels = resources->mask_levels;
+    return true;
+}
+
 bool scene_texture_create(struct scene_resources *resources, const struct scene *scene)
 {
     static const struct {
@@ -157,6 +204,10 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
         [SCENE_TEXEL_RGB565] = {&qtri_texel_rgb565, sizeof(uint16_t)},
         [SCENE_TEXEL_PALETTE] = {&qtri_texel_palette8, sizeof(uint8_t)},
         [SCENE_TEXEL_GRAY8] = {&qtri_texel_gray8, sizeof(uint8_t)},
+        [SCENE_TEXEL_ARGB4444] = {&qtri_texel_argb4444, sizeof(uint16_t)},
+        [SCENE_TEXEL_ARGB1555] = {&qtri_texel_argb1555, sizeof(uint16_t)},
+        [SCENE_TEXEL_ARGB8888] = {&qtri_texel_argb8888, sizeof(uint32_t)},
+        [SCENE_TEXEL_ALPHA8] = {&qtri_texel_alpha8, sizeof(uint8_t)},
     };
     qtri_texture *texture = &resources->texture;
     size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
@@ -182,6 +233,9 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
     }
     if (scene->texture_mipmapped) {
         make_levels(resources, scene, texel[scene->texel_format].size);
+    }
+    if (scene_texel_has_alpha(scene->texel_format)) {
+        return make_alpha_mask(resources, count);
     }
     return !texture->has_key || make_mask(resources, count);
 }

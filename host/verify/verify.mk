@@ -31,7 +31,7 @@ $(BUILD)/tests/test_verify_math: $(BUILD)/obj/tests/test_verify_math.o $(VERIFY_
 
 .PHONY: verify-math
 verify-math: $(BUILD)/qtri-verify ## Table of the error of every function, all inputs; VERIFY=quick|long, FUNCTIONS="sin sqrt"
-	$(BUILD)/qtri-verify --threads $(JOBS) \
+	@$(ALIVE) verify-math $(BUILD)/qtri-verify --threads $(JOBS) \
 	    $(or $(VERIFY_FLAGS_$(VERIFY)),$(error VERIFY is quick, full or long, not '$(VERIFY)')) \
 	    -o $(BUILD)/math.tsv $(FUNCTIONS)
 

@@ -113,7 +113,10 @@ static inline const char *model_path(const char *name)
             return path;
         }
     }
-    print_message("skipped: QTRI_MODELS has no %s\n", name);
+    print_message(
+        "skipped: no %s in the folder of MODELS: host/bench/README.md, Models, has where to "
+        "get it\n",
+        name);
     return NULL;
 }
 
