@@ -130,6 +130,7 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
     kept.before = NULL;
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         qtri_shape shape;
+        qtri_corners_note(&primitive, i);
         const qtri_corners_fate found =
             solid ? qtri_corners_place(&primitive, &kept, &corners[i], shape.fan)
                   : QTRI_CORNERS_ELSEWHERE;

@@ -5,6 +5,7 @@
 #ifndef QTRI_DRAW_CORNERS_H
 #define QTRI_DRAW_CORNERS_H
 
+#include "../raster/blend_vertex.h"
 #include "primitive.h"
 
 /* What becomes of a triangle's corners. */
@@ -37,5 +38,15 @@ void qtri_corners_fetch(const qtri_primitive *primitive, const qtri_corner *corn
 
 /* A qtri_attribute_source, from three corners. */
 void qtri_corners_attributes(const void *from, qtri_screen_vertex attributes[3]);
+
+/* Of three corners, for blends by vertex: the first's number in the call. */
+static inline void qtri_corners_note(const qtri_primitive *primitive, uint32_t first)
+{
+    const qtri_raster *raster = &primitive->to.solid.raster;
+    if (primitive->material->fill == NULL && raster->by_vertex != NULL) {
+        const uint32_t index[3] = {first, first + 1, first + 2};
+        raster->by_vertex->note(raster, index);
+    }
+}
 
 #endif

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/blend_vertex.h"
 #include "checked.h"
 #include "fill.h"
 #include "lights.h"
@@ -55,6 +56,12 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
         } else {
             qtri_projector_point(projector, &draw->mesh->positions[index], &shape.clip[i]);
         }
+    }
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    if (draw->material.fill == NULL && raster->by_vertex != NULL) {
+        uint32_t index[3];
+        qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+        raster->by_vertex->note(raster, index);
     }
     if (draw->lights != NULL) {
         draw->lights->model->clipped(draw, indices, &shape);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fill.h"
 
+#include "../raster/blend_vertex.h"
 #include "../raster/small.h"
 #include "../raster/unsnapped.h"
 
@@ -179,6 +180,9 @@ QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_ve
     out->v_q32 = from->v_q32;
     out->rest[0] = v->rest[0];
     out->rest[1] = v->rest[1];
+    if (raster->by_vertex != NULL) {
+        out->alpha_q16 = raster->by_vertex->at(raster, v->b1_q30, v->b2_q30);
+    }
 }
 
 /* A triangle of what clipping left. */
@@ -260,10 +264,10 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
     if (!with_rests && qtri_unsnapped_matters(raster, &triangle, depth_16p16)) {
         return false;
     }
-    if (raster->samples != NULL) {
+    if (raster->route != NULL) {
         qtri_attributes own[3];
         piece_attributes(own, p);
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3 && raster->samples != NULL; i++) {
             own[i].rest[0] = 0;
             own[i].rest[1] = 0;
         }
@@ -277,8 +281,7 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
 
 static bool draw_piece(const piece *p, int64_t area, bool with_rests)
 {
-    if (p->primitive->to.solid.raster.samples == NULL &&
-        draw_placed_piece(p) != QTRI_PLACED_LARGE) {
+    if (p->primitive->to.solid.raster.route == NULL && draw_placed_piece(p) != QTRI_PLACED_LARGE) {
         return true;
     }
     return draw_large_piece(p, area, with_rests);

@@ -51,6 +51,8 @@ struct qtri_blend {
     uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count);
     bool rejects; /* the mask may lose some */
+    /* Sets the route of a raster whose format, alone, is not set for it; NULL: there is none. */
+    void (*begin)(qtri_raster *raster);
 };
 
 /* Of a material with fog or a blend; NULL: neither. */

@@ -21,6 +21,8 @@ typedef struct qtri_list_values qtri_list_values; /* see list_values.h */
 typedef struct qtri_raster qtri_raster;
 typedef struct qtri_varying qtri_varying;             /* see shading.h */
 typedef struct qtri_effect_stages qtri_effect_stages; /* see effect.h */
+typedef struct qtri_vertex_blend qtri_vertex_blend;   /* see blend_vertex.h */
+typedef struct qtri_alpha_planes qtri_alpha_planes;
 
 /* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
 typedef struct qtri_span {
@@ -65,6 +67,15 @@ typedef struct qtri_lamp {
 
 struct qtri_sampling;
 
+/*
+ * Draws a triangle of any size and area that is not culled, in place of the ways of the pipeline:
+ * p, area, tinted and what qtri_triangle_begin sets are there.
+ */
+struct qtri_triangle;
+struct qtri_attributes;
+typedef void (*qtri_route)(const qtri_raster *raster, struct qtri_triangle *triangle,
+                           const struct qtri_attributes *v);
+
 /* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
 struct qtri_fused {
     qtri_fill_rows flat, smooth;
@@ -96,6 +107,10 @@ struct qtri_raster {
     const qtri_texture *texture; /* NULL: none */
     qtri_batch *batch;
     const struct qtri_sampling *samples; /* NULL: one a pixel */
+    qtri_route route;                    /* of all triangles; NULL: large and small have theirs */
+    qtri_route unshifted;                /* the same behind a shift of depths */
+    const qtri_vertex_blend *by_vertex;  /* alpha varies: see blend_vertex.h; NULL: it does not */
+    const qtri_alpha_planes *planes;     /* how, in the triangle that is drawn by that route */
     qtri_rect bounds;                    /* empty where nothing is to be drawn */
     struct {
         uint32_t x, y, width, height; /* 24.8 */
@@ -109,6 +124,8 @@ struct qtri_raster {
     uint8_t alpha;
     uint8_t least_alpha;
     uint8_t keep;            /* channels that a blend leaves */
+    const uint8_t *alphas;   /* of vertices, where route asks for them; NULL: 255 */
+    q16 depth_slope;         /* where route asks for it */
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     const qtri_effect_stages *effects; /* NULL: neither */

@@ -8,7 +8,8 @@
  * what is seen through is drawn last, from far to near, with material.depth_read_only.
  *
  * All but the screen door leave channels of stored pixels alone that material.keep names.
- * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one.
+ * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one,
+ * and times that of the vertices with a blend that asks for it.
  * Colours are within 1 of 255, and within a step of RGB565, of exact ones; in fog within 1 1/4
  * steps of RGB565, since colours and fog are rounded before they are mixed.
  * Lines and wireframes are blended and fogged as well: each edge of each triangle, so that one that
@@ -37,6 +38,17 @@ extern const qtri_blend qtri_blend_replace;  /* colour, but for the channels of 
 
 /* A share of alpha of the pixels, in a pattern of 4 by 4: no order, nothing read. */
 extern const qtri_blend qtri_blend_screen_door;
+
+/*
+ * The first two with alpha that also varies between the vertices: material.alphas has that of each
+ * vertex of a mesh, or of each corner of a call; 255 is all of it, and NULL is 255 for all. It is
+ * perspective-correct where colours are, whatever the shading, and within 1/1024. Triangles of such
+ * a material are all drawn as large ones are, which takes meshes of small ones several times as
+ * long; lines and strokes have material.alpha alone. With four samples a pixel (samples.h) alpha
+ * is that of the pixel's centre.
+ */
+extern const qtri_blend qtri_blend_vertex_alpha;
+extern const qtri_blend qtri_blend_vertex_add;
 
 /*
  * Fog by depth: colour f + fog's colour (1 - f), where f falls with z, the distance from the eye's
