@@ -349,14 +349,18 @@ QTRI_INLINE void apply(const qtri_raster *raster, uint32_t *color, const qtri_fr
         } else {
             MIX(over, to_5, to_6, to_5, 11, 5)
         }
-    } else {
+    } else if (stored->colors == &qtri_colors_888) {
         if (adds) {
             MIX(sum, to_8, to_8, to_8, 16, 8)
         } else {
             MIX(over, to_8, to_8, to_8, 16, 8)
         }
-        if (stored->colors == &qtri_colors_gray) {
-            qtri_888_to_gray(color, count);
+    } else {
+        qtri_888_to_gray(color, count);
+        for (int32_t i = 0; i < count; i++) {
+            const uint32_t k = share[i] & keep[0];
+            color[i] =
+                to_8(adds ? sum(color[i], under[i] & 255, k) : over(color[i], under[i] & 255, k));
         }
     }
     if (stored->encode != NULL) {
