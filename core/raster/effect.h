@@ -20,6 +20,24 @@ struct qtri_fragments {
     const qtri_ramp *depth; /* 16.16 with the half that rounds, from place 0 on */
 };
 
+/* Pixels of strokes, up to QTRI_BATCH of them, and no place twice. */
+typedef struct qtri_covered {
+    int32_t count;
+    uint32_t color[QTRI_BATCH_ROOM]; /* 0x00RRGGBB; then of the format's kind, to be encoded */
+    uint32_t place[QTRI_BATCH_ROOM];
+    uint32_t depth[QTRI_BATCH_ROOM];    /* 16.16 with the half that rounds */
+    int32_t share_q16[QTRI_BATCH_ROOM]; /* what is covered: 0..2^16 */
+} qtri_covered;
+
+/*
+ * Fog and blend, and how much that covers of what is stored. Leaves out what a blend turns away,
+ * and says of each that is left which it was.
+ */
+typedef void (*qtri_cover_effect)(const qtri_surface *surface, const qtri_material *material,
+                                  qtri_covered *pixels, uint8_t was[QTRI_BATCH]);
+void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *material,
+                         qtri_covered *pixels, uint8_t was[QTRI_BATCH]);
+
 /*
  * What both come with, &qtri_effects. Lines: fog and blend for what is in a job's batch, fragments
  * of one chunk of one line with its depths; then they are stored.
@@ -29,6 +47,7 @@ struct qtri_effect_stages {
     qtri_effect fragments;
     qtri_line_effect line;
     qtri_fill_rows fill; /* rows of large triangles, of one colour too */
+    qtri_cover_effect covered;
 };
 extern const qtri_effect_stages qtri_effects;
 

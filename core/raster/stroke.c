@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke.h"
 
+#include "../frame/colors.h"
 #include "../frame/pixel.h"
+#include "effect.h"
+#include "loop.h"
 
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
@@ -13,6 +16,8 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
     stroker->depth_write = stroker->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
     stroker->alpha = stroke->alpha;
     stroker->edges = stroke->edges;
+    stroker->material = material;
+    stroker->effects = qtri_effect_stages_of(material);
     return stroker->bounds.x0 < stroker->bounds.x1 && stroke->alpha != 0 && compare != QTRI_NEVER;
 }
 
@@ -167,6 +172,7 @@ static bool passes(qtri_compare compare, uint32_t depth, uint32_t stored)
 /* What a pixel takes of its part. */
 typedef struct sample {
     uint32_t depth;        /* 0..65535 */
+    uint32_t depth_16p8;   /* that, with the half that rounded it */
     int32_t color_8p16[3]; /* 0..255.0 */
 } sample;
 
@@ -254,28 +260,12 @@ static void take_sample(sample *out, const qtri_stroke_shape *shape, uint32_t sh
     const qtri_stroke_end *to = &shape->end[1];
     const int32_t depth_16p8 =
         mixed((int32_t)(from->depth_16p8 >> 8), (int32_t)(to->depth_16p8 >> 8), share_q16);
-    out->depth = (uint32_t)(depth_16p8 + 128) >> 8;
+    out->depth_16p8 = (uint32_t)(depth_16p8 + 128);
+    out->depth = out->depth_16p8 >> 8;
     for (int i = 0; i < 3; i++) {
         out->color_8p16[i] = shape->even ? from->color_8p16[i]
                                          : mixed(from->color_8p16[i], to->color_8p16[i], share_q16);
     }
-}
-
-/* A colour, or what a share of it, 0..2^16, makes of a stored pixel, before it is encoded. */
-static uint32_t word_of(const qtri_format *format, const sample *from, const uint8_t *pixel,
-                        int32_t share_q16)
-{
-    int32_t color[3] = {from->color_8p16[0], from->color_8p16[1], from->color_8p16[2]};
-    if (share_q16 < 65536) {
-        const uint32_t stored = format->decode(format->pixels->load(pixel));
-        for (int i = 0; i < 3; i++) {
-            const int32_t below = (int32_t)(stored >> (16 - 8 * i) & 0xFFu) << 16;
-            /* |.| <= 255 2^7 2^16 < 2^31 */
-            color[i] = below + ((((color[i] - below) >> 9) * share_q16) >> 7);
-        }
-    }
-    const qtri_channels channels = qtri_channels_from_color(format->colors, color);
-    return format->colors->pack(channels.c);
 }
 
 /* Less than a half of 1/256 is nothing. */
@@ -325,7 +315,8 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
                 depth[i] = (uint16_t)s.depth;
             }
         }
-        word[i - in->first] = word_of(format, &s, pixel, share_of(stroker, cover));
+        word[i - in->first] =
+            qtri_stroke_word(format, s.color_8p16, pixel, share_of(stroker, cover));
         mask |= 1;
     }
     const int32_t count = in->end - in->first;
@@ -334,6 +325,65 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
             format->encode(word, count);
         }
         format->pixels->store(first_pixel, word, mask, count);
+    }
+}
+
+/* What passes of the window, as what fog and blends ask for. */
+static void take_covered(qtri_covered *pixels, qtri_stroker *stroker, const clip *in)
+{
+    const qtri_surface *surface = stroker->surface;
+    const uint32_t row = (uint32_t)(stroker->row - surface->first_row);
+    const uint16_t *depth =
+        stroker->compare != QTRI_DEPTH_OFF ? qtri_depths_at(surface, stroker->row) : NULL;
+    position at[QTRI_STROKE_WINDOW];
+    for (int32_t i = in->first; i < in->end; i++) {
+        at[i].part = UINT32_MAX;
+    }
+    take_all_positions(at, stroker, in);
+    pixels->count = 0;
+    for (int32_t i = in->first; i < in->end; i++) {
+        const int32_t cover = stroker->cover[i];
+        const int32_t x = stroker->column + i;
+        if (cover < LEAST || at[i].part == UINT32_MAX) {
+            continue;
+        }
+        sample s;
+        take_sample(&s, shape_of(stroker, at[i].part), at[i].share_q16);
+        if (depth != NULL && !passes(stroker->compare, s.depth, depth[x])) {
+            continue;
+        }
+        const int32_t n = pixels->count++;
+        pixels->color[n] = qtri_pack_888(s.color_8p16);
+        pixels->place[n] = (row << 16) + (uint32_t)x;
+        pixels->depth[n] = s.depth_16p8 << 8;
+        pixels->share_q16[n] = share_of(stroker, cover);
+    }
+}
+
+/* Pixels that are covered, with fog and a blend. Depths are those of pixels that are drawn. */
+QTRI_NOINLINE static void draw_affected(qtri_stroker *stroker, const clip *in)
+{
+    const qtri_surface *surface = stroker->surface;
+    const qtri_format *format = surface->format;
+    qtri_covered pixels;
+    uint8_t was[QTRI_BATCH];
+    take_covered(&pixels, stroker, in);
+    if (pixels.count == 0) {
+        return;
+    }
+    stroker->effects->covered(surface, stroker->material, &pixels, was);
+    for (int32_t i = 0; i < pixels.count && stroker->depth_write; i++) {
+        const int32_t x = (int32_t)(pixels.place[i] & 0xFFFF);
+        if (stroker->cover[x - stroker->column] >= QTRI_STROKE_FULL / 2) {
+            qtri_depths_at(surface, stroker->row)[x] = (uint16_t)(pixels.depth[was[i]] >> 16);
+        }
+    }
+    if (pixels.count != 0) {
+        if (format->encode != NULL) {
+            format->encode(pixels.color, pixels.count);
+        }
+        format->pixels->scatter(surface->pixels, surface->pitch, pixels.place, pixels.color,
+                                pixels.count);
     }
 }
 
@@ -401,7 +451,11 @@ static void draw_row(qtri_stroker *stroker)
     if (stroker->edges != NULL) {
         stroker->edges->finish(stroker);
     }
-    draw_covered(stroker, &in);
+    if (stroker->effects != NULL) {
+        draw_affected(stroker, &in);
+    } else {
+        draw_covered(stroker, &in);
+    }
 }
 
 /* Rows and columns that parts may touch, inside the bounds. */

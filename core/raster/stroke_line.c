@@ -5,7 +5,9 @@
 #include "../bits/reciprocal.h"
 #include "../filter/mix.h"
 #include "../frame/mix.h"
+#include "../frame/colors.h"
 #include "../frame/pixel.h"
+#include "effect.h"
 #include "line_path.h"
 
 /* What covers a whole pixel: 256 of a width by 512 halves of 1/256 of a height. */
@@ -177,6 +179,64 @@ static inline uint32_t mix_channel(uint32_t over, uint32_t under, uint32_t k, ui
     return qtri_mix_over(over, under, k);
 }
 
+/* In the share of a pixel that writes its depth when fog and a blend have not turned it away. */
+#define WRITES_LATE ((uint32_t)1 << 31)
+
+/* The colour of a pixel as 0x00RRGGBB. */
+static uint32_t color_888(const wire *w, uint32_t share)
+{
+    int32_t c[3];
+    if (w->from != NULL) {
+        for (int k = 0; k < 3; k++) { /* 2^16 steps of 1/256 by 2^14 */
+            c[k] = (*w->from)[k] + ((((*w->to)[k] - (*w->from)[k]) >> 8) * (int32_t)share >> 6);
+        }
+    } else {
+        const qtri_rgb *tint = &w->job->material->color;
+        const int32_t light_q15 = (w->light_q29 + w->light_step * (int32_t)share) >> 14;
+        c[0] = tint->r * light_q15 * 2; /* <= 255.0 */
+        c[1] = tint->g * light_q15 * 2;
+        c[2] = tint->b * light_q15 * 2;
+    }
+    return qtri_pack_888(c);
+}
+
+/* The same as `store`, with fog and a blend. */
+QTRI_NOINLINE static void store_affected(const wire *w, pixels *p)
+{
+    const qtri_line_job *job = w->job;
+    const qtri_surface *surface = job->surface;
+    const qtri_format *format = surface->format;
+    qtri_covered covered;
+    uint8_t was[QTRI_BATCH];
+    for (int32_t i = 0; i < p->count; i++) {
+        const uint32_t share = p->share[i] & ~WRITES_LATE;
+        covered.color[i] = color_888(w, share);
+        covered.place[i] = p->place[i];
+        covered.depth[i] = (uint32_t)(w->z_16p14 + w->z_step * (int32_t)share) << 2;
+        covered.share_q16[i] = (int32_t)p->cover[i] << 6;
+    }
+    covered.count = p->count;
+    p->count = 0;
+    if (covered.count == 0) {
+        return;
+    }
+    qtri_effect_stages_of(job->material)->covered(surface, job->material, &covered, was);
+    for (int32_t i = 0; i < covered.count; i++) {
+        const uint32_t place = covered.place[i];
+        if ((p->share[was[i]] & WRITES_LATE) != 0) {
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
+                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(covered.depth[was[i]] >> 16);
+        }
+    }
+    if (covered.count != 0) {
+        if (format->encode != NULL) {
+            format->encode(covered.color, covered.count);
+        }
+        format->pixels->scatter(surface->pixels, surface->pitch, covered.place, covered.color,
+                                covered.count);
+    }
+}
+
 /* Stores pixels of one line, of any format. No pixel is there twice. */
 QTRI_NOINLINE static void store(const wire *w, pixels *p)
 {
@@ -186,11 +246,13 @@ QTRI_NOINLINE static void store(const wire *w, pixels *p)
     uint32_t word[QTRI_BATCH_ROOM] = {0};
     uint32_t under[QTRI_BATCH];
     const int32_t count = p->count;
-    p->count = 0;
+    if (w->job->effect != NULL) {
+        store_affected(w, p);
+        return;
+    }
     if (count == 0) {
         return;
     }
-    p->count = count;
     if (w->from != NULL) {
         color_words(word, w, p);
     } else {
@@ -249,6 +311,7 @@ static void take_pixels(const wire *w, pixels *p, const cells *c)
             continue;
         }
         const int32_t share = held_share(share_q24);
+        uint32_t late = 0;
         if (job->has_depth) {
             uint16_t *depth = surface->depth + (ptrdiff_t)(place >> 16) * surface->depth_pitch +
                               (ptrdiff_t)(place & 0xFFFF);
@@ -257,12 +320,13 @@ static void take_pixels(const wire *w, pixels *p, const cells *c)
                 continue;
             }
             if (job->depth_write && sum >= FULL / 2) {
-                *depth = (uint16_t)z;
+                late = job->writes_early ? 0 : WRITES_LATE;
+                *depth = job->writes_early ? (uint16_t)z : *depth;
             }
         }
         const int32_t i = p->count++;
         p->place[i] = place;
-        p->share[i] = (uint32_t)share;
+        p->share[i] = (uint32_t)share | late;
         p->cover[i] = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
     }
 }
@@ -488,9 +552,10 @@ static walk_columns walk_of(wire *w, const qtri_line_color *color)
     const bool nearer = job->has_depth && job->is_less && job->depth_write;
     const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
     if (!QTRI_WITH_FAST_PATHS || color != NULL || job->smooth->alpha != 255 ||
-        !job->batch->has_table || (job->has_depth && !nearer) || !qtri_is_565(surface->format) ||
-        surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
-        surface->depth_pitch >= pitch_end / 2 || surface->depth_pitch <= -pitch_end / 2) {
+        job->effect != NULL || !job->batch->has_table || (job->has_depth && !nearer) ||
+        !qtri_is_565(surface->format) || surface->pitch >= pitch_end ||
+        surface->pitch <= -pitch_end || surface->depth_pitch >= pitch_end / 2 ||
+        surface->depth_pitch <= -pitch_end / 2) {
         return walk_any;
     }
     const int32_t pitch = (int32_t)surface->pitch;
