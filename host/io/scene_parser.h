@@ -68,7 +68,9 @@ struct scene_parser {
     struct scene_stroke line_state, point_state; /* of the next line and point */
     struct scene_op *polyline; /* the last statement was about this one: vertices join it */
     size_t stroke_vertex_capacity;
-    int32_t depth_bias; /* of the geometry that follows */
+    int32_t depth_bias, depth_slope; /* of the geometry that follows */
+    bool by_vertex;
+    int32_t vertex_alpha[3];
     struct scene_texture_request texture;
     int texformat_line; /* of the last `texformat`, in case its palette does not suffice */
     const struct scene_statement *texformat_statement;
@@ -140,7 +142,8 @@ void scene_brush_free(struct scene_brush *brush);
 
 /* scene_blend.c */
 scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity,
-    scene_statement_colormask, scene_statement_depthbias;
+    scene_statement_colormask, scene_statement_depthbias, scene_statement_depthslope,
+    scene_statement_vertexalpha;
 
 scene_handler scene_statement_linewidth, scene_statement_linesmooth, scene_statement_linecap,
     scene_statement_linealpha, scene_statement_line, scene_statement_polyline,

@@ -19,11 +19,17 @@ bool ref_passes_door(const struct scene *scene, int x, int y)
     return floor(scene->alpha / 65536.0 * 255 + .5) > 16 * rank + 8;
 }
 
-double ref_kept(const struct scene *scene)
+double ref_vertex_alpha(const struct scene *scene, const struct scene_op *op, size_t i)
+{
+    const bool counts = scene->blend == SCENE_BLEND_ALPHA || scene->blend == SCENE_BLEND_ADD;
+    return counts && op->by_vertex && !scene->wireframe ? op->vertex_alpha[i % 3] / 65536.0 : 1;
+}
+
+double ref_kept(const struct scene *scene, double alpha)
 {
     switch (scene->blend) {
     case SCENE_BLEND_ALPHA:
-        return 1 - scene->alpha / 65536.0;
+        return 1 - alpha * scene->alpha / 65536.0;
     case SCENE_BLEND_ADD:
     case SCENE_BLEND_MULTIPLY:
     case SCENE_BLEND_NONE:
@@ -62,9 +68,10 @@ static double fogged(const struct scene_fog *fog, int channel, double color, dou
     return color * share + 255 * (fog->color[channel] / 65536.0) * (1 - share);
 }
 
-double ref_blend(const struct scene *scene, int channel, double color, double under, double depth)
+double ref_blend(const struct scene *scene, int channel, double color, double under, double depth,
+                 double alpha)
 {
-    const double alpha = scene->alpha / 65536.0;
+    alpha *= scene->alpha / 65536.0;
     if (scene->keep[channel] && scene->blend != SCENE_BLEND_SCREENDOOR)
         return under;
     if (scene->fog.kind != SCENE_FOG_OFF)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh.h"
+#include "blend.h"
 #include "clip.h"
 #include "light.h"
 #include "raster.h"
@@ -59,8 +60,8 @@ static void light_vertex(const struct drawing *d, struct ref_vertex *vertex, con
         set_color(vertex, d->color, ref_intensity(d->light, normal));
 }
 
-static void transform_vertices(const struct drawing *d, const struct ref_matrix *to_clip,
-                               struct ref_vertex *out)
+static void transform_vertices(const struct drawing *d, const struct scene_op *op,
+                               const struct ref_matrix *to_clip, struct ref_vertex *out)
 {
     const struct obj_mesh *mesh = d->mesh;
 
@@ -74,6 +75,7 @@ static void transform_vertices(const struct drawing *d, const struct ref_matrix 
         out[i] = (struct ref_vertex){clip[0], clip[1], clip[2], clip[3], {0}};
         from_q16(mesh->normals[i], 3, normal);
         light_vertex(d, &out[i], normal, position);
+        out[i].attribute[REF_ALPHA] = ref_vertex_alpha(d->light->scene, op, i);
         if (d->light->scene->texture_sphere)
             set_sphere(&out[i], d->light, normal);
         else if (mesh->uvs)
@@ -121,7 +123,7 @@ bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
         return false;
     for (int c = 0; c < 3; c++)
         d.color[c] = fmax(0.0, fmin(1.0, (double)op->u.mesh.color[c] / 65536.0));
-    transform_vertices(&d, &to_clip, vertices);
+    transform_vertices(&d, op, &to_clip, vertices);
 
     for (size_t t = 0; t < mesh->triangle_count; t++) {
         const uint32_t *index = mesh->triangles[t];

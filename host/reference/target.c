@@ -63,6 +63,7 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->image = image;
     target->subpixel_bits = subpixel_bits;
     ref_target_bias(target, 0);
+    target->depth_slope = 0;
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
     double clear_depth = unit_from_q16(scene->clear_depth);
@@ -91,6 +92,13 @@ void ref_target_bias(struct ref_target *target, int32_t bias)
     const double by = bias / 65536.0;
     target->depth_near = clamp(unit_from_q16(target->scene->depth_near) + by, 0.0, 1.0);
     target->depth_far = clamp(unit_from_q16(target->scene->depth_far) + by, 0.0, 1.0);
+}
+
+double ref_target_shift(const struct ref_target *target, double right, double down, double nearest,
+                        double farthest)
+{
+    const double by = target->depth_slope * fmax(fabs(right), fabs(down));
+    return clamp(by, -nearest, 1 - farthest);
 }
 
 double ref_target_depth(const struct ref_target *target, long double z_over_w)
@@ -160,6 +168,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
     if (scene->depth_test && scene->depth_write)
         image->depth[i] = depth;
     const bool blended = ref_is_blended(scene);
+    const double alpha = clamp(attribute[REF_ALPHA], 0.0, 1.0);
     for (size_t c = 0; c < 3; c++) {
         double a = vertex[0].attribute[c];
         double b = vertex[1].attribute[c];
@@ -172,7 +181,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         else if (triangle->textured)
             color = color * texel[c] / 255.0;
         if (blended) {
-            color = ref_blend(scene, (int)c, color, image->color[3 * i + c], depth);
+            color = ref_blend(scene, (int)c, color, image->color[3 * i + c], depth, alpha);
             least = 0;
             greatest = 255;
         }
@@ -181,7 +190,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         image->color_max[3 * i + c] = greatest;
     }
     image->id[i] = triangle->id;
-    ref_target_mixed(target, i, ref_kept(scene), 0);
+    ref_target_mixed(target, i, ref_kept(scene, alpha), 0);
     image->footprint[i] = footprint;
 }
 

@@ -13,6 +13,7 @@ struct ref_target {
     struct reference_image *image;
     int subpixel_bits;
     double depth_near, depth_far; /* of the depth range */
+    double depth_slope;           /* of triangles: see ref_target_shift */
 };
 
 /* Allocates the image and clears it; false when memory runs out, with nothing to free. */
@@ -21,6 +22,11 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
 
 /* What follows has its depths moved by `bias`, Q16.16; the range's ends are held to 0..1. */
 void ref_target_bias(struct ref_target *target, int32_t bias);
+
+/* What is added to depths of a triangle that change by `right` and `down` a pixel: so that the
+   range of its vertices stays in 0..1. */
+double ref_target_shift(const struct ref_target *target, double right, double down, double nearest,
+                        double farthest);
 
 /* Window depth of clip z / w: -1..1 to the depth range. */
 double ref_target_depth(const struct ref_target *target, long double z_over_w);

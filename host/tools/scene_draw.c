@@ -218,10 +218,23 @@ static qtri_normal normal_of(const int32_t n[3])
     return normal;
 }
 
+/* Whether alpha of an operation's vertices counts: then the blend that takes it. */
+static const qtri_blend *vertex_blend_of(const struct drawing *d, const struct scene_op *op)
+{
+    if (!op->by_vertex || d->pass == SCENE_IDS) {
+        return NULL;
+    }
+    if (d->material.blend == &qtri_blend_alpha) {
+        return &qtri_blend_vertex_alpha;
+    }
+    return d->material.blend == &qtri_blend_add ? &qtri_blend_vertex_add : NULL;
+}
+
 static void draw_triangle(struct drawing *d, const struct scene_op *op)
 {
     qtri_corner corner[3];
     qtri_normal normal[3];
+    uint8_t alpha[3];
     for (int i = 0; i < 3; i++) {
         const struct scene_vertex *v = &op->u.triangle.vertex[i];
         qtri_vec4 position = {v->position[0], v->position[1], v->position[2], v->position[3]};
@@ -230,10 +243,15 @@ static void draw_triangle(struct drawing *d, const struct scene_op *op)
         corner[i].color = d->pass == SCENE_IDS ? rgb_of_id(op->id) : scene_rgb(v->color);
         corner[i].uv = uv;
         normal[i] = normal_of(v->normal);
+        alpha[i] = color_8(op->vertex_alpha[i]);
     }
     qtri_material material = d->material;
     if (!op->u.triangle.textured) {
         material.texture = NULL;
+    }
+    if (vertex_blend_of(d, op) != NULL) {
+        material.blend = vertex_blend_of(d, op);
+        material.alphas = alpha;
     }
     const bool is_lit = d->pass == SCENE_COLORS && d->resources->lights.model != NULL;
     d->view.lights = is_lit ? &d->resources->lights : NULL;
@@ -281,11 +299,24 @@ static void note_edges(struct drawing *d, const qtri_mesh *mesh)
     free(memory);
 }
 
+/* Of a mesh in one part, and for as many vertices as one may have; NULL: 255 for all. */
+static uint8_t *alphas_of(const struct scene_parts *parts, const struct scene_op *op)
+{
+    const uint32_t count = parts->count != 0 ? parts->part[0].mesh.vertex_count : 0;
+    uint8_t *alphas = parts->count == 1 ? malloc(count + 1) : NULL;
+    for (uint32_t i = 0; alphas != NULL && i < count; i++) {
+        alphas[i] = color_8(op->vertex_alpha[i % 3]);
+    }
+    return alphas;
+}
+
 static void draw_mesh(struct drawing *d, const struct scene_op *op)
 {
     const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
     uint32_t id = op->id;
     const bool is_lit = d->pass == SCENE_COLORS && d->resources->scene->lamps_on;
+    const qtri_blend *by_vertex = vertex_blend_of(d, op);
+    uint8_t *alphas = by_vertex != NULL ? alphas_of(parts, op) : NULL;
     d->view.lights = is_lit ? &d->resources->lights : NULL;
     d->material.color = scene_rgb(op->u.mesh.color);
     for (size_t i = 0; i < parts->count; i++) {
@@ -300,10 +331,14 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
                 qtri_sphere_map(d->resources->sphere_uvs, &d->view.camera, &d->modelview, mesh);
                 shown.uvs16 = d->resources->sphere_uvs;
             }
-            qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &d->material);
+            qtri_material material = d->material;
+            material.blend = by_vertex != NULL ? by_vertex : material.blend;
+            material.alphas = alphas;
+            qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &material);
         }
         id += mesh->triangle_count;
     }
+    free(alphas);
 }
 
 /*
@@ -378,6 +413,8 @@ static void replay(struct drawing *d, struct stacks *stacks)
         d->view.projection = stacks->matrix[0][stacks->top[0]];
         d->modelview = stacks->matrix[1][stacks->top[1]];
         d->material.depth_bias = op->depth_bias;
+        d->material.depth_shift = op->depth_slope != 0 ? &qtri_slope_bias : NULL;
+        d->material.depth_slope = op->depth_slope;
         if (d->resources->jitter_log2 > 0) {
             qtri_view_jitter(&d->view, &d->view, d->resources->jitter, d->resources->jitter_log2);
         }

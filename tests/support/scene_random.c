@@ -502,6 +502,18 @@ static void put_paint(struct writer *w)
     }
 }
 
+/* Alpha in steps of 1/255, as vertices have it. */
+static void put_vertex_state(struct writer *w)
+{
+    put(w, "depthslope %.4f\n", chance(w, 20) ? symmetric(w, 2) : 0);
+    if (chance(w, 60)) {
+        put(w, "vertexalpha off\n");
+        return;
+    }
+    put(w, "vertexalpha %.5f %.5f %.5f\n", pick(w, 256) / 255.0, pick(w, 256) / 255.0,
+        pick(w, 256) / 255.0);
+}
+
 char *scene_random_mixed(uint32_t seed, size_t *length)
 {
     struct writer w = {.text = NULL,
@@ -511,6 +523,7 @@ char *scene_random_mixed(uint32_t seed, size_t *length)
     put_mixed_state(&w);
     for (int groups = 4 + pick(&w, 6); groups > 0; groups--) {
         put(&w, "push\ndepthbias %.5f\n", chance(&w, 20) ? symmetric(&w, .003) : 0);
+        put_vertex_state(&w);
         put(&w, "rotate %.3f  %.3f %.3f %.3f\n", symmetric(&w, 180), symmetric(&w, 1),
             symmetric(&w, 1), uniform(&w, .1, 1));
         switch (pick(&w, 5)) {
