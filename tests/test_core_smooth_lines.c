@@ -104,6 +104,24 @@ static void coverage(void **state)
     canvas_free(&c);
 }
 
+static void set_effects(qtri_material *material, qtri_fog *fog, uint64_t *seed)
+{
+    const qtri_blend *const blends[] = {NULL,
+                                        &qtri_blend_alpha,
+                                        &qtri_blend_add,
+                                        &qtri_blend_multiply,
+                                        &qtri_blend_none,
+                                        &qtri_blend_replace,
+                                        &qtri_blend_screen_door,
+                                        &qtri_blend_vertex_add};
+    const qtri_fog_range range = {Q16(.5), Q16(8), false};
+    qtri_fog_exp(fog, (qtri_rgb){40, 120, 230}, range, Q16(.2));
+    material->fog = random_flag(seed) ? fog : NULL;
+    material->blend = blends[random_in(seed, 0, 7)];
+    material->alpha = (uint8_t)random_in(seed, 0, 255);
+    material->keep = (uint8_t)random_in(seed, 0, 7);
+}
+
 /* Turned round, in bands and by scissors: the same pixels, in every format, with and without depth.
  */
 static void pieces(void **state)
@@ -117,6 +135,10 @@ static void pieces(void **state)
         material.color = (qtri_rgb){255, 200, 100};
         material.depth_compare = (qtri_compare)random_in(&seed, QTRI_DEPTH_OFF, QTRI_ALWAYS);
         material.depth_read_only = random_in(&seed, 0, 3) == 0;
+        qtri_fog fog;
+        if (n % 3 != 0) {
+            set_effects(&material, &fog, &seed);
+        }
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         canvas other = canvas_new(format, WIDTH, HEIGHT);
         canvas cut = canvas_new(format, WIDTH, HEIGHT);

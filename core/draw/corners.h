@@ -39,14 +39,17 @@ void qtri_corners_fetch(const qtri_primitive *primitive, const qtri_corner *corn
 /* A qtri_attribute_source, from three corners. */
 void qtri_corners_attributes(const void *from, qtri_screen_vertex attributes[3]);
 
-/* Of three corners, for blends by vertex: the first's number in the call. */
+/* Whether alpha of three corners is to be kept before they are drawn; does it, by their number. */
+static inline bool qtri_corners_are_noted(const qtri_primitive *primitive)
+{
+    return primitive->material->fill == NULL && primitive->to.solid.raster.by_vertex != NULL;
+}
+
 static inline void qtri_corners_note(const qtri_primitive *primitive, uint32_t first)
 {
     const qtri_raster *raster = &primitive->to.solid.raster;
-    if (primitive->material->fill == NULL && raster->by_vertex != NULL) {
-        const uint32_t index[3] = {first, first + 1, first + 2};
-        raster->by_vertex->note(raster, index);
-    }
+    const uint32_t index[3] = {first, first + 1, first + 2};
+    raster->by_vertex->note(raster, index);
 }
 
 #endif

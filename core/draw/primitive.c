@@ -180,9 +180,6 @@ QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_ve
     out->v_q32 = from->v_q32;
     out->rest[0] = v->rest[0];
     out->rest[1] = v->rest[1];
-    if (raster->by_vertex != NULL) {
-        out->alpha_q16 = raster->by_vertex->at(raster, v->b1_q30, v->b2_q30);
-    }
 }
 
 /* A triangle of what clipping left. */
@@ -200,6 +197,11 @@ QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *
     spread_provoking(p->primitive->material, attributes);
     for (int i = 0; i < 3; i++) {
         set_attributes(&out[i], p->vertex[i], attributes, &p->primitive->to.solid.raster);
+    }
+    const qtri_raster *raster = &p->primitive->to.solid.raster;
+    for (int i = 0; raster->by_vertex != NULL && i < 3; i++) {
+        out[i].alpha_q16 =
+            raster->by_vertex->at(raster, p->vertex[i]->b1_q30, p->vertex[i]->b2_q30);
     }
 }
 
