@@ -179,6 +179,38 @@ static void pieces(void **state)
     }
 }
 
+/* Where the screen door turns a pixel away, its depth stays as well. */
+static void doors(void **state)
+{
+    (void)state;
+    uint64_t seed = 9;
+    int turned_away = 0;
+    for (int n = 0; n < 60; n++) {
+        line l = random_line(&seed);
+        qtri_material material = plain_material();
+        canvas door = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        canvas open = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        material.depth_compare = QTRI_ALWAYS;
+        l.colored = false;
+        l.v[0].intensity_q15 = l.v[1].intensity_q15 = 32768;
+        draw(&open.surface, &material, &l, false);
+        material.blend = &qtri_blend_screen_door;
+        material.alpha = 120;
+        draw(&door.surface, &material, &l, false);
+        for (int32_t y = 0; y < HEIGHT; y++) {
+            for (int32_t x = 0; x < WIDTH; x++) {
+                const bool drawn = stored_pixel(&door.surface, x, y) != 0;
+                const uint16_t depth = stored_depth(&open.surface, x, y);
+                assert_int_equal(stored_depth(&door.surface, x, y), drawn ? depth : 65535);
+                turned_away += !drawn && depth != 65535;
+            }
+        }
+        canvas_free(&door);
+        canvas_free(&open);
+    }
+    assert_true(turned_away > 100);
+}
+
 /* Ends anywhere: nothing is written outside, and nothing overflows. */
 static void extremes(void **state)
 {
@@ -338,8 +370,8 @@ static void shared_edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage),   cmocka_unit_test(pieces),       cmocka_unit_test(extremes),
-        cmocka_unit_test(wireframes), cmocka_unit_test(shared_edges),
+        cmocka_unit_test(coverage), cmocka_unit_test(pieces),     cmocka_unit_test(doors),
+        cmocka_unit_test(extremes), cmocka_unit_test(wireframes), cmocka_unit_test(shared_edges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
