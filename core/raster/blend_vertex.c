@@ -26,6 +26,7 @@ struct qtri_alpha_planes {
 };
 
 enum {
+    BLOCK_LOG2 = 3,
     BLOCK = 8, /* pixels between quotients, from columns that are multiples of that */
     ONE_Q20 = 1 << 20
 };
@@ -175,33 +176,33 @@ static int32_t quotient_q20(uint64_t alpha, uint64_t q)
     return (int32_t)((numerator * (qtri_reciprocal_near(divisor) >> 15)) >> 11);
 }
 
-/* One end of a block. */
-typedef struct alpha_end {
+/* What both planes are at a place of a row. */
+typedef struct alpha_place {
     uint64_t alpha, q;
-    int32_t value_q20;
-} alpha_end;
+} alpha_place;
 
-static void set_end(alpha_end *end, const qtri_alpha_planes *p, int32_t x, int32_t y)
+static void move(alpha_place *place, const qtri_alpha_planes *p, uint32_t pixels_log2)
 {
-    end->alpha = qtri_plane_column(qtri_plane_row(&p->alpha, y), p->alpha.dx, x);
-    end->q = qtri_plane_column(qtri_plane_row(&p->q, y), p->q.dx, x);
-    end->value_q20 = quotient_q20(end->alpha, end->q);
+    place->alpha += p->alpha.dx << pixels_log2;
+    place->q += p->q.dx << pixels_log2;
 }
 
 /*
- * Whether alpha is linear from end to end: off by their difference times that of q, of 4 q, which
- * is to be less than 2^-11. Ends may lie outside of the triangle, where q is anything.
+ * Whether alpha is linear from one end of a block to the other: off by their difference times that
+ * of q, of 4 q, which is to be less than 2^-11. Ends may lie outside of the triangle, where q is
+ * anything, and alpha held.
  */
-static bool is_straight(const alpha_end *a, const alpha_end *b)
+static bool is_straight(uint64_t q0, uint64_t q1, int32_t from_q20, int32_t to_q20)
 {
-    const uint32_t change = qtri_magnitude32(b->value_q20 - a->value_q20) >> 6; /* <= 2^14 */
-    const uint64_t least = a->q < b->q ? a->q : b->q;
-    const uint64_t more = a->q < b->q ? b->q - a->q : a->q - b->q;
-    if ((int64_t)a->q <= 0 || (int64_t)b->q <= 0 || a->value_q20 == ONE_Q20 ||
-        b->value_q20 == ONE_Q20 || a->value_q20 == 0 || b->value_q20 == 0) {
+    const uint32_t change_q10 = qtri_magnitude32(to_q20 - from_q20) >> 10;
+    const int32_t first = (int32_t)(q0 >> 24); /* of 2^47: 23 bits, and a sign */
+    const int32_t last = (int32_t)(q1 >> 24);
+    const int32_t least = qtri_least32(first, last);
+    if (least <= 0 || from_q20 == ONE_Q20 || to_q20 == ONE_Q20 || from_q20 == 0 || to_q20 == 0) {
         return false;
     }
-    return (more >> 16) * change < least >> 13; /* 2^31 2^14 */
+    const uint32_t more = qtri_magnitude32(last - first) + 1;
+    return more < (uint32_t)1 << 21 && more * (change_q10 + 1) < 2 * (uint32_t)least;
 }
 
 static void set_quotients(uint32_t *share, const qtri_alpha_planes *p, int32_t x, int32_t y,
@@ -209,24 +210,32 @@ static void set_quotients(uint32_t *share, const qtri_alpha_planes *p, int32_t x
 {
     const int32_t end = x + count;
     int32_t block = x & -BLOCK;
-    alpha_end from;
-    alpha_end to;
-    set_end(&from, p, block, y);
+    alpha_place from;
+    from.alpha = qtri_plane_column(qtri_plane_row(&p->alpha, y), p->alpha.dx, block);
+    from.q = qtri_plane_column(qtri_plane_row(&p->q, y), p->q.dx, block);
+    int32_t from_q20 = quotient_q20(from.alpha, from.q);
     while (x < end) {
         const int32_t stop = qtri_least32(block + BLOCK, end);
-        set_end(&to, p, block + BLOCK, y);
-        const bool straight = is_straight(&from, &to);
-        for (; x < stop; x++) {
-            const int32_t k = x - block;
-            int32_t value_q20 = from.value_q20 + (to.value_q20 - from.value_q20) / BLOCK * k;
-            if (!straight) {
-                value_q20 = quotient_q20(from.alpha + p->alpha.dx * (uint64_t)(int64_t)k,
-                                         from.q + p->q.dx * (uint64_t)(int64_t)k);
+        alpha_place to = from;
+        move(&to, p, BLOCK_LOG2);
+        const int32_t to_q20 = quotient_q20(to.alpha, to.q);
+        if (is_straight(from.q, to.q, from_q20, to_q20)) {
+            const int32_t step = (to_q20 - from_q20) / BLOCK;
+            uint32_t value = (uint32_t)(from_q20 + step * (x - block)) + 512;
+            for (; x < stop; x++, value += (uint32_t)step) {
+                *share++ = value >> 10;
             }
-            *share++ = (uint32_t)(value_q20 + 512) >> 10;
+        } else {
+            for (; block < x; block++) {
+                move(&from, p, 0);
+            }
+            for (; x < stop; x++, move(&from, p, 0)) {
+                *share++ = (uint32_t)(quotient_q20(from.alpha, from.q) + 512) >> 10;
+            }
         }
-        block += BLOCK;
+        block = x;
         from = to;
+        from_q20 = to_q20;
     }
 }
 
@@ -260,108 +269,169 @@ static void multiply(uint32_t *share, const uint32_t *color, int32_t count)
 
 /* ---- Blending ---- */
 
+/* The first of a row's pixels. */
+static const uint8_t *pixel_at(const qtri_raster *raster, uint32_t place)
+{
+    const qtri_surface *surface = raster->surface;
+    return surface->pixels + (ptrdiff_t)(place >> 16) * surface->pitch +
+           (ptrdiff_t)((place & 0xFFFF) * raster->format->pixels->bytes);
+}
+
 /* Stored pixels of a row as 0x00RRGGBB. */
 static void gather(uint32_t *under, const qtri_raster *raster, uint32_t place, int32_t count)
 {
-    const qtri_surface *surface = raster->surface;
     const qtri_pixels *memory = raster->format->pixels;
-    const qtri_format *stored = raster->planes->stored;
-    const uint8_t *pixel = surface->pixels + (ptrdiff_t)(place >> 16) * surface->pitch +
-                           (ptrdiff_t)((place & 0xFFFF) * memory->bytes);
-    if (memory->bytes == 2 && stored->colors == &qtri_colors_565 && stored->encode == NULL) {
-        for (int32_t i = 0; i < count; i++) {
-            under[i] = ((const uint16_t *)(const void *)pixel)[i];
-        }
-        qtri_565_to_888(under, count);
-        return;
-    }
+    const uint8_t *pixel = pixel_at(raster, place);
     for (int32_t i = 0; i < count; i++, pixel += memory->bytes) {
-        under[i] = stored->decode(memory->load(pixel));
+        under[i] = raster->format->decode(memory->load(pixel));
     }
 }
 
-/* A channel of 0..255 in 2^-10, of two and a share of 1024; below 2^18. */
+/* The same as RGB565: where it is stored as that, in its place, or in `half`. */
+QTRI_NOINLINE static const uint16_t *gather_565(uint16_t *half, const qtri_raster *raster,
+                                                uint32_t place, int32_t count)
+{
+    uint32_t under[QTRI_BATCH_ROOM];
+    if (raster->format->pixels->bytes == 2 && raster->planes->stored->encode == NULL) {
+        return (const uint16_t *)(const void *)pixel_at(raster, place);
+    }
+    gather(under, raster, place, count);
+    qtri_888_to_565(under, count);
+    for (int32_t i = 0; i < count; i++) {
+        half[i] = (uint16_t)under[i];
+    }
+    return half;
+}
+
+/* The pixels that were there again, where channels are to stay. */
+static void keep_888(uint32_t *color, const qtri_raster *raster, const uint32_t *under,
+                     int32_t count)
+{
+    const uint32_t all = QTRI_KEEP_RED | QTRI_KEEP_GREEN | QTRI_KEEP_BLUE;
+    uint32_t kept = ((raster->keep & QTRI_KEEP_RED) != 0 ? 0xFF0000u : 0) |
+                    ((raster->keep & QTRI_KEEP_GREEN) != 0 ? 0xFF00u : 0) |
+                    ((raster->keep & QTRI_KEEP_BLUE) != 0 ? 0xFFu : 0);
+    if (raster->planes->stored->colors->single) {
+        kept = (raster->keep & all) == all ? 0xFFFFFF : 0;
+    }
+    for (int32_t i = 0; i < count; i++) {
+        color[i] = (color[i] & ~kept) | (under[i] & kept);
+    }
+}
+
+/* The same of RGB565. */
+static void keep_565(uint32_t *color, const qtri_raster *raster, const uint16_t *under,
+                     int32_t count)
+{
+    const uint32_t kept = ((raster->keep & QTRI_KEEP_RED) != 0 ? 0xF800u : 0) |
+                          ((raster->keep & QTRI_KEEP_GREEN) != 0 ? 0x07E0u : 0) |
+                          ((raster->keep & QTRI_KEEP_BLUE) != 0 ? 0x1Fu : 0);
+    for (int32_t i = 0; i < count; i++) {
+        color[i] = (color[i] & ~kept) | (under[i] & kept);
+    }
+}
+
+/* A channel of 0..255 from two and a share of 1024, rounded. */
 static inline uint32_t over(uint32_t color, uint32_t under, uint32_t k)
 {
-    return (under << 10) + (uint32_t)((int32_t)(color - under) * (int32_t)k);
+    return ((under << 10) + (uint32_t)((int32_t)(color - under) * (int32_t)k) + 512) >> 10;
 }
 
 static inline uint32_t sum(uint32_t color, uint32_t under, uint32_t k)
 {
-    const uint32_t all = (under << 10) + color * k;
-    return all < (uint32_t)255 << 10 ? all : (uint32_t)255 << 10;
+    const uint32_t all = under + ((color * k + 512) >> 10);
+    return all < 255 ? all : 255;
 }
 
-/* That in steps of 8 bits; and, with 15 bits of it, of 5 and of 6: 63738 is 31 2^26 / (255 2^7). */
-static inline uint32_t to_8(uint32_t channel_q10)
+/*
+ * The same in steps of RGB565, of a colour in 8 bits: 996 / 2^13 is 31 / 255, and 2024 / 2^13 is
+ * 63 / 255, each within 2^-14 of itself. Below 2^29, and rounded once.
+ */
+enum { FIVE = 996, SIX = 2024 };
+#define HALF_565 ((uint32_t)1 << 22)
+
+static inline uint32_t over_565(uint32_t color, uint32_t under, uint32_t k, uint32_t unit)
 {
-    return (channel_q10 + 512) >> 10;
+    return (((under * (1024 - k)) << 13) + color * k * unit + HALF_565) >> 23;
 }
 
-static inline uint32_t to_5(uint32_t channel_q10)
+static inline uint32_t sum_565(uint32_t color, uint32_t under, uint32_t k, uint32_t unit)
 {
-    return (((channel_q10 + 4) >> 3) * 63738u + ((uint32_t)1 << 25)) >> 26;
+    const uint32_t all = under + ((color * k * unit + HALF_565) >> 23);
+    const uint32_t most = unit == SIX ? 63 : 31;
+    return all < most ? all : most;
 }
 
-static inline uint32_t to_6(uint32_t channel_q10)
-{
-    return (((channel_q10 + 4) >> 3) * 64766u + ((uint32_t)1 << 24)) >> 25;
-}
-
-#define MIX(MIXED, RED, GREEN, BLUE, red_at, green_at)                                             \
+#define MIX_565(MIXED)                                                                             \
     for (int32_t i = 0; i < count; i++) {                                                          \
         const uint32_t c = color[i];                                                               \
         const uint32_t u = under[i];                                                               \
         const uint32_t k = share[i];                                                               \
-        color[i] = RED(MIXED(c >> 16 & 255, u >> 16 & 255, k & keep[0])) << (red_at) |             \
-                   GREEN(MIXED(c >> 8 & 255, u >> 8 & 255, k & keep[1])) << (green_at) |           \
-                   BLUE(MIXED(c & 255, u & 255, k & keep[2]));                                     \
+        color[i] = MIXED(c << 8 >> 24, u >> 11, k, FIVE) << 11 |                                   \
+                   MIXED(c << 16 >> 24, u << 21 >> 26, k, SIX) << 5 |                              \
+                   MIXED(c & 255, u & 31, k, FIVE);                                                \
     }
 
-/* Which shares count: all bits, or none of channels that are kept. */
-static void set_kept(uint32_t keep[3], const qtri_raster *raster)
+#define MIX_888(MIXED)                                                                             \
+    for (int32_t i = 0; i < count; i++) {                                                          \
+        const uint32_t c = color[i];                                                               \
+        const uint32_t u = under[i];                                                               \
+        const uint32_t k = share[i];                                                               \
+        color[i] = MIXED(c << 8 >> 24, u >> 16 & 255, k) << 16 |                                   \
+                   MIXED(c << 16 >> 24, u >> 8 & 255, k) << 8 | MIXED(c & 255, u & 255, k);        \
+    }
+
+static void mix_565(uint32_t *color, const qtri_raster *raster, const uint32_t *share,
+                    uint32_t place, int32_t count, bool adds)
 {
-    const uint32_t bits[3] = {QTRI_KEEP_RED, QTRI_KEEP_GREEN, QTRI_KEEP_BLUE};
-    const uint32_t all = QTRI_KEEP_RED | QTRI_KEEP_GREEN | QTRI_KEEP_BLUE;
-    for (int i = 0; i < 3; i++) {
-        const uint32_t bit = raster->planes->stored->colors->single ? all : bits[i];
-        keep[i] = (raster->keep & bit) == bit ? 0 : UINT32_MAX;
+    uint16_t half[QTRI_BATCH_ROOM];
+    const uint16_t *under = gather_565(half, raster, place, count);
+    if (adds) {
+        MIX_565(sum_565)
+    } else {
+        MIX_565(over_565)
+    }
+    if (raster->keep != 0) {
+        keep_565(color, raster, under, count);
     }
 }
 
-QTRI_INLINE void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
-                       int32_t count, bool adds)
+static void mix_888(uint32_t *color, const qtri_raster *raster, const uint32_t *share,
+                    uint32_t place, int32_t count, bool adds)
+{
+    uint32_t under[QTRI_BATCH_ROOM];
+    gather(under, raster, place, count);
+    const bool gray = raster->planes->stored->colors == &qtri_colors_gray;
+    if (gray) {
+        qtri_888_to_gray(color, count);
+    }
+    if (adds) {
+        MIX_888(sum)
+    } else {
+        MIX_888(over)
+    }
+    if (raster->keep != 0) {
+        keep_888(color, raster, under, count);
+    }
+    for (int32_t i = 0; gray && i < count; i++) {
+        color[i] &= 255;
+    }
+}
+
+static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                  int32_t count, bool adds)
 {
     const qtri_format *stored = raster->planes->stored;
     uint32_t share[QTRI_BATCH_ROOM];
-    uint32_t under[QTRI_BATCH_ROOM];
-    uint32_t keep[3];
     set_shares(share, raster->planes, (int32_t)(at->first & 0xFFFF),
                (int32_t)(at->first >> 16) + raster->surface->first_row, count);
     if (raster->wide) {
         multiply(share, color, count);
     }
-    set_kept(keep, raster);
-    gather(under, raster, at->first, count);
     if (stored->colors == &qtri_colors_565) {
-        if (adds) {
-            MIX(sum, to_5, to_6, to_5, 11, 5)
-        } else {
-            MIX(over, to_5, to_6, to_5, 11, 5)
-        }
-    } else if (stored->colors == &qtri_colors_888) {
-        if (adds) {
-            MIX(sum, to_8, to_8, to_8, 16, 8)
-        } else {
-            MIX(over, to_8, to_8, to_8, 16, 8)
-        }
+        mix_565(color, raster, share, at->first, count, adds);
     } else {
-        qtri_888_to_gray(color, count);
-        for (int32_t i = 0; i < count; i++) {
-            const uint32_t k = share[i] & keep[0];
-            color[i] =
-                to_8(adds ? sum(color[i], under[i] & 255, k) : over(color[i], under[i] & 255, k));
-        }
+        mix_888(color, raster, share, at->first, count, adds);
     }
     if (stored->encode != NULL) {
         stored->encode(color, count);
