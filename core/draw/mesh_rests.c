@@ -43,10 +43,10 @@ void qtri_mesh_set_rests(qtri_attributes v[3], const qtri_mesh_job *draw, const 
                          const qtri_triangle *triangle)
 {
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (raster->by_vertex != NULL) {
+    if (qtri_by_vertex(raster) != NULL) {
         uint32_t index[3];
         qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-        raster->by_vertex->set(v, raster, index);
+        qtri_by_vertex(raster)->set(v, raster, index);
     }
     if (qtri_attributes_matter(raster, triangle, v)) {
         set_rests(v, draw, indices, triangle);

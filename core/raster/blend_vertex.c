@@ -3,7 +3,6 @@
 
 #include "../bits/reciprocal.h"
 #include "../frame/pixel.h"
-#include "effect.h"
 #include "samples.h"
 #include "setup.h"
 #include "stage_color.h"
@@ -42,7 +41,8 @@ static uint32_t product_q16(uint32_t a, uint32_t b)
 
 static uint32_t alpha_of(const qtri_raster *raster, uint32_t index)
 {
-    return raster->alphas != NULL ? raster->alphas[index] : 255;
+    const uint8_t *alphas = raster->of.material->alphas;
+    return alphas != NULL ? alphas[index] : 255;
 }
 
 static void set(qtri_attributes v[3], const qtri_raster *raster, const uint32_t index[3])
@@ -68,8 +68,6 @@ static uint32_t at(const qtri_raster *raster, int32_t b1_q30, int32_t b2_q30)
     const int64_t more = qtri_mul_s32(a[1] - a[0], b1_q30) + qtri_mul_s32(a[2] - a[0], b2_q30);
     return (uint32_t)qtri_hold32(a[0] + (int32_t)(more >> 30), 0, 65536);
 }
-
-static const qtri_vertex_blend by_vertex = {set, note, at};
 
 /* ---- Planes ---- */
 
@@ -134,7 +132,7 @@ static void draw(const qtri_raster *raster, qtri_triangle *triangle, const qtri_
     qtri_alpha_planes p;
     p.raster = *raster;
     p.raster.format = &p.format;
-    p.raster.planes = &p;
+    p.raster.of.planes = &p;
     p.format = *raster->format;
     p.format.colors = &qtri_colors_888;
     p.format.encode = NULL;
@@ -153,7 +151,6 @@ static const qtri_format wide = {.colors = &qtri_colors_888};
 
 static void begin(qtri_raster *raster)
 {
-    raster->by_vertex = &by_vertex;
     raster->units = &qtri_colors_888;
     raster->format = &wide;
     raster->route = draw;
@@ -195,10 +192,11 @@ static void move(alpha_place *place, const qtri_alpha_planes *p, uint32_t pixels
 static bool is_straight(uint64_t q0, uint64_t q1, int32_t from_q20, int32_t to_q20)
 {
     const uint32_t change_q10 = qtri_magnitude32(to_q20 - from_q20) >> 10;
-    const int32_t first = (int32_t)(q0 >> 24); /* of 2^47: 23 bits, and a sign */
-    const int32_t last = (int32_t)(q1 >> 24);
+    const int32_t first = (int32_t)(q0 >> 24 & 0xFFFFFF); /* inside it is 2^47 at most */
+    const int32_t last = (int32_t)(q1 >> 24 & 0xFFFFFF);
     const int32_t least = qtri_least32(first, last);
-    if (least <= 0 || from_q20 == ONE_Q20 || to_q20 == ONE_Q20 || from_q20 == 0 || to_q20 == 0) {
+    if ((q0 | q1) >> 48 != 0 || least == 0 || from_q20 == ONE_Q20 || to_q20 == ONE_Q20 ||
+        from_q20 == 0 || to_q20 == 0) {
         return false;
     }
     const uint32_t more = qtri_magnitude32(last - first) + 1;
@@ -292,7 +290,7 @@ QTRI_NOINLINE static const uint16_t *gather_565(uint16_t *half, const qtri_raste
                                                 uint32_t place, int32_t count)
 {
     uint32_t under[QTRI_BATCH_ROOM];
-    if (raster->format->pixels->bytes == 2 && raster->planes->stored->encode == NULL) {
+    if (raster->format->pixels->bytes == 2 && raster->of.planes->stored->encode == NULL) {
         return (const uint16_t *)(const void *)pixel_at(raster, place);
     }
     gather(under, raster, place, count);
@@ -311,7 +309,7 @@ static void keep_888(uint32_t *color, const qtri_raster *raster, const uint32_t 
     uint32_t kept = ((raster->keep & QTRI_KEEP_RED) != 0 ? 0xFF0000u : 0) |
                     ((raster->keep & QTRI_KEEP_GREEN) != 0 ? 0xFF00u : 0) |
                     ((raster->keep & QTRI_KEEP_BLUE) != 0 ? 0xFFu : 0);
-    if (raster->planes->stored->colors->single) {
+    if (raster->of.planes->stored->colors->single) {
         kept = (raster->keep & all) == all ? 0xFFFFFF : 0;
     }
     for (int32_t i = 0; i < count; i++) {
@@ -401,7 +399,7 @@ static void mix_888(uint32_t *color, const qtri_raster *raster, const uint32_t *
 {
     uint32_t under[QTRI_BATCH_ROOM];
     gather(under, raster, place, count);
-    const bool gray = raster->planes->stored->colors == &qtri_colors_gray;
+    const bool gray = raster->of.planes->stored->colors == &qtri_colors_gray;
     if (gray) {
         qtri_888_to_gray(color, count);
     }
@@ -421,9 +419,9 @@ static void mix_888(uint32_t *color, const qtri_raster *raster, const uint32_t *
 static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                   int32_t count, bool adds)
 {
-    const qtri_format *stored = raster->planes->stored;
+    const qtri_format *stored = raster->of.planes->stored;
     uint32_t share[QTRI_BATCH_ROOM];
-    set_shares(share, raster->planes, (int32_t)(at->first & 0xFFFF),
+    set_shares(share, raster->of.planes, (int32_t)(at->first & 0xFFFF),
                (int32_t)(at->first >> 16) + raster->surface->first_row, count);
     if (raster->wide) {
         multiply(share, color, count);
@@ -442,7 +440,7 @@ static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragmen
 static uint32_t blend_over(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                            uint32_t mask, int32_t count)
 {
-    if (raster->planes == NULL) {
+    if (raster->of.planes == NULL) {
         return qtri_blend_alpha.apply(raster, color, at, mask, count);
     }
     apply(raster, color, at, count, false);
@@ -452,12 +450,14 @@ static uint32_t blend_over(const qtri_raster *raster, uint32_t *color, const qtr
 static uint32_t blend_add(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                           uint32_t mask, int32_t count)
 {
-    if (raster->planes == NULL) {
+    if (raster->of.planes == NULL) {
         return qtri_blend_add.apply(raster, color, at, mask, count);
     }
     apply(raster, color, at, count, true);
     return mask;
 }
 
-const qtri_blend qtri_blend_vertex_alpha = {&qtri_effects, blend_over, false, begin};
-const qtri_blend qtri_blend_vertex_add = {&qtri_effects, blend_add, false, begin};
+static const qtri_vertex_blend by_vertex = {begin, draw, set, note, at};
+
+const qtri_blend qtri_blend_vertex_alpha = {&qtri_effects, blend_over, false, &by_vertex};
+const qtri_blend qtri_blend_vertex_add = {&qtri_effects, blend_add, false, &by_vertex};

@@ -23,20 +23,20 @@ struct qtri_fragments {
 /* Pixels of strokes, up to QTRI_BATCH of them, and no place twice. */
 typedef struct qtri_covered {
     int32_t count;
-    uint32_t color[QTRI_BATCH_ROOM]; /* 0x00RRGGBB; then of the format's kind, to be encoded */
-    uint32_t place[QTRI_BATCH_ROOM];
-    uint32_t depth[QTRI_BATCH_ROOM];    /* 16.16 with the half that rounds */
-    int32_t share_q16[QTRI_BATCH_ROOM]; /* what is covered: 0..2^16 */
+    uint32_t *color; /* 0x00RRGGBB; then of the format's kind, to be encoded: QTRI_BATCH_ROOM */
+    uint32_t *place;
+    uint32_t *depth;    /* 16.16 with the half that rounds, but for bit 0, which is the caller's */
+    int32_t *share_q16; /* what is covered: 0..2^16 */
 } qtri_covered;
 
 /*
- * Fog and blend, and how much that covers of what is stored. Leaves out what a blend turns away,
- * and says of each that is left which it was.
+ * Fog and blend, and how much that covers of what is stored. Pixels that a blend turns away are
+ * left out, of all that is told of them.
  */
 typedef void (*qtri_cover_effect)(const qtri_surface *surface, const qtri_material *material,
-                                  qtri_covered *pixels, uint8_t was[QTRI_BATCH]);
+                                  qtri_covered *pixels);
 void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *material,
-                         qtri_covered *pixels, uint8_t was[QTRI_BATCH]);
+                         qtri_covered *pixels);
 
 /*
  * What both come with, &qtri_effects. Lines: fog and blend for what is in a job's batch, fragments
@@ -69,9 +69,8 @@ struct qtri_blend {
      */
     uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count);
-    bool rejects; /* the mask may lose some */
-    /* Sets the route of a raster whose format, alone, is not set for it; NULL: there is none. */
-    void (*begin)(qtri_raster *raster);
+    bool rejects;                       /* the mask may lose some */
+    const qtri_vertex_blend *by_vertex; /* alpha varies: see blend_vertex.h; NULL: it does not */
 };
 
 /* Of a material with fog or a blend; NULL: neither. */

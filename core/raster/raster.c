@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster.h"
 
+#include "blend_vertex.h"
 #include "effect.h"
 #include "loop.h"
 #include "job.h"
@@ -41,8 +42,6 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->rejects = (textured && (material->texture->has_key || material->least_alpha != 0)) ||
                       (raster->blend != NULL && raster->blend->rejects);
     raster->alone = raster->rejects || raster->effects != NULL;
-    raster->by_vertex = NULL;
-    raster->planes = NULL;
     raster->with_depth = raster->compare != QTRI_DEPTH_OFF || raster->fog != NULL;
 }
 
@@ -67,13 +66,11 @@ static const qtri_fused *fused_of(const qtri_raster *raster)
 static void set_route(qtri_raster *raster, const qtri_material *material)
 {
     raster->route = raster->samples != NULL ? raster->samples->draw : NULL;
-    if (raster->blend != NULL && raster->blend->begin != NULL) {
-        raster->alphas = material->alphas;
-        raster->blend->begin(raster);
+    raster->of.material = material;
+    if (raster->blend != NULL && raster->blend->by_vertex != NULL) {
+        raster->blend->by_vertex->begin(raster);
     }
     if (material->depth_shift != NULL) {
-        raster->unshifted = raster->route;
-        raster->depth_slope = material->depth_slope;
         raster->route = material->depth_shift->draw;
     }
 }

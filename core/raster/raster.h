@@ -108,10 +108,11 @@ struct qtri_raster {
     qtri_batch *batch;
     const struct qtri_sampling *samples; /* NULL: one a pixel */
     qtri_route route;                    /* of all triangles; NULL: large and small have theirs */
-    qtri_route unshifted;                /* the same behind a shift of depths */
-    const qtri_vertex_blend *by_vertex;  /* alpha varies: see blend_vertex.h; NULL: it does not */
-    const qtri_alpha_planes *planes;     /* how, in the triangle that is drawn by that route */
-    qtri_rect bounds;                    /* empty where nothing is to be drawn */
+    union {
+        const qtri_material *material;   /* of what takes a route */
+        const qtri_alpha_planes *planes; /* of a triangle on its way, see blend_vertex.h */
+    } of;
+    qtri_rect bounds; /* empty where nothing is to be drawn */
     struct {
         uint32_t x, y, width, height; /* 24.8 */
     } inner;              /* where vertex 0 of a small triangle is too far inside them to be cut */
@@ -124,8 +125,8 @@ struct qtri_raster {
     uint8_t alpha;
     uint8_t least_alpha;
     uint8_t keep;            /* channels that a blend leaves */
-    const uint8_t *alphas;   /* of vertices, where route asks for them; NULL: 255 */
-    q16 depth_slope;         /* where route asks for it */
+    bool gray;               /* what multiplies gives the format's kind */
+    bool white;              /* the tint: light alone is enough */
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     const qtri_effect_stages *effects; /* NULL: neither */
@@ -149,7 +150,6 @@ struct qtri_raster {
     /* From the texel's kind to the working one, from that to the format's, where texels are
        multiplied or filtered; from one to the other at once. NULL: they are the same. */
     qtri_words_stage widen, narrow, convert;
-    bool gray; /* what multiplies gives the format's kind */
     qtri_modulate_stage light, times;
     qtri_curves_stage times_curves;
     qtri_tint_stage tinted;   /* light, and the tint below */
@@ -164,7 +164,6 @@ struct qtri_raster {
     struct {
         uint8_t unit, shift; /* bits of a repeat's and of a texel's fraction */
     } coordinate[2];         /* of repeated ones */
-    bool white;              /* the tint: light alone is enough */
     uint32_t tint_q10[3];
 
     /* Fused loops, or the stages. */

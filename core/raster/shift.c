@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "shift.h"
 
-#include "triangle.h"
+#include "blend_vertex.h"
+#include "samples.h"
 
 /* |f1 d2 - f2 d1|: f below 2^32, d at most 2^24, so below 2^57. */
 static uint64_t determinant(int64_t f1, int64_t f2, int32_t d1, int32_t d2)
@@ -38,17 +39,20 @@ static void draw_by_slope(const qtri_raster *raster, qtri_triangle *triangle,
         greatest = v[i].depth_16p16 > greatest ? v[i].depth_16p16 : greatest;
     }
     const uint64_t slope = slope_of(triangle, v);
-    const uint32_t factor = qtri_magnitude32(raster->depth_slope);
-    const bool nearer = raster->depth_slope < 0;
+    const q16 factor = raster->of.material->depth_slope;
+    const uint32_t size = qtri_magnitude32(factor);
+    const bool nearer = factor < 0;
     const uint32_t room = nearer ? least : farthest - greatest;
-    const uint64_t by = slope >> 32 != 0 ? qtri_mul_u32((uint32_t)(slope >> 16), factor)
-                                         : qtri_mul_u32((uint32_t)slope, factor) >> 16;
+    const uint64_t by = slope >> 32 != 0 ? qtri_mul_u32((uint32_t)(slope >> 16), size)
+                                         : qtri_mul_u32((uint32_t)slope, size) >> 16;
     const uint32_t less = by < room ? (uint32_t)by : room;
     for (int i = 0; i < 3; i++) {
         moved[i].depth_16p16 = nearer ? v[i].depth_16p16 - less : v[i].depth_16p16 + less;
     }
-    if (raster->unshifted != NULL) {
-        raster->unshifted(raster, triangle, moved);
+    if (qtri_by_vertex(raster) != NULL) {
+        qtri_by_vertex(raster)->draw(raster, triangle, moved);
+    } else if (raster->samples != NULL) {
+        raster->samples->draw(raster, triangle, moved);
     } else {
         qtri_triangle_draw_plain(raster, triangle, moved);
     }

@@ -7,7 +7,7 @@
 
 #include "raster.h"
 
-/* Its route: moves depths, and goes on with raster->unshifted. */
+/* Its route: moves depths, and goes on as if there were none. */
 struct qtri_depth_shift {
     qtri_route draw;
 };

@@ -192,7 +192,8 @@ static uint64_t square_of(int32_t beyond, int32_t across)
     return (uint64_t)qtri_mul_s32(x, x) + (uint64_t)qtri_mul_s32(y, y);
 }
 
-/* Of the pixels first .. end-1 of the window: taken where the shape is nearer than others. */
+/* Of the pixels first .. end-1 of the window, from `at` on: taken where the shape is nearer than
+   others. */
 static void take_positions(position *at, const qtri_stroker *stroker,
                            const qtri_stroke_shape *shape, int32_t first, int32_t end,
                            bool is_alone)
@@ -206,18 +207,18 @@ static void take_positions(position *at, const qtri_stroker *stroker,
     int64_t across_q30 = qtri_mul_s32(y, shape->along_x_q30) - qtri_mul_s32(x, shape->along_y_q30);
     const int64_t step = (int64_t)shape->along_x_q30 * 256;
     const int64_t step_across = (int64_t)shape->along_y_q30 * -256;
-    for (int32_t i = first; i < end; i++) {
+    for (int32_t i = first; i < end; i++, at++) {
         const int64_t held_q30 =
             along_q30 < 0 ? 0 : (along_q30 > length_q30 ? length_q30 : along_q30);
         const uint64_t square = is_alone ? 0
                                          : square_of((int32_t)((along_q30 - held_q30) >> 30),
                                                      (int32_t)(across_q30 >> 30));
-        if (at[i].part == UINT32_MAX || square < at[i].square) {
+        if (at->part == UINT32_MAX || square < at->square) {
             const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> down), shape->inverse);
             const uint32_t share = (uint32_t)(product >> shape->inverse_shift);
-            at[i].square = square;
-            at[i].share_q16 = share < 65536 ? share : 65536;
-            at[i].part = shape->part;
+            at->square = square;
+            at->share_q16 = share < 65536 ? share : 65536;
+            at->part = shape->part;
         }
         along_q30 += step;
         across_q30 += step_across;
@@ -229,11 +230,14 @@ typedef struct clip {
     int32_t first, end;
 } clip;
 
-/* Of all groups. */
+/* Of all groups, for the pixels of a clip: at[0] is the first. */
 static void take_all_positions(position *at, qtri_stroker *stroker, const clip *in)
 {
     const bool many = stroker->touch_count == QTRI_STROKE_MANY;
     const uint32_t count = many ? 1 : stroker->touch_count;
+    for (int32_t i = in->first; i < in->end; i++) {
+        at[i - in->first].part = UINT32_MAX;
+    }
     for (uint32_t from = 0; from < count; from = stroker->touch_end) {
         uint32_t listed = 0;
         set_group(stroker, from);
@@ -242,8 +246,11 @@ static void take_all_positions(position *at, qtri_stroker *stroker, const clip *
             int32_t first;
             int32_t end;
             (void)qtri_stroke_shape_columns(s, stroker->row, &first, &end);
-            take_positions(at, stroker, s, qtri_greatest32(first - stroker->column, in->first),
-                           qtri_least32(end - stroker->column, in->end), is_alone);
+            first = qtri_greatest32(first - stroker->column, in->first);
+            end = qtri_least32(end - stroker->column, in->end);
+            if (first < end) {
+                take_positions(&at[first - in->first], stroker, s, first, end, is_alone);
+            }
         }
     }
 }
@@ -295,18 +302,15 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
     position at[QTRI_STROKE_WINDOW];
     uint32_t word[QTRI_STROKE_WINDOW + 4] = {0};
     uint32_t mask = 0;
-    for (int32_t i = in->first; i < in->end; i++) {
-        at[i].part = UINT32_MAX;
-    }
     take_all_positions(at, stroker, in);
     for (int32_t i = in->first; i < in->end; i++, pixel += format->pixels->bytes) {
         const int32_t cover = stroker->cover[i];
         mask <<= 1;
-        if (cover < LEAST || at[i].part == UINT32_MAX) {
+        if (cover < LEAST || at[i - in->first].part == UINT32_MAX) {
             continue;
         }
         sample s;
-        take_sample(&s, shape_of(stroker, at[i].part), at[i].share_q16);
+        take_sample(&s, shape_of(stroker, at[i - in->first].part), at[i - in->first].share_q16);
         if (depth != NULL) {
             if (!passes(stroker->compare, s.depth, depth[i])) {
                 continue;
@@ -328,35 +332,35 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
     }
 }
 
-/* What passes of the window, as what fog and blends ask for. */
-static void take_covered(qtri_covered *pixels, qtri_stroker *stroker, const clip *in)
+/* So many pixels at a time, to take less stack. */
+enum { AFFECTED = QTRI_STROKE_WINDOW / 2 };
+
+/* What passes of the clip, as what fog and blends ask for; bit 0 of a depth that is written. */
+QTRI_NOINLINE static void take_covered(qtri_covered *pixels, qtri_stroker *stroker, const clip *in)
 {
     const qtri_surface *surface = stroker->surface;
     const uint32_t row = (uint32_t)(stroker->row - surface->first_row);
     const uint16_t *depth =
         stroker->compare != QTRI_DEPTH_OFF ? qtri_depths_at(surface, stroker->row) : NULL;
-    position at[QTRI_STROKE_WINDOW];
-    for (int32_t i = in->first; i < in->end; i++) {
-        at[i].part = UINT32_MAX;
-    }
+    position at[AFFECTED];
     take_all_positions(at, stroker, in);
-    pixels->count = 0;
     for (int32_t i = in->first; i < in->end; i++) {
         const int32_t cover = stroker->cover[i];
         const int32_t x = stroker->column + i;
-        if (cover < LEAST || at[i].part == UINT32_MAX) {
+        if (cover < LEAST || at[i - in->first].part == UINT32_MAX) {
             continue;
         }
         sample s;
-        take_sample(&s, shape_of(stroker, at[i].part), at[i].share_q16);
+        take_sample(&s, shape_of(stroker, at[i - in->first].part), at[i - in->first].share_q16);
         if (depth != NULL && !passes(stroker->compare, s.depth, depth[x])) {
             continue;
         }
+        const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
         const int32_t n = pixels->count++;
         pixels->color[n] = qtri_pack_888(s.color_8p16);
         pixels->place[n] = (row << 16) + (uint32_t)x;
-        pixels->depth[n] = s.depth_16p8 << 8;
-        pixels->share_q16[n] = share_of(stroker, cover);
+        pixels->depth[n] = s.depth_16p8 << 8 | writes;
+        pixels->share_q16[n] = share_of(stroker, cover); /* n <= i */
     }
 }
 
@@ -365,25 +369,25 @@ QTRI_NOINLINE static void draw_affected(qtri_stroker *stroker, const clip *in)
 {
     const qtri_surface *surface = stroker->surface;
     const qtri_format *format = surface->format;
-    qtri_covered pixels;
-    uint8_t was[QTRI_BATCH];
+    uint32_t color[AFFECTED + QTRI_BATCH_ROOM - QTRI_BATCH];
+    uint32_t place[AFFECTED];
+    uint32_t depth[AFFECTED];
+    qtri_covered pixels = {0, color, place, depth, stroker->cover};
     take_covered(&pixels, stroker, in);
     if (pixels.count == 0) {
         return;
     }
-    stroker->effects->covered(surface, stroker->material, &pixels, was);
-    for (int32_t i = 0; i < pixels.count && stroker->depth_write; i++) {
-        const int32_t x = (int32_t)(pixels.place[i] & 0xFFFF);
-        if (stroker->cover[x - stroker->column] >= QTRI_STROKE_FULL / 2) {
-            qtri_depths_at(surface, stroker->row)[x] = (uint16_t)(pixels.depth[was[i]] >> 16);
+    stroker->effects->covered(surface, stroker->material, &pixels);
+    for (int32_t i = 0; i < pixels.count; i++) {
+        if ((depth[i] & 1) != 0) {
+            qtri_depths_at(surface, stroker->row)[place[i] & 0xFFFF] = (uint16_t)(depth[i] >> 16);
         }
     }
     if (pixels.count != 0) {
         if (format->encode != NULL) {
-            format->encode(pixels.color, pixels.count);
+            format->encode(color, pixels.count);
         }
-        format->pixels->scatter(surface->pixels, surface->pitch, pixels.place, pixels.color,
-                                pixels.count);
+        format->pixels->scatter(surface->pixels, surface->pitch, place, color, pixels.count);
     }
 }
 
@@ -452,7 +456,10 @@ static void draw_row(qtri_stroker *stroker)
         stroker->edges->finish(stroker);
     }
     if (stroker->effects != NULL) {
-        draw_affected(stroker, &in);
+        for (clip some = in; some.first < in.end; some.first = some.end) {
+            some.end = qtri_least32(some.first + AFFECTED, in.end);
+            draw_affected(stroker, &some);
+        }
     } else {
         draw_covered(stroker, &in);
     }

@@ -15,7 +15,7 @@ static void set_raster(qtri_raster *raster, qtri_format *wide, const qtri_surfac
     raster->surface = surface;
     raster->format = wide;
     raster->wide = true;
-    raster->planes = NULL;
+    raster->of.planes = NULL;
     raster->alpha = material->alpha;
     raster->keep = material->keep;
     raster->blend = material->blend;
@@ -35,7 +35,7 @@ static void apply_fog(const qtri_raster *raster, qtri_covered *pixels)
 }
 
 void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *material,
-                         qtri_covered *pixels, uint8_t was[QTRI_BATCH])
+                         qtri_covered *pixels)
 {
     const qtri_format *format = surface->format;
     const int32_t all = pixels->count;
@@ -67,6 +67,6 @@ void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *mater
         const int32_t n = pixels->count++;
         pixels->color[n] = qtri_stroke_word(format, color_8p16, pixel, pixels->share_q16[i]);
         pixels->place[n] = place;
-        was[n] = (uint8_t)i;
+        pixels->depth[n] = pixels->depth[i];
     }
 }

@@ -138,13 +138,28 @@ QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column,
     }
 }
 
-/* Pixels of a line on their way. */
+/*
+ * Pixels of a line on their way. Of each, in one word: its share of the line's length, whether its
+ * depth is written when fog and a blend have not turned it away, and what of it is covered,
+ * 0..1024.
+ */
 typedef struct pixels {
     int32_t count;
     uint32_t place[QTRI_BATCH];
-    uint32_t share[QTRI_BATCH]; /* of the line's length, 0..2^SHARE_BITS */
-    uint32_t cover[QTRI_BATCH + 4];
+    uint32_t word[QTRI_BATCH];
 } pixels;
+
+enum { LATE_BIT = SHARE_BITS + 1, COVER_AT = 16 };
+
+static inline int32_t share_of(uint32_t word)
+{
+    return (int32_t)(word & (((uint32_t)1 << LATE_BIT) - 1));
+}
+
+static inline uint32_t cover_of(uint32_t word)
+{
+    return word >> COVER_AT;
+}
 
 /* Colour words of a line in colours of its own. */
 static void color_words(uint32_t *word, const wire *w, const pixels *p)
@@ -155,7 +170,7 @@ static void color_words(uint32_t *word, const wire *w, const pixels *p)
     for (int32_t i = 0; i < p->count; i++) {
         int32_t c[3];
         for (int k = 0; k < 3; k++) { /* 2^16 steps of 1/256 by 2^14 */
-            c[k] = from.c[k] + (((to.c[k] - from.c[k]) >> 8) * (int32_t)p->share[i] >> 6);
+            c[k] = from.c[k] + (((to.c[k] - from.c[k]) >> 8) * share_of(p->word[i]) >> 6);
         }
         word[i] = colors->pack(c);
     }
@@ -179,20 +194,17 @@ static inline uint32_t mix_channel(uint32_t over, uint32_t under, uint32_t k, ui
     return qtri_mix_over(over, under, k);
 }
 
-/* In the share of a pixel that writes its depth when fog and a blend have not turned it away. */
-#define WRITES_LATE ((uint32_t)1 << 31)
-
 /* The colour of a pixel as 0x00RRGGBB. */
-static uint32_t color_888(const wire *w, uint32_t share)
+static uint32_t color_888(const wire *w, int32_t share)
 {
     int32_t c[3];
     if (w->from != NULL) {
         for (int k = 0; k < 3; k++) { /* 2^16 steps of 1/256 by 2^14 */
-            c[k] = (*w->from)[k] + ((((*w->to)[k] - (*w->from)[k]) >> 8) * (int32_t)share >> 6);
+            c[k] = (*w->from)[k] + ((((*w->to)[k] - (*w->from)[k]) >> 8) * share >> 6);
         }
     } else {
         const qtri_rgb *tint = &w->job->material->color;
-        const int32_t light_q15 = (w->light_q29 + w->light_step * (int32_t)share) >> 14;
+        const int32_t light_q15 = (w->light_q29 + w->light_step * share) >> 14;
         c[0] = tint->r * light_q15 * 2; /* <= 255.0 */
         c[1] = tint->g * light_q15 * 2;
         c[2] = tint->b * light_q15 * 2;
@@ -200,45 +212,53 @@ static uint32_t color_888(const wire *w, uint32_t share)
     return qtri_pack_888(c);
 }
 
-/* The same as `store`, with fog and a blend. */
-QTRI_NOINLINE static void store_affected(const wire *w, pixels *p)
+/* So many at a time, to take less stack. */
+enum { AFFECTED = 8 };
+
+/* Of the pixels of one line those from the first on, with fog and a blend. */
+static void store_some(const wire *w, const pixels *p, int32_t first, int32_t count)
 {
     const qtri_line_job *job = w->job;
     const qtri_surface *surface = job->surface;
     const qtri_format *format = surface->format;
-    qtri_covered covered;
-    uint8_t was[QTRI_BATCH];
-    for (int32_t i = 0; i < p->count; i++) {
-        const uint32_t share = p->share[i] & ~WRITES_LATE;
-        covered.color[i] = color_888(w, share);
-        covered.place[i] = p->place[i];
-        covered.depth[i] = (uint32_t)(w->z_16p14 + w->z_step * (int32_t)share) << 2;
-        covered.share_q16[i] = (int32_t)p->cover[i] << 6;
+    uint32_t color[AFFECTED + QTRI_BATCH_ROOM - QTRI_BATCH];
+    uint32_t place[AFFECTED];
+    uint32_t depth[AFFECTED];
+    int32_t share_q16[AFFECTED];
+    qtri_covered covered = {count, color, place, depth, share_q16};
+    for (int32_t i = 0; i < count; i++) {
+        const uint32_t word = p->word[first + i];
+        color[i] = color_888(w, share_of(word));
+        place[i] = p->place[first + i];
+        depth[i] =
+            (uint32_t)(w->z_16p14 + w->z_step * share_of(word)) << 2 | (word >> LATE_BIT & 1);
+        share_q16[i] = (int32_t)(cover_of(word) << 6);
     }
-    covered.count = p->count;
-    p->count = 0;
-    if (covered.count == 0) {
-        return;
-    }
-    qtri_effect_stages_of(job->material)->covered(surface, job->material, &covered, was);
+    qtri_effect_stages_of(job->material)->covered(surface, job->material, &covered);
     for (int32_t i = 0; i < covered.count; i++) {
-        const uint32_t place = covered.place[i];
-        if ((p->share[was[i]] & WRITES_LATE) != 0) {
-            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
-                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(covered.depth[was[i]] >> 16);
+        if ((depth[i] & 1) != 0) {
+            surface->depth[(ptrdiff_t)(place[i] >> 16) * surface->depth_pitch +
+                           (ptrdiff_t)(place[i] & 0xFFFF)] = (uint16_t)(depth[i] >> 16);
         }
     }
     if (covered.count != 0) {
         if (format->encode != NULL) {
-            format->encode(covered.color, covered.count);
+            format->encode(color, covered.count);
         }
-        format->pixels->scatter(surface->pixels, surface->pitch, covered.place, covered.color,
-                                covered.count);
+        format->pixels->scatter(surface->pixels, surface->pitch, place, color, covered.count);
     }
 }
 
+QTRI_NOINLINE static void store_affected(const wire *w, pixels *p)
+{
+    for (int32_t first = 0; first < p->count; first += AFFECTED) {
+        store_some(w, p, first, qtri_least32(p->count - first, AFFECTED));
+    }
+    p->count = 0;
+}
+
 /* Stores pixels of one line, of any format. No pixel is there twice. */
-QTRI_NOINLINE static void store(const wire *w, pixels *p)
+QTRI_NOINLINE static void store_plain(const wire *w, pixels *p)
 {
     const qtri_surface *surface = w->job->surface;
     const qtri_format *format = surface->format;
@@ -246,10 +266,6 @@ QTRI_NOINLINE static void store(const wire *w, pixels *p)
     uint32_t word[QTRI_BATCH_ROOM] = {0};
     uint32_t under[QTRI_BATCH];
     const int32_t count = p->count;
-    if (w->job->effect != NULL) {
-        store_affected(w, p);
-        return;
-    }
     if (count == 0) {
         return;
     }
@@ -257,7 +273,7 @@ QTRI_NOINLINE static void store(const wire *w, pixels *p)
         color_words(word, w, p);
     } else {
         for (int32_t i = 0; i < count; i++) {
-            word[i] = (uint32_t)(w->light_q29 + w->light_step * (int32_t)p->share[i]) >> 7;
+            word[i] = (uint32_t)(w->light_q29 + w->light_step * share_of(p->word[i])) >> 7;
         }
         qtri_line_tint(word, w->job, count);
     }
@@ -269,10 +285,10 @@ QTRI_NOINLINE static void store(const wire *w, pixels *p)
     }
     if (format->colors == &qtri_colors_565) {
         for (int32_t i = 0; i < count; i++) {
-            word[i] = mix_565(word[i], under[i], p->cover[i]);
+            word[i] = mix_565(word[i], under[i], cover_of(p->word[i]));
         }
     } else {
-        QTRI_MIX(word, under[i], count, format->colors, p->cover[i], mix_channel)
+        QTRI_MIX(word, under[i], count, format->colors, cover_of(p->word[i]), mix_channel)
     }
     if (format->encode != NULL) {
         format->encode(word, count);
@@ -286,6 +302,15 @@ static inline int32_t held_share(int32_t share_q24)
     const int32_t share = share_q24 >> (24 - SHARE_BITS);
     const int32_t one = (int32_t)1 << SHARE_BITS;
     return (uint32_t)share <= (uint32_t)one ? share : (share < 0 ? 0 : one);
+}
+
+static void store(const wire *w, pixels *p)
+{
+    if (w->job->effect != NULL) {
+        store_affected(w, p);
+    } else {
+        store_plain(w, p);
+    }
 }
 
 /* Where a column's cells are, and the share at the first in Q24. */
@@ -320,14 +345,14 @@ static void take_pixels(const wire *w, pixels *p, const cells *c)
                 continue;
             }
             if (job->depth_write && sum >= FULL / 2) {
-                late = job->writes_early ? 0 : WRITES_LATE;
+                late = job->writes_early ? 0 : (uint32_t)1 << LATE_BIT;
                 *depth = job->writes_early ? (uint16_t)z : *depth;
             }
         }
         const int32_t i = p->count++;
         p->place[i] = place;
-        p->share[i] = (uint32_t)share | late;
-        p->cover[i] = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
+        const uint32_t cover = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
+        p->word[i] = (uint32_t)share | late | cover << COVER_AT;
     }
 }
 

@@ -125,9 +125,9 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
     }
     const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
     if (raster->route != NULL) {
-        if (raster->by_vertex != NULL) {
+        if (qtri_by_vertex(raster) != NULL) {
             const uint32_t index[3] = {0, 1, 2};
-            raster->by_vertex->set(attributes, raster, index);
+            qtri_by_vertex(raster)->set(attributes, raster, index);
         }
         draw_large(raster, p, attributes, area);
         return;
