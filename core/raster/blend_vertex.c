@@ -252,6 +252,7 @@ static void set_shares(uint32_t *share, const qtri_alpha_planes *p, int32_t x, i
         }
     }
     for (int32_t i = 0; p->held && i < count; i++) {
+        // NOLINTNEXTLINE(clang-analyzer-core.*): all `count` were set
         share[i] = (uint32_t)qtri_hold32((int32_t)share[i], p->least >> 10, p->greatest >> 10);
     }
 }

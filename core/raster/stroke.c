@@ -213,6 +213,7 @@ static void take_positions(position *at, const qtri_stroker *stroker,
         const uint64_t square = is_alone ? 0
                                          : square_of((int32_t)((along_q30 - held_q30) >> 30),
                                                      (int32_t)(across_q30 >> 30));
+        // NOLINTNEXTLINE(clang-analyzer-core.*): take_all_positions() has set all of the clip
         if (at->part == UINT32_MAX || square < at->square) {
             const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> down), shape->inverse);
             const uint32_t share = (uint32_t)(product >> shape->inverse_shift);
