@@ -262,6 +262,7 @@ static void multiply(uint32_t *share, const uint32_t *color, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {
         const uint32_t alpha = color[i] >> 24;
+        // NOLINTNEXTLINE(clang-analyzer-core.*): set_shares() has set all `count`
         share[i] = (share[i] * (alpha + (alpha >> 7)) + 128) >> 8;
     }
 }
@@ -380,6 +381,7 @@ static inline uint32_t sum_565(uint32_t color, uint32_t under, uint32_t k, uint3
                    MIXED(c << 16 >> 24, u >> 8 & 255, k) << 8 | MIXED(c & 255, u & 255, k);        \
     }
 
+/* NOLINTBEGIN(clang-analyzer-core.*): set_shares() has set all `count` shares */
 static void mix_565(uint32_t *color, const qtri_raster *raster, const uint32_t *share,
                     uint32_t place, int32_t count, bool adds)
 {
@@ -416,6 +418,8 @@ static void mix_888(uint32_t *color, const qtri_raster *raster, const uint32_t *
         color[i] &= 255;
     }
 }
+
+/* NOLINTEND(clang-analyzer-core.*) */
 
 static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                   int32_t count, bool adds)

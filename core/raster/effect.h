@@ -23,15 +23,15 @@ struct qtri_fragments {
 /* Pixels of strokes, up to QTRI_BATCH of them, and no place twice. */
 typedef struct qtri_covered {
     int32_t count;
-    uint32_t *color; /* 0x00RRGGBB; then of the format's kind, to be encoded: QTRI_BATCH_ROOM */
+    uint32_t *color; /* 0x00RRGGBB; room for QTRI_BATCH_ROOM - QTRI_BATCH more */
     uint32_t *place;
-    uint32_t *depth;    /* 16.16 with the half that rounds, but for bit 0, which is the caller's */
+    uint32_t *depth;    /* 16.16 with the half that rounds, but for bit 0: is written */
     int32_t *share_q16; /* what is covered: 0..2^16 */
 } qtri_covered;
 
 /*
- * Fog and blend, and how much that covers of what is stored. Pixels that a blend turns away are
- * left out, of all that is told of them.
+ * Fog and blend, and as much of that as is covered is stored, and depths. Pixels that a blend turns
+ * away stay as they are.
  */
 typedef void (*qtri_cover_effect)(const qtri_surface *surface, const qtri_material *material,
                                   qtri_covered *pixels);

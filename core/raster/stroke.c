@@ -365,30 +365,16 @@ QTRI_NOINLINE static void take_covered(qtri_covered *pixels, qtri_stroker *strok
     }
 }
 
-/* Pixels that are covered, with fog and a blend. Depths are those of pixels that are drawn. */
+/* Pixels that are covered, with fog and a blend. */
 QTRI_NOINLINE static void draw_affected(qtri_stroker *stroker, const clip *in)
 {
-    const qtri_surface *surface = stroker->surface;
-    const qtri_format *format = surface->format;
     uint32_t color[AFFECTED + QTRI_BATCH_ROOM - QTRI_BATCH];
     uint32_t place[AFFECTED];
     uint32_t depth[AFFECTED];
     qtri_covered pixels = {0, color, place, depth, stroker->cover};
     take_covered(&pixels, stroker, in);
-    if (pixels.count == 0) {
-        return;
-    }
-    stroker->effects->covered(surface, stroker->material, &pixels);
-    for (int32_t i = 0; i < pixels.count; i++) {
-        if ((depth[i] & 1) != 0) {
-            qtri_depths_at(surface, stroker->row)[place[i] & 0xFFFF] = (uint16_t)(depth[i] >> 16);
-        }
-    }
     if (pixels.count != 0) {
-        if (format->encode != NULL) {
-            format->encode(color, pixels.count);
-        }
-        format->pixels->scatter(surface->pixels, surface->pitch, place, color, pixels.count);
+        stroker->effects->covered(stroker->surface, stroker->material, &pixels);
     }
 }
 

@@ -67,6 +67,16 @@ void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *mater
         const int32_t n = pixels->count++;
         pixels->color[n] = qtri_stroke_word(format, color_8p16, pixel, pixels->share_q16[i]);
         pixels->place[n] = place;
-        pixels->depth[n] = pixels->depth[i];
+        if ((pixels->depth[i] & 1) != 0) {
+            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
+                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(pixels->depth[i] >> 16);
+        }
+    }
+    if (pixels->count != 0) {
+        if (format->encode != NULL) {
+            format->encode(pixels->color, pixels->count);
+        }
+        format->pixels->scatter(surface->pixels, surface->pitch, pixels->place, pixels->color,
+                                pixels->count);
     }
 }

@@ -216,11 +216,9 @@ static uint32_t color_888(const wire *w, int32_t share)
 enum { AFFECTED = 8 };
 
 /* Of the pixels of one line those from the first on, with fog and a blend. */
-static void store_some(const wire *w, const pixels *p, int32_t first, int32_t count)
+QTRI_NOINLINE static void store_some(const wire *w, const pixels *p, int32_t first, int32_t count)
 {
     const qtri_line_job *job = w->job;
-    const qtri_surface *surface = job->surface;
-    const qtri_format *format = surface->format;
     uint32_t color[AFFECTED + QTRI_BATCH_ROOM - QTRI_BATCH];
     uint32_t place[AFFECTED];
     uint32_t depth[AFFECTED];
@@ -234,27 +232,7 @@ static void store_some(const wire *w, const pixels *p, int32_t first, int32_t co
             (uint32_t)(w->z_16p14 + w->z_step * share_of(word)) << 2 | (word >> LATE_BIT & 1);
         share_q16[i] = (int32_t)(cover_of(word) << 6);
     }
-    qtri_effect_stages_of(job->material)->covered(surface, job->material, &covered);
-    for (int32_t i = 0; i < covered.count; i++) {
-        if ((depth[i] & 1) != 0) {
-            surface->depth[(ptrdiff_t)(place[i] >> 16) * surface->depth_pitch +
-                           (ptrdiff_t)(place[i] & 0xFFFF)] = (uint16_t)(depth[i] >> 16);
-        }
-    }
-    if (covered.count != 0) {
-        if (format->encode != NULL) {
-            format->encode(color, covered.count);
-        }
-        format->pixels->scatter(surface->pixels, surface->pitch, place, color, covered.count);
-    }
-}
-
-QTRI_NOINLINE static void store_affected(const wire *w, pixels *p)
-{
-    for (int32_t first = 0; first < p->count; first += AFFECTED) {
-        store_some(w, p, first, qtri_least32(p->count - first, AFFECTED));
-    }
-    p->count = 0;
+    qtri_effect_stages_of(job->material)->covered(job->surface, job->material, &covered);
 }
 
 /* Stores pixels of one line, of any format. No pixel is there twice. */
@@ -306,11 +284,14 @@ static inline int32_t held_share(int32_t share_q24)
 
 static void store(const wire *w, pixels *p)
 {
-    if (w->job->effect != NULL) {
-        store_affected(w, p);
-    } else {
+    if (w->job->effect == NULL) {
         store_plain(w, p);
+        return;
     }
+    for (int32_t first = 0; first < p->count; first += AFFECTED) {
+        store_some(w, p, first, qtri_least32(p->count - first, AFFECTED));
+    }
+    p->count = 0;
 }
 
 /* Where a column's cells are, and the share at the first in Q24. */
