@@ -104,6 +104,24 @@ static void coverage(void **state)
     canvas_free(&c);
 }
 
+static void set_effects(qtri_material *material, qtri_fog *fog, uint64_t *seed)
+{
+    const qtri_blend *const blends[] = {NULL,
+                                        &qtri_blend_alpha,
+                                        &qtri_blend_add,
+                                        &qtri_blend_multiply,
+                                        &qtri_blend_none,
+                                        &qtri_blend_replace,
+                                        &qtri_blend_screen_door,
+                                        &qtri_blend_vertex_add};
+    const qtri_fog_range range = {Q16(.5), Q16(8), false};
+    qtri_fog_exp(fog, (qtri_rgb){40, 120, 230}, range, Q16(.2));
+    material->fog = random_flag(seed) ? fog : NULL;
+    material->blend = blends[random_in(seed, 0, 7)];
+    material->alpha = (uint8_t)random_in(seed, 0, 255);
+    material->keep = (uint8_t)random_in(seed, 0, 7);
+}
+
 /* Turned round, in bands and by scissors: the same pixels, in every format, with and without depth.
  */
 static void pieces(void **state)
@@ -117,6 +135,10 @@ static void pieces(void **state)
         material.color = (qtri_rgb){255, 200, 100};
         material.depth_compare = (qtri_compare)random_in(&seed, QTRI_DEPTH_OFF, QTRI_ALWAYS);
         material.depth_read_only = random_in(&seed, 0, 3) == 0;
+        qtri_fog fog;
+        if (n % 3 != 0) {
+            set_effects(&material, &fog, &seed);
+        }
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         canvas other = canvas_new(format, WIDTH, HEIGHT);
         canvas cut = canvas_new(format, WIDTH, HEIGHT);
@@ -155,6 +177,38 @@ static void pieces(void **state)
         canvas_free(&other);
         canvas_free(&cut);
     }
+}
+
+/* Where the screen door turns a pixel away, its depth stays as well. */
+static void doors(void **state)
+{
+    (void)state;
+    uint64_t seed = 9;
+    int turned_away = 0;
+    for (int n = 0; n < 60; n++) {
+        line l = random_line(&seed);
+        qtri_material material = plain_material();
+        canvas door = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        canvas open = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        material.depth_compare = QTRI_ALWAYS;
+        l.colored = false;
+        l.v[0].intensity_q15 = l.v[1].intensity_q15 = 32768;
+        draw(&open.surface, &material, &l, false);
+        material.blend = &qtri_blend_screen_door;
+        material.alpha = 120;
+        draw(&door.surface, &material, &l, false);
+        for (int32_t y = 0; y < HEIGHT; y++) {
+            for (int32_t x = 0; x < WIDTH; x++) {
+                const bool drawn = stored_pixel(&door.surface, x, y) != 0;
+                const uint16_t depth = stored_depth(&open.surface, x, y);
+                assert_int_equal(stored_depth(&door.surface, x, y), drawn ? depth : 65535);
+                turned_away += !drawn && depth != 65535;
+            }
+        }
+        canvas_free(&door);
+        canvas_free(&open);
+    }
+    assert_true(turned_away > 100);
 }
 
 /* Ends anywhere: nothing is written outside, and nothing overflows. */
@@ -316,8 +370,8 @@ static void shared_edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage),   cmocka_unit_test(pieces),       cmocka_unit_test(extremes),
-        cmocka_unit_test(wireframes), cmocka_unit_test(shared_edges),
+        cmocka_unit_test(coverage), cmocka_unit_test(pieces),     cmocka_unit_test(doors),
+        cmocka_unit_test(extremes), cmocka_unit_test(wireframes), cmocka_unit_test(shared_edges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -172,6 +172,121 @@ static void paint(const qtri_surface *surface, const scene *s, const qtri_materi
     qtri_raster_polyline(surface, material, &s->stroke, s->v, s->count);
 }
 
+/* Blends of the material, and a fog that halves twice from depth 0 to 1. */
+static void set_effects(qtri_material *material, qtri_fog *fog, uint64_t *seed)
+{
+    const qtri_blend *const blends[] = {NULL,
+                                        &qtri_blend_alpha,
+                                        &qtri_blend_add,
+                                        &qtri_blend_multiply,
+                                        &qtri_blend_none,
+                                        &qtri_blend_replace,
+                                        &qtri_blend_screen_door,
+                                        &qtri_blend_vertex_alpha};
+    const qtri_fog_range range = {Q16(1), Q16(3), true};
+    const qtri_rgb gray = {200, 120, 60};
+    qtri_fog_linear(fog, gray, range, Q16(1), Q16(4));
+    material->fog = random_flag(seed) ? fog : NULL;
+    material->blend = blends[random_in(seed, 0, 7)];
+    material->alpha = random_in(seed, 0, 3) == 0 ? 255 : (uint8_t)random_in(seed, 0, 255);
+    material->keep = random_flag(seed) ? 0 : (uint8_t)random_in(seed, 0, 7);
+}
+
+/* What a colour's channel, of three, becomes at a depth of 0..1 over what is there. */
+static double affected(const qtri_material *m, int channel, double color, double depth,
+                       double under)
+{
+    static const uint8_t keep[3] = {QTRI_KEEP_RED, QTRI_KEEP_GREEN, QTRI_KEEP_BLUE};
+    static const double gray[3] = {200, 120, 60};
+    const double alpha = m->alpha / 255.0;
+    if (m->fog != NULL) { /* z is 1 + 2 depth */
+        color = gray[channel] + (color - gray[channel]) * (3 - 2 * depth) / 3;
+    }
+    if (m->blend != NULL && m->blend != &qtri_blend_screen_door && (m->keep & keep[channel]) != 0) {
+        return under;
+    }
+    if (m->blend == &qtri_blend_alpha || m->blend == &qtri_blend_vertex_alpha) {
+        return color * alpha + under * (1 - alpha);
+    }
+    if (m->blend == &qtri_blend_add) {
+        return fmin(255, under + color * alpha);
+    }
+    if (m->blend == &qtri_blend_multiply) {
+        return color * under / 255;
+    }
+    return m->blend == &qtri_blend_none ? under : color;
+}
+
+/* A pixel is that of fog and blend, as far as the stroke covers it; depth is written as ever. */
+static void effects(void **state)
+{
+    (void)state;
+    uint64_t seed = 17;
+    for (int n = 0; n < 160; n++) {
+        const qtri_format *format = n % 2 != 0 ? &qtri_xrgb8888 : &qtri_rgb565;
+        canvas c = canvas_new(format, WIDTH, HEIGHT);
+        canvas plain = canvas_new(format, WIDTH, HEIGHT);
+        struct ref_stroke_part part[POINTS];
+        scene s = colored_scene(&seed, 5);
+        qtri_material material = plain_material();
+        qtri_fog fog;
+        const double depth = s.v[0].depth_16p16 / 65536.0 / 65535;
+        s.stroke.edges = &qtri_stroke_smooth;
+        for (uint32_t i = 1; i < s.count; i++) {
+            memcpy(s.v[i].color_8p16, s.v[0].color_8p16, sizeof s.v[0].color_8p16);
+            s.v[i].depth_16p16 = s.v[0].depth_16p16;
+        }
+        material.depth_compare = QTRI_ALWAYS;
+        paint(&plain.surface, &s, &material);
+        set_effects(&material, &fog, &seed);
+        const bool door = material.blend == &qtri_blend_screen_door;
+        for (uint32_t i = 0; door && i < s.count; i++) { /* what is drawn is seen */
+            s.stroke.alpha = 255;
+            s.v[i].color_8p16[2] = 255 << 16;
+            material.fog = NULL;
+            material.keep = 0;
+        }
+        paint(&c.surface, &s, &material);
+        const size_t count = parts_of(&s, part);
+        canvas below = canvas_new(format, 1, 1);
+        const qtri_rgb sky = {90, 140, 30};
+        qtri_surface_clear(&below.surface, sky, 0);
+        const qtri_rgb was = qtri_surface_pixel(&below.surface, 0, 0);
+        const double from[3] = {was.r, was.g, was.b};
+        canvas_free(&below);
+        for (int y = 0; y < HEIGHT; y++) {
+            double share[WIDTH];
+            ref_stroke_cover_row(part, count, y, WIDTH, share);
+            for (int x = 0; x < WIDTH; x++) {
+                const double weight = share[x] * s.stroke.alpha / 255.0;
+                const qtri_rgb is = qtri_surface_pixel(&c.surface, x, y);
+                const uint8_t got[3] = {is.r, is.g, is.b};
+                const bool rejected = door && fabs(got[2] - from[2]) <= 1;
+                if (rejected) {
+                    assert_int_equal(stored_depth(&c.surface, x, y), 30000);
+                } else {
+                    assert_int_equal(stored_depth(&c.surface, x, y),
+                                     stored_depth(&plain.surface, x, y));
+                }
+                for (int k = 0; k < 3; k++) {
+                    const double to =
+                        affected(&material, k, s.v[0].color_8p16[k] / 65536.0, depth, from[k]);
+                    const double step =
+                        format == &qtri_rgb565 ? (k == 1 ? 255 / 63.0 : 255 / 31.0) : 1;
+                    if (rejected) {
+                        continue;
+                    }
+                    /* 1/32 of the area, and roundings of the blend and of what is stored. */
+                    assert_near(got[k], from[k] + weight * (to - from[k]),
+                                fabs(to - from[k]) / 32 + 1.5 + .6 * step);
+                }
+            }
+        }
+        canvas_free(&c);
+        canvas_free(&plain);
+    }
+}
+
 /* Rows of any band and columns of any scissor are those of the whole frame, in every format. */
 static void bands_and_scissors(void **state)
 {
@@ -183,6 +298,10 @@ static void bands_and_scissors(void **state)
         qtri_material material = plain_material();
         material.depth_compare = (qtri_compare)random_in(&seed, 0, 8);
         material.depth_read_only = random_in(&seed, 0, 4) == 0;
+        qtri_fog fog;
+        if (n % 3 != 0) {
+            set_effects(&material, &fog, &seed);
+        }
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         paint(&whole.surface, &s, &material);
         const int32_t rows = random_in(&seed, 1, 20);
@@ -624,6 +743,7 @@ int main(void)
         cmocka_unit_test(hard),
         cmocka_unit_test(bands_and_scissors),
         cmocka_unit_test(blending),
+        cmocka_unit_test(effects),
         cmocka_unit_test(joints_are_blended_once),
         cmocka_unit_test(order),
         cmocka_unit_test(extremes),

@@ -182,6 +182,21 @@ static void masks_and_biases(void **state)
     scene_free(&scene);
 }
 
+static void vertex_statements(void **state)
+{
+    (void)state;
+    struct scene scene = parse("vertexalpha 1 .5 0\ndepthslope -1.5\npoint 0 0 0 1 1 1 1\n"
+                               "vertexalpha off\ndepthslope 0\npoint 0 0 0 1 1 1 1\n");
+    assert_int_equal(scene.op_count, 2);
+    assert_true(scene.ops[0].by_vertex);
+    assert_int_equal(scene.ops[0].vertex_alpha[1], ONE / 2);
+    assert_int_equal(scene.ops[0].vertex_alpha[2], 0);
+    assert_int_equal(scene.ops[0].depth_slope, -ONE * 3 / 2);
+    assert_false(scene.ops[1].by_vertex);
+    assert_int_equal(scene.ops[1].depth_slope, 0);
+    scene_free(&scene);
+}
+
 static void light_statements(void **state)
 {
     (void)state;
@@ -705,6 +720,8 @@ static void value_errors(void **state)
         {"clear -.1 0 1", "clear: '-.1' does not lie in 0..1"},
         {"clear 0 0 x", "clear: 'x' is not a number"},
         {"depthbias 1.5", "depthbias: the bias must lie between -1 and 1"},
+        {"vertexalpha 1 1 2", "vertexalpha: '2' does not lie in 0..1"},
+        {"vertexalpha 1", "'1' is unknown here: vertexalpha off or vertexalpha A0 A1 A2"},
         {"colormask on off red", "'red' is unknown here: colormask on|off on|off on|off"},
         {"cleardepth 2", "cleardepth: '2' does not lie in 0..1"},
         {"depthrange 0 1.5", "depthrange: '1.5' does not lie in 0..1"},
@@ -912,6 +929,7 @@ int main(void)
         cmocka_unit_test(empty_scenes_have_defaults),
         cmocka_unit_test(state_statements),
         cmocka_unit_test(masks_and_biases),
+        cmocka_unit_test(vertex_statements),
         cmocka_unit_test(light_statements),
         cmocka_unit_test(the_last_statement_wins),
         cmocka_unit_test(depth_comparisons),

@@ -126,10 +126,14 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
     qtri_primitive primitive;
     qtri_primitive_init(&primitive, surface, view, pose, material);
     const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
+    const bool noted = qtri_corners_are_noted(&primitive);
     qtri_corner_vertices kept;
     kept.before = NULL;
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         qtri_shape shape;
+        if (noted) {
+            qtri_corners_note(&primitive, i);
+        }
         const qtri_corners_fate found =
             solid ? qtri_corners_place(&primitive, &kept, &corners[i], shape.fan)
                   : QTRI_CORNERS_ELSEWHERE;

@@ -96,7 +96,11 @@ void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
     kept.before = NULL;
     qtri_primitive_init(&primitive, surface, view, pose, material);
     qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
+    const bool noted = qtri_corners_are_noted(&primitive);
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
+        if (noted) {
+            qtri_corners_note(&primitive, i);
+        }
         draw_lit(&primitive, &kept, &illumination, &corners[i],
                  normals != NULL ? &normals[i] : NULL);
     }

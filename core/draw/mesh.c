@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/blend_vertex.h"
 #include "checked.h"
 #include "fill.h"
 #include "lights.h"
@@ -38,6 +39,17 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
     }
 }
 
+/* For blends by vertex. */
+QTRI_NOINLINE static void note_alphas(const qtri_mesh_job *draw, const void *indices)
+{
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    if (draw->material.fill == NULL && qtri_by_vertex(raster) != NULL) {
+        uint32_t index[3];
+        qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+        qtri_by_vertex(raster)->note(raster, index);
+    }
+}
+
 /* Rare: homogeneous coordinates are not kept but computed again. */
 QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
@@ -56,6 +68,7 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
             qtri_projector_point(projector, &draw->mesh->positions[index], &shape.clip[i]);
         }
     }
+    note_alphas(draw, indices);
     if (draw->lights != NULL) {
         draw->lights->model->clipped(draw, indices, &shape);
         return;

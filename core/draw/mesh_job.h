@@ -28,17 +28,17 @@ typedef struct qtri_mesh_job {
     qtri_vertex *vertices; /* slot_count of them */
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
-    bool noted;  /* a wireframe: what triangles draw is noted, see mesh_lines.c */
-    bool lit;    /* per vertex: all that are seen already are */
-    bool tinted; /* the mesh has no colours of its own */
-    bool more;   /* colours of their own or a texture */
+    bool noted;             /* a wireframe: what triangles draw is noted, see mesh_lines.c */
+    bool lit;               /* per vertex: all that are seen already are */
+    bool tinted;            /* the mesh has no colours of its own */
+    bool more;              /* colours of their own or a texture */
+    bool shaded_per_vertex; /* with lights */
     qtri_lighting lighting;
     /* view->lights, and with them: */
     const qtri_lights *lights;
     const struct qtri_illumination *illumination; /* NULL: all that is needed is lit */
     uint32_t *lit_colors;                         /* of every vertex; NULL: there is no room */
-    bool shaded_per_vertex;
-    qtri_late_place *late; /* NULL: transforms are set */
+    qtri_late_place *late;                        /* NULL: transforms are set */
 } qtri_mesh_job;
 
 /*

@@ -3,6 +3,7 @@
  * Where the vertices of large triangles truly are: vertices do not keep it, since the small
  * triangles that meshes have most of do not ask. It is found again from the mesh's positions.
  */
+#include "../raster/blend_vertex.h"
 #include "../raster/unsnapped.h"
 #include "mesh_job.h"
 
@@ -41,7 +42,13 @@ QTRI_NOINLINE static void set_rests(qtri_attributes v[3], const qtri_mesh_job *d
 void qtri_mesh_set_rests(qtri_attributes v[3], const qtri_mesh_job *draw, const void *indices,
                          const qtri_triangle *triangle)
 {
-    if (qtri_attributes_matter(&draw->primitive.to.solid.raster, triangle, v)) {
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    if (qtri_by_vertex(raster) != NULL) {
+        uint32_t index[3];
+        qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+        qtri_by_vertex(raster)->set(v, raster, index);
+    }
+    if (qtri_attributes_matter(raster, triangle, v)) {
         set_rests(v, draw, indices, triangle);
     }
 }

@@ -96,7 +96,7 @@ QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indice
     qtri_coordinates uv[2];
     const qtri_mesh *mesh = draw->mesh;
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (raster->samples != NULL) {
+    if (raster->route != NULL) {
         draw_large(draw, indices, a, b, c);
         return;
     }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fill.h"
 
+#include "../raster/blend_vertex.h"
 #include "../raster/small.h"
 #include "../raster/unsnapped.h"
 
@@ -198,6 +199,11 @@ QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *
     for (int i = 0; i < 3; i++) {
         set_attributes(&out[i], p->vertex[i], attributes, &p->primitive->to.solid.raster);
     }
+    const qtri_raster *raster = &p->primitive->to.solid.raster;
+    const qtri_vertex_blend *by_vertex = qtri_by_vertex(raster);
+    for (int i = 0; by_vertex != NULL && i < 3; i++) {
+        out[i].alpha_q16 = by_vertex->at(raster, p->vertex[i]->b1_q30, p->vertex[i]->b2_q30);
+    }
 }
 
 QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_triangle *triangle,
@@ -261,10 +267,10 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
     if (!with_rests && qtri_unsnapped_matters(raster, &triangle, depth_16p16)) {
         return false;
     }
-    if (raster->samples != NULL) {
+    if (raster->route != NULL) {
         qtri_attributes own[3];
         piece_attributes(own, p);
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3 && raster->samples != NULL; i++) {
             own[i].rest[0] = 0;
             own[i].rest[1] = 0;
         }
@@ -278,8 +284,7 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
 
 static bool draw_piece(const piece *p, int64_t area, bool with_rests)
 {
-    if (p->primitive->to.solid.raster.samples == NULL &&
-        draw_placed_piece(p) != QTRI_PLACED_LARGE) {
+    if (p->primitive->to.solid.raster.route == NULL && draw_placed_piece(p) != QTRI_PLACED_LARGE) {
         return true;
     }
     return draw_large_piece(p, area, with_rests);

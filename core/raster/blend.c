@@ -485,9 +485,9 @@ static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const qt
     return mask;
 }
 
-const qtri_blend qtri_blend_alpha = {&qtri_effects, blend_alpha, false};
-const qtri_blend qtri_blend_add = {&qtri_effects, blend_add, false};
-const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, false};
-const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, false};
-const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, false};
-const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, true};
+const qtri_blend qtri_blend_alpha = {&qtri_effects, blend_alpha, false, NULL};
+const qtri_blend qtri_blend_add = {&qtri_effects, blend_add, false, NULL};
+const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, false, NULL};
+const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, false, NULL};
+const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, false, NULL};
+const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, true, NULL};

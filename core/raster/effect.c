@@ -12,4 +12,5 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
     return raster->blend != NULL ? raster->blend->apply(raster, color, at, mask, count) : mask;
 }
 
-const qtri_effect_stages qtri_effects = {apply, qtri_line_effects, qtri_span_fill};
+const qtri_effect_stages qtri_effects = {apply, qtri_line_effects, qtri_span_fill,
+                                         qtri_stroke_effects};

@@ -20,6 +20,24 @@ struct qtri_fragments {
     const qtri_ramp *depth; /* 16.16 with the half that rounds, from place 0 on */
 };
 
+/* Pixels of strokes, up to QTRI_BATCH of them, and no place twice. */
+typedef struct qtri_covered {
+    int32_t count;
+    uint32_t *color; /* 0x00RRGGBB; room for QTRI_BATCH_ROOM - QTRI_BATCH more */
+    uint32_t *place;
+    uint32_t *depth;    /* 16.16 with the half that rounds, but for bit 0: is written */
+    int32_t *share_q16; /* what is covered: 0..2^16 */
+} qtri_covered;
+
+/*
+ * Fog and blend, and as much of that as is covered is stored, and depths. Pixels that a blend turns
+ * away stay as they are.
+ */
+typedef void (*qtri_cover_effect)(const qtri_surface *surface, const qtri_material *material,
+                                  qtri_covered *pixels);
+void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *material,
+                         qtri_covered *pixels);
+
 /*
  * What both come with, &qtri_effects. Lines: fog and blend for what is in a job's batch, fragments
  * of one chunk of one line with its depths; then they are stored.
@@ -29,6 +47,7 @@ struct qtri_effect_stages {
     qtri_effect fragments;
     qtri_line_effect line;
     qtri_fill_rows fill; /* rows of large triangles, of one colour too */
+    qtri_cover_effect covered;
 };
 extern const qtri_effect_stages qtri_effects;
 
@@ -50,7 +69,8 @@ struct qtri_blend {
      */
     uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count);
-    bool rejects; /* the mask may lose some */
+    bool rejects;                       /* the mask may lose some */
+    const qtri_vertex_blend *by_vertex; /* alpha varies: see blend_vertex.h; NULL: it does not */
 };
 
 /* Of a material with fog or a blend; NULL: neither. */

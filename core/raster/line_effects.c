@@ -10,6 +10,7 @@ static void set_raster(qtri_raster *raster, const qtri_line_job *job)
     raster->surface = job->surface;
     raster->format = job->surface->format;
     raster->wide = false;
+    raster->of.planes = NULL;
     raster->alpha = material->alpha;
     raster->keep = material->keep;
     raster->blend = material->blend;

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster.h"
 
+#include "blend_vertex.h"
 #include "effect.h"
 #include "loop.h"
 #include "job.h"
+#include "samples.h"
 #include "shading.h"
+#include "shift.h"
 #include "span.h"
 
 static bool has_texture(const qtri_material *material)
@@ -46,13 +49,30 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
 static const qtri_fused *fused_of(const qtri_raster *raster)
 {
     const qtri_fused *fused = raster->format->fused;
-    if (!QTRI_WITH_FAST_PATHS || fused == NULL || raster->effects != NULL || !raster->depth_write) {
+    if (!QTRI_WITH_FAST_PATHS || fused == NULL || raster->effects != NULL ||
+        raster->route != NULL || !raster->depth_write) {
         return NULL;
     }
     if (raster->compare == QTRI_LESS_EQUAL) {
         return fused->less_equal;
     }
     return raster->compare == QTRI_LESS ? fused : NULL;
+}
+
+/*
+ * Who draws the triangles: four samples, alpha of the vertices before that, and before all of it
+ * a shift of depths. A blend by vertex sets units and format for the stages that are chosen next.
+ */
+static void set_route(qtri_raster *raster, const qtri_material *material)
+{
+    raster->route = raster->samples != NULL ? raster->samples->draw : NULL;
+    raster->of.material = material;
+    if (raster->blend != NULL && raster->blend->by_vertex != NULL) {
+        raster->blend->by_vertex->begin(raster);
+    }
+    if (material->depth_shift != NULL) {
+        raster->route = material->depth_shift->draw;
+    }
 }
 
 void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
@@ -94,10 +114,12 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     set_bounds(raster, &bounds);
     raster->units = format->colors;
     raster->samples = format->fused != NULL ? format->fused->samples : NULL;
+    set_route(raster, material);
     if (textured) {
         raster->texturing = material->texture->format->texturing;
         raster->texturing->init(raster, material);
     }
+    raster->format = format;
     raster->fill_smooth = raster->varying != NULL ? raster->varying->fill : raster->fill_flat;
     raster->tint_small = NULL;
     const qtri_fused *fused = fused_of(raster);

@@ -21,6 +21,8 @@ typedef struct qtri_list_values qtri_list_values; /* see list_values.h */
 typedef struct qtri_raster qtri_raster;
 typedef struct qtri_varying qtri_varying;             /* see shading.h */
 typedef struct qtri_effect_stages qtri_effect_stages; /* see effect.h */
+typedef struct qtri_vertex_blend qtri_vertex_blend;   /* see blend_vertex.h */
+typedef struct qtri_alpha_planes qtri_alpha_planes;
 
 /* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
 typedef struct qtri_span {
@@ -65,6 +67,15 @@ typedef struct qtri_lamp {
 
 struct qtri_sampling;
 
+/*
+ * Draws a triangle of any size and area that is not culled, in place of the ways of the pipeline:
+ * p, area, tinted and what qtri_triangle_begin sets are there.
+ */
+struct qtri_triangle;
+struct qtri_attributes;
+typedef void (*qtri_route)(const qtri_raster *raster, struct qtri_triangle *triangle,
+                           const struct qtri_attributes *v);
+
 /* Loops that stand in for the stages where depth is "less" and written; NULL: none. */
 struct qtri_fused {
     qtri_fill_rows flat, smooth;
@@ -96,7 +107,12 @@ struct qtri_raster {
     const qtri_texture *texture; /* NULL: none */
     qtri_batch *batch;
     const struct qtri_sampling *samples; /* NULL: one a pixel */
-    qtri_rect bounds;                    /* empty where nothing is to be drawn */
+    qtri_route route;                    /* of all triangles; NULL: large and small have theirs */
+    union {
+        const qtri_material *material;   /* of what takes a route */
+        const qtri_alpha_planes *planes; /* of a triangle on its way, see blend_vertex.h */
+    } of;
+    qtri_rect bounds; /* empty where nothing is to be drawn */
     struct {
         uint32_t x, y, width, height; /* 24.8 */
     } inner;              /* where vertex 0 of a small triangle is too far inside them to be cut */
@@ -109,6 +125,8 @@ struct qtri_raster {
     uint8_t alpha;
     uint8_t least_alpha;
     uint8_t keep;            /* channels that a blend leaves */
+    bool gray;               /* what multiplies gives the format's kind */
+    bool white;              /* the tint: light alone is enough */
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     const qtri_effect_stages *effects; /* NULL: neither */
@@ -132,7 +150,6 @@ struct qtri_raster {
     /* From the texel's kind to the working one, from that to the format's, where texels are
        multiplied or filtered; from one to the other at once. NULL: they are the same. */
     qtri_words_stage widen, narrow, convert;
-    bool gray; /* what multiplies gives the format's kind */
     qtri_modulate_stage light, times;
     qtri_curves_stage times_curves;
     qtri_tint_stage tinted;   /* light, and the tint below */
@@ -147,7 +164,6 @@ struct qtri_raster {
     struct {
         uint8_t unit, shift; /* bits of a repeat's and of a texel's fraction */
     } coordinate[2];         /* of repeated ones */
-    bool white;              /* the tint: light alone is enough */
     uint32_t tint_q10[3];
 
     /* Fused loops, or the stages. */

@@ -156,6 +156,7 @@ static void set_shade(work *w)
     w->shade.surface = &w->row;
     w->shade.format = &w->format;
     w->shade.samples = NULL;
+    w->shade.route = NULL;
     w->shade.compare = QTRI_DEPTH_OFF;
     w->shade.depth_write = false;
     w->shade.with_depth = raster->with_depth;
@@ -411,7 +412,7 @@ static void draw_row(work *w, const qtri_rect *bounds)
     }
 }
 
-QTRI_NOINLINE void qtri_samples_draw(const qtri_raster *raster, const qtri_triangle *triangle,
+QTRI_NOINLINE void qtri_samples_draw(const qtri_raster *raster, qtri_triangle *triangle,
                                      const qtri_attributes v[3])
 {
     work w;

@@ -19,8 +19,7 @@ enum { QTRI_SAMPLES = 4 };
 struct qtri_sampling {
     const qtri_format *format; /* of resolved pixels */
     /* A triangle of any size and area that is not culled; its p, area and tinted are set. */
-    void (*draw)(const qtri_raster *raster, const qtri_triangle *triangle,
-                 const qtri_attributes v[3]);
+    qtri_route draw;
 };
 
 static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *format)
@@ -28,7 +27,7 @@ static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *fo
     return format != NULL && format->fused != NULL ? format->fused->samples : NULL;
 }
 
-void qtri_samples_draw(const qtri_raster *raster, const qtri_triangle *triangle,
+void qtri_samples_draw(const qtri_raster *raster, qtri_triangle *triangle,
                        const qtri_attributes v[3]);
 
 /* The mean of a record as a stored pixel. */

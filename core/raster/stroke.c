@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke.h"
 
+#include "../frame/colors.h"
 #include "../frame/pixel.h"
+#include "effect.h"
+#include "loop.h"
 
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
@@ -13,6 +16,8 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
     stroker->depth_write = stroker->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
     stroker->alpha = stroke->alpha;
     stroker->edges = stroke->edges;
+    stroker->material = material;
+    stroker->effects = qtri_effect_stages_of(material);
     return stroker->bounds.x0 < stroker->bounds.x1 && stroke->alpha != 0 && compare != QTRI_NEVER;
 }
 
@@ -167,6 +172,7 @@ static bool passes(qtri_compare compare, uint32_t depth, uint32_t stored)
 /* What a pixel takes of its part. */
 typedef struct sample {
     uint32_t depth;        /* 0..65535 */
+    uint32_t depth_16p8;   /* that, with the half that rounded it */
     int32_t color_8p16[3]; /* 0..255.0 */
 } sample;
 
@@ -186,7 +192,8 @@ static uint64_t square_of(int32_t beyond, int32_t across)
     return (uint64_t)qtri_mul_s32(x, x) + (uint64_t)qtri_mul_s32(y, y);
 }
 
-/* Of the pixels first .. end-1 of the window: taken where the shape is nearer than others. */
+/* Of the pixels first .. end-1 of the window, from `at` on: taken where the shape is nearer than
+   others. */
 static void take_positions(position *at, const qtri_stroker *stroker,
                            const qtri_stroke_shape *shape, int32_t first, int32_t end,
                            bool is_alone)
@@ -200,18 +207,19 @@ static void take_positions(position *at, const qtri_stroker *stroker,
     int64_t across_q30 = qtri_mul_s32(y, shape->along_x_q30) - qtri_mul_s32(x, shape->along_y_q30);
     const int64_t step = (int64_t)shape->along_x_q30 * 256;
     const int64_t step_across = (int64_t)shape->along_y_q30 * -256;
-    for (int32_t i = first; i < end; i++) {
+    for (int32_t i = first; i < end; i++, at++) {
         const int64_t held_q30 =
             along_q30 < 0 ? 0 : (along_q30 > length_q30 ? length_q30 : along_q30);
         const uint64_t square = is_alone ? 0
                                          : square_of((int32_t)((along_q30 - held_q30) >> 30),
                                                      (int32_t)(across_q30 >> 30));
-        if (at[i].part == UINT32_MAX || square < at[i].square) {
+        // NOLINTNEXTLINE(clang-analyzer-core.*): take_all_positions() has set all of the clip
+        if (at->part == UINT32_MAX || square < at->square) {
             const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> down), shape->inverse);
             const uint32_t share = (uint32_t)(product >> shape->inverse_shift);
-            at[i].square = square;
-            at[i].share_q16 = share; /* < 2^16: length times inverse is below 2^62 */
-            at[i].part = shape->part;
+            at->square = square;
+            at->share_q16 = share; /* < 2^16: length times inverse is below 2^62 */
+            at->part = shape->part;
         }
         along_q30 += step;
         across_q30 += step_across;
@@ -223,11 +231,14 @@ typedef struct clip {
     int32_t first, end;
 } clip;
 
-/* Of all groups. */
+/* Of all groups, for the pixels of a clip: at[0] is the first. */
 static void take_all_positions(position *at, qtri_stroker *stroker, const clip *in)
 {
     const bool many = stroker->touch_count == QTRI_STROKE_MANY;
     const uint32_t count = many ? 1 : stroker->touch_count;
+    for (int32_t i = in->first; i < in->end; i++) {
+        at[i - in->first].part = UINT32_MAX;
+    }
     for (uint32_t from = 0; from < count; from = stroker->touch_end) {
         uint32_t listed = 0;
         set_group(stroker, from);
@@ -236,8 +247,11 @@ static void take_all_positions(position *at, qtri_stroker *stroker, const clip *
             int32_t first;
             int32_t end;
             (void)qtri_stroke_shape_columns(s, stroker->row, &first, &end);
-            take_positions(at, stroker, s, qtri_greatest32(first - stroker->column, in->first),
-                           qtri_least32(end - stroker->column, in->end), is_alone);
+            first = qtri_greatest32(first - stroker->column, in->first);
+            end = qtri_least32(end - stroker->column, in->end);
+            if (first < end) {
+                take_positions(&at[first - in->first], stroker, s, first, end, is_alone);
+            }
         }
     }
 }
@@ -254,28 +268,12 @@ static void take_sample(sample *out, const qtri_stroke_shape *shape, uint32_t sh
     const qtri_stroke_end *to = &shape->end[1];
     const int32_t depth_16p8 =
         mixed((int32_t)(from->depth_16p8 >> 8), (int32_t)(to->depth_16p8 >> 8), share_q16);
-    out->depth = (uint32_t)(depth_16p8 + 128) >> 8;
+    out->depth_16p8 = (uint32_t)(depth_16p8 + 128);
+    out->depth = out->depth_16p8 >> 8;
     for (int i = 0; i < 3; i++) {
         out->color_8p16[i] = shape->even ? from->color_8p16[i]
                                          : mixed(from->color_8p16[i], to->color_8p16[i], share_q16);
     }
-}
-
-/* A colour, or what a share of it, 0..2^16, makes of a stored pixel, before it is encoded. */
-static uint32_t word_of(const qtri_format *format, const sample *from, const uint8_t *pixel,
-                        int32_t share_q16)
-{
-    int32_t color[3] = {from->color_8p16[0], from->color_8p16[1], from->color_8p16[2]};
-    if (share_q16 < 65536) {
-        const uint32_t stored = format->decode(format->pixels->load(pixel));
-        for (int i = 0; i < 3; i++) {
-            const int32_t below = (int32_t)(stored >> (16 - 8 * i) & 0xFFu) << 16;
-            /* |.| <= 255 2^7 2^16 < 2^31 */
-            color[i] = below + ((((color[i] - below) >> 9) * share_q16) >> 7);
-        }
-    }
-    const qtri_channels channels = qtri_channels_from_color(format->colors, color);
-    return format->colors->pack(channels.c);
 }
 
 /* Less than a half of 1/256 is nothing. */
@@ -305,18 +303,15 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
     position at[QTRI_STROKE_WINDOW];
     uint32_t word[QTRI_STROKE_WINDOW + 4] = {0};
     uint32_t mask = 0;
-    for (int32_t i = in->first; i < in->end; i++) {
-        at[i].part = UINT32_MAX;
-    }
     take_all_positions(at, stroker, in);
     for (int32_t i = in->first; i < in->end; i++, pixel += format->pixels->bytes) {
         const int32_t cover = stroker->cover[i];
         mask <<= 1;
-        if (cover < LEAST || at[i].part == UINT32_MAX) {
+        if (cover < LEAST || at[i - in->first].part == UINT32_MAX) {
             continue;
         }
         sample s;
-        take_sample(&s, shape_of(stroker, at[i].part), at[i].share_q16);
+        take_sample(&s, shape_of(stroker, at[i - in->first].part), at[i - in->first].share_q16);
         if (depth != NULL) {
             if (!passes(stroker->compare, s.depth, depth[i])) {
                 continue;
@@ -325,7 +320,8 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
                 depth[i] = (uint16_t)s.depth;
             }
         }
-        word[i - in->first] = word_of(format, &s, pixel, share_of(stroker, cover));
+        word[i - in->first] =
+            qtri_stroke_word(format, s.color_8p16, pixel, share_of(stroker, cover));
         mask |= 1;
     }
     const int32_t count = in->end - in->first;
@@ -334,6 +330,51 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
             format->encode(word, count);
         }
         format->pixels->store(first_pixel, word, mask, count);
+    }
+}
+
+/* So many pixels at a time, to take less stack. */
+enum { AFFECTED = QTRI_STROKE_WINDOW / 2 };
+
+/* What passes of the clip, as what fog and blends ask for; bit 0 of a depth that is written. */
+QTRI_NOINLINE static void take_covered(qtri_covered *pixels, qtri_stroker *stroker, const clip *in)
+{
+    const qtri_surface *surface = stroker->surface;
+    const uint32_t row = (uint32_t)(stroker->row - surface->first_row);
+    const uint16_t *depth =
+        stroker->compare != QTRI_DEPTH_OFF ? qtri_depths_at(surface, stroker->row) : NULL;
+    position at[AFFECTED];
+    take_all_positions(at, stroker, in);
+    for (int32_t i = in->first; i < in->end; i++) {
+        const int32_t cover = stroker->cover[i];
+        const int32_t x = stroker->column + i;
+        if (cover < LEAST || at[i - in->first].part == UINT32_MAX) {
+            continue;
+        }
+        sample s;
+        take_sample(&s, shape_of(stroker, at[i - in->first].part), at[i - in->first].share_q16);
+        if (depth != NULL && !passes(stroker->compare, s.depth, depth[x])) {
+            continue;
+        }
+        const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
+        const int32_t n = pixels->count++;
+        pixels->color[n] = qtri_pack_888(s.color_8p16);
+        pixels->place[n] = (row << 16) + (uint32_t)x;
+        pixels->depth[n] = s.depth_16p8 << 8 | writes;
+        pixels->share_q16[n] = share_of(stroker, cover); /* n <= i */
+    }
+}
+
+/* Pixels that are covered, with fog and a blend. */
+QTRI_NOINLINE static void draw_affected(qtri_stroker *stroker, const clip *in)
+{
+    uint32_t color[AFFECTED + QTRI_BATCH_ROOM - QTRI_BATCH];
+    uint32_t place[AFFECTED];
+    uint32_t depth[AFFECTED];
+    qtri_covered pixels = {0, color, place, depth, stroker->cover};
+    take_covered(&pixels, stroker, in);
+    if (pixels.count != 0) {
+        stroker->effects->covered(stroker->surface, stroker->material, &pixels);
     }
 }
 
@@ -401,7 +442,14 @@ static void draw_row(qtri_stroker *stroker)
     if (stroker->edges != NULL) {
         stroker->edges->finish(stroker);
     }
-    draw_covered(stroker, &in);
+    if (stroker->effects != NULL) {
+        for (clip some = in; some.first < in.end; some.first = some.end) {
+            some.end = qtri_least32(some.first + AFFECTED, in.end);
+            draw_affected(stroker, &some);
+        }
+    } else {
+        draw_covered(stroker, &in);
+    }
 }
 
 /* Rows and columns that parts may touch, inside the bounds. */

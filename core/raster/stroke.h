@@ -106,10 +106,12 @@ typedef struct qtri_stroker {
     bool depth_write;
     uint32_t alpha; /* 1..255 */
     const qtri_stroke_edges *edges;
-    int32_t column, row;              /* of the strip */
-    uint32_t part[QTRI_STROKE_PARTS]; /* that may touch the strip, in their order */
-    uint32_t part_count;              /* and */
-    uint32_t rest;                    /*   from which on others may follow; UINT32_MAX: none */
+    const qtri_material *material;
+    const qtri_effect_stages *effects; /* its fog and blend; NULL: neither */
+    int32_t column, row;               /* of the strip */
+    uint32_t part[QTRI_STROKE_PARTS];  /* that may touch the strip, in their order */
+    uint32_t part_count;               /* and */
+    uint32_t rest;                     /*   from which on others may follow; UINT32_MAX: none */
     qtri_stroke_touch touch[QTRI_STROKE_PARTS]; /* of the row, by their first columns */
     uint32_t touch_count; /* QTRI_STROKE_MANY: more than there is room for are one group */
     uint32_t first_touch, touch_end; /* of the group */
@@ -136,6 +138,23 @@ void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
  * until the next is asked for.
  */
 qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at);
+
+/* A colour, or what a share of it, 0..2^16, makes of a stored pixel, before it is encoded. */
+static inline uint32_t qtri_stroke_word(const qtri_format *format, const int32_t color_8p16[3],
+                                        const uint8_t *pixel, int32_t share_q16)
+{
+    int32_t color[3] = {color_8p16[0], color_8p16[1], color_8p16[2]};
+    if (share_q16 < 65536) {
+        const uint32_t stored = format->decode(format->pixels->load(pixel));
+        for (int i = 0; i < 3; i++) {
+            const int32_t below = (int32_t)(stored >> (16 - 8 * i) & 0xFFu) << 16;
+            /* |.| <= 255 2^7 2^16 < 2^31 */
+            color[i] = below + ((((color[i] - below) >> 9) * share_q16) >> 7);
+        }
+    }
+    const qtri_channels channels = qtri_channels_from_color(format->colors, color);
+    return format->colors->pack(channels.c);
+}
 
 /* Half of a width in 24.8; 0: nothing is drawn. */
 static inline int32_t qtri_stroke_radius(q16 width)

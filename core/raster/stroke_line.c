@@ -5,7 +5,9 @@
 #include "../bits/reciprocal.h"
 #include "../filter/mix.h"
 #include "../frame/mix.h"
+#include "../frame/colors.h"
 #include "../frame/pixel.h"
+#include "effect.h"
 #include "line_path.h"
 
 /* What covers a whole pixel: 256 of a width by 512 halves of 1/256 of a height. */
@@ -136,13 +138,28 @@ QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column,
     }
 }
 
-/* Pixels of a line on their way. */
+/*
+ * Pixels of a line on their way. Of each, in one word: its share of the line's length, whether its
+ * depth is written when fog and a blend have not turned it away, and what of it is covered,
+ * 0..1024.
+ */
 typedef struct pixels {
     int32_t count;
     uint32_t place[QTRI_BATCH];
-    uint32_t share[QTRI_BATCH]; /* of the line's length, 0..2^SHARE_BITS */
-    uint32_t cover[QTRI_BATCH + 4];
+    uint32_t word[QTRI_BATCH];
 } pixels;
+
+enum { LATE_BIT = SHARE_BITS + 1, COVER_AT = 16 };
+
+static inline int32_t share_of(uint32_t word)
+{
+    return (int32_t)(word & (((uint32_t)1 << LATE_BIT) - 1));
+}
+
+static inline uint32_t cover_of(uint32_t word)
+{
+    return word >> COVER_AT;
+}
 
 /* Colour words of a line in colours of its own. */
 static void color_words(uint32_t *word, const wire *w, const pixels *p)
@@ -153,7 +170,7 @@ static void color_words(uint32_t *word, const wire *w, const pixels *p)
     for (int32_t i = 0; i < p->count; i++) {
         int32_t c[3];
         for (int k = 0; k < 3; k++) { /* 2^16 steps of 1/256 by 2^14 */
-            c[k] = from.c[k] + (((to.c[k] - from.c[k]) >> 8) * (int32_t)p->share[i] >> 6);
+            c[k] = from.c[k] + (((to.c[k] - from.c[k]) >> 8) * share_of(p->word[i]) >> 6);
         }
         word[i] = colors->pack(c);
     }
@@ -177,8 +194,49 @@ static inline uint32_t mix_channel(uint32_t over, uint32_t under, uint32_t k, ui
     return qtri_mix_over(over, under, k);
 }
 
+/* The colour of a pixel as 0x00RRGGBB. */
+static uint32_t color_888(const wire *w, int32_t share)
+{
+    int32_t c[3];
+    if (w->from != NULL) {
+        for (int k = 0; k < 3; k++) { /* 2^16 steps of 1/256 by 2^14 */
+            c[k] = (*w->from)[k] + ((((*w->to)[k] - (*w->from)[k]) >> 8) * share >> 6);
+        }
+    } else {
+        const qtri_rgb *tint = &w->job->material->color;
+        const int32_t light_q15 = (w->light_q29 + w->light_step * share) >> 14;
+        c[0] = tint->r * light_q15 * 2; /* <= 255.0 */
+        c[1] = tint->g * light_q15 * 2;
+        c[2] = tint->b * light_q15 * 2;
+    }
+    return qtri_pack_888(c);
+}
+
+/* So many at a time, to take less stack. */
+enum { AFFECTED = 8 };
+
+/* Of the pixels of one line those from the first on, with fog and a blend. */
+QTRI_NOINLINE static void store_some(const wire *w, const pixels *p, int32_t first, int32_t count)
+{
+    const qtri_line_job *job = w->job;
+    uint32_t color[AFFECTED + QTRI_BATCH_ROOM - QTRI_BATCH];
+    uint32_t place[AFFECTED];
+    uint32_t depth[AFFECTED];
+    int32_t share_q16[AFFECTED];
+    qtri_covered covered = {count, color, place, depth, share_q16};
+    for (int32_t i = 0; i < count; i++) {
+        const uint32_t word = p->word[first + i];
+        color[i] = color_888(w, share_of(word));
+        place[i] = p->place[first + i];
+        depth[i] =
+            (uint32_t)(w->z_16p14 + w->z_step * share_of(word)) << 2 | (word >> LATE_BIT & 1);
+        share_q16[i] = (int32_t)(cover_of(word) << 6);
+    }
+    qtri_effect_stages_of(job->material)->covered(job->surface, job->material, &covered);
+}
+
 /* Stores pixels of one line, of any format. No pixel is there twice. */
-QTRI_NOINLINE static void store(const wire *w, pixels *p)
+QTRI_NOINLINE static void store_plain(const wire *w, pixels *p)
 {
     const qtri_surface *surface = w->job->surface;
     const qtri_format *format = surface->format;
@@ -186,16 +244,14 @@ QTRI_NOINLINE static void store(const wire *w, pixels *p)
     uint32_t word[QTRI_BATCH_ROOM] = {0};
     uint32_t under[QTRI_BATCH];
     const int32_t count = p->count;
-    p->count = 0;
     if (count == 0) {
         return;
     }
-    p->count = count;
     if (w->from != NULL) {
         color_words(word, w, p);
     } else {
         for (int32_t i = 0; i < count; i++) {
-            word[i] = (uint32_t)(w->light_q29 + w->light_step * (int32_t)p->share[i]) >> 7;
+            word[i] = (uint32_t)(w->light_q29 + w->light_step * share_of(p->word[i])) >> 7;
         }
         qtri_line_tint(word, w->job, count);
     }
@@ -207,10 +263,10 @@ QTRI_NOINLINE static void store(const wire *w, pixels *p)
     }
     if (format->colors == &qtri_colors_565) {
         for (int32_t i = 0; i < count; i++) {
-            word[i] = mix_565(word[i], under[i], p->cover[i]);
+            word[i] = mix_565(word[i], under[i], cover_of(p->word[i]));
         }
     } else {
-        QTRI_MIX(word, under[i], count, format->colors, p->cover[i], mix_channel)
+        QTRI_MIX(word, under[i], count, format->colors, cover_of(p->word[i]), mix_channel)
     }
     if (format->encode != NULL) {
         format->encode(word, count);
@@ -224,6 +280,18 @@ static inline int32_t held_share(int32_t share_q24)
     const int32_t share = share_q24 >> (24 - SHARE_BITS);
     const int32_t one = (int32_t)1 << SHARE_BITS;
     return (uint32_t)share <= (uint32_t)one ? share : (share < 0 ? 0 : one);
+}
+
+static void store(const wire *w, pixels *p)
+{
+    if (w->job->effect == NULL) {
+        store_plain(w, p);
+        return;
+    }
+    for (int32_t first = 0; first < p->count; first += AFFECTED) {
+        store_some(w, p, first, qtri_least32(p->count - first, AFFECTED));
+    }
+    p->count = 0;
 }
 
 /* Where a column's cells are, and the share at the first in Q24. */
@@ -249,6 +317,7 @@ static void take_pixels(const wire *w, pixels *p, const cells *c)
             continue;
         }
         const int32_t share = held_share(share_q24);
+        uint32_t late = 0;
         if (job->has_depth) {
             uint16_t *depth = surface->depth + (ptrdiff_t)(place >> 16) * surface->depth_pitch +
                               (ptrdiff_t)(place & 0xFFFF);
@@ -257,13 +326,14 @@ static void take_pixels(const wire *w, pixels *p, const cells *c)
                 continue;
             }
             if (job->depth_write && sum >= FULL / 2) {
-                *depth = (uint16_t)z;
+                late = job->writes_early ? 0 : (uint32_t)1 << LATE_BIT;
+                *depth = job->writes_early ? (uint16_t)z : *depth;
             }
         }
         const int32_t i = p->count++;
         p->place[i] = place;
-        p->share[i] = (uint32_t)share;
-        p->cover[i] = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
+        const uint32_t cover = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
+        p->word[i] = (uint32_t)share | late | cover << COVER_AT;
     }
 }
 
@@ -488,9 +558,10 @@ static walk_columns walk_of(wire *w, const qtri_line_color *color)
     const bool nearer = job->has_depth && job->is_less && job->depth_write;
     const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
     if (!QTRI_WITH_FAST_PATHS || color != NULL || job->smooth->alpha != 255 ||
-        !job->batch->has_table || (job->has_depth && !nearer) || !qtri_is_565(surface->format) ||
-        surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
-        surface->depth_pitch >= pitch_end / 2 || surface->depth_pitch <= -pitch_end / 2) {
+        job->effect != NULL || !job->batch->has_table || (job->has_depth && !nearer) ||
+        !qtri_is_565(surface->format) || surface->pitch >= pitch_end ||
+        surface->pitch <= -pitch_end || surface->depth_pitch >= pitch_end / 2 ||
+        surface->depth_pitch <= -pitch_end / 2) {
         return walk_any;
     }
     const int32_t pitch = (int32_t)surface->pitch;

@@ -35,6 +35,7 @@ typedef struct qtri_attributes {
     int32_t color[3]; /* n.16 in units of the target; with a tint, color[0] is Q22 of it, <= 1 */
     int64_t u_q32, v_q32;
     int16_t rest[2]; /* x and y of where it truly is, less where it was snapped to: 2^-24 pixel */
+    uint32_t alpha_q16; /* of its vertex, 0..65536; where the route asks for it */
 } qtri_attributes;
 
 #if !QTRI_LONG_MULTIPLY
@@ -121,9 +122,13 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *triangle);
 void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
                         const qtri_attributes v[3]);
 
+/* The same, whatever route the raster has: for those who are that. */
+void qtri_triangle_draw_plain(const qtri_raster *raster, qtri_triangle *triangle,
+                              const qtri_attributes v[3]);
+
 /*
- * Its second half: after qtri_job_init, which returns `fill`. For callers whose attributes are to
- * take no stack while rows are filled.
+ * The second half of that: after qtri_job_init, which returns `fill`. For callers whose attributes
+ * are to take no stack while rows are filled.
  */
 void qtri_triangle_fill(const qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill);
 

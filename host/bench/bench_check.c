@@ -23,6 +23,10 @@
         QUAD_CORNER("", "", c2) "\n"                                                               \
                                 "tri " QUAD_CORNER("-", "-", c0) QUAD_CORNER("", "", c2)           \
                                     QUAD_CORNER("-", "", c3) "\n"
+#define FADING                                                                                     \
+    "vertexalpha 1 .6 .2\ntri " QUAD_CORNER("-", "-", "1 0 0") QUAD_CORNER("", "-", "0 1 0")       \
+        QUAD_CORNER("", "", "0 0 1") "\nvertexalpha 1 .2 .8\ntri " QUAD_CORNER("-", "-", "1 0 0")  \
+            QUAD_CORNER("", "", "0 0 1") QUAD_CORNER("-", "", "1 1 0") "\n"
 #define ORANGE "1 .5019607843 .2509803922"
 #define FLOOR                                                                                      \
     "texture texture.ppm\ntexmode replace\n"                                                       \
@@ -122,8 +126,11 @@ static const struct expectation {
     {"B2", BEGIN HALF SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
     {"B3", BEGIN "blend add .501961\n" SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
     {"B4", BEGIN HALF LIT COMPACT(SPOT), 12414},
+    {"B5", BEGIN "blend alpha\n" FADING, 76800},
+    {"B6", NULL, 0},
     {"F2", BEGIN FOG SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
     {"F4", BEGIN FOG LIT COMPACT(SPOT), 12414},
+    {"F5", BEGIN FOG "linewidth 5\n", 0},
     {"S3m", NULL, 53290},
     {"S6m", NULL, 12414},
     {"S8m", NULL, 0},

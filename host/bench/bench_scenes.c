@@ -18,7 +18,8 @@
  * of its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP: 256
  * such points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7
  * without hidden lines. P1 to P10: bench_paint.h. B1, B2 and B4: S1, S2 and S4 at half alpha, B3:
- * S2 added; F2 and F4: S2 and S4 in fog.
+ * S2 added; F2 and F4: S2 and S4 in fog, F5: K5 in fog. B5 and B6: S2, and a quad turned sideways,
+ * with alpha of their vertices.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -99,8 +100,11 @@ const bench_scene bench_scenes[] = {
     {.name = "B2", QUAD(&bench_screen, rainbow), .blend = &qtri_blend_alpha},
     {.name = "B3", QUAD(&bench_screen, rainbow), .blend = &qtri_blend_add},
     {.name = "B4", MESH(COMPACT(spot), Q16(150)), .blend = &qtri_blend_alpha},
+    {.name = "B5", QUAD(&bench_screen, rainbow), .blend = &qtri_blend_vertex_alpha},
+    {.name = "B6", QUAD(&bench_turned, rainbow), .blend = &qtri_blend_vertex_alpha},
     {.name = "F2", QUAD(&bench_screen, rainbow), .fog = true},
     {.name = "F4", MESH(COMPACT(spot), Q16(150)), .fog = true},
+    {.name = "F5", .work = BENCH_STROKE, .width = Q16(5), .fog = true},
     {.name = "S3m", QUAD(&bench_floor, white), .textured = true, .filter = &qtri_mipmapped},
     {.name = "S6m", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .filter = &qtri_mipmapped},
     {.name = "S8m", MESH(COMPACT(wall), 0), .textured = true, .filter = &qtri_mipmapped},
@@ -314,8 +318,10 @@ static void set_effects(bench_frame *frame, const bench_scene *scene)
 {
     static const qtri_fog_range range = {Q16(0.1), Q16(100), false};
     static const qtri_rgb gray = {128, 144, 160};
+    static const uint8_t alphas[6] = {255, 153, 51, 255, 51, 204};
     frame->material.blend = scene->blend;
-    frame->material.alpha = 128;
+    frame->material.alpha = scene->blend == &qtri_blend_vertex_alpha ? 255 : 128;
+    frame->material.alphas = alphas;
     if (scene->fog) {
         qtri_fog_exp2(&frame->fog, gray, range, Q16(0.18));
         frame->material.fog = &frame->fog;

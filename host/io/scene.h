@@ -133,8 +133,11 @@ struct scene_stroke {
 
 struct scene_op {
     enum scene_op_kind kind;
-    int line;           /* line in the scene file, for messages */
-    int32_t depth_bias; /* of geometry, -1..1 */
+    int line;                /* line in the scene file, for messages */
+    int32_t depth_bias;      /* of geometry, -1..1 */
+    int32_t depth_slope;     /* of triangles: times what depth changes by a pixel, is added */
+    bool by_vertex;          /* alpha varies: */
+    int32_t vertex_alpha[3]; /* 0..1, of corners, or of a mesh's vertices by turns */
     uint32_t id; /* TRIANGLE: its id; MESH: id of its first triangle, the others follow in order.
                     1-based rank among all triangles of the file; 0 for other operations */
     union {

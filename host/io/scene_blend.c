@@ -51,6 +51,20 @@ bool scene_statement_depthbias(struct scene_parser *parser)
     return true;
 }
 
+bool scene_statement_depthslope(struct scene_parser *parser)
+{
+    return scene_numbers(parser, 0, 1, &parser->depth_slope);
+}
+
+bool scene_statement_vertexalpha(struct scene_parser *parser)
+{
+    static const char *const words[] = {"off"};
+    int choice;
+    parser->by_vertex = parser->argument_count == 3;
+    return parser->by_vertex ? scene_fractions(parser, 0, 3, parser->vertex_alpha)
+                             : scene_choice(parser, 0, words, 1, &choice);
+}
+
 /* Where the range, the colour and `numbers` numbers follow the kind. */
 static bool set_fog(struct scene_parser *parser, int numbers)
 {

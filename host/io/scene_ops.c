@@ -23,6 +23,9 @@ struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind ki
     op->kind = kind;
     op->line = parser->line;
     op->depth_bias = parser->depth_bias;
+    op->depth_slope = parser->depth_slope;
+    op->by_vertex = parser->by_vertex;
+    memcpy(op->vertex_alpha, parser->vertex_alpha, sizeof op->vertex_alpha);
     parser->polyline = NULL;
     return op;
 }

@@ -87,7 +87,9 @@ struct scene_parser {
     bool track_is_used; /* the next `key` begins another one */
     bool has_camera;    /* `camera` was there */
     int joint_count;
-    int32_t depth_bias; /* of the geometry that follows */
+    int32_t depth_bias, depth_slope; /* of the geometry that follows */
+    bool by_vertex;
+    int32_t vertex_alpha[3];
     struct scene_texture_request texture;
     struct scene_alpha_request texalpha;
     int alphatest_line, texkey_line; /* of the last of each that is not off, or 0 */
@@ -170,7 +172,8 @@ void scene_brush_free(struct scene_brush *brush);
 
 /* scene_blend.c */
 scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity,
-    scene_statement_colormask, scene_statement_depthbias;
+    scene_statement_colormask, scene_statement_depthbias, scene_statement_depthslope,
+    scene_statement_vertexalpha;
 
 scene_handler scene_statement_linewidth, scene_statement_linesmooth, scene_statement_linecap,
     scene_statement_linealpha, scene_statement_line, scene_statement_polyline,

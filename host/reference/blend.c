@@ -20,6 +20,12 @@ bool ref_passes_door(const struct scene *scene, double opaque, int x, int y)
     return floor(material * opaque + .5) > 16 * rank + 8;
 }
 
+double ref_vertex_alpha(const struct scene *scene, const struct scene_op *op, size_t i)
+{
+    const bool counts = scene->blend == SCENE_BLEND_ALPHA || scene->blend == SCENE_BLEND_ADD;
+    return counts && op->by_vertex && !scene->wireframe ? op->vertex_alpha[i % 3] / 65536.0 : 1;
+}
+
 double ref_kept(const struct scene *scene, double opaque)
 {
     switch (scene->blend) {

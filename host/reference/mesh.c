@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh.h"
+#include "blend.h"
 #include "clip.h"
 #include "light.h"
 #include "model.h"
@@ -54,8 +55,8 @@ static void light_vertex(const struct drawing *d, struct ref_vertex *vertex, con
         set_color(vertex, d->color, ref_intensity(d->light, normal));
 }
 
-static void transform_vertices(const struct drawing *d, const struct ref_matrix *to_clip,
-                               struct ref_vertex *out)
+static void transform_vertices(const struct drawing *d, const struct scene_op *op,
+                               const struct ref_matrix *to_clip, struct ref_vertex *out)
 {
     const struct ref_model *mesh = d->mesh;
 
@@ -68,6 +69,7 @@ static void transform_vertices(const struct drawing *d, const struct ref_matrix 
         ref_matrix_transform(to_clip, position, clip);
         out[i] = (struct ref_vertex){clip[0], clip[1], clip[2], clip[3], {0}};
         light_vertex(d, &out[i], normal, position);
+        out[i].attribute[REF_ALPHA] = ref_vertex_alpha(d->light->scene, op, i);
         if (d->light->scene->texture_sphere)
             set_sphere(&out[i], d->light, normal);
         else if (mesh->uvs) {
@@ -147,7 +149,7 @@ bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
     for (int c = 0; c < 3; c++)
         d.color[c] = fmax(0.0, fmin(1.0, (double)op->u.mesh.color[c] / 65536.0));
     if (vertices) {
-        transform_vertices(&d, &to_clip, vertices);
+        transform_vertices(&d, op, &to_clip, vertices);
         (target->scene->hidden_lines ? draw_hidden : draw)(target, op, &d, vertices);
     }
     ref_model_free(&mesh);

@@ -12,11 +12,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { REF_RED, REF_GREEN, REF_BLUE, REF_U, REF_V, REF_ATTRIBUTES };
+enum { REF_RED, REF_GREEN, REF_BLUE, REF_U, REF_V, REF_ALPHA, REF_ATTRIBUTES };
 
 struct ref_vertex {
     long double x, y, z, w;           /* clip space */
-    double attribute[REF_ATTRIBUTES]; /* colour 0..255, texture coordinates */
+    double attribute[REF_ATTRIBUTES]; /* colour 0..255, texture coordinates, alpha 0..1 */
 };
 
 /* The three vertices already have the colours they are to be drawn with: lit, and for flat

@@ -176,7 +176,15 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
     }
     if (!(sum > 0 && w > 0 && to_near >= 0 && to_far >= 0))
         return;
+    /* z / w is linear on the screen, and w the same everywhere. */
     double depth = ref_target_depth(target, z / w);
+    double half = (target->depth_far - target->depth_near) / 2;
+    double right = 0, down = 0;
+    for (int i = 0; i < 3; i++) {
+        right += (double)(edge[i].a * v[i].z / w) * half;
+        down += (double)(edge[i].b * v[i].z / w) * half;
+    }
+    depth += ref_target_shift(target, right, down, depth, depth);
     if (!ref_target_cover(target, x, y, depth))
         return;
     if (target->at.shades_pixels) {

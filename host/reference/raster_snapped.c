@@ -116,7 +116,7 @@ static void shading_values(const struct ref_target *target, const struct integer
 
 static void fragment(struct ref_target *target, const struct ref_triangle *triangle,
                      const struct snapped_vertex *const v[3], const struct integer_edge edge[3],
-                     int x, int y, int64_t value[3], double area)
+                     int x, int y, int64_t value[3], double area, double shift)
 {
     double b0 = (double)value[0] / area; /* weights on the screen */
     double b1 = (double)value[1] / area;
@@ -124,6 +124,7 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
     double depth =
         v[0]->depth + b1 * (v[1]->depth - v[0]->depth) + b2 * (v[2]->depth - v[0]->depth);
 
+    depth += shift;
     if (!ref_target_cover(target, x, y, depth))
         return;
     if (target->at.shades_pixels) {
@@ -145,6 +146,22 @@ static void fragment(struct ref_target *target, const struct ref_triangle *trian
                      footprint_of(target, v, edge, value));
 }
 
+/* What the slope of the triangle moves its depths by. */
+static double shift_of(const struct ref_target *target, const struct snapped_vertex *const v[3],
+                       const struct integer_edge edge[3], double area)
+{
+    double pixel = ldexp(1.0, target->subpixel_bits);
+    double right = 0, down = 0, nearest = 1, farthest = 0;
+
+    for (int i = 0; i < 3; i++) {
+        right += (double)edge[i].a * pixel / area * v[i]->depth;
+        down += (double)edge[i].b * pixel / area * v[i]->depth;
+        nearest = fmin(nearest, v[i]->depth);
+        farthest = fmax(farthest, v[i]->depth);
+    }
+    return ref_target_shift(target, right, down, nearest, farthest);
+}
+
 static void scan(struct ref_target *target, const struct ref_triangle *triangle,
                  const struct snapped_vertex *const v[3], int sign)
 {
@@ -156,12 +173,13 @@ static void scan(struct ref_target *target, const struct ref_triangle *triangle,
         edge_between(v[0], v[1], sign),
     };
     double area = (double)(sign * doubled_area(v[0], v[1], v[2]));
+    double shift = shift_of(target, v, edge, area);
 
     for (int y = box.y_low; y < box.y_high; y++) {
         for (int x = box.x_low; x < box.x_high; x++) {
             int64_t value[3];
             if (values_at(edge, place(x, bits, target->at.x), place(y, bits, target->at.y), value))
-                fragment(target, triangle, v, edge, x, y, value, area);
+                fragment(target, triangle, v, edge, x, y, value, area, shift);
         }
     }
 }

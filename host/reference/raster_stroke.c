@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster_stroke.h"
 
+#include "blend.h"
 #include "clip.h"
 #include "snap.h"
 #include "stroke_cover.h"
@@ -141,7 +142,7 @@ static void draw_pixel(struct ref_target *target, const struct scene_op *op,
     double depth = ends->depth[0] + along * (ends->depth[1] - ends->depth[0]);
     double weight = share * (double)stroke->alpha / 65536.0;
 
-    if (!ref_target_cover(target, x, y, depth))
+    if (!ref_target_cover(target, x, y, depth) || !ref_passes_door(scene, 1, x, y))
         return;
     bool writes = scene->depth_test && scene->depth_write;
     if (writes && share >= 0.5)
@@ -149,13 +150,16 @@ static void draw_pixel(struct ref_target *target, const struct scene_op *op,
     double most = 0;
     for (size_t c = 0; c < 3; c++) {
         double color = ends->color[0][c] + along * (ends->color[1][c] - ends->color[0][c]);
+        if (ref_is_blended(scene))
+            color = ref_blend(scene, (int)c, color, 1, image->color[3 * i + c], depth);
         most = fmax(most, fabs(color - image->color[3 * i + c]));
         double mixed = image->color[3 * i + c] * (1.0 - weight) + color * weight;
         image->color[3 * i + c] = mixed;
         image->color_min[3 * i + c] = fmin(mixed, image->color_min[3 * i + c]);
         image->color_max[3 * i + c] = fmax(mixed, image->color_max[3 * i + c]);
     }
-    ref_target_mixed(target, i, 1.0 - weight, stroke->smooth ? most : 0);
+    ref_target_mixed(target, i, 1.0 - weight + weight * ref_kept(scene, 1),
+                     stroke->smooth ? most : 0);
     /* Where the centre is inside, and the depth beside it is the stroke's own. */
     if ((!writes || share >= 0.5) && ref_stroke_contains(all->part, all->count, x + 0.5, y + 0.5))
         image->id[i] = op->id;

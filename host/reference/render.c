@@ -3,6 +3,7 @@
  * Replays a scene: two matrix stacks, and the geometry where it stands.
  */
 #include "reference.h"
+#include "blend.h"
 #include "light.h"
 #include "matrix.h"
 #include "mesh.h"
@@ -119,6 +120,7 @@ static void draw_single(struct replay *replay, const struct scene_op *op)
         for (int c = 0; c < 3; c++)
             out->attribute[c] = 255.0 * fmax(0.0, fmin(1.0, (double)colored->color[c] / 65536.0));
         out->attribute[REF_U] = (double)in->uv[0] / 65536.0;
+        out->attribute[REF_ALPHA] = ref_vertex_alpha(scene, op, (size_t)i);
         out->attribute[REF_V] = (double)in->uv[1] / 65536.0;
     }
     light_single(replay, op, &triangle);
@@ -155,6 +157,7 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
                    : 0.0;
 
     ref_target_bias(&replay->target, op->depth_bias);
+    replay->target.depth_slope = op->depth_slope / 65536.0;
     switch (op->kind) {
     case SCENE_MODE_PROJECTION:
         replay->current = &replay->projection;

@@ -66,6 +66,7 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->window = (struct ref_window){0, 0, scene->width, scene->height};
     target->depth_only = false;
     ref_target_bias(target, 0);
+    target->depth_slope = 0;
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
     double clear_depth = unit_from_q16(scene->clear_depth);
@@ -94,6 +95,13 @@ void ref_target_bias(struct ref_target *target, int32_t bias)
     const double by = bias / 65536.0;
     target->depth_near = clamp(unit_from_q16(target->scene->depth_near) + by, 0.0, 1.0);
     target->depth_far = clamp(unit_from_q16(target->scene->depth_far) + by, 0.0, 1.0);
+}
+
+double ref_target_shift(const struct ref_target *target, double right, double down, double nearest,
+                        double farthest)
+{
+    const double by = target->depth_slope * fmax(fabs(right), fabs(down));
+    return clamp(by, -nearest, 1 - farthest);
 }
 
 double ref_target_depth(const struct ref_target *target, long double z_over_w)
@@ -172,6 +180,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         return;
     }
     const bool blended = ref_is_blended(scene);
+    const double opaque = texel[3] / 255.0 * clamp(attribute[REF_ALPHA], 0.0, 1.0);
     for (size_t c = 0; c < 3; c++) {
         double a = vertex[0].attribute[c];
         double b = vertex[1].attribute[c];
@@ -184,8 +193,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         else if (triangle->textured)
             color = color * texel[c] / 255.0;
         if (blended) {
-            color =
-                ref_blend(scene, (int)c, color, texel[3] / 255.0, image->color[3 * i + c], depth);
+            color = ref_blend(scene, (int)c, color, opaque, image->color[3 * i + c], depth);
             least = 0;
             greatest = 255;
         }
@@ -194,7 +202,7 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         image->color_max[3 * i + c] = greatest;
     }
     image->id[i] = triangle->id;
-    ref_target_mixed(target, i, ref_kept(scene, texel[3] / 255.0), 0);
+    ref_target_mixed(target, i, ref_kept(scene, opaque), 0);
     image->footprint[i] = footprint;
 }
 

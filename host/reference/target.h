@@ -25,6 +25,7 @@ struct ref_target {
     struct ref_sampling at;
     bool depth_only;          /* triangles are solid, write their depth and have no colour */
     struct ref_window window; /* pixels outside of it are not drawn */
+    double depth_slope;       /* of triangles: see ref_target_shift */
 };
 
 /* Allocates the image and clears it; false when memory runs out, with nothing to free. */
@@ -33,6 +34,11 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
 
 /* What follows has its depths moved by `bias`, Q16.16; the range's ends are held to 0..1. */
 void ref_target_bias(struct ref_target *target, int32_t bias);
+
+/* What is added to depths of a triangle that change by `right` and `down` a pixel: so that the
+   range of its vertices stays in 0..1. */
+double ref_target_shift(const struct ref_target *target, double right, double down, double nearest,
+                        double farthest);
 
 /* Window depth of clip z / w: -1..1 to the depth range. */
 double ref_target_depth(const struct ref_target *target, long double z_over_w);

@@ -133,10 +133,23 @@ static qtri_normal normal_of(const int32_t n[3])
     return normal;
 }
 
+/* Whether alpha of an operation's vertices counts: then the blend that takes it. */
+static const qtri_blend *vertex_blend_of(const struct drawing *d, const struct scene_op *op)
+{
+    if (!op->by_vertex || d->pass == SCENE_IDS) {
+        return NULL;
+    }
+    if (d->material.blend == &qtri_blend_alpha) {
+        return &qtri_blend_vertex_alpha;
+    }
+    return d->material.blend == &qtri_blend_add ? &qtri_blend_vertex_add : NULL;
+}
+
 static void draw_triangle(struct drawing *d, const struct scene_op *op)
 {
     qtri_corner corner[3];
     qtri_normal normal[3];
+    uint8_t alpha[3];
     for (int i = 0; i < 3; i++) {
         const struct scene_vertex *v = &op->u.triangle.vertex[i];
         qtri_vec4 position = {v->position[0], v->position[1], v->position[2], v->position[3]};
@@ -145,10 +158,15 @@ static void draw_triangle(struct drawing *d, const struct scene_op *op)
         corner[i].color = d->pass == SCENE_IDS ? rgb_of_id(op->id) : scene_rgb(v->color);
         corner[i].uv = uv;
         normal[i] = normal_of(v->normal);
+        alpha[i] = color_8(op->vertex_alpha[i]);
     }
     qtri_material material = d->material;
     if (!op->u.triangle.textured) {
         material.texture = NULL;
+    }
+    if (vertex_blend_of(d, op) != NULL) {
+        material.blend = vertex_blend_of(d, op);
+        material.alphas = alpha;
     }
     const bool is_lit = d->pass == SCENE_COLORS && d->resources->lights.model != NULL;
     d->view.lights = is_lit ? &d->resources->lights : NULL;
@@ -261,7 +279,43 @@ static void draw_hidden_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t i
     d->material = before;
 }
 
-static void draw_part(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
+/* For as many vertices as a part has, if that is the whole mesh; NULL: 255 for all. */
+static uint8_t *alphas_of(const qtri_mesh *mesh, const struct scene_op *op, bool is_whole)
+{
+    uint8_t *alphas = is_whole ? malloc(mesh->vertex_count + 1) : NULL;
+    for (uint32_t i = 0; alphas != NULL && i < mesh->vertex_count; i++) {
+        alphas[i] = color_8(op->vertex_alpha[i % 3]);
+    }
+    return alphas;
+}
+
+static void show_part(struct drawing *d, const struct scene_op *op, const qtri_mesh *mesh,
+                      bool is_whole)
+{
+    const struct scene_resources *resources = d->resources;
+    const qtri_blend *by_vertex = vertex_blend_of(d, op);
+    uint8_t *alphas = by_vertex != NULL ? alphas_of(mesh, op, is_whole) : NULL;
+    qtri_material material = d->material;
+    qtri_mesh shown = *mesh;
+    if (by_vertex != NULL) {
+        material.blend = by_vertex;
+        material.alphas = alphas;
+    }
+    if (resources->sphere_uvs != NULL) {
+        qtri_sphere_map(resources->sphere_uvs, &d->view.camera, &d->modelview, mesh);
+        shown.uvs16 = resources->sphere_uvs;
+    }
+    if (resources->scene->hidden_lines) {
+        qtri_draw_hidden_lines(d->surface, &d->view, &d->modelview, &shown, NULL, &material,
+                               resources->scene->hidden_bias);
+    } else {
+        qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &material);
+    }
+    free(alphas);
+}
+
+static void draw_part(struct drawing *d, const struct scene_op *op, const qtri_mesh *mesh,
+                      uint32_t id, bool is_whole)
 {
     if (!may_be_seen(d, mesh)) {
         return;
@@ -273,17 +327,7 @@ static void draw_part(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     } else if (d->pass == SCENE_EDGES) {
         note_edges(d, mesh);
     } else {
-        qtri_mesh shown = *mesh;
-        if (d->resources->sphere_uvs != NULL) {
-            qtri_sphere_map(d->resources->sphere_uvs, &d->view.camera, &d->modelview, mesh);
-            shown.uvs16 = d->resources->sphere_uvs;
-        }
-        if (d->resources->scene->hidden_lines) {
-            qtri_draw_hidden_lines(d->surface, &d->view, &d->modelview, &shown, NULL, &d->material,
-                                   d->resources->scene->hidden_bias);
-        } else {
-            qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &d->material);
-        }
+        show_part(d, op, mesh, is_whole);
     }
 }
 
@@ -299,13 +343,13 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
         if (!scene_model_create(&part, scene, &scene->models[op->u.mesh.mesh])) {
             abort(); /* no more than meshes take that were read before */
         }
-        draw_part(d, &part.mesh, id);
+        draw_part(d, op, &part.mesh, id, true);
         scene_part_free(&part);
         return;
     }
     const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
     for (size_t i = 0; i < parts->count; i++) {
-        draw_part(d, &parts->part[i].mesh, id);
+        draw_part(d, op, &parts->part[i].mesh, id, parts->count == 1);
         id += parts->part[i].mesh.triangle_count;
     }
 }
@@ -406,6 +450,8 @@ static void replay(struct drawing *d, struct scene_stacks *stacks)
         d->view.projection = stacks->matrix[0][stacks->top[0]];
         d->modelview = stacks->matrix[1][stacks->top[1]];
         d->material.depth_bias = op->depth_bias;
+        d->material.depth_shift = op->depth_slope != 0 ? &qtri_slope_bias : NULL;
+        d->material.depth_slope = op->depth_slope;
         if (d->resources->jitter_log2 > 0) {
             qtri_view_jitter(&d->view, &d->view, d->resources->jitter, d->resources->jitter_log2);
         }

@@ -574,6 +574,21 @@ static void put_paint(struct writer *w)
     put(w, "\n");
 }
 
+/* Alpha in steps of 1/255, as vertices have it. */
+static void put_vertex_state(struct writer *w)
+{
+    put(w, "depthslope %.4f\n", chance(w, 20) ? symmetric(w, 2) : 0);
+    if (chance(w, 60)) {
+        put(w, "vertexalpha off\n");
+        return;
+    }
+    put(w, "vertexalpha");
+    for (int i = 0; i < 3; i++) {
+        put(w, " %.5f", pick(w, 256) / 255.0);
+    }
+    put(w, "\n");
+}
+
 char *scene_random_mixed(uint32_t seed, size_t *length)
 {
     struct writer w = {.text = NULL,
@@ -583,6 +598,7 @@ char *scene_random_mixed(uint32_t seed, size_t *length)
     put_mixed_state(&w);
     for (int groups = 4 + pick(&w, 6); groups > 0; groups--) {
         put(&w, "push\ndepthbias %.5f\n", chance(&w, 20) ? symmetric(&w, .003) : 0);
+        put_vertex_state(&w);
         put(&w, "rotate");
         put_numbers(&w, (const double[][3]){{-180, 180, 3}, {-1, 1, 3}, {-1, 1, 3}, {.1, 1, 3}}, 4);
         put(&w, "\n");

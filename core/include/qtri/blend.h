@@ -8,12 +8,13 @@
  * what is seen through is drawn last, from far to near, with material.depth_read_only.
  *
  * All but the screen door leave channels of stored pixels alone that material.keep names.
- * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one.
+ * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one,
+ * and times that of the vertices with a blend that asks for it.
  * Colours are within 1 of 255, and within a step of RGB565, of exact ones; in fog within 1 1/4
  * steps of RGB565, since colours and fog are rounded before they are mixed.
  * Lines and wireframes are blended and fogged as well: each edge of each triangle, so that one that
- * two triangles share is drawn twice where depth does not turn the second away. Strokes (stroke.h)
- * have an alpha of their own instead.
+ * two triangles share is drawn twice where depth does not turn the second away. Of strokes and
+ * points (stroke.h) what fog and blend make of a pixel counts as far as it is covered.
  */
 #ifndef QTRI_BLEND_H
 #define QTRI_BLEND_H
@@ -37,6 +38,20 @@ extern const qtri_blend qtri_blend_replace;  /* colour, but for the channels of 
 
 /* A share of alpha of the pixels, in a pattern of 4 by 4: no order, nothing read. */
 extern const qtri_blend qtri_blend_screen_door;
+
+/*
+ * The first two with alpha that varies between the vertices: material.alphas has that of each
+ * vertex of a mesh, of each corner of a call, or of three screen vertices; 255 is all of it, and
+ * NULL is 255 for all. It is perspective-correct where colours are, whatever the shading, and
+ * within 1/512. Colours are within 1 1/4 of 255, and within 3/4 of a step of RGB565, of exact ones.
+ *
+ * Every triangle of such a material, small or large, takes the way of large ones, which meshes of
+ * small ones pay for with three to five times the instructions, and 1 KB of stack more. Lines and
+ * strokes have material.alpha alone. With four samples a pixel (samples.h) alpha is that of the
+ * pixel's centre, held to that of the vertices.
+ */
+extern const qtri_blend qtri_blend_vertex_alpha;
+extern const qtri_blend qtri_blend_vertex_add;
 
 /*
  * Fog by depth: colour f + fog's colour (1 - f), where f falls with z, the distance from the eye's

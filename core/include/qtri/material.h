@@ -65,6 +65,10 @@ typedef enum qtri_compare {
     QTRI_ALWAYS
 } qtri_compare;
 
+/* What moves the depths of a triangle as a whole: see material.depth_shift. */
+typedef struct qtri_depth_shift qtri_depth_shift;
+extern const qtri_depth_shift qtri_slope_bias;
+
 /* Channels that stay as they are. Of GRAY8: only all three. */
 enum { QTRI_KEEP_BLUE = 1, QTRI_KEEP_GREEN = 2, QTRI_KEEP_RED = 4 };
 
@@ -87,6 +91,17 @@ typedef struct qtri_material {
     uint8_t least_alpha;     /* texels of less are not drawn, nor their depth; 0: all are */
     const qtri_fog *fog;     /* NULL: none */
     const qtri_reflection *reflection; /* NULL: no highlights, no emission, one side */
+    const uint8_t *alphas; /* of the mesh's vertices or the call's corners, for blends by vertex;
+                              NULL: 255 */
+    /*
+     * NULL: depth_bias alone. &qtri_slope_bias: depths of triangles are moved by depth_slope times
+     * what depth changes by a pixel to the right or down, whichever is more, as well: negative
+     * draws steep faces nearer. It is held so that no vertex leaves 0..1, of a clipped triangle
+     * those of each piece. Triangles of such a material all take the way of large ones, as blend.h
+     * says it of blends by vertex; lines and strokes are not moved.
+     */
+    const qtri_depth_shift *depth_shift;
+    q16 depth_slope;
 } qtri_material;
 
 /* White, smooth, perspective, back faces culled, depth "less", written. */

@@ -20,7 +20,11 @@
  * A call takes about 3 KB of stack, a wide wireframe 4 KB. Instructions: the rows K1, K5, KP and KW
  * of `make bench`.
  *
- * Of a material count depth_compare and depth_read_only; for meshes also what tells their colour.
+ * Of a material count depth_compare, depth_read_only, depth_bias, fog and what a blend asks for;
+ * for meshes also what tells their colour. A pixel in fog and blended is mixed with what is stored
+ * by what is covered of it, times the stroke's alpha: within a step of what is exact of that. A
+ * blend that turns pixels away leaves their depths. Where parts of other strokes overlap it blends
+ * again.
  */
 #ifndef QTRI_STROKE_H
 #define QTRI_STROKE_H

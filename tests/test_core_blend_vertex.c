@@ -1,0 +1,501 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Alpha that varies between vertices, against exact arithmetic, and in pieces; depths moved by
+ * the slope of a triangle.
+ */
+#include "support/core.h"
+
+enum { WIDTH = 120, HEIGHT = 90 };
+
+/* Of a colour 0..255 in steps of the format's channel. */
+static double steps_of(const qtri_format *format, const double rgb[3], int channel)
+{
+    if (format->colors == &qtri_colors_gray) {
+        return .299 * rgb[0] + .587 * rgb[1] + .114 * rgb[2];
+    }
+    return format->colors == &qtri_colors_565 ? rgb[channel] * (channel == 1 ? 63 : 31) / 255
+                                              : rgb[channel];
+}
+
+/* A stored pixel's channel in those steps. */
+static double stored_steps(const qtri_format *format, uint32_t stored, int channel)
+{
+    const uint32_t decoded = format->decode(stored);
+    const double value = decoded >> (16 - 8 * channel) & 255;
+    return format->colors == &qtri_colors_565 ? round(value * (channel == 1 ? 63 : 31) / 255)
+                                              : value;
+}
+
+static double w_of(const qtri_screen_vertex *v)
+{
+    return ldexp(v->inv_w_q31, v->inv_w_exponent - 31);
+}
+
+/* Weights of the vertices at a pixel's centre, on the surface of the triangle. */
+static void weights_at(double b[3], const qtri_screen_vertex v[3], bool perspective, int32_t x,
+                       int32_t y)
+{
+    const double px = x * 256 + 128;
+    const double py = y * 256 + 128;
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        const qtri_screen_vertex *p = &v[(i + 1) % 3];
+        const qtri_screen_vertex *q = &v[(i + 2) % 3];
+        b[i] = (p->x_24p8 - px) * (q->y_24p8 - py) - (q->x_24p8 - px) * (p->y_24p8 - py);
+        b[i] *= perspective ? w_of(&v[i]) : 1;
+        sum += b[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        b[i] /= sum;
+    }
+}
+
+/* One triangle over one colour. */
+typedef struct trial {
+    qtri_screen_vertex v[3];
+    uint8_t alphas[3];
+    qtri_rgb sky;
+    qtri_material material;
+} trial;
+
+static void random_trial(trial *t, uint64_t *seed)
+{
+    t->material = plain_material();
+    t->material.shading = random_flag(seed) ? QTRI_SMOOTH : QTRI_FLAT_FIRST;
+    t->material.blend = random_flag(seed) ? &qtri_blend_vertex_alpha : &qtri_blend_vertex_add;
+    t->material.alpha = random_flag(seed) ? 255 : (uint8_t)random_in(seed, 0, 255);
+    t->material.interpolation = random_flag(seed) ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
+    t->material.alphas = t->alphas;
+    const int32_t x = random_in(seed, 0, WIDTH * 256);
+    const int32_t y = random_in(seed, 0, HEIGHT * 256);
+    const int32_t reach = random_flag(seed) ? 4000 : 60000;
+    const int32_t far = random_in(seed, 0, 6);
+    for (int i = 0; i < 3; i++) {
+        t->v[i] = screen_at(x + random_in(seed, -reach, reach), y + random_in(seed, -reach, reach));
+        t->v[i].inv_w_q31 = 0x80000000u + (uint32_t)random_in(seed, 0, 0x7FFFFFFF);
+        t->v[i].inv_w_exponent = random_in(seed, -far, 0);
+        for (int k = 0; k < 3; k++) {
+            t->v[i].color_8p16[k] = random_in(seed, 0, 255 << 16);
+        }
+        t->alphas[i] = random_in(seed, 0, 3) == 0 ? 255 : (uint8_t)random_in(seed, 0, 255);
+    }
+    t->sky.r = (uint8_t)random_in(seed, 0, 255);
+    t->sky.g = (uint8_t)random_in(seed, 0, 255);
+    t->sky.b = (uint8_t)random_in(seed, 0, 255);
+}
+
+/* What a channel, in steps, is to be. */
+static double expected(const trial *t, const qtri_format *format, uint32_t before,
+                       const double b[3], int channel)
+{
+    const bool smooth = t->material.shading == QTRI_SMOOTH;
+    const double white[3] = {255, 255, 255};
+    double color[3] = {0};
+    double alpha = 0;
+    for (int i = 0; i < 3; i++) {
+        alpha += b[i] * t->alphas[i] / 255.0;
+        for (int k = 0; k < 3; k++) {
+            color[k] += (smooth ? b[i] : i == 0) * t->v[i].color_8p16[k] / 65536.0;
+        }
+    }
+    alpha *= t->material.alpha / 255.0;
+    const double over = steps_of(format, color, channel);
+    const double under = stored_steps(format, before, channel);
+    return t->material.blend == &qtri_blend_vertex_alpha
+               ? over * alpha + under * (1 - alpha)
+               : fmin(steps_of(format, white, channel), under + over * alpha);
+}
+
+/* The greatest difference, in steps, of a format's pixels. */
+static double worst_of(const qtri_format *format)
+{
+    uint64_t seed = 7;
+    canvas drawn = canvas_new(format, WIDTH, HEIGHT);
+    canvas before = canvas_new(format, WIDTH, HEIGHT);
+    canvas covered = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    double worst = 0;
+    for (int n = 0; n < (long_run() ? 5000 : 150); n++) {
+        trial t;
+        random_trial(&t, &seed);
+        const bool perspective = t.material.interpolation == QTRI_PERSPECTIVE;
+        qtri_screen_vertex solid[3] = {t.v[0], t.v[1], t.v[2]};
+        solid[0].color_8p16[0] = solid[0].color_8p16[1] = solid[0].color_8p16[2] = 255 << 16;
+        const qtri_material plain = plain_material();
+        qtri_surface_clear(&drawn.surface, t.sky, 65535);
+        qtri_surface_clear(&before.surface, t.sky, 65535);
+        canvas_clear(&covered);
+        qtri_raster_triangle(&drawn.surface, &t.material, t.v);
+        qtri_raster_triangle(&covered.surface, &plain, solid);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const int32_t x = i % WIDTH;
+            const int32_t y = i / WIDTH;
+            const uint32_t is = stored_pixel(&drawn.surface, x, y);
+            const uint32_t was = stored_pixel(&before.surface, x, y);
+            if (stored_pixel(&covered.surface, x, y) == 0) {
+                assert_int_equal(is, was);
+                continue;
+            }
+            double b[3];
+            weights_at(b, t.v, perspective, x, y);
+            for (int k = 0; k < 3; k++) {
+                const double d =
+                    fabs(stored_steps(format, is, k) - expected(&t, format, was, b, k));
+                worst = fmax(worst, d);
+            }
+        }
+    }
+    canvas_free(&drawn);
+    canvas_free(&before);
+    canvas_free(&covered);
+    return worst;
+}
+
+static void is_exact(void **state)
+{
+    (void)state;
+    for (int f = 0; f < 6; f++) {
+        const qtri_format *format = drawn_format(f);
+        const double worst = worst_of(format);
+        /* Colours of gray are rounded once more. */
+        const double most = format->colors == &qtri_colors_565 ? .75 : 1.05;
+        assert_true(worst <= (format->colors == &qtri_colors_gray ? 1.3 : most));
+    }
+}
+
+/* ---- Meshes and corners ---- */
+
+enum { COLUMNS = 7, ROWS = 6, POINTS = COLUMNS * ROWS, TRIANGLES = (COLUMNS - 1) * (ROWS - 1) * 2 };
+
+/* A bent sheet that reaches through the near plane. */
+typedef struct sheet {
+    qtri_vec3 position[POINTS];
+    qtri_rgb color[POINTS];
+    qtri_vec2 uv[POINTS];
+    uint8_t alpha[POINTS];
+    uint16_t triangle[TRIANGLES][3];
+    qtri_mesh mesh;
+    qtri_corner corner[3 * TRIANGLES];
+    uint8_t corner_alpha[3 * TRIANGLES];
+} sheet;
+
+static void random_sheet(sheet *s, uint64_t *seed)
+{
+    static const uint8_t step[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
+    const bool colored = random_flag(seed);
+    for (int i = 0; i < POINTS; i++) {
+        const int32_t x = i % COLUMNS;
+        const int32_t y = i / COLUMNS;
+        const qtri_vec3 p = {x * 30000 - 90000 + random_in(seed, -20000, 20000),
+                             y * 30000 - 75000 + random_in(seed, -20000, 20000),
+                             random_in(seed, -90000, 90000)};
+        const qtri_rgb c = {(uint8_t)random_in(seed, 0, 255), (uint8_t)random_in(seed, 0, 255),
+                            (uint8_t)random_in(seed, 0, 255)};
+        const qtri_vec2 uv = {x * 20000, y * 20000};
+        s->position[i] = p;
+        s->color[i] = c;
+        s->uv[i] = uv;
+        s->alpha[i] = (uint8_t)random_in(seed, 0, 255);
+    }
+    for (int i = 0; i < TRIANGLES; i++) {
+        const int cell = i / 2;
+        for (int k = 0; k < 3; k++) {
+            const int x = cell % (COLUMNS - 1) + step[i % 2][k][0];
+            const int y = cell / (COLUMNS - 1) + step[i % 2][k][1];
+            const uint16_t v = (uint16_t)(y * COLUMNS + x);
+            const qtri_rgb white = {255, 255, 255};
+            const qtri_corner corner = {
+                {s->position[v].x, s->position[v].y, s->position[v].z, Q16_ONE},
+                colored ? s->color[v] : white,
+                s->uv[v]};
+            s->triangle[i][k] = v;
+            s->corner[3 * i + k] = corner;
+            s->corner_alpha[3 * i + k] = s->alpha[v];
+        }
+    }
+    const qtri_mesh mesh = {.positions = s->position,
+                            .uvs = s->uv,
+                            .colors = colored ? s->color : NULL,
+                            .triangles = (const uint16_t(*)[3])s->triangle,
+                            .vertex_count = POINTS,
+                            .triangle_count = TRIANGLES};
+    s->mesh = mesh;
+}
+
+static void random_space(qtri_view *view, qtri_transform *pose, uint64_t *seed)
+{
+    const qtri_vec3 eye = {random_in(seed, -40000, 40000), random_in(seed, -40000, 40000),
+                           random_in(seed, 60000, 260000)};
+    const qtri_vec3 center = {0, 0, 0};
+    const qtri_vec3 up = {0, Q16_ONE, 0};
+    qtri_view_init(view, WIDTH, HEIGHT);
+    qtri_transform_look_at(&view->camera, eye, center, up);
+    qtri_transform_perspective(&view->projection, Q16(70), Q16(1.33), Q16(.3), Q16(20));
+    qtri_transform_identity(pose);
+}
+
+/* Of what triangles may be besides. `texels`: 64 of ARGB4444, or of RGB565. */
+static void random_material(qtri_material *m, qtri_texture *texture, const uint16_t texels[64],
+                            qtri_fog *fog, uint64_t *seed)
+{
+    const qtri_fog_range range = {Q16(.3), Q16(20), false};
+    const qtri_rgb gray = {120, 130, 150};
+    const qtri_texture plain = {.texels = texels,
+                                .format =
+                                    random_flag(seed) ? &qtri_texel_rgb565 : &qtri_texel_argb4444,
+                                .width_log2 = 3,
+                                .height_log2 = 3};
+    *texture = plain;
+    texture->filter = random_flag(seed) ? &qtri_bilinear : NULL;
+    qtri_fog_exp(fog, gray, range, Q16(.3));
+    *m = qtri_material_default();
+    m->cull = QTRI_CULL_NONE;
+    m->shading = random_flag(seed) ? QTRI_SMOOTH : QTRI_FLAT_LAST;
+    m->blend = random_flag(seed) ? &qtri_blend_vertex_alpha : &qtri_blend_vertex_add;
+    m->alpha = random_flag(seed) ? 255 : (uint8_t)random_in(seed, 0, 255);
+    m->keep = random_in(seed, 0, 3) == 0 ? (uint8_t)random_in(seed, 0, 7) : 0;
+    m->interpolation = random_flag(seed) ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
+    m->texture = random_flag(seed) ? texture : NULL;
+    m->texture_mode = random_flag(seed) ? QTRI_MODULATE : QTRI_REPLACE;
+    m->fog = random_flag(seed) ? fog : NULL;
+    m->depth_compare = random_flag(seed) ? QTRI_LESS : QTRI_DEPTH_OFF;
+    m->least_alpha = random_in(seed, 0, 3) == 0 ? 100 : 0;
+    m->depth_shift = random_in(seed, 0, 2) == 0 ? &qtri_slope_bias : NULL;
+    m->depth_slope = random_in(seed, -200000, 200000);
+}
+
+/* A mesh, whole; its triangles, in bands; the prepared mesh, in bands; with any scissor. */
+static void pieces(void **state)
+{
+    (void)state;
+    static sheet s;
+    static qtri_vertex vertices[QTRI_MESH_VERTICES(POINTS)];
+    static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, 13)];
+    const qtri_rgb sky = {40, 90, 160};
+    uint64_t seed = 11;
+    for (int n = 0; n < 90; n++) {
+        const qtri_format *format = drawn_format(n);
+        qtri_view view;
+        qtri_transform pose;
+        qtri_material m;
+        qtri_texture texture;
+        qtri_fog fog;
+        uint16_t texels[64];
+        for (int i = 0; i < 64; i++) {
+            texels[i] = (uint16_t)random_in(&seed, 0, 65535);
+        }
+        random_sheet(&s, &seed);
+        random_space(&view, &pose, &seed);
+        random_material(&m, &texture, texels, &fog, &seed);
+        qtri_material of_corners = m;
+        const bool opaque = random_in(&seed, 0, 5) == 0;
+        m.alphas = opaque ? NULL : s.alpha;
+        of_corners.alphas = opaque ? NULL : s.corner_alpha;
+        if (random_flag(&seed)) {
+            view.vertices = vertices;
+            view.vertex_count = POINTS;
+        }
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        qtri_surface_clear(&whole.surface, sky, 65535);
+        qtri_draw_mesh(&whole.surface, &view, &pose, &s.mesh, &m);
+        for (int32_t first = 0; first < HEIGHT; first += 17) {
+            canvas band = canvas_band(format, WIDTH, HEIGHT, first, 17);
+            qtri_surface_clear(&band.surface, sky, 65535);
+            for (int32_t x = 0; x < WIDTH; x += 37) {
+                const qtri_rect scissor = {x, 0, x + 37, HEIGHT};
+                band.surface.scissor = scissor;
+                qtri_draw_triangles(&band.surface, &view, &pose, s.corner, 3 * TRIANGLES,
+                                    &of_corners);
+            }
+            assert_same_picture(&whole.surface, &band.surface);
+            canvas_free(&band);
+        }
+        static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, 13, QTRI_XRGB8888_BYTES)];
+        qtri_frame frame;
+        qtri_prepared prepared;
+        qtri_surface band;
+        assert_int_equal(qtri_frame_init(&frame, format, WIDTH, HEIGHT, 13, memory, sizeof memory),
+                         QTRI_OK);
+        qtri_prepared_init(&prepared, vertices, POINTS, lists, sizeof lists / sizeof lists[0]);
+        qtri_frame_begin(&frame);
+        qtri_prepare_mesh(&prepared, &frame, &view, &pose, &s.mesh, &m);
+        while (qtri_frame_next_band(&frame, &band)) {
+            qtri_surface_clear(&band, sky, 65535);
+            qtri_draw_prepared(&band, &prepared);
+            assert_same_picture(&whole.surface, &band);
+        }
+        canvas_free(&whole);
+    }
+}
+
+/* Alpha that is the same everywhere, and lines, are as with the blends that know one alpha. */
+static void as_constant(void **state)
+{
+    (void)state;
+    static sheet s;
+    uint64_t seed = 21;
+    for (int n = 0; n < 40; n++) {
+        const qtri_rgb sky = {40, 90, 160};
+        const bool lines = n % 4 == 3;
+        const uint8_t alpha = (uint8_t)random_in(&seed, 0, 255);
+        qtri_view view;
+        qtri_transform pose;
+        random_sheet(&s, &seed);
+        random_space(&view, &pose, &seed);
+        memset(s.alpha, lines ? 255 : alpha, sizeof s.alpha);
+        qtri_material m = qtri_material_default();
+        m.cull = QTRI_CULL_NONE;
+        m.fill = lines ? &qtri_wireframe : NULL;
+        m.alpha = alpha;
+        m.blend = n % 2 != 0 ? &qtri_blend_alpha : &qtri_blend_add;
+        canvas one = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas other = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        qtri_surface_clear(&one.surface, sky, 65535);
+        qtri_surface_clear(&other.surface, sky, 65535);
+        qtri_draw_mesh(&one.surface, &view, &pose, &s.mesh, &m);
+        m.blend = n % 2 != 0 ? &qtri_blend_vertex_alpha : &qtri_blend_vertex_add;
+        m.alpha = lines ? alpha : 255;
+        m.alphas = s.alpha;
+        qtri_draw_mesh(&other.surface, &view, &pose, &s.mesh, &m);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t a = stored_pixel(&one.surface, i % WIDTH, i / WIDTH);
+            const uint32_t b = stored_pixel(&other.surface, i % WIDTH, i / WIDTH);
+            /* Small triangles are drawn as large ones, of which the true places count. */
+            assert_near(stored_depth(&one.surface, i % WIDTH, i / WIDTH),
+                        stored_depth(&other.surface, i % WIDTH, i / WIDTH), lines ? 0 : 16);
+            for (int k = 0; k < 24; k += 8) { /* each of the two rounds, and twice where they lie
+                                                 over each other */
+                assert_near(a >> k & 255, b >> k & 255, lines ? 0 : 3);
+            }
+        }
+        canvas_free(&one);
+        canvas_free(&other);
+    }
+}
+
+/* With four samples a pixel, inside of a triangle, the same; nothing else on its edges. */
+static void samples(void **state)
+{
+    (void)state;
+    uint64_t seed = 31;
+    for (int n = 0; n < 30; n++) {
+        trial t;
+        random_trial(&t, &seed);
+        canvas plain = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas many = canvas_new(&qtri_xrgb8888_x4, WIDTH, HEIGHT);
+        canvas inside = canvas_new(&qtri_xrgb8888_x4, WIDTH, HEIGHT);
+        const qtri_rgb black = {0, 0, 0};
+        qtri_surface resolved;
+        qtri_surface whole;
+        const qtri_material white = plain_material();
+        t.material.shading = QTRI_FLAT_FIRST;
+        qtri_surface_clear(&plain.surface, t.sky, 65535);
+        qtri_samples_clear(&many.surface, t.sky, 65535);
+        qtri_samples_clear(&inside.surface, black, 65535);
+        qtri_raster_triangle(&plain.surface, &t.material, t.v);
+        qtri_raster_triangle(&many.surface, &t.material, t.v);
+        t.v[0].color_8p16[0] = t.v[0].color_8p16[1] = t.v[0].color_8p16[2] = 255 << 16;
+        qtri_raster_triangle(&inside.surface, &white, t.v);
+        assert_int_equal(qtri_samples_resolve(&many.surface, &resolved), QTRI_OK);
+        assert_int_equal(qtri_samples_resolve(&inside.surface, &whole), QTRI_OK);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t cover = stored_pixel(&whole, i % WIDTH, i / WIDTH) & 0xFFFFFF;
+            const uint32_t is = stored_pixel(&resolved, i % WIDTH, i / WIDTH);
+            const uint32_t should = stored_pixel(&plain.surface, i % WIDTH, i / WIDTH);
+            if (cover == 0xFFFFFF) {
+                assert_int_equal(is & 0xFFFFFF, should & 0xFFFFFF);
+            } else if (cover == 0) {
+                assert_int_equal(is & 0xFFFFFF,
+                                 (uint32_t)t.sky.r << 16 | (uint32_t)t.sky.g << 8 | t.sky.b);
+            }
+        }
+        canvas_free(&plain);
+        canvas_free(&many);
+        canvas_free(&inside);
+    }
+}
+
+/* ---- Depths moved by slope ---- */
+
+/* Every pixel is moved by what the triangle's slope says, to the rounding of both. */
+static void slopes(void **state)
+{
+    (void)state;
+    uint64_t seed = 41;
+    canvas moved = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    canvas plain = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int n = 0; n < 400; n++) {
+        qtri_screen_vertex v[3];
+        qtri_material m = plain_material();
+        m.depth_compare = QTRI_ALWAYS;
+        m.depth_slope =
+            random_in(&seed, 0, 9) == 0 ? random_any(&seed) : random_in(&seed, -300000, 300000);
+        for (int i = 0; i < 3; i++) {
+            v[i] = screen_at(random_in(&seed, -9000, WIDTH * 256 + 9000),
+                             random_in(&seed, -9000, HEIGHT * 256 + 9000));
+            v[i].depth_16p16 = (uint32_t)random_in(&seed, 0, 65535) << 16;
+        }
+        canvas_clear(&moved);
+        canvas_clear(&plain);
+        qtri_raster_triangle(&plain.surface, &m, v);
+        m.depth_shift = &qtri_slope_bias;
+        qtri_raster_triangle(&moved.surface, &m, v);
+        const double x1 = v[1].x_24p8 - v[0].x_24p8;
+        const double y1 = v[1].y_24p8 - v[0].y_24p8;
+        const double x2 = v[2].x_24p8 - v[0].x_24p8;
+        const double y2 = v[2].y_24p8 - v[0].y_24p8;
+        const double z0 = v[0].depth_16p16 / 65536.0;
+        const double z1 = v[1].depth_16p16 / 65536.0;
+        const double z2 = v[2].depth_16p16 / 65536.0;
+        const double area = x1 * y2 - x2 * y1;
+        const double right = ((z1 - z0) * y2 - (z2 - z0) * y1) / area * 256;
+        const double down = ((z2 - z0) * x1 - (z1 - z0) * x2) / area * 256;
+        double by = m.depth_slope / 65536.0 * fmax(fabs(right), fabs(down));
+        by = fmax(by, -fmin(z0, fmin(z1, z2)));
+        by = fmin(by, 65535 - fmax(z0, fmax(z1, z2)));
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            assert_int_equal(stored_pixel(&moved.surface, i % WIDTH, i / WIDTH),
+                             stored_pixel(&plain.surface, i % WIDTH, i / WIDTH));
+            if (stored_pixel(&plain.surface, i % WIDTH, i / WIDTH) != 0) {
+                assert_near(stored_depth(&moved.surface, i % WIDTH, i / WIDTH),
+                            stored_depth(&plain.surface, i % WIDTH, i / WIDTH) + by, 1.01);
+            }
+        }
+    }
+    canvas_free(&moved);
+    canvas_free(&plain);
+}
+
+/* Any numbers: nothing is drawn outside of the surface, and the sanitizers find nothing. */
+static void anything(void **state)
+{
+    (void)state;
+    uint64_t seed = 51;
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int n = 0; n < 300; n++) {
+        trial t;
+        random_trial(&t, &seed);
+        for (int i = 0; i < 3; i++) {
+            t.v[i].x_24p8 = random_flag(&seed) ? random_any(&seed) : t.v[i].x_24p8;
+            t.v[i].y_24p8 = random_flag(&seed) ? random_any(&seed) : t.v[i].y_24p8;
+            t.v[i].depth_16p16 = (uint32_t)random_any(&seed);
+            t.v[i].inv_w_q31 = (uint32_t)random_any(&seed);
+            t.v[i].inv_w_exponent = random_any(&seed);
+            t.v[i].color_8p16[i] = random_any(&seed);
+        }
+        t.material.keep = (uint8_t)random_any(&seed);
+        t.material.depth_compare = QTRI_LESS;
+        t.material.depth_shift = random_flag(&seed) ? &qtri_slope_bias : NULL;
+        t.material.depth_slope = random_any(&seed);
+        qtri_raster_triangle(&c.surface, &t.material, t.v);
+    }
+    canvas_free(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(is_exact), cmocka_unit_test(pieces), cmocka_unit_test(as_constant),
+        cmocka_unit_test(samples),  cmocka_unit_test(slopes), cmocka_unit_test(anything),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
