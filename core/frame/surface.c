@@ -23,15 +23,32 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
                                   size_t bytes)
 {
+    return qtri_surface_init_depth(surface, format, NULL, width, height, first_row, rows, memory,
+                                   bytes);
+}
+
+/* Pixels of more bytes are records of samples, which hold depths of linear16. */
+static bool is_format(const qtri_format *format, const qtri_depth_format *depth)
+{
+    return format != NULL && (depth == NULL || depth->testing == NULL ||
+                              (depth->bytes >= 2 && depth->bytes <= 4 && format->pixels->bytes <= 4));
+}
+
+enum qtri_error qtri_surface_init_depth(qtri_surface *surface, const qtri_format *format,
+                                        const qtri_depth_format *depth_format, int32_t width,
+                                        int32_t height, int32_t first_row, int32_t rows,
+                                        void *memory, size_t bytes)
+{
     QTRI_ASSERT(surface != NULL);
     if (width < 1 || width > QTRI_SURFACE_MAX || height < 1 || height > QTRI_SURFACE_MAX ||
         first_row < 0 || first_row >= height || rows < 1 || rows > QTRI_SURFACE_MAX) {
         return refuse(surface, QTRI_ERROR_SIZE);
     }
-    if (format == NULL) {
+    if (!is_format(format, depth_format)) {
         return refuse(surface, QTRI_ERROR_FORMAT);
     }
-    if (memory == NULL || bytes < QTRI_BAND_BYTES(width, rows, format->pixels->bytes)) {
+    if (memory == NULL || bytes < QTRI_BAND_BYTES_DEPTH(width, rows, format->pixels->bytes,
+                                                        qtri_depth_bytes(depth_format))) {
         return refuse(surface, QTRI_ERROR_MEMORY);
     }
     size_t pitch = (size_t)width * format->pixels->bytes;
@@ -42,6 +59,7 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
     surface->pitch = (ptrdiff_t)pitch;
     surface->depth = (uint16_t *)(void *)depth;
     surface->depth_pitch = width;
+    surface->depth_format = depth_format;
     surface->format = format;
     surface->width = width;
     surface->height = height;
@@ -52,7 +70,24 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
     return QTRI_OK;
 }
 
-void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth)
+/* Fills a rectangle, which is not empty, with a depth 0..65535.0. */
+static void fill_depth(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
+{
+    const qtri_depth_format *format = surface->depth_format;
+    const ptrdiff_t bytes = qtri_depth_bytes(format);
+    uint32_t stored = depth_16p16;
+    if (format != NULL) {
+        format->encode(&stored, 1);
+    } else {
+        stored = (stored + 0x8000) >> 16;
+    }
+    const ptrdiff_t first =
+        (ptrdiff_t)(rect->y0 - surface->first_row) * surface->depth_pitch + rect->x0;
+    qtri_fill_values((uint8_t *)surface->depth + bytes * first, bytes * surface->depth_pitch,
+                     (size_t)bytes, rect->x1 - rect->x0, rect->y1 - rect->y0, stored);
+}
+
+void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color)
 {
     QTRI_ASSERT(surface != NULL);
     qtri_rect bounds = qtri_surface_bounds(surface);
@@ -61,10 +96,16 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
     }
     qtri_fill_rect(surface, &bounds, qtri_pixel_from_rgb(surface->format, color));
     if (surface->depth != NULL) {
-        ptrdiff_t stored_row = bounds.y0 - surface->first_row;
-        qtri_fill_words((uint8_t *)(surface->depth + stored_row * surface->depth_pitch + bounds.x0),
-                        2 * surface->depth_pitch, 2 * (size_t)(bounds.x1 - bounds.x0),
-                        bounds.y1 - bounds.y0, depth * 0x10001u);
+        fill_depth(surface, &bounds, (uint32_t)65535 << 16);
+    }
+}
+
+void qtri_surface_clear_depth(const qtri_surface *surface, q16 depth)
+{
+    QTRI_ASSERT(surface != NULL);
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    if (bounds.x0 != bounds.x1 && surface->depth != NULL) {
+        fill_depth(surface, &bounds, 65535u * (uint32_t)qtri_hold32(depth, 0, Q16_ONE));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "checked.h"
 #include "dda.h"
+#include "depth_testing.h"
 #include "effect.h"
 #include "line_path.h"
 
@@ -470,6 +471,17 @@ QTRI_NOINLINE static void set_effect(qtri_line_job *job, const qtri_material *ma
     }
 }
 
+/* Depths that are no linear16: each chunk of a line ends its batch. */
+QTRI_NOINLINE static void set_testing(qtri_line_job *job, qtri_compare compare)
+{
+    job->testing = qtri_depth_testing_of(job->surface, compare);
+    if (job->testing != NULL) {
+        job->effect = job->testing->effects.line;
+        job->draw = draw_affected;
+        job->has_depth = false;
+    }
+}
+
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_batch *batch)
 {
@@ -494,6 +506,10 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->effect = NULL;
     if (material->fog != NULL || material->blend != NULL) {
         set_effect(job, material);
+    }
+    job->testing = NULL;
+    if (surface->depth_format != NULL) {
+        set_testing(job, compare);
     }
     job->less = differences[compare].less;
     job->passing = differences[compare].passing;

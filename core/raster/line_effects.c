@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "depth_testing.h"
 #include "effect.h"
 #include "line.h"
 
@@ -29,10 +30,15 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
     }
     qtri_raster raster;
     set_raster(&raster, job);
+    const qtri_effect_stages *stages = qtri_effect_stages_of(job->material);
+    if (job->testing != NULL) {
+        job->testing->begin_line(&raster, job);
+        stages = &job->testing->effects;
+    }
     const qtri_fragments at = {batch->place, batch->place[0], depth};
-    const uint32_t mask = qtri_effect_stages_of(job->material)
-                              ->fragments(&raster, batch->color, &at, qtri_mask_of(count), count);
-    if (job->writes_early != job->depth_write) {
+    const uint32_t mask =
+        stages->fragments(&raster, batch->color, &at, qtri_mask_of(count), count);
+    if (job->testing != NULL || job->writes_early != job->depth_write) {
         batch->count = (uint8_t)qtri_batch_keep(batch, job->surface, depth, mask, count,
                                                 job->has_depth && job->depth_write);
     }

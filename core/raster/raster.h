@@ -157,6 +157,10 @@ struct qtri_raster {
     qtri_draw_small tint_small; /* NULL: none */
     qtri_draw_list lit_list;    /* NULL: none */
     qtri_lamp lamp;             /* where there is one */
+    /* Where depths are tested as an effect, see depth_testing.h: */
+    const qtri_effect_stages *after_test; /* the others; NULL: none */
+    qtri_compare late_compare;
+    bool late_write;
 };
 
 /* batch: the caller's, used while the raster is. */

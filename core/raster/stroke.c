@@ -2,6 +2,7 @@
 #include "stroke.h"
 
 #include "../frame/pixel.h"
+#include "depth_testing.h"
 
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
@@ -166,7 +167,7 @@ static bool passes(qtri_compare compare, uint32_t depth, uint32_t stored)
 
 /* What a pixel takes of its part. */
 typedef struct sample {
-    uint32_t depth;        /* 0..65535 */
+    uint32_t depth_16p8;   /* 0..65535.0 */
     int32_t color_8p16[3]; /* 0..255.0 */
 } sample;
 
@@ -254,7 +255,7 @@ static void take_sample(sample *out, const qtri_stroke_shape *shape, uint32_t sh
     const qtri_stroke_end *to = &shape->end[1];
     const int32_t depth_16p8 =
         mixed((int32_t)(from->depth_16p8 >> 8), (int32_t)(to->depth_16p8 >> 8), share_q16);
-    out->depth = (uint32_t)(depth_16p8 + 128) >> 8;
+    out->depth_16p8 = (uint32_t)depth_16p8;
     for (int i = 0; i < 3; i++) {
         out->color_8p16[i] = shape->even ? from->color_8p16[i]
                                          : mixed(from->color_8p16[i], to->color_8p16[i], share_q16);
@@ -299,7 +300,8 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
     uint8_t *pixel = surface->pixels + row * surface->pitch +
                      (ptrdiff_t)format->pixels->bytes * (stroker->column + in->first);
     uint8_t *first_pixel = pixel;
-    uint16_t *depth = stroker->compare != QTRI_DEPTH_OFF
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface, stroker->compare);
+    uint16_t *depth = stroker->compare != QTRI_DEPTH_OFF && testing == NULL
                           ? surface->depth + row * surface->depth_pitch + stroker->column
                           : NULL;
     position at[QTRI_STROKE_WINDOW];
@@ -317,13 +319,20 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
         }
         sample s;
         take_sample(&s, shape_of(stroker, at[i].part), at[i].share_q16);
+        const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
         if (depth != NULL) {
-            if (!passes(stroker->compare, s.depth, depth[i])) {
+            const uint32_t z = (s.depth_16p8 + 128) >> 8;
+            if (!passes(stroker->compare, z, depth[i])) {
                 continue;
             }
-            if (stroker->depth_write && cover >= QTRI_STROKE_FULL / 2) {
-                depth[i] = (uint16_t)s.depth;
+            if (writes) {
+                depth[i] = (uint16_t)z;
             }
+        } else if (testing != NULL &&
+                   !testing->passes(surface, stroker->compare,
+                                    (uint32_t)row << 16 | (uint32_t)(stroker->column + i),
+                                    s.depth_16p8 << 8, writes)) {
+            continue;
         }
         word[i - in->first] = word_of(format, &s, pixel, share_of(stroker, cover));
         mask |= 1;

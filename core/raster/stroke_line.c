@@ -6,6 +6,7 @@
 #include "../filter/mix.h"
 #include "../frame/mix.h"
 #include "../frame/pixel.h"
+#include "depth_testing.h"
 #include "line_path.h"
 
 /* What covers a whole pixel: 256 of a width by 512 halves of 1/256 of a height. */
@@ -39,6 +40,7 @@ typedef struct wire {
     int32_t share_step;         /* Q24 of its length a column; at most 2^28 */
     int32_t share_across;       /* the same for a pixel across */
     int32_t z_16p14, z_step;    /* at the first end; from end to end */
+    int32_t z_16p8, z_delta;    /* the same, unrounded */
     int32_t light_q29, light_step;
     const qtri_line_color *from, *to; /* NULL: shares of the tint */
     uint32_t alpha_q8;                /* 256: opaque */
@@ -226,6 +228,15 @@ static inline int32_t held_share(int32_t share_q24)
     return (uint32_t)share <= (uint32_t)one ? share : (share < 0 ? 0 : one);
 }
 
+/* Depths that are no linear16. */
+QTRI_NOINLINE static bool passes(const wire *w, uint32_t place, int32_t share, bool write)
+{
+    const qtri_line_job *job = w->job;
+    const int64_t more = qtri_mul_s32(w->z_delta, share) >> (SHARE_BITS - 8);
+    return job->testing->passes(job->surface, job->material->depth_compare, place,
+                                ((uint32_t)w->z_16p8 << 8) + (uint32_t)more, write);
+}
+
 /* Where a column's cells are, and the share at the first in Q24. */
 typedef struct cells {
     const int32_t *cell, *end;
@@ -259,6 +270,9 @@ static void take_pixels(const wire *w, pixels *p, const cells *c)
             if (job->depth_write && sum >= FULL / 2) {
                 *depth = (uint16_t)z;
             }
+        } else if (job->testing != NULL &&
+                   !passes(w, place, share, job->depth_write && sum >= FULL / 2)) {
+            continue;
         }
         const int32_t i = p->count++;
         p->place[i] = place;
@@ -435,6 +449,8 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
     w->origin_y = w->y[0];
     w->z_16p14 = (z[0] << 6) + (1 << 13);
     w->z_step = (z[1] - z[0] + 128) >> 8;
+    w->z_16p8 = z[0];
+    w->z_delta = z[1] - z[0];
     w->from = NULL;
     w->to = NULL;
     w->light_q29 = 0;

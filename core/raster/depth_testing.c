@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+#include "depth_testing.h"
+
+#include "../frame/stored.h"
+#include "batch.h"
+#include "job.h"
+#include "list_values.h"
+#include "samples.h"
+
+/* Ramps and lines come with the half that rounds to 16 bits. */
+#define HALF     ((uint32_t)1 << 15)
+#define FARTHEST ((uint32_t)65535 << 16)
+
+/*
+ * A ramp's value as a depth. Rounding may take it out of 0..65535.0 by less than the half that it
+ * has, so it does not wrap.
+ */
+static inline uint32_t depth_of(uint32_t ramp)
+{
+    const uint32_t depth = ramp < HALF ? 0 : ramp - HALF;
+    return depth < FARTHEST ? depth : FARTHEST;
+}
+
+static void set_depths(uint32_t *depth, const qtri_fragments *at, int32_t count)
+{
+    const qtri_ramp *ramp = at->depth;
+    if (at->place != NULL) {
+        for (int32_t i = 0; i < count; i++) {
+            depth[i] = depth_of(qtri_list_at(ramp, at->place[i] & 0xFFFF, at->place[i] >> 16));
+        }
+        return;
+    }
+    uint32_t z = qtri_list_at(ramp, at->first & 0xFFFF, at->first >> 16);
+    for (int32_t i = 0; i < count; i++, z += ramp->dx) {
+        depth[i] = depth_of(z);
+    }
+}
+
+/* Where a fragment's depth is stored. */
+static inline uint8_t *stored_at(const qtri_surface *surface, uint32_t place)
+{
+    const ptrdiff_t bytes = surface->depth_format->bytes;
+    return (uint8_t *)surface->depth +
+           bytes * ((ptrdiff_t)(place >> 16) * surface->depth_pitch + (ptrdiff_t)(place & 0xFFFF));
+}
+
+static inline uint32_t place_of(const qtri_fragments *at, int32_t i)
+{
+    return at->place != NULL ? at->place[i] : at->first + (uint32_t)i;
+}
+
+/* Bits for less, equal and greater that a comparison has. */
+static uint32_t orders_of(qtri_compare compare)
+{
+    return compare > QTRI_ALWAYS ? 7 : (uint32_t)compare - QTRI_NEVER;
+}
+
+static inline uint32_t order_of(uint32_t depth, uint32_t stored)
+{
+    return depth < stored ? 1 : (depth == stored ? 2 : 4);
+}
+
+/* Of the mask's fragments those that pass. */
+static uint32_t test(const qtri_raster *raster, const uint32_t *depth, const qtri_fragments *at,
+                     uint32_t mask, int32_t count)
+{
+    const qtri_surface *surface = raster->surface;
+    const int32_t bytes = surface->depth_format->bytes;
+    const uint32_t orders = orders_of(raster->late_compare);
+    uint32_t bit = (uint32_t)1 << (count - 1);
+    for (int32_t i = 0; i < count; i++, bit >>= 1) {
+        if ((mask & bit) != 0) {
+            const uint32_t stored = qtri_stored_get(bytes, stored_at(surface, place_of(at, i)));
+            if ((orders & order_of(depth[i], stored)) == 0) {
+                mask ^= bit;
+            }
+        }
+    }
+    return mask;
+}
+
+static void put(const qtri_raster *raster, const uint32_t *depth, const qtri_fragments *at,
+                uint32_t mask, int32_t count)
+{
+    const qtri_surface *surface = raster->surface;
+    const int32_t bytes = surface->depth_format->bytes;
+    uint32_t bit = (uint32_t)1 << (count - 1);
+    for (int32_t i = 0; i < count; i++, bit >>= 1) {
+        if ((mask & bit) != 0) {
+            qtri_stored_put(bytes, stored_at(surface, place_of(at, i)), depth[i]);
+        }
+    }
+}
+
+static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                      uint32_t mask, int32_t count)
+{
+    uint32_t depth[QTRI_BATCH];
+    set_depths(depth, at, count);
+    raster->surface->depth_format->encode(depth, count);
+    mask = test(raster, depth, at, mask, count);
+    if (mask != 0 && raster->after_test != NULL) {
+        mask = raster->after_test->fragments(raster, color, at, mask, count);
+    }
+    if (mask != 0 && raster->late_write) {
+        put(raster, depth, at, mask, count);
+    }
+    return mask;
+}
+
+static void begin(qtri_raster *raster)
+{
+    if (qtri_sampling_of(raster->surface->format) != NULL) {
+        raster->compare = QTRI_NEVER; /* records have room for linear16 alone: nothing is drawn */
+        return;
+    }
+    if (raster->compare == QTRI_NEVER) {
+        return;
+    }
+    raster->after_test = raster->effects;
+    raster->late_compare = raster->compare;
+    raster->late_write = raster->depth_write;
+    raster->effects = &qtri_depth_testing_stages.effects;
+    raster->compare = QTRI_DEPTH_OFF;
+    raster->depth_write = false;
+    raster->with_depth = true;
+    raster->alone = true;
+    raster->rejects = true;
+}
+
+static void begin_line(qtri_raster *raster, const qtri_line_job *job)
+{
+    raster->after_test = qtri_effect_stages_of(job->material);
+    raster->late_compare = job->material->depth_compare;
+    raster->late_write = job->depth_write;
+}
+
+static bool passes(const qtri_surface *surface, qtri_compare compare, uint32_t place,
+                   uint32_t depth_16p16, bool write)
+{
+    const int32_t bytes = surface->depth_format->bytes;
+    uint8_t *at = stored_at(surface, place);
+    uint32_t depth = depth_16p16 < FARTHEST ? depth_16p16 : FARTHEST;
+    surface->depth_format->encode(&depth, 1);
+    if ((orders_of(compare) & order_of(depth, qtri_stored_get(bytes, at))) == 0) {
+        return false;
+    }
+    if (write) {
+        qtri_stored_put(bytes, at, depth);
+    }
+    return true;
+}
+
+/* Depths move towards the first: what is read was not written yet. */
+static uint16_t *flatten(const qtri_surface *surface)
+{
+    const qtri_depth_format *format = surface->depth_format;
+    const int32_t bytes = format->bytes;
+    const ptrdiff_t pitch =
+        surface->depth_pitch < 0 ? -surface->depth_pitch : surface->depth_pitch;
+    uint8_t *first = (uint8_t *)surface->depth;
+    if (surface->depth_pitch < 0) {
+        first -= bytes * pitch * (surface->rows - 1);
+    }
+    uint16_t *to = (uint16_t *)(void *)first;
+    for (int32_t row = 0; row < surface->rows; row++) {
+        for (int32_t x = 0; x < surface->width; x += QTRI_BATCH) {
+            uint32_t depth[QTRI_BATCH];
+            const int32_t count = qtri_least32(QTRI_BATCH, surface->width - x);
+            const ptrdiff_t at = row * pitch + x;
+            for (int32_t i = 0; i < count; i++) {
+                depth[i] = qtri_stored_get(bytes, first + bytes * (at + i));
+            }
+            format->decode(depth, count);
+            for (int32_t i = 0; i < count; i++) {
+                to[at + i] = (uint16_t)((depth[i] < FARTHEST ? depth[i] + HALF : FARTHEST) >> 16);
+            }
+        }
+    }
+    return to;
+}
+
+const qtri_depth_testing qtri_depth_testing_stages = {
+    {apply, qtri_line_effects, qtri_span_fill}, begin, begin_line, passes, flatten};
