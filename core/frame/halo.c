@@ -24,9 +24,8 @@ enum qtri_error qtri_halo_init_depth(qtri_halo *halo, const qtri_format *format,
         return QTRI_ERROR_SIZE;
     }
     /* Buffers of bands with their halo; then the frame goes on with bands without it. */
-    const enum qtri_error error =
-        qtri_frame_init_depth(frame, format, depth_format, width, height, rows + 2 * halo_rows,
-                              memory, bytes);
+    const enum qtri_error error = qtri_frame_init_depth(frame, format, depth_format, width, height,
+                                                        rows + 2 * halo_rows, memory, bytes);
     if (error == QTRI_OK) {
         frame->rows = rows;
         halo->rows = halo_rows;
@@ -71,9 +70,9 @@ bool qtri_halo_next_band(qtri_halo *halo, qtri_surface *band, qtri_surface *show
     }
     *shown = *band;
     shown->pixels = band->pixels + above * band->pitch;
-    shown->depth = (uint16_t *)(void *)((uint8_t *)band->depth +
-                                        qtri_depth_bytes(band->depth_format) * above *
-                                            band->depth_pitch);
+    shown->depth =
+        (uint16_t *)(void *)((uint8_t *)band->depth +
+                             qtri_depth_bytes(band->depth_format) * above * band->depth_pitch);
     shown->first_row = inner.first_row;
     shown->rows = shown_rows;
     shown->scissor = inner.scissor;

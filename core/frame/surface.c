@@ -30,8 +30,9 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
 /* Pixels of more bytes are records of samples, which hold depths of linear16. */
 static bool is_format(const qtri_format *format, const qtri_depth_format *depth)
 {
-    return format != NULL && (depth == NULL || depth->testing == NULL ||
-                              (depth->bytes >= 2 && depth->bytes <= 4 && format->pixels->bytes <= 4));
+    return format != NULL &&
+           (depth == NULL || depth->testing == NULL ||
+            (depth->bytes >= 2 && depth->bytes <= 4 && format->pixels->bytes <= 4));
 }
 
 enum qtri_error qtri_surface_init_depth(qtri_surface *surface, const qtri_format *format,

@@ -13,8 +13,8 @@
  * rounded down, and stored is 65535 less that, so that nearer is less. A step is 2^-13 to 2^-12 of
  * 1 - z, and no finer than 2^5: vertices have steps of 2^8.
  */
-#define FARTHEST  ((uint32_t)65535 << 16)
-#define MANTISSA  12 /* bits */
+#define FARTHEST   ((uint32_t)65535 << 16)
+#define MANTISSA   12 /* bits */
 #define LEAST_LOG2 5
 
 static void encode(uint32_t *depth, int32_t count)

@@ -156,8 +156,7 @@ static uint16_t *flatten(const qtri_surface *surface)
 {
     const qtri_depth_format *format = surface->depth_format;
     const int32_t bytes = format->bytes;
-    const ptrdiff_t pitch =
-        surface->depth_pitch < 0 ? -surface->depth_pitch : surface->depth_pitch;
+    const ptrdiff_t pitch = surface->depth_pitch < 0 ? -surface->depth_pitch : surface->depth_pitch;
     uint8_t *first = (uint8_t *)surface->depth;
     if (surface->depth_pitch < 0) {
         first -= bytes * pitch * (surface->rows - 1);

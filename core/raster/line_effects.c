@@ -36,11 +36,11 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
         stages = &job->testing->effects;
     }
     const qtri_fragments at = {batch->place, batch->place[0], depth};
-    const uint32_t mask =
-        stages->fragments(&raster, batch->color, &at, qtri_mask_of(count), count);
-    if (job->testing != NULL || job->writes_early != job->depth_write) {
-        batch->count = (uint8_t)qtri_batch_keep(batch, job->surface, depth, mask, count,
-                                                job->has_depth && job->depth_write);
+    const uint32_t mask = stages->fragments(&raster, batch->color, &at, qtri_mask_of(count), count);
+    const bool writes_late = job->has_depth && job->depth_write && !job->writes_early;
+    if (writes_late || mask != qtri_mask_of(count)) {
+        batch->count =
+            (uint8_t)qtri_batch_keep(batch, job->surface, depth, mask, count, writes_late);
     }
     if (batch->count != 0) {
         if (format->encode != NULL) {

@@ -148,8 +148,8 @@ typedef struct qtri_edges {
  * Words of memory for a surface of so many columns and rows, with the halo: a bit a pixel, and for
  * formats of more than two bytes a row of colours. Notes are kept in the surface's depth; where it
  * has none, two bytes a pixel more. Depths of another format than linear16 become that as the pass
- * begins, so edges are compared in steps of 1/65535. Where depth_pitch is not the width, |depth_pitch| counts as
- * the width.
+ * begins, so edges are compared in steps of 1/65535. Where depth_pitch is not the width,
+ * |depth_pitch| counts as the width.
  */
 #define QTRI_EDGES_WORDS(width, rows, pixel_bytes)                                                 \
     (((uint32_t)(width) * (uint32_t)(rows) + 31u) / 32u +                                          \

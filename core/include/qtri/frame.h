@@ -44,8 +44,8 @@ extern "C" {
 typedef struct qtri_frame {
     const qtri_format *format;
     const qtri_depth_format *depth_format; /* NULL: linear16 */
-    int32_t width, height; /* pixels */
-    int32_t rows;          /* of a band; the last one may have fewer */
+    int32_t width, height;                 /* pixels */
+    int32_t rows;                          /* of a band; the last one may have fewer */
     uint8_t *memory;
     size_t band_bytes;
     uint8_t *other_pixels; /* of the second buffer; NULL: there is none */
