@@ -133,24 +133,6 @@ static void fill_row_24(uint8_t *at, int32_t count, uint32_t stored)
     }
 }
 
-void qtri_fill_values(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t columns, int32_t rows,
-                      uint32_t value)
-{
-    if (bytes == 3) {
-        for (; rows > 0; rows--, first += pitch) {
-            fill_row_24(first, columns, value);
-        }
-        return;
-    }
-    if (bytes == 1) {
-        value = (value & 0xFF) * 0x101u;
-    }
-    if (bytes <= 2) {
-        value = (value & 0xFFFF) * 0x10001u;
-    }
-    qtri_fill_words(first, pitch, bytes * (size_t)columns, rows, value);
-}
-
 void qtri_fill_rect(const qtri_surface *surface, const qtri_rect *rect, uint32_t stored)
 {
     const qtri_pixels *pixels = surface->format->pixels;
@@ -159,12 +141,22 @@ void qtri_fill_rect(const qtri_surface *surface, const qtri_rect *rect, uint32_t
     const int32_t rows = rect->y1 - rect->y0;
     uint8_t *first = surface->pixels + (ptrdiff_t)(rect->y0 - surface->first_row) * surface->pitch +
                      (ptrdiff_t)(pixel_bytes * (size_t)rect->x0);
-    if (pixel_bytes >= 1 && pixel_bytes <= 4) {
-        qtri_fill_values(first, surface->pitch, pixel_bytes, columns, rows, stored);
+    if (pixel_bytes == 1 || pixel_bytes == 2 || pixel_bytes == 4) {
+        if (pixel_bytes == 1) {
+            stored = (stored & 0xFF) * 0x101u;
+        }
+        if (pixel_bytes <= 2) {
+            stored = (stored & 0xFFFF) * 0x10001u;
+        }
+        qtri_fill_words(first, surface->pitch, pixel_bytes * (size_t)columns, rows, stored);
         return;
     }
     for (int32_t row = 0; row < rows; row++) {
-        fill_row_of_pixels(pixels, first, columns, stored);
+        if (pixel_bytes == 3) {
+            fill_row_24(first, columns, stored);
+        } else {
+            fill_row_of_pixels(pixels, first, columns, stored);
+        }
         first += surface->pitch;
     }
 }

@@ -13,13 +13,6 @@
  */
 void qtri_fill_words(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t rows, uint32_t value);
 
-/*
- * Fills `rows` rows of `columns` values of `bytes`, 1 to 4, from `first` on, which lies where a
- * value of so many bytes may. columns, rows > 0.
- */
-void qtri_fill_values(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t columns, int32_t rows,
-                      uint32_t value);
-
 /* Bytes of a stored depth; NULL: of linear16. */
 static inline uint8_t qtri_depth_bytes(const qtri_depth_format *format)
 {

@@ -71,21 +71,31 @@ enum qtri_error qtri_surface_init_depth(qtri_surface *surface, const qtri_format
     return QTRI_OK;
 }
 
+/* Depths of any format, as pixels of a surface. */
+QTRI_NOINLINE static void fill_stored(const qtri_surface *surface, const qtri_rect *rect,
+                                      uint32_t depth_16p16)
+{
+    const qtri_pixels memory = {surface->depth_format->bytes, NULL, NULL, NULL, NULL};
+    const qtri_format format = {&memory, NULL, NULL, NULL, NULL};
+    qtri_surface depths = *surface;
+    depths.format = &format;
+    depths.pixels = (uint8_t *)surface->depth;
+    depths.pitch = memory.bytes * surface->depth_pitch;
+    surface->depth_format->encode(&depth_16p16, 1);
+    qtri_fill_rect(&depths, rect, depth_16p16);
+}
+
 /* Fills a rectangle, which is not empty, with a depth 0..65535.0. */
 static void fill_depth(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
 {
-    const qtri_depth_format *format = surface->depth_format;
-    const ptrdiff_t bytes = qtri_depth_bytes(format);
-    uint32_t stored = depth_16p16;
-    if (format != NULL) {
-        format->encode(&stored, 1);
-    } else {
-        stored = (stored + 0x8000) >> 16;
+    if (surface->depth_format != NULL) {
+        fill_stored(surface, rect, depth_16p16);
+        return;
     }
-    const ptrdiff_t first =
-        (ptrdiff_t)(rect->y0 - surface->first_row) * surface->depth_pitch + rect->x0;
-    qtri_fill_values((uint8_t *)surface->depth + bytes * first, bytes * surface->depth_pitch,
-                     (size_t)bytes, rect->x1 - rect->x0, rect->y1 - rect->y0, stored);
+    const ptrdiff_t stored_row = rect->y0 - surface->first_row;
+    qtri_fill_words((uint8_t *)(surface->depth + stored_row * surface->depth_pitch + rect->x0),
+                    2 * surface->depth_pitch, 2 * (size_t)(rect->x1 - rect->x0),
+                    rect->y1 - rect->y0, ((depth_16p16 + 0x8000) >> 16) * 0x10001u);
 }
 
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color)
