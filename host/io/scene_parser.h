@@ -119,11 +119,11 @@ scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_pus
     scene_statement_pop, scene_statement_triangle, scene_statement_mesh;
 
 scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_cleardepth,
-    scene_statement_depth, scene_statement_depthmask, scene_statement_depthrange,
-    scene_statement_cull, scene_statement_shade, scene_statement_texmode, scene_statement_texwrap,
-    scene_statement_texfilter, scene_statement_texformat, scene_statement_texkey,
-    scene_statement_interpolate, scene_statement_polygon, scene_statement_texture,
-    scene_statement_antialias;
+    scene_statement_depth, scene_statement_depthformat, scene_statement_depthmask,
+    scene_statement_depthrange, scene_statement_cull, scene_statement_shade,
+    scene_statement_texmode, scene_statement_texwrap, scene_statement_texfilter,
+    scene_statement_texformat, scene_statement_texkey, scene_statement_interpolate,
+    scene_statement_polygon, scene_statement_texture, scene_statement_antialias;
 
 /* ---- Light (scene_light.c) ---- */
 
