@@ -17,17 +17,38 @@
 #define MANTISSA   12 /* bits */
 #define LEAST_LOG2 5
 
+/* Values of t with one exponent: `size` of them from `from` on. */
+typedef struct octave {
+    uint32_t from, size;
+    uint32_t base; /* added to t >> down */
+    int32_t down;
+} octave;
+
+static void find_octave(octave *o, uint32_t t)
+{
+    const int32_t top = 31 - qtri_clz32(t | 1); /* t's highest bit */
+    const int32_t e = top - (MANTISSA + LEAST_LOG2 - 1);
+    if (e <= 0) {
+        const octave first = {0, (uint32_t)1 << (MANTISSA + LEAST_LOG2), 0, LEAST_LOG2};
+        *o = first;
+        return;
+    }
+    o->from = (uint32_t)1 << top;
+    o->size = o->from;
+    o->base = (uint32_t)(e - 1) << MANTISSA; /* the shifted t has its highest bit */
+    o->down = LEAST_LOG2 + e - 1;
+}
+
+/* Neighbours mostly have one exponent. */
 static void encode(uint32_t *depth, int32_t count)
 {
-    for (int32_t i = 0; i < count; i++) {
-        const uint32_t t = FARTHEST - depth[i];
-        const int32_t top = 31 - qtri_clz32(t | 1); /* t's highest bit */
-        int32_t e = top - (MANTISSA + LEAST_LOG2 - 1);
-        e = e < 0 ? 0 : e;
-        const int32_t down = LEAST_LOG2 + (e == 0 ? 0 : e - 1);
-        /* Of e > 0 the shifted t has its highest bit: one e less is added. */
-        const uint32_t code = ((uint32_t)(e == 0 ? 0 : e - 1) << MANTISSA) + (t >> down);
-        depth[i] = 65535 - code;
+    octave o = {0, 0, 0, 0};
+    for (const uint32_t *end = depth + count; depth != end; depth++) {
+        const uint32_t t = FARTHEST - *depth;
+        if (t - o.from >= o.size) {
+            find_octave(&o, t);
+        }
+        *depth = 65535 - o.base - (t >> o.down);
     }
 }
 

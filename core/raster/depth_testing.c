@@ -11,6 +11,8 @@
 #define HALF     ((uint32_t)1 << 15)
 #define FARTHEST ((uint32_t)65535 << 16)
 
+#define ALL_ORDERS 7u
+
 /*
  * A ramp's value as a depth. Rounding may take it out of 0..65535.0 by less than the half that it
  * has, so it does not wrap.
@@ -44,15 +46,10 @@ static inline uint8_t *stored_at(const qtri_surface *surface, uint32_t place)
            bytes * ((ptrdiff_t)(place >> 16) * surface->depth_pitch + (ptrdiff_t)(place & 0xFFFF));
 }
 
-static inline uint32_t place_of(const qtri_fragments *at, int32_t i)
-{
-    return at->place != NULL ? at->place[i] : at->first + (uint32_t)i;
-}
-
 /* Bits for less, equal and greater that a comparison has. */
 static uint32_t orders_of(qtri_compare compare)
 {
-    return compare > QTRI_ALWAYS ? 7 : (uint32_t)compare - QTRI_NEVER;
+    return compare > QTRI_ALWAYS ? ALL_ORDERS : (uint32_t)compare - QTRI_NEVER;
 }
 
 static inline uint32_t order_of(uint32_t depth, uint32_t stored)
@@ -60,50 +57,75 @@ static inline uint32_t order_of(uint32_t depth, uint32_t stored)
     return depth < stored ? 1 : (depth == stored ? 2 : 4);
 }
 
-/* Of the mask's fragments those that pass. */
-static uint32_t test(const qtri_raster *raster, const uint32_t *depth, const qtri_fragments *at,
-                     uint32_t mask, int32_t count)
+/*
+ * Of the mask's fragments those that pass; `writes`: and their depths are stored. bytes and is_row
+ * are constants where time counts.
+ */
+QTRI_INLINE uint32_t test(const qtri_surface *surface, uint32_t orders, const uint32_t *depth,
+                          const qtri_fragments *at, uint32_t mask, int32_t count, bool writes,
+                          int32_t bytes, bool is_row)
 {
-    const qtri_surface *surface = raster->surface;
-    const int32_t bytes = surface->depth_format->bytes;
-    const uint32_t orders = orders_of(raster->late_compare);
-    uint32_t bit = (uint32_t)1 << (count - 1);
-    for (int32_t i = 0; i < count; i++, bit >>= 1) {
-        if ((mask & bit) != 0) {
-            const uint32_t stored = qtri_stored_get(bytes, stored_at(surface, place_of(at, i)));
-            if ((orders & order_of(depth[i], stored)) == 0) {
-                mask ^= bit;
+    const ptrdiff_t pitch = surface->depth_pitch * bytes;
+    const uint32_t *place = at->place;
+    uint8_t *const first = (uint8_t *)surface->depth;
+    uint8_t *to = is_row ? stored_at(surface, at->first) : first;
+    uint32_t passed = 0;
+    for (mask <<= 32 - count; count > 0; count--, mask <<= 1, depth++) {
+        passed <<= 1;
+        if ((int32_t)mask < 0) {
+            if (!is_row) {
+                to = first + (ptrdiff_t)(*place >> 16) * pitch +
+                     (ptrdiff_t)(*place & 0xFFFF) * bytes;
+            }
+            if ((orders & order_of(*depth, qtri_stored_get(bytes, to))) != 0) {
+                passed |= 1;
+                if (writes) {
+                    qtri_stored_put(bytes, to, *depth);
+                }
             }
         }
-    }
-    return mask;
-}
-
-static void put(const qtri_raster *raster, const uint32_t *depth, const qtri_fragments *at,
-                uint32_t mask, int32_t count)
-{
-    const qtri_surface *surface = raster->surface;
-    const int32_t bytes = surface->depth_format->bytes;
-    uint32_t bit = (uint32_t)1 << (count - 1);
-    for (int32_t i = 0; i < count; i++, bit >>= 1) {
-        if ((mask & bit) != 0) {
-            qtri_stored_put(bytes, stored_at(surface, place_of(at, i)), depth[i]);
+        if (is_row) {
+            to += bytes;
+        } else {
+            place++;
         }
     }
+    return passed;
+}
+
+QTRI_NOINLINE static uint32_t test_any(const qtri_surface *surface, uint32_t orders,
+                                       const uint32_t *depth, const qtri_fragments *at,
+                                       uint32_t mask, int32_t count, bool writes)
+{
+    const int32_t bytes = surface->depth_format->bytes;
+    if (at->place == NULL) {
+        switch (QTRI_SHARE ? 0 : bytes) {
+        case 2:
+            return test(surface, orders, depth, at, mask, count, writes, 2, true);
+        case 4:
+            return test(surface, orders, depth, at, mask, count, writes, 4, true);
+        default:
+            return test(surface, orders, depth, at, mask, count, writes, bytes, true);
+        }
+    }
+    return test(surface, orders, depth, at, mask, count, writes, bytes, false);
 }
 
 static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count)
 {
     uint32_t depth[QTRI_BATCH];
+    const bool is_last = raster->after_test == NULL;
     set_depths(depth, at, count);
     raster->surface->depth_format->encode(depth, count);
-    mask = test(raster, depth, at, mask, count);
-    if (mask != 0 && raster->after_test != NULL) {
-        mask = raster->after_test->fragments(raster, color, at, mask, count);
+    mask = test_any(raster->surface, orders_of(raster->late_compare), depth, at, mask, count,
+                    is_last && raster->late_write);
+    if (is_last || mask == 0) {
+        return mask;
     }
-    if (mask != 0 && raster->late_write) {
-        put(raster, depth, at, mask, count);
+    mask = raster->after_test->fragments(raster, color, at, mask, count);
+    if (raster->late_write && mask != 0) {
+        (void)test_any(raster->surface, ALL_ORDERS, depth, at, mask, count, true);
     }
     return mask;
 }
