@@ -93,39 +93,41 @@ QTRI_INLINE uint32_t test(const qtri_surface *surface, uint32_t orders, const ui
     return passed;
 }
 
-QTRI_NOINLINE static uint32_t test_any(const qtri_surface *surface, uint32_t orders,
-                                       const uint32_t *depth, const qtri_fragments *at,
-                                       uint32_t mask, int32_t count, bool writes)
+/* A function of its own, so that its stack is free again when fog and blend take theirs. */
+QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, uint32_t orders,
+                                       const qtri_fragments *at, uint32_t mask, int32_t count,
+                                       bool writes)
 {
     const int32_t bytes = surface->depth_format->bytes;
-    if (at->place == NULL) {
-        switch (QTRI_SHARE ? 0 : bytes) {
-        case 2:
-            return test(surface, orders, depth, at, mask, count, writes, 2, true);
-        case 4:
-            return test(surface, orders, depth, at, mask, count, writes, 4, true);
-        default:
-            return test(surface, orders, depth, at, mask, count, writes, bytes, true);
-        }
+    uint32_t depth[QTRI_BATCH];
+    set_depths(depth, at, count);
+    surface->depth_format->encode(depth, count);
+    if (at->place != NULL) {
+        return test(surface, orders, depth, at, mask, count, writes, bytes, false);
     }
-    return test(surface, orders, depth, at, mask, count, writes, bytes, false);
+    switch (QTRI_SHARE ? 0 : bytes) {
+    case 2:
+        return test(surface, orders, depth, at, mask, count, writes, 2, true);
+    case 4:
+        return test(surface, orders, depth, at, mask, count, writes, 4, true);
+    default:
+        return test(surface, orders, depth, at, mask, count, writes, bytes, true);
+    }
 }
 
 static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count)
 {
-    uint32_t depth[QTRI_BATCH];
-    const bool is_last = raster->after_test == NULL;
-    set_depths(depth, at, count);
-    raster->surface->depth_format->encode(depth, count);
-    mask = test_any(raster->surface, orders_of(raster->late_compare), depth, at, mask, count,
-                    is_last && raster->late_write);
-    if (is_last || mask == 0) {
-        return mask;
-    }
-    mask = raster->after_test->fragments(raster, color, at, mask, count);
-    if (raster->late_write && mask != 0) {
-        (void)test_any(raster->surface, ALL_ORDERS, depth, at, mask, count, true);
+    const qtri_surface *surface = raster->surface;
+    const qtri_effect_stages *after = raster->after_test;
+    const bool writes = raster->late_write;
+    mask = test_all(surface, orders_of(raster->late_compare), at, mask, count,
+                    after == NULL && writes);
+    if (after != NULL && mask != 0) {
+        mask = after->fragments(raster, color, at, mask, count);
+        if (writes && mask != 0) {
+            (void)test_all(surface, ALL_ORDERS, at, mask, count, true);
+        }
     }
     return mask;
 }
