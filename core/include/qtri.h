@@ -25,6 +25,7 @@
  *   format.h     what a pixel is                          texture.h  what a texel is, textures
  *   material.h   colour, shading, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
+ *   depth.h      what a depth is: precision far away
  *   config.h     what the library is built with           version.h  which one it is
  *   stroke.h     lines of any width, smooth edges, points
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
