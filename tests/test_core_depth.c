@@ -433,7 +433,8 @@ static void planes(void **state)
             qtri_raster_triangle(&b.surface, &m, v);
             for (int i = 0; i < WIDTH * HEIGHT; i += 7) {
                 const double dx = i % WIDTH + .5 - x[0];
-                const double dy = i / WIDTH + .5 - y[0];
+                const int32_t row = i / WIDTH;
+                const double dy = row + .5 - y[0];
                 const uint32_t code = code_at(&b.surface, i % WIDTH, i / WIDTH);
                 if (code == encoded(formats[f], 0)) {
                     continue;

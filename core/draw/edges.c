@@ -12,7 +12,7 @@
 #include "edge_walk.h"
 
 #include "../filter/mix.h"
-#include "../raster/depth_testing.h"
+#include "../frame/depth_format.h"
 
 enum { WORD_PIXELS = 32, PITCH_MAX = 1 << 16 };
 
@@ -62,8 +62,8 @@ enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface,
         edges->origin = (int32_t)(pixels - (uint32_t)magnitude);
         edges->notes -= edges->origin;
     }
-    const qtri_depth_testing *testing = qtri_depth_testing_of(surface, QTRI_ALWAYS);
-    if (testing != NULL) {
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
+    if (testing != NULL && has_depth) {
         edges->notes = testing->flatten(surface);
     }
     clear(memory, marks);

@@ -13,12 +13,6 @@
  */
 void qtri_fill_words(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t rows, uint32_t value);
 
-/* Bytes of a stored depth; NULL: of linear16. */
-static inline uint8_t qtri_depth_bytes(const qtri_depth_format *format)
-{
-    return format != NULL ? format->bytes : QTRI_DEPTH_LINEAR16_BYTES;
-}
-
 /* Fills a rectangle, which is not empty and lies in qtri_surface_bounds, with a stored pixel. */
 void qtri_fill_rect(const qtri_surface *surface, const qtri_rect *rect, uint32_t stored);
 

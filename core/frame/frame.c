@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/frame.h"
 
-#include "fill.h"
-
 static const qtri_rect nothing = {0, 0, 0, 0};
 
 static bool is_side(int32_t x)
@@ -13,16 +11,9 @@ static bool is_side(int32_t x)
 enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, int32_t width,
                                 int32_t height, int32_t rows, void *memory, size_t bytes)
 {
-    return qtri_frame_init_depth(frame, format, NULL, width, height, rows, memory, bytes);
-}
-
-enum qtri_error qtri_frame_init_depth(qtri_frame *frame, const qtri_format *format,
-                                      const qtri_depth_format *depth_format, int32_t width,
-                                      int32_t height, int32_t rows, void *memory, size_t bytes)
-{
     QTRI_ASSERT(frame != NULL);
     frame->format = format;
-    frame->depth_format = depth_format;
+    frame->depth_format = NULL;
     frame->width = 0;
     frame->height = 0;
     frame->rows = 1;
@@ -36,16 +27,14 @@ enum qtri_error qtri_frame_init_depth(qtri_frame *frame, const qtri_format *form
     if (!is_side(width) || !is_side(height) || !is_side(rows)) {
         return QTRI_ERROR_SIZE;
     }
-    qtri_surface first; /* says what else is wrong */
-    const enum qtri_error error = qtri_surface_init_depth(&first, format, depth_format, width,
-                                                          height, 0, rows, memory, bytes);
-    if (error != QTRI_OK) {
-        return error;
+    if (format == NULL) {
+        return QTRI_ERROR_FORMAT;
     }
-    const uint32_t pixel_bytes = format->pixels->bytes;
-    const uint32_t depth_bytes = qtri_depth_bytes(depth_format);
-    frame->band_bytes = QTRI_FRAME_BYTES_DEPTH(width, rows, pixel_bytes, depth_bytes);
-    if (bytes >= QTRI_FRAME_BYTES_DOUBLE_DEPTH(width, rows, pixel_bytes, depth_bytes)) {
+    frame->band_bytes = QTRI_FRAME_BYTES(width, rows, format->pixels->bytes);
+    if (memory == NULL || bytes < frame->band_bytes) {
+        return QTRI_ERROR_MEMORY;
+    }
+    if (bytes >= QTRI_FRAME_BYTES_DOUBLE(width, rows, format->pixels->bytes)) {
         uint8_t *end = frame->memory + frame->band_bytes;
         frame->other_pixels = end + (4 - ((uintptr_t)end & 3)) % 4;
     }
@@ -98,9 +87,9 @@ bool qtri_frame_next_band(qtri_frame *frame, qtri_surface *band)
     }
     frame->next_row += frame->rows;
     frame->is_first = false;
-    (void)qtri_surface_init_depth(band, frame->format, frame->depth_format, frame->width,
-                                  frame->height, row, frame->rows, frame->memory,
-                                  frame->band_bytes);
+    (void)qtri_surface_init(band, frame->format, frame->width, frame->height, row, frame->rows,
+                            frame->memory, frame->band_bytes);
+    band->depth_format = frame->depth_format; /* behind the pixels as any: of more bytes */
     if (frame->only_changes) {
         band->scissor = frame->changes;
     }

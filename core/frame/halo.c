@@ -1,19 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/halo.h"
 
-#include "fill.h"
+#include "depth_format.h"
 
 enum qtri_error qtri_halo_init(qtri_halo *halo, const qtri_format *format, int32_t width,
                                int32_t height, int32_t rows, int32_t halo_rows, void *memory,
                                size_t bytes)
-{
-    return qtri_halo_init_depth(halo, format, NULL, width, height, rows, halo_rows, memory, bytes);
-}
-
-enum qtri_error qtri_halo_init_depth(qtri_halo *halo, const qtri_format *format,
-                                     const qtri_depth_format *depth_format, int32_t width,
-                                     int32_t height, int32_t rows, int32_t halo_rows, void *memory,
-                                     size_t bytes)
 {
     halo->rows = 0;
     qtri_frame *frame = &halo->frame;
@@ -24,8 +16,8 @@ enum qtri_error qtri_halo_init_depth(qtri_halo *halo, const qtri_format *format,
         return QTRI_ERROR_SIZE;
     }
     /* Buffers of bands with their halo; then the frame goes on with bands without it. */
-    const enum qtri_error error = qtri_frame_init_depth(frame, format, depth_format, width, height,
-                                                        rows + 2 * halo_rows, memory, bytes);
+    const enum qtri_error error =
+        qtri_frame_init(frame, format, width, height, rows + 2 * halo_rows, memory, bytes);
     if (error == QTRI_OK) {
         frame->rows = rows;
         halo->rows = halo_rows;
@@ -59,9 +51,9 @@ bool qtri_halo_next_band(qtri_halo *halo, qtri_surface *band, qtri_surface *show
     const int32_t shown_rows = frame->rows < frame->height - inner.first_row
                                    ? frame->rows
                                    : frame->height - inner.first_row;
-    (void)qtri_surface_init_depth(band, frame->format, frame->depth_format, frame->width,
-                                  frame->height, first, above + frame->rows + halo->rows,
-                                  frame->memory, frame->band_bytes);
+    (void)qtri_surface_init(band, frame->format, frame->width, frame->height, first,
+                            above + frame->rows + halo->rows, frame->memory, frame->band_bytes);
+    band->depth_format = frame->depth_format;
     if (frame->other_pixels != NULL) {
         band->pixels = inner.pixels; /* of the buffer whose turn it is */
     }

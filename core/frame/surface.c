@@ -2,6 +2,7 @@
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"
+#include "depth_format.h"
 #include "fill.h"
 #include "pixel.h"
 
@@ -23,33 +24,15 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
                                   int32_t height, int32_t first_row, int32_t rows, void *memory,
                                   size_t bytes)
 {
-    return qtri_surface_init_depth(surface, format, NULL, width, height, first_row, rows, memory,
-                                   bytes);
-}
-
-/* Pixels of more bytes are records of samples, which hold depths of linear16. */
-static bool is_format(const qtri_format *format, const qtri_depth_format *depth)
-{
-    return format != NULL &&
-           (depth == NULL || depth->testing == NULL ||
-            (depth->bytes >= 2 && depth->bytes <= 4 && format->pixels->bytes <= 4));
-}
-
-enum qtri_error qtri_surface_init_depth(qtri_surface *surface, const qtri_format *format,
-                                        const qtri_depth_format *depth_format, int32_t width,
-                                        int32_t height, int32_t first_row, int32_t rows,
-                                        void *memory, size_t bytes)
-{
     QTRI_ASSERT(surface != NULL);
     if (width < 1 || width > QTRI_SURFACE_MAX || height < 1 || height > QTRI_SURFACE_MAX ||
         first_row < 0 || first_row >= height || rows < 1 || rows > QTRI_SURFACE_MAX) {
         return refuse(surface, QTRI_ERROR_SIZE);
     }
-    if (!is_format(format, depth_format)) {
+    if (format == NULL) {
         return refuse(surface, QTRI_ERROR_FORMAT);
     }
-    if (memory == NULL || bytes < QTRI_BAND_BYTES_DEPTH(width, rows, format->pixels->bytes,
-                                                        qtri_depth_bytes(depth_format))) {
+    if (memory == NULL || bytes < QTRI_BAND_BYTES(width, rows, format->pixels->bytes)) {
         return refuse(surface, QTRI_ERROR_MEMORY);
     }
     size_t pitch = (size_t)width * format->pixels->bytes;
@@ -60,7 +43,7 @@ enum qtri_error qtri_surface_init_depth(qtri_surface *surface, const qtri_format
     surface->pitch = (ptrdiff_t)pitch;
     surface->depth = (uint16_t *)(void *)depth;
     surface->depth_pitch = width;
-    surface->depth_format = depth_format;
+    surface->depth_format = NULL;
     surface->format = format;
     surface->width = width;
     surface->height = height;
@@ -71,25 +54,13 @@ enum qtri_error qtri_surface_init_depth(qtri_surface *surface, const qtri_format
     return QTRI_OK;
 }
 
-/* Depths of any format, as pixels of a surface. */
-QTRI_NOINLINE static void fill_stored(const qtri_surface *surface, const qtri_rect *rect,
-                                      uint32_t depth_16p16)
-{
-    const qtri_pixels memory = {surface->depth_format->bytes, NULL, NULL, NULL, NULL};
-    const qtri_format format = {&memory, NULL, NULL, NULL, NULL};
-    qtri_surface depths = *surface;
-    depths.format = &format;
-    depths.pixels = (uint8_t *)surface->depth;
-    depths.pitch = memory.bytes * surface->depth_pitch;
-    surface->depth_format->encode(&depth_16p16, 1);
-    qtri_fill_rect(&depths, rect, depth_16p16);
-}
-
 /* Fills a rectangle, which is not empty, with a depth 0..65535.0. */
-static void fill_depth(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
+static inline void fill_depth(const qtri_surface *surface, const qtri_rect *rect,
+                              uint32_t depth_16p16)
 {
-    if (surface->depth_format != NULL) {
-        fill_stored(surface, rect, depth_16p16);
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
+    if (testing != NULL) {
+        testing->fill(surface, rect, depth_16p16);
         return;
     }
     const ptrdiff_t stored_row = rect->y0 - surface->first_row;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "depth_testing.h"
 
+#include "../frame/fill.h"
 #include "../frame/stored.h"
 #include "batch.h"
 #include "job.h"
@@ -132,8 +133,13 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
     return mask;
 }
 
+static const qtri_effect_stages effects = {apply, qtri_line_effects, qtri_span_fill};
+
 static void begin(qtri_raster *raster)
 {
+    if (raster->compare == QTRI_DEPTH_OFF) {
+        return;
+    }
     if (qtri_sampling_of(raster->surface->format) != NULL) {
         raster->compare = QTRI_NEVER; /* records have room for linear16 alone: nothing is drawn */
         return;
@@ -144,7 +150,7 @@ static void begin(qtri_raster *raster)
     raster->after_test = raster->effects;
     raster->late_compare = raster->compare;
     raster->late_write = raster->depth_write;
-    raster->effects = &qtri_depth_testing_stages.effects;
+    raster->effects = &effects;
     raster->compare = QTRI_DEPTH_OFF;
     raster->depth_write = false;
     raster->with_depth = true;
@@ -152,7 +158,18 @@ static void begin(qtri_raster *raster)
     raster->rejects = true;
 }
 
-static void begin_line(qtri_raster *raster, const qtri_line_job *job)
+/* Each chunk of a line ends its batch. */
+static void begin_lines(qtri_line_job *job, qtri_compare compare)
+{
+    if (job->surface->depth != NULL && compare != QTRI_DEPTH_OFF) {
+        job->testing = &qtri_depth_testing_stages;
+        job->effect = qtri_line_effects;
+        job->draw = qtri_line_draw_apart;
+        job->has_depth = false;
+    }
+}
+
+static void begin_chunk(qtri_raster *raster, const qtri_line_job *job)
 {
     raster->after_test = qtri_effect_stages_of(job->material);
     raster->late_compare = job->material->depth_compare;
@@ -203,5 +220,18 @@ static uint16_t *flatten(const qtri_surface *surface)
     return to;
 }
 
-const qtri_depth_testing qtri_depth_testing_stages = {
-    {apply, qtri_line_effects, qtri_span_fill}, begin, begin_line, passes, flatten};
+/* Depths, as pixels of a surface. */
+static void fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
+{
+    const qtri_pixels memory = {surface->depth_format->bytes, NULL, NULL, NULL, NULL};
+    const qtri_format format = {&memory, NULL, NULL, NULL, NULL};
+    qtri_surface depths = *surface;
+    depths.format = &format;
+    depths.pixels = (uint8_t *)surface->depth;
+    depths.pitch = memory.bytes * surface->depth_pitch;
+    surface->depth_format->encode(&depth_16p16, 1);
+    qtri_fill_rect(&depths, rect, depth_16p16);
+}
+
+const qtri_depth_testing qtri_depth_testing_stages = {&effects, begin, begin_lines, begin_chunk,
+                                                      passes,   fill,  flatten};

@@ -87,6 +87,11 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
                     const qtri_line_color *color);
 void qtri_line_flush(const qtri_line_job *job);
 
+/* The same for jobs with an effect: what is in the batch lies on different pixels, and in one
+ * chunk. */
+void qtri_line_draw_apart(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                          const qtri_line_color *color);
+
 /* Whether all of a triangle lies above or below the rows of this surface. */
 static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,
                                     int32_t y2_24p8)

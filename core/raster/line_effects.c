@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "depth_testing.h"
+#include "../frame/depth_format.h"
 #include "effect.h"
 #include "line.h"
 
@@ -32,8 +32,8 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
     set_raster(&raster, job);
     const qtri_effect_stages *stages = qtri_effect_stages_of(job->material);
     if (job->testing != NULL) {
-        job->testing->begin_line(&raster, job);
-        stages = &job->testing->effects;
+        job->testing->begin_chunk(&raster, job);
+        stages = job->testing->effects;
     }
     const qtri_fragments at = {batch->place, batch->place[0], depth};
     const uint32_t mask = stages->fragments(&raster, batch->color, &at, qtri_mask_of(count), count);

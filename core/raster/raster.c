@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster.h"
 
-#include "depth_testing.h"
+#include "../frame/depth_format.h"
 #include "effect.h"
 #include "loop.h"
 #include "job.h"
@@ -77,7 +77,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->varying = qtri_shading_of(material)->varying;
     raster->smooth = raster->varying != NULL;
     set_effects(raster, material, textured);
-    const qtri_depth_testing *testing = qtri_depth_testing_of(surface, raster->compare);
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
     if (testing != NULL) {
         testing->begin(raster);
     }

@@ -108,7 +108,9 @@ struct qtri_raster {
     bool wide;       /* colours have 8 bits a channel, and alpha above, for the blend */
     uint8_t alpha;
     uint8_t least_alpha;
-    uint8_t keep;            /* channels that a blend leaves */
+    uint8_t keep;    /* channels that a blend leaves */
+    bool late_write; /* of depths that are tested as an effect: see depth_testing.h */
+    qtri_compare late_compare;
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     const qtri_effect_stages *effects; /* NULL: neither */
@@ -152,15 +154,12 @@ struct qtri_raster {
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
-    qtri_draw_run copy_run;     /* NULL: none */
-    qtri_draw_bent copy_bent;   /* NULL: none */
-    qtri_draw_small tint_small; /* NULL: none */
-    qtri_draw_list lit_list;    /* NULL: none */
-    qtri_lamp lamp;             /* where there is one */
-    /* Where depths are tested as an effect, see depth_testing.h: */
-    const qtri_effect_stages *after_test; /* the others; NULL: none */
-    qtri_compare late_compare;
-    bool late_write;
+    qtri_draw_run copy_run;               /* NULL: none */
+    qtri_draw_bent copy_bent;             /* NULL: none */
+    qtri_draw_small tint_small;           /* NULL: none */
+    qtri_draw_list lit_list;              /* NULL: none */
+    qtri_lamp lamp;                       /* where there is one */
+    const qtri_effect_stages *after_test; /* of depth_testing.h: other effects; NULL: none */
 };
 
 /* batch: the caller's, used while the raster is. */

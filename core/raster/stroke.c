@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke.h"
 
+#include "../frame/depth_format.h"
 #include "../frame/pixel.h"
-#include "depth_testing.h"
 
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
@@ -300,7 +300,8 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
     uint8_t *pixel = surface->pixels + row * surface->pitch +
                      (ptrdiff_t)format->pixels->bytes * (stroker->column + in->first);
     uint8_t *first_pixel = pixel;
-    const qtri_depth_testing *testing = qtri_depth_testing_of(surface, stroker->compare);
+    const qtri_depth_testing *testing =
+        stroker->compare != QTRI_DEPTH_OFF ? qtri_depth_testing_of(surface) : NULL;
     uint16_t *depth = stroker->compare != QTRI_DEPTH_OFF && testing == NULL
                           ? surface->depth + row * surface->depth_pitch + stroker->column
                           : NULL;

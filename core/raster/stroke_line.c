@@ -5,8 +5,8 @@
 #include "../bits/reciprocal.h"
 #include "../filter/mix.h"
 #include "../frame/mix.h"
+#include "../frame/depth_format.h"
 #include "../frame/pixel.h"
-#include "depth_testing.h"
 #include "line_path.h"
 
 /* What covers a whole pixel: 256 of a width by 512 halves of 1/256 of a height. */
