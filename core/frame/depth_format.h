@@ -12,6 +12,7 @@
 #include "qtri/surface.h"
 
 struct qtri_effect_stages;
+struct qtri_fragments;
 struct qtri_line_job;
 struct qtri_raster;
 
@@ -19,10 +20,12 @@ struct qtri_depth_testing {
     const struct qtri_effect_stages *effects;
     /* Triangles: puts the test before the raster's effects, where it compares depths. */
     void (*begin)(struct qtri_raster *raster);
-    /* Lines: the same of a job; and the raster that its effects ask for, whose surface and what fog
-       and blend want are set. */
+    /* Lines: the same of a job. */
     void (*begin_lines)(struct qtri_line_job *job, qtri_compare compare);
-    void (*begin_chunk)(struct qtri_raster *raster, const struct qtri_line_job *job);
+    /* Of the mask's fragments, `count` of them, those that pass; `write`: and their depths are
+       stored. */
+    uint32_t (*test)(const qtri_surface *surface, qtri_compare compare,
+                     const struct qtri_fragments *at, uint32_t mask, int32_t count, bool write);
     /* One fragment at a place, of strokes: whether it passes. `write`: then its depth is stored. */
     bool (*passes)(const qtri_surface *surface, qtri_compare compare, uint32_t place,
                    uint32_t depth_16p16, bool write);

@@ -12,8 +12,6 @@
 #define HALF     ((uint32_t)1 << 15)
 #define FARTHEST ((uint32_t)65535 << 16)
 
-#define ALL_ORDERS 7u
-
 /*
  * A ramp's value as a depth. Rounding may take it out of 0..65535.0 by less than the half that it
  * has, so it does not wrap.
@@ -50,7 +48,7 @@ static inline uint8_t *stored_at(const qtri_surface *surface, uint32_t place)
 /* Bits for less, equal and greater that a comparison has. */
 static uint32_t orders_of(qtri_compare compare)
 {
-    return compare > QTRI_ALWAYS ? ALL_ORDERS : (uint32_t)compare - QTRI_NEVER;
+    return compare > QTRI_ALWAYS ? 7 : (uint32_t)compare - QTRI_NEVER;
 }
 
 static inline uint32_t order_of(uint32_t depth, uint32_t stored)
@@ -95,10 +93,11 @@ QTRI_INLINE uint32_t test(const qtri_surface *surface, uint32_t orders, const ui
 }
 
 /* A function of its own, so that its stack is free again when fog and blend take theirs. */
-QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, uint32_t orders,
+QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare compare,
                                        const qtri_fragments *at, uint32_t mask, int32_t count,
                                        bool writes)
 {
+    const uint32_t orders = orders_of(compare);
     const int32_t bytes = surface->depth_format->bytes;
     uint32_t depth[QTRI_BATCH];
     set_depths(depth, at, count);
@@ -122,12 +121,11 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
     const qtri_surface *surface = raster->surface;
     const qtri_effect_stages *after = raster->after_test;
     const bool writes = raster->late_write;
-    mask = test_all(surface, orders_of(raster->late_compare), at, mask, count,
-                    after == NULL && writes);
+    mask = test_all(surface, raster->late_compare, at, mask, count, after == NULL && writes);
     if (after != NULL && mask != 0) {
         mask = after->fragments(raster, color, at, mask, count);
         if (writes && mask != 0) {
-            (void)test_all(surface, ALL_ORDERS, at, mask, count, true);
+            (void)test_all(surface, QTRI_ALWAYS, at, mask, count, true);
         }
     }
     return mask;
@@ -167,13 +165,6 @@ static void begin_lines(qtri_line_job *job, qtri_compare compare)
         job->draw = qtri_line_draw_apart;
         job->has_depth = false;
     }
-}
-
-static void begin_chunk(qtri_raster *raster, const qtri_line_job *job)
-{
-    raster->after_test = qtri_effect_stages_of(job->material);
-    raster->late_compare = job->material->depth_compare;
-    raster->late_write = job->depth_write;
 }
 
 static bool passes(const qtri_surface *surface, qtri_compare compare, uint32_t place,
@@ -233,5 +224,5 @@ static void fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t de
     qtri_fill_rect(&depths, rect, depth_16p16);
 }
 
-const qtri_depth_testing qtri_depth_testing_stages = {&effects, begin, begin_lines, begin_chunk,
+const qtri_depth_testing qtri_depth_testing_stages = {&effects, begin, begin_lines, test_all,
                                                       passes,   fill,  flatten};

@@ -31,12 +31,20 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
     qtri_raster raster;
     set_raster(&raster, job);
     const qtri_effect_stages *stages = qtri_effect_stages_of(job->material);
-    if (job->testing != NULL) {
-        job->testing->begin_chunk(&raster, job);
-        stages = job->testing->effects;
-    }
+    const qtri_depth_testing *testing = job->testing;
+    const qtri_compare compare = job->material->depth_compare;
     const qtri_fragments at = {batch->place, batch->place[0], depth};
-    const uint32_t mask = stages->fragments(&raster, batch->color, &at, qtri_mask_of(count), count);
+    uint32_t mask = qtri_mask_of(count);
+    if (testing != NULL) {
+        mask = testing->test(job->surface, compare, &at, mask, count,
+                             stages == NULL && job->depth_write);
+    }
+    if (stages != NULL && mask != 0) {
+        mask = stages->fragments(&raster, batch->color, &at, mask, count);
+        if (testing != NULL && job->depth_write && mask != 0) {
+            (void)testing->test(job->surface, QTRI_ALWAYS, &at, mask, count, true);
+        }
+    }
     const bool writes_late = job->has_depth && job->depth_write && !job->writes_early;
     if (writes_late || mask != qtri_mask_of(count)) {
         batch->count =
