@@ -281,6 +281,45 @@ static void twins(void **state)
     }
 }
 
+/* Smooth lines one by one, of even depth: linear16 has that of others in fewer bits. */
+static void smooth_lines(void **state)
+{
+    (void)state;
+    static const uint16_t two[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    qtri_vertex vertices[4];
+    for (int n = 0; n < 40; n++) {
+        uint64_t seed = (uint64_t)n;
+        qtri_vec3 corner[4];
+        for (int i = 0; i < 4; i++) {
+            corner[i].x = random_in(&seed, -Q16(1), Q16(1));
+            corner[i].y = random_in(&seed, -Q16(1), Q16(1));
+            corner[i].z = 0;
+        }
+        const qtri_mesh mesh = {
+            .positions = corner, .triangles = two, .vertex_count = 4, .triangle_count = 2};
+        const qtri_format *format = drawn_format(n);
+        board b[2] = {board_new(format, NULL), board_new(format, &twin)};
+        qtri_view view;
+        qtri_transform pose;
+        qtri_stroke stroke = qtri_stroke_default();
+        qtri_material m = qtri_material_default();
+        stroke.cap = n % 2 != 0 ? QTRI_CAP_BUTT : QTRI_CAP_SQUARE;
+        stroke.width = random_in(&seed, Q16(.3), Q16(2));
+        m.cull = QTRI_CULL_NONE;
+        m.depth_read_only = n % 5 == 0;
+        qtri_transform_identity(&pose);
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        view.vertices = vertices;
+        view.vertex_count = LENGTH_OF(vertices);
+        for (int i = 0; i < 2; i++) {
+            qtri_draw_wide_wireframe(&b[i].surface, &view, &pose, &mesh, &stroke, &m);
+        }
+        assert_same(&b[0].surface, &b[1].surface);
+        board_free(&b[0]);
+        board_free(&b[1]);
+    }
+}
+
 static bool model_passes(qtri_compare compare, uint32_t depth, uint32_t stored)
 {
     switch (compare) {
@@ -639,9 +678,9 @@ static void edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(codes),  cmocka_unit_test(twins),  cmocka_unit_test(comparisons),
-        cmocka_unit_test(pieces), cmocka_unit_test(planes), cmocka_unit_test(layouts),
-        cmocka_unit_test(frames), cmocka_unit_test(edges),
+        cmocka_unit_test(codes),        cmocka_unit_test(twins),  cmocka_unit_test(comparisons),
+        cmocka_unit_test(smooth_lines), cmocka_unit_test(pieces), cmocka_unit_test(planes),
+        cmocka_unit_test(layouts),      cmocka_unit_test(frames), cmocka_unit_test(edges),
     };
     return cmocka_run_group_tests(tests, set_up, NULL);
 }

@@ -22,10 +22,10 @@ struct qtri_depth_testing {
     void (*begin)(struct qtri_raster *raster);
     /* Lines: the same of a job. */
     void (*begin_lines)(struct qtri_line_job *job, qtri_compare compare);
-    /* Of the mask's fragments, `count` of them, those that pass; `write`: and their depths are
-       stored. */
-    uint32_t (*test)(const qtri_surface *surface, qtri_compare compare,
-                     const struct qtri_fragments *at, uint32_t mask, int32_t count, bool write);
+    /* Of the mask's fragments, `count` of them, those that pass by the raster's late_compare;
+       late_write: and their depths are stored. */
+    uint32_t (*test)(const struct qtri_raster *raster, const struct qtri_fragments *at,
+                     uint32_t mask, int32_t count);
     /* One fragment at a place, of strokes: whether it passes. `write`: then its depth is stored. */
     bool (*passes)(const qtri_surface *surface, qtri_compare compare, uint32_t place,
                    uint32_t depth_16p16, bool write);

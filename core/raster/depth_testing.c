@@ -115,11 +115,20 @@ QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare
     }
 }
 
+/* Fog and blend; NULL: neither. */
+static const qtri_effect_stages *others_of(const qtri_raster *raster)
+{
+    if (raster->fog != NULL) {
+        return raster->fog->stages->effects;
+    }
+    return raster->blend != NULL ? raster->blend->effects : NULL;
+}
+
 static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count)
 {
     const qtri_surface *surface = raster->surface;
-    const qtri_effect_stages *after = raster->after_test;
+    const qtri_effect_stages *after = others_of(raster);
     const bool writes = raster->late_write;
     mask = test_all(surface, raster->late_compare, at, mask, count, after == NULL && writes);
     if (after != NULL && mask != 0) {
@@ -145,7 +154,6 @@ static void begin(qtri_raster *raster)
     if (raster->compare == QTRI_NEVER) {
         return;
     }
-    raster->after_test = raster->effects;
     raster->late_compare = raster->compare;
     raster->late_write = raster->depth_write;
     raster->effects = &effects;
@@ -165,6 +173,12 @@ static void begin_lines(qtri_line_job *job, qtri_compare compare)
         job->draw = qtri_line_draw_apart;
         job->has_depth = false;
     }
+}
+
+static uint32_t test_chunk(const qtri_raster *raster, const qtri_fragments *at, uint32_t mask,
+                           int32_t count)
+{
+    return test_all(raster->surface, raster->late_compare, at, mask, count, raster->late_write);
 }
 
 static bool passes(const qtri_surface *surface, qtri_compare compare, uint32_t place,
@@ -224,5 +238,5 @@ static void fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t de
     qtri_fill_rect(&depths, rect, depth_16p16);
 }
 
-const qtri_depth_testing qtri_depth_testing_stages = {&effects, begin, begin_lines, test_all,
+const qtri_depth_testing qtri_depth_testing_stages = {&effects, begin, begin_lines, test_chunk,
                                                       passes,   fill,  flatten};

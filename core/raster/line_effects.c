@@ -31,18 +31,19 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
     qtri_raster raster;
     set_raster(&raster, job);
     const qtri_effect_stages *stages = qtri_effect_stages_of(job->material);
-    const qtri_depth_testing *testing = job->testing;
-    const qtri_compare compare = job->material->depth_compare;
     const qtri_fragments at = {batch->place, batch->place[0], depth};
     uint32_t mask = qtri_mask_of(count);
-    if (testing != NULL) {
-        mask = testing->test(job->surface, compare, &at, mask, count,
-                             stages == NULL && job->depth_write);
+    if (job->testing != NULL) {
+        raster.late_compare = job->material->depth_compare;
+        raster.late_write = stages == NULL && job->depth_write;
+        mask = job->testing->test(&raster, &at, mask, count);
     }
     if (stages != NULL && mask != 0) {
         mask = stages->fragments(&raster, batch->color, &at, mask, count);
-        if (testing != NULL && job->depth_write && mask != 0) {
-            (void)testing->test(job->surface, QTRI_ALWAYS, &at, mask, count, true);
+        if (job->testing != NULL && job->depth_write && mask != 0) {
+            raster.late_compare = QTRI_ALWAYS;
+            raster.late_write = true;
+            (void)job->testing->test(&raster, &at, mask, count);
         }
     }
     const bool writes_late = job->has_depth && job->depth_write && !job->writes_early;

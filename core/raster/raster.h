@@ -154,12 +154,11 @@ struct qtri_raster {
 
     /* Fused loops, or the stages. */
     qtri_fill_rows fill_flat, fill_smooth;
-    qtri_draw_run copy_run;               /* NULL: none */
-    qtri_draw_bent copy_bent;             /* NULL: none */
-    qtri_draw_small tint_small;           /* NULL: none */
-    qtri_draw_list lit_list;              /* NULL: none */
-    qtri_lamp lamp;                       /* where there is one */
-    const qtri_effect_stages *after_test; /* of depth_testing.h: other effects; NULL: none */
+    qtri_draw_run copy_run;     /* NULL: none */
+    qtri_draw_bent copy_bent;   /* NULL: none */
+    qtri_draw_small tint_small; /* NULL: none */
+    qtri_draw_list lit_list;    /* NULL: none */
+    qtri_lamp lamp;             /* where there is one */
 };
 
 /* batch: the caller's, used while the raster is. */
