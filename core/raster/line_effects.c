@@ -20,7 +20,6 @@ static void set_raster(qtri_raster *raster, const qtri_line_job *job)
 void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
 {
     qtri_batch *batch = job->batch;
-    const qtri_format *format = job->surface->format;
     const int32_t count = batch->count;
     if (count == 0) {
         return;
@@ -52,6 +51,7 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
             (uint8_t)qtri_batch_keep(batch, job->surface, depth, mask, count, writes_late);
     }
     if (batch->count != 0) {
+        const qtri_format *format = job->surface->format;
         if (format->encode != NULL) {
             format->encode(batch->color, batch->count);
         }
