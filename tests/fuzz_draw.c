@@ -299,7 +299,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         take(r, &surface.scissor, sizeof surface.scissor);
     }
     qtri_rgb sky = {1, 2, 3};
-    qtri_surface_clear(&surface, sky, 65535);
+    qtri_surface_clear(&surface, sky);
 
     qtri_view view;
     qtri_vertex cache[CACHE];

@@ -185,7 +185,7 @@ static void write_some(qtri_panel *panel, wire *w, reader *r, int32_t width, int
     if (memory != NULL &&
         qtri_surface_init(&surface, format, width, height, first, rows, memory, bytes) == QTRI_OK) {
         const qtri_rgb color = {(uint8_t)kind, (uint8_t)first, (uint8_t)rows};
-        qtri_surface_clear(&surface, color, 1);
+        qtri_surface_clear(&surface, color);
         enum qtri_error error;
         if (kind & 1) {
             error = qtri_panel_write(panel, &surface);

@@ -183,7 +183,7 @@ static void assert_inert(const qtri_surface *s, const uint8_t *memory, size_t by
     const qtri_screen_vertex screen[3] = {screen_at(0, 0), screen_at(9999, 0), screen_at(0, 9999)};
     qtri_view_init(&view, SIDE, SIDE);
     qtri_transform_identity(&pose);
-    qtri_surface_clear(s, red, 0);
+    clear_to(s, red, 0);
     qtri_draw_mesh(s, &view, &pose, &one, &material);
     qtri_draw_triangles(s, &view, &pose, corners, 3, &material);
     qtri_draw_lines(s, &view, &pose, corners, 2, &material);

@@ -312,7 +312,7 @@ static void pitches(void **state)
         apart.depth_pitch = n % 4 < 2 ? -DEPTH_ROW : DEPTH_ROW;
         apart.depth = depth_memory + DEPTH_ROW * (n % 4 < 2 ? SPACE + HEIGHT - 1 : SPACE);
         qtri_rgb black = {0, 0, 0};
-        qtri_surface_clear(&apart, black, 65535);
+        qtri_surface_clear(&apart, black);
         draw_scene(&apart, &s);
         assert_same_picture(&whole.surface, &apart);
 

@@ -119,8 +119,8 @@ static void mixes(void **state)
             const qtri_rgb sky = {(uint8_t)random_in(&seed, 0, 255),
                                   (uint8_t)random_in(&seed, 0, 255),
                                   (uint8_t)random_in(&seed, 0, 255)};
-            qtri_surface_clear(&drawn.surface, sky, 65535);
-            qtri_surface_clear(&before.surface, sky, 65535);
+            qtri_surface_clear(&drawn.surface, sky);
+            qtri_surface_clear(&before.surface, sky);
             canvas_clear(&covered);
             const uint64_t same = seed;
             random_triangle(v, &seed, rgb);
@@ -489,8 +489,8 @@ static void channels(void **state)
                                             (keep & 1 ? 0xFFu : 0);
         qtri_material m = blended(with[n % 4], random_in(&seed, 0, 255));
         qtri_screen_vertex v[3];
-        qtri_surface_clear(&all.surface, sky, 65535);
-        qtri_surface_clear(&some.surface, sky, 65535);
+        qtri_surface_clear(&all.surface, sky);
+        qtri_surface_clear(&some.surface, sky);
         const uint32_t was = format->decode(stored_pixel(&all.surface, 0, 0));
         random_triangle(v, &seed, rgb);
         qtri_raster_triangle(&all.surface, &m, v);

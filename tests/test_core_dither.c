@@ -66,7 +66,7 @@ static void luma_of_formats(void **state)
         uint8_t gray[4];
         for (int i = 0; i < 4; i++) {
             canvas c = canvas_new(formats[i], 1, 1);
-            qtri_surface_clear(&c.surface, color, 0);
+            qtri_surface_clear(&c.surface, color);
             qtri_surface_gray(&c.surface, 0, 0, 1, &gray[i]);
             canvas_free(&c);
             assert_int_equal(gray[0], gray[i]);
@@ -83,7 +83,7 @@ static void luma_outside(void **state)
     for (size_t n = 0; n < LENGTH_OF(formats); n++) {
         canvas c = canvas_band(formats[n], 5, 9, 3, 2);
         qtri_rgb white = {255, 255, 255};
-        qtri_surface_clear(&c.surface, white, 0);
+        qtri_surface_clear(&c.surface, white);
         for (int32_t y = -1; y < 10; y++) {
             uint8_t gray[12];
             memset(gray, 7, sizeof gray);

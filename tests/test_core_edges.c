@@ -203,7 +203,7 @@ static void blend(qtri_edges *edges, bool quick)
 static void draw_on(struct scene *s, qtri_surface *surface, bool find, bool quick)
 {
     qtri_edges edges;
-    qtri_surface_clear(surface, sky, s->far);
+    clear_to(surface, sky, s->far);
     for (int i = 0; i < 2; i++) {
         s->view.vertices = vertices[i];
         s->view.vertex_count = VERTICES;
@@ -290,7 +290,7 @@ static void bands_and_lists(void **state)
             if (!s.has_depth) {
                 band.depth = NULL;
             }
-            qtri_surface_clear(&band, sky, s.far);
+            clear_to(&band, sky, s.far);
             qtri_draw_prepared(&band, &prepared[0]);
             qtri_draw_prepared(&band, &prepared[1]);
             assert_int_equal(qtri_edges_begin(&edges, &band, edge_memory, WORDS), QTRI_OK);
@@ -357,11 +357,11 @@ static void drawing_is_the_same(void **state)
         init_surface(&s, &surface, 0, HEIGHT);
         s.view.vertices = vertices[0];
         s.view.vertex_count = VERTICES;
-        qtri_surface_clear(&surface, sky, s.far);
+        clear_to(&surface, sky, s.far);
         qtri_draw_mesh(&surface, &s.view, &s.pose[0], &s.mesh, &s.material);
         keep(&plain, &surface, 0, 0, WIDTH, HEIGHT);
         begin_outlines(&s, WORDS);
-        qtri_surface_clear(&surface, sky, s.far);
+        clear_to(&surface, sky, s.far);
         (void)qtri_draw_mesh_outlined(&surface, &s.view, &s.pose[0], &s.material, &outline[0]);
         keep(&outlined, &surface, 0, 0, WIDTH, HEIGHT);
         assert_same(plain, outlined);
@@ -417,7 +417,7 @@ static void draw_polygon(qtri_surface *surface, const struct polygon *polygon, q
     view.vertex_count = VERTICES;
     qtri_transform_identity(&pose);
     const qtri_rgb black = {0, 0, 0};
-    qtri_surface_clear(surface, black, UINT16_MAX);
+    qtri_surface_clear(surface, black);
     assert_int_equal(qtri_outline_init(&outline[0], &mesh, outline_memory[0], WORDS), QTRI_OK);
     (void)qtri_draw_mesh_outlined(surface, &view, &pose, &material, &outline[0]);
     if (blended) {
@@ -611,7 +611,7 @@ static void long_edges(void **state)
         view.vertices = vertices[0];
         view.vertex_count = 3;
         qtri_transform_identity(&pose);
-        qtri_surface_clear(&surface, black, UINT16_MAX);
+        qtri_surface_clear(&surface, black);
         assert_int_equal(qtri_outline_init(&outline[0], &mesh, outline_memory[0], WORDS), QTRI_OK);
         (void)qtri_draw_mesh_outlined(&surface, &view, &pose, &material, &outline[0]);
         (void)qtri_edges_begin(&edges, &surface, marks, QTRI_EDGES_WORDS(8192, 6, 1));
@@ -653,7 +653,7 @@ static void hidden_edges(void **state)
         begin_outlines(&s, WORDS);
         s.view.vertices = vertices[0];
         s.view.vertex_count = VERTICES;
-        qtri_surface_clear(&surface, sky, s.far);
+        clear_to(&surface, sky, s.far);
         (void)qtri_draw_mesh_outlined(&surface, &s.view, &s.pose[0], &s.material, &outline[0]);
         qtri_transform still;
         qtri_transform_identity(&still);
@@ -787,7 +787,7 @@ static void halo_bands_join(void **state)
                     assert_int_equal(band.scissor.x0, 20 - 2 * above);
                     assert_int_equal(shown.scissor.y1, 22 + above);
                     assert_int_equal(band.scissor.y1, 22 + 2 * above);
-                    qtri_surface_clear(&band, sky, 0);
+                    clear_to(&band, sky, 0);
                 }
             }
             assert_true(next >= (frame == 0 ? HEIGHT : 22));

@@ -19,7 +19,7 @@ static void draw_picture(const qtri_surface *surface, uint64_t seed)
     qtri_material material = qtri_material_default();
     material.depth_compare = QTRI_DEPTH_OFF;
     material.cull = QTRI_CULL_NONE;
-    qtri_surface_clear(surface, sky, 0);
+    qtri_surface_clear(surface, sky);
     for (int i = 0; i < 6; i++) {
         qtri_screen_vertex v[3];
         memset(v, 0, sizeof v);
@@ -351,7 +351,7 @@ static int count_below_slope(const qtri_view *view)
     qtri_material material = qtri_material_default();
     material.cull = QTRI_CULL_NONE;
     qtri_transform_identity(&pose);
-    qtri_surface_clear(&s, black, UINT16_MAX);
+    qtri_surface_clear(&s, black);
     qtri_draw_triangles(&s, view, &pose, corner, 3, &material);
     int count = 0;
     for (int y = 0; y < 240; y++) {

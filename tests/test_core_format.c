@@ -67,7 +67,7 @@ static void meanings(void **state)
         canvas c = canvas_new(bgr ? &qtri_bgr888 : &qtri_rgb888, 3, 2);
         c.surface.scissor.x0 = 1;
         c.surface.scissor.x1 = 2;
-        qtri_surface_clear(&c.surface, color, 0);
+        clear_to(&c.surface, color, 0);
         const uint8_t *pixel = c.surface.pixels + 9 + 3;
         assert_int_equal(pixel[bgr ? 2 : 0], 0x12);
         assert_int_equal(pixel[1], 0x34);
@@ -198,7 +198,7 @@ static void surfaces(void **state)
     for (size_t f = 0; f <= LENGTH_OF(formats); f++) {
         const qtri_format *format = f < LENGTH_OF(formats) ? formats[f] : &rgb444;
         canvas c = canvas_new(format, 70, 3);
-        qtri_surface_clear(&c.surface, color, 0);
+        clear_to(&c.surface, color, 0);
         const qtri_rgb is = qtri_surface_pixel(&c.surface, 69, 2);
         if (format == &qtri_gray8) {
             assert_true(is.r == 106 && is.g == is.r && is.b == is.r); /* 106.45 */
@@ -231,7 +231,7 @@ static void nothing(void **state)
     s.format = NULL;
     memset(memory, 0xA5, sizeof memory);
     memcpy(before, memory, sizeof memory);
-    qtri_surface_clear(&s, white, 0);
+    clear_to(&s, white, 0);
     qtri_raster_triangle(&s, &material, v);
     qtri_raster_line(&s, &material, v);
     assert_memory_equal(memory, before, sizeof memory);

@@ -123,7 +123,7 @@ static void draw_whole(const qtri_surface *surface, scene *s)
     static qtri_vertex vertices[QTRI_MESH_VERTICES(VERTICES)];
     s->view.vertices = vertices;
     s->view.vertex_count = VERTICES;
-    qtri_surface_clear(surface, sky, UINT16_MAX);
+    qtri_surface_clear(surface, sky);
     qtri_draw_mesh(surface, &s->view, &s->pose, &s->mesh, &s->material);
 }
 
@@ -160,7 +160,7 @@ static void heights(void **state)
             qtri_frame_begin(&frame);
             qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
             while (qtri_frame_next_band(&frame, &band)) {
-                qtri_surface_clear(&band, sky, UINT16_MAX);
+                qtri_surface_clear(&band, sky);
                 qtri_draw_prepared(&band, &prepared);
                 assert_same_picture(&whole.surface, &band);
             }
@@ -194,7 +194,7 @@ static void other_rows(void **state)
             one.surface.scissor.x1 = random_in(&seed, 0, WIDTH + 4);
             other.surface.scissor = one.surface.scissor;
             draw_whole(&one.surface, &s);
-            qtri_surface_clear(&other.surface, sky, UINT16_MAX);
+            qtri_surface_clear(&other.surface, sky);
             qtri_draw_prepared(&other.surface, &prepared);
             assert_same_picture(&one.surface, &other.surface);
             canvas_free(&one);
@@ -473,7 +473,7 @@ static void display(void **state)
         for (int step = 0; step < 8; step++) {
             qtri_frame_begin(&frame);
             canvas whole = canvas_new(format, WIDTH, HEIGHT);
-            qtri_surface_clear(&whole.surface, sky, UINT16_MAX);
+            qtri_surface_clear(&whole.surface, sky);
             for (int i = 0; i < 2; i++) {
                 const bool moves = random_flag(&seed);
                 if (moves) {
@@ -494,7 +494,7 @@ static void display(void **state)
             small += changed.x1 - changed.x0 < WIDTH;
             qtri_frame_only_changes(&frame);
             while (qtri_frame_next_band(&frame, &band)) {
-                qtri_surface_clear(&band, sky, UINT16_MAX);
+                qtri_surface_clear(&band, sky);
                 qtri_draw_prepared(&band, &prepared[0]);
                 qtri_draw_prepared(&band, &prepared[1]);
                 const qtri_rect sent = qtri_surface_bounds(&band);

@@ -70,7 +70,7 @@ static void *draw_bands(void *argument)
     const qtri_rgb sky = {10, 20, 30};
     qtri_surface band;
     while (qtri_frame_next_band(&c->frame, &band)) {
-        qtri_surface_clear(&band, sky, UINT16_MAX);
+        qtri_surface_clear(&band, sky);
         qtri_draw_prepared(&band, c->prepared);
         memcpy(c->picture + band.first_row * band.pitch, band.pixels,
                (size_t)(band.rows * band.pitch));
@@ -104,7 +104,7 @@ static void alternate_bands(void **state)
         qtri_transform_rotate_z(&pose, Q16(33) * n);
 
         canvas whole = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-        qtri_surface_clear(&whole.surface, sky, UINT16_MAX);
+        qtri_surface_clear(&whole.surface, sky);
         qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &material);
 
         canvas shown = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);

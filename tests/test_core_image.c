@@ -68,7 +68,7 @@ static void background(qtri_surface *s)
             one.scissor.x1 = x + 1;
             one.scissor.y0 = y;
             one.scissor.y1 = y + 1;
-            qtri_surface_clear(&one, color, 500);
+            clear_to(&one, color, 500);
         }
     }
 }

@@ -213,7 +213,7 @@ static shape random_shape(uint64_t *seed, int32_t n)
 static void clear(qtri_surface *s, uint8_t level)
 {
     const qtri_rgb color = {level, level, level};
-    qtri_surface_clear(s, color, 1234);
+    clear_to(s, color, 1234);
 }
 
 /* How far an inside test may differ where the outline is closer to the pixel's centre than this. */

@@ -68,10 +68,10 @@ static void coverage(void **state)
         const qtri_rgb sky = {10, 20, 30};
         material.shading = QTRI_FLAT_LAST;
         material.depth_compare = n % 2 == 0 ? QTRI_DEPTH_OFF : QTRI_ALWAYS;
-        qtri_samples_clear(&c.surface, sky, 65535);
+        qtri_samples_clear(&c.surface, sky);
         for (int k = 0; k < 4; k++) {
             moved[k] = canvas_new(plain[n % FORMATS], WIDTH, HEIGHT);
-            qtri_surface_clear(&moved[k].surface, sky, 65535);
+            qtri_surface_clear(&moved[k].surface, sky);
         }
         for (int i = 0; i < 8; i++) {
             draw_moved(&c, moved, &material, &seed);
@@ -103,10 +103,10 @@ static void depths(void **state)
         const qtri_rgb sky = {10, 20, 30};
         material.shading = QTRI_FLAT_LAST;
         material.depth_compare = QTRI_LESS;
-        qtri_samples_clear(&c.surface, sky, 65535);
+        qtri_samples_clear(&c.surface, sky);
         for (int k = 0; k < 4; k++) {
             moved[k] = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-            qtri_surface_clear(&moved[k].surface, sky, 65535);
+            qtri_surface_clear(&moved[k].surface, sky);
         }
         for (int i = 0; i < 12; i++) {
             draw_moved(&c, moved, &material, &seed);
@@ -134,7 +134,7 @@ static void range(void **state)
         qtri_material material = plain_material();
         qtri_screen_vertex v[3];
         const qtri_rgb sky = {128, 128, 128};
-        qtri_samples_clear(&c.surface, sky, 65535);
+        qtri_samples_clear(&c.surface, sky);
         material.interpolation = n % 2 == 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
         random_triangle(v, &seed, 100, 150);
         qtri_raster_triangle(&c.surface, &material, v);
@@ -157,7 +157,7 @@ static void seams(void **state)
         canvas c = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
         qtri_material material = plain_material();
         material.blend = &qtri_blend_add;
-        qtri_samples_clear(&c.surface, (qtri_rgb){0, 0, 0}, 65535);
+        qtri_samples_clear(&c.surface, (qtri_rgb){0, 0, 0});
         qtri_screen_vertex v[4];
         const int32_t far_x = WIDTH * 256 + 300;
         const int32_t far_y = HEIGHT * 256 + 300;
@@ -197,7 +197,7 @@ static void resolve(void **state)
         const uint64_t from = seed;
         for (int i = 0; i < 2; i++) {
             seed = from;
-            qtri_samples_clear(&both[i]->surface, (qtri_rgb){40, 90, 200}, 65535);
+            qtri_samples_clear(&both[i]->surface, (qtri_rgb){40, 90, 200});
             for (int n = 0; n < 20; n++) {
                 qtri_screen_vertex v[3];
                 random_triangle(v, &seed, 0, 255);
@@ -230,7 +230,7 @@ static void resolve(void **state)
 static void draw_scene(const qtri_surface *surface, uint64_t seed, int way, qtri_prepared *prepared)
 {
     (void)way;
-    qtri_samples_clear(surface, (qtri_rgb){24, 32, 48}, 65535);
+    qtri_samples_clear(surface, (qtri_rgb){24, 32, 48});
     if (prepared != NULL) {
         qtri_draw_prepared(surface, prepared);
         return;
@@ -314,7 +314,7 @@ static void bands(void **state)
         qtri_transform_identity(&pose);
         qtri_transform_rotate_y(&pose, random_in(&seed, 0, 60 << 16));
         if (has_mesh) {
-            qtri_samples_clear(&whole.surface, (qtri_rgb){24, 32, 48}, 65535);
+            qtri_samples_clear(&whole.surface, (qtri_rgb){24, 32, 48});
             qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &material);
         } else {
             draw_scene(&whole.surface, own, 0, NULL);

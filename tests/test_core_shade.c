@@ -257,7 +257,7 @@ static void depth_comparisons(void **state)
         bool read_only = n / 441 % 2 != 0;
         bool line = n / 882 != 0;
         qtri_rgb black = {0, 0, 0};
-        qtri_surface_clear(&c.surface, black, stored);
+        clear_to(&c.surface, black, stored);
         qtri_material m = plain_material();
         m.depth_compare = compare;
         m.depth_read_only = read_only;
@@ -344,7 +344,7 @@ static void formats_round(void **state)
             v[i / 3].color_8p16[i % 3] = level[i % 3] << 16;
         }
         for (int f = 0; f < 3; f++) {
-            qtri_surface_clear(&c[f].surface, rgb, 0);
+            clear_to(&c[f].surface, rgb, 0);
             qtri_raster_triangle(&c[f].surface, &m, v);
             uint32_t drawn = stored_pixel(&c[f].surface, 0, 0);
             assert_int_equal(drawn, stored_pixel(&c[f].surface, 3, 3));

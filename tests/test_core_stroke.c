@@ -168,7 +168,7 @@ static scene colored_scene(uint64_t *seed, int32_t most)
 static void paint(const qtri_surface *surface, const scene *s, const qtri_material *material)
 {
     const qtri_rgb below = {90, 140, 30};
-    qtri_surface_clear(surface, below, 30000);
+    clear_to(surface, below, 30000);
     qtri_raster_polyline(surface, material, &s->stroke, s->v, s->count);
 }
 

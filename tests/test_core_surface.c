@@ -68,7 +68,7 @@ static void clears_rectangles(void **state)
         memcpy(pixels_before, pixels, sizeof pixels);
         memcpy(depths_before, depths, sizeof depths);
 
-        qtri_surface_clear(&s, color, depth);
+        clear_to(&s, color, depth);
 
         qtri_rect r = qtri_surface_bounds(&s);
         for (int32_t y = r.y0; y < r.y1; y++) {
@@ -131,7 +131,7 @@ static void sizes_and_memory(void **state)
         assert_true((uint8_t *)s.depth >= s.pixels + 5 * s.pitch);
         assert_true((uint8_t *)(s.depth + 5 * s.depth_pitch) <= memory + n / 3 + bytes);
         const qtri_rgb purple = {255, 0, 255};
-        qtri_surface_clear(&s, purple, 7);
+        clear_to(&s, purple, 7);
         qtri_rgb at = qtri_surface_pixel(&s, 12, 6);
         assert_true(at.r == (format == &qtri_gray8 ? 105 : 255)); /* .413 * 255 */
         qtri_rgb out = qtri_surface_pixel(&s, 12, 7);

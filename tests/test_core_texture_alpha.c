@@ -101,7 +101,7 @@ static double worst_of(const qtri_texel_format *format, const qtri_filter *filte
         m.blend = blended ? &qtri_blend_alpha : NULL;
         m.alpha = 255;
         m.least_alpha = (uint8_t)(blended && n % 4 != 1 ? 0 : random_in(&seed, 1, 255));
-        qtri_surface_clear(&c.surface, sky, 65535);
+        qtri_surface_clear(&c.surface, sky);
         draw_parts(&c, &m, parts);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const int32_t x = i % WIDTH, y = i / WIDTH;

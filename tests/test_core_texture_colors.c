@@ -400,7 +400,7 @@ static void keys_leave_holes(void **state)
         m.texture = &texture;
         m.depth_compare = n / 2 % 2 ? QTRI_ALWAYS : QTRI_LESS;
         qtri_rgb sky = {1, 2, 3};
-        qtri_surface_clear(&c.surface, sky, 65535);
+        qtri_surface_clear(&c.surface, sky);
         draw_quad(&c, &m, white);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             int32_t x = i % WIDTH;

@@ -158,7 +158,7 @@ static canvas begin(const scene *s, int32_t first, int32_t rows)
 {
     const bool farther = s->material.depth_compare >= QTRI_GREATER;
     canvas c = canvas_band(s->format, WIDTH, HEIGHT, first, rows);
-    qtri_surface_clear(&c.surface, sky, farther ? 0 : UINT16_MAX);
+    clear_to(&c.surface, sky, farther ? 0 : UINT16_MAX);
     c.surface.scissor = s->scissor;
     if (!s->has_depth) {
         c.surface.depth = NULL;

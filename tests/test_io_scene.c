@@ -137,16 +137,18 @@ static void empty_scenes_have_defaults(void **state)
 static void state_statements(void **state)
 {
     (void)state;
-    struct scene scene = parse("# first\n\nviewport 320 240\nclear .25 0.5 1 # sky\ncleardepth 0\n"
-                               "depth gequal\ndepthmask off\ncull front\nshade flat first\n"
-                               "texmode replace\ninterpolate linear\npolygon line\n"
-                               "depthrange 1 .25\nlight .4 .6 -.7 .2 .8\n");
+    struct scene scene =
+        parse("# first\n\nviewport 320 240\nclear .25 0.5 1 # sky\ncleardepth 0\n"
+              "depth gequal\ndepthformat float16\ndepthmask off\ncull front\nshade flat first\n"
+              "texmode replace\ninterpolate linear\npolygon line\n"
+              "depthrange 1 .25\nlight .4 .6 -.7 .2 .8\n");
     assert_int_equal(scene.width, 320);
     assert_int_equal(scene.height, 240);
     assert_int_equal(scene.clear[0], ONE / 4);
     assert_int_equal(scene.clear[1], ONE / 2);
     assert_int_equal(scene.clear[2], ONE);
     assert_int_equal(scene.clear_depth, 0);
+    assert_int_equal(scene.depth_format, SCENE_FLOAT16);
     assert_true(scene.depth_test);
     assert_false(scene.depth_write);
     assert_int_equal(scene.depth_compare, SCENE_GEQUAL);
@@ -828,14 +830,14 @@ static void wrong_number_of_values(void **state)
         const char *name;
         int count;
     } cases[] = {
-        {"viewport", 2},    {"clear", 3},     {"cleardepth", 1}, {"depth", 1},
-        {"depthmask", 1},   {"cull", 1},      {"texmode", 1},    {"depthrange", 2},
-        {"interpolate", 1}, {"alphatest", 1}, {"ambient", 3},    {"mode", 1},
-        {"identity", 0},    {"load", 16},     {"mult", 16},      {"lookat", 9},
-        {"perspective", 4}, {"frustum", 6},   {"ortho", 6},      {"translate", 3},
-        {"rotate", 4},      {"scale", 3},     {"push", 0},       {"pop", 0},
-        {"tri", 21},        {"trit", 27},     {"trin", 30},      {"tritn", 36},
-        {"twosided", 1},    {"texgen", 1},
+        {"viewport", 2},    {"clear", 3},     {"cleardepth", 1},  {"depth", 1},
+        {"depthmask", 1},   {"cull", 1},      {"texmode", 1},     {"depthrange", 2},
+        {"interpolate", 1}, {"alphatest", 1}, {"ambient", 3},     {"mode", 1},
+        {"identity", 0},    {"load", 16},     {"mult", 16},       {"lookat", 9},
+        {"perspective", 4}, {"frustum", 6},   {"ortho", 6},       {"translate", 3},
+        {"rotate", 4},      {"scale", 3},     {"push", 0},        {"pop", 0},
+        {"tri", 21},        {"trit", 27},     {"trin", 30},       {"tritn", 36},
+        {"twosided", 1},    {"texgen", 1},    {"depthformat", 1},
     };
     for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {
         for (int count = cases[i].count - 1; count <= cases[i].count + 1; count += 2) {

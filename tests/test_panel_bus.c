@@ -41,7 +41,7 @@ static void send_white(setup *s, qtri_rect rect, int32_t first, int32_t rows)
     canvas band = canvas_band(&qtri_rgb565, qtri_panel_width(&s->panel),
                               qtri_panel_height(&s->panel), first, rows);
     qtri_rgb white = {255, 255, 255};
-    qtri_surface_clear(&band.surface, white, 65535);
+    qtri_surface_clear(&band.surface, white);
     assert_int_equal(qtri_panel_write_rect(&s->panel, &band.surface, rect), QTRI_OK);
     assert_int_equal(qtri_panel_finish(&s->panel), QTRI_OK);
     canvas_free(&band);

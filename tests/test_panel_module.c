@@ -341,7 +341,7 @@ static void changes_alone(void **state)
             qtri_rect rect = {8 + 9 * i, 16, 40 + 9 * i, 33};
             whole.surface.scissor = rect;
             qtri_rgb gray = {(uint8_t)(70 * i), 0, 90};
-            qtri_surface_clear(&whole.surface, gray, 65535);
+            qtri_surface_clear(&whole.surface, gray);
             assert_int_equal(qtri_panel_write_rect(&s.panel, &whole.surface, rect), QTRI_OK);
             uint64_t before = s.sim.chip.now_ms;
             assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);

@@ -50,7 +50,7 @@ static void draw_gear(const qtri_surface *surface, q16 angle)
     material.color = steel;
     qtri_transform_identity(&pose);
     qtri_transform_rotate_y(&pose, angle);
-    qtri_surface_clear(surface, sky, 65535);
+    qtri_surface_clear(surface, sky);
     qtri_draw_mesh(surface, &view, &pose, readme_gear(), &material);
 }
 

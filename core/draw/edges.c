@@ -12,6 +12,7 @@
 #include "edge_walk.h"
 
 #include "../filter/mix.h"
+#include "../frame/depth_format.h"
 
 enum { WORD_PIXELS = 32, PITCH_MAX = 1 << 16 };
 
@@ -60,6 +61,10 @@ enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface,
     if (pitch < 0) { /* the last row is the first in memory */
         edges->origin = (int32_t)(pixels - (uint32_t)magnitude);
         edges->notes -= edges->origin;
+    }
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
+    if (testing != NULL && has_depth) {
+        edges->notes = testing->flatten(surface);
     }
     clear(memory, marks);
     clear(memory + marks + line, notes);

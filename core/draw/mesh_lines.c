@@ -66,7 +66,8 @@ static taker taker_by_job(const qtri_mesh_job *draw)
     if (draw->material.blend != NULL) {
         return EVERY;
     }
-    return taker_of(draw->primitive.to.lines.job.has_depth, draw->material.depth_compare,
+    const qtri_line_job *job = &draw->primitive.to.lines.job;
+    return taker_of(job->has_depth || job->testing != NULL, draw->material.depth_compare,
                     !draw->material.depth_read_only);
 }
 

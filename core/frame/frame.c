@@ -13,6 +13,7 @@ enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, in
 {
     QTRI_ASSERT(frame != NULL);
     frame->format = format;
+    frame->depth_format = NULL;
     frame->width = 0;
     frame->height = 0;
     frame->rows = 1;
@@ -88,6 +89,7 @@ bool qtri_frame_next_band(qtri_frame *frame, qtri_surface *band)
     frame->is_first = false;
     (void)qtri_surface_init(band, frame->format, frame->width, frame->height, row, frame->rows,
                             frame->memory, frame->band_bytes);
+    band->depth_format = frame->depth_format; /* behind the pixels as any: of more bytes */
     if (frame->only_changes) {
         band->scissor = frame->changes;
     }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/halo.h"
 
+#include "depth_format.h"
+
 enum qtri_error qtri_halo_init(qtri_halo *halo, const qtri_format *format, int32_t width,
                                int32_t height, int32_t rows, int32_t halo_rows, void *memory,
                                size_t bytes)
@@ -51,6 +53,7 @@ bool qtri_halo_next_band(qtri_halo *halo, qtri_surface *band, qtri_surface *show
                                    : frame->height - inner.first_row;
     (void)qtri_surface_init(band, frame->format, frame->width, frame->height, first,
                             above + frame->rows + halo->rows, frame->memory, frame->band_bytes);
+    band->depth_format = frame->depth_format;
     if (frame->other_pixels != NULL) {
         band->pixels = inner.pixels; /* of the buffer whose turn it is */
     }
@@ -59,7 +62,9 @@ bool qtri_halo_next_band(qtri_halo *halo, qtri_surface *band, qtri_surface *show
     }
     *shown = *band;
     shown->pixels = band->pixels + above * band->pitch;
-    shown->depth = band->depth + above * band->depth_pitch;
+    shown->depth =
+        (uint16_t *)(void *)((uint8_t *)band->depth +
+                             qtri_depth_bytes(band->depth_format) * above * band->depth_pitch);
     shown->first_row = inner.first_row;
     shown->rows = shown_rows;
     shown->scissor = inner.scissor;

@@ -2,6 +2,7 @@
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"
+#include "depth_format.h"
 #include "fill.h"
 #include "pixel.h"
 
@@ -42,6 +43,7 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
     surface->pitch = (ptrdiff_t)pitch;
     surface->depth = (uint16_t *)(void *)depth;
     surface->depth_pitch = width;
+    surface->depth_format = NULL;
     surface->format = format;
     surface->width = width;
     surface->height = height;
@@ -52,7 +54,22 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
     return QTRI_OK;
 }
 
-void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth)
+/* Fills a rectangle, which is not empty, with a depth 0..65535.0. */
+static inline void fill_depth(const qtri_surface *surface, const qtri_rect *rect,
+                              uint32_t depth_16p16)
+{
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
+    if (testing != NULL) {
+        testing->fill(surface, rect, depth_16p16);
+        return;
+    }
+    const ptrdiff_t stored_row = rect->y0 - surface->first_row;
+    qtri_fill_words((uint8_t *)(surface->depth + stored_row * surface->depth_pitch + rect->x0),
+                    2 * surface->depth_pitch, 2 * (size_t)(rect->x1 - rect->x0),
+                    rect->y1 - rect->y0, ((depth_16p16 + 0x8000) >> 16) * 0x10001u);
+}
+
+void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color)
 {
     QTRI_ASSERT(surface != NULL);
     qtri_rect bounds = qtri_surface_bounds(surface);
@@ -61,10 +78,16 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t de
     }
     qtri_fill_rect(surface, &bounds, qtri_pixel_from_rgb(surface->format, color));
     if (surface->depth != NULL) {
-        ptrdiff_t stored_row = bounds.y0 - surface->first_row;
-        qtri_fill_words((uint8_t *)(surface->depth + stored_row * surface->depth_pitch + bounds.x0),
-                        2 * surface->depth_pitch, 2 * (size_t)(bounds.x1 - bounds.x0),
-                        bounds.y1 - bounds.y0, depth * 0x10001u);
+        fill_depth(surface, &bounds, (uint32_t)65535 << 16);
+    }
+}
+
+void qtri_surface_clear_depth(const qtri_surface *surface, q16 depth)
+{
+    QTRI_ASSERT(surface != NULL);
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    if (bounds.x0 != bounds.x1 && surface->depth != NULL) {
+        fill_depth(surface, &bounds, 65535u * (uint32_t)qtri_hold32(depth, 0, Q16_ONE));
     }
 }
 

@@ -11,7 +11,7 @@
  *   - Angles are degrees in Q16.16: right angles are exact.
  *   - Image row 0 is the top, pixel centres are at +0.5, top-left fill rule in image coordinates.
  *   - Vertices snap to 8 sub-pixel bits, to nearest.
- *   - Depth is an unsigned 16-bit window z, 65535 farthest.
+ *   - Depth is window z, 0 near and 1 far: 16 bits, 65535 farthest, unless depth.h has another.
  *   - A variable that is not plain Q16.16 says so: x_24p8, inv_w_q31.
  *   - Rounding is to nearest unless the name says otherwise.
  *
@@ -25,6 +25,7 @@
  *   format.h     what a pixel is                          texture.h  what a texel is, textures
  *   material.h   colour, shading, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
+ *   depth.h      what a depth is: precision far away
  *   config.h     what the library is built with           version.h  which one it is
  *   stroke.h     lines of any width, smooth edges, points
  *   frame.h      a frame's bands, what has changed        prepared.h meshes for many bands
@@ -42,6 +43,7 @@
 #include "qtri/bounds.h"
 #include "qtri/clip.h"
 #include "qtri/config.h"
+#include "qtri/depth.h"
 #include "qtri/draw.h"
 #include "qtri/edges.h"
 #include "qtri/error.h"

@@ -6,6 +6,7 @@
 #include "effect.h"
 #include "line_path.h"
 
+#include "../frame/depth_format.h"
 #include "../frame/pixel.h"
 
 /* Pixels begin..end - 1 of a path are inside along the major axis, these on the minor one. */
@@ -373,8 +374,7 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
     }
 }
 
-/* With fog or a blend: what is in the batch lies on different pixels, and in one chunk. */
-static void draw_affected(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+void qtri_line_draw_apart(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                           const qtri_line_color *color)
 {
     qtri_line_path l;
@@ -464,7 +464,7 @@ QTRI_NOINLINE static void set_effect(qtri_line_job *job, const qtri_material *ma
     const struct qtri_effect_stages *stages = qtri_effect_stages_of(material);
     if (stages != NULL) {
         job->effect = stages->line;
-        job->draw = draw_affected;
+        job->draw = qtri_line_draw_apart;
         job->writes_early =
             job->depth_write && (material->blend == NULL || !material->blend->rejects);
     }
@@ -476,6 +476,7 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const qtri_compare compare =
         material->depth_compare > QTRI_ALWAYS ? QTRI_ALWAYS : material->depth_compare;
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
     job->surface = surface;
     job->draw = qtri_line_draw;
     job->batch = batch;
@@ -494,6 +495,10 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->effect = NULL;
     if (material->fog != NULL || material->blend != NULL) {
         set_effect(job, material);
+    }
+    job->testing = NULL;
+    if (testing != NULL) {
+        testing->begin_lines(job, compare);
     }
     job->less = differences[compare].less;
     job->passing = differences[compare].passing;

@@ -52,8 +52,10 @@ struct qtri_line_job {
     uint32_t depth_mask;              /* what of depth_16p8 is depth */
     uint32_t less, passing;           /* depths that pass: see line.c */
     bool has_depth, depth_write, is_less;
-    bool writes_early;             /* depth as soon as it is compared */
-    qtri_line_effect effect;       /* of fog and a blend; NULL: neither */
+    bool writes_early;       /* depth as soon as it is compared */
+    qtri_line_effect effect; /* of fog and a blend; NULL: neither */
+    const struct qtri_depth_testing
+        *testing;                  /* depths that `effect` tests, has_depth being false */
     const qtri_material *material; /* theirs */
     uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */
     const struct qtri_stroke_line *smooth; /* what draws them is stroke_line.c; NULL: it is not */
@@ -84,6 +86,11 @@ void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_ve
 void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                     const qtri_line_color *color);
 void qtri_line_flush(const qtri_line_job *job);
+
+/* The same for jobs with an effect: what is in the batch lies on different pixels, and in one
+ * chunk. */
+void qtri_line_draw_apart(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                          const qtri_line_color *color);
 
 /* Whether all of a triangle lies above or below the rows of this surface. */
 static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../frame/depth_format.h"
 #include "effect.h"
 #include "line.h"
 
@@ -20,7 +21,6 @@ static void set_raster(qtri_raster *raster, const qtri_line_job *job)
 void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
 {
     qtri_batch *batch = job->batch;
-    const qtri_format *format = job->surface->format;
     const int32_t count = batch->count;
     if (count == 0) {
         return;
@@ -30,14 +30,29 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
     }
     qtri_raster raster;
     set_raster(&raster, job);
+    const qtri_effect_stages *stages = qtri_effect_stages_of(job->material);
     const qtri_fragments at = {batch->place, batch->place[0], depth};
-    const uint32_t mask = qtri_effect_stages_of(job->material)
-                              ->fragments(&raster, batch->color, &at, qtri_mask_of(count), count);
-    if (job->writes_early != job->depth_write) { /* it is written now */
+    uint32_t mask = qtri_mask_of(count);
+    if (job->testing != NULL) {
+        raster.late_compare = job->material->depth_compare;
+        raster.late_write = stages == NULL && job->depth_write;
+        mask = job->testing->test(&raster, &at, mask, count);
+    }
+    if (stages != NULL && mask != 0) {
+        mask = stages->fragments(&raster, batch->color, &at, mask, count);
+        if (job->testing != NULL && job->depth_write && mask != 0) {
+            raster.late_compare = QTRI_ALWAYS;
+            raster.late_write = true;
+            (void)job->testing->test(&raster, &at, mask, count);
+        }
+    }
+    const bool writes_late = job->has_depth && job->depth_write && !job->writes_early;
+    if (writes_late || mask != qtri_mask_of(count)) {
         batch->count =
-            (uint8_t)qtri_batch_keep(batch, job->surface, depth, mask, count, job->has_depth);
+            (uint8_t)qtri_batch_keep(batch, job->surface, depth, mask, count, writes_late);
     }
     if (batch->count != 0) {
+        const qtri_format *format = job->surface->format;
         if (format->encode != NULL) {
             format->encode(batch->color, batch->count);
         }

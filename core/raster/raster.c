@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster.h"
 
+#include "../frame/depth_format.h"
 #include "blend_vertex.h"
 #include "effect.h"
 #include "loop.h"
@@ -96,6 +97,10 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->varying = qtri_shading_of(material)->varying;
     raster->smooth = raster->varying != NULL;
     set_effects(raster, material, textured);
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
+    if (testing != NULL) {
+        testing->begin(raster);
+    }
     raster->depth = qtri_depth_stages(raster->compare, raster->depth_write, raster->rejects);
     raster->texture = NULL;
     raster->replace = false;

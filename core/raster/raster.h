@@ -124,9 +124,11 @@ struct qtri_raster {
     bool wide;       /* colours have 8 bits a channel, and alpha above, for the blend */
     uint8_t alpha;
     uint8_t least_alpha;
-    uint8_t keep;            /* channels that a blend leaves */
-    bool gray;               /* what multiplies gives the format's kind */
-    bool white;              /* the tint: light alone is enough */
+    uint8_t keep;    /* channels that a blend leaves */
+    bool gray;       /* what multiplies gives the format's kind */
+    bool white;      /* the tint: light alone is enough */
+    bool late_write; /* of depths that are tested as an effect: see depth_testing.h */
+    qtri_compare late_compare;
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     const qtri_effect_stages *effects; /* NULL: neither */

@@ -79,40 +79,68 @@ uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record)
 }
 
 /* Records from `record` on. */
-QTRI_INLINE void clear_row(uint8_t *record, int32_t count, uint32_t stored, uint16_t depth,
-                           int32_t bytes, int32_t size)
+QTRI_INLINE void clear_row(uint8_t *record, int32_t count, uint32_t stored, int32_t bytes,
+                           int32_t size)
 {
     for (; count > 0; count--, record += size) {
         uint16_t *to = qtri_sample_depth(record, bytes, 1);
         for (int k = 0; k < QTRI_SAMPLES; k++) {
             qtri_sample_set_color(record, bytes, k, stored);
         }
-        to[0] = depth;
-        to[1] = depth;
-        to[2] = depth;
+        to[0] = UINT16_MAX;
+        to[1] = UINT16_MAX;
+        to[2] = UINT16_MAX;
     }
 }
 
-void qtri_samples_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth)
+/* The depths of sample 0, as those of a surface without pixels. */
+static qtri_surface first_depths(const qtri_surface *surface)
 {
-    const struct qtri_sampling *sampling = qtri_sampling_of(surface->format);
-    if (sampling == NULL) {
-        qtri_surface_clear(surface, color, depth);
+    qtri_surface plain = *surface;
+    plain.format = &qtri_depth_only;
+    return plain;
+}
+
+void qtri_samples_clear(const qtri_surface *surface, qtri_rgb color)
+{
+    if (qtri_sampling_of(surface->format) == NULL) {
+        qtri_surface_clear(surface, color);
         return;
     }
-    qtri_surface plain = *surface; /* for the depths of sample 0 */
-    plain.format = &qtri_depth_only;
-    qtri_surface_clear(&plain, color, depth);
+    const qtri_surface plain = first_depths(surface);
+    qtri_surface_clear(&plain, color);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const uint32_t stored = qtri_pixel_from_rgb(surface->format, color);
     const int32_t size = surface->format->pixels->bytes;
     for (int32_t y = bounds.y0; y < bounds.y1; y++) {
         uint8_t *record = qtri_pixels_at(surface, y) + (ptrdiff_t)bounds.x0 * size;
         if (size == QTRI_RGB565_X4_BYTES) {
-            clear_row(record, bounds.x1 - bounds.x0, stored, depth, QTRI_RGB565_BYTES,
+            clear_row(record, bounds.x1 - bounds.x0, stored, QTRI_RGB565_BYTES,
                       QTRI_RGB565_X4_BYTES);
         } else {
-            clear_row(record, bounds.x1 - bounds.x0, stored, depth, qtri_sample_bytes(size), size);
+            clear_row(record, bounds.x1 - bounds.x0, stored, qtri_sample_bytes(size), size);
+        }
+    }
+}
+
+void qtri_samples_clear_depth(const qtri_surface *surface, q16 depth)
+{
+    if (qtri_sampling_of(surface->format) == NULL) {
+        qtri_surface_clear_depth(surface, depth);
+        return;
+    }
+    const qtri_surface plain = first_depths(surface);
+    qtri_surface_clear_depth(&plain, depth);
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    const uint32_t depth_16p16 = 65535u * (uint32_t)qtri_hold32(depth, 0, Q16_ONE);
+    const uint16_t stored = (uint16_t)((depth_16p16 + 0x8000) >> 16);
+    const int32_t size = surface->format->pixels->bytes;
+    for (int32_t y = bounds.y0; y < bounds.y1; y++) {
+        uint8_t *record = qtri_pixels_at(surface, y) + (ptrdiff_t)bounds.x0 * size;
+        for (int32_t x = bounds.x0; x < bounds.x1; x++, record += size) {
+            for (int k = 1; k < QTRI_SAMPLES; k++) {
+                *qtri_sample_depth(record, qtri_sample_bytes(size), k) = stored;
+            }
         }
     }
 }

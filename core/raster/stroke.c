@@ -2,6 +2,7 @@
 #include "stroke.h"
 
 #include "../frame/colors.h"
+#include "../frame/depth_format.h"
 #include "../frame/pixel.h"
 #include "effect.h"
 #include "loop.h"
@@ -171,8 +172,7 @@ static bool passes(qtri_compare compare, uint32_t depth, uint32_t stored)
 
 /* What a pixel takes of its part. */
 typedef struct sample {
-    uint32_t depth;        /* 0..65535 */
-    uint32_t depth_16p8;   /* that, with the half that rounded it */
+    uint32_t depth_16p8;   /* 0..65535.0 */
     int32_t color_8p16[3]; /* 0..255.0 */
 } sample;
 
@@ -268,8 +268,7 @@ static void take_sample(sample *out, const qtri_stroke_shape *shape, uint32_t sh
     const qtri_stroke_end *to = &shape->end[1];
     const int32_t depth_16p8 =
         mixed((int32_t)(from->depth_16p8 >> 8), (int32_t)(to->depth_16p8 >> 8), share_q16);
-    out->depth_16p8 = (uint32_t)(depth_16p8 + 128);
-    out->depth = out->depth_16p8 >> 8;
+    out->depth_16p8 = (uint32_t)depth_16p8;
     for (int i = 0; i < 3; i++) {
         out->color_8p16[i] = shape->even ? from->color_8p16[i]
                                          : mixed(from->color_8p16[i], to->color_8p16[i], share_q16);
@@ -297,7 +296,9 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
     uint8_t *pixel = surface->pixels + row * surface->pitch +
                      (ptrdiff_t)format->pixels->bytes * (stroker->column + in->first);
     uint8_t *first_pixel = pixel;
-    uint16_t *depth = stroker->compare != QTRI_DEPTH_OFF
+    const qtri_depth_testing *testing =
+        stroker->compare != QTRI_DEPTH_OFF ? qtri_depth_testing_of(surface) : NULL;
+    uint16_t *depth = stroker->compare != QTRI_DEPTH_OFF && testing == NULL
                           ? surface->depth + row * surface->depth_pitch + stroker->column
                           : NULL;
     position at[QTRI_STROKE_WINDOW];
@@ -312,13 +313,20 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
         }
         sample s;
         take_sample(&s, shape_of(stroker, at[i - in->first].part), at[i - in->first].share_q16);
+        const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
         if (depth != NULL) {
-            if (!passes(stroker->compare, s.depth, depth[i])) {
+            const uint32_t z = (s.depth_16p8 + 128) >> 8;
+            if (!passes(stroker->compare, z, depth[i])) {
                 continue;
             }
-            if (stroker->depth_write && cover >= QTRI_STROKE_FULL / 2) {
-                depth[i] = (uint16_t)s.depth;
+            if (writes) {
+                depth[i] = (uint16_t)z;
             }
+        } else if (testing != NULL &&
+                   !testing->passes(surface, stroker->compare,
+                                    (uint32_t)row << 16 | (uint32_t)(stroker->column + i),
+                                    s.depth_16p8 << 8, writes)) {
+            continue;
         }
         word[i - in->first] =
             qtri_stroke_word(format, s.color_8p16, pixel, share_of(stroker, cover));
@@ -336,13 +344,27 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
 /* So many pixels at a time, to take less stack. */
 enum { AFFECTED = QTRI_STROKE_WINDOW / 2 };
 
+static bool passes_at(const qtri_stroker *stroker, const sample *s, int32_t x)
+{
+    const qtri_surface *surface = stroker->surface;
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
+    if (stroker->compare == QTRI_DEPTH_OFF) {
+        return true;
+    }
+    if (testing == NULL) {
+        return passes(stroker->compare, (s->depth_16p8 + 128) >> 8,
+                      qtri_depths_at(surface, stroker->row)[x]);
+    }
+    const uint32_t row = (uint32_t)(stroker->row - surface->first_row);
+    return testing->passes(surface, stroker->compare, row << 16 | (uint32_t)x, s->depth_16p8 << 8,
+                           false);
+}
+
 /* What passes of the clip, as what fog and blends ask for; bit 0 of a depth that is written. */
 QTRI_NOINLINE static void take_covered(qtri_covered *pixels, qtri_stroker *stroker, const clip *in)
 {
     const qtri_surface *surface = stroker->surface;
     const uint32_t row = (uint32_t)(stroker->row - surface->first_row);
-    const uint16_t *depth =
-        stroker->compare != QTRI_DEPTH_OFF ? qtri_depths_at(surface, stroker->row) : NULL;
     position at[AFFECTED];
     take_all_positions(at, stroker, in);
     for (int32_t i = in->first; i < in->end; i++) {
@@ -353,14 +375,14 @@ QTRI_NOINLINE static void take_covered(qtri_covered *pixels, qtri_stroker *strok
         }
         sample s;
         take_sample(&s, shape_of(stroker, at[i - in->first].part), at[i - in->first].share_q16);
-        if (depth != NULL && !passes(stroker->compare, s.depth, depth[x])) {
+        if (!passes_at(stroker, &s, x)) {
             continue;
         }
         const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
         const int32_t n = pixels->count++;
         pixels->color[n] = qtri_pack_888(s.color_8p16);
         pixels->place[n] = (row << 16) + (uint32_t)x;
-        pixels->depth[n] = s.depth_16p8 << 8 | writes;
+        pixels->depth[n] = (s.depth_16p8 + 128) << 8 | writes;
         pixels->share_q16[n] = share_of(stroker, cover); /* n <= i */
     }
 }

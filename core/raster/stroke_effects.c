@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../frame/depth_format.h"
 #include "effect.h"
 #include "stroke.h"
 
@@ -32,6 +33,18 @@ static void apply_fog(const qtri_raster *raster, qtri_covered *pixels)
         raster->fog->stages->apply(raster, color, &at, 1);
         pixels->color[i] = color[0];
     }
+}
+
+/* In linear16 the half that rounds it is in a depth already. */
+static void write_depth(const qtri_surface *surface, uint32_t place, uint32_t depth)
+{
+    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
+    if (testing != NULL) {
+        (void)testing->passes(surface, QTRI_ALWAYS, place, (depth & ~1u) - 0x8000u, true);
+        return;
+    }
+    surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch + (ptrdiff_t)(place & 0xFFFF)] =
+        (uint16_t)(depth >> 16);
 }
 
 void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *material,
@@ -68,8 +81,7 @@ void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *mater
         pixels->color[n] = qtri_stroke_word(format, color_8p16, pixel, pixels->share_q16[i]);
         pixels->place[n] = place;
         if ((pixels->depth[i] & 1) != 0) {
-            surface->depth[(ptrdiff_t)(place >> 16) * surface->depth_pitch +
-                           (ptrdiff_t)(place & 0xFFFF)] = (uint16_t)(pixels->depth[i] >> 16);
+            write_depth(surface, place, pixels->depth[i]);
         }
     }
     if (pixels->count != 0) {

@@ -6,6 +6,7 @@
 #include "../filter/mix.h"
 #include "../frame/mix.h"
 #include "../frame/colors.h"
+#include "../frame/depth_format.h"
 #include "../frame/pixel.h"
 #include "effect.h"
 #include "line_path.h"
@@ -41,6 +42,7 @@ typedef struct wire {
     int32_t share_step;         /* Q24 of its length a column; at most 2^28 */
     int32_t share_across;       /* the same for a pixel across */
     int32_t z_16p14, z_step;    /* at the first end; from end to end */
+    int32_t z_16p8, z_delta;    /* the same, unrounded */
     int32_t light_q29, light_step;
     const qtri_line_color *from, *to; /* NULL: shares of the tint */
     uint32_t alpha_q8;                /* 256: opaque */
@@ -212,6 +214,13 @@ static uint32_t color_888(const wire *w, int32_t share)
     return qtri_pack_888(c);
 }
 
+/* 16.16, for depths that are no linear16; without the last bit, which tells of other things. */
+static uint32_t fine_depth(const wire *w, int32_t share)
+{
+    const int64_t more = qtri_mul_s32(w->z_delta, share) >> (SHARE_BITS - 8);
+    return (((uint32_t)w->z_16p8 << 8) + (uint32_t)more) & ~1u;
+}
+
 /* So many at a time, to take less stack. */
 enum { AFFECTED = 8 };
 
@@ -228,8 +237,9 @@ QTRI_NOINLINE static void store_some(const wire *w, const pixels *p, int32_t fir
         const uint32_t word = p->word[first + i];
         color[i] = color_888(w, share_of(word));
         place[i] = p->place[first + i];
-        depth[i] =
-            (uint32_t)(w->z_16p14 + w->z_step * share_of(word)) << 2 | (word >> LATE_BIT & 1);
+        depth[i] = job->testing != NULL ? fine_depth(w, share_of(word)) + 0x8000u
+                                        : (uint32_t)(w->z_16p14 + w->z_step * share_of(word)) << 2;
+        depth[i] |= word >> LATE_BIT & 1;
         share_q16[i] = (int32_t)(cover_of(word) << 6);
     }
     qtri_effect_stages_of(job->material)->covered(job->surface, job->material, &covered);
@@ -284,7 +294,7 @@ static inline int32_t held_share(int32_t share_q24)
 
 static void store(const wire *w, pixels *p)
 {
-    if (w->job->effect == NULL) {
+    if (qtri_effect_stages_of(w->job->material) == NULL) {
         store_plain(w, p);
         return;
     }
@@ -329,6 +339,13 @@ static void take_pixels(const wire *w, pixels *p, const cells *c)
                 late = job->writes_early ? 0 : (uint32_t)1 << LATE_BIT;
                 *depth = job->writes_early ? (uint16_t)z : *depth;
             }
+        } else if (job->testing != NULL) {
+            const bool writes = job->depth_write && sum >= FULL / 2;
+            if (!job->testing->passes(surface, job->material->depth_compare, place,
+                                      fine_depth(w, share), writes && job->writes_early)) {
+                continue;
+            }
+            late = writes && !job->writes_early ? (uint32_t)1 << LATE_BIT : 0;
         }
         const int32_t i = p->count++;
         p->place[i] = place;
@@ -505,6 +522,8 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
     w->origin_y = w->y[0];
     w->z_16p14 = (z[0] << 6) + (1 << 13);
     w->z_step = (z[1] - z[0] + 128) >> 8;
+    w->z_16p8 = z[0];
+    w->z_delta = z[1] - z[0];
     w->from = NULL;
     w->to = NULL;
     w->light_q29 = 0;

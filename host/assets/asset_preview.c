@@ -62,7 +62,7 @@ static void draw(const struct asset *asset, const qtri_surface *surface, qtri_vi
     qtri_transform pose;
     const qtri_rgb sky = {24, 32, 48};
     set_pose(asset, &pose);
-    qtri_surface_clear(surface, sky, UINT16_MAX);
+    qtri_surface_clear(surface, sky);
     for (size_t i = 0; i < asset->count; i++) {
         const struct asset_part *part = &asset->parts[i];
         qtri_material material = qtri_material_default();

@@ -219,7 +219,7 @@ static void draw(struct drawing *d, int scale, int width, int height)
                           scale * height, memory, sizeof memory) != QTRI_OK) {
         abort();
     }
-    qtri_surface_clear(&d->surface, d->sky, UINT16_MAX);
+    qtri_surface_clear(&d->surface, d->sky);
     qtri_draw_mesh(&d->surface, &d->view, &d->pose, &d->mesh, &d->material);
 }
 
@@ -260,7 +260,7 @@ static void draw_samples(struct drawing *d, int width, int height)
                           sizeof memory) != QTRI_OK) {
         abort();
     }
-    qtri_samples_clear(&samples, d->sky, UINT16_MAX);
+    qtri_samples_clear(&samples, d->sky);
     qtri_draw_mesh(&samples, &d->view, &d->pose, &d->mesh, &d->material);
     (void)qtri_samples_resolve(&samples, &d->surface);
 }

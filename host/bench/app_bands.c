@@ -106,7 +106,7 @@ void app_frame(int32_t number)
     qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &torus, &material);
     while (qtri_frame_next_band(&frame, &band)) {
-        qtri_surface_clear(&band, sky, UINT16_MAX);
+        qtri_surface_clear(&band, sky);
         qtri_draw_prepared(&band, &prepared);
         display_write(&band);
     }

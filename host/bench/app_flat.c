@@ -60,7 +60,7 @@ void app_frame(int32_t number)
     for (int32_t row = 0; row < APP_HEIGHT; row += APP_BAND_ROWS) {
         qtri_surface_init(&band, &qtri_rgb565, APP_WIDTH, APP_HEIGHT, row, APP_BAND_ROWS,
                           band_memory, sizeof band_memory);
-        qtri_surface_clear(&band, sky, UINT16_MAX);
+        qtri_surface_clear(&band, sky);
         qtri_draw_triangles(&band, &view, &pose, corners, 24, &material);
         display_write(&band);
     }

@@ -93,7 +93,7 @@ void app_frame(int32_t number)
     for (int32_t row = 0; row < APP_HEIGHT; row += APP_BAND_ROWS) {
         qtri_surface_init(&band, &qtri_rgb565, APP_WIDTH, APP_HEIGHT, row, APP_BAND_ROWS,
                           band_memory, sizeof band_memory);
-        qtri_surface_clear(&band, sky, UINT16_MAX);
+        qtri_surface_clear(&band, sky);
         qtri_draw_mesh(&band, &view, &pose, &crate, &material);
         display_write(&band);
     }

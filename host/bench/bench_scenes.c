@@ -379,8 +379,10 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
         return false;
     }
     const qtri_rgb other = {255, 255, 255}; /* for S0, anything but what it is to become */
-    qtri_surface_clear(&frame->surface, scene->work == BENCH_CLEAR ? other : bench_background,
-                       scene->work == BENCH_CLEAR ? 0 : UINT16_MAX);
+    qtri_surface_clear(&frame->surface, scene->work == BENCH_CLEAR ? other : bench_background);
+    if (scene->work == BENCH_CLEAR) {
+        qtri_surface_clear_depth(&frame->surface, 0);
+    }
 #ifndef BENCH_PLAIN
     return scene->smooth == BENCH_JAGGED || bench_prepare_smooth(frame);
 #else
@@ -413,7 +415,7 @@ void bench_draw(bench_frame *frame)
     }
     switch (frame->scene->work) {
     case BENCH_CLEAR:
-        qtri_surface_clear(&frame->surface, bench_background, UINT16_MAX);
+        qtri_surface_clear(&frame->surface, bench_background);
         break;
     case BENCH_PAINT:
         frame->scene->paint(frame);

@@ -71,7 +71,7 @@ bool bench_prepare_smooth(bench_frame *frame)
         (void)qtri_surface_init(&rows, &qtri_rgb565, BENCH_WIDTH, BAND_ROWS + 2 * HALO, 0,
                                 BAND_ROWS + 2 * HALO, memory_of(s, i),
                                 QTRI_BAND_BYTES(BENCH_WIDTH, BAND_ROWS + 2 * HALO, 2));
-        qtri_surface_clear(&rows, bench_background, UINT16_MAX);
+        qtri_surface_clear(&rows, bench_background);
     }
     return true;
 }
@@ -107,7 +107,7 @@ static void draw_large(bench_frame *frame)
     qtri_surface large, half;
     (void)qtri_surface_init(&large, &qtri_rgb565, 2 * BENCH_WIDTH, 2 * BENCH_HEIGHT, 0,
                             2 * BENCH_HEIGHT, s->large, sizeof s->large);
-    qtri_surface_clear(&large, bench_background, UINT16_MAX);
+    qtri_surface_clear(&large, bench_background);
     draw(frame, &large);
     (void)qtri_halve_565(&large, &half);
     frame->surface.pixels = half.pixels;
@@ -121,7 +121,7 @@ static void draw_samples(bench_frame *frame)
     qtri_surface samples;
     (void)qtri_surface_init(&samples, &qtri_rgb565_x4, BENCH_WIDTH, BENCH_HEIGHT, 0, BENCH_HEIGHT,
                             s->large, sizeof s->large);
-    qtri_samples_clear(&samples, bench_background, UINT16_MAX);
+    qtri_samples_clear(&samples, bench_background);
     if (frame->scene->work == BENCH_MESH) {
         draw(frame, &samples);
     } else {

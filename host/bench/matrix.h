@@ -24,7 +24,7 @@ typedef struct matrix_surface {
 typedef struct matrix_depth {
     const char *name;
     qtri_compare compare;
-    uint16_t cleared; /* so that what is drawn passes */
+    q16 cleared; /* a depth, so that what is drawn passes */
     bool read_only;
     bool is_there; /* the geometry's own depth was drawn before, without colour */
 } matrix_depth;

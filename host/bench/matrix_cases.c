@@ -8,13 +8,13 @@ static const matrix_surface surfaces[] = {
 };
 
 static const matrix_depth depths[] = {
-    {"less", QTRI_LESS, UINT16_MAX, false, false},
-    {"less-readonly", QTRI_LESS, UINT16_MAX, true, false},
-    {"lequal", QTRI_LESS_EQUAL, UINT16_MAX, false, false},
+    {"less", QTRI_LESS, Q16_ONE, false, false},
+    {"less-readonly", QTRI_LESS, Q16_ONE, true, false},
+    {"lequal", QTRI_LESS_EQUAL, Q16_ONE, false, false},
     {"greater", QTRI_GREATER, 0, false, false},
-    {"always", QTRI_ALWAYS, UINT16_MAX, false, false},
-    {"equal", QTRI_EQUAL, UINT16_MAX, false, true},
-    {"off", QTRI_DEPTH_OFF, UINT16_MAX, false, false},
+    {"always", QTRI_ALWAYS, Q16_ONE, false, false},
+    {"equal", QTRI_EQUAL, Q16_ONE, false, true},
+    {"off", QTRI_DEPTH_OFF, Q16_ONE, false, false},
 };
 
 static const matrix_wrap wraps[] = {

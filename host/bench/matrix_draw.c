@@ -110,7 +110,8 @@ static bool set_surface(matrix_frame *frame, const matrix_case *now)
                           frame->memory, sizeof frame->memory) != QTRI_OK) {
         return false;
     }
-    qtri_surface_clear(&frame->surface, bench_background, now->depth->cleared);
+    qtri_surface_clear(&frame->surface, bench_background);
+    qtri_surface_clear_depth(&frame->surface, now->depth->cleared);
     return true;
 }
 
@@ -146,7 +147,7 @@ bool matrix_prepare(matrix_frame *frame, const matrix_case *now)
         draw(frame, geometry);
         qtri_surface depthless = frame->surface;
         depthless.depth = NULL;
-        qtri_surface_clear(&depthless, bench_background, 0);
+        qtri_surface_clear(&depthless, bench_background);
     }
     frame->material.depth_compare = now->depth->compare;
     frame->material.depth_read_only = now->depth->read_only;

@@ -15,6 +15,8 @@ static const struct scene_statement statements[] = {
     {"cleardepth",  {1, 1},    scene_statement_cleardepth,    0, "Z"},
     {"depth",       {1, 1},    scene_statement_depth,         0,
      "off|less|lequal|greater|gequal|always|equal|notequal|never"},
+    {"depthformat", {1, 1},    scene_statement_depthformat,   0,
+     "linear16|float16|linear24|linear32"},
     {"depthmask",   {1, 1},    scene_statement_depthmask,     0, "on|off"},
     {"depthrange",  {2, 2},    scene_statement_depthrange,    0, "NEAR FAR"},
     {"cull",        {1, 1},    scene_statement_cull,          0, "none|back|front"},

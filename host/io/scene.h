@@ -250,6 +250,9 @@ enum scene_blend {
     SCENE_BLEND_SCREENDOOR
 };
 
+/* `depthformat`: what stores depths. */
+enum scene_depth_format { SCENE_LINEAR16, SCENE_FLOAT16, SCENE_LINEAR24, SCENE_LINEAR32 };
+
 enum scene_fog_kind { SCENE_FOG_OFF, SCENE_FOG_LINEAR, SCENE_FOG_EXP, SCENE_FOG_EXP2 };
 
 struct scene_fog {
@@ -266,6 +269,7 @@ struct scene {
     bool depth_test;  /* `depth off`: neither tested nor written */
     bool depth_write; /* false only after `depthmask off` */
     enum scene_compare depth_compare;
+    enum scene_depth_format depth_format;
     enum scene_cull cull;
     enum scene_frustum_cull frustum_cull;
     bool flat;

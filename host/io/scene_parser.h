@@ -151,11 +151,11 @@ scene_handler scene_statement_key, scene_statement_keys, scene_statement_joint,
     scene_statement_window;
 
 scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_cleardepth,
-    scene_statement_depth, scene_statement_depthmask, scene_statement_depthrange,
-    scene_statement_cull, scene_statement_shade, scene_statement_texmode, scene_statement_texwrap,
-    scene_statement_texfilter, scene_statement_texformat, scene_statement_texkey,
-    scene_statement_interpolate, scene_statement_polygon, scene_statement_texture,
-    scene_statement_antialias;
+    scene_statement_depth, scene_statement_depthformat, scene_statement_depthmask,
+    scene_statement_depthrange, scene_statement_cull, scene_statement_shade,
+    scene_statement_texmode, scene_statement_texwrap, scene_statement_texfilter,
+    scene_statement_texformat, scene_statement_texkey, scene_statement_interpolate,
+    scene_statement_polygon, scene_statement_texture, scene_statement_antialias;
 
 /* ---- Light (scene_light.c) ---- */
 

@@ -40,6 +40,20 @@ bool scene_statement_depth(struct scene_parser *parser)
     return true;
 }
 
+bool scene_statement_depthformat(struct scene_parser *parser)
+{
+    static const char *const words[] = {[SCENE_LINEAR16] = "linear16",
+                                        [SCENE_FLOAT16] = "float16",
+                                        [SCENE_LINEAR24] = "linear24",
+                                        [SCENE_LINEAR32] = "linear32"};
+    int choice;
+    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
+        return false;
+    }
+    parser->scene->depth_format = (enum scene_depth_format)choice;
+    return true;
+}
+
 /* For statements that choose between two words: whether it is the second one. */
 static bool second_word(struct scene_parser *parser, int argument, const char *first,
                         const char *second, bool *is_second)

@@ -111,11 +111,30 @@ double ref_target_depth(const struct ref_target *target, long double z_over_w)
     return target->depth_near + unit * (target->depth_far - target->depth_near);
 }
 
-/* The depth buffer's units: comparisons are made between 16-bit values, because `equal` and
-   `lequal` have their meaning only there. The picture keeps the depth before this rounding. */
-static double depth_units(double depth)
+/* What float16 keeps of 1 - depth: 12 bits behind the highest, from 2^17 of 2^32 on. */
+static double float_units(double depth)
 {
-    return floor(depth * 65535.0 + 0.5);
+    double rest = (1.0 - depth) * 65535.0 * 65536.0;
+    int exponent = 17;
+    frexp(rest, &exponent);
+    int down = exponent > 18 ? exponent - 13 : 5;
+    return 65535.0 - ((down - 5) * 4096.0 + floor(ldexp(rest, -down)));
+}
+
+/* The depth buffer's units: comparisons are made between stored values, because `equal` and
+   `lequal` have their meaning only there. The picture keeps the depth before this rounding. */
+static double depth_units(const struct scene *scene, double depth)
+{
+    switch (scene->depth_format) {
+    case SCENE_FLOAT16:
+        return float_units(depth);
+    case SCENE_LINEAR24:
+        return floor(depth * 65535.0 * 256.0 + 0.5);
+    case SCENE_LINEAR32:
+        return floor(depth * 65535.0 * 65536.0 + 0.5);
+    default:
+        return floor(depth * 65535.0 + 0.5);
+    }
 }
 
 static bool passes(enum scene_compare compare, double incoming, double stored)
@@ -154,7 +173,7 @@ bool ref_target_cover(struct ref_target *target, int x, int y, double depth)
     if (!scene->depth_test)
         return true;
     double stored = target->image->depth[i];
-    return passes(scene->depth_compare, depth_units(depth), depth_units(stored));
+    return passes(scene->depth_compare, depth_units(scene, depth), depth_units(scene, stored));
 }
 
 void ref_target_shade(struct ref_target *target, int x, int y, double depth,

@@ -504,8 +504,8 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
             return;
         }
     } else {
-        qtri_samples_clear(surface, pass == SCENE_IDS ? black : scene_rgb(scene->clear),
-                           (uint16_t)(((int64_t)scene->clear_depth * 65535 + 32768) >> 16));
+        qtri_samples_clear(surface, pass == SCENE_IDS ? black : scene_rgb(scene->clear));
+        qtri_samples_clear_depth(surface, scene->clear_depth);
     }
     qtri_view_init(&d.view, surface->width, surface->height);
     d.view.viewport.depth_near = scene->depth_near;

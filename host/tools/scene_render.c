@@ -10,6 +10,7 @@ enum { FRAMES_LOG2 = 4, EDGES_HALO = 1 };
 struct target {
     struct scene_resources *resources;
     const qtri_format *format;
+    const qtri_depth_format *depth;
     enum scene_pass pass;
     struct picture *picture;
     void *memory; /* of the largest band */
@@ -17,6 +18,25 @@ struct target {
     uint32_t *words; /* for filters */
     uint32_t word_count;
 };
+
+/* Depth 0..1. */
+static double depth_at(const qtri_surface *surface, int32_t x, int32_t y)
+{
+    const qtri_depth_format *format = surface->depth_format;
+    const int bytes = format->bytes;
+    const uint8_t *at = (const uint8_t *)surface->depth +
+                        bytes * ((y - surface->first_row) * surface->depth_pitch + x);
+    uint32_t depth;
+    if (bytes == 2) {
+        depth = *(const uint16_t *)(const void *)at;
+    } else if (bytes == 3) {
+        depth = at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
+    } else {
+        depth = *(const uint32_t *)(const void *)at;
+    }
+    format->decode(&depth, 1);
+    return depth / (65535 * 65536.0);
+}
 
 /* Copies rows first..end - 1 of a surface to the picture. */
 static void keep_rows(const struct target *t, const qtri_surface *surface, int32_t first,
@@ -28,9 +48,8 @@ static void keep_rows(const struct target *t, const qtri_surface *surface, int32
             size_t at = (size_t)y * (size_t)picture->width + (size_t)x;
             qtri_rgb rgb = qtri_surface_pixel(surface, x, y);
             if (t->pass == SCENE_IDS) {
-                ptrdiff_t row = y - surface->first_row;
                 picture->id[at] = (uint32_t)rgb.r << 16 | (uint32_t)rgb.g << 8 | rgb.b;
-                picture->depth[at] = surface->depth[row * surface->depth_pitch + x] / 65535.0;
+                picture->depth[at] = depth_at(surface, x, y);
             } else {
                 picture->rgb[3 * at] = rgb.r;
                 picture->rgb[3 * at + 1] = rgb.g;
@@ -44,8 +63,9 @@ static void keep_rows(const struct target *t, const qtri_surface *surface, int32
 static void begin_rows(const struct target *t, qtri_surface *surface, int32_t scale, int32_t first,
                        int32_t end)
 {
-    if (qtri_surface_init(surface, t->format, scale * t->picture->width, scale * t->picture->height,
-                          scale * first, scale * (end - first), t->memory, t->bytes) != QTRI_OK) {
+    if (qtri_surface_init_depth(surface, t->format, t->depth, scale * t->picture->width,
+                                scale * t->picture->height, scale * first, scale * (end - first),
+                                t->memory, t->bytes) != QTRI_OK) {
         abort(); /* the scene reader keeps sizes within the core's range */
     }
 }
@@ -118,6 +138,19 @@ static void render_band(const struct target *t, int32_t first, int32_t end)
     keep_rows(t, &surface, first, end);
 }
 
+/* Samples keep linear16. */
+static const qtri_depth_format *depth_of(const struct target *t)
+{
+    static const qtri_depth_format *const formats[] = {
+        [SCENE_LINEAR16] = &qtri_depth_linear16,
+        [SCENE_FLOAT16] = &qtri_depth_float16,
+        [SCENE_LINEAR24] = &qtri_depth_linear24,
+        [SCENE_LINEAR32] = &qtri_depth_linear32,
+    };
+    const bool has_samples = antialias_of(t) == SCENE_ANTIALIAS_MSAA;
+    return has_samples ? &qtri_depth_linear16 : formats[t->resources->scene->depth_format];
+}
+
 static bool render_pass(struct scene_resources *resources, const qtri_format *format, int32_t rows,
                         enum scene_pass pass, struct picture *picture)
 {
@@ -127,7 +160,9 @@ static bool render_pass(struct scene_resources *resources, const qtri_format *fo
         t.format = format = sampled(format);
     }
     const int32_t held = rows + 2 * halo_of(antialias_of(&t));
-    t.bytes = QTRI_BAND_BYTES(scale * picture->width, scale * held, format->pixels->bytes);
+    t.depth = depth_of(&t);
+    t.bytes = QTRI_BAND_BYTES_DEPTH(scale * picture->width, scale * held, format->pixels->bytes,
+                                    t.depth->bytes);
     t.memory = malloc(t.bytes);
     t.word_count = QTRI_SUM_WORDS(picture->width, held) + QTRI_FXAA_WORDS(picture->width);
     t.words = malloc(t.word_count * sizeof *t.words);

@@ -57,7 +57,7 @@ static bool write_ppm(const char *folder, const board_scene *scene, int number)
                           scene->height, scratch + 1, sizeof memory - sizeof *scratch) != QTRI_OK) {
         return false;
     }
-    qtri_surface_clear(&frame, scene->background, UINT16_MAX);
+    qtri_surface_clear(&frame, scene->background);
     scene->draw(&frame, scratch);
     snprintf(path, sizeof path, "%s/%s-%s.ppm", folder, scene->name, formats[number].name);
     FILE *file = fopen(path, "wb");

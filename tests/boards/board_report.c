@@ -73,7 +73,7 @@ static enum qtri_error draw_frame(tally *sum, const board_scene *scene, const qt
             return error;
         }
         uint32_t start = board_ticks();
-        qtri_surface_clear(&band, scene->background, UINT16_MAX);
+        qtri_surface_clear(&band, scene->background);
         scene->draw(&band, scratch);
         sum->instructions += board_instructions(start, board_ticks());
         tally_rows(sum, &band); /* an application sends the band to its display here */

@@ -169,7 +169,7 @@ int main(int argc, char **argv)
                               memory, bytes) != QTRI_OK) {
             fail(scene, "no surface");
         }
-        qtri_surface_clear(&frame, show->background, UINT16_MAX);
+        qtri_surface_clear(&frame, show->background);
         show->draw(scratch, &frame);
         take_picture(&frame, &expected);
 

@@ -24,7 +24,7 @@ static enum qtri_error draw_frame(qtri_panel *panel, void *scratch, void *memory
         error = qtri_surface_init(&band, show->format, show->width, show->height, row,
                                   show->band_rows, memory, bytes);
         if (error == QTRI_OK) {
-            qtri_surface_clear(&band, show->background, UINT16_MAX);
+            qtri_surface_clear(&band, show->background);
             show->draw(scratch, &band);
             error = qtri_panel_write(panel, &band);
         }

@@ -217,7 +217,7 @@ static void draw(const picture *asked)
     if (p.is_uneven) {
         qtri_transform_scale(&pose, uneven);
     }
-    qtri_surface_clear(&surface, sky, UINT16_MAX);
+    qtri_surface_clear(&surface, sky);
     if (drawn) {
         qtri_draw_mesh(&surface, &view, &pose, &mesh, &p.material);
     }
@@ -234,7 +234,7 @@ static void draw(const picture *asked)
     qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &p.material);
     while (error == QTRI_OK && qtri_frame_next_band(&frame, &surface)) {
-        qtri_surface_clear(&surface, sky, UINT16_MAX);
+        qtri_surface_clear(&surface, sky);
         if (drawn) {
             qtri_draw_prepared(&surface, &prepared);
         }

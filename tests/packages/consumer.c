@@ -34,7 +34,7 @@ int main(void)
     }
     qtri_frame_begin(&frame);
     while (qtri_frame_next_band(&frame, &band)) {
-        qtri_surface_clear(&band, sky, 65535);
+        qtri_surface_clear(&band, sky);
         qtri_draw_triangles(&band, &view, &pose, corners, 3, &material);
         for (int32_t y = band.first_row; y < band.first_row + band.rows; y++) {
             for (int32_t x = 0; x < WIDTH; x++) {

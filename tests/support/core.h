@@ -141,6 +141,13 @@ static inline const qtri_format *drawn_format(int32_t n)
     return formats[n % 6];
 }
 
+/* Clears to what linear16 stores so; the nearest q16 is within 1/2 of 65535/65536 of a step. */
+static inline void clear_to(const qtri_surface *surface, qtri_rgb color, uint16_t stored)
+{
+    qtri_surface_clear(surface, color);
+    qtri_surface_clear_depth(surface, (q16)(((uint64_t)stored * 65536 + 32767) / 65535));
+}
+
 /* A surface with memory of its own, cleared to black and farthest. */
 typedef struct canvas {
     qtri_surface surface;
@@ -159,7 +166,7 @@ static inline canvas canvas_band(const qtri_format *format, int32_t width, int32
     assert_int_equal(
         qtri_surface_init(&c.surface, format, width, height, first, rows, c.memory, c.bytes),
         QTRI_OK);
-    qtri_surface_clear(&c.surface, black, 65535);
+    qtri_surface_clear(&c.surface, black);
     return c;
 }
 
@@ -171,7 +178,7 @@ static inline canvas canvas_new(const qtri_format *format, int32_t width, int32_
 static inline void canvas_clear(canvas *c)
 {
     qtri_rgb black = {0, 0, 0};
-    qtri_surface_clear(&c->surface, black, 65535);
+    qtri_surface_clear(&c->surface, black);
 }
 
 static inline void canvas_free(canvas *c)

@@ -7,6 +7,7 @@
 
 #define qtri_line_cut_short  narrow_line_cut_short
 #define qtri_line_draw       narrow_line_draw
+#define qtri_line_draw_apart narrow_line_draw_apart
 #define qtri_line_end        narrow_line_end
 #define qtri_line_flush      narrow_line_flush
 #define qtri_line_job_init   narrow_line_job_init

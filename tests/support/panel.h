@@ -300,7 +300,7 @@ static inline void setup_end(setup *s)
 static inline void draw_picture(const qtri_surface *surface, uint64_t seed)
 {
     qtri_rgb sky = {(uint8_t)(seed * 40), 60, 110};
-    qtri_surface_clear(surface, sky, 65535);
+    qtri_surface_clear(surface, sky);
     int32_t w = surface->width * 256;
     int32_t h = surface->height * 256;
     qtri_material material = plain_material();

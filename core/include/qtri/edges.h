@@ -12,7 +12,7 @@
  *     static uint32_t edge_memory[QTRI_EDGES_WORDS(320, 240, QTRI_RGB565_BYTES)];
  *     qtri_outline_init(&outline, &gear, outline_memory, QTRI_OUTLINE_WORDS(996));
  *
- *     qtri_surface_clear(&surface, sky, UINT16_MAX);
+ *     qtri_surface_clear(&surface, sky);
  *     qtri_draw_mesh_outlined(&surface, &view, &pose, &material, &outline);
  *     ... everything else that is in the picture, with the depth buffer as it is left ...
  *     qtri_edges_begin(&edges, &surface, edge_memory, sizeof edge_memory / sizeof edge_memory[0]);
@@ -28,7 +28,7 @@
  *     qtri_prepare_mesh(&prepared, &frame.frame, &view, &pose, &gear, &material);
  *     qtri_prepared_find_edges(&prepared, &outline);
  *     while (qtri_halo_next_band(&frame, &band, &shown)) {
- *         qtri_surface_clear(&band, sky, UINT16_MAX);
+ *         qtri_surface_clear(&band, sky);
  *         qtri_draw_prepared(&band, &prepared);
  *         qtri_edges_begin(&edges, &band, edge_memory, ...);
  *         qtri_edges_note(&edges, &outline);
@@ -147,8 +147,9 @@ typedef struct qtri_edges {
 /*
  * Words of memory for a surface of so many columns and rows, with the halo: a bit a pixel, and for
  * formats of more than two bytes a row of colours. Notes are kept in the surface's depth; where it
- * has none, two bytes a pixel more. Where depth_pitch is not the width, |depth_pitch| counts as
- * the width.
+ * has none, two bytes a pixel more. Depths of another format than linear16 become that as the pass
+ * begins, so edges are compared in steps of 1/65535. Where depth_pitch is not the width,
+ * |depth_pitch| counts as the width.
  */
 #define QTRI_EDGES_WORDS(width, rows, pixel_bytes)                                                 \
     (((uint32_t)(width) * (uint32_t)(rows) + 31u) / 32u +                                          \

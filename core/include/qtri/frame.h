@@ -8,7 +8,7 @@
  *     for (;;) {
  *         qtri_frame_begin(&frame);
  *         while (qtri_frame_next_band(&frame, &band)) {
- *             qtri_surface_clear(&band, sky, UINT16_MAX);
+ *             qtri_surface_clear(&band, sky);
  *             qtri_draw_mesh(&band, &view, &pose, &mesh, &material);
  *             qtri_panel_write(&panel, &band);
  *         }
@@ -43,8 +43,9 @@ extern "C" {
 /* In the caller's memory; to be read only. */
 typedef struct qtri_frame {
     const qtri_format *format;
-    int32_t width, height; /* pixels */
-    int32_t rows;          /* of a band; the last one may have fewer */
+    const qtri_depth_format *depth_format; /* NULL: linear16 */
+    int32_t width, height;                 /* pixels */
+    int32_t rows;                          /* of a band; the last one may have fewer */
     uint8_t *memory;
     size_t band_bytes;
     uint8_t *other_pixels; /* of the second buffer; NULL: there is none */
@@ -59,7 +60,13 @@ typedef struct qtri_frame {
 /* Memory for one buffer, and for two, whose bands share their depth: constant expressions. */
 #define QTRI_FRAME_BYTES(width, rows, pixel_bytes) QTRI_BAND_BYTES(width, rows, pixel_bytes)
 #define QTRI_FRAME_BYTES_DOUBLE(width, rows, pixel_bytes)                                          \
-    (QTRI_BAND_BYTES(width, rows, pixel_bytes) +                                                   \
+    QTRI_FRAME_BYTES_DOUBLE_DEPTH(width, rows, pixel_bytes, QTRI_DEPTH_LINEAR16_BYTES)
+
+/* The same with depth of another format: QTRI_DEPTH_FLOAT16_BYTES and the like. */
+#define QTRI_FRAME_BYTES_DEPTH(width, rows, pixel_bytes, depth_bytes)                              \
+    QTRI_BAND_BYTES_DEPTH(width, rows, pixel_bytes, depth_bytes)
+#define QTRI_FRAME_BYTES_DOUBLE_DEPTH(width, rows, pixel_bytes, depth_bytes)                       \
+    (QTRI_BAND_BYTES_DEPTH(width, rows, pixel_bytes, depth_bytes) +                                \
      (size_t)(width) * (size_t)(rows) * (size_t)(pixel_bytes) + 4u)
 
 /*
@@ -74,6 +81,15 @@ typedef struct qtri_frame {
  */
 enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, int32_t width,
                                 int32_t height, int32_t rows, void *memory, size_t bytes);
+
+/*
+ * The same with a format of depth, of depth.h; NULL: linear16. Bytes are then
+ * QTRI_FRAME_BYTES_DEPTH or QTRI_FRAME_BYTES_DOUBLE_DEPTH.
+ * QTRI_ERROR_FORMAT also: as qtri_surface_init_depth.
+ */
+enum qtri_error qtri_frame_init_depth(qtri_frame *frame, const qtri_format *format,
+                                      const qtri_depth_format *depth_format, int32_t width,
+                                      int32_t height, int32_t rows, void *memory, size_t bytes);
 
 /*
  * Several cores, each with a frame of its own: this one gets every `parts`-th band, from band

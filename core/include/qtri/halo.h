@@ -35,6 +35,12 @@ typedef struct qtri_halo {
 #define QTRI_HALO_BYTES_DOUBLE(width, rows, halo, pixel_bytes)                                     \
     QTRI_FRAME_BYTES_DOUBLE(width, (rows) + 2 * (halo), pixel_bytes)
 
+/* The same with depth of another format: QTRI_DEPTH_FLOAT16_BYTES and the like. */
+#define QTRI_HALO_BYTES_DEPTH(width, rows, halo, pixel_bytes, depth_bytes)                         \
+    QTRI_FRAME_BYTES_DEPTH(width, (rows) + 2 * (halo), pixel_bytes, depth_bytes)
+#define QTRI_HALO_BYTES_DOUBLE_DEPTH(width, rows, halo, pixel_bytes, depth_bytes)                  \
+    QTRI_FRAME_BYTES_DOUBLE_DEPTH(width, (rows) + 2 * (halo), pixel_bytes, depth_bytes)
+
 /*
  * As qtri_frame_init, with `halo` rows more above and below each band.
  * QTRI_ERROR_SIZE also: halo outside 0..QTRI_HALO_MAX, or rows + 2 halo > QTRI_SURFACE_MAX.
@@ -42,6 +48,12 @@ typedef struct qtri_halo {
 enum qtri_error qtri_halo_init(qtri_halo *halo, const qtri_format *format, int32_t width,
                                int32_t height, int32_t rows, int32_t halo_rows, void *memory,
                                size_t bytes);
+
+/* The same with a format of depth, as qtri_frame_init_depth. */
+enum qtri_error qtri_halo_init_depth(qtri_halo *halo, const qtri_format *format,
+                                     const qtri_depth_format *depth_format, int32_t width,
+                                     int32_t height, int32_t rows, int32_t halo_rows, void *memory,
+                                     size_t bytes);
 
 /* qtri_frame_begin of the frame. */
 void qtri_halo_begin(qtri_halo *halo);

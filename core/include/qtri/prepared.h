@@ -10,7 +10,7 @@
  *     qtri_frame_begin(&frame);
  *     qtri_prepare_mesh(&gear, &frame, &view, &pose, &mesh, &material);
  *     while (qtri_frame_next_band(&frame, &band)) {
- *         qtri_surface_clear(&band, sky, UINT16_MAX);
+ *         qtri_surface_clear(&band, sky);
  *         qtri_draw_prepared(&band, &gear);
  *         ...
  *     }

@@ -12,7 +12,7 @@
  *     static uint32_t memory[QTRI_FRAME_BYTES(320, 16, QTRI_RGB565_X4_BYTES) / 4]; // 80 KB
  *     qtri_frame_init(&frame, &qtri_rgb565_x4, 320, 240, 16, memory, sizeof memory);
  *     while (qtri_frame_next_band(&frame, &band)) {
- *         qtri_samples_clear(&band, sky, UINT16_MAX);
+ *         qtri_samples_clear(&band, sky);
  *         qtri_draw_prepared(&band, &prepared);      // or any other draw call
  *         qtri_samples_resolve(&band, &band);        // RGB565, in the band's memory
  *         ... lines, text, flat shapes ...
@@ -48,10 +48,11 @@ enum {
 };
 
 /*
- * qtri_surface_clear of all samples. On other surfaces it is that; which, in turn, does not reach
- * the depths of all samples.
+ * qtri_surface_clear of all samples, then qtri_surface_clear_depth. On other surfaces they are
+ * these; which, in turn, do not reach the depths of all samples.
  */
-void qtri_samples_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth);
+void qtri_samples_clear(const qtri_surface *surface, qtri_rgb color);
+void qtri_samples_clear_depth(const qtri_surface *surface, q16 depth);
 
 /*
  * Makes one pixel of four samples, their mean in the steps of the format, halves up: inside the

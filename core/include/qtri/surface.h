@@ -13,8 +13,10 @@
 #include <stdint.h>
 
 #include "config.h"
+#include "depth.h"
 #include "error.h"
 #include "format.h"
+#include "q16.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -31,11 +33,12 @@ typedef struct qtri_surface {
     uint8_t *pixels;       /* first byte of row `first_row`, aligned for the format */
     ptrdiff_t pitch;       /* bytes from a row to the next; negative for bottom-up memory */
     uint16_t *depth;       /* depth of (0, first_row), or NULL: no depth test, no depth written */
-    ptrdiff_t depth_pitch; /* elements from a row to the next */
+    ptrdiff_t depth_pitch; /* stored depths from a row to the next */
     const qtri_format *format; /* NULL: nothing is drawn, pixels are black */
     int32_t width, height;     /* of the frame, 1..QTRI_SURFACE_MAX; more counts as that */
     int32_t first_row, rows;   /* the rows that this memory holds */
     qtri_rect scissor;         /* drawing and clearing stay inside; set to the frame at first */
+    const qtri_depth_format *depth_format; /* of what `depth` points at; NULL: linear16 */
 } qtri_surface;
 
 /*
@@ -43,7 +46,11 @@ typedef struct qtri_surface {
  * QTRI_RGB565_BYTES and the like, or format->pixels->bytes.
  */
 #define QTRI_BAND_BYTES(width, rows, pixel_bytes)                                                  \
-    ((size_t)(width) * (size_t)(rows) * ((size_t)(pixel_bytes) + 2u) + 8u)
+    QTRI_BAND_BYTES_DEPTH(width, rows, pixel_bytes, QTRI_DEPTH_LINEAR16_BYTES)
+
+/* The same with depth of another format: QTRI_DEPTH_FLOAT16_BYTES and the like. */
+#define QTRI_BAND_BYTES_DEPTH(width, rows, pixel_bytes, depth_bytes)                               \
+    ((size_t)(width) * (size_t)(rows) * ((size_t)(pixel_bytes) + (size_t)(depth_bytes)) + 8u)
 
 /*
  * Lays out rows first_row .. first_row+rows-1 of a width x height frame in `memory` of `bytes`
@@ -60,11 +67,25 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
                                   size_t bytes);
 
 /*
- * Fills colour, and depth where there is one, inside the scissor. depth: UINT16_MAX, 65535, is the
- * farthest, which QTRI_LESS wants. 0 hides all that is drawn with QTRI_LESS, and so does Q16(1),
- * which is 65536 and 0 in 16 bits: depths here are no Q16.16.
+ * The same with a format of depth, of depth.h; NULL: linear16. Bytes are then
+ * QTRI_BAND_BYTES_DEPTH(width, rows, format->pixels->bytes, depth_format->bytes).
+ * QTRI_ERROR_FORMAT also: a depth's bytes are not 2, 3 or 4; or the format has samples (samples.h),
+ * whose depth is linear16.
  */
-void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color, uint16_t depth);
+enum qtri_error qtri_surface_init_depth(qtri_surface *surface, const qtri_format *format,
+                                        const qtri_depth_format *depth_format, int32_t width,
+                                        int32_t height, int32_t first_row, int32_t rows,
+                                        void *memory, size_t bytes);
+
+/* Inside the scissor fills colour, and depth where there is one with the farthest. */
+void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color);
+
+/*
+ * Fills depth alone, inside the scissor: 0 is the near plane, Q16(1) the far one; less and more
+ * count as these. For what the farthest is not right for: 0 where QTRI_GREATER draws what is
+ * farther, after qtri_surface_clear, or 1 before what is to lie over all that was drawn.
+ */
+void qtri_surface_clear_depth(const qtri_surface *surface, q16 depth);
 
 /* The pixel's colour widened to 8 bits a channel; black outside the rows held. */
 qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y);

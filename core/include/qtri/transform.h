@@ -107,8 +107,8 @@ void qtri_transform_orthonormalize(qtri_transform *t);
  * Outside of that range: a negative fovy turns the picture by half a turn, a negative aspect
  * mirrors it left to right, left > right and bottom > top mirror it along their axis; what is
  * mirrored once has its front faces clockwise. near_z > far_z keeps what is seen and reverses
- * depth, near_z's plane being 0 still: then QTRI_GREATER and a clear to 0 draw what LESS and 65535
- * do otherwise.
+ * depth, near_z's plane being 0 still: then QTRI_GREATER, and depth that is cleared to 0, draw what
+ * LESS does otherwise.
  */
 void qtri_transform_perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z);
 void qtri_transform_frustum(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top, q16 near_z,

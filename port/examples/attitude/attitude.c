@@ -83,7 +83,7 @@ static void draw(const qtri_surface *band, const qtri_view *view, const attitude
     qtri_transform_rotate_z(&world, a->bank);
     qtri_transform_translate(&world, down);
     make_ladder(ladder);
-    qtri_surface_clear(band, sky, UINT16_MAX);
+    qtri_surface_clear(band, sky);
     qtri_draw_triangles(band, view, &world, ground, 6, &plain);
     qtri_draw_lines(band, view, &world, horizon, 2, &plain);
     qtri_draw_lines(band, view, &world, ladder, 2 * RUNGS, &plain);

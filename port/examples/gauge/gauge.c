@@ -132,7 +132,7 @@ enum qtri_error example_run(void)
         qtri_frame_mark(&frame, &entered);
         qtri_frame_only_changes(&frame);
         while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
-            qtri_surface_clear(&band, face, UINT16_MAX);
+            qtri_surface_clear(&band, face);
             qtri_draw_triangles(&band, &view, &still, arc, 6 * ARC, &plain);
             qtri_draw_triangles(&band, &view, &still, ticks, 6 * TICKS, &plain);
             draw_needle(&band, &view, degrees, &plain);

@@ -159,7 +159,7 @@ static void draw_mark(const qtri_surface *band, const window *w, place p)
 static void draw(const qtri_surface *band, const window *w, place here, int32_t metres)
 {
     const qtri_brush blue = qtri_brush_of(water), green = qtri_brush_of(grass);
-    qtri_surface_clear(band, white, UINT16_MAX);
+    qtri_surface_clear(band, white);
     draw_polygon(band, w, park, sizeof park / sizeof park[0], &green);
     draw_polygon(band, w, lake, sizeof lake / sizeof lake[0], &blue);
     draw_way(band, w, river, sizeof river / sizeof river[0], QTRI_PX(9), &blue);

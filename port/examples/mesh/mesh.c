@@ -77,7 +77,7 @@ enum qtri_error example_run(void)
         qtri_frame_begin(&frame);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &model, &material);
         while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
-            qtri_surface_clear(&band, sky, UINT16_MAX);
+            qtri_surface_clear(&band, sky);
             qtri_draw_prepared(&band, &prepared);
             error = qtri_panel_write(&panel, &band);
         }

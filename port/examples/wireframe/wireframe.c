@@ -90,7 +90,7 @@ enum qtri_error example_run(void)
         qtri_transform_rotate_x(&pose, q16_mul(angle, Q16(.5)));
         qtri_frame_begin(&frame);
         while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
-            qtri_surface_clear(&band, black, UINT16_MAX);
+            qtri_surface_clear(&band, black);
             qtri_draw_mesh(&band, &view, &pose, &icosahedron, &solid);
             qtri_draw_lines(&band, &view, &ground, grid, 2 * LINES, &plain);
             qtri_draw_mesh(&band, &view, &pose, &icosahedron, &edges);

@@ -96,7 +96,7 @@ void loop()
     qtri_frame_begin(&frame);
     qtri_surface band;
     while (qtri_frame_next_band(&frame, &band)) {
-        qtri_surface_clear(&band, {24, 32, 48}, 65535);
+        qtri_surface_clear(&band, {24, 32, 48});
         qtri_draw_mesh(&band, &view, &pose, &cube, &material);
         qtri_panel_write(&panel, &band);
     }

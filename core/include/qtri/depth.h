@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Formats of depth: what a surface stores for each pixel's distance, as constant data.
+ *
+ * Depth is window z, 0 at the near plane and 1 at the far one. A surface stores it as 16 bits,
+ * linear in the window, unless it is laid out with another format; what an application does not
+ * name is not linked.
+ *
+ *     static uint8_t memory[QTRI_FRAME_BYTES_DEPTH(320, 16, QTRI_RGB565_BYTES,
+ *                                                  QTRI_DEPTH_FLOAT16_BYTES)];
+ *     qtri_frame_init_depth(&frame, &qtri_rgb565, &qtri_depth_float16, 320, 240, 16, memory,
+ *                           sizeof memory);
+ *
+ * Which one. In perspective window z has nearly all its steps close to the near plane: at a
+ * distance d faces can be told apart that are d^2 / (65536 near) from each other with linear16,
+ * d / 4096 with float16, d^2 / (2^24 near) with linear24.
+ *
+ * - Move the near plane away as far as the scene allows: that costs nothing.
+ * - linear16 is the fastest by far. It is right where far / near is some hundred, and for views
+ *   without perspective.
+ * - float16 takes the same memory, for wide views: it resolves 1/4096 of every distance. Without
+ *   perspective its steps are wasted at the far plane.
+ * - linear24 has all the 24 bits that vertices have, in 3 bytes. linear32 tells no more apart, and
+ *   saves instructions for the fourth byte.
+ *
+ * Measured, near plane .1, far plane 1000: sheets of paper on each other, 30 away, of whose pixels
+ * so many show the wrong one; and of a knot that is .1 units wide at the same distance (the
+ * reference of `qtri render` compares in double precision; .01 and .05 % are edges that it rounds
+ * otherwise). host/scenes/12-depth-*.scene are the sheets that are .04 apart.
+ *
+ *     apart        .1       .04      .01      .003     .001     knot
+ *     linear16     .82 %    45 %     74 %     80 %     82 %     16 %
+ *     float16      .01      .01      .01      8.4      57       .05
+ *     linear24     .01      .01      .01      .01      .01      .05
+ *     linear32     .01      .01      .01      .01      .01      .05
+ *
+ * All but linear16 are tested as a blend is applied, after the colour of a pixel is made: of large
+ * triangles they take what a blend takes. Instructions of a frame on a Cortex-M0+, scenes of `make
+ * bench`, as multiples of linear16: a screen in one colour 8.2, a large texture 3.7, lit meshes of
+ * small triangles 2.0, textured ones 1.3.
+ *
+ * Everything that knows depth takes every format: triangles, lines, strokes, points, fog, blends,
+ * the edge pass (edges.h), frames and halos. Only surfaces of four samples (samples.h) have
+ * linear16 alone.
+ *
+ * A format of one's own is such a description in one's own file.
+ */
+#ifndef QTRI_DEPTH_H
+#define QTRI_DEPTH_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What tests depths that are not linear16: &qtri_depth_testing_stages. */
+typedef struct qtri_depth_testing qtri_depth_testing;
+extern const qtri_depth_testing qtri_depth_testing_stages;
+
+/*
+ * Between the stages depth is 16.16: window z times 65535, 0..0xFFFF0000. A stored depth is an
+ * integer in the machine's byte order; of three bytes the lowest is first. Stored depths must
+ * compare as depths do: a farther one is never less.
+ */
+typedef struct qtri_depth_format {
+    uint8_t bytes;                     /* of a stored depth: 2, 3 or 4 */
+    const qtri_depth_testing *testing; /* &qtri_depth_testing_stages; NULL: it is linear16 */
+    /* Depths to stored ones and back, in place; `count` is 1..32. */
+    void (*encode)(uint32_t *depth, int32_t count);
+    void (*decode)(uint32_t *depth, int32_t count);
+} qtri_depth_format;
+
+extern const qtri_depth_format qtri_depth_linear16; /* 65535 steps; where none is named */
+extern const qtri_depth_format qtri_depth_float16;  /* 1 - z: 4 bits exponent, 12 bits mantissa */
+extern const qtri_depth_format qtri_depth_linear24; /* steps of 1/256 of those of linear16 */
+extern const qtri_depth_format qtri_depth_linear32; /* steps of 1/65536 of them */
+
+/* Bytes of a stored depth, for memory of constant size. */
+enum {
+    QTRI_DEPTH_LINEAR16_BYTES = 2,
+    QTRI_DEPTH_FLOAT16_BYTES = 2,
+    QTRI_DEPTH_LINEAR24_BYTES = 3,
+    QTRI_DEPTH_LINEAR32_BYTES = 4
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+#include "qtri/depth.h"
+
+#include "../bits/bits.h"
+
+/*
+ * With perspective what is twice as far has half of 1 - z: a step that is a part of 1 - z is about
+ * the same part of a distance. So t = 65535.0 - z, 32 bits, is kept as
+ *
+ *     e 2^12 + m,  t = m 2^5                where e is 0,
+ *                  t = (2^12 + m) 2^(e + 4)  of e = 1..15,
+ *
+ * rounded down, and stored is 65535 less that, so that nearer is less. A step is 2^-13 to 2^-12 of
+ * 1 - z, and no finer than 2^5: vertices have steps of 2^8.
+ */
+#define FARTHEST   ((uint32_t)65535 << 16)
+#define MANTISSA   12 /* bits */
+#define LEAST_LOG2 5
+
+/* Values of t with one exponent: `size` of them from `from` on. */
+typedef struct octave {
+    uint32_t from, size;
+    uint32_t base; /* added to t >> down */
+    int32_t down;
+} octave;
+
+static void find_octave(octave *o, uint32_t t)
+{
+    const int32_t top = 31 - qtri_clz32(t | 1); /* t's highest bit */
+    const int32_t e = top - (MANTISSA + LEAST_LOG2 - 1);
+    if (e <= 0) {
+        const octave first = {0, (uint32_t)1 << (MANTISSA + LEAST_LOG2), 0, LEAST_LOG2};
+        *o = first;
+        return;
+    }
+    o->from = (uint32_t)1 << top;
+    o->size = o->from;
+    o->base = (uint32_t)(e - 1) << MANTISSA; /* the shifted t has its highest bit */
+    o->down = LEAST_LOG2 + e - 1;
+}
+
+/* Neighbours mostly have one exponent. */
+static void encode(uint32_t *depth, int32_t count)
+{
+    octave o = {0, 0, 0, 0};
+    for (const uint32_t *end = depth + count; depth != end; depth++) {
+        const uint32_t t = FARTHEST - *depth;
+        if (t - o.from >= o.size) {
+            find_octave(&o, t);
+        }
+        *depth = 65535 - o.base - (t >> o.down);
+    }
+}
+
+/* The middle of what is stored so; the farthest is itself. */
+static void decode(uint32_t *depth, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++) {
+        const uint32_t code = 65535 - depth[i];
+        const uint32_t e = code >> MANTISSA;
+        const uint32_t down = LEAST_LOG2 + (e == 0 ? 0 : e - 1);
+        const uint32_t m = e == 0 ? code : code - ((e - 1) << MANTISSA);
+        const uint32_t half = code == 0 ? 0 : (uint32_t)1 << (down - 1);
+        const uint32_t t = (m << down) + half; /* < 2^32 */
+        depth[i] = t < FARTHEST ? FARTHEST - t : 0;
+    }
+}
+
+const qtri_depth_format qtri_depth_float16 = {QTRI_DEPTH_FLOAT16_BYTES, &qtri_depth_testing_stages,
+                                              encode, decode};

@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT */
+#include "depth_testing.h"
+
+#include "../frame/fill.h"
+#include "../frame/stored.h"
+#include "batch.h"
+#include "job.h"
+#include "list_values.h"
+#include "samples.h"
+
+/* Ramps and lines come with the half that rounds to 16 bits. */
+#define HALF     ((uint32_t)1 << 15)
+#define FARTHEST ((uint32_t)65535 << 16)
+
+/*
+ * A ramp's value as a depth. Rounding may take it out of 0..65535.0 by less than the half that it
+ * has, so it does not wrap.
+ */
+static inline uint32_t depth_of(uint32_t ramp)
+{
+    const uint32_t depth = ramp < HALF ? 0 : ramp - HALF;
+    return depth < FARTHEST ? depth : FARTHEST;
+}
+
+static void set_depths(uint32_t *depth, const qtri_fragments *at, int32_t count)
+{
+    const qtri_ramp *ramp = at->depth;
+    if (at->place != NULL) {
+        for (int32_t i = 0; i < count; i++) {
+            depth[i] = depth_of(qtri_list_at(ramp, at->place[i] & 0xFFFF, at->place[i] >> 16));
+        }
+        return;
+    }
+    uint32_t z = qtri_list_at(ramp, at->first & 0xFFFF, at->first >> 16);
+    for (int32_t i = 0; i < count; i++, z += ramp->dx) {
+        depth[i] = depth_of(z);
+    }
+}
+
+/* Where a fragment's depth is stored. */
+static inline uint8_t *stored_at(const qtri_surface *surface, uint32_t place)
+{
+    const ptrdiff_t bytes = surface->depth_format->bytes;
+    return (uint8_t *)surface->depth +
+           bytes * ((ptrdiff_t)(place >> 16) * surface->depth_pitch + (ptrdiff_t)(place & 0xFFFF));
+}
+
+/* Bits for less, equal and greater that a comparison has. */
+static uint32_t orders_of(qtri_compare compare)
+{
+    return compare > QTRI_ALWAYS ? 7 : (uint32_t)compare - QTRI_NEVER;
+}
+
+static inline uint32_t order_of(uint32_t depth, uint32_t stored)
+{
+    return depth < stored ? 1 : (depth == stored ? 2 : 4);
+}
+
+/*
+ * Of the mask's fragments those that pass; `writes`: and their depths are stored. bytes and is_row
+ * are constants where time counts.
+ */
+QTRI_INLINE uint32_t test(const qtri_surface *surface, uint32_t orders, const uint32_t *depth,
+                          const qtri_fragments *at, uint32_t mask, int32_t count, bool writes,
+                          int32_t bytes, bool is_row)
+{
+    const ptrdiff_t pitch = surface->depth_pitch * bytes;
+    const uint32_t *place = at->place;
+    uint8_t *const first = (uint8_t *)surface->depth;
+    uint8_t *to = is_row ? stored_at(surface, at->first) : first;
+    uint32_t passed = 0;
+    for (mask <<= 32 - count; count > 0; count--, mask <<= 1, depth++) {
+        passed <<= 1;
+        if ((int32_t)mask < 0) {
+            if (!is_row) {
+                to = first + (ptrdiff_t)(*place >> 16) * pitch +
+                     (ptrdiff_t)(*place & 0xFFFF) * bytes;
+            }
+            if ((orders & order_of(*depth, qtri_stored_get(bytes, to))) != 0) {
+                passed |= 1;
+                if (writes) {
+                    qtri_stored_put(bytes, to, *depth);
+                }
+            }
+        }
+        if (is_row) {
+            to += bytes;
+        } else {
+            place++;
+        }
+    }
+    return passed;
+}
+
+/* A function of its own, so that its stack is free again when fog and blend take theirs. */
+QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare compare,
+                                       const qtri_fragments *at, uint32_t mask, int32_t count,
+                                       bool writes)
+{
+    const uint32_t orders = orders_of(compare);
+    const int32_t bytes = surface->depth_format->bytes;
+    uint32_t depth[QTRI_BATCH];
+    set_depths(depth, at, count);
+    surface->depth_format->encode(depth, count);
+    if (at->place != NULL) {
+        return test(surface, orders, depth, at, mask, count, writes, bytes, false);
+    }
+    switch (QTRI_SHARE ? 0 : bytes) {
+    case 2:
+        return test(surface, orders, depth, at, mask, count, writes, 2, true);
+    case 4:
+        return test(surface, orders, depth, at, mask, count, writes, 4, true);
+    default:
+        return test(surface, orders, depth, at, mask, count, writes, bytes, true);
+    }
+}
+
+/* Fog and blend; NULL: neither. */
+static const qtri_effect_stages *others_of(const qtri_raster *raster)
+{
+    if (raster->fog != NULL) {
+        return raster->fog->stages->effects;
+    }
+    return raster->blend != NULL ? raster->blend->effects : NULL;
+}
+
+static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
+                      uint32_t mask, int32_t count)
+{
+    const qtri_surface *surface = raster->surface;
+    const qtri_effect_stages *after = others_of(raster);
+    const bool writes = raster->late_write;
+    mask = test_all(surface, raster->late_compare, at, mask, count, after == NULL && writes);
+    if (after != NULL && mask != 0) {
+        mask = after->fragments(raster, color, at, mask, count);
+        if (writes && mask != 0) {
+            (void)test_all(surface, QTRI_ALWAYS, at, mask, count, true);
+        }
+    }
+    return mask;
+}
+
+static const qtri_effect_stages effects = {apply, qtri_line_effects, qtri_span_fill};
+
+static void begin(qtri_raster *raster)
+{
+    if (raster->compare == QTRI_DEPTH_OFF) {
+        return;
+    }
+    if (qtri_sampling_of(raster->surface->format) != NULL) {
+        raster->compare = QTRI_NEVER; /* records have room for linear16 alone: nothing is drawn */
+        return;
+    }
+    if (raster->compare == QTRI_NEVER) {
+        return;
+    }
+    raster->late_compare = raster->compare;
+    raster->late_write = raster->depth_write;
+    raster->effects = &effects;
+    raster->compare = QTRI_DEPTH_OFF;
+    raster->depth_write = false;
+    raster->with_depth = true;
+    raster->alone = true;
+    raster->rejects = true;
+}
+
+/* Each chunk of a line ends its batch. */
+static void begin_lines(qtri_line_job *job, qtri_compare compare)
+{
+    if (job->surface->depth != NULL && compare != QTRI_DEPTH_OFF) {
+        job->testing = &qtri_depth_testing_stages;
+        job->effect = qtri_line_effects;
+        job->draw = qtri_line_draw_apart;
+        job->has_depth = false;
+    }
+}
+
+static uint32_t test_chunk(const qtri_raster *raster, const qtri_fragments *at, uint32_t mask,
+                           int32_t count)
+{
+    return test_all(raster->surface, raster->late_compare, at, mask, count, raster->late_write);
+}
+
+static bool passes(const qtri_surface *surface, qtri_compare compare, uint32_t place,
+                   uint32_t depth_16p16, bool write)
+{
+    const int32_t bytes = surface->depth_format->bytes;
+    uint8_t *at = stored_at(surface, place);
+    uint32_t depth = depth_16p16 < FARTHEST ? depth_16p16 : FARTHEST;
+    surface->depth_format->encode(&depth, 1);
+    if ((orders_of(compare) & order_of(depth, qtri_stored_get(bytes, at))) == 0) {
+        return false;
+    }
+    if (write) {
+        qtri_stored_put(bytes, at, depth);
+    }
+    return true;
+}
+
+/* Depths move towards the first: what is read was not written yet. */
+static uint16_t *flatten(const qtri_surface *surface)
+{
+    const qtri_depth_format *format = surface->depth_format;
+    const int32_t bytes = format->bytes;
+    const ptrdiff_t pitch = surface->depth_pitch < 0 ? -surface->depth_pitch : surface->depth_pitch;
+    uint8_t *first = (uint8_t *)surface->depth;
+    if (surface->depth_pitch < 0) {
+        first -= bytes * pitch * (surface->rows - 1);
+    }
+    uint16_t *to = (uint16_t *)(void *)first;
+    for (int32_t row = 0; row < surface->rows; row++) {
+        for (int32_t x = 0; x < surface->width; x += QTRI_BATCH) {
+            uint32_t depth[QTRI_BATCH];
+            const int32_t count = qtri_least32(QTRI_BATCH, surface->width - x);
+            const ptrdiff_t at = row * pitch + x;
+            for (int32_t i = 0; i < count; i++) {
+                depth[i] = qtri_stored_get(bytes, first + bytes * (at + i));
+            }
+            format->decode(depth, count);
+            for (int32_t i = 0; i < count; i++) {
+                to[at + i] = (uint16_t)((depth[i] < FARTHEST ? depth[i] + HALF : FARTHEST) >> 16);
+            }
+        }
+    }
+    return to;
+}
+
+/* Depths, as pixels of a surface. */
+static void fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
+{
+    const qtri_pixels memory = {surface->depth_format->bytes, NULL, NULL, NULL, NULL};
+    const qtri_format format = {&memory, NULL, NULL, NULL, NULL};
+    qtri_surface depths = *surface;
+    depths.format = &format;
+    depths.pixels = (uint8_t *)surface->depth;
+    depths.pitch = memory.bytes * surface->depth_pitch;
+    surface->depth_format->encode(&depth_16p16, 1);
+    qtri_fill_rect(&depths, rect, depth_16p16);
+}
+
+const qtri_depth_testing qtri_depth_testing_stages = {&effects, begin, begin_lines, test_chunk,
+                                                      passes,   fill,  flatten};
