@@ -35,11 +35,11 @@ static double log_error(uint32_t x, double log)
 /* From the largest result down, while its error may still be `searched`. */
 static void try_powers(q16 x, double log, double error, double searched, verify_row *row)
 {
-    double most = floor(fmin(fabs(TOP_LOG / log), 32768) * 65536);
-    for (double size = fmin(most + 1, 2147483647); size > 0; size--) {
+    const int64_t most = (int64_t)(fmin(fabs(TOP_LOG / log), 32768) * 65536);
+    for (int64_t size = most < INT32_MAX ? most + 1 : INT32_MAX; size > 0; size--) {
         const q16 pair[2] = {x, (q16)(log < 0 ? -size : size)};
         double exact = (double)(65536 * powl(x / 65536.0L, pair[1] / 65536.0L));
-        double at_most = .5 + (error * size / most + POWER_ERROR) * exact / TOP;
+        double at_most = .5 + (error * (double)size / (double)most + POWER_ERROR) * exact / TOP;
         if (at_most < searched) {
             return;
         }
