@@ -158,11 +158,6 @@ static inline int32_t share_of(uint32_t word)
     return (int32_t)(word & (((uint32_t)1 << LATE_BIT) - 1));
 }
 
-static inline uint32_t cover_of(uint32_t word)
-{
-    return word >> COVER_AT;
-}
-
 /* Colour words of a line in colours of its own. */
 static void color_words(uint32_t *word, const wire *w, const pixels *p)
 {
@@ -240,7 +235,7 @@ QTRI_NOINLINE static void store_some(const wire *w, const pixels *p, int32_t fir
         depth[i] = job->testing != NULL ? fine_depth(w, share_of(word)) + 0x8000u
                                         : (uint32_t)(w->z_16p14 + w->z_step * share_of(word)) << 2;
         depth[i] |= word >> LATE_BIT & 1;
-        share_q16[i] = (int32_t)(cover_of(word) << 6);
+        share_q16[i] = (int32_t)(word >> COVER_AT << 6);
     }
     qtri_effect_stages_of(job->material)->covered(job->surface, job->material, &covered);
 }
@@ -273,10 +268,10 @@ QTRI_NOINLINE static void store_plain(const wire *w, pixels *p)
     }
     if (format->colors == &qtri_colors_565) {
         for (int32_t i = 0; i < count; i++) {
-            word[i] = mix_565(word[i], under[i], cover_of(p->word[i]));
+            word[i] = mix_565(word[i], under[i], p->word[i] >> COVER_AT);
         }
     } else {
-        QTRI_MIX(word, under[i], count, format->colors, cover_of(p->word[i]), mix_channel)
+        QTRI_MIX(word, under[i], count, format->colors, p->word[i] >> COVER_AT, mix_channel)
     }
     if (format->encode != NULL) {
         format->encode(word, count);
