@@ -69,6 +69,11 @@ typedef struct qtri_format {
 
 extern const qtri_format qtri_rgb565;         /* uint16_t, red in the high bits */
 extern const qtri_format qtri_rgb565_swapped; /* its bytes exchanged, as displays on SPI want it */
+/*
+ * Stored as rgb565, but colours have 8 bits until then: one that light, texels, fog and blends make
+ * together is rounded once, within 3/4 of a step where &qtri_rgb565 reaches 1 1/4.
+ */
+extern const qtri_format qtri_rgb565_exact;
 extern const qtri_format qtri_rgb888;         /* three bytes: red, green, blue */
 extern const qtri_format qtri_bgr888;         /* three bytes: blue, green, red */
 extern const qtri_format qtri_xrgb8888;       /* uint32_t, 0x00RRGGBB */
