@@ -355,7 +355,7 @@ static void bands(void **state)
 /* What a channel's step is, of 255. */
 static double step_of(const qtri_format *format, int channel)
 {
-    return format->colors == &qtri_colors_565 ? 255 / (channel == 1 ? 63.0 : 31.0) : 1;
+    return format->pixels->bytes == 2 ? 255 / (channel == 1 ? 63.0 : 31.0) : 1;
 }
 
 /* Mixed pixels: the surface's own mixed in double precision; 1 of 255, 3/4 of a step of RGB565. */

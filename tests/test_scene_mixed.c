@@ -66,8 +66,9 @@ static void add(struct kind *kind, const struct scene *scene, const struct refer
 static void mixtures(void **state)
 {
     (void)state;
-    struct kind kinds[2] = {{"XRGB8888", &qtri_xrgb8888, {255, 255, 255}, 1, {0}},
-                            {"RGB565", &qtri_rgb565, {31, 63, 31}, .75, {0}}};
+    struct kind kinds[3] = {{"XRGB8888", &qtri_xrgb8888, {255, 255, 255}, 1, {0}},
+                            {"RGB565", &qtri_rgb565, {31, 63, 31}, .75, {0}},
+                            {"RGB565, exact", &qtri_rgb565_exact, {31, 63, 31}, .75, {0}}};
     const unsigned first = number_of("QTRI_SEED", 1);
     const unsigned count = number_of("QTRI_SCENES", 25);
     for (unsigned seed = first; seed < first + count; seed++) {
@@ -77,10 +78,11 @@ static void mixtures(void **state)
         assert_true(reference_render(&scene, 8, &image));
         add(&kinds[0], &scene, &image, seed);
         add(&kinds[1], &scene, &image, seed);
+        add(&kinds[2], &scene, &image, seed);
         reference_free(&image);
         scene_free(&scene);
     }
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
         const struct accuracy *a = &kinds[i].sum;
         print_message("%s: %llu pixels; per 100k: coverage %.2f, other triangle %.2f, beyond what "
                       "roundings allow %.2f; at most %.2f times that\n",
@@ -94,6 +96,7 @@ static void mixtures(void **state)
     }
     assert_true(accuracy_per_100k(kinds[0].sum.mixed_above, kinds[0].sum.mixed) <= 20);
     assert_true(accuracy_per_100k(kinds[1].sum.mixed_above, kinds[1].sum.mixed) <= 1500);
+    assert_true(accuracy_per_100k(kinds[2].sum.mixed_above, kinds[2].sum.mixed) <= 10);
 }
 
 /* The picture in bands, and one of any format, is that of the whole frame. */

@@ -156,7 +156,9 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     }
     QTRI_READ_AGAIN
     qtri_inverse_init(&inverse, p.size);
-    qtri_place_depth(&ramp, &p, &inverse, a, b, c);
+    if (!qtri_place_depth(&ramp, &p, &inverse, a, b, c, true)) {
+        return false;
+    }
     rows.z = ramp.origin;
     rows.z_dx = ramp.dx;
     rows.z_dy = ramp.dy;

@@ -21,7 +21,8 @@ typedef struct qtri_painter {
     const qtri_ink *ink;
     qtri_rect bounds;       /* not empty */
     uint32_t stored;        /* the brush's colour as a pixel */
-    qtri_channels channels; /* and exactly; only with an ink */
+    qtri_channels channels; /* and exactly; only with an ink, */
+    uint32_t color_888;     /*   as 0x00RRGGBB as well */
     uint32_t alpha;         /* 1..255 */
 } qtri_painter;
 

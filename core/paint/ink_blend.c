@@ -17,7 +17,7 @@ static void span_of_other(const qtri_painter *painter, uint8_t *at, int32_t coun
     const qtri_format *format = painter->surface->format;
     for (; count > 0; count--) {
         const uint32_t d = format->pixels->load(at);
-        qtri_mix_put(QTRI_MIX_OTHER, format, at, qtri_mix_other(format, d, painter->stored, a));
+        qtri_mix_put(QTRI_MIX_OTHER, format, at, qtri_mix_color(format, d, painter->color_888, a));
         at += format->pixels->bytes;
     }
 }
@@ -67,7 +67,7 @@ QTRI_INLINE void cover_of(qtri_mix mix, const qtri_painter *painter, uint8_t *at
             const uint32_t d = qtri_mix_get(mix, format, at);
             uint32_t mixed;
             if (mix == QTRI_MIX_OTHER) {
-                mixed = qtri_mix_other(format, d, stored, a);
+                mixed = qtri_mix_color(format, d, painter->color_888, a);
             } else {
                 mixed = qtri_mix_add(mix, d, 256 - a, qtri_mix_part_of(mix, &channels, stored, a));
             }

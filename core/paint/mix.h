@@ -63,7 +63,8 @@ static inline uint32_t qtri_swapped16(uint32_t x)
     return (x & 0xFF) << 8 | (x >> 8 & 0xFF);
 }
 
-/* Of a format whose pixels are nothing that is known here. */
+/* Of a format whose pixels are nothing that is known here: over it a colour, or what is stored. */
+uint32_t qtri_mix_color(const qtri_format *format, uint32_t d, uint32_t color_888, uint32_t a);
 uint32_t qtri_mix_other(const qtri_format *format, uint32_t d, uint32_t s, uint32_t a);
 
 QTRI_INLINE uint32_t qtri_mix_stored(qtri_mix mix, const qtri_format *format, uint32_t d,

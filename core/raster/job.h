@@ -85,6 +85,8 @@ struct qtri_job {
     uint32_t pixel;             /* without attributes: the stored pixel; textured: the shade */
     int32_t anchor_x, anchor_y; /* origin of the ramps */
     qtri_ramp depth;            /* 16.16 */
+    bool held;                  /* depths may leave the range: rows are filled by held.h */
+    int32_t depth_above;        /* when held: what the origin has above its 32 bits */
     qtri_attribute attribute[QTRI_PLANES];
     union {
         qtri_packed_steps step; /* when packed */

@@ -76,8 +76,8 @@ static inline void qtri_list_begin(qtri_list_values *v, const qtri_raster *raste
 static inline void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values *v)
 {
     if (v->raster->with_depth) {
-        qtri_place_depth(depth, v->t->place, &v->inverse, v->t->v[0], v->t->v[v->second],
-                         v->t->v[v->third]);
+        (void)qtri_place_depth(depth, v->t->place, &v->inverse, v->t->v[0], v->t->v[v->second],
+                               v->t->v[v->third], false);
     }
 }
 

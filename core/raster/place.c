@@ -14,6 +14,22 @@ bool qtri_inv_w_more(int32_t *more, const qtri_vertex *a, const qtri_vertex *b)
     return difference + limit <= 2 * limit;
 }
 
+QTRI_NOINLINE qtri_placed qtri_place_uneven(qtri_place *p, const qtri_vertex *a,
+                                            const qtri_vertex *b, const qtri_vertex *c)
+{
+    const int32_t z0 = (int32_t)(a->depth_16p8 >> 8);
+    const int32_t z1 = (int32_t)(b->depth_16p8 >> 8) - z0;
+    const int32_t z2 = (int32_t)(c->depth_16p8 >> 8) - z0;
+    int32_t more[2];
+    if (qtri_place_is_steep(p, z1, z2) || !qtri_inv_w_more(&more[0], a, b) ||
+        !qtri_inv_w_more(&more[1], a, c)) {
+        return QTRI_PLACED_LARGE;
+    }
+    p->more1 = more[p->back ? 1 : 0];
+    p->more2 = more[p->back ? 0 : 1];
+    return QTRI_PLACED_SMALL;
+}
+
 bool qtri_place_cut(uint8_t *span, int32_t column, const qtri_rect *bounds)
 {
     const int32_t least = qtri_hold32(bounds->x0 - column, 0, QTRI_PLACE_STOP - 1);

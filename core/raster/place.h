@@ -2,10 +2,10 @@
 /*
  * Where a small triangle is: its rows, and what its ramps have in common. Internal.
  *
- * Small is a triangle whose vertices 1 and 2 are within 36 pixels of vertex 0 in x and in y, and
- * 1/w at most 1/12 from that of vertex 0. That is asked of the vertices alone, never of a scissor,
- * a band, a format or a material: so a triangle's depths are the same however often and in whatever
- * pieces of the frame it is drawn. All that follows fits 32 bits.
+ * Small is a triangle whose vertices 1 and 2 are within 36 pixels of vertex 0 in x and in y, 1/w at
+ * most 1/12 from that of vertex 0, and depth not steep. That is asked of the vertices alone, never
+ * of a scissor, a band, a format or a material: so a triangle's depths are the same however often
+ * and in whatever pieces of the frame it is drawn. All that follows fits 32 bits.
  */
 #ifndef QTRI_RASTER_PLACE_H
 #define QTRI_RASTER_PLACE_H
@@ -117,6 +117,32 @@ static inline int32_t qtri_greatest_from_0(int32_t a, int32_t b)
 {
     a &= ~qtri_sign(a);
     return a > b ? a : b;
+}
+
+/* Depths that differ from that of vertex 0 by less than 2^10 are not steep. */
+#define QTRI_PLACE_STEEP_LOG2 10
+
+/* Of differing bits of vertices' depth_16p8: exponents, and what steep depths have one of. */
+#define QTRI_PLACE_UNEVEN (UINT32_MAX << (16 + QTRI_PLACE_STEEP_LOG2) | 0xFF)
+
+/*
+ * Whether half a step of 1/256 pixel, by which vertices are snapped, may be a step of depth and
+ * more: a small triangle knows nothing of unsnapped.h. z1, z2: depths from vertex 0, times 2^8.
+ *
+ * The slopes along x and y together are at most 2^8 range (width + height) / size a pixel, and
+ * 1/512 pixel of it is what snapping does. range < 2^16, width + height < 2^15.3.
+ */
+static inline bool qtri_place_is_steep(const qtri_place *p, int32_t z1, int32_t z2)
+{
+    if ((qtri_about(z1) | qtri_about(z2)) >> (8 + QTRI_PLACE_STEEP_LOG2) == 0) {
+        return false;
+    }
+    const uint32_t range =
+        (uint32_t)(qtri_greatest_from_0(z1, z2) - qtri_least_from_0(z1, z2)) >> 8;
+    const uint32_t extent =
+        (uint32_t)(qtri_greatest_from_0(p->dx1, p->dx2) - qtri_least_from_0(p->dx1, p->dx2) +
+                   qtri_greatest_from_0(p->dy1, p->dy2) - qtri_least_from_0(p->dy1, p->dy2));
+    return range * extent > 2 * p->size;
 }
 
 /* What 1/w of b has more than that of a, in the scale of a. False: that is more than 1/12 of it. */
@@ -236,6 +262,10 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     return QTRI_PLACED_SMALL;
 }
 
+/* The end of qtri_place_near() where depths or 1/w may differ by too much. */
+qtri_placed qtri_place_uneven(qtri_place *p, const qtri_vertex *a, const qtri_vertex *b,
+                              const qtri_vertex *c);
+
 /* All of it. */
 static inline qtri_placed qtri_place_near(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
                                           const qtri_raster *raster, const qtri_vertex *a,
@@ -246,16 +276,11 @@ static inline qtri_placed qtri_place_near(qtri_place *p, uint8_t spans[QTRI_PLAC
     if (placed != QTRI_PLACED_SMALL) {
         return placed;
     }
-    int32_t b_more = (int32_t)(b->inv_w - a->inv_w);
-    int32_t c_more = (int32_t)(c->inv_w - a->inv_w);
-    if (((exponents & 0xFF) | (qtri_about(b_more) | qtri_about(c_more)) >> 26) != 0) {
-        int32_t more[2];
+    const int32_t b_more = (int32_t)(b->inv_w - a->inv_w);
+    const int32_t c_more = (int32_t)(c->inv_w - a->inv_w);
+    if (((exponents & QTRI_PLACE_UNEVEN) | (qtri_about(b_more) | qtri_about(c_more)) >> 26) != 0) {
         QTRI_RARELY();
-        if (!qtri_inv_w_more(&more[0], a, b) || !qtri_inv_w_more(&more[1], a, c)) {
-            return QTRI_PLACED_LARGE;
-        }
-        b_more = more[0];
-        c_more = more[1];
+        return qtri_place_uneven(p, a, b, c);
     }
     p->more1 = p->back ? c_more : b_more;
     p->more2 = p->back ? b_more : c_more;

@@ -95,10 +95,13 @@ static inline void qtri_place_ramp(qtri_ramp *ramp, const qtri_place *p, const q
     }
 }
 
-/* Depth, 16.16 with the half that rounds; b and c in the order of the place. */
-static inline void qtri_place_depth(qtri_ramp *ramp, const qtri_place *p, const qtri_inverse *by,
+/*
+ * Depth, 16.16 with the half that rounds; b and c in the order of the place. False when it `asks`
+ * and depth is steep: what qtri_place_near() finds small is not.
+ */
+static inline bool qtri_place_depth(qtri_ramp *ramp, const qtri_place *p, const qtri_inverse *by,
                                     const qtri_vertex *a, const qtri_vertex *b,
-                                    const qtri_vertex *c)
+                                    const qtri_vertex *c, bool asks)
 {
     const uint32_t z0 = a->depth_16p8 >> 8;
     const int32_t z1 = (int32_t)((b->depth_16p8 >> 8) - z0);
@@ -106,9 +109,13 @@ static inline void qtri_place_depth(qtri_ramp *ramp, const qtri_place *p, const 
     const uint32_t f0 = (a->depth_16p8 & ~0xFFu) + 0x8000u;
     if ((qtri_about(z1) | qtri_about(z2)) >> 16 == 0) {
         qtri_place_ramp(ramp, p, by, f0, z1, z2);
-    } else {
-        qtri_place_ramp_rare(ramp, p, f0, z1, z2);
+        return true;
     }
+    if (asks && qtri_place_is_steep(p, z1, z2)) {
+        return false;
+    }
+    qtri_place_ramp_rare(ramp, p, f0, z1, z2);
+    return true;
 }
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "setup.h"
 
+#include "held.h"
 #include "packed.h"
 #include "perspective.h"
 #include "shading.h"
@@ -263,6 +264,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     job->packed = false;
     job->copies = false;
     job->shaded = false;
+    job->held = false;
     job->cut = triangle->cut;
     job->first = QTRI_U;
     job->end = raster->texture != NULL ? QTRI_ATTRIBUTES : QTRI_U;
@@ -272,8 +274,11 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     qtri_unsnapped_init(&unsnapped, raster, triangle, v);
     if (raster->with_depth) {
         uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
-        qtri_unsnapped_move(depth, &unsnapped, 0, (uint32_t)65535 << 16);
-        ramp_init(&job->depth, &gradient, depth);
+        job->held = qtri_unsnapped_move(depth, &unsnapped, 0, (uint32_t)65535 << 16) &&
+                    qtri_held_init(job, v, &gradient, &unsnapped);
+        if (!job->held) {
+            ramp_init(&job->depth, &gradient, depth);
+        }
     }
     if (raster->varying != NULL) {
         return raster->varying->set_job(job, triangle, v, &gradient, &unsnapped);

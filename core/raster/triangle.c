@@ -4,14 +4,24 @@
 #include "../geometry/projector.h"
 #include "blend_vertex.h"
 #include "checked.h"
+#include "held.h"
 #include "small.h"
 #include "rows.h"
 #include "samples.h"
 #include "setup.h"
 
+static void fill_rows(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
+                      qtri_fill_rows fill)
+{
+    if (job->held) {
+        qtri_held_fill(job, spans, row, count, fill);
+    } else {
+        fill(job, spans, row, count);
+    }
+}
+
 /* Apart, as its edges take stack that most triangles do without. */
-QTRI_NOINLINE static void fill_tall(const qtri_job *job, qtri_triangle *triangle,
-                                    qtri_fill_rows fill)
+QTRI_NOINLINE static void fill_tall(qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
 {
     qtri_rows rows;
     qtri_rows_init(&rows, triangle);
@@ -21,15 +31,15 @@ QTRI_NOINLINE static void fill_tall(const qtri_job *job, qtri_triangle *triangle
         if (count == 0) {
             break;
         }
-        fill(job, triangle->spans, row, count);
+        fill_rows(job, triangle->spans, row, count, fill);
     }
 }
 
-void qtri_triangle_fill(const qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
+void qtri_triangle_fill(qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
 {
     qtri_list_flush(job->raster);
     if (QTRI_WITH_FAST_PATHS && triangle->is_short) {
-        fill(job, triangle->spans, triangle->row, triangle->end - triangle->row);
+        fill_rows(job, triangle->spans, triangle->row, triangle->end - triangle->row, fill);
     } else {
         fill_tall(job, triangle, fill);
     }

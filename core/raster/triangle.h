@@ -130,7 +130,7 @@ void qtri_triangle_draw_plain(const qtri_raster *raster, qtri_triangle *triangle
  * The second half of that: after qtri_job_init, which returns `fill`. For callers whose attributes
  * are to take no stack while rows are filled.
  */
-void qtri_triangle_fill(const qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill);
+void qtri_triangle_fill(qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill);
 
 /* All of it, for a vertex as the public header has it. */
 void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3]);

@@ -131,20 +131,23 @@ int64_t qtri_unsnapped_less(const qtri_unsnapped *u, const uint32_t f[3], int i,
     return (sum + ((int64_t)1 << (down - 1))) >> down;
 }
 
-void qtri_unsnapped_move(uint32_t f[3], const qtri_unsnapped *u, uint32_t least, uint32_t greatest)
+bool qtri_unsnapped_move(uint32_t f[3], const qtri_unsnapped *u, uint32_t least, uint32_t greatest)
 {
     if (!u->is_on) {
-        return;
+        return false;
     }
     uint32_t moved[3];
+    bool any = false;
     for (int i = 0; i < 3; i++) {
         const int64_t value = (int64_t)f[i] - qtri_unsnapped_less(u, f, i, 0);
         const int64_t held = value < (int64_t)least ? (int64_t)least : value;
         moved[i] = (uint32_t)(held > (int64_t)greatest ? (int64_t)greatest : held);
+        any |= value != (int64_t)moved[i];
     }
     for (int i = 0; i < 3; i++) {
         f[i] = moved[i];
     }
+    return any;
 }
 
 void qtri_unsnapped_move_inside(uint32_t f[3], const qtri_unsnapped *u)
@@ -152,7 +155,7 @@ void qtri_unsnapped_move_inside(uint32_t f[3], const qtri_unsnapped *u)
     uint32_t least;
     uint32_t greatest;
     find_range(&least, &greatest, f);
-    qtri_unsnapped_move(f, u, least, greatest);
+    (void)qtri_unsnapped_move(f, u, least, greatest);
 }
 
 void qtri_unsnapped_plane(qtri_plane *plane, const qtri_gradient *gradient, const qtri_unsnapped *u,
@@ -160,7 +163,7 @@ void qtri_unsnapped_plane(qtri_plane *plane, const qtri_gradient *gradient, cons
 {
     const uint32_t above = u->is_on ? (uint32_t)1 << 30 : 0;
     uint32_t moved[3] = {f[0] + above, f[1] + above, f[2] + above};
-    qtri_unsnapped_move(moved, u, 0, UINT32_MAX);
+    (void)qtri_unsnapped_move(moved, u, 0, UINT32_MAX);
     qtri_plane_init(plane, gradient, moved);
     plane->origin -= (uint64_t)above << 16;
 }

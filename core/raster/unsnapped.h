@@ -50,8 +50,8 @@ void qtri_unsnapped_init(qtri_unsnapped *unsnapped, const qtri_raster *raster,
 /* Less at vertex i, in units of f times 2^-up; up <= 16. */
 int64_t qtri_unsnapped_less(const qtri_unsnapped *unsnapped, const uint32_t f[3], int i, int up);
 
-/* f at the snapped vertices, within these bounds. */
-void qtri_unsnapped_move(uint32_t f[3], const qtri_unsnapped *unsnapped, uint32_t least,
+/* f at the snapped vertices, held within these bounds; true when one was not. */
+bool qtri_unsnapped_move(uint32_t f[3], const qtri_unsnapped *unsnapped, uint32_t least,
                          uint32_t greatest);
 
 /* The same within the range of the three. */

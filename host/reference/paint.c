@@ -117,14 +117,18 @@ static int count_inside(const struct shape *shape, int x, int y, int k)
     return inside;
 }
 
-/* Eight by eight points and the corners tell whether an edge passes through. */
-static double coverage(const struct shape *shape, int x, int y)
+/*
+ * Eight by eight points and the corners tell whether an edge passes through. What is left of a
+ * pixel may fall between all points: it has an edge nevertheless.
+ */
+static double coverage(const struct shape *shape, int x, int y, bool *is_edge)
 {
     int few = count_inside(shape, x, y, 8);
     int corners = is_inside(shape, x, y) + is_inside(shape, x + 1, y) + is_inside(shape, x, y + 1) +
                   is_inside(shape, x + 1, y + 1);
 
-    if ((few == 0 && corners == 0) || (few == 64 && corners == 4))
+    *is_edge = (few != 0 || corners != 0) && (few != 64 || corners != 4);
+    if (!*is_edge)
         return few / 64.0;
     return count_inside(shape, x, y, SAMPLES) / (double)(SAMPLES * SAMPLES);
 }
@@ -172,6 +176,14 @@ static void bounds(const struct ref_target *target, const struct shape *shape, i
     box[3] = (int)fmin(target->image->height, ceil(y1 + reach));
 }
 
+/* Shapes are given in 1/256 pixel, to nearest; the angles of an arc are degrees. */
+static double number(const struct scene_paint *paint, int i)
+{
+    double n = (double)paint->number[i] / 65536.0;
+
+    return paint->kind == SCENE_PAINT_ARC && i >= 4 ? n : floor(n * 256 + 0.5) / 256;
+}
+
 static void paint_shape(struct ref_target *target, const struct scene_paint *paint,
                         const double color[3], double alpha)
 {
@@ -179,14 +191,15 @@ static void paint_shape(struct ref_target *target, const struct scene_paint *pai
     int box[4];
 
     for (int i = 0; i < SCENE_PAINT_NUMBERS; i++)
-        shape.n[i] = (double)paint->number[i] / 65536.0;
+        shape.n[i] = number(paint, i);
     bounds(target, &shape, box);
     for (int y = box[1]; y < box[3]; y++) {
         for (int x = box[0]; x < box[2]; x++) {
-            double share = paint->is_smooth ? coverage(&shape, x, y)
+            bool is_edge = false;
+            double share = paint->is_smooth ? coverage(&shape, x, y, &is_edge)
                                             : (double)is_inside(&shape, x + 0.5, y + 0.5);
             if (share > 0)
-                mix(target, x, y, color, alpha * share, share < 1);
+                mix(target, x, y, color, alpha * share, is_edge);
         }
     }
 }

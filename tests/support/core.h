@@ -135,10 +135,10 @@ static inline void assert_near(double value, double expected, double tolerance)
 /* One of the formats that are drawn on. */
 static inline const qtri_format *drawn_format(int32_t n)
 {
-    static const qtri_format *const formats[6] = {&qtri_rgb565, &qtri_xrgb8888,
-                                                  &qtri_gray8,  &qtri_rgb565_swapped,
-                                                  &qtri_rgb888, &qtri_bgr888};
-    return formats[n % 6];
+    static const qtri_format *const formats[7] = {
+        &qtri_rgb565, &qtri_xrgb8888, &qtri_gray8,       &qtri_rgb565_swapped,
+        &qtri_rgb888, &qtri_bgr888,   &qtri_rgb565_exact};
+    return formats[n % 7];
 }
 
 /* Clears to what linear16 stores so; the nearest q16 is within 1/2 of 65535/65536 of a step. */

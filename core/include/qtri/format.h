@@ -69,10 +69,18 @@ typedef struct qtri_format {
 
 extern const qtri_format qtri_rgb565;         /* uint16_t, red in the high bits */
 extern const qtri_format qtri_rgb565_swapped; /* its bytes exchanged, as displays on SPI want it */
-extern const qtri_format qtri_rgb888;         /* three bytes: red, green, blue */
-extern const qtri_format qtri_bgr888;         /* three bytes: blue, green, red */
-extern const qtri_format qtri_xrgb8888;       /* uint32_t, 0x00RRGGBB */
-extern const qtri_format qtri_gray8;          /* uint8_t, luma .299 R + .587 G + .114 B */
+/*
+ * Stored as rgb565, but colours have 8 bits until then: one that light, texels, fog and blends make
+ * together is rounded once, within 3/4 of a step where &qtri_rgb565 reaches 1 1/4. It has no fused
+ * loops: on a Cortex-M0+ and an M3 a flat pixel takes 14 / 13 instructions in place of 8 / 7, one
+ * of smooth colours 64 / 47, with fog 78 / 40 more and half transparent 139 / 84 more. Pictures
+ * that are blended are converted first.
+ */
+extern const qtri_format qtri_rgb565_exact;
+extern const qtri_format qtri_rgb888;   /* three bytes: red, green, blue */
+extern const qtri_format qtri_bgr888;   /* three bytes: blue, green, red */
+extern const qtri_format qtri_xrgb8888; /* uint32_t, 0x00RRGGBB */
+extern const qtri_format qtri_gray8;    /* uint8_t, luma .299 R + .587 G + .114 B */
 
 /* Pixels that are not there: a surface of this format takes depth and leaves its memory alone. */
 extern const qtri_format qtri_depth_only;
