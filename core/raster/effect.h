@@ -29,6 +29,7 @@ struct qtri_effect_stages {
     qtri_effect fragments;
     qtri_line_effect line;
     qtri_fill_rows fill; /* rows of large triangles, of one colour too */
+    qtri_effect_row (*row)(const qtri_raster *raster); /* NULL: none */
 };
 extern const qtri_effect_stages qtri_effects;
 
@@ -39,6 +40,7 @@ struct qtri_fog_stages {
     /* Colours, of the format's kind or `wide`, in place. */
     void (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                   int32_t count);
+    qtri_effect_row row; /* where fog is all, of plain pixels: see effect.c */
 };
 typedef struct qtri_fog_stages qtri_fog_stages;
 
@@ -50,7 +52,8 @@ struct qtri_blend {
      */
     uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count);
-    bool rejects; /* the mask may lose some */
+    qtri_effect_row row; /* where the blend is all, of plain pixels; NULL: none */
+    bool rejects;        /* the mask may lose some */
 };
 
 /* Of a material with fog or a blend; NULL: neither. */
