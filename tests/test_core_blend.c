@@ -408,6 +408,65 @@ static void fogs(void **state)
     canvas_free(&c);
 }
 
+/* Some fog that begins near and is nearly whole far away. */
+static void random_fog(qtri_fog *fog, uint64_t *seed)
+{
+    const qtri_fog_range range = {Q16_ONE / 4, random_in(seed, Q16_ONE, 100 * Q16_ONE),
+                                  random_flag(seed)};
+    const qtri_rgb color = {(uint8_t)random_in(seed, 0, 255), (uint8_t)random_in(seed, 0, 255),
+                            (uint8_t)random_in(seed, 0, 255)};
+    if (random_flag(seed)) {
+        qtri_fog_linear(fog, color, range, random_in(seed, 0, Q16_ONE),
+                        random_in(seed, Q16_ONE, 100 * Q16_ONE));
+    } else {
+        qtri_fog_exp(fog, color, range, random_in(seed, 0, 2 * Q16_ONE));
+    }
+}
+
+/*
+ * Rows of RGB565 are blended and fogged where they are. With its bytes exchanged they are not: the
+ * pixels are the same.
+ */
+static void rows(void **state)
+{
+    (void)state;
+    uint64_t seed = 17;
+    canvas c[2] = {canvas_new(&qtri_rgb565, WIDTH, HEIGHT),
+                   canvas_new(&qtri_rgb565_swapped, WIDTH, HEIGHT)};
+    for (int n = 0; n < 3000; n++) {
+        static const qtri_blend *const chosen[] = {&qtri_blend_alpha, &qtri_blend_add, NULL};
+        const uint8_t rgb[3] = {0, 0, 0};
+        qtri_fog fog;
+        qtri_material m = blended(chosen[n % 3], random_in(&seed, 0, 255));
+        qtri_screen_vertex v[3];
+        m.alpha = n % 7 == 0 ? 255 : m.alpha;
+        m.shading = random_flag(&seed) ? QTRI_FLAT_FIRST : QTRI_SMOOTH;
+        m.depth_compare = random_flag(&seed) ? QTRI_ALWAYS : QTRI_LESS;
+        random_triangle(v, &seed, rgb);
+        for (int i = 0; i < 9; i++) {
+            v[i / 3].color_8p16[i % 3] = random_in(&seed, 0, 255 * 65536);
+        }
+        if (m.blend == NULL) {
+            random_fog(&fog, &seed);
+            m.fog = &fog;
+        }
+        for (int k = 0; k < 2; k++) {
+            qtri_raster_triangle(&c[k].surface, &m, v);
+        }
+        if (n % 50 == 49) {
+            for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+                const uint32_t swapped = stored_pixel(&c[1].surface, i % WIDTH, i / WIDTH);
+                assert_int_equal(stored_pixel(&c[0].surface, i % WIDTH, i / WIDTH),
+                                 (swapped << 8 | swapped >> 8) & 0xFFFF);
+            }
+            canvas_clear(&c[0]);
+            canvas_clear(&c[1]);
+        }
+    }
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+}
+
 /* Any parameters; fog that nobody set is none. */
 static void extremes(void **state)
 {
@@ -548,9 +607,10 @@ static void biases(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mixes), cmocka_unit_test(texels),   cmocka_unit_test(once),
-        cmocka_unit_test(heaps), cmocka_unit_test(fogs),     cmocka_unit_test(extremes),
-        cmocka_unit_test(doors), cmocka_unit_test(channels), cmocka_unit_test(biases)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(mixes),  cmocka_unit_test(texels),
+                                       cmocka_unit_test(once),   cmocka_unit_test(heaps),
+                                       cmocka_unit_test(fogs),   cmocka_unit_test(extremes),
+                                       cmocka_unit_test(doors),  cmocka_unit_test(channels),
+                                       cmocka_unit_test(biases), cmocka_unit_test(rows)};
     return cmocka_run_group_tests_name("core blend", tests, NULL, NULL);
 }

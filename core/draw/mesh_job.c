@@ -93,7 +93,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
         raster->lamp.find = qtri_mesh_find_light;
         raster->lamp.from = draw;
         raster->lamp.by_vertex = draw->lit_per_vertex;
-        raster->tint_small = !draw->more && qtri_tint_fits(raster) ? qtri_tint_less : NULL;
+        raster->tint_small = !draw->more && qtri_tint_fits(raster) ? qtri_tint_draw : NULL;
     }
 }
 

@@ -38,7 +38,7 @@ void qtri_lit_list(const qtri_raster *raster, int32_t count);
  * and the loop, see raster.h.
  */
 bool qtri_tint_fits(const qtri_raster *raster);
-bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
+bool qtri_tint_draw(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
                     qtri_vertex *c);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Small triangles of a mesh of one colour, as most are: in surfaces of 16 bits with depth "less"
- * and written, whose rows of pixels and of depths are equally far apart. Light looks its pixel up
- * in a table, which is made once a draw call.
+ * Small triangles of a mesh of one colour, as most are: in surfaces of 16 bits with depth "less",
+ * or "less or equal", and written, whose rows of pixels and of depths are equally far apart. Light
+ * looks its pixel up in a table, which is made once a draw call.
  */
 #include "../geometry/projector.h"
 #include "../raster/list_values.h"
@@ -28,7 +28,8 @@ static inline uint16_t *at_address(uintptr_t address)
 }
 
 /* Of the table's colours or of one pixel. */
-static inline void fill(const tint_rows *rows, const uint8_t *span, uint32_t pixel, bool smooth)
+QTRI_INLINE void fill(const tint_rows *rows, const uint8_t *span, uint32_t pixel, bool smooth,
+                      bool equal)
 {
     uint32_t z_row = rows->z;
     uint32_t z_step = rows->z_dx;
@@ -47,7 +48,7 @@ static inline void fill(const tint_rows *rows, const uint8_t *span, uint32_t pix
             const uint16_t *stop = at_address(depths + 2 * end);
             const uint16_t *table = smooth ? rows->table : NULL;
             do {
-                if (z >> 16 < *at) {
+                if (qtri_passes(z >> 16, *at, equal)) {
                     QTRI_BRANCH
                     *at = (uint16_t)(z >> 16);
                     *at_address((uintptr_t)at + apart) =
@@ -68,6 +69,22 @@ static inline void fill(const tint_rows *rows, const uint8_t *span, uint32_t pix
             light_row += rows->light_dy;
         }
         depths += rows->pitch;
+    }
+}
+
+#ifdef __OPTIMIZE_SIZE__ /* where the stages draw them */
+#define EQUAL(raster) false
+#else
+#define EQUAL(raster) ((raster)->compare == QTRI_LESS_EQUAL)
+#endif
+
+QTRI_NOINLINE static void fill_equal(const tint_rows *rows, const uint8_t *span, uint32_t pixel,
+                                     bool smooth)
+{
+    if (smooth) {
+        fill(rows, span, 0, true, true);
+    } else {
+        fill(rows, span, pixel, false, true);
     }
 }
 
@@ -106,11 +123,12 @@ bool qtri_tint_fits(const qtri_raster *raster)
 {
     const qtri_surface *surface = raster->surface;
     return QTRI_WITH_FAST_PATHS && raster->format->pixels == &qtri_pixels_16 &&
-           raster->compare == QTRI_LESS && raster->depth_write && raster->effects == NULL &&
-           raster->route == NULL && surface->pitch == 2 * surface->depth_pitch;
+           (raster->compare == QTRI_LESS || EQUAL(raster)) && raster->depth_write &&
+           raster->effects == NULL && raster->route == NULL &&
+           surface->pitch == 2 * surface->depth_pitch;
 }
 
-bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
+bool qtri_tint_draw(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
                     qtri_vertex *c)
 {
     uint8_t spans[QTRI_PLACE_SPANS];
@@ -171,8 +189,14 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
         rows.light_dx = 0;
         rows.light_dy = 0;
         rows.table = NULL;
-        fill(&rows, p.first, qtri_raster_stored(raster, qtri_raster_tinted(raster, light_q15, 15)),
-             false);
+        const uint32_t pixel =
+            qtri_raster_stored(raster, qtri_raster_tinted(raster, light_q15, 15));
+        if (EQUAL(raster)) {
+            const tint_rows copy = rows; /* or all of it would be in memory */
+            fill_equal(&copy, p.first, pixel, false);
+        } else {
+            fill(&rows, p.first, pixel, false, false);
+        }
         return true;
     }
     if (!raster->batch->has_table) {
@@ -185,7 +209,12 @@ bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex 
     rows.light_dx = ramp.dx;
     rows.light_dy = ramp.dy;
     rows.table = raster->batch->by.table;
+    if (EQUAL(raster)) {
+        const tint_rows copy = rows;
+        fill_equal(&copy, p.first, 0, true);
+        return true;
+    }
     QTRI_READ_AGAIN
-    fill(&rows, p.first, 0, true);
+    fill(&rows, p.first, 0, true, false);
     return true;
 }

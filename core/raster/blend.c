@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "effect.h"
+#include "blend_row.h"
 #include "stage_color.h"
 
 #include "../frame/barrier.h"
@@ -196,22 +196,8 @@ static inline uint32_t times(uint32_t c, uint32_t s, uint32_t most)
 }
 #define TIMES(c, s, k, most) ((void)(k), times(c, s, most))
 
-/*
- * Pixels of RGB565, red and blue in one word: shares of 64 of 31 steps fit between them, and are
- * off by 1/128, .25 of a step; those of green are of 256, off by 1/512, .13 of one.
- */
 #define RED_BLUE 0xF81Fu
 #define GREEN    0x07E0u
-
-typedef struct share_565 {
-    uint32_t red_blue, green;
-} share_565;
-
-static inline share_565 share_565_of(uint32_t alpha)
-{
-    const share_565 share = {(alpha * 257 + 512) >> 10, alpha + (alpha >> 7)}; /* to nearest */
-    return share;
-}
 
 /* ONE(i), which replaces color[i], four at a time: they move on with what is under them. */
 #ifdef __OPTIMIZE_SIZE__
@@ -241,7 +227,7 @@ static inline share_565 share_565_of(uint32_t alpha)
 QTRI_NOINLINE static void over_565(uint32_t *color, const uint16_t *under, int32_t count,
                                    uint32_t alpha)
 {
-    const share_565 share = share_565_of(alpha);
+    const qtri_share_565 share = qtri_share_565_of(alpha);
     uint32_t mask = RED_BLUE;
     uint32_t green_mask = GREEN;
     uint32_t half = 0x10020u;
@@ -301,7 +287,7 @@ QTRI_NOINLINE static void sum_565(uint32_t *color, const uint16_t *under, int32_
 QTRI_NOINLINE static void add_565(uint32_t *color, const uint16_t *under, int32_t count,
                                   uint32_t alpha)
 {
-    const share_565 share = share_565_of(alpha);
+    const qtri_share_565 share = qtri_share_565_of(alpha);
     uint32_t mask = RED_BLUE;
     uint32_t lanes = 0x07E0F81Fu;
     uint32_t over = 0x08010020u;
@@ -485,9 +471,9 @@ static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const qt
     return mask;
 }
 
-const qtri_blend qtri_blend_alpha = {&qtri_effects, blend_alpha, false, NULL};
-const qtri_blend qtri_blend_add = {&qtri_effects, blend_add, false, NULL};
-const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, false, NULL};
-const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, false, NULL};
-const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, false, NULL};
-const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, true, NULL};
+const qtri_blend qtri_blend_alpha = {&qtri_effects, blend_alpha, qtri_blend_row_alpha, false, NULL};
+const qtri_blend qtri_blend_add = {&qtri_effects, blend_add, qtri_blend_row_add, false, NULL};
+const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, NULL, false, NULL};
+const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, NULL, false, NULL};
+const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, NULL, false, NULL};
+const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, NULL, true, NULL};

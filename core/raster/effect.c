@@ -12,5 +12,19 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
     return raster->blend != NULL ? raster->blend->apply(raster, color, at, mask, count) : mask;
 }
 
+/* Plain pixels are colours of the kind 565 as they are, of which all channels are written. */
+static qtri_effect_row row_of(const qtri_raster *raster)
+{
+    const qtri_format *format = raster->format;
+    if (format->colors != &qtri_colors_565 || format->encode != NULL ||
+        format->pixels->bytes != 2 || raster->wide || raster->keep != 0) {
+        return NULL;
+    }
+    if (raster->fog == NULL) {
+        return raster->blend->row;
+    }
+    return raster->blend == NULL ? raster->fog->stages->row : NULL;
+}
+
 const qtri_effect_stages qtri_effects = {apply, qtri_line_effects, qtri_span_fill,
-                                         qtri_stroke_effects};
+                                         qtri_stroke_effects, row_of};

@@ -48,6 +48,7 @@ struct qtri_effect_stages {
     qtri_line_effect line;
     qtri_fill_rows fill; /* rows of large triangles, of one colour too */
     qtri_cover_effect covered;
+    qtri_effect_row (*row)(const qtri_raster *raster); /* NULL, or what it returns: none */
 };
 extern const qtri_effect_stages qtri_effects;
 
@@ -58,6 +59,7 @@ struct qtri_fog_stages {
     /* Colours, of the format's kind or `wide`, in place. */
     void (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                   int32_t count);
+    qtri_effect_row row; /* where fog is all, of plain pixels: see effect.c */
 };
 typedef struct qtri_fog_stages qtri_fog_stages;
 
@@ -69,6 +71,7 @@ struct qtri_blend {
      */
     uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count);
+    qtri_effect_row row;                /* where the blend is all, of plain pixels; NULL: none */
     bool rejects;                       /* the mask may lose some */
     const qtri_vertex_blend *by_vertex; /* alpha varies: see blend_vertex.h; NULL: it does not */
 };

@@ -91,24 +91,40 @@ QTRI_NOINLINE static int32_t shares_in(uint32_t *share, const fog_step *s, uint3
     const uint32_t shift = s->shift;
     const int32_t slope = s->slope;
     int32_t base = s->base;
-    for (; share <= last && within + 3 * step < s->size; share += 4) {
 #define ONE(i)                                                                                     \
     {                                                                                              \
         int32_t f = (base + (int32_t)(within >> shift) * slope) >> PART_BITS;                      \
-        if ((uint32_t)f > 1024) {                                                                  \
-            f = f < 0 ? 0 : 1024;                                                                  \
-        }                                                                                          \
+        HOLD(f)                                                                                    \
         share[i] = (uint32_t)f;                                                                    \
         within += step;                                                                            \
         QTRI_OPAQUE(within)                                                                        \
         QTRI_ASIDE(base)                                                                           \
     }
+#ifndef __OPTIMIZE_SIZE__
+    const int32_t at_end = base + (int32_t)((s->size - 1) >> shift) * slope;
+    const bool inside = (uint32_t)(base >> PART_BITS) <= 1024 && /* then all between is as well */
+                        (uint32_t)(at_end >> PART_BITS) <= 1024;
+#define HOLD(f)
+    for (; inside && share <= last && within + 3 * step < s->size; share += 4) {
         ONE(0)
         ONE(1)
         ONE(2)
         ONE(3)
-#undef ONE
     }
+#undef HOLD
+#endif
+#define HOLD(f)                                                                                    \
+    if ((uint32_t)(f) > 1024) {                                                                    \
+        (f) = (f) < 0 ? 0 : 1024;                                                                  \
+    }
+    for (; share <= last && within + 3 * step < s->size; share += 4) {
+        ONE(0)
+        ONE(1)
+        ONE(2)
+        ONE(3)
+    }
+#undef HOLD
+#undef ONE
     return (int32_t)(share - first);
 }
 
@@ -148,32 +164,41 @@ QTRI_NOINLINE static void shares_of_places(uint32_t *share, const qtri_fog *fog,
 }
 
 /* As blend.c mixes RGB565, of 64 and of 256, each within 1/2. */
-QTRI_NOINLINE static void mix_565(uint32_t *color, uint32_t gray, const uint32_t *share,
-                                  int32_t count)
+typedef struct mix_565 {
+    uint32_t mask, green_mask;
+    uint32_t less, green_less; /* the fog's */
+    uint32_t more, green_more; /* the same in shares, with the half that rounds */
+} mix_565;
+
+static inline mix_565 mix_565_of(uint32_t gray)
 {
     const uint32_t rb = gray & 0xF81F;
     const uint32_t g = gray & 0x07E0;
-    uint32_t less = 0 - rb;
-    uint32_t green_less = 0 - g;
-    uint32_t more = (rb << 6) + 0x10020u;
-    uint32_t green_more = (g << 8) + 0x1000u;
-    uint32_t mask = 0xF81F;
-    uint32_t green_mask = 0x07E0;
-    QTRI_OPAQUE(mask)
-    QTRI_OPAQUE(green_mask)
+    const mix_565 mix = {0xF81F, 0x07E0, 0 - rb, 0 - g, (rb << 6) + 0x10020u, (g << 8) + 0x1000u};
+    return mix;
+}
+
 #define ONE(i)                                                                                     \
     {                                                                                              \
         uint32_t c = color[i];                                                                     \
         const uint32_t k = share[i];                                                               \
-        const uint32_t x = ((c & mask) + less) * ((k + 8) >> 4) + more;                            \
-        c = ((c & green_mask) + green_less) * ((k + 2) >> 2) + green_more;                         \
-        color[i] = (x >> 6 & mask) | (c >> 8 & green_mask);                                        \
+        const uint32_t x = ((c & m.mask) + m.less) * ((k + 8) >> 4) + m.more;                      \
+        c = ((c & m.green_mask) + m.green_less) * ((k + 2) >> 2) + m.green_more;                   \
+        PUT(i, (x >> 6 & m.mask) | (c >> 8 & m.green_mask))                                        \
         QTRI_OPAQUE(color)                                                                         \
-        QTRI_ASIDE(less)                                                                           \
-        QTRI_ASIDE(green_less)                                                                     \
-        QTRI_ASIDE(more)                                                                           \
-        QTRI_ASIDE(green_more)                                                                     \
+        QTRI_ASIDE(m.less)                                                                         \
+        QTRI_ASIDE(m.green_less)                                                                   \
+        QTRI_ASIDE(m.more)                                                                         \
+        QTRI_ASIDE(m.green_more)                                                                   \
     }
+
+#define PUT(i, mixed) color[i] = (mixed);
+QTRI_NOINLINE static void mix_words(uint32_t *color, uint32_t gray, const uint32_t *share,
+                                    int32_t count)
+{
+    mix_565 m = mix_565_of(gray);
+    QTRI_OPAQUE(m.mask)
+    QTRI_OPAQUE(m.green_mask)
     const uint32_t *end = color + count;
     for (; color < end; color += 4, share += 4) {
         /* NOLINTBEGIN(clang-analyzer-core.*): shares past the end are of spare words */
@@ -183,7 +208,38 @@ QTRI_NOINLINE static void mix_565(uint32_t *color, uint32_t gray, const uint32_t
         ONE(3)
         /* NOLINTEND(clang-analyzer-core.*) */
     }
+}
+#undef PUT
+
+/* The same, and stores the pixels. */
+#define PUT(i, mixed) pixel[i] = (uint16_t)(mixed);
+QTRI_NOINLINE static void mix_row(uint16_t *pixel, const uint32_t *color, uint32_t gray,
+                                  const uint32_t *share, int32_t count)
+{
+    mix_565 m = mix_565_of(gray);
+    QTRI_OPAQUE(m.mask)
+    QTRI_OPAQUE(m.green_mask)
+#ifndef __OPTIMIZE_SIZE__
+    for (; count >= 4; count -= 4, color += 4, share += 4, pixel += 4) {
+        ONE(0)
+        ONE(1)
+        ONE(2)
+        ONE(3)
+    }
+#endif
+    for (; count > 0; count--, color++, share++, pixel++) {
+        ONE(0)
+    }
+}
+#undef PUT
 #undef ONE
+
+static void apply_row(uint8_t *pixels, const uint32_t *color, int32_t count,
+                      const qtri_raster *raster, uint32_t z, uint32_t z_step)
+{
+    uint32_t share[QTRI_BATCH_ROOM];
+    shares_of_row(share, raster->fog, ~z, 0 - z_step, count);
+    mix_row((uint16_t *)(void *)pixels, color, raster->fog->word[0], share, count);
 }
 
 static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
@@ -199,7 +255,7 @@ static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragmen
         shares_of_row(share, fog, ~depth, 0 - at->depth->dx, count);
     }
     if (kind == &qtri_colors_565) {
-        mix_565(color, fog->word[0], share, count);
+        mix_words(color, fog->word[0], share, count);
         return;
     }
     const uint32_t gray = fog->word[kind == &qtri_colors_888 ? 1 : 2];
@@ -257,7 +313,7 @@ static uint32_t t_of(qtri_fog_range range, q16 z)
     return part < WHOLE ? (uint32_t)part : WHOLE;
 }
 
-static const qtri_fog_stages stages = {&qtri_effects, apply};
+static const qtri_fog_stages stages = {&qtri_effects, apply, apply_row};
 
 /* How the share, Q16, follows from the distance and two numbers. */
 typedef int64_t (*law)(q16 z, q16 a, q16 b);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "packed.h"
 
+#include "../frame/barrier.h"
+
 void qtri_packed_colors(uint32_t *color, const qtri_job *job, int32_t x, int32_t y, int32_t phase,
                         int32_t count)
 {
@@ -10,17 +12,26 @@ void qtri_packed_colors(uint32_t *color, const qtri_job *job, int32_t x, int32_t
     const uint32_t even = step->even;
     const uint32_t odd = step->odd;
     const uint32_t last = step->last;
+    uint32_t mask = 0xF81F07E0u;
+    QTRI_OPAQUE(mask)
+#define ONE(i, step)                                                                               \
+    {                                                                                              \
+        const uint32_t shown = packed & mask;                                                      \
+        color[i] = shown | shown >> 16;                                                            \
+        packed += (step);                                                                          \
+        QTRI_OPAQUE(packed)                                                                        \
+    }
     do { /* phase is a multiple of 8 */
-        for (int i = 0; i < 8; i += 4) {
-            color[i] = qtri_packed_pixel(packed);
-            packed += even;
-            color[i + 1] = qtri_packed_pixel(packed);
-            packed += odd;
-            color[i + 2] = qtri_packed_pixel(packed);
-            packed += even;
-            color[i + 3] = qtri_packed_pixel(packed);
-            packed += i == 0 ? odd : last;
-        }
+        ONE(0, even)
+        ONE(1, odd)
+        ONE(2, even)
+        ONE(3, odd)
+        ONE(4, even)
+        ONE(5, odd)
+        ONE(6, even)
+        ONE(7, last)
         color += 8;
+        QTRI_OPAQUE(color)
     } while ((count -= 8) > 0);
+#undef ONE
 }

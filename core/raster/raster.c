@@ -127,6 +127,10 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->format = format;
     raster->fill_smooth = raster->varying != NULL ? raster->varying->fill : raster->fill_flat;
     raster->tint_small = NULL;
+    raster->effect_row = NULL;
+    if (QTRI_WITH_FAST_PATHS && raster->effects != NULL && raster->effects->row != NULL) {
+        raster->effect_row = raster->effects->row(raster);
+    }
     const qtri_fused *fused = fused_of(raster);
     if (fused != NULL) {
         raster->fill_flat = fused->flat != NULL ? fused->flat : raster->fill_flat;

@@ -100,6 +100,9 @@ typedef void (*qtri_tint_stage)(uint32_t *color, const uint32_t *light, const ui
 typedef struct qtri_fragments qtri_fragments;
 typedef uint32_t (*qtri_effect)(const qtri_raster *raster, uint32_t *color,
                                 const qtri_fragments *at, uint32_t mask, int32_t count);
+/* The same for all of `count` neighbours of depths z on, 16.16; their pixels are stored at once. */
+typedef void (*qtri_effect_row)(uint8_t *pixels, const uint32_t *color, int32_t count,
+                                const qtri_raster *raster, uint32_t z, uint32_t z_step);
 
 struct qtri_raster {
     const qtri_surface *surface;
@@ -132,6 +135,7 @@ struct qtri_raster {
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     const qtri_effect_stages *effects; /* NULL: neither */
+    qtri_effect_row effect_row;        /* NULL: there is none for what is drawn */
     bool perspective;                  /* as the material asks */
     qtri_cull cull;
     uint8_t provoking;           /* the vertex whose colour a flat triangle has */

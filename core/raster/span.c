@@ -51,29 +51,39 @@ static uint32_t make_pixels(qtri_scanline *row, int32_t x, int32_t count, uint32
     return mask;
 }
 
-/* Fog and blend for colours of `count` pixels from x on, then what stores them. */
-QTRI_NOINLINE static uint32_t apply_effects(const qtri_scanline *row, uint32_t *color, int32_t x,
-                                            uint32_t mask, int32_t count)
+/*
+ * Fog and blend for colours of `count` pixels from x on, of depths z on, which are then stored; the
+ * mask of them.
+ */
+QTRI_NOINLINE static uint32_t store_affected(const qtri_scanline *row, uint8_t *pixels,
+                                             uint32_t *color, int32_t x, uint32_t z, uint32_t mask,
+                                             int32_t count)
 {
     const qtri_job *job = row->job;
     const qtri_raster *raster = job->raster;
     const int32_t first_row = raster->surface->first_row;
-    qtri_ramp depth = {0, 0, 0}; /* not read */
+    qtri_ramp depth;
     qtri_fragments at;
     if (mask == 0) {
         return 0;
     }
+    if (raster->effect_row != NULL && mask == qtri_mask_of(count)) {
+        raster->effect_row(pixels, color, count, raster, z, job->depth.dx);
+        return mask;
+    }
     at.place = NULL;
     at.first = ((uint32_t)(row->y - first_row) << 16) + (uint32_t)x;
     at.depth = &depth;
-    if (raster->with_depth) {
-        depth = job->depth;
+    if (raster->fog != NULL) {
         depth.origin = qtri_ramp_at(&job->depth, -job->anchor_x, first_row - job->anchor_y);
+        depth.dx = job->depth.dx;
+        depth.dy = job->depth.dy;
     }
     mask = raster->effects->fragments(raster, color, &at, mask, count);
     if (raster->format->encode != NULL) {
         raster->format->encode(color, count);
     }
+    raster->format->pixels->store(pixels, color, mask, count);
     return mask;
 }
 
@@ -133,9 +143,11 @@ static void draw_row(qtri_scanline *row)
     uint8_t *pixels = row->pixels + (ptrdiff_t)from * memory->bytes;
     uint16_t *depths = row->depths;
     uint32_t z = 0;
+    if (raster->with_depth) {
+        z = qtri_ramp_at(&job->depth, from - job->anchor_x, row->y - job->anchor_y);
+    }
     if (depths != NULL) {
         depths += from;
-        z = qtri_ramp_at(&job->depth, from - job->anchor_x, row->y - job->anchor_y);
     }
     if (linear) {
         qtri_linear_row(row, x);
@@ -152,9 +164,10 @@ static void draw_row(qtri_scanline *row)
             const int32_t after = whole - (from - x) - count;
             mask = make_pixels(row, x, whole, mask << after) >> after;
             if (raster->effects != NULL) {
-                mask = apply_effects(row, color, from, mask, count);
+                mask = store_affected(row, pixels, color, from, z, mask, count);
+            } else {
+                memory->store(pixels, color, mask, count);
             }
-            memory->store(pixels, color, mask, count);
             if (raster->depth.write && mask != 0) {
                 qtri_depth_write(depths, z, job->depth.dx, mask, count);
             }
@@ -168,9 +181,9 @@ static void draw_row(qtri_scanline *row)
             qtri_linear_next(row, x);
         }
         pixels += (ptrdiff_t)count * memory->bytes;
+        z += (uint32_t)count * job->depth.dx;
         if (depths != NULL) {
             depths += count;
-            z += (uint32_t)count * job->depth.dx;
         }
     }
 }
