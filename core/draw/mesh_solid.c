@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/samples.h"
 #include "../raster/small.h"
 #include "lights.h"
 
@@ -96,11 +97,9 @@ QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indice
     qtri_coordinates uv[2];
     const qtri_mesh *mesh = draw->mesh;
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (raster->samples != NULL) {
-        draw_large(draw, indices, a, b, c);
-        return;
-    }
-    const qtri_placed placed = PLACE(&place, spans, raster, a, b, c);
+    const qtri_placed placed = raster->samples != NULL
+                                   ? raster->samples->place(&place, spans, raster, a, b, c)
+                                   : PLACE(&place, spans, raster, a, b, c);
     if (placed != QTRI_PLACED_SMALL) {
         if (placed == QTRI_PLACED_LARGE) {
             draw_large(draw, indices, a, b, c);

@@ -277,11 +277,7 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
 
 static bool draw_piece(const piece *p, int64_t area, bool with_rests)
 {
-    if (p->primitive->to.solid.raster.samples == NULL &&
-        draw_placed_piece(p) != QTRI_PLACED_LARGE) {
-        return true;
-    }
-    return draw_large_piece(p, area, with_rests);
+    return draw_placed_piece(p) != QTRI_PLACED_LARGE || draw_large_piece(p, area, with_rests);
 }
 
 /* The edge between two vertices, given twice: as coordinates, and as attributes. */

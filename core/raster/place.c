@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "place.h"
 
+#include "samples.h"
+
 bool qtri_inv_w_more(int32_t *more, const qtri_vertex *a, const qtri_vertex *b)
 {
     const uint32_t up = (b->depth_16p8 & 0xFF) - (a->depth_16p8 & 0xFF) + 1;
@@ -31,5 +33,6 @@ qtri_placed qtri_place_triangle(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
                                 const qtri_raster *raster, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_vertex *c)
 {
-    return qtri_place_near(p, spans, raster, a, b, c);
+    return raster->samples != NULL ? raster->samples->place(p, spans, raster, a, b, c)
+                                   : qtri_place_near(p, spans, raster, a, b, c);
 }

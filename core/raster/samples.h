@@ -11,9 +11,13 @@
 #include "qtri/samples.h"
 
 #include "../frame/stored.h"
+#include "list.h"
 #include "triangle.h"
 
 enum { QTRI_SAMPLES = 4 };
+
+/* Of samples from the centre, 1/256 pixel; then of that. */
+extern const int8_t qtri_sample_offset[QTRI_SAMPLES + 1][2];
 
 /* format->fused->samples. */
 struct qtri_sampling {
@@ -21,6 +25,12 @@ struct qtri_sampling {
     /* A triangle of any size and area that is not culled; its p, area and tinted are set. */
     void (*draw)(const qtri_raster *raster, const qtri_triangle *triangle,
                  const qtri_attributes v[3]);
+    /* A small one; LARGE, too, where fragments are blended or may be turned away. */
+    qtri_placed (*place)(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS], const qtri_raster *raster,
+                         const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c);
+    void (*draw_small)(const qtri_raster *raster, const qtri_list_triangle *t);
+    /* Stores the batch's colours. */
+    void (*put)(const qtri_raster *raster, int32_t count);
 };
 
 static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *format)
@@ -30,6 +40,12 @@ static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *fo
 
 void qtri_samples_draw(const qtri_raster *raster, const qtri_triangle *triangle,
                        const qtri_attributes v[3]);
+
+qtri_placed qtri_samples_place(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                               const qtri_raster *raster, const qtri_vertex *a,
+                               const qtri_vertex *b, const qtri_vertex *c);
+void qtri_samples_small(const qtri_raster *raster, const qtri_list_triangle *t);
+void qtri_samples_put(const qtri_raster *raster, int32_t count);
 
 /* The mean of a record as a stored pixel. */
 uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record);

@@ -117,10 +117,6 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
         vertex_from_attributes(&vertex[i], &p[i], &attributes[i], attributes[0].inv_w_exponent);
     }
     const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
-    if (raster->samples != NULL) {
-        draw_large(raster, p, attributes, area);
-        return;
-    }
     switch (qtri_place_triangle(&place, spans, raster, corner[0], corner[1], corner[2])) {
     case QTRI_PLACED_SMALL:
         draw_small(raster, &place, corner, attributes);
