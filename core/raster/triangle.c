@@ -39,6 +39,7 @@ void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
 {
     qtri_job job;
     if (raster->samples != NULL) {
+        qtri_list_flush(raster);
         raster->samples->draw(raster, triangle, v);
         return;
     }
