@@ -25,13 +25,6 @@ static inline int32_t luma_sum_565(uint32_t a, uint32_t b)
 
 enum { ROWS = 3 }; /* old colours that are kept: of this row and two above */
 
-/* Two pixels as a word, which are read as single ones elsewhere. */
-#ifdef __GNUC__
-typedef uint32_t __attribute__((__may_alias__)) pair;
-#else
-typedef uint32_t pair;
-#endif
-
 static void filter_pixels(const window_565 *w, uint16_t *out, int32_t x, int32_t end, int32_t width)
 {
     for (; x < end; x++) {
@@ -70,9 +63,9 @@ QTRI_NOINLINE static void filter_two(const window_565 *w, uint16_t *out, int32_t
 QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32_t x, int32_t end,
                                        int32_t width)
 {
-    const pair *up = (const pair *)(const void *)(w->row[1] + x);
-    const pair *own = (const pair *)(const void *)(w->row[2] + x);
-    const pair *down = (const pair *)(const void *)(w->row[3] + x);
+    const qtri_pair *up = (const qtri_pair *)(const void *)(w->row[1] + x);
+    const qtri_pair *own = (const qtri_pair *)(const void *)(w->row[2] + x);
+    const qtri_pair *down = (const qtri_pair *)(const void *)(w->row[3] + x);
     int32_t left = end - x;
     while (left >= 2) {
         const uint32_t two = own[0];
@@ -103,15 +96,15 @@ typedef struct extent {
 
 static extent extent_of(const uint16_t *row, int32_t width)
 {
-    const pair *words = (const pair *)(const void *)row;
+    const qtri_pair *words = (const qtri_pair *)(const void *)row;
     const int32_t count = width / 2;
     const uint32_t color = words[0];
     extent e = {color, 0, width};
     if (color != (color << 16 | color >> 16)) {
         return e;
     }
-    const pair *at = words;
-    const pair *end = words + count;
+    const qtri_pair *at = words;
+    const qtri_pair *end = words + count;
     while (end - at >= 4 &&
            ((at[0] ^ color) | (at[1] ^ color) | (at[2] ^ color) | (at[3] ^ color)) == 0) {
         at += 4;
@@ -153,7 +146,7 @@ static bool are_pairs(const qtri_surface *surface)
 static void copy_row(uint32_t *to, const uint16_t *row, int32_t width, bool pairs)
 {
     if (pairs) {
-        const pair *from = (const pair *)(const void *)row;
+        const qtri_pair *from = (const qtri_pair *)(const void *)row;
         int32_t left = width / 2;
         for (; left >= 4; left -= 4, to += 4, from += 4) {
             const uint32_t a = from[0];

@@ -34,6 +34,7 @@ static const uint8_t first_of[ALL + 1] = {0, 0, 1, 0, 2, 0, 1, 0, 3, 0, 1, 0, 2,
 /* Samples as bits of a place: rows and columns are less than 2^13. */
 enum { LOW_SAMPLES = 13, LAST_SAMPLE = 29 };
 #define PLACE_BITS 0x1FFF1FFFu
+#define PLACE_MAX  0x1FFFu
 
 static inline uint32_t packed(uint32_t pass)
 {
@@ -148,7 +149,7 @@ static inline uint32_t samples_of(const edges *e, int32_t a, int32_t b, int32_t 
  * how many. With `most` added an edge is that of the sample that is farthest inside: pixels where
  * none of those is negative follow each other.
  */
-static int32_t cover_row(edges *e, int32_t columns, uint8_t *cover, int32_t *first)
+QTRI_NOINLINE static int32_t cover_row(edges *e, int32_t columns, uint8_t *cover, int32_t *first)
 {
     int32_t a = e->at[0] + e->most[0];
     int32_t b = e->at[1] + e->most[1];
@@ -187,17 +188,20 @@ static int32_t cover_row(edges *e, int32_t columns, uint8_t *cover, int32_t *fir
 
 /* ---- A triangle ---- */
 
+/* What is asked for most comes first: it is reached at once. */
 typedef struct work {
     const qtri_raster *raster;
-    qtri_list_values values;
-    edges edges;
-    qtri_ramp depth;
-    uint32_t more[QTRI_SAMPLES]; /* that samples have */
     int32_t count;               /* fragments that wait */
     uint32_t places;             /* bits: where they take their colours */
+    uint32_t more[QTRI_SAMPLES]; /* depth that samples have */
+    qtri_ramp depth;
+    bool is_thick; /* see set_depths() */
+    bool is_set;   /* values are, at the centre, and linear */
+    edges edges;
     uint32_t place[QTRI_BATCH];  /* with their samples */
     uint8_t colored[QTRI_BATCH]; /* at which place */
     uint8_t cover[ROW_MAX];
+    qtri_list_values values;
 } work;
 
 static void move(const work *w, int place, int32_t back)
@@ -208,37 +212,53 @@ static void move(const work *w, int place, int32_t back)
 }
 
 /*
- * Depths of samples. Of a triangle that is thick, with 2 THICK times its size the greatest
- * difference, and no steep one, steps are below 2^28 (16.16), as they are: the sum of four of them
- * did not wrap.
+ * More that a ramp has at a place. Of a triangle that is thick, with THICK times its size the
+ * greatest difference, steps of differences below 2^16 (see place_ramp.h) are below 2^28 as they
+ * are: none wrapped, nor does the sum of four.
  */
+static uint32_t more_at(const qtri_ramp *ramp, int place)
+{
+    const int32_t dx = (int32_t)ramp->dx;
+    const int32_t dy = (int32_t)ramp->dy;
+    const int32_t p = (dx + 3 * dy) >> 3;
+    const int32_t q = (3 * dx - dy) >> 3;
+    switch (place) {
+    case 0:
+        return 0u - (uint32_t)p;
+    case 1:
+        return (uint32_t)q;
+    case 2:
+        return 0u - (uint32_t)q;
+    case 3:
+        return (uint32_t)p;
+    default:
+        return 0;
+    }
+}
+
+static bool is_thick(const qtri_place *p)
+{
+    return p->size >= THICK * (qtri_about(p->dx1) | qtri_about(p->dy1) | qtri_about(p->dx2) |
+                               qtri_about(p->dy2)); /* the greatest or more */
+}
+
 static void set_depths(work *w)
 {
     const qtri_list_triangle *t = w->values.t;
-    const qtri_place *p = t->place;
-    const uint32_t extent = qtri_about(p->dx1) | qtri_about(p->dy1) | qtri_about(p->dx2) |
-                            qtri_about(p->dy2); /* or more */
     const uint32_t first = t->v[0]->depth_16p8 >> 8;
     const uint32_t steep = qtri_about((int32_t)((t->v[1]->depth_16p8 >> 8) - first)) |
                            qtri_about((int32_t)((t->v[2]->depth_16p8 >> 8) - first));
     qtri_list_set_depth(&w->depth, &w->values);
-    if (p->size >= extent * THICK && steep >> 16 == 0) {
-        const int32_t dx = (int32_t)w->depth.dx;
-        const int32_t dy = (int32_t)w->depth.dy;
-        const int32_t at_3 = (dx + 3 * dy) >> 3;
-        const int32_t at_1 = (3 * dx - dy) >> 3;
-        w->more[0] = (uint32_t)-at_3;
-        w->more[1] = (uint32_t)at_1;
-        w->more[2] = (uint32_t)-at_1;
-        w->more[3] = (uint32_t)at_3;
-        return;
-    }
     for (int k = 0; k < QTRI_SAMPLES; k++) {
-        qtri_ramp there;
-        move(w, k, 1);
-        qtri_list_set_depth(&there, &w->values);
-        move(w, k, -1);
-        w->more[k] = there.origin - w->depth.origin;
+        if (w->is_thick && steep >> 16 == 0) {
+            w->more[k] = more_at(&w->depth, k);
+        } else {
+            qtri_ramp there;
+            move(w, k, 1);
+            qtri_list_set_depth(&there, &w->values);
+            move(w, k, -1);
+            w->more[k] = there.origin - w->depth.origin;
+        }
     }
 }
 
@@ -254,13 +274,10 @@ static int32_t gather(const work *w, int place, uint32_t *out, uint32_t bits)
     return (int32_t)(out - begin);
 }
 
-/* All fragments that wait go into the batch, with their colours. */
-QTRI_NOINLINE static void put(work *w)
+/* Each place by itself: any values. */
+QTRI_NOINLINE static void put_places(work *w)
 {
     qtri_batch *batch = w->raster->batch;
-    if (batch->count + w->count > QTRI_BATCH) {
-        qtri_list_flush(w->raster);
-    }
     for (int place = 0; place < PLACES; place++) {
         if ((w->places >> place & 1) == 0) {
             continue;
@@ -273,6 +290,65 @@ QTRI_NOINLINE static void put(work *w)
         const int32_t count = gather(w, place, at, PLACE_BITS);
         qtri_list_append(&w->values, count);
         (void)gather(w, place, at, UINT32_MAX);
+    }
+}
+
+/* Adds a channel to all words. */
+static void add_channel(const work *w, uint32_t *out, const qtri_ramp *ramp, uint32_t shift,
+                        uint32_t left)
+{
+    const qtri_ramp r = *ramp;
+    uint32_t more[PLACES];
+    const uint32_t *place = w->place;
+    const uint8_t *colored = w->colored;
+    for (int k = 0; k < PLACES; k++) {
+        more[k] = more_at(ramp, k) + r.origin;
+    }
+    for (const uint32_t *end = place + w->count; place != end; place++, out++, colored++) {
+        const uint32_t x = *place & PLACE_MAX;
+        const uint32_t y = *place >> 16 & PLACE_MAX;
+        *out += (more[*colored] + x * r.dx + y * r.dy) >> shift << left;
+    }
+}
+
+/* Without texture, one colour or some that are linear. */
+QTRI_NOINLINE static void put_linear(work *w)
+{
+    const qtri_list_values *v = &w->values;
+    const qtri_colors *colors = w->raster->format->colors;
+    qtri_batch *batch = w->raster->batch;
+    uint32_t *color = batch->color + batch->count;
+    for (int32_t i = 0; i < w->count; i++) {
+        batch->place[batch->count + i] = w->place[i];
+        color[i] = v->channels == 0 ? v->constant : 0;
+    }
+    if (v->channels != 0 && batch->kind == QTRI_LIST_TINT_SHARES) {
+        add_channel(w, color, &v->channel[2], 22u - colors->light_bits, 0);
+    } else if (v->channels != 0) {
+        add_channel(w, color, &v->channel[2], 16, 0);
+        if (v->channels == 3) {
+            add_channel(w, color, &v->channel[1], 16, colors->green);
+            add_channel(w, color, &v->channel[0], 16, colors->red);
+        }
+    }
+    batch->count = (uint8_t)(batch->count + w->count);
+}
+
+/* All fragments that wait go into the batch, with their colours. */
+QTRI_NOINLINE static void put(work *w)
+{
+    if (w->raster->batch->count + w->count > QTRI_BATCH) {
+        qtri_list_flush(w->raster);
+    }
+    if (!w->is_set && w->is_thick && w->raster->texture == NULL) {
+        qtri_list_set(&w->values);
+        w->is_set = w->values.channels == 0 || !w->values.curved;
+        w->is_thick = w->is_set;
+    }
+    if (w->is_set) {
+        put_linear(w);
+    } else {
+        put_places(w);
     }
     w->count = 0;
     w->places = 0;
@@ -374,6 +450,8 @@ QTRI_NOINLINE void qtri_samples_small(const qtri_raster *raster, const qtri_list
     w.raster = raster;
     w.count = 0;
     w.places = 0;
+    w.is_thick = is_thick(p);
+    w.is_set = false;
     set_edges(&w.edges, p);
     qtri_list_begin(&w.values, raster, t);
     p->x -= p->column * 256;
@@ -410,11 +488,13 @@ QTRI_INLINE void scatter(const qtri_raster *raster, int32_t count, int32_t bytes
     const ptrdiff_t pitch = raster->surface->pitch;
     uint8_t *pixels = raster->surface->pixels;
     for (const uint32_t *end = place + count; place != end; place++, color++) {
-        const uint32_t at = *place & PLACE_BITS;
-        uint8_t *record = pixels + (ptrdiff_t)(at >> 16) * pitch + (int32_t)(at & 0xFFFF) * size;
+        const uint32_t at = *place;
+        const uint32_t stored = *color;
+        uint8_t *record =
+            pixels + (ptrdiff_t)(at >> 16 & PLACE_MAX) * pitch + (int32_t)(at & PLACE_MAX) * size;
         for (int k = 0; k < QTRI_SAMPLES; k++) {
-            if ((*place >> (k < 3 ? LOW_SAMPLES + k : LAST_SAMPLE) & 1) != 0) {
-                qtri_sample_set_color(record, bytes, k, *color);
+            if ((at >> (k < 3 ? LOW_SAMPLES + k : LAST_SAMPLE) & 1) != 0) {
+                qtri_sample_set_color(record, bytes, k, stored);
             }
         }
     }
