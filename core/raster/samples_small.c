@@ -92,10 +92,10 @@ qtri_placed qtri_samples_place(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
 
 /* Edge functions: 0 and more is inside. */
 typedef struct edges {
-    int32_t at[3];             /* at the centre of the box's first pixel in a row */
-    int32_t right[3], down[3]; /* a pixel on */
-    int32_t p[3], q[3];        /* more at samples 3 and 1, less at 0 and 2 */
-    int32_t most[3];           /* the greater of both magnitudes */
+    int32_t at[3]; /* with `most`, at the box's first pixel in a row */
+    int32_t right[3], down[3];
+    int32_t most[3];               /* the greatest of the next */
+    int32_t more[QTRI_SAMPLES][3]; /* at samples */
 } edges;
 
 /* From (x, y) on, from the box's first pixel, along (dx, dy). */
@@ -103,13 +103,16 @@ static void set_edge(edges *e, int i, int32_t x, int32_t y, int32_t dx, int32_t 
 {
     const int32_t p = 32 * dy - 96 * dx;
     const int32_t q = 96 * dy + 32 * dx;
+    const int32_t most = qtri_greatest32(p < 0 ? -p : p, q < 0 ? -q : q);
     const bool is_inside = dy > 0 || (dy == 0 && dx < 0); /* on a left or upper edge */
-    e->at[i] = y * dx - x * dy - (is_inside ? 0 : 1);
+    e->at[i] = y * dx - x * dy - (is_inside ? 0 : 1) + most;
     e->right[i] = dy * 256;
     e->down[i] = dx * -256;
-    e->p[i] = p;
-    e->q[i] = q;
-    e->most[i] = qtri_greatest32(p < 0 ? -p : p, q < 0 ? -q : q);
+    e->most[i] = most;
+    e->more[0][i] = -p;
+    e->more[1][i] = q;
+    e->more[2][i] = -q;
+    e->more[3][i] = p;
 }
 
 static void set_edges(edges *e, const qtri_place *p)
@@ -121,26 +124,26 @@ static void set_edges(edges *e, const qtri_place *p)
     set_edge(e, 2, -p->x, -p->y, -p->dx2, -p->dy2);
 }
 
-/* The covered samples of a pixel that some may be of, and COVERED; a to c: the edges at its centre.
- */
+/* Pushes whether any of three edges is negative; `sign` in a register. */
+#define PUSH_OUTSIDE(outside, a, b, c)                                                             \
+    {                                                                                              \
+        const uint32_t any = (uint32_t)((a) | (b) | (c));                                          \
+        QTRI_PUSH_GREATER_EQUAL(outside, any, sign)                                                \
+    }
+
+/* The covered samples of a pixel, and COVERED; a to c: the edges at its centre. */
 static inline uint32_t samples_of(const edges *e, int32_t a, int32_t b, int32_t c)
 {
-    const uint32_t sign = 0x80000000u;
+    uint32_t sign = 0x80000000u;
     uint32_t outside = 0;
-    int32_t any[PLACES] = {a - e->p[0], a + e->q[0], a - e->q[0], a + e->p[0], a | b | c};
-    any[0] |= b - e->p[1];
-    any[1] |= b + e->q[1];
-    any[2] |= b - e->q[1];
-    any[3] |= b + e->p[1];
-    any[0] |= c - e->p[2];
-    any[1] |= c + e->q[2];
-    any[2] |= c - e->q[2];
-    any[3] |= c + e->p[2];
-    QTRI_PUSH_GREATER_EQUAL(outside, (uint32_t)any[CENTER], sign)
-    QTRI_PUSH_GREATER_EQUAL(outside, (uint32_t)any[3], sign)
-    QTRI_PUSH_GREATER_EQUAL(outside, (uint32_t)any[2], sign)
-    QTRI_PUSH_GREATER_EQUAL(outside, (uint32_t)any[1], sign)
-    QTRI_PUSH_GREATER_EQUAL(outside, (uint32_t)any[0], sign)
+    QTRI_OPAQUE(sign)
+#define SAMPLE(k) PUSH_OUTSIDE(outside, a + e->more[k][0], b + e->more[k][1], c + e->more[k][2])
+    PUSH_OUTSIDE(outside, a, b, c)
+    SAMPLE(3)
+    SAMPLE(2)
+    SAMPLE(1)
+    SAMPLE(0)
+#undef SAMPLE
     return outside ^ (COVERED | ALL);
 }
 
@@ -151,13 +154,13 @@ static inline uint32_t samples_of(const edges *e, int32_t a, int32_t b, int32_t 
  */
 QTRI_NOINLINE static int32_t cover_row(edges *e, int32_t columns, uint8_t *cover, int32_t *first)
 {
-    int32_t a = e->at[0] + e->most[0];
-    int32_t b = e->at[1] + e->most[1];
-    int32_t c = e->at[2] + e->most[2];
+    int32_t a = e->at[0];
+    int32_t b = e->at[1];
+    int32_t c = e->at[2];
     int32_t x = 0;
-    for (int i = 0; i < 3; i++) {
-        e->at[i] += e->down[i];
-    }
+    e->at[0] = a + e->down[0];
+    e->at[1] = b + e->down[1];
+    e->at[2] = c + e->down[2];
     while ((a | b | c) < 0) {
         x++;
         if (x == columns) {
@@ -169,20 +172,16 @@ QTRI_NOINLINE static int32_t cover_row(edges *e, int32_t columns, uint8_t *cover
     }
     *first = x;
     const uint8_t *const begin = cover;
+    const uint8_t *const end = cover + (columns - x);
     do {
         const int32_t own_a = a - e->most[0];
         const int32_t own_b = b - e->most[1];
         const int32_t own_c = c - e->most[2];
-        if (((own_a - e->most[0]) | (own_b - e->most[1]) | (own_c - e->most[2])) >= 0) {
-            *cover++ = COVERED | ALL;
-        } else {
-            *cover++ = (uint8_t)samples_of(e, own_a, own_b, own_c);
-        }
+        *cover++ = (uint8_t)samples_of(e, own_a, own_b, own_c);
         a += e->right[0];
         b += e->right[1];
         c += e->right[2];
-        x++;
-    } while (x != columns && (a | b | c) >= 0);
+    } while (cover != end && (a | b | c) >= 0);
     return (int32_t)(cover - begin);
 }
 
@@ -492,11 +491,15 @@ QTRI_INLINE void scatter(const qtri_raster *raster, int32_t count, int32_t bytes
         const uint32_t stored = *color;
         uint8_t *record =
             pixels + (ptrdiff_t)(at >> 16 & PLACE_MAX) * pitch + (int32_t)(at & PLACE_MAX) * size;
-        for (int k = 0; k < QTRI_SAMPLES; k++) {
-            if ((at >> (k < 3 ? LOW_SAMPLES + k : LAST_SAMPLE) & 1) != 0) {
-                qtri_sample_set_color(record, bytes, k, stored);
-            }
-        }
+#define SAMPLE(k, bit)                                                                             \
+    if ((at >> (bit)&1) != 0) {                                                                    \
+        qtri_sample_set_color(record, bytes, k, stored);                                           \
+    }
+        SAMPLE(0, LOW_SAMPLES)
+        SAMPLE(1, LOW_SAMPLES + 1)
+        SAMPLE(2, LOW_SAMPLES + 2)
+        SAMPLE(3, LAST_SAMPLE)
+#undef SAMPLE
     }
 }
 
