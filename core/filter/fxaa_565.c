@@ -75,9 +75,9 @@ static inline uint32_t moved_in(uint32_t two, uint32_t other, bool at_left)
 }
 
 /*
- * Columns x..end - 1, x even and at least 2. Most pixels' lumas are at most 4 more and 3 less than
- * those of all neighbours, which is flat: for two at once, in halves of a word. A half that is
- * below 0 takes from the other, but has bits that count itself.
+ * Columns x..end - 1, x even and at least 2. Most pixels' lumas are at most 3 less and 4 more than
+ * those of all neighbours, which is flat: that is asked of two at once, in halves of a word. A half
+ * that is below 0 takes from the other, but has bits that count itself.
  */
 QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32_t x, int32_t end,
                                        int32_t width)
@@ -156,65 +156,85 @@ static bool are_pairs(const qtri_surface *surface)
            (surface->width & 1) == 0;
 }
 
-static void copy_row(uint32_t *to, const uint16_t *row, int32_t width, bool pairs)
-{
-    if (pairs) {
-        const qtri_pair *from = (const qtri_pair *)(const void *)row;
-        int32_t left = width / 2;
-        for (; left >= 4; left -= 4, to += 4, from += 4) {
-            const uint32_t a = from[0];
-            const uint32_t b = from[1];
-            const uint32_t c = from[2];
-            const uint32_t d = from[3];
-            to[0] = a;
-            to[1] = b;
-            to[2] = c;
-            to[3] = d;
-            QTRI_OPAQUE(to)
-        }
-        for (; left > 0; left--) {
-            *to++ = *from++;
-        }
-        return;
-    }
-    uint16_t *pixel = (uint16_t *)(void *)to;
-    for (int32_t x = 0; x < width; x++) {
-        pixel[x] = row[x];
-    }
-}
-
 static uint16_t *row_of(const qtri_surface *surface, int32_t y)
 {
     return (uint16_t *)(void *)(surface->pixels + (y - surface->first_row) * surface->pitch);
 }
 
-/* The lumas of a row: of its extent, and of the colour about it. */
-static void set_lumas(uint32_t *to, const uint16_t *row, const extent *e, int32_t width, bool pairs)
+static void fill_words(qtri_pair *to, const qtri_pair *end, uint32_t word)
 {
-    uint16_t *luma = (uint16_t *)(void *)to;
+    while (end - to >= 8) {
+        to[0] = word;
+        to[1] = word;
+        to[2] = word;
+        to[3] = word;
+        to[4] = word;
+        to[5] = word;
+        to[6] = word;
+        to[7] = word;
+        to += 8;
+        QTRI_OPAQUE(to)
+    }
+    while (to != end) {
+        *to++ = word;
+    }
+}
+
+static void copy_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
+{
+    for (; end - from >= 4; to += 4, from += 4) {
+        const uint32_t a = from[0];
+        const uint32_t b = from[1];
+        const uint32_t c = from[2];
+        const uint32_t d = from[3];
+        to[0] = a;
+        to[1] = b;
+        to[2] = c;
+        to[3] = d;
+        QTRI_OPAQUE(to)
+    }
+    while (from != end) {
+        *to++ = *from++;
+    }
+}
+
+static void luma_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
+{
+    for (; end - from >= 2; to += 2, from += 2) {
+        const uint32_t a = from[0];
+        const uint32_t b = from[1];
+        to[0] = lumas_of_two(a);
+        to[1] = lumas_of_two(b);
+        QTRI_OPAQUE(to)
+    }
+    if (from != end) {
+        *to = lumas_of_two(*from);
+    }
+}
+
+/* A row's colours or lumas: of its extent, and of the colour about it. */
+static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_t width, bool pairs,
+                     bool luma)
+{
     if (!pairs) {
+        uint16_t *to = (uint16_t *)(void *)out;
         for (int32_t x = 0; x < width; x++) {
-            luma[x] = (uint16_t)lumas_565(row[x], 0);
+            to[x] = (uint16_t)(luma ? lumas_565(row[x], 0) : row[x]);
         }
         return;
     }
-    const uint32_t about = lumas_565(e->color & 0xFFFF, e->color >> 16);
-    qtri_pair *word = (qtri_pair *)to;
-    const qtri_pair *colors = (const qtri_pair *)(const void *)row;
-    const int32_t words = width / 2;
+    qtri_pair *to = (qtri_pair *)out;
+    const qtri_pair *from = (const qtri_pair *)(const void *)row;
     const int32_t first = e->first / 2;
-    const int32_t end = qtri_greatest32(e->end / 2, first);
-    int32_t i = 0;
-    for (; i < first; i++) {
-        word[i] = about;
+    const int32_t end = qtri_greatest32(e->end / 2, first); /* e->end is 0 where there is nothing */
+    const uint32_t about = luma ? lumas_of_two(e->color) : e->color;
+    fill_words(to, to + first, about);
+    if (luma) {
+        luma_words(to + first, from + first, from + end);
+    } else {
+        copy_words(to + first, from + first, from + end);
     }
-    for (; i < end; i++) {
-        const uint32_t two = colors[i];
-        word[i] = lumas_of_two(two);
-    }
-    for (; i < words; i++) {
-        word[i] = about;
-    }
+    fill_words(to + end, to + width / 2, about);
 }
 
 /* A row comes in below the others: it is as it was. */
@@ -232,7 +252,7 @@ static const uint16_t *come_in(const incoming *in, int32_t y, extent *e)
     if (in->pairs) {
         *e = extent_of(row, in->surface->width);
     }
-    set_lumas(lumas, row, e, in->surface->width, in->pairs);
+    keep_row(lumas, row, e, in->surface->width, in->pairs, true);
     return (const uint16_t *)(const void *)lumas;
 }
 
@@ -265,7 +285,7 @@ enum qtri_error qtri_fxaa_565(const qtri_surface *surface, uint32_t *memory, uin
     w.lumas[3] = come_in(&in, bounds.y0, &rows[2]);
     for (int32_t y = bounds.y0; y < bounds.y1; y++) {
         uint32_t *slot = memory + (ptrdiff_t)(y % ROWS) * in.words;
-        copy_row(slot, row_of(surface, y), width, in.pairs);
+        keep_row(slot, row_of(surface, y), &rows[2], width, in.pairs, false);
         w.row[0] = w.row[1];
         w.row[1] = w.row[2];
         w.row[2] = (const uint16_t *)(const void *)slot;
