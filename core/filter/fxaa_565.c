@@ -54,13 +54,11 @@ QTRI_NOINLINE static void filter_two(const window_565 *w, uint16_t *out, int32_t
     const uint16_t *down = w->lumas[3] + x;
     const int32_t first = own[0];
     const int32_t second = own[1];
-    const int32_t luma[5] = {first, up[0], down[0], own[-1], second};
-    if (!qtri_fxaa_is_flat(first, luma[1], luma[2], luma[3], second)) {
-        out[x] = (uint16_t)resolve_565(w, x, width, luma);
+    if (!qtri_fxaa_is_flat(first, up[0], down[0], own[-1], second)) {
+        out[x] = (uint16_t)resolve_565(w, x, width);
     }
-    const int32_t next[5] = {second, up[1], down[1], first, own[2]};
-    if (!qtri_fxaa_is_flat(second, next[1], next[2], first, next[4])) {
-        out[x + 1] = (uint16_t)resolve_565(w, x + 1, width, next);
+    if (!qtri_fxaa_is_flat(second, up[1], down[1], first, own[2])) {
+        out[x + 1] = (uint16_t)resolve_565(w, x + 1, width);
     }
 }
 
