@@ -195,7 +195,7 @@ typedef struct work {
     uint32_t more[QTRI_SAMPLES]; /* depth that samples have */
     qtri_ramp depth;
     bool is_thick; /* see set_depths() */
-    bool is_set;   /* values are, at the centre, and linear */
+    bool is_set;   /* and values are, at the centre */
     edges edges;
     uint32_t place[QTRI_BATCH];  /* with their samples */
     uint8_t colored[QTRI_BATCH]; /* at which place */
@@ -261,34 +261,71 @@ static void set_depths(work *w)
     }
 }
 
-/* The fragments that take their colours at a place, into the batch, where there is room. */
-static int32_t gather(const work *w, int place, uint32_t *out, uint32_t bits)
+/* All ramps of a triangle's values. */
+enum { RAMPS = 6 };
+
+static int ramps_of(qtri_list_values *v, qtri_ramp *ramp[RAMPS])
 {
-    const uint32_t *const begin = out;
-    for (int32_t i = 0; i < w->count; i++) {
-        if (w->colored[i] == place) {
-            *out++ = w->place[i] & bits;
-        }
+    int count = 0;
+    for (int i = 3 - v->channels; i < 3; i++) {
+        ramp[count++] = &v->channel[i];
     }
-    return (int32_t)(out - begin);
+    if (v->has_e) {
+        ramp[count++] = &v->e_q26;
+    }
+    if (v->raster->texture != NULL) {
+        ramp[count++] = &v->uv[0].l;
+        ramp[count++] = &v->uv[1].l;
+    }
+    return count;
 }
 
-/* Each place by itself: any values. */
-QTRI_NOINLINE static void put_places(work *w)
+/* The fragments that take their colours at a place, with them into the batch. */
+static void put_place(const work *w, int place)
 {
     qtri_batch *batch = w->raster->batch;
+    uint32_t *const begin = batch->place + batch->count;
+    uint32_t *out = begin;
+    uint32_t whole[QTRI_BATCH];
+    uint32_t *kept = whole;
+    for (int32_t i = 0; i < w->count; i++) {
+        if (w->colored[i] == place) {
+            *kept++ = w->place[i];
+            *out++ = w->place[i] & PLACE_BITS;
+        }
+    }
+    qtri_list_append(&w->values, (int32_t)(out - begin));
+    while (out != begin) {
+        *--out = *--kept;
+    }
+}
+
+/* Each place by itself: of a triangle that is not thick, values are set anew for it. */
+QTRI_NOINLINE static void put_places(work *w)
+{
+    qtri_ramp *ramp[RAMPS];
+    uint32_t origin[RAMPS];
+    const int ramps = w->is_thick ? ramps_of(&w->values, ramp) : 0;
+    for (int i = 0; i < ramps; i++) {
+        origin[i] = ramp[i]->origin;
+    }
     for (int place = 0; place < PLACES; place++) {
         if ((w->places >> place & 1) == 0) {
             continue;
         }
-        w->values.has_e = false;
-        move(w, place, 1);
-        qtri_list_set(&w->values);
-        move(w, place, -1);
-        uint32_t *at = batch->place + batch->count;
-        const int32_t count = gather(w, place, at, PLACE_BITS);
-        qtri_list_append(&w->values, count);
-        (void)gather(w, place, at, UINT32_MAX);
+        for (int i = 0; i < ramps; i++) {
+            ramp[i]->origin = origin[i] + more_at(ramp[i], place);
+        }
+        if (!w->is_thick) {
+            w->values.has_e = false;
+            move(w, place, 1);
+            qtri_list_set(&w->values);
+            move(w, place, -1);
+        }
+        put_place(w, place);
+    }
+    for (int i = 0; i < ramps; i++) {
+        ramp[i]->origin = origin[i];
     }
 }
 
@@ -339,12 +376,12 @@ QTRI_NOINLINE static void put(work *w)
     if (w->raster->batch->count + w->count > QTRI_BATCH) {
         qtri_list_flush(w->raster);
     }
-    if (!w->is_set && w->is_thick && w->raster->texture == NULL) {
+    const qtri_list_values *v = &w->values;
+    if (w->is_thick && !w->is_set) {
         qtri_list_set(&w->values);
-        w->is_set = w->values.channels == 0 || !w->values.curved;
-        w->is_thick = w->is_set;
+        w->is_set = true;
     }
-    if (w->is_set) {
+    if (w->is_thick && w->raster->texture == NULL && (v->channels == 0 || !v->curved)) {
         put_linear(w);
     } else {
         put_places(w);
