@@ -14,7 +14,10 @@
 #include "list.h"
 #include "triangle.h"
 
-enum { QTRI_SAMPLES = 4 };
+enum {
+    QTRI_SAMPLES = 4,
+    QTRI_SAMPLE_DEPTHS = 6 /* bytes at the end of a record */
+};
 
 /* Of samples from the centre, 1/256 pixel; then of that. */
 extern const int8_t qtri_sample_offset[QTRI_SAMPLES + 1][2];
@@ -53,7 +56,7 @@ uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record);
 /* Bytes of a colour in records of `size` bytes: 10, 14, 18 and 24. */
 static inline int32_t qtri_sample_bytes(int32_t size)
 {
-    return (size - 6) / QTRI_SAMPLES;
+    return (size - QTRI_SAMPLE_DEPTHS) / QTRI_SAMPLES;
 }
 
 /* Colour `k` of a record. */
