@@ -14,8 +14,8 @@ static inline uint32_t lumas_565(uint32_t first, uint32_t second)
     return lumas_of_two(first | second << 16);
 }
 
-typedef struct window_565 window_565;
-static inline int32_t luma_sum(const window_565 *w, int32_t i, int32_t x, int32_t side);
+struct window_565;
+static inline int32_t luma_sum(const struct window_565 *w, int32_t i, int32_t x, int32_t side);
 
 #define NAME(name)           name##_565
 #define COLOR                uint16_t
@@ -27,7 +27,7 @@ static inline int32_t luma_sum(const window_565 *w, int32_t i, int32_t x, int32_
 #define MIX(w, a, b, s)      qtri_lerp_565(a, b, s)
 #include "fxaa.inc"
 
-static inline int32_t luma_sum(const window_565 *w, int32_t i, int32_t x, int32_t side)
+static inline int32_t luma_sum(const struct window_565 *w, int32_t i, int32_t x, int32_t side)
 {
     if (i == 0 || i == 4) {
         const uint32_t lumas = lumas_565(w->row[i][x], w->row[i][x + side]);

@@ -243,16 +243,18 @@ static bool is_thick(const qtri_place *p)
 
 static void set_depths(work *w)
 {
+    const qtri_ramp no_ramp = {0, 0, 0};
     const qtri_list_triangle *t = w->values.t;
     const uint32_t first = t->v[0]->depth_16p8 >> 8;
     const uint32_t steep = qtri_about((int32_t)((t->v[1]->depth_16p8 >> 8) - first)) |
                            qtri_about((int32_t)((t->v[2]->depth_16p8 >> 8) - first));
+    w->depth = no_ramp;
     qtri_list_set_depth(&w->depth, &w->values);
     for (int k = 0; k < QTRI_SAMPLES; k++) {
         if (w->is_thick && steep >> 16 == 0) {
             w->more[k] = more_at(&w->depth, k);
         } else {
-            qtri_ramp there;
+            qtri_ramp there = no_ramp;
             move(w, k, 1);
             qtri_list_set_depth(&there, &w->values);
             move(w, k, -1);
@@ -492,9 +494,7 @@ QTRI_NOINLINE void qtri_samples_small(const qtri_raster *raster, const qtri_list
     qtri_list_begin(&w.values, raster, t);
     p->x -= p->column * 256;
     p->y -= p->row * 256;
-    if (raster->with_depth) {
-        set_depths(&w);
-    }
+    set_depths(&w);
     for (int32_t rows = p->first[1]; rows > 0; rows--, place += (uint32_t)1 << 16) {
         int32_t first;
         const int32_t count = cover_row(&w.edges, columns, w.cover, &first);
