@@ -106,7 +106,7 @@ static void depths(void **state)
     long wrong = 0;
     long all = 0;
     for (int n = 0; n < 60; n++) {
-        canvas c = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+        canvas c = canvas_new(four[n % FORMATS], WIDTH, HEIGHT);
         canvas moved[4];
         qtri_material material = plain_material();
         const qtri_rgb sky = {10, 20, 30};
@@ -114,7 +114,7 @@ static void depths(void **state)
         material.depth_compare = QTRI_LESS;
         qtri_samples_clear(&c.surface, sky, 65535);
         for (int k = 0; k < 4; k++) {
-            moved[k] = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+            moved[k] = canvas_new(plain[n % FORMATS], WIDTH, HEIGHT);
             qtri_surface_clear(&moved[k].surface, sky, 65535);
         }
         for (int i = 0; i < 40; i++) {

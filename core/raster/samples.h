@@ -16,7 +16,7 @@
 
 enum {
     QTRI_SAMPLES = 4,
-    QTRI_SAMPLE_DEPTHS = 6 /* bytes at the end of a record */
+    QTRI_SAMPLE_DEPTHS = 6 /* bytes after the colours; then a record may be filled up */
 };
 
 /* Of samples from the centre, 1/256 pixel; then of that. */

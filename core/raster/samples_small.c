@@ -434,8 +434,8 @@ QTRI_INLINE void test_row(work *w, uint32_t place, int32_t count, uint32_t passe
     const int32_t size = surface->format->pixels->bytes;
     uint32_t z = qtri_list_at(&w->depth, column, row);
     uint16_t *first = surface->depth + (ptrdiff_t)row * surface->depth_pitch + column;
-    uint8_t *rest = surface->pixels + (ptrdiff_t)row * surface->pitch +
-                    (int32_t)(column + 1) * size - QTRI_SAMPLE_DEPTHS;
+    uint8_t *rest = surface->pixels + (ptrdiff_t)row * surface->pitch + (int32_t)column * size +
+                    ((size - QTRI_SAMPLE_DEPTHS) & ~3); /* past colours */
     const uint8_t *cover = w->cover;
     const uint8_t *const end = cover + count;
     do {
