@@ -142,10 +142,6 @@ QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indice
     qtri_place place;
     uint8_t spans[QTRI_PLACE_SPANS];
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (raster->samples != NULL) {
-        draw_sampled(draw, indices, a, b, c);
-        return;
-    }
     const qtri_placed placed = PLACE(&place, spans, raster, a, b, c);
     if (placed == QTRI_PLACED_SMALL) {
         draw_placed(draw, indices, &place, a, b, c);
@@ -158,7 +154,12 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
                                         qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (raster->tint_small == NULL || !raster->tint_small(raster, indices, a, b, c)) {
+    if (raster->tint_small != NULL && raster->tint_small(raster, indices, a, b, c)) {
+        return;
+    }
+    if (raster->samples != NULL) {
+        draw_sampled(draw, indices, a, b, c);
+    } else {
         draw_any(draw, indices, a, b, c);
     }
 }
