@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/samples.h"
 #include "../raster/small.h"
 #include "lights.h"
 
@@ -82,35 +83,24 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const uint32_t
 
 /* In place where code need not be small. */
 #ifdef __OPTIMIZE_SIZE__
-#define PLACE qtri_place_triangle
+#define PLACE  qtri_place_triangle
+#define SHARED QTRI_NOINLINE static
 #else
-#define PLACE qtri_place_near
+#define PLACE  qtri_place_near
+#define SHARED QTRI_INLINE
 #endif
 
-/* One that no fused loop draws. */
-QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                                   qtri_vertex *b, qtri_vertex *c)
+/* A small one that touches a pixel. */
+SHARED void draw_placed(const qtri_mesh_job *draw, const void *indices, qtri_place *place,
+                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
-    qtri_place place;
-    uint8_t spans[QTRI_PLACE_SPANS];
     qtri_coordinates uv[2];
     const qtri_mesh *mesh = draw->mesh;
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (raster->route != NULL) {
-        draw_large(draw, indices, a, b, c);
-        return;
-    }
-    const qtri_placed placed = PLACE(&place, spans, raster, a, b, c);
-    if (placed != QTRI_PLACED_SMALL) {
-        if (placed == QTRI_PLACED_LARGE) {
-            draw_large(draw, indices, a, b, c);
-        }
-        return;
-    }
     const uint32_t light_q15 = raster->lamp.by_vertex && qtri_vertices_are_lit(a, b, c)
                                    ? QTRI_VERTEX_UNLIT
                                    : qtri_mesh_find_light(draw, indices, a, b, c);
-    qtri_list_triangle t = {&place, {a, b, c}, NULL, light_q15, uv};
+    qtri_list_triangle t = {place, {a, b, c}, NULL, light_q15, uv};
     if (draw->more) {
         const uint32_t index[3] = {qtri_mesh_index(mesh, indices, 0),
                                    qtri_mesh_index(mesh, indices, 1),
@@ -130,11 +120,48 @@ QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indice
     qtri_small_draw(raster, &t);
 }
 
+/* The same where triangles have a route: those of samples may be small. */
+QTRI_NOINLINE static void draw_routed(const qtri_mesh_job *draw, const void *indices,
+                                      qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    const qtri_placed placed = qtri_takes_small(raster)
+                                   ? raster->samples->place(&place, spans, raster, a, b, c)
+                                   : QTRI_PLACED_LARGE;
+    if (placed == QTRI_PLACED_SMALL) {
+        draw_placed(draw, indices, &place, a, b, c);
+    } else if (placed == QTRI_PLACED_LARGE) {
+        draw_large(draw, indices, a, b, c);
+    }
+}
+
+/* One that no fused loop draws. */
+QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                   qtri_vertex *b, qtri_vertex *c)
+{
+    qtri_place place;
+    uint8_t spans[QTRI_PLACE_SPANS];
+    const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    const qtri_placed placed = PLACE(&place, spans, raster, a, b, c);
+    if (placed == QTRI_PLACED_SMALL) {
+        draw_placed(draw, indices, &place, a, b, c);
+    } else if (placed == QTRI_PLACED_LARGE) {
+        draw_large(draw, indices, a, b, c);
+    }
+}
+
 QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
                                         qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (raster->tint_small == NULL || !raster->tint_small(raster, indices, a, b, c)) {
+    if (raster->tint_small != NULL && raster->tint_small(raster, indices, a, b, c)) {
+        return;
+    }
+    if (raster->route != NULL) {
+        draw_routed(draw, indices, a, b, c);
+    } else {
         draw_any(draw, indices, a, b, c);
     }
 }

@@ -2,6 +2,7 @@
 #include "fill.h"
 
 #include "../raster/blend_vertex.h"
+#include "../raster/samples.h"
 #include "../raster/small.h"
 #include "../raster/unsnapped.h"
 
@@ -284,7 +285,8 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
 
 static bool draw_piece(const piece *p, int64_t area, bool with_rests)
 {
-    if (p->primitive->to.solid.raster.route == NULL && draw_placed_piece(p) != QTRI_PLACED_LARGE) {
+    if (qtri_takes_small(&p->primitive->to.solid.raster) &&
+        draw_placed_piece(p) != QTRI_PLACED_LARGE) {
         return true;
     }
     return draw_large_piece(p, area, with_rests);

@@ -27,7 +27,10 @@ static const qtri_colors *kind_of(const void *window);
 #define COLOR           uint32_t
 #define LUMA(c)         ((int32_t)((c) >> LUMA_SHIFT))
 #define MIX(w, a, b, s) qtri_mix_colors(kind_of(w), a, b, s)
-#define LUMAS(a, b)     (LUMA(a) + LUMA(b))
+#define LUMA_ROWS
+#define LIGHT                uint32_t
+#define LIGHTS(w, i)         ((w)->row[i])
+#define LUMAS(w, i, x, side) (LUMA((w)->row[i][x]) + LUMA((w)->row[i][(x) + (side)]))
 #include "fxaa.inc"
 
 /* A window that knows its kind of colour. */

@@ -4,33 +4,40 @@
 #include "../frame/barrier.h"
 
 /* Lumas of two pixels, the first in the lower half: what is masked is masked once for both. */
-static inline uint32_t lumas_565(uint32_t first, uint32_t second)
+static inline uint32_t lumas_of_two(uint32_t two)
 {
-    const uint32_t two = first | second << 16;
     return (two >> 10 & 0x003E003Eu) + (two >> 4 & 0x007E007Eu) + (two & 0x001F001Fu);
 }
 
-static inline int32_t luma_sum_565(uint32_t a, uint32_t b)
+static inline uint32_t lumas_565(uint32_t first, uint32_t second)
 {
-    const uint32_t lumas = lumas_565(a, b);
-    return (int32_t)((lumas + (lumas >> 16)) & 0xFFFF);
+    return lumas_of_two(first | second << 16);
 }
 
-#define NAME(name)      name##_565
-#define LUMAS(a, b)     luma_sum_565(a, b)
-#define COLOR           uint16_t
-#define LUMA(c)         ((int32_t)(2u * ((c) >> 11) + ((uint32_t)(c) >> 4 & 0x7E) + ((c)&31u)))
-#define MIX(w, a, b, s) qtri_lerp_565(a, b, s)
+struct window_565;
+static inline int32_t luma_sum(const struct window_565 *w, int32_t i, int32_t x, int32_t side);
+
+#define NAME(name)           name##_565
+#define COLOR                uint16_t
+#define LUMA_ROWS            const uint16_t *lumas[5]; /* of rows 1 to 3 */
+#define LIGHT                uint16_t
+#define LUMA(l)              ((int32_t)(l))
+#define LIGHTS(w, i)         ((w)->lumas[i])
+#define LUMAS(w, i, x, side) luma_sum(w, i, x, side)
+#define MIX(w, a, b, s)      qtri_lerp_565(a, b, s)
 #include "fxaa.inc"
 
-enum { ROWS = 3 }; /* old colours that are kept: of this row and two above */
+static inline int32_t luma_sum(const struct window_565 *w, int32_t i, int32_t x, int32_t side)
+{
+    if (i == 0 || i == 4) {
+        const uint32_t lumas = lumas_565(w->row[i][x], w->row[i][x + side]);
+        return (int32_t)((lumas + (lumas >> 16)) & 0xFFFF);
+    }
+    return w->lumas[i][x] + w->lumas[i][x + side];
+}
 
-/* Two pixels as a word, which are read as single ones elsewhere. */
-#ifdef __GNUC__
-typedef uint32_t __attribute__((__may_alias__)) pair;
-#else
-typedef uint32_t pair;
-#endif
+/* Old colours that are kept: of this row and two above; lumas: of this row and its neighbours. */
+enum { ROWS = 3 };
 
 static void filter_pixels(const window_565 *w, uint16_t *out, int32_t x, int32_t end, int32_t width)
 {
@@ -39,60 +46,57 @@ static void filter_pixels(const window_565 *w, uint16_t *out, int32_t x, int32_t
     }
 }
 
-/* Pixels x and x + 1 where one of them differs from its neighbours. */
+/* Pixels x and x + 1, one of which has a neighbour whose luma is not near its own. */
 QTRI_NOINLINE static void filter_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width)
 {
-    const uint16_t *up = w->row[1] + x;
-    const uint16_t *own = w->row[2] + x;
-    const uint16_t *down = w->row[3] + x;
-    const uint32_t both = lumas_565(own[0], own[1]);
-    const uint32_t above = lumas_565(up[0], up[1]);
-    const uint32_t below = lumas_565(down[0], down[1]);
-    const uint32_t beside = lumas_565(own[-1], own[2]);
-    const int32_t first = (int32_t)(both & 0xFFFF);
-    const int32_t second = (int32_t)(both >> 16);
-    const int32_t luma[5] = {first, (int32_t)(above & 0xFFFF), (int32_t)(below & 0xFFFF),
-                             (int32_t)(beside & 0xFFFF), second};
-    if (!qtri_fxaa_is_flat(first, luma[1], luma[2], luma[3], second)) {
-        out[x] = (uint16_t)resolve_565(w, x, width, luma);
+    const uint16_t *up = w->lumas[1] + x;
+    const uint16_t *own = w->lumas[2] + x;
+    const uint16_t *down = w->lumas[3] + x;
+    const int32_t first = own[0];
+    const int32_t second = own[1];
+    if (!qtri_fxaa_is_flat(first, up[0], down[0], own[-1], second)) {
+        out[x] = (uint16_t)resolve_565(w, x, width);
     }
-    const int32_t next[5] = {second, (int32_t)(above >> 16), (int32_t)(below >> 16), first,
-                             (int32_t)(beside >> 16)};
-    if (!qtri_fxaa_is_flat(second, next[1], next[2], first, next[4])) {
-        out[x + 1] = (uint16_t)resolve_565(w, x + 1, width, next);
+    if (!qtri_fxaa_is_flat(second, up[1], down[1], first, own[2])) {
+        out[x + 1] = (uint16_t)resolve_565(w, x + 1, width);
     }
 }
 
+/* A word of two pixels, moved by one: another comes in at the left, or at the right. */
+static inline uint32_t moved_in(uint32_t two, uint32_t other, bool at_left)
+{
+    const union {
+        uint32_t word;
+        uint16_t first;
+    } one = {1}; /* whether the first of two is in the word's lower half */
+    return (one.first == 1) == at_left ? two << 16 | other : two >> 16 | other << 16;
+}
+
 /*
- * Columns x..end - 1, x even and at least 2, of rows of whole words: two pixels that are
- * as all their neighbours are done with a look.
+ * Columns x..end - 1, x even and at least 2. Most pixels' lumas are at most 3 less and 4 more than
+ * those of all neighbours, which is flat: that is asked of two at once, in halves of a word. A half
+ * that is below 0 takes from the other, but has bits that count itself.
  */
 QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32_t x, int32_t end,
                                        int32_t width)
 {
-    const pair *up = (const pair *)(const void *)(w->row[1] + x);
-    const pair *own = (const pair *)(const void *)(w->row[2] + x);
-    const pair *down = (const pair *)(const void *)(w->row[3] + x);
-    int32_t left = end - x;
-    while (left >= 2) {
-        const uint32_t two = own[0];
-        if (two == up[0] && two == down[0] && two == (two << 16 | two >> 16)) {
-            const uint16_t *pixel = (const uint16_t *)(const void *)own;
-            if (pixel[-1] == pixel[0] && pixel[2] == pixel[0]) {
-                up++;
-                own++;
-                down++;
-                left -= 2;
-                continue;
-            }
+    const uint32_t near = 0x00040004u;
+    const uint16_t *up = w->lumas[1];
+    const uint16_t *own = w->lumas[2];
+    const uint16_t *down = w->lumas[3];
+    for (; x + 1 < end; x += 2) {
+        const uint32_t both = *(const qtri_pair *)(const void *)(own + x);
+        const uint32_t above = *(const qtri_pair *)(const void *)(up + x);
+        const uint32_t below = *(const qtri_pair *)(const void *)(down + x);
+        const uint32_t left = moved_in(both, own[x - 1], true);
+        const uint32_t right = moved_in(both, own[x + 2], false);
+        const uint32_t most = both + near;
+        if ((((most - above) | (most - below) | (most - left) | (most - right)) & ~0x00070007u) !=
+            0) {
+            filter_two(w, out, x, width);
         }
-        filter_two(w, out, end - left, width);
-        up++;
-        own++;
-        down++;
-        left -= 2;
     }
-    filter_pixels(w, out, end - left, end, width);
+    filter_pixels(w, out, x, end, width);
 }
 
 /* What a row has besides the colour that it begins and ends with: columns first..end - 1. */
@@ -103,15 +107,15 @@ typedef struct extent {
 
 static extent extent_of(const uint16_t *row, int32_t width)
 {
-    const pair *words = (const pair *)(const void *)row;
+    const qtri_pair *words = (const qtri_pair *)(const void *)row;
     const int32_t count = width / 2;
     const uint32_t color = words[0];
     extent e = {color, 0, width};
     if (color != (color << 16 | color >> 16)) {
         return e;
     }
-    const pair *at = words;
-    const pair *end = words + count;
+    const qtri_pair *at = words;
+    const qtri_pair *end = words + count;
     while (end - at >= 4 &&
            ((at[0] ^ color) | (at[1] ^ color) | (at[2] ^ color) | (at[3] ^ color)) == 0) {
         at += 4;
@@ -150,51 +154,114 @@ static bool are_pairs(const qtri_surface *surface)
            (surface->width & 1) == 0;
 }
 
-static void copy_row(uint32_t *to, const uint16_t *row, int32_t width, bool pairs)
-{
-    if (pairs) {
-        const pair *from = (const pair *)(const void *)row;
-        int32_t left = width / 2;
-        for (; left >= 4; left -= 4, to += 4, from += 4) {
-            const uint32_t a = from[0];
-            const uint32_t b = from[1];
-            const uint32_t c = from[2];
-            const uint32_t d = from[3];
-            to[0] = a;
-            to[1] = b;
-            to[2] = c;
-            to[3] = d;
-            QTRI_OPAQUE(to)
-        }
-        for (; left > 0; left--) {
-            *to++ = *from++;
-        }
-        return;
-    }
-    uint16_t *pixel = (uint16_t *)(void *)to;
-    for (int32_t x = 0; x < width; x++) {
-        pixel[x] = row[x];
-    }
-}
-
 static uint16_t *row_of(const qtri_surface *surface, int32_t y)
 {
     return (uint16_t *)(void *)(surface->pixels + (y - surface->first_row) * surface->pitch);
 }
 
-/* Row y, whose old colours and those above are kept: columns first..end - 1. */
-static void filter_row(const qtri_surface *surface, const window_565 *w, int32_t y, int32_t first,
-                       int32_t end, bool pairs)
+static void fill_words(qtri_pair *to, const qtri_pair *end, uint32_t word)
 {
-    const int32_t width = surface->width;
-    uint16_t *out = row_of(surface, y);
-    if (!pairs || end - first < 4) {
-        filter_pixels(w, out, first, end, width);
+    while (end - to >= 8) {
+        to[0] = word;
+        to[1] = word;
+        to[2] = word;
+        to[3] = word;
+        to[4] = word;
+        to[5] = word;
+        to[6] = word;
+        to[7] = word;
+        to += 8;
+        QTRI_OPAQUE(to)
+    }
+    while (to != end) {
+        *to++ = word;
+    }
+}
+
+static void copy_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
+{
+    for (; end - from >= 4; to += 4, from += 4) {
+        const uint32_t a = from[0];
+        const uint32_t b = from[1];
+        const uint32_t c = from[2];
+        const uint32_t d = from[3];
+        to[0] = a;
+        to[1] = b;
+        to[2] = c;
+        to[3] = d;
+        QTRI_OPAQUE(to)
+    }
+    while (from != end) {
+        *to++ = *from++;
+    }
+}
+
+static void luma_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
+{
+    for (; end - from >= 2; to += 2, from += 2) {
+        const uint32_t a = from[0];
+        const uint32_t b = from[1];
+        to[0] = lumas_of_two(a);
+        to[1] = lumas_of_two(b);
+        QTRI_OPAQUE(to)
+    }
+    if (from != end) {
+        *to = lumas_of_two(*from);
+    }
+}
+
+/* A row's colours or lumas: of its extent, and of the colour about it. */
+static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_t width, bool pairs,
+                     bool luma)
+{
+    if (!pairs) {
+        uint16_t *to = (uint16_t *)(void *)out;
+        for (int32_t x = 0; x < width; x++) {
+            to[x] = (uint16_t)(luma ? lumas_565(row[x], 0) : row[x]);
+        }
         return;
     }
-    const int32_t even = (first + 1) & ~1;
-    filter_pixels(w, out, first, even, width);
-    filter_pairs(w, out, even, end, width);
+    qtri_pair *to = (qtri_pair *)out;
+    const qtri_pair *from = (const qtri_pair *)(const void *)row;
+    const int32_t first = e->first / 2;
+    const int32_t end = qtri_greatest32(e->end / 2, first); /* e->end is 0 where there is nothing */
+    const uint32_t about = luma ? lumas_of_two(e->color) : e->color;
+    fill_words(to, to + first, about);
+    if (luma) {
+        luma_words(to + first, from + first, from + end);
+    } else {
+        copy_words(to + first, from + first, from + end);
+    }
+    fill_words(to + end, to + width / 2, about);
+}
+
+/* A row comes in below the others: it is as it was. */
+typedef struct incoming {
+    const qtri_surface *surface;
+    uint32_t *memory; /* ROWS rows of colours, ROWS of lumas */
+    int32_t words;    /* of a row */
+    bool pairs;
+} incoming;
+
+static const uint16_t *come_in(const incoming *in, int32_t y, extent *e)
+{
+    const uint16_t *row = row_of(in->surface, y);
+    uint32_t *lumas = in->memory + (ptrdiff_t)(ROWS + y % ROWS) * in->words;
+    if (in->pairs) {
+        *e = extent_of(row, in->surface->width);
+    }
+    keep_row(lumas, row, e, in->surface->width, in->pairs, true);
+    return (const uint16_t *)(const void *)lumas;
+}
+
+/* Row y, whose old colours and those above are kept: columns first..end - 1. */
+static void filter_row(const qtri_surface *surface, const window_565 *w, int32_t y, int32_t first,
+                       int32_t end)
+{
+    uint16_t *out = row_of(surface, y);
+    const int32_t even = qtri_least32((first + 1) & ~1, end);
+    filter_pixels(w, out, first, even, surface->width);
+    filter_pairs(w, out, even, end, surface->width);
 }
 
 enum qtri_error qtri_fxaa_565(const qtri_surface *surface, uint32_t *memory, uint32_t words)
@@ -210,29 +277,29 @@ enum qtri_error qtri_fxaa_565(const qtri_surface *surface, uint32_t *memory, uin
     if (words < QTRI_FXAA_565_WORDS(width)) {
         return QTRI_ERROR_MEMORY;
     }
-    const bool pairs = are_pairs(surface);
-    window_565 w = {{NULL, NULL, NULL, NULL, NULL}};
+    const incoming in = {surface, memory, (width + 1) / 2, are_pairs(surface)};
+    window_565 w = {{NULL, NULL, NULL, NULL, NULL}, {NULL, NULL, NULL, NULL, NULL}};
     extent rows[ROWS] = {{0, 0, width}, {0, 0, width}, {0, 0, width}}; /* above, this, below */
+    w.lumas[3] = come_in(&in, bounds.y0, &rows[2]);
     for (int32_t y = bounds.y0; y < bounds.y1; y++) {
-        uint32_t *slot = memory + (ptrdiff_t)(y % ROWS) * ((width + 1) / 2);
-        copy_row(slot, row_of(surface, y), width, pairs);
+        uint32_t *slot = memory + (ptrdiff_t)(y % ROWS) * in.words;
+        keep_row(slot, row_of(surface, y), &rows[2], width, in.pairs, false);
         w.row[0] = w.row[1];
         w.row[1] = w.row[2];
         w.row[2] = (const uint16_t *)(const void *)slot;
         w.row[3] = y + 1 < bounds.y1 ? row_of(surface, y + 1) : NULL;
         w.row[4] = y + 2 < bounds.y1 ? row_of(surface, y + 2) : NULL;
-        extent all = {0, 0, width};
-        if (pairs) {
-            rows[0] = rows[1];
-            rows[1] = y == bounds.y0 ? extent_of(w.row[2], width) : rows[2];
-            if (w.row[3] != NULL) {
-                rows[2] = extent_of(w.row[3], width);
-            }
-            all = extent_of_three(&rows[0], &rows[1], &rows[2], width);
+        w.lumas[1] = w.lumas[2];
+        w.lumas[2] = w.lumas[3];
+        rows[0] = rows[1];
+        rows[1] = rows[2];
+        if (w.row[3] != NULL) {
+            w.lumas[3] = come_in(&in, y + 1, &rows[2]);
         }
         if (w.row[1] != NULL && w.row[3] != NULL) {
+            const extent all = extent_of_three(&rows[0], &rows[1], &rows[2], width);
             filter_row(surface, &w, y, qtri_greatest32(all.first, bounds.x0 > 0 ? bounds.x0 : 1),
-                       qtri_least32(all.end, bounds.x1 < width ? bounds.x1 : width - 1), pairs);
+                       qtri_least32(all.end, bounds.x1 < width ? bounds.x1 : width - 1));
         }
     }
     return QTRI_OK;

@@ -139,11 +139,7 @@ static void draw(const qtri_raster *raster, qtri_triangle *triangle, const qtri_
     p.stored = raster->format;
     p.held = raster->samples != NULL;
     set_planes(&p, triangle, v);
-    if (raster->samples != NULL) {
-        raster->samples->draw(&p.raster, triangle, v);
-    } else {
-        qtri_triangle_draw_plain(&p.raster, triangle, v);
-    }
+    qtri_triangle_draw_plain(&p.raster, triangle, v);
 }
 
 /* For what texels and colours become before: `draw` has the pixels'. */

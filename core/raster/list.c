@@ -4,6 +4,7 @@
 #include "../geometry/projector.h"
 #include "effect.h"
 #include "list_values.h"
+#include "samples.h"
 #include "shading.h"
 #include "textured.h"
 
@@ -255,6 +256,10 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
     if (format->encode != NULL) {
         format->encode(batch->color, count);
     }
+    if (raster->samples != NULL) {
+        raster->samples->put(raster, count);
+        return;
+    }
     format->pixels->scatter(raster->surface->pixels, raster->surface->pitch, batch->place,
                             batch->color, count);
 }
@@ -267,7 +272,7 @@ void qtri_list_flush(const qtri_raster *raster)
 }
 
 /* Colours; returns what the words are. */
-static uint8_t set_colors(qtri_list_values *v)
+QTRI_INLINE uint8_t set_colors(qtri_list_values *v)
 {
     const qtri_raster *raster = v->raster;
     const qtri_list_triangle *t = v->t;
@@ -308,7 +313,7 @@ static uint8_t set_colors(qtri_list_values *v)
 }
 
 /* The words of fragments first..count - 1. Returns the mask of those that are drawn. */
-static uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t count)
+QTRI_INLINE uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t count)
 {
     const qtri_raster *raster = v->raster;
     const qtri_colors *colors = raster->format->colors;
@@ -371,4 +376,25 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
     if (batch->count > 16) {
         qtri_list_flush(raster);
     }
+}
+
+void qtri_list_set(qtri_list_values *v)
+{
+    const qtri_raster *raster = v->raster;
+    const uint8_t kind = set_colors(v);
+    if (kind != raster->batch->kind) {
+        qtri_list_flush(raster);
+        raster->batch->kind = kind;
+    }
+    if (raster->texture != NULL) {
+        raster->texturing->set_list(v);
+    }
+}
+
+void qtri_list_append(const qtri_list_values *v, int32_t count)
+{
+    qtri_batch *batch = v->raster->batch;
+    const int32_t first = batch->count;
+    batch->count = (uint8_t)(first + count);
+    (void)set_words(v, first, first + count);
 }

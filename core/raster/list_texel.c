@@ -130,7 +130,7 @@ void qtri_list_set_texels(qtri_list_values *v)
         return;
     }
     v->blocks = false;
-    v->gentle = texture->filter == NULL &&
+    v->gentle = texture->filter == NULL && raster->samples == NULL && /* whose ramps are moved */
                 ((qtri_about(v->e1_q18) | qtri_about(v->e2_q18)) >> 13) == 0 && fill_axes(v, true);
     if (!v->gentle) {
         (void)fill_axes(v, false);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "place.h"
 
+#include "samples.h"
+
 bool qtri_inv_w_more(int32_t *more, const qtri_vertex *a, const qtri_vertex *b)
 {
     const uint32_t up = (b->depth_16p8 & 0xFF) - (a->depth_16p8 & 0xFF) + 1;
@@ -14,8 +16,8 @@ bool qtri_inv_w_more(int32_t *more, const qtri_vertex *a, const qtri_vertex *b)
     return difference + limit <= 2 * limit;
 }
 
-QTRI_NOINLINE qtri_placed qtri_place_uneven(qtri_place *p, const qtri_vertex *a,
-                                            const qtri_vertex *b, const qtri_vertex *c)
+QTRI_NOINLINE bool qtri_place_uneven(qtri_place *p, const qtri_vertex *a, const qtri_vertex *b,
+                                     const qtri_vertex *c)
 {
     const int32_t z0 = (int32_t)(a->depth_16p8 >> 8);
     const int32_t z1 = (int32_t)(b->depth_16p8 >> 8) - z0;
@@ -23,11 +25,11 @@ QTRI_NOINLINE qtri_placed qtri_place_uneven(qtri_place *p, const qtri_vertex *a,
     int32_t more[2];
     if (qtri_place_is_steep(p, z1, z2) || !qtri_inv_w_more(&more[0], a, b) ||
         !qtri_inv_w_more(&more[1], a, c)) {
-        return QTRI_PLACED_LARGE;
+        return false;
     }
     p->more1 = more[p->back ? 1 : 0];
     p->more2 = more[p->back ? 0 : 1];
-    return QTRI_PLACED_SMALL;
+    return true;
 }
 
 bool qtri_place_cut(uint8_t *span, int32_t column, const qtri_rect *bounds)
@@ -47,5 +49,6 @@ qtri_placed qtri_place_triangle(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
                                 const qtri_raster *raster, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_vertex *c)
 {
-    return qtri_place_near(p, spans, raster, a, b, c);
+    return raster->samples != NULL ? raster->samples->place(p, spans, raster, a, b, c)
+                                   : qtri_place_near(p, spans, raster, a, b, c);
 }

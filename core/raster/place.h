@@ -262,20 +262,15 @@ static inline qtri_placed qtri_place_inline(qtri_place *p, uint8_t spans[QTRI_PL
     return QTRI_PLACED_SMALL;
 }
 
-/* The end of qtri_place_near() where depths or 1/w may differ by too much. */
-qtri_placed qtri_place_uneven(qtri_place *p, const qtri_vertex *a, const qtri_vertex *b,
-                              const qtri_vertex *c);
+/* The end of qtri_place_set_more() where depths or 1/w may differ by too much. */
+bool qtri_place_uneven(qtri_place *p, const qtri_vertex *a, const qtri_vertex *b,
+                       const qtri_vertex *c);
 
-/* All of it. */
-static inline qtri_placed qtri_place_near(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
-                                          const qtri_raster *raster, const qtri_vertex *a,
-                                          const qtri_vertex *b, const qtri_vertex *c)
+/* What 1/w has more. False: that is too much, or depth is too steep. */
+static inline bool qtri_place_set_more(qtri_place *p, const qtri_vertex *a, const qtri_vertex *b,
+                                       const qtri_vertex *c)
 {
-    const qtri_placed placed = qtri_place_inline(p, spans, raster, a, b, c);
     const uint32_t exponents = (a->depth_16p8 ^ b->depth_16p8) | (a->depth_16p8 ^ c->depth_16p8);
-    if (placed != QTRI_PLACED_SMALL) {
-        return placed;
-    }
     const int32_t b_more = (int32_t)(b->inv_w - a->inv_w);
     const int32_t c_more = (int32_t)(c->inv_w - a->inv_w);
     if (((exponents & QTRI_PLACE_UNEVEN) | (qtri_about(b_more) | qtri_about(c_more)) >> 26) != 0) {
@@ -284,7 +279,17 @@ static inline qtri_placed qtri_place_near(qtri_place *p, uint8_t spans[QTRI_PLAC
     }
     p->more1 = p->back ? c_more : b_more;
     p->more2 = p->back ? b_more : c_more;
-    return QTRI_PLACED_SMALL;
+    return true;
+}
+
+/* All of it. */
+static inline qtri_placed qtri_place_near(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                                          const qtri_raster *raster, const qtri_vertex *a,
+                                          const qtri_vertex *b, const qtri_vertex *c)
+{
+    const qtri_placed placed = qtri_place_inline(p, spans, raster, a, b, c);
+    return placed != QTRI_PLACED_SMALL || qtri_place_set_more(p, a, b, c) ? placed
+                                                                          : QTRI_PLACED_LARGE;
 }
 
 /* The same as a function. */

@@ -10,6 +10,7 @@
 #include "samples.h"
 
 #include "effect.h"
+#include "list.h"
 #include "shading.h"
 #include "rows.h"
 #include "setup.h"
@@ -18,8 +19,7 @@
 
 enum { CENTER = QTRI_SAMPLES, PLACES };
 
-/* From the centre, 1/256 pixel. */
-static const int8_t offset[PLACES][2] = {{-32, -96}, {96, -32}, {-96, 32}, {32, 96}, {0, 0}};
+const int8_t qtri_sample_offset[PLACES][2] = {{-32, -96}, {96, -32}, {-96, 32}, {32, 96}, {0, 0}};
 
 /* ---- A row of stored pixels, each as a word ---- */
 
@@ -81,10 +81,10 @@ static void move(moved *m, const qtri_raster *raster, const qtri_triangle *from,
 {
     for (int i = 0; i < 3; i++) {
         /* By less than a pixel: coordinates stay where all that follows has room. */
-        m->p[i].x_24p8 = qtri_hold32(from->p[i]->x_24p8 - offset[place][0], -QTRI_SCREEN_MAX_24P8,
-                                     QTRI_SCREEN_MAX_24P8);
-        m->p[i].y_24p8 = qtri_hold32(from->p[i]->y_24p8 - offset[place][1], -QTRI_SCREEN_MAX_24P8,
-                                     QTRI_SCREEN_MAX_24P8);
+        m->p[i].x_24p8 = qtri_hold32(from->p[i]->x_24p8 - qtri_sample_offset[place][0],
+                                     -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
+        m->p[i].y_24p8 = qtri_hold32(from->p[i]->y_24p8 - qtri_sample_offset[place][1],
+                                     -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
         m->triangle.p[i] = &m->p[i];
     }
     m->triangle.area = qtri_triangle_area(&m->p[0], &m->p[1], &m->p[2]);
@@ -221,8 +221,8 @@ static void set_depths(work *w)
         m->anchor_x = from->anchor_x;
         m->anchor_y = from->anchor_y;
         if (is_whole) {
-            m->depth.origin += qtri_gradient_along((int32_t)m->depth.dx, offset[k][0],
-                                                   (int32_t)m->depth.dy, offset[k][1]);
+            m->depth.origin += qtri_gradient_along((int32_t)m->depth.dx, qtri_sample_offset[k][0],
+                                                   (int32_t)m->depth.dy, qtri_sample_offset[k][1]);
         }
     }
 }
@@ -418,6 +418,7 @@ QTRI_NOINLINE void qtri_samples_draw(const qtri_raster *raster, qtri_triangle *t
     work w;
     int32_t row = INT32_MAX;
     int32_t end = INT32_MIN;
+    qtri_list_flush(raster); /* small ones that came before */
     w.raster = raster;
     w.triangle = triangle;
     w.v = v;

@@ -11,15 +11,28 @@
 #include "qtri/samples.h"
 
 #include "../frame/stored.h"
+#include "list.h"
 #include "triangle.h"
 
-enum { QTRI_SAMPLES = 4 };
+enum {
+    QTRI_SAMPLES = 4,
+    QTRI_SAMPLE_DEPTHS = 6 /* bytes after the colours; then a record may be filled up */
+};
+
+/* Of samples from the centre, 1/256 pixel; then of that. */
+extern const int8_t qtri_sample_offset[QTRI_SAMPLES + 1][2];
 
 /* format->fused->samples. */
 struct qtri_sampling {
     const qtri_format *format; /* of resolved pixels */
     /* A triangle of any size and area that is not culled; its p, area and tinted are set. */
     qtri_route draw;
+    /* A small one; LARGE, too, where fragments are blended or may be turned away. */
+    qtri_placed (*place)(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS], const qtri_raster *raster,
+                         const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c);
+    void (*draw_small)(const qtri_raster *raster, const qtri_list_triangle *t);
+    /* Stores the batch's colours. */
+    void (*put)(const qtri_raster *raster, int32_t count);
 };
 
 static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *format)
@@ -27,8 +40,21 @@ static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *fo
     return format != NULL && format->fused != NULL ? format->fused->samples : NULL;
 }
 
+/* Whether triangles may be drawn as small ones: a route but that of samples takes them all. */
+static inline bool qtri_takes_small(const qtri_raster *raster)
+{
+    return raster->route == NULL ||
+           (raster->samples != NULL && raster->route == raster->samples->draw);
+}
+
 void qtri_samples_draw(const qtri_raster *raster, qtri_triangle *triangle,
                        const qtri_attributes v[3]);
+
+qtri_placed qtri_samples_place(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                               const qtri_raster *raster, const qtri_vertex *a,
+                               const qtri_vertex *b, const qtri_vertex *c);
+void qtri_samples_small(const qtri_raster *raster, const qtri_list_triangle *t);
+void qtri_samples_put(const qtri_raster *raster, int32_t count);
 
 /* The mean of a record as a stored pixel. */
 uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record);
@@ -36,7 +62,7 @@ uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record);
 /* Bytes of a colour in records of `size` bytes: 10, 14, 18 and 24. */
 static inline int32_t qtri_sample_bytes(int32_t size)
 {
-    return (size - 6) / QTRI_SAMPLES;
+    return (size - QTRI_SAMPLE_DEPTHS) / QTRI_SAMPLES;
 }
 
 /* Colour `k` of a record. */

@@ -79,7 +79,7 @@ uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record)
 }
 
 /* Records from `record` on. */
-QTRI_INLINE void clear_row(uint8_t *record, int32_t count, uint32_t stored, int32_t bytes,
+QTRI_INLINE void clear_any(uint8_t *record, int32_t count, uint32_t stored, int32_t bytes,
                            int32_t size)
 {
     for (; count > 0; count--, record += size) {
@@ -91,6 +91,43 @@ QTRI_INLINE void clear_row(uint8_t *record, int32_t count, uint32_t stored, int3
         to[1] = UINT16_MAX;
         to[2] = UINT16_MAX;
     }
+}
+
+/*
+ * Of RGB565 every other record begins with a word, and two of them are seven words: halves are
+ * c c, c c, d d, d c, c c, c d, d d.
+ */
+enum { PAIR = 2 * QTRI_RGB565_X4_BYTES, PAIR_WORDS = PAIR / 4 };
+
+static bool begins_with_word(const uint8_t *record)
+{
+    return ((uintptr_t)record & 3) == 0;
+}
+
+static void clear_565(uint8_t *record, int32_t count, uint32_t stored)
+{
+    uint32_t two[PAIR_WORDS];
+    clear_any((uint8_t *)two, 2, stored, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
+    if (!begins_with_word(record)) {
+        clear_any(record, 1, stored, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
+        record += QTRI_RGB565_X4_BYTES;
+        count--;
+    }
+    const uint32_t colors = two[0];
+    const uint32_t depths = two[2];
+    const uint32_t depth_color = two[3];
+    const uint32_t color_depth = two[5];
+    for (; count >= 2; count -= 2, record += PAIR) {
+        qtri_pair *to = (qtri_pair *)(void *)record;
+        to[0] = colors;
+        to[1] = colors;
+        to[2] = depths;
+        to[3] = depth_color;
+        to[4] = colors;
+        to[5] = color_depth;
+        to[6] = depths;
+    }
+    clear_any(record, count, stored, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
 }
 
 /* The depths of sample 0, as those of a surface without pixels. */
@@ -115,10 +152,9 @@ void qtri_samples_clear(const qtri_surface *surface, qtri_rgb color)
     for (int32_t y = bounds.y0; y < bounds.y1; y++) {
         uint8_t *record = qtri_pixels_at(surface, y) + (ptrdiff_t)bounds.x0 * size;
         if (size == QTRI_RGB565_X4_BYTES) {
-            clear_row(record, bounds.x1 - bounds.x0, stored, QTRI_RGB565_BYTES,
-                      QTRI_RGB565_X4_BYTES);
+            clear_565(record, bounds.x1 - bounds.x0, stored);
         } else {
-            clear_row(record, bounds.x1 - bounds.x0, stored, qtri_sample_bytes(size), size);
+            clear_any(record, bounds.x1 - bounds.x0, stored, qtri_sample_bytes(size), size);
         }
     }
 }
@@ -145,20 +181,44 @@ void qtri_samples_clear_depth(const qtri_surface *surface, q16 depth)
     }
 }
 
-/* Pixels of RGB565; most have one colour. */
+/* Pixels of RGB565. */
+QTRI_INLINE uint32_t resolved_565(const uint8_t *record)
+{
+    const uint16_t *color = (const uint16_t *)(const void *)record;
+    const uint32_t first = color[0];
+    const uint32_t second = color[1];
+    const uint32_t third = color[2];
+    const uint32_t fourth = color[3];
+    return first == second && first == third && first == fourth
+               ? first
+               : mean_565(first, second, third, fourth);
+}
+
+/* Most pixels have one colour, which is that of the one before: two are seen to by their words. */
 static void resolve_565(const uint8_t *record, uint16_t *to, int32_t count)
 {
-    for (; count > 0; count--, record += QTRI_RGB565_X4_BYTES) {
-        const uint16_t *color = (const uint16_t *)(const void *)record;
-        const uint32_t first = color[0];
-        const uint32_t second = color[1];
-        const uint32_t third = color[2];
-        const uint32_t fourth = color[3];
-        if (first == second && first == third && first == fourth) {
-            *to++ = (uint16_t)first;
+    uint32_t color = 0;
+    if (!begins_with_word(record)) {
+        *to++ = (uint16_t)resolved_565(record);
+        record += QTRI_RGB565_X4_BYTES;
+        count--;
+    }
+    for (; count >= 2; count -= 2, record += PAIR, to += 2) {
+        const qtri_pair *two = (const qtri_pair *)(const void *)record;
+        const uint16_t *half = (const uint16_t *)(const void *)record;
+        const uint32_t both = color | color << 16;
+        if (two[0] == both && two[1] == both && two[4] == both && half[7] == color &&
+            half[10] == color) {
+            to[0] = (uint16_t)color;
+            to[1] = (uint16_t)color;
         } else {
-            *to++ = (uint16_t)mean_565(first, second, third, fourth);
+            to[0] = (uint16_t)resolved_565(record);
+            color = resolved_565(record + QTRI_RGB565_X4_BYTES);
+            to[1] = (uint16_t)color;
         }
+    }
+    if (count > 0) {
+        *to = (uint16_t)resolved_565(record);
     }
 }
 

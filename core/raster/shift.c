@@ -2,7 +2,6 @@
 #include "shift.h"
 
 #include "blend_vertex.h"
-#include "samples.h"
 
 /* |f1 d2 - f2 d1|: f below 2^32, d at most 2^24, so below 2^57. */
 static uint64_t determinant(int64_t f1, int64_t f2, int32_t d1, int32_t d2)
@@ -51,8 +50,6 @@ static void draw_by_slope(const qtri_raster *raster, qtri_triangle *triangle,
     }
     if (qtri_by_vertex(raster) != NULL) {
         qtri_by_vertex(raster)->draw(raster, triangle, moved);
-    } else if (raster->samples != NULL) {
-        raster->samples->draw(raster, triangle, moved);
     } else {
         qtri_triangle_draw_plain(raster, triangle, moved);
     }

@@ -3,6 +3,7 @@
 
 #include "../geometry/projector.h"
 #include "list_values.h"
+#include "samples.h"
 #include "setup.h"
 #include "textured.h"
 
@@ -61,8 +62,10 @@ QTRI_NOINLINE static void draw_rows(const qtri_raster *raster, const qtri_list_t
 
 void qtri_small_draw(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    if (raster->texture == NULL && rows_are_long(t->place) &&
-        !(raster->smooth && qtri_list_varies(t))) {
+    if (raster->samples != NULL) {
+        raster->samples->draw_small(raster, t);
+    } else if (raster->texture == NULL && rows_are_long(t->place) &&
+               !(raster->smooth && qtri_list_varies(t))) {
         draw_rows(raster, t);
     } else {
         qtri_list_draw(raster, t);

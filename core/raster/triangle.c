@@ -59,6 +59,10 @@ void qtri_triangle_draw_plain(const qtri_raster *raster, qtri_triangle *triangle
                               const qtri_attributes v[3])
 {
     qtri_job job;
+    if (raster->samples != NULL) {
+        raster->samples->draw(raster, triangle, v);
+        return;
+    }
     qtri_triangle_fill(&job, triangle, qtri_job_init(&job, raster, triangle, v));
 }
 
@@ -134,7 +138,7 @@ void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3])
         vertex_from_attributes(&vertex[i], &p[i], &attributes[i], attributes[0].inv_w_exponent);
     }
     const qtri_vertex *const corner[3] = {&vertex[0], &vertex[1], &vertex[2]};
-    if (raster->route != NULL) {
+    if (!qtri_takes_small(raster)) {
         if (qtri_by_vertex(raster) != NULL) {
             const uint32_t index[3] = {0, 1, 2};
             qtri_by_vertex(raster)->set(attributes, raster, index);

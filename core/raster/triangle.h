@@ -122,7 +122,7 @@ bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *triangle);
 void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
                         const qtri_attributes v[3]);
 
-/* The same, whatever route the raster has: for those who are that. */
+/* The same, whatever route the raster has, but samples: for those who are that. */
 void qtri_triangle_draw_plain(const qtri_raster *raster, qtri_triangle *triangle,
                               const qtri_attributes v[3]);
 

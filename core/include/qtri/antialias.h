@@ -7,7 +7,7 @@
  *   filters.h   2x2 samples: all edges and what is in them, for three times the work;
  *             FXAA: pictures whose geometry is not at hand;
  *             sums of frames: what rests, as smooth as there is time for.
- *   samples.h   4 samples a pixel: few, large triangles that cut through each other.
+ *   samples.h   4 samples a pixel: triangles that cut through each other; shaded once a pixel.
  *
  * Wireframes have lines of their own, &qtri_smooth_wireframe (stroke.h).
  *

@@ -65,9 +65,10 @@ enum qtri_error qtri_halve_565(const qtri_surface *band, qtri_surface *out);
 #define QTRI_FXAA_REACH 12
 #define QTRI_FXAA_HALO  2
 
-/* Words of memory for surfaces of this width: old colours of five rows, and of three. */
+/* Words of memory for surfaces of this width: old colours of five rows; of three, and three of
+   lumas. */
 #define QTRI_FXAA_WORDS(width)     (5u * (uint32_t)(width))
-#define QTRI_FXAA_565_WORDS(width) (3u * (((uint32_t)(width) + 1u) / 2u))
+#define QTRI_FXAA_565_WORDS(width) (6u * (((uint32_t)(width) + 1u) / 2u))
 
 /*
  * Smooths what lies inside the scissor, in place. Pixels do not depend on band and scissor where

@@ -24,8 +24,9 @@
  * Of mipmapped textures their first level is drawn.
  *
  * Memory: 16 bytes a pixel of RGB565 with its depths, 26 of XRGB8888; about 6 KB of stack.
- * It serves a few large triangles. Meshes of small ones take ten times the instructions: for these
- * the edge pass (edges.h) is better for a hundredth of that, and 2x2 samples (filters.h) as good.
+ * It serves triangles that cut through each other, and large ones. Meshes of small ones take three
+ * to six times the instructions: for these the edge pass (edges.h) is better for a twentieth of
+ * that, and 2x2 samples (filters.h) as good for a third.
  */
 #ifndef QTRI_SAMPLES_H
 #define QTRI_SAMPLES_H
