@@ -217,7 +217,7 @@ static uint32_t fine_depth(const wire *w, int32_t share)
 }
 
 /* So many at a time, to take less stack. */
-enum { AFFECTED = 8 };
+enum { AFFECTED = 6 };
 
 /* Of the pixels of one line those from the first on, with fog and a blend. */
 QTRI_NOINLINE static void store_some(const wire *w, const pixels *p, int32_t first, int32_t count)
