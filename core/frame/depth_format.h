@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What serves depths of another format than linear16, &qtri_depth_testing_stages: reached through a
- * surface's description alone. Internal; raster/depth_testing.h says how it works.
+ * surface's description alone. Internal; raster/depth_testing.c says how it works.
  */
 #ifndef QTRI_FRAME_DEPTH_FORMAT_H
 #define QTRI_FRAME_DEPTH_FORMAT_H

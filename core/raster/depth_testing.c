@@ -1,9 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-#include "depth_testing.h"
-
+/*
+ * Depths of another format than linear16.
+ *
+ * They are tested as an effect is applied (effect.h): after the colours of a batch, which holds
+ * fragments of one triangle or of a piece of one line, before fog and blend, and written after
+ * those. To all stages before it the surface is one without depth. So nothing else of triangles
+ * knows of such formats, no loop for linear16 asks for them, and triangles of all sizes, textures
+ * and blends have them alike. The price is that colours are made of fragments that are hidden.
+ */
+#include "../frame/depth_format.h"
 #include "../frame/fill.h"
 #include "../frame/stored.h"
 #include "batch.h"
+#include "effect.h"
 #include "job.h"
 #include "list_values.h"
 #include "samples.h"

@@ -130,7 +130,7 @@ struct qtri_raster {
     uint8_t keep;    /* channels that a blend leaves */
     bool gray;       /* what multiplies gives the format's kind */
     bool white;      /* the tint: light alone is enough */
-    bool late_write; /* of depths that are tested as an effect: see depth_testing.h */
+    bool late_write; /* of depths that are tested as an effect: see depth_testing.c */
     qtri_compare late_compare;
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
