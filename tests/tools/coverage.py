@@ -5,7 +5,7 @@
 
 BUILD has the test programs, instrumented by clang, and in raw/ what each of them counted. ALLOWED lists what may
 stay unreached, with reasons. Prints a table, leaves BUILD/lines.tsv (which test reaches which line, for
-`make mutate`) and ends with 1 where something is unreached that is not listed, or listed and reached.
+`make mutate`) and ends with 1 where something is unreached that is not listed, or an entry of the list is of no use.
 """
 import glob
 import json
@@ -13,6 +13,8 @@ import os
 import re
 import subprocess
 import sys
+
+NEVER = "never runs"
 
 
 def lines_of(segments):
@@ -35,120 +37,151 @@ def lines_of(segments):
     return counts
 
 
-def blocks(missing):
-    """(first, last, what) of what is missing; lines in a row that never run are one."""
-    found = []
-    for line, what in sorted(missing.items()):
-        what = "; ".join(what)
-        if found and what == "never runs" == found[-1][2] and found[-1][1] == line - 1:
-            found[-1] = (found[-1][0], line, what)
-        else:
-            found.append((line, line, what))
-    return found
+def skipped_by(segments):
+    """Lines that the preprocessor left out."""
+    lines = set()
+    for own, following in zip(segments, segments[1:]):
+        if not own[3] and own[4]:
+            lines.update(range(own[0], following[0] + (following[1] > 1)))
+    return lines
 
 
 def export(build, name, root):
-    """The coverage of one test program, and of the command that it may have run."""
+    """The coverage of one test program, and of the command where it ran that, too."""
     raw = glob.glob(f"{build}/raw/{name}-*.profraw")
     if not raw:
         return []
     data = f"{build}/raw/{name}.profdata"
     subprocess.run(["llvm-profdata", "merge", "-sparse", "-o", data] + raw, check=True)
     command = ["llvm-cov", "export", "-skip-expansions", "-skip-functions", f"-instr-profile={data}",
-               f"{build}/tests/{name}", "-object", f"{build}/qtri"]
+               f"{build}/tests/{name}"]
+    if len(raw) > 1:
+        command += ["-object", f"{build}/qtri"]
     text = subprocess.run(command, check=True, capture_output=True).stdout
     return [f for d in json.loads(text)["data"] for f in d["files"]
             if os.path.relpath(f["filename"], root).startswith(("core/", "port/"))]
 
 
+class Counts:
+    """How often each line and each side of a branch ran: by file, the sums of all tests."""
+
+    def __init__(self):
+        self.lines, self.branches, self.reached_by, self.skipped = {}, {}, {}, {}
+
+    def add(self, name, path, file):
+        self.skipped.setdefault(path, set()).update(skipped_by(file["segments"]))
+        of_file = self.lines.setdefault(path, {})
+        for line, count in lines_of(file["segments"]).items():
+            of_file[line] = of_file.get(line, 0) + count
+            if count:
+                self.reached_by.setdefault((path, line), []).append(name)
+        sides = self.branches.setdefault(path, {})
+        for b in file.get("branches", []):
+            old = sides.get(tuple(b[:4]), (0, 0))
+            sides[tuple(b[:4])] = (old[0] + b[4], old[1] + b[5])
+
+
+def look_at(counts, path, source):
+    """(lines that ran, lines, sides that ran, sides) of a file, and [(line, what)] of those that did not."""
+    # A function that nobody calls counts as a whole, with what is left out of it elsewhere.
+    lines = {line: count for line, count in counts.lines[path].items() if count or line not in counts.skipped[path]}
+    missing = []
+    before = 0
+    for line, count in sorted(lines.items()):
+        if not count:
+            if line - 1 != before:  # lines in a row that never run are one
+                missing.append((line, NEVER))
+            before = line
+    sides = done = 0
+    for (line, column, _, last), (yes, no) in sorted(counts.branches.get(path, {}).items()):
+        text = source[line - 1][column - 1:last - 1]
+        # An option is known when it is compiled: one side is not there.
+        if re.fullmatch(r"!?QTRI_[A-Z0-9_]+", text):
+            continue
+        sides += 2
+        done += (yes > 0) + (no > 0)
+        if lines.get(line) != 0:
+            missing += [(line, f"`{text}` is never {side}")
+                        for side, count in (("true", yes), ("false", no)) if not count]
+    return (sum(1 for c in lines.values() if c), len(lines), done, sides), sorted(missing)
+
+
 def read_allowed(path):
-    """`FILE | TEXT | REASON`, blank lines and # apart; TEXT stands in the line, `*` is any of the file."""
+    """`FILE :: LINE :: WHAT :: REASON`; blank lines and # apart."""
     allowed = []
     for number, line in enumerate(open(path), 1):
-        line = line.rstrip("\n")
         if not line.strip() or line.startswith("#"):
             continue
-        parts = line.split(" | ", 1)
-        parts = parts[:1] + parts[-1].rsplit(" | ", 1)
-        if len(parts) != 3 or not parts[2].strip():
-            sys.exit(f"{path}:{number}: not FILE | TEXT | REASON")
-        allowed.append({"file": parts[0].strip(), "text": parts[1].strip(), "number": number, "met": False})
+        parts = [part.strip() for part in line.split(" :: ")]
+        if len(parts) != 4 or not all(parts):
+            sys.exit(f"{path}:{number}: not FILE :: LINE :: WHAT :: REASON")
+        allowed.append({"key": tuple(parts[:3]), "at": f"{path}:{number}", "met": False})
     return allowed
+
+
+def take(allowed, path, line, what):
+    """Whether an entry allows it. Each allows one place, or all of a file."""
+    for entry in allowed:
+        file, text, side = entry["key"]
+        if file == path and (text == "*" or ((text, side) == (line, what) and not entry["met"])):
+            entry["met"] = True
+            return True
+    return False
+
+
+def useless(entry):
+    """Why an entry that allows nothing does not."""
+    file, text, what = entry["key"]
+    if not os.path.exists(file):
+        return f"{file} is not there"
+    if text != "*" and text not in [line.strip() for line in open(file)]:
+        return f"{file} has no line `{text}`"
+    return f"{file}: nothing is unreached there: {text}: {what}"
 
 
 def main():
     build, allowed_path = sys.argv[1:3]
     root = os.getcwd()
-    lines, branches, reached_by = {}, {}, {}
+    counts = Counts()
     names = sorted(os.path.basename(p) for p in glob.glob(f"{build}/tests/test_*") if not p.endswith(".log"))
     for name in names:
         for file in export(build, name, root):
-            path = os.path.relpath(file["filename"], root)
-            of_file = lines.setdefault(path, {})
-            for line, count in lines_of(file["segments"]).items():
-                of_file[line] = of_file.get(line, 0) + count
-                if count:
-                    reached_by.setdefault((path, line), []).append(name)
-            for b in file.get("branches", []):
-                key = (b[0], b[1], b[2], b[3])
-                old = branches.setdefault(path, {}).get(key, (0, 0))
-                branches[path][key] = (old[0] + b[4], old[1] + b[5])
-    if not lines:
+            counts.add(name, os.path.relpath(file["filename"], root), file)
+    if not counts.lines:
         sys.exit("coverage: no program was run")
     with open(f"{build}/lines.tsv", "w") as out:
-        for (path, line), tests in sorted(reached_by.items()):
+        for (path, line), tests in sorted(counts.reached_by.items()):
             out.write(f"{path}\t{line}\t{' '.join(tests)}\n")
 
     allowed = read_allowed(allowed_path)
     findings = []
     table = []
-    total = [0, 0, 0, 0]
-    for path in sorted(lines):
+    total = {"core": [0] * 4, "port": [0] * 4, "all": [0] * 4}
+    for path in sorted(counts.lines):
         source = open(path).read().split("\n")
-        missing = {}
-        for line, count in sorted(lines[path].items()):
-            if not count:
-                missing[line] = ["never runs"]
-        sides = done = 0
-        for (line, column, _, last), (yes, no) in sorted(branches.get(path, {}).items()):
-            text = source[line - 1][column - 1:last - 1]
-            # An option is known when it is compiled: one side is not there.
-            if re.fullmatch(r"!?QTRI_[A-Z0-9_]+", text):
-                continue
-            sides += 2
-            done += (yes > 0) + (no > 0)
-            if line in missing and missing[line][0] == "never runs":
-                continue
-            if not yes:
-                missing.setdefault(line, []).append(f"`{text}` is never true")
-            if not no:
-                missing.setdefault(line, []).append(f"`{text}` is never false")
-        ran = sum(1 for c in lines[path].values() if c)
-        table.append((path, ran, len(lines[path]), done, sides))
-        for i, n in enumerate((ran, len(lines[path]), done, sides)):
-            total[i] += n
-        for line, end, what in blocks(missing):
-            # The line in front too: it names the function.
-            text = "\n".join(source[max(0, line - (2 if what == "never runs" else 1)):end])
-            match = [a for a in allowed if a["file"] == path and (a["text"] == "*" or a["text"] in text)]
-            for a in match:
-                a["met"] = True
-            if not match:
-                findings.append(f"{path}:{line}: {what}: {source[line - 1].strip()}")
-    width = max(len(t[0]) for t in table)
+        figures, missing = look_at(counts, path, source)
+        table.append((path, figures))
+        for part in (path.split("/")[0], "all"):
+            total[part] = [a + b for a, b in zip(total[part], figures)]
+        for line, what in missing:
+            text = source[line - 1].strip()
+            if not take(allowed, path, text, what):
+                findings.append(f"{path}:{line}: {text} :: {what}")
+    width = max(len(path) for path, _ in table)
     print(f"{'file':{width}}       lines              branches")
-    for path, ran, all_lines, done, sides in table + [("all", *total)]:
-        share = f"{100 * ran / all_lines:6.2f} %" if all_lines else ""
+    for path, (ran, lines, done, sides) in table + sorted(total.items(), key=lambda t: len(t[0]), reverse=True):
+        share = f"{100 * ran / lines:6.2f} %" if lines else ""
         part = f"{100 * done / sides:6.2f} %" if sides else ""
-        print(f"{path:{width}} {ran:5} of {all_lines:5} {share:>9} {done:5} of {sides:5} {part:>9}")
-    for a in allowed:
-        if not a["met"]:
-            findings.append(f"{allowed_path}:{a['number']}: nothing is unreached there: {a['file']}: {a['text']}")
-    for finding in findings:
-        print(finding)
-    print(f"coverage: {total[0]} of {total[1]} lines, {total[2]} of {total[3]} sides of branches; "
-          f"{len(allowed)} exceptions in {allowed_path}, {len(findings)} findings")
+        print(f"{path:{width}} {ran:5} of {lines:5} {share:>9} {done:5} of {sides:5} {part:>9}")
+    findings += [f"{entry['at']}: {useless(entry)}" for entry in allowed if not entry["met"]]
+    print("\n".join(findings))
+    for part in ("core", "port"):
+        ran, lines, done, sides = total[part]
+        print(f"coverage of {part}: {ran} of {lines} lines ({100 * ran / max(lines, 1):.2f} %), "
+              f"{done} of {sides} sides of branches ({100 * done / max(sides, 1):.2f} %)")
+    print(f"coverage: {len(allowed)} exceptions in {allowed_path}, {len(findings)} findings")
     return 1 if findings else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())
