@@ -50,11 +50,12 @@ static void gray_of_row(const qtri_format *format, const uint8_t *row, int32_t x
         return;
     }
     const uint8_t *at = row + (ptrdiff_t)pixels->bytes * x;
-    const bool is_565 = format->decode == qtri_decode_rgb565_swapped;
+    const bool is_swapped = format->decode == qtri_decode_rgb565_swapped;
+    const bool is_565 = is_swapped || format->decode == qtri_decode_rgb565;
     for (int32_t i = 0; i < count; i++, at += pixels->bytes) {
         uint32_t stored = pixels->load(at);
         if (is_565) {
-            gray[i] = luma_of_565((stored & 255) << 8 | stored >> 8);
+            gray[i] = luma_of_565(is_swapped ? (stored & 255) << 8 | stored >> 8 : stored);
         } else {
             uint32_t c = format->decode(stored);
             gray[i] = luma(&weights_888, (c >> 16) & 255, (c >> 8) & 255, c & 255);

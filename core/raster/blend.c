@@ -88,7 +88,15 @@ typedef struct mixture {
     bool wide;      /* each has its own, in the high byte of its colour */
 } mixture;
 
-/* Of the kind 565, where the format's pixels may be that as they are, or with bytes exchanged. */
+/* Of colours of the kind 565: whether pixels are that as they are, or with their bytes exchanged.
+ */
+static bool are_565(const qtri_format *format)
+{
+    return format->pixels->bytes == 2 &&
+           (format->encode == NULL || format->decode == qtri_decode_rgb565_swapped);
+}
+
+/* Of the kind 565, where the format's pixels may be that. */
 static void begin_565(mixture *m, const qtri_raster *raster, const qtri_fragments *at,
                       int32_t count)
 {
@@ -96,7 +104,7 @@ static void begin_565(mixture *m, const qtri_raster *raster, const qtri_fragment
     const bool swapped = format->decode == qtri_decode_rgb565_swapped;
     uint16_t *half = m->halves;
     m->under = half;
-    if (format->pixels->bytes == 2 && (format->encode == NULL || swapped)) {
+    if (are_565(format)) {
         m->under = gather_16(half, raster, at, count);
         for (int32_t i = 0; swapped && i < count; i++) {
             half[i] = (uint16_t)(m->under[i] << 8 | m->under[i] >> 8);
@@ -397,6 +405,9 @@ QTRI_NOINLINE static uint32_t mix_add(const qtri_raster *raster, uint32_t *color
     begin(&m, raster, at, count);
     if (m.kind == &qtri_colors_565) {
         add_all_565(color, m.under, count, m.alpha);
+        for (int32_t i = 0; !are_565(raster->format) && i < count; i++) {
+            color[i] &= 0xFFFF; /* other formats know of no bits above a colour's */
+        }
     } else {
         MIX(sum)
     }
