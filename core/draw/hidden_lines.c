@@ -27,7 +27,7 @@ void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
     solid.fill = NULL;
     solid.depth_read_only = false;
     solid.shading = QTRI_FLAT_LAST; /* of colours that nobody sees */
-    if (solid.texture != NULL && !solid.texture->has_key) {
+    if (solid.texture != NULL && !solid.texture->has_key && solid.least_alpha == 0) {
         solid.texture = NULL;
     }
     lines.fill = &qtri_wireframe;

@@ -113,7 +113,7 @@ static qtri_rgb vertex_color(const qtri_mesh_job *draw, uint32_t index, bool is_
 static void meet(const qtri_mesh_job *draw, const void *indices)
 {
     const bool has_words = draw->lit_colors != NULL && draw->illumination != NULL;
-    for (int i = 0; i < 3 && has_words && draw->shaded_per_vertex; i++) {
+    for (int i = 0; i < 3 && has_words; i++) { /* of vertices: has_place() has said so */
         (void)vertex_color(draw, qtri_mesh_index(draw->mesh, indices, i), false);
     }
 }

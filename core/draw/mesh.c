@@ -96,9 +96,6 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
     const uint32_t count = draw->mesh->vertex_count;
     const uint32_t size = narrow ? 3 : 6;
     const uint8_t *triangle = triangles;
-    if (draw->mesh->triangle_count == 0) {
-        return;
-    }
     const uint8_t *end = triangle + draw->mesh->triangle_count * size;
     const uint32_t vertex_size = qtri_vertex_size();
     for (; triangle != end; triangle += size) {

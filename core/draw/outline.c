@@ -221,7 +221,8 @@ static bool find_creases(finder *f)
     return true;
 }
 
-/* Passes from this one on, the first from a triangle on; returns the one that was not finished. */
+/* Passes from this one of the three on, the first from a triangle on; returns the one that was not
+ * finished. */
 static uint32_t find(finder *f, uint32_t pass, uint32_t from)
 {
     f->from = from;
@@ -236,16 +237,15 @@ static uint32_t find(finder *f, uint32_t pass, uint32_t from)
         if (!find_borders(f)) {
             return 1;
         }
-        pass = 2;
         f->from = 0;
     }
-    return pass == 2 && !find_creases(f) ? 2 : PASSES;
+    return find_creases(f) ? PASSES : 2;
 }
 
 /* Light that creases are found by: the job of the drawing, once more. */
 static const qtri_mesh_job *light_of(qtri_mesh_job *job, const qtri_outline *outline)
 {
-    if (!outline->creases || outline->view->light == NULL) {
+    if (outline->view->light == NULL) {
         return NULL;
     }
     const qtri_rect frame = {0, 0, outline->width, outline->height};
@@ -523,10 +523,9 @@ static void note_list(finder *f, uint32_t band)
     for (uint32_t number = list[band] >> 16; number != 0;) {
         const uint32_t entry = entries[number - 1];
         qtri_vertex *vertex[3];
-        if (get_vertices(f->outline, entry & 0xFFFF, vertex)) {
-            f->walker.weak = (entry >> WEAK_SHIFT & 1) != 0 ? UINT32_MAX : 0;
-            note_edge(f, vertex, entry >> CORNER_SHIFT & 3);
-        }
+        (void)get_vertices(f->outline, entry & 0xFFFF, vertex); /* all inside, or not listed */
+        f->walker.weak = (entry >> WEAK_SHIFT & 1) != 0 ? UINT32_MAX : 0;
+        note_edge(f, vertex, entry >> CORNER_SHIFT & 3);
         number = entry >> NEXT_SHIFT;
     }
 }

@@ -142,14 +142,15 @@ static int64_t fan_area(const qtri_fan_vertex fan[], int count)
     return sum;
 }
 
-/* Which of the triangle's own vertices this is, that no plane made; otherwise -1. */
+/* Which of the triangle's own vertices this is, that no plane made; otherwise -1. Two weights of 1
+   would be a sum of 2: they are parts of 1. */
 static int own_vertex(const qtri_fan_vertex *v)
 {
     const int32_t one_q30 = (int32_t)1 << 30;
     if ((v->b1_q30 | v->b2_q30) == 0) {
         return 0;
     }
-    if ((v->b1_q30 | v->b2_q30) != one_q30 || (v->b1_q30 & v->b2_q30) != 0) {
+    if ((v->b1_q30 | v->b2_q30) != one_q30) {
         return -1;
     }
     return v->b1_q30 != 0 ? 1 : 2;

@@ -136,13 +136,12 @@ void qtri_stroke_job_ends(const void *from, uint32_t part, qtri_stroke_end end[2
         return;
     }
     qtri_clip_vertex clip[2];
-    if (clip_part(job, corner, clip)) { /* or it is not drawn */
-        const int32_t share_q30[2] = {clip[0].b1_q30, clip[1].b1_q30};
-        for (int i = 0; i < 2; i++) {
-            qtri_screen_vertex screen;
-            qtri_project(&job->projector, &clip[i], &screen);
-            end[i].depth_16p8 = screen.depth_16p16 & ~0xFFu;
-        }
-        mix_colors(end, share_q30);
+    (void)clip_part(job, corner, clip); /* something is left: the part was placed */
+    const int32_t share_q30[2] = {clip[0].b1_q30, clip[1].b1_q30};
+    for (int i = 0; i < 2; i++) {
+        qtri_screen_vertex screen;
+        qtri_project(&job->projector, &clip[i], &screen);
+        end[i].depth_16p8 = screen.depth_16p16 & ~0xFFu;
     }
+    mix_colors(end, share_q30);
 }

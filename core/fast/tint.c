@@ -107,7 +107,7 @@ bool qtri_tint_fits(const qtri_raster *raster)
     const qtri_surface *surface = raster->surface;
     return QTRI_WITH_FAST_PATHS && raster->format->pixels == &qtri_pixels_16 &&
            raster->compare == QTRI_LESS && raster->depth_write && raster->effects == NULL &&
-           raster->texture == NULL && surface->pitch == 2 * surface->depth_pitch;
+           surface->pitch == 2 * surface->depth_pitch;
 }
 
 bool qtri_tint_less(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,

@@ -1,0 +1,425 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Outlines: what is no outline, and says so; memory of any size; surfaces and bands that lists were
+ * not made for. The picture of edges is always that of the whole frame without lists.
+ */
+#include "support/core.h"
+
+#include "tools/mesh_neighbours.h"
+
+#include <qtri/edges.h>
+#include <qtri/frame.h>
+#include <qtri/halo.h>
+#include <qtri/prepared.h>
+#include <qtri/samples.h>
+
+enum { WIDTH = 50, HEIGHT = 44, SIDE = 5, VERTICES = 6 * SIDE * SIDE, CELLS = SIDE - 1 };
+enum { TRIANGLES = 12 * CELLS * CELLS, WORDS = 9000 };
+
+static const qtri_rgb sky = {10, 20, 60};
+static const qtri_light sun = {{Q16(.3), Q16(.5), Q16(.8)}, Q16(.1), Q16(.9)};
+
+static qtri_vec3 positions[VERTICES];
+static uint16_t triangles[TRIANGLES][3], neighbours[TRIANGLES][3];
+static qtri_vertex vertices[VERTICES];
+static uint32_t outline_memory[WORDS], edge_memory[WORDS];
+static uint16_t lists[4000];
+
+/* A cube of six grids: edges within it are creases or none. */
+static int make_cube(void **state)
+{
+    (void)state;
+    for (int face = 0; face < 6; face++) {
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            const int axis = face / 2, sign = face & 1 ? 1 : -1;
+            q16 p[3];
+            p[axis] = sign * 65536;
+            p[(axis + 1) % 3] = sign * (i % SIDE * 2 - CELLS) * 65536 / CELLS;
+            p[(axis + 2) % 3] = (i / SIDE * 2 - CELLS) * 65536 / CELLS;
+            positions[face * SIDE * SIDE + i] = (qtri_vec3){p[0], p[1], p[2]};
+        }
+        for (int cell = 0; cell < CELLS * CELLS; cell++) {
+            const int at = face * SIDE * SIDE + cell / CELLS * SIDE + cell % CELLS;
+            const uint16_t corner[4] = {(uint16_t)at, (uint16_t)(at + 1), (uint16_t)(at + SIDE + 1),
+                                        (uint16_t)(at + SIDE)};
+            uint16_t(*t)[3] = &triangles[2 * (face * CELLS * CELLS + cell)];
+            for (int k = 0; k < 3; k++) {
+                t[0][k] = corner[k];
+                t[1][k] = corner[k == 0 ? 0 : k + 1];
+            }
+        }
+    }
+    qtri_mesh mesh = {.positions = positions,
+                      .triangles = (const uint16_t(*)[3])triangles,
+                      .vertex_count = VERTICES,
+                      .triangle_count = TRIANGLES};
+    return mesh_neighbours_make(&mesh, neighbours) ? 0 : 1;
+}
+
+static qtri_mesh cube(bool has_neighbours)
+{
+    const qtri_mesh mesh = {.positions = positions,
+                            .triangles = (const uint16_t(*)[3])triangles,
+                            .vertex_count = VERTICES,
+                            .triangle_count = TRIANGLES,
+                            .neighbours = has_neighbours ? (const uint16_t(*)[3])neighbours : NULL};
+    return mesh;
+}
+
+static qtri_view view_of(double x, double distance, qtri_transform *pose)
+{
+    qtri_view view;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    qtri_transform_perspective(&view.projection, Q16(50), Q16(1.2), Q16(.5), Q16(40));
+    view.light = &sun;
+    view.vertices = vertices;
+    view.vertex_count = VERTICES;
+    qtri_transform_identity(pose);
+    qtri_transform_translate(pose, vec3_of(x, .1, -distance));
+    qtri_transform_rotate_y(pose, Q16(33));
+    qtri_transform_rotate_x(pose, Q16(21));
+    return view;
+}
+
+static canvas new_canvas(const qtri_compare compare)
+{
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    const bool is_far = compare == QTRI_GREATER || compare == QTRI_GREATER_EQUAL;
+    qtri_surface_clear(&c.surface, sky, is_far ? 0 : 65535);
+    return c;
+}
+
+static void assert_same_pixels(const canvas *a, const canvas *b)
+{
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const int32_t x = i % WIDTH, y = i / WIDTH;
+        if (stored_pixel(&a->surface, x, y) != stored_pixel(&b->surface, x, y)) {
+            fail_msg("pixel %d,%d", (int)x, (int)y);
+        }
+    }
+}
+
+static int differences(const canvas *a, const canvas *b)
+{
+    int count = 0;
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        count += stored_pixel(&a->surface, i % WIDTH, i / WIDTH) !=
+                 stored_pixel(&b->surface, i % WIDTH, i / WIDTH);
+    }
+    return count;
+}
+
+static void blend_edges(const qtri_surface *s, const qtri_outline *outline)
+{
+    qtri_edges edges;
+    assert_int_equal(qtri_edges_begin(&edges, s, edge_memory, WORDS), QTRI_OK);
+    qtri_edges_note(&edges, outline);
+    qtri_edges_blend(&edges);
+}
+
+/* ---- Arguments ---- */
+
+static void outlines_that_cannot_be(void **state)
+{
+    (void)state;
+    static uint16_t wrong[TRIANGLES][3];
+    qtri_outline outline;
+    qtri_mesh mesh = cube(true);
+    for (int corner = 0; corner < 3; corner++) {
+        memcpy(wrong, neighbours, sizeof wrong);
+        wrong[9][corner] = TRIANGLES + 1;
+        mesh.neighbours = (const uint16_t(*)[3])wrong;
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS),
+                         QTRI_ERROR_SIZE);
+    }
+    mesh.triangle_count = 65536;
+    assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_ERROR_SIZE);
+    mesh = cube(false);
+    const uint32_t front = QTRI_OUTLINE_WORDS(TRIANGLES), sums = QTRI_OUTLINE_SUMS(VERTICES);
+    assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, front - 1),
+                     QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, front + sums - 1),
+                     QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, front + sums), QTRI_OK);
+}
+
+/* Whatever goes wrong, edges change nothing. */
+static void prepared_outlines_that_cannot_be(void **state)
+{
+    (void)state;
+    static uint32_t more_memory[WORDS];
+    static qtri_vertex few[VERTICES];
+    qtri_transform pose;
+    qtri_mesh mesh = cube(true);
+    const qtri_mesh other = cube(true);
+    mesh.bounds.half = vec3_of(1, 1, 1);
+    for (int n = 0; n < 7; n++) {
+        const qtri_view view = view_of(0, n == 4 ? -6 : 5, &pose);
+        qtri_material material = qtri_material_default();
+        qtri_prepared prepared;
+        qtri_outline outline, second;
+        qtri_frame frame;
+        canvas c[2] = {new_canvas(QTRI_LESS), new_canvas(QTRI_LESS)};
+        assert_int_equal(qtri_outline_init(&outline, n == 1 ? &other : &mesh, outline_memory,
+                                           n == 0 ? 1 : WORDS),
+                         n == 0 ? QTRI_ERROR_MEMORY : QTRI_OK);
+        assert_int_equal(qtri_outline_init(&second, &mesh, more_memory, WORDS), QTRI_OK);
+        assert_int_equal(
+            qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 11, c[0].memory, c[0].bytes),
+            QTRI_OK);
+        qtri_prepared_init(&prepared, few, n == 3 ? VERTICES - 1 : VERTICES, lists,
+                           LENGTH_OF(lists));
+        qtri_prepared_set_outline(&prepared, n == 2 ? &second : &outline, 1);
+        material.fill = n == 5 ? &qtri_wireframe : NULL;
+        material.depth_compare = n == 6 ? QTRI_NEVER : QTRI_LESS;
+        qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+        assert_int_equal(qtri_prepared_find_edges(&prepared, &outline),
+                         n < 4 ? QTRI_ERROR_MEMORY : QTRI_OK);
+        qtri_draw_prepared(&c[0].surface, &prepared);
+        qtri_draw_prepared(&c[1].surface, &prepared);
+        blend_edges(&c[1].surface, &outline);
+        assert_same_pixels(&c[0], &c[1]);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
+/* A fill has no outline, and neither has what cannot be seen; the mesh is drawn as without. */
+static void drawn_outlines_that_cannot_be(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 8; n++) {
+        qtri_transform pose;
+        qtri_view view = view_of(0, n / 2 == 1 ? -6 : 5, &pose);
+        qtri_mesh mesh = cube(true);
+        qtri_material material = qtri_material_default();
+        qtri_outline outline;
+        canvas c[2] = {new_canvas(QTRI_LESS), new_canvas(QTRI_LESS)};
+        mesh.bounds.half = vec3_of(1, 1, 1);
+        material.fill = n < 2 ? &qtri_wireframe : NULL;
+        view.vertex_count = n / 2 == 2 ? VERTICES - 1 : VERTICES;
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+        qtri_draw_mesh(&c[0].surface, &view, &pose, &mesh, &material);
+        const enum qtri_error error = n / 2 == 2 ? QTRI_ERROR_MEMORY : QTRI_OK;
+        if (n & 1) { /* without drawing */
+            qtri_draw_mesh(&c[1].surface, &view, &pose, &mesh, &material);
+            assert_int_equal(qtri_find_outline(&c[1].surface, &view, &pose, &material, &outline),
+                             error);
+        } else {
+            assert_int_equal(
+                qtri_draw_mesh_outlined(&c[1].surface, &view, &pose, &material, &outline), error);
+        }
+        assert_same_picture(&c[0].surface, &c[1].surface);
+        blend_edges(&c[1].surface, &outline);
+        assert_int_equal(differences(&c[0], &c[1]) > 20, n >= 6);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
+/* Triangles with indices past the end are skipped, whatever their neighbours and sums. */
+static void wrong_indices_have_no_edges(void **state)
+{
+    (void)state;
+    enum { MORE = TRIANGLES + 3 };
+    static uint16_t all[MORE][3], around[MORE][3];
+    memcpy(all, triangles, sizeof triangles);
+    memcpy(around, neighbours, sizeof neighbours);
+    for (int i = 0; i < TRIANGLES; i++) {
+        for (int k = 0; k < 3; k++) {
+            around[i][k] = neighbours[i][k] == TRIANGLES ? MORE : neighbours[i][k];
+        }
+    }
+    for (int i = 0; i < 3; i++) { /* one index each; none has a neighbour */
+        all[TRIANGLES + i][i] = VERTICES;
+        for (int k = 0; k < 3; k++) {
+            around[TRIANGLES + i][k] = MORE;
+        }
+    }
+    for (int n = 0; n < 4; n++) {
+        qtri_transform pose;
+        const qtri_view view = view_of(0, 5, &pose);
+        qtri_mesh mesh[2] = {cube(n & 1), cube(n & 1)};
+        qtri_material material = qtri_material_default();
+        canvas c[2];
+        material.cull = n & 2 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
+        mesh[1].triangles = (const uint16_t(*)[3])all;
+        mesh[1].triangle_count = MORE;
+        mesh[1].neighbours = n & 1 ? (const uint16_t(*)[3])around : NULL;
+        for (int i = 0; i < 2; i++) {
+            qtri_outline outline;
+            c[i] = new_canvas(QTRI_LESS);
+            assert_int_equal(qtri_outline_init(&outline, &mesh[i], outline_memory, WORDS), QTRI_OK);
+            assert_int_equal(
+                qtri_draw_mesh_outlined(&c[i].surface, &view, &pose, &material, &outline), QTRI_OK);
+            blend_edges(&c[i].surface, &outline);
+        }
+        assert_same_pixels(&c[0], &c[1]);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
+/* ---- Surfaces ---- */
+
+/* No edge is noted on a surface of another size, or where there is nothing to be changed. */
+static void surfaces_of_other_sizes(void **state)
+{
+    (void)state;
+    qtri_transform pose;
+    const qtri_view view = view_of(0, 5, &pose);
+    const qtri_mesh mesh = cube(true);
+    const qtri_material material = qtri_material_default();
+    qtri_outline outline;
+    canvas c[2] = {new_canvas(QTRI_LESS), new_canvas(QTRI_LESS)};
+    assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(qtri_draw_mesh_outlined(&c[i].surface, &view, &pose, &material, &outline),
+                         QTRI_OK);
+    }
+    for (int n = 0; n < 3; n++) {
+        qtri_surface other = c[1].surface;
+        uint16_t depths[WIDTH * HEIGHT];
+        memcpy(depths, c[1].surface.depth, sizeof depths);
+        other.width -= n == 0;
+        other.height -= n == 1;
+        other.depth_pitch -= n == 0; /* as it must be */
+        other.scissor.x1 = n == 2 ? 0 : other.scissor.x1;
+        blend_edges(&other, &outline);
+        memcpy(c[1].surface.depth, depths, sizeof depths);
+    }
+    assert_same_pixels(&c[0], &c[1]);
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+}
+
+static const qtri_compare compares[7] = {QTRI_LESS,      QTRI_LESS_EQUAL,    QTRI_GREATER,
+                                         QTRI_DEPTH_OFF, QTRI_GREATER_EQUAL, QTRI_ALWAYS,
+                                         QTRI_EQUAL};
+
+/*
+ * Lists are for bands of so many rows and a halo: parts of a frame that are cut otherwise, the
+ * whole frame among them, look at all triangles. Memory for more entries than there can be.
+ */
+static void parts_that_have_no_list(void **state)
+{
+    (void)state;
+    int changed = 0;
+    for (int n = 0; n < 42; n++) {
+        const qtri_compare compare = compares[n % 7];
+        qtri_transform pose;
+        const qtri_view view = view_of(n * .1, 4, &pose);
+        const qtri_mesh mesh = cube(n & 1);
+        qtri_material material = qtri_material_default();
+        canvas whole = new_canvas(compare), parts = new_canvas(compare),
+               plain = new_canvas(compare);
+        qtri_outline outline;
+        qtri_prepared prepared;
+        qtri_frame frame;
+        material.depth_compare = compare;
+        material.shading = QTRI_FLAT_LAST;
+        /* With room for the lists of silhouettes and for some creases, too. */
+        const uint32_t least =
+            QTRI_OUTLINE_WORDS(TRIANGLES) + (n & 1 ? 0 : QTRI_OUTLINE_SUMS(VERTICES));
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory,
+                                           n < 28 ? WORDS : least + 10 + 4 * (uint32_t)(n - 28)),
+                         QTRI_OK);
+        outline.creases = n >= 14;
+        assert_int_equal(qtri_draw_mesh_outlined(&whole.surface, &view, &pose, &material, &outline),
+                         QTRI_OK);
+        blend_edges(&whole.surface, &outline);
+        assert_int_equal(
+            qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, plain.memory, plain.bytes),
+            QTRI_OK);
+        qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+        qtri_prepared_set_outline(&prepared, &outline, 2);
+        qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+        assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
+        qtri_draw_prepared(&plain.surface, &prepared);
+        /* All at once, then in parts of five rows with a halo of two, that begin anywhere. */
+        qtri_draw_prepared(&parts.surface, &prepared);
+        blend_edges(&parts.surface, &outline);
+        assert_same_pixels(&whole, &parts);
+        changed += differences(&whole, &plain);
+        for (int32_t row = 0; row < HEIGHT; row += 5) {
+            canvas c = new_canvas(compare);
+            c.surface.scissor.y0 = row - 2;
+            c.surface.scissor.y1 = row + 7;
+            qtri_draw_prepared(&c.surface, &prepared);
+            qtri_surface last = c.surface; /* the frame's last row alone has nothing beside it */
+            last.scissor.y0 = row == 0 ? HEIGHT - 1 : HEIGHT;
+            last.scissor.y1 = HEIGHT;
+            blend_edges(&last, &outline);
+            blend_edges(&c.surface, &outline);
+            for (int32_t i = row * WIDTH; i < (row + 5) * WIDTH && i < WIDTH * HEIGHT; i++) {
+                assert_int_equal(stored_pixel(&whole.surface, i % WIDTH, i / WIDTH),
+                                 stored_pixel(&c.surface, i % WIDTH, i / WIDTH));
+            }
+            canvas_free(&c);
+        }
+        canvas_free(&whole);
+        canvas_free(&parts);
+        canvas_free(&plain);
+    }
+    assert_true(changed > 1000);
+}
+
+/* Creases take light: without one there is none, and what is drawn of samples beside a frame that
+   the mesh does not reach has none either. */
+static void creases_without_light(void **state)
+{
+    (void)state;
+    static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_X4_BYTES) / 4];
+    const qtri_material material = {.color = {255, 255, 255}};
+    qtri_transform pose;
+    canvas c[3];
+    for (int n = 0; n < 3; n++) {
+        qtri_view view = view_of(0, 5, &pose);
+        const qtri_mesh mesh = cube(true);
+        qtri_outline outline;
+        view.light = n == 2 ? &sun : NULL;
+        c[n] = new_canvas(QTRI_LESS);
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+        outline.creases = n > 0;
+        qtri_material flat = material;
+        flat.depth_compare = QTRI_LESS;
+        assert_int_equal(qtri_draw_mesh_outlined(&c[n].surface, &view, &pose, &flat, &outline),
+                         QTRI_OK);
+        blend_edges(&c[n].surface, &outline);
+    }
+    assert_same_pixels(&c[0], &c[1]);
+    assert_true(differences(&c[1], &c[2]) > 100);
+    for (int n = 0; n < 40; n++) {
+        qtri_surface s;
+        qtri_outline outline;
+        qtri_mesh mesh = cube(true);
+        mesh.bounds.half = vec3_of(1, 1, 1);
+        const qtri_view view = view_of(-4.2 - n * .02, 5, &pose);
+        assert_int_equal(
+            qtri_surface_init(&s, &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory),
+            QTRI_OK);
+        qtri_samples_clear(&s, sky, 65535);
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+        outline.creases = true;
+        assert_int_equal(qtri_draw_mesh_outlined(&s, &view, &pose, &material, &outline), QTRI_OK);
+        assert_int_equal(qtri_samples_resolve(&s, &s), QTRI_OK);
+        blend_edges(&s, &outline);
+    }
+    for (int n = 0; n < 3; n++) {
+        canvas_free(&c[n]);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(outlines_that_cannot_be),
+        cmocka_unit_test(prepared_outlines_that_cannot_be),
+        cmocka_unit_test(drawn_outlines_that_cannot_be),
+        cmocka_unit_test(wrong_indices_have_no_edges),
+        cmocka_unit_test(surfaces_of_other_sizes),
+        cmocka_unit_test(parts_that_have_no_list),
+        cmocka_unit_test(creases_without_light),
+    };
+    return cmocka_run_group_tests_name("core outline", tests, make_cube, NULL);
+}
