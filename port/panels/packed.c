@@ -138,10 +138,10 @@ static enum qtri_error send(qtri_panel *panel, const layout *l, qtri_rect bytes)
     return error;
 }
 
-static bool contains(qtri_rect outer, qtri_rect inner)
+/* Whether the surface, as wide as the frame, has all rows of the rectangle. */
+static bool holds_rows(const qtri_surface *surface, const qtri_rect *rect)
 {
-    return inner.x0 >= outer.x0 && inner.x1 <= outer.x1 && inner.y0 >= outer.y0 &&
-           inner.y1 <= outer.y1;
+    return rect->y0 >= surface->first_row && rect->y1 <= surface->first_row + surface->rows;
 }
 
 /* Without an image: whole bytes, as many rows of them at a time as the memory holds. */
@@ -149,9 +149,8 @@ static enum qtri_error send_rows(qtri_panel *panel, layout *l, const qtri_surfac
                                  qtri_rect bytes)
 {
     const qtri_panel_description *d = panel->description;
-    qtri_rect held = {0, surface->first_row, surface->width, surface->first_row + surface->rows};
     qtri_rect whole = qtri_panel_from_glass(panel, pixels_of(l, bytes, d));
-    if (panel->diffusion != NULL || !contains(held, whole)) {
+    if (panel->diffusion != NULL || !holds_rows(surface, &whole)) {
         return QTRI_ERROR_MEMORY;
     }
     size_t width = (size_t)(bytes.x1 - bytes.x0);

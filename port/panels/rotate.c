@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "internal.h"
 
-/*
- * Pixel (x, y) of the frame on a glass of w x h, clockwise. A controller that rotates mirrors too;
- * for the others a mirrored module's glass is another one, seen from its end.
- */
+/* A controller that rotates mirrors too; for the others a mirrored module's glass is another one,
+   seen from its end. */
+static bool mirrors(const qtri_panel *panel, bool mirrored)
+{
+    return mirrored && panel->description->orientation_command == 0;
+}
+
+/* Pixel (x, y) of the frame on a glass of w x h, clockwise. */
 static void place(const qtri_panel *panel, int32_t x, int32_t y, int32_t *glass_x, int32_t *glass_y)
 {
     int32_t w = panel->description->width;
     int32_t h = panel->description->height;
-    bool itself = panel->description->orientation_command != 0;
     switch (panel->rotation) {
     case QTRI_ROTATE_90: /* the top row becomes the right column */
         *glass_x = w - 1 - y;
@@ -28,10 +31,10 @@ static void place(const qtri_panel *panel, int32_t x, int32_t y, int32_t *glass_
         *glass_y = y;
         break;
     }
-    if (panel->module.mirror_columns && !itself) {
+    if (mirrors(panel, panel->module.mirror_columns)) {
         *glass_x = w - 1 - *glass_x;
     }
-    if (panel->module.mirror_rows && !itself) {
+    if (mirrors(panel, panel->module.mirror_rows)) {
         *glass_y = h - 1 - *glass_y;
     }
 }
@@ -57,10 +60,10 @@ qtri_rect qtri_panel_from_glass(const qtri_panel *panel, qtri_rect rect)
 {
     int32_t w = panel->description->width;
     int32_t h = panel->description->height;
-    if (panel->module.mirror_columns) {
+    if (mirrors(panel, panel->module.mirror_columns)) {
         rect = spanned(w - 1 - rect.x0, rect.y0, w - rect.x1, rect.y1 - 1);
     }
-    if (panel->module.mirror_rows) {
+    if (mirrors(panel, panel->module.mirror_rows)) {
         rect = spanned(rect.x0, h - 1 - rect.y0, rect.x1 - 1, h - rect.y1);
     }
     switch (panel->rotation) {

@@ -71,7 +71,7 @@ enum qtri_error qtri_panel_stream(qtri_panel *panel, const qtri_surface *surface
             convert(panel, surface, x, y, n, buffer + filled);
             filled += (size_t)n * 2;
             x += n;
-            if (filled == half || (x == rect.x1 && y == rect.y1 - 1)) {
+            if (filled == half || y == rect.y1 - 1) { /* full, or all of the last row */
                 error = qtri_panel_data(panel, buffer, filled);
                 buffer = buffer == panel->memory ? panel->memory + half : panel->memory;
                 filled = 0;
