@@ -17,25 +17,30 @@ static void wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v)
     qtri_wide_set(&out[2], v->z, 16);
 }
 
-/* side = forward x up, normalised; substitutes for an up that has no part across forward. */
+/* side = forward x up, normalised; false: up has no part across forward. */
+static bool is_across(qtri_wide side[3], const qtri_wide forward[3], const qtri_vec3 *up)
+{
+    qtri_wide unit[3];
+    wide_from_vec3(unit, up);
+    if (!qtri_wide_normalize(unit)) {
+        return false;
+    }
+    qtri_wide_cross(side, forward, unit);
+    for (int axis = 0; axis < 3; axis++) {
+        if (side[axis].e > 112) { /* below 2^-50: the noise of parallel unit vectors */
+            qtri_wide_set(&side[axis], 0, 0);
+        }
+    }
+    return qtri_wide_normalize(side);
+}
+
+/* With substitutes for an up that does not serve: what has no part across y has one across z. */
 static void side_axis(qtri_wide side[3], const qtri_wide forward[3], const qtri_vec3 *up)
 {
-    for (int i = 0; i < 3; i++) {
-        const qtri_vec3 substitute = {0, i == 1 ? Q16_ONE : 0, i == 2 ? Q16_ONE : 0};
-        qtri_wide candidate[3];
-        wide_from_vec3(candidate, i == 0 ? up : &substitute);
-        if (!qtri_wide_normalize(candidate)) {
-            continue;
-        }
-        qtri_wide_cross(side, forward, candidate);
-        for (int axis = 0; axis < 3; axis++) {
-            if (side[axis].e > 112) { /* below 2^-50: the noise of parallel unit vectors */
-                qtri_wide_set(&side[axis], 0, 0);
-            }
-        }
-        if (qtri_wide_normalize(side)) {
-            return;
-        }
+    static const qtri_vec3 y = {0, Q16_ONE, 0};
+    static const qtri_vec3 z = {0, 0, Q16_ONE};
+    if (!is_across(side, forward, up) && !is_across(side, forward, &y)) {
+        (void)is_across(side, forward, &z);
     }
 }
 

@@ -13,7 +13,7 @@
 typedef struct qtri_light_way {
     int32_t direction_q14[3];
     int32_t cosine_q28;  /* between the normal and the direction, > 0 */
-    uint32_t distance16; /* times 2^exponent, in local units */
+    uint32_t distance16; /* below 2^16; times 2^exponent, in local units */
     int32_t exponent;
 } qtri_light_way;
 
@@ -75,7 +75,7 @@ QTRI_IN_PLACE bool qtri_light_way_find(qtri_light_way *way, const qtri_shine *so
     if (way->cosine_q28 <= 0) {
         return false;
     }
-    way->distance16 = ((square >> 16) * y_q15) >> 15; /* v y <= 1 + 2^-13 */
+    way->distance16 = ((square >> 16) * y_q15) >> 15; /* <= 0xFFFD, of all v */
     way->exponent = exponent + 17 - zeros - even;
     return true;
 }
@@ -95,7 +95,7 @@ static inline uint32_t qtri_light_scaled(uint32_t x, int32_t shift)
 QTRI_IN_PLACE bool qtri_light_fade_find(qtri_light_fade *fade, const qtri_shine *source,
                                         const qtri_light_way *way)
 {
-    const uint32_t m = way->distance16 > 0xFFFFu ? 0xFFFFu : way->distance16;
+    const uint32_t m = way->distance16;
     const int32_t linear_shift = source->of.far.linear_up + way->exponent;
     const int32_t quadratic_shift = source->of.far.quadratic_up + 2 * way->exponent;
     if (linear_shift >= -1 || quadratic_shift >= -1) {

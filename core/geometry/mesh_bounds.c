@@ -25,13 +25,16 @@ static uint32_t count_of(const qtri_mesh *mesh)
     return mesh->positions16 != NULL || mesh->positions != NULL ? mesh->vertex_count : 0;
 }
 
-/* Half of what lies between, and the middle, both rounded so that nothing lies outside. */
+/*
+ * Half of what lies between, rounded up, and the middle, rounded down: where one is rounded the
+ * other is, too, so that they reach `high` exactly and `low` at least. Only from the lowest to the
+ * highest number half does not fit, and is held one below.
+ */
 static void set_axis(q16 *center, q16 *half, q16 low, q16 high)
 {
     const int64_t sum = (int64_t)low + high;
     *center = (q16)(sum >> 1);
     *half = qtri_saturate32((((int64_t)high - low) + 1) >> 1);
-    *half = (int64_t)*center + *half < high ? q16_add(*half, 1) : *half;
 }
 
 qtri_box qtri_mesh_box(const qtri_mesh *mesh)

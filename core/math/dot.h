@@ -69,11 +69,6 @@ static inline qtri_right qtri_right_opposite(int32_t x)
     return (int32_t)(0 - (uint32_t)x);
 }
 
-static inline int32_t qtri_right_value(qtri_right x)
-{
-    return x;
-}
-
 static inline qtri_sum qtri_sum_start(void)
 {
     return 0;
@@ -147,11 +142,6 @@ static inline qtri_right qtri_right_opposite(int32_t x)
 {
     uint32_t unchecked = 0;
     return qtri_right_of((int32_t)(0 - (uint32_t)x), &unchecked);
-}
-
-static inline int32_t qtri_right_value(qtri_right x)
-{
-    return (int32_t)(x.high << 15 | x.low);
 }
 
 static inline qtri_sum qtri_sum_start(void)

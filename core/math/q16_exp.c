@@ -45,7 +45,11 @@ q16 q16_exp2(q16 x)
     return scaled(power_q32((uint32_t)x & 0xFFFFu), exponent);
 }
 
-/* 2^(v + w) = 2^v (1 + w ln 2 + ...) for w < 2^-16: the next term is below 2^-34. */
+/*
+ * 2^(v + w) = 2^v (1 + w ln 2 + ...) for w < 2^-16: the next term is below 2^-34. With the largest
+ * w what is added grows with v; to 0xFFFE9D1C, of the largest v, it is 0x162E3: the sum is 2^32 - 1
+ * at most, and less of any other v (all were tried).
+ */
 q16 qtri_exp2_product(q16 factor, int64_t log_q40)
 {
     int64_t x_q40 = qtri_mul_s32(factor, (int32_t)(log_q40 >> 16)) +
@@ -63,8 +67,7 @@ q16 qtri_exp2_product(q16 factor, int64_t log_q40)
     uint32_t p_q32 = power_q32(v_q16);
     uint32_t w_q32 = (qtri_mul_high16(w_q40 << 8, LN2_Q16) + 0x8000u) >> 16;
     uint32_t more_q32 = w_q32 + ((qtri_mul_high16(p_q32, w_q32) + 0x8000u) >> 16);
-    p_q32 = p_q32 > UINT32_MAX - more_q32 ? UINT32_MAX : p_q32 + more_q32;
-    return scaled(p_q32, (int32_t)exponent);
+    return scaled(p_q32 + more_q32, (int32_t)exponent);
 }
 
 q16 q16_exp(q16 x)

@@ -1,0 +1,380 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Geometry at the ends of its ranges: arguments that a scene never has, and that have a result.
+ */
+#include "support/transform.h"
+#include "support/vertex_narrow.h"
+
+#include "geometry/eye.h"
+#include "geometry/illumination.h"
+#include "geometry/lighting.h"
+#include "geometry/lit_point.h"
+#include "geometry/projector.h"
+
+#include <qtri/animation.h>
+#include <qtri/bounds.h>
+#include <qtri/clip.h>
+#include <qtri/light.h>
+
+static void viewports_are_held(void **state)
+{
+    (void)state;
+    assert_int_equal(qtri_viewport_bottom(1, 2, 30, 40, 100).y, 58);
+    assert_int_equal(qtri_viewport_bottom(0, INT32_MAX, 10, 10, 10).y, -QTRI_VIEWPORT_MAX);
+    assert_int_equal(qtri_viewport_bottom(0, INT32_MIN, 10, INT32_MIN, 10).y, QTRI_VIEWPORT_MAX);
+}
+
+/* A camera that has lost an axis, or that looks straight down, turns nothing. */
+static void billboards_need_all_axes(void **state)
+{
+    (void)state;
+    qtri_transform start;
+    qtri_transform camera;
+    const qtri_row empty = {0};
+    qtri_transform_identity(&start);
+    qtri_transform_translate(&start, vec3_of(1, 2, 3));
+    for (int lost = 0; lost < 3; lost++) {
+        qtri_transform t = start;
+        qtri_transform_identity(&camera);
+        qtri_transform_rotate_x(&camera, Q16(30));
+        camera.row[lost] = empty;
+        qtri_transform_billboard(&t, &camera);
+        assert_memory_equal(&t, &start, sizeof t);
+    }
+    qtri_transform t = start;
+    qtri_transform_billboard_upright(&t, &camera); /* without its third row */
+    assert_memory_equal(&t, &start, sizeof t);
+    for (int down = -1; down <= 1; down += 2) {
+        qtri_transform_identity(&camera);
+        qtri_transform_look_at(&camera, vec3_of(0, 5 * down, 0), vec3_of(0, 0, 0),
+                               vec3_of(0, 0, 1));
+        qtri_transform_billboard_upright(&t, &camera);
+        assert_memory_equal(&t, &start, sizeof t);
+    }
+}
+
+/* A polygon that is not convex crosses a plane more often: no more vertices than there is room. */
+static void zigzags_stay_in_their_room(void **state)
+{
+    (void)state;
+    for (int count = 3; count <= QTRI_CLIP_MAX; count++) {
+        for (int turn = 0; turn < 2; turn++) {
+            struct {
+                qtri_clip_vertex v[QTRI_CLIP_MAX];
+                uint32_t guard[8];
+            } room;
+            memset(&room, 0, sizeof room);
+            memset(room.guard, 0x5A, sizeof room.guard);
+            for (int i = 0; i < count; i++) {
+                const int64_t z = (i + turn) % 2 == 0 ? 3000 : -3000; /* in and out of near */
+                const qtri_clip_vertex v = {100 * i, 77 * i * i, z, 2000, 0, 0};
+                room.v[i] = v;
+            }
+            const int kept = qtri_clip_polygon(room.v, count, QTRI_OUT_NEAR);
+            assert_in_range(kept, 0, QTRI_CLIP_MAX);
+            for (int i = 0; i < kept; i++) {
+                assert_true(room.v[i].z + room.v[i].w >= -1);
+            }
+            for (size_t i = 0; i < LENGTH_OF(room.guard); i++) {
+                assert_int_equal(room.guard[i], 0x5A5A5A5A);
+            }
+        }
+    }
+}
+
+/* A row of zeros is one whatever its exponent. */
+static void rows_of_zeros_have_any_exponent(void **state)
+{
+    (void)state;
+    static const int32_t exponents[] = {-4096, -300, -80, 0, 43, 300, 4096};
+    const qtri_vec3 origin = vec3_of(.5, -1, 2);
+    const qtri_position16 p[3] = {{-32767, 100, 5}, {0, 0, 0}, {32767, -20000, 32767}};
+    qtri_clip_vertex want[3];
+    for (size_t n = 0; n < LENGTH_OF(exponents); n++) {
+        qtri_transform t;
+        qtri_projector projector;
+        const qtri_viewport viewport = qtri_viewport_top(0, 0, 100, 80);
+        const qtri_row empty = {.exponent = exponents[n]};
+        qtri_transform_identity(&t);
+        t.row[2] = empty;
+        t.row[0] = empty;
+        qtri_projector_init(&projector, &t, &viewport);
+        qtri_projector_compact(&projector, &origin, Q16(1));
+        for (int i = 0; i < 3; i++) {
+            qtri_clip_vertex got;
+            qtri_projector_point16(&projector, &p[i], &got);
+            want[i] = n == 0 ? got : want[i];
+            assert_int_equal(got.z, 0);
+            assert_memory_equal(&got, &want[i], sizeof got);
+        }
+    }
+}
+
+/* w = 8 everywhere: affine but for its scale, which the product keeps. */
+static void constant_weights_are_kept(void **state)
+{
+    (void)state;
+    qtri_transform eighth;
+    qtri_transform turned;
+    qtri_transform product;
+    qtri_transform_identity(&eighth);
+    eighth.row[3].exponent -= 3;
+    qtri_transform_identity(&turned);
+    qtri_transform_perspective(&turned, Q16(60), Q16(1), Q16(1), Q16(9));
+    qtri_transform_rotate_z(&turned, Q16(40));
+    qtri_transform_translate(&turned, vec3_of(3, -2, 1));
+    qtri_transform_mul(&product, &turned, &eighth);
+    check_form(&product);
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            assert_near(element(&product, i, j), element(&turned, i, j) * (j == 3 ? 8 : 1), 1e-7);
+        }
+    }
+}
+
+/* The rest of a vertex that cannot be projected is that of w = 1, and none beyond the guard. */
+static void rests_without_w(void **state)
+{
+    (void)state;
+    const qtri_screen_point at = {0, 0};
+    int16_t rest[2][2];
+    for (int64_t w = -3; w <= 0; w++) {
+        for (int64_t x = -2; x <= 2; x++) {
+            const qtri_clip_vertex v[2] = {{x, 0, 0, w, 0, 0}, {x, 0, 0, 1, 0, 0}};
+            qtri_project_rest(rest[0], &v[0], &at, 0x7FFFFFFF);
+            qtri_project_rest(rest[1], &v[1], &at, 0x7FFFFFFF);
+            assert_memory_equal(rest[0], rest[1], sizeof rest[0]);
+            assert_true(rest[0][0] == 0 && rest[0][1] == 0);
+        }
+    }
+}
+
+/* ---- Bounds and shapes that move ---- */
+
+static void boxes_of_all_numbers(void **state)
+{
+    (void)state;
+    static const q16 ends[][2] = {
+        {Q16_MIN, Q16_MAX}, {Q16_MIN + 1, Q16_MAX}, {Q16_MIN, -1}, {0, Q16_MAX}, {-3, 4}, {5, 5},
+        {Q16_MAX, Q16_MAX}, {Q16_MIN, Q16_MIN}};
+    for (size_t i = 0; i < LENGTH_OF(ends); i++) {
+        const qtri_vec3 p[2] = {{ends[i][0], 0, 0}, {ends[i][1], 0, 0}};
+        const qtri_mesh mesh = {.positions = p, .vertex_count = 2};
+        const qtri_box box = qtri_mesh_box(&mesh);
+        const int64_t low = (int64_t)box.center.x - box.half.x;
+        const int64_t high = (int64_t)box.center.x + box.half.x;
+        assert_true(low <= ends[i][0] && low >= (int64_t)ends[i][0] - 1);
+        /* The only one that no half is large enough for is off by one. */
+        assert_true(high == ends[i][1] - (i == 0));
+    }
+}
+
+static void ten_thousand_targets_are_held(void **state)
+{
+    (void)state;
+    enum { TARGETS = 9000 };
+    static const qtri_position16 far[2] = {{32767, -32768, 100}, {-32768, 32767, -100}};
+    static const qtri_position16 *target[TARGETS];
+    static q16 weight[TARGETS];
+    const qtri_position16 base[2] = {{-32767, 32767, 99}, {32767, -32767, -99}};
+    for (int i = 0; i < TARGETS; i++) {
+        target[i] = far;
+        weight[i] = Q16_MAX;
+    }
+    qtri_position16 out[2];
+    qtri_morph_targets(out, base, target, weight, TARGETS, 2);
+    assert_true(out[0].x == 32767 && out[0].y == -32767 && out[0].z == 32767);
+    assert_true(out[1].x == -32767 && out[1].y == 32767 && out[1].z == -32767);
+}
+
+static void frames_end_at_32767(void **state)
+{
+    (void)state;
+    enum { FRAMES = 40000 };
+    static qtri_position16 positions[FRAMES];
+    for (int i = 0; i < FRAMES; i++) {
+        positions[i].x = (int16_t)(i < 32767 ? i : -5);
+    }
+    for (int frames = 32766; frames <= FRAMES; frames += frames < 32768 ? 1 : 7232) {
+        const int last = frames < 32767 ? frames - 1 : 32766;
+        qtri_position16 out;
+        qtri_frames_positions(&out, positions, frames, 1, last * 65536);
+        assert_int_equal(out.x, last);
+        qtri_frames_positions(&out, positions, frames, 1, last * 65536 + 32768); /* to the first */
+        assert_int_equal(out.x, last / 2);
+        qtri_frames_positions(&out, positions, frames, 1, -65536);
+        assert_int_equal(out.x, last);
+    }
+}
+
+/* ---- Where all faces are seen from, which leaves some out ---- */
+
+static bool finds_eye(const qtri_mat4 *m, const qtri_viewport *viewport, uint32_t thin)
+{
+    const qtri_mesh mesh = {.extent = Q16(1), .faces = {NULL, NULL, thin, 60, 1 << 14}};
+    qtri_transform t;
+    qtri_projector projector;
+    qtri_eye eye;
+    qtri_transform_from_mat4(&t, m);
+    qtri_projector_init(&projector, &t, viewport);
+    qtri_projector_compact(&projector, &mesh.origin, mesh.extent);
+    const bool found = qtri_eye_find(&eye, &projector, &mesh.faces);
+    assert_int_equal(found, narrow_eye(&t, viewport, &mesh, &eye));
+    return found;
+}
+
+/* Views in which snapping moves corners by more than a face: no face is left out. */
+static void views_that_tell_nothing(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    /* A pixel that shows next to nothing: x and y in finer units than w. */
+    const qtri_viewport pixel = qtri_viewport_top(0, 0, 1, 1);
+    for (int n = 0; n < 500; n++) {
+        const qtri_mat4 m = {{{random_in(&seed, 1, 100), 0, 0, -65536},
+                              {0, random_in(&seed, 1, 100), 0, 65536},
+                              {0, 0, 0, 0},
+                              {0, 0, 0, 65536}}};
+        assert_false(finds_eye(&m, &pixel, 3000));
+    }
+    /* From the side: x and y go nearly the same way. */
+    const qtri_viewport small = qtri_viewport_top(0, 0, 10, 10);
+    const qtri_mat4 side = {{{7642800, -1549856, -261132, 6894826},
+                             {7642826, -1549835, -261125, 6894806},
+                             {21780, 0, 0, 53896},
+                             {26485, 0, 0, 65536}}};
+    assert_false(finds_eye(&side, &small, 2729));
+    /* And one that does. */
+    const qtri_viewport large = qtri_viewport_top(0, 0, 300, 200);
+    const qtri_mat4 plain = {
+        {{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 4096, 0}, {0, 0, -10000, 65536}}};
+    assert_true(finds_eye(&plain, &large, 3000));
+}
+
+/* ---- Light ---- */
+
+/* min(1, ambient + diffuse max(0, n . towards)), of any two numbers. */
+static void any_ambient_and_diffuse(void **state)
+{
+    (void)state;
+    static const double shares[] = {-3, -.5, 0, .25, .8, 1, 1.5, 4, 4.5, 30000};
+    uint64_t seed = 12;
+    for (int n = 0; n < 4000; n++) {
+        qtri_transform pose;
+        qtri_lighting lighting;
+        const double ambient = shares[random_in(&seed, 0, 9)];
+        const double diffuse = shares[random_in(&seed, 0, 9)];
+        const qtri_light light = {vec3_of(2, -1, 3), fixed(ambient), fixed(diffuse)};
+        double v[3] = {0, 0, 0};
+        double length = 0;
+        double cosine = 0;
+        int16_t c[3];
+        qtri_transform_identity(&pose);
+        qtri_transform_rotate_x(&pose, random_bits32(&seed));
+        qtri_transform_rotate_y(&pose, random_bits32(&seed));
+        qtri_lighting_init(&lighting, &light, &pose, 1 << 14);
+        for (int i = 0; i < 3; i++) {
+            v[i] = random_in(&seed, -1000, 1000) + .5;
+            length += v[i] * v[i];
+        }
+        for (int i = 0; i < 3; i++) {
+            c[i] = (int16_t)lrint(16384 * v[i] / sqrt(length));
+        }
+        const qtri_normal normal = {c[0], c[1], c[2]};
+        const double towards[3] = {2, -1, 3};
+        length = 0;
+        for (int i = 0; i < 3; i++) { /* turned into eye space */
+            cosine += towards[i] / sqrt(14) *
+                      (element(&pose, i, 0) * c[0] + element(&pose, i, 1) * c[1] +
+                       element(&pose, i, 2) * c[2]);
+            length += (double)c[i] * c[i];
+        }
+        const double exact = fmin(1, fmax(0, ambient + diffuse * fmax(0, cosine / sqrt(length))));
+        const double tolerance = 3e-5 + fabs(diffuse) * 1.3e-4; /* of the normal's length */
+        assert_near(qtri_lighting_vertex(&lighting, &normal) / 32768., exact, tolerance);
+    }
+}
+
+/* Sources that are too far for any exponent stay on their side. */
+static void places_are_held_on_both_sides(void **state)
+{
+    (void)state;
+    qtri_transform camera;
+    qtri_transform_identity(&camera);
+    qtri_light_space space = {.camera = &camera, .even = false};
+    for (int32_t exponent = 0; exponent < 500; exponent += 7) {
+        const qtri_vec3 p = vec3_of(20000, -3, .001);
+        const qtri_vec3 opposite = {-p.x, -p.y, -p.z};
+        int32_t at[2][3];
+        int32_t scale[2];
+        space.unit = qtri_wide_make(1, exponent);
+        qtri_light_place(at[0], &scale[0], &space, &p);
+        qtri_light_place(at[1], &scale[1], &space, &opposite);
+        assert_int_equal(scale[0], scale[1]);
+        for (int i = 0; i < 3; i++) {
+            assert_true(abs(at[0][i]) <= 1 << 29);
+            assert_true(abs(at[0][i] + at[1][i]) <= 1);
+        }
+        assert_true(at[0][0] > 1 << 27 || exponent < 20);
+        assert_true(exponent < 200 || (at[0][0] == 1 << 29 && at[1][0] == -(1 << 29)));
+    }
+}
+
+/* Poses of any size have the light of their angles. */
+static void sizes_beyond_any_do_not_dim(void **state)
+{
+    (void)state;
+    const qtri_light_color white = {Q16(1), Q16(1), Q16(1)};
+    const qtri_light_color black = {0, 0, 0};
+    const qtri_light_source source = {
+        .kind = &qtri_directional_light, .position = vec3_of(1, 2, 2), .color = white};
+    const qtri_rgb full = {255, 255, 255};
+    qtri_lights lights;
+    qtri_view view;
+    qtri_view_init(&view, 10, 10);
+    assert_int_equal(qtri_lights_init(&lights, &source, 1, black), QTRI_OK);
+    view.lights = &lights;
+    for (int up = 0; up < 2; up++) {
+        const q16 scale = up ? Q16(16384) : 4;
+        const qtri_vec3 same = {scale, scale, scale};
+        int uneven = 0;
+        qtri_transform pose;
+        qtri_transform_identity(&pose);
+        qtri_transform_rotate_x(&pose, Q16(70));
+        for (int n = 0; n < 60; n++) { /* to 2^840, and to 2^-840 */
+            qtri_illumination by;
+            qtri_lit_point point = {0};
+            qtri_illumination_init(&by, &view, &pose, NULL, NULL);
+            qtri_illuminated_normal(&point, &by, 3000, 9000, 13000);
+            const uint32_t color = qtri_illuminate(&by, &point, &full);
+            const double angle = 70 * radians;
+            const double n2[3] = {3, 9 * cos(angle) - 13 * sin(angle),
+                                  9 * sin(angle) + 13 * cos(angle)};
+            const double cosine = (n2[0] + 2 * n2[1] + 2 * n2[2]) / 3 / sqrt(9 + 81 + 169);
+            assert_near(color & 255, 255 * cosine, 1.5);
+            uneven += !by.even;
+            qtri_transform_scale(&pose, same);
+        }
+        assert_true(uneven > 10);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(viewports_are_held),
+        cmocka_unit_test(billboards_need_all_axes),
+        cmocka_unit_test(zigzags_stay_in_their_room),
+        cmocka_unit_test(rows_of_zeros_have_any_exponent),
+        cmocka_unit_test(constant_weights_are_kept),
+        cmocka_unit_test(rests_without_w),
+        cmocka_unit_test(boxes_of_all_numbers),
+        cmocka_unit_test(ten_thousand_targets_are_held),
+        cmocka_unit_test(frames_end_at_32767),
+        cmocka_unit_test(views_that_tell_nothing),
+        cmocka_unit_test(any_ambient_and_diffuse),
+        cmocka_unit_test(places_are_held_on_both_sides),
+        cmocka_unit_test(sizes_beyond_any_do_not_dim),
+    };
+    return cmocka_run_group_tests_name("core geometry ends", tests, NULL, NULL);
+}
