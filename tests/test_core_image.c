@@ -249,13 +249,13 @@ static void any_arguments(void **state)
     }
     canvas_clear(&c);
     const qtri_affine same = {Q16_ONE, 0, 0, 0, Q16_ONE, 0};
-    for (int n = 0; n < 5; n++) {
+    for (int n = 0; n < 6; n++) {
         random_picture(&p, &seed, drawn_format(n));
         p.image.has_key = false;
         p.image.pixels = n == 0 ? NULL : p.image.pixels;
         p.image.format = n == 1 ? NULL : p.image.format;
         p.image.width = n == 2 ? 0 : (n == 3 ? 8193 : p.image.width);
-        p.image.height = n == 4 ? -1 : p.image.height;
+        p.image.height = n == 4 ? -1 : (n == 5 ? 8193 : p.image.height);
         qtri_image_paint(&c.surface, &p.image, 0, 0);
         qtri_image_blend(&c.surface, &p.image, 0, 0, 99);
         qtri_image_paint_affine(&c.surface, &p.image, &same, 255);

@@ -513,9 +513,59 @@ static void any_arguments(void **state)
     canvas_free(&c);
 }
 
+/* A comb: more sides cross a row than are kept. It is its teeth. */
+static void many_sides_in_a_row(void **state)
+{
+    (void)state;
+    enum { TEETH = 11, POINTS = 4 * TEETH };
+    static const qtri_ink *const kinds[3] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
+    qtri_point point[POINTS];
+    for (int i = 0; i < TEETH; i++) {
+        const int32_t x = QTRI_PX(2 + 4 * i), y = QTRI_PX(3 + i % 3);
+        const qtri_point tooth[4] = {
+            {x, QTRI_PX(30)}, {x, y}, {x + QTRI_PX(2), y}, {x + QTRI_PX(2), QTRI_PX(30)}};
+        memcpy(&point[4 * i], tooth, sizeof tooth);
+    }
+    for (int n = 0; n < 3; n++) {
+        const qtri_brush brush = {{9, 99, 199}, 255, kinds[n]};
+        canvas comb = canvas_new(&qtri_rgb565, SIDE, SIDE);
+        canvas teeth = canvas_new(&qtri_rgb565, SIDE, SIDE);
+        qtri_paint_polygon(&comb.surface, point, POINTS, &brush);
+        for (int i = 0; i < TEETH; i++) {
+            const qtri_area tooth = {point[4 * i].x_24p8, point[4 * i + 1].y_24p8,
+                                     point[4 * i + 2].x_24p8, point[4 * i].y_24p8};
+            qtri_paint_rect(&teeth.surface, &tooth, &brush);
+        }
+        assert_same_picture(&teeth.surface, &comb.surface);
+        canvas_free(&comb);
+        canvas_free(&teeth);
+    }
+}
+
+/* Shapes that have no inside. */
+static void no_inside(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
+    canvas cleared = canvas_new(&qtri_rgb565, SIDE, SIDE);
+    const qtri_brush brush = qtri_brush_of((qtri_rgb){255, 255, 255});
+    const qtri_point point[3] = {{0, 0}, {QTRI_PX(9), 0}, {0, QTRI_PX(9)}};
+    for (int32_t count = -1; count < 3; count++) {
+        qtri_paint_polygon(&c.surface, point, count, &brush);
+    }
+    qtri_paint_polygon(&c.surface, point, INT32_MIN, &brush);
+    qtri_paint_stroke(&c.surface, &point[1], &point[1], QTRI_PX(5), &brush);
+    qtri_paint_stroke(&c.surface, &point[1], &point[2], 0, &brush);
+    assert_same_picture(&cleared.surface, &c.surface);
+    canvas_free(&c);
+    canvas_free(&cleared);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(many_sides_in_a_row),
+        cmocka_unit_test(no_inside),
         cmocka_unit_test(bands),
         cmocka_unit_test(mixes),
         cmocka_unit_test(whole_pixels),

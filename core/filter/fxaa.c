@@ -78,7 +78,7 @@ enum qtri_error qtri_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_
             decode_row(surface, y + 2, slot);
             w.window.row[ROWS - 1] = slot;
         }
-        if (w.window.row[1] == NULL || w.window.row[2] == NULL || w.window.row[3] == NULL) {
+        if (w.window.row[1] == NULL || w.window.row[3] == NULL) { /* between two there is one */
             continue;
         }
         uint8_t *row = surface->pixels + (y - surface->first_row) * surface->pitch;

@@ -17,12 +17,6 @@ typedef struct qtri_channels {
     int32_t c[3]; /* red green blue, n.16 */
 } qtri_channels;
 
-/* What a surface's pixels are made of. On one without a format nothing is drawn, in any colour. */
-static inline const qtri_colors *qtri_colors_of(const qtri_surface *surface)
-{
-    return surface->format != NULL ? surface->format->colors : &qtri_colors_888;
-}
-
 /*
  * A channel of 0..255.0, n.16, in units of which there are ratio_q30 2^-30 to one, n.16, rounded
  * down: with 8 of its bits after the point, so that no product is longer than 32 bits. It is off by

@@ -5,16 +5,13 @@
 #include "../bits/reciprocal.h"
 
 /*
- * x0 + (x1 - x0) (y - y0) / (y1 - y0). The quotient t in Q29 is too small by 2^-29 at most, and
- * |x1 - x0| <= 2^23: x is off by 2^-6 of a step before it is rounded.
+ * x0 + (x1 - x0) (y - y0) / (y1 - y0) for y0 < y < y1. The quotient t in Q29 is too small by 2^-29
+ * at most, and |x1 - x0| <= 2^23: x is off by 2^-6 of a step before it is rounded.
  */
 static int32_t line_x(const qtri_ink_edge *edge, int32_t y)
 {
     const int32_t dx = edge->x1 - edge->x0;
     const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
-    if (y == edge->y1 || dy == 0) {
-        return edge->x1;
-    }
     const int32_t zeros = qtri_clz32(dy);
     const uint32_t reciprocal = (uint32_t)qtri_reciprocal_below(dy << zeros);
     const uint32_t t_q29 = qtri_mul_high31((uint32_t)(y - edge->y0) << (zeros - 1), reciprocal);

@@ -169,7 +169,7 @@ void qtri_image_paint(const qtri_surface *surface, const qtri_image *image, int3
         return;
     }
     const int32_t bytes = surface->format->pixels->bytes;
-    const bool is_alike = qtri_picture_is_alike(image, surface) && bytes <= 4;
+    const bool is_alike = qtri_picture_is_alike(image, surface);
     const int32_t count = rect.x1 - rect.x0;
     uint8_t *to = qtri_surface_at(surface, rect.x0, rect.y0);
     for (int32_t row = rect.y0; row < rect.y1; row++) {

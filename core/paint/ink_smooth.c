@@ -94,6 +94,10 @@ static void add_piece(window *w, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
  * Chords of an arc. One of length l leaves the arc of radius r by l^2 / 8 r; a 64th of a pixel is
  * 4 / 256. Where the arc is steep, four chords have a quarter of its length each, or little more;
  * near its highest and lowest point 16 of equal height h leave it by h / 4, a 64th again.
+ *
+ * Each is higher than nothing: l^2 of a part that is h high is 2 r h at most, and across, rounded,
+ * r at most. More than 32 r take h > 15, since 15 would take an r of 15 to 19, and there
+ * r^2 + 15^2 < 32 r.
  */
 static int32_t chords_of(const qtri_crossing *c)
 {
@@ -107,12 +111,12 @@ static int32_t chords_of(const qtri_crossing *c)
     return square <= 256 * radius && across <= 2 * down ? 4 : 16;
 }
 
+/* Of a crossing that begins before the window's end. */
 static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
 {
     const int32_t chords = c->arc == NULL ? 1 : chords_of(c);
-    const int32_t least = qtri_least32(c->x0, c->x1);
     const int32_t most = qtri_greatest32(c->x0, c->x1);
-    if (chords == 1 || most <= w->x * 256 || least >= (w->x + WINDOW) * 256) {
+    if (chords == 1 || most <= w->x * 256) {
         add_piece(w, c->x0, c->y0, c->x1, c->y1, c->winding);
         return;
     }
@@ -121,9 +125,7 @@ static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
     for (int32_t i = 1; i <= chords; i++) {
         const int32_t to_y = c->y0 + (c->y1 - c->y0) * i / chords;
         const int32_t to = i == chords ? c->x1 : qtri_ink_edge_x(c->arc, row * 256 + to_y);
-        if (to_y > y) {
-            add_piece(w, x, y, to, to_y, c->winding);
-        }
+        add_piece(w, x, y, to, to_y, c->winding);
         x = to;
         y = to_y;
     }
@@ -219,9 +221,7 @@ static void smooth_rect(const qtri_painter *painter, const qtri_area *box)
         if (share[0] != 0) {
             qtri_painter_span(painter, row, left, left + 1, share[0]);
         }
-        if (share[1] != 0) {
-            qtri_painter_span(painter, row, left + 1, right, share[1]);
-        }
+        qtri_painter_span(painter, row, left + 1, right, share[1]); /* rows >= 1: not 0 */
         if (right > left && share[2] != 0) {
             qtri_painter_span(painter, row, right, right + 1, share[2]);
         }

@@ -20,8 +20,8 @@ void qtri_path_line(qtri_path *path, const qtri_point *from, const qtri_point *t
 void qtri_path_quarter(qtri_path *path, const qtri_point *center, int32_t radius_24p8,
                        int32_t quarter, int32_t y0_24p8, int32_t y1_24p8)
 {
-    if (y0_24p8 >= y1_24p8 || radius_24p8 <= 0) {
-        return;
+    if (y0_24p8 >= y1_24p8) {
+        return; /* all that there is of a circle without a radius */
     }
     const bool is_right = quarter == 0 || quarter == 3;
     qtri_ink_edge edge = {0,

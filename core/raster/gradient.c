@@ -17,11 +17,9 @@ void qtri_gradient_init(qtri_gradient *g, int32_t extent)
         2u * SMALL) {
         return;
     }
-    uint32_t size = qtri_magnitude32((int32_t)g->area); /* < 2^31 */
-    if (size == 0) {
-        return; /* nobody draws it */
-    }
+    uint32_t size = qtri_magnitude32((int32_t)g->area); /* < 2^31, not 0 */
     g->zeros = qtri_clz32(size);
+    // NOLINTNEXTLINE(clang-analyzer-core.*): the area is not 0, nor is what fits 31 bits of it
     g->reciprocal = qtri_reciprocal_below(size << g->zeros) >> 1;
     if (!qtri_gradient_is_sliver(size, extent)) {
         qtri_gradient_set_inverse(g, g->reciprocal, g->zeros);
@@ -39,9 +37,9 @@ QTRI_NOINLINE static uint64_t divide(int64_t numerator, int64_t area)
 }
 
 /*
- * The same within a unit for a small triangle, where |numerator| < 2^50: n r / 2^s, s = 45 - zeros,
- * from two products, for n of 30 and 20 bits. Its relative error, below 2^-28, leaves a remainder
- * of less than 2^(66 - 28), whose quotient is added.
+ * The same within 2 + 2^8 / |area| units for a small triangle, where |numerator| < 2^50: n r / 2^s,
+ * s = 45 - zeros, from two products, for n of 30 and 20 bits. Its relative error, below 2^-28,
+ * leaves a remainder of less than 2^(66 - 28), whose quotient is added but for its lowest 8 bits.
  */
 QTRI_NOINLINE static uint64_t multiply(const qtri_gradient *g, int64_t numerator)
 {

@@ -32,9 +32,9 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
     const qtri_fragments at = {batch->place, batch->place[0], depth};
     const uint32_t mask = qtri_effect_stages_of(job->material)
                               ->fragments(&raster, batch->color, &at, qtri_mask_of(count), count);
-    if (job->writes_early != job->depth_write) {
-        batch->count = (uint8_t)qtri_batch_keep(batch, job->surface, depth, mask, count,
-                                                job->has_depth && job->depth_write);
+    if (job->writes_early != job->depth_write) { /* it is written now */
+        batch->count =
+            (uint8_t)qtri_batch_keep(batch, job->surface, depth, mask, count, job->has_depth);
     }
     if (batch->count != 0) {
         if (format->encode != NULL) {

@@ -220,16 +220,14 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     }
 }
 
-/* The stages of what is in the batch. depth: where texels may be turned away, see the mask there.
+/* The stages of what is in the batch, one fragment at least. depth: where texels may be turned
+ * away, see the mask there.
  */
 static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *depth)
 {
     qtri_batch *batch = raster->batch;
     const qtri_format *format = raster->format;
     int32_t count = batch->count;
-    if (count == 0) {
-        return;
-    }
     batch->count = 0;
     if (raster->lit_list != NULL && batch->kind == QTRI_LIST_LIT_TEXELS) {
         raster->lit_list(raster, count);

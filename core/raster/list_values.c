@@ -70,14 +70,7 @@ uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangl
 
 uint32_t qtri_list_flat_shade(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    if (t->color != NULL) {
-        return qtri_shade_of(t->color[raster->provoking]);
-    }
-    int32_t channel[3];
-    for (int i = 0; i < 3; i++) {
-        channel[i] = qtri_raster_shade(raster, (int32_t)(t->light_q15 << 7), i);
-    }
-    return qtri_shade_of(channel);
+    return qtri_shade_of(t->color[raster->provoking]);
 }
 
 bool qtri_list_is_one_color(const qtri_list_triangle *t)

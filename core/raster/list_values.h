@@ -81,7 +81,8 @@ static inline void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values 
     }
 }
 
-/* The one colour of a triangle without texture; of one with, as a shade. */
+/* The one colour of a triangle without texture; of one with and with colours of its own, as a
+   shade. */
 uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t);
 uint32_t qtri_list_flat_shade(const qtri_raster *raster, const qtri_list_triangle *t);
 

@@ -37,13 +37,6 @@ void qtri_shade_rgb(uint32_t *shade, const qtri_curve channel[3], int32_t count)
     QTRI_THREE_CURVES(shade, channel, QTRI_SHADE_LESS, count, SHADES)
 }
 
-void qtri_shade_constant(uint32_t *shade, uint32_t value, int32_t count)
-{
-#define ONE(i) shade[i] = value;
-    QTRI_WORDS(count)
-#undef ONE
-}
-
 #undef MOVE
 #define MOVE(n)                                                                                    \
     color += (n);                                                                                  \

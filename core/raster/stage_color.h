@@ -29,9 +29,6 @@ void qtri_shade_light(uint32_t *shade, const qtri_curve *share, int32_t count);
 /* Red, green and blue, from channels n.16 of 0..255. */
 void qtri_shade_rgb(uint32_t *shade, const qtri_curve channel[3], int32_t count);
 
-/* One of them for all. */
-void qtri_shade_constant(uint32_t *shade, uint32_t value, int32_t count);
-
 /* The channels of a colour, n.16 of 0..255.0, as a shade. */
 static inline uint32_t qtri_shade_of(const int32_t c[3])
 {

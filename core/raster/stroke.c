@@ -210,7 +210,7 @@ static void take_positions(position *at, const qtri_stroker *stroker,
             const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> down), shape->inverse);
             const uint32_t share = (uint32_t)(product >> shape->inverse_shift);
             at[i].square = square;
-            at[i].share_q16 = share < 65536 ? share : 65536;
+            at[i].share_q16 = share; /* < 2^16: length times inverse is below 2^62 */
             at[i].part = shape->part;
         }
         along_q30 += step;

@@ -61,16 +61,10 @@ static int64_t true_area(const qtri_triangle *t, const qtri_attributes v[3])
     return t->area + (more >> 16);
 }
 
-/* x 2^-shift, rounded down, of |x| < 2^62. */
-static int64_t shifted(int64_t x, int32_t shift)
-{
-    return x >> (shift > 62 ? 62 : shift);
-}
-
 /* For |weights| < 2^30. */
 static bool set_weight(int32_t *b, int32_t numerator, int32_t r, int32_t shift)
 {
-    const int64_t value = shifted(qtri_mul_s32(numerator, r), shift);
+    const int64_t value = qtri_mul_s32(numerator, r) >> shift;
     *b = (int32_t)value;
     return qtri_magnitude64(value) < (uint64_t)1 << 30;
 }
@@ -81,7 +75,9 @@ static bool set_weight(int32_t *b, int32_t numerator, int32_t r, int32_t shift)
  *     b1 = (rest x Dy2 - rest y Dx2) 2^-16 2^(down - 7) / area
  *
  * times 2^36 is that numerator times r 2^-(62 + 16 + 7 + 32 - zeros - down - 36). What is cut off D
- * is 2^-15 of the greatest weight or less.
+ * is 2^-15 of the greatest weight or less. That shift is 2 at least, of an area of 1 and the
+ * longest sides, down = 16; and 53 at most: 2^(64 - zeros) is 4 d^2 or less, and d < 2^(15 + down -
+ * 7).
  */
 void qtri_unsnapped_init(qtri_unsnapped *u, const qtri_raster *raster, const qtri_triangle *t,
                          const qtri_attributes v[3])
@@ -115,9 +111,6 @@ void qtri_unsnapped_init(qtri_unsnapped *u, const qtri_raster *raster, const qtr
     const int32_t shift = 81 - zeros - down;
     int32_t r = qtri_reciprocal_below((uint32_t)(size << zeros >> 32) | 0x80000000u);
     r = area < 0 ? -r : r;
-    if (shift < 0) {
-        return;
-    }
     for (int i = 0; i < 3; i++) { /* |rest| <= 2^15, |D| <= 2^15: |numerator| < 2^31 */
         const int32_t x = v[i].rest[0];
         const int32_t y = v[i].rest[1];

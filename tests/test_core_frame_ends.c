@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Bands, dithering and filters where there is nothing to do, or no room to do it.
+ */
+#include "support/core.h"
+
+#include <qtri/dither.h>
+#include <qtri/edges.h>
+#include <qtri/filters.h>
+#include <qtri/frame.h>
+#include <qtri/halo.h>
+
+enum { WIDTH = 24, HEIGHT = 20 };
+
+static const qtri_rgb sky = {40, 80, 160}, red = {250, 10, 30};
+
+static void halos_that_do_not_fit(void **state)
+{
+    (void)state;
+    static uint8_t memory[QTRI_HALO_BYTES(WIDTH, 4, 2, QTRI_RGB565_BYTES)];
+    static const struct {
+        int32_t rows, halo;
+        enum qtri_error error;
+    } tries[] = {{4, 2, QTRI_OK},
+                 {4, -1, QTRI_ERROR_SIZE},
+                 {4, QTRI_HALO_MAX + 1, QTRI_ERROR_SIZE},
+                 {0, 2, QTRI_ERROR_SIZE},
+                 {INT32_MIN, 2, QTRI_ERROR_SIZE},
+                 {QTRI_SURFACE_MAX - 3, 2, QTRI_ERROR_SIZE},
+                 {INT32_MAX, 2, QTRI_ERROR_SIZE},
+                 {5, 2, QTRI_ERROR_MEMORY}};
+    for (size_t i = 0; i < LENGTH_OF(tries); i++) {
+        qtri_halo halo;
+        qtri_surface band;
+        qtri_surface shown;
+        memset(&halo, 0x5A, sizeof halo);
+        assert_int_equal(qtri_halo_init(&halo, &qtri_rgb565, WIDTH, HEIGHT, tries[i].rows,
+                                        tries[i].halo, memory, sizeof memory),
+                         tries[i].error);
+        qtri_halo_begin(&halo);
+        int bands = 0;
+        while (qtri_halo_next_band(&halo, &band, &shown)) {
+            bands++;
+        }
+        assert_int_equal(bands, i == 0 ? HEIGHT / 4 : 0);
+    }
+}
+
+/* Marks without an inside change nothing; without a change there is no band. */
+static void changes_of_nothing(void **state)
+{
+    (void)state;
+    static uint8_t memory[QTRI_HALO_BYTES(WIDTH, 4, 2, QTRI_RGB565_BYTES)];
+    static const qtri_rect empty[] = {{3, 3, 3, 9}, {3, 3, 9, 3},   {9, 3, 3, 9},
+                                      {3, 9, 9, 3}, {30, 3, 40, 9}, {3, -9, 9, -2}};
+    qtri_halo halo;
+    qtri_surface band;
+    qtri_surface shown;
+    assert_int_equal(
+        qtri_halo_init(&halo, &qtri_rgb565, WIDTH, HEIGHT, 4, 2, memory, sizeof memory), QTRI_OK);
+    qtri_halo_begin(&halo);
+    while (qtri_halo_next_band(&halo, &band, &shown)) {
+    }
+    for (size_t i = 0; i < LENGTH_OF(empty); i++) {
+        qtri_halo_begin(&halo);
+        qtri_frame_mark(&halo.frame, &empty[i]);
+        qtri_halo_only_changes(&halo);
+        assert_false(qtri_halo_next_band(&halo, &band, &shown));
+        const qtri_rect changes = qtri_frame_changes(&halo.frame);
+        assert_true(changes.x0 >= changes.x1 || changes.y0 >= changes.y1);
+    }
+    /* A rectangle of the caller's own that has columns and no rows. */
+    halo.frame.changes = empty[1];
+    qtri_halo_only_changes(&halo);
+    assert_false(qtri_halo_next_band(&halo, &band, &shown));
+}
+
+static void fill_gray(uint8_t gray[WIDTH], uint64_t *seed)
+{
+    for (int i = 0; i < WIDTH; i++) {
+        gray[i] = (uint8_t)random64(seed);
+    }
+}
+
+/* The last row that there can be is a row. */
+static void diffusion_at_the_last_row(void **state)
+{
+    (void)state;
+    uint64_t seed = 6;
+    int16_t errors[2][WIDTH];
+    qtri_diffusion d[2];
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(qtri_diffusion_init(&d[i], WIDTH, errors[i], WIDTH), QTRI_OK);
+    }
+    for (int32_t row = 0; row < 4; row++) {
+        uint8_t gray[WIDTH];
+        uint8_t level[2][WIDTH];
+        fill_gray(gray, &seed);
+        qtri_diffuse_row(&d[0], 1, 0, 100 + row, gray, WIDTH, level[0]);
+        qtri_diffuse_row(&d[1], 1, 0, INT32_MAX - 3 + row, gray, WIDTH, level[1]);
+        assert_memory_equal(level[0], level[1], WIDTH);
+    }
+    assert_int_equal(d[1].next_y, INT32_MAX);
+}
+
+/* Displays that show nothing keep all of what they should have shown: it is held, and no more. */
+static void errors_are_held(void **state)
+{
+    (void)state;
+    for (int sign = 0; sign < 2; sign++) {
+        int16_t errors[WIDTH];
+        qtri_diffusion d;
+        assert_int_equal(qtri_diffusion_init(&d, WIDTH, errors, WIDTH), QTRI_OK);
+        for (int32_t y = 0; y < 60; y++) {
+            const bool ends = y >= 30;
+            for (int32_t x = 0; x < WIDTH; x++) { /* half of a level, so that all go one way */
+                const int32_t due =
+                    (sign ? 128 : 127) - d.right - (x == 0 && y == 0 ? 0 : errors[x]);
+                const uint8_t gray = (uint8_t)(due < 0 ? 0 : (due > 255 ? 255 : due));
+                uint8_t level;
+                qtri_diffuse_row(&d, ends ? 0 : 1, x, y, &gray, 1, &level);
+                assert_in_range(level, 0, ends ? 0 : 1);
+                assert_in_range(d.right + 1000, 1000 - 112, 1000 + 112); /* 7/16 of 255 */
+            }
+        }
+        int32_t sum = 0;
+        for (int32_t x = 0; x < WIDTH; x++) {
+            sum += errors[x];
+        }
+        assert_true(sign ? sum < -400 : sum > 400);
+    }
+}
+
+/* ---- Filters ---- */
+
+static void paint_test(const qtri_surface *s)
+{
+    for (int32_t y = 0; y < HEIGHT; y++) {
+        for (int32_t x = 0; x < WIDTH; x++) {
+            qtri_surface pixel = *s;
+            pixel.scissor = (qtri_rect){x, y, x + 1, y + 1};
+            qtri_surface_clear(&pixel, (x * 5 + y * 3) % 7 < 3 ? sky : red, 9);
+        }
+    }
+}
+
+static const qtri_format *const of[2] = {&qtri_xrgb8888, &qtri_rgb565};
+
+/* All filters of a format: the sum of what they return. */
+static int filter_all(const qtri_surface *s, uint32_t *words, uint32_t count)
+{
+    int errors = 0;
+    const bool is_565 = s->format == &qtri_rgb565;
+    errors |= qtri_fxaa(s, words, count);
+    errors |= is_565 ? qtri_fxaa_565(s, words, count) : 0;
+    errors |= qtri_sum_add(words, count, s);
+    errors |= is_565 ? qtri_sum_add_565(words, count, s) : 0;
+    errors |= qtri_sum_store(s, words, count, 0);
+    errors |= is_565 ? qtri_sum_store_565(s, words, count, 0) : 0;
+    return errors;
+}
+
+/* A scissor without pixels needs no memory, and leaves all as it is. */
+static void nothing_to_filter(void **state)
+{
+    (void)state;
+    static const qtri_rect empty[3] = {{5, 5, 5, 9}, {5, 9, 9, 9}, {40, 0, 50, 9}};
+    for (int f = 0; f < 2; f++) {
+        canvas c = canvas_new(of[f], WIDTH, HEIGHT);
+        canvas same = canvas_new(of[f], WIDTH, HEIGHT);
+        paint_test(&c.surface);
+        paint_test(&same.surface);
+        for (int i = 0; i < 3; i++) {
+            qtri_edges edges;
+            c.surface.scissor = empty[i];
+            assert_int_equal(filter_all(&c.surface, NULL, 0), QTRI_OK);
+            uint32_t word = 0;
+            assert_int_equal(qtri_edges_begin(&edges, &c.surface, &word, 1), QTRI_OK);
+            qtri_edges_blend(&edges);
+            assert_int_equal(qtri_edges_blend_565(&edges), QTRI_OK);
+        }
+        c.surface.scissor = same.surface.scissor;
+        assert_same_picture(&same.surface, &c.surface);
+        canvas_free(&c);
+        canvas_free(&same);
+    }
+}
+
+static void too_little_memory_changes_nothing(void **state)
+{
+    (void)state;
+    static uint32_t words[QTRI_SUM_WORDS(WIDTH, HEIGHT)];
+    for (int f = 0; f < 2; f++) {
+        canvas c = canvas_new(of[f], WIDTH, HEIGHT);
+        canvas same = canvas_new(of[f], WIDTH, HEIGHT);
+        paint_test(&c.surface);
+        paint_test(&same.surface);
+        memset(words, 0, sizeof words);
+        const uint32_t few = QTRI_SUM_WORDS(WIDTH, HEIGHT) - 1;
+        assert_int_equal(qtri_sum_add(words, few, &c.surface), QTRI_ERROR_MEMORY);
+        assert_int_equal(qtri_sum_store(&c.surface, words, few, 3), QTRI_ERROR_MEMORY);
+        assert_int_equal(qtri_fxaa(&c.surface, words, QTRI_FXAA_WORDS(WIDTH) - 1),
+                         QTRI_ERROR_MEMORY);
+        if (of[f] == &qtri_rgb565) {
+            assert_int_equal(qtri_sum_add_565(words, few / 2, &c.surface), QTRI_ERROR_MEMORY);
+            assert_int_equal(qtri_sum_store_565(&c.surface, words, few / 2, 3), QTRI_ERROR_MEMORY);
+            assert_int_equal(qtri_fxaa_565(&c.surface, words, QTRI_FXAA_565_WORDS(WIDTH) - 1),
+                             QTRI_ERROR_MEMORY);
+        }
+        for (size_t i = 0; i < LENGTH_OF(words); i++) {
+            assert_int_equal(words[i], 0);
+        }
+        assert_same_picture(&same.surface, &c.surface);
+        canvas_free(&c);
+        canvas_free(&same);
+    }
+}
+
+/* Rows that do not begin at words, and bands of odd size. */
+static void halves_of_odd_memory(void **state)
+{
+    (void)state;
+    static uint32_t memory[2][(WIDTH + 3) * HEIGHT];
+    qtri_surface half[2];
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    paint_test(&c.surface);
+    for (int i = 0; i < 2; i++) { /* in words and beside them; pairs of one colour and of two */
+        qtri_surface s = c.surface;
+        s.pixels = (uint8_t *)memory[i] + 2 * i;
+        s.pitch = i == 0 ? 2 * WIDTH : 2 * WIDTH + 2;
+        s.depth = NULL;
+        for (int32_t y = 0; y < HEIGHT; y++) {
+            memcpy(s.pixels + y * s.pitch, c.surface.pixels + (y | 1) * c.surface.pitch, 2 * WIDTH);
+            for (int32_t x = 0; x < 8; x++) { /* the same two colours in all four words */
+                const uint16_t pair[2] = {0x1234, 0xF0F1};
+                memcpy(s.pixels + y * s.pitch + 2 * x, &pair[x & 1], 2);
+            }
+        }
+        assert_int_equal(qtri_halve_565(&s, &half[i]), QTRI_OK);
+    }
+    for (int32_t y = 0; y < HEIGHT / 2; y++) {
+        for (int32_t x = 0; x < WIDTH / 2; x++) {
+            assert_int_equal(stored_pixel(&half[0], x, y), stored_pixel(&half[1], x, y));
+        }
+    }
+    for (int32_t odd = 0; odd < 4; odd++) {
+        qtri_surface s = c.surface;
+        qtri_surface before = half[0];
+        s.width += odd == 0;
+        s.height += odd == 1;
+        s.first_row += odd == 2;
+        s.rows -= odd == 3;
+        assert_int_equal(qtri_halve(&s, &half[0]), QTRI_ERROR_SIZE);
+        assert_int_equal(qtri_halve_565(&s, &half[0]), QTRI_ERROR_SIZE);
+        assert_memory_equal(&before, &half[0], sizeof before);
+    }
+    canvas_free(&c);
+}
+
+/* Rows of an odd number of pixels that begin at words: as the form for any format. */
+static void fxaa_of_odd_rows(void **state)
+{
+    (void)state;
+    static uint32_t words[QTRI_FXAA_WORDS(WIDTH)];
+    canvas c[2] = {canvas_new(&qtri_rgb565, WIDTH, HEIGHT),
+                   canvas_new(&qtri_rgb565, WIDTH, HEIGHT)};
+    for (int i = 0; i < 2; i++) {
+        paint_test(&c[i].surface);
+        qtri_surface odd = c[i].surface;
+        odd.width--;
+        odd.scissor.x1--;
+        assert_int_equal(i == 0 ? qtri_fxaa(&odd, words, LENGTH_OF(words))
+                                : qtri_fxaa_565(&odd, words, LENGTH_OF(words)),
+                         QTRI_OK);
+    }
+    assert_same_picture(&c[0].surface, &c[1].surface);
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(halos_that_do_not_fit),
+        cmocka_unit_test(changes_of_nothing),
+        cmocka_unit_test(diffusion_at_the_last_row),
+        cmocka_unit_test(errors_are_held),
+        cmocka_unit_test(nothing_to_filter),
+        cmocka_unit_test(too_little_memory_changes_nothing),
+        cmocka_unit_test(halves_of_odd_memory),
+        cmocka_unit_test(fxaa_of_odd_rows),
+    };
+    return cmocka_run_group_tests_name("core frame ends", tests, NULL, NULL);
+}
