@@ -237,7 +237,6 @@ static uint32_t find(finder *f, uint32_t pass, uint32_t from)
         if (!find_borders(f)) {
             return 1;
         }
-        pass = 2;
         f->from = 0;
     }
     return find_creases(f) ? PASSES : 2;

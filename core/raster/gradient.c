@@ -19,6 +19,7 @@ void qtri_gradient_init(qtri_gradient *g, int32_t extent)
     }
     uint32_t size = qtri_magnitude32((int32_t)g->area); /* < 2^31, not 0 */
     g->zeros = qtri_clz32(size);
+    // NOLINTNEXTLINE(clang-analyzer-core.*): the area is not 0, nor is what fits 31 bits of it
     g->reciprocal = qtri_reciprocal_below(size << g->zeros) >> 1;
     if (!qtri_gradient_is_sliver(size, extent)) {
         qtri_gradient_set_inverse(g, g->reciprocal, g->zeros);
