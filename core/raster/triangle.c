@@ -85,8 +85,8 @@ static void vertex_from_attributes(qtri_vertex *out, const qtri_screen_point *at
     out->inv_w = v->inv_w_q31;
 }
 
-static void draw_large(const qtri_raster *raster, const qtri_screen_point p[3],
-                       const qtri_attributes attributes[3], int64_t area)
+QTRI_NOINLINE static void draw_large(const qtri_raster *raster, const qtri_screen_point p[3],
+                                     const qtri_attributes attributes[3], int64_t area)
 {
     qtri_triangle triangle;
     triangle.p[0] = &p[0];
