@@ -9,13 +9,17 @@
 #include "samples.h"
 #include "setup.h"
 
-static void fill_rows(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
-                      qtri_fill_rows fill)
+QTRI_IN_PLACE void fill_rows(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
+                             qtri_fill_rows fill)
 {
-    if (job->held) {
-        qtri_held_fill(job, spans, row, count, fill);
-    } else {
+    if (!job->held || qtri_held_is_inside(job, spans, row, count)) {
         fill(job, spans, row, count);
+        return;
+    }
+    qtri_span part = {0, 0};
+    int32_t i = -1;
+    while (qtri_held_next(job, &part, &i, spans, row, count)) {
+        fill(job, &part, row + i, 1);
     }
 }
 
