@@ -38,11 +38,18 @@ QTRI_NOINLINE static void fill_tall(qtri_job *job, qtri_triangle *triangle, qtri
     }
 }
 
+/* Apart from that, too: what it keeps is not beneath fill_tall. */
+QTRI_NOINLINE static void fill_short(qtri_job *job, const qtri_triangle *triangle,
+                                     qtri_fill_rows fill)
+{
+    fill_rows(job, triangle->spans, triangle->row, triangle->end - triangle->row, fill);
+}
+
 void qtri_triangle_fill(qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
 {
     qtri_list_flush(job->raster);
     if (QTRI_WITH_FAST_PATHS && triangle->is_short) {
-        fill_rows(job, triangle->spans, triangle->row, triangle->end - triangle->row, fill);
+        fill_short(job, triangle, fill);
     } else {
         fill_tall(job, triangle, fill);
     }
