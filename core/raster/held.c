@@ -42,6 +42,7 @@ bool qtri_held_init(qtri_job *job, const qtri_attributes v[3], const qtri_gradie
     job->depth.origin = (uint32_t)((uint64_t)origin & UINT32_MAX);
     job->depth.dx = (uint32_t)((uint64_t)dx & UINT32_MAX);
     job->depth.dy = (uint32_t)((uint64_t)dy & UINT32_MAX);
+    job->true_depth = job->depth;
     job->depth_above = (int32_t)(origin >> 32); /* 2^62 2^-15 2^-32: it fits */
     return true;
 }
@@ -49,7 +50,7 @@ bool qtri_held_init(qtri_job *job, const qtri_attributes v[3], const qtri_gradie
 /* All bits of what the loops have modulo 2^32: |sum| < 2^47 + 2 2^31 2^15. */
 static int64_t depth_at(const qtri_job *job, int32_t x, int32_t y)
 {
-    const qtri_ramp *depth = &job->depth;
+    const qtri_ramp *depth = &job->true_depth;
     return (int64_t)job->depth_above * ((int64_t)1 << 32) + (int64_t)depth->origin +
            qtri_mul_s32((int32_t)depth->dx, x - job->anchor_x) +
            qtri_mul_s32((int32_t)depth->dy, y - job->anchor_y);
@@ -62,34 +63,36 @@ static int side_of(int64_t depth)
 }
 
 /*
- * A row in parts: depth goes one way along it, so each side has one run of pixels. Few are outside
- * the range, and are counted.
+ * Depth goes one way along a row, so each side has one run of pixels. Few are outside the range,
+ * and are counted.
  */
-QTRI_NOINLINE static void fill_parts(qtri_job *job, const qtri_span *span, int32_t y,
-                                     qtri_fill_rows fill)
+bool qtri_held_next(qtri_job *job, qtri_span *part, int32_t *i, const qtri_span *spans,
+                    int32_t first, int32_t count)
 {
-    const qtri_ramp inside = job->depth;
-    qtri_span part = *span;
-    while (part.left < span->right) {
-        const int side = side_of(depth_at(job, part.left, y));
-        if (side == 0) {
-            part.right = span->right;
-            while (side_of(depth_at(job, part.right - 1, y)) != 0) {
-                part.right--;
-            }
-            fill(job, &part, y, 1);
-        } else {
-            part.right = (int16_t)(part.left + 1);
-            while (part.right < span->right && side_of(depth_at(job, part.right, y)) == side) {
-                part.right++;
-            }
-            const qtri_ramp outside = {(side < 0 ? 0 : FARTHEST) + HALF, 0, 0};
-            job->depth = outside;
-            fill(job, &part, y, 1);
-            job->depth = inside;
+    part->left = part->right;
+    while (*i < 0 || part->left >= spans[*i].right) {
+        if (++*i == count) {
+            return false;
         }
-        part.left = part.right;
+        part->left = spans[*i].left;
     }
+    const int32_t y = first + *i;
+    const int side = side_of(depth_at(job, part->left, y));
+    if (side == 0) {
+        part->right = spans[*i].right;
+        while (side_of(depth_at(job, part->right - 1, y)) != 0) {
+            part->right--;
+        }
+        job->depth = job->true_depth;
+        return true;
+    }
+    part->right = (int16_t)(part->left + 1);
+    while (part->right < spans[*i].right && side_of(depth_at(job, part->right, y)) == side) {
+        part->right++;
+    }
+    const qtri_ramp outside = {(side < 0 ? 0 : FARTHEST) + HALF, 0, 0};
+    job->depth = outside;
+    return true;
 }
 
 /* Whether no pixel of the row is outside the range. */
@@ -99,29 +102,14 @@ static bool is_inside(const qtri_job *job, const qtri_span *span, int32_t y)
                                          side_of(depth_at(job, span->right - 1, y)) == 0);
 }
 
-/* The same of all rows, by the corners of a box about them: it may say no. */
-static bool are_inside(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+/* By the corners of a box about them. */
+bool qtri_held_is_inside(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
     qtri_span box = spans[0];
     for (int32_t i = 1; i < count; i++) {
         box.left = spans[i].left < box.left ? spans[i].left : box.left;
         box.right = spans[i].right > box.right ? spans[i].right : box.right;
     }
+    job->depth = job->true_depth;
     return is_inside(job, &box, row) && is_inside(job, &box, row + count - 1);
-}
-
-void qtri_held_fill(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
-                    qtri_fill_rows fill)
-{
-    if (are_inside(job, spans, row, count)) {
-        fill(job, spans, row, count);
-        return;
-    }
-    for (int32_t i = 0; i < count; i++) {
-        if (is_inside(job, &spans[i], row + i)) {
-            fill(job, &spans[i], row + i, 1);
-        } else {
-            fill_parts(job, &spans[i], row + i, fill);
-        }
-    }
 }

@@ -21,8 +21,14 @@
 bool qtri_held_init(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient,
                     const qtri_unsnapped *unsnapped);
 
-/* Fills rows of a job that is held. */
-void qtri_held_fill(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
-                    qtri_fill_rows fill);
+/* Whether no pixel of these rows is out of range; it may say no. Then they are filled as others. */
+bool qtri_held_is_inside(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+
+/*
+ * The next part of these rows, the last one being *part of row first + *i; at first an empty one
+ * before the first row. Sets the job's depth for it. False: there is none.
+ */
+bool qtri_held_next(qtri_job *job, qtri_span *part, int32_t *i, const qtri_span *spans,
+                    int32_t first, int32_t count);
 
 #endif

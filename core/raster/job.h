@@ -86,6 +86,7 @@ struct qtri_job {
     int32_t anchor_x, anchor_y; /* origin of the ramps */
     qtri_ramp depth;            /* 16.16 */
     bool held;                  /* depths may leave the range: rows are filled by held.h */
+    qtri_ramp true_depth;       /* when held: the depth is that or, for pixels out of range, even */
     int32_t depth_above;        /* when held: what the origin has above its 32 bits */
     qtri_attribute attribute[QTRI_PLANES];
     union {

@@ -10,13 +10,17 @@
 #include "samples.h"
 #include "setup.h"
 
-static void fill_rows(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
-                      qtri_fill_rows fill)
+QTRI_IN_PLACE void fill_rows(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
+                             qtri_fill_rows fill)
 {
-    if (job->held) {
-        qtri_held_fill(job, spans, row, count, fill);
-    } else {
+    if (!job->held || qtri_held_is_inside(job, spans, row, count)) {
         fill(job, spans, row, count);
+        return;
+    }
+    qtri_span part = {0, 0};
+    int32_t i = -1;
+    while (qtri_held_next(job, &part, &i, spans, row, count)) {
+        fill(job, &part, row + i, 1);
     }
 }
 
@@ -35,11 +39,18 @@ QTRI_NOINLINE static void fill_tall(qtri_job *job, qtri_triangle *triangle, qtri
     }
 }
 
+/* Apart from that, too: what it keeps is not beneath fill_tall. */
+QTRI_NOINLINE static void fill_short(qtri_job *job, const qtri_triangle *triangle,
+                                     qtri_fill_rows fill)
+{
+    fill_rows(job, triangle->spans, triangle->row, triangle->end - triangle->row, fill);
+}
+
 void qtri_triangle_fill(qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill)
 {
     qtri_list_flush(job->raster);
     if (QTRI_WITH_FAST_PATHS && triangle->is_short) {
-        fill_rows(job, triangle->spans, triangle->row, triangle->end - triangle->row, fill);
+        fill_short(job, triangle, fill);
     } else {
         fill_tall(job, triangle, fill);
     }
@@ -96,8 +107,8 @@ static void vertex_from_attributes(qtri_vertex *out, const qtri_screen_point *at
     out->inv_w = v->inv_w_q31;
 }
 
-static void draw_large(const qtri_raster *raster, const qtri_screen_point p[3],
-                       const qtri_attributes attributes[3], int64_t area)
+QTRI_NOINLINE static void draw_large(const qtri_raster *raster, const qtri_screen_point p[3],
+                                     const qtri_attributes attributes[3], int64_t area)
 {
     qtri_triangle triangle;
     triangle.p[0] = &p[0];
