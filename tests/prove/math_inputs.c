@@ -4,7 +4,7 @@
  * the sanitizer for undefined behaviour: it ends the program where there is any. What intervals
  * cannot prove (math_values.c) is proved by trying.
  *
- *     math_inputs NAME     one of the names below, in half a minute to two; without: the names
+ *     math_inputs NAME     one of the names below, in a minute or two; without: the names
  */
 #include <stdint.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 # Proves that the mathematics does nothing that C does not define, whatever its arguments; prints a line a proof.
 #
 #   prove.sh values    tests/prove/math_values.c by Frama-C's Eva, for int of 32 bits; minutes
-#   prove.sh inputs    tests/prove/math_inputs.c by trying every argument, with and without long multiply; ten minutes
+#   prove.sh inputs    tests/prove/math_inputs.c by trying every argument, with and without long multiply; an hour or two
 set -u
 log=build/prove
 mkdir -p "$log"
