@@ -121,8 +121,8 @@ static double worst_of(const qtri_format *format)
         qtri_screen_vertex solid[3] = {t.v[0], t.v[1], t.v[2]};
         solid[0].color_8p16[0] = solid[0].color_8p16[1] = solid[0].color_8p16[2] = 255 << 16;
         const qtri_material plain = plain_material();
-        qtri_surface_clear(&drawn.surface, t.sky, 65535);
-        qtri_surface_clear(&before.surface, t.sky, 65535);
+        qtri_surface_clear(&drawn.surface, t.sky);
+        qtri_surface_clear(&before.surface, t.sky);
         canvas_clear(&covered);
         qtri_raster_triangle(&drawn.surface, &t.material, t.v);
         qtri_raster_triangle(&covered.surface, &plain, solid);
@@ -295,11 +295,11 @@ static void pieces(void **state)
             view.vertex_count = POINTS;
         }
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
-        qtri_surface_clear(&whole.surface, sky, 65535);
+        qtri_surface_clear(&whole.surface, sky);
         qtri_draw_mesh(&whole.surface, &view, &pose, &s.mesh, &m);
         for (int32_t first = 0; first < HEIGHT; first += 17) {
             canvas band = canvas_band(format, WIDTH, HEIGHT, first, 17);
-            qtri_surface_clear(&band.surface, sky, 65535);
+            qtri_surface_clear(&band.surface, sky);
             for (int32_t x = 0; x < WIDTH; x += 37) {
                 const qtri_rect scissor = {x, 0, x + 37, HEIGHT};
                 band.surface.scissor = scissor;
@@ -319,7 +319,7 @@ static void pieces(void **state)
         qtri_frame_begin(&frame);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &s.mesh, &m);
         while (qtri_frame_next_band(&frame, &band)) {
-            qtri_surface_clear(&band, sky, 65535);
+            qtri_surface_clear(&band, sky);
             qtri_draw_prepared(&band, &prepared);
             assert_same_picture(&whole.surface, &band);
         }
@@ -349,8 +349,8 @@ static void as_constant(void **state)
         m.blend = n % 2 != 0 ? &qtri_blend_alpha : &qtri_blend_add;
         canvas one = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         canvas other = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
-        qtri_surface_clear(&one.surface, sky, 65535);
-        qtri_surface_clear(&other.surface, sky, 65535);
+        qtri_surface_clear(&one.surface, sky);
+        qtri_surface_clear(&other.surface, sky);
         qtri_draw_mesh(&one.surface, &view, &pose, &s.mesh, &m);
         m.blend = n % 2 != 0 ? &qtri_blend_vertex_alpha : &qtri_blend_vertex_add;
         m.alpha = lines ? alpha : 255;
@@ -388,9 +388,9 @@ static void samples(void **state)
         qtri_surface whole;
         const qtri_material white = plain_material();
         t.material.shading = QTRI_FLAT_FIRST;
-        qtri_surface_clear(&plain.surface, t.sky, 65535);
-        qtri_samples_clear(&many.surface, t.sky, 65535);
-        qtri_samples_clear(&inside.surface, black, 65535);
+        qtri_surface_clear(&plain.surface, t.sky);
+        qtri_samples_clear(&many.surface, t.sky);
+        qtri_samples_clear(&inside.surface, black);
         qtri_raster_triangle(&plain.surface, &t.material, t.v);
         qtri_raster_triangle(&many.surface, &t.material, t.v);
         t.v[0].color_8p16[0] = t.v[0].color_8p16[1] = t.v[0].color_8p16[2] = 255 << 16;

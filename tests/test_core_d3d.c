@@ -248,7 +248,7 @@ static void depth_reversed(void **state)
             project_by(&view.projection, n % 6, i == 0 ? Q16(.5) : Q16(20),
                        i == 0 ? Q16(20) : Q16(.5));
             material.depth_compare = i == 0 ? QTRI_LESS : QTRI_GREATER;
-            qtri_surface_clear(&c[i].surface, black, i == 0 ? 65535 : 0);
+            clear_to(&c[i].surface, black, i == 0 ? 65535 : 0);
             qtri_draw_mesh(&c[i].surface, &view, &pose, &m.wide, &material);
         }
         for (int32_t i = 0; i < 64 * 48; i++) {

@@ -80,7 +80,7 @@ static qtri_view view_of(double distance, qtri_transform *pose)
 static canvas new_canvas(void)
 {
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    qtri_surface_clear(&c.surface, sky, 65535);
+    qtri_surface_clear(&c.surface, sky);
     return c;
 }
 
@@ -226,7 +226,7 @@ static void hidden_lines_of_all_comparisons(void **state)
         inverted.viewport.depth_near = Q16(1);
         inverted.viewport.depth_far = 0;
         material.depth_compare = far_ones[n];
-        qtri_surface_clear(&c[1].surface, sky, 0);
+        clear_to(&c[1].surface, sky, 0);
         qtri_draw_hidden_lines(&c[1].surface, &inverted, &pose, &mesh, NULL, &material, Q16(.004));
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             assert_int_equal(stored_pixel(&c[0].surface, i % WIDTH, i / WIDTH),
@@ -621,7 +621,7 @@ static void surfaces_of_any_pitch(void **state)
         material.depth_read_only = only_pixels;
         material.depth_compare = s.depth == NULL ? QTRI_DEPTH_OFF : QTRI_LESS;
         const qtri_mesh mesh = cube();
-        qtri_surface_clear(&s, sky, 65535);
+        qtri_surface_clear(&s, sky);
         canvas want = new_canvas();
         want.surface.depth = s.depth == NULL ? NULL : want.surface.depth;
         qtri_draw_mesh(&s, &view, &pose, &mesh, &material);
@@ -682,7 +682,7 @@ static void samples_beside_the_frame(void **state)
             assert_int_equal(qtri_surface_init(&s[i], &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT,
                                                memory[i], sizeof memory[i]),
                              QTRI_OK);
-            qtri_samples_clear(&s[i], sky, 65535);
+            qtri_samples_clear(&s[i], sky);
             mesh.bounds.half = i == 0 ? vec3_of(0, 0, 0) : vec3_of(1, 1, 1);
             qtri_draw_mesh(&s[i], &view, &pose, &mesh, &material);
             assert_int_equal(qtri_samples_resolve(&s[i], &s[i]), QTRI_OK);

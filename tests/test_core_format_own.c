@@ -81,7 +81,7 @@ static void draw_stored(const qtri_surface *s)
     const qtri_brush solid = qtri_brush_of(sand);
     const qtri_area box = {QTRI_PX(2), QTRI_PX(2), QTRI_PX(17), QTRI_PX(9)};
     qtri_material material = qtri_material_default();
-    qtri_surface_clear(s, sky, 65535);
+    qtri_surface_clear(s, sky);
     material.color = red;
     draw_cube(s, material);
     material.shading = QTRI_FLAT_LAST;
@@ -184,7 +184,7 @@ static void mixes_are_a_step_off(void **state)
                 const qtri_brush brush = {red, 150, inks[n]};
                 const qtri_point center = {QTRI_PX(20), QTRI_PX(17.3)};
                 const qtri_area box = {300, 400, QTRI_PX(30.4), QTRI_PX(12.7)};
-                qtri_surface_clear(&c[i].surface, sky, 65535);
+                qtri_surface_clear(&c[i].surface, sky);
                 qtri_paint_circle(&c[i].surface, &center, QTRI_PX(13.6), &brush);
                 qtri_paint_rect(&c[i].surface, &box, &brush);
                 (void)qtri_text_paint(&c[i].surface, &qtri_font_small, 2, 36, "mixed", &brush);
@@ -216,7 +216,7 @@ static void pictures_are_converted(void **state)
         canvas from = canvas_new(known[f], WIDTH, HEIGHT);
         draw_stored(&from.surface);
         canvas want = canvas_new(known[f], WIDTH, HEIGHT);
-        qtri_surface_clear(&want.surface, red, 0);
+        clear_to(&want.surface, red, 0);
         qtri_image image = qtri_image_of(&from.surface);
         image.has_key = true;
         image.key = from.surface.format->pixels->load(from.surface.pixels);
@@ -229,7 +229,7 @@ static void pictures_are_converted(void **state)
             picture.key = image.key;
             for (int k = 0; k < 3; k++) {
                 canvas to = canvas_new(of[k], WIDTH, HEIGHT);
-                qtri_surface_clear(&to.surface, red, 0);
+                clear_to(&to.surface, red, 0);
                 qtri_image_paint(&to.surface, &picture, 3, 2);
                 assert_same_stored(&want.surface, &to.surface, 0x00FFFFFF);
                 /* Mixed with itself it stays, within a step. */
@@ -265,7 +265,7 @@ static void filters_are_the_same(void **state)
             qtri_sum_clear(words, LENGTH_OF(words));
             assert_int_equal(qtri_sum_add(words, LENGTH_OF(words), &c[i].surface), QTRI_OK);
             assert_int_equal(qtri_sum_add(words, LENGTH_OF(words), &c[i].surface), QTRI_OK);
-            qtri_surface_clear(&c[i].surface, sky, 0);
+            clear_to(&c[i].surface, sky, 0);
             assert_int_equal(qtri_sum_store(&c[i].surface, words, LENGTH_OF(words), 1), QTRI_OK);
         }
         assert_same_stored(&c[0].surface, &c[1].surface, 0x00FFFFFF);

@@ -139,7 +139,7 @@ static void paint_test(const qtri_surface *s)
         for (int32_t x = 0; x < WIDTH; x++) {
             qtri_surface pixel = *s;
             pixel.scissor = (qtri_rect){x, y, x + 1, y + 1};
-            qtri_surface_clear(&pixel, (x * 5 + y * 3) % 7 < 3 ? sky : red, 9);
+            clear_to(&pixel, (x * 5 + y * 3) % 7 < 3 ? sky : red, 9);
         }
     }
 }

@@ -107,7 +107,7 @@ static void assert_prepared(const qtri_surface *whole, sheet *s, const qtri_mesh
     qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, &s->view, &s->pose, mesh, &s->material);
     while (qtri_frame_next_band(&frame, &band)) {
-        qtri_surface_clear(&band, black, UINT16_MAX);
+        qtri_surface_clear(&band, black);
         qtri_draw_prepared(&band, &prepared);
         assert_same_picture(whole, &band);
     }

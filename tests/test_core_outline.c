@@ -85,7 +85,7 @@ static canvas new_canvas(const qtri_compare compare)
 {
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     const bool is_far = compare == QTRI_GREATER || compare == QTRI_GREATER_EQUAL;
-    qtri_surface_clear(&c.surface, sky, is_far ? 0 : 65535);
+    clear_to(&c.surface, sky, is_far ? 0 : 65535);
     return c;
 }
 
@@ -398,7 +398,7 @@ static void creases_without_light(void **state)
         assert_int_equal(
             qtri_surface_init(&s, &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory),
             QTRI_OK);
-        qtri_samples_clear(&s, sky, 65535);
+        qtri_samples_clear(&s, sky);
         assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
         outline.creases = true;
         assert_int_equal(qtri_draw_mesh_outlined(&s, &view, &pose, &material, &outline), QTRI_OK);

@@ -47,7 +47,7 @@ static qtri_texture texture_of(const qtri_texel_format *format, const void *texe
 static canvas new_canvas(const qtri_format *format)
 {
     canvas c = canvas_new(format, WIDTH, HEIGHT);
-    qtri_surface_clear(&c.surface, sky, 65535);
+    qtri_surface_clear(&c.surface, sky);
     return c;
 }
 
@@ -298,7 +298,7 @@ static void samples_that_are_alike(void **state)
             assert_int_equal(
                 qtri_surface_init(&s, four[f], WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory),
                 QTRI_OK);
-            qtri_samples_clear(&s, sky, 65535);
+            qtri_samples_clear(&s, sky);
             qtri_texture texture = texture_of(&qtri_texel_rgb565, rgb565);
             texture.has_key = n == 1;
             texture.key = rgb565[9];
@@ -366,7 +366,8 @@ static void samples_that_differ(void **state)
                 assert_int_equal(qtri_surface_init(&s[i], four[f], WIDTH, HEIGHT, 0, HEIGHT,
                                                    memory[i], sizeof memory[i]),
                                  QTRI_OK);
-                qtri_samples_clear(&s[i], sky, i == 0 ? 40000 : 25535);
+                qtri_samples_clear(&s[i], sky);
+                qtri_samples_clear_depth(&s[i], depth_of(i == 0 ? 40000 : 25535));
                 material.depth_compare = compares[i][n];
                 for (int k = 0; k < 20; k++) { /* flat in depth, or the other way round */
                     qtri_screen_vertex v[3];

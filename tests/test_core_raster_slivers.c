@@ -32,7 +32,7 @@ static int make_texels(void **state)
 static canvas new_canvas(const qtri_format *format)
 {
     canvas c = canvas_new(format, WIDTH, HEIGHT);
-    qtri_surface_clear(&c.surface, sky, 65535);
+    qtri_surface_clear(&c.surface, sky);
     return c;
 }
 
@@ -91,7 +91,7 @@ static void thin_lines_of_any_pitch(void **state)
         s.depth = depths + (n == 3 ? (HEIGHT - 1) * (ptrdiff_t)(FAR / 2) : 0);
         s.pitch = n == 0 ? FAR : (n == 1 ? -FAR : 2 * WIDTH);
         s.depth_pitch = n == 2 ? FAR / 2 : (n == 3 ? -FAR / 2 : WIDTH);
-        qtri_surface_clear(&s, sky, 65535);
+        qtri_surface_clear(&s, sky);
         qtri_stroke stroke = qtri_stroke_default();
         stroke.width = n == 4 ? 0 : Q16(1.5);
         stroke.cap = QTRI_CAP_BUTT;
@@ -190,7 +190,7 @@ static void samples_at_the_end(void **state)
     assert_int_equal(
         qtri_surface_init(&s, &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory),
         QTRI_OK);
-    qtri_samples_clear(&s, sky, 65535);
+    qtri_samples_clear(&s, sky);
     memcpy(before, memory, sizeof memory);
     const qtri_material material = plain_material();
     const int32_t end = QTRI_SCREEN_MAX_24P8;

@@ -187,7 +187,7 @@ static void texels(void **state)
         material.texture_mode = n % 7 == 0 ? QTRI_REPLACE : QTRI_MODULATE;
         material.shading = n % 4 == 0 ? QTRI_FLAT_LAST : QTRI_SMOOTH;
         material.interpolation = n % 2 == 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
-        qtri_samples_clear(&c.surface, (qtri_rgb){0, 0, 0}, 65535);
+        qtri_samples_clear(&c.surface, (qtri_rgb){0, 0, 0});
         random_triangle(v, &seed, 100, 150);
         for (int i = 0; i < 3; i++) {
             v[i].u_q32 = (int64_t)random_in(&seed, (FIRST + margin) << 16, (END - margin) << 16)

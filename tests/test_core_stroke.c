@@ -250,7 +250,7 @@ static void effects(void **state)
         const size_t count = parts_of(&s, part);
         canvas below = canvas_new(format, 1, 1);
         const qtri_rgb sky = {90, 140, 30};
-        qtri_surface_clear(&below.surface, sky, 0);
+        clear_to(&below.surface, sky, 0);
         const qtri_rgb was = qtri_surface_pixel(&below.surface, 0, 0);
         const double from[3] = {was.r, was.g, was.b};
         canvas_free(&below);

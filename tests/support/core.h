@@ -141,11 +141,16 @@ static inline const qtri_format *drawn_format(int32_t n)
     return formats[n % 7];
 }
 
-/* Clears to what linear16 stores so; the nearest q16 is within 1/2 of 65535/65536 of a step. */
+/* What linear16 stores so: the nearest q16 is within 1/2 of 65535/65536 of a step. */
+static inline q16 depth_of(uint16_t stored)
+{
+    return (q16)(((uint64_t)stored * 65536 + 32767) / 65535);
+}
+
 static inline void clear_to(const qtri_surface *surface, qtri_rgb color, uint16_t stored)
 {
     qtri_surface_clear(surface, color);
-    qtri_surface_clear_depth(surface, (q16)(((uint64_t)stored * 65536 + 32767) / 65535));
+    qtri_surface_clear_depth(surface, depth_of(stored));
 }
 
 /* A surface with memory of its own, cleared to black and farthest. */
