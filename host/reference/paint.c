@@ -106,14 +106,27 @@ static bool is_inside(const struct shape *shape, double x, double y)
     return false;
 }
 
-/* How many of k x k points in a pixel lie inside. */
+/* The bits of i, 0..k-1, in reverse: where in its cell a point lies, 0..1. k: a power of two. */
+static double reversed(int i, int k)
+{
+    int out = 0;
+
+    for (int bit = 1; bit < k; bit *= 2, i /= 2)
+        out = 2 * out + i % 2;
+    return (out + 0.5) / k;
+}
+
+/*
+ * How many of k x k points in a pixel lie inside: one in each cell of a grid, and one in each of
+ * k * k columns and rows, so that edges along an axis count as finely as others.
+ */
 static int count_inside(const struct shape *shape, int x, int y, int k)
 {
     int inside = 0;
 
     for (int i = 0; i < k; i++)
         for (int j = 0; j < k; j++)
-            inside += is_inside(shape, x + (j + 0.5) / k, y + (i + 0.5) / k);
+            inside += is_inside(shape, x + (j + reversed(i, k)) / k, y + (i + reversed(j, k)) / k);
     return inside;
 }
 

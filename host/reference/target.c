@@ -86,6 +86,7 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
 void ref_target_mixed(struct ref_target *target, size_t i, double kept, double edge)
 {
     struct reference_image *image = target->image;
+    kept = clamp(kept, 0.0, 1.0); /* less, by a rounding of weights */
     image->rounding[i] = 1 + kept * image->rounding[i];
     image->edge[i] = edge + kept * image->edge[i];
 }
