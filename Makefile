@@ -170,6 +170,10 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 fuzz: ## Fuzz for hours: FUZZ_SECONDS=3600 FUZZERS="fuzz_draw fuzz_math"; what is reached stays in build/fuzz/corpus
 	@$(MAKE) -s test-fuzz FUZZ_SECONDS=$(if $(filter command%,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600)
 
+.PHONY: corpus
+corpus: ## Keep in tests/corpus what fuzzing has found to reach, the smallest inputs
+	@for name in $(FUZZERS); do sh tests/check/corpus.sh pack $$name || exit 1; done
+
 # Not part of `make test`: minutes, and hours. They need python3 and llvm (make setup-proof).
 
 COVERAGE := -O1 -g -fprofile-instr-generate -fcoverage-mapping

@@ -183,7 +183,7 @@ static void draw_scene(const qtri_surface *s, uint64_t seed, bool smooth)
                                   .has_key = (seed & 1) != 0,
                                   .key = 2,
                                   .filter = (seed & 2) != 0 ? &qtri_bilinear : NULL};
-    const qtri_fog_range range = {Q16(1), Q16(9)};
+    const qtri_fog_range range = {Q16(1), Q16(9), false};
     qtri_fog fog;
     qtri_fog_linear(&fog, (qtri_rgb){90, 90, 120}, range, Q16(2), Q16(8));
     qtri_vertex vertices[LENGTH_OF(positions)];
@@ -527,7 +527,7 @@ static void layouts(void **state)
                 s.scissor = part;
                 qtri_surface_clear_depth(&s, depths[d]);
                 const uint32_t held =
-                    depths[d] < 0 ? 0 : (depths[d] > Q16_ONE ? Q16_ONE : depths[d]);
+                    (uint32_t)(depths[d] < 0 ? 0 : (depths[d] > Q16_ONE ? Q16_ONE : depths[d]));
                 for (int i = 0; i < 45; i++) {
                     const bool in = i % 9 >= 2 && i % 9 < 7 && i / 9 >= 1 && i / 9 < 4;
                     assert_int_equal(code_at(&s, i % 9, i / 9),

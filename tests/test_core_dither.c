@@ -18,7 +18,8 @@ static void luma(void **state)
     uint64_t random = 1;
     double worst = 0;
     for (uint32_t high = 0; high < 256; high++) {
-        qtri_surface s = {(uint8_t *)row, 512, NULL, 0, &qtri_rgb565, 256, 1, 0, 1, {0, 0, 256, 1}};
+        qtri_surface s = {(uint8_t *)row, 512, NULL, 0, &qtri_rgb565, 256, 1, 0, 1,
+                          {0, 0, 256, 1}, NULL};
         for (uint32_t low = 0; low < 256; low++) {
             row[low] = (uint16_t)(high << 8 | low);
             wide[low] = (uint32_t)random64(&random); /* the top byte does not count */

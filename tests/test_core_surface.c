@@ -148,7 +148,7 @@ static void bounds_of_any_surface(void **state)
     (void)state;
     uint64_t seed = 65;
     for (int n = 0; n < 100000; n++) {
-        qtri_surface s = {NULL, 0, NULL, 0, &qtri_gray8, 0, 0, 0, 0, {0, 0, 0, 0}};
+        qtri_surface s = {NULL, 0, NULL, 0, &qtri_gray8, 0, 0, 0, 0, {0, 0, 0, 0}, NULL};
         int32_t *fields[] = {&s.width,      &s.height,     &s.first_row,  &s.rows,
                              &s.scissor.x0, &s.scissor.y0, &s.scissor.x1, &s.scissor.y1};
         for (size_t i = 0; i < LENGTH_OF(fields); i++) {

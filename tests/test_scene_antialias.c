@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "reference/reference.h"
@@ -181,14 +182,15 @@ static void paint_has_its_size(void **state)
         "linecap butt\nlinewidth 6\nline -.5 -.6 0 1 1 1 1  .5 -.6 0 1 1 1 1\n";
     static const char *const mode[] = {"off", "ssaa"};
     struct picture picture[2];
-    char name[L_tmpnam + 8], filled[2048];
+    char name[1024], filled[2048];
     struct text_error error;
     uint8_t rgb[8 * 6 * 3];
     struct picture image = {.width = 8, .height = 6, .rgb = rgb};
     for (int i = 0; i < (int)sizeof rgb; i++) {
         rgb[i] = (uint8_t)(i * 37);
     }
-    snprintf(name, sizeof name, "%s", "build/paint-has-its-size.ppm");
+    const char *folder = getenv("QTRI_TMP");
+    snprintf(name, sizeof name, "%s/paint-has-its-size.ppm", folder != NULL ? folder : ".");
     assert_true(picture_write_ppm(name, &image, &error));
     for (int i = 0; i < 2; i++) {
         struct scene scene;

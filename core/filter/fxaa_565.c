@@ -14,8 +14,15 @@ static inline uint32_t lumas_565(uint32_t first, uint32_t second)
     return lumas_of_two(first | second << 16);
 }
 
-struct window_565;
-static inline int32_t luma_sum(const struct window_565 *w, int32_t i, int32_t x, int32_t side);
+/* Of columns x and x + side of a row, added; lumas: NULL, or the row's. */
+static inline int32_t luma_sum(const uint16_t *row, const uint16_t *lumas, int32_t x, int32_t side)
+{
+    if (lumas == NULL) {
+        const uint32_t two = lumas_565(row[x], row[x + side]);
+        return (int32_t)((two + (two >> 16)) & 0xFFFF);
+    }
+    return lumas[x] + lumas[x + side];
+}
 
 #define NAME(name)           name##_565
 #define COLOR                uint16_t
@@ -23,18 +30,9 @@ static inline int32_t luma_sum(const struct window_565 *w, int32_t i, int32_t x,
 #define LIGHT                uint16_t
 #define LUMA(l)              ((int32_t)(l))
 #define LIGHTS(w, i)         ((w)->lumas[i])
-#define LUMAS(w, i, x, side) luma_sum(w, i, x, side)
+#define LUMAS(w, i, x, side) luma_sum((w)->row[i], (w)->lumas[i], x, side)
 #define MIX(w, a, b, s)      qtri_lerp_565(a, b, s)
 #include "fxaa.inc"
-
-static inline int32_t luma_sum(const struct window_565 *w, int32_t i, int32_t x, int32_t side)
-{
-    if (i == 0 || i == 4) {
-        const uint32_t lumas = lumas_565(w->row[i][x], w->row[i][x + side]);
-        return (int32_t)((lumas + (lumas >> 16)) & 0xFFFF);
-    }
-    return w->lumas[i][x] + w->lumas[i][x + side];
-}
 
 /* Old colours that are kept: of this row and two above; lumas: of this row and its neighbours. */
 enum { ROWS = 3 };

@@ -149,7 +149,7 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
     return mask;
 }
 
-static const qtri_effect_stages effects = {apply, qtri_line_effects, qtri_span_fill};
+static const qtri_effect_stages effects = {apply, qtri_line_effects, qtri_span_fill, NULL, NULL};
 
 static void begin(qtri_raster *raster)
 {

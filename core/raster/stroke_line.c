@@ -4,55 +4,18 @@
 #include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
 #include "../filter/mix.h"
-#include "../frame/mix.h"
-#include "../frame/colors.h"
 #include "../frame/depth_format.h"
-#include "../frame/pixel.h"
-#include "effect.h"
 #include "line_path.h"
+#include "stroke_wire.h"
 
 /* What covers a whole pixel: 256 of a width by 512 halves of 1/256 of a height. */
 #define FULL  ((int32_t)256 * 512)
 #define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
 
 enum {
-    CELLS = 8,   /* of a column, with what follows the last */
-    CHUNK = 128, /* columns after which a line starts anew: see line_path.h */
-    SHARE_BITS = 14
+    CELLS = 8,  /* of a column, with what follows the last */
+    CHUNK = 128 /* columns after which a line starts anew: see line_path.h */
 };
-
-/*
- * A line by its longer axis, "along", and the other, "across". Its rectangle's corners lie at an
- * end less the offset, on the near side, and at the end plus the offset, on the far one:
- * (offset_x, -offset_y) from it. 24.8 where nothing else is said.
- */
-typedef struct wire {
-    const qtri_line_job *job;
-    int32_t x[2], y[2];         /* of the ends, along and across; x[0] < x[1] */
-    int32_t origin_x, origin_y; /* of the first end, without a cap */
-    int32_t slope_q16;          /* across for along: -1..1 */
-    uint32_t slope_q30;         /* its magnitude */
-    int32_t inverse_q8;         /* along for across, its magnitude, at most 2^22 */
-    int32_t offset_x, offset_y; /* |offset_x| <= offset_y <= radius */
-    int32_t half_q16;           /* of its extent across, in a column: <= sqrt(2) pixels */
-    int32_t first, end;         /* columns */
-    int32_t inner, inner_end;   /* those where it has no end */
-    int32_t bounds[4];          /* pixels inside: along from, to; across from, to */
-    bool inside;                /* all of it lies in them */
-    int32_t share_step;         /* Q24 of its length a column; at most 2^28 */
-    int32_t share_across;       /* the same for a pixel across */
-    int32_t z_16p14, z_step;    /* at the first end; from end to end */
-    int32_t z_16p8, z_delta;    /* the same, unrounded */
-    int32_t light_q29, light_step;
-    const qtri_line_color *from, *to; /* NULL: shares of the tint */
-    uint32_t alpha_q8;                /* 256: opaque */
-    uint32_t place_along, place_across;
-    bool steep; /* along is y */
-    /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
-    const uint16_t *table;
-    uint8_t *pixels, *depths;
-    int32_t pixel_along, pixel_across, depth_along, depth_across;
-} wire;
 
 /*
  * Adds the area on the far side of a side that goes from `ya` to `yb`, 1/256 pixel behind the
@@ -93,7 +56,7 @@ QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int
 }
 
 /* An end of the rectangle, from its near corner to the far one, as far as it lies in the column. */
-QTRI_INLINE void add_end(int32_t *cell, const wire *w, int end, int32_t x, int32_t first)
+QTRI_INLINE void add_end(int32_t *cell, const qtri_wire *w, int end, int32_t x, int32_t first)
 {
     const int32_t near_x = w->x[end] + w->offset_x;
     const int32_t far_x = w->x[end] - w->offset_x;
@@ -114,7 +77,7 @@ QTRI_INLINE void add_end(int32_t *cell, const wire *w, int end, int32_t x, int32
 }
 
 /* One of the long sides in a column where the line ends: `y` at the column's start. */
-QTRI_INLINE void add_part(int32_t *cell, const wire *w, int32_t sign, int32_t x, int32_t y)
+QTRI_INLINE void add_part(int32_t *cell, const qtri_wire *w, int32_t sign, int32_t x, int32_t y)
 {
     const int32_t offset = sign * w->offset_x;
     const int32_t left = qtri_greatest32(w->x[0] + offset, x);
@@ -126,7 +89,7 @@ QTRI_INLINE void add_part(int32_t *cell, const wire *w, int32_t sign, int32_t x,
 }
 
 /* All sides of a column where the line ends; `y` is the near side at its start, in cell 0. */
-QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column, int32_t first,
+QTRI_NOINLINE static void add_ends(int32_t *cell, const qtri_wire *w, int32_t column, int32_t first,
                                    int32_t y, int32_t wide)
 {
     const int32_t x = column * 256;
@@ -140,163 +103,17 @@ QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column,
     }
 }
 
-/*
- * Pixels of a line on their way. Of each, in one word: its share of the line's length, whether its
- * depth is written when fog and a blend have not turned it away, and what of it is covered,
- * 0..1024.
- */
-typedef struct pixels {
-    int32_t count;
-    uint32_t place[QTRI_BATCH];
-    uint32_t word[QTRI_BATCH];
-} pixels;
-
-enum { LATE_BIT = SHARE_BITS + 1, COVER_AT = 16 };
-
-static inline int32_t share_of(uint32_t word)
-{
-    return (int32_t)(word & (((uint32_t)1 << LATE_BIT) - 1));
-}
-
-/* Colour words of a line in colours of its own. */
-static void color_words(uint32_t *word, const wire *w, const pixels *p)
-{
-    const qtri_colors *colors = w->job->surface->format->colors;
-    const qtri_channels from = qtri_channels_from_color(colors, *w->from);
-    const qtri_channels to = qtri_channels_from_color(colors, *w->to);
-    for (int32_t i = 0; i < p->count; i++) {
-        int32_t c[3];
-        for (int k = 0; k < 3; k++) { /* 2^16 steps of 1/256 by 2^14 */
-            c[k] = from.c[k] + (((to.c[k] - from.c[k]) >> 8) * share_of(p->word[i]) >> 6);
-        }
-        word[i] = colors->pack(c);
-    }
-}
-
 /* Of a cover, 32nds to nearest. */
 static inline uint32_t share_565(uint32_t cover)
 {
     return (cover + FULL / 64) / (FULL / 32);
 }
 
-/* The same of a share of 10 bits, in which covers are cut off to a multiple of 1/1024. */
-static inline uint32_t mix_565(uint32_t over, uint32_t under, uint32_t k)
-{
-    return qtri_lerp_565(under, over, (k + 16) >> 5);
-}
-
-static inline uint32_t mix_channel(uint32_t over, uint32_t under, uint32_t k, uint32_t most)
-{
-    (void)most;
-    return qtri_mix_over(over, under, k);
-}
-
-/* The colour of a pixel as 0x00RRGGBB. */
-static uint32_t color_888(const wire *w, int32_t share)
-{
-    int32_t c[3];
-    if (w->from != NULL) {
-        for (int k = 0; k < 3; k++) { /* 2^16 steps of 1/256 by 2^14 */
-            c[k] = (*w->from)[k] + ((((*w->to)[k] - (*w->from)[k]) >> 8) * share >> 6);
-        }
-    } else {
-        const qtri_rgb *tint = &w->job->material->color;
-        const int32_t light_q15 = (w->light_q29 + w->light_step * share) >> 14;
-        c[0] = tint->r * light_q15 * 2; /* <= 255.0 */
-        c[1] = tint->g * light_q15 * 2;
-        c[2] = tint->b * light_q15 * 2;
-    }
-    return qtri_pack_888(c);
-}
-
-/* 16.16, for depths that are no linear16; without the last bit, which tells of other things. */
-static uint32_t fine_depth(const wire *w, int32_t share)
-{
-    const int64_t more = qtri_mul_s32(w->z_delta, share) >> (SHARE_BITS - 8);
-    return (((uint32_t)w->z_16p8 << 8) + (uint32_t)more) & ~1u;
-}
-
-/* So many at a time, to take less stack. */
-enum { AFFECTED = 6 };
-
-/* Of the pixels of one line those from the first on, with fog and a blend. */
-QTRI_NOINLINE static void store_some(const wire *w, const pixels *p, int32_t first, int32_t count)
-{
-    const qtri_line_job *job = w->job;
-    uint32_t color[AFFECTED + QTRI_BATCH_ROOM - QTRI_BATCH];
-    uint32_t place[AFFECTED];
-    uint32_t depth[AFFECTED];
-    int32_t share_q16[AFFECTED];
-    qtri_covered covered = {count, color, place, depth, share_q16};
-    for (int32_t i = 0; i < count; i++) {
-        const uint32_t word = p->word[first + i];
-        color[i] = color_888(w, share_of(word));
-        place[i] = p->place[first + i];
-        depth[i] = job->testing != NULL ? fine_depth(w, share_of(word)) + 0x8000u
-                                        : (uint32_t)(w->z_16p14 + w->z_step * share_of(word)) << 2;
-        depth[i] |= word >> LATE_BIT & 1;
-        share_q16[i] = (int32_t)(word >> COVER_AT << 6);
-    }
-    qtri_effect_stages_of(job->material)->covered(job->surface, job->material, &covered);
-}
-
-/* Stores pixels of one line, of any format. No pixel is there twice. */
-QTRI_NOINLINE static void store_plain(const wire *w, pixels *p)
-{
-    const qtri_surface *surface = w->job->surface;
-    const qtri_format *format = surface->format;
-    const qtri_pixels *memory = format->pixels;
-    uint32_t word[QTRI_BATCH_ROOM] = {0};
-    uint32_t under[QTRI_BATCH];
-    const int32_t count = p->count;
-    if (count == 0) {
-        return;
-    }
-    if (w->from != NULL) {
-        color_words(word, w, p);
-    } else {
-        for (int32_t i = 0; i < count; i++) {
-            word[i] = (uint32_t)(w->light_q29 + w->light_step * share_of(p->word[i])) >> 7;
-        }
-        qtri_line_tint(word, w->job, count);
-    }
-    for (int32_t i = 0; i < count; i++) {
-        const uint32_t place = p->place[i];
-        under[i] = qtri_color_of(format, memory->load(surface->pixels +
-                                                      (ptrdiff_t)(place >> 16) * surface->pitch +
-                                                      (ptrdiff_t)(place & 0xFFFF) * memory->bytes));
-    }
-    if (format->colors == &qtri_colors_565) {
-        for (int32_t i = 0; i < count; i++) {
-            word[i] = mix_565(word[i], under[i], p->word[i] >> COVER_AT);
-        }
-    } else {
-        QTRI_MIX(word, under[i], count, format->colors, p->word[i] >> COVER_AT, mix_channel)
-    }
-    if (format->encode != NULL) {
-        format->encode(word, count);
-    }
-    memory->scatter(surface->pixels, surface->pitch, p->place, word, count);
-    p->count = 0;
-}
-
 static inline int32_t held_share(int32_t share_q24)
 {
-    const int32_t share = share_q24 >> (24 - SHARE_BITS);
-    const int32_t one = (int32_t)1 << SHARE_BITS;
+    const int32_t share = share_q24 >> (24 - QTRI_WIRE_SHARE_BITS);
+    const int32_t one = (int32_t)1 << QTRI_WIRE_SHARE_BITS;
     return (uint32_t)share <= (uint32_t)one ? share : (share < 0 ? 0 : one);
-}
-
-static void store(const wire *w, pixels *p)
-{
-    if (qtri_effect_stages_of(w->job->material) == NULL) {
-        store_plain(w, p);
-        return;
-    }
-    for (int32_t first = 0; first < p->count; first += AFFECTED) {
-        store_some(w, p, first, qtri_least32(p->count - first, AFFECTED));
-    }
-    p->count = 0;
 }
 
 /* Where a column's cells are, and the share at the first in Q24. */
@@ -306,7 +123,7 @@ typedef struct cells {
 } cells;
 
 /* Pixels of a column for any format. */
-static void take_pixels(const wire *w, pixels *p, const cells *c)
+static void take_pixels(const qtri_wire *w, qtri_wire_pixels *p, const cells *c)
 {
     const qtri_line_job *job = w->job;
     const qtri_surface *surface = job->surface;
@@ -331,26 +148,27 @@ static void take_pixels(const wire *w, pixels *p, const cells *c)
                 continue;
             }
             if (job->depth_write && sum >= FULL / 2) {
-                late = job->writes_early ? 0 : (uint32_t)1 << LATE_BIT;
+                late = job->writes_early ? 0 : (uint32_t)1 << QTRI_WIRE_LATE_BIT;
                 *depth = job->writes_early ? (uint16_t)z : *depth;
             }
         } else if (job->testing != NULL) {
             const bool writes = job->depth_write && sum >= FULL / 2;
             if (!job->testing->passes(surface, job->material->depth_compare, place,
-                                      fine_depth(w, share), writes && job->writes_early)) {
+                                      qtri_wire_fine_depth(w, share),
+                                      writes && job->writes_early)) {
                 continue;
             }
-            late = writes && !job->writes_early ? (uint32_t)1 << LATE_BIT : 0;
+            late = writes && !job->writes_early ? (uint32_t)1 << QTRI_WIRE_LATE_BIT : 0;
         }
         const int32_t i = p->count++;
         p->place[i] = place;
         const uint32_t cover = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
-        p->word[i] = (uint32_t)share | late | cover << COVER_AT;
+        p->word[i] = (uint32_t)share | late | cover << QTRI_WIRE_COVER_AT;
     }
 }
 
 /* The same, stored, where pixels are RGB565 with a table of tints; none is outside. */
-QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
+QTRI_INLINE void draw_pixels(const qtri_wire *w, const cells *c, bool has_depth)
 {
     const int32_t *cell = c->cell;
     const int32_t *const end = c->end;
@@ -390,10 +208,10 @@ QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
  */
 enum { ANY, OVER, NEARER };
 
-QTRI_INLINE void walk(const wire *w, int32_t column_of, int32_t end, int32_t low_q16, int32_t share,
-                      int how)
+QTRI_INLINE void walk(const qtri_wire *w, int32_t column_of, int32_t end, int32_t low_q16,
+                      int32_t share, int how)
 {
-    pixels p;
+    qtri_wire_pixels p;
     int32_t cell[CELLS];
     const int32_t slope = w->slope_q16;
     const int32_t wide = 2 * w->half_q16 >> 8;
@@ -424,29 +242,29 @@ QTRI_INLINE void walk(const wire *w, int32_t column_of, int32_t end, int32_t low
             continue;
         }
         if (p.count > QTRI_BATCH - CELLS) {
-            store(w, &p);
+            qtri_wire_store(w, &p);
         }
         take_pixels(w, &p, &c);
     }
     if (how == ANY) {
-        store(w, &p);
+        qtri_wire_store(w, &p);
     }
 }
 
-QTRI_NOINLINE static void walk_any(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+QTRI_NOINLINE static void walk_any(const qtri_wire *w, int32_t column, int32_t end, int32_t low_q16,
                                    int32_t share)
 {
     walk(w, column, end, low_q16, share, ANY);
 }
 
-QTRI_NOINLINE static void walk_over(const wire *w, int32_t column, int32_t end, int32_t low_q16,
-                                    int32_t share)
+QTRI_NOINLINE static void walk_over(const qtri_wire *w, int32_t column, int32_t end,
+                                    int32_t low_q16, int32_t share)
 {
     walk(w, column, end, low_q16, share, OVER);
 }
 
-QTRI_NOINLINE static void walk_nearer(const wire *w, int32_t column, int32_t end, int32_t low_q16,
-                                      int32_t share)
+QTRI_NOINLINE static void walk_nearer(const qtri_wire *w, int32_t column, int32_t end,
+                                      int32_t low_q16, int32_t share)
 {
     walk(w, column, end, low_q16, share, NEARER);
 }
@@ -455,7 +273,7 @@ QTRI_NOINLINE static void walk_nearer(const wire *w, int32_t column, int32_t end
  * Direction and what follows from it, of a line that is `length` along and `delta` across. Its
  * cosine is 1 / sqrt(1 + slope^2), within 2^-12 of itself.
  */
-static void set_direction(wire *w, int32_t length, int32_t delta, int32_t radius)
+static void set_direction(qtri_wire *w, int32_t length, int32_t delta, int32_t radius)
 {
     const int32_t zeros = qtri_clz32((uint32_t)length); /* 8..31 */
     const uint32_t reciprocal = qtri_reciprocal_near((uint32_t)length << zeros);
@@ -486,7 +304,7 @@ static void set_direction(wire *w, int32_t length, int32_t delta, int32_t radius
 }
 
 /* The near side at the start of a column that begins a chunk, and the share at its middle. */
-static void begin_chunk(const wire *w, int32_t column, int32_t *low_q16, int32_t *share)
+static void begin_chunk(const qtri_wire *w, int32_t column, int32_t *low_q16, int32_t *share)
 {
     const int32_t x = column * 256 - w->origin_x; /* |x| < 2^23 */
     int64_t rise = (int64_t)qtri_mul_u32(qtri_magnitude32(x), w->slope_q30);
@@ -496,8 +314,8 @@ static void begin_chunk(const wire *w, int32_t column, int32_t *low_q16, int32_t
 }
 
 /* Ends and what they bring, by the longer axis. False: nothing is covered. */
-static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
-                     const qtri_line_color *color)
+static bool set_ends(qtri_wire *w, const qtri_line_job *job, const qtri_vertex *a,
+                     const qtri_vertex *b, const qtri_line_color *color)
 {
     qtri_line_path l;
     qtri_line_path_init(&l, a, b, 1, 65536);
@@ -527,7 +345,7 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
         w->from = &color[l.first != a];
         w->to = &color[l.first == a];
     } else {
-        w->light_q29 = (int32_t)((uint32_t)l.first->intensity_q15 << SHARE_BITS);
+        w->light_q29 = (int32_t)((uint32_t)l.first->intensity_q15 << QTRI_WIRE_SHARE_BITS);
         w->light_step = (int32_t)l.last->intensity_q15 - (int32_t)l.first->intensity_q15;
     }
     set_direction(w, l.length, l.delta, job->smooth->radius_24p8);
@@ -561,11 +379,11 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
            low <= w->bounds[3];
 }
 
-typedef void (*walk_columns)(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+typedef void (*walk_columns)(const qtri_wire *w, int32_t column, int32_t end, int32_t low_q16,
                              int32_t share);
 
 /* What walks a line of which nothing is outside. */
-static walk_columns walk_of(wire *w, const qtri_line_color *color)
+static walk_columns walk_of(qtri_wire *w, const qtri_line_color *color)
 {
     const qtri_line_job *job = w->job;
     const qtri_surface *surface = job->surface;
@@ -596,7 +414,7 @@ static walk_columns walk_of(wire *w, const qtri_line_color *color)
 void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                            const qtri_line_color *color)
 {
-    wire w;
+    qtri_wire w;
     if (job->width_24p8 == 0 || !set_ends(&w, job, a, b, color)) {
         return;
     }

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Runs the fuzz targets side by side, FUZZ_SECONDS each: run_fuzzers.sh NAME...   (called by `make test-fuzz`)
-# tests/NAME.dict and tests/NAME.seeds/ are used where they exist. What was found stays in build/fuzz/corpus/NAME,
-# an input that fails in build/fuzz/findings/NAME-*; `build/fuzz/tests/NAME FILE` repeats it.
+# tests/NAME.dict is used where it exists, and tests/corpus/NAME.b64, see corpus.sh. What was found stays in
+# build/fuzz/corpus/NAME, an input that fails in build/fuzz/findings/NAME-*; `build/fuzz/tests/NAME FILE` repeats it.
 set -u
 : "${FUZZ_SECONDS:=60}"
 export ASAN_OPTIONS="${ASAN_OPTIONS:-allocator_may_return_null=1}"
@@ -17,11 +17,10 @@ fi
 
 targets=$*
 for name in $targets; do
-    mkdir -p "build/fuzz/corpus/$name"
+    sh tests/check/corpus.sh unpack "$name"
     set -- -max_total_time="$FUZZ_SECONDS" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
         -artifact_prefix="build/fuzz/findings/$name-" "build/fuzz/corpus/$name"
     [ ! -f "tests/$name.dict" ] || set -- -dict="tests/$name.dict" "$@"
-    [ ! -d "tests/$name.seeds" ] || set -- "$@" "tests/$name.seeds"
     (
         status=0
         "build/fuzz/tests/$name" "$@" >"build/fuzz/$name.log" 2>&1 </dev/null || status=$?
