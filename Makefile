@@ -21,7 +21,7 @@ MODELS ?= $(wildcard ../shared/models)
 # What `make test` runs, how long it fuzzes each target, and when it takes a program for hung.
 TESTS        ?= $(basename $(notdir $(wildcard tests/test_*.c)))
 FUZZERS      ?= $(basename $(notdir $(wildcard tests/fuzz_*.c)))
-FUZZ_SECONDS ?= 60
+FUZZ_SECONDS ?= 45
 TEST_SECONDS ?= 300
 
 LIBRARY_SOURCES := $(wildcard core/*/*.c port/panels/*.c)

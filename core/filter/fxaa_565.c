@@ -14,24 +14,27 @@ static inline uint32_t lumas_565(uint32_t first, uint32_t second)
     return lumas_of_two(first | second << 16);
 }
 
-/* Of columns x and x + side of a row, added; lumas: NULL, or the row's. */
-static inline int32_t luma_sum(const uint16_t *row, const uint16_t *lumas, int32_t x, int32_t side)
+/* Of columns x and x + side of a row, added. */
+static inline int32_t luma_sum(const uint16_t *row, int32_t x, int32_t side)
 {
-    if (lumas == NULL) {
-        const uint32_t two = lumas_565(row[x], row[x + side]);
-        return (int32_t)((two + (two >> 16)) & 0xFFFF);
-    }
+    const uint32_t two = lumas_565(row[x], row[x + side]);
+    return (int32_t)((two + (two >> 16)) & 0xFFFF);
+}
+
+static inline int32_t kept_sum(const uint16_t *lumas, int32_t x, int32_t side)
+{
     return lumas[x] + lumas[x + side];
 }
 
-#define NAME(name)           name##_565
-#define COLOR                uint16_t
-#define LUMA_ROWS            const uint16_t *lumas[5]; /* of rows 1 to 3 */
-#define LIGHT                uint16_t
-#define LUMA(l)              ((int32_t)(l))
-#define LIGHTS(w, i)         ((w)->lumas[i])
-#define LUMAS(w, i, x, side) luma_sum((w)->row[i], (w)->lumas[i], x, side)
-#define MIX(w, a, b, s)      qtri_lerp_565(a, b, s)
+#define NAME(name)   name##_565
+#define COLOR        uint16_t
+#define LUMA_ROWS    const uint16_t *lumas[5]; /* of rows 1 to 3 */
+#define LIGHT        uint16_t
+#define LUMA(l)      ((int32_t)(l))
+#define LIGHTS(w, i) ((w)->lumas[i])
+#define LUMAS(w, i, x, side)                                                                       \
+    ((i) == 0 || (i) == 4 ? luma_sum((w)->row[i], x, side) : kept_sum((w)->lumas[i], x, side))
+#define MIX(w, a, b, s) qtri_lerp_565(a, b, s)
 #include "fxaa.inc"
 
 /* Old colours that are kept: of this row and two above; lumas: of this row and its neighbours. */

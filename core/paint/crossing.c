@@ -13,6 +13,7 @@ static int32_t line_x(const qtri_ink_edge *edge, int32_t y)
     const int32_t dx = edge->x1 - edge->x0;
     const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
     const int32_t zeros = qtri_clz32(dy);
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): y0 < y1, so dy is not 0
     const uint32_t reciprocal = (uint32_t)qtri_reciprocal_below(dy << zeros);
     const uint32_t t_q29 = qtri_mul_high31((uint32_t)(y - edge->y0) << (zeros - 1), reciprocal);
     return edge->x0 + ((qtri_mul_high_s31(dx * 128, t_q29) + 8) >> 4);

@@ -2,6 +2,8 @@
 /*
  * Records of samples: written alike, cleared, and resolved.
  */
+#include <string.h>
+
 #include "samples.h"
 
 #include "../filter/mix.h"
@@ -106,8 +108,10 @@ static bool begins_with_word(const uint8_t *record)
 
 static void clear_565(uint8_t *record, int32_t count, uint32_t stored)
 {
+    uint16_t half[2 * PAIR_WORDS];
     uint32_t two[PAIR_WORDS];
-    clear_any((uint8_t *)two, 2, stored, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
+    clear_any((uint8_t *)half, 2, stored, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
+    memcpy(two, half, sizeof two);
     if (!begins_with_word(record)) {
         clear_any(record, 1, stored, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
         record += QTRI_RGB565_X4_BYTES;
