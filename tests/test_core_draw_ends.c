@@ -3,7 +3,7 @@
  * Draw calls where they draw nothing, where a mesh says wrong things of itself, and in parts that
  * no picture needs: against the same picture made another way.
  */
-#include "support/core.h"
+#include "support/cube.h"
 
 #include "geometry/vertex.h"
 
@@ -16,65 +16,28 @@
 #include <qtri/samples.h>
 #include <qtri/stroke.h>
 
-enum { WIDTH = 48, HEIGHT = 40, TRIANGLES = 13, VERTICES = 8 };
+enum { WIDTH = 48, HEIGHT = 40, TRIANGLES = CUBE_TRIANGLES + 1, VERTICES = CUBE_VERTICES };
 
 static const qtri_rgb sky = {10, 20, 60};
-static const qtri_light sun = {{Q16(.3), Q16(.5), Q16(.8)}, Q16(.2), Q16(.8)};
-
-static const qtri_vec3 positions[VERTICES] = {
-    {Q16(-1), Q16(-1), Q16(-1)}, {Q16(1), Q16(-1), Q16(-1)}, {Q16(-1), Q16(1), Q16(-1)},
-    {Q16(1), Q16(1), Q16(-1)},   {Q16(-1), Q16(-1), Q16(1)}, {Q16(1), Q16(-1), Q16(1)},
-    {Q16(-1), Q16(1), Q16(1)},   {Q16(1), Q16(1), Q16(1)}};
 static const qtri_rgb colors[VERTICES] = {{255, 0, 0},   {0, 255, 0},    {0, 0, 255},
                                           {255, 255, 0}, {255, 0, 255},  {0, 255, 255},
                                           {90, 90, 90},  {255, 255, 255}};
-static const qtri_vec2 uvs[VERTICES] = {{0, 0},           {Q16(1), 0}, {0, Q16(1)},
-                                        {Q16(1), Q16(1)}, {Q16(1), 0}, {0, 0},
-                                        {Q16(1), Q16(1)}, {0, Q16(1)}};
-/* A cube, and a triangle without an area: no multiple of four. */
-static const uint16_t triangles[TRIANGLES][3] = {
-    {0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5},
-    {3, 7, 5}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {7, 7, 7}};
-
-static qtri_normal normals[VERTICES];
 static qtri_vertex vertices[QTRI_LIT_VERTICES(VERTICES)];
 static uint16_t lists[400];
 static uint32_t outline_memory[9000];
 
-static int make_normals(void **state)
-{
-    (void)state;
-    for (int i = 0; i < VERTICES; i++) {
-        normals[i].x = (int16_t)(positions[i].x / 7);
-        normals[i].y = (int16_t)(positions[i].y / 7);
-        normals[i].z = (int16_t)(positions[i].z / 7);
-    }
-    return 0;
-}
-
+/* With the triangle without an area, and without texture. */
 static qtri_mesh cube(void)
 {
-    const qtri_mesh mesh = {.positions = positions,
-                            .normals = normals,
-                            .triangles = triangles,
-                            .vertex_count = VERTICES,
-                            .triangle_count = TRIANGLES};
+    qtri_mesh mesh = cube_mesh();
+    mesh.uvs = NULL;
+    mesh.triangle_count = TRIANGLES;
     return mesh;
 }
 
 static qtri_view view_of(double distance, qtri_transform *pose)
 {
-    qtri_view view;
-    qtri_view_init(&view, WIDTH, HEIGHT);
-    qtri_transform_perspective(&view.projection, Q16(50), Q16(1.2), Q16(.5), Q16(40));
-    view.light = &sun;
-    view.vertices = vertices;
-    view.vertex_count = LENGTH_OF(vertices);
-    qtri_transform_identity(pose);
-    qtri_transform_translate(pose, vec3_of(.2, .1, -distance));
-    qtri_transform_rotate_y(pose, Q16(33));
-    qtri_transform_rotate_x(pose, Q16(21));
-    return view;
+    return cube_view(WIDTH, HEIGHT, distance, vertices, LENGTH_OF(vertices), pose);
 }
 
 static canvas new_canvas(void)
@@ -264,7 +227,7 @@ static void hidden_lines_through_holes(void **state)
     qtri_transform pose;
     const qtri_view view = view_of(6, &pose);
     qtri_mesh mesh = cube();
-    mesh.uvs = uvs;
+    mesh.uvs = cube_uvs;
     canvas c[5];
     for (int n = 0; n < 5; n++) {
         qtri_texture texture = {.format = &qtri_texel_argb1555,
@@ -359,7 +322,7 @@ static void wide_wireframes_of_wrong_meshes(void **state)
 {
     (void)state;
     static uint16_t wrong[TRIANGLES + 3][3];
-    memcpy(wrong, triangles, sizeof triangles);
+    memcpy(wrong, cube_triangles, sizeof cube_triangles);
     wrong[TRIANGLES][0] = VERTICES;
     wrong[TRIANGLES + 1][1] = 65535;
     wrong[TRIANGLES + 2][2] = VERTICES;
@@ -371,7 +334,7 @@ static void wide_wireframes_of_wrong_meshes(void **state)
         view.vertex_count = n & 1 ? 3 : view.vertex_count; /* by slots */
         qtri_mesh right = cube();
         right.colors = n & 2 ? colors : NULL;
-        right.normals = n & 4 ? NULL : normals;
+        right.normals = n & 4 ? NULL : cube_normals;
         qtri_mesh more = right;
         more.triangles = (const uint16_t(*)[3])wrong;
         more.triangle_count = TRIANGLES + 3;
@@ -411,13 +374,13 @@ static void prepared_in_many_lights(void **state)
     qtri_lights lights;
     assert_int_equal(qtri_lights_init(&lights, sources, 2, dark), QTRI_OK);
     for (int i = 0; i < 3 * VERTICES; i++) { /* one cube above, one in the frame, one below */
-        spread[i] = positions[i % VERTICES];
+        spread[i] = cube_positions[i % VERTICES];
         spread[i].y += (i / VERTICES - 1) * Q16(5);
-        up[i] = normals[i % VERTICES];
+        up[i] = cube_normals[i % VERTICES];
     }
     for (int i = 0; i < 3 * TRIANGLES; i++) { /* in turn, so that groups have all three */
         for (int k = 0; k < 3; k++) {
-            all[i][k] = (uint16_t)(triangles[i / 3][k] + i % 3 * VERTICES);
+            all[i][k] = (uint16_t)(cube_triangles[i / 3][k] + i % 3 * VERTICES);
         }
     }
     const uint32_t list_counts[4] = {0, 24, 40, 400};
@@ -540,7 +503,7 @@ static void prepared_with_the_largest_groups(void **state)
     (void)state;
     enum { MANY = 300000 };
     static uint16_t all[MANY][3]; /* nothing but the last ones has an area */
-    memcpy(all[MANY - TRIANGLES], triangles, sizeof triangles);
+    memcpy(all[MANY - TRIANGLES], cube_triangles, sizeof cube_triangles);
     qtri_transform pose;
     const qtri_view view = view_of(5, &pose);
     qtri_mesh mesh = cube();
@@ -715,5 +678,5 @@ int main(void)
         cmocka_unit_test(blended_wireframes),
         cmocka_unit_test(samples_beside_the_frame),
     };
-    return cmocka_run_group_tests_name("core draw ends", tests, make_normals, NULL);
+    return cmocka_run_group_tests_name("core draw ends", tests, NULL, NULL);
 }

@@ -3,7 +3,7 @@
  * Formats of an application's own: the library's colours in pixels of another size, which no loop
  * for a known format may take for its own. Pictures are those of the library's format.
  */
-#include "support/core.h"
+#include "support/cube.h"
 
 #include <qtri/blend.h>
 #include <qtri/dither.h>
@@ -43,33 +43,11 @@ static void make_texels(void)
 
 static void draw_cube(const qtri_surface *s, qtri_material material)
 {
-    static const qtri_vec3 positions[8] = {{Q16(-1), Q16(-1), Q16(-1)}, {Q16(1), Q16(-1), Q16(-1)},
-                                           {Q16(-1), Q16(1), Q16(-1)},  {Q16(1), Q16(1), Q16(-1)},
-                                           {Q16(-1), Q16(-1), Q16(1)},  {Q16(1), Q16(-1), Q16(1)},
-                                           {Q16(-1), Q16(1), Q16(1)},   {Q16(1), Q16(1), Q16(1)}};
-    static const qtri_vec2 uvs[8] = {{0, 0},      {Q16(1), 0}, {0, Q16(1)},      {Q16(1), Q16(1)},
-                                     {Q16(1), 0}, {0, 0},      {Q16(1), Q16(1)}, {0, Q16(1)}};
-    static const uint16_t triangles[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
-                                              {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5},
-                                              {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}};
-    static const qtri_light sun = {{Q16(.3), Q16(.5), Q16(.8)}, Q16(.2), Q16(.8)};
-    const qtri_mesh cube = {.positions = positions,
-                            .uvs = uvs,
-                            .triangles = triangles,
-                            .vertex_count = 8,
-                            .triangle_count = 12};
-    qtri_vertex vertices[QTRI_MESH_VERTICES(8)];
+    qtri_mesh cube = cube_mesh();
+    qtri_vertex vertices[QTRI_MESH_VERTICES(CUBE_VERTICES)];
     qtri_transform pose;
-    qtri_view view;
-    qtri_view_init(&view, WIDTH, HEIGHT);
-    qtri_transform_perspective(&view.projection, Q16(50), Q16(1.1), Q16(.5), Q16(20));
-    view.light = &sun;
-    view.vertices = vertices;
-    view.vertex_count = LENGTH_OF(vertices);
-    qtri_transform_identity(&pose);
-    qtri_transform_translate(&pose, vec3_of(.2, .1, -5));
-    qtri_transform_rotate_y(&pose, Q16(33));
-    qtri_transform_rotate_x(&pose, Q16(21));
+    const qtri_view view = cube_view(WIDTH, HEIGHT, 5, vertices, LENGTH_OF(vertices), &pose);
+    cube.normals = NULL;
     qtri_draw_mesh(s, &view, &pose, &cube, &material);
 }
 

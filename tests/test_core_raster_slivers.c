@@ -36,6 +36,26 @@ static canvas new_canvas(const qtri_format *format)
     return c;
 }
 
+/* A triangle in clip space: whole, and cut in two. */
+static void draw_both(canvas c[2], const qtri_mesh *mesh, const qtri_material *material)
+{
+    qtri_vertex vertices[QTRI_MESH_VERTICES(3)];
+    qtri_transform pose;
+    qtri_view view;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    view.vertices = vertices;
+    view.vertex_count = LENGTH_OF(vertices);
+    qtri_transform_identity(&pose);
+    qtri_draw_mesh(&c[0].surface, &view, &pose, mesh, material);
+    for (int part = 0; part < 2; part++) {
+        qtri_surface s = c[1].surface;
+        s.scissor.y0 = part == 0 ? 0 : 17;
+        s.scissor.y1 = part == 0 ? 17 : HEIGHT;
+        qtri_draw_mesh(&s, &view, &pose, mesh, material);
+    }
+    assert_same_picture(&c[0].surface, &c[1].surface);
+}
+
 static void draw_strokes(const qtri_surface *s, qtri_compare compare, uint32_t depth)
 {
     for (int n = 0; n < 4; n++) {
@@ -238,23 +258,9 @@ static void small_slivers_in_parts(void **state)
                                 .vertex_count = 3,
                                 .triangle_count = 1};
         qtri_material material = qtri_material_default();
-        qtri_vertex vertices[QTRI_MESH_VERTICES(3)];
-        qtri_transform pose;
-        qtri_view view;
         material.cull = QTRI_CULL_NONE;
-        qtri_view_init(&view, WIDTH, HEIGHT);
-        view.vertices = vertices;
-        view.vertex_count = LENGTH_OF(vertices);
-        qtri_transform_identity(&pose);
         canvas c[2] = {new_canvas(&qtri_rgb565), new_canvas(&qtri_rgb565)};
-        qtri_draw_mesh(&c[0].surface, &view, &pose, &mesh, &material);
-        for (int k = 0; k < 2; k++) {
-            qtri_surface s = c[1].surface;
-            s.scissor.y0 = k == 0 ? 0 : 17;
-            s.scissor.y1 = k == 0 ? 17 : HEIGHT;
-            qtri_draw_mesh(&s, &view, &pose, &mesh, &material);
-        }
-        assert_same_picture(&c[0].surface, &c[1].surface);
+        draw_both(c, &mesh, &material);
         const double low = 65535 * (fmin(real(p[0].z), fmin(real(p[1].z), real(p[2].z))) + 1) / 2;
         const double high = 65535 * (fmax(real(p[0].z), fmax(real(p[1].z), real(p[2].z))) + 1) / 2;
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
@@ -360,24 +366,10 @@ static void triangles_that_are_lines(void **state)
                                 .vertex_count = 3,
                                 .triangle_count = 1};
         qtri_material material = qtri_material_default();
-        qtri_vertex vertices[QTRI_MESH_VERTICES(3)];
-        qtri_transform pose;
-        qtri_view view;
         material.cull = QTRI_CULL_NONE;
         material.texture = &texture;
-        qtri_view_init(&view, WIDTH, HEIGHT);
-        view.vertices = vertices;
-        view.vertex_count = LENGTH_OF(vertices);
-        qtri_transform_identity(&pose);
         canvas c[2] = {new_canvas(&qtri_rgb565), new_canvas(&qtri_rgb565)};
-        qtri_draw_mesh(&c[0].surface, &view, &pose, &mesh, &material);
-        for (int part = 0; part < 2; part++) {
-            qtri_surface s = c[1].surface;
-            s.scissor.y0 = part == 0 ? 0 : 17;
-            s.scissor.y1 = part == 0 ? 17 : HEIGHT;
-            qtri_draw_mesh(&s, &view, &pose, &mesh, &material);
-        }
-        assert_same_picture(&c[0].surface, &c[1].surface);
+        draw_both(c, &mesh, &material);
         canvas_free(&c[0]);
         canvas_free(&c[1]);
     }

@@ -5,7 +5,7 @@
 #ifndef QTRI_DRAW_CORNERS_H
 #define QTRI_DRAW_CORNERS_H
 
-#include "../raster/blend_vertex.h"
+#include "../raster/effect.h"
 #include "primitive.h"
 
 /* What becomes of a triangle's corners. */

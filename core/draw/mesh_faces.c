@@ -207,7 +207,7 @@ QTRI_NOINLINE static void draw_fronts(const qtri_mesh_faces *faces, const qtri_m
     }
 }
 
-QTRI_NOINLINE static void draw_list(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+QTRI_NOINLINE static void draw_listed(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
@@ -232,7 +232,7 @@ QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
     draw->lit = true;
     while (next(&faces, draw)) {
         if (!simple || !faces.inside) {
-            draw_list(&faces, draw);
+            draw_listed(&faces, draw);
         } else {
             draw_fronts(&faces, draw);
         }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../fast/fused.h"
-#include "../raster/samples.h"
+#include "../raster/sampling.h"
 #include "lights.h"
 
 /* Vertices from which on a look at eight corners pays. */

@@ -3,7 +3,7 @@
  * Where the vertices of large triangles truly are: vertices do not keep it, since the small
  * triangles that meshes have most of do not ask. It is found again from the mesh's positions.
  */
-#include "../raster/blend_vertex.h"
+#include "../raster/effect.h"
 #include "../raster/unsnapped.h"
 #include "mesh_job.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../raster/samples.h"
+#include "../raster/sampling.h"
 #include "../raster/small.h"
 #include "lights.h"
 

@@ -3,7 +3,7 @@
 #include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
-#include "../raster/samples.h"
+#include "../raster/sampling.h"
 #include "outline.h"
 #include "prepared_lists.h"
 

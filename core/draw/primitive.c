@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "fill.h"
 
-#include "../raster/blend_vertex.h"
-#include "../raster/samples.h"
+#include "../raster/effect.h"
+#include "../raster/sampling.h"
 #include "../raster/small.h"
 #include "../raster/unsnapped.h"
 

@@ -2,6 +2,7 @@
 #include "fxaa.h"
 
 #include "../frame/barrier.h"
+#include "../frame/fill.h"
 
 /* Lumas of two pixels, the first in the lower half: what is masked is masked once for both. */
 static inline uint32_t lumas_of_two(uint32_t two)
@@ -160,22 +161,10 @@ static uint16_t *row_of(const qtri_surface *surface, int32_t y)
     return (uint16_t *)(void *)(surface->pixels + (y - surface->first_row) * surface->pitch);
 }
 
-static void fill_words(qtri_pair *to, const qtri_pair *end, uint32_t word)
+static void fill_words(qtri_pair *to, int32_t count, uint32_t word)
 {
-    while (end - to >= 8) {
-        to[0] = word;
-        to[1] = word;
-        to[2] = word;
-        to[3] = word;
-        to[4] = word;
-        to[5] = word;
-        to[6] = word;
-        to[7] = word;
-        to += 8;
-        QTRI_OPAQUE(to)
-    }
-    while (to != end) {
-        *to++ = word;
+    if (count > 0) {
+        qtri_fill_words((uint8_t *)to, 0, 4 * (size_t)count, 1, word);
     }
 }
 
@@ -227,13 +216,13 @@ static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_
     const int32_t first = e->first / 2;
     const int32_t end = qtri_greatest32(e->end / 2, first); /* e->end is 0 where there is nothing */
     const uint32_t about = luma ? lumas_of_two(e->color) : e->color;
-    fill_words(to, to + first, about);
+    fill_words(to, first, about);
     if (luma) {
         luma_words(to + first, from + first, from + end);
     } else {
         copy_words(to + first, from + first, from + end);
     }
-    fill_words(to + end, to + width / 2, about);
+    fill_words(to + end, width / 2 - end, about);
 }
 
 /* A row comes in below the others: it is as it was. */

@@ -40,7 +40,7 @@ typedef struct qtri_batch {
     uint8_t count;    /* fragments of small triangles that wait, see list.h */
     uint8_t kind;     /* what they are */
     bool has_table;   /* `by` is that, see fast/tint.c */
-    uint8_t alpha[3]; /* of a triangle's vertices, see blend_vertex.h */
+    uint8_t alpha[3]; /* of a triangle's vertices, see blend_vertex.c */
     uint32_t color[QTRI_BATCH_ROOM];
     union {
         uint32_t shade[QTRI_BATCH_ROOM];

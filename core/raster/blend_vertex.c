@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-#include "blend_vertex.h"
-
+/*
+ * Alpha that varies between the vertices of a triangle. Every triangle of such a blend is drawn by
+ * the stages of large ones, on a raster of its own whose colours have 8 bits a channel, and whose
+ * `planes` say what alpha is at a pixel. What is interpolated, textured and fogged is what it is
+ * without; the blend alone looks at the planes.
+ */
 #include "../bits/reciprocal.h"
 #include "../frame/pixel.h"
-#include "samples.h"
+#include "effect.h"
+#include "sampling.h"
 #include "setup.h"
 #include "stage_color.h"
 
@@ -45,7 +50,7 @@ static uint32_t alpha_of(const qtri_raster *raster, uint32_t index)
     return alphas != NULL ? alphas[index] : 255;
 }
 
-static void set(qtri_attributes v[3], const qtri_raster *raster, const uint32_t index[3])
+static void set(qtri_attributes *v, const qtri_raster *raster, const uint32_t index[3])
 {
     for (int i = 0; i < 3; i++) {
         v[i].alpha_q16 = product_q16(alpha_of(raster, index[i]), raster->alpha);

@@ -15,7 +15,7 @@
 #include "effect.h"
 #include "job.h"
 #include "list_values.h"
-#include "samples.h"
+#include "sampling.h"
 
 /* Ramps and lines come with the half that rounds to 16 bits. */
 #define HALF     ((uint32_t)1 << 15)

@@ -63,6 +63,21 @@ struct qtri_fog_stages {
 };
 typedef struct qtri_fog_stages qtri_fog_stages;
 
+/*
+ * Alpha that varies between the vertices of a triangle, blend_vertex.c: such a blend gives its
+ * raster a route (raster.h). Alphas are those of the material, of the vertices with these numbers.
+ */
+struct qtri_vertex_blend {
+    /* Sets the route, and units and format for the stages that are chosen next. */
+    void (*begin)(qtri_raster *raster);
+    qtri_route draw;
+    /* Of the three vertices of a triangle that is not clipped. */
+    void (*set)(struct qtri_attributes *v, const qtri_raster *raster, const uint32_t index[3]);
+    /* Of one that may be: are kept in the batch. Then alpha at a point of it, as clip.h has it. */
+    void (*note)(const qtri_raster *raster, const uint32_t index[3]);
+    uint32_t (*at)(const qtri_raster *raster, int32_t b1_q30, int32_t b2_q30);
+};
+
 struct qtri_blend {
     const qtri_effect_stages *effects;
     /*
@@ -73,8 +88,14 @@ struct qtri_blend {
                       uint32_t mask, int32_t count);
     qtri_effect_row row;                /* where the blend is all, of plain pixels; NULL: none */
     bool rejects;                       /* the mask may lose some */
-    const qtri_vertex_blend *by_vertex; /* alpha varies: see blend_vertex.h; NULL: it does not */
+    const qtri_vertex_blend *by_vertex; /* alpha varies; NULL: it does not */
 };
+
+/* That of a raster; NULL: alpha does not vary. */
+static inline const qtri_vertex_blend *qtri_by_vertex(const qtri_raster *raster)
+{
+    return raster->blend != NULL ? raster->blend->by_vertex : NULL;
+}
 
 /* Of a material with fog or a blend; NULL: neither. */
 static inline const qtri_effect_stages *qtri_effect_stages_of(const qtri_material *material)

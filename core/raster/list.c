@@ -4,7 +4,7 @@
 #include "../geometry/projector.h"
 #include "effect.h"
 #include "list_values.h"
-#include "samples.h"
+#include "sampling.h"
 #include "shading.h"
 #include "textured.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "place.h"
 
-#include "samples.h"
+#include "sampling.h"
 
 bool qtri_inv_w_more(int32_t *more, const qtri_vertex *a, const qtri_vertex *b)
 {

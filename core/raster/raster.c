@@ -2,11 +2,10 @@
 #include "raster.h"
 
 #include "../frame/depth_format.h"
-#include "blend_vertex.h"
 #include "effect.h"
 #include "loop.h"
 #include "job.h"
-#include "samples.h"
+#include "sampling.h"
 #include "shading.h"
 #include "shift.h"
 #include "span.h"

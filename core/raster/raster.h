@@ -21,7 +21,7 @@ typedef struct qtri_list_values qtri_list_values; /* see list_values.h */
 typedef struct qtri_raster qtri_raster;
 typedef struct qtri_varying qtri_varying;             /* see shading.h */
 typedef struct qtri_effect_stages qtri_effect_stages; /* see effect.h */
-typedef struct qtri_vertex_blend qtri_vertex_blend;   /* see blend_vertex.h */
+typedef struct qtri_vertex_blend qtri_vertex_blend;   /* see effect.h */
 typedef struct qtri_alpha_planes qtri_alpha_planes;
 
 /* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
@@ -113,7 +113,7 @@ struct qtri_raster {
     qtri_route route;                    /* of all triangles; NULL: large and small have theirs */
     union {
         const qtri_material *material;   /* of what takes a route */
-        const qtri_alpha_planes *planes; /* of a triangle on its way, see blend_vertex.h */
+        const qtri_alpha_planes *planes; /* of a triangle on its way, see blend_vertex.c */
     } of;
     qtri_rect bounds; /* empty where nothing is to be drawn */
     struct {

@@ -11,8 +11,7 @@
 #include "qtri/samples.h"
 
 #include "../frame/stored.h"
-#include "list.h"
-#include "triangle.h"
+#include "sampling.h"
 
 enum {
     QTRI_SAMPLES = 4,
@@ -21,31 +20,6 @@ enum {
 
 /* Of samples from the centre, 1/256 pixel; then of that. */
 extern const int8_t qtri_sample_offset[QTRI_SAMPLES + 1][2];
-
-/* format->fused->samples. */
-struct qtri_sampling {
-    const qtri_format *format; /* of resolved pixels */
-    /* A triangle of any size and area that is not culled; its p, area and tinted are set. */
-    qtri_route draw;
-    /* A small one; LARGE, too, where fragments are blended or may be turned away. */
-    qtri_placed (*place)(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS], const qtri_raster *raster,
-                         const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c);
-    void (*draw_small)(const qtri_raster *raster, const qtri_list_triangle *t);
-    /* Stores the batch's colours. */
-    void (*put)(const qtri_raster *raster, int32_t count);
-};
-
-static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *format)
-{
-    return format != NULL && format->fused != NULL ? format->fused->samples : NULL;
-}
-
-/* Whether triangles may be drawn as small ones: a route but that of samples takes them all. */
-static inline bool qtri_takes_small(const qtri_raster *raster)
-{
-    return raster->route == NULL ||
-           (raster->samples != NULL && raster->route == raster->samples->draw);
-}
 
 void qtri_samples_draw(const qtri_raster *raster, qtri_triangle *triangle,
                        const qtri_attributes v[3]);

@@ -97,7 +97,8 @@ QTRI_INLINE void clear_any(uint8_t *record, int32_t count, uint32_t stored, int3
 
 /*
  * Of RGB565 every other record begins with a word, and two of them are seven words: halves are
- * c c, c c, d d, d c, c c, c d, d d.
+ * c c, c c, d d, d c, c c, c d, d d. To clear and to resolve by words saves a lit mesh in RGB565 4
+ * %.
  */
 enum { PAIR = 2 * QTRI_RGB565_X4_BYTES, PAIR_WORDS = PAIR / 4 };
 

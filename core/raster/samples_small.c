@@ -373,7 +373,7 @@ QTRI_NOINLINE static void put_linear(work *w)
 }
 
 /* All fragments that wait go into the batch, with their colours. */
-QTRI_NOINLINE static void put(work *w)
+QTRI_NOINLINE static void put_waiting(work *w)
 {
     if (w->raster->batch->count + w->count > QTRI_BATCH) {
         qtri_list_flush(w->raster);
@@ -401,7 +401,7 @@ static inline void append(work *w, uint32_t place, uint32_t pass, uint32_t cover
     w->places |= 1u << colored;
     w->count = i + 1;
     if (i + 1 == QTRI_BATCH) {
-        put(w);
+        put_waiting(w);
     }
 }
 
@@ -508,7 +508,7 @@ QTRI_NOINLINE void qtri_samples_small(const qtri_raster *raster, const qtri_list
         }
     }
     if (w.count != 0) {
-        put(&w);
+        put_waiting(&w);
     }
     if (raster->batch->count > QTRI_BATCH / 2) {
         qtri_list_flush(raster);
@@ -517,7 +517,8 @@ QTRI_NOINLINE void qtri_samples_small(const qtri_raster *raster, const qtri_list
 
 /* ---- Pixels ---- */
 
-QTRI_INLINE void scatter(const qtri_raster *raster, int32_t count, int32_t bytes, int32_t size)
+QTRI_INLINE void scatter_records(const qtri_raster *raster, int32_t count, int32_t bytes,
+                                 int32_t size)
 {
     const uint32_t *place = raster->batch->place;
     const uint32_t *color = raster->batch->color;
@@ -544,8 +545,8 @@ void qtri_samples_put(const qtri_raster *raster, int32_t count)
 {
     const int32_t size = raster->format->pixels->bytes;
     if (size == QTRI_RGB565_X4_BYTES) {
-        scatter(raster, count, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
+        scatter_records(raster, count, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
     } else {
-        scatter(raster, count, qtri_sample_bytes(size), size);
+        scatter_records(raster, count, qtri_sample_bytes(size), size);
     }
 }

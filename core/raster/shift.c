@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "shift.h"
 
-#include "blend_vertex.h"
+#include "effect.h"
+#include "triangle.h"
 
 /* |f1 d2 - f2 d1|: f below 2^32, d at most 2^24, so below 2^57. */
 static uint64_t determinant(int64_t f1, int64_t f2, int32_t d1, int32_t d2)

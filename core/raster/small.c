@@ -3,7 +3,7 @@
 
 #include "../geometry/projector.h"
 #include "list_values.h"
-#include "samples.h"
+#include "sampling.h"
 #include "setup.h"
 #include "textured.h"
 

@@ -2,12 +2,12 @@
 #include "triangle.h"
 
 #include "../geometry/projector.h"
-#include "blend_vertex.h"
+#include "effect.h"
 #include "checked.h"
 #include "held.h"
 #include "small.h"
 #include "rows.h"
-#include "samples.h"
+#include "sampling.h"
 #include "setup.h"
 
 QTRI_IN_PLACE void fill_rows(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,

@@ -15,14 +15,6 @@ static bool fail(struct text_error *error, const char *path, const char *problem
     return false;
 }
 
-const char *image_size_problem(long width, long height)
-{
-    if (width < 1 || height < 1 || width > IMAGE_MAX_SIDE || height > IMAGE_MAX_SIDE) {
-        return "has a side that is not in 1..16384";
-    }
-    return width > IMAGE_MAX_PIXELS / height ? "has more than 8192 x 8192 pixels" : NULL;
-}
-
 static bool create(const char *path, struct image *image, uint32_t width, uint32_t height,
                    struct text_error *error)
 {

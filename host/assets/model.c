@@ -2,6 +2,7 @@
 #include "model.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -250,4 +251,12 @@ void model_fit(struct model *model, double size)
     if (largest > 0.0) {
         model_scale(model, size / largest);
     }
+}
+
+bool model_path_beside(char *out, size_t size, const char *beside, const char *name)
+{
+    const char *slash = strrchr(beside, '/');
+    int folder = slash == NULL || name[0] == '/' ? 0 : (int)(slash - beside) + 1;
+    int length = snprintf(out, size, "%.*s%s", folder, beside, name);
+    return length >= 0 && (size_t)length < size;
 }

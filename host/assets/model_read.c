@@ -189,11 +189,3 @@ bool model_picture(const char *path, const char *text, size_t length, unsigned n
     return model_library_picture(path, text, length, sniff(text, length), number, bytes,
                                  bytes_length, error);
 }
-
-bool model_path_beside(char *out, size_t size, const char *beside, const char *name)
-{
-    const char *slash = strrchr(beside, '/');
-    int folder = slash == NULL || name[0] == '/' ? 0 : (int)(slash - beside) + 1;
-    int length = snprintf(out, size, "%.*s%s", folder, beside, name);
-    return length >= 0 && (size_t)length < size;
-}

@@ -110,7 +110,7 @@ struct scene_statement {
     const char *usage;       /* for messages */
 };
 
-/* ---- Helpers for handlers (scene.c) ---- */
+/* ---- Helpers for handlers (scene_parser.c) ---- */
 
 /* Sets the error, "FILE:LINE: STATEMENT: sentence", and returns false. */
 bool scene_fail(struct scene_parser *parser, const char *sentence);
@@ -200,7 +200,7 @@ scene_handler scene_statement_texalpha, scene_statement_alphatest;
 /* Fills scene->texture.alpha, after its colours, and checks what goes with what. */
 bool scene_make_alpha(struct scene_parser *parser);
 
-/* ---- Assets (scene_assets.c) ---- */
+/* ---- Files that a scene names (scene_path.c) ---- */
 
 /* The path that an argument names, seen from the scene file's folder; free() it. NULL with the
    error. */
@@ -208,6 +208,8 @@ char *scene_path(struct scene_parser *parser, int argument);
 
 /* Whether it is an ordinary file; `identity` may be NULL. False with the error. */
 bool scene_inspect(struct scene_parser *parser, const char *path, struct file_identity *identity);
+
+/* ---- Assets (scene_assets.c) ---- */
 
 /* The index in scene->meshes of the file that an argument names, in this scale (NULL: as it is);
    reads a file the first time, and anew in another scale. */

@@ -124,15 +124,29 @@ static void make_levels(struct scene_resources *resources, const struct scene *s
         scene->texture_bilinear ? &qtri_mipmapped_bilinear : &qtri_mipmapped;
 }
 
-static uint32_t stored_texel(const qtri_texture *texture, size_t i)
+/* White, and black for the key. */
+static uint8_t shade_of_key(const qtri_texture *texture, size_t i)
 {
     uint32_t texel[4] = {(uint32_t)i, (uint32_t)i, (uint32_t)i, (uint32_t)i};
     texture->format->fetch(texel, texture, 1);
-    return texel[0];
+    return texel[0] == texture->key ? 0 : 255;
 }
 
-/* White, and black for the key. Levels as the texture's, behind it in the same memory. */
-static bool make_mask(struct scene_resources *resources, size_t count)
+/* How opaque what is stored is. */
+static uint8_t shade_of_alpha(const qtri_texture *texture, size_t i)
+{
+    uint32_t texel[4] = {(uint32_t)i, (uint32_t)i, (uint32_t)i, (uint32_t)i};
+    texture->format->fetch(texel, texture, 1);
+    if (texture->format->decode != NULL) {
+        texture->format->decode(texel, texture, 1);
+    }
+    return (uint8_t)(texel[0] >> 24);
+}
+
+/* A texture of shades of the texture's texels, in `format`. Levels as the texture's, behind it in
+   the same memory. */
+static bool make_shades(struct scene_resources *resources, const qtri_texel_format *format,
+                        uint8_t (*shade_of)(const qtri_texture *texture, size_t i), size_t count)
 {
     const qtri_texture *texture = &resources->texture;
     qtri_texture level = *texture;
@@ -149,48 +163,23 @@ static bool make_mask(struct scene_resources *resources, size_t count)
             resources->mask_levels[i - 1] = at;
         }
         for (size_t k = 0; k < width * (height > 0 ? height : 1); k++) {
-            *at++ = stored_texel(&level, k) == texture->key ? 0 : 255;
+            *at++ = shade_of(&level, k);
         }
     }
     resources->mask = *texture;
     resources->mask.texels = resources->mask_texels;
-    resources->mask.format = &qtri_texel_gray8;
-    resources->mask.filter = texture->level_count > 0 ? &qtri_mipmapped : NULL;
+    resources->mask.format = format;
     resources->mask.levels = resources->mask_levels;
-    resources->mask.key = 0;
     return true;
 }
 
-/* How opaque the stored texels are, as a texture of its own. */
-static bool make_alpha_mask(struct scene_resources *resources, size_t count)
+static bool make_mask(struct scene_resources *resources, size_t count)
 {
-    const qtri_texture *texture = &resources->texture;
-    qtri_texture level = *texture;
-    uint8_t *at = malloc(2 * count);
-    resources->mask_texels = at;
-    if (at == NULL) {
+    if (!make_shades(resources, &qtri_texel_gray8, shade_of_key, count)) {
         return false;
     }
-    for (int i = 0; i <= texture->level_count; i++) {
-        const size_t width = (size_t)1 << (texture->width_log2 - i);
-        const size_t height = (size_t)1 << texture->height_log2 >> i;
-        if (i > 0) {
-            level.texels = texture->levels[i - 1];
-            resources->mask_levels[i - 1] = at;
-        }
-        for (size_t k = 0; k < width * (height > 0 ? height : 1); k++) {
-            uint32_t texel[4] = {(uint32_t)k, (uint32_t)k, (uint32_t)k, (uint32_t)k};
-            texture->format->fetch(texel, &level, 1);
-            if (texture->format->decode != NULL) {
-                texture->format->decode(texel, &level, 1);
-            }
-            *at++ = (uint8_t)(texel[0] >> 24);
-        }
-    }
-    resources->mask = *texture;
-    resources->mask.texels = resources->mask_texels;
-    resources->mask.format = &qtri_texel_alpha8;
-    resources->mask.levels = resources->mask_levels;
+    resources->mask.filter = resources->texture.level_count > 0 ? &qtri_mipmapped : NULL;
+    resources->mask.key = 0;
     return true;
 }
 
@@ -235,7 +224,7 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
         make_levels(resources, scene, texel[scene->texel_format].size);
     }
     if (scene_texel_has_alpha(scene->texel_format)) {
-        return make_alpha_mask(resources, count);
+        return make_shades(resources, &qtri_texel_alpha8, shade_of_alpha, count);
     }
     return !texture->has_key || make_mask(resources, count);
 }
