@@ -242,6 +242,43 @@ static tally walls(uint64_t seed, int count, const qtri_format *format, double d
     return sum;
 }
 
+/*
+ * Floors whose far side is level but for some units of 1/w, 2^-31 of the near corner's, and small
+ * beside that: rows that may take one division, and begin anywhere in the frame.
+ */
+static tally level_rows(uint64_t seed, int count, int ratio_log2, double width, int32_t units,
+                        double repeats)
+{
+    tally sum = {0, 0, 0, 0};
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    const canvas cleared = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    const qtri_texture texture = texture_of(&qtri_xrgb8888, 8, 8);
+    for (int n = 0; n < count; n++) {
+        qtri_screen_vertex t[3];
+        corner at[3];
+        for (int i = 0; i < 3; i++) {
+            const double far = ldexp(1, -random_in(&seed, 0, ratio_log2));
+            const double more = ldexp(random_in(&seed, 0, units), -31);
+            at[i] = (corner){.x = i == 0 ? uniform(&seed) * WIDTH
+                                         : at[0].x + (uniform(&seed) - .5) * width,
+                             .y = HEIGHT / 4 + uniform(&seed) * (n % 2 == 0 ? .2 : 60),
+                             .w = 1 / (i == 0 ? far : 1 / at[0].w + more),
+                             .u = uniform(&seed) * repeats,
+                             .v = uniform(&seed) * repeats};
+        }
+        at[2].y = HEIGHT + uniform(&seed) * 9000;
+        at[2].w = 1;
+        for (int i = 0; i < 3; i++) {
+            t[i] = vertex_of(&at[i]);
+        }
+        draw(&c, &texture, t);
+        judge(&sum, &c, &cleared, t, &texture);
+    }
+    canvas_free(&c);
+    free(cleared.memory);
+    return sum;
+}
+
 static void report(const char *what, tally sum)
 {
     print_message("%-36s %8ld pixels, other texel %.3f %%, worst %.3f / 256\n", what, sum.pixels,
@@ -269,6 +306,14 @@ static void texels(void **state)
         report("wall 80, 64, 1:30", walls(9, 12, format, 80, 8, .3, 30, 6));
         report("wall 85, 256, 1:100", walls(10, 12, format, 85, 4, .1, 100, 8));
     }
+}
+
+static void nearly_level(void **state)
+{
+    (void)state;
+    number_texels();
+    report("level but for a unit, w to 1:4096", level_rows(12, 60, 12, 600, 400, 4));
+    report("narrow, w to 1:60000", level_rows(14, 200, 16, 30, 30, 4));
 }
 
 /* A stored pixel's channels in steps of the format, and what they should be. */
@@ -504,10 +549,8 @@ static void extremes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(texels),
-        cmocka_unit_test(colors),
-        cmocka_unit_test(parts),
-        cmocka_unit_test(extremes),
+        cmocka_unit_test(texels), cmocka_unit_test(nearly_level), cmocka_unit_test(colors),
+        cmocka_unit_test(parts),  cmocka_unit_test(extremes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,15 +32,9 @@
 #include "../bits/reciprocal.h"
 #include "../frame/curves.h"
 
-/* What rounding leaves below 0 or above 2^31, held there. */
-static uint32_t held(uint32_t value)
-{
-    return value > 0xC0000000u ? 0 : (value > 0x80000000u ? 0x80000000u : value);
-}
-
 /*
- * (a/w) / (1/w): 1/w is q 2^-31 with q in 1..2^31, normalised to 32 bits for the reciprocal;
- * s 2^32 / q = s r 2^(zeros - 30), s <= 2^31, r <= 2^31.
+ * (a/w) / (1/w): 1/w is q 2^-31 with q in 1..2^31, give or take an error, normalised to 32 bits
+ * for the reciprocal; s 2^32 / q = s r 2^(zeros - 30), s < 2^30, r <= 2^31.
  */
 typedef struct divider {
     uint32_t reciprocal;
@@ -53,12 +47,15 @@ static inline uint32_t normalized(uint32_t whole, uint32_t rest, int32_t zeros)
     return (whole << zeros) + (qtri_low16(rest) << zeros >> 16);
 }
 
-static divider divider_for(const qtri_row_plane *inv_w)
+/* For a row's first pixel: one that the triangle covers. */
+static divider divider_for(const qtri_scanline *row)
 {
-    const uint32_t exact = held(inv_w->at + (uint32_t)(inv_w->rest >> 16));
-    const uint32_t q = exact == 0 ? 1 : exact;
+    const qtri_job *job = row->job;
+    const uint32_t q = qtri_row_inv_w_at(row, row->left);
+    const int32_t rest = row->by.perspective.plane[job->end].rest +
+                         (int32_t)job->attribute[job->end].projected.dx_rest * row->left;
     const int32_t zeros = qtri_clz32(q);
-    const divider d = {qtri_reciprocal_q62(normalized(q, (uint32_t)inv_w->rest, zeros)), zeros};
+    const divider d = {qtri_reciprocal_q62(normalized(q, (uint32_t)rest, zeros)), zeros};
     return d;
 }
 
@@ -104,22 +101,30 @@ static bool is_level(const qtri_scanline *row)
     const uint32_t step =
         qtri_magnitude32((int32_t)(inv_w->dx * 65536u) + (int32_t)inv_w->dx_rest); /* <= 2^16 */
     const uint32_t length = (uint32_t)(row->right - row->left);                    /* < 2^15 */
-    return qtri_mul_u32(length * length, step) >> 2 <= inv_w->origin + inv_w->dy * (uint32_t)row->y;
+    const uint32_t q =
+        inv_w->origin + inv_w->dy * (uint32_t)row->y + inv_w->dx * (uint32_t)row->left;
+    return qtri_mul_u32(length * length, step) >> 2 <= q;
 }
 
-/* The one division of a row along which w does not change. */
+/*
+ * The one division of a row along which w does not change. At a pixel that the triangle covers a
+ * value below 2^30 times 1/w of 2^31 at most is below 2^29 here, with weights that leave the
+ * triangle, see unsnapped.h, and rounding below 2^30. Nothing holds it from above; below 0 it may
+ * be.
+ */
 static void begin_level(qtri_scanline *row)
 {
     const qtri_job *job = row->job;
-    const divider d = divider_for(&row->by.perspective.plane[job->end]);
+    const divider d = divider_for(row);
     row->run_length = (int32_t)1 << 30;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *plane = &job->attribute[QTRI_U + i].projected;
         const qtri_row_plane *at = &row->by.perspective.plane[QTRI_U + i];
         const int32_t rest = at->rest + (int32_t)plane->dx_rest * row->left;
-        const uint32_t s = held(at->at + plane->dx * (uint32_t)row->left + (uint32_t)(rest >> 16));
-        const int32_t value = qtri_mul_high_s31((int32_t)normalized(s, (uint32_t)rest, d.zeros),
-                                                d.reciprocal); /* a quarter */
+        const int32_t s =
+            (int32_t)(at->at + plane->dx * (uint32_t)row->left + (uint32_t)(rest >> 16));
+        const uint32_t divided = normalized(s < 0 ? 0 : (uint32_t)s, (uint32_t)rest, d.zeros);
+        const int32_t value = qtri_mul_high_s31((int32_t)divided, d.reciprocal); /* a quarter */
         qtri_curve *curve = &row->curve[QTRI_U + i];
         curve->at = qtri_run_scaled((uint32_t)value + plane->bias, plane->up);
         curve->step = divide_step((int32_t)plane->dx, plane->dx_rest, &d, job->axis[i].up);

@@ -30,13 +30,16 @@ static int32_t log2_below(uint32_t x)
     return ((31 - zeros) * 256) + (int32_t)((x << zeros & 0x7FFFFFFFu) >> 23);
 }
 
-/* 2^(x / 256) 2^31 for x < 0, at most 2^(22 / 256) times that; else 2^31. */
+/*
+ * 2^(x / 256) 2^31 for x < 0, at most 2^(22 / 256) times that; else 2^31. x >= -31 * 256, and
+ * set_limits() asks for -27 * 256 at least: there q' is a unit or more, its logarithm -31 * 256 or
+ * more, and K has 14 bits and those of its unit, up to 30, below 2^0 at most: see set_slope(). With
+ * k >= -44 * 256 its sums are (k - 62 * 256) / 4 and (k - 93 * 256) / 5 and more, and texels may
+ * take half of 2^0 off.
+ */
 static uint32_t exp2_above_q31(int32_t x)
 {
-    if (x >= 0) {
-        return 0x80000000u;
-    }
-    return x < -30 * 256 ? 0 : (uint32_t)(256 + (x & 255)) << 23 >> -(x >> 8);
+    return x >= 0 ? 0x80000000u : (uint32_t)(256 + (x & 255)) << 23 >> -(x >> 8);
 }
 
 static void set_plane(qtri_projected *p, const qtri_plane *plane)
@@ -355,7 +358,7 @@ static void set_inv_w(qtri_job *job, const qtri_triangle *t, shared *s)
 
 /*
  * Below this blocks are single pixels: 2^16, and where slopes would be shifted left by more than
- * 30, which no row of two pixels needs. least_down: of the slopes.
+ * 30. Those of slivers may be anywhere. least_down: of the slopes.
  */
 static uint32_t floor_of(int32_t least_down)
 {

@@ -48,11 +48,11 @@ QTRI_NOINLINE void qtri_place_ramp_any(qtri_ramp *ramp, const qtri_place *p, uin
                                        int32_t f1, int32_t f2)
 {
     const int32_t zeros = qtri_clz32(p->size | 1u);
-    if ((qtri_about(f1) | qtri_about(f2)) >> 16 == 0) { /* small or a sliver */
+    if ((qtri_about(f1) | qtri_about(f2)) >> 16 == 0) { /* of inverses that go left: zeros > 14 */
         qtri_inverse by;
         const int32_t nx = qtri_place_nx(p, f1, f2);
         const int32_t ny = qtri_place_ny(p, f1, f2);
-        const int32_t left = zeros < 14 ? 0 : zeros - 14;
+        const int32_t left = zeros - 14;
         if (fits(nx, ny, left, 30)) {
             const int32_t one = (int32_t)1 << left;
             qtri_inverse_init(&by, p->size);

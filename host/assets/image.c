@@ -22,6 +22,7 @@ static bool create(const char *path, struct image *image, uint32_t width, uint32
     if (problem != NULL) {
         return fail(error, path, problem);
     }
+    // NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): a side of 0 is a problem
     image->rgba = calloc((size_t)width * height, 4);
     image->width = (int)width;
     image->height = (int)height;
@@ -152,7 +153,7 @@ static bool parse_pnm(const char *path, const char *bytes, size_t length, struct
         return fail(error, path, "ends in its header");
     }
     at++;
-    if ((length - at) / channels / width < height) {
+    if ((length - at) / channels < (uint64_t)width * height) {
         return fail(error, path, "ends before its last pixel");
     }
     if (!create(path, image, width, height, error)) {

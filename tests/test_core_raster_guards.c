@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Guards of the rasterizer's arithmetic, each with an input that needs it: rows that are divided
+ * once, slopes of slivers, areas that snapping makes, lines that cover more than a row keeps.
+ */
+#include "support/core.h"
+
+#include "raster/place_ramp.h"
+#include "raster/unsnapped.h"
+
+#include <qtri/stroke.h>
+
+enum { WIDTH = 320, HEIGHT = 240 };
+
+static const uint16_t texels[64] = {0xF800, 0x07E0, 0x001F, 0xFFFF, 0x8410, 0xFFE0, 0x07FF, 0xF81F};
+
+/* x and y in 1/256 pixel, 1/w, coordinates in repeats times 2^32. */
+typedef struct corner {
+    int32_t x, y;
+    uint32_t inv_w;
+    int32_t exponent;
+    int64_t u, v;
+} corner;
+
+static const struct {
+    corner of[3];
+    uint8_t width_log2, height_log2;
+} rare[] = {
+    /* A row of one 1/w whose first value rounding leaves below 0. */
+    {{{-20645, 19436, 0x80000000u, -28, 1593344, -970006528},
+      {-6109, 19436, 0x7FFFFFFAu, -28, 125449092, 43371991040},
+      {11896, 17786, 0x80000000u, 0, 0, 0}},
+     3,
+     3},
+    /* 1/w of a row is so small, and a repeat so short, that a step is shifted to the left. */
+    {{{19804, 6528, 0x80000000u, -29, 349297377280, -88929615872},
+      {76945, 6528, 0x80000000u, -29, 980224, 93},
+      {26365, 27492, 0x80000000u, 0, 0, 307806208}},
+     0,
+     1},
+    {{{74145, 30336, 1835348840, -30, -1032192, -3456},
+      {30617, 30336, 1835348833, -30, 1408, 164287},
+      {3508, 57063, 0x80000000u, 0, 720, 0}},
+     0,
+     3},
+    /* A sliver whose slopes have no block of two pixels, whatever its 1/w. */
+    {{{63659, -3233, 3086591233u, -16, -6144, 4096},
+      {45035, 32855, 3974791540u, -18, -280763040, -2706107136},
+      {59934, 3985, 2403538026u, -30, -57745143758848, 814916304896}},
+     1,
+     1},
+    {{{34110, 61152, 1, 0, 0, 16185516032},
+      {34144, 163509, 51179, 0, 6638264123392, -433182294016},
+      {34028, 200845, 69847, 0, 287328, -392}},
+     3,
+     2},
+};
+
+/* Such triangles are the same in parts. */
+static void rows_and_slivers(void **state)
+{
+    (void)state;
+    for (size_t n = 0; n < LENGTH_OF(rare); n++) {
+        const qtri_texture texture = {.format = &qtri_texel_rgb565,
+                                      .texels = texels,
+                                      .width_log2 = rare[n].width_log2,
+                                      .height_log2 = rare[n].height_log2,
+                                      .wrap_v = n < 4 ? QTRI_CLAMP : QTRI_REPEAT};
+        qtri_screen_vertex v[3];
+        for (int i = 0; i < 3; i++) {
+            const corner *at = &rare[n].of[i];
+            v[i] = screen_at(at->x, at->y);
+            v[i].inv_w_q31 = at->inv_w;
+            v[i].inv_w_exponent = at->exponent;
+            v[i].u_q32 = at->u;
+            v[i].v_q32 = at->v;
+        }
+        qtri_material material = qtri_material_default();
+        material.cull = QTRI_CULL_NONE;
+        material.texture = &texture;
+        canvas whole = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        canvas parts = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        qtri_raster_triangle(&whole.surface, &material, v);
+        for (int part = 0; part < 4; part++) {
+            qtri_surface s = parts.surface;
+            s.scissor.x0 = part & 1 ? 157 : 0;
+            s.scissor.x1 = part & 1 ? WIDTH : 157;
+            s.scissor.y0 = part & 2 ? 101 : 0;
+            s.scissor.y1 = part & 2 ? HEIGHT : 101;
+            qtri_raster_triangle(&s, &material, v);
+        }
+        assert_same_picture(&whole.surface, &parts.surface);
+        canvas_free(&whole);
+        canvas_free(&parts);
+    }
+}
+
+/* What a ramp from vertex 0 is at a vertex, less what it should be there. */
+static double off_at(const qtri_ramp *ramp, int32_t dx, int32_t dy, int32_t f)
+{
+    const double along = (double)(int32_t)ramp->dx * dx + (double)(int32_t)ramp->dy * dy;
+    return along / 256 - 256.0 * f;
+}
+
+/*
+ * Two vertices next to each other, far from the first, and values that differ by 2^16 and somewhat:
+ * the lower parts of the numerators alone do not fit, and they are divided as others.
+ */
+static void steep_ramps_of_slivers(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int n = 0; n < 20000; n++) {
+        qtri_place p = {0};
+        qtri_ramp ramp;
+        p.dy1 = random_in(&seed, 6000, 9215);
+        p.dx1 = random_in(&seed, 10, 60);
+        p.dy2 = p.dy1 - random_in(&seed, 40, 200);
+        p.dx2 = p.dx1 + random_in(&seed, 0, 1);
+        const int32_t size = p.dx2 * p.dy1 - p.dx1 * p.dy2;
+        assert_true(size > 0);
+        p.size = (uint32_t)size;
+        const int32_t f1 = 65536 + random_in(&seed, 0, 1023);
+        const int32_t f2 = f1 + random_in(&seed, -511, 511);
+        qtri_place_ramp_any(&ramp, &p, 0, f1, f2);
+        assert_near(off_at(&ramp, p.dx1, p.dy1, f1), 0, 2048 + 256.0 * f1 / 16384);
+        assert_near(off_at(&ramp, p.dx2, p.dy2, f2), 0, 2048 + 256.0 * f2 / 16384);
+    }
+}
+
+/* Where snapping made an area of a line, vertices stay where it put them; elsewhere they do not. */
+static void areas_that_snapping_made(void **state)
+{
+    (void)state;
+    static const qtri_texture texture = {.format = &qtri_texel_rgb565, .texels = texels};
+    for (int n = 0; n < 2; n++) {
+        const int32_t side = n == 0 ? 1 : 4096;
+        const qtri_screen_point p[3] = {{0, 0}, {side, 0}, {0, side}};
+        qtri_raster raster;
+        qtri_triangle t;
+        memset(&raster, 0, sizeof raster);
+        memset(&t, 0, sizeof t);
+        raster.texture = &texture;
+        t.area = (int64_t)side * side;
+        t.extent = 2 * side;
+        for (int i = 0; i < 3; i++) {
+            t.p[i] = &p[i];
+        }
+        for (int32_t less = 8192; less <= 65536; less += 8192) { /* in 2^-16 of the grid's unit */
+            qtri_attributes v[3];
+            qtri_unsnapped u;
+            memset(v, 0, sizeof v);
+            v[0].rest[1] = less / 2;
+            v[2].rest[1] = -less / 2;
+            qtri_unsnapped_init(&u, &raster, &t, v);
+            assert_int_equal(u.is_on, n == 1);
+        }
+    }
+}
+
+/* More thin lines side by side than a row keeps apart, in two groups, and nothing between. */
+static void combs_with_a_gap(void **state)
+{
+    (void)state;
+    enum { TEETH = 22, RIGHT = 13, GAP = 12, GAP_END = 14, HIGH = 20 };
+    static const qtri_rgb sky = {24, 40, 88};
+    for (int n = 0; n < 4; n++) {
+        qtri_stroke stroke = qtri_stroke_default();
+        qtri_material material = qtri_material_default();
+        qtri_screen_vertex v[2 * TEETH];
+        canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HIGH);
+        qtri_surface_clear(&c.surface, sky);
+        for (int i = 0; i < 2 * TEETH; i++) { /* from the right to the left, or the other way */
+            const int tooth = (n & 1) != 0 ? TEETH - 1 - i / 2 : i / 2;
+            const int32_t x =
+                tooth < RIGHT ? 31 * 256 - tooth * 330 : GAP * 256 - 300 - (tooth - RIGHT) * 300;
+            v[i] = screen_at(x, (i + 1) / 2 % 2 == 0 ? -3000 : HIGH * 256 + 3000);
+            for (int k = 0; k < 3; k++) {
+                v[i].color_8p16[k] = 0;
+            }
+        }
+        stroke.width = Q16(.25);
+        material.depth_compare = QTRI_DEPTH_OFF;
+        material.blend = (n & 2) != 0 ? &qtri_blend_add : NULL;
+        qtri_raster_polyline(&c.surface, &material, &stroke, v, 2 * TEETH);
+        const uint32_t sky888 = (uint32_t)sky.r << 16 | (uint32_t)sky.g << 8 | sky.b;
+        int drawn = 0;
+        for (int32_t x = 0; x < 32; x++) {
+            const bool other = stored_pixel(&c.surface, x, HIGH / 2) != sky888;
+            assert_false(other && x >= GAP && x < GAP_END);
+            drawn += other;
+        }
+        assert_true((n & 2) != 0 ? drawn == 0 : drawn >= 20); /* adding black changes nothing */
+        canvas_free(&c);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_and_slivers),
+        cmocka_unit_test(steep_ramps_of_slivers),
+        cmocka_unit_test(areas_that_snapping_made),
+        cmocka_unit_test(combs_with_a_gap),
+    };
+    return cmocka_run_group_tests_name("core raster guards", tests, NULL, NULL);
+}
