@@ -52,7 +52,7 @@ static void encode(uint32_t *depth, int32_t count)
     }
 }
 
-/* The middle of what is stored so; the farthest is itself. */
+/* The middle of what is stored so; the farthest is itself. The nearest is 3/2^16 of the farthest. */
 static void decode(uint32_t *depth, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {
@@ -61,8 +61,8 @@ static void decode(uint32_t *depth, int32_t count)
         const uint32_t down = LEAST_LOG2 + (e == 0 ? 0 : e - 1);
         const uint32_t m = e == 0 ? code : code - ((e - 1) << MANTISSA);
         const uint32_t half = code == 0 ? 0 : (uint32_t)1 << (down - 1);
-        const uint32_t t = (m << down) + half; /* < 2^32 */
-        depth[i] = t < FARTHEST ? FARTHEST - t : 0;
+        const uint32_t t = (m << down) + half; /* code <= 65535: <= 0xFFFC0000 */
+        depth[i] = FARTHEST - t;
     }
 }
 

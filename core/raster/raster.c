@@ -132,7 +132,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     }
     const qtri_fused *fused = fused_of(raster);
     if (fused != NULL) {
-        raster->fill_flat = fused->flat != NULL ? fused->flat : raster->fill_flat;
+        raster->fill_flat = fused->flat;
         raster->fill_smooth = fused->smooth != NULL ? fused->smooth : raster->fill_smooth;
         raster->copy_run = raster->copied ? fused->copy : NULL;
         raster->copy_bent = raster->copied ? fused->copy_bent : NULL;

@@ -263,7 +263,7 @@ static void set_depths(work *w)
     }
 }
 
-/* All ramps of a triangle's values. */
+/* All ramps of a triangle's values, which are curved or have texels: e is set. */
 enum { RAMPS = 6 };
 
 static int ramps_of(qtri_list_values *v, qtri_ramp *ramp[RAMPS])
@@ -272,9 +272,7 @@ static int ramps_of(qtri_list_values *v, qtri_ramp *ramp[RAMPS])
     for (int i = 3 - v->channels; i < 3; i++) {
         ramp[count++] = &v->channel[i];
     }
-    if (v->has_e) {
-        ramp[count++] = &v->e_q26;
-    }
+    ramp[count++] = &v->e_q26;
     if (v->raster->texture != NULL) {
         ramp[count++] = &v->uv[0].l;
         ramp[count++] = &v->uv[1].l;
