@@ -437,6 +437,37 @@ static void alpha_that_is_not_asked_for(void **state)
     }
 }
 
+/* Texels that are opaque, blended: times colours of vertices what those without alpha are. */
+static void opaque_texels_times_colors(void **state)
+{
+    (void)state;
+    static board b[2];
+    static uint32_t texels[64];
+    static qtri_rgb colors[LENGTH_OF(positions)];
+    uint64_t seed = 5;
+    for (int i = 0; i < 64; i++) {
+        texels[i] = (uint32_t)random64(&seed) | 0xFF000000u;
+    }
+    for (size_t i = 0; i < LENGTH_OF(colors); i++) {
+        colors[i] = (qtri_rgb){(uint8_t)random64(&seed), (uint8_t)random64(&seed), 99};
+    }
+    qtri_mesh colored = ball;
+    colored.colors = colors;
+    for (int i = 0; i < 2; i++) {
+        const qtri_texture texture = {.format =
+                                          i == 0 ? &qtri_texel_xrgb8888 : &qtri_texel_argb8888,
+                                      .texels = texels,
+                                      .width_log2 = 3,
+                                      .height_log2 = 3};
+        qtri_material m = qtri_material_default();
+        board_init(&b[i], &qtri_xrgb8888, NULL);
+        m.texture = &texture;
+        m.blend = i == 0 ? NULL : &qtri_blend_alpha;
+        draw_mesh(&b[i].surface, &m, &colored, 5);
+    }
+    assert_same_memory(&b[0], &b[1]);
+}
+
 /* Small clamped triangles take sides of more than 1024 texels as 1024. */
 static void clamped_sides_above_1024(void **state)
 {
@@ -469,7 +500,8 @@ int main(void)
         cmocka_unit_test(slopes_without_bounds),       cmocka_unit_test(slopes_of_nothing),
         cmocka_unit_test(samples_that_only_test),      cmocka_unit_test(fog_of_nothing),
         cmocka_unit_test(alpha_at_one_distance),       cmocka_unit_test(alpha_of_far_vertices),
-        cmocka_unit_test(alpha_that_is_not_asked_for), cmocka_unit_test(clamped_sides_above_1024),
+        cmocka_unit_test(alpha_that_is_not_asked_for), cmocka_unit_test(opaque_texels_times_colors),
+        cmocka_unit_test(clamped_sides_above_1024),
     };
     return cmocka_run_group_tests_name("core stage ends", tests, set_up, NULL);
 }

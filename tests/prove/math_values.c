@@ -13,6 +13,8 @@
 #include "__fc_builtin.h"
 
 #include "bits/bits.h"
+#include "bits/multiply.h"
+#include "bits/reciprocal.h"
 #include "bits/seed.h"
 #include "qtri/q16.h"
 #include "qtri/q16_exp.h"
@@ -28,12 +30,29 @@ uint32_t qtri_reciprocal_q62(uint32_t x);
     ensures -16 * 8796093022208 <= \result < 16 * 8796093022208; */
 static int64_t precise_log2_q43(uint32_t x);
 
+/*
+ * Where they are put together from half-words, with a = a1 2^16 + a0 and b likewise,
+ *
+ *     a b = a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0,
+ *
+ * what is carried is added as it is, and prove_products() shows that none of the sums overflows.
+ */
+#if !QTRI_LONG_MULTIPLY && QTRI_SHARE
+/*@ assigns \result \from a, b;
+    ensures \result == a * b; */
+uint64_t qtri_mul_u32(uint32_t a, uint32_t b);
+
+/*@ assigns \result \from a, b;
+    ensures \result == a * b; */
+int64_t qtri_mul_s32(int32_t a, int32_t b);
+#endif
+
 /* q16_pow and the logarithm in it, which no other file sees. */
 #include "../../core/math/q16_pow.c"
 
 static q16 any(void)
 {
-    return Frama_C_interval(INT32_MIN, INT32_MAX);
+    return (int32_t)Frama_C_long_interval(INT32_MIN, INT32_MAX);
 }
 
 /*
@@ -48,11 +67,39 @@ static q16 piece(int i)
         return 0;
     }
     if (i <= 31) {
-        return Frama_C_interval((int32_t)1 << (i - 1), (int32_t)(((uint32_t)1 << i) - 1));
+        return (int32_t)Frama_C_long_interval((int32_t)1 << (i - 1),
+                                              (int32_t)(((uint32_t)1 << i) - 1));
     }
     i -= 31;
     return i == 32 ? INT32_MIN
-                   : Frama_C_interval(-(int32_t)(((uint32_t)1 << i) - 1), -((int32_t)1 << (i - 1)));
+                   : (int32_t)Frama_C_long_interval(-(int32_t)(((uint32_t)1 << i) - 1),
+                                                    -((int32_t)1 << (i - 1)));
+}
+
+/* Products and shifts that everything else is made of. */
+void prove_products(void)
+{
+    q16 a = any(), b = any();
+    uint32_t c = (uint32_t)Frama_C_unsigned_long_interval(0, UINT32_MAX);
+    uint32_t d = (uint32_t)Frama_C_unsigned_long_interval(0, UINT32_MAX);
+    qtri_mul_s32(a, b);
+    qtri_mul_u32(c, d);
+    qtri_mul_high16(c, (uint32_t)Frama_C_unsigned_long_interval(0, 65535));
+    qtri_mul_high32(c, d);
+    qtri_mul_high31(c >> 1, d >> 1);
+    qtri_mul_high_s30(a / 2, (int32_t)(c >> 3));
+    qtri_mul_high_s31(a / 2, (int32_t)(c >> 1));
+    //@ loop unroll 64;
+    for (int i = 0; i < PIECES; i++) {
+        uint32_t x = (uint32_t)piece(i);
+        int32_t zeros = qtri_clz32(x | 1);
+        /*@ assert 0 <= zeros <= 31; */
+        zeros = qtri_clz64((uint64_t)x << 32 | 1);
+        /*@ assert 0 <= zeros <= 63; */
+    }
+    qtri_shift_round(Frama_C_long_long_interval(-((int64_t)1 << 62) + 1, ((int64_t)1 << 62) - 1),
+                     a);
+    qtri_magnitude32(a);
 }
 
 void prove_add_sub(void)
@@ -92,8 +139,8 @@ void prove_mod(void)
     //@ loop unroll 64;
     for (int i = 0; i < PIECES; i++) {
         q16 b = piece(i);
-        q16_mod(Frama_C_interval(INT32_MIN, -1), b);
-        q16_mod(Frama_C_interval(0, INT32_MAX), b);
+        q16_mod((int32_t)Frama_C_long_interval(INT32_MIN, -1), b);
+        q16_mod((int32_t)Frama_C_long_interval(0, INT32_MAX), b);
     }
 }
 
@@ -132,7 +179,7 @@ void prove_exp2(void)
 
 static void logs_between(uint32_t low, uint32_t high)
 {
-    q16 x = Frama_C_interval((int32_t)low, (int32_t)high);
+    q16 x = (int32_t)Frama_C_long_interval((int32_t)low, (int32_t)high);
     q16 r = q16_log2(x);
     /*@ assert -16 * 65536 <= r <= 15 * 65536 + 64; */
     r = q16_log(x);
@@ -141,7 +188,7 @@ static void logs_between(uint32_t low, uint32_t high)
 
 void prove_log(void)
 {
-    q16 below = q16_log2(Frama_C_interval(INT32_MIN, 0));
+    q16 below = q16_log2((int32_t)Frama_C_long_interval(INT32_MIN, 0));
     /*@ assert below == Q16_MIN; */
     //@ loop unroll 31;
     for (int bits = 0; bits < 31; bits++) {
@@ -179,7 +226,7 @@ void prove_pow(void)
 
 static void log_between(uint32_t low, uint32_t high)
 {
-    int64_t log_q43 = precise_log2_q43(Frama_C_unsigned_int_interval(low, high));
+    int64_t log_q43 = precise_log2_q43((uint32_t)Frama_C_unsigned_long_interval(low, high));
     /*@ assert -16 * 8796093022208 <= log_q43 < 16 * 8796093022208; */
 }
 

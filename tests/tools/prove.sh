@@ -2,38 +2,56 @@
 # SPDX-License-Identifier: MIT
 # Proves that the mathematics does nothing that C does not define, whatever its arguments; prints a line a proof.
 #
-#   prove.sh values    tests/prove/math_values.c by Frama-C's Eva, for int of 32 bits; minutes
+#   prove.sh values    tests/prove/math_values.c by Frama-C's Eva: int of 32 bits with a long multiply and without, int of
+#                      16 bits without; half an hour. PROOFS="prove_mul" VARIANTS="wide narrow int16"
 #   prove.sh inputs    tests/prove/math_inputs.c by trying every argument, with and without long multiply; an hour or two
 set -u
 log=build/prove
 mkdir -p "$log"
 failed=0
 
-# The functions that other proofs take as specified; a function is not specified in the proof of itself.
+# One proof with these flags of the preprocessor, for a machine that Frama-C knows.
+prove() {
+    name=$1 variant=$2 machine=$3 flags=$4
+    # The functions that other proofs take as specified; a function is not specified in the proof of itself.
+    specified=qtri_reciprocal_q62
+    [ "$name" = prove_pow_log ] || specified=$specified,precise_log2_q43
+    case $flags in *SHARE=1*) specified=$specified,qtri_mul_u32,qtri_mul_s32 ;; esac
+    slevel=100
+    precision=1
+    [ "$name" = prove_div ] && slevel=40
+    [ "$name" = prove_sin ] && precision=4
+    start=$(date +%s)
+    # shellcheck disable=SC2086
+    frama-c -machdep "$machine" -cpp-extra-args="-U__GNUC__ -Icore/include -Icore $flags" -eva -eva-precision $precision \
+        -eva-slevel $slevel -eva-slevel-function prove_log:5000,prove_pow_log:5000 -eva-use-spec $specified \
+        -main "$name" tests/prove/math_values.c $sources >"$log/$name-$variant.txt" 2>&1
+    status=$?
+    if [ $status = 0 ] && grep -q '0 alarms generated' "$log/$name-$variant.txt" &&
+        ! grep -q 'status unknown\|status invalid\|NON TERMINATING' "$log/$name-$variant.txt"; then
+        echo "prove: ${name#prove_}, $variant: proved, $(($(date +%s) - start)) s"
+    else
+        echo "prove: ${name#prove_}, $variant: NOT proved; $log/$name-$variant.txt"
+        failed=1
+    fi
+}
+
 values() {
     command -v frama-c >/dev/null 2>&1 || { echo "prove: skipped: frama-c is not installed (make setup-proof)"; exit 0; }
     sources="core/math/eighths.c core/math/scaled.c core/math/sincos.c core/math/series.c $(ls core/bits/*.c) \
         $(ls core/math/q16*.c | grep -v 'q16_pow\.c') $(frama-c -print-share-path)/libc/__fc_builtin.c"
     for name in ${PROOFS:-$(sed -n 's/^void \(prove_[a-z0-9_]*\)(void)$/\1/p' tests/prove/math_values.c)}; do
-        specified=qtri_reciprocal_q62,precise_log2_q43
-        slevel=100
-        precision=1
-        [ "$name" = prove_pow_log ] && specified=qtri_reciprocal_q62
-        [ "$name" = prove_div ] && slevel=40
-        [ "$name" = prove_sin ] && precision=4
-        start=$(date +%s)
-        # shellcheck disable=SC2086
-        frama-c -machdep x86_32 -cpp-extra-args='-U__GNUC__ -Icore/include -Icore' -eva -eva-precision $precision \
-            -eva-slevel $slevel -eva-slevel-function prove_log:5000,prove_pow_log:5000 -eva-use-spec $specified \
-            -main "$name" tests/prove/math_values.c $sources >"$log/$name.txt" 2>&1
-        status=$?
-        if [ $status = 0 ] && grep -q '0 alarms generated' "$log/$name.txt" &&
-            ! grep -q 'status unknown\|status invalid\|NON TERMINATING' "$log/$name.txt"; then
-            echo "prove: ${name#prove_}: proved, $(($(date +%s) - start)) s"
-        else
-            echo "prove: ${name#prove_}: NOT proved; $log/$name.txt"
-            failed=1
-        fi
+        # Products of 64 bits are functions of their own file then, that other proofs take as specified.
+        narrow='-DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0 -DQTRI_SHARE=1'
+        [ "$name" = prove_products ] && narrow='-DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0'
+        for variant in ${VARIANTS:-wide narrow int16}; do
+            case $variant in
+            wide) prove "$name" wide x86_32 '' ;;
+            narrow) prove "$name" narrow x86_32 "$narrow" ;;
+            int16) prove "$name" int16 x86_16 "$narrow" ;;
+            *) echo "prove: there is no variant $variant" >&2; exit 2 ;;
+            esac
+        done
     done
 }
 
