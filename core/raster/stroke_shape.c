@@ -215,6 +215,9 @@ bool qtri_stroke_shape_slice(qtri_stroke_shape *s, int32_t y0, int32_t y1, qtri_
     bool found = false;
     slice->left[0] = slice->left[1] = INT32_MAX;
     slice->right[0] = slice->right[1] = INT32_MIN;
+    if (s->discs == 1 && s->length == 0) {
+        return add_disc(slice, level, s, 0); /* a round point: its rectangle has no width */
+    }
     found |= add_side(slice, level, s, 0);
     found |= add_side(slice, level, s, 1);
     if ((s->discs & 1) != 0) {
