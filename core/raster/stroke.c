@@ -190,9 +190,7 @@ static void take_positions(position *at, const qtri_stroker *stroker,
     if (is_alone) {
         for (int32_t i = first; i < end; i++, at++) {
             at->part = shape->part;
-            at->share_q16 =
-                shape->level ? 0 : qtri_stroke_walk_share(&walk, qtri_stroke_walk_held(&walk));
-            walk.along_q30 += walk.step_q30;
+            at->share_q16 = shape->level ? 0 : qtri_stroke_walk_next(&walk);
         }
         return;
     }
@@ -289,7 +287,7 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
         const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
         if (depth != NULL) {
             const uint32_t z = (depth_16p8 + 128) >> 8;
-            if (!qtri_stroke_passes(stroker, z, depth[i])) {
+            if (qtri_stroke_passes(stroker->passing, z, depth[i]) == 0) {
                 continue;
             }
             if (writes) {
@@ -332,8 +330,8 @@ static bool passes_at(const qtri_stroker *stroker, const sample *s, int32_t x)
         return true;
     }
     if (testing == NULL) {
-        return qtri_stroke_passes(stroker, (s->depth_16p8 + 128) >> 8,
-                                  qtri_depths_at(surface, stroker->row)[x]);
+        return qtri_stroke_passes(stroker->passing, (s->depth_16p8 + 128) >> 8,
+                                  qtri_depths_at(surface, stroker->row)[x]) != 0;
     }
     const uint32_t row = (uint32_t)(stroker->row - surface->first_row);
     return testing->passes(surface, stroker->compare, row << 16 | (uint32_t)x, s->depth_16p8 << 8,
@@ -439,6 +437,36 @@ static void draw_alone(qtri_stroker *stroker, const clip *in)
     }
 }
 
+/* The least run of pixels that are covered wholly for which it is worth to draw them apart. */
+enum { RUN = 4 };
+
+/* Smooth edges of one part, and between them what it covers wholly. */
+static void draw_between(qtri_stroker *stroker, const clip *in)
+{
+    clip whole = {in->first, in->first};
+    while (whole.first < in->end && stroker->cover[whole.first] != QTRI_STROKE_FULL) {
+        whole.first++;
+    }
+    whole.end = whole.first;
+    while (whole.end < in->end && stroker->cover[whole.end] == QTRI_STROKE_FULL) {
+        whole.end++;
+    }
+    if (whole.end - whole.first < RUN) {
+        draw_covered(stroker, in);
+        return;
+    }
+    const clip before = {in->first, whole.first};
+    const clip behind = {whole.end, in->end};
+    if (before.first < before.end) {
+        draw_covered(stroker, &before);
+    }
+    qtri_stroke_run(stroker, shape_of(stroker, stroker->touch[0].part),
+                    stroker->column + whole.first, stroker->column + whole.end);
+    if (behind.first < behind.end) {
+        draw_covered(stroker, &behind);
+    }
+}
+
 static void draw_row(qtri_stroker *stroker)
 {
     if (!find_touches(stroker)) {
@@ -473,6 +501,8 @@ static void draw_row(qtri_stroker *stroker)
             some.end = qtri_least32(some.first + AFFECTED, in.end);
             draw_affected(stroker, &some);
         }
+    } else if (stroker->touch_count == 1) {
+        draw_between(stroker, &in);
     } else {
         draw_covered(stroker, &in);
     }
@@ -483,6 +513,33 @@ static void widen(int32_t range[2], int32_t a, int32_t b, int32_t reach)
 {
     range[0] = qtri_least32(range[0], (qtri_least32(a, b) - reach) >> 8);
     range[1] = qtri_greatest32(range[1], ((qtri_greatest32(a, b) + reach) >> 8) + 1);
+}
+
+/*
+ * Rows that a part may touch in the strip: of a long one those where its line is near the strip.
+ * What touches a pixel lies within 3/2 radii of the line, and its row and column end within a pixel
+ * of there; one more is more than y is off.
+ */
+static void widen_rows(const qtri_stroker *stroker, int32_t rows[2], const qtri_stroke_place *place)
+{
+    const int32_t reach = reach_of(place);
+    const int32_t left = stroker->column * 256 - reach - 512;
+    const int32_t right = (stroker->column + QTRI_STROKE_WINDOW) * 256 + reach + 512;
+    int32_t all[2] = {INT32_MAX, INT32_MIN};
+    int32_t near[2] = {INT32_MAX, INT32_MIN};
+    for (int i = 0; i < 2; i++) {
+        const int32_t x = place->end[i].x_24p8;
+        const int32_t y = place->end[i].y_24p8;
+        widen(all, y, y, reach);
+        if (x < left || x > right) { /* and the other end is not, or lies beyond the other side */
+            const int32_t cut = qtri_stroke_line_y(place, x < left ? left : right);
+            widen(near, cut, cut, reach + 512);
+        } else {
+            widen(near, y, y, reach);
+        }
+    }
+    rows[0] = qtri_least32(rows[0], qtri_greatest32(all[0], near[0]));
+    rows[1] = qtri_greatest32(rows[1], qtri_least32(all[1], near[1]));
 }
 
 /* Lists the parts of a strip, and finds its rows. */
@@ -499,7 +556,7 @@ static void find_parts(qtri_stroker *stroker, int32_t rows[2])
             continue;
         }
         (void)source->place(source->from, part, &place);
-        widen(rows, place.end[0].y_24p8, place.end[1].y_24p8, reach_of(&place));
+        widen_rows(stroker, rows, &place);
         if (stroker->part_count < QTRI_STROKE_PARTS) {
             stroker->part[stroker->part_count++] = part;
         } else if (stroker->rest == UINT32_MAX) {

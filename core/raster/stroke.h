@@ -57,6 +57,7 @@ typedef struct qtri_stroke_shape {
     int32_t offset_x, offset_y;
     int64_t slope_q32, end_slope_q32;
     uint8_t discs;         /* bit 0: around a, bit 1: around b */
+    bool is_disc;          /* a round point: the one around a is all of it */
     bool even;             /* one colour, */
     bool level;            /*   and one depth */
     uint32_t word;         /* the one colour as it is encoded where all of a pixel is covered */
@@ -73,6 +74,9 @@ typedef struct qtri_stroke_shape {
 } qtri_stroke_shape;
 
 void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place);
+
+/* y of a part's line at an x between those of its ends, which differ; within 2 of 1/256. */
+int32_t qtri_stroke_line_y(const qtri_stroke_place *place, int32_t x_24p8);
 
 /* The columns that it may touch in a row: first and past the last. False: none. */
 bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int32_t *first,
@@ -143,11 +147,11 @@ void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
  */
 qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at);
 
-/* Whether a depth passes the test, for any comparison: one bit of three. */
-static inline bool qtri_stroke_passes(const qtri_stroker *stroker, uint32_t depth, uint32_t stored)
+/* 1 if a depth passes the test, whose three bits are a stroker's `passing`; else 0. */
+static inline uint32_t qtri_stroke_passes(uint32_t passing, uint32_t depth, uint32_t stored)
 {
     const uint32_t which = depth < stored ? 0 : (depth == stored ? 1 : 2);
-    return (stroker->passing >> which & 1) != 0;
+    return passing >> which & 1;
 }
 
 /* from + (to - from) share / 2^16; |to - from| < 2^24. */
@@ -200,6 +204,14 @@ static inline uint32_t qtri_stroke_walk_share(const qtri_stroke_walk *walk, int6
 {
     const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> walk->down), walk->inverse);
     return (uint32_t)(product >> walk->inverse_shift);
+}
+
+/* The share at a pixel, and on to the next. */
+static inline uint32_t qtri_stroke_walk_next(qtri_stroke_walk *walk)
+{
+    const uint32_t share_q16 = qtri_stroke_walk_share(walk, qtri_stroke_walk_held(walk));
+    walk->along_q30 += walk->step_q30;
+    return share_q16;
 }
 
 /* cover alpha / 255 in Q16: 32897 / 2^23 is 1 / 255 within 2^-30. */

@@ -14,27 +14,19 @@ typedef struct run {
     int32_t count;  /* 1..QTRI_STROKE_WINDOW */
 } run;
 
-static uint32_t share_at(qtri_stroke_walk *walk)
-{
-    const uint32_t share_q16 = qtri_stroke_walk_share(walk, qtri_stroke_walk_held(walk));
-    walk->along_q30 += walk->step_q30;
-    return share_q16;
-}
-
 /* A bit for each pixel that passes, the lowest for the last; depths are of one value. */
 static uint32_t test_level(const run *r, uint16_t *depth)
 {
-    const qtri_stroker *stroker = r->stroker;
+    const uint32_t passing = r->stroker->passing;
+    const bool writes = r->stroker->depth_write;
     const uint16_t *end = depth + r->count;
     const uint32_t z = (qtri_stroke_depth(r->shape, 0) + 128) >> 8;
     uint32_t mask = 0;
     for (; depth != end; depth++) {
-        mask <<= 1;
-        if (qtri_stroke_passes(stroker, z, *depth)) {
-            mask |= 1;
-            if (stroker->depth_write) {
-                *depth = (uint16_t)z;
-            }
+        const uint32_t passes = qtri_stroke_passes(passing, z, *depth);
+        mask = mask << 1 | passes;
+        if (passes != 0 && writes) {
+            *depth = (uint16_t)z;
         }
     }
     return mask;
@@ -43,18 +35,17 @@ static uint32_t test_level(const run *r, uint16_t *depth)
 /* The same along the part. */
 static uint32_t test_along(const run *r, uint16_t *depth)
 {
-    const qtri_stroker *stroker = r->stroker;
-    qtri_stroke_walk walk = r->walk;
+    const uint32_t passing = r->stroker->passing;
+    const bool writes = r->stroker->depth_write;
     const uint16_t *end = depth + r->count;
+    qtri_stroke_walk walk = r->walk;
     uint32_t mask = 0;
     for (; depth != end; depth++) {
-        const uint32_t z = (qtri_stroke_depth(r->shape, share_at(&walk)) + 128) >> 8;
-        mask <<= 1;
-        if (qtri_stroke_passes(stroker, z, *depth)) {
-            mask |= 1;
-            if (stroker->depth_write) {
-                *depth = (uint16_t)z;
-            }
+        const uint32_t z = (qtri_stroke_depth(r->shape, qtri_stroke_walk_next(&walk)) + 128) >> 8;
+        const uint32_t passes = qtri_stroke_passes(passing, z, *depth);
+        mask = mask << 1 | passes;
+        if (passes != 0 && writes) {
+            *depth = (uint16_t)z;
         }
     }
     return mask;
@@ -66,7 +57,7 @@ static uint32_t test_format(const run *r, const qtri_depth_testing *testing)
     qtri_stroke_walk walk = r->walk;
     uint32_t mask = 0;
     for (int32_t i = 0; i < r->count; i++) {
-        const uint32_t depth_16p8 = qtri_stroke_depth(r->shape, share_at(&walk));
+        const uint32_t depth_16p8 = qtri_stroke_depth(r->shape, qtri_stroke_walk_next(&walk));
         mask =
             mask << 1 | testing->passes(stroker->surface, stroker->compare, r->place + (uint32_t)i,
                                         depth_16p8 << 8, stroker->depth_write);
@@ -111,7 +102,7 @@ static void store(const run *r, uint32_t mask)
     uint32_t word[QTRI_STROKE_WINDOW + 4] = {0};
     for (int32_t i = 0; i < r->count; i++, pixel += format->pixels->bytes) {
         int32_t color[3];
-        const uint32_t share_q16 = shape->even ? 0 : share_at(&walk);
+        const uint32_t share_q16 = shape->even ? 0 : qtri_stroke_walk_next(&walk);
         for (int k = 0; k < 3; k++) {
             color[k] = qtri_stroke_mixed(shape->end[0].color_8p16[k], shape->end[1].color_8p16[k],
                                          share_q16);
