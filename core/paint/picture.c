@@ -70,15 +70,12 @@ uint32_t qtri_picture_mask(const qtri_image *image, const uint32_t *stored, int3
     return mask;
 }
 
-/* n / 255 for 0 <= n < 65535. */
-#define DIVIDE_255(n) (((n) + 1 + ((n) >> 8)) >> 8)
-
-/* To the nearest of 32 and 64 levels: no colour lies half-way between two. */
+/* 31 / 255 and 63 / 255 of a channel, to nearest for all 256. */
 static inline uint32_t color_565(uint32_t c)
 {
-    const uint32_t red = DIVIDE_255((c >> 16 & 255) * 31 + 127);
-    const uint32_t green = DIVIDE_255((c >> 8 & 255) * 63 + 127);
-    const uint32_t blue = DIVIDE_255((c & 255) * 31 + 127);
+    const uint32_t red = ((c >> 16 & 255) * 249 + 1014) >> 11;
+    const uint32_t green = ((c >> 8 & 255) * 253 + 505) >> 10;
+    const uint32_t blue = ((c & 255) * 249 + 1014) >> 11;
     return red << 11 | green << 5 | blue;
 }
 
