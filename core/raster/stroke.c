@@ -60,8 +60,7 @@ static qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
         shape->even = first[0] == last[0] && first[1] == last[1] && first[2] == last[2];
         shape->level =
             shape->even && shape->end[0].depth_16p8 >> 8 == shape->end[1].depth_16p8 >> 8;
-        shape->word =
-            shape->even ? qtri_stroke_word(stroker->surface->format, first, NULL, 65536) : 0;
+        shape->packed = false;
         shape->part = part;
     }
     return shape;
@@ -271,7 +270,7 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
     position at[QTRI_STROKE_WINDOW];
     uint32_t word[QTRI_STROKE_WINDOW + 4];
     uint32_t mask = 0;
-    const qtri_stroke_shape *shape = &stroker->shape[0];
+    qtri_stroke_shape *shape = &stroker->shape[0];
     take_all_positions(at, stroker, in);
     for (int32_t i = in->first; i < in->end; i++, pixel += format->pixels->bytes) {
         const int32_t cover = stroker->cover[i];
@@ -301,7 +300,7 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
         }
         const int32_t share = qtri_stroke_share(stroker, cover);
         if (shape->even && share == 65536) {
-            *w = shape->word;
+            *w = qtri_stroke_shape_word(format, shape);
         } else {
             sample s;
             take_sample(&s, shape, p->share_q16);
@@ -515,6 +514,9 @@ static void widen(int32_t range[2], int32_t a, int32_t b, int32_t reach)
     range[1] = qtri_greatest32(range[1], ((qtri_greatest32(a, b) + reach) >> 8) + 1);
 }
 
+/* Of a band of less, looking at all is as quick. */
+enum { FEW_ROWS = 4 };
+
 /*
  * Rows that a part may touch in the strip: of a long one those where its line is near the strip.
  * What touches a pixel lies within 3/2 radii of the line, and its row and column end within a pixel
@@ -525,21 +527,23 @@ static void widen_rows(const qtri_stroker *stroker, int32_t rows[2], const qtri_
     const int32_t reach = reach_of(place);
     const int32_t left = stroker->column * 256 - reach - 512;
     const int32_t right = (stroker->column + QTRI_STROKE_WINDOW) * 256 + reach + 512;
+    const bool few = stroker->bounds.y1 - stroker->bounds.y0 < FEW_ROWS;
     int32_t all[2] = {INT32_MAX, INT32_MIN};
-    int32_t near[2] = {INT32_MAX, INT32_MIN};
+    int32_t nearby[2] = {INT32_MAX, INT32_MIN};
     for (int i = 0; i < 2; i++) {
         const int32_t x = place->end[i].x_24p8;
         const int32_t y = place->end[i].y_24p8;
         widen(all, y, y, reach);
-        if (x < left || x > right) { /* and the other end is not, or lies beyond the other side */
+        if (!few &&
+            (x < left || x > right)) { /* and the other end is not, or lies beyond the other side */
             const int32_t cut = qtri_stroke_line_y(place, x < left ? left : right);
-            widen(near, cut, cut, reach + 512);
+            widen(nearby, cut, cut, reach + 512);
         } else {
-            widen(near, y, y, reach);
+            widen(nearby, y, y, reach);
         }
     }
-    rows[0] = qtri_least32(rows[0], qtri_greatest32(all[0], near[0]));
-    rows[1] = qtri_greatest32(rows[1], qtri_least32(all[1], near[1]));
+    rows[0] = qtri_least32(rows[0], qtri_greatest32(all[0], nearby[0]));
+    rows[1] = qtri_greatest32(rows[1], qtri_least32(all[1], nearby[1]));
 }
 
 /* Lists the parts of a strip, and finds its rows. */

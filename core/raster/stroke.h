@@ -60,7 +60,8 @@ typedef struct qtri_stroke_shape {
     bool is_disc;          /* a round point: the one around a is all of it */
     bool even;             /* one colour, */
     bool level;            /*   and one depth */
-    uint32_t word;         /* the one colour as it is encoded where all of a pixel is covered */
+    bool packed;           /* `word` is known: */
+    uint32_t word;         /* the one colour, as it is encoded where all of a pixel is covered */
     int32_t disc_level[2]; /* of the last chord, and half its length */
     int32_t disc_half[2];
     int32_t side_level[2], side_x[2]; /* the same of the long sides */
@@ -224,7 +225,7 @@ static inline int32_t qtri_stroke_share(const qtri_stroker *stroker, int32_t cov
 }
 
 /* Draws pixels first .. end-1 of the row, up to a strip of them, that one part covers wholly. */
-void qtri_stroke_run(const qtri_stroker *stroker, const qtri_stroke_shape *shape, int32_t first,
+void qtri_stroke_run(const qtri_stroker *stroker, qtri_stroke_shape *shape, int32_t first,
                      int32_t end);
 
 /* A colour, or what a share of it, 0..2^16, makes of a stored pixel, before it is encoded. */
@@ -242,6 +243,16 @@ static inline uint32_t qtri_stroke_word(const qtri_format *format, const int32_t
     }
     const qtri_channels channels = qtri_channels_from_color(format->colors, color);
     return format->colors->pack(channels.c);
+}
+
+/* An even part's word. */
+static inline uint32_t qtri_stroke_shape_word(const qtri_format *format, qtri_stroke_shape *shape)
+{
+    if (!shape->packed) {
+        shape->word = qtri_stroke_word(format, shape->end[0].color_8p16, NULL, 65536);
+        shape->packed = true;
+    }
+    return shape->word;
 }
 
 /* Half of a width in 24.8; 0: nothing is drawn. */
