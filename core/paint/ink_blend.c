@@ -5,8 +5,10 @@
 QTRI_INLINE void span_of(qtri_mix mix, uint8_t *at, int32_t bytes, int32_t count, uint32_t keep,
                          qtri_mix_part share)
 {
-    for (const uint8_t *end = at + count * bytes; at != end; at += bytes) {
-        qtri_mix_put(mix, at, qtri_mix_add(mix, qtri_mix_get(mix, at), keep, share));
+    for (; count > 0; count--) {
+        const uint32_t mixed = qtri_mix_add(mix, qtri_mix_get(mix, at), keep, share);
+        qtri_mix_put(mix, at, mixed);
+        at += bytes;
     }
 }
 
