@@ -157,14 +157,19 @@ static bool is_mixed(const qtri_painter *painter)
     return painter->ink != NULL && painter->alpha != 255;
 }
 
-static void paint_eight_mixed(const qtri_painter *painter, uint8_t *at, uint32_t value,
-                              int32_t count)
+/* Those of eight pixels that a value, which is not 0, has bits for. */
+static void paint_eight_mixed(const qtri_painter *painter, uint8_t *at, uint32_t value)
 {
+    const int32_t bytes = painter->surface->format->pixels->bytes;
     uint8_t coverage[8];
-    for (int32_t i = 0; i < count; i++) {
-        coverage[i] = value & 0x80u >> i ? 255 : 0;
+    int32_t n = 0;
+    for (; (value & 0x80) == 0; value <<= 1) {
+        at += bytes;
     }
-    painter->ink->cover(painter, at, count, coverage);
+    for (; (value & 0xFF) != 0; value <<= 1) { /* up to the last bit */
+        coverage[n++] = (uint8_t)(0 - (value >> 7 & 1));
+    }
+    painter->ink->cover(painter, at, n, coverage);
 }
 
 /* Mixed ones, and those of another size. */
@@ -180,7 +185,7 @@ static void paint_others(const qtri_painter *painter, uint8_t *to, const bits *b
             if (value == 0) {
                 /* nothing is painted */
             } else if (is_mixed(painter)) {
-                paint_eight_mixed(painter, at, value, count);
+                paint_eight_mixed(painter, at, value);
             } else {
                 pixels->fill(at, painter->stored, value >> (8 - count), count);
             }
