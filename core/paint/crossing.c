@@ -11,6 +11,9 @@
 static int32_t line_x(const qtri_ink_edge *edge, int32_t y)
 {
     const int32_t dx = edge->x1 - edge->x0;
+    if (dx == 0) {
+        return edge->x0;
+    }
     const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
     const int32_t zeros = qtri_clz32(dy);
     // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): y0 < y1, so dy is not 0
@@ -63,35 +66,44 @@ static bool is_beside(const qtri_contour *contour, int32_t i, int32_t top)
     return (a <= top && b <= top) || (a >= end && b >= end);
 }
 
+/* Edge i where it may cross the row, `room` being for a side of a polygon. NULL: it does not. */
+static const qtri_ink_edge *edge_of(const qtri_contour *contour, int32_t i, int32_t top,
+                                    qtri_ink_edge *room)
+{
+    if (contour->points == NULL) {
+        const qtri_ink_edge *edge = &contour->edges[i];
+        return edge->y0 < top + 256 && edge->y1 > top ? edge : NULL;
+    }
+    return !is_beside(contour, i, top) && qtri_contour_edge(contour, i, room) ? room : NULL;
+}
+
 static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *crossing)
 {
     const qtri_contour *contour = crossings->contour;
     const int32_t top = crossings->row_24p8;
     qtri_ink_edge room;
-    if (contour->points != NULL && is_beside(contour, i, top)) {
+    const qtri_ink_edge *edge = edge_of(contour, i, top, &room);
+    if (edge == NULL) {
         return false;
     }
-    if (!qtri_contour_edge(contour, i, &room)) {
-        return false;
-    }
-    crossing->winding = room.winding;
-    crossing->arc = room.radius != 0 ? &contour->edges[i] : NULL;
+    crossing->winding = edge->winding;
+    crossing->arc = edge->radius != 0 ? &contour->edges[i] : NULL;
     if (crossings->at_center) {
-        if (room.y0 > top + 128 || room.y1 <= top + 128) {
+        if (edge->y0 > top + 128 || edge->y1 <= top + 128) {
             return false;
         }
-        crossing->x0 = crossing->x1 = qtri_ink_edge_x(&room, top + 128);
+        crossing->x0 = crossing->x1 = qtri_ink_edge_x(edge, top + 128);
         return true;
     }
-    const int32_t y0 = qtri_greatest32(room.y0, top);
-    const int32_t y1 = qtri_least32(room.y1, top + 256);
+    const int32_t y0 = qtri_greatest32(edge->y0, top);
+    const int32_t y1 = qtri_least32(edge->y1, top + 256);
     if (y0 >= y1) {
         return false;
     }
     crossing->y0 = y0 - top;
     crossing->y1 = y1 - top;
-    crossing->x0 = y0 == room.y0 ? room.x0 : qtri_ink_edge_x(&room, y0);
-    crossing->x1 = y1 == room.y1 ? room.x1 : qtri_ink_edge_x(&room, y1);
+    crossing->x0 = y0 == edge->y0 ? edge->x0 : qtri_ink_edge_x(edge, y0);
+    crossing->x1 = y1 == edge->y1 ? edge->x1 : qtri_ink_edge_x(edge, y1);
     return true;
 }
 

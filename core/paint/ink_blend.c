@@ -6,19 +6,43 @@ QTRI_INLINE void span_of(qtri_mix mix, uint8_t *at, int32_t bytes, int32_t count
                          qtri_mix_part share)
 {
     for (; count > 0; count--) {
-        const uint32_t mixed = qtri_mix_add(mix, qtri_mix_get(mix, NULL, at), keep, share);
-        qtri_mix_put(mix, NULL, at, mixed);
+        const uint32_t mixed = qtri_mix_add(mix, qtri_mix_get(mix, at), keep, share);
+        qtri_mix_put(mix, at, mixed);
         at += bytes;
     }
 }
 
-static void span_of_other(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t a)
+/* Of a format that is not known here. */
+QTRI_NOINLINE static void cover_others(const qtri_painter *painter, uint8_t *at, int32_t count,
+                                       const uint8_t *coverage)
 {
     const qtri_format *format = painter->surface->format;
-    for (; count > 0; count--) {
-        const uint32_t d = format->pixels->load(at);
-        qtri_mix_put(QTRI_MIX_OTHER, format, at, qtri_mix_color(format, d, painter->color_888, a));
-        at += format->pixels->bytes;
+    uint32_t color[QTRI_MIX_BATCH];
+    for (; count > 0; count -= QTRI_MIX_BATCH) {
+        const int32_t n = qtri_least32(count, QTRI_MIX_BATCH);
+        uint32_t mask = 0;
+        for (int32_t i = 0; i < n; i++) {
+            const uint32_t a = qtri_mix_weight(*coverage++, painter->alpha);
+            mask = mask << 1 | (a != 0);
+            color[i] = painter->color_888 | (a - (a != 0)) << 24;
+        }
+        qtri_mix_others(format, at, color, mask, n);
+        at += (ptrdiff_t)format->pixels->bytes * n;
+    }
+}
+
+QTRI_NOINLINE static void span_of_others(const qtri_painter *painter, uint8_t *at, int32_t count,
+                                         uint32_t coverage)
+{
+    const ptrdiff_t bytes = painter->surface->format->pixels->bytes;
+    const int32_t most = qtri_least32(count, QTRI_MIX_BATCH);
+    uint8_t same[QTRI_MIX_BATCH];
+    for (int32_t i = 0; i < most; i++) {
+        same[i] = (uint8_t)coverage;
+    }
+    for (; count > 0; count -= QTRI_MIX_BATCH) {
+        cover_others(painter, at, qtri_least32(count, QTRI_MIX_BATCH), same);
+        at += QTRI_MIX_BATCH * bytes;
     }
 }
 
@@ -45,33 +69,25 @@ void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, ui
         span_of(QTRI_MIX_32, at, 4, count, 256 - a, share);
         break;
     default:
-        span_of_other(painter, at, count, a);
+        span_of_others(painter, at, count, coverage);
         break;
     }
 }
 
 /* Most pixels of a row of coverage are all or nothing. */
-QTRI_INLINE void cover_of(qtri_mix mix, const qtri_painter *painter, uint8_t *at, int32_t count,
-                          const uint8_t *coverage)
+QTRI_INLINE void cover_of(qtri_mix mix, int32_t bytes, const qtri_painter *painter, uint8_t *at,
+                          int32_t count, const uint8_t *coverage)
 {
-    const qtri_format *format = painter->surface->format;
-    const int32_t bytes = format->pixels->bytes;
     const uint32_t alpha = painter->alpha;
     const uint32_t stored = painter->stored;
     const qtri_channels channels = painter->channels;
     for (; count > 0; count--) {
         const uint32_t a = qtri_mix_weight(*coverage++, alpha);
         if (a == 256) {
-            qtri_mix_put(mix, format, at, stored);
+            qtri_mix_put(mix, at, stored);
         } else if (a != 0) {
-            const uint32_t d = qtri_mix_get(mix, format, at);
-            uint32_t mixed;
-            if (mix == QTRI_MIX_OTHER) {
-                mixed = qtri_mix_color(format, d, painter->color_888, a);
-            } else {
-                mixed = qtri_mix_add(mix, d, 256 - a, qtri_mix_part_of(mix, &channels, stored, a));
-            }
-            qtri_mix_put(mix, format, at, mixed);
+            const qtri_mix_part share = qtri_mix_part_of(mix, &channels, stored, a);
+            qtri_mix_put(mix, at, qtri_mix_add(mix, qtri_mix_get(mix, at), 256 - a, share));
         }
         at += bytes;
     }
@@ -82,22 +98,22 @@ void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
 {
     switch (qtri_mix_of(painter->surface->format)) {
     case QTRI_MIX_GRAY8:
-        cover_of(QTRI_MIX_GRAY8, painter, at, count, coverage);
+        cover_of(QTRI_MIX_GRAY8, 1, painter, at, count, coverage);
         break;
     case QTRI_MIX_565:
-        cover_of(QTRI_MIX_565, painter, at, count, coverage);
+        cover_of(QTRI_MIX_565, 2, painter, at, count, coverage);
         break;
     case QTRI_MIX_565_SWAPPED:
-        cover_of(QTRI_MIX_565_SWAPPED, painter, at, count, coverage);
+        cover_of(QTRI_MIX_565_SWAPPED, 2, painter, at, count, coverage);
         break;
     case QTRI_MIX_24:
-        cover_of(QTRI_MIX_24, painter, at, count, coverage);
+        cover_of(QTRI_MIX_24, 3, painter, at, count, coverage);
         break;
     case QTRI_MIX_32:
-        cover_of(QTRI_MIX_32, painter, at, count, coverage);
+        cover_of(QTRI_MIX_32, 4, painter, at, count, coverage);
         break;
     default:
-        cover_of(QTRI_MIX_OTHER, painter, at, count, coverage);
+        cover_others(painter, at, count, coverage);
         break;
     }
 }

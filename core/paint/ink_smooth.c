@@ -205,26 +205,49 @@ static int32_t share_of(int32_t i, int32_t from, int32_t to)
     return qtri_least32(to - i * 256, 256) - qtri_greatest32(from - i * 256, 0);
 }
 
-/* Each share is a product of two: exact. */
+/*
+ * A row of which `rows` of 256 are covered: pixels that the left and the right side pass through,
+ * and unless they are painted already, those between, columns x0 .. x1-1.
+ */
+static void smooth_rect_row(const qtri_painter *painter, const qtri_area *box, int32_t row,
+                            uint32_t rows, bool between)
+{
+    const int32_t x0 = (box->x0_24p8 + 255) >> 8;
+    const int32_t x1 = box->x1_24p8 >> 8;
+    if ((box->x0_24p8 & 255) != 0) { /* both sides, where they are in one column */
+        const uint32_t first = (uint32_t)share_of(x0 - 1, box->x0_24p8, box->x1_24p8);
+        const uint32_t share = (first * rows * 255 + 0x8000) >> 16;
+        if (share != 0) {
+            qtri_painter_span(painter, row, x0 - 1, x0, share);
+        }
+    }
+    if (between) {
+        qtri_painter_span(painter, row, x0, x1, (rows * 255 + 128) >> 8); /* rows >= 1: not 0 */
+    }
+    if (x0 <= x1) {
+        const uint32_t share = ((uint32_t)(box->x1_24p8 & 255) * rows * 255 + 0x8000) >> 16;
+        if (share != 0) {
+            qtri_painter_span(painter, row, x1, x1 + 1, share);
+        }
+    }
+}
+
+/* Each share is a product of two: exact. The pixels that are covered wholly are one rectangle. */
 static void smooth_rect(const qtri_painter *painter, const qtri_area *box)
 {
-    const int32_t left = box->x0_24p8 >> 8;
-    const int32_t right = (box->x1_24p8 - 1) >> 8;
-    const uint32_t first = (uint32_t)share_of(left, box->x0_24p8, box->x1_24p8);
-    const uint32_t last = (uint32_t)share_of(right, box->x0_24p8, box->x1_24p8);
-    int32_t row = qtri_greatest32(box->y0_24p8 >> 8, painter->bounds.y0);
+    const qtri_rect whole = {(box->x0_24p8 + 255) >> 8, (box->y0_24p8 + 255) >> 8,
+                             box->x1_24p8 >> 8, box->y1_24p8 >> 8};
+    const bool has_sides = ((box->x0_24p8 | box->x1_24p8) & 255) != 0;
     const int32_t end = qtri_least32((box->y1_24p8 + 255) >> 8, painter->bounds.y1);
-    for (; row < end; row++) {
-        const uint32_t rows = (uint32_t)share_of(row, box->y0_24p8, box->y1_24p8);
-        const uint32_t share[3] = {(first * rows * 255 + 0x8000) >> 16, (rows * 255 + 128) >> 8,
-                                   (last * rows * 255 + 0x8000) >> 16};
-        if (share[0] != 0) {
-            qtri_painter_span(painter, row, left, left + 1, share[0]);
+    qtri_painter_rect(painter, &whole);
+    for (int32_t row = qtri_greatest32(box->y0_24p8 >> 8, painter->bounds.y0); row < end; row++) {
+        const bool is_whole = row >= whole.y0 && row < whole.y1;
+        if (is_whole && !has_sides) {
+            row = whole.y1 - 1; /* on behind them */
+            continue;
         }
-        qtri_painter_span(painter, row, left + 1, right, share[1]); /* rows >= 1: not 0 */
-        if (right > left && share[2] != 0) {
-            qtri_painter_span(painter, row, right, right + 1, share[2]);
-        }
+        smooth_rect_row(painter, box, row, (uint32_t)share_of(row, box->y0_24p8, box->y1_24p8),
+                        !is_whole);
     }
 }
 

@@ -25,13 +25,17 @@ qtri_mix qtri_mix_of(const qtri_format *format)
     return is_bytes && bytes == 3 ? QTRI_MIX_24 : QTRI_MIX_OTHER;
 }
 
-uint32_t qtri_mix_color(const qtri_format *format, uint32_t d, uint32_t color_888, uint32_t a)
+void qtri_mix_others(const qtri_format *format, uint8_t *at, uint32_t *color, uint32_t mask,
+                     int32_t count)
 {
-    const uint32_t mixed = qtri_mix_bytes(format->decode(d), color_888, a);
-    return qtri_pixel_from_rgb(format, qtri_rgb_from_888(mixed));
-}
-
-uint32_t qtri_mix_other(const qtri_format *format, uint32_t d, uint32_t s, uint32_t a)
-{
-    return qtri_mix_color(format, d, format->decode(s), a);
+    const qtri_pixels *pixels = format->pixels;
+    const uint8_t *from = at;
+    const uint32_t *end = color + count;
+    for (uint32_t *c = color; c != end; c++) {
+        const uint32_t d = format->decode(pixels->load(from));
+        *c = qtri_mix_bytes(d, *c & 0x00FFFFFFu, (*c >> 24) + 1);
+        from += pixels->bytes;
+    }
+    qtri_mix_encode(format, color, count);
+    pixels->store(at, color, mask, count);
 }

@@ -25,6 +25,8 @@ typedef enum qtri_mix {
     QTRI_MIX_OTHER
 } qtri_mix;
 
+enum { QTRI_MIX_BATCH = 32 };
+
 qtri_mix qtri_mix_of(const qtri_format *format);
 
 /* coverage alpha / 255^2 of 256, rounded: 258 / 2^16 is 256 / 255^2 within 2^-18. */
@@ -63,12 +65,48 @@ static inline uint32_t qtri_swapped16(uint32_t x)
     return (x & 0xFF) << 8 | (x >> 8 & 0xFF);
 }
 
-/* Of a format whose pixels are nothing that is known here: over it a colour, or what is stored. */
-uint32_t qtri_mix_color(const qtri_format *format, uint32_t d, uint32_t color_888, uint32_t a);
-uint32_t qtri_mix_other(const qtri_format *format, uint32_t d, uint32_t s, uint32_t a);
+/*
+ * `count` pixels, up to QTRI_MIX_BATCH, of a format whose pixels are nothing that is known here:
+ * those with a bit in the mask, the lowest for the last, mixed with colours a - 1 << 24 | 0xRRGGBB,
+ * a of 256. There is room for a multiple of four.
+ */
+void qtri_mix_others(const qtri_format *format, uint8_t *at, uint32_t *color, uint32_t mask,
+                     int32_t count);
 
-QTRI_INLINE uint32_t qtri_mix_stored(qtri_mix mix, const qtri_format *format, uint32_t d,
-                                     uint32_t s, uint32_t a)
+/* 31 / 255 and 63 / 255 of a channel, to nearest for all 256. */
+static inline uint32_t qtri_mix_to_565(uint32_t c)
+{
+    const uint32_t red = ((c >> 16 & 255) * 249 + 1014) >> 11;
+    const uint32_t green = ((c >> 8 & 255) * 253 + 505) >> 10;
+    const uint32_t blue = ((c & 255) * 249 + 1014) >> 11;
+    return red << 11 | green << 5 | blue;
+}
+
+/* .299 .587 .114 of 2^16, whose sum they are. */
+static inline uint32_t qtri_mix_to_gray(uint32_t c)
+{
+    return ((c >> 16 & 255) * 19595u + (c >> 8 & 255) * 38470u + (c & 255) * 7471u + 0x8000u) >> 16;
+}
+
+/* From 0x00RRGGBB, in place, to what the format stores; room for a multiple of four. */
+static inline void qtri_mix_encode(const qtri_format *format, uint32_t *color, int32_t count)
+{
+    const uint32_t *end = color + count;
+    if (format->colors == &qtri_colors_565) {
+        for (uint32_t *c = color; c != end; c++) {
+            *c = qtri_mix_to_565(*c);
+        }
+    } else if (format->colors == &qtri_colors_gray) {
+        for (uint32_t *c = color; c != end; c++) {
+            *c = qtri_mix_to_gray(*c);
+        }
+    }
+    if (format->encode != NULL) {
+        format->encode(color, count);
+    }
+}
+
+QTRI_INLINE uint32_t qtri_mix_stored(qtri_mix mix, uint32_t d, uint32_t s, uint32_t a)
 {
     switch (mix) {
     case QTRI_MIX_GRAY8:
@@ -77,11 +115,8 @@ QTRI_INLINE uint32_t qtri_mix_stored(qtri_mix mix, const qtri_format *format, ui
         return qtri_mix_565(d, s, a);
     case QTRI_MIX_565_SWAPPED:
         return qtri_swapped16(qtri_mix_565(qtri_swapped16(d), qtri_swapped16(s), a));
-    case QTRI_MIX_24:
-    case QTRI_MIX_32:
-        return qtri_mix_bytes(d, s, a);
     default:
-        return qtri_mix_other(format, d, s, a);
+        return qtri_mix_bytes(d, s, a);
     }
 }
 
@@ -135,7 +170,7 @@ QTRI_INLINE uint32_t qtri_mix_add(qtri_mix mix, uint32_t d, uint32_t keep, qtri_
     return mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(d) : d;
 }
 
-QTRI_INLINE uint32_t qtri_mix_get(qtri_mix mix, const qtri_format *format, const uint8_t *at)
+QTRI_INLINE uint32_t qtri_mix_get(qtri_mix mix, const uint8_t *at)
 {
     switch (mix) {
     case QTRI_MIX_GRAY8:
@@ -145,14 +180,12 @@ QTRI_INLINE uint32_t qtri_mix_get(qtri_mix mix, const qtri_format *format, const
         return *(const uint16_t *)(const void *)at;
     case QTRI_MIX_24:
         return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
-    case QTRI_MIX_32:
-        return *(const uint32_t *)(const void *)at;
     default:
-        return format->pixels->load(at);
+        return *(const uint32_t *)(const void *)at;
     }
 }
 
-QTRI_INLINE void qtri_mix_put(qtri_mix mix, const qtri_format *format, uint8_t *at, uint32_t stored)
+QTRI_INLINE void qtri_mix_put(qtri_mix mix, uint8_t *at, uint32_t stored)
 {
     switch (mix) {
     case QTRI_MIX_GRAY8:
@@ -167,11 +200,8 @@ QTRI_INLINE void qtri_mix_put(qtri_mix mix, const qtri_format *format, uint8_t *
         at[1] = (uint8_t)(stored >> 8);
         at[2] = (uint8_t)(stored >> 16);
         break;
-    case QTRI_MIX_32:
-        *(uint32_t *)(void *)at = stored;
-        break;
     default:
-        format->pixels->fill(at, stored, 1, 1);
+        *(uint32_t *)(void *)at = stored;
         break;
     }
 }

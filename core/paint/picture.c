@@ -70,24 +70,6 @@ uint32_t qtri_picture_mask(const qtri_image *image, const uint32_t *stored, int3
     return mask;
 }
 
-/* n / 255 for 0 <= n < 65535. */
-#define DIVIDE_255(n) (((n) + 1 + ((n) >> 8)) >> 8)
-
-/* To the nearest of 32 and 64 levels: no colour lies half-way between two. */
-static inline uint32_t color_565(uint32_t c)
-{
-    const uint32_t red = DIVIDE_255((c >> 16 & 255) * 31 + 127);
-    const uint32_t green = DIVIDE_255((c >> 8 & 255) * 63 + 127);
-    const uint32_t blue = DIVIDE_255((c & 255) * 31 + 127);
-    return red << 11 | green << 5 | blue;
-}
-
-/* .299 .587 .114 of 2^16, whose sum they are. */
-static inline uint32_t color_gray(uint32_t c)
-{
-    return ((c >> 16 & 255) * 19595u + (c >> 8 & 255) * 38470u + (c & 255) * 7471u + 0x8000u) >> 16;
-}
-
 /* As qtri_decode_rgb565. */
 static inline uint32_t color_of_565(uint32_t c)
 {
@@ -131,18 +113,10 @@ void qtri_picture_convert(const qtri_image *image, const qtri_surface *surface, 
     const qtri_mix kind = qtri_mix_of(image->format);
     const bool to_565 = format->colors == &qtri_colors_565;
     const bool keep_565 = to_565 && (kind == QTRI_MIX_565 || kind == QTRI_MIX_565_SWAPPED);
-    const uint32_t *end = stored + count;
     decode(image, keep_565, stored, count);
-    if (to_565 && !keep_565) {
-        for (uint32_t *c = stored; c != end; c++) {
-            *c = color_565(*c);
-        }
-    } else if (format->colors == &qtri_colors_gray) {
-        for (uint32_t *c = stored; c != end; c++) {
-            *c = color_gray(*c);
-        }
-    }
-    if (format->encode != NULL) {
+    if (!keep_565) {
+        qtri_mix_encode(format, stored, count);
+    } else if (format->encode != NULL) {
         format->encode(stored, count);
     }
 }

@@ -40,9 +40,9 @@ uint32_t qtri_picture_mask(const qtri_image *image, const uint32_t *stored, int3
 void qtri_picture_convert(const qtri_image *image, const qtri_surface *surface, uint32_t *stored,
                           int32_t count);
 
-/* Mixes `count` pixels of the surface with others, a of 256. */
-void qtri_picture_mix(const qtri_surface *surface, uint8_t *at, const uint32_t *stored,
-                      uint32_t mask, int32_t count, uint32_t a);
+/* Mixes `count` pixels of the surface with others, which it may change, a of 256. */
+void qtri_picture_mix(const qtri_surface *surface, uint8_t *at, uint32_t *stored, uint32_t mask,
+                      int32_t count, uint32_t a);
 
 static inline uint8_t *qtri_surface_at(const qtri_surface *surface, int32_t x, int32_t row)
 {

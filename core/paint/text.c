@@ -12,7 +12,6 @@ typedef struct bits {
     int32_t stride;        /* bytes of a row */
     int32_t skip;          /* 0..254 */
     int32_t width, height; /* > 0 */
-    bool is_whole;         /* all of the glyph's width */
 } bits;
 
 /* Up to eight bits of a row from bit `at` on, the first in the highest of eight; 0 behind them. */
@@ -70,45 +69,114 @@ QTRI_INLINE void paint_narrow(int32_t bytes, const qtri_painter *painter, uint8_
     }
 }
 
-/* False: pixels of another size. */
-static bool paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
+static void paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
 {
     switch (painter->surface->format->pixels->bytes) {
     case 1:
         paint_narrow(1, painter, to, b);
-        return true;
+        break;
     case 2:
         paint_narrow(2, painter, to, b);
-        return true;
+        break;
     case 3:
         paint_narrow(3, painter, to, b);
+        break;
+    default:
+        paint_narrow(4, painter, to, b);
+        break;
+    }
+}
+
+#ifndef __OPTIMIZE_SIZE__
+/*
+ * The `count` pixels behind the first `skip` of a byte of each row. Those in front leave the word
+ * where it is shifted up.
+ */
+QTRI_INLINE void paint_column(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+                              const uint8_t *row, const bits *b, int32_t skip, int32_t count)
+{
+    const uint32_t stored = painter->stored;
+    const ptrdiff_t pitch = painter->surface->pitch;
+    const uint32_t within = 0xFF00u >> (skip + count);
+    for (int32_t rows = b->height; rows > 0; rows--) {
+        const uint32_t value = (*row & within) << skip;
+        if (value != 0) {
+            paint_eight(bytes, to, value, stored);
+        }
+        to += pitch;
+        row += b->stride;
+    }
+}
+
+/* Of wide characters, and of those that are clipped: byte by byte of their rows. */
+QTRI_INLINE void paint_columns(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+                               const bits *b)
+{
+    const int32_t end = b->skip + b->width;
+    for (int32_t at = b->skip; at < end;) {
+        const int32_t skip = at & 7;
+        const int32_t count = qtri_least32(8 - skip, end - at);
+        paint_column(bytes, painter, to, b->row + (at >> 3), b, skip, count);
+        to += (ptrdiff_t)count * bytes;
+        at += count;
+    }
+}
+
+#endif
+
+/* False: pixels of another size, or a library that is to be small. */
+static bool paint_wide_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
+{
+#ifndef __OPTIMIZE_SIZE__
+    switch (painter->surface->format->pixels->bytes) {
+    case 1:
+        paint_columns(1, painter, to, b);
+        return true;
+    case 2:
+        paint_columns(2, painter, to, b);
+        return true;
+    case 3:
+        paint_columns(3, painter, to, b);
         return true;
     case 4:
-        paint_narrow(4, painter, to, b);
+        paint_columns(4, painter, to, b);
         return true;
     default:
-        return false;
+        break;
     }
+#else
+    (void)painter;
+    (void)to;
+    (void)b;
+#endif
+    return false;
 }
 
-static void paint_eight_mixed(const qtri_painter *painter, uint8_t *at, uint32_t value,
-                              int32_t count)
+static bool is_mixed(const qtri_painter *painter)
 {
-    uint8_t coverage[8];
-    for (int32_t i = 0; i < count; i++) {
-        coverage[i] = value & 0x80u >> i ? 255 : 0;
-    }
-    painter->ink->cover(painter, at, count, coverage);
+    return painter->ink != NULL && painter->alpha != 255;
 }
 
-static void paint_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
+/* Those of eight pixels that a value, which is not 0, has bits for. */
+static void paint_eight_mixed(const qtri_painter *painter, uint8_t *at, uint32_t value)
+{
+    const int32_t bytes = painter->surface->format->pixels->bytes;
+    uint8_t coverage[8];
+    int32_t n = 0;
+    for (; (value & 0x80) == 0; value <<= 1) {
+        at += bytes;
+    }
+    for (; (value & 0xFF) != 0; value <<= 1) { /* up to the last bit */
+        coverage[n++] = (uint8_t)(0 - (value >> 7 & 1));
+    }
+    painter->ink->cover(painter, at, n, coverage);
+}
+
+/* Mixed ones, and those of another size. */
+static void paint_others(const qtri_painter *painter, uint8_t *to, const bits *b)
 {
     const qtri_pixels *pixels = painter->surface->format->pixels;
-    const bool is_mixed = painter->ink != NULL && painter->alpha != 255;
     const uint8_t *row = b->row;
-    if (!is_mixed && b->stride == 1 && b->is_whole && paint_narrow_bits(painter, to, b)) {
-        return;
-    }
     for (int32_t rows = b->height; rows > 0; rows--) {
         uint8_t *at = to;
         for (int32_t done = 0; done < b->width; done += 8) {
@@ -116,8 +184,8 @@ static void paint_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
             const uint32_t value = bits_at(row, b->skip + done, count);
             if (value == 0) {
                 /* nothing is painted */
-            } else if (is_mixed) {
-                paint_eight_mixed(painter, at, value, count);
+            } else if (is_mixed(painter)) {
+                paint_eight_mixed(painter, at, value);
             } else {
                 pixels->fill(at, painter->stored, value >> (8 - count), count);
             }
@@ -128,28 +196,53 @@ static void paint_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
     }
 }
 
+/* What of a glyph at (x, y) lies in the bounds; false: nothing. */
+QTRI_INLINE bool clip_glyph(bits *b, qtri_rect *rect, const qtri_painter *painter,
+                            const qtri_font *font, const qtri_glyph *glyph, int32_t x, int32_t y)
+{
+    const qtri_rect *bounds = &painter->bounds;
+    rect->x0 = qtri_greatest32(x, bounds->x0);
+    rect->x1 = qtri_least32(x + glyph->width, bounds->x1);
+    rect->y0 = qtri_greatest32(y, bounds->y0);
+    rect->y1 = qtri_least32(y + glyph->height, bounds->y1);
+    b->stride = (glyph->width + 7) >> 3;
+    b->row = font->rows + glyph->first + (rect->y0 - y) * b->stride;
+    b->skip = rect->x0 - x;
+    b->width = rect->x1 - rect->x0;
+    b->height = rect->y1 - rect->y0;
+    return b->width > 0 && b->height > 0;
+}
+
+/* Any glyph, some of which is to be seen. */
+QTRI_NOINLINE static void paint_any(const qtri_painter *painter, const qtri_font *font,
+                                    const qtri_glyph *glyph, int32_t x, int32_t y)
+{
+    bits b;
+    qtri_rect rect;
+    if (clip_glyph(&b, &rect, painter, font, glyph, x, y)) {
+        uint8_t *to = qtri_painter_at(painter, rect.x0, rect.y0);
+        if (is_mixed(painter) || !paint_wide_bits(painter, to, &b)) {
+            paint_others(painter, to, &b);
+        }
+    }
+}
+
 /* x, y: the left upper corner; beyond the largest frame on either side nothing is to be seen. */
 static void paint_glyph(const qtri_painter *painter, const qtri_font *font, const qtri_glyph *glyph,
                         int32_t x, int32_t y)
 {
-    const qtri_rect *bounds = &painter->bounds;
     const int32_t limit = 2 * QTRI_SURFACE_MAX;
-    if (x < -limit || x > limit || y < -limit || y > limit) {
+    bits b;
+    qtri_rect rect;
+    if (x < -limit || x > limit || y < -limit || y > limit ||
+        !clip_glyph(&b, &rect, painter, font, glyph, x, y)) {
         return;
     }
-    const int32_t x0 = qtri_greatest32(x, bounds->x0);
-    const int32_t x1 = qtri_least32(x + glyph->width, bounds->x1);
-    const int32_t y0 = qtri_greatest32(y, bounds->y0);
-    const int32_t y1 = qtri_least32(y + glyph->height, bounds->y1);
-    if (x0 < x1 && y0 < y1) {
-        const int32_t stride = (glyph->width + 7) >> 3;
-        const bits b = {font->rows + glyph->first + (y0 - y) * stride,
-                        stride,
-                        x0 - x,
-                        x1 - x0,
-                        y1 - y0,
-                        x1 - x0 == glyph->width};
-        paint_bits(painter, qtri_painter_at(painter, x0, y0), &b);
+    if (is_mixed(painter) || b.stride != 1 || b.width != glyph->width ||
+        painter->surface->format->pixels->bytes > 4) {
+        paint_any(painter, font, glyph, x, y);
+    } else {
+        paint_narrow_bits(painter, qtri_painter_at(painter, rect.x0, rect.y0), &b);
     }
 }
 

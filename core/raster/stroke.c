@@ -15,6 +15,8 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
     stroker->bounds = qtri_surface_bounds(surface);
     stroker->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : compare;
     stroker->depth_write = stroker->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
+    /* From QTRI_NEVER on comparisons count in binary; what is none of them passes. */
+    stroker->passing = (uint32_t)compare <= (uint32_t)QTRI_ALWAYS ? (uint32_t)compare - 1u : 7;
     stroker->alpha = stroke->alpha;
     stroker->edges = stroke->edges;
     stroker->material = material;
@@ -56,6 +58,9 @@ static qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
         const int32_t *first = shape->end[0].color_8p16;
         const int32_t *last = shape->end[1].color_8p16;
         shape->even = first[0] == last[0] && first[1] == last[1] && first[2] == last[2];
+        shape->level =
+            shape->even && shape->end[0].depth_16p8 >> 8 == shape->end[1].depth_16p8 >> 8;
+        shape->packed = false;
         shape->part = part;
     }
     return shape;
@@ -150,26 +155,6 @@ static bool find_touches(qtri_stroker *stroker)
     return count > 0;
 }
 
-static bool passes(qtri_compare compare, uint32_t depth, uint32_t stored)
-{
-    switch (compare) {
-    case QTRI_LESS:
-        return depth < stored;
-    case QTRI_EQUAL:
-        return depth == stored;
-    case QTRI_LESS_EQUAL:
-        return depth <= stored;
-    case QTRI_GREATER:
-        return depth > stored;
-    case QTRI_NOT_EQUAL:
-        return depth != stored;
-    case QTRI_GREATER_EQUAL:
-        return depth >= stored;
-    default:
-        return true;
-    }
-}
-
 /* What a pixel takes of its part. */
 typedef struct sample {
     uint32_t depth_16p8;   /* 0..65535.0 */
@@ -200,28 +185,27 @@ static void take_positions(position *at, const qtri_stroker *stroker,
 {
     const int32_t x = (stroker->column + first) * 256 + 128 - shape->origin.x_24p8;
     const int32_t y = stroker->row * 256 + 128 - shape->origin.y_24p8;
-    const int32_t down = 30 - shape->up;
-    const int64_t length_q30 = (int64_t)((uint64_t)shape->length << down);
-    /* |x|, |y| < 2^24: below 2^55. */
-    int64_t along_q30 = qtri_mul_s32(x, shape->along_x_q30) + qtri_mul_s32(y, shape->along_y_q30);
+    qtri_stroke_walk walk = qtri_stroke_walk_from(shape, x, y);
+    if (is_alone) {
+        for (int32_t i = first; i < end; i++, at++) {
+            at->part = shape->part;
+            at->share_q16 = shape->level ? 0 : qtri_stroke_walk_next(&walk);
+        }
+        return;
+    }
     int64_t across_q30 = qtri_mul_s32(y, shape->along_x_q30) - qtri_mul_s32(x, shape->along_y_q30);
-    const int64_t step = (int64_t)shape->along_x_q30 * 256;
     const int64_t step_across = (int64_t)shape->along_y_q30 * -256;
     for (int32_t i = first; i < end; i++, at++) {
-        const int64_t held_q30 =
-            along_q30 < 0 ? 0 : (along_q30 > length_q30 ? length_q30 : along_q30);
-        const uint64_t square = is_alone ? 0
-                                         : square_of((int32_t)((along_q30 - held_q30) >> 30),
-                                                     (int32_t)(across_q30 >> 30));
+        const int64_t held_q30 = qtri_stroke_walk_held(&walk);
+        const uint64_t square =
+            square_of((int32_t)((walk.along_q30 - held_q30) >> 30), (int32_t)(across_q30 >> 30));
         // NOLINTNEXTLINE(clang-analyzer-core.*): take_all_positions() has set all of the clip
         if (at->part == UINT32_MAX || square < at->square) {
-            const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> down), shape->inverse);
-            const uint32_t share = (uint32_t)(product >> shape->inverse_shift);
             at->square = square;
-            at->share_q16 = share; /* < 2^16: length times inverse is below 2^62 */
+            at->share_q16 = qtri_stroke_walk_share(&walk, held_q30);
             at->part = shape->part;
         }
-        along_q30 += step;
+        walk.along_q30 += walk.step_q30;
         across_q30 += step_across;
     }
 }
@@ -256,36 +240,18 @@ static void take_all_positions(position *at, qtri_stroker *stroker, const clip *
     }
 }
 
-/* from + (to - from) share / 2^16; |to - from| < 2^24. */
-static int32_t mixed(int32_t from, int32_t to, uint32_t share_q16)
-{
-    return from + (int32_t)((qtri_mul_s32(to - from, (int32_t)share_q16) + 0x8000) >> 16);
-}
-
 static void take_sample(sample *out, const qtri_stroke_shape *shape, uint32_t share_q16)
 {
-    const qtri_stroke_end *from = &shape->end[0];
-    const qtri_stroke_end *to = &shape->end[1];
-    const int32_t depth_16p8 =
-        mixed((int32_t)(from->depth_16p8 >> 8), (int32_t)(to->depth_16p8 >> 8), share_q16);
-    out->depth_16p8 = (uint32_t)depth_16p8;
+    const int32_t *from = shape->end[0].color_8p16;
+    const int32_t *to = shape->end[1].color_8p16;
+    out->depth_16p8 = qtri_stroke_depth(shape, share_q16);
     for (int i = 0; i < 3; i++) {
-        out->color_8p16[i] = shape->even ? from->color_8p16[i]
-                                         : mixed(from->color_8p16[i], to->color_8p16[i], share_q16);
+        out->color_8p16[i] = shape->even ? from[i] : qtri_stroke_mixed(from[i], to[i], share_q16);
     }
 }
 
 /* Less than a half of 1/256 is nothing. */
 #define LEAST (QTRI_STROKE_FULL / 512)
-
-/* cover alpha / 255 in Q16: 32897 / 2^23 is 1 / 255 within 2^-30. */
-static int32_t share_of(const qtri_stroker *stroker, int32_t cover)
-{
-    if (stroker->alpha == 255) {
-        return cover >> 1;
-    }
-    return (int32_t)((uint32_t)(cover >> 2) * ((stroker->alpha * 32897u) >> 8) >> 14);
-}
 
 /* Depths, colours and stores of the pixels that are covered. */
 QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
@@ -302,21 +268,25 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
                           ? surface->depth + row * surface->depth_pitch + stroker->column
                           : NULL;
     position at[QTRI_STROKE_WINDOW];
-    uint32_t word[QTRI_STROKE_WINDOW + 4] = {0};
+    uint32_t word[QTRI_STROKE_WINDOW + 4];
     uint32_t mask = 0;
+    qtri_stroke_shape *shape = &stroker->shape[0];
     take_all_positions(at, stroker, in);
     for (int32_t i = in->first; i < in->end; i++, pixel += format->pixels->bytes) {
         const int32_t cover = stroker->cover[i];
+        const position *p = &at[i - in->first];
+        uint32_t *w = &word[i - in->first];
         mask <<= 1;
-        if (cover < LEAST || at[i - in->first].part == UINT32_MAX) {
+        *w = 0;
+        if (cover < LEAST || p->part == UINT32_MAX) {
             continue;
         }
-        sample s;
-        take_sample(&s, shape_of(stroker, at[i - in->first].part), at[i - in->first].share_q16);
+        shape = shape->part == p->part ? shape : shape_of(stroker, p->part);
+        const uint32_t depth_16p8 = qtri_stroke_depth(shape, p->share_q16);
         const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
         if (depth != NULL) {
-            const uint32_t z = (s.depth_16p8 + 128) >> 8;
-            if (!passes(stroker->compare, z, depth[i])) {
+            const uint32_t z = (depth_16p8 + 128) >> 8;
+            if (qtri_stroke_passes(stroker->passing, z, depth[i]) == 0) {
                 continue;
             }
             if (writes) {
@@ -325,16 +295,23 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
         } else if (testing != NULL &&
                    !testing->passes(surface, stroker->compare,
                                     (uint32_t)row << 16 | (uint32_t)(stroker->column + i),
-                                    s.depth_16p8 << 8, writes)) {
+                                    depth_16p8 << 8, writes)) {
             continue;
         }
-        word[i - in->first] =
-            qtri_stroke_word(format, s.color_8p16, pixel, share_of(stroker, cover));
+        const int32_t share = qtri_stroke_share(stroker, cover);
+        if (shape->even && share == 65536) {
+            *w = qtri_stroke_shape_word(format, shape);
+        } else {
+            sample s;
+            take_sample(&s, shape, p->share_q16);
+            *w = qtri_stroke_word(format, s.color_8p16, pixel, share);
+        }
         mask |= 1;
     }
     const int32_t count = in->end - in->first;
     if (mask != 0) {
         if (format->encode != NULL) {
+            word[count] = word[count + 1] = word[count + 2] = 0; /* which it may encode as well */
             format->encode(word, count);
         }
         format->pixels->store(first_pixel, word, mask, count);
@@ -352,8 +329,8 @@ static bool passes_at(const qtri_stroker *stroker, const sample *s, int32_t x)
         return true;
     }
     if (testing == NULL) {
-        return passes(stroker->compare, (s->depth_16p8 + 128) >> 8,
-                      qtri_depths_at(surface, stroker->row)[x]);
+        return qtri_stroke_passes(stroker->passing, (s->depth_16p8 + 128) >> 8,
+                                  qtri_depths_at(surface, stroker->row)[x]) != 0;
     }
     const uint32_t row = (uint32_t)(stroker->row - surface->first_row);
     return testing->passes(surface, stroker->compare, row << 16 | (uint32_t)x, s->depth_16p8 << 8,
@@ -383,7 +360,7 @@ QTRI_NOINLINE static void take_covered(qtri_covered *pixels, qtri_stroker *strok
         pixels->color[n] = qtri_pack_888(s.color_8p16);
         pixels->place[n] = (row << 16) + (uint32_t)x;
         pixels->depth[n] = (s.depth_16p8 + 128) << 8 | writes;
-        pixels->share_q16[n] = share_of(stroker, cover); /* n <= i */
+        pixels->share_q16[n] = qtri_stroke_share(stroker, cover); /* n <= i */
     }
 }
 
@@ -420,24 +397,73 @@ static void add_hard(qtri_stroker *stroker)
     }
 }
 
-/* The columns that the row's parts touch, inside the bounds; empty: none. */
-static clip clip_of(const qtri_stroker *stroker)
+/* The columns of the strip that the row's parts touch. */
+static void set_columns(qtri_stroker *stroker)
 {
-    int32_t first = INT32_MAX;
-    int32_t end = INT32_MIN;
-    if (stroker->touch_count == QTRI_STROKE_MANY) {
-        first = stroker->column;
-        end = stroker->column + QTRI_STROKE_WINDOW;
-    } else {
+    int32_t first = stroker->column;
+    int32_t end = stroker->column + QTRI_STROKE_WINDOW;
+    if (stroker->touch_count != QTRI_STROKE_MANY) {
         first = stroker->touch[0].first;
-        for (uint32_t i = 0; i < stroker->touch_count; i++) {
+        end = stroker->touch[0].end;
+        for (uint32_t i = 1; i < stroker->touch_count; i++) {
             end = qtri_greatest32(end, stroker->touch[i].end);
         }
     }
-    first = qtri_greatest32(first, stroker->bounds.x0) - stroker->column;
-    end = qtri_least32(end, stroker->bounds.x1) - stroker->column;
-    const clip in = {qtri_greatest32(first, 0), qtri_least32(end, QTRI_STROKE_WINDOW)};
+    stroker->first = qtri_greatest32(first - stroker->column, 0);
+    stroker->end = qtri_least32(end - stroker->column, QTRI_STROKE_WINDOW);
+}
+
+/* And inside the bounds; empty: none. */
+static clip clip_of(const qtri_stroker *stroker)
+{
+    const clip in = {qtri_greatest32(stroker->first, stroker->bounds.x0 - stroker->column),
+                     qtri_least32(stroker->end, stroker->bounds.x1 - stroker->column)};
     return in;
+}
+
+/* A row that one part alone touches, without what it takes to unite several. */
+static void draw_alone(qtri_stroker *stroker, const clip *in)
+{
+    qtri_stroke_slice slice;
+    qtri_stroke_shape *s = shape_of(stroker, stroker->touch[0].part);
+    if (qtri_stroke_shape_slice(s, stroker->row * 256 + 128, stroker->row * 256 + 129, &slice)) {
+        const int32_t first =
+            qtri_greatest32((slice.left[0] + 127) >> 8, stroker->column + in->first);
+        const int32_t end = qtri_least32((slice.right[0] + 127) >> 8, stroker->column + in->end);
+        if (first < end) {
+            qtri_stroke_run(stroker, s, first, end);
+        }
+    }
+}
+
+/* The least run of pixels that are covered wholly for which it is worth to draw them apart. */
+enum { RUN = 4 };
+
+/* Smooth edges of one part, and between them what it covers wholly. */
+static void draw_between(qtri_stroker *stroker, const clip *in)
+{
+    clip whole = {in->first, in->first};
+    while (whole.first < in->end && stroker->cover[whole.first] != QTRI_STROKE_FULL) {
+        whole.first++;
+    }
+    whole.end = whole.first;
+    while (whole.end < in->end && stroker->cover[whole.end] == QTRI_STROKE_FULL) {
+        whole.end++;
+    }
+    if (whole.end - whole.first < RUN) {
+        draw_covered(stroker, in);
+        return;
+    }
+    const clip before = {in->first, whole.first};
+    const clip behind = {whole.end, in->end};
+    if (before.first < before.end) {
+        draw_covered(stroker, &before);
+    }
+    qtri_stroke_run(stroker, shape_of(stroker, stroker->touch[0].part),
+                    stroker->column + whole.first, stroker->column + whole.end);
+    if (behind.first < behind.end) {
+        draw_covered(stroker, &behind);
+    }
 }
 
 static void draw_row(qtri_stroker *stroker)
@@ -445,11 +471,16 @@ static void draw_row(qtri_stroker *stroker)
     if (!find_touches(stroker)) {
         return;
     }
+    set_columns(stroker);
     const clip in = clip_of(stroker);
     if (in.first >= in.end) {
         return;
     }
-    for (int i = 0; i <= QTRI_STROKE_WINDOW; i++) {
+    if (stroker->touch_count == 1 && stroker->edges == NULL && stroker->effects == NULL) {
+        draw_alone(stroker, &in);
+        return;
+    }
+    for (int32_t i = stroker->first; i <= stroker->end; i++) {
         stroker->cover[i] = 0;
     }
     const uint32_t count = stroker->touch_count == QTRI_STROKE_MANY ? 1 : stroker->touch_count;
@@ -469,6 +500,8 @@ static void draw_row(qtri_stroker *stroker)
             some.end = qtri_least32(some.first + AFFECTED, in.end);
             draw_affected(stroker, &some);
         }
+    } else if (stroker->touch_count == 1) {
+        draw_between(stroker, &in);
     } else {
         draw_covered(stroker, &in);
     }
@@ -479,6 +512,38 @@ static void widen(int32_t range[2], int32_t a, int32_t b, int32_t reach)
 {
     range[0] = qtri_least32(range[0], (qtri_least32(a, b) - reach) >> 8);
     range[1] = qtri_greatest32(range[1], ((qtri_greatest32(a, b) + reach) >> 8) + 1);
+}
+
+/* Of a band of less, looking at all is as quick. */
+enum { FEW_ROWS = 4 };
+
+/*
+ * Rows that a part may touch in the strip: of a long one those where its line is near the strip.
+ * What touches a pixel lies within 3/2 radii of the line, and its row and column end within a pixel
+ * of there; one more is more than y is off.
+ */
+static void widen_rows(const qtri_stroker *stroker, int32_t rows[2], const qtri_stroke_place *place)
+{
+    const int32_t reach = reach_of(place);
+    const int32_t left = stroker->column * 256 - reach - 512;
+    const int32_t right = (stroker->column + QTRI_STROKE_WINDOW) * 256 + reach + 512;
+    const bool few = stroker->bounds.y1 - stroker->bounds.y0 < FEW_ROWS;
+    int32_t all[2] = {INT32_MAX, INT32_MIN};
+    int32_t nearby[2] = {INT32_MAX, INT32_MIN};
+    for (int i = 0; i < 2; i++) {
+        const int32_t x = place->end[i].x_24p8;
+        const int32_t y = place->end[i].y_24p8;
+        widen(all, y, y, reach);
+        if (!few &&
+            (x < left || x > right)) { /* and the other end is not, or lies beyond the other side */
+            const int32_t cut = qtri_stroke_line_y(place, x < left ? left : right);
+            widen(nearby, cut, cut, reach + 512);
+        } else {
+            widen(nearby, y, y, reach);
+        }
+    }
+    rows[0] = qtri_least32(rows[0], qtri_greatest32(all[0], nearby[0]));
+    rows[1] = qtri_greatest32(rows[1], qtri_least32(all[1], nearby[1]));
 }
 
 /* Lists the parts of a strip, and finds its rows. */
@@ -495,7 +560,7 @@ static void find_parts(qtri_stroker *stroker, int32_t rows[2])
             continue;
         }
         (void)source->place(source->from, part, &place);
-        widen(rows, place.end[0].y_24p8, place.end[1].y_24p8, reach_of(&place));
+        widen_rows(stroker, rows, &place);
         if (stroker->part_count < QTRI_STROKE_PARTS) {
             stroker->part[stroker->part_count++] = part;
         } else if (stroker->rest == UINT32_MAX) {

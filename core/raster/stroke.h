@@ -57,7 +57,11 @@ typedef struct qtri_stroke_shape {
     int32_t offset_x, offset_y;
     int64_t slope_q32, end_slope_q32;
     uint8_t discs;         /* bit 0: around a, bit 1: around b */
-    bool even;             /* one colour */
+    bool is_disc;          /* a round point: the one around a is all of it */
+    bool even;             /* one colour, */
+    bool level;            /*   and one depth */
+    bool packed;           /* `word` is known: */
+    uint32_t word;         /* the one colour, as it is encoded where all of a pixel is covered */
     int32_t disc_level[2]; /* of the last chord, and half its length */
     int32_t disc_half[2];
     int32_t side_level[2], side_x[2]; /* the same of the long sides */
@@ -71,6 +75,9 @@ typedef struct qtri_stroke_shape {
 } qtri_stroke_shape;
 
 void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place);
+
+/* y of a part's line at an x between those of its ends, which differ; within 2 of 1/256. */
+int32_t qtri_stroke_line_y(const qtri_stroke_place *place, int32_t x_24p8);
 
 /* The columns that it may touch in a row: first and past the last. False: none. */
 bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int32_t *first,
@@ -104,7 +111,8 @@ typedef struct qtri_stroker {
     qtri_rect bounds;
     qtri_compare compare;
     bool depth_write;
-    uint32_t alpha; /* 1..255 */
+    uint32_t passing; /* of a depth: bit 0 if less passes, bit 1 if equal does, bit 2 if greater */
+    uint32_t alpha;   /* 1..255 */
     const qtri_stroke_edges *edges;
     const qtri_material *material;
     const qtri_effect_stages *effects; /* its fog and blend; NULL: neither */
@@ -116,13 +124,14 @@ typedef struct qtri_stroker {
     uint32_t touch_count; /* QTRI_STROKE_MANY: more than there is room for are one group */
     uint32_t first_touch, touch_end; /* of the group */
     qtri_stroke_shape shape[QTRI_STROKE_SHAPES];
-    int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of each pixel, 0..QTRI_STROKE_FULL */
+    int32_t first, end;                    /* columns of the strip that the row's parts touch */
+    int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of each of those pixels, 0..QTRI_STROKE_FULL */
 } qtri_stroker;
 
 #define QTRI_STROKE_MANY UINT32_MAX
 
 struct qtri_stroke_edges {
-    /* Adds the parts of the group to stroker->cover; then makes of all sums what pixels have. */
+    /* Adds the parts of the group to stroker->cover; then makes of the sums what pixels have. */
     void (*add)(qtri_stroker *stroker);
     void (*finish)(qtri_stroker *stroker);
     qtri_line_draws line; /* thin ones, each by itself: see stroke_line.h */
@@ -139,6 +148,86 @@ void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
  */
 qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at);
 
+/* 1 if a depth passes the test, whose three bits are a stroker's `passing`; else 0. */
+static inline uint32_t qtri_stroke_passes(uint32_t passing, uint32_t depth, uint32_t stored)
+{
+    const uint32_t which = depth < stored ? 0 : (depth == stored ? 1 : 2);
+    return passing >> which & 1;
+}
+
+/* from + (to - from) share / 2^16; |to - from| < 2^24. */
+static inline int32_t qtri_stroke_mixed(int32_t from, int32_t to, uint32_t share_q16)
+{
+    return from + (int32_t)((qtri_mul_s32(to - from, (int32_t)share_q16) + 0x8000) >> 16);
+}
+
+/* The depth of a part at a share of its length, 0..65535.0 in 16.8. */
+static inline uint32_t qtri_stroke_depth(const qtri_stroke_shape *shape, uint32_t share_q16)
+{
+    const int32_t from = (int32_t)(shape->end[0].depth_16p8 >> 8);
+    const int32_t to = (int32_t)(shape->end[1].depth_16p8 >> 8);
+    return (uint32_t)qtri_stroke_mixed(from, to, share_q16);
+}
+
+/*
+ * Where along a part the centres of pixels of a row are: x, y from its origin. The share of its
+ * length is that of along_q30, held to the part.
+ */
+typedef struct qtri_stroke_walk {
+    int64_t along_q30, length_q30, step_q30;
+    uint32_t inverse;
+    int32_t down, inverse_shift;
+} qtri_stroke_walk;
+
+/* |x|, |y| < 2^24: below 2^55. */
+static inline qtri_stroke_walk qtri_stroke_walk_from(const qtri_stroke_shape *shape, int32_t x,
+                                                     int32_t y)
+{
+    const int32_t down = 30 - shape->up;
+    const qtri_stroke_walk walk = {qtri_mul_s32(x, shape->along_x_q30) +
+                                       qtri_mul_s32(y, shape->along_y_q30),
+                                   (int64_t)((uint64_t)shape->length << down),
+                                   (int64_t)shape->along_x_q30 * 256,
+                                   shape->inverse,
+                                   down,
+                                   shape->inverse_shift};
+    return walk;
+}
+
+static inline int64_t qtri_stroke_walk_held(const qtri_stroke_walk *walk)
+{
+    const int64_t along_q30 = walk->along_q30;
+    return along_q30 < 0 ? 0 : (along_q30 > walk->length_q30 ? walk->length_q30 : along_q30);
+}
+
+/* < 2^16: length times inverse is below 2^62. */
+static inline uint32_t qtri_stroke_walk_share(const qtri_stroke_walk *walk, int64_t held_q30)
+{
+    const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> walk->down), walk->inverse);
+    return (uint32_t)(product >> walk->inverse_shift);
+}
+
+/* The share at a pixel, and on to the next. */
+static inline uint32_t qtri_stroke_walk_next(qtri_stroke_walk *walk)
+{
+    const uint32_t share_q16 = qtri_stroke_walk_share(walk, qtri_stroke_walk_held(walk));
+    walk->along_q30 += walk->step_q30;
+    return share_q16;
+}
+
+/* cover alpha / 255 in Q16: 32897 / 2^23 is 1 / 255 within 2^-30. */
+static inline int32_t qtri_stroke_share(const qtri_stroker *stroker, int32_t cover)
+{
+    if (stroker->alpha == 255) {
+        return cover >> 1;
+    }
+    return (int32_t)((uint32_t)(cover >> 2) * ((stroker->alpha * 32897u) >> 8) >> 14);
+}
+
+/* Draws pixels first .. end-1 of the row, up to a strip of them, that one part covers wholly. */
+void qtri_stroke_run(const qtri_stroker *stroker, qtri_stroke_shape *shape, int32_t first,
+                     int32_t end);
+
 /* A colour, or what a share of it, 0..2^16, makes of a stored pixel, before it is encoded. */
 static inline uint32_t qtri_stroke_word(const qtri_format *format, const int32_t color_8p16[3],
                                         const uint8_t *pixel, int32_t share_q16)
@@ -154,6 +243,16 @@ static inline uint32_t qtri_stroke_word(const qtri_format *format, const int32_t
     }
     const qtri_channels channels = qtri_channels_from_color(format->colors, color);
     return format->colors->pack(channels.c);
+}
+
+/* An even part's word. */
+static inline uint32_t qtri_stroke_shape_word(const qtri_format *format, qtri_stroke_shape *shape)
+{
+    if (!shape->packed) {
+        shape->word = qtri_stroke_word(format, shape->end[0].color_8p16, NULL, 65536);
+        shape->packed = true;
+    }
+    return shape->word;
 }
 
 /* Half of a width in 24.8; 0: nothing is drawn. */

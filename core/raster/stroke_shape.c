@@ -71,7 +71,8 @@ void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *p
     shape->a = end[upper];
     shape->b = end[1 - upper];
     shape->discs = (uint8_t)((has_disc[upper] ? 1 : 0) | (has_disc[1 - upper] ? 2 : 0));
-    if (shape->discs == 3 && shape->length == 0) {
+    shape->is_disc = shape->discs == 3 && shape->length == 0;
+    if (shape->is_disc) {
         shape->discs = 1; /* the same one; the rectangle has no width there */
     }
     shape->disc_level[0] = shape->disc_level[1] = INT32_MAX;
@@ -94,6 +95,15 @@ static int32_t side_x(int32_t from_x, int32_t from_y, int64_t slope_q32, int32_t
     const int32_t whole = (int32_t)(slope_q32 >> 32) * down;
     const uint64_t rest = qtri_mul_u32((uint32_t)slope_q32, (uint32_t)down);
     return from_x + whole + (int32_t)((rest + ((uint32_t)1 << 31)) >> 32);
+}
+
+int32_t qtri_stroke_line_y(const qtri_stroke_place *place, int32_t x_24p8)
+{
+    const int left = place->end[1].x_24p8 < place->end[0].x_24p8;
+    const qtri_screen_point *a = &place->end[left];
+    const qtri_screen_point *b = &place->end[1 - left];
+    const int64_t slope_q32 = slope_of(b->y_24p8 - a->y_24p8, b->x_24p8 - a->x_24p8);
+    return side_x(a->y_24p8, a->x_24p8, slope_q32, x_24p8); /* x and y have changed places */
 }
 
 bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int32_t *first,
@@ -215,6 +225,9 @@ bool qtri_stroke_shape_slice(qtri_stroke_shape *s, int32_t y0, int32_t y1, qtri_
     bool found = false;
     slice->left[0] = slice->left[1] = INT32_MAX;
     slice->right[0] = slice->right[1] = INT32_MIN;
+    if (s->is_disc) {
+        return add_disc(slice, level, s, 0);
+    }
     found |= add_side(slice, level, s, 0);
     found |= add_side(slice, level, s, 1);
     if ((s->discs & 1) != 0) {

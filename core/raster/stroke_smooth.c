@@ -144,6 +144,24 @@ static int32_t in_window(int32_t x, int32_t column)
     return x - column * 256;
 }
 
+/* Of a span: what lies to the right of its left side and not of its right. */
+static void add_sides(qtri_stroker *stroker, const int32_t left[2], const int32_t right[2],
+                      int32_t height)
+{
+    const int32_t column = stroker->column;
+    add_side(stroker->cover, in_window(left[0], column), in_window(left[1], column), height);
+    add_side(stroker->cover, in_window(right[0], column), in_window(right[1], column), -height);
+}
+
+/* Of one part there is nothing to unite. */
+static void add_slice_alone(qtri_stroker *stroker, qtri_stroke_shape *s, int32_t y0, int32_t y1)
+{
+    qtri_stroke_slice slice;
+    if (qtri_stroke_shape_slice(s, y0, y1, &slice)) {
+        add_sides(stroker, slice.left, slice.right, y1 - y0);
+    }
+}
+
 static void add_slice(qtri_stroker *stroker, int32_t y0, int32_t y1)
 {
     spans all;
@@ -155,13 +173,8 @@ static void add_slice(qtri_stroker *stroker, int32_t y0, int32_t y1)
             add_span(&all, &slice);
         }
     }
-    const int32_t column = stroker->column;
     for (int i = 0; i < all.count; i++) {
-        const span *s = &all.of[i];
-        add_side(stroker->cover, in_window(s->left[0], column), in_window(s->left[1], column),
-                 y1 - y0);
-        add_side(stroker->cover, in_window(s->right[0], column), in_window(s->right[1], column),
-                 y0 - y1);
+        add_sides(stroker, all.of[i].left, all.of[i].right, y1 - y0);
     }
 }
 
@@ -181,8 +194,18 @@ static bool has_disc(const qtri_stroke_shape *s, const qtri_stroker *stroker)
     return false;
 }
 
-/* Slices from level to level, each where a bit is set. */
-static void add_slices(qtri_stroker *stroker, const uint32_t levels[8])
+static void add_one(qtri_stroker *stroker, qtri_stroke_shape *alone, int32_t y0, int32_t y1)
+{
+    if (alone != NULL) {
+        add_slice_alone(stroker, alone, y0, y1);
+    } else {
+        add_slice(stroker, y0, y1);
+    }
+}
+
+/* Slices from level to level, each where a bit is set; `alone` is the group's only part, or NULL.
+ */
+static void add_slices(qtri_stroker *stroker, qtri_stroke_shape *alone, const uint32_t levels[8])
 {
     const int32_t top = stroker->row * 256;
     int32_t y = 0;
@@ -190,12 +213,12 @@ static void add_slices(qtri_stroker *stroker, const uint32_t levels[8])
         for (uint32_t bits = levels[word]; bits != 0; bits &= bits - 1) {
             const int32_t at = word * 32 + 31 - qtri_clz32(bits & (0 - bits)); /* the lowest */
             if (at > y) {
-                add_slice(stroker, top + y, top + at);
+                add_one(stroker, alone, top + y, top + at);
                 y = at;
             }
         }
     }
-    add_slice(stroker, top + y, top + 256);
+    add_one(stroker, alone, top + y, top + 256);
 }
 
 static void add_group(qtri_stroker *stroker)
@@ -204,20 +227,23 @@ static void add_group(qtri_stroker *stroker)
     uint32_t listed = 0;
     int count = 0;
     bool is_fine = false;
-    for (const qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
-        is_fine = is_fine || ++count > 1 || has_disc(s, stroker);
+    qtri_stroke_shape *alone = NULL;
+    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
+        count++;
+        alone = count == 1 ? s : NULL;
+        is_fine = is_fine || count > 1 || has_disc(s, stroker);
         qtri_stroke_shape_breaks(s, stroker->row * 256, levels);
     }
     for (int i = 0; i < 8 && is_fine; i++) {
         levels[i] |= grid[i];
     }
-    add_slices(stroker, levels);
+    add_slices(stroker, alone, levels);
 }
 
 static void finish(qtri_stroker *stroker)
 {
     int32_t sum = 0;
-    for (int i = 0; i < QTRI_STROKE_WINDOW; i++) {
+    for (int32_t i = stroker->first; i < stroker->end; i++) {
         sum += stroker->cover[i];
         stroker->cover[i] = qtri_hold32(sum, 0, QTRI_STROKE_FULL);
     }

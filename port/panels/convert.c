@@ -11,15 +11,10 @@ bool qtri_panel_is_native(qtri_byte_order order)
     return order == QTRI_ORDER_NATIVE || order == (first == 1 ? QTRI_ORDER_LITTLE : QTRI_ORDER_BIG);
 }
 
-/* value of 0..from as one of 0..to, to nearest. */
-static uint32_t scale(uint32_t value, uint32_t from, uint32_t to)
-{
-    return (value * to + from / 2) / from;
-}
-
+/* 31 / 255 and 63 / 255 of a channel, to nearest for all 256: a Cortex-M0+ has no division. */
 static uint32_t to_565(uint32_t r, uint32_t g, uint32_t b)
 {
-    return scale(r, 255, 31) << 11 | scale(g, 255, 63) << 5 | scale(b, 255, 31);
+    return (r * 249 + 1014) >> 11 << 11 | (g * 253 + 505) >> 10 << 5 | (b * 249 + 1014) >> 11;
 }
 
 /* The first of pixels (x, y) .. in memory. */

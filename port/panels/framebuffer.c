@@ -6,10 +6,28 @@
 
 enum { PIECE = 32 }; /* pixels converted at a time */
 
-static void store_bytes(uint8_t *at, uint32_t pixel, size_t bytes, bool low_first)
+/* Bytes one by one: a framebuffer is aligned as it may be. */
+static void store_bytes(uint8_t *at, uint32_t pixel, int32_t bytes, bool low_first)
 {
-    for (size_t i = 0; i < bytes; i++) {
-        at[low_first ? i : bytes - 1 - i] = (uint8_t)(pixel >> (8 * i));
+    uint8_t *to = low_first ? at : at + bytes - 1;
+    const int32_t step = low_first ? 1 : -1;
+    for (; bytes > 0; bytes--) {
+        *to = (uint8_t)pixel;
+        to += step;
+        pixel >>= 8;
+    }
+}
+
+static void store_halves(const uint16_t *pixel, int32_t count, uint8_t *at, ptrdiff_t step,
+                         bool low_first)
+{
+    uint8_t *low = at + (low_first ? 0 : 1);
+    uint8_t *high = at + (low_first ? 1 : 0);
+    for (const uint16_t *end = pixel + count; pixel != end; pixel++) {
+        *low = (uint8_t)*pixel;
+        *high = (uint8_t)(*pixel >> 8);
+        low += step;
+        high += step;
     }
 }
 
@@ -17,28 +35,18 @@ static void store_bytes(uint8_t *at, uint32_t pixel, size_t bytes, bool low_firs
 static void store_piece(const qtri_panel *panel, const qtri_surface *surface, int32_t x, int32_t y,
                         int32_t count, uint8_t *at, ptrdiff_t step)
 {
-    qtri_byte_order order = panel->description->order;
-    bool native = qtri_panel_is_native(order);
-    bool low_first = native == qtri_panel_is_native(QTRI_ORDER_LITTLE);
+    const qtri_byte_order order = panel->description->order;
+    const bool native = qtri_panel_is_native(order);
+    const bool low_first = native == qtri_panel_is_native(QTRI_ORDER_LITTLE);
     if (panel->description->format == QTRI_PANEL_RGB565) {
         uint16_t pixels[PIECE];
         qtri_panel_row_565(surface, x, y, count, pixels);
-        for (int32_t i = 0; i < count; i++, at += step) {
-            if (native) {
-                memcpy(at, &pixels[i], 2);
-            } else {
-                store_bytes(at, pixels[i], 2, low_first);
-            }
-        }
+        store_halves(pixels, count, at, step, low_first);
     } else {
         uint32_t pixels[PIECE];
         qtri_panel_row_8888(surface, x, y, count, pixels);
         for (int32_t i = 0; i < count; i++, at += step) {
-            if (native) {
-                memcpy(at, &pixels[i], 4);
-            } else {
-                store_bytes(at, pixels[i], 4, low_first);
-            }
+            store_bytes(at, pixels[i], 4, low_first);
         }
     }
 }
