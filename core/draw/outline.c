@@ -17,6 +17,9 @@
 
 #include "edge_walk.h"
 
+/* 3 times that is 1 modulo 2^32: what is a multiple of 3 is divided by it. */
+#define THIRD 0xAAAAAAABu
+
 enum { PASSES = 3, ALL_EDGES = 7, CREASE_Q15 = 1 << 11 };
 
 /*
@@ -44,44 +47,49 @@ static const void *triangle_at(const qtri_mesh *mesh, uint32_t number)
     return qtri_mesh_triangle(mesh, number, qtri_mesh_has_bytes(mesh));
 }
 
-/* The edges of a front face whose neighbours are not front. */
-static inline uint32_t alone(const uint32_t *front, const uint16_t *neighbours)
+/* For the front face with these neighbours, of which those with a bit are front. */
+QTRI_NOINLINE static bool take_alone(finder *f, const uint16_t *n, uint32_t fronts)
 {
-    const uint32_t a = qtri_front_bit(front, neighbours[0]);
-    const uint32_t b = qtri_front_bit(front, neighbours[1]);
-    const uint32_t c = qtri_front_bit(front, neighbours[2]);
-    if ((a & b & c & 1) != 0) {
-        return 0;
+    const uint32_t number = (uint32_t)(n - f->outline->mesh->neighbours[0]) * THIRD;
+    if (!f->take(f, number, fronts ^ ALL_EDGES, false)) {
+        f->from = number;
+        return false;
     }
-    return ((a & 1) | (b & 1) << 1 | (c & 1) << 2) ^ ALL_EDGES;
+    return true;
 }
 
-static bool find_by_neighbours(finder *f)
+/* A function of its own: none of the other ways to find edges takes its registers. */
+QTRI_NOINLINE static bool find_by_neighbours(finder *f)
 {
-    const qtri_mesh *mesh = f->outline->mesh;
+    const uint16_t *neighbours = f->outline->mesh->neighbours[0];
     const uint32_t *front = f->outline->front;
-    const uint16_t(*neighbours)[3] = mesh->neighbours;
-    uint32_t number = f->from;
-    while (number < mesh->triangle_count) {
-        uint32_t bits = front[number >> 5] >> (number & 31);
-        const uint32_t next = (number | 31) + 1;
-        for (const uint16_t *n = neighbours[number]; bits != 0; bits >>= 1, n += 3, number++) {
-            if ((bits & 0xFF) == 0) {
-                bits >>= 7;
-                n += 21;
-                number += 7;
-                continue;
-            }
+    const uint32_t count = f->outline->mesh->triangle_count;
+    uint32_t next = f->from;
+    while (next < count) {
+        uint32_t bits = front[next >> 5] >> (next & 31);
+        const uint16_t *n = neighbours + (size_t)next * 3;
+        next = (next | 31) + 1;
+        while (bits != 0) {
             if ((bits & 1) == 0) {
+                const bool many = (bits & 0xFF) == 0;
+                n += many ? 24 : 3;
+                bits >>= many ? 8 : 1;
                 continue;
             }
-            const uint32_t edges = alone(front, n);
-            if (edges != 0 && !f->take(f, number, edges, false)) {
-                f->from = number;
-                return false;
+            uint32_t a = qtri_front_bit(front, n[0]);
+            uint32_t b = qtri_front_bit(front, n[1]);
+            uint32_t c = qtri_front_bit(front, n[2]);
+            if ((a & b & c & 1) == 0) {
+                QTRI_HOLD(a); /* GCC 12 would compute what follows for all faces */
+                QTRI_HOLD(b);
+                QTRI_HOLD(c);
+                if (!take_alone(f, n, (a & 1) | (b & 1) << 1 | (c & 1) << 2)) {
+                    return false;
+                }
             }
+            n += 3;
+            bits >>= 1;
         }
-        number = next;
     }
     return true;
 }
