@@ -39,7 +39,8 @@ struct finder {
     uint32_t from;           /* the first triangle that was not looked at or not taken */
     qtri_edge_walker walker; /* for walks */
     uint32_t bands, next, end, inverse, shift; /* for lists: entries, and 1 / rows */
-    int32_t height, above; /* rows of the frame; that an edge's pixels and halos reach beyond it */
+    int32_t height;                            /* rows of the frame */
+    int32_t above, below;                      /* rows that bands reach beyond their own */
 };
 
 static const void *triangle_at(const qtri_mesh *mesh, uint32_t number)
@@ -292,17 +293,23 @@ static uint32_t band_of(const finder *f, int32_t row)
     return ((uint32_t)row * f->inverse) >> f->shift;
 }
 
-/* The bands that walk along the edge between two vertices, and their halos; false: none. */
+/*
+ * The bands that walk along the edge between two vertices: those that have a row which it passes
+ * through. (Where the walk's rounding takes it into the next row, its share is that of a neighbour
+ * in the row that it left, so a band without that row has no note of it.) False: none.
+ */
 static inline bool bands_of(const finder *f, const qtri_vertex *a, const qtri_vertex *b,
                             uint32_t *band, uint32_t *last)
 {
     const int32_t y = a->at.y_24p8;
     const int32_t other = b->at.y_24p8;
-    const int32_t top = ((y < other ? y : other) >> 8) - f->above;
-    const int32_t bottom = ((y < other ? other : y) >> 8) + f->above;
-    if (bottom < f->above - 1 || top >= f->height) { /* not within a pixel of the frame */
+    int32_t top = (y < other ? y : other) >> 8;
+    int32_t bottom = (y < other ? other : y) >> 8;
+    if (bottom < 0 || top >= f->height) {
         return false;
     }
+    top -= f->below;
+    bottom += f->above;
     *band = top < 0 ? 0 : band_of(f, top);
     *last = bottom >= f->height ? f->bands - 1 : band_of(f, bottom);
     return true;
@@ -374,7 +381,7 @@ static bool take_for_lists(finder *f, uint32_t triangle, uint32_t edges, bool we
 }
 
 /* Lists for bands of so many rows, if there is room for them. */
-static void make_lists(qtri_outline *outline, int32_t rows, int32_t halo)
+static void make_lists(qtri_outline *outline, int32_t rows, int32_t above, int32_t below)
 {
     const uint32_t bands = ((uint32_t)outline->height + (uint32_t)rows - 1) / (uint32_t)rows;
     outline->rows = 0;
@@ -388,7 +395,8 @@ static void make_lists(qtri_outline *outline, int32_t rows, int32_t halo)
                 .bands = bands,
                 .shift = 13,
                 .height = outline->height,
-                .above = halo + 1};
+                .above = above,
+                .below = below};
     const uint32_t room = outline->list_words - bands;
     f.end = room < ENTRIES_MAX ? room : ENTRIES_MAX;
     while ((int32_t)1 << (f.shift - 13) < rows) {
@@ -399,7 +407,8 @@ static void make_lists(qtri_outline *outline, int32_t rows, int32_t halo)
         outline->list[i] = 0;
     }
     outline->rows = rows;
-    outline->halo = halo;
+    outline->above = above;
+    outline->below = below;
     outline->left_pass = find_from(&f, 0, 0);
     outline->left_from = f.from;
 }
@@ -481,7 +490,7 @@ enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_out
     qtri_outline_set(outline, prepared->vertices, prepared->view, prepared->pose,
                      prepared->material, prepared->width, prepared->height);
     if (outline->vertices != NULL) {
-        make_lists(outline, prepared->rows, prepared->halo);
+        make_lists(outline, prepared->rows, prepared->edges_above, prepared->edges_below);
     }
     return QTRI_OK;
 }
@@ -491,10 +500,21 @@ void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outl
     prepared->front = NULL;
     prepared->front_of = NULL;
     prepared->halo = qtri_hold32(halo, 0, QTRI_HALO_MAX);
+    prepared->edges_above = prepared->halo;
+    prepared->edges_below = prepared->halo;
     if (outline != NULL) {
         prepared->front = outline->front;
         prepared->front_of = outline->mesh;
     }
+}
+
+void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outline *outline,
+                                       int32_t halo)
+{
+    qtri_prepared_set_outline(prepared, outline, halo);
+    prepared->edges_above = 2 * prepared->halo; /* rows that were kept; nothing is drawn there */
+    prepared->edges_below = 0;
+    prepared->halo = 0;
 }
 
 /* ---- Noting ---- */
@@ -554,10 +574,10 @@ static bool find_list(const qtri_outline *outline, const qtri_rect *bounds, uint
     if (outline->rows == 0) {
         return false;
     }
-    const int32_t number = (bounds->y0 + outline->halo) / outline->rows;
+    const int32_t number = (bounds->y0 + outline->above) / outline->rows;
     *band = (uint32_t)number;
     return number * outline->rows < outline->height &&
-           bounds->y1 <= (number + 1) * outline->rows + outline->halo;
+           bounds->y1 <= (number + 1) * outline->rows + outline->below;
 }
 
 void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline)
