@@ -48,17 +48,6 @@ static const void *triangle_at(const qtri_mesh *mesh, uint32_t number)
     return qtri_mesh_triangle(mesh, number, qtri_mesh_has_bytes(mesh));
 }
 
-/* For the front face with these neighbours, of which those with a bit are front. */
-QTRI_NOINLINE static bool take_alone(finder *f, const uint16_t *n, uint32_t fronts)
-{
-    const uint32_t number = (uint32_t)(n - f->outline->mesh->neighbours[0]) * THIRD;
-    if (!f->take(f, number, fronts ^ ALL_EDGES, false)) {
-        f->from = number;
-        return false;
-    }
-    return true;
-}
-
 /* A function of its own: none of the other ways to find edges takes its registers. */
 QTRI_NOINLINE static bool find_by_neighbours(finder *f)
 {
@@ -84,7 +73,10 @@ QTRI_NOINLINE static bool find_by_neighbours(finder *f)
                 QTRI_HOLD(a); /* GCC 12 would compute what follows for all faces */
                 QTRI_HOLD(b);
                 QTRI_HOLD(c);
-                if (!take_alone(f, n, (a & 1) | (b & 1) << 1 | (c & 1) << 2)) {
+                const uint32_t edges = ((a & 1) | (b & 1) << 1 | (c & 1) << 2) ^ ALL_EDGES;
+                const uint32_t number = (uint32_t)(n - neighbours) * THIRD;
+                if (!f->take(f, number, edges, false)) {
+                    f->from = number;
                     return false;
                 }
             }
@@ -315,21 +307,6 @@ static inline bool bands_of(const finder *f, const qtri_vertex *a, const qtri_ve
     return true;
 }
 
-static inline void append(finder *f, uint32_t band, uint32_t entry)
-{
-    uint32_t *list = f->outline->list;
-    uint32_t *entries = list + f->bands;
-    const uint32_t number = ++f->next;
-    const uint32_t last = list[band] & 0xFFFF;
-    entries[number - 1] = entry;
-    if (last == 0) {
-        list[band] = number << 16 | number;
-    } else {
-        entries[last - 1] |= number << NEXT_SHIFT;
-        list[band] = (list[band] & 0xFFFF0000u) | number;
-    }
-}
-
 /* The entries that these edges take. */
 QTRI_NOINLINE static uint32_t count_entries(const finder *f, qtri_vertex *const vertex[3],
                                             uint32_t edges)
@@ -346,13 +323,28 @@ QTRI_NOINLINE static uint32_t count_entries(const finder *f, qtri_vertex *const 
     return count;
 }
 
-static inline void list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b, uint32_t entry)
+/* Appends an entry to the lists of the bands of an edge. */
+QTRI_NOINLINE static void list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b,
+                                    uint32_t entry)
 {
     uint32_t band;
     uint32_t last;
-    if (bands_of(f, a, b, &band, &last)) {
-        for (; band <= last; band++) {
-            append(f, band, entry);
+    if (!bands_of(f, a, b, &band, &last)) {
+        return;
+    }
+    uint32_t number = f->next;
+    uint32_t *head = f->outline->list + band;
+    uint32_t *before = f->outline->list + f->bands - 1; /* of the first entry, which is 1 */
+    f->next = number + (last - band + 1);
+    for (; band <= last; band++) {
+        const uint32_t ends = *head;
+        number++;
+        before[number] = entry;
+        if (ends == 0) {
+            *head++ = number << 16 | number;
+        } else {
+            before[ends & 0xFFFF] |= number << NEXT_SHIFT;
+            *head++ = (ends & 0xFFFF0000u) | number;
         }
     }
 }
