@@ -252,47 +252,91 @@ static void draw_whole(struct scene *s, struct picture *out)
 
 /* ---- The same pixels ---- */
 
+/* The frame's bands: with a halo that is drawn again, or with one that is kept. */
+struct bands {
+    bool rolls;
+    qtri_halo halo;
+    qtri_rolling rolling;
+};
+
+static void begin_bands(struct bands *b, const struct scene *s, int32_t rows, int32_t halo,
+                        size_t bytes)
+{
+    static uint32_t kept[QTRI_ROLLING_KEPT_BYTES(WIDTH, 3, 4) / sizeof(uint32_t)];
+    assert_int_equal(qtri_halo_init(&b->halo, s->format, WIDTH, HEIGHT, rows, halo, memory, bytes),
+                     QTRI_OK);
+    if (b->rolls) {
+        assert_int_equal(qtri_rolling_init(&b->rolling, s->format, WIDTH, HEIGHT, rows, halo,
+                                           memory, bytes, kept, sizeof kept),
+                         QTRI_OK);
+    }
+    qtri_halo_begin(&b->halo);
+    qtri_rolling_begin(&b->rolling);
+}
+
+static bool next_band(struct bands *b, qtri_surface *drawn, qtri_surface *band, qtri_surface *shown)
+{
+    if (b->rolls) {
+        return qtri_rolling_next_band(&b->rolling, drawn, band, shown);
+    }
+    const bool there = qtri_halo_next_band(&b->halo, band, shown);
+    *drawn = *band;
+    return there;
+}
+
+static void prepare(struct bands *b, const struct scene *s, qtri_prepared *prepared,
+                    qtri_outline *of, const qtri_transform *pose, const qtri_material *material,
+                    int32_t halo)
+{
+    if (b->rolls) {
+        qtri_prepared_set_rolling_outline(prepared, of, halo);
+    } else {
+        qtri_prepared_set_outline(prepared, of, halo);
+    }
+    qtri_prepare_mesh(prepared, b->rolls ? &b->rolling.frame : &b->halo.frame, &s->view, pose,
+                      &s->mesh, material);
+    assert_int_equal(qtri_prepared_find_edges(prepared, of), QTRI_OK);
+}
+
 static void bands_and_lists(void **state)
 {
     (void)state;
     uint64_t seed = 1;
-    for (int round = 0; round < 400; round++) {
+    for (int round = 0; round < 600; round++) {
         struct scene s = random_scene(&seed);
         static struct picture whole, banded;
         draw_whole(&s, &whole);
-        const int32_t rows = random_in(&seed, 1, HEIGHT + 3);
+        struct bands b = {.rolls = round % 3 == 2};
         const int32_t halo = random_in(&seed, 1, 3);
+        const int32_t rows = random_in(&seed, b.rolls ? 2 * halo : 1, HEIGHT + 3);
         const uint32_t least = QTRI_OUTLINE_WORDS(TRIANGLES) + QTRI_OUTLINE_SUMS(VERTICES);
         begin_outlines(&s, least + (uint32_t)random_in(&seed, 0, 1) *
                                        (uint32_t)random_in(&seed, 0, 300));
-        qtri_halo frame;
         qtri_prepared prepared[2];
-        assert_int_equal(qtri_halo_init(&frame, s.format, WIDTH, HEIGHT, rows, halo, memory,
-                                        sizeof memory / (random_flag(&seed) ? 1 : 3)),
-                         QTRI_OK);
-        qtri_halo_begin(&frame);
+        begin_bands(&b, &s, rows, halo, sizeof memory / (random_flag(&seed) ? 1 : 3));
         qtri_material material[2] = {s.material, s.material};
         material[0].color.g = 0;
         material[1].color.g = 200;
         for (int i = 0; i < 2; i++) {
             qtri_prepared_init(&prepared[i], vertices[i], VERTICES, lists[i],
                                (uint32_t)random_in(&seed, 0, LISTS));
-            qtri_prepared_set_outline(&prepared[i], &outline[i], halo);
-            qtri_prepare_mesh(&prepared[i], &frame.frame, &s.view, &s.pose[i], &s.mesh,
-                              &material[i]);
-            assert_int_equal(qtri_prepared_find_edges(&prepared[i], &outline[i]), QTRI_OK);
+            prepare(&b, &s, &prepared[i], &outline[i], &s.pose[i], &material[i], halo);
         }
-        qtri_surface band, shown;
+        qtri_surface drawn, band, shown;
         int32_t next = 0;
-        while (qtri_halo_next_band(&frame, &band, &shown)) {
+        while (next_band(&b, &drawn, &band, &shown)) {
             qtri_edges edges;
             assert_int_equal(shown.first_row, next);
             if (!s.has_depth) {
                 band.depth = NULL;
+                drawn.depth = NULL;
             }
-            clear_to(&band, sky, s.far);
-            qtri_draw_prepared(&band, &prepared[0]);
-            qtri_draw_prepared(&band, &prepared[1]);
+            clear_to(&drawn, sky, s.far);
+            qtri_draw_prepared(&drawn, &prepared[0]);
+            qtri_draw_prepared(&drawn, &prepared[1]);
+            if (b.rolls) {
+                qtri_rolling_keep(&b.rolling, &band);
+            }
             assert_int_equal(qtri_edges_begin(&edges, &band, edge_memory, WORDS), QTRI_OK);
             qtri_edges_note(&edges, &outline[0]);
             qtri_edges_note(&edges, &outline[1]);
@@ -795,6 +839,73 @@ static void halo_bands_join(void **state)
     }
 }
 
+/* Bands that roll on: which rows are drawn, kept and shown, in one buffer and in two. */
+static void rolling_bands_join(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    qtri_rolling rolling;
+    qtri_surface drawn, band, shown;
+    uint8_t kept[QTRI_ROLLING_KEPT_BYTES(WIDTH, 8, 2) + 1];
+    assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 5, 3, memory,
+                                       sizeof memory, kept, sizeof kept),
+                     QTRI_ERROR_SIZE);
+    assert_false(qtri_rolling_next_band(&rolling, &drawn, &band, &shown));
+    assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 6, 3, memory,
+                                       sizeof memory, kept,
+                                       QTRI_ROLLING_KEPT_BYTES(WIDTH, 3, 2) - 1),
+                     QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 6, 3, memory,
+                                       sizeof memory, NULL, sizeof kept),
+                     QTRI_ERROR_MEMORY);
+    assert_false(qtri_rolling_next_band(&rolling, &drawn, &band, &shown));
+    for (int round = 0; round < 300; round++) {
+        const int32_t halo = random_in(&seed, 0, 8);
+        const int32_t rows = random_in(&seed, halo > 0 ? 2 * halo : 1, 60);
+        const bool two = random_flag(&seed);
+        uint8_t *rest = kept + random_in(&seed, 0, 1); /* at words or not */
+        assert_int_equal(
+            qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, rows, halo, memory,
+                              two ? QTRI_ROLLING_BYTES_DOUBLE(WIDTH, rows, halo, 2)
+                                  : QTRI_ROLLING_BYTES(WIDTH, rows, halo, 2),
+                              halo > 0 ? rest : NULL, sizeof kept - (size_t)(rest - kept)),
+            QTRI_OK);
+        for (int frame = 0; frame < 2; frame++) {
+            int32_t next_drawn = 0;
+            int32_t next_shown = 0;
+            qtri_rolling_begin(&rolling);
+            while (qtri_rolling_next_band(&rolling, &drawn, &band, &shown)) {
+                assert_int_equal(drawn.first_row, next_drawn);
+                assert_int_equal(shown.first_row, next_shown);
+                const int32_t above = next_drawn == 0 ? 0 : 2 * halo;
+                assert_int_equal(band.first_row, next_drawn - above);
+                next_drawn += drawn.rows;
+                next_shown += shown.rows;
+                assert_int_equal(band.first_row + band.rows, next_drawn);
+                assert_int_equal(next_shown, next_drawn < HEIGHT ? next_drawn - halo : HEIGHT);
+                for (int32_t y = 0; y < drawn.rows; y++) {
+                    const uint16_t row = (uint16_t)(drawn.first_row + y);
+                    for (int32_t x = 0; x < WIDTH; x++) {
+                        ((uint16_t *)(void *)(drawn.pixels + y * drawn.pitch))[x] = row;
+                        drawn.depth[y * drawn.depth_pitch + x] = (uint16_t)(row + 1000);
+                    }
+                }
+                for (int32_t y = 0; y < band.rows; y++) {
+                    const uint16_t row = (uint16_t)(band.first_row + y);
+                    const uint16_t *pixels = (uint16_t *)(void *)(band.pixels + y * band.pitch);
+                    assert_int_equal(pixels[0], row);
+                    assert_int_equal(pixels[WIDTH - 1], row);
+                    assert_int_equal(band.depth[y * band.depth_pitch], row + 1000);
+                    assert_int_equal(band.depth[(y + 1) * band.depth_pitch - 1], row + 1000);
+                }
+                qtri_rolling_keep(&rolling, &band);
+                clear_to(&band, sky, 0); /* whatever a filter makes of it */
+            }
+            assert_int_equal(next_shown, HEIGHT);
+        }
+    }
+}
+
 /* What a halo adds to what has changed: in the middle, and at each border of the frame. */
 static void halo_widens_changes(void **state)
 {
@@ -836,6 +947,7 @@ int main(void)
         cmocka_unit_test(hidden_edges),
         cmocka_unit_test(errors),
         cmocka_unit_test(halo_bands_join),
+        cmocka_unit_test(rolling_bands_join),
         cmocka_unit_test(halo_widens_changes),
     };
     return cmocka_run_group_tests(tests, make_torus, NULL);

@@ -100,10 +100,16 @@ QTRI_NOINLINE static void note_second(const qtri_edge_walker *w, uint32_t i, uin
     note(w, i, code, limit);
 }
 
+/* In place where there are registers for it. */
+#if QTRI_LONG_MULTIPLY && !defined(__OPTIMIZE_SIZE__)
+#define PIXEL QTRI_INLINE
+#else
+#define PIXEL QTRI_NOINLINE static
+#endif
+
 /* Notes what one pixel of an edge, `at` on the minor axis, gives itself and its neighbour. */
-QTRI_NOINLINE static void note_pixel(const qtri_edge_walker *w, const qtri_edge_axis *axis,
-                                     const uint16_t *shares, int32_t at, int32_t place,
-                                     int32_t limit)
+PIXEL void note_pixel(const qtri_edge_walker *w, const qtri_edge_axis *axis, const uint16_t *shares,
+                      int32_t at, int32_t place, int32_t limit)
 {
     const int32_t pixel = at >> 16;
     uint32_t fraction = qtri_low16((uint32_t)at);
@@ -167,51 +173,10 @@ typedef struct path {
     bool hides;                 /* depth counts */
 } path;
 
-/* Of a step on the minor axis: its row of the table. */
-static inline const uint16_t *shares_of(int32_t step)
+/* Of the magnitude of a step on the minor axis: its row of the table. */
+static inline const uint16_t *shares_of(uint32_t step)
 {
-    return coverage[(qtri_magnitude32(step) + 2048) >> 12]; /* |step| <= 2^16 */
-}
-
-/*
- * 2^16 delta / length to nearest, for delta <= length < 2^15 and r = 2^31 / (2^up length) or less
- * than one below: the quotient by r is at most 3 too small.
- */
-static inline uint32_t step_of(uint32_t delta, uint32_t length, uint32_t r, int32_t up)
-{
-    uint32_t step = ((delta << up) * r) >> 15; /* <= 2^31 / 2^15 */
-    uint32_t rest = (delta << 16) - step * length + length / 2;
-    while (rest >= length) {
-        rest -= length;
-        step++;
-    }
-    return step;
-}
-
-/* In one chunk, of which a pixel is not before the surface. */
-static inline void walk_short(const qtri_edge_walker *w, const qtri_edge_axis *axis, const path *l)
-{
-    part p;
-    /* length x 2^-16 is 2^(zeros - 16) length = 1/2..1, and r its reciprocal within 2^-15. */
-    const int32_t up = qtri_clz32((uint32_t)l->length) - 16; /* >= 1 */
-    const uint32_t r = qtri_reciprocal_q31((uint32_t)l->length << up);
-    const uint32_t magnitude = step_of(qtri_magnitude32(l->delta), (uint32_t)l->length, r, up);
-    p.step = l->delta < 0 ? -(int32_t)magnitude : (int32_t)magnitude;
-    p.at = l->minor * 256 + ((p.step * l->along + 128) >> 8);
-    p.k = l->first;
-    p.end = l->end;
-    p.limit = NO_LIMIT;
-    p.limit_step = 0;
-    if (l->hides) {
-        p.limit = l->depth + (l->depth_delta < 0 ? l->depth_delta : 0);
-        if (p.end - p.k > LEVEL_MOST) {
-            const int32_t step = qtri_mul_high_s31(l->depth_delta * 256, r << up) * 2; /* < 2^30 */
-            p.limit_step = step;
-            p.limit = l->depth + (step >> 8) * l->along + (((step & 255) * l->along) >> 8);
-        }
-    }
-    cut_part(&p, axis->low, axis->high);
-    walk_part(w, axis, &p, shares_of(p.step));
+    return coverage[(step + 2048) >> 12]; /* step <= 2^16 */
 }
 
 /* x n / length 2^more, towards zero; |x|, n, length <= 2^23, length > 0. */
@@ -247,19 +212,20 @@ QTRI_NOINLINE static void walk_long(const qtri_edge_walker *w, const qtri_edge_a
             p.limit_step = limit_step;
         }
         cut_part(&p, axis->low, axis->high);
-        walk_part(w, axis, &p, shares_of(step));
+        walk_part(w, axis, &p, shares_of(qtri_magnitude32(step)));
     }
 }
 
-/* How much nearer than the edge a pixel may be, 16.6. c: the face's third vertex. */
-static inline int32_t slack_of(const path *l, int32_t depth_c, int32_t minor_c)
+/* Down to hold a third value, or up. */
+static inline int32_t range_of(int32_t low, int32_t high, int32_t third)
 {
-    const int32_t depth_b = l->depth + l->depth_delta;
-    const int32_t minor_b = l->minor + l->delta;
-    const int32_t range = qtri_greatest32(qtri_greatest32(l->depth, depth_b), depth_c) -
-                          qtri_least32(qtri_least32(l->depth, depth_b), depth_c); /* < 2^22 */
-    const int32_t extent = qtri_greatest32(qtri_greatest32(l->minor, minor_b), minor_c) -
-                           qtri_least32(qtri_least32(l->minor, minor_b), minor_c);
+    return qtri_greatest32(high, third) - qtri_least32(low, third);
+}
+
+/* How much nearer than the edge a pixel may be, 16.6, by the face's range of depth, 16.6 and below
+ * 2^22, and its extent across the edge. */
+static inline int32_t slack_of(int32_t range, int32_t extent)
+{
     int32_t slack = 8 * range;
     if (extent >= 512) {
         slack >>= 23 - qtri_clz32((uint32_t)extent); /* 1 for 2 pixels and more, 2 for 4 ... */
@@ -298,53 +264,147 @@ void qtri_edge_walker_init(qtri_edge_walker *w, const qtri_edges *edges, qtri_ed
     w->axis[1] = steep;
 }
 
+/* Along a major axis that may be any of the two: coordinates of the ends on it, and on the other.
+ */
+typedef struct ends {
+    const qtri_edge_axis *axis;
+    int32_t major, minor, length, delta;
+    int32_t third;        /* of the face's other vertex, on the minor axis */
+    int32_t depth, other; /* at the ends; 16.6, flipped where greater is nearer */
+    int32_t depth_c;
+} ends;
+
+/* By increasing major coordinate. */
+QTRI_INLINE void order(ends *e, const qtri_edge_walker *w, const qtri_vertex *a,
+                       const qtri_vertex *b, const qtri_vertex *c)
+{
+    const uint32_t flip = w->flip << 6; /* 65535 less the depth */
+    e->axis = &w->axis[0];
+    e->major = a->at.x_24p8;
+    e->minor = a->at.y_24p8;
+    e->third = c->at.y_24p8;
+    e->length = b->at.x_24p8 - e->major;
+    e->delta = b->at.y_24p8 - e->minor;
+    if (qtri_magnitude32(e->delta) > qtri_magnitude32(e->length)) {
+        const int32_t width = e->length;
+        const int32_t x = e->major;
+        e->axis = &w->axis[1];
+        e->length = e->delta;
+        e->delta = width;
+        e->major = e->minor;
+        e->minor = x;
+        e->third = c->at.x_24p8;
+    }
+    e->depth = (int32_t)(a->depth_16p8 >> 10 ^ flip);
+    e->other = (int32_t)(b->depth_16p8 >> 10 ^ flip);
+    e->depth_c = (int32_t)(c->depth_16p8 >> 10 ^ flip);
+    if (e->length < 0) { /* from b to a */
+        const int32_t depth = e->depth;
+        e->major += e->length;
+        e->minor += e->delta;
+        e->length = -e->length;
+        e->delta = -e->delta;
+        e->depth = e->other;
+        e->other = depth;
+    }
+}
+
+/* The lesser of the depths at its ends, less slack. */
+static inline int32_t nearest_of(const ends *e)
+{
+    const int32_t end = e->minor + e->delta;
+    const bool up = e->delta >= 0;
+    const bool away = e->other >= e->depth;
+    const int32_t low = away ? e->depth : e->other;
+    return low - slack_of(range_of(low, away ? e->other : e->depth, e->depth_c),
+                          range_of(up ? e->minor : end, up ? end : e->minor, e->third));
+}
+
+/* One of CHUNK pixels and more. */
+QTRI_NOINLINE static void note_long(const qtri_edge_walker *w, const qtri_vertex *a,
+                                    const qtri_vertex *b, const qtri_vertex *c)
+{
+    ends e;
+    path l;
+    order(&e, w, a, b, c);
+    l.minor = e.minor;
+    l.delta = e.delta;
+    l.length = e.length;
+    l.along = (128 - e.major) & 255;
+    l.first = (e.major + 127) >> 8;
+    l.end = (e.major + e.length + 127) >> 8;
+    l.hides = w->hides;
+    l.depth_delta = e.other - e.depth;
+    l.depth = nearest_of(&e) - (l.depth_delta < 0 ? l.depth_delta : 0);
+    if (l.first < e.axis->high && l.end > e.axis->low) {
+        walk_long(w, e.axis, &l);
+    }
+}
+
+/* r: 2^31 / (2^up length), length x 2^up being 2^15..2^16 - 1, or less than one below. */
+QTRI_INLINE void find_limit(part *p, const ends *e, int32_t along, uint32_t r, int32_t up)
+{
+    const int32_t delta = e->other - e->depth;
+    const int32_t step = qtri_mul_high_s31(delta * 256, r << up) * 2; /* < 2^30 */
+    p->limit_step = step;
+    p->limit -= delta < 0 ? delta : 0; /* from where it begins, not the nearest */
+    p->limit += (step >> 8) * along + (((step & 255) * along) >> 8);
+}
+
+/*
+ * 2^16 delta / length to nearest, for delta <= length < 2^15; r as in find_limit(): the quotient by
+ * it is at most 3 too small.
+ */
+static inline uint32_t step_of(uint32_t delta, uint32_t length, uint32_t r, int32_t up)
+{
+    if (QTRI_DIVIDE) {
+        return ((delta << 16) + length / 2) / length; /* < 2^31 + 2^14 */
+    }
+    uint32_t step = ((delta << up) * r) >> 15; /* <= 2^31 / 2^15 */
+    uint32_t rest = (delta << 16) - step * length + length / 2;
+    while (rest >= length) {
+        rest -= length;
+        step++;
+    }
+    return step;
+}
+
 void qtri_edge_note(const qtri_edge_walker *w, const qtri_vertex *a, const qtri_vertex *b,
                     const qtri_vertex *c)
 {
-    path l;
-    const qtri_edge_axis *axis = &w->axis[0];
-    int32_t major = a->at.x_24p8;
-    int32_t minor_c = c->at.y_24p8;
-    l.minor = a->at.y_24p8;
-    l.length = b->at.x_24p8 - major;
-    l.delta = b->at.y_24p8 - l.minor;
-    if (qtri_magnitude32(l.delta) > qtri_magnitude32(l.length)) {
-        const int32_t width = l.length;
-        axis = &w->axis[1];
-        l.length = l.delta;
-        l.delta = width;
-        major = l.minor;
-        l.minor = a->at.x_24p8;
-        minor_c = c->at.x_24p8;
-    }
-    const qtri_vertex *end = b;
-    if (l.length < 0) { /* from b to a */
-        major += l.length;
-        l.minor += l.delta;
-        l.length = -l.length;
-        l.delta = -l.delta;
-        end = a;
-        a = b;
-    }
-    /* Centres in [major, major + length): the first is ceil((major - 128) / 256). */
-    l.first = (major + 127) >> 8;
-    l.end = (major + l.length + 127) >> 8;
-    if (l.first >= l.end || l.first >= axis->high || l.end <= axis->low) {
+    ends e;
+    part p;
+    order(&e, w, a, b, c);
+    if (e.length >= SHORT_24P8) {
+        note_long(w, a, b, c);
         return;
     }
-    l.along = (128 - major) & 255;
-    l.hides = w->hides;
-    l.depth = 0;
-    l.depth_delta = 0;
-    if (l.hides) {
-        const uint32_t flip = w->flip << 6; /* 65535 less the depth */
-        l.depth = (int32_t)(a->depth_16p8 >> 10 ^ flip);
-        l.depth_delta = (int32_t)(end->depth_16p8 >> 10 ^ flip) - l.depth;
-        l.depth -= slack_of(&l, (int32_t)(c->depth_16p8 >> 10 ^ flip), minor_c);
+    /* Centres in [major, major + length): the first is ceil((major - 128) / 256). */
+    p.k = (e.major + 127) >> 8;
+    p.end = (e.major + e.length + 127) >> 8;
+    if (p.k >= p.end || p.k >= e.axis->high || p.end <= e.axis->low) {
+        return;
     }
-    if (l.length < SHORT_24P8) {
-        walk_short(w, axis, &l);
-    } else {
-        walk_long(w, axis, &l);
+    const int32_t along = (128 - e.major) & 255; /* to the first centre */
+    const bool is_level = !w->hides || p.end - p.k <= LEVEL_MOST;
+    /* length x 2^-16 is 2^(zeros - 16) length = 1/2..1, and r its reciprocal within 2^-15. */
+    int32_t up = 0;
+    uint32_t r = 0;
+    if (!QTRI_DIVIDE || !is_level) {
+        up = qtri_clz32((uint32_t)e.length) - 16; /* >= 1 */
+        r = qtri_reciprocal_q31((uint32_t)e.length << up);
     }
+    p.limit = NO_LIMIT;
+    p.limit_step = 0;
+    if (w->hides) {
+        p.limit = nearest_of(&e);
+        if (!is_level) {
+            find_limit(&p, &e, along, r, up);
+        }
+    }
+    const uint32_t magnitude = step_of(qtri_magnitude32(e.delta), (uint32_t)e.length, r, up);
+    p.step = e.delta < 0 ? -(int32_t)magnitude : (int32_t)magnitude;
+    p.at = e.minor * 256 + ((p.step * along + 128) >> 8);
+    cut_part(&p, e.axis->low, e.axis->high);
+    walk_part(w, e.axis, &p, shares_of(magnitude));
 }

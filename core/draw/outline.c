@@ -17,6 +17,9 @@
 
 #include "edge_walk.h"
 
+/* 3 times that is 1 modulo 2^32: what is a multiple of 3 is divided by it. */
+#define THIRD 0xAAAAAAABu
+
 enum { PASSES = 3, ALL_EDGES = 7, CREASE_Q15 = 1 << 11 };
 
 /*
@@ -36,7 +39,8 @@ struct finder {
     uint32_t from;           /* the first triangle that was not looked at or not taken */
     qtri_edge_walker walker; /* for walks */
     uint32_t bands, next, end, inverse, shift; /* for lists: entries, and 1 / rows */
-    int32_t height, above; /* rows of the frame; that an edge's pixels and halos reach beyond it */
+    int32_t height;                            /* rows of the frame */
+    int32_t above, below;                      /* rows that bands reach beyond their own */
 };
 
 static const void *triangle_at(const qtri_mesh *mesh, uint32_t number)
@@ -44,44 +48,41 @@ static const void *triangle_at(const qtri_mesh *mesh, uint32_t number)
     return qtri_mesh_triangle(mesh, number, qtri_mesh_has_bytes(mesh));
 }
 
-/* The edges of a front face whose neighbours are not front. */
-static inline uint32_t alone(const uint32_t *front, const uint16_t *neighbours)
+/* A function of its own: none of the other ways to find edges takes its registers. */
+QTRI_NOINLINE static bool find_by_neighbours(finder *f)
 {
-    const uint32_t a = qtri_front_bit(front, neighbours[0]);
-    const uint32_t b = qtri_front_bit(front, neighbours[1]);
-    const uint32_t c = qtri_front_bit(front, neighbours[2]);
-    if ((a & b & c & 1) != 0) {
-        return 0;
-    }
-    return ((a & 1) | (b & 1) << 1 | (c & 1) << 2) ^ ALL_EDGES;
-}
-
-static bool find_by_neighbours(finder *f)
-{
-    const qtri_mesh *mesh = f->outline->mesh;
+    const uint16_t *neighbours = f->outline->mesh->neighbours[0];
     const uint32_t *front = f->outline->front;
-    const uint16_t(*neighbours)[3] = mesh->neighbours;
-    uint32_t number = f->from;
-    while (number < mesh->triangle_count) {
-        uint32_t bits = front[number >> 5] >> (number & 31);
-        const uint32_t next = (number | 31) + 1;
-        for (const uint16_t *n = neighbours[number]; bits != 0; bits >>= 1, n += 3, number++) {
-            if ((bits & 0xFF) == 0) {
-                bits >>= 7;
-                n += 21;
-                number += 7;
-                continue;
-            }
+    const uint32_t count = f->outline->mesh->triangle_count;
+    uint32_t next = f->from;
+    while (next < count) {
+        uint32_t bits = front[next >> 5] >> (next & 31);
+        const uint16_t *n = neighbours + (size_t)next * 3;
+        next = (next | 31) + 1;
+        while (bits != 0) {
             if ((bits & 1) == 0) {
+                const bool many = (bits & 0xFF) == 0;
+                n += many ? 24 : 3;
+                bits >>= many ? 8 : 1;
                 continue;
             }
-            const uint32_t edges = alone(front, n);
-            if (edges != 0 && !f->take(f, number, edges, false)) {
-                f->from = number;
-                return false;
+            uint32_t a = qtri_front_bit(front, n[0]);
+            uint32_t b = qtri_front_bit(front, n[1]);
+            uint32_t c = qtri_front_bit(front, n[2]);
+            if ((a & b & c & 1) == 0) {
+                QTRI_HOLD(a); /* GCC 12 would compute what follows for all faces */
+                QTRI_HOLD(b);
+                QTRI_HOLD(c);
+                const uint32_t edges = ((a & 1) | (b & 1) << 1 | (c & 1) << 2) ^ ALL_EDGES;
+                const uint32_t number = (uint32_t)(n - neighbours) * THIRD;
+                if (!f->take(f, number, edges, false)) {
+                    f->from = number;
+                    return false;
+                }
             }
+            n += 3;
+            bits >>= 1;
         }
-        number = next;
     }
     return true;
 }
@@ -284,35 +285,26 @@ static uint32_t band_of(const finder *f, int32_t row)
     return ((uint32_t)row * f->inverse) >> f->shift;
 }
 
-/* The bands that walk along the edge between two vertices, and their halos; false: none. */
+/*
+ * The bands that walk along the edge between two vertices: those that have a row which it passes
+ * through. (Where the walk's rounding takes it into the next row, its share is that of a neighbour
+ * in the row that it left, so a band without that row has no note of it.) False: none.
+ */
 static inline bool bands_of(const finder *f, const qtri_vertex *a, const qtri_vertex *b,
                             uint32_t *band, uint32_t *last)
 {
     const int32_t y = a->at.y_24p8;
     const int32_t other = b->at.y_24p8;
-    const int32_t top = ((y < other ? y : other) >> 8) - f->above;
-    const int32_t bottom = ((y < other ? other : y) >> 8) + f->above;
-    if (bottom < f->above - 1 || top >= f->height) { /* not within a pixel of the frame */
+    int32_t top = (y < other ? y : other) >> 8;
+    int32_t bottom = (y < other ? other : y) >> 8;
+    if (bottom < 0 || top >= f->height) {
         return false;
     }
+    top -= f->below;
+    bottom += f->above;
     *band = top < 0 ? 0 : band_of(f, top);
     *last = bottom >= f->height ? f->bands - 1 : band_of(f, bottom);
     return true;
-}
-
-static inline void append(finder *f, uint32_t band, uint32_t entry)
-{
-    uint32_t *list = f->outline->list;
-    uint32_t *entries = list + f->bands;
-    const uint32_t number = ++f->next;
-    const uint32_t last = list[band] & 0xFFFF;
-    entries[number - 1] = entry;
-    if (last == 0) {
-        list[band] = number << 16 | number;
-    } else {
-        entries[last - 1] |= number << NEXT_SHIFT;
-        list[band] = (list[band] & 0xFFFF0000u) | number;
-    }
 }
 
 /* The entries that these edges take. */
@@ -331,13 +323,28 @@ QTRI_NOINLINE static uint32_t count_entries(const finder *f, qtri_vertex *const 
     return count;
 }
 
-static inline void list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b, uint32_t entry)
+/* Appends an entry to the lists of the bands of an edge. */
+QTRI_NOINLINE static void list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b,
+                                    uint32_t entry)
 {
     uint32_t band;
     uint32_t last;
-    if (bands_of(f, a, b, &band, &last)) {
-        for (; band <= last; band++) {
-            append(f, band, entry);
+    if (!bands_of(f, a, b, &band, &last)) {
+        return;
+    }
+    uint32_t number = f->next;
+    uint32_t *head = f->outline->list + band;
+    uint32_t *before = f->outline->list + f->bands - 1; /* of the first entry, which is 1 */
+    f->next = number + (last - band + 1);
+    for (; band <= last; band++) {
+        const uint32_t ends = *head;
+        number++;
+        before[number] = entry;
+        if (ends == 0) {
+            *head++ = number << 16 | number;
+        } else {
+            before[ends & 0xFFFF] |= number << NEXT_SHIFT;
+            *head++ = (ends & 0xFFFF0000u) | number;
         }
     }
 }
@@ -366,7 +373,7 @@ static bool take_for_lists(finder *f, uint32_t triangle, uint32_t edges, bool we
 }
 
 /* Lists for bands of so many rows, if there is room for them. */
-static void make_lists(qtri_outline *outline, int32_t rows, int32_t halo)
+static void make_lists(qtri_outline *outline, int32_t rows, int32_t above, int32_t below)
 {
     const uint32_t bands = ((uint32_t)outline->height + (uint32_t)rows - 1) / (uint32_t)rows;
     outline->rows = 0;
@@ -380,7 +387,8 @@ static void make_lists(qtri_outline *outline, int32_t rows, int32_t halo)
                 .bands = bands,
                 .shift = 13,
                 .height = outline->height,
-                .above = halo + 1};
+                .above = above,
+                .below = below};
     const uint32_t room = outline->list_words - bands;
     f.end = room < ENTRIES_MAX ? room : ENTRIES_MAX;
     while ((int32_t)1 << (f.shift - 13) < rows) {
@@ -391,7 +399,8 @@ static void make_lists(qtri_outline *outline, int32_t rows, int32_t halo)
         outline->list[i] = 0;
     }
     outline->rows = rows;
-    outline->halo = halo;
+    outline->above = above;
+    outline->below = below;
     outline->left_pass = find_from(&f, 0, 0);
     outline->left_from = f.from;
 }
@@ -473,7 +482,7 @@ enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_out
     qtri_outline_set(outline, prepared->vertices, prepared->view, prepared->pose,
                      prepared->material, prepared->width, prepared->height);
     if (outline->vertices != NULL) {
-        make_lists(outline, prepared->rows, prepared->halo);
+        make_lists(outline, prepared->rows, prepared->edges_above, prepared->edges_below);
     }
     return QTRI_OK;
 }
@@ -483,10 +492,21 @@ void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outl
     prepared->front = NULL;
     prepared->front_of = NULL;
     prepared->halo = qtri_hold32(halo, 0, QTRI_HALO_MAX);
+    prepared->edges_above = prepared->halo;
+    prepared->edges_below = prepared->halo;
     if (outline != NULL) {
         prepared->front = outline->front;
         prepared->front_of = outline->mesh;
     }
+}
+
+void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outline *outline,
+                                       int32_t halo)
+{
+    qtri_prepared_set_outline(prepared, outline, halo);
+    prepared->edges_above = 2 * prepared->halo; /* rows that were kept; nothing is drawn there */
+    prepared->edges_below = 0;
+    prepared->halo = 0;
 }
 
 /* ---- Noting ---- */
@@ -546,10 +566,10 @@ static bool find_list(const qtri_outline *outline, const qtri_rect *bounds, uint
     if (outline->rows == 0) {
         return false;
     }
-    const int32_t number = (bounds->y0 + outline->halo) / outline->rows;
+    const int32_t number = (bounds->y0 + outline->above) / outline->rows;
     *band = (uint32_t)number;
     return number * outline->rows < outline->height &&
-           bounds->y1 <= (number + 1) * outline->rows + outline->halo;
+           bounds->y1 <= (number + 1) * outline->rows + outline->below;
 }
 
 void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline)

@@ -17,19 +17,29 @@ static inline void qtri_front_set(uint32_t *front, uint32_t triangle)
     front[triangle >> 5] |= (uint32_t)1 << (triangle & 31);
 }
 
-/* At bit 0, others being above it: rotated, so that the number needs no mask. */
-static inline uint32_t qtri_front_bit(const uint32_t *front, uint32_t triangle)
+/* A word, rotated to the right by the low five bits of a number, which need no mask. */
+static inline uint32_t qtri_front_rotated(uint32_t word, uint32_t by)
 {
-    uint32_t word = front[triangle >> 5];
 #if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
-    __asm__("ror %0, %1" : "+l"(word) : "l"(triangle) : "cc");
+    __asm__("ror %0, %1" : "+l"(word) : "l"(by) : "cc");
     return word;
 #elif defined(__GNUC__) && defined(__thumb2__)
-    __asm__("ror %0, %0, %1" : "+r"(word) : "r"(triangle));
+    __asm__("ror %0, %0, %1" : "+r"(word) : "r"(by));
     return word;
 #else
-    return word >> (triangle & 31);
+    return word >> (by & 31) | word << ((0 - by) & 31);
 #endif
+}
+
+/* At bit 0, others being above it. */
+static inline uint32_t qtri_front_bit(const uint32_t *front, uint32_t triangle)
+{
+    return qtri_front_rotated(front[triangle >> 5], triangle);
+}
+
+static inline void qtri_front_unset(uint32_t *front, uint32_t triangle)
+{
+    front[triangle >> 5] &= ~((uint32_t)1 << (triangle & 31));
 }
 
 /* Whether a triangle that is not culled counts as front: one that crosses a plane does. */

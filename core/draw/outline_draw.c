@@ -73,29 +73,73 @@ QTRI_NOINLINE static void see_whole(const drawing *d)
     }
 }
 
-/* A list of triangles, the first of which is `first` of the mesh; `simple` as above. */
-QTRI_INLINE void see_list(const drawing *d, const qtri_mesh_faces *faces, uint32_t first,
-                          bool narrow, bool simple)
+/*
+ * All of a list counts as front, for now: a plane leaves few back faces. `front`: of the list's
+ * first triangle, in words of which nothing is set. Entries rise.
+ */
+QTRI_NOINLINE static void set_listed(uint32_t *front, const qtri_mesh_faces *faces)
 {
-    const qtri_mesh_job *job = d->job;
+    enum { WORD = 32 * QTRI_FACES_STEP };
+    uint32_t minus_third = 0 - qtri_mesh_faces_third();
+    QTRI_HOLD(minus_third);
+    const uint16_t *at = faces->list;
+    const uint16_t *end = faces->end;
+    for (uint32_t limit = WORD; at != end; limit += WORD) {
+        uint32_t bits = 0;
+        while (*at < limit) {
+            bits |= qtri_front_rotated(1, qtri_mesh_faces_number(*at, minus_third));
+            at++;
+            if (at == end) {
+                break;
+            }
+        }
+        *front++ = bits;
+    }
+}
+
+/* A function of its own, as few need it. */
+QTRI_NOINLINE static void unset_listed(uint32_t *front, const qtri_mesh_faces *faces,
+                                       const uint8_t *triangle)
+{
+    const uint32_t entry = (uint32_t)(triangle - faces->triangles);
+    qtri_front_unset(front, qtri_mesh_faces_number(entry, qtri_mesh_faces_third()));
+}
+
+/* A list of triangles of a mesh that culls its back faces, all vertices being inside. */
+QTRI_NOINLINE static void see_fronts(const qtri_mesh_job *job, const qtri_mesh_faces *faces,
+                                     uint32_t *front)
+{
     const uint32_t size = qtri_vertex_size();
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
     qtri_vertex *vertices = job->vertices;
-    const uint32_t third = qtri_mesh_faces_third();
-    uint32_t *front = d->front + first / 32; /* lists are of QTRI_FACES_AT_ONCE triangles */
+    set_listed(front, faces);
     for (const uint16_t *at = faces->list; at != end; at++) {
-        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
-        const uint32_t number = qtri_mesh_faces_number(*at, third);
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, false);
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, false);
+        qtri_mesh_get(vertex, vertices, index, size);
+        if (qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
+            unset_listed(front, faces, triangle);
+        } else {
+            qtri_mesh_draw_solid(job, triangle, vertex[0], vertex[1], vertex[2]);
+        }
+    }
+}
+
+/* Any list of triangles, the first of which is `first` of the mesh. */
+static void see_list(const drawing *d, const qtri_mesh_faces *faces, uint32_t first)
+{
+    const bool narrow = qtri_mesh_has_bytes(d->job->mesh);
+    const uint32_t third = qtri_mesh_faces_third();
+    for (const uint16_t *at = faces->list; at != faces->end; at++) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(faces->triangles, *at, narrow);
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, narrow);
-        qtri_mesh_get(vertex, vertices, index, size);
-        if (simple) {
-            see_solid(job, front, triangle, number, vertex);
-        } else {
-            see_any(d, triangle, first + number, vertex);
-        }
+        qtri_mesh_get(vertex, d->job->vertices, index, qtri_vertex_size());
+        see_any(d, triangle, first + qtri_mesh_faces_number(*at, third), vertex);
     }
 }
 
@@ -111,9 +155,9 @@ QTRI_NOINLINE static bool see_faces(const drawing *d, qtri_mesh_job *job)
     job->lit = true;
     for (uint32_t first = 0; culling->next(&faces, job); first = faces.next) {
         if (simple && faces.inside) {
-            see_list(d, &faces, first, false, true);
+            see_fronts(job, &faces, d->front + first / 32);
         } else {
-            see_list(d, &faces, first, narrow, false);
+            see_list(d, &faces, first);
         }
     }
     return true;

@@ -23,6 +23,8 @@ void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t
     prepared->marked = nowhere;
     prepared->mesh = NULL;
     prepared->halo = 0;
+    prepared->edges_above = 0;
+    prepared->edges_below = 0;
     prepared->front = NULL;
     prepared->front_of = NULL;
 }

@@ -48,18 +48,99 @@ static void filter_pixels(const window_565 *w, uint16_t *out, int32_t x, int32_t
     }
 }
 
-/* Pixels x and x + 1, one of which has a neighbour whose luma is not near its own. */
-QTRI_NOINLINE static void filter_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width)
+/*
+ * Two lumas in one word, 0..255 in halves of 16 bits. With a half's highest bit set nothing is
+ * borrowed from the other half, and the bit stays where the difference is not below 0.
+ */
+enum { HALF_BIT = 15 };
+static const uint32_t high_bits = 0x80008000u;
+
+/* By how much each half of a is above that of b; 0 where it is not. */
+static inline uint32_t above_two(uint32_t a, uint32_t b)
 {
-    const uint16_t *up = w->lumas[1] + x;
-    const uint16_t *own = w->lumas[2] + x;
-    const uint16_t *down = w->lumas[3] + x;
-    const int32_t first = own[0];
-    const int32_t second = own[1];
-    if (!qtri_fxaa_is_flat(first, up[0], down[0], own[-1], second)) {
+    const uint32_t difference = (a | high_bits) - b;
+    const uint32_t is_above = difference & high_bits;
+    return difference & (is_above - (is_above >> HALF_BIT));
+}
+
+/*
+ * Of two pixels and their neighbours, where qtri_fxaa_is_flat() is not so: the high bits of halves.
+ */
+static inline uint32_t edges_of_two(uint32_t m, uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+{
+    QTRI_HOLD(a); /* GCC 12 would compute what follows for flat pixels too */
+    QTRI_HOLD(c);
+    const uint32_t first = above_two(a, b);
+    const uint32_t second = above_two(c, d);
+    const uint32_t high_1 = b + first;
+    const uint32_t low_1 = a - first;
+    const uint32_t high_2 = d + second;
+    const uint32_t low_2 = c - second;
+    uint32_t high = high_2 + above_two(high_1, high_2);
+    uint32_t low = low_1 - above_two(low_1, low_2);
+    high += above_two(m, high);
+    low -= above_two(low, m);
+    const uint32_t range = high - low;
+    return (range + 0x80008000u - 0x00010001u * QTRI_FXAA_LEAST) &
+           ((range << 3 | high_bits) - high) & high_bits;
+}
+
+/* Whether the first of two pixels is in the lower half of their word. */
+static inline bool is_first_low(void)
+{
+    const union {
+        uint32_t word;
+        uint16_t first;
+    } one = {1};
+    return one.first == 1;
+}
+
+/* The high bit of the first or the second pixel's half. */
+static inline uint32_t bit_of(bool first)
+{
+    return (uint32_t)1 << (is_first_low() == first ? HALF_BIT : 16 + HALF_BIT);
+}
+
+static inline bool is_edge(int32_t low, int32_t high, int32_t a, int32_t b, int32_t c)
+{
+    high = a > high ? a : high;
+    low = a < low ? a : low;
+    high = b > high ? b : high;
+    low = b < low ? b : low;
+    high = c > high ? c : high;
+    low = c < low ? c : low;
+    const int32_t range = high - low;
+    return range >= QTRI_FXAA_LEAST && range * 8 >= high;
+}
+
+/* The same one by one, for cores with few registers. Without calls: those of the loop stay. */
+QTRI_NOINLINE static uint32_t edges_by_one(const uint16_t *above, const uint16_t *own,
+                                           const uint16_t *below)
+{
+    int32_t low = own[0];
+    int32_t high = own[1];
+    uint32_t edges = 0;
+    if (low > high) {
+        low = own[1];
+        high = own[0];
+    }
+    if (is_edge(low, high, above[0], below[0], own[-1])) {
+        edges = bit_of(true);
+    }
+    if (is_edge(low, high, above[1], below[1], own[2])) {
+        edges |= bit_of(false);
+    }
+    return edges;
+}
+
+/* Those of pixels x and x + 1 whose halves have the high bit. */
+QTRI_NOINLINE static void resolve_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width,
+                                      uint32_t edges)
+{
+    if ((edges & bit_of(true)) != 0) {
         out[x] = (uint16_t)resolve_565(w, x, width);
     }
-    if (!qtri_fxaa_is_flat(second, up[1], down[1], first, own[2])) {
+    if ((edges & bit_of(false)) != 0) {
         out[x + 1] = (uint16_t)resolve_565(w, x + 1, width);
     }
 }
@@ -67,11 +148,7 @@ QTRI_NOINLINE static void filter_two(const window_565 *w, uint16_t *out, int32_t
 /* A word of two pixels, moved by one: another comes in at the left, or at the right. */
 static inline uint32_t moved_in(uint32_t two, uint32_t other, bool at_left)
 {
-    const union {
-        uint32_t word;
-        uint16_t first;
-    } one = {1}; /* whether the first of two is in the word's lower half */
-    return (one.first == 1) == at_left ? two << 16 | other : two >> 16 | other << 16;
+    return is_first_low() == at_left ? two << 16 | other : two >> 16 | other << 16;
 }
 
 /*
@@ -95,7 +172,12 @@ QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32
         const uint32_t most = both + near;
         if ((((most - above) | (most - below) | (most - left) | (most - right)) & ~0x00070007u) !=
             0) {
-            filter_two(w, out, x, width);
+            const uint32_t edges = QTRI_LONG_MULTIPLY
+                                       ? edges_of_two(both, above, below, left, right)
+                                       : edges_by_one(up + x, own + x, down + x);
+            if (edges != 0) {
+                resolve_two(w, out, x, width, edges);
+            }
         }
     }
     filter_pixels(w, out, x, end, width);

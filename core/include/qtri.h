@@ -33,6 +33,7 @@
  *   font.h       text                                     shapes.h   spheres, boxes and others
  *   animation.h  keys, hierarchies, morphing              bounds.h   what encloses, what is seen
  *   antialias.h  smooth edges: edges.h, filters.h         halo.h     bands that overlap
+ *   rolling.h    bands that overlap, each row drawn once
  */
 #ifndef QTRI_H
 #define QTRI_H
@@ -66,6 +67,7 @@
 #include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/raster.h"
+#include "qtri/rolling.h"
 #include "qtri/shapes.h"
 #include "qtri/stroke.h"
 #include "qtri/surface.h"

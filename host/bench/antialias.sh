@@ -35,6 +35,7 @@ done | awk -v cores="$*" -v mesh="$mesh" '
         line("edge pass by sums", "S4es", "S4", 1e6, "M")
         line("none, bands of 16 rows", "S4b", "", 1e6, "M")
         line("edge pass and its halo", "S4be", "S4b", 1e6, "M")
+        line("edge pass, halo kept", "S4br", "S4b", 1e6, "M")
         line("2x2 samples", "S4h", "S4", 1e6, "M")
         line("4 samples", "S4x", "S4", 1e6, "M")
         line("4 samples, textured (S6)", "S6x", "S6", 1e6, "M")

@@ -116,6 +116,7 @@ static const struct expectation {
     {"S4a", BEGIN LIT COMPACT(SPOT), 0},
     {"S4m", BEGIN LIT COMPACT(SPOT), 0},
     {"S4be", BEGIN LIT COMPACT(SPOT), 0},
+    {"S4br", BEGIN LIT COMPACT(SPOT), 0},
     {"K1", BEGIN "linewidth 1\n", 0},
     {"K5", BEGIN "linewidth 5\n", 0},
     {"KP", BEGIN "pointsize 6\n", 0},

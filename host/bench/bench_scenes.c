@@ -12,7 +12,8 @@
  * the row of that name with that mesh. S4b, S4wb, S5b, S6b and S7b: S4, S4w, S5, S6 and S7 in 15
  * bands of 16 rows, all of a frame's work but the clear. ST: the mesh of S4 as loose triangles. L1:
  * S4 with a point light and Blinn-Phong highlights; L2 and L3: and one and three directional
- * lights; L1f: S5 so, L1b: L1 in bands. S4e and S4be: S4 and S4b with the edge pass, S4es by sums.
+ * lights; L1f: S5 so, L1b: L1 in bands. S4e and S4be: S4 and S4b with the edge pass, S4es by sums;
+ * S4br: S4be with the halo kept.
  * S4h: S4 of 2 x 2 samples, with the clear; S4x, S6x and S11x: S4, S6 and S11 with four samples a
  * pixel, likewise; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a sum, and the storing
  * of its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP: 256
@@ -90,6 +91,7 @@ const bench_scene bench_scenes[] = {
     {.name = "S4a", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_ADD},
     {.name = "S4m", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_STORE},
     {.name = "S4be", MESH(COMPACT(spot), Q16(150)), BANDS, .smooth = BENCH_EDGES},
+    {.name = "S4br", MESH(COMPACT(spot), Q16(150)), BANDS, .smooth = BENCH_EDGES, .rolling = true},
     {.name = "K1", .work = BENCH_STROKE, .width = Q16(1)},
     {.name = "K5", .work = BENCH_STROKE, .width = Q16(5)},
     {.name = "KP", .work = BENCH_STROKE, .width = Q16(6), .points = true},

@@ -20,7 +20,7 @@ static bool prepare_outline(bench_frame *frame)
                              WORDS(s->outline_memory)) == QTRI_OK;
 }
 
-/* Memory of bands: one below the other. */
+/* Memory of bands: one below the other. A halo takes as many rows as are kept. */
 static uint32_t *memory_of(bench_smoother *s, int32_t band)
 {
     return &s->bands[band * ((BAND_ROWS + 2 * HALO) * BENCH_WIDTH)];
@@ -61,16 +61,26 @@ bool bench_prepare_smooth(bench_frame *frame)
     if (frame->scene->band_rows == 0) {
         return true;
     }
-    qtri_prepared_set_outline(&frame->prepared, &s->outline, HALO);
+    if (frame->scene->rolling) {
+        qtri_prepared_set_rolling_outline(&frame->prepared, &s->outline, HALO);
+    } else {
+        qtri_prepared_set_outline(&frame->prepared, &s->outline, HALO);
+    }
+    if (qtri_rolling_init(&s->rolling, &qtri_rgb565, BENCH_WIDTH, BENCH_HEIGHT, BAND_ROWS, HALO,
+                          frame->memory, QTRI_ROLLING_BYTES(BENCH_WIDTH, BAND_ROWS, HALO, 2),
+                          s->kept, sizeof s->kept) != QTRI_OK) { /* one buffer */
+        return false;
+    }
     if (qtri_halo_init(&s->halo, &qtri_rgb565, BENCH_WIDTH, BENCH_HEIGHT, BAND_ROWS, HALO,
                        frame->memory, sizeof frame->memory) != QTRI_OK) {
         return false;
     }
     for (int32_t i = 0; i < BANDS; i++) {
         qtri_surface rows;
-        (void)qtri_surface_init(&rows, &qtri_rgb565, BENCH_WIDTH, BAND_ROWS + 2 * HALO, 0,
-                                BAND_ROWS + 2 * HALO, memory_of(s, i),
-                                QTRI_BAND_BYTES(BENCH_WIDTH, BAND_ROWS + 2 * HALO, 2));
+        const int32_t count =
+            i == 0 && frame->scene->rolling ? BAND_ROWS : BAND_ROWS + 2 * HALO; /* none are kept */
+        (void)qtri_surface_init(&rows, &qtri_rgb565, BENCH_WIDTH, count, 0, count, memory_of(s, i),
+                                QTRI_BAND_BYTES(BENCH_WIDTH, count, 2));
         qtri_surface_clear(&rows, bench_background);
     }
     return true;
@@ -161,11 +171,35 @@ static void draw_whole(bench_frame *frame)
     }
 }
 
+/* Bands that keep their halo, each in memory of its own. */
+static void draw_rolling(bench_frame *frame)
+{
+    bench_smoother *s = &frame->smoother;
+    qtri_surface drawn, band, shown;
+    qtri_rolling_begin(&s->rolling);
+    qtri_prepare_mesh(&frame->prepared, &s->rolling.frame, &frame->view, &frame->pose, &frame->mesh,
+                      &frame->material);
+    (void)qtri_prepared_find_edges(&frame->prepared, &s->outline);
+    for (int32_t i = 0;; i++) {
+        s->rolling.frame.memory = (uint8_t *)memory_of(s, i);
+        if (!qtri_rolling_next_band(&s->rolling, &drawn, &band, &shown)) {
+            return;
+        }
+        qtri_draw_prepared(&drawn, &frame->prepared);
+        qtri_rolling_keep(&s->rolling, &band);
+        smooth(frame, &band);
+    }
+}
+
 void bench_draw_smooth(bench_frame *frame)
 {
     bench_smoother *s = &frame->smoother;
     if (frame->scene->band_rows == 0) {
         draw_whole(frame);
+        return;
+    }
+    if (frame->scene->rolling) {
+        draw_rolling(frame);
         return;
     }
     qtri_surface band;
@@ -184,11 +218,13 @@ void bench_finish_smooth(bench_frame *frame)
     if (frame->scene->band_rows == 0) {
         return;
     }
+    const int32_t behind = frame->scene->rolling ? HALO : 0; /* what is shown, and what is drawn */
     for (int32_t y = 0; y < BENCH_HEIGHT; y++) {
-        const int32_t above = y < BAND_ROWS ? 0 : HALO;
-        const uint16_t *from =
-            (const uint16_t *)(const void *)memory_of(&frame->smoother, y / BAND_ROWS) +
-            (y % BAND_ROWS + above) * BENCH_WIDTH;
+        const int32_t band =
+            (y + behind) / BAND_ROWS < BANDS ? (y + behind) / BAND_ROWS : BANDS - 1;
+        const int32_t first = band == 0 ? 0 : band * BAND_ROWS - HALO - behind;
+        const uint16_t *from = (const uint16_t *)(const void *)memory_of(&frame->smoother, band) +
+                               (y - first) * BENCH_WIDTH;
         uint16_t *to = (uint16_t *)(void *)(frame->surface.pixels + y * frame->surface.pitch);
         for (int32_t x = 0; x < BENCH_WIDTH; x++) {
             to[x] = from[x];

@@ -42,8 +42,9 @@ typedef struct qtri_prepared {
     uint8_t group_log2;
     uint32_t listed; /* triangles; those that follow are not in lists */
     int32_t width, height, rows;
-    int32_t halo;    /* rows beyond each band that its list reaches; see edges.h */
-    uint32_t *front; /* an outline's, for this mesh; NULL: none */
+    int32_t halo;                     /* rows beyond each band that its list reaches; see edges.h */
+    int32_t edges_above, edges_below; /* and those that its list of edges reaches */
+    uint32_t *front;                  /* an outline's, for this mesh; NULL: none */
     const qtri_mesh *front_of;
     qtri_rect extent_24p8, marked;
     const qtri_view *view;
