@@ -13,6 +13,7 @@
  */
 #include "loop.h"
 #include "mipmap.h"
+#include "perspective_block.h"
 #include "rows.h"
 #include "textured_span.h"
 
@@ -147,11 +148,19 @@ static void set_ends(ends *e, const frame *f, const qtri_job *job, int i, uint32
     e->exponent = -(a->down + 1 + job->axis[i].texel_shift);
 }
 
-/* 2^up x, which is below 2^29, rounded down. */
+/* 2^up x, which is below 2^29, times 15/32 / 2^(1/2), which is 21722 / 2^16: rounded down. */
 static uint32_t scaled_end(int64_t x, int32_t up)
 {
-    return (uint32_t)(uint64_t)(up >= 0 ? x * ((int64_t)1 << qtri_least32(up, 31))
-                                        : x >> qtri_least32(-up, 63));
+    const int64_t scaled =
+        up >= 0 ? x * ((int64_t)1 << qtri_least32(up, 31)) : x >> qtri_least32(-up, 63);
+    return (uint32_t)qtri_mul_s16((int32_t)scaled, 21722);
+}
+
+/* Of the step down, of all of a column. */
+static inline uint32_t column_length(const qtri_footprint *f, int32_t x)
+{
+    return qtri_step_length(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
+                            qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
 }
 
 static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_triangle *t,
@@ -177,6 +186,10 @@ static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_t
         out->right[i] = scaled_end(e[i].right[0], up) - (uint32_t)f.row[0] * out->right_dy[i];
         out->down[i] = scaled_end(e[i].down[0], up) - (uint32_t)f.column[0] * out->down_dx[i];
     }
+    /* Convex, so that no column has more than one of the ends; less what the length cuts off. */
+    const uint32_t first = column_length(out, f.column[0]);
+    const uint32_t last = column_length(out, f.column[1]);
+    out->down_most = (first > last ? first : last) + 8;
 }
 
 /* Along a row ---------------------------------------------------------------------------------- */
@@ -194,65 +207,62 @@ QTRI_NOINLINE static uint32_t row_length(qtri_footprint *f, int32_t y)
     return f->length;
 }
 
-/* Whether a length, 2^30 at most, is 2^shift of a limit >= 2^13 or more. */
-static inline bool reaches(uint32_t length, uint32_t limit, int32_t shift)
-{
-    if (shift >= 0) {
-        return shift < 18 && length >> shift >= limit;
-    }
-    return length >= limit >> qtri_least32(-shift, 31);
-}
-
-/* What lengths are compared with at a pixel of the row: limit 2^(shift + level). */
-typedef struct limit {
-    uint32_t limit; /* 2^13.6..2^15.6 */
-    int32_t shift;
-    uint32_t length; /* of the step right */
-} limit;
-
 /*
- * A level is left behind where the footprint, length 15/16 2^-exponent / q^2, is 2^(level + 1/2) or
- * more. q^2 is q_q15^2 2^-(30 + 2 zeros); 49431 / 2^15 is 2^(1/2) 16/15.
+ * A footprint and 1/w where it is asked for. It is 2^(level + 1/2) texels or more, so that the
+ * level is left behind, where length >> (shift + level) is q's square or more: with 20 bits of
+ * that, 2^(18 + 2 zeros), and a length that is 1/2^(1/2) of half the footprint's 2^-exponent / q^2.
  */
-static inline limit limit_at(const qtri_levels *levels, uint32_t length, uint32_t q, int32_t zeros)
+typedef struct measure {
+    uint32_t length; /* of the longer step: < 2^29 */
+    uint32_t square; /* 2^18..2^20 */
+    int32_t shift;
+} measure;
+
+/* q: times 2^zeros, 2^31 or more. right: of the row's step right. */
+static inline measure measure_at(const qtri_footprint *f, uint32_t right, uint32_t q, int32_t zeros,
+                                 int32_t x)
 {
-    const uint32_t q_q15 = q << zeros >> 16;
-    const limit l = {((q_q15 * q_q15 >> 17) * 49431u) >> 15,
-                     levels->footprint.exponent - 13 - 2 * zeros, length};
-    return l;
+    const uint32_t q_q16 = q >> 16;
+    measure m = {right, q_q16 * q_q16 >> 12, f->exponent - 19 - 2 * zeros};
+    if (right < f->down_most) {
+        const uint32_t down = column_length(f, x);
+        m.length = right > down ? right : down;
+    }
+    return m;
 }
 
-/* The level at pixel x. */
-static inline uint32_t level_at(const qtri_levels *levels, const limit *l, int32_t x)
+static inline bool is_left(const measure *m, int32_t level)
 {
-    const qtri_footprint *f = &levels->footprint;
-    const uint32_t along =
-        qtri_step_length(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
-                         qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
-    int32_t level = levels->level;
-    const uint32_t length = l->length > along ? l->length : along;
-    while (level < levels->last && reaches(length, l->limit, l->shift + level)) {
+    const int32_t shift = m->shift + level;
+    if (shift >= 0) {
+        return shift < 32 && m->square <= m->length >> shift;
+    }
+    return (m->square - 1) >> qtri_least32(-shift, 31) < m->length;
+}
+
+QTRI_NOINLINE static uint32_t find_level(const measure *m, uint32_t level, uint32_t last)
+{
+    while (level < last && is_left(m, (int32_t)level)) {
         level++;
     }
-    while (level > 0 && !reaches(length, l->limit, l->shift + level - 1)) {
+    while (level > 0 && !is_left(m, (int32_t)level - 1)) {
         level--;
     }
-    return (uint32_t)level;
+    return level;
 }
 
-/* Sets that of a block of curves whose middle is pixel x. length: of its row's step right. */
-static inline void set_block(qtri_scanline *row, qtri_levels *levels, uint32_t length, int32_t x)
+/* The level where m was taken. level: of what was drawn before, most often the same. */
+static inline uint32_t level_at(const measure *m, uint32_t level, uint32_t last)
 {
-    const uint32_t q = qtri_row_inv_w_at(row, x);
-    const limit l = limit_at(levels, length, q, qtri_row_zeros(row, q));
-    qtri_level_set(levels, level_at(levels, &l, x));
-}
-
-/* That of all of a row along which w does not change, or hardly does along its span. */
-static inline limit row_limit(const qtri_scanline *row, qtri_levels *levels)
-{
-    const uint32_t q = qtri_row_inv_w_at(row, row->left);
-    return limit_at(levels, row_length(&levels->footprint, row->y), q, qtri_clz32(q));
+    const uint32_t before = (uint32_t)m->shift + level - 1;
+    if (before < 31) {
+        const uint32_t most = m->length >> before;
+        if (m->square <= most ? m->square > most >> 1 || level == last : level == 0) {
+            return level;
+        }
+    }
+    const measure copy = *m; /* or all of it would be in memory */
+    return find_level(&copy, level, last);
 }
 
 static inline uint32_t curve_down(uint32_t step, uint32_t down)
@@ -266,9 +276,8 @@ static inline uint32_t curve_down(uint32_t step, uint32_t down)
  * each level, one where the height goes down no more, see texel_copy.h. Steps are off by half of
  * the last bit, 2^-(17 + width_log2) of the level's texel: 128 pixels on by 2^-11 of one.
  */
-static inline void scale_v(qtri_curve *v, const qtri_levels *levels)
+static inline void scale_v(qtri_curve *v, uint32_t down)
 {
-    const uint32_t down = (uint32_t)levels->down[0] + levels->down[1];
     if (down == 0) {
         return;
     }
@@ -285,7 +294,7 @@ static void scale_curves(qtri_curve uv[2], const qtri_levels *levels, const qtri
 {
     const qtri_raster *raster = levels->raster;
     if (raster->texel_cut != 0 && !axis[1].clamped) {
-        scale_v(&uv[1], levels);
+        scale_v(&uv[1], (uint32_t)levels->down[0] + levels->down[1]);
     }
     if (levels->texture.filter != NULL) {
         for (int i = 0; i < 2; i++) {
@@ -302,14 +311,17 @@ static void scale_curves(qtri_curve uv[2], const qtri_levels *levels, const qtri
  * at the run of LEVEL_RUN pixels that it lies in, which is where they are scaled. Returns where
  * the run begins; at: that of the row's curves.
  */
-static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, const limit *l,
+static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, uint32_t right,
                                 qtri_curve uv[2], int32_t at, int32_t x)
 {
     const int32_t first = x - ((x - row->left) & (LEVEL_RUN - 1));
     const int32_t length = qtri_least32(LEVEL_RUN, row->right - first);
     const int32_t last = row->job->raster->surface->width - 1;
     const int32_t middle = qtri_hold32(first + (length >> 1), 0, last); /* in the frame */
-    qtri_level_set(levels, level_at(levels, l, middle));
+    const uint32_t q = qtri_row_inv_w_at(row, row->left);
+    const int32_t zeros = qtri_clz32(q);
+    const measure m = measure_at(&levels->footprint, right, q << zeros, zeros, middle);
+    qtri_level_set(levels, level_at(&m, levels->level, levels->last));
     for (int i = 0; i < 2; i++) {
         uv[i] = row->curve[QTRI_U + i];
         uv[i].at += (uint32_t)(first - at) * uv[i].step;
@@ -324,17 +336,28 @@ static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, c
  */
 QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels, int32_t x)
 {
-    const limit l = row_limit(row, levels);
-    return x - begin_run(row, levels, &l, row->curve, x, x);
+    const uint32_t right = row_length(&levels->footprint, row->y);
+    return x - begin_run(row, levels, right, row->curve, x, x);
+}
+
+/* That of a block of curves. right: of the row; level: of what was drawn before. */
+static inline uint32_t level_of(const qtri_levels *levels, const qtri_block *b, uint32_t right,
+                                uint32_t level)
+{
+    const measure m = measure_at(&levels->footprint, right, b->q, b->zeros, b->x);
+    return level_at(&m, level, levels->last);
 }
 
 /* The same of a block of curves, of up to `count` pixels: returns how many it has. */
 QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels, int32_t x,
                                         int32_t count)
 {
-    count = qtri_interpolate_perspective(row, x, count, QTRI_U, QTRI_ATTRIBUTES);
-    set_block(row, levels, row_length(&levels->footprint, row->y), x + (count >> 1));
-    return count;
+    const uint32_t right = row_length(&levels->footprint, row->y);
+    qtri_block b;
+    const int32_t length = qtri_block_begin(row, &b, row->job->color.perspective.texels, x);
+    qtri_level_set(levels, level_of(levels, &b, right, levels->level));
+    qtri_block_end(row, &b, QTRI_U, QTRI_ATTRIBUTES);
+    return qtri_least32(length, count);
 }
 
 uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
@@ -382,11 +405,11 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
 static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
 {
     const qtri_job *job = row->job;
-    const limit l = row_limit(row, levels);
+    const uint32_t right = row_length(&levels->footprint, row->y);
     for (int32_t x = row->x0; x < row->x1; x += run->count) {
         qtri_curve uv[2];
-        const int32_t first = begin_run(row, levels, &l, uv, row->left, x);
-        scale_v(&uv[1], levels);
+        const int32_t first = begin_run(row, levels, right, uv, row->left, x);
+        scale_v(&uv[1], (uint32_t)levels->down[0] + levels->down[1]);
         run->x = x;
         run->count = qtri_least32(first + LEVEL_RUN, row->x1) - x;
         run->z = qtri_ramp_at(&job->depth, x - job->anchor_x, row->y - job->anchor_y);
@@ -398,18 +421,54 @@ static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *level
     }
 }
 
-static void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
+/*
+ * The level of what is copied along curves: of the raster's texture only texels, sides and cut,
+ * which is all that such loops look at, until finish_copies.
+ */
+typedef struct copied {
+    uint32_t level, down; /* down: of v */
+} copied;
+
+QTRI_NOINLINE static void set_copied(copied *c, qtri_levels *levels, uint32_t level)
+{
+    const qtri_texture *whole = levels->whole;
+    const uint32_t height_log2 = qtri_side_log2(whole->height_log2);
+    const uint32_t down = level < height_log2 ? level : height_log2;
+    c->level = level;
+    c->down = level + down;
+    levels->texture.texels = level == 0 ? whole->texels : whole->levels[level - 1];
+    levels->texture.width_log2 = (uint8_t)(qtri_side_log2(whole->width_log2) - level);
+    levels->texture.height_log2 = (uint8_t)(height_log2 - down);
+    levels->raster->texel_cut = qtri_texel_cut(&levels->texture);
+}
+
+static inline copied begin_copies(const qtri_levels *levels)
+{
+    const copied c = {levels->level, (uint32_t)levels->down[0] + levels->down[1]};
+    return c;
+}
+
+static inline void finish_copies(const copied *c, qtri_levels *levels)
+{
+    qtri_level_set(levels, c->level);
+}
+
+static void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels, copied *c)
 {
     const qtri_job *job = row->job;
     const uint32_t right = row_length(&levels->footprint, row->y);
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
-        const int32_t length =
-            qtri_interpolate_perspective(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES);
+        qtri_block b;
+        const int32_t length = qtri_block_begin(row, &b, job->color.perspective.texels, x);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
         run->count = qtri_least32(length, row->x1 - x) - skip;
         if (run->count > 0) {
-            set_block(row, levels, right, x + (length >> 1));
-            scale_v(&row->curve[QTRI_U + 1], levels);
+            const uint32_t level = level_of(levels, &b, right, c->level);
+            if (level != c->level) {
+                set_copied(c, levels, level);
+            }
+            qtri_block_end(row, &b, QTRI_U, QTRI_ATTRIBUTES);
+            scale_v(&row->curve[QTRI_U + 1], c->down);
             run->x = x + skip;
             run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, row->y - job->anchor_y);
             job->raster->copy_bent(job, run, &row->curve[QTRI_U], skip);
@@ -428,6 +487,7 @@ static void fill_copies(const qtri_job *job, const qtri_span *spans, int32_t y, 
     row.job = job;
     row.y = y;
     row.level = false;
+    copied c = begin_copies(levels);
     qtri_perspective_begin(&row);
     for (; count > 0; count--, spans++) {
         const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &row.x0);
@@ -440,15 +500,18 @@ static void fill_copies(const qtri_job *job, const qtri_span *spans, int32_t y, 
             row.right = spans->right;
             qtri_perspective_row(&row);
             if (row.level) {
+                finish_copies(&c, levels);
                 copy_level_row(&row, &run, levels);
+                c = begin_copies(levels);
             } else {
-                copy_bent_row(&row, &run, levels);
+                copy_bent_row(&row, &run, levels, &c);
             }
         }
         row.y++;
         lines.pixels += raster->surface->pitch;
         lines.depths += raster->surface->depth_pitch;
     }
+    finish_copies(&c, levels);
 }
 
 qtri_fill_rows qtri_mipmap_begin_large(qtri_job *job, const qtri_triangle *triangle,
