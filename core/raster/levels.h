@@ -20,7 +20,8 @@ struct qtri_raster;
 typedef struct qtri_footprint {
     uint32_t right[2], right_dy[2]; /* in row 0, for one row down */
     uint32_t down[2], down_dx[2];   /* in column 0, for one column right */
-    uint32_t down_most;             /* no column of the triangle's has a longer step down */
+    uint32_t along, along_dx;       /* straight: the step down's length, as `down` and `down_dx` */
+    bool straight;                  /* it is linear in x */
     int16_t exponent;
     int16_t row;     /* that was last asked for; -1: none */
     uint32_t length; /* of its step right */

@@ -156,11 +156,36 @@ static uint32_t scaled_end(int64_t x, int32_t up)
     return (uint32_t)qtri_mul_s16((int32_t)scaled, 21722);
 }
 
-/* Of the step down, of all of a column. */
-static inline uint32_t column_length(const qtri_footprint *f, int32_t x)
+/*
+ * The length of a step, of parts that are linear in x, is linear where the same of them is the
+ * longer one and neither changes its sign, which is so if it is at both ends; a shorter one that
+ * does, as by rounding, is left out if it is below 2^-7: .005 of a level.
+ */
+static void set_along(qtri_footprint *f, const int32_t column[2])
 {
-    return qtri_step_length(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
-                            qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
+    int32_t end[2][2];
+    uint32_t size[2][2];
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 2; k++) {
+            end[i][k] = (int32_t)(f->down[i] + (uint32_t)column[k] * f->down_dx[i]);
+            size[i][k] = qtri_magnitude32(end[i][k]);
+        }
+    }
+    const int longer = size[0][0] > size[1][0] ? 0 : 1;
+    const uint32_t *most = size[longer], *least = size[1 - longer];
+    const bool alike = (end[1 - longer][0] ^ end[1 - longer][1]) >= 0;
+    const bool slight = least[0] <= most[0] >> 7 && least[1] <= most[1] >> 7;
+    f->straight =
+        most[1] >= least[1] && (end[longer][0] ^ end[longer][1]) >= 0 && (alike || slight);
+    const uint32_t dx = end[longer][0] < 0 ? 0u - f->down_dx[longer] : f->down_dx[longer];
+    f->along = most[0];
+    f->along_dx = column[0] == column[1] ? 0 : dx; /* the slope of one column may be any */
+    if (alike && column[0] != column[1]) {         /* |.| < 2^29 */
+        const int32_t less = (int32_t)f->down_dx[1 - longer];
+        const int32_t share = 3 * (end[1 - longer][0] < 0 ? -less : less);
+        f->along_dx += (uint32_t)(share >> 3);
+    }
+    f->along += (alike ? 3 * (least[0] >> 3) : 0) - (uint32_t)column[0] * f->along_dx;
 }
 
 static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_triangle *t,
@@ -186,10 +211,7 @@ static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_t
         out->right[i] = scaled_end(e[i].right[0], up) - (uint32_t)f.row[0] * out->right_dy[i];
         out->down[i] = scaled_end(e[i].down[0], up) - (uint32_t)f.column[0] * out->down_dx[i];
     }
-    /* Convex, so that no column has more than one of the ends; less what the length cuts off. */
-    const uint32_t first = column_length(out, f.column[0]);
-    const uint32_t last = column_length(out, f.column[1]);
-    out->down_most = (first > last ? first : last) + 8;
+    set_along(out, f.column);
 }
 
 /* Along a row ---------------------------------------------------------------------------------- */
@@ -207,62 +229,81 @@ QTRI_NOINLINE static uint32_t row_length(qtri_footprint *f, int32_t y)
     return f->length;
 }
 
+/* The longer of both steps at pixel x; right: of the row's. < 2^29 */
+static inline uint32_t length_at(const qtri_footprint *f, uint32_t right, int32_t x)
+{
+    uint32_t down;
+    if (f->straight) {
+        down = f->along + (uint32_t)x * f->along_dx;
+    } else {
+        down =
+            qtri_step_length(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
+                             qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
+    }
+    return right > down ? right : down;
+}
+
 /*
- * A footprint and 1/w where it is asked for. It is 2^(level + 1/2) texels or more, so that the
- * level is left behind, where length >> (shift + level) is q's square or more: with 20 bits of
- * that, 2^(18 + 2 zeros), and a length that is 1/2^(1/2) of half the footprint's 2^-exponent / q^2.
+ * A footprint is 2^(level + 1/2) texels or more, so that the level is left behind, where length >>
+ * (before + 1 + level) is q's square or more: with 20 bits of that, 2^(18 + 2 zeros), and a length
+ * that is 1/2^(1/2) of half the footprint's 2^-exponent / q^2.
  */
 typedef struct measure {
-    uint32_t length; /* of the longer step: < 2^29 */
     uint32_t square; /* 2^18..2^20 */
-    int32_t shift;
+    int32_t before;  /* for level 0 */
 } measure;
 
-/* q: times 2^zeros, 2^31 or more. right: of the row's step right. */
-static inline measure measure_at(const qtri_footprint *f, uint32_t right, uint32_t q, int32_t zeros,
-                                 int32_t x)
+/* q: times 2^zeros, 2^31 or more. */
+static inline measure measure_of(const qtri_footprint *f, uint32_t q, int32_t zeros)
 {
     const uint32_t q_q16 = q >> 16;
-    measure m = {right, q_q16 * q_q16 >> 12, f->exponent - 19 - 2 * zeros};
-    if (right < f->down_most) {
-        const uint32_t down = column_length(f, x);
-        m.length = right > down ? right : down;
-    }
+    const measure m = {q_q16 * q_q16 >> 12, f->exponent - 20 - 2 * zeros};
     return m;
 }
 
-static inline bool is_left(const measure *m, int32_t level)
+static inline bool is_left(uint32_t length, uint32_t square, int32_t shift)
 {
-    const int32_t shift = m->shift + level;
     if (shift >= 0) {
-        return shift < 32 && m->square <= m->length >> shift;
+        return shift < 32 && square <= length >> shift;
     }
-    return (m->square - 1) >> qtri_least32(-shift, 31) < m->length;
+    return (square - 1) >> qtri_least32(-shift, 31) < length;
 }
 
-QTRI_NOINLINE static uint32_t find_level(const measure *m, uint32_t level, uint32_t last)
+/* before: of the level. */
+QTRI_NOINLINE static uint32_t find_level(uint32_t length, uint32_t square, int32_t before,
+                                         const qtri_levels *levels, uint32_t level)
 {
-    while (level < last && is_left(m, (int32_t)level)) {
+    while (level < levels->last && is_left(length, square, before + 1)) {
+        before++;
         level++;
     }
-    while (level > 0 && !is_left(m, (int32_t)level - 1)) {
+    while (level > 0 && !is_left(length, square, before)) {
+        before--;
         level--;
     }
     return level;
 }
 
 /* The level where m was taken. level: of what was drawn before, most often the same. */
-static inline uint32_t level_at(const measure *m, uint32_t level, uint32_t last)
+static inline uint32_t level_at(const measure *m, uint32_t length, const qtri_levels *levels,
+                                uint32_t level)
 {
-    const uint32_t before = (uint32_t)m->shift + level - 1;
+    const uint32_t before = (uint32_t)m->before + level;
     if (before < 31) {
-        const uint32_t most = m->length >> before;
-        if (m->square <= most ? m->square > most >> 1 || level == last : level == 0) {
+        const uint32_t most = length >> before;
+        if (m->square > most ? level == 0 : m->square > most >> 1 || level == levels->last) {
             return level;
         }
     }
-    const measure copy = *m; /* or all of it would be in memory */
-    return find_level(&copy, level, last);
+    return find_level(length, m->square, (int32_t)before, levels, level);
+}
+
+/* Of all of a row along which w does not change, or hardly does along its span. */
+static inline measure measure_of_row(const qtri_scanline *row, const qtri_levels *levels)
+{
+    const uint32_t q = qtri_row_inv_w_at(row, row->left);
+    const int32_t zeros = qtri_clz32(q);
+    return measure_of(&levels->footprint, q << zeros, zeros);
 }
 
 static inline uint32_t curve_down(uint32_t step, uint32_t down)
@@ -311,17 +352,15 @@ static void scale_curves(qtri_curve uv[2], const qtri_levels *levels, const qtri
  * at the run of LEVEL_RUN pixels that it lies in, which is where they are scaled. Returns where
  * the run begins; at: that of the row's curves.
  */
-static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, uint32_t right,
-                                qtri_curve uv[2], int32_t at, int32_t x)
+QTRI_IN_PLACE int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, const measure *m,
+                                uint32_t right, qtri_curve uv[2], int32_t at, int32_t x)
 {
     const int32_t first = x - ((x - row->left) & (LEVEL_RUN - 1));
     const int32_t length = qtri_least32(LEVEL_RUN, row->right - first);
     const int32_t last = row->job->raster->surface->width - 1;
     const int32_t middle = qtri_hold32(first + (length >> 1), 0, last); /* in the frame */
-    const uint32_t q = qtri_row_inv_w_at(row, row->left);
-    const int32_t zeros = qtri_clz32(q);
-    const measure m = measure_at(&levels->footprint, right, q << zeros, zeros, middle);
-    qtri_level_set(levels, level_at(&m, levels->level, levels->last));
+    const uint32_t at_middle = length_at(&levels->footprint, right, middle);
+    qtri_level_set(levels, level_at(m, at_middle, levels, levels->level));
     for (int i = 0; i < 2; i++) {
         uv[i] = row->curve[QTRI_U + i];
         uv[i].at += (uint32_t)(first - at) * uv[i].step;
@@ -336,16 +375,17 @@ static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, u
  */
 QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels, int32_t x)
 {
+    const measure m = measure_of_row(row, levels);
     const uint32_t right = row_length(&levels->footprint, row->y);
-    return x - begin_run(row, levels, right, row->curve, x, x);
+    return x - begin_run(row, levels, &m, right, row->curve, x, x);
 }
 
 /* That of a block of curves. right: of the row; level: of what was drawn before. */
 static inline uint32_t level_of(const qtri_levels *levels, const qtri_block *b, uint32_t right,
                                 uint32_t level)
 {
-    const measure m = measure_at(&levels->footprint, right, b->q, b->zeros, b->x);
-    return level_at(&m, level, levels->last);
+    const measure m = measure_of(&levels->footprint, b->q, b->zeros);
+    return level_at(&m, length_at(&levels->footprint, right, b->x), levels, level);
 }
 
 /* The same of a block of curves, of up to `count` pixels: returns how many it has. */
@@ -405,10 +445,11 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
 static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
 {
     const qtri_job *job = row->job;
+    const measure m = measure_of_row(row, levels);
     const uint32_t right = row_length(&levels->footprint, row->y);
     for (int32_t x = row->x0; x < row->x1; x += run->count) {
         qtri_curve uv[2];
-        const int32_t first = begin_run(row, levels, right, uv, row->left, x);
+        const int32_t first = begin_run(row, levels, &m, right, uv, row->left, x);
         scale_v(&uv[1], (uint32_t)levels->down[0] + levels->down[1]);
         run->x = x;
         run->count = qtri_least32(first + LEVEL_RUN, row->x1) - x;
@@ -422,24 +463,25 @@ static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *level
 }
 
 /*
- * The level of what is copied along curves: of the raster's texture only texels, sides and cut,
- * which is all that such loops look at, until finish_copies.
+ * The level of what is copied along curves: of the raster only what such loops look at, the texels
+ * and the cut, until finish_copies.
  */
 typedef struct copied {
     uint32_t level, down; /* down: of v */
 } copied;
 
-QTRI_NOINLINE static void set_copied(copied *c, qtri_levels *levels, uint32_t level)
+/* What is copied has a cut, so sides below 2^16. */
+static inline void set_copied(copied *c, qtri_levels *levels, uint32_t level)
 {
     const qtri_texture *whole = levels->whole;
-    const uint32_t height_log2 = qtri_side_log2(whole->height_log2);
+    const uint32_t height_log2 = whole->height_log2;
     const uint32_t down = level < height_log2 ? level : height_log2;
+    const qtri_texture sides = {.width_log2 = (uint8_t)(whole->width_log2 - level),
+                                .height_log2 = (uint8_t)(height_log2 - down)};
     c->level = level;
     c->down = level + down;
     levels->texture.texels = level == 0 ? whole->texels : whole->levels[level - 1];
-    levels->texture.width_log2 = (uint8_t)(qtri_side_log2(whole->width_log2) - level);
-    levels->texture.height_log2 = (uint8_t)(height_log2 - down);
-    levels->raster->texel_cut = qtri_texel_cut(&levels->texture);
+    levels->raster->texel_cut = qtri_texel_cut(&sides);
 }
 
 static inline copied begin_copies(const qtri_levels *levels)
