@@ -204,6 +204,10 @@ int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t coun
     const qtri_perspective *p = &row->job->color.perspective;
     qtri_block m;
     const int32_t length = qtri_block_begin(row, &m, first < QTRI_U ? p->colors : p->texels, x);
-    qtri_block_end(row, &m, first, end);
+    if (!QTRI_SMALL_CODE && first == QTRI_U) {
+        qtri_block_end(row, &m, QTRI_U, QTRI_ATTRIBUTES);
+    } else {
+        qtri_block_end(row, &m, first, end);
+    }
     return qtri_least32(length, count);
 }

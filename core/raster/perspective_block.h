@@ -115,13 +115,25 @@ QTRI_IN_PLACE void qtri_block_set_curve(qtri_curve *out, const qtri_block *m, ui
         twisted ? (uint32_t)((l_15 * m->twist_q12) >> (down + 2 * m->log2 - 3)) : (uint32_t)0;
 }
 
+QTRI_IN_PLACE void qtri_block_set_attribute(qtri_scanline *row, const qtri_block *m, int i,
+                                            bool twisted)
+{
+    qtri_block_set_curve(&row->curve[i], m, qtri_block_value(row, m, i),
+                         &row->by.perspective.plane[i], twisted);
+}
+
+/* Both texture coordinates without a loop, so that they are where the compiler knows. */
 QTRI_IN_PLACE void qtri_block_set_curves(qtri_scanline *row, qtri_block *m, int32_t log2, int first,
                                          int end, bool twisted)
 {
     qtri_block_set_shares(m, &row->job->color.perspective, log2, twisted);
+    if (!QTRI_SMALL_CODE && first == QTRI_U) {
+        qtri_block_set_attribute(row, m, QTRI_U, twisted);
+        qtri_block_set_attribute(row, m, QTRI_U + 1, twisted);
+        return;
+    }
     for (int i = first; i < end; i++) {
-        qtri_block_set_curve(&row->curve[i], m, qtri_block_value(row, m, i),
-                             &row->by.perspective.plane[i], twisted);
+        qtri_block_set_attribute(row, m, i, twisted);
     }
 }
 
