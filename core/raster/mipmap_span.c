@@ -80,7 +80,8 @@ static void set_axes_down(qtri_job *job, const qtri_levels *levels)
     }
 }
 
-/* An attribute's K and M where the triangle's first and last row and column in the frame are. */
+/* An attribute's K and M in the triangle's first and last row in the frame, and column, to which
+   chunks add pixels at both sides that are computed and not drawn. */
 typedef struct ends {
     int64_t right[2], down[2]; /* 15/16 2^exponent texels */
     int32_t exponent;
@@ -111,8 +112,8 @@ static void set_frame(frame *f, const qtri_job *job, const qtri_triangle *t, con
     f->q_dy = (int32_t)(inv_w->dy + (inv_w->dy_rest >> 15));
     f->row[0] = qtri_hold32(qtri_first_center(t->top->y_24p8), 0, last_row);
     f->row[1] = qtri_hold32(qtri_first_center(t->bottom->y_24p8) - 1, 0, last_row);
-    f->column[0] = qtri_hold32(qtri_first_center(t->x_least), 0, last_column);
-    f->column[1] = qtri_hold32(qtri_first_center(t->x_greatest) - 1, 0, last_column);
+    f->column[0] = qtri_hold32(qtri_first_center(t->x_least), -QTRI_BATCH, last_column);
+    f->column[1] = qtri_hold32(qtri_first_center(t->x_greatest) - 1, 0, last_column + QTRI_BATCH);
 }
 
 /*
@@ -201,11 +202,12 @@ static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_t
                              qtri_magnitude64(e[i].down[0]) | qtri_magnitude64(e[i].down[1]);
         bits = qtri_greatest32(bits, 64 - qtri_clz64(all | 1) + e[i].exponent);
     }
-    out->exponent = (int16_t)(29 - bits);
+    const int32_t exponent = 29 - bits;
+    out->before = (int16_t)(exponent - 18);
     out->row = -1;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *a = &job->attribute[QTRI_U + i].projected;
-        const int32_t up = out->exponent + e[i].exponent;
+        const int32_t up = exponent + e[i].exponent;
         out->right_dy[i] = scaled_end((int32_t)a->slope_dy, up);
         out->down_dx[i] = 0u - out->right_dy[i];
         out->right[i] = scaled_end(e[i].right[0], up) - (uint32_t)f.row[0] * out->right_dy[i];
@@ -215,19 +217,6 @@ static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_t
 }
 
 /* Along a row ---------------------------------------------------------------------------------- */
-
-/* Of the step right, of all of a row. */
-QTRI_NOINLINE static uint32_t row_length(qtri_footprint *f, int32_t y)
-{
-    if (f->row == y) {
-        return f->length;
-    }
-    f->row = (int16_t)y;
-    f->length =
-        qtri_step_length(qtri_magnitude32((int32_t)(f->right[0] + (uint32_t)y * f->right_dy[0])),
-                         qtri_magnitude32((int32_t)(f->right[1] + (uint32_t)y * f->right_dy[1])));
-    return f->length;
-}
 
 /* The longer of both steps at pixel x; right: of the row's. < 2^29 */
 static inline uint32_t length_at(const qtri_footprint *f, uint32_t right, int32_t x)
@@ -245,19 +234,20 @@ static inline uint32_t length_at(const qtri_footprint *f, uint32_t right, int32_
 
 /*
  * A footprint is 2^(level + 1/2) texels or more, so that the level is left behind, where length >>
- * (before + 1 + level) is q's square or more: with 20 bits of that, 2^(18 + 2 zeros), and a length
- * that is 1/2^(1/2) of half the footprint's 2^-exponent / q^2.
+ * (before + 1 + level) is q's square or more: with 22 bits of that, 2^(20 + 2 zeros), and a length
+ * that is 1/2^(1/2) of half the footprint's 2^-exponent / q^2. It is so for a greater length or a
+ * smaller q as well.
  */
 typedef struct measure {
-    uint32_t square; /* 2^18..2^20 */
+    uint32_t square; /* 2^20..2^22 */
     int32_t before;  /* for level 0 */
 } measure;
 
 /* q: times 2^zeros, 2^31 or more. */
 static inline measure measure_of(const qtri_footprint *f, uint32_t q, int32_t zeros)
 {
-    const uint32_t q_q16 = q >> 16;
-    const measure m = {q_q16 * q_q16 >> 12, f->exponent - 20 - 2 * zeros};
+    const uint32_t q_q11 = q >> 21;
+    const measure m = {q_q11 * q_q11, f->before - 2 * zeros};
     return m;
 }
 
@@ -298,12 +288,63 @@ static inline uint32_t level_at(const measure *m, uint32_t length, const qtri_le
     return find_level(length, m->square, (int32_t)before, levels, level);
 }
 
-/* Of all of a row along which w does not change, or hardly does along its span. */
-static inline measure measure_of_row(const qtri_scanline *row, const qtri_levels *levels)
+/* Of the step right, of all of a row. */
+static inline uint32_t row_length(const qtri_footprint *f, int32_t y)
 {
-    const uint32_t q = qtri_row_inv_w_at(row, row->left);
+    return qtri_step_length(
+        qtri_magnitude32((int32_t)(f->right[0] + (uint32_t)y * f->right_dy[0])),
+        qtri_magnitude32((int32_t)(f->right[1] + (uint32_t)y * f->right_dy[1])));
+}
+
+static inline measure measure_at(const qtri_scanline *row, const qtri_footprint *f, int32_t x)
+{
+    const uint32_t q = qtri_row_inv_w_at(row, x);
     const int32_t zeros = qtri_clz32(q);
-    return measure_of(&levels->footprint, q << zeros, zeros);
+    return measure_of(f, q << zeros, zeros);
+}
+
+/*
+ * Whether all of a row is of the level: neither step is longer than it is at one end of the row,
+ * nor is q less, and where the step down is linear nothing is less than at the other. Else the step
+ * right is what it is at least, and a length may be cut off by 3 and more than at its ends.
+ */
+static bool is_whole(const qtri_scanline *row, const qtri_levels *levels, uint32_t level)
+{
+    const qtri_footprint *f = &levels->footprint;
+    const int32_t last = row->job->raster->surface->width - 1 + QTRI_BATCH;
+    int32_t near = qtri_greatest32(row->left, -QTRI_BATCH);
+    int32_t far = qtri_least32(row->right - 1, last);
+    const uint32_t first_length = length_at(f, f->length, near);
+    const uint32_t last_length = length_at(f, f->length, far);
+    const uint32_t most = first_length > last_length ? first_length : last_length;
+    if ((int32_t)row->job->attribute[row->job->end].projected.dx >= 0) {
+        const int32_t other = near;
+        near = far;
+        far = other;
+    }
+    if (level < levels->last) {
+        const measure m = measure_at(row, f, far);
+        if (is_left(most + 4, m.square, m.before + (int32_t)level + 1)) {
+            return false;
+        }
+    }
+    if (level > 0) {
+        const uint32_t least = first_length < last_length ? first_length : last_length;
+        const measure m = measure_at(row, f, near);
+        return is_left(f->straight ? least : f->length, m.square, m.before + (int32_t)level);
+    }
+    return true;
+}
+
+/* Before pixels of a row; level: of what was drawn before. */
+QTRI_NOINLINE static void begin_row(const qtri_scanline *row, qtri_levels *levels, uint32_t level)
+{
+    qtri_footprint *f = &levels->footprint;
+    if (f->row != row->y) {
+        f->row = (int16_t)row->y;
+        f->length = row_length(f, row->y);
+        f->whole = !row->level && is_whole(row, levels, level);
+    }
 }
 
 static inline uint32_t curve_down(uint32_t step, uint32_t down)
@@ -353,14 +394,14 @@ static void scale_curves(qtri_curve uv[2], const qtri_levels *levels, const qtri
  * the run begins; at: that of the row's curves.
  */
 QTRI_IN_PLACE int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, const measure *m,
-                                uint32_t right, qtri_curve uv[2], int32_t at, int32_t x)
+                                qtri_curve uv[2], int32_t at, int32_t x)
 {
     const int32_t first = x - ((x - row->left) & (LEVEL_RUN - 1));
     const int32_t length = qtri_least32(LEVEL_RUN, row->right - first);
     const int32_t last = row->job->raster->surface->width - 1;
     const int32_t middle = qtri_hold32(first + (length >> 1), 0, last); /* in the frame */
-    const uint32_t at_middle = length_at(&levels->footprint, right, middle);
-    qtri_level_set(levels, level_at(m, at_middle, levels, levels->level));
+    const uint32_t size = length_at(&levels->footprint, levels->footprint.length, middle);
+    qtri_level_set(levels, level_at(m, size, levels, levels->level));
     for (int i = 0; i < 2; i++) {
         uv[i] = row->curve[QTRI_U + i];
         uv[i].at += (uint32_t)(first - at) * uv[i].step;
@@ -375,27 +416,30 @@ QTRI_IN_PLACE int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, c
  */
 QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels, int32_t x)
 {
-    const measure m = measure_of_row(row, levels);
-    const uint32_t right = row_length(&levels->footprint, row->y);
-    return x - begin_run(row, levels, &m, right, row->curve, x, x);
+    begin_row(row, levels, 0);
+    const measure m = measure_at(row, &levels->footprint, row->left);
+    return x - begin_run(row, levels, &m, row->curve, x, x);
 }
 
-/* That of a block of curves. right: of the row; level: of what was drawn before. */
-static inline uint32_t level_of(const qtri_levels *levels, const qtri_block *b, uint32_t right,
-                                uint32_t level)
+/* That of a block of curves in a row that was begun. level: of what was drawn before. */
+static inline uint32_t level_of(const qtri_levels *levels, const qtri_block *b, uint32_t level)
 {
-    const measure m = measure_of(&levels->footprint, b->q, b->zeros);
-    return level_at(&m, length_at(&levels->footprint, right, b->x), levels, level);
+    const qtri_footprint *f = &levels->footprint;
+    if (f->whole) {
+        return level;
+    }
+    const measure m = measure_of(f, b->q, b->zeros);
+    return level_at(&m, length_at(f, f->length, b->x), levels, level);
 }
 
 /* The same of a block of curves, of up to `count` pixels: returns how many it has. */
 QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels, int32_t x,
                                         int32_t count)
 {
-    const uint32_t right = row_length(&levels->footprint, row->y);
     qtri_block b;
+    begin_row(row, levels, levels->level);
     const int32_t length = qtri_block_begin(row, &b, row->job->color.perspective.texels, x);
-    qtri_level_set(levels, level_of(levels, &b, right, levels->level));
+    qtri_level_set(levels, level_of(levels, &b, levels->level));
     qtri_block_end(row, &b, QTRI_U, QTRI_ATTRIBUTES);
     return qtri_least32(length, count);
 }
@@ -445,11 +489,11 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
 static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
 {
     const qtri_job *job = row->job;
-    const measure m = measure_of_row(row, levels);
-    const uint32_t right = row_length(&levels->footprint, row->y);
+    begin_row(row, levels, 0);
+    const measure m = measure_at(row, &levels->footprint, row->left);
     for (int32_t x = row->x0; x < row->x1; x += run->count) {
         qtri_curve uv[2];
-        const int32_t first = begin_run(row, levels, &m, right, uv, row->left, x);
+        const int32_t first = begin_run(row, levels, &m, uv, row->left, x);
         scale_v(&uv[1], (uint32_t)levels->down[0] + levels->down[1]);
         run->x = x;
         run->count = qtri_least32(first + LEVEL_RUN, row->x1) - x;
@@ -498,14 +542,14 @@ static inline void finish_copies(const copied *c, qtri_levels *levels)
 static void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels, copied *c)
 {
     const qtri_job *job = row->job;
-    const uint32_t right = row_length(&levels->footprint, row->y);
+    begin_row(row, levels, c->level);
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
         qtri_block b;
         const int32_t length = qtri_block_begin(row, &b, job->color.perspective.texels, x);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
         run->count = qtri_least32(length, row->x1 - x) - skip;
         if (run->count > 0) {
-            const uint32_t level = level_of(levels, &b, right, c->level);
+            const uint32_t level = level_of(levels, &b, c->level);
             if (level != c->level) {
                 set_copied(c, levels, level);
             }
