@@ -22,8 +22,7 @@ typedef struct qtri_footprint {
     uint32_t down[2], down_dx[2];   /* in column 0, for one column right */
     uint32_t along, along_dx;       /* straight: the step down's length, as `down` and `down_dx` */
     bool straight;                  /* it is linear in x */
-    bool whole;                     /* the row is of one level */
-    int16_t before;                 /* the exponent, less 18 */
+    int16_t before;                 /* the exponent, less 22 */
     int16_t row;                    /* that was last asked for; -1: none */
     uint32_t length;                /* of its step right */
 } qtri_footprint;

@@ -203,7 +203,7 @@ static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_t
         bits = qtri_greatest32(bits, 64 - qtri_clz64(all | 1) + e[i].exponent);
     }
     const int32_t exponent = 29 - bits;
-    out->before = (int16_t)(exponent - 18);
+    out->before = (int16_t)(exponent - 22);
     out->row = -1;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *a = &job->attribute[QTRI_U + i].projected;
@@ -235,8 +235,7 @@ static inline uint32_t length_at(const qtri_footprint *f, uint32_t right, int32_
 /*
  * A footprint is 2^(level + 1/2) texels or more, so that the level is left behind, where length >>
  * (before + 1 + level) is q's square or more: with 22 bits of that, 2^(20 + 2 zeros), and a length
- * that is 1/2^(1/2) of half the footprint's 2^-exponent / q^2. It is so for a greater length or a
- * smaller q as well.
+ * that is 1/2^(1/2) of half the footprint's 2^-exponent / q^2.
  */
 typedef struct measure {
     uint32_t square; /* 2^20..2^22 */
@@ -303,47 +302,12 @@ static inline measure measure_at(const qtri_scanline *row, const qtri_footprint 
     return measure_of(f, q << zeros, zeros);
 }
 
-/*
- * Whether all of a row is of the level: neither step is longer than it is at one end of the row,
- * nor is q less, and where the step down is linear nothing is less than at the other. Else the step
- * right is what it is at least, and a length may be cut off by 3 and more than at its ends.
- */
-static bool is_whole(const qtri_scanline *row, const qtri_levels *levels, uint32_t level)
+/* Before pixels of a row are asked for. */
+static inline void begin_row(qtri_footprint *f, int32_t y)
 {
-    const qtri_footprint *f = &levels->footprint;
-    const int32_t last = row->job->raster->surface->width - 1 + QTRI_BATCH;
-    int32_t near = qtri_greatest32(row->left, -QTRI_BATCH);
-    int32_t far = qtri_least32(row->right - 1, last);
-    const uint32_t first_length = length_at(f, f->length, near);
-    const uint32_t last_length = length_at(f, f->length, far);
-    const uint32_t most = first_length > last_length ? first_length : last_length;
-    if ((int32_t)row->job->attribute[row->job->end].projected.dx >= 0) {
-        const int32_t other = near;
-        near = far;
-        far = other;
-    }
-    if (level < levels->last) {
-        const measure m = measure_at(row, f, far);
-        if (is_left(most + 4, m.square, m.before + (int32_t)level + 1)) {
-            return false;
-        }
-    }
-    if (level > 0) {
-        const uint32_t least = first_length < last_length ? first_length : last_length;
-        const measure m = measure_at(row, f, near);
-        return is_left(f->straight ? least : f->length, m.square, m.before + (int32_t)level);
-    }
-    return true;
-}
-
-/* Before pixels of a row; level: of what was drawn before. */
-QTRI_NOINLINE static void begin_row(const qtri_scanline *row, qtri_levels *levels, uint32_t level)
-{
-    qtri_footprint *f = &levels->footprint;
-    if (f->row != row->y) {
-        f->row = (int16_t)row->y;
-        f->length = row_length(f, row->y);
-        f->whole = !row->level && is_whole(row, levels, level);
+    if (f->row != y) {
+        f->row = (int16_t)y;
+        f->length = row_length(f, y);
     }
 }
 
@@ -416,7 +380,7 @@ QTRI_IN_PLACE int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, c
  */
 QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels, int32_t x)
 {
-    begin_row(row, levels, 0);
+    begin_row(&levels->footprint, row->y);
     const measure m = measure_at(row, &levels->footprint, row->left);
     return x - begin_run(row, levels, &m, row->curve, x, x);
 }
@@ -425,9 +389,6 @@ QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels
 static inline uint32_t level_of(const qtri_levels *levels, const qtri_block *b, uint32_t level)
 {
     const qtri_footprint *f = &levels->footprint;
-    if (f->whole) {
-        return level;
-    }
     const measure m = measure_of(f, b->q, b->zeros);
     return level_at(&m, length_at(f, f->length, b->x), levels, level);
 }
@@ -437,7 +398,7 @@ QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels,
                                         int32_t count)
 {
     qtri_block b;
-    begin_row(row, levels, levels->level);
+    begin_row(&levels->footprint, row->y);
     const int32_t length = qtri_block_begin(row, &b, row->job->color.perspective.texels, x);
     qtri_level_set(levels, level_of(levels, &b, levels->level));
     qtri_block_end(row, &b, QTRI_U, QTRI_ATTRIBUTES);
@@ -489,7 +450,7 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
 static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
 {
     const qtri_job *job = row->job;
-    begin_row(row, levels, 0);
+    begin_row(&levels->footprint, row->y);
     const measure m = measure_at(row, &levels->footprint, row->left);
     for (int32_t x = row->x0; x < row->x1; x += run->count) {
         qtri_curve uv[2];
@@ -542,7 +503,7 @@ static inline void finish_copies(const copied *c, qtri_levels *levels)
 static void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels, copied *c)
 {
     const qtri_job *job = row->job;
-    begin_row(row, levels, c->level);
+    levels->footprint.length = row_length(&levels->footprint, row->y);
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
         qtri_block b;
         const int32_t length = qtri_block_begin(row, &b, job->color.perspective.texels, x);
