@@ -258,33 +258,40 @@ static inline bool is_left(uint32_t length, uint32_t square, int32_t shift)
     return (square - 1) >> qtri_least32(-shift, 31) < length;
 }
 
-/* before: of the level. */
-QTRI_NOINLINE static uint32_t find_level(uint32_t length, uint32_t square, int32_t before,
-                                         const qtri_levels *levels, uint32_t level)
+/* Of m, of which `level` is not the right one. */
+static inline uint32_t find_level(const measure *m, uint32_t length, const qtri_levels *levels,
+                                  uint32_t level)
 {
-    while (level < levels->last && is_left(length, square, before + 1)) {
+    int32_t before = m->before + (int32_t)level;
+    while (level < levels->last && is_left(length, m->square, before + 1)) {
         before++;
         level++;
     }
-    while (level > 0 && !is_left(length, square, before)) {
+    while (level > 0 && !is_left(length, m->square, before)) {
         before--;
         level--;
     }
     return level;
 }
 
-/* The level where m was taken. level: of what was drawn before, most often the same. */
-static inline uint32_t level_at(const measure *m, uint32_t length, const qtri_levels *levels,
-                                uint32_t level)
+/* Whether the level, of what was drawn before, is that where m was taken, as most often it is. */
+static inline bool is_level(const measure *m, uint32_t length, const qtri_levels *levels,
+                            uint32_t level)
 {
     const uint32_t before = (uint32_t)m->before + level;
     if (before < 31) {
         const uint32_t most = length >> before;
-        if (m->square > most ? level == 0 : m->square > most >> 1 || level == levels->last) {
-            return level;
-        }
+        return m->square > most ? level == 0 : m->square > most >> 1 || level == levels->last;
     }
-    return find_level(length, m->square, (int32_t)before, levels, level);
+    return false;
+}
+
+static inline void set_level(const measure *m, uint32_t length, qtri_levels *levels)
+{
+    const uint32_t level = levels->level;
+    if (!is_level(m, length, levels, level)) {
+        qtri_level_set(levels, find_level(m, length, levels, level));
+    }
 }
 
 /* Of the step right, of all of a row. */
@@ -365,7 +372,7 @@ QTRI_IN_PLACE int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, c
     const int32_t last = row->job->raster->surface->width - 1;
     const int32_t middle = qtri_hold32(first + (length >> 1), 0, last); /* in the frame */
     const uint32_t size = length_at(&levels->footprint, levels->footprint.length, middle);
-    qtri_level_set(levels, level_at(m, size, levels, levels->level));
+    set_level(m, size, levels);
     for (int i = 0; i < 2; i++) {
         uv[i] = row->curve[QTRI_U + i];
         uv[i].at += (uint32_t)(first - at) * uv[i].step;
@@ -385,14 +392,6 @@ QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels
     return x - begin_run(row, levels, &m, row->curve, x, x);
 }
 
-/* That of a block of curves in a row that was begun. level: of what was drawn before. */
-static inline uint32_t level_of(const qtri_levels *levels, const qtri_block *b, uint32_t level)
-{
-    const qtri_footprint *f = &levels->footprint;
-    const measure m = measure_of(f, b->q, b->zeros);
-    return level_at(&m, length_at(f, f->length, b->x), levels, level);
-}
-
 /* The same of a block of curves, of up to `count` pixels: returns how many it has. */
 QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels, int32_t x,
                                         int32_t count)
@@ -400,7 +399,9 @@ QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels,
     qtri_block b;
     begin_row(&levels->footprint, row->y);
     const int32_t length = qtri_block_begin(row, &b, row->job->color.perspective.texels, x);
-    qtri_level_set(levels, level_of(levels, &b, levels->level));
+    const qtri_footprint *f = &levels->footprint;
+    const measure m = measure_of(f, b.q, b.zeros);
+    set_level(&m, length_at(f, f->length, b.x), levels);
     qtri_block_end(row, &b, QTRI_U, QTRI_ATTRIBUTES);
     return qtri_least32(length, count);
 }
@@ -476,8 +477,10 @@ typedef struct copied {
 } copied;
 
 /* What is copied has a cut, so sides below 2^16. */
-static inline void set_copied(copied *c, qtri_levels *levels, uint32_t level)
+QTRI_NOINLINE static void set_copied(copied *c, qtri_levels *levels, const measure *m,
+                                     uint32_t length)
 {
+    const uint32_t level = find_level(m, length, levels, c->level);
     const qtri_texture *whole = levels->whole;
     const uint32_t height_log2 = whole->height_log2;
     const uint32_t down = level < height_log2 ? level : height_log2;
@@ -503,16 +506,19 @@ static inline void finish_copies(const copied *c, qtri_levels *levels)
 static void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels, copied *c)
 {
     const qtri_job *job = row->job;
-    levels->footprint.length = row_length(&levels->footprint, row->y);
+    const qtri_footprint *f = &levels->footprint;
+    const uint32_t right = row_length(f, row->y);
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
         qtri_block b;
         const int32_t length = qtri_block_begin(row, &b, job->color.perspective.texels, x);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
         run->count = qtri_least32(length, row->x1 - x) - skip;
         if (run->count > 0) {
-            const uint32_t level = level_of(levels, &b, c->level);
-            if (level != c->level) {
-                set_copied(c, levels, level);
+            const measure m = measure_of(f, b.q, b.zeros);
+            const uint32_t size = length_at(f, right, b.x);
+            if (!is_level(&m, size, levels, c->level)) {
+                const measure copy = m; /* or all of it would be in memory */
+                set_copied(c, levels, &copy, size);
             }
             qtri_block_end(row, &b, QTRI_U, QTRI_ATTRIBUTES);
             scale_v(&row->curve[QTRI_U + 1], c->down);
