@@ -448,7 +448,7 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
 
 /* Rows that become pixels as they are ---------------------------------------------------------- */
 
-static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
+QTRI_NOINLINE static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
 {
     const qtri_job *job = row->job;
     begin_row(&levels->footprint, row->y);
@@ -503,7 +503,7 @@ static inline void finish_copies(const copied *c, qtri_levels *levels)
     qtri_level_set(levels, c->level);
 }
 
-static void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels, copied *c)
+QTRI_IN_PLACE void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels, copied *c)
 {
     const qtri_job *job = row->job;
     const qtri_footprint *f = &levels->footprint;
