@@ -66,9 +66,11 @@
 #define ASSEMBLER 0
 #define MOVE(n) QTRI_MOVE(n)
 #define ONE(i)                                                                                     \
-    if (qtri_passes(z >> 16, depth[i], equal)) {                                                                      \
+    uint32_t top_##i = z >> 16;                                                                    \
+    QTRI_OPAQUE(top_##i)                                                                           \
+    if (qtri_passes(top_##i, depth[i], equal)) {                                                   \
         QTRI_BRANCH                                                                                \
-        depth[i] = (uint16_t)(z >> 16);                                                            \
+        depth[i] = (uint16_t)top_##i;                                                              \
         pixel[i] = texels[qtri_texel_index(u, v, cut)];                                            \
     }                                                                                              \
     z += z_step;                                                                                   \

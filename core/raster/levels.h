@@ -14,15 +14,17 @@ struct qtri_raster;
 
 /*
  * What the footprint of a large triangle with perspective is made of, see mipmap_span.c: along each
- * axis the steps right and down, times q^2, in 2^-exponent of 15/16 texel; |.| < 2^29 where the
+ * axis the steps right and down, times q^2, in 2^-exponent of 2^(3/2) texels; |.| < 2^28 where the
  * triangle is in the frame.
  */
 typedef struct qtri_footprint {
     uint32_t right[2], right_dy[2]; /* in row 0, for one row down */
     uint32_t down[2], down_dx[2];   /* in column 0, for one column right */
-    int16_t exponent;
-    int16_t row;     /* that was last asked for; -1: none */
-    uint32_t length; /* of its step right */
+    uint32_t along, along_dx;       /* straight: the step down's length, as `down` and `down_dx` */
+    bool straight;                  /* it is linear in x */
+    int16_t before;                 /* the exponent, less 22 */
+    int16_t row;                    /* that was last asked for; -1: none */
+    uint32_t length;                /* of its step right */
 } qtri_footprint;
 
 typedef struct qtri_levels {

@@ -13,6 +13,7 @@
  */
 #include "loop.h"
 #include "mipmap.h"
+#include "perspective_block.h"
 #include "rows.h"
 #include "textured_span.h"
 
@@ -79,7 +80,8 @@ static void set_axes_down(qtri_job *job, const qtri_levels *levels)
     }
 }
 
-/* An attribute's K and M where the triangle's first and last row and column in the frame are. */
+/* An attribute's K and M in the triangle's first and last row in the frame, and column, to which
+   chunks add pixels at both sides that are computed and not drawn. */
 typedef struct ends {
     int64_t right[2], down[2]; /* 15/16 2^exponent texels */
     int32_t exponent;
@@ -110,8 +112,8 @@ static void set_frame(frame *f, const qtri_job *job, const qtri_triangle *t, con
     f->q_dy = (int32_t)(inv_w->dy + (inv_w->dy_rest >> 15));
     f->row[0] = qtri_hold32(qtri_first_center(t->top->y_24p8), 0, last_row);
     f->row[1] = qtri_hold32(qtri_first_center(t->bottom->y_24p8) - 1, 0, last_row);
-    f->column[0] = qtri_hold32(qtri_first_center(t->x_least), 0, last_column);
-    f->column[1] = qtri_hold32(qtri_first_center(t->x_greatest) - 1, 0, last_column);
+    f->column[0] = qtri_hold32(qtri_first_center(t->x_least), -QTRI_BATCH, last_column);
+    f->column[1] = qtri_hold32(qtri_first_center(t->x_greatest) - 1, 0, last_column + QTRI_BATCH);
 }
 
 /*
@@ -147,11 +149,44 @@ static void set_ends(ends *e, const frame *f, const qtri_job *job, int i, uint32
     e->exponent = -(a->down + 1 + job->axis[i].texel_shift);
 }
 
-/* 2^up x, which is below 2^29, rounded down. */
+/* 2^up x, which is below 2^29, times 15/32 / 2^(1/2), which is 21722 / 2^16: rounded down. */
 static uint32_t scaled_end(int64_t x, int32_t up)
 {
-    return (uint32_t)(uint64_t)(up >= 0 ? x * ((int64_t)1 << qtri_least32(up, 31))
-                                        : x >> qtri_least32(-up, 63));
+    const int64_t scaled =
+        up >= 0 ? x * ((int64_t)1 << qtri_least32(up, 31)) : x >> qtri_least32(-up, 63);
+    return (uint32_t)qtri_mul_s16((int32_t)scaled, 21722);
+}
+
+/*
+ * The length of a step, of parts that are linear in x, is linear where the same of them is the
+ * longer one and neither changes its sign, which is so if it is at both ends; a shorter one that
+ * does, as by rounding, is left out if it is below 2^-7: .005 of a level.
+ */
+static void set_along(qtri_footprint *f, const int32_t column[2])
+{
+    int32_t end[2][2];
+    uint32_t size[2][2];
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 2; k++) {
+            end[i][k] = (int32_t)(f->down[i] + (uint32_t)column[k] * f->down_dx[i]);
+            size[i][k] = qtri_magnitude32(end[i][k]);
+        }
+    }
+    const int longer = size[0][0] > size[1][0] ? 0 : 1;
+    const uint32_t *most = size[longer], *least = size[1 - longer];
+    const bool alike = (end[1 - longer][0] ^ end[1 - longer][1]) >= 0;
+    const bool slight = least[0] <= most[0] >> 7 && least[1] <= most[1] >> 7;
+    f->straight =
+        most[1] >= least[1] && (end[longer][0] ^ end[longer][1]) >= 0 && (alike || slight);
+    const uint32_t dx = end[longer][0] < 0 ? 0u - f->down_dx[longer] : f->down_dx[longer];
+    f->along = most[0];
+    f->along_dx = column[0] == column[1] ? 0 : dx; /* the slope of one column may be any */
+    if (alike && column[0] != column[1]) {         /* |.| < 2^29 */
+        const int32_t less = (int32_t)f->down_dx[1 - longer];
+        const int32_t share = 3 * (end[1 - longer][0] < 0 ? -less : less);
+        f->along_dx += (uint32_t)(share >> 3);
+    }
+    f->along += (alike ? 3 * (least[0] >> 3) : 0) - (uint32_t)column[0] * f->along_dx;
 }
 
 static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_triangle *t,
@@ -167,92 +202,120 @@ static void set_footprint(qtri_footprint *out, const qtri_job *job, const qtri_t
                              qtri_magnitude64(e[i].down[0]) | qtri_magnitude64(e[i].down[1]);
         bits = qtri_greatest32(bits, 64 - qtri_clz64(all | 1) + e[i].exponent);
     }
-    out->exponent = (int16_t)(29 - bits);
+    const int32_t exponent = 29 - bits;
+    out->before = (int16_t)(exponent - 22);
     out->row = -1;
     for (int i = 0; i < 2; i++) {
         const qtri_projected *a = &job->attribute[QTRI_U + i].projected;
-        const int32_t up = out->exponent + e[i].exponent;
+        const int32_t up = exponent + e[i].exponent;
         out->right_dy[i] = scaled_end((int32_t)a->slope_dy, up);
         out->down_dx[i] = 0u - out->right_dy[i];
         out->right[i] = scaled_end(e[i].right[0], up) - (uint32_t)f.row[0] * out->right_dy[i];
         out->down[i] = scaled_end(e[i].down[0], up) - (uint32_t)f.column[0] * out->down_dx[i];
     }
+    set_along(out, f.column);
 }
 
 /* Along a row ---------------------------------------------------------------------------------- */
 
-/* Of the step right, of all of a row. */
-QTRI_NOINLINE static uint32_t row_length(qtri_footprint *f, int32_t y)
+/* The longer of both steps at pixel x; right: of the row's. < 2^29 */
+static inline uint32_t length_at(const qtri_footprint *f, uint32_t right, int32_t x)
 {
-    if (f->row == y) {
-        return f->length;
+    uint32_t down;
+    if (f->straight) {
+        down = f->along + (uint32_t)x * f->along_dx;
+    } else {
+        down =
+            qtri_step_length(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
+                             qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
     }
-    f->row = (int16_t)y;
-    f->length =
-        qtri_step_length(qtri_magnitude32((int32_t)(f->right[0] + (uint32_t)y * f->right_dy[0])),
-                         qtri_magnitude32((int32_t)(f->right[1] + (uint32_t)y * f->right_dy[1])));
-    return f->length;
+    return right > down ? right : down;
 }
-
-/* Whether a length, 2^30 at most, is 2^shift of a limit >= 2^13 or more. */
-static inline bool reaches(uint32_t length, uint32_t limit, int32_t shift)
-{
-    if (shift >= 0) {
-        return shift < 18 && length >> shift >= limit;
-    }
-    return length >= limit >> qtri_least32(-shift, 31);
-}
-
-/* What lengths are compared with at a pixel of the row: limit 2^(shift + level). */
-typedef struct limit {
-    uint32_t limit; /* 2^13.6..2^15.6 */
-    int32_t shift;
-    uint32_t length; /* of the step right */
-} limit;
 
 /*
- * A level is left behind where the footprint, length 15/16 2^-exponent / q^2, is 2^(level + 1/2) or
- * more. q^2 is q_q15^2 2^-(30 + 2 zeros); 49431 / 2^15 is 2^(1/2) 16/15.
+ * A footprint is 2^(level + 1/2) texels or more, so that the level is left behind, where length >>
+ * (before + 1 + level) is q's square or more: with 22 bits of that, 2^(20 + 2 zeros), and a length
+ * that is 1/2^(1/2) of half the footprint's 2^-exponent / q^2.
  */
-static inline limit limit_at(const qtri_levels *levels, uint32_t length, uint32_t q, int32_t zeros)
+typedef struct measure {
+    uint32_t square; /* 2^20..2^22 */
+    int32_t before;  /* for level 0 */
+} measure;
+
+/* q: times 2^zeros, 2^31 or more. */
+static inline measure measure_of(const qtri_footprint *f, uint32_t q, int32_t zeros)
 {
-    const uint32_t q_q15 = q << zeros >> 16;
-    const limit l = {((q_q15 * q_q15 >> 17) * 49431u) >> 15,
-                     levels->footprint.exponent - 13 - 2 * zeros, length};
-    return l;
+    const uint32_t q_q11 = q >> 21;
+    const measure m = {q_q11 * q_q11, f->before - 2 * zeros};
+    return m;
 }
 
-/* The level at pixel x. */
-static inline uint32_t level_at(const qtri_levels *levels, const limit *l, int32_t x)
+static inline bool is_left(uint32_t length, uint32_t square, int32_t shift)
 {
-    const qtri_footprint *f = &levels->footprint;
-    const uint32_t along =
-        qtri_step_length(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
-                         qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
-    int32_t level = levels->level;
-    const uint32_t length = l->length > along ? l->length : along;
-    while (level < levels->last && reaches(length, l->limit, l->shift + level)) {
+    if (shift >= 0) {
+        return shift < 32 && square <= length >> shift;
+    }
+    return (square - 1) >> qtri_least32(-shift, 31) < length;
+}
+
+/* Of m, of which `level` is not the right one. */
+static inline uint32_t find_level(const measure *m, uint32_t length, const qtri_levels *levels,
+                                  uint32_t level)
+{
+    int32_t before = m->before + (int32_t)level;
+    while (level < levels->last && is_left(length, m->square, before + 1)) {
+        before++;
         level++;
     }
-    while (level > 0 && !reaches(length, l->limit, l->shift + level - 1)) {
+    while (level > 0 && !is_left(length, m->square, before)) {
+        before--;
         level--;
     }
-    return (uint32_t)level;
+    return level;
 }
 
-/* Sets that of a block of curves whose middle is pixel x. length: of its row's step right. */
-static inline void set_block(qtri_scanline *row, qtri_levels *levels, uint32_t length, int32_t x)
+/* Whether the level, of what was drawn before, is that where m was taken, as most often it is. */
+static inline bool is_level(const measure *m, uint32_t length, const qtri_levels *levels,
+                            uint32_t level)
+{
+    const uint32_t before = (uint32_t)m->before + level;
+    if (before < 31) {
+        const uint32_t most = length >> before;
+        return m->square > most ? level == 0 : m->square > most >> 1 || level == levels->last;
+    }
+    return false;
+}
+
+static inline void set_level(const measure *m, uint32_t length, qtri_levels *levels)
+{
+    const uint32_t level = levels->level;
+    if (!is_level(m, length, levels, level)) {
+        qtri_level_set(levels, find_level(m, length, levels, level));
+    }
+}
+
+/* Of the step right, of all of a row. */
+static inline uint32_t row_length(const qtri_footprint *f, int32_t y)
+{
+    return qtri_step_length(
+        qtri_magnitude32((int32_t)(f->right[0] + (uint32_t)y * f->right_dy[0])),
+        qtri_magnitude32((int32_t)(f->right[1] + (uint32_t)y * f->right_dy[1])));
+}
+
+static inline measure measure_at(const qtri_scanline *row, const qtri_footprint *f, int32_t x)
 {
     const uint32_t q = qtri_row_inv_w_at(row, x);
-    const limit l = limit_at(levels, length, q, qtri_row_zeros(row, q));
-    qtri_level_set(levels, level_at(levels, &l, x));
+    const int32_t zeros = qtri_clz32(q);
+    return measure_of(f, q << zeros, zeros);
 }
 
-/* That of all of a row along which w does not change, or hardly does along its span. */
-static inline limit row_limit(const qtri_scanline *row, qtri_levels *levels)
+/* Before pixels of a row are asked for. */
+static inline void begin_row(qtri_footprint *f, int32_t y)
 {
-    const uint32_t q = qtri_row_inv_w_at(row, row->left);
-    return limit_at(levels, row_length(&levels->footprint, row->y), q, qtri_clz32(q));
+    if (f->row != y) {
+        f->row = (int16_t)y;
+        f->length = row_length(f, y);
+    }
 }
 
 static inline uint32_t curve_down(uint32_t step, uint32_t down)
@@ -266,9 +329,8 @@ static inline uint32_t curve_down(uint32_t step, uint32_t down)
  * each level, one where the height goes down no more, see texel_copy.h. Steps are off by half of
  * the last bit, 2^-(17 + width_log2) of the level's texel: 128 pixels on by 2^-11 of one.
  */
-static inline void scale_v(qtri_curve *v, const qtri_levels *levels)
+static inline void scale_v(qtri_curve *v, uint32_t down)
 {
-    const uint32_t down = (uint32_t)levels->down[0] + levels->down[1];
     if (down == 0) {
         return;
     }
@@ -285,7 +347,7 @@ static void scale_curves(qtri_curve uv[2], const qtri_levels *levels, const qtri
 {
     const qtri_raster *raster = levels->raster;
     if (raster->texel_cut != 0 && !axis[1].clamped) {
-        scale_v(&uv[1], levels);
+        scale_v(&uv[1], (uint32_t)levels->down[0] + levels->down[1]);
     }
     if (levels->texture.filter != NULL) {
         for (int i = 0; i < 2; i++) {
@@ -302,14 +364,15 @@ static void scale_curves(qtri_curve uv[2], const qtri_levels *levels, const qtri
  * at the run of LEVEL_RUN pixels that it lies in, which is where they are scaled. Returns where
  * the run begins; at: that of the row's curves.
  */
-static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, const limit *l,
+QTRI_IN_PLACE int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, const measure *m,
                                 qtri_curve uv[2], int32_t at, int32_t x)
 {
     const int32_t first = x - ((x - row->left) & (LEVEL_RUN - 1));
     const int32_t length = qtri_least32(LEVEL_RUN, row->right - first);
     const int32_t last = row->job->raster->surface->width - 1;
     const int32_t middle = qtri_hold32(first + (length >> 1), 0, last); /* in the frame */
-    qtri_level_set(levels, level_at(levels, l, middle));
+    const uint32_t size = length_at(&levels->footprint, levels->footprint.length, middle);
+    set_level(m, size, levels);
     for (int i = 0; i < 2; i++) {
         uv[i] = row->curve[QTRI_U + i];
         uv[i].at += (uint32_t)(first - at) * uv[i].step;
@@ -324,17 +387,23 @@ static inline int32_t begin_run(const qtri_scanline *row, qtri_levels *levels, c
  */
 QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels, int32_t x)
 {
-    const limit l = row_limit(row, levels);
-    return x - begin_run(row, levels, &l, row->curve, x, x);
+    begin_row(&levels->footprint, row->y);
+    const measure m = measure_at(row, &levels->footprint, row->left);
+    return x - begin_run(row, levels, &m, row->curve, x, x);
 }
 
 /* The same of a block of curves, of up to `count` pixels: returns how many it has. */
 QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels, int32_t x,
                                         int32_t count)
 {
-    count = qtri_interpolate_perspective(row, x, count, QTRI_U, QTRI_ATTRIBUTES);
-    set_block(row, levels, row_length(&levels->footprint, row->y), x + (count >> 1));
-    return count;
+    qtri_block b;
+    begin_row(&levels->footprint, row->y);
+    const int32_t length = qtri_block_begin(row, &b, row->job->color.perspective.texels, x);
+    const qtri_footprint *f = &levels->footprint;
+    const measure m = measure_of(f, b.q, b.zeros);
+    set_level(&m, length_at(f, f->length, b.x), levels);
+    qtri_block_end(row, &b, QTRI_U, QTRI_ATTRIBUTES);
+    return qtri_least32(length, count);
 }
 
 uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
@@ -379,14 +448,15 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
 
 /* Rows that become pixels as they are ---------------------------------------------------------- */
 
-static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
+QTRI_NOINLINE static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
 {
     const qtri_job *job = row->job;
-    const limit l = row_limit(row, levels);
+    begin_row(&levels->footprint, row->y);
+    const measure m = measure_at(row, &levels->footprint, row->left);
     for (int32_t x = row->x0; x < row->x1; x += run->count) {
         qtri_curve uv[2];
-        const int32_t first = begin_run(row, levels, &l, uv, row->left, x);
-        scale_v(&uv[1], levels);
+        const int32_t first = begin_run(row, levels, &m, uv, row->left, x);
+        scale_v(&uv[1], (uint32_t)levels->down[0] + levels->down[1]);
         run->x = x;
         run->count = qtri_least32(first + LEVEL_RUN, row->x1) - x;
         run->z = qtri_ramp_at(&job->depth, x - job->anchor_x, row->y - job->anchor_y);
@@ -398,18 +468,60 @@ static void copy_level_row(qtri_scanline *row, qtri_run *run, qtri_levels *level
     }
 }
 
-static void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels)
+/*
+ * The level of what is copied along curves: of the raster only what such loops look at, the texels
+ * and the cut, until finish_copies.
+ */
+typedef struct copied {
+    uint32_t level, down; /* down: of v */
+} copied;
+
+/* What is copied has a cut, so sides below 2^16. */
+QTRI_NOINLINE static void set_copied(copied *c, qtri_levels *levels, const measure *m,
+                                     uint32_t length)
+{
+    const uint32_t level = find_level(m, length, levels, c->level);
+    const qtri_texture *whole = levels->whole;
+    const uint32_t height_log2 = whole->height_log2;
+    const uint32_t down = level < height_log2 ? level : height_log2;
+    const qtri_texture sides = {.width_log2 = (uint8_t)(whole->width_log2 - level),
+                                .height_log2 = (uint8_t)(height_log2 - down)};
+    c->level = level;
+    c->down = level + down;
+    levels->texture.texels = level == 0 ? whole->texels : whole->levels[level - 1];
+    levels->raster->texel_cut = qtri_texel_cut(&sides);
+}
+
+static inline copied begin_copies(const qtri_levels *levels)
+{
+    const copied c = {levels->level, (uint32_t)levels->down[0] + levels->down[1]};
+    return c;
+}
+
+static inline void finish_copies(const copied *c, qtri_levels *levels)
+{
+    qtri_level_set(levels, c->level);
+}
+
+QTRI_IN_PLACE void copy_bent_row(qtri_scanline *row, qtri_run *run, qtri_levels *levels, copied *c)
 {
     const qtri_job *job = row->job;
-    const uint32_t right = row_length(&levels->footprint, row->y);
+    const qtri_footprint *f = &levels->footprint;
+    const uint32_t right = row_length(f, row->y);
     for (int32_t x = row->left + ((row->x0 - row->left) & -QTRI_BATCH); x < row->x1;) {
-        const int32_t length =
-            qtri_interpolate_perspective(row, x, QTRI_BATCH, QTRI_U, QTRI_ATTRIBUTES);
+        qtri_block b;
+        const int32_t length = qtri_block_begin(row, &b, job->color.perspective.texels, x);
         const int32_t skip = qtri_greatest32(row->x0 - x, 0);
         run->count = qtri_least32(length, row->x1 - x) - skip;
         if (run->count > 0) {
-            set_block(row, levels, right, x + (length >> 1));
-            scale_v(&row->curve[QTRI_U + 1], levels);
+            const measure m = measure_of(f, b.q, b.zeros);
+            const uint32_t size = length_at(f, right, b.x);
+            if (!is_level(&m, size, levels, c->level)) {
+                const measure copy = m; /* or all of it would be in memory */
+                set_copied(c, levels, &copy, size);
+            }
+            qtri_block_end(row, &b, QTRI_U, QTRI_ATTRIBUTES);
+            scale_v(&row->curve[QTRI_U + 1], c->down);
             run->x = x + skip;
             run->z = qtri_ramp_at(&job->depth, run->x - job->anchor_x, row->y - job->anchor_y);
             job->raster->copy_bent(job, run, &row->curve[QTRI_U], skip);
@@ -428,6 +540,7 @@ static void fill_copies(const qtri_job *job, const qtri_span *spans, int32_t y, 
     row.job = job;
     row.y = y;
     row.level = false;
+    copied c = begin_copies(levels);
     qtri_perspective_begin(&row);
     for (; count > 0; count--, spans++) {
         const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &row.x0);
@@ -440,15 +553,18 @@ static void fill_copies(const qtri_job *job, const qtri_span *spans, int32_t y, 
             row.right = spans->right;
             qtri_perspective_row(&row);
             if (row.level) {
+                finish_copies(&c, levels);
                 copy_level_row(&row, &run, levels);
+                c = begin_copies(levels);
             } else {
-                copy_bent_row(&row, &run, levels);
+                copy_bent_row(&row, &run, levels, &c);
             }
         }
         row.y++;
         lines.pixels += raster->surface->pitch;
         lines.depths += raster->surface->depth_pitch;
     }
+    finish_copies(&c, levels);
 }
 
 qtri_fill_rows qtri_mipmap_begin_large(qtri_job *job, const qtri_triangle *triangle,

@@ -26,11 +26,7 @@
  * Blocks begin at a chunk's start, 32 pixels apart from the span's left end, plus multiples of
  * their length, and q at their start decides: pixels do not depend on scissor or band.
  */
-#include "perspective.h"
-
-#include "../bits/multiply.h"
-#include "../bits/reciprocal.h"
-#include "../frame/curves.h"
+#include "perspective_block.h"
 
 /*
  * (a/w) / (1/w): 1/w is q 2^-31 with q in 1..2^31, give or take an error, normalised to 32 bits
@@ -185,86 +181,9 @@ void qtri_perspective_row(qtri_scanline *row)
     }
 }
 
-/*
- * What curves of a block have in common, as shares of L. With A = e (1 + ...), T = e^2 and `half`
- * pixels from the first to the middle, a curve's first value is
- *
- *     a_m - L (1 + A half + T half^2) half,
- *     step L (1 + (2 half - 1) A + (3 half^2 - 3 half - 20) T),
- *     bend L (- 2 A - (6 half - 24) T),   twist L 24 T
- *
- * where - 21 T of the step and 18 T of the bend make a curve of second order pass through the
- * fourth and the eighth pixel from where it begins, and where it does so again after every eighth.
- * Without a third order T is 0 but in A and L.
- */
-typedef struct middle {
-    int32_t x, half, log2; /* pixel; log2 of half of a whole block */
-    int32_t zeros;
-    uint32_t reciprocal; /* 2^62 / (q 2^zeros) */
-    int32_t square;      /* 15 bits of that squared */
-    int32_t slope_down;
-    int32_t value_q16, step_q16; /* without 1 */
-    int32_t bend_q15;            /* times 2^log2 */
-    int32_t twist_q12;           /* times 4^log2 */
-} middle;
-
-/* log2: of a whole block, 1 or more. */
-static inline void set_shares(middle *m, const qtri_perspective *p, int32_t log2, bool twisted)
-{
-    const uint32_t y_q15 = m->reciprocal >> 16; /* 2^14..2^15 */
-    /* E = e h, at most 1/8 of it, so that the shift is not negative. */
-    int32_t down = -(p->slope_exponent + m->zeros + log2);
-    down = down > 31 ? 31 : down;
-    log2--;
-    m->log2 = log2;
-    const int32_t e_q16 = (p->slope * (int32_t)y_q15) >> down;
-    const int32_t e2_q16 = (e_q16 * e_q16) >> 16;
-    /* The reciprocal's square: 30 bits, of which 15 count, times 15/16 (1 + 3/4 E^2) <= .99. */
-    uint32_t square = y_q15 * y_q15 + ((y_q15 * qtri_low16(m->reciprocal)) >> 15); /* 2^28..2^30 */
-    square -= square >> 4;
-    const int32_t half = m->half;
-    if (twisted) {
-        const int32_t a_q16 = e_q16 + ((13 * e_q16 * e2_q16) >> 20);
-        const int32_t arc = (a_q16 * half) >> log2;
-        const int32_t t1 = (e2_q16 * half) >> log2; /* T half h */
-        const int32_t t2 = (t1 * half) >> log2;
-        m->value_q16 = arc + t2;
-        m->step_q16 = 2 * arc + 3 * t2 - ((a_q16 + 3 * t1 + (20 * e2_q16 >> log2)) >> log2);
-        m->bend_q15 = (12 * e2_q16 >> log2) - a_q16 - 3 * t1;
-        m->twist_q12 = (24 * e2_q16) >> 4;
-    } else {
-        const int32_t a_q16 = e_q16 + ((4 * e_q16 * e2_q16) >> 20); /* of 1 + 3/4 E^2 */
-        const int32_t arc = (a_q16 * half) >> log2;
-        square += (square >> 16) * (uint32_t)(3 * e2_q16 >> 2);
-        m->value_q16 = arc;
-        m->step_q16 = 2 * arc - (a_q16 >> log2);
-        m->bend_q15 = -a_q16;
-        m->twist_q12 = 0;
-    }
-    const int32_t odd = square >> 29 == 0;
-    square = ((square << odd) + 0x4000u) >> 15;
-    m->square = (int32_t)(square - (square >> 15));
-    m->slope_down = odd - 2 * m->zeros;
-}
-
-/* Attribute i in the middle, in the unit of curves. */
-static inline uint32_t middle_value(const qtri_scanline *row, const middle *m, int i)
-{
-    const qtri_projected *a = &row->job->attribute[i].projected;
-    const uint32_t s = qtri_row_plane_at(&row->by.perspective.plane[i], a, m->x);
-    int32_t value = qtri_mul_high_s31((int32_t)(s << m->zeros), m->reciprocal);
-    if (i < QTRI_U) {
-        const qtri_perspective *p = &row->job->color.perspective;
-        value >>= QTRI_COLOR_PERSPECTIVE_SHIFT - 2;
-        value = qtri_hold32(value, p->least[i], p->greatest[i]);
-        return (uint32_t)value + a->bias;
-    }
-    return qtri_run_scaled((uint32_t)value + a->bias, a->up);
-}
-
-/* A curve whose slope is shifted left, or far right: few are. |l| < 2^30 */
-QTRI_NOINLINE static void set_steep_curve(qtri_curve *out, const middle *m, uint32_t value,
-                                          int32_t l, int32_t down)
+/* See perspective_block.h. */
+void qtri_curve_set_steep(qtri_curve *out, const qtri_block *m, uint32_t value, int32_t l,
+                          int32_t down)
 {
     if (down > 22) {
         l >>= qtri_least32(down - 22, 31);
@@ -284,80 +203,16 @@ QTRI_NOINLINE static void set_steep_curve(qtri_curve *out, const middle *m, uint
     }
 }
 
-QTRI_IN_PLACE void set_curve(qtri_curve *out, const middle *m, uint32_t value,
-                             const qtri_row_plane *plane, bool twisted)
-{
-    const int32_t l = plane->slope * m->square;
-    const int32_t down = plane->down + m->slope_down;
-    if ((uint32_t)down > 22) {
-        const middle copy = *m; /* or all of it would be in memory */
-        set_steep_curve(out, QTRI_SMALL_CODE ? m : &copy, value, l, down);
-        return;
-    }
-    const int32_t l_15 = l >> 15;
-    const int32_t to_start = (l + ((l_15 * m->value_q16) >> 1)) >> down;
-    out->at = value - (uint32_t)to_start * (uint32_t)m->half;
-    out->step = (uint32_t)((l + ((l_15 * m->step_q16) >> 1)) >> down);
-    out->bend = (uint32_t)((l_15 * m->bend_q15) >> (down + m->log2));
-    out->twist =
-        twisted ? (uint32_t)((l_15 * m->twist_q12) >> (down + 2 * m->log2 - 3)) : (uint32_t)0;
-}
-
-QTRI_IN_PLACE void set_curves(qtri_scanline *row, middle *m, int32_t log2, int first, int end,
-                              bool twisted)
-{
-    set_shares(m, &row->job->color.perspective, log2, twisted);
-    for (int i = first; i < end; i++) {
-        set_curve(&row->curve[i], m, middle_value(row, m, i), &row->by.perspective.plane[i],
-                  twisted);
-    }
-}
-
-/* log2 of the pixels of the longest block from pixel x of the row on, `from` pixels into a chunk.
- */
-static inline int32_t longest_block(const qtri_scanline *row, const uint32_t *limits, int32_t x,
-                                    int32_t from, int32_t rest)
-{
-    const uint32_t q = qtri_row_inv_w_at(row, x);
-    int32_t log2 = QTRI_BLOCK_LOG2;
-    while (log2 > 0 && q < limits[log2 - 1]) {
-        log2--;
-    }
-    while (log2 > 0 && (from & (((int32_t)1 << log2) - 1)) != 0) {
-        log2--;
-    }
-    while (log2 > 0 && (int32_t)1 << (log2 - 1) >= rest) {
-        log2--;
-    }
-    return log2;
-}
-
 int32_t qtri_interpolate_perspective(qtri_scanline *row, int32_t x, int32_t count, int first,
                                      int end)
 {
     const qtri_perspective *p = &row->job->color.perspective;
-    const int32_t from = (x - row->left) & (QTRI_BATCH - 1);
-    const int32_t rest = qtri_least32(row->right - x, QTRI_BATCH - from);
-    const int32_t log2 = longest_block(row, first < QTRI_U ? p->colors : p->texels, x, from, rest);
-    const int32_t length = qtri_least32((int32_t)1 << log2, rest);
-    middle m;
-    m.half = length >> 1;
-    m.x = x + m.half;
-    const uint32_t q = qtri_row_inv_w_at(row, m.x);
-    m.zeros = qtri_row_zeros(row, q);
-    m.reciprocal = qtri_reciprocal_near(q << m.zeros);
-    if (log2 == 0) {
-        for (int i = first; i < end; i++) {
-            const qtri_curve one = {middle_value(row, &m, i), 0, 0, 0};
-            row->curve[i] = one;
-        }
-    } else { /* two copies of what follows, or one where code is to be small */
-        const bool twisted = first == QTRI_U && log2 >= p->texels_twisted;
-        if (!QTRI_SMALL_CODE && twisted) {
-            set_curves(row, &m, log2, first, end, true);
-        } else {
-            set_curves(row, &m, log2, first, end, QTRI_SMALL_CODE && twisted);
-        }
+    qtri_block m;
+    const int32_t length = qtri_block_begin(row, &m, first < QTRI_U ? p->colors : p->texels, x);
+    if (!QTRI_SMALL_CODE && first == QTRI_U) {
+        qtri_block_end(row, &m, QTRI_U, QTRI_ATTRIBUTES);
+    } else {
+        qtri_block_end(row, &m, first, end);
     }
     return qtri_least32(length, count);
 }
