@@ -201,26 +201,26 @@ class Layer:
         todo = list(self.changed)
         while todo:
             self.write(bench)
-            failed = {}
+            failed, broken = {}, []
             for file, errors in zip(todo, parallel(lambda f: bench.compile(f, "-", flags=["-fsyntax-only"]), todo)):
-                for path, line in re.findall(r"^(\S+?):(\d+):\d+: error", errors, flags=re.M):
+                for path, line in re.findall(r"^(\S+?):(\d+):\d+: (?:error|note: in \w+ of macro)", errors, flags=re.M):
                     path = os.path.relpath(os.path.normpath(path), bench.src) if bench.src in path else path
                     failed.setdefault(path, set()).add(int(line))
-                if errors and not failed:
-                    sys.exit(f"mutate: {file}: {errors}")
+                broken += [file] if errors else []
             wrong = [t for path, lines in failed.items() for t in self.taken.get(path, []) if any(
                 t[3].source.text.count("\n", 0, t[0]) + 1 <= l <= t[3].source.text.count("\n", 0, t[1]) + 1
                 for l in lines)]
-            if failed and not wrong:
-                sys.exit(f"mutate: {failed}")
+            if broken and not wrong:
+                sys.exit(f"mutate: {broken} {failed}")
             for t in wrong:
                 self.drop(t[3])
-            todo = sorted(set(bench.users({t[3].path for t in wrong})) & set(self.changed))
+            todo = sorted(set(bench.users({t[3].path for t in wrong}) + broken) & set(self.changed))
         for file, errors in zip(self.changed, parallel(lambda f: bench.compile(f, self.changed[f]), self.changed)):
             if errors:
                 sys.exit(f"mutate: {file}: {errors}")
         for path in self.taken:
             shutil.copyfile(path, f"{bench.src}/{path}")
+        print(f"mutate: {len(self.mutants)} compiled in {len(self.changed)} files", flush=True)
         bench.link_library(f"{self.folder}/libqtri.so", self.changed)
         self.programs = f"{bench.here}/base"
         if any(f.startswith("tests/") for f in self.changed):
