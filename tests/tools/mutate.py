@@ -90,7 +90,8 @@ class Build:
             shutil.copytree(folder, f"{self.src}/{folder}")
         self.library = sorted(glob.glob("core/*/*.c") + glob.glob("port/panels/*.c"))
         self.helpers = sorted(glob.glob("tests/support/*.c"))
-        self.tests = sorted(glob.glob("tests/test_core_*.c" if flags else "tests/test_*.c"))
+        self.tests = sorted(glob.glob("tests/test_core_*.c"))
+        self.tests += [] if flags else sorted(glob.glob("tests/test_scene_*.c") + ["tests/test_verify_math.c"])
         self.needs = {}
         for file, names in zip(self.library + self.helpers + self.tests,
                                parallel(self.read_needs, self.library + self.helpers + self.tests)):
@@ -195,8 +196,9 @@ class Layer:
     def make(self, bench):
         """Compiles it. What the compiler takes only as a constant is left out."""
         self.folder = f"{bench.here}/layer-{self.number}"
-        shutil.rmtree(self.folder, ignore_errors=True)
-        os.makedirs(self.folder)
+        if not os.environ.get("KEEP"):
+            shutil.rmtree(self.folder, ignore_errors=True)
+        os.makedirs(self.folder, exist_ok=True)
         self.changed = {f: f"{self.folder}/" + f.replace("/", "+")[:-2] + ".o" for f in bench.users(self.taken)}
         todo = list(self.changed)
         while todo:
@@ -215,7 +217,8 @@ class Layer:
             for t in wrong:
                 self.drop(t[3])
             todo = sorted(set(bench.users({t[3].path for t in wrong}) + broken) & set(self.changed))
-        for file, errors in zip(self.changed, parallel(lambda f: bench.compile(f, self.changed[f]), self.changed)):
+        todo = [f for f in self.changed if not (os.environ.get("KEEP") and os.path.exists(self.changed[f]))]
+        for file, errors in zip(todo, parallel(lambda f: bench.compile(f, self.changed[f]), todo)):
             if errors:
                 sys.exit(f"mutate: {file}: {errors}")
         for path in self.taken:
@@ -266,8 +269,8 @@ class Runs:
         self.places.put(place)
         return status == 0, time.time() - start
 
-    def look(self, layer):
-        """For which tests each mutant of a layer makes a difference where it stands; how long they take."""
+    def look(self, layer, names):
+        """For which of these tests each mutant of a layer makes a difference where it stands; how long they take."""
         def one(name):
             seen = os.path.abspath(f"{self.bench.here}/seen-{name}")
             with open(seen, "wb") as out:
@@ -277,7 +280,7 @@ class Runs:
                 return name, passed, seconds, file.read()
         for m in layer.mutants:
             m.tests = []
-        for name, passed, seconds, seen in parallel(one, [n for n in self.bench.names if n not in self.failed]):
+        for name, passed, seconds, seen in parallel(one, [n for n in names if n not in self.failed]):
             if not passed:
                 print(f"mutate: {name} fails without a change here, and is left out", flush=True)
                 self.failed.add(name)
@@ -387,8 +390,10 @@ class Judge:
         self.bench.link_base()
         self.runs = Runs(self.bench)
         self.layers, alone, self.absent = make_layers(self.bench, mutants)
-        for layer in self.layers:
-            self.runs.look(layer)
+        for layer in self.layers:  # of what overlaps in the first, few: by tests that reach the file
+            paths = {m.path for m in layer.mutants}
+            near = {t for m in mutants if m.path in paths for t in m.tests or []}
+            self.runs.look(layer, sorted(near) if layer.number else self.bench.names)
         self.alone = {m.number for m in alone}
         of_file = {}
         for m in mutants:
