@@ -181,9 +181,12 @@ MUTANTS  ?= 500
 SEED     ?= 1
 
 .PHONY: pictures
-pictures: $(BUILD)/tests/test_scene_pictures ## Record in tests/pictures.tsv the pictures that the core draws now
+RECORDING := test_scene_pictures test_core_pictures test_core_values
+pictures: $(RECORDING:%=$(BUILD)/tests/%) ## Record in tests/pictures.tsv the pictures that the core draws now
 	@rm -f $(BUILD)/pictures.tsv
-	@CMOCKA_MESSAGE_OUTPUT=TAP QTRI_RECORD=$(BUILD)/pictures.tsv $< >$(BUILD)/pictures.log || { cat $(BUILD)/pictures.log; exit 1; }
+	@for program in $^; do \
+	    CMOCKA_MESSAGE_OUTPUT=TAP QTRI_RECORD=$(BUILD)/pictures.tsv $$program >$(BUILD)/pictures.log || { cat $(BUILD)/pictures.log; exit 1; }; \
+	done
 	@mv $(BUILD)/pictures.tsv tests/pictures.tsv
 
 .PHONY: coverage mutate misra prove prove-inputs setup-proof
@@ -192,9 +195,8 @@ coverage: ## Lines and branches of core and port that the plain tests reach; tes
 	@LLVM_PROFILE_FILE=$(CURDIR)/build/coverage/raw/build-%m.profraw PROFILES=$(CURDIR)/build/coverage/raw $(ALIVE) coverage $(MAKE) -s $(PARALLEL) BUILD=build/coverage CC=clang CFLAGS='$(COVERAGE)' test-plain
 	@python3 tests/tools/coverage.py build/coverage tests/coverage.allow
 
-mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of core at random and report what no test notices; MUTANTS=500 SEED=1
-	@[ -f build/coverage/lines.tsv ] || $(MAKE) -s coverage || [ -f build/coverage/lines.tsv ]
-	@HOST_LIBS='$(HOST_LIBS)' QTRI_MODELS='$(abspath $(MODELS))' $(ALIVE) mutate python3 tests/tools/mutate.py $(BUILD) $(MUTANTS) $(SEED)
+mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of core at random and report what no test notices; MUTANTS=500 SEED=1; AGAIN=again: survivors
+	@HOST_LIBS='$(HOST_LIBS)' QTRI_MODELS='$(abspath $(MODELS))' JOBS=$(JOBS) $(ALIVE) mutate python3 tests/tools/mutate.py $(BUILD) $(MUTANTS) $(SEED) $(AGAIN)
 
 misra: ## What cppcheck says of MISRA C:2012 in core, by rule; tests/misra.md has the deviations
 	@sh tests/tools/misra.sh

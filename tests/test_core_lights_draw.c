@@ -174,6 +174,51 @@ static void any_memory(void **state)
     assert_true(painted > 50000);
 }
 
+/* A mesh is the same drawn with its outline, and edges are lit where they are strokes. */
+static void outlines_and_edges(void **state)
+{
+    (void)state;
+    static faces_mesh m;
+    static uint32_t words[QTRI_OUTLINE_WORDS(FACES_TRIANGLES) + QTRI_OUTLINE_SUMS(FACES_VERTICES)];
+    uint64_t seed = 9;
+    unsigned lit = 0;
+    for (int n = 0; n < 100; n++) {
+        faces_mesh_make(&m, &seed, 0);
+        const qtri_mesh mesh = n % 2 != 0 ? m.wide : m.compact;
+        lamps l;
+        qtri_view view;
+        qtri_transform pose;
+        qtri_outline outline;
+        lamps_make(&l, &seed);
+        const qtri_material material = random_material(&seed, &l);
+        qtri_stroke stroke = qtri_stroke_default();
+        stroke.width = random_q16(&seed, .5, 6);
+        stroke.cap = random_flag(&seed) ? QTRI_CAP_BUTT : QTRI_CAP_ROUND;
+        faces_view(&view, &seed, WIDTH, HEIGHT);
+        faces_pose(&pose, &seed, &mesh);
+        view.lights = &l.lights;
+        view.vertices = vertices;
+        view.vertex_count = random_flag(&seed) ? LENGTH_OF(vertices) : FACES_VERTICES;
+        canvas first = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas other = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        assert_int_equal(qtri_outline_init(&outline, &mesh, words, LENGTH_OF(words)), QTRI_OK);
+        qtri_draw_mesh(&first.surface, &view, &pose, &mesh, &material);
+        assert_int_equal(qtri_draw_mesh_outlined(&other.surface, &view, &pose, &material, &outline),
+                         QTRI_OK);
+        assert_same_picture(&first.surface, &other.surface);
+        canvas_clear(&first);
+        canvas_clear(&other);
+        qtri_draw_wide_wireframe(&first.surface, &view, &pose, &mesh, &stroke, &material);
+        qtri_draw_hidden_lines(&other.surface, &view, &pose, &mesh, &stroke, &material, Q16(.002));
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            lit += stored_pixel(&first.surface, i % WIDTH, i / WIDTH) != 0;
+        }
+        canvas_free(&first);
+        canvas_free(&other);
+    }
+    assert_true(lit > 1000);
+}
+
 /* Its triangles one by one, with and without normals, whole and clipped, are the mesh. */
 static void loose_triangles(void **state)
 {
@@ -492,10 +537,10 @@ static void any_bits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_memory), cmocka_unit_test(loose_triangles),
-        cmocka_unit_test(two_sides),  cmocka_unit_test(power_tables),
-        cmocka_unit_test(spheres),    cmocka_unit_test(too_many),
-        cmocka_unit_test(any_bits),
+        cmocka_unit_test(any_memory),      cmocka_unit_test(outlines_and_edges),
+        cmocka_unit_test(loose_triangles), cmocka_unit_test(two_sides),
+        cmocka_unit_test(power_tables),    cmocka_unit_test(spheres),
+        cmocka_unit_test(too_many),        cmocka_unit_test(any_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,35 +18,25 @@
 
 #include <cmocka.h>
 
+#include "support/recorded.h"
 #include "support/scene_random.h"
 #include "tools/scene_draw.h"
 
-#define RECORDED        "tests/pictures.tsv"
-#define NAME_MAX_LENGTH 64
-#define SEEDS           10 /* with one checksum */
+#define SEEDS 10 /* with one checksum */
 
 static const qtri_format *const formats[] = {&qtri_rgb565, &qtri_xrgb8888,       &qtri_gray8,
                                              &qtri_rgb888, &qtri_rgb565_swapped, &qtri_bgr888};
 #define FORMATS (sizeof formats / sizeof formats[0])
 
-/* FNV-1a of bytes in the order that every machine has. */
-static uint32_t add(uint32_t hash, uint32_t value, int bytes)
-{
-    for (int i = 0; i < bytes; i++) {
-        hash = (hash ^ (value >> 8 * i & 0xFF)) * 16777619u;
-    }
-    return hash;
-}
-
 static uint32_t add_picture(uint32_t hash, const struct picture *picture)
 {
     size_t count = (size_t)picture->width * (size_t)picture->height;
     for (size_t i = 0; i < 3 * count; i++) {
-        hash = add(hash, picture->rgb[i], 1);
+        hash = recorded_add(hash, picture->rgb[i], 1);
     }
     for (size_t i = 0; i < count; i++) {
-        hash = add(hash, picture->id[i], 4);
-        hash = add(hash, (uint32_t)(picture->depth[i] * 65535.0 + .5), 4);
+        hash = recorded_add(hash, picture->id[i], 4);
+        hash = recorded_add(hash, (uint32_t)(picture->depth[i] * 65535.0 + .5), 4);
     }
     return hash;
 }
@@ -60,43 +50,15 @@ static uint32_t add_scene(uint32_t hash, const struct scene *scene, size_t forma
     return hash;
 }
 
-/* What is recorded of a name, 0: nothing. Or a line for the file that is written. */
-static void judge(const char *name, uint32_t hash)
-{
-    const char *record = getenv("QTRI_RECORD");
-    char line[2 * NAME_MAX_LENGTH];
-    if (record != NULL) {
-        FILE *out = fopen(record, "a");
-        assert_non_null(out);
-        fprintf(out, "%s\t%08x\n", name, (unsigned)hash);
-        assert_int_equal(fclose(out), 0);
-        return;
-    }
-    FILE *in = fopen(RECORDED, "r");
-    assert_non_null(in);
-    size_t length = strlen(name);
-    unsigned recorded = 0;
-    while (fgets(line, sizeof line, in) != NULL) {
-        if (strncmp(line, name, length) == 0 && line[length] == '\t') {
-            recorded = (unsigned)strtoul(line + length, NULL, 16);
-        }
-    }
-    fclose(in);
-    if (recorded != hash) {
-        fail_msg("%s: %08x, recorded %08x (if it is meant to differ: make pictures)", name,
-                 (unsigned)hash, recorded);
-    }
-}
-
 static void files(void **state)
 {
     (void)state;
-    char line[2 * NAME_MAX_LENGTH];
+    char line[2 * RECORDED_NAME_MAX];
     FILE *list = popen("cd host/scenes && ls *.scene", "r");
     assert_non_null(list);
     size_t count = 0;
     for (; fgets(line, sizeof line, list) != NULL; count++) {
-        char path[3 * NAME_MAX_LENGTH];
+        char path[3 * RECORDED_NAME_MAX];
         struct scene scene;
         struct text_error error;
         line[strcspn(line, "\n")] = '\0';
@@ -104,8 +66,8 @@ static void files(void **state)
         if (!scene_read(path, &scene, &error)) {
             fail_msg("%s", error.message);
         }
-        const uint32_t hash = add_scene(2166136261u, &scene, 0);
-        judge(line, add_scene(hash, &scene, 1 + count % (FORMATS - 1)));
+        const uint32_t hash = add_scene(RECORDED_BEGIN, &scene, 0);
+        recorded_judge(line, add_scene(hash, &scene, 1 + count % (FORMATS - 1)));
         scene_free(&scene);
     }
     pclose(list);
@@ -116,8 +78,8 @@ static void random_scenes(const char *kind, char *(*write)(uint32_t seed, size_t
                           uint32_t seeds)
 {
     for (uint32_t first = 1; first < seeds; first += SEEDS) {
-        char name[NAME_MAX_LENGTH];
-        uint32_t hash = 2166136261u;
+        char name[RECORDED_NAME_MAX];
+        uint32_t hash = RECORDED_BEGIN;
         for (uint32_t seed = first; seed < first + SEEDS; seed++) {
             size_t length = 0;
             struct scene scene;
@@ -131,7 +93,7 @@ static void random_scenes(const char *kind, char *(*write)(uint32_t seed, size_t
             free(text);
         }
         snprintf(name, sizeof name, "%s %u", kind, (unsigned)first);
-        judge(name, hash);
+        recorded_judge(name, hash);
     }
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fill.h"
+#include "lights.h"
 #include "mesh_faces.h"
 #include "outline.h"
 
@@ -172,19 +173,30 @@ QTRI_NOINLINE static bool begin(qtri_mesh_job *job, const qtri_surface *surface,
     return qtri_mesh_job_place(job, view, pose);
 }
 
+/* Once it is placed, and lit by a view's lights. */
+static void see_placed(qtri_mesh_job *job, void *with)
+{
+    const drawing *d = with;
+    if (!see_faces(d, job)) {
+        see_whole(d);
+    }
+}
+
 /* For a solid mesh with a vertex for each of its vertices. */
 QTRI_NOINLINE static void see(const qtri_surface *surface, const qtri_view *view,
                               const qtri_transform *pose, const qtri_material *material,
                               qtri_outline *outline, bool draws)
 {
     qtri_mesh_job job;
-    const drawing d = {&job, outline->front, draws};
+    drawing d = {&job, outline->front, draws};
     if (!begin(&job, surface, view, pose, outline->mesh, material)) {
         return;
     }
     qtri_front_clear(outline->front, outline->mesh->triangle_count);
-    if (!see_faces(&d, &job)) {
-        see_whole(&d);
+    if (draws && view->lights != NULL) {
+        view->lights->model->mesh(&job, view, pose, true, see_placed, &d);
+    } else {
+        see_placed(&job, &d);
     }
     if (draws) {
         qtri_primitive_finish(&job.primitive);

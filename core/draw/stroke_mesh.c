@@ -7,6 +7,7 @@
 
 #include "../raster/stroke_line.h"
 #include "fill.h"
+#include "lights.h"
 #include "stroke_job.h"
 
 /* A line job whose lines are strokes: `mesh` is first, and the line job in it tells where. */
@@ -78,6 +79,17 @@ static void draw_by_slots(const qtri_mesh_job *draw)
     }
 }
 
+/* Once it is placed, and lit by a view's lights. */
+static void draw_placed(qtri_mesh_job *draw, void *with)
+{
+    (void)with;
+    if (!QTRI_WITH_FAST_PATHS || draw->slot_count < draw->mesh->vertex_count) {
+        draw_by_slots(draw);
+    } else {
+        qtri_wireframe.mesh(draw);
+    }
+}
+
 /* The rows in which the line job looks for triangles reach a radius beyond the surface's. */
 static void widen_rows(qtri_line_job *job, int32_t radius)
 {
@@ -128,9 +140,9 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     if (!qtri_mesh_job_place(&wide.mesh, view, pose)) {
         return;
     }
-    if (!QTRI_WITH_FAST_PATHS || wide.mesh.slot_count < unbounded.vertex_count) {
-        draw_by_slots(&wide.mesh);
+    if (view->lights != NULL) {
+        view->lights->model->mesh(&wide.mesh, view, pose, true, draw_placed, NULL);
     } else {
-        qtri_wireframe.mesh(&wide.mesh);
+        draw_placed(&wide.mesh, NULL);
     }
 }

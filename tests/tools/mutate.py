@@ -1,16 +1,23 @@
 # SPDX-License-Identifier: MIT
 """Changes operators and constants of core, one at a time, and reports what no test notices; called by `make mutate`.
 
-    mutate.py BUILD COUNT SEED [FILE...]
+    mutate.py BUILD COUNT SEED [again]
 
-Of all changes COUNT are drawn at random. For each, the file is compiled again, and those test programs run that
-reach the line (BUILD/coverage/lines.tsv, by `make coverage`) or are newer than that, the quickest first, until one fails. A change that
-leaves the object as it was is no mutant. BUILD/mutants.tsv has a line for each. Survivors that
-tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart.
+Of all changes COUNT are drawn at random; `again` takes instead those that survived in BUILD/mutants.tsv. Most are
+compiled together: each is an expression that is the changed one where the environment's QTRI_MUTANT has its number
+(mutants.py). Changes that overlap, and those in constants of the compiler, are in libraries of their own. One run
+of all tests says for which tests a changed expression has another value at all; those run for that change, the ones
+that are likely to notice it quickly first, until one fails, crashes or takes ten times as long. Code that this
+machine leaves out is judged by the tests of core in a narrow build (core/bits/bits.h).
+
+A change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors
+that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart.
 """
+import concurrent.futures
 import filecmp
 import glob
 import os
+import queue
 import random
 import re
 import resource
@@ -19,215 +26,448 @@ import subprocess
 import sys
 import time
 
-FLAGS = "-std=c99 -O1 -fPIC -w".split()
+from mutants import Source
 
-# In code as clang-format writes it, binary operators stand between blanks.
-SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "), (" != ", " == "),
-         (" + ", " - "), (" - ", " + "), (" * ", " + "), (" / ", " * "), (" % ", " / "), (" << ", " >> "),
-         (" >> ", " << "), (" & ", " | "), (" | ", " & "), (" ^ ", " | "), (" && ", " || "), (" || ", " && "),
-         (" += ", " -= "), (" -= ", " += "), (" |= ", " &= "), (" &= ", " |= "), (" >>= ", " <<= "),
-         ("++", "--"), ("--", "++"), ("true", "false"), ("false", "true"), ("!", "")]
-NUMBER = re.compile(r"(?<![\w.])(0[xX][0-9a-fA-F]+|\d+)([uUlL]*)(?![\w.])")
+FLAGS = "-std=c99 -O1 -fPIC -fwrapv -w -Werror=vla".split()
+NARROW = ["-DQTRI_LONG_MULTIPLY=0", "-DQTRI_DIVIDE=0"]
+JOBS = int(os.environ.get("JOBS") or 2)
 
-
-def blank_comments(text):
-    """The same length, without comments, strings and directives."""
-    def blank(match):
-        return re.sub(r"[^\n]", " ", match.group(0))
-    text = re.sub(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\n])*\"|'(?:\\.|[^'\n])*'", blank, text, flags=re.S)
-    return re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", blank, text, flags=re.M)
-
-
-def sites(path):
-    """(offset, old, new) of every change."""
-    code = blank_comments(open(path).read())
-    found = []
-    for old, new in SWAPS:
-        at = code.find(old)
-        while at >= 0:
-            around = code[max(0, at - 1):at + len(old) + 1]
-            word = old.isalpha() and re.search(r"\w" + old + r"|" + old + r"\w", around)
-            if not word and not (old == "!" and around.endswith("=")):
-                found.append((at, old, new))
-            at = code.find(old, at + len(old))
-    for match in NUMBER.finditer(code):
-        digits, suffix = match.groups()
-        if re.search(r"\b(include|enum)\b[^;]*$", code[max(0, match.start() - 40):match.start()]):
-            continue
-        value = int(digits, 0)
-        for other in {value + 1, value - 1 if value > 0 else value + 1}:
-            text = (hex(other) if digits[:2] in ("0x", "0X") else str(other)) + suffix
-            found.append((match.start(), match.group(0), text))
-    return found
+# What says which mutant runs, and notes which expressions would have had another value: in memory that the processes
+# of a test share. A failed assertion ends the program at once.
+SWITCH = """
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+#include <unistd.h>
+int qtri_mutant = -1;
+unsigned char *qtri_seen;
+__attribute__((constructor(101))) static void choose(void)
+{
+    const char *mutant = getenv("QTRI_MUTANT");
+    qtri_mutant = mutant != NULL ? atoi(mutant) : -1;
+    if (qtri_mutant == 0) {
+        const int file = open(getenv("QTRI_SEEN"), O_RDWR);
+        qtri_seen = mmap(NULL, 1 << 16, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        close(file);
+    }
+}
+void _fail(const char *file, int line);
+void _fail(const char *file, int line)
+{
+    _exit(1);
+}
+"""
+DECLARED = "extern int qtri_mutant; extern unsigned char *qtri_seen;\n#line 1\n"
 
 
-class Bench:
-    def __init__(self, build):
-        self.root = os.getcwd()
-        self.build = build
-        self.here = f"{build}/mutate"
+class Mutant:
+    def __init__(self, source, change):
+        self.source, self.change, self.path = source, change, source.path
+        at, old, new = change
+        self.line = source.text.count("\n", 0, at) + 1
+        self.column = at - source.text.rfind("\n", 0, at)
+        self.text = source.text.split("\n")[self.line - 1].strip()
+        self.what = f"{old} -> {new or 'nothing'}"
+        self.layer = None  # of a library of many; None: alone
+        self.tests = None  # those for which it makes a difference where it stands
+        self.result = None
+
+
+def parallel(function, items):
+    with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
+        return list(pool.map(function, items))
+
+
+class Build:
+    """Core, port, tests and their helpers as compiled with some flags, and copies of the sources to change."""
+
+    def __init__(self, build, name, flags):
+        self.build, self.here, self.flags = build, f"{build}/mutate/{name}", FLAGS + flags
         self.src = f"{self.here}/src"
         shutil.rmtree(self.src, ignore_errors=True)
         os.makedirs(f"{self.here}/obj", exist_ok=True)
-        os.makedirs(f"{self.here}/tests", exist_ok=True)
-        os.makedirs(f"{self.here}/tmp", exist_ok=True)
-        for folder in ("core", "port/include", "port/panels"):
+        for folder in ("core", "port/include", "port/panels", "tests", "host"):
             shutil.copytree(folder, f"{self.src}/{folder}")
-        self.files = sorted(glob.glob("core/*/*.c") + glob.glob("port/panels/*.c"))
+        self.library = sorted(glob.glob("core/*/*.c") + glob.glob("port/panels/*.c"))
+        self.helpers = sorted(glob.glob("tests/support/*.c"))
+        self.tests = sorted(glob.glob("tests/test_core_*.c"))
+        self.tests += [] if flags else sorted(glob.glob("tests/test_scene_*.c") + ["tests/test_verify_math.c"])
         self.needs = {}
-        for file in self.files:
-            made = subprocess.run(["gcc", "-MM", "-Icore/include", "-Iport/include", file], capture_output=True,
-                                  text=True, check=True).stdout
-            for name in made.replace("\\\n", " ").split()[1:]:
-                self.needs.setdefault(os.path.normpath(name), []).append(file)
-        for file in self.files:
-            out = self.object(file)
-            if not (os.path.exists(out) and all(os.path.getmtime(n) < os.path.getmtime(out)
-                                                for n, by in self.needs.items() if file in by)):
-                self.compile(file, out)
-        self.library = f"{self.here}/libqtri.so"
-        self.link()
-        self.programs = self.link_tests()
-        self.reach = {}
-        self.reach_file = {}
-        seen = set()
-        for line in open(f"{build}/coverage/lines.tsv"):
-            path, number, tests = line.rstrip("\n").split("\t")
-            self.reach[path, int(number)] = tests.split()
-            self.reach_file.setdefault(path, set()).update(tests.split())
-            seen.update(tests.split())
-        self.new = [name for name in self.programs if name not in seen]
-        self.environment = dict(os.environ, QTRI_TMP=os.path.abspath(f"{self.here}/tmp"), MALLOC_PERTURB_="165",
-                                QTRI_COMMAND=os.path.abspath(f"{self.here}/qtri"))
+        for file, names in zip(self.library + self.helpers + self.tests,
+                               parallel(self.read_needs, self.library + self.helpers + self.tests)):
+            for name in names:
+                self.needs.setdefault(name, []).append(file)
+        self.with_flags = bool(flags)
+        parallel(lambda f: self.compile(f, self.object(f)), [f for f in self.library if self.is_old(f)])
+        subprocess.run(["gcc", "-w", "-O1", "-fPIC", "-c", "-x", "c", "-o", f"{self.here}/switch.o", "-"],
+                       input=SWITCH.encode(), check=True)
+
+    def includes(self, src):
+        return [f"-I{src}core/include", f"-I{src}port/include"]
+
+    def own_includes(self, file, src):
+        return [f"-I{src}core", f"-I{src}host"] if file.startswith("tests/") else []
+
+    def read_needs(self, file):
+        made = subprocess.run(["gcc", "-MM", "-w"] + self.flags + self.includes("") + self.own_includes(file, "") +
+                              [file], capture_output=True, text=True, check=True).stdout
+        return {os.path.normpath(n) for n in made.replace("\\\n", " ").split()[1:]}
 
     def object(self, file):
+        if file.startswith("tests/") and not self.with_flags:
+            return f"{self.build}/obj/{file[:-2]}.o"
         return f"{self.here}/obj/" + file.replace("/", "+")[:-2] + ".o"
 
-    def compile(self, file, out):
-        return subprocess.run(["gcc"] + FLAGS + [f"-I{self.src}/core/include", f"-I{self.src}/port/include", "-c",
-                              "-o", out, f"{self.src}/{file}"], stderr=subprocess.DEVNULL).returncode == 0
+    def is_old(self, file):
+        out = self.object(file)
+        return not (os.path.exists(out) and all(os.path.getmtime(n) < os.path.getmtime(out)
+                                                for n, by in self.needs.items() if file in by))
 
-    def link(self, changed=None):
-        objects = [(changed or {}).get(f, self.object(f)) for f in self.files]
-        return subprocess.run(["gcc", "-shared", "-o", self.library] + objects,
-                              stderr=subprocess.DEVNULL).returncode == 0
+    def compile(self, file, out, flags=()):
+        """What the compiler complains of, or nothing."""
+        src = self.src + "/"
+        return subprocess.run(["gcc"] + self.flags + list(flags) + self.includes(src) + self.own_includes(file, src) +
+                              ["-c", "-o", out, src + file], capture_output=True, text=True).stderr
 
-    def link_tests(self):
-        names = []
-        end = [f"{self.build}/libqtri-host.a", self.library, f"-Wl,-rpath,{os.path.abspath(self.here)}"]
-        end += os.environ.get("HOST_LIBS", "").split()
-        subprocess.run(["gcc", "-o", f"{self.here}/qtri", f"{self.build}/obj/host/tools/main.o"] + end + ["-lm"],
-                       check=True)
-        for source in sorted(glob.glob("tests/test_*.c")):
-            name = os.path.basename(source)[:-2]
-            command = ["gcc", "-o", f"{self.here}/tests/{name}", f"{self.build}/obj/tests/{name}.o"]
+    def users(self, paths):
+        return sorted({file for path in paths for file in self.needs.get(path, [])})
+
+    def link_library(self, out, changed):
+        objects = [changed.get(f, self.object(f)) for f in self.library] + [f"{self.here}/switch.o"]
+        return subprocess.run(["gcc", "-shared", "-Wl,-soname,libqtri.so", "-o", out] + objects, stderr=subprocess.DEVNULL).returncode == 0
+
+    def link_tests(self, folder, changed):
+        """Programs in `folder`, or those of folder `base` where none of theirs changed."""
+        helpers = [changed.get(f, self.object(f)) for f in self.helpers]
+        end = [f"{self.build}/libqtri-host.a", f"{self.here}/base/libqtri.so"] + os.environ.get("HOST_LIBS", "").split()
+        os.makedirs(folder, exist_ok=True)
+
+        def link(file):
+            name = os.path.basename(file)[:-2]
+            command = ["gcc", "-o", f"{folder}/{name}", changed.get(file, self.object(file))] + helpers
             command += [f"{self.build}/libqtri-verify.a"] if name == "test_verify_math" else []
-            command += [f"{self.build}/libqtri-test.a"] + end + ["-lcmocka", "-lmpfr", "-lgmp", "-lm", "-pthread"]
-            program = command[2]
-            own = f"{self.build}/obj/tests/{name}.o"
-            if os.path.exists(program) and os.path.getmtime(program) > os.path.getmtime(own):
-                names.append(name)
-            elif subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 0:
-                names.append(name)
-            else:
-                print(f"mutate: {name} is linked of more than the others, and is left out", flush=True)
-        return names
+            command += end + ["-lcmocka", "-lmpfr", "-lgmp", "-lm", "-pthread"]
+            return name if subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 0 else None
+        names = parallel(link, self.tests)
+        subprocess.run(["gcc", "-o", f"{folder}/qtri", f"{self.build}/obj/host/tools/main.o"] + end + ["-lm"],
+                       check=True)
+        return [name for name in names if name]
 
-    def run(self, name, seconds):
-        """(passed, seconds of CPU)"""
-        def limit():
-            resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+    def link_base(self):
+        if self.with_flags:
+            own = self.helpers + self.tests
+            parallel(lambda f: self.compile(f, self.object(f)), [f for f in own if self.is_old(f)])
+        os.makedirs(f"{self.here}/base", exist_ok=True)
+        self.link_library(f"{self.here}/base/libqtri.so", {})
+        self.names = self.link_tests(f"{self.here}/base", {})
+
+
+class Layer:
+    """A library of many mutants that do not overlap."""
+
+    def __init__(self, number):
+        self.number = number
+        self.mutants = []
+        self.taken = {}
+
+    def take(self, mutant, schema):
+        begin, end, text = schema
+        taken = self.taken.setdefault(mutant.path, [])
+        if any(begin < b[1] and b[0] < end for b in taken):
+            return False
+        taken.append((begin, end, text, mutant))
+        mutant.layer = self
+        self.mutants.append(mutant)
+        return True
+
+    def drop(self, mutant):
+        self.taken[mutant.path] = [t for t in self.taken[mutant.path] if t[3] is not mutant]
+        self.mutants.remove(mutant)
+        mutant.layer = None
+
+    def write(self, bench):
+        for path, taken in self.taken.items():
+            text = open(path).read()
+            for begin, end, new, _ in sorted(taken, key=lambda t: t[0], reverse=True):
+                text = text[:begin] + new + text[end:]
+            with open(f"{bench.src}/{path}", "w") as out:
+                out.write((DECLARED if taken else "") + text)
+
+    def make(self, bench):
+        """Compiles it. What the compiler takes only as a constant is left out."""
+        self.folder = f"{bench.here}/layer-{self.number}"
+        if not os.environ.get("KEEP"):
+            shutil.rmtree(self.folder, ignore_errors=True)
+        os.makedirs(self.folder, exist_ok=True)
+        self.changed = {f: f"{self.folder}/" + f.replace("/", "+")[:-2] + ".o" for f in bench.users(self.taken)}
+        todo = list(self.changed)
+        while todo:
+            self.write(bench)
+            failed, broken = {}, []
+            for file, errors in zip(todo, parallel(lambda f: bench.compile(f, "-", flags=["-fsyntax-only"]), todo)):
+                for path, line in re.findall(r"^(\S+?):(\d+):\d+: (?:error|note: in \w+ of macro)", errors, flags=re.M):
+                    path = os.path.relpath(os.path.normpath(path), bench.src) if bench.src in path else path
+                    failed.setdefault(path, set()).add(int(line))
+                broken += [file] if errors else []
+            wrong = [t for path, lines in failed.items() for t in self.taken.get(path, []) if any(
+                t[3].source.text.count("\n", 0, t[0]) + 1 <= l <= t[3].source.text.count("\n", 0, t[1]) + 1
+                for l in lines)]
+            if broken and not wrong:
+                sys.exit(f"mutate: {broken} {failed}")
+            for t in wrong:
+                self.drop(t[3])
+            todo = sorted(set(bench.users({t[3].path for t in wrong}) + broken) & set(self.changed))
+        todo = [f for f in self.changed if not (os.environ.get("KEEP") and os.path.exists(self.changed[f]))]
+        for file, errors in zip(todo, parallel(lambda f: bench.compile(f, self.changed[f]), todo)):
+            if errors:
+                sys.exit(f"mutate: {file}: {errors}")
+        for path in self.taken:
+            shutil.copyfile(path, f"{bench.src}/{path}")
+        print(f"mutate: {len(self.mutants)} compiled in {len(self.changed)} files", flush=True)
+        bench.link_library(f"{self.folder}/libqtri.so", self.changed)
+        self.programs = f"{bench.here}/base"
+        if any(f.startswith("tests/") for f in self.changed):
+            self.programs = f"{self.folder}/tests"
+            bench.link_tests(self.programs, self.changed)
+        listed = "".join(subprocess.run(["nm", out], capture_output=True, text=True).stdout
+                         for out in self.changed.values())
+        there = {int(n) for n in re.findall(r"qtri_site_(\d+)", listed)}
+        return [m for m in self.mutants if m.number not in there]
+
+
+class Runs:
+    """Test programs, their times, and what each has noticed."""
+
+    def __init__(self, bench):
+        self.bench, self.seconds, self.noticed, self.tried, self.failed = bench, {}, {}, {}, set()
+        self.places = queue.Queue()
+        for i in range(JOBS):
+            os.makedirs(f"{bench.here}/tmp-{i}", exist_ok=True)
+            self.places.put(os.path.abspath(f"{bench.here}/tmp-{i}"))
+
+    def run(self, name, library, programs, mutant, seen=None):
+        """(passed, seconds)"""
+        limit = int(10 * self.seconds.get(name, 12)) + 2
+
+        def limits():
+            resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
             resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        place = self.places.get()
+        environment = dict(os.environ, QTRI_TMP=place, MALLOC_PERTURB_="165", CMOCKA_MESSAGE_OUTPUT="TAP",
+                           QTRI_COMMAND=os.path.abspath(f"{programs}/qtri"), QTRI_MUTANT=str(mutant),
+                           LD_LIBRARY_PATH=os.path.abspath(library))
+        if seen:
+            environment["QTRI_SEEN"] = seen
+        start = time.time()
         try:
-            status = subprocess.run([f"{self.here}/tests/{name}"], stdin=subprocess.DEVNULL, preexec_fn=limit,
-                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=self.environment,
-                                    timeout=40 * seconds).returncode
+            status = subprocess.run([f"{programs}/{name}"], stdin=subprocess.DEVNULL, preexec_fn=limits,
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment,
+                                    timeout=20 * limit).returncode
         except subprocess.TimeoutExpired:
             status = -1
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return status == 0, after.ru_utime - before.ru_utime
+        self.places.put(place)
+        return status == 0, time.time() - start
 
-    def judge(self, path, change):
-        """None: no mutant. Else what happened."""
-        at, old, new = change
-        text = open(path).read()
-        with open(f"{self.src}/{path}", "w") as out:
-            out.write(text[:at] + new + text[at + len(old):])
-        try:
-            changed = {}
-            for file in self.needs.get(path, []):
-                out = f"{self.here}/changed-{len(changed)}.o"
-                if not self.compile(file, out):
-                    return None
-                if not filecmp.cmp(out, self.object(file), shallow=False):
-                    changed[file] = out
-            if not changed or not self.link(changed):
-                return None
-        finally:
-            shutil.copyfile(path, f"{self.src}/{path}")
-        line = text.count("\n", 0, at) + 1
-        tests = self.reach.get((path, line)) or self.reach_file.get(path) or self.programs
-        for name in sorted((t for t in set(tests) | set(self.new) if t in self.seconds), key=self.seconds.get):
-            passed, _ = self.run(name, int(4 * self.seconds[name]) + 3)
+    def look(self, layer, names):
+        """For which of these tests each mutant of a layer makes a difference where it stands; how long they take."""
+        def one(name):
+            seen = os.path.abspath(f"{self.bench.here}/seen-{name}")
+            with open(seen, "wb") as out:
+                out.write(bytes(1 << 16))
+            passed, seconds = self.run(name, layer.folder, layer.programs, 0, seen)
+            with open(seen, "rb") as file:
+                return name, passed, seconds, file.read()
+        for m in layer.mutants:
+            m.tests = []
+        for name, passed, seconds, seen in parallel(one, [n for n in names if n not in self.failed]):
+            if not passed:
+                print(f"mutate: {name} fails without a change here, and is left out", flush=True)
+                self.failed.add(name)
+                continue
+            self.seconds.setdefault(name, seconds)
+            for m in layer.mutants:
+                if seen[m.number]:
+                    m.tests.append(name)
+
+    def judge(self, mutant, library, programs, number):
+        """The test that notices it first, or "survived"."""
+        names = list(self.seconds) if mutant.tests is None else mutant.tests
+        folder = mutant.path
+
+        def cost(name):
+            for_all = self.noticed.get(name, 0) / (1 + self.tried.get(name, 0))
+            here = (self.noticed.get((name, folder), 0) + for_all + .05) / (1 + self.tried.get((name, folder), 0))
+            return (self.seconds[name] + .01) / here
+        for name in sorted(names, key=cost):
+            passed, _ = self.run(name, library, programs, number)
+            for key in (name, (name, folder)):
+                self.tried[key] = self.tried.get(key, 0) + 1
+                self.noticed[key] = self.noticed.get(key, 0) + (not passed)
             if not passed:
                 return name
         return "survived"
 
-    def measure(self):
-        self.seconds = {}
-        for name in self.programs:
-            passed, seconds = self.run(name, 120)
-            if passed:
-                self.seconds[name] = seconds
-            else:
-                print(f"mutate: {name} fails without a change here, and is left out", flush=True)
+
+def same_objects(bench, mutant, flags):
+    """Whether the compiler makes the same of the changed source."""
+    with open(f"{bench.src}/{mutant.path}", "w") as out:
+        out.write(mutant.source.changed(mutant.change))
+    try:
+        for file in bench.users([mutant.path]):
+            one, two = f"{bench.here}/changed.o", f"{bench.here}/unchanged.o"
+            if bench.compile(file, one, flags=flags):
+                return True
+            shutil.copyfile(mutant.path, f"{bench.src}/{mutant.path}")
+            bench.compile(file, two, flags=flags)
+            if not filecmp.cmp(one, two, shallow=False):
+                return False
+            with open(f"{bench.src}/{mutant.path}", "w") as out:
+                out.write(mutant.source.changed(mutant.change))
+    finally:
+        shutil.copyfile(mutant.path, f"{bench.src}/{mutant.path}")
+    return True
+
+
+def judge_alone(bench, runs, mutant):
+    """A change of what the compiler takes only as a constant: a library for it."""
+    folder = f"{bench.here}/alone"
+    os.makedirs(folder, exist_ok=True)
+    with open(f"{bench.src}/{mutant.path}", "w") as out:
+        out.write(mutant.source.changed(mutant.change))
+    try:
+        users = [f for f in bench.users([mutant.path]) if f in bench.library]
+        changed = {f: f"{folder}/{i}.o" for i, f in enumerate(users)}
+        if any(parallel(lambda f: bench.compile(f, changed[f]), users)):
+            return None
+    finally:
+        shutil.copyfile(mutant.path, f"{bench.src}/{mutant.path}")
+    if all(filecmp.cmp(changed[f], bench.object(f), shallow=False) for f in users):
+        return None
+    if not bench.link_library(f"{folder}/libqtri.so", changed):
+        return None
+    return runs.judge(mutant, folder, f"{bench.here}/base", -1)
+
+
+def draw(build, count, seed, again):
+    """The mutants to judge, in random order; more than are asked for, as some are none."""
+    sources = {path: Source(path) for path in sorted(glob.glob("core/*/*.[ch]"))}
+    if again:
+        wanted = [line.rstrip("\n").split("\t") for line in open(f"{build}/mutants.tsv")]
+        wanted = {(w[0], w[5], w[3]) for w in wanted if w[4] == "survived"}
+        everything = [Mutant(s, c) for s in sources.values() for c in s.mutants()]
+        return [m for m in everything if (m.path, m.text, m.what) in wanted], len(everything)
+    everything = [(s, c) for s in sources.values() for c in s.mutants()]
+    random.Random(seed).shuffle(everything)
+    return [Mutant(s, c) for s, c in everything[:count + count // 3 + 5]], len(everything)
+
+
+def make_layers(bench, mutants):
+    """(layers, mutants to be compiled alone, mutants in code that is left out)"""
+    layers, alone, absent = [], [], []
+    for mutant in mutants:
+        schema = mutant.source.schema(mutant.change, mutant.number)
+        if schema is None:
+            alone.append(mutant)
+        elif not any(layer.take(mutant, schema) for layer in layers):
+            layers.append(Layer(len(layers)))
+            layers[-1].take(mutant, schema)
+    for layer in layers:
+        before = list(layer.mutants)
+        gone = layer.make(bench)
+        alone += [m for m in before if m.layer is None]
+        for m in gone:
+            layer.mutants.remove(m)
+        absent += gone
+    return layers, alone, absent
+
+
+class Judge:
+    """Judges a list of mutants in one build."""
+
+    def __init__(self, build, name, flags, mutants):
+        self.bench = Build(build, name, flags)
+        self.bench.link_base()
+        self.runs = Runs(self.bench)
+        self.layers, alone, self.absent = make_layers(self.bench, mutants)
+        for layer in self.layers:  # of what overlaps in the first, few: by tests that reach the file
+            paths = {m.path for m in layer.mutants}
+            near = {t for m in mutants if m.path in paths for t in m.tests or []}
+            self.runs.look(layer, sorted(near) if layer.number else self.bench.names)
+        self.alone = {m.number for m in alone}
+        of_file = {}
+        for m in mutants:
+            of_file.setdefault(m.path, set()).update(m.tests or [])
+        for m in alone:
+            m.tests = sorted(of_file[m.path]) or None
+
+    def judge(self, mutant):
+        if mutant.number in self.alone:
+            return judge_alone(self.bench, self.runs, mutant)
+        return self.runs.judge(mutant, mutant.layer.folder, mutant.layer.programs, mutant.number)
 
 
 def main():
     build, count, seed = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-    files = sys.argv[4:] or sorted(glob.glob("core/*/*.[ch]"))
-    bench = Bench(build)
-    bench.measure()
-    everything = [(f, s) for f in files if bench.needs.get(f) for s in sites(f)]
-    random.Random(seed).shuffle(everything)
+    mutants, possible = draw(build, count, seed, sys.argv[4:] == ["again"])
+    for number, mutant in enumerate(mutants):
+        mutant.number = number + 1
+    start = time.time()
+
+    def say(what):
+        print(f"mutate: {what}, {time.time() - start:.0f} s", flush=True)
+    wide = Judge(build, "wide", [], mutants)
+    say(f"{len(mutants)} drawn, {len(wide.alone)} to be compiled alone, {len(wide.absent)} not compiled here")
+    judges = {m.number: wide for m in mutants if m not in wide.absent}
+    if wide.absent and not os.environ.get("WIDE"):
+        narrow = Judge(build, "narrow", NARROW, wide.absent)
+        judges.update({m.number: narrow for m in wide.absent if m not in narrow.absent})
+        say(f"{len(wide.absent) - len(narrow.absent)} of them in the narrow build")
+
+    def judge(mutant):
+        if mutant.number not in judges or mutant.number in judges[mutant.number].alone:
+            return
+        mutant.result = judges[mutant.number].judge(mutant)
+        if mutant.result == "survived":
+            print(f"{mutant.path}:{mutant.line}:{mutant.column}: {mutant.what}: {mutant.text} "
+                  f"(differs in {len(mutant.tests)} tests)", flush=True)
+
+    last = [time.time()]
+
+    def told(mutant):
+        judge(mutant)
+        if time.time() - last[0] > 25:
+            last[0] = time.time()
+            say(f"{sum(m.result is not None for m in mutants)} judged, "
+                f"{sum(m.result == 'survived' for m in mutants)} survived")
+    parallel(told, mutants)
+    for m in mutants:
+        if m.number in judges and m.number in judges[m.number].alone:
+            m.result = judges[m.number].judge(m)
+        if m.result == "survived":
+            bench = judges[m.number].bench
+            if same_objects(bench, m, ["-O2"]):
+                m.result = None
+    judged = [m for m in mutants if m.result is not None][:count]
     explained = []
     if os.path.exists("tests/mutants.equivalent"):
         explained = [[p.strip() for p in l.split(" | ")] for l in open("tests/mutants.equivalent")
                      if l.strip() and not l.startswith("#")]
-    tried = killed = known = 0
-    start = last = time.time()
-    survivors = []
+    known, survivors = 0, []
     with open(f"{build}/mutants.tsv", "w") as table:
-        for path, change in everything:
-            if tried == count:
-                break
-            result = bench.judge(path, change)
-            if result is None:
+        for m in judged:
+            table.write(f"{m.path}\t{m.line}\t{m.column}\t{m.what}\t{m.result}\t{m.text}\n")
+            if m.result != "survived":
                 continue
-            tried += 1
-            text = open(path).read()
-            line = text.count("\n", 0, change[0]) + 1
-            source = text.split("\n")[line - 1].strip()
-            column = change[0] - text.rfind("\n", 0, change[0])
-            what = f"{change[1].strip()} -> {change[2].strip() or 'nothing'}"
-            table.write(f"{path}\t{line}\t{column}\t{what}\t{result}\t{source}\n")
-            table.flush()
-            if result != "survived":
-                killed += 1
-            elif any(e[0] == path and e[1] in source and e[2] == what for e in explained):
+            if any(e[0] == m.path and e[1] in m.text and e[2] == m.what for e in explained):
                 known += 1
-            else:
-                survivors.append(f"{path}:{line}:{column}: {what}: {source}")
-                print(survivors[-1], flush=True)
-            if time.time() - last > 25:
-                last = time.time()
-                print(f"mutate: {tried} of {count}, {killed} noticed, {time.time() - start:.0f} s", flush=True)
-    bench.link()
-    print(f"mutate: of {tried} mutants (seed {seed}, {len(everything)} possible) {killed} were noticed, {known} are "
-          f"explained in tests/mutants.equivalent, {len(survivors)} survived: {build}/mutants.tsv")
-    return 1 if 50 * len(survivors) > tried else 0
+                continue
+            survivors.append(m)
+            print(f"survived: {m.path}:{m.line}:{m.column}: {m.what}: {m.text}")
+    print(f"mutate: of {len(judged)} mutants (seed {seed}, {possible} possible) {len(judged) - known - len(survivors)} "
+          f"were noticed, {known} are explained in tests/mutants.equivalent, {len(survivors)} survived: "
+          f"{build}/mutants.tsv, {time.time() - start:.0f} s")
+    return 1 if 50 * len(survivors) > len(judged) else 0
 
 
 sys.exit(main())
