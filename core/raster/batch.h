@@ -15,6 +15,7 @@
 
 #include "qtri/config.h"
 
+#include "qtri/material.h"
 #include "qtri/surface.h"
 
 #include "../frame/colors.h"
@@ -41,13 +42,15 @@ typedef struct qtri_batch {
     uint8_t kind;     /* what they are */
     bool has_table;   /* `by` is that, see fast/tint.c */
     uint8_t alpha[3]; /* of a triangle's vertices, see blend_vertex.c */
+    uint32_t mask;    /* of those that wait, which of them are drawn: see list.h */
     uint32_t color[QTRI_BATCH_ROOM];
     union {
         uint32_t shade[QTRI_BATCH_ROOM];
         struct {
             uint32_t shade[QTRI_BATCH_ROOM];
-            qtri_levels levels; /* of a texture that is mipmapped */
-        } textured;
+            uint32_t depth[QTRI_BATCH]; /* of fragments of small triangles: see list.h */
+            qtri_levels levels;         /* of a texture that is mipmapped */
+        } listed;
         uint16_t table[(1 << QTRI_TINT_BITS) + 4]; /* stored pixels: where there is no texture */
     } by;
     uint32_t place[QTRI_BATCH_ROOM];
@@ -64,12 +67,30 @@ static inline uint16_t *qtri_batch_table(qtri_batch *batch)
 #endif
 }
 
+/* Depths of those that wait, where the raster keeps them: 16.16 with the half that rounds. */
+static inline uint32_t *qtri_batch_depths(qtri_batch *batch)
+{
+    return batch->by.listed.depth;
+}
+
 /*
  * Leaves fragments out of the first `count` that are not in the mask; `write`: and writes the
  * depths of the others, 16.16 from place 0 on. Returns how many are left.
  */
 int32_t qtri_batch_keep(qtri_batch *batch, const qtri_surface *surface, const qtri_ramp *depth,
                         uint32_t mask, int32_t count, bool write);
+
+/* Bits for less, equal and greater that a comparison has. */
+static inline uint32_t qtri_orders_of(qtri_compare compare)
+{
+    return compare > QTRI_ALWAYS ? 7 : (uint32_t)compare - QTRI_NEVER;
+}
+
+/* The one of those bits that a depth has against what is stored. */
+static inline uint32_t qtri_order_of(uint32_t depth, uint32_t stored)
+{
+    return depth < stored ? 1 : (depth == stored ? 2 : 4);
+}
 
 /* A mask of `count` fragments, 1..32: the first is its highest bit. */
 static inline uint32_t qtri_mask_of(int32_t count)
