@@ -48,12 +48,13 @@ typedef struct qtri_batch {
         uint32_t shade[QTRI_BATCH_ROOM];
         struct {
             uint32_t shade[QTRI_BATCH_ROOM];
-            uint32_t depth[QTRI_BATCH]; /* of fragments of small triangles: see list.h */
-            qtri_levels levels;         /* of a texture that is mipmapped */
-        } listed;
+            qtri_levels levels; /* of a texture that is mipmapped */
+        } textured;
         uint16_t table[(1 << QTRI_TINT_BITS) + 4]; /* stored pixels: where there is no texture */
     } by;
-    uint32_t place[QTRI_BATCH_ROOM];
+    uint32_t place[QTRI_BATCH + 1]; /* and one that ends them */
+    uint32_t
+        depth[QTRI_BATCH]; /* of small triangles, where the raster keeps it: as a ramp has it */
 } qtri_batch;
 
 /* The batch's table; NULL where the library is built without. */
@@ -65,12 +66,6 @@ static inline uint16_t *qtri_batch_table(qtri_batch *batch)
     (void)batch;
     return NULL;
 #endif
-}
-
-/* Depths of those that wait, where the raster keeps them: 16.16 with the half that rounds. */
-static inline uint32_t *qtri_batch_depths(qtri_batch *batch)
-{
-    return batch->by.listed.depth;
 }
 
 /*

@@ -20,6 +20,9 @@ static void choose(qtri_raster *raster)
         format->pixels->bytes != 2 || raster->wide || raster->keep != 0) {
         return;
     }
+    if (qtri_list_tint_fits(raster)) {
+        raster->tint_small = qtri_list_tint;
+    }
     if (raster->fog == NULL) {
         raster->effect_row = raster->blend->row;
         raster->effect_list = raster->blend->list;

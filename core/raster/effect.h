@@ -56,6 +56,14 @@ struct qtri_effect_stages {
 extern const qtri_effect_stages qtri_effects;
 
 void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth);
+/*
+ * Small triangles in shares of the tint, which wait in the batch for the raster's effect_list: what
+ * that asks of a raster, and the loop, see qtri_draw_small in raster.h.
+ */
+bool qtri_list_tint_fits(const qtri_raster *raster);
+bool qtri_list_tint(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                    qtri_vertex *c);
+
 void qtri_list_effects(const qtri_raster *raster, uint32_t mask, int32_t count);
 
 struct qtri_fog_stages {

@@ -38,7 +38,7 @@ static void apply(const qtri_raster *raster, int32_t first, uint32_t mask, int32
     const qtri_format *format = raster->format;
     uint32_t *color = batch->color + first;
     const uint32_t *place = batch->place + first;
-    const qtri_fragments at = {place, *place, NULL, qtri_batch_depths(batch) + first};
+    const qtri_fragments at = {place, *place, NULL, batch->depth + first};
     mask = raster->effects->fragments(raster, color, &at, mask, count);
     if (raster->rejects) {
         count = qtri_list_keep(raster, first, mask, count);

@@ -259,7 +259,7 @@ QTRI_NOINLINE static void mix_list(const qtri_raster *raster, const uint32_t *sh
 /* Shares take the place of depths. */
 static void apply_list(const qtri_raster *raster, int32_t count)
 {
-    uint32_t *depth = qtri_batch_depths(raster->batch);
+    uint32_t *depth = raster->batch->depth;
     shares_of_depths(depth, raster->fog, depth, count);
     mix_list(raster, depth, count);
 }

@@ -225,7 +225,7 @@ int32_t qtri_list_keep(const qtri_raster *raster, int32_t first, uint32_t mask, 
     qtri_batch *batch = raster->batch;
     uint32_t *color = batch->color + first;
     uint32_t *place = batch->place + first;
-    const uint32_t *depth = qtri_batch_depths(batch) + first;
+    const uint32_t *depth = batch->depth + first;
     int32_t kept = 0;
     mask <<= 32 - count;
     for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
@@ -303,7 +303,7 @@ QTRI_NOINLINE static void note(const qtri_raster *raster, const qtri_ramp *ramp,
     if (raster->keeps_depth) {
         const int32_t first = batch->count - count;
         const uint32_t *place = batch->place + first;
-        uint32_t *depth = qtri_batch_depths(batch) + first;
+        uint32_t *depth = batch->depth + first;
         const qtri_ramp r = *ramp;
         for (const uint32_t *end = place + count; place != end; place++) {
             *depth++ = qtri_list_at(&r, *place & 0xFFFF, *place >> 16);

@@ -10,7 +10,7 @@
 
 static inline qtri_levels *qtri_levels_of(const qtri_raster *raster)
 {
-    return &raster->batch->by.listed.levels;
+    return &raster->batch->by.textured.levels;
 }
 
 /* Makes the raster's texture another level, 0..last. */

@@ -180,7 +180,7 @@ struct qtri_raster {
     qtri_fill_rows fill_flat, fill_smooth;
     qtri_draw_run copy_run;     /* NULL: none */
     qtri_draw_bent copy_bent;   /* NULL: none */
-    qtri_draw_small tint_small; /* NULL: none */
+    qtri_draw_small tint_small; /* of meshes of one colour; NULL: none */
     qtri_draw_list lit_list;    /* NULL: none */
     qtri_lamp lamp;             /* where there is one */
 };
