@@ -30,11 +30,11 @@ static void set_heap(heap *h, uint64_t *seed, int32_t size)
     for (int i = 0; i < COUNT; i++) {
         const q16 x = random_q16(seed, 300);
         const q16 y = random_q16(seed, 300);
-        const q16 z = random_q16(seed, 400);
+        const q16 z = random_in(seed, -1, 1) * Q16(.2); /* some on each other */
         for (int k = 3 * i; k < 3 * i + 3; k++) {
             h->positions[k].x = x + random_q16(seed, size);
             h->positions[k].y = y + random_q16(seed, size);
-            h->positions[k].z = z + random_q16(seed, i % 7 == 0 ? 0 : 30);
+            h->positions[k].z = z + random_q16(seed, i % 3 != 0 ? 0 : 30);
             h->normals[k].x = (int16_t)random_in(seed, -16384, 16384);
             h->normals[k].y = (int16_t)random_in(seed, -16384, 16384);
             h->normals[k].z = (int16_t)random_in(seed, 1, 16384);
