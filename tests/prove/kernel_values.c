@@ -20,7 +20,7 @@
 
 /*@ requires x < 0x80000000000000 && 0 < divisor <= 0x800000;
     assigns \result, *remainder \from x, divisor;
-    ensures \result == x / divisor && *remainder < divisor; */
+    ensures \result == x / divisor && \initialized(remainder) && *remainder < divisor; */
 uint32_t qtri_divide_long(uint64_t x, uint32_t divisor, uint32_t *remainder);
 
 #if !QTRI_LONG_MULTIPLY && QTRI_SHARE

@@ -18,7 +18,7 @@ prove() {
     [ "$name" = prove_pow_log ] || specified=$specified,precise_log2_q43
     file=$(grep -l "^void $name(void)" tests/prove/*_values.c)
     case $file in
-    *kernel*) with="$sources $kernels" specified=qtri_divide_long,${specified%,precise*} ;;
+    *kernel*) with="$sources $kernels" specified=qtri_divide_long ;;
     *) with=$sources ;;
     esac
     case $flags in *SHARE=1*) specified=$specified,qtri_mul_u32,qtri_mul_s32 ;; esac
