@@ -201,7 +201,7 @@ mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of cor
 misra: ## What cppcheck says of MISRA C:2012 in core, by rule; tests/misra.md has the deviations
 	@sh tests/tools/misra.sh
 
-prove: ## Prove by Frama-C that the scalars do nothing that C does not define, for all arguments; minutes
+prove: ## Prove by Frama-C that scalars and kernels do nothing that C does not define, for all arguments; half an hour
 	@sh tests/tools/prove.sh values
 
 prove-inputs: ## The same by trying all 2^32 arguments of the functions of one; FUNCTIONS="sqrt recip"

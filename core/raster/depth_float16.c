@@ -52,7 +52,7 @@ static void encode(uint32_t *depth, int32_t count)
     }
 }
 
-/* The middle of what is stored so; the farthest is itself. The nearest is 3/2^16 of the farthest. */
+/* The middle of what is stored so, which is more than 0; the farthest is itself. */
 static void decode(uint32_t *depth, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {

@@ -46,6 +46,16 @@ static q16 reciprocal(q16 x)
     return (q16)(result ^ (uint32_t)qtri_reciprocal_below(divisor) ^ qtri_reciprocal_near(divisor));
 }
 
+/* Likewise, what specified.h says of seeds: of 2^15..2^16. */
+static q16 seed(q16 x)
+{
+    const uint32_t result = qtri_reciprocal_seed_newton(32768 + (uint32_t)x % 32769);
+    if (result < 32767 || result > 65536) {
+        __builtin_trap();
+    }
+    return (q16)result;
+}
+
 /* The upper half of 64 bits decides the seed of a root; the rest of it is unsigned. */
 static q16 root_of_64_bits(q16 x)
 {
@@ -57,14 +67,29 @@ static q16 root_of_64_bits(q16 x)
 static const struct {
     const char *name;
     q16 (*function)(q16);
-} functions[] = {{"sqrt", q16_sqrt},         {"rsqrt", q16_rsqrt},       {"recip", q16_recip},
-                 {"exp", q16_exp},           {"exp2", q16_exp2},         {"log", q16_log},
-                 {"log2", q16_log2},         {"sin", q16_sin},           {"cos", q16_cos},
-                 {"sin_deg", q16_sin_deg},   {"cos_deg", q16_cos_deg},   {"tan", q16_tan},
-                 {"tan_deg", q16_tan_deg},   {"asin", q16_asin},         {"acos", q16_acos},
-                 {"atan", q16_atan},         {"atan_deg", q16_atan_deg}, {"pow", base_of_pow},
-                 {"atan2", longer_side},     {"floor", whole_parts},     {"reciprocal", reciprocal},
-                 {"root64", root_of_64_bits}};
+} functions[] = {{"sqrt", q16_sqrt},
+                 {"rsqrt", q16_rsqrt},
+                 {"recip", q16_recip},
+                 {"exp", q16_exp},
+                 {"exp2", q16_exp2},
+                 {"log", q16_log},
+                 {"log2", q16_log2},
+                 {"sin", q16_sin},
+                 {"cos", q16_cos},
+                 {"sin_deg", q16_sin_deg},
+                 {"cos_deg", q16_cos_deg},
+                 {"tan", q16_tan},
+                 {"tan_deg", q16_tan_deg},
+                 {"asin", q16_asin},
+                 {"acos", q16_acos},
+                 {"atan", q16_atan},
+                 {"atan_deg", q16_atan_deg},
+                 {"pow", base_of_pow},
+                 {"atan2", longer_side},
+                 {"floor", whole_parts},
+                 {"reciprocal", reciprocal},
+                 {"root64", root_of_64_bits},
+                 {"seed", seed}};
 
 int main(int argc, char **argv)
 {
