@@ -4,11 +4,11 @@
  * checksums, as tests/pictures.tsv records them (`make pictures`). Other tests say what is right;
  * these see that nothing else changed.
  */
-#include "support/core.h"
-
+#include "support/faces.h"
 #include "support/recorded.h"
 
-enum { WIDTH = 53, HEIGHT = 41, GROUPS = 8, VERTICES = 96, TRIANGLES = 160, CORNERS = 12 };
+enum { WIDTH = 53, HEIGHT = 41, GROUPS = 8, CORNERS = 12, VERTICES = FACES_VERTICES };
+enum { TRIANGLES = FACES_TRIANGLES };
 
 static uint64_t seed;
 
@@ -218,6 +218,7 @@ static void random_material(void)
     random_texture();
     random_fog();
     w.stroke.width = one_in(3) ? between(.5, 2.5) : between(0, 14);
+    w.stroke.width = one_in(9) ? Q16(1. / 512) * below(6) : w.stroke.width;
     w.stroke.cap = (qtri_cap)below(3);
     w.stroke.edges = one_in(2) ? &qtri_stroke_smooth : NULL;
     w.stroke.alpha = (uint8_t)(one_in(2) ? 255 : below(256));
@@ -259,6 +260,21 @@ static void random_view(void)
         qtri_transform_rotate(&w.pose, turn, axis);
         qtri_transform_scale(&w.pose, scale);
     }
+}
+
+/* One that has planes of its faces. */
+static void random_faces(void)
+{
+    static faces_mesh made;
+    faces_mesh_make(&made, &seed, one_in(2) ? 0 : .05);
+    w.mesh = one_in(2) ? made.wide : made.compact;
+    faces_view(&w.view, &seed, WIDTH, HEIGHT);
+    faces_pose(&w.pose, &seed, &w.mesh);
+    w.view.light = one_in(3) ? NULL : &w.light;
+    w.view.lights = one_in(3) ? &w.lights : NULL;
+    w.view.vertices = w.vertices;
+    w.view.vertex_count = VERTICES;
+    w.material.cull = one_in(3) ? w.material.cull : QTRI_CULL_BACK;
 }
 
 /* A shape, or a soup, in either form of coordinates. */
@@ -454,7 +470,11 @@ static void record(const char *name, int32_t pictures, void (*draw)(const qtri_s
 
 static void draw_mesh(const qtri_surface *surface)
 {
-    random_mesh();
+    if (one_in(4)) {
+        random_faces();
+    } else {
+        random_mesh();
+    }
     switch (below(8)) {
     case 0:
         qtri_draw_hidden_lines(surface, &w.view, &w.pose, &w.mesh, one_in(2) ? &w.stroke : NULL,
@@ -522,7 +542,8 @@ static void draw_screen(const qtri_surface *surface)
 /* Passes over a whole frame, or over its bands ------------------------------------------------- */
 
 static struct passes {
-    uint32_t outline[512];
+    uint32_t outline[QTRI_OUTLINE_WORDS(TRIANGLES) + QTRI_OUTLINE_SUMS(VERTICES) + 60];
+    uint32_t words; /* of it, before one that nobody writes */
     uint32_t edges[QTRI_EDGES_WORDS_WITHOUT_DEPTH(WIDTH, HEIGHT, 4)];
     uint16_t lists[400];
     qtri_vertex vertices[VERTICES + VERTICES / 2];
@@ -561,12 +582,17 @@ static void random_pass(void)
     if (one_in(2)) {
         find_neighbours();
     }
-    assert_int_equal(qtri_outline_init(&p.of, &w.mesh, p.outline, LENGTH_OF(p.outline)), QTRI_OK);
+    p.words = QTRI_OUTLINE_WORDS(w.mesh.triangle_count) +
+              (w.mesh.neighbours != NULL ? 0 : QTRI_OUTLINE_SUMS(w.mesh.vertex_count)) +
+              (uint32_t)below(60);
+    p.outline[p.words] = 0xA5A5A5A5u;
+    assert_int_equal(qtri_outline_init(&p.of, &w.mesh, p.outline, p.words), QTRI_OK);
     p.of.creases = one_in(2);
 }
 
 static void blend_edges(const qtri_surface *surface)
 {
+    assert_int_equal(p.outline[p.words], 0xA5A5A5A5u);
     assert_int_equal(qtri_edges_begin(&p.pass, surface, p.edges, LENGTH_OF(p.edges)), QTRI_OK);
     qtri_edges_note(&p.pass, &p.of);
     if (one_in(2) || qtri_edges_blend_565(&p.pass) != QTRI_OK) {

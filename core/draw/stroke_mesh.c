@@ -64,7 +64,7 @@ static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri
 }
 
 /* As qtri_draw_mesh does it with fewer slots than vertices. */
-static void draw_by_slots(const qtri_mesh_job *draw)
+QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     qtri_mesh_clear_slots(draw);

@@ -17,6 +17,7 @@ import concurrent.futures
 import filecmp
 import glob
 import os
+import pickle
 import queue
 import random
 import re
@@ -299,7 +300,10 @@ class Runs:
             for_all = self.noticed.get(name, 0) / (1 + self.tried.get(name, 0))
             here = (self.noticed.get((name, folder), 0) + for_all + .05) / (1 + self.tried.get((name, folder), 0))
             return (self.seconds[name] + .01) / here
+        end = time.time() + float(os.environ.get("BUDGET") or 1e9)
         for name in sorted(names, key=cost):
+            if time.time() > end:
+                break
             passed, _ = self.run(name, library, programs, number)
             for key in (name, (name, folder)):
                 self.tried[key] = self.tried.get(key, 0) + 1
@@ -390,10 +394,22 @@ class Judge:
         self.bench.link_base()
         self.runs = Runs(self.bench)
         self.layers, alone, self.absent = make_layers(self.bench, mutants)
+        if os.environ.get("KEEP") and os.path.exists(f"{self.bench.here}/looked"):
+            with open(f"{self.bench.here}/looked", "rb") as file:
+                self.runs.seconds, tests = pickle.load(file)
+            for m in mutants:
+                m.tests = tests.get(m.number)
+            return self.finish(mutants, alone)
         for layer in self.layers:  # of what overlaps in the first, few: by tests that reach the file
             paths = {m.path for m in layer.mutants}
             near = {t for m in mutants if m.path in paths for t in m.tests or []}
             self.runs.look(layer, sorted(near) if layer.number else self.bench.names)
+        with open(f"{self.bench.here}/looked", "wb") as file:
+            pickle.dump((self.runs.seconds, {m.number: m.tests for m in mutants}), file)
+        self.finish(mutants, alone)
+
+    def finish(self, mutants, alone):
+        """Those that are compiled alone are judged by the tests that reach another one of the file."""
         self.alone = {m.number for m in alone}
         of_file = {}
         for m in mutants:
