@@ -4,12 +4,19 @@
 #include "../geometry/lit_point.h"
 #include "../raster/small.h"
 #include "lit_corners.h"
+#include "per_pixel.h"
 
 #define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */
 
 static bool is_two_sided(const qtri_mesh_job *draw)
 {
     return draw->material.reflection != NULL && draw->material.reflection->two_sided;
+}
+
+static bool shows_back(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
+                    const qtri_vertex *c)
+{
+    return is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
 }
 
 /* Memory behind the vertices, if there is a slot for each and room for a word for each. */
@@ -30,7 +37,20 @@ static void begin(qtri_mesh_job *draw)
 static bool has_place(const qtri_mesh_job *draw, bool both_sides)
 {
     return draw->lit_colors != NULL && draw->shaded_per_vertex &&
-           (!both_sides || !is_two_sided(draw));
+           (!both_sides || (!is_two_sided(draw) && qtri_by_pixel_of(&draw->material) == NULL));
+}
+
+/* What is done while triangles are drawn by pixel. */
+typedef struct lit_mesh {
+    qtri_mesh_job *draw;
+    void (*body)(qtri_mesh_job *draw, void *with);
+    void *with;
+} lit_mesh;
+
+static void draw_lit_mesh(void *with)
+{
+    const lit_mesh *mesh = with;
+    mesh->body(mesh->draw, mesh->with);
 }
 
 static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose,
@@ -43,7 +63,13 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
         draw->lit_colors[i] = 0;
     }
     draw->illumination = &illumination;
-    body(draw, with);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    if (by_pixel != NULL) {
+        lit_mesh mesh = {draw, body, with};
+        by_pixel->run(&draw->primitive.to.solid.raster, &illumination, draw_lit_mesh, &mesh);
+    } else {
+        body(draw, with);
+    }
     draw->illumination = NULL;
 }
 
@@ -205,8 +231,7 @@ static void shade_side(const qtri_mesh_job *draw, const uint32_t index[3], bool 
 static void shade(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
                   const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3])
 {
-    const bool is_back = is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
-    shade_side(draw, index, is_back, color);
+    shade_side(draw, index, shows_back(draw, a, b, c), color);
 }
 
 /* In 8 bits, as the raster's channels. */
@@ -238,10 +263,18 @@ static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vert
     uint32_t index[3];
     qtri_attributes attributes[3];
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    set_channels(channel, draw, index, v);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    if (by_pixel != NULL) {
+        by_pixel->note(draw, index, shows_back(draw, v[0], v[1], v[2]));
+    } else {
+        set_channels(channel, draw, index, v);
+    }
     for (int i = 0; i < 3; i++) {
         qtri_vertex_attributes(&attributes[i], v[i], QTRI_INTENSITY_ONE);
-        for (int c = 0; c < 3; c++) {
+        if (by_pixel != NULL) {
+            qtri_pixel_light_share(&attributes[i], (i == 1) << 30, (i == 2) << 30);
+        }
+        for (int c = 0; by_pixel == NULL && c < 3; c++) {
             attributes[i].color[c] = channel[i][c];
         }
         if (raster->texture != NULL) {
@@ -275,8 +308,12 @@ static void draw_clipped(const qtri_mesh_job *draw, const void *indices, qtri_sh
     lit_triangle triangle;
     triangle.mesh = draw->mesh;
     qtri_mesh_indices(triangle.index, indices, qtri_mesh_has_bytes(draw->mesh));
-    shade_side(draw, triangle.index, is_two_sided(draw) && qtri_clipped_is_back(shape->clip),
-               triangle.color);
+    const bool turned = is_two_sided(draw) && qtri_clipped_is_back(shape->clip);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    if (by_pixel != NULL) {
+        by_pixel->note(draw, triangle.index, turned);
+    }
+    shade_side(draw, triangle.index, turned, triangle.color);
     qtri_primitive_triangle(&draw->primitive, shape, set_attributes, &triangle);
 }
 

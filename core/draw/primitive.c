@@ -2,6 +2,7 @@
 #include "fill.h"
 
 #include "../raster/effect.h"
+#include "../raster/pixel_light.h"
 #include "../raster/sampling.h"
 #include "../raster/small.h"
 #include "../raster/unsnapped.h"
@@ -201,6 +202,9 @@ QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *
         set_attributes(&out[i], p->vertex[i], attributes, &p->primitive->to.solid.raster);
     }
     const qtri_raster *raster = &p->primitive->to.solid.raster;
+    for (int i = 0; raster->lit != NULL && i < 3; i++) {
+        qtri_pixel_light_share(&out[i], p->vertex[i]->b1_q30, p->vertex[i]->b2_q30);
+    }
     const qtri_vertex_blend *by_vertex = qtri_by_vertex(raster);
     for (int i = 0; by_vertex != NULL && i < 3; i++) {
         out[i].alpha_q16 = by_vertex->at(raster, p->vertex[i]->b1_q30, p->vertex[i]->b2_q30);

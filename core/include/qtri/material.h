@@ -30,7 +30,14 @@ extern const qtri_shading qtri_smooth;     /* colours interpolated between the v
 extern const qtri_shading qtri_flat_first; /* the first vertex's colour; light per face */
 extern const qtri_shading qtri_flat_last;  /* the last vertex's colour; light per face */
 
+/*
+ * Smooth, and a view's `lights` are found along the inside of large triangles, from the normal and
+ * the place there: see light.h. Without such lights as &qtri_smooth.
+ */
+extern const qtri_shading qtri_per_pixel;
+
 /* The same, in the spelling of the choices below. */
+#define QTRI_PER_PIXEL  (&qtri_per_pixel)
 #define QTRI_SMOOTH     (&qtri_smooth)
 #define QTRI_FLAT_FIRST (&qtri_flat_first)
 #define QTRI_FLAT_LAST  (&qtri_flat_last)
