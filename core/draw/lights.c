@@ -14,7 +14,7 @@ static bool is_two_sided(const qtri_mesh_job *draw)
 }
 
 static bool shows_back(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
-                    const qtri_vertex *c)
+                       const qtri_vertex *c)
 {
     return is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Light by pixel, along rows of large triangles. Light is found for samples of a row: its first
- * pixel, every eighth from there (the sixteenth where there are no highlights), and its last. Colours
- * between two are linear where light is: its second difference D tells, from the samples on both
- * sides. What bends smoothly is off by D/8 there, and what has a kink, as where a surface turns away
- * from a source, by D/2 at most. Elsewhere samples are found halfway until that is straight, or
- * there is one for every pixel.
+ * pixel, every eighth from there (the sixteenth where there are no highlights), and its last.
+ * Colours between two are linear where light is: its second difference D tells, from the samples on
+ * both sides. What bends smoothly is off by D/8 there, and what has a kink, as where a surface
+ * turns away from a source, by D/2 at most. Elsewhere samples are found halfway until that is
+ * straight, or there is one for every pixel.
  *
  * Rows count from their span's left end, not from what a scissor or a band leaves, and all samples
  * are pixels that the triangle covers: so pixels do not depend on either, and w is never 0.
@@ -40,8 +40,8 @@ static const int32_t inverse_q30[BLOCK_MAX + 1] = {
 static void set_corners(qtri_pixel_light *p)
 {
     qtri_lit_corner *c = p->corner;
-    const int32_t exponent = qtri_greatest32(
-        c[0].exponent, qtri_greatest32(c[1].exponent, c[2].exponent));
+    const int32_t exponent =
+        qtri_greatest32(c[0].exponent, qtri_greatest32(c[1].exponent, c[2].exponent));
     uint32_t all = 1;
     uint32_t turns = 0;
     for (int i = 0; i < 3; i++) {
@@ -131,7 +131,7 @@ static uint64_t plane_at(const qtri_plane *plane, int32_t x, int32_t y)
 static uint64_t held(uint64_t value, uint32_t least, uint32_t most)
 {
     const int64_t whole = qtri_plane_floor(value);
-    return whole < (int64_t)least  ? (uint64_t)least << 16
+    return whole < (int64_t)least   ? (uint64_t)least << 16
            : whole >= (int64_t)most ? (uint64_t)most << 16
                                     : value;
 }
@@ -367,14 +367,25 @@ static bool is_bent(const walk *w, const qtri_lit_sample *a, const qtri_lit_samp
     return false;
 }
 
+/* At an end of its span a block has no neighbour to tell: it may bend where it changes at all. */
+static bool is_steep(const walk *w, const qtri_lit_sample *a, const qtri_lit_sample *b)
+{
+    uint32_t most = 0;
+    for (int i = 0; i < 3; i++) {
+        const uint32_t change = qtri_magnitude32(b->c[i] - a->c[i]);
+        most = change > most ? change : most;
+    }
+    return most > 2 * (uint32_t)w->tolerance;
+}
+
 static void shade(qtri_scanline *row, int32_t x, int32_t count)
 {
     const qtri_raster *raster = row->job->raster;
     qtri_pixel_light *p = raster->lit;
     const int32_t block = 1 << p->block_log2;
     const int32_t end = x + count;
-    const walk w = {row, p, x, end, row->right - 1,
-                    raster->units == &qtri_colors_565 ? 1 << 16 : 3 << 16};
+    const walk w = {
+        row, p, x, end, row->right - 1, raster->units == &qtri_colors_565 ? 1 << 16 : 2 << 16};
     qtri_lit_sample before;
     qtri_lit_sample from;
     qtri_lit_sample to;
@@ -394,9 +405,10 @@ static void shade(qtri_scanline *row, int32_t x, int32_t count)
         if (to.x < w.last) {
             get_sample(&after, &w, qtri_least32(to.x + block, w.last));
         }
-        const bool alone = before.x == from.x && after.x == to.x;
-        if ((alone && to.x - from.x > 2) || (before.x != from.x && is_bent(&w, &before, &from, &to)) ||
-            (after.x != to.x && is_bent(&w, &from, &to, &after))) {
+        const bool is_first = before.x == from.x;
+        const bool is_last = after.x == to.x;
+        if ((is_first ? is_last || is_steep(&w, &from, &to) : is_bent(&w, &before, &from, &to)) ||
+            (is_last ? is_steep(&w, &from, &to) : is_bent(&w, &from, &to, &after))) {
             emit_bent(&w, &from, &to);
         } else {
             emit(&w, &from, &to);

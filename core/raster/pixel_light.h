@@ -71,13 +71,14 @@ static inline void qtri_pixel_light_share(qtri_attributes *v, int32_t b1_q30, in
 }
 
 /* Vertices 1 and 2 within this of vertex 0, 1/256 pixel: light by vertex is as good. */
-#define QTRI_LIT_BY_VERTEX (8 * 256)
+#define QTRI_LIT_BY_VERTEX (6 * 256)
 
 static inline bool qtri_is_lit_by_vertex(const qtri_screen_point *a, const qtri_screen_point *b,
                                          const qtri_screen_point *c)
 {
     const uint32_t half = QTRI_LIT_BY_VERTEX;
-    return (((uint32_t)(b->x_24p8 - a->x_24p8) + half) | ((uint32_t)(b->y_24p8 - a->y_24p8) + half) |
+    return (((uint32_t)(b->x_24p8 - a->x_24p8) + half) |
+            ((uint32_t)(b->y_24p8 - a->y_24p8) + half) |
             ((uint32_t)(c->x_24p8 - a->x_24p8) + half) |
             ((uint32_t)(c->y_24p8 - a->y_24p8) + half)) < 2 * half;
 }
