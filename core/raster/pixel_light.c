@@ -21,9 +21,11 @@
 #include "textured_span.h"
 
 enum {
-    SHINING_LOG2 = 3, /* a block of samples with highlights, and without */
-    DULL_LOG2 = 4,
-    BLOCK_MAX = 1 << DULL_LOG2
+    SHARP_LOG2 = 3, /* of pixels from sample to sample, of which a chunk has a whole number: */
+    DULL_LOG2 = 4,  /*   with highlights or edges of light, and without */
+    BLOCK_MAX = 1 << DULL_LOG2,
+    TOLERANCE_565 = 1 << 16, /* of D: a step of red, two of green */
+    TOLERANCE_888 = 2 << 16
 };
 
 #define ONE_Q30 ((int32_t)1 << 30)
@@ -105,19 +107,7 @@ static void set_planes(qtri_pixel_light *p, const qtri_raster *raster,
         p->greatest = q[0] > q[1] ? q[0] : q[1];
         p->greatest = q[2] > p->greatest ? q[2] : p->greatest;
     }
-    for (int i = 0; i < 3; i++) {
-        p->kept[i].x = INT32_MIN;
-    }
-}
-
-/* Whether light is the same all over the triangle, but for colours. */
-static bool is_even(const qtri_pixel_light *p)
-{
-    bool everywhere = p->one_normal;
-    for (int32_t i = 0; i < p->by->count; i++) {
-        everywhere &= p->by->run[i].kind->everywhere;
-    }
-    return everywhere;
+    p->sample[0].x = INT32_MIN;
 }
 
 /* ---- A pixel ---- */
@@ -254,16 +244,6 @@ QTRI_NOINLINE static void find_light(int32_t channel[3], const qtri_pixel_light 
     }
 }
 
-static void find_sample(qtri_lit_sample *out, const qtri_pixel_light *p, const qtri_raster *raster,
-                        int32_t x, int32_t y)
-{
-    int32_t b_q30[2];
-    find_shares(b_q30, p, x, y);
-    find_light(out->c, p, raster, b_q30);
-    out->x = x;
-    out->y = y;
-}
-
 /* ---- A row ---- */
 
 /* A row on its way: blocks of it from sample to sample. */
@@ -272,19 +252,17 @@ typedef struct walk {
     qtri_pixel_light *light;
     int32_t x, end;    /* of the batch's pixels, the first and after the last */
     int32_t last;      /* the span's last pixel */
+    int32_t block;     /* pixels from sample to sample */
     int32_t tolerance; /* of a second difference */
 } walk;
 
-/* The sample at a pixel: one that was kept where there is. */
-static void get_sample(qtri_lit_sample *out, const walk *w, int32_t x)
+static void find_sample(qtri_lit_sample *out, const walk *w, int32_t x)
 {
-    for (const qtri_lit_sample *s = w->light->kept; s != w->light->kept + 3; s++) {
-        if (s->x == x && s->y == w->row->y) {
-            *out = *s;
-            return;
-        }
-    }
-    find_sample(out, w->light, w->row->job->raster, x, w->row->y);
+    int32_t b_q30[2];
+    find_shares(b_q30, w->light, x, w->row->y);
+    find_light(out->c, w->light, w->row->job->raster, b_q30);
+    out->x = x;
+    out->y = w->row->y;
 }
 
 /* Pixels from sample a to before b, and b itself where it is the last of its span. */
@@ -298,7 +276,10 @@ static void emit(const walk *w, const qtri_lit_sample *a, const qtri_lit_sample 
     qtri_curve curve[3];
     for (int i = 0; i < 3; i++) { /* within 2^24, so that products are within 2^54 */
         curve[i].at = (uint32_t)a->c[i] + 0x8000u;
-        curve[i].step = (uint32_t)(qtri_mul_s32(b->c[i] - a->c[i], inverse) >> 30);
+        const int32_t change = b->c[i] - a->c[i];
+        curve[i].step =
+            (uint32_t)(length == w->block ? change >> w->light->block_log2
+                                          : (int32_t)(qtri_mul_s32(change, inverse) >> 30));
         curve[i].bend = 0;
         curve[i].twist = 0;
     }
@@ -341,85 +322,114 @@ QTRI_NOINLINE static void emit_bent(const walk *w, const qtri_lit_sample *a,
             count--;
             continue;
         }
-        find_sample(&end[count], w->light, w->row->job->raster, (at.x + to->x) >> 1, w->row->y);
+        find_sample(&end[count], w, (at.x + to->x) >> 1);
         bent[count] = !is_straight(&at, &end[count], to, w->tolerance / 2);
         bent[count - 1] = bent[count];
         count++;
     }
 }
 
-/* Whether the line bends at b, where blocks meet: a from one end to the other of two. */
+/*
+ * Whether the line bends at b, where a whole block from a ends and the next begins, which may be
+ * the last one and shorter.
+ */
 static bool is_bent(const walk *w, const qtri_lit_sample *a, const qtri_lit_sample *b,
                     const qtri_lit_sample *c)
 {
-    const int32_t block_log2 = w->light->block_log2;
+    const uint32_t tolerance = (uint32_t)w->tolerance;
     const int32_t length = c->x - b->x;
-    const int32_t inverse = inverse_q30[length] >> 8;
-    for (int i = 0; i < 3; i++) {
-        int32_t after = c->c[i] - b->c[i];
-        if (length != 1 << block_log2) {
-            after = (int32_t)((qtri_mul_s32(after, inverse) >> 22) * (1 << block_log2)); /* 2^28 */
+    if (length == w->block) {
+        uint32_t far = 0;
+        for (int i = 0; i < 3; i++) {
+            const int32_t differ = c->c[i] - 2 * b->c[i] + a->c[i];
+            far |= (uint32_t)(differ + (int32_t)tolerance) > 2 * tolerance;
         }
-        if (qtri_magnitude32(after - (b->c[i] - a->c[i])) > (uint32_t)w->tolerance) {
+        return far != 0;
+    }
+    for (int i = 0; i < 3; i++) { /* changes below 2^25 */
+        const int32_t after =
+            (int32_t)(qtri_mul_s32(c->c[i] - b->c[i], inverse_q30[length]) >> 30) * w->block;
+        if (qtri_magnitude32(after - (b->c[i] - a->c[i])) > tolerance) {
             return true;
         }
     }
     return false;
 }
 
-/* At an end of its span a block has no neighbour to tell: it may bend where it changes at all. */
-static bool is_steep(const walk *w, const qtri_lit_sample *a, const qtri_lit_sample *b)
+/*
+ * At an end of its span a block has no neighbour to tell: it may bend where it changes by more than
+ * a little. What few pixels change by is rather a slope.
+ */
+static bool may_bend(const walk *w, const qtri_lit_sample *a, const qtri_lit_sample *b)
 {
+    const int32_t length = b->x - a->x;
+    const uint32_t little = (uint32_t)w->tolerance * (length <= BLOCK_MAX / 2 ? 4 : 2);
     uint32_t most = 0;
     for (int i = 0; i < 3; i++) {
         const uint32_t change = qtri_magnitude32(b->c[i] - a->c[i]);
         most = change > most ? change : most;
     }
-    return most > 2 * (uint32_t)w->tolerance;
+    return most > little;
 }
 
+/* The span's next sample; that at x, its last one, again. */
+static void next_sample(qtri_lit_sample *out, const walk *w, const qtri_lit_sample *at)
+{
+    if (at->x == w->last) {
+        *out = *at;
+    } else {
+        find_sample(out, w, qtri_least32(at->x + w->block, w->last));
+    }
+}
+
+/* Colours of a chunk, whose samples begin with its first pixel: block by block. */
 static void shade(qtri_scanline *row, int32_t x, int32_t count)
 {
     const qtri_raster *raster = row->job->raster;
     qtri_pixel_light *p = raster->lit;
-    const int32_t block = 1 << p->block_log2;
-    const int32_t end = x + count;
-    const walk w = {
-        row, p, x, end, row->right - 1, raster->units == &qtri_colors_565 ? 1 << 16 : 2 << 16};
-    qtri_lit_sample before;
-    qtri_lit_sample from;
-    qtri_lit_sample to;
-    qtri_lit_sample after;
-    get_sample(&from, &w, x);
-    if (x == w.last) {
-        emit(&w, &from, &from);
-        return;
-    }
-    before = from;
-    if (x > row->left) {
-        get_sample(&before, &w, x - block);
-    }
-    get_sample(&to, &w, qtri_least32(x + block, w.last));
-    while (from.x < end && from.x < w.last) {
-        after = to;
-        if (to.x < w.last) {
-            get_sample(&after, &w, qtri_least32(to.x + block, w.last));
+    const walk w = {row,
+                    p,
+                    x,
+                    x + count,
+                    row->right - 1,
+                    (int32_t)1 << p->block_log2,
+                    raster->units == &qtri_colors_565 ? TOLERANCE_565 : TOLERANCE_888};
+    qtri_lit_sample *from = &p->sample[0];
+    qtri_lit_sample *to = &p->sample[1];
+    qtri_lit_sample *after = &p->sample[2];
+    bool bends;                              /* at `from` */
+    if (from->x != x || from->y != row->y) { /* it does not go on where the last chunk ended */
+        find_sample(from, &w, x);
+        next_sample(to, &w, from);
+        p->bends = false;
+        if (x > row->left && from->x != to->x) {
+            find_sample(after, &w, x - w.block);
+            p->bends = is_bent(&w, after, from, to);
         }
-        const bool is_first = before.x == from.x;
-        const bool is_last = after.x == to.x;
-        if ((is_first ? is_last || is_steep(&w, &from, &to) : is_bent(&w, &before, &from, &to)) ||
-            (is_last ? is_steep(&w, &from, &to) : is_bent(&w, &from, &to, &after))) {
-            emit_bent(&w, &from, &to);
+    }
+    bends = p->bends;
+    do {
+        const bool is_first = from->x == row->left;
+        const bool is_last = to->x == w.last;
+        const bool bent_before = bends;
+        next_sample(after, &w, to);
+        bends = !is_last && is_bent(&w, from, to, after);
+        if (bent_before || bends ||
+            ((is_first || is_last) &&
+             (may_bend(&w, from, to) || (is_first && is_last && to->x - from->x > w.block / 4)))) {
+            emit_bent(&w, from, to);
         } else {
-            emit(&w, &from, &to);
+            emit(&w, from, to);
         }
-        before = from;
+        qtri_lit_sample *const used = from;
         from = to;
         to = after;
-    }
-    p->kept[0] = before;
-    p->kept[1] = from;
-    p->kept[2] = to;
+        after = used;
+    } while (from->x < w.end && from->x < w.last);
+    const qtri_lit_sample next[2] = {*from, *to};
+    p->sample[0] = next[0];
+    p->sample[1] = next[1];
+    p->bends = bends;
 }
 
 /* ---- Draw calls ---- */
@@ -434,7 +444,7 @@ static void pass_on(const qtri_raster *raster, qtri_triangle *triangle, const qt
     }
 }
 
-/* Colours of the vertices alone. */
+/* Where light is the same all over the triangle: colours of the vertices alone. */
 QTRI_NOINLINE static void draw_even(const qtri_raster *raster, qtri_triangle *triangle,
                                     const qtri_attributes v[3])
 {
@@ -465,7 +475,7 @@ static void draw(const qtri_raster *raster, qtri_triangle *triangle, const qtri_
     triangle->tinted = false;
     qtri_list_flush(raster); /* what waits is of this raster */
     set_corners(raster->lit);
-    if (is_even(raster->lit)) {
+    if (raster->lit->everywhere && raster->lit->one_normal) {
         draw_even(raster, triangle, v);
     } else {
         draw_uneven(raster, triangle, v);
@@ -491,7 +501,12 @@ void qtri_pixel_light_run(qtri_raster *raster, const qtri_illumination *by, qtri
     light.shade = shade;
     light.by = by;
     light.next = raster->route;
-    light.block_log2 = by->shininess != NULL ? SHINING_LOG2 : DULL_LOG2;
+    light.everywhere = true;
+    light.block_log2 = by->shininess != NULL ? SHARP_LOG2 : DULL_LOG2;
+    for (int32_t i = 0; i < by->count; i++) {
+        light.everywhere &= by->run[i].kind->everywhere;
+        light.block_log2 = by->run[i].kind->has_edges ? SHARP_LOG2 : light.block_log2;
+    }
     raster->route = draw;
     raster->lit = &light;
     body(with);

@@ -31,7 +31,9 @@ struct qtri_pixel_light {
     /* Colours of a chunk of a row into the batch, or its texels times them. */
     void (*shade)(qtri_scanline *row, int32_t x, int32_t count);
     const qtri_illumination *by;
-    qtri_route next; /* what the raster had; NULL: none */
+    qtri_route next;    /* what the raster had; NULL: none */
+    bool everywhere;    /* light is the same at every place */
+    int32_t block_log2; /* of pixels from sample to sample */
     qtri_lit_corner corner[3];
     /* Of the triangle: corners 1 and 2 less corner 0. */
     int32_t across[2][3]; /* places, times 2^up: below 2^30 */
@@ -42,9 +44,9 @@ struct qtri_pixel_light {
     bool divided;
     qtri_plane share[2];
     qtri_plane q;
-    uint32_t least, greatest; /* of the vertices' q */
-    int32_t block_log2;       /* of pixels from sample to sample */
-    qtri_lit_sample kept[3];  /* where the last chunk ended */
+    uint32_t least, greatest;  /* of the vertices' q */
+    qtri_lit_sample sample[3]; /* the first two: where the last chunk ended, and the next one */
+    bool bends;                /* between them and the one before */
 };
 
 /*
