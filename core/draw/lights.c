@@ -13,12 +13,6 @@ static bool is_two_sided(const qtri_mesh_job *draw)
     return draw->material.reflection != NULL && draw->material.reflection->two_sided;
 }
 
-static bool shows_back(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
-                       const qtri_vertex *c)
-{
-    return is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
-}
-
 /* Memory behind the vertices, if there is a slot for each and room for a word for each. */
 static void begin(qtri_mesh_job *draw)
 {
@@ -231,7 +225,8 @@ static void shade_side(const qtri_mesh_job *draw, const uint32_t index[3], bool 
 static void shade(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
                   const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3])
 {
-    shade_side(draw, index, shows_back(draw, a, b, c), color);
+    const bool is_back = is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
+    shade_side(draw, index, is_back, color);
 }
 
 /* In 8 bits, as the raster's channels. */
@@ -265,7 +260,7 @@ static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vert
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
     if (by_pixel != NULL) {
-        by_pixel->note(draw, index, shows_back(draw, v[0], v[1], v[2]));
+        by_pixel->note(draw, index, is_two_sided(draw) && triangle->area > 0);
     } else {
         set_channels(channel, draw, index, v);
     }
