@@ -47,6 +47,14 @@ static void draw_lit_mesh(void *with)
     mesh->body(mesh->draw, mesh->with);
 }
 
+/* Apart, as all others do without it. */
+QTRI_NOINLINE static void run_by_pixel(const qtri_by_pixel *by_pixel, qtri_mesh_job *draw,
+                                       void (*body)(qtri_mesh_job *draw, void *with), void *with)
+{
+    lit_mesh mesh = {draw, body, with};
+    by_pixel->run(&draw->primitive.to.solid.raster, draw->illumination, draw_lit_mesh, &mesh);
+}
+
 static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose,
                             bool fresh, void (*body)(qtri_mesh_job *draw, void *with), void *with)
 {
@@ -59,8 +67,7 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
     draw->illumination = &illumination;
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
     if (by_pixel != NULL) {
-        lit_mesh mesh = {draw, body, with};
-        by_pixel->run(&draw->primitive.to.solid.raster, &illumination, draw_lit_mesh, &mesh);
+        run_by_pixel(by_pixel, draw, body, with);
     } else {
         body(draw, with);
     }

@@ -132,6 +132,7 @@ struct qtri_raster {
     uint8_t keep;    /* channels that a blend leaves */
     bool gray;       /* what multiplies gives the format's kind */
     bool white;      /* the tint: light alone is enough */
+    bool by_pixel;   /* a triangle on its way: `lit` has the colours of its job */
     bool late_write; /* of depths that are tested as an effect: see depth_testing.c */
     qtri_compare late_compare;
     const qtri_blend *blend; /* NULL: none, see effect.h */
@@ -142,7 +143,6 @@ struct qtri_raster {
     qtri_cull cull;
     uint8_t provoking;           /* the vertex whose colour a flat triangle has */
     bool smooth;                 /* colours vary */
-    bool by_pixel;               /* a triangle on its way: `lit` has the colours of its job */
     const qtri_varying *varying; /* NULL: nothing does, nor is there a texture */
     qtri_depth depth;
     /*
