@@ -59,9 +59,8 @@ static void light(qtri_corner lit[3], const qtri_primitive *primitive, const qtr
         qtri_illuminated_place(&point, by, smooth ? &p[i] : &mean);
         if (by_pixel != NULL) {
             by_pixel->set(&primitive->to.solid.raster, i, &point, &corners[i].color);
-        } else {
-            lit[i].color = qtri_lit_rgb(qtri_illuminate(by, &point, &corners[i].color));
         }
+        lit[i].color = qtri_lit_rgb(qtri_illuminate(by, &point, &corners[i].color));
     }
 }
 

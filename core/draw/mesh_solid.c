@@ -125,12 +125,8 @@ SHARED void draw_placed(const qtri_mesh_job *draw, const void *indices, qtri_pla
 static bool may_be_small(const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
                          const qtri_vertex *c)
 {
-    if (raster->lit == NULL) {
-        return qtri_takes_small(raster);
-    }
-    const qtri_route next = raster->lit->next;
-    return (next == NULL || (raster->samples != NULL && next == raster->samples->draw)) &&
-           qtri_is_lit_by_vertex(&a->at, &b->at, &c->at);
+    return raster->lit == NULL ? qtri_takes_small(raster)
+                               : qtri_is_lit_by_vertex(raster, &a->at, &b->at, &c->at);
 }
 
 /* The same where triangles have a route: those of samples may be small, and what is lit by pixel

@@ -11,6 +11,7 @@
 
 #include "../geometry/illumination.h"
 #include "job.h"
+#include "sampling.h"
 #include "triangle.h"
 
 /* A corner of a triangle of a mesh, before it is clipped. Direction and place are local. */
@@ -75,11 +76,17 @@ static inline void qtri_pixel_light_share(qtri_attributes *v, int32_t b1_q30, in
 /* Vertices 1 and 2 within this of vertex 0, 1/256 pixel: light by vertex is as good. */
 #define QTRI_LIT_BY_VERTEX (6 * 256)
 
-static inline bool qtri_is_lit_by_vertex(const qtri_screen_point *a, const qtri_screen_point *b,
-                                         const qtri_screen_point *c)
+/*
+ * Whether such a triangle may be drawn as a small one: it is, and the route that the raster had,
+ * none or that of samples, lets it.
+ */
+static inline bool qtri_is_lit_by_vertex(const qtri_raster *raster, const qtri_screen_point *a,
+                                         const qtri_screen_point *b, const qtri_screen_point *c)
 {
     const uint32_t half = QTRI_LIT_BY_VERTEX;
-    return (((uint32_t)(b->x_24p8 - a->x_24p8) + half) |
+    const qtri_route next = raster->lit->next;
+    return (next == NULL || (raster->samples != NULL && next == raster->samples->draw)) &&
+           (((uint32_t)(b->x_24p8 - a->x_24p8) + half) |
             ((uint32_t)(b->y_24p8 - a->y_24p8) + half) |
             ((uint32_t)(c->x_24p8 - a->x_24p8) + half) |
             ((uint32_t)(c->y_24p8 - a->y_24p8) + half)) < 2 * half;
