@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "target.h"
 #include "blend.h"
+#include "light.h"
 #include "texture.h"
 
 #include <math.h>

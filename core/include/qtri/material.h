@@ -30,10 +30,7 @@ extern const qtri_shading qtri_smooth;     /* colours interpolated between the v
 extern const qtri_shading qtri_flat_first; /* the first vertex's colour; light per face */
 extern const qtri_shading qtri_flat_last;  /* the last vertex's colour; light per face */
 
-/*
- * Smooth, and a view's `lights` are found along the inside of large triangles, from the normal and
- * the place there: see light.h. Without such lights as &qtri_smooth.
- */
+/* As smooth; in a view's `lights` large triangles are lit inside as well: by pixel, see light.h. */
 extern const qtri_shading qtri_per_pixel;
 
 /* The same, in the spelling of the choices below. */
