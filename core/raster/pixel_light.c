@@ -134,7 +134,7 @@ static void find_shares(int32_t b_q30[2], const qtri_pixel_light *p, int32_t x, 
     uint32_t b[2];
     if (p->divided) {
         const uint64_t q = held(plane_at(&p->q, x, y), p->least, p->greatest); /* >= 2^16 */
-        const int32_t zeros = qtri_clz64(q);
+        const int32_t zeros = qtri_clz64(q | 1);
         const uint32_t most = (uint32_t)(q >> 16);
         const uint32_t reciprocal = qtri_reciprocal_near((uint32_t)((q << zeros) >> 32));
         /* s 2^32 / q with s <= q: (s 2^zeros) (2^62 / (q 2^zeros)) / 2^32 is below 2^30 + 2^4. */
