@@ -70,7 +70,7 @@ static qtri_material random_material(uint64_t *seed, const lamps *l)
 {
     qtri_material material = qtri_material_default();
     material.color = random_rgb(seed);
-    material.shading = shading_of((int)random_in(seed, 0, 2));
+    material.shading = random_flag(seed) ? QTRI_PER_PIXEL : shading_of((int)random_in(seed, 0, 2));
     material.cull = (qtri_cull)random_in(seed, 0, 2);
     material.fill = random_in(seed, 0, 3) == 0 ? &qtri_wireframe : NULL;
     material.texture = random_in(seed, 0, 3) == 0 ? &texture : NULL;

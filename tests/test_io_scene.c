@@ -753,8 +753,8 @@ static void value_errors(void **state)
                      "off|less|lequal|greater|gequal|always|equal|notequal|never"},
         {"depthmask maybe", "'maybe' is unknown here: depthmask on|off"},
         {"cull both", "'both' is unknown here: cull none|back|front"},
-        {"shade round", "'round' is unknown here: shade smooth|flat [first|last]"},
-        {"shade flat middle", "'middle' is unknown here: shade smooth|flat [first|last]"},
+        {"shade round", "'round' is unknown here: shade smooth|flat|pixel [first|last]"},
+        {"shade flat middle", "'middle' is unknown here: shade smooth|flat|pixel [first|last]"},
         {"texmode add", "'add' is unknown here: texmode replace|modulate"},
         {"texwrap mirror", "'mirror' is unknown here: texwrap repeat|clamp [repeat|clamp]"},
         {"texwrap clamp off", "'off' is unknown here: texwrap repeat|clamp [repeat|clamp]"},
@@ -858,7 +858,7 @@ static void wrong_number_of_values(void **state)
         }
     }
     assert_error("shade\n",
-                 "x.scene:1: wrong number of values (0) for shade smooth|flat [first|last]");
+                 "x.scene:1: wrong number of values (0) for shade smooth|flat|pixel [first|last]");
     assert_error("texture 8 8\n", "x.scene:1: wrong number of values (2) for texture "
                                   "off, texture FILE.ppm or texture W H CELLS r g b r g b");
 }

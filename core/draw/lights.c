@@ -4,6 +4,7 @@
 #include "../geometry/lit_point.h"
 #include "../raster/small.h"
 #include "lit_corners.h"
+#include "per_pixel.h"
 
 #define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */
 
@@ -30,7 +31,28 @@ static void begin(qtri_mesh_job *draw)
 static bool has_place(const qtri_mesh_job *draw, bool both_sides)
 {
     return draw->lit_colors != NULL && draw->shaded_per_vertex &&
-           (!both_sides || !is_two_sided(draw));
+           (!both_sides || (!is_two_sided(draw) && qtri_by_pixel_of(&draw->material) == NULL));
+}
+
+/* What is done while triangles are drawn by pixel. */
+typedef struct lit_mesh {
+    qtri_mesh_job *draw;
+    void (*body)(qtri_mesh_job *draw, void *with);
+    void *with;
+} lit_mesh;
+
+static void draw_lit_mesh(void *with)
+{
+    const lit_mesh *mesh = with;
+    mesh->body(mesh->draw, mesh->with);
+}
+
+/* Apart, as all others do without it. */
+QTRI_NOINLINE static void run_by_pixel(const qtri_by_pixel *by_pixel, qtri_mesh_job *draw,
+                                       void (*body)(qtri_mesh_job *draw, void *with), void *with)
+{
+    lit_mesh mesh = {draw, body, with};
+    by_pixel->run(&draw->primitive.to.solid.raster, draw->illumination, draw_lit_mesh, &mesh);
 }
 
 static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose,
@@ -43,7 +65,12 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
         draw->lit_colors[i] = 0;
     }
     draw->illumination = &illumination;
-    body(draw, with);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    if (by_pixel != NULL) {
+        run_by_pixel(by_pixel, draw, body, with);
+    } else {
+        body(draw, with);
+    }
     draw->illumination = NULL;
 }
 
@@ -238,10 +265,18 @@ static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vert
     uint32_t index[3];
     qtri_attributes attributes[3];
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    set_channels(channel, draw, index, v);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    if (by_pixel != NULL) {
+        by_pixel->note(draw, index, is_two_sided(draw) && triangle->area > 0);
+    } else {
+        set_channels(channel, draw, index, v);
+    }
     for (int i = 0; i < 3; i++) {
         qtri_vertex_attributes(&attributes[i], v[i], QTRI_INTENSITY_ONE);
-        for (int c = 0; c < 3; c++) {
+        if (by_pixel != NULL) {
+            qtri_pixel_light_share(&attributes[i], (i == 1) << 30, (i == 2) << 30);
+        }
+        for (int c = 0; by_pixel == NULL && c < 3; c++) {
             attributes[i].color[c] = channel[i][c];
         }
         if (raster->texture != NULL) {
@@ -275,8 +310,12 @@ static void draw_clipped(const qtri_mesh_job *draw, const void *indices, qtri_sh
     lit_triangle triangle;
     triangle.mesh = draw->mesh;
     qtri_mesh_indices(triangle.index, indices, qtri_mesh_has_bytes(draw->mesh));
-    shade_side(draw, triangle.index, is_two_sided(draw) && qtri_clipped_is_back(shape->clip),
-               triangle.color);
+    const bool turned = is_two_sided(draw) && qtri_clipped_is_back(shape->clip);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    if (by_pixel != NULL) {
+        by_pixel->note(draw, triangle.index, turned);
+    }
+    shade_side(draw, triangle.index, turned, triangle.color);
     qtri_primitive_triangle(&draw->primitive, shape, set_attributes, &triangle);
 }
 

@@ -2,6 +2,7 @@
 #include "lit_corners.h"
 
 #include "../geometry/lit_point.h"
+#include "per_pixel.h"
 
 /* The sign of the homogeneous determinant; y points down. */
 bool qtri_clipped_is_back(const qtri_clip_vertex v[3])
@@ -32,9 +33,11 @@ static qtri_vec3 place_of(const qtri_vec4 *position)
 }
 
 /* A triangle with its colours in the light. */
-static void light(qtri_corner lit[3], const qtri_illumination *by, const qtri_corner *corners,
-                  const qtri_normal *normals, bool smooth, bool is_back)
+static void light(qtri_corner lit[3], const qtri_primitive *primitive, const qtri_illumination *by,
+                  const qtri_corner *corners, const qtri_normal *normals, bool is_back)
 {
+    const bool smooth = qtri_is_smooth(primitive->material);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(primitive->material);
     const int32_t turn = is_back ? -1 : 1;
     const qtri_vec3 p[3] = {place_of(&corners[0].position), place_of(&corners[1].position),
                             place_of(&corners[2].position)};
@@ -54,6 +57,9 @@ static void light(qtri_corner lit[3], const qtri_illumination *by, const qtri_co
         lit[i] = corners[i];
         qtri_illuminated_normal(&point, by, turn * n[0], turn * n[1], turn * n[2]);
         qtri_illuminated_place(&point, by, smooth ? &p[i] : &mean);
+        if (by_pixel != NULL) {
+            by_pixel->set(&primitive->to.solid.raster, i, &point, &corners[i].color);
+        }
         lit[i].color = qtri_lit_rgb(qtri_illuminate(by, &point, &corners[i].color));
     }
 }
@@ -64,7 +70,6 @@ static void draw_lit(const qtri_primitive *primitive, qtri_corner_vertices *kept
 {
     const qtri_material *material = primitive->material;
     const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
-    const bool smooth = qtri_is_smooth(material);
     qtri_shape shape;
     qtri_corner lit[3];
     const qtri_corners_fate found =
@@ -72,34 +77,56 @@ static void draw_lit(const qtri_primitive *primitive, qtri_corner_vertices *kept
     if (found == QTRI_CORNERS_SEEN) {
         const bool is_back =
             qtri_triangle_area(&shape.fan[0].at, &shape.fan[1].at, &shape.fan[2].at) > 0;
-        light(lit, by, corners, normals, smooth, by->two_sided && is_back);
+        light(lit, primitive, by, corners, normals, by->two_sided && is_back);
         qtri_corners_draw(primitive, shape.fan, corners, lit);
     } else if (found == QTRI_CORNERS_ELSEWHERE) {
         qtri_corners_fetch(primitive, corners, 3, shape.clip);
-        light(lit, by, corners, normals, smooth, by->two_sided && qtri_clipped_is_back(shape.clip));
+        light(lit, primitive, by, corners, normals,
+              by->two_sided && qtri_clipped_is_back(shape.clip));
         qtri_primitive_triangle(primitive, &shape, qtri_corners_attributes, lit);
     }
 }
 
+/* All triangles of a call. */
+typedef struct lit_call {
+    const qtri_primitive *primitive;
+    const qtri_illumination *by;
+    const qtri_corner *corners;
+    const qtri_normal *normals;
+    uint32_t corner_count;
+} lit_call;
+
+static void draw_all(void *with)
+{
+    const lit_call *call = with;
+    const bool noted = qtri_corners_are_noted(call->primitive);
+    qtri_corner_vertices kept;
+    kept.before = NULL;
+    for (uint32_t i = 0; call->corner_count - i >= 3; i += 3) {
+        if (noted) {
+            qtri_corners_note(call->primitive, i);
+        }
+        draw_lit(call->primitive, &kept, call->by, &call->corners[i],
+                 call->normals != NULL ? &call->normals[i] : NULL);
+    }
+}
+
 /* Apart, or its stack would be beneath that of qtri_draw_triangles(). */
-QTRI_NOINLINE static void draw_all(const qtri_surface *surface, const qtri_view *view,
-                                   const qtri_transform *pose, const qtri_corner *corners,
-                                   const qtri_normal *normals, uint32_t corner_count,
-                                   const qtri_material *material)
+QTRI_NOINLINE static void draw_call(const qtri_surface *surface, const qtri_view *view,
+                                    const qtri_transform *pose, const qtri_corner *corners,
+                                    const qtri_normal *normals, uint32_t corner_count,
+                                    const qtri_material *material)
 {
     qtri_primitive primitive;
     qtri_illumination illumination;
-    qtri_corner_vertices kept;
-    kept.before = NULL;
     qtri_primitive_init(&primitive, surface, view, pose, material);
     qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
-    const bool noted = qtri_corners_are_noted(&primitive);
-    for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
-        if (noted) {
-            qtri_corners_note(&primitive, i);
-        }
-        draw_lit(&primitive, &kept, &illumination, &corners[i],
-                 normals != NULL ? &normals[i] : NULL);
+    lit_call call = {&primitive, &illumination, corners, normals, corner_count};
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(material);
+    if (by_pixel != NULL) {
+        by_pixel->run(&primitive.to.solid.raster, &illumination, draw_all, &call);
+    } else {
+        draw_all(&call);
     }
     qtri_primitive_finish(&primitive);
 }
@@ -112,6 +139,6 @@ void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
     if (view->lights == NULL) {
         qtri_draw_triangles(surface, view, pose, corners, corner_count, material);
     } else {
-        draw_all(surface, view, pose, corners, normals, corner_count, material);
+        draw_call(surface, view, pose, corners, normals, corner_count, material);
     }
 }

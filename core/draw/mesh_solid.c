@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/pixel_light.h"
 #include "../raster/sampling.h"
 #include "../raster/small.h"
 #include "lights.h"
@@ -120,16 +121,27 @@ SHARED void draw_placed(const qtri_mesh_job *draw, const void *indices, qtri_pla
     qtri_small_draw(raster, &t);
 }
 
-/* The same where triangles have a route: those of samples may be small. False: it is large. */
+/* Whether one with a route may be drawn as a small one. */
+static bool may_be_small(const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
+                         const qtri_vertex *c)
+{
+    return raster->lit == NULL ? qtri_takes_small(raster)
+                               : qtri_is_lit_by_vertex(raster, &a->at, &b->at, &c->at);
+}
+
+/* The same where triangles have a route: those of samples may be small, and what is lit by pixel
+   but for its size. False: it is large. */
 QTRI_NOINLINE static bool draw_routed(const qtri_mesh_job *draw, const void *indices,
                                       qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
     qtri_place place;
     uint8_t spans[QTRI_PLACE_SPANS];
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    const qtri_placed placed = qtri_takes_small(raster)
-                                   ? raster->samples->place(&place, spans, raster, a, b, c)
-                                   : QTRI_PLACED_LARGE;
+    qtri_placed placed = QTRI_PLACED_LARGE;
+    if (may_be_small(raster, a, b, c)) {
+        placed = raster->samples != NULL ? raster->samples->place(&place, spans, raster, a, b, c)
+                                         : qtri_place_triangle(&place, spans, raster, a, b, c);
+    }
     if (placed == QTRI_PLACED_SMALL) {
         draw_placed(draw, indices, &place, a, b, c);
     }

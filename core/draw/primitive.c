@@ -2,6 +2,7 @@
 #include "fill.h"
 
 #include "../raster/effect.h"
+#include "../raster/pixel_light.h"
 #include "../raster/sampling.h"
 #include "../raster/small.h"
 #include "../raster/unsnapped.h"
@@ -256,6 +257,9 @@ QTRI_NOINLINE static void draw_routed_piece(const piece *p, qtri_triangle *trian
     const qtri_raster *raster = &p->primitive->to.solid.raster;
     qtri_attributes own[3];
     piece_attributes(own, p);
+    for (int i = 0; i < 3 && raster->lit != NULL; i++) {
+        qtri_pixel_light_share(&own[i], p->vertex[i]->b1_q30, p->vertex[i]->b2_q30);
+    }
     for (int i = 0; i < 3 && raster->samples != NULL; i++) {
         own[i].rest[0] = 0;
         own[i].rest[1] = 0;
@@ -292,8 +296,12 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
 
 static bool draw_piece(const piece *p, int64_t area, bool with_rests)
 {
-    if (qtri_takes_small(&p->primitive->to.solid.raster) &&
-        draw_placed_piece(p) != QTRI_PLACED_LARGE) {
+    const qtri_raster *raster = &p->primitive->to.solid.raster;
+    const bool may_be_small = raster->lit == NULL
+                                  ? qtri_takes_small(raster)
+                                  : qtri_is_lit_by_vertex(raster, &p->vertex[0]->at,
+                                                          &p->vertex[1]->at, &p->vertex[2]->at);
+    if (may_be_small && draw_placed_piece(p) != QTRI_PLACED_LARGE) {
         return true;
     }
     return draw_large_piece(p, area, with_rests);

@@ -62,4 +62,4 @@ static void add(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *
     }
 }
 
-const qtri_light_kind qtri_spot_light = {.prepare = prepare, .add = add};
+const qtri_light_kind qtri_spot_light = {.prepare = prepare, .add = add, .has_edges = true};

@@ -101,9 +101,8 @@ static inline uint32_t qtri_reflect(uint32_t base_q15, uint32_t diffuse_q24, uin
     return value > 255 ? 255 : value;
 }
 
-/* What a point of this colour shows: red, green and blue from bit 16, 8 and 0 on. */
-QTRI_IN_PLACE uint32_t qtri_illuminate(const qtri_illumination *by, qtri_lit_point *point,
-                                       const qtri_rgb *color)
+/* The light that reaches a point. */
+QTRI_IN_PLACE void qtri_gather_light(const qtri_illumination *by, qtri_lit_point *point)
 {
     point->by = by;
     point->diffuse_q24[0] = by->ambient_q24[0];
@@ -118,6 +117,13 @@ QTRI_IN_PLACE uint32_t qtri_illuminate(const qtri_illumination *by, qtri_lit_poi
         run->kind->add(first, run->end, point);
         first = run->end;
     }
+}
+
+/* What a point of this colour shows: red, green and blue from bit 16, 8 and 0 on. */
+QTRI_IN_PLACE uint32_t qtri_illuminate(const qtri_illumination *by, qtri_lit_point *point,
+                                       const qtri_rgb *color)
+{
+    qtri_gather_light(by, point);
     const uint32_t red = qtri_reflect(by->base_q15[0], point->diffuse_q24[0],
                                       point->specular_q24[0], color->r, by->specular.r);
     const uint32_t green = qtri_reflect(by->base_q15[1], point->diffuse_q24[1],

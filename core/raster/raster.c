@@ -99,6 +99,8 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->provoking = qtri_shading_of(material)->provoking;
     raster->varying = qtri_shading_of(material)->varying;
     raster->smooth = raster->varying != NULL;
+    raster->by_pixel = false;
+    raster->lit = NULL;
     set_effects(raster, material, textured);
     const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
     if (testing != NULL) {

@@ -23,6 +23,7 @@ typedef struct qtri_varying qtri_varying;             /* see shading.h */
 typedef struct qtri_effect_stages qtri_effect_stages; /* see effect.h */
 typedef struct qtri_vertex_blend qtri_vertex_blend;   /* see effect.h */
 typedef struct qtri_alpha_planes qtri_alpha_planes;
+typedef struct qtri_pixel_light qtri_pixel_light; /* see pixel_light.h */
 
 /* Pixels left..right-1 of a row, before any scissor: within 2^14 of 0. Empty when right <= left. */
 typedef struct qtri_span {
@@ -115,7 +116,8 @@ struct qtri_raster {
         const qtri_material *material;   /* of what takes a route */
         const qtri_alpha_planes *planes; /* of a triangle on its way, see blend_vertex.c */
     } of;
-    qtri_rect bounds; /* empty where nothing is to be drawn */
+    qtri_pixel_light *lit; /* triangles are lit by pixel, see pixel_light.h; NULL: by vertex */
+    qtri_rect bounds;      /* empty where nothing is to be drawn */
     struct {
         uint32_t x, y, width, height; /* 24.8 */
     } inner;              /* where vertex 0 of a small triangle is too far inside them to be cut */
@@ -133,6 +135,7 @@ struct qtri_raster {
     uint8_t keep;    /* channels that a blend leaves */
     bool gray;       /* what multiplies gives the format's kind */
     bool white;      /* the tint: light alone is enough */
+    bool by_pixel;   /* a triangle on its way: `lit` has the colours of its job */
     bool late_write; /* of depths that are tested as an effect: see depth_testing.c */
     qtri_compare late_compare;
     const qtri_blend *blend; /* NULL: none, see effect.h */

@@ -161,7 +161,9 @@ static void set_shade(work *w)
     w->shade.depth_write = false;
     w->shade.with_depth = raster->with_depth;
     w->shade.depth = qtri_depth_stages(QTRI_DEPTH_OFF, false, true);
-    w->shade.fill_flat = raster->effects != NULL ? raster->effects->fill : qtri_span_flat;
+    w->shade.fill_flat = raster->by_pixel          ? raster->fill_flat
+                         : raster->effects != NULL ? raster->effects->fill
+                                                   : qtri_span_flat;
     w->shade.fill_smooth = raster->varying != NULL ? raster->varying->fill : w->shade.fill_flat;
     w->shade.copy_run = NULL;
     w->shade.copy_bent = NULL;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "shading.h"
 
-const qtri_shading qtri_flat_first = {0, NULL};
-const qtri_shading qtri_flat_last = {2, NULL};
+const qtri_shading qtri_flat_first = {0, NULL, NULL};
+const qtri_shading qtri_flat_last = {2, NULL, NULL};
 
 const qtri_shading *qtri_shading_of(const qtri_material *material)
 {

@@ -24,9 +24,12 @@ struct qtri_varying {
 
 extern const qtri_varying qtri_varying_stages;
 
+typedef struct qtri_by_pixel qtri_by_pixel; /* see ../draw/per_pixel.h */
+
 struct qtri_shading {
-    uint8_t provoking;           /* the vertex whose colour all have, 0 or 2 */
-    const qtri_varying *varying; /* NULL: flat */
+    uint8_t provoking;             /* the vertex whose colour all have, 0 or 2 */
+    const qtri_varying *varying;   /* NULL: flat */
+    const qtri_by_pixel *by_pixel; /* how draw calls light triangles; NULL: by vertex, by face */
 };
 
 #endif

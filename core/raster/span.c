@@ -9,6 +9,7 @@
 #include "linear.h"
 #include "loop.h"
 #include "packed.h"
+#include "pixel_light.h"
 
 /* Colours without texture into the batch: `count` from pixel x of the row on. */
 static void interpolate_colors(qtri_scanline *row, int32_t x, int32_t count)
@@ -32,6 +33,19 @@ static void interpolate_colors(qtri_scanline *row, int32_t x, int32_t count)
     } while (count > 0);
 }
 
+/* Of a job that has one colour, or that is lit by pixel. */
+static void make_plain(qtri_scanline *row, int32_t x, int32_t count)
+{
+    const qtri_raster *raster = row->job->raster;
+    if (raster->by_pixel) {
+        raster->lit->shade(row, x, count);
+        return;
+    }
+    for (int32_t i = 0; i < count; i++) {
+        raster->batch->color[i] = row->job->pixel;
+    }
+}
+
 /* Stored pixels into the batch for a chunk of `count` pixels at x; the mask of those drawn. */
 static uint32_t make_pixels(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
 {
@@ -39,9 +53,7 @@ static uint32_t make_pixels(qtri_scanline *row, int32_t x, int32_t count, uint32
     if (raster->texture != NULL) {
         mask = raster->texturing->color_chunk(row, x, count, mask);
     } else if (row->job->first == row->job->end) {
-        for (int32_t i = 0; i < count; i++) {
-            raster->batch->color[i] = row->job->pixel;
-        }
+        make_plain(row, x, count);
     } else {
         interpolate_colors(row, x, count);
     }

@@ -8,6 +8,7 @@
 
 #include "linear.h"
 #include "perspective.h"
+#include "pixel_light.h"
 #include "texel_copy.h"
 #include "texel_number.h"
 #include "textured.h"
@@ -74,6 +75,10 @@ static inline void qtri_shade_texels(qtri_scanline *row, int32_t x, int32_t coun
     uint32_t *color = raster->batch->color;
     uint32_t *shade = raster->batch->by.shade;
     if (job->first == QTRI_U) {
+        if (raster->by_pixel) {
+            raster->lit->shade(row, x, count);
+            return;
+        }
         qtri_constant_curves(row->curve, job->pixel);
         raster->times_curves(color, row->curve, count);
         return;

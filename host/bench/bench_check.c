@@ -34,6 +34,9 @@
     "3 1.2 -2.0784610 1 1 1 1 1 0\n"                                                               \
     "trit -3 -1.2 2.0784610 1 1 1 1 0 1  3 1.2 -2.0784610 1 1 1 1 1 0  "                           \
     "-3 1.2 -2.0784610 1 1 1 1 0 0\n"
+#define PLAIN_FLOOR                                                                                \
+    "tri -3 -1.2 2.0784610 1 1 1 1  3 -1.2 2.0784610 1 1 1 1  3 1.2 -2.0784610 1 1 1 1\n"          \
+    "tri -3 -1.2 2.0784610 1 1 1 1  3 1.2 -2.0784610 1 1 1 1  -3 1.2 -2.0784610 1 1 1 1\n"
 #define TURNED                                                                                     \
     "texture texture.ppm\ntexmode replace\n"                                                       \
     "trit -1.1 -1.5 1.9052559 1 1 1 1 0 2  1.1 -1.5 -1.9052559 1 1 1 1 2 2  "                      \
@@ -46,6 +49,8 @@
 #define LIGHTS                                                                                     \
     "ambient .125 .125 .125\nmaterial specular 1 1 1 30\ncull back\n"                              \
     "light point 1.5 1 0 1 .9 .8 1 0 .05\n"
+#define DULL            "ambient .125 .125 .125\nlight point 1.5 1 0 1 .9 .8 1 0 .05\n"
+#define BY_PIXEL        "shade pixel\n"
 #define LIGHT2          "light directional -1 .5 .3 .1 .2 .4\n"
 #define LIGHT34         "light directional .4 .6 .69282032 .2 .2 .2\nlight directional .2 -.8 .5 .2 .1 .1\n"
 #define MESH_COLOR      " color 1 .7058823529 .3529411765\n"
@@ -106,6 +111,9 @@ static const struct expectation {
     {"L3", BEGIN LIGHTS LIGHT2 LIGHT34 SPOT_COMPACT, 12414},
     {"L1f", BEGIN LIGHTS "shade flat\n" TEAPOT_COMPACT, 15296},
     {"L1b", BEGIN LIGHTS SPOT_COMPACT, 12414},
+    {"LP", BEGIN LIGHTS BY_PIXEL SCREEN(ORANGE, ORANGE, ORANGE, ORANGE), 76800},
+    {"LPd", BEGIN DULL BY_PIXEL SCREEN(ORANGE, ORANGE, ORANGE, ORANGE), 76800},
+    {"LPf", BEGIN LIGHTS BY_PIXEL PLAIN_FLOOR, 53290},
     {"S4e", BEGIN LIT COMPACT(SPOT), 0},
     {"S4es", BEGIN LIT COMPACT(SPOT), 0},
     {"S4h", BEGIN LIT COMPACT(SPOT), 0},
@@ -153,6 +161,7 @@ static const struct expectation {
     {"L3k", BEGIN LIGHTS LIGHT2 LIGHT34 KNOT_COMPACT, 0},
     {"L1fk", BEGIN LIGHTS "shade flat\n" KNOT_COMPACT, 0},
     {"L1bk", BEGIN LIGHTS KNOT_COMPACT, 0},
+    {"LPk", NULL, 0},
     {"S4ek", BEGIN LIT COMPACT(KNOT), 0},
     {"S4esk", BEGIN LIT COMPACT(KNOT), 0},
     {"S4hk", BEGIN LIT COMPACT(KNOT), 0},

@@ -12,15 +12,15 @@
  * the row of that name with that mesh. S4b, S4wb, S5b, S6b and S7b: S4, S4w, S5, S6 and S7 in 15
  * bands of 16 rows, all of a frame's work but the clear. ST: the mesh of S4 as loose triangles. L1:
  * S4 with a point light and Blinn-Phong highlights; L2 and L3: and one and three directional
- * lights; L1f: S5 so, L1b: L1 in bands. S4e and S4be: S4 and S4b with the edge pass, S4es by sums;
- * S4br: S4be with the halo kept.
- * S4h: S4 of 2 x 2 samples, with the clear; S4x, S6x and S11x: S4, S6 and S11 with four samples a
- * pixel, likewise; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a sum, and the storing
- * of its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP: 256
- * such points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7
- * without hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3:
- * S2 added; F2, F4, F6: S2, S4, S6 in fog, F5: K5 in fog. B5 and B6: S2, and a quad turned
- * sideways, with alpha of their vertices.
+ * lights; L1f: S5 so, L1b: L1 in bands. LP, LPf and LPk: S1, the quad of S3 and S4k in the light of
+ * L1 by pixel, LPd: LP without highlights. S4e and S4be: S4 and S4b with the edge pass, S4es by
+ * sums; S4br: S4be with the halo kept. S4h: S4 of 2 x 2 samples, with the clear; S4x, S6x and S11x:
+ * S4, S6 and S11 with four samples a pixel, likewise; S4f: S4 and FXAA. S4a and S4m: only the
+ * addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of 64 points, 1 and 5
+ * pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with smooth edges; KS: S7
+ * of &qtri_smooth_wireframe; KH: S7 without hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7:
+ * S1, S2, S4, S6 at half alpha, B3: S2 added; F2, F4, F6: S2, S4, S6 in fog, F5: K5 in fog. B5 and
+ * B6: S2, and a quad turned sideways, with alpha of their vertices.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -30,6 +30,7 @@
 #define QUAD(quad_, colors_) .work = BENCH_QUAD, .quad = (quad_), .colors = (colors_)
 #define MESH(mesh_, turn_)   .work = BENCH_MESH, .mesh = (mesh_), .turn = (turn_)
 #define FLAT                 .shading = QTRI_FLAT_LAST
+#define BY_PIXEL             .shading = QTRI_PER_PIXEL
 #define BANDS                .band_rows = 16
 #define FORMAT               &qtri_rgb565
 #define PAINT(name_, paint_)                                                                       \
@@ -81,6 +82,9 @@ const bench_scene bench_scenes[] = {
     {.name = "L3", MESH(COMPACT(spot), Q16(150)), .lights = 4},
     {.name = "L1f", MESH(COMPACT(teapot), Q16(30)), FLAT, .lights = 1},
     {.name = "L1b", MESH(COMPACT(spot), Q16(150)), BANDS, .lights = 1},
+    {.name = "LP", QUAD(&bench_screen, orange), BY_PIXEL, .lights = 1},
+    {.name = "LPd", QUAD(&bench_screen, orange), BY_PIXEL, .lights = 1, .dull = true},
+    {.name = "LPf", QUAD(&bench_floor, white), BY_PIXEL, .lights = 1},
     {.name = "S4e", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_EDGES},
     {.name = "S4es", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_SUMS},
     {.name = "S4h", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_HALVE},
@@ -133,6 +137,7 @@ const bench_scene bench_scenes[] = {
     {.name = "L3k", MESH(COMPACT(knot), Q16(30)), .lights = 4},
     {.name = "L1fk", MESH(COMPACT(knot), Q16(30)), FLAT, .lights = 1},
     {.name = "L1bk", MESH(COMPACT(knot), Q16(30)), BANDS, .lights = 1},
+    {.name = "LPk", MESH(COMPACT(knot), Q16(30)), BY_PIXEL, .lights = 1},
     {.name = "S4ek", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_EDGES},
     {.name = "S4esk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_SUMS},
     {.name = "S4hk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_HALVE},
@@ -249,7 +254,7 @@ static void set_lights(bench_frame *frame)
     qtri_shininess_init(&frame->shininess, Q16(30));
     (void)qtri_lights_init(&frame->lights, sources, frame->scene->lights, ambient);
     frame->reflection = reflection;
-    frame->material.reflection = &frame->reflection;
+    frame->material.reflection = frame->scene->dull ? NULL : &frame->reflection;
     frame->view.lights = &frame->lights;
     frame->view.vertex_count = QTRI_LIT_VERTICES(BENCH_VERTICES_MAX);
 }
@@ -365,6 +370,7 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
         set_texture(frame, QTRI_REPLACE); /* pictures are of its memory */
     } else if (scene->work == BENCH_QUAD) {
         bench_set_quad(frame->corners, scene->quad, scene->colors);
+        set_lights(frame);
     } else if (scene->work == BENCH_MESH) {
         set_mesh(frame);
     } else if (scene->work == BENCH_CORNERS) {
@@ -438,6 +444,10 @@ void bench_draw(bench_frame *frame)
 #ifndef BENCH_PLAIN
     case BENCH_STROKE:
         bench_draw_strokes(frame);
+        break;
+    case BENCH_QUAD:
+        qtri_draw_lit_triangles(&frame->surface, &frame->view, &frame->pose, frame->corners, NULL,
+                                6, &frame->material);
         break;
 #endif
     default:

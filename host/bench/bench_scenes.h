@@ -59,6 +59,7 @@ typedef struct bench_scene {
     bench_smooth smooth;
     uint32_t characters; /* that are painted */
     bool wireframe, without_depth, fog;
+    bool dull;           /* lights, but no highlights */
     bool textured;       /* REPLACE on quads, MODULATE on meshes */
     bool thin;           /* a wireframe of smooth lines */
     bool points, hidden; /* points for a polyline; a wireframe without hidden lines */

@@ -273,6 +273,7 @@ struct scene {
     enum scene_cull cull;
     enum scene_frustum_cull frustum_cull;
     bool flat;
+    bool by_pixel;       /* lights are looked at from every pixel, not from vertices */
     int provoking;       /* flat: the vertex, 0 or 2, whose colour the triangle takes */
     bool screen_linear;  /* `interpolate linear`: attributes linear on the screen */
     bool wireframe;      /* `polygon line` and `polygon smooth` */

@@ -19,7 +19,7 @@ static const struct scene_statement statements[] = {
     {"depthmask",   {1, 1},    scene_statement_depthmask,     0, "on|off"},
     {"depthrange",  {2, 2},    scene_statement_depthrange,    0, "NEAR FAR"},
     {"cull",        {1, 1},    scene_statement_cull,          0, "none|back|front"},
-    {"shade",       {1, 2},    scene_statement_shade,         0, "smooth|flat [first|last]"},
+    {"shade",       {1, 2},    scene_statement_shade,         0, "smooth|flat|pixel [first|last]"},
     {"texture",     {1, 9},    scene_statement_texture,       0,
      "off, texture FILE.ppm or texture W H CELLS r g b r g b"},
     {"texmode",     {1, 1},    scene_statement_texmode,       0, "replace|modulate"},

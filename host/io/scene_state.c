@@ -92,11 +92,15 @@ bool scene_statement_cull(struct scene_parser *parser)
 
 bool scene_statement_shade(struct scene_parser *parser)
 {
+    static const char *const words[] = {"smooth", "flat", "pixel"};
     bool last = true;
-    if (!second_word(parser, 0, "smooth", "flat", &parser->scene->flat) ||
+    int choice;
+    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice) ||
         (parser->argument_count == 2 && !second_word(parser, 1, "first", "last", &last))) {
         return false;
     }
+    parser->scene->flat = choice == 1;
+    parser->scene->by_pixel = choice == 2;
     parser->scene->provoking = last ? 2 : 0;
     return true;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "light.h"
+#include "primitive.h"
 
 #include <math.h>
 
@@ -148,18 +149,26 @@ static void add_light(const struct ref_lighting *lighting, const double n[3], do
 void ref_illuminate(const struct ref_lighting *lighting, const double normal[3],
                     const double position[3], const double color[3], double out[3])
 {
+    double at[4] = {position[0], position[1], position[2], 1.0};
+    double n[3];
+
+    ref_light_normal(lighting, normal, n);
+    ref_matrix_transform(&lighting->to_eye, at, at);
+    ref_illuminate_eye(lighting, n, at, color, out);
+}
+
+void ref_illuminate_eye(const struct ref_lighting *lighting, const double n[3], const double at[3],
+                        const double color[3], double out[3])
+{
     const struct scene *scene = lighting->scene;
     const struct scene_reflection *reflection = &scene->reflection;
-    double ambient[3], own[3], emission[3], highlight[3], n[3];
+    double ambient[3], own[3], emission[3], highlight[3];
     double diffuse[3] = {0, 0, 0}, specular[3] = {0, 0, 0};
-    double at[4] = {position[0], position[1], position[2], 1.0};
 
     from_q16(scene->ambient, 3, ambient);
     from_q16(reflection->ambient, 3, own);
     from_q16(reflection->emission, 3, emission);
     from_q16(reflection->specular, 3, highlight);
-    ref_light_normal(lighting, normal, n);
-    ref_matrix_transform(&lighting->to_eye, at, at);
     add_light(lighting, n, ambient, diffuse, specular);
     for (int i = 0; i < scene->lamp_count; i++)
         add_lamp(lighting, &scene->lamps[i], n, at, diffuse, specular);
@@ -168,4 +177,29 @@ void ref_illuminate(const struct ref_lighting *lighting, const double normal[3],
         out[c] = 255.0 * clamp01(emission[c] + reflects * ambient[c] + color[c] * diffuse[c] +
                                  highlight[c] * specular[c]);
     }
+}
+
+void ref_light_by_pixel(const struct ref_lighting *lighting, const double normal[3],
+                        const double position[3], const double color[3], double *attribute)
+{
+    double at[4] = {position[0], position[1], position[2], 1.0};
+
+    ref_light_normal(lighting, normal, &attribute[REF_NORMAL]);
+    ref_matrix_transform(&lighting->to_eye, at, at);
+    for (int i = 0; i < 3; i++) {
+        attribute[REF_PLACE + i] = at[i];
+        attribute[i] = 255.0 * color[i];
+    }
+}
+
+void ref_pixel_color(const struct ref_lighting *lighting, const double *attribute, double out[3])
+{
+    double n[3], color[3];
+
+    for (int i = 0; i < 3; i++) {
+        n[i] = attribute[REF_NORMAL + i];
+        color[i] = attribute[i] / 255.0;
+    }
+    ref_normalise3(n);
+    ref_illuminate_eye(lighting, n, &attribute[REF_PLACE], color, out);
 }

@@ -49,7 +49,9 @@ static void set_sphere(struct ref_vertex *vertex, const struct ref_lighting *lig
 static void light_vertex(const struct drawing *d, struct ref_vertex *vertex, const double normal[3],
                          const double position[3])
 {
-    if (d->light->scene->lamps_on)
+    if (d->light->scene->lamps_on && d->light->scene->by_pixel)
+        ref_light_by_pixel(d->light, normal, position, d->color, vertex->attribute);
+    else if (d->light->scene->lamps_on)
         ref_illuminate(d->light, normal, position, d->color, vertex->attribute);
     else
         set_color(vertex, d->color, ref_intensity(d->light, normal));
@@ -115,6 +117,7 @@ static void draw(struct ref_target *target, const struct scene_op *op, const str
             {vertices[index[0]], vertices[index[1]], vertices[index[2]]},
             op->id + (uint32_t)t,
             (mesh->uvs || scene->texture_sphere) && scene->texture.width != 0,
+            scene->lamps_on && scene->by_pixel ? d->light : NULL,
         };
         light_triangle(d, &triangle, index);
         ref_draw_triangle(target, &triangle);

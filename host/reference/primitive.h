@@ -12,19 +12,33 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { REF_RED, REF_GREEN, REF_BLUE, REF_U, REF_V, REF_ALPHA, REF_ATTRIBUTES };
+enum {
+    REF_RED,
+    REF_GREEN,
+    REF_BLUE,
+    REF_U,
+    REF_V,
+    REF_ALPHA,
+    REF_NORMAL,
+    REF_PLACE = REF_NORMAL + 3,
+    REF_ATTRIBUTES = REF_PLACE + 3
+};
 
 struct ref_vertex {
     long double x, y, z, w;           /* clip space */
-    double attribute[REF_ATTRIBUTES]; /* colour 0..255, texture coordinates, alpha 0..1 */
+    double attribute[REF_ATTRIBUTES]; /* colour 0..255, texture coordinates, alpha 0..1; of what is
+                                         lit by pixel a unit normal and a place, in eye space */
 };
 
-/* The three vertices already have the colours they are to be drawn with: lit, and for flat
-   shading all alike. */
+struct ref_lighting; /* light.h */
+
+/* The three vertices already have the colours they are to be drawn with: lit, but where pixels
+   are, and for flat shading all alike. */
 struct ref_triangle {
     struct ref_vertex vertex[3];
     uint32_t id;
     bool textured;
+    const struct ref_lighting *by_pixel; /* NULL: colours are lit */
 };
 
 /* The part of the picture that clip space fills, in pixels of the picture. */

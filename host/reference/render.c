@@ -57,13 +57,10 @@ static void pop(struct stack *stack)
 
 /* Colours of a single triangle in the scene's lights: by its corners' normals or its own. */
 static void light_single(const struct replay *replay, const struct scene_op *op,
-                         struct ref_triangle *triangle)
+                         const struct ref_lighting *light, struct ref_triangle *triangle)
 {
     const struct scene *scene = replay->target.scene;
     const int32_t *towards = scene->light.towards;
-    struct ref_lighting light =
-        ref_lighting_of(scene, &replay->projection.matrix[replay->projection.top],
-                        &replay->modelview.matrix[replay->modelview.top]);
     double p[3][3], face[3], middle[3];
     bool turned = scene->reflection.two_sided && ref_facing(triangle) < 0;
 
@@ -76,6 +73,7 @@ static void light_single(const struct replay *replay, const struct scene_op *op,
     for (int k = 0; k < 3; k++)
         middle[k] = (p[0][k] + p[1][k] + p[2][k]) / 3.0;
     ref_face_normal(p[0], p[1], p[2], face);
+    triangle->by_pixel = scene->by_pixel ? light : NULL;
     for (int i = 0; i < 3; i++) {
         const struct scene_vertex *in = &op->u.triangle.vertex[i];
         const struct scene_vertex *colored =
@@ -87,8 +85,11 @@ static void light_single(const struct replay *replay, const struct scene_op *op,
             n[k] = (own ? (double)in->normal[k] : face[k]) * (turned ? -1.0 : 1.0);
             color[k] = fmax(0.0, fmin(1.0, (double)colored->color[k] / 65536.0));
         }
-        ref_illuminate(&light, n, scene->flat ? middle : p[i], color,
-                       triangle->vertex[i].attribute);
+        if (scene->by_pixel)
+            ref_light_by_pixel(light, n, p[i], color, triangle->vertex[i].attribute);
+        else
+            ref_illuminate(light, n, scene->flat ? middle : p[i], color,
+                           triangle->vertex[i].attribute);
     }
 }
 
@@ -123,7 +124,10 @@ static void draw_single(struct replay *replay, const struct scene_op *op)
         out->attribute[REF_ALPHA] = ref_vertex_alpha(scene, op, (size_t)i);
         out->attribute[REF_V] = (double)in->uv[1] / 65536.0;
     }
-    light_single(replay, op, &triangle);
+    struct ref_lighting light =
+        ref_lighting_of(scene, &replay->projection.matrix[replay->projection.top],
+                        &replay->modelview.matrix[replay->modelview.top]);
+    light_single(replay, op, &light, &triangle);
     ref_draw_triangle(&replay->target, &triangle);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "target.h"
 #include "blend.h"
+#include "light.h"
 #include "texture.h"
 
 #include <math.h>
@@ -200,14 +201,17 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         return;
     }
     const bool blended = ref_is_blended(scene);
+    double lit[3] = {attribute[0], attribute[1], attribute[2]};
+    if (triangle->by_pixel != NULL)
+        ref_pixel_color(triangle->by_pixel, attribute, lit);
     const double opaque = texel[3] / 255.0 * clamp(attribute[REF_ALPHA], 0.0, 1.0);
     for (size_t c = 0; c < 3; c++) {
         double a = vertex[0].attribute[c];
         double b = vertex[1].attribute[c];
         double d = vertex[2].attribute[c];
-        double least = fmin(a, fmin(b, d));
-        double greatest = fmax(a, fmax(b, d));
-        double color = clamp(attribute[c], least, greatest);
+        double least = triangle->by_pixel != NULL ? 0 : fmin(a, fmin(b, d));
+        double greatest = triangle->by_pixel != NULL ? 255 : fmax(a, fmax(b, d));
+        double color = clamp(lit[c], least, greatest);
         if (triangle->textured && scene->texture_mode == SCENE_REPLACE)
             color = texel[c];
         else if (triangle->textured)

@@ -61,6 +61,9 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
         material.texture = resources->mask_texels != NULL ? &resources->mask : NULL;
         return material; /* modulated: white leaves an id as it is */
     }
+    if (scene->by_pixel) {
+        material.shading = QTRI_PER_PIXEL;
+    }
     if (scene->flat) {
         material.shading = scene->provoking == 0 ? QTRI_FLAT_FIRST : QTRI_FLAT_LAST;
     }
@@ -239,7 +242,8 @@ static void note_edges(struct drawing *d, const qtri_mesh *mesh)
         QTRI_OUTLINE_WORDS(mesh->triangle_count) + QTRI_OUTLINE_SUMS(mesh->vertex_count);
     uint32_t *memory = malloc(words * sizeof *memory);
     if (memory != NULL && qtri_outline_init(&outline, mesh, memory, words) == QTRI_OK) {
-        outline.creases = d->material.shading != QTRI_SMOOTH;
+        outline.creases =
+            d->material.shading != QTRI_SMOOTH && d->material.shading != QTRI_PER_PIXEL;
         (void)qtri_find_outline(d->surface, &d->view, &d->modelview, &d->material, &outline);
         qtri_edges_note(d->edges, &outline);
     }

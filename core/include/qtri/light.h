@@ -39,6 +39,24 @@
  * highlights where n . l is within 2^-13 of 0, or of a source within 8 degrees of straight behind
  * the vertex; the penumbra of a spot light whose cosines are less than .03 apart.
  *
+ * By pixel, material.shading = &qtri_per_pixel: as smooth, but triangles with a vertex 6 pixels and
+ * more from their first one, across or down, are lit along their rows, from the place and the
+ * normal there: unit normals of the corners, linear on the triangle and made unit again. So two
+ * triangles are enough for a floor under a lamp, and a highlight is seen inside of a triangle.
+ * Light is found for every eighth pixel of a row, the sixteenth where there are neither highlights
+ * nor spot lights, and for more where it bends; between, colours are linear. Colours are within 2
+ * of 255 of the formula's, but for a pixel in some thousands, where an edge of light is sharper
+ * than that, within 6. What is narrower on the screen than those distances may be missed:
+ * highlights of less than 4 pixels. A triangle of one normal in nothing but directional light,
+ * which is the same all over it, is lit at its corners.
+ *
+ * With one point light it costs a pixel 77 instructions on a Cortex-M3 and 138 on a Cortex-M0+,
+ * with highlights 131 and 241, where smooth shading takes 12 and 16 (host/bench/README.md), and a
+ * triangle of some ten pixels across 12,000 and 27,000: it pays for surfaces of few large
+ * triangles. Meshes of small ones look nearly as well lit by vertex, at a fifth of the cost. Its
+ * stack is 1,400 bytes more, its code 4.5 KB; all triangles that it lights take the way of large
+ * ones, as blend.h says it of blends by vertex.
+ *
  * Nothing of this is linked where qtri_lights_init is not named, nor a kind of light that no source
  * names. A single directional light without colour is qtri_light, see view.h, at a tenth of the
  * cost.

@@ -30,7 +30,11 @@ extern const qtri_shading qtri_smooth;     /* colours interpolated between the v
 extern const qtri_shading qtri_flat_first; /* the first vertex's colour; light per face */
 extern const qtri_shading qtri_flat_last;  /* the last vertex's colour; light per face */
 
+/* As smooth; in a view's `lights` large triangles are lit inside as well: by pixel, see light.h. */
+extern const qtri_shading qtri_per_pixel;
+
 /* The same, in the spelling of the choices below. */
+#define QTRI_PER_PIXEL  (&qtri_per_pixel)
 #define QTRI_SMOOTH     (&qtri_smooth)
 #define QTRI_FLAT_FIRST (&qtri_flat_first)
 #define QTRI_FLAT_LAST  (&qtri_flat_last)

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What &qtri_per_pixel adds to draw calls with a view's lights: reached through the material's
+ * shading, so that an application that does not name it does not link it. Internal.
+ */
+#ifndef QTRI_DRAW_PER_PIXEL_H
+#define QTRI_DRAW_PER_PIXEL_H
+
+#include "../raster/pixel_light.h"
+#include "../raster/shading.h"
+#include "mesh_job.h"
+
+struct qtri_by_pixel {
+    /* Calls `body` while the raster draws triangles by pixel. */
+    void (*run)(qtri_raster *raster, const qtri_illumination *by, qtri_lit_body body, void *with);
+    /* Before each triangle: its corners. Those of a mesh, and one of another. */
+    void (*note)(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back);
+    void (*set)(const qtri_raster *raster, int i, const qtri_lit_point *point,
+                const qtri_rgb *color);
+};
+
+/* That of a material that draws solid triangles; NULL: they are lit by vertex or by face. */
+static inline const qtri_by_pixel *qtri_by_pixel_of(const qtri_material *material)
+{
+    return material->fill == NULL ? qtri_shading_of(material)->by_pixel : NULL;
+}
+
+#endif
