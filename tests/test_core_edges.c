@@ -895,8 +895,10 @@ static void rolling_bands_join(void **state)
                     const uint16_t *pixels = (uint16_t *)(void *)(band.pixels + y * band.pitch);
                     assert_int_equal(pixels[0], row);
                     assert_int_equal(pixels[WIDTH - 1], row);
-                    assert_int_equal(band.depth[y * band.depth_pitch], row + 1000);
-                    assert_int_equal(band.depth[(y + 1) * band.depth_pitch - 1], row + 1000);
+                    if (y > 0 || above == 0) {
+                        assert_int_equal(band.depth[y * band.depth_pitch], row + 1000);
+                        assert_int_equal(band.depth[(y + 1) * band.depth_pitch - 1], row + 1000);
+                    }
                 }
                 qtri_rolling_keep(&rolling, &band);
                 clear_to(&band, sky, 0); /* whatever a filter makes of it */

@@ -47,10 +47,13 @@ void qtri_rolling_begin(qtri_rolling *rolling)
 static void copy(uint8_t *to, const uint8_t *from, size_t bytes)
 {
     if ((((uintptr_t)to | (uintptr_t)from) & 3) == 0) {
-        for (; bytes >= sizeof(words); bytes -= sizeof(words)) {
-            *(words *)(void *)to = *(const words *)(const void *)from;
-            to += sizeof(words);
-            from += sizeof(words);
+        for (; bytes >= 2 * sizeof(words); bytes -= 2 * sizeof(words)) {
+            words *out = (words *)(void *)to;
+            const words *in = (const words *)(const void *)from;
+            out[0] = in[0];
+            out[1] = in[1];
+            to += 2 * sizeof(words);
+            from += 2 * sizeof(words);
         }
     }
     if (bytes > 0) {
@@ -69,7 +72,10 @@ static size_t depth_bytes(const qtri_surface *band, int32_t rows)
     return (size_t)rows * (size_t)band->depth_pitch * sizeof *band->depth;
 }
 
-/* Where the depth of the kept rows begins: at a word if they do. */
+/*
+ * Where the depth of the kept rows begins, but the first: at a word if they do. No pixel that is
+ * shown depends on the depth of the outermost row, which notes on that row alone ask.
+ */
 static uint8_t *kept_depth(const qtri_rolling *rolling, const qtri_surface *band)
 {
     const size_t pixels = pixel_bytes(band, 2 * rolling->halo);
@@ -104,7 +110,8 @@ bool qtri_rolling_next_band(qtri_rolling *rolling, qtri_surface *drawn, qtri_sur
     }
     if (above > 0) {
         copy(band->pixels, rolling->kept, pixel_bytes(band, above));
-        copy((uint8_t *)(void *)band->depth, kept_depth(rolling, band), depth_bytes(band, above));
+        copy((uint8_t *)(void *)(band->depth + band->depth_pitch), kept_depth(rolling, band),
+             depth_bytes(band, above - 1));
     }
     const int32_t end = band->first_row + band->rows;
     take_rows(drawn, band, first, end);
@@ -124,7 +131,7 @@ void qtri_rolling_keep(qtri_rolling *rolling, const qtri_surface *band)
     copy(rolling->kept, band->pixels + before * band->pitch, pixel_bytes(band, rows));
     if (band->depth != NULL) {
         copy(kept_depth(rolling, band),
-             (const uint8_t *)(const void *)(band->depth + before * band->depth_pitch),
-             depth_bytes(band, rows));
+             (const uint8_t *)(const void *)(band->depth + (before + 1) * band->depth_pitch),
+             depth_bytes(band, rows - 1));
     }
 }

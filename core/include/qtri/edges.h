@@ -36,8 +36,8 @@
  *         qtri_panel_write(&panel, &shown);
  *     }
  *
- * Drawing the halo again takes two fifths of all that smoothing takes in bands; rolling.h keeps it
- * instead, for 2,568 bytes more in 320 columns.
+ * Drawing the halo again takes three tenths of all that smoothing takes in bands; rolling.h keeps
+ * it instead, for 2,568 bytes more in 320 columns.
  *
  * What it is not for: edges within textures (a filter), triangles that cut through each other and
  * those that the near plane cuts (neither has an edge there), and what is thinner than a pixel.

@@ -63,7 +63,8 @@ void qtri_rolling_begin(qtri_rolling *rolling);
 /*
  * The next band: *drawn, the rows to clear and to draw on; *band, these and the rows above that
  * were kept, for a filter; *shown, the rows of *band that are as those of the whole frame then,
- * whose depth is not to be used. False: there was none left.
+ * whose depth is not to be used. The first row that was kept has no depth of its own. False: there
+ * was none left.
  */
 bool qtri_rolling_next_band(qtri_rolling *rolling, qtri_surface *drawn, qtri_surface *band,
                             qtri_surface *shown);
