@@ -137,10 +137,12 @@ static bool find_touches(qtri_stroker *stroker)
     uint32_t at = 0;
     uint32_t count = 0;
     for (uint32_t part; (part = next_part(stroker, &at)) != UINT32_MAX;) {
-        qtri_stroke_touch touch = {part, 0, 0};
-        if (!find_columns(stroker, part, &touch.first, &touch.end)) {
+        int32_t first;
+        int32_t end;
+        if (!find_columns(stroker, part, &first, &end)) {
             continue;
         }
+        const qtri_stroke_touch touch = {part, (int16_t)first, (int16_t)end};
         if (count == QTRI_STROKE_PARTS) {
             stroker->touch_count = QTRI_STROKE_MANY;
             return true;

@@ -100,7 +100,7 @@ void qtri_stroke_shape_breaks(const qtri_stroke_shape *shape, int32_t top, uint3
 /* A part that may touch a row of the strip, in these columns. */
 typedef struct qtri_stroke_touch {
     uint32_t part;
-    int32_t first, end; /* of the frame */
+    int16_t first, end; /* of the frame: within 2^14 and three radii */
 } qtri_stroke_touch;
 
 typedef struct qtri_stroker {
@@ -111,7 +111,7 @@ typedef struct qtri_stroker {
     bool depth_write;
     uint8_t passing;   /* of a depth: bit 0 if less passes, bit 1 if equal does, bit 2 if greater */
     int8_t first, end; /* columns of the strip that the row's parts touch */
-    uint32_t alpha;    /* 1..255 */
+    uint8_t alpha;     /* 1..255 */
     const qtri_stroke_edges *edges;
     const qtri_material *material;
     const qtri_effect_stages *effects; /* its fog and blend; NULL: neither */
