@@ -417,8 +417,8 @@ static void set_columns(qtri_stroker *stroker)
             end = qtri_greatest32(end, stroker->touch[i].end);
         }
     }
-    stroker->first = (int8_t)qtri_greatest32(first - stroker->column, 0);
-    stroker->end = (int8_t)qtri_least32(end - stroker->column, QTRI_STROKE_WINDOW);
+    stroker->first = (uint8_t)qtri_greatest32(first - stroker->column, 0);
+    stroker->end = (uint8_t)qtri_least32(end - stroker->column, QTRI_STROKE_WINDOW);
 }
 
 /* And inside the bounds; empty: none. */

@@ -109,9 +109,9 @@ typedef struct qtri_stroker {
     qtri_rect bounds;
     qtri_compare compare;
     bool depth_write;
-    uint8_t passing;   /* of a depth: bit 0 if less passes, bit 1 if equal does, bit 2 if greater */
-    int8_t first, end; /* columns of the strip that the row's parts touch */
-    uint8_t alpha;     /* 1..255 */
+    uint8_t passing; /* of a depth: bit 0 if less passes, bit 1 if equal does, bit 2 if greater */
+    uint8_t first, end; /* columns of the strip that the row's parts touch */
+    uint8_t alpha;      /* 1..255 */
     const qtri_stroke_edges *edges;
     const qtri_material *material;
     const qtri_effect_stages *effects; /* its fog and blend; NULL: neither */
