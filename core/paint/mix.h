@@ -25,7 +25,7 @@ typedef enum qtri_mix {
     QTRI_MIX_OTHER
 } qtri_mix;
 
-enum { QTRI_MIX_BATCH = 32 };
+enum { QTRI_MIX_BATCH = 16 }; /* colours that are gathered at a time */
 
 qtri_mix qtri_mix_of(const qtri_format *format);
 
@@ -66,7 +66,7 @@ static inline uint32_t qtri_swapped16(uint32_t x)
 }
 
 /*
- * `count` pixels, up to QTRI_MIX_BATCH, of a format whose pixels are nothing that is known here:
+ * `count` pixels, 1..32, of a format whose pixels are nothing that is known here:
  * those with a bit in the mask, the lowest for the last, mixed with colours a - 1 << 24 | 0xRRGGBB,
  * a of 256. There is room for a multiple of four.
  */

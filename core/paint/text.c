@@ -239,7 +239,7 @@ static void paint_glyph(const qtri_painter *painter, const qtri_font *font, cons
         return;
     }
     if (is_mixed(painter) || b.stride != 1 || b.width != glyph->width ||
-        painter->surface->format->pixels->bytes > 4) {
+        painter->surface->format->pixels->bytes - 1u > 3u) {
         paint_any(painter, font, glyph, x, y);
     } else {
         paint_narrow_bits(painter, qtri_painter_at(painter, rect.x0, rect.y0), &b);

@@ -16,7 +16,8 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
     stroker->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : compare;
     stroker->depth_write = stroker->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
     /* From QTRI_NEVER on comparisons count in binary; what is none of them passes. */
-    stroker->passing = (uint32_t)compare <= (uint32_t)QTRI_ALWAYS ? (uint32_t)compare - 1u : 7;
+    stroker->passing =
+        (uint8_t)((uint32_t)compare <= (uint32_t)QTRI_ALWAYS ? ((uint32_t)compare - 1u) & 7 : 7);
     stroker->alpha = stroke->alpha;
     stroker->edges = stroke->edges;
     stroker->material = material;
@@ -60,7 +61,6 @@ static qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
         shape->even = first[0] == last[0] && first[1] == last[1] && first[2] == last[2];
         shape->level =
             shape->even && shape->end[0].depth_16p8 >> 8 == shape->end[1].depth_16p8 >> 8;
-        shape->packed = false;
         shape->part = part;
     }
     return shape;
@@ -137,10 +137,12 @@ static bool find_touches(qtri_stroker *stroker)
     uint32_t at = 0;
     uint32_t count = 0;
     for (uint32_t part; (part = next_part(stroker, &at)) != UINT32_MAX;) {
-        qtri_stroke_touch touch = {part, 0, 0};
-        if (!find_columns(stroker, part, &touch.first, &touch.end)) {
+        int32_t first;
+        int32_t end;
+        if (!find_columns(stroker, part, &first, &end)) {
             continue;
         }
+        const qtri_stroke_touch touch = {part, (int16_t)first, (int16_t)end};
         if (count == QTRI_STROKE_PARTS) {
             stroker->touch_count = QTRI_STROKE_MANY;
             return true;
@@ -270,7 +272,9 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
     position at[QTRI_STROKE_WINDOW];
     uint32_t word[QTRI_STROKE_WINDOW + 4];
     uint32_t mask = 0;
-    qtri_stroke_shape *shape = &stroker->shape[0];
+    const qtri_stroke_shape *shape = &stroker->shape[0];
+    uint32_t even = 0;               /* what is stored of a part of one colour, */
+    uint32_t even_part = UINT32_MAX; /* and which */
     take_all_positions(at, stroker, in);
     for (int32_t i = in->first; i < in->end; i++, pixel += format->pixels->bytes) {
         const int32_t cover = stroker->cover[i];
@@ -300,7 +304,11 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
         }
         const int32_t share = qtri_stroke_share(stroker, cover);
         if (shape->even && share == 65536) {
-            *w = qtri_stroke_shape_word(format, shape);
+            if (even_part != shape->part) {
+                even = qtri_stroke_word(format, shape->end[0].color_8p16, pixel, 65536);
+                even_part = shape->part;
+            }
+            *w = even;
         } else {
             sample s;
             take_sample(&s, shape, p->share_q16);
@@ -409,8 +417,8 @@ static void set_columns(qtri_stroker *stroker)
             end = qtri_greatest32(end, stroker->touch[i].end);
         }
     }
-    stroker->first = qtri_greatest32(first - stroker->column, 0);
-    stroker->end = qtri_least32(end - stroker->column, QTRI_STROKE_WINDOW);
+    stroker->first = (uint8_t)qtri_greatest32(first - stroker->column, 0);
+    stroker->end = (uint8_t)qtri_least32(end - stroker->column, QTRI_STROKE_WINDOW);
 }
 
 /* And inside the bounds; empty: none. */

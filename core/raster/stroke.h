@@ -60,8 +60,6 @@ typedef struct qtri_stroke_shape {
     bool is_disc;          /* a round point: the one around a is all of it */
     bool even;             /* one colour, */
     bool level;            /*   and one depth */
-    bool packed;           /* `word` is known: */
-    uint32_t word;         /* the one colour, as it is encoded where all of a pixel is covered */
     int32_t disc_level[2]; /* of the last chord, and half its length */
     int32_t disc_half[2];
     int32_t side_level[2], side_x[2]; /* the same of the long sides */
@@ -102,7 +100,7 @@ void qtri_stroke_shape_breaks(const qtri_stroke_shape *shape, int32_t top, uint3
 /* A part that may touch a row of the strip, in these columns. */
 typedef struct qtri_stroke_touch {
     uint32_t part;
-    int32_t first, end; /* of the frame */
+    int16_t first, end; /* of the frame: within 2^14 and three radii */
 } qtri_stroke_touch;
 
 typedef struct qtri_stroker {
@@ -111,8 +109,9 @@ typedef struct qtri_stroker {
     qtri_rect bounds;
     qtri_compare compare;
     bool depth_write;
-    uint32_t passing; /* of a depth: bit 0 if less passes, bit 1 if equal does, bit 2 if greater */
-    uint32_t alpha;   /* 1..255 */
+    uint8_t passing; /* of a depth: bit 0 if less passes, bit 1 if equal does, bit 2 if greater */
+    uint8_t first, end; /* columns of the strip that the row's parts touch */
+    uint8_t alpha;      /* 1..255 */
     const qtri_stroke_edges *edges;
     const qtri_material *material;
     const qtri_effect_stages *effects; /* its fog and blend; NULL: neither */
@@ -124,7 +123,6 @@ typedef struct qtri_stroker {
     uint32_t touch_count; /* QTRI_STROKE_MANY: more than there is room for are one group */
     uint32_t first_touch, touch_end; /* of the group */
     qtri_stroke_shape shape[QTRI_STROKE_SHAPES];
-    int32_t first, end;                    /* columns of the strip that the row's parts touch */
     int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of each of those pixels, 0..QTRI_STROKE_FULL */
 } qtri_stroker;
 
@@ -225,7 +223,7 @@ static inline int32_t qtri_stroke_share(const qtri_stroker *stroker, int32_t cov
 }
 
 /* Draws pixels first .. end-1 of the row, up to a strip of them, that one part covers wholly. */
-void qtri_stroke_run(const qtri_stroker *stroker, qtri_stroke_shape *shape, int32_t first,
+void qtri_stroke_run(const qtri_stroker *stroker, const qtri_stroke_shape *shape, int32_t first,
                      int32_t end);
 
 /* A colour, or what a share of it, 0..2^16, makes of a stored pixel, before it is encoded. */
@@ -243,16 +241,6 @@ static inline uint32_t qtri_stroke_word(const qtri_format *format, const int32_t
     }
     const qtri_channels channels = qtri_channels_from_color(format->colors, color);
     return format->colors->pack(channels.c);
-}
-
-/* An even part's word. */
-static inline uint32_t qtri_stroke_shape_word(const qtri_format *format, qtri_stroke_shape *shape)
-{
-    if (!shape->packed) {
-        shape->word = qtri_stroke_word(format, shape->end[0].color_8p16, NULL, 65536);
-        shape->packed = true;
-    }
-    return shape->word;
 }
 
 /* Half of a width in 24.8; 0: nothing is drawn. */

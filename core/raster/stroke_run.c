@@ -7,7 +7,7 @@
 /* Pixels of a row that one part covers: where they are, and what decides about them. */
 typedef struct run {
     const qtri_stroker *stroker;
-    qtri_stroke_shape *shape;
+    const qtri_stroke_shape *shape;
     qtri_stroke_walk walk; /* at the first of them */
     uint8_t *pixel;
     uint32_t place; /* row << 16 | column of the first, counted from the surface's memory */
@@ -84,7 +84,7 @@ static uint32_t test(const run *r)
 static void fill(const run *r, uint32_t mask)
 {
     const qtri_format *format = r->stroker->surface->format;
-    uint32_t word[4] = {qtri_stroke_shape_word(format, r->shape)};
+    uint32_t word[4] = {qtri_stroke_word(format, r->shape->end[0].color_8p16, r->pixel, 65536)};
     if (format->encode != NULL) {
         format->encode(word, 1);
     }
@@ -115,7 +115,7 @@ static void store(const run *r, uint32_t mask)
     format->pixels->store(r->pixel, word, mask, r->count);
 }
 
-void qtri_stroke_run(const qtri_stroker *stroker, qtri_stroke_shape *shape, int32_t first,
+void qtri_stroke_run(const qtri_stroker *stroker, const qtri_stroke_shape *shape, int32_t first,
                      int32_t end)
 {
     const qtri_surface *surface = stroker->surface;
