@@ -392,18 +392,54 @@ QTRI_NOINLINE static int32_t begin_level(qtri_scanline *row, qtri_levels *levels
     return x - begin_run(row, levels, &m, row->curve, x, x);
 }
 
-/* The same of a block of curves, of up to `count` pixels: returns how many it has. */
-QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels, int32_t x,
-                                        int32_t count)
+/* A chunk: of its texels, those before `from` are colours, `drawn` says which of them are drawn. */
+typedef struct chunk {
+    int32_t from;
+    uint32_t drawn;
+} chunk;
+
+/*
+ * Texels up to `to`, which are of the level that is set, become colours. Stages work on four at a
+ * time: what they find beyond must be of some texel, as blocks that begin with a fourth leave it.
+ */
+static void color_texels(chunk *c, const qtri_job *job, int32_t to)
 {
+    const qtri_raster *raster = job->raster;
+    uint32_t *color = raster->batch->color;
+    uint32_t *shade = raster->batch->by.shade;
+    const int32_t count = to - c->from;
+    if ((c->from & 3) != 0) {
+        for (int32_t i = to; i < to + 3; i++) {
+            color[i] = color[c->from];
+            shade[i] = shade[c->from];
+        }
+    }
+    const uint32_t some =
+        qtri_texels_color(raster, raster->texel_cut != 0 ? NULL : job->axis, color + c->from,
+                          shade + c->from, count, raster->fetched, job->shaded) &
+        qtri_mask_of(count);
+    c->drawn = c->from == 0 ? some : c->drawn << count | some;
+    c->from = to;
+}
+
+/* The same of a block of curves, `done` pixels into a chunk: returns how many it has. */
+QTRI_NOINLINE static int32_t begin_bent(qtri_scanline *row, qtri_levels *levels, chunk *c,
+                                        int32_t x, int32_t done)
+{
+    const qtri_footprint *f = &levels->footprint;
     qtri_block b;
     begin_row(&levels->footprint, row->y);
-    const int32_t length = qtri_block_begin(row, &b, row->job->color.perspective.texels, x);
-    const qtri_footprint *f = &levels->footprint;
+    const int32_t length = qtri_block_begin(row, &b, row->job->color.perspective.texels, x + done);
     const measure m = measure_of(f, b.q, b.zeros);
-    set_level(&m, length_at(f, f->length, b.x), levels);
+    const uint32_t size = length_at(f, f->length, b.x);
+    if (!is_level(&m, size, levels, levels->level)) {
+        if (c->from < done) {
+            color_texels(c, row->job, done);
+        }
+        set_level(&m, size, levels);
+    }
     qtri_block_end(row, &b, QTRI_U, QTRI_ATTRIBUTES);
-    return qtri_least32(length, count);
+    return length;
 }
 
 uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_t mask)
@@ -412,7 +448,7 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
     const qtri_raster *raster = job->raster;
     qtri_levels *levels = qtri_levels_of(raster);
     const bool fills = raster->texel_cut != 0;
-    uint32_t drawn = 0;
+    chunk c = {0, 0};
     for (int32_t done = 0; done < count;) {
         qtri_curve *uv = &row->curve[QTRI_U];
         int32_t length = count;
@@ -421,21 +457,16 @@ uint32_t qtri_mipmap_chunk(qtri_scanline *row, int32_t x, int32_t count, uint32_
             uv = row->curve;
             skip = begin_level(row, levels, x);
         } else {
-            length = begin_bent(row, levels, x + done, count - done);
+            length = qtri_least32(begin_bent(row, levels, &c, x, done), count - done);
         }
         scale_curves(uv, levels, job->axis);
         uv[0].at += (uint32_t)skip * uv[0].step; /* 0, or the curves are straight */
         uv[1].at += (uint32_t)skip * uv[1].step;
         qtri_number_texels(raster, job->axis, done, uv, !raster->repeated && fills, length);
-        const uint32_t some =
-            qtri_texels_color(raster, fills ? NULL : job->axis, raster->batch->color + done,
-                              raster->batch->by.shade + done, length, raster->fetched,
-                              job->shaded) &
-            qtri_mask_of(length);
-        drawn = done == 0 ? some : drawn << length | some;
         done += length;
     }
-    mask &= drawn;
+    color_texels(&c, job, count);
+    mask &= c.drawn;
     if (mask == 0 || !job->shaded) {
         return mask;
     }
