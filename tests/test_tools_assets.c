@@ -561,6 +561,8 @@ static void textures(void **state)
                  i % 2 ? " --key 182030" : "");
         assert_int_equal(run(line), 0);
         assert_true(contains("output", "colour error: at most "));
+        assert_true(contains("output", "32 x 16"));
+        assert_true(contains("output", ", resampled from "));
         assert_compiles("wall.h", "wall");
     }
     assert_int_equal(run("texture gear.ppm -o split.h --split"), 0);
@@ -569,6 +571,7 @@ static void textures(void **state)
     if (run("texture gear.ppm -o small.png --size 8x8") == 0) { /* what is written is read */
         assert_int_equal(run("texture small.png -o a.h --name x"), 0);
         assert_int_equal(run("texture small.ppm -o b.h --name x"), 0);
+        assert_false(contains("output", "resampled"));
         assert_int_equal(shell("cmp a.h b.h"), 0);
     }
 }

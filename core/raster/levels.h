@@ -13,7 +13,7 @@
 struct qtri_raster;
 
 /*
- * What the footprint of a large triangle with perspective is made of, see mipmap_span.c: along each
+ * What the footprint of a large triangle with perspective is made of, see footprint.c: along each
  * axis the steps right and down, times q^2, in 2^-exponent of 2^(3/2) texels; |.| < 2^28 where the
  * triangle is in the frame.
  */

@@ -42,6 +42,10 @@ static inline uint32_t qtri_step_length(uint32_t a, uint32_t b)
     return a > b ? a + (3 * (b >> 3)) : b + (3 * (a >> 3));
 }
 
+/* What levels of a large triangle with perspective are found by; see qtri_mipmap_begin_large. */
+void qtri_footprint_init(qtri_footprint *out, const qtri_job *job, const qtri_triangle *t,
+                         const uint32_t value[2][3], const uint32_t q[3]);
+
 /* Those of qtri_texturing: of small triangles, and of large ones. */
 void qtri_mipmap_set_list(qtri_list_values *v);
 uint32_t qtri_mipmap_color_list(const qtri_list_values *v, uint32_t *color, uint32_t *shade,

@@ -144,7 +144,9 @@ static bool write_c(const struct options *options, const struct texture *texture
     return asset_files_commit(&files, error);
 }
 
-static void report(const struct options *options, const struct texture *texture, FILE *out)
+/* width, height: of the picture. */
+static void report(const struct options *options, const struct texture *texture, int width,
+                   int height, FILE *out)
 {
     fprintf(out, "%s: %d x %d, %s", options->name, texture->width, texture->height,
             texture_format_names[texture->format]);
@@ -153,6 +155,9 @@ static void report(const struct options *options, const struct texture *texture,
     }
     if (texture->level_count > 0) {
         fprintf(out, ", %d levels", texture->level_count + 1);
+    }
+    if (texture->width != width || texture->height != height) {
+        fprintf(out, ", resampled from %d x %d", width, height);
     }
     fprintf(out, "\nflash: %zu bytes\ncolour error: at most %d of 255, %.2f rms\n",
             texture_flash_bytes(texture), texture->error.greatest, texture->error.rms);
@@ -185,12 +190,15 @@ static bool run(const struct options *options, struct text_error *error)
         return false;
     }
     bool ok = texture_make(options->input, &image, &options->texture, &texture, error);
+    const int width = image.width;
+    const int height = image.height;
     image_free(&image);
     if (ok) {
         ok = options->is_picture ? write_picture(options, &texture, error)
                                  : write_c(options, &texture, error);
         if (ok) {
-            report(options, &texture, strcmp(options->output, "-") == 0 ? stderr : stdout);
+            report(options, &texture, width, height,
+                   strcmp(options->output, "-") == 0 ? stderr : stdout);
         }
         texture_free(&texture);
     }

@@ -23,7 +23,7 @@ typedef struct qtri_image {
     const void *pixels;        /* of row 0, aligned for the format; NULL: nothing is painted */
     ptrdiff_t pitch;           /* bytes from a row to the next; negative for bottom-up memory */
     const qtri_format *format; /* NULL: nothing is painted */
-    int32_t width, height;     /* 1..QTRI_SURFACE_MAX; otherwise nothing is painted */
+    int32_t width, height;     /* any of 1..QTRI_SURFACE_MAX; otherwise nothing is painted */
     bool has_key;
     uint32_t key; /* the stored pixel that is not painted, if has_key */
 } qtri_image;

@@ -70,8 +70,13 @@ extern const qtri_filter qtri_mipmapped_bilinear;
 
 /*
  * u = v = 0 is the first texel's first corner, u = 1 and v = 1 one past the last column and row;
- * the first texel's centre is half a texel on. Sides are powers of two. What an initialiser leaves
- * out is zero: repeated, nearest, without a key.
+ * the first texel's centre is half a texel on. What an initialiser leaves out is zero: repeated,
+ * nearest, without a key.
+ *
+ * Sides are powers of two: others would take 15 to 25 % more of a pixel's instructions, of every
+ * texture. `qtri texture` resamples pictures to such sides, the nearest or those that --size names,
+ * and says so; u and v go from 0 to 1 all the same. Pictures that are painted may have any size:
+ * see image.h.
  *
  * Bilinear weights have 8 bits, rounded to nearest, and their sum of colours is rounded once, with
  * the pixel. A weight is off by 1/512 at most, and by what the coordinate is off: the colour by the
@@ -101,9 +106,9 @@ extern const qtri_filter qtri_mipmapped_bilinear;
  * it is asked in the middle of every 2 to 32 pixels of a row, along which 1/w varies by 1/8 to both
  * sides at most; of 128 where w does not change along rows, as on floors. Inside of them the level
  * is off by what the footprint varies: 2/5 of a level for what w does, and on planes whose horizon
- * is r rows away, for pixels h from the middle, by h / r of the step right in the step down. On
- * slivers of less than a pixel's height it may be any. All is counted from the whole triangle and
- * its rows, so no band or scissor changes a level.
+ * is r rows away, for pixels h from the middle, by h / r of the step right in the step down;
+ * rounding adds .01. On slivers of less than a pixel's height it may be any. All is counted from
+ * the whole triangle and its rows, so no band or scissor changes a level.
  *
  * Coordinates are interpolated as they are and clamped at each pixel, so that a clamped texture may
  * lie anywhere on a large triangle. 30 bits hold a triangle's range of coordinates, from the whole
