@@ -42,13 +42,21 @@ static void find_octave(octave *o, uint32_t t)
 /* Neighbours mostly have one exponent. */
 static void encode(uint32_t *depth, int32_t count)
 {
-    octave o = {0, 0, 0, 0};
-    for (const uint32_t *end = depth + count; depth != end; depth++) {
-        const uint32_t t = FARTHEST - *depth;
-        if (t - o.from >= o.size) {
-            find_octave(&o, t);
-        }
-        *depth = 65535 - o.base - (t >> o.down);
+    const uint32_t *const end = depth + count;
+    while (depth != end) {
+        octave o;
+        find_octave(&o, FARTHEST - *depth);
+        const uint32_t first = FARTHEST - o.from;
+        const uint32_t base = 65535 - o.base;
+        const uint32_t size = o.size;
+        const int32_t down = o.down;
+        do {
+            const uint32_t t = FARTHEST - *depth;
+            if (first - *depth >= size) {
+                break;
+            }
+            *depth++ = base - (t >> down);
+        } while (depth != end);
     }
 }
 

@@ -16,6 +16,8 @@
 #include "job.h"
 #include "list_values.h"
 #include "sampling.h"
+#include "span.h"
+#include "words.h"
 
 /* Ramps and lines come with the half that rounds to 16 bits. */
 #define HALF     ((uint32_t)1 << 15)
@@ -29,6 +31,30 @@ static inline uint32_t depth_of(uint32_t ramp)
 {
     const uint32_t depth = ramp < HALF ? 0 : ramp - HALF;
     return depth < FARTHEST ? depth : FARTHEST;
+}
+
+/* Of neighbours: those between two that are in range are as well. */
+static void set_row(uint32_t *depth, uint32_t z, uint32_t step, int32_t count)
+{
+    const uint32_t first = z - HALF;
+    const uint32_t last = first + (uint32_t)(count - 1) * step;
+    if (first > FARTHEST || last > FARTHEST) {
+        for (int32_t i = 0; i < count; i++, z += step) {
+            depth[i] = depth_of(z);
+        }
+        return;
+    }
+    z = first;
+    for (const uint32_t *end = depth + count; depth < end; depth += 4) { /* up to QTRI_BATCH */
+        depth[0] = z;
+        z += step;
+        depth[1] = z;
+        z += step;
+        depth[2] = z;
+        z += step;
+        depth[3] = z;
+        z += step;
+    }
 }
 
 static void set_depths(uint32_t *depth, const qtri_fragments *at, int32_t count)
@@ -46,10 +72,7 @@ static void set_depths(uint32_t *depth, const qtri_fragments *at, int32_t count)
         }
         return;
     }
-    uint32_t z = qtri_list_at(ramp, at->first & 0xFFFF, at->first >> 16);
-    for (int32_t i = 0; i < count; i++, z += ramp->dx) {
-        depth[i] = depth_of(z);
-    }
+    set_row(depth, qtri_list_at(ramp, at->first & 0xFFFF, at->first >> 16), ramp->dx, count);
 }
 
 /* Where a fragment's depth is stored. */
@@ -96,6 +119,35 @@ QTRI_INLINE uint32_t test(const qtri_surface *surface, uint32_t orders, const ui
     return passed;
 }
 
+#ifndef __OPTIMIZE_SIZE__
+/* The same of all of a row of 16 bits, by LESS, which writes. */
+QTRI_NOINLINE static uint32_t less_row(uint16_t *stored, const uint32_t *depth, int32_t count)
+{
+    const uint32_t all = qtri_mask_of(count);
+    uint32_t failed = 0;
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t own = depth[i];                                                             \
+        const uint32_t other = stored[i];                                                          \
+        QTRI_PUSH_GREATER_EQUAL(failed, own, other)                                                \
+        if (own < other) {                                                                         \
+            stored[i] = (uint16_t)own;                                                             \
+        }                                                                                          \
+    }
+    for (; count >= 4; count -= 4, depth += 4, stored += 4) {
+        ONE(0)
+        ONE(1)
+        ONE(2)
+        ONE(3)
+    }
+    for (; count > 0; count--, depth++, stored++) {
+        ONE(0)
+    }
+#undef ONE
+    return ~failed & all;
+}
+#endif
+
 /* A function of its own, so that its stack is free again when fog and blend take theirs. */
 QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare compare,
                                        const qtri_fragments *at, uint32_t mask, int32_t count,
@@ -111,6 +163,11 @@ QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare
     }
     switch (QTRI_SHARE ? 0 : bytes) {
     case 2:
+#ifndef __OPTIMIZE_SIZE__
+        if (orders == 1 && writes && mask == qtri_mask_of(count)) {
+            return less_row((uint16_t *)(void *)stored_at(surface, at->first), depth, count);
+        }
+#endif
         return test(surface, orders, depth, at, mask, count, writes, 2, true);
     case 4:
         return test(surface, orders, depth, at, mask, count, writes, 4, true);
@@ -145,7 +202,52 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
     return mask;
 }
 
-static const qtri_effect_stages effects = {apply, qtri_line_effects, qtri_span_fill, NULL,
+/* Pixels of a row in one colour, which fog and blends leave as it is. */
+static void fill_row(const qtri_job *job, uint32_t stored, int32_t y, int32_t x, int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    const qtri_surface *surface = raster->surface;
+    const qtri_pixels *memory = raster->format->pixels;
+    const int32_t row = y - surface->first_row;
+    uint8_t *pixels = qtri_pixels_at(surface, y) + (ptrdiff_t)x * memory->bytes;
+    const qtri_ramp depth = {
+        qtri_ramp_at(&job->depth, -job->anchor_x, surface->first_row - job->anchor_y),
+        job->depth.dx, job->depth.dy};
+    qtri_fragments at = {NULL, ((uint32_t)row << 16) + (uint32_t)x, &depth, NULL};
+    while (count > 0) {
+        const int32_t some = qtri_least32(count, QTRI_BATCH);
+        const uint32_t mask = test_all(surface, raster->late_compare, &at, qtri_mask_of(some), some,
+                                       raster->late_write);
+        if (mask != 0) {
+            memory->fill(pixels, stored, mask, some);
+        }
+        pixels += some * memory->bytes;
+        at.first += (uint32_t)some;
+        count -= some;
+    }
+}
+
+static void fill_rows(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    if (raster->texture != NULL || job->first != job->end || others_of(raster) != NULL) {
+        qtri_span_fill(job, spans, row, count);
+        return;
+    }
+    uint32_t words[4] = {job->pixel};
+    if (raster->format->encode != NULL) {
+        raster->format->encode(words, 1);
+    }
+    for (; count > 0; count--, spans++, row++) {
+        int32_t x;
+        const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &x);
+        if (pixels > 0) {
+            fill_row(job, words[0], row, x, pixels);
+        }
+    }
+}
+
+static const qtri_effect_stages effects = {apply, qtri_line_effects, fill_rows, NULL,
                                            NULL,  qtri_list_effects};
 
 static void begin(qtri_raster *raster)
