@@ -16,7 +16,6 @@
 #include "job.h"
 #include "list_values.h"
 #include "sampling.h"
-#include "span.h"
 #include "words.h"
 
 /* Ramps and lines come with the half that rounds to 16 bits. */
@@ -125,6 +124,17 @@ QTRI_NOINLINE static uint32_t less_row(uint16_t *stored, const uint32_t *depth, 
 {
     const uint32_t all = qtri_mask_of(count);
     uint32_t failed = 0;
+#if defined(__GNUC__) && defined(__thumb2__)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t own = depth[i];                                                             \
+        const uint32_t other = stored[i];                                                          \
+        __asm__ volatile("cmp %1, %2\n\tit lo\n\tstrhlo %1, [%3, %4]\n\tadcs %0, %0, %0"           \
+                         : "+r"(failed)                                                            \
+                         : "r"(own), "r"(other), "r"(stored), "i"(2 * (i))                         \
+                         : "cc", "memory");                                                        \
+    }
+#else
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t own = depth[i];                                                             \
@@ -134,6 +144,7 @@ QTRI_NOINLINE static uint32_t less_row(uint16_t *stored, const uint32_t *depth, 
             stored[i] = (uint16_t)own;                                                             \
         }                                                                                          \
     }
+#endif
     for (; count >= 4; count -= 4, depth += 4, stored += 4) {
         ONE(0)
         ONE(1)
@@ -202,52 +213,7 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
     return mask;
 }
 
-/* Pixels of a row in one colour, which fog and blends leave as it is. */
-static void fill_row(const qtri_job *job, uint32_t stored, int32_t y, int32_t x, int32_t count)
-{
-    const qtri_raster *raster = job->raster;
-    const qtri_surface *surface = raster->surface;
-    const qtri_pixels *memory = raster->format->pixels;
-    const int32_t row = y - surface->first_row;
-    uint8_t *pixels = qtri_pixels_at(surface, y) + (ptrdiff_t)x * memory->bytes;
-    const qtri_ramp depth = {
-        qtri_ramp_at(&job->depth, -job->anchor_x, surface->first_row - job->anchor_y),
-        job->depth.dx, job->depth.dy};
-    qtri_fragments at = {NULL, ((uint32_t)row << 16) + (uint32_t)x, &depth, NULL};
-    while (count > 0) {
-        const int32_t some = qtri_least32(count, QTRI_BATCH);
-        const uint32_t mask = test_all(surface, raster->late_compare, &at, qtri_mask_of(some), some,
-                                       raster->late_write);
-        if (mask != 0) {
-            memory->fill(pixels, stored, mask, some);
-        }
-        pixels += some * memory->bytes;
-        at.first += (uint32_t)some;
-        count -= some;
-    }
-}
-
-static void fill_rows(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
-{
-    const qtri_raster *raster = job->raster;
-    if (raster->texture != NULL || job->first != job->end || others_of(raster) != NULL) {
-        qtri_span_fill(job, spans, row, count);
-        return;
-    }
-    uint32_t words[4] = {job->pixel};
-    if (raster->format->encode != NULL) {
-        raster->format->encode(words, 1);
-    }
-    for (; count > 0; count--, spans++, row++) {
-        int32_t x;
-        const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &x);
-        if (pixels > 0) {
-            fill_row(job, words[0], row, x, pixels);
-        }
-    }
-}
-
-static const qtri_effect_stages effects = {apply, qtri_line_effects, fill_rows, NULL,
+static const qtri_effect_stages effects = {apply, qtri_line_effects, qtri_span_fill, NULL,
                                            NULL,  qtri_list_effects};
 
 static void begin(qtri_raster *raster)
