@@ -42,13 +42,40 @@ static void find_octave(octave *o, uint32_t t)
 /* Neighbours mostly have one exponent. */
 static void encode(uint32_t *depth, int32_t count)
 {
-    octave o = {0, 0, 0, 0};
-    for (const uint32_t *end = depth + count; depth != end; depth++) {
-        const uint32_t t = FARTHEST - *depth;
-        if (t - o.from >= o.size) {
-            find_octave(&o, t);
+    const uint32_t *const end = depth + count;
+    while (depth != end) {
+        octave o;
+        find_octave(&o, FARTHEST - *depth);
+        const uint32_t first = FARTHEST - o.from;
+        const uint32_t base = 65535 - o.base;
+        const uint32_t size = o.size;
+        const int32_t down = o.down;
+#ifndef __OPTIMIZE_SIZE__
+        /* Four at once: of one exponent are those that differ below its highest bit alone. */
+        for (; end - depth >= 4; depth += 4) {
+            const uint32_t t0 = FARTHEST - depth[0];
+            const uint32_t t1 = FARTHEST - depth[1];
+            const uint32_t t2 = FARTHEST - depth[2];
+            const uint32_t t3 = FARTHEST - depth[3];
+            if (((t0 ^ o.from) | (t1 ^ o.from) | (t2 ^ o.from) | (t3 ^ o.from)) >= size) {
+                break;
+            }
+            depth[0] = base - (t0 >> down);
+            depth[1] = base - (t1 >> down);
+            depth[2] = base - (t2 >> down);
+            depth[3] = base - (t3 >> down);
         }
-        *depth = 65535 - o.base - (t >> o.down);
+        if (depth == end) {
+            return;
+        }
+#endif
+        do {
+            const uint32_t t = FARTHEST - *depth;
+            if (first - *depth >= size) {
+                break;
+            }
+            *depth++ = base - (t >> down);
+        } while (depth != end);
     }
 }
 

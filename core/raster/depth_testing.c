@@ -16,6 +16,7 @@
 #include "job.h"
 #include "list_values.h"
 #include "sampling.h"
+#include "words.h"
 
 /* Ramps and lines come with the half that rounds to 16 bits. */
 #define HALF     ((uint32_t)1 << 15)
@@ -29,6 +30,30 @@ static inline uint32_t depth_of(uint32_t ramp)
 {
     const uint32_t depth = ramp < HALF ? 0 : ramp - HALF;
     return depth < FARTHEST ? depth : FARTHEST;
+}
+
+/* Of neighbours: those between two that are in range are as well. */
+static void set_row(uint32_t *depth, uint32_t z, uint32_t step, int32_t count)
+{
+    const uint32_t first = z - HALF;
+    const uint32_t last = first + (uint32_t)(count - 1) * step;
+    if (first > FARTHEST || last > FARTHEST) {
+        for (int32_t i = 0; i < count; i++, z += step) {
+            depth[i] = depth_of(z);
+        }
+        return;
+    }
+    z = first;
+    for (const uint32_t *end = depth + count; depth < end; depth += 4) { /* up to QTRI_BATCH */
+        depth[0] = z;
+        z += step;
+        depth[1] = z;
+        z += step;
+        depth[2] = z;
+        z += step;
+        depth[3] = z;
+        z += step;
+    }
 }
 
 static void set_depths(uint32_t *depth, const qtri_fragments *at, int32_t count)
@@ -46,10 +71,7 @@ static void set_depths(uint32_t *depth, const qtri_fragments *at, int32_t count)
         }
         return;
     }
-    uint32_t z = qtri_list_at(ramp, at->first & 0xFFFF, at->first >> 16);
-    for (int32_t i = 0; i < count; i++, z += ramp->dx) {
-        depth[i] = depth_of(z);
-    }
+    set_row(depth, qtri_list_at(ramp, at->first & 0xFFFF, at->first >> 16), ramp->dx, count);
 }
 
 /* Where a fragment's depth is stored. */
@@ -96,6 +118,47 @@ QTRI_INLINE uint32_t test(const qtri_surface *surface, uint32_t orders, const ui
     return passed;
 }
 
+#ifndef __OPTIMIZE_SIZE__
+/* The same of all of a row of 16 bits, by LESS, which writes. */
+QTRI_NOINLINE static uint32_t less_row(uint16_t *stored, const uint32_t *depth, int32_t count)
+{
+    const uint32_t all = qtri_mask_of(count);
+    uint32_t failed = 0;
+#if defined(__GNUC__) && defined(__thumb2__)
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t own = depth[i];                                                             \
+        const uint32_t other = stored[i];                                                          \
+        __asm__ volatile("cmp %1, %2\n\tit lo\n\tstrhlo %1, [%3, %4]\n\tadcs %0, %0, %0"           \
+                         : "+r"(failed)                                                            \
+                         : "r"(own), "r"(other), "r"(stored), "i"(2 * (i))                         \
+                         : "cc", "memory");                                                        \
+    }
+#else
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t own = depth[i];                                                             \
+        const uint32_t other = stored[i];                                                          \
+        QTRI_PUSH_GREATER_EQUAL(failed, own, other)                                                \
+        if (own < other) {                                                                         \
+            stored[i] = (uint16_t)own;                                                             \
+        }                                                                                          \
+    }
+#endif
+    for (; count >= 4; count -= 4, depth += 4, stored += 4) {
+        ONE(0)
+        ONE(1)
+        ONE(2)
+        ONE(3)
+    }
+    for (; count > 0; count--, depth++, stored++) {
+        ONE(0)
+    }
+#undef ONE
+    return ~failed & all;
+}
+#endif
+
 /* A function of its own, so that its stack is free again when fog and blend take theirs. */
 QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare compare,
                                        const qtri_fragments *at, uint32_t mask, int32_t count,
@@ -111,6 +174,11 @@ QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare
     }
     switch (QTRI_SHARE ? 0 : bytes) {
     case 2:
+#ifndef __OPTIMIZE_SIZE__
+        if (orders == 1 && writes && mask == qtri_mask_of(count)) {
+            return less_row((uint16_t *)(void *)stored_at(surface, at->first), depth, count);
+        }
+#endif
         return test(surface, orders, depth, at, mask, count, writes, 2, true);
     case 4:
         return test(surface, orders, depth, at, mask, count, writes, 4, true);

@@ -141,6 +141,8 @@ static const struct expectation {
     {"F4", BEGIN FOG LIT COMPACT(SPOT), 12414},
     {"B7", BEGIN HALF LIT MODULATED COMPACT(SPOT_UV), 12414},
     {"F6", BEGIN FOG LIT MODULATED COMPACT(SPOT_UV), 12414},
+    {"D1", NULL, 76800},
+    {"D6", NULL, 12414},
     {"F5", BEGIN FOG "linewidth 5\n", 0},
     {"S3m", NULL, 53290},
     {"S6m", NULL, 12414},
@@ -177,6 +179,7 @@ static const struct expectation {
     {"B4k", BEGIN HALF LIT COMPACT(KNOT), 0},
     {"F4k", BEGIN FOG LIT COMPACT(KNOT), 0},
     {"B7k", BEGIN HALF LIT MODULATED COMPACT(KNOT_UV), 0},
+    {"D6k", NULL, 0},
     {"F6k", BEGIN FOG LIT MODULATED COMPACT(KNOT_UV), 0},
     {"S6mk", NULL, 0},
 };

@@ -19,8 +19,9 @@
  * addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of 64 points, 1 and 5
  * pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with smooth edges; KS: S7
  * of &qtri_smooth_wireframe; KH: S7 without hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7:
- * S1, S2, S4, S6 at half alpha, B3: S2 added; F2, F4, F6: S2, S4, S6 in fog, F5: K5 in fog. B5 and
- * B6: S2, and a quad turned sideways, with alpha of their vertices.
+ * S1, S2, S4, S6 at half alpha, B3: S2 added; F2, F4, F6: S2, S4, S6 in fog, D1, D6: S1, S6 of
+ * depths float16, F5: K5 in fog. B5 and B6: S2, and a quad turned sideways, with alpha of their
+ * vertices.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -112,6 +113,11 @@ const bench_scene bench_scenes[] = {
     {.name = "F4", MESH(COMPACT(spot), Q16(150)), .fog = true},
     {.name = "B7", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .blend = &qtri_blend_alpha},
     {.name = "F6", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .fog = true},
+    {.name = "D1", QUAD(&bench_screen, orange), FLAT, .depth = &qtri_depth_float16},
+    {.name = "D6",
+     MESH(COMPACT(spot_uv), Q16(150)),
+     .textured = true,
+     .depth = &qtri_depth_float16},
     {.name = "F5", .work = BENCH_STROKE, .width = Q16(5), .fog = true},
     {.name = "S3m", QUAD(&bench_floor, white), .textured = true, .filter = &qtri_mipmapped},
     {.name = "S6m", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .filter = &qtri_mipmapped},
@@ -153,6 +159,10 @@ const bench_scene bench_scenes[] = {
     {.name = "B4k", MESH(COMPACT(knot), Q16(30)), .blend = &qtri_blend_alpha},
     {.name = "F4k", MESH(COMPACT(knot), Q16(30)), .fog = true},
     {.name = "B7k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .blend = &qtri_blend_alpha},
+    {.name = "D6k",
+     MESH(COMPACT(knot_uv), Q16(30)),
+     .textured = true,
+     .depth = &qtri_depth_float16},
     {.name = "F6k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .fog = true},
     {.name = "S6mk", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .filter = &qtri_mipmapped},
     PAINT("P1", bench_paint_rect),
@@ -390,6 +400,7 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     if (scene->band_rows != 0 && !set_bands(frame)) {
         return false;
     }
+    frame->surface.depth_format = scene->depth;
     const qtri_rgb other = {255, 255, 255}; /* for S0, anything but what it is to become */
     qtri_surface_clear(&frame->surface, scene->work == BENCH_CLEAR ? other : bench_background);
     if (scene->work == BENCH_CLEAR) {

@@ -49,7 +49,8 @@ typedef struct bench_scene {
     const qtri_mesh *mesh;
     const qtri_rgb *colors; /* of the quad's corners; of the mesh's vertices, or NULL: one colour */
     void (*paint)(struct bench_frame *frame);
-    const qtri_blend *blend; /* at half alpha */
+    const qtri_blend *blend;        /* at half alpha */
+    const qtri_depth_format *depth; /* NULL: linear16 */
     bench_work work;
     qtri_interpolation interpolation;
     q16 turn;          /* the mesh, about y */
