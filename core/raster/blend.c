@@ -483,8 +483,9 @@ static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const qt
 
 const qtri_blend qtri_blend_alpha = {&qtri_effects, blend_alpha, qtri_blend_row_alpha,
                                      false,         NULL,        true};
-const qtri_blend qtri_blend_add = {&qtri_effects, blend_add, qtri_blend_row_add, false, NULL};
-const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, NULL, false, NULL};
-const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, NULL, false, NULL};
-const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, NULL, false, NULL};
-const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, NULL, true, NULL};
+const qtri_blend qtri_blend_add = {&qtri_effects, blend_add, qtri_blend_row_add,
+                                   false,         NULL,      false};
+const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, NULL, false, NULL, false};
+const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, NULL, false, NULL, false};
+const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, NULL, false, NULL, false};
+const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, NULL, true, NULL, false};

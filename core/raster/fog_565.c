@@ -105,20 +105,17 @@ static inline mix mix_of(uint32_t fog, uint32_t half, uint32_t green_half)
     return m;
 }
 
-/* Both sums of one of a colour and the fog. */
-#define SUMS(c, x, k)                                                                              \
-    uint32_t x = c & m.bytes;                                                                      \
-    c = (c - x + m.green_less) * (k) + m.green_more;                                               \
-    QTRI_TOGETHER(c)                                                                               \
-    x = (x + m.less) * (k) + m.more;                                                               \
-    QTRI_TOGETHER(x)
-
+/* One colour in its share, `both` sums and that of `green`, to be PUT. */
 #define ONE(i)                                                                                     \
     {                                                                                              \
-        uint32_t c = color[i];                                                                     \
+        uint32_t green = color[i];                                                                 \
         const uint32_t k = (share[i] + 2) >> 2;                                                    \
-        SUMS(c, x, k)                                                                              \
-        PUT(i, c, x)                                                                               \
+        uint32_t both = green & m.bytes;                                                           \
+        green = (green - both + m.green_less) * k + m.green_more;                                  \
+        QTRI_TOGETHER(green)                                                                       \
+        both = (both + m.less) * k + m.more;                                                       \
+        QTRI_TOGETHER(both)                                                                        \
+        PUT(i)                                                                                     \
         QTRI_OPAQUE(color)                                                                         \
         QTRI_ASIDE(m.less)                                                                         \
         QTRI_ASIDE(m.green_less)                                                                   \
@@ -134,9 +131,9 @@ static inline mix mix_of(uint32_t fog, uint32_t half, uint32_t green_half)
     }
 
 /* NOLINTBEGIN(clang-analyzer-core.*): shares past the end are of spare words */
-#define PUT(i, green, both)                                                                        \
-    (both) = (both) >> 11 & m.fives;                                                               \
-    color[i] = (both) | (both) >> 5 | (green) >> 18 << 5;
+#define PUT(i)                                                                                     \
+    both = both >> 11 & m.fives;                                                                   \
+    color[i] = both | both >> 5 | green >> 18 << 5;
 void qtri_fog_words_565(uint32_t *color, uint32_t fog, const uint32_t *share, int32_t count)
 {
     mix m = mix_of(fog, 0x04000400u, 0x20000u);
@@ -146,7 +143,7 @@ void qtri_fog_words_565(uint32_t *color, uint32_t fog, const uint32_t *share, in
 }
 #undef PUT
 
-#define PUT(i, green, both) color[i] = ((both) >> 8 & m.bytes) | (green) >> 16 << 8;
+#define PUT(i) color[i] = (both >> 8 & m.bytes) | green >> 16 << 8;
 void qtri_fog_words_finer(uint32_t *color, uint32_t fog, const uint32_t *share, int32_t count)
 {
     mix m = mix_of(fog, 0x00800080u, 0x8000u);
@@ -156,9 +153,9 @@ void qtri_fog_words_finer(uint32_t *color, uint32_t fog, const uint32_t *share, 
 #undef PUT
 /* NOLINTEND(clang-analyzer-core.*) */
 
-#define PUT(i, green, both)                                                                        \
-    (both) = (both) >> 11 & m.fives;                                                               \
-    pixel[i] = (uint16_t)((both) | (both) >> 5 | (green) >> 18 << 5);
+#define PUT(i)                                                                                     \
+    both = both >> 11 & m.fives;                                                                   \
+    pixel[i] = (uint16_t)(both | both >> 5 | green >> 18 << 5);
 void qtri_fog_row_565(uint16_t *pixel, const uint32_t *color, uint32_t fog, const uint32_t *share,
                       int32_t count)
 {
