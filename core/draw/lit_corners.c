@@ -81,15 +81,12 @@ static void draw_lit(const qtri_primitive *primitive, qtri_corner_vertices *kept
     }
 }
 
-void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
-                             const qtri_transform *pose, const qtri_corner *corners,
-                             const qtri_normal *normals, uint32_t corner_count,
-                             const qtri_material *material)
+/* Apart, or its stack would be beneath that of qtri_draw_triangles(). */
+QTRI_NOINLINE static void draw_all(const qtri_surface *surface, const qtri_view *view,
+                                   const qtri_transform *pose, const qtri_corner *corners,
+                                   const qtri_normal *normals, uint32_t corner_count,
+                                   const qtri_material *material)
 {
-    if (view->lights == NULL) {
-        qtri_draw_triangles(surface, view, pose, corners, corner_count, material);
-        return;
-    }
     qtri_primitive primitive;
     qtri_illumination illumination;
     qtri_corner_vertices kept;
@@ -105,4 +102,16 @@ void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
                  normals != NULL ? &normals[i] : NULL);
     }
     qtri_primitive_finish(&primitive);
+}
+
+void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
+                             const qtri_transform *pose, const qtri_corner *corners,
+                             const qtri_normal *normals, uint32_t corner_count,
+                             const qtri_material *material)
+{
+    if (view->lights == NULL) {
+        qtri_draw_triangles(surface, view, pose, corners, corner_count, material);
+    } else {
+        draw_all(surface, view, pose, corners, normals, corner_count, material);
+    }
 }

@@ -93,7 +93,11 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
         raster->lamp.find = qtri_mesh_find_light;
         raster->lamp.from = draw;
         raster->lamp.by_vertex = draw->lit_per_vertex;
-        raster->tint_small = !draw->more && qtri_tint_fits(raster) ? qtri_tint_draw : NULL;
+        if (draw->more) {
+            raster->tint_small = NULL;
+        } else if (qtri_tint_fits(raster)) {
+            raster->tint_small = qtri_tint_draw;
+        }
     }
 }
 

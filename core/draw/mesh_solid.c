@@ -120,8 +120,8 @@ SHARED void draw_placed(const qtri_mesh_job *draw, const void *indices, qtri_pla
     qtri_small_draw(raster, &t);
 }
 
-/* The same where triangles have a route: those of samples may be small. */
-QTRI_NOINLINE static void draw_routed(const qtri_mesh_job *draw, const void *indices,
+/* The same where triangles have a route: those of samples may be small. False: it is large. */
+QTRI_NOINLINE static bool draw_routed(const qtri_mesh_job *draw, const void *indices,
                                       qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
     qtri_place place;
@@ -132,13 +132,12 @@ QTRI_NOINLINE static void draw_routed(const qtri_mesh_job *draw, const void *ind
                                    : QTRI_PLACED_LARGE;
     if (placed == QTRI_PLACED_SMALL) {
         draw_placed(draw, indices, &place, a, b, c);
-    } else if (placed == QTRI_PLACED_LARGE) {
-        draw_large(draw, indices, a, b, c);
     }
+    return placed != QTRI_PLACED_LARGE;
 }
 
-/* One that no fused loop draws. */
-QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+/* One that no fused loop draws. False: it is large, and drawn where this takes no stack. */
+QTRI_NOINLINE static bool draw_any(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                                    qtri_vertex *b, qtri_vertex *c)
 {
     qtri_place place;
@@ -147,9 +146,8 @@ QTRI_NOINLINE static void draw_any(const qtri_mesh_job *draw, const void *indice
     const qtri_placed placed = PLACE(&place, spans, raster, a, b, c);
     if (placed == QTRI_PLACED_SMALL) {
         draw_placed(draw, indices, &place, a, b, c);
-    } else if (placed == QTRI_PLACED_LARGE) {
-        draw_large(draw, indices, a, b, c);
     }
+    return placed != QTRI_PLACED_LARGE;
 }
 
 QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
@@ -159,9 +157,8 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
     if (raster->tint_small != NULL && raster->tint_small(raster, indices, a, b, c)) {
         return;
     }
-    if (raster->route != NULL) {
-        draw_routed(draw, indices, a, b, c);
-    } else {
-        draw_any(draw, indices, a, b, c);
+    if (!(raster->route != NULL ? draw_routed(draw, indices, a, b, c)
+                                : draw_any(draw, indices, a, b, c))) {
+        draw_large(draw, indices, a, b, c);
     }
 }

@@ -250,6 +250,19 @@ QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
     return placed;
 }
 
+/* Where triangles have a route: apart, as a job takes no less stack. */
+QTRI_NOINLINE static void draw_routed_piece(const piece *p, qtri_triangle *triangle)
+{
+    const qtri_raster *raster = &p->primitive->to.solid.raster;
+    qtri_attributes own[3];
+    piece_attributes(own, p);
+    for (int i = 0; i < 3 && raster->samples != NULL; i++) {
+        own[i].rest[0] = 0;
+        own[i].rest[1] = 0;
+    }
+    raster->route(raster, triangle, own);
+}
+
 /* False, and nothing is drawn, when the fan has no rests but they matter. */
 QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool with_rests)
 {
@@ -269,13 +282,7 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
         return false;
     }
     if (raster->route != NULL) {
-        qtri_attributes own[3];
-        piece_attributes(own, p);
-        for (int i = 0; i < 3 && raster->samples != NULL; i++) {
-            own[i].rest[0] = 0;
-            own[i].rest[1] = 0;
-        }
-        qtri_triangle_draw(raster, &triangle, own);
+        draw_routed_piece(p, &triangle);
         return true;
     }
     qtri_job job;

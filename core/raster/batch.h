@@ -15,6 +15,7 @@
 
 #include "qtri/config.h"
 
+#include "qtri/material.h"
 #include "qtri/surface.h"
 
 #include "../frame/colors.h"
@@ -41,6 +42,7 @@ typedef struct qtri_batch {
     uint8_t kind;     /* what they are */
     bool has_table;   /* `by` is that, see fast/tint.c */
     uint8_t alpha[3]; /* of a triangle's vertices, see blend_vertex.c */
+    uint32_t mask;    /* of those that wait, which of them are drawn: see list.h */
     uint32_t color[QTRI_BATCH_ROOM];
     union {
         uint32_t shade[QTRI_BATCH_ROOM];
@@ -50,7 +52,9 @@ typedef struct qtri_batch {
         } textured;
         uint16_t table[(1 << QTRI_TINT_BITS) + 4]; /* stored pixels: where there is no texture */
     } by;
-    uint32_t place[QTRI_BATCH_ROOM];
+    uint32_t place[QTRI_BATCH + 1]; /* and one that ends them */
+    uint32_t
+        depth[QTRI_BATCH]; /* of small triangles, where the raster keeps it: as a ramp has it */
 } qtri_batch;
 
 /* The batch's table; NULL where the library is built without. */
@@ -70,6 +74,18 @@ static inline uint16_t *qtri_batch_table(qtri_batch *batch)
  */
 int32_t qtri_batch_keep(qtri_batch *batch, const qtri_surface *surface, const qtri_ramp *depth,
                         uint32_t mask, int32_t count, bool write);
+
+/* Bits for less, equal and greater that a comparison has. */
+static inline uint32_t qtri_orders_of(qtri_compare compare)
+{
+    return compare > QTRI_ALWAYS ? 7 : (uint32_t)compare - QTRI_NEVER;
+}
+
+/* The one of those bits that a depth has against what is stored. */
+static inline uint32_t qtri_order_of(uint32_t depth, uint32_t stored)
+{
+    return depth < stored ? 1 : (depth == stored ? 2 : 4);
+}
 
 /* A mask of `count` fragments, 1..32: the first is its highest bit. */
 static inline uint32_t qtri_mask_of(int32_t count)

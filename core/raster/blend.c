@@ -80,8 +80,10 @@ static void decode(uint32_t *stored, const qtri_format *format, bool wide, int32
 
 /* Which colours are mixed, and with what. */
 typedef struct mixture {
-    uint32_t stored[QTRI_BATCH_ROOM];
-    uint16_t halves[QTRI_BATCH_ROOM];
+    union {
+        uint32_t words[QTRI_BATCH + 3];   /* stages work on four at a time */
+        uint16_t halves[QTRI_BATCH_ROOM]; /* of the kind 565 */
+    } stored;
     const uint16_t *under; /* of the kind 565 what is stored: halves, or the pixels */
     const qtri_colors *kind;
     uint32_t alpha; /* of all: material.alpha, 0..255 */
@@ -96,40 +98,44 @@ static bool are_565(const qtri_format *format)
            (format->encode == NULL || format->decode == qtri_decode_rgb565_swapped);
 }
 
-/* Of the kind 565, where the format's pixels may be that. */
-static void begin_565(mixture *m, const qtri_raster *raster, const qtri_fragments *at,
-                      int32_t count)
-{
-    const qtri_format *format = raster->format;
-    const bool swapped = format->decode == qtri_decode_rgb565_swapped;
-    uint16_t *half = m->halves;
-    m->under = half;
-    if (are_565(format)) {
-        m->under = gather_16(half, raster, at, count);
-        for (int32_t i = 0; swapped && i < count; i++) {
-            half[i] = (uint16_t)(m->under[i] << 8 | m->under[i] >> 8);
-        }
-        m->under = swapped ? half : m->under;
-        return;
-    }
-    gather(m->stored, raster, at, count);
-    decode(m->stored, format, false, count);
-    for (int32_t i = 0; i < count; i++) {
-        half[i] = (uint16_t)m->stored[i];
-    }
-}
-
-static void begin(mixture *m, const qtri_raster *raster, const qtri_fragments *at, int32_t count)
+static void load(mixture *m, const qtri_raster *raster, const qtri_fragments *at, int32_t count)
 {
     m->wide = raster->wide;
     m->kind = m->wide ? &qtri_colors_888 : raster->format->colors;
     m->alpha = raster->alpha;
-    if (m->kind == &qtri_colors_565) {
-        begin_565(m, raster, at, count);
+    if (m->kind == &qtri_colors_565 && are_565(raster->format)) {
+        m->under = gather_16(m->stored.halves, raster, at, count);
+    } else {
+        m->under = m->stored.halves;
+        gather(m->stored.words, raster, at, count);
+    }
+}
+
+/* To the kind that is mixed. */
+static void convert(mixture *m, const qtri_format *format, int32_t count)
+{
+    if (m->kind == &qtri_colors_565 && are_565(format)) {
+        if (format->encode == NULL) {
+            return;
+        }
+        for (int32_t i = 0; i < count; i++) {
+            m->stored.halves[i] = (uint16_t)(m->under[i] << 8 | m->under[i] >> 8);
+        }
+        m->under = m->stored.halves;
         return;
     }
-    gather(m->stored, raster, at, count);
-    decode(m->stored, raster->format, m->wide, count);
+    decode(m->stored.words, format, m->wide, count);
+    for (int32_t i = 0; m->kind == &qtri_colors_565 && i < count; i++) {
+        m->stored.halves[i] = (uint16_t)m->stored.words[i]; /* not beyond the word */
+    }
+}
+
+/* One after the other, so that neither's stack is beneath the other's. */
+QTRI_INLINE void begin(mixture *m, const qtri_raster *raster, const qtri_fragments *at,
+                       int32_t count)
+{
+    load(m, raster, at, count);
+    convert(m, raster->format, count);
 }
 
 /* The bits of a colour that stay as they are. */
@@ -153,7 +159,7 @@ static void finish(const mixture *m, const qtri_raster *raster, uint32_t *color,
         const uint32_t kept = kept_bits(m->kind, raster->keep);
         for (int32_t i = 0; i < count; i++) {
             // NOLINTNEXTLINE(clang-analyzer-core.*): begin() has set what the kind needs
-            const uint32_t stored = m->kind == &qtri_colors_565 ? m->under[i] : m->stored[i];
+            const uint32_t stored = m->kind == &qtri_colors_565 ? m->under[i] : m->stored.words[i];
             color[i] = (color[i] & ~kept) | (stored & kept);
         }
     }
@@ -344,10 +350,11 @@ static inline uint32_t times_565(uint32_t c, uint32_t u)
 
 #define MIX(CHANNEL)                                                                               \
     if (m.wide) {                                                                                  \
-        QTRI_MIX(color, m.stored[i], count, &qtri_colors_888, share_of(&m, color[i]), CHANNEL)     \
+        QTRI_MIX(color, m.stored.words[i], count, &qtri_colors_888, share_of(&m, color[i]),        \
+                 CHANNEL)                                                                          \
     } else {                                                                                       \
         const uint32_t share = qtri_mix_share(m.alpha);                                            \
-        QTRI_MIX(color, m.stored[i], count, m.kind, share, CHANNEL)                                \
+        QTRI_MIX(color, m.stored.words[i], count, m.kind, share, CHANNEL)                          \
     }
 
 static inline void over_row(const qtri_raster *raster, uint32_t *color, const uint16_t *under,
@@ -444,7 +451,7 @@ static uint32_t blend_none(const qtri_raster *raster, uint32_t *color, const qtr
     mixture m;
     begin(&m, raster, at, count);
     for (int32_t i = 0; i < count; i++) {
-        color[i] = m.kind == &qtri_colors_565 ? m.under[i] : m.stored[i];
+        color[i] = m.kind == &qtri_colors_565 ? m.under[i] : m.stored.words[i];
     }
     finish(&m, raster, color, count);
     return mask;
@@ -481,11 +488,14 @@ static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const qt
     return mask;
 }
 
-const qtri_blend qtri_blend_alpha = {&qtri_effects, blend_alpha, qtri_blend_row_alpha,
-                                     false,         NULL,        true};
-const qtri_blend qtri_blend_add = {&qtri_effects, blend_add, qtri_blend_row_add,
-                                   false,         NULL,      false};
-const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, NULL, false, NULL, false};
-const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, NULL, false, NULL, false};
-const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, NULL, false, NULL, false};
-const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, NULL, true, NULL, false};
+const qtri_blend qtri_blend_alpha = {
+    &qtri_effects, blend_alpha, qtri_blend_row_alpha, qtri_blend_list_alpha, false, NULL, true};
+const qtri_blend qtri_blend_add = {
+    &qtri_effects, blend_add, qtri_blend_row_add, qtri_blend_list_add, false, NULL, false};
+const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, NULL, NULL,
+                                        false,         NULL,           false};
+const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, NULL, NULL, false, NULL, false};
+const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, NULL, NULL,
+                                       false,         NULL,          false};
+const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, NULL, NULL,
+                                           true,          NULL,        false};

@@ -30,4 +30,11 @@ void qtri_blend_row_alpha(uint8_t *pixels, const uint32_t *color, int32_t count,
 void qtri_blend_row_add(uint8_t *pixels, const uint32_t *color, int32_t count,
                         const qtri_raster *raster, uint32_t z, uint32_t z_step);
 
+/*
+ * The same of what waits in the batch, pixel by pixel in the order of drawing: some may lie on each
+ * other.
+ */
+void qtri_blend_list_alpha(const qtri_raster *raster, int32_t count);
+void qtri_blend_list_add(const qtri_raster *raster, int32_t count);
+
 #endif

@@ -34,6 +34,12 @@ static inline uint32_t depth_of(uint32_t ramp)
 static void set_depths(uint32_t *depth, const qtri_fragments *at, int32_t count)
 {
     const qtri_ramp *ramp = at->depth;
+    if (at->place != NULL && at->depths != NULL) {
+        for (int32_t i = 0; i < count; i++) {
+            depth[i] = depth_of(at->depths[i]);
+        }
+        return;
+    }
     if (at->place != NULL) {
         for (int32_t i = 0; i < count; i++) {
             depth[i] = depth_of(qtri_list_at(ramp, at->place[i] & 0xFFFF, at->place[i] >> 16));
@@ -52,17 +58,6 @@ static inline uint8_t *stored_at(const qtri_surface *surface, uint32_t place)
     const ptrdiff_t bytes = surface->depth_format->bytes;
     return (uint8_t *)surface->depth +
            bytes * ((ptrdiff_t)(place >> 16) * surface->depth_pitch + (ptrdiff_t)(place & 0xFFFF));
-}
-
-/* Bits for less, equal and greater that a comparison has. */
-static uint32_t orders_of(qtri_compare compare)
-{
-    return compare > QTRI_ALWAYS ? 7 : (uint32_t)compare - QTRI_NEVER;
-}
-
-static inline uint32_t order_of(uint32_t depth, uint32_t stored)
-{
-    return depth < stored ? 1 : (depth == stored ? 2 : 4);
 }
 
 /*
@@ -85,7 +80,7 @@ QTRI_INLINE uint32_t test(const qtri_surface *surface, uint32_t orders, const ui
                 to = first + (ptrdiff_t)(*place >> 16) * pitch +
                      (ptrdiff_t)(*place & 0xFFFF) * bytes;
             }
-            if ((orders & order_of(*depth, qtri_stored_get(bytes, to))) != 0) {
+            if ((orders & qtri_order_of(*depth, qtri_stored_get(bytes, to))) != 0) {
                 passed |= 1;
                 if (writes) {
                     qtri_stored_put(bytes, to, *depth);
@@ -106,7 +101,7 @@ QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare
                                        const qtri_fragments *at, uint32_t mask, int32_t count,
                                        bool writes)
 {
-    const uint32_t orders = orders_of(compare);
+    const uint32_t orders = qtri_orders_of(compare);
     const int32_t bytes = surface->depth_format->bytes;
     uint32_t depth[QTRI_BATCH];
     set_depths(depth, at, count);
@@ -138,18 +133,20 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
 {
     const qtri_surface *surface = raster->surface;
     const qtri_effect_stages *after = others_of(raster);
+    const bool early = raster->blend == NULL || !raster->blend->rejects; /* the mask is the last */
     const bool writes = raster->late_write;
-    mask = test_all(surface, raster->late_compare, at, mask, count, after == NULL && writes);
+    mask = test_all(surface, raster->late_compare, at, mask, count, early && writes);
     if (after != NULL && mask != 0) {
         mask = after->fragments(raster, color, at, mask, count);
-        if (writes && mask != 0) {
+        if (!early && writes && mask != 0) {
             (void)test_all(surface, QTRI_ALWAYS, at, mask, count, true);
         }
     }
     return mask;
 }
 
-static const qtri_effect_stages effects = {apply, qtri_line_effects, qtri_span_fill, NULL, NULL};
+static const qtri_effect_stages effects = {apply, qtri_line_effects, qtri_span_fill, NULL,
+                                           NULL,  qtri_list_effects};
 
 static void begin(qtri_raster *raster)
 {
@@ -170,6 +167,8 @@ static void begin(qtri_raster *raster)
     raster->depth_write = false;
     raster->with_depth = true;
     raster->alone = true;
+    raster->apart = false;
+    raster->keeps_depth = true;
     raster->rejects = true;
 }
 
@@ -197,7 +196,7 @@ static bool passes(const qtri_surface *surface, qtri_compare compare, uint32_t p
     uint8_t *at = stored_at(surface, place);
     uint32_t depth = depth_16p16 < FARTHEST ? depth_16p16 : FARTHEST;
     surface->depth_format->encode(&depth, 1);
-    if ((orders_of(compare) & order_of(depth, qtri_stored_get(bytes, at))) == 0) {
+    if ((qtri_orders_of(compare) & qtri_order_of(depth, qtri_stored_get(bytes, at))) == 0) {
         return false;
     }
     if (write) {

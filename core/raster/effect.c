@@ -13,18 +13,24 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
 }
 
 /* Plain pixels are colours of the kind 565 as they are, of which all channels are written. */
-static qtri_effect_row row_of(const qtri_raster *raster)
+static void choose(qtri_raster *raster)
 {
     const qtri_format *format = raster->format;
     if (format->colors != &qtri_colors_565 || format->encode != NULL ||
         format->pixels->bytes != 2 || raster->wide || raster->keep != 0) {
-        return NULL;
+        return;
+    }
+    if (qtri_list_tint_fits(raster)) {
+        raster->tint_small = qtri_list_tint;
     }
     if (raster->fog == NULL) {
-        return raster->blend->row;
+        raster->effect_row = raster->blend->row;
+        raster->effect_list = raster->blend->list;
+    } else if (raster->blend == NULL) {
+        raster->effect_row = raster->fog->stages->row;
+        raster->effect_list = raster->fog->stages->list;
     }
-    return raster->blend == NULL ? raster->fog->stages->row : NULL;
 }
 
-const qtri_effect_stages qtri_effects = {apply, qtri_line_effects, qtri_span_fill,
-                                         qtri_stroke_effects, row_of};
+const qtri_effect_stages qtri_effects = {
+    apply, qtri_line_effects, qtri_span_fill, qtri_stroke_effects, choose, qtri_list_effects};

@@ -3,8 +3,8 @@
  * What follows the colour of a fragment: fog, and a blend with the pixel under it. Internal.
  *
  * Both are reached through descriptions, so that an application without them has neither. They
- * work on fragments that lie on different pixels: of a row, or of one small triangle, where a batch
- * then ends with each.
+ * work on fragments that lie on different pixels: of a row, or of small triangles, as many of a
+ * batch as do (effect_list.c).
  */
 #ifndef QTRI_RASTER_EFFECT_H
 #define QTRI_RASTER_EFFECT_H
@@ -18,6 +18,7 @@ struct qtri_fragments {
     const uint32_t *place;  /* of each; NULL: neighbours of a row */
     uint32_t first;         /* of the first */
     const qtri_ramp *depth; /* 16.16 with the half that rounds, from place 0 on */
+    const uint32_t *depths; /* the same of each, where they have places; NULL: as the ramp has it */
 };
 
 /* Pixels of strokes, up to QTRI_BATCH of them, and no place twice. */
@@ -48,11 +49,22 @@ struct qtri_effect_stages {
     qtri_line_effect line;
     qtri_fill_rows fill; /* rows of large triangles, of one colour too */
     qtri_cover_effect covered;
-    qtri_effect_row (*row)(const qtri_raster *raster); /* NULL, or what it returns: none */
+    void (*choose)(qtri_raster *raster); /* sets loops that do it at once; NULL: there are none */
+    /* All for `count` fragments that wait in the batch: of the mask's, pixels are stored. */
+    void (*list)(const qtri_raster *raster, uint32_t mask, int32_t count);
 };
 extern const qtri_effect_stages qtri_effects;
 
 void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth);
+/*
+ * Small triangles in shares of the tint, which wait in the batch for the raster's effect_list: what
+ * that asks of a raster, and the loop, see qtri_draw_small in raster.h.
+ */
+bool qtri_list_tint_fits(const qtri_raster *raster);
+bool qtri_list_tint(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                    qtri_vertex *c);
+
+void qtri_list_effects(const qtri_raster *raster, uint32_t mask, int32_t count);
 
 struct qtri_fog_stages {
     const qtri_effect_stages *effects;
@@ -61,6 +73,7 @@ struct qtri_fog_stages {
     void (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                   int32_t count);
     qtri_effect_row row; /* where fog is all, of plain pixels: see effect.c */
+    qtri_draw_list list;
     /* Finer colours, which apply() leaves to a blend that takes them, over stored ones as 565. */
     void (*over)(uint32_t *color, const uint16_t *under, int32_t count, uint32_t alpha);
 };
@@ -89,7 +102,8 @@ struct qtri_blend {
      */
     uint32_t (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                       uint32_t mask, int32_t count);
-    qtri_effect_row row;                /* where the blend is all, of plain pixels; NULL: none */
+    qtri_effect_row row; /* where the blend is all, of plain pixels; NULL: none */
+    qtri_draw_list list;
     bool rejects;                       /* the mask may lose some */
     const qtri_vertex_blend *by_vertex; /* alpha varies; NULL: it does not */
     bool takes_finer;                   /* colours that fog leaves so: see fog_565.h */

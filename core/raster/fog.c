@@ -150,13 +150,12 @@ static void shares_of_row(uint32_t *share, const qtri_fog *fog, uint32_t t, uint
     }
 }
 
-QTRI_NOINLINE static void shares_of_places(uint32_t *share, const qtri_fog *fog,
-                                           const qtri_fragments *at, int32_t count)
+QTRI_NOINLINE static void shares_of_depths(uint32_t *share, const qtri_fog *fog,
+                                           const uint32_t *depth, int32_t count)
 {
-    const uint32_t *place = at->place;
     fog_step s = {0, 0, 0, 0, 0};
-    for (const uint32_t *end = share + count; share != end; share++, place++) {
-        const uint32_t t = ~qtri_list_at(at->depth, *place & 0xFFFF, *place >> 16);
+    for (const uint32_t *end = share + count; share != end; share++, depth++) {
+        const uint32_t t = ~*depth;
         if (t - s.from >= s.size) {
             find_step(&s, fog, t);
         }
@@ -233,7 +232,38 @@ QTRI_NOINLINE static void mix_row(uint16_t *pixel, const uint32_t *color, uint32
     }
 }
 #undef PUT
+
+/* The same to places. */
+#define PUT(i, mixed)                                                                              \
+    {                                                                                              \
+        const uint32_t to = *place++;                                                              \
+        uint16_t *row = (uint16_t *)(void *)(pixels + (ptrdiff_t)(to >> 16) * pitch);              \
+        row[to & 0xFFFF] = (uint16_t)(mixed);                                                      \
+    }
+QTRI_NOINLINE static void mix_list(const qtri_raster *raster, const uint32_t *share, int32_t count)
+{
+    mix_565 m = mix_565_of(raster->fog->word[0]);
+    const uint32_t *color = raster->batch->color;
+    const uint32_t *place = raster->batch->place;
+    const uint32_t *const end = place + count;
+    uint8_t *const pixels = raster->surface->pixels;
+    const ptrdiff_t pitch = raster->surface->pitch;
+    QTRI_OPAQUE(m.mask)
+    QTRI_OPAQUE(m.green_mask)
+    for (; place != end; color++, share++) {
+        ONE(0)
+    }
+}
+#undef PUT
 #undef ONE
+
+/* Shares take the place of depths. */
+static void apply_list(const qtri_raster *raster, int32_t count)
+{
+    uint32_t *depth = raster->batch->depth;
+    shares_of_depths(depth, raster->fog, depth, count);
+    (raster->finer ? qtri_fog_list_565 : mix_list)(raster, depth, count);
+}
 
 static void apply_row(uint8_t *pixels, const uint32_t *color, int32_t count,
                       const qtri_raster *raster, uint32_t z, uint32_t z_step)
@@ -253,8 +283,13 @@ static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragmen
     const qtri_fog *fog = raster->fog;
     const qtri_colors *kind = raster->wide ? &qtri_colors_888 : raster->format->colors;
     uint32_t share[QTRI_BATCH_ROOM];
-    if (at->place != NULL) {
-        shares_of_places(share, fog, at, count);
+    if (at->depths != NULL) {
+        shares_of_depths(share, fog, at->depths, count);
+    } else if (at->place != NULL) {
+        for (int32_t i = 0; i < count; i++) {
+            share[i] = qtri_list_at(at->depth, at->place[i] & 0xFFFF, at->place[i] >> 16);
+        }
+        shares_of_depths(share, fog, share, count);
     } else {
         const uint32_t depth = qtri_list_at(at->depth, at->first & 0xFFFF, at->first >> 16);
         shares_of_row(share, fog, ~depth, 0 - at->depth->dx, count);
@@ -323,8 +358,8 @@ static uint32_t t_of(qtri_fog_range range, q16 z)
     return part < WHOLE ? (uint32_t)part : WHOLE;
 }
 
-static const qtri_fog_stages stages = {&qtri_effects, qtri_fog_begin_565, apply, apply_row,
-                                       qtri_fog_over_565};
+static const qtri_fog_stages stages = {&qtri_effects, qtri_fog_begin_565, apply,
+                                       apply_row,     apply_list,         qtri_fog_over_565};
 
 /* How the share, Q16, follows from the distance and two numbers. */
 typedef int64_t (*law)(q16 z, q16 a, q16 b);

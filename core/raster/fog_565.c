@@ -175,6 +175,27 @@ void qtri_fog_row_565(uint16_t *pixel, const uint32_t *color, uint32_t fog, cons
     }
 }
 #undef PUT
+
+#define PUT(i)                                                                                     \
+    both = both >> 11 & m.fives;                                                                   \
+    const uint32_t to = *place++;                                                                  \
+    uint16_t *row = (uint16_t *)(void *)(pixels + (ptrdiff_t)(to >> 16) * pitch);                  \
+    row[to & 0xFFFF] = (uint16_t)(both | both >> 5 | green >> 18 << 5);
+void qtri_fog_list_565(const qtri_raster *raster, const uint32_t *share, int32_t count)
+{
+    mix m = mix_of(raster->fog->word[3], 0x04000400u, 0x20000u);
+    const uint32_t *color = raster->batch->color;
+    const uint32_t *place = raster->batch->place;
+    const uint32_t *const end = place + count;
+    uint8_t *const pixels = raster->surface->pixels;
+    const ptrdiff_t pitch = raster->surface->pitch;
+    QTRI_OPAQUE(m.bytes)
+    QTRI_OPAQUE(m.fives)
+    for (; place != end; color++, share++) {
+        ONE(0)
+    }
+}
+#undef PUT
 #undef ONE
 
 /* color k + under (256 - k) / 256: of pixels, steps are eight eighths and four quarters. */

@@ -24,9 +24,11 @@ void qtri_888_to_565_finer(uint32_t *color, int32_t count);
  */
 void qtri_fog_begin_565(qtri_raster *raster);
 
-/* `color` in shares of 1024, the rest is fog, as 565: to pixels, and in place. */
+/* `color` in shares of 1024, the rest is fog, as 565: to pixels, of what waits in the batch too,
+ * and in place. */
 void qtri_fog_row_565(uint16_t *pixel, const uint32_t *color, uint32_t fog, const uint32_t *share,
                       int32_t count);
+void qtri_fog_list_565(const qtri_raster *raster, const uint32_t *share, int32_t count);
 void qtri_fog_words_565(uint32_t *color, uint32_t fog, const uint32_t *share, int32_t count);
 
 /* The same as finer colours; and those in a share of alpha over pixels, as 565. */

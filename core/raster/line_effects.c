@@ -32,7 +32,7 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
     qtri_raster raster;
     set_raster(&raster, job);
     const qtri_effect_stages *stages = qtri_effect_stages_of(job->material);
-    const qtri_fragments at = {batch->place, batch->place[0], depth};
+    const qtri_fragments at = {batch->place, batch->place[0], depth, NULL};
     uint32_t mask = qtri_mask_of(count);
     if (job->testing != NULL) {
         raster.late_compare = job->material->depth_compare;

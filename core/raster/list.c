@@ -172,8 +172,7 @@ static bool append_passing(list_rows *r, qtri_batch *batch, const qtri_surface *
     do {                                                                                           \
         const uint32_t top = z >> 16;                                                              \
         const uint32_t stored = *depth;                                                            \
-        const uint32_t order = top < stored ? 1 : (top == stored ? 2 : 4);                         \
-        if ((passes & order) != 0) {                                                               \
+        if ((passes & qtri_order_of(top, stored)) != 0) {                                          \
             QTRI_BRANCH                                                                            \
             if (write) {                                                                           \
                 *depth = (uint16_t)top;                                                            \
@@ -208,9 +207,7 @@ static bool append(list_rows *r, const qtri_raster *raster, int32_t pixels, bool
 #endif
         return append_less(r, batch, surface);
     }
-    const uint32_t passes =
-        raster->compare > QTRI_ALWAYS ? 7 : (uint32_t)raster->compare - QTRI_NEVER;
-    return append_passing(r, batch, surface, passes, write);
+    return append_passing(r, batch, surface, qtri_orders_of(raster->compare), write);
 }
 
 /* Light becomes its share of the tint: within .75 of a step of RGB565, .63 of 255. */
@@ -221,15 +218,45 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     }
 }
 
-/* The stages of what is in the batch, one fragment at least. depth: where texels may be turned
- * away, see the mask there.
- */
-static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *depth)
+int32_t qtri_list_keep(const qtri_raster *raster, int32_t first, uint32_t mask, int32_t count)
+{
+    const qtri_surface *surface = raster->surface;
+    const uint32_t orders = qtri_orders_of(raster->compare);
+    qtri_batch *batch = raster->batch;
+    uint32_t *color = batch->color + first;
+    uint32_t *place = batch->place + first;
+    const uint32_t *depth = batch->depth + first;
+    int32_t kept = 0;
+    mask <<= 32 - count;
+    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
+        if ((int32_t)mask >= 0) {
+            continue;
+        }
+        const uint32_t at = place[i];
+        if (raster->depth_write) {
+            uint16_t *stored = &surface->depth[(ptrdiff_t)(at >> 16) * surface->depth_pitch +
+                                               (ptrdiff_t)(at & 0xFFFF)];
+            if ((orders & qtri_order_of(depth[i] >> 16, *stored)) == 0) {
+                continue;
+            }
+            *stored = (uint16_t)(depth[i] >> 16);
+        }
+        color[kept] = color[i];
+        place[kept] = at;
+        kept++;
+    }
+    return kept;
+}
+
+/* The stages of what is in the batch, one fragment at least. */
+static void finish(const qtri_raster *raster)
 {
     qtri_batch *batch = raster->batch;
     const qtri_format *format = raster->format;
+    uint32_t mask = raster->alone ? batch->mask : UINT32_MAX;
     int32_t count = batch->count;
     batch->count = 0;
+    batch->mask = 0;
     if (raster->lit_list != NULL && batch->kind == QTRI_LIST_LIT_TEXELS) {
         raster->lit_list(raster, count);
         return;
@@ -240,15 +267,11 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
         share_tint(raster, batch->color, count);
     }
     if (raster->alone) {
-        mask &= qtri_mask_of(count);
-        if (raster->effects != NULL && mask != 0) {
-            const qtri_fragments at = {batch->place, batch->place[0], depth};
-            mask = raster->effects->fragments(raster, batch->color, &at, mask, count);
+        if (raster->effects != NULL) {
+            raster->effects->list(raster, mask & qtri_mask_of(count), count);
+            return;
         }
-        if (raster->rejects) {
-            count =
-                qtri_batch_keep(batch, raster->surface, depth, mask, count, raster->depth_write);
-        }
+        count = qtri_list_keep(raster, 0, mask & qtri_mask_of(count), count);
         if (count == 0) {
             return;
         }
@@ -267,7 +290,27 @@ static void finish(const qtri_raster *raster, uint32_t mask, const qtri_ramp *de
 void qtri_list_flush(const qtri_raster *raster)
 {
     if (raster->batch->count != 0) {
-        finish(raster, UINT32_MAX, NULL);
+        finish(raster);
+    }
+}
+
+/* What effects and stages that turn fragments away ask of the last `count` that wait. */
+QTRI_NOINLINE static void note(const qtri_raster *raster, const qtri_ramp *ramp, uint32_t mask,
+                               int32_t count)
+{
+    qtri_batch *batch = raster->batch;
+    batch->mask = batch->mask << 1 << (count - 1) | (mask & qtri_mask_of(count));
+    if (raster->keeps_depth) {
+        const int32_t first = batch->count - count;
+        const uint32_t *place = batch->place + first;
+        uint32_t *depth = batch->depth + first;
+        const qtri_ramp r = *ramp;
+        for (const uint32_t *end = place + count; place != end; place++) {
+            *depth++ = qtri_list_at(&r, *place & 0xFFFF, *place >> 16);
+        }
+    }
+    if (raster->apart) {
+        finish(raster);
     }
 }
 
@@ -364,9 +407,10 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
                 raster->texturing->set_list(&v);
             }
             set = true;
+            const int32_t count = batch->count - first;
             const uint32_t mask = set_words(&v, first, batch->count);
             if (raster->alone) {
-                finish(raster, mask, &r.depth);
+                note(raster, &r.depth, mask, count);
             }
         }
         if (more) {

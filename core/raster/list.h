@@ -5,8 +5,13 @@
  * call they belong to. Internal.
  *
  * Depth is written when a fragment is appended, so that those of a batch may lie on each other: the
- * last that is stored is the nearest. Where texels may be turned away, depth is written after
- * that, and the batch ends with each triangle.
+ * last that is stored is the nearest. Where texels may be turned away, depth is written after that,
+ * and tested once more then, in the order of drawing: another fragment of the batch may have been
+ * stored there. What fails at first would fail then, too, for what is written passed the same
+ * comparison; but for NOT_EQUAL, where the batch ends with each triangle.
+ *
+ * Fog and blends (effect.h) come when the batch is drawn, with the depth that each fragment has
+ * kept. A blend reads what those before have stored.
  *
  * This is not a short cut: it says what the pixels of a small triangle are. Loops of core/fast
  * draw the same.
@@ -40,6 +45,13 @@ typedef struct qtri_list_triangle {
 } qtri_list_triangle;
 
 void qtri_list_draw(const qtri_raster *raster, const qtri_list_triangle *t);
+
+/*
+ * Leaves those out of `count` fragments of the batch, from `first` on, that are not in the mask;
+ * and where the raster writes depths, those that fail the test by now. The depths of the others are
+ * written. Returns how many are left, which follow each other from `first` on.
+ */
+int32_t qtri_list_keep(const qtri_raster *raster, int32_t first, uint32_t mask, int32_t count);
 
 /* Draws those that wait: at the end of a draw call, and before anything else is drawn. */
 void qtri_list_flush(const qtri_raster *raster);

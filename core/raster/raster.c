@@ -43,6 +43,9 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->rejects = (textured && (material->texture->has_key || material->least_alpha != 0)) ||
                       (raster->blend != NULL && raster->blend->rejects);
     raster->alone = raster->rejects || raster->effects != NULL;
+    raster->apart = raster->rejects && raster->depth_write && raster->compare == QTRI_NOT_EQUAL;
+    raster->keeps_depth = raster->fog != NULL || (raster->rejects && raster->depth_write);
+    raster->reads = raster->blend != NULL;
     raster->with_depth = raster->compare != QTRI_DEPTH_OFF || raster->fog != NULL;
 }
 
@@ -89,6 +92,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     batch->count = 0;
     batch->kind = 0;
     batch->has_table = false;
+    batch->mask = 0;
     raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
     raster->depth_write = raster->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
     raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
@@ -131,8 +135,9 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     raster->fill_smooth = raster->varying != NULL ? raster->varying->fill : raster->fill_flat;
     raster->tint_small = NULL;
     raster->effect_row = NULL;
-    if (QTRI_WITH_FAST_PATHS && raster->effects != NULL && raster->effects->row != NULL) {
-        raster->effect_row = raster->effects->row(raster);
+    raster->effect_list = NULL;
+    if (QTRI_WITH_FAST_PATHS && raster->effects != NULL && raster->effects->choose != NULL) {
+        raster->effects->choose(raster);
     }
     const qtri_fused *fused = fused_of(raster);
     if (fused != NULL) {

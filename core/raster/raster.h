@@ -121,11 +121,14 @@ struct qtri_raster {
     } inner;              /* where vertex 0 of a small triangle is too far inside them to be cut */
     qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
-    bool with_depth; /* depths are needed: for that, or for fog */
-    bool alone;      /* fragments of two triangles may not share a batch */
-    bool rejects;    /* a stage after the depth test may turn fragments away */
-    bool wide;       /* colours have 8 bits a channel, and alpha above, for the blend */
-    bool finer;      /* colours are finer than the format's, for fog: see fog_565.h */
+    bool with_depth;  /* depths are needed: for that, or for fog */
+    bool alone;       /* fragments go through effects, or may be turned away: not colours alone */
+    bool apart;       /* fragments of two triangles may not share a batch */
+    bool keeps_depth; /* that of fragments of small triangles is kept with them */
+    bool reads;       /* effects read what is stored: a fragment needs what those before it made */
+    bool rejects;     /* a stage after the depth test may turn fragments away */
+    bool wide;        /* colours have 8 bits a channel, and alpha above, for the blend */
+    bool finer;       /* colours are finer than the format's, for fog: see fog_565.h */
     uint8_t alpha;
     uint8_t least_alpha;
     uint8_t keep;    /* channels that a blend leaves */
@@ -137,6 +140,7 @@ struct qtri_raster {
     const qtri_fog *fog;
     const qtri_effect_stages *effects; /* NULL: neither */
     qtri_effect_row effect_row;        /* NULL: there is none for what is drawn */
+    qtri_draw_list effect_list;        /* the same for what waits in the batch, see list.h */
     bool perspective;                  /* as the material asks */
     qtri_cull cull;
     uint8_t provoking;           /* the vertex whose colour a flat triangle has */
@@ -177,7 +181,7 @@ struct qtri_raster {
     qtri_fill_rows fill_flat, fill_smooth;
     qtri_draw_run copy_run;     /* NULL: none */
     qtri_draw_bent copy_bent;   /* NULL: none */
-    qtri_draw_small tint_small; /* NULL: none */
+    qtri_draw_small tint_small; /* of meshes of one colour; NULL: none */
     qtri_draw_list lit_list;    /* NULL: none */
     qtri_lamp lamp;             /* where there is one */
 };

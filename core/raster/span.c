@@ -74,6 +74,7 @@ QTRI_NOINLINE static uint32_t store_affected(const qtri_scanline *row, uint8_t *
     at.place = NULL;
     at.first = ((uint32_t)(row->y - first_row) << 16) + (uint32_t)x;
     at.depth = &depth;
+    at.depths = NULL;
     if (raster->with_depth) {
         depth.origin = qtri_ramp_at(&job->depth, -job->anchor_x, first_row - job->anchor_y);
         depth.dx = job->depth.dx;

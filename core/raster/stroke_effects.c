@@ -30,7 +30,7 @@ static void apply_fog(const qtri_raster *raster, qtri_covered *pixels)
     for (int32_t i = 0; i < pixels->count; i++) {
         uint32_t color[4] = {pixels->color[i], 0, 0, 0};
         const qtri_ramp depth = {pixels->depth[i], 0, 0};
-        const qtri_fragments at = {NULL, 0, &depth};
+        const qtri_fragments at = {NULL, 0, &depth, NULL};
         raster->fog->stages->apply(raster, color, &at, 1);
         pixels->color[i] = color[0];
     }
@@ -61,7 +61,7 @@ void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *mater
         apply_fog(&raster, pixels);
     }
     if (raster.blend != NULL) {
-        const qtri_fragments at = {pixels->place, pixels->place[0], NULL};
+        const qtri_fragments at = {pixels->place, pixels->place[0], NULL, NULL};
         for (int32_t i = 0; i < all; i++) {
             pixels->color[i] |= 0xFF000000u;
         }

@@ -130,6 +130,8 @@ static const struct expectation {
     {"B6", NULL, 0},
     {"F2", BEGIN FOG SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
     {"F4", BEGIN FOG LIT COMPACT(SPOT), 12414},
+    {"B7", BEGIN HALF LIT MODULATED COMPACT(SPOT_UV), 12414},
+    {"F6", BEGIN FOG LIT MODULATED COMPACT(SPOT_UV), 12414},
     {"F5", BEGIN FOG "linewidth 5\n", 0},
     {"S3m", NULL, 53290},
     {"S6m", NULL, 12414},
@@ -164,6 +166,8 @@ static const struct expectation {
     {"KHk", NULL, 0},
     {"B4k", BEGIN HALF LIT COMPACT(KNOT), 0},
     {"F4k", BEGIN FOG LIT COMPACT(KNOT), 0},
+    {"B7k", BEGIN HALF LIT MODULATED COMPACT(KNOT_UV), 0},
+    {"F6k", BEGIN FOG LIT MODULATED COMPACT(KNOT_UV), 0},
     {"S6mk", NULL, 0},
 };
 

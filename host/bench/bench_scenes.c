@@ -17,9 +17,9 @@
  * pixel, likewise; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a sum, and the storing
  * of its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP: 256
  * such points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7
- * without hidden lines. P1 to P10: bench_paint.h. B1, B2 and B4: S1, S2 and S4 at half alpha, B3:
- * S2 added; F2 and F4: S2 and S4 in fog, F5: K5 in fog. B5 and B6: S2, and a quad turned sideways,
- * with alpha of their vertices.
+ * without hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3:
+ * S2 added; F2, F4, F6: S2, S4, S6 in fog, F5: K5 in fog. B5 and B6: S2, and a quad turned
+ * sideways, with alpha of their vertices.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -104,6 +104,8 @@ const bench_scene bench_scenes[] = {
     {.name = "B6", QUAD(&bench_turned, rainbow), .blend = &qtri_blend_vertex_alpha},
     {.name = "F2", QUAD(&bench_screen, rainbow), .fog = true},
     {.name = "F4", MESH(COMPACT(spot), Q16(150)), .fog = true},
+    {.name = "B7", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .blend = &qtri_blend_alpha},
+    {.name = "F6", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .fog = true},
     {.name = "F5", .work = BENCH_STROKE, .width = Q16(5), .fog = true},
     {.name = "S3m", QUAD(&bench_floor, white), .textured = true, .filter = &qtri_mipmapped},
     {.name = "S6m", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .filter = &qtri_mipmapped},
@@ -143,6 +145,8 @@ const bench_scene bench_scenes[] = {
     {.name = "KHk", MESH(COMPACT(knot), Q16(30)), .hidden = true},
     {.name = "B4k", MESH(COMPACT(knot), Q16(30)), .blend = &qtri_blend_alpha},
     {.name = "F4k", MESH(COMPACT(knot), Q16(30)), .fog = true},
+    {.name = "B7k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .blend = &qtri_blend_alpha},
+    {.name = "F6k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .fog = true},
     {.name = "S6mk", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .filter = &qtri_mipmapped},
     PAINT("P1", bench_paint_rect),
     PAINT("P2", bench_paint_rects),
