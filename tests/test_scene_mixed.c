@@ -46,14 +46,14 @@ struct kind {
     struct accuracy sum;
 };
 
-static void add(struct kind *kind, const struct scene *scene, const struct reference_image *image,
+static void add(struct kind *kind, const struct scene *scene, const struct reference_image image[2],
                 uint32_t seed)
 {
     struct picture picture;
     const struct accuracy before = kind->sum;
     assert_true(scene_render(scene, kind->format, 0, true, &picture));
-    accuracy_add(&kind->sum, &picture, image, true);
-    accuracy_add_mixed(&kind->sum, &picture, image, kind->steps, kind->step);
+    accuracy_add(&kind->sum, &picture, &image[0], true);
+    accuracy_add_mixed(&kind->sum, &picture, &image[0], &image[1], kind->steps, kind->step);
     if (getenv("QTRI_VERBOSE") != NULL) {
         print_message("seed %u, %s: coverage %llu, other %llu, mixed above %llu\n", seed,
                       kind->name, (unsigned long long)(kind->sum.coverage - before.coverage),
@@ -73,29 +73,35 @@ static void mixtures(void **state)
     const unsigned count = number_of("QTRI_SCENES", 25);
     for (unsigned seed = first; seed < first + count; seed++) {
         struct scene scene;
-        struct reference_image image;
+        struct reference_image image[2]; /* vertices on the core's grid, and true ones */
         read_scene(seed, &scene);
-        assert_true(reference_render(&scene, 8, &image));
-        add(&kinds[0], &scene, &image, seed);
-        add(&kinds[1], &scene, &image, seed);
-        add(&kinds[2], &scene, &image, seed);
-        reference_free(&image);
+        assert_true(reference_render(&scene, 8, &image[0]));
+        assert_true(reference_render(&scene, 0, &image[1]));
+        add(&kinds[0], &scene, image, seed);
+        add(&kinds[1], &scene, image, seed);
+        add(&kinds[2], &scene, image, seed);
+        reference_free(&image[0]);
+        reference_free(&image[1]);
         scene_free(&scene);
     }
     for (int i = 0; i < 3; i++) {
         const struct accuracy *a = &kinds[i].sum;
-        print_message("%s: %llu pixels; per 100k: coverage %.2f, other triangle %.2f, beyond what "
-                      "roundings allow %.2f; at most %.2f times that\n",
+        print_message("%s: %llu pixels; per 100k: coverage %.2f, other triangle %.2f, either "
+                      "of two %.2f, beyond what roundings allow %.2f; at most %.2f times that\n",
                       kinds[i].name, (unsigned long long)a->mixed,
                       accuracy_per_100k(a->coverage, a->covered),
                       accuracy_per_100k(a->other_triangle, a->covered),
+                      accuracy_per_100k(a->mixed_either, a->mixed),
                       accuracy_per_100k(a->mixed_above, a->mixed), a->max_mixed);
         assert_true(a->mixed > 1000);
         assert_true(accuracy_per_100k(a->coverage, a->covered) <= 40);
         assert_true(accuracy_per_100k(a->other_triangle, a->covered) <= 20);
+        assert_true(accuracy_per_100k(a->mixed_either, a->mixed) <= 500);
+        assert_true(a->max_mixed <=
+                    2); /* one more rounding, of light or texels: nothing is wrong */
     }
     assert_true(accuracy_per_100k(kinds[0].sum.mixed_above, kinds[0].sum.mixed) <= 20);
-    assert_true(accuracy_per_100k(kinds[1].sum.mixed_above, kinds[1].sum.mixed) <= 1500);
+    assert_true(accuracy_per_100k(kinds[1].sum.mixed_above, kinds[1].sum.mixed) <= 50);
     assert_true(accuracy_per_100k(kinds[2].sum.mixed_above, kinds[2].sum.mixed) <= 10);
 }
 

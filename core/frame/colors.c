@@ -123,6 +123,7 @@ const qtri_colors qtri_colors_565 = {WHITE((int32_t)31 << 16, (int32_t)63 << 16,
                                      11,
                                      5,
                                      7,
+                                     0,
                                      pack_565,
                                      smooth_565};
 
@@ -132,8 +133,15 @@ const qtri_colors qtri_colors_888 = {
     16,
     8,
     10,
+    0,
     pack_888,
     smooth_888};
 
-const qtri_colors qtri_colors_gray = {
-    WHITE(QTRI_GRAY_RED, QTRI_GRAY_GREEN, QTRI_GRAY_BLUE), true, 0, 0, 10, pack_gray, smooth_gray};
+const qtri_colors qtri_colors_gray = {WHITE(QTRI_GRAY_RED, QTRI_GRAY_GREEN, QTRI_GRAY_BLUE),
+                                      true,
+                                      0,
+                                      0,
+                                      10,
+                                      0,
+                                      pack_gray,
+                                      smooth_gray};

@@ -33,6 +33,7 @@ struct qtri_colors {
     bool single;           /* only the sum of the channels counts */
     uint8_t red, green;    /* where they begin in a colour; blue: at bit 0 */
     uint8_t light_bits;    /* of 0..1 that are enough for a share of a colour */
+    uint8_t finer;         /* 2^this of red's and blue's units are a step of what is stored */
     uint32_t (*pack)(const int32_t channel[3]); /* rounded, from n.16 */
     /*
      * Colours of `count` (1..32) pixels along a row, and up to seven more: from curves of the three

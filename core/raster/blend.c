@@ -357,13 +357,23 @@ static inline uint32_t times_565(uint32_t c, uint32_t u)
         QTRI_MIX(color, m.stored.words[i], count, m.kind, share, CHANNEL)                          \
     }
 
+static inline void over_row(const qtri_raster *raster, uint32_t *color, const uint16_t *under,
+                            int32_t count)
+{
+    if (raster->finer) {
+        raster->fog->stages->over(color, under, count, raster->alpha);
+    } else {
+        over_565(color, under, count, raster->alpha);
+    }
+}
+
 QTRI_NOINLINE static uint32_t mix_alpha(const qtri_raster *raster, uint32_t *color,
                                         const qtri_fragments *at, uint32_t mask, int32_t count)
 {
     mixture m;
     begin(&m, raster, at, count);
     if (m.kind == &qtri_colors_565) {
-        over_565(color, m.under, count, m.alpha);
+        over_row(raster, color, m.under, count);
     } else {
         MIX(OVER)
     }
@@ -378,7 +388,7 @@ static uint32_t blend_alpha(const qtri_raster *raster, uint32_t *color, const qt
     if (under == NULL) {
         return mix_alpha(raster, color, at, mask, count);
     }
-    over_565(color, under, count, raster->alpha);
+    over_row(raster, color, under, count);
     return mask;
 }
 
@@ -478,11 +488,14 @@ static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const qt
     return mask;
 }
 
-const qtri_blend qtri_blend_alpha = {&qtri_effects,         blend_alpha, qtri_blend_row_alpha,
-                                     qtri_blend_list_alpha, false,       NULL};
-const qtri_blend qtri_blend_add = {&qtri_effects,       blend_add, qtri_blend_row_add,
-                                   qtri_blend_list_add, false,     NULL};
-const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, NULL, NULL, false, NULL};
-const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, NULL, NULL, false, NULL};
-const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, NULL, NULL, false, NULL};
-const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, NULL, NULL, true, NULL};
+const qtri_blend qtri_blend_alpha = {
+    &qtri_effects, blend_alpha, qtri_blend_row_alpha, qtri_blend_list_alpha, false, NULL, true};
+const qtri_blend qtri_blend_add = {
+    &qtri_effects, blend_add, qtri_blend_row_add, qtri_blend_list_add, false, NULL, false};
+const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, NULL, NULL,
+                                        false,         NULL,           false};
+const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, NULL, NULL, false, NULL, false};
+const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, NULL, NULL,
+                                       false,         NULL,          false};
+const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, NULL, NULL,
+                                           true,          NULL,        false};

@@ -68,11 +68,14 @@ void qtri_list_effects(const qtri_raster *raster, uint32_t mask, int32_t count);
 
 struct qtri_fog_stages {
     const qtri_effect_stages *effects;
-    /* Colours, of the format's kind or `wide`, in place. */
+    void (*begin)(qtri_raster *raster); /* chooses the colours that it takes */
+    /* Colours, of the format's kind, or finer and then of it, or `wide`, in place. */
     void (*apply)(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
                   int32_t count);
     qtri_effect_row row; /* where fog is all, of plain pixels: see effect.c */
     qtri_draw_list list;
+    /* Finer colours, which apply() leaves to a blend that takes them, over stored ones as 565. */
+    void (*over)(uint32_t *color, const uint16_t *under, int32_t count, uint32_t alpha);
 };
 typedef struct qtri_fog_stages qtri_fog_stages;
 
@@ -103,6 +106,7 @@ struct qtri_blend {
     qtri_draw_list list;
     bool rejects;                       /* the mask may lose some */
     const qtri_vertex_blend *by_vertex; /* alpha varies; NULL: it does not */
+    bool takes_finer;                   /* colours that fog leaves so: see fog_565.h */
 };
 
 /* That of a raster; NULL: alpha does not vary. */

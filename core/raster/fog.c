@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "effect.h"
+#include "fog_565.h"
 #include "list_values.h"
 
 #include "qtri/q16_exp.h"
@@ -261,7 +262,7 @@ static void apply_list(const qtri_raster *raster, int32_t count)
 {
     uint32_t *depth = raster->batch->depth;
     shares_of_depths(depth, raster->fog, depth, count);
-    mix_list(raster, depth, count);
+    (raster->finer ? qtri_fog_list_565 : mix_list)(raster, depth, count);
 }
 
 static void apply_row(uint8_t *pixels, const uint32_t *color, int32_t count,
@@ -269,6 +270,10 @@ static void apply_row(uint8_t *pixels, const uint32_t *color, int32_t count,
 {
     uint32_t share[QTRI_BATCH_ROOM];
     shares_of_row(share, raster->fog, ~z, 0 - z_step, count);
+    if (raster->finer) {
+        qtri_fog_row_565((uint16_t *)(void *)pixels, color, raster->fog->word[3], share, count);
+        return;
+    }
     mix_row((uint16_t *)(void *)pixels, color, raster->fog->word[0], share, count);
 }
 
@@ -288,6 +293,11 @@ static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragmen
     } else {
         const uint32_t depth = qtri_list_at(at->depth, at->first & 0xFFFF, at->first >> 16);
         shares_of_row(share, fog, ~depth, 0 - at->depth->dx, count);
+    }
+    if (raster->finer) {
+        const bool is_last = raster->blend == NULL || !raster->blend->takes_finer;
+        (is_last ? qtri_fog_words_565 : qtri_fog_words_finer)(color, fog->word[3], share, count);
+        return;
     }
     if (kind == &qtri_colors_565) {
         mix_words(color, fog->word[0], share, count);
@@ -348,7 +358,8 @@ static uint32_t t_of(qtri_fog_range range, q16 z)
     return part < WHOLE ? (uint32_t)part : WHOLE;
 }
 
-static const qtri_fog_stages stages = {&qtri_effects, apply, apply_row, apply_list};
+static const qtri_fog_stages stages = {&qtri_effects, qtri_fog_begin_565, apply,
+                                       apply_row,     apply_list,         qtri_fog_over_565};
 
 /* How the share, Q16, follows from the distance and two numbers. */
 typedef int64_t (*law)(q16 z, q16 a, q16 b);
@@ -381,6 +392,9 @@ static void begin(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 z0, q
     word[0] = rgb;
     qtri_888_to_gray(word, 1);
     fog->word[2] = word[0];
+    word[0] = rgb;
+    qtri_888_to_565_finer(word, 1);
+    fog->word[3] = word[0];
     const uint32_t t0 = t_of(range, z1);
     const uint32_t t1 = t_of(range, z0);
     fog->first = t0;

@@ -10,6 +10,7 @@ static void set_raster(qtri_raster *raster, const qtri_line_job *job)
     const bool has_fog = material->fog != NULL && material->fog->stages != NULL;
     raster->surface = job->surface;
     raster->format = job->surface->format;
+    raster->finer = false;
     raster->wide = false;
     raster->of.planes = NULL;
     raster->alpha = material->alpha;

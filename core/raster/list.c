@@ -319,7 +319,7 @@ QTRI_INLINE uint8_t set_colors(qtri_list_values *v)
 {
     const qtri_raster *raster = v->raster;
     const qtri_list_triangle *t = v->t;
-    const qtri_colors *colors = raster->format->colors;
+    const qtri_colors *units = raster->units;
     const uint8_t now = raster->batch->kind;
     v->channels = 0;
     if (raster->texture == NULL) {
@@ -328,7 +328,7 @@ QTRI_INLINE uint8_t set_colors(qtri_list_values *v)
             return QTRI_LIST_COLORS;
         }
         if (t->color == NULL) {
-            raster->varying->set_light(v, 22u - colors->light_bits);
+            raster->varying->set_light(v, 22u - units->light_bits);
             return QTRI_LIST_TINT_SHARES;
         }
         raster->varying->set_channels(v, 16);
@@ -359,7 +359,7 @@ QTRI_INLINE uint8_t set_colors(qtri_list_values *v)
 QTRI_INLINE uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t count)
 {
     const qtri_raster *raster = v->raster;
-    const qtri_colors *colors = raster->format->colors;
+    const qtri_colors *units = raster->units;
     qtri_batch *batch = raster->batch;
     const uint32_t *place = batch->place + first;
     uint32_t *color = batch->color + first;
@@ -373,9 +373,9 @@ QTRI_INLINE uint32_t set_words(const qtri_list_values *v, int32_t first, int32_t
             color[i] = v->constant;
         }
     } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
-        raster->varying->words(v, color, place, count, 22u - colors->light_bits, 0, 0);
+        raster->varying->words(v, color, place, count, 22u - units->light_bits, 0, 0);
     } else {
-        raster->varying->words(v, color, place, count, 16, colors->red, colors->green);
+        raster->varying->words(v, color, place, count, 16, units->red, units->green);
     }
     return UINT32_MAX;
 }

@@ -10,6 +10,7 @@
 
 enum { TABLE_BITS = QTRI_TINT_BITS, TABLE_SHIFT = 22 - TABLE_BITS };
 
+/* A table has words of 16 bits: not for finer colours. */
 bool qtri_list_tint_fits(const qtri_raster *raster)
 {
 #ifdef __OPTIMIZE_SIZE__ /* where the list is enough */
@@ -17,7 +18,7 @@ bool qtri_list_tint_fits(const qtri_raster *raster)
     return false;
 #else
     return QTRI_WITH_FAST_PATHS && raster->texture == NULL && raster->route == NULL &&
-           raster->depth_write && !raster->rejects &&
+           raster->depth_write && !raster->rejects && !raster->finer &&
            (raster->compare == QTRI_LESS || raster->compare == QTRI_LESS_EQUAL);
 #endif
 }

@@ -64,7 +64,7 @@ bool qtri_list_follow(qtri_list_values *v)
 
 uint32_t qtri_list_flat_color(const qtri_raster *raster, const qtri_list_triangle *t)
 {
-    return t->color != NULL ? raster->format->colors->pack(t->color[raster->provoking])
+    return t->color != NULL ? raster->units->pack(t->color[raster->provoking])
                             : qtri_raster_tinted(raster, t->light_q15, 15);
 }
 
@@ -127,7 +127,7 @@ static bool are_linear(const qtri_list_values *v, int first)
         const int32_t range = qtri_greatest_from_0(d1, d2) - qtri_least_from_0(d1, d2);
         most = range > most ? range : most;
     }
-    return is_linear(v, most, 0, 3);
+    return is_linear(v, most, 0, 3u - v->raster->units->finer);
 }
 
 void qtri_list_set_channels(qtri_list_values *v, uint32_t shift)

@@ -232,7 +232,8 @@ static inline bool qtri_list_is_plain(const qtri_vertex *a, const qtri_vertex *b
 /* Of light, Q15: 1/8 of 63 steps or of 255. */
 static inline uint32_t qtri_list_light_part(const qtri_raster *raster)
 {
-    return (raster->texture != NULL ? raster->working : raster->units) == &qtri_colors_565 ? 3 : 5;
+    const qtri_colors *colors = raster->texture != NULL ? raster->working : raster->units;
+    return colors == &qtri_colors_565 || colors->finer != 0 ? 3 : 5;
 }
 
 /*

@@ -188,7 +188,7 @@ static void set_limits(qtri_block_limits limits, const shared *s, bool texels, b
  */
 static int32_t color_unit_log2(const qtri_raster *raster, bool light)
 {
-    int32_t log2 = 16 + 5;
+    int32_t log2 = 16 + 5 + raster->units->finer;
     if (raster->texture != NULL) {
         log2 = (light ? 18 : 20) + (raster->working == &qtri_colors_565 ? 2 : 0);
     }

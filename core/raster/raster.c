@@ -38,6 +38,7 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->least_alpha = material->least_alpha;
     raster->keep = material->keep;
     raster->wide = false;
+    raster->finer = false;
     raster->effects = qtri_effect_stages_of(material);
     raster->rejects = (textured && (material->texture->has_key || material->least_alpha != 0)) ||
                       (raster->blend != NULL && raster->blend->rejects);
@@ -130,6 +131,9 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->texturing->init(raster, material);
     }
     raster->format = format;
+    if (raster->fog != NULL) {
+        raster->fog->stages->begin(raster); /* after the texture has its stages */
+    }
     raster->fill_smooth = raster->varying != NULL ? raster->varying->fill : raster->fill_flat;
     raster->tint_small = NULL;
     raster->effect_row = NULL;

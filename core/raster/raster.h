@@ -130,6 +130,7 @@ struct qtri_raster {
     bool reads;       /* effects read what is stored: a fragment needs what those before it made */
     bool rejects;     /* a stage after the depth test may turn fragments away */
     bool wide;        /* colours have 8 bits a channel, and alpha above, for the blend */
+    bool finer;       /* colours are finer than the format's, for fog: see fog_565.h */
     uint8_t alpha;
     uint8_t least_alpha;
     uint8_t keep;    /* channels that a blend leaves */

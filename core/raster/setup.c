@@ -18,7 +18,7 @@
 static int linear_log2(const qtri_raster *raster)
 {
     if (raster->texture == NULL) {
-        return 14;
+        return 14 + raster->units->finer;
     }
     return raster->working == &qtri_colors_565 ? 15 : 13;
 }
@@ -200,7 +200,7 @@ static void constant_color(qtri_job *job, const qtri_attributes v[3])
         channel[i] = job->tinted ? qtri_raster_shade(raster, from->color[0], i) : from->color[i];
     }
     if (raster->texture == NULL) {
-        job->pixel = qtri_raster_stored(raster, raster->format->colors->pack(channel));
+        job->pixel = qtri_raster_stored(raster, raster->units->pack(channel));
         return;
     }
     job->pixel = qtri_shade_of(channel);

@@ -26,7 +26,7 @@ static void interpolate_colors(qtri_scanline *row, int32_t x, int32_t count)
         if (qtri_job_is_bent(job)) {
             some = qtri_interpolate_perspective(row, x, count, job->first, QTRI_U);
         }
-        raster->format->colors->smooth(color, &row->curve[job->first], some);
+        raster->units->smooth(color, &row->curve[job->first], some);
         color += some;
         x += some;
         count -= some;

@@ -16,6 +16,7 @@ static void set_raster(qtri_raster *raster, qtri_format *wide, const qtri_surfac
     raster->surface = surface;
     raster->format = wide;
     raster->wide = true;
+    raster->finer = false;
     raster->of.planes = NULL;
     raster->alpha = material->alpha;
     raster->keep = material->keep;

@@ -146,6 +146,27 @@ static double coverage(const struct shape *shape, int x, int y, bool *is_edge)
     return count_inside(shape, x, y, SAMPLES) / (double)(SAMPLES * SAMPLES);
 }
 
+/* Of hard edges: whether a point 1/256 pixel from the centre lies on the other side. */
+static bool is_at_edge(const struct shape *shape, double x, double y, bool inside)
+{
+    for (int i = 0; i < 8; i++)
+        if (is_inside(shape, x + cos(i * PI / 4) / 256, y + sin(i * PI / 4) / 256) != inside)
+            return true;
+    return false;
+}
+
+/* Notes what a shape of hard edges would change that may cover the pixel as well as not. */
+static void note_either(struct ref_target *target, int x, int y, const double color[3],
+                        double alpha)
+{
+    size_t i = (size_t)y * (size_t)target->image->width + (size_t)x;
+    double most = 0;
+
+    for (size_t c = 0; c < 3; c++)
+        most = fmax(most, fabs(color[c] - target->image->color[3 * i + c]));
+    ref_target_either(target, i, alpha * most);
+}
+
 static void mix(struct ref_target *target, int x, int y, const double color[3], double alpha,
                 bool is_edge)
 {
@@ -211,8 +232,14 @@ static void paint_shape(struct ref_target *target, const struct scene_paint *pai
             bool is_edge = false;
             double share = paint->is_smooth ? coverage(&shape, x, y, &is_edge)
                                             : (double)is_inside(&shape, x + 0.5, y + 0.5);
+            bool either = !paint->is_smooth && is_at_edge(&shape, x + 0.5, y + 0.5, share > 0);
+            double before[3];
+            for (int c = 0; c < 3; c++)
+                before[c] = target->image->color[3 * (y * target->image->width + x) + c];
             if (share > 0)
                 mix(target, x, y, color, alpha * share, is_edge);
+            if (either)
+                note_either(target, x, y, share > 0 ? before : color, share > 0 ? 1 : alpha);
         }
     }
 }

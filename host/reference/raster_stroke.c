@@ -9,6 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#define PI 3.14159265358979323846
+
 /* What a part's ends have beside their place. */
 struct ends {
     double depth[2], color[2][3];
@@ -129,37 +131,121 @@ static void add_parts(struct strokes *all, const struct ref_target *target,
     }
 }
 
+/* What a stroke would make of a pixel there: without its coverage, under fog and blend. */
+struct paint {
+    double depth, color[3];
+};
+
+static struct paint paint_at(const struct ref_target *target, const struct ends *ends, double along,
+                             const double under[3])
+{
+    struct paint out;
+
+    out.depth = ends->depth[0] + along * (ends->depth[1] - ends->depth[0]);
+    for (size_t c = 0; c < 3; c++) {
+        out.color[c] = ends->color[0][c] + along * (ends->color[1][c] - ends->color[0][c]);
+        if (ref_is_blended(target->scene))
+            out.color[c] = ref_blend(target->scene, (int)c, out.color[c], 1, under[c], out.depth);
+    }
+    return out;
+}
+
+/* That of the nearest part, and of another that is as near, within 1/128 pixel; else the same. */
+static void nearest(struct paint paint[2], const struct ref_target *target,
+                    const struct strokes *all, int x, int y, const double under[3])
+{
+    double along = 0.0, distance = 0.0;
+    size_t part = ref_stroke_nearest(all->part, all->count, x + 0.5, y + 0.5, &along, &distance);
+    size_t first[2] = {0, part + 1}, end[2] = {part, all->count};
+
+    paint[0] = paint_at(target, &all->ends[part], along, under);
+    paint[1] = paint[0];
+    for (int i = 0; i < 2; i++) {
+        double off = INFINITY;
+        size_t other = first[i] + ref_stroke_nearest(&all->part[first[i]], end[i] - first[i],
+                                                     x + 0.5, y + 0.5, &along, &off);
+        if (off < distance + 1 / 128.0)
+            paint[1] = paint_at(target, &all->ends[other], along, under);
+    }
+}
+
+static double difference(const double a[3], const double b[3])
+{
+    return fmax(fabs(a[0] - b[0]), fmax(fabs(a[1] - b[1]), fabs(a[2] - b[2])));
+}
+
+/* The depth of a pixel of which `share` is covered: is written where that is half of it. */
+static void write_depth(struct ref_target *target, size_t i, const struct paint paint[2],
+                        double share)
+{
+    struct reference_image *image = target->image;
+    double before = image->depth[i];
+
+    if (share >= 0.5) {
+        ref_target_write_depth(target, i, paint[0].depth);
+        if (paint[1].depth != paint[0].depth)
+            image->other_depth[i] = paint[1].depth;
+    }
+    if (share < 1.0 && fabs(share - 0.5) <= 1 / 32.0)
+        image->other_depth[i] = share >= 0.5 ? before : paint[0].depth;
+}
+
+/* Of a hard edge: whether a point 1/256 pixel from the centre lies on the other side. */
+static bool is_at_edge(const struct strokes *all, double x, double y, bool inside)
+{
+    double along = 0.0, distance = 0.0, radius = 0.0;
+
+    ref_stroke_nearest(all->part, all->count, x, y, &along, &distance);
+    for (size_t i = 0; i < all->count; i++)
+        radius = fmax(radius, all->part[i].radius);
+    for (int i = 0; i < 8 && distance < 1.5 * radius + 0.1; i++)
+        if (ref_stroke_contains(all->part, all->count, x + cos(i * PI / 4) / 256,
+                                y + sin(i * PI / 4) / 256) != inside)
+            return true;
+    return false;
+}
+
+/* decision: of a hard edge, DRAWN where the pixel is certainly covered; else of depth alone. */
 static void draw_pixel(struct ref_target *target, const struct scene_op *op,
-                       const struct strokes *all, int x, int y, double share)
+                       const struct strokes *all, int x, int y, double share,
+                       enum ref_decision decision)
 {
     const struct scene *scene = target->scene;
     const struct scene_stroke *stroke = &op->u.stroke;
     struct reference_image *image = target->image;
     size_t i = (size_t)y * (size_t)scene->width + (size_t)x;
-    double along = 0.0;
-    size_t part = ref_stroke_nearest(all->part, all->count, x + 0.5, y + 0.5, &along);
-    const struct ends *ends = &all->ends[part];
-    double depth = ends->depth[0] + along * (ends->depth[1] - ends->depth[0]);
+    double *to = &image->color[3 * i];
     double weight = share * (double)stroke->alpha / 65536.0;
+    struct paint paint[2];
 
-    if (!ref_target_cover(target, x, y, depth) || !ref_passes_door(scene, 1, x, y))
+    nearest(paint, target, all, x, y, to);
+    if (!ref_target_cover(target, x, y, paint[0].depth) || !ref_passes_door(scene, 1, x, y))
         return;
+    if (target->decision == REF_DRAWN && ref_target_decide(target, i, paint[1].depth) != REF_DRAWN)
+        target->decision = REF_EITHER_DRAWN;
+    if (decision == REF_EITHER_NOT)
+        image->hits[i]--;
+    if (decision == REF_EITHER_NOT || target->decision == REF_DRAWN)
+        target->decision = decision;
+    double most = difference(paint[0].color, to);
     bool writes = scene->depth_test && scene->depth_write;
-    if (writes && share >= 0.5)
-        image->depth[i] = depth;
-    double most = 0;
-    for (size_t c = 0; c < 3; c++) {
-        double color = ends->color[0][c] + along * (ends->color[1][c] - ends->color[0][c]);
-        if (ref_is_blended(scene))
-            color = ref_blend(scene, (int)c, color, 1, image->color[3 * i + c], depth);
-        most = fmax(most, fabs(color - image->color[3 * i + c]));
-        double mixed = image->color[3 * i + c] * (1.0 - weight) + color * weight;
-        image->color[3 * i + c] = mixed;
-        image->color_min[3 * i + c] = fmin(mixed, image->color_min[3 * i + c]);
-        image->color_max[3 * i + c] = fmax(mixed, image->color_max[3 * i + c]);
+    if (writes)
+        write_depth(target, i, paint, share);
+    if (target->decision == REF_EITHER_NOT) {
+        ref_target_either(target, i, weight * most);
+        return;
     }
     ref_target_mixed(target, i, 1.0 - weight + weight * ref_kept(scene, 1),
                      stroke->smooth ? most : 0);
+    ref_target_either(target, i, weight * difference(paint[0].color, paint[1].color));
+    if (target->decision == REF_EITHER_DRAWN)
+        ref_target_either(target, i, weight * most);
+    for (size_t c = 0; c < 3; c++) {
+        double mixed = to[c] * (1.0 - weight) + paint[0].color[c] * weight;
+        to[c] = mixed;
+        image->color_min[3 * i + c] = fmin(mixed, image->color_min[3 * i + c]);
+        image->color_max[3 * i + c] = fmax(mixed, image->color_max[3 * i + c]);
+    }
     /* Where the centre is inside, and the depth beside it is the stroke's own. */
     if ((!writes || share >= 0.5) && ref_stroke_contains(all->part, all->count, x + 0.5, y + 0.5))
         image->id[i] = op->id;
@@ -174,16 +260,21 @@ static void draw_rows(struct ref_target *target, const struct scene_op *op,
     double across = target->at.shades_pixels ? 0.0 : target->at.y;
 
     for (int y = 0; y < target->scene->height; y++) {
-        if (op->u.stroke.smooth) {
+        if (op->u.stroke.smooth)
             ref_stroke_cover_row(all->part, all->count, y, width, share);
-        } else {
-            for (int x = 0; x < width; x++)
-                share[x] =
-                    ref_stroke_contains(all->part, all->count, x + 0.5 + along, y + 0.5 + across);
+        for (int x = 0; x < width; x++) {
+            double at[2] = {x + 0.5 + along, y + 0.5 + across};
+            if (op->u.stroke.smooth) {
+                if (share[x] > 0.0)
+                    draw_pixel(target, op, all, x, y, share[x], REF_DRAWN);
+                continue;
+            }
+            bool inside = ref_stroke_contains(all->part, all->count, at[0], at[1]);
+            if (is_at_edge(all, at[0], at[1], inside))
+                draw_pixel(target, op, all, x, y, 1, inside ? REF_EITHER_DRAWN : REF_EITHER_NOT);
+            else if (inside)
+                draw_pixel(target, op, all, x, y, 1, REF_DRAWN);
         }
-        for (int x = 0; x < width; x++)
-            if (share[x] > 0.0)
-                draw_pixel(target, op, all, x, y, share[x]);
     }
 }
 

@@ -31,9 +31,14 @@ struct reference_image {
                          is left of those of what it was mixed with */
     double *edge;     /* what smooth edges mixed, of 0..255: how far the greatest channel may be off
                          for an area that is off by a pixel */
-    uint32_t *id;     /* 0 = background */
-    uint32_t *hits;   /* how many triangles (or wireframe edges) covered the pixel, before the
-                         depth test and the colour key, after culling and clipping */
+    double *either; /* what decisions moved, of 0..255, that may fall otherwise: depths within 1 of
+                       65535 of each other, a pixel's centre within 1/256 pixel of a hard edge or
+                       between two parts of a stroke, a half of a pixel that is covered by 1/32 more
+                       or less */
+    double *other_depth; /* what is stored if the last of them falls otherwise; else depth */
+    uint32_t *id;        /* 0 = background */
+    uint32_t *hits;      /* how many triangles (or wireframe edges) covered the pixel, before the
+                            depth test and the colour key, after culling and clipping */
 };
 
 /* subpixel_bits: 0 = infinite precision, 1..16 = snap. False when memory runs out. */

@@ -98,6 +98,7 @@ static void add(struct reference_image *sum, const struct reference_image *one)
     for (size_t i = 0; i < pixels; i++) {
         sum->rounding[i] = fmax(sum->rounding[i], one->rounding[i]);
         sum->edge[i] = fmax(sum->edge[i], one->edge[i]);
+        sum->either[i] = fmax(sum->either[i], one->either[i]);
     }
 }
 

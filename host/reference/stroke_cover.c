@@ -128,7 +128,7 @@ bool ref_stroke_contains(const struct ref_stroke_part *part, size_t count, doubl
 }
 
 size_t ref_stroke_nearest(const struct ref_stroke_part *part, size_t count, double x, double y,
-                          double *along)
+                          double *along, double *distance)
 {
     double best = INFINITY;
     size_t found = 0;
@@ -137,12 +137,13 @@ size_t ref_stroke_nearest(const struct ref_stroke_part *part, size_t count, doub
         double length = direction(&part[i], unit);
         double at = unit[0] * (x - part[i].x0) + unit[1] * (y - part[i].y0);
         double held = fmax(0.0, fmin(length, at));
-        double distance = hypot(part[i].x0 + unit[0] * held - x, part[i].y0 + unit[1] * held - y);
-        if (distance < best) {
-            best = distance;
+        double off = hypot(part[i].x0 + unit[0] * held - x, part[i].y0 + unit[1] * held - y);
+        if (off < best) {
+            best = off;
             found = i;
             *along = length > 0.0 ? held / length : 0.0;
         }
     }
+    *distance = best;
     return found;
 }

@@ -26,8 +26,9 @@ void ref_stroke_cover_row(const struct ref_stroke_part *part, size_t count, int 
 /* Whether the point lies inside the union. Left and upper sides count as inside. */
 bool ref_stroke_contains(const struct ref_stroke_part *part, size_t count, double x, double y);
 
-/* The part whose line is nearest to the point: its number, and where along it that is, 0..1. */
+/* The part whose line is nearest to the point: its number, where along it that is, 0..1, and how
+   far; 0 and INFINITY of none. */
 size_t ref_stroke_nearest(const struct ref_stroke_part *part, size_t count, double x, double y,
-                          double *along);
+                          double *along, double *distance);
 
 #endif

@@ -29,13 +29,16 @@ static bool allocate(struct reference_image *image, int width, int height)
         .depth = malloc(pixels * sizeof(double)),
         .rounding = malloc(pixels * sizeof(double)),
         .edge = calloc(pixels, sizeof(double)),
+        .either = calloc(pixels, sizeof(double)),
+        .other_depth = malloc(pixels * sizeof(double)),
         .footprint = calloc(pixels, sizeof(double)),
         .id = calloc(pixels, sizeof(uint32_t)),
         .hits = calloc(pixels, sizeof(uint32_t)),
     };
     *image = fresh;
     if (image->color && image->color_min && image->color_max && image->depth && image->rounding &&
-        image->edge && image->footprint && image->id && image->hits)
+        image->edge && image->either && image->other_depth && image->footprint && image->id &&
+        image->hits)
         return true;
     reference_free(image);
     return false;
@@ -49,6 +52,8 @@ void reference_free(struct reference_image *image)
     free(image->depth);
     free(image->rounding);
     free(image->edge);
+    free(image->either);
+    free(image->other_depth);
     free(image->footprint);
     free(image->id);
     free(image->hits);
@@ -68,11 +73,13 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->depth_only = false;
     ref_target_bias(target, 0);
     target->depth_slope = 0;
+    target->decision = REF_DRAWN;
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
     double clear_depth = unit_from_q16(scene->clear_depth);
     for (size_t i = 0; i < pixels; i++) {
         image->depth[i] = clear_depth;
+        image->other_depth[i] = clear_depth;
         image->rounding[i] = 1;
         for (size_t c = 0; c < 3; c++) {
             double value = 255.0 * unit_from_q16(scene->clear[c]);
@@ -90,6 +97,7 @@ void ref_target_mixed(struct ref_target *target, size_t i, double kept, double e
     kept = clamp(kept, 0.0, 1.0); /* less, by a rounding of weights */
     image->rounding[i] = 1 + kept * image->rounding[i];
     image->edge[i] = edge + kept * image->edge[i];
+    image->either[i] *= kept;
 }
 
 void ref_target_bias(struct ref_target *target, int32_t bias)
@@ -162,6 +170,40 @@ static bool passes(enum scene_compare compare, double incoming, double stored)
     return false;
 }
 
+enum ref_decision ref_target_decide(const struct ref_target *target, size_t i, double depth)
+{
+    const struct scene *scene = target->scene;
+    const double stored[2] = {target->image->depth[i], target->image->other_depth[i]};
+
+    if (!scene->depth_test)
+        return REF_DRAWN;
+    const bool drawn =
+        passes(scene->depth_compare, depth_units(scene, depth), depth_units(scene, stored[0]));
+    for (int k = 0; k < 2; k++)
+        for (int off = -1; off <= 1; off++)
+            if (passes(scene->depth_compare, depth_units(scene, depth + off / 65535.0),
+                       depth_units(scene, stored[k])) != drawn)
+                return drawn ? REF_EITHER_DRAWN : REF_EITHER_NOT;
+    return drawn ? REF_DRAWN : REF_NOT_DRAWN;
+}
+
+void ref_target_either(struct ref_target *target, size_t i, double most)
+{
+    target->image->either[i] += most;
+}
+
+void ref_target_write_depth(struct ref_target *target, size_t i, double depth)
+{
+    struct reference_image *image = target->image;
+
+    if (target->decision == REF_EITHER_NOT) {
+        image->other_depth[i] = depth;
+        return;
+    }
+    image->other_depth[i] = target->decision == REF_EITHER_DRAWN ? image->depth[i] : depth;
+    image->depth[i] = depth;
+}
+
 bool ref_target_cover(struct ref_target *target, int x, int y, double depth)
 {
     const struct scene *scene = target->scene;
@@ -172,10 +214,8 @@ bool ref_target_cover(struct ref_target *target, int x, int y, double depth)
         y - window->y >= window->height)
         return false;
     target->image->hits[i]++;
-    if (!scene->depth_test)
-        return true;
-    double stored = target->image->depth[i];
-    return passes(scene->depth_compare, depth_units(scene, depth), depth_units(scene, stored));
+    target->decision = ref_target_decide(target, i, depth);
+    return target->decision != REF_NOT_DRAWN;
 }
 
 void ref_target_shade(struct ref_target *target, int x, int y, double depth,
@@ -193,40 +233,47 @@ void ref_target_shade(struct ref_target *target, int x, int y, double depth,
         return;
     if (!ref_passes_door(scene, texel[3] / 255.0, x, y))
         return;
-    if (scene->depth_test && scene->depth_write)
-        image->depth[i] = depth;
-    if (target->depth_only) {
-        if (scene->depth_test)
-            image->depth[i] = depth;
+    if (scene->depth_test && (scene->depth_write || target->depth_only))
+        ref_target_write_depth(target, i, depth);
+    if (target->depth_only)
         return;
-    }
-    const bool blended = ref_is_blended(scene);
     double lit[3] = {attribute[0], attribute[1], attribute[2]};
     if (triangle->by_pixel != NULL)
         ref_pixel_color(triangle->by_pixel, attribute, lit);
     const double opaque = texel[3] / 255.0 * clamp(attribute[REF_ALPHA], 0.0, 1.0);
+    const bool blended = ref_is_blended(scene);
+    double color[3], least[3], greatest[3], most = 0;
     for (size_t c = 0; c < 3; c++) {
         double a = vertex[0].attribute[c];
         double b = vertex[1].attribute[c];
         double d = vertex[2].attribute[c];
-        double least = triangle->by_pixel != NULL ? 0 : fmin(a, fmin(b, d));
-        double greatest = triangle->by_pixel != NULL ? 255 : fmax(a, fmax(b, d));
-        double color = clamp(lit[c], least, greatest);
+        least[c] = triangle->by_pixel != NULL ? 0 : fmin(a, fmin(b, d));
+        greatest[c] = triangle->by_pixel != NULL ? 255 : fmax(a, fmax(b, d));
+        color[c] = clamp(lit[c], least[c], greatest[c]);
         if (triangle->textured && scene->texture_mode == SCENE_REPLACE)
-            color = texel[c];
+            color[c] = texel[c];
         else if (triangle->textured)
-            color = color * texel[c] / 255.0;
+            color[c] = color[c] * texel[c] / 255.0;
         if (blended) {
-            color = ref_blend(scene, (int)c, color, opaque, image->color[3 * i + c], depth);
-            least = 0;
-            greatest = 255;
+            color[c] = ref_blend(scene, (int)c, color[c], opaque, image->color[3 * i + c], depth);
+            least[c] = 0;
+            greatest[c] = 255;
         }
-        image->color[3 * i + c] = color;
-        image->color_min[3 * i + c] = least;
-        image->color_max[3 * i + c] = greatest;
+        most = fmax(most, fabs(color[c] - image->color[3 * i + c]));
+    }
+    if (target->decision == REF_EITHER_NOT) {
+        ref_target_either(target, i, most);
+        return;
+    }
+    for (size_t c = 0; c < 3; c++) {
+        image->color[3 * i + c] = color[c];
+        image->color_min[3 * i + c] = least[c];
+        image->color_max[3 * i + c] = greatest[c];
     }
     image->id[i] = triangle->id;
     ref_target_mixed(target, i, ref_kept(scene, opaque), 0);
+    if (target->decision == REF_EITHER_DRAWN)
+        ref_target_either(target, i, most);
     image->footprint[i] = footprint;
 }
 

@@ -17,15 +17,19 @@ struct ref_sampling {
     double scale; /* footprints of textures are this share of a pixel's; 0: the finest level */
 };
 
+/* Whether a pixel is drawn, and whether it may be otherwise: see reference_image.either. */
+enum ref_decision { REF_NOT_DRAWN, REF_DRAWN, REF_EITHER_DRAWN, REF_EITHER_NOT };
+
 struct ref_target {
     const struct scene *scene;
     struct reference_image *image;
     int subpixel_bits;
     double depth_near, depth_far; /* of the depth range */
     struct ref_sampling at;
-    bool depth_only;          /* triangles are solid, write their depth and have no colour */
-    struct ref_window window; /* pixels outside of it are not drawn */
-    double depth_slope;       /* of triangles: see ref_target_shift */
+    bool depth_only;            /* triangles are solid, write their depth and have no colour */
+    struct ref_window window;   /* pixels outside of it are not drawn */
+    double depth_slope;         /* of triangles: see ref_target_shift */
+    enum ref_decision decision; /* by ref_target_cover */
 };
 
 /* Allocates the image and clears it; false when memory runs out, with nothing to free. */
@@ -44,8 +48,18 @@ double ref_target_shift(const struct ref_target *target, double right, double do
 double ref_target_depth(const struct ref_target *target, long double z_over_w);
 
 /* A primitive covers pixel (x, y) at window depth `depth`: counts the hit and tests the depth. True
-   if the pixel is to be shaded. */
+   if the pixel is to be shaded; where `decision` says EITHER_NOT, only ref_target_either is told.
+ */
 bool ref_target_cover(struct ref_target *target, int x, int y, double depth);
+
+/* Whether a depth passes the test at pixel i; may it be otherwise? */
+enum ref_decision ref_target_decide(const struct ref_target *target, size_t i, double depth);
+
+/* Notes that pixel i may be off by `most` of 0..255 for what was decided. */
+void ref_target_either(struct ref_target *target, size_t i, double most);
+
+/* Writes the depth of pixel i, as was decided. */
+void ref_target_write_depth(struct ref_target *target, size_t i, double depth);
 
 /* Colours pixel (x, y) with the attributes there and, if the scene says so, writes the depth;
    `triangle` tells id, texturing and the colours' range. Nothing where the texture has its key.

@@ -42,32 +42,49 @@ static double edge_near(const struct reference_image *reference, size_t i)
     return most;
 }
 
-/* How many times what its roundings and edges allow a pixel is off. */
-static double mixed_error(const struct picture *picture, const struct reference_image *reference,
-                          size_t i, const int steps[3], double step)
+/* What a channel is, for vertices on the grid and where they truly are: from least to greatest. */
+static void color_range(double range[2], const struct reference_image *snapped,
+                        const struct reference_image *unsnapped, size_t i, size_t c, int steps)
 {
-    const double edge = edge_near(reference, i);
+    const bool same = snapped->id[i] == unsnapped->id[i] && snapped->hits[i] == unsnapped->hits[i];
+    const double first = snapped->color[3 * i + c] * steps / 255;
+    const double second = same ? unsnapped->color[3 * i + c] * steps / 255 : first;
+    range[0] = fmin(first, second);
+    range[1] = fmax(first, second);
+    for (int k = 0; k < 2 && steps == 255; k++) {
+        range[k] = floor(range[k] + .5);
+    }
+}
+
+/* How many times what its roundings, edges and decisions allow a pixel is off. */
+static double mixed_error(const struct picture *picture, const struct reference_image *snapped,
+                          const struct reference_image *unsnapped, size_t i, const int steps[3],
+                          double step)
+{
+    const double moved = snapped->either[i] + edge_near(snapped, i) / 32;
     double worst = 0;
     for (size_t c = 0; c < 3; c++) {
-        double exact = reference->color[3 * i + c] * steps[c] / 255;
-        exact = steps[c] == 255 ? floor(exact + .5) : exact;
+        double range[2];
+        color_range(range, snapped, unsnapped, i, c, steps[c]);
         const double got = floor(picture->rgb[3 * i + c] * steps[c] / 255.0 + .5);
-        const double allowed = step * reference->rounding[i] + edge * steps[c] / 255 / 32;
-        worst = fmax(worst, fabs(got - exact) / allowed);
+        const double off = fmax(0, fmax(range[0] - got, got - range[1]));
+        worst = fmax(worst, off / (step * snapped->rounding[i] + moved * steps[c] / 255));
     }
     return worst;
 }
 
 void accuracy_add_mixed(struct accuracy *sum, const struct picture *picture,
-                        const struct reference_image *reference, const int steps[3], double step)
+                        const struct reference_image *snapped,
+                        const struct reference_image *unsnapped, const int steps[3], double step)
 {
     const size_t pixels = (size_t)picture->width * (size_t)picture->height;
     for (size_t i = 0; i < pixels; i++) {
-        if (picture->id[i] != reference->id[i]) {
+        if (picture->id[i] != snapped->id[i]) {
             continue;
         }
-        const double error = mixed_error(picture, reference, i, steps, step);
+        const double error = mixed_error(picture, snapped, unsnapped, i, steps, step);
         sum->mixed++;
+        sum->mixed_either += snapped->either[i] > step * 255 / steps[0] / 2;
         sum->mixed_above += error > 1;
         sum->max_mixed = fmax(sum->max_mixed, error);
     }

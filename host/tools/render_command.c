@@ -33,7 +33,7 @@ static const char usage[] =
     "  --snap N         with --reference: snap vertices to N sub-pixel bits, 0..16 (default 0:\n"
     "                   infinite precision)\n"
     "  --large          with --reference: pictures above 2048 x 2048 pixels, up to 4096 x 4096.\n"
-    "                   One takes 120 bytes of memory a pixel, 0.5 GB below the limit, and with\n"
+    "                   One takes 136 bytes of memory a pixel, 0.6 GB below the limit, and with\n"
     "                   antialias msaa, ssaa or temporal twice that\n"
     "\n"
     "A scene that asks for more than 300 seconds of work ends with a message: see `qtri --help`.\n";

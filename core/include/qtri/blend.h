@@ -10,8 +10,9 @@
  * All but the screen door leave channels of stored pixels alone that material.keep names.
  * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one,
  * and times that of the vertices with a blend that asks for it.
- * Colours are within 1 of 255, and within a step of RGB565, of exact ones; in fog within 1 1/4
- * steps of RGB565, since colours and fog are rounded before they are mixed.
+ * Colours are within 1 of 255, and within a step of RGB565, of exact ones: what is blended there is
+ * rounded before and after. Triangles in fog are rounded once, and are within 3/4 of a step, with a
+ * constant alpha .8; lines, and texels of RGB565 that are lit, within 1 1/4.
  * Lines and wireframes are blended and fogged as well: each edge of each triangle, so that one that
  * two triangles share is drawn twice where depth does not turn the second away. Of strokes and
  * points (stroke.h) what fog and blend make of a pixel counts as far as it is covered.
@@ -73,7 +74,7 @@ enum { QTRI_FOG_STEPS = 16 * 8 + 2 };
 
 struct qtri_fog {
     const struct qtri_fog_stages *stages; /* of the functions below; NULL: no fog */
-    uint32_t word[3];                     /* its colour, as those of the three kinds */
+    uint32_t word[4]; /* its colour, as those of the three kinds, and finer of the first */
     /* f, 1024 being 1, and beyond 0..1, held there: by eighths of octaves of how far the depth is
        from the farthest, or, where step_bits is not 0, by steps of 2^that from `first` on. */
     uint32_t first;

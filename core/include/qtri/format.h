@@ -71,10 +71,10 @@ extern const qtri_format qtri_rgb565;         /* uint16_t, red in the high bits 
 extern const qtri_format qtri_rgb565_swapped; /* its bytes exchanged, as displays on SPI want it */
 /*
  * Stored as rgb565, but colours have 8 bits until then: one that light, texels, fog and blends make
- * together is rounded once, within 3/4 of a step where &qtri_rgb565 reaches 1 1/4. It has no fused
- * loops: on a Cortex-M0+ and an M3 a flat pixel takes 14 / 13 instructions in place of 8 / 7, one
- * of smooth colours 64 / 47, with fog 78 / 40 more and half transparent 139 / 84 more. Pictures
- * that are blended are converted first.
+ * together is rounded once, within 3/4 of a step where &qtri_rgb565 reaches 1 1/4 (not in fog
+ * alone: blend.h says what is within which). It has no fused loops: on a Cortex-M0+ and an M3 a
+ * flat pixel takes 14 / 13 instructions in place of 8 / 7, one of smooth colours 64 / 47, with fog
+ * 78 / 40 more and half transparent 139 / 84 more. Pictures that are blended are converted first.
  */
 extern const qtri_format qtri_rgb565_exact;
 extern const qtri_format qtri_rgb888;   /* three bytes: red, green, blue */
