@@ -294,14 +294,18 @@ QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool wi
     return true;
 }
 
-static bool draw_piece(const piece *p, int64_t area, bool with_rests)
+/* Whether it may be drawn as a small one. */
+static bool may_be_small(const piece *p)
 {
     const qtri_raster *raster = &p->primitive->to.solid.raster;
-    const bool may_be_small = raster->lit == NULL
-                                  ? qtri_takes_small(raster)
-                                  : qtri_is_lit_by_vertex(raster, &p->vertex[0]->at,
-                                                          &p->vertex[1]->at, &p->vertex[2]->at);
-    if (may_be_small && draw_placed_piece(p) != QTRI_PLACED_LARGE) {
+    return raster->lit == NULL ? qtri_takes_small(raster)
+                               : qtri_is_lit_by_vertex(raster, &p->vertex[0]->at, &p->vertex[1]->at,
+                                                       &p->vertex[2]->at);
+}
+
+static bool draw_piece(const piece *p, int64_t area, bool with_rests)
+{
+    if (may_be_small(p) && draw_placed_piece(p) != QTRI_PLACED_LARGE) {
         return true;
     }
     return draw_large_piece(p, area, with_rests);
