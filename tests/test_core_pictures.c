@@ -203,7 +203,7 @@ static void random_material(void)
     m->texture_mode = (qtri_texture_mode)below(2);
     m->cull = (qtri_cull)below(3);
     m->fill = one_in(6) ? (one_in(2) ? &qtri_wireframe : &qtri_smooth_wireframe) : NULL;
-    m->depth_compare = one_in(3) ? QTRI_LESS : (qtri_compare)below(9);
+    m->depth_compare = one_in(3) ? QTRI_LESS : (qtri_compare)below(10);
     m->depth_read_only = one_in(5);
     m->depth_bias = one_in(3) ? between(-.1, .1) : 0;
     m->blend = one_in(2) ? NULL : blends[below(LENGTH_OF(blends))];

@@ -10,14 +10,14 @@ of all tests says for which tests a changed expression has another value at all;
 that are likely to notice it quickly first, until one fails, crashes or takes ten times as long. Code that this
 machine leaves out is judged by the tests of core in a narrow build (core/bits/bits.h).
 
-A change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors
+Settings, by environment: BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
+out. A change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors
 that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart.
 """
 import concurrent.futures
 import filecmp
 import glob
 import os
-import pickle
 import queue
 import random
 import re
@@ -197,9 +197,8 @@ class Layer:
     def make(self, bench):
         """Compiles it. What the compiler takes only as a constant is left out."""
         self.folder = f"{bench.here}/layer-{self.number}"
-        if not os.environ.get("KEEP"):
-            shutil.rmtree(self.folder, ignore_errors=True)
-        os.makedirs(self.folder, exist_ok=True)
+        shutil.rmtree(self.folder, ignore_errors=True)
+        os.makedirs(self.folder)
         self.changed = {f: f"{self.folder}/" + f.replace("/", "+")[:-2] + ".o" for f in bench.users(self.taken)}
         todo = list(self.changed)
         while todo:
@@ -218,8 +217,7 @@ class Layer:
             for t in wrong:
                 self.drop(t[3])
             todo = sorted(set(bench.users({t[3].path for t in wrong}) + broken) & set(self.changed))
-        todo = [f for f in self.changed if not (os.environ.get("KEEP") and os.path.exists(self.changed[f]))]
-        for file, errors in zip(todo, parallel(lambda f: bench.compile(f, self.changed[f]), todo)):
+        for file, errors in zip(self.changed, parallel(lambda f: bench.compile(f, self.changed[f]), self.changed)):
             if errors:
                 sys.exit(f"mutate: {file}: {errors}")
         for path in self.taken:
@@ -394,22 +392,11 @@ class Judge:
         self.bench.link_base()
         self.runs = Runs(self.bench)
         self.layers, alone, self.absent = make_layers(self.bench, mutants)
-        if os.environ.get("KEEP") and os.path.exists(f"{self.bench.here}/looked"):
-            with open(f"{self.bench.here}/looked", "rb") as file:
-                self.runs.seconds, tests = pickle.load(file)
-            for m in mutants:
-                m.tests = tests.get(m.number)
-            return self.finish(mutants, alone)
         for layer in self.layers:  # of what overlaps in the first, few: by tests that reach the file
             paths = {m.path for m in layer.mutants}
             near = {t for m in mutants if m.path in paths for t in m.tests or []}
             self.runs.look(layer, sorted(near) if layer.number else self.bench.names)
-        with open(f"{self.bench.here}/looked", "wb") as file:
-            pickle.dump((self.runs.seconds, {m.number: m.tests for m in mutants}), file)
-        self.finish(mutants, alone)
-
-    def finish(self, mutants, alone):
-        """Those that are compiled alone are judged by the tests that reach another one of the file."""
+        # Those that are compiled alone are judged by the tests that reach another one of the file.
         self.alone = {m.number for m in alone}
         of_file = {}
         for m in mutants:
@@ -446,7 +433,7 @@ def main():
         mutant.result = judges[mutant.number].judge(mutant)
         if mutant.result == "survived":
             print(f"{mutant.path}:{mutant.line}:{mutant.column}: {mutant.what}: {mutant.text} "
-                  f"(differs in {len(mutant.tests)} tests)", flush=True)
+                  f"(differs in {len(mutant.tests or [])} tests)", flush=True)
 
     last = [time.time()]
 
