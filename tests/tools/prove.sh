@@ -61,7 +61,8 @@ values() {
             case $variant in
             wide) prove "$name" wide x86_32 '' ;;
             narrow) prove "$name" narrow x86_32 "$narrow" ;;
-            int16) prove "$name" int16 x86_16 "$narrow" ;;
+            int16) # the mathematics alone: config.h refuses to draw there
+                grep -q "^void $name(void)" tests/prove/kernel_values.c || prove "$name" int16 x86_16 "$narrow" ;;
             *) echo "prove: there is no variant $variant" >&2; exit 2 ;;
             esac
         done
