@@ -16,7 +16,6 @@
 #include "qtri/depth.h"
 #include "qtri/raster.h"
 #include "raster/dda.h"
-#include "raster/texel.h"
 
 /*@ requires x < 0x80000000000000 && 0 < divisor <= 0x800000;
     assigns \result, *remainder \from x, divisor;
@@ -86,22 +85,6 @@ void prove_colors(void)
         /*@ assert 0 <= channels.c[2] <= 0xFF0000; */
         uint32_t packed = kinds[i]->pack(channels.c);
         /*@ assert packed <= 0xFFFFFF; */
-    }
-}
-
-/* Texture coordinates of any value, sides of any length. */
-void prove_texel_axis(void)
-{
-    //@ loop unroll 12;
-    for (int side = 0; side < 12; side++) {
-        const int64_t coordinate[3] = {between64(INT64_MIN, INT64_MAX),
-                                       between64(INT64_MIN, INT64_MAX),
-                                       between64(INT64_MIN, INT64_MAX)};
-        qtri_texel_axis axis;
-        uint32_t value[3];
-        qtri_texel_axis_init(&axis, value, coordinate, (uint8_t)(side == 11 ? 255 : side),
-                             between(0, 1) != 0, 0);
-        /*@ assert 2 <= axis.shift <= 29; */
     }
 }
 
