@@ -16,7 +16,6 @@
 #include "qtri/depth.h"
 #include "qtri/raster.h"
 #include "raster/dda.h"
-#include "raster/texel.h"
 
 /*@ requires x < 0x80000000000000 && 0 < divisor <= 0x800000;
     assigns \result, *remainder \from x, divisor;
@@ -89,32 +88,23 @@ void prove_colors(void)
     }
 }
 
-/* Texture coordinates of any value, sides of any length. */
-void prove_texel_axis(void)
-{
-    //@ loop unroll 12;
-    for (int side = 0; side < 12; side++) {
-        const int64_t coordinate[3] = {between64(INT64_MIN, INT64_MAX),
-                                       between64(INT64_MIN, INT64_MAX),
-                                       between64(INT64_MIN, INT64_MAX)};
-        qtri_texel_axis axis;
-        uint32_t value[3];
-        qtri_texel_axis_init(&axis, value, coordinate, (uint8_t)(side == 11 ? 255 : side),
-                             between(0, 1) != 0, 0);
-        /*@ assert 2 <= axis.shift <= 29; */
-    }
-}
-
-/* What formats of depth store, and read of anything that is stored. */
+/* What formats of depth store, by the leading zeros from the farthest on, and read of anything. */
 void prove_depths(void)
 {
     static const qtri_depth_format *const formats[3] = {&qtri_depth_float16, &qtri_depth_linear24,
                                                         &qtri_depth_linear32};
     //@ loop unroll 3;
     for (int i = 0; i < 3; i++) {
-        uint32_t most = i == 0 ? 65535 : (i == 1 ? 0xFFFFFF : UINT32_MAX);
-        uint32_t depth[1] = {(uint32_t)Frama_C_unsigned_long_interval(0, 0xFFFF0000u)};
+        uint32_t depth[1] = {0xFFFF0000u};
         formats[i]->encode(depth, 1);
+        //@ loop unroll 32;
+        for (int bits = 0; bits < 32; bits++) {
+            uint32_t one = (uint32_t)1 << bits;
+            uint32_t last = bits == 31 ? 0xFFFF0000u : 2 * one - 1;
+            depth[0] = 0xFFFF0000u - (uint32_t)Frama_C_unsigned_long_interval(one, last);
+            formats[i]->encode(depth, 1);
+        }
+        uint32_t most = i == 0 ? 65535 : (i == 1 ? 0xFFFFFF : UINT32_MAX);
         depth[0] = (uint32_t)Frama_C_unsigned_long_interval(0, most);
         formats[i]->decode(depth, 1);
     }

@@ -48,7 +48,7 @@ values() {
     command -v frama-c >/dev/null 2>&1 || { echo "prove: skipped: frama-c is not installed (make setup-proof)"; exit 0; }
     sources="core/math/eighths.c core/math/scaled.c core/math/sincos.c core/math/series.c $(ls core/bits/*.c) \
         $(ls core/math/q16*.c | grep -v 'q16_pow\.c') $(frama-c -print-share-path)/libc/__fc_builtin.c"
-    kernels="core/raster/dda.c core/raster/texel.c core/raster/depth_float16.c core/raster/depth_linear24.c \
+    kernels="core/raster/dda.c core/raster/depth_float16.c core/raster/depth_linear24.c \
         core/raster/depth_linear32.c core/geometry/clip.c core/frame/pixel.c core/frame/colors.c"
     for name in ${PROOFS:-$(sed -n 's/^void \(prove_[a-z0-9_]*\)(void)$/\1/p' tests/prove/*_values.c)}; do
         # Products of 64 bits are functions of their own file then, that other proofs take as specified.
@@ -61,7 +61,8 @@ values() {
             case $variant in
             wide) prove "$name" wide x86_32 '' ;;
             narrow) prove "$name" narrow x86_32 "$narrow" ;;
-            int16) prove "$name" int16 x86_16 "$narrow" ;;
+            int16) # the mathematics alone: config.h refuses to draw there
+                grep -q "^void $name(void)" tests/prove/kernel_values.c || prove "$name" int16 x86_16 "$narrow" ;;
             *) echo "prove: there is no variant $variant" >&2; exit 2 ;;
             esac
         done
