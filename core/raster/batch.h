@@ -90,6 +90,7 @@ static inline uint32_t qtri_order_of(uint32_t depth, uint32_t stored)
 /* A mask of `count` fragments, 1..32: the first is its highest bit. */
 static inline uint32_t qtri_mask_of(int32_t count)
 {
+    // NOLINTNEXTLINE(clang-analyzer-core.*): count is at least 1
     return UINT32_MAX >> (32 - count);
 }
 

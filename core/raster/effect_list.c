@@ -24,7 +24,7 @@ QTRI_NOINLINE static int32_t different(const uint32_t *place, int32_t count)
         const uint32_t bit = (uint32_t)1 << (at & (COLUMNS - 1));
         uint32_t *row = &seen[at >> 16 & (ROWS - 1)];
         if ((*row & bit) != 0) {
-            return i;
+            return i; /* not the first */
         }
         *row |= bit;
     }
@@ -68,6 +68,7 @@ void qtri_list_effects(const qtri_raster *raster, uint32_t mask, int32_t count)
     for (int32_t first = 0; first < count;) {
         const int32_t rest = count - first;
         const int32_t some = raster->reads ? different(raster->batch->place + first, rest) : rest;
+        // NOLINTNEXTLINE(clang-analyzer-core.*): `some` is at least 1
         const uint32_t drawn = mask >> (rest - some) & qtri_mask_of(some);
         uint32_t next[PAST];
         first += some;

@@ -173,6 +173,9 @@ bool qtri_list_tint(const qtri_raster *raster, const void *indices, qtri_vertex 
     rows.depths = (uintptr_t)surface->depth +
                   (uintptr_t)(2 * ((ptrdiff_t)p.row * surface->depth_pitch + p.column));
     if (!smooth) {
+        rows.light = 0;
+        rows.light_dx = 0;
+        rows.light_dy = 0;
         rows.color = qtri_raster_tinted(raster, light_q15, 15);
         append_flat(&rows, p.first, batch);
         return true;
