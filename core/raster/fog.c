@@ -262,7 +262,11 @@ static void apply_list(const qtri_raster *raster, int32_t count)
 {
     uint32_t *depth = raster->batch->depth;
     shares_of_depths(depth, raster->fog, depth, count);
-    (raster->finer ? qtri_fog_list_565 : mix_list)(raster, depth, count);
+    if (raster->finer) {
+        qtri_fog_list_565(raster, depth, count);
+    } else {
+        mix_list(raster, depth, count);
+    }
 }
 
 static void apply_row(uint8_t *pixels, const uint32_t *color, int32_t count,

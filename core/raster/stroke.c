@@ -25,138 +25,6 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
     return stroker->bounds.x0 < stroker->bounds.x1 && stroke->alpha != 0 && compare != QTRI_NEVER;
 }
 
-/* How far a part reaches around its line: a corner of a square cap is 3/2 radii away at most. */
-static int32_t reach_of(const qtri_stroke_place *place)
-{
-    return place->radius_24p8 + (place->radius_24p8 >> 1) + 1;
-}
-
-/* Whether a part may touch the strip. */
-static bool touches_strip(const qtri_stroker *stroker, uint32_t part)
-{
-    const qtri_stroke_source *source = stroker->source;
-    qtri_stroke_place place;
-    if (!source->place(source->from, part, &place)) {
-        return false;
-    }
-    const int32_t left = stroker->column * 256;
-    const int32_t x0 = place.end[0].x_24p8;
-    const int32_t x1 = place.end[1].x_24p8;
-    return qtri_least32(x0, x1) <= left + QTRI_STROKE_WINDOW * 256 + reach_of(&place) &&
-           qtri_greatest32(x0, x1) >= left - reach_of(&place);
-}
-
-/* The shape of a part that is there. Of eight parts that follow each other all are kept. */
-static qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
-{
-    const qtri_stroke_source *source = stroker->source;
-    qtri_stroke_shape *shape = &stroker->shape[part % QTRI_STROKE_SHAPES];
-    if (shape->part != part) {
-        qtri_stroke_place place;
-        (void)source->place(source->from, part, &place);
-        qtri_stroke_shape_init(shape, &place);
-        source->ends(source->from, part, shape->end);
-        const int32_t *first = shape->end[0].color_8p16;
-        const int32_t *last = shape->end[1].color_8p16;
-        shape->even = first[0] == last[0] && first[1] == last[1] && first[2] == last[2];
-        shape->level =
-            shape->even && shape->end[0].depth_16p8 >> 8 == shape->end[1].depth_16p8 >> 8;
-        shape->part = part;
-    }
-    return shape;
-}
-
-/*
- * The parts that may touch the strip: those that are listed, and behind them any. *at is 0 at
- * first; UINT32_MAX: none.
- */
-static uint32_t next_part(const qtri_stroker *stroker, uint32_t *at)
-{
-    if (*at < stroker->part_count) {
-        return stroker->part[(*at)++];
-    }
-    if (stroker->rest == UINT32_MAX) {
-        return UINT32_MAX;
-    }
-    uint32_t part = stroker->rest + (*at - stroker->part_count);
-    while (part < stroker->source->count && !touches_strip(stroker, part)) {
-        part++;
-    }
-    *at = part + 1 - stroker->rest + stroker->part_count;
-    return part < stroker->source->count ? part : UINT32_MAX;
-}
-
-/* Whether a part touches the row in the strip; its columns. */
-static bool find_columns(qtri_stroker *stroker, uint32_t part, int32_t *first, int32_t *end)
-{
-    return qtri_stroke_shape_columns(shape_of(stroker, part), stroker->row, first, end) &&
-           *first<stroker->column + QTRI_STROKE_WINDOW && * end> stroker->column;
-}
-
-qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at)
-{
-    if (stroker->touch_count != QTRI_STROKE_MANY) {
-        const uint32_t touch = stroker->first_touch + *at;
-        (*at)++;
-        return touch < stroker->touch_end ? shape_of(stroker, stroker->touch[touch].part) : NULL;
-    }
-    for (;;) {
-        int32_t first;
-        int32_t end;
-        const uint32_t part = next_part(stroker, at);
-        if (part == UINT32_MAX) {
-            return NULL;
-        }
-        if (find_columns(stroker, part, &first, &end)) {
-            return shape_of(stroker, part);
-        }
-    }
-}
-
-/* Of the touches, those that begin at `from` and their columns touch. */
-static uint32_t group_end(const qtri_stroker *stroker, uint32_t from)
-{
-    int32_t end = stroker->touch[from].end;
-    uint32_t to = from + 1;
-    while (to < stroker->touch_count && stroker->touch[to].first < end) {
-        end = qtri_greatest32(end, stroker->touch[to].end);
-        to++;
-    }
-    return to;
-}
-
-static void set_group(qtri_stroker *stroker, uint32_t from)
-{
-    stroker->first_touch = from;
-    stroker->touch_end = stroker->touch_count == QTRI_STROKE_MANY ? 1 : group_end(stroker, from);
-}
-
-/* Lists the parts that touch the row, by their first columns. False: none. */
-static bool find_touches(qtri_stroker *stroker)
-{
-    uint32_t at = 0;
-    uint32_t count = 0;
-    for (uint32_t part; (part = next_part(stroker, &at)) != UINT32_MAX;) {
-        int32_t first;
-        int32_t end;
-        if (!find_columns(stroker, part, &first, &end)) {
-            continue;
-        }
-        const qtri_stroke_touch touch = {part, (int16_t)first, (int16_t)end};
-        if (count == QTRI_STROKE_PARTS) {
-            stroker->touch_count = QTRI_STROKE_MANY;
-            return true;
-        }
-        uint32_t i = count++;
-        for (; i > 0 && stroker->touch[i - 1].first > touch.first; i--) {
-            stroker->touch[i] = stroker->touch[i - 1];
-        }
-        stroker->touch[i] = touch;
-    }
-    stroker->touch_count = count;
-    return count > 0;
-}
-
 /* What a pixel takes of its part. */
 typedef struct sample {
     uint32_t depth_16p8;   /* 0..65535.0 */
@@ -227,7 +95,7 @@ static void take_all_positions(position *at, qtri_stroker *stroker, const clip *
     }
     for (uint32_t from = 0; from < count; from = stroker->touch_end) {
         uint32_t listed = 0;
-        set_group(stroker, from);
+        qtri_stroker_set_group(stroker, from);
         const bool is_alone = !many && stroker->touch_end - from == 1;
         for (const qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
             int32_t first;
@@ -285,7 +153,7 @@ QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
         if (cover < LEAST || p->part == UINT32_MAX) {
             continue;
         }
-        shape = shape->part == p->part ? shape : shape_of(stroker, p->part);
+        shape = shape->part == p->part ? shape : qtri_stroker_shape(stroker, p->part);
         const uint32_t depth_16p8 = qtri_stroke_depth(shape, p->share_q16);
         const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
         if (depth != NULL) {
@@ -359,7 +227,8 @@ QTRI_NOINLINE static void take_covered(qtri_covered *pixels, qtri_stroker *strok
             continue;
         }
         sample s;
-        take_sample(&s, shape_of(stroker, at[i - in->first].part), at[i - in->first].share_q16);
+        take_sample(&s, qtri_stroker_shape(stroker, at[i - in->first].part),
+                    at[i - in->first].share_q16);
         if (!passes_at(stroker, &s, x)) {
             continue;
         }
@@ -433,7 +302,7 @@ static clip clip_of(const qtri_stroker *stroker)
 static void draw_alone(qtri_stroker *stroker, const clip *in)
 {
     qtri_stroke_slice slice;
-    qtri_stroke_shape *s = shape_of(stroker, stroker->touch[0].part);
+    qtri_stroke_shape *s = qtri_stroker_shape(stroker, stroker->touch[0].part);
     if (qtri_stroke_shape_slice(s, stroker->row * 256 + 128, stroker->row * 256 + 129, &slice)) {
         const int32_t first =
             qtri_greatest32((slice.left[0] + 127) >> 8, stroker->column + in->first);
@@ -467,7 +336,7 @@ static void draw_between(qtri_stroker *stroker, const clip *in)
     if (before.first < before.end) {
         draw_covered(stroker, &before);
     }
-    qtri_stroke_run(stroker, shape_of(stroker, stroker->touch[0].part),
+    qtri_stroke_run(stroker, qtri_stroker_shape(stroker, stroker->touch[0].part),
                     stroker->column + whole.first, stroker->column + whole.end);
     if (behind.first < behind.end) {
         draw_covered(stroker, &behind);
@@ -476,7 +345,7 @@ static void draw_between(qtri_stroker *stroker, const clip *in)
 
 static void draw_row(qtri_stroker *stroker)
 {
-    if (!find_touches(stroker)) {
+    if (!qtri_stroker_find_touches(stroker)) {
         return;
     }
     set_columns(stroker);
@@ -493,7 +362,7 @@ static void draw_row(qtri_stroker *stroker)
     }
     const uint32_t count = stroker->touch_count == QTRI_STROKE_MANY ? 1 : stroker->touch_count;
     for (uint32_t from = 0; from < count; from = stroker->touch_end) {
-        set_group(stroker, from);
+        qtri_stroker_set_group(stroker, from);
         if (stroker->edges != NULL) {
             stroker->edges->add(stroker);
         } else {
@@ -515,88 +384,14 @@ static void draw_row(qtri_stroker *stroker)
     }
 }
 
-/* Rows and columns that parts may touch, inside the bounds. */
-static void widen(int32_t range[2], int32_t a, int32_t b, int32_t reach)
-{
-    range[0] = qtri_least32(range[0], (qtri_least32(a, b) - reach) >> 8);
-    range[1] = qtri_greatest32(range[1], ((qtri_greatest32(a, b) + reach) >> 8) + 1);
-}
-
-/* Of a band of less, looking at all is as quick. */
-enum { FEW_ROWS = 4 };
-
-/*
- * Rows that a part may touch in the strip: of a long one those where its line is near the strip.
- * What touches a pixel lies within 3/2 radii of the line, and its row and column end within a pixel
- * of there; one more is more than y is off.
- */
-static void widen_rows(const qtri_stroker *stroker, int32_t rows[2], const qtri_stroke_place *place)
-{
-    const int32_t reach = reach_of(place);
-    const int32_t left = stroker->column * 256 - reach - 512;
-    const int32_t right = (stroker->column + QTRI_STROKE_WINDOW) * 256 + reach + 512;
-    const bool few = stroker->bounds.y1 - stroker->bounds.y0 < FEW_ROWS;
-    int32_t all[2] = {INT32_MAX, INT32_MIN};
-    int32_t nearby[2] = {INT32_MAX, INT32_MIN};
-    for (int i = 0; i < 2; i++) {
-        const int32_t x = place->end[i].x_24p8;
-        const int32_t y = place->end[i].y_24p8;
-        widen(all, y, y, reach);
-        if (!few &&
-            (x < left || x > right)) { /* and the other end is not, or lies beyond the other side */
-            const int32_t cut = qtri_stroke_line_y(place, x < left ? left : right);
-            widen(nearby, cut, cut, reach + 512);
-        } else {
-            widen(nearby, y, y, reach);
-        }
-    }
-    rows[0] = qtri_least32(rows[0], qtri_greatest32(all[0], nearby[0]));
-    rows[1] = qtri_greatest32(rows[1], qtri_least32(all[1], nearby[1]));
-}
-
-/* Lists the parts of a strip, and finds its rows. */
-static void find_parts(qtri_stroker *stroker, int32_t rows[2])
-{
-    const qtri_stroke_source *source = stroker->source;
-    stroker->part_count = 0;
-    stroker->rest = UINT32_MAX;
-    rows[0] = INT32_MAX;
-    rows[1] = INT32_MIN;
-    for (uint32_t part = 0; part < source->count; part++) {
-        qtri_stroke_place place;
-        if (!touches_strip(stroker, part)) {
-            continue;
-        }
-        (void)source->place(source->from, part, &place);
-        widen_rows(stroker, rows, &place);
-        if (stroker->part_count < QTRI_STROKE_PARTS) {
-            stroker->part[stroker->part_count++] = part;
-        } else if (stroker->rest == UINT32_MAX) {
-            stroker->rest = part;
-        }
-    }
-    rows[0] = qtri_greatest32(rows[0], stroker->bounds.y0);
-    rows[1] = qtri_least32(rows[1], stroker->bounds.y1);
-}
-
 void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source)
 {
-    int32_t columns[2] = {INT32_MAX, INT32_MIN};
-    stroker->source = source;
-    for (int i = 0; i < QTRI_STROKE_SHAPES; i++) {
-        stroker->shape[i].part = UINT32_MAX;
-    }
-    for (uint32_t part = 0; part < source->count; part++) {
-        qtri_stroke_place place;
-        if (source->place(source->from, part, &place)) {
-            widen(columns, place.end[0].x_24p8, place.end[1].x_24p8, reach_of(&place));
-        }
-    }
-    columns[1] = qtri_least32(columns[1], stroker->bounds.x1);
-    stroker->column = qtri_greatest32(columns[0], stroker->bounds.x0) & ~(QTRI_STROKE_WINDOW - 1);
+    int32_t columns[2];
+    qtri_stroker_begin(stroker, source, columns);
+    stroker->column = columns[0] & ~(QTRI_STROKE_WINDOW - 1);
     for (; stroker->column < columns[1]; stroker->column += QTRI_STROKE_WINDOW) {
         int32_t rows[2];
-        find_parts(stroker, rows);
+        qtri_stroker_find_parts(stroker, rows);
         for (stroker->row = rows[0]; stroker->row < rows[1]; stroker->row++) {
             draw_row(stroker);
         }

@@ -140,6 +140,23 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke);
 void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
 
+/* Takes a source's parts; columns that they may touch, inside the bounds, from [0] to before [1].
+ */
+void qtri_stroker_begin(qtri_stroker *stroker, const qtri_stroke_source *source,
+                        int32_t columns[2]);
+
+/* Lists the parts of the strip that begins at `column`, and finds its rows, likewise. */
+void qtri_stroker_find_parts(qtri_stroker *stroker, int32_t rows[2]);
+
+/* Lists those that touch the row, by their first columns. False: none. */
+bool qtri_stroker_find_touches(qtri_stroker *stroker);
+
+/* The shape of a part that is there. Of eight parts that follow each other all are kept. */
+qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part);
+
+/* The group of touches from `from` on: those whose columns follow or cover each other. */
+void qtri_stroker_set_group(qtri_stroker *stroker, uint32_t from);
+
 /*
  * The parts of the group: *at is 0 at first, and counts on. NULL behind the last. A shape is there
  * until the next is asked for.
