@@ -10,7 +10,6 @@
 
 enum { TABLE_BITS = QTRI_TINT_BITS, TABLE_SHIFT = 22 - TABLE_BITS };
 
-/* A table has words of 16 bits: not for finer colours. */
 bool qtri_list_tint_fits(const qtri_raster *raster)
 {
 #ifdef __OPTIMIZE_SIZE__ /* where the list is enough */
@@ -18,7 +17,7 @@ bool qtri_list_tint_fits(const qtri_raster *raster)
     return false;
 #else
     return QTRI_WITH_FAST_PATHS && raster->texture == NULL && raster->route == NULL &&
-           raster->depth_write && !raster->rejects && !raster->finer &&
+           raster->depth_write && !raster->rejects &&
            (raster->compare == QTRI_LESS || raster->compare == QTRI_LESS_EQUAL);
 #endif
 }
@@ -30,20 +29,27 @@ typedef struct tint_rows {
     uintptr_t pitch;
     uint32_t place; /* of that column */
     uint32_t z, z_dx, z_dy;
-    uint32_t light, light_dx, light_dy; /* the table's index begins at bit TABLE_SHIFT */
+    uint32_t light, light_dx, light_dy; /* Q22 */
+    uint32_t shift;                     /* light's bits that a share has not */
     uint32_t equal;                     /* 1: what is as far passes */
-    uint32_t color;                     /* of all, where there is no table */
+    uint32_t color;                     /* of all, where light does not vary */
 } tint_rows;
+
+/* What a fragment's word is. */
+typedef enum tint_word { ONE_COLOR, FROM_TABLE, SHARE } tint_word;
 
 /* Appends the fragments that pass. */
 QTRI_INLINE void append(const tint_rows *rows, const uint8_t *span, qtri_batch *batch,
-                        const uint16_t *table)
+                        tint_word word)
 {
+    const uint16_t *table = batch->by.table;
+    const uint32_t shift = rows->shift;
+    const bool varies = word != ONE_COLOR;
     const ptrdiff_t depth_at = batch->depth - batch->place;
     const ptrdiff_t color_at = batch->color - batch->place;
     uint32_t *next = batch->place + batch->count;
     uint32_t z_row = rows->z;
-    uint32_t light_row = table != NULL ? rows->light : 0;
+    uint32_t light_row = varies ? rows->light : 0;
     uint32_t place = rows->place;
     uintptr_t depths = rows->depths;
     for (;;) {
@@ -52,7 +58,7 @@ QTRI_INLINE void append(const tint_rows *rows, const uint8_t *span, qtri_batch *
         span += 2;
         if (x < end) {
             uint32_t z = z_row + x * rows->z_dx;
-            uint32_t light = table != NULL ? light_row + x * rows->light_dx : 0;
+            uint32_t light = varies ? light_row + x * rows->light_dx : 0;
             uint32_t at = place + x;
             uint16_t *stored = (uint16_t *)(depths + 2 * x); /* NOLINT(performance-no-int-to-ptr) */
             const uint16_t *const stop = stored + (end - x);
@@ -61,7 +67,9 @@ QTRI_INLINE void append(const tint_rows *rows, const uint8_t *span, qtri_batch *
                     QTRI_BRANCH
                     *stored = (uint16_t)(z >> 16);
                     next[depth_at] = z;
-                    next[color_at] = table != NULL ? table[light >> TABLE_SHIFT] : rows->color;
+                    next[color_at] = word == SHARE        ? light >> shift
+                                     : word == FROM_TABLE ? table[light >> TABLE_SHIFT]
+                                                          : rows->color;
                     *next++ = at;
                 }
                 z += rows->z_dx;
@@ -83,13 +91,20 @@ QTRI_INLINE void append(const tint_rows *rows, const uint8_t *span, qtri_batch *
 
 QTRI_NOINLINE static void append_flat(const tint_rows *rows, const uint8_t *span, qtri_batch *batch)
 {
-    append(rows, span, batch, NULL);
+    append(rows, span, batch, ONE_COLOR);
 }
 
 QTRI_NOINLINE static void append_smooth(const tint_rows *rows, const uint8_t *span,
                                         qtri_batch *batch)
 {
-    append(rows, span, batch, batch->by.table);
+    append(rows, span, batch, FROM_TABLE);
+}
+
+/* Finer colours, for which a table would be large: list.c makes them of shares. */
+QTRI_NOINLINE static void append_shares(const tint_rows *rows, const uint8_t *span,
+                                        qtri_batch *batch)
+{
+    append(rows, span, batch, SHARE);
 }
 
 /* Colours of all shares of the tint. */
@@ -159,9 +174,10 @@ bool qtri_list_tint(const qtri_raster *raster, const void *indices, qtri_vertex 
     if (!qtri_place_depth(&ramp, &p, &inverse, a, b, c, true)) {
         return false;
     }
-    if (batch->kind != QTRI_LIST_COLORS || p.pixels > QTRI_BATCH - batch->count) {
+    const uint8_t kind = smooth && raster->finer ? QTRI_LIST_TINT_SHARES : QTRI_LIST_COLORS;
+    if (batch->kind != kind || p.pixels > QTRI_BATCH - batch->count) {
         qtri_list_flush(raster);
-        batch->kind = QTRI_LIST_COLORS;
+        batch->kind = kind;
     }
     batch->mask = UINT32_MAX;
     rows.equal = raster->compare == QTRI_LESS_EQUAL;
@@ -180,16 +196,21 @@ bool qtri_list_tint(const qtri_raster *raster, const void *indices, qtri_vertex 
         append_flat(&rows, p.first, batch);
         return true;
     }
-    if (!batch->has_table) {
+    rows.shift = raster->finer ? 22u - raster->units->light_bits : TABLE_SHIFT;
+    if (!raster->finer && !batch->has_table) {
         make_table(raster);
     }
     qtri_place_ramp(&ramp, &p, &inverse,
-                    ((uint32_t)a->intensity_q15 << 7) + ((uint32_t)1 << (TABLE_SHIFT - 1)),
+                    ((uint32_t)a->intensity_q15 << 7) + ((uint32_t)1 << (rows.shift - 1)),
                     (i1 + 1) >> (QTRI_PLACE_DOWN - 7), (i2 + 1) >> (QTRI_PLACE_DOWN - 7));
     rows.light = ramp.origin;
     rows.light_dx = ramp.dx;
     rows.light_dy = ramp.dy;
-    append_smooth(&rows, p.first, batch);
+    if (raster->finer) {
+        append_shares(&rows, p.first, batch);
+    } else {
+        append_smooth(&rows, p.first, batch);
+    }
     return true;
 }
 #else
