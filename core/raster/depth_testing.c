@@ -213,8 +213,8 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
     return mask;
 }
 
-static const qtri_effect_stages effects = {apply, qtri_line_effects, qtri_span_fill, NULL,
-                                           NULL,  qtri_list_effects};
+static const qtri_effect_stages effects = {apply, qtri_line_effects,      qtri_span_fill, NULL,
+                                           NULL,  &qtri_list_late_effects};
 
 static void begin(qtri_raster *raster)
 {
@@ -234,7 +234,7 @@ static void begin(qtri_raster *raster)
     raster->compare = QTRI_DEPTH_OFF;
     raster->depth_write = false;
     raster->with_depth = true;
-    raster->alone = true;
+    raster->late = effects.late;
     raster->apart = false;
     raster->keeps_depth = true;
     raster->rejects = true;

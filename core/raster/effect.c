@@ -33,4 +33,4 @@ static void choose(qtri_raster *raster)
 }
 
 const qtri_effect_stages qtri_effects = {
-    apply, qtri_line_effects, qtri_span_fill, qtri_stroke_effects, choose, qtri_list_effects};
+    apply, qtri_line_effects, qtri_span_fill, qtri_stroke_effects, choose, &qtri_list_late_effects};

@@ -50,12 +50,12 @@ struct qtri_effect_stages {
     qtri_fill_rows fill; /* rows of large triangles, of one colour too */
     qtri_cover_effect covered;
     void (*choose)(qtri_raster *raster); /* sets loops that do it at once; NULL: there are none */
-    /* All for `count` fragments that wait in the batch: of the mask's, pixels are stored. */
-    void (*list)(const qtri_raster *raster, uint32_t mask, int32_t count);
+    const qtri_list_late *late;          /* of small triangles */
 };
 extern const qtri_effect_stages qtri_effects;
 
 void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth);
+
 /*
  * Small triangles in shares of the tint, which wait in the batch for the raster's effect_list: what
  * that asks of a raster, and the loop, see qtri_draw_small in raster.h.
@@ -64,7 +64,7 @@ bool qtri_list_tint_fits(const qtri_raster *raster);
 bool qtri_list_tint(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,
                     qtri_vertex *c);
 
-void qtri_list_effects(const qtri_raster *raster, uint32_t mask, int32_t count);
+extern const qtri_list_late qtri_list_late_effects;
 
 struct qtri_fog_stages {
     const qtri_effect_stages *effects;

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "list.h"
+#include "list_late.h"
 #include "sampling.h"
 
 /* Columns and rows that are told apart; those as far from each other are taken for the same. */
@@ -35,7 +35,6 @@ QTRI_NOINLINE static int32_t different(const uint32_t *place, int32_t count)
 static void apply(const qtri_raster *raster, int32_t first, uint32_t mask, int32_t count)
 {
     qtri_batch *batch = raster->batch;
-    const qtri_format *format = raster->format;
     uint32_t *color = batch->color + first;
     const uint32_t *place = batch->place + first;
     const qtri_fragments at = {place, *place, NULL, batch->depth + first};
@@ -46,16 +45,13 @@ static void apply(const qtri_raster *raster, int32_t first, uint32_t mask, int32
             return;
         }
     }
-    if (format->encode != NULL) {
-        format->encode(color, count);
-    }
-    format->pixels->scatter(raster->surface->pixels, raster->surface->pitch, place, color, count);
+    qtri_list_store(raster, first, count);
 }
 
 /* Stages may change colours past the end of what they are given. */
 enum { PAST = QTRI_BATCH_ROOM - QTRI_BATCH };
 
-void qtri_list_effects(const qtri_raster *raster, uint32_t mask, int32_t count)
+static void store(const qtri_raster *raster, uint32_t mask, int32_t count)
 {
     uint32_t *const color = raster->batch->color;
     if (mask == 0) {
@@ -79,3 +75,5 @@ void qtri_list_effects(const qtri_raster *raster, uint32_t mask, int32_t count)
         memcpy(color + first, next, sizeof next);
     }
 }
+
+const qtri_list_late qtri_list_late_effects = {qtri_list_note, store};

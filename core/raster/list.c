@@ -3,6 +3,7 @@
 
 #include "../geometry/projector.h"
 #include "effect.h"
+#include "list_late.h"
 #include "list_values.h"
 #include "sampling.h"
 #include "shading.h"
@@ -218,42 +219,12 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     }
 }
 
-int32_t qtri_list_keep(const qtri_raster *raster, int32_t first, uint32_t mask, int32_t count)
-{
-    const qtri_surface *surface = raster->surface;
-    const uint32_t orders = qtri_orders_of(raster->compare);
-    qtri_batch *batch = raster->batch;
-    uint32_t *color = batch->color + first;
-    uint32_t *place = batch->place + first;
-    const uint32_t *depth = batch->depth + first;
-    int32_t kept = 0;
-    mask <<= 32 - count;
-    for (int32_t i = 0; mask != 0; i++, mask <<= 1) {
-        if ((int32_t)mask >= 0) {
-            continue;
-        }
-        const uint32_t at = place[i];
-        if (raster->depth_write) {
-            uint16_t *stored = &surface->depth[(ptrdiff_t)(at >> 16) * surface->depth_pitch +
-                                               (ptrdiff_t)(at & 0xFFFF)];
-            if ((orders & qtri_order_of(depth[i] >> 16, *stored)) == 0) {
-                continue;
-            }
-            *stored = (uint16_t)(depth[i] >> 16);
-        }
-        color[kept] = color[i];
-        place[kept] = at;
-        kept++;
-    }
-    return kept;
-}
-
 /* The stages of what is in the batch, one fragment at least. */
 static void finish(const qtri_raster *raster)
 {
     qtri_batch *batch = raster->batch;
     const qtri_format *format = raster->format;
-    uint32_t mask = raster->alone ? batch->mask : UINT32_MAX;
+    uint32_t mask = raster->late != NULL ? batch->mask : UINT32_MAX;
     int32_t count = batch->count;
     batch->count = 0;
     batch->mask = 0;
@@ -266,15 +237,9 @@ static void finish(const qtri_raster *raster)
     } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
         share_tint(raster, batch->color, count);
     }
-    if (raster->alone) {
-        if (raster->effects != NULL) {
-            raster->effects->list(raster, mask & qtri_mask_of(count), count);
-            return;
-        }
-        count = qtri_list_keep(raster, 0, mask & qtri_mask_of(count), count);
-        if (count == 0) {
-            return;
-        }
+    if (raster->late != NULL) {
+        raster->late->store(raster, mask & qtri_mask_of(count), count);
+        return;
     }
     if (format->encode != NULL) {
         format->encode(batch->color, count);
@@ -290,26 +255,6 @@ static void finish(const qtri_raster *raster)
 void qtri_list_flush(const qtri_raster *raster)
 {
     if (raster->batch->count != 0) {
-        finish(raster);
-    }
-}
-
-/* What effects and stages that turn fragments away ask of the last `count` that wait. */
-QTRI_NOINLINE static void note(const qtri_raster *raster, const qtri_ramp *ramp, uint32_t mask,
-                               int32_t count)
-{
-    qtri_batch *batch = raster->batch;
-    batch->mask = batch->mask << 1 << (count - 1) | (mask & qtri_mask_of(count));
-    if (raster->keeps_depth) {
-        const int32_t first = batch->count - count;
-        const uint32_t *place = batch->place + first;
-        uint32_t *depth = batch->depth + first;
-        const qtri_ramp r = *ramp;
-        for (const uint32_t *end = place + count; place != end; place++) {
-            *depth++ = qtri_list_at(&r, *place & 0xFFFF, *place >> 16);
-        }
-    }
-    if (raster->apart) {
         finish(raster);
     }
 }
@@ -409,8 +354,11 @@ QTRI_NOINLINE void qtri_list_draw(const qtri_raster *raster, const qtri_list_tri
             set = true;
             const int32_t count = batch->count - first;
             const uint32_t mask = set_words(&v, first, batch->count);
-            if (raster->alone) {
-                note(raster, &r.depth, mask, count);
+            if (raster->late != NULL) {
+                raster->late->note(raster, &r.depth, mask, count);
+                if (raster->apart) {
+                    finish(raster);
+                }
             }
         }
         if (more) {

@@ -46,13 +46,6 @@ typedef struct qtri_list_triangle {
 
 void qtri_list_draw(const qtri_raster *raster, const qtri_list_triangle *t);
 
-/*
- * Leaves those out of `count` fragments of the batch, from `first` on, that are not in the mask;
- * and where the raster writes depths, those that fail the test by now. The depths of the others are
- * written. Returns how many are left, which follow each other from `first` on.
- */
-int32_t qtri_list_keep(const qtri_raster *raster, int32_t first, uint32_t mask, int32_t count);
-
 /* Draws those that wait: at the end of a draw call, and before anything else is drawn. */
 void qtri_list_flush(const qtri_raster *raster);
 

@@ -42,7 +42,7 @@ static void set_effects(qtri_raster *raster, const qtri_material *material, bool
     raster->effects = qtri_effect_stages_of(material);
     raster->rejects = (textured && (material->texture->has_key || material->least_alpha != 0)) ||
                       (raster->blend != NULL && raster->blend->rejects);
-    raster->alone = raster->rejects || raster->effects != NULL;
+    raster->late = raster->effects != NULL ? raster->effects->late : NULL;
     raster->apart = raster->rejects && raster->depth_write && raster->compare == QTRI_NOT_EQUAL;
     raster->keeps_depth = raster->fog != NULL || (raster->rejects && raster->depth_write);
     raster->reads = raster->blend != NULL;
@@ -147,7 +147,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
         raster->fill_smooth = fused->smooth != NULL ? fused->smooth : raster->fill_smooth;
         raster->copy_run = raster->copied ? fused->copy : NULL;
         raster->copy_bent = raster->copied ? fused->copy_bent : NULL;
-        if (raster->copied && !raster->alone &&
+        if (raster->copied && raster->late == NULL &&
             raster->texturing == material->texture->format->texturing) { /* of one level */
             raster->lit_list = fused->lit;
         }

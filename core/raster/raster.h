@@ -21,6 +21,7 @@ typedef struct qtri_list_values qtri_list_values; /* see list_values.h */
 typedef struct qtri_raster qtri_raster;
 typedef struct qtri_varying qtri_varying;             /* see shading.h */
 typedef struct qtri_effect_stages qtri_effect_stages; /* see effect.h */
+typedef struct qtri_list_late qtri_list_late;         /* see list_late.h */
 typedef struct qtri_vertex_blend qtri_vertex_blend;   /* see effect.h */
 typedef struct qtri_alpha_planes qtri_alpha_planes;
 typedef struct qtri_pixel_light qtri_pixel_light; /* see pixel_light.h */
@@ -124,7 +125,6 @@ struct qtri_raster {
     qtri_compare compare; /* QTRI_DEPTH_OFF: depth neither read nor written */
     bool depth_write;
     bool with_depth;  /* depths are needed: for that, or for fog */
-    bool alone;       /* fragments go through effects, or may be turned away: not colours alone */
     bool apart;       /* fragments of two triangles may not share a batch */
     bool keeps_depth; /* that of fragments of small triangles is kept with them */
     bool reads;       /* effects read what is stored: a fragment needs what those before it made */
@@ -142,6 +142,7 @@ struct qtri_raster {
     const qtri_blend *blend; /* NULL: none, see effect.h */
     const qtri_fog *fog;
     const qtri_effect_stages *effects; /* NULL: neither */
+    const qtri_list_late *late;        /* fragments are not colours alone; NULL: they are */
     qtri_effect_row effect_row;        /* NULL: there is none for what is drawn */
     qtri_draw_list effect_list;        /* the same for what waits in the batch, see list.h */
     bool perspective;                  /* as the material asks */

@@ -51,7 +51,7 @@ qtri_placed qtri_samples_place(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
     const int32_t dy1 = b->at.y_24p8 - a->at.y_24p8;
     const int32_t dx2 = c->at.x_24p8 - a->at.x_24p8;
     const int32_t dy2 = c->at.y_24p8 - a->at.y_24p8;
-    if (raster->alone || qtri_place_is_far(dx1, dy1, dx2, dy2)) {
+    if (raster->late != NULL || qtri_place_is_far(dx1, dy1, dx2, dy2)) {
         return QTRI_PLACED_LARGE;
     }
     const int32_t size = dx2 * dy1 - dx1 * dy2;

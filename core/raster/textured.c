@@ -2,6 +2,7 @@
 #include "textured.h"
 
 #include "bilinear.h"
+#include "list_late.h"
 #include "shading.h"
 #include "loop.h"
 #include "texel_copy.h"
@@ -52,6 +53,9 @@ void qtri_textured_init(qtri_raster *raster, const qtri_material *material)
     raster->replace = material->texture_mode == QTRI_REPLACE;
     raster->units = &qtri_colors_888;
     raster->seen = NULL;
+    if (raster->rejects && raster->late == NULL) {
+        raster->late = &qtri_list_late_texels;
+    }
     set_kinds(raster);
     if (texture->filter != NULL) {
         texture->filter->init(raster);
