@@ -146,12 +146,12 @@ static void areas_that_snapping_made(void **state)
         for (int i = 0; i < 3; i++) {
             t.p[i] = &p[i];
         }
-        for (int32_t less = 8192; less <= 65536; less += 8192) { /* in 2^-16 of the grid's unit */
+        for (int32_t less = 8192; less < 65536; less += 8192) { /* in 2^-16 of the grid's unit */
             qtri_attributes v[3];
             qtri_unsnapped u;
             memset(v, 0, sizeof v);
-            v[0].rest[1] = less / 2;
-            v[2].rest[1] = -less / 2;
+            v[0].rest[1] = (int16_t)(less / 2);
+            v[2].rest[1] = (int16_t)(-less / 2);
             qtri_unsnapped_init(&u, &raster, &t, v);
             assert_int_equal(u.is_on, n == 1);
         }

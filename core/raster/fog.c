@@ -155,6 +155,7 @@ QTRI_NOINLINE static void shares_of_depths(uint32_t *share, const qtri_fog *fog,
 {
     fog_step s = {0, 0, 0, 0, 0};
     for (const uint32_t *end = share + count; share != end; share++, depth++) {
+        // NOLINTNEXTLINE(clang-analyzer-core.*): there are as many depths
         const uint32_t t = ~*depth;
         if (t - s.from >= s.size) {
             find_step(&s, fog, t);

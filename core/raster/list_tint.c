@@ -43,7 +43,7 @@ QTRI_INLINE void append(const tint_rows *rows, const uint8_t *span, qtri_batch *
                         tint_word word)
 {
     const uint16_t *table = batch->by.table;
-    const uint32_t shift = rows->shift;
+    const uint32_t shift = word == SHARE ? rows->shift : 0;
     const bool varies = word != ONE_COLOR;
     const ptrdiff_t depth_at = batch->depth - batch->place;
     const ptrdiff_t color_at = batch->color - batch->place;

@@ -8,6 +8,7 @@
 static int64_t slope_of(int32_t dx, int32_t dy)
 {
     const int32_t zeros = qtri_clz32((uint32_t)dy); /* 7..31 */
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): dy > 0
     const int64_t product = qtri_mul_s32(dx, qtri_reciprocal_below((uint32_t)dy << zeros));
     return zeros > 30 ? product * 2 : product >> (30 - zeros);
 }
