@@ -3,7 +3,7 @@
  * Small triangles: their pixels against the fill rule and against double precision, and against
  * models of the depth test, for whatever they look like and however the frame is cut up.
  */
-#include "raster/list.h"
+#include "raster/list_values.h"
 #include "support/core.h"
 
 enum { WIDTH = 96, HEIGHT = 84 };
@@ -591,6 +591,72 @@ static void fused_loops(void **state)
     canvas_free(&bands);
 }
 
+/* How far from linear the light i, Q15, is anywhere: with 1/w q, by double precision. */
+static double strays(const int32_t i[3], const double q[3])
+{
+    enum { PARTS = 12 };
+    double most = 0;
+    for (int a = 0; a <= PARTS; a++) {
+        for (int b = 0; a + b <= PARTS; b++) {
+            const double share[3] = {(double)a / PARTS, (double)b / PARTS,
+                                     (double)(PARTS - a - b) / PARTS};
+            double linear = 0;
+            double sum = 0;
+            double whole = 0;
+            for (int k = 0; k < 3; k++) {
+                linear += share[k] * i[k];
+                sum += share[k] * q[k] * i[k];
+                whole += share[k] * q[k];
+            }
+            most = fmax(most, fabs(sum / whole - linear));
+        }
+    }
+    return ldexp(most, -15);
+}
+
+/* Shares of a tint are linear where no channel strays by more than 1/8 of its step; and where the
+   bound of all triangles is below that they are. */
+static void tints(void **state)
+{
+    static const qtri_colors *const kinds[] = {&qtri_colors_565, &qtri_colors_888,
+                                               &qtri_colors_gray};
+    (void)state;
+    uint64_t seed = 11;
+    int linear = 0;
+    for (int n = 0; n < 20000; n++) {
+        qtri_raster raster = {.units = kinds[n % 3], .perspective = true};
+        const int32_t bright = random_in(&seed, 0, 255);
+        const qtri_rgb color = {(uint8_t)random_in(&seed, 0, bright),
+                                (uint8_t)random_in(&seed, 0, bright),
+                                (uint8_t)random_in(&seed, 0, bright)};
+        qtri_raster_set_tint(&raster, color);
+        const uint32_t q0 = ((uint32_t)1 << 30) + (uint32_t)random_in(&seed, 0, INT32_MAX >> 1);
+        const int32_t reach = (int32_t)(q0 / 12) >> random_in(&seed, 0, 3);
+        const int32_t more[2] = {random_in(&seed, -reach, reach), random_in(&seed, -reach, reach)};
+        const int32_t range = (int32_t)1 << random_in(&seed, 12, 15);
+        int32_t i[3];
+        double q[3] = {q0, q0 + (double)more[0], q0 + (double)more[1]};
+        for (int k = 0; k < 3; k++) {
+            i[k] = random_in(&seed, 0, range);
+        }
+        double widest = 0;
+        for (int k = 0; k < 3; k++) {
+            widest = fmax(widest, raster.tint.c[k] / 65536.0);
+        }
+        const double q_least = fmin(q[0], fmin(q[1], q[2]));
+        const double q_range = fmax(q[0], fmax(q[1], q[2])) - q_least;
+        const double most = fmax(i[0], fmax(i[1], i[2])) - fmin(i[0], fmin(i[1], i[2]));
+        const double bound = ldexp(most + 1, -15) * widest * q_range / (4 * q_least);
+        if (qtri_list_tint_is_linear(&raster, q0, more[0], more[1], i[1] - i[0], i[2] - i[0])) {
+            assert_true(strays(i, q) * widest <= .125 + 1 / 256.0);
+            linear++;
+        } else {
+            assert_true(bound * 1.1 > .125);
+        }
+    }
+    assert_in_range(linear, 8000, 19000);
+}
+
 int main(void)
 {
     uint64_t seed = 6;
@@ -605,6 +671,7 @@ int main(void)
         cmocka_unit_test(cuts),
         cmocka_unit_test(comparisons),
         cmocka_unit_test(fused_loops),
+        cmocka_unit_test(tints),
     };
     return cmocka_run_group_tests_name("core list", tests, NULL, NULL);
 }

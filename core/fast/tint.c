@@ -20,7 +20,11 @@ typedef struct tint_rows {
     uint32_t light, light_dx, light_dy; /* the table's index begins at bit TABLE_SHIFT */
 } tint_rows;
 
-enum { TABLE_BITS = QTRI_TINT_BITS, TABLE_SHIFT = 22 - TABLE_BITS };
+enum {
+    TABLE_BITS = QTRI_TINT_BITS,
+    TABLE_SHIFT = 22 - TABLE_BITS,
+    TABLE_LENGTH = (1 << TABLE_BITS) + 4 /* a multiple of four, see encode_table() */
+};
 
 static inline uint16_t *at_address(uintptr_t address)
 {
@@ -88,21 +92,43 @@ QTRI_NOINLINE static void fill_equal(const tint_rows *rows, const uint8_t *span,
     }
 }
 
-/* Pixels of all shares of the tint. */
-QTRI_NOINLINE static void make_table(const qtri_raster *raster)
+/* Colours of the format's kind as stored pixels. */
+QTRI_NOINLINE static void encode_table(const qtri_raster *raster)
 {
     uint16_t *table = raster->batch->by.table;
     uint32_t words[4];
-    for (uint32_t i = 0; i < (1u << TABLE_BITS) + 1; i += 4) {
+    for (uint32_t i = 0; i < TABLE_LENGTH; i += 4) {
         for (uint32_t k = 0; k < 4; k++) {
-            words[k] = qtri_raster_tinted(raster, i + k, TABLE_BITS);
+            words[k] = table[i + k];
         }
-        if (raster->format->encode != NULL) {
-            raster->format->encode(words, 4);
-        }
+        raster->format->encode(words, 4);
         for (uint32_t k = 0; k < 4; k++) {
             table[i + k] = (uint16_t)words[k];
         }
+    }
+}
+
+/* Pixels of all shares of the tint: as qtri_raster_tinted() makes them, by sums, since a mesh may
+   have few pixels. */
+QTRI_NOINLINE static void make_table(const qtri_raster *raster)
+{
+    const qtri_colors *colors = raster->units;
+    const uint32_t red = colors->red;
+    const uint32_t green = colors->green;
+    const uint32_t shift = 8 + TABLE_BITS;
+    const uint32_t step[3] = {raster->tint_n8[0], raster->tint_n8[1], raster->tint_n8[2]};
+    uint32_t r = (uint32_t)1 << (shift - 1); /* rounds */
+    uint32_t g = r;
+    uint32_t b = r;
+    uint16_t *table = raster->batch->by.table;
+    for (const uint16_t *end = table + TABLE_LENGTH; table != end; table++) {
+        *table = (uint16_t)(r >> shift << red | g >> shift << green | b >> shift);
+        r += step[0];
+        g += step[1];
+        b += step[2];
+    }
+    if (raster->format->encode != NULL) {
+        encode_table(raster);
     }
     raster->batch->has_table = true;
 }
@@ -115,8 +141,8 @@ QTRI_NOINLINE static bool is_simple(const qtri_raster *raster, const qtri_vertex
     int32_t more1;
     int32_t more2;
     return qtri_inv_w_more(&more1, a, b) && qtri_inv_w_more(&more2, a, c) &&
-           (!(QTRI_WITH_PERSPECTIVE && raster->perspective) ||
-            qtri_list_is_linear(a->inv_w, more1, more2, i1, i2, 3));
+           (qtri_list_is_linear(a->inv_w, more1, more2, i1, i2, 3) ||
+            qtri_list_tint_is_linear(raster, a->inv_w, more1, more2, i1, i2));
 }
 
 bool qtri_tint_fits(const qtri_raster *raster)

@@ -125,10 +125,11 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     }
     int64_t sum[3] = {0, 0, 0};
     for (int k = 0; k < count; k++) {
-        int32_t shift = row[k]->exponent - least;
-        for (int j = 0; j < 3 && factor[k] != 0; j++) {
-            int64_t product = qtri_mul_s32(factor[k], row[k]->m[j]);
-            sum[j] += shift == 0 ? product : product >> (shift > 63 ? 63 : shift); /* < 3 2^60 */
+        const int32_t by = factor[k];
+        const int32_t shift = qtri_least32(row[k]->exponent - least, 63);
+        for (int j = 0; j < 3 && by != 0; j++) {
+            int64_t product = qtri_mul_s32(by, row[k]->m[j]);
+            sum[j] += shift == 0 ? product : product >> shift; /* < 3 2^60 */
         }
     }
     uint64_t size = qtri_magnitude64(sum[0]) | qtri_magnitude64(sum[1]) | qtri_magnitude64(sum[2]);
@@ -136,27 +137,26 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     if (down < 16) {
         return false; /* below 2^45: what was cut off could show in 30 bits */
     }
-    qtri_row result;
-    result.exponent = exponent + least - down;
-    result.t = 0;
-    if (!add_shifted(&result.t, t, down - least)) {
+    int64_t moved = 0;
+    if (!add_shifted(&moved, t, down - least)) {
         return false;
     }
     for (int k = 0; k < count; k++) {
         int64_t product = 0;
-        if (factor[k] != 0 &&
+        if (factor[k] != 0 && row[k]->t != 0 &&
             !scaled_product(&product, factor[k], row[k]->t, row[k]->exponent - least + down)) {
             return false;
         }
-        result.t += product; /* <= 4 2^60 */
+        moved += product; /* <= 4 2^60 */
     }
-    if (qtri_magnitude64(result.t) >> 61 != 0) {
+    if (qtri_magnitude64(moved) >> 61 != 0) {
         return false;
     }
+    out->t = moved; /* may be one of the rows, which have been read */
+    out->exponent = exponent + least - down;
     for (int j = 0; j < 3; j++) {
-        result.m[j] = (int32_t)qtri_shift_round(sum[j], down);
+        out->m[j] = (int32_t)qtri_shift_round(sum[j], down);
     }
-    *out = result;
     return true;
 }
 

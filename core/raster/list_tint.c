@@ -124,8 +124,8 @@ QTRI_NOINLINE static bool is_simple(const qtri_raster *raster, const qtri_vertex
     int32_t more1;
     int32_t more2;
     return qtri_inv_w_more(&more1, a, b) && qtri_inv_w_more(&more2, a, c) &&
-           (!(QTRI_WITH_PERSPECTIVE && raster->perspective) ||
-            qtri_list_is_linear(a->inv_w, more1, more2, i1, i2, 3));
+           (qtri_list_is_linear(a->inv_w, more1, more2, i1, i2, 3) ||
+            qtri_list_tint_is_linear(raster, a->inv_w, more1, more2, i1, i2));
 }
 
 bool qtri_list_tint(const qtri_raster *raster, const void *indices, qtri_vertex *a, qtri_vertex *b,

@@ -90,6 +90,34 @@ static inline bool is_linear(const qtri_list_values *v, int32_t d1, int32_t d2, 
            qtri_list_is_linear(v->t->v[0]->inv_w, p->more1, p->more2, d1, d2, part);
 }
 
+/* Of light, Q15: 1/8 of 63 steps or of 255. */
+static uint32_t light_part(const qtri_raster *raster)
+{
+    const qtri_colors *colors = raster->texture != NULL ? raster->working : raster->units;
+    return colors == &qtri_colors_565 || colors->finer != 0 ? 3 : 5;
+}
+
+/* The tint's widest channel differs by n.9, below 2^15 255 2^-6 and what is cut off. */
+QTRI_NOINLINE bool qtri_list_tint_is_linear(const qtri_raster *raster, uint32_t q0, int32_t q1,
+                                            int32_t q2, int32_t i1, int32_t i2)
+{
+    if (!(QTRI_WITH_PERSPECTIVE && raster->perspective)) {
+        return true;
+    }
+    const uint32_t range =
+        (uint32_t)(qtri_greatest_from_0(i1, i2) - qtri_least_from_0(i1, i2)); /* <= 2^15 */
+    const uint32_t most = (range * qtri_raster_widest_tint(raster) >> 14) + 1;
+    return qtri_list_is_linear(q0, q1, q2, (int32_t)most, 0, 3u - raster->units->finer);
+}
+
+/* Apart, so that others do not pay for it. */
+QTRI_NOINLINE static bool is_linear_tint(const qtri_list_values *v, int32_t i1, int32_t i2)
+{
+    const qtri_place *p = v->t->place;
+    return v->raster->texture == NULL &&
+           qtri_list_tint_is_linear(v->raster, v->t->v[0]->inv_w, p->more1, p->more2, i1, i2);
+}
+
 void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
 {
     const qtri_list_triangle *t = v->t;
@@ -106,7 +134,7 @@ void qtri_list_set_light(qtri_list_values *v, uint32_t shift)
     const int32_t f2 = (i2 + 1) >> (QTRI_PLACE_DOWN - 7);
     v->channels = 1;
     v->base[2] = ((uint32_t)i0 << 7) + (uint32_t)round;
-    v->curved = !is_linear(v, i1, i2, qtri_list_light_part(v->raster));
+    v->curved = !is_linear(v, i1, i2, light_part(v->raster)) && !is_linear_tint(v, i1, i2);
     if (v->curved) {
         qtri_list_find_e(v);
         curve_of(&v->channel[2], v, f1, f2);

@@ -229,12 +229,13 @@ static inline bool qtri_list_is_plain(const qtri_vertex *a, const qtri_vertex *b
                                                                                << (25 - part);
 }
 
-/* Of light, Q15: 1/8 of 63 steps or of 255. */
-static inline uint32_t qtri_list_light_part(const qtri_raster *raster)
-{
-    const qtri_colors *colors = raster->texture != NULL ? raster->working : raster->units;
-    return colors == &qtri_colors_565 || colors->finer != 0 ? 3 : 5;
-}
+/*
+ * Whether light, Q15, that differs from vertex 0's by i1 and i2 is linear on the screen where it
+ * makes shares of the tint: asked where white would not be, which needs no look at the tint and is
+ * true of most. q0, q1, q2 as qtri_list_is_linear() has them.
+ */
+bool qtri_list_tint_is_linear(const qtri_raster *raster, uint32_t q0, int32_t q1, int32_t q2,
+                              int32_t i1, int32_t i2);
 
 /*
  * Colours of the triangle: light, 2^22 being 1, or channels n.16. The words of its fragments are

@@ -207,6 +207,14 @@ qtri_channels qtri_raster_channels(const qtri_raster *raster, const int32_t colo
 /* A colour of the format's kind as a stored pixel. */
 uint32_t qtri_raster_stored(const qtri_raster *raster, uint32_t color);
 
+/* The widest of the tint's channels, with 8 bits after the point: below 2^16. */
+static inline uint32_t qtri_raster_widest_tint(const qtri_raster *raster)
+{
+    const uint32_t *tint = raster->tint_n8;
+    const uint32_t widest = tint[0] > tint[1] ? tint[0] : tint[1];
+    return widest > tint[2] ? widest : tint[2];
+}
+
 /* share_q22 <= 2^22 of a tint's channel, or of a step of it. */
 static inline int32_t qtri_raster_shade(const qtri_raster *raster, int32_t share_q22, int i)
 {

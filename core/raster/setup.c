@@ -71,8 +71,17 @@ static void ramp_init(qtri_ramp *ramp, const qtri_gradient *g, const uint32_t f[
 }
 
 /*
- * The widest of the colours, so that 2^16 is a step of what is drawn or less: shares of a tint are
- * Q22, whose channels have at most 63 steps of RGB565 or 255.
+ * That of shares of a tint, Q22, of which colours vary by as much as its widest channel does. Not 0
+ * where they vary: 2^16 255 2^8 < 2^32, and a tint's channel is cut off by 2^-8 of a step.
+ */
+static uint32_t tint_range(const qtri_raster *raster, uint32_t share)
+{
+    return ((share + 63) >> 6) * qtri_raster_widest_tint(raster) >> 8;
+}
+
+/*
+ * The widest of the colours, so that 2^16 is a step of what is drawn or less. Where texels are
+ * multiplied, shares of a tint are taken as those of white: 63 steps of RGB565 or 255.
  */
 static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
 {
@@ -85,6 +94,9 @@ static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
         uint32_t least;
         const uint32_t other = range_of(f, &least);
         range = other > range ? other : range;
+    }
+    if (job->tinted && raster->texture == NULL) {
+        return tint_range(raster, range);
     }
     return job->tinted && raster->units != &qtri_colors_565 ? range << 2 : range;
 }
