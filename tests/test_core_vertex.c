@@ -334,14 +334,38 @@ static void lights(void **state)
     assert_true(255 * vertex_worst <= .03);
 }
 
+/* Just beyond 2^15 the products of edges would fill 32 bits. */
+static void edges_beyond_the_short(void **state)
+{
+    (void)state;
+    qtri_transform identity;
+    qtri_transform_identity(&identity);
+    for (int i = 0; i < 6; i++) {
+        const int x = i % 3;
+        const int y = (x + 1) % 3;
+        q16 towards[3] = {0, 0, 0};
+        q16 e[3] = {0, 0, 0};
+        q16 f[3] = {0, 0, 0};
+        towards[3 - x - y] = Q16_ONE;
+        e[x] = 32768 + (i < 3);
+        e[y] = -32767;
+        f[x] = 32768;
+        f[y] = 32768 + (i >= 3);
+        const qtri_light light = {{towards[0], towards[1], towards[2]}, 0, Q16_ONE};
+        const qtri_vec3 corner[3] = {{0, 0, 0}, {e[0], e[1], e[2]}, {f[0], f[1], f[2]}};
+        qtri_lighting lighting;
+        qtri_lighting_init(&lighting, &light, &identity, 1 << 14);
+        const uint32_t face = qtri_lighting_face(&lighting, &corner[0], &corner[1], &corner[2]);
+        assert_in_range(face, QTRI_INTENSITY_ONE - 1, QTRI_INTENSITY_ONE);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(wide_positions),
-        cmocka_unit_test(compact_positions),
-        cmocka_unit_test(compact_is_exact_enough),
-        cmocka_unit_test(corners_are_points),
-        cmocka_unit_test(lights),
+        cmocka_unit_test(wide_positions),          cmocka_unit_test(compact_positions),
+        cmocka_unit_test(compact_is_exact_enough), cmocka_unit_test(corners_are_points),
+        cmocka_unit_test(edges_beyond_the_short),  cmocka_unit_test(lights),
     };
     return cmocka_run_group_tests_name("core vertex", tests, NULL, NULL);
 }
