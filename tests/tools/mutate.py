@@ -14,7 +14,7 @@ by one.
 
 Settings, by environment: BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
 out. A change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors
-that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart.
+that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; CHANGE `0 -> 1 at 26` is the one in that column of the text.
 """
 import concurrent.futures
 import filecmp
@@ -75,6 +75,10 @@ class Mutant:
         self.layer = None  # of a library of many; None: alone
         self.tests = None  # those for which it makes a difference where it stands
         self.result = None
+
+    def at(self):
+        line = self.source.text.split("\n")[self.line - 1]
+        return f"{self.what} at {self.column - (len(line) - len(line.lstrip()))}"
 
 
 def parallel(function, items):
@@ -510,7 +514,7 @@ def main():
                      if l.strip() and not l.startswith("#")]
 
     def is_explained(m):
-        return any(e[0] == m.path and e[1] in m.text and e[2] == m.what for e in explained)
+        return any(e[0] == m.path and e[1] in m.text and e[2] in (m.what, m.at()) for e in explained)
     left = [m for m in judged if m.result == "survived" and not is_explained(m) and m.tests]
     sanitized = Sanitized(build) if left else None
     for m in left:
