@@ -360,12 +360,41 @@ static void edges_beyond_the_short(void **state)
     }
 }
 
+/* The last bit of light on faces and vertices that are short: others judge it by what is seen. */
+static void last_bits_of_light(void **state)
+{
+    (void)state;
+    uint64_t seed = 55;
+    uint32_t hash = 2166136261u;
+    qtri_transform identity;
+    qtri_transform_identity(&identity);
+    for (int n = 0; n < 20000; n++) {
+        const qtri_light light = {{random_in(&seed, -65536, 65536), random_in(&seed, -65536, 65536),
+                                   random_in(&seed, -65536, 65536)},
+                                  random_in(&seed, 0, 30000),
+                                  random_in(&seed, 0, 70000)};
+        const qtri_face8 face = {(int8_t)random_in(&seed, -100, 100),
+                                 (int8_t)random_in(&seed, -100, 100),
+                                 (int8_t)random_in(&seed, -100, 100), 0};
+        const qtri_normal8 normal = {face.x, face.y, face.z};
+        qtri_lighting lighting;
+        qtri_lighting_init(&lighting, &light, &identity, 1 << 14);
+        hash = (hash ^ qtri_lighting_face8(&lighting, &face)) * 16777619u;
+        hash = (hash ^ qtri_lighting_vertex8(&lighting, &normal)) * 16777619u;
+    }
+    assert_int_equal(hash, 0xbd7332a8u);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(wide_positions),          cmocka_unit_test(compact_positions),
-        cmocka_unit_test(compact_is_exact_enough), cmocka_unit_test(corners_are_points),
-        cmocka_unit_test(edges_beyond_the_short),  cmocka_unit_test(lights),
+        cmocka_unit_test(wide_positions),
+        cmocka_unit_test(compact_positions),
+        cmocka_unit_test(compact_is_exact_enough),
+        cmocka_unit_test(corners_are_points),
+        cmocka_unit_test(last_bits_of_light),
+        cmocka_unit_test(edges_beyond_the_short),
+        cmocka_unit_test(lights),
     };
     return cmocka_run_group_tests_name("core vertex", tests, NULL, NULL);
 }
