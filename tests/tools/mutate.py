@@ -3,18 +3,19 @@
 
     mutate.py BUILD COUNT SEED [again]
 
-Of all changes COUNT are drawn at random; `again` takes instead those that survived in BUILD/mutants.tsv. Most are
-compiled together: each is an expression that is the changed one where the environment's QTRI_MUTANT has its number
-(mutants.py). Changes that overlap, and those in constants of the compiler, are in libraries of their own. One run
-of all tests says for which tests a changed expression has another value at all; those run for that change, the ones
-that are likely to notice it quickly first, until one fails, crashes or takes ten times as long. Code that this
-machine leaves out is judged by the tests of core in a narrow build (core/bits/bits.h). What survives is judged once
-more by the quickest of its tests of core under the sanitizers, as `make test` runs them: they see a bound that is off
-by one.
+Of all changes COUNT are drawn at random; `again` takes instead those that survived in BUILD/mutants.tsv and are not
+explained. Most are compiled together: each is an expression that is the changed one where the environment's
+QTRI_MUTANT has its number (mutants.py). Changes that overlap, and those in constants of the compiler, are in libraries
+of their own. One run of all tests says for which tests a changed expression has another value at all; those run for
+that change, the ones that are likely to notice it quickly first, until one fails, crashes or takes ten times as long.
+Code that this machine leaves out is judged by the tests of core in a narrow build (core/bits/bits.h). What survives is
+judged once more by the quickest of its tests of core under the sanitizers, which `make test` runs as well: they see a
+bound that is off by one.
 
 Settings, by environment: BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
 out. A change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors
-that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; CHANGE `0 -> 1 at 26` is the one in that column of the text.
+that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; the CHANGE
+`0 -> 1 at 26` is that in column 26 of the text.
 """
 import concurrent.futures
 import filecmp
@@ -366,6 +367,17 @@ def judge_alone(bench, runs, mutant):
     return runs.judge(mutant, folder, f"{bench.here}/base", -1)
 
 
+def read_explained():
+    if not os.path.exists("tests/mutants.equivalent"):
+        return []
+    return [[p.strip() for p in line.split(" | ")] for line in open("tests/mutants.equivalent")
+            if line.strip() and not line.startswith("#")]
+
+
+def is_explained(mutant, explained):
+    return any(e[0] == mutant.path and e[1] in mutant.text and e[2] in (mutant.what, mutant.at()) for e in explained)
+
+
 def draw(build, count, seed, again):
     """The mutants to judge, in random order; more than are asked for, as some are none."""
     sources = {path: Source(path) for path in sorted(glob.glob("core/*/*.[ch]"))}
@@ -373,7 +385,9 @@ def draw(build, count, seed, again):
         wanted = [line.rstrip("\n").split("\t") for line in open(f"{build}/mutants.tsv")]
         wanted = {(w[0], w[5], w[3]) for w in wanted if w[4] == "survived"}
         everything = [Mutant(s, c) for s in sources.values() for c in s.mutants()]
-        return [m for m in everything if (m.path, m.text, m.what) in wanted], len(everything)
+        explained = read_explained()
+        return [m for m in everything if (m.path, m.text, m.what) in wanted and not is_explained(m, explained)], \
+            len(everything)
     everything = [(s, c) for s in sources.values() for c in s.mutants()]
     random.Random(seed).shuffle(everything)
     return [Mutant(s, c) for s, c in everything[:count + count // 3 + 5]], len(everything)
@@ -508,14 +522,8 @@ def main():
             if same_objects(bench, m, ["-O2"]):
                 m.result = None
     judged = [m for m in mutants if m.result is not None][:count]
-    explained = []
-    if os.path.exists("tests/mutants.equivalent"):
-        explained = [[p.strip() for p in l.split(" | ")] for l in open("tests/mutants.equivalent")
-                     if l.strip() and not l.startswith("#")]
-
-    def is_explained(m):
-        return any(e[0] == m.path and e[1] in m.text and e[2] in (m.what, m.at()) for e in explained)
-    left = [m for m in judged if m.result == "survived" and not is_explained(m) and m.tests]
+    explained = read_explained()
+    left = [m for m in judged if m.result == "survived" and not is_explained(m, explained) and m.tests]
     sanitized = Sanitized(build) if left else None
     for m in left:
         m.result = sanitized.judge(m, judges[m.number].runs.seconds)
@@ -525,7 +533,7 @@ def main():
             table.write(f"{m.path}\t{m.line}\t{m.column}\t{m.what}\t{m.result}\t{m.text}\n")
             if m.result != "survived":
                 continue
-            if is_explained(m):
+            if is_explained(m, explained):
                 known += 1
                 continue
             survivors.append(m)
