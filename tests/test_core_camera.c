@@ -315,6 +315,21 @@ static void outside_of_ranges(void **state)
     }
 }
 
+/* Where the two ways to a cotangent meet, they differ in the last bits: 16 degrees take the one of
+   wide angles, and what is next below does not. */
+static void where_ways_meet(void **state)
+{
+    (void)state;
+    const qtri_transform at = perspective_of(Q16(16), Q16(1), Q16(1), Q16(10), false);
+    const qtri_transform back = perspective_of(-Q16(16), Q16(1), Q16(1), Q16(10), false);
+    const qtri_transform other = perspective_of(Q16(164), Q16(1), Q16(1), Q16(10), false);
+    assert_int_equal(at.row[1].m[1], 955008756);
+    assert_int_equal(at.row[1].exponent, 27);
+    assert_int_equal(back.row[1].m[1], -955008756);
+    assert_int_equal(other.row[1].m[1], 603618290);
+    assert_int_equal(other.row[1].exponent, 32);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -325,6 +340,7 @@ int main(void)
         cmocka_unit_test(perspectives),
         cmocka_unit_test(narrowest_and_widest),
         cmocka_unit_test(outside_of_ranges),
+        cmocka_unit_test(where_ways_meet),
     };
     return cmocka_run_group_tests_name("core camera", tests, NULL, NULL);
 }

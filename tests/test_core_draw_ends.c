@@ -659,10 +659,24 @@ static void samples_beside_the_frame(void **state)
     assert_in_range(seen, 10, 24 * HEIGHT - 10);
 }
 
+static void default_material(void **state)
+{
+    (void)state;
+    const qtri_material m = qtri_material_default();
+    assert_int_equal(m.alpha, 255);
+    assert_true(m.color.r == 255 && m.color.g == 255 && m.color.b == 255);
+    assert_true(m.texture == NULL && m.fill == NULL && m.reflection == NULL);
+    assert_int_equal(m.shading, QTRI_SMOOTH);
+    assert_int_equal(m.cull, QTRI_CULL_BACK);
+    assert_int_equal(m.depth_compare, QTRI_LESS);
+    assert_false(m.depth_read_only);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planes_of_a_smaller_mesh),
+        cmocka_unit_test(default_material),
         cmocka_unit_test(vertices_that_were_never_met),
         cmocka_unit_test(hidden_lines_of_all_comparisons),
         cmocka_unit_test(hidden_lines_through_holes),

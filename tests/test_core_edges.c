@@ -935,11 +935,45 @@ static void halo_widens_changes(void **state)
     }
 }
 
+/* Rows that are no band's, in the halo below the last: all triangles are looked at. */
+static void rows_below_the_last_band(void **state)
+{
+    (void)state;
+    uint64_t seed = 9;
+    for (int round = 0; round < 40; round++) {
+        struct scene s = random_scene(&seed);
+        static struct picture plain, listed;
+        struct bands b = {.rolls = false};
+        qtri_prepared prepared;
+        begin_outlines(&s, WORDS);
+        begin_bands(&b, &s, HEIGHT / 2, 2, sizeof memory);
+        qtri_prepared_init(&prepared, vertices[0], VERTICES, lists[0], LISTS);
+        memset(lists[0], 0, sizeof lists[0]);
+        prepare(&b, &s, &prepared, &outline[0], &s.pose[0], &s.material, 2);
+        for (int i = 0; i < 2; i++) {
+            qtri_surface surface;
+            init_surface(&s, &surface, 0, HEIGHT);
+            clear_to(&surface, sky, s.far);
+            surface.scissor.y0 = HEIGHT - 1 - round % 2;
+            s.view.vertices = vertices[1];
+            s.view.vertex_count = VERTICES;
+            if (i == 0) {
+                qtri_draw_prepared(&surface, &prepared);
+            } else {
+                qtri_draw_mesh(&surface, &s.view, &s.pose[0], &s.mesh, &s.material);
+            }
+            keep(i == 0 ? &listed : &plain, &surface, 0, 0, WIDTH, HEIGHT);
+        }
+        assert_same(plain, listed);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(neighbours_are_found),
         cmocka_unit_test(bands_and_lists),
+        cmocka_unit_test(rows_below_the_last_band),
         cmocka_unit_test(scissors_and_pitches),
         cmocka_unit_test(drawing_is_the_same),
         cmocka_unit_test(shares_are_the_coverage),

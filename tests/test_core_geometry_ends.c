@@ -223,6 +223,34 @@ static bool finds_eye(const qtri_mat4 *m, const qtri_viewport *viewport, uint32_
     return found;
 }
 
+/* How wide the bound is, within which a face may turn either way: an eye at three distances. */
+static void bounds_of_eyes(void **state)
+{
+    (void)state;
+    static const struct {
+        double distance;
+        int32_t w, behind;
+    } cases[] = {{2.5, 538433, 321675}, {4, 355032, 230699}, {9, 162590, 156602}};
+    for (size_t i = 0; i < LENGTH_OF(cases); i++) {
+        const qtri_mesh mesh = {.extent = Q16(1), .faces = {NULL, NULL, 300, 60, 1 << 14}};
+        const qtri_viewport viewport = qtri_viewport_top(0, 0, 320, 240);
+        const qtri_vec3 at = {fixed(cases[i].distance), Q16(1), Q16(.5)};
+        const qtri_vec3 center = {0, 0, 0};
+        const qtri_vec3 up = {0, Q16_ONE, 0};
+        qtri_transform t;
+        qtri_projector projector;
+        qtri_eye eye;
+        qtri_transform_identity(&t);
+        qtri_transform_perspective(&t, Q16(60), Q16(1.25), Q16(.1), Q16(50));
+        qtri_transform_look_at(&t, at, center, up);
+        qtri_projector_init(&projector, &t, &viewport);
+        qtri_projector_compact(&projector, &mesh.origin, mesh.extent);
+        assert_true(qtri_eye_find(&eye, &projector, &mesh.faces));
+        assert_int_equal(eye.w, cases[i].w);
+        assert_int_equal(eye.behind, cases[i].behind);
+    }
+}
+
 /* Views in which snapping moves corners by more than a face: no face is left out. */
 static void views_that_tell_nothing(void **state)
 {
@@ -371,6 +399,7 @@ int main(void)
         cmocka_unit_test(boxes_of_all_numbers),
         cmocka_unit_test(ten_thousand_targets_are_held),
         cmocka_unit_test(frames_end_at_32767),
+        cmocka_unit_test(bounds_of_eyes),
         cmocka_unit_test(views_that_tell_nothing),
         cmocka_unit_test(any_ambient_and_diffuse),
         cmocka_unit_test(places_are_held_on_both_sides),

@@ -284,11 +284,34 @@ static void of_surfaces(void **state)
     canvas_free(&b);
 }
 
+/* Rows of a few bytes, which end before they are aligned: nothing beside them is written. */
+static void narrow(void **state)
+{
+    (void)state;
+    const uint8_t memory[] = {10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21};
+    for (int32_t n = 0; n < 8 * 4 * 4; n++) {
+        const int32_t x = n / 16;
+        const qtri_image image = {.pixels = memory + n % 4,
+                                  .pitch = 4,
+                                  .format = &qtri_gray8,
+                                  .width = 1 + n / 4 % 4,
+                                  .height = 1};
+        canvas c = canvas_new(&qtri_gray8, 12, 2);
+        qtri_image_paint(&c.surface, &image, x, 0);
+        for (int32_t i = 0; i < 24; i++) {
+            const bool is_there = i >= x && i < x + image.width;
+            const uint32_t wanted = is_there ? memory[n % 4 + i - x] : 0;
+            assert_int_equal(stored_pixel(&c.surface, i % 12, i / 12), wanted);
+        }
+        canvas_free(&c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(placed),        cmocka_unit_test(turned),      cmocka_unit_test(bands),
-        cmocka_unit_test(any_arguments), cmocka_unit_test(of_surfaces),
+        cmocka_unit_test(any_arguments), cmocka_unit_test(of_surfaces), cmocka_unit_test(narrow),
     };
     return cmocka_run_group_tests_name("core image", tests, NULL, NULL);
 }

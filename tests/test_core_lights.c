@@ -348,10 +348,31 @@ static void vertices_uneven(void **state)
     against_double(false, true);
 }
 
+/* Beyond 2^29 places are kept to a quarter. */
+static void places_far_away(void **state)
+{
+    (void)state;
+    qtri_illumination by;
+    memset(&by, 0, sizeof by);
+    by.even = true;
+    for (int i = 0; i < 4; i++) {
+        const q16 far = ((int32_t)1 << 29) - (i == 3);
+        const qtri_vec3 p = {i == 0 ? far : 1200, i == 1 ? -far : -2400, i >= 2 ? far : 4000};
+        const int32_t exponent = i < 3 ? 2 : 0;
+        qtri_lit_point point;
+        qtri_illuminated_place(&point, &by, &p);
+        assert_int_equal(point.exponent, exponent);
+        assert_int_equal(point.place[0], p.x / (1 << exponent));
+        assert_int_equal(point.place[1], p.y / (1 << exponent));
+        assert_int_equal(point.place[2], p.z / (1 << exponent));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(vertices_even),
+        cmocka_unit_test(places_far_away),
         cmocka_unit_test(vertices_uneven),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

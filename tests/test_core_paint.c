@@ -561,12 +561,29 @@ static void no_inside(void **state)
     canvas_free(&cleared);
 }
 
+/* The least that is seen at all is 1 of 255. */
+static void least_alpha(void **state)
+{
+    (void)state;
+    static const qtri_rgb white = {255, 255, 255};
+    canvas c = canvas_new(&qtri_xrgb8888, SIDE, SIDE);
+    const qtri_area all = {0, 0, QTRI_PX(SIDE), QTRI_PX(SIDE)};
+    for (uint8_t alpha = 0; alpha < 3; alpha++) {
+        const qtri_brush brush = {white, alpha, &qtri_ink_blend};
+        canvas_clear(&c);
+        qtri_paint_rect(&c.surface, &all, &brush);
+        assert_int_equal(stored_pixel(&c.surface, 3, 4), alpha * 0x010101u);
+    }
+    canvas_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(many_sides_in_a_row),
         cmocka_unit_test(no_inside),
         cmocka_unit_test(bands),
+        cmocka_unit_test(least_alpha),
         cmocka_unit_test(mixes),
         cmocka_unit_test(whole_pixels),
         cmocka_unit_test(common_sides),

@@ -546,11 +546,43 @@ static void extremes(void **state)
     }
 }
 
+/* Where a triangle just needs no division, by its colours and 1/w, or just needs one: other tests
+   say what is right, this one that the limit is where it was. */
+static void limit_of_the_linear(void **state)
+{
+    (void)state;
+    uint32_t hash = 2166136261u;
+    canvas c = canvas_new(&qtri_xrgb8888, 64, 64);
+    for (int n = 0; n < 4 * 4 * 4; n++) {
+        const int32_t side = (n & 3) == 0 ? 6 : 40; /* narrow and wide */
+        qtri_screen_vertex v[3] = {screen_at(256, 256), screen_at((1 + side) * 256, 256),
+                                   screen_at(256, 60 * 256)};
+        qtri_material m = plain_material();
+        m.shading = QTRI_SMOOTH;
+        for (int i = 0; i < 3; i++) {
+            const uint32_t less = i == 0 ? 0 : 0x80000000u >> (1 + n / 4 % 4);
+            v[i].inv_w_q31 = 0x80000000u - less;
+            for (int k = 0; k < 3; k++) {
+                v[i].color_8p16[k] =
+                    (100 << 16) + (k << 14) + (i == 0 ? 0 : (int32_t)1 << (15 + n / 16));
+            }
+        }
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, v);
+        for (int32_t i = 0; i < 64 * 64; i++) {
+            hash = (hash ^ stored_pixel(&c.surface, i % 64, i / 64)) * 16777619u;
+        }
+    }
+    canvas_free(&c);
+    assert_int_equal(hash, 0x462179b3u);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(texels), cmocka_unit_test(nearly_level), cmocka_unit_test(colors),
-        cmocka_unit_test(parts),  cmocka_unit_test(extremes),
+        cmocka_unit_test(texels),       cmocka_unit_test(limit_of_the_linear),
+        cmocka_unit_test(nearly_level), cmocka_unit_test(colors),
+        cmocka_unit_test(parts),        cmocka_unit_test(extremes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

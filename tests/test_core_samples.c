@@ -398,12 +398,33 @@ static void bands(void **state)
     }
 }
 
+/* Of a scissor's pixels and no others, in each format. */
+static void clears_in_a_scissor(void **state)
+{
+    (void)state;
+    for (int n = 0; n < FORMATS; n++) {
+        canvas c = canvas_new(four[n], WIDTH, HEIGHT);
+        qtri_surface part = c.surface;
+        part.scissor = (qtri_rect){40, 10, 50, 20};
+        qtri_samples_clear(&c.surface, (qtri_rgb){0, 0, 0});
+        qtri_samples_clear(&part, (qtri_rgb){255, 255, 255});
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const int32_t x = i % WIDTH;
+            const int32_t y = i / WIDTH;
+            const bool inside = x >= 40 && x < 50 && y >= 10 && y < 20;
+            assert_int_equal(sample_at(&c.surface, x, y, i % 4) != 0, inside);
+        }
+        canvas_free(&c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage), cmocka_unit_test(depths), cmocka_unit_test(range),
-        cmocka_unit_test(texels),   cmocka_unit_test(seams),  cmocka_unit_test(resolve),
-        cmocka_unit_test(bands),
+        cmocka_unit_test(coverage), cmocka_unit_test(clears_in_a_scissor),
+        cmocka_unit_test(depths),   cmocka_unit_test(range),
+        cmocka_unit_test(texels),   cmocka_unit_test(seams),
+        cmocka_unit_test(resolve),  cmocka_unit_test(bands),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -164,6 +164,17 @@ static void errors(void **state)
             }
         }
     }
+    /* The fewest that have a shape, and one less. */
+    static const int32_t least[KINDS][2] = {{0, 0}, {3, 2}, {3, 0}, {3, 0}, {3, 3}, {1, 1}};
+    for (int kind = SPHERE; kind < KINDS; kind++) {
+        const int32_t n = least[kind][0];
+        const int32_t k = least[kind][1];
+        assert_int_equal(make(kind, &memory, 1, 1, n, k).error, QTRI_OK);
+        assert_int_equal(make(kind, &memory, 1, 1, n - 1, k).error, QTRI_ERROR_SIZE);
+        if (k > 0) {
+            assert_int_equal(make(kind, &memory, 1, 1, n, k - 1).error, QTRI_ERROR_SIZE);
+        }
+    }
     /* Any size has a result; without room for normals there are none. */
     uint64_t seed = 31;
     m = memory;

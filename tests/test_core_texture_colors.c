@@ -5,6 +5,8 @@
  */
 #include "support/texture.h"
 
+#include "raster/stage_color.h"
+
 enum { NOISE_LOG2 = 5, NOISE = 1 << NOISE_LOG2 };
 
 /* The same noise in every format: grays of few levels, so that all can hold them exactly. */
@@ -521,6 +523,59 @@ static void textures_without_texels(void **state)
     canvas_free(&d);
 }
 
+/* Sums that lie on the half that is rounded up, and the last below it: nothing is added to them. */
+static void bilinear_rounds_at_the_half(void **state)
+{
+    (void)state;
+    static const struct {
+        uint8_t texel[4];
+        int32_t along, across; /* of 2048 */
+        uint32_t wanted;
+    } cases[] = {{{152, 9, 176, 146}, 1343, 465, 80},
+                 {{194, 33, 10, 118}, 1777, 1003, 78},
+                 {{71, 92, 170, 171}, 1248, 512, 106}};
+    canvas c = canvas_new(&qtri_xrgb8888, 8, 8);
+    for (size_t n = 0; n < LENGTH_OF(cases); n++) {
+        uint32_t texels[4];
+        for (int i = 0; i < 4; i++) {
+            texels[i] = cases[n].texel[i] * 0x010101u;
+        }
+        qtri_texture texture = {.texels = texels,
+                                .format = &qtri_texel_xrgb8888,
+                                .width_log2 = 1,
+                                .height_log2 = 1,
+                                .filter = &qtri_bilinear};
+        qtri_material m = plain_material();
+        m.texture = &texture;
+        m.texture_mode = QTRI_REPLACE;
+        qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(16 * 256, 0), screen_at(0, 16 * 256)};
+        for (int i = 0; i < 3; i++) { /* shares count from the first texel's centre */
+            v[i].u_q32 = (int64_t)(cases[n].along + 1024) << 20;
+            v[i].v_q32 = (int64_t)(cases[n].across + 1024) << 20;
+        }
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, v);
+        for (int32_t i = 0; i < 64; i++) {
+            assert_int_equal(stored_pixel(&c.surface, i % 8, i / 8), cases[n].wanted * 0x010101u);
+        }
+    }
+    canvas_free(&c);
+}
+
+/* To nearest: of all 65536 colours the one that lies closest below a half. */
+static void gray_of_565(void **state)
+{
+    (void)state;
+    uint32_t color[16];
+    for (int i = 0; i < 16; i++) {
+        color[i] = 0x7DE1;
+    }
+    qtri_565_to_gray(color, 8);
+    for (int i = 0; i < 8; i++) {
+        assert_int_equal(color[i], (15 * 161187 + 47 * 155710 + 61456 + 0x8000) >> 16);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -530,6 +585,8 @@ int main(void)
         cmocka_unit_test(bilinear_weights_are_exact),
         cmocka_unit_test(bilinear_of_565),
         cmocka_unit_test(bilinear_at_centres),
+        cmocka_unit_test(gray_of_565),
+        cmocka_unit_test(bilinear_rounds_at_the_half),
         cmocka_unit_test(formats_agree),
         cmocka_unit_test(keys_leave_holes),
         cmocka_unit_test(keys_that_match_nothing),

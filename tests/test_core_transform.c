@@ -296,6 +296,32 @@ static void anything(void **state)
     }
 }
 
+/* Whichever row has an exponent that no builder makes: what is 2^-INT32_MAX of the others adds
+   nothing to a product with them. */
+static void exponents_of_any_row(void **state)
+{
+    (void)state;
+    qtri_transform sum;
+    qtri_transform_identity(&sum);
+    for (int i = 0; i < 9; i++) {
+        sum.row[i / 3].m[i % 3] = (int32_t)1 << 29;
+    }
+    for (int i = 0; i < 3; i++) {
+        qtri_transform wild;
+        qtri_transform none;
+        qtri_transform_identity(&wild);
+        for (int j = 0; j < 3; j++) {
+            wild.row[j].exponent = -961; /* 2^31 - 1 less this is a multiple of 64 */
+        }
+        none = wild;
+        memset(none.row[i].m, 0, sizeof none.row[i].m);
+        wild.row[i].exponent = INT32_MAX;
+        qtri_transform_mul(&wild, &sum, &wild);
+        qtri_transform_mul(&none, &sum, &none);
+        assert_memory_equal(&wild, &none, sizeof wild);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -306,6 +332,7 @@ int main(void)
         cmocka_unit_test(round_trips),
         cmocka_unit_test(turned_triangle),
         cmocka_unit_test(anything),
+        cmocka_unit_test(exponents_of_any_row),
     };
     return cmocka_run_group_tests_name("core transform", tests, NULL, NULL);
 }

@@ -334,6 +334,57 @@ static void lights(void **state)
     assert_true(255 * vertex_worst <= .03);
 }
 
+/* Just beyond 2^15 the products of edges would fill 32 bits. */
+static void edges_beyond_the_short(void **state)
+{
+    (void)state;
+    qtri_transform identity;
+    qtri_transform_identity(&identity);
+    for (int i = 0; i < 6; i++) {
+        const int x = i % 3;
+        const int y = (x + 1) % 3;
+        q16 towards[3] = {0, 0, 0};
+        q16 e[3] = {0, 0, 0};
+        q16 f[3] = {0, 0, 0};
+        towards[3 - x - y] = Q16_ONE;
+        e[x] = 32768 + (i < 3);
+        e[y] = -32767;
+        f[x] = 32768;
+        f[y] = 32768 + (i >= 3);
+        const qtri_light light = {{towards[0], towards[1], towards[2]}, 0, Q16_ONE};
+        const qtri_vec3 corner[3] = {{0, 0, 0}, {e[0], e[1], e[2]}, {f[0], f[1], f[2]}};
+        qtri_lighting lighting;
+        qtri_lighting_init(&lighting, &light, &identity, 1 << 14);
+        const uint32_t face = qtri_lighting_face(&lighting, &corner[0], &corner[1], &corner[2]);
+        assert_in_range(face, QTRI_INTENSITY_ONE - 1, QTRI_INTENSITY_ONE);
+    }
+}
+
+/* The last bit of light on faces and vertices that are short: others judge it by what is seen. */
+static void last_bits_of_light(void **state)
+{
+    (void)state;
+    uint64_t seed = 55;
+    uint32_t hash = 2166136261u;
+    qtri_transform identity;
+    qtri_transform_identity(&identity);
+    for (int n = 0; n < 20000; n++) {
+        const qtri_light light = {{random_in(&seed, -65536, 65536), random_in(&seed, -65536, 65536),
+                                   random_in(&seed, -65536, 65536)},
+                                  random_in(&seed, 0, 30000),
+                                  random_in(&seed, 0, 70000)};
+        const qtri_face8 face = {(int8_t)random_in(&seed, -100, 100),
+                                 (int8_t)random_in(&seed, -100, 100),
+                                 (int8_t)random_in(&seed, -100, 100), 0};
+        const qtri_normal8 normal = {face.x, face.y, face.z};
+        qtri_lighting lighting;
+        qtri_lighting_init(&lighting, &light, &identity, 1 << 14);
+        hash = (hash ^ qtri_lighting_face8(&lighting, &face)) * 16777619u;
+        hash = (hash ^ qtri_lighting_vertex8(&lighting, &normal)) * 16777619u;
+    }
+    assert_int_equal(hash, 0xbd7332a8u);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -341,6 +392,8 @@ int main(void)
         cmocka_unit_test(compact_positions),
         cmocka_unit_test(compact_is_exact_enough),
         cmocka_unit_test(corners_are_points),
+        cmocka_unit_test(last_bits_of_light),
+        cmocka_unit_test(edges_beyond_the_short),
         cmocka_unit_test(lights),
     };
     return cmocka_run_group_tests_name("core vertex", tests, NULL, NULL);

@@ -3,16 +3,19 @@
 
     mutate.py BUILD COUNT SEED [again]
 
-Of all changes COUNT are drawn at random; `again` takes instead those that survived in BUILD/mutants.tsv. Most are
-compiled together: each is an expression that is the changed one where the environment's QTRI_MUTANT has its number
-(mutants.py). Changes that overlap, and those in constants of the compiler, are in libraries of their own. One run
-of all tests says for which tests a changed expression has another value at all; those run for that change, the ones
-that are likely to notice it quickly first, until one fails, crashes or takes ten times as long. Code that this
-machine leaves out is judged by the tests of core in a narrow build (core/bits/bits.h).
+Of all changes COUNT are drawn at random; `again` takes instead those that survived in BUILD/mutants.tsv and are not
+explained. Most are compiled together: each is an expression that is the changed one where the environment's
+QTRI_MUTANT has its number (mutants.py). Changes that overlap, and those in constants of the compiler, are in libraries
+of their own. One run of all tests says for which tests a changed expression has another value at all; those run for
+that change, the ones that are likely to notice it quickly first, until one fails, crashes or takes ten times as long.
+Code that this machine leaves out is judged by the tests of core in a narrow build (core/bits/bits.h). What survives is
+judged once more by the quickest of its tests of core under the sanitizers, which `make test` runs as well: they see a
+bound that is off by one.
 
 Settings, by environment: BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
 out. A change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors
-that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart.
+that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; the CHANGE
+`0 -> 1 at 26` is that in column 26 of the text.
 """
 import concurrent.futures
 import filecmp
@@ -31,6 +34,7 @@ from mutants import Source
 
 FLAGS = "-std=c99 -O1 -fPIC -fwrapv -w -Werror=vla".split()
 NARROW = ["-DQTRI_LONG_MULTIPLY=0", "-DQTRI_DIVIDE=0"]
+SANITIZE = "-fno-wrapv -g -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=address,undefined".split()
 JOBS = int(os.environ.get("JOBS") or 2)
 
 # What says which mutant runs, and notes which expressions would have had another value: in memory that the processes
@@ -73,6 +77,10 @@ class Mutant:
         self.tests = None  # those for which it makes a difference where it stands
         self.result = None
 
+    def at(self):
+        line = self.source.text.split("\n")[self.line - 1]
+        return f"{self.what} at {self.column - (len(line) - len(line.lstrip()))}"
+
 
 def parallel(function, items):
     with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
@@ -84,6 +92,7 @@ class Build:
 
     def __init__(self, build, name, flags):
         self.build, self.here, self.flags = build, f"{build}/mutate/{name}", FLAGS + flags
+        self.link_flags = [f for f in flags if f.startswith("-fsanitize")]
         self.src = f"{self.here}/src"
         shutil.rmtree(self.src, ignore_errors=True)
         os.makedirs(f"{self.here}/obj", exist_ok=True)
@@ -135,23 +144,28 @@ class Build:
 
     def link_library(self, out, changed):
         objects = [changed.get(f, self.object(f)) for f in self.library] + [f"{self.here}/switch.o"]
-        return subprocess.run(["gcc", "-shared", "-Wl,-soname,libqtri.so", "-o", out] + objects, stderr=subprocess.DEVNULL).returncode == 0
+        return subprocess.run(["gcc", "-shared", "-Wl,-soname,libqtri.so", "-o", out] + self.link_flags + objects,
+                              stderr=subprocess.DEVNULL).returncode == 0
+
+    def link_ends(self):
+        return ([f"{self.build}/libqtri-host.a", f"{self.here}/base/libqtri.so"] +
+                os.environ.get("HOST_LIBS", "").split())
+
+    def link_test(self, folder, file, changed):
+        """Its name, or None."""
+        name = os.path.basename(file)[:-2]
+        command = ["gcc", "-o", f"{folder}/{name}", changed.get(file, self.object(file))] + self.link_flags
+        command += [changed.get(f, self.object(f)) for f in self.helpers]
+        command += [f"{self.build}/libqtri-verify.a"] if name == "test_verify_math" else []
+        command += self.link_ends() + ["-lcmocka", "-lmpfr", "-lgmp", "-lm", "-pthread"]
+        return name if subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 0 else None
 
     def link_tests(self, folder, changed):
         """Programs in `folder`, or those of folder `base` where none of theirs changed."""
-        helpers = [changed.get(f, self.object(f)) for f in self.helpers]
-        end = [f"{self.build}/libqtri-host.a", f"{self.here}/base/libqtri.so"] + os.environ.get("HOST_LIBS", "").split()
         os.makedirs(folder, exist_ok=True)
-
-        def link(file):
-            name = os.path.basename(file)[:-2]
-            command = ["gcc", "-o", f"{folder}/{name}", changed.get(file, self.object(file))] + helpers
-            command += [f"{self.build}/libqtri-verify.a"] if name == "test_verify_math" else []
-            command += end + ["-lcmocka", "-lmpfr", "-lgmp", "-lm", "-pthread"]
-            return name if subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 0 else None
-        names = parallel(link, self.tests)
-        subprocess.run(["gcc", "-o", f"{folder}/qtri", f"{self.build}/obj/host/tools/main.o"] + end + ["-lm"],
-                       check=True)
+        names = parallel(lambda file: self.link_test(folder, file, changed), self.tests)
+        subprocess.run(["gcc", "-o", f"{folder}/qtri", f"{self.build}/obj/host/tools/main.o"] + self.link_ends() +
+                       ["-lm"], check=True)
         return [name for name in names if name]
 
     def link_base(self):
@@ -251,9 +265,11 @@ class Runs:
         def limits():
             resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-            resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+            if not self.bench.link_flags:  # a sanitizer maps more
+                resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
         place = self.places.get()
         environment = dict(os.environ, QTRI_TMP=place, MALLOC_PERTURB_="165", CMOCKA_MESSAGE_OUTPUT="TAP",
+                           ASAN_OPTIONS="detect_leaks=0",
                            QTRI_COMMAND=os.path.abspath(f"{programs}/qtri"), QTRI_MUTANT=str(mutant),
                            LD_LIBRARY_PATH=os.path.abspath(library))
         if seen:
@@ -351,6 +367,17 @@ def judge_alone(bench, runs, mutant):
     return runs.judge(mutant, folder, f"{bench.here}/base", -1)
 
 
+def read_explained():
+    if not os.path.exists("tests/mutants.equivalent"):
+        return []
+    return [[p.strip() for p in line.split(" | ")] for line in open("tests/mutants.equivalent")
+            if line.strip() and not line.startswith("#")]
+
+
+def is_explained(mutant, explained):
+    return any(e[0] == mutant.path and e[1] in mutant.text and e[2] in (mutant.what, mutant.at()) for e in explained)
+
+
 def draw(build, count, seed, again):
     """The mutants to judge, in random order; more than are asked for, as some are none."""
     sources = {path: Source(path) for path in sorted(glob.glob("core/*/*.[ch]"))}
@@ -358,7 +385,9 @@ def draw(build, count, seed, again):
         wanted = [line.rstrip("\n").split("\t") for line in open(f"{build}/mutants.tsv")]
         wanted = {(w[0], w[5], w[3]) for w in wanted if w[4] == "survived"}
         everything = [Mutant(s, c) for s in sources.values() for c in s.mutants()]
-        return [m for m in everything if (m.path, m.text, m.what) in wanted], len(everything)
+        explained = read_explained()
+        return [m for m in everything if (m.path, m.text, m.what) in wanted and not is_explained(m, explained)], \
+            len(everything)
     everything = [(s, c) for s in sources.values() for c in s.mutants()]
     random.Random(seed).shuffle(everything)
     return [Mutant(s, c) for s, c in everything[:count + count // 3 + 5]], len(everything)
@@ -410,6 +439,47 @@ class Judge:
         return self.runs.judge(mutant, mutant.layer.folder, mutant.layer.programs, mutant.number)
 
 
+class Sanitized:
+    """Judges survivors by the tests of core under the sanitizers; those are built as they are needed."""
+
+    def __init__(self, build):
+        self.bench = Build(build, "sanitized", SANITIZE)
+        self.runs = Runs(self.bench)
+        self.base = f"{self.bench.here}/base"
+        os.makedirs(self.base, exist_ok=True)
+        self.bench.link_library(f"{self.base}/libqtri.so", {})
+        parallel(self.compile, self.bench.helpers)
+        self.files = {os.path.basename(f)[:-2]: f for f in self.bench.tests}
+
+    def compile(self, file):
+        if self.bench.is_old(file):
+            self.bench.compile(file, self.bench.object(file))
+
+    def passes(self, name):
+        """Whether the test does without a change."""
+        if name not in self.runs.seconds and name not in self.runs.failed:
+            self.compile(self.files[name])
+            self.bench.link_test(self.base, self.files[name], {})
+            passed, seconds = self.runs.run(name, self.base, self.base, -1)
+            self.runs.seconds.update({name: seconds} if passed else {})
+            self.runs.failed.update(set() if passed else {name})
+        return name in self.runs.seconds
+
+    def judge(self, mutant, seconds):
+        """`seconds`: what tests take without sanitizers; ten of them in all."""
+        names, rest = [], 10.0
+        for name in sorted((mutant.tests or []), key=lambda n: seconds.get(n, 99)):
+            rest -= seconds.get(name, 99)
+            if rest > 0 and name in self.files and self.passes(name):
+                names.append(name)
+        if not names:
+            return "survived"
+        every, mutant.tests = mutant.tests, names
+        result = judge_alone(self.bench, self.runs, mutant)
+        mutant.tests = every
+        return "survived" if result in (None, "survived") else f"{result} sanitized"
+
+
 def main():
     build, count, seed = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     mutants, possible = draw(build, count, seed, sys.argv[4:] == ["again"])
@@ -452,17 +522,18 @@ def main():
             if same_objects(bench, m, ["-O2"]):
                 m.result = None
     judged = [m for m in mutants if m.result is not None][:count]
-    explained = []
-    if os.path.exists("tests/mutants.equivalent"):
-        explained = [[p.strip() for p in l.split(" | ")] for l in open("tests/mutants.equivalent")
-                     if l.strip() and not l.startswith("#")]
+    explained = read_explained()
+    left = [m for m in judged if m.result == "survived" and not is_explained(m, explained) and m.tests]
+    sanitized = Sanitized(build) if left else None
+    for m in left:
+        m.result = sanitized.judge(m, judges[m.number].runs.seconds)
     known, survivors = 0, []
     with open(f"{build}/mutants.tsv", "w") as table:
         for m in judged:
             table.write(f"{m.path}\t{m.line}\t{m.column}\t{m.what}\t{m.result}\t{m.text}\n")
             if m.result != "survived":
                 continue
-            if any(e[0] == m.path and e[1] in m.text and e[2] == m.what for e in explained):
+            if is_explained(m, explained):
                 known += 1
                 continue
             survivors.append(m)
