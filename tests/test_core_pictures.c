@@ -621,8 +621,9 @@ static uint32_t in_bands(uint32_t hash, void (*draw)(const qtri_surface *surface
     assert_int_equal(
         qtri_halo_init(&halo, format, WIDTH, HEIGHT, rows, 1 + below(3), p.memory, sizeof p.memory),
         QTRI_OK);
-    qtri_prepared_init(&prepared, p.vertices, one_in(4) ? 0 : LENGTH_OF(p.vertices), p.lists,
-                       one_in(3) ? (uint32_t)below(200) : LENGTH_OF(p.lists));
+    const uint32_t vertex_count = one_in(4) ? 0 : LENGTH_OF(p.vertices);
+    const uint32_t list_count = one_in(3) ? (uint32_t)below(200) : LENGTH_OF(p.lists);
+    qtri_prepared_init(&prepared, p.vertices, vertex_count, p.lists, list_count);
     qtri_prepared_set_outline(&prepared, with_edges ? &p.of : NULL, 1);
     qtri_halo_begin(&halo);
     qtri_prepare_mesh(&prepared, &halo.frame, &w.view, &w.pose, &w.mesh, &w.material);

@@ -129,8 +129,10 @@ static void elements(q16 *out, int32_t count)
         out[i] = random_bits32(&seed) >> shift;
     }
     if (one_in(4)) {
-        out[below(count)] = 0;
-        out[below(count)] = number();
+        const int32_t zero = below(count);
+        const int32_t other = below(count); /* a statement each: the same order with any compiler */
+        out[zero] = 0;
+        out[other] = number();
     }
 }
 
