@@ -766,7 +766,7 @@ static void value_errors(void **state)
         {"texkey 1 2 256", "texkey: '256' is not a whole number in 0..255"},
         {"texkey 1 2", "wrong number of values (2) for texkey off or texkey r g b"},
         {"interpolate cubic", "'cubic' is unknown here: interpolate perspective|linear"},
-        {"polygon point", "'point' is unknown here: polygon fill|line|smooth|hidden [BIAS]"},
+        {"polygon point", "'point' is unknown here: polygon fill|line|smooth|wide|hidden [BIAS]"},
         {"mode texture", "'texture' is unknown here: mode projection|modelview"},
     };
     for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {

@@ -294,7 +294,7 @@ static void hidden_lines(void **state)
     scene_free(&scene);
     assert_error("polygon hidden 2\n", "1: polygon: '2' does not lie in 0..1");
     assert_error("polygon fill 1\n",
-                 "1: wrong number of values (2) for polygon fill|line|smooth|hidden [BIAS]");
+                 "1: wrong number of values (2) for polygon fill|line|smooth|wide|hidden [BIAS]");
 }
 
 int main(void)

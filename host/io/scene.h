@@ -279,7 +279,9 @@ struct scene {
     bool wireframe;      /* `polygon line` and `polygon smooth` */
     bool hidden_lines;   /* `polygon hidden`: of meshes, their surface hides what is behind it */
     int32_t hidden_bias; /* 0..1: how much nearer their lines are */
-    bool smooth_lines;   /* `polygon smooth`: the reference draws the lines of `line` */
+    bool smooth_lines;   /* `polygon smooth` */
+    bool wide_lines;     /* `polygon wide`: of meshes, every edge is a stroke */
+    struct scene_stroke wide; /* how, with smooth lines too */
     enum scene_antialias antialias;
     enum scene_texture_mode texture_mode;
     enum scene_blend blend;

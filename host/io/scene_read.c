@@ -41,7 +41,7 @@ static const struct scene_statement statements[] = {
      "off or fog linear NEAR FAR r g b START END"},
     {"fogdensity",  {7, 7},    scene_statement_fogdensity,    0,
      "exp|exp2 NEAR FAR r g b DENSITY"},
-    {"polygon",     {1, 2},    scene_statement_polygon,       0, "fill|line|smooth|hidden [BIAS]"},
+    {"polygon",     {1, 2},    scene_statement_polygon,       0, "fill|line|smooth|wide|hidden [BIAS]"},
     {"light",       {5, SCENE_ANY}, scene_statement_light,    0,
      "x y z ambient diffuse, light directional x y z r g b, light point x y z r g b [constant linear "
      "quadratic] or light spot x y z dx dy dz inner outer r g b [constant linear quadratic "

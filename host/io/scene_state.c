@@ -182,7 +182,9 @@ bool scene_statement_interpolate(struct scene_parser *parser)
 
 bool scene_statement_polygon(struct scene_parser *parser)
 {
-    static const char *const words[] = {"fill", "line", "smooth", "hidden"};
+    static const char *const words[] = {"fill", "line", "smooth", "hidden", "wide"};
+    static const struct scene_stroke thin = {
+        .width = SCENE_ONE, .alpha = SCENE_ONE, .cap = SCENE_CAP_BUTT, .smooth = true};
     struct scene *scene = parser->scene;
     int choice;
     if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
@@ -194,6 +196,8 @@ bool scene_statement_polygon(struct scene_parser *parser)
     scene->wireframe = choice != 0;
     scene->smooth_lines = choice == 2;
     scene->hidden_lines = choice == 3;
+    scene->wide_lines = choice == 4;
+    scene->wide = choice == 2 ? thin : parser->line_state;
     scene->hidden_bias = 131; /* .002 */
     return parser->argument_count == 1 || scene_fractions(parser, 1, 1, &scene->hidden_bias);
 }

@@ -5,6 +5,7 @@
 #include "light.h"
 #include "model.h"
 #include "raster.h"
+#include "raster_stroke.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -138,6 +139,47 @@ static void draw_hidden(struct ref_target *target, const struct scene_op *op,
     draw(target, op, d, vertices);
 }
 
+struct edge {
+    uint32_t vertex[2];
+};
+
+/* Whether an edge, lower number first, is new among `count` others, which it then joins. */
+static bool is_new(struct edge *edges, size_t *count, uint32_t a, uint32_t b)
+{
+    struct edge edge = {{a < b ? a : b, a < b ? b : a}};
+
+    for (size_t i = 0; i < *count; i++)
+        if (edges[i].vertex[0] == edge.vertex[0] && edges[i].vertex[1] == edge.vertex[1])
+            return false;
+    edges[(*count)++] = edge;
+    return true;
+}
+
+/* Every edge of triangles that are seen, once, as a stroke by itself. */
+static bool draw_wide(struct ref_target *target, const struct scene_op *op,
+                      const struct drawing *d, const struct ref_vertex *vertices)
+{
+    const struct ref_model *mesh = d->mesh;
+    struct edge *edges = malloc((3 * mesh->triangle_count + 1) * sizeof *edges);
+    size_t count = 0;
+    bool ok = edges != NULL;
+
+    for (size_t t = 0; ok && t < mesh->triangle_count; t++) {
+        const uint32_t *index = mesh->triangles[t];
+        struct ref_triangle triangle = {
+            {vertices[index[0]], vertices[index[1]], vertices[index[2]]}, 0, false, NULL};
+        if (!ref_facing_is_drawn(target, ref_facing(&triangle)))
+            continue;
+        light_triangle(d, &triangle, index);
+        for (int i = 0; ok && i < 3; i++)
+            if (is_new(edges, &count, index[i], index[(i + 1) % 3]))
+                ok = ref_draw_edge(target, &triangle.vertex[i], &triangle.vertex[(i + 1) % 3],
+                                   &target->scene->wide, op->id + (uint32_t)t);
+    }
+    free(edges);
+    return ok;
+}
+
 bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
                    const struct ref_matrix *projection, const struct ref_matrix *modelview)
 {
@@ -151,11 +193,15 @@ bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
     struct ref_vertex *vertices = malloc((mesh.vertex_count + 1) * sizeof *vertices);
     for (int c = 0; c < 3; c++)
         d.color[c] = fmax(0.0, fmin(1.0, (double)op->u.mesh.color[c] / 65536.0));
-    if (vertices) {
+    bool ok = vertices != NULL;
+    if (ok) {
         transform_vertices(&d, op, &to_clip, vertices);
-        (target->scene->hidden_lines ? draw_hidden : draw)(target, op, &d, vertices);
+        if (target->scene->wide_lines || target->scene->smooth_lines)
+            ok = draw_wide(target, op, &d, vertices);
+        else
+            (target->scene->hidden_lines ? draw_hidden : draw)(target, op, &d, vertices);
     }
     ref_model_free(&mesh);
     free(vertices);
-    return vertices != NULL;
+    return ok;
 }

@@ -251,6 +251,20 @@ static void draw_pixel(struct ref_target *target, const struct scene_op *op,
         image->id[i] = op->id;
 }
 
+/* Rows that parts may reach: corners of square caps are not farther than 3/2 radii. */
+static void find_rows(int rows[2], const struct strokes *all, int height)
+{
+    double low = height, high = 0.0;
+
+    for (size_t i = 0; i < all->count; i++) {
+        const struct ref_stroke_part *part = &all->part[i];
+        low = fmin(low, fmin(part->y0, part->y1) - 1.5 * part->radius - 2.0);
+        high = fmax(high, fmax(part->y0, part->y1) + 1.5 * part->radius + 2.0);
+    }
+    rows[0] = (int)fmax(low, 0.0);
+    rows[1] = (int)fmin(high, height);
+}
+
 /* A hard edge is where the pixel is looked at; four samples of a pixel are as its centre. */
 static void draw_rows(struct ref_target *target, const struct scene_op *op,
                       const struct strokes *all, double *share)
@@ -258,8 +272,10 @@ static void draw_rows(struct ref_target *target, const struct scene_op *op,
     int width = target->scene->width;
     double along = target->at.shades_pixels ? 0.0 : target->at.x;
     double across = target->at.shades_pixels ? 0.0 : target->at.y;
+    int rows[2];
 
-    for (int y = 0; y < target->scene->height; y++) {
+    find_rows(rows, all, target->scene->height);
+    for (int y = rows[0]; y < rows[1]; y++) {
         if (op->u.stroke.smooth)
             ref_stroke_cover_row(all->part, all->count, y, width, share);
         for (int x = 0; x < width; x++) {
@@ -296,4 +312,23 @@ bool ref_draw_stroke(struct ref_target *target, const struct scene_op *op,
     free(all.ends);
     free(share);
     return ok;
+}
+
+bool ref_draw_edge(struct ref_target *target, const struct ref_vertex *a,
+                   const struct ref_vertex *b, const struct scene_stroke *look, uint32_t id)
+{
+    struct ref_stroke_part part;
+    struct ends ends;
+    struct strokes all = {&part, &ends, 0};
+    struct scene_op op = {.id = id, .u.stroke = *look};
+    double *share = malloc((size_t)target->scene->width * sizeof *share);
+
+    if (share != NULL && look->width > 0 && add_part(&all, target, a, b) != NULL) {
+        part.radius = fmin((double)look->width / 131072.0, 256.0);
+        part.cap[0] = (enum ref_cap)look->cap;
+        part.cap[1] = part.cap[0];
+        draw_rows(target, &op, &all, share);
+    }
+    free(share);
+    return share != NULL;
 }

@@ -63,6 +63,7 @@ static const struct generated scenes[] = {
      "texwrap clamp\ntexmode replace\n",
      "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
     {"11-torus-smooth-lines.scene", "torus", "polygon smooth\n", "rotate -50  1 0 0\n"},
+    {"11-torus-wide-lines.scene", "torus", "linewidth 2.5\npolygon wide\n", "rotate -50  1 0 0\n"},
     {"11-torus-hidden-lines.scene", "torus", "cull none\npolygon hidden .004\n",
      "rotate -50  1 0 0\n"},
     {"12-morph.scene", NULL, flag,
@@ -79,15 +80,23 @@ static const struct generated scenes[] = {
     {"11-knot-edges.scene", "knot", "antialias edges\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
 };
 
-const char *const demo_generated_scenes[] = {
-    "07-knot-textured.scene",   "07-knot-flat.scene",
-    "07-knot-stretched.scene",  "07-torus-wireframe.scene",
-    "11-light-point.scene",     "11-light-spots-flat.scene",
-    "11-light-stretched.scene", "11-light-two-sided.scene",
-    "11-sphere-map.scene",      "11-torus-smooth-lines.scene",
-    "11-knot-edges.scene",      "11-torus-hidden-lines.scene",
-    "12-morph.scene",           "12-frames.scene",
-    "12-targets.scene",         NULL};
+const char *const demo_generated_scenes[] = {"07-knot-textured.scene",
+                                             "07-knot-flat.scene",
+                                             "07-knot-stretched.scene",
+                                             "07-torus-wireframe.scene",
+                                             "11-light-point.scene",
+                                             "11-light-spots-flat.scene",
+                                             "11-light-stretched.scene",
+                                             "11-light-two-sided.scene",
+                                             "11-sphere-map.scene",
+                                             "11-torus-smooth-lines.scene",
+                                             "11-knot-edges.scene",
+                                             "11-torus-hidden-lines.scene",
+                                             "11-torus-wide-lines.scene",
+                                             "12-morph.scene",
+                                             "12-frames.scene",
+                                             "12-targets.scene",
+                                             NULL};
 
 /* Opens folder/name for writing. */
 static FILE *create(const char *folder, const char *name, struct text_error *error)

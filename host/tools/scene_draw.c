@@ -203,15 +203,33 @@ static void draw_part_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     }
 }
 
-/* The same for a mesh of 16-bit positions: each triangle is a mesh of its own. */
-static void draw_compact_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
+/* Whether edges of meshes are exact shapes, not lines of pixels. */
+static bool has_strokes(const struct drawing *d)
+{
+    return d->resources->scene->wide_lines || d->resources->scene->smooth_lines;
+}
+
+static void draw_wide(struct drawing *d, const qtri_view *view, const qtri_mesh *mesh,
+                      const qtri_material *material)
+{
+    const struct scene *scene = d->resources->scene;
+    const qtri_stroke stroke =
+        scene_stroke_of(scene, &scene->wide, d->surface, d->pass == SCENE_IDS);
+    qtri_draw_wide_wireframe(d->surface, view, &d->modelview, mesh, &stroke, material);
+}
+
+/* The same where each triangle is a mesh of its own: of 16-bit positions, and in wide lines. */
+static void draw_mesh_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
 {
     static const uint16_t corners[1][3] = {{0, 1, 2}};
-    qtri_position16 positions[3];
+    qtri_position16 positions16[3];
+    qtri_vec3 positions[3];
     qtri_vec2 uvs[3];
     qtri_material material = d->material;
     qtri_mesh one = *mesh;
-    one.positions16 = positions;
+    one.positions16 = mesh->positions16 != NULL ? positions16 : NULL;
+    one.positions = mesh->positions != NULL ? positions : NULL;
+    one.normals = NULL;
     one.uvs = mesh->uvs != NULL ? uvs : NULL;
     one.normals8 = NULL;
     one.triangles = corners;
@@ -225,13 +243,21 @@ static void draw_compact_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t 
     view.light = NULL;
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         for (int j = 0; j < 3; j++) {
-            positions[j] = mesh->positions16[mesh->triangles[i][j]];
+            if (mesh->positions16 != NULL) {
+                positions16[j] = mesh->positions16[mesh->triangles[i][j]];
+            } else {
+                positions[j] = mesh->positions[mesh->triangles[i][j]];
+            }
             if (mesh->uvs != NULL) {
                 uvs[j] = mesh->uvs[mesh->triangles[i][j]];
             }
         }
         material.color = rgb_of_id(id + i);
-        qtri_draw_mesh(d->surface, &view, &d->modelview, &one, &material);
+        if (has_strokes(d)) {
+            draw_wide(d, &view, &one, &material);
+        } else {
+            qtri_draw_mesh(d->surface, &view, &d->modelview, &one, &material);
+        }
     }
 }
 
@@ -265,6 +291,12 @@ static bool may_be_seen(const struct drawing *d, const qtri_mesh *mesh)
     return true;
 }
 
+static void draw_solid_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
+{
+    const bool apart = mesh->positions == NULL || has_strokes(d);
+    (apart ? draw_mesh_ids : draw_part_ids)(d, mesh, id);
+}
+
 /* Ids over depths: what qtri_draw_hidden_lines does, triangle by triangle. */
 static void draw_hidden_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
 {
@@ -279,7 +311,7 @@ static void draw_hidden_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t i
     solid.depth_read_only = false;
     qtri_draw_mesh(&depth, &d->view, &d->modelview, mesh, &solid);
     d->material.depth_bias += is_greater ? bias : -bias; /* both within -1..1 */
-    (mesh->positions != NULL ? draw_part_ids : draw_compact_ids)(d, mesh, id);
+    draw_solid_ids(d, mesh, id);
     d->material = before;
 }
 
@@ -312,6 +344,8 @@ static void show_part(struct drawing *d, const struct scene_op *op, const qtri_m
     if (resources->scene->hidden_lines) {
         qtri_draw_hidden_lines(d->surface, &d->view, &d->modelview, &shown, NULL, &material,
                                resources->scene->hidden_bias);
+    } else if (resources->scene->wide_lines) {
+        draw_wide(d, &d->view, &shown, &material);
     } else {
         qtri_draw_mesh(d->surface, &d->view, &d->modelview, &shown, &material);
     }
@@ -327,7 +361,7 @@ static void draw_part(struct drawing *d, const struct scene_op *op, const qtri_m
     if (d->pass == SCENE_IDS && d->resources->scene->hidden_lines) {
         draw_hidden_ids(d, mesh, id);
     } else if (d->pass == SCENE_IDS) {
-        (mesh->positions != NULL ? draw_part_ids : draw_compact_ids)(d, mesh, id);
+        draw_solid_ids(d, mesh, id);
     } else if (d->pass == SCENE_EDGES) {
         note_edges(d, mesh);
     } else {

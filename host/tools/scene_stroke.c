@@ -15,24 +15,31 @@ static qtri_corner corner_of(const struct scene_vertex *v, const qtri_rgb *id)
     return corner;
 }
 
-void scene_draw_stroke(const struct scene *scene, const struct scene_op *op,
-                       const qtri_surface *surface, const qtri_view *view,
-                       const qtri_transform *modelview, const qtri_material *material,
-                       const qtri_rgb *id)
+qtri_stroke scene_stroke_of(const struct scene *scene, const struct scene_stroke *from,
+                            const qtri_surface *surface, bool for_ids)
 {
     static const qtri_cap caps[] = {[SCENE_CAP_ROUND] = QTRI_CAP_ROUND,
                                     [SCENE_CAP_BUTT] = QTRI_CAP_BUTT,
                                     [SCENE_CAP_SQUARE] = QTRI_CAP_SQUARE};
-    const struct scene_stroke *from = &op->u.stroke;
     qtri_stroke stroke = qtri_stroke_default();
     const int64_t scale = from->in_space ? 1 : surface->width / scene->width; /* 2: 2x2 samples */
     const int64_t width = from->width * scale;
     stroke.width = (q16)(width > INT32_MAX ? INT32_MAX : width < INT32_MIN ? INT32_MIN : width);
     stroke.cap = caps[from->cap];
-    stroke.edges = from->smooth && id == NULL ? &qtri_stroke_smooth : NULL;
-    stroke.alpha = id != NULL ? 255 : (uint8_t)((from->alpha * 255 + 32768) >> 16);
+    stroke.edges = from->smooth && !for_ids ? &qtri_stroke_smooth : NULL;
+    stroke.alpha = for_ids ? 255 : (uint8_t)((from->alpha * 255 + 32768) >> 16);
     stroke.closed = from->closed;
     stroke.in_space = from->in_space;
+    return stroke;
+}
+
+void scene_draw_stroke(const struct scene *scene, const struct scene_op *op,
+                       const qtri_surface *surface, const qtri_view *view,
+                       const qtri_transform *modelview, const qtri_material *material,
+                       const qtri_rgb *id)
+{
+    const struct scene_stroke *from = &op->u.stroke;
+    const qtri_stroke stroke = scene_stroke_of(scene, from, surface, id != NULL);
     qtri_corner *corners = malloc((from->count + 1) * sizeof *corners);
     if (corners == NULL) {
         abort();

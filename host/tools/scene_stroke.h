@@ -9,6 +9,10 @@
 
 #include "../io/scene.h"
 
+/* How lines of the scene are drawn on a surface; for ids hard and opaque. */
+qtri_stroke scene_stroke_of(const struct scene *scene, const struct scene_stroke *from,
+                            const qtri_surface *surface, bool for_ids);
+
 /* id: what to draw in place of the colours, with hard edges; NULL: the colours. */
 void scene_draw_stroke(const struct scene *scene, const struct scene_op *op,
                        const qtri_surface *surface, const qtri_view *view,
