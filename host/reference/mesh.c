@@ -156,8 +156,8 @@ static bool is_new(struct edge *edges, size_t *count, uint32_t a, uint32_t b)
 }
 
 /* Every edge of triangles that are seen, once, as a stroke by itself. */
-static bool draw_wide(struct ref_target *target, const struct scene_op *op,
-                      const struct drawing *d, const struct ref_vertex *vertices)
+static bool draw_wide(struct ref_target *target, const struct scene_op *op, const struct drawing *d,
+                      const struct ref_vertex *vertices)
 {
     const struct ref_model *mesh = d->mesh;
     struct edge *edges = malloc((3 * mesh->triangle_count + 1) * sizeof *edges);

@@ -227,7 +227,7 @@ static void draw_mesh_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     qtri_vec2 uvs[3];
     qtri_material material = d->material;
     qtri_mesh one = *mesh;
-    one.positions16 = mesh->positions16 != NULL ? positions16 : NULL;
+    one.positions16 = mesh->positions == NULL ? positions16 : NULL;
     one.positions = mesh->positions != NULL ? positions : NULL;
     one.normals = NULL;
     one.uvs = mesh->uvs != NULL ? uvs : NULL;
@@ -243,7 +243,7 @@ static void draw_mesh_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     view.light = NULL;
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         for (int j = 0; j < 3; j++) {
-            if (mesh->positions16 != NULL) {
+            if (mesh->positions == NULL) {
                 positions16[j] = mesh->positions16[mesh->triangles[i][j]];
             } else {
                 positions[j] = mesh->positions[mesh->triangles[i][j]];
