@@ -8,6 +8,7 @@
 #include "raster_stroke.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 void ref_draw_triangle(struct ref_target *target, const struct ref_triangle *triangle)
@@ -140,18 +141,44 @@ static void draw_hidden(struct ref_target *target, const struct scene_op *op,
 }
 
 struct edge {
-    uint32_t vertex[2];
+    uint32_t to;
+    size_t next;
 };
 
-/* Whether an edge, lower number first, is new among `count` others, which it then joins. */
-static bool is_new(struct edge *edges, size_t *count, uint32_t a, uint32_t b)
-{
-    struct edge edge = {{a < b ? a : b, a < b ? b : a}};
+/* Edges that have been drawn, in lists by the lower of their vertices. */
+struct edges {
+    size_t count;
+    size_t *first; /* of a vertex; SIZE_MAX: none */
+    struct edge *edge;
+};
 
-    for (size_t i = 0; i < *count; i++)
-        if (edges[i].vertex[0] == edge.vertex[0] && edges[i].vertex[1] == edge.vertex[1])
+static bool edges_create(struct edges *all, const struct ref_model *mesh)
+{
+    all->count = 0;
+    all->first = malloc((mesh->vertex_count + 1) * sizeof *all->first);
+    all->edge = calloc(3 * mesh->triangle_count + 1, sizeof *all->edge);
+    for (size_t i = 0; all->first != NULL && i < mesh->vertex_count; i++)
+        all->first[i] = SIZE_MAX;
+    return all->first != NULL && all->edge != NULL;
+}
+
+static void edges_free(struct edges *all)
+{
+    free(all->first);
+    free(all->edge);
+}
+
+/* Whether an edge is new, and then is no longer. */
+static bool is_new(struct edges *all, uint32_t a, uint32_t b)
+{
+    uint32_t from = a < b ? a : b;
+    uint32_t to = a < b ? b : a;
+
+    for (size_t i = all->first[from]; i != SIZE_MAX; i = all->edge[i].next)
+        if (all->edge[i].to == to)
             return false;
-    edges[(*count)++] = edge;
+    all->edge[all->count] = (struct edge){to, all->first[from]};
+    all->first[from] = all->count++;
     return true;
 }
 
@@ -160,9 +187,8 @@ static bool draw_wide(struct ref_target *target, const struct scene_op *op, cons
                       const struct ref_vertex *vertices)
 {
     const struct ref_model *mesh = d->mesh;
-    struct edge *edges = malloc((3 * mesh->triangle_count + 1) * sizeof *edges);
-    size_t count = 0;
-    bool ok = edges != NULL;
+    struct edges edges;
+    bool ok = edges_create(&edges, mesh);
 
     for (size_t t = 0; ok && t < mesh->triangle_count; t++) {
         const uint32_t *index = mesh->triangles[t];
@@ -172,11 +198,11 @@ static bool draw_wide(struct ref_target *target, const struct scene_op *op, cons
             continue;
         light_triangle(d, &triangle, index);
         for (int i = 0; ok && i < 3; i++)
-            if (is_new(edges, &count, index[i], index[(i + 1) % 3]))
+            if (is_new(&edges, index[i], index[(i + 1) % 3]))
                 ok = ref_draw_edge(target, &triangle.vertex[i], &triangle.vertex[(i + 1) % 3],
                                    &target->scene->wide, op->id + (uint32_t)t);
     }
-    free(edges);
+    edges_free(&edges);
     return ok;
 }
 
