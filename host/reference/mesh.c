@@ -8,7 +8,6 @@
 #include "raster_stroke.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 void ref_draw_triangle(struct ref_target *target, const struct ref_triangle *triangle)
@@ -148,17 +147,15 @@ struct edge {
 /* Edges that have been drawn, in lists by the lower of their vertices. */
 struct edges {
     size_t count;
-    size_t *first; /* of a vertex; SIZE_MAX: none */
+    size_t *first; /* of a vertex, from 1 on; 0: none. So are others */
     struct edge *edge;
 };
 
 static bool edges_create(struct edges *all, const struct ref_model *mesh)
 {
     all->count = 0;
-    all->first = malloc((mesh->vertex_count + 1) * sizeof *all->first);
+    all->first = calloc(mesh->vertex_count + 1, sizeof *all->first);
     all->edge = calloc(3 * mesh->triangle_count + 1, sizeof *all->edge);
-    for (size_t i = 0; all->first != NULL && i < mesh->vertex_count; i++)
-        all->first[i] = SIZE_MAX;
     return all->first != NULL && all->edge != NULL;
 }
 
@@ -174,11 +171,11 @@ static bool is_new(struct edges *all, uint32_t a, uint32_t b)
     uint32_t from = a < b ? a : b;
     uint32_t to = a < b ? b : a;
 
-    for (size_t i = all->first[from]; i != SIZE_MAX; i = all->edge[i].next)
-        if (all->edge[i].to == to)
+    for (size_t i = all->first[from]; i != 0; i = all->edge[i - 1].next)
+        if (all->edge[i - 1].to == to)
             return false;
     all->edge[all->count] = (struct edge){to, all->first[from]};
-    all->first[from] = all->count++;
+    all->first[from] = ++all->count;
     return true;
 }
 
