@@ -5,19 +5,9 @@
 #include <stdlib.h>
 
 #include "mesh_neighbours.h"
+#include "scene_color.h"
 #include "scene_stroke.h"
 #include "scene_transform.h"
-
-static uint8_t color_8(int32_t c)
-{
-    return (uint8_t)((c * 255 + 32768) >> 16); /* 0 <= c <= 1 */
-}
-
-qtri_rgb scene_rgb(const int32_t color[3])
-{
-    qtri_rgb rgb = {color_8(color[0]), color_8(color[1]), color_8(color[2])};
-    return rgb;
-}
 
 static qtri_rgb rgb_of_id(uint32_t id)
 {
@@ -53,7 +43,7 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     }
     material.depth_compare = compare_of(scene);
     material.depth_read_only = !scene->depth_write;
-    material.alpha = color_8(scene->alpha);
+    material.alpha = scene_byte(scene->alpha);
     material.least_alpha = (uint8_t)scene->least_alpha;
     if (pass == SCENE_IDS) {
         material.shading = QTRI_FLAT_LAST;
@@ -161,7 +151,7 @@ static void draw_triangle(struct drawing *d, const struct scene_op *op)
         corner[i].color = d->pass == SCENE_IDS ? rgb_of_id(op->id) : scene_rgb(v->color);
         corner[i].uv = uv;
         normal[i] = normal_of(v->normal);
-        alpha[i] = color_8(op->vertex_alpha[i]);
+        alpha[i] = scene_byte(op->vertex_alpha[i]);
     }
     qtri_material material = d->material;
     if (!op->u.triangle.textured) {
@@ -320,7 +310,7 @@ static uint8_t *alphas_of(const qtri_mesh *mesh, const struct scene_op *op, bool
 {
     uint8_t *alphas = is_whole ? malloc(mesh->vertex_count + 1) : NULL;
     for (uint32_t i = 0; alphas != NULL && i < mesh->vertex_count; i++) {
-        alphas[i] = color_8(op->vertex_alpha[i % 3]);
+        alphas[i] = scene_byte(op->vertex_alpha[i % 3]);
     }
     return alphas;
 }

@@ -70,8 +70,6 @@ void scene_lights_create(struct scene_resources *resources, const struct scene *
 /* The part that is about the texture. */
 bool scene_texture_create(struct scene_resources *resources, const struct scene *scene);
 
-/* A colour 0..1 in 8 bits a channel. */
-qtri_rgb scene_rgb(const int32_t color[3]);
 /* The part that is about flat shapes, text and pictures, and the operations of this kind. */
 bool scene_painting_create(struct scene_resources *resources, const struct scene *scene);
 void scene_painting_free(struct scene_resources *resources);

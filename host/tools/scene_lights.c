@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene_draw.h"
 
+#include "scene_color.h"
+
 static qtri_vec3 vec3_of(const int32_t v[3])
 {
     const qtri_vec3 vec = {v[0], v[1], v[2]};

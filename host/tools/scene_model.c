@@ -6,6 +6,18 @@
 
 #include "scene_draw.h"
 
+void scene_part_free(struct scene_part *part)
+{
+    free(part->positions);
+    free(part->normals);
+    free(part->uvs);
+    free(part->triangles);
+    free(part->neighbours);
+    free(part->planes);
+    free(part->positions16);
+    free(part->normals8);
+}
+
 /* ---- Shapes ---- */
 
 static enum qtri_error make_shape(qtri_mesh *mesh, const qtri_shape_memory *memory,

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "font_build.h"
+#include "scene_color.h"
 #include "scene_draw.h"
 
 struct scene_painting {
@@ -74,11 +75,6 @@ static int32_t px(int32_t n)
 static int32_t whole(int32_t n)
 {
     return (int32_t)(((int64_t)n + 32768) >> 16);
-}
-
-static uint8_t byte_of(int32_t c)
-{
-    return (uint8_t)((c * 255 + 32768) >> 16); /* 0 <= c <= 1 */
 }
 
 /* Twice as large on the surface of 2x2 samples a pixel. */
@@ -215,9 +211,7 @@ static void paint_shape(const qtri_surface *surface, const struct scene_paint *p
 void scene_paint(const struct scene_resources *resources, const qtri_surface *surface,
                  const struct scene_paint *paint)
 {
-    const int32_t *c = paint->color;
-    const qtri_brush brush = {{byte_of(c[0]), byte_of(c[1]), byte_of(c[2])},
-                              byte_of(paint->alpha),
+    const qtri_brush brush = {scene_rgb(paint->color), scene_byte(paint->alpha),
                               paint->is_smooth ? &qtri_ink_smooth : &qtri_ink_blend};
     switch (paint->kind) {
     case SCENE_PAINT_IMAGE:

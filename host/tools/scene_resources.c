@@ -30,18 +30,6 @@ static void copy_vertex(struct scene_part *part, uint32_t to, const struct obj_m
     }
 }
 
-void scene_part_free(struct scene_part *part)
-{
-    free(part->positions);
-    free(part->normals);
-    free(part->uvs);
-    free(part->triangles);
-    free(part->neighbours);
-    free(part->planes);
-    free(part->positions16);
-    free(part->normals8);
-}
-
 /*
  * Takes triangles from `first` on until a part is full; returns the first that did not fit.
  * local[v] is 1 + the part's index of vertex v, or 0; it comes and goes all zero.

@@ -3,15 +3,13 @@
 
 #include <stdlib.h>
 
+#include "scene_color.h"
+
 static qtri_corner corner_of(const struct scene_vertex *v, const qtri_rgb *id)
 {
     qtri_corner corner = {
         {v->position[0], v->position[1], v->position[2], v->position[3]}, {0, 0, 0}, {0, 0}};
-    const int32_t *c = v->color;
-    const qtri_rgb rgb = {(uint8_t)((c[0] * 255 + 32768) >> 16),
-                          (uint8_t)((c[1] * 255 + 32768) >> 16),
-                          (uint8_t)((c[2] * 255 + 32768) >> 16)};
-    corner.color = id != NULL ? *id : rgb;
+    corner.color = id != NULL ? *id : scene_rgb(v->color);
     return corner;
 }
 
@@ -27,7 +25,7 @@ qtri_stroke scene_stroke_of(const struct scene *scene, const struct scene_stroke
     stroke.width = (q16)(width > INT32_MAX ? INT32_MAX : width < INT32_MIN ? INT32_MIN : width);
     stroke.cap = caps[from->cap];
     stroke.edges = from->smooth && !for_ids ? &qtri_stroke_smooth : NULL;
-    stroke.alpha = for_ids ? 255 : (uint8_t)((from->alpha * 255 + 32768) >> 16);
+    stroke.alpha = for_ids ? 255 : scene_byte(from->alpha);
     stroke.closed = from->closed;
     stroke.in_space = from->in_space;
     return stroke;
