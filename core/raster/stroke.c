@@ -6,6 +6,7 @@
 #include "../frame/pixel.h"
 #include "effect.h"
 #include "loop.h"
+#include "stroke_pixel.h"
 
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)

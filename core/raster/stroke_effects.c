@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../frame/depth_format.h"
 #include "effect.h"
-#include "stroke.h"
+#include "stroke_pixel.h"
 
 /*
  * What fog and a blend are asked with: colours of 8 bits a channel, that are mixed with stored

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "stroke.h"
-
 #include "../frame/depth_format.h"
 #include "batch.h"
+#include "stroke_pixel.h"
 
 /* Pixels of a row that one part covers: where they are, and what decides about them. */
 typedef struct run {

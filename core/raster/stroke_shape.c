@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "stroke.h"
+#include "stroke_shape.h"
 
 #include "../bits/reciprocal.h"
 #include "../bits/seed.h"
