@@ -9,6 +9,7 @@
 #include "linear.h"
 #include "loop.h"
 #include "packed.h"
+#include "perspective_block.h"
 #include "pixel_light.h"
 
 /* Colours without texture into the batch: `count` from pixel x of the row on. */

@@ -7,7 +7,7 @@
 #define QTRI_RASTER_TEXTURED_SPAN_H
 
 #include "linear.h"
-#include "perspective.h"
+#include "perspective_block.h"
 #include "pixel_light.h"
 #include "texel_copy.h"
 #include "texel_number.h"
