@@ -576,6 +576,30 @@ static void extremes(void **state)
     canvas_free(&c);
 }
 
+/* The least and the greatest numbers, all with all: products with a depth saturate on either side.
+ */
+static void fog_of_extreme_numbers(void **state)
+{
+    (void)state;
+    static const q16 numbers[] = {INT32_MIN, INT32_MIN + 1, -1, 0, 1, INT32_MAX};
+    enum { NUMBERS = sizeof numbers / sizeof *numbers };
+    const qtri_rgb color = {1, 2, 3};
+    for (int n = 0; n < 2 * NUMBERS * NUMBERS * NUMBERS; n++) {
+        const qtri_fog_range range = {numbers[n / 2 % NUMBERS], numbers[n / 2 / NUMBERS % NUMBERS],
+                                      n % 2 == 0};
+        const q16 density = numbers[n / 2 / NUMBERS / NUMBERS];
+        qtri_fog fog;
+        qtri_fog_exp(&fog, color, range, density);
+        for (int i = 0; i < QTRI_FOG_STEPS; i++) {
+            assert_true(fog.share[i] <= 1024);
+        }
+        qtri_fog_exp2(&fog, color, range, density);
+        for (int i = 0; i < QTRI_FOG_STEPS; i++) {
+            assert_true(fog.share[i] <= 1024);
+        }
+    }
+}
+
 /* More alpha, more pixels, none of which goes; 0 none, 255 all. */
 static void doors(void **state)
 {
@@ -682,9 +706,11 @@ static void biases(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mixes),    cmocka_unit_test(texels), cmocka_unit_test(once),
-        cmocka_unit_test(heaps),    cmocka_unit_test(fogs),   cmocka_unit_test(fogs_565),
-        cmocka_unit_test(extremes), cmocka_unit_test(doors),  cmocka_unit_test(channels),
+        cmocka_unit_test(mixes),    cmocka_unit_test(texels),
+        cmocka_unit_test(once),     cmocka_unit_test(heaps),
+        cmocka_unit_test(fogs),     cmocka_unit_test(fogs_565),
+        cmocka_unit_test(extremes), cmocka_unit_test(fog_of_extreme_numbers),
+        cmocka_unit_test(doors),    cmocka_unit_test(channels),
         cmocka_unit_test(biases),   cmocka_unit_test(rows)};
     return cmocka_run_group_tests_name("core blend", tests, NULL, NULL);
 }

@@ -334,14 +334,15 @@ static fog_planes planes_of(qtri_fog_range range)
 /* All of t: 65535.0. */
 #define WHOLE 0xFFFF0000u
 
-/* Distance from the eye's plane where the depth is t < 2^32 less than 65535.0; Q16. */
+/* Distance from the eye's plane where the depth is t < 2^32 less than 65535.0; Q16, 1 at least.
+   A far plane is 2^31 away where the near one is 1 before. */
 static q16 distance_at(qtri_fog_range range, uint64_t t)
 {
     const fog_planes p = planes_of(range);
     t = t < WHOLE ? t : WHOLE;
     const uint64_t beyond = quotient(t * (p.far_z - p.near_z), WHOLE, 0); /* t.. < 2^63 */
     if (range.orthographic) {
-        return (q16)(p.far_z - beyond);
+        return qtri_saturate32((int64_t)(p.far_z - beyond));
     }
     return qtri_saturate32((int64_t)quotient(p.near_z * p.far_z, p.near_z + beyond, 0));
 }
