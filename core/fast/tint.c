@@ -7,6 +7,7 @@
 #include "../geometry/projector.h"
 #include "../raster/list_values.h"
 #include "../raster/loop.h"
+#include "../raster/tint.h"
 #include "fused.h"
 
 /* What the rows of one have in common. Addresses are integers, since no pointer may lead from one
@@ -133,18 +134,6 @@ QTRI_NOINLINE static void make_table(const qtri_raster *raster)
     raster->batch->has_table = true;
 }
 
-/* Of one that is not plain: whether it is small, and its light linear. */
-QTRI_NOINLINE static bool is_simple(const qtri_raster *raster, const qtri_vertex *a,
-                                    const qtri_vertex *b, const qtri_vertex *c, int32_t i1,
-                                    int32_t i2)
-{
-    int32_t more1;
-    int32_t more2;
-    return qtri_inv_w_more(&more1, a, b) && qtri_inv_w_more(&more2, a, c) &&
-           (qtri_list_is_linear(a->inv_w, more1, more2, i1, i2, 3) ||
-            qtri_list_tint_is_linear(raster, a->inv_w, more1, more2, i1, i2));
-}
-
 bool qtri_tint_fits(const qtri_raster *raster)
 {
     const qtri_surface *surface = raster->surface;
@@ -192,7 +181,8 @@ bool qtri_tint_draw(const qtri_raster *raster, const void *indices, qtri_vertex 
         i1 = b->intensity_q15 - i0;
         i2 = c->intensity_q15 - i0;
     }
-    if (!qtri_list_is_plain(a, b, c, i1, i2, 3) && !is_simple(raster, a, b, c, i1, i2)) {
+    if (!qtri_list_is_plain(a, b, c, i1, i2, 3) &&
+        !qtri_list_tint_is_simple(raster, a, b, c, i1, i2)) {
         return false;
     }
     if (raster->batch->count != 0) {

@@ -2,6 +2,7 @@
 #include "job.h"
 
 #include "setup.h"
+#include "tint.h"
 
 void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i)
 {

@@ -214,8 +214,18 @@ static bool append(list_rows *r, const qtri_raster *raster, int32_t pixels, bool
 /* Light becomes its share of the tint: within .75 of a step of RGB565, .63 of 255. */
 static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count)
 {
+    const qtri_colors *colors = raster->units;
+    const uint32_t shift = 8 + colors->light_bits;
+    const uint32_t half = (uint32_t)1 << (shift - 1);
+    const uint32_t red = colors->red;
+    const uint32_t green = colors->green;
+    const uint32_t r = colors->single ? 0 : raster->tint_n8[0];
+    const uint32_t g = colors->single ? 0 : raster->tint_n8[1];
+    const uint32_t b = raster->tint_n8[2];
     for (const uint32_t *end = color + count; color != end; color++) {
-        *color = qtri_raster_tinted(raster, *color, raster->units->light_bits);
+        const uint32_t light = *color;
+        *color = (light * r + half) >> shift << red | (light * g + half) >> shift << green |
+                 (light * b + half) >> shift;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "../geometry/projector.h"
 #include "stage_color.h"
+#include "tint.h"
 
 /* The ramp of an attribute: f0 at vertex 0, differences without QTRI_PLACE_DOWN bits, 2^16 at most.
  */
@@ -108,6 +109,16 @@ QTRI_NOINLINE bool qtri_list_tint_is_linear(const qtri_raster *raster, uint32_t 
         (uint32_t)(qtri_greatest_from_0(i1, i2) - qtri_least_from_0(i1, i2)); /* <= 2^15 */
     const uint32_t most = (range * qtri_raster_widest_tint(raster) >> 14) + 1;
     return qtri_list_is_linear(q0, q1, q2, (int32_t)most, 0, 3u - raster->units->finer);
+}
+
+bool qtri_list_tint_is_simple(const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
+                              const qtri_vertex *c, int32_t i1, int32_t i2)
+{
+    int32_t more1;
+    int32_t more2;
+    return qtri_inv_w_more(&more1, a, b) && qtri_inv_w_more(&more2, a, c) &&
+           (qtri_list_is_linear(a->inv_w, more1, more2, i1, i2, 3) ||
+            qtri_list_tint_is_linear(raster, a->inv_w, more1, more2, i1, i2));
 }
 
 /* Apart, so that others do not pay for it. */

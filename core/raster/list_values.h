@@ -237,6 +237,10 @@ static inline bool qtri_list_is_plain(const qtri_vertex *a, const qtri_vertex *b
 bool qtri_list_tint_is_linear(const qtri_raster *raster, uint32_t q0, int32_t q1, int32_t q2,
                               int32_t i1, int32_t i2);
 
+/* Of a triangle that is not plain: whether it is small, and its light linear for this tint. */
+bool qtri_list_tint_is_simple(const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
+                              const qtri_vertex *c, int32_t i1, int32_t i2);
+
 /*
  * Colours of the triangle: light, 2^22 being 1, or channels n.16. The words of its fragments are
  * made of channels >> shift, to nearest; of three, red and green are further left. Where channels

@@ -8,6 +8,7 @@
 #include "span.h"
 #include "texel_copy.h"
 #include "textured.h"
+#include "tint.h"
 #include "unsnapped.h"
 
 /*
