@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "lights.h"
 
-#include "../geometry/lit_point.h"
 #include "../raster/small.h"
 #include "lit_corners.h"
+#include "lit_vertex.h"
 #include "per_pixel.h"
 
 #define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */
@@ -74,16 +74,6 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
     draw->illumination = NULL;
 }
 
-QTRI_IN_PLACE void set_place(qtri_lit_point *point, const qtri_mesh_job *draw, uint32_t index)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    if (qtri_mesh_has_compact(mesh->positions16)) {
-        qtri_illuminated_place16(point, draw->illumination, &mesh->positions16[index]);
-    } else {
-        qtri_illuminated_place(point, draw->illumination, &mesh->positions[index]);
-    }
-}
-
 /* A vertex in the light of its own normal. */
 QTRI_NOINLINE static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index, bool is_back)
 {
@@ -91,24 +81,14 @@ QTRI_NOINLINE static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t i
     const qtri_rgb *color = mesh->colors != NULL ? &mesh->colors[index] : &draw->material.color;
     int32_t n[3];
     qtri_lit_point point;
-    if (qtri_mesh_has_compact(mesh->normals8)) {
-        const qtri_normal8 *normal = &mesh->normals8[index];
-        n[0] = normal->x * 128;
-        n[1] = normal->y * 128;
-        n[2] = normal->z * 128;
-    } else {
-        const qtri_normal *normal = &mesh->normals[index];
-        n[0] = normal->x;
-        n[1] = normal->y;
-        n[2] = normal->z;
-    }
+    qtri_lit_vertex_normal(n, mesh, index);
     if (is_back) {
         n[0] = -n[0];
         n[1] = -n[1];
         n[2] = -n[2];
     }
     qtri_illuminated_normal(&point, draw->illumination, n[0], n[1], n[2]);
-    set_place(&point, draw, index);
+    qtri_lit_vertex_place(&point, draw, index);
     return LIT | qtri_illuminate(draw->illumination, &point, color);
 }
 
@@ -152,21 +132,6 @@ QTRI_NOINLINE static qtri_rgb illuminate(const qtri_illumination *by, qtri_lit_p
     return qtri_lit_rgb(qtri_illuminate(by, point, color));
 }
 
-/* The vertices' positions, in a scale that does not matter for their triangle's normal. */
-static void get_positions(qtri_vec3 p[3], const qtri_mesh *mesh, const uint32_t index[3])
-{
-    for (int i = 0; i < 3; i++) {
-        if (qtri_mesh_has_compact(mesh->positions16)) {
-            const qtri_position16 *from = &mesh->positions16[index[i]];
-            p[i].x = from->x;
-            p[i].y = from->y;
-            p[i].z = from->z;
-        } else {
-            p[i] = mesh->positions[index[i]];
-        }
-    }
-}
-
 static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtri_vec3 p[3])
 {
     if (qtri_mesh_has_compact(draw->mesh->positions16)) {
@@ -193,7 +158,7 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
     qtri_lit_point point;
     qtri_vec3 p[3];
     int32_t n[3];
-    get_positions(p, mesh, index);
+    qtri_lit_face_positions(p, mesh, index);
     qtri_face_normal(n, &p[0], &p[1], &p[2]);
     qtri_illuminated_normal(&point, draw->illumination, turn * n[0], turn * n[1], turn * n[2]);
     if (!smooth) {
@@ -202,7 +167,7 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
     const int provoking = qtri_provoking_of(&draw->material);
     for (int i = smooth ? 0 : provoking; i < 3; i++) {
         if (smooth) {
-            set_place(&point, draw, index[i]);
+            qtri_lit_vertex_place(&point, draw, index[i]);
         }
         color[i] =
             illuminate(draw->illumination, &point,
