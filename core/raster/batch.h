@@ -40,7 +40,7 @@ enum {
 typedef struct qtri_batch {
     uint8_t count;    /* fragments of small triangles that wait, see list.h */
     uint8_t kind;     /* what they are */
-    bool has_table;   /* `by` is that, see fast/tint.c */
+    bool has_table;   /* `by` is that, see fast/list_one_color.c */
     uint8_t alpha[3]; /* of a triangle's vertices, see blend_vertex.c */
     uint32_t mask;    /* of those that wait, which of them are drawn: see list.h */
     uint32_t color[QTRI_BATCH_ROOM];

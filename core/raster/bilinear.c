@@ -361,7 +361,7 @@ static uint32_t sample_some(const qtri_raster *raster, const qtri_texel_axis axi
     return drawn;
 }
 
-/* Coordinates as texel.h has them, of small triangles. */
+/* Coordinates as texel_axis.h has them, of small triangles. */
 static void fill_32_bits(uint32_t *at, const qtri_texel_axis *axis, int32_t to, int32_t count)
 {
     if (axis->clamped) {

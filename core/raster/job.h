@@ -85,9 +85,9 @@ struct qtri_job {
     uint32_t pixel;             /* without attributes: the stored pixel; textured: the shade */
     int32_t anchor_x, anchor_y; /* origin of the ramps */
     qtri_ramp depth;            /* 16.16 */
-    bool held;                  /* depths may leave the range: rows are filled by held.h */
-    qtri_ramp true_depth;       /* when held: the depth is that or, for pixels out of range, even */
-    int32_t depth_above;        /* when held: what the origin has above its 32 bits */
+    bool clamps_depth;          /* it may leave the range: rows are filled by depth_clamp.h */
+    qtri_ramp true_depth;       /* then: the depth is that or, for pixels out of range, even */
+    int32_t depth_above;        /* then: what the origin has above its 32 bits */
     qtri_attribute attribute[QTRI_PLANES];
     union {
         qtri_packed_steps step; /* when packed */

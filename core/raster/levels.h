@@ -8,7 +8,7 @@
 #ifndef QTRI_RASTER_LEVELS_H
 #define QTRI_RASTER_LEVELS_H
 
-#include "texel.h"
+#include "texel_axis.h"
 
 struct qtri_raster;
 

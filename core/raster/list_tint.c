@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Small triangles of a mesh of one colour, as core/fast/tint.c draws them, on their way to fog or a
- * blend: fragments go into the batch with their colour and depth. list.c does the same in more
- * steps: S4 takes a quarter more with it. Triangles are made ready as core/fast/tint.c does it,
- * once more: where both call one inline function, plain S4 takes 2 % more on a Cortex-M3.
+ * Small triangles of a mesh of one colour, as fast/list_one_color.c draws them, on their way to fog
+ * or a blend: fragments go into the batch with their colour and depth. list.c does the same in more
+ * steps: S4 takes a quarter more with it. Triangles are made ready as fast/list_one_color.c does
+ * it, once more: where both call one inline function, plain S4 takes 2 % more on a Cortex-M3.
  */
 #include "../geometry/projector.h"
 #include "effect.h"

@@ -14,8 +14,8 @@
 #define QTRI_TWISTED_LOG2 4
 
 /*
- * The job's planes and slopes. q: 1/w at the vertices, 2^31 or less; value: what texel.h made of
- * texture coordinates.
+ * The job's planes and slopes. q: 1/w at the vertices, 2^31 or less; value: what texel_axis.h made
+ * of texture coordinates.
  */
 void qtri_perspective_init(qtri_job *job, const qtri_triangle *triangle, const qtri_attributes v[3],
                            const uint32_t value[2][3], const uint32_t q[3],

@@ -7,7 +7,7 @@
 #include "job.h"
 #include "sampling.h"
 #include "shading.h"
-#include "shift.h"
+#include "depth_shift.h"
 #include "span.h"
 
 static bool has_texture(const qtri_material *material)

@@ -14,7 +14,7 @@
 #include "batch.h"
 #include "gradient.h"
 #include "stage_depth.h"
-#include "texel.h"
+#include "texel_axis.h"
 
 typedef struct qtri_job qtri_job;
 typedef struct qtri_list_values qtri_list_values; /* see list_values.h */

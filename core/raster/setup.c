@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "setup.h"
 
-#include "held.h"
+#include "depth_clamp.h"
 #include "packed.h"
 #include "perspective.h"
 #include "shading.h"
@@ -277,7 +277,7 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     job->packed = false;
     job->copies = false;
     job->shaded = false;
-    job->held = false;
+    job->clamps_depth = false;
     job->cut = triangle->cut;
     job->first = QTRI_U;
     job->end = raster->texture != NULL ? QTRI_ATTRIBUTES : QTRI_U;
@@ -287,9 +287,9 @@ qtri_fill_rows qtri_job_init(qtri_job *job, const qtri_raster *raster,
     qtri_unsnapped_init(&unsnapped, raster, triangle, v);
     if (raster->with_depth) {
         uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
-        job->held = qtri_unsnapped_move(depth, &unsnapped, 0, (uint32_t)65535 << 16) &&
-                    qtri_held_init(job, v, &gradient, &unsnapped);
-        if (!job->held) {
+        job->clamps_depth = qtri_unsnapped_move(depth, &unsnapped, 0, (uint32_t)65535 << 16) &&
+                            qtri_depth_clamp_init(job, v, &gradient, &unsnapped);
+        if (!job->clamps_depth) {
             ramp_init(&job->depth, &gradient, depth);
         }
     }

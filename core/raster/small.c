@@ -29,7 +29,7 @@ QTRI_NOINLINE static void set_job(qtri_job *job, const qtri_raster *raster,
     job->packed = false;
     job->copies = false;
     job->shaded = false;
-    job->held = false;
+    job->clamps_depth = false;
     job->cut = t->place->cut;
     job->first = QTRI_U;
     job->end = QTRI_U;

@@ -4,14 +4,14 @@
  *
  * Coordinates of a triangle are in one of two units. On an axis that repeats, of a texture of at
  * most 2^16 texels, all 32 bits count, so that they wrap by themselves and a number is quickly made
- * of them, see texel_copy.h. Elsewhere they are as texel.h has them; those of clamped axes of such
- * textures are brought to 32 bits along a row, most by a look at both ends.
+ * of them, see texel_copy.h. Elsewhere they are as texel_axis.h has them; those of clamped axes of
+ * such textures are brought to 32 bits along a row, most by a look at both ends.
  */
 #ifndef QTRI_RASTER_TEXEL_NUMBER_H
 #define QTRI_RASTER_TEXEL_NUMBER_H
 
 #include "batch.h"
-#include "texel.h"
+#include "texel_axis.h"
 
 /* `count` of 1..32, rounded up to a multiple of four, along a row. cut: see texel_copy.h. */
 void qtri_texel_numbers_repeated(uint32_t *number, const qtri_curve uv[2], uint32_t cut,

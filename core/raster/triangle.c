@@ -4,7 +4,7 @@
 #include "../geometry/projector.h"
 #include "effect.h"
 #include "checked.h"
-#include "held.h"
+#include "depth_clamp.h"
 #include "small.h"
 #include "rows.h"
 #include "sampling.h"
@@ -13,13 +13,13 @@
 QTRI_IN_PLACE void fill_rows(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count,
                              qtri_fill_rows fill)
 {
-    if (!job->held || qtri_held_is_inside(job, spans, row, count)) {
+    if (!job->clamps_depth || qtri_depth_clamp_is_inside(job, spans, row, count)) {
         fill(job, spans, row, count);
         return;
     }
     qtri_span part = {0, 0};
     int32_t i = -1;
-    while (qtri_held_next(job, &part, &i, spans, row, count)) {
+    while (qtri_depth_clamp_next(job, &part, &i, spans, row, count)) {
         fill(job, &part, row + i, 1);
     }
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "held.h"
+#include "depth_clamp.h"
 
 #include "../bits/bits.h"
 
@@ -20,8 +20,8 @@ static int64_t whole(uint64_t value)
  * Of a step that fits a half has 2^46 of the plane's units, and from vertex 0 to the anchor it is
  * less than 2^15 pixels in x and in y: 2^62.
  */
-bool qtri_held_init(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient,
-                    const qtri_unsnapped *unsnapped)
+bool qtri_depth_clamp_init(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient,
+                           const qtri_unsnapped *unsnapped)
 {
     qtri_plane plane;
     uint32_t half[3];
@@ -66,8 +66,8 @@ static int side_of(int64_t depth)
  * Depth goes one way along a row, so each side has one run of pixels. Few are outside the range,
  * and are counted.
  */
-bool qtri_held_next(qtri_job *job, qtri_span *part, int32_t *i, const qtri_span *spans,
-                    int32_t first, int32_t count)
+bool qtri_depth_clamp_next(qtri_job *job, qtri_span *part, int32_t *i, const qtri_span *spans,
+                           int32_t first, int32_t count)
 {
     part->left = part->right;
     while (*i < 0 || part->left >= spans[*i].right) {
@@ -103,7 +103,7 @@ static bool is_inside(const qtri_job *job, const qtri_span *span, int32_t y)
 }
 
 /* By the corners of a box about them. */
-bool qtri_held_is_inside(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+bool qtri_depth_clamp_is_inside(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
     qtri_span box = spans[0];
     for (int32_t i = 1; i < count; i++) {

@@ -2,8 +2,8 @@
 /*
  * Depths of a triangle that are moved as a whole: material.depth_shift. Internal.
  */
-#ifndef QTRI_RASTER_SHIFT_H
-#define QTRI_RASTER_SHIFT_H
+#ifndef QTRI_RASTER_DEPTH_SHIFT_H
+#define QTRI_RASTER_DEPTH_SHIFT_H
 
 #include "raster.h"
 

@@ -8,8 +8,8 @@
  * that of the true plane, and pixels whose depth leaves the range, of which few triangles have one,
  * are filled apart, at the range's end.
  */
-#ifndef QTRI_RASTER_HELD_H
-#define QTRI_RASTER_HELD_H
+#ifndef QTRI_RASTER_DEPTH_CLAMP_H
+#define QTRI_RASTER_DEPTH_CLAMP_H
 
 #include "job.h"
 #include "unsnapped.h"
@@ -18,17 +18,17 @@
  * The depth's ramp through the true places; the job's anchor is set. False, and nothing is set,
  * where 32 bits would not hold a step of it.
  */
-bool qtri_held_init(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient,
-                    const qtri_unsnapped *unsnapped);
+bool qtri_depth_clamp_init(qtri_job *job, const qtri_attributes v[3], const qtri_gradient *gradient,
+                           const qtri_unsnapped *unsnapped);
 
 /* Whether no pixel of these rows is out of range; it may say no. Then they are filled as others. */
-bool qtri_held_is_inside(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
+bool qtri_depth_clamp_is_inside(qtri_job *job, const qtri_span *spans, int32_t row, int32_t count);
 
 /*
  * The next part of these rows, the last one being *part of row first + *i; at first an empty one
  * before the first row. Sets the job's depth for it. False: there is none.
  */
-bool qtri_held_next(qtri_job *job, qtri_span *part, int32_t *i, const qtri_span *spans,
-                    int32_t first, int32_t count);
+bool qtri_depth_clamp_next(qtri_job *job, qtri_span *part, int32_t *i, const qtri_span *spans,
+                           int32_t first, int32_t count);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "texel.h"
+#include "texel_axis.h"
 
 #include "../bits/bits.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "shift.h"
+#include "depth_shift.h"
 
 #include "effect.h"
 #include "triangle.h"

@@ -2,8 +2,8 @@
 /*
  * Texture coordinates of a triangle. Internal.
  */
-#ifndef QTRI_RASTER_TEXEL_H
-#define QTRI_RASTER_TEXEL_H
+#ifndef QTRI_RASTER_TEXEL_AXIS_H
+#define QTRI_RASTER_TEXEL_AXIS_H
 
 #include "qtri/texture.h"
 
