@@ -76,35 +76,13 @@ static uint32_t at(const qtri_raster *raster, int32_t b1_q30, int32_t b2_q30)
 
 /* ---- Planes ---- */
 
-/* 1/w with one exponent, the largest in 2^30..2^31. False when all are equal. */
-static bool align(uint32_t q[3], const qtri_attributes v[3])
-{
-    int32_t greatest = qtri_greatest32(v[0].inv_w_exponent, v[1].inv_w_exponent);
-    greatest = qtri_greatest32(greatest, v[2].inv_w_exponent);
-    for (int i = 0; i < 3; i++) {
-        const uint32_t down = (uint32_t)greatest - (uint32_t)v[i].inv_w_exponent;
-        q[i] = down > 29 ? 1 : v[i].inv_w_q31 >> down;
-    }
-    return q[0] != q[1] || q[0] != q[2];
-}
-
-static void find_range(uint32_t *least, uint32_t *greatest, const uint32_t f[3])
-{
-    *least = f[0];
-    *greatest = f[0];
-    for (int i = 1; i < 3; i++) {
-        *least = f[i] < *least ? f[i] : *least;
-        *greatest = f[i] > *greatest ? f[i] : *greatest;
-    }
-}
-
 /* Whether linear is off by 2^-12 at most: by range (q_greatest - q_least) / 4 q_least (setup.c). */
 static bool is_nearly_linear(const uint32_t alpha_q16[3], const uint32_t q[3])
 {
     uint32_t range[2];
     uint32_t ends[2];
-    find_range(&range[0], &range[1], alpha_q16);
-    find_range(&ends[0], &ends[1], q);
+    qtri_find_range(&range[0], &range[1], alpha_q16);
+    qtri_find_range(&ends[0], &ends[1], q);
     return qtri_mul_u32(range[1] - range[0], ends[1] - ends[0]) >> 6 < ends[0];
 }
 
@@ -118,10 +96,10 @@ static void set_planes(qtri_alpha_planes *p, const qtri_triangle *triangle,
     uint32_t ends[2];
     qtri_gradient_place(&gradient, triangle);
     qtri_gradient_init(&gradient, triangle->extent);
-    find_range(&ends[0], &ends[1], alpha_q16);
+    qtri_find_range(&ends[0], &ends[1], alpha_q16);
     p->least = (int32_t)ends[0] << 4;
     p->greatest = (int32_t)ends[1] << 4;
-    p->divided = QTRI_WITH_PERSPECTIVE && p->raster.perspective && align(q, v) &&
+    p->divided = QTRI_WITH_PERSPECTIVE && p->raster.perspective && qtri_align_inv_w(q, v) &&
                  !is_nearly_linear(alpha_q16, q);
     for (int i = 0; i < 3; i++) {
         f[i] = p->divided ? (uint32_t)(qtri_mul_u32(q[i], alpha_q16[i]) >> 16) : alpha_q16[i] << 14;

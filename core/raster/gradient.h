@@ -158,4 +158,15 @@ static inline uint32_t qtri_ramp_at(const qtri_ramp *ramp, int32_t dx, int32_t d
     return ramp->origin + (uint32_t)dx * ramp->dx + (uint32_t)dy * ramp->dy;
 }
 
+/* The least and the greatest of the three vertices' values. */
+static inline void qtri_find_range(uint32_t *least, uint32_t *greatest, const uint32_t f[3])
+{
+    *least = f[0];
+    *greatest = f[0];
+    for (int i = 1; i < 3; i++) {
+        *least = f[i] < *least ? f[i] : *least;
+        *greatest = f[i] > *greatest ? f[i] : *greatest;
+    }
+}
+
 #endif

@@ -72,18 +72,6 @@ static void set_corners(qtri_pixel_light *p)
                    c[0].color.g == c[2].color.g && c[0].color.b == c[2].color.b;
 }
 
-/* 1/w with one exponent, the largest in 2^30..2^31. False when all are equal. */
-static bool align(uint32_t q[3], const qtri_attributes v[3])
-{
-    int32_t most = qtri_greatest32(v[0].inv_w_exponent, v[1].inv_w_exponent);
-    most = qtri_greatest32(most, v[2].inv_w_exponent);
-    for (int i = 0; i < 3; i++) {
-        const uint32_t down = (uint32_t)most - (uint32_t)v[i].inv_w_exponent;
-        q[i] = down > 29 ? 1 : v[i].inv_w_q31 >> down;
-    }
-    return q[0] != q[1] || q[0] != q[2];
-}
-
 static void set_planes(qtri_pixel_light *p, const qtri_raster *raster,
                        const qtri_triangle *triangle, const qtri_attributes v[3])
 {
@@ -92,7 +80,7 @@ static void set_planes(qtri_pixel_light *p, const qtri_raster *raster,
     uint32_t f[3];
     qtri_gradient_place(&gradient, triangle);
     qtri_gradient_init(&gradient, triangle->extent);
-    p->divided = QTRI_WITH_PERSPECTIVE && raster->perspective && align(q, v);
+    p->divided = QTRI_WITH_PERSPECTIVE && raster->perspective && qtri_align_inv_w(q, v);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 3; i++) {
             const uint32_t share_q30 = (uint32_t)v[i].color[k];
@@ -102,10 +90,7 @@ static void set_planes(qtri_pixel_light *p, const qtri_raster *raster,
     }
     if (p->divided) {
         qtri_plane_init(&p->q, &gradient, q);
-        p->least = q[0] < q[1] ? q[0] : q[1];
-        p->least = q[2] < p->least ? q[2] : p->least;
-        p->greatest = q[0] > q[1] ? q[0] : q[1];
-        p->greatest = q[2] > p->greatest ? q[2] : p->greatest;
+        qtri_find_range(&p->least, &p->greatest, q);
     }
     p->sample[0].x = INT32_MIN;
 }

@@ -24,21 +24,6 @@ static int linear_log2(const qtri_raster *raster)
     return raster->working == &qtri_colors_565 ? 15 : 13;
 }
 
-/* 1/w of the three with one exponent, the largest in 2^30..2^31. False when all are equal. */
-static bool inv_w_align(uint32_t q[3], const qtri_attributes v[3])
-{
-    int32_t e0 = v[0].inv_w_exponent;
-    int32_t e1 = v[1].inv_w_exponent;
-    int32_t e2 = v[2].inv_w_exponent;
-    int32_t greatest = e0 > e1 ? e0 : e1;
-    greatest = greatest > e2 ? greatest : e2;
-    for (int i = 0; i < 3; i++) {
-        uint32_t down = (uint32_t)greatest - (uint32_t)v[i].inv_w_exponent; /* < 2^32 */
-        q[i] = down > 29 ? 1 : v[i].inv_w_q31 >> down;
-    }
-    return q[0] != q[1] || q[0] != q[2];
-}
-
 /* Greatest less least. */
 static uint32_t range_of(const uint32_t f[3], uint32_t *least)
 {
@@ -166,7 +151,7 @@ static void linear_colors(qtri_job *job, const qtri_attributes v[3], const qtri_
 static bool needs_perspective(const qtri_job *job, const qtri_attributes v[3],
                               const uint32_t value[2][3], uint32_t range, uint32_t q[3])
 {
-    if (!(QTRI_WITH_PERSPECTIVE && job->raster->perspective) || !inv_w_align(q, v)) {
+    if (!(QTRI_WITH_PERSPECTIVE && job->raster->perspective) || !qtri_align_inv_w(q, v)) {
         return false;
     }
     if (!nearly_linear(range, q, linear_log2(job->raster))) {

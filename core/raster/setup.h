@@ -20,6 +20,18 @@ qtri_fill_rows qtri_job_set_varying(qtri_job *job, const qtri_triangle *triangle
 /* Colour i of the three vertices: a channel, or their share of a tint. */
 void qtri_job_color(uint32_t f[3], const qtri_job *job, const qtri_attributes v[3], int i);
 
+/* 1/w with one exponent, the largest in 2^30..2^31. False when all are equal. */
+static inline bool qtri_align_inv_w(uint32_t q[3], const qtri_attributes v[3])
+{
+    const int32_t greatest = qtri_greatest32(
+        qtri_greatest32(v[0].inv_w_exponent, v[1].inv_w_exponent), v[2].inv_w_exponent);
+    for (int i = 0; i < 3; i++) {
+        const uint32_t down = (uint32_t)greatest - (uint32_t)v[i].inv_w_exponent; /* < 2^32 */
+        q[i] = down > 29 ? 1 : v[i].inv_w_q31 >> down;
+    }
+    return q[0] != q[1] || q[0] != q[2];
+}
+
 /* Where the vertices are. */
 static inline void qtri_gradient_place(qtri_gradient *g, const qtri_triangle *t)
 {

@@ -3,16 +3,6 @@
 
 #include "../bits/bits.h"
 
-static void find_range(uint32_t *least, uint32_t *greatest, const uint32_t f[3])
-{
-    *least = f[0];
-    *greatest = f[0];
-    for (int i = 1; i < 3; i++) {
-        *least = f[i] < *least ? f[i] : *least;
-        *greatest = f[i] > *greatest ? f[i] : *greatest;
-    }
-}
-
 bool qtri_unsnapped_matters(const qtri_raster *raster, const qtri_triangle *triangle,
                             const uint32_t depth_16p16[3])
 {
@@ -24,7 +14,7 @@ bool qtri_unsnapped_matters(const qtri_raster *raster, const qtri_triangle *tria
     }
     uint32_t least;
     uint32_t greatest;
-    find_range(&least, &greatest, depth_16p16);
+    qtri_find_range(&least, &greatest, depth_16p16);
     const uint32_t depth = (greatest - least) >> 14; /* in quarters of a step */
     const uint32_t range = depth > 4 * 255 ? depth : 4 * 255;
     return qtri_mul_u32(range, (uint32_t)triangle->extent) > qtri_magnitude64(triangle->area);
@@ -154,7 +144,7 @@ void qtri_unsnapped_move_inside(uint32_t f[3], const qtri_unsnapped *u)
 {
     uint32_t least;
     uint32_t greatest;
-    find_range(&least, &greatest, f);
+    qtri_find_range(&least, &greatest, f);
     (void)qtri_unsnapped_move(f, u, least, greatest);
 }
 
