@@ -227,39 +227,20 @@ static inline uint32_t times(uint32_t c, uint32_t s, uint32_t most)
         QTRI_OPAQUE(color)                                                                         \
     }
 
-/*
- * under + (color - under) share, rounded: with the half 64 under + difference share + 32 of each
- * channel is 32..2016, whatever lower ones borrow.
- */
+/* Words, each over the pixel beneath it. */
 QTRI_NOINLINE static void over_565(uint32_t *color, const uint16_t *under, int32_t count,
                                    uint32_t alpha)
 {
     const qtri_share_565 share = qtri_share_565_of(alpha);
-    uint32_t mask = RED_BLUE;
-    uint32_t green_mask = GREEN;
-    uint32_t half = 0x10020u;
-    uint32_t green_half = 0x1000u;
-    uint32_t red_blue = share.red_blue;
-    uint32_t green = share.green;
-    QTRI_OPAQUE(mask)
-    QTRI_OPAQUE(half)
-    QTRI_OPAQUE(green_half)
+    QTRI_OVER_565_BEGIN(share)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         uint32_t c = color[i];                                                                     \
         uint32_t u = under[i];                                                                     \
-        const uint32_t rb = u & mask;                                                              \
-        uint32_t x = ((c & mask) - rb) * red_blue + half;                                          \
-        u -= rb;                                                                                   \
-        x = (rb + (uint32_t)((int32_t)x >> 6)) & mask;                                             \
-        c = ((c & green_mask) - u) * green + green_half;                                           \
-        c = (u + (uint32_t)((int32_t)c >> 8)) & green_mask;                                        \
+        QTRI_OVER_565(c, u)                                                                        \
         color[i] = x | c;                                                                          \
         QTRI_OPAQUE(color)                                                                         \
-        QTRI_ASIDE(green_mask)                                                                     \
-        QTRI_ASIDE(half)                                                                           \
-        QTRI_ASIDE(green_half)                                                                     \
-        QTRI_ASIDE(green)                                                                          \
+        QTRI_OVER_565_ASIDE                                                                        \
     }
     FOR_565
 #undef ONE

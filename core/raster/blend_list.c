@@ -28,30 +28,13 @@
         ONE *pixel = (uint16_t)c;                                                                  \
     } while (place != end);
 
-/* See over_565() in blend.c. */
 void qtri_blend_list_alpha(const qtri_raster *raster, int32_t count)
 {
     const qtri_share_565 share = qtri_share_565_of(raster->alpha);
-    uint32_t mask = RED_BLUE;
-    uint32_t green_mask = GREEN;
-    uint32_t half = 0x10020u;
-    uint32_t green_half = 0x1000u;
-    uint32_t red_blue = share.red_blue;
-    uint32_t green = share.green;
-    QTRI_OPAQUE(mask)
-    QTRI_OPAQUE(half)
-    QTRI_OPAQUE(green_half)
+    QTRI_OVER_565_BEGIN(share)
 #define ONE                                                                                        \
-    const uint32_t rb = u & mask;                                                                  \
-    uint32_t x = ((c & mask) - rb) * red_blue + half;                                              \
-    u -= rb;                                                                                       \
-    x = (rb + (uint32_t)((int32_t)x >> 6)) & mask;                                                 \
-    c = ((c & green_mask) - u) * green + green_half;                                               \
-    c = x | ((u + (uint32_t)((int32_t)c >> 8)) & green_mask);                                      \
-    QTRI_ASIDE(green_mask)                                                                         \
-    QTRI_ASIDE(half)                                                                               \
-    QTRI_ASIDE(green_half)                                                                         \
-    QTRI_ASIDE(green)
+    QTRI_OVER_565(c, u) c |= x;                                                                    \
+    QTRI_OVER_565_ASIDE
     LIST
 #undef ONE
 }
