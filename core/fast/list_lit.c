@@ -32,9 +32,8 @@ void qtri_lit_list(const qtri_raster *raster, int32_t count)
         uint32_t color = TINTED(texel >> 11, r) << 6;
         color |= TINTED(texel << 21 >> 26, g);
         color = color << 5 | TINTED(texel << 27 >> 27, b);
-        const uint32_t to = *place++;
-        uint16_t *row = (uint16_t *)(void *)(pixels + (ptrdiff_t)(to >> 16) * pitch);
-        row[to & 0xFFFF] = (uint16_t)color;
+        uint16_t *const pixel = qtri_placed_16(pixels, pitch, *place++);
+        *pixel = (uint16_t)color;
         QTRI_ASIDE(r)
         QTRI_ASIDE(g)
         QTRI_ASIDE(b)

@@ -94,4 +94,11 @@ static inline uint32_t qtri_mask_of(int32_t count)
     return UINT32_MAX >> (32 - count);
 }
 
+/* The pixel of a fragment at this place, on a surface of 16 bits. */
+static inline uint16_t *qtri_placed_16(uint8_t *pixels, ptrdiff_t pitch, uint32_t place)
+{
+    uint16_t *row = (uint16_t *)(void *)(pixels + (ptrdiff_t)(place >> 16) * pitch);
+    return row + (place & 0xFFFF);
+}
+
 #endif

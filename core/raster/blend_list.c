@@ -20,9 +20,7 @@
     uint8_t *const pixels = raster->surface->pixels;                                               \
     const ptrdiff_t pitch = raster->surface->pitch;                                                \
     do {                                                                                           \
-        const uint32_t to = *place++;                                                              \
-        uint16_t *row = (uint16_t *)(void *)(pixels + (ptrdiff_t)(to >> 16) * pitch);              \
-        uint16_t *pixel = row + (to & 0xFFFF);                                                     \
+        uint16_t *pixel = qtri_placed_16(pixels, pitch, *place++);                                 \
         uint32_t c = *color++;                                                                     \
         uint32_t u = *pixel;                                                                       \
         ONE *pixel = (uint16_t)c;                                                                  \

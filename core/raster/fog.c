@@ -220,35 +220,20 @@ QTRI_NOINLINE static void mix_row(uint16_t *pixel, const uint32_t *color, uint32
     mix_565 m = mix_565_of(gray);
     QTRI_OPAQUE(m.mask)
     QTRI_OPAQUE(m.green_mask)
-#ifndef __OPTIMIZE_SIZE__
-    for (; count >= 4; count -= 4, color += 4, share += 4, pixel += 4) {
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
-    }
-#endif
-    for (; count > 0; count--, color++, share++, pixel++) {
-        ONE(0)
-    }
+    QTRI_FOG_ROW
 }
 #undef PUT
 
 /* The same to places. */
 #define PUT(i, mixed)                                                                              \
     {                                                                                              \
-        const uint32_t to = *place++;                                                              \
-        uint16_t *row = (uint16_t *)(void *)(pixels + (ptrdiff_t)(to >> 16) * pitch);              \
-        row[to & 0xFFFF] = (uint16_t)(mixed);                                                      \
+        uint16_t *const pixel = qtri_placed_16(pixels, pitch, *place++);                           \
+        *pixel = (uint16_t)(mixed);                                                                \
     }
 QTRI_NOINLINE static void mix_list(const qtri_raster *raster, const uint32_t *share, int32_t count)
 {
     mix_565 m = mix_565_of(raster->fog->word[0]);
-    const uint32_t *color = raster->batch->color;
-    const uint32_t *place = raster->batch->place;
-    const uint32_t *const end = place + count;
-    uint8_t *const pixels = raster->surface->pixels;
-    const ptrdiff_t pitch = raster->surface->pitch;
+    QTRI_FOG_PLACES
     QTRI_OPAQUE(m.mask)
     QTRI_OPAQUE(m.green_mask)
     for (; place != end; color++, share++) {

@@ -162,33 +162,18 @@ void qtri_fog_row_565(uint16_t *pixel, const uint32_t *color, uint32_t fog, cons
     mix m = mix_of(fog, 0x04000400u, 0x20000u);
     QTRI_OPAQUE(m.bytes)
     QTRI_OPAQUE(m.fives)
-#ifndef __OPTIMIZE_SIZE__
-    for (; count >= 4; count -= 4, color += 4, share += 4, pixel += 4) {
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
-    }
-#endif
-    for (; count > 0; count--, color++, share++, pixel++) {
-        ONE(0)
-    }
+    QTRI_FOG_ROW
 }
 #undef PUT
 
 #define PUT(i)                                                                                     \
     both = both >> 11 & m.fives;                                                                   \
-    const uint32_t to = *place++;                                                                  \
-    uint16_t *row = (uint16_t *)(void *)(pixels + (ptrdiff_t)(to >> 16) * pitch);                  \
-    row[to & 0xFFFF] = (uint16_t)(both | both >> 5 | green >> 18 << 5);
+    uint16_t *const pixel = qtri_placed_16(pixels, pitch, *place++);                               \
+    *pixel = (uint16_t)(both | both >> 5 | green >> 18 << 5);
 void qtri_fog_list_565(const qtri_raster *raster, const uint32_t *share, int32_t count)
 {
     mix m = mix_of(raster->fog->word[3], 0x04000400u, 0x20000u);
-    const uint32_t *color = raster->batch->color;
-    const uint32_t *place = raster->batch->place;
-    const uint32_t *const end = place + count;
-    uint8_t *const pixels = raster->surface->pixels;
-    const ptrdiff_t pitch = raster->surface->pitch;
+    QTRI_FOG_PLACES
     QTRI_OPAQUE(m.bytes)
     QTRI_OPAQUE(m.fives)
     for (; place != end; color++, share++) {

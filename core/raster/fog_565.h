@@ -13,6 +13,34 @@
 
 #include "raster.h"
 
+/*
+ * Loops of fog, here and in fog.c, over ONE(i), which PUTs color[i] in share[i]. QTRI_FOG_ROW: to
+ * pixel[i], four at a time. QTRI_FOG_PLACES: what a loop over what waits in the batch has before
+ * it.
+ */
+#ifdef __OPTIMIZE_SIZE__
+#define QTRI_FOG_FOUR
+#else
+#define QTRI_FOG_FOUR                                                                              \
+    for (; count >= 4; count -= 4, color += 4, share += 4, pixel += 4) {                           \
+        ONE(0)                                                                                     \
+        ONE(1)                                                                                     \
+        ONE(2)                                                                                     \
+        ONE(3)                                                                                     \
+    }
+#endif
+#define QTRI_FOG_ROW                                                                               \
+    QTRI_FOG_FOUR                                                                                  \
+    for (; count > 0; count--, color++, share++, pixel++) {                                        \
+        ONE(0)                                                                                     \
+    }
+#define QTRI_FOG_PLACES                                                                            \
+    const uint32_t *color = raster->batch->color;                                                  \
+    const uint32_t *place = raster->batch->place;                                                  \
+    const uint32_t *const end = place + count;                                                     \
+    uint8_t *const pixels = raster->surface->pixels;                                               \
+    const ptrdiff_t pitch = raster->surface->pitch;
+
 extern const qtri_colors qtri_colors_565_finer;
 
 /* From 0x00RRGGBB, within .51. */
