@@ -1,286 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Edges of outlines: passes over the triangles that face the eye.
+ * Outlines of meshes: their memory, lists of their edges for bands, and edges noted on the pixels
+ * that they pass through.
  *
- *   0  silhouettes: edges of a face that is front whose neighbour is not
- *   1  of a mesh that is not culled, edges of back faces without a neighbour
- *   2  creases, weaker than what the others noted
- *
- * Without neighbours a vertex has two sums, modulo 2^16: each front face's edge a b adds (b, b b)
- * at a and takes (a, a a) from b. Where all edges but one to n and one from p have their
- * counterpart, n - p and n n - p p are left. So a b is alone iff S2 = S1 (2 b - S1) at a and
- * S2 = S1 (2 a + S1) at b. A vertex where several outlines meet has sums that tell nothing.
- */
-#include "outline.h"
-
-#include "qtri/halo.h"
-
-#include "edge_walk.h"
-
-/* 3 times that is 1 modulo 2^32: what is a multiple of 3 is divided by it. */
-#define THIRD 0xAAAAAAABu
-
-enum { PASSES = 3, ALL_EDGES = 7, CREASE_Q15 = 1 << 11 };
-
-/*
  * Lists: a word a band, the first entry's number in its high half and the last one's in its low
  * half, from 1 on; then the entries. An entry is next << 19 | weak << 18 | corner << 16 | triangle.
  */
+#include "outline_find.h"
+
+#include "qtri/halo.h"
+
 enum { NEXT_SHIFT = 19, WEAK_SHIFT = 18, CORNER_SHIFT = 16, ENTRIES_MAX = (1 << 13) - 1 };
-
-/* ---- Finding ---- */
-
-typedef struct finder finder;
-struct finder {
-    const qtri_outline *outline;
-    const qtri_mesh_job *job; /* for light: NULL where no creases are asked for */
-    /* Takes those of a triangle's edges that have a bit; false: it has no room for all of them. */
-    bool (*take)(finder *f, uint32_t triangle, uint32_t edges, bool weak);
-    uint32_t from;           /* the first triangle that was not looked at or not taken */
-    qtri_edge_walker walker; /* for walks */
-    uint32_t bands, next, end, inverse, shift; /* for lists: entries, and 1 / rows */
-    int32_t height;                            /* rows of the frame */
-    int32_t above, below;                      /* rows that bands reach beyond their own */
-};
-
-static const void *triangle_at(const qtri_mesh *mesh, uint32_t number)
-{
-    return qtri_mesh_triangle(mesh, number, qtri_mesh_has_bytes(mesh));
-}
-
-/* A function of its own: none of the other ways to find edges takes its registers. */
-QTRI_NOINLINE static bool find_by_neighbours(finder *f)
-{
-    const uint16_t *neighbours = f->outline->mesh->neighbours[0];
-    const uint32_t *front = f->outline->front;
-    const uint32_t count = f->outline->mesh->triangle_count;
-    uint32_t next = f->from;
-    while (next < count) {
-        uint32_t bits = front[next >> 5] >> (next & 31);
-        const uint16_t *n = neighbours + (size_t)next * 3;
-        next = (next | 31) + 1;
-        while (bits != 0) {
-            if ((bits & 1) == 0) {
-                const bool many = (bits & 0xFF) == 0;
-                n += many ? 24 : 3;
-                bits >>= many ? 8 : 1;
-                continue;
-            }
-            uint32_t a = qtri_front_bit(front, n[0]);
-            uint32_t b = qtri_front_bit(front, n[1]);
-            uint32_t c = qtri_front_bit(front, n[2]);
-            if ((a & b & c & 1) == 0) {
-                QTRI_HOLD(a); /* GCC 12 would compute what follows for all faces */
-                QTRI_HOLD(b);
-                QTRI_HOLD(c);
-                const uint32_t edges = ((a & 1) | (b & 1) << 1 | (c & 1) << 2) ^ ALL_EDGES;
-                const uint32_t number = (uint32_t)(n - neighbours) * THIRD;
-                if (!f->take(f, number, edges, false)) {
-                    f->from = number;
-                    return false;
-                }
-            }
-            n += 3;
-            bits >>= 1;
-        }
-    }
-    return true;
-}
-
-static void add_edge(uint32_t *sums, uint32_t a, uint32_t b)
-{
-    sums[a] += b + (b * b << 16); /* carries from the low half are undone in is_alone() */
-    sums[b] -= a + (a * a << 16);
-}
-
-static void add_all(const qtri_outline *outline)
-{
-    const qtri_mesh *mesh = outline->mesh;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        outline->sums[i] = 0;
-    }
-    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        if ((qtri_front_bit(outline->front, i) & 1) != 0) {
-            uint32_t index[3];
-            qtri_mesh_indices(index, triangle_at(mesh, i), qtri_mesh_has_bytes(mesh));
-            add_edge(outline->sums, index[0], index[1]);
-            add_edge(outline->sums, index[1], index[2]);
-            add_edge(outline->sums, index[2], index[0]);
-        }
-    }
-}
-
-/* Whether a sum at one end is what the edge alone leaves: `twice` the other end, with its sign. */
-static bool fits(uint32_t sum, uint32_t twice, bool leaves)
-{
-    const uint32_t s1 = (uint32_t)(int32_t)(int16_t)(sum & 0xFFFF);
-    const uint32_t s2 = (sum - s1) >> 16;
-    const uint32_t product = s1 * (leaves ? twice - s1 : twice + s1);
-    return ((product - s2) & 0xFFFF) == 0;
-}
-
-static uint32_t is_alone(const uint32_t *sums, uint32_t a, uint32_t b)
-{
-    return sums[a] != 0 && sums[b] != 0 && fits(sums[a], 2 * b, true) &&
-           fits(sums[b], 2 * a, false);
-}
-
-static bool find_by_sums(finder *f)
-{
-    const qtri_mesh *mesh = f->outline->mesh;
-    const uint32_t *sums = f->outline->sums;
-    for (; f->from < mesh->triangle_count; f->from++) {
-        if ((qtri_front_bit(f->outline->front, f->from) & 1) == 0) {
-            continue;
-        }
-        uint32_t index[3];
-        qtri_mesh_indices(index, triangle_at(mesh, f->from), qtri_mesh_has_bytes(mesh));
-        const uint32_t edges = is_alone(sums, index[0], index[1]) |
-                               is_alone(sums, index[1], index[2]) << 1 |
-                               is_alone(sums, index[2], index[0]) << 2;
-        if (edges != 0 && !f->take(f, f->from, edges, false)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/*
- * The vertices of a triangle, if all are inside. One that is front, or has an edge in a list, has
- * indices of vertices: whoever found that has looked at them.
- */
-static inline bool get_vertices(const qtri_outline *outline, uint32_t number,
-                                qtri_vertex *vertex[3])
-{
-    const qtri_mesh *mesh = outline->mesh;
-    uint32_t index[3];
-    qtri_mesh_indices(index, triangle_at(mesh, number), qtri_mesh_has_bytes(mesh));
-    qtri_mesh_get(vertex, outline->vertices, index, qtri_vertex_size());
-    return qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2]);
-}
-
-static bool has_vertices(const qtri_mesh *mesh, uint32_t number)
-{
-    uint32_t index[3];
-    qtri_mesh_indices(index, triangle_at(mesh, number), qtri_mesh_has_bytes(mesh));
-    return index[0] < mesh->vertex_count && index[1] < mesh->vertex_count &&
-           index[2] < mesh->vertex_count;
-}
-
-static bool find_borders(finder *f)
-{
-    const qtri_outline *outline = f->outline;
-    const qtri_mesh *mesh = outline->mesh;
-    if (outline->material->cull != QTRI_CULL_NONE || mesh->neighbours == NULL) {
-        return true;
-    }
-    for (; f->from < mesh->triangle_count; f->from++) {
-        const uint16_t *n = mesh->neighbours[f->from];
-        const uint32_t none = mesh->triangle_count;
-        const uint32_t edges = (uint32_t)(n[0] == none) | (uint32_t)(n[1] == none) << 1 |
-                               (uint32_t)(n[2] == none) << 2;
-        if (edges != 0 && (qtri_front_bit(outline->front, f->from) & 1) == 0 &&
-            has_vertices(mesh, f->from) && !f->take(f, f->from, edges, false)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static uint32_t creases_of(const finder *f, uint32_t number)
-{
-    const qtri_mesh *mesh = f->outline->mesh;
-    const uint16_t *neighbours = mesh->neighbours[number];
-    const uint32_t own = qtri_mesh_light_face(f->job, triangle_at(mesh, number));
-    uint32_t edges = 0;
-    for (int i = 0; i < 3; i++) {
-        const uint32_t n = neighbours[i];
-        if (n > number && (qtri_front_bit(f->outline->front, n) & 1) != 0) {
-            const uint32_t other = qtri_mesh_light_face(f->job, triangle_at(mesh, n));
-            const uint32_t apart = own > other ? own - other : other - own;
-            edges |= (uint32_t)(apart > CREASE_Q15) << i;
-        }
-    }
-    return edges;
-}
-
-static bool find_creases(finder *f)
-{
-    const qtri_outline *outline = f->outline;
-    if (f->job == NULL || !f->job->lit_per_face || outline->mesh->neighbours == NULL) {
-        return true;
-    }
-    for (; f->from < outline->mesh->triangle_count; f->from++) {
-        if ((qtri_front_bit(outline->front, f->from) & 1) == 0) {
-            continue;
-        }
-        const uint32_t edges = creases_of(f, f->from);
-        if (edges != 0 && !f->take(f, f->from, edges, true)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* Passes from this one of the three on, the first from a triangle on; returns the one that was not
- * finished. */
-static uint32_t find(finder *f, uint32_t pass, uint32_t from)
-{
-    f->from = from;
-    if (pass == 0) {
-        if (!(f->outline->sums != NULL ? find_by_sums(f) : find_by_neighbours(f))) {
-            return 0;
-        }
-        pass = 1;
-        f->from = 0;
-    }
-    if (pass == 1) {
-        if (!find_borders(f)) {
-            return 1;
-        }
-        f->from = 0;
-    }
-    return find_creases(f) ? PASSES : 2;
-}
-
-/* Light that creases are found by: the job of the drawing, once more. */
-static const qtri_mesh_job *light_of(qtri_mesh_job *job, const qtri_outline *outline)
-{
-    if (outline->view->light == NULL) {
-        return NULL;
-    }
-    const qtri_rect frame = {0, 0, outline->width, outline->height};
-    const qtri_surface whole = {.width = outline->width,
-                                .height = outline->height,
-                                .rows = outline->height,
-                                .scissor = frame};
-    qtri_mesh_job_init(job, &whole, outline->view, outline->mesh, outline->material,
-                       outline->view->vertices, outline->view->vertex_count);
-    return qtri_mesh_job_place(job, outline->view, outline->pose) ? job : NULL;
-}
-
-/* A function of its own: light takes a job's stack. */
-QTRI_NOINLINE static uint32_t find_in_light(finder *f, uint32_t pass, uint32_t from)
-{
-    qtri_mesh_job job;
-    f->job = light_of(&job, f->outline);
-    const uint32_t left = find(f, pass, from);
-    f->job = NULL;
-    return left;
-}
-
-static uint32_t find_from(finder *f, uint32_t pass, uint32_t from)
-{
-    if (pass >= PASSES) {
-        return PASSES;
-    }
-    return f->outline->creases ? find_in_light(f, pass, from) : find(f, pass, from);
-}
 
 /* ---- Lists ---- */
 
 /* floor(row / rows), as in prepared.c: exact for rows below 2^13. */
-static uint32_t band_of(const finder *f, int32_t row)
+static uint32_t band_of(const qtri_edge_finder *f, int32_t row)
 {
     return ((uint32_t)row * f->inverse) >> f->shift;
 }
@@ -290,7 +25,7 @@ static uint32_t band_of(const finder *f, int32_t row)
  * through. (Where the walk's rounding takes it into the next row, its share is that of a neighbour
  * in the row that it left, so a band without that row has no note of it.) False: none.
  */
-static inline bool bands_of(const finder *f, const qtri_vertex *a, const qtri_vertex *b,
+static inline bool bands_of(const qtri_edge_finder *f, const qtri_vertex *a, const qtri_vertex *b,
                             uint32_t *band, uint32_t *last)
 {
     const int32_t y = a->at.y_24p8;
@@ -308,7 +43,7 @@ static inline bool bands_of(const finder *f, const qtri_vertex *a, const qtri_ve
 }
 
 /* The entries that these edges take. */
-QTRI_NOINLINE static uint32_t count_entries(const finder *f, qtri_vertex *const vertex[3],
+QTRI_NOINLINE static uint32_t count_entries(const qtri_edge_finder *f, qtri_vertex *const vertex[3],
                                             uint32_t edges)
 {
     uint32_t count = 0;
@@ -324,7 +59,7 @@ QTRI_NOINLINE static uint32_t count_entries(const finder *f, qtri_vertex *const 
 }
 
 /* Appends an entry to the lists of the bands of an edge. */
-QTRI_NOINLINE static void list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b,
+QTRI_NOINLINE static void list_edge(qtri_edge_finder *f, const qtri_vertex *a, const qtri_vertex *b,
                                     uint32_t entry)
 {
     uint32_t band;
@@ -349,10 +84,10 @@ QTRI_NOINLINE static void list_edge(finder *f, const qtri_vertex *a, const qtri_
     }
 }
 
-static bool take_for_lists(finder *f, uint32_t triangle, uint32_t edges, bool weak)
+static bool take_for_lists(qtri_edge_finder *f, uint32_t triangle, uint32_t edges, bool weak)
 {
     qtri_vertex *vertex[3];
-    if (!get_vertices(f->outline, triangle, vertex)) {
+    if (!qtri_outline_vertices(f->outline, triangle, vertex)) {
         return true;
     }
     const uint32_t room = f->end - f->next;
@@ -382,13 +117,13 @@ static void make_lists(qtri_outline *outline, int32_t rows, int32_t above, int32
     if (outline->list_words <= bands) {
         return;
     }
-    finder f = {.outline = outline,
-                .take = take_for_lists,
-                .bands = bands,
-                .shift = 13,
-                .height = outline->height,
-                .above = above,
-                .below = below};
+    qtri_edge_finder f = {.outline = outline,
+                          .take = take_for_lists,
+                          .bands = bands,
+                          .shift = 13,
+                          .height = outline->height,
+                          .above = above,
+                          .below = below};
     const uint32_t room = outline->list_words - bands;
     f.end = room < ENTRIES_MAX ? room : ENTRIES_MAX;
     while ((int32_t)1 << (f.shift - 13) < rows) {
@@ -401,7 +136,7 @@ static void make_lists(qtri_outline *outline, int32_t rows, int32_t above, int32
     outline->rows = rows;
     outline->above = above;
     outline->below = below;
-    outline->left_pass = find_from(&f, 0, 0);
+    outline->left_pass = qtri_outline_find(&f, 0, 0);
     outline->left_from = f.from;
 }
 
@@ -430,7 +165,7 @@ void qtri_outline_set(qtri_outline *outline, qtri_vertex *vertices, const qtri_v
     outline->width = width;
     outline->height = height;
     if (outline->sums != NULL) {
-        add_all(outline);
+        qtri_outline_add_sums(outline);
     }
 }
 
@@ -511,18 +246,18 @@ void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outli
 
 /* ---- Noting ---- */
 
-static void note_edge(const finder *f, qtri_vertex *const vertex[3], uint32_t corner)
+static void note_edge(const qtri_edge_finder *f, qtri_vertex *const vertex[3], uint32_t corner)
 {
     const uint32_t next = corner == 2 ? 0 : corner + 1;
     const uint32_t last = corner == 0 ? 2 : corner - 1;
     qtri_edge_note(&f->walker, vertex[corner], vertex[next], vertex[last]);
 }
 
-static bool take_for_walks(finder *f, uint32_t triangle, uint32_t edges, bool weak)
+static bool take_for_walks(qtri_edge_finder *f, uint32_t triangle, uint32_t edges, bool weak)
 {
     qtri_vertex *vertex[3];
     f->walker.weak = weak ? UINT32_MAX : 0;
-    if (get_vertices(f->outline, triangle, vertex)) {
+    if (qtri_outline_vertices(f->outline, triangle, vertex)) {
         if ((edges & 1) != 0) {
             qtri_edge_note(&f->walker, vertex[0], vertex[1], vertex[2]);
         }
@@ -536,14 +271,15 @@ static bool take_for_walks(finder *f, uint32_t triangle, uint32_t edges, bool we
     return true;
 }
 
-static void note_list(finder *f, uint32_t band)
+static void note_list(qtri_edge_finder *f, uint32_t band)
 {
     const uint32_t *list = f->outline->list;
     const uint32_t *entries = list + f->bands;
     for (uint32_t number = list[band] >> 16; number != 0;) {
         const uint32_t entry = entries[number - 1];
         qtri_vertex *vertex[3];
-        (void)get_vertices(f->outline, entry & 0xFFFF, vertex); /* all inside, or not listed */
+        (void)qtri_outline_vertices(f->outline, entry & 0xFFFF,
+                                    vertex); /* all inside, or not listed */
         f->walker.weak = (entry >> WEAK_SHIFT & 1) != 0 ? UINT32_MAX : 0;
         note_edge(f, vertex, entry >> CORNER_SHIFT & 3);
         number = entry >> NEXT_SHIFT;
@@ -579,14 +315,14 @@ void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline)
         edges->surface.width != outline->width || edges->surface.height != outline->height) {
         return;
     }
-    finder f = {.outline = outline, .take = take_for_walks};
+    qtri_edge_finder f = {.outline = outline, .take = take_for_walks};
     uint32_t band;
     qtri_edge_walker_init(&f.walker, edges, test_of(edges, outline->material));
     if (!find_list(outline, bounds, &band)) {
-        (void)find_from(&f, 0, 0);
+        (void)qtri_outline_find(&f, 0, 0);
         return;
     }
     f.bands = ((uint32_t)outline->height + (uint32_t)outline->rows - 1) / (uint32_t)outline->rows;
     note_list(&f, band);
-    (void)find_from(&f, outline->left_pass, outline->left_from);
+    (void)qtri_outline_find(&f, outline->left_pass, outline->left_from);
 }

@@ -3,7 +3,7 @@
  * Outlines from inside: what faces the eye, and who looks for edges in it. Internal.
  *
  * A drawing, or a prepared mesh, notes what faces the eye, a bit a triangle: outline_draw.c. From
- * that outline.c finds edges, for lists or to walk along them.
+ * that outline_find.c finds edges, of which outline.c makes lists, or walks along them.
  */
 #ifndef QTRI_DRAW_OUTLINE_H
 #define QTRI_DRAW_OUTLINE_H
