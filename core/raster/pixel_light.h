@@ -9,46 +9,8 @@
 #ifndef QTRI_RASTER_PIXEL_LIGHT_H
 #define QTRI_RASTER_PIXEL_LIGHT_H
 
-#include "../geometry/illumination.h"
-#include "job.h"
+#include "lit_triangle.h"
 #include "sampling.h"
-#include "triangle.h"
-
-/* A corner of a triangle of a mesh, before it is clipped. Direction and place are local. */
-typedef struct qtri_lit_corner {
-    int32_t normal_q14[3];
-    int32_t place[3];
-    int32_t exponent; /* of the place */
-    qtri_rgb color;
-} qtri_lit_corner;
-
-/* What a pixel shows: channels in the raster's units. */
-typedef struct qtri_lit_sample {
-    int32_t x, y;
-    int32_t c[3];
-} qtri_lit_sample;
-
-struct qtri_pixel_light {
-    /* Colours of a chunk of a row into the batch, or its texels times them. */
-    void (*shade)(qtri_scanline *row, int32_t x, int32_t count);
-    const qtri_illumination *by;
-    qtri_route next;    /* what the raster had; NULL: none */
-    bool everywhere;    /* light is the same at every place */
-    int32_t block_log2; /* of pixels from sample to sample */
-    qtri_lit_corner corner[3];
-    /* Of the triangle: corners 1 and 2 less corner 0. */
-    int32_t across[2][3]; /* places, times 2^up: below 2^30 */
-    int32_t up;
-    int32_t turn_q14[2][3]; /* normals */
-    bool one_normal, one_color;
-    /* Shares of corners 1 and 2, 2^30 is 1; divided: times q = 1/w, 2^31 at most, and q. */
-    bool divided;
-    qtri_plane share[2];
-    qtri_plane q;
-    uint32_t least, greatest;  /* of the vertices' q */
-    qtri_lit_sample sample[3]; /* the first two: where the last chunk ended, and the next one */
-    bool bends;                /* between them and the one before */
-};
 
 /*
  * Calls `body` while the raster, which has a batch and its stages, draws triangles by pixel. Before
