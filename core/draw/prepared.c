@@ -4,7 +4,7 @@
 #include "lights.h"
 #include "mesh_faces.h"
 #include "../raster/sampling.h"
-#include "outline.h"
+#include "front_bits.h"
 #include "prepared_lists.h"
 
 enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
