@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "reference/reference.h"
+#include "support/bands.h"
 #include "tools/scene_draw.h"
 
 enum { WIDTH = 120, HEIGHT = 90, SIDE = 8, MODES = 6 };
@@ -47,14 +48,7 @@ static void bands(void **state)
     for (int mode = 0; mode < MODES; mode++) {
         struct scene scene = parse(modes[mode]);
         for (int f = 0; f < 3; f++) {
-            struct picture whole, banded;
-            assert_true(scene_render(&scene, formats[f], 0, false, &whole));
-            for (int32_t rows = 1; rows < 100; rows += 9) {
-                assert_true(scene_render(&scene, formats[f], rows, false, &banded));
-                assert_memory_equal(whole.rgb, banded.rgb, (size_t)3 * WIDTH * HEIGHT);
-                picture_free(&banded);
-            }
-            picture_free(&whole);
+            assert_same_in_bands(&scene, formats[f], 9);
         }
         scene_free(&scene);
     }

@@ -16,6 +16,7 @@
 
 #include "io/mipmap.h"
 #include "reference/reference.h"
+#include "support/bands.h"
 #include "tools/scene_draw.h"
 
 enum { WIDTH = 128, HEIGHT = 96, SIDE = 8, HORIZON = 39, FAR_ROWS = 14 };
@@ -239,14 +240,7 @@ static void test_bands(void **state)
     for (int f = 0; f < 3; f++) {
         struct scene scene =
             parse(f == 0 ? "nearest mipmaps" : "bilinear mipmaps", "texformat rgb565\n", .2, .1);
-        struct picture whole, banded;
-        assert_true(scene_render(&scene, formats[f], 0, false, &whole));
-        for (int32_t rows = 1; rows < 100; rows += 9) {
-            assert_true(scene_render(&scene, formats[f], rows, false, &banded));
-            assert_memory_equal(whole.rgb, banded.rgb, (size_t)3 * WIDTH * HEIGHT);
-            picture_free(&banded);
-        }
-        picture_free(&whole);
+        assert_same_in_bands(&scene, formats[f], 9);
         scene_free(&scene);
     }
 }

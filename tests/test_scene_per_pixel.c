@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "reference/reference.h"
+#include "support/bands.h"
 #include "tools/scene_draw.h"
 
 enum { WIDTH = 160, HEIGHT = 120 };
@@ -129,15 +130,7 @@ static void bands(void **state)
             snprintf(text, sizeof text, "%.*s%s%s", (int)(rest - trials[n]), trials[n], modes[mode],
                      rest);
             struct scene scene = parse(text, "pixel");
-            const qtri_format *format = formats[(mode + (size_t)n) % 3];
-            struct picture whole, banded;
-            assert_true(scene_render(&scene, format, 0, false, &whole));
-            for (int32_t rows = 1; rows < 100; rows += 33) {
-                assert_true(scene_render(&scene, format, rows, false, &banded));
-                assert_memory_equal(whole.rgb, banded.rgb, (size_t)3 * WIDTH * HEIGHT);
-                picture_free(&banded);
-            }
-            picture_free(&whole);
+            assert_same_in_bands(&scene, formats[(mode + (size_t)n) % 3], 33);
             scene_free(&scene);
         }
     }

@@ -17,20 +17,12 @@
 #include "qtri/raster.h"
 #include "raster/dda.h"
 
+#include "products.h"
+
 /*@ requires x < 0x80000000000000 && 0 < divisor <= 0x800000;
     assigns \result, *remainder \from x, divisor;
     ensures \result == x / divisor && \initialized(remainder) && *remainder < divisor; */
 uint32_t qtri_divide_long(uint64_t x, uint32_t divisor, uint32_t *remainder);
-
-#if !QTRI_LONG_MULTIPLY && QTRI_SHARE
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-uint64_t qtri_mul_u32(uint32_t a, uint32_t b);
-
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-int64_t qtri_mul_s32(int32_t a, int32_t b);
-#endif
 
 static int32_t between(int32_t low, int32_t high)
 {

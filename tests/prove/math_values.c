@@ -20,6 +20,8 @@
 #include "qtri/q16_exp.h"
 #include "qtri/q16_trig.h"
 
+#include "products.h"
+
 /*@ requires x >= 0x80000000;
     assigns \result \from x;
     ensures 0x40000000 <= \result <= 0x80000000; */
@@ -29,23 +31,6 @@ uint32_t qtri_reciprocal_q62(uint32_t x);
     assigns \result \from x;
     ensures -16 * 8796093022208 <= \result < 16 * 8796093022208; */
 static int64_t precise_log2_q43(uint32_t x);
-
-/*
- * Where they are put together from half-words, with a = a1 2^16 + a0 and b likewise,
- *
- *     a b = a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0,
- *
- * what is carried is added as it is, and prove_products() shows that none of the sums overflows.
- */
-#if !QTRI_LONG_MULTIPLY && QTRI_SHARE
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-uint64_t qtri_mul_u32(uint32_t a, uint32_t b);
-
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-int64_t qtri_mul_s32(int32_t a, int32_t b);
-#endif
 
 /* q16_pow and the logarithm in it, which no other file sees. */
 #include "../../core/math/q16_pow.c"
