@@ -304,7 +304,10 @@ static bool is_straight(const qtri_lit_sample *a, const qtri_lit_sample *middle,
     return off <= (uint32_t)most;
 }
 
-/* Halves of what is not straight, from left to right. */
+/*
+ * Halves of what is not straight, from left to right. Part n is at most 2^(DULL_LOG2 - n) long, so
+ * the last that there is room for is a pixel.
+ */
 QTRI_NOINLINE static void emit_bent(const walk *w, const qtri_lit_sample *a,
                                     const qtri_lit_sample *b)
 {
@@ -316,7 +319,7 @@ QTRI_NOINLINE static void emit_bent(const walk *w, const qtri_lit_sample *a,
     bent[0] = true;
     while (count != 0) {
         const qtri_lit_sample *to = &end[count - 1];
-        if (!bent[count - 1] || to->x - at.x < 2 || count > DULL_LOG2) {
+        if (!bent[count - 1] || to->x - at.x < 2) {
             emit(w, &at, to);
             at = *to;
             count--;
