@@ -8,6 +8,7 @@
 #include "../bits/reciprocal.h"
 #include "../frame/pixel.h"
 #include "effect.h"
+#include "mipmap.h"
 #include "sampling.h"
 #include "setup.h"
 #include "stage_color.h"
@@ -148,7 +149,9 @@ static void draw(const qtri_raster *raster, qtri_triangle *triangle, const qtri_
     p.stored = raster->format;
     p.held = raster->samples != NULL;
     set_planes(&p, triangle, v);
+    qtri_raster *owner = qtri_levels_lend(&p.raster);
     qtri_triangle_draw_plain(&p.raster, triangle, v);
+    qtri_levels_return(owner, &p.raster);
 }
 
 /* For what texels and colours become before: `draw` has the pixels'. */

@@ -16,6 +16,7 @@
 #include "../frame/pixel.h"
 #include "../geometry/lit_point.h"
 #include "list.h"
+#include "mipmap.h"
 #include "setup.h"
 #include "span.h"
 #include "textured_span.h"
@@ -470,7 +471,9 @@ QTRI_NOINLINE static void draw_uneven(const qtri_raster *raster, qtri_triangle *
     lit.fill_flat = qtri_span_fill;
     lit.copied = false;
     set_planes(raster->lit, raster, triangle, v);
+    qtri_raster *owner = qtri_levels_lend(&lit);
     pass_on(&lit, triangle, v);
+    qtri_levels_return(owner, &lit);
 }
 
 static void draw(const qtri_raster *raster, qtri_triangle *triangle, const qtri_attributes v[3])
