@@ -372,12 +372,16 @@ static void draw_bands(struct reader *r, const job *j)
     board whole = board_new(format, NULL, 0, SIDE);
     qtri_mesh mesh = j->soup.mesh;
     mesh.faces.culling = NULL; /* planes are not those of its triangles */
-    qtri_draw_mesh(&whole.surface, &j->view, &j->pose, &mesh, &j->material);
+    qtri_material material = j->material;
+    if (material.fill == &qtri_smooth_wireframe) { /* how often edges are blended: by memory */
+        material.fill = &qtri_wireframe;
+    }
+    qtri_draw_mesh(&whole.surface, &j->view, &j->pose, &mesh, &material);
     abort_if(qtri_frame_init(&frame, format, SIDE, SIDE, rows, memory, sizeof memory) != QTRI_OK);
     qtri_prepared_init(&prepared, vertices, take_byte(r) % (QTRI_LIT_VERTICES(VERTICES) + 1), lists,
                        take_byte(r) % (sizeof lists / sizeof lists[0] + 1));
     qtri_frame_begin(&frame);
-    qtri_prepare_mesh(&prepared, &frame, &j->view, &j->pose, &mesh, &j->material);
+    qtri_prepare_mesh(&prepared, &frame, &j->view, &j->pose, &mesh, &material);
     qtri_prepared_mark(&prepared, &frame);
     while (qtri_frame_next_band(&frame, &band)) {
         const qtri_rgb sky = {1, 2, 3};
