@@ -172,7 +172,7 @@ static void paint(const job *j, const qtri_surface *s)
         qtri_paint_ring(s, &p[0], n[0], n[1], &j->brush);
         break;
     case 6:
-        qtri_paint_arc(s, &p[0], n[0], n[1], n[2] * 256, n[3] * 256, &j->brush);
+        qtri_paint_arc(s, &p[0], n[0], n[1], j->stroke.width, n[3], &j->brush);
         break;
     case 7:
         qtri_paint_polygon(s, p, j->kind / 72 % (POINTS + 1), &j->brush);
