@@ -162,6 +162,80 @@ static void is_exact(void **state)
     }
 }
 
+/* ---- Vertices near and far ---- */
+
+/* White over black, whose pixels are alpha itself; centres of pixels lie on vertices and sides. */
+static void far_trial(trial *t, uint64_t *seed)
+{
+    static const int32_t reaches[3] = {2000, 20000, 1000000};
+    const int32_t depth = random_in(seed, 16, 31);
+    const int32_t reach = reaches[random_in(seed, 0, 2)];
+    const int32_t x = random_in(seed, 0, WIDTH * 256);
+    const int32_t y = random_in(seed, 0, HEIGHT * 256);
+    const bool is_near = random_flag(seed);
+    t->material = plain_material();
+    t->material.blend = &qtri_blend_vertex_alpha;
+    t->material.interpolation = QTRI_PERSPECTIVE;
+    t->material.alphas = t->alphas;
+    for (int i = 0; i < 3; i++) {
+        t->v[i] = screen_at(((x + random_in(seed, -reach, reach)) & ~255) + 128,
+                            ((y + random_in(seed, -reach, reach)) & ~255) + 128);
+        t->v[i].inv_w_q31 = 0x80000000u + (uint32_t)random_in(seed, 0, 0x7FFFFFFF);
+        t->v[i].inv_w_exponent = random_in(seed, 0, 2) == 0 ? 0 : -random_in(seed, 0, depth);
+        t->v[i].color_8p16[0] = t->v[i].color_8p16[1] = t->v[i].color_8p16[2] = 255 << 16;
+        t->alphas[i] = (uint8_t)random_in(seed, is_near ? 120 : 0, is_near ? 125 : 255);
+    }
+    if (random_flag(seed)) {
+        t->v[1].y_24p8 = t->v[0].y_24p8;
+    }
+}
+
+/*
+ * Where one vertex is up to 2^31 times as far away as another: alpha is between those of the
+ * vertices, and what planes lack, which counts where 1/w is small, is all that it is off by.
+ */
+static void near_and_far(void **state)
+{
+    (void)state;
+    uint64_t seed = 61;
+    const qtri_material plain = plain_material();
+    canvas drawn = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    canvas covered = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    double lack = 0;
+    for (int n = 0; n < (long_run() ? 50000 : 1500); n++) {
+        trial t;
+        far_trial(&t, &seed);
+        const int32_t least = q16_min(t.alphas[0], q16_min(t.alphas[1], t.alphas[2]));
+        const int32_t most = q16_max(t.alphas[0], q16_max(t.alphas[1], t.alphas[2]));
+        const double nearest = fmax(w_of(&t.v[0]), fmax(w_of(&t.v[1]), w_of(&t.v[2])));
+        canvas_clear(&drawn);
+        canvas_clear(&covered);
+        qtri_raster_triangle(&drawn.surface, &t.material, t.v);
+        qtri_raster_triangle(&covered.surface, &plain, t.v);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const int32_t x = i % WIDTH;
+            const int32_t y = i / WIDTH;
+            if (stored_pixel(&covered.surface, x, y) == 0) {
+                continue;
+            }
+            const int32_t is = (int32_t)(stored_pixel(&drawn.surface, x, y) & 255);
+            double b[3];
+            double expected = 0;
+            double far = 0;
+            weights_at(b, t.v, true, x, y);
+            for (int k = 0; k < 3; k++) {
+                expected += b[k] * t.alphas[k];
+                far += b[k] * nearest / w_of(&t.v[k]); /* of the pixel: w is what is linear */
+            }
+            assert_in_range(is, least, most);
+            lack = fmax(lack, (fabs(is - expected) - .75) / far);
+        }
+    }
+    assert_true(lack <= ldexp(8 * 255, -31)); /* 8 units of the planes; 4.4 was found */
+    canvas_free(&drawn);
+    canvas_free(&covered);
+}
+
 /* ---- Meshes and corners ---- */
 
 enum { COLUMNS = 7, ROWS = 6, POINTS = COLUMNS * ROWS, TRIANGLES = (COLUMNS - 1) * (ROWS - 1) * 2 };
@@ -495,7 +569,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(is_exact), cmocka_unit_test(pieces), cmocka_unit_test(as_constant),
-        cmocka_unit_test(samples),  cmocka_unit_test(slopes), cmocka_unit_test(anything),
+        cmocka_unit_test(samples),  cmocka_unit_test(slopes), cmocka_unit_test(near_and_far),
+        cmocka_unit_test(anything),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -493,6 +493,43 @@ static void planes(void **state)
     }
 }
 
+/*
+ * A slope of a fraction of the finest step, whose rounding leads beyond the last vertex's depth,
+ * and that is the farthest, or 0: it is held there.
+ */
+static void ends_of_depths(void **state)
+{
+    (void)state;
+    const uint32_t farthest = (uint32_t)65535 << 16;
+    board b = board_new(&qtri_gray8, &qtri_depth_linear32);
+    const qtri_material m = {.depth_compare = QTRI_ALWAYS};
+    int held = 0;
+    for (uint32_t range = 1; range < 3000; range += 19) {
+        const bool is_near = range % 2 == 0;
+        const uint32_t to = is_near ? 0 : farthest;
+        const uint32_t from = is_near ? range : farthest - range;
+        qtri_screen_vertex v[3] = {screen_at(128, 128), screen_at(WIDTH * 256, 128),
+                                   screen_at(WIDTH * 256, 128 + 40 * 256)};
+        v[0].depth_16p16 = from;
+        v[1].depth_16p16 = v[2].depth_16p16 = to;
+        qtri_surface_clear_depth(&b.surface, Q16(.5));
+        const uint32_t clear = code_at(&b.surface, 0, HEIGHT - 1);
+        qtri_raster_triangle(&b.surface, &m, v);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t depth = code_at(&b.surface, i % WIDTH, i / WIDTH);
+            if (depth == clear) {
+                continue;
+            }
+            const double off = fabs((double)depth - from);
+            assert_near(off, range * (i % WIDTH) / (WIDTH - .5), 256 + WIDTH);
+            assert_true(depth <= farthest);
+            held += depth == to;
+        }
+    }
+    assert_true(held > 10000);
+    board_free(&b);
+}
+
 /* Sizes, errors, clearing: inside of the scissor alone, of any pitch. */
 static void layouts(void **state)
 {
@@ -678,9 +715,10 @@ static void edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(codes),        cmocka_unit_test(twins),  cmocka_unit_test(comparisons),
-        cmocka_unit_test(smooth_lines), cmocka_unit_test(pieces), cmocka_unit_test(planes),
-        cmocka_unit_test(layouts),      cmocka_unit_test(frames), cmocka_unit_test(edges),
+        cmocka_unit_test(codes),          cmocka_unit_test(twins),  cmocka_unit_test(comparisons),
+        cmocka_unit_test(smooth_lines),   cmocka_unit_test(pieces), cmocka_unit_test(planes),
+        cmocka_unit_test(layouts),        cmocka_unit_test(frames), cmocka_unit_test(edges),
+        cmocka_unit_test(ends_of_depths),
     };
     return cmocka_run_group_tests(tests, set_up, NULL);
 }

@@ -4,6 +4,7 @@
  * what it must leave alone.
  */
 #include "support/core.h"
+#include "support/edges_narrow.h"
 
 #include "tools/mesh_faces.h"
 #include "tools/mesh_neighbours.h"
@@ -731,6 +732,52 @@ static void hidden_edges(void **state)
     assert_true(beside > 2000);
 }
 
+/* A core without a divide finds the same notes, at any length and in any direction. */
+static void without_a_divide(void **state)
+{
+    (void)state;
+    enum { EDGES = 12, MARKS = QTRI_EDGES_WORDS(WIDTH, HEIGHT, 2) };
+    static uint32_t marks[2][MARKS];
+    uint64_t seed = 21;
+    int noted = 0;
+    for (int round = 0; round < 400; round++) {
+        const qtri_edge_test test = (qtri_edge_test)(round % 3);
+        const int32_t reach = round % 2 == 0 ? 600 : 40000;
+        canvas c[2];
+        qtri_edges edges[2];
+        qtri_edge_walker walker[2];
+        for (int i = 0; i < 2; i++) {
+            c[i] = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+            for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
+                c[i].surface.depth[k] = (uint16_t)(k * 40503u);
+            }
+            assert_int_equal(qtri_edges_begin(&edges[i], &c[i].surface, marks[i], MARKS), QTRI_OK);
+            qtri_edge_walker_init(&walker[i], &edges[i], test);
+        }
+        for (int n = 0; n < EDGES; n++) {
+            const int32_t x = random_in(&seed, 0, WIDTH * 256);
+            const int32_t y = random_in(&seed, 0, HEIGHT * 256);
+            qtri_vertex v[3];
+            memset(v, 0, sizeof v);
+            for (int k = 0; k < 3; k++) {
+                v[k].at.x_24p8 = x + random_in(&seed, -reach, reach);
+                v[k].at.y_24p8 = y + random_in(&seed, -reach, reach);
+                v[k].depth_16p8 = (uint32_t)random_in(&seed, 0, 65535 << 8);
+            }
+            qtri_edge_note(&walker[0], &v[0], &v[1], &v[2]);
+            narrow_edge_note(&walker[1], &v[0], &v[1], &v[2]);
+        }
+        assert_memory_equal(marks[0], marks[1], sizeof marks[0]);
+        for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
+            assert_int_equal(c[0].surface.depth[k], c[1].surface.depth[k]);
+            noted += marks[0][k >> 5] >> (k & 31) & 1;
+        }
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+    assert_true(noted > 20000);
+}
+
 /* Memory and arguments that do not serve. */
 static void errors(void **state)
 {
@@ -850,6 +897,10 @@ static void rolling_bands_join(void **state)
     assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 5, 3, memory,
                                        sizeof memory, kept, sizeof kept),
                      QTRI_ERROR_SIZE);
+    assert_false(qtri_rolling_next_band(&rolling, &drawn, &band, &shown));
+    assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 6, 3, memory,
+                                       QTRI_ROLLING_BYTES(WIDTH, 6, 3, 2) - 1, kept, sizeof kept),
+                     QTRI_ERROR_MEMORY);
     assert_false(qtri_rolling_next_band(&rolling, &drawn, &band, &shown));
     assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 6, 3, memory,
                                        sizeof memory, kept,
@@ -981,6 +1032,7 @@ int main(void)
         cmocka_unit_test(shared_edges_leave_no_seam),
         cmocka_unit_test(long_edges),
         cmocka_unit_test(hidden_edges),
+        cmocka_unit_test(without_a_divide),
         cmocka_unit_test(errors),
         cmocka_unit_test(halo_bands_join),
         cmocka_unit_test(rolling_bands_join),

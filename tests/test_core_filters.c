@@ -3,6 +3,7 @@
  * Filters of finished pixels: 2x2 samples, FXAA, sums of frames; and jittered views.
  */
 #include "support/core.h"
+#include "support/filters_narrow.h"
 
 enum { WIDTH = 70, HEIGHT = 50, FORMATS = 5 };
 
@@ -172,10 +173,14 @@ static void halves_of_bands(void **state)
 
 /* ---- FXAA ---- */
 
-static void smooth(const qtri_surface *surface, bool quick)
+enum way { ANY_FORMAT, PAIRS, ONE_BY_ONE };
+
+static void smooth(const qtri_surface *surface, enum way way)
 {
-    if (quick && surface->format == &qtri_rgb565) {
-        assert_int_equal(qtri_fxaa_565(surface, words, QTRI_FXAA_565_WORDS(WIDTH)), QTRI_OK);
+    if (way != ANY_FORMAT && surface->format == &qtri_rgb565) {
+        assert_int_equal((way == PAIRS ? qtri_fxaa_565 : narrow_fxaa_565)(
+                             surface, words, QTRI_FXAA_565_WORDS(WIDTH)),
+                         QTRI_OK);
     } else {
         assert_int_equal(qtri_fxaa(surface, words, QTRI_FXAA_WORDS(WIDTH)), QTRI_OK);
     }
@@ -193,7 +198,7 @@ static void fxaa_bands_and_scissors(void **state)
         const qtri_format *format = formats[round % 2 == 0 ? 0 : round / 2 % FORMATS];
         begin(&surface, format, (uint64_t)round);
         keep(&plain, &surface, all);
-        smooth(&surface, false);
+        smooth(&surface, ANY_FORMAT);
         keep(&whole, &surface, all);
         for (int y = 0; y < HEIGHT; y++) {
             for (int x = 0; x < WIDTH; x++) {
@@ -205,7 +210,7 @@ static void fxaa_bands_and_scissors(void **state)
                          QTRI_OK);
         while (qtri_halo_next_band(&halo, &band, &shown)) {
             draw_picture(&band, (uint64_t)round);
-            smooth(&band, true);
+            smooth(&band, round % 3 == 0 ? ONE_BY_ONE : PAIRS);
             const qtri_rect r = {0, shown.first_row, WIDTH, shown.first_row + shown.rows};
             keep(&part, &shown, r);
         }
@@ -228,7 +233,7 @@ static void fxaa_bands_and_scissors(void **state)
             surface.pixels = (uint8_t *)memory + (HEIGHT - 1) * bytes;
             surface.pitch = -bytes;
         }
-        smooth(&surface, true);
+        smooth(&surface, round % 3 == 1 ? ONE_BY_ONE : PAIRS);
         part = whole;
         keep(&part, &surface, r);
         assert_same(whole, part);

@@ -269,6 +269,172 @@ static void loose_triangles(void **state)
     }
 }
 
+/* ---- By pixel ---- */
+
+/* Corner i at a place of the screen, in pixels; the view has neither camera nor projection. */
+static qtri_corner corner_on_screen(double x, double y, qtri_rgb color)
+{
+    const qtri_corner corner = {{(q16)lrint((2 * x / WIDTH - 1) * 65536),
+                                 (q16)lrint((1 - 2 * y / HEIGHT) * 65536), 0, Q16_ONE},
+                                color,
+                                {0, 0}};
+    return corner;
+}
+
+static void draw_flat_on(canvas *c, const lamps *l, const qtri_corner *corners,
+                         const qtri_normal *normals, const qtri_material *material)
+{
+    qtri_view view;
+    qtri_transform pose;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    qtri_transform_identity(&pose);
+    view.lights = l != NULL ? &l->lights : NULL;
+    canvas_clear(c);
+    if (l != NULL) {
+        qtri_draw_lit_triangles(&c->surface, &view, &pose, corners, normals, 3, material);
+    } else {
+        qtri_draw_triangles(&c->surface, &view, &pose, corners, 3, material);
+    }
+}
+
+static lamps lamps_of(const qtri_light_source *sources, uint32_t count, q16 ambient)
+{
+    lamps l;
+    const qtri_light_color color = {ambient, ambient, ambient};
+    memset(&l, 0, sizeof l);
+    memcpy(l.sources, sources, count * sizeof *sources);
+    assert_int_equal(qtri_lights_init(&l.lights, l.sources, count, color), QTRI_OK);
+    return l;
+}
+
+/* Corners that differ in one channel of one of them: in full light as without any. */
+static void colors_of_corners(void **state)
+{
+    (void)state;
+    const qtri_light_source off = {.kind = NULL};
+    qtri_material material = qtri_material_default();
+    canvas lit = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    canvas plain = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    material.cull = QTRI_CULL_NONE;
+    for (int n = 0; n < 18; n++) {
+        lamps l = lamps_of(&off, 0, Q16_ONE);
+        l.lights.sources = l.sources; /* of the copy */
+        const qtri_normal front = {0, 0, 16384};
+        const qtri_normal aside = {0, 11585, 11585};
+        qtri_rgb color[3] = {{90, 80, 70}, {90, 80, 70}, {90, 80, 70}};
+        qtri_rgb *other = &color[n % 3];
+        uint8_t *const channel[3] = {&other->r, &other->g, &other->b};
+        *channel[n / 3 % 3] = 230;
+        const qtri_corner corners[3] = {corner_on_screen(2, 3, color[0]),
+                                        corner_on_screen(60, 7, color[1]),
+                                        corner_on_screen(20, 44, color[2])};
+        const qtri_normal normals[3] = {front, n < 9 ? front : aside, front};
+        material.shading = QTRI_PER_PIXEL;
+        draw_flat_on(&lit, &l, corners, normals, &material);
+        material.shading = QTRI_SMOOTH;
+        draw_flat_on(&plain, NULL, corners, NULL, &material);
+        uint32_t seen = 0;
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t a = stored_pixel(&lit.surface, i % WIDTH, i / WIDTH);
+            const uint32_t b = stored_pixel(&plain.surface, i % WIDTH, i / WIDTH);
+            for (int k = 0; k < 24; k += 8) {
+                assert_near(a >> k & 255, b >> k & 255, 1);
+            }
+            seen += b != 0;
+        }
+        assert_true(seen > 800);
+    }
+    canvas_free(&lit);
+    canvas_free(&plain);
+}
+
+/* Normals turn from one side to the other: halfway there is none, and no light but the ambient. */
+static void normals_that_vanish(void **state)
+{
+    (void)state;
+    enum { MIDDLE = WIDTH / 2 };
+    const qtri_light_source source[2] = {
+        {.kind = &qtri_directional_light, .position = {0, 0, Q16_ONE}, .color = {Q16_ONE, 0, 0}},
+        {.kind = &qtri_directional_light, .position = {0, 0, -Q16_ONE}, .color = {0, 0, Q16_ONE}}};
+    lamps l = lamps_of(source, 2, Q16(.25));
+    l.lights.sources = l.sources; /* of the copy */
+    const qtri_rgb gray = {128, 128, 128};
+    const qtri_normal front = {0, 0, 16384};
+    const qtri_normal back = {0, 0, -16384};
+    qtri_material material = qtri_material_default();
+    material.shading = QTRI_PER_PIXEL;
+    material.cull = QTRI_CULL_NONE;
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    for (int perspective = 0; perspective < 2; perspective++) {
+        const qtri_corner corners[3] = {corner_on_screen(MIDDLE - 15.5, HEIGHT / 2, gray),
+                                        corner_on_screen(MIDDLE + 16.5, HEIGHT / 2 + 16, gray),
+                                        corner_on_screen(MIDDLE + 16.5, HEIGHT / 2 - 16, gray)};
+        const qtri_normal normals[3] = {front, back, back};
+        material.interpolation = perspective != 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
+        int dark = 0;
+        draw_flat_on(&c, &l, corners, normals, &material);
+        for (int32_t y = HEIGHT / 2 - 4; y < HEIGHT / 2 + 4; y++) {
+            assert_int_equal(stored_pixel(&c.surface, MIDDLE - 1, y) & 0xFFFFFF, 0xA02020);
+            const uint32_t middle = stored_pixel(&c.surface, MIDDLE, y) & 0xFFFFFF;
+            assert_true(middle == 0x202020 || middle == 0xA02020); /* shares are rounded down */
+            dark += middle == 0x202020;
+            assert_int_equal(stored_pixel(&c.surface, MIDDLE + 1, y) & 0xFFFFFF, 0x2020A0);
+        }
+        assert_true(dark >= 4);
+    }
+    canvas_free(&c);
+}
+
+/*
+ * Small triangles with four samples a pixel, whose blend asks for alpha of vertices, take the way
+ * of large ones. Where all is opaque and light the same everywhere it is that of the others.
+ */
+static void samples_and_alphas(void **state)
+{
+    (void)state;
+    static faces_mesh m;
+    uint64_t seed = 15;
+    uint8_t alphas[FACES_VERTICES];
+    memset(alphas, 255, sizeof alphas);
+    const qtri_light_source off = {.kind = NULL};
+    lamps l = lamps_of(&off, 0, Q16(.75));
+    l.lights.sources = l.sources; /* of the copy */
+    uint32_t seen = 0;
+    for (int n = 0; n < 20; n++) {
+        qtri_view view;
+        qtri_transform pose;
+        qtri_surface resolved[2];
+        canvas c[2];
+        qtri_material material = qtri_material_default();
+        faces_mesh_make(&m, &seed, 0);
+        faces_view(&view, &seed, WIDTH, HEIGHT);
+        faces_pose(&pose, &seed, &m.wide);
+        view.lights = &l.lights;
+        material.color = random_rgb(&seed);
+        material.shading = QTRI_PER_PIXEL;
+        material.alphas = alphas;
+        for (int i = 0; i < 2; i++) {
+            const qtri_rgb black = {0, 0, 0};
+            material.blend = i == 0 ? NULL : &qtri_blend_vertex_alpha;
+            c[i] = canvas_new(&qtri_xrgb8888_x4, WIDTH, HEIGHT);
+            qtri_samples_clear(&c[i].surface, black);
+            qtri_draw_mesh(&c[i].surface, &view, &pose, &m.wide, &material);
+            assert_int_equal(qtri_samples_resolve(&c[i].surface, &resolved[i]), QTRI_OK);
+        }
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t a = stored_pixel(&resolved[0], i % WIDTH, i / WIDTH);
+            const uint32_t b = stored_pixel(&resolved[1], i % WIDTH, i / WIDTH);
+            for (int k = 0; k < 24; k += 8) {
+                assert_near(a >> k & 255, b >> k & 255, 1);
+            }
+            seen += (a & 0xFFFFFF) != 0;
+        }
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+    assert_true(seen > 3000);
+}
+
 /* A square that shows its back is lit as one that shows its front from the other side. */
 static void two_sides(void **state)
 {
@@ -537,10 +703,12 @@ static void any_bits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_memory),      cmocka_unit_test(outlines_and_edges),
-        cmocka_unit_test(loose_triangles), cmocka_unit_test(two_sides),
-        cmocka_unit_test(power_tables),    cmocka_unit_test(spheres),
-        cmocka_unit_test(too_many),        cmocka_unit_test(any_bits),
+        cmocka_unit_test(any_memory),         cmocka_unit_test(outlines_and_edges),
+        cmocka_unit_test(loose_triangles),    cmocka_unit_test(two_sides),
+        cmocka_unit_test(power_tables),       cmocka_unit_test(spheres),
+        cmocka_unit_test(too_many),           cmocka_unit_test(any_bits),
+        cmocka_unit_test(colors_of_corners),  cmocka_unit_test(normals_that_vanish),
+        cmocka_unit_test(samples_and_alphas),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

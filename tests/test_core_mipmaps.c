@@ -442,13 +442,77 @@ static void does_without(void **state)
     canvas_free(&without);
 }
 
+/*
+ * Alpha of vertices and light by pixel draw large triangles with a copy of what the others are
+ * drawn with: opaque, and in full light, they have the same texels, whatever was drawn before in
+ * the call.
+ */
+static void drawn_with_copies(void **state)
+{
+    (void)state;
+    enum { WIDTH = 96, HEIGHT = 72, CORNERS = 12 };
+    const double turn = 2 * acos(-1);
+    const qtri_texture texture = chain(6, 5, false);
+    const qtri_light_color full = {Q16_ONE, Q16_ONE, Q16_ONE};
+    const qtri_light_source off = {.kind = NULL};
+    uint64_t seed = 71;
+    int levels[LEVELS] = {0};
+    for (int n = 0; n < 80; n++) {
+        qtri_corner corners[CORNERS];
+        qtri_normal normals[CORNERS];
+        qtri_lights lights;
+        qtri_view view;
+        qtri_transform pose;
+        qtri_material m = qtri_material_default();
+        assert_int_equal(qtri_lights_init(&lights, &off, 0, full), QTRI_OK);
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_transform_identity(&pose);
+        for (int i = 0; i < CORNERS; i++) { /* around the middle, so that all are large */
+            const double angle = turn * (i + random_in(&seed, 0, 500) / 1000.0) / 3;
+            const double w = random_in(&seed, 0, n % 4 == 0 ? 0 : 2) == 0
+                                 ? 1
+                                 : random_in(&seed, 1000, 9000) / 1000.0;
+            const qtri_rgb white = {255, 255, 255};
+            const qtri_corner corner = {
+                {fixed(1.3 * cos(angle) * w), fixed(1.3 * sin(angle) * w), 0, fixed(w)},
+                white,
+                {random_in(&seed, -400000, 400000), random_in(&seed, -400000, 400000)}};
+            const qtri_normal normal = {(int16_t)random_in(&seed, -9000, 9000), 9000, 9000};
+            corners[i] = corner;
+            normals[i] = normal;
+        }
+        m.cull = QTRI_CULL_NONE;
+        m.texture = &texture;
+        m.depth_compare = QTRI_DEPTH_OFF;
+        canvas plain = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas other = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        qtri_draw_triangles(&plain.surface, &view, &pose, corners, CORNERS, &m);
+        m.blend = n % 2 == 0 ? NULL : &qtri_blend_vertex_alpha;
+        m.shading = n % 3 == 0 || n % 2 == 0 ? QTRI_PER_PIXEL : QTRI_SMOOTH;
+        view.lights = m.shading == QTRI_PER_PIXEL ? &lights : NULL;
+        qtri_draw_lit_triangles(&other.surface, &view, &pose, corners, normals, CORNERS, &m);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t a = stored_pixel(&plain.surface, i % WIDTH, i / WIDTH);
+            const uint32_t b = stored_pixel(&other.surface, i % WIDTH, i / WIDTH);
+            for (int k = 0; k < 24; k += 8) {
+                assert_near(a >> k & 255, b >> k & 255, 1);
+            }
+            levels[a >> 20 & 15]++;
+        }
+        canvas_free(&plain);
+        canvas_free(&other);
+    }
+    for (int level = 0; level < 5; level++) {
+        assert_true(levels[level] > 1000);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chooses_by_footprint),
-        cmocka_unit_test(filters_in_levels),
-        cmocka_unit_test(draws_batches),
-        cmocka_unit_test(does_without),
+        cmocka_unit_test(chooses_by_footprint), cmocka_unit_test(filters_in_levels),
+        cmocka_unit_test(draws_batches),        cmocka_unit_test(does_without),
+        cmocka_unit_test(drawn_with_copies),
     };
     return cmocka_run_group_tests_name("core mipmaps", tests, NULL, NULL);
 }

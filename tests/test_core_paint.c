@@ -304,6 +304,41 @@ static void smooth_edges(void **state)
     canvas_free(&c);
 }
 
+/* How much of [from, to] lies in pixel i. */
+static double overlap(int32_t from, int32_t to, int32_t i)
+{
+    return fmax(0, fmin(to, i * 256 + 256) - fmax(from, i * 256)) / 256.;
+}
+
+/* Smooth outlines whose inner side begins and ends with a row, and may lie in one column. */
+static void hollow_rows(void **state)
+{
+    (void)state;
+    uint64_t seed = 12;
+    canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
+    const qtri_rgb white = {255, 255, 255};
+    const qtri_brush brush = {white, 255, &qtri_ink_smooth};
+    for (int n = 0; n < 300; n++) {
+        const int32_t width = QTRI_PX(random_in(&seed, 1, 3));
+        const int32_t x = random_in(&seed, 0, QTRI_PX(20));
+        const int32_t y = QTRI_PX(random_in(&seed, 0, 20));
+        const int32_t hollow = random_in(&seed, 1, n % 3 == 0 ? 1200 : 255);
+        const qtri_area box = {x, y, x + 2 * width + hollow, y + QTRI_PX(random_in(&seed, 7, 20))};
+        clear(&c.surface, 0);
+        qtri_paint_rect_outline(&c.surface, &box, width, &brush);
+        for (int32_t i = 0; i < SIDE * SIDE; i++) {
+            const int32_t column = i % SIDE;
+            const int32_t row = i / SIDE;
+            const double outer =
+                overlap(box.x0_24p8, box.x1_24p8, column) * overlap(box.y0_24p8, box.y1_24p8, row);
+            const double inner = overlap(box.x0_24p8 + width, box.x1_24p8 - width, column) *
+                                 overlap(box.y0_24p8 + width, box.y1_24p8 - width, row);
+            assert_near(stored_pixel(&c.surface, column, row), 255 * (outer - inner), 2);
+        }
+    }
+    canvas_free(&c);
+}
+
 static const qtri_ink *const inks[] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
 
 /* Something to mix with. */
@@ -591,6 +626,7 @@ int main(void)
         cmocka_unit_test(any_arguments),
         cmocka_unit_test(hard_edges),
         cmocka_unit_test(smooth_edges),
+        cmocka_unit_test(hollow_rows),
     };
     return cmocka_run_group_tests_name("core paint", tests, NULL, NULL);
 }

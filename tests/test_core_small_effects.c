@@ -99,9 +99,9 @@ static qtri_material material_of(heap *h, int n)
     return m;
 }
 
-static void set_view(qtri_view *view)
+static void set_view(qtri_view *view, int32_t width, int32_t height)
 {
-    qtri_view_init(view, WIDTH, HEIGHT);
+    qtri_view_init(view, width, height);
     qtri_transform_identity(&view->camera);
     const qtri_vec3 back = {0, 0, Q16(-1.5)};
     qtri_transform_translate(&view->camera, back);
@@ -124,7 +124,7 @@ static void in_order(void **state)
         const qtri_material m = material_of(&h, n);
         qtri_view view;
         qtri_transform pose;
-        set_view(&view);
+        set_view(&view, WIDTH, HEIGHT);
         qtri_transform_identity(&pose);
         view.light = n % 8 == 4 ? NULL : &light;
         view.vertices = vertices;
@@ -151,8 +151,48 @@ static void in_order(void **state)
     }
 }
 
+/* In the middle of a frame that is large enough for that none is cut; and where scissors cut them.
+ */
+static void cut_or_whole(void **state)
+{
+    (void)state;
+    enum { WIDE = 160, HIGH = 120, TILE = 19 };
+    static heap h;
+    static qtri_vertex vertices[3 * COUNT];
+    uint64_t seed = 12;
+    const qtri_light light = {{Q16(.3), Q16(.2), Q16(1)}, Q16(.2), Q16(.8)};
+    const qtri_fog_range range = {Q16(.5), Q16(20), false};
+    const qtri_rgb gray = {90, 100, 110};
+    for (int n = 0; n < 56; n++) {
+        set_heap(&h, &seed, 40);
+        qtri_fog_exp2(&h.fog, gray, range, Q16(.5));
+        const qtri_material m = material_of(&h, n);
+        qtri_view view;
+        qtri_transform pose;
+        set_view(&view, WIDE, HIGH);
+        qtri_transform_identity(&pose);
+        view.light = &light;
+        view.vertices = vertices;
+        view.vertex_count = 3 * COUNT;
+        canvas whole = canvas_new(&qtri_rgb565, WIDE, HIGH);
+        canvas parts = canvas_new(&qtri_rgb565, WIDE, HIGH);
+        qtri_surface_clear_depth(&whole.surface, Q16(.9));
+        qtri_surface_clear_depth(&parts.surface, Q16(.9));
+        qtri_draw_mesh(&whole.surface, &view, &pose, &h.mesh, &m);
+        for (int32_t i = 0; i < 9 * 7; i++) {
+            const qtri_rect tile = {i % 9 * TILE, i / 9 * TILE, (i % 9 + 1) * TILE,
+                                    (i / 9 + 1) * TILE};
+            parts.surface.scissor = tile;
+            qtri_draw_mesh(&parts.surface, &view, &pose, &h.mesh, &m);
+        }
+        assert_same_picture(&whole.surface, &parts.surface);
+        canvas_free(&whole);
+        canvas_free(&parts);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(in_order)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(in_order), cmocka_unit_test(cut_or_whole)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

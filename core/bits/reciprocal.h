@@ -57,15 +57,7 @@ static inline uint32_t qtri_reciprocal_q31(uint32_t x)
 {
     uint32_t y = qtri_reciprocal_seed(x);
 #if !QTRI_DIVIDE
-    int32_t rest = (int32_t)(0x80000000u - x * y); /* |rest| <= 2^16 + 2^14 */
-    while (rest < 0) {
-        rest += (int32_t)x;
-        y--;
-    }
-    while (rest >= (int32_t)x) {
-        rest -= (int32_t)x;
-        y++;
-    }
+    y += 0x80000000u - x * y >= x; /* of every x the seed leaves 0..5/4 x */
 #endif
     return y;
 }

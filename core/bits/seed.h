@@ -11,7 +11,7 @@
 #include "bits.h"
 
 /*
- * 2^31 / x for x in [2^15, 2^16]: in [2^15 - 1, 2^16], with |2^31 - x seed| <= 2^16 + 2^14.
+ * 2^31 / x for x in [2^15, 2^16]: in [2^15 - 1, 2^16], with 0 <= 2^31 - x seed < 5/4 x.
  * Without a division: with d = x / 2^16, the line 48/17 - 32/17 d is within 1/17 of 1/d. Newton's
  * step r (2 - d r) squares that error, which is then never positive; with 2 + 2/17^2 in place of 2
  * it is centred: 2^-9. The second step r + r (1 - d r) leaves 2^-18 and the rounding to Q15.

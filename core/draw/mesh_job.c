@@ -20,6 +20,9 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
         box.half.y = mesh->extent;
         box.half.z = mesh->extent;
     }
+    if (box.half.x == INT32_MAX) {
+        return false; /* of wide lines, whose reach does not count in any space */
+    }
     const qtri_rect bounds = qtri_surface_bounds(surface);
     /* Smooth lines reach out of their mesh, and samples lie beside the centres of pixels. */
     const int32_t more = draw->material.fill != NULL || qtri_sampling_of(surface->format) != NULL;

@@ -56,9 +56,7 @@ static void copy(uint8_t *to, const uint8_t *from, size_t bytes)
             from += 2 * sizeof(words);
         }
     }
-    if (bytes > 0) {
-        memcpy(to, from, bytes);
-    }
+    memcpy(to, from, bytes);
 }
 
 /* Bytes of the pixels and of the depth of rows of a band, whose rows have no gaps. */

@@ -62,7 +62,7 @@ static bool is_beside(const qtri_contour *contour, int32_t i, int32_t top)
 {
     const int32_t a = contour->points[i].y_24p8;
     const int32_t b = contour->points[i + 1 < contour->count ? i + 1 : 0].y_24p8;
-    const int32_t end = top + 256; /* rows lie between -2^21 and 2^21 */
+    const int32_t end = top + 256; /* rows lie between -2^21 and 2^21, where no point is held */
     return (a <= top && b <= top) || (a >= end && b >= end);
 }
 
@@ -95,11 +95,9 @@ static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *cro
         crossing->x0 = crossing->x1 = qtri_ink_edge_x(edge, top + 128);
         return true;
     }
+    /* The edge has y0 < y1, begins above the row's end and ends below its top: so does the rest. */
     const int32_t y0 = qtri_greatest32(edge->y0, top);
     const int32_t y1 = qtri_least32(edge->y1, top + 256);
-    if (y0 >= y1) {
-        return false;
-    }
     crossing->y0 = y0 - top;
     crossing->y1 = y1 - top;
     crossing->x0 = y0 == edge->y0 ? edge->x0 : qtri_ink_edge_x(edge, y0);

@@ -8,6 +8,7 @@
 #include "../bits/reciprocal.h"
 #include "../frame/pixel.h"
 #include "effect.h"
+#include "mipmap.h"
 #include "sampling.h"
 #include "setup.h"
 #include "stage_color.h"
@@ -16,7 +17,8 @@
  * Alpha on a triangle: linear on the screen, or the quotient of two that are, alpha q and q = 1/w,
  * 2^31 for the vertex nearest to the eye. Planes are of 64 bits: at a covered pixel within 2^7
  * units of 2^30, or of 2^31 (gradient.h), so that alpha, of which 2^-10 counts, keeps that where
- * 1/w is no less than 2^-13 of its greatest.
+ * 1/w is no less than 2^-13 of its greatest. Below 2^-20, at vertices of the far side, nothing is
+ * left of the quotient, and alpha is held between those of the vertices.
  */
 struct qtri_alpha_planes {
     qtri_raster raster;        /* the triangle's own */
@@ -25,14 +27,15 @@ struct qtri_alpha_planes {
     qtri_plane alpha;          /* 2^30 is 1; divided: times q, 2^31 */
     qtri_plane q;              /* where it is divided */
     bool divided;
-    bool held;               /* centres may lie outside of the triangle */
+    bool held;               /* centres may lie outside of the triangle, or 1/w is small there */
     int32_t least, greatest; /* of the vertices, 2^20 */
 };
 
 enum {
     BLOCK_LOG2 = 3,
     BLOCK = 8, /* pixels between quotients, from columns that are multiples of that */
-    ONE_Q20 = 1 << 20
+    ONE_Q20 = 1 << 20,
+    LEAST_Q = 1 << 18 /* of 2^31: planes, off by 2^7, leave their quotient 11 bits */
 };
 
 /* ---- Alpha of vertices ---- */
@@ -107,6 +110,8 @@ static void set_planes(qtri_alpha_planes *p, const qtri_triangle *triangle,
     qtri_plane_init(&p->alpha, &gradient, f);
     if (p->divided) {
         qtri_plane_init(&p->q, &gradient, q);
+        find_range(&ends[0], &ends[1], q);
+        p->held |= ends[0] < LEAST_Q;
     }
 }
 
@@ -122,7 +127,9 @@ static void draw(const qtri_raster *raster, qtri_triangle *triangle, const qtri_
     p.stored = raster->format;
     p.held = raster->samples != NULL;
     set_planes(&p, triangle, v);
+    qtri_raster *owner = qtri_levels_lend(&p.raster);
     qtri_triangle_draw_plain(&p.raster, triangle, v);
+    qtri_levels_return(owner, &p.raster);
 }
 
 /* For what texels and colours become before: `draw` has the pixels'. */

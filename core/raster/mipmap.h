@@ -36,6 +36,33 @@ static inline void qtri_levels_vary(qtri_levels *levels, bool vary)
     levels->axis = NULL;
 }
 
+/*
+ * Of a copy of a raster, with which a triangle is drawn in place of it: levels change what the copy
+ * has. Returns whose they were, NULL without levels, for what comes after the triangle: that has
+ * again what belongs to the level that was drawn last.
+ */
+static inline qtri_raster *qtri_levels_lend(qtri_raster *copy)
+{
+    qtri_levels *levels = qtri_levels_of(copy);
+    if (copy->texture != &levels->texture) {
+        return NULL;
+    }
+    qtri_raster *owner = levels->raster;
+    levels->raster = copy;
+    return owner;
+}
+
+static inline void qtri_levels_return(qtri_raster *owner, const qtri_raster *copy)
+{
+    if (owner != NULL) {
+        qtri_levels_of(copy)->raster = owner;
+        owner->texturing = copy->texturing;
+        owner->texel_cut = copy->texel_cut;
+        owner->coordinate[0] = copy->coordinate[0];
+        owner->coordinate[1] = copy->coordinate[1];
+    }
+}
+
 /* The length of a step, of the magnitudes of both its parts: .97 to 1.07 of it. < 2^31 */
 static inline uint32_t qtri_step_length(uint32_t a, uint32_t b)
 {

@@ -14,6 +14,7 @@
 
 #include "../geometry/lit_point.h"
 #include "list.h"
+#include "mipmap.h"
 #include "span.h"
 #include "textured_span.h"
 
@@ -89,7 +90,10 @@ static bool is_straight(const qtri_lit_sample *a, const qtri_lit_sample *middle,
     return off <= (uint32_t)most;
 }
 
-/* Halves of what is not straight, from left to right. */
+/*
+ * Halves of what is not straight, from left to right. Part n is at most 2^(DULL_LOG2 - n) long, so
+ * the last that there is room for is a pixel.
+ */
 QTRI_NOINLINE static void emit_bent(const walk *w, const qtri_lit_sample *a,
                                     const qtri_lit_sample *b)
 {
@@ -101,7 +105,7 @@ QTRI_NOINLINE static void emit_bent(const walk *w, const qtri_lit_sample *a,
     bent[0] = true;
     while (count != 0) {
         const qtri_lit_sample *to = &end[count - 1];
-        if (!bent[count - 1] || to->x - at.x < 2 || count > DULL_LOG2) {
+        if (!bent[count - 1] || to->x - at.x < 2) {
             emit(w, &at, to);
             at = *to;
             count--;
@@ -252,7 +256,9 @@ QTRI_NOINLINE static void draw_uneven(const qtri_raster *raster, qtri_triangle *
     lit.fill_flat = qtri_span_fill;
     lit.copied = false;
     qtri_lit_set_planes(raster->lit, raster, triangle, v);
+    qtri_raster *owner = qtri_levels_lend(&lit);
     pass_on(&lit, triangle, v);
+    qtri_levels_return(owner, &lit);
 }
 
 static void draw(const qtri_raster *raster, qtri_triangle *triangle, const qtri_attributes v[3])

@@ -84,7 +84,7 @@ static uint32_t color_range(const qtri_job *job, const qtri_attributes v[3])
     if (job->tinted && raster->texture == NULL) {
         return tint_range(raster, range);
     }
-    return job->tinted && raster->units != &qtri_colors_565 ? range << 2 : range;
+    return job->tinted ? range << 2 : range;
 }
 
 /* Ramps of a tint's channels from that of light, Q22 of it, where it is not so steep that it wraps.

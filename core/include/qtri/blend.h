@@ -44,7 +44,9 @@ extern const qtri_blend qtri_blend_screen_door;
  * The first two with alpha that varies between the vertices: material.alphas has that of each
  * vertex of a mesh, of each corner of a call, or of three screen vertices; 255 is all of it, and
  * NULL is 255 for all. It is perspective-correct where colours are, whatever the shading, and
- * within 1/512. Colours are within 1 1/4 of 255, and within 3/4 of a step of RGB565, of exact ones.
+ * within 1/512, at pixels up to 2^20 times as far away as the triangle's nearest vertex; beyond
+ * that it is between those of the vertices. Colours are within 1 1/4 of 255, and within 3/4 of a
+ * step of RGB565, of exact ones.
  *
  * Every triangle of such a material, small or large, takes the way of large ones, which meshes of
  * small ones pay for with three to five times the instructions, and 1 KB of stack more. Lines and

@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The filter of pairs of pixels as for cores with few registers: edges are found one by one.
+ */
+#define QTRI_LONG_MULTIPLY 0
+
+#define qtri_fxaa_565 narrow_fxaa_565
+
+#include "filter/fxaa_565.c"
