@@ -26,12 +26,26 @@ typedef struct qtri_painter {
     uint32_t alpha;         /* 1..255 */
 } qtri_painter;
 
+/* x = center_x + side sqrt(r r - (y - center_y)^2). */
+typedef struct qtri_ink_arc {
+    int32_t center_x, center_y, side;
+} qtri_ink_arc;
+
+/* 2^62 over the edge's height times 2^zeros, below 2^31; 0: it goes straight down. */
+typedef struct qtri_ink_line {
+    uint32_t reciprocal;
+    int32_t zeros;
+} qtri_ink_line;
+
 /* Half-open in y: y0 < y1. Across, x0 belongs to y0 and x1 to y1. */
 typedef struct qtri_ink_edge {
-    int32_t x0, y0, x1, y1;           /* 24.8 */
-    int32_t center_x, center_y, side; /* of an arc: x = center_x + side sqrt(r r - (y - cy)^2) */
-    int32_t radius;                   /* 0: straight */
-    int32_t winding;                  /* +1: the contour goes down here, -1: up */
+    int32_t x0, y0, x1, y1; /* 24.8 */
+    int32_t radius;         /* 0: straight */
+    int32_t winding;        /* +1: the contour goes down here, -1: up */
+    union {
+        qtri_ink_arc arc;
+        qtri_ink_line line;
+    } as;
 } qtri_ink_edge;
 
 /* Edges, or the sides of a polygon. */
@@ -43,6 +57,13 @@ typedef struct qtri_contour {
 
 /* x of an edge at y0 <= y <= y1, rounded to 1/256. */
 int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8);
+
+/* Half of the chord of an arc's circle there. */
+int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8);
+
+/* Makes a straight edge of its ends, y0 < y1. */
+void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const qtri_point *to,
+                            int32_t winding);
 
 /* Edge i of a contour; false: a side of the polygon is horizontal. */
 bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge);

@@ -168,7 +168,7 @@ static void fill_window(window *w, const qtri_crossings *crossings, int32_t row,
 static void smooth_row(const qtri_painter *painter, const qtri_contour *contour, int32_t row)
 {
     qtri_crossings crossings;
-    qtri_crossings_init(&crossings, contour, row, false);
+    qtri_crossings_init(&crossings, contour, row);
     const int32_t end = painter->bounds.x1;
     window w;
     w.x = painter->bounds.x0;
