@@ -68,11 +68,33 @@ void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const q
 /* Edge i of a contour; false: a side of the polygon is horizontal. */
 bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge);
 
+/* Bits of a glyph: of each row `width` from bit `skip` on, the highest bit first. */
+typedef struct qtri_ink_bits {
+    const uint8_t *row;
+    int32_t stride;        /* bytes of a row */
+    int32_t skip;          /* 0..254 */
+    int32_t width, height; /* > 0 */
+} qtri_ink_bits;
+
+/* Up to eight bits of a row from bit `at` on, the first in the highest of eight; 0 behind them. */
+static inline uint32_t qtri_ink_bits_at(const uint8_t *row, int32_t at, int32_t count)
+{
+    const uint8_t *byte = row + (at >> 3);
+    const uint32_t shift = (uint32_t)at & 7;
+    uint32_t value = (uint32_t)*byte << shift;
+    if (shift + (uint32_t)count > 8) {
+        value |= (uint32_t)byte[1] >> (8 - shift);
+    }
+    return value & 0xFF & (0xFF00u >> count);
+}
+
 struct qtri_ink {
     /* `count` > 0 pixels from `at` on, covered by the same share, 1..255. */
     void (*span)(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
     /* One share each, 0..255. */
     void (*cover)(const qtri_painter *painter, uint8_t *at, int32_t count, const uint8_t *coverage);
+    /* Whole pixels that have a bit, `at` being that of the first. */
+    void (*bits)(const qtri_painter *painter, uint8_t *at, const qtri_ink_bits *bits);
     /* A row of a contour, and a rectangle. */
     void (*row)(const qtri_painter *painter, const qtri_contour *contour, int32_t row);
     void (*rect)(const qtri_painter *painter, const qtri_area *box);
@@ -104,6 +126,7 @@ void qtri_paint_contour(const qtri_surface *surface, const qtri_contour *contour
 void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
 void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
                       const uint8_t *coverage);
+void qtri_blend_bits(const qtri_painter *painter, uint8_t *at, const qtri_ink_bits *bits);
 
 /* The first pixel whose centre lies at x or behind it. */
 static inline int32_t qtri_pixel_from(int32_t x_24p8)

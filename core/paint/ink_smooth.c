@@ -251,4 +251,5 @@ static void smooth_rect(const qtri_painter *painter, const qtri_area *box)
     }
 }
 
-const qtri_ink qtri_ink_smooth = {qtri_blend_span, qtri_blend_cover, smooth_row, smooth_rect};
+const qtri_ink qtri_ink_smooth = {qtri_blend_span, qtri_blend_cover, qtri_blend_bits, smooth_row,
+                                  smooth_rect};
