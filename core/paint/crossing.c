@@ -114,6 +114,13 @@ static inline const qtri_ink_edge *edge_of(const qtri_contour *contour, int32_t 
     return qtri_contour_side_near(contour, i, top, room) ? room : NULL;
 }
 
+/* x of another arc at the level where `arc` is at x. */
+static int32_t mirrored(const qtri_ink_edge *arc, const qtri_ink_edge *other, int32_t x)
+{
+    const int32_t half = (x - arc->as.arc.center_x) * arc->as.arc.side;
+    return other->as.arc.center_x + half * other->as.arc.side;
+}
+
 static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *crossing)
 {
     const qtri_contour *contour = crossings->contour;
@@ -132,6 +139,15 @@ static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *cro
     }
     crossing->y0 = y0 - top;
     crossing->y1 = y1 - top;
+    if (crossings->kept > 0) {
+        const qtri_crossing *last = &crossings->crossing[crossings->kept - 1];
+        if (last->y0 == crossing->y0 && last->y1 == crossing->y1 &&
+            qtri_ink_is_mirrored(last->arc, edge)) {
+            crossing->x0 = mirrored(last->arc, edge, last->x0);
+            crossing->x1 = mirrored(last->arc, edge, last->x1);
+            return true;
+        }
+    }
     crossing->x0 = y0 == edge->y0 ? edge->x0 : qtri_ink_edge_x(edge, y0);
     crossing->x1 = y1 == edge->y1 ? edge->x1 : qtri_ink_edge_x(edge, y1);
     return true;
@@ -142,11 +158,17 @@ void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour,
     crossings->contour = contour;
     crossings->row_24p8 = row * 256;
     crossings->kept = 0;
+    int32_t least = INT32_MAX;
     int32_t i = 0;
     for (; i < contour->count && crossings->kept < QTRI_CROSSINGS_KEPT; i++) {
-        crossings->kept += cross(crossings, i, &crossings->crossing[crossings->kept]);
+        qtri_crossing *c = &crossings->crossing[crossings->kept];
+        if (cross(crossings, i, c)) {
+            least = qtri_least32(least, qtri_least32(c->x0, c->x1));
+            crossings->kept++;
+        }
     }
     crossings->others = i;
+    crossings->first = i == contour->count ? least >> 8 : INT32_MIN;
 }
 
 const qtri_crossing *qtri_crossings_next(const qtri_crossings *crossings, int32_t *position,

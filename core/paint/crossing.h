@@ -20,6 +20,7 @@ enum { QTRI_CROSSINGS_KEPT = 12 };
 typedef struct qtri_crossings {
     const qtri_contour *contour;
     int32_t row_24p8;     /* the row's upper side */
+    int32_t first;        /* the column where the first of them begins; or further left */
     int32_t kept, others; /* how many are kept, and the first edge behind them */
     qtri_crossing crossing[QTRI_CROSSINGS_KEPT];
 } qtri_crossings;

@@ -61,6 +61,13 @@ int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8);
 /* Half of the chord of an arc's circle there. */
 int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8);
 
+/* Whether arcs are of one radius, and centres of one height. `arc` may be NULL, `edge` a line. */
+static inline bool qtri_ink_is_mirrored(const qtri_ink_edge *arc, const qtri_ink_edge *edge)
+{
+    return arc != NULL && arc->radius == edge->radius &&
+           arc->as.arc.center_y == edge->as.arc.center_y;
+}
+
 /* Makes a straight edge of its ends, y0 < y1. */
 void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const qtri_point *to,
                             int32_t winding);
