@@ -152,9 +152,13 @@ static void turned(void **state)
         const qtri_format *format = drawn_format(n);
         random_picture(&p, &seed, drawn_format(n % 5 < 2 ? n : n / 6));
         const uint8_t alpha = (uint8_t)(random_flag(&seed) ? 255 : random64(&seed));
-        const double degrees = random_in(&seed, -720, 720) / (n % 3 ? 1.7 : 1.0);
-        const double scale[2] = {random_in(&seed, -400, 400) / 100.0,
-                                 random_in(&seed, 10, 400) / 100.0};
+        const bool is_quarter = n % 4 == 3; /* rows are rows of the picture, or its columns */
+        const double degrees = is_quarter ? 90 * random_in(&seed, -4, 4)
+                                          : random_in(&seed, -720, 720) / (n % 3 ? 1.7 : 1.0);
+        const double unit = n % 8 == 7 ? 1 : 100; /* whole factors, flips */
+        const double scale[2] = {random_in(&seed, -4 * (int)unit, 4 * (int)unit) / unit,
+                                 random_in(&seed, (int)unit / 10 + (unit == 1), 4 * (int)unit) /
+                                     unit};
         const double pivot[2] = {random_in(&seed, 0, 30) / 2.0, random_in(&seed, 0, 30) / 2.0};
         const double place[2] = {random_in(&seed, -20, 100) / 2.0,
                                  random_in(&seed, -20, 100) / 2.0};

@@ -145,6 +145,13 @@ static void square_roots(void **state)
     }
     check_sqrt64(UINT64_MAX);
     check_sqrt64(0);
+    for (uint32_t root = 0; root < 65536; root++) { /* the ends of what is nearest to it */
+        const uint32_t square = root * root;
+        assert_int_equal(qtri_sqrt32_round(square), root);
+        assert_int_equal(qtri_sqrt32_round(square + root), root);
+        assert_int_equal(qtri_sqrt32_round(square - (root != 0 ? root - 1 : 0)), root);
+    }
+    assert_int_equal(qtri_sqrt32_round(UINT32_MAX), 65536);
 }
 
 static void check_reciprocal(uint32_t x)

@@ -254,6 +254,9 @@ uint64_t qtri_divide64(uint64_t n, uint64_t divisor, int32_t more, bool *half);
 uint32_t qtri_sqrt64_floor(uint64_t x, uint64_t *remainder);
 uint64_t qtri_sqrt64_round(uint64_t x);
 
+/* The same number for x < 2^32, in less than half of the instructions. */
+uint32_t qtri_sqrt32_round(uint32_t x);
+
 /*
  * floor(2^62 / x) for x in [2^31, 2^32): the reciprocal of a normalised mantissa, in
  * (2^30, 2^31]; a power of two gives an exact one. x below 2^31 is taken as 2^31.

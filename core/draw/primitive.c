@@ -312,6 +312,17 @@ static bool draw_piece(const piece *p, int64_t area, bool with_rests)
 }
 
 /* The edge between two vertices, given twice: as coordinates, and as attributes. */
+/*
+ * Whether a line lies above or below the surface's rows, as most do of a band: two rows further
+ * than its ends, since smooth lines reach a pixel and its corners beyond them.
+ */
+static bool is_beside(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8)
+{
+    const int32_t above = job->top_24p8 - 512;
+    const int32_t below = job->top_24p8 + (int32_t)job->height_24p8 + 512;
+    return (y0_24p8 < above && y1_24p8 < above) || (y0_24p8 >= below && y1_24p8 >= below);
+}
+
 QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_clip_vertex *a,
                                     const qtri_clip_vertex *b,
                                     const qtri_screen_vertex *a_attributes,
@@ -325,15 +336,19 @@ QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_
     if ((first & second) != 0 || !qtri_clip_line(end, first | second)) {
         return;
     }
+    const qtri_line_job *job = &primitive->to.lines.job;
+    qtri_screen_vertex screen[2];
+    qtri_project(&primitive->projector, &end[0], &screen[0]);
+    qtri_project(&primitive->projector, &end[1], &screen[1]);
+    if (is_beside(job, screen[0].y_24p8, screen[1].y_24p8)) {
+        return;
+    }
     qtri_vertex line[2];
     qtri_line_color color[2];
     for (int i = 0; i < 2; i++) {
-        qtri_screen_vertex screen;
-        qtri_project(&primitive->projector, &end[i], &screen);
-        blend_attributes(&screen, a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
-        qtri_line_end(&line[i], color[i], &screen);
+        blend_attributes(&screen[i], a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
+        qtri_line_end(&line[i], color[i], &screen[i]);
     }
-    const qtri_line_job *job = &primitive->to.lines.job;
     job->draw(job, &line[0], &line[1], (const qtri_line_color *)color);
 }
 

@@ -1,38 +1,99 @@
 /* SPDX-License-Identifier: MIT */
 #include "crossing.h"
 
+#include "../bits/bits.h"
+
 /*
- * From one crossing to the next on the right: where the contour has turned around in sum, inside.
- * At most as many steps as crossings, so no order of them is kept.
+ * Columns of a row from which on the contour has turned around differently, in their order. Edges
+ * that meet in a column are one. Of more than there is room for these are the first.
  */
+enum { STOPS = 12 };
+
+typedef struct stop {
+    int32_t x, winding;
+} stop;
+
+typedef struct stops {
+    int32_t count;
+    stop of[STOPS];
+} stops;
+
+static void add_stop(stops *s, int32_t x, int32_t winding)
+{
+    int32_t i = s->count;
+    while (i > 0 && s->of[i - 1].x > x) {
+        i--;
+    }
+    if (i > 0 && s->of[i - 1].x == x) {
+        s->of[i - 1].winding += winding;
+        return;
+    }
+    if (i == STOPS) {
+        return;
+    }
+    const int32_t kept = qtri_least32(s->count, STOPS - 1);
+    for (int32_t k = kept; k > i; k--) {
+        s->of[k] = s->of[k - 1];
+    }
+    s->of[i].x = x;
+    s->of[i].winding = winding;
+    s->count = kept + 1;
+}
+
+/* Those behind the column `from`. Two arcs that follow each other are often of one circle. */
+static void find_stops(stops *s, const qtri_contour *contour, int32_t row, int32_t from)
+{
+    const int32_t y = row * 256 + 128;
+    int32_t radius = 0;
+    int32_t center_y = 0;
+    int32_t half = 0; /* of the last arc's chord */
+    s->count = 0;
+    for (int32_t i = 0; i < contour->count; i++) {
+        qtri_ink_edge side;
+        const qtri_ink_edge *edge = &side;
+        if (contour->points == NULL) {
+            edge = &contour->edges[i];
+        } else if (!qtri_contour_side_near(contour, i, row * 256, &side)) {
+            continue;
+        }
+        if (edge->y0 > y || edge->y1 <= y) {
+            continue;
+        }
+        int32_t x;
+        if (edge->radius == 0) {
+            x = qtri_ink_edge_x(edge, y);
+        } else {
+            const qtri_ink_arc *arc = &edge->as.arc;
+            if (edge->radius != radius || arc->center_y != center_y) {
+                radius = edge->radius;
+                center_y = arc->center_y;
+                half = qtri_ink_half_chord(edge, y);
+            }
+            x = arc->center_x + (arc->side < 0 ? -half : half);
+        }
+        x = qtri_pixel_from(x);
+        if (x > from) {
+            add_stop(s, x, edge->winding);
+        }
+    }
+}
+
+/* Where the contour has turned around in sum, inside. */
 void qtri_hard_row(const qtri_painter *painter, const qtri_contour *contour, int32_t row)
 {
-    qtri_crossings crossings;
-    qtri_crossings_init(&crossings, contour, row, true);
+    stops s;
     int32_t from = INT32_MIN;
     int32_t winding = 0;
-    for (;;) {
-        int32_t to = INT32_MAX;
-        int32_t change = 0;
-        int32_t position = 0;
-        qtri_crossing room;
-        const qtri_crossing *c;
-        while ((c = qtri_crossings_next(&crossings, &position, &room)) != NULL) {
-            const int32_t x = qtri_pixel_from(c->x0);
-            if (x > from && x <= to) {
-                change = x < to ? c->winding : change + c->winding;
-                to = x;
+    do {
+        find_stops(&s, contour, row, from);
+        for (int32_t i = 0; i < s.count; i++) {
+            if (winding != 0) {
+                qtri_painter_span(painter, row, from, s.of[i].x, 255);
             }
+            winding += s.of[i].winding;
+            from = s.of[i].x;
         }
-        if (to == INT32_MAX) {
-            return;
-        }
-        if (winding != 0) {
-            qtri_painter_span(painter, row, from, to, 255);
-        }
-        winding += change;
-        from = to;
-    }
+    } while (s.count == STOPS);
 }
 
 /* Rows that the contour touches, as far as they are to be painted. */

@@ -10,16 +10,52 @@
  */
 static int32_t line_x(const qtri_ink_edge *edge, int32_t y)
 {
-    const int32_t dx = edge->x1 - edge->x0;
-    if (dx == 0) {
+    const qtri_ink_line *line = &edge->as.line;
+    if (line->reciprocal == 0) {
         return edge->x0;
     }
-    const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
-    const int32_t zeros = qtri_clz32(dy);
-    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): y0 < y1, so dy is not 0
-    const uint32_t reciprocal = (uint32_t)qtri_reciprocal_below(dy << zeros);
-    const uint32_t t_q29 = qtri_mul_high31((uint32_t)(y - edge->y0) << (zeros - 1), reciprocal);
+    const int32_t dx = edge->x1 - edge->x0;
+    const uint32_t t_q29 =
+        qtri_mul_high31((uint32_t)(y - edge->y0) << (line->zeros - 1), line->reciprocal);
     return edge->x0 + ((qtri_mul_high_s31(dx * 128, t_q29) + 8) >> 4);
+}
+
+void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const qtri_point *to,
+                            int32_t winding)
+{
+    edge->x0 = from->x_24p8;
+    edge->y0 = from->y_24p8;
+    edge->x1 = to->x_24p8;
+    edge->y1 = to->y_24p8;
+    edge->radius = 0;
+    edge->winding = winding;
+    edge->as.line.reciprocal = 0;
+    if (edge->x0 != edge->x1) {
+        const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
+        const int32_t zeros = qtri_clz32(dy);
+        // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): y0 < y1, so not 0
+        edge->as.line.reciprocal = (uint32_t)qtri_reciprocal_below(dy << zeros);
+        edge->as.line.zeros = zeros;
+    }
+}
+
+/* Of most circles the square fits 32 bits, and so does each product of two parts of it. */
+QTRI_IN_PLACE int32_t half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
+{
+    const uint32_t away = qtri_magnitude32(y_24p8 - arc->as.arc.center_y); /* <= radius */
+    const uint32_t radius = (uint32_t)arc->radius;
+    if (away == 0) {
+        return arc->radius;
+    }
+    if (radius < (uint32_t)1 << 16) {
+        return (int32_t)qtri_sqrt32_round((radius - away) * (radius + away));
+    }
+    return (int32_t)qtri_sqrt64_round(qtri_mul_u32(radius - away, radius + away));
+}
+
+int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
+{
+    return half_chord(arc, y_24p8);
 }
 
 int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8)
@@ -27,10 +63,8 @@ int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8)
     if (edge->radius == 0) {
         return line_x(edge, y_24p8);
     }
-    const uint32_t away = qtri_magnitude32(y_24p8 - edge->center_y); /* <= radius */
-    const uint32_t radius = (uint32_t)edge->radius;
-    const uint32_t half = (uint32_t)qtri_sqrt64_round(qtri_mul_u32(radius - away, radius + away));
-    return edge->center_x + (edge->side < 0 ? -(int32_t)half : (int32_t)half);
+    const int32_t half = half_chord(edge, y_24p8);
+    return edge->as.arc.center_x + (edge->as.arc.side < 0 ? -half : half);
 }
 
 bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge)
@@ -41,20 +75,17 @@ bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *ed
     }
     const qtri_point *a = &contour->points[i];
     const qtri_point *b = &contour->points[i + 1 < contour->count ? i + 1 : 0];
-    const int32_t a_y = qtri_hold_24p8(a->y_24p8);
-    const int32_t b_y = qtri_hold_24p8(b->y_24p8);
-    edge->winding = a_y < b_y ? 1 : -1;
-    edge->radius = 0;
-    if (a_y > b_y) {
-        const qtri_point *c = a;
-        a = b;
-        b = c;
+    const qtri_point from = {qtri_hold_24p8(a->x_24p8), qtri_hold_24p8(a->y_24p8)};
+    const qtri_point to = {qtri_hold_24p8(b->x_24p8), qtri_hold_24p8(b->y_24p8)};
+    if (from.y_24p8 == to.y_24p8) {
+        return false;
     }
-    edge->x0 = qtri_hold_24p8(a->x_24p8);
-    edge->x1 = qtri_hold_24p8(b->x_24p8);
-    edge->y0 = qtri_least32(a_y, b_y);
-    edge->y1 = qtri_greatest32(a_y, b_y);
-    return a_y != b_y;
+    if (from.y_24p8 < to.y_24p8) {
+        qtri_ink_edge_set_line(edge, &from, &to, 1);
+    } else {
+        qtri_ink_edge_set_line(edge, &to, &from, -1);
+    }
+    return true;
 }
 
 /* Whether a side of a polygon lies above the row, or below: most do. */
@@ -66,15 +97,28 @@ static bool is_beside(const qtri_contour *contour, int32_t i, int32_t top)
     return (a <= top && b <= top) || (a >= end && b >= end);
 }
 
+bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top,
+                            qtri_ink_edge *side)
+{
+    return !is_beside(contour, i, top) && qtri_contour_edge(contour, i, side);
+}
+
 /* Edge i where it may cross the row, `room` being for a side of a polygon. NULL: it does not. */
-static const qtri_ink_edge *edge_of(const qtri_contour *contour, int32_t i, int32_t top,
-                                    qtri_ink_edge *room)
+static inline const qtri_ink_edge *edge_of(const qtri_contour *contour, int32_t i, int32_t top,
+                                           qtri_ink_edge *room)
 {
     if (contour->points == NULL) {
         const qtri_ink_edge *edge = &contour->edges[i];
         return edge->y0 < top + 256 && edge->y1 > top ? edge : NULL;
     }
-    return !is_beside(contour, i, top) && qtri_contour_edge(contour, i, room) ? room : NULL;
+    return qtri_contour_side_near(contour, i, top, room) ? room : NULL;
+}
+
+/* x of another arc at the level where `arc` is at x. */
+static int32_t mirrored(const qtri_ink_edge *arc, const qtri_ink_edge *other, int32_t x)
+{
+    const int32_t half = (x - arc->as.arc.center_x) * arc->as.arc.side;
+    return other->as.arc.center_x + half * other->as.arc.side;
 }
 
 static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *crossing)
@@ -88,35 +132,41 @@ static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *cro
     }
     crossing->winding = edge->winding;
     crossing->arc = edge->radius != 0 ? &contour->edges[i] : NULL;
-    if (crossings->at_center) {
-        if (edge->y0 > top + 128 || edge->y1 <= top + 128) {
-            return false;
-        }
-        crossing->x0 = crossing->x1 = qtri_ink_edge_x(edge, top + 128);
-        return true;
-    }
     /* The edge has y0 < y1, begins above the row's end and ends below its top: so does the rest. */
     const int32_t y0 = qtri_greatest32(edge->y0, top);
     const int32_t y1 = qtri_least32(edge->y1, top + 256);
     crossing->y0 = y0 - top;
     crossing->y1 = y1 - top;
+    if (crossings->kept > 0) {
+        const qtri_crossing *last = &crossings->crossing[crossings->kept - 1];
+        if (last->y0 == crossing->y0 && last->y1 == crossing->y1 &&
+            qtri_ink_is_mirrored(last->arc, edge)) {
+            crossing->x0 = mirrored(last->arc, edge, last->x0);
+            crossing->x1 = mirrored(last->arc, edge, last->x1);
+            return true;
+        }
+    }
     crossing->x0 = y0 == edge->y0 ? edge->x0 : qtri_ink_edge_x(edge, y0);
     crossing->x1 = y1 == edge->y1 ? edge->x1 : qtri_ink_edge_x(edge, y1);
     return true;
 }
 
-void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour, int32_t row,
-                         bool at_center)
+void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour, int32_t row)
 {
     crossings->contour = contour;
     crossings->row_24p8 = row * 256;
-    crossings->at_center = at_center;
     crossings->kept = 0;
+    int32_t least = INT32_MAX;
     int32_t i = 0;
     for (; i < contour->count && crossings->kept < QTRI_CROSSINGS_KEPT; i++) {
-        crossings->kept += cross(crossings, i, &crossings->crossing[crossings->kept]);
+        qtri_crossing *c = &crossings->crossing[crossings->kept];
+        if (cross(crossings, i, c)) {
+            least = qtri_least32(least, qtri_least32(c->x0, c->x1));
+            crossings->kept++;
+        }
     }
     crossings->others = i;
+    crossings->first = i == contour->count ? least >> 8 : INT32_MIN;
 }
 
 const qtri_crossing *qtri_crossings_next(const qtri_crossings *crossings, int32_t *position,

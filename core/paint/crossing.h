@@ -19,14 +19,17 @@ enum { QTRI_CROSSINGS_KEPT = 12 };
 
 typedef struct qtri_crossings {
     const qtri_contour *contour;
-    int32_t row_24p8; /* the row's upper side */
-    bool at_center;   /* edges as they are at the centre of the row: x1 = x0, and y0, y1 unused */
+    int32_t row_24p8;     /* the row's upper side */
+    int32_t first;        /* the column where the first of them begins; or further left */
     int32_t kept, others; /* how many are kept, and the first edge behind them */
     qtri_crossing crossing[QTRI_CROSSINGS_KEPT];
 } qtri_crossings;
 
-void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour, int32_t row,
-                         bool at_center);
+void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour, int32_t row);
+
+/* Side i of a polygon where it may cross the row whose upper side is `top`; false: it does not. */
+bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top_24p8,
+                            qtri_ink_edge *side);
 
 /* The next one, and NULL after the last: *position begins with 0. `room` is for one not kept. */
 const qtri_crossing *qtri_crossings_next(const qtri_crossings *crossings, int32_t *position,

@@ -56,32 +56,97 @@ static bool invert(const qtri_affine *m, inverse *to)
            divide(m->xx, determinant, &to->vy);
 }
 
-/*
- * Steps 0 <= k < *end, from *first on, where 0 <= start + k step < limit, limit > 0. |start| <
- * 2^46, and it is linear: what is left is one run.
- */
-static void clip_run(int64_t start, int32_t step, int32_t limit, int32_t *first, int32_t *end)
+/* t / step for step > 0 and |t| < 2^62, rounded up. */
+static int64_t divide_up(int64_t t, uint32_t step)
 {
     bool half;
-    if (step < 0) { /* from the other side: 0 <= limit - 1 - start + k |step| < limit */
-        start = limit - 1 - start;
-        step = -step;
+    const uint64_t n = t > 0 ? (uint64_t)t + step - 1 : 0 - (uint64_t)t;
+#if QTRI_DIVIDE
+    const uint64_t q = n >> 32 == 0 ? (uint32_t)n / step : qtri_divide64(n, step, 0, &half);
+#else
+    const uint64_t q = qtri_divide64(n, step, 0, &half);
+#endif
+    return t > 0 ? (int64_t)q : -(int64_t)q;
+}
+
+/* k step = t + rest, 0 <= rest < step: t / step rounded up. */
+typedef struct quotient {
+    int64_t k;
+    int32_t rest;
+} quotient;
+
+static void quotient_init(quotient *q, int64_t t, int32_t step)
+{
+    q->k = divide_up(t, (uint32_t)step);
+    q->rest = (int32_t)((uint32_t)q->k * (uint32_t)step - (uint32_t)t);
+}
+
+/*
+ * A coordinate of the picture along a row of the surface, and from row to row: where it begins to
+ * be inside, and where it ends to be. It is linear, so that this is one run, whose ends move from
+ * row to row by a quotient: `whole` of it, and 1 more as often as `part` of a step makes up a step.
+ */
+typedef struct axis {
+    int64_t start; /* in the row's first column, |.| < 2^47; where steps are negative as seen from
+                      the other side: limit - 1 less it */
+    int32_t step;  /* a column, >= 0 */
+    int32_t row;   /* a row */
+    int32_t limit; /* 0 <= start + k step < limit is inside */
+    quotient low, high;
+    int32_t whole, part; /* -row is whole step + part */
+} axis;
+
+static void axis_init(axis *x, int64_t start, int32_t step, int32_t row, int32_t limit)
+{
+    const bool is_mirrored = step < 0;
+    x->start = is_mirrored ? limit - 1 - start : start;
+    x->step = is_mirrored ? -step : step;
+    x->row = is_mirrored ? -row : row;
+    x->limit = limit;
+    x->whole = 0;
+    x->part = 0;
+    if (step != 0) {
+        quotient_init(&x->low, -x->start, x->step);
+        quotient_init(&x->high, limit - x->start, x->step);
     }
-    if (step == 0) {
-        *end = start < 0 || start >= limit ? 0 : *end;
+    if (step != 0 && row != 0) { /* rounded down: what is left over is part */
+        x->whole = -(int32_t)divide_up(x->row, (uint32_t)x->step);
+        x->part = (int32_t)(0 - (uint32_t)x->row - (uint32_t)x->whole * (uint32_t)x->step);
+    }
+}
+
+/* The columns *first .. *end-1 of what is inside of those. */
+static void axis_clip(const axis *x, int32_t *first, int32_t *end)
+{
+    if (x->step == 0) {
+        *end = x->start < 0 || x->start >= x->limit ? 0 : *end;
         return;
     }
-    if (start < 0) {
-        const uint64_t k =
-            qtri_divide64((uint64_t)(-start) + (uint32_t)step - 1, (uint32_t)step, 0, &half);
-        *first = k < (uint32_t)*end ? qtri_greatest32(*first, (int32_t)k) : *end;
+    if (x->low.k > *first) {
+        *first = x->low.k < *end ? (int32_t)x->low.k : *end;
     }
-    if (start >= limit) {
-        *end = 0;
-    } else if (start + (int64_t)step * *end > limit - 1) {
-        const uint64_t k =
-            qtri_divide64((uint64_t)(limit - 1 - start), (uint32_t)step, 0, &half) + 1;
-        *end = k < (uint32_t)*end ? (int32_t)k : *end;
+    if (x->high.k < *end) {
+        *end = x->high.k > 0 ? (int32_t)x->high.k : 0;
+    }
+}
+
+static inline void quotient_next(quotient *q, const axis *x)
+{
+    q->k += x->whole;
+    q->rest -= x->part;
+    if (q->rest < 0) {
+        q->rest += x->step;
+        q->k++;
+    }
+}
+
+static void axis_next(axis *x)
+{
+    if (x->step == 0) {
+        x->start += x->row;
+    } else if (x->row != 0) {
+        quotient_next(&x->low, x);
+        quotient_next(&x->high, x);
     }
 }
 
@@ -91,6 +156,9 @@ typedef struct run {
     inverse inverse;
     uint32_t a; /* of 256 */
     bool is_alike;
+    bool is_kept; /* where it does not turn, what a row of the picture was last: */
+    int32_t kept_v;
+    const uint8_t *kept; /* its first pixel on the surface */
 } run;
 
 /* u and v stay within the picture, below 2^29, all the way. */
@@ -102,6 +170,14 @@ static void fetch(const run *r, int32_t u, int32_t v, uint32_t *stored, int32_t 
     const ptrdiff_t pitch = image->pitch;
     const int32_t du = r->inverse.ux;
     const int32_t dv = r->inverse.vx;
+    if (bytes == 2 && dv == 0) {
+        const uint16_t *row = (const uint16_t *)(const void *)(pixels + (v >> 16) * pitch);
+        for (; count > 0; count--) {
+            *stored++ = row[u >> 16];
+            u = (int32_t)((uint32_t)u + (uint32_t)du);
+        }
+        return;
+    }
     if (bytes == 2) {
         for (; count > 0; count--) {
             const uint8_t *row = pixels + (v >> 16) * pitch;
@@ -118,13 +194,14 @@ static void fetch(const run *r, int32_t u, int32_t v, uint32_t *stored, int32_t 
     }
 }
 
-static void paint_run(const run *r, uint8_t *to, int64_t u, int64_t v, int32_t count)
+/* Pixels that are converted, or mixed. */
+static void paint_batches(const run *r, uint8_t *to, int32_t u, int32_t v, int32_t count)
 {
     const qtri_pixels *pixels = r->surface->format->pixels;
     uint32_t stored[QTRI_PICTURE_BATCH];
     for (; count > 0; count -= QTRI_PICTURE_BATCH) {
         const int32_t n = qtri_least32(count, QTRI_PICTURE_BATCH);
-        fetch(r, (int32_t)u, (int32_t)v, stored, n);
+        fetch(r, u, v, stored, n);
         const uint32_t mask = qtri_picture_mask(r->image, stored, n);
         if (!r->is_alike) {
             qtri_picture_convert(r->image, r->surface, stored, n);
@@ -134,9 +211,35 @@ static void paint_run(const run *r, uint8_t *to, int64_t u, int64_t v, int32_t c
         } else {
             qtri_picture_mix(r->surface, to, stored, mask, n, r->a);
         }
-        u += (int64_t)r->inverse.ux * n;
-        v += (int64_t)r->inverse.vx * n;
+        u = (int32_t)((uint32_t)u + (uint32_t)r->inverse.ux * (uint32_t)n);
+        v = (int32_t)((uint32_t)v + (uint32_t)r->inverse.vx * (uint32_t)n);
         to += (ptrdiff_t)pixels->bytes * n;
+    }
+}
+
+/*
+ * A run of pixels, whose first is at u, v of the picture. Where the picture does not turn, and
+ * nothing of what is there shows through it, a row of it that is painted once more is copied from
+ * above: runs are then the same in all rows.
+ */
+static void paint_run(run *r, uint8_t *to, int32_t u, int32_t v, int32_t count)
+{
+    const qtri_image *image = r->image;
+    const int32_t bytes = r->surface->format->pixels->bytes;
+    const bool is_upright = r->inverse.vx == 0 && r->inverse.uy == 0;
+    if (is_upright && r->a == 256 && !image->has_key) {
+        if (r->is_kept && r->kept_v == v >> 16) {
+            qtri_picture_copy(to, 0, r->kept, 0, (size_t)bytes * (size_t)count, 1);
+            return;
+        }
+        r->is_kept = true;
+        r->kept_v = v >> 16;
+        r->kept = to;
+    }
+    const qtri_picture_walk walk = {image, (uint32_t)u, (uint32_t)v, (uint32_t)r->inverse.ux,
+                                    (uint32_t)r->inverse.vx};
+    if (!r->is_alike || r->a != 256 || !qtri_picture_walk_row(&walk, to, count)) {
+        paint_batches(r, to, u, v, count);
     }
 }
 
@@ -164,10 +267,28 @@ static void narrow_rows(const qtri_affine *m, const qtri_image *image, qtri_rect
     bounds->y1 = qtri_least32(bounds->y1, (int32_t)greatest + 2);
 }
 
+/*
+ * The same with columns. Of a pixel in the picture x and y lie within 2^16 and 2^15 of where the
+ * picture is, so that the inverse moves u and v by .75, and that a column by less than 8.
+ */
+static void narrow_columns(const qtri_affine *m, const qtri_image *image, qtri_rect *bounds)
+{
+    const int32_t most = (int32_t)4 * 65536;
+    if (qtri_magnitude32(m->xx) > (uint32_t)most || qtri_magnitude32(m->xy) > (uint32_t)most) {
+        return;
+    }
+    const int64_t x = qtri_mul_s32(m->xx, image->width);
+    const int64_t y = qtri_mul_s32(m->xy, image->height);
+    const int64_t least = (m->x0 + (x < 0 ? x : 0) + (y < 0 ? y : 0)) >> 16;
+    const int64_t greatest = (m->x0 + (x > 0 ? x : 0) + (y > 0 ? y : 0)) >> 16;
+    bounds->x0 = qtri_greatest32(bounds->x0, (int32_t)least - 8);
+    bounds->x1 = qtri_least32(bounds->x1, (int32_t)greatest + 9);
+}
+
 void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *image,
                              const qtri_affine *affine, uint8_t alpha)
 {
-    run r = {surface, image, {0, 0, 0, 0}, qtri_mix_weight(255, alpha), false};
+    run r = {surface, image, {0, 0, 0, 0}, qtri_mix_weight(255, alpha), false, false, 0, NULL};
     qtri_rect bounds = qtri_surface_bounds(surface);
     if (alpha == 0 || bounds.x0 == bounds.x1 || !qtri_picture_is_usable(image) ||
         !invert(affine, &r.inverse)) {
@@ -175,20 +296,32 @@ void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *imag
     }
     r.is_alike = qtri_picture_is_alike(image, surface);
     narrow_rows(affine, image, &bounds);
+    narrow_columns(affine, image, &bounds);
+    if (bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1) {
+        return;
+    }
+    /* The centre of the first row's first pixel, from where (0, 0) of the picture lies. */
+    const int32_t x = bounds.x0 * 65536 + 32768 - affine->x0; /* |.| < 2^30 + 2^29 + 2^15 */
+    const int32_t y = bounds.y0 * 65536 + 32768 - affine->y0;
+    int64_t u = coordinate(x, r.inverse.ux, y, r.inverse.uy);
+    int64_t v = coordinate(x, r.inverse.vx, y, r.inverse.vy);
+    axis across;
+    axis down;
+    axis_init(&across, u, r.inverse.ux, r.inverse.uy, image->width * 65536);
+    axis_init(&down, v, r.inverse.vx, r.inverse.vy, image->height * 65536);
     for (int32_t row = bounds.y0; row < bounds.y1; row++) {
-        /* The centre of the row's first pixel, from where (0, 0) of the picture lies. */
-        const int32_t x = bounds.x0 * 65536 + 32768 - affine->x0; /* |.| < 2^30 + 2^29 + 2^15 */
-        const int32_t y = row * 65536 + 32768 - affine->y0;
-        const int64_t u = coordinate(x, r.inverse.ux, y, r.inverse.uy);
-        const int64_t v = coordinate(x, r.inverse.vx, y, r.inverse.vy);
         int32_t first = 0;
         int32_t end = bounds.x1 - bounds.x0;
-        clip_run(u, r.inverse.ux, image->width * 65536, &first, &end);
-        clip_run(v, r.inverse.vx, image->height * 65536, &first, &end);
+        axis_clip(&across, &first, &end);
+        axis_clip(&down, &first, &end);
         if (first < end) {
             paint_run(&r, qtri_surface_at(surface, bounds.x0 + first, row),
-                      u + (int64_t)r.inverse.ux * first, v + (int64_t)r.inverse.vx * first,
-                      end - first);
+                      (int32_t)(u + (int64_t)r.inverse.ux * first),
+                      (int32_t)(v + (int64_t)r.inverse.vx * first), end - first);
         }
+        axis_next(&across);
+        axis_next(&down);
+        u += r.inverse.uy; /* exactly: a row is 65536 of y */
+        v += r.inverse.vy;
     }
 }

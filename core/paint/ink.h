@@ -26,12 +26,26 @@ typedef struct qtri_painter {
     uint32_t alpha;         /* 1..255 */
 } qtri_painter;
 
+/* x = center_x + side sqrt(r r - (y - center_y)^2). */
+typedef struct qtri_ink_arc {
+    int32_t center_x, center_y, side;
+} qtri_ink_arc;
+
+/* 2^62 over the edge's height times 2^zeros, below 2^31; 0: it goes straight down. */
+typedef struct qtri_ink_line {
+    uint32_t reciprocal;
+    int32_t zeros;
+} qtri_ink_line;
+
 /* Half-open in y: y0 < y1. Across, x0 belongs to y0 and x1 to y1. */
 typedef struct qtri_ink_edge {
-    int32_t x0, y0, x1, y1;           /* 24.8 */
-    int32_t center_x, center_y, side; /* of an arc: x = center_x + side sqrt(r r - (y - cy)^2) */
-    int32_t radius;                   /* 0: straight */
-    int32_t winding;                  /* +1: the contour goes down here, -1: up */
+    int32_t x0, y0, x1, y1; /* 24.8 */
+    int32_t radius;         /* 0: straight */
+    int32_t winding;        /* +1: the contour goes down here, -1: up */
+    union {
+        qtri_ink_arc arc;
+        qtri_ink_line line;
+    } as;
 } qtri_ink_edge;
 
 /* Edges, or the sides of a polygon. */
@@ -44,14 +58,50 @@ typedef struct qtri_contour {
 /* x of an edge at y0 <= y <= y1, rounded to 1/256. */
 int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8);
 
+/* Half of the chord of an arc's circle there. */
+int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8);
+
+/* Whether arcs are of one radius, and centres of one height. `arc` may be NULL, `edge` a line. */
+static inline bool qtri_ink_is_mirrored(const qtri_ink_edge *arc, const qtri_ink_edge *edge)
+{
+    return arc != NULL && arc->radius == edge->radius &&
+           arc->as.arc.center_y == edge->as.arc.center_y;
+}
+
+/* Makes a straight edge of its ends, y0 < y1. */
+void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const qtri_point *to,
+                            int32_t winding);
+
 /* Edge i of a contour; false: a side of the polygon is horizontal. */
 bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge);
+
+/* Bits of a glyph: of each row `width` from bit `skip` on, the highest bit first. */
+typedef struct qtri_ink_bits {
+    const uint8_t *row;
+    int32_t stride;        /* bytes of a row */
+    int32_t skip;          /* 0..254 */
+    int32_t width, height; /* > 0 */
+} qtri_ink_bits;
+
+/* Up to eight bits of a row from bit `at` on, the first in the highest of eight; 0 behind them. */
+static inline uint32_t qtri_ink_bits_at(const uint8_t *row, int32_t at, int32_t count)
+{
+    const uint8_t *byte = row + (at >> 3);
+    const uint32_t shift = (uint32_t)at & 7;
+    uint32_t value = (uint32_t)*byte << shift;
+    if (shift + (uint32_t)count > 8) {
+        value |= (uint32_t)byte[1] >> (8 - shift);
+    }
+    return value & 0xFF & (0xFF00u >> count);
+}
 
 struct qtri_ink {
     /* `count` > 0 pixels from `at` on, covered by the same share, 1..255. */
     void (*span)(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
     /* One share each, 0..255. */
     void (*cover)(const qtri_painter *painter, uint8_t *at, int32_t count, const uint8_t *coverage);
+    /* Whole pixels that have a bit, `at` being that of the first. */
+    void (*bits)(const qtri_painter *painter, uint8_t *at, const qtri_ink_bits *bits);
     /* A row of a contour, and a rectangle. */
     void (*row)(const qtri_painter *painter, const qtri_contour *contour, int32_t row);
     void (*rect)(const qtri_painter *painter, const qtri_area *box);
@@ -83,6 +133,7 @@ void qtri_paint_contour(const qtri_surface *surface, const qtri_contour *contour
 void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
 void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
                       const uint8_t *coverage);
+void qtri_blend_bits(const qtri_painter *painter, uint8_t *at, const qtri_ink_bits *bits);
 
 /* The first pixel whose centre lies at x or behind it. */
 static inline int32_t qtri_pixel_from(int32_t x_24p8)

@@ -118,4 +118,5 @@ void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
     }
 }
 
-const qtri_ink qtri_ink_blend = {qtri_blend_span, qtri_blend_cover, qtri_hard_row, qtri_hard_rect};
+const qtri_ink qtri_ink_blend = {qtri_blend_span, qtri_blend_cover, qtri_blend_bits, qtri_hard_row,
+                                 qtri_hard_rect};

@@ -14,13 +14,15 @@
  * a function of the edge and the column alone, and what lies left of the window is the difference
  * of two of them.
  */
-enum { WINDOW = 32 };
+enum { WINDOW = 32, CHORDS = 16 };
 
 #define FULL ((int32_t)512 * 256)
 
 typedef struct window {
     int32_t x; /* its first column */
     int32_t sum[WINDOW + 1];
+    const qtri_crossing *chorded; /* the last one of several chords, NULL at first, */
+    int32_t half[CHORDS];         /*   and half of the circle's width where each ends */
 } window;
 
 /* A straight piece of an edge from left to right, y in the row. */
@@ -91,44 +93,56 @@ static void add_piece(window *w, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
 }
 
 /*
- * Chords of an arc. One of length l leaves the arc of radius r by l^2 / 8 r; a 64th of a pixel is
- * 4 / 256. Where the arc is steep, four chords have a quarter of its length each, or little more;
- * near its highest and lowest point 16 of equal height h leave it by h / 4, a 64th again.
+ * Chords of an arc, 1, 4 or 16. One of length l leaves the arc of radius r by l^2 / 8 r; a 64th of
+ * a pixel is 4 / 256. Where the arc is steep, four chords have a quarter of its length each, or
+ * little more; near its highest and lowest point 16 of equal height h leave it by h / 4, a 64th
+ * again.
  *
  * Each is higher than nothing: l^2 of a part that is h high is 2 r h at most, and across, rounded,
  * r at most. More than 32 r take h > 15, since 15 would take an r of 15 to 19, and there
  * r^2 + 15^2 < 32 r.
  */
-static int32_t chords_of(const qtri_crossing *c)
+static int32_t chords_log2_of(const qtri_crossing *c)
 {
     const int32_t across = qtri_least32(c->x1 > c->x0 ? c->x1 - c->x0 : c->x0 - c->x1, 32767);
     const int32_t down = c->y1 - c->y0;
     const uint32_t square = (uint32_t)(across * across) + (uint32_t)(down * down); /* < 2^31 */
     const uint32_t radius = (uint32_t)c->arc->radius;                              /* <= 2^22 */
     if (square <= 32 * radius) {
-        return 1;
+        return 0;
     }
-    return square <= 256 * radius && across <= 2 * down ? 4 : 16;
+    return square <= 256 * radius && across <= 2 * down ? 2 : 4;
 }
 
 /* Of a crossing that begins before the window's end. */
 static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
 {
-    const int32_t chords = c->arc == NULL ? 1 : chords_of(c);
+    const int32_t chords_log2 = c->arc == NULL ? 0 : chords_log2_of(c);
+    const int32_t chords = (int32_t)1 << chords_log2;
     const int32_t most = qtri_greatest32(c->x0, c->x1);
     if (chords == 1 || most <= w->x * 256) {
         add_piece(w, c->x0, c->y0, c->x1, c->y1, c->winding);
         return;
     }
+    const bool is_known = w->chorded != NULL && w->chorded->y0 == c->y0 &&
+                          w->chorded->y1 == c->y1 && qtri_ink_is_mirrored(w->chorded->arc, c->arc);
+    const qtri_ink_arc *arc = &c->arc->as.arc;
     int32_t x = c->x0;
     int32_t y = c->y0;
     for (int32_t i = 1; i <= chords; i++) {
-        const int32_t to_y = c->y0 + (c->y1 - c->y0) * i / chords;
-        const int32_t to = i == chords ? c->x1 : qtri_ink_edge_x(c->arc, row * 256 + to_y);
+        const int32_t to_y = c->y0 + (((c->y1 - c->y0) * i) >> chords_log2);
+        int32_t to = c->x1;
+        if (i < chords) {
+            if (!is_known) {
+                w->half[i] = qtri_ink_half_chord(c->arc, row * 256 + to_y);
+            }
+            to = arc->center_x + (arc->side < 0 ? -w->half[i] : w->half[i]);
+        }
         add_piece(w, x, y, to, to_y, c->winding);
         x = to;
         y = to_y;
     }
+    w->chorded = c;
 }
 
 /* Of 255. What is covered more than once is covered. */
@@ -140,14 +154,12 @@ static uint32_t coverage_of(int32_t sum)
 
 /*
  * Adds what begins before the window's end. *busy: the end of the pixels that edges pass through;
- * *next: where the first edge behind the window begins.
+ * *next: where the first edge behind the window begins. Sums are those up to *busy, and one more,
+ * which an edge that is its side adds nothing to.
  */
 static void fill_window(window *w, const qtri_crossings *crossings, int32_t row, int32_t *busy,
                         int32_t *next)
 {
-    for (int i = 0; i <= WINDOW; i++) {
-        w->sum[i] = 0;
-    }
     *busy = w->x;
     *next = INT32_MAX;
     int32_t position = 0;
@@ -157,10 +169,19 @@ static void fill_window(window *w, const qtri_crossings *crossings, int32_t row,
         const int32_t first = qtri_least32(c->x0, c->x1) >> 8;
         if (first >= w->x + WINDOW) {
             *next = qtri_least32(*next, first);
-            continue;
+        } else {
+            *busy = qtri_greatest32(*busy, (qtri_greatest32(c->x0, c->x1) + 255) >> 8);
         }
-        *busy = qtri_greatest32(*busy, (qtri_greatest32(c->x0, c->x1) + 255) >> 8);
-        add_crossing(w, c, row);
+    }
+    const int32_t last = qtri_least32(*busy - w->x + 1, WINDOW);
+    for (int32_t i = 0; i <= last; i++) {
+        w->sum[i] = 0;
+    }
+    position = 0;
+    while ((c = qtri_crossings_next(crossings, &position, &room)) != NULL) {
+        if (qtri_least32(c->x0, c->x1) >> 8 < w->x + WINDOW) {
+            add_crossing(w, c, row);
+        }
     }
 }
 
@@ -168,10 +189,11 @@ static void fill_window(window *w, const qtri_crossings *crossings, int32_t row,
 static void smooth_row(const qtri_painter *painter, const qtri_contour *contour, int32_t row)
 {
     qtri_crossings crossings;
-    qtri_crossings_init(&crossings, contour, row, false);
+    qtri_crossings_init(&crossings, contour, row);
     const int32_t end = painter->bounds.x1;
     window w;
-    w.x = painter->bounds.x0;
+    w.chorded = NULL;
+    w.x = qtri_greatest32(painter->bounds.x0, crossings.first);
     while (w.x < end) {
         int32_t busy;
         int32_t next;
@@ -251,4 +273,5 @@ static void smooth_rect(const qtri_painter *painter, const qtri_area *box)
     }
 }
 
-const qtri_ink qtri_ink_smooth = {qtri_blend_span, qtri_blend_cover, smooth_row, smooth_rect};
+const qtri_ink qtri_ink_smooth = {qtri_blend_span, qtri_blend_cover, qtri_blend_bits, smooth_row,
+                                  smooth_rect};

@@ -11,9 +11,7 @@ void qtri_path_line(qtri_path *path, const qtri_point *from, const qtri_point *t
         winding = -winding;
     }
     if (from->y_24p8 < to->y_24p8) {
-        const qtri_ink_edge edge = {from->x_24p8, from->y_24p8, to->x_24p8, to->y_24p8, 0, 0, 0, 0,
-                                    winding};
-        path->edge[path->count++] = edge;
+        qtri_ink_edge_set_line(&path->edge[path->count++], from, to, winding);
     }
 }
 
@@ -24,18 +22,16 @@ void qtri_path_quarter(qtri_path *path, const qtri_point *center, int32_t radius
         return; /* all that there is of a circle without a radius */
     }
     const bool is_right = quarter == 0 || quarter == 3;
-    qtri_ink_edge edge = {0,
-                          y0_24p8,
-                          0,
-                          y1_24p8,
-                          center->x_24p8,
-                          center->y_24p8,
-                          is_right ? 1 : -1,
-                          radius_24p8,
-                          is_right ? path->direction : -path->direction};
-    edge.x0 = qtri_ink_edge_x(&edge, y0_24p8);
-    edge.x1 = qtri_ink_edge_x(&edge, y1_24p8);
-    path->edge[path->count++] = edge;
+    qtri_ink_edge *edge = &path->edge[path->count++];
+    edge->y0 = y0_24p8;
+    edge->y1 = y1_24p8;
+    edge->radius = radius_24p8;
+    edge->winding = is_right ? path->direction : -path->direction;
+    edge->as.arc.center_x = center->x_24p8;
+    edge->as.arc.center_y = center->y_24p8;
+    edge->as.arc.side = is_right ? 1 : -1;
+    edge->x0 = qtri_ink_edge_x(edge, y0_24p8);
+    edge->x1 = qtri_ink_edge_x(edge, y1_24p8);
 }
 
 void qtri_path_circle(qtri_path *path, const qtri_point *center, int32_t radius_24p8)

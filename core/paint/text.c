@@ -6,26 +6,6 @@
 #include "ink.h"
 #include "../frame/stored.h"
 
-/* What of a glyph's rows is painted: `width` bits from bit `skip` on, the highest bit first. */
-typedef struct bits {
-    const uint8_t *row;
-    int32_t stride;        /* bytes of a row */
-    int32_t skip;          /* 0..254 */
-    int32_t width, height; /* > 0 */
-} bits;
-
-/* Up to eight bits of a row from bit `at` on, the first in the highest of eight; 0 behind them. */
-static inline uint32_t bits_at(const uint8_t *row, int32_t at, int32_t count)
-{
-    const uint8_t *byte = row + (at >> 3);
-    const uint32_t shift = (uint32_t)at & 7;
-    uint32_t value = (uint32_t)*byte << shift;
-    if (shift + (uint32_t)count > 8) {
-        value |= (uint32_t)byte[1] >> (8 - shift);
-    }
-    return value & 0xFF & (0xFF00u >> count);
-}
-
 #define BIT(i)                                                                                     \
     if ((int32_t)(value << (i)) < 0) {                                                             \
         QTRI_BRANCH                                                                                \
@@ -54,7 +34,7 @@ QTRI_INLINE void paint_eight(int32_t bytes, uint8_t *at, uint32_t value, uint32_
 
 /* Whole rows of up to eight pixels, which nothing clips: most characters. */
 QTRI_INLINE void paint_narrow(int32_t bytes, const qtri_painter *painter, uint8_t *to,
-                              const bits *b)
+                              const qtri_ink_bits *b)
 {
     const uint32_t stored = painter->stored;
     const ptrdiff_t pitch = painter->surface->pitch;
@@ -69,7 +49,7 @@ QTRI_INLINE void paint_narrow(int32_t bytes, const qtri_painter *painter, uint8_
     }
 }
 
-static void paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
+static void paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *b)
 {
     switch (painter->surface->format->pixels->bytes) {
     case 1:
@@ -93,7 +73,8 @@ static void paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const bi
  * where it is shifted up.
  */
 QTRI_INLINE void paint_column(int32_t bytes, const qtri_painter *painter, uint8_t *to,
-                              const uint8_t *row, const bits *b, int32_t skip, int32_t count)
+                              const uint8_t *row, const qtri_ink_bits *b, int32_t skip,
+                              int32_t count)
 {
     const uint32_t stored = painter->stored;
     const ptrdiff_t pitch = painter->surface->pitch;
@@ -110,7 +91,7 @@ QTRI_INLINE void paint_column(int32_t bytes, const qtri_painter *painter, uint8_
 
 /* Of wide characters, and of those that are clipped: byte by byte of their rows. */
 QTRI_INLINE void paint_columns(int32_t bytes, const qtri_painter *painter, uint8_t *to,
-                               const bits *b)
+                               const qtri_ink_bits *b)
 {
     const int32_t end = b->skip + b->width;
     for (int32_t at = b->skip; at < end;) {
@@ -125,7 +106,7 @@ QTRI_INLINE void paint_columns(int32_t bytes, const qtri_painter *painter, uint8
 #endif
 
 /* False: pixels of another size, or a library that is to be small. */
-static bool paint_wide_bits(const qtri_painter *painter, uint8_t *to, const bits *b)
+static bool paint_wide_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *b)
 {
 #ifndef __OPTIMIZE_SIZE__
     switch (painter->surface->format->pixels->bytes) {
@@ -157,23 +138,9 @@ static bool is_mixed(const qtri_painter *painter)
     return painter->ink != NULL && painter->alpha != 255;
 }
 
-/* Those of eight pixels that a value, which is not 0, has bits for. */
-static void paint_eight_mixed(const qtri_painter *painter, uint8_t *at, uint32_t value)
-{
-    const int32_t bytes = painter->surface->format->pixels->bytes;
-    uint8_t coverage[8];
-    int32_t n = 0;
-    for (; (value & 0x80) == 0; value <<= 1) {
-        at += bytes;
-    }
-    for (; (value & 0xFF) != 0; value <<= 1) { /* up to the last bit */
-        coverage[n++] = (uint8_t)(0 - (value >> 7 & 1));
-    }
-    painter->ink->cover(painter, at, n, coverage);
-}
-
-/* Mixed ones, and those of another size. */
-static void paint_others(const qtri_painter *painter, uint8_t *to, const bits *b)
+/* Of another size. */
+QTRI_NOINLINE static void paint_others(const qtri_painter *painter, uint8_t *to,
+                                       const qtri_ink_bits *b)
 {
     const qtri_pixels *pixels = painter->surface->format->pixels;
     const uint8_t *row = b->row;
@@ -181,12 +148,8 @@ static void paint_others(const qtri_painter *painter, uint8_t *to, const bits *b
         uint8_t *at = to;
         for (int32_t done = 0; done < b->width; done += 8) {
             const int32_t count = qtri_least32(b->width - done, 8);
-            const uint32_t value = bits_at(row, b->skip + done, count);
-            if (value == 0) {
-                /* nothing is painted */
-            } else if (is_mixed(painter)) {
-                paint_eight_mixed(painter, at, value);
-            } else {
+            const uint32_t value = qtri_ink_bits_at(row, b->skip + done, count);
+            if (value != 0) {
                 pixels->fill(at, painter->stored, value >> (8 - count), count);
             }
             at += 8 * (ptrdiff_t)pixels->bytes;
@@ -197,7 +160,7 @@ static void paint_others(const qtri_painter *painter, uint8_t *to, const bits *b
 }
 
 /* What of a glyph at (x, y) lies in the bounds; false: nothing. */
-QTRI_INLINE bool clip_glyph(bits *b, qtri_rect *rect, const qtri_painter *painter,
+QTRI_INLINE bool clip_glyph(qtri_ink_bits *b, qtri_rect *rect, const qtri_painter *painter,
                             const qtri_font *font, const qtri_glyph *glyph, int32_t x, int32_t y)
 {
     const qtri_rect *bounds = &painter->bounds;
@@ -217,13 +180,23 @@ QTRI_INLINE bool clip_glyph(bits *b, qtri_rect *rect, const qtri_painter *painte
 QTRI_NOINLINE static void paint_any(const qtri_painter *painter, const qtri_font *font,
                                     const qtri_glyph *glyph, int32_t x, int32_t y)
 {
-    bits b;
+    qtri_ink_bits b;
     qtri_rect rect;
     (void)clip_glyph(&b, &rect, painter, font, glyph, x, y); /* again: something is left of it */
     uint8_t *to = qtri_painter_at(painter, rect.x0, rect.y0);
-    if (is_mixed(painter) || !paint_wide_bits(painter, to, &b)) {
+    if (!paint_wide_bits(painter, to, &b)) {
         paint_others(painter, to, &b);
     }
+}
+
+/* The same, mixed. */
+QTRI_NOINLINE static void paint_mixed(const qtri_painter *painter, const qtri_font *font,
+                                      const qtri_glyph *glyph, int32_t x, int32_t y)
+{
+    qtri_ink_bits b;
+    qtri_rect rect;
+    (void)clip_glyph(&b, &rect, painter, font, glyph, x, y);
+    painter->ink->bits(painter, qtri_painter_at(painter, rect.x0, rect.y0), &b);
 }
 
 /* x, y: the left upper corner; beyond the largest frame on either side nothing is to be seen. */
@@ -231,14 +204,16 @@ static void paint_glyph(const qtri_painter *painter, const qtri_font *font, cons
                         int32_t x, int32_t y)
 {
     const int32_t limit = 2 * QTRI_SURFACE_MAX;
-    bits b;
+    qtri_ink_bits b;
     qtri_rect rect;
     if (x < -limit || x > limit || y < -limit || y > limit ||
         !clip_glyph(&b, &rect, painter, font, glyph, x, y)) {
         return;
     }
-    if (is_mixed(painter) || b.stride != 1 || b.width != glyph->width ||
-        painter->surface->format->pixels->bytes - 1u > 3u) {
+    if (is_mixed(painter)) {
+        paint_mixed(painter, font, glyph, x, y);
+    } else if (b.stride != 1 || b.width != glyph->width ||
+               painter->surface->format->pixels->bytes - 1u > 3u) {
         paint_any(painter, font, glyph, x, y);
     } else {
         paint_narrow_bits(painter, qtri_painter_at(painter, rect.x0, rect.y0), &b);

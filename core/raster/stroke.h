@@ -20,7 +20,8 @@
 enum {
     QTRI_STROKE_WINDOW = 32, /* columns of a strip */
     QTRI_STROKE_SHAPES = 8,  /* that are kept from row to row */
-    QTRI_STROKE_PARTS = 16   /* of a strip or a row whose numbers are kept */
+    QTRI_STROKE_PARTS = 16,  /* of a strip or a row whose numbers are kept */
+    QTRI_STROKE_MARKED = 256 /* first parts, that are marked where they may touch the rows */
 };
 
 /* Parts 0 .. count-1. `place` is asked in every row, and says false of what is not to be seen. */
@@ -53,6 +54,7 @@ typedef struct qtri_stroker {
     uint32_t part[QTRI_STROKE_PARTS];  /* that may touch the strip, in their order */
     uint32_t part_count;               /* and */
     uint32_t rest;                     /*   from which on others may follow; UINT32_MAX: none */
+    uint32_t marks[QTRI_STROKE_MARKED / 32];
     qtri_stroke_touch touch[QTRI_STROKE_PARTS]; /* of the row, by their first columns */
     uint32_t touch_count; /* QTRI_STROKE_MANY: more than there is room for are one group */
     uint32_t first_touch, touch_end; /* of the group */

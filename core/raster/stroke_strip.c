@@ -11,19 +11,39 @@ static int32_t reach_of(const qtri_stroke_place *place)
     return place->radius_24p8 + (place->radius_24p8 >> 1) + 1;
 }
 
-/* Whether a part may touch the strip. */
-static bool touches_strip(const qtri_stroker *stroker, uint32_t part)
+/*
+ * Whether a part may touch the rows of the bounds. Its ends may be moved out by a radius, and from
+ * there qtri_stroke_shape_columns() looks a radius further; one row more is for what is rounded.
+ */
+static bool touches_rows(const qtri_stroker *stroker, const qtri_stroke_place *place)
+{
+    const int32_t reach = 2 * place->radius_24p8 + 256;
+    const int32_t y0 = place->end[0].y_24p8;
+    const int32_t y1 = place->end[1].y_24p8;
+    return qtri_least32(y0, y1) <= stroker->bounds.y1 * 256 + reach &&
+           qtri_greatest32(y0, y1) >= stroker->bounds.y0 * 256 - reach;
+}
+
+/* Whether a part may touch the strip; where it is. */
+static bool is_in_strip(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place)
 {
     const qtri_stroke_source *source = stroker->source;
-    qtri_stroke_place place;
-    if (!source->place(source->from, part, &place)) {
+    if (!source->place(source->from, part, place)) {
         return false;
     }
     const int32_t left = stroker->column * 256;
-    const int32_t x0 = place.end[0].x_24p8;
-    const int32_t x1 = place.end[1].x_24p8;
-    return qtri_least32(x0, x1) <= left + QTRI_STROKE_WINDOW * 256 + reach_of(&place) &&
-           qtri_greatest32(x0, x1) >= left - reach_of(&place);
+    const int32_t x0 = place->end[0].x_24p8;
+    const int32_t x1 = place->end[1].x_24p8;
+    return qtri_least32(x0, x1) <= left + QTRI_STROKE_WINDOW * 256 + reach_of(place) &&
+           qtri_greatest32(x0, x1) >= left - reach_of(place);
+}
+
+static inline bool touches_strip(const qtri_stroker *stroker, uint32_t part,
+                                 qtri_stroke_place *place)
+{
+    const bool may_touch =
+        part >= QTRI_STROKE_MARKED || (stroker->marks[part >> 5] >> (part & 31) & 1) != 0;
+    return may_touch && is_in_strip(stroker, part, place);
 }
 
 qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part)
@@ -57,8 +77,9 @@ static uint32_t next_part(const qtri_stroker *stroker, uint32_t *at)
     if (stroker->rest == UINT32_MAX) {
         return UINT32_MAX;
     }
+    qtri_stroke_place place;
     uint32_t part = stroker->rest + (*at - stroker->part_count);
-    while (part < stroker->source->count && !touches_strip(stroker, part)) {
+    while (part < stroker->source->count && !touches_strip(stroker, part, &place)) {
         part++;
     }
     *at = part + 1 - stroker->rest + stroker->part_count;
@@ -154,7 +175,13 @@ void qtri_stroker_begin(qtri_stroker *stroker, const qtri_stroke_source *source,
     columns[1] = INT32_MIN;
     for (uint32_t part = 0; part < source->count; part++) {
         qtri_stroke_place place;
-        if (source->place(source->from, part, &place)) {
+        if ((part & 31) == 0 && part < QTRI_STROKE_MARKED) {
+            stroker->marks[part >> 5] = 0;
+        }
+        if (source->place(source->from, part, &place) && touches_rows(stroker, &place)) {
+            if (part < QTRI_STROKE_MARKED) {
+                stroker->marks[part >> 5] |= (uint32_t)1 << (part & 31);
+            }
             widen(columns, place.end[0].x_24p8, place.end[1].x_24p8, reach_of(&place));
         }
     }
@@ -203,10 +230,9 @@ void qtri_stroker_find_parts(qtri_stroker *stroker, int32_t rows[2])
     rows[1] = INT32_MIN;
     for (uint32_t part = 0; part < source->count; part++) {
         qtri_stroke_place place;
-        if (!touches_strip(stroker, part)) {
+        if (!touches_strip(stroker, part, &place)) {
             continue;
         }
-        (void)source->place(source->from, part, &place);
         widen_rows(stroker, rows, &place);
         if (stroker->part_count < QTRI_STROKE_PARTS) {
             stroker->part[stroker->part_count++] = part;

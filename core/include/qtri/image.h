@@ -62,6 +62,9 @@ void qtri_affine_place(qtri_affine *affine, q16 pivot_x, q16 pivot_y, q16 place_
  * nearest. One that does not turn and scales by 1 paints what qtri_image_blend does. A matrix
  * without an inverse, or with one beyond 16384, paints nothing. The inverse is rounded to Q16.16:
  * across n pixels the picture's coordinate is off by n / 131072 at most.
+ *
+ * Cheapest without a turn, where rows are rows of the picture; where it is opaque and has no key,
+ * what is drawn twice as high or more is copied row by row. The picture may not lie in the surface.
  */
 void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *image,
                              const qtri_affine *affine, uint8_t alpha);
