@@ -6,6 +6,7 @@
 #include "support/core.h"
 
 #include "geometry/projector.h"
+#include "geometry/vertex.h"
 
 static qtri_projector projector_for(const qtri_transform *t, int32_t width, int32_t height)
 {
@@ -127,6 +128,74 @@ static void projects_its_rows(void **state)
     assert_true(drawn > 10000);
     assert_true(rounded <= 1);
     assert_true(worst <= .01);
+}
+
+/* A row whose sums are of any size, as log2 goes: by its translation alone, or by all of it. */
+static void random_row(qtri_row *row, uint64_t *seed, bool alone)
+{
+    const int32_t less = random_in(seed, 0, 40);
+    for (int i = 0; i < 3; i++) {
+        row->m[i] = alone ? 0 : random_bits32(seed) / 2 >> (less > 30 ? 30 : less);
+    }
+    const int64_t t = (int64_t)(random64(seed) >> 3 >> less); /* < 2^61 */
+    row->t = random_flag(seed) ? t : -t;
+    row->exponent = 0;
+}
+
+/* Many vertices at once, by shifts and a reciprocal, are those of the exact way, bit for bit. */
+static void vertices_are_exact(void **state)
+{
+    (void)state;
+    uint64_t seed = 47;
+    int inside = 0;
+    for (int n = 0; n < 60000; n++) {
+        qtri_transform identity;
+        qtri_transform_identity(&identity);
+        qtri_projector projector = projector_for(&identity, 320, 240);
+        const bool alone = n % 2 == 0;
+        const int32_t near_to = random_in(&seed, 0, 12); /* rows of sizes that are alike */
+        for (int i = 0; i < 4; i++) {
+            random_row(&projector.row.wide[i], &seed, alone);
+            projector.shift[i] = 2 + random_in(&seed, 0, n % 8 < 6 ? 3 : 40);
+        }
+        if (n % 4 < 2) { /* in front, and depths between the planes */
+            qtri_row *z = &projector.row.wide[2], *w = &projector.row.wide[3];
+            w->t = w->t < 0 ? -w->t : w->t;
+            projector.shift[2] = projector.shift[3];
+            z->t = n % 3 == 0 ? 0 : w->t - (w->t >> near_to) * random_in(&seed, 0, 2);
+            z->t += random_in(&seed, -9, 9);
+        }
+        qtri_vec3 p[4];
+        qtri_vertex vertex[4], listed[4];
+        memset(vertex, 0, sizeof vertex);
+        memset(listed, 0, sizeof listed);
+        bool all = true;
+        for (int i = 0; i < 4; i++) {
+            p[i].x = random_any(&seed);
+            p[i].y = random_any(&seed);
+            p[i].z = random_any(&seed);
+            listed[i].index = (uint16_t)i;
+        }
+        const bool all_found = qtri_projector_vertices(&projector, p, 4, vertex);
+        const bool list_found = qtri_projector_list(&projector, p, 4, listed);
+        for (int i = 0; i < 4; i++) {
+            qtri_clip_vertex clip;
+            qtri_vertex exact;
+            memset(&exact, 0, sizeof exact);
+            qtri_projector_point(&projector, &p[i], &clip);
+            qtri_vertex_exact(&projector, &clip, &exact);
+            const bool seen = (exact.depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
+            all = all && seen;
+            inside += seen;
+            assert_memory_equal(&vertex[i], &exact, sizeof exact);
+            exact.index = (uint16_t)i;
+            assert_memory_equal(&listed[i], &exact, sizeof exact);
+        }
+        assert_int_equal(all_found, all);
+        assert_int_equal(list_found, all);
+    }
+    print_message("%d of 240000 vertices inside\n", inside);
+    assert_true(inside > 20000);
 }
 
 static void check_fact(const qtri_projector *projector, qtri_vec3 p, double x, double y, double z)
@@ -450,6 +519,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(snaps),
         cmocka_unit_test(projects_its_rows),
+        cmocka_unit_test(vertices_are_exact),
         cmocka_unit_test(course_scenes),
         cmocka_unit_test(viewports),
         cmocka_unit_test(outcodes),
