@@ -198,6 +198,59 @@ static void vertices_are_exact(void **state)
     assert_true(inside > 20000);
 }
 
+/*
+ * What snapping moved a vertex by, against exact arithmetic; ties, which are half a step, and what
+ * the guard band held, which counts as 0. A w that is 0 or below is 1.
+ */
+static void rests_of_snapping(void **state)
+{
+    (void)state;
+    uint64_t seed = 48;
+    double least = 0, greatest = 0;
+    for (int n = 0; n < 60000; n++) {
+        qtri_clip_vertex v;
+        memset(&v, 0, sizeof v);
+        v.w = 1 + (int64_t)(random64(&seed) >> random_in(&seed, 18, 62));
+        if (n % 4 == 0) { /* even, so that there are ties */
+            v.w = (int64_t)1 << random_in(&seed, 1, 45);
+        }
+        const int32_t zeros = __builtin_clzll((uint64_t)v.w);
+        const int32_t inv_w = qtri_reciprocal_below((uint32_t)((uint64_t)v.w << zeros >> 32));
+        const int128 w = n % 16 == 1 ? 1 : v.w;
+        const qtri_screen_point at = {random_in(&seed, -4000000, 4000000),
+                                      random_in(&seed, -4000000, 4000000)};
+        int128 rest[2];
+        int64_t x[2];
+        for (int i = 0; i < 2; i++) {
+            const int128 twice = 2 * w * (i == 0 ? at.x_24p8 : at.y_24p8);
+            rest[i] = random_in(&seed, -3, 3) * (w / 2) + random_in(&seed, -1, 1);
+            rest[i] = n % 3 == 0 ? (int128)(random64(&seed) % (uint64_t)(2 * w + 1)) - w : rest[i];
+            x[i] = (int64_t)floor_div(twice + rest[i], 512);
+            rest[i] = 512 * (int128)x[i] - twice;
+        }
+        v.x = x[0];
+        v.y = x[1];
+        int32_t of_w = inv_w;
+        if (w == 1) {
+            v.w = -(int64_t)random_in(&seed, 0, 1) * v.w;
+            of_w = qtri_reciprocal_below(0x80000000u);
+        }
+        int16_t is[2];
+        qtri_project_rest(is, &v, &at, (uint32_t)of_w);
+        for (int i = 0; i < 2; i++) {
+            if (rest[i] < -w || rest[i] > w) {
+                assert_int_equal(is[i], 0);
+            } else {
+                const double wanted = fmin((double)rest[i] / (double)w * 32768, 32767);
+                least = fmin(least, is[i] - wanted);
+                greatest = fmax(greatest, is[i] - wanted);
+            }
+        }
+    }
+    print_message("rests: %.5f..%.5f\n", least, greatest);
+    assert_true(least > -1.001 && greatest < .001);
+}
+
 static void check_fact(const qtri_projector *projector, qtri_vec3 p, double x, double y, double z)
 {
     qtri_clip_vertex clip;
@@ -520,6 +573,7 @@ int main(void)
         cmocka_unit_test(snaps),
         cmocka_unit_test(projects_its_rows),
         cmocka_unit_test(vertices_are_exact),
+        cmocka_unit_test(rests_of_snapping),
         cmocka_unit_test(course_scenes),
         cmocka_unit_test(viewports),
         cmocka_unit_test(outcodes),
