@@ -309,26 +309,28 @@ static void steep(void **state)
     canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
     for (int n = 0; n < 2000; n++) {
         const bool is_wide = n % 2 == 0;
-        const int32_t length = random_in(&seed, 1, 8192);
+        const q16 limit = n % 4 < 2 ? Q16(6) : Q16(400);
+        const q16 down = random_in(&seed, Q16(1), limit) * (n % 8 < 4 ? 1 : -1);
+        const q16 size = down < 0 ? -down : down;
+        const int32_t most = Q16(16000) / size; /* no number of the matrix is beyond 16384 */
+        const int32_t length = random_in(&seed, 1, most < 8192 ? most : 8192);
         const qtri_image image = {.pixels = texels,
                                   .pitch = is_wide ? length : 1,
                                   .format = &qtri_gray8,
                                   .width = is_wide ? length : 1,
                                   .height = is_wide ? 1 : length};
-        const q16 limit = n % 4 < 2 ? Q16(6) : Q16(400);
-        const q16 down = random_in(&seed, Q16(1), limit) * (n % 8 < 4 ? 1 : -1);
         const q16 beside = random_in(&seed, -Q16(.02), Q16(.02));
         const q16 wide = random_in(&seed, Q16(1), Q16(20));
         const q16 high = random_in(&seed, -Q16(3.9), Q16(3.9));
-        const int64_t reach = n % 3 == 0 ? (int64_t)down * length : 0; /* its end, or beginning */
+        const int32_t end = n % 3 == 0 ? length : 0; /* or the beginning is seen */
         qtri_affine m = {
             is_wide ? beside : wide, is_wide ? wide : beside, random_in(&seed, -Q16(30), Q16(60)),
             is_wide ? down : high,   is_wide ? high : down,   0};
         const int128 det = (int128)m.xx * m.yy - (int128)m.xy * m.yx;
-        if (det == 0 || reach > Q16(16000) || reach < -Q16(16000)) {
+        if (det == 0) {
             continue;
         }
-        m.y0 = random_in(&seed, 0, Q16(SIDE)) - (q16)reach;
+        m.y0 = random_in(&seed, 0, Q16(SIDE)) - down * end;
         const int64_t ux = inverse_of(m.yy, det), uy = inverse_of(-m.xy, det);
         const int64_t vx = inverse_of(-m.yx, det), vy = inverse_of(m.xx, det);
         canvas_clear(&c);
