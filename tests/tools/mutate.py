@@ -12,6 +12,9 @@ Code that this machine leaves out is judged by the tests of core in a narrow bui
 judged once more by the quickest of its tests of core under the sanitizers, which `make test` runs as well: they see a
 bound that is off by one.
 
+Not among the changes are those that are none wherever they stand: room for one more in an array whose size nothing asks
+for, and < for <= where the greater or the lesser of two is chosen (mutants.py).
+
 Settings, by environment: BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
 out, FILES="core/paint/*.c core/raster/cover.h" draws from these files alone (a COUNT of 99999: all that they have). A
 change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors that
