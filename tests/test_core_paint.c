@@ -561,6 +561,40 @@ static void no_inside(void **state)
     canvas_free(&cleared);
 }
 
+/* Outlines that leave no inside, just so or by far, are their rectangles; just some inside is seen.
+ */
+static void outlines_without_inside(void **state)
+{
+    (void)state;
+    static const qtri_ink *const inks[] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
+    const qtri_rgb white = {255, 255, 255};
+    uint64_t seed = 18;
+    int other = 0;
+    for (int n = 0; n < 900; n++) {
+        const qtri_brush brush = {white, n % 3 == 0 ? 255 : 150, inks[n % 3]};
+        const int32_t grid = n % 2 == 0 ? 256 : 1;
+        const int32_t half[2] = {random_in(&seed, 1, 1500 / grid) * grid,
+                                 random_in(&seed, 1, 1500 / grid) * grid};
+        const int32_t x = random_in(&seed, -1000 / grid, 5000 / grid) * grid;
+        const int32_t y = random_in(&seed, -1000 / grid, 5000 / grid) * grid;
+        const qtri_area box = {x, y, x + 2 * half[0], y + 2 * half[1]};
+        const int32_t most = half[0] < half[1] ? half[0] : half[1];
+        const int32_t width = most + (n % 5 == 4 ? -256 : n % 5 / 3);
+        canvas c[2] = {canvas_new(&qtri_xrgb8888, SIDE, SIDE),
+                       canvas_new(&qtri_xrgb8888, SIDE, SIDE)};
+        qtri_paint_rect(&c[0].surface, &box, &brush);
+        qtri_paint_rect_outline(&c[1].surface, &box, width, &brush);
+        if (width >= most) {
+            assert_same_picture(&c[0].surface, &c[1].surface);
+        } else {
+            other += memcmp(c[0].memory, c[1].memory, c[0].bytes) != 0;
+        }
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+    assert_true(other > 50);
+}
+
 /* The least that is seen at all is 1 of 255. */
 static void least_alpha(void **state)
 {
@@ -582,6 +616,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(many_sides_in_a_row),
         cmocka_unit_test(no_inside),
+        cmocka_unit_test(outlines_without_inside),
         cmocka_unit_test(bands),
         cmocka_unit_test(least_alpha),
         cmocka_unit_test(mixes),
