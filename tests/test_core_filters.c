@@ -216,16 +216,18 @@ static void fxaa_bands_and_scissors(void **state)
         const qtri_rect wide = {r.x0 - QTRI_FXAA_REACH, r.y0 - QTRI_FXAA_HALO,
                                 r.x1 + QTRI_FXAA_REACH, r.y1 + QTRI_FXAA_HALO};
         surface.scissor = wide;
-        if (round % 4 == 0) { /* bottom up, and rows of no whole words */
+        if (round % 4 == 0) { /* bottom up; rows of no whole words, or that begin within one */
             memcpy(copy, memory, sizeof copy);
+            const bool is_short = format->pixels->bytes == 2;
             const ptrdiff_t pitch = surface.pitch;
-            const ptrdiff_t bytes = pitch + (format->pixels->bytes == 2 ? 2 : 12);
+            const ptrdiff_t bytes = pitch + (is_short ? 2 + round / 4 % 2 * 2 : 12);
+            uint8_t *const first = (uint8_t *)memory + (is_short ? round / 8 % 2 * 2 : 0);
             for (int y = 0; y < HEIGHT; y++) {
-                memcpy((uint8_t *)memory + (HEIGHT - 1 - y) * bytes,
+                memcpy(first + (HEIGHT - 1 - y) * bytes,
                        (uint8_t *)copy + (surface.pixels - (uint8_t *)memory) + y * pitch,
                        (size_t)pitch);
             }
-            surface.pixels = (uint8_t *)memory + (HEIGHT - 1) * bytes;
+            surface.pixels = first + (HEIGHT - 1) * bytes;
             surface.pitch = -bytes;
         }
         smooth(&surface, true);

@@ -38,7 +38,8 @@ static void random_picture(picture *p, uint64_t *seed, const qtri_format *format
     for (int32_t y = 0; y < height; y++) { /* often the key */
         for (int32_t x = 0; x < width; x++) {
             if (random_flag(seed)) {
-                const uint32_t stored = levels[random_in(seed, 0, 1)];
+                uint32_t stored = levels[random_in(seed, 0, 1)];
+                stored ^= bytes == 4 ? (uint32_t)random_in(seed, 0, 3) << 24 : 0; /* of no colour */
                 uint8_t *at = first + y * p->image.pitch + x * bytes;
                 format->pixels->fill(at, stored, 1, 1);
             }
