@@ -595,6 +595,38 @@ static void outlines_without_inside(void **state)
     assert_true(other > 50);
 }
 
+/* A rectangle's share of one pixel, to nearest, for every width and height: mixed as an alpha is.
+ */
+static void shares_of_a_pixel(void **state)
+{
+    (void)state;
+    static const qtri_rgb black = {0, 0, 0};
+    const qtri_brush brush = {black, 255, &qtri_ink_smooth};
+    uint8_t mixed[256];
+    const qtri_area pixel = {0, 0, 256, 256};
+    canvas c = canvas_new(&qtri_gray8, 2, 2);
+    for (int32_t alpha = 0; alpha < 256; alpha++) {
+        const qtri_brush plain = {black, (uint8_t)alpha, &qtri_ink_blend};
+        c.surface.pixels[0] = 255;
+        qtri_paint_rect(&c.surface, &pixel, &plain);
+        mixed[alpha] = c.surface.pixels[0];
+        assert_in_range(mixed[alpha] + alpha, 254, 256);
+    }
+    for (int32_t n = 0; n < 256 * 256; n++) {
+        const int32_t width = n / 256;
+        const int32_t height = n % 256 + 1;
+        const int32_t right = (n & 1) * (256 - width);
+        const qtri_area box = {right, 256 - height, right + width, 256};
+        c.surface.pixels[0] = 255;
+        qtri_paint_rect(&c.surface, &box, &brush);
+        const int32_t wanted = mixed[(width * height * 255 + 32768) >> 16];
+        if (c.surface.pixels[0] != wanted) {
+            fail_msg("%d by %d: %d", (int)width, (int)height, c.surface.pixels[0]);
+        }
+    }
+    canvas_free(&c);
+}
+
 /* The least that is seen at all is 1 of 255. */
 static void least_alpha(void **state)
 {
@@ -616,6 +648,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(many_sides_in_a_row),
         cmocka_unit_test(no_inside),
+        cmocka_unit_test(shares_of_a_pixel),
         cmocka_unit_test(outlines_without_inside),
         cmocka_unit_test(bands),
         cmocka_unit_test(least_alpha),
