@@ -627,6 +627,29 @@ static void shares_of_a_pixel(void **state)
     canvas_free(&c);
 }
 
+/* Thin slices of a row, of a polygon: of no height that a color's step shows is anything left out.
+ */
+static void slices_of_a_row(void **state)
+{
+    (void)state;
+    static const qtri_rgb white = {255, 255, 255};
+    const qtri_brush brush = {white, 255, &qtri_ink_smooth};
+    for (int32_t height = 1; height <= 256; height++) {
+        canvas c[2] = {canvas_new(&qtri_xrgb8888, 100, 2), canvas_new(&qtri_xrgb8888, 100, 2)};
+        const qtri_area box = {300, 256 - height, 25000, 256};
+        const qtri_point corner[4] = {
+            {300, 256 - height}, {25000, 256 - height}, {25000, 256}, {300, 256}};
+        qtri_paint_rect(&c[0].surface, &box, &brush);
+        qtri_paint_polygon(&c[1].surface, corner, 4, &brush);
+        for (int32_t x = 2; x < 97; x++) {
+            assert_int_equal(stored_pixel(&c[0].surface, x, 0), stored_pixel(&c[1].surface, x, 0));
+            assert_int_not_equal(stored_pixel(&c[1].surface, x, 0), 0);
+        }
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
 /* The least that is seen at all is 1 of 255. */
 static void least_alpha(void **state)
 {
@@ -648,6 +671,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(many_sides_in_a_row),
         cmocka_unit_test(no_inside),
+        cmocka_unit_test(slices_of_a_row),
         cmocka_unit_test(shares_of_a_pixel),
         cmocka_unit_test(outlines_without_inside),
         cmocka_unit_test(bands),
