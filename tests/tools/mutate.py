@@ -374,7 +374,7 @@ def judge_alone(bench, runs, mutant):
 def read_explained():
     if not os.path.exists("tests/mutants.equivalent"):
         return []
-    return [[p.strip() for p in line.split(" | ")] for line in open("tests/mutants.equivalent")
+    return [[p.strip() for p in re.split(r"(?<!->) \| ", line)] for line in open("tests/mutants.equivalent")
             if line.strip() and not line.startswith("#")]
 
 
