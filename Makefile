@@ -195,8 +195,8 @@ coverage: ## Lines and branches of core and port that the plain tests reach; tes
 	@LLVM_PROFILE_FILE=$(CURDIR)/build/coverage/raw/build-%m.profraw PROFILES=$(CURDIR)/build/coverage/raw $(ALIVE) coverage $(MAKE) -s $(PARALLEL) BUILD=build/coverage CC=clang CFLAGS='$(COVERAGE)' test-plain
 	@python3 tests/tools/coverage.py build/coverage tests/coverage.allow
 
-mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of core at random and report what no test notices; MUTANTS=500 SEED=1; AGAIN=again: survivors
-	@HOST_LIBS='$(HOST_LIBS)' QTRI_MODELS='$(abspath $(MODELS))' JOBS=$(JOBS) $(ALIVE) mutate python3 tests/tools/mutate.py $(BUILD) $(MUTANTS) $(SEED) $(AGAIN)
+mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of core at random and report what no test notices; MUTANTS=500 SEED=1; FILES="core/paint/*.c": of these; AGAIN=again: survivors
+	@FILES='$(FILES)' HOST_LIBS='$(HOST_LIBS)' QTRI_MODELS='$(abspath $(MODELS))' JOBS=$(JOBS) $(ALIVE) mutate python3 tests/tools/mutate.py $(BUILD) $(MUTANTS) $(SEED) $(AGAIN)
 
 misra: ## What cppcheck says of MISRA C:2012 in core, by rule; tests/misra.md has the deviations
 	@sh tests/tools/misra.sh

@@ -355,6 +355,49 @@ static void wide_wireframes_of_wrong_meshes(void **state)
 /* ---- Prepared meshes ---- */
 
 /* Lights of colours, in bands with lists of few and of many triangles: those of the whole frame. */
+/*
+ * Edges of triangles beyond a band, in steps of 1/256 pixel to where their strokes do not reach it
+ * any more: its rows are those of the whole frame.
+ */
+static void wide_edges_beside_a_band(void **state)
+{
+    (void)state;
+    static const uint16_t one[1][3] = {{0, 1, 2}};
+    qtri_view view;
+    qtri_transform identity;
+    qtri_vertex slots[3];
+    qtri_view_init(&view, 16, 64);
+    view.vertices = slots;
+    view.vertex_count = 3;
+    qtri_transform_identity(&identity);
+    int reached = 0;
+    for (int32_t n = 0; n < 2 * 700; n++) {
+        const int32_t away = n / 2; /* 1/256 pixel from the band's rows 16..47 */
+        const q16 edge = (q16)((n % 2 == 0 ? -16 * 256 - away : 16 * 256 + away) * 8);
+        const q16 far = n % 2 == 0 ? -Q16(.95) : Q16(.95);
+        const qtri_vec3 positions[3] = {{-Q16(.8), edge, 0}, {Q16(.8), edge, 0}, {0, far, 0}};
+        const qtri_mesh mesh = {
+            .positions = positions, .triangles = one, .vertex_count = 3, .triangle_count = 1};
+        qtri_stroke stroke = qtri_stroke_default();
+        qtri_material material = qtri_material_default();
+        stroke.width = Q16(4);
+        stroke.edges = n % 8 < 4 ? &qtri_stroke_smooth : NULL;
+        stroke.cap = n % 16 < 8 ? QTRI_CAP_ROUND : QTRI_CAP_BUTT;
+        material.cull = QTRI_CULL_NONE;
+        canvas c[2] = {canvas_new(&qtri_xrgb8888, 16, 64),
+                       canvas_band(&qtri_xrgb8888, 16, 64, 16, 32)};
+        for (int i = 0; i < 2; i++) {
+            qtri_draw_wide_wireframe(&c[i].surface, &view, &identity, &mesh, &stroke, &material);
+        }
+        assert_same_picture(&c[0].surface, &c[1].surface);
+        const int32_t row = n % 2 == 0 ? 47 : 16;
+        reached += stored_pixel(&c[1].surface, 8, row) != 0;
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+    assert_in_range(reached, 700, 1200); /* 512 of 700 on either side, less where centres count */
+}
+
 static void prepared_in_many_lights(void **state)
 {
     (void)state;
@@ -683,6 +726,7 @@ int main(void)
         cmocka_unit_test(hidden_lines_on_no_surface),
         cmocka_unit_test(strokes_of_nothing),
         cmocka_unit_test(wide_wireframes_of_wrong_meshes),
+        cmocka_unit_test(wide_edges_beside_a_band),
         cmocka_unit_test(prepared_in_many_lights),
         cmocka_unit_test(prepared_light_that_was_lost),
         cmocka_unit_test(prepared_for_another_frame),

@@ -5,6 +5,8 @@
 #include "support/core.h"
 #include "support/filters_narrow.h"
 
+#include "filter/fxaa.h"
+
 enum { WIDTH = 70, HEIGHT = 50, FORMATS = 5 };
 
 static const qtri_format *const formats[FORMATS] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8,
@@ -221,16 +223,18 @@ static void fxaa_bands_and_scissors(void **state)
         const qtri_rect wide = {r.x0 - QTRI_FXAA_REACH, r.y0 - QTRI_FXAA_HALO,
                                 r.x1 + QTRI_FXAA_REACH, r.y1 + QTRI_FXAA_HALO};
         surface.scissor = wide;
-        if (round % 4 == 0) { /* bottom up, and rows of no whole words */
+        if (round % 4 == 0) { /* bottom up; rows of no whole words, or that begin within one */
             memcpy(copy, memory, sizeof copy);
+            const bool is_short = format->pixels->bytes == 2;
             const ptrdiff_t pitch = surface.pitch;
-            const ptrdiff_t bytes = pitch + (format->pixels->bytes == 2 ? 2 : 12);
+            const ptrdiff_t bytes = pitch + (is_short ? 2 + round / 4 % 2 * 2 : 12);
+            uint8_t *const first = (uint8_t *)memory + (is_short ? round / 8 % 2 * 2 : 0);
             for (int y = 0; y < HEIGHT; y++) {
-                memcpy((uint8_t *)memory + (HEIGHT - 1 - y) * bytes,
+                memcpy(first + (HEIGHT - 1 - y) * bytes,
                        (uint8_t *)copy + (surface.pixels - (uint8_t *)memory) + y * pitch,
                        (size_t)pitch);
             }
-            surface.pixels = (uint8_t *)memory + (HEIGHT - 1) * bytes;
+            surface.pixels = first + (HEIGHT - 1) * bytes;
             surface.pitch = -bytes;
         }
         smooth(&surface, round % 3 == 1 ? ONE_BY_ONE : PAIRS);
@@ -279,6 +283,32 @@ static void fxaa_leaves_the_rest(void **state)
                      QTRI_ERROR_MEMORY);
     surface.scissor.x1 = 0;
     assert_int_equal(qtri_fxaa_565(&surface, NULL, 0), QTRI_OK);
+}
+
+/* 2^16 / n to nearest; and flat is what a plain search for the least and the greatest says. */
+static void fxaa_numbers(void **state)
+{
+    (void)state;
+    for (int32_t n = 2; n < (int32_t)LENGTH_OF(qtri_fxaa_inverses); n++) {
+        assert_int_equal(qtri_fxaa_inverses[n], (2 * 65536 + n) / (2 * n));
+    }
+    uint64_t seed = 3;
+    int flat = 0;
+    for (int n = 0; n < 100000; n++) {
+        const int32_t base = random_in(&seed, 0, 255);
+        const int32_t range = random_in(&seed, 0, 40);
+        int32_t v[5], low = 255, high = 0;
+        for (int i = 0; i < 5; i++) {
+            const int32_t one = base + random_in(&seed, 0, range);
+            v[i] = one < 255 ? one : 255;
+            low = v[i] < low ? v[i] : low;
+            high = v[i] > high ? v[i] : high;
+        }
+        const bool is = high - low < 10 || 8 * (high - low) < high;
+        assert_int_equal(qtri_fxaa_is_flat(v[0], v[1], v[2], v[3], v[4]), is);
+        flat += is;
+    }
+    assert_in_range(flat, 20000, 80000);
 }
 
 /* ---- Sums ---- */
@@ -399,9 +429,13 @@ static void jittered_views(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(halves_are_means),        cmocka_unit_test(halves_of_bands),
-        cmocka_unit_test(fxaa_bands_and_scissors), cmocka_unit_test(fxaa_leaves_the_rest),
-        cmocka_unit_test(means_are_exact),         cmocka_unit_test(jittered_views),
+        cmocka_unit_test(halves_are_means),
+        cmocka_unit_test(halves_of_bands),
+        cmocka_unit_test(fxaa_bands_and_scissors),
+        cmocka_unit_test(fxaa_leaves_the_rest),
+        cmocka_unit_test(fxaa_numbers),
+        cmocka_unit_test(means_are_exact),
+        cmocka_unit_test(jittered_views),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

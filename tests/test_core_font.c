@@ -5,6 +5,7 @@
 #include "support/core.h"
 
 #include <qtri/font.h>
+#include <qtri/samples.h>
 
 #include "io/bdf.h"
 #include "tools/font_build.h"
@@ -71,6 +72,62 @@ static void glyphs_and_pens(void **state)
     }
     assert_int_equal(qtri_text_width(&font, "AB\nBBB\n"), 27);
     assert_int_equal(qtri_text_width(&font, ""), 0);
+}
+
+/*
+ * A glyph of any width, clipped anywhere, mixed or not, in pixels of any size: each of its bits is
+ * a pixel like that of a dot. Its rows end where their memory does, and have bits behind the last.
+ */
+static void clipped_glyphs(void **state)
+{
+    (void)state;
+    static const qtri_ink *const inks[] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
+    static const uint8_t dot_rows[] = {0x80};
+    static const qtri_glyph dot_glyph[] = {{0, 1, 1, 0, 0, 1}};
+    static const qtri_glyph_range one[] = {{'A', 1, 0}};
+    static const qtri_font dot = {dot_rows, dot_glyph, one, 1, 0, 1, 0};
+    uint64_t seed = 22;
+    for (int n = 0; n < 3000; n++) {
+        const qtri_format *format = n % 7 == 6 ? &qtri_rgb565_x4 : drawn_format(n % 7);
+        const qtri_brush brush = {{255, 255, 255}, n / 7 % 3 == 0 ? 255 : 130, inks[n / 7 % 3]};
+        const int32_t width = random_in(&seed, 1, n % 2 == 0 ? 9 : 40);
+        const int32_t height = random_in(&seed, 1, 3);
+        const int32_t stride = (width + 7) / 8;
+        uint8_t *bits = malloc((size_t)(height * stride));
+        assert_non_null(bits);
+        for (int32_t i = 0; i < height * stride; i++) {
+            bits[i] = (uint8_t)random64(&seed);
+        }
+        const qtri_glyph glyph[] = {{0, (uint8_t)width, (uint8_t)height, 0, 0, 1}};
+        const qtri_font wide = {bits, glyph, one, 1, 0, 1, 0};
+        canvas c = canvas_new(format, 24, 5);
+        qtri_text_paint(&c.surface, &dot, 0, 0, "A", &brush);
+        const int32_t bytes = format->pixels->bytes;
+        uint8_t painted[16], empty[16];
+        memcpy(painted, c.surface.pixels, (size_t)bytes);
+        canvas_clear(&c);
+        memcpy(empty, c.surface.pixels, (size_t)bytes);
+        assert_memory_not_equal(painted, empty, (size_t)bytes);
+        qtri_rect scissor = {random_in(&seed, 0, 12), random_in(&seed, 0, 1),
+                             random_in(&seed, 13, 24), random_in(&seed, 2, 5)};
+        if (n % 5 == 0) {
+            scissor = c.surface.scissor;
+        }
+        const int32_t x = random_in(&seed, -width, 24);
+        const int32_t y = random_in(&seed, -height, 5);
+        c.surface.scissor = scissor;
+        qtri_text_paint(&c.surface, &wide, x, y, "A", &brush);
+        for (int32_t i = 0; i < 24 * 5; i++) {
+            const int32_t px = i % 24, py = i / 24, u = px - x, v = py - y;
+            const bool inside = u >= 0 && u < width && v >= 0 && v < height && px >= scissor.x0 &&
+                                px < scissor.x1 && py >= scissor.y0 && py < scissor.y1;
+            const bool is = inside && (bits[v * stride + u / 8] >> (7 - u % 8) & 1) != 0;
+            const uint8_t *at = c.surface.pixels + py * c.surface.pitch + px * bytes;
+            assert_memory_equal(at, is ? painted : empty, (size_t)bytes);
+        }
+        canvas_free(&c);
+        free(bits);
+    }
 }
 
 static void far_away(void **state)
@@ -169,9 +226,8 @@ static void small_font(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(glyphs_and_pens),
-        cmocka_unit_test(far_away),
-        cmocka_unit_test(utf8),
+        cmocka_unit_test(glyphs_and_pens), cmocka_unit_test(clipped_glyphs),
+        cmocka_unit_test(far_away),        cmocka_unit_test(utf8),
         cmocka_unit_test(small_font),
     };
     return cmocka_run_group_tests_name("core font", tests, NULL, NULL);

@@ -387,9 +387,96 @@ static void sizes_beyond_any_do_not_dim(void **state)
     }
 }
 
+/* An element of a row, but for its translation. */
+static double of_row(const qtri_row *row, int i)
+{
+    return ldexp(row->m[i], -row->exponent);
+}
+
+/*
+ * From 16-bit positions to places in eye space by rows of whole numbers, in a unit that is a power
+ * of 2: they fill 28 bits and no more, are multiples of 4, and end where the pose says.
+ */
+static void places_of_short_positions(void **state)
+{
+    (void)state;
+    const qtri_light_color black = {0, 0, 0};
+    const qtri_light_source source = {
+        .kind = &qtri_directional_light, .position = vec3_of(1, 2, 2), .color = black};
+    qtri_lights lights;
+    qtri_view view;
+    uint64_t seed = 31;
+    double worst = 0;
+    int uneven = 0;
+    qtri_view_init(&view, 10, 10);
+    assert_int_equal(qtri_lights_init(&lights, &source, 1, black), QTRI_OK);
+    view.lights = &lights;
+    for (int n = 0; n < 4000; n++) {
+        qtri_transform pose;
+        qtri_illumination by;
+        qtri_mesh mesh = {.extent = random_in(&seed, 1, 1 << random_in(&seed, 1, 30))};
+        qtri_vec3 v[3];
+        for (int i = 0; i < 3; i++) {
+            v[i].x = random_in(&seed, -Q16(9), Q16(9)) >> random_in(&seed, 0, 12);
+            v[i].y = random_in(&seed, -Q16(9), Q16(9)) >> random_in(&seed, 0, 12);
+            v[i].z = random_in(&seed, -Q16(9), Q16(9)) >> random_in(&seed, 0, 12);
+        }
+        qtri_transform_identity(&pose);
+        qtri_transform_translate(&pose, v[0]);
+        qtri_transform_rotate(&pose, random_in(&seed, 0, Q16(360)), v[2]);
+        qtri_transform_scale(&pose, v[1]);
+        mesh.origin = v[2];
+        qtri_illumination_init(&by, &view, &pose, NULL, &mesh);
+        if (by.even) {
+            continue;
+        }
+        double reach = 0, unit = 0, most = 0;
+        for (int row = 0; row < 3; row++) {
+            const qtri_row16 *r = &by.row.compact[row];
+            double all = fabs(qtri_row16_translation(r) / 2.0);
+            for (int i = 0; i < 3; i++) {
+                const int32_t m = qtri_row16_coefficient(r, i);
+                const double truth = of_row(&pose.row[row], i) * real(mesh.extent);
+                assert_int_equal(m & 3, 0);
+                all += fabs(m / 2.0);
+                if (fabs(truth) > most) { /* 65536 m / 2^16 is of the whole extent, not of 2^15 */
+                    most = fabs(truth);
+                    unit = most / fabs(m / 2.0);
+                }
+            }
+            reach = fmax(reach, all);
+#if QTRI_LONG_MULTIPLY
+            assert_int_equal(r->t_q16 & 0x3FFFF, 0);
+#endif
+        }
+        assert_true(reach > (1 << 27) - 8 && reach <= (1 << 28) + 8);
+        unit = exp2(round(log2(unit)));
+        for (int k = 0; k < 8; k++) {
+            const int32_t at[3] = {random_in(&seed, -32768, 32767), random_in(&seed, -32768, 32767),
+                                   random_in(&seed, -32768, 32767)};
+            const double p[3] = {real(v[2].x) + real(mesh.extent) * at[0] / 32768,
+                                 real(v[2].y) + real(mesh.extent) * at[1] / 32768,
+                                 real(v[2].z) + real(mesh.extent) * at[2] / 32768};
+            for (int row = 0; row < 3; row++) {
+                double wanted = ldexp((double)pose.row[row].t, -pose.row[row].exponent - 16);
+                for (int i = 0; i < 3; i++) {
+                    wanted += of_row(&pose.row[row], i) * p[i];
+                }
+                const int32_t is = qtri_row16_sum(&by.row.compact[row], at[0], at[1], at[2]);
+                worst = fmax(worst, fabs(is - wanted / unit));
+            }
+        }
+        uneven++;
+    }
+    print_message("%d poses, places within %.3f units\n", uneven, worst);
+    assert_true(uneven > 2000);
+    assert_true(worst < 5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(places_of_short_positions),
         cmocka_unit_test(viewports_are_held),
         cmocka_unit_test(billboards_need_all_axes),
         cmocka_unit_test(zigzags_stay_in_their_room),

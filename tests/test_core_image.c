@@ -38,7 +38,8 @@ static void random_picture(picture *p, uint64_t *seed, const qtri_format *format
     for (int32_t y = 0; y < height; y++) { /* often the key */
         for (int32_t x = 0; x < width; x++) {
             if (random_flag(seed)) {
-                const uint32_t stored = levels[random_in(seed, 0, 1)];
+                uint32_t stored = levels[random_in(seed, 0, 1)];
+                stored ^= bytes == 4 ? (uint32_t)random_in(seed, 0, 3) << 24 : 0; /* of no colour */
                 uint8_t *at = first + y * p->image.pitch + x * bytes;
                 format->pixels->fill(at, stored, 1, 1);
             }
@@ -288,6 +289,75 @@ static void of_surfaces(void **state)
     canvas_free(&b);
 }
 
+/* Q16.16 c 2^32 / determinant, to nearest, as the inverse is rounded. */
+static int64_t inverse_of(int64_t c, int128 determinant)
+{
+    const bool is_negative = (c < 0) != (determinant < 0);
+    const int128 size = determinant < 0 ? -determinant : determinant;
+    const int64_t twice = (int64_t)(((int128)(c < 0 ? -c : c) << 33) / size);
+    return is_negative ? -((twice + 1) / 2) : (twice + 1) / 2;
+}
+
+/*
+ * Long pictures in steep matrices, where the rounding of the inverse moves them by rows: exactly
+ * the pixels are painted whose centres the rounded inverse puts into the picture.
+ */
+static void steep(void **state)
+{
+    (void)state;
+    static uint8_t texels[8192];
+    uint64_t seed = 15;
+    int painted = 0;
+    for (size_t i = 0; i < LENGTH_OF(texels); i++) {
+        texels[i] = (uint8_t)(1 + i % 251);
+    }
+    canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
+    for (int n = 0; n < 2000; n++) {
+        const bool is_wide = n % 2 == 0;
+        const q16 limit = n % 4 < 2 ? Q16(6) : Q16(400);
+        const q16 down = random_in(&seed, Q16(1), limit) * (n % 8 < 4 ? 1 : -1);
+        const q16 size = down < 0 ? -down : down;
+        const int32_t most = Q16(16000) / size; /* no number of the matrix is beyond 16384 */
+        const int32_t length = random_in(&seed, 1, most < 8192 ? most : 8192);
+        const qtri_image image = {.pixels = texels,
+                                  .pitch = is_wide ? length : 1,
+                                  .format = &qtri_gray8,
+                                  .width = is_wide ? length : 1,
+                                  .height = is_wide ? 1 : length};
+        const q16 beside = random_in(&seed, -Q16(.02), Q16(.02));
+        const q16 wide = random_in(&seed, Q16(1), Q16(20));
+        const q16 high = random_in(&seed, -Q16(3.9), Q16(3.9));
+        const int32_t end = n % 3 == 0 ? length : 0; /* or the beginning is seen */
+        qtri_affine m = {
+            is_wide ? beside : wide, is_wide ? wide : beside, random_in(&seed, -Q16(30), Q16(60)),
+            is_wide ? down : high,   is_wide ? high : down,   0};
+        const int128 det = (int128)m.xx * m.yy - (int128)m.xy * m.yx;
+        if (det == 0) {
+            continue;
+        }
+        m.y0 = random_in(&seed, 0, Q16(SIDE)) - down * end;
+        const int64_t ux = inverse_of(m.yy, det), uy = inverse_of(-m.xy, det);
+        const int64_t vx = inverse_of(-m.yx, det), vy = inverse_of(m.xx, det);
+        canvas_clear(&c);
+        qtri_image_paint_affine(&c.surface, &image, &m, 255);
+        for (int32_t i = 0; i < SIDE * SIDE; i++) {
+            const int64_t x = (i % SIDE) * 65536 + 32768 - m.x0;
+            const int64_t y = i / SIDE * 65536 + 32768 - m.y0;
+            const int64_t u = x * ux + y * uy;
+            const int64_t v = x * vx + y * vy;
+            const int64_t column = floor_div(u, (int128)1 << 32);
+            const int64_t row = floor_div(v, (int128)1 << 32);
+            const bool is = column >= 0 && column < image.width && row >= 0 && row < image.height;
+            const uint32_t wanted = is ? texels[row * image.pitch + column] : 0;
+            painted += is;
+            assert_int_equal(stored_pixel(&c.surface, i % SIDE, i / SIDE), wanted);
+        }
+    }
+    canvas_free(&c);
+    print_message("%d pixels\n", painted);
+    assert_true(painted > 1000);
+}
+
 /* Rows of a few bytes, which end before they are aligned: nothing beside them is written. */
 static void narrow(void **state)
 {
@@ -316,6 +386,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(placed),        cmocka_unit_test(turned),      cmocka_unit_test(bands),
         cmocka_unit_test(any_arguments), cmocka_unit_test(of_surfaces), cmocka_unit_test(narrow),
+        cmocka_unit_test(steep),
     };
     return cmocka_run_group_tests_name("core image", tests, NULL, NULL);
 }

@@ -596,6 +596,95 @@ static void no_inside(void **state)
     canvas_free(&cleared);
 }
 
+/* Outlines that leave no inside, just so or by far, are their rectangles; just some inside is seen.
+ */
+static void outlines_without_inside(void **state)
+{
+    (void)state;
+    static const qtri_ink *const inks[] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
+    const qtri_rgb white = {255, 255, 255};
+    uint64_t seed = 18;
+    int other = 0;
+    for (int n = 0; n < 900; n++) {
+        const qtri_brush brush = {white, n % 3 == 0 ? 255 : 150, inks[n % 3]};
+        const int32_t grid = n % 2 == 0 ? 256 : 1;
+        const int32_t half[2] = {random_in(&seed, 1, 1500 / grid) * grid,
+                                 random_in(&seed, 1, 1500 / grid) * grid};
+        const int32_t x = random_in(&seed, -1000 / grid, 5000 / grid) * grid;
+        const int32_t y = random_in(&seed, -1000 / grid, 5000 / grid) * grid;
+        const qtri_area box = {x, y, x + 2 * half[0], y + 2 * half[1]};
+        const int32_t most = half[0] < half[1] ? half[0] : half[1];
+        const int32_t width = most + (n % 5 == 4 ? -256 : n % 5 / 3);
+        canvas c[2] = {canvas_new(&qtri_xrgb8888, SIDE, SIDE),
+                       canvas_new(&qtri_xrgb8888, SIDE, SIDE)};
+        qtri_paint_rect(&c[0].surface, &box, &brush);
+        qtri_paint_rect_outline(&c[1].surface, &box, width, &brush);
+        if (width >= most) {
+            assert_same_picture(&c[0].surface, &c[1].surface);
+        } else {
+            other += memcmp(c[0].memory, c[1].memory, c[0].bytes) != 0;
+        }
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+    assert_true(other > 50);
+}
+
+/* A rectangle's share of one pixel, to nearest, for every width and height: mixed as an alpha is.
+ */
+static void shares_of_a_pixel(void **state)
+{
+    (void)state;
+    static const qtri_rgb black = {0, 0, 0};
+    const qtri_brush brush = {black, 255, &qtri_ink_smooth};
+    uint8_t mixed[256];
+    const qtri_area pixel = {0, 0, 256, 256};
+    canvas c = canvas_new(&qtri_gray8, 2, 2);
+    for (int32_t alpha = 0; alpha < 256; alpha++) {
+        const qtri_brush plain = {black, (uint8_t)alpha, &qtri_ink_blend};
+        c.surface.pixels[0] = 255;
+        qtri_paint_rect(&c.surface, &pixel, &plain);
+        mixed[alpha] = c.surface.pixels[0];
+        assert_in_range(mixed[alpha] + alpha, 254, 256);
+    }
+    for (int32_t n = 0; n < 256 * 256; n++) {
+        const int32_t width = n / 256;
+        const int32_t height = n % 256 + 1;
+        const int32_t right = (n & 1) * (256 - width);
+        const qtri_area box = {right, 256 - height, right + width, 256};
+        c.surface.pixels[0] = 255;
+        qtri_paint_rect(&c.surface, &box, &brush);
+        const int32_t wanted = mixed[(width * height * 255 + 32768) >> 16];
+        if (c.surface.pixels[0] != wanted) {
+            fail_msg("%d by %d: %d", (int)width, (int)height, c.surface.pixels[0]);
+        }
+    }
+    canvas_free(&c);
+}
+
+/* Thin slices of a row, of a polygon: of no height that a color's step shows is anything left out.
+ */
+static void slices_of_a_row(void **state)
+{
+    (void)state;
+    static const qtri_rgb white = {255, 255, 255};
+    const qtri_brush brush = {white, 255, &qtri_ink_smooth};
+    for (int32_t height = 1; height <= 256; height++) {
+        canvas c[2] = {canvas_new(&qtri_xrgb8888, 100, 2), canvas_new(&qtri_xrgb8888, 100, 2)};
+        const qtri_area box = {300, 256 - height, 25000, 256};
+        const qtri_point corner[4] = {
+            {300, 256 - height}, {25000, 256 - height}, {25000, 256}, {300, 256}};
+        qtri_paint_rect(&c[0].surface, &box, &brush);
+        qtri_paint_polygon(&c[1].surface, corner, 4, &brush);
+        for (int32_t x = 2; x < 97; x++) {
+            assert_int_equal(stored_pixel(&c[0].surface, x, 0), stored_pixel(&c[1].surface, x, 0));
+            assert_int_not_equal(stored_pixel(&c[1].surface, x, 0), 0);
+        }
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
 /* The least that is seen at all is 1 of 255. */
 static void least_alpha(void **state)
 {
@@ -617,6 +706,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(many_sides_in_a_row),
         cmocka_unit_test(no_inside),
+        cmocka_unit_test(slices_of_a_row),
+        cmocka_unit_test(shares_of_a_pixel),
+        cmocka_unit_test(outlines_without_inside),
         cmocka_unit_test(bands),
         cmocka_unit_test(least_alpha),
         cmocka_unit_test(mixes),

@@ -6,6 +6,7 @@
 #include "support/core.h"
 
 #include "geometry/projector.h"
+#include "geometry/vertex.h"
 
 static qtri_projector projector_for(const qtri_transform *t, int32_t width, int32_t height)
 {
@@ -127,6 +128,127 @@ static void projects_its_rows(void **state)
     assert_true(drawn > 10000);
     assert_true(rounded <= 1);
     assert_true(worst <= .01);
+}
+
+/* A row whose sums are of any size, as log2 goes: by its translation alone, or by all of it. */
+static void random_row(qtri_row *row, uint64_t *seed, bool alone)
+{
+    const int32_t less = random_in(seed, 0, 40);
+    for (int i = 0; i < 3; i++) {
+        row->m[i] = alone ? 0 : random_bits32(seed) / 2 >> (less > 30 ? 30 : less);
+    }
+    const int64_t t = (int64_t)(random64(seed) >> 3 >> less); /* < 2^61 */
+    row->t = random_flag(seed) ? t : -t;
+    row->exponent = 0;
+}
+
+/* Many vertices at once, by shifts and a reciprocal, are those of the exact way, bit for bit. */
+static void vertices_are_exact(void **state)
+{
+    (void)state;
+    uint64_t seed = 47;
+    int inside = 0;
+    for (int n = 0; n < 60000; n++) {
+        qtri_transform identity;
+        qtri_transform_identity(&identity);
+        qtri_projector projector = projector_for(&identity, 320, 240);
+        const bool alone = n % 2 == 0;
+        const int32_t near_to = random_in(&seed, 0, 12); /* rows of sizes that are alike */
+        for (int i = 0; i < 4; i++) {
+            random_row(&projector.row.wide[i], &seed, alone);
+            projector.shift[i] = 2 + random_in(&seed, 0, n % 8 < 6 ? 3 : 40);
+        }
+        if (n % 4 < 2) { /* in front, and depths between the planes */
+            qtri_row *z = &projector.row.wide[2], *w = &projector.row.wide[3];
+            w->t = w->t < 0 ? -w->t : w->t;
+            projector.shift[2] = projector.shift[3];
+            z->t = n % 3 == 0 ? 0 : w->t - (w->t >> near_to) * random_in(&seed, 0, 2);
+            z->t += random_in(&seed, -9, 9);
+        }
+        qtri_vec3 p[4];
+        qtri_vertex vertex[4], listed[4];
+        memset(vertex, 0, sizeof vertex);
+        memset(listed, 0, sizeof listed);
+        bool all = true;
+        for (int i = 0; i < 4; i++) {
+            p[i].x = random_any(&seed);
+            p[i].y = random_any(&seed);
+            p[i].z = random_any(&seed);
+            listed[i].index = (uint16_t)i;
+        }
+        const bool all_found = qtri_projector_vertices(&projector, p, 4, vertex);
+        const bool list_found = qtri_projector_list(&projector, p, 4, listed);
+        for (int i = 0; i < 4; i++) {
+            qtri_clip_vertex clip;
+            qtri_vertex exact;
+            memset(&exact, 0, sizeof exact);
+            qtri_projector_point(&projector, &p[i], &clip);
+            qtri_vertex_exact(&projector, &clip, &exact);
+            const bool seen = (exact.depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
+            all = all && seen;
+            inside += seen;
+            assert_memory_equal(&vertex[i], &exact, sizeof exact);
+            exact.index = (uint16_t)i;
+            assert_memory_equal(&listed[i], &exact, sizeof exact);
+        }
+        assert_int_equal(all_found, all);
+        assert_int_equal(list_found, all);
+    }
+    print_message("%d of 240000 vertices inside\n", inside);
+    assert_true(inside > 20000);
+}
+
+/*
+ * What snapping moved a vertex by, against exact arithmetic; ties, which are half a step, and what
+ * the guard band held, which counts as 0. A w that is 0 or below is 1.
+ */
+static void rests_of_snapping(void **state)
+{
+    (void)state;
+    uint64_t seed = 48;
+    double least = 0, greatest = 0;
+    for (int n = 0; n < 60000; n++) {
+        qtri_clip_vertex v;
+        memset(&v, 0, sizeof v);
+        v.w = 1 + (int64_t)(random64(&seed) >> random_in(&seed, 18, 62));
+        if (n % 4 == 0) { /* even, so that there are ties */
+            v.w = (int64_t)1 << random_in(&seed, 1, 45);
+        }
+        const int32_t zeros = __builtin_clzll((uint64_t)v.w);
+        const int32_t inv_w = qtri_reciprocal_below((uint32_t)((uint64_t)v.w << zeros >> 32));
+        const int128 w = n % 16 == 1 ? 1 : v.w;
+        const qtri_screen_point at = {random_in(&seed, -4000000, 4000000),
+                                      random_in(&seed, -4000000, 4000000)};
+        int128 rest[2];
+        int64_t x[2];
+        for (int i = 0; i < 2; i++) {
+            const int128 twice = 2 * w * (i == 0 ? at.x_24p8 : at.y_24p8);
+            rest[i] = random_in(&seed, -3, 3) * (w / 2) + random_in(&seed, -1, 1);
+            rest[i] = n % 3 == 0 ? (int128)(random64(&seed) % (uint64_t)(2 * w + 1)) - w : rest[i];
+            x[i] = (int64_t)floor_div(twice + rest[i], 512);
+            rest[i] = 512 * (int128)x[i] - twice;
+        }
+        v.x = x[0];
+        v.y = x[1];
+        int32_t of_w = inv_w;
+        if (w == 1) {
+            v.w = -(int64_t)random_in(&seed, 0, 1) * v.w;
+            of_w = qtri_reciprocal_below(0x80000000u);
+        }
+        int16_t is[2];
+        qtri_project_rest(is, &v, &at, (uint32_t)of_w);
+        for (int i = 0; i < 2; i++) {
+            if (rest[i] < -w || rest[i] > w) {
+                assert_int_equal(is[i], 0);
+            } else {
+                const double wanted = fmin((double)rest[i] / (double)w * 32768, 32767);
+                least = fmin(least, is[i] - wanted);
+                greatest = fmax(greatest, is[i] - wanted);
+            }
+        }
+    }
+    print_message("rests: %.5f..%.5f\n", least, greatest);
+    assert_true(least > -1.001 && greatest < .001);
 }
 
 static void check_fact(const qtri_projector *projector, qtri_vec3 p, double x, double y, double z)
@@ -450,6 +572,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(snaps),
         cmocka_unit_test(projects_its_rows),
+        cmocka_unit_test(vertices_are_exact),
+        cmocka_unit_test(rests_of_snapping),
         cmocka_unit_test(course_scenes),
         cmocka_unit_test(viewports),
         cmocka_unit_test(outcodes),

@@ -140,20 +140,18 @@ static int64_t scaled(int64_t x, int32_t zeros)
 
 /*
  * floor((512 x + w) / 2w): x / w in 1/256 pixel, correctly rounded. The product with the
- * reciprocal is within one of it; the remainder, exact modulo 2^64 and below 2^63 in truth, tells.
- * Scenes with round numbers put vertices exactly halfway between grid points: an estimate alone
- * would drop them on either side.
+ * reciprocal is within 1/64 of 256 x / w, so rounded down it is that or one less; the remainder,
+ * exact modulo 2^64 and below 2^63 in truth, tells. Scenes with round numbers put vertices exactly
+ * halfway between grid points: an estimate alone would drop them on either side.
  */
 static int32_t snap(int64_t x, int64_t w, int32_t zeros, int32_t reciprocal)
 {
     int64_t limit = zeros > QTRI_GUARD_LOG2 ? w << QTRI_GUARD_LOG2 : INT64_MAX;
     x = x > limit ? limit : (x < -limit ? -limit : x); /* the clipper may leave a unit too much */
-    int64_t estimate = (scaled(x, zeros) * reciprocal + ((int64_t)1 << 38)) >> 39;
+    int64_t estimate = scaled(x, zeros) * reciprocal >> 39;
     int64_t remainder =
         qtri_wrap64(((uint64_t)x << 9) + (uint64_t)w - (((uint64_t)w << 1) * (uint64_t)estimate));
-    if (remainder < 0) {
-        estimate--;
-    } else if (remainder >= 2 * w) {
+    if (remainder >= 2 * w) {
         estimate++;
     }
     return qtri_hold32((int32_t)estimate, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
@@ -174,8 +172,7 @@ void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
     int64_t z = v->z > w ? w : (v->z < -w ? -w : v->z);
     int32_t z_q31 = (int32_t)(z * ((int64_t)1 << (zeros - 1)) >> 32);
     int32_t least_q31 = -(int32_t)(w_q32 >> 1); /* z was rounded down, and w, too */
-    out->depth_16p16 =
-        qtri_vertex_depth(projector, z_q31 < least_q31 ? least_q31 : z_q31, reciprocal);
+    out->depth_16p16 = qtri_vertex_depth(projector, qtri_greatest32(z_q31, least_q31), reciprocal);
 }
 
 /*

@@ -13,6 +13,8 @@ OPERATOR = re.compile(r"(?<=\s)(?:" + "|".join(re.escape(o) for o in sorted(list
                                                                          reverse=True)) + r")(?=\s)")
 NUMBER = re.compile(r"(?<![\w.])(0[xX][0-9a-fA-F]+|\d+)([uUlL]*)(?![\w.])")
 OPENING = {")": "(", "]": "[", "}": "{"}
+# An array of a function or a member, without values, as far as one of its lengths.
+ARRAY = re.compile(r"\n +(?!return\b)(?:const )?[a-z]\w* (?:\*const )?\**(\w+)(?:\[\w+\])*\[$")
 
 
 def blank_comments(text):
@@ -47,7 +49,7 @@ class Source:
         """(offset, old, new) of every change."""
         found = []
         for match in OPERATOR.finditer(self.code):
-            if match.group(0) in SWAPS:
+            if match.group(0) in SWAPS and not self.is_of_equals(match.start(), match.end()):
                 found.append((match.start(), match.group(0), SWAPS[match.group(0)]))
         for match in re.finditer(r"\+\+|--|\btrue\b|\bfalse\b|!(?![=\s])", self.code):
             new = {"++": "--", "--": "++", "true": "false", "false": "true", "!": ""}[match.group(0)]
@@ -57,10 +59,30 @@ class Source:
                 continue
             digits, suffix = match.groups()
             value = int(digits, 0)
-            for other in sorted({value + 1, max(value - 1, 0)} - {value}):
+            roomier = value + 1 if self.is_array_alone(match.start(), match.end()) else None
+            for other in sorted({value + 1, max(value - 1, 0)} - {value, roomier}):
                 text = (hex(other) if digits[:2] in ("0x", "0X") else str(other)) + suffix
                 found.append((match.start(), match.group(0), text))
         return found
+
+    def is_of_equals(self, begin, end):
+        """Whether a comparison only chooses between what it compares, or a sign: of equal ones either is the same."""
+        if self.code[begin:end] not in ("<", "<=", ">", ">="):
+            return False
+        ends = [self.left(begin, 7), self.right(end, 7)]
+        parts = [self.code[ends[0]:begin].strip(), self.code[end:ends[1]].strip()]
+        for mark in "?:":
+            if self.code[ends[1]:ends[1] + 1] != mark:
+                return False
+            begin, ends[1] = ends[1] + 1, self.right(ends[1] + 1, 0)
+            parts.append(self.code[begin:ends[1]].strip())
+        return sorted(parts[:2]) == sorted(parts[2:]) or parts[1:] == ["0", "-" + parts[0], parts[0]]
+
+    def is_array_alone(self, begin, end):
+        """Whether a length is that of an array whose size nothing asks for: room for one more is no change."""
+        array = ARRAY.search(self.code, max(0, begin - 200), begin)
+        return (array is not None and re.match(r"\](?:\[\w+\])*;", self.code[end:end + 40]) is not None and
+                re.search(rf"\bsizeof[ (]\(?{array.group(1)}\b", self.code) is None)
 
     def changed(self, change):
         at, old, new = change

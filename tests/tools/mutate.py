@@ -12,10 +12,14 @@ Code that this machine leaves out is judged by the tests of core in a narrow bui
 judged once more by the quickest of its tests of core under the sanitizers, which `make test` runs as well: they see a
 bound that is off by one.
 
+Not among the changes are those that are none wherever they stand: room for one more in an array whose size nothing asks
+for, and < for <= where the greater or the lesser of two is chosen (mutants.py).
+
 Settings, by environment: BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
-out. A change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors
-that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; the CHANGE
-`0 -> 1 at 26` is that in column 26 of the text.
+out, FILES="core/paint/*.c core/raster/cover.h" draws from these files alone (a COUNT of 99999: all that they have). A
+change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors that
+tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; the CHANGE `0 -> 1 at 26` is
+that in column 26 of the text.
 """
 import concurrent.futures
 import filecmp
@@ -370,7 +374,7 @@ def judge_alone(bench, runs, mutant):
 def read_explained():
     if not os.path.exists("tests/mutants.equivalent"):
         return []
-    return [[p.strip() for p in line.split(" | ")] for line in open("tests/mutants.equivalent")
+    return [[p.strip() for p in re.split(r"(?<!->) \| ", line)] for line in open("tests/mutants.equivalent")
             if line.strip() and not line.startswith("#")]
 
 
@@ -380,7 +384,8 @@ def is_explained(mutant, explained):
 
 def draw(build, count, seed, again):
     """The mutants to judge, in random order; more than are asked for, as some are none."""
-    sources = {path: Source(path) for path in sorted(glob.glob("core/*/*.[ch]"))}
+    files = (os.environ.get("FILES") or "core/*/*.[ch]").split()
+    sources = {path: Source(path) for path in sorted(path for pattern in files for path in glob.glob(pattern))}
     if again:
         wanted = [line.rstrip("\n").split("\t") for line in open(f"{build}/mutants.tsv")]
         wanted = {(w[0], w[5], w[3]) for w in wanted if w[4] == "survived"}
