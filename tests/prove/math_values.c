@@ -77,6 +77,7 @@ static q16 piece(int i)
 }
 
 /* Products and shifts that everything else is made of. */
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_products(void)
 {
     q16 a = any(), b = any();
@@ -102,6 +103,7 @@ void prove_products(void)
     qtri_magnitude32(a);
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_add_sub(void)
 {
     q16 a = any(), b = any();
@@ -113,6 +115,7 @@ void prove_add_sub(void)
     /*@ assert 0 <= f < 65536; */
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_mul(void)
 {
     q16 a = any(), b = any();
@@ -121,11 +124,13 @@ void prove_mul(void)
     q16_mul_wrap(a, b);
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_lerp(void)
 {
     q16_lerp(any(), any(), any());
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_div(void)
 {
     //@ loop unroll 64;
@@ -134,6 +139,7 @@ void prove_div(void)
     }
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_mod(void)
 {
     //@ loop unroll 64;
@@ -144,6 +150,7 @@ void prove_mod(void)
     }
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_muldiv(void)
 {
     //@ loop unroll 64;
@@ -152,6 +159,7 @@ void prove_muldiv(void)
     }
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_sin(void)
 {
     q16 x = any();
@@ -165,12 +173,14 @@ void prove_sin(void)
     /*@ assert -65536 <= s_deg <= 65536 && -65536 <= c_deg <= 65536; */
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_exp(void)
 {
     q16 r = q16_exp(any());
     /*@ assert r >= 0; */
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_exp2(void)
 {
     q16 r = q16_exp2(any());
@@ -186,6 +196,7 @@ static void logs_between(uint32_t low, uint32_t high)
     /*@ assert -12 * 65536 <= r <= 11 * 65536; */
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_log(void)
 {
     q16 below = q16_log2((int32_t)Frama_C_long_interval(INT32_MIN, 0));
@@ -216,6 +227,7 @@ void prove_log(void)
 }
 
 /* precise_log2_q43 as specified. */
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_pow(void)
 {
     //@ loop unroll 64;
@@ -231,6 +243,7 @@ static void log_between(uint32_t low, uint32_t high)
 }
 
 /* precise_log2_q43 itself: by how far, in bits, x is from the powers of two on either side. */
+// specified: qtri_reciprocal_q62
 void prove_pow_log(void)
 {
     log_between(0x80000000u, 0x80000000u);
