@@ -34,10 +34,14 @@ void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b)
         *a = *b;
         return;
     }
-    int32_t above = a->e - b->e;
-    const qtri_wide *large = above > 0 ? b : a;
-    const qtri_wide *small = above > 0 ? a : b;
-    uint32_t shift = qtri_magnitude32(above);
+    const qtri_wide *large = a;
+    const qtri_wide *small = b;
+    int32_t shift = b->e - a->e;
+    if (shift < 0) {
+        shift = -shift;
+        large = b;
+        small = a;
+    }
     int64_t sum = large->m + (shift > 62 ? 0 : small->m >> shift); /* |sum| < 2^63 */
     qtri_wide_set(a, sum, large->e);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What Frama-C's Eva proves of conversions and of what is inline in qtri/q16.h, as math_values.c does
- * of the arithmetic: for all arguments nothing that C does not define.
+ * What Frama-C's Eva proves of conversions and of what is inline in qtri/q16.h, as math_values.c
+ * does of the arithmetic: for all arguments nothing that C does not define.
  */
 #include <limits.h>
 #include <stdint.h>

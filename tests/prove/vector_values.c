@@ -33,8 +33,8 @@ uint32_t qtri_reciprocal_q62(uint32_t x);
 uint32_t qtri_sqrt64_floor(uint64_t x, uint64_t *remainder);
 
 /*
- * A component is at most as long as the whole, and root_of_unit of math_inputs.c, which is tried with
- * every argument, holds what errors add to that in Q30: 3.
+ * A component is at most as long as the whole, and root_of_unit of math_inputs.c, which is tried
+ * with every argument, holds what errors add to that in Q30: 3.
  */
 /*@ requires 1 <= count <= 4 && 1 <= fraction_bits <= 30;
     assigns \result, out[0 .. count - 1] \from v[0 .. count - 1], count, fraction_bits;
@@ -90,15 +90,16 @@ void qtri_rotation_mul(int32_t out_q30[4], const int32_t a_q30[4], const int32_t
 /*@ requires -ONE - SOME <= q_q30[0] <= ONE + SOME && -ONE - SOME <= q_q30[1] <= ONE + SOME;
     requires -ONE - SOME <= q_q30[2] <= ONE + SOME && -ONE - SOME <= q_q30[3] <= ONE + SOME;
     assigns out_q30[0 .. 2][0 .. 2] \from q_q30[0 .. 3];
-    admit ensures \initialized(&out_q30[0][0]) && -ONE - 2 * SOME <= out_q30[0][0] <= ONE + 2 * SOME;
-    admit ensures \initialized(&out_q30[0][1]) && -ONE - 2 * SOME <= out_q30[0][1] <= ONE + 2 * SOME;
-    admit ensures \initialized(&out_q30[0][2]) && -ONE - 2 * SOME <= out_q30[0][2] <= ONE + 2 * SOME;
-    admit ensures \initialized(&out_q30[1][0]) && -ONE - 2 * SOME <= out_q30[1][0] <= ONE + 2 * SOME;
-    admit ensures \initialized(&out_q30[1][1]) && -ONE - 2 * SOME <= out_q30[1][1] <= ONE + 2 * SOME;
-    admit ensures \initialized(&out_q30[1][2]) && -ONE - 2 * SOME <= out_q30[1][2] <= ONE + 2 * SOME;
-    admit ensures \initialized(&out_q30[2][0]) && -ONE - 2 * SOME <= out_q30[2][0] <= ONE + 2 * SOME;
-    admit ensures \initialized(&out_q30[2][1]) && -ONE - 2 * SOME <= out_q30[2][1] <= ONE + 2 * SOME;
-    admit ensures \initialized(&out_q30[2][2]) && -ONE - 2 * SOME <= out_q30[2][2] <= ONE + 2 * SOME; */
+    admit ensures \initialized(&out_q30[0][0]) && -ONE - 2 * SOME <= out_q30[0][0] <= ONE + 2 *
+   SOME; admit ensures \initialized(&out_q30[0][1]) && -ONE - 2 * SOME <= out_q30[0][1] <= ONE + 2 *
+   SOME; admit ensures \initialized(&out_q30[0][2]) && -ONE - 2 * SOME <= out_q30[0][2] <= ONE + 2 *
+   SOME; admit ensures \initialized(&out_q30[1][0]) && -ONE - 2 * SOME <= out_q30[1][0] <= ONE + 2 *
+   SOME; admit ensures \initialized(&out_q30[1][1]) && -ONE - 2 * SOME <= out_q30[1][1] <= ONE + 2 *
+   SOME; admit ensures \initialized(&out_q30[1][2]) && -ONE - 2 * SOME <= out_q30[1][2] <= ONE + 2 *
+   SOME; admit ensures \initialized(&out_q30[2][0]) && -ONE - 2 * SOME <= out_q30[2][0] <= ONE + 2 *
+   SOME; admit ensures \initialized(&out_q30[2][1]) && -ONE - 2 * SOME <= out_q30[2][1] <= ONE + 2 *
+   SOME; admit ensures \initialized(&out_q30[2][2]) && -ONE - 2 * SOME <= out_q30[2][2] <= ONE + 2 *
+   SOME; */
 void qtri_rotation_matrix(int32_t out_q30[3][3], const int32_t q_q30[4]);
 
 /*
@@ -119,11 +120,12 @@ static int64_t shortest_arc(const int32_t u_q30[4], int32_t v_q30[4]);
 /* A projection of v: no longer than that. */
 /*@ requires -ONE - SOME <= v_q30[0] <= ONE + SOME && -ONE - SOME <= v_q30[1] <= ONE + SOME;
     requires -ONE - SOME <= v_q30[2] <= ONE + SOME && -ONE - SOME <= v_q30[3] <= ONE + SOME;
-    assigns v_q30[0 .. 3] \from v_q30[0 .. 3], u_q30[0 .. 3], cosine_q30;
+    assigns \result, v_q30[0 .. 3] \from v_q30[0 .. 3], u_q30[0 .. 3], cosine_q30;
+    ensures 0 <= \result <= ONE * (ONE + SOME);
     ensures \initialized(v_q30 + (0 .. 3));
     ensures -ONE - SOME <= v_q30[0] <= ONE + SOME && -ONE - SOME <= v_q30[1] <= ONE + SOME;
     ensures -ONE - SOME <= v_q30[2] <= ONE + SOME && -ONE - SOME <= v_q30[3] <= ONE + SOME; */
-static void make_perpendicular(int32_t v_q30[4], const int32_t u_q30[4], int32_t cosine_q30);
+static int64_t make_perpendicular(int32_t v_q30[4], const int32_t u_q30[4], int32_t cosine_q30);
 
 /* Sine and cosine of one angle are together 1.4143 at most. */
 /*@ requires -ONE - SOME <= u_q30[0] <= ONE + SOME && -ONE - SOME <= u_q30[1] <= ONE + SOME;
@@ -341,7 +343,8 @@ void prove_mat_inverse(void)
     qtri_mat4_reflect(vec4());
 }
 
-// specified: qtri_sqrt64_floor,qtri_unit,q16_sincos_deg,qtri_sincos_deg_q30,qtri_rotation_mul,qtri_rotation_matrix
+// specified: qtri_sqrt64_floor,qtri_unit,q16_sincos_deg,qtri_sincos_deg_q30,qtri_rotation_mul
+// specified: qtri_rotation_matrix
 void prove_mat4_rotate(void)
 {
     q16 degrees = any();
@@ -386,7 +389,8 @@ void prove_quat_inverse(void)
     qtri_quat_inverse(quat());
 }
 
-// specified: zeros,qtri_sqrt64_floor,qtri_unit,qtri_sincos_deg_q30,qtri_rotation_mul,qtri_rotation_matrix
+// specified: zeros,qtri_sqrt64_floor,qtri_unit,qtri_sincos_deg_q30,qtri_rotation_mul
+// specified: qtri_rotation_matrix
 void prove_quat_rotate(void)
 {
     qtri_quat a = quat();
@@ -400,7 +404,8 @@ void prove_quat_rotate(void)
     qtri_attitude_integrate_deg(&attitude, vec3(), degrees);
 }
 
-// specified: qtri_sqrt64_floor,qtri_unit,qtri_sincos_deg_q30,q16_atan2_deg,shortest_arc,make_perpendicular,turn_towards
+// specified: qtri_sqrt64_floor,qtri_unit,qtri_sincos_deg_q30,q16_atan2_deg,shortest_arc
+// specified: make_perpendicular,turn_towards
 void prove_quat_between(void)
 {
     qtri_quat a = quat(), b = quat();

@@ -22,8 +22,11 @@ mathematics() {
 value() {
     name=$1 variant=$2
     file=$(grep -l "^void $name(void)" tests/prove/*_values.c)
-    # The functions that this proof takes as specified: the line above it names them.
-    specified=$(grep -B 1 "^void $name(void)" "$file" | sed -n 's,^// specified: ,,p')
+    # The functions that this proof takes as specified: the lines above it name them.
+    specified=$(awk -v proof="void $name(void)" '
+        /^\/\/ specified: / { names = names (names == "" ? "" : ",") $3; next }
+        $0 == proof { print names }
+        { names = "" }' "$file")
     with="$(mathematics "$file") $(frama-c -print-share-path)/libc/__fc_builtin.c"
     case $file in
     *kernel*)
