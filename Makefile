@@ -201,11 +201,11 @@ mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of cor
 misra: ## What cppcheck says of MISRA C:2012 in core, by rule; tests/misra.md has the deviations
 	@sh tests/tools/misra.sh
 
-prove: ## Prove by Frama-C that scalars and kernels do nothing that C does not define, for all arguments; half an hour
-	@sh tests/tools/prove.sh values
+prove: ## Prove by Frama-C that mathematics and kernels do nothing that C does not define, for all arguments; half an hour
+	@JOBS=$(JOBS) sh tests/tools/prove.sh values
 
-prove-inputs: ## The same by trying all 2^32 arguments of the functions of one; FUNCTIONS="sqrt recip"
-	@sh tests/tools/prove.sh inputs
+prove-inputs: ## The same by trying all 2^32 arguments of the functions of one, half an hour; FUNCTIONS="sqrt recip"
+	@JOBS=$(JOBS) sh tests/tools/prove.sh inputs
 
 setup-proof: ## Install what coverage, mutate, misra and prove need besides (Debian, as root)
 	apt-get install -y -qq --no-install-recommends python3 llvm cppcheck frama-c-base

@@ -34,9 +34,14 @@ void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b)
         *a = *b;
         return;
     }
-    const qtri_wide *large = a->e > b->e ? b : a;
-    const qtri_wide *small = a->e > b->e ? a : b;
-    int32_t shift = small->e - large->e;
+    const qtri_wide *large = a;
+    const qtri_wide *small = b;
+    int32_t shift = b->e - a->e;
+    if (shift < 0) {
+        shift = -shift;
+        large = b;
+        small = a;
+    }
     int64_t sum = large->m + (shift > 62 ? 0 : small->m >> shift); /* |sum| < 2^63 */
     qtri_wide_set(a, sum, large->e);
 }
@@ -44,7 +49,7 @@ void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b)
 /* A magnitude, negative where the signs of a and b differ. */
 static int64_t with_sign(uint64_t size, const qtri_wide *a, const qtri_wide *b)
 {
-    return (a->m < 0) == (b->m < 0) ? (int64_t)size : -(int64_t)size;
+    return (int64_t)((a->m < 0) == (b->m < 0) ? size : 0 - size);
 }
 
 void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b)

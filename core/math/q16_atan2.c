@@ -10,22 +10,30 @@
 #define PI_Q29        1686629713u /* pi 2^29 */
 
 /*
- * n / d in Q32, at most 2^-28 of itself too small, for n <= d / 2 and d >= 2^31.
+ * 1/D - 1 in Q16 for D = d_q16 / 2^16 in [1/2, 1], less than 2^-14 too small.
  *
- * With D = d / 2^32, r = 48/17 - 32/17 D is 1/D within 1/17; each of Newton's steps
- * r += r (1 - D r) squares that: 2^-8.1, then 2^-16 from below. The last step is done on n r. D is
- * taken too large, which costs r at most 2^-15 and leaves an error that is not negative: < 2^-14.
+ * r = 48/17 - 32/17 D is 1/D within 1/17; each of Newton's steps r += r (1 - D r) squares that:
+ * 2^-8.1, then 2^-16 from below.
  */
-static uint32_t quotient_q32(uint32_t n, uint32_t d)
+static inline uint32_t reciprocal_less_one_q16(uint32_t d_q16)
 {
-    uint32_t d_q16 = (d >> 16) + 1;                     /* 2^15..2^16 */
     uint32_t r_q14 = 46261u - ((d_q16 * 30840u) >> 16); /* < 2^15 */
     int32_t error_q30 = 0x40000000 - (int32_t)(d_q16 * r_q14);
     r_q14 <<= 2; /* from here in Q16 */
     uint32_t r_q16 = r_q14 + (uint32_t)(((int32_t)r_q14 * (error_q30 >> 16)) >> 14);
     int32_t error_q32 = (int32_t)(0u - d_q16 * r_q16); /* |1 - D r| < 2^-8: 2^32 wraps */
     r_q16 += (uint32_t)(((int32_t)r_q16 * (error_q32 >> 11)) >> 21);
-    r_q16 -= r_q16 < 0x10000u ? r_q16 : 0x10000u; /* r is in [1, 2): the one is added below */
+    return r_q16 - (r_q16 < 0x10000u ? r_q16 : 0x10000u); /* r is in [1, 2) */
+}
+
+/*
+ * n / d in Q32, at most 2^-28 of itself too small, for n <= d / 2 and d >= 2^31: the last of
+ * Newton's steps is done on n r. D = d / 2^32 is taken too large, which costs r at most 2^-15 and
+ * leaves an error that is not negative: < 2^-14.
+ */
+static uint32_t quotient_q32(uint32_t n, uint32_t d)
+{
+    uint32_t r_q16 = reciprocal_less_one_q16((d >> 16) + 1); /* of 2^15..2^16; one is added below */
     uint32_t rest_q32 = 0u - (d + qtri_mul_high16(d, r_q16));
     uint32_t q_q32 = n + qtri_mul_high16(n, r_q16);
     return q_q32 + (qtri_mul_high16(q_q32, rest_q32 >> 2) >> 14);

@@ -55,7 +55,8 @@ static q16 tangent(q16 x, uint64_t turn_q64)
         quotient = qtri_mul_u32(cosine_q31, qtri_reciprocal_q62(m));
         shift = 63 - zeros;
     } else { /* m 2^62 / (2^32 cos), where a cosine of 1 gives way to 1 - 2^-32 */
-        quotient = qtri_mul_u32(m, qtri_reciprocal_q62((cosine_q31 << 1) - (cosine_q31 >> 31)));
+        uint32_t cosine_q32 = cosine_q31 < 0x80000000u ? cosine_q31 << 1 : UINT32_MAX;
+        quotient = qtri_mul_u32(m, qtri_reciprocal_q62(cosine_q32));
         shift = 28 + zeros;
     }
     int64_t size_q16 = qtri_shift_round((int64_t)quotient, shift); /* quotient < 2^62.5 */

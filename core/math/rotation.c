@@ -11,7 +11,7 @@
 void qtri_sincos_deg_q32(int64_t degrees_q32, int32_t *sine_q30, int32_t *cosine_q30)
 {
     int32_t nearest = (int32_t)((degrees_q32 + 0x8000) >> 16);
-    int32_t rest_q32 = (int32_t)(degrees_q32 - (int64_t)nearest * 65536);
+    int32_t rest_q32 = (int32_t)((uint32_t)(degrees_q32 + 0x8000) & 0xFFFFu) - 0x8000;
     int32_t s;
     int32_t c;
     qtri_sincos_deg_q30(nearest, &s, &c);

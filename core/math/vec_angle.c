@@ -27,6 +27,6 @@ q16 qtri_vec_angle_deg(const q16 *a, const q16 *b, int32_t count)
     uint32_t sine_q30 = (uint32_t)qtri_sqrt64_round(apart_q60);
     uint32_t cosine_q30 = (uint32_t)qtri_sqrt64_round(along_q60);
     int32_t y_q30 = (int32_t)(qtri_mul_u32(sine_q30, cosine_q30) >> 29);
-    int32_t x_q30 = (int32_t)(((int64_t)along_q60 - (int64_t)apart_q60) >> 30);
+    int32_t x_q30 = (int32_t)((int64_t)(along_q60 - apart_q60) >> 30); /* may be negative */
     return q16_atan2_deg(y_q30, x_q30); /* the ratio counts, not the unit */
 }

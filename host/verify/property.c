@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What must hold for every angle: symmetry, sin^2 + cos^2 = 1, the pair as each of its halves, and
- * exact right angles.
+ * What must hold for every angle: symmetry, periods, sin^2 + cos^2 = 1, the pair as each of its
+ * halves, and exact right angles.
  */
 #include "verify.h"
 
@@ -99,6 +99,11 @@ static void circle_run(const verify_test *test, const verify_options *options, u
         q16 cosine = c->cosine(Q16_MIN);
         add_unit(&rows[UNIT], Q16_MIN, sine, cosine);
         add(&rows[PAIR], Q16_MIN, pair_error(c, Q16_MIN, sine, cosine));
+        if (c->turn != 0) {
+            add(&rows[PERIOD], Q16_MIN,
+                fmax(fabs((double)sine - c->sine(Q16_MIN + c->turn)),
+                     fabs((double)cosine - c->cosine(Q16_MIN + c->turn))));
+        }
     }
 }
 
@@ -119,6 +124,64 @@ static bool circle_label(const verify_test *test, int index, verify_label *label
         return false;
     }
     *label = labels[(const circle *)test->subject - circles][index];
+    return true;
+}
+
+/* Tangents: odd, and after half a turn the same, where there is one. */
+
+enum { TAN_ODD, TAN_DEG_ODD, TAN_PERIOD };
+
+static double sum_of_opposites(q16 a, q16 b)
+{
+    return fabs(fmax(a, -Q16_MAX) + fmax(b, -Q16_MAX)); /* saturated, both are extremes */
+}
+
+/* x >= 0, and -x with it; half a turn down from x, and up from -x: every angle with the next. */
+static void tangent_at(q16 x, verify_row *rows)
+{
+    const q16 half_turn = Q16(180);
+    const q16 degrees = q16_tan_deg(x);
+    const q16 degrees_back = q16_tan_deg(-x);
+    add(&rows[TAN_ODD], x, sum_of_opposites(q16_tan(x), q16_tan(-x)));
+    add(&rows[TAN_DEG_ODD], x, sum_of_opposites(degrees, degrees_back));
+    if (x % half_turn != half_turn / 2) {
+        add(&rows[TAN_PERIOD], x,
+            fmax(fabs((double)degrees - q16_tan_deg(x - half_turn)),
+                 fabs((double)degrees_back - q16_tan_deg(half_turn - x))));
+    }
+}
+
+static void tangent_run(const verify_test *test, const verify_options *options, uint64_t chunk,
+                        verify_row *rows)
+{
+    bool quick = options->mode == VERIFY_QUICK;
+    int blocks = quick ? CHUNK_STRATA : CHUNK_BLOCKS;
+    (void)test;
+    for (int i = 0; i < blocks; i++) {
+        int index = (int)chunk * blocks + i;
+        q16 first = quick ? verify_stratum(index) & INT32_MAX : index * VERIFY_BLOCK;
+        for (int k = 0; k < VERIFY_BLOCK; k++) {
+            tangent_at(first + k, rows);
+        }
+    }
+    if (chunk == 0) { /* the one that has no opposite */
+        add(&rows[TAN_PERIOD], Q16_MIN,
+            fabs((double)q16_tan_deg(Q16_MIN) - q16_tan_deg(Q16_MIN + Q16(180))));
+    }
+}
+
+static bool tangent_label(const verify_test *test, int index, verify_label *label)
+{
+    static const verify_label labels[] = {
+        {"tan", "_odd", "tan(-x) = -tan(x)", 1, 0, true},
+        {"tan_deg", "_odd", "tan(-x) = -tan(x)", 1, 0, true},
+        {"tan_deg", "_period", "as of x - 180 and x + 180", 1, 0, true},
+    };
+    (void)test;
+    if (index > TAN_PERIOD) {
+        return false;
+    }
+    *label = labels[index];
     return true;
 }
 
@@ -159,6 +222,7 @@ size_t verify_property_tests(verify_test *tests, size_t room)
     const verify_test all[] = {
         {"sincos", circle_run, circle_chunks, circle_label, &circles[0]},
         {"sincos_deg", circle_run, circle_chunks, circle_label, &circles[1]},
+        {"tangents", tangent_run, circle_chunks, tangent_label, NULL},
         {"right_angles", right_run, right_chunks, right_label, NULL},
     };
     size_t count = sizeof all / sizeof all[0];

@@ -35,6 +35,7 @@ static int64_t between64(int64_t low, int64_t high)
 }
 
 /* Edges: by the bits of their length, from anywhere in the guard band. */
+// specified: qtri_divide_long
 void prove_dda(void)
 {
     //@ loop unroll 23;
@@ -50,6 +51,7 @@ void prove_dda(void)
 }
 
 /* Clip space of 62 bits. */
+// specified: qtri_divide_long
 void prove_outcode(void)
 {
     const int64_t most = ((int64_t)1 << 61) - 1;
@@ -63,6 +65,7 @@ void prove_outcode(void)
 }
 
 /* Colours of any kind and value as channels, packed, and back. */
+// specified: qtri_divide_long
 void prove_colors(void)
 {
     static const qtri_colors *const kinds[3] = {&qtri_colors_565, &qtri_colors_888,
@@ -81,6 +84,7 @@ void prove_colors(void)
 }
 
 /* What formats of depth store, by the leading zeros from the farthest on, and read of anything. */
+// specified: qtri_divide_long
 void prove_depths(void)
 {
     static const qtri_depth_format *const formats[3] = {&qtri_depth_float16, &qtri_depth_linear24,

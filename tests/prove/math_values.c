@@ -62,6 +62,7 @@ static q16 piece(int i)
 }
 
 /* Products and shifts that everything else is made of. */
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_products(void)
 {
     q16 a = any(), b = any();
@@ -87,6 +88,7 @@ void prove_products(void)
     qtri_magnitude32(a);
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_add_sub(void)
 {
     q16 a = any(), b = any();
@@ -98,6 +100,7 @@ void prove_add_sub(void)
     /*@ assert 0 <= f < 65536; */
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_mul(void)
 {
     q16 a = any(), b = any();
@@ -106,11 +109,13 @@ void prove_mul(void)
     q16_mul_wrap(a, b);
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_lerp(void)
 {
     q16_lerp(any(), any(), any());
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_div(void)
 {
     //@ loop unroll 64;
@@ -119,6 +124,7 @@ void prove_div(void)
     }
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_mod(void)
 {
     //@ loop unroll 64;
@@ -129,6 +135,7 @@ void prove_mod(void)
     }
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_muldiv(void)
 {
     //@ loop unroll 64;
@@ -137,6 +144,7 @@ void prove_muldiv(void)
     }
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_sin(void)
 {
     q16 x = any();
@@ -150,12 +158,14 @@ void prove_sin(void)
     /*@ assert -65536 <= s_deg <= 65536 && -65536 <= c_deg <= 65536; */
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_exp(void)
 {
     q16 r = q16_exp(any());
     /*@ assert r >= 0; */
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_exp2(void)
 {
     q16 r = q16_exp2(any());
@@ -171,6 +181,7 @@ static void logs_between(uint32_t low, uint32_t high)
     /*@ assert -12 * 65536 <= r <= 11 * 65536; */
 }
 
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_log(void)
 {
     q16 below = q16_log2((int32_t)Frama_C_long_interval(INT32_MIN, 0));
@@ -201,6 +212,7 @@ void prove_log(void)
 }
 
 /* precise_log2_q43 as specified. */
+// specified: qtri_reciprocal_q62,precise_log2_q43
 void prove_pow(void)
 {
     //@ loop unroll 64;
@@ -216,6 +228,7 @@ static void log_between(uint32_t low, uint32_t high)
 }
 
 /* precise_log2_q43 itself: by how far, in bits, x is from the powers of two on either side. */
+// specified: qtri_reciprocal_q62
 void prove_pow_log(void)
 {
     log_between(0x80000000u, 0x80000000u);
