@@ -110,7 +110,7 @@ static void set_planes(qtri_alpha_planes *p, const qtri_triangle *triangle,
     qtri_plane_init(&p->alpha, &gradient, f);
     if (p->divided) {
         qtri_plane_init(&p->q, &gradient, q);
-        find_range(&ends[0], &ends[1], q);
+        qtri_find_range(&ends[0], &ends[1], q);
         p->held |= ends[0] < LEAST_Q;
     }
 }
