@@ -10,7 +10,7 @@
 
 #include <qtri/dither.h>
 
-enum { WIDTH = 47, HEIGHT = 37, GROUPS = 4, ROUNDS = 3000 };
+enum { WIDTH = 47, HEIGHT = 37, GROUPS = 4, ROUNDS = 8000 };
 
 static uint64_t seed;
 
@@ -600,9 +600,9 @@ static void functions(void **state)
 static void pictures(void **state)
 {
     (void)state;
-    record("filters", 120, filters);
-    record("paints", 250, paints);
-    record("grays", 100, grays);
+    record("filters", 300, filters);
+    record("paints", 800, paints);
+    record("grays", 200, grays);
 }
 
 int main(void)
