@@ -63,6 +63,7 @@ static void inputs_of_the_corpus_draw_what_they_drew(void **state)
     uint32_t hash = RECORDED_BEGIN;
     int count = 0;
     (void)state;
+    seed = recorded_seed(0);
     FILE *in = fopen("tests/corpus/fuzz_draw.b64", "r");
     assert_non_null(in);
     while (fgets(line, sizeof line, in) != NULL) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Arbitrary bytes as views, poses, materials, meshes and screen vertices. Numbers are read the
- * lowest byte first and member by member: an input draws the same on every machine.
+ * lowest byte first and member by member, by a statement each: an input draws the same with any
+ * compiler and any size of a pointer.
  */
 #include "draw_bytes.h"
 
@@ -15,21 +16,22 @@ struct reader {
     size_t left;
 };
 
-/* Fills `size` bytes from the input, zeros once it is used up. */
-static void take(struct reader *r, void *out, size_t size)
-{
-    size_t count = size < r->left ? size : r->left;
-    memset(out, 0, size);
-    memcpy(out, r->data, count);
-    r->data += count;
-    r->left -= count;
-}
-
+/* Zeros once the input is used up. */
 static uint8_t take_byte(struct reader *r)
 {
-    uint8_t byte;
-    take(r, &byte, 1);
-    return byte;
+    if (r->left == 0) {
+        return 0;
+    }
+    r->left--;
+    return *r->data++;
+}
+
+static void take(struct reader *r, void *out, size_t size)
+{
+    uint8_t *byte = out;
+    for (size_t i = 0; i < size; i++) {
+        byte[i] = take_byte(r);
+    }
 }
 
 static uint32_t take_bits(struct reader *r)
@@ -161,7 +163,9 @@ static void build_transform(struct reader *r, qtri_transform *t)
             qtri_transform_perspective(t, Q16(60), Q16(1), Q16(0.1), Q16(10));
             break;
         default:
-            take_ints(r, &m.m[0][0], 16);
+            for (int i = 0; i < 4; i++) {
+                take_ints(r, m.m[i], 4);
+            }
             qtri_transform_from_mat4(t, &m);
             qtri_transform_to_mat4(t, &m);
             break;
@@ -406,7 +410,7 @@ static void draw_on(struct reader *r, const qtri_surface *surface)
     qtri_light light;
     lamps lamps;
     qtri_transform pose;
-    qtri_texture texture;
+    qtri_texture texture = {0};
     const void *levels[4];
     qtri_view_init(&view, SIDE, SIDE);
     build_transform(r, &view.projection);

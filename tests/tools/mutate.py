@@ -12,7 +12,9 @@ Code that this machine leaves out is judged by the tests of core in a narrow bui
 judged once more by the quickest of its tests of core under the sanitizers, which `make test` runs as well: they see a
 bound that is off by one.
 
-Settings, by environment: BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
+Settings, by environment: HUNT=30 draws 30 times as many random pictures and values as tests/pictures.tsv records, for
+each survivor, and says which differ from those without it: BUILD/hunt.tsv. None is a hint that the change makes no
+difference, no proof. BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
 out. A change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors
 that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; the CHANGE
 `0 -> 1 at 26` is that in column 26 of the text.
@@ -36,6 +38,7 @@ from mutants import Source
 FLAGS = "-std=c99 -O1 -fPIC -fwrapv -w -Werror=vla".split()
 NARROW = ["-DQTRI_LONG_MULTIPLY=0", "-DQTRI_DIVIDE=0"]
 SANITIZE = "-fno-wrapv -g -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=address,undefined".split()
+RECORDED = ["test_core_corpus", "test_core_values", "test_core_pictures"]
 JOBS = int(os.environ.get("JOBS") or 2)
 
 # What says which mutant runs, and notes which expressions would have had another value: in memory that the processes
@@ -259,7 +262,7 @@ class Runs:
             os.makedirs(f"{bench.here}/tmp-{i}", exist_ok=True)
             self.places.put(os.path.abspath(f"{bench.here}/tmp-{i}"))
 
-    def run(self, name, library, programs, mutant, seen=None):
+    def run(self, name, library, programs, mutant, seen=None, more=()):
         """(passed, seconds of a processor)"""
         limit = int(10 * self.seconds.get(name, 12)) + 2
 
@@ -273,6 +276,7 @@ class Runs:
                            ASAN_OPTIONS="detect_leaks=0",
                            QTRI_COMMAND=os.path.abspath(f"{programs}/qtri"), QTRI_MUTANT=str(mutant),
                            LD_LIBRARY_PATH=os.path.abspath(library))
+        environment.update(more)
         if seen:
             environment["QTRI_SEEN"] = seen
         program = subprocess.Popen([f"{programs}/{name}"], stdin=subprocess.DEVNULL, preexec_fn=limits,
@@ -326,6 +330,41 @@ class Runs:
             if not passed:
                 return name
         return "survived"
+
+
+class Hunt:
+    """Looks for a random picture or value that a survivor makes otherwise."""
+
+    def __init__(self, rounds, folder):
+        self.rounds, self.folder, self.usual = rounds, folder, {}
+
+    def lines(self, runs, name, library, programs, number, seed):
+        out = os.path.abspath(f"{self.folder}/hunt-{name}-{number}-{seed}")
+        if os.path.exists(out):
+            os.remove(out)
+        runs.run(name, library, programs, number, more={"QTRI_RECORD": out, "QTRI_SEED": str(seed)})
+        lines = open(out).read().split("\n") if os.path.exists(out) else []
+        if lines:
+            os.remove(out)
+        return lines
+
+    def find(self, mutant, judge):
+        """The program, seed and line of the first that differs, or None."""
+        if mutant.layer is None:
+            return None
+        runs, layer = judge.runs, mutant.layer
+        for seed in range(1, self.rounds + 1):
+            for name in RECORDED:
+                if name not in mutant.tests:
+                    continue
+                key = (runs, layer, name, seed)
+                if key not in self.usual:
+                    self.usual[key] = self.lines(runs, name, layer.folder, layer.programs, -1, seed)
+                lines = self.lines(runs, name, layer.folder, layer.programs, mutant.number, seed)
+                if lines != self.usual[key]:
+                    differ = [a for a, b in zip(self.usual[key], lines + [""] * 999) if a != b]
+                    return name, seed, differ[0].split("\t")[0] if differ else "end"
+        return None
 
 
 def same_objects(bench, mutant, flags):
@@ -528,6 +567,12 @@ def main():
     sanitized = Sanitized(build) if left else None
     for m in left:
         m.result = sanitized.judge(m, judges[m.number].runs.seconds)
+    hunt = Hunt(int(os.environ.get("HUNT") or 0), build)
+    left = [m for m in judged if m.result == "survived" and not is_explained(m, explained) and m.tests]
+    found = parallel(lambda m: hunt.find(m, judges[m.number]), left)
+    with open(f"{build}/hunt.tsv", "w") as table:
+        for m, where in zip(left, found):
+            table.write(f"{m.path}\t{m.line}\t{m.column}\t{m.what}\t{where}\t{m.text}\n")
     known, survivors = 0, []
     with open(f"{build}/mutants.tsv", "w") as table:
         for m in judged:
