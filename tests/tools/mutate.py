@@ -17,7 +17,7 @@ each survivor, and says which differ from those without it: BUILD/hunt.tsv. None
 difference, no proof. BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
 out. A change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors
 that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; the CHANGE
-`0 -> 1 at 26` is that in column 26 of the text.
+`0 -> 1 at 26` is that in column 26 of the text. Explained without an entry is a local array with room for one more.
 """
 import concurrent.futures
 import filecmp
@@ -81,9 +81,13 @@ class Mutant:
         self.tests = None  # those for which it makes a difference where it stands
         self.result = None
 
-    def at(self):
+    def at_column(self):
+        """In the text of the line, from 0."""
         line = self.source.text.split("\n")[self.line - 1]
-        return f"{self.what} at {self.column - (len(line) - len(line.lstrip()))}"
+        return self.column - (len(line) - len(line.lstrip())) - 1
+
+    def at(self):
+        return f"{self.what} at {self.at_column() + 1}"
 
 
 def parallel(function, items):
@@ -414,8 +418,19 @@ def read_explained():
             if line.strip() and not line.startswith("#")]
 
 
+def has_room_for_one_more(mutant):
+    """Whether the change makes an array of automatic storage longer by one element: no program that keeps within an array
+    tells its length by anything but `sizeof`."""
+    old, new = mutant.what.split(" -> ")
+    name = re.match(r"(?:(?:const|uint\d+_t|int\d+_t|u?int|bool|qtri_\w+|q16|\w+) )+\**(\w+)\[(\d+)\](?:\[\w+\])?;",
+                    mutant.text)
+    return bool(name and old == name.group(2) and new == str(int(old) + 1) and not mutant.path.endswith(".h") and
+                mutant.text.index("[") + 1 == mutant.at_column() and f"sizeof {name.group(1)}" not in
+                mutant.source.text and f"sizeof({name.group(1)}" not in mutant.source.text)
+
+
 def is_explained(mutant, explained):
-    return any(e[0] == mutant.path and e[1] in mutant.text and e[2] in (mutant.what, mutant.at()) for e in explained)
+    return has_room_for_one_more(mutant) or any(e[0] == mutant.path and e[1] in mutant.text and e[2] in (mutant.what, mutant.at()) for e in explained)
 
 
 def draw(build, count, seed, again):
