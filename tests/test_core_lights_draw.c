@@ -566,50 +566,6 @@ static void sources_of_a_kind_are_one_run(void **state)
     assert_int_equal(by.run[1].end - by.shine, 5);
 }
 
-/* Normals of bytes are those of 16 bits 128 times as long, to the last pixel. */
-static void normals_of_bytes_light_each_pixel_alike(void **state)
-{
-    static const qtri_vec3 positions[3] = {
-        {-Q16(.9), -Q16(.8), 0}, {Q16(.9), -Q16(.7), 0}, {0, Q16(.9), 0}};
-    static const uint16_t triangle[1][3] = {{0, 1, 2}};
-    qtri_normal8 normals8[3];
-    qtri_normal normals[3];
-    const qtri_light light = {{Q16(.4), Q16(.7), Q16(1)}, 0, Q16(1)};
-    qtri_mesh mesh = {.positions = positions, .triangles = triangle};
-    qtri_material material = plain_material();
-    uint64_t seed = 7;
-    qtri_view view;
-    qtri_transform pose;
-    (void)state;
-    mesh.vertex_count = 3;
-    mesh.triangle_count = 1;
-    material.shading = &qtri_per_pixel;
-    qtri_view_init(&view, 64, 64);
-    view.light = &light;
-    qtri_transform_identity(&pose);
-    for (int n = 0; n < 40; n++) {
-        canvas c[2];
-        for (int i = 0; i < 3; i++) {
-            normals8[i].x = (int8_t)random_in(&seed, -127, 127);
-            normals8[i].y = (int8_t)random_in(&seed, -127, 127);
-            normals8[i].z = (int8_t)random_in(&seed, 1, 127);
-            normals[i].x = (int16_t)(normals8[i].x * 128);
-            normals[i].y = (int16_t)(normals8[i].y * 128);
-            normals[i].z = (int16_t)(normals8[i].z * 128);
-        }
-        for (int k = 0; k < 2; k++) {
-            c[k] = canvas_new(&qtri_xrgb8888, 64, 64);
-            mesh.normals8 = k == 0 ? normals8 : NULL;
-            mesh.normals = k == 0 ? NULL : normals;
-            qtri_draw_mesh(&c[k].surface, &view, &pose, &mesh, &material);
-        }
-        assert_int_not_equal(stored_pixel(&c[0].surface, 32, 32), 0);
-        assert_same_picture(&c[0].surface, &c[1].surface);
-        canvas_free(&c[0]);
-        canvas_free(&c[1]);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -622,7 +578,6 @@ int main(void)
         cmocka_unit_test(too_many),
         cmocka_unit_test(any_bits),
         cmocka_unit_test(sources_of_a_kind_are_one_run),
-        cmocka_unit_test(normals_of_bytes_light_each_pixel_alike),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
