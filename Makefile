@@ -181,7 +181,7 @@ MUTANTS  ?= 500
 SEED     ?= 1
 
 .PHONY: pictures
-RECORDING := test_scene_pictures test_core_pictures test_core_values
+RECORDING := test_scene_pictures test_core_pictures test_core_values test_core_corpus
 pictures: $(RECORDING:%=$(BUILD)/tests/%) ## Record in tests/pictures.tsv the pictures that the core draws now
 	@rm -f $(BUILD)/pictures.tsv
 	@for program in $^; do \

@@ -700,6 +700,38 @@ static void any_bits(void **state)
     }
 }
 
+/* Sources of a kind are added by one call, whatever lies between them. */
+static void sources_of_a_kind_are_one_run(void **state)
+{
+    static const qtri_light_kind *const kinds[] = {
+        &qtri_directional_light, &qtri_point_light,      &qtri_directional_light, NULL,
+        &qtri_point_light,       &qtri_directional_light};
+    qtri_light_source sources[LENGTH_OF(kinds)] = {{0}};
+    const qtri_light_color ambient = {0, 0, 0};
+    const qtri_reflection reflection = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, NULL, false, false};
+    qtri_lights lights;
+    qtri_view view;
+    qtri_transform pose;
+    qtri_illumination by;
+    (void)state;
+    for (size_t i = 0; i < LENGTH_OF(kinds); i++) {
+        sources[i].kind = kinds[i];
+        sources[i].position.z = Q16(1) + (q16)i;
+        sources[i].constant = Q16(1);
+        sources[i].color.r = Q16(.5);
+    }
+    assert_int_equal(qtri_lights_init(&lights, sources, LENGTH_OF(kinds), ambient), QTRI_OK);
+    qtri_view_init(&view, 16, 16);
+    view.lights = &lights;
+    qtri_transform_identity(&pose);
+    qtri_illumination_init(&by, &view, &pose, &reflection, NULL);
+    assert_int_equal(by.count, 2);
+    assert_ptr_equal(by.run[0].kind, &qtri_directional_light);
+    assert_int_equal(by.run[0].end - by.shine, 3);
+    assert_ptr_equal(by.run[1].kind, &qtri_point_light);
+    assert_int_equal(by.run[1].end - by.shine, 5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -708,7 +740,7 @@ int main(void)
         cmocka_unit_test(power_tables),       cmocka_unit_test(spheres),
         cmocka_unit_test(too_many),           cmocka_unit_test(any_bits),
         cmocka_unit_test(colors_of_corners),  cmocka_unit_test(normals_that_vanish),
-        cmocka_unit_test(samples_and_alphas),
+        cmocka_unit_test(samples_and_alphas), cmocka_unit_test(sources_of_a_kind_are_one_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,6 +11,16 @@ enum { WIDTH = 53, HEIGHT = 41, GROUPS = 8, CORNERS = 12, VERTICES = FACES_VERTI
 enum { TRIANGLES = FACES_TRIANGLES };
 
 static uint64_t seed;
+static int32_t width, height; /* of a surface: mostly WIDTH and HEIGHT, or about as many pixels */
+
+static void random_size(int32_t shapes)
+{
+    static const int32_t sizes[][2] = {{WIDTH, HEIGHT}, {300, 7}, {9, 240}};
+    const int32_t kind =
+        shapes > 1 && random_in(&seed, 0, 4) == 0 ? random_in(&seed, 1, shapes - 1) : 0;
+    width = sizes[kind][0];
+    height = sizes[kind][1];
+}
 
 static int32_t below(int32_t count)
 {
@@ -25,6 +35,21 @@ static bool one_in(int32_t count)
 static q16 between(double low, double high)
 {
     return random_in(&seed, fixed(low), fixed(high));
+}
+
+/* Often one of those where something begins or ends. */
+static uint8_t random_byte(void)
+{
+    static const uint8_t ends[] = {0, 1, 2, 127, 128, 129, 254, 255};
+    return one_in(3) ? ends[below(LENGTH_OF(ends))] : (uint8_t)below(256);
+}
+
+static uint32_t random_word(void)
+{
+    static const uint32_t ends[] = {0,           1,           0x7FFFFFFFu, 0x80000000u,
+                                    0x80000001u, 0xFFFEFFFFu, 0xFFFF0000u, 0xFFFEFF80u,
+                                    0xFFFFFFFFu, 0x00010000u};
+    return one_in(4) ? ends[below(LENGTH_OF(ends))] : (uint32_t)random_bits32(&seed);
 }
 
 static qtri_vec3 random_vec(double reach)
@@ -77,6 +102,8 @@ static struct world {
     uint8_t alphas[VERTICES];
     uint16_t triangles[TRIANGLES][3];
     qtri_position16 positions16[VERTICES];
+    qtri_normal8 normals8[VERTICES];
+    qtri_uv16 uvs16[VERTICES];
     qtri_corner corners[CORNERS];
     qtri_screen_vertex screen[CORNERS];
     qtri_stroke stroke;
@@ -197,7 +224,9 @@ static void random_material(void)
     qtri_material *m = &w.material;
     memset(m, 0, sizeof *m);
     m->color = random_color();
-    m->shading = one_in(2) ? QTRI_SMOOTH : (one_in(2) ? QTRI_FLAT_FIRST : QTRI_FLAT_LAST);
+    m->shading = one_in(6)   ? &qtri_per_pixel
+                 : one_in(2) ? QTRI_SMOOTH
+                             : (one_in(2) ? QTRI_FLAT_FIRST : QTRI_FLAT_LAST);
     m->interpolation = (qtri_interpolation)below(2);
     m->texture = one_in(2) ? NULL : &w.texture;
     m->texture_mode = (qtri_texture_mode)below(2);
@@ -207,9 +236,9 @@ static void random_material(void)
     m->depth_read_only = one_in(5);
     m->depth_bias = one_in(3) ? between(-.1, .1) : 0;
     m->blend = one_in(2) ? NULL : blends[below(LENGTH_OF(blends))];
-    m->alpha = (uint8_t)below(256);
+    m->alpha = random_byte();
     m->keep = (uint8_t)(one_in(4) ? below(8) : 0);
-    m->least_alpha = (uint8_t)(one_in(4) ? below(256) : 0);
+    m->least_alpha = (uint8_t)(one_in(4) ? random_byte() : 0);
     m->fog = one_in(3) ? &w.fog : NULL;
     m->reflection = &w.reflection;
     m->alphas = one_in(2) ? w.alphas : NULL;
@@ -221,7 +250,7 @@ static void random_material(void)
     w.stroke.width = one_in(9) ? Q16(1. / 512) * below(6) : w.stroke.width;
     w.stroke.cap = (qtri_cap)below(3);
     w.stroke.edges = one_in(2) ? &qtri_stroke_smooth : NULL;
-    w.stroke.alpha = (uint8_t)(one_in(2) ? 255 : below(256));
+    w.stroke.alpha = one_in(2) ? 255 : random_byte();
     w.stroke.closed = one_in(3);
     w.stroke.in_space = one_in(3);
 }
@@ -234,7 +263,7 @@ static void random_view(void)
     const q16 height = between(-60, 60);
     const q16 distance = between(1, 5);
     const qtri_vec3 center = random_vec(.5);
-    qtri_view_init(&w.view, WIDTH, HEIGHT);
+    qtri_view_init(&w.view, width, height);
     if (one_in(4)) {
         qtri_transform_ortho(&w.view.projection, -fovy / 20, fovy / 20, -fovy / 24, fovy / 24,
                              near_z, Q16(12));
@@ -246,7 +275,7 @@ static void random_view(void)
         w.view.viewport.depth_near = between(0, 1);
         w.view.viewport.depth_far = between(0, 1);
         w.view.viewport.x = below(20) - 5;
-        w.view.viewport.height = HEIGHT - below(20);
+        w.view.viewport.height = height - below(height / 2);
     }
     random_lights();
     w.view.light = one_in(3) ? NULL : &w.light;
@@ -304,7 +333,7 @@ static void random_mesh(void)
     assert_int_equal(error, QTRI_OK);
     for (uint32_t i = 0; i < w.mesh.vertex_count; i++) {
         w.colors[i] = random_color();
-        w.alphas[i] = (uint8_t)below(256);
+        w.alphas[i] = random_byte();
         w.positions16[i].x = (int16_t)(w.positions[i].x >> 3);
         w.positions16[i].y = (int16_t)(w.positions[i].y >> 3);
         w.positions16[i].z = (int16_t)(w.positions[i].z >> 3);
@@ -314,6 +343,15 @@ static void random_mesh(void)
             w.triangles[i][1] = (uint16_t)below((int32_t)w.mesh.vertex_count);
         }
     }
+    for (uint32_t i = 0; i < w.mesh.vertex_count; i++) {
+        w.normals8[i].x = (int8_t)(w.normals[i].x / 256);
+        w.normals8[i].y = (int8_t)(w.normals[i].y / 256);
+        w.normals8[i].z = (int8_t)(w.normals[i].z / 256);
+        w.uvs16[i].x = (int16_t)(w.uvs[i].x / 8);
+        w.uvs16[i].y = (int16_t)(w.uvs[i].y / 8);
+    }
+    w.mesh.normals8 = one_in(4) ? w.normals8 : NULL;
+    w.mesh.uvs16 = one_in(4) ? w.uvs16 : NULL;
     w.mesh.colors = one_in(2) ? w.colors : NULL;
     w.mesh.normals = one_in(6) ? NULL : w.mesh.normals;
     w.mesh.uvs = one_in(6) ? NULL : w.mesh.uvs;
@@ -336,7 +374,7 @@ static void random_corners(void)
         corner->color = random_color();
         corner->uv.x = between(-3, 3);
         corner->uv.y = between(-3, 3);
-        w.alphas[i] = (uint8_t)below(256);
+        w.alphas[i] = random_byte();
         w.normals[i].x = (int16_t)below(32768);
         w.normals[i].y = (int16_t)below(32768);
         w.normals[i].z = (int16_t)-below(32768);
@@ -345,10 +383,10 @@ static void random_corners(void)
 
 static void random_screen(void)
 {
-    static const int32_t reaches[] = {200, 900, 4000, 20000, 900000};
+    static const int32_t reaches[] = {200, 900, 4000, 20000, 900000, 1 << 23};
     const int32_t reach = reaches[below(LENGTH_OF(reaches))];
-    const int32_t x = below(WIDTH * 256);
-    const int32_t y = below(HEIGHT * 256);
+    const int32_t x = below(width * 256);
+    const int32_t y = below(height * 256);
     const bool on_grid = one_in(3); /* vertices and edges on centres of pixels */
     for (int i = 0; i < CORNERS; i++) {
         qtri_screen_vertex *v = &w.screen[i];
@@ -358,11 +396,13 @@ static void random_screen(void)
             v->x_24p8 = (v->x_24p8 & ~255) + 128;
             v->y_24p8 = (v->y_24p8 & ~255) + 128;
         }
-        v->depth_16p16 = (uint32_t)random_bits32(&seed);
+        v->depth_16p16 = random_word();
         v->inv_w_q31 = 0x40000000u + ((uint32_t)random_bits32(&seed) >> 1);
-        v->inv_w_exponent = 0;
+        v->inv_w_exponent = one_in(3) ? below(20) - 10 : 0;
+        v->u_q32 = (int64_t)between(-3, 3) * 65536;
+        v->v_q32 = (int64_t)between(-3, 3) * 65536;
         for (int k = 0; k < 3; k++) {
-            v->color_8p16[k] = below(256 << 16);
+            v->color_8p16[k] = one_in(4) ? (below(3) - 1) * (255 << 17) : below(256 << 16);
         }
     }
 }
@@ -396,22 +436,23 @@ static const qtri_depth_format *const depth_formats[] = {
 static uint32_t on_surface(uint32_t hash, void (*draw)(const qtri_surface *surface))
 {
     const int32_t kind = below(4);
+    random_size(3);
     const bool farthest = !one_in(4);
     const q16 depth = farthest ? Q16(1) : between(0, 1);
     const qtri_depth_format *depths = depth_formats[one_in(2) ? 0 : kind];
     const qtri_format *format = one_in(2) ? &qtri_rgb565 : drawn_format(below(7));
-    const size_t bytes = QTRI_BAND_BYTES_DEPTH(WIDTH, HEIGHT, format->pixels->bytes, depths->bytes);
+    const size_t bytes = QTRI_BAND_BYTES_DEPTH(width, height, format->pixels->bytes, depths->bytes);
     void *memory = calloc(1, bytes);
     qtri_surface surface;
     assert_non_null(memory);
     assert_int_equal(
-        qtri_surface_init_depth(&surface, format, depths, WIDTH, HEIGHT, 0, HEIGHT, memory, bytes),
+        qtri_surface_init_depth(&surface, format, depths, width, height, 0, height, memory, bytes),
         QTRI_OK);
     qtri_surface_clear(&surface, random_color());
     qtri_surface_clear_depth(&surface, depth);
     if (one_in(5)) {
-        surface.scissor.x0 = below(WIDTH);
-        surface.scissor.y0 = below(HEIGHT);
+        surface.scissor.x0 = below(width);
+        surface.scissor.y0 = below(height);
     }
     for (int times = 0; times < 2; times++) {
         random_view();
@@ -432,8 +473,9 @@ static uint32_t on_samples(uint32_t hash, void (*draw)(const qtri_surface *surfa
     static const qtri_format *const plain[] = {&qtri_rgb565, &qtri_rgb565_swapped, &qtri_xrgb8888,
                                                &qtri_rgb888, &qtri_gray8};
     const int32_t kind = one_in(2) ? 0 : below(5);
-    canvas c = canvas_new(four[kind], WIDTH, HEIGHT);
-    canvas out = canvas_new(plain[kind], WIDTH, HEIGHT);
+    random_size(3);
+    canvas c = canvas_new(four[kind], width, height);
+    canvas out = canvas_new(plain[kind], width, height);
     qtri_samples_clear(&c.surface, random_color());
     if (one_in(4)) {
         qtri_samples_clear_depth(&c.surface, between(0, 1));
@@ -457,7 +499,7 @@ static void record(const char *name, int32_t pictures, void (*draw)(const qtri_s
     for (int group = 0; group < GROUPS; group++) {
         char line[RECORDED_NAME_MAX];
         uint32_t hash = RECORDED_BEGIN;
-        seed = (uint64_t)group;
+        seed = recorded_seed(group);
         for (int32_t n = 0; n < pictures; n++) {
             hash = on(hash, draw);
         }
@@ -613,6 +655,7 @@ static uint32_t in_bands(uint32_t hash, void (*draw)(const qtri_surface *surface
     const int32_t rows = 4 + below(HEIGHT - 4);
     const qtri_rgb sky = random_color();
     const bool with_edges = one_in(2);
+    random_size(1);
     qtri_halo halo;
     qtri_prepared prepared;
     qtri_surface band, shown;

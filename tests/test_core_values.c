@@ -10,9 +10,11 @@
 
 #include <qtri/dither.h>
 
-enum { WIDTH = 47, HEIGHT = 37, GROUPS = 4, ROUNDS = 3000 };
+enum { WIDTH = 47, HEIGHT = 37, GROUPS = 4, ROUNDS = 8000 };
 
 static uint64_t seed;
+static int32_t stress[STRESS_COUNT];
+static int stress_count;
 
 static int32_t below(int32_t count)
 {
@@ -24,9 +26,12 @@ static bool one_in(int32_t count)
     return below(count) == 0;
 }
 
-/* Of any size, or of one that numbers usually have. */
+/* Of any size, of one that numbers usually have, or where something begins or ends. */
 static q16 number(void)
 {
+    if (one_in(6)) {
+        return stress[below(stress_count)];
+    }
     return one_in(2) ? random_any(&seed) : random_in(&seed, -Q16(8), Q16(8));
 }
 
@@ -57,7 +62,7 @@ static void record(const char *name, int32_t rounds, uint32_t (*one)(uint32_t ha
     for (int group = 0; group < GROUPS; group++) {
         char line[RECORDED_NAME_MAX];
         uint32_t hash = RECORDED_BEGIN;
-        seed = (uint64_t)group;
+        seed = recorded_seed(group);
         for (int32_t n = 0; n < rounds; n++) {
             hash = one(hash);
         }
@@ -68,10 +73,8 @@ static void record(const char *name, int32_t rounds, uint32_t (*one)(uint32_t ha
 
 /* Functions ------------------------------------------------------------------------------------ */
 
-static uint32_t scalars(uint32_t hash)
+static uint32_t add_scalars(uint32_t hash, const q16 a[3])
 {
-    q16 a[3];
-    numbers(a, 3);
     const int bits = below(40);
     const q16 of_two[] = {
         q16_add(a[0], a[1]),   q16_sub(a[0], a[1]),        q16_lerp(a[0], a[1], a[2]),
@@ -90,6 +93,26 @@ static uint32_t scalars(uint32_t hash)
         q16_acos(unit),    q16_asin_deg(unit), q16_acos_deg(unit), q16_from_int(a[0])};
     hash = add(hash, of_two, LENGTH_OF(of_two));
     return add(hash, of_one, LENGTH_OF(of_one));
+}
+
+static uint32_t scalars(uint32_t hash)
+{
+    q16 a[3];
+    numbers(a, 3);
+    return add_scalars(hash, a);
+}
+
+/* One of them with all of them. */
+static uint32_t ends(uint32_t hash)
+{
+    q16 a[3];
+    a[0] = stress[below(stress_count)];
+    a[2] = number();
+    for (int i = 0; i < stress_count; i++) {
+        a[1] = stress[i];
+        hash = add_scalars(hash, a);
+    }
+    return hash;
 }
 
 static uint32_t vectors(uint32_t hash)
@@ -588,6 +611,7 @@ static void functions(void **state)
 {
     (void)state;
     record("scalars", ROUNDS, scalars);
+    record("ends of scalars", ROUNDS / 50, ends);
     record("vectors", ROUNDS, vectors);
     record("matrices", ROUNDS / 2, matrices);
     record("quaternions", ROUNDS, quaternions);
@@ -600,13 +624,14 @@ static void functions(void **state)
 static void pictures(void **state)
 {
     (void)state;
-    record("filters", 120, filters);
-    record("paints", 250, paints);
-    record("grays", 100, grays);
+    record("filters", 300, filters);
+    record("paints", 800, paints);
+    record("grays", 200, grays);
 }
 
 int main(void)
 {
+    stress_count = stress_values(stress);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(functions),
         cmocka_unit_test(pictures),

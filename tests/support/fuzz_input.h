@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Arbitrary bytes as transforms, materials, lights and meshes. The order in which bytes are taken
- * is that of tests/corpus: what changes it makes that of no use.
+ * is that of tests/corpus: what changes it makes that of no use. Numbers are read the lowest byte
+ * first and member by member, by a statement each: an input draws the same with any compiler and
+ * any size of a pointer.
  */
 #ifndef QTRI_TESTS_SUPPORT_FUZZ_INPUT_H
 #define QTRI_TESTS_SUPPORT_FUZZ_INPUT_H
@@ -18,28 +20,57 @@ struct reader {
     size_t left;
 };
 
-/* Fills `size` bytes from the input, zeros once it is used up. */
-static inline void take(struct reader *r, void *out, size_t size)
-{
-    size_t count = size < r->left ? size : r->left;
-    memset(out, 0, size);
-    memcpy(out, r->data, count);
-    r->data += count;
-    r->left -= count;
-}
-
+/* Zeros once the input is used up. */
 static inline uint8_t take_byte(struct reader *r)
 {
-    uint8_t byte;
-    take(r, &byte, 1);
-    return byte;
+    if (r->left == 0) {
+        return 0;
+    }
+    r->left--;
+    return *r->data++;
+}
+
+static inline void take(struct reader *r, void *out, size_t size)
+{
+    uint8_t *byte = out;
+    for (size_t i = 0; i < size; i++) {
+        byte[i] = take_byte(r);
+    }
+}
+
+static inline uint32_t take_bits(struct reader *r)
+{
+    uint8_t byte[4];
+    take(r, byte, sizeof byte);
+    return byte[0] | (uint32_t)byte[1] << 8 | (uint32_t)byte[2] << 16 | (uint32_t)byte[3] << 24;
 }
 
 static inline int32_t take_int(struct reader *r)
 {
+    const uint32_t bits = take_bits(r);
     int32_t value;
-    take(r, &value, sizeof value);
+    memcpy(&value, &bits, sizeof value);
     return value;
+}
+
+static inline void take_ints(struct reader *r, int32_t *out, int count)
+{
+    for (int i = 0; i < count; i++) {
+        out[i] = take_int(r);
+    }
+}
+
+static inline int64_t take_long(struct reader *r)
+{
+    const uint32_t low = take_bits(r);
+    return ((int64_t)take_int(r) * 65536 * 65536) + low;
+}
+
+static inline int16_t take_short(struct reader *r)
+{
+    const int32_t low = take_byte(r);
+    const int32_t high = take_byte(r);
+    return (int16_t)(low + 256 * (high < 128 ? high : high - 256));
 }
 
 /* Mostly numbers of a plausible size: pure noise would be clipped away at once. */
@@ -50,7 +81,7 @@ static inline q16 take_number(struct reader *r)
     return (kind & 3) == 0 ? value : value >> (10 + (kind & 7));
 }
 
-static inline qtri_vec3 take_vec3(struct reader *r)
+static qtri_vec3 take_vec3(struct reader *r)
 {
     qtri_vec3 v;
     v.x = take_number(r);
@@ -59,12 +90,23 @@ static inline qtri_vec3 take_vec3(struct reader *r)
     return v;
 }
 
+/* Three numbers of any bits. */
+static qtri_vec3 take_any_vec3(struct reader *r)
+{
+    qtri_vec3 v;
+    v.x = take_int(r);
+    v.y = take_int(r);
+    v.z = take_int(r);
+    return v;
+}
+
 static inline void build_transform(struct reader *r, qtri_transform *t)
 {
     qtri_transform_identity(t);
     for (int steps = take_byte(r) % 5; steps > 0; steps--) {
         qtri_vec3 a = take_vec3(r);
-        qtri_vec3 triangle[3];
+        qtri_vec3 triangle[3]; /* numbers are taken a statement each: in one order */
+        q16 n[3];
         qtri_quat q;
         qtri_mat4 m;
         switch (take_byte(r) % 14) {
@@ -78,7 +120,8 @@ static inline void build_transform(struct reader *r, qtri_transform *t)
             qtri_transform_rotate(t, take_number(r), a);
             break;
         case 3:
-            qtri_transform_rotate_about(t, take_number(r), a, take_vec3(r));
+            n[0] = take_number(r);
+            qtri_transform_rotate_about(t, n[0], a, take_vec3(r));
             break;
         case 4:
             triangle[0] = a;
@@ -87,21 +130,31 @@ static inline void build_transform(struct reader *r, qtri_transform *t)
             qtri_transform_rotate_triangle(t, take_number(r), triangle);
             break;
         case 5:
-            take(r, &q, sizeof q);
+            q.w = take_int(r);
+            q.x = take_int(r);
+            q.y = take_int(r);
+            q.z = take_int(r);
             qtri_transform_rotate_quat(t, q);
             break;
         case 6:
-            qtri_transform_look_at(t, a, take_vec3(r), take_vec3(r));
+            triangle[0] = take_vec3(r);
+            triangle[1] = take_vec3(r);
+            qtri_transform_look_at(t, a, triangle[0], triangle[1]);
             break;
         case 7:
             qtri_transform_perspective(t, a.x, a.y, a.z, take_number(r));
             break;
         case 8:
-            qtri_transform_frustum(t, a.x, a.y, a.z, take_number(r), take_number(r),
-                                   take_number(r));
+            n[0] = take_number(r);
+            n[1] = take_number(r);
+            n[2] = take_number(r);
+            qtri_transform_frustum(t, a.x, a.y, a.z, n[0], n[1], n[2]);
             break;
         case 9:
-            qtri_transform_ortho(t, a.x, a.y, a.z, take_number(r), take_number(r), take_number(r));
+            n[0] = take_number(r);
+            n[1] = take_number(r);
+            n[2] = take_number(r);
+            qtri_transform_ortho(t, a.x, a.y, a.z, n[0], n[1], n[2]);
             break;
         case 10:
             qtri_transform_perspective_d3d(t, a.x, a.y, a.z, take_number(r));
@@ -114,7 +167,9 @@ static inline void build_transform(struct reader *r, qtri_transform *t)
             qtri_transform_perspective(t, Q16(60), Q16(1), Q16(0.1), Q16(10));
             break;
         default:
-            take(r, &m, sizeof m);
+            for (int i = 0; i < 4; i++) {
+                take_ints(r, m.m[i], 4);
+            }
             qtri_transform_from_mat4(t, &m);
             qtri_transform_to_mat4(t, &m);
             break;
@@ -122,7 +177,6 @@ static inline void build_transform(struct reader *r, qtri_transform *t)
     }
 }
 
-/* Exactly as large as it may be read: AddressSanitizer watches its ends. */
 static const qtri_rgb palette[256] = {{1, 2, 3}, {255, 255, 255}};
 
 static const qtri_texel_format *const texel_formats[6] = {&qtri_texel_rgb565,  &qtri_texel_xrgb8888,
@@ -155,11 +209,15 @@ static inline void build_effects(struct reader *r, qtri_material *m, qtri_textur
         texture->format = with_alpha[take_byte(r) % 4];
     }
     const uint8_t kind = take_byte(r);
-    const qtri_fog_range range = {take_int(r), take_int(r), kind % 8 > 3};
+    qtri_fog_range range;
+    range.near_z = take_int(r);
+    range.far_z = take_int(r);
+    range.orthographic = kind % 8 > 3;
     const qtri_rgb color = {kind, 1, 2};
     memset(&fog, 0, sizeof fog);
     if (kind % 4 == 1) {
-        qtri_fog_linear(&fog, color, range, take_int(r), take_int(r));
+        const q16 near_distance = take_int(r);
+        qtri_fog_linear(&fog, color, range, near_distance, take_int(r));
     } else if (kind % 4 == 2) {
         qtri_fog_exp(&fog, color, range, take_int(r));
     } else if (kind % 4 == 3) {
@@ -214,16 +272,32 @@ typedef struct lamps {
     qtri_reflection reflection;
 } lamps;
 
+static inline void build_source(struct reader *r, qtri_light_source *source)
+{
+    source->position = take_any_vec3(r);
+    source->color.r = take_int(r);
+    source->color.g = take_int(r);
+    source->color.b = take_int(r);
+    source->constant = take_int(r);
+    source->linear = take_int(r);
+    source->quadratic = take_int(r);
+    source->direction = take_any_vec3(r);
+    source->inner = take_int(r);
+    source->outer = take_int(r);
+}
+
 static inline const qtri_lights *build_lamps(struct reader *r, lamps *l)
 {
     static const qtri_light_kind *const kinds[4] = {&qtri_directional_light, &qtri_point_light,
                                                     &qtri_spot_light, NULL};
     qtri_light_color ambient;
     const uint32_t count = take_byte(r) % (QTRI_LIGHTS_MAX + 2);
-    take(r, &ambient, sizeof ambient);
+    ambient.r = take_int(r);
+    ambient.g = take_int(r);
+    ambient.b = take_int(r);
     qtri_shininess_init(&l->table, take_number(r));
     for (uint32_t i = 0; i < count && i < QTRI_LIGHTS_MAX; i++) {
-        take(r, &l->sources[i], sizeof l->sources[i]);
+        build_source(r, &l->sources[i]);
         l->sources[i].kind = kinds[take_byte(r) % 4];
         l->sources[i].falloff = take_byte(r) % 2 ? &l->table : NULL;
     }
@@ -254,8 +328,15 @@ static inline const qtri_mesh *build_mesh(struct reader *r, soup *s)
     for (int i = 0; i < VERTICES; i++) {
         s->positions[i] = take_vec3(r);
     }
-    take(r, s->normals, sizeof s->normals);
-    take(r, s->uvs, sizeof s->uvs);
+    for (int i = 0; i < VERTICES; i++) {
+        s->normals[i].x = take_short(r);
+        s->normals[i].y = take_short(r);
+        s->normals[i].z = take_short(r);
+    }
+    for (int i = 0; i < VERTICES; i++) {
+        s->uvs[i].x = take_int(r);
+        s->uvs[i].y = take_int(r);
+    }
     take(r, s->colors, sizeof s->colors);
     for (int i = 0; i < TRIANGLES; i++) {
         for (int j = 0; j < 3; j++) {
@@ -271,7 +352,11 @@ static inline const qtri_mesh *build_mesh(struct reader *r, soup *s)
                             .vertex_count = VERTICES,
                             .triangle_count = TRIANGLES};
     s->mesh = mesh;
-    take(r, s->positions16, sizeof s->positions16);
+    for (int i = 0; i < VERTICES; i++) {
+        s->positions16[i].x = take_short(r);
+        s->positions16[i].y = take_short(r);
+        s->positions16[i].z = take_short(r);
+    }
     take(r, s->planes, sizeof s->planes);
     s->mesh.positions16 = parts & 8 ? s->positions16 : NULL;
     s->mesh.origin = take_vec3(r);

@@ -2,6 +2,8 @@
 /*
  * Checksums that tests/pictures.tsv records: what a change of the core alters is seen, and said in
  * CHANGELOG.md. QTRI_RECORD=FILE adds lines to that file in place of comparing (`make pictures`).
+ * QTRI_SEED=N takes other random numbers, of which nothing is recorded: what `make mutate HUNT=N`
+ * compares between a change and none.
  */
 #ifndef QTRI_TESTS_SUPPORT_RECORDED_H
 #define QTRI_TESTS_SUPPORT_RECORDED_H
@@ -27,6 +29,13 @@ static inline uint32_t recorded_add(uint32_t hash, uint32_t value, int bytes)
         hash = (hash ^ (value >> 8 * i & 0xFF)) * 16777619u;
     }
     return hash;
+}
+
+/* Of the random numbers of a group. */
+static inline uint64_t recorded_seed(int group)
+{
+    const char *other = getenv("QTRI_SEED");
+    return (uint64_t)group + (other != NULL ? strtoull(other, NULL, 10) << 16 : 0);
 }
 
 /* Fails where another checksum is recorded of the name, or none. */

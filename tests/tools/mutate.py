@@ -15,9 +15,11 @@ bound that is off by one.
 Not among the changes are those that are none wherever they stand: room for one more in an array whose size nothing asks
 for, and < for <= where the greater or the lesser of two is chosen (mutants.py).
 
-Settings, by environment: BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build
-out, FILES="core/paint/*.c core/raster/cover.h" draws from these files alone (a COUNT of 99999: all that they have). A
-change that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors that
+Settings, by environment: HUNT=30 draws 30 times as many random pictures and values as tests/pictures.tsv records, for
+each survivor, and says which differ from those without it: BUILD/hunt.tsv. None is a hint that the change makes no
+difference, no proof. BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build out,
+FILES="core/paint/*.c core/raster/cover.h" draws from these files alone (a COUNT of 99999: all that they have). A change
+that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors that
 tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; the CHANGE `0 -> 1 at 26` is
 that in column 26 of the text.
 """
@@ -32,6 +34,7 @@ import resource
 import shutil
 import subprocess
 import sys
+import threading
 import time
 
 from mutants import Source
@@ -39,6 +42,7 @@ from mutants import Source
 FLAGS = "-std=c99 -O1 -fPIC -fwrapv -w -Werror=vla".split()
 NARROW = ["-DQTRI_LONG_MULTIPLY=0", "-DQTRI_DIVIDE=0"]
 SANITIZE = "-fno-wrapv -g -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=address,undefined".split()
+RECORDED = ["test_core_corpus", "test_core_values", "test_core_pictures"]
 JOBS = int(os.environ.get("JOBS") or 2)
 
 # What says which mutant runs, and notes which expressions would have had another value: in memory that the processes
@@ -81,9 +85,13 @@ class Mutant:
         self.tests = None  # those for which it makes a difference where it stands
         self.result = None
 
-    def at(self):
+    def at_column(self):
+        """In the text of the line, from 0."""
         line = self.source.text.split("\n")[self.line - 1]
-        return f"{self.what} at {self.column - (len(line) - len(line.lstrip()))}"
+        return self.column - (len(line) - len(line.lstrip())) - 1
+
+    def at(self):
+        return f"{self.what} at {self.at_column() + 1}"
 
 
 def parallel(function, items):
@@ -262,8 +270,8 @@ class Runs:
             os.makedirs(f"{bench.here}/tmp-{i}", exist_ok=True)
             self.places.put(os.path.abspath(f"{bench.here}/tmp-{i}"))
 
-    def run(self, name, library, programs, mutant, seen=None):
-        """(passed, seconds)"""
+    def run(self, name, library, programs, mutant, seen=None, more=()):
+        """(passed, seconds of a processor)"""
         limit = int(10 * self.seconds.get(name, 12)) + 2
 
         def limits():
@@ -276,17 +284,18 @@ class Runs:
                            ASAN_OPTIONS="detect_leaks=0",
                            QTRI_COMMAND=os.path.abspath(f"{programs}/qtri"), QTRI_MUTANT=str(mutant),
                            LD_LIBRARY_PATH=os.path.abspath(library))
+        environment.update(more)
         if seen:
             environment["QTRI_SEEN"] = seen
-        start = time.time()
-        try:
-            status = subprocess.run([f"{programs}/{name}"], stdin=subprocess.DEVNULL, preexec_fn=limits,
-                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment,
-                                    timeout=20 * limit).returncode
-        except subprocess.TimeoutExpired:
-            status = -1
+        program = subprocess.Popen([f"{programs}/{name}"], stdin=subprocess.DEVNULL, preexec_fn=limits,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
+        hangs = threading.Timer(20 * limit, program.kill)
+        hangs.start()
+        _, status, used = os.wait4(program.pid, 0)
+        program.returncode = status
+        hangs.cancel()
         self.places.put(place)
-        return status == 0, time.time() - start
+        return status == 0, used.ru_utime + used.ru_stime
 
     def look(self, layer, names):
         """For which of these tests each mutant of a layer makes a difference where it stands; how long they take."""
@@ -329,6 +338,41 @@ class Runs:
             if not passed:
                 return name
         return "survived"
+
+
+class Hunt:
+    """Looks for a random picture or value that a survivor makes otherwise."""
+
+    def __init__(self, rounds, folder):
+        self.rounds, self.folder, self.usual = rounds, folder, {}
+
+    def lines(self, runs, name, library, programs, number, seed):
+        out = os.path.abspath(f"{self.folder}/hunt-{name}-{number}-{seed}")
+        if os.path.exists(out):
+            os.remove(out)
+        runs.run(name, library, programs, number, more={"QTRI_RECORD": out, "QTRI_SEED": str(seed)})
+        lines = open(out).read().split("\n") if os.path.exists(out) else []
+        if lines:
+            os.remove(out)
+        return lines
+
+    def find(self, mutant, judge):
+        """The program, seed and line of the first that differs, or None."""
+        if mutant.layer is None:
+            return None
+        runs, layer = judge.runs, mutant.layer
+        for seed in range(1, self.rounds + 1):
+            for name in RECORDED:
+                if name not in mutant.tests:
+                    continue
+                key = (runs, layer, name, seed)
+                if key not in self.usual:
+                    self.usual[key] = self.lines(runs, name, layer.folder, layer.programs, -1, seed)
+                lines = self.lines(runs, name, layer.folder, layer.programs, mutant.number, seed)
+                if lines != self.usual[key]:
+                    differ = [a for a, b in zip(self.usual[key], lines + [""] * 999) if a != b]
+                    return name, seed, differ[0].split("\t")[0] if differ else "end"
+        return None
 
 
 def same_objects(bench, mutant, flags):
@@ -532,6 +576,12 @@ def main():
     sanitized = Sanitized(build) if left else None
     for m in left:
         m.result = sanitized.judge(m, judges[m.number].runs.seconds)
+    hunt = Hunt(int(os.environ.get("HUNT") or 0), build)
+    left = [m for m in judged if m.result == "survived" and not is_explained(m, explained) and m.tests]
+    found = parallel(lambda m: hunt.find(m, judges[m.number]), left)
+    with open(f"{build}/hunt.tsv", "w") as table:
+        for m, where in zip(left, found):
+            table.write(f"{m.path}\t{m.line}\t{m.column}\t{m.what}\t{where}\t{m.text}\n")
     known, survivors = 0, []
     with open(f"{build}/mutants.tsv", "w") as table:
         for m in judged:
