@@ -57,7 +57,11 @@ static inline uint32_t qtri_reciprocal_q31(uint32_t x)
 {
     uint32_t y = qtri_reciprocal_seed(x);
 #if !QTRI_DIVIDE
-    y += 0x80000000u - x * y >= x; /* of every x the seed leaves 0..5/4 x */
+    int32_t rest = (int32_t)(0x80000000u - x * y); /* of every x the seed leaves 0..5/4 x */
+    while (rest >= (int32_t)x) {
+        rest -= (int32_t)x;
+        y++;
+    }
 #endif
     return y;
 }

@@ -94,7 +94,7 @@ static void set_planes(qtri_alpha_planes *p, const qtri_triangle *triangle,
 {
     const uint32_t alpha_q16[3] = {v[0].alpha_q16, v[1].alpha_q16, v[2].alpha_q16};
     qtri_gradient gradient;
-    uint32_t q[3];
+    uint32_t q[3] = {0, 0, 0};
     uint32_t f[3];
     uint32_t ends[2];
     qtri_gradient_place(&gradient, triangle);
