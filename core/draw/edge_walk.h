@@ -13,6 +13,20 @@
  */
 enum { QTRI_NOTE_AFTER = 1, QTRI_NOTE_IN_ROW = 2, QTRI_NOTE_SHARE_SHIFT = 2 };
 
+/* A word, rotated to the right by the low five bits of a number, which need no mask. */
+static inline uint32_t qtri_rotated(uint32_t word, uint32_t by)
+{
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+    __asm__("ror %0, %1" : "+l"(word) : "l"(by) : "cc");
+    return word;
+#elif defined(__GNUC__) && defined(__thumb2__)
+    __asm__("ror %0, %0, %1" : "+r"(word) : "r"(by));
+    return word;
+#else
+    return word >> (by & 31) | word << ((0 - by) & 31);
+#endif
+}
+
 /* How stored depths are compared with those of edges. */
 typedef enum qtri_edge_test {
     QTRI_EDGE_NEARER,  /* an edge is hidden by smaller ones */
@@ -23,10 +37,14 @@ typedef enum qtri_edge_test {
 /* One of the two axes that edges are walked along. */
 typedef struct qtri_edge_axis {
     int32_t low, high;             /* pixels on it that count */
-    int32_t first;                 /* pixel on the other axis that is 0 */
+    int32_t first;                 /* on the other axis: the second pixel's border, and 2^-16 */
     uint32_t wide;                 /* pixels on it */
-    int32_t along, across, origin; /* steps of a note's place, and the place of pixel (0, first) */
+    uint32_t inner;                /* of these, those with two neighbours */
+    int32_t along, across, origin; /* steps of a note's place, and that of (0, second pixel) */
     uint32_t direction;            /* of notes: in a row or not */
+    uint32_t *marks;               /* as the walker's: loops need only the axis */
+    uint16_t *notes;
+    uint32_t flip;
 } qtri_edge_axis;
 
 /* What the edges of an outline share. */
