@@ -263,4 +263,18 @@ uint32_t qtri_sqrt32_round(uint32_t x);
  */
 uint32_t qtri_reciprocal_q62(uint32_t x);
 
+/* A word, rotated to the right by the low five bits of a number, which need no mask. */
+static inline uint32_t qtri_rotated(uint32_t word, uint32_t by)
+{
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+    __asm__("ror %0, %1" : "+l"(word) : "l"(by) : "cc");
+    return word;
+#elif defined(__GNUC__) && defined(__thumb2__)
+    __asm__("ror %0, %0, %1" : "+r"(word) : "r"(by));
+    return word;
+#else
+    return word >> (by & 31) | word << ((0 - by) & 31);
+#endif
+}
+
 #endif

@@ -25,6 +25,7 @@
 #include "../bits/bits.h"
 #include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
+#include "../frame/barrier.h"
 
 enum {
     CHUNK_LOG2 = 7,
@@ -93,59 +94,104 @@ QTRI_INLINE void note(const qtri_edge_walker *w, uint32_t i, uint32_t code, int3
     }
 }
 
-/* The same, where few come: it leaves the registers of the rest alone. */
-QTRI_NOINLINE static void note_second(const qtri_edge_walker *w, uint32_t i, uint32_t code,
-                                      int32_t limit)
+/*
+ * Notes what one pixel of an edge gives itself and its neighbour. `at` on the minor axis is counted
+ * from axis->first, which is a pixel and 2^-16 beyond the first: what lies on a pixel's border is
+ * then the end of the pixel before it, with the same two shares. A function of its own: few pixels
+ * come here, and it leaves the registers of the others alone.
+ */
+QTRI_NOINLINE static void note_both(const qtri_edge_walker *w, const qtri_edge_axis *axis,
+                                    const uint16_t *shares, int32_t at, int32_t place,
+                                    int32_t limit)
 {
-    note(w, i, code, limit);
-}
-
-/* In place where there are registers for it. */
-#if QTRI_LONG_MULTIPLY && !defined(__OPTIMIZE_SIZE__)
-#define PIXEL QTRI_INLINE
-#else
-#define PIXEL QTRI_NOINLINE static
-#endif
-
-/* Notes what one pixel of an edge, `at` on the minor axis, gives itself and its neighbour. */
-PIXEL void note_pixel(const qtri_edge_walker *w, const qtri_edge_axis *axis, const uint16_t *shares,
-                      int32_t at, int32_t place, int32_t limit)
-{
-    const int32_t pixel = at >> 16;
-    uint32_t fraction = qtri_low16((uint32_t)at);
-    int32_t other = pixel - 1;
+    int32_t pixel = at >> 16;
+    uint32_t fraction = qtri_low16((uint32_t)at) + 1;
     uint32_t direction = axis->direction;
+    int32_t other = pixel - 1;
     if (fraction > HALF) { /* on the centre: it belongs to the side after the edge */
         fraction = 2 * HALF - fraction;
         other = pixel + 1;
         direction += QTRI_NOTE_AFTER;
     }
-    if ((uint32_t)pixel >= axis->wide || (uint32_t)other >= axis->wide) {
+    if ((uint32_t)pixel + 1 >= axis->wide || (uint32_t)other + 1 >= axis->wide) {
         return;
     }
     const uint32_t both = shares[(fraction + ROUND) >> SHARE_SHIFT];
     if (both >> 8 != 0) {
-        note_second(w, (uint32_t)(place + other * axis->across),
-                    both >> 8 | (direction ^ QTRI_NOTE_AFTER), limit);
+        note(w, (uint32_t)(place + other * axis->across), both >> 8 | (direction ^ QTRI_NOTE_AFTER),
+             limit);
     }
     if ((both & 0xFF) != 0) {
         note(w, (uint32_t)(place + pixel * axis->across), (both & 0xFF) | direction, limit);
     }
 }
 
-/* `shares`: the slope's row of the table. */
+/*
+ * `shares`: the slope's row of the table. Of most pixels only the one that the edge passes through
+ * takes a share, and both neighbours are on the surface: note_both() without its other half. `at`
+ * less 2^-16 has the bit of a half where the fraction is more than that, so no constant is
+ * compared, and less a pixel it is below `inner` where both neighbours count. Nothing but the axis
+ * is asked for constants, and of a Cortex-M0+'s eight low registers it, the place, the limit and
+ * `at` keep one each.
+ */
 QTRI_INLINE void walk_part(const qtri_edge_walker *w, const qtri_edge_axis *axis, const part *p,
                            const uint16_t *shares)
 {
-    int32_t at = p->at - axis->first * 65536;
+    int32_t along = axis->along;
+    int32_t place = axis->origin + p->k * along;
+    int32_t end = axis->origin + p->end * along;
+    uint32_t at = (uint32_t)(p->at - axis->first);
     int32_t limit = p->limit;
-    int32_t place = axis->origin + p->k * axis->along;
-    for (int32_t n = p->end - p->k; n > 0; n--) {
-        note_pixel(w, axis, shares, at, place, limit);
-        at += p->step;
-        limit += p->limit_step;
-        place += axis->along;
+    int32_t step = p->step;
+    int32_t limit_step = p->limit_step;
+    if (p->k >= p->end) {
+        return;
     }
+    QTRI_ASIDE(limit_step)
+    QTRI_ASIDE(step)
+    QTRI_ASIDE(shares)
+    do {
+        uint32_t fraction = at << 16; /* f - 2^-16 */
+        uint32_t code = axis->direction;
+        QTRI_ASIDE(end)
+        if ((int32_t)fraction >= 0) {
+            fraction = at + (ROUND + 1); /* f + ROUND in its low half, */
+        } else {
+            QTRI_BRANCH
+            fraction = (ROUND - 1) - at; /* and 1 - f + ROUND */
+            code += QTRI_NOTE_AFTER;
+        }
+        const uint32_t both = shares[fraction << 16 >> (SHARE_SHIFT + 16)];
+        int32_t pixel = (int32_t)at >> 16;
+        if (both - 1 > 0xFE || (uint32_t)pixel >= axis->inner) {
+            note_both(w, axis, shares, (int32_t)at, place, limit);
+        } else {
+            code |= both;
+            const uint32_t i = (uint32_t)(place + pixel * axis->across);
+            uint32_t *mark = &axis->marks[i >> 5];
+            QTRI_OPAQUE(mark)
+            if ((int32_t)(qtri_rotated(*mark, i) << 31) < 0) {
+                uint16_t *at_note = &axis->notes[i];
+                if (code > (*at_note | w->weak)) {
+                    *at_note = (uint16_t)code;
+                }
+            } else {
+                uint16_t *at_note = &axis->notes[i];
+                if ((int32_t)((*at_note ^ axis->flip) << 6) >= limit) {
+                    *at_note = (uint16_t)code;
+                    QTRI_OPAQUE(mark)
+                    *mark |= qtri_rotated(1, 0 - i);
+                }
+            }
+        }
+        QTRI_ASIDE(step)
+        QTRI_ASIDE(limit_step)
+        QTRI_OPAQUE(axis)
+        QTRI_OPAQUE(at)
+        at += (uint32_t)step;
+        limit += limit_step;
+        place += axis->along;
+    } while (place != end);
 }
 
 /* The pixels of the part that lie on the surface. */
@@ -239,25 +285,36 @@ void qtri_edge_walker_init(qtri_edge_walker *w, const qtri_edges *edges, qtri_ed
     const int32_t pitch = edges->pitch;
     const int32_t first_row = edges->surface.first_row;
     const int32_t place = edges->origin - first_row * pitch; /* of pixel (0, 0), if it were there */
+    const uint32_t flip = test == QTRI_EDGE_FARTHER ? 0xFFFF : 0;
+    const uint32_t rows = (uint32_t)(bounds->y1 - bounds->y0);
+    const uint32_t columns = (uint32_t)(bounds->x1 - bounds->x0);
     const qtri_edge_axis level = {.low = bounds->x0,
                                   .high = bounds->x1,
-                                  .first = bounds->y0,
-                                  .wide = (uint32_t)(bounds->y1 - bounds->y0),
+                                  .first = (bounds->y0 + 1) * 65536 + 1,
+                                  .wide = rows,
+                                  .inner = rows > 2 ? rows - 2 : 0,
+                                  .marks = edges->marks,
+                                  .notes = edges->notes,
+                                  .flip = flip,
                                   .along = 1,
                                   .across = pitch,
-                                  .origin = place + bounds->y0 * pitch,
+                                  .origin = place + (bounds->y0 + 1) * pitch,
                                   .direction = 0};
     const qtri_edge_axis steep = {.low = bounds->y0,
                                   .high = bounds->y1,
-                                  .first = bounds->x0,
-                                  .wide = (uint32_t)(bounds->x1 - bounds->x0),
+                                  .first = (bounds->x0 + 1) * 65536 + 1,
+                                  .wide = columns,
+                                  .inner = columns > 2 ? columns - 2 : 0,
+                                  .marks = edges->marks,
+                                  .notes = edges->notes,
+                                  .flip = flip,
                                   .along = pitch,
                                   .across = 1,
-                                  .origin = place + bounds->x0,
+                                  .origin = place + bounds->x0 + 1,
                                   .direction = QTRI_NOTE_IN_ROW};
     w->marks = edges->marks;
     w->notes = edges->notes;
-    w->flip = test == QTRI_EDGE_FARTHER ? 0xFFFF : 0;
+    w->flip = flip;
     w->weak = 0;
     w->hides = test != QTRI_EDGE_ALWAYS;
     w->axis[0] = level;
@@ -341,26 +398,39 @@ QTRI_NOINLINE static void note_long(const qtri_edge_walker *w, const qtri_vertex
     }
 }
 
-/* r: 2^31 / (2^up length), length x 2^up being 2^15..2^16 - 1, or less than one below. */
-QTRI_INLINE void find_limit(part *p, const ends *e, int32_t along, uint32_t r, int32_t up)
+/* A length below 2^15: times 2^up it is 2^15..2^16 - 1, and r is 2^31 / (2^up length), less than
+ * one below. */
+typedef struct inverse {
+    uint32_t r;
+    int32_t up;
+} inverse;
+
+static inline inverse inverse_of(uint32_t length)
+{
+    const int32_t up = qtri_clz32(length) - 16; /* >= 1 */
+    const inverse i = {qtri_reciprocal_q31(length << up), up};
+    return i;
+}
+
+QTRI_INLINE void find_limit(part *p, const ends *e, int32_t along, inverse i)
 {
     const int32_t delta = e->other - e->depth;
-    const int32_t step = qtri_mul_high_s31(delta * 256, r << up) * 2; /* < 2^30 */
+    const int32_t step = qtri_mul_high_s31(delta * 256, i.r << i.up) * 2; /* < 2^30 */
     p->limit_step = step;
     p->limit -= delta < 0 ? delta : 0; /* from where it begins, not the nearest */
     p->limit += (step >> 8) * along + (((step & 255) * along) >> 8);
 }
 
 /*
- * 2^16 delta / length to nearest, for delta <= length < 2^15; r as in find_limit(): the quotient by
- * it is at most 3 too small.
+ * 2^16 delta / length to nearest, for delta <= length < 2^15: the quotient by the inverse is at
+ * most 3 too small.
  */
-static inline uint32_t step_of(uint32_t delta, uint32_t length, uint32_t r, int32_t up)
+static inline uint32_t step_of(uint32_t delta, uint32_t length, inverse i)
 {
     if (QTRI_DIVIDE) {
         return ((delta << 16) + length / 2) / length; /* < 2^31 + 2^14 */
     }
-    uint32_t step = ((delta << up) * r) >> 15; /* <= 2^31 / 2^15 */
+    uint32_t step = ((delta << i.up) * i.r) >> 15; /* <= 2^31 / 2^15 */
     uint32_t rest = (delta << 16) - step * length + length / 2;
     while (rest >= length) {
         rest -= length;
@@ -386,23 +456,19 @@ void qtri_edge_note(const qtri_edge_walker *w, const qtri_vertex *a, const qtri_
         return;
     }
     const int32_t along = (128 - e.major) & 255; /* to the first centre */
-    const bool is_level = !w->hides || p.end - p.k <= LEVEL_MOST;
-    /* length x 2^-16 is 2^(zeros - 16) length = 1/2..1, and r its reciprocal within 2^-15. */
-    int32_t up = 0;
-    uint32_t r = 0;
-    if (!QTRI_DIVIDE || !is_level) {
-        up = qtri_clz32((uint32_t)e.length) - 16; /* >= 1 */
-        r = qtri_reciprocal_q31((uint32_t)e.length << up);
+    inverse i = {0, 0};
+    if (!QTRI_DIVIDE) {
+        i = inverse_of((uint32_t)e.length);
     }
     p.limit = NO_LIMIT;
     p.limit_step = 0;
     if (w->hides) {
         p.limit = nearest_of(&e);
-        if (!is_level) {
-            find_limit(&p, &e, along, r, up);
+        if (p.end - p.k > LEVEL_MOST) {
+            find_limit(&p, &e, along, QTRI_DIVIDE ? inverse_of((uint32_t)e.length) : i);
         }
     }
-    const uint32_t magnitude = step_of(qtri_magnitude32(e.delta), (uint32_t)e.length, r, up);
+    const uint32_t magnitude = step_of(qtri_magnitude32(e.delta), (uint32_t)e.length, i);
     p.step = e.delta < 0 ? -(int32_t)magnitude : (int32_t)magnitude;
     p.at = e.minor * 256 + ((p.step * along + 128) >> 8);
     cut_part(&p, e.axis->low, e.axis->high);

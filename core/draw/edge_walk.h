@@ -23,10 +23,14 @@ typedef enum qtri_edge_test {
 /* One of the two axes that edges are walked along. */
 typedef struct qtri_edge_axis {
     int32_t low, high;             /* pixels on it that count */
-    int32_t first;                 /* pixel on the other axis that is 0 */
+    int32_t first;                 /* on the other axis: the second pixel's border, and 2^-16 */
     uint32_t wide;                 /* pixels on it */
-    int32_t along, across, origin; /* steps of a note's place, and the place of pixel (0, first) */
+    uint32_t inner;                /* of these, those with two neighbours */
+    int32_t along, across, origin; /* steps of a note's place, and that of (0, second pixel) */
     uint32_t direction;            /* of notes: in a row or not */
+    uint32_t *marks;               /* as the walker's: loops need only the axis */
+    uint16_t *notes;
+    uint32_t flip;
 } qtri_edge_axis;
 
 /* What the edges of an outline share. */

@@ -12,6 +12,7 @@
 #include "edge_walk.h"
 
 #include "../filter/mix.h"
+#include "../frame/barrier.h"
 #include "../frame/depth_format.h"
 
 enum { WORD_PIXELS = 32, PITCH_MAX = 1 << 16 };
@@ -198,25 +199,34 @@ void qtri_edges_blend(qtri_edges *edges)
 QTRI_NOINLINE static void blend_565(const qtri_edges *edges)
 {
     const int32_t pitch = edges->pitch;
-    const int32_t step[4] = {-pitch, pitch, -1, 1};
+    const int32_t steps_to[4] = {-pitch, pitch, -1, 1};
+    const int32_t *step = steps_to;
     const uint32_t *marks = edges->marks;
     const uint32_t *end = marks + mark_words(edges);
     uint16_t *note = edges->notes;
     uint16_t *pixel = (uint16_t *)(void *)edges->surface.pixels;
-    for (const uint32_t *word = marks; word != end; word++) {
-        for (uint32_t left = *word; left != 0; left &= left - 1) {
-            const uint32_t place = (uint32_t)(word - marks) * WORD_PIXELS + lowest(left);
+    QTRI_OPAQUE(step) /* in a register */
+    for (const uint32_t *word = marks; word != end;) {
+        uint32_t left = *word++;
+        if (left == 0) {
+            continue;
+        }
+        uint32_t first = (uint32_t)(word - marks - 1) * WORD_PIXELS;
+        do {
+            QTRI_ASIDE(first)
+            const uint32_t place = first + lowest(left);
             const uint32_t code = note[place];
             const uint32_t old = pixel[place];
             const int32_t to = step[code & DIRECTIONS];
             const uint32_t other = place + (uint32_t)to;
             uint32_t neighbour = pixel[other];
-            if (to < 0 && is_marked(edges, other) != 0) {
+            if (to < 0 && (int32_t)(qtri_rotated(marks[other / WORD_PIXELS], other) << 31) < 0) {
                 neighbour = note[other];
             }
             note[place] = (uint16_t)old;
             pixel[place] = (uint16_t)qtri_lerp_565(old, neighbour, code >> QTRI_NOTE_SHARE_SHIFT);
-        }
+            left &= left - 1;
+        } while (left != 0);
     }
 }
 

@@ -12,24 +12,10 @@ static inline void qtri_front_set(uint32_t *front, uint32_t triangle)
     front[triangle >> 5] |= (uint32_t)1 << (triangle & 31);
 }
 
-/* A word, rotated to the right by the low five bits of a number, which need no mask. */
-static inline uint32_t qtri_front_rotated(uint32_t word, uint32_t by)
-{
-#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
-    __asm__("ror %0, %1" : "+l"(word) : "l"(by) : "cc");
-    return word;
-#elif defined(__GNUC__) && defined(__thumb2__)
-    __asm__("ror %0, %0, %1" : "+r"(word) : "r"(by));
-    return word;
-#else
-    return word >> (by & 31) | word << ((0 - by) & 31);
-#endif
-}
-
 /* At bit 0, others being above it. */
 static inline uint32_t qtri_front_bit(const uint32_t *front, uint32_t triangle)
 {
-    return qtri_front_rotated(front[triangle >> 5], triangle);
+    return qtri_rotated(front[triangle >> 5], triangle);
 }
 
 static inline void qtri_front_unset(uint32_t *front, uint32_t triangle)

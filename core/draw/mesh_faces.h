@@ -26,7 +26,7 @@ typedef struct qtri_mesh_faces {
     bool inside;              /* no vertex met so far is outside */
     const uint8_t *triangles; /* of the list: its first one's indices */
     const uint16_t *end;
-    uint16_t list[QTRI_FACES_AT_ONCE]; /* steps from `triangles` */
+    uint16_t list[QTRI_FACES_AT_ONCE + 2]; /* steps from `triangles`; room for an end of it */
 } qtri_mesh_faces;
 
 /* The indices of a triangle in the list: a step is six bytes, or three. */

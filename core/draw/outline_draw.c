@@ -78,21 +78,21 @@ QTRI_NOINLINE static void see_whole(const drawing *d)
  * All of a list counts as front, for now: a plane leaves few back faces. `front`: of the list's
  * first triangle, in words of which nothing is set. Entries rise.
  */
-QTRI_NOINLINE static void set_listed(uint32_t *front, const qtri_mesh_faces *faces)
+QTRI_NOINLINE static void set_listed(uint32_t *front, qtri_mesh_faces *faces)
 {
     enum { WORD = 32 * QTRI_FACES_STEP };
     uint32_t minus_third = 0 - qtri_mesh_faces_third();
     QTRI_HOLD(minus_third);
     const uint16_t *at = faces->list;
-    const uint16_t *end = faces->end;
-    for (uint32_t limit = WORD; at != end; limit += WORD) {
+    faces->list[faces->end - at] = UINT16_MAX; /* beyond all words */
+    for (uint32_t limit = WORD; at != faces->end; limit += WORD) {
         uint32_t bits = 0;
-        while (*at < limit) {
-            bits |= qtri_front_rotated(1, qtri_mesh_faces_number(*at, minus_third));
+        uint32_t entry = *at;
+        while (entry < limit) {
+            bits |= qtri_rotated(1, qtri_mesh_faces_number(entry, minus_third));
             at++;
-            if (at == end) {
-                break;
-            }
+            QTRI_HOLD(at);
+            entry = *at;
         }
         *front++ = bits;
     }
@@ -107,7 +107,7 @@ QTRI_NOINLINE static void unset_listed(uint32_t *front, const qtri_mesh_faces *f
 }
 
 /* A list of triangles of a mesh that culls its back faces, all vertices being inside. */
-QTRI_NOINLINE static void see_fronts(const qtri_mesh_job *job, const qtri_mesh_faces *faces,
+QTRI_NOINLINE static void see_fronts(const qtri_mesh_job *job, qtri_mesh_faces *faces,
                                      uint32_t *front)
 {
     const uint32_t size = qtri_vertex_size();

@@ -13,10 +13,15 @@
  */
 #include "outline_find.h"
 
-/* 3 times that is 1 modulo 2^32: what is a multiple of 3 is divided by it. */
-#define THIRD 0xAAAAAAABu
+#include "mesh_faces.h"
 
 enum { PASSES = 3, ALL_EDGES = 7, CREASE_Q15 = 1 << 11 };
+
+/* Of the triangle whose neighbours these are. */
+static inline uint32_t number_of(const uint16_t *neighbours, const uint16_t *n)
+{
+    return (uint32_t)(n - neighbours) * qtri_mesh_faces_third();
+}
 
 /* A function of its own: none of the other ways to find edges takes its registers. */
 QTRI_NOINLINE static bool find_by_neighbours(qtri_edge_finder *f)
@@ -30,23 +35,28 @@ QTRI_NOINLINE static bool find_by_neighbours(qtri_edge_finder *f)
         const uint16_t *n = neighbours + (size_t)next * 3;
         next = (next | 31) + 1;
         while (bits != 0) {
-            if ((bits & 1) == 0) {
-                const bool many = (bits & 0xFF) == 0;
-                n += many ? 24 : 3;
-                bits >>= many ? 8 : 1;
-                continue;
+            if ((int32_t)(bits << 31) >= 0) {
+                QTRI_HOLD(bits); /* or eight bits are looked at before the one */
+                if ((bits & 0xFF) == 0) {
+                    n += 24;
+                    bits >>= 8;
+                    continue;
+                }
+                do {
+                    n += 3;
+                    bits >>= 1;
+                } while ((int32_t)(bits << 31) >= 0);
             }
             uint32_t a = qtri_front_bit(front, n[0]);
             uint32_t b = qtri_front_bit(front, n[1]);
             uint32_t c = qtri_front_bit(front, n[2]);
-            if ((a & b & c & 1) == 0) {
+            if ((int32_t)((a & b & c) << 31) >= 0) {
                 QTRI_HOLD(a); /* GCC 12 would compute what follows for all faces */
                 QTRI_HOLD(b);
                 QTRI_HOLD(c);
                 const uint32_t edges = ((a & 1) | (b & 1) << 1 | (c & 1) << 2) ^ ALL_EDGES;
-                const uint32_t number = (uint32_t)(n - neighbours) * THIRD;
-                if (!f->take(f, number, edges, false)) {
-                    f->from = number;
+                if (!f->take(f, number_of(neighbours, n), edges, false)) {
+                    f->from = number_of(neighbours, n);
                     return false;
                 }
             }

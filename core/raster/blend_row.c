@@ -47,14 +47,17 @@ QTRI_INLINE uint32_t colors(const uint32_t *color)
 #define FOUR
 #else
 #define FOUR                                                                                       \
-    for (; count >= 4; count -= 4) {                                                               \
+    const uint16_t *fours = pixel + (count & ~3);                                                  \
+    while (pixel != fours) {                                                                       \
         PAIR(0)                                                                                    \
         PAIR(2)                                                                                    \
         pixel += 4;                                                                                \
         color += 4;                                                                                \
         QTRI_OPAQUE(pixel)                                                                         \
         QTRI_OPAQUE(color)                                                                         \
-    }
+        QTRI_ASIDE(fours)                                                                          \
+    }                                                                                              \
+    count &= 3;
 #endif
 #define PAIR(i)                                                                                    \
     {                                                                                              \
@@ -146,10 +149,16 @@ void qtri_blend_row_alpha(uint8_t *pixels, const uint32_t *color, int32_t count,
 QTRI_IN_PLACE uint32_t sum(uint32_t c, uint32_t u, uint32_t tops)
 {
     uint32_t all = c + u;
-    const uint32_t half = (c & u) + ((c ^ u) >> 1 & 0x7BEF7BEFu);
+    u ^= c;
+    QTRI_OPAQUE(u) /* c without it: the bits of both, with no register for a copy */
+    c &= ~u;
+    const uint32_t half = c + (u >> 1 & 0x7BEF7BEFu);
     const uint32_t full = half & tops;
-    all -= full << 1;
-    all |= (full << 1) - (full >> 4);
+    uint32_t fill = full << 1;
+    all -= fill;
+    QTRI_OPAQUE(all) /* first, or its subtrahend is kept twice */
+    fill -= full >> 4;
+    all |= fill;
     return all | (full & GREEN_TOP) >> 5; /* it has six bits */
 }
 
@@ -165,9 +174,9 @@ QTRI_NOINLINE static void sum_row(uint16_t *pixel, const uint32_t *color, int32_
 /* Shares of colours, rounded. */
 QTRI_IN_PLACE uint32_t share_of(uint32_t c, const lanes *l)
 {
-    const uint32_t blue = (c & l->five) * l->red_blue + l->half;
-    const uint32_t red = (RED(c) & l->five) * l->red_blue + l->half;
     const uint32_t green = (GREEN(c) & l->six) * l->green + l->half;
+    const uint32_t red = (RED(c) & l->five) * l->red_blue + l->half;
+    const uint32_t blue = (c & l->five) * l->red_blue + l->half;
     return joined(red, green, blue, l);
 }
 
