@@ -2,6 +2,8 @@
 #include "qtri/depth.h"
 
 #include "../bits/bits.h"
+#include "batch.h"
+#include "depth_rows.h"
 
 /*
  * With perspective what is twice as far has half of 1 - z: a step that is a part of 1 - z is about
@@ -13,7 +15,7 @@
  * rounded down, and stored is 65535 less that, so that nearer is less. A step is 2^-13 to 2^-12 of
  * 1 - z, and no finer than 2^5: vertices have steps of 2^8.
  */
-#define FARTHEST   ((uint32_t)65535 << 16)
+#define FARTHEST   QTRI_DEPTH_FARTHEST
 #define MANTISSA   12 /* bits */
 #define LEAST_LOG2 5
 
@@ -93,5 +95,42 @@ static void decode(uint32_t *depth, int32_t count)
     }
 }
 
-const qtri_depth_format qtri_depth_float16 = {QTRI_DEPTH_FLOAT16_BYTES, &qtri_depth_testing_stages,
-                                              encode, decode};
+/*
+ * Within an octave 65535 - base - (t >> down) is v >> down, where v = z + a constant: what is
+ * rounded down for t is rounded up below 0, which 2^down - 1 more turns down again. v is below
+ * 2^31: of e >= 1 what is stored is below (16 - e) 2^12, and down is e + 4; of e = 0 below 2^16,
+ * and it is 5.
+ *
+ * A row is as linear as its depths, so of two that are in an octave all between are: where the
+ * octave ends is found by halves.
+ */
+static int32_t find_piece(qtri_depth_piece *p, uint32_t z, uint32_t step, int32_t count)
+{
+    octave o;
+    const uint32_t depth = qtri_depth_of(z);
+    find_octave(&o, FARTHEST - depth);
+    p->down = (uint32_t)o.down;
+    p->z = ((65535 - o.base) << o.down) + depth - FARTHEST + ((uint32_t)1 << o.down) - 1;
+    p->step = step;
+    if (z != depth + QTRI_DEPTH_HALF) {
+        return 1;
+    }
+    const uint32_t within = FARTHEST - depth - o.from;
+    if (within - (uint32_t)(count - 1) * step < o.size) {
+        return count;
+    }
+    int32_t some = 0; /* more, of less than `count` */
+    for (int32_t more = QTRI_BATCH / 2; more > 0; more >>= 1) {
+        if (some + more < count && within - (uint32_t)(some + more) * step < o.size) {
+            some += more;
+        }
+    }
+    return some + 1;
+}
+
+#define BYTES    2
+#define SHIFT(p) ((p)->down)
+#include "depth_rows.inc"
+
+static const qtri_depth_testing testing = QTRI_DEPTH_TESTING(test_row);
+const qtri_depth_format qtri_depth_float16 = {QTRI_DEPTH_FLOAT16_BYTES, &testing, encode, decode};
