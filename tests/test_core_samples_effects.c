@@ -19,6 +19,7 @@ typedef struct large_format {
     qtri_format format;
 } large_format;
 
+// NOLINTNEXTLINE(readability-non-const-parameter): the type is given
 static qtri_placed place_large(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
                                const qtri_raster *raster, const qtri_vertex *a,
                                const qtri_vertex *b, const qtri_vertex *c)

@@ -174,6 +174,13 @@ static void fill_row(const qtri_job *job, int32_t x, int32_t y, int32_t rest, ui
     uint32_t z = qtri_ramp_at(&job->depth, x - job->anchor_x, y - job->anchor_y);
     uint8_t *depth = stored_at(surface, ((uint32_t)(y - surface->first_row) << 16) + (uint32_t)x);
     uint8_t *pixels = qtri_pixels_at(surface, y) + (ptrdiff_t)x * memory->bytes;
+    const qtri_depth_flat flat = surface->depth_format->testing->flat;
+    if (flat != NULL && (orders == 1 || orders == 3) && raster->late_write &&
+        memory == &qtri_pixels_16) {
+        flat((uint16_t *)(void *)depth, (uint16_t *)(void *)pixels, z, step, rest, (uint16_t)pixel,
+             orders == 3);
+        return;
+    }
     while (rest > 0) {
         const int32_t count = qtri_least32(rest, QTRI_BATCH);
         const uint32_t mask =
@@ -188,15 +195,13 @@ static void fill_row(const qtri_job *job, int32_t x, int32_t y, int32_t rest, ui
     }
 }
 
-/* Rows of one colour that nothing follows are tested before they are filled. */
+/*
+ * Rows of one colour that nothing follows are tested before they are filled. Jobs that have
+ * textures, colours that vary, or light by pixel have other loops.
+ */
 static void fill_rows(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
 {
     const qtri_raster *raster = job->raster;
-    if (job->first != job->end || raster->texture != NULL || raster->by_pixel ||
-        others_of(raster) != NULL || raster->surface->depth_format->testing->row == NULL) {
-        qtri_span_fill(job, spans, row, count);
-        return;
-    }
     uint32_t pixel[4] = {job->pixel};
     if (raster->format->encode != NULL) {
         raster->format->encode(pixel, 1);
@@ -210,8 +215,10 @@ static void fill_rows(const qtri_job *job, const qtri_span *spans, int32_t row, 
     }
 }
 
-const qtri_effect_stages qtri_depth_effects = {apply, qtri_line_effects,      fill_rows, NULL,
+const qtri_effect_stages qtri_depth_effects = {apply, qtri_line_effects,      qtri_span_fill, NULL,
                                                NULL,  &qtri_list_late_effects};
+static const qtri_effect_stages filled = {apply, qtri_line_effects,      fill_rows, NULL,
+                                          NULL,  &qtri_list_late_effects};
 
 void qtri_depth_begin(qtri_raster *raster)
 {
@@ -227,7 +234,10 @@ void qtri_depth_begin(qtri_raster *raster)
     }
     raster->late_compare = raster->compare;
     raster->late_write = raster->depth_write;
-    raster->effects = &qtri_depth_effects;
+    const bool is_last = others_of(raster) == NULL;
+    raster->effects = is_last && raster->surface->depth_format->testing->row != NULL
+                          ? &filled
+                          : &qtri_depth_effects;
     raster->compare = QTRI_DEPTH_OFF;
     raster->depth_write = false;
     raster->with_depth = true;
@@ -313,4 +323,4 @@ void qtri_depth_fill(const qtri_surface *surface, const qtri_rect *rect, uint32_
     qtri_fill_rect(&depths, rect, depth_16p16);
 }
 
-const qtri_depth_testing qtri_depth_testing_stages = QTRI_DEPTH_TESTING(NULL);
+const qtri_depth_testing qtri_depth_testing_stages = QTRI_DEPTH_TESTING(NULL, NULL);
