@@ -16,6 +16,21 @@ struct qtri_fragments;
 struct qtri_line_job;
 struct qtri_raster;
 
+/*
+ * Of a row's fragments, `count` <= 32 of them, the first stored at `at` and of depth z, 16.16 with
+ * the half that rounds, those of the mask that pass: `orders` are bits for less, equal and greater.
+ * `writes`: and their depths are stored.
+ */
+typedef uint32_t (*qtri_depth_row)(uint8_t *at, uint32_t z, uint32_t step, uint32_t mask,
+                                   int32_t count, uint32_t orders, bool writes);
+
+/*
+ * The same of all of a row by LESS or, `equal`, LESS_EQUAL, which are written, onto pixels of 16
+ * bits in one colour.
+ */
+typedef void (*qtri_depth_flat)(uint16_t *depth, uint16_t *pixel, uint32_t z, uint32_t step,
+                                int32_t count, uint16_t color, bool equal);
+
 struct qtri_depth_testing {
     const struct qtri_effect_stages *effects;
     /* Triangles: puts the test before the raster's effects, where it compares depths. */
@@ -36,7 +51,25 @@ struct qtri_depth_testing {
      * follow in the order of the formerly stored ones. |depth_pitch| >= width.
      */
     uint16_t *(*flatten)(const qtri_surface *surface);
+    qtri_depth_row row;   /* NULL: depths of a row are encoded one by one */
+    qtri_depth_flat flat; /* NULL: rows are tested, then filled */
 };
+
+/* The functions of all of them, with the format's loop for rows. */
+#define QTRI_DEPTH_TESTING(row_, flat_)                                                            \
+    {                                                                                              \
+        &qtri_depth_effects, qtri_depth_begin, qtri_depth_begin_lines, qtri_depth_test_chunk,      \
+            qtri_depth_passes, qtri_depth_fill, qtri_depth_flatten, row_, flat_                    \
+    }
+extern const struct qtri_effect_stages qtri_depth_effects;
+void qtri_depth_begin(struct qtri_raster *raster);
+void qtri_depth_begin_lines(struct qtri_line_job *job, qtri_compare compare);
+uint32_t qtri_depth_test_chunk(const struct qtri_raster *raster, const struct qtri_fragments *at,
+                               uint32_t mask, int32_t count);
+bool qtri_depth_passes(const qtri_surface *surface, qtri_compare compare, uint32_t place,
+                       uint32_t depth_16p16, bool write);
+void qtri_depth_fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16);
+uint16_t *qtri_depth_flatten(const qtri_surface *surface);
 
 /* NULL: the surface's depths are linear16. */
 static inline const qtri_depth_testing *qtri_depth_testing_of(const qtri_surface *surface)

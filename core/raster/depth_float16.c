@@ -2,6 +2,8 @@
 #include "qtri/depth.h"
 
 #include "../bits/bits.h"
+#include "depth_rows.h"
+#include "loop.h"
 
 /*
  * With perspective what is twice as far has half of 1 - z: a step that is a part of 1 - z is about
@@ -13,7 +15,7 @@
  * rounded down, and stored is 65535 less that, so that nearer is less. A step is 2^-13 to 2^-12 of
  * 1 - z, and no finer than 2^5: vertices have steps of 2^8.
  */
-#define FARTHEST   ((uint32_t)65535 << 16)
+#define FARTHEST   QTRI_DEPTH_FARTHEST
 #define MANTISSA   12 /* bits */
 #define LEAST_LOG2 5
 
@@ -21,7 +23,7 @@
 typedef struct octave {
     uint32_t from, size;
     uint32_t base; /* added to t >> down */
-    int32_t down;
+    uint32_t down;
 } octave;
 
 static void find_octave(octave *o, uint32_t t)
@@ -36,7 +38,7 @@ static void find_octave(octave *o, uint32_t t)
     o->from = (uint32_t)1 << top;
     o->size = o->from;
     o->base = (uint32_t)(e - 1) << MANTISSA; /* the shifted t has its highest bit */
-    o->down = LEAST_LOG2 + e - 1;
+    o->down = (uint32_t)(LEAST_LOG2 + e - 1);
 }
 
 /* Neighbours mostly have one exponent. */
@@ -49,7 +51,7 @@ static void encode(uint32_t *depth, int32_t count)
         const uint32_t first = FARTHEST - o.from;
         const uint32_t base = 65535 - o.base;
         const uint32_t size = o.size;
-        const int32_t down = o.down;
+        const uint32_t down = o.down;
 #ifndef __OPTIMIZE_SIZE__
         /* Four at once: of one exponent are those that differ below its highest bit alone. */
         for (; end - depth >= 4; depth += 4) {
@@ -93,5 +95,95 @@ static void decode(uint32_t *depth, int32_t count)
     }
 }
 
-const qtri_depth_format qtri_depth_float16 = {QTRI_DEPTH_FLOAT16_BYTES, &qtri_depth_testing_stages,
-                                              encode, decode};
+/*
+ * Within an octave 65535 - base - (t >> down) is v >> down, where v = z + a constant: what is
+ * rounded down for t is rounded up below 0, which 2^down - 1 more turns down again. v is below
+ * 2^31: of e >= 1 what is stored is below (16 - e) 2^12, and down is e + 4; of e = 0 below 2^16,
+ * and it is 5.
+ *
+ * A row is as linear as its depths, so of two that are in an octave all between are: where the
+ * octave ends is found by halves.
+ */
+static int32_t find_piece(qtri_depth_piece *p, uint32_t z, uint32_t step, int32_t count)
+{
+    octave o;
+    const uint32_t depth = qtri_depth_of(z);
+    find_octave(&o, FARTHEST - depth);
+    p->down = o.down;
+    p->z = ((65535 - o.base) << o.down) + depth - FARTHEST + ((uint32_t)1 << o.down) - 1;
+    p->step = step;
+    if (z != depth + QTRI_DEPTH_HALF) {
+        return 1;
+    }
+    const uint32_t within = FARTHEST - depth - o.from;
+    int32_t last = 0; /* is in the octave */
+    int32_t beyond = count - 1;
+    if (within - (uint32_t)beyond * step < o.size) {
+        return count;
+    }
+    while (beyond - last > 1) {
+        const int32_t middle = (last + beyond) / 2;
+        if (within - (uint32_t)middle * step < o.size) {
+            last = middle;
+        } else {
+            beyond = middle;
+        }
+    }
+    return last + 1;
+}
+
+#define BYTES    2
+#define SHIFT(p) ((p)->down)
+#include "depth_rows.inc"
+
+#ifdef __OPTIMIZE_SIZE__
+#define FLAT NULL
+#else
+/* As in core/fast/flat.inc. */
+QTRI_INLINE void fill_piece(uint16_t *depth, uint16_t *pixel, const qtri_depth_piece *p,
+                            int32_t count, uint16_t color, bool equal)
+{
+    uint32_t z = p->z;
+    const uint32_t step = p->step;
+    const uint32_t down = p->down;
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t own = z >> down;                                                            \
+        const uint32_t stored = depth[i];                                                          \
+        if (equal ? own <= stored : own < stored) {                                                \
+            QTRI_BRANCH                                                                            \
+            depth[i] = (uint16_t)own;                                                              \
+            pixel[i] = color;                                                                      \
+        }                                                                                          \
+        z += step;                                                                                 \
+        QTRI_OPAQUE(z)                                                                             \
+    }
+    QTRI_PIXELS(count)
+#undef ONE
+}
+
+static void fill_row(uint16_t *depth, uint16_t *pixel, uint32_t z, uint32_t step, int32_t count,
+                     uint16_t color, bool equal)
+{
+    for (;;) {
+        qtri_depth_piece p;
+        const int32_t some = find_piece(&p, z, step, count);
+        if (equal) {
+            fill_piece(depth, pixel, &p, some, color, true);
+        } else {
+            fill_piece(depth, pixel, &p, some, color, false);
+        }
+        count -= some;
+        if (count == 0) {
+            return;
+        }
+        depth += some;
+        pixel += some;
+        z += (uint32_t)some * step;
+    }
+}
+#define FLAT fill_row
+#endif
+
+static const qtri_depth_testing testing = QTRI_DEPTH_TESTING(test_row, FLAT);
+const qtri_depth_format qtri_depth_float16 = {QTRI_DEPTH_FLOAT16_BYTES, &testing, encode, decode};

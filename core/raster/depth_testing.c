@@ -12,34 +12,22 @@
 #include "../frame/fill.h"
 #include "../frame/stored.h"
 #include "batch.h"
+#include "depth_rows.h"
 #include "effect.h"
 #include "job.h"
 #include "list_values.h"
+#include "loop.h"
 #include "sampling.h"
 #include "words.h"
-
-/* Ramps and lines come with the half that rounds to 16 bits. */
-#define HALF     ((uint32_t)1 << 15)
-#define FARTHEST ((uint32_t)65535 << 16)
-
-/*
- * A ramp's value as a depth. Rounding may take it out of 0..65535.0 by less than the half that it
- * has, so it does not wrap.
- */
-static inline uint32_t depth_of(uint32_t ramp)
-{
-    const uint32_t depth = ramp < HALF ? 0 : ramp - HALF;
-    return depth < FARTHEST ? depth : FARTHEST;
-}
 
 /* Of neighbours: those between two that are in range are as well. */
 static void set_row(uint32_t *depth, uint32_t z, uint32_t step, int32_t count)
 {
-    const uint32_t first = z - HALF;
+    const uint32_t first = z - QTRI_DEPTH_HALF;
     const uint32_t last = first + (uint32_t)(count - 1) * step;
-    if (first > FARTHEST || last > FARTHEST) {
+    if (first > QTRI_DEPTH_FARTHEST || last > QTRI_DEPTH_FARTHEST) {
         for (int32_t i = 0; i < count; i++, z += step) {
-            depth[i] = depth_of(z);
+            depth[i] = qtri_depth_of(z);
         }
         return;
     }
@@ -61,13 +49,13 @@ static void set_depths(uint32_t *depth, const qtri_fragments *at, int32_t count)
     const qtri_ramp *ramp = at->depth;
     if (at->place != NULL && at->depths != NULL) {
         for (int32_t i = 0; i < count; i++) {
-            depth[i] = depth_of(at->depths[i]);
+            depth[i] = qtri_depth_of(at->depths[i]);
         }
         return;
     }
     if (at->place != NULL) {
         for (int32_t i = 0; i < count; i++) {
-            depth[i] = depth_of(qtri_list_at(ramp, at->place[i] & 0xFFFF, at->place[i] >> 16));
+            depth[i] = qtri_depth_of(qtri_list_at(ramp, at->place[i] & 0xFFFF, at->place[i] >> 16));
         }
         return;
     }
@@ -118,47 +106,6 @@ QTRI_INLINE uint32_t test(const qtri_surface *surface, uint32_t orders, const ui
     return passed;
 }
 
-#ifndef __OPTIMIZE_SIZE__
-/* The same of all of a row of 16 bits, by LESS, which writes. */
-QTRI_NOINLINE static uint32_t less_row(uint16_t *stored, const uint32_t *depth, int32_t count)
-{
-    const uint32_t all = qtri_mask_of(count);
-    uint32_t failed = 0;
-#if defined(__GNUC__) && defined(__thumb2__)
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        const uint32_t own = depth[i];                                                             \
-        const uint32_t other = stored[i];                                                          \
-        __asm__ volatile("cmp %1, %2\n\tit lo\n\tstrhlo %1, [%3, %4]\n\tadcs %0, %0, %0"           \
-                         : "+r"(failed)                                                            \
-                         : "r"(own), "r"(other), "r"(stored), "i"(2 * (i))                         \
-                         : "cc", "memory");                                                        \
-    }
-#else
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        const uint32_t own = depth[i];                                                             \
-        const uint32_t other = stored[i];                                                          \
-        QTRI_PUSH_GREATER_EQUAL(failed, own, other)                                                \
-        if (own < other) {                                                                         \
-            stored[i] = (uint16_t)own;                                                             \
-        }                                                                                          \
-    }
-#endif
-    for (; count >= 4; count -= 4, depth += 4, stored += 4) {
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
-    }
-    for (; count > 0; count--, depth++, stored++) {
-        ONE(0)
-    }
-#undef ONE
-    return ~failed & all;
-}
-#endif
-
 /* A function of its own, so that its stack is free again when fog and blend take theirs. */
 QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare compare,
                                        const qtri_fragments *at, uint32_t mask, int32_t count,
@@ -172,19 +119,20 @@ QTRI_NOINLINE static uint32_t test_all(const qtri_surface *surface, qtri_compare
     if (at->place != NULL) {
         return test(surface, orders, depth, at, mask, count, writes, bytes, false);
     }
-    switch (QTRI_SHARE ? 0 : bytes) {
-    case 2:
-#ifndef __OPTIMIZE_SIZE__
-        if (orders == 1 && writes && mask == qtri_mask_of(count)) {
-            return less_row((uint16_t *)(void *)stored_at(surface, at->first), depth, count);
-        }
-#endif
-        return test(surface, orders, depth, at, mask, count, writes, 2, true);
-    case 4:
-        return test(surface, orders, depth, at, mask, count, writes, 4, true);
-    default:
-        return test(surface, orders, depth, at, mask, count, writes, bytes, true);
+    return test(surface, orders, depth, at, mask, count, writes, bytes, true);
+}
+
+/* Of a row, where the format has a loop for that. */
+static uint32_t test_any(const qtri_surface *surface, qtri_compare compare,
+                         const qtri_fragments *at, uint32_t mask, int32_t count, bool writes)
+{
+    const qtri_depth_row row = surface->depth_format->testing->row;
+    if (at->place != NULL || row == NULL) {
+        return test_all(surface, compare, at, mask, count, writes);
     }
+    const uint32_t z = qtri_list_at(at->depth, at->first & 0xFFFF, at->first >> 16);
+    return row(stored_at(surface, at->first), z, at->depth->dx, mask, count,
+               qtri_orders_of(compare), writes);
 }
 
 /* Fog and blend; NULL: neither. */
@@ -203,20 +151,76 @@ static uint32_t apply(const qtri_raster *raster, uint32_t *color, const qtri_fra
     const qtri_effect_stages *after = others_of(raster);
     const bool early = raster->blend == NULL || !raster->blend->rejects; /* the mask is the last */
     const bool writes = raster->late_write;
-    mask = test_all(surface, raster->late_compare, at, mask, count, early && writes);
+    mask = test_any(surface, raster->late_compare, at, mask, count, early && writes);
     if (after != NULL && mask != 0) {
         mask = after->fragments(raster, color, at, mask, count);
         if (!early && writes && mask != 0) {
-            (void)test_all(surface, QTRI_ALWAYS, at, mask, count, true);
+            (void)test_any(surface, QTRI_ALWAYS, at, mask, count, true);
         }
     }
     return mask;
 }
 
-static const qtri_effect_stages effects = {apply, qtri_line_effects,      qtri_span_fill, NULL,
-                                           NULL,  &qtri_list_late_effects};
+/* Pixels of a row in one colour, stored as `pixel`. */
+static void fill_row(const qtri_job *job, int32_t x, int32_t y, int32_t rest, uint32_t pixel)
+{
+    const qtri_raster *raster = job->raster;
+    const qtri_surface *surface = raster->surface;
+    const qtri_pixels *memory = raster->format->pixels;
+    const int32_t bytes = surface->depth_format->bytes;
+    const qtri_depth_row test_row = surface->depth_format->testing->row;
+    const uint32_t orders = qtri_orders_of(raster->late_compare);
+    const uint32_t step = job->depth.dx;
+    uint32_t z = qtri_ramp_at(&job->depth, x - job->anchor_x, y - job->anchor_y);
+    uint8_t *depth = stored_at(surface, ((uint32_t)(y - surface->first_row) << 16) + (uint32_t)x);
+    uint8_t *pixels = qtri_pixels_at(surface, y) + (ptrdiff_t)x * memory->bytes;
+    const qtri_depth_flat flat = surface->depth_format->testing->flat;
+    if (flat != NULL && (orders == 1 || orders == 3) && raster->late_write &&
+        memory == &qtri_pixels_16) {
+        flat((uint16_t *)(void *)depth, (uint16_t *)(void *)pixels, z, step, rest, (uint16_t)pixel,
+             orders == 3);
+        return;
+    }
+    while (rest > 0) {
+        const int32_t count = qtri_least32(rest, QTRI_BATCH);
+        const uint32_t mask =
+            test_row(depth, z, step, qtri_mask_of(count), count, orders, raster->late_write);
+        if (mask != 0) {
+            memory->fill(pixels, pixel, mask, count);
+        }
+        rest -= count;
+        depth += count * bytes;
+        pixels += (ptrdiff_t)count * memory->bytes;
+        z += (uint32_t)count * step;
+    }
+}
 
-static void begin(qtri_raster *raster)
+/*
+ * Rows of one colour that nothing follows are tested before they are filled. Jobs that have
+ * textures, colours that vary, or light by pixel have other loops.
+ */
+static void fill_rows(const qtri_job *job, const qtri_span *spans, int32_t row, int32_t count)
+{
+    const qtri_raster *raster = job->raster;
+    uint32_t pixel[4] = {job->pixel};
+    if (raster->format->encode != NULL) {
+        raster->format->encode(pixel, 1);
+    }
+    for (const qtri_span *end = spans + count; spans != end; spans++, row++) {
+        int32_t x;
+        const int32_t pixels = qtri_span_clip(spans, &raster->bounds, &x);
+        if (pixels > 0) {
+            fill_row(job, x, row, pixels, pixel[0]);
+        }
+    }
+}
+
+const qtri_effect_stages qtri_depth_effects = {apply, qtri_line_effects,      qtri_span_fill, NULL,
+                                               NULL,  &qtri_list_late_effects};
+static const qtri_effect_stages filled = {apply, qtri_line_effects,      fill_rows, NULL,
+                                          NULL,  &qtri_list_late_effects};
+
+void qtri_depth_begin(qtri_raster *raster)
 {
     if (raster->compare == QTRI_DEPTH_OFF) {
         return;
@@ -230,18 +234,21 @@ static void begin(qtri_raster *raster)
     }
     raster->late_compare = raster->compare;
     raster->late_write = raster->depth_write;
-    raster->effects = &effects;
+    const bool is_last = others_of(raster) == NULL;
+    raster->effects = is_last && raster->surface->depth_format->testing->row != NULL
+                          ? &filled
+                          : &qtri_depth_effects;
     raster->compare = QTRI_DEPTH_OFF;
     raster->depth_write = false;
     raster->with_depth = true;
-    raster->late = effects.late;
+    raster->late = qtri_depth_effects.late;
     raster->apart = false;
     raster->keeps_depth = true;
     raster->rejects = true;
 }
 
 /* Each chunk of a line ends its batch. */
-static void begin_lines(qtri_line_job *job, qtri_compare compare)
+void qtri_depth_begin_lines(qtri_line_job *job, qtri_compare compare)
 {
     if (job->surface->depth != NULL && compare != QTRI_DEPTH_OFF) {
         job->testing = &qtri_depth_testing_stages;
@@ -251,18 +258,18 @@ static void begin_lines(qtri_line_job *job, qtri_compare compare)
     }
 }
 
-static uint32_t test_chunk(const qtri_raster *raster, const qtri_fragments *at, uint32_t mask,
-                           int32_t count)
+uint32_t qtri_depth_test_chunk(const qtri_raster *raster, const qtri_fragments *at, uint32_t mask,
+                               int32_t count)
 {
-    return test_all(raster->surface, raster->late_compare, at, mask, count, raster->late_write);
+    return test_any(raster->surface, raster->late_compare, at, mask, count, raster->late_write);
 }
 
-static bool passes(const qtri_surface *surface, qtri_compare compare, uint32_t place,
-                   uint32_t depth_16p16, bool write)
+bool qtri_depth_passes(const qtri_surface *surface, qtri_compare compare, uint32_t place,
+                       uint32_t depth_16p16, bool write)
 {
     const int32_t bytes = surface->depth_format->bytes;
     uint8_t *at = stored_at(surface, place);
-    uint32_t depth = depth_16p16 < FARTHEST ? depth_16p16 : FARTHEST;
+    uint32_t depth = depth_16p16 < QTRI_DEPTH_FARTHEST ? depth_16p16 : QTRI_DEPTH_FARTHEST;
     surface->depth_format->encode(&depth, 1);
     if ((qtri_orders_of(compare) & qtri_order_of(depth, qtri_stored_get(bytes, at))) == 0) {
         return false;
@@ -274,7 +281,7 @@ static bool passes(const qtri_surface *surface, qtri_compare compare, uint32_t p
 }
 
 /* Depths move towards the first: what is read was not written yet. */
-static uint16_t *flatten(const qtri_surface *surface)
+uint16_t *qtri_depth_flatten(const qtri_surface *surface)
 {
     const qtri_depth_format *format = surface->depth_format;
     const int32_t bytes = format->bytes;
@@ -294,7 +301,9 @@ static uint16_t *flatten(const qtri_surface *surface)
             }
             format->decode(depth, count);
             for (int32_t i = 0; i < count; i++) {
-                to[at + i] = (uint16_t)((depth[i] < FARTHEST ? depth[i] + HALF : FARTHEST) >> 16);
+                to[at + i] = (uint16_t)((depth[i] < QTRI_DEPTH_FARTHEST ? depth[i] + QTRI_DEPTH_HALF
+                                                                        : QTRI_DEPTH_FARTHEST) >>
+                                        16);
             }
         }
     }
@@ -302,7 +311,7 @@ static uint16_t *flatten(const qtri_surface *surface)
 }
 
 /* Depths, as pixels of a surface. */
-static void fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
+void qtri_depth_fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
 {
     const qtri_pixels memory = {surface->depth_format->bytes, NULL, NULL, NULL, NULL};
     const qtri_format format = {&memory, NULL, NULL, NULL, NULL};
@@ -314,5 +323,4 @@ static void fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t de
     qtri_fill_rect(&depths, rect, depth_16p16);
 }
 
-const qtri_depth_testing qtri_depth_testing_stages = {&effects, begin, begin_lines, test_chunk,
-                                                      passes,   fill,  flatten};
+const qtri_depth_testing qtri_depth_testing_stages = QTRI_DEPTH_TESTING(NULL, NULL);

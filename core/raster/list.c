@@ -233,7 +233,6 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
 static void finish(const qtri_raster *raster)
 {
     qtri_batch *batch = raster->batch;
-    const qtri_format *format = raster->format;
     uint32_t mask = raster->late != NULL ? batch->mask : UINT32_MAX;
     int32_t count = batch->count;
     batch->count = 0;
@@ -247,16 +246,15 @@ static void finish(const qtri_raster *raster)
     } else if (batch->kind == QTRI_LIST_TINT_SHARES) {
         share_tint(raster, batch->color, count);
     }
-    if (raster->late != NULL) {
-        raster->late->store(raster, mask & qtri_mask_of(count), count);
+    if (raster->samples != NULL || raster->late != NULL) {
+        const qtri_draw_masked *put =
+            raster->samples != NULL ? &raster->samples->put : &raster->late->store;
+        (*put)(raster, mask & qtri_mask_of(count), count);
         return;
     }
+    const qtri_format *format = raster->format;
     if (format->encode != NULL) {
         format->encode(batch->color, count);
-    }
-    if (raster->samples != NULL) {
-        raster->samples->put(raster, count);
-        return;
     }
     format->pixels->scatter(raster->surface->pixels, raster->surface->pitch, batch->place,
                             batch->color, count);
@@ -393,10 +391,10 @@ void qtri_list_set(qtri_list_values *v)
     }
 }
 
-void qtri_list_append(const qtri_list_values *v, int32_t count)
+uint32_t qtri_list_append(const qtri_list_values *v, int32_t count)
 {
     qtri_batch *batch = v->raster->batch;
     const int32_t first = batch->count;
     batch->count = (uint8_t)(first + count);
-    (void)set_words(v, first, first + count);
+    return set_words(v, first, first + count);
 }

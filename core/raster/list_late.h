@@ -15,8 +15,7 @@ struct qtri_list_late {
      * raster keeps them.
      */
     void (*note)(const qtri_raster *raster, const qtri_ramp *depth, uint32_t mask, int32_t count);
-    /* Of `count` fragments of the batch, which have colours, those of the mask. */
-    void (*store)(const qtri_raster *raster, uint32_t mask, int32_t count);
+    qtri_draw_masked store;
 };
 extern const qtri_list_late qtri_list_late_texels;
 

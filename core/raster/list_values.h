@@ -84,10 +84,10 @@ static inline void qtri_list_set_depth(qtri_ramp *depth, const qtri_list_values 
 /*
  * What qtri_list_draw does, in steps, for fragments of samples: all values of a triangle, for which
  * the batch may be drawn; then the words of `count` fragments whose places are in it after those
- * that it has.
+ * that it has, which returns the mask of those that are drawn.
  */
 void qtri_list_set(qtri_list_values *v);
-void qtri_list_append(const qtri_list_values *v, int32_t count);
+uint32_t qtri_list_append(const qtri_list_values *v, int32_t count);
 
 /* The one colour of a triangle without texture; of one with and with colours of its own, as a
    shade. */

@@ -56,6 +56,9 @@ typedef bool (*qtri_draw_small)(const qtri_raster *raster, const void *indices, 
 /* Draws `count` waiting fragments, whose texels are lit: of the batch's numbers and shades. */
 typedef void (*qtri_draw_list)(const qtri_raster *raster, int32_t count);
 
+/* Of `count` fragments of the batch, which have colours, encodes and stores those of the mask. */
+typedef void (*qtri_draw_masked)(const qtri_raster *raster, uint32_t mask, int32_t count);
+
 /*
  * Where light comes from when a triangle touches a pixel: that of all its pixels, or
  * QTRI_VERTEX_UNLIT for that of its vertices, which then have theirs.

@@ -15,6 +15,7 @@
 #include "samples.h"
 
 #include "list.h"
+#include "list_late.h"
 #include "list_values.h"
 #include "words.h"
 
@@ -31,16 +32,6 @@ enum {
 /* Which place a pixel is coloured at whose centre is not covered, by the samples that are. */
 static const uint8_t first_of[ALL + 1] = {0, 0, 1, 0, 2, 0, 1, 0, 3, 0, 1, 0, 2, 0, 1, 0};
 
-/* Samples as bits of a place: rows and columns are less than 2^13. */
-enum { LOW_SAMPLES = 13, LAST_SAMPLE = 29 };
-#define PLACE_BITS 0x1FFF1FFFu
-#define PLACE_MAX  0x1FFFu
-
-static inline uint32_t packed(uint32_t pass)
-{
-    return (pass & 7) << LOW_SAMPLES | pass >> 3 << LAST_SAMPLE;
-}
-
 /* ---- Where ---- */
 
 qtri_placed qtri_samples_place(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
@@ -51,7 +42,7 @@ qtri_placed qtri_samples_place(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
     const int32_t dy1 = b->at.y_24p8 - a->at.y_24p8;
     const int32_t dx2 = c->at.x_24p8 - a->at.x_24p8;
     const int32_t dy2 = c->at.y_24p8 - a->at.y_24p8;
-    if (raster->late != NULL || qtri_place_is_far(dx1, dy1, dx2, dy2)) {
+    if ((raster->rejects && raster->depth_write) || qtri_place_is_far(dx1, dy1, dx2, dy2)) {
         return QTRI_PLACED_LARGE;
     }
     const int32_t size = dx2 * dy1 - dx1 * dy2;
@@ -190,9 +181,9 @@ QTRI_NOINLINE static int32_t cover_row(edges *e, int32_t columns, uint8_t *cover
 /* What is asked for most comes first: it is reached at once. */
 typedef struct work {
     const qtri_raster *raster;
-    int32_t count;               /* fragments that wait */
-    uint32_t places;             /* bits: where they take their colours */
-    uint32_t more[QTRI_SAMPLES]; /* depth that samples have */
+    int32_t count;         /* fragments that wait */
+    uint32_t places;       /* bits: where they take their colours */
+    uint32_t more[PLACES]; /* depth that samples have; the centre 0 */
     qtri_ramp depth;
     bool is_thick; /* see set_depths() */
     bool is_set;   /* and values are, at the centre */
@@ -249,6 +240,7 @@ static void set_depths(work *w)
     const uint32_t steep = qtri_about((int32_t)((t->v[1]->depth_16p8 >> 8) - first)) |
                            qtri_about((int32_t)((t->v[2]->depth_16p8 >> 8) - first));
     w->depth = no_ramp;
+    w->more[CENTER] = 0;
     qtri_list_set_depth(&w->depth, &w->values);
     for (int k = 0; k < QTRI_SAMPLES; k++) {
         if (w->is_thick && steep >> 16 == 0) {
@@ -291,10 +283,16 @@ static void put_place(const work *w, int place)
     for (int32_t i = 0; i < w->count; i++) {
         if (w->colored[i] == place) {
             *kept++ = w->place[i];
-            *out++ = w->place[i] & PLACE_BITS;
+            *out++ = w->place[i] & QTRI_SAMPLE_PLACE;
         }
     }
-    qtri_list_append(&w->values, (int32_t)(out - begin));
+    const int32_t count = (int32_t)(out - begin);
+    const uint32_t mask = qtri_list_append(&w->values, count);
+    if (w->raster->late != NULL) {
+        qtri_ramp depth = w->depth;
+        depth.origin += w->more[place];
+        w->raster->late->note(w->raster, &depth, mask, count);
+    }
     while (out != begin) {
         *--out = *--kept;
     }
@@ -341,9 +339,24 @@ static void add_channel(const work *w, uint32_t *out, const qtri_ramp *ramp, uin
         more[k] = more_at(ramp, k) + r.origin;
     }
     for (const uint32_t *end = place + w->count; place != end; place++, out++, colored++) {
-        const uint32_t x = *place & PLACE_MAX;
-        const uint32_t y = *place >> 16 & PLACE_MAX;
+        const uint32_t x = *place & QTRI_SAMPLE_PLACE_MAX;
+        const uint32_t y = *place >> 16 & QTRI_SAMPLE_PLACE_MAX;
         *out += (more[*colored] + x * r.dx + y * r.dy) >> shift << left;
+    }
+}
+
+/* The depths of fragments that are in the batch, where each takes its colour. */
+QTRI_NOINLINE static void note_linear(const work *w)
+{
+    qtri_batch *batch = w->raster->batch;
+    const int32_t first = batch->count - w->count;
+    for (int32_t i = 0; i < w->count; i++) {
+        batch->place[first + i] = w->place[i] & QTRI_SAMPLE_PLACE;
+    }
+    w->raster->late->note(w->raster, &w->depth, UINT32_MAX, w->count);
+    for (int32_t i = 0; i < w->count; i++) {
+        batch->place[first + i] = w->place[i];
+        batch->depth[first + i] += w->more[w->colored[i]];
     }
 }
 
@@ -351,7 +364,7 @@ static void add_channel(const work *w, uint32_t *out, const qtri_ramp *ramp, uin
 QTRI_NOINLINE static void put_linear(work *w)
 {
     const qtri_list_values *v = &w->values;
-    const qtri_colors *colors = w->raster->format->colors;
+    const qtri_colors *colors = w->raster->units;
     qtri_batch *batch = w->raster->batch;
     uint32_t *color = batch->color + batch->count;
     for (int32_t i = 0; i < w->count; i++) {
@@ -368,6 +381,9 @@ QTRI_NOINLINE static void put_linear(work *w)
         }
     }
     batch->count = (uint8_t)(batch->count + w->count);
+    if (w->raster->late != NULL) {
+        note_linear(w);
+    }
 }
 
 /* All fragments that wait go into the batch, with their colours. */
@@ -394,7 +410,7 @@ static inline void append(work *w, uint32_t place, uint32_t pass, uint32_t cover
 {
     const int colored = (cover & COVERED) != 0 ? CENTER : first_of[cover];
     const int32_t i = w->count;
-    w->place[i] = place | packed(pass);
+    w->place[i] = place | qtri_sample_bits(pass);
     w->colored[i] = (uint8_t)colored;
     w->places |= 1u << colored;
     w->count = i + 1;
@@ -510,41 +526,5 @@ QTRI_NOINLINE void qtri_samples_small(const qtri_raster *raster, const qtri_list
     }
     if (raster->batch->count > QTRI_BATCH / 2) {
         qtri_list_flush(raster);
-    }
-}
-
-/* ---- Pixels ---- */
-
-QTRI_INLINE void scatter_records(const qtri_raster *raster, int32_t count, int32_t bytes,
-                                 int32_t size)
-{
-    const uint32_t *place = raster->batch->place;
-    const uint32_t *color = raster->batch->color;
-    const ptrdiff_t pitch = raster->surface->pitch;
-    uint8_t *pixels = raster->surface->pixels;
-    for (const uint32_t *end = place + count; place != end; place++, color++) {
-        const uint32_t at = *place;
-        const uint32_t stored = *color;
-        uint8_t *record =
-            pixels + (ptrdiff_t)(at >> 16 & PLACE_MAX) * pitch + (int32_t)(at & PLACE_MAX) * size;
-#define SAMPLE(k, bit)                                                                             \
-    if ((at >> (bit)&1) != 0) {                                                                    \
-        qtri_sample_set_color(record, bytes, k, stored);                                           \
-    }
-        SAMPLE(0, LOW_SAMPLES)
-        SAMPLE(1, LOW_SAMPLES + 1)
-        SAMPLE(2, LOW_SAMPLES + 2)
-        SAMPLE(3, LAST_SAMPLE)
-#undef SAMPLE
-    }
-}
-
-void qtri_samples_put(const qtri_raster *raster, int32_t count)
-{
-    const int32_t size = raster->format->pixels->bytes;
-    if (size == QTRI_RGB565_X4_BYTES) {
-        scatter_records(raster, count, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
-    } else {
-        scatter_records(raster, count, qtri_sample_bytes(size), size);
     }
 }

@@ -14,12 +14,11 @@ struct qtri_sampling {
     const qtri_format *format; /* of resolved pixels */
     /* A triangle of any size and area that is not culled; its p, area and tinted are set. */
     qtri_route draw;
-    /* A small one; LARGE, too, where fragments are blended or may be turned away. */
+    /* A small one; LARGE, too, where a fragment's depths are written once it is not turned away. */
     qtri_placed (*place)(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS], const qtri_raster *raster,
                          const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c);
     void (*draw_small)(const qtri_raster *raster, const qtri_list_triangle *t);
-    /* Stores the batch's colours. */
-    void (*put)(const qtri_raster *raster, int32_t count);
+    qtri_draw_masked put;
 };
 
 static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *format)

@@ -15,13 +15,13 @@
  * lights; L1f: S5 so, L1b: L1 in bands. LP, LPf and LPk: S1, the quad of S3 and S4k in the light of
  * L1 by pixel, LPd: LP without highlights. S4e and S4be: S4 and S4b with the edge pass, S4es by
  * sums; S4br: S4be with the halo kept. S4h: S4 of 2 x 2 samples, with the clear; S4x, S6x and S11x:
- * S4, S6 and S11 with four samples a pixel, likewise; S4f: S4 and FXAA. S4a and S4m: only the
- * addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of 64 points, 1 and 5
- * pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with smooth edges; KS: S7
- * of &qtri_smooth_wireframe; KH: S7 without hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7:
- * S1, S2, S4, S6 at half alpha, B3: S2 added; F2, F4, F6: S2, S4, S6 in fog, D1, D6: S1, S6 of
- * depths float16, F5: K5 in fog. B5 and B6: S2, and a quad turned sideways, with alpha of their
- * vertices.
+ * S4, S6 and S11 with four samples a pixel, likewise; B4x and F4x: B4 and F4 so; S4f: S4 and FXAA.
+ * S4a and S4m: only the addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of
+ * 64 points, 1 and 5 pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with
+ * smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7 without hidden lines. P1 to P10:
+ * bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3: S2 added; F2, F4, F6: S2, S4, S6
+ * in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5 in fog. B5 and B6: S2, and a
+ * quad turned sideways, with alpha of their vertices.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -92,6 +92,11 @@ const bench_scene bench_scenes[] = {
     {.name = "S4x", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_SAMPLES},
     {.name = "S6x", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .smooth = BENCH_SAMPLES},
     {.name = "S11x", QUAD(&bench_turned, white), .textured = true, .smooth = BENCH_SAMPLES},
+    {.name = "B4x",
+     MESH(COMPACT(spot), Q16(150)),
+     .blend = &qtri_blend_alpha,
+     .smooth = BENCH_SAMPLES},
+    {.name = "F4x", MESH(COMPACT(spot), Q16(150)), .fog = true, .smooth = BENCH_SAMPLES},
     {.name = "S4f", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_FXAA},
     {.name = "S4a", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_ADD},
     {.name = "S4m", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_STORE},
@@ -114,6 +119,8 @@ const bench_scene bench_scenes[] = {
     {.name = "B7", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .blend = &qtri_blend_alpha},
     {.name = "F6", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .fog = true},
     {.name = "D1", QUAD(&bench_screen, orange), FLAT, .depth = &qtri_depth_float16},
+    {.name = "D2", QUAD(&bench_screen, rainbow), .depth = &qtri_depth_float16},
+    {.name = "D3", QUAD(&bench_floor, white), .textured = true, .depth = &qtri_depth_float16},
     {.name = "D6",
      MESH(COMPACT(spot_uv), Q16(150)),
      .textured = true,
@@ -148,6 +155,11 @@ const bench_scene bench_scenes[] = {
     {.name = "S4esk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_SUMS},
     {.name = "S4hk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_HALVE},
     {.name = "S4xk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_SAMPLES},
+    {.name = "B4xk",
+     MESH(COMPACT(knot), Q16(30)),
+     .blend = &qtri_blend_alpha,
+     .smooth = BENCH_SAMPLES},
+    {.name = "F4xk", MESH(COMPACT(knot), Q16(30)), .fog = true, .smooth = BENCH_SAMPLES},
     {.name = "S6xk", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .smooth = BENCH_SAMPLES},
     {.name = "S4fk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_FXAA},
     {.name = "S4ak", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_ADD},

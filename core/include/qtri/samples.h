@@ -26,8 +26,10 @@
  * Memory: 16 bytes a pixel of RGB565 with its depths, 26 of XRGB8888; about 6 KB of stack.
  * It serves triangles that cut through each other, and large ones. Meshes of small ones take three
  * to six times the instructions: for these the edge pass (edges.h) is better for a twentieth of
- * that, and 2x2 samples (filters.h) as good for a third. Fog and blends draw small ones as large
- * ones: two to three times as many again.
+ * that, and 2x2 samples (filters.h) as good for a third. Fog adds a fifth, a blend of all
+ * a half, once for each colour that a pixel's samples have. Small ones whose texels may be turned
+ * away, or that are drawn in part (qtri_blend_screen_door), are drawn as large ones where depth is
+ * written: two to three times as many again.
  */
 #ifndef QTRI_SAMPLES_H
 #define QTRI_SAMPLES_H

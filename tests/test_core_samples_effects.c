@@ -1,0 +1,331 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Fog and blends of small triangles on surfaces of four samples a pixel: what the way of large
+ * triangles makes of the same ones.
+ */
+#include "support/core.h"
+
+#include "raster/samples.h"
+
+enum { WIDTH = 48, HEIGHT = 40, FORMATS = 5, SIDE = 16 };
+
+static const qtri_format *const four[FORMATS] = {
+    &qtri_rgb565_x4, &qtri_rgb565_swapped_x4, &qtri_xrgb8888_x4, &qtri_rgb888_x4, &qtri_gray8_x4};
+
+/* Formats that send all triangles the way of large ones. */
+typedef struct large_format {
+    struct qtri_sampling sampling;
+    qtri_fused fused;
+    qtri_format format;
+} large_format;
+
+// NOLINTNEXTLINE(readability-non-const-parameter): the type is given
+static qtri_placed place_large(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                               const qtri_raster *raster, const qtri_vertex *a,
+                               const qtri_vertex *b, const qtri_vertex *c)
+{
+    (void)p;
+    (void)spans;
+    (void)raster;
+    (void)a;
+    (void)b;
+    (void)c;
+    return QTRI_PLACED_LARGE;
+}
+
+static long small_ones;
+
+/* Counts those that are small. */
+static qtri_placed place_counted(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
+                                 const qtri_raster *raster, const qtri_vertex *a,
+                                 const qtri_vertex *b, const qtri_vertex *c)
+{
+    const qtri_placed placed = qtri_samples_place(p, spans, raster, a, b, c);
+    small_ones += placed == QTRI_PLACED_SMALL;
+    return placed;
+}
+
+static void format_as(large_format *to, const qtri_format *format, bool large)
+{
+    to->format = *format;
+    to->fused = *format->fused;
+    to->sampling = *format->fused->samples;
+    to->sampling.place = large ? place_large : place_counted;
+    to->fused.samples = &to->sampling;
+    to->format.fused = &to->fused;
+}
+
+/* ---- Scenes ---- */
+
+enum { VERTICES = 96, TRIANGLES = 120 };
+static qtri_vec3 positions[VERTICES];
+static qtri_rgb colors[VERTICES];
+static uint16_t triangles[TRIANGLES][3];
+static qtri_vec2 coordinates[VERTICES];
+static qtri_vertex slots[VERTICES];
+static uint32_t texels[SIDE * SIDE];
+
+/* Overlapping triangles of one depth: neither slopes nor perspective part the ways. */
+static qtri_mesh flat_mesh(uint64_t *seed, double reach)
+{
+    const qtri_mesh mesh = {.positions = positions,
+                            .colors = colors,
+                            .uvs = coordinates,
+                            .triangles = (const uint16_t(*)[3])triangles,
+                            .vertex_count = VERTICES,
+                            .triangle_count = TRIANGLES};
+    for (int i = 0; i < VERTICES; i += 3) {
+        const double x = random_in(seed, -120, 120) / 100.;
+        const double y = random_in(seed, -100, 100) / 100.;
+        for (int k = 0; k < 3; k++) {
+            positions[i + k] = vec3_of(x + reach * random_in(seed, -99, 99) / 99.,
+                                       y + reach * random_in(seed, -99, 99) / 99., 0);
+            colors[i + k] =
+                (qtri_rgb){(uint8_t)random_in(seed, 0, 255), (uint8_t)random_in(seed, 0, 255),
+                           (uint8_t)random_in(seed, 0, 255)};
+            coordinates[i + k].x = random_in(seed, 0, 65536);
+            coordinates[i + k].y = random_in(seed, 0, 65536);
+        }
+    }
+    for (int i = 0; i < TRIANGLES; i++) {
+        const int first = i < VERTICES / 3 ? 3 * i : 3 * random_in(seed, 0, VERTICES / 3 - 1);
+        for (int k = 0; k < 3; k++) {
+            triangles[i][k] = (uint16_t)(first + k);
+        }
+    }
+    return mesh;
+}
+
+typedef struct scene {
+    qtri_material material;
+    qtri_texture texture;
+    qtri_fog fog;
+    bool varies; /* colours do, which differ by the way within their error */
+} scene;
+
+static void random_scene(scene *s, uint64_t *seed)
+{
+    static const qtri_blend *const blends[7] = {
+        &qtri_blend_alpha, &qtri_blend_add,     &qtri_blend_multiply,    &qtri_blend_none,
+        &qtri_blend_alpha, &qtri_blend_replace, &qtri_blend_screen_door,
+    };
+    static const qtri_compare compares[6] = {QTRI_LESS,      QTRI_LESS_EQUAL, QTRI_DEPTH_OFF,
+                                             QTRI_NOT_EQUAL, QTRI_ALWAYS,     QTRI_GREATER_EQUAL};
+    const qtri_fog_range range = {Q16(1), Q16(20)};
+    s->material = qtri_material_default();
+    s->material.cull = QTRI_CULL_NONE;
+    s->material.shading = random_flag(seed) ? QTRI_FLAT_LAST : QTRI_SMOOTH;
+    s->material.blend = random_in(seed, 0, 4) == 0 ? NULL : blends[random_in(seed, 0, 6)];
+    s->material.alpha = (uint8_t)random_in(seed, 0, 255);
+    s->material.keep = random_in(seed, 0, 3) == 0 ? (uint8_t)random_in(seed, 0, 7) : 0;
+    s->material.depth_compare = compares[random_in(seed, 0, 5)];
+    s->material.depth_read_only = random_flag(seed);
+    s->material.color = (qtri_rgb){(uint8_t)random_in(seed, 0, 255), 200, 30};
+    s->texture = (qtri_texture){.texels = texels,
+                                .format = &qtri_texel_argb8888,
+                                .filter = random_flag(seed) ? &qtri_bilinear : NULL,
+                                .width_log2 = 4,
+                                .height_log2 = 4};
+    if (random_in(seed, 0, 2) == 0) {
+        s->material.texture = &s->texture;
+        s->material.texture_mode = random_flag(seed) ? QTRI_REPLACE : QTRI_MODULATE;
+        s->material.least_alpha = random_in(seed, 0, 3) == 0 ? 128 : 0;
+        const uint32_t texel = (uint32_t)random_bits32(seed);
+        for (int i = 0; i < SIDE * SIDE; i++) { /* wherever it is looked at */
+            texels[i] = texel;
+        }
+    }
+    qtri_fog_linear(&s->fog, (qtri_rgb){200, 90, 10}, range, Q16(1), Q16(12));
+    if (s->material.blend == NULL || random_in(seed, 0, 2) == 0) {
+        s->material.fog = &s->fog;
+    }
+    s->varies = s->material.shading == QTRI_SMOOTH &&
+                (s->material.texture == NULL || s->material.texture_mode == QTRI_MODULATE);
+}
+
+static void draw(const qtri_surface *surface, const scene *s, uint64_t seed, q16 tilt)
+{
+    qtri_view view;
+    qtri_transform pose;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    qtri_transform_perspective(&view.projection, Q16(60), Q16(1.2), Q16(1), Q16(20));
+    view.vertices = slots;
+    view.vertex_count = VERTICES;
+    for (int n = 0; n < 3; n++) {
+        const double reach = n == 1 ? .5 : .12;
+        const qtri_mesh mesh = flat_mesh(&seed, reach);
+        qtri_transform_look_at(&view.camera, vec3_of(0, 0, 2.2 + random_in(&seed, 0, 9) / 10.),
+                               vec3_of(0, 0, 0), vec3_of(0, 1, 0));
+        qtri_transform_identity(&pose);
+        qtri_transform_rotate_y(&pose, tilt);
+        qtri_draw_mesh(surface, &view, &pose, &mesh, &s->material);
+    }
+}
+
+/* Samples that are alike, and depths. */
+static void fill_at_random(const qtri_surface *s, uint64_t seed)
+{
+    const int32_t size = s->format->pixels->bytes;
+    const int32_t bytes = qtri_sample_bytes(size);
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        uint8_t *record = s->pixels + (i / WIDTH) * s->pitch + (ptrdiff_t)(i % WIDTH) * size;
+        for (int k = 0; k < 4; k++) {
+            uint32_t word = (uint32_t)random_bits32(&seed) & 0xFFFFFF;
+            if (k > 0 && random_flag(&seed)) {
+                word = qtri_sample_color(record, bytes, k - 1);
+            }
+            qtri_sample_set_color(record, bytes, k, word);
+        }
+    }
+}
+
+/* Off by a channel's step of what they are mixed to. */
+static bool is_near(const qtri_format *format, uint32_t a, uint32_t b)
+{
+    const uint32_t x = format->decode(a);
+    const uint32_t y = format->decode(b);
+    const int32_t most = format->colors == &qtri_colors_565 ? 9 : 3;
+    for (int k = 0; k < 24; k += 8) {
+        if (abs((int32_t)(x >> k & 255) - (int32_t)(y >> k & 255)) > most) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static long assert_like(const qtri_surface *a, const qtri_surface *b, const qtri_format *format,
+                        bool near)
+{
+    const int32_t size = format->pixels->bytes;
+    const int32_t bytes = qtri_sample_bytes(size);
+    long differ = 0;
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const ptrdiff_t at = (i / WIDTH) * a->pitch + (ptrdiff_t)(i % WIDTH) * size;
+        for (int k = 0; k < 4; k++) {
+            const uint32_t x = qtri_sample_color(a->pixels + at, bytes, k);
+            const uint32_t y = qtri_sample_color(b->pixels + at, bytes, k);
+            if (near) {
+                differ += !is_near(format, x, y);
+            } else {
+                assert_int_equal(x, y);
+            }
+        }
+        assert_int_equal(a->depth[(i / WIDTH) * a->depth_pitch + i % WIDTH],
+                         b->depth[(i / WIDTH) * b->depth_pitch + i % WIDTH]);
+        assert_memory_equal(a->pixels + at + 4 * bytes, b->pixels + at + 4 * bytes, 6);
+    }
+    return differ;
+}
+
+/* Of one colour and one depth all samples are the same to the bit. */
+static void small_as_large(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    long differ = 0;
+    long varied = 0;
+    for (int n = 0; n < 240; n++) {
+        large_format as[2];
+        canvas c[2];
+        scene s;
+        random_scene(&s, &seed);
+        const uint64_t own = seed += 99;
+        for (int i = 0; i < 2; i++) {
+            format_as(&as[i], four[n % FORMATS], i == 1);
+            c[i] = canvas_new(four[n % FORMATS], WIDTH, HEIGHT);
+            qtri_samples_clear(&c[i].surface, (qtri_rgb){0, 0, 0});
+            fill_at_random(&c[i].surface, own);
+            c[i].surface.format = &as[i].format;
+            draw(&c[i].surface, &s, own, 0);
+        }
+        differ += assert_like(&c[0].surface, &c[1].surface, four[n % FORMATS], s.varies);
+        varied += s.varies ? WIDTH * HEIGHT * 4 : 0;
+        for (int i = 0; i < 2; i++) {
+            canvas_free(&c[i]);
+        }
+    }
+    print_message("%ld small triangles; %ld of %ld samples of varied colours differ\n", small_ones,
+                  differ, varied);
+    assert_true(small_ones > 20000);
+    assert_true(differ * 10000 < varied);
+}
+
+/* Fog that changes much in a pixel is as deep as where the pixel takes its colour. */
+static void slopes(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    long differ = 0;
+    long all = 0;
+    for (int n = 0; n < 60; n++) {
+        large_format as[2];
+        canvas c[2];
+        scene s;
+        random_scene(&s, &seed);
+        const qtri_fog_range range = {Q16(1), Q16(20)};
+        const uint64_t own = seed += 99;
+        qtri_fog_linear(&s.fog, (qtri_rgb){255, 255, 255}, range, Q16(2), Q16(2.8));
+        s.material.fog = &s.fog;
+        s.material.blend = n % 3 == 0 ? &qtri_blend_alpha : NULL;
+        s.material.depth_compare = QTRI_DEPTH_OFF;
+        s.material.keep = 0;
+        for (int i = 0; i < 2; i++) {
+            format_as(&as[i], four[n % FORMATS], i == 1);
+            c[i] = canvas_new(four[n % FORMATS], WIDTH, HEIGHT);
+            qtri_samples_clear(&c[i].surface, (qtri_rgb){0, 0, 0});
+            c[i].surface.format = &as[i].format;
+            draw(&c[i].surface, &s, own, Q16(40));
+        }
+        differ += assert_like(&c[0].surface, &c[1].surface, four[n % FORMATS], true);
+        all += WIDTH * HEIGHT * 4;
+        for (int i = 0; i < 2; i++) {
+            canvas_free(&c[i]);
+        }
+    }
+    print_message("%ld of %ld samples differ\n", differ, all);
+    assert_true(differ * 20000 < all);
+}
+
+/* A frame in bands, and with a scissor. */
+static void pieces(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int n = 0; n < 60; n++) {
+        const qtri_format *format = four[n % FORMATS];
+        canvas whole = canvas_new(format, WIDTH, HEIGHT);
+        canvas part = canvas_new(format, WIDTH, HEIGHT);
+        scene s;
+        random_scene(&s, &seed);
+        const uint64_t own = seed += 99;
+        qtri_samples_clear(&whole.surface, (qtri_rgb){0, 0, 0});
+        fill_at_random(&whole.surface, own);
+        draw(&whole.surface, &s, own, Q16(50));
+        qtri_samples_clear(&part.surface, (qtri_rgb){0, 0, 0});
+        fill_at_random(&part.surface, own);
+        for (int32_t row = 0; row < HEIGHT; row += 7) {
+            qtri_surface band = part.surface;
+            band.first_row = row;
+            band.rows = qtri_least32(7, HEIGHT - row);
+            band.pixels += row * band.pitch;
+            band.depth += row * band.depth_pitch;
+            for (int32_t x = 0; x < WIDTH; x += 19) {
+                band.scissor = (qtri_rect){x, 0, qtri_least32(x + 19, WIDTH), HEIGHT};
+                draw(&band, &s, own, Q16(50));
+            }
+        }
+        (void)assert_like(&whole.surface, &part.surface, format, false);
+        canvas_free(&whole);
+        canvas_free(&part);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(small_as_large),
+        cmocka_unit_test(slopes),
+        cmocka_unit_test(pieces),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
