@@ -217,12 +217,19 @@ static void share_tint(const qtri_raster *raster, uint32_t *color, int32_t count
     const qtri_colors *colors = raster->units;
     const uint32_t shift = 8 + colors->light_bits;
     const uint32_t half = (uint32_t)1 << (shift - 1);
+    const uint32_t *const end = color + count;
+    const uint32_t b = raster->tint_n8[2];
+    if (colors->single) {
+        for (; color != end; color++) {
+            *color = (*color * b + half) >> shift;
+        }
+        return;
+    }
     const uint32_t red = colors->red;
     const uint32_t green = colors->green;
-    const uint32_t r = colors->single ? 0 : raster->tint_n8[0];
-    const uint32_t g = colors->single ? 0 : raster->tint_n8[1];
-    const uint32_t b = raster->tint_n8[2];
-    for (const uint32_t *end = color + count; color != end; color++) {
+    const uint32_t r = raster->tint_n8[0];
+    const uint32_t g = raster->tint_n8[1];
+    for (; color != end; color++) {
         const uint32_t light = *color;
         *color = (light * r + half) >> shift << red | (light * g + half) >> shift << green |
                  (light * b + half) >> shift;
