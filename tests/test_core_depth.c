@@ -389,7 +389,7 @@ static void assert_row(const qtri_depth_format *format, uint32_t z, uint32_t ste
         if (is_near) {
             other = code[i] + (uint32_t)random_in(seed, -1, 1);
         }
-        want[i] = bytes == 4 ? other : other & ((uint32_t)1 << 8 * bytes) - 1;
+        want[i] = bytes == 4 ? other : (other & (((uint32_t)1 << 8 * bytes) - 1));
     }
     memset(memory, 0x5A, sizeof memory);
     for (int32_t i = 0; i < count; i++) {
@@ -663,7 +663,7 @@ static void ends_of_depths(void **state)
                 continue;
             }
             const double off = fabs((double)depth - from);
-            assert_near(off, range * (i % WIDTH) / (WIDTH - .5), 256 + WIDTH);
+            assert_near(off, (double)range * (i % WIDTH) / (WIDTH - .5), 256 + WIDTH);
             assert_true(depth <= farthest);
             held += depth == to;
         }

@@ -749,7 +749,7 @@ static void without_a_divide(void **state)
         for (int i = 0; i < 2; i++) {
             c[i] = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
             for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
-                c[i].surface.depth[k] = (uint16_t)(k * 40503u);
+                c[i].surface.depth[k] = (uint16_t)((uint32_t)k * 40503u);
             }
             assert_int_equal(qtri_edges_begin(&edges[i], &c[i].surface, marks[i], MARKS), QTRI_OK);
             qtri_edge_walker_init(&walker[i], &edges[i], test);
@@ -770,7 +770,7 @@ static void without_a_divide(void **state)
         assert_memory_equal(marks[0], marks[1], sizeof marks[0]);
         for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
             assert_int_equal(c[0].surface.depth[k], c[1].surface.depth[k]);
-            noted += marks[0][k >> 5] >> (k & 31) & 1;
+            noted += (int)(marks[0][k >> 5] >> (k & 31) & 1);
         }
         canvas_free(&c[0]);
         canvas_free(&c[1]);

@@ -345,8 +345,8 @@ static void steep(void **state)
             const int64_t y = i / SIDE * 65536 + 32768 - m.y0;
             const int64_t u = x * ux + y * uy;
             const int64_t v = x * vx + y * vy;
-            const int64_t column = floor_div(u, (int128)1 << 32);
-            const int64_t row = floor_div(v, (int128)1 << 32);
+            const int64_t column = (int64_t)floor_div(u, (int128)1 << 32);
+            const int64_t row = (int64_t)floor_div(v, (int128)1 << 32);
             const bool is = column >= 0 && column < image.width && row >= 0 && row < image.height;
             const uint32_t wanted = is ? texels[row * image.pitch + column] : 0;
             painted += is;

@@ -450,7 +450,7 @@ static void does_without(void **state)
 static void drawn_with_copies(void **state)
 {
     (void)state;
-    enum { WIDTH = 96, HEIGHT = 72, CORNERS = 12 };
+    enum { COLUMNS = 96, ROWS = 72, CORNERS = 12 };
     const double turn = 2 * acos(-1);
     const qtri_texture texture = chain(6, 5, false);
     const qtri_light_color full = {Q16_ONE, Q16_ONE, Q16_ONE};
@@ -465,7 +465,7 @@ static void drawn_with_copies(void **state)
         qtri_transform pose;
         qtri_material m = qtri_material_default();
         assert_int_equal(qtri_lights_init(&lights, &off, 0, full), QTRI_OK);
-        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_view_init(&view, COLUMNS, ROWS);
         qtri_transform_identity(&pose);
         for (int i = 0; i < CORNERS; i++) { /* around the middle, so that all are large */
             const double angle = turn * (i + random_in(&seed, 0, 500) / 1000.0) / 3;
@@ -484,16 +484,16 @@ static void drawn_with_copies(void **state)
         m.cull = QTRI_CULL_NONE;
         m.texture = &texture;
         m.depth_compare = QTRI_DEPTH_OFF;
-        canvas plain = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
-        canvas other = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas plain = canvas_new(&qtri_xrgb8888, COLUMNS, ROWS);
+        canvas other = canvas_new(&qtri_xrgb8888, COLUMNS, ROWS);
         qtri_draw_triangles(&plain.surface, &view, &pose, corners, CORNERS, &m);
         m.blend = n % 2 == 0 ? NULL : &qtri_blend_vertex_alpha;
         m.shading = n % 3 == 0 || n % 2 == 0 ? QTRI_PER_PIXEL : QTRI_SMOOTH;
         view.lights = m.shading == QTRI_PER_PIXEL ? &lights : NULL;
         qtri_draw_lit_triangles(&other.surface, &view, &pose, corners, normals, CORNERS, &m);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            const uint32_t a = stored_pixel(&plain.surface, i % WIDTH, i / WIDTH);
-            const uint32_t b = stored_pixel(&other.surface, i % WIDTH, i / WIDTH);
+        for (int32_t i = 0; i < COLUMNS * ROWS; i++) {
+            const uint32_t a = stored_pixel(&plain.surface, i % COLUMNS, i / COLUMNS);
+            const uint32_t b = stored_pixel(&other.surface, i % COLUMNS, i / COLUMNS);
             for (int k = 0; k < 24; k += 8) {
                 assert_near(a >> k & 255, b >> k & 255, 1);
             }

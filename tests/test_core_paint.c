@@ -601,7 +601,6 @@ static void no_inside(void **state)
 static void outlines_without_inside(void **state)
 {
     (void)state;
-    static const qtri_ink *const inks[] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
     const qtri_rgb white = {255, 255, 255};
     uint64_t seed = 18;
     int other = 0;

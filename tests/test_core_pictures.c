@@ -260,7 +260,7 @@ static void random_view(void)
     const q16 fovy = between(30, 90);
     const q16 near_z = between(.1, 1.5);
     const q16 turn = between(-180, 180);
-    const q16 height = between(-60, 60);
+    const q16 above = between(-60, 60);
     const q16 distance = between(1, 5);
     const qtri_vec3 center = random_vec(.5);
     qtri_view_init(&w.view, width, height);
@@ -270,7 +270,7 @@ static void random_view(void)
     } else {
         qtri_transform_perspective(&w.view.projection, fovy, Q16(1.3), near_z, Q16(12));
     }
-    qtri_transform_orbit(&w.view.camera, center, distance, turn, height);
+    qtri_transform_orbit(&w.view.camera, center, distance, turn, above);
     if (one_in(5)) {
         w.view.viewport.depth_near = between(0, 1);
         w.view.viewport.depth_far = between(0, 1);

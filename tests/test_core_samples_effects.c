@@ -111,7 +111,7 @@ static void random_scene(scene *s, uint64_t *seed)
     };
     static const qtri_compare compares[6] = {QTRI_LESS,      QTRI_LESS_EQUAL, QTRI_DEPTH_OFF,
                                              QTRI_NOT_EQUAL, QTRI_ALWAYS,     QTRI_GREATER_EQUAL};
-    const qtri_fog_range range = {Q16(1), Q16(20)};
+    const qtri_fog_range range = {Q16(1), Q16(20), false};
     s->material = qtri_material_default();
     s->material.cull = QTRI_CULL_NONE;
     s->material.shading = random_flag(seed) ? QTRI_FLAT_LAST : QTRI_SMOOTH;
@@ -262,7 +262,7 @@ static void slopes(void **state)
         canvas c[2];
         scene s;
         random_scene(&s, &seed);
-        const qtri_fog_range range = {Q16(1), Q16(20)};
+        const qtri_fog_range range = {Q16(1), Q16(20), false};
         const uint64_t own = seed += 99;
         qtri_fog_linear(&s.fog, (qtri_rgb){255, 255, 255}, range, Q16(2), Q16(2.8));
         s.material.fog = &s.fog;

@@ -53,11 +53,11 @@ static void draw_on(struct reader *r, const qtri_surface *surface)
     qtri_view view;
     qtri_vertex cache[CACHE];
     qtri_light light;
-    lamps lamps;
+    lamps lit;
     qtri_transform pose;
     qtri_texture texture = {0};
     const void *levels[4];
-    soup soup;
+    soup arrays;
     qtri_view_init(&view, SIDE, SIDE);
     build_transform(r, &view.projection);
     build_transform(r, &view.camera);
@@ -74,15 +74,15 @@ static void draw_on(struct reader *r, const qtri_surface *surface)
     light.ambient = take_int(r);
     light.diffuse = take_int(r);
     view.light = take_byte(r) % 2 ? &light : NULL;
-    view.lights = take_byte(r) % 2 ? build_lamps(r, &lamps) : NULL;
+    view.lights = take_byte(r) % 2 ? build_lamps(r, &lit) : NULL;
     view.vertices = cache;
     view.vertex_count = take_byte(r) % (CACHE + 1);
     qtri_material material = build_material(r, &texture, levels, texels);
-    material.reflection = view.lights != NULL ? &lamps.reflection : NULL;
+    material.reflection = view.lights != NULL ? &lit.reflection : NULL;
 
     switch (take_byte(r) % 4) {
     case 0:
-        qtri_draw_mesh(surface, &view, &pose, build_mesh(r, &soup), &material);
+        qtri_draw_mesh(surface, &view, &pose, build_mesh(r, &arrays), &material);
         break;
     case 1:
         draw_corners(r, surface, &view, &pose, &material);

@@ -35,7 +35,7 @@ static inline uint32_t recorded_add(uint32_t hash, uint32_t value, int bytes)
 static inline uint64_t recorded_seed(int group)
 {
     const char *other = getenv("QTRI_SEED");
-    return (uint64_t)group + (other != NULL ? strtoull(other, NULL, 10) << 16 : 0);
+    return (uint64_t)group + (other != NULL ? (uint64_t)strtoull(other, NULL, 10) << 16 : 0u);
 }
 
 /* Fails where another checksum is recorded of the name, or none. */
