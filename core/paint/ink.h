@@ -133,7 +133,7 @@ void qtri_paint_contour(const qtri_surface *surface, const qtri_contour *contour
 void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
 void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
                       const uint8_t *coverage);
-void qtri_blend_bits(const qtri_painter *painter, uint8_t *at, const qtri_ink_bits *bits);
+void qtri_blend_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *bits);
 
 /* The first pixel whose centre lies at x or behind it. */
 static inline int32_t qtri_pixel_from(int32_t x_24p8)

@@ -203,6 +203,7 @@ static void smooth_row(const qtri_painter *painter, const qtri_contour *contour,
         if (count > 0) {
             uint8_t coverage[WINDOW];
             for (int32_t i = 0; i < count; i++) {
+                // NOLINTNEXTLINE(clang-analyzer-core.*): fill_window() has set those up to `busy`
                 sum += w.sum[i];
                 coverage[i] = (uint8_t)coverage_of(sum);
             }

@@ -92,6 +92,7 @@ static void find_shares(int32_t b_q30[2], const qtri_pixel_light *p, int32_t x, 
         const uint32_t most = (uint32_t)(q >> 16);
         const uint32_t reciprocal = qtri_reciprocal_near((uint32_t)((q << zeros) >> 32));
         /* s 2^32 / q with s <= q: (s 2^zeros) (2^62 / (q 2^zeros)) / 2^32 is below 2^30 + 2^4. */
+        // NOLINTNEXTLINE(clang-analyzer-core.*): q | 1 is not 0, so zeros are at most 63
         b[0] = qtri_mul_high32((uint32_t)((held(one, 0, most) << zeros) >> 32), reciprocal);
         b[1] = qtri_mul_high32((uint32_t)((held(two, 0, most) << zeros) >> 32), reciprocal);
     } else {
