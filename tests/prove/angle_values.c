@@ -15,6 +15,8 @@
 #include "math/atan.h"
 #include "qtri/q16_trig.h"
 
+#include "products.h"
+
 /*@ requires x >= 0x80000000;
     assigns \result \from x;
     ensures 0x40000000 <= \result <= 0x4000000000000000 / x; */
@@ -31,16 +33,6 @@ static uint32_t reciprocal_less_one_q16(uint32_t d_q16);
 
 /*@ assigns \result \from y, x, mirrored; */
 uint32_t qtri_angle_q31(uint32_t y, uint32_t x, bool mirrored);
-
-#if !QTRI_LONG_MULTIPLY && QTRI_SHARE
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-uint64_t qtri_mul_u32(uint32_t a, uint32_t b);
-
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-int64_t qtri_mul_s32(int32_t a, int32_t b);
-#endif
 
 /* Whose own functions no other file sees. */
 #include "../../core/math/q16_atan2.c"

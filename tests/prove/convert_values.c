@@ -11,20 +11,12 @@
 #include "bits/bits.h"
 #include "qtri/q16.h"
 
+#include "products.h"
+
 /* root64 of math_inputs.c holds it. */
 /*@ assigns \result, *remainder \from x;
     ensures \initialized(remainder) && *remainder <= 2 * \result; */
 uint32_t qtri_sqrt64_floor(uint64_t x, uint64_t *remainder);
-
-#if !QTRI_LONG_MULTIPLY && QTRI_SHARE
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-uint64_t qtri_mul_u32(uint32_t a, uint32_t b);
-
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-int64_t qtri_mul_s32(int32_t a, int32_t b);
-#endif
 
 static q16 any(void)
 {

@@ -19,6 +19,8 @@
 #include "qtri/quat.h"
 #include "qtri/vec.h"
 
+#include "products.h"
+
 /* The unit of Q2.30, and what errors may add to it. */
 #define ONE  1073741824
 #define SOME 1024
@@ -139,16 +141,6 @@ static int64_t make_perpendicular(int32_t v_q30[4], const int32_t u_q30[4], int3
     ensures -3 * ONE / 2 <= u_q30[2] <= 3 * ONE / 2 && -3 * ONE / 2 <= u_q30[3] <= 3 * ONE / 2; */
 static void turn_towards(int32_t u_q30[4], const int32_t v_q30[4], int32_t sine_q30,
                          int32_t cosine_q30);
-
-#if !QTRI_LONG_MULTIPLY && QTRI_SHARE
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-uint64_t qtri_mul_u32(uint32_t a, uint32_t b);
-
-/*@ assigns \result \from a, b;
-    ensures \result == a * b; */
-int64_t qtri_mul_s32(int32_t a, int32_t b);
-#endif
 
 /* Whose own function no other file sees. */
 #include "../../core/math/slerp.c"
