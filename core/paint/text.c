@@ -184,19 +184,11 @@ QTRI_NOINLINE static void paint_any(const qtri_painter *painter, const qtri_font
     qtri_rect rect;
     (void)clip_glyph(&b, &rect, painter, font, glyph, x, y); /* again: something is left of it */
     uint8_t *to = qtri_painter_at(painter, rect.x0, rect.y0);
-    if (!paint_wide_bits(painter, to, &b)) {
+    if (is_mixed(painter)) {
+        painter->ink->bits(painter, to, &b);
+    } else if (!paint_wide_bits(painter, to, &b)) {
         paint_others(painter, to, &b);
     }
-}
-
-/* The same, mixed. */
-QTRI_NOINLINE static void paint_mixed(const qtri_painter *painter, const qtri_font *font,
-                                      const qtri_glyph *glyph, int32_t x, int32_t y)
-{
-    qtri_ink_bits b;
-    qtri_rect rect;
-    (void)clip_glyph(&b, &rect, painter, font, glyph, x, y);
-    painter->ink->bits(painter, qtri_painter_at(painter, rect.x0, rect.y0), &b);
 }
 
 /* x, y: the left upper corner; beyond the largest frame on either side nothing is to be seen. */
@@ -210,10 +202,8 @@ static void paint_glyph(const qtri_painter *painter, const qtri_font *font, cons
         !clip_glyph(&b, &rect, painter, font, glyph, x, y)) {
         return;
     }
-    if (is_mixed(painter)) {
-        paint_mixed(painter, font, glyph, x, y);
-    } else if (b.stride != 1 || b.width != glyph->width ||
-               painter->surface->format->pixels->bytes - 1u > 3u) {
+    if (is_mixed(painter) || b.stride != 1 || b.width != glyph->width ||
+        painter->surface->format->pixels->bytes - 1u > 3u) {
         paint_any(painter, font, glyph, x, y);
     } else {
         paint_narrow_bits(painter, qtri_painter_at(painter, rect.x0, rect.y0), &b);

