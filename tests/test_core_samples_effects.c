@@ -162,7 +162,7 @@ static void draw(const qtri_surface *surface, const scene *s, uint64_t seed, q16
     }
 }
 
-/* Samples that are alike, and depths. */
+/* Samples of any colours, every other like the one before. */
 static void fill_at_random(const qtri_surface *s, uint64_t seed)
 {
     const int32_t size = s->format->pixels->bytes;
@@ -217,6 +217,28 @@ static long assert_like(const qtri_surface *a, const qtri_surface *b, const qtri
     return differ;
 }
 
+/* How many samples differ where small triangles are drawn as such, and as large ones. */
+static long small_from_large(const qtri_format *format, const scene *s, uint64_t seed, q16 tilt,
+                             bool is_filled, bool near)
+{
+    large_format as[2];
+    canvas c[2];
+    for (int i = 0; i < 2; i++) {
+        format_as(&as[i], format, i == 1);
+        c[i] = canvas_new(format, WIDTH, HEIGHT);
+        qtri_samples_clear(&c[i].surface, (qtri_rgb){0, 0, 0});
+        if (is_filled) {
+            fill_at_random(&c[i].surface, seed);
+        }
+        c[i].surface.format = &as[i].format;
+        draw(&c[i].surface, s, seed, tilt);
+    }
+    const long differ = assert_like(&c[0].surface, &c[1].surface, format, near);
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+    return differ;
+}
+
 /* Of one colour and one depth all samples are the same to the bit. */
 static void small_as_large(void **state)
 {
@@ -225,24 +247,11 @@ static void small_as_large(void **state)
     long differ = 0;
     long varied = 0;
     for (int n = 0; n < 240; n++) {
-        large_format as[2];
-        canvas c[2];
         scene s;
         random_scene(&s, &seed);
         const uint64_t own = seed += 99;
-        for (int i = 0; i < 2; i++) {
-            format_as(&as[i], four[n % FORMATS], i == 1);
-            c[i] = canvas_new(four[n % FORMATS], WIDTH, HEIGHT);
-            qtri_samples_clear(&c[i].surface, (qtri_rgb){0, 0, 0});
-            fill_at_random(&c[i].surface, own);
-            c[i].surface.format = &as[i].format;
-            draw(&c[i].surface, &s, own, 0);
-        }
-        differ += assert_like(&c[0].surface, &c[1].surface, four[n % FORMATS], s.varies);
+        differ += small_from_large(four[n % FORMATS], &s, own, 0, true, s.varies);
         varied += s.varies ? WIDTH * HEIGHT * 4 : 0;
-        for (int i = 0; i < 2; i++) {
-            canvas_free(&c[i]);
-        }
     }
     print_message("%ld small triangles; %ld of %ld samples of varied colours differ\n", small_ones,
                   differ, varied);
@@ -258,8 +267,6 @@ static void slopes(void **state)
     long differ = 0;
     long all = 0;
     for (int n = 0; n < 60; n++) {
-        large_format as[2];
-        canvas c[2];
         scene s;
         random_scene(&s, &seed);
         const qtri_fog_range range = {Q16(1), Q16(20), false};
@@ -269,18 +276,8 @@ static void slopes(void **state)
         s.material.blend = n % 3 == 0 ? &qtri_blend_alpha : NULL;
         s.material.depth_compare = QTRI_DEPTH_OFF;
         s.material.keep = 0;
-        for (int i = 0; i < 2; i++) {
-            format_as(&as[i], four[n % FORMATS], i == 1);
-            c[i] = canvas_new(four[n % FORMATS], WIDTH, HEIGHT);
-            qtri_samples_clear(&c[i].surface, (qtri_rgb){0, 0, 0});
-            c[i].surface.format = &as[i].format;
-            draw(&c[i].surface, &s, own, Q16(40));
-        }
-        differ += assert_like(&c[0].surface, &c[1].surface, four[n % FORMATS], true);
+        differ += small_from_large(four[n % FORMATS], &s, own, Q16(40), false, true);
         all += WIDTH * HEIGHT * 4;
-        for (int i = 0; i < 2; i++) {
-            canvas_free(&c[i]);
-        }
     }
     print_message("%ld of %ld samples differ\n", differ, all);
     assert_true(differ * 20000 < all);

@@ -81,7 +81,14 @@ static inline q16 take_number(struct reader *r)
     return (kind & 3) == 0 ? value : value >> (10 + (kind & 7));
 }
 
-static qtri_vec3 take_vec3(struct reader *r)
+static inline void take_numbers(struct reader *r, q16 *out, int count)
+{
+    for (int i = 0; i < count; i++) {
+        out[i] = take_number(r);
+    }
+}
+
+static inline qtri_vec3 take_vec3(struct reader *r)
 {
     qtri_vec3 v;
     v.x = take_number(r);
@@ -91,7 +98,7 @@ static qtri_vec3 take_vec3(struct reader *r)
 }
 
 /* Three numbers of any bits. */
-static qtri_vec3 take_any_vec3(struct reader *r)
+static inline qtri_vec3 take_any_vec3(struct reader *r)
 {
     qtri_vec3 v;
     v.x = take_int(r);
@@ -145,15 +152,11 @@ static inline void build_transform(struct reader *r, qtri_transform *t)
             qtri_transform_perspective(t, a.x, a.y, a.z, take_number(r));
             break;
         case 8:
-            n[0] = take_number(r);
-            n[1] = take_number(r);
-            n[2] = take_number(r);
+            take_numbers(r, n, 3);
             qtri_transform_frustum(t, a.x, a.y, a.z, n[0], n[1], n[2]);
             break;
         case 9:
-            n[0] = take_number(r);
-            n[1] = take_number(r);
-            n[2] = take_number(r);
+            take_numbers(r, n, 3);
             qtri_transform_ortho(t, a.x, a.y, a.z, n[0], n[1], n[2]);
             break;
         case 10:
