@@ -44,9 +44,8 @@ static void add_stop(stops *s, int32_t x, int32_t winding)
 static void find_stops(stops *s, const qtri_contour *contour, int32_t row, int32_t from)
 {
     const int32_t y = row * 256 + 128;
-    int32_t radius = 0;
-    int32_t center_y = 0;
-    int32_t half = 0; /* of the last arc's chord */
+    const qtri_ink_edge *last = NULL; /* arc, */
+    int32_t half = 0;                 /* and half of its chord */
     s->count = 0;
     for (int32_t i = 0; i < contour->count; i++) {
         qtri_ink_edge side;
@@ -63,13 +62,11 @@ static void find_stops(stops *s, const qtri_contour *contour, int32_t row, int32
         if (edge->radius == 0) {
             x = qtri_ink_edge_x(edge, y);
         } else {
-            const qtri_ink_arc *arc = &edge->as.arc;
-            if (edge->radius != radius || arc->center_y != center_y) {
-                radius = edge->radius;
-                center_y = arc->center_y;
+            if (!qtri_ink_is_mirrored(last, edge)) {
+                last = edge;
                 half = qtri_ink_half_chord(edge, y);
             }
-            x = arc->center_x + (arc->side < 0 ? -half : half);
+            x = edge->as.arc.center_x + (edge->as.arc.side < 0 ? -half : half);
         }
         x = qtri_pixel_from(x);
         if (x > from) {
