@@ -629,6 +629,48 @@ static void outlines_without_inside(void **state)
     assert_true(other > 50);
 }
 
+/*
+ * Polygons of few points have their sides made ready once, others in every row. An L whose sides
+ * have more points between their ends is the same; so are its level sides anywhere in a row.
+ */
+static void sides_with_points_between(void **state)
+{
+    (void)state;
+    enum { ENDS = 6, PARTS = 9 };
+    static const qtri_rgb white = {255, 255, 255};
+    uint64_t seed = 19;
+    int painted = 0;
+    for (int n = 0; n < 600; n++) {
+        const qtri_brush brush = {white, n % 3 == 0 ? 255 : 150, inks[n % 3]};
+        int32_t x[3];
+        int32_t y[3];
+        for (int i = 0; i < 3; i++) {
+            x[i] = random_in(&seed, -1000, SIDE * 256 + 1000);
+            y[i] = random_in(&seed, -1000, SIDE * 256 + 1000);
+        }
+        const qtri_point ends[ENDS] = {{x[0], y[0]}, {x[1], y[0]}, {x[1], y[1]},
+                                       {x[2], y[1]}, {x[2], y[2]}, {x[0], y[2]}};
+        qtri_point points[ENDS * PARTS];
+        for (int i = 0; i < ENDS * PARTS; i++) {
+            const qtri_point *a = &ends[i / PARTS];
+            const qtri_point *b = &ends[(i / PARTS + 1) % ENDS];
+            points[i].x_24p8 = a->x_24p8 + (b->x_24p8 - a->x_24p8) * (i % PARTS) / PARTS;
+            points[i].y_24p8 = a->y_24p8 + (b->y_24p8 - a->y_24p8) * (i % PARTS) / PARTS;
+        }
+        canvas c[2] = {canvas_new(&qtri_xrgb8888, SIDE, SIDE),
+                       canvas_new(&qtri_xrgb8888, SIDE, SIDE)};
+        canvas empty = canvas_new(&qtri_xrgb8888, SIDE, SIDE);
+        qtri_paint_polygon(&c[0].surface, ends, ENDS, &brush);
+        qtri_paint_polygon(&c[1].surface, points, ENDS * PARTS, &brush);
+        assert_same_picture(&c[0].surface, &c[1].surface);
+        painted += memcmp(c[0].memory, empty.memory, empty.bytes) != 0;
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+        canvas_free(&empty);
+    }
+    assert_true(painted > 500);
+}
+
 /* A rectangle's share of one pixel, to nearest, for every width and height: mixed as an alpha is.
  */
 static void shares_of_a_pixel(void **state)
@@ -708,6 +750,7 @@ int main(void)
         cmocka_unit_test(slices_of_a_row),
         cmocka_unit_test(shares_of_a_pixel),
         cmocka_unit_test(outlines_without_inside),
+        cmocka_unit_test(sides_with_points_between),
         cmocka_unit_test(bands),
         cmocka_unit_test(least_alpha),
         cmocka_unit_test(mixes),
