@@ -637,7 +637,7 @@ static void planes(void **state)
 
 /*
  * A slope of a fraction of the finest step, whose rounding leads beyond the last vertex's depth,
- * and that is the farthest, or 0: it is held there.
+ * and that is the farthest, or 0: it is held there, in one colour as in many.
  */
 static void ends_of_depths(void **state)
 {
@@ -648,12 +648,14 @@ static void ends_of_depths(void **state)
     int held = 0;
     for (uint32_t range = 1; range < 3000; range += 19) {
         const bool is_near = range % 2 == 0;
+        const int32_t other = (range & 4) != 0 ? 9 : 255;
         const uint32_t to = is_near ? 0 : farthest;
         const uint32_t from = is_near ? range : farthest - range;
         qtri_screen_vertex v[3] = {screen_at(128, 128), screen_at(WIDTH * 256, 128),
                                    screen_at(WIDTH * 256, 128 + 40 * 256)};
         v[0].depth_16p16 = from;
         v[1].depth_16p16 = v[2].depth_16p16 = to;
+        v[1].color_8p16[0] = other * 65536;
         qtri_surface_clear_depth(&b.surface, Q16(.5));
         const uint32_t clear = code_at(&b.surface, 0, HEIGHT - 1);
         qtri_raster_triangle(&b.surface, &m, v);

@@ -5,6 +5,7 @@
 #include "support/core.h"
 
 #include <qtri/image.h>
+#include <qtri/samples.h>
 
 enum { SIDE = 40, MEMORY = 40 * 40 };
 
@@ -381,12 +382,64 @@ static void narrow(void **state)
     }
 }
 
+/* A picture of four samples a pixel, all of one colour, is the picture of those colours. */
+static void of_samples(void **state)
+{
+    (void)state;
+    enum { WIDTH = 11, HEIGHT = 7 };
+    static uint16_t memory[HEIGHT][WIDTH];
+    canvas records = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+    canvas plain = canvas_new(&qtri_rgb565, SIDE, SIDE);
+    canvas four = canvas_new(&qtri_rgb565_x4, SIDE, SIDE);
+    const qtri_surface *pixels = &records.surface;
+    const qtri_image image = {.pixels = memory,
+                              .pitch = sizeof memory[0],
+                              .format = &qtri_rgb565,
+                              .width = WIDTH,
+                              .height = HEIGHT};
+    qtri_image sampled = image;
+    sampled.pixels = pixels->pixels;
+    sampled.format = &qtri_rgb565_x4;
+    sampled.pitch = pixels->pitch;
+    uint64_t seed = 17;
+    for (int n = 0; n < 60; n++) {
+        const uint8_t alpha = (uint8_t)(n % 2 != 0 ? 255 : random_in(&seed, 0, 255));
+        qtri_affine m;
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t color = (uint32_t)random64(&seed) & 0xFFFF;
+            memory[i / WIDTH][i % WIDTH] = (uint16_t)color;
+            pixels->format->pixels->fill(pixels->pixels + (i / WIDTH) * pixels->pitch +
+                                             (ptrdiff_t)(i % WIDTH) * QTRI_RGB565_X4_BYTES,
+                                         color, 1, 1);
+        }
+        qtri_affine_place(&m, 0, 0, random_in(&seed, 0, SIDE * 65536),
+                          random_in(&seed, 0, SIDE * 65536), random_in(&seed, 20000, 300000),
+                          random_in(&seed, 20000, 300000), n % 3 == 0 ? 0 : random_any(&seed));
+        canvas_clear(&plain);
+        qtri_samples_clear(&four.surface, (qtri_rgb){0, 0, 0});
+        qtri_image_paint_affine(&plain.surface, &image, &m, alpha);
+        qtri_image_paint_affine(&four.surface, &sampled, &m, alpha);
+        qtri_surface resolved;
+        assert_int_equal(qtri_samples_resolve(&four.surface, &resolved), QTRI_OK);
+        for (int32_t i = 0; i < SIDE * SIDE; i++) { /* mixed, they are rounded once more */
+            const qtri_rgb x = qtri_surface_pixel(&plain.surface, i % SIDE, i / SIDE);
+            const qtri_rgb y = qtri_surface_pixel(&resolved, i % SIDE, i / SIDE);
+            assert_near(x.r, y.r, alpha == 255 ? 0 : 9);
+            assert_near(x.g, y.g, alpha == 255 ? 0 : 5);
+            assert_near(x.b, y.b, alpha == 255 ? 0 : 9);
+        }
+    }
+    canvas_free(&records);
+    canvas_free(&plain);
+    canvas_free(&four);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(placed),        cmocka_unit_test(turned),      cmocka_unit_test(bands),
         cmocka_unit_test(any_arguments), cmocka_unit_test(of_surfaces), cmocka_unit_test(narrow),
-        cmocka_unit_test(steep),
+        cmocka_unit_test(steep),         cmocka_unit_test(of_samples),
     };
     return cmocka_run_group_tests_name("core image", tests, NULL, NULL);
 }

@@ -283,7 +283,7 @@ static void slopes(void **state)
     assert_true(differ * 20000 < all);
 }
 
-/* A frame in bands, and with a scissor. */
+/* A frame in bands, and with a scissor; of texels of any alpha, which are drawn in part. */
 static void pieces(void **state)
 {
     (void)state;
@@ -294,6 +294,9 @@ static void pieces(void **state)
         canvas part = canvas_new(format, WIDTH, HEIGHT);
         scene s;
         random_scene(&s, &seed);
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            texels[i] = (uint32_t)random_bits32(&seed);
+        }
         const uint64_t own = seed += 99;
         qtri_samples_clear(&whole.surface, (qtri_rgb){0, 0, 0});
         fill_at_random(&whole.surface, own);

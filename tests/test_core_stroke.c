@@ -627,6 +627,71 @@ static void set_space(space *s, uint64_t *seed, bool kept)
     s->mesh.triangle_count = 12;
 }
 
+enum { MANY = 700 };
+
+static qtri_corner many[MANY];
+
+/* A spiral around the centre: from point to point about a pixel, some twice. */
+static void set_spiral(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const double turn = .04 * (double)(i - i % 7 / 6);
+        many[i] = corner_at((int32_t)(256 * (41.3 + (3 + 1.3 * turn) * cos(turn))),
+                            (int32_t)(256 * (26.7 + (3 + .7 * turn) * sin(turn))));
+    }
+}
+
+/* Of parts only the first few hundred are marked where they may touch the rows. */
+static void polylines_of_many_points(void **state)
+{
+    (void)state;
+    canvas whole = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    canvas other = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    qtri_view view = flat_view();
+    qtri_transform pose;
+    qtri_material material = plain_material();
+    qtri_stroke stroke = qtri_stroke_default();
+    qtri_transform_identity(&pose);
+    material.blend = &qtri_blend_alpha;
+    material.alpha = 200;
+    for (int n = 0; n < 12; n++) {
+        stroke.width = Q16(.6) + n * Q16(.3);
+        stroke.cap = QTRI_CAP_ROUND;
+        stroke.closed = n % 4 == 3;
+        set_spiral(MANY);
+        canvas_clear(&whole);
+        qtri_draw_polyline(&whole.surface, &view, &pose, many, MANY, &stroke, &material);
+        /* Bands and scissors show the same. */
+        canvas_clear(&other);
+        for (int32_t row = 0; row < HEIGHT; row += 9) {
+            for (int32_t x = 0; x < WIDTH; x += 31) {
+                qtri_surface piece = other.surface;
+                piece.scissor = (qtri_rect){x, row, x + 31, row + 9};
+                qtri_draw_polyline(&piece, &view, &pose, many, MANY, &stroke, &material);
+            }
+        }
+        assert_same_picture(&whole.surface, &other.surface);
+        /* Parts before it that are behind the eye take its own to other places. */
+        stroke.closed = false;
+        const uint32_t first = 400;
+        canvas_clear(&whole);
+        qtri_draw_polyline(&whole.surface, &view, &pose, many + first, MANY - first, &stroke,
+                           &material);
+        for (uint32_t i = 0; i < first; i++) {
+            many[i] = many[first];
+            many[i].position.z = Q16(3);
+        }
+        canvas_clear(&other);
+        qtri_draw_polyline(&other.surface, &view, &pose, many, MANY, &stroke, &material);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) { /* the end is a point more, and rounded */
+            assert_near(stored_pixel(&whole.surface, i % WIDTH, i / WIDTH),
+                        stored_pixel(&other.surface, i % WIDTH, i / WIDTH), 1);
+        }
+    }
+    canvas_free(&whole);
+    canvas_free(&other);
+}
+
 /* Wireframes, with and without hidden lines: bands have the pixels of the whole frame. */
 static void wireframes(void **state)
 {
@@ -750,6 +815,7 @@ int main(void)
         cmocka_unit_test(nothing),
         cmocka_unit_test(depth),
         cmocka_unit_test(corners_in_space),
+        cmocka_unit_test(polylines_of_many_points),
         cmocka_unit_test(wireframes),
         cmocka_unit_test(hidden_lines),
         cmocka_unit_test(extreme_corners),

@@ -144,9 +144,6 @@ QTRI_INLINE void walk_part(const qtri_edge_walker *w, const qtri_edge_axis *axis
     int32_t limit = p->limit;
     int32_t step = p->step;
     int32_t limit_step = p->limit_step;
-    if (p->k >= p->end) {
-        return;
-    }
     QTRI_ASIDE(limit_step)
     QTRI_ASIDE(step)
     QTRI_ASIDE(shares)
@@ -194,7 +191,10 @@ QTRI_INLINE void walk_part(const qtri_edge_walker *w, const qtri_edge_axis *axis
     } while (place != end);
 }
 
-/* The pixels of the part that lie on the surface. */
+/*
+ * The pixels of the part that lie on the surface: one at least, since callers have asked whether
+ * it begins before `high` and ends behind `low`, and no bounds are empty (qtri_edges_begin).
+ */
 static inline void cut_part(part *p, int32_t low, int32_t high)
 {
     const int32_t before = low - p->k;

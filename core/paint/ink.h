@@ -61,11 +61,14 @@ int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8);
 /* Half of the chord of an arc's circle there. */
 int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8);
 
-/* Whether arcs are of one radius, and centres of one height. `arc` may be NULL, `edge` a line. */
+/*
+ * Whether two edges of a contour that both reach a height there are arcs around centres of one
+ * height: those of one radius. Circles and rings have one centre, and of a rounded rectangle the
+ * corners above end where those below begin or before. `arc` may be NULL, `edge` a line.
+ */
 static inline bool qtri_ink_is_mirrored(const qtri_ink_edge *arc, const qtri_ink_edge *edge)
 {
-    return arc != NULL && arc->radius == edge->radius &&
-           arc->as.arc.center_y == edge->as.arc.center_y;
+    return arc != NULL && arc->radius == edge->radius;
 }
 
 /* Makes a straight edge of its ends, y0 < y1. */
