@@ -637,12 +637,15 @@ static void planes(void **state)
 
 /*
  * A slope of a fraction of the finest step, whose rounding leads beyond the last vertex's depth,
- * and that is the farthest, or 0: it is held there, in one colour as in many.
+ * and that is the farthest, or 0: it is held there, in one colour as
+ * in many, by the row as one by one.
  */
 static void ends_of_depths(void **state)
 {
     (void)state;
     const uint32_t farthest = (uint32_t)65535 << 16;
+    qtri_depth_format one_by_one = qtri_depth_linear32;
+    one_by_one.testing = &qtri_depth_testing_stages;
     board b = board_new(&qtri_gray8, &qtri_depth_linear32);
     const qtri_material m = {.depth_compare = QTRI_ALWAYS};
     int held = 0;
@@ -656,6 +659,7 @@ static void ends_of_depths(void **state)
         v[0].depth_16p16 = from;
         v[1].depth_16p16 = v[2].depth_16p16 = to;
         v[1].color_8p16[0] = other * 65536;
+        b.surface.depth_format = (range & 8) != 0 ? &qtri_depth_linear32 : &one_by_one;
         qtri_surface_clear_depth(&b.surface, Q16(.5));
         const uint32_t clear = code_at(&b.surface, 0, HEIGHT - 1);
         qtri_raster_triangle(&b.surface, &m, v);
