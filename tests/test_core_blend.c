@@ -105,7 +105,7 @@ static void mixes(void **state)
         canvas before = canvas_new(format, WIDTH, HEIGHT);
         canvas covered = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
         double worst[4] = {0};
-        for (int n = 0; n < 2000; n++) {
+        for (int n = 0; n < random_cases(2000); n++) {
             const int which = n % 4;
             const int32_t alpha = n % 5 == 0 ? 255 : random_in(&seed, 0, 255);
             const uint8_t rgb[3] = {(uint8_t)random_in(&seed, 0, 255),
@@ -164,7 +164,7 @@ static void texels(void **state)
         canvas before = canvas_new(format, WIDTH, HEIGHT);
         canvas covered = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
         double worst = 0;
-        for (int n = 0; n < 1500; n++) {
+        for (int n = 0; n < random_cases(1500); n++) {
             const int kind = n % 3;
             const int which = n / 3 % 2;
             const uint32_t digits = (uint32_t)random_bits32(&seed);
@@ -362,7 +362,7 @@ static void fogs(void **state)
     uint64_t seed = 5;
     canvas c = canvas_new(&qtri_xrgb8888, 8, 8);
     double worst[2][3] = {{0}};
-    for (int n = 0; n < 4000; n++) {
+    for (int n = 0; n < random_cases(4000); n++) {
         qtri_fog fog;
         const int kind = n % 3;
         const bool flat = n % 2 == 0;
@@ -447,7 +447,7 @@ static void fogs_565(void **state)
     double worst[2] = {0, 0};
     canvas c[2] = {canvas_new(&qtri_rgb565, SIDE, SIDE),
                    canvas_new(&qtri_rgb565_swapped, SIDE, SIDE)};
-    for (int n = 0; n < 3000; n++) {
+    for (int n = 0; n < random_cases(3000); n++) {
         qtri_fog fog;
         const qtri_fog_range range = {Q16_ONE / 4, 60 * Q16_ONE, true};
         const qtri_rgb gray = {(uint8_t)random_in(&seed, 0, 255), (uint8_t)random_in(&seed, 0, 255),
@@ -507,7 +507,7 @@ static void rows(void **state)
     uint64_t seed = 17;
     canvas c[2] = {canvas_new(&qtri_rgb565, WIDTH, HEIGHT),
                    canvas_new(&qtri_rgb565_swapped, WIDTH, HEIGHT)};
-    for (int n = 0; n < 3000; n++) {
+    for (int n = 0; n < random_cases(3000); n++) {
         static const qtri_blend *const chosen[] = {&qtri_blend_alpha, &qtri_blend_add, NULL};
         const uint8_t rgb[3] = {0, 0, 0};
         qtri_fog fog;
@@ -547,7 +547,7 @@ static void extremes(void **state)
     (void)state;
     uint64_t seed = 6;
     canvas c = canvas_new(&qtri_rgb565, 16, 16);
-    for (int n = 0; n < 20000; n++) {
+    for (int n = 0; n < random_cases(20000); n++) {
         qtri_fog fog = {0};
         const qtri_fog_range range = {random_any(&seed), random_any(&seed), random_flag(&seed)};
         const qtri_rgb color = {1, 2, 3};
@@ -633,7 +633,7 @@ static void channels(void **state)
     static const qtri_blend *const with[] = {&qtri_blend_replace, &qtri_blend_alpha,
                                              &qtri_blend_add, &qtri_blend_multiply};
     uint64_t seed = 7;
-    for (int n = 0; n < 240; n++) {
+    for (int n = 0; n < random_cases(240); n++) {
         const qtri_format *format = drawn_format(n);
         canvas all = canvas_new(format, WIDTH, HEIGHT);
         canvas some = canvas_new(format, WIDTH, HEIGHT);

@@ -248,7 +248,7 @@ static void codes(void **state)
         assert_int_equal(encoded(format, 0), 0);
         assert_true(encoded(format, FARTHEST) <= most);
         assert_true(decoded(format, encoded(format, FARTHEST)) == FARTHEST);
-        for (int n = 0; n < 60000; n++) {
+        for (int n = 0; n < random_cases(60000); n++) {
             const uint32_t t = (uint32_t)random64(&seed) >> random_in(&seed, 0, 31);
             const uint32_t depth = t > FARTHEST ? 0 : FARTHEST - t;
             const uint64_t more = (uint64_t)random_in(&seed, 0, 1 << random_in(&seed, 0, 20));
@@ -274,7 +274,7 @@ static void codes(void **state)
 static void twins(void **state)
 {
     (void)state;
-    for (uint64_t n = 0; n < 500; n++) {
+    for (uint64_t n = 0; n < (uint64_t)random_cases(500); n++) {
         board with = board_new(drawn_format((int32_t)n), NULL);
         board same = board_new(drawn_format((int32_t)n), &twin);
         draw_scene(&with.surface, n * 7919 + 3, false);
@@ -289,7 +289,7 @@ static void twins(void **state)
 static void loops(void **state)
 {
     (void)state;
-    for (uint64_t n = 0; n < 450; n++) {
+    for (uint64_t n = 0; n < (uint64_t)random_cases(450); n++) {
         const qtri_depth_format *format = formats[n % FORMATS];
         qtri_depth_format plain = *format;
         plain.testing = &qtri_depth_testing_stages;
@@ -457,14 +457,14 @@ static void rows(void **state)
             assert_row(formats[f], z, step, 32, &seed);
             assert_row(formats[f], z + 31 * step, 0 - step, 32, &seed);
         }
-        for (int n = 0; n < 3000; n++) { /* through several octaves */
+        for (int n = 0; n < random_cases(3000); n++) { /* through several octaves */
             const int32_t count = random_in(&seed, 1, 319);
             const uint32_t from = (uint32_t)random_bits32(&seed) >> random_in(&seed, 0, 15);
             const uint32_t to = (uint32_t)random_bits32(&seed);
             const int32_t slope = (int32_t)(((int64_t)to - from) / count);
             assert_filled(formats[f], ~from, 0 - (uint32_t)slope, count, &seed);
         }
-        for (int n = 0; n < 40000; n++) {
+        for (int n = 0; n < random_cases(40000); n++) {
             const int32_t count = random_in(&seed, 1, 32);
             const int log2 = random_in(&seed, 0, 32);
             const uint32_t t = log2 == 32 ? FARTHEST : (uint32_t)1 << log2;
@@ -561,7 +561,7 @@ static void pieces(void **state)
 {
     (void)state;
     uint64_t seed = 8;
-    for (uint64_t n = 0; n < 240; n++) {
+    for (uint64_t n = 0; n < (uint64_t)random_cases(240); n++) {
         const qtri_format *format = drawn_format((int32_t)n / FORMATS);
         const qtri_depth_format *depth = formats[n % FORMATS];
         board whole = board_new(format, depth);
@@ -591,7 +591,7 @@ static void planes(void **state)
         board b = board_new(&qtri_gray8, formats[f]);
         double worst = 0;
         int pixels = 0;
-        for (int n = 0; n < 1500; n++) {
+        for (int n = 0; n < random_cases(1500); n++) {
             const qtri_material m = {.depth_compare = QTRI_ALWAYS};
             const int32_t reach = n % 2 != 0 ? 2500 : 30000;
             qtri_screen_vertex v[3];

@@ -128,7 +128,7 @@ static void any_memory(void **state)
     for (size_t i = 0; i < LENGTH_OF(texels); i++) {
         texels[i] = (uint16_t)random64(&seed);
     }
-    for (int n = 0; n < 400; n++) {
+    for (int n = 0; n < random_cases(400); n++) {
         if (n % 8 == 0) {
             faces_mesh_make(&m, &seed, n % 16 == 0 ? 0 : .05);
         }
@@ -171,7 +171,7 @@ static void any_memory(void **state)
         canvas_free(&other);
     }
     print_message("%u pixels\n", painted);
-    assert_true(painted > 50000);
+    assert_true(painted > (unsigned)random_cases(50000));
 }
 
 /* A mesh is the same drawn with its outline, and edges are lit where they are strokes. */
@@ -182,7 +182,7 @@ static void outlines_and_edges(void **state)
     static uint32_t words[QTRI_OUTLINE_WORDS(FACES_TRIANGLES) + QTRI_OUTLINE_SUMS(FACES_VERTICES)];
     uint64_t seed = 9;
     unsigned lit = 0;
-    for (int n = 0; n < 100; n++) {
+    for (int n = 0; n < random_cases(100); n++) {
         faces_mesh_make(&m, &seed, 0);
         const qtri_mesh mesh = n % 2 != 0 ? m.wide : m.compact;
         lamps l;
@@ -227,7 +227,7 @@ static void loose_triangles(void **state)
     static qtri_corner corners[3 * FACES_TRIANGLES];
     static qtri_normal normals[3 * FACES_TRIANGLES];
     uint64_t seed = 5;
-    for (int n = 0; n < 200; n++) {
+    for (int n = 0; n < random_cases(200); n++) {
         faces_mesh_make(&m, &seed, 0);
         qtri_mesh mesh = m.wide;
         const bool has_normals = random_flag(&seed);
@@ -442,7 +442,7 @@ static void two_sides(void **state)
     static const uint16_t front[2][3] = {{0, 1, 2}, {0, 2, 3}};
     static const uint16_t back[2][3] = {{0, 2, 1}, {0, 3, 2}};
     uint64_t seed = 6;
-    for (int n = 0; n < 100; n++) {
+    for (int n = 0; n < random_cases(100); n++) {
         const double size = n % 2 != 0 ? 1 : 40; /* the large one is clipped */
         qtri_vec3 p[4];
         qtri_normal towards[4];
@@ -499,7 +499,7 @@ static void power_tables(void **state)
     (void)state;
     double worst = 0;
     uint64_t seed = 7;
-    for (int n = 0; n < 300; n++) {
+    for (int n = 0; n < random_cases(300); n++) {
         const q16 shininess = n < 128 ? Q16(1) * (n + 1) : random_q16(&seed, 1, 1024);
         qtri_shininess table;
         qtri_shininess_init(&table, shininess);
@@ -616,7 +616,7 @@ static void any_bits(void **state)
     static const qtri_light_kind *const kinds[] = {&qtri_directional_light, &qtri_point_light,
                                                    &qtri_spot_light, NULL};
     uint64_t seed = 9;
-    for (int n = 0; n < 20000; n++) {
+    for (int n = 0; n < random_cases(20000); n++) {
         lamps l;
         qtri_view view;
         qtri_transform pose;

@@ -119,7 +119,7 @@ static void coverage_and_depth(void **state)
     const canvas cleared = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     double worst[5] = {0};
     int pixels = 0;
-    for (int n = 0; n < 30000; n++) {
+    for (int n = 0; n < random_cases(30000); n++) {
         qtri_screen_vertex v[3];
         random_triangle(v, &seed, n % 5);
         assert_true(is_small(v));
@@ -183,7 +183,7 @@ static void smooth_colors(void **state)
         const qtri_format *format = drawn_format(f);
         canvas c = canvas_new(format, WIDTH, HEIGHT);
         double worst = 0;
-        for (int n = 0; n < 8000; n++) {
+        for (int n = 0; n < random_cases(8000); n++) {
             qtri_screen_vertex v[3];
             qtri_material m = drawn_material();
             random_triangle(v, &seed, n % 5);
@@ -243,7 +243,7 @@ static void texels(void **state)
     double worst = 0;
     int64_t pixels = 0;
     int64_t others = 0;
-    for (int n = 0; n < 30000; n++) {
+    for (int n = 0; n < random_cases(30000); n++) {
         qtri_screen_vertex v[3];
         qtri_material m = drawn_material();
         qtri_texture texture = {.texels = numbers, .format = &qtri_texel_rgb565};
@@ -349,7 +349,7 @@ static void cuts(void **state)
     for (int f = 0; f < 3; f++) {
         canvas whole = canvas_new(drawn_format(f), WIDTH, HEIGHT);
         canvas parts = canvas_new(drawn_format(f), WIDTH, HEIGHT);
-        for (int n = 0; n < 12000; n++) {
+        for (int n = 0; n < random_cases(12000); n++) {
             qtri_screen_vertex v[3];
             qtri_material m;
             qtri_texture texture;
@@ -423,7 +423,7 @@ static void comparisons(void **state)
     uint64_t seed = 5;
     canvas drawn = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     canvas always = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    for (int n = 0; n < 6000; n++) {
+    for (int n = 0; n < random_cases(6000); n++) {
         qtri_screen_vertex v[3];
         qtri_material m;
         qtri_texture texture;
@@ -526,7 +526,7 @@ static void fused_loops(void **state)
     canvas bands = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     stages.surface.depth = depths[0];
     stages.surface.depth_pitch = WIDTH + 2;
-    for (int n = 0; n < 3000; n++) {
+    for (int n = 0; n < random_cases(3000); n++) {
         const qtri_mesh mesh = {.positions = positions,
                                 .normals = n % 3 == 0 ? NULL : normals,
                                 .uvs = uvs,
@@ -585,7 +585,7 @@ static void fused_loops(void **state)
         }
     }
     print_message("%lld pixels\n", (long long)pixels);
-    assert_true(pixels > 80000);
+    assert_true(pixels > random_cases(80000));
     canvas_free(&fused);
     canvas_free(&stages);
     canvas_free(&bands);
@@ -623,7 +623,7 @@ static void tints(void **state)
     (void)state;
     uint64_t seed = 11;
     int linear = 0;
-    for (int n = 0; n < 20000; n++) {
+    for (int n = 0; n < random_cases(20000); n++) {
         qtri_raster raster = {.units = kinds[n % 3], .perspective = true};
         const int32_t bright = random_in(&seed, 0, 255);
         const qtri_rgb color = {(uint8_t)random_in(&seed, 0, bright),
@@ -654,7 +654,7 @@ static void tints(void **state)
             assert_true(bound * 1.1 > .125);
         }
     }
-    assert_in_range(linear, 8000, 19000);
+    assert_in_range(linear, random_cases(8000), random_cases(19000));
 }
 
 int main(void)

@@ -82,7 +82,7 @@ static void projects_its_rows(void **state)
     double worst = 0;
     int drawn = 0;
     int rounded = 0;
-    for (int n = 0; n < 100000; n++) {
+    for (int n = 0; n < random_cases(100000); n++) {
         qtri_transform t;
         qtri_vec3 eye = {random_in(&seed, -500000, 500000), random_in(&seed, -500000, 500000),
                          random_in(&seed, -500000, 500000)};
@@ -148,7 +148,7 @@ static void vertices_are_exact(void **state)
     (void)state;
     uint64_t seed = 47;
     int inside = 0;
-    for (int n = 0; n < 60000; n++) {
+    for (int n = 0; n < random_cases(60000); n++) {
         qtri_transform identity;
         qtri_transform_identity(&identity);
         qtri_projector projector = projector_for(&identity, 320, 240);
@@ -207,7 +207,7 @@ static void rests_of_snapping(void **state)
     (void)state;
     uint64_t seed = 48;
     double least = 0, greatest = 0;
-    for (int n = 0; n < 60000; n++) {
+    for (int n = 0; n < random_cases(60000); n++) {
         qtri_clip_vertex v;
         memset(&v, 0, sizeof v);
         v.w = 1 + (int64_t)(random64(&seed) >> random_in(&seed, 18, 62));
@@ -427,7 +427,7 @@ static void clipped_polygons(void **state)
     int longest = 0;
     int64_t outside = 0;
     double weights = 0;
-    for (int n = 0; n < 300000; n++) {
+    for (int n = 0; n < 300000; n++) { /* one in 100,000 has 8 */
         qtri_clip_vertex v[QTRI_CLIP_MAX];
         qtri_clip_vertex from[3];
         int bits = random_in(&seed, 50, 61);
@@ -480,7 +480,7 @@ static void shared_edges(void **state)
     (void)state;
     uint64_t seed = 44;
     int cuts = 0;
-    for (int n = 0; n < 300000; n++) {
+    for (int n = 0; n < random_cases(300000); n++) {
         qtri_clip_vertex corner[4];
         for (int i = 0; i < 4; i++) {
             corner[i] = random_clip_vertex(&seed, 58);
@@ -550,7 +550,7 @@ static void clipped_lines(void **state)
 {
     (void)state;
     uint64_t seed = 45;
-    for (int n = 0; n < 200000; n++) {
+    for (int n = 0; n < random_cases(200000); n++) {
         qtri_clip_vertex v[2] = {random_clip_vertex(&seed, 58), random_clip_vertex(&seed, 58)};
         v[0].b1_q30 = v[0].b2_q30 = v[1].b2_q30 = 0;
         v[1].b1_q30 = 1 << 30;

@@ -166,7 +166,7 @@ static void any_size(void **state)
     static const int32_t reach[] = {300, 3000, 8000, 16384, 17000, 33000, 70000, 1 << 19, 1 << 22};
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 51;
-    for (int n = 0; n < 9000; n++) {
+    for (int n = 0; n < random_cases(9000); n++) {
         int32_t r = reach[n % 9];
         point p[3];
         for (int i = 0; i < 3; i++) {
@@ -244,7 +244,7 @@ static void jittered_grids(void **state)
     enum { CELLS = 9 };
     hits h = {canvas_new(&qtri_gray8, WIDTH, HEIGHT), {{0}}};
     uint64_t seed = 52;
-    for (int n = 0; n < 300; n++) {
+    for (int n = 0; n < random_cases(300); n++) {
         point p[CELLS + 1][CELLS + 1];
         int32_t step = 6 * 256;
         for (int i = 0; i <= CELLS; i++) {
@@ -285,7 +285,7 @@ static void fans(void **state)
     enum { RIM = 12 };
     hits h = {canvas_new(&qtri_gray8, WIDTH, HEIGHT), {{0}}};
     uint64_t seed = 53;
-    for (int n = 0; n < 600; n++) {
+    for (int n = 0; n < random_cases(600); n++) {
         point hub = random_point(&seed, 4000);
         double radius = n % 2 != 0 ? 3e4 : 4e6;
         point rim[RIM];
@@ -311,7 +311,7 @@ static void split_triangles(void **state)
     enum { MOST = 150 };
     hits h = {canvas_new(&qtri_gray8, WIDTH, HEIGHT), {{0}}};
     uint64_t seed = 54;
-    for (int n = 0; n < 120; n++) {
+    for (int n = 0; n < random_cases(120); n++) {
         int32_t r = n % 2 != 0 ? QTRI_SCREEN_MAX_24P8 : 11000;
         point q[4] = {{-r, -r}, {r, -r}, {r, r}, {-r, r}};
         point t[MOST][3] = {{q[0], q[1], q[2]}, {q[0], q[2], q[3]}};

@@ -117,7 +117,7 @@ static void hard(void **state)
     uint64_t seed = 5;
     int different = 0;
     int covered = 0;
-    for (int n = 0; n < 400; n++) {
+    for (int n = 0; n < random_cases(400); n++) {
         struct ref_stroke_part part[POINTS];
         scene s = random_scene(&seed, 6);
         s.stroke.edges = NULL;
@@ -222,7 +222,7 @@ static void effects(void **state)
 {
     (void)state;
     uint64_t seed = 17;
-    for (int n = 0; n < 160; n++) {
+    for (int n = 0; n < random_cases(160); n++) {
         const qtri_format *format = n % 2 != 0 ? &qtri_xrgb8888 : &qtri_rgb565;
         canvas c = canvas_new(format, WIDTH, HEIGHT);
         canvas plain = canvas_new(format, WIDTH, HEIGHT);
@@ -292,7 +292,7 @@ static void bands_and_scissors(void **state)
 {
     (void)state;
     uint64_t seed = 6;
-    for (int n = 0; n < 160; n++) {
+    for (int n = 0; n < random_cases(160); n++) {
         const qtri_format *format = drawn_format(n);
         const scene s = colored_scene(&seed, n % 4 == 0 ? POINTS : 5);
         qtri_material material = plain_material();
@@ -329,7 +329,7 @@ static void blending(void **state)
 {
     (void)state;
     uint64_t seed = 7;
-    for (int n = 0; n < 120; n++) {
+    for (int n = 0; n < random_cases(120); n++) {
         const qtri_format *format = drawn_format(n);
         canvas c = canvas_new(format, WIDTH, HEIGHT);
         struct ref_stroke_part part[POINTS];
@@ -373,7 +373,7 @@ static void joints_are_blended_once(void **state)
     (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 8;
-    for (int n = 0; n < 300; n++) {
+    for (int n = 0; n < random_cases(300); n++) {
         scene s = random_scene(&seed, POINTS);
         s.stroke.alpha = 100;
         s.stroke.edges = n % 3 == 0 ? NULL : &qtri_stroke_smooth;
@@ -400,7 +400,7 @@ static void order(void **state)
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     canvas d = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 9;
-    for (int n = 0; n < 200; n++) {
+    for (int n = 0; n < random_cases(200); n++) {
         scene s = random_scene(&seed, 8);
         scene turned = s;
         for (uint32_t i = 0; i < s.count; i++) {
@@ -431,7 +431,7 @@ static void extremes(void **state)
     const int count = stress_values(value);
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     uint64_t seed = 10;
-    for (int n = 0; n < 6000; n++) {
+    for (int n = 0; n < random_cases(6000); n++) {
         scene s = colored_scene(&seed, 4);
         for (uint32_t i = 0; i < s.count; i++) {
             if (random_flag(&seed)) {
@@ -548,7 +548,7 @@ static void corners_in_space(void **state)
     qtri_vertex kept[POINTS];
     uint64_t seed = 11;
     qtri_transform_identity(&pose);
-    for (int n = 0; n < 100; n++) {
+    for (int n = 0; n < random_cases(100); n++) {
         scene s = random_scene(&seed, POINTS);
         qtri_corner corner[POINTS];
         const qtri_material material = plain_material();
@@ -776,7 +776,7 @@ static void extreme_corners(void **state)
     (void)state;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     uint64_t seed = 14;
-    for (int n = 0; n < 1500; n++) {
+    for (int n = 0; n < random_cases(1500); n++) {
         space s;
         qtri_corner corner[4];
         qtri_stroke stroke = qtri_stroke_default();

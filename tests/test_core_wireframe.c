@@ -199,7 +199,7 @@ static void whole_mesh(void **state)
 {
     (void)state;
     uint64_t seed = 91;
-    for (int n = 0; n < 1500; n++) {
+    for (int n = 0; n < random_cases(1500); n++) {
         static scene s;
         random_scene(&s, &seed);
         canvas expected = draw_one_by_one(&s);
@@ -223,7 +223,7 @@ static void prepared_mesh(void **state)
     static qtri_vertex vertices[VERTICES];
     static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_BYTES)];
     uint64_t seed = 92;
-    for (int n = 0; n < 1500; n++) {
+    for (int n = 0; n < random_cases(1500); n++) {
         static scene s;
         random_scene(&s, &seed);
         canvas expected = draw_one_by_one(&s);
@@ -252,7 +252,7 @@ static void edges_once(void **state)
     static qtri_vertex vertices[VERTICES];
     static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_BYTES)];
     uint64_t seed = 93;
-    for (int n = 0; n < 400; n++) {
+    for (int n = 0; n < random_cases(400); n++) {
         static scene s;
         qtri_frame frame;
         qtri_prepared prepared;

@@ -31,6 +31,26 @@ static inline bool long_run(void)
     return value != NULL && value[0] != '\0' && strcmp(value, "0") != 0;
 }
 
+#if defined(__has_feature)
+#define HAS_FEATURE(feature) __has_feature(feature)
+#else
+#define HAS_FEATURE(feature) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || HAS_FEATURE(address_sanitizer) || HAS_FEATURE(memory_sanitizer)
+#define IS_SANITIZED 1
+#else
+#define IS_SANITIZED 0
+#endif
+
+/*
+ * Of a loop over random cases: a quarter of them under a sanitizer, where each takes three to ten
+ * times as long, and where they are drawn once more to see that nothing undefined happens.
+ */
+static inline int random_cases(int all)
+{
+    return IS_SANITIZED ? (all + 3) / 4 : all;
+}
+
 /* splitmix64 (Steele, Lea and Flood 2014). */
 static inline uint64_t random64(uint64_t *state)
 {
