@@ -249,7 +249,7 @@ static void find_samples(work *w)
         w->depths[k] = NULL;
         w->steps[k] = 0;
         w->z[k] = 0;
-        if (w->raster->compare == QTRI_DEPTH_OFF) {
+        if (w->raster->compare == QTRI_DEPTH_OFF || !m->any) {
             continue;
         }
         w->depths[k] =
