@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The changes that can be made to a source file, and the same as expressions that choose when they run."""
+import functools
+import glob
 import re
 
 # What is written by clang-format: binary operators stand between blanks.
@@ -13,8 +15,14 @@ OPERATOR = re.compile(r"(?<=\s)(?:" + "|".join(re.escape(o) for o in sorted(list
                                                                          reverse=True)) + r")(?=\s)")
 NUMBER = re.compile(r"(?<![\w.])(0[xX][0-9a-fA-F]+|\d+)([uUlL]*)(?![\w.])")
 OPENING = {")": "(", "]": "[", "}": "{"}
-# An array of a function or a member, without values, as far as one of its lengths.
-ARRAY = re.compile(r"\n +(?!return\b)(?:const )?[a-z]\w* (?:\*const )?\**(\w+)(?:\[\w+\])*\[$")
+# A declaration as far as the first length of an array: of any of its variables or members, without one of parameters.
+ARRAY = re.compile(r"\s*(?:(?:static|const) )*(?!(?:return|else|goto|case|typedef)\b)(?:struct )?[a-z]\w* "
+                   r"(?:\**(?:const )?\w+(?:\[[^][]*\])*, )*\**(?:const )?(\w+)\[$")
+PLAIN = r"[\w.>\[\] +*-]+"  # an expression without calls, assignments and comparisons (but for that of `->`)
+# What chooses without an else: X = Y where they are compared, X = -X, or they change places.
+CHOOSES = [re.compile(r"\) \{\s*(?P<x>%s) = (?P<y>%s);\s*\}(?!\s*else)" % (PLAIN, "-?" + PLAIN)),
+           re.compile(r"\) \{\s*(?:const )?\w+ (?P<t>\w+) = (?P<x>%s);\s*(?P=x) = (?P<y>%s);\s*(?P=y) = (?P=t);\s*\}"
+                      r"(?!\s*else)" % (PLAIN, PLAIN))]
 
 
 def blank_comments(text):
@@ -26,12 +34,33 @@ def blank_comments(text):
     return re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", lambda m: re.sub(r"[^\n]", " ", m.group(0)), text, flags=re.M)
 
 
+def is_zero(text):
+    return re.fullmatch(r"0[uUlL]*", text) is not None
+
+
+def without_cast(text):
+    """`-x` of `(uint32_t)-x`, `0u - (uint32_t)x` and the like."""
+    text = re.sub(r"^0[uUlL]* - ", "-", text)
+    return re.sub(r"^\((?:u?int\d+_t|q16)\)(-?)", r"\1", re.sub(r"^-\((?:u?int\d+_t|q16)\)", "-", text))
+
+
+@functools.lru_cache(maxsize=None)
+def names_of_sizes():
+    """What a sizeof asks for, anywhere in core: the last name of its operand, `b` of `sizeof a[i].b[0]`."""
+    found = set()
+    for path in glob.glob("core/**/*", recursive=True):
+        if path.endswith((".c", ".h", ".inc")):
+            for match in re.finditer(r"\bsizeof\b[ (]*[*&]*((?:\w+|\.|->|\[[^]]*\])+)", open(path).read()):
+                found.add(re.findall(r"\w+", re.sub(r"\[[^]]*\]", "", match.group(1)))[-1])
+    return found
+
+
 class Source:
     """A file, and where its changes begin and end."""
 
-    def __init__(self, path):
+    def __init__(self, path, text=None):
         self.path = path
-        self.text = open(path).read()
+        self.text = open(path).read() if text is None else text
         self.code = blank_comments(self.text)
         self.pairs = self.match_brackets()
 
@@ -52,6 +81,8 @@ class Source:
             if match.group(0) in SWAPS and not self.is_of_equals(match.start(), match.end()):
                 found.append((match.start(), match.group(0), SWAPS[match.group(0)]))
         for match in re.finditer(r"\+\+|--|\btrue\b|\bfalse\b|!(?![=\s])", self.code):
+            if self.is_option(match.start(), match.end()):
+                continue
             new = {"++": "--", "--": "++", "true": "false", "false": "true", "!": ""}[match.group(0)]
             found.append((match.start(), match.group(0), new))
         for match in NUMBER.finditer(self.code):
@@ -59,30 +90,80 @@ class Source:
                 continue
             digits, suffix = match.groups()
             value = int(digits, 0)
-            roomier = value + 1 if self.is_array_alone(match.start(), match.end()) else None
-            for other in sorted({value + 1, max(value - 1, 0)} - {value, roomier}):
+            for other in sorted({value + 1, max(value - 1, 0)} - {value, self.same_number(match, value)}):
                 text = (hex(other) if digits[:2] in ("0x", "0X") else str(other)) + suffix
                 found.append((match.start(), match.group(0), text))
         return found
 
+    def is_option(self, begin, end):
+        """Whether a ! only leaves out what a build for small code leaves out: a quicker way to the same pixels.
+
+        `!QTRI_SHARE && A`, of && alone, is 0 then, as where the option is set: what `make check-same`
+        draws with -Os."""
+        return (re.match(r"QTRI_(SHARE|SMALL_CODE)\b( &&|;|\))", self.code[end:end + 24]) is not None and
+                re.search(r"(\(|= |return |&& )$", self.code[max(0, begin - 8):begin]) is not None and
+                "||" not in self.code[self.left(begin, 0):self.right(end, 0)] and
+                self.code[self.right(end, 0)] in ");")
+
+    def same_number(self, match, value):
+        """The neighbour of a number that makes no difference where it stands, or None.
+
+        Room for one more in an array: no program that is defined without it reaches it. What would have such a room
+        in the middle, lengths but the first, is a change. Of whole numbers x < 1 is x <= 0, x >= 1 is x > 0, x > 4 is
+        x >= 5 and x <= 4 is x < 5: where the swap of the comparison makes no difference, neither does the number."""
+        if self.is_array_alone(match.start(), match.end()):
+            return value + 1
+        compared = re.search(r" (<|<=|>|>=) $", self.code[max(0, match.start() - 4):match.start()])
+        if not compared or value > 0x7ffffffe:
+            return None
+        begin = match.start() - 1 - len(compared.group(1))
+        if self.code[match.start():self.right(match.end(), 7)].strip() != match.group(0):
+            return None
+        if not self.is_of_equals(begin, match.start() - 1):
+            return None
+        return value + 1 if compared.group(1) in ("<", ">=") else value - 1
+
     def is_of_equals(self, begin, end):
-        """Whether a comparison only chooses between what it compares, or a sign: of equal ones either is the same."""
+        """Whether a comparison only chooses between what it compares, or a sign: of equal ones either is the same.
+
+        So it is with ?:, where both ways give one of the two, or x and -x where x is compared with 0, converted alike
+        or not: of 0 any is 0. So it is with an if that does no more than set one of the two to the other, or x to -x,
+        or let the two change places. None has a call or an assignment within."""
         if self.code[begin:end] not in ("<", "<=", ">", ">="):
             return False
         ends = [self.left(begin, 7), self.right(end, 7)]
-        parts = [self.code[ends[0]:begin].strip(), self.code[end:ends[1]].strip()]
+        a, b = self.code[ends[0]:begin].strip(), self.code[end:ends[1]].strip()
+        if re.search(r"\w\(|\+\+|--", a + " " + b):
+            return False
+        if self.code[ends[1]:ends[1] + 1] != "?":
+            return self.is_if_of_equals(ends, a, b)
+        parts = []
         for mark in "?:":
             if self.code[ends[1]:ends[1] + 1] != mark:
                 return False
-            begin, ends[1] = ends[1] + 1, self.right(ends[1] + 1, 0)
-            parts.append(self.code[begin:ends[1]].strip())
-        return sorted(parts[:2]) == sorted(parts[2:]) or parts[1:] == ["0", "-" + parts[0], parts[0]]
+            at, ends[1] = ends[1] + 1, self.right(ends[1] + 1, 0)
+            parts.append(self.code[at:ends[1]].strip())
+        return sorted([a, b]) == sorted(parts) or (is_zero(b) and {a, "-" + a} == set(map(without_cast, parts)))
+
+    def is_if_of_equals(self, ends, a, b):
+        """`ends`: of the comparison, which has to be all of the condition."""
+        if not re.search(r"\bif \($", self.code[max(0, ends[0] - 8):ends[0]]):
+            return False
+        for pattern in CHOOSES:
+            match = pattern.match(self.code, ends[1])
+            if match and (sorted([a, b]) == sorted([match["x"], match["y"]]) or
+                          (is_zero(b) and match["x"] == a and match["y"] == "-" + a)):
+                return True
+        return False
 
     def is_array_alone(self, begin, end):
-        """Whether a length is that of an array whose size nothing asks for: room for one more is no change."""
-        array = ARRAY.search(self.code, max(0, begin - 200), begin)
-        return (array is not None and re.match(r"\](?:\[\w+\])*;", self.code[end:end + 40]) is not None and
-                re.search(rf"\bsizeof[ (]\(?{array.group(1)}\b", self.code) is None)
+        """Whether a length is the first of an array whose size nothing asks for, here or elsewhere."""
+        after = re.match(r"\](?:\[[^][]*\])*(?:;|,| =)", self.code[end:end + 80])
+        if after is None:
+            return False
+        start = max(self.code.rfind(char, 0, begin) for char in ";{}") + 1
+        array = ARRAY.match(self.code, start, begin)
+        return array is not None and array.group(1) not in names_of_sizes()
 
     def changed(self, change):
         at, old, new = change
@@ -207,3 +288,39 @@ class Source:
                 plain, other = f"({first}{old}{second})", f"({first}{new}{second})"
             text = f"(__extension__({{{here} {seen} {chosen} ? {other} : {plain};}}))"
         return begin, stop, text
+
+
+# Of a text, the changes of the operator or number in between that are drawn.
+DRAWN = [
+    ("void f(void)\n{\n    uint32_t a[@2@], b[3];\n}", ["1"]), ("{\n    uint32_t a[2], *b[@3@];\n}", ["2"]),
+    ("{\n    int a, b[@3@][4];\n}", ["2"]), ("{\n    int b[3][@4@];\n}", ["3", "5"]),
+    ("static const int t[@2@] = {1, 2};", ["1"]), ("void f(int a[@2@]);", ["1", "3"]),
+    ("{\n    a = b[@2@];\n}", ["1", "3"]), ("{\n    return b[@2@];\n}", ["1", "3"]),
+    ("{\n    int a = c, d = b[@2@];\n}", ["1", "3"]), ("typedef char check[@1@];", ["0", "2"]),
+    ("{\n    m = x @<@ 0 ? -x : x;\n}", []), ("{\n    m = x < @0@ ? -x : x;\n}", []),
+    ("{\n    m = x @>=@ 0 ? x : -x;\n}", []), ("{\n    m = x < @0@ ? -1 : 1;\n}", ["1"]),
+    ("{\n    m = x @<@ 0 ? 0u - (uint32_t)x : (uint32_t)x;\n}", []), ("{\n    m = x @<@ 1 ? -x : x;\n}", ["<="]),
+    ("{\n    m = x > @255@ ? 255 : x;\n}", ["256"]), ("{\n    m = x > 255 ? @255@ : x;\n}", ["254", "256"]),
+    ("{\n    m = x < @3@ ? 3 : x;\n}", ["2"]), ("{\n    m = x < 3 ? @4@ : x;\n}", ["3", "5"]),
+    ("{\n    m = x > @254@ ? 255 : x;\n}", ["253", "255"]), ("{\n    m = x @>@ y ? y : z;\n}", [">="]),
+    ("{\n    if (x @<@ y) {\n        x = y;\n    }\n}", []), ("{\n    if (x < @9@) {\n        x = 9;\n    }\n}", ["8"]),
+    ("{\n    if (x @<@ y) {\n        x = y;\n    } else {\n        z = 1;\n    }\n}", ["<="]),
+    ("{\n    if (x @<@ y) {\n        x = y;\n        z = 1;\n    }\n}", ["<="]),
+    ("{\n    if (x @<@ y && z) {\n        x = y;\n    }\n}", ["<="]),
+    ("{\n    if (x @<@ y) {\n        x = z;\n    }\n}", ["<="]),
+    ("{\n    if (x @<@ 0) {\n        x = -x;\n    }\n}", []),
+    ("{\n    if (a @>@ b) {\n        const int t = a;\n        a = b;\n        b = t;\n    }\n}", []),
+    ("{\n    if (a @>@ b) {\n        const int t = c;\n        c = b;\n        b = t;\n    }\n}", [">="]),
+    ("{\n    if (@!@QTRI_SHARE && a) {\n    }\n}", []), ("{\n    if (@!@QTRI_DIVIDE) {\n    }\n}", [""]),
+    ("{\n    if (@!@QTRI_SHARE || a) {\n    }\n}", [""]), ("{\n    q = a && @!@QTRI_SMALL_CODE && b;\n}", []),
+    ("{\n    q = @!@QTRI_SHARE && a ? b : c;\n}", [""]),
+    ("{\n    if (f() @>@ b) {\n        b = f();\n    }\n}", [">="]),
+]
+
+
+def check():
+    """What is left out is no more, and no less, than what makes no difference."""
+    for text, expected in DRAWN:
+        before, old, _ = text.split("@")
+        found = [new for at, what, new in Source("", text.replace("@", "")).mutants() if at == len(before)]
+        assert found == expected, (text, old, found)

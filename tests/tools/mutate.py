@@ -19,9 +19,9 @@ Settings, by environment: HUNT=30 draws 30 times as many random pictures and val
 each survivor, and says which differ from those without it: BUILD/hunt.tsv. None is a hint that the change makes no
 difference, no proof. BUDGET=20 ends the tests of a mutant after so many seconds, WIDE=1 leaves the narrow build out,
 FILES="core/paint/*.c core/raster/cover.h" draws from these files alone (a COUNT of 99999: all that they have). A change
-that leaves the objects as they were is no mutant. BUILD/mutants.tsv has a line for each mutant. Survivors that
-tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told apart; the CHANGE `0 -> 1 at 26` is
-that in column 26 of the text.
+that leaves the objects as they were, as gcc -O2, gcc -O3 or clang -O2 makes them, is no mutant. BUILD/mutants.tsv has a
+line for each mutant. Survivors that tests/mutants.equivalent explains, `FILE | LINE'S TEXT | CHANGE | REASON`, are told
+apart; the CHANGE `0 -> 1 at 26` is that in column 26 of the text.
 """
 import concurrent.futures
 import filecmp
@@ -37,11 +37,13 @@ import sys
 import threading
 import time
 
-from mutants import Source
+from mutants import Source, check
 
 FLAGS = "-std=c99 -O1 -fPIC -fwrapv -w -Werror=vla".split()
 NARROW = ["-DQTRI_LONG_MULTIPLY=0", "-DQTRI_DIVIDE=0"]
 SANITIZE = "-fno-wrapv -g -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=address,undefined".split()
+# Of two that behave differently no compiler makes the same, unless one is undefined: what the sanitizers see before.
+OTHERS = [("gcc", ["-O3"]), ("clang", ["-O2"])]
 RECORDED = ["test_core_corpus", "test_core_values", "test_core_pictures"]
 JOBS = int(os.environ.get("JOBS") or 2)
 
@@ -145,11 +147,12 @@ class Build:
         return not (os.path.exists(out) and all(os.path.getmtime(n) < os.path.getmtime(out)
                                                 for n, by in self.needs.items() if file in by))
 
-    def compile(self, file, out, flags=()):
+    def compile(self, file, out, flags=(), compiler="gcc"):
         """What the compiler complains of, or nothing."""
         src = self.src + "/"
-        return subprocess.run(["gcc"] + self.flags + list(flags) + self.includes(src) + self.own_includes(file, src) +
-                              ["-c", "-o", out, src + file], capture_output=True, text=True).stderr
+        return subprocess.run([compiler] + self.flags + list(flags) + self.includes(src) +
+                              self.own_includes(file, src) + ["-c", "-o", out, src + file],
+                              capture_output=True, text=True).stderr
 
     def users(self, paths):
         return sorted({file for path in paths for file in self.needs.get(path, [])})
@@ -341,51 +344,79 @@ class Runs:
 
 
 class Hunt:
-    """Looks for a random picture or value that a survivor makes otherwise."""
+    """Looks for a random picture or value that a survivor makes otherwise.
+
+    A run that notes which expressions would have had another value draws what is usual at the same time: of a seed and
+    a program, only those survivors run that differ there. What `make test` draws says nothing of other seeds."""
 
     def __init__(self, rounds, folder):
-        self.rounds, self.folder, self.usual = rounds, folder, {}
+        self.rounds, self.folder, self.found, self.differed = rounds, folder, {}, {}
 
     def lines(self, runs, name, library, programs, number, seed):
-        out = os.path.abspath(f"{self.folder}/hunt-{name}-{number}-{seed}")
-        if os.path.exists(out):
-            os.remove(out)
-        runs.run(name, library, programs, number, more={"QTRI_RECORD": out, "QTRI_SEED": str(seed)})
-        lines = open(out).read().split("\n") if os.path.exists(out) else []
-        if lines:
-            os.remove(out)
-        return lines
+        """(what it records, whether each mutant would have differed)"""
+        out, seen = (os.path.abspath(f"{self.folder}/hunt-{kind}-{name}") for kind in ("lines", "seen"))
+        with open(out, "w"), open(seen, "wb") as file:
+            file.write(bytes(1 << 16))
+        runs.run(name, library, programs, number, seen, {"QTRI_RECORD": out, "QTRI_SEED": str(seed)})
+        with open(out) as lines, open(seen, "rb") as file:
+            return lines.read().split("\n"), file.read()
 
-    def find(self, mutant, judge):
-        """The program, seed and line of the first that differs, or None."""
-        if mutant.layer is None:
-            return None
-        runs, layer = judge.runs, mutant.layer
-        for seed in range(1, self.rounds + 1):
-            for name in RECORDED:
-                if name not in mutant.tests:
-                    continue
-                key = (runs, layer, name, seed)
-                if key not in self.usual:
-                    self.usual[key] = self.lines(runs, name, layer.folder, layer.programs, -1, seed)
-                lines = self.lines(runs, name, layer.folder, layer.programs, mutant.number, seed)
-                if lines != self.usual[key]:
-                    differ = [a for a, b in zip(self.usual[key], lines + [""] * 999) if a != b]
-                    return name, seed, differ[0].split("\t")[0] if differ else "end"
-        return None
+    def compare(self, mutant, usual, lines, name, seed):
+        self.differed[mutant] = self.differed.get(mutant, 0) + 1
+        if lines != usual:
+            differ = [a for a, b in zip(usual, lines + [""] * 999) if a != b]
+            self.found[mutant] = f"{name} {seed}: {differ[0].split(chr(9))[0] if differ else 'end'}"
+            print(f"mutate: {mutant.path}:{mutant.line}: {mutant.what}: {self.found[mutant]}", flush=True)
+
+    def all(self):
+        """Each seed of each program."""
+        return [(seed, name) for seed in range(1, self.rounds + 1) for name in RECORDED]
+
+    def in_layer(self, runs, layer, mutants):
+        for seed, name in self.all():
+            left = [m for m in mutants if m not in self.found]
+            if not left:
+                return
+            usual, seen = self.lines(runs, name, layer.folder, layer.programs, 0, seed)
+            for m in left:
+                if seen[m.number]:
+                    lines, _ = self.lines(runs, name, layer.folder, layer.programs, m.number, seed)
+                    self.compare(m, usual, lines, name, seed)
+
+    def by_itself(self, judge, mutant):
+        """A library of its own: nothing says where it differs."""
+        library, base = build_alone(judge.bench, mutant), f"{judge.bench.here}/base"
+        for seed, name in self.all() if library else []:
+            if mutant not in self.found:
+                usual, _ = self.lines(judge.runs, name, base, base, -1, seed)
+                lines, _ = self.lines(judge.runs, name, library, base, -1, seed)
+                self.compare(mutant, usual, lines, name, seed)
+
+    def find(self, judges, mutants):
+        """What is found, or in how many runs nothing is, by mutant. One after the other: they share files."""
+        layers = {}
+        for m in mutants:
+            if self.rounds and m.layer is not None:
+                layers.setdefault(m.layer, []).append(m)
+        for layer, of_layer in layers.items():
+            self.in_layer(judges[of_layer[0].number].runs, layer, of_layer)
+        for m in mutants:
+            if self.rounds and m.layer is None:
+                self.by_itself(judges[m.number], m)
+        return {m: self.found.get(m, f"none of {self.differed.get(m, 0)} runs in which it differs") for m in mutants}
 
 
-def same_objects(bench, mutant, flags):
+def same_objects(bench, mutant, flags, compiler="gcc"):
     """Whether the compiler makes the same of the changed source."""
     with open(f"{bench.src}/{mutant.path}", "w") as out:
         out.write(mutant.source.changed(mutant.change))
     try:
         for file in bench.users([mutant.path]):
             one, two = f"{bench.here}/changed.o", f"{bench.here}/unchanged.o"
-            if bench.compile(file, one, flags=flags):
+            if bench.compile(file, one, flags, compiler):
                 return True
             shutil.copyfile(mutant.path, f"{bench.src}/{mutant.path}")
-            bench.compile(file, two, flags=flags)
+            bench.compile(file, two, flags, compiler)
             if not filecmp.cmp(one, two, shallow=False):
                 return False
             with open(f"{bench.src}/{mutant.path}", "w") as out:
@@ -395,8 +426,8 @@ def same_objects(bench, mutant, flags):
     return True
 
 
-def judge_alone(bench, runs, mutant):
-    """A change of what the compiler takes only as a constant: a library for it."""
+def build_alone(bench, mutant):
+    """A library with this one change: its folder. None where it does not compile, or is no change."""
     folder = f"{bench.here}/alone"
     os.makedirs(folder, exist_ok=True)
     with open(f"{bench.src}/{mutant.path}", "w") as out:
@@ -410,9 +441,13 @@ def judge_alone(bench, runs, mutant):
         shutil.copyfile(mutant.path, f"{bench.src}/{mutant.path}")
     if all(filecmp.cmp(changed[f], bench.object(f), shallow=False) for f in users):
         return None
-    if not bench.link_library(f"{folder}/libqtri.so", changed):
-        return None
-    return runs.judge(mutant, folder, f"{bench.here}/base", -1)
+    return folder if bench.link_library(f"{folder}/libqtri.so", changed) else None
+
+
+def judge_alone(bench, runs, mutant):
+    """A change of what the compiler takes only as a constant."""
+    folder = build_alone(bench, mutant)
+    return runs.judge(mutant, folder, f"{bench.here}/base", -1) if folder else None
 
 
 def read_explained():
@@ -530,6 +565,7 @@ class Sanitized:
 
 
 def main():
+    check()
     build, count, seed = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     mutants, possible = draw(build, count, seed, sys.argv[4:] == ["again"])
     for number, mutant in enumerate(mutants):
@@ -576,11 +612,16 @@ def main():
     sanitized = Sanitized(build) if left else None
     for m in left:
         m.result = sanitized.judge(m, judges[m.number].runs.seconds)
+    for m in left:
+        if m.result == "survived" and any(same_objects(judges[m.number].bench, m, flags, compiler)
+                                          for compiler, flags in OTHERS if shutil.which(compiler)):
+            m.result = None
+    judged = [m for m in judged if m.result is not None]
     hunt = Hunt(int(os.environ.get("HUNT") or 0), build)
-    left = [m for m in judged if m.result == "survived" and not is_explained(m, explained) and m.tests]
-    found = parallel(lambda m: hunt.find(m, judges[m.number]), left)
+    left = [m for m in judged if m.result == "survived" and not is_explained(m, explained)]
+    found = hunt.find(judges, left)
     with open(f"{build}/hunt.tsv", "w") as table:
-        for m, where in zip(left, found):
+        for m, where in found.items():
             table.write(f"{m.path}\t{m.line}\t{m.column}\t{m.what}\t{where}\t{m.text}\n")
     known, survivors = 0, []
     with open(f"{build}/mutants.tsv", "w") as table:
