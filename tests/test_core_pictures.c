@@ -381,6 +381,39 @@ static void random_corners(void)
     }
 }
 
+/* On an edge of the surface, or next to it. */
+static int32_t at_edge(int32_t size)
+{
+    const int32_t edge = one_in(2) ? 0 : size * 256;
+    return edge + below(5) - 2;
+}
+
+/* From 0 to what a number of `bits` bits holds. */
+static uint32_t of_bits(int32_t bits)
+{
+    return (uint32_t)random_bits32(&seed) >> (32 - bits);
+}
+
+/*
+ * Depths, distances and places in a texture of a triangle's vertices are mostly next to each other:
+ * thresholds of slopes are passed by few that have nothing to do with each other.
+ */
+static void bring_together(void)
+{
+    const int32_t depth_bits = 8 + below(22);
+    const int32_t inv_w_bits = 8 + below(22);
+    const int32_t nearer = below(9);
+    const int32_t exponent = below(5) - 2;
+    for (int i = 1; i < CORNERS; i++) {
+        qtri_screen_vertex *v = &w.screen[i];
+        v->depth_16p16 = w.screen[0].depth_16p16 + of_bits(depth_bits);
+        v->inv_w_q31 = 0x40000000u + of_bits(inv_w_bits);
+        v->inv_w_exponent = exponent + (one_in(3) ? below(4) : 0);
+        v->u_q32 = w.screen[0].u_q32 + v->u_q32 / (1 << nearer);
+        v->v_q32 = w.screen[0].v_q32 + v->v_q32 / (1 << nearer);
+    }
+}
+
 static void random_screen(void)
 {
     static const int32_t reaches[] = {200, 900, 4000, 20000, 900000, 1 << 23};
@@ -388,6 +421,7 @@ static void random_screen(void)
     const int32_t x = below(width * 256);
     const int32_t y = below(height * 256);
     const bool on_grid = one_in(3); /* vertices and edges on centres of pixels */
+    const bool at_edges = one_in(4);
     for (int i = 0; i < CORNERS; i++) {
         qtri_screen_vertex *v = &w.screen[i];
         v->x_24p8 = x + random_in(&seed, -reach, reach);
@@ -395,6 +429,9 @@ static void random_screen(void)
         if (on_grid) {
             v->x_24p8 = (v->x_24p8 & ~255) + 128;
             v->y_24p8 = (v->y_24p8 & ~255) + 128;
+        } else if (at_edges && one_in(2)) {
+            v->x_24p8 = one_in(2) ? at_edge(width) : v->x_24p8;
+            v->y_24p8 = one_in(2) ? at_edge(height) : v->y_24p8;
         }
         v->depth_16p16 = random_word();
         v->inv_w_q31 = 0x40000000u + ((uint32_t)random_bits32(&seed) >> 1);
@@ -404,6 +441,9 @@ static void random_screen(void)
         for (int k = 0; k < 3; k++) {
             v->color_8p16[k] = one_in(4) ? (below(3) - 1) * (255 << 17) : below(256 << 16);
         }
+    }
+    if (one_in(2)) {
+        bring_together();
     }
 }
 

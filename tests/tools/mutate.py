@@ -347,10 +347,12 @@ class Hunt:
     """Looks for a random picture or value that a survivor makes otherwise.
 
     A run that notes which expressions would have had another value draws what is usual at the same time: of a seed and
-    a program, only those survivors run that differ there. What `make test` draws says nothing of other seeds."""
+    a program, only those survivors run that differ there, each for BUDGET seconds. What `make test` draws says nothing
+    of other seeds."""
 
     def __init__(self, rounds, folder):
-        self.rounds, self.folder, self.found, self.differed = rounds, folder, {}, {}
+        self.rounds, self.folder, self.found, self.differed, self.spent = rounds, folder, {}, {}, {}
+        self.budget = float(os.environ.get("BUDGET") or 1e9)
 
     def lines(self, runs, name, library, programs, number, seed):
         """(what it records, whether each mutant would have differed)"""
@@ -361,7 +363,13 @@ class Hunt:
         with open(out) as lines, open(seen, "rb") as file:
             return lines.read().split("\n"), file.read()
 
-    def compare(self, mutant, usual, lines, name, seed):
+    def is_left(self, mutant):
+        return mutant not in self.found and self.spent.get(mutant, 0) < self.budget
+
+    def compare(self, mutant, usual, runs, library, programs, name, seed):
+        start = time.time()
+        lines, _ = self.lines(runs, name, library, programs, mutant.number if mutant.layer else -1, seed)
+        self.spent[mutant] = self.spent.get(mutant, 0) + time.time() - start
         self.differed[mutant] = self.differed.get(mutant, 0) + 1
         if lines != usual:
             differ = [a for a, b in zip(usual, lines + [""] * 999) if a != b]
@@ -374,23 +382,21 @@ class Hunt:
 
     def in_layer(self, runs, layer, mutants):
         for seed, name in self.all():
-            left = [m for m in mutants if m not in self.found]
+            left = [m for m in mutants if self.is_left(m)]
             if not left:
                 return
             usual, seen = self.lines(runs, name, layer.folder, layer.programs, 0, seed)
             for m in left:
                 if seen[m.number]:
-                    lines, _ = self.lines(runs, name, layer.folder, layer.programs, m.number, seed)
-                    self.compare(m, usual, lines, name, seed)
+                    self.compare(m, usual, runs, layer.folder, layer.programs, name, seed)
 
     def by_itself(self, judge, mutant):
         """A library of its own: nothing says where it differs."""
         library, base = build_alone(judge.bench, mutant), f"{judge.bench.here}/base"
         for seed, name in self.all() if library else []:
-            if mutant not in self.found:
+            if self.is_left(mutant):
                 usual, _ = self.lines(judge.runs, name, base, base, -1, seed)
-                lines, _ = self.lines(judge.runs, name, library, base, -1, seed)
-                self.compare(mutant, usual, lines, name, seed)
+                self.compare(mutant, usual, judge.runs, library, base, name, seed)
 
     def find(self, judges, mutants):
         """What is found, or in how many runs nothing is, by mutant. One after the other: they share files."""
