@@ -81,8 +81,6 @@ class Source:
             if match.group(0) in SWAPS and not self.is_of_equals(match.start(), match.end()):
                 found.append((match.start(), match.group(0), SWAPS[match.group(0)]))
         for match in re.finditer(r"\+\+|--|\btrue\b|\bfalse\b|!(?![=\s])", self.code):
-            if self.is_option(match.start(), match.end()):
-                continue
             new = {"++": "--", "--": "++", "true": "false", "false": "true", "!": ""}[match.group(0)]
             found.append((match.start(), match.group(0), new))
         for match in NUMBER.finditer(self.code):
@@ -94,16 +92,6 @@ class Source:
                 text = (hex(other) if digits[:2] in ("0x", "0X") else str(other)) + suffix
                 found.append((match.start(), match.group(0), text))
         return found
-
-    def is_option(self, begin, end):
-        """Whether a ! only leaves out what a build for small code leaves out: a quicker way to the same pixels.
-
-        `!QTRI_SHARE && A`, of && alone, is 0 then, as where the option is set: what `make check-same`
-        draws with -Os."""
-        return (re.match(r"QTRI_(SHARE|SMALL_CODE)\b( &&|;|\))", self.code[end:end + 24]) is not None and
-                re.search(r"(\(|= |return |&& )$", self.code[max(0, begin - 8):begin]) is not None and
-                "||" not in self.code[self.left(begin, 0):self.right(end, 0)] and
-                self.code[self.right(end, 0)] in ");")
 
     def same_number(self, match, value):
         """The neighbour of a number that makes no difference where it stands, or None.
@@ -311,9 +299,6 @@ DRAWN = [
     ("{\n    if (x @<@ 0) {\n        x = -x;\n    }\n}", []),
     ("{\n    if (a @>@ b) {\n        const int t = a;\n        a = b;\n        b = t;\n    }\n}", []),
     ("{\n    if (a @>@ b) {\n        const int t = c;\n        c = b;\n        b = t;\n    }\n}", [">="]),
-    ("{\n    if (@!@QTRI_SHARE && a) {\n    }\n}", []), ("{\n    if (@!@QTRI_DIVIDE) {\n    }\n}", [""]),
-    ("{\n    if (@!@QTRI_SHARE || a) {\n    }\n}", [""]), ("{\n    q = a && @!@QTRI_SMALL_CODE && b;\n}", []),
-    ("{\n    q = @!@QTRI_SHARE && a ? b : c;\n}", [""]),
     ("{\n    if (f() @>@ b) {\n        b = f();\n    }\n}", [">="]),
 ]
 
