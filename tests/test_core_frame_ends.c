@@ -27,6 +27,9 @@ static void halos_that_do_not_fit(void **state)
                  {0, 2, QTRI_ERROR_SIZE},
                  {INT32_MIN, 2, QTRI_ERROR_SIZE},
                  {QTRI_SURFACE_MAX - 3, 2, QTRI_ERROR_SIZE},
+                 {QTRI_SURFACE_MAX - 4, 2, QTRI_ERROR_MEMORY},
+                 {QTRI_SURFACE_MAX, 0, QTRI_ERROR_MEMORY},
+                 {QTRI_SURFACE_MAX + 1, 0, QTRI_ERROR_SIZE},
                  {INT32_MAX, 2, QTRI_ERROR_SIZE},
                  {5, 2, QTRI_ERROR_MEMORY}};
     for (size_t i = 0; i < LENGTH_OF(tries); i++) {
