@@ -127,8 +127,8 @@ void qtri_wide_cross(qtri_wide out[3], const qtri_wide a[3], const qtri_wide b[3
     int j = 1;
     int k = 2;
     for (int i = 0; i < 3; i++) {
-        out[i] = a[j];
-        qtri_wide_mul_by(&out[i], &b[k]);
+        qtri_wide_set(&out[i], 0, 0);
+        qtri_wide_add_product(&out[i], &a[j], &b[k]);
         qtri_wide_sub_product(&out[i], &a[k], &b[j]);
         j = k;
         k = i;
