@@ -122,6 +122,35 @@ static void halves_are_means(void **state)
     }
 }
 
+/* What becomes of a band has half of each of its measures; a scissor keeps what it only touches. */
+static void halves_are_measured(void **state)
+{
+    (void)state;
+    uint64_t seed = 7;
+    for (int round = 0; round < 200; round++) {
+        qtri_surface large, half;
+        begin(&large, formats[round % FORMATS], (uint64_t)round);
+        large.width = 2 * random_in(&seed, 1, WIDTH / 2);
+        large.rows = 2 * random_in(&seed, 1, HEIGHT / 2);
+        large.height = 2 * random_in(&seed, large.rows / 2, HEIGHT);
+        large.first_row = 2 * random_in(&seed, 0, (large.height - large.rows) / 2);
+        large.scissor.x0 = random_in(&seed, 0, large.width - 1);
+        large.scissor.x1 = random_in(&seed, large.scissor.x0 + 1, large.width);
+        large.scissor.y0 = random_in(&seed, large.first_row, large.first_row + large.rows - 1);
+        large.scissor.y1 = random_in(&seed, large.scissor.y0 + 1, large.first_row + large.rows);
+        assert_int_equal(qtri_halve(&large, &half), QTRI_OK);
+        assert_int_equal(2 * half.width, large.width);
+        assert_int_equal(2 * half.height, large.height);
+        assert_int_equal(2 * half.first_row, large.first_row);
+        assert_int_equal(2 * half.rows, large.rows);
+        assert_int_equal(half.scissor.x0, large.scissor.x0 >> 1);
+        assert_int_equal(half.scissor.y0, large.scissor.y0 >> 1);
+        assert_int_equal(half.scissor.x1, large.scissor.x1 - large.scissor.x1 / 2);
+        assert_int_equal(half.scissor.y1, large.scissor.y1 - large.scissor.y1 / 2);
+        assert_null(half.depth);
+    }
+}
+
 static void halves_of_bands(void **state)
 {
     (void)state;
@@ -429,13 +458,10 @@ static void jittered_views(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(halves_are_means),
-        cmocka_unit_test(halves_of_bands),
-        cmocka_unit_test(fxaa_bands_and_scissors),
-        cmocka_unit_test(fxaa_leaves_the_rest),
-        cmocka_unit_test(fxaa_numbers),
-        cmocka_unit_test(means_are_exact),
-        cmocka_unit_test(jittered_views),
+        cmocka_unit_test(halves_are_means),     cmocka_unit_test(halves_are_measured),
+        cmocka_unit_test(halves_of_bands),      cmocka_unit_test(fxaa_bands_and_scissors),
+        cmocka_unit_test(fxaa_leaves_the_rest), cmocka_unit_test(fxaa_numbers),
+        cmocka_unit_test(means_are_exact),      cmocka_unit_test(jittered_views),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

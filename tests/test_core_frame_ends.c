@@ -4,6 +4,8 @@
  */
 #include "support/core.h"
 
+#include "frame/fill.h"
+
 #include <qtri/dither.h>
 #include <qtri/edges.h>
 #include <qtri/filters.h>
@@ -27,6 +29,9 @@ static void halos_that_do_not_fit(void **state)
                  {0, 2, QTRI_ERROR_SIZE},
                  {INT32_MIN, 2, QTRI_ERROR_SIZE},
                  {QTRI_SURFACE_MAX - 3, 2, QTRI_ERROR_SIZE},
+                 {QTRI_SURFACE_MAX - 4, 2, QTRI_ERROR_MEMORY},
+                 {QTRI_SURFACE_MAX, 0, QTRI_ERROR_MEMORY},
+                 {QTRI_SURFACE_MAX + 1, 0, QTRI_ERROR_SIZE},
                  {INT32_MAX, 2, QTRI_ERROR_SIZE},
                  {5, 2, QTRI_ERROR_MEMORY}};
     for (size_t i = 0; i < LENGTH_OF(tries); i++) {
@@ -278,10 +283,48 @@ static void fxaa_of_odd_rows(void **state)
     canvas_free(&c[1]);
 }
 
+/* Pixels of five bytes, whose contract has 1 to 32 of them in a call. */
+static void fill_40(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count)
+{
+    assert_true(count >= 1 && count <= 32);
+    assert_int_equal(mask << (32 - count) >> (32 - count), UINT32_MAX >> (32 - count));
+    for (; count > 0; count--, pixel += 5) {
+        assert_int_equal(pixel[0], 0); /* each is filled once */
+        memset(pixel, (int)stored, 5);
+    }
+}
+
+static void pixels_of_any_size_are_filled(void **state)
+{
+    (void)state;
+    enum { MOST = 100 };
+    static const qtri_pixels pixels = {5, NULL, fill_40, NULL, NULL};
+    qtri_format format = qtri_rgb565;
+    format.pixels = &pixels;
+    static uint8_t memory[2][5 * (MOST + 2)];
+    for (int32_t columns = 0; columns <= MOST; columns++) {
+        memset(memory, 0, sizeof memory);
+        const qtri_surface surface = {.format = &format,
+                                      .pixels = memory[0],
+                                      .pitch = (ptrdiff_t)sizeof memory[0],
+                                      .width = MOST + 2,
+                                      .height = 2,
+                                      .rows = 2};
+        const qtri_rect rect = {1, 0, 1 + columns, 2};
+        qtri_fill_rect(&surface, &rect, 0xA5);
+        for (int32_t at = 0; at < 5 * (MOST + 2); at++) {
+            const bool inside = at >= 5 && at < 5 * (1 + columns);
+            assert_int_equal(memory[0][at], inside ? 0xA5 : 0);
+            assert_int_equal(memory[1][at], inside ? 0xA5 : 0);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(halos_that_do_not_fit),
+        cmocka_unit_test(pixels_of_any_size_are_filled),
         cmocka_unit_test(changes_of_nothing),
         cmocka_unit_test(diffusion_at_the_last_row),
         cmocka_unit_test(errors_are_held),

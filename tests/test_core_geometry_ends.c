@@ -473,6 +473,30 @@ static void places_of_short_positions(void **state)
     assert_true(worst < 5);
 }
 
+/* A point is seen up to a pixel beside the viewport and not half a pixel further; depths, to 1/16.
+ */
+static void views_end_a_pixel_beside(void **state)
+{
+    (void)state;
+    enum { SIDE = 64, PIXEL = 2 * 65536 / SIDE };
+    static const int32_t end[3][2] = {
+        {Q16_ONE + PIXEL, PIXEL / 4}, {Q16_ONE + PIXEL, PIXEL / 4}, {Q16_ONE, Q16_ONE / 16}};
+    qtri_view view;
+    qtri_transform pose;
+    qtri_view_init(&view, SIDE, SIDE);
+    qtri_transform_identity(&pose);
+    for (int axis = 0; axis < 3; axis++) {
+        for (int side = -1; side <= 1; side += 2) {
+            for (int further = -1; further <= 1; further += 2) {
+                int32_t at[3] = {0, 0, 0};
+                at[axis] = side * (end[axis][0] + further * end[axis][1]);
+                const qtri_box point = {{at[0], at[1], at[2]}, {0, 0, 0}};
+                assert_int_equal(qtri_view_sees_box(&view, &pose, &point), further < 0);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -491,6 +515,7 @@ int main(void)
         cmocka_unit_test(any_ambient_and_diffuse),
         cmocka_unit_test(places_are_held_on_both_sides),
         cmocka_unit_test(sizes_beyond_any_do_not_dim),
+        cmocka_unit_test(views_end_a_pixel_beside),
     };
     return cmocka_run_group_tests_name("core geometry ends", tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
  */
 #include "support/core.h"
 
+#include "bits/multiply.h"
 #include "bits/seed.h"
 
 #include <qtri/mat.h>
@@ -83,6 +84,62 @@ static void lengths_by_the_seed_fit_a_half_word(void **state)
     }
 }
 
+/* floor(x / 2^shift), by a division that rounds towards zero. */
+static int64_t floored(int64_t x, int shift)
+{
+    const int64_t by = (int64_t)1 << shift;
+    return x / by - (x % by < 0);
+}
+
+/* Up to `most`, often an end of it, of its halves or of what a half-word holds. */
+static uint32_t factor_up_to(uint64_t *seed, uint32_t most)
+{
+    static const uint32_t ends[] = {0,       1,          0x7FFF,     0x8000,     0xFFFF,    0x10000,
+                                    0x10001, 0x3FFFFFFF, 0x40000000, 0x7FFFFFFF, 0x80000000};
+    const uint32_t end = ends[random_in(seed, 0, (int32_t)LENGTH_OF(ends) - 1)];
+    const uint32_t any = (uint32_t)random_bits32(seed) >> random_in(seed, 0, 31);
+    switch (random_in(seed, 0, 3)) {
+    case 0:
+        return most;
+    case 1:
+        return end <= most ? end : most - (end & 0xFF);
+    default:
+        return any <= most ? any : any % most;
+    }
+}
+
+static int32_t signed_up_to(uint64_t *seed, uint32_t most)
+{
+    const int32_t size = (int32_t)factor_up_to(seed, most);
+    return random_flag(seed) ? -size : size;
+}
+
+/* multiply.h: high words by half-words, in a narrow build, are those of the long product. */
+static void high_words_are_those_of_the_long_product(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int n = 0; n < 20000; n++) {
+        const uint32_t any = factor_up_to(&seed, UINT32_MAX);
+        const uint32_t a = factor_up_to(&seed, (uint32_t)1 << 31);
+        const uint32_t b = factor_up_to(&seed, (uint32_t)1 << 31);
+        const uint32_t half = factor_up_to(&seed, 0xFFFF);
+        const int32_t s31 = signed_up_to(&seed, INT32_MAX);
+        const int32_t s30 = signed_up_to(&seed, (uint32_t)1 << 30);
+        const int32_t u30 = (int32_t)factor_up_to(&seed, ((uint32_t)1 << 30) - 1);
+        const int32_t s15 = signed_up_to(&seed, 0x7FFF);
+        assert_int_equal(qtri_mul_high31(a, b), (uint32_t)((uint64_t)a * b >> 32));
+        assert_int_equal(qtri_mul_high_s30(s30, u30), floored((int64_t)s30 * u30, 32));
+        assert_int_equal(qtri_mul_high_s31(s31, b), floored((int64_t)s31 * (int64_t)b, 32));
+        assert_int_equal(qtri_mul_high16(any, half), (uint32_t)((uint64_t)any * half >> 16));
+        assert_int_equal(qtri_mul_round16(any, half),
+                         (uint32_t)(((uint64_t)any * half + 0x8000) >> 16));
+        assert_int_equal(qtri_mul_wrap12(any, half), (uint32_t)((uint64_t)any * half >> 12));
+        assert_int_equal(qtri_mul_wrap12(any, 0x10000), any << 4);
+        assert_int_equal(qtri_mul_s16(s30, s15), floored((int64_t)s30 * s15, 16));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -90,6 +147,7 @@ int main(void)
         cmocka_unit_test(powers_round_up_to_the_next),
         cmocka_unit_test(identities_change_nothing),
         cmocka_unit_test(lengths_by_the_seed_fit_a_half_word),
+        cmocka_unit_test(high_words_are_those_of_the_long_product),
     };
     return cmocka_run_group_tests_name("core math ends", tests, NULL, NULL);
 }

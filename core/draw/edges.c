@@ -33,11 +33,11 @@ static void clear(uint32_t *word, uint32_t count)
 enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface, uint32_t *memory,
                                  uint32_t words)
 {
-    const qtri_rect nothing = {0, 0, 0, 0};
     const bool has_depth = surface->depth != NULL;
     const qtri_rect bounds = qtri_surface_bounds(surface);
     edges->surface = *surface;
-    edges->bounds = nothing;
+    edges->bounds = bounds;
+    edges->bounds.x1 = bounds.x0; /* nothing, until all is there */
     if (bounds.x0 >= bounds.x1) {
         return QTRI_OK;
     }

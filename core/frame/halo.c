@@ -10,7 +10,7 @@ enum qtri_error qtri_halo_init(qtri_halo *halo, const qtri_format *format, int32
     halo->rows = 0;
     qtri_frame *frame = &halo->frame;
     const bool fits = halo_rows >= 0 && halo_rows <= QTRI_HALO_MAX && rows >= 1 &&
-                      rows <= QTRI_SURFACE_MAX - 2 * halo_rows;
+                      rows <= QTRI_SURFACE_MAX; /* with its halo: qtri_frame_init asks */
     if (!fits) {
         (void)qtri_frame_init(frame, format, 0, 0, 0, memory, bytes); /* a frame without bands */
         return QTRI_ERROR_SIZE;

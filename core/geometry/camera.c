@@ -160,7 +160,7 @@ static void perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16
     qtri_row_from_two(&builder.row[1], 1, &g, 1, &g);
     qtri_wide_div_by(&g, &divisor);
     qtri_row_from_two(&builder.row[0], 0, &g, 0, &g);
-    depth_row(&builder.row[2], near_z, far_z, toward > 0);
+    depth_row(&builder.row[2], near_z, far_z, toward == 1);
     set_w_row(&builder.row[3], toward);
     qtri_transform_mul(t, t, &builder);
 }

@@ -143,6 +143,7 @@ static void rotate_wide(qtri_transform *t, q16 degrees, qtri_wide axis[3], const
     int32_t cosine_q30;
     qtri_sincos_deg_q30(degrees, &sine_q30, &cosine_q30);
     const qtri_wide sine = qtri_wide_make(sine_q30, 30);
+    const qtri_wide cosine = qtri_wide_make(cosine_q30, 30);
     const qtri_wide rest = qtri_wide_make(((int64_t)1 << 30) - cosine_q30, 30);
 
     qtri_transform builder;
@@ -151,13 +152,13 @@ static void rotate_wide(qtri_transform *t, q16 degrees, qtri_wide axis[3], const
         int j = next_axis(i);
         int k = next_axis(j);
         qtri_wide along = axis[i];
-        qtri_wide element[3] = {{0, 0}, {0, 0}, {0, 0}};
         qtri_wide_mul_by(&along, &rest);
-        qtri_wide_set(&element[i], cosine_q30, 30);
-        qtri_wide_add_product(&element[i], &along, &axis[i]);
-        qtri_wide_add_product(&element[j], &along, &axis[j]);
+        qtri_wide element[3] = {along, along, along};
+        for (int n = 0; n < 3; n++) {
+            qtri_wide_mul_by(&element[n], &axis[n]);
+        }
+        qtri_wide_add_to(&element[i], &cosine);
         qtri_wide_sub_product(&element[j], &axis[k], &sine);
-        qtri_wide_add_product(&element[k], &along, &axis[k]);
         qtri_wide_add_product(&element[k], &axis[j], &sine);
         qtri_row_about(&builder.row[i], element, point, &point[i]);
     }
