@@ -140,8 +140,7 @@ static void remove_and_end(int number)
 /* Signals that are ignored stay ignored, as nohup wants it. */
 static void catch_signals(void)
 {
-    static const int numbers[] = {SIGINT,  SIGQUIT, SIGTERM, SIGHUP,
-                                  SIGPIPE, SIGALRM, SIGXCPU, SIGXFSZ};
+    static const int numbers[] = {SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGXFSZ};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         struct sigaction action;
         if (sigaction(numbers[i], NULL, &action) == 0 && action.sa_handler == SIG_DFL) {
