@@ -168,7 +168,7 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 
 .PHONY: fuzz
 fuzz: ## Fuzz for hours: FUZZ_SECONDS=3600 FUZZERS="fuzz_draw fuzz_math"; what is reached stays in build/fuzz/corpus
-	@$(MAKE) -s test-fuzz FUZZ_SECONDS=$(if $(filter command%,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600)
+	@$(ALIVE) fuzz $(MAKE) -s test-fuzz FUZZ_SECONDS=$(if $(filter command%,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600)
 
 .PHONY: corpus
 corpus: ## Keep in tests/corpus what fuzzing has found to reach, the smallest inputs
@@ -199,13 +199,13 @@ mutate: all $(TESTS:%=$(BUILD)/tests/%) ## Change operators and constants of cor
 	@FILES='$(FILES)' HOST_LIBS='$(HOST_LIBS)' QTRI_MODELS='$(abspath $(MODELS))' JOBS=$(JOBS) $(ALIVE) mutate python3 tests/tools/mutate.py $(BUILD) $(MUTANTS) $(SEED) $(AGAIN)
 
 misra: ## What cppcheck says of MISRA C:2012 in core, by rule; tests/misra.md has the deviations
-	@sh tests/tools/misra.sh
+	@$(ALIVE) misra sh tests/tools/misra.sh
 
 prove: ## Prove by Frama-C that mathematics and kernels do nothing that C does not define, for all arguments; half an hour
-	@JOBS=$(JOBS) sh tests/tools/prove.sh values
+	@JOBS=$(JOBS) $(ALIVE) prove sh tests/tools/prove.sh values
 
 prove-inputs: ## The same by trying all 2^32 arguments of the functions of one, half an hour; FUNCTIONS="sqrt recip"
-	@JOBS=$(JOBS) sh tests/tools/prove.sh inputs
+	@JOBS=$(JOBS) $(ALIVE) prove-inputs sh tests/tools/prove.sh inputs
 
 setup-proof: ## Install what coverage, mutate, misra and prove need besides (Debian, as root)
 	apt-get install -y -qq --no-install-recommends python3 llvm cppcheck frama-c-base

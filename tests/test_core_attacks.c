@@ -283,6 +283,24 @@ static void failed_frames(void **state)
     }
 }
 
+/* Memory that is not there, however large it is said to be: as too little of it. */
+static void missing_memory(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
+    qtri_outline outline;
+    assert_int_equal(qtri_fxaa(&c.surface, NULL, UINT32_MAX), QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_fxaa_565(&c.surface, NULL, UINT32_MAX), QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_sum_add(NULL, UINT32_MAX, &c.surface), QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_sum_store(&c.surface, NULL, UINT32_MAX, 1), QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_sum_add_565(NULL, UINT32_MAX, &c.surface), QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_sum_store_565(&c.surface, NULL, UINT32_MAX, 1), QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_outline_init(&outline, &one, NULL, UINT32_MAX), QTRI_ERROR_MEMORY);
+    assert_null(outline.mesh);
+    assert_int_equal(painted(&c.surface), 0);
+    canvas_free(&c);
+}
+
 /* ---- Textures of any size ---- */
 
 enum { TEXELS_MAX = 1024 * 1024 };
@@ -349,7 +367,7 @@ int main(void)
         cmocka_unit_test(surfaces_without_end), cmocka_unit_test(rows_of_zeros),
         cmocka_unit_test(zero_meshes),          cmocka_unit_test(slots_never_written),
         cmocka_unit_test(failed_surfaces),      cmocka_unit_test(failed_frames),
-        cmocka_unit_test(any_texture_as_it_is),
+        cmocka_unit_test(missing_memory),       cmocka_unit_test(any_texture_as_it_is),
     };
     return cmocka_run_group_tests_name("core attacks", tests, NULL, NULL);
 }

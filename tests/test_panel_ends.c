@@ -164,6 +164,27 @@ static bool rises(void *context)
     return ++reads % 2 == 0;
 }
 
+/* Bytes that are not there are too few, of every kind of display. */
+static void no_panel_without_memory(void **state)
+{
+    (void)state;
+    static recorder r;
+    const qtri_bus bus = recording(&r);
+    const qtri_panel_description mapped =
+        QTRI_FRAMEBUFFER(8, 8, QTRI_PANEL_RGB565, QTRI_ORDER_NATIVE);
+    const qtri_panel_description *const all[] = {&mapped, &qtri_ssd1306, &qtri_ili9341,
+                                                 &qtri_ssd1680};
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        qtri_panel panel;
+        assert_int_equal(qtri_panel_init(&panel, all[i], &bus, QTRI_ROTATE_0, NULL, 1 << 20),
+                         QTRI_ERROR_MEMORY);
+        assert_int_equal(r.commands + r.count, 0);
+        canvas c = canvas_new(&qtri_rgb565, 8, 8);
+        assert_int_equal(qtri_panel_write(&panel, &c.surface), QTRI_ERROR_SIZE);
+        canvas_free(&c);
+    }
+}
+
 /* Memory-mapped: nothing is sent, whatever bus there is; all that shows is shown. */
 static void framebuffers_need_no_bus(void **state)
 {
@@ -386,6 +407,7 @@ int main(void)
         cmocka_unit_test(failures_between_rows),
         cmocka_unit_test(tearing_after_a_failure),
         cmocka_unit_test(framebuffers_need_no_bus),
+        cmocka_unit_test(no_panel_without_memory),
         cmocka_unit_test(descriptions_without_a_sequence),
         cmocka_unit_test(orders_of_converted_pixels),
         cmocka_unit_test(formats_of_other_sizes),

@@ -293,6 +293,43 @@ static void inputs_are_kept(void **state)
     assert_int_equal(shell("test -L alias.ppm && cmp alias.ppm other.ppm"), 0);
 }
 
+/* What the other commands read, what a scene names, and what comes by standard input, is kept as
+   well: by its own name, beside the picture, or as a preview. */
+static void inputs_of_all_commands_are_kept(void **state)
+{
+    static const char *const lines[] = {
+        "mesh m.obj -o m.obj",        "mesh m.obj -o n.h --preview link.ppm",
+        "texture t.ppm -o t.ppm",     "font f.h -o f.h",
+        "neighbours m.obj -o m.obj",  "compare t.ppm t.ppm -o t.ppm",
+        "render s.scene -o d --dump", "render e.scene -o e --dump",
+        "render - -o t.ppm <t.ppm",
+    };
+    (void)state;
+    assert_int_equal(shell("mkdir kept; cd kept; $qtri mesh cube -o m.obj"), 0);
+    write_file("kept/e.scene", triangle);
+    write_file("kept/s.scene", "viewport 8 8\nmesh d.id\n");
+    write_file("kept/f.h",
+               "STARTFONT 2.1\nFONT_ASCENT 8\nFONT_DESCENT 2\nSTARTCHAR x\nENCODING 65\n"
+               "DWIDTH 6 0\nBBX 3 1 0 0\nBITMAP\nFF\nENDCHAR\nENDFONT\n");
+    assert_int_equal(
+        shell("cd kept; cp m.obj d.id; ln e.scene e.depth; ln -s m.obj link.ppm;"
+              "$qtri render e.scene -o t.ppm; mkdir copy; cp m.obj d.id e.scene t.ppm f.h copy"),
+        0);
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        char line[512];
+        /* The last is a scene that comes from the file its picture would replace. */
+        snprintf(line, sizeof line, "cd kept; %s $qtri %s", i == 8 ? "cp e.scene t.ppm;" : "",
+                 lines[i]);
+        assert_int_equal(shell(line), 1);
+        assert_true(messages_contain("would be overwritten"));
+        assert_int_equal(shell(i == 8 ? "cmp kept/t.ppm kept/e.scene"
+                                      : "cd kept/copy; for f in *; do cmp $f ../$f || exit; done"),
+                         0);
+        assert_false(exists("kept/e.id"));
+        assert_false(exists("kept/n.h"));
+    }
+}
+
 /* Standard input and output, pipes and devices. */
 static void streams(void **state)
 {
@@ -475,6 +512,7 @@ int main(void)
         cmocka_unit_test(pictures),
         cmocka_unit_test(textures),
         cmocka_unit_test(inputs_are_kept),
+        cmocka_unit_test(inputs_of_all_commands_are_kept),
         cmocka_unit_test(streams),
         cmocka_unit_test(silent_pipe),
         cmocka_unit_test(full_output),

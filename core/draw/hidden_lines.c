@@ -2,6 +2,7 @@
 #include "qtri/stroke.h"
 
 #include "../bits/bits.h"
+#include "checked.h"
 
 /* A bias towards the eye, which is where the comparison says. */
 static q16 nearer_by(const qtri_material *material, q16 bias)
@@ -17,6 +18,10 @@ void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
                             const qtri_transform *pose, const qtri_mesh *mesh,
                             const qtri_stroke *stroke, const qtri_material *material, q16 bias)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_mesh(mesh));
     qtri_surface depth = *surface;
     qtri_material solid = *material;
     qtri_material lines = *material;

@@ -10,6 +10,8 @@
 
 #include "qtri/halo.h"
 
+#include "checked.h"
+
 enum { NEXT_SHIFT = 19, WEAK_SHIFT = 18, CORNER_SHIFT = 16, ENTRIES_MAX = (1 << 13) - 1 };
 
 /* ---- Lists ---- */
@@ -184,6 +186,8 @@ static bool are_neighbours(const qtri_mesh *mesh)
 enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, uint32_t *memory,
                                   uint32_t words)
 {
+    QTRI_ASSERT(outline != NULL);
+    QTRI_CHECK(qtri_check_mesh(mesh));
     const qtri_outline none = {0};
     const uint32_t front = QTRI_OUTLINE_WORDS(mesh->triangle_count);
     const uint32_t sums = mesh->neighbours == NULL ? QTRI_OUTLINE_SUMS(mesh->vertex_count) : 0;
@@ -191,7 +195,7 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
     if (mesh->triangle_count > UINT16_MAX || !are_neighbours(mesh)) {
         return QTRI_ERROR_SIZE;
     }
-    if (words < front || words - front < sums) {
+    if (memory == NULL || words < front || words - front < sums) {
         return QTRI_ERROR_MEMORY;
     }
     outline->mesh = mesh;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "checked.h"
 #include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
@@ -209,6 +210,7 @@ static enum qtri_error see_or_draw(const qtri_surface *surface, const qtri_view 
                                    const qtri_transform *pose, const qtri_material *material,
                                    qtri_outline *outline, bool draws)
 {
+    QTRI_ASSERT(outline != NULL);
     qtri_outline_clear(outline);
     if (outline->mesh == NULL) {
         return QTRI_ERROR_MEMORY;

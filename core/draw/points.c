@@ -71,6 +71,11 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
                       const qtri_transform *pose, const qtri_corner *corners, uint32_t corner_count,
                       const qtri_stroke *stroke, const qtri_material *material)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_ASSERT(stroke != NULL);
+    QTRI_CHECK(qtri_check_corners(corners, corner_count, 1));
     qtri_stroke_job job;
     qtri_stroker stroker;
     qtri_vec3 half = {0, 0, 0};

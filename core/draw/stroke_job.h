@@ -9,6 +9,7 @@
 
 #include "../geometry/projector.h"
 #include "../raster/stroke.h"
+#include "checked.h"
 
 /* Corners of one draw call on their way to the screen. */
 typedef struct qtri_stroke_job {

@@ -6,6 +6,11 @@ void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
                         uint32_t corner_count, const qtri_stroke *stroke,
                         const qtri_material *material)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_ASSERT(stroke != NULL);
+    QTRI_CHECK(qtri_check_corners(corners, corner_count, 1));
     qtri_stroke_job job;
     qtri_stroker stroker;
     if (corner_count == 0 || !qtri_stroker_init(&stroker, surface, material, stroke)) {
@@ -34,6 +39,11 @@ void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
                           uint32_t corner_count, const qtri_stroke *stroke,
                           const qtri_material *material)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_ASSERT(stroke != NULL);
+    QTRI_CHECK(qtri_check_corners(corners, corner_count, 2));
     qtri_stroke_job job;
     qtri_stroker stroker;
     if (!qtri_stroker_init(&stroker, surface, material, stroke)) {

@@ -108,6 +108,11 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
                               const qtri_transform *pose, const qtri_mesh *mesh,
                               const qtri_stroke *stroke, const qtri_material *material)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_ASSERT(stroke != NULL);
+    QTRI_CHECK(qtri_check_mesh(mesh));
     wide_job wide;
     qtri_material wired = *material;
     wired.fill = &qtri_wireframe;

@@ -63,7 +63,7 @@ enum qtri_error qtri_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_
     if (bounds.x0 >= bounds.x1) {
         return QTRI_OK;
     }
-    if (words < QTRI_FXAA_WORDS(width)) {
+    if (memory == NULL || words < QTRI_FXAA_WORDS(width)) {
         return QTRI_ERROR_MEMORY;
     }
     const qtri_format *format = surface->format;

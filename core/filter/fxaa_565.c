@@ -346,7 +346,7 @@ enum qtri_error qtri_fxaa_565(const qtri_surface *surface, uint32_t *memory, uin
     if (!qtri_is_565(surface->format)) {
         return QTRI_ERROR_FORMAT;
     }
-    if (words < QTRI_FXAA_565_WORDS(width)) {
+    if (memory == NULL || words < QTRI_FXAA_565_WORDS(width)) {
         return QTRI_ERROR_MEMORY;
     }
     const incoming in = {surface, memory, (width + 1) / 2, are_pairs(surface)};

@@ -49,6 +49,8 @@ static uint32_t mean_of(const qtri_format *format, const uint32_t stored[4])
 /* Pixels are made where they are not needed any more: row y of rows 2 y and 2 y + 1. */
 enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out)
 {
+    QTRI_ASSERT(band != NULL);
+    QTRI_ASSERT(out != NULL);
     qtri_surface half;
     const enum qtri_error error = describe(band, &half);
     if (error != QTRI_OK) {
@@ -123,6 +125,8 @@ QTRI_NOINLINE static void halve_pairs(const pair *upper, const pair *lower, uint
 
 enum qtri_error qtri_halve_565(const qtri_surface *band, qtri_surface *out)
 {
+    QTRI_ASSERT(band != NULL);
+    QTRI_ASSERT(out != NULL);
     qtri_surface half;
     const enum qtri_error error = describe(band, &half);
     if (error != QTRI_OK) {

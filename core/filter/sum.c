@@ -14,12 +14,12 @@ static uint32_t pixels_of(const qtri_surface *surface)
            (uint32_t)surface->rows; /* <= 2^26 where bounds are not empty */
 }
 
-/* Whether there is something to do in the bounds, and memory for it. */
-static enum qtri_error check(const qtri_surface *surface, const qtri_rect *bounds, uint32_t words,
-                             uint32_t words_a_pixel)
+/* Whether there is something to do in the bounds, and memory for it: two words a pixel. */
+static enum qtri_error check(const qtri_surface *surface, const qtri_rect *bounds,
+                             const uint32_t *sums, uint32_t words)
 {
-    return bounds->x0 < bounds->x1 && words / words_a_pixel < pixels_of(surface) ? QTRI_ERROR_MEMORY
-                                                                                 : QTRI_OK;
+    const bool is_small = sums == NULL || words / 2 < pixels_of(surface);
+    return bounds->x0 < bounds->x1 && is_small ? QTRI_ERROR_MEMORY : QTRI_OK;
 }
 
 static uint8_t *row_of(const qtri_surface *surface, int32_t y)
@@ -42,7 +42,7 @@ void qtri_sum_clear(uint32_t *sums, uint32_t words)
 enum qtri_error qtri_sum_add(uint32_t *sums, uint32_t words, const qtri_surface *surface)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    const enum qtri_error error = check(surface, &bounds, words, 2);
+    const enum qtri_error error = check(surface, &bounds, sums, words);
     const qtri_format *format = surface->format;
     qtri_masks masks;
     if (error != QTRI_OK || bounds.x0 >= bounds.x1) {
@@ -68,7 +68,7 @@ enum qtri_error qtri_sum_store(const qtri_surface *surface, const uint32_t *sums
                                int32_t frames_log2)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    const enum qtri_error error = check(surface, &bounds, words, 2);
+    const enum qtri_error error = check(surface, &bounds, sums, words);
     const qtri_format *format = surface->format;
     const int32_t log2 = qtri_hold32(frames_log2, 0, QTRI_SUM_FRAMES_LOG2_MAX);
     const uint32_t half = (uint32_t)1 << log2 >> 1;

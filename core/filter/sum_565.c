@@ -8,8 +8,8 @@
 #include "mix.h"
 
 /* The rows and columns that count; false: there is an error, or nothing to do. */
-static bool begin(const qtri_surface *surface, uint32_t words, qtri_rect *bounds,
-                  enum qtri_error *error)
+static bool begin(const qtri_surface *surface, const uint32_t *sums, uint32_t words,
+                  qtri_rect *bounds, enum qtri_error *error)
 {
     *bounds = qtri_surface_bounds(surface);
     *error = QTRI_OK;
@@ -18,7 +18,7 @@ static bool begin(const qtri_surface *surface, uint32_t words, qtri_rect *bounds
     }
     if (!qtri_is_565(surface->format)) {
         *error = QTRI_ERROR_FORMAT;
-    } else if (words < QTRI_SUM_565_WORDS(surface->width, surface->rows)) {
+    } else if (sums == NULL || words < QTRI_SUM_565_WORDS(surface->width, surface->rows)) {
         *error = QTRI_ERROR_MEMORY;
     }
     return *error == QTRI_OK;
@@ -88,7 +88,7 @@ enum qtri_error qtri_sum_add_565(uint32_t *sums, uint32_t words, const qtri_surf
 {
     qtri_rect bounds;
     enum qtri_error error;
-    if (begin(surface, words, &bounds, &error)) {
+    if (begin(surface, sums, words, &bounds, &error)) {
         for (int32_t y = bounds.y0; y < bounds.y1; y++) {
             add_row(sums + sum_at(surface, &bounds, y), pixels_at(surface, &bounds, y),
                     bounds.x1 - bounds.x0);
@@ -103,7 +103,7 @@ enum qtri_error qtri_sum_store_565(const qtri_surface *surface, const uint32_t *
     qtri_rect bounds;
     enum qtri_error error;
     const uint32_t log2 = (uint32_t)qtri_hold32(frames_log2, 0, QTRI_SUM_FRAMES_LOG2_MAX);
-    if (begin(surface, words, &bounds, &error)) {
+    if (begin(surface, sums, words, &bounds, &error)) {
         for (int32_t y = bounds.y0; y < bounds.y1; y++) {
             store_row(pixels_at(surface, &bounds, y), sums + sum_at(surface, &bounds, y),
                       bounds.x1 - bounds.x0, log2);

@@ -84,6 +84,7 @@ void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color)
 
 void qtri_surface_clear_depth(const qtri_surface *surface, q16 depth)
 {
+    QTRI_ASSERT(depth >= 0 && depth != 1 && depth <= Q16_ONE);
     QTRI_ASSERT(surface != NULL);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     if (bounds.x0 != bounds.x1 && surface->depth != NULL) {

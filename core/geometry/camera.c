@@ -189,6 +189,8 @@ static void frustum_row(qtri_row *row, int i, q16 low, q16 high, q16 near_z)
 void qtri_transform_frustum(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top, q16 near_z,
                             q16 far_z)
 {
+    QTRI_ASSERT(left != right && bottom != top);
+    QTRI_ASSERT(near_z != 0 && far_z != 0 && near_z != far_z);
     qtri_transform builder;
     frustum_row(&builder.row[0], 0, left, right, near_z);
     frustum_row(&builder.row[1], 1, bottom, top, near_z);
@@ -210,6 +212,7 @@ static void ortho_row(qtri_row *row, int i, int64_t length, int64_t sum, int64_t
 void qtri_transform_ortho(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top, q16 near_z,
                           q16 far_z)
 {
+    QTRI_ASSERT(left != right && bottom != top && near_z != far_z);
     const int64_t width = (int64_t)right - left;
     const int64_t height = (int64_t)top - bottom;
     const int64_t depth = (int64_t)near_z - far_z;

@@ -23,6 +23,7 @@ void qtri_transform_from_mat4(qtri_transform *out, const qtri_mat4 *m)
 /* As from_mat4 makes it. */
 void qtri_transform_identity(qtri_transform *out)
 {
+    QTRI_ASSERT(out != NULL);
     for (int i = 0; i < 4; i++) {
         qtri_row *row = &out->row[i];
         row->m[0] = row->m[1] = row->m[2] = 0;

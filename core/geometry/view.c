@@ -3,6 +3,8 @@
 
 #include <stddef.h>
 
+#include "qtri/error.h"
+
 qtri_viewport qtri_viewport_top(int32_t x, int32_t y, int32_t width, int32_t height)
 {
     qtri_viewport viewport = {x, y, width, height, 0, Q16_ONE};
@@ -23,6 +25,7 @@ qtri_viewport qtri_viewport_bottom(int32_t x, int32_t y, int32_t width, int32_t 
 
 void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
 {
+    QTRI_ASSERT(view != NULL);
     qtri_transform_identity(&view->camera);
     qtri_transform_identity(&view->projection);
     view->viewport = qtri_viewport_top(0, 0, frame_width, frame_height);

@@ -46,6 +46,7 @@ static void add_line(qtri_path *path, const qtri_point *center, int32_t inner, i
 void qtri_paint_arc(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
                     int32_t width_24p8, q16 from, q16 sweep, const qtri_brush *brush)
 {
+    QTRI_ASSERT(center != NULL);
     if (sweep >= DEGREES(360) || sweep <= -DEGREES(360)) {
         qtri_paint_ring(surface, center, radius_24p8, width_24p8, brush);
         return;

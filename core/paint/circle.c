@@ -15,6 +15,7 @@ void qtri_paint_circle(const qtri_surface *surface, const qtri_point *center, in
 void qtri_paint_ring(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
                      int32_t width_24p8, const qtri_brush *brush)
 {
+    QTRI_ASSERT(center != NULL);
     if (radius_24p8 <= 0 || width_24p8 <= 0) {
         return;
     }

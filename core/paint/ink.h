@@ -11,6 +11,7 @@
 
 #include <stdbool.h>
 
+#include "qtri/error.h"
 #include "qtri/paint.h"
 
 #include "../frame/pixel.h"

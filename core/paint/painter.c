@@ -5,6 +5,7 @@
 
 bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface, const qtri_brush *brush)
 {
+    QTRI_ASSERT(brush != NULL);
     painter->surface = surface;
     painter->ink = brush->ink;
     painter->bounds = qtri_surface_bounds(surface);

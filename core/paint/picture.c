@@ -3,6 +3,7 @@
 
 bool qtri_picture_is_usable(const qtri_image *image)
 {
+    QTRI_ASSERT(image != NULL);
     return image->pixels != NULL && image->format != NULL && image->width >= 1 &&
            image->width <= QTRI_SURFACE_MAX && image->height >= 1 &&
            image->height <= QTRI_SURFACE_MAX;

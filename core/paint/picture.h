@@ -9,6 +9,7 @@
 #ifndef QTRI_PAINT_PICTURE_H
 #define QTRI_PAINT_PICTURE_H
 
+#include "qtri/error.h"
 #include "qtri/image.h"
 
 #include "mix.h"

@@ -20,6 +20,7 @@ static void paint_few(const qtri_surface *surface, const qtri_point *point, int3
 void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
                         const qtri_brush *brush)
 {
+    QTRI_ASSERT(point != NULL || count <= 0);
     if (count >= 3 && count <= QTRI_PATH_EDGES) {
         paint_few(surface, point, count, brush);
     } else if (count >= 3) {

@@ -3,6 +3,7 @@
 
 void qtri_paint_rect(const qtri_surface *surface, const qtri_area *box, const qtri_brush *brush)
 {
+    QTRI_ASSERT(box != NULL);
     const qtri_area held = qtri_hold_area(box);
     qtri_painter painter;
     if (held.x0_24p8 >= held.x1_24p8 || held.y0_24p8 >= held.y1_24p8 ||

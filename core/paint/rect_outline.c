@@ -19,6 +19,7 @@ static bool is_apart(const qtri_ink *ink, const qtri_area *inner)
 void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, int32_t width_24p8,
                              const qtri_brush *brush)
 {
+    QTRI_ASSERT(box != NULL);
     const qtri_area b = qtri_hold_area(box);
     const int32_t width = b.x1_24p8 - b.x0_24p8; /* |.| <= 2^23 */
     const int32_t height = b.y1_24p8 - b.y0_24p8;

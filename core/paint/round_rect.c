@@ -37,6 +37,7 @@ static bool begin(const qtri_area *box, int32_t *radius, qtri_area *held)
 void qtri_paint_round_rect(const qtri_surface *surface, const qtri_area *box, int32_t radius_24p8,
                            const qtri_brush *brush)
 {
+    QTRI_ASSERT(box != NULL);
     qtri_area held;
     qtri_path path;
     qtri_path_init(&path);
@@ -49,6 +50,7 @@ void qtri_paint_round_rect(const qtri_surface *surface, const qtri_area *box, in
 void qtri_paint_round_rect_outline(const qtri_surface *surface, const qtri_area *box,
                                    int32_t radius_24p8, int32_t width_24p8, const qtri_brush *brush)
 {
+    QTRI_ASSERT(box != NULL);
     qtri_area b;
     qtri_path path;
     qtri_path_init(&path);

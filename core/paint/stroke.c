@@ -15,6 +15,8 @@ static int32_t offset_of(int32_t side, int32_t width, uint64_t length)
 void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, const qtri_point *to,
                        int32_t width_24p8, const qtri_brush *brush)
 {
+    QTRI_ASSERT(from != NULL);
+    QTRI_ASSERT(to != NULL);
     const qtri_point a = {qtri_hold_24p8(from->x_24p8), qtri_hold_24p8(from->y_24p8)};
     const qtri_point b = {qtri_hold_24p8(to->x_24p8), qtri_hold_24p8(to->y_24p8)};
     const int32_t dx = b.x_24p8 - a.x_24p8; /* |.| <= 2^23 */

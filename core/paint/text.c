@@ -229,6 +229,9 @@ const qtri_glyph *qtri_font_glyph(const qtri_font *font, uint32_t character)
 int32_t qtri_text_paint(const qtri_surface *surface, const qtri_font *font, int32_t x, int32_t y,
                         const char *text, const qtri_brush *brush)
 {
+    QTRI_ASSERT(font != NULL);
+    QTRI_ASSERT(text != NULL);
+    QTRI_ASSERT(brush != NULL);
     qtri_painter painter;
     const bool is_seen = qtri_painter_begin(&painter, surface, brush);
     int32_t pen = x;
@@ -253,6 +256,8 @@ int32_t qtri_text_paint(const qtri_surface *surface, const qtri_font *font, int3
 
 int32_t qtri_text_width(const qtri_font *font, const char *text)
 {
+    QTRI_ASSERT(font != NULL);
+    QTRI_ASSERT(text != NULL);
     int32_t widest = 0;
     int32_t pen = 0;
     for (;;) {

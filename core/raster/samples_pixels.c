@@ -145,6 +145,7 @@ static qtri_surface first_depths(const qtri_surface *surface)
 
 void qtri_samples_clear(const qtri_surface *surface, qtri_rgb color)
 {
+    QTRI_ASSERT(surface != NULL);
     if (qtri_sampling_of(surface->format) == NULL) {
         qtri_surface_clear(surface, color);
         return;
@@ -166,6 +167,7 @@ void qtri_samples_clear(const qtri_surface *surface, qtri_rgb color)
 
 void qtri_samples_clear_depth(const qtri_surface *surface, q16 depth)
 {
+    QTRI_ASSERT(surface != NULL);
     if (qtri_sampling_of(surface->format) == NULL) {
         qtri_surface_clear_depth(surface, depth);
         return;
@@ -230,6 +232,8 @@ static void resolve_565(const uint8_t *record, uint16_t *to, int32_t count)
 /* Pixels are made where records are not needed any more: a row's begin where its records do. */
 enum qtri_error qtri_samples_resolve(const qtri_surface *samples, qtri_surface *out)
 {
+    QTRI_ASSERT(samples != NULL);
+    QTRI_ASSERT(out != NULL);
     const struct qtri_sampling *sampling = qtri_sampling_of(samples->format);
     if (sampling == NULL) {
         return QTRI_ERROR_FORMAT;

@@ -107,8 +107,8 @@ $(SMOOTH_TOOL): $(call objects,host/bench/antialias.c host/bench/bench_world.c) 
 
 .PHONY: antialias antialias-lines
 antialias: ## Print how good each kind of anti-aliasing is, what it costs and what memory it takes; POSES=12
-	@$(MAKE) -s $(PARALLEL) antialias-lines
-	@$(SMOOTH_TOOL) $(SCENE_DIR) $(or $(MODELS),none) $(POSES)
+	@$(ALIVE) antialias $(MAKE) -s $(PARALLEL) antialias-lines
+	@$(ALIVE) antialias $(SMOOTH_TOOL) $(SCENE_DIR) $(or $(MODELS),none) $(POSES)
 	@sh host/bench/antialias.sh $(SCENE_DIR) $(SMOOTH_CORES)
 
 antialias-lines: $(SMOOTH_TOOL) $(SMOOTH_CORES:%=$(SCENE_DIR)/%/bench.txt)

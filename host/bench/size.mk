@@ -51,7 +51,7 @@ $(foreach app,$(SIZE_ONLY_APPS),$(foreach variant,$(SIZE_ONLY_VARIANTS),$(eval $
 
 .PHONY: size size-lines
 size: ## Bytes of code, constants, static RAM and stack of three applications, all RAM of one in bands: build/size.tsv
-	@$(MAKE) -s $(PARALLEL) size-lines
+	@$(ALIVE) size $(MAKE) -s $(PARALLEL) size-lines
 	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_ONLY_APPS:%=%-only) $(SIZE_APPS)" $(SIZE_VARIANTS)
 
 size-lines: $(foreach variant,$(SIZE_VARIANTS),$(SIZE_APPS:%=$(SIZE_DIR)/$(variant)/%.txt)) \

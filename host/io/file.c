@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "file_inputs.h"
+
 #define FIRST_READ ((size_t)1 << 16)
 
 /* Nobody who writes to a pipe, or nothing from him, for so long is an error: ETIMEDOUT. */
@@ -69,7 +71,8 @@ bool file_read(const char *path, struct file_content *content, struct text_error
         text_error_set(error, path, 0, "cannot be opened: %s", strerror(errno));
         return false;
     }
-    int failure = read_all(descriptor, content);
+    int failure = file_inputs_add(descriptor);
+    failure = failure != 0 ? failure : read_all(descriptor, content);
     if (!standard) {
         (void)close(descriptor); /* only read from */
     }
@@ -137,7 +140,7 @@ static void remove_and_end(int number)
 /* Signals that are ignored stay ignored, as nohup wants it. */
 static void catch_signals(void)
 {
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGXFSZ};
+    static const int numbers[] = {SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGXFSZ};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         struct sigaction action;
         if (sigaction(numbers[i], NULL, &action) == 0 && action.sa_handler == SIG_DFL) {
@@ -224,6 +227,10 @@ static int open_stream(struct file_output *output)
 bool file_output_open(struct file_output *output, const char *path, struct text_error *error)
 {
     memset(output, 0, sizeof *output);
+    if (file_inputs_has(path)) {
+        text_error_set(error, path, 0, "has been read: it would be overwritten");
+        return false;
+    }
     /* Behind a link: it is the picture that is replaced, not the link. */
     const bool is_stream = file_is_stream(path);
     char *target = is_stream ? NULL : realpath(path, NULL);

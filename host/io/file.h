@@ -46,7 +46,8 @@ bool file_is_stream(const char *path);
  * A file being written. The bytes go to a temporary file in the target's folder, which takes the
  * target's name on commit; until then, and after any failure, the target is as it was. Signals
  * that end the program remove the temporary file. What is no ordinary file, and "-", standard
- * output, is written as it is. One output is open at a time.
+ * output, is written as it is. One output is open at a time. Of a program that guards its inputs
+ * (file_inputs.h) none can be a target.
  */
 struct file_output {
     FILE *stream;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../io/file_inputs.h"
 #include "commands.h"
 #include "compare.h"
 #include "options.h"
@@ -83,6 +84,7 @@ static int run(int argc, char **argv)
 /* What did not reach standard output is a failure too: of a full disk, or a pipe nobody reads. */
 int main(int argc, char **argv)
 {
+    file_inputs_guard();
     int status = run(argc, argv);
     if ((fflush(stdout) != 0 || ferror(stdout)) && status == 0) {
         fputs("qtri: standard output cannot be written\n", stderr);

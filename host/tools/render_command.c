@@ -7,6 +7,7 @@
 #include "../reference/reference.h"
 #include "../reference/reference_picture.h"
 #include "../io/file.h"
+#include "../io/file_inputs.h"
 #include "commands.h"
 #include "options.h"
 #include "scene_draw.h"
@@ -228,6 +229,25 @@ static bool is_within_limits(const struct options *options, const struct scene *
     return true;
 }
 
+/* Before anything is drawn, or one of three files would be there without the others. */
+static bool keeps_inputs(const struct options *options, const char *path)
+{
+    static const char *const endings[] = {"", ".id", ".depth"};
+    for (int i = 0; i < (options->dump ? 3 : 1); i++) {
+        char *name = i > 0 ? name_with(options, endings[i]) : NULL;
+        const bool is_input = file_inputs_has(name != NULL ? name : path);
+        if (is_input) {
+            fprintf(stderr, "qtri render: %s: has been read: it would be overwritten\n",
+                    name != NULL ? name : path);
+        }
+        free(name);
+        if (is_input) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Draws the scene into the file; returns the exit status. */
 static int render_file(const struct options *options, const char *path)
 {
@@ -240,7 +260,7 @@ static int render_file(const struct options *options, const char *path)
         return 1;
     }
     struct picture picture;
-    ok = is_within_limits(options, &scene);
+    ok = keeps_inputs(options, path) && is_within_limits(options, &scene);
     if (ok && !render(options, &scene, &picture)) {
         fprintf(stderr, "qtri render: out of memory\n");
         ok = false;

@@ -152,7 +152,7 @@ static enum qtri_error check(const qtri_panel *panel)
     if (least == 0) {
         return QTRI_ERROR_SIZE;
     }
-    return panel->bytes < least ? QTRI_ERROR_MEMORY : QTRI_OK;
+    return panel->memory == NULL || panel->bytes < least ? QTRI_ERROR_MEMORY : QTRI_OK;
 }
 
 enum qtri_error qtri_panel_init(qtri_panel *panel, const qtri_panel_description *description,

@@ -133,8 +133,58 @@ static void null_pointers(void)
     STOPS("pixels != NULL", (surface.pixels = NULL, draw_all()));
 }
 
+/* What else draws, and what makes ready for it. */
+static void more_null_pointers(void)
+{
+    const qtri_brush brush = {{1, 2, 3}, 255, NULL};
+    const qtri_area box = {0, 0, 999, 999};
+    const qtri_point point[3] = {{0, 0}, {999, 0}, {0, 999}};
+    const qtri_stroke stroke = {.width = 512};
+    qtri_outline outline;
+    STOPS("surface != NULL", qtri_paint_rect(NULL, &box, &brush));
+    STOPS("box != NULL", qtri_paint_rect(&surface, NULL, &brush));
+    STOPS("brush != NULL", qtri_paint_rect(&surface, &box, NULL));
+    STOPS("box != NULL", qtri_paint_rect_outline(&surface, NULL, 256, &brush));
+    STOPS("box != NULL", qtri_paint_round_rect(&surface, NULL, 256, &brush));
+    STOPS("box != NULL", qtri_paint_round_rect_outline(&surface, NULL, 256, 256, &brush));
+    STOPS("center != NULL", qtri_paint_circle(&surface, NULL, 999, &brush));
+    STOPS("center != NULL", qtri_paint_arc(&surface, NULL, 999, 256, 0, Q16(90), &brush));
+    STOPS("point != NULL", qtri_paint_polygon(&surface, NULL, 3, &brush));
+    STOPS("brush != NULL", qtri_paint_polygon(&surface, point, 3, NULL));
+    STOPS("to != NULL", qtri_paint_stroke(&surface, point, NULL, 256, &brush));
+    STOPS("image != NULL", qtri_image_paint(&surface, NULL, 0, 0));
+    STOPS("image != NULL", qtri_image_blend(&surface, NULL, 0, 0, 99));
+    STOPS("font != NULL", (void)qtri_text_paint(&surface, NULL, 0, 9, "a", &brush));
+    STOPS("text != NULL", (void)qtri_text_paint(&surface, &qtri_font_small, 0, 9, NULL, &brush));
+    STOPS("text != NULL", (void)qtri_text_width(&qtri_font_small, NULL));
+    STOPS("view != NULL", qtri_view_init(NULL, SIDE, SIDE));
+    STOPS("out != NULL", qtri_transform_identity(NULL));
+    STOPS("out != NULL", (void)qtri_halve(&surface, NULL));
+    STOPS("band != NULL", (void)qtri_halve_565(NULL, &surface));
+    STOPS("samples != NULL", (void)qtri_samples_resolve(NULL, &surface));
+    STOPS("surface != NULL", qtri_samples_clear(NULL, brush.color));
+    STOPS("stroke != NULL",
+          qtri_draw_polyline(&surface, &view, &pose, corners, 3, NULL, &material));
+    STOPS("corners != NULL",
+          qtri_draw_wide_lines(&surface, &view, &pose, NULL, 2, &stroke, &material));
+    STOPS("view != NULL", qtri_draw_points(&surface, NULL, &pose, corners, 1, &stroke, &material));
+    STOPS("stroke != NULL",
+          qtri_draw_wide_wireframe(&surface, &view, &pose, &mesh, NULL, &material));
+    STOPS("mesh != NULL",
+          qtri_draw_hidden_lines(&surface, &view, &pose, NULL, &stroke, &material, 0));
+    STOPS("mesh != NULL", (void)qtri_outline_init(&outline, NULL, NULL, 0));
+    STOPS("outline != NULL",
+          (void)qtri_draw_mesh_outlined(&surface, &view, &pose, &material, NULL));
+}
+
 static void wrong_numbers(void)
 {
+    const qtri_stroke stroke = {.width = 512};
+    STOPS("count % each == 0",
+          qtri_draw_wide_lines(&surface, &view, &pose, corners, 3, &stroke, &material));
+    STOPS("index < mesh->vertex_count",
+          (triangles[1][2] = 3,
+           qtri_draw_wide_wireframe(&surface, &view, &pose, &mesh, &stroke, &material)));
     STOPS("index < mesh->vertex_count", (triangles[1][2] = 3, draw_all()));
     STOPS("interpolation", (material.interpolation = (qtri_interpolation)2, draw_all()));
     STOPS("texture_mode", (material.texture_mode = (qtri_texture_mode)7, draw_all()));
@@ -161,6 +211,9 @@ static void plain_numbers(void)
     STOPS("fovy", qtri_transform_perspective(to, Q16(180), Q16(1), Q16(.1), Q16(100)));
     STOPS("aspect", qtri_transform_perspective(to, Q16(60), 4 / 3, Q16(.1), Q16(100)));
     STOPS("near_z", qtri_transform_perspective(to, Q16(60), Q16(1), 0, Q16(100)));
+    STOPS("near_z", qtri_transform_frustum(to, 0, 1, 0, 1, 0, Q16(9)));
+    STOPS("left != right", qtri_transform_ortho(to, 0, 1 / 2, 0, 1, 0, Q16(9)));
+    STOPS("depth != 1", qtri_surface_clear_depth(&surface, 1));
     STOPS("near_z", qtri_transform_perspective_d3d(to, Q16(60), Q16(1), Q16(1), Q16(1)));
 }
 
@@ -177,6 +230,7 @@ int main(void)
         failures++;
     }
     null_pointers();
+    more_null_pointers();
     wrong_numbers();
     plain_numbers();
     printf("%d mistakes, %d not found\n", cases, failures);

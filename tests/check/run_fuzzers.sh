@@ -29,10 +29,11 @@ for name in $targets; do
 done
 wait
 
-failed=0
+failed=0 all=0
 for name in $targets; do
     log=build/fuzz/$name.log
     runs=$(sed -n 's/^stat::number_of_executed_units: //p' "$log")
+    all=$((all + ${runs:-0}))
     if [ "$(cat "build/fuzz/$name.status")" = 0 ] && [ "${runs:-0}" -gt 0 ]; then
         echo "$name: no finding in $runs runs, $FUZZ_SECONDS s"
         echo 1 0 0 >"build/results/$name"
@@ -43,4 +44,5 @@ for name in $targets; do
         failed=1
     fi
 done
+echo "fuzz: $all runs in all"
 exit $failed

@@ -25,7 +25,8 @@ enum qtri_error {
     QTRI_OK = 0,
     /* A width, height, row or count is outside its range; a number in text beyond Q16.16's. */
     QTRI_ERROR_SIZE = -1,
-    /* The memory passed in is smaller than its size macro says; a buffer too small for a text. */
+    /* The memory passed in is NULL or smaller than its size macro says; a buffer too small for a
+       text. */
     QTRI_ERROR_MEMORY = -2,
     /* A display could not be reached: a bus function failed, or it stayed busy for too long. */
     QTRI_ERROR_BUS = -3,
