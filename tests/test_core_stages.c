@@ -8,6 +8,7 @@
 #include "raster/batch.h"
 #include "raster/stage_color.h"
 #include "raster/stage_depth.h"
+#include "raster/texel_number.h"
 #include "raster/textured.h"
 #include "support/core.h"
 
@@ -308,6 +309,71 @@ static void depths(void **state)
     }
 }
 
+/* ---- Clamped coordinates ---- */
+
+/* A curve as texel_number.c follows it: what it is at each of `count` pixels. */
+static void follow(uint32_t *value, qtri_curve c, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++) {
+        value[i] = c.at;
+        c.at += c.step;
+        c.step += c.bend;
+        if (i % 8 == 7) {
+            c.step += c.twist;
+            c.bend += 2 * c.twist;
+        }
+    }
+}
+
+/* Within bounds that clamped coordinates have anyway. */
+static bool stays(const uint32_t *value, int32_t count)
+{
+    bool inside = true;
+    for (int32_t i = 0; i < count; i++) {
+        inside = inside && value[i] < (uint32_t)1 << 30;
+    }
+    return inside;
+}
+
+/* Of a texture of 16 texels, near one of whose sides the curve begins and turns round or not. */
+static void make_curve(qtri_curve *c, const qtri_texel_axis *axis, uint64_t *rng)
+{
+    const int32_t side = axis->first + (random_flag(rng) ? axis->mask : 0);
+    const int32_t step = random_in(rng, -(1 << 16), 1 << 16) >> random_in(rng, 0, 8);
+    const int32_t bend = random_flag(rng) ? step / random_in(rng, 2, 200) : 0;
+    const int32_t twist = random_flag(rng) ? step / random_in(rng, 2, 500) : 0;
+    c->at = (uint32_t)(side * (1 << axis->texel_shift) + random_in(rng, -(1 << 18), 1 << 18));
+    c->step = (uint32_t)step;
+    c->bend = (uint32_t)(random_flag(rng) ? bend : -bend);
+    c->twist = (uint32_t)(random_flag(rng) ? twist : -twist);
+}
+
+/* What is held for a whole row at a look leads every pixel where it leads by itself. */
+static void curves_held_by_their_ends(void **state)
+{
+    (void)state;
+    uint64_t rng = 47;
+    const qtri_texel_axis axis = {.texel_shift = 16, .clamped = true, .mask = 15, .first = 1000};
+    int32_t held = 0;
+    for (int n = 0; n < 200000; n++) {
+        uint32_t before[QTRI_BATCH];
+        uint32_t after[QTRI_BATCH];
+        const int32_t count = random_in(&rng, 1, QTRI_BATCH);
+        qtri_curve curve;
+        make_curve(&curve, &axis, &rng);
+        follow(before, curve, count);
+        if (!stays(before, count) || !qtri_texel_curve_held(&curve, &axis, 28, count)) {
+            continue;
+        }
+        held++;
+        follow(after, curve, count);
+        for (int32_t i = 0; i < count; i++) {
+            assert_int_equal(after[i] >> 28, qtri_texel_wrapped(&axis, before[i] >> 16));
+        }
+    }
+    assert_in_range(held, 50000, 200000); /* most that may be */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -319,6 +385,7 @@ int main(void)
         cmocka_unit_test(curves_become_shades),
         cmocka_unit_test(tints),
         cmocka_unit_test(depths),
+        cmocka_unit_test(curves_held_by_their_ends),
     };
     return cmocka_run_group_tests_name("core stages", tests, NULL, NULL);
 }

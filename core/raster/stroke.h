@@ -59,7 +59,7 @@ typedef struct qtri_stroker {
     uint32_t touch_count; /* QTRI_STROKE_MANY: more than there is room for are one group */
     uint32_t first_touch, touch_end; /* of the group */
     qtri_stroke_shape shape[QTRI_STROKE_SHAPES];
-    int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of each of those pixels, 0..QTRI_STROKE_FULL */
+    int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of those pixels, QTRI_STROKE_FULL at most */
 } qtri_stroker;
 
 #define QTRI_STROKE_MANY UINT32_MAX

@@ -103,11 +103,11 @@ static void add_side(int32_t cover[], int32_t x0, int32_t x1, int32_t height)
         cover[0] += height * 512;
         return;
     }
-    if (x0 >= 0 && (x0 >> 8 == x1 >> 8 || (x0 >> 8 == (x1 - 1) >> 8))) {
-        const int32_t column = x0 >> 8;
-        const int32_t behind = height * (x0 + x1 - 512 * column);
-        cover[column] += height * 512 - behind;
-        cover[column + 1] += behind;
+    const int32_t first = x0 >> 8;
+    if (x0 >= 0 && x1 <= (first + 1) * 256) {
+        const int32_t behind = height * (x0 + x1 - 512 * first);
+        cover[first] += height * 512 - behind;
+        cover[first + 1] += behind;
         return;
     }
     /* Of height, up to each column's side: height (x - x0) / (x1 - x0), rounded down. */
@@ -245,7 +245,7 @@ static void finish(qtri_stroker *stroker)
     int32_t sum = 0;
     for (int32_t i = stroker->first; i < stroker->end; i++) {
         sum += stroker->cover[i];
-        stroker->cover[i] = qtri_hold32(sum, 0, QTRI_STROKE_FULL);
+        stroker->cover[i] = qtri_least32(sum, QTRI_STROKE_FULL);
     }
 }
 
