@@ -536,8 +536,7 @@ static uint32_t on_samples(uint32_t hash, void (*draw)(const qtri_surface *surfa
 static void record(const char *name, int32_t pictures, void (*draw)(const qtri_surface *surface),
                    uint32_t (*on)(uint32_t hash, void (*draw)(const qtri_surface *surface)))
 {
-    const int step = HAS_FEATURE(memory_sanitizer) ? 3 : 1; /* eight times as slow there */
-    for (int group = 0; group < GROUPS; group += step) {
+    for (int group = 0; group < GROUPS; group++) {
         char line[RECORDED_NAME_MAX];
         uint32_t hash = RECORDED_BEGIN;
         seed = recorded_seed(group);
