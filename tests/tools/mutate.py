@@ -219,7 +219,9 @@ class Layer:
         for path, taken in self.taken.items():
             text = open(path).read()
             for begin, end, new, _ in sorted(taken, key=lambda t: t[0], reverse=True):
-                text = text[:begin] + new + text[end:]
+                old = text[begin:end]  # as many lines: the compiler's complaints are told by line
+                line = "\\\n" if "\\\n" in old else "\n"
+                text = text[:begin] + new + line * (old.count("\n") - new.count("\n")) + text[end:]
             with open(f"{bench.src}/{path}", "w") as out:
                 out.write((DECLARED if taken else "") + text)
 
