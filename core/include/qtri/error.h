@@ -21,6 +21,8 @@
 #ifndef QTRI_ERROR_H
 #define QTRI_ERROR_H
 
+#include <stddef.h> /* NULL, for conditions */
+
 enum qtri_error {
     QTRI_OK = 0,
     /* A width, height, row or count is outside its range; a number in text beyond Q16.16's. */
