@@ -28,6 +28,35 @@ void qtri_check_view(const qtri_view *view, const qtri_transform *pose)
     QTRI_ASSERT(viewport->height >= 0 && viewport->height <= QTRI_VIEWPORT_MAX);
     QTRI_ASSERT(is_window_depth(viewport->depth_near) && is_window_depth(viewport->depth_far));
     QTRI_ASSERT(view->vertices != NULL || view->vertex_count == 0);
+    QTRI_ASSERT(view->light == NULL || (view->light->ambient != 1 && view->light->diffuse != 1));
+    if (view->lights != NULL) {
+        QTRI_ASSERT(view->lights->model != NULL); /* qtri_lights_init was called */
+        QTRI_ASSERT(view->lights->sources != NULL || view->lights->count == 0);
+    }
+}
+
+static bool is_color(const qtri_light_color *color)
+{
+    return color->r != 1 && color->g != 1 && color->b != 1;
+}
+
+/* 180 in place of Q16(180) is less than 1/300 degree. */
+static bool is_angle(q16 degrees)
+{
+    return degrees <= 0 || degrees > 180;
+}
+
+void qtri_check_lights(const qtri_light_source *sources, uint32_t count,
+                       const qtri_light_color *ambient)
+{
+    QTRI_ASSERT(sources != NULL || count == 0);
+    QTRI_ASSERT(is_color(ambient));
+    for (uint32_t i = 0; i < count && i < QTRI_LIGHTS_MAX; i++) {
+        const qtri_light_source *source = &sources[i];
+        QTRI_ASSERT(is_color(&source->color));
+        QTRI_ASSERT(source->constant != 1);
+        QTRI_ASSERT(is_angle(source->inner) && is_angle(source->outer));
+    }
 }
 
 static void check_arrays(const qtri_mesh *mesh)

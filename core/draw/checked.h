@@ -5,6 +5,7 @@
 #ifndef QTRI_DRAW_CHECKED_H
 #define QTRI_DRAW_CHECKED_H
 
+#include "qtri/light.h"
 #include "qtri/mesh.h"
 #include "qtri/view.h"
 
@@ -16,6 +17,10 @@ void qtri_check_view(const qtri_view *view, const qtri_transform *pose);
 
 /* It has what its counts say, and every index is below the count of vertices. */
 void qtri_check_mesh(const qtri_mesh *mesh);
+
+/* There are as many as `count` says, and none has a plain 1 or plain degrees. */
+void qtri_check_lights(const qtri_light_source *sources, uint32_t count,
+                       const qtri_light_color *ambient);
 
 /* Corners of primitives of `each`. */
 void qtri_check_corners(const void *corners, uint32_t count, uint32_t each);

@@ -14,6 +14,7 @@
 #include "../filter/mix.h"
 #include "../frame/barrier.h"
 #include "../frame/depth_format.h"
+#include "checked.h"
 
 enum { WORD_PIXELS = 32, PITCH_MAX = 1 << 16 };
 
@@ -33,6 +34,9 @@ static void clear(uint32_t *word, uint32_t count)
 enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface, uint32_t *memory,
                                  uint32_t words)
 {
+    QTRI_ASSERT(edges != NULL);
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_ASSERT(memory != NULL || words == 0);
     const bool has_depth = surface->depth != NULL;
     const qtri_rect bounds = qtri_surface_bounds(surface);
     edges->surface = *surface;
@@ -176,6 +180,7 @@ static void blend_any(const qtri_edges *edges, const steps *s, uint8_t *pixel, u
 
 void qtri_edges_blend(qtri_edges *edges)
 {
+    QTRI_ASSERT(edges != NULL);
     if (edges->bounds.x0 >= edges->bounds.x1) {
         return;
     }
@@ -232,6 +237,7 @@ QTRI_NOINLINE static void blend_565(const qtri_edges *edges)
 
 enum qtri_error qtri_edges_blend_565(qtri_edges *edges)
 {
+    QTRI_ASSERT(edges != NULL);
     if (edges->bounds.x0 >= edges->bounds.x1) {
         return QTRI_OK;
     }

@@ -5,6 +5,7 @@
 #include "lit_corners.h"
 #include "lit_vertex.h"
 #include "per_pixel.h"
+#include "checked.h"
 
 #define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */
 
@@ -299,6 +300,8 @@ static const qtri_light_model model = {
 enum qtri_error qtri_lights_init(qtri_lights *lights, const qtri_light_source *sources,
                                  uint32_t count, qtri_light_color ambient)
 {
+    QTRI_ASSERT(lights != NULL);
+    QTRI_CHECK(qtri_check_lights(sources, count, &ambient));
     lights->model = &model;
     lights->sources = sources;
     lights->count = count < QTRI_LIGHTS_MAX ? count : QTRI_LIGHTS_MAX;

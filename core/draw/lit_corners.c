@@ -3,6 +3,7 @@
 
 #include "../geometry/lit_point.h"
 #include "per_pixel.h"
+#include "checked.h"
 
 /* The sign of the homogeneous determinant; y points down. */
 bool qtri_clipped_is_back(const qtri_clip_vertex v[3])
@@ -136,6 +137,10 @@ void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
                              const qtri_normal *normals, uint32_t corner_count,
                              const qtri_material *material)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_corners(corners, corner_count, 3));
     if (view->lights == NULL) {
         qtri_draw_triangles(surface, view, pose, corners, corner_count, material);
     } else {

@@ -209,6 +209,8 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
 
 enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_outline *outline)
 {
+    QTRI_ASSERT(prepared != NULL);
+    QTRI_ASSERT(outline != NULL);
     qtri_outline_clear(outline);
     if (outline->mesh == NULL || prepared->mesh != outline->mesh ||
         prepared->front != outline->front ||
@@ -228,6 +230,7 @@ enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_out
 
 void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outline, int32_t halo)
 {
+    QTRI_ASSERT(prepared != NULL);
     prepared->front = NULL;
     prepared->front_of = NULL;
     prepared->halo = qtri_hold32(halo, 0, QTRI_HALO_MAX);
@@ -242,6 +245,7 @@ void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outl
 void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outline *outline,
                                        int32_t halo)
 {
+    QTRI_ASSERT(prepared != NULL);
     qtri_prepared_set_outline(prepared, outline, halo);
     prepared->edges_above = 2 * prepared->halo; /* rows that were kept; nothing is drawn there */
     prepared->edges_below = 0;
@@ -314,6 +318,8 @@ static bool find_list(const qtri_outline *outline, const qtri_rect *bounds, uint
 
 void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline)
 {
+    QTRI_ASSERT(edges != NULL);
+    QTRI_ASSERT(outline != NULL);
     const qtri_rect *bounds = &edges->bounds;
     if (outline->vertices == NULL || bounds->x0 >= bounds->x1 ||
         edges->surface.width != outline->width || edges->surface.height != outline->height) {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "fxaa.h"
 
+#include "qtri/error.h"
+
 const uint16_t qtri_fxaa_inverses[2 * QTRI_FXAA_REACH + 1] = {
     0,    0,    32768, 21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461,
     5041, 4681, 4369,  4096,  3855,  3641,  3449,  3277, 3121, 2979, 2849, 2731};
@@ -58,6 +60,8 @@ static void decode_row(const qtri_surface *surface, int32_t y, uint32_t *out)
 
 enum qtri_error qtri_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_t words)
 {
+    QTRI_ASSERT(surface != NULL);
+    QTRI_ASSERT(memory != NULL || words == 0);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const int32_t width = surface->width;
     if (bounds.x0 >= bounds.x1) {

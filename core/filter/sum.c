@@ -5,6 +5,7 @@
  * times 31, 31 and 63.
  */
 #include "qtri/filters.h"
+#include "qtri/error.h"
 
 #include "mix.h"
 
@@ -34,6 +35,7 @@ static uint32_t sum_at(const qtri_surface *surface, int32_t y)
 
 void qtri_sum_clear(uint32_t *sums, uint32_t words)
 {
+    QTRI_ASSERT(sums != NULL || words == 0);
     for (; words > 0; words--) {
         *sums++ = 0;
     }
@@ -41,6 +43,8 @@ void qtri_sum_clear(uint32_t *sums, uint32_t words)
 
 enum qtri_error qtri_sum_add(uint32_t *sums, uint32_t words, const qtri_surface *surface)
 {
+    QTRI_ASSERT(surface != NULL);
+    QTRI_ASSERT(sums != NULL || words == 0);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const enum qtri_error error = check(surface, &bounds, sums, words);
     const qtri_format *format = surface->format;
@@ -67,6 +71,8 @@ enum qtri_error qtri_sum_add(uint32_t *sums, uint32_t words, const qtri_surface 
 enum qtri_error qtri_sum_store(const qtri_surface *surface, const uint32_t *sums, uint32_t words,
                                int32_t frames_log2)
 {
+    QTRI_ASSERT(surface != NULL);
+    QTRI_ASSERT(sums != NULL || words == 0);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const enum qtri_error error = check(surface, &bounds, sums, words);
     const qtri_format *format = surface->format;

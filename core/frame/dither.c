@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/dither.h"
+#include "qtri/error.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -66,6 +67,8 @@ static void gray_of_row(const qtri_format *format, const uint8_t *row, int32_t x
 void qtri_surface_gray(const qtri_surface *surface, int32_t x, int32_t y, int32_t count,
                        uint8_t *gray)
 {
+    QTRI_ASSERT(surface != NULL);
+    QTRI_ASSERT(gray != NULL || count <= 0);
     if (count <= 0) {
         return;
     }
@@ -106,6 +109,7 @@ static uint32_t divide_by_255(uint32_t n)
 void qtri_dither_row(qtri_dither dither, uint8_t max_level, int32_t x, int32_t y,
                      const uint8_t *gray, int32_t count, uint8_t *level)
 {
+    QTRI_ASSERT((gray != NULL && level != NULL) || count <= 0);
     uint32_t offset[8];
     for (uint32_t i = 0; i < 8; i++) {
         switch (dither) {
@@ -129,6 +133,8 @@ void qtri_dither_row(qtri_dither dither, uint8_t max_level, int32_t x, int32_t y
 enum qtri_error qtri_diffusion_init(qtri_diffusion *diffusion, int32_t width, int16_t *error,
                                     size_t count)
 {
+    QTRI_ASSERT(diffusion != NULL);
+    QTRI_ASSERT(error != NULL || count == 0);
     if (width < 1 || width > QTRI_SURFACE_MAX) {
         return QTRI_ERROR_SIZE;
     }
@@ -158,6 +164,8 @@ static int32_t share(int32_t error, int32_t weight)
 void qtri_diffuse_row(qtri_diffusion *diffusion, uint8_t max_level, int32_t x, int32_t y,
                       const uint8_t *gray, int32_t count, uint8_t *level)
 {
+    QTRI_ASSERT(diffusion != NULL);
+    QTRI_ASSERT((gray != NULL && level != NULL) || count <= 0);
     qtri_diffusion *d = diffusion;
     if (x != d->next_x || y != d->next_y || (x == 0 && y == 0)) {
         for (int32_t i = 0; i < d->width; i++) {

@@ -12,6 +12,7 @@ enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, in
                                 int32_t height, int32_t rows, void *memory, size_t bytes)
 {
     QTRI_ASSERT(frame != NULL);
+    QTRI_ASSERT(format == NULL || (format->pixels != NULL && format->colors != NULL));
     frame->format = format;
     frame->depth_format = NULL;
     frame->width = 0;
@@ -47,6 +48,7 @@ enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, in
 
 void qtri_frame_share(qtri_frame *frame, int32_t part, int32_t parts)
 {
+    QTRI_ASSERT(frame != NULL);
     frame->first_band = part > 0 ? part : 0;
     frame->every = parts > 1 ? parts : 1;
     frame->next_row = 0;
@@ -128,16 +130,19 @@ void qtri_frame_mark(qtri_frame *frame, const qtri_rect *rect)
 
 void qtri_frame_mark_all(qtri_frame *frame)
 {
+    QTRI_ASSERT(frame != NULL);
     qtri_rect all = {0, 0, frame->width, frame->height};
     frame->changes = all;
 }
 
 qtri_rect qtri_frame_changes(const qtri_frame *frame)
 {
+    QTRI_ASSERT(frame != NULL);
     return frame->changes;
 }
 
 void qtri_frame_only_changes(qtri_frame *frame)
 {
+    QTRI_ASSERT(frame != NULL);
     frame->only_changes = true;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/halo.h"
+#include "qtri/error.h"
 
 #include "depth_format.h"
 
@@ -7,6 +8,7 @@ enum qtri_error qtri_halo_init(qtri_halo *halo, const qtri_format *format, int32
                                int32_t height, int32_t rows, int32_t halo_rows, void *memory,
                                size_t bytes)
 {
+    QTRI_ASSERT(halo != NULL);
     halo->rows = 0;
     qtri_frame *frame = &halo->frame;
     const bool fits = halo_rows >= 0 && halo_rows <= QTRI_HALO_MAX && rows >= 1 &&
@@ -27,6 +29,7 @@ enum qtri_error qtri_halo_init(qtri_halo *halo, const qtri_format *format, int32
 
 void qtri_halo_begin(qtri_halo *halo)
 {
+    QTRI_ASSERT(halo != NULL);
     qtri_frame_begin(&halo->frame);
 }
 
@@ -41,6 +44,8 @@ static qtri_rect widened(const qtri_rect *rect, int32_t by, int32_t width, int32
 
 bool qtri_halo_next_band(qtri_halo *halo, qtri_surface *band, qtri_surface *shown)
 {
+    QTRI_ASSERT(halo != NULL);
+    QTRI_ASSERT(band != NULL && shown != NULL);
     qtri_frame *frame = &halo->frame;
     qtri_surface inner;
     if (!qtri_frame_next_band(frame, &inner)) {
@@ -73,6 +78,7 @@ bool qtri_halo_next_band(qtri_halo *halo, qtri_surface *band, qtri_surface *show
 
 void qtri_halo_only_changes(qtri_halo *halo)
 {
+    QTRI_ASSERT(halo != NULL);
     qtri_frame *frame = &halo->frame;
     const qtri_rect *changes = &frame->changes;
     if (changes->x0 < changes->x1 && changes->y0 < changes->y1) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/rolling.h"
+#include "qtri/error.h"
 
 #include <string.h>
 
@@ -16,6 +17,7 @@ enum qtri_error qtri_rolling_init(qtri_rolling *rolling, const qtri_format *form
                                   int32_t height, int32_t rows, int32_t halo, void *memory,
                                   size_t bytes, void *kept, size_t kept_bytes)
 {
+    QTRI_ASSERT(rolling != NULL);
     qtri_halo frame;
     enum qtri_error error =
         qtri_halo_init(&frame, format, width, height, rows, halo, memory, bytes);
@@ -39,6 +41,7 @@ enum qtri_error qtri_rolling_init(qtri_rolling *rolling, const qtri_format *form
 
 void qtri_rolling_begin(qtri_rolling *rolling)
 {
+    QTRI_ASSERT(rolling != NULL);
     qtri_frame_begin(&rolling->frame);
     rolling->rows = 0;
 }
@@ -94,6 +97,8 @@ static void take_rows(qtri_surface *out, const qtri_surface *band, int32_t first
 bool qtri_rolling_next_band(qtri_rolling *rolling, qtri_surface *drawn, qtri_surface *band,
                             qtri_surface *shown)
 {
+    QTRI_ASSERT(rolling != NULL);
+    QTRI_ASSERT(drawn != NULL && band != NULL && shown != NULL);
     qtri_frame *frame = &rolling->frame;
     qtri_surface inner;
     if (!qtri_frame_next_band(frame, &inner)) {
@@ -120,6 +125,8 @@ bool qtri_rolling_next_band(qtri_rolling *rolling, qtri_surface *drawn, qtri_sur
 
 void qtri_rolling_keep(qtri_rolling *rolling, const qtri_surface *band)
 {
+    QTRI_ASSERT(rolling != NULL);
+    QTRI_ASSERT(band != NULL);
     const int32_t rows = 2 * rolling->halo;
     rolling->rows = rows;
     if (rows == 0 || band->first_row + band->rows == band->height) {

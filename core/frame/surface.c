@@ -25,6 +25,7 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
                                   size_t bytes)
 {
     QTRI_ASSERT(surface != NULL);
+    QTRI_ASSERT(format == NULL || (format->pixels != NULL && format->colors != NULL));
     if (width < 1 || width > QTRI_SURFACE_MAX || height < 1 || height > QTRI_SURFACE_MAX ||
         first_row < 0 || first_row >= height || rows < 1 || rows > QTRI_SURFACE_MAX) {
         return refuse(surface, QTRI_ERROR_SIZE);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/transform.h"
+#include "qtri/error.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -30,6 +31,8 @@ static void turn(qtri_transform *t, qtri_wide axis[3][3])
 
 void qtri_transform_billboard(qtri_transform *t, const qtri_transform *camera)
 {
+    QTRI_ASSERT(t != NULL);
+    QTRI_ASSERT(camera != NULL);
     qtri_wide axis[3][3];
     if (axis_of(axis[0], &camera->row[0]) && axis_of(axis[1], &camera->row[1]) &&
         axis_of(axis[2], &camera->row[2])) {
@@ -40,6 +43,8 @@ void qtri_transform_billboard(qtri_transform *t, const qtri_transform *camera)
 /* z is what is level of the camera's, x = y cross z. */
 void qtri_transform_billboard_upright(qtri_transform *t, const qtri_transform *camera)
 {
+    QTRI_ASSERT(t != NULL);
+    QTRI_ASSERT(camera != NULL);
     qtri_wide axis[3][3];
     if (!axis_of(axis[2], &camera->row[2])) {
         return;

@@ -9,6 +9,7 @@
 #include "../bits/bits.h"
 #include "../math/sincos.h"
 #include "row.h"
+#include "plain.h"
 
 static void wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v)
 {
@@ -46,6 +47,8 @@ static void side_axis(qtri_wide side[3], const qtri_wide forward[3], const qtri_
 
 void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up)
 {
+    QTRI_ASSERT(t != NULL);
+    QTRI_ASSERT(qtri_is_sight(eye, center));
     qtri_wide position[3];
     qtri_wide axis[3][3]; /* side, up, forward */
     wide_from_vec3(position, &eye);
@@ -153,6 +156,7 @@ static void perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16
     QTRI_ASSERT(qtri_magnitude32(fovy) < (uint32_t)180 << 16);
     QTRI_ASSERT(qtri_magnitude32(aspect) > 6);
     QTRI_ASSERT(near_z != 0 && far_z != 0 && near_z != far_z);
+    QTRI_ASSERT(qtri_is_length(near_z) && qtri_is_length(far_z));
     qtri_transform builder;
     qtri_wide g;
     const qtri_wide divisor = qtri_wide_make(aspect, 16);
@@ -167,12 +171,14 @@ static void perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16
 
 void qtri_transform_perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z)
 {
+    QTRI_ASSERT(t != NULL);
     perspective(t, fovy, aspect, near_z, far_z, -1);
 }
 
 /* z' = z f/(f-n) - fn/(f-n) in 0..w becomes 2 z' - w: the OpenGL row for a camera along +z. */
 void qtri_transform_perspective_d3d(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z)
 {
+    QTRI_ASSERT(t != NULL);
     perspective(t, fovy, aspect, near_z, far_z, 1);
 }
 
@@ -189,8 +195,11 @@ static void frustum_row(qtri_row *row, int i, q16 low, q16 high, q16 near_z)
 void qtri_transform_frustum(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top, q16 near_z,
                             q16 far_z)
 {
+    QTRI_ASSERT(t != NULL);
     QTRI_ASSERT(left != right && bottom != top);
     QTRI_ASSERT(near_z != 0 && far_z != 0 && near_z != far_z);
+    QTRI_ASSERT(qtri_is_apart(left, right) && qtri_is_apart(bottom, top));
+    QTRI_ASSERT(qtri_is_length(near_z) && qtri_is_length(far_z));
     qtri_transform builder;
     frustum_row(&builder.row[0], 0, left, right, near_z);
     frustum_row(&builder.row[1], 1, bottom, top, near_z);
@@ -212,7 +221,10 @@ static void ortho_row(qtri_row *row, int i, int64_t length, int64_t sum, int64_t
 void qtri_transform_ortho(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top, q16 near_z,
                           q16 far_z)
 {
+    QTRI_ASSERT(t != NULL);
     QTRI_ASSERT(left != right && bottom != top && near_z != far_z);
+    QTRI_ASSERT(qtri_is_apart(left, right) && qtri_is_apart(bottom, top));
+    QTRI_ASSERT(qtri_is_apart(near_z, far_z));
     const int64_t width = (int64_t)right - left;
     const int64_t height = (int64_t)top - bottom;
     const int64_t depth = (int64_t)near_z - far_z;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/clip.h"
+#include "qtri/error.h"
 
 #include "../bits/bits.h"
 #include "../bits/wide.h"
@@ -19,6 +20,7 @@ static int64_t distance(const qtri_clip_vertex *v, int plane)
 
 unsigned qtri_clip_outcode(const qtri_clip_vertex *v)
 {
+    QTRI_ASSERT(v != NULL);
     unsigned outcode = 0;
     for (int plane = 0; plane < PLANES; plane++) {
         if (distance(v, plane) < 0) {
@@ -94,6 +96,9 @@ static int clip_plane(qtri_clip_vertex v[QTRI_CLIP_MAX], int count, int plane)
 
 int qtri_clip_polygon(qtri_clip_vertex v[QTRI_CLIP_MAX], int count, unsigned planes)
 {
+    QTRI_ASSERT(v != NULL);
+    QTRI_ASSERT(count >= 0 && count <= 3);
+    QTRI_ASSERT(planes < 2 * QTRI_OUT_BOTTOM);
     for (int plane = 0; plane < PLANES; plane++) {
         if (count > 0 && (planes & (1u << plane)) != 0) {
             count = clip_plane(v, count, plane);
@@ -110,6 +115,8 @@ int qtri_clip_polygon(qtri_clip_vertex v[QTRI_CLIP_MAX], int count, unsigned pla
 
 int qtri_clip_line(qtri_clip_vertex v[2], unsigned planes)
 {
+    QTRI_ASSERT(v != NULL);
+    QTRI_ASSERT(planes < 2 * QTRI_OUT_BOTTOM);
     for (int plane = 0; plane < PLANES; plane++) {
         if ((planes & (1u << plane)) == 0) {
             continue;

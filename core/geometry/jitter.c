@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/jitter.h"
+#include "qtri/error.h"
 
 #include "../bits/bits.h"
 
@@ -28,6 +29,8 @@ static q16 clip_of(int32_t share, int32_t pixels)
 
 void qtri_view_jitter(qtri_view *out, const qtri_view *view, uint32_t n, int32_t frames_log2)
 {
+    QTRI_ASSERT(out != NULL);
+    QTRI_ASSERT(view != NULL);
     const int32_t count = qtri_hold32(frames_log2, 0, QTRI_JITTER_LOG2_MAX);
     const uint32_t column = n & (((uint32_t)1 << count) - 1);
     const uint32_t row = reversed(column, count) ^ (count > 0 ? 1 : 0);

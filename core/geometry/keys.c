@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/animation.h"
+#include "qtri/error.h"
 
 #include "../bits/bits.h"
 
@@ -25,8 +26,21 @@ static q16 part_done(q16 from, q16 to, q16 time)
     return (q16)(part + half);
 }
 
+#ifdef QTRI_CHECKED
+static void check_times(const qtri_key *keys, int32_t count)
+{
+    for (int32_t i = 1; i < count; i++) {
+        QTRI_ASSERT(keys[i].time >= keys[i - 1].time);
+    }
+}
+#endif
+
 qtri_key qtri_keys_at(const qtri_key *keys, int32_t count, q16 time)
 {
+    QTRI_ASSERT(keys != NULL || count <= 0);
+#ifdef QTRI_CHECKED
+    check_times(keys, count);
+#endif
     if (count <= 0) {
         const qtri_key none = {time, {0, 0, 0}, {Q16_ONE, 0, 0, 0}, {Q16_ONE, Q16_ONE, Q16_ONE}};
         return none;
@@ -51,6 +65,8 @@ qtri_key qtri_keys_at(const qtri_key *keys, int32_t count, q16 time)
 
 void qtri_transform_key(qtri_transform *t, const qtri_key *key)
 {
+    QTRI_ASSERT(t != NULL);
+    QTRI_ASSERT(key != NULL);
     qtri_transform_translate(t, key->position);
     qtri_transform_rotate_quat(t, key->orientation);
     qtri_transform_scale(t, key->scale);

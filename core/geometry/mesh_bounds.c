@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/bounds.h"
+#include "qtri/error.h"
 
 #include <stddef.h>
 
@@ -39,6 +40,7 @@ static void set_axis(q16 *center, q16 *half, q16 low, q16 high)
 
 qtri_box qtri_mesh_box(const qtri_mesh *mesh)
 {
+    QTRI_ASSERT(mesh != NULL);
     static const qtri_box empty = {{0, 0, 0}, {0, 0, 0}};
     const uint32_t count = count_of(mesh);
     if (count == 0) {
@@ -84,6 +86,7 @@ static uint64_t distance_squared(const qtri_vec3 *center, const qtri_vec3 *a, co
 
 qtri_ball qtri_mesh_ball(const qtri_mesh *mesh)
 {
+    QTRI_ASSERT(mesh != NULL);
     const qtri_box box = qtri_mesh_box(mesh);
     const uint32_t count = count_of(mesh);
     uint64_t most = 0;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/animation.h"
+#include "qtri/error.h"
 
 #include <stddef.h>
 
@@ -16,6 +17,7 @@ static int16_t between(int16_t a, int16_t b, uint32_t t)
 void qtri_morph_positions(qtri_position16 *out, const qtri_position16 *from,
                           const qtri_position16 *to, uint32_t count, q16 t)
 {
+    QTRI_ASSERT((out != NULL && from != NULL && to != NULL) || count == 0);
     const uint32_t part = (uint32_t)q16_clamp(t, 0, Q16_ONE);
     for (uint32_t i = 0; i < count; i++) {
         const qtri_position16 p = {between(from[i].x, to[i].x, part),
@@ -29,6 +31,13 @@ void qtri_morph_targets(qtri_position16 *out, const qtri_position16 *base,
                         const qtri_position16 *const *target, const q16 *weight, int32_t targets,
                         uint32_t count)
 {
+    QTRI_ASSERT((out != NULL && base != NULL) || count == 0);
+    QTRI_ASSERT((target != NULL && weight != NULL) || targets <= 0);
+#ifdef QTRI_CHECKED
+    for (int32_t k = 0; k < targets; k++) {
+        QTRI_ASSERT(target[k] != NULL || count == 0);
+    }
+#endif
     for (uint32_t i = 0; i < count; i++) {
         const int16_t p[3] = {base[i].x, base[i].y, base[i].z};
         int64_t
@@ -56,6 +65,8 @@ void qtri_morph_targets(qtri_position16 *out, const qtri_position16 *base,
 void qtri_frames_positions(qtri_position16 *out, const qtri_position16 *positions, int32_t frames,
                            uint32_t count, q16 at)
 {
+    QTRI_ASSERT((out != NULL && positions != NULL) || count == 0 || frames < 1);
+    QTRI_ASSERT(frames <= 32767);
     if (frames < 1) {
         return;
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/animation.h"
+#include "qtri/error.h"
 
 #include "../math/unit.h"
 
@@ -18,6 +19,7 @@ static int32_t between(int8_t a, int8_t b, int32_t t)
 void qtri_morph_normals(qtri_normal8 *out, const qtri_normal8 *from, const qtri_normal8 *to,
                         uint32_t count, q16 t)
 {
+    QTRI_ASSERT((out != NULL && from != NULL && to != NULL) || count == 0);
     const q16 part = q16_clamp(t, 0, Q16_ONE);
     for (uint32_t i = 0; i < count; i++) {
         int32_t v[3] = {between(from[i].x, to[i].x, part), between(from[i].y, to[i].y, part),

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/transform.h"
+#include "qtri/error.h"
 
 #include <stdbool.h>
 
@@ -19,6 +20,7 @@ static qtri_wide dot(const qtri_wide a[3], const qtri_wide b[3])
  */
 void qtri_transform_orthonormalize(qtri_transform *t)
 {
+    QTRI_ASSERT(t != NULL);
     qtri_wide axis[3][4];
     qtri_wide z[3];
     for (int i = 0; i < 3; i++) {

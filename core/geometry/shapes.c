@@ -2,6 +2,7 @@
 #include "shapes.h"
 
 #include "qtri/bounds.h"
+#include "qtri/error.h"
 #include "qtri/q16_trig.h"
 
 #include "../bits/bits.h"
@@ -12,6 +13,9 @@ enum qtri_error qtri_builder_begin(qtri_builder *builder, qtri_mesh *mesh,
                                    const qtri_shape_memory *memory, int32_t vertices,
                                    int32_t triangles)
 {
+    QTRI_ASSERT(mesh != NULL && memory != NULL);
+    QTRI_ASSERT(memory->positions != NULL || memory->vertices == 0);
+    QTRI_ASSERT(memory->triangles != NULL || memory->triangle_count == 0);
     *mesh = nothing;
     builder->memory = memory;
     builder->mesh = mesh;

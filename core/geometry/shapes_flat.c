@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "shapes.h"
+#include "plain.h"
 
 /* Two triangles of four corners: left above, left below, right below, right above. */
 static void add_quad(qtri_builder *builder, uint32_t above_left, uint32_t below_left,
@@ -19,6 +20,7 @@ static qtri_vec3 scaled(const qtri_vec3 *half, const int8_t sign[3])
 
 enum qtri_error qtri_shape_box(qtri_mesh *mesh, const qtri_shape_memory *memory, qtri_vec3 half)
 {
+    QTRI_ASSERT(qtri_is_length(half.x) && qtri_is_length(half.y) && qtri_is_length(half.z));
     /* Of each side: outwards, to the right and up in its picture. */
     static const int8_t sides[6][3][3] = {
         {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},   {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
@@ -58,6 +60,7 @@ static q16 along(q16 half, int32_t i, int32_t count)
 enum qtri_error qtri_shape_grid(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 half_x,
                                 q16 half_z, int32_t columns, int32_t rows)
 {
+    QTRI_ASSERT(qtri_is_length(half_x) && qtri_is_length(half_z));
     static const qtri_vec3 up = {0, Q16_ONE, 0};
     qtri_builder builder;
     const bool is_valid = qtri_is_count(columns, 1) && qtri_is_count(rows, 1);

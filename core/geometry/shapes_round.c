@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "shapes.h"
+#include "plain.h"
 
 #include "qtri/q16_trig.h"
 
 enum qtri_error qtri_shape_sphere(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
                                   int32_t slices, int32_t rows)
 {
+    QTRI_ASSERT(qtri_is_length(radius));
     qtri_builder builder;
     const bool is_valid = qtri_is_count(slices, 3) && qtri_is_count(rows, 2);
     enum qtri_error error = qtri_builder_begin(
@@ -31,6 +33,7 @@ enum qtri_error qtri_shape_sphere(qtri_mesh *mesh, const qtri_shape_memory *memo
 enum qtri_error qtri_shape_torus(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
                                  q16 tube, int32_t slices, int32_t rings)
 {
+    QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(tube));
     qtri_builder builder;
     const bool is_valid = qtri_is_count(slices, 3) && qtri_is_count(rings, 3);
     enum qtri_error error = qtri_builder_begin(
@@ -66,6 +69,7 @@ static void add_disc(qtri_builder *builder, int32_t slices, q16 radius, q16 y, q
 enum qtri_error qtri_shape_cylinder(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
                                     q16 half_height, int32_t slices)
 {
+    QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(half_height));
     qtri_builder builder;
     const bool is_valid = qtri_is_count(slices, 3);
     enum qtri_error error = qtri_builder_begin(
@@ -89,6 +93,7 @@ enum qtri_error qtri_shape_cylinder(qtri_mesh *mesh, const qtri_shape_memory *me
 enum qtri_error qtri_shape_cone(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
                                 q16 half_height, int32_t slices)
 {
+    QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(half_height));
     qtri_builder builder;
     const bool is_valid = qtri_is_count(slices, 3);
     enum qtri_error error = qtri_builder_begin(&builder, mesh, memory,

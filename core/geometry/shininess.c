@@ -2,6 +2,7 @@
 #include "illumination.h"
 
 #include "qtri/q16_exp.h"
+#include "qtri/error.h"
 
 #define ONE_Q31 0x80000000u
 
@@ -41,6 +42,7 @@ static uint32_t power_q15(uint32_t x_q31, q16 shininess)
  */
 void qtri_shininess_init(qtri_shininess *table, q16 shininess)
 {
+    QTRI_ASSERT(table != NULL);
     enum { STEPS = 128, LEAST_LOG2 = 7, LEAST_Q15 = 32 };
     const q16 held = qtri_hold32(shininess, Q16_ONE, 1024 * Q16_ONE);
     uint32_t log2 = LEAST_LOG2;

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "illumination.h"
+
+#include "qtri/error.h"
 #include "linear_part.h"
 
 /* The nearest of (1 + n) / 2 in Q14. */
@@ -11,6 +13,10 @@ static int16_t half_q14(int32_t n_q14)
 void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_transform *pose,
                      const qtri_mesh *mesh)
 {
+    QTRI_ASSERT(camera != NULL);
+    QTRI_ASSERT(pose != NULL);
+    QTRI_ASSERT(mesh != NULL);
+    QTRI_ASSERT(uvs != NULL || mesh->vertex_count == 0);
     qtri_transform object_to_eye;
     int32_t m_q28[3][3];
     qtri_transform_mul(&object_to_eye, camera, pose);

@@ -8,9 +8,11 @@
 #include "../bits/bits.h"
 #include "../math/sincos.h"
 #include "row.h"
+#include "plain.h"
 
 void qtri_transform_from_mat4(qtri_transform *out, const qtri_mat4 *m)
 {
+    QTRI_ASSERT(out != NULL && m != NULL);
     for (int i = 0; i < 4; i++) {
         qtri_wide element[4];
         for (int j = 0; j < 4; j++) {
@@ -50,6 +52,7 @@ static q16 wide_to_q16(qtri_wide a)
 
 void qtri_transform_to_mat4(const qtri_transform *a, qtri_mat4 *out)
 {
+    QTRI_ASSERT(out != NULL && a != NULL);
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
             out->m[i][j] = wide_to_q16(qtri_row_element(&a->row[i], j));
@@ -74,12 +77,15 @@ static void stretch(qtri_transform *t, const qtri_vec3 *factor, const qtri_vec3 
 
 void qtri_transform_translate(qtri_transform *t, qtri_vec3 offset)
 {
+    QTRI_ASSERT(t != NULL);
     const qtri_vec3 one = {Q16_ONE, Q16_ONE, Q16_ONE};
     stretch(t, &one, &offset);
 }
 
 void qtri_transform_scale(qtri_transform *t, qtri_vec3 factor)
 {
+    QTRI_ASSERT(t != NULL);
+    QTRI_ASSERT(!qtri_is_plain_1(factor));
     const qtri_vec3 nowhere = {0, 0, 0};
     stretch(t, &factor, &nowhere);
 }
@@ -112,16 +118,19 @@ static void rotate_plane(qtri_transform *t, q16 degrees, int i, int j)
 
 void qtri_transform_rotate_x(qtri_transform *t, q16 degrees)
 {
+    QTRI_ASSERT(t != NULL);
     rotate_plane(t, degrees, 1, 2);
 }
 
 void qtri_transform_rotate_y(qtri_transform *t, q16 degrees)
 {
+    QTRI_ASSERT(t != NULL);
     rotate_plane(t, degrees, 2, 0);
 }
 
 void qtri_transform_rotate_z(qtri_transform *t, q16 degrees)
 {
+    QTRI_ASSERT(t != NULL);
     rotate_plane(t, degrees, 0, 1);
 }
 
@@ -175,6 +184,7 @@ static void wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v)
 
 void qtri_transform_rotate_about(qtri_transform *t, q16 degrees, qtri_vec3 axis, qtri_vec3 point)
 {
+    QTRI_ASSERT(t != NULL);
     qtri_wide wide_axis[3];
     qtri_wide wide_point[3];
     wide_from_vec3(wide_axis, &axis);
@@ -184,12 +194,15 @@ void qtri_transform_rotate_about(qtri_transform *t, q16 degrees, qtri_vec3 axis,
 
 void qtri_transform_rotate(qtri_transform *t, q16 degrees, qtri_vec3 axis)
 {
+    QTRI_ASSERT(t != NULL);
     qtri_vec3 origin = {0, 0, 0};
     qtri_transform_rotate_about(t, degrees, axis, origin);
 }
 
 void qtri_transform_rotate_triangle(qtri_transform *t, q16 degrees, const qtri_vec3 v[3])
 {
+    QTRI_ASSERT(t != NULL);
+    QTRI_ASSERT(v != NULL);
     const qtri_wide three = qtri_wide_make(3, 0);
     qtri_wide edge[2][3];
     qtri_wide centroid[3];
@@ -210,6 +223,7 @@ void qtri_transform_rotate_triangle(qtri_transform *t, q16 degrees, const qtri_v
 /* With |q|^2 = n: R = I - 2/n (y^2 + z^2 ...) and so on: no square root is needed. */
 void qtri_transform_rotate_quat(qtri_transform *t, qtri_quat q)
 {
+    QTRI_ASSERT(t != NULL);
     qtri_wide u[3];
     const qtri_vec3 part = {q.x, q.y, q.z};
     const qtri_wide w = qtri_wide_make(q.w, 16);

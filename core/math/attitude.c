@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "quat_q30.h"
+
+#include "qtri/error.h"
 #include "unit.h"
 
 #define HALF_ARC_MAX_Q32 (((int64_t)1 << 47) - 65536) /* what qtri_sincos_deg_q32 takes */
@@ -13,6 +15,7 @@ qtri_attitude qtri_attitude_from_quat(qtri_quat a)
 
 qtri_quat qtri_attitude_quat(const qtri_attitude *attitude)
 {
+    QTRI_ASSERT(attitude != NULL);
     qtri_attitude unit = *attitude;
     if (!qtri_unit(unit.q_q30, unit.q_q30, 4, 30)) {
         return qtri_quat_identity();
@@ -23,6 +26,7 @@ qtri_quat qtri_attitude_quat(const qtri_attitude *attitude)
 /* The exponential of a pure quaternion of length h along n: cos h + n sin h. */
 void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt)
 {
+    QTRI_ASSERT(attitude != NULL);
     const int64_t arc_q32[3] = {qtri_mul_s32(rate.x, dt), qtri_mul_s32(rate.y, dt),
                                 qtri_mul_s32(rate.z, dt)};
     int32_t arc[3];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/mat.h"
+#include "qtri/error.h"
 #include "qtri/q16_trig.h"
 
 #include "dot.h"
@@ -52,6 +53,7 @@ qtri_mat3 qtri_mat3_reflect_deg(q16 degrees)
 
 qtri_vec3 qtri_mat3_vec3(const qtri_mat3 *m, qtri_vec3 v)
 {
+    QTRI_ASSERT(m != NULL);
     const q16 column[3] = {v.x, v.y, v.z};
     q16 image[3];
     qtri_dot_rows(image, m->m[0], column, 3);
@@ -68,16 +70,19 @@ static qtri_vec2 transform(const qtri_mat3 *m, qtri_vec2 v, q16 w)
 
 qtri_vec2 qtri_mat3_point(const qtri_mat3 *m, qtri_vec2 p)
 {
+    QTRI_ASSERT(m != NULL);
     return transform(m, p, Q16_ONE);
 }
 
 qtri_vec2 qtri_mat3_vector(const qtri_mat3 *m, qtri_vec2 v)
 {
+    QTRI_ASSERT(m != NULL);
     return transform(m, v, 0);
 }
 
 qtri_mat3 qtri_mat3_mul(const qtri_mat3 *a, const qtri_mat3 *b)
 {
+    QTRI_ASSERT(a != NULL && b != NULL);
     qtri_mat3 product;
     for (int j = 0; j < 3; j++) {
         const q16 column[3] = {b->m[0][j], b->m[1][j], b->m[2][j]};
@@ -90,6 +95,7 @@ qtri_mat3 qtri_mat3_mul(const qtri_mat3 *a, const qtri_mat3 *b)
 
 qtri_mat3 qtri_mat3_transpose(const qtri_mat3 *a)
 {
+    QTRI_ASSERT(a != NULL);
     qtri_mat3 result;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {

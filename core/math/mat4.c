@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/mat.h"
+#include "qtri/error.h"
 
 #include "dot.h"
 
@@ -32,6 +33,7 @@ qtri_mat4 qtri_mat4_shear(q16 x_by_y, q16 x_by_z, q16 y_by_x, q16 y_by_z, q16 z_
 
 qtri_mat3 qtri_mat4_linear(const qtri_mat4 *m)
 {
+    QTRI_ASSERT(m != NULL);
     qtri_mat3 linear;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -43,6 +45,7 @@ qtri_mat3 qtri_mat4_linear(const qtri_mat4 *m)
 
 qtri_mat4 qtri_mat4_from_linear(const qtri_mat3 *linear)
 {
+    QTRI_ASSERT(linear != NULL);
     qtri_mat4 m = qtri_mat4_identity();
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -74,6 +77,8 @@ static inline q16 row_or_dot(const q16 row[4], const qtri_right v[4], const q16 
 
 void qtri_mat4_times(q16 out[4], const qtri_mat4 *m, const q16 v[4])
 {
+    QTRI_ASSERT(out != NULL && m != NULL && v != NULL);
+    QTRI_ASSERT(out != v);
     uint32_t flags = 0;
     const qtri_right right[4] = {qtri_right_of(v[0], &flags), qtri_right_beside(v[1], &flags),
                                  qtri_right_beside(v[2], &flags), qtri_right_beside(v[3], &flags)};
@@ -106,16 +111,19 @@ static qtri_vec3 transform(const qtri_mat4 *m, qtri_vec3 v, q16 w)
 
 qtri_vec3 qtri_mat4_point(const qtri_mat4 *m, qtri_vec3 p)
 {
+    QTRI_ASSERT(m != NULL);
     return transform(m, p, Q16_ONE);
 }
 
 qtri_vec3 qtri_mat4_vector(const qtri_mat4 *m, qtri_vec3 v)
 {
+    QTRI_ASSERT(m != NULL);
     return transform(m, v, 0);
 }
 
 qtri_mat4 qtri_mat4_mul(const qtri_mat4 *a, const qtri_mat4 *b)
 {
+    QTRI_ASSERT(a != NULL && b != NULL);
     qtri_mat4 product;
     for (int j = 0; j < 4; j++) {
         qtri_vec4 column = {b->m[0][j], b->m[1][j], b->m[2][j], b->m[3][j]};
@@ -130,6 +138,7 @@ qtri_mat4 qtri_mat4_mul(const qtri_mat4 *a, const qtri_mat4 *b)
 
 qtri_mat4 qtri_mat4_transpose(const qtri_mat4 *a)
 {
+    QTRI_ASSERT(a != NULL);
     qtri_mat4 result;
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {

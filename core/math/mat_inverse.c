@@ -6,6 +6,7 @@
  * for any n. |cofactor| < 2^98 and |det| <= 2^128 (Hadamard: a row is at most 2^32 long).
  */
 #include "qtri/mat.h"
+#include "qtri/error.h"
 
 #include "../bits/bits.h"
 #include "wide_q16.h"
@@ -131,26 +132,31 @@ static q16 determinant_q16(const q16 *m, int n)
 
 q16 qtri_mat3_determinant(const qtri_mat3 *m)
 {
+    QTRI_ASSERT(m != NULL);
     return determinant_q16(m->m[0], 3);
 }
 
 q16 qtri_mat4_determinant(const qtri_mat4 *m)
 {
+    QTRI_ASSERT(m != NULL);
     return determinant_q16(m->m[0], 4);
 }
 
 bool qtri_mat3_inverse(qtri_mat3 *out, const qtri_mat3 *m)
 {
+    QTRI_ASSERT(out != NULL && m != NULL);
     return invert(out->m[0], m->m[0], 3);
 }
 
 bool qtri_mat4_inverse(qtri_mat4 *out, const qtri_mat4 *m)
 {
+    QTRI_ASSERT(out != NULL && m != NULL);
     return invert(out->m[0], m->m[0], 4);
 }
 
 bool qtri_mat4_inverse_affine(qtri_mat4 *out, const qtri_mat4 *m)
 {
+    QTRI_ASSERT(out != NULL && m != NULL);
     qtri_mat4 affine = *m;
     affine.m[3][0] = affine.m[3][1] = affine.m[3][2] = 0;
     affine.m[3][3] = Q16_ONE;
@@ -159,6 +165,7 @@ bool qtri_mat4_inverse_affine(qtri_mat4 *out, const qtri_mat4 *m)
 
 bool qtri_mat4_normal_matrix(qtri_mat3 *out, const qtri_mat4 *m)
 {
+    QTRI_ASSERT(out != NULL && m != NULL);
     qtri_mat3 transposed = qtri_mat4_linear(m);
     transposed = qtri_mat3_transpose(&transposed);
     return qtri_mat3_inverse(out, &transposed);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/q16_text.h"
+#include "qtri/error.h"
 
 #include "../bits/bits.h"
 
@@ -19,6 +20,7 @@ static int digit_of(char c)
 
 int32_t q16_from_string(const char *text, q16 *out)
 {
+    QTRI_ASSERT(text != NULL && out != NULL);
     int32_t length = text[0] == '-' || text[0] == '+';
     int32_t digits = 0;
     uint32_t whole = 0;
@@ -65,6 +67,7 @@ int32_t q16_from_string(const char *text, q16 *out)
 
 int32_t q16_to_string(q16 x, char *buffer, size_t size)
 {
+    QTRI_ASSERT(buffer != NULL || size == 0);
     uint32_t magnitude = qtri_magnitude32(x);
     uint32_t fraction = magnitude & 0xFFFFu;
     /*

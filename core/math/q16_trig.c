@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/q16_trig.h"
+#include "qtri/error.h"
 
 #include "../bits/bits.h"
 #include "eighths.h"
@@ -86,6 +87,7 @@ q16 q16_cos(q16 radians)
 
 void q16_sincos(q16 radians, q16 *sine, q16 *cosine)
 {
+    QTRI_ASSERT(sine != NULL && cosine != NULL);
     sincos_of_turns(turns_of_radians(radians), radians < 0, sine, cosine);
 }
 
@@ -101,5 +103,6 @@ q16 q16_cos_deg(q16 degrees)
 
 void q16_sincos_deg(q16 degrees, q16 *sine, q16 *cosine)
 {
+    QTRI_ASSERT(sine != NULL && cosine != NULL);
     sincos_of_turns(turns_of_degrees(degrees), degrees < 0, sine, cosine);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/quat.h"
+#include "qtri/error.h"
 
 #include "quat_q30.h"
 #include "unit.h"
@@ -11,6 +12,7 @@
  */
 qtri_quat qtri_quat_from_mat3(const qtri_mat3 *m)
 {
+    QTRI_ASSERT(m != NULL);
     const int64_t d[3] = {m->m[0][0], m->m[1][1], m->m[2][2]};
     const int64_t diagonal[4] = {Q16_ONE + d[0] + d[1] + d[2], Q16_ONE + d[0] - d[1] - d[2],
                                  Q16_ONE - d[0] + d[1] - d[2], Q16_ONE - d[0] - d[1] + d[2]};
@@ -42,6 +44,7 @@ qtri_quat qtri_quat_from_mat3(const qtri_mat3 *m)
 
 qtri_quat qtri_quat_from_mat4(const qtri_mat4 *m)
 {
+    QTRI_ASSERT(m != NULL);
     qtri_mat3 linear = qtri_mat4_linear(m);
     return qtri_quat_from_mat3(&linear);
 }

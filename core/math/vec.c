@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/vec.h"
+#include "qtri/error.h"
 
 #include <stddef.h>
 
@@ -51,6 +52,7 @@ qtri_vec3 qtri_vec3_cross(qtri_vec3 a, qtri_vec3 b)
 /* The unit of a square root of squared ULPs is the ULP: no scaling is needed. */
 q16 qtri_vec_distance(const q16 *a, const q16 *b, int32_t count)
 {
+    QTRI_ASSERT(a != NULL);
     uint64_t square = 0;
     for (int32_t i = 0; i < count && square >> 62 == 0; i++) { /* < 2^62 + 2^62 */
         uint64_t size = qtri_magnitude64((int64_t)a[i] - (b != NULL ? b[i] : 0));
@@ -63,5 +65,6 @@ q16 qtri_vec_distance(const q16 *a, const q16 *b, int32_t count)
 
 void qtri_vec_normalize(q16 *out, const q16 *a, int32_t count)
 {
+    QTRI_ASSERT(out != NULL && a != NULL);
     (void)qtri_unit(out, a, count, 16);
 }

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/vec.h"
+#include "qtri/error.h"
 
 #include "wide_q16.h"
 
 void qtri_vec_along(q16 *out, const q16 *a, const q16 *b, int32_t count, int32_t keep,
                     int32_t times)
 {
+    QTRI_ASSERT(out != NULL && a != NULL && b != NULL);
     qtri_wide ratio;
     qtri_wide square;
     qtri_wide_dot(&ratio, a, b, count);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/q16_trig.h"
+#include "qtri/error.h"
 #include "qtri/vec.h"
 
 #include "unit.h"
@@ -11,6 +12,7 @@
  */
 q16 qtri_vec_angle_deg(const q16 *a, const q16 *b, int32_t count)
 {
+    QTRI_ASSERT(a != NULL && b != NULL);
     int32_t u_q30[4];
     int32_t v_q30[4];
     if (!qtri_unit(u_q30, a, count, 30) || !qtri_unit(v_q30, b, count, 30)) {

@@ -2,10 +2,13 @@
 #include "picture.h"
 
 #include "qtri/q16_trig.h"
+#include "qtri/error.h"
 
 void qtri_affine_place(qtri_affine *affine, q16 pivot_x, q16 pivot_y, q16 place_x, q16 place_y,
                        q16 scale_x, q16 scale_y, q16 degrees)
 {
+    QTRI_ASSERT(affine != NULL);
+    QTRI_ASSERT(scale_x != 1 || scale_y != 1);
     q16 sine;
     q16 cosine;
     q16_sincos_deg(degrees, &sine, &cosine);
@@ -288,6 +291,7 @@ static void narrow_columns(const qtri_affine *m, const qtri_image *image, qtri_r
 void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *image,
                              const qtri_affine *affine, uint8_t alpha)
 {
+    QTRI_ASSERT(affine != NULL);
     run r = {surface, image, {0, 0, 0, 0}, qtri_mix_weight(255, alpha), false, false, 0, NULL};
     qtri_rect bounds = qtri_surface_bounds(surface);
     if (alpha == 0 || bounds.x0 == bounds.x1 || !qtri_picture_is_usable(image) ||

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
+#include "qtri/error.h"
+
 #include "../frame/barrier.h"
 
 qtri_image qtri_image_of(const qtri_surface *surface)
 {
+    QTRI_ASSERT(surface != NULL);
     const qtri_image image = {
         surface->pixels, surface->pitch, surface->format, surface->width, surface->rows, false, 0};
     return image;

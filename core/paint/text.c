@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/font.h"
+#include "qtri/error.h"
 
 #include "../bits/bits.h"
 #include "../frame/barrier.h"
@@ -217,6 +218,9 @@ static int32_t add_saturated(int32_t a, int32_t b)
 
 const qtri_glyph *qtri_font_glyph(const qtri_font *font, uint32_t character)
 {
+    QTRI_ASSERT(font != NULL);
+    QTRI_ASSERT(font->glyphs != NULL);
+    QTRI_ASSERT(font->ranges != NULL || font->range_count == 0);
     for (uint32_t i = 0; i < font->range_count; i++) {
         const qtri_glyph_range *range = &font->ranges[i];
         if (character - range->first < range->count) {
@@ -232,6 +236,8 @@ int32_t qtri_text_paint(const qtri_surface *surface, const qtri_font *font, int3
     QTRI_ASSERT(font != NULL);
     QTRI_ASSERT(text != NULL);
     QTRI_ASSERT(brush != NULL);
+    QTRI_ASSERT(font->rows != NULL && font->glyphs != NULL);
+    QTRI_ASSERT(font->ranges != NULL || font->range_count == 0);
     qtri_painter painter;
     const bool is_seen = qtri_painter_begin(&painter, surface, brush);
     int32_t pen = x;
@@ -258,6 +264,8 @@ int32_t qtri_text_width(const qtri_font *font, const char *text)
 {
     QTRI_ASSERT(font != NULL);
     QTRI_ASSERT(text != NULL);
+    QTRI_ASSERT(font->rows != NULL && font->glyphs != NULL);
+    QTRI_ASSERT(font->ranges != NULL || font->range_count == 0);
     int32_t widest = 0;
     int32_t pen = 0;
     for (;;) {

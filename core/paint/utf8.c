@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/font.h"
+#include "qtri/error.h"
 
 /* A first byte 110xxxxx, 1110xxxx or 11110xxx tells how many bytes 10xxxxxx follow. */
 static int32_t following(uint32_t first)
@@ -9,6 +10,7 @@ static int32_t following(uint32_t first)
 
 uint32_t qtri_text_next(const char **text)
 {
+    QTRI_ASSERT(text != NULL && *text != NULL);
     static const uint32_t least[4] = {0, 0x80, 0x800, 0x10000};
     const uint32_t wrong = 0xFFFD;
     const char *at = *text;

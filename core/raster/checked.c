@@ -14,6 +14,9 @@ void qtri_check_surface(const qtri_surface *surface)
     QTRI_ASSERT(surface->height >= 1 && surface->height <= QTRI_SURFACE_MAX);
     QTRI_ASSERT(surface->first_row >= 0 && surface->rows >= 0);
     QTRI_ASSERT(surface->format->pixels != NULL && surface->format->colors != NULL);
+    const qtri_depth_format *depth = surface->depth_format;
+    QTRI_ASSERT(depth == NULL || depth->testing == NULL ||
+                (depth->encode != NULL && depth->decode != NULL));
 }
 
 /* A number of an enum is signed or not, as the compiler likes. */
@@ -25,6 +28,8 @@ static bool is_one_of(long long value, long long last)
 static void check_texture(const qtri_texture *texture)
 {
     QTRI_ASSERT(texture->format != NULL);
+    QTRI_ASSERT(texture->format->texturing != NULL && texture->format->colors != NULL);
+    QTRI_ASSERT(texture->format->usable != NULL && texture->format->fetch != NULL);
     QTRI_ASSERT(texture->format->usable(texture)); /* texels, and a palette where it has one */
     QTRI_ASSERT(texture->width_log2 <= 10 && texture->height_log2 <= 10);
     QTRI_ASSERT(is_one_of(texture->wrap_u, QTRI_CLAMP));

@@ -4,6 +4,7 @@
 #include "list_values.h"
 
 #include "qtri/q16_exp.h"
+#include "qtri/error.h"
 
 #include "../bits/bits.h"
 #include "../frame/barrier.h"
@@ -423,6 +424,7 @@ static int64_t squared(q16 z, q16 density, q16 unused)
 
 void qtri_fog_linear(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 start, q16 end)
 {
+    QTRI_ASSERT(fog != NULL);
     begin(fog, color, range, start, end);
     set_shares(fog, range, linear, start, end);
 }
@@ -430,6 +432,7 @@ void qtri_fog_linear(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 st
 /* e^-8 is less than half of 1/1024. */
 void qtri_fog_exp(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 density)
 {
+    QTRI_ASSERT(fog != NULL);
     density = qtri_greatest32(density, 0);
     begin(fog, color, range, 0, density == 0 ? INT32_MAX : q16_div((q16)8 * Q16_ONE, density));
     set_shares(fog, range, exponential, density, 0);
@@ -437,6 +440,7 @@ void qtri_fog_exp(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 densi
 
 void qtri_fog_exp2(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 density)
 {
+    QTRI_ASSERT(fog != NULL);
     density = qtri_greatest32(density, 0);
     begin(fog, color, range, 0, density == 0 ? INT32_MAX : q16_div((q16)3 * Q16_ONE, density));
     set_shares(fog, range, squared, density, 0);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke.h"
+#include "checked.h"
 
 /* A polyline on the screen. */
 typedef struct polyline {
@@ -49,6 +50,10 @@ static void ends(const void *from, uint32_t part, qtri_stroke_end end[2])
 void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *material,
                           const qtri_stroke *stroke, const qtri_screen_vertex *v, uint32_t count)
 {
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_ASSERT(stroke != NULL);
+    QTRI_ASSERT(v != NULL || count == 0);
     qtri_stroker stroker;
     const polyline line = {v, count, qtri_stroke_radius(stroke->width), qtri_stroke_cap(stroke),
                            stroke->closed && count > 2};
@@ -62,6 +67,8 @@ void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *mate
 void qtri_raster_point(const qtri_surface *surface, const qtri_material *material,
                        const qtri_stroke *stroke, const qtri_screen_vertex *v)
 {
+    QTRI_ASSERT(stroke != NULL);
+    QTRI_ASSERT(v != NULL);
     qtri_stroke point = *stroke;
     point.cap = qtri_stroke_cap(stroke) == QTRI_CAP_ROUND ? QTRI_CAP_ROUND : QTRI_CAP_SQUARE;
     qtri_raster_polyline(surface, material, &point, v, 1);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri_port/completion.h"
 
+#include "qtri/error.h"
+
 #include <stddef.h>
 
 static const qtri_bus *below(const void *context)
@@ -60,6 +62,9 @@ static bool busy(void *context)
 const qtri_bus *qtri_completion_init(qtri_completion *completion, const qtri_bus *to,
                                      void (*done)(void *context), void *context)
 {
+    QTRI_ASSERT(completion != NULL);
+    QTRI_ASSERT(to != NULL);
+    QTRI_ASSERT(done != NULL);
     const qtri_bus bus = {completion,
                           command,
                           data,
@@ -89,6 +94,7 @@ static void tell(qtri_completion *completion)
 
 void qtri_completion_sent(qtri_completion *completion)
 {
+    QTRI_ASSERT(completion != NULL && completion->to != NULL);
     completion->sent++;
     if (completion->sent == completion->awaited) {
         tell(completion);
@@ -102,6 +108,7 @@ void qtri_completion_sent(qtri_completion *completion)
  */
 void qtri_completion_notify(qtri_completion *completion)
 {
+    QTRI_ASSERT(completion != NULL && completion->to != NULL);
     completion->is_asked = false;
     completion->awaited = completion->started;
     completion->is_asked = true;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri_port/i2c.h"
 
+#include "qtri/error.h"
+
 #include <string.h>
 
 enum { CONTROL_COMMANDS = 0x00, CONTROL_DATA = 0x40 };
@@ -43,6 +45,9 @@ static void reset(void *context, bool active)
 
 enum qtri_error qtri_i2c_bus(qtri_bus *bus, qtri_i2c *i2c)
 {
+    QTRI_ASSERT(bus != NULL && i2c != NULL);
+    QTRI_ASSERT(i2c->write != NULL && i2c->wait_ms != NULL);
+    QTRI_ASSERT(i2c->buffer != NULL || i2c->bytes == 0);
     if (i2c->bytes < QTRI_I2C_BYTES) {
         return QTRI_ERROR_MEMORY;
     }

@@ -12,11 +12,13 @@ static bool turned(const qtri_panel *panel)
 
 int32_t qtri_panel_width(const qtri_panel *panel)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
     return turned(panel) ? panel->description->height : panel->description->width;
 }
 
 int32_t qtri_panel_height(const qtri_panel *panel)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
     return turned(panel) ? panel->description->width : panel->description->height;
 }
 
@@ -155,6 +157,25 @@ static enum qtri_error check(const qtri_panel *panel)
     return panel->memory == NULL || panel->bytes < least ? QTRI_ERROR_MEMORY : QTRI_OK;
 }
 
+#ifdef QTRI_CHECKED
+/* What does without a window is memory-mapped, and may be reset by a bus that sends nothing. */
+static void check_bus(const qtri_bus *bus, bool sends)
+{
+    QTRI_ASSERT(bus->command != NULL || !sends);
+    QTRI_ASSERT(bus->data != NULL || !sends);
+    QTRI_ASSERT(bus->wait_ms != NULL);
+    QTRI_ASSERT((bus->data_start == NULL) == (bus->data_finish == NULL));
+    QTRI_ASSERT(bus->most_bytes == 0 || (bus->most_bytes >= 16 && bus->most_bytes % 2 == 0));
+}
+
+static void check_description(const qtri_panel_description *description)
+{
+    QTRI_ASSERT((unsigned)description->order <= QTRI_ORDER_NATIVE);
+    QTRI_ASSERT(description->partial == NULL || description->partial->refresh != NULL);
+    QTRI_ASSERT(description->partial == NULL || description->partial->shown != NULL);
+}
+#endif
+
 enum qtri_error qtri_panel_init(qtri_panel *panel, const qtri_panel_description *description,
                                 const qtri_bus *bus, qtri_rotation rotation, void *memory,
                                 size_t bytes)
@@ -175,6 +196,15 @@ enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_descr
                                        const qtri_module *module, const qtri_bus *bus,
                                        qtri_rotation rotation, void *memory, size_t bytes)
 {
+    QTRI_ASSERT(panel != NULL);
+    QTRI_ASSERT(description != NULL);
+    QTRI_ASSERT(memory != NULL || bytes == 0);
+#ifdef QTRI_CHECKED
+    check_description(description);
+    if (bus != NULL) {
+        check_bus(bus, description->window != NULL);
+    }
+#endif
     /* A panel without pixels: no surface fits it. */
     static const qtri_panel_description nothing =
         QTRI_FRAMEBUFFER(0, 0, QTRI_PANEL_RGB565, QTRI_ORDER_NATIVE);
@@ -202,6 +232,8 @@ enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_descr
 
 enum qtri_error qtri_panel_write(qtri_panel *panel, const qtri_surface *surface)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
+    QTRI_ASSERT(surface != NULL);
     qtri_rect frame = {0, 0, surface->width, surface->height};
     return qtri_panel_write_rect(panel, surface, frame);
 }
@@ -219,6 +251,8 @@ static int32_t smaller(int64_t a, int64_t b)
 enum qtri_error qtri_panel_write_rect(qtri_panel *panel, const qtri_surface *surface,
                                       qtri_rect rect)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
+    QTRI_ASSERT(surface != NULL);
     if (surface->width != qtri_panel_width(panel) || surface->height != qtri_panel_height(panel)) {
         return QTRI_ERROR_SIZE;
     }
@@ -261,6 +295,7 @@ static enum qtri_error show(qtri_panel *panel, const qtri_panel_step *steps, siz
 
 enum qtri_error qtri_panel_refresh(qtri_panel *panel)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
     enum qtri_error error = qtri_panel_finish(panel);
     const qtri_panel_description *d = panel->description;
     return error == QTRI_OK ? show(panel, d->refresh, d->refresh_count) : error;
@@ -268,6 +303,7 @@ enum qtri_error qtri_panel_refresh(qtri_panel *panel)
 
 enum qtri_error qtri_panel_refresh_changes(qtri_panel *panel)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
     const qtri_panel_partial *partial = panel->description->partial;
     if (partial == NULL || !panel->is_shown) {
         return qtri_panel_refresh(panel);

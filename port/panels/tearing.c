@@ -5,6 +5,7 @@
 
 enum qtri_error qtri_tearing_on(qtri_panel *panel)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
     static const qtri_panel_step on = QTRI_STEP(0x35, 0, 0x00); /* vertical blanking only */
     if (panel->description->window != qtri_panel_mipi_window) {
         return QTRI_ERROR_SIZE;
@@ -15,6 +16,8 @@ enum qtri_error qtri_tearing_on(qtri_panel *panel)
 enum qtri_error qtri_tearing_wait(qtri_panel *panel, bool (*is_high)(void *context),
                                   uint32_t most_reads)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
+    QTRI_ASSERT(is_high != NULL);
     void *context = panel->bus != NULL ? panel->bus->context : NULL;
     enum qtri_error error = qtri_panel_finish(panel);
     bool was_high = true; /* a pin that is high already does not rise */

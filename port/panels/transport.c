@@ -57,6 +57,7 @@ enum qtri_error qtri_panel_data(qtri_panel *panel, const uint8_t *bytes, size_t 
 
 enum qtri_error qtri_panel_finish(qtri_panel *panel)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
     if (!panel->sending) {
         return QTRI_OK;
     }
@@ -88,6 +89,8 @@ static enum qtri_error wait_until_ready(const qtri_panel *panel)
 
 enum qtri_error qtri_panel_send(qtri_panel *panel, const qtri_panel_step *steps, size_t count)
 {
+    QTRI_ASSERT(panel != NULL && panel->description != NULL);
+    QTRI_ASSERT(steps != NULL || count == 0);
     if (panel->bus == NULL || steps == NULL) {
         return QTRI_OK;
     }

@@ -7,7 +7,7 @@ gate=checked
 . tests/check/files.sh
 need gcc arm-none-eabi-gcc
 
-flags='-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror -Icore/include'
+flags='-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror -Icore/include -Iport/include'
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 status=0
@@ -18,7 +18,7 @@ build()
     name=$1 program=$2
     shift 2
     mkdir "$work/$name"
-    ls core/*/*.c "$program" | xargs -P "$jobs" -n 8 sh -c 'to=$1 flags=$2; shift 2; for file; do gcc $flags -c -o "$to/$(echo "$file" | tr / +).o" "$file" || exit 1; done' \
+    ls core/*/*.c port/panels/*.c "$program" | xargs -P "$jobs" -n 8 sh -c 'to=$1 flags=$2; shift 2; for file; do gcc $flags -c -o "$to/$(echo "$file" | tr / +).o" "$file" || exit 1; done' \
         sh "$work/$name" "$flags $*" && gcc -o "$work/$name/program" "$work/$name"/*.o
 }
 
@@ -31,7 +31,7 @@ build plain tests/check/options.c || finish 1
 cmp "$work/wanted" "$work/got" || status=1
 
 # A firmware without a C library, where what stops is a trap.
-for file in core/draw/checked.c core/raster/checked.c core/frame/surface.c; do
+for file in core/draw/checked.c core/raster/checked.c core/frame/surface.c port/panels/panel.c; do
     arm-none-eabi-gcc -ffreestanding -mcpu=cortex-m0plus -mthumb $flags -DQTRI_CHECKED -c -o "$work/object" $file || status=1
     arm-none-eabi-nm -u "$work/object" | grep -i assert && status=1
 done

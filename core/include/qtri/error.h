@@ -6,12 +6,23 @@
  *   - a caller's bug (a null pointer where none is allowed): nothing is tested, unless QTRI_CHECKED
  *     is defined when core/ and the application are compiled.
  *
- * A build with -DQTRI_CHECKED stops at the call that is likely a mistake, with file, line and the
- * condition that does not hold: null pointers, indices past the end of a mesh, numbers that no enum
- * names, counts of corners that are no multiple of 3 (lines: of 2), transforms never initialised,
- * textures without texels or with sides above 1024, a plain number where a Q16.16 belongs (a field
- * of view of 60 in place of Q16(60)). All of that has a documented result or faults elsewhere; the
- * checked build is for finding it. q16.h has QTRI_CHECK_MATH for the results of the mathematics.
+ * A build with -DQTRI_CHECKED, of core/ and of port/, stops at the call that is likely a mistake,
+ * with file, line and the condition that does not hold:
+ *   - null pointers, to every function that says nothing of NULL, and in what it is given: arrays
+ *     with a count above 0, descriptions and buses without a function that they must have, a lack
+ *     of one of data_start and data_finish, views whose lights were never initialised;
+ *   - indices past the end of a mesh, numbers that no enum of a material, a texture or a panel
+ *     names, counts of corners that are no multiple of 3 (lines: of 2), polygons of more than 3
+ *     corners to clip, keys whose times fall, more than 32767 frames, balls and boxes below 0;
+ *   - transforms never initialised, surfaces, viewports and textures with sides out of range;
+ *   - a plain number where a Q16.16 belongs: a field of view of 60 in place of Q16(60), angles of
+ *     spot lights, near and far, depths, sizes of shapes, distances of cameras, sides of a frustum,
+ *     1 for a light or a scale. Where small numbers are ordinary, as angles of turns, offsets and
+ *     times, or are held to a range, as a shininess, it cannot tell.
+ * A number, or a pointer, that a function documents a result for is none. Contents of arrays are
+ * not looked at, but for a mesh's indices, keys, targets and sources of light. The rest has a
+ * documented result or faults elsewhere; the checked build is for finding it. q16.h has
+ * QTRI_CHECK_MATH for the results of the mathematics.
  *
  * What stops is <assert.h>'s assert; without a C library (-ffreestanding), or with NDEBUG, a trap
  * with the three in reach of a debugger. -DQTRI_FAULT=name calls a function of the application in
@@ -20,6 +31,8 @@
  */
 #ifndef QTRI_ERROR_H
 #define QTRI_ERROR_H
+
+#include <stddef.h> /* NULL, for conditions */
 
 enum qtri_error {
     QTRI_OK = 0,

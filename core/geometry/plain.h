@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Numbers that checked builds take for plain ones, where a Q16.16 belongs: so near to 0 that the
+ * rounding of results would be seen as more than a thirtieth of them. Internal.
+ */
+#ifndef QTRI_GEOMETRY_PLAIN_H
+#define QTRI_GEOMETRY_PLAIN_H
+
+#include <stdbool.h>
+
+#include "qtri/error.h"
+#include "qtri/vec.h"
+
+enum { QTRI_PLAIN_MAX = 15 };
+
+/* Of two ends of a range. */
+static inline bool qtri_is_apart(q16 a, q16 b)
+{
+    const int64_t d = (int64_t)a - b;
+    return d > QTRI_PLAIN_MAX || d < -QTRI_PLAIN_MAX;
+}
+
+/* A length; of none, too. */
+static inline bool qtri_is_length(q16 x)
+{
+    return x == 0 || qtri_is_apart(x, 0);
+}
+
+/* Where the eye is, and what it looks at: the same point, too. */
+static inline bool qtri_is_sight(qtri_vec3 a, qtri_vec3 b)
+{
+    return (a.x == b.x && a.y == b.y && a.z == b.z) || qtri_is_apart(a.x, b.x) ||
+           qtri_is_apart(a.y, b.y) || qtri_is_apart(a.z, b.z);
+}
+
+/* Factors of plain 1. */
+static inline bool qtri_is_plain_1(qtri_vec3 v)
+{
+    return v.x == 1 && v.y == 1 && v.z == 1;
+}
+
+#endif
