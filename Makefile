@@ -233,7 +233,7 @@ check-headers:      ## Every public header compiles alone, in C99 and C++11, and
 check-levels:       ## A file includes only from its own folder and those below
 check-freestanding: ## The library for a Cortex-M0+ needs no libc, float, malloc or writable data
 check-options:      ## Built without any option of config.h, the library draws the same pixels of what is left
-check-same:         ## gcc, clang and tcc, at all levels, of 32 bits and big-endian, draw the same 2,300 pictures
+check-same:         ## gcc, clang and tcc, of 32 bits and big-endian, draw the same 2,300 pictures (SAME=all: each at all levels)
 check-checked:      ## A build with QTRI_CHECKED stops at mistakes, and Q16() of a variable does not compile
 check-budgets:      ## No figure of bench and size is more than 2 % above its budget (make budgets)
 check-matrix:       ## No cell of bench-matrix costs twice its class's best or 2 % more than its budget (make matrix-budgets)

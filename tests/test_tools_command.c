@@ -429,6 +429,16 @@ static void memory_of_references(void **state)
     assert_int_equal(run("render within.scene -o x --reference"), 0);
 }
 
+/* Scenes of one folder share meshes that are made for each of them: no input is overwritten. */
+static void demo_makes_its_meshes_anew(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("mkdir none && $qtri demo --scenes none --only 12- -o waves"), 0);
+    assert_true(exists("waves/12-morph.ppm"));
+    assert_true(exists("waves/12-targets.ppm"));
+    assert_int_equal(shell("rm -r none waves"), 0);
+}
+
 /* A program in a folder below its sources finds their scenes wherever it is called. */
 static void demo_from_any_folder(void **state)
 {
@@ -520,6 +530,7 @@ int main(void)
         cmocka_unit_test(files_below),
         cmocka_unit_test(memory_of_references),
         cmocka_unit_test(demo_from_any_folder),
+        cmocka_unit_test(demo_makes_its_meshes_anew),
         cmocka_unit_test(work_without_end),
         cmocka_unit_test(memory_of_many_shapes),
     };

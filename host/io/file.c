@@ -172,7 +172,7 @@ static int open_temporary(struct file_output *output)
         remember(output->temporary);
         int descriptor = open(output->temporary, O_CREAT | O_EXCL | O_WRONLY, 0666);
         if (descriptor >= 0) {
-            output->stream = fdopen(descriptor, "wb");
+            output->stream = file_inputs_except(descriptor) == 0 ? fdopen(descriptor, "wb") : NULL;
             if (output->stream != NULL) {
                 return 0;
             }

@@ -8,8 +8,14 @@
 
 #include "file.h"
 
-static struct file_identity *inputs;
-static size_t input_count, input_room;
+/* Files, and whether the program made them itself. */
+struct known {
+    struct file_identity identity;
+    bool is_own;
+};
+
+static struct known *files;
+static size_t file_count, file_room;
 static bool is_guarded;
 
 void file_inputs_guard(void)
@@ -17,41 +23,56 @@ void file_inputs_guard(void)
     is_guarded = true;
 }
 
-static bool is_known(const struct file_identity *identity)
+static const struct known *find(const struct file_identity *identity)
 {
-    for (size_t i = 0; i < input_count; i++) {
-        if (inputs[i].device == identity->device && inputs[i].number == identity->number) {
-            return true;
+    for (size_t i = 0; i < file_count; i++) {
+        const struct file_identity *other = &files[i].identity;
+        if (other->device == identity->device && other->number == identity->number) {
+            return &files[i];
         }
     }
-    return false;
+    return NULL;
 }
 
-int file_inputs_add(int descriptor)
+static int add(int descriptor, bool is_own)
 {
     struct stat status;
     if (!is_guarded || fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
         return 0;
     }
-    const struct file_identity identity = {(uint64_t)status.st_dev, (uint64_t)status.st_ino};
-    if (is_known(&identity)) {
+    const struct known file = {{(uint64_t)status.st_dev, (uint64_t)status.st_ino}, is_own};
+    if (find(&file.identity) != NULL) {
         return 0;
     }
-    if (input_count == input_room) {
-        const size_t room = input_room == 0 ? 16 : 2 * input_room;
-        struct file_identity *larger = realloc(inputs, room * sizeof *larger);
+    if (file_count == file_room) {
+        const size_t room = file_room == 0 ? 16 : 2 * file_room;
+        struct known *larger = realloc(files, room * sizeof *larger);
         if (larger == NULL) {
             return ENOMEM;
         }
-        inputs = larger;
-        input_room = room;
+        files = larger;
+        file_room = room;
     }
-    inputs[input_count++] = identity;
+    files[file_count++] = file;
     return 0;
+}
+
+int file_inputs_add(int descriptor)
+{
+    return add(descriptor, false);
+}
+
+int file_inputs_except(int descriptor)
+{
+    return add(descriptor, true);
 }
 
 bool file_inputs_has(const char *path)
 {
     struct file_identity identity;
-    return input_count > 0 && file_inspect(path, &identity) == FILE_REGULAR && is_known(&identity);
+    if (file_count == 0 || file_inspect(path, &identity) != FILE_REGULAR) {
+        return false;
+    }
+    const struct known *file = find(&identity);
+    return file != NULL && !file->is_own;
 }

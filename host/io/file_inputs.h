@@ -16,6 +16,9 @@ void file_inputs_guard(void);
    ENOMEM; 0 as well where nothing is guarded. */
 int file_inputs_add(int descriptor);
 
+/* What the program makes itself is no input, though it reads it again: it may make it anew. */
+int file_inputs_except(int descriptor);
+
 /* Whether this is a file that was read, by whatever name. */
 bool file_inputs_has(const char *path);
 
