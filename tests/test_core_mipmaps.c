@@ -283,9 +283,9 @@ static qtri_screen_vertex divided(double x, double y, double q, double u, double
 }
 
 /*
- * The step down of u, times q^2, is `down` all over. That of v is `share` of it at the
- * left, and a little below 0 at the right, where it is slight: of both ends, not of one, the
- * shorter step has to be so to be left out.
+ * The step down of u, times q^2, is `down` all over. That of v is `share` of it at one
+ * end of a row, and a little below 0 at the other, where it is slight: of both ends, not of one,
+ * the shorter step has to be so to be left out.
  */
 static void turns_at_one_end(void **state)
 {
@@ -300,11 +300,15 @@ static void turns_at_one_end(void **state)
         const double down = exp2(n / 12.0) / 128;
         const double share = random_in(&seed, 80, 95) / 100.0;
         const double across = share * down / (fall * ACROSS) * (1 + 1.0 / 300);
+        const bool falls = n % 2 == 0;
+        const double v_x = falls ? -across : across;
+        const double v_y = falls ? share * down : -share * down / 300;
+        const double x = falls ? 0 : ACROSS;
         qtri_material m = plain_material();
         const qtri_screen_vertex v[3] = {
             divided(0, 0, 1, 0, 0),
-            divided(ACROSS, 0, 1, 0, -across * ACROSS),
-            divided(0, DOWN, 0.5, down * DOWN, share * down * DOWN),
+            divided(ACROSS, 0, 1, 0, v_x * ACROSS),
+            divided(x, DOWN, 0.5, down * DOWN, v_x * x + v_y * DOWN),
         };
         m.texture = &t;
         m.texture_mode = QTRI_REPLACE;
