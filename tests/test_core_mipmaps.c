@@ -268,6 +268,60 @@ static void chooses_by_footprint(void **state)
     assert_true(small.place < 1.1 && large.place < 1.1 && sides.place < 1.1);
 }
 
+/* ---- A step that turns round ---- */
+
+/* A vertex with u and v, in textures, of 1/w and of what they are times that. */
+static qtri_screen_vertex divided(double x, double y, double q, double u, double v)
+{
+    qtri_screen_vertex p = {0};
+    p.x_24p8 = (int32_t)(x * 256);
+    p.y_24p8 = (int32_t)(y * 256);
+    p.inv_w_q31 = (uint32_t)(q * 0x7FFFFFFF);
+    p.u_q32 = (int64_t)ldexp(u / q, 32);
+    p.v_q32 = (int64_t)ldexp(v / q, 32);
+    return p;
+}
+
+/*
+ * The step down of u, times q^2, is `down` all over. That of v is `share` of it at one
+ * end of a row, and a little below 0 at the other, where it is slight: of both ends, not of one,
+ * the shorter step has to be so to be left out.
+ */
+static void turns_at_one_end(void **state)
+{
+    (void)state;
+    enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT };
+    worst w = {0};
+    canvas c = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
+    uint64_t seed = 904;
+    const double fall = 0.5 / DOWN; /* of q, a row */
+    for (int n = 0; n < 24; n++) {
+        const qtri_texture t = chain(7, 7, false);
+        const double down = exp2(n / 12.0) / 128;
+        const double share = random_in(&seed, 80, 95) / 100.0;
+        const double across = share * down / (fall * ACROSS) * (1 + 1.0 / 300);
+        const bool falls = n % 2 == 0;
+        const double v_x = falls ? -across : across;
+        const double v_y = falls ? share * down : -share * down / 300;
+        const double x = falls ? 0 : ACROSS;
+        qtri_material m = plain_material();
+        const qtri_screen_vertex v[3] = {
+            divided(0, 0, 1, 0, 0),
+            divided(ACROSS, 0, 1, 0, v_x * ACROSS),
+            divided(x, DOWN, 0.5, down * DOWN, v_x * x + v_y * DOWN),
+        };
+        m.texture = &t;
+        m.texture_mode = QTRI_REPLACE;
+        m.depth_compare = QTRI_LESS;
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, &m, v);
+        look_at(&w, &c, v, &t, true);
+    }
+    canvas_free(&c);
+    print_worst("turning", &w);
+    assert_true(w.pixels > 60000 && w.level < 0.03 && w.own < 0.4);
+}
+
 /* ---- Bilinear ---- */
 
 static double texel_gray(const qtri_texture *t, int level, int column, int row)
@@ -510,9 +564,9 @@ static void drawn_with_copies(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chooses_by_footprint), cmocka_unit_test(filters_in_levels),
-        cmocka_unit_test(draws_batches),        cmocka_unit_test(does_without),
-        cmocka_unit_test(drawn_with_copies),
+        cmocka_unit_test(chooses_by_footprint), cmocka_unit_test(turns_at_one_end),
+        cmocka_unit_test(filters_in_levels),    cmocka_unit_test(draws_batches),
+        cmocka_unit_test(does_without),         cmocka_unit_test(drawn_with_copies),
     };
     return cmocka_run_group_tests_name("core mipmaps", tests, NULL, NULL);
 }

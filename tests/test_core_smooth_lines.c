@@ -104,6 +104,46 @@ static void coverage(void **state)
     canvas_free(&c);
 }
 
+/*
+ * Colours are shared by length on lines that are shorter than a pixel as well: at the middle of a
+ * pixel that is covered. Of a line below 1/16 of a pixel the share grows as if it had that length.
+ */
+static void short_lines_share_colors(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_xrgb8888, 8, 8);
+    qtri_material material = plain_material();
+    for (int32_t length = 4; length <= 300; length += length < 80 ? 1 : 20) {
+        for (int32_t part = 0; part <= 8; part++) {
+            const bool steep = (length + part) % 2 != 0;
+            const int32_t before = length * part / 8;
+            const int32_t start = 4 * 256 + 128 - before;
+            const int32_t middle = 4 * 256 + 128;
+            const qtri_line_color color[2] = {{255 << 16, 0, 40 << 16}, {0, 255 << 16, 200 << 16}};
+            line l = {.colored = true, .style = {.radius_24p8 = 256, .square = true, .alpha = 255}};
+            for (int i = 0; i < 2; i++) {
+                const int32_t along = start + i * length;
+                l.v[i].at.x_24p8 = steep ? middle : along;
+                l.v[i].at.y_24p8 = steep ? along : middle;
+                memcpy(l.color[i], color[i], sizeof color[i]);
+            }
+            canvas_clear(&c);
+            draw(&c.surface, &material, &l, part % 2 != 0);
+            const uint32_t pixel = stored_pixel(&c.surface, 4, 4);
+            for (int k = 0; k < 3; k++) {
+                const double from = color[0][k] / 65536.0, to = color[1][k] / 65536.0;
+                const double expected = from + (to - from) * before / fmax(length, 16);
+                const double found = pixel >> (16 - 8 * k) & 0xFF;
+                if (fabs(found - expected) > 3) {
+                    fail_msg("length %d, %d before: channel %d is %.0f, not %.1f", (int)length,
+                             (int)before, k, found, expected);
+                }
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
 static void set_effects(qtri_material *material, qtri_fog *fog, uint64_t *seed)
 {
     const qtri_blend *const blends[] = {NULL,
@@ -370,8 +410,10 @@ static void shared_edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage), cmocka_unit_test(pieces),     cmocka_unit_test(doors),
-        cmocka_unit_test(extremes), cmocka_unit_test(wireframes), cmocka_unit_test(shared_edges),
+        cmocka_unit_test(coverage),     cmocka_unit_test(short_lines_share_colors),
+        cmocka_unit_test(pieces),       cmocka_unit_test(doors),
+        cmocka_unit_test(extremes),     cmocka_unit_test(wireframes),
+        cmocka_unit_test(shared_edges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -374,6 +374,56 @@ static void curves_held_by_their_ends(void **state)
     assert_in_range(held, 50000, 200000); /* most that may be */
 }
 
+/* None, the limit, twice that, or any up to it, with either sign. */
+static int32_t near_limit(int32_t limit, uint64_t *rng)
+{
+    const int32_t size[4] = {0, limit, 2 * limit, random_in(rng, 0, 2 * limit)};
+    const int32_t chosen = size[random_in(rng, 0, 3)];
+    return random_flag(rng) ? chosen : -chosen;
+}
+
+/*
+ * Of texels 0 to 14 a curve leaves none, or only its least pixel by the least there is. If a step
+ * changes by 64, 32 or 16 bends at most over more than 16, more than 8 or fewer pixels, and four
+ * twists are no more than such a bend, it is held in the one case; in the other, and beyond these
+ * limits, only what is right is held.
+ */
+static void curves_that_turn_at_the_limit(void **state)
+{
+    (void)state;
+    uint64_t rng = 48;
+    const qtri_texel_axis axis = {.texel_shift = 16, .clamped = true, .mask = 15, .first = 1000};
+    for (int n = 0; n < 20000; n++) {
+        const int32_t count = random_in(&rng, 2, QTRI_BATCH);
+        const int32_t step = random_in(&rng, 1 << 10, 1 << 13);
+        const int32_t limit = step / (count > 16 ? 64 : (count > 8 ? 32 : 16));
+        const int32_t bend = near_limit(limit, &rng);
+        const int32_t twist = near_limit(limit / 4, &rng);
+        const int32_t beyond = random_in(&rng, 0, 1);
+        uint32_t pixel[QTRI_BATCH];
+        qtri_curve curve = {(uint32_t)1 << 29, 0u - (uint32_t)step, (uint32_t)bend,
+                            (uint32_t)twist};
+        follow(pixel, curve, count);
+        uint32_t least = pixel[0];
+        for (int32_t i = 1; i < count; i++) {
+            least = pixel[i] < least ? pixel[i] : least;
+        }
+        curve.at += ((uint32_t)axis.first << axis.texel_shift) - least - (uint32_t)beyond;
+        follow(pixel, curve, count);
+        const bool held = qtri_texel_curve_held(&curve, &axis, 28, count);
+        if (abs(bend) <= limit && abs(twist) <= limit / 4) {
+            assert_int_equal(held, beyond == 0);
+        }
+        if (held) {
+            uint32_t after[QTRI_BATCH];
+            follow(after, curve, count);
+            for (int32_t i = 0; i < count; i++) {
+                assert_int_equal(after[i] >> 28, qtri_texel_wrapped(&axis, pixel[i] >> 16));
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -386,6 +436,7 @@ int main(void)
         cmocka_unit_test(tints),
         cmocka_unit_test(depths),
         cmocka_unit_test(curves_held_by_their_ends),
+        cmocka_unit_test(curves_that_turn_at_the_limit),
     };
     return cmocka_run_group_tests_name("core stages", tests, NULL, NULL);
 }
