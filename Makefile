@@ -44,10 +44,10 @@ include host/assets/assets.mk
 # Header dependencies, from every compiler that can write them.
 DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/null 2>/dev/null && echo -MMD -MP)
 
-SANITIZE := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
+SANITIZE := -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
             -fsanitize=address,undefined,float-cast-overflow
-SANITIZE_THREADS := -O1 -g -fsanitize=thread
-SANITIZE_MEMORY  := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=memory
+SANITIZE_THREADS := -O1 -g1 -fsanitize=thread
+SANITIZE_MEMORY  := -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=memory
 # Core is built for it as by any C99 compiler: an empty line of assembly would count as a use of room to spare.
 PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
 # Minutes there; what it draws the others draw too.
