@@ -21,7 +21,7 @@ MODELS ?= $(wildcard ../shared/models)
 # What `make test` runs, how long it fuzzes each target, and when it takes a program for hung.
 TESTS        ?= $(basename $(notdir $(wildcard tests/test_*.c)))
 FUZZERS      ?= $(basename $(notdir $(wildcard tests/fuzz_*.c)))
-FUZZ_SECONDS ?= 45
+FUZZ_SECONDS ?= 30
 TEST_SECONDS ?= 300
 
 LIBRARY_SOURCES := $(wildcard core/*/*.c port/panels/*.c)
@@ -50,8 +50,8 @@ SANITIZE_THREADS := -O1 -g1 -fsanitize=thread
 SANITIZE_MEMORY  := -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=memory
 # Core is built for it as by any C99 compiler: an empty line of assembly would count as a use of room to spare.
 PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
-# Minutes there; what it draws the others draw too.
-SLOW_IN_MEMORY := test_core_perspective
+# Minutes there: what the first draws the others draw too, and of the mathematics it is proved (make prove).
+SLOW_IN_MEMORY := test_core_perspective test_core_vec test_core_mat
 
 # Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
 NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
