@@ -217,9 +217,10 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 # Checking -----------------------------------------------------------------------------------------
 # Each gate is a script of its name in tests/check/ and prints `check: NAME ok` or its findings.
 
-GATES := check-format check-cppcheck check-warnings check-headers check-levels \
+# What keeps one processor alone for long is not left for the end.
+GATES := check-format check-packages check-cppcheck check-warnings check-headers check-levels \
          check-freestanding check-options check-same check-tree \
-         check-tidy check-budgets check-matrix check-checked check-stack check-version check-packages
+         check-tidy check-budgets check-matrix check-checked check-stack check-version
 
 .PHONY: check $(GATES)
 check: ## Run every gate below
