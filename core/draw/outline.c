@@ -245,7 +245,6 @@ void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outl
 void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outline *outline,
                                        int32_t halo)
 {
-    QTRI_ASSERT(prepared != NULL);
     qtri_prepared_set_outline(prepared, outline, halo);
     prepared->edges_above = 2 * prepared->halo; /* rows that were kept; nothing is drawn there */
     prepared->edges_below = 0;

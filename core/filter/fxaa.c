@@ -60,7 +60,6 @@ static void decode_row(const qtri_surface *surface, int32_t y, uint32_t *out)
 
 enum qtri_error qtri_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_t words)
 {
-    QTRI_ASSERT(surface != NULL);
     QTRI_ASSERT(memory != NULL || words == 0);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const int32_t width = surface->width;

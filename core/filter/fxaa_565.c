@@ -340,7 +340,6 @@ static void filter_row(const qtri_surface *surface, const window_565 *w, int32_t
 
 enum qtri_error qtri_fxaa_565(const qtri_surface *surface, uint32_t *memory, uint32_t words)
 {
-    QTRI_ASSERT(surface != NULL);
     QTRI_ASSERT(memory != NULL || words == 0);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const int32_t width = surface->width;

@@ -19,6 +19,7 @@ static uint32_t pixels_of(const qtri_surface *surface)
 static enum qtri_error check(const qtri_surface *surface, const qtri_rect *bounds,
                              const uint32_t *sums, uint32_t words)
 {
+    QTRI_ASSERT(sums != NULL || words == 0);
     const bool is_small = sums == NULL || words / 2 < pixels_of(surface);
     return bounds->x0 < bounds->x1 && is_small ? QTRI_ERROR_MEMORY : QTRI_OK;
 }
@@ -43,8 +44,6 @@ void qtri_sum_clear(uint32_t *sums, uint32_t words)
 
 enum qtri_error qtri_sum_add(uint32_t *sums, uint32_t words, const qtri_surface *surface)
 {
-    QTRI_ASSERT(surface != NULL);
-    QTRI_ASSERT(sums != NULL || words == 0);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const enum qtri_error error = check(surface, &bounds, sums, words);
     const qtri_format *format = surface->format;
@@ -71,8 +70,6 @@ enum qtri_error qtri_sum_add(uint32_t *sums, uint32_t words, const qtri_surface 
 enum qtri_error qtri_sum_store(const qtri_surface *surface, const uint32_t *sums, uint32_t words,
                                int32_t frames_log2)
 {
-    QTRI_ASSERT(surface != NULL);
-    QTRI_ASSERT(sums != NULL || words == 0);
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const enum qtri_error error = check(surface, &bounds, sums, words);
     const qtri_format *format = surface->format;

@@ -12,6 +12,7 @@
 static bool begin(const qtri_surface *surface, const uint32_t *sums, uint32_t words,
                   qtri_rect *bounds, enum qtri_error *error)
 {
+    QTRI_ASSERT(sums != NULL || words == 0);
     *bounds = qtri_surface_bounds(surface);
     *error = QTRI_OK;
     if (bounds->x0 >= bounds->x1) {
@@ -87,8 +88,6 @@ static uint32_t sum_at(const qtri_surface *surface, const qtri_rect *bounds, int
 
 enum qtri_error qtri_sum_add_565(uint32_t *sums, uint32_t words, const qtri_surface *surface)
 {
-    QTRI_ASSERT(surface != NULL);
-    QTRI_ASSERT(sums != NULL || words == 0);
     qtri_rect bounds;
     enum qtri_error error;
     if (begin(surface, sums, words, &bounds, &error)) {
@@ -103,8 +102,6 @@ enum qtri_error qtri_sum_add_565(uint32_t *sums, uint32_t words, const qtri_surf
 enum qtri_error qtri_sum_store_565(const qtri_surface *surface, const uint32_t *sums,
                                    uint32_t words, int32_t frames_log2)
 {
-    QTRI_ASSERT(surface != NULL);
-    QTRI_ASSERT(sums != NULL || words == 0);
     qtri_rect bounds;
     enum qtri_error error;
     const uint32_t log2 = (uint32_t)qtri_hold32(frames_log2, 0, QTRI_SUM_FRAMES_LOG2_MAX);

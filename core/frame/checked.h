@@ -1,17 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What a checked build asks of arguments, see qtri/error.h. Without QTRI_CHECKED nothing is here to
- * be compiled, called or linked. Internal.
+ * Checks of descriptions of pixels and depths, for checked builds. Internal.
  */
 #ifndef QTRI_FRAME_CHECKED_H
 #define QTRI_FRAME_CHECKED_H
 
-#include "qtri/error.h"
+#include "../bits/checked.h"
+#include "depth_format.h"
 
 #ifdef QTRI_CHECKED
-#define QTRI_CHECK(call) call
-#else
-#define QTRI_CHECK(call) ((void)0)
+static inline void qtri_check_format(const qtri_format *format)
+{
+    QTRI_ASSERT(format == NULL || (format->pixels != NULL && format->colors != NULL));
+}
+
+static inline void qtri_check_depth_format(const qtri_depth_format *format)
+{
+    QTRI_ASSERT(format == NULL || format->testing == NULL ||
+                (format->encode != NULL && format->decode != NULL));
+}
 #endif
 
 #endif

@@ -3,10 +3,10 @@
  * Surfaces, frames and halos with depth of any format: those with linear16, whose depth begins at
  * the same byte, and has more or other bytes.
  */
+#include "checked.h"
 #include "depth_format.h"
 
 #include "qtri/halo.h"
-#include "qtri/error.h"
 
 /* Pixels of more bytes are records of samples, which hold depths of linear16. */
 static bool is_format(const qtri_format *format, const qtri_depth_format *depth)
@@ -20,10 +20,7 @@ enum qtri_error qtri_surface_init_depth(qtri_surface *surface, const qtri_format
                                         int32_t height, int32_t first_row, int32_t rows,
                                         void *memory, size_t bytes)
 {
-    QTRI_ASSERT(surface != NULL);
-    QTRI_ASSERT(format == NULL || (format->pixels != NULL && format->colors != NULL));
-    QTRI_ASSERT(depth_format == NULL || depth_format->testing == NULL ||
-                (depth_format->encode != NULL && depth_format->decode != NULL));
+    QTRI_CHECK(qtri_check_depth_format(depth_format));
     static const qtri_surface nothing;
     enum qtri_error error =
         qtri_surface_init(surface, format, width, height, first_row, rows, memory, bytes);
@@ -46,9 +43,6 @@ enum qtri_error qtri_frame_init_depth(qtri_frame *frame, const qtri_format *form
                                       int32_t height, int32_t rows, void *memory, size_t bytes)
 {
     QTRI_ASSERT(frame != NULL);
-    QTRI_ASSERT(format == NULL || (format->pixels != NULL && format->colors != NULL));
-    QTRI_ASSERT(depth_format == NULL || depth_format->testing == NULL ||
-                (depth_format->encode != NULL && depth_format->decode != NULL));
     qtri_surface first; /* says what is wrong */
     const enum qtri_error error = qtri_surface_init_depth(&first, format, depth_format, width,
                                                           height, 0, rows, memory, bytes);
@@ -74,10 +68,7 @@ enum qtri_error qtri_halo_init_depth(qtri_halo *halo, const qtri_format *format,
                                      int32_t height, int32_t rows, int32_t halo_rows, void *memory,
                                      size_t bytes)
 {
-    QTRI_ASSERT(halo != NULL);
-    QTRI_ASSERT(format == NULL || (format->pixels != NULL && format->colors != NULL));
-    QTRI_ASSERT(depth_format == NULL || depth_format->testing == NULL ||
-                (depth_format->encode != NULL && depth_format->decode != NULL));
+    QTRI_CHECK(qtri_check_depth_format(depth_format));
     enum qtri_error error =
         qtri_halo_init(halo, format, width, height, rows, halo_rows, memory, bytes);
     if (error == QTRI_OK) {

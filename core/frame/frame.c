@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/frame.h"
 
+#include "checked.h"
+
 static const qtri_rect nothing = {0, 0, 0, 0};
 
 static bool is_side(int32_t x)
@@ -12,7 +14,7 @@ enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, in
                                 int32_t height, int32_t rows, void *memory, size_t bytes)
 {
     QTRI_ASSERT(frame != NULL);
-    QTRI_ASSERT(format == NULL || (format->pixels != NULL && format->colors != NULL));
+    QTRI_CHECK(qtri_check_format(format));
     frame->format = format;
     frame->depth_format = NULL;
     frame->width = 0;

@@ -2,6 +2,7 @@
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"
+#include "checked.h"
 #include "depth_format.h"
 #include "fill.h"
 #include "pixel.h"
@@ -25,7 +26,7 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
                                   size_t bytes)
 {
     QTRI_ASSERT(surface != NULL);
-    QTRI_ASSERT(format == NULL || (format->pixels != NULL && format->colors != NULL));
+    QTRI_CHECK(qtri_check_format(format));
     if (width < 1 || width > QTRI_SURFACE_MAX || height < 1 || height > QTRI_SURFACE_MAX ||
         first_row < 0 || first_row >= height || rows < 1 || rows > QTRI_SURFACE_MAX) {
         return refuse(surface, QTRI_ERROR_SIZE);

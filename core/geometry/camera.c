@@ -151,6 +151,7 @@ static void set_w_row(qtri_row *row, int64_t toward)
 static void perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z,
                         int64_t toward)
 {
+    QTRI_ASSERT(t != NULL);
     /* A plain number in place of a Q16.16 is below 1/100 degree, or a ratio of 1 : 10000. */
     QTRI_ASSERT(qtri_magnitude32(fovy) > 360);
     QTRI_ASSERT(qtri_magnitude32(fovy) < (uint32_t)180 << 16);
@@ -171,14 +172,12 @@ static void perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16
 
 void qtri_transform_perspective(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z)
 {
-    QTRI_ASSERT(t != NULL);
     perspective(t, fovy, aspect, near_z, far_z, -1);
 }
 
 /* z' = z f/(f-n) - fn/(f-n) in 0..w becomes 2 z' - w: the OpenGL row for a camera along +z. */
 void qtri_transform_perspective_d3d(qtri_transform *t, q16 fovy, q16 aspect, q16 near_z, q16 far_z)
 {
-    QTRI_ASSERT(t != NULL);
     perspective(t, fovy, aspect, near_z, far_z, 1);
 }
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/transform.h"
-#include "qtri/error.h"
 
 /*
  * What looks down -z looks along +z when it is turned half about y: from the rows right, up and
@@ -9,7 +8,6 @@
  */
 void qtri_transform_look_at_d3d(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up)
 {
-    QTRI_ASSERT(t != NULL);
     const qtri_vec3 turn = {-Q16_ONE, Q16_ONE, -Q16_ONE};
     qtri_transform_scale(t, turn);
     qtri_transform_look_at(t, eye, center, up);
@@ -25,7 +23,6 @@ static void mirror(qtri_transform *t)
 void qtri_transform_frustum_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top,
                                 q16 near_z, q16 far_z)
 {
-    QTRI_ASSERT(t != NULL);
     qtri_transform_frustum(t, left, right, bottom, top, near_z, far_z);
     mirror(t);
 }
@@ -33,7 +30,6 @@ void qtri_transform_frustum_d3d(qtri_transform *t, q16 left, q16 right, q16 bott
 void qtri_transform_ortho_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top,
                               q16 near_z, q16 far_z)
 {
-    QTRI_ASSERT(t != NULL);
     qtri_transform_ortho(t, left, right, bottom, top, near_z, far_z);
     mirror(t);
 }

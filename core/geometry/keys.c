@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/animation.h"
-#include "qtri/error.h"
 
 #include "../bits/bits.h"
+#include "../bits/checked.h"
 
 /* a + (b - a) t, rounded, for 0 <= t <= 1: |b - a| t < 2^49. */
 static q16 between(q16 a, q16 b, q16 t)
@@ -38,9 +38,7 @@ static void check_times(const qtri_key *keys, int32_t count)
 qtri_key qtri_keys_at(const qtri_key *keys, int32_t count, q16 time)
 {
     QTRI_ASSERT(keys != NULL || count <= 0);
-#ifdef QTRI_CHECKED
-    check_times(keys, count);
-#endif
+    QTRI_CHECK(check_times(keys, count));
     if (count <= 0) {
         const qtri_key none = {time, {0, 0, 0}, {Q16_ONE, 0, 0, 0}, {Q16_ONE, Q16_ONE, Q16_ONE}};
         return none;

@@ -86,7 +86,6 @@ static uint64_t distance_squared(const qtri_vec3 *center, const qtri_vec3 *a, co
 
 qtri_ball qtri_mesh_ball(const qtri_mesh *mesh)
 {
-    QTRI_ASSERT(mesh != NULL);
     const qtri_box box = qtri_mesh_box(mesh);
     const uint32_t count = count_of(mesh);
     uint64_t most = 0;

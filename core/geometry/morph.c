@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/animation.h"
-#include "qtri/error.h"
 
 #include <stddef.h>
 
 #include "../bits/bits.h"
+#include "../bits/checked.h"
 
 /* a + (b - a) t, rounded: (2^16 - 1) 2^16 + 2^15 < 2^32, as an unsigned sum that does not wrap. */
 static int16_t between(int16_t a, int16_t b, uint32_t t)
@@ -27,17 +27,22 @@ void qtri_morph_positions(qtri_position16 *out, const qtri_position16 *from,
     }
 }
 
+#ifdef QTRI_CHECKED
+static void check_targets(const qtri_position16 *const *target, int32_t targets, uint32_t count)
+{
+    for (int32_t k = 0; k < targets; k++) {
+        QTRI_ASSERT(target[k] != NULL || count == 0);
+    }
+}
+#endif
+
 void qtri_morph_targets(qtri_position16 *out, const qtri_position16 *base,
                         const qtri_position16 *const *target, const q16 *weight, int32_t targets,
                         uint32_t count)
 {
     QTRI_ASSERT((out != NULL && base != NULL) || count == 0);
     QTRI_ASSERT((target != NULL && weight != NULL) || targets <= 0);
-#ifdef QTRI_CHECKED
-    for (int32_t k = 0; k < targets; k++) {
-        QTRI_ASSERT(target[k] != NULL || count == 0);
-    }
-#endif
+    QTRI_CHECK(check_targets(target, targets, count));
     for (uint32_t i = 0; i < count; i++) {
         const int16_t p[3] = {base[i].x, base[i].y, base[i].z};
         int64_t

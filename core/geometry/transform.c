@@ -63,6 +63,7 @@ void qtri_transform_to_mat4(const qtri_transform *a, qtri_mat4 *out)
 /* t = t builder, for a builder of `factor` on the diagonal and the translation `offset`. */
 static void stretch(qtri_transform *t, const qtri_vec3 *factor, const qtri_vec3 *offset)
 {
+    QTRI_ASSERT(t != NULL);
     const q16 x[3] = {factor->x, factor->y, factor->z};
     const q16 y[3] = {offset->x, offset->y, offset->z};
     qtri_transform builder;
@@ -77,14 +78,12 @@ static void stretch(qtri_transform *t, const qtri_vec3 *factor, const qtri_vec3 
 
 void qtri_transform_translate(qtri_transform *t, qtri_vec3 offset)
 {
-    QTRI_ASSERT(t != NULL);
     const qtri_vec3 one = {Q16_ONE, Q16_ONE, Q16_ONE};
     stretch(t, &one, &offset);
 }
 
 void qtri_transform_scale(qtri_transform *t, qtri_vec3 factor)
 {
-    QTRI_ASSERT(t != NULL);
     QTRI_ASSERT(!qtri_is_plain_1(factor));
     const qtri_vec3 nowhere = {0, 0, 0};
     stretch(t, &factor, &nowhere);
@@ -96,6 +95,7 @@ void qtri_transform_scale(qtri_transform *t, qtri_vec3 factor)
  */
 static void rotate_plane(qtri_transform *t, q16 degrees, int i, int j)
 {
+    QTRI_ASSERT(t != NULL);
     int32_t sine_q30;
     int32_t cosine_q30;
     qtri_sincos_deg_q30(degrees, &sine_q30, &cosine_q30);
@@ -118,19 +118,16 @@ static void rotate_plane(qtri_transform *t, q16 degrees, int i, int j)
 
 void qtri_transform_rotate_x(qtri_transform *t, q16 degrees)
 {
-    QTRI_ASSERT(t != NULL);
     rotate_plane(t, degrees, 1, 2);
 }
 
 void qtri_transform_rotate_y(qtri_transform *t, q16 degrees)
 {
-    QTRI_ASSERT(t != NULL);
     rotate_plane(t, degrees, 2, 0);
 }
 
 void qtri_transform_rotate_z(qtri_transform *t, q16 degrees)
 {
-    QTRI_ASSERT(t != NULL);
     rotate_plane(t, degrees, 0, 1);
 }
 
@@ -194,7 +191,6 @@ void qtri_transform_rotate_about(qtri_transform *t, q16 degrees, qtri_vec3 axis,
 
 void qtri_transform_rotate(qtri_transform *t, q16 degrees, qtri_vec3 axis)
 {
-    QTRI_ASSERT(t != NULL);
     qtri_vec3 origin = {0, 0, 0};
     qtri_transform_rotate_about(t, degrees, axis, origin);
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/font.h"
-#include "qtri/error.h"
 
 #include "../bits/bits.h"
+#include "../bits/checked.h"
 #include "../frame/barrier.h"
 #include "ink.h"
 #include "../frame/stored.h"
@@ -216,11 +216,18 @@ static int32_t add_saturated(int32_t a, int32_t b)
     return qtri_saturate32((int64_t)a + b);
 }
 
-const qtri_glyph *qtri_font_glyph(const qtri_font *font, uint32_t character)
+#ifdef QTRI_CHECKED
+static void check_font(const qtri_font *font)
 {
     QTRI_ASSERT(font != NULL);
-    QTRI_ASSERT(font->glyphs != NULL);
+    QTRI_ASSERT(font->rows != NULL && font->glyphs != NULL);
     QTRI_ASSERT(font->ranges != NULL || font->range_count == 0);
+}
+#endif
+
+const qtri_glyph *qtri_font_glyph(const qtri_font *font, uint32_t character)
+{
+    QTRI_CHECK(check_font(font));
     for (uint32_t i = 0; i < font->range_count; i++) {
         const qtri_glyph_range *range = &font->ranges[i];
         if (character - range->first < range->count) {
@@ -233,11 +240,8 @@ const qtri_glyph *qtri_font_glyph(const qtri_font *font, uint32_t character)
 int32_t qtri_text_paint(const qtri_surface *surface, const qtri_font *font, int32_t x, int32_t y,
                         const char *text, const qtri_brush *brush)
 {
-    QTRI_ASSERT(font != NULL);
+    QTRI_CHECK(check_font(font));
     QTRI_ASSERT(text != NULL);
-    QTRI_ASSERT(brush != NULL);
-    QTRI_ASSERT(font->rows != NULL && font->glyphs != NULL);
-    QTRI_ASSERT(font->ranges != NULL || font->range_count == 0);
     qtri_painter painter;
     const bool is_seen = qtri_painter_begin(&painter, surface, brush);
     int32_t pen = x;
@@ -262,10 +266,8 @@ int32_t qtri_text_paint(const qtri_surface *surface, const qtri_font *font, int3
 
 int32_t qtri_text_width(const qtri_font *font, const char *text)
 {
-    QTRI_ASSERT(font != NULL);
+    QTRI_CHECK(check_font(font));
     QTRI_ASSERT(text != NULL);
-    QTRI_ASSERT(font->rows != NULL && font->glyphs != NULL);
-    QTRI_ASSERT(font->ranges != NULL || font->range_count == 0);
     int32_t widest = 0;
     int32_t pen = 0;
     for (;;) {

@@ -13,10 +13,8 @@ void qtri_check_surface(const qtri_surface *surface)
     QTRI_ASSERT(surface->width >= 1 && surface->width <= QTRI_SURFACE_MAX);
     QTRI_ASSERT(surface->height >= 1 && surface->height <= QTRI_SURFACE_MAX);
     QTRI_ASSERT(surface->first_row >= 0 && surface->rows >= 0);
-    QTRI_ASSERT(surface->format->pixels != NULL && surface->format->colors != NULL);
-    const qtri_depth_format *depth = surface->depth_format;
-    QTRI_ASSERT(depth == NULL || depth->testing == NULL ||
-                (depth->encode != NULL && depth->decode != NULL));
+    qtri_check_format(surface->format);
+    qtri_check_depth_format(surface->depth_format);
 }
 
 /* A number of an enum is signed or not, as the compiler likes. */

@@ -232,7 +232,6 @@ enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_descr
 
 enum qtri_error qtri_panel_write(qtri_panel *panel, const qtri_surface *surface)
 {
-    QTRI_ASSERT(panel != NULL && panel->description != NULL);
     QTRI_ASSERT(surface != NULL);
     qtri_rect frame = {0, 0, surface->width, surface->height};
     return qtri_panel_write_rect(panel, surface, frame);
@@ -251,7 +250,6 @@ static int32_t smaller(int64_t a, int64_t b)
 enum qtri_error qtri_panel_write_rect(qtri_panel *panel, const qtri_surface *surface,
                                       qtri_rect rect)
 {
-    QTRI_ASSERT(panel != NULL && panel->description != NULL);
     QTRI_ASSERT(surface != NULL);
     if (surface->width != qtri_panel_width(panel) || surface->height != qtri_panel_height(panel)) {
         return QTRI_ERROR_SIZE;
@@ -295,7 +293,6 @@ static enum qtri_error show(qtri_panel *panel, const qtri_panel_step *steps, siz
 
 enum qtri_error qtri_panel_refresh(qtri_panel *panel)
 {
-    QTRI_ASSERT(panel != NULL && panel->description != NULL);
     enum qtri_error error = qtri_panel_finish(panel);
     const qtri_panel_description *d = panel->description;
     return error == QTRI_OK ? show(panel, d->refresh, d->refresh_count) : error;
