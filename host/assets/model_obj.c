@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../io/file.h"
+#include "../io/file_identity.h"
 #include "../io/lines.h"
 #include "../io/number.h"
 #include "../io/obj_source.h"

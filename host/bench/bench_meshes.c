@@ -20,6 +20,7 @@
 #include <string.h>
 
 #include "../io/file.h"
+#include "../io/file_identity.h"
 #include "../io/obj.h"
 #include "../tools/mesh_generate.h"
 #include "mesh_write.h"

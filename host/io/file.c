@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "file_identity.h"
 #include "file_inputs.h"
 
 #define FIRST_READ ((size_t)1 << 16)
@@ -89,19 +90,6 @@ bool file_name_ends_in(const char *name, const char *end)
 {
     size_t length = strlen(name), tail = strlen(end);
     return length > tail && strcmp(name + length - tail, end) == 0;
-}
-
-enum file_kind file_inspect(const char *path, struct file_identity *identity)
-{
-    struct stat status;
-    if (stat(path, &status) != 0) {
-        return errno == ENOENT || errno == ENOTDIR ? FILE_MISSING : FILE_OTHER;
-    }
-    if (identity != NULL) {
-        identity->device = (uint64_t)status.st_dev;
-        identity->number = (uint64_t)status.st_ino;
-    }
-    return S_ISREG(status.st_mode) ? FILE_REGULAR : FILE_OTHER;
 }
 
 /* "folder/.qtri-PID-ATTEMPT.part" for a target of any name in that folder. */

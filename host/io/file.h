@@ -25,19 +25,8 @@ struct file_content {
  *error set. */
 bool file_read(const char *path, struct file_content *content, struct text_error *error);
 
-enum file_kind { FILE_MISSING, FILE_REGULAR, FILE_OTHER /* folder, device, pipe, unreachable */ };
-
-/* Two paths lead to the same file when both members agree. */
-struct file_identity {
-    uint64_t device;
-    uint64_t number;
-};
-
 /* Whether a name ends in `end`, .png for example, and is more than that. */
 bool file_name_ends_in(const char *name, const char *end);
-
-/* `identity` may be NULL; it is written for files that exist. */
-enum file_kind file_inspect(const char *path, struct file_identity *identity);
 
 /* "-", a device, a pipe: what cannot be replaced as a whole. */
 bool file_is_stream(const char *path);

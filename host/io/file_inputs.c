@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700
 #include "file_inputs.h"
 
 #include <errno.h>
 #include <stdlib.h>
-#include <sys/stat.h>
 
-#include "file.h"
+#include "file_identity.h"
 
 /* Files, and whether the program made them itself. */
 struct known {
@@ -26,8 +24,7 @@ void file_inputs_guard(void)
 static const struct known *find(const struct file_identity *identity)
 {
     for (size_t i = 0; i < file_count; i++) {
-        const struct file_identity *other = &files[i].identity;
-        if (other->device == identity->device && other->number == identity->number) {
+        if (file_is_same(&files[i].identity, identity)) {
             return &files[i];
         }
     }
@@ -36,12 +33,9 @@ static const struct known *find(const struct file_identity *identity)
 
 static int add(int descriptor, bool is_own)
 {
-    struct stat status;
-    if (!is_guarded || fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-        return 0;
-    }
-    const struct known file = {{(uint64_t)status.st_dev, (uint64_t)status.st_ino}, is_own};
-    if (find(&file.identity) != NULL) {
+    struct known file = {{0, 0}, is_own};
+    if (!is_guarded || file_inspect_open(descriptor, &file.identity) != FILE_REGULAR ||
+        find(&file.identity) != NULL) {
         return 0;
     }
     if (file_count == file_room) {

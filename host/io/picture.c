@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "file.h"
+#include "file_identity.h"
 #include "lines.h"
 
 typedef char double_has_64_bits[sizeof(double) == 8 ? 1 : -1];

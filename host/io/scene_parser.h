@@ -12,6 +12,7 @@
 #include <stdint.h>
 
 #include "file.h"
+#include "file_identity.h"
 #include "lines.h"
 #include "scene.h"
 

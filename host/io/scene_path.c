@@ -35,7 +35,7 @@ static bool is_allowed(struct scene_parser *parser, const char *path,
 {
     struct file_identity output;
     if (parser->output != NULL && file_inspect(parser->output, &output) == FILE_REGULAR &&
-        output.device == identity->device && output.number == identity->number) {
+        file_is_same(&output, identity)) {
         text_error_set(parser->error, parser->name, parser->line, "%s: %s would be overwritten",
                        parser->statement->name, path);
         return false;

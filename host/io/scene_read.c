@@ -287,7 +287,7 @@ static bool is_same_file(const char *a, const char *b)
     struct file_identity one;
     struct file_identity other;
     return file_inspect(a, &one) == FILE_REGULAR && file_inspect(b, &other) == FILE_REGULAR &&
-           one.device == other.device && one.number == other.number;
+           file_is_same(&one, &other);
 }
 
 static bool read_scene(const char *path, bool below, const char *output, struct scene *scene,

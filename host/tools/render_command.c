@@ -229,23 +229,24 @@ static bool is_within_limits(const struct options *options, const struct scene *
     return true;
 }
 
-/* Before anything is drawn, or one of three files would be there without the others. */
+static bool may_write(const char *path)
+{
+    const bool is_input = path != NULL && file_inputs_has(path);
+    if (is_input) {
+        fprintf(stderr, "qtri render: %s: has been read: it would be overwritten\n", path);
+    }
+    return !is_input;
+}
+
+/* Asked before anything is drawn, or one of three files would be there without the others. */
 static bool keeps_inputs(const struct options *options, const char *path)
 {
-    static const char *const endings[] = {"", ".id", ".depth"};
-    for (int i = 0; i < (options->dump ? 3 : 1); i++) {
-        char *name = i > 0 ? name_with(options, endings[i]) : NULL;
-        const bool is_input = file_inputs_has(name != NULL ? name : path);
-        if (is_input) {
-            fprintf(stderr, "qtri render: %s: has been read: it would be overwritten\n",
-                    name != NULL ? name : path);
-        }
-        free(name);
-        if (is_input) {
-            return false;
-        }
-    }
-    return true;
+    char *id = options->dump ? name_with(options, ".id") : NULL;
+    char *depth = options->dump ? name_with(options, ".depth") : NULL;
+    const bool ok = may_write(path) && may_write(id) && may_write(depth);
+    free(id);
+    free(depth);
+    return ok;
 }
 
 /* Draws the scene into the file; returns the exit status. */
