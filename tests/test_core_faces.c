@@ -17,11 +17,6 @@ static int max_of(int a, int b)
     return a > b ? a : b;
 }
 
-static int repeats(int few)
-{
-    return long_run() ? 40 * few : random_cases(few);
-}
-
 /* How noisy the n-th mesh is. */
 static double noise_of(int n)
 {

@@ -72,11 +72,6 @@ static unsigned is_inside(const qtri_vertex *v)
     return (v->depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
 }
 
-static int repeats(int few)
-{
-    return long_run() ? 40 * few : random_cases(few);
-}
-
 static void wide_positions(void **state)
 {
     (void)state;

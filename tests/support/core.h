@@ -51,6 +51,12 @@ static inline int random_cases(int all)
     return IS_SANITIZED ? (all + 3) / 4 : all;
 }
 
+/* The same, and 40 times as many in long runs. */
+static inline int repeats(int few)
+{
+    return long_run() ? 40 * few : random_cases(few);
+}
+
 /* splitmix64 (Steele, Lea and Flood 2014). */
 static inline uint64_t random64(uint64_t *state)
 {
