@@ -1,10 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The same pictures to the bit from every compiler, optimisation level, width of a pointer, signedness of char and byte
-# order: the benchmarks' scenes and the matrix of formats, depth tests, sources and geometries (host/bench), drawn by the
-# library as each builds it. Boards draw them too, in check-budgets and check-matrix. tcc, a plain C99 compiler, also
-# builds the command, whose pictures are compared as files. SAME=all takes two minutes and draws with every build of the
-# list below, SAME="tcc gcc-O1" with some.
+# order: the benchmarks' scenes and the matrix of formats, depth tests, sources and geometries (host/bench), and random
+# states (tests/support/random_states.h), drawn by the library as each builds it. Emulated boards draw the random states
+# here, the others in check-budgets and check-matrix. tcc, a plain C99 compiler, also builds the command, whose pictures
+# are compared as files. SAME=all takes four minutes and draws with every build of the list below, SAME="tcc gcc-O1" with
+# some.
 gate=same
 . tests/check/files.sh
 need gcc clang tcc cmp
@@ -17,10 +18,15 @@ alone make -s "$build/bench/scenes/bench_meshes.c" "$build/libqtri.a" MAKEFLAGS=
 sh port/packages/dist.sh "$work/dist" >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
 
 # NAME LIBRARY COMMAND...: how each builds, the slowest first. `one` is the library as one file, `all` its own files,
-# `make` what make has built, with which all are compared.
-usual='gcc-O3 gcc-O2-flto clang-O3 big-endian-O1 32-bit-O2 clang-Os gcc-O0 tcc'
+# `make` what make has built, with which all are compared; `board` one file, too, and the program a firmware.
+usual='cortex-m0plus-Os cortex-m0plus-clang-Os cortex-m3-O2 gcc-O3 gcc-O2-flto clang-O3 big-endian-O1 32-bit-O2 clang-Os gcc-Os gcc-O0 tcc'
 cat >"$work/list" <<'END'
 make make gcc -O2
+cortex-m0plus-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
+cortex-m0plus-clang-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
+cortex-m3-O2 board arm-none-eabi-gcc -mcpu=cortex-m3 -O2
+cortex-m0plus-O2 board arm-none-eabi-gcc -mcpu=cortex-m0plus -O2
+cortex-m3-Os board arm-none-eabi-gcc -mcpu=cortex-m3 -Os
 gcc-O3 one gcc -O3
 gcc-O2-flto all gcc -O2 -flto
 clang-O3 one clang -O3
@@ -39,9 +45,27 @@ cat >"$work/draw" <<'END'
 work=$1 meshes=$2 name=$3 library=$4
 shift 4
 command -v "$1" >/dev/null 2>&1 || { echo "same: skipped: $name: $1 not installed (make setup)" >"$work/$name.skipped"; exit 0; }
-case $name in big-endian*) run=qemu-ppc ;; *) run='' ;; esac
+case $name in big-endian*) run=qemu-ppc ;; cortex*) run=qemu-system-arm ;; *) run='' ;; esac
 [ -z "$run" ] || command -v $run >/dev/null 2>&1 || { echo "same: skipped: $name: $run not installed (make setup)" >"$work/$name.skipped"; exit 0; }
 set -- "$@" -std=c99 -Icore/include -Ihost/bench
+states='tests/support/random_states.c tests/support/random_pictures.c'
+here=host/bench
+if [ $library = board ]; then # its emulated processor faults where access is unaligned
+    board=port/boards
+    set -- "$@" -mthumb -mno-unaligned-access -ffreestanding -fno-tree-loop-distribute-patterns
+    core=$work/dist/single/qtri.c
+    case $name in *-clang-*) # a library by clang in firmware by gcc
+        clang --target=arm-none-eabi -mcpu=cortex-m0plus -mthumb -Os -std=c99 -fshort-enums -ffreestanding -Icore/include \
+            -idirafter $board/common/libc -c -o "$work/$name.o" "$core" || exit 1
+        core=$work/$name.o ;;
+    esac
+    "$@" -nostdlib -T $board/mps2/mps2.ld -o "$work/$name.program" tests/check/same_states.c $states $here/bench_print.c \
+        $board/mps2/*.c $board/common/memory.c "$core" -lgcc &&
+        timeout 300 $run -M mps2-an385 -semihosting-config enable=on,target=native -display none -monitor none \
+            -serial stdio -kernel "$work/$name.program" </dev/null >"$work/$name.states" || { echo "$name: not built or not run"; exit 1; }
+    rm -f "$work/$name.program"
+    exit
+fi
 case $library in
 one)
     "$@" -c -o "$work/$name.o" "$work/dist/single/qtri.c" || exit 1
@@ -50,8 +74,7 @@ one)
 all) library=$(echo core/*/*.c) ;;
 make) library=${BUILD:-build}/libqtri.a ;;
 esac
-here=host/bench
-"$@" -o "$work/$name.program" "$meshes" $here/same.c $here/bench_host_board.c $here/bench_world.c \
+"$@" -o "$work/$name.program" "$meshes" tests/check/same.c $states $here/bench_host_board.c $here/bench_world.c \
     $here/bench_print.c $here/bench_scenes.c $here/bench_smooth.c $here/bench_paint.c $here/bench_strokes.c \
     $here/matrix_cases.c $here/matrix_draw.c $library &&
     $run "$work/$name.program" >"$work/$name.pictures" || { echo "$name: not built or not run"; exit 1; }
@@ -62,15 +85,23 @@ grep -E "^($(echo "make $SAME" | tr ' ' '|')) " "$work/list" |
     sed "s|^|$work $build/bench/scenes/bench_meshes.c |" | xargs -P "$jobs" -L 1 sh "$work/draw" || status=1
 
 cat "$work"/*.skipped 2>/dev/null
-[ "$(wc -l <"$work/make.pictures")" -gt 2000 ] || { echo "too few pictures"; status=1; }
-for file in "$work"/*.pictures; do
+sed -n '/^states /,$p' "$work/make.pictures" >"$work/make.states"
+[ "$(wc -l <"$work/make.pictures")" -gt 2900 ] || { echo "too few pictures"; status=1; }
+[ "$(awk '{ print $NF }' "$work/make.states" | sort -u | wc -l)" -gt 500 ] || { echo "too few pictures of random states"; status=1; }
+grep ' failed$' "$work/make.states" && status=1
+for file in "$work"/*.pictures "$work"/*.states; do
     name=${file##*/}
-    cmp -s "$file" "$work/make.pictures" || {
-        diff "$work/make.pictures" "$file" | sed -n "s/^> /${name%.pictures} draws otherwise: /p" | head -5
+    cmp -s "$file" "$work/make.${name##*.}" || {
+        diff "$work/make.${name##*.}" "$file" | sed -n "s/^> /${name%.*} draws otherwise: /p" >"$work/differ"
+        head -5 "$work/differ"
+        echo "${name%.*} draws $(wc -l <"$work/differ") pictures otherwise"
         status=1
     }
 done
-echo "check: $gate: $(wc -l <"$work/make.pictures") pictures by $(ls "$work"/*.pictures | wc -l) builds"
+states=$(grep -c '^states ' "$work/make.states")
+builds=$(ls "$work"/*.pictures | wc -l)
+boards=$(($(ls "$work"/*.states | wc -l) - 1))
+echo "check: $gate: $(($(wc -l <"$work/make.pictures") - 3)) pictures by $builds builds, $states of them of random states, by $boards on emulated boards too"
 
 case " $SAME " in *' tcc '* | ' .* ') ;; *) finish $status; exit 0 ;; esac
 for compiler in gcc tcc; do

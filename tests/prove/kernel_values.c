@@ -64,7 +64,7 @@ void prove_outcode(void)
     /*@ assert outcode <= 63; */
 }
 
-/* Colours of any kind and value as channels, packed, and back. */
+/* Colours of any kind and value, as channels and packed. */
 // specified: qtri_divide_long
 void prove_colors(void)
 {

@@ -38,6 +38,14 @@ static inline void take(struct reader *r, void *out, size_t size)
     }
 }
 
+/* One of `count` values of an enum; for one byte in sixteen a number that is none, small or large.
+ */
+static inline uint32_t take_choice(struct reader *r, uint32_t count)
+{
+    const uint32_t byte = take_byte(r);
+    return byte < 240 ? byte % count : byte < 248 ? byte : 0u - byte;
+}
+
 static inline uint32_t take_bits(struct reader *r)
 {
     uint8_t byte[4];
@@ -235,11 +243,11 @@ static inline qtri_material build_material(struct reader *r, qtri_texture *textu
     const qtri_shading *const shadings[3] = {QTRI_SMOOTH, QTRI_FLAT_FIRST, QTRI_FLAT_LAST};
     qtri_material m = qtri_material_default();
     m.shading = shadings[take_byte(r) % 3];
-    m.interpolation = (qtri_interpolation)(take_byte(r) % 2);
-    m.texture_mode = (qtri_texture_mode)(take_byte(r) % 2);
-    m.cull = (qtri_cull)(take_byte(r) % 3);
+    m.interpolation = (qtri_interpolation)take_choice(r, 2);
+    m.texture_mode = (qtri_texture_mode)take_choice(r, 2);
+    m.cull = (qtri_cull)take_choice(r, 3);
     m.fill = take_byte(r) % 2 ? &qtri_wireframe : NULL;
-    m.depth_compare = (qtri_compare)(take_byte(r) % 9);
+    m.depth_compare = (qtri_compare)take_choice(r, 9);
     m.depth_read_only = take_byte(r) % 4 == 0;
     take(r, &m.color, sizeof m.color);
     texture->format = texel_formats[take_byte(r) % 6];
@@ -248,8 +256,8 @@ static inline qtri_material build_material(struct reader *r, qtri_texture *textu
     texture->height_log2 = take_byte(r) % 4;
     texture->fields = take_byte(r);
     take(r, texture->color, sizeof texture->color);
-    texture->wrap_u = (qtri_wrap)(take_byte(r) % 3);
-    texture->wrap_v = (qtri_wrap)(take_byte(r) % 3);
+    texture->wrap_u = (qtri_wrap)take_choice(r, 3);
+    texture->wrap_v = (qtri_wrap)take_choice(r, 3);
     static const qtri_filter *const filters[] = {NULL, &qtri_bilinear, &qtri_mipmapped,
                                                  &qtri_mipmapped_bilinear};
     texture->filter = filters[take_byte(r) % 4];

@@ -32,6 +32,7 @@ typedef struct wire {
     int calls, fail_at; /* the call that fails; 0: none */
     bool stuck;         /* BUSY never falls */
     size_t most_bytes;  /* of a transfer of data; 0: any number */
+    size_t data_bytes;  /* that arrived, parameters among them */
 
     const uint8_t *sending; /* by DMA */
     uint8_t *sent;
@@ -88,6 +89,7 @@ static inline bool wire_data(void *context, const uint8_t *bytes, size_t count)
         return false;
     }
     chip_send(w->chip, true, bytes, count);
+    w->data_bytes += count;
     return true;
 }
 
@@ -114,6 +116,7 @@ static inline bool wire_finish(void *context)
     assert_non_null(w->sending);
     assert_memory_equal(w->sending, w->sent, w->sending_bytes);
     chip_send(w->chip, true, w->sent, w->sending_bytes);
+    w->data_bytes += w->sending_bytes;
     free(w->sent);
     w->sending = NULL;
     wire_log(w, 'f', NULL, 0, (uint32_t)w->sending_bytes);

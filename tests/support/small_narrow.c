@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+#define QTRI_LONG_MULTIPLY 0
+#define QTRI_DIVIDE        0
+
+#define qtri_small_are_linear         narrow_small_are_linear
+#define qtri_small_color              narrow_small_color
+#define qtri_small_cut                narrow_small_cut
+#define qtri_small_find               narrow_small_find
+#define qtri_small_fog_step           narrow_small_fog_step
+#define qtri_small_lift               narrow_small_lift
+#define qtri_small_part               narrow_small_part
+#define qtri_small_set_alpha          narrow_small_set_alpha
+#define qtri_small_set_colors_565     narrow_small_set_colors_565
+#define qtri_small_set_colors_888     narrow_small_set_colors_888
+#define qtri_small_set_colors_gray    narrow_small_set_colors_gray
+#define qtri_small_find_uneven        narrow_small_find_uneven
+#define qtri_small_is_linear_by_range narrow_small_is_linear_by_range
+#define qtri_small_turn               narrow_small_turn
+#define qtri_small_light_is_linear    narrow_small_light_is_linear
+#define qtri_small_set_curved_light   narrow_small_set_curved_light
+#define qtri_small_set_light          narrow_small_set_light
+#define qtri_small_set_texture        narrow_small_set_texture
+#define qtri_small_set_weights        narrow_small_set_weights
+
+#include "raster/small_triangle.c"
+#include "raster/small_values.c"
+
+#include "raster/small_texture.c"
+
+#include "qtri/body/small.h"
+#include "small_narrow.h"
+
+bool narrow_small_draw(struct qtri_small *triangle)
+{
+    return qtri_small_triangle_draw(&triangle->state->options, triangle);
+}
