@@ -201,7 +201,7 @@ static void texels(void **state)
                                         m.blend == NULL ? 1 : argb[0] * alpha / 255 / 255));
         }
         print_message("format %d: %.3f of a step\n", f, worst);
-        assert_true(worst <= 1.05);
+        assert_true(worst <= 1);
         canvas_free(&drawn);
         canvas_free(&before);
         canvas_free(&covered);
@@ -541,6 +541,13 @@ static void rows(void **state)
     canvas_free(&c[1]);
 }
 
+/* Of equal steps those that end before the near plane, where fog would be less than none. */
+static bool is_before_near(const qtri_fog *fog, int step)
+{
+    return fog->step_bits != 0 &&
+           fog->first + ((uint64_t)step << fog->step_bits) > UINT64_C(0xFFFF0000);
+}
+
 /* Any parameters; fog that nobody set is none. */
 static void extremes(void **state)
 {
@@ -565,7 +572,7 @@ static void extremes(void **state)
             break;
         }
         for (int i = 0; i < QTRI_FOG_STEPS; i++) {
-            assert_true(n % 4 == 0 || fog.share[i] <= 1024);
+            assert_true(n % 4 == 0 || fog.share[i] <= 1024 || is_before_near(&fog, i));
         }
         qtri_material m = blended(NULL, 0);
         m.fog = &fog;
@@ -591,7 +598,7 @@ static void fog_of_extreme_numbers(void **state)
         qtri_fog fog;
         qtri_fog_exp(&fog, color, range, density);
         for (int i = 0; i < QTRI_FOG_STEPS; i++) {
-            assert_true(fog.share[i] <= 1024);
+            assert_true(fog.share[i] <= 1024 || is_before_near(&fog, i));
         }
         qtri_fog_exp2(&fog, color, range, density);
         for (int i = 0; i < QTRI_FOG_STEPS; i++) {

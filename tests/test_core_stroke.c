@@ -109,6 +109,63 @@ static void coverage(void **state)
     coverage_of(4, POINTS, 300, 1.0 / 32);
 }
 
+/*
+ * Ends shorter than half a width: the disc of the joint reaches out of a flat end, beside which the
+ * corners of the end stick out of the disc.
+ */
+static scene short_ended_scene(uint64_t *seed)
+{
+    scene s = random_scene(seed, 2);
+    s.count = (uint32_t)random_in(seed, 3, 5);
+    s.stroke.width = random_in(seed, 65536, 24 * 65536);
+    s.stroke.closed = false;
+    int32_t x = random_in(seed, 0, WIDTH * 256);
+    int32_t y = random_in(seed, 0, HEIGHT * 256);
+    for (uint32_t i = 0; i < s.count; i++) {
+        const bool is_short = i == 1 ? random_flag(seed) : i + 1 == s.count;
+        const int32_t reach = is_short ? s.stroke.width >> 9 : 8000;
+        x += i == 0 ? 0 : random_in(seed, -reach, reach);
+        y += i == 0 ? 0 : random_in(seed, -reach, reach);
+        s.v[i] = screen_at(x, y);
+    }
+    return s;
+}
+
+static void short_ends(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    uint64_t seed = 29;
+    double worst = 0.0;
+    for (int n = 0; n < random_cases(3000); n++) {
+        const uint64_t from = seed;
+        const scene s = short_ended_scene(&seed);
+        const double error = worst_error(&c, &s);
+        if (error > 1.0 / 32) {
+            fail_msg("scene %llx: off by %.4f", (unsigned long long)from, error);
+        }
+        worst = fmax(worst, error);
+    }
+    print_message("coverage beside short ends: off by %.4f at most\n", worst);
+    canvas_free(&c);
+}
+
+/* (44, 22) was covered by .851: what lies between the end and the disc counted as well. */
+static void a_notch_beside_a_butt_end_is_not_filled(void **state)
+{
+    (void)state;
+    scene s = {.count = 3, .stroke = qtri_stroke_default()};
+    s.v[0] = screen_at(28, 2852);
+    s.v[1] = screen_at(10870, 4406);
+    s.v[2] = screen_at(10424, 4995);
+    s.stroke.width = Q16(11.29);
+    s.stroke.cap = QTRI_CAP_BUTT;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    draw(&c.surface, &s);
+    assert_near(stored_pixel(&c.surface, 44, 22) / 255.0, .559, 1.0 / 32);
+    canvas_free(&c);
+}
+
 /* Hard edges: by the pixel's centre. Sides that pass through a centre may go either way. */
 static void hard(void **state)
 {
@@ -119,7 +176,7 @@ static void hard(void **state)
     int covered = 0;
     for (int n = 0; n < random_cases(400); n++) {
         struct ref_stroke_part part[POINTS];
-        scene s = random_scene(&seed, 6);
+        scene s = n % 2 != 0 ? short_ended_scene(&seed) : random_scene(&seed, 6);
         s.stroke.edges = NULL;
         const size_t count = parts_of(&s, part);
         canvas_clear(&c);
@@ -805,6 +862,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(coverage),
+        cmocka_unit_test(short_ends),
+        cmocka_unit_test(a_notch_beside_a_butt_end_is_not_filled),
         cmocka_unit_test(hard),
         cmocka_unit_test(bands_and_scissors),
         cmocka_unit_test(blending),

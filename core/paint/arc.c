@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "paint_checked.h"
 #include "path.h"
 
 #include "qtri/q16_trig.h"
@@ -46,9 +47,10 @@ static void add_line(qtri_path *path, const qtri_point *center, int32_t inner, i
 void qtri_paint_arc(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
                     int32_t width_24p8, q16 from, q16 sweep, const qtri_brush *brush)
 {
-    QTRI_ASSERT(center != NULL);
+    QTRI_CHECK(qtri_check_circle(surface, center, radius_24p8));
+    QTRI_CHECK(qtri_check_ring_width(radius_24p8, width_24p8));
     if (sweep >= DEGREES(360) || sweep <= -DEGREES(360)) {
-        qtri_paint_ring(surface, center, radius_24p8, width_24p8, brush);
+        qtri_paint_ring_part(surface, center, radius_24p8, width_24p8, brush);
         return;
     }
     if (radius_24p8 <= 0 || width_24p8 <= 0 || sweep == 0) {

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "paint_checked.h"
 #include "path.h"
 
 static int32_t hold_radius(int32_t radius)
@@ -9,13 +10,23 @@ static int32_t hold_radius(int32_t radius)
 void qtri_paint_circle(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
                        const qtri_brush *brush)
 {
-    qtri_paint_ring(surface, center, radius_24p8, radius_24p8, brush);
+    QTRI_CHECK(qtri_check_circle(surface, center, radius_24p8));
+    qtri_paint_ring_part(surface, center, radius_24p8, radius_24p8, brush);
 }
 
+#ifdef QTRI_CHECKED
 void qtri_paint_ring(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
                      int32_t width_24p8, const qtri_brush *brush)
 {
-    QTRI_ASSERT(center != NULL);
+    qtri_check_circle(surface, center, radius_24p8);
+    qtri_check_ring_width(radius_24p8, width_24p8);
+    qtri_paint_ring_part(surface, center, radius_24p8, width_24p8, brush);
+}
+#endif
+
+void qtri_paint_ring_part(const qtri_surface *surface, const qtri_point *center,
+                          int32_t radius_24p8, int32_t width_24p8, const qtri_brush *brush)
+{
     if (radius_24p8 <= 0 || width_24p8 <= 0) {
         return;
     }

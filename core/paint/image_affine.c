@@ -4,11 +4,19 @@
 #include "qtri/q16_trig.h"
 #include "qtri/error.h"
 
+#ifdef QTRI_CHECKED
+/* Not so near to 0 in both that they are taken for plain numbers; 0, too. */
+static bool is_scale(q16 x, q16 y)
+{
+    return (x == 0 && y == 0) || x > 15 || x < -15 || y > 15 || y < -15;
+}
+#endif
+
 void qtri_affine_place(qtri_affine *affine, q16 pivot_x, q16 pivot_y, q16 place_x, q16 place_y,
                        q16 scale_x, q16 scale_y, q16 degrees)
 {
     QTRI_ASSERT(affine != NULL);
-    QTRI_ASSERT(scale_x != 1 || scale_y != 1);
+    QTRI_ASSERT(is_scale(scale_x, scale_y));
     q16 sine;
     q16 cosine;
     q16_sincos_deg(degrees, &sine, &cosine);

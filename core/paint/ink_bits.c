@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "ink.h"
-#include "mix.h"
+#include "mix_stored.h"
 
 /* All pixels have one weight: what is added to each is made once for a glyph. */
 QTRI_INLINE void bits_of(qtri_mix mix, int32_t bytes, const qtri_painter *painter, uint8_t *to,

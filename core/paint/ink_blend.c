@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "ink.h"
-#include "mix.h"
+#include "mix_stored.h"
 
 QTRI_INLINE void span_of(qtri_mix mix, uint8_t *at, int32_t bytes, int32_t count, uint32_t keep,
                          qtri_mix_part share)

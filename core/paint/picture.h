@@ -12,7 +12,7 @@
 #include "qtri/error.h"
 #include "qtri/image.h"
 
-#include "mix.h"
+#include "mix_stored.h"
 #include "../frame/stored.h"
 
 enum { QTRI_PICTURE_BATCH = 32 };

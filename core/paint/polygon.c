@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "paint_checked.h"
 #include "path.h"
 
 /* Of few points: sides that are made ready once, and not in every row. */
@@ -17,10 +18,18 @@ static void paint_few(const qtri_surface *surface, const qtri_point *point, int3
     qtri_path_paint(&path, surface, brush);
 }
 
+#ifdef QTRI_CHECKED
 void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
                         const qtri_brush *brush)
 {
-    QTRI_ASSERT(point != NULL || count <= 0);
+    qtri_check_points(surface, point, count);
+    qtri_paint_polygon_part(surface, point, count, brush);
+}
+#endif
+
+void qtri_paint_polygon_part(const qtri_surface *surface, const qtri_point *point, int32_t count,
+                             const qtri_brush *brush)
+{
     if (count >= 3 && count <= QTRI_PATH_EDGES) {
         paint_few(surface, point, count, brush);
     } else if (count >= 3) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "ink.h"
+#include "paint_checked.h"
 
 /*
  * Whether its sides share no pixel: with hard edges; with smooth ones where the inner rectangle
@@ -19,7 +20,8 @@ static bool is_apart(const qtri_ink *ink, const qtri_area *inner)
 void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, int32_t width_24p8,
                              const qtri_brush *brush)
 {
-    QTRI_ASSERT(box != NULL);
+    QTRI_CHECK(qtri_check_area(surface, box));
+    QTRI_CHECK(qtri_check_width(width_24p8));
     const qtri_area b = qtri_hold_area(box);
     const int32_t width = b.x1_24p8 - b.x0_24p8; /* |.| <= 2^23 */
     const int32_t height = b.y1_24p8 - b.y0_24p8;
@@ -27,7 +29,7 @@ void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, 
         return;
     }
     if (width_24p8 >= width - width_24p8 || width_24p8 >= height - width_24p8) {
-        qtri_paint_rect(surface, &b, brush);
+        qtri_paint_rect_part(surface, &b, brush);
         return;
     }
     const qtri_area inner = {b.x0_24p8 + width_24p8, b.y0_24p8 + width_24p8, b.x1_24p8 - width_24p8,
@@ -41,6 +43,6 @@ void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, 
                                {b.x0_24p8, inner.y0_24p8, inner.x0_24p8, inner.y1_24p8},
                                {inner.x1_24p8, inner.y0_24p8, b.x1_24p8, inner.y1_24p8}};
     for (int i = 0; i < 4; i++) {
-        qtri_paint_rect(surface, &side[i], brush);
+        qtri_paint_rect_part(surface, &side[i], brush);
     }
 }

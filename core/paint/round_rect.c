@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "paint_checked.h"
 #include "path.h"
 
 /* Right and left side, and a quarter of a circle at each corner. */
@@ -37,7 +38,7 @@ static bool begin(const qtri_area *box, int32_t *radius, qtri_area *held)
 void qtri_paint_round_rect(const qtri_surface *surface, const qtri_area *box, int32_t radius_24p8,
                            const qtri_brush *brush)
 {
-    QTRI_ASSERT(box != NULL);
+    QTRI_CHECK(qtri_check_area(surface, box));
     qtri_area held;
     qtri_path path;
     qtri_path_init(&path);
@@ -50,7 +51,8 @@ void qtri_paint_round_rect(const qtri_surface *surface, const qtri_area *box, in
 void qtri_paint_round_rect_outline(const qtri_surface *surface, const qtri_area *box,
                                    int32_t radius_24p8, int32_t width_24p8, const qtri_brush *brush)
 {
-    QTRI_ASSERT(box != NULL);
+    QTRI_CHECK(qtri_check_area(surface, box));
+    QTRI_CHECK(qtri_check_width(width_24p8));
     qtri_area b;
     qtri_path path;
     qtri_path_init(&path);

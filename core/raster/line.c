@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "line.h"
 
-#include "checked.h"
+#include "checked_material.h"
 #include "dda.h"
 #include "effect.h"
 #include "line_path.h"
@@ -474,8 +474,7 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_batch *batch)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    const qtri_compare compare =
-        material->depth_compare > QTRI_ALWAYS ? QTRI_ALWAYS : material->depth_compare;
+    const qtri_compare compare = qtri_compare_of(material);
     const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
     job->surface = surface;
     job->draw = qtri_line_draw;

@@ -35,7 +35,7 @@ void qtri_line_effects(const qtri_line_job *job, const qtri_ramp *depth)
     const qtri_fragments at = {batch->place, batch->place[0], depth, NULL};
     uint32_t mask = qtri_mask_of(count);
     if (job->testing != NULL) {
-        raster.late_compare = job->material->depth_compare;
+        raster.late_compare = qtri_compare_of(job->material);
         raster.late_write = stages == NULL && job->depth_write;
         mask = job->testing->test(&raster, &at, mask, count);
     }

@@ -11,14 +11,12 @@
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
 {
-    const qtri_compare compare = material->depth_compare;
+    const qtri_compare compare = qtri_compare_of(material);
     stroker->surface = surface;
     stroker->bounds = qtri_surface_bounds(surface);
     stroker->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : compare;
     stroker->depth_write = stroker->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
-    /* From QTRI_NEVER on comparisons count in binary; what is none of them passes. */
-    stroker->passing =
-        (uint8_t)((uint32_t)compare <= (uint32_t)QTRI_ALWAYS ? ((uint32_t)compare - 1u) & 7 : 7);
+    stroker->passing = (uint8_t)(qtri_orders_of(compare) & 7);
     stroker->alpha = stroke->alpha;
     stroker->edges = stroke->edges;
     stroker->material = material;
@@ -255,6 +253,15 @@ QTRI_NOINLINE static void draw_affected(qtri_stroker *stroker, const clip *in)
     }
 }
 
+static void cover_between(qtri_stroker *stroker, const qtri_stroke_slice *slice)
+{
+    const int32_t first = ((slice->left[0] + 127) >> 8) - stroker->column;
+    const int32_t end = ((slice->right[0] + 127) >> 8) - stroker->column;
+    for (int32_t i = qtri_greatest32(first, 0); i < qtri_least32(end, QTRI_STROKE_WINDOW); i++) {
+        stroker->cover[i] = QTRI_STROKE_FULL;
+    }
+}
+
 /* Those whose centres lie inside. */
 static void add_hard(qtri_stroker *stroker)
 {
@@ -263,14 +270,11 @@ static void add_hard(qtri_stroker *stroker)
     for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
         qtri_stroke_slice slice;
         /* Down to the next level, so that a side which ends here does not count. */
-        if (!qtri_stroke_shape_slice(s, y, y + 1, &slice)) {
-            continue;
+        if (qtri_stroke_shape_slice(s, y, y + 1, &slice)) {
+            cover_between(stroker, &slice);
         }
-        const int32_t first = ((slice.left[0] + 127) >> 8) - stroker->column;
-        const int32_t end = ((slice.right[0] + 127) >> 8) - stroker->column;
-        for (int32_t i = qtri_greatest32(first, 0); i < qtri_least32(end, QTRI_STROKE_WINDOW);
-             i++) {
-            stroker->cover[i] = QTRI_STROKE_FULL;
+        if (s->disc_apart != 0 && qtri_stroke_shape_disc(s, y, y + 1, &slice)) {
+            cover_between(stroker, &slice);
         }
     }
 }
@@ -299,7 +303,7 @@ static clip clip_of(const qtri_stroker *stroker)
     return in;
 }
 
-/* A row that one part alone touches, without what it takes to unite several. */
+/* A row that one convex part alone touches, without what it takes to unite several. */
 static void draw_alone(qtri_stroker *stroker, const clip *in)
 {
     qtri_stroke_slice slice;
@@ -354,7 +358,8 @@ static void draw_row(qtri_stroker *stroker)
     if (in.first >= in.end) {
         return;
     }
-    if (stroker->touch_count == 1 && stroker->edges == NULL && stroker->effects == NULL) {
+    if (stroker->touch_count == 1 && stroker->edges == NULL && stroker->effects == NULL &&
+        qtri_stroker_shape(stroker, stroker->touch[0].part)->disc_apart == 0) {
         draw_alone(stroker, &in);
         return;
     }

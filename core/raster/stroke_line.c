@@ -153,7 +153,7 @@ static void take_pixels(const qtri_wire *w, qtri_wire_pixels *p, const cells *c)
             }
         } else if (job->testing != NULL) {
             const bool writes = job->depth_write && sum >= FULL / 2;
-            if (!job->testing->passes(surface, job->material->depth_compare, place,
+            if (!job->testing->passes(surface, qtri_compare_of(job->material), place,
                                       qtri_wire_fine_depth(w, share),
                                       writes && job->writes_early)) {
                 continue;

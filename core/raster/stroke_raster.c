@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke.h"
-#include "checked.h"
+#include "checked_material.h"
 
 /* A polyline on the screen. */
 typedef struct polyline {
@@ -52,7 +52,7 @@ void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *mate
 {
     QTRI_CHECK(qtri_check_surface(surface));
     QTRI_CHECK(qtri_check_material(material));
-    QTRI_ASSERT(stroke != NULL);
+    QTRI_CHECK(qtri_check_stroke(stroke));
     QTRI_ASSERT(v != NULL || count == 0);
     qtri_stroker stroker;
     const polyline line = {v, count, qtri_stroke_radius(stroke->width), qtri_stroke_cap(stroke),
@@ -67,7 +67,7 @@ void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *mate
 void qtri_raster_point(const qtri_surface *surface, const qtri_material *material,
                        const qtri_stroke *stroke, const qtri_screen_vertex *v)
 {
-    QTRI_ASSERT(stroke != NULL);
+    QTRI_CHECK(qtri_check_stroke(stroke));
     QTRI_ASSERT(v != NULL);
     qtri_stroke point = *stroke;
     point.cap = qtri_stroke_cap(stroke) == QTRI_CAP_ROUND ? QTRI_CAP_ROUND : QTRI_CAP_SQUARE;

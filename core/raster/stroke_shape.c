@@ -76,6 +76,12 @@ void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *p
     if (shape->is_disc) {
         shape->discs = 1; /* the same one; the rectangle has no width there */
     }
+    const bool is_short = (uint64_t)radius << shape->up > shape->length && shape->length != 0;
+    shape->disc_apart = 0;
+    if (is_short && (shape->discs == 1 || shape->discs == 2)) {
+        shape->disc_apart = shape->discs;
+        shape->discs = 0;
+    }
     shape->disc_level[0] = shape->disc_level[1] = INT32_MAX;
     shape->side_level[0] = shape->side_level[1] = INT32_MAX;
     /* To the left of the direction, or where that is down, so that its y is not negative. */
@@ -242,6 +248,14 @@ bool qtri_stroke_shape_slice(qtri_stroke_shape *s, int32_t y0, int32_t y1, qtri_
         found |= add_end(slice, level, s->b.x_24p8 - x, b_y - y, b_y + y, s->end_slope_q32);
     }
     return found;
+}
+
+bool qtri_stroke_shape_disc(qtri_stroke_shape *s, int32_t y0, int32_t y1, qtri_stroke_slice *slice)
+{
+    const int32_t level[2] = {y0, y1};
+    slice->left[0] = slice->left[1] = INT32_MAX;
+    slice->right[0] = slice->right[1] = INT32_MIN;
+    return add_disc(slice, level, s, s->disc_apart - 1);
 }
 
 void qtri_stroke_shape_breaks(const qtri_stroke_shape *s, int32_t top, uint32_t levels[8])

@@ -48,6 +48,8 @@ typedef struct qtri_stroke_shape {
     uint32_t length;                  /* in 24.8, times 2^up: 2^30..2^31; 0: none */
     uint8_t up;                       /* 6..30 */
     uint8_t inverse_shift; /* a position times 2^up and `inverse`, so far down: a share in Q16 */
+    uint8_t disc_apart;    /* in place of `discs`, of a part so short that its disc reaches out of
+                              the other, flat end: the two are not convex */
     uint32_t inverse;      /* of `length` */
     qtri_stroke_end end[2];
 } qtri_stroke_shape;
@@ -63,13 +65,19 @@ bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int3
 
 /*
  * From the level y0 to y1, in between of which no side begins or ends: the left and right bounds at
- * both. False: it is not there.
+ * both.
  */
 typedef struct qtri_stroke_slice {
     int32_t left[2], right[2]; /* at y0 and y1, 24.8 */
 } qtri_stroke_slice;
+
+/* Without a disc that is apart. False: it is not there. */
 bool qtri_stroke_shape_slice(qtri_stroke_shape *shape, int32_t y0, int32_t y1,
                              qtri_stroke_slice *slice);
+
+/* The disc that is apart. */
+bool qtri_stroke_shape_disc(qtri_stroke_shape *shape, int32_t y0, int32_t y1,
+                            qtri_stroke_slice *slice);
 
 /*
  * Marks the levels from `top` to `top` + 255 where a side or a disc begins or ends: 32 in each

@@ -10,17 +10,25 @@ struct interval {
     double from, to;
 };
 
-static void widen(struct interval *interval, double from, double to)
+/* What a level cuts of a part: of its rectangle and of the discs around its ends. */
+struct cuts {
+    struct interval of[3];
+    size_t count;
+};
+
+static void add(struct cuts *cuts, double from, double to)
 {
-    interval->from = fmin(interval->from, from);
-    interval->to = fmax(interval->to, to);
+    if (from < to) {
+        cuts->of[cuts->count].from = from;
+        cuts->of[cuts->count++].to = to;
+    }
 }
 
-static void add_disc(struct interval *interval, double x, double y, double radius, double at)
+static void add_disc(struct cuts *cuts, double x, double y, double radius, double at)
 {
     double square = radius * radius - (at - y) * (at - y);
     if (square > 0.0)
-        widen(interval, x - sqrt(square), x + sqrt(square));
+        add(cuts, x - sqrt(square), x + sqrt(square));
 }
 
 /* The unit vector along a part; along x for one without a length. */
@@ -48,8 +56,8 @@ static void narrow(struct interval *interval, double factor, double rest, double
     interval->to = fmin(interval->to, fmax(a, b));
 }
 
-/* The part's extent on the level `at`: a convex shape has one interval. */
-static struct interval cut(const struct ref_stroke_part *part, double at)
+/* The part on the level `at`. */
+static struct cuts cut(const struct ref_stroke_part *part, double at)
 {
     double unit[2];
     double length = direction(part, unit);
@@ -57,13 +65,12 @@ static struct interval cut(const struct ref_stroke_part *part, double at)
     double before = part->cap[0] == REF_CAP_SQUARE ? r : 0.0;
     double behind = part->cap[1] == REF_CAP_SQUARE ? r : 0.0;
     struct interval body = {-INFINITY, INFINITY};
-    struct interval all = {INFINITY, -INFINITY};
+    struct cuts all = {.count = 0};
     double dy = at - part->y0;
     /* Along: ux (x - x0) + uy dy; across: ux dy - uy (x - x0). */
     narrow(&body, unit[0], unit[1] * dy - unit[0] * part->x0, -before, length + behind);
     narrow(&body, -unit[1], unit[0] * dy + unit[1] * part->x0, -r, r);
-    if (body.from < body.to)
-        all = body;
+    add(&all, body.from, body.to);
     if (part->cap[0] == REF_CAP_ROUND)
         add_disc(&all, part->x0, part->y0, r, at);
     if (part->cap[1] == REF_CAP_ROUND)
@@ -89,7 +96,7 @@ static void add_interval(double *share, int width, double from, double to)
 void ref_stroke_cover_row(const struct ref_stroke_part *part, size_t count, int row, int width,
                           double *share)
 {
-    struct interval *all = malloc((count + 1) * sizeof *all);
+    struct interval *all = malloc((3 * count + 1) * sizeof *all);
     if (all == NULL)
         abort();
     for (int x = 0; x < width; x++)
@@ -102,9 +109,9 @@ void ref_stroke_cover_row(const struct ref_stroke_part *part, size_t count, int 
             if (at < fmin(part[i].y0, part[i].y1) - reach ||
                 at > fmax(part[i].y0, part[i].y1) + reach)
                 continue;
-            struct interval one = cut(&part[i], at);
-            if (one.from < one.to)
-                all[found++] = one;
+            struct cuts one = cut(&part[i], at);
+            for (size_t k = 0; k < one.count; k++)
+                all[found++] = one.of[k];
         }
         qsort(all, found, sizeof *all, by_from);
         for (size_t i = 0; i < found;) {
@@ -120,9 +127,11 @@ void ref_stroke_cover_row(const struct ref_stroke_part *part, size_t count, int 
 bool ref_stroke_contains(const struct ref_stroke_part *part, size_t count, double x, double y)
 {
     for (size_t i = 0; i < count; i++) {
-        struct interval one = cut(&part[i], y);
-        if (x >= one.from && x < one.to)
-            return true;
+        struct cuts one = cut(&part[i], y);
+        for (size_t k = 0; k < one.count; k++) {
+            if (x >= one.of[k].from && x < one.of[k].to)
+                return true;
+        }
     }
     return false;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "ink.h"
+#include "paint_checked.h"
 
 #include "../bits/bits.h"
 
@@ -12,11 +13,21 @@ static int32_t offset_of(int32_t side, int32_t width, uint64_t length)
     return side < 0 ? -offset : offset;
 }
 
+#ifdef QTRI_CHECKED
+static void check_stroke(const qtri_surface *surface, qtri_point from, qtri_point to, int32_t width)
+{
+    const qtri_point end[2] = {from, to};
+    qtri_check_points(surface, end, 2);
+    qtri_check_width(width);
+}
+#endif
+
 void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, const qtri_point *to,
                        int32_t width_24p8, const qtri_brush *brush)
 {
     QTRI_ASSERT(from != NULL);
     QTRI_ASSERT(to != NULL);
+    QTRI_CHECK(check_stroke(surface, *from, *to, width_24p8));
     const qtri_point a = {qtri_hold_24p8(from->x_24p8), qtri_hold_24p8(from->y_24p8)};
     const qtri_point b = {qtri_hold_24p8(to->x_24p8), qtri_hold_24p8(to->y_24p8)};
     const int32_t dx = b.x_24p8 - a.x_24p8; /* |.| <= 2^23 */
@@ -33,5 +44,5 @@ void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, cons
                                  {b.x_24p8 + x, b.y_24p8 + y},
                                  {b.x_24p8 - x, b.y_24p8 - y},
                                  {a.x_24p8 - x, a.y_24p8 - y}};
-    qtri_paint_polygon(surface, point, 4, brush);
+    qtri_paint_polygon_part(surface, point, 4, brush);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "mix.h"
+#include "mix_stored.h"
 
 /*
  * What is stored is known by the function that decodes it; see format.h. Pixels of RGB565 whose

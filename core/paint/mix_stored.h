@@ -10,8 +10,8 @@
  * exchanged: such pixels are mixed as they are stored, two channels at a time. Of other formats
  * only what `decode` and `encode` say is known.
  */
-#ifndef QTRI_PAINT_MIX_H
-#define QTRI_PAINT_MIX_H
+#ifndef QTRI_PAINT_MIX_STORED_H
+#define QTRI_PAINT_MIX_STORED_H
 
 #include "../bits/bits.h"
 #include "../frame/pixel.h"
