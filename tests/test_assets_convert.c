@@ -347,6 +347,29 @@ static void ply_files_are_complete(void **state)
     assert_false(model_check_ply("x", text, (size_t)length, &error));
     snprintf(text + length, sizeof text - (size_t)length, "1\n\n2\n3 0 1 0");
     assert_true(model_check_ply("x", text, strlen(text), &error));
+    static const struct {
+        const char *data, *message; /* NULL: complete */
+    } lines[] = {{"1\n2\n3 0 1 0\n", NULL},
+                 {"1 9\n2\n3 0 1 0 9\n", NULL}, /* more than is asked for */
+                 {"1\n2\n0\n", NULL},
+                 {"1\n2\n\n3 0 1\n", "x:11: a list is longer than its line"},
+                 {"1\n2\n3 0 1\n0\n", "x:10: a list is longer than its line"},
+                 {"1\n2\n1000000000000 0\n", "x:10: a list needs a count"},
+                 {"1\n2\n-1 0\n", "x:10: a list needs a count"},
+                 {"1\n2\nx\n", "x:10: a list needs a count"},
+                 {"1\n2\n", "x:9: ends before the last of its elements"}};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        snprintf(text + length, sizeof text - (size_t)length, "%s", lines[i].data);
+        const bool ok = model_check_ply("x", text, strlen(text), &error);
+        assert_true(ok == (lines[i].message == NULL));
+        if (!ok) {
+            assert_string_equal(error.message, lines[i].message);
+        }
+    }
+    static const char two[] = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                              "property float y\nend_header\n1\n2\n";
+    assert_false(model_check_ply("x", two, sizeof two - 1, &error));
+    assert_string_equal(error.message, "x:7: fewer values than its element has");
     static const char many[] = "ply\nelement face 10000000\nend_header\n";
     assert_false(model_check_ply("x", many, sizeof many - 1, &error));
     assert_memory_equal(error.message, "x:2: more than", 14);

@@ -121,20 +121,51 @@ static bool parse_line(struct ply *ply, struct line *line)
 
 /* ---- The data ---- */
 
+/* Whether a line holds what its element has. */
+static bool check_values(const struct ply *ply, const struct element *element, struct line line)
+{
+    struct token token;
+    for (int i = 0; i < element->property_count; i++) {
+        int64_t count = 1;
+        if (element->properties[i].count_bytes > 0 &&
+            (!line_token(&line, &token) ||
+             number_parse_integer(token.text, token.length, 0, INT32_MAX, &count) != NUMBER_OK)) {
+            return fail(ply, line.number, "a list needs a count");
+        }
+        for (; count > 0; count--) {
+            if (!line_token(&line, &token)) {
+                return fail(ply, line.number,
+                            element->properties[i].count_bytes > 0
+                                ? "a list is longer than its line"
+                                : "fewer values than its element has");
+            }
+        }
+    }
+    return true;
+}
+
+/* Each line that is not blank is an element. */
 static bool check_text(const struct ply *ply, struct line_reader *reader)
 {
-    int64_t lines = 0, needed = 0;
     struct line line;
-    struct token token;
     int last = ply->line;
     for (int i = 0; i < ply->element_count; i++) {
-        needed += ply->elements[i].count;
+        for (int64_t j = 0; j < ply->elements[i].count; j++) {
+            struct token token;
+            struct line rest = {NULL, NULL, 0};
+            do {
+                if (!lines_next(reader, &line)) {
+                    return fail(ply, last, "ends before the last of its elements");
+                }
+                last = line.number;
+                rest = line;
+            } while (!line_token(&rest, &token));
+            if (!check_values(ply, &ply->elements[i], line)) {
+                return false;
+            }
+        }
     }
-    while (lines_next(reader, &line)) {
-        lines += line_token(&line, &token) ? 1 : 0;
-        last = line.number;
-    }
-    return lines >= needed || fail(ply, last, "ends before the last of its elements");
+    return true;
 }
 
 static uint64_t list_length(const struct ply *ply, const char *at, size_t bytes)

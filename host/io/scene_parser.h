@@ -1,8 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Inside the scene reader. scene.c reads the text and finds the statement in the table; the
- * statements themselves are in scene_ops.c (matrices and geometry, kept in order),
- * scene_state.c (global state) and scene_assets.c (textures and mesh files).
+ * Inside the scene reader. scene_read.c reads the text and finds the statement in its table; the
+ * statements themselves are in
+ *
+ *   scene_ops.c      matrices and geometry, kept in order
+ *   scene_model.c    shapes, morphs, and what a model is culled by
+ *   scene_pose.c     keys, joints, cameras, billboards, windows
+ *   scene_state.c    global state
+ *   scene_assets.c   the texture; mesh files
+ *   scene_alpha.c    alpha of the texture, and its test
+ *   scene_light.c    lights, the material
+ *   scene_blend.c    blends, fog, channels, shifts of depth
+ *   scene_paint.c    flat shapes, text, pictures
+ *   scene_stroke.c   lines and points
  */
 #ifndef QTRI_HOST_IO_SCENE_PARSER_H
 #define QTRI_HOST_IO_SCENE_PARSER_H
@@ -125,7 +135,7 @@ bool scene_fail_argument(struct scene_parser *parser, int argument, const char *
 /* Reads `count` numbers beginning with argument `first`. */
 bool scene_numbers(struct scene_parser *parser, int first, int count, int32_t *numbers);
 
-/* The same for numbers in 0..1: colours, depths, intensities. */
+/* Reads `count` numbers in 0..1: colours, depths, intensities. */
 bool scene_fractions(struct scene_parser *parser, int first, int count, int32_t *numbers);
 
 bool scene_integer(struct scene_parser *parser, int argument, int minimum, int maximum, int *value);
@@ -139,6 +149,7 @@ struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind ki
 
 /* ---- Handlers ---- */
 
+/* scene_ops.c */
 scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
     scene_statement_pop, scene_statement_triangle, scene_statement_mesh;
 
@@ -151,6 +162,7 @@ scene_handler scene_statement_key, scene_statement_keys, scene_statement_joint,
     scene_statement_atjoint, scene_statement_camera, scene_statement_billboard,
     scene_statement_window;
 
+/* scene_state.c; texture: scene_assets.c */
 scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_cleardepth,
     scene_statement_depth, scene_statement_depthformat, scene_statement_depthmask,
     scene_statement_depthrange, scene_statement_cull, scene_statement_shade,
@@ -158,8 +170,7 @@ scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_c
     scene_statement_texformat, scene_statement_texkey, scene_statement_interpolate,
     scene_statement_polygon, scene_statement_texture, scene_statement_antialias;
 
-/* ---- Light (scene_light.c) ---- */
-
+/* scene_light.c */
 scene_handler scene_statement_light, scene_statement_ambient, scene_statement_material,
     scene_statement_twosided, scene_statement_texgen;
 
@@ -176,6 +187,7 @@ scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogden
     scene_statement_colormask, scene_statement_depthbias, scene_statement_depthslope,
     scene_statement_vertexalpha;
 
+/* scene_stroke.c */
 scene_handler scene_statement_linewidth, scene_statement_linesmooth, scene_statement_linecap,
     scene_statement_linealpha, scene_statement_line, scene_statement_polyline,
     scene_statement_vertex, scene_statement_pointsize, scene_statement_point;

@@ -69,9 +69,10 @@ void st7735_init(lcd *s, const lcd_glass *glass, int width, int height);
 /* GC9A01 (GalaxyCore, V1.0) on a round glass of 240x240; its registers without a name are taken. */
 void gc9a01_init(lcd *s, const lcd_glass *glass);
 
-/* SSD1680 (Solomon Systech, rev 0.14) on a glass of 122x250 at sources 8..129 and gates 0..249. */
+/* SSD1680 (Solomon Systech, rev 0.14) on a glass of 122x250, from source 8 and gate 0 on. */
 typedef struct ssd1680 {
     chip chip;
+    int width, height;           /* of the glass: 122, 250 after init */
     int first_column, first_row; /* of the glass in what is shown of the memory; 0 after init */
     uint8_t memory[296][22];
     uint8_t shown[296][22]; /* since the last refresh */

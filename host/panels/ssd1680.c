@@ -15,7 +15,7 @@ static const chip_command commands[] = {
 };
 
 enum { X_UP = 1, Y_UP = 2, Y_FIRST = 4 };
-enum { LAST_X = 21, LAST_Y = 295, GLASS_BYTES = 16, GLASS_ROWS = 250 };
+enum { LAST_X = 21, LAST_Y = 295 };
 enum { RESET_MS = 10, REFRESH_MS = 2000, PARTIAL_MS = 400 };
 
 static ssd1680 *self(chip *it)
@@ -77,10 +77,11 @@ static void show_changes(chip *it)
     if ((s->options[0] & 0xF0) != 0) {
         chip_reject(it, "a partial refresh without the second memory");
     }
-    for (int y = 0; y < GLASS_ROWS; y++) {
+    const size_t bytes = ((size_t)s->width + 7) / 8;
+    for (int y = 0; y < s->height; y++) {
         const uint8_t *is = &s->shown[s->first_row + y][s->first_column / 8];
         const uint8_t *held = &s->second[s->first_row + y][s->first_column / 8];
-        if (memcmp(is, held, GLASS_BYTES) != 0) {
+        if (memcmp(is, held, bytes) != 0) {
             chip_reject(it, "the second memory is not what is shown in row %d", y);
         }
     }
@@ -181,7 +182,7 @@ static void store(chip *it, uint8_t byte)
 static uint32_t pixel(const chip *it, int x, int y)
 {
     const ssd1680 *s = (const ssd1680 *)(const void *)it;
-    if (s->gates != 250 || (s->options[1] & 0x80) == 0) {
+    if (s->gates != s->height || (s->options[1] & 0x80) == 0) {
         return 0x808080; /* not driven as the glass is wired */
     }
     int column = s->first_column + x;
@@ -197,6 +198,8 @@ void ssd1680_init(ssd1680 *s)
     memset(s->shown, 0xC3, sizeof s->shown);
     memset(s->second, 0x5A, sizeof s->second); /* whatever it holds */
     s->refreshes = s->partial_refreshes = s->first_column = s->first_row = 0;
+    s->width = 122;
+    s->height = 250;
     s->chip.busy_pin = true;
     chip_init(&s->chip, &model);
 }

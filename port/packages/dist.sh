@@ -25,7 +25,9 @@ library=$part/arduino/qtri
 mkdir -p "$library/src/qtri" "$library/src/qtri_port" "$library/examples"
 cp LICENSE README.md CHANGELOG.md "$library/"
 cp core/include/qtri.h "$library/src/"
+mkdir -p "$library/src/qtri/body"
 cp core/include/qtri/*.h "$library/src/qtri/"
+cp core/include/qtri/body/*.h "$library/src/qtri/body/"
 # The IDE looks for headers in src/ alone, so both folders of public ones go there; the core's files name each other
 # by `../bits/bits.h` and need no folder to search.
 cp port/include/qtri_port/*.h "$library/src/qtri_port/"

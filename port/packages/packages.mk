@@ -16,6 +16,8 @@ install: $(LIBRARY) ## Install library, headers and qtri.pc below PREFIX (and DE
 	cp $(LIBRARY) $(DESTDIR)$(LIBDIR)/
 	cp core/include/qtri.h $(DESTDIR)$(INCLUDEDIR)/
 	cp core/include/qtri/*.h $(DESTDIR)$(INCLUDEDIR)/qtri/
+	mkdir -p $(DESTDIR)$(INCLUDEDIR)/qtri/body
+	cp core/include/qtri/body/*.h $(DESTDIR)$(INCLUDEDIR)/qtri/body/
 	cp port/include/qtri_port/*.h $(DESTDIR)$(INCLUDEDIR)/qtri_port/
 	sed -e 's|@prefix@|$(PREFIX)|; s|@libdir@|$(LIBDIR)|; s|@includedir@|$(INCLUDEDIR)|' \
 	    -e 's|@version@|$(QTRI_VERSION)|; s|@options@|$(QTRI_OPTIONS:%= %)|' \

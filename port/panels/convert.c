@@ -8,7 +8,7 @@ bool qtri_panel_is_native(qtri_byte_order order)
     const uint16_t one = 1;
     uint8_t first;
     memcpy(&first, &one, 1);
-    return order == QTRI_ORDER_NATIVE || order == (first == 1 ? QTRI_ORDER_LITTLE : QTRI_ORDER_BIG);
+    return order == QTRI_ORDER_NATIVE || (order == QTRI_ORDER_LITTLE) == (first == 1);
 }
 
 /* 31 / 255 and 63 / 255 of a channel, to nearest for all 256: a Cortex-M0+ has no division. */

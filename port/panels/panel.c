@@ -31,6 +31,9 @@ static bool packed(qtri_panel_format format)
 /* The least memory, or 0 where format and bus do not go together. */
 static uint64_t least_bytes(const qtri_panel_description *d)
 {
+    if (d->partial != NULL && !packed(d->format)) {
+        return 0;
+    }
     if (d->window != NULL) {
         return d->partial != NULL  ? QTRI_PANEL_IMAGE_BYTES(d->width, d->height, d->format)
                : packed(d->format) ? QTRI_PANEL_ROW_BYTES(d->width, d->format)

@@ -67,10 +67,11 @@ static enum qtri_error window(const qtri_panel *panel, const qtri_rect *bytes)
 /* The panel's memory is an image of what was sent. */
 static enum qtri_error shown(qtri_panel *panel)
 {
-    enum { ROW = (int)QTRI_SSD1680_ROW_BYTES, ROWS = 250 };
-    const qtri_rect all = {0, 0, ROW, ROWS};
+    const qtri_panel_description *d = panel->description;
+    const size_t row_bytes = QTRI_PANEL_ROW_BYTES(d->width, d->format);
+    const qtri_rect all = {0, 0, (int32_t)row_bytes, d->height};
     enum qtri_error error = open_window(panel, &all, WRITE_SECOND_MEMORY);
-    return error == QTRI_OK ? qtri_panel_data(panel, panel->memory, QTRI_SSD1680_BYTES) : error;
+    return error == QTRI_OK ? qtri_panel_data(panel, panel->memory, row_bytes * d->height) : error;
 }
 
 static const qtri_panel_partial partial = {

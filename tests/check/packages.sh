@@ -53,6 +53,25 @@ if has pkg-config "qtri.pc"; then
     pkg-config --exact-version="$(sh port/packages/version.sh)" qtri || fail "qtri.pc: its version"
 fi
 
+# The command of port/README.md, word for word, in a folder as it is after a checkout: all objects together are the
+# library, and an application with a board's start-up code links with them.
+
+if has arm-none-eabi-gcc "the command of port/README.md"; then
+    board=$root/port/boards/mps2
+    mkdir "$work/port" && ln -s "$root/core" "$root/port" "$work/port/"
+    awk '/^    arm-none-eabi-gcc / { found = 1 } found { print } found && !/\\$/ { exit }' port/README.md >"$work/port/command"
+    grep -q 'core/\*/\*\.c port/panels/\*\.c$' "$work/port/command" || fail "port/README.md: there is no command that compiles the library"
+    cd "$work/port" || finish 1
+    quiet "the command of the README" sh -e ./command &&
+        quiet "the objects of the command" arm-none-eabi-ld -r -o ../library.o ./*.o &&
+        quiet "an application with these objects" arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb -O2 -ffreestanding -fno-tree-loop-distribute-patterns \
+            -nostdlib -Wl,--gc-sections -Icore/include -T "$board/mps2.ld" -o ../application.elf "$root/host/bench/app_textured.c" "$root/host/bench/size_board.c" \
+            "$board/startup.c" "$board/board.c" "$board/main.c" "$root/port/boards/common/memory.c" ./*.o -lgcc
+    cd "$root" || finish 1
+    missing=$(arm-none-eabi-nm -u "$work/library.o" | awk '$2 ~ /^(qtri|q16)_/ { print $2 }')
+    [ -z "$missing" ] || fail "port/README.md: its command's objects lack $missing"
+fi
+
 # The amalgamation ------------------------------------------------------------------------------------------------------
 
 quiet dist sh port/packages/dist.sh "$work/dist" || finish 1
@@ -67,6 +86,14 @@ has tcc "amalgamation" && quiet "amalgamation, tcc" tcc -std=c99 -c -o "$single/
 if has arm-none-eabi-gcc "amalgamation"; then
     quiet "amalgamation, Cortex-M0+" arm-none-eabi-gcc $flags -O1 -mcpu=cortex-m0plus -mthumb -ffreestanding -c -o "$single/arm.o" "$single/qtri.c"
     quiet "amalgamation, Cortex-M4" arm-none-eabi-gcc $flags -Os -mcpu=cortex-m4 -mthumb -ffreestanding -fsyntax-only "$single/qtri.c"
+fi
+# Constants without a name share one section: with the address of one, an application would link what it does not use.
+if has arm-none-eabi-gcc "amalgamation, constants"; then
+    for level in -O2 -Os; do
+        arm-none-eabi-gcc -std=c99 $level -mcpu=cortex-m0plus -mthumb -ffreestanding -ffunction-sections -fdata-sections -c -o "$single/arm.o" "$single/qtri.c" || fail "amalgamation, $level"
+        held=$(arm-none-eabi-objdump -r -j .rodata "$single/arm.o" | awk '/R_ARM/ { print $3 }')
+        [ -z "$held" ] || fail "amalgamation, $level: a constant without a name holds the address of $held"
+    done
 fi
 has g++ "amalgamation as C++" && echo '#include "qtri.h"' >"$work/one.cc" &&
     quiet "amalgamation, C++" g++ -std=c++11 -Wall -Wextra -Werror -fsyntax-only -I"$single" "$work/one.cc"
@@ -133,6 +160,14 @@ if has g++ "glue of Arduino's libraries"; then
         quiet "glue, $name" g++ -std=gnu++11 $glue_flags -Itests/packages/$name -Itests/packages/arduino -o "$work/glue" \
             port/examples/glue/$name.cpp tests/packages/$name/glue.cpp "$work/example.o" "$work/display.o" $glue_libraries &&
             quiet "glue, $name runs" timeout 60 "$work/glue"
+    done
+fi
+# What pushes pixels reads them by 16 or 32 bits: at -Os the compiler aligns no array of bytes by itself.
+if has arm-none-eabi-g++ "alignment of the glue's memory"; then
+    for name in tft_espi lovyangfx; do
+        quiet "glue, $name, Cortex-M0+" arm-none-eabi-g++ -std=gnu++11 -mcpu=cortex-m0plus -mthumb -Os -ffreestanding -fdata-sections -Icore/include \
+            -Iport/include -Itests/packages/$name -Itests/packages/arduino -c -o "$work/glue.o" port/examples/glue/$name.cpp &&
+            arm-none-eabi-objdump -h "$work/glue.o" | grep 'lineMemory.*2\*\*[2-9]' >/dev/null || fail "glue, $name: lineMemory is not aligned"
     done
 fi
 

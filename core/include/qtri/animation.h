@@ -21,9 +21,11 @@ typedef struct qtri_key {
 } qtri_key;
 
 /*
- * The pose between the two keys around `time`: position and scale on straight lines, orientation
- * along the shortest arc at a constant speed. Before the first key it is that one, after the last
- * that one; of keys with equal times the later counts. count <= 0: no motion at all, the identity.
+ * The pose between the two keys around `time`: position and scale on straight lines, each
+ * coordinate within 1/2 ULP and what it changes by times 2^-32; orientation along the shortest arc
+ * at a constant speed, its part of the way of 16 bits. Before the first key it is that one, after
+ * the last that one; of keys with equal times the later counts. count <= 0: no motion at all, the
+ * identity.
  */
 qtri_key qtri_keys_at(const qtri_key *keys, int32_t count, q16 time);
 

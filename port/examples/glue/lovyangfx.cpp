@@ -14,7 +14,7 @@
 #include "../example.h"
 
 static LGFX lcd;
-static uint8_t lineMemory[QTRI_PANEL_LINE_BYTES(320)];
+alignas(4) static uint8_t lineMemory[QTRI_PANEL_LINE_BYTES(320)]; /* of pixels, by DMA */
 
 static enum qtri_error openWindow(const qtri_panel *, const qtri_rect *window)
 {

@@ -2,10 +2,10 @@
 /*
  * The examples on an STM32 (HAL of STM32CubeMX) with an ILI9341 on SPI, pixels by DMA. In CubeMX:
  *
- *   SPI 1       transmit only master, 8 bits, MSB first, mode 0 (CPOL low, 1st edge), as fast as
- * the display stands: up to 40 MHz; NSS by software its DMA     a channel for SPI1_TX: memory to
- * peripheral, normal, bytes; its interrupts on pins        outputs with the user labels LCD_CS,
- * LCD_DC and LCD_RESET, which main.h then has
+ *   SPI 1     transmit only master, 8 bits, MSB first, mode 0 (CPOL low, 1st edge), NSS by
+ *             software; as fast as the display stands, up to 40 MHz
+ *   its DMA   a channel for SPI1_TX: memory to peripheral, normal, bytes; interrupt on
+ *   pins      outputs with the user labels LCD_CS, LCD_DC and LCD_RESET, which main.h then has
  *
  * Core and panels, the example and this file are compiled with the project; in main(), after the
  * peripherals are initialised: `example_run();` behind `#include "example.h"`.

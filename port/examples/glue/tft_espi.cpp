@@ -12,7 +12,8 @@
 #include "../example.h"
 
 static TFT_eSPI tft;
-static uint8_t lineMemory[QTRI_PANEL_LINE_BYTES(320)];
+/* pushPixels takes pixels of 16 bits: on an RP2040 its DMA and PIO read them so. */
+alignas(4) static uint8_t lineMemory[QTRI_PANEL_LINE_BYTES(320)];
 
 static enum qtri_error openWindow(const qtri_panel *, const qtri_rect *window)
 {

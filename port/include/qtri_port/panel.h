@@ -46,7 +46,7 @@
 extern "C" {
 #endif
 
-/* Clockwise, as seen. */
+/* Clockwise, as seen. Anything else is QTRI_ERROR_SIZE. */
 typedef enum qtri_rotation {
     QTRI_ROTATE_0,
     QTRI_ROTATE_90,
@@ -54,7 +54,7 @@ typedef enum qtri_rotation {
     QTRI_ROTATE_270
 } qtri_rotation;
 
-/* What the display's memory holds. */
+/* What the display's memory holds. Anything else is QTRI_ERROR_SIZE. */
 typedef enum qtri_panel_format {
     QTRI_PANEL_RGB565,    /* 16 bits a pixel */
     QTRI_PANEL_XRGB8888,  /* 32 bits a pixel, memory-mapped displays only */
@@ -63,7 +63,7 @@ typedef enum qtri_panel_format {
     QTRI_PANEL_GRAY1_PAGE /* eight pixels of a column a byte, the topmost in bit 0; 1 is white */
 } qtri_panel_format;
 
-/* Of pixels that are more than a byte. */
+/* Of pixels that are more than a byte. Anything else is QTRI_ORDER_BIG. */
 typedef enum qtri_byte_order {
     QTRI_ORDER_BIG,    /* high byte first: what controllers on a bus of bytes expect */
     QTRI_ORDER_LITTLE, /* low byte first */

@@ -7,6 +7,10 @@
  * qtri_ssd1680_partial can also qtri_panel_refresh_changes: about 0.4 seconds, without flashing.
  * After each refresh it sends the image once more, to the memory that the controller compares with,
  * and its memory must be the whole image, QTRI_SSD1680_BYTES.
+ *
+ * A glass of another size is a copy of a description with its width, height and first_column, and
+ * with an `init` whose command 0x01 has its last row in place of 249. Its memory is
+ * QTRI_PANEL_IMAGE_BYTES(width, height, QTRI_PANEL_GRAY1).
  */
 #ifndef QTRI_PORT_SSD1680_H
 #define QTRI_PORT_SSD1680_H
