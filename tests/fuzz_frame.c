@@ -2,7 +2,8 @@
 /*
  * Arbitrary bytes for what draws on a surface and what surfaces become: shapes, pictures, text,
  * strokes, meshes in bands, outlines, samples, filters. Nothing may trap, overflow or write outside
- * of memory; and what is drawn by two scissors is what is drawn at once.
+ * of memory; and what is drawn by two scissors, in bands or in bands that roll, is what is drawn at
+ * once.
  */
 #include "support/fuzz_input.h"
 
@@ -113,7 +114,7 @@ static void build_shapes(struct reader *r, job *j)
     j->brush.ink = inks[take_byte(r) % 3];
     j->stroke = qtri_stroke_default();
     j->stroke.width = take_number(r);
-    j->stroke.cap = (qtri_cap)(take_byte(r) % 4);
+    j->stroke.cap = (qtri_cap)take_choice(r, 4);
     j->stroke.edges = edges[take_byte(r) % 2];
     j->stroke.alpha = take_byte(r);
     j->stroke.closed = take_byte(r) % 2;
@@ -396,6 +397,16 @@ static void draw_bands(struct reader *r, const job *j)
     free(whole.memory);
 }
 
+/* Any triangle's neighbour may be any, or none. */
+static void build_neighbours(struct reader *r, uint16_t neighbours[TRIANGLES][3])
+{
+    for (int i = 0; i < TRIANGLES; i++) {
+        for (int k = 0; k < 3; k++) {
+            neighbours[i][k] = take_byte(r) % (TRIANGLES + 1);
+        }
+    }
+}
+
 /* Outlines are found, noted and blended. */
 static void draw_outlines(struct reader *r, const job *j)
 {
@@ -406,11 +417,7 @@ static void draw_outlines(struct reader *r, const job *j)
     qtri_mesh mesh = j->soup.mesh;
     qtri_outline outline;
     qtri_edges edges;
-    for (int i = 0; i < TRIANGLES; i++) {
-        for (int k = 0; k < 3; k++) {
-            neighbours[i][k] = take_byte(r) % (TRIANGLES + 1);
-        }
-    }
+    build_neighbours(r, neighbours);
     mesh.neighbours = take_byte(r) % 4 ? (const uint16_t(*)[3])neighbours : NULL;
     board b =
         board_new(format, depths[take_byte(r) % 4], take_byte(r) % SIDE, 1 + take_byte(r) % SIDE);
@@ -429,7 +436,7 @@ static void draw_outlines(struct reader *r, const job *j)
 }
 
 /* Bands with rows about them, of any sizes. */
-static void roll(struct reader *r)
+static void roll_any(struct reader *r)
 {
     static uint8_t memory[QTRI_ROLLING_BYTES_DOUBLE(SIDE, SIDE, 9, 4)];
     static uint8_t kept[QTRI_ROLLING_KEPT_BYTES(SIDE, 9, 4)];
@@ -453,6 +460,89 @@ static void roll(struct reader *r)
         memset(band.pixels, i, (size_t)band.pitch * (size_t)band.rows);
         memset(shown.pixels, i, (size_t)shown.pitch * (size_t)shown.rows);
     }
+}
+
+/* ---- Bands that roll ---- */
+
+/* What smooths a frame, or a band of one. */
+typedef struct smoothing {
+    uint8_t kind;
+    qtri_outline outline; /* for kind 1 */
+} smoothing;
+
+enum { NO_SMOOTHING, EDGES, FXAA, SMOOTHINGS };
+
+static void smooth(smoothing *by, const qtri_surface *s)
+{
+    static uint32_t memory[QTRI_EDGES_WORDS(SIDE, SIDE + 32, 4)];
+    qtri_edges edges;
+    if (by->kind == FXAA) {
+        abort_if(qtri_fxaa(s, words, WORDS) != QTRI_OK);
+    } else if (by->kind == EDGES) {
+        abort_if(qtri_edges_begin(&edges, s, memory, sizeof memory / sizeof memory[0]) != QTRI_OK);
+        qtri_edges_note(&edges, &by->outline);
+        qtri_edges_blend(&edges);
+    }
+}
+
+/* A mesh, prepared, in bands that roll and with rows about them: smoothed, those of the frame. */
+static void roll(struct reader *r, const job *j)
+{
+    static uint8_t memory[QTRI_ROLLING_BYTES(SIDE, SIDE, 3, 4)];
+    static uint8_t kept[QTRI_ROLLING_KEPT_BYTES(SIDE, 3, 4)];
+    static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, SIDE, 1)];
+    static qtri_vertex vertices[QTRI_LIT_VERTICES(VERTICES)];
+    static uint32_t list[QTRI_OUTLINE_WORDS(TRIANGLES) + VERTICES + 40];
+    uint16_t neighbours[TRIANGLES][3];
+    const qtri_rgb sky = {1, 2, 3};
+    const qtri_format *format = formats[take_byte(r) % PLAIN_FORMATS];
+    smoothing by = {.kind = take_byte(r) % SMOOTHINGS};
+    const int32_t halo = (by.kind == FXAA ? QTRI_FXAA_HALO : 1) + take_byte(r) % 2;
+    const int32_t rows = 2 * halo + take_byte(r) % (SIDE - 2 * halo + 1);
+    qtri_rolling rolling;
+    qtri_prepared prepared;
+    qtri_surface drawn, band, shown;
+    qtri_mesh mesh = j->soup.mesh;
+    qtri_material material = j->material;
+    qtri_view view = j->view;
+    build_neighbours(r, neighbours);
+    mesh.neighbours = take_byte(r) % 4 ? (const uint16_t(*)[3])neighbours : NULL;
+    mesh.faces.culling = NULL;                     /* planes are not those of its triangles */
+    if (material.fill == &qtri_smooth_wireframe) { /* how often edges are blended: by memory */
+        material.fill = &qtri_wireframe;
+    }
+    view.vertices = vertices;
+    view.vertex_count = VERTICES;
+    abort_if(qtri_outline_init(&by.outline, &mesh, list,
+                               sizeof list / sizeof list[0] - take_byte(r) % 40) != QTRI_OK);
+    by.outline.creases = take_byte(r) % 2;
+    board whole = board_new(format, NULL, 0, SIDE);
+    abort_if(qtri_draw_mesh_outlined(&whole.surface, &view, &j->pose, &material, &by.outline) !=
+             QTRI_OK);
+    smooth(&by, &whole.surface);
+    abort_if(qtri_rolling_init(&rolling, format, SIDE, SIDE, rows, halo, memory, sizeof memory,
+                               kept, sizeof kept) != QTRI_OK);
+    qtri_prepared_init(&prepared, vertices, QTRI_LIT_VERTICES(VERTICES), lists,
+                       take_byte(r) % (sizeof lists / sizeof lists[0] + 1));
+    qtri_prepared_set_rolling_outline(&prepared, &by.outline, halo);
+    qtri_prepare_mesh(&prepared, &rolling.frame, &view, &j->pose, &mesh, &material);
+    abort_if(qtri_prepared_find_edges(&prepared, &by.outline) != QTRI_OK);
+    qtri_rolling_begin(&rolling);
+    int32_t row = 0;
+    while (qtri_rolling_next_band(&rolling, &drawn, &band, &shown)) {
+        qtri_surface_clear(&drawn, sky);
+        qtri_draw_prepared(&drawn, &prepared);
+        qtri_rolling_keep(&rolling, &band);
+        smooth(&by, &band);
+        abort_if(shown.first_row != row);
+        for (int32_t y = 0; y < shown.rows; y++, row++) {
+            abort_if(memcmp(shown.pixels + y * shown.pitch,
+                            whole.surface.pixels + row * whole.surface.pitch,
+                            (size_t)SIDE * (size_t)format->pixels->bytes) != 0);
+        }
+    }
+    abort_if(row != SIDE);
+    free(whole.memory);
 }
 
 /* Where a mesh is, and what becomes of it. */
@@ -488,15 +578,20 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const uint8_t what = take_byte(r);
     j = zero;
     j.kind = take_byte(r);
-    build_shapes(r, &j);
-    build_pictures(r, &j);
+    const bool has_bands = what % 8 == 1 || what % 8 == 2 || what % 8 == 3 || what % 8 >= 6;
+    if (!has_bands) { /* bytes that bands would skip keep the fuzzer from what they read */
+        build_shapes(r, &j);
+        build_pictures(r, &j);
+    }
     build_stage(r, &j);
     (void)build_mesh(r, &j.soup);
     if (what % 16 == 0) {
         look_at(r, &j);
     }
     if (what % 8 == 1) {
-        roll(r);
+        roll_any(r);
+    } else if (what % 8 >= 6) {
+        roll(r, &j);
     } else if (what % 8 == 2) {
         draw_outlines(r, &j);
     } else if (what % 8 == 3) {

@@ -270,6 +270,34 @@ static void codes(void **state)
     }
 }
 
+/* As many are encoded and decoded as there are, each as alone; what lies behind them stays. */
+static void counts(void **state)
+{
+    (void)state;
+    static const qtri_depth_format *const all[] = {&qtri_depth_linear16, &qtri_depth_float16,
+                                                   &qtri_depth_linear24, &qtri_depth_linear32};
+    enum { BEHIND = 4 };
+    uint64_t seed = 14;
+    for (size_t f = 0; f < sizeof all / sizeof *all; f++) {
+        for (int32_t count = 1; count <= QTRI_BATCH; count++) {
+            uint32_t depth[QTRI_BATCH + BEHIND], code[QTRI_BATCH + BEHIND];
+            uint32_t back[QTRI_BATCH + BEHIND];
+            for (int32_t i = 0; i < QTRI_BATCH + BEHIND; i++) {
+                depth[i] = (uint32_t)random64(&seed) % FARTHEST | 1; /* no format's code or step */
+            }
+            memcpy(code, depth, sizeof code);
+            all[f]->encode(code, count);
+            memcpy(back, code, sizeof back);
+            all[f]->decode(back, count);
+            for (int32_t i = 0; i < QTRI_BATCH + BEHIND; i++) {
+                const bool in = i < count;
+                assert_int_equal(code[i], in ? encoded(all[f], depth[i]) : depth[i]);
+                assert_int_equal(back[i], in ? decoded(all[f], code[i]) : depth[i]);
+            }
+        }
+    }
+}
+
 /* Tested as an effect, the codes of linear16 draw and leave what linear16 does, bit for bit. */
 static void twins(void **state)
 {
@@ -863,10 +891,11 @@ static void edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows),   cmocka_unit_test(loops),       cmocka_unit_test(codes),
-        cmocka_unit_test(twins),  cmocka_unit_test(comparisons), cmocka_unit_test(smooth_lines),
-        cmocka_unit_test(pieces), cmocka_unit_test(planes),      cmocka_unit_test(layouts),
-        cmocka_unit_test(frames), cmocka_unit_test(edges),       cmocka_unit_test(ends_of_depths),
+        cmocka_unit_test(rows),           cmocka_unit_test(loops),  cmocka_unit_test(codes),
+        cmocka_unit_test(counts),         cmocka_unit_test(twins),  cmocka_unit_test(comparisons),
+        cmocka_unit_test(smooth_lines),   cmocka_unit_test(pieces), cmocka_unit_test(planes),
+        cmocka_unit_test(layouts),        cmocka_unit_test(frames), cmocka_unit_test(edges),
+        cmocka_unit_test(ends_of_depths),
     };
     return cmocka_run_group_tests(tests, set_up, NULL);
 }

@@ -364,6 +364,96 @@ static void parts_that_have_no_list(void **state)
     assert_true(changed > 1000);
 }
 
+/* The mesh with its outline in a whole frame, and in bands. */
+static void draw_frame_and_bands(canvas *whole, canvas *banded, const qtri_mesh *mesh,
+                                 const qtri_material *material, double distance)
+{
+    qtri_transform pose;
+    const qtri_view view = view_of(.3, distance, &pose);
+    qtri_outline outline;
+    qtri_prepared prepared;
+    qtri_halo frame;
+    qtri_surface band, shown;
+    static uint32_t memory[QTRI_HALO_BYTES(WIDTH, 9, 1, QTRI_RGB565_BYTES) / 4];
+    *whole = new_canvas(QTRI_LESS);
+    *banded = new_canvas(QTRI_LESS);
+    assert_int_equal(qtri_outline_init(&outline, mesh, outline_memory, WORDS), QTRI_OK);
+    assert_int_equal(qtri_draw_mesh_outlined(&whole->surface, &view, &pose, material, &outline),
+                     QTRI_OK);
+    blend_edges(&whole->surface, &outline);
+    assert_int_equal(
+        qtri_halo_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, 1, memory, sizeof memory), QTRI_OK);
+    qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+    qtri_prepared_set_outline(&prepared, &outline, 1);
+    qtri_halo_begin(&frame);
+    qtri_prepare_mesh(&prepared, &frame.frame, &view, &pose, mesh, material);
+    assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
+    while (qtri_halo_next_band(&frame, &band, &shown)) {
+        clear_to(&band, sky, 65535);
+        qtri_draw_prepared(&band, &prepared);
+        blend_edges(&band, &outline);
+        for (int32_t y = 0; y < shown.rows; y++) {
+            memcpy(banded->surface.pixels + (shown.first_row + y) * banded->surface.pitch,
+                   shown.pixels + y * shown.pitch, 2 * WIDTH);
+        }
+    }
+}
+
+/* A number that is no qtri_cull culls nothing, nor is it taken for what culls: borders too. */
+static void numbers_that_are_no_cull(void **state)
+{
+    (void)state;
+    static uint16_t around[TRIANGLES][3];
+    static const uint32_t numbers[4] = {3, 4, 255, 0x80000001u};
+    qtri_mesh mesh = cube(true);
+    mesh.triangle_count -= 3 * TRIANGLES / 6; /* open on three sides */
+    assert_true(mesh_neighbours_make(&mesh, around));
+    for (int n = 0; n < 3; n++) {
+        qtri_material material = qtri_material_default();
+        canvas none[2];
+        mesh.neighbours = n == 1 ? NULL : (const uint16_t(*)[3])around;
+        material.cull = QTRI_CULL_NONE;
+        material.depth_compare = n == 2 ? (qtri_compare)77 : QTRI_LESS;
+        draw_frame_and_bands(&none[0], &none[1], &mesh, &material, 4);
+        assert_same_pixels(&none[0], &none[1]);
+        for (int i = 0; i < (int)LENGTH_OF(numbers); i++) {
+            canvas c[2];
+            material.cull = (qtri_cull)numbers[i];
+            draw_frame_and_bands(&c[0], &c[1], &mesh, &material, 4);
+            assert_same_pixels(&none[0], &c[0]);
+            assert_same_pixels(&none[0], &c[1]);
+            canvas_free(&c[0]);
+            canvas_free(&c[1]);
+        }
+        canvas_free(&none[0]);
+        canvas_free(&none[1]);
+    }
+}
+
+/* Neighbours of any numbers, of triangles that are seen, cross a plane or lie beyond one. */
+static void neighbours_that_are_none(void **state)
+{
+    (void)state;
+    static uint16_t any[TRIANGLES][3];
+    uint64_t seed = 3;
+    for (int n = 0; n < 60; n++) {
+        qtri_mesh mesh = cube(true);
+        qtri_material material = qtri_material_default();
+        canvas c[2];
+        for (int i = 0; i < TRIANGLES; i++) {
+            for (int k = 0; k < 3; k++) {
+                any[i][k] = (uint16_t)random_in(&seed, 0, TRIANGLES);
+            }
+        }
+        mesh.neighbours = (const uint16_t(*)[3])any;
+        material.cull = (qtri_cull)(n % 4);
+        draw_frame_and_bands(&c[0], &c[1], &mesh, &material, 1.5 + n * .02);
+        assert_same_pixels(&c[0], &c[1]);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
 /* Creases take light: without one there is none, and what is drawn of samples beside a frame that
    the mesh does not reach has none either. */
 static void creases_without_light(void **state)
@@ -419,6 +509,8 @@ int main(void)
         cmocka_unit_test(wrong_indices_have_no_edges),
         cmocka_unit_test(surfaces_of_other_sizes),
         cmocka_unit_test(parts_that_have_no_list),
+        cmocka_unit_test(numbers_that_are_no_cull),
+        cmocka_unit_test(neighbours_that_are_none),
         cmocka_unit_test(creases_without_light),
     };
     return cmocka_run_group_tests_name("core outline", tests, make_cube, NULL);

@@ -511,6 +511,15 @@ static void attitudes(void **state)
     qtri_attitude_integrate_deg(&garbage, rate, INT32_MIN);
     assert_true(length_error(qtri_attitude_quat(&garbage)) <= 1);
     uint64_t seed = 23;
+    for (int i = 0; i < 1000; i++) { /* zero is no attitude: it is integrated as the identity */
+        const qtri_vec3 turn = random_vec3(&seed);
+        const q16 span = random_in(&seed, -Q16_ONE, Q16_ONE);
+        qtri_attitude zero = {{0, 0, 0, 0}};
+        qtri_attitude one = qtri_attitude_from_quat(qtri_quat_identity());
+        qtri_attitude_integrate_deg(&zero, turn, span);
+        qtri_attitude_integrate_deg(&one, turn, span);
+        assert_memory_equal(&zero, &one, sizeof zero);
+    }
     for (int i = 0; i < 20000; i++) {
         for (int k = 0; k < 4; k++) {
             garbage.q_q30[k] = random_any(&seed);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "checked.h"
 
+#include "qtri/halo.h"
+
 #ifdef QTRI_CHECKED
 
 /* What no builder makes: a last row of zeros, for w = 0 everywhere. */
@@ -24,8 +26,8 @@ void qtri_check_view(const qtri_view *view, const qtri_transform *pose)
     QTRI_ASSERT(!is_zero(&view->camera));
     QTRI_ASSERT(!is_zero(&view->projection));
     const qtri_viewport *viewport = &view->viewport;
-    QTRI_ASSERT(viewport->width >= 0 && viewport->width <= QTRI_VIEWPORT_MAX);
-    QTRI_ASSERT(viewport->height >= 0 && viewport->height <= QTRI_VIEWPORT_MAX);
+    QTRI_ASSERT(viewport->width >= 1 && viewport->width <= QTRI_VIEWPORT_MAX);
+    QTRI_ASSERT(viewport->height >= 1 && viewport->height <= QTRI_VIEWPORT_MAX);
     QTRI_ASSERT(is_window_depth(viewport->depth_near) && is_window_depth(viewport->depth_far));
     QTRI_ASSERT(view->vertices != NULL || view->vertex_count == 0);
     QTRI_ASSERT(view->light == NULL || (view->light->ambient != 1 && view->light->diffuse != 1));
@@ -79,6 +81,41 @@ void qtri_check_mesh(const qtri_mesh *mesh)
             QTRI_ASSERT(index < mesh->vertex_count);
         }
     }
+}
+
+static bool is_within(int32_t x, int32_t last)
+{
+    return x >= 0 && x <= last;
+}
+
+void qtri_prepared_reset(qtri_prepared *prepared)
+{
+    const qtri_prepared none = {.vertices = prepared->vertices,
+                                .vertex_count = prepared->vertex_count,
+                                .lists = prepared->lists,
+                                .list_count = prepared->list_count};
+    *prepared = none;
+}
+
+/* The fields of type bool are not looked at, which may have values that no bool has. */
+void qtri_check_prepared(const qtri_prepared *prepared)
+{
+    QTRI_ASSERT(prepared != NULL);
+    const bool has_mesh = prepared->mesh != NULL;
+    const bool is_whole = (prepared->view != NULL) == has_mesh &&
+                          (prepared->pose != NULL) == has_mesh &&
+                          (prepared->material != NULL) == has_mesh &&
+                          (prepared->vertices != NULL || prepared->vertex_count == 0) &&
+                          (prepared->lists != NULL || prepared->list_count == 0) &&
+                          (prepared->front == NULL) == (prepared->front_of == NULL);
+    const bool is_ranged =
+        is_within(prepared->width, QTRI_SURFACE_MAX) &&
+        is_within(prepared->height, QTRI_SURFACE_MAX) &&
+        is_within(prepared->rows, QTRI_SURFACE_MAX) && is_within(prepared->halo, QTRI_HALO_MAX) &&
+        is_within(prepared->edges_above, 2 * QTRI_HALO_MAX) &&
+        is_within(prepared->edges_below, QTRI_HALO_MAX) && prepared->group_log2 <= 16 &&
+        (has_mesh || (prepared->rows | prepared->width) == 0);
+    QTRI_ASSERT(is_whole && is_ranged); /* qtri_prepared_init was called */
 }
 
 void qtri_check_corners(const void *corners, uint32_t count, uint32_t each)

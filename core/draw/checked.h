@@ -7,9 +7,10 @@
 
 #include "qtri/light.h"
 #include "qtri/mesh.h"
+#include "qtri/prepared.h"
 #include "qtri/view.h"
 
-#include "../raster/checked.h"
+#include "../raster/checked_material.h"
 
 #ifdef QTRI_CHECKED
 /* Its transforms and its viewport are initialised, its vertices have memory; so is the pose. */
@@ -21,6 +22,12 @@ void qtri_check_mesh(const qtri_mesh *mesh);
 /* There are as many as `count` says, and none has a plain 1 or plain degrees. */
 void qtri_check_lights(const qtri_light_source *sources, uint32_t count,
                        const qtri_light_color *ambient);
+
+/* It was initialised: no field has what none is ever given. */
+void qtri_check_prepared(const qtri_prepared *prepared);
+
+/* What qtri_prepared_init leaves alone, since nobody asks for it before a mesh is prepared. */
+void qtri_prepared_reset(qtri_prepared *prepared);
 
 /* Corners of primitives of `each`. */
 void qtri_check_corners(const void *corners, uint32_t count, uint32_t each);

@@ -23,12 +23,17 @@ static inline void qtri_front_unset(uint32_t *front, uint32_t triangle)
     front[triangle >> 5] &= ~((uint32_t)1 << (triangle & 31));
 }
 
-/* Whether a triangle that is not culled counts as front: one that crosses a plane does. */
-static inline bool qtri_front_is(qtri_cull cull, const qtri_vertex *a, const qtri_vertex *b,
-                                 const qtri_vertex *c)
+/*
+ * Whether a triangle that is not culled counts as front: one that crosses a plane does, one that
+ * lies beyond a plane does not.
+ */
+static inline bool qtri_front_is(qtri_cull cull, qtri_vertex *const vertex[3])
 {
-    return cull != QTRI_CULL_NONE || !qtri_mesh_is_inside(a, b, c) ||
-           !qtri_triangle_is_back(&a->at, &b->at, &c->at);
+    if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
+        return !qtri_mesh_is_outside(vertex);
+    }
+    return qtri_culls(cull) ||
+           !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at);
 }
 
 /* No triangle of `count` faces the eye, nor does the one behind them. */

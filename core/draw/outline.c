@@ -209,7 +209,7 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
 
 enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_outline *outline)
 {
-    QTRI_ASSERT(prepared != NULL);
+    QTRI_CHECK(qtri_check_prepared(prepared));
     QTRI_ASSERT(outline != NULL);
     qtri_outline_clear(outline);
     if (outline->mesh == NULL || prepared->mesh != outline->mesh ||
@@ -230,7 +230,7 @@ enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_out
 
 void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outline, int32_t halo)
 {
-    QTRI_ASSERT(prepared != NULL);
+    QTRI_CHECK(qtri_check_prepared(prepared));
     prepared->front = NULL;
     prepared->front_of = NULL;
     prepared->halo = qtri_hold32(halo, 0, QTRI_HALO_MAX);
@@ -295,7 +295,7 @@ static void note_list(qtri_edge_finder *f, uint32_t band)
 
 static qtri_edge_test test_of(const qtri_edges *edges, const qtri_material *material)
 {
-    const qtri_compare compare = material->depth_compare;
+    const qtri_compare compare = qtri_compare_of(material);
     if (edges->surface.depth == NULL || compare == QTRI_DEPTH_OFF || compare == QTRI_ALWAYS) {
         return QTRI_EDGE_ALWAYS;
     }

@@ -19,7 +19,7 @@ QTRI_NOINLINE static void see_any(const drawing *d, const void *triangle, uint32
     if (qtri_mesh_turned_away(d->job, vertex[0], vertex[1], vertex[2])) {
         return;
     }
-    if (qtri_front_is(d->job->material.cull, vertex[0], vertex[1], vertex[2])) {
+    if (qtri_front_is(d->job->material.cull, vertex)) {
         qtri_front_set(d->front, number);
     }
     if (d->draws) {

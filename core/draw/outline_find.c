@@ -137,7 +137,7 @@ static bool find_borders(qtri_edge_finder *f)
 {
     const qtri_outline *outline = f->outline;
     const qtri_mesh *mesh = outline->mesh;
-    if (outline->material->cull != QTRI_CULL_NONE || mesh->neighbours == NULL) {
+    if (qtri_culls(outline->material->cull) || mesh->neighbours == NULL) {
         return true;
     }
     for (; f->from < mesh->triangle_count; f->from++) {

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 #include "qtri/error.h"
+#include "qtri/transform.h"
 #include "qtri/vec.h"
 
 enum { QTRI_PLAIN_MAX = 15 };
@@ -38,5 +39,19 @@ static inline bool qtri_is_plain_1(qtri_vec3 v)
 {
     return v.x == 1 && v.y == 1 && v.z == 1;
 }
+
+/* Factors of which one scales to what is seen, or all to nothing. */
+static inline bool qtri_is_scale(qtri_vec3 v)
+{
+    return (v.x == 0 && v.y == 0 && v.z == 0) || qtri_is_apart(v.x, 0) || qtri_is_apart(v.y, 0) ||
+           qtri_is_apart(v.z, 0);
+}
+
+/* By factors that were computed, and may be next to 0. */
+#ifdef QTRI_CHECKED
+void qtri_transform_scale_any(qtri_transform *t, qtri_vec3 factor);
+#else
+#define qtri_transform_scale_any qtri_transform_scale
+#endif
 
 #endif

@@ -27,14 +27,18 @@ BENCH_MACHINE_cortex-m3     := mps2-an385
 BENCH_MACHINE_cortex-m4     := mps2-an386
 BENCH_MACHINE_cortex-m7     := mps2-an500
 
-# The cores whose tools are here.
+# The cores whose tools are here. A $(shell) whose last command is not found gives nothing at all: hence `if`.
 BENCH_TOOLS   := arm-none-eabi-gcc qemu-system-arm riscv64-unknown-elf-gcc qemu-system-riscv32
-BENCH_TOOLS   := $(shell for tool in $(BENCH_TOOLS); do command -v $$tool >/dev/null 2>&1 && echo $$tool; done)
+BENCH_TOOLS   := $(shell for tool in $(BENCH_TOOLS); do if command -v $$tool >/dev/null 2>&1; then echo $$tool; fi; done)
 bench_has      = $(filter $(firstword $1),$(BENCH_TOOLS))
 bench_present  = $(strip $(foreach core,$1,$(if $(and $(call bench_has,$(call bench_cc,$(core))),\
                  $(call bench_has,$(call bench_emulator,$(core)))),$(core))))
 BENCH_PRESENT := $(call bench_present,$(filter-out %-Os,$(BENCH_CORES)))
 BENCH_ABSENT  := $(filter-out $(BENCH_PRESENT),$(filter-out %-Os,$(BENCH_CORES)))
+
+# Says which tools the cores that are absent lack, if any are. $1: the target, $2: these cores.
+bench_lacks = $(sort $(filter-out $(BENCH_TOOLS),$(foreach core,$1,$(firstword $(call bench_cc,$(core))) $(firstword $(call bench_emulator,$(core))))))
+bench_skip  = $(if $2,echo "$1: skipped: $2: $(call bench_lacks,$2) not installed (make setup)",:)
 
 # One program for each core. $1: core, $2: its board. Only memory.c must be kept from becoming a memcpy itself.
 define bench_rules
@@ -52,7 +56,7 @@ $(foreach core,$(filter-out %-Os,$(BENCH_CORES)),$(eval $(call bench_rules,$(cor
 
 .PHONY: bench-math
 bench-math: $(BENCH_PRESENT:%=$(BENCH_DIR)/%/math.txt) ## Count the instructions of every function of the mathematics on emulated cores
-	@$(if $(BENCH_ABSENT),echo "bench-math: skipped: $(BENCH_ABSENT): no compiler or emulator (make setup)",:)
+	@$(call bench_skip,bench-math,$(BENCH_ABSENT))
 	@$(if $(BENCH_PRESENT),sh host/bench/bench_math.sh $(BENCH_DIR) $(BUILD)/bench-math.tsv $(BENCH_PRESENT),:)
 
 # Code size -----------------------------------------------------------------------------------------

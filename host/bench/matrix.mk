@@ -56,7 +56,7 @@ $(SCENE_DIR)/matrix-host.txt: $(MATRIX_HOST)
 .PHONY: bench-matrix matrix-lines matrix-budgets
 bench-matrix: ## Count every combination of format, test, source and geometry: build/matrix.tsv; MATRIX_CASES="*/turned"
 	@$(ALIVE) bench-matrix $(MAKE) -s $(PARALLEL) matrix-lines
-	@$(if $(MATRIX_ABSENT),echo "bench-matrix: skipped: $(MATRIX_ABSENT): no compiler or emulator (make setup)",:)
+	@$(call bench_skip,bench-matrix,$(MATRIX_ABSENT))
 	@sh host/bench/matrix.sh $(SCENE_DIR) $(BUILD)/matrix.tsv $(MATRIX_PRESENT)
 
 matrix-lines: $(SCENE_DIR)/matrix-host.txt $(MATRIX_PRESENT:%=$(SCENE_DIR)/%/matrix.txt)

@@ -88,7 +88,7 @@ $(SCENE_DIR)/host.txt: $(SCENE_HOST)
 .PHONY: bench bench-lines
 bench: ## Count the instructions of every benchmark scene on emulated cores: build/bench.tsv
 	@$(ALIVE) bench $(MAKE) -s $(PARALLEL) bench-lines
-	@$(if $(SCENE_ABSENT),echo "bench: skipped: $(SCENE_ABSENT): no compiler or emulator (make setup)",:)
+	@$(call bench_skip,bench,$(SCENE_ABSENT))
 	@sh host/bench/bench_scenes.sh $(SCENE_DIR) $(BUILD)/bench.tsv "$(BENCH_SCENES)" $(SCENE_PRESENT)
 
 bench-lines: $(SCENE_DIR)/host.txt $(SCENE_PRESENT:%=$(SCENE_DIR)/%/bench.txt)
@@ -109,6 +109,7 @@ $(SMOOTH_TOOL): $(call objects,host/bench/antialias.c host/bench/bench_world.c) 
 antialias: ## Print how good each kind of anti-aliasing is, what it costs and what memory it takes; POSES=12
 	@$(ALIVE) antialias $(MAKE) -s $(PARALLEL) antialias-lines
 	@$(ALIVE) antialias $(SMOOTH_TOOL) $(SCENE_DIR) $(or $(MODELS),none) $(POSES)
+	@$(call bench_skip,antialias: instructions,$(filter cortex-m0plus cortex-m3,$(SCENE_ABSENT)))
 	@sh host/bench/antialias.sh $(SCENE_DIR) $(SMOOTH_CORES)
 
 antialias-lines: $(SMOOTH_TOOL) $(SMOOTH_CORES:%=$(SCENE_DIR)/%/bench.txt)
@@ -142,7 +143,7 @@ profile_present := $(and $(call bench_has,$(call bench_cc,$(PROFILE_CORE))),$(ca
 .PHONY: bench-profile profile-programs
 bench-profile: ## Instructions per stage and function of S4 S5 S7; PROFILE_CORE=cortex-m0plus BENCH_SCENES="S3 S4" FUNCTIONS=...
 ifeq ($(profile_present),)
-	@echo "bench-profile: skipped: $(PROFILE_CORE): no compiler or emulator (make setup)"
+	@$(call bench_skip,bench-profile,$(PROFILE_CORE))
 else
 	@$(MAKE) -s $(PARALLEL) profile-programs
 	@$(foreach scene,$(PROFILE_SCENES),echo; echo "== $(scene), $(PROFILE_CORE)"; \

@@ -5,7 +5,9 @@
 SIZE_DIR      := $(BENCH_DIR)/size
 SIZE_APPS     := textured flat bands
 SIZE_VARIANTS := $(foreach core,$(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_PRESENT)),$(core)-Os $(core)-O2)
-SIZE_SOURCES  := $(wildcard core/*/*.c) host/bench/size_board.c port/boards/common/memory.c
+SIZE_ABSENT   := $(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_ABSENT))
+SIZE_LIBRARY  := $(wildcard core/*/*.c)
+SIZE_SOURCES  := host/bench/size_board.c port/boards/common/memory.c
 SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -fstack-usage -fcallgraph-info=su
 
 # Applications once more, with a library that is built for what they use: a row `flat-only` for `flat`, at -Os.
@@ -13,6 +15,21 @@ SIZE_ONLY_APPS     := textured flat
 SIZE_ONLY_VARIANTS := $(filter cortex-m0plus-Os cortex-m3-Os,$(SIZE_VARIANTS))
 SIZE_LEFT_OUT_textured := FACE_LIGHT UNEVEN_LIGHT COMPACT_MESHES FAST_PATHS
 SIZE_LEFT_OUT_flat     := PERSPECTIVE FAST_PATHS
+
+# Applications once more, with the library in one file (`make dist`): a row `flat-single` for `flat`, at -Os.
+SIZE_SINGLE_VARIANTS := $(SIZE_ONLY_VARIANTS)
+SIZE_SINGLE          := $(SIZE_DIR)/dist/single/qtri.c
+
+$(SIZE_SINGLE): $(wildcard core/*/*.[ch] core/*/*.inc core/include/*.h core/include/qtri/*.h port/panels/*.[ch] port/include/qtri_port/*.h \
+                port/packages/dist.sh port/packages/amalgamate.awk)
+	@sh port/packages/dist.sh $(SIZE_DIR)/dist >/dev/null
+
+# $1: core-optimization-single; $2: core; $3: optimization.
+define size_single
+$(SIZE_DIR)/$1/single/qtri.o: $(SIZE_SINGLE) host/bench/bench.mk host/bench/size.mk
+	@mkdir -p $$(@D)
+	@$(call bench_cc,$2) $(BENCH_FPU_$2) $3 $(SIZE_FLAGS) -c -o $$@ $$<
+endef
 
 # The library's objects are those of the benchmarks where these are built, which takes a minute less. $1: core-optimization;
 # $2: the benchmarks' name for it.
@@ -22,9 +39,12 @@ $(SIZE_DIR)/$1/core/%.o: $(SCENE_DIR)/$2/core/%.o
 	@cp -p $$< $$(<:.o=.su) $$(<:.o=.ci) $$(@D)/
 endef
 
+# The library's objects. $1: core-optimization.
+size_library = $(addprefix $(SIZE_DIR)/$1/,$(if $(filter %-single,$1),single/qtri.o,$(SIZE_LIBRARY:.c=.o)))
+
 # $1: core-optimization; $2: core; $3: optimization; $4: the start-up code's board; $5: options of config.h left out.
 define size_rules
-$(SIZE_DIR)/$1/%.elf: $(addprefix $(SIZE_DIR)/$1/,$(SIZE_SOURCES:.c=.o) $(patsubst %.c,%.o,$(wildcard port/boards/$4/*.c))) \
+$(SIZE_DIR)/$1/%.elf: $(call size_library,$1) $(addprefix $(SIZE_DIR)/$1/,$(SIZE_SOURCES:.c=.o) $(patsubst %.c,%.o,$(wildcard port/boards/$4/*.c))) \
                       $(SIZE_DIR)/$1/host/bench/app_%.o port/boards/$4/$4.ld
 	@$(call bench_cc,$2) $(BENCH_FPU_$2) $(BENCH_LINK) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$4/$4.ld -o $$@ \
 	    $$(filter %.o,$$^) -lgcc
@@ -49,13 +69,19 @@ $(foreach variant,$(SIZE_VARIANTS),$(eval $(call size_rules,$(variant),$(call si
 $(foreach app,$(SIZE_ONLY_APPS),$(foreach variant,$(SIZE_ONLY_VARIANTS),$(eval $(call size_rules,$(variant)-$(app)-only,$(call \
     size_core,$(variant)),$(call size_optimize,$(variant)),$(notdir $(call bench_board,$(call size_core,$(variant)))),$(SIZE_LEFT_OUT_$(app))))))
 
+$(foreach variant,$(SIZE_SINGLE_VARIANTS),$(eval $(call size_single,$(variant)-single,$(call size_core,$(variant)),$(call size_optimize,$(variant)))))
+$(foreach variant,$(SIZE_SINGLE_VARIANTS),$(eval $(call size_rules,$(variant)-single,$(call size_core,$(variant)),$(call \
+    size_optimize,$(variant)),$(notdir $(call bench_board,$(call size_core,$(variant)))))))
+
 .PHONY: size size-lines
 size: ## Bytes of code, constants, static RAM and stack of three applications, all RAM of one in bands: build/size.tsv
+	@$(call bench_skip,size,$(SIZE_ABSENT))
 	@$(ALIVE) size $(MAKE) -s $(PARALLEL) size-lines
-	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_ONLY_APPS:%=%-only) $(SIZE_APPS)" $(SIZE_VARIANTS)
+	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_ONLY_APPS:%=%-only) $(SIZE_APPS:%=%-single) $(SIZE_APPS)" $(SIZE_VARIANTS)
 
 size-lines: $(foreach variant,$(SIZE_VARIANTS),$(SIZE_APPS:%=$(SIZE_DIR)/$(variant)/%.txt)) \
-            $(foreach variant,$(SIZE_ONLY_VARIANTS),$(foreach app,$(SIZE_ONLY_APPS),$(SIZE_DIR)/$(variant)-$(app)-only/$(app).txt))
+            $(foreach variant,$(SIZE_ONLY_VARIANTS),$(foreach app,$(SIZE_ONLY_APPS),$(SIZE_DIR)/$(variant)-$(app)-only/$(app).txt)) \
+            $(foreach variant,$(SIZE_SINGLE_VARIANTS),$(SIZE_APPS:%=$(SIZE_DIR)/$(variant)-single/%.txt))
 
 SIZE_VARIANT ?= cortex-m0plus-Os
 SIZE_APP     ?= textured
@@ -64,8 +90,8 @@ size_folder   = $(SIZE_DIR)/$(SIZE_VARIANT)$(if $(filter %-only,$(SIZE_APP)),-$(
 
 .PHONY: size-functions
 size-functions: $(if $(SIZE_VARIANTS),$(size_folder)/$(SIZE_APP:%-only=%).elf) ## Files, functions and call chains behind `make size`; SIZE_VARIANT=cortex-m3-O2 SIZE_APP=flat-only
-	@$(if $(SIZE_VARIANTS),sh host/bench/size_functions.sh $(size_folder) $(SIZE_APP:%-only=%),\
-	    echo "size-functions: skipped: no compiler or emulator (make setup)")
+	@$(call bench_skip,size-functions,$(SIZE_ABSENT))
+	@$(if $(SIZE_VARIANTS),sh host/bench/size_functions.sh $(size_folder) $(SIZE_APP:%-only=%),:)
 
 .PHONY: size-options
 size-options: ## Bytes that each option of qtri/config.h saves alone, on a Cortex-M0+ at -Os

@@ -4,7 +4,8 @@
 # FOLDER/CORE-OPTIMIZATION/APPLICATION.map tells what was linked, .txt how much stack it used, app_APPLICATION.su how
 # much of that was the application's own functions'.
 # APPLICATION-only is APPLICATION with a library that is built for what it uses; its files are in FOLDER/CORE-OPTIMIZATION-
-# APPLICATION-only/, if they are. Then the table has
+# APPLICATION-only/, if they are. APPLICATION-single is APPLICATION with the library in one file; its files are in
+# FOLDER/CORE-OPTIMIZATION-single/. Then the table has
 #
 #   application core optimize code rodata static_ram stack code_core ram_application
 #
@@ -15,13 +16,16 @@
 set -eu
 folder=$1 table=$2 applications=$3
 shift 3
-[ $# -gt 0 ] || { echo "size: skipped: no compiler or emulator (make setup)"; exit 0; }
+[ $# -gt 0 ] || exit 0
 
 printf 'application\tcore\toptimize\tcode\trodata\tstatic_ram\tstack\tcode_core\tram_application\n' >"$table"
 for application in $applications; do
     for variant; do
-        base=${application%-only} files=$folder/$variant
-        [ "$application" = "$base" ] || files=$files-$application
+        case $application in
+        *-only) base=${application%-only} files=$folder/$variant-$application ;;
+        *-single) base=${application%-single} files=$folder/$variant-single ;;
+        *) base=$application files=$folder/$variant ;;
+        esac
         [ -f "$files/$base.txt" ] || continue # what has its own library is measured on few cores
         awk -v application="$application" -v base="$base" -v core="${variant%-O*}" -v optimize="O${variant##*-O}" '
             function frame_of(name) { return name in frame ? frame[name] : 0 }
@@ -47,7 +51,7 @@ for application in $applications; do
             }
             function add(   bytes, own, helper) {
                 bytes = hexadecimal(size)
-                own = file ~ /\/core\/[a-z]+\/[^\/]*\.o$/
+                own = file ~ /\/core\/[a-z]+\/[^\/]*\.o$/ || file ~ /\/single\/qtri\.o$/
                 helper = file ~ /libgcc\.a/ || file ~ /boards\/common\/memory\.o$/
                 if (file ~ ("/app_" base "\\.o$") && section ~ /^\.(data|bss)/) ram_application += bytes
                 if (!own && !helper) return
@@ -72,10 +76,10 @@ awk -F '\t' '
         return sprintf("%8d%8s", figure, (figure > aim ? " ! " : " ") "(" aim ")")
     }
     NR == 1 { print "Bytes; code with what the compiler adds. In brackets: the target; ! where it is missed."
-        printf "%-15s%-15s%-4s%16s%16s%8s%16s%16s\n", "", "", "", "code+constants ", "code", "rodata", "static RAM", "stack"; next }
+        printf "%-16s%-15s%-4s%16s%16s%8s%16s%16s\n", "", "", "", "code+constants ", "code", "rodata", "static RAM", "stack"; next }
     {
         aim = $2 == "cortex-m0plus" && $3 == "Os" && $1 ~ /-only$/ ? ($1 == "flat-only" ? 6144 : 12288) : ""
-        printf "%-15s%-15s%-4s%s%s%8d%s%s\n", $1, $2, $3, show($4 + $5, aim), show($4, ""), $5, show($6, 0), show($7, 600)
-        if ($1 == "bands") told = told sprintf("%-15s%-15s%-4s  RAM all told: %d static + %d stack = %s\n", $1, $2, $3, $9 + $6, $7, show($9 + $6 + $7, 24576))
+        printf "%-16s%-15s%-4s%s%s%8d%s%s\n", $1, $2, $3, show($4 + $5, aim), show($4, ""), $5, show($6, 0), show($7, 600)
+        if ($1 == "bands") told = told sprintf("%-16s%-15s%-4s  RAM all told: %d static + %d stack = %s\n", $1, $2, $3, $9 + $6, $7, show($9 + $6 + $7, 24576))
     }
     END { printf "%s", told; printf "size: %d of %d targets met\n", all - missed, all }' "$table"

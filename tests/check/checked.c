@@ -205,6 +205,9 @@ static void wrong_numbers(void)
     STOPS("is_zero(pose)", (memset(&pose, 0, sizeof pose), draw_all()));
     STOPS("view->camera", (memset(&view.camera, 0, sizeof view.camera), draw_all()));
     STOPS("viewport->width", (view.viewport.width = Q16(320), draw_all()));
+    STOPS("viewport->width", (view.viewport.width = 0, draw_all()));
+    STOPS("viewport->height", (view.viewport.height = 0, draw_all()));
+    STOPS("viewport->height", (view.viewport.height = -1, draw_all()));
     STOPS("depth_far", (view.viewport.depth_far = 1, draw_all()));
     STOPS("surface->height", (surface.height = QTRI_SURFACE_MAX + 1, draw_all()));
 }
@@ -288,6 +291,7 @@ static void animations(void)
     const qtri_vec3 plain = {1, 1, 1};
     const qtri_quat still = {Q16_ONE, 0, 0, 0};
     const qtri_key keys[2] = {{Q16(2), one, still, one}, {Q16(1), one, still, plain}};
+    const qtri_key of_two[1] = {{0, one, still, {2, 2, 2}}};
     const int16_t parent[1] = {-1};
     const q16 weight[1] = {0};
     qtri_position16 p[1] = {{0, 0, 0}};
@@ -295,6 +299,7 @@ static void animations(void)
     STOPS("keys != NULL", (void)qtri_keys_at(NULL, 1, 0));
     STOPS("time >=", (void)qtri_keys_at(keys, 2, 0));
     STOPS("key != NULL", qtri_transform_key(&pose, NULL));
+    STOPS("is_scale", (void)qtri_keys_at(of_two, 1, 0));
     STOPS("plain_1(factor)", qtri_transform_key(&pose, &keys[1]));
     STOPS("parent != NULL", qtri_poses_compose(&pose, &pose, NULL, 1));
     STOPS("world != NULL", qtri_poses_compose(NULL, &pose, parent, 1));
@@ -328,6 +333,9 @@ static void transforms(void)
 {
     const qtri_vec3 v = {Q16(1), Q16(2), Q16(3)};
     const qtri_vec3 plain = {1, 1, 1};
+    const qtri_vec3 two = {2, 2, 2};
+    const qtri_vec3 flat = {15, -15, 0};
+    qtri_affine affine;
     const qtri_vec3 behind = {0, 0, 5};
     const qtri_vec3 zero = {0, 0, 0};
     qtri_transform *const to = &view.projection;
@@ -340,6 +348,9 @@ static void transforms(void)
     STOPS("t != NULL", qtri_transform_orthonormalize(NULL));
     STOPS("t != NULL", qtri_transform_perspective(NULL, Q16(60), Q16(1), Q16(1), Q16(9)));
     STOPS("plain_1", qtri_transform_scale(&pose, plain));
+    STOPS("is_scale", qtri_transform_scale(&pose, two));
+    STOPS("is_scale", qtri_transform_scale(&pose, flat));
+    STOPS("is_scale", qtri_affine_place(&affine, 0, 0, 0, 0, 2, 2, 0));
     STOPS("is_sight", qtri_transform_look_at(&view.camera, behind, zero, v));
     STOPS("is_sight", qtri_transform_look_at_d3d(&view.camera, behind, zero, v));
     STOPS("distance", qtri_transform_orbit(&view.camera, zero, 5, 0, 0));
@@ -399,6 +410,151 @@ static void bands_and_filters(void)
     STOPS("affine != NULL", qtri_affine_place(NULL, 0, 0, 0, 0, Q16_ONE, Q16_ONE, 0));
     STOPS("surface != NULL", (void)qtri_image_of(NULL));
     STOPS("fetch != NULL", (texture.format = &texel, draw_all()));
+}
+
+/* Pixels in place of 1/256 of them, on a frame of 16 x 16 and on one of 320 x 240. */
+static void plain_pixels(void)
+{
+    const qtri_brush brush = {{1, 2, 3}, 255, NULL};
+    const qtri_area right = {QTRI_PX(1), QTRI_PX(1), QTRI_PX(9), QTRI_PX(9)};
+    const qtri_area box = {2, 3, 10, 12};
+    const qtri_area screen = {0, 0, 320, 240};
+    const qtri_point center = {8, 8};
+    const qtri_point middle = {QTRI_PX(8), QTRI_PX(8)};
+    const qtri_point point[3] = {{1, 2}, {15, 3}, {4, 12}};
+    const qtri_surface wide = {.width = 320, .height = 240};
+    STOPS("is_plain_area", qtri_paint_rect(&surface, &box, &brush));
+    STOPS("is_plain_area", qtri_paint_rect(&wide, &screen, &brush));
+    STOPS("is_plain_area", qtri_paint_rect_outline(&surface, &box, QTRI_PX(1), &brush));
+    STOPS("is_plain_area", qtri_paint_round_rect(&surface, &box, QTRI_PX(1), &brush));
+    STOPS("is_plain_area", qtri_paint_round_rect_outline(&surface, &box, 0, QTRI_PX(1), &brush));
+    STOPS("is_plain_area", qtri_paint_circle(&surface, &center, 5, &brush));
+    STOPS("is_plain_area", qtri_paint_ring(&surface, &center, 5, 2, &brush));
+    STOPS("is_plain_area", qtri_paint_arc(&surface, &center, 5, 2, 0, Q16(90), &brush));
+    STOPS("is_plain_area", qtri_paint_polygon(&surface, point, 3, &brush));
+    STOPS("is_plain_area", qtri_paint_stroke(&surface, &point[0], &point[1], QTRI_PX(1), &brush));
+    STOPS("width_24p8", qtri_paint_rect_outline(&surface, &right, 1, &brush));
+    STOPS("width_24p8", qtri_paint_round_rect_outline(&surface, &right, 0, 15, &brush));
+    STOPS("width_24p8", qtri_paint_ring(&surface, &middle, QTRI_PX(5), 2, &brush));
+    STOPS("width_24p8", qtri_paint_arc(&surface, &middle, QTRI_PX(5), 2, 0, Q16(90), &brush));
+    STOPS("width_24p8", qtri_paint_stroke(&surface, &middle, &point[0], 2, &brush));
+}
+
+/* What is small and meant: nothing stops. */
+static void small_shapes(void)
+{
+    const qtri_brush brush = {{1, 2, 3}, 255, &qtri_ink_smooth};
+    const qtri_surface wide = {.width = 320, .height = 240};
+    const qtri_area first = {0, 0, QTRI_PX(1), QTRI_PX(1)};
+    const qtri_area half = {0, 0, QTRI_PX(.5), QTRI_PX(.5)};
+    const qtri_area elsewhere = {QTRI_PX(2) + 3, 5, QTRI_PX(2) + 8, 9};
+    const qtri_area cut_off = {-3, 2, 9, 8};
+    const qtri_area empty = {9, 9, 9, 9};
+    const qtri_point side[3] = {{0, 0}, {QTRI_PX(1), 0}, {0, QTRI_PX(1)}};
+    const qtri_point tiny[3] = {{QTRI_PX(8), 9}, {QTRI_PX(8) + 9, 9}, {QTRI_PX(8), 15}};
+    qtri_paint_rect(&surface, &first, &brush);
+    qtri_paint_rect(&wide, &first, &brush);
+    qtri_paint_rect(&wide, &half, &brush);
+    qtri_paint_rect(&surface, &elsewhere, &brush);
+    qtri_paint_rect(&surface, &cut_off, &brush);
+    qtri_paint_rect(&surface, &empty, &brush);
+    qtri_paint_rect_outline(&wide, &first, 64, &brush);
+    qtri_paint_rect_outline(&surface, &first, 16, &brush);
+    qtri_paint_rect_outline(&surface, &first, 0, &brush);
+    qtri_paint_round_rect(&surface, &elsewhere, 1, &brush);
+    qtri_paint_circle(&surface, &tiny[0], 1, &brush);
+    qtri_paint_circle(&surface, &side[0], 2, &brush);
+    qtri_paint_ring(&surface, &tiny[0], 9, 9, &brush);
+    qtri_paint_arc(&surface, &tiny[0], 999, 16, 0, Q16(360), &brush);
+    qtri_paint_polygon(&surface, side, 3, &brush);
+    qtri_paint_polygon(&surface, tiny, 3, &brush);
+    qtri_paint_stroke(&wide, &side[0], &side[1], QTRI_PX(1), &brush);
+    qtri_paint_stroke(&surface, &tiny[0], &tiny[1], 16, &brush);
+    qtri_paint_stroke(&surface, &tiny[0], &tiny[0], 0, &brush);
+}
+
+/* Beside what stops, as near as error.h says. */
+static void small_numbers(void)
+{
+    static const q16 widths[] = {512, QTRI_STROKE_WIDTH_MAX * Q16_ONE, 0, -1};
+    const qtri_screen_vertex screen[2] = {{.x_24p8 = 0}, {.x_24p8 = 999}};
+    const qtri_vec3 small = {16, 16, 16};
+    const qtri_vec3 flat = {Q16(2), 2, -2};
+    const qtri_vec3 none = {0, 0, 0};
+    const qtri_vec3 mirror = {-16, 0, 0};
+    const qtri_vec3 one = {Q16_ONE, Q16_ONE, Q16_ONE};
+    const qtri_key grows[2] = {{0, none, {Q16_ONE, 0, 0, 0}, none},
+                               {Q16_ONE, none, {Q16_ONE, 0, 0, 0}, one}};
+    const qtri_key hardly = qtri_keys_at(grows, 2, 2);
+    static qtri_prepared zeros;
+    qtri_outline outline;
+    qtri_affine affine;
+    qtri_stroke stroke = qtri_stroke_default();
+    for (size_t i = 0; i < sizeof widths / sizeof widths[0]; i++) {
+        stroke.width = widths[i];
+        qtri_draw_polyline(&surface, &view, &pose, corners, 3, &stroke, &material);
+        qtri_raster_polyline(&surface, &material, &stroke, screen, 2);
+    }
+    stroke.width = 16;
+    stroke.in_space = true;
+    qtri_draw_points(&surface, &view, &pose, corners, 1, &stroke, &material);
+    qtri_transform_scale(&pose, small);
+    qtri_transform_scale(&pose, flat);
+    qtri_transform_scale(&pose, mirror);
+    qtri_transform_scale(&pose, none);
+    qtri_transform_key(&pose, &hardly);
+    qtri_affine_place(&affine, 0, 0, 0, 0, 16, 2, 0);
+    qtri_affine_place(&affine, 0, 0, 0, 0, 0, 0, 0);
+    qtri_transform_identity(&pose);
+    view.viewport = qtri_viewport_top(3, 3, 1, 1);
+    draw_all();
+    memset(&prepared, 0xA5, sizeof prepared);
+    qtri_prepared_init(&prepared, NULL, 0, NULL, 0);
+    qtri_draw_prepared(&surface, &prepared);
+    qtri_prepared_set_rolling_outline(&prepared, NULL, QTRI_HALO_MAX);
+    draw_all();
+    (void)qtri_outline_init(&outline, &mesh, NULL, 0);
+    qtri_prepared_set_outline(&prepared, NULL, -1);
+    (void)qtri_prepared_find_edges(&prepared, &outline);
+    qtri_draw_prepared(&surface, &zeros);
+}
+
+/* One that was never initialised. */
+static void make_garbage(int byte)
+{
+    memset(&prepared, byte, sizeof prepared);
+}
+
+static void garbage(int byte)
+{
+    static qtri_outline outline;
+    STOPS("is_whole", (make_garbage(byte), draw_all()));
+    STOPS("is_whole", (make_garbage(byte), qtri_draw_prepared(&surface, &prepared)));
+    STOPS("is_whole", (make_garbage(byte), qtri_prepared_mark(&prepared, &frame)));
+    STOPS("is_whole", (make_garbage(byte), qtri_prepared_set_outline(&prepared, NULL, 1)));
+    STOPS("is_whole", (make_garbage(byte), qtri_prepared_set_rolling_outline(&prepared, NULL, 1)));
+    STOPS("is_whole", (make_garbage(byte), (void)qtri_prepared_find_edges(&prepared, &outline)));
+    STOPS("is_whole", (prepared.mesh = &mesh, qtri_draw_prepared(&surface, &prepared)));
+    STOPS("is_whole", (prepared.halo = QTRI_HALO_MAX + 1, draw_all()));
+}
+
+/* Widths of strokes. */
+static void plain_widths(void)
+{
+    const qtri_screen_vertex screen[2] = {{.x_24p8 = 0}, {.x_24p8 = 999}};
+    qtri_stroke two = qtri_stroke_default();
+    qtri_stroke in_space = two;
+    two.width = 2;
+    in_space.width = 15;
+    in_space.in_space = true;
+    STOPS("is_width", qtri_draw_wide_lines(&surface, &view, &pose, corners, 2, &two, &material));
+    STOPS("is_width", qtri_draw_polyline(&surface, &view, &pose, corners, 3, &two, &material));
+    STOPS("is_width", qtri_draw_points(&surface, &view, &pose, corners, 1, &two, &material));
+    STOPS("is_width", qtri_draw_points(&surface, &view, &pose, corners, 1, &in_space, &material));
+    STOPS("is_width", qtri_draw_wide_wireframe(&surface, &view, &pose, &mesh, &two, &material));
+    STOPS("is_width", qtri_draw_hidden_lines(&surface, &view, &pose, &mesh, &two, &material, 0));
+    STOPS("is_width", qtri_raster_polyline(&surface, &material, &two, screen, 2));
+    STOPS("is_width", (two.width = 511, qtri_raster_point(&surface, &material, &two, screen)));
 }
 
 static bool sends(void *context, const uint8_t *bytes, size_t count)
@@ -480,6 +636,9 @@ int main(void)
         surface.format = NULL;
         draw_all();
         failures += init_panel(&right_bus) != QTRI_OK;
+        begin();
+        small_shapes();
+        small_numbers();
     } else {
         printf("%s:%d: %s stopped a correct program\n", place, place_line, broken);
         failures++;
@@ -488,6 +647,11 @@ int main(void)
     more_null_pointers();
     wrong_numbers();
     plain_numbers();
+    plain_pixels();
+    plain_widths();
+    garbage(0xFF);
+    garbage(0xA5);
+    garbage(0x01);
     lights();
     shapes_and_bounds();
     animations();

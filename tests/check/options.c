@@ -129,6 +129,7 @@ typedef struct picture {
     const qtri_light *light;
     int is_compact, is_uneven, has_colors, has_normals;
     q16 distance;
+    const qtri_stroke *stroke; /* not NULL: the mesh's edges, drawn so */
 } picture;
 
 static uint64_t memory[(QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_BYTES) + 7) / 8];
@@ -166,6 +167,16 @@ static void draw_corners(const qtri_surface *surface, const qtri_view *view,
     };
     qtri_draw_triangles(surface, view, pose, corners, 6, material);
     qtri_draw_lines(surface, view, pose, corners, 6, material);
+}
+
+static void draw_mesh(const qtri_surface *surface, const qtri_view *view,
+                      const qtri_transform *pose, const qtri_mesh *mesh, const picture *p)
+{
+    if (p->stroke != NULL) {
+        qtri_draw_wide_wireframe(surface, view, pose, mesh, p->stroke, &p->material);
+    } else {
+        qtri_draw_mesh(surface, view, pose, mesh, &p->material);
+    }
 }
 
 static void draw(const picture *asked)
@@ -219,7 +230,7 @@ static void draw(const picture *asked)
     }
     qtri_surface_clear(&surface, sky);
     if (drawn) {
-        qtri_draw_mesh(&surface, &view, &pose, &mesh, &p.material);
+        draw_mesh(&surface, &view, &pose, &mesh, &p);
     }
     draw_corners(&surface, &view, &pose, &p.material);
     uint32_t sum =
@@ -258,11 +269,16 @@ int main(int argc, char **argv)
     bilinear.filter = &qtri_bilinear;
     wide.texels = texels8888;
     wide.format = &qtri_texel_xrgb8888;
+    qtri_stroke thin = qtri_stroke_default();
+    thin.cap = QTRI_CAP_BUTT;
+    qtri_stroke thick = thin;
+    thick.width = Q16(3.5);
+    thick.alpha = 128;
     left_out = (const char *const *)&argv[1];
     left_out_count = argc - 1;
     make_meshes();
     make_planes();
-    for (int i = 0; i < 3 * 2 * 12; i++) {
+    for (int i = 0; i < 3 * 2 * 17; i++) {
         char name[80];
         int kind = i / 6;
         picture p = {.name = name,
@@ -326,6 +342,30 @@ int main(int argc, char **argv)
         case 10:
             what = "uneven";
             p.is_uneven = 1;
+            break;
+        case 11:
+            what = "smooth wireframe";
+            m->fill = &qtri_smooth_wireframe;
+            break;
+        case 12:
+            what = "smooth wireframe without depth";
+            m->fill = &qtri_smooth_wireframe;
+            m->depth_compare = QTRI_DEPTH_OFF;
+            break;
+        case 13:
+            what = "smooth wireframe in colours";
+            m->fill = &qtri_smooth_wireframe;
+            m->depth_compare = QTRI_LESS_EQUAL;
+            p.has_colors = 1;
+            break;
+        case 14:
+            what = "thin wireframe";
+            p.stroke = &thin;
+            break;
+        case 15:
+            what = "thick wireframe";
+            p.stroke = &thick;
+            m->depth_compare = QTRI_DEPTH_OFF;
             break;
         default:
             what = "without depth";

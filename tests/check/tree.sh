@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The files of the repository, committed or about to be: short, text, no tabs, no path of one machine.
+# The files of the repository, committed or about to be: short, text, no tabs, no path of one machine; no two sources of
+# the library have one name, since their objects may go to one folder.
 gate=tree
 . tests/check/files.sh
 need git
@@ -8,6 +9,9 @@ git rev-parse --is-inside-work-tree >/dev/null || finish 1
 
 findings=$(
     c_files core port host | xargs wc -l | awk '$2 != "total" && $1 > 600 { print $2 ": " $1 " lines, more than 600" }'
+    ls core/*/*.c port/*/*.c | sed 's,.*/,,' | LC_ALL=C sort | uniq -d | while IFS= read -r name; do
+        echo "$name: the name of more than one source:" $(ls core/*/"$name" port/*/"$name" 2>/dev/null)
+    done
     tab=$(printf '\t')
     git ls-files --cached --others --exclude-standard | while IFS= read -r file; do
         [ -f "$file" ] || continue

@@ -14,11 +14,20 @@
  *   - indices past the end of a mesh, numbers that no enum of a material, a texture or a panel
  *     names, counts of corners that are no multiple of 3 (lines: of 2), polygons of more than 3
  *     corners to clip, keys whose times fall, more than 32767 frames, balls and boxes below 0;
- *   - transforms never initialised, surfaces, viewports and textures with sides out of range;
+ *   - transforms never initialised, surfaces, viewports and textures with sides out of range, 0
+ *     too; a qtri_prepared whose fields have what none is given, as memory that was never
+ *     initialised has: one of zeros is as one without memory;
  *   - a plain number where a Q16.16 belongs: a field of view of 60 in place of Q16(60), angles of
  *     spot lights, near and far, depths, sizes of shapes, distances of cameras, sides of a frustum,
- *     1 for a light or a scale. Where small numbers are ordinary, as angles of turns, offsets and
- *     times, or are held to a range, as a shininess, it cannot tell.
+ *     1 for a light; factors of a scale that are all within 15/65536 of 0, but not all 0, also of
+ *     keys, though not of a pose between two keys; a stroke's width above 0 and below 1/128 pixel,
+ *     in object space below 16/65536;
+ *   - plain pixels where QTRI_PX belongs: what is painted is thinner than a pixel and lies in the
+ *     first width/256 x height/256 pixels of the frame; widths above 0 and below 1/16 pixel. What
+ *     is that small and meant has all its coordinates on whole or half pixels, reaches beyond the
+ *     frame's upper or left side, or is of another place.
+ * Where small numbers are ordinary, as angles of turns, offsets and times, or are held to a range,
+ * as a shininess, it cannot tell; nor radii without QTRI_PX around a centre with it.
  * A number, or a pointer, that a function documents a result for is none. Contents of arrays are
  * not looked at, but for a mesh's indices, keys, targets and sources of light. The rest has a
  * documented result or faults elsewhere; the checked build is for finding it. q16.h has

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Wrong texels of floors and of meshes of small triangles, by size of texture and repeats, against
+ * the double-precision reference without any snapping: the tables of host/bench/README.md. The
+ * textures are the busiest there are, every texel unlike its neighbours, so that none that is wrong
+ * goes unseen. Scenes go in and pictures come out: nothing here knows how the core draws.
+ */
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "support/core.h"
+
+#include "reference/reference.h"
+#include "tools/accuracy.h"
+#include "tools/scene_draw.h"
+
+enum { EVERY = IS_SANITIZED ? 6 : 1 }; /* of the views, as the others take too long */
+enum { FLOOR_VIEWS = 24, MESH_VIEWS = 6, CELLS_X = 30, CELLS_Y = 22, TEXT_MAX = 400000 };
+
+/* Wrong pixels of 100,000, as they are today: of all views, and of the worst. */
+typedef struct row {
+    int texels;     /* a side */
+    double repeats; /* of a floor's side, or of a cell's */
+    double mean, worst;
+} row;
+
+typedef struct text {
+    char *at;
+    size_t length;
+} text;
+
+static void append(text *t, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    t->length += (size_t)vsnprintf(t->at + t->length, TEXT_MAX - t->length, format, arguments);
+    va_end(arguments);
+    assert_true(t->length < TEXT_MAX);
+}
+
+static void measure(struct accuracy *sum, const text *t)
+{
+    struct scene scene;
+    struct picture picture;
+    struct reference_image image;
+    struct text_error error;
+    if (!scene_parse("textured", t->at, t->length, &scene, &error)) {
+        fail_msg("%s", error.message);
+    }
+    assert_true(scene_render(&scene, &qtri_xrgb8888, 0, true, &picture));
+    assert_true(reference_render(&scene, 0, &image));
+    accuracy_add(sum, &picture, &image, true);
+    reference_free(&image);
+    picture_free(&picture);
+    scene_free(&scene);
+}
+
+static void begin_scene(text *t, int texels)
+{
+    t->length = 0;
+    append(t,
+           "viewport 320 240\nclear 0 0 0\ndepth less\ntexture %d %d %d  255 255 255  0 0 0\n"
+           "mode projection\nperspective 60 1.33333333 .1 400\nmode modelview\n",
+           texels, texels, texels);
+}
+
+static void append_corner(text *t, int number, double x, double y, double z, double u, double v)
+{
+    append(t, "%s %.5f %.5f %.5f 1 1 1 1 %.6f %.6f%s", number == 0 ? "trit" : "", x, y, z, u, v,
+           number == 2 ? "\n" : "");
+}
+
+/* A floor below an eye at one of three heights, which is turned and rolled; cut at the near plane
+   in some views. */
+static void write_floor(text *t, const row *r, int view)
+{
+    static const double heights[3] = {1, .3, 4};
+    static const double rolls[4] = {0, 10, 45, 90};
+    static const double turns[5] = {-23.7, 8.3, 31.9, -4.1, 17.3};
+    static const int corner[6] = {0, 1, 2, 0, 2, 3};
+    const double half = 13.1 + .13 * view;
+    const double near_z = view % 5 == 0 ? .05 : 1.21 + .017 * view;
+    begin_scene(t, r->texels);
+    append(t, "rotate %.1f 0 0 1\nrotate %.1f 0 1 0\ntranslate 0 %.1f 0\n", rolls[view / 3 % 4],
+           turns[view % 5], -heights[view % 3]);
+    for (int i = 0; i < 6; i++) {
+        const bool right = corner[i] == 1 || corner[i] == 2;
+        const bool far = corner[i] >= 2;
+        append_corner(t, i % 3, right ? half : -half, 0, far ? -83.3 : -near_z,
+                      right ? r->repeats : 0, far ? r->repeats : 0);
+    }
+}
+
+/* A wall of cells of some ten pixels, two triangles each, that is turned and rolled. */
+static void write_mesh(text *t, const row *r, int view)
+{
+    static const double turns[MESH_VIEWS] = {0.7, 21.3, -33.1, 47.9, -12.7, 38.3};
+    static const double rolls[MESH_VIEWS] = {3.1, 0, 17.7, 41.3, 87.1, 66.7};
+    static const int corner[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+    const double size = .145 + .003 * view;
+    begin_scene(t, r->texels);
+    append(t, "translate 0 0 -3\nrotate %.1f 0 0 1\nrotate %.1f 0 1 0\n", rolls[view], turns[view]);
+    for (int i = 0; i < CELLS_X * CELLS_Y * 6; i++) {
+        const int *c = corner[i % 6];
+        const int x = i / 6 % CELLS_X;
+        const int y = i / 6 / CELLS_X;
+        append_corner(t, i % 3, (x + c[0] - CELLS_X / 2) * size, (y + c[1] - CELLS_Y / 2) * size, 0,
+                      c[0] * r->repeats, c[1] * r->repeats);
+    }
+}
+
+/* Prints a row of the table, and compares it with what it was. A pixel more may be wrong than
+   there, as what the reference rounds is the compiler's. */
+static void judge(const row *r, void (*write)(text *, const row *, int), int views)
+{
+    text t = {malloc(TEXT_MAX), 0};
+    struct accuracy sum = {0};
+    double worst = 0;
+    double pixel = 0; /* of the worst view */
+    assert_non_null(t.at);
+    for (int view = 0; view < views; view += EVERY) {
+        struct accuracy one = {0};
+        write(&t, r, view);
+        measure(&one, &t);
+        const double wrong = accuracy_per_100k(one.color_above_1, one.covered);
+        assert_true(one.covered > 4000);
+        pixel = wrong >= worst ? accuracy_per_100k(1, one.covered) : pixel;
+        worst = wrong > worst ? wrong : worst;
+        sum.covered += one.covered;
+        sum.color_above_1 += one.color_above_1;
+    }
+    const double mean = accuracy_per_100k(sum.color_above_1, sum.covered);
+    print_message("| %d | %g | %.1f | %.1f |\n", r->texels, r->repeats, mean, worst);
+    free(t.at);
+    assert_true(worst <= r->worst + pixel);
+    assert_true(EVERY > 1 || mean <= r->mean + accuracy_per_100k(1, sum.covered));
+}
+
+static void floors(void **state)
+{
+    (void)state;
+    static const row rows[] = {
+        {16, 1, 9.1, 33.5},          {16, 4, 7.7, 21.2},         {16, 8, 7.4, 31.8},
+        {16, 16, 10.5, 56.5},        {16, 32, 13.6, 56.5},       {16, 64, 16.6, 52.7},
+        {16, 128, 25.2, 70.6},       {16, 400, 60.1, 168.8},     {64, 1, 4.7, 19.4},
+        {64, 4, 8.1, 56.5},          {64, 8, 11.3, 69.0},        {64, 16, 13.8, 53.7},
+        {64, 32, 23.5, 70.6},        {64, 64, 42.3, 144.2},      {64, 128, 78.7, 278.6},
+        {64, 400, 186.8, 606.1},     {256, 1, 8.0, 49.5},        {256, 4, 14.1, 69.0},
+        {256, 8, 23.6, 81.9},        {256, 16, 42.6, 152.8},     {256, 32, 79.8, 278.6},
+        {256, 64, 150.4, 491.6},     {256, 128, 298.4, 983.3},   {256, 400, 651.2, 2102.7},
+        {1024, 1, 17.8, 61.4},       {1024, 4, 47.3, 147.5},     {1024, 8, 90.6, 285.1},
+        {1024, 16, 159.5, 514.6},    {1024, 32, 311.3, 1025.9},  {1024, 64, 578.1, 2005.8},
+        {1024, 128, 1135.8, 4129.7}, {1024, 400, 2325.3, 7934.8}};
+    print_message("texels, repeats, wrong of 100,000 in all views, in the worst\n");
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        judge(&rows[i], write_floor, FLOOR_VIEWS);
+    }
+}
+
+/* What counts is how many texels a cell has. */
+static void small_triangles(void **state)
+{
+    (void)state;
+    static const row rows[] = {{16, 0.25, 161.8, 193.0},   {16, 1, 234.9, 276.1},
+                               {16, 4, 855.8, 924.1},      {64, 4, 3418.6, 4051.4},
+                               {256, 4, 12610.0, 13276.6}, {1024, 4, 38351.3, 39903.0}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        judge(&rows[i], write_mesh, MESH_VIEWS);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(floors), cmocka_unit_test(small_triangles)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
