@@ -53,6 +53,9 @@ PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
 # Minutes there: what the first draws the others draw too, and of the mathematics it is proved (make prove).
 SLOW_IN_MEMORY := test_core_perspective test_core_vec test_core_mat
 
+# Minutes to compile there: the pipelines' other tests draw by the same body.
+SLOW_TO_SANITIZE := test_pipeline_random
+
 # Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
 NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
 
@@ -133,7 +136,7 @@ test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=te
 
 .PHONY: test-sanitized
 test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
-	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' test-plain
+	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' TESTS='$(filter-out $(SLOW_TO_SANITIZE),$(TESTS))' test-plain
 
 .PHONY: test-threads
 test-threads: ## Run the tests that have threads under the thread sanitizer
@@ -162,6 +165,17 @@ fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 
 $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
 $(BUILD)/tests/%_threads: LDFLAGS += -pthread
+# Random pipelines, a file of few, as the compiler takes long for each.
+RANDOM_PIPELINES ?= 60
+RANDOM_PARTS     := 0 1 2 3 4 5
+random_pipelines  = $(RANDOM_PARTS:%=$(BUILD)/random_pipelines/part_%.o) $(BUILD)/random_pipelines/list.o
+$(BUILD)/random_pipelines/%.o: tests/tools/random_pipelines.awk $(BUILD)/flags $(wildcard core/include/qtri/*.h core/include/qtri/body/*.h)
+	@mkdir -p $(@D)
+	@awk -v seed=7 -v count=$(RANDOM_PIPELINES) -v parts=$(words $(RANDOM_PARTS)) \
+	    $(if $(filter list,$*),-v list=1,-v part=$(*:part_%=%)) -f $< >$(@:.o=.c)
+	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) -O1 -Icore/include -c -o $@ $(@:.o=.c)
+$(BUILD)/tests/test_pipeline_random: $(random_pipelines)
+
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
@@ -234,14 +248,14 @@ check-headers:      ## Every public header compiles alone, in C99 and C++11, and
 check-levels:       ## A file includes only from its own folder and those below
 check-freestanding: ## The library for a Cortex-M0+ needs no libc, float, malloc or writable data
 check-options:      ## Built without any option of config.h, the library draws the same pixels of what is left
-check-same:         ## gcc, clang and tcc, of 32 bits and big-endian, draw the same 2,300 pictures (SAME=all: each at all levels)
+check-same:         ## gcc, clang and tcc, of 32 bits, big-endian and on boards, draw the same 2,900 pictures (SAME=all: each at all levels)
 check-checked:      ## A build with QTRI_CHECKED stops at mistakes, and Q16() of a variable does not compile
 check-budgets:      ## No figure of bench and size is more than 2 % above its budget (make budgets)
 check-matrix:       ## No cell of bench-matrix costs twice its class's best or 2 % more than its budget (make matrix-budgets)
 check-stack:        ## Nothing calls itself, and no public function takes more stack than its limit
 check-version:      ## Every manifest has the version of qtri/version.h, every source its SPDX line
 check-packages:     ## Each package is built and used; what needs a missing tool is skipped by name
-check-tree:         ## No overlong or binary files, tabs or paths of one machine
+check-tree:         ## No overlong or binary files, tabs, paths of one machine or sources of one name
 
 $(GATES): check-%:
 	@sh tests/check/$*.sh

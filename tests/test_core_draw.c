@@ -4,6 +4,8 @@
  */
 #include "support/core.h"
 
+#include "qtri/pipeline.h"
+
 enum { WIDTH = 48, HEIGHT = 40, VERTICES = 30, TRIANGLES = 40 };
 
 /* A mesh with everything. */
@@ -714,6 +716,7 @@ static void garbage(void **state)
             fill_random(&mesh.bounds, sizeof mesh.bounds, &seed);
         }
         view.light = random_flag(&seed) ? &light : NULL;
+        view.pipelines = random_flag(&seed) ? qtri_pipelines_default : NULL;
         view.vertices = random_flag(&seed) ? scratch : NULL;
         view.vertex_count = view.vertices != NULL ? LENGTH_OF(scratch) : 0;
         qtri_shininess_init(&table, random_any(&seed));

@@ -28,24 +28,7 @@
 #endif
 #endif
 
-/* Armv6-M, Armv8-M baseline, AVR, MSP430: no long multiply. */
-#ifndef QTRI_LONG_MULTIPLY
-#if (defined(__thumb__) && !defined(__thumb2__)) || defined(__ARM_ARCH_8M_BASE__) ||               \
-    (defined(__riscv) && !defined(__riscv_mul)) || defined(__AVR__) || defined(__MSP430__)
-#define QTRI_LONG_MULTIPLY 0
-#else
-#define QTRI_LONG_MULTIPLY 1
-#endif
-#endif
-
-#ifndef QTRI_DIVIDE
-#if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) ||                                          \
-    (defined(__riscv) && !defined(__riscv_div)) || defined(__AVR__) || defined(__MSP430__)
-#define QTRI_DIVIDE 0
-#else
-#define QTRI_DIVIDE 1
-#endif
-#endif
+#include "qtri/body/arithmetic.h"
 
 #ifndef QTRI_LONG_DIVIDE
 #if UINTPTR_MAX > UINT32_MAX && QTRI_LONG_MULTIPLY && QTRI_DIVIDE
@@ -83,13 +66,6 @@ static inline void qtri_math_fault(void)
 #define QTRI_MATH_CHECK(condition) ((condition) ? (void)0 : QTRI_MATH_FAULT())
 #else
 #define QTRI_MATH_CHECK(condition) ((void)0)
-#endif
-
-/* In a branch for rare arguments: a compiler does not mix it into the frequent path. */
-#ifdef __GNUC__
-#define QTRI_RARELY() __asm__ volatile("")
-#else
-#define QTRI_RARELY() ((void)0)
 #endif
 
 /* Holds GCC to one sum or product at a time, and x in a register: it would interleave, and spill.
@@ -177,39 +153,6 @@ static inline int32_t qtri_hold32(int32_t x, int32_t low, int32_t high)
     return x < low ? low : (x > high ? high : x);
 }
 
-/* Leading zeros; 32 for 0. */
-#if defined(__GNUC__) && (__SIZEOF_INT__ == 4)
-static inline int32_t qtri_clz32(uint32_t x)
-{
-    return x == 0 ? 32 : __builtin_clz(x);
-}
-#else
-static inline int32_t qtri_clz32(uint32_t x)
-{
-    int32_t n = 32;
-    for (int32_t half = 16; half > 0; half >>= 1) {
-        if (x >> half != 0) {
-            x >>= half;
-            n -= half;
-        }
-    }
-    return n - (int32_t)x;
-}
-#endif
-
-/* The low half-word. GCC 12 makes two shifts of it where Armv6-M has an instruction. */
-static inline uint32_t qtri_low16(uint32_t x)
-{
-#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__) && __ARM_ARCH >= 6
-    if (!__builtin_constant_p(x)) {
-        uint32_t low;
-        __asm__("uxth %0, %1" : "=l"(low) : "l"(x));
-        return low;
-    }
-#endif
-    return x & 0xFFFFu;
-}
-
 #if QTRI_LONG_MULTIPLY
 static inline uint64_t qtri_mul_u32(uint32_t a, uint32_t b)
 {
@@ -267,7 +210,11 @@ uint32_t qtri_reciprocal_q62(uint32_t x);
 static inline uint32_t qtri_rotated(uint32_t word, uint32_t by)
 {
 #if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+#if defined(__clang__) || defined(__ARM_ASM_SYNTAX_UNIFIED__)
+    __asm__("rors %0, %1" : "+l"(word) : "l"(by) : "cc");
+#else /* GCC's syntax is divided, and a line to change it would count when it inlines */
     __asm__("ror %0, %1" : "+l"(word) : "l"(by) : "cc");
+#endif
     return word;
 #elif defined(__GNUC__) && defined(__thumb2__)
     __asm__("ror %0, %0, %1" : "+r"(word) : "r"(by));

@@ -2,6 +2,7 @@
 #include "checked.h"
 #include "fill.h"
 #include "lights.h"
+#include "pipeline_ops.h"
 #include "mesh_faces.h"
 
 /*
@@ -46,7 +47,9 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
     const qtri_mesh *mesh = draw->mesh;
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
     const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
-    if (qtri_mesh_has_bytes(mesh)) {
+    if (simple && draw->primitive.ops != NULL) {
+        draw->primitive.ops->whole(draw);
+    } else if (qtri_mesh_has_bytes(mesh)) {
         draw_triangles(draw, mesh->triangles8, true, simple);
     } else if (simple) {
         draw_triangles(draw, mesh->triangles, false, true);
@@ -132,10 +135,11 @@ static void draw_placed(qtri_mesh_job *draw, void *with)
 {
     const qtri_mesh *mesh = draw->mesh;
     (void)with;
-    if (!QTRI_WITH_FAST_PATHS || draw->slot_count < mesh->vertex_count) {
+    const bool has_slots = draw->slot_count >= mesh->vertex_count;
+    if (has_slots && draw->material.fill != NULL) {
+        draw->material.fill->mesh(draw); /* shared edges must not be blended twice */
+    } else if (!has_slots || !QTRI_WITH_FAST_PATHS) {
         draw_by_slots(draw);
-    } else if (draw->material.fill != NULL) {
-        draw->material.fill->mesh(draw);
     } else {
         const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
         if (culling == NULL || !culling->draw(draw)) {

@@ -2,6 +2,7 @@
 #include "mesh_faces.h"
 
 #include "lights.h"
+#include "pipeline_ops.h"
 
 static bool find_eye(qtri_eye *eye, const qtri_mesh_job *draw)
 {
@@ -33,8 +34,7 @@ QTRI_NOINLINE static bool begin(qtri_mesh_faces *faces, const qtri_mesh_job *dra
 {
     const qtri_mesh *mesh = draw->mesh;
     const qtri_cull cull = draw->material.cull;
-    if (mesh->faces.planes == NULL || (cull != QTRI_CULL_BACK && cull != QTRI_CULL_FRONT) ||
-        !find_eye(&faces->eye, draw)) {
+    if (mesh->faces.planes == NULL || !qtri_culls(cull) || !find_eye(&faces->eye, draw)) {
         return false;
     }
     if (cull == QTRI_CULL_FRONT) {
@@ -233,6 +233,8 @@ QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
     while (next(&faces, draw)) {
         if (!simple || !faces.inside) {
             draw_listed(&faces, draw);
+        } else if (draw->primitive.ops != NULL) {
+            draw->primitive.ops->listed(&faces, draw);
         } else {
             draw_fronts(&faces, draw);
         }

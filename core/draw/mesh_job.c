@@ -2,6 +2,7 @@
 #include "../fast/fused.h"
 #include "../raster/sampling.h"
 #include "lights.h"
+#include "pipeline_ops.h"
 
 /* Vertices from which on a look at eight corners pays. */
 enum { WORTH_A_BOX = 64 };
@@ -101,6 +102,10 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
         } else if (qtri_tint_fits(raster)) {
             raster->tint_small = qtri_tint_draw;
         }
+    }
+    const struct qtri_pipeline_ops *ops = qtri_pipeline_ops_of(view);
+    if (ops != NULL) {
+        ops->begin_mesh(draw, view);
     }
 }
 

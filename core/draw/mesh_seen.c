@@ -5,6 +5,7 @@
  */
 #include "../raster/effect.h"
 #include "fill.h"
+#include "qtri/body/pixel.h"
 #include "lights.h"
 
 /* What light makes of the corners' colours. */
@@ -37,6 +38,10 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
     for (int i = 0; i < 3; i++) {
         uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
         qtri_mesh_set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
+        if (draw->primitive.ops != NULL &&
+            qtri_is_lit(&draw->primitive.to.pipeline.state.options)) {
+            out[i].color_8p16[0] = (int32_t)triangle->intensity_q15[i] * 510; /* 255.0 is 1 */
+        }
         qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
     }
 }
@@ -45,7 +50,10 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
 QTRI_NOINLINE static void note_alphas(const qtri_mesh_job *draw, const void *indices)
 {
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (draw->material.fill == NULL && qtri_by_vertex(raster) != NULL) {
+    if (draw->primitive.ops != NULL) {
+        qtri_mesh_indices(draw->primitive.to.pipeline.small.state->alpha_index, indices,
+                          qtri_mesh_has_bytes(draw->mesh));
+    } else if (draw->material.fill == NULL && qtri_by_vertex(raster) != NULL) {
         uint32_t index[3];
         qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
         qtri_by_vertex(raster)->note(raster, index);

@@ -3,6 +3,7 @@
 #include "../raster/sampling.h"
 #include "../raster/small.h"
 #include "lights.h"
+#include "pipeline_ops.h"
 
 /* What not every mesh has. */
 QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
@@ -166,6 +167,10 @@ QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *i
                                         qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
     const qtri_raster *raster = &draw->primitive.to.solid.raster;
+    if (draw->primitive.ops != NULL) {
+        draw->primitive.ops->triangle(draw, indices, a, b, c);
+        return;
+    }
     if (raster->tint_small != NULL && raster->tint_small(raster, indices, a, b, c)) {
         return;
     }

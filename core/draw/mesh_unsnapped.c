@@ -5,6 +5,7 @@
  */
 #include "../raster/effect.h"
 #include "../raster/unsnapped.h"
+#include "large_piece.h"
 #include "mesh_job.h"
 
 /* Of meshes that were prepared, a band sets transforms only for large triangles. */
@@ -50,5 +51,33 @@ void qtri_mesh_set_rests(qtri_attributes v[3], const qtri_mesh_job *draw, const 
     }
     if (qtri_attributes_matter(raster, triangle, v)) {
         set_rests(v, draw, indices, triangle);
+    }
+}
+
+QTRI_NOINLINE static void find_rests(qtri_large_vertex v[3], const qtri_mesh_job *draw,
+                                     const uint32_t index[3], const qtri_screen_point *const p[3])
+{
+    const qtri_mesh *mesh = draw->mesh;
+    if (draw->late != NULL && !draw->late->is_set) {
+        place_late(draw);
+    }
+    for (int i = 0; i < 3; i++) {
+        qtri_clip_vertex clip;
+        if (qtri_mesh_has_compact(mesh->positions16)) {
+            qtri_projector_point16(&draw->primitive.projector, &mesh->positions16[index[i]], &clip);
+        } else {
+            qtri_projector_point(&draw->primitive.projector, &mesh->positions[index[i]], &clip);
+        }
+        qtri_project_rest(v[i].rest, &clip, p[i], v[i].inv_w_q31);
+    }
+}
+
+void qtri_mesh_find_rests(qtri_large_vertex v[3], const qtri_mesh_job *draw,
+                          const uint32_t index[3], const qtri_screen_point *const p[3],
+                          int64_t area)
+{
+    const uint32_t depth_16p16[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+    if (qtri_rests_matter(&draw->primitive.to.pipeline.state, p, depth_16p16, area)) {
+        find_rests(v, draw, index, p);
     }
 }

@@ -74,7 +74,7 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
     QTRI_CHECK(qtri_check_surface(surface));
     QTRI_CHECK(qtri_check_material(material));
     QTRI_CHECK(qtri_check_view(view, pose));
-    QTRI_ASSERT(stroke != NULL);
+    QTRI_CHECK(qtri_check_stroke(stroke));
     QTRI_CHECK(qtri_check_corners(corners, corner_count, 1));
     qtri_stroke_job job;
     qtri_stroker stroker;

@@ -27,6 +27,7 @@ void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t
     prepared->edges_below = 0;
     prepared->front = NULL;
     prepared->front_of = NULL;
+    QTRI_CHECK(qtri_prepared_reset(prepared));
 }
 
 typedef struct sorter {
@@ -161,7 +162,7 @@ static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_
 /* For an outline; a function of its own, as most meshes have none. */
 QTRI_NOINLINE static void note_front(const sorter *s, uint32_t number, qtri_vertex *const vertex[3])
 {
-    if (qtri_front_is(s->job->material.cull, vertex[0], vertex[1], vertex[2])) {
+    if (qtri_front_is(s->job->material.cull, vertex)) {
         qtri_front_set(s->front, number);
     }
 }
@@ -432,6 +433,7 @@ void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const q
                        const qtri_material *material)
 {
     QTRI_ASSERT(prepared != NULL && frame != NULL);
+    QTRI_CHECK(qtri_check_prepared(prepared));
     QTRI_CHECK(qtri_check_material(material));
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_mesh(mesh));

@@ -2,6 +2,7 @@
 #include "checked.h"
 #include "fill.h"
 #include "lights.h"
+#include "pipeline_ops.h"
 #include "prepared_lists.h"
 
 /*
@@ -40,14 +41,6 @@ static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, 
     }
 }
 
-static uint32_t next_group(const uint16_t *lists, uint32_t *place)
-{
-    if (*place % QTRI_LIST_BLOCK == QTRI_LIST_FULL) {
-        *place = lists[*place];
-    }
-    return lists[(*place)++];
-}
-
 /*
  * Triangles of a complete mesh that are listed one by one: all of them are seen. `solid`: as such,
  * with all vertices inside.
@@ -58,7 +51,7 @@ static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, ui
     qtri_vertex *vertices = job->vertices;
     while (place != end) {
         const uint8_t *triangle = triangles;
-        triangle += next_group(lists, &place) * (narrow ? 3 : 6);
+        triangle += qtri_list_next(lists, &place) * (narrow ? 3 : 6);
         uint32_t index[3];
         qtri_mesh_indices(index, triangle, narrow);
         qtri_vertex *a = &vertices[index[0]];
@@ -87,7 +80,9 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
     if (log2 == 0 && qtri_prepared_is_complete(prepared)) {
         const bool solid =
             QTRI_WITH_FAST_PATHS && prepared->back_only && job->material.fill == NULL;
-        if (qtri_mesh_has_bytes(mesh)) {
+        if (solid && job->primitive.ops != NULL) {
+            job->primitive.ops->band(job, lists, place, end);
+        } else if (qtri_mesh_has_bytes(mesh)) {
             draw_seen(job, lists, place, end, mesh->triangles8, true, solid);
         } else {
             draw_seen(job, lists, place, end, mesh->triangles, false, solid);
@@ -95,7 +90,7 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
         return;
     }
     while (place != end) {
-        const uint32_t first = next_group(lists, &place) << log2;
+        const uint32_t first = qtri_list_next(lists, &place) << log2;
         const uint32_t size = mesh->triangle_count - first < (uint32_t)1 << log2
                                   ? mesh->triangle_count - first
                                   : (uint32_t)1 << log2;
@@ -122,7 +117,7 @@ static void draw_band(qtri_mesh_job *job, void *with)
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
 {
     QTRI_CHECK(qtri_check_surface(surface));
-    QTRI_ASSERT(prepared != NULL);
+    QTRI_CHECK(qtri_check_prepared(prepared));
     const qtri_rect bounds = qtri_surface_bounds(surface);
     if (prepared->mesh == NULL || !prepared->is_seen || qtri_rect_is_empty(&bounds) ||
         surface->width != prepared->width || surface->height != prepared->height) {

@@ -60,6 +60,15 @@ static inline void qtri_prepared_widen(qtri_rect *extent_24p8, const qtri_vertex
     extent_24p8->y1 = qtri_greatest32(extent_24p8->y1, vertex->at.y_24p8);
 }
 
+/* The group at a place of a list, which moves on. */
+static inline uint32_t qtri_list_next(const uint16_t *lists, uint32_t *place)
+{
+    if (*place % QTRI_LIST_BLOCK == QTRI_LIST_FULL) {
+        *place = lists[*place];
+    }
+    return lists[(*place)++];
+}
+
 /* The job for a surface, as prepared; with `place` its transforms too. False: nothing is seen. */
 bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
                          const qtri_surface *surface, bool place);

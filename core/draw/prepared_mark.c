@@ -36,6 +36,7 @@ static qtri_rect find_bounds(const qtri_prepared *prepared)
 void qtri_prepared_mark(qtri_prepared *prepared, qtri_frame *frame)
 {
     QTRI_ASSERT(prepared != NULL && frame != NULL);
+    QTRI_CHECK(qtri_check_prepared(prepared));
     qtri_frame_mark(frame, &prepared->marked);
     prepared->marked = find_bounds(prepared);
     qtri_frame_mark(frame, &prepared->marked);

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fill.h"
+#include "large_piece.h"
+#include "pipeline_ops.h"
 
 #include "../raster/effect.h"
 #include "../raster/pixel_light.h"
@@ -12,6 +14,7 @@ void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *su
 {
     primitive->surface = surface;
     primitive->material = material;
+    primitive->ops = NULL;
     if (material->fill != NULL) {
         material->fill->begin(primitive);
     } else {
@@ -25,7 +28,7 @@ void qtri_primitive_finish(const qtri_primitive *primitive)
     const qtri_fill *fill = primitive->material->fill;
     if (fill != NULL) {
         fill->finish(primitive);
-    } else {
+    } else if (primitive->ops == NULL) {
         qtri_list_flush(&primitive->to.solid.raster);
     }
 }
@@ -60,45 +63,6 @@ void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
 {
     qtri_primitive_set_target(primitive, surface, material);
     qtri_primitive_place(primitive, view, pose);
-}
-
-/* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16: 33 bits times 31. */
-QTRI_NOINLINE static int64_t blend_q16(int32_t a0, int32_t a1, int32_t a2, const int32_t b_q30[2])
-{
-    int64_t one = (((int64_t)a1 - a0) * b_q30[0]) >> 14;
-    int64_t two = (((int64_t)a2 - a0) * b_q30[1]) >> 14;
-    return (int64_t)a0 * 65536 + one + two;
-}
-
-/* Attributes of a clipped vertex from those of the triangle's own three. */
-QTRI_NOINLINE static void blend_attributes(qtri_screen_vertex *out, const qtri_screen_vertex *a0,
-                                           const qtri_screen_vertex *a1,
-                                           const qtri_screen_vertex *a2, int32_t b1_q30,
-                                           int32_t b2_q30)
-{
-    const int32_t b_q30[2] = {b1_q30, b2_q30};
-    for (int i = 0; i < 3; i++) {
-        int64_t sum = blend_q16(a0->color_8p16[i], a1->color_8p16[i], a2->color_8p16[i], b_q30);
-        out->color_8p16[i] = (int32_t)(sum >> 16); /* 0..255.0, as the three are */
-    }
-    out->u_q32 = blend_q16((int32_t)(a0->u_q32 >> 16), (int32_t)(a1->u_q32 >> 16),
-                           (int32_t)(a2->u_q32 >> 16), b_q30);
-    out->v_q32 = blend_q16((int32_t)(a0->v_q32 >> 16), (int32_t)(a1->v_q32 >> 16),
-                           (int32_t)(a2->v_q32 >> 16), b_q30);
-}
-
-/* Flat: lines and the pieces of a clipped triangle have no provoking vertex of their own. */
-static void spread_provoking(const qtri_material *material, qtri_screen_vertex v[3])
-{
-    if (qtri_is_smooth(material)) {
-        return;
-    }
-    const qtri_screen_vertex *from = &v[qtri_provoking_of(material)];
-    for (int i = 0; i < 3; i++) {
-        for (int channel = 0; channel < 3; channel++) {
-            v[i].color_8p16[channel] = from->color_8p16[channel];
-        }
-    }
 }
 
 /* What is left of the triangle after cuts by `planes`; *out may be where v is. */
@@ -145,32 +109,18 @@ static int64_t fan_area(const qtri_fan_vertex fan[], int count)
     return sum;
 }
 
-/* Which of the triangle's own vertices this is, that no plane made; otherwise -1. Two weights of 1
-   would be a sum of 2: they are parts of 1. */
-static int own_vertex(const qtri_fan_vertex *v)
-{
-    const int32_t one_q30 = (int32_t)1 << 30;
-    if ((v->b1_q30 | v->b2_q30) == 0) {
-        return 0;
-    }
-    if ((v->b1_q30 | v->b2_q30) != one_q30) {
-        return -1;
-    }
-    return v->b1_q30 != 0 ? 1 : 2;
-}
-
 QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_vertex *v,
                                          const qtri_screen_vertex attributes[3],
                                          const qtri_raster *raster)
 {
     qtri_screen_vertex blend;
     const qtri_screen_vertex *from = &blend;
-    int own = own_vertex(v);
+    int own = qtri_own_vertex(v);
     if (own >= 0) {
         from = &attributes[own];
     } else {
-        blend_attributes(&blend, &attributes[0], &attributes[1], &attributes[2], v->b1_q30,
-                         v->b2_q30);
+        qtri_blend_attributes(&blend, &attributes[0], &attributes[1], &attributes[2], v->b1_q30,
+                              v->b2_q30);
     }
     out->depth_16p16 = v->depth_16p8 & ~0xFFu;
     out->inv_w_q31 = v->inv_w_q31;
@@ -197,7 +147,7 @@ QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *
 {
     qtri_screen_vertex attributes[3];
     p->source(p->from, attributes);
-    spread_provoking(p->primitive->material, attributes);
+    qtri_spread_provoking(p->primitive->material, attributes);
     for (int i = 0; i < 3; i++) {
         set_attributes(&out[i], p->vertex[i], attributes, &p->primitive->to.solid.raster);
     }
@@ -305,13 +255,16 @@ static bool may_be_small(const piece *p)
 
 static bool draw_piece(const piece *p, int64_t area, bool with_rests)
 {
+    if (p->primitive->ops != NULL) {
+        return p->primitive->ops->piece(p->primitive, p->vertex, area, with_rests, p->source,
+                                        p->from);
+    }
     if (may_be_small(p) && draw_placed_piece(p) != QTRI_PLACED_LARGE) {
         return true;
     }
     return draw_large_piece(p, area, with_rests);
 }
 
-/* The edge between two vertices, given twice: as coordinates, and as attributes. */
 /*
  * Whether a line lies above or below the surface's rows, as most do of a band: two rows further
  * than its ends, since smooth lines reach a pixel and its corners beyond them.
@@ -323,6 +276,7 @@ static bool is_beside(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8
     return (y0_24p8 < above && y1_24p8 < above) || (y0_24p8 >= below && y1_24p8 >= below);
 }
 
+/* The edge between two vertices, given twice: as coordinates, and as attributes. */
 QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_clip_vertex *a,
                                     const qtri_clip_vertex *b,
                                     const qtri_screen_vertex *a_attributes,
@@ -346,7 +300,8 @@ QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_
     qtri_vertex line[2];
     qtri_line_color color[2];
     for (int i = 0; i < 2; i++) {
-        blend_attributes(&screen[i], a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
+        qtri_blend_attributes(&screen[i], a_attributes, b_attributes, b_attributes, end[i].b1_q30,
+                              0);
         qtri_line_end(&line[i], color[i], &screen[i]);
     }
     job->draw(job, &line[0], &line[1], (const qtri_line_color *)color);
@@ -382,7 +337,7 @@ void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_ver
         return;
     }
     source(from, attributes);
-    spread_provoking(primitive->material, attributes);
+    qtri_spread_provoking(primitive->material, attributes);
     if (planes == 0) {
         draw_whole_outline(primitive, fan, attributes);
         return;
@@ -444,7 +399,12 @@ void qtri_primitive_large(const qtri_primitive *primitive, const qtri_fan_vertex
                           qtri_attribute_source source, const void *from)
 {
     const piece p = {primitive, source, from, {&corner[0], &corner[1], &corner[2]}};
-    (void)draw_large_piece(&p, piece_area(corner, 2), true);
+    const int64_t area = piece_area(corner, 2);
+    if (primitive->ops != NULL) {
+        (void)draw_piece(&p, area, true);
+    } else {
+        (void)draw_large_piece(&p, area, true);
+    }
 }
 
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],

@@ -8,6 +8,8 @@
 #include "qtri/draw.h"
 
 #include "../geometry/projector.h"
+#include "qtri/body/small_triangle.h"
+
 #include "../raster/line.h"
 #include "../raster/setup.h"
 #include "../raster/triangle.h"
@@ -25,7 +27,12 @@ typedef struct qtri_primitive {
             qtri_line_job job;
             qtri_batch batch; /* the job's */
         } lines;              /* and wireframes */
+        struct {
+            qtri_draw_state state;
+            qtri_small small; /* what a mesh's have in common */
+        } pipeline;           /* triangles, where there are ops */
     } to;
+    const struct qtri_pipeline_ops *ops; /* triangles are drawn by a pipeline; NULL: they are not */
     qtri_projector projector;
 } qtri_primitive;
 

@@ -83,18 +83,22 @@ QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
 static void draw_placed(qtri_mesh_job *draw, void *with)
 {
     (void)with;
-    if (!QTRI_WITH_FAST_PATHS || draw->slot_count < draw->mesh->vertex_count) {
+    if (draw->slot_count < draw->mesh->vertex_count) {
         draw_by_slots(draw);
     } else {
         qtri_wireframe.mesh(draw);
     }
 }
 
-/* The rows in which the line job looks for triangles reach a radius beyond the surface's. */
+/*
+ * The rows in which the line job looks for triangles reach as far beyond the surface's as an edge
+ * does beyond its vertices: a radius, and the corner of a square end a radius times sqrt(2).
+ */
 static void widen_rows(qtri_line_job *job, int32_t radius)
 {
-    job->top_24p8 -= radius + 1;
-    job->height_24p8 += 2 * (uint32_t)(radius + 1);
+    const int32_t reach = radius + radius / 2 + 1;
+    job->top_24p8 -= reach;
+    job->height_24p8 += 2 * (uint32_t)reach;
 }
 
 /* Whether edges are lines that need no union of parts: no wider than two pixels, with flat ends. */
@@ -111,7 +115,7 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     QTRI_CHECK(qtri_check_surface(surface));
     QTRI_CHECK(qtri_check_material(material));
     QTRI_CHECK(qtri_check_view(view, pose));
-    QTRI_ASSERT(stroke != NULL);
+    QTRI_CHECK(qtri_check_stroke(stroke));
     QTRI_CHECK(qtri_check_mesh(mesh));
     wide_job wide;
     qtri_material wired = *material;

@@ -34,5 +34,5 @@ static const qtri_fused loops = {.flat = qtri_flat_less,
                                  .less_equal = &lequal};
 #endif
 
-const qtri_format qtri_rgb565 = {&qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565,
-                                 &loops};
+const qtri_format qtri_rgb565 = {&qtri_pixels_16,    &qtri_colors_565, NULL,
+                                 qtri_decode_rgb565, &loops,           QTRI_RGB565};

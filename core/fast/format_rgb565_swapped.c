@@ -19,5 +19,6 @@ static const qtri_fused lequal = {.flat = qtri_flat_lequal};
 static const qtri_fused loops = {.flat = qtri_flat_less, .less_equal = &lequal};
 #endif
 
-const qtri_format qtri_rgb565_swapped = {&qtri_pixels_16, &qtri_colors_565, encode,
-                                         qtri_decode_rgb565_swapped, &loops};
+const qtri_format qtri_rgb565_swapped = {&qtri_pixels_16, &qtri_colors_565,
+                                         encode,          qtri_decode_rgb565_swapped,
+                                         &loops,          QTRI_RGB565_SWAPPED};

@@ -8,4 +8,5 @@ static uint32_t decode(uint32_t stored)
     return qtri_decode_rgb565(stored);
 }
 
-const qtri_format qtri_rgb565_x4 = {&records, &qtri_colors_565, NULL, decode, &samples};
+const qtri_format qtri_rgb565_x4 = {&records, &qtri_colors_565, NULL,
+                                    decode,   &samples,         QTRI_RGB565};

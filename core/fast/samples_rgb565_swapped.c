@@ -14,4 +14,5 @@ static uint32_t decode(uint32_t stored)
     return qtri_decode_rgb565_swapped(stored);
 }
 
-const qtri_format qtri_rgb565_swapped_x4 = {&records, &qtri_colors_565, encode, decode, &samples};
+const qtri_format qtri_rgb565_swapped_x4 = {&records, &qtri_colors_565, encode,
+                                            decode,   &samples,         QTRI_RGB565_SWAPPED};

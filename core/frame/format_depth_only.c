@@ -47,4 +47,5 @@ static uint32_t decode(uint32_t stored)
 
 static const qtri_pixels no_pixels = {0, load, fill, store, scatter};
 
-const qtri_format qtri_depth_only = {&no_pixels, &qtri_colors_gray, NULL, decode, NULL};
+const qtri_format qtri_depth_only = {&no_pixels, &qtri_colors_gray, NULL, decode,
+                                     NULL,       QTRI_DEPTH_ONLY};

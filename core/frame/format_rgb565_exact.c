@@ -17,5 +17,5 @@ static void encode(uint32_t *color, int32_t count)
                    (ROUNDED(c) >> 16 & 0xF800) | GREEN(c) << 5 | (ROUNDED(c) >> 11 & 31))
 }
 
-const qtri_format qtri_rgb565_exact = {&qtri_pixels_16, &qtri_colors_888, encode,
-                                       qtri_decode_rgb565, NULL};
+const qtri_format qtri_rgb565_exact = {
+    &qtri_pixels_16, &qtri_colors_888, encode, qtri_decode_rgb565, NULL, QTRI_RGB565_EXACT};

@@ -9,5 +9,5 @@ static void encode(uint32_t *color, int32_t count)
     QTRI_EACH_WORD(color, count, c, qtri_reversed(c) >> 8)
 }
 
-const qtri_format qtri_rgb888 = {&qtri_pixels_24, &qtri_colors_888, encode, qtri_decode_rgb888,
-                                 NULL};
+const qtri_format qtri_rgb888 = {
+    &qtri_pixels_24, &qtri_colors_888, encode, qtri_decode_rgb888, NULL, QTRI_RGB888};

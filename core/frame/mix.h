@@ -24,13 +24,7 @@
     }
 #endif
 
-/* A share of 10 bits and 1 of an alpha of 8: 255 is 1024, and none is off by more than 2. */
-static inline uint32_t qtri_mix_share(uint32_t alpha)
-{
-    return 4 * alpha + (alpha >> 6) + (alpha >> 7);
-}
-
-/* `over` in a share of `k`, the rest is `under`: within 1/2 and what the share is off. */
+/* `over` in a share of `k` of 1024, the rest is `under`: within 1/2 and what the share is off. */
 static inline uint32_t qtri_mix_over(uint32_t over, uint32_t under, uint32_t k)
 {
     const int32_t difference = (int32_t)(over - under) * (int32_t)k; /* |.| <= 255 2^10 */

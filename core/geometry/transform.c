@@ -82,7 +82,15 @@ void qtri_transform_translate(qtri_transform *t, qtri_vec3 offset)
     stretch(t, &one, &offset);
 }
 
+#ifdef QTRI_CHECKED
 void qtri_transform_scale(qtri_transform *t, qtri_vec3 factor)
+{
+    QTRI_ASSERT(qtri_is_plain_1(factor) || qtri_is_scale(factor));
+    qtri_transform_scale_any(t, factor);
+}
+#endif
+
+void qtri_transform_scale_any(qtri_transform *t, qtri_vec3 factor)
 {
     QTRI_ASSERT(!qtri_is_plain_1(factor));
     const qtri_vec3 nowhere = {0, 0, 0};

@@ -33,4 +33,5 @@ void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
     view->vertices = NULL;
     view->vertex_count = 0;
     view->lights = NULL;
+    view->pipelines = NULL;
 }

@@ -31,11 +31,11 @@ enum {
 /*
  * Words of a fragment, which stages replace in place.
  *
- *   color   the number of its texel, the stored texel, its colour, the stored pixel; where texels
- *           are filtered, at first u
- *   by.shade  what the texel is multiplied by: light, 0..1024, or red green blue, 10 bits each;
- * where texels are filtered, at first v place   of small triangles: row << 16 | column, from the
- * surface's first pixel
+ *   color      the number of its texel, the stored texel, its colour, the stored pixel; where
+ *              texels are filtered, at first u
+ *   by.shade   what the texel is multiplied by: light, 0..1024, or red green blue, 10 bits each;
+ *              where texels are filtered, at first v
+ *   place      of small triangles: row << 16 | column, from the surface's first pixel
  */
 typedef struct qtri_batch {
     uint8_t count;    /* fragments of small triangles that wait, see list.h */
@@ -75,10 +75,17 @@ static inline uint16_t *qtri_batch_table(qtri_batch *batch)
 int32_t qtri_batch_keep(qtri_batch *batch, const qtri_surface *surface, const qtri_ramp *depth,
                         uint32_t mask, int32_t count, bool write);
 
-/* Bits for less, equal and greater that a comparison has. */
+/* A material's comparison; a number that is none is QTRI_ALWAYS. Enums may be signed. */
+static inline qtri_compare qtri_compare_of(const qtri_material *material)
+{
+    const qtri_compare compare = material->depth_compare;
+    return (uint32_t)compare > (uint32_t)QTRI_ALWAYS ? QTRI_ALWAYS : compare;
+}
+
+/* Bits for less, equal and greater that a comparison has: they count in binary. */
 static inline uint32_t qtri_orders_of(qtri_compare compare)
 {
-    return compare > QTRI_ALWAYS ? 7 : (uint32_t)compare - QTRI_NEVER;
+    return (uint32_t)compare - QTRI_NEVER;
 }
 
 /* The one of those bits that a depth has against what is stored. */

@@ -406,4 +406,4 @@ void qtri_bilinear_init(qtri_raster *raster)
     raster->mix_taps = raster->working == &qtri_colors_565 ? blend_565 : blend;
 }
 
-const qtri_filter qtri_bilinear = {qtri_bilinear_init, sample};
+const qtri_filter qtri_bilinear = {qtri_bilinear_init, sample, true, false};

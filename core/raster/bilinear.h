@@ -18,6 +18,7 @@ struct qtri_filter {
      */
     uint32_t (*sample)(const qtri_raster *raster, const qtri_texel_axis axis[2], uint32_t *u,
                        uint32_t *v, int32_t count);
+    bool is_bilinear, is_mipmapped;
 };
 
 /* Of qtri_bilinear. */

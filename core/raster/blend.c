@@ -179,16 +179,31 @@ static inline uint32_t product(uint32_t a, uint32_t b)
     return (p + (p >> 8)) >> 8;
 }
 
-static inline uint32_t share_of(const mixture *m, uint32_t color)
+/*
+ * Shares of 8 bits a channel: 65536 is 1, so that what they are off is less than 1/256 of a step
+ * and all but nothing is added to the two halves that rounding takes. Of an alpha of 255, and of
+ * the product of two.
+ */
+static inline uint32_t share_of_alpha(uint32_t alpha)
 {
-    return ((color >> 24) * m->alpha * 1032 + 32768) >> 16; /* 255 255 is 1024 */
+    return alpha * 257 + (alpha >> 7); /* within 1/2 */
 }
 
-#define OVER(c, s, k, most) qtri_mix_over(c, s, k)
+static inline uint32_t share_of(const mixture *m, uint32_t color)
+{
+    return (color >> 24) * m->alpha * 33026 >> 15; /* within 1; 255 255 is 65536 */
+}
+
+static inline uint32_t over(uint32_t c, uint32_t s, uint32_t k)
+{
+    const int32_t difference = (int32_t)(c - s) * (int32_t)k; /* |.| <= 255 2^16 */
+    return s + (uint32_t)((difference + 32768) >> 16);
+}
+#define OVER(c, s, k, most) over(c, s, k)
 
 static inline uint32_t sum(uint32_t c, uint32_t s, uint32_t k, uint32_t most)
 {
-    const uint32_t all = s + ((c * k + 512) >> 10);
+    const uint32_t all = s + ((c * k + 32768) >> 16);
     return all < most ? all : most;
 }
 
@@ -335,7 +350,7 @@ static inline uint32_t times_565(uint32_t c, uint32_t u)
         QTRI_MIX(color, m.stored.words[i], count, &qtri_colors_888, share_of(&m, color[i]),        \
                  CHANNEL)                                                                          \
     } else {                                                                                       \
-        const uint32_t share = qtri_mix_share(m.alpha);                                            \
+        const uint32_t share = share_of_alpha(m.alpha);                                            \
         QTRI_MIX(color, m.stored.words[i], count, m.kind, share, CHANNEL)                          \
     }
 
@@ -471,13 +486,16 @@ static uint32_t screen_door(const qtri_raster *raster, uint32_t *color, const qt
 }
 
 const qtri_blend qtri_blend_alpha = {
-    &qtri_effects, blend_alpha, qtri_blend_row_alpha, qtri_blend_list_alpha, false, NULL, true};
+    &qtri_effects, blend_alpha, qtri_blend_row_alpha, qtri_blend_list_alpha, false, NULL,
+    true,          QTRI_ALPHA};
 const qtri_blend qtri_blend_add = {
-    &qtri_effects, blend_add, qtri_blend_row_add, qtri_blend_list_add, false, NULL, false};
-const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, NULL, NULL,
-                                        false,         NULL,           false};
-const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, NULL, NULL, false, NULL, false};
-const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, NULL, NULL,
-                                       false,         NULL,          false};
-const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, NULL, NULL,
-                                           true,          NULL,        false};
+    &qtri_effects, blend_add, qtri_blend_row_add, qtri_blend_list_add, false, NULL,
+    false,         QTRI_ADD};
+const qtri_blend qtri_blend_multiply = {&qtri_effects, blend_multiply, NULL,  NULL,
+                                        false,         NULL,           false, QTRI_MULTIPLY};
+const qtri_blend qtri_blend_none = {&qtri_effects, blend_none, NULL,  NULL,
+                                    false,         NULL,       false, QTRI_KEEP_PIXEL};
+const qtri_blend qtri_blend_replace = {&qtri_effects, blend_replace, NULL,  NULL,
+                                       false,         NULL,          false, QTRI_STORE};
+const qtri_blend qtri_blend_screen_door = {&qtri_effects, screen_door, NULL,  NULL,
+                                           true,          NULL,        false, QTRI_SCREEN_DOOR};

@@ -450,7 +450,7 @@ static uint32_t blend_add(const qtri_raster *raster, uint32_t *color, const qtri
 
 static const qtri_vertex_blend by_vertex = {begin, draw, set, note, at};
 
-const qtri_blend qtri_blend_vertex_alpha = {&qtri_effects, blend_over, NULL, NULL,
-                                            false,         &by_vertex, false};
-const qtri_blend qtri_blend_vertex_add = {&qtri_effects, blend_add,  NULL, NULL,
-                                          false,         &by_vertex, false};
+const qtri_blend qtri_blend_vertex_alpha = {&qtri_effects, blend_over, NULL,  NULL,
+                                            false,         &by_vertex, false, QTRI_ALPHA};
+const qtri_blend qtri_blend_vertex_add = {&qtri_effects, blend_add,  NULL,  NULL,
+                                          false,         &by_vertex, false, QTRI_ADD};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "qtri/depth.h"
+#include "qtri/body/state.h"
 
 #include "../bits/bits.h"
 #include "depth_rows.h"
@@ -39,6 +39,14 @@ static void find_octave(octave *o, uint32_t t)
     o->size = o->from;
     o->base = (uint32_t)(e - 1) << MANTISSA; /* the shifted t has its highest bit */
     o->down = (uint32_t)(LEAST_LOG2 + e - 1);
+}
+
+uint32_t qtri_depth_encode_float16(uint32_t z_16p16)
+{
+    const uint32_t t = z_16p16 > FARTHEST ? 0 : FARTHEST - z_16p16;
+    octave o;
+    find_octave(&o, t);
+    return 65535 - (o.base + (t >> o.down));
 }
 
 /* Neighbours mostly have one exponent. */
@@ -186,4 +194,5 @@ static void fill_row(uint16_t *depth, uint16_t *pixel, uint32_t z, uint32_t step
 #endif
 
 static const qtri_depth_testing testing = QTRI_DEPTH_TESTING(test_row, FLAT);
-const qtri_depth_format qtri_depth_float16 = {QTRI_DEPTH_FLOAT16_BYTES, &testing, encode, decode};
+const qtri_depth_format qtri_depth_float16 = {QTRI_DEPTH_FLOAT16_BYTES, &testing, encode, decode,
+                                              QTRI_FLOAT16};

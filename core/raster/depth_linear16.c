@@ -18,4 +18,5 @@ static void decode(uint32_t *depth, int32_t count)
     }
 }
 
-const qtri_depth_format qtri_depth_linear16 = {QTRI_DEPTH_LINEAR16_BYTES, NULL, encode, decode};
+const qtri_depth_format qtri_depth_linear16 = {QTRI_DEPTH_LINEAR16_BYTES, NULL, encode, decode,
+                                               QTRI_LINEAR16};

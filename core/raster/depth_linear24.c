@@ -35,4 +35,5 @@ static void decode(uint32_t *depth, int32_t count)
 }
 
 static const qtri_depth_testing testing = QTRI_DEPTH_TESTING(test_row, NULL);
-const qtri_depth_format qtri_depth_linear24 = {QTRI_DEPTH_LINEAR24_BYTES, &testing, encode, decode};
+const qtri_depth_format qtri_depth_linear24 = {QTRI_DEPTH_LINEAR24_BYTES, &testing, encode, decode,
+                                               QTRI_LINEAR24};

@@ -27,4 +27,5 @@ static void keep(uint32_t *depth, int32_t count)
 }
 
 static const qtri_depth_testing testing = QTRI_DEPTH_TESTING(test_row, NULL);
-const qtri_depth_format qtri_depth_linear32 = {QTRI_DEPTH_LINEAR32_BYTES, &testing, keep, keep};
+const qtri_depth_format qtri_depth_linear32 = {QTRI_DEPTH_LINEAR32_BYTES, &testing, keep, keep,
+                                               QTRI_LINEAR32};

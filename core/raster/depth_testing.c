@@ -314,7 +314,7 @@ uint16_t *qtri_depth_flatten(const qtri_surface *surface)
 void qtri_depth_fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
 {
     const qtri_pixels memory = {surface->depth_format->bytes, NULL, NULL, NULL, NULL};
-    const qtri_format format = {&memory, NULL, NULL, NULL, NULL};
+    const qtri_format format = {&memory, NULL, NULL, NULL, NULL, 0};
     qtri_surface depths = *surface;
     depths.format = &format;
     depths.pixels = (uint8_t *)surface->depth;

@@ -107,6 +107,7 @@ struct qtri_blend {
     bool rejects;                       /* the mask may lose some */
     const qtri_vertex_blend *by_vertex; /* alpha varies; NULL: it does not */
     bool takes_finer;                   /* colours that fog leaves so: see fog_565.h */
+    uint8_t kind;                       /* QTRI_ALPHA and the like: see pipeline.h */
 };
 
 /* That of a raster; NULL: alpha does not vary. */

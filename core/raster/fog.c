@@ -3,6 +3,7 @@
 #include "fog_565.h"
 #include "list_values.h"
 
+#include "qtri/body/state.h"
 #include "qtri/q16_exp.h"
 #include "qtri/error.h"
 
@@ -320,13 +321,17 @@ static fog_planes planes_of(qtri_fog_range range)
 /* All of t: 65535.0. */
 #define WHOLE 0xFFFF0000u
 
-/* Distance from the eye's plane where the depth is t < 2^32 less than 65535.0; Q16, 1 at least.
-   A far plane is 2^31 away where the near one is 1 before. */
+/*
+ * Distance from the eye's plane where the depth is t < 2^33 less than 65535.0; Q16. A far plane is
+ * 2^31 away where the near one is 1 before. The last of equal steps ends before the near plane: its
+ * share is that of there, for what is within the step to be right.
+ */
 static q16 distance_at(qtri_fog_range range, uint64_t t)
 {
     const fog_planes p = planes_of(range);
-    t = t < WHOLE ? t : WHOLE;
-    const uint64_t beyond = quotient(t * (p.far_z - p.near_z), WHOLE, 0); /* t.. < 2^63 */
+    const uint64_t inside = t < WHOLE ? t : WHOLE;
+    const uint64_t beyond = quotient(inside * (p.far_z - p.near_z), WHOLE, 0) + /* .. < 2^63 */
+                            quotient((t - inside) * (p.far_z - p.near_z), WHOLE, 0);
     if (range.orthographic) {
         return qtri_saturate32((int64_t)(p.far_z - beyond));
     }
@@ -352,6 +357,17 @@ static uint32_t t_of(qtri_fog_range range, q16 z)
 
 static const qtri_fog_stages stages = {&qtri_effects, qtri_fog_begin_565, apply,
                                        apply_row,     apply_list,         qtri_fog_over_565};
+
+uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16)
+{
+    fog_step s;
+    const uint32_t t = ~depth_16p16;
+    find_step(&s, fog, t);
+    const int32_t share =
+        s.base + (int32_t)((t - s.from) >> s.shift) * s.slope; /* 1024 2^12 is 1 */
+    const int32_t full = (int32_t)1024 << PART_BITS;
+    return (uint32_t)(share < 0 ? 0 : share > full ? full : share) << (24 - 10 - PART_BITS);
+}
 
 /* How the share, Q16, follows from the distance and two numbers. */
 typedef int64_t (*law)(q16 z, q16 a, q16 b);

@@ -87,13 +87,14 @@ void qtri_fog_begin_565(qtri_raster *raster)
 }
 
 /*
- * fog + (color - fog) share / 256, and half a step: red and blue 16 bits apart, 248 256 + 1024 <
- * 2^16, with eighths 11 bits from their step; green's quarters, 8 bits up, 18.
+ * fog + (color - fog) share, and half a step: red and blue 16 bits apart, in shares of 256, 248 256
+ * + 1024 < 2^16, with eighths 11 bits from their step; green, which has twice the steps, in shares
+ * of 1024, its quarters, 8 bits up, 20 bits from their step.
  */
 typedef struct mix {
     uint32_t bytes, fives;
     uint32_t less, green_less; /* the fog's */
-    uint32_t more, green_more; /* 256 times that, with the half that rounds */
+    uint32_t more, green_more; /* all of it, with the half that rounds */
 } mix;
 
 static inline mix mix_of(uint32_t fog, uint32_t half, uint32_t green_half)
@@ -101,7 +102,7 @@ static inline mix mix_of(uint32_t fog, uint32_t half, uint32_t green_half)
     const uint32_t both = fog & 0x00FF00FFu;
     const uint32_t green = fog & 0xFF00u;
     const mix m = {0x00FF00FFu, 0x001F001Fu,       0 - both,
-                   0 - green,   both * 256 + half, green * 256 + green_half};
+                   0 - green,   both * 256 + half, green * 1024 + green_half};
     return m;
 }
 
@@ -109,9 +110,10 @@ static inline mix mix_of(uint32_t fog, uint32_t half, uint32_t green_half)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         uint32_t green = color[i];                                                                 \
-        const uint32_t k = (share[i] + 2) >> 2;                                                    \
+        uint32_t k = share[i];                                                                     \
         uint32_t both = green & m.bytes;                                                           \
         green = (green - both + m.green_less) * k + m.green_more;                                  \
+        k = (k + 2) >> 2;                                                                          \
         QTRI_TOGETHER(green)                                                                       \
         both = (both + m.less) * k + m.more;                                                       \
         QTRI_TOGETHER(both)                                                                        \
@@ -133,20 +135,20 @@ static inline mix mix_of(uint32_t fog, uint32_t half, uint32_t green_half)
 /* NOLINTBEGIN(clang-analyzer-core.*): shares past the end are of spare words */
 #define PUT(i)                                                                                     \
     both = both >> 11 & m.fives;                                                                   \
-    color[i] = both | both >> 5 | green >> 18 << 5;
+    color[i] = both | both >> 5 | green >> 20 << 5;
 void qtri_fog_words_565(uint32_t *color, uint32_t fog, const uint32_t *share, int32_t count)
 {
-    mix m = mix_of(fog, 0x04000400u, 0x20000u);
+    mix m = mix_of(fog, 0x04000400u, 0x80000u);
     QTRI_OPAQUE(m.bytes)
     QTRI_OPAQUE(m.fives)
     WORDS
 }
 #undef PUT
 
-#define PUT(i) color[i] = (both >> 8 & m.bytes) | green >> 16 << 8;
+#define PUT(i) color[i] = (both >> 8 & m.bytes) | green >> 18 << 8;
 void qtri_fog_words_finer(uint32_t *color, uint32_t fog, const uint32_t *share, int32_t count)
 {
-    mix m = mix_of(fog, 0x00800080u, 0x8000u);
+    mix m = mix_of(fog, 0x00800080u, 0x20000u);
     QTRI_OPAQUE(m.bytes)
     WORDS
 }
@@ -155,11 +157,11 @@ void qtri_fog_words_finer(uint32_t *color, uint32_t fog, const uint32_t *share, 
 
 #define PUT(i)                                                                                     \
     both = both >> 11 & m.fives;                                                                   \
-    pixel[i] = (uint16_t)(both | both >> 5 | green >> 18 << 5);
+    pixel[i] = (uint16_t)(both | both >> 5 | green >> 20 << 5);
 void qtri_fog_row_565(uint16_t *pixel, const uint32_t *color, uint32_t fog, const uint32_t *share,
                       int32_t count)
 {
-    mix m = mix_of(fog, 0x04000400u, 0x20000u);
+    mix m = mix_of(fog, 0x04000400u, 0x80000u);
     QTRI_OPAQUE(m.bytes)
     QTRI_OPAQUE(m.fives)
     QTRI_FOG_ROW
@@ -169,10 +171,10 @@ void qtri_fog_row_565(uint16_t *pixel, const uint32_t *color, uint32_t fog, cons
 #define PUT(i)                                                                                     \
     both = both >> 11 & m.fives;                                                                   \
     uint16_t *const pixel = qtri_placed_16(pixels, pitch, *place++);                               \
-    *pixel = (uint16_t)(both | both >> 5 | green >> 18 << 5);
+    *pixel = (uint16_t)(both | both >> 5 | green >> 20 << 5);
 void qtri_fog_list_565(const qtri_raster *raster, const uint32_t *share, int32_t count)
 {
-    mix m = mix_of(raster->fog->word[3], 0x04000400u, 0x20000u);
+    mix m = mix_of(raster->fog->word[3], 0x04000400u, 0x80000u);
     QTRI_FOG_PLACES
     QTRI_OPAQUE(m.bytes)
     QTRI_OPAQUE(m.fives)

@@ -46,6 +46,7 @@ struct qtri_pixel_light {
     uint32_t least, greatest;  /* of the vertices' q */
     qtri_lit_sample sample[3]; /* the first two: where the last chunk ended, and the next one */
     bool bends;                /* between them and the one before */
+    int32_t left, right;       /* the span that they are of: four samples have several in a row */
 };
 
 /* Places in one scale, that of the farthest, and what corners 1 and 2 differ in from corner 0. */

@@ -55,5 +55,5 @@ static void init_bilinear(qtri_raster *raster)
 }
 
 /* Neither samples: the raster's texture has another filter, or none. */
-const qtri_filter qtri_mipmapped = {init, NULL};
-const qtri_filter qtri_mipmapped_bilinear = {init_bilinear, NULL};
+const qtri_filter qtri_mipmapped = {init, NULL, false, true};
+const qtri_filter qtri_mipmapped_bilinear = {init_bilinear, NULL, true, true};

@@ -51,7 +51,10 @@ static void find_sample(qtri_lit_sample *out, const walk *w, int32_t x)
     qtri_lit_sample_at(out, w->light, w->row->job->raster, x, w->row->y);
 }
 
-/* Pixels from sample a to before b, and b itself where it is the last of its span. */
+/*
+ * Pixels from sample a to before b, and b itself where it is the last of its span: one at least, as
+ * stages ask for. Samples are of one span, so a is b only at its last pixel.
+ */
 static void emit(const walk *w, const qtri_lit_sample *a, const qtri_lit_sample *b)
 {
     const qtri_raster *raster = w->row->job->raster;
@@ -186,8 +189,9 @@ static void shade(qtri_scanline *row, int32_t x, int32_t count)
     qtri_lit_sample *from = &p->sample[0];
     qtri_lit_sample *to = &p->sample[1];
     qtri_lit_sample *after = &p->sample[2];
-    bool bends;                              /* at `from` */
-    if (from->x != x || from->y != row->y) { /* it does not go on where the last chunk ended */
+    bool bends; /* at `from` */
+    if (from->x != x || from->y != row->y || p->left != row->left || p->right != row->right) {
+        /* The chunk does not go on where the last one ended. */
         find_sample(from, &w, x);
         next_sample(to, &w, from);
         p->bends = false;
@@ -219,6 +223,8 @@ static void shade(qtri_scanline *row, int32_t x, int32_t count)
     p->sample[0] = next[0];
     p->sample[1] = next[1];
     p->bends = bends;
+    p->left = row->left;
+    p->right = row->right;
 }
 
 /* ---- Draw calls ---- */

@@ -93,7 +93,7 @@ void qtri_raster_init(qtri_raster *raster, const qtri_surface *surface,
     batch->kind = 0;
     batch->has_table = false;
     batch->mask = 0;
-    raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : material->depth_compare;
+    raster->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : qtri_compare_of(material);
     raster->depth_write = raster->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
     raster->perspective = QTRI_WITH_PERSPECTIVE && material->interpolation == QTRI_PERSPECTIVE;
     raster->cull = material->cull;

@@ -8,4 +8,4 @@ static uint32_t decode(uint32_t stored)
     return qtri_decode_gray8(stored);
 }
 
-const qtri_format qtri_gray8_x4 = {&records, &qtri_colors_gray, NULL, decode, &samples};
+const qtri_format qtri_gray8_x4 = {&records, &qtri_colors_gray, NULL, decode, &samples, QTRI_GRAY8};

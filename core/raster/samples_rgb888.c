@@ -15,4 +15,5 @@ static uint32_t decode(uint32_t stored)
     return qtri_decode_rgb888(stored);
 }
 
-const qtri_format qtri_rgb888_x4 = {&records, &qtri_colors_888, encode, decode, &samples};
+const qtri_format qtri_rgb888_x4 = {&records, &qtri_colors_888, encode,
+                                    decode,   &samples,         QTRI_RGB888};

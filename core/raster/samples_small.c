@@ -487,9 +487,7 @@ QTRI_NOINLINE static void test_row_any(work *w, uint32_t place, int32_t count)
         }
         return;
     }
-    const uint32_t passes =
-        raster->compare > QTRI_ALWAYS ? 7 : (uint32_t)raster->compare - QTRI_NEVER;
-    test_row(w, place, count, passes, raster->depth_write);
+    test_row(w, place, count, qtri_orders_of(raster->compare), raster->depth_write);
 }
 
 QTRI_NOINLINE void qtri_samples_small(const qtri_raster *raster, const qtri_list_triangle *t)

@@ -3,6 +3,8 @@
  * Formats of texels with alpha. Their colours are 0xAARRGGBB as far as the blend: stages of 8 bits
  * a channel look at the low 24, and those that multiply are followed by what puts alpha back.
  */
+#include "qtri/body/state.h"
+
 #include "../bits/reciprocal.h"
 #include "list_values.h"
 #include "stage_color.h"
@@ -195,6 +197,13 @@ static uint32_t plain_mean_of(const uint32_t tap[4], uint32_t weight)
     return color;
 }
 
+uint32_t qtri_alpha_mean(const uint32_t texel[4], uint32_t along, uint32_t across)
+{
+    const uint32_t differ = (texel[0] ^ texel[1]) | (texel[0] ^ texel[2]) | (texel[0] ^ texel[3]);
+    const uint32_t weight = across << 16 | along;
+    return differ >> 24 == 0 ? plain_mean_of(texel, weight) : mean_of(texel, weight);
+}
+
 static void mix_taps(uint32_t *color, const uint32_t *tap, const uint32_t *weight, int32_t count)
 {
     for (int32_t i = 0; i < count; i++, tap += 4) {
@@ -245,11 +254,11 @@ static const qtri_texturing stages = {init,
                                       qtri_list_texels,
                                       qtri_list_finish_texels};
 
-const qtri_texel_format qtri_texel_argb4444 = {&stages, &qtri_colors_888, 0xFFFF,     0,
-                                               usable,  fetch_16,         decode_4444};
-const qtri_texel_format qtri_texel_argb1555 = {&stages, &qtri_colors_888, 0xFFFF,     0,
-                                               usable,  fetch_16,         decode_1555};
-const qtri_texel_format qtri_texel_argb8888 = {&stages, &qtri_colors_888, UINT32_MAX, 0,
-                                               usable,  fetch_32,         NULL};
-const qtri_texel_format qtri_texel_alpha8 = {&stages, &qtri_colors_888, 0xFF,        0,
-                                             usable,  fetch_8,          decode_alpha};
+const qtri_texel_format qtri_texel_argb4444 = {
+    &stages, &qtri_colors_888, 0xFFFF, 0, usable, fetch_16, decode_4444, QTRI_TEXEL_ARGB4444};
+const qtri_texel_format qtri_texel_argb1555 = {
+    &stages, &qtri_colors_888, 0xFFFF, 0, usable, fetch_16, decode_1555, QTRI_TEXEL_ARGB1555};
+const qtri_texel_format qtri_texel_argb8888 = {
+    &stages, &qtri_colors_888, UINT32_MAX, 0, usable, fetch_32, NULL, QTRI_TEXEL_ARGB8888};
+const qtri_texel_format qtri_texel_alpha8 = {
+    &stages, &qtri_colors_888, 0xFF, 0, usable, fetch_8, decode_alpha, QTRI_TEXEL_ALPHA8};

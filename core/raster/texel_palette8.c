@@ -25,4 +25,5 @@ static void decode(uint32_t *texel, const qtri_texture *texture, int32_t count)
 }
 
 const qtri_texel_format qtri_texel_palette8 = {
-    &qtri_texturing_stages, &qtri_colors_888, UINT32_MAX, 0, usable, fetch, decode};
+    &qtri_texturing_stages, &qtri_colors_888, UINT32_MAX, 0, usable, fetch, decode,
+    QTRI_TEXEL_PALETTE8};

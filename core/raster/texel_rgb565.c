@@ -13,4 +13,5 @@ static void fetch(uint32_t *texel, const qtri_texture *texture, int32_t count)
 }
 
 const qtri_texel_format qtri_texel_rgb565 = {
-    &qtri_texturing_stages, &qtri_colors_565, UINT32_MAX, 2, usable, fetch, NULL};
+    &qtri_texturing_stages, &qtri_colors_565, UINT32_MAX, 2, usable, fetch, NULL,
+    QTRI_TEXEL_RGB565};

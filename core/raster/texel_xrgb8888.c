@@ -13,4 +13,5 @@ static void fetch(uint32_t *texel, const qtri_texture *texture, int32_t count)
 }
 
 const qtri_texel_format qtri_texel_xrgb8888 = {
-    &qtri_texturing_stages, &qtri_colors_888, 0xFFFFFF, 0, usable, fetch, NULL};
+    &qtri_texturing_stages, &qtri_colors_888, 0xFFFFFF, 0, usable, fetch, NULL,
+    QTRI_TEXEL_XRGB8888};

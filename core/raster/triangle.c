@@ -3,7 +3,7 @@
 
 #include "../geometry/projector.h"
 #include "effect.h"
-#include "checked.h"
+#include "checked_material.h"
 #include "depth_clamp.h"
 #include "small.h"
 #include "rows.h"

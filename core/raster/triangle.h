@@ -97,6 +97,12 @@ static inline bool qtri_triangle_is_back(const qtri_screen_point *a, const qtri_
 #endif
 }
 
+/* Whether triangles of one side are turned away; by a number that is no qtri_cull none are. */
+static inline bool qtri_culls(qtri_cull cull)
+{
+    return cull == QTRI_CULL_BACK || cull == QTRI_CULL_FRONT;
+}
+
 /* Whether a triangle of this area is turned away; without area it is, from either side. */
 static inline bool qtri_is_culled(qtri_cull cull, int64_t area)
 {

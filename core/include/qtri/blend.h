@@ -10,12 +10,17 @@
  * All but the screen door leave channels of stored pixels alone that material.keep names.
  * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one,
  * and times that of the vertices with a blend that asks for it.
- * Colours are within 1 of 255, and within a step of RGB565, of exact ones: what is blended there is
- * rounded before and after. Triangles in fog are rounded once, and are within 3/4 of a step, with a
- * constant alpha .8; lines, and texels of RGB565 that are lit, within 1 1/4.
- * Lines and wireframes are blended and fogged as well: each edge of each triangle, so that one that
- * two triangles share is drawn twice where depth does not turn the second away. Of strokes and
- * points (stroke.h) what fog and blend make of a pixel counts as far as it is covered.
+ * What is blended is rounded before and after, and within 1 of 255 of what exact colours are
+ * together, 1.002 with alpha of texels; of RGB565 within 1.16 of a step with alpha, 1.11 where it
+ * is added (red and blue; green within 1), and 1 where it is multiplied; 1 1/4 where colours vary.
+ * Fog, with what its share is off, is within 1 1/2 of 255, with a constant alpha 2. Triangles of
+ * RGB565 in fog are rounded once, and are within 3/4 of a step, with a constant alpha .8; lines,
+ * and texels of RGB565 that are lit, within 1 1/4.
+ *
+ * Lines and wireframes are blended and fogged as well: each edge of each
+ * triangle, so that one that two triangles share is drawn twice where depth does not turn the
+ * second away. Of strokes and points (stroke.h) what fog and blend make of a pixel counts as far as
+ * it is covered.
  */
 #ifndef QTRI_BLEND_H
 #define QTRI_BLEND_H
@@ -28,6 +33,16 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* What becomes of the pixel under it. */
+enum {
+    QTRI_STORE,
+    QTRI_ALPHA,      /* &qtri_blend_alpha, and by vertex: .vertex_alpha */
+    QTRI_ADD,        /* &qtri_blend_add */
+    QTRI_MULTIPLY,   /* &qtri_blend_multiply */
+    QTRI_KEEP_PIXEL, /* &qtri_blend_none */
+    QTRI_SCREEN_DOOR /* &qtri_blend_screen_door */
+};
 
 typedef struct qtri_blend qtri_blend;
 

@@ -9,7 +9,7 @@
  *
  *     static void encode(uint32_t *color, int32_t count) { ... each color[i] in place ... }
  *     static uint32_t decode(uint32_t stored) { ... 0x00RRGGBB ... }
- *     const qtri_format rgb444 = {&qtri_pixels_16, &qtri_colors_888, encode, decode, NULL};
+ *     const qtri_format rgb444 = {&qtri_pixels_16, &qtri_colors_888, encode, decode, NULL, 0};
  */
 #ifndef QTRI_FORMAT_H
 #define QTRI_FORMAT_H
@@ -56,6 +56,19 @@ extern const qtri_pixels qtri_pixels_8, qtri_pixels_16, qtri_pixels_24, qtri_pix
 /* Loops that only save time; see core/fast. */
 typedef struct qtri_fused qtri_fused;
 
+/* The library's own formats, as pipelines know them (pipeline.h). */
+enum {
+    QTRI_OTHER_FORMAT,
+    QTRI_RGB565,
+    QTRI_RGB565_SWAPPED,
+    QTRI_RGB565_EXACT,
+    QTRI_RGB888,
+    QTRI_BGR888,
+    QTRI_XRGB8888,
+    QTRI_GRAY8,
+    QTRI_DEPTH_ONLY
+};
+
 typedef struct qtri_format {
     const qtri_pixels *pixels;
     const qtri_colors *colors; /* the kind that encode takes */
@@ -65,6 +78,7 @@ typedef struct qtri_format {
     /* A stored pixel as 0x00RRGGBB, full channels being 255. */
     uint32_t (*decode)(uint32_t stored);
     const qtri_fused *fused; /* NULL: none */
+    uint8_t kind;            /* of the library's own formats; 0: another */
 } qtri_format;
 
 extern const qtri_format qtri_rgb565;         /* uint16_t, red in the high bits */

@@ -4,8 +4,9 @@
  * drawn.
  *
  * A material is constant data that a draw call reads; there is no current state anywhere.
- * A zeroed material is black, flat, perspective-correct, untextured, culls nothing and ignores
- * depth; qtri_material_default is the one most meshes want.
+ * A number that is none of its enum has the result that stands at the enum, in whole frames, bands
+ * and scissors alike. A zeroed material is black, flat, perspective-correct, untextured, culls
+ * nothing and ignores depth; qtri_material_default is the one most meshes want.
  */
 #ifndef QTRI_MATERIAL_H
 #define QTRI_MATERIAL_H
@@ -39,14 +40,16 @@ extern const qtri_shading qtri_per_pixel;
 #define QTRI_FLAT_FIRST (&qtri_flat_first)
 #define QTRI_FLAT_LAST  (&qtri_flat_last)
 
+/* Anything else is QTRI_SCREEN_LINEAR. */
 typedef enum qtri_interpolation {
     QTRI_PERSPECTIVE,  /* linear on the surface of the triangle */
     QTRI_SCREEN_LINEAR /* linear on the screen: affine textures, Gouraud colours */
 } qtri_interpolation;
 
+/* Anything else is QTRI_MODULATE. */
 typedef enum qtri_texture_mode { QTRI_MODULATE, QTRI_REPLACE } qtri_texture_mode;
 
-/* Counter-clockwise, as seen in the picture, is front. */
+/* Counter-clockwise, as seen in the picture, is front. Anything else is QTRI_CULL_NONE. */
 typedef enum qtri_cull { QTRI_CULL_NONE, QTRI_CULL_BACK, QTRI_CULL_FRONT } qtri_cull;
 
 /* How triangles are filled. NULL: solid. */
@@ -56,7 +59,7 @@ extern const qtri_fill qtri_wireframe; /* their edges as lines */
 /* What else than its colour it reflects of a view's `lights`: see light.h. */
 typedef struct qtri_reflection qtri_reflection;
 
-/* A fragment is drawn when `its depth COMPARE stored depth`. */
+/* A fragment is drawn when `its depth COMPARE stored depth`. Anything else is QTRI_ALWAYS. */
 typedef enum qtri_compare {
     QTRI_DEPTH_OFF, /* always drawn, never written */
     QTRI_NEVER,
@@ -72,6 +75,8 @@ typedef enum qtri_compare {
 /* What moves the depths of a triangle as a whole: see material.depth_shift. */
 typedef struct qtri_depth_shift qtri_depth_shift;
 extern const qtri_depth_shift qtri_slope_bias;
+
+typedef struct qtri_fragment qtri_fragment;
 
 /* Channels that stay as they are. Of GRAY8: only all three. */
 enum { QTRI_KEEP_BLUE = 1, QTRI_KEEP_GREEN = 2, QTRI_KEEP_RED = 4 };
@@ -106,6 +111,8 @@ typedef struct qtri_material {
      */
     const qtri_depth_shift *depth_shift;
     q16 depth_slope;
+    /* NULL, or a pixel function of the application's own: see pipeline.h. */
+    bool (*fragment)(qtri_fragment *fragment);
 } qtri_material;
 
 /* White, smooth, perspective, back faces culled, depth "less", written. */

@@ -23,6 +23,21 @@ typedef struct qtri_texture qtri_texture;
 typedef struct qtri_texturing qtri_texturing;
 extern const qtri_texturing qtri_texturing_stages;
 
+/* The library's own formats, as pipelines know them (pipeline.h). */
+enum {
+    QTRI_NO_TEXEL,
+    QTRI_TEXEL_RGB565,
+    QTRI_TEXEL_XRGB8888,
+    QTRI_TEXEL_GRAY8,
+    QTRI_TEXEL_PALETTE8,
+    QTRI_TEXEL_CHECKER,
+    QTRI_TEXEL_ARGB8888,
+    QTRI_TEXEL_ARGB4444,
+    QTRI_TEXEL_ARGB1555,
+    QTRI_TEXEL_ALPHA8,
+    QTRI_OTHER_TEXEL
+};
+
 typedef struct qtri_texel_format {
     const qtri_texturing *texturing; /* &qtri_texturing_stages */
     const qtri_colors *colors;       /* what decode gives: &qtri_colors_565 or &qtri_colors_888 */
@@ -38,6 +53,7 @@ typedef struct qtri_texel_format {
     void (*fetch)(uint32_t *texel, const qtri_texture *texture, int32_t count);
     /* Stored texels become colours, in place, and up to three more; NULL: they are. */
     void (*decode)(uint32_t *texel, const qtri_texture *texture, int32_t count);
+    uint8_t kind; /* of the library's own; 0: another */
 } qtri_texel_format;
 
 extern const qtri_texel_format qtri_texel_rgb565;   /* texels: const uint16_t * */
@@ -54,7 +70,7 @@ extern const qtri_texel_format qtri_texel_argb1555; /* texels: const uint16_t *,
 extern const qtri_texel_format qtri_texel_argb8888; /* texels: const uint32_t * */
 extern const qtri_texel_format qtri_texel_alpha8;   /* texels: const uint8_t *: white with alpha */
 
-/* What lies outside of 0..1. */
+/* What lies outside of 0..1. Anything else is QTRI_REPEAT. */
 typedef enum qtri_wrap {
     QTRI_REPEAT, /* the texture again */
     QTRI_CLAMP   /* its first or last column or row */

@@ -38,6 +38,9 @@ typedef struct qtri_light {
     q16 ambient, diffuse;
 } qtri_light;
 
+/* What draws the pixels: see pipeline.h. */
+typedef struct qtri_pipeline qtri_pipeline;
+
 /* Several lights with colours of their own: see light.h. */
 typedef struct qtri_lights qtri_lights;
 
@@ -69,6 +72,7 @@ typedef struct qtri_view {
     qtri_vertex *vertices;     /* scratch for mesh draws, overwritten by each; NULL with count 0 */
     uint32_t vertex_count;     /* fewer than a mesh's vertices is slower, never wrong */
     const qtri_lights *lights; /* not NULL: in place of `light` */
+    const qtri_pipeline *const *pipelines; /* NULL, or what draws triangles: see pipeline.h */
 } qtri_view;
 
 /* Identity camera and projection, the whole frame, no lights, no scratch. */

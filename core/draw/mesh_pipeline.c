@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: MIT */
+/* A mesh by a pipeline: its small triangles, and large ones. */
+#include "large_piece.h"
+#include "lights.h"
+#include "pipeline_ops.h"
+#include "prepared_lists.h"
+
+/* The triangle's colour, or those of its vertices in light. */
+static void set_colors(qtri_large_vertex v[3], const qtri_mesh_job *draw, const uint32_t index[3],
+                       qtri_vertex *const vertex[3], uint32_t face_q15)
+{
+    for (int i = 0; i < 3; i++) {
+        const uint32_t light_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
+        v[i].light_q15 = light_q15;
+        qtri_mesh_set_color(v[i].color_8p16, draw, index[i], light_q15);
+    }
+}
+
+static void set_place(qtri_large_vertex *out, const qtri_vertex *vertex)
+{
+    out->depth_16p16 = vertex->depth_16p8 & ~0xFFu;
+    out->inv_w_q31 = vertex->inv_w;
+    out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
+    out->rest[0] = 0;
+    out->rest[1] = 0;
+}
+
+QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t index[3],
+                                   qtri_vertex *const vertex[3],
+                                   const qtri_screen_point *const p[3], int64_t area,
+                                   uint32_t face_q15)
+{
+    qtri_draw_state *state = draw->primitive.to.pipeline.small.state;
+    const uint8_t *alphas = state->material->alphas;
+    qtri_large_vertex v[3];
+    for (int i = 0; i < 3; i++) {
+        set_place(&v[i], vertex[i]);
+        if (state->texture != NULL) {
+            qtri_mesh_set_uv(&v[i].u_q32, &v[i].v_q32, draw->mesh, index[i]);
+        }
+        v[i].alpha_q16 =
+            state->options.vertex_alpha ? ((uint32_t)alphas[index[i]] << 16) / 255 : 65536;
+    }
+    set_colors(v, draw, index, vertex, face_q15);
+    qtri_mesh_find_rests(v, draw, index, p, area);
+    qtri_large_triangle(state, p, area,
+                        qtri_color_word(v[qtri_provoking_of(&draw->material)].color_8p16), v);
+}
+
+QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                     qtri_vertex *b, qtri_vertex *c)
+{
+    const qtri_screen_point *const p[3] = {&a->at, &b->at, &c->at};
+    qtri_vertex *const vertex[3] = {a, b, c};
+    const int64_t area = qtri_triangle_area(p[0], p[1], p[2]);
+    uint32_t index[3];
+    if (area == 0 || qtri_is_beside(&draw->primitive.to.pipeline.state, p)) {
+        return;
+    }
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    draw_lit(draw, index, vertex, p, area, qtri_mesh_find_light(draw, indices, a, b, c));
+}
+
+/* The triangle with these indices, its vertices inside all planes. False: it is large. */
+QTRI_INLINE bool draw_small(bool (*small)(qtri_small *triangle), qtri_small *t, const void *indices,
+                            const uint32_t index[3], qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    t->indices = indices;
+    t->index[0] = index[0];
+    t->index[1] = index[1];
+    t->index[2] = index[2];
+    t->v[0] = a;
+    t->v[1] = b;
+    t->v[2] = c;
+    return small(t);
+}
+
+/* A job whose vertices are lit, if they are to be. */
+static inline void set_lit(qtri_small *t, const qtri_mesh_job *draw)
+{
+    if (draw->lit_per_vertex) {
+        t->light = NULL;
+    }
+}
+
+static void draw_triangle(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                          qtri_vertex *b, qtri_vertex *c)
+{
+    uint32_t index[3];
+    qtri_small t = draw->primitive.to.pipeline.small;
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    if (!draw_small(t.state->pipeline->small, &t, indices, index, a, b, c)) {
+        draw_large(draw, indices, a, b, c);
+    }
+}
+
+/* Those of a mesh whose back faces are culled, no vertex outside, by a pipeline. */
+static inline void draw_whole_of(const qtri_mesh_job *draw, const void *triangles, bool narrow)
+{
+    qtri_small t = draw->primitive.to.pipeline.small;
+    bool (*const by)(qtri_small *) = t.state->pipeline->small;
+    const uint32_t count = draw->mesh->vertex_count;
+    const uint32_t size = narrow ? 3 : 6;
+    const uint8_t *triangle = triangles;
+    const uint8_t *end = triangle + draw->mesh->triangle_count * size;
+    const uint32_t vertex_size = qtri_vertex_size();
+    for (; triangle != end; triangle += size) {
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        if (qtri_mesh_find(vertex, draw->vertices, count, index, vertex_size) &&
+            !draw_small(by, &t, triangle, index, vertex[0], vertex[1], vertex[2]) &&
+            !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
+            draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
+        }
+    }
+}
+
+QTRI_NOINLINE static void draw_wide(const qtri_mesh_job *draw)
+{
+    draw_whole_of(draw, draw->mesh->triangles, false);
+}
+
+QTRI_NOINLINE static void draw_narrow(const qtri_mesh_job *draw)
+{
+    draw_whole_of(draw, draw->mesh->triangles8, true);
+}
+
+static void draw_whole(const qtri_mesh_job *draw)
+{
+    if (qtri_mesh_has_bytes(draw->mesh)) {
+        draw_narrow(draw);
+    } else {
+        draw_wide(draw);
+    }
+}
+
+/* Triangles of a list of faces, indices of 16 bits. */
+static void draw_listed(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+{
+    qtri_small t = draw->primitive.to.pipeline.small;
+    bool (*const by)(qtri_small *) = t.state->pipeline->small;
+    const uint32_t size = qtri_vertex_size();
+    const uint8_t *triangles = faces->triangles;
+    const uint16_t *end = faces->end;
+    qtri_vertex *vertices = draw->vertices;
+    set_lit(&t, draw);
+    for (const uint16_t *at = faces->list; at != end; at++) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, false);
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, false);
+        qtri_mesh_get(vertex, vertices, index, size);
+        if (!draw_small(by, &t, triangle, index, vertex[0], vertex[1], vertex[2]) &&
+            !qtri_triangle_is_back(&t.v[0]->at, &t.v[1]->at, &t.v[2]->at)) {
+            draw_large(draw, triangle, t.v[0], t.v[1], t.v[2]);
+        }
+    }
+}
+
+/* A band's list of a mesh that is seen: see prepared_draw.c. */
+static inline void draw_band_of(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
+                                uint32_t end, const void *triangles, bool narrow)
+{
+    qtri_small t = draw->primitive.to.pipeline.small;
+    bool (*const by)(qtri_small *) = t.state->pipeline->small;
+    qtri_vertex *vertices = draw->vertices;
+    set_lit(&t, draw);
+    while (place != end) {
+        const uint8_t *triangle = triangles;
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        triangle += qtri_list_next(lists, &place) * (narrow ? 3 : 6);
+        qtri_mesh_indices(index, triangle, narrow);
+        qtri_mesh_get(vertex, vertices, index, qtri_vertex_size());
+        if (!draw_small(by, &t, triangle, index, vertex[0], vertex[1], vertex[2])) {
+            draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
+        }
+    }
+}
+
+static void draw_band(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
+                      uint32_t end)
+{
+    if (qtri_mesh_has_bytes(draw->mesh)) {
+        draw_band_of(draw, lists, place, end, draw->mesh->triangles8, true);
+    } else {
+        draw_band_of(draw, lists, place, end, draw->mesh->triangles, false);
+    }
+}
+
+static void note(qtri_primitive *primitive, const uint32_t index[3])
+{
+    for (int i = 0; i < 3; i++) {
+        primitive->to.pipeline.state.alpha_index[i] = index[i];
+    }
+}
+
+/* The raster's memory becomes the pipeline's: a draw call needs one of them. */
+static void begin(qtri_primitive *primitive, const qtri_view *view, int shade)
+{
+    if (view->lights != NULL || !qtri_pipelines_can_draw(primitive->surface, primitive->material)) {
+        return;
+    }
+    primitive->ops = &qtri_pipeline_ops;
+    primitive->to.pipeline.small.state = &primitive->to.pipeline.state;
+    qtri_draw_state_init(&primitive->to.pipeline.state, primitive->surface, view->pipelines,
+                         primitive->material, shade);
+}
+
+/* What colours do, see qtri_draw_state_init(). */
+static int shade_of(const qtri_mesh_job *draw)
+{
+    if (draw->mesh->colors != NULL) {
+        return qtri_is_smooth(&draw->material) ? QTRI_COLORS : QTRI_TINT;
+    }
+    if (draw->lit_per_vertex) {
+        return QTRI_LIGHT;
+    }
+    return draw->lit_per_face ? QTRI_TINT : QTRI_FLAT;
+}
+
+static void begin_mesh(qtri_mesh_job *draw, const qtri_view *view)
+{
+    begin(&draw->primitive, view, shade_of(draw));
+    if (draw->primitive.ops == NULL) {
+        return;
+    }
+    qtri_small *t = &draw->primitive.to.pipeline.small;
+    t->mesh = draw->mesh;
+    t->light = draw->lit_per_vertex || draw->lit_per_face || draw->mesh->colors != NULL
+                   ? qtri_mesh_find_light
+                   : NULL;
+    t->from = draw;
+    t->light_q15 = QTRI_VERTEX_UNLIT;
+}
+
+const struct qtri_pipeline_ops qtri_pipeline_ops = {
+    .begin = begin,
+    .begin_mesh = begin_mesh,
+    .triangle = draw_triangle,
+    .whole = draw_whole,
+    .listed = draw_listed,
+    .band = draw_band,
+    .piece = qtri_draw_large_piece,
+    .note = note,
+};

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/* The generic pipeline: the body with options that are read for every pixel. */
+#define QTRI_PIPELINE_IS_ANY
+#include "qtri/pipeline_make.h"
+
+static void large(struct qtri_large *triangle)
+{
+    qtri_large_triangle_draw(&triangle->state->options, triangle);
+}
+
+static bool small(struct qtri_small *triangle)
+{
+    return qtri_small_triangle_draw(&triangle->state->options, triangle);
+}
+
+const qtri_pipeline qtri_pipeline_any = {{QTRI_ANY, 0, 0, 0,    0,    0,    0,    0,    0,
+                                          0,        0, 0, 0,    0,    0,    0,    0,    0,
+                                          0,        0, 0, NULL, NULL, NULL, NULL, NULL, NULL},
+                                         large,
+                                         small,
+                                         &qtri_pipeline_ops};

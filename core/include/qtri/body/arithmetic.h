@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a core can do with integers, and what the pipelines' body needs of that. Internal, part of
+ * the body (pipeline_make.h); the library has more in core/bits.
+ */
+#ifndef QTRI_BODY_ARITHMETIC_H
+#define QTRI_BODY_ARITHMETIC_H
+
+#include <stdint.h>
+
+/* Armv6-M, Armv8-M baseline, AVR, MSP430: no long multiply. */
+#ifndef QTRI_LONG_MULTIPLY
+#if (defined(__thumb__) && !defined(__thumb2__)) || defined(__ARM_ARCH_8M_BASE__) ||               \
+    (defined(__riscv) && !defined(__riscv_mul)) || defined(__AVR__) || defined(__MSP430__)
+#define QTRI_LONG_MULTIPLY 0
+#else
+#define QTRI_LONG_MULTIPLY 1
+#endif
+#endif
+
+#ifndef QTRI_DIVIDE
+#if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) ||                                          \
+    (defined(__riscv) && !defined(__riscv_div)) || defined(__AVR__) || defined(__MSP430__)
+#define QTRI_DIVIDE 0
+#else
+#define QTRI_DIVIDE 1
+#endif
+#endif
+
+/* In a branch for rare arguments: a compiler does not mix it into the frequent path. */
+#ifdef __GNUC__
+#define QTRI_RARELY() __asm__ volatile("")
+#else
+#define QTRI_RARELY() ((void)0)
+#endif
+
+/* Leading zeros; 32 for 0. */
+#if defined(__GNUC__) && (__SIZEOF_INT__ == 4)
+static inline int32_t qtri_clz32(uint32_t x)
+{
+    return x == 0 ? 32 : __builtin_clz(x);
+}
+#else
+static inline int32_t qtri_clz32(uint32_t x)
+{
+    int32_t n = 32;
+    for (int32_t half = 16; half > 0; half >>= 1) {
+        if (x >> half != 0) {
+            x >>= half;
+            n -= half;
+        }
+    }
+    return n - (int32_t)x;
+}
+#endif
+
+/* The low half-word. GCC 12 makes two shifts of it where Armv6-M has an instruction. */
+static inline uint32_t qtri_low16(uint32_t x)
+{
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__) && __ARM_ARCH >= 6
+    if (!__builtin_constant_p(x)) {
+        uint32_t low;
+        __asm__("uxth %0, %1" : "=l"(low) : "l"(x));
+        return low;
+    }
+#endif
+    return x & 0xFFFFu;
+}
+
+#endif

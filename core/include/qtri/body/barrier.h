@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * How the pipelines' body is compiled: in place, and with compiler barriers. Internal, part of the
+ * body (pipeline_make.h).
+ *
+ * GCC 12 computes the values of several unrolled pixels ahead, mixes their work, and then runs out
+ * of registers. An empty statement that may change a value, for all the compiler knows, keeps the
+ * work of a pixel together, and a branch a branch: a third of the loop on a Cortex-M3.
+ */
+#ifndef QTRI_BODY_BARRIER_H
+#define QTRI_BODY_BARRIER_H
+
+#include <stdint.h>
+
+/* Options fold where the function is inlined; without the attribute they are read at run time. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#define QTRI_BODY static inline __attribute__((always_inline))
+#else
+#define QTRI_BODY static inline
+#endif
+
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+#define QTRI_BODY_BARRIER(x) __asm__ volatile("" : "+l"(x))
+#else
+#if defined(__GNUC__)
+#define QTRI_BODY_BARRIER(x) __asm__ volatile("" : "+r"(x))
+#else
+#define QTRI_BODY_BARRIER(x) ((void)0)
+#endif
+#endif
+
+/* Moves a value out of the low registers of Armv6-M: only what is added and loaded by. clang 14
+   knows no such operand; where code is to be small, it would be moved there and back. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__thumb__) && !defined(__thumb2__) &&      \
+    !defined(__OPTIMIZE_SIZE__)
+#define QTRI_BODY_HIGH(x) __asm__ volatile("" : "+h"(x))
+#else
+#define QTRI_BODY_HIGH(x) ((void)0)
+#endif
+
+/* x >> the low byte of `by`, 0..31: where there is an instruction that looks at no other bits. */
+QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
+{
+#if defined(__GNUC__) && defined(__thumb2__)
+    __asm__("lsr %0, %1, %2" : "=r"(x) : "r"(x), "r"(by));
+    return x;
+#elif defined(__GNUC__) && defined(__thumb__)
+    __asm__(".syntax unified\n\tlsrs %0, %1" : "+l"(x) : "l"(by) : "cc");
+    return x;
+#else
+    return x >> (by & 31);
+#endif
+}
+
+/* All members 0. */
+#ifdef __cplusplus
+#define QTRI_BODY_ZERO                                                                             \
+    {                                                                                              \
+    }
+#else
+#define QTRI_BODY_ZERO                                                                             \
+    {                                                                                              \
+        0                                                                                          \
+    }
+#endif
+
+/* Keeps a branch a branch. */
+#if defined(__GNUC__)
+#define QTRI_BODY_BRANCH() __asm__ volatile("")
+#else
+#define QTRI_BODY_BRANCH() ((void)0)
+#endif
+
+#endif

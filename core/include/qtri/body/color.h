@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Colours in one word: 565 as RGB565 stores it, 888 as 0xAARRGGBB, gray as 0..255. Internal, part
+ * of the pipelines' body (pipeline_make.h).
+ *
+ * Red and blue are two lanes of one product, 16 bits apart. A weight has 8 bits, 256 being 1.
+ */
+#ifndef QTRI_BODY_COLOR_H
+#define QTRI_BODY_COLOR_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "barrier.h"
+
+typedef enum qtri_color_kind { QTRI_IN_565, QTRI_IN_888, QTRI_IN_GRAY } qtri_color_kind;
+
+#define QTRI_BODY_LANES_565 0x001F001Fu
+#define QTRI_BODY_LANES_888 0x00FF00FFu
+
+QTRI_BODY uint32_t qtri_pixel_lanes_565(uint32_t c)
+{
+    return (c | c << 5) & QTRI_BODY_LANES_565;
+}
+
+QTRI_BODY uint32_t qtri_green_565(uint32_t c)
+{
+    return c >> 5 & 63;
+}
+
+QTRI_BODY uint32_t qtri_join_565(uint32_t lanes, uint32_t green)
+{
+    return ((lanes | lanes >> 5) & 0xF81Fu) | green << 5;
+}
+
+QTRI_BODY uint32_t qtri_green_888(uint32_t c)
+{
+    return c >> 8 & 255;
+}
+
+/* c a + o b, to nearest; a + b <= 256. Alpha is not kept. */
+QTRI_BODY uint32_t qtri_color_mix(qtri_color_kind kind, uint32_t c, uint32_t a, uint32_t o,
+                                  uint32_t b)
+{
+    if (kind == QTRI_IN_GRAY) {
+        return (c * a + o * b + 128) >> 8;
+    }
+    if (kind == QTRI_IN_565) {
+        uint32_t lanes = qtri_pixel_lanes_565(c) * a + qtri_pixel_lanes_565(o) * b + 0x00800080u;
+        uint32_t green = (qtri_green_565(c) * a + qtri_green_565(o) * b + 128) >> 8;
+        return qtri_join_565(lanes >> 8 & QTRI_BODY_LANES_565, green);
+    }
+    uint32_t lanes = (c & QTRI_BODY_LANES_888) * a + (o & QTRI_BODY_LANES_888) * b + 0x00800080u;
+    uint32_t green = qtri_green_888(c) * a + qtri_green_888(o) * b + 128;
+    return (lanes >> 8 & QTRI_BODY_LANES_888) | (green & 0xFF00u);
+}
+
+QTRI_BODY uint32_t qtri_color_scale(qtri_color_kind kind, uint32_t c, uint32_t a)
+{
+    return qtri_color_mix(kind, c, a, 0, 0);
+}
+
+/* Each channel by a weight of its own: 6 bits (64 is 1) in 565, 8 bits in 888. */
+QTRI_BODY uint32_t qtri_color_modulate(qtri_color_kind kind, uint32_t c, uint32_t r, uint32_t g,
+                                       uint32_t b)
+{
+    if (kind == QTRI_IN_GRAY) {
+        return (c * g + 128) >> 8;
+    }
+    if (kind == QTRI_IN_565) {
+        return ((c >> 11) * r + 32) >> 6 << 11 | (qtri_green_565(c) * g + 32) >> 6 << 5 |
+               ((c & 31) * b + 32) >> 6;
+    }
+    return ((c >> 16 & 255) * r + 128) >> 8 << 16 | ((qtri_green_888(c) * g + 128) & 0xFF00u) |
+           ((c & 255) * b + 128) >> 8;
+}
+
+/* All by one weight: the result of qtri_color_modulate() with r = g = b. */
+QTRI_BODY uint32_t qtri_color_light(qtri_color_kind kind, uint32_t c, uint32_t weight)
+{
+    if (kind == QTRI_IN_565) { /* red and blue, 11 bits apart, have 6 more each: 31 64 < 2^11 */
+        const uint32_t lanes = (c & 0xF81Fu) * weight + (32u << 11 | 32);
+        const uint32_t green = (c & 0x07E0u) * weight + (32u << 5);
+        return (lanes >> 6 & 0xF81Fu) | (green >> 6 & 0x07E0u);
+    }
+    return qtri_color_scale(kind, c, weight);
+}
+
+/* Channels times channels, full being 1. */
+QTRI_BODY uint32_t qtri_color_product(qtri_color_kind kind, uint32_t c, uint32_t o)
+{
+    if (kind == QTRI_IN_GRAY) {
+        const uint32_t p = c * o + 128;
+        return (p + (p >> 8)) >> 8;
+    }
+    if (kind == QTRI_IN_565) { /* p / 31 = p 1057 / 2^15, p / 63 = p 1040 / 2^16, within .02 */
+        return ((c >> 11) * (o >> 11) * 1057u + 16384) >> 15 << 11 |
+               (qtri_green_565(c) * qtri_green_565(o) * 1040u + 32768) >> 16 << 5 |
+               ((c & 31) * (o & 31) * 1057u + 16384) >> 15;
+    }
+    const uint32_t r = (c >> 16 & 255) * (o >> 16 & 255) + 128;
+    const uint32_t g = qtri_green_888(c) * qtri_green_888(o) + 128;
+    const uint32_t b = (c & 255) * (o & 255) + 128;
+    return (r + (r >> 8)) >> 8 << 16 | ((g + (g >> 8)) & 0xFF00u) | (b + (b >> 8)) >> 8;
+}
+
+/* c + o, at most full: a channel that runs over becomes all ones. */
+QTRI_BODY uint32_t qtri_color_sum(qtri_color_kind kind, uint32_t c, uint32_t o)
+{
+    if (kind == QTRI_IN_GRAY) {
+        return c + o > 255 ? 255 : c + o;
+    }
+    if (kind == QTRI_IN_565) { /* green in the upper half; what runs over is the bit above */
+        const uint32_t lanes = 0x07E0F81Fu;
+        uint32_t sum = ((c | c << 16) & lanes) + ((o | o << 16) & lanes);
+        const uint32_t over = sum & 0x08010020u;
+        sum |= over - (over >> 5);
+        sum = (sum | over >> 6) & lanes; /* green has six bits */
+        return (sum | sum >> 16) & 0xFFFFu;
+    }
+    uint32_t lanes = (c & QTRI_BODY_LANES_888) + (o & QTRI_BODY_LANES_888);
+    const uint32_t over = lanes & 0x01000100u;
+    uint32_t green = qtri_green_888(c) + qtri_green_888(o);
+    lanes |= over - (over >> 8);
+    green = green > 255 ? 255 : green;
+    return (lanes & QTRI_BODY_LANES_888) | green << 8;
+}
+
+/* Conversions ---------------------------------------------------------------------------------- */
+
+/* To nearest: 255 / 31 and 255 / 63 of a channel. */
+QTRI_BODY uint32_t qtri_pixel_565_to_888(uint32_t c)
+{
+    const uint32_t lanes = qtri_pixel_lanes_565(c) * 527u + 0x00170017u; /* 14 bits each */
+    return (lanes >> 6 & QTRI_BODY_LANES_888) | (qtri_green_565(c) * 259u + 33) >> 6 << 8;
+}
+
+/* To nearest: c 31 / 255 = (c 249 + 1014) / 2^11 and c 63 / 255 = (c 253 + 505) / 2^10. */
+QTRI_BODY uint32_t qtri_pixel_888_to_565(uint32_t c)
+{
+    const uint32_t lanes = (c & QTRI_BODY_LANES_888) * 249u + 1014u * 0x10001u; /* 16 bits each */
+    return (lanes >> 16 & 0xF800u) | (qtri_green_888(c) * 253u + 505) >> 10 << 5 |
+           (lanes >> 11 & 31);
+}
+
+/* .299 R + .587 G + .114 B, to nearest. */
+QTRI_BODY uint32_t qtri_pixel_888_to_luma(uint32_t c)
+{
+    return ((c >> 16 & 255) * 19595u + qtri_green_888(c) * 38470u + (c & 255) * 7471u + 32768u) >>
+           16;
+}
+
+#endif

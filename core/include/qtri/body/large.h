@@ -1,0 +1,249 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A large triangle, row by row. Internal, part of the pipelines' body (pipeline_make.h).
+ *
+ * The loop over pixels knows only pieces of rows: a count, and for every attribute its start, step
+ * and, for texture coordinates, the change of the step. What finds them is not inlined
+ * (core/raster/large_*.c): it is called where options ask for it, and linked only then.
+ */
+#ifndef QTRI_BODY_LARGE_H
+#define QTRI_BODY_LARGE_H
+
+#include "pixel.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Pixels of a row along which attributes are polynomials. */
+typedef struct qtri_large_piece {
+    int32_t count; /* 0: there is nothing to draw */
+    uint32_t u, u_step, u_bend, v, v_step, v_bend;
+    uint32_t c, c_step, g, g_step;
+    uint32_t c_other;
+    uint32_t alpha, alpha_step;
+} qtri_large_piece;
+
+enum { QTRI_LARGE_RUN_LOG2 = 6, QTRI_LARGE_RUN = 1 << QTRI_LARGE_RUN_LOG2 };
+
+typedef struct qtri_large {
+    qtri_draw_state *state;
+    uint32_t color; /* of the triangle, 0x00RRGGBB */
+
+    /* The row: what is drawn of it, columns x0..x1 - 1. */
+    int32_t y, x0, x1;
+    uint8_t *pixel, *depth;
+    uint32_t z, z_step;
+
+    bool is_bent; /* pieces have steps of u and v that change */
+    qtri_large_piece piece[2];
+    qtri_clamp_axis axis[2];
+
+    /* Packed colours of a triangle along which they are linear begin anew every QTRI_LARGE_RUN
+       pixels: red, green and blue n.16 where a run begins, and from run to run. */
+    bool has_runs;
+    uint32_t run[3], run_step[3];
+    uint32_t run_even, run_odd;
+
+    int32_t fog_x; /* column that fog is asked for next */
+    uint32_t fog, fog_step;
+} qtri_large;
+
+/* Before the first row: what varies, then the planes of all of it. */
+void qtri_large_set_texture(qtri_large *t);
+void qtri_large_set_colors(qtri_large *t);
+void qtri_large_set_alpha(qtri_large *t);
+void qtri_large_set_linear(qtri_large *t);
+void qtri_large_set_perspective(qtri_large *t);
+
+/* Goes on to the next row with pixels to draw; false: there is none. */
+bool qtri_large_next_row(qtri_large *t);
+
+/* Finds the row's next pieces: returns how many, 0 at its end. Of texture coordinates only; of any
+   attributes; without perspective. */
+int32_t qtri_large_next_uv(qtri_large *t);
+int32_t qtri_large_next_any(qtri_large *t);
+int32_t qtri_large_next_linear(qtri_large *t);
+
+/* With has_runs: sets t->run for the first run that is drawn of the row; returns how many of its
+   pixels are not. */
+uint32_t qtri_large_begin_runs(qtri_large *t);
+
+/* Fog from t->fog_x on; returns for how many pixels it is linear, `count` at most. */
+int32_t qtri_large_next_fog(qtri_large *t, int32_t count);
+
+/* Something varies along rows beside depth. */
+QTRI_BODY bool qtri_large_has_pieces(const qtri_options *o)
+{
+    return qtri_is_textured(o) || qtri_varies(o) || o->vertex_alpha;
+}
+
+QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
+{
+    if (qtri_is_textured(o)) {
+        qtri_large_set_texture(t);
+    }
+    if (qtri_varies(o)) {
+        qtri_large_set_colors(t);
+    }
+    if (o->vertex_alpha) {
+        qtri_large_set_alpha(t);
+    }
+    if (qtri_large_has_pieces(o)) {
+        if (o->linear) {
+            qtri_large_set_linear(t);
+        } else {
+            qtri_large_set_perspective(t);
+        }
+    }
+    if (qtri_uses_table(o) && !t->state->has_table) {
+        qtri_draw_state_set_table(t->state);
+    }
+    qtri_walk_begin(o, w, t->state);
+    w->axis = t->axis;
+    w->z_step = t->z_step;
+    if (!qtri_varies(o)) {
+        w->color = qtri_walk_color(o, t->state->surface, t->color);
+    }
+}
+
+QTRI_BODY int32_t qtri_large_next(const qtri_options *o, qtri_large *t)
+{
+    if (o->linear) {
+        return qtri_large_next_linear(t);
+    }
+    if (qtri_is_textured(o) && !qtri_varies(o) && !o->vertex_alpha) {
+        return qtri_large_next_uv(t);
+    }
+    return qtri_large_next_any(t);
+}
+
+QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_pixel_walk *w,
+                               const qtri_large_piece *piece)
+{
+    if (qtri_is_textured(o)) {
+        w->u = piece->u;
+        w->v = piece->v;
+        w->u_step = piece->u_step;
+        w->v_step = piece->v_step;
+        if (!o->linear) {
+            w->u_bend = piece->u_bend;
+            w->v_bend = piece->v_bend;
+        }
+    }
+    if (qtri_varies(o)) {
+        w->c = piece->c;
+        w->c_step = piece->c_step;
+    }
+    if (qtri_is_packed_565(o)) {
+        w->c_other = piece->c_other;
+    }
+    if (qtri_has_two_words(o)) {
+        w->g = piece->g;
+        w->g_step = piece->g_step;
+    }
+    if (o->vertex_alpha) {
+        w->alpha = piece->alpha;
+        w->alpha_step = piece->alpha_step;
+    }
+}
+
+QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
+                                 int32_t count)
+{
+    const bool curves = qtri_is_textured(o) && !o->linear;
+    if (o->fog) {
+        while (count > 0) {
+            const int32_t n = qtri_large_next_fog(t, count);
+            w->fog = t->fog;
+            w->fog_step = t->fog_step;
+            qtri_pixels_draw(o, w, curves, n);
+            count -= n;
+        }
+    } else if (curves && qtri_unrolled(o) > 1 && !t->is_bent) {
+        qtri_pixels_draw(o, w, false, count); /* a second loop saves two additions a pixel */
+    } else {
+        qtri_pixels_draw(o, w, curves, count);
+    }
+}
+
+/* Red, green and blue n.16 in a word. */
+QTRI_BODY uint32_t qtri_large_word(uint32_t r, uint32_t g, uint32_t b)
+{
+    return (r >> 10 << 21) + (b & ~(uint32_t)0x7FF) + (g >> 11);
+}
+
+/* A row along which packed colours are linear. */
+QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
+{
+    const uint32_t skipped = qtri_large_begin_runs(t);
+    uint32_t r = t->run[0], g = t->run[1], b = t->run[2];
+    int32_t left = t->x1 - t->x0;
+    int32_t count = QTRI_LARGE_RUN - (int32_t)skipped;
+    w->c = qtri_large_word(r, g, b);
+    w->c_step = t->run_even;
+    w->c_other = t->run_odd;
+    if (skipped != 0) {
+        w->c += w->c_step * ((skipped + 1) >> 1) + w->c_other * (skipped >> 1);
+        if ((skipped & 1) != 0) {
+            w->c_step = t->run_odd;
+            w->c_other = t->run_even;
+        }
+    }
+    for (;;) {
+        qtri_pixels_draw(o, w, false, left < count ? left : count);
+        left -= count;
+        if (left <= 0) {
+            return;
+        }
+        count = QTRI_LARGE_RUN;
+        r += t->run_step[0];
+        g += t->run_step[1];
+        b += t->run_step[2];
+        w->c = qtri_large_word(r, g, b);
+        w->c_step = t->run_even;
+        w->c_other = t->run_odd;
+    }
+}
+
+QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large *t)
+{
+    qtri_pixel_walk w = QTRI_BODY_ZERO;
+    qtri_large_begin(o, t, &w);
+    while (qtri_large_next_row(t)) {
+        w.pixel = t->pixel;
+        if (qtri_tests_depth(o)) {
+            w.depth = t->depth;
+        }
+        if (qtri_needs_depth(o)) {
+            w.z = t->z;
+            w.z_step = t->z_step;
+        }
+        if (qtri_needs_place(o)) {
+            w.x = t->x0;
+            w.y = t->y;
+        }
+        if (!qtri_large_has_pieces(o)) {
+            qtri_large_pixels(o, t, &w, t->x1 - t->x0);
+            continue;
+        }
+        if (qtri_is_packed_565(o) && t->has_runs) {
+            qtri_large_runs(o, t, &w);
+            continue;
+        }
+        for (int32_t pieces = 0; (pieces = qtri_large_next(o, t)) != 0;) {
+            const qtri_large_piece *piece = t->piece;
+            do {
+                qtri_large_load(o, &w, piece);
+                qtri_large_pixels(o, t, &w, piece->count);
+                piece++;
+            } while (--pieces != 0);
+        }
+    }
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

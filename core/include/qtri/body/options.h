@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What options ask for: constants where the options are. Internal, part of the pipelines' body
+ * (pipeline_make.h).
+ */
+#ifndef QTRI_BODY_OPTIONS_H
+#define QTRI_BODY_OPTIONS_H
+
+#include "state.h"
+
+/* What options ask for ------------------------------------------------------------------------- */
+
+QTRI_BODY bool qtri_stores_565(const qtri_options *o)
+{
+    return o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED;
+}
+
+QTRI_BODY bool qtri_is_textured(const qtri_options *o)
+{
+    return o->texel != QTRI_NO_TEXEL;
+}
+
+QTRI_BODY bool qtri_has_alpha(const qtri_options *o)
+{
+    return (o->texel >= QTRI_TEXEL_ARGB8888 && o->texel <= QTRI_TEXEL_ALPHA8) ||
+           (o->texel == QTRI_OTHER_TEXEL && o->fetch != NULL);
+}
+
+/* In what pixels are computed. Fog and alpha of vertices are mixed in 8 bits and rounded once. */
+QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
+{
+    if (qtri_stores_565(o)) {
+        return (o->texel == QTRI_NO_TEXEL || o->texel == QTRI_TEXEL_RGB565) && !o->fog &&
+                       !o->vertex_alpha && o->fragment == NULL
+                   ? QTRI_IN_565
+                   : QTRI_IN_888;
+    }
+    return o->format == QTRI_GRAY8 && o->texel == QTRI_NO_TEXEL && o->fragment == NULL
+               ? QTRI_IN_GRAY
+               : QTRI_IN_888;
+}
+
+QTRI_BODY bool qtri_is_lit(const qtri_options *o)
+{
+    return o->shade == QTRI_LIGHT || o->shade == QTRI_WHITE_LIGHT;
+}
+
+/* Light or colours vary. */
+QTRI_BODY bool qtri_varies(const qtri_options *o)
+{
+    return o->shade >= QTRI_LIGHT;
+}
+
+/* Colours are two words: see qtri_pixel_walk. */
+QTRI_BODY bool qtri_has_two_words(const qtri_options *o)
+{
+    return o->shade == QTRI_COLORS && (qtri_is_textured(o) || qtri_kind_of(o) == QTRI_IN_888);
+}
+
+/* Colours are one word, of 565. */
+QTRI_BODY bool qtri_is_packed_565(const qtri_options *o)
+{
+    return o->shade == QTRI_COLORS && !qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_565;
+}
+
+/* Light makes stored pixels by a table. */
+QTRI_BODY bool qtri_uses_table(const qtri_options *o)
+{
+    return qtri_is_lit(o) && !qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_565;
+}
+
+QTRI_BODY bool qtri_tests_depth(const qtri_options *o)
+{
+    return o->depth != QTRI_NO_DEPTH && o->compare != QTRI_DEPTH_OFF;
+}
+
+QTRI_BODY bool qtri_writes_depth(const qtri_options *o)
+{
+    return qtri_tests_depth(o) && !o->read_only;
+}
+
+QTRI_BODY bool qtri_needs_depth(const qtri_options *o)
+{
+    return qtri_tests_depth(o) || o->fog || o->fragment != NULL;
+}
+
+QTRI_BODY bool qtri_needs_place(const qtri_options *o)
+{
+    return o->blend == QTRI_SCREEN_DOOR || o->fragment != NULL;
+}
+
+/* A pixel may be discarded after the depth test. */
+QTRI_BODY bool qtri_discards(const qtri_options *o)
+{
+    return o->key || o->alpha_test || o->blend == QTRI_SCREEN_DOOR || o->fragment != NULL;
+}
+
+/* The pixel under it is read. */
+QTRI_BODY bool qtri_reads_pixel(const qtri_options *o)
+{
+    return o->blend == QTRI_ALPHA || o->blend == QTRI_ADD || o->blend == QTRI_MULTIPLY || o->keep;
+}
+
+/* One colour a triangle, and nothing is done to it: it is encoded once. */
+QTRI_BODY bool qtri_is_plain(const qtri_options *o)
+{
+    return !qtri_is_textured(o) && !qtri_varies(o) && !o->fog && !qtri_reads_pixel(o) &&
+           o->fragment == NULL;
+}
+
+#endif

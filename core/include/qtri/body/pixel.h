@@ -1,0 +1,393 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A pixel, written once. Internal, part of the pipelines' body (pipeline_make.h).
+ *
+ * `o` is constant in a pipeline, and the compiler leaves out what it does not ask for; the generic
+ * pipeline reads it for every pixel. All sums wrap, so both draw the same bits.
+ */
+#ifndef QTRI_BODY_PIXEL_H
+#define QTRI_BODY_PIXEL_H
+
+#include "texel.h"
+
+/* Colour --------------------------------------------------------------------------------------- */
+
+/* Colours that vary, without texture. Packed ones of 565: red << 27, blue << 16, green << 5. */
+QTRI_BODY uint32_t qtri_smooth_color(const qtri_options *o, const qtri_pixel_walk *w)
+{
+    switch (qtri_kind_of(o)) {
+    case QTRI_IN_565: {
+        const uint32_t c = w->c & 0xF81F07E0u;
+        return (c | c >> 16) & 0xFFFFu;
+    }
+    case QTRI_IN_GRAY:
+        return w->c >> 16;
+    default:
+        return (w->c >> 8 & QTRI_BODY_LANES_888) | (w->g >> 8 & 0xFF00u);
+    }
+}
+
+/* The half that rounds, which light of the walk starts with: of what the pixel takes of it. */
+QTRI_BODY uint32_t qtri_light_half(const qtri_options *o)
+{
+    if (!qtri_is_textured(o)) {
+        return qtri_uses_table(o) ? (uint32_t)1 << (23 - QTRI_TABLE_LOG2) : 0x8000u;
+    }
+    return qtri_kind_of(o) == QTRI_IN_565 ? (uint32_t)1 << 17 : 0x8000u;
+}
+
+/* A texel times what varies, or the triangle's colour. */
+QTRI_BODY uint32_t qtri_shaded_texel(const qtri_options *o, const qtri_pixel_walk *w,
+                                     uint32_t texel)
+{
+    const qtri_color_kind kind = qtri_kind_of(o);
+    const uint32_t *weight = w->state->weight;
+    switch (o->shade) {
+    case QTRI_TINT: { /* of the triangle: 8 bits a channel */
+        const uint32_t less = kind == QTRI_IN_565 ? 2 : 0;
+        const uint32_t r = (w->color >> 16 & 255) + (w->color >> 23 & 1);
+        const uint32_t g = (w->color >> 8 & 255) + (w->color >> 15 & 1);
+        const uint32_t b = (w->color & 255) + (w->color >> 7 & 1);
+        return qtri_color_modulate(kind, texel, (r + less) >> less, (g + less) >> less,
+                                   (b + less) >> less);
+    }
+    case QTRI_WHITE_LIGHT:
+        return qtri_color_light(kind, texel, w->c >> (kind == QTRI_IN_565 ? 18 : 16));
+    case QTRI_LIGHT: { /* rounded once; with weights of 256 QTRI_WHITE_LIGHT to the bit */
+        const uint32_t down = kind == QTRI_IN_565 ? 14 : 16;
+        const uint32_t light = w->c >> (32 - down); /* 64 or 256 is 1 */
+        uint32_t half = (uint32_t)1 << (down - 1);
+        QTRI_BODY_BARRIER(half);
+        if (kind == QTRI_IN_565) { /* one after the other, or GCC runs out of registers */
+            uint32_t by = light * weight[0];
+            uint32_t color = ((texel >> 11) * by + half) >> down << 6;
+            QTRI_BODY_BARRIER(color);
+            by = light * weight[1];
+            color |= (qtri_green_565(texel) * by + half) >> down;
+            QTRI_BODY_BARRIER(color);
+            by = light * weight[2];
+            return color << 5 | ((texel & 31) * by + half) >> down;
+        }
+        return ((texel >> 16 & 255) * (light * weight[0]) + half) >> down << 16 |
+               (qtri_green_888(texel) * (light * weight[1]) + half) >> down << 8 |
+               ((texel & 255) * (light * weight[2]) + half) >> down;
+    }
+    case QTRI_COLORS:
+        return kind == QTRI_IN_565
+                   ? qtri_color_modulate(kind, texel, w->c >> 25, w->g >> 18, w->c << 16 >> 25)
+                   : qtri_color_modulate(kind, texel, w->c >> 23, w->g >> 16, w->c << 16 >> 23);
+    default:
+        return texel;
+    }
+}
+
+/* The colour of a pixel of the kind, before fog and blend. */
+QTRI_BODY uint32_t qtri_pixel_color(const qtri_options *o, const qtri_pixel_walk *w, uint32_t texel)
+{
+    if (qtri_is_textured(o)) {
+        return qtri_shaded_texel(o, w, texel);
+    }
+    if (o->shade == QTRI_COLORS) {
+        return qtri_smooth_color(o, w);
+    }
+    if (qtri_is_lit(o)) {
+        // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): qtri_walk_begin() set it
+        return qtri_uses_table(o) ? w->table[w->c >> (24 - QTRI_TABLE_LOG2)]
+                                  : qtri_color_scale(qtri_kind_of(o), w->color, w->c >> 16);
+    }
+    return w->color;
+}
+
+/* Alpha of a pixel: 256 is 1. */
+QTRI_BODY uint32_t qtri_pixel_alpha(const qtri_options *o, const qtri_pixel_walk *w, uint32_t texel)
+{
+    uint32_t alpha = w->state->alpha;
+    if (qtri_has_alpha(o)) {
+        alpha = (alpha * ((texel >> 24) + (texel >> 31)) + 128) >> 8;
+    }
+    if (o->vertex_alpha) {
+        alpha = (alpha * (w->alpha >> 16) + 128) >> 8;
+    }
+    return alpha;
+}
+
+QTRI_BODY uint32_t qtri_blended(const qtri_options *o, const qtri_pixel_walk *w, uint32_t color,
+                                uint32_t texel, uint32_t stored)
+{
+    const qtri_color_kind kind = qtri_kind_of(o);
+    switch (o->blend) {
+    case QTRI_ALPHA: {
+        const uint32_t alpha = qtri_pixel_alpha(o, w, texel);
+        return qtri_color_mix(kind, color, alpha, stored, 256 - alpha);
+    }
+    case QTRI_ADD:
+        return qtri_color_sum(kind, qtri_color_scale(kind, color, qtri_pixel_alpha(o, w, texel)),
+                              stored);
+    case QTRI_MULTIPLY:
+        return qtri_color_product(kind, color, stored);
+    default:
+        return color;
+    }
+}
+
+/* Bayer's pattern: drawn where alpha of 255 is more than 16 of it + 8. */
+QTRI_BODY bool qtri_door_is_open(const qtri_options *o, const qtri_pixel_walk *w, uint32_t texel)
+{
+    static const uint8_t step[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+    return qtri_pixel_alpha(o, w, texel) > 16u * step[(w->y & 3) * 4 + (w->x & 3)] + 8;
+}
+
+/* Pixel and loop ------------------------------------------------------------------------------- */
+
+/* Where code is to be small, and in one file of all, loops have one pixel; the generic's have, too.
+ */
+#if defined(__OPTIMIZE_SIZE__) || defined(QTRI_PIPELINE_IS_ANY) || defined(QTRI_AMALGAMATION)
+#define QTRI_BODY_UNROLLS 0
+#else
+#define QTRI_BODY_UNROLLS 1
+#endif
+
+/* How many pixels a loop has: short ones gain by it. The generic pipeline has one. */
+QTRI_BODY int qtri_unrolled(const qtri_options *o)
+{
+#if !QTRI_BODY_UNROLLS
+    (void)o;
+    return 1;
+#else
+    if (o->bilinear || (qtri_is_textured(o) && qtri_varies(o)) || o->fog || qtri_reads_pixel(o) ||
+        qtri_needs_place(o) || o->key || o->alpha_test) {
+        return 1;
+    }
+    return qtri_is_textured(o) ? 4 : 8;
+#endif
+}
+
+QTRI_BODY bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk *w, uint32_t *color)
+{
+    qtri_fragment f;
+    f.x = w->x;
+    f.y = w->y;
+    f.depth_16p16 = w->z;
+    f.u = w->u;
+    f.v = o->large_texture || !qtri_is_textured(o)
+              ? w->v
+              : w->v << (16u - w->width_log2 - w->state->height_log2);
+    f.light_q8 = qtri_is_lit(o) ? w->c >> 16 : 256;
+    f.color = *color & 0xFFFFFFu;
+    if (!o->fragment(&f)) {
+        return false;
+    }
+    *color = (*color & 0xFF000000u) | (f.color & 0xFFFFFFu);
+    return true;
+}
+
+/* Draws a pixel of the walk, and steps. `bent`: steps of u and v grow. */
+QTRI_BODY void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent, uint8_t *pixel,
+                             uint8_t *depth)
+{
+    const qtri_surface *surface = w->state->surface;
+    const uint32_t bytes = qtri_pixel_bytes(o);
+    const uint32_t depth_bytes = qtri_depth_size(o, surface);
+    bool drawn = true;
+    uint32_t z = 0, texel = 0, color = 0;
+    if (qtri_tests_depth(o)) {
+        z = qtri_depth_encode(o, surface, w->z);
+        drawn = o->compare == QTRI_ALWAYS ||
+                qtri_compare_passes(o->compare, z, qtri_load(depth_bytes, depth));
+    }
+    const bool early = qtri_is_textured(o) && !qtri_discards(o);
+    if (drawn && qtri_writes_depth(o) && early) {
+        QTRI_BODY_BRANCH(); /* now: it need not be kept in a register */
+        qtri_save(depth_bytes, depth, z);
+    }
+    if (drawn && qtri_is_textured(o)) {
+        texel = qtri_texel_at(o, w, &drawn);
+    }
+    if (drawn && o->blend == QTRI_SCREEN_DOOR) {
+        drawn = qtri_door_is_open(o, w, texel);
+    }
+    if (drawn) {
+        QTRI_BODY_BRANCH();
+        if (o->blend != QTRI_KEEP_PIXEL || o->fragment != NULL) {
+            color = qtri_pixel_color(o, w, texel);
+        }
+        if (o->fragment != NULL) {
+            drawn = qtri_pixel_function(o, w, &color);
+        }
+    }
+    if (drawn) {
+        if (o->fog) {
+            const uint32_t clear = w->fog >> 16;
+            color = qtri_color_mix(qtri_kind_of(o), color, clear, w->state->fog_color, 256 - clear);
+        }
+        if (qtri_reads_pixel(o)) {
+            const uint32_t stored = qtri_decode(o, surface, qtri_load(bytes, pixel));
+            color = qtri_blended(o, w, color, texel, stored);
+            if (o->keep) {
+                color = (color & ~w->state->keep) | (stored & w->state->keep);
+            }
+        }
+        if (qtri_writes_depth(o) && !early) {
+            qtri_save(depth_bytes, depth, z);
+        }
+        if (o->blend != QTRI_KEEP_PIXEL) {
+            qtri_save(bytes, pixel, qtri_is_plain(o) ? color : qtri_encode(o, surface, color));
+        }
+    }
+    if (qtri_needs_depth(o)) {
+        w->z += w->z_step;
+        QTRI_BODY_BARRIER(w->z);
+    }
+    if (qtri_is_textured(o)) {
+        w->u += w->u_step;
+        w->v += w->v_step;
+        QTRI_BODY_BARRIER(w->u);
+        QTRI_BODY_BARRIER(w->v);
+        if (qtri_unrolled(o) > 1) {
+            QTRI_BODY_HIGH(w->z_step);
+            QTRI_BODY_HIGH(w->u_step);
+            QTRI_BODY_HIGH(w->v_step);
+            QTRI_BODY_HIGH(w->texels);
+            QTRI_BODY_HIGH(w->rows);
+        }
+        if (bent) {
+            w->u_step += w->u_bend;
+            w->v_step += w->v_bend;
+            QTRI_BODY_BARRIER(w->u_step);
+            QTRI_BODY_BARRIER(w->v_step);
+            QTRI_BODY_HIGH(w->u_step);
+            QTRI_BODY_HIGH(w->v_step);
+        }
+    }
+    if (qtri_varies(o)) {
+        w->c += w->c_step;
+        QTRI_BODY_BARRIER(w->c);
+        if (qtri_unrolled(o) > 1) {
+            QTRI_BODY_HIGH(w->c_step);
+            QTRI_BODY_HIGH(w->z_step);
+        }
+        if (qtri_has_two_words(o)) {
+            w->g += w->g_step;
+            QTRI_BODY_BARRIER(w->g);
+        }
+    }
+    if (o->vertex_alpha) {
+        w->alpha += w->alpha_step;
+    }
+    if (o->fog) {
+        w->fog += w->fog_step;
+        QTRI_BODY_BARRIER(w->fog);
+    }
+    if (qtri_needs_place(o)) {
+        w->x++;
+    }
+}
+
+/* Pixel i from where the walk is. */
+QTRI_BODY void qtri_pixel(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t i)
+{
+    qtri_pixel_at(o, w, bent, w->pixel + (uint32_t)i * qtri_pixel_bytes(o),
+                  w->depth + (uint32_t)i * qtri_depth_size(o, w->state->surface));
+}
+
+QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_t pixels)
+{
+    w->pixel += pixels * qtri_pixel_bytes(o);
+    QTRI_BODY_BARRIER(w->pixel);
+    if (qtri_tests_depth(o)) {
+        w->depth += pixels * qtri_depth_size(o, w->state->surface);
+        QTRI_BODY_BARRIER(w->depth);
+    }
+}
+
+/* A pixel of a long row: steps of packed colours, which are rounded to short fractions, take turns,
+   so that two of them are rounded once. */
+QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t i)
+{
+    qtri_pixel(o, w, bent, i);
+    if (qtri_is_packed_565(o)) {
+        const uint32_t step = w->c_step;
+        w->c_step = w->c_other;
+        w->c_other = step;
+    }
+}
+
+/* `count` pixels of a row, 0 or less: none. */
+QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
+{
+    const int together = qtri_unrolled(o);
+#if QTRI_BODY_UNROLLS
+    if (together > 1) {
+        for (; count >= together; count -= together) {
+            qtri_pixel_next(o, w, bent, 0);
+            qtri_pixel_next(o, w, bent, 1);
+            qtri_pixel_next(o, w, bent, 2);
+            qtri_pixel_next(o, w, bent, 3);
+            if (together == 8) {
+                qtri_pixel_next(o, w, bent, 4);
+                qtri_pixel_next(o, w, bent, 5);
+                qtri_pixel_next(o, w, bent, 6);
+                qtri_pixel_next(o, w, bent, 7);
+            }
+            qtri_walk_move(o, w, (uint32_t)together);
+            if (!qtri_is_textured(o)) { /* where there are registers left */
+                QTRI_BODY_HIGH(count);
+            }
+        }
+    }
+#else
+    (void)together;
+#endif
+    for (; count > 0; count--) {
+        qtri_pixel_next(o, w, bent, 0);
+        qtri_walk_move(o, w, 1);
+    }
+}
+
+/* What a draw call's state says to all rows. */
+QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
+                               const qtri_draw_state *state)
+{
+    w->state = state;
+    if (qtri_is_lit(o) && !qtri_is_textured(o)) {
+        w->color = state->color;
+        w->table = state->table;
+        if (qtri_kind_of(o) == QTRI_IN_GRAY) {
+            w->color = qtri_pixel_888_to_luma(state->color);
+        }
+    }
+    if (qtri_is_textured(o)) {
+        const uint32_t width_log2 = state->width_log2, height_log2 = state->height_log2;
+        w->texels = state->texture->texels;
+        w->width_log2 = width_log2;
+        w->u_shift = (32u - width_log2) & 31;
+        w->v_shift = (o->large_texture ? 32u - height_log2 : 16u + width_log2) & 31;
+        /* The mask leaves the low byte to the column's shift: what it lets through of v is cut off.
+         */
+        w->rows =
+            (o->large_texture ? 0
+                              : (((uint32_t)1 << height_log2) - 1) << ((16 + width_log2) & 31)) |
+            w->u_shift;
+    }
+}
+
+/* The colour of a triangle, 0x00RRGGBB, as the walk of these options wants it. */
+QTRI_BODY uint32_t qtri_walk_color(const qtri_options *o, const qtri_surface *surface, uint32_t rgb)
+{
+    if (qtri_is_textured(o)) {
+        return rgb;
+    }
+    switch (qtri_kind_of(o)) {
+    case QTRI_IN_565:
+        rgb = qtri_pixel_888_to_565(rgb);
+        break;
+    case QTRI_IN_GRAY:
+        rgb = qtri_pixel_888_to_luma(rgb);
+        break;
+    default:
+        break;
+    }
+    return qtri_is_plain(o) ? qtri_encode(o, surface, rgb) : rgb;
+}
+
+#endif

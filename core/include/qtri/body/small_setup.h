@@ -1,0 +1,585 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Set-up of a small triangle: its rows, and light and texture coordinates that are linear on the
+ * screen. Internal, part of the pipelines' body (pipeline_make.h).
+ *
+ * Inlined in each pipeline; where code is to be small and in the generic pipeline, functions of the
+ * library that all share (small_triangle.h).
+ *
+ * 1 / size, size being twice the area, has 16 bits and is off by 2^-14.4 of itself, so a ramp is at
+ * a vertex by that much of its range:
+ *
+ *     x = size 2^zeros / 2^16, rounded, in 2^15..2^16; y = 2^31 / x, rounded down
+ *     n 2^16 / size = n y / 2^17 / 2^down, down = 14 - zeros
+ *
+ * Where the area is below a pixel steps go left by `up` bits, which they then have not: 120 pixels
+ * away that is 120 units 2^up.
+ */
+#ifndef QTRI_BODY_SMALL_SETUP_H
+#define QTRI_BODY_SMALL_SETUP_H
+
+#include "arithmetic.h"
+#include "pixel.h"
+#include "small_triangle.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    QTRI_SMALL_FAR = 256 * QTRI_SMALL_REACH,
+    QTRI_SMALL_NEAR = 1 << 13, /* 32 pixels: within it in all four needs one comparison */
+    QTRI_SMALL_NEEDLE = 4,     /* steps go left by so many bits at most: 1/16 pixel */
+    QTRI_SMALL_STEEP_LOG2 = 18,
+    QTRI_SMALL_STEEP_DOWN = 3,
+    QTRI_SMALL_TEXEL_LOG2 = 4, /* texture coordinates are off by 2^-4 texel at most */
+    QTRI_SMALL_ONE = 1 << 15   /* full light */
+};
+
+/* What was stored before is read again after: GCC 12 would keep it in registers it has not. */
+#if defined(__GNUC__)
+#define QTRI_BODY_READ_AGAIN() __asm__ volatile("" ::: "memory")
+#else
+#define QTRI_BODY_READ_AGAIN() ((void)0)
+#endif
+
+/* Inlined too, but where code is to be small as the compiler decides. */
+#ifdef __OPTIMIZE_SIZE__
+#define QTRI_SMALL_PART static inline
+#else
+#define QTRI_SMALL_PART QTRI_BODY
+#endif
+
+/* -1 where x is negative, or 0. */
+QTRI_BODY int32_t qtri_small_sign(int32_t x)
+{
+    return x >> 31; // cppcheck-suppress shiftTooManyBitsSigned
+}
+
+/* |x| or one less. */
+QTRI_BODY uint32_t qtri_small_about(int32_t x)
+{
+    return (uint32_t)(x ^ qtri_small_sign(x));
+}
+
+QTRI_BODY int32_t qtri_small_min(int32_t a, int32_t b)
+{
+    a &= qtri_small_sign(a);
+    return a < b ? a : b;
+}
+
+QTRI_BODY int32_t qtri_small_max(int32_t a, int32_t b)
+{
+    a &= ~qtri_small_sign(a);
+    return a > b ? a : b;
+}
+
+/* Greatest less least of 0, a and b. */
+QTRI_SMALL_PART uint32_t qtri_small_range(int32_t a, int32_t b)
+{
+    return (uint32_t)qtri_small_max(a, b) - (uint32_t)qtri_small_min(a, b);
+}
+
+QTRI_BODY int32_t qtri_small_clamp(int32_t x, int32_t low, int32_t high)
+{
+    return x < low ? low : (x > high ? high : x);
+}
+
+/* Ramps ---------------------------------------------------------------------------------------- */
+
+/* n y / 2^17 / 2^down, rounded down. |n| < 2^30.5. */
+QTRI_BODY int32_t qtri_small_quotient(const qtri_small_place *p, int32_t n)
+{
+#if QTRI_LONG_MULTIPLY
+    return (int32_t)(((int64_t)n * p->inverse) >> 32) >> p->down;
+#else
+    const uint32_t low = qtri_low16((uint32_t)n) * (uint32_t)p->inverse;
+    return ((n >> 16) * p->inverse + (int32_t)(low >> 16)) >> (p->down + 1);
+#endif
+}
+
+/* floor((gx x + gy y) / 256), |x|, |y| < 2^16, modulo 2^32. */
+QTRI_BODY uint32_t qtri_small_along(int32_t gx, int32_t x, int32_t gy, int32_t y)
+{
+#if QTRI_LONG_MULTIPLY
+    return (uint32_t)(((int64_t)gx * x + (int64_t)gy * y) >> 8);
+#else
+    const int32_t rest = (gx & 255) * x + (gy & 255) * y; /* < 2^24 */
+    const uint32_t whole = (uint32_t)(gx >> 8) * (uint32_t)x + (uint32_t)(gy >> 8) * (uint32_t)y;
+    return whole + (uint32_t)(rest >> 8);
+#endif
+}
+
+/*
+ * A ramp, from x and y of vertex 0 on, that is `value` there, and more by f1 and f2 at vertices 1
+ * and 2, in units of 2^(8 + up) of it: |f| <= 2^16, of a wide place 2^15.
+ */
+QTRI_SMALL_PART void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p,
+                                            int32_t x, int32_t y, uint32_t value, int32_t f1,
+                                            int32_t f2, int32_t up)
+{
+    const int32_t gx = qtri_small_quotient(p, f2 * p->dy1 - f1 * p->dy2);
+    const int32_t gy = qtri_small_quotient(p, f1 * p->dx2 - f2 * p->dx1);
+    const uint32_t at = qtri_small_along(gx, x, gy, y);
+    up += p->up; /* last: a needle's steps may wrap, but not before they are divided */
+    r->at = value + (at << up);
+    r->dx = (uint32_t)gx << up;
+    r->dy = (uint32_t)gy << up;
+}
+
+QTRI_SMALL_PART void qtri_small_ramp_set(qtri_small_ramp *r, const qtri_small_place *p,
+                                         uint32_t value, int32_t f1, int32_t f2, int32_t up)
+{
+    qtri_small_ramp_set_at(r, p, p->x, p->y, value, f1, f2, up);
+}
+
+/* Rows ----------------------------------------------------------------------------------------- */
+
+/*
+ * An edge's pixels in rows up to `stop`; returns their sum. With |X|, |Y| <= 2 REACH and rows
+ * within REACH of vertex 0's: 120 256 (60 256 + 30 256) + 60 60 256^2 < 2^30.9.
+ */
+QTRI_SMALL_PART int32_t qtri_small_walk_edge(uint8_t *side, const uint8_t *stop, int32_t numerator,
+                                             int32_t step, int32_t denominator)
+{
+    int32_t sum = 0;
+#if !QTRI_DIVIDE
+    int32_t quotient = QTRI_SMALL_REACH;
+#endif
+    do {
+#if QTRI_DIVIDE
+        const int32_t quotient = (int32_t)((uint32_t)numerator / (uint32_t)denominator);
+#else
+        /* A pixel or two a row: cheaper than a division. */
+        while (numerator < 0) {
+            numerator += denominator;
+            quotient--;
+        }
+        while (numerator >= denominator) {
+            numerator -= denominator;
+            quotient++;
+        }
+#endif
+        numerator += step;
+        sum += quotient;
+        *side = (uint8_t)quotient;
+        side += 2;
+        QTRI_BODY_BARRIER(side);
+    } while (side != stop);
+    return sum;
+}
+
+/*
+ * An edge between rows `from` and `to`: it is on the left when it goes down. Columns count from
+ * REACH left of vertex 0's, with a division, and else from there.
+ */
+QTRI_SMALL_PART int32_t qtri_small_edge(uint8_t *spans, int32_t dx, int32_t dy, int32_t cross,
+                                        int32_t from, int32_t to)
+{
+    const int32_t step = dx * 256;
+    if (from < to) {
+        return qtri_small_walk_edge(&spans[2 * from], &spans[2 * to], cross + from * step - 1, step,
+                                    dy * 256);
+    }
+    if (from > to) {
+        return -qtri_small_walk_edge(&spans[2 * to + 1], &spans[2 * from + 1],
+                                     -cross - to * step - 1, -step, dy * -256);
+    }
+    return 0;
+}
+
+/* floor(2^31 / x) for x in [2^15, 2^16]. */
+QTRI_BODY uint32_t qtri_small_reciprocal(uint32_t x)
+{
+#if QTRI_DIVIDE
+    return 0x80000000u / x;
+#else /* as core/bits/seed.h */
+    const uint32_t r_q14 = 46260u - ((x * 30840u) >> 16);
+    const uint32_t r_q15 = (r_q14 * (131192u - ((x * r_q14) >> 14))) >> 15;
+    const int32_t error_q31 = (int32_t)(0x80000000u - x * r_q15);
+    uint32_t y = r_q15 + (uint32_t)(((int32_t)r_q15 * (error_q31 >> 7)) >> 24);
+    int32_t rest = (int32_t)(0x80000000u - x * y); /* 0..5/4 x */
+    while (rest >= (int32_t)x) {
+        rest -= (int32_t)x;
+        y++;
+    }
+    return y;
+#endif
+}
+
+/* 1 / size. False: a needle. */
+QTRI_BODY bool qtri_small_set_inverse(qtri_small_place *p, uint32_t size)
+{
+    const int32_t zeros = qtri_clz32(size);
+    uint32_t y = qtri_small_reciprocal(((size << zeros >> 1) + ((uint32_t)1 << 14)) >> 15);
+    y -= y >> 16;
+    p->inverse = (int32_t)(QTRI_LONG_MULTIPLY ? y << 15 : y);
+    p->down = 14 - zeros;
+    p->up = 0;
+    if (p->down < 0) {
+        QTRI_RARELY();
+        p->up = -p->down;
+        p->down = 0;
+    }
+    return p->up <= QTRI_SMALL_NEEDLE;
+}
+
+/* False: depth is so steep that the snap of vertices shows. */
+QTRI_BODY bool qtri_small_set_depth(qtri_small_place *p, const qtri_small *t)
+{
+    const uint32_t z0 = t->v[0]->depth_16p8 >> 8;
+    int32_t z1 = (int32_t)((t->v[1]->depth_16p8 >> 8) - z0);
+    int32_t z2 = (int32_t)((t->v[2]->depth_16p8 >> 8) - z0);
+    int32_t up = 0;
+    const uint32_t about = qtri_small_about(z1) | qtri_small_about(z2);
+    if (about >> (p->wide ? 15 : 16) != 0) {
+        QTRI_RARELY();
+        if (about >> QTRI_SMALL_STEEP_LOG2 != 0) {
+            return false;
+        }
+        z1 >>= QTRI_SMALL_STEEP_DOWN;
+        z2 >>= QTRI_SMALL_STEEP_DOWN;
+        up = QTRI_SMALL_STEEP_DOWN;
+    }
+    qtri_small_ramp_set(&p->z, p, z0 << 8, z1, z2, up);
+    return true;
+}
+
+/* Whether any of these is out of reach. */
+QTRI_BODY bool qtri_small_is_far(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
+{
+    const uint32_t far = QTRI_SMALL_FAR;
+    return (uint32_t)dx1 + far >= 2 * far || (uint32_t)dy1 + far >= 2 * far ||
+           (uint32_t)dx2 + far >= 2 * far || (uint32_t)dy2 + far >= 2 * far;
+}
+
+QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QTRI_SMALL_SPANS],
+                                           qtri_small *t)
+{
+    const qtri_vertex *a = t->v[0];
+    const qtri_vertex *b = t->v[1];
+    const qtri_vertex *c = t->v[2];
+    uint32_t near = QTRI_SMALL_NEAR;
+    QTRI_BODY_BARRIER(near); /* GCC 12 would make it anew each time on a Cortex-M0+ */
+    const int32_t x0 = a->at.x_24p8;
+    const int32_t y0 = a->at.y_24p8;
+    int32_t dx1 = b->at.x_24p8 - x0;
+    int32_t dy1 = b->at.y_24p8 - y0;
+    int32_t dx2 = c->at.x_24p8 - x0;
+    int32_t dy2 = c->at.y_24p8 - y0;
+    p->wide = false;
+    p->turned = false;
+    if ((((uint32_t)dx1 + near) | ((uint32_t)dy1 + near) | ((uint32_t)dx2 + near) |
+         ((uint32_t)dy2 + near)) >= 2 * near) {
+        QTRI_RARELY();
+        if (qtri_small_is_far(dx1, dy1, dx2, dy2)) {
+            return QTRI_SMALL_IS_LARGE;
+        }
+        p->wide = true;
+    }
+    int32_t size = dx2 * dy1 - dx1 * dy2;
+    if (size <= 0) {
+        const int32_t dx = dx1;
+        const int32_t dy = dy1;
+        QTRI_RARELY();
+        if (!qtri_small_turn(t, size)) {
+            return QTRI_SMALL_NOTHING;
+        }
+        p->turned = true;
+        dx1 = dx2, dx2 = dx;
+        dy1 = dy2, dy2 = dy;
+        size = -size;
+    }
+    int32_t row = y0 + 127;
+    const int32_t rest = row & 255;
+    row >>= 8;
+    int32_t a_row = 0;
+    int32_t b_row = (rest + dy1) >> 8;
+    int32_t c_row = (rest + dy2) >> 8;
+    int32_t first = qtri_small_min(b_row, c_row);
+    int32_t end = qtri_small_max(b_row, c_row);
+    if (first == end) {
+        return QTRI_SMALL_NOTHING;
+    }
+    const qtri_draw_state *state = t->state;
+    const int32_t column = (x0 >> 8) - QTRI_SMALL_REACH;
+    p->left = 0;
+    p->right = 0;
+    p->cut = false;
+    if ((uint32_t)x0 - state->inner.x >= state->inner.width ||
+        (uint32_t)y0 - state->inner.y >= state->inner.height) {
+        const qtri_rect *bounds = &state->bounds;
+        QTRI_RARELY();
+        p->left = bounds->x0 - column;
+        p->right = bounds->x1 - column;
+        p->cut = p->left > 0 || p->right < 2 * QTRI_SMALL_REACH + 1;
+        if (row + first < bounds->y0 || row + end > bounds->y1) {
+            const int32_t least = bounds->y0 - row;
+            const int32_t greatest = bounds->y1 - row;
+            if (first >= greatest || end <= least) {
+                return QTRI_SMALL_NOTHING;
+            }
+            a_row = qtri_small_clamp(0, least, greatest);
+            b_row = qtri_small_clamp(b_row, least, greatest);
+            c_row = qtri_small_clamp(c_row, least, greatest);
+            first = first > least ? first : least;
+            end = end < greatest ? end : greatest;
+        }
+    }
+    uint8_t *const middle = &spans[2 * QTRI_SMALL_REACH];
+    const int32_t y = 255 - rest;
+    const int32_t rest_x = x0 & 255;
+    p->column = column;
+    p->row = row + first;
+    p->first = first;
+    p->x = 128 - rest_x - QTRI_SMALL_FAR;
+    p->y = y + 256 * first;
+    p->dx1 = dx1;
+    p->dy1 = dy1;
+    p->dx2 = dx2;
+    p->dy2 = dy2;
+    p->span = &middle[2 * first];
+    middle[2 * end] = QTRI_SMALL_STOP;
+    middle[2 * end + 1] = QTRI_SMALL_STOP; /* read, and of no effect: nothing ends after a stop */
+    QTRI_BODY_READ_AGAIN();
+    const int32_t ax = rest_x + 128 + (QTRI_DIVIDE ? QTRI_SMALL_FAR : 0);
+    const int32_t dx = dx2 - dx1;
+    const int32_t dy = dy2 - dy1;
+    int32_t pixels = qtri_small_edge(middle, dx1, dy1, ax * dy1 + y * dx1, a_row, b_row);
+    pixels += qtri_small_edge(middle, dx, dy, (ax + dx1) * dy - (dy1 - y) * dx, b_row, c_row);
+    pixels += qtri_small_edge(middle, -dx2, -dy2, -ax * dy2 - y * dx2, c_row, a_row);
+    if (pixels == 0) {
+        return QTRI_SMALL_NOTHING;
+    }
+    QTRI_BODY_READ_AGAIN();
+    a = t->v[0];
+    b = t->v[1];
+    c = t->v[2];
+    const uint32_t exponents = (a->depth_16p8 ^ b->depth_16p8) | (a->depth_16p8 ^ c->depth_16p8);
+    p->q1 = (int32_t)(b->inv_w - a->inv_w);
+    p->q2 = (int32_t)(c->inv_w - a->inv_w);
+    p->q_about = qtri_small_about(p->q1) | qtri_small_about(p->q2);
+    if (((exponents & 0xFF) | p->q_about >> 27) != 0) {
+        int32_t q[2];
+        QTRI_RARELY();
+        if (!qtri_small_find_uneven(q, t)) {
+            return QTRI_SMALL_IS_LARGE;
+        }
+        p->q1 = q[0];
+        p->q2 = q[1];
+        p->q_about = qtri_small_about(q[0]) | qtri_small_about(q[1]);
+    }
+    return qtri_small_set_inverse(p, (uint32_t)size) && qtri_small_set_depth(p, t)
+               ? QTRI_SMALL_FOUND
+               : QTRI_SMALL_IS_LARGE;
+}
+
+/* Light and colours ---------------------------------------------------------------------------- */
+
+/* A quarter of a step of 63 or 255; of lit textures, which can follow perspective, an eighth. */
+QTRI_BODY uint32_t qtri_small_part_of(const qtri_options *o)
+{
+    return !qtri_stores_565(o) ? 10 : qtri_is_textured(o) ? 9 : 8;
+}
+
+/*
+ * Whether what differs by f1 and f2, Q15, strays by 2^-part of full at most. By Gruess's bound of a
+ * covariance, range (q_max - q_min) / (4 q_min); q_min is 3/4 2^30 or more, and a range not more
+ * than the sum of magnitudes: true of most.
+ */
+QTRI_BODY bool qtri_small_is_linear(const qtri_small_place *p, const qtri_small *t, int32_t f1,
+                                    int32_t f2, uint32_t part)
+{
+    const uint32_t sum = qtri_small_about(f1) + qtri_small_about(f2) + 2;
+    if (sum * ((p->q_about >> 14) + 1) <= (uint32_t)3 << (30 - part)) {
+        return true;
+    }
+    const uint32_t q_min = t->v[0]->inv_w + (uint32_t)qtri_small_min(p->q1, p->q2);
+    return qtri_small_is_linear_by_range(qtri_small_range(f1, f2), qtri_small_range(p->q1, p->q2),
+                                         q_min >> (part - 2));
+}
+
+QTRI_BODY bool qtri_setup_light_is_linear(const qtri_small_place *p, const qtri_small *t,
+                                          const qtri_options *o)
+{
+    const int32_t i0 = t->v[0]->intensity_q15;
+    return o->linear || qtri_small_is_linear(p, t, t->v[1]->intensity_q15 - i0,
+                                             t->v[2]->intensity_q15 - i0, qtri_small_part_of(o));
+}
+
+QTRI_BODY void qtri_setup_set_light(qtri_small_ramp *c, const qtri_small_place *p,
+                                    const qtri_small *t, uint32_t half)
+{
+    const int32_t i0 = t->v[0]->intensity_q15;
+    qtri_small_ramp_set(c, p, ((uint32_t)i0 << 9) + half, t->v[1]->intensity_q15 - i0,
+                        t->v[2]->intensity_q15 - i0, 1);
+}
+
+/* Channels of a vertex, Q15 of full, in light. */
+typedef struct qtri_small_channels {
+    int32_t r, g, b;
+} qtri_small_channels;
+
+QTRI_SMALL_PART qtri_small_channels qtri_small_channels_of(const qtri_small *t, int i)
+{
+    qtri_small_channels f;
+    const qtri_rgb *color = &t->mesh->colors[t->index[i]];
+    const uint32_t light =
+        257u * (t->light_q15 <= QTRI_SMALL_ONE ? t->light_q15 : t->v[i]->intensity_q15);
+    f.r = (int32_t)((color->r * light + 0x8000u) >> 16); /* <= 2^31 */
+    f.g = (int32_t)((color->g * light + 0x8000u) >> 16);
+    f.b = (int32_t)((color->b * light + 0x8000u) >> 16);
+    return f;
+}
+
+/* Those of vertex 0, and what the others have more. */
+typedef struct qtri_small_colors {
+    qtri_small_channels at, d1, d2;
+} qtri_small_colors;
+
+/* False: perspective of them could be seen. */
+QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_place *p,
+                                      const qtri_small *t, const qtri_options *o)
+{
+    const uint32_t part = qtri_small_part_of(o);
+    f->at = qtri_small_channels_of(t, 0);
+    f->d1 = qtri_small_channels_of(t, 1);
+    f->d2 = qtri_small_channels_of(t, 2);
+    f->d1.r -= f->at.r;
+    f->d1.g -= f->at.g;
+    f->d1.b -= f->at.b;
+    f->d2.r -= f->at.r;
+    f->d2.g -= f->at.g;
+    f->d2.b -= f->at.b;
+    if (o->linear || p->q_about >> (30 - part) == 0) {
+        return true;
+    }
+    const int32_t differences[6] = {f->d1.r, f->d2.r, f->d1.g, f->d2.g, f->d1.b, f->d2.b};
+    return qtri_small_are_linear(differences, t->v[0]->inv_w, p->q1, p->q2, part);
+}
+
+/* n.16 from 0 to full, from the pixel of vertex 0 on. */
+QTRI_SMALL_PART void qtri_small_channel_set(qtri_small_ramp *r, const qtri_small_place *p,
+                                            int32_t f0, int32_t f1, int32_t f2, int32_t full,
+                                            uint32_t half)
+{
+    qtri_small_ramp_set_at(r, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first,
+                           (uint32_t)(f0 * full * 2) + half, (f1 * full) >> 8, (f2 * full) >> 8, 1);
+}
+
+/* Back to the base: what is packed steps in rounded steps. */
+QTRI_BODY void qtri_small_set_base(qtri_small_ramp *r, const qtri_small_place *p)
+{
+    r->at += (uint32_t)p->first * r->dy - QTRI_SMALL_REACH * r->dx;
+}
+
+QTRI_BODY uint32_t qtri_small_signed_shift(uint32_t x, int by)
+{
+    return (uint32_t)((int32_t)x >> by);
+}
+
+QTRI_BODY bool qtri_setup_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p,
+                                         const qtri_small *t, const qtri_options *o)
+{
+    qtri_small_colors f;
+    qtri_small_ramp g;
+    if (p->wide) { /* steps of a wide one, rounded, leave their fields */
+        return false;
+    }
+    if (!qtri_small_colors_find(&f, p, t, o)) {
+        return false;
+    }
+    qtri_small_channel_set(&g, p, f.at.r, f.d1.r, f.d2.r, 31, 0x8000u);
+    c->at = g.at >> 10 << 21;
+    c->dx = (g.dx + 0x200) >> 10 << 21;
+    c->dy = (g.dy + 0x200) >> 10 << 21;
+    qtri_small_channel_set(&g, p, f.at.b, f.d1.b, f.d2.b, 31, 0x8000u);
+    c->at += g.at & ~(uint32_t)0x7FF;
+    c->dx += (g.dx + 0x400) & ~(uint32_t)0x7FF;
+    c->dy += (g.dy + 0x400) & ~(uint32_t)0x7FF;
+    qtri_small_channel_set(&g, p, f.at.g, f.d1.g, f.d2.g, 63, 0x8000u);
+    c->at += qtri_small_signed_shift(g.at, 11);
+    c->dx += qtri_small_signed_shift(g.dx + 0x400, 11);
+    c->dy += qtri_small_signed_shift(g.dy + 0x400, 11);
+    qtri_small_set_base(c, p);
+    return true;
+}
+
+/* Texture coordinates -------------------------------------------------------------------------- */
+
+/* A coordinate at the vertices, Q16 of a repeat: the first one, and what the others have more. */
+typedef struct qtri_small_uv {
+    int32_t u0, u1, u2, v0, v1, v2;
+} qtri_small_uv;
+
+QTRI_SMALL_PART void qtri_small_uv_find(qtri_small_uv *uv, const qtri_small *t)
+{
+    const qtri_mesh *mesh = t->mesh;
+    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
+        const qtri_uv16 *a = &mesh->uvs16[t->index[0]];
+        const qtri_uv16 *b = &mesh->uvs16[t->index[1]];
+        const qtri_uv16 *c = &mesh->uvs16[t->index[2]];
+        uv->u0 = a->x * 4;
+        uv->v0 = a->y * 4;
+        uv->u1 = (b->x - a->x) * 4;
+        uv->v1 = (b->y - a->y) * 4;
+        uv->u2 = (c->x - a->x) * 4;
+        uv->v2 = (c->y - a->y) * 4;
+    } else if (QTRI_WITH_WIDE_MESHES && mesh->uvs != NULL) {
+        const qtri_vec2 *a = &mesh->uvs[t->index[0]];
+        const qtri_vec2 *b = &mesh->uvs[t->index[1]];
+        const qtri_vec2 *c = &mesh->uvs[t->index[2]];
+        uv->u0 = a->x;
+        uv->v0 = a->y;
+        uv->u1 = (int32_t)((uint32_t)b->x - (uint32_t)a->x);
+        uv->v1 = (int32_t)((uint32_t)b->y - (uint32_t)a->y);
+        uv->u2 = (int32_t)((uint32_t)c->x - (uint32_t)a->x);
+        uv->v2 = (int32_t)((uint32_t)c->y - (uint32_t)a->y);
+    } else {
+        uv->u0 = uv->u1 = uv->u2 = 0;
+        uv->v0 = uv->v1 = uv->v2 = 0;
+    }
+}
+
+/*
+ * Coordinates that are linear on the screen, of repeated axes, where light is. By sums of
+ * magnitudes, in 2^-6 texel of the longer side, and q_min >= 3/4 2^30: see small_texture.c. False:
+ * nothing was set; they may be seen to follow perspective, or are not as simple.
+ */
+QTRI_BODY bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
+                                             const qtri_small_place *p, const qtri_small *t,
+                                             const qtri_options *o)
+{
+    qtri_small_uv f;
+    const uint32_t width_log2 = t->state->width_log2, height_log2 = t->state->height_log2;
+    const uint32_t both_log2 = width_log2 + height_log2;
+    if (o->bilinear || o->large_texture || o->wrap_u || o->wrap_v || both_log2 < 8) {
+        return false;
+    }
+    qtri_small_uv_find(&f, t);
+    const uint32_t u1 = qtri_small_about(f.u1), u2 = qtri_small_about(f.u2);
+    const uint32_t v1 = qtri_small_about(f.v1), v2 = qtri_small_about(f.v2);
+    if ((u1 | u2 | v1 | v2) >> (p->wide ? 15 : 16) != 0) {
+        return false;
+    }
+    if (!o->linear) {
+        const uint32_t side_log2 = width_log2 > height_log2 ? width_log2 : height_log2;
+        const uint32_t most = ((u1 + u2 + v1 + v2 + 4) >> (10 - side_log2)) + 1; /* < 2^18.1 */
+        const uint32_t greatest = (uint32_t)3 << (10 + 8 - QTRI_SMALL_TEXEL_LOG2);
+        if (most * ((p->q_about >> 17) + 1) > greatest) {
+            return false;
+        }
+    }
+    /* Values on a texel's edge, give or take an error, go up. */
+    qtri_small_ramp_set(u, p, ((uint32_t)f.u0 << 16) + ((uint32_t)1 << (21 - width_log2)), f.u1,
+                        f.u2, 8);
+    qtri_small_ramp_set(v, p, ((uint32_t)f.v0 << both_log2) + ((uint32_t)1 << (5 + width_log2)),
+                        f.v1, f.v2, (int32_t)both_log2 - 8);
+    return true;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A small triangle of a mesh: where it is, and what varies over it. Internal, part of the
+ * pipelines' body (pipeline_make.h).
+ *
+ * Small is a triangle whose vertices 1 and 2 are within 60 pixels of vertex 0 in x and in y, with
+ * 1/w within 1/4 of that of vertex 0 and depths within 2^10 steps of linear16, and that is no
+ * needle. That is asked of the vertices alone, and whether colours are linear enough of vertices
+ * and material; never of a scissor, a band or a pipeline. All that follows fits 32 bits.
+ *
+ * Rows are found exactly, by the top-left rule, as spans of bytes. What varies is linear on the
+ * screen, set by products with 1/area; texture coordinates follow perspective, in pieces of at most
+ * 16 pixels, where that could be seen: see qtri_small_set_texture().
+ */
+#ifndef QTRI_BODY_SMALL_TRIANGLE_H
+#define QTRI_BODY_SMALL_TRIANGLE_H
+
+#include "../mesh.h"
+#include "../view.h"
+#include "state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    QTRI_SMALL_REACH = 60,
+    QTRI_SMALL_SPANS = 2 * (2 * QTRI_SMALL_REACH + 1),
+    QTRI_SMALL_STOP = 255 /* begins the row after the last */
+};
+
+/* A triangle of a draw call, inside all planes; front faces are culled by the caller. */
+typedef struct qtri_small {
+    qtri_draw_state *state;
+    const qtri_mesh *mesh;
+    qtri_vertex *v[3];
+    uint32_t index[3];   /* of the vertices in the mesh */
+    const void *indices; /* the triangle's in the mesh, for `light` */
+    uint32_t light_q15;  /* of the triangle; more than 2^15: that of its vertices */
+    /* Called once the triangle touches a pixel: gives the vertices their light, or returns that of
+       the triangle. NULL: all have theirs. */
+    uint32_t (*light)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                      qtri_vertex *c);
+    const void *from;
+} qtri_small;
+
+/* What is linear on the screen: at the base column of the first row, and its steps. */
+typedef struct qtri_small_ramp {
+    uint32_t at, dx, dy;
+} qtri_small_ramp;
+
+/* Where it is. Columns count from QTRI_SMALL_REACH left of vertex 0's. */
+typedef struct qtri_small_place {
+    int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0, 24.8 */
+    int32_t x, y;               /* from vertex 0 to the centre of the base in the first row, 24.8 */
+    int32_t first;              /* rows from that pixel's to the first */
+    int32_t column, row;        /* of the frame: of the base, of the first row */
+    int32_t inverse, down, up;  /* 1 / area: see qtri_small_ramp_set() */
+    int32_t q1, q2;             /* what 1/w has more at vertices 1 and 2, in vertex 0's scale */
+    uint32_t q_about;           /* their magnitudes, or-ed */
+    uint8_t *span;              /* of each row the first pixel and the one after the last */
+    int32_t left, right;        /* columns of the bounds */
+    bool turned;                /* a back face: vertices 1 and 2 have changed places */
+    bool cut;                   /* rows may reach past those */
+    bool wide;                  /* differences of attributes are to be below 2^15, not 2^16 */
+    qtri_small_ramp z;          /* 16.16 */
+} qtri_small_place;
+
+/* Texture coordinates. Curved: u is u0 + (u / (1 + e) << u_up), and so is v; e has 26 bits. */
+typedef struct qtri_small_texture {
+    qtri_small_ramp u, v, e;
+    uint32_t u0, v0;
+    uint32_t c0; /* of light: at vertex 0 */
+    uint8_t u_up, v_up;
+    uint8_t piece;  /* pixels */
+    bool curved;    /* may be set before: something else is */
+    int32_t e1, e2; /* Q18, at vertices 1 and 2 */
+    qtri_clamp_axis axis[2];
+} qtri_small_texture;
+
+typedef enum qtri_small_found {
+    QTRI_SMALL_NOTHING,
+    QTRI_SMALL_IS_LARGE,
+    QTRI_SMALL_FOUND
+} qtri_small_found;
+
+/* In small_triangle.c: place and depth. Back faces that are drawn become front faces. */
+qtri_small_found qtri_small_find(qtri_small_place *p, uint8_t spans[QTRI_SMALL_SPANS],
+                                 qtri_small *t);
+
+/* Cuts rows to the bounds. False when nothing is left. */
+bool qtri_small_cut(uint8_t *span, int32_t left, int32_t right);
+
+/* Turns a back face round. False: it is culled, or has no area. */
+bool qtri_small_turn(qtri_small *t, int32_t size);
+
+/* What 1/w has more at vertices 1 and 2, where exponents differ or it is much. False: more than
+   1/4. */
+bool qtri_small_find_uneven(int32_t q[2], const qtri_small *t);
+
+/* What depths are lifted by where the least could fall below 0 for what is cut off. */
+uint32_t qtri_small_lift(const qtri_small *t);
+
+/* state->color, or the mesh's of the provoking vertex, in the triangle's light. */
+uint32_t qtri_small_color(const qtri_small *t);
+
+/* In small_values.c. False: perspective of it could be seen; the triangle is large. */
+bool qtri_small_light_is_linear(const qtri_small_place *p, const qtri_small *t,
+                                const qtri_options *o);
+bool qtri_small_is_linear_by_range(uint32_t range, uint32_t q_range, uint32_t q_part);
+void qtri_small_set_light(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t,
+                          uint32_t half);
+/* As u and v follow perspective: from the base on, c / (1 + e). */
+void qtri_small_set_curved_light(qtri_small_ramp *c, uint32_t *base, const qtri_small_texture *uv,
+                                 const qtri_small_place *p, const qtri_small *t, uint32_t half);
+bool qtri_small_set_alpha(qtri_small_ramp *alpha, const qtri_small_place *p, const qtri_small *t);
+bool qtri_small_are_linear(const int32_t differences[6], uint32_t inv_w, int32_t q1, int32_t q2,
+                           uint32_t part);
+bool qtri_small_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t,
+                               const qtri_options *o);
+bool qtri_small_set_colors_888(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
+                               const qtri_small *t);
+bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t);
+bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
+                            const qtri_small *t, uint32_t half);
+
+/* In small_texture.c. */
+void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, const qtri_small *t,
+                            const qtri_options *o);
+
+/* Fog along a row of `count` pixels, from a share to another: the step. */
+uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count);
+
+/* 2^15 / n */
+extern const uint16_t qtri_small_part[17];
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

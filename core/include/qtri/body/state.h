@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a draw call's triangles have in common, and the walk of a loop over pixels. Internal, part
+ * of the pipelines' body (pipeline_make.h).
+ */
+#ifndef QTRI_BODY_STATE_H
+#define QTRI_BODY_STATE_H
+
+#include "../pipeline.h"
+#include "color.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { QTRI_TABLE_LOG2 = 7, QTRI_TABLE = (1 << QTRI_TABLE_LOG2) + 1 };
+
+/* Set once a draw call, by draw_state.c. */
+typedef struct qtri_draw_state {
+    const qtri_pipeline *pipeline;
+    qtri_options options; /* what surface, material and mesh ask for */
+    const qtri_surface *surface;
+    const qtri_material *material;
+    qtri_rect bounds; /* what may be drawn */
+    /* Vertices in here, 24.8 from x and y, have all pixels of a small triangle in the bounds. */
+    struct {
+        uint32_t x, y, width, height;
+    } inner;
+    ptrdiff_t depth_pitch; /* bytes */
+
+    const qtri_texture *texture;
+    uint8_t width_log2, height_log2;     /* of its sides, at most 10 */
+    uint32_t key, key_mask, alpha_least; /* alpha_least: material.least_alpha << 24 */
+
+    uint32_t color;          /* material.color, 0x00RRGGBB */
+    uint32_t weight[3];      /* of its red, green and blue: 256 is 1 */
+    uint32_t alpha;          /* material.alpha: 256 is 1 */
+    uint32_t alpha_index[3]; /* whose alphas a clipped triangle's vertices have */
+    uint32_t keep;           /* bits that stay, of the pipeline's kind of colour */
+    uint32_t fog_color;      /* of that kind */
+    const qtri_fog *fog;
+
+    /* QTRI_LIGHT without texture on RGB565: stored pixels by light. */
+    bool has_table;
+    uint16_t table[QTRI_TABLE];
+} qtri_draw_state;
+
+/* A clamped coordinate: the texel is (coordinate >> shift) - first, held to 0..mask. */
+typedef struct qtri_clamp_axis {
+    uint8_t shift;
+    uint16_t mask;
+    int32_t first;
+} qtri_clamp_axis;
+
+/*
+ * What the loop over pixels steps. With n.16 the half that rounds is in the start.
+ *
+ * Texture coordinates of a repeated axis fill 32 bits, so that they wrap by themselves: u 2^32 is a
+ * repeat; v 2^(16 + width_log2 + height_log2) is one, so that one mask cuts out a row times the
+ * width, or, of a texture of more than 2^16 texels, 2^32. Those of a clamped axis are as its
+ * qtri_clamp_axis says.
+ *
+ * c and g, by what varies:
+ *     light                     c: 8.16, 256.0 is 1
+ *     colours, textured         c: red 9.7 in the upper half, blue 9.7 in the lower; g: 9.16;
+ *                               256 is 1
+ *     colours of 565            c: packed, red 5.6 << 21, blue 5.11 << 11 ..., see pixel.h
+ *     colours of 888            c: red 8.8 in the upper half, blue 8.8 in the lower; g: 8.16
+ *     gray                      c: luma, 8.16
+ */
+typedef struct qtri_pixel_walk {
+    uint8_t *pixel, *depth;
+    uintptr_t apart;    /* from a depth to its pixel, where one pointer serves both */
+    uint32_t z, z_step; /* 16.16, with qtri_depth_half() */
+    uint32_t u, v, u_step, v_step, u_bend, v_bend;
+    uint32_t c, c_step, g, g_step;
+    uint32_t c_other;           /* packed colours of 565: every second step */
+    uint32_t alpha, alpha_step; /* alpha of the vertices: 8.16, 256.0 is 1 */
+    uint32_t fog, fog_step;     /* what fog leaves of the colour: 8.16, 256.0 is 1 */
+    int32_t x, y;               /* of the frame; x only where options ask for it */
+
+    /* Constant along a row. */
+    const qtri_draw_state *state;
+    const void *texels;
+    const qtri_clamp_axis *axis;                 /* of u and v */
+    uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v, times the width << 16 */
+    uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
+    const uint16_t *table;
+} qtri_pixel_walk;
+
+/* What fog leaves of a colour at a depth with the half that rounds: 8.16, 256.0 is 1, off by 1/2 at
+   most. In fog.c. */
+uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16);
+
+/* state->table, when a triangle first needs it. */
+void qtri_draw_state_set_table(qtri_draw_state *state);
+
+/* For formats that are an application's own, in state.c. */
+uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888);
+uint32_t qtri_depth_encode_other(const qtri_depth_format *format, uint32_t z_16p16);
+uint32_t qtri_texel_other(const qtri_texture *texture, uint32_t stored);
+uint32_t qtri_fetch_other(const qtri_texture *texture, uint32_t number);
+
+/* The mean of four texels with alpha, weights of 11 bits, in texel_filter.c. */
+uint32_t qtri_alpha_mean(const uint32_t texel[4], uint32_t along, uint32_t across);
+
+/* depth_16p16 as &qtri_depth_float16 stores it. */
+uint32_t qtri_depth_encode_float16(uint32_t z_16p16);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

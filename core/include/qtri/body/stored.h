@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Pixels and depths as surfaces store them. Internal, part of the pipelines' body
+ * (pipeline_make.h).
+ */
+#ifndef QTRI_BODY_STORED_H
+#define QTRI_BODY_STORED_H
+
+#include "options.h"
+
+/* Formats of surfaces -------------------------------------------------------------------------- */
+
+QTRI_BODY uint32_t qtri_pixel_bytes(const qtri_options *o)
+{
+    switch (o->format) {
+    case QTRI_RGB565:
+    case QTRI_RGB565_SWAPPED:
+    case QTRI_RGB565_EXACT:
+        return 2;
+    case QTRI_RGB888:
+    case QTRI_BGR888:
+        return 3;
+    case QTRI_XRGB8888:
+        return 4;
+    case QTRI_GRAY8:
+        return 1;
+    case QTRI_DEPTH_ONLY:
+        return 0;
+    default:
+        return o->pixel_bytes;
+    }
+}
+
+QTRI_BODY uint32_t qtri_load(uint32_t bytes, const uint8_t *at)
+{
+    switch (bytes) {
+    case 2:
+        return *(const uint16_t *)(const void *)at;
+    case 4:
+        return *(const uint32_t *)(const void *)at;
+    case 3:
+        return (uint32_t)at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
+    case 1:
+        return *at;
+    default:
+        return 0;
+    }
+}
+
+/* To pixels that a row has: NOLINTBEGIN(clang-analyzer-core.NullDereference) */
+QTRI_BODY void qtri_save(uint32_t bytes, uint8_t *at, uint32_t word)
+{
+    switch (bytes) {
+    case 2:
+        *(uint16_t *)(void *)at = (uint16_t)word;
+        break;
+    case 4:
+        *(uint32_t *)(void *)at = word;
+        break;
+    case 3:
+        at[1] = (uint8_t)(word >> 8);
+        at[2] = (uint8_t)(word >> 16);
+        at[0] = (uint8_t)word;
+        break;
+    case 1:
+        *at = (uint8_t)word;
+        break;
+    default:
+        break;
+    }
+}
+/* NOLINTEND(clang-analyzer-core.NullDereference) */
+
+QTRI_BODY uint32_t qtri_swap_16(uint32_t c)
+{
+    return (c >> 8 & 0xFFu) | (c & 0xFFu) << 8;
+}
+
+QTRI_BODY uint32_t qtri_swap_red_blue(uint32_t c)
+{
+    return (c >> 16 & 0xFFu) | (c & 0xFF00u) | (c & 0xFFu) << 16;
+}
+
+/* A colour of the pipeline's kind as it is stored. */
+QTRI_BODY uint32_t qtri_encode(const qtri_options *o, const qtri_surface *surface, uint32_t c)
+{
+    if (qtri_stores_565(o) && qtri_kind_of(o) != QTRI_IN_565) {
+        c = qtri_pixel_888_to_565(c);
+    }
+    switch (o->format) {
+    case QTRI_RGB565_SWAPPED:
+        return qtri_swap_16(c);
+    case QTRI_RGB565_EXACT:
+        return qtri_pixel_888_to_565(c);
+    case QTRI_RGB888:
+        return qtri_swap_red_blue(c);
+    case QTRI_GRAY8:
+        return qtri_kind_of(o) == QTRI_IN_GRAY ? c : qtri_pixel_888_to_luma(c);
+    case QTRI_OTHER_FORMAT:
+        return o->encode != NULL ? o->encode(c & 0xFFFFFFu)
+                                 : qtri_encode_other(surface->format, c & 0xFFFFFFu);
+    case QTRI_BGR888:
+    case QTRI_XRGB8888:
+        return qtri_has_alpha(o) ? c & 0xFFFFFFu : c;
+    default:
+        return c;
+    }
+}
+
+/* What is stored as a colour of the kind. */
+QTRI_BODY uint32_t qtri_decode(const qtri_options *o, const qtri_surface *surface, uint32_t stored)
+{
+    switch (o->format) {
+    case QTRI_RGB565:
+        return qtri_kind_of(o) == QTRI_IN_565 ? stored : qtri_pixel_565_to_888(stored);
+    case QTRI_RGB565_SWAPPED:
+        stored = qtri_swap_16(stored);
+        return qtri_kind_of(o) == QTRI_IN_565 ? stored : qtri_pixel_565_to_888(stored);
+    case QTRI_RGB565_EXACT:
+        return qtri_pixel_565_to_888(stored);
+    case QTRI_RGB888:
+        return qtri_swap_red_blue(stored);
+    case QTRI_GRAY8:
+        return qtri_kind_of(o) == QTRI_IN_GRAY ? stored : stored * 0x010101u;
+    case QTRI_OTHER_FORMAT:
+        return o->decode != NULL ? o->decode(stored) : surface->format->decode(stored);
+    default:
+        return stored;
+    }
+}
+
+/* Depth ---------------------------------------------------------------------------------------- */
+
+QTRI_BODY uint32_t qtri_depth_size(const qtri_options *o, const qtri_surface *surface)
+{
+    return o->depth == QTRI_LINEAR24      ? 3
+           : o->depth == QTRI_LINEAR32    ? 4
+           : o->depth == QTRI_OTHER_DEPTH ? surface->depth_format->bytes
+                                          : 2;
+}
+
+/* What a depth starts with: the half that rounds linear16. Finer formats take all 32 bits. */
+QTRI_BODY uint32_t qtri_depth_half(const qtri_options *o)
+{
+    return o->depth <= QTRI_LINEAR16 ? 0x8000u : 0;
+}
+
+/* A depth of the walk as it is stored. */
+QTRI_BODY uint32_t qtri_depth_encode(const qtri_options *o, const qtri_surface *surface, uint32_t z)
+{
+    switch (o->depth) {
+    case QTRI_LINEAR24:
+        return z >> 8;
+    case QTRI_LINEAR32:
+        return z;
+    case QTRI_FLOAT16:
+        return qtri_depth_encode_float16(z);
+    case QTRI_OTHER_DEPTH:
+        return qtri_depth_encode_other(surface->depth_format, z);
+    default:
+        return z >> 16;
+    }
+}
+
+QTRI_BODY bool qtri_compare_passes(uint8_t compare, uint32_t z, uint32_t stored)
+{
+    switch (compare) {
+    case QTRI_LESS:
+        return z < stored;
+    case QTRI_LESS_EQUAL:
+        return z <= stored;
+    case QTRI_GREATER:
+        return z > stored;
+    case QTRI_GREATER_EQUAL:
+        return z >= stored;
+    case QTRI_EQUAL:
+        return z == stored;
+    case QTRI_NOT_EQUAL:
+        return z != stored;
+    case QTRI_NEVER:
+        return false;
+    default:
+        return true;
+    }
+}
+
+/* A pixel and its depth have the same bytes: one pointer serves both, see qtri_small_pixels(). */
+QTRI_BODY bool qtri_is_paired(const qtri_options *o)
+{
+#ifdef QTRI_PIPELINE_IS_ANY
+    (void)o;
+    return false;
+#else
+    return qtri_tests_depth(o) && ((o->depth <= QTRI_FLOAT16 && qtri_pixel_bytes(o) == 2) ||
+                                   (o->depth == QTRI_LINEAR32 && qtri_pixel_bytes(o) == 4));
+#endif
+}
+
+#endif

@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Texels: from coordinates to colours. Internal, part of the pipelines' body (pipeline_make.h).
+ */
+#ifndef QTRI_BODY_TEXEL_H
+#define QTRI_BODY_TEXEL_H
+
+#include "stored.h"
+
+/* Texels --------------------------------------------------------------------------------------- */
+
+QTRI_BODY uint32_t qtri_clamped(const qtri_clamp_axis *axis, uint32_t at)
+{
+    const int32_t i = ((int32_t)at >> axis->shift) - axis->first;
+    return i < 0 ? 0 : (uint32_t)i > axis->mask ? axis->mask : (uint32_t)i;
+}
+
+QTRI_BODY uint32_t qtri_texel_column(const qtri_options *o, const qtri_pixel_walk *w, uint32_t u)
+{
+    return o->wrap_u == QTRI_CLAMP ? qtri_clamped(&w->axis[0], u) : qtri_body_shift(u, w->rows);
+}
+
+/* The row's first texel. */
+QTRI_BODY uint32_t qtri_texel_row(const qtri_options *o, const qtri_pixel_walk *w, uint32_t v)
+{
+    if (o->wrap_v == QTRI_CLAMP) {
+        return qtri_clamped(&w->axis[1], v) << w->width_log2;
+    }
+    return o->large_texture ? v >> w->v_shift << w->width_log2 : (v & w->rows) >> 16;
+}
+
+QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_walk *w,
+                                     uint32_t number)
+{
+    switch (o->texel) {
+    case QTRI_TEXEL_RGB565:
+    case QTRI_TEXEL_ARGB4444:
+    case QTRI_TEXEL_ARGB1555:
+        return ((const uint16_t *)w->texels)[number];
+    case QTRI_TEXEL_XRGB8888:
+    case QTRI_TEXEL_ARGB8888:
+        return ((const uint32_t *)w->texels)[number];
+    case QTRI_TEXEL_CHECKER:
+        return qtri_fetch_other(w->state->texture, number);
+    case QTRI_OTHER_TEXEL:
+        return o->fetch != NULL ? o->fetch(w->state->texture, number)
+                                : qtri_fetch_other(w->state->texture, number);
+    default:
+        return ((const uint8_t *)w->texels)[number];
+    }
+}
+
+/* A stored texel as a colour of the kind; with alpha, 0xAARRGGBB. */
+QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk *w, uint32_t t)
+{
+    switch (o->texel) {
+    case QTRI_TEXEL_RGB565:
+        return qtri_kind_of(o) == QTRI_IN_565 ? t : qtri_pixel_565_to_888(t);
+    case QTRI_TEXEL_XRGB8888:
+        return t & 0xFFFFFFu;
+    case QTRI_TEXEL_GRAY8:
+        return t * 0x010101u;
+    case QTRI_TEXEL_PALETTE8: {
+        const qtri_rgb *p = &w->state->texture->palette[t];
+        return (uint32_t)p->r << 16 | (uint32_t)p->g << 8 | p->b;
+    }
+    case QTRI_TEXEL_CHECKER: {
+        const qtri_rgb *p = &w->state->texture->color[t & 1];
+        return (uint32_t)p->r << 16 | (uint32_t)p->g << 8 | p->b;
+    }
+    case QTRI_TEXEL_ARGB4444:
+        t = (t & 0xF000u) << 12 | (t & 0x0F00u) << 8 | (t & 0x00F0u) << 4 | (t & 15u);
+        return t | t << 4;
+    case QTRI_TEXEL_ARGB1555: {
+        const uint32_t lanes = ((t << 6 & 0x001F0000u) | (t & 31)) * 527u + 0x00170017u;
+        return ((t & 0x8000u) != 0 ? 0xFF000000u : 0) | (lanes >> 6 & QTRI_BODY_LANES_888) |
+               ((t >> 5 & 31) * 527u + 23) >> 6 << 8;
+    }
+    case QTRI_TEXEL_ALPHA8:
+        return t << 24 | 0xFFFFFFu;
+    case QTRI_OTHER_TEXEL:
+        return o->fetch != NULL ? t : qtri_texel_other(w->state->texture, t);
+    default:
+        return t;
+    }
+}
+
+/*
+ * Four texels by weights of 11 bits, which sum up to 2^11 in lanes of RGB565 (31 2^11 < 2^16), to
+ * 2^22 of each channel in 888. What the coordinates count is from texels' centres.
+ */
+QTRI_BODY uint32_t qtri_texel_mean(qtri_color_kind kind, const uint32_t t[4], uint32_t along,
+                                   uint32_t across)
+{
+    if (kind == QTRI_IN_565) {
+        const uint32_t both = along * across >> 11;
+        const uint32_t weight[4] = {2048 - along - across + both, along - both, across - both,
+                                    both};
+        uint32_t lanes = 0x04000400u, green = 0x8000u;
+        for (int i = 0; i < 4; i++) {
+            lanes += qtri_pixel_lanes_565(t[i]) * weight[i];
+            QTRI_BODY_BARRIER(lanes);
+            green += (t[i] & 0x07E0u) * weight[i];
+            QTRI_BODY_BARRIER(green);
+        }
+        lanes = lanes >> 11 & QTRI_BODY_LANES_565;
+        return ((lanes | lanes >> 5) & 0xF81Fu) | (green >> 11 & 0x07E0u);
+    }
+    const uint32_t both = along * across;
+    const uint32_t weight[4] = {((uint32_t)1 << 22) - (along << 11) - (across << 11) + both,
+                                (along << 11) - both, (across << 11) - both, both};
+    uint32_t r = (uint32_t)1 << 21, g = r, b = r;
+    for (int i = 0; i < 4; i++) {
+        r += (t[i] >> 16 & 255) * weight[i];
+        QTRI_BODY_BARRIER(r);
+        g += (t[i] >> 8 & 255) * weight[i];
+        QTRI_BODY_BARRIER(g);
+        b += (t[i] & 255) * weight[i];
+        QTRI_BODY_BARRIER(b);
+    }
+    return r >> 22 << 16 | g >> 22 << 8 | b >> 22;
+}
+
+/* 11 bits of a coordinate's fraction. */
+QTRI_BODY uint32_t qtri_texel_fraction(uint32_t at, uint32_t shift)
+{
+    return (shift > 11 ? at >> (shift - 11) : at << (11 - shift)) & 2047;
+}
+
+QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
+{
+    const uint32_t u_shift = o->wrap_u == QTRI_CLAMP ? w->axis[0].shift : w->u_shift;
+    const uint32_t v_shift = o->wrap_v == QTRI_CLAMP ? w->axis[1].shift : w->v_shift;
+    const uint32_t along = qtri_texel_fraction(w->u, u_shift);
+    const uint32_t across = qtri_texel_fraction(w->v, v_shift);
+    const uint32_t column = qtri_texel_column(o, w, w->u);
+    const uint32_t row = qtri_texel_row(o, w, w->v);
+    const uint32_t next_column = qtri_texel_column(o, w, w->u + ((uint32_t)1 << u_shift));
+    const uint32_t next_row = qtri_texel_row(o, w, w->v + ((uint32_t)1 << v_shift));
+    uint32_t t[4];
+    t[0] = qtri_texel_stored(o, w, column + row);
+    t[1] = qtri_texel_stored(o, w, next_column + row);
+    t[2] = qtri_texel_stored(o, w, column + next_row);
+    t[3] = qtri_texel_stored(o, w, next_column + next_row);
+    if (o->key) { /* the nearest decides, and stands in for others that equal the key */
+        const uint32_t key = w->state->key, mask = w->state->key_mask;
+        const uint32_t nearest = t[(across >> 10) * 2 + (along >> 10)];
+        *drawn = (nearest & mask) != key;
+        for (int i = 0; i < 4; i++) {
+            t[i] = (t[i] & mask) == key ? nearest : t[i];
+        }
+    }
+    for (int i = 0; i < 4; i++) {
+        t[i] = qtri_texel_color(o, w, t[i]);
+    }
+    return qtri_has_alpha(o) ? qtri_alpha_mean(t, along, across)
+                             : qtri_texel_mean(qtri_kind_of(o), t, along, across);
+}
+
+/* The texel at the walk's coordinates; *drawn becomes false where it is not to be seen. */
+QTRI_BODY uint32_t qtri_texel_at(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
+{
+    uint32_t texel;
+    if (o->bilinear) {
+        texel = qtri_texel_bilinear(o, w, drawn);
+    } else {
+        const uint32_t number = qtri_texel_column(o, w, w->u) + qtri_texel_row(o, w, w->v);
+        const uint32_t stored = qtri_texel_stored(o, w, number);
+        if (o->key) {
+            const uint32_t mask = o->texel == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu
+                                  : o->texel == QTRI_OTHER_TEXEL  ? w->state->key_mask
+                                                                  : UINT32_MAX;
+            *drawn = (stored & mask) != w->state->key;
+        }
+        texel = qtri_texel_color(o, w, stored);
+    }
+    if (o->alpha_test && texel < w->state->alpha_least) {
+        *drawn = false;
+    }
+    return texel;
+}
+
+#endif

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Makes pipelines: see pipeline.h. For C files; a C++ program, an Arduino sketch among them, keeps
+ * its pipelines in a .c file beside it and declares them with QTRI_PIPELINE_DECLARE. What stands in
+ * body/ is internal.
+ */
+#ifndef QTRI_PIPELINE_MAKE_H
+#define QTRI_PIPELINE_MAKE_H
+
+#include "body/large.h"
+#include "body/pixel.h"
+#include "body/small.h"
+
+/* Internal: in core/draw. */
+#ifdef __cplusplus
+extern "C" {
+#endif
+extern const struct qtri_pipeline_ops qtri_pipeline_ops;
+#ifdef __cplusplus
+}
+#endif
+
+#define QTRI_PIPELINE(name, ...)                                                                   \
+    static void name##_large(struct qtri_large *triangle)                                          \
+    {                                                                                              \
+        static const qtri_options options = {__VA_ARGS__};                                         \
+        qtri_large_triangle_draw(&options, triangle);                                              \
+    }                                                                                              \
+    static bool name##_small(struct qtri_small *triangle)                                          \
+    {                                                                                              \
+        static const qtri_options options = {__VA_ARGS__};                                         \
+        return qtri_small_triangle_draw(&options, triangle);                                       \
+    }                                                                                              \
+    const qtri_pipeline name = {{__VA_ARGS__}, name##_large, name##_small, &qtri_pipeline_ops};
+
+#define QTRI_PIPELINE_DECLARE(name) extern const qtri_pipeline name
+
+#endif

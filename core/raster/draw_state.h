@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a draw call's triangles have in common, from surface and material; and the choice of a
+ * pipeline. Internal.
+ */
+#ifndef QTRI_RASTER_DRAW_STATE_H
+#define QTRI_RASTER_DRAW_STATE_H
+
+#include "qtri/body/state.h"
+
+/*
+ * `shade`: what colours of the draw call do, before textures are looked at: QTRI_FLAT where all
+ * triangles have material.color; QTRI_TINT, a colour a triangle; QTRI_LIGHT, material.color in
+ * light that varies; QTRI_COLORS. Where a list has
+ * nothing that fits, or nothing can be drawn, state->pipeline draws nothing; a checked build stops
+ * at the former.
+ */
+void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
+                          const qtri_pipeline *const *pipelines, const qtri_material *material,
+                          int shade);
+
+/*
+ * Whether pipelines draw what surface and material ask for: all but four samples a pixel, mipmaps,
+ * shifts of depth by slope, and fills, which other ways draw.
+ */
+bool qtri_pipelines_can_draw(const qtri_surface *surface, const qtri_material *material);
+
+#endif

@@ -1,0 +1,396 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Perspective along rows. An attribute is s / q, both linear on the screen, and so a + b / q. It is
+ * found by one reciprocal at points that are two pieces apart, counted from the left end of the
+ * span; along a piece a coordinate is the parabola through both ends and the exact middle, colours
+ * are the chord. With eps = (q1 - q0) / (q1 + q0) between two points and `rise` the difference of
+ * an attribute, the middle is w / 2 above that of the chord, w = rise eps; so points lie two pieces
+ * apart and the middle is where the first piece ends, of which
+ *
+ *     eps1 = eps / (2 - eps),   eps2 = eps / (2 + eps).
+ *
+ * Along a piece of h pixels
+ *
+ *     step = (rise + 2 w) / h + bend / 2,   bend = -4 w / h^2.
+ *
+ * With L the step of the coordinate and e = q' / q the parabola is off by .048 L e^2 h^3: h is the
+ * greatest power of two for which that is below 2^-7.5 of L.
+ */
+#include "large_setup.h"
+
+enum {
+    STEP_BOUND = -799,   /* 256 log2(2^-7.5 / .048), nearest texels */
+    FILTER_BOUND = -384, /* bilinear ones: 2^-6 of a texel, where steps are longer */
+    LOG2_ERROR = 22      /* of log2_q8(), 1/256 */
+};
+
+/* log2 x in 1/256, at most LOG2_ERROR too little: the mantissa in place of its logarithm. */
+static int32_t log2_q8(uint32_t x)
+{
+    const int32_t zeros = qtri_clz32(x | 1);
+    return (31 - zeros) * 256 + (int32_t)((x << zeros & 0x7FFFFFFFu) >> 23);
+}
+
+static int32_t log2_above(int32_t x)
+{
+    return x <= 1 ? 0 : 32 - qtri_clz32((uint32_t)x - 1);
+}
+
+static uint32_t slope_of(uint64_t dx)
+{
+    return qtri_magnitude32((int32_t)qtri_large_whole(dx)) + 1;
+}
+
+/*
+ * log2 of a piece's pixels where q is this or more; may be negative. Points a piece apart must have
+ * q' 4 h <= q, so that q is positive at the point behind a row's end.
+ */
+static int32_t length_for(const qtri_large_job *job, uint32_t q)
+{
+    const int32_t inverse_e = log2_q8(q) - job->q_slope_log2;
+    int32_t bound = STEP_BOUND;
+    if (job->options->bilinear) { /* log2 of texels a pixel: at most texel_log2 - log2 q */
+        bound -= qtri_greatest32(job->texel_log2 - log2_q8(q) + FILTER_BOUND, 0);
+    }
+    int32_t log2 = (2 * inverse_e + bound) * 85 >> 8; /* / 3 */
+    log2 = qtri_least32(log2, inverse_e - 512);
+    if (job->first_color != job->count) { /* chords: q'/q h^2 c'/4 <= bound, c' <= slope / q */
+        const int32_t color = (2 * log2_q8(q) - job->q_slope_log2 + job->chord_log2) >> 1;
+        log2 = qtri_least32(log2, color);
+    }
+    return log2 >> 8;
+}
+
+/* log2 of the greatest slope of coordinates times q, in texels 2^32. */
+static int32_t texel_log2(const qtri_large_job *job)
+{
+    const uint32_t q_slope = slope_of(job->q.dx);
+    int32_t most = INT16_MIN;
+    for (int i = 0; i < job->first_color; i++) {
+        const qtri_large_attribute *a = &job->a[i];
+        uint32_t least, greatest;
+        qtri_find_range(&least, &greatest, a->f);
+        const uint32_t slope =
+            (slope_of(a->plane.dx) >> 1) + (qtri_mul_high32(greatest, q_slope) >> 1) + 1;
+        const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->t.axis[i].shift) * 256;
+        most = log2 > most ? log2 : most;
+    }
+    return most;
+}
+
+/* The greatest slope of colours times q, and what of it comes of q. */
+static int32_t chord_log2(const qtri_large_job *job)
+{
+    uint32_t most = 1;
+    const uint32_t q_slope = slope_of(job->q.dx);
+    for (int i = job->first_color; i < job->count; i++) {
+        const qtri_large_attribute *a = &job->a[i];
+        const uint32_t range = (a->most - a->least) << QTRI_LARGE_COLOR_UP;
+        const uint32_t slope = slope_of(a->plane.dx) + qtri_mul_high32(range, q_slope) + 1;
+        most = slope > most ? slope : most;
+    }
+    const int32_t bound = 2 + qtri_large_chord_bound_log2(job) + QTRI_LARGE_COLOR_UP - 32;
+    return bound * 256 - log2_q8(most) - LOG2_ERROR;
+}
+
+void qtri_large_set_lengths(qtri_large_job *job)
+{
+    const uint32_t slope = slope_of(job->q.dx);
+    uint32_t least = UINT32_MAX;
+    job->q_slope_log2 = log2_q8(slope) + LOG2_ERROR;
+    job->chord_log2 = chord_log2(job);
+    job->texel_log2 = job->options->bilinear ? texel_log2(job) : 0;
+    job->may_be_level = slope <= 2;
+    for (int k = 0; k < 3; k++) {
+        const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
+        least = q < least ? (uint32_t)q : least;
+    }
+    least -= job->residual.is_on ? least >> 5 : 0;
+    const int32_t log2 = length_for(job, least);
+    job->piece_max =
+        qtri_least32(job->run_log2, job->packing == QTRI_PACK_565 ? QTRI_LARGE_RUN_LOG2 - 1
+                                                                  : QTRI_LARGE_CHUNK_LOG2 - 1);
+    job->one_log2 = log2 >= job->piece_max                    ? job->piece_max
+                    : log2 >= 0 && (job->pixels >> log2) == 0 ? log2
+                                                              : -1;
+    for (int i = 0; i < job->count; i++) {
+        job->a[i].at_left = (uint8_t)qtri_greatest32(job->a[i].up + 2, 0);
+        job->a[i].at_right = (uint8_t)qtri_greatest32(-(job->a[i].up + 2), 0);
+    }
+}
+
+static void set_shifts(uint8_t *left, uint8_t *right, int32_t up)
+{
+    *left = (uint8_t)(up > 0 ? up : 0);
+    *right = (uint8_t)(up < 0 ? qtri_least32(-up, 31) : 0);
+}
+
+/* Points from x on, 2^log2 pixels apart, pieces 2^job->h_log2. */
+static void set_points(qtri_large_job *job, int32_t x, int32_t log2)
+{
+    const int32_t h = qtri_greatest32(job->h_log2, 0);
+    job->q.s = qtri_large_plane_at(&job->q, x);
+    job->q.s_step = qtri_large_whole(job->q.dx << log2);
+    job->delta_step = job->h_log2 < 0 ? 0 : job->q.s_step; /* single pixels have no curve */
+    for (int i = 0; i < job->count; i++) {
+        qtri_large_attribute *a = &job->a[i];
+        a->plane.s = qtri_large_plane_at(&a->plane, x);
+        a->plane.s_step = qtri_large_whole(a->plane.dx << log2);
+        set_shifts(&a->step_left, &a->step_right, a->up + 2 - h);
+        set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * h);
+    }
+}
+
+/* A quarter of all attributes at the next point, which is gone past. */
+static int32_t next_reciprocal(qtri_large_job *job)
+{
+    const int32_t reciprocal = qtri_large_reciprocal(job, qtri_large_positive(job->q.s));
+    job->q.s += job->q.s_step;
+    return reciprocal;
+}
+
+static inline int32_t next_quotient(qtri_large_attribute *a, int32_t zeros, int32_t reciprocal)
+{
+    const uint32_t s = a->plane.s;
+    a->plane.s = s + a->plane.s_step;
+    return qtri_large_quotient(s, zeros, reciprocal);
+}
+
+/* (q1 - q0) / 2 q at a point, Q16. */
+static inline int32_t delta_at(const qtri_large_job *job, int32_t reciprocal)
+{
+    return (((int32_t)(job->delta_step << job->zeros) >> 16) * (reciprocal >> 16)) >> 15;
+}
+
+static void begin_chunk(qtri_large_job *job)
+{
+    const int32_t chunk = job->row_left + ((job->x - job->row_left) & -(int32_t)QTRI_LARGE_CHUNK);
+    job->chunk_end = qtri_least32(chunk + QTRI_LARGE_CHUNK, job->row_right);
+    const int32_t width = job->chunk_end - chunk;
+    int32_t log2 = job->one_log2;
+    if (log2 < 0) {
+        const bool falls = (int32_t)qtri_large_whole(job->q.dx) < 0;
+        const uint32_t q =
+            qtri_large_positive(qtri_large_plane_at(&job->q, falls ? chunk + width : chunk));
+        log2 = length_for(job, q);
+        log2 = qtri_hold32(log2, -1, qtri_least32(job->piece_max, log2_above(width) - 1));
+    }
+    job->h_log2 = log2;
+    const int32_t apart = log2 + 1;
+    const int32_t number = (job->x - chunk) >> apart;
+    set_points(job, chunk, apart);
+    job->x = chunk + number * ((int32_t)1 << apart);
+    job->q.s += job->q.s_step * (uint32_t)number;
+    for (int i = 0; i < job->count; i++) {
+        job->a[i].plane.s += job->a[i].plane.s_step * (uint32_t)number;
+    }
+    const int32_t reciprocal = next_reciprocal(job);
+    job->delta = delta_at(job, reciprocal);
+    for (int i = 0; i < job->count; i++) {
+        job->a[i].point = next_quotient(&job->a[i], job->zeros, reciprocal);
+    }
+}
+
+/*
+ * Whether q changes so little along the row that attributes are linear: with e = q' / q and K the
+ * slope, K e d^2 is missed d pixels from where the row begins, here 2^-14 K.
+ */
+static bool is_level(const qtri_large_job *job)
+{
+    const uint64_t steep = qtri_magnitude64(qtri_wrap64(job->q.dx)) >> 16; /* 2^-16 */
+    const uint32_t width = (uint32_t)(job->row_right - job->row_left);     /* <= 2^13 */
+    return steep >> 16 == 0 &&
+           (steep == 0 || qtri_mul_u32(width * width, (uint32_t)steep) >> 2 <=
+                              qtri_large_positive(qtri_large_plane_at(&job->q, job->row_left)));
+}
+
+/* The one division of a row: the quotient of a step is the step. */
+QTRI_NOINLINE static bool begin_level(qtri_large_job *job)
+{
+    const int32_t log2 = log2_above(job->row_right - job->row_left);
+    job->is_level = is_level(job);
+    if (!job->is_level) {
+        return false;
+    }
+    job->h_log2 = log2;
+    set_points(job, job->row_left, log2);
+    const int32_t reciprocal = next_reciprocal(job);
+    for (int i = 0; i < job->count; i++) {
+        qtri_large_attribute *a = &job->a[i];
+        const int32_t from = next_quotient(a, job->zeros, reciprocal);
+        const int32_t rise = qtri_large_quotient(a->plane.s_step, job->zeros, reciprocal);
+        a->at = ((uint32_t)from << a->at_left);
+        a->at = (uint32_t)((int32_t)a->at >> a->at_right) + a->start;
+        a->step = (uint32_t)((int32_t)((uint32_t)rise << a->step_left) >> a->step_right);
+    }
+    qtri_large_set_run_steps(job);
+    return true;
+}
+
+static inline uint32_t both_shifts(int32_t x, uint8_t left, uint8_t right)
+{
+    return (uint32_t)((int32_t)((uint32_t)x << left) >> right);
+}
+
+/* Coordinate i of both pieces. */
+static inline void set_coordinate(qtri_large_job *job, int i, int32_t end, int32_t eps,
+                                  int32_t eps1, int32_t eps2)
+{
+    qtri_large_attribute *a = &job->a[i];
+    const int32_t from = a->point, rise = end - from;
+    const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1, rise2 = rise - rise1;
+    const int32_t w1 = qtri_mul_s16(rise1, eps1), w2 = qtri_mul_s16(rise2, eps2);
+    const uint32_t bend1 = 0 - both_shifts(w1, a->bend_left, a->bend_right);
+    const uint32_t bend2 = 0 - both_shifts(w2, a->bend_left, a->bend_right);
+    const uint32_t at1 = both_shifts(from, a->at_left, a->at_right);
+    const uint32_t at2 = both_shifts(from + rise1, a->at_left, a->at_right);
+    const uint32_t step1 =
+        both_shifts(rise1 + 2 * w1, a->step_left, a->step_right) + (uint32_t)((int32_t)bend1 >> 1);
+    const uint32_t step2 =
+        both_shifts(rise2 + 2 * w2, a->step_left, a->step_right) + (uint32_t)((int32_t)bend2 >> 1);
+    qtri_large_piece *piece = job->t.piece;
+    a->point = end;
+    if (i == 0) {
+        piece[0].u = at1;
+        piece[0].u_step = step1;
+        piece[0].u_bend = bend1;
+        piece[1].u = at2;
+        piece[1].u_step = step2;
+        piece[1].u_bend = bend2;
+    } else {
+        piece[0].v = at1;
+        piece[0].v_step = step1;
+        piece[0].v_bend = bend1;
+        piece[1].v = at2;
+        piece[1].v_step = step2;
+        piece[1].v_bend = bend2;
+    }
+}
+
+/* A chord is held to the range of the vertices, at its last pixel too. */
+static inline void hold(const qtri_large_attribute *a, uint32_t *at, uint32_t *step, int32_t count)
+{
+    const int32_t least = (int32_t)a->start, most = (int32_t)(a->start + a->most - a->least);
+    const int32_t from = qtri_hold32((int32_t)*at, least, most);
+    const int32_t end = from + (int32_t)*step * (count - 1);
+    const int32_t to = qtri_hold32(end, least, most);
+    if (to != end && count > 1) { /* rare */
+        *step = (uint32_t)((to - from) / (count - 1));
+    }
+    *at = (uint32_t)from;
+}
+
+/* Colours of both pieces along chords. */
+QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, int32_t eps)
+{
+    uint32_t at[2][QTRI_LARGE_ATTRIBUTES], step[2][QTRI_LARGE_ATTRIBUTES];
+    const int32_t h = (int32_t)1 << qtri_greatest32(job->h_log2, 0);
+    const int32_t rest = job->row_right - job->x;
+    for (int i = job->first_color; i < job->count; i++) {
+        qtri_large_attribute *a = &job->a[i];
+        const int32_t from = a->point, rise = end[i] - from;
+        const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1;
+        at[0][i] = both_shifts(from, a->at_left, a->at_right) + a->start;
+        step[0][i] = both_shifts(rise1, a->step_left, a->step_right);
+        hold(a, &at[0][i], &step[0][i], qtri_least32(h, rest));
+        if (rest > h) {
+            at[1][i] = both_shifts(from + rise1, a->at_left, a->at_right) + a->start;
+            step[1][i] = both_shifts(rise - rise1, a->step_left, a->step_right);
+            hold(a, &at[1][i], &step[1][i], qtri_least32(h, rest - h));
+        } else {
+            at[1][i] = at[0][i];
+            step[1][i] = 0;
+        }
+        a->point = end[i];
+    }
+    qtri_large_pack(job, &job->t.piece[0], at[0], step[0], qtri_least32(h, rest));
+    qtri_large_pack(job, &job->t.piece[1], at[1], step[1], qtri_hold32(rest - h, 0, h));
+}
+
+/* Two pieces, or one of a pixel. */
+QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool colored)
+{
+    qtri_large *t = &job->t;
+    if (job->is_new) {
+        job->is_new = false;
+        job->x = t->x0;
+        qtri_large_planes_move(job);
+        begin_chunk(job);
+    } else if (job->x >= t->x1) {
+        return 0;
+    } else if (job->x == job->chunk_end) {
+        begin_chunk(job);
+    }
+    const int32_t reciprocal = next_reciprocal(job);
+    const int32_t after = delta_at(job, reciprocal);
+    const int32_t d = after < 0 ? job->delta : after; /* of the greater q: |d| <= 1/4 */
+    job->delta = after;
+    const int32_t d2 = d * d >> 16;
+    const int32_t d3 = d2 * d >> 16;
+    const int32_t sign = d < 0 ? -1 : 1;
+    const int32_t eps = d + sign * (d2 + (d2 * d2 >> 16)) + d3;
+    const int32_t square = eps * eps >> 17; /* eps^2 / 2 */
+    const int32_t cube = eps * square >> 18;
+    const int32_t eps1 = ((eps + square) >> 1) + cube;
+    const int32_t eps2 = ((eps - square) >> 1) + cube;
+    if (textured) {
+        const int32_t zeros = job->zeros;
+        set_coordinate(job, 0, next_quotient(&job->a[0], zeros, reciprocal), eps, eps1, eps2);
+        set_coordinate(job, 1, next_quotient(&job->a[1], zeros, reciprocal), eps, eps1, eps2);
+    }
+    if (colored) {
+        int32_t end[QTRI_LARGE_ATTRIBUTES];
+        for (int i = job->first_color; i < job->count; i++) {
+            end[i] = next_quotient(&job->a[i], job->zeros, reciprocal);
+        }
+        set_chords(job, end, eps);
+    }
+    const int32_t x = job->x;
+    if (job->h_log2 < 0) {
+        t->piece[0].count = 1;
+        job->x = x + 1;
+        return 1;
+    }
+    const int32_t h = (int32_t)1 << job->h_log2;
+    t->piece[0].count = h;
+    t->piece[1].count = h;
+    job->x = qtri_least32(x + 2 * h, job->chunk_end);
+    if (x < t->x0 || x + 2 * h > t->x1 || job->x != x + 2 * h) {
+        t->piece[1].count = qtri_hold32(job->chunk_end - x - h, 0, h);
+        t->piece[0].count = qtri_least32(job->chunk_end - x, h);
+        qtri_large_clip(job, &t->piece[0], x);
+        qtri_large_clip(job, &t->piece[1], x + h);
+    }
+    return 2;
+}
+
+QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored)
+{
+    if (!job->is_curved) {
+        return qtri_large_linear_piece(job);
+    }
+    if (job->is_near) {
+        return qtri_large_near_piece(job);
+    }
+    if (job->may_be_level) {
+        if (job->is_new) {
+            qtri_large_planes_move(job);
+            job->t.is_bent = !begin_level(job);
+        }
+        if (job->is_level) {
+            return qtri_large_linear_piece(job);
+        }
+    }
+    return curved_pieces(job, textured, colored);
+}
+
+int32_t qtri_large_next_uv(qtri_large *t)
+{
+    return next_pieces(qtri_large_job_of(t), true, false);
+}
+
+int32_t qtri_large_next_any(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    return next_pieces(job, job->first_color != 0, job->first_color != job->count);
+}

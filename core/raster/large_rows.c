@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+/* Rows of large triangles: edges, and depth where it leaves its range. */
+#include "large_setup.h"
+
+/* All bits of what the loop over pixels has modulo 2^32: |sum| < 2^47 + 2 2^31 2^15. */
+static int64_t depth_at(const qtri_large_job *job, int32_t x)
+{
+    const qtri_ramp *depth = &job->depth;
+    return (int64_t)job->depth_above * ((int64_t)1 << 32) + (int64_t)depth->origin +
+           qtri_mul_s32((int32_t)depth->dx, x - job->gradient.anchor_x) +
+           qtri_mul_s32((int32_t)depth->dy, job->t.y - job->gradient.anchor_y);
+}
+
+/* -1, 0, 1: below, inside and above the range. */
+static int side_of(int64_t depth)
+{
+    return depth < 0 ? -1 : depth >> 32 != 0;
+}
+
+/*
+ * The next part of a row, from next_left to next_right, whose depth is inside the range, or all
+ * below or above it. Depth goes one way along a row, so each side has one run of pixels; few are
+ * outside, and are counted. False: there is none.
+ */
+QTRI_NOINLINE static bool next_part(qtri_large_job *job)
+{
+    const int32_t left = job->next_left, end = job->next_right;
+    if (left >= end) {
+        return false;
+    }
+    const int side = side_of(depth_at(job, left));
+    int32_t right = left + 1;
+    job->is_clamped = side != 0;
+    if (side == 0) {
+        right = end;
+        while (side_of(depth_at(job, right - 1)) != 0) {
+            right--;
+        }
+        job->t.z_step = job->depth.dx;
+    } else {
+        while (right < end && side_of(depth_at(job, right)) == side) {
+            right++;
+        }
+        job->t.z_step = 0;
+        job->t.z = (side < 0 ? 0 : (uint32_t)65535 << 16) + qtri_depth_half(job->options);
+    }
+    job->row_left = left;
+    job->row_right = right;
+    job->next_left = right;
+    return true;
+}
+
+/* What is drawn from row_left to row_right; false: nothing. */
+static bool clip_row(qtri_large_job *job)
+{
+    qtri_large *t = &job->t;
+    const qtri_draw_state *state = t->state;
+    const qtri_surface *surface = state->surface;
+    t->x0 = qtri_greatest32(job->row_left, state->bounds.x0);
+    t->x1 = qtri_least32(job->row_right, state->bounds.x1);
+    if (t->x0 >= t->x1) {
+        return false;
+    }
+    const int32_t row = t->y - surface->first_row;
+    t->pixel = surface->pixels + row * surface->pitch + t->x0 * job->pixel_bytes;
+    if (job->depth_bytes != 0) {
+        t->depth = (uint8_t *)surface->depth + row * state->depth_pitch + t->x0 * job->depth_bytes;
+    }
+    if (job->has_depth && !job->is_clamped) {
+        t->z = qtri_ramp_at(&job->depth, t->x0 - job->gradient.anchor_x,
+                            t->y - job->gradient.anchor_y);
+    }
+    t->fog_x = t->x0;
+    job->is_new = true;
+    return true;
+}
+
+bool qtri_large_next_row(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    for (;;) {
+        if (job->clamps_depth && next_part(job)) {
+            if (clip_row(job)) {
+                return true;
+            }
+            continue;
+        }
+        if (++t->y >= job->end) {
+            return false;
+        }
+        if (t->y == job->turn) {
+            *(job->lower_is_left ? &job->left : &job->right) = job->lower;
+        }
+        job->row_left = qtri_greatest32(job->left.value, 0);
+        job->row_right = qtri_least32(job->right.value, job->frame_width);
+        qtri_dda_next(&job->left);
+        qtri_dda_next(&job->right);
+        if (job->clamps_depth) {
+            job->next_left = job->row_left;
+            job->next_right = job->row_right;
+        } else if (clip_row(job)) {
+            return true;
+        }
+    }
+}

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Light, colours and alpha of small triangles.
+ *
+ * Channels are Q15 of full, times light, and a ramp has n.16: differences, at most 2^15, times its
+ * full value. On the screen what differs by `range` strays from perspective by range (q_max -
+ * q_min) / (4 q_min) at most, q being 1/w, by Gruess's bound of a covariance.
+ */
+#include "../geometry/lighting.h"
+#include "small_place.h"
+
+bool qtri_small_is_linear_by_range(uint32_t range, uint32_t q_range, uint32_t q_part)
+{
+    return range * ((q_range >> 15) + 1) <= q_part;
+}
+
+bool qtri_small_are_linear(const int32_t differences[6], uint32_t inv_w, int32_t q1, int32_t q2,
+                           uint32_t part)
+{
+    const uint32_t q_range = qtri_small_range(q1, q2);
+    const uint32_t q_part = (inv_w + (uint32_t)qtri_small_min(q1, q2)) >> (part - 2);
+    for (int i = 0; i < 6; i += 2) {
+        const uint32_t range = qtri_small_range(differences[i], differences[i + 1]);
+        if (!qtri_small_is_linear_by_range(range, q_range, q_part)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool qtri_small_light_is_linear(const qtri_small_place *p, const qtri_small *t,
+                                const qtri_options *o)
+{
+    return qtri_setup_light_is_linear(p, t, o);
+}
+
+void qtri_small_set_light(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t,
+                          uint32_t half)
+{
+    qtri_setup_set_light(c, p, t, half);
+}
+
+void qtri_small_set_curved_light(qtri_small_ramp *c, uint32_t *base, const qtri_small_texture *uv,
+                                 const qtri_small_place *p, const qtri_small *t, uint32_t half)
+{
+    const int32_t i0 = t->v[0]->intensity_q15;
+    *base = ((uint32_t)i0 << 9) + half;
+    qtri_small_ramp_set(c, p, 0, qtri_small_scaled(t->v[1]->intensity_q15 - i0, uv->e1),
+                        qtri_small_scaled(t->v[2]->intensity_q15 - i0, uv->e2), 1);
+}
+
+bool qtri_small_set_alpha(qtri_small_ramp *alpha, const qtri_small_place *p, const qtri_small *t)
+{
+    const uint8_t *from = t->state->material->alphas;
+    int32_t a[3];
+    for (int i = 0; i < 3; i++) {
+        const int32_t x = from[t->index[i]];
+        a[i] = (x + (x >> 7)) << 7; /* Q15 */
+    }
+    if (!t->state->options.linear &&
+        !qtri_small_is_linear(p, t, a[1] - a[0], a[2] - a[0],
+                              qtri_small_part_of(&t->state->options))) {
+        return false;
+    }
+    qtri_small_ramp_set(alpha, p, ((uint32_t)a[0] << 9) + 0x8000u, a[1] - a[0], a[2] - a[0], 1);
+    return true;
+}
+
+bool qtri_small_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t,
+                               const qtri_options *o)
+{
+    return qtri_setup_set_colors_565(c, p, t, o);
+}
+
+/* Red and blue n.(16 - down) in halves of a word, green as it is. */
+static inline void set_two_words(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
+                                 const qtri_small_colors *f, int32_t full, uint32_t half, int down)
+{
+    qtri_small_ramp r;
+    const uint32_t round = (uint32_t)1 << (down - 1);
+    qtri_small_channel_set(&r, p, f->at.r, f->d1.r, f->d2.r, full, half);
+    c->at = r.at >> down << 16;
+    c->dx = (r.dx + round) >> down << 16;
+    c->dy = (r.dy + round) >> down << 16;
+    qtri_small_channel_set(&r, p, f->at.b, f->d1.b, f->d2.b, full, half);
+    c->at += qtri_small_signed_shift(r.at, down);
+    c->dx += qtri_small_signed_shift(r.dx + round, down);
+    c->dy += qtri_small_signed_shift(r.dy + round, down);
+    qtri_small_channel_set(g, p, f->at.g, f->d1.g, f->d2.g, full, half);
+    qtri_small_set_base(c, p);
+    qtri_small_set_base(g, p);
+}
+
+bool qtri_small_set_colors_888(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
+                               const qtri_small *t)
+{
+    qtri_small_colors f;
+    if (!qtri_small_colors_find(&f, p, t, &t->state->options)) {
+        return false;
+    }
+    set_two_words(c, g, p, &f, 255, 0x8000u, 8);
+    return true;
+}
+
+bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
+                            const qtri_small *t, uint32_t half)
+{
+    qtri_small_colors f;
+    if (!qtri_small_colors_find(&f, p, t, &t->state->options)) {
+        return false;
+    }
+    set_two_words(c, g, p, &f, 256, half, 9);
+    return true;
+}
+
+/* .299 R + .587 G + .114 B */
+static inline int32_t luma(const qtri_small_channels *f)
+{
+    return (f->r * 9798 + f->g * 19235 + f->b * 3735 + 0x4000) >> 15;
+}
+
+bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t)
+{
+    qtri_small_colors f;
+    if (!qtri_small_colors_find(&f, p, t, &t->state->options)) {
+        return false;
+    }
+    qtri_small_channel_set(c, p, luma(&f.at), luma(&f.d1), luma(&f.d2), 255, 0x8000u);
+    qtri_small_set_base(c, p);
+    return true;
+}
+
+uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count)
+{
+    if (count < 2) {
+        return 0;
+    }
+    const int32_t difference = (int32_t)(to - from); /* |.| <= 2^24 */
+    return (uint32_t)(difference / (count - 1));
+}

@@ -1,0 +1,327 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Pipelines of random options (tests/tools/random_pipelines.awk): what the compiler makes of the
+ * body where options are constant has the bits of the generic pipeline, of tiles and of bands.
+ */
+#include "support/core.h"
+
+#include "qtri/pipeline.h"
+#include "raster/draw_state.h"
+
+enum { WIDTH = 150, HEIGHT = 110, TILE_WIDTH = 41, TILE_HEIGHT = 17, BAND = 13 };
+enum { RINGS = 9, SIDES = 8, VERTICES = RINGS * SIDES, TRIANGLES = 2 * VERTICES, SHAPES = 4 };
+
+extern const qtri_pipeline *const random_pipelines[];
+
+bool random_fragment(qtri_fragment *fragment);
+
+/* Waves over what would be drawn. */
+bool random_fragment(qtri_fragment *f)
+{
+    f->color ^= (f->u >> 8 & 0x00F000u) ^ (f->v >> 24) ^ (f->depth_16p16 >> 20) ^ (uint32_t)f->x;
+    f->color = (f->color & 0xFF00FFu) | ((f->color >> 8 & 255) * f->light_q8 & 0xFF00u);
+    return ((f->x ^ f->y) & 7) != 3;
+}
+
+static const qtri_rgb palette[256] = {{1, 2, 3}, {255, 255, 255}, {200, 10, 90}, {9, 99, 255}};
+
+static struct world {
+    qtri_vec3 positions[VERTICES];
+    qtri_normal normals[VERTICES];
+    qtri_vec2 uvs[VERTICES];
+    qtri_rgb colors[VERTICES];
+    uint8_t alphas[VERTICES];
+    uint16_t triangles[TRIANGLES][3];
+    qtri_vertex vertices[VERTICES];
+    uint32_t texels[1 << 18];
+    qtri_mesh mesh;
+    qtri_view view;
+    qtri_transform pose;
+    qtri_light light;
+    qtri_texture texture;
+    qtri_fog fog;
+    qtri_material material;
+} w;
+
+static uint64_t seed;
+
+static q16 between(double low, double high)
+{
+    return random_in(&seed, fixed(low), fixed(high));
+}
+
+static void make_mesh(int shape)
+{
+    for (int i = 0; i < VERTICES; i++) {
+        const double a = 6.2831853 * (i / SIDES) / RINGS;
+        const double b = 6.2831853 * (i % SIDES) / SIDES;
+        const double r = .8 + .35 * cos(b);
+        w.positions[i] = vec3_of(r * cos(a), r * sin(a), .35 * sin(b));
+        const qtri_normal n = {(int16_t)lrint(16384 * cos(a) * cos(b)),
+                               (int16_t)lrint(16384 * sin(a) * cos(b)),
+                               (int16_t)lrint(16384 * sin(b))};
+        w.normals[i] = n;
+        w.uvs[i].x = between(-1.5, 2.5);
+        w.uvs[i].y = between(-1.5, 2.5);
+        w.colors[i].r = (uint8_t)random_in(&seed, 0, 255);
+        w.colors[i].g = (uint8_t)random_in(&seed, 0, 255);
+        w.colors[i].b = (uint8_t)random_in(&seed, 0, 255);
+        w.alphas[i] = (uint8_t)random_in(&seed, 0, 255);
+        const int up = i % SIDES == SIDES - 1 ? i - SIDES + 1 : i + 1;
+        const int next = (i + SIDES) % VERTICES;
+        const int quad[6] = {i, next, (up + SIDES) % VERTICES, i, (up + SIDES) % VERTICES, up};
+        for (int k = 0; k < 6; k++) {
+            w.triangles[2 * i + k / 3][k % 3] = (uint16_t)quad[k];
+        }
+    }
+    memset(&w.mesh, 0, sizeof w.mesh);
+    w.mesh.positions = w.positions;
+    w.mesh.triangles = (const uint16_t(*)[3])w.triangles;
+    w.mesh.vertex_count = VERTICES;
+    w.mesh.triangle_count = TRIANGLES;
+    qtri_view_init(&w.view, WIDTH, HEIGHT);
+    qtri_transform_perspective(&w.view.projection, Q16(60), fixed((double)WIDTH / HEIGHT), Q16(.1),
+                               Q16(20));
+    qtri_transform_identity(&w.pose);
+    /* Small triangles, some large ones, all large with vertices outside, and tiny ones. */
+    static const double distance[SHAPES] = {2.6, 1.3, .7, 9};
+    qtri_transform_translate(&w.pose, vec3_of(between(-.2, .2) / 65536., 0, -distance[shape]));
+    qtri_transform_rotate_x(&w.pose, between(-180, 180));
+    qtri_transform_rotate_y(&w.pose, between(-180, 180));
+}
+
+static void make_texture(const qtri_options *o)
+{
+    static const qtri_texel_format *const formats[] = {NULL,
+                                                       &qtri_texel_rgb565,
+                                                       &qtri_texel_xrgb8888,
+                                                       &qtri_texel_gray8,
+                                                       &qtri_texel_palette8,
+                                                       &qtri_texel_checker,
+                                                       &qtri_texel_argb8888,
+                                                       &qtri_texel_argb4444,
+                                                       &qtri_texel_argb1555,
+                                                       &qtri_texel_alpha8};
+    memset(&w.texture, 0, sizeof w.texture);
+    w.texture.texels = w.texels;
+    w.texture.format = formats[o->texel];
+    w.texture.width_log2 = (uint8_t)(o->large_texture ? 9 : 1 + random_in(&seed, 0, 5));
+    w.texture.height_log2 = (uint8_t)(o->large_texture ? 9 : 1 + random_in(&seed, 0, 5));
+    w.texture.fields = 5;
+    w.texture.color[0] = w.colors[0];
+    w.texture.color[1] = w.colors[1];
+    w.texture.wrap_u = (qtri_wrap)o->wrap_u;
+    w.texture.wrap_v = (qtri_wrap)o->wrap_v;
+    w.texture.filter = o->bilinear ? &qtri_bilinear : NULL;
+    w.texture.palette = palette;
+    w.texture.has_key = o->key;
+    w.texture.key = w.texels[0];
+}
+
+static void make_material(const qtri_options *o)
+{
+    static const qtri_blend *const blends[] = {NULL,
+                                               &qtri_blend_alpha,
+                                               &qtri_blend_add,
+                                               &qtri_blend_multiply,
+                                               &qtri_blend_none,
+                                               &qtri_blend_screen_door};
+    const qtri_rgb white = {255, 255, 255};
+    qtri_material *m = &w.material;
+    memset(m, 0, sizeof *m);
+    m->color = o->shade == QTRI_WHITE_LIGHT ? white : w.colors[2];
+    m->color.r &= o->shade == QTRI_WHITE_LIGHT ? 255 : 254;
+    m->shading = o->shade >= QTRI_LIGHT ? QTRI_SMOOTH : QTRI_FLAT_LAST;
+    m->interpolation = o->linear ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
+    m->texture = o->texel != QTRI_NO_TEXEL ? &w.texture : NULL;
+    m->texture_mode =
+        o->shade == QTRI_FLAT && o->texel != QTRI_NO_TEXEL ? QTRI_REPLACE : QTRI_MODULATE;
+    m->cull = (qtri_cull)random_in(&seed, 0, 1);
+    m->depth_compare = (qtri_compare)o->compare;
+    m->depth_read_only = o->read_only;
+    m->blend = o->vertex_alpha && o->blend == QTRI_ALPHA ? &qtri_blend_vertex_alpha
+               : o->vertex_alpha                         ? &qtri_blend_vertex_add
+               : o->keep && o->blend == QTRI_STORE       ? &qtri_blend_replace
+                                                         : blends[o->blend];
+    m->alphas = o->vertex_alpha ? w.alphas : NULL;
+    m->alpha = (uint8_t)random_in(&seed, 1, 254);
+    m->keep = (uint8_t)(o->keep ? random_in(&seed, 1, 6) : 0);
+    m->least_alpha = o->alpha_test ? 100 : 0;
+    m->fragment = o->fragment;
+    if (o->fog) {
+        const qtri_fog_range range = {Q16(.1), Q16(20), false};
+        if (random_flag(&seed)) {
+            qtri_fog_linear(&w.fog, w.colors[3], range, Q16(.5), Q16(4));
+        } else {
+            qtri_fog_exp(&w.fog, w.colors[3], range, Q16(.3));
+        }
+        m->fog = &w.fog;
+    }
+    const bool is_lit = o->shade == QTRI_LIGHT || o->shade == QTRI_WHITE_LIGHT;
+    w.mesh.normals = is_lit ? w.normals : NULL;
+    w.mesh.colors = o->shade == QTRI_COLORS ? w.colors : NULL;
+    w.mesh.uvs = o->texel != QTRI_NO_TEXEL ? w.uvs : NULL;
+    w.view.light = &w.light;
+}
+
+/* A picture, all bytes of colour and depth, by one pipeline. -------------------------------------
+ */
+
+typedef struct picture {
+    qtri_surface surface;
+    uint8_t *memory;
+    size_t bytes;
+} picture;
+
+static picture new_picture(const qtri_options *o)
+{
+    static const qtri_format *const formats[] = {
+        NULL,         &qtri_rgb565,   &qtri_rgb565_swapped, &qtri_rgb565_exact, &qtri_rgb888,
+        &qtri_bgr888, &qtri_xrgb8888, &qtri_gray8,          &qtri_depth_only};
+    static const qtri_depth_format *const depths[] = {NULL, &qtri_depth_linear16,
+                                                      &qtri_depth_float16, &qtri_depth_linear24,
+                                                      &qtri_depth_linear32};
+    const qtri_format *format = formats[o->format];
+    const qtri_depth_format *depth =
+        o->depth == QTRI_NO_DEPTH ? &qtri_depth_linear16 : depths[o->depth];
+    const qtri_rgb sky = {90, 130, 170};
+    picture p;
+    p.bytes = QTRI_BAND_BYTES_DEPTH(WIDTH, HEIGHT, format->pixels->bytes, depth->bytes);
+    p.memory = (uint8_t *)calloc(1, p.bytes);
+    assert_non_null(p.memory);
+    assert_int_equal(qtri_surface_init_depth(&p.surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT,
+                                             p.memory, p.bytes),
+                     QTRI_OK);
+    qtri_surface_clear(&p.surface, sky);
+    if (o->compare == QTRI_GREATER || o->compare == QTRI_GREATER_EQUAL) {
+        qtri_surface_clear_depth(&p.surface, Q16(.9));
+    }
+    return p;
+}
+
+static void draw(const qtri_surface *surface, const qtri_pipeline *pipeline)
+{
+    const qtri_pipeline *const list[] = {pipeline, NULL};
+    w.view.pipelines = list;
+    w.view.vertices = w.vertices;
+    w.view.vertex_count = VERTICES;
+    qtri_draw_mesh(surface, &w.view, &w.pose, &w.mesh, &w.material);
+    w.view.pipelines = NULL;
+}
+
+static void draw_tiles(qtri_surface *surface, const qtri_pipeline *pipeline)
+{
+    for (int32_t y = 0; y < HEIGHT; y += TILE_HEIGHT) {
+        for (int32_t x = 0; x < WIDTH; x += TILE_WIDTH) {
+            const qtri_rect tile = {x, y, x + TILE_WIDTH, y + TILE_HEIGHT};
+            surface->scissor = tile;
+            draw(surface, pipeline);
+        }
+    }
+}
+
+/* Bands of the same memory. */
+static void draw_bands(const qtri_surface *surface, const qtri_pipeline *pipeline)
+{
+    const size_t depth_bytes =
+        surface->depth_format != NULL ? surface->depth_format->bytes : sizeof(uint16_t);
+    for (int32_t y = 0; y < HEIGHT; y += BAND) {
+        qtri_surface band = *surface;
+        band.first_row = y;
+        band.rows = y + BAND < HEIGHT ? BAND : HEIGHT - y;
+        band.pixels += y * surface->pitch;
+        band.depth = (uint16_t *)(void *)((uint8_t *)surface->depth +
+                                          (size_t)(y * surface->depth_pitch) * depth_bytes);
+        draw(&band, pipeline);
+    }
+}
+
+static int differences(const picture *a, const picture *b)
+{
+    int count = 0;
+    for (size_t i = 0; i < a->bytes; i++) {
+        count += a->memory[i] != b->memory[i];
+    }
+    return count;
+}
+
+static void specialised_is_generic_is_tiles_is_bands(void **state)
+{
+    (void)state;
+    int drawn = 0, pictures = 0, bad = 0;
+    for (size_t i = 0; i < LENGTH_OF(w.texels); i++) {
+        w.texels[i] = (uint32_t)random_bits32(&seed);
+    }
+    for (int n = 0; random_pipelines[n] != NULL; n++) {
+        const qtri_pipeline *pipeline = random_pipelines[n];
+        const qtri_options *o = &pipeline->options;
+        for (int shape = 0; shape < SHAPES; shape++) {
+            seed = (uint64_t)(1000 + n * SHAPES + shape);
+            make_mesh(shape);
+            make_texture(o);
+            make_material(o);
+            w.light.towards = vec3_of(.3, .6, .7);
+            w.light.ambient = Q16(.2);
+            w.light.diffuse = Q16(.8);
+            picture empty = new_picture(o), by[4];
+            for (int k = 0; k < 4; k++) {
+                by[k] = new_picture(o);
+            }
+            draw(&by[0].surface, pipeline);
+            draw(&by[1].surface, &qtri_pipeline_any);
+            draw_tiles(&by[2].surface, pipeline);
+            draw_bands(&by[3].surface, pipeline);
+            drawn += differences(&by[0], &empty) != 0;
+            pictures++;
+            static const char *const names[] = {"", "generic", "tiles", "bands"};
+            for (int k = 1; k < 4; k++) {
+                const int count = differences(&by[0], &by[k]);
+                if (count != 0) {
+                    print_error("pipeline %d, shape %d: %s differ in %d bytes\n", n, shape,
+                                names[k], count);
+                    bad++;
+                }
+            }
+            for (int k = 0; k < 4; k++) {
+                free(by[k].memory);
+            }
+            free(empty.memory);
+        }
+    }
+    print_message("%d of %d pictures have something drawn\n", drawn, pictures);
+    assert_int_equal(bad, 0);
+    assert_true(drawn > pictures * 3 / 4);
+}
+
+/* Each draws what it was made for: nothing is left to another way. */
+static void every_pipeline_fits_what_it_was_made_for(void **state)
+{
+    (void)state;
+    for (int n = 0; random_pipelines[n] != NULL; n++) {
+        const qtri_pipeline *const list[] = {random_pipelines[n], NULL};
+        const qtri_options *o = &random_pipelines[n]->options;
+        qtri_draw_state found;
+        seed = (uint64_t)n;
+        make_mesh(0);
+        make_texture(o);
+        make_material(o);
+        picture p = new_picture(o);
+        qtri_draw_state_init(&found, &p.surface, list, &w.material,
+                             o->shade == QTRI_WHITE_LIGHT                         ? QTRI_LIGHT
+                             : o->shade == QTRI_FLAT && o->texel == QTRI_NO_TEXEL ? QTRI_TINT
+                                                                                  : o->shade);
+        if (found.pipeline != random_pipelines[n]) {
+            fail_msg("pipeline %d does not fit", n);
+        }
+        free(p.memory);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_pipeline_fits_what_it_was_made_for),
+        cmocka_unit_test(specialised_is_generic_is_tiles_is_bands),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+# Prints C: COUNT random pipelines, a part of them a file (pipelines are slow to compile), and their list.
+#   awk -v seed=7 -v count=240 -v part=0 -v parts=12 -f random_pipelines.awk      one file of pipelines
+#   awk -v seed=7 -v count=240 -v list=1 -f random_pipelines.awk                  the list
+function below(n) { state = (state * 16807) % 2147483647; return int(state / 2147483647 * n) }
+function one_of(words,    w, n) { n = split(words, w, " "); return w[1 + below(n)] }
+function options(    format, texel, text)
+{
+    format = one_of("RGB565 RGB565 RGB565 RGB565_SWAPPED RGB565_EXACT RGB888 BGR888 XRGB8888 XRGB8888 GRAY8 DEPTH_ONLY")
+    texel = one_of("- - - RGB565 RGB565 RGB565 XRGB8888 GRAY8 PALETTE8 CHECKER ARGB8888 ARGB4444 ARGB1555 ALPHA8")
+    text = ".format = QTRI_" format
+    depth = one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 FLOAT16 LINEAR24 LINEAR32")
+    if (depth != "NO_DEPTH") {
+        text = text ", .depth = QTRI_" depth ", .compare = QTRI_" one_of("LESS LESS LESS LESS_EQUAL GREATER GREATER_EQUAL EQUAL NOT_EQUAL ALWAYS")
+        if (below(5) == 0) text = text ", .read_only = 1"
+    }
+    if (texel == "-") {
+        shade = one_of("FLAT LIGHT COLORS")
+    } else {
+        shade = one_of("FLAT TINT LIGHT WHITE_LIGHT COLORS")
+        text = text ", .texel = QTRI_TEXEL_" texel
+        if (below(3) == 0) text = text ", .bilinear = 1"
+        if (below(3) == 0) text = text ", .wrap_u = QTRI_CLAMP"
+        if (below(3) == 0) text = text ", .wrap_v = QTRI_CLAMP"
+        if (below(4) == 0) text = text ", .key = 1"
+        if (texel ~ /^A/ && below(2) == 0) text = text ", .alpha_test = 1"
+        if (below(8) == 0) text = text ", .large_texture = 1"
+    }
+    text = text ", .shade = QTRI_" shade
+    blend = one_of("STORE STORE STORE ALPHA ADD MULTIPLY KEEP_PIXEL SCREEN_DOOR")
+    text = text ", .blend = QTRI_" blend
+    if (blend ~ /ALPHA|ADD/ && below(3) == 0) { text = text ", .vertex_alpha = 1"; varies = 1 } else varies = 0
+    if (blend ~ /STORE|ALPHA|ADD|MULTIPLY/ && format != "GRAY8" && below(6) == 0) text = text ", .keep = 1"
+    if (below(4) == 0) text = text ", .fog = 1"
+    if (below(8) == 0) text = text ", .fragment = random_fragment"
+    if ((texel != "-" || shade ~ /LIGHT|COLORS/ || varies) && below(5) == 0) text = text ", .linear = 1"
+    return text
+}
+BEGIN {
+    state = seed * 7919 + 1
+    print "/* Made by tests/tools/random_pipelines.awk */"
+    print list ? "#include \"qtri/pipeline.h\"" : "#include \"qtri/pipeline_make.h\""
+    if (!list) {
+        print "bool random_fragment(qtri_fragment *fragment);"
+    }
+    for (i = 0; i < count; i++) {
+        text = options()
+        if (list) print "extern const qtri_pipeline random_" i ";"
+        else if (i % parts == part) print "QTRI_PIPELINE(random_" i ", " text ")"
+    }
+    if (list) {
+        print "extern const qtri_pipeline *const random_pipelines[];"
+        print "const qtri_pipeline *const random_pipelines[] = {"
+        for (i = 0; i < count; i++) print "    &random_" i ","
+        print "    0};"
+    }
+}
