@@ -20,7 +20,7 @@ QTRI_PIPELINE(large_colors_8888, LESS_8888, .shade = QTRI_COLORS)
 QTRI_PIPELINE(large_light_8888, LESS_8888, .shade = QTRI_LIGHT)
 QTRI_PIPELINE(large_colors_fog, LESS_565, .shade = QTRI_COLORS, .fog = 1)
 QTRI_PIPELINE(large_texture, LESS_8888, .texel = QTRI_TEXEL_XRGB8888)
-QTRI_PIPELINE(large_texture_linear, LESS_8888, .texel = QTRI_TEXEL_XRGB8888, .linear = 1)
+QTRI_PIPELINE(large_texture_linear, LESS_8888, .texel = QTRI_TEXEL_XRGB8888)
 QTRI_PIPELINE(large_texture_light, LESS_8888, .texel = QTRI_TEXEL_XRGB8888,
               .shade = QTRI_WHITE_LIGHT)
 QTRI_PIPELINE(large_texture_colors, LESS_565, .texel = QTRI_TEXEL_RGB565, .shade = QTRI_COLORS)
@@ -62,6 +62,12 @@ static void make_textures(void)
     const qtri_rgb gray = {128, 140, 150};
     const qtri_fog_range range = {Q16(.1), Q16(100), false};
     qtri_fog_exp(&fog, gray, range, Q16(.4));
+}
+
+/* Drawn with QTRI_SCREEN_LINEAR. */
+static bool is_linear(const qtri_options *o)
+{
+    return o == &large_texture_linear.options;
 }
 
 /* Points, and 1/w and depth that fit each other: depth is linear in 1/w. */
@@ -132,7 +138,7 @@ static void draw(const qtri_pipeline *pipeline, const qtri_options *o, const qtr
     texture.filter = o->bilinear ? &qtri_bilinear : NULL;
     m.texture = o->texel != QTRI_NO_TEXEL ? &texture : NULL;
     m.texture_mode = o->shade == QTRI_FLAT ? QTRI_REPLACE : QTRI_MODULATE;
-    m.interpolation = o->linear ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
+    m.interpolation = is_linear(o) ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
     m.fog = o->fog ? &fog : NULL;
     const qtri_rgb white = {255, 255, 255};
     m.color = white;
@@ -253,8 +259,8 @@ static void judge_texel(errors *e, const qtri_options *o, uint32_t pixel, const 
                         const double b[3])
 {
     const double side = TEXTURE;
-    int64_t u = (int64_t)floor(number_at(t, b, o->linear, 4) * side);
-    int64_t v = (int64_t)floor(number_at(t, b, o->linear, 5) * side);
+    int64_t u = (int64_t)floor(number_at(t, b, is_linear(o), 4) * side);
+    int64_t v = (int64_t)floor(number_at(t, b, is_linear(o), 5) * side);
     if (o->wrap_u == QTRI_CLAMP) {
         u = u < 0 ? 0 : (u >= TEXTURE ? TEXTURE - 1 : u);
         v = v < 0 ? 0 : (v >= TEXTURE ? TEXTURE - 1 : v);

@@ -132,7 +132,7 @@ static void make_material(const qtri_options *o)
     m->color = o->shade == QTRI_WHITE_LIGHT ? white : w.colors[2];
     m->color.r &= o->shade == QTRI_WHITE_LIGHT ? 255 : 254;
     m->shading = o->shade >= QTRI_LIGHT ? QTRI_SMOOTH : QTRI_FLAT_LAST;
-    m->interpolation = o->linear ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
+    m->interpolation = random_in(&seed, 0, 4) == 0 ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
     m->texture = o->texel != QTRI_NO_TEXEL ? &w.texture : NULL;
     m->texture_mode =
         o->shade == QTRI_FLAT && o->texel != QTRI_NO_TEXEL ? QTRI_REPLACE : QTRI_MODULATE;

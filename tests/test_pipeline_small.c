@@ -54,7 +54,7 @@ SMALL_PIPELINE(foggy_texture, LESS_565, .shade = QTRI_LIGHT, .fog = 1, .texel = 
 SMALL_PIPELINE(doors, .format = QTRI_RGB565_EXACT, .depth = QTRI_LINEAR16, .compare = QTRI_EQUAL,
                .shade = QTRI_LIGHT, .blend = QTRI_SCREEN_DOOR, .vertex_alpha = 1)
 SMALL_PIPELINE(waves, LESS_565, .shade = QTRI_LIGHT, .texel = QTRI_TEXEL_GRAY8, .fragment = wave)
-SMALL_PIPELINE(affine, LESS_565, .shade = QTRI_COLORS, .texel = QTRI_TEXEL_ARGB4444, .linear = 1)
+SMALL_PIPELINE(affine, LESS_565, .shade = QTRI_COLORS, .texel = QTRI_TEXEL_ARGB4444)
 SMALL_PIPELINE(depths, .format = QTRI_DEPTH_ONLY, .depth = QTRI_LINEAR24, .compare = QTRI_LESS)
 
 static const qtri_pipeline *const instances[] = {

@@ -110,8 +110,6 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     want_blend(o, material);
     o->fog = material->fog != NULL && material->fog->stages != NULL;
     o->fragment = material->fragment;
-    o->linear = material->interpolation != QTRI_PERSPECTIVE &&
-                (o->texel != QTRI_NO_TEXEL || o->shade >= QTRI_LIGHT || o->vertex_alpha);
     o->samples = qtri_sampling_of(surface->format) != NULL ? 4 : 0;
 }
 
@@ -240,6 +238,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
         return;
     }
     want(&state->options, surface, material, shade);
+    state->is_linear = material->interpolation != QTRI_PERSPECTIVE;
     set_bounds(state, surface);
     state->depth_pitch =
         surface->depth_pitch * (ptrdiff_t)qtri_depth_size(&state->options, surface);

@@ -160,6 +160,24 @@ static void set_depth(qtri_large_job *job)
     job->depth.origin -= 0x8000u - half; /* ramps have the half of 16.16 */
 }
 
+/* Where the row before the first begins. */
+static void set_row(qtri_large_job *job)
+{
+    const qtri_draw_state *state = job->t.state;
+    const qtri_surface *surface = state->surface;
+    const ptrdiff_t row = job->t.y - surface->first_row;
+    job->stop = job->turn;
+    job->x_first = state->bounds.x0;
+    job->x_end = state->bounds.x1;
+    job->frame_width = qtri_least32(surface->width, QTRI_SURFACE_MAX);
+    job->pitch = surface->pitch;
+    job->depth_pitch = state->depth_pitch;
+    job->row_pixel = (uintptr_t)surface->pixels + (uintptr_t)(row * surface->pitch);
+    job->row_depth = (uintptr_t)surface->depth + (uintptr_t)(row * state->depth_pitch);
+    job->row_z =
+        qtri_ramp_at(&job->depth, -job->gradient.anchor_x, job->t.y - job->gradient.anchor_y);
+}
+
 /* Apart: what is set up once takes no stack while rows are drawn. */
 QTRI_NOINLINE static bool begin(qtri_large_job *job, const qtri_screen_point *const p[3],
                                 int64_t area)
@@ -173,23 +191,25 @@ QTRI_NOINLINE static bool begin(qtri_large_job *job, const qtri_screen_point *co
                        job->width + job->height);
     job->t.z_step = 0;
     job->clamps_depth = false;
-    job->has_depth = qtri_needs_depth(job->options);
     job->pixel_bytes = (uint8_t)qtri_pixel_bytes(job->options);
     job->depth_bytes = (uint8_t)(qtri_tests_depth(job->options)
                                      ? qtri_depth_size(job->options, job->t.state->surface)
                                      : 0);
     job->is_clamped = false;
-    if (job->has_depth) {
+    job->depth.origin = 0;
+    job->depth.dx = 0;
+    job->depth.dy = 0;
+    if (qtri_needs_depth(job->options)) {
         set_depth(job);
         job->t.z_step = job->depth.dx;
     }
+    set_row(job);
     job->next_left = 0;
     job->next_right = 0;
     job->count = 0;
     job->run_log2 = 14;
     job->packing = QTRI_PACK_NONE;
     job->t.has_runs = false;
-    job->frame_width = qtri_least32(job->t.state->surface->width, QTRI_SURFACE_MAX);
     job->first_color = 0;
     job->alpha = QTRI_LARGE_ATTRIBUTES;
     job->plane_y = job->t.y + 1;
@@ -204,7 +224,6 @@ void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const 
         return;
     }
     job.t.state = state;
-    job.t.depth = NULL;
     job.t.color = color_rgb;
     job.options = &state->options;
     job.v = v;

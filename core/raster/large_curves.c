@@ -14,14 +14,15 @@
  *     step = (rise + 2 w) / h + bend / 2,   bend = -4 w / h^2.
  *
  * With L the step of the coordinate and e = q' / q the parabola is off by .048 L e^2 h^3: h is the
- * greatest power of two for which that is below 2^-7.5 of L.
+ * greatest power of two for which that is below 2^-6 of L.
  */
 #include "large_setup.h"
 
 enum {
-    STEP_BOUND = -799,   /* 256 log2(2^-7.5 / .048), nearest texels */
+    STEP_BOUND = -415,   /* 256 log2(2^-6 / .048), nearest texels */
     FILTER_BOUND = -384, /* bilinear ones: 2^-6 of a texel, where steps are longer */
-    LOG2_ERROR = 22      /* of log2_q8(), 1/256 */
+    LOG2_ERROR = 22,     /* of log2_q8(), 1/256 */
+    NO_LEVEL = 31        /* log2 of no row's pixels */
 };
 
 /* log2 x in 1/256, at most LOG2_ERROR too little: the mantissa in place of its logarithm. */
@@ -100,7 +101,10 @@ void qtri_large_set_lengths(qtri_large_job *job)
     job->q_slope_log2 = log2_q8(slope) + LOG2_ERROR;
     job->chord_log2 = chord_log2(job);
     job->texel_log2 = job->options->bilinear ? texel_log2(job) : 0;
-    job->may_be_level = slope <= 2;
+    const uint64_t steep = qtri_magnitude64(qtri_wrap64(job->q.dx)) >> 16; /* 2^-16 */
+    job->may_be_level = steep >> 16 == 0;
+    job->steep = (uint32_t)steep;
+    job->level_log2 = NO_LEVEL;
     for (int k = 0; k < 3; k++) {
         const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
         least = q < least ? (uint32_t)q : least;
@@ -125,19 +129,26 @@ static void set_shifts(uint8_t *left, uint8_t *right, int32_t up)
     *right = (uint8_t)(up < 0 ? qtri_least32(-up, 31) : 0);
 }
 
-/* Points from x on, 2^log2 pixels apart, pieces 2^job->h_log2. */
-static void set_points(qtri_large_job *job, int32_t x, int32_t log2)
+/* Points 2^log2 pixels apart, pieces 2^job->h_log2. */
+static void set_steps(qtri_large_job *job, int32_t log2)
 {
     const int32_t h = qtri_greatest32(job->h_log2, 0);
-    job->q.s = qtri_large_plane_at(&job->q, x);
     job->q.s_step = qtri_large_whole(job->q.dx << log2);
     job->delta_step = job->h_log2 < 0 ? 0 : job->q.s_step; /* single pixels have no curve */
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        a->plane.s = qtri_large_plane_at(&a->plane, x);
         a->plane.s_step = qtri_large_whole(a->plane.dx << log2);
         set_shifts(&a->step_left, &a->step_right, a->up + 2 - h);
         set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * h);
+    }
+}
+
+/* The first of them is at x. */
+static inline void set_first(qtri_large_job *job, int32_t x)
+{
+    job->q.s = qtri_large_plane_at(&job->q, x);
+    for (int i = 0; i < job->count; i++) {
+        job->a[i].plane.s = qtri_large_plane_at(&job->a[i].plane, x);
     }
 }
 
@@ -164,7 +175,7 @@ static inline int32_t delta_at(const qtri_large_job *job, int32_t reciprocal)
 
 static void begin_chunk(qtri_large_job *job)
 {
-    const int32_t chunk = job->row_left + ((job->x - job->row_left) & -(int32_t)QTRI_LARGE_CHUNK);
+    const int32_t chunk = job->row_left + ((job->t.x - job->row_left) & -(int32_t)QTRI_LARGE_CHUNK);
     job->chunk_end = qtri_least32(chunk + QTRI_LARGE_CHUNK, job->row_right);
     const int32_t width = job->chunk_end - chunk;
     int32_t log2 = job->one_log2;
@@ -177,9 +188,11 @@ static void begin_chunk(qtri_large_job *job)
     }
     job->h_log2 = log2;
     const int32_t apart = log2 + 1;
-    const int32_t number = (job->x - chunk) >> apart;
-    set_points(job, chunk, apart);
-    job->x = chunk + number * ((int32_t)1 << apart);
+    const int32_t number = (job->t.x - chunk) >> apart;
+    set_steps(job, apart);
+    set_first(job, chunk);
+    job->level_log2 = NO_LEVEL;
+    job->t.x = chunk + number * ((int32_t)1 << apart);
     job->q.s += job->q.s_step * (uint32_t)number;
     for (int i = 0; i < job->count; i++) {
         job->a[i].plane.s += job->a[i].plane.s_step * (uint32_t)number;
@@ -195,25 +208,27 @@ static void begin_chunk(qtri_large_job *job)
  * Whether q changes so little along the row that attributes are linear: with e = q' / q and K the
  * slope, K e d^2 is missed d pixels from where the row begins, here 2^-14 K.
  */
-static bool is_level(const qtri_large_job *job)
+static inline bool is_level(const qtri_large_job *job)
 {
-    const uint64_t steep = qtri_magnitude64(qtri_wrap64(job->q.dx)) >> 16; /* 2^-16 */
-    const uint32_t width = (uint32_t)(job->row_right - job->row_left);     /* <= 2^13 */
-    return steep >> 16 == 0 &&
-           (steep == 0 || qtri_mul_u32(width * width, (uint32_t)steep) >> 2 <=
-                              qtri_large_positive(qtri_large_plane_at(&job->q, job->row_left)));
+    const uint32_t width = (uint32_t)(job->row_right - job->row_left); /* <= 2^13 */
+    return job->steep == 0 || qtri_mul_u32(width * width, job->steep) >> 2 <=
+                                  qtri_large_positive(qtri_large_plane_at(&job->q, job->row_left));
 }
 
 /* The one division of a row: the quotient of a step is the step. */
 QTRI_NOINLINE static bool begin_level(qtri_large_job *job)
 {
-    const int32_t log2 = log2_above(job->row_right - job->row_left);
     job->is_level = is_level(job);
     if (!job->is_level) {
         return false;
     }
-    job->h_log2 = log2;
-    set_points(job, job->row_left, log2);
+    const uint32_t beyond = (uint32_t)(job->row_right - job->row_left) - 1;
+    if (beyond >> (job->level_log2 - 1) != 1) { /* longer or shorter than the row before */
+        job->level_log2 = (uint8_t)qtri_greatest32(log2_above((int32_t)beyond + 1), 1);
+        job->h_log2 = job->level_log2;
+        set_steps(job, job->h_log2);
+    }
+    set_first(job, job->row_left);
     const int32_t reciprocal = next_reciprocal(job);
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
@@ -223,7 +238,9 @@ QTRI_NOINLINE static bool begin_level(qtri_large_job *job)
         a->at = (uint32_t)((int32_t)a->at >> a->at_right) + a->start;
         a->step = (uint32_t)((int32_t)((uint32_t)rise << a->step_left) >> a->step_right);
     }
-    qtri_large_set_run_steps(job);
+    if (job->first_color != job->count) {
+        qtri_large_set_run_steps(job);
+    }
     return true;
 }
 
@@ -285,7 +302,7 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
 {
     uint32_t at[2][QTRI_LARGE_ATTRIBUTES], step[2][QTRI_LARGE_ATTRIBUTES];
     const int32_t h = (int32_t)1 << qtri_greatest32(job->h_log2, 0);
-    const int32_t rest = job->row_right - job->x;
+    const int32_t rest = job->row_right - job->t.x;
     for (int i = job->first_color; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
         const int32_t from = a->point, rise = end[i] - from;
@@ -313,12 +330,10 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
     qtri_large *t = &job->t;
     if (job->is_new) {
         job->is_new = false;
-        job->x = t->x0;
+        job->t.x = t->x0;
         qtri_large_planes_move(job);
         begin_chunk(job);
-    } else if (job->x >= t->x1) {
-        return 0;
-    } else if (job->x == job->chunk_end) {
+    } else if (t->x == job->chunk_end) {
         begin_chunk(job);
     }
     const int32_t reciprocal = next_reciprocal(job);
@@ -345,17 +360,17 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
         }
         set_chords(job, end, eps);
     }
-    const int32_t x = job->x;
+    const int32_t x = job->t.x;
     if (job->h_log2 < 0) {
         t->piece[0].count = 1;
-        job->x = x + 1;
+        job->t.x = x + 1;
         return 1;
     }
     const int32_t h = (int32_t)1 << job->h_log2;
     t->piece[0].count = h;
     t->piece[1].count = h;
-    job->x = qtri_least32(x + 2 * h, job->chunk_end);
-    if (x < t->x0 || x + 2 * h > t->x1 || job->x != x + 2 * h) {
+    job->t.x = qtri_least32(x + 2 * h, job->chunk_end);
+    if (x < t->x0 || x + 2 * h > t->x1 || job->t.x != x + 2 * h) {
         t->piece[1].count = qtri_hold32(job->chunk_end - x - h, 0, h);
         t->piece[0].count = qtri_least32(job->chunk_end - x, h);
         qtri_large_clip(job, &t->piece[0], x);

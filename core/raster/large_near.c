@@ -121,12 +121,11 @@ int32_t qtri_large_near_piece(qtri_large_job *job)
     const int32_t run = (int32_t)1 << job->near_log2;
     if (job->is_new) {
         job->is_new = false;
-        job->x = job->row_left + ((job->t.x0 - job->row_left) >> job->near_log2 << job->near_log2);
-    } else if (job->x >= job->t.x1) {
-        return 0;
+        job->t.x =
+            job->row_left + ((job->t.x0 - job->row_left) >> job->near_log2 << job->near_log2);
     }
-    const int32_t n = qtri_least32(run, job->row_right - job->x);
-    const uint32_t x = (uint32_t)(job->x - job->middle_x);
+    const int32_t n = qtri_least32(run, job->row_right - job->t.x);
+    const uint32_t x = (uint32_t)(job->t.x - job->middle_x);
     const uint32_t y = (uint32_t)(job->t.y - job->middle_y);
     for (int i = 0; i < job->count; i++) {
         const qtri_large_attribute *a = &job->a[i];
@@ -152,9 +151,9 @@ int32_t qtri_large_near_piece(qtri_large_job *job)
         qtri_large_pack(job, piece, at, step, n);
     }
     piece->count = n;
-    if (job->x < job->t.x0 || job->x + n > job->t.x1) {
-        qtri_large_clip(job, piece, job->x);
+    if (job->t.x < job->t.x0 || job->t.x + n > job->t.x1) {
+        qtri_large_clip(job, piece, job->t.x);
     }
-    job->x += run;
+    job->t.x += run;
     return 1;
 }

@@ -30,11 +30,12 @@ static void skip(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
 
 void qtri_large_planes_move(qtri_large_job *job)
 {
+    const qtri_large_attribute *const end = &job->a[job->count];
     for (int32_t rows = job->t.y - job->plane_y; rows > 0; rows--) { /* one, mostly */
-        for (int i = 0; i < job->count; i++) {
-            job->a[i].plane.row += job->a[i].plane.dy;
+        for (qtri_large_attribute *a = job->a; a != end; a++) {
+            a->plane.row += a->plane.dy;
         }
-        job->q.row += job->is_curved ? job->q.dy : 0;
+        job->q.row += job->q.dy;
     }
     job->plane_y = job->t.y;
 }
@@ -53,19 +54,45 @@ void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
     piece->count = end - first;
 }
 
+/* Attributes at the row's left end, where nothing follows perspective. */
+static inline void set_left(qtri_large_job *job)
+{
+    qtri_large_planes_move(job);
+    for (int i = 0; i < job->count; i++) {
+        qtri_large_attribute *a = &job->a[i];
+        a->at = qtri_large_shift(qtri_large_plane_at(&a->plane, job->row_left), a->up) + a->start;
+    }
+}
+
+/* All of a row of texture coordinates alone. */
+static inline int32_t whole_row(qtri_large_job *job)
+{
+    qtri_large_piece *piece = &job->t.piece[0];
+    const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];
+    const uint32_t skipped = (uint32_t)(job->t.x0 - job->row_left);
+    if (!job->is_curved) {
+        set_left(job);
+    }
+    piece->u = u->at + u->step * skipped;
+    piece->v = v->at + v->step * skipped;
+    piece->u_step = u->step;
+    piece->v_step = v->step;
+    piece->u_bend = 0;
+    piece->v_bend = 0;
+    piece->count = job->t.x1 - job->t.x0;
+    job->t.x = job->t.x1;
+    return 1;
+}
+
 /* The row's first piece of those that start at multiples of a run from the row's left end. */
 static void begin_row(qtri_large_job *job)
 {
     const int32_t left = job->row_left;
     const int32_t skipped = (job->t.x0 - left) >> job->run_log2 << job->run_log2;
     job->is_new = false;
-    job->x = left + skipped;
+    job->t.x = left + skipped;
     if (!job->is_curved) {
-        qtri_large_planes_move(job);
-        for (int i = 0; i < job->count; i++) {
-            qtri_large_attribute *a = &job->a[i];
-            a->at = qtri_large_shift(qtri_large_plane_at(&a->plane, left), a->up) + a->start;
-        }
+        set_left(job);
     }
     for (int i = 0; i < job->count; i++) {
         job->a[i].at += job->a[i].step * (uint32_t)skipped;
@@ -75,12 +102,13 @@ static void begin_row(qtri_large_job *job)
 int32_t qtri_large_linear_piece(qtri_large_job *job)
 {
     qtri_large_piece *piece = &job->t.piece[0];
+    if (job->first_color == job->count) {
+        return whole_row(job);
+    }
     if (job->is_new) {
         begin_row(job);
-    } else if (job->x >= job->t.x1) {
-        return 0;
     }
-    const int32_t run = (int32_t)1 << job->run_log2, x = job->x;
+    const int32_t run = (int32_t)1 << job->run_log2, x = job->t.x;
     piece->count = qtri_least32(run, job->row_right - x);
     if (job->first_color != 0) {
         piece->u = job->a[0].at;
@@ -96,18 +124,13 @@ int32_t qtri_large_linear_piece(qtri_large_job *job)
     if (x < job->t.x0 || x + piece->count > job->t.x1) {
         qtri_large_clip(job, piece, x);
     }
-    job->x = x + run;
-    if (job->x < job->t.x1) {
+    job->t.x = x + run;
+    if (job->t.x < job->t.x1) {
         for (int i = 0; i < job->count; i++) {
             job->a[i].at += job->a[i].step << job->run_log2;
         }
     }
     return 1;
-}
-
-int32_t qtri_large_next_linear(qtri_large *t)
-{
-    return qtri_large_linear_piece(qtri_large_job_of(t));
 }
 
 /* Fog --------------------------------------------------------------------------------------------

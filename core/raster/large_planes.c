@@ -130,18 +130,12 @@ static void set_linear_planes(qtri_large_job *job, const qtri_divisor *divisor)
         }
     }
     job->is_curved = false;
+    job->q.row = 0;
+    job->q.dy = 0;
     job->is_near = false;
     job->is_level = true;
     job->t.is_bent = false;
     qtri_large_set_run_steps(job);
-}
-
-void qtri_large_set_linear(qtri_large *t)
-{
-    qtri_large_job *job = qtri_large_job_of(t);
-    qtri_divisor divisor;
-    const bool is_fine = qtri_divisor_init(&divisor, &job->gradient, job->width + job->height);
-    set_linear_planes(job, is_fine ? &divisor : NULL);
 }
 
 /* With perspective ----------------------------------------------------------------------------- */
@@ -252,13 +246,17 @@ static void set_projected(qtri_large_job *job, qtri_large_attribute *a, const qt
     set_plane(&a->plane, job, divisor, there, up);
 }
 
-void qtri_large_set_perspective(qtri_large *t)
+void qtri_large_set_planes(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     qtri_divisor area;
     uint32_t q_low[3];
     const bool is_fine = qtri_divisor_init(&area, &job->gradient, job->width + job->height);
     const qtri_divisor *divisor = is_fine ? &area : NULL;
+    if (t->state->is_linear) {
+        set_linear_planes(job, divisor);
+        return;
+    }
     set_q(job, q_low);
     if (!needs_perspective(job)) {
         set_linear_planes(job, divisor);

@@ -22,7 +22,7 @@ static int side_of(int64_t depth)
  * below or above it. Depth goes one way along a row, so each side has one run of pixels; few are
  * outside, and are counted. False: there is none.
  */
-QTRI_NOINLINE static bool next_part(qtri_large_job *job)
+static bool next_part(qtri_large_job *job)
 {
     const int32_t left = job->next_left, end = job->next_right;
     if (left >= end) {
@@ -51,55 +51,76 @@ QTRI_NOINLINE static bool next_part(qtri_large_job *job)
 }
 
 /* What is drawn from row_left to row_right; false: nothing. */
-static bool clip_row(qtri_large_job *job)
+static inline bool clip_row(qtri_large_job *job)
 {
     qtri_large *t = &job->t;
-    const qtri_draw_state *state = t->state;
-    const qtri_surface *surface = state->surface;
-    t->x0 = qtri_greatest32(job->row_left, state->bounds.x0);
-    t->x1 = qtri_least32(job->row_right, state->bounds.x1);
-    if (t->x0 >= t->x1) {
+    const int32_t x0 = qtri_greatest32(job->row_left, job->x_first);
+    const int32_t x1 = qtri_least32(job->row_right, job->x_end);
+    if (x0 >= x1) {
         return false;
     }
-    const int32_t row = t->y - surface->first_row;
-    t->pixel = surface->pixels + row * surface->pitch + t->x0 * job->pixel_bytes;
-    if (job->depth_bytes != 0) {
-        t->depth = (uint8_t *)surface->depth + row * state->depth_pitch + t->x0 * job->depth_bytes;
-    }
-    if (job->has_depth && !job->is_clamped) {
-        t->z = qtri_ramp_at(&job->depth, t->x0 - job->gradient.anchor_x,
-                            t->y - job->gradient.anchor_y);
-    }
-    t->fog_x = t->x0;
+    t->x0 = x0;
+    t->x1 = x1;
+    t->x = x0;
+    t->fog_x = x0;
     job->is_new = true;
+    /* NOLINTBEGIN(performance-no-int-to-ptr): column 0 may lie before the surface's first row */
+    t->pixel = (uint8_t *)(job->row_pixel + (uint32_t)x0 * job->pixel_bytes);
+    t->depth = (uint8_t *)(job->row_depth + (uint32_t)x0 * job->depth_bytes);
+    /* NOLINTEND(performance-no-int-to-ptr) */
+    if (!job->is_clamped) {
+        t->z = job->row_z + (uint32_t)x0 * job->depth.dx;
+    }
     return true;
+}
+
+/* The next row's ends; false: there is none. */
+static inline bool step_row(qtri_large_job *job)
+{
+    if (++job->t.y == job->stop) {
+        if (job->t.y == job->end) {
+            return false;
+        }
+        *(job->lower_is_left ? &job->left : &job->right) = job->lower;
+        job->stop = job->end;
+    }
+    job->row_left = qtri_greatest32(job->left.value, 0);
+    job->row_right = qtri_least32(job->right.value, job->frame_width);
+    qtri_dda_next(&job->left);
+    qtri_dda_next(&job->right);
+    job->row_pixel += (uintptr_t)job->pitch;
+    job->row_depth += (uintptr_t)job->depth_pitch;
+    job->row_z += job->depth.dy;
+    return true;
+}
+
+/* Rows whose depth may leave its range, part by part. */
+QTRI_NOINLINE static bool next_clamped(qtri_large_job *job)
+{
+    for (;;) {
+        while (next_part(job)) {
+            if (clip_row(job)) {
+                return true;
+            }
+        }
+        if (!step_row(job)) {
+            return false;
+        }
+        job->next_left = job->row_left;
+        job->next_right = job->row_right;
+    }
 }
 
 bool qtri_large_next_row(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    for (;;) {
-        if (job->clamps_depth && next_part(job)) {
-            if (clip_row(job)) {
-                return true;
-            }
-            continue;
-        }
-        if (++t->y >= job->end) {
+    if (job->clamps_depth) {
+        return next_clamped(job);
+    }
+    do {
+        if (!step_row(job)) {
             return false;
         }
-        if (t->y == job->turn) {
-            *(job->lower_is_left ? &job->left : &job->right) = job->lower;
-        }
-        job->row_left = qtri_greatest32(job->left.value, 0);
-        job->row_right = qtri_least32(job->right.value, job->frame_width);
-        qtri_dda_next(&job->left);
-        qtri_dda_next(&job->right);
-        if (job->clamps_depth) {
-            job->next_left = job->row_left;
-            job->next_right = job->row_right;
-        } else if (clip_row(job)) {
-            return true;
-        }
-    }
+    } while (!clip_row(job));
+    return true;
 }

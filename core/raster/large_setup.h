@@ -48,13 +48,20 @@ typedef struct qtri_large_attribute {
 typedef struct qtri_large_job {
     qtri_large t;                     /* first: what the body has a pointer to */
     uint8_t pixel_bytes, depth_bytes; /* depth_bytes: 0 without a test of depth */
-    bool has_depth;                   /* pixels need it */
     const qtri_options *options;
     const qtri_large_vertex *v;
 
     qtri_dda left, right, lower; /* the lower edge takes its side over at row `turn` */
-    int32_t turn, end;
+    int32_t turn, end, stop;     /* stop: the less of both, where something ends */
     bool lower_is_left;
+    uintptr_t row_pixel, row_depth; /* addresses of column 0 */
+    ptrdiff_t pitch, depth_pitch;
+    uint32_t row_z;         /* depth of column 0 */
+    int32_t x_first, x_end; /* columns of the bounds */
+    /* The row, inside of the frame. */
+    int32_t frame_width;
+    int32_t row_left, row_right;
+    bool is_new; /* nothing of it is found yet */
     int32_t next_left,
         next_right; /* of a row whose depth leaves its range: what is not drawn yet */
 
@@ -78,7 +85,9 @@ typedef struct qtri_large_job {
     bool is_curved;                               /* planes are times q */
     bool is_near;                                 /* polynomials of second order serve */
     uint8_t near_log2;                            /* pixels of its pieces */
-    bool may_be_level;                            /* q hardly changes along rows */
+    bool may_be_level;                            /* q hardly changes along rows: by `steep` */
+    uint32_t steep;                               /* 2^-16 a pixel */
+    uint8_t level_log2;                           /* of the row's pixels that steps are for */
     bool is_level;                                /* nor in this row */
     int32_t q_slope_log2, chord_log2, texel_log2; /* see length_for() */
     int32_t piece_max;                            /* log2 of the longest piece */
@@ -88,11 +97,6 @@ typedef struct qtri_large_job {
 
     qtri_ramp run_ramp[3]; /* with t.has_runs */
 
-    /* The row, inside of the frame. */
-    int32_t frame_width;
-    int32_t row_left, row_right;
-    bool is_new;               /* nothing of it is found yet */
-    int32_t x;                 /* where the next pieces start */
     int32_t chunk_end, h_log2; /* h_log2: of a piece; -1: points are a pixel apart */
     int32_t zeros;             /* of q at the last point */
     uint32_t delta_step;       /* of q from a point to the next */

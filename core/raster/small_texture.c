@@ -103,7 +103,7 @@ void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, c
     }
     qtri_small_uv_find(&at, t);
     int32_t f[2][3] = {{at.u0, at.u1, at.u2}, {at.v0, at.v1, at.v2}};
-    uv->curved = !o->linear && (uv->curved || is_curved_by_range(p, t, f));
+    uv->curved = !t->state->is_linear && (uv->curved || is_curved_by_range(p, t, f));
     set_units(&units, uv, f, p, t->state, o);
     if (!uv->curved) {
         qtri_small_ramp_set(&uv->u, p, units.base[0], f[0][1], f[0][2], (int32_t)units.up[0]);

@@ -33,7 +33,6 @@ function options(    format, texel, text)
     if (blend ~ /STORE|ALPHA|ADD|MULTIPLY/ && format != "GRAY8" && below(6) == 0) text = text ", .keep = 1"
     if (below(4) == 0) text = text ", .fog = 1"
     if (below(8) == 0) text = text ", .fragment = random_fragment"
-    if ((texel != "-" || shade ~ /LIGHT|COLORS/ || varies) && below(5) == 0) text = text ", .linear = 1"
     return text
 }
 BEGIN {

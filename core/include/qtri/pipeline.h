@@ -74,7 +74,6 @@ typedef struct qtri_options {
     uint8_t vertex_alpha; /* alpha varies between the vertices */
     uint8_t keep;         /* material.keep != 0 */
     uint8_t fog;
-    uint8_t linear;        /* QTRI_SCREEN_LINEAR */
     uint8_t samples;       /* 4: a surface of four samples a pixel */
     uint8_t large_texture; /* of more than 2^16 texels */
     uint8_t per_pixel;     /* &qtri_per_pixel in a view's lights */

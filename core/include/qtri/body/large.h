@@ -30,8 +30,8 @@ typedef struct qtri_large {
     qtri_draw_state *state;
     uint32_t color; /* of the triangle, 0x00RRGGBB */
 
-    /* The row: what is drawn of it, columns x0..x1 - 1. */
-    int32_t y, x0, x1;
+    /* The row: what is drawn of it, columns x0..x1 - 1, and where the next pieces start. */
+    int32_t y, x0, x1, x;
     uint8_t *pixel, *depth;
     uint32_t z, z_step;
 
@@ -53,17 +53,15 @@ typedef struct qtri_large {
 void qtri_large_set_texture(qtri_large *t);
 void qtri_large_set_colors(qtri_large *t);
 void qtri_large_set_alpha(qtri_large *t);
-void qtri_large_set_linear(qtri_large *t);
-void qtri_large_set_perspective(qtri_large *t);
+void qtri_large_set_planes(qtri_large *t);
 
 /* Goes on to the next row with pixels to draw; false: there is none. */
 bool qtri_large_next_row(qtri_large *t);
 
-/* Finds the row's next pieces: returns how many, 0 at its end. Of texture coordinates only; of any
-   attributes; without perspective. */
+/* Finds the row's next pieces, from t->x < x1 on: returns how many. Of texture coordinates only; of
+   any attributes. */
 int32_t qtri_large_next_uv(qtri_large *t);
 int32_t qtri_large_next_any(qtri_large *t);
-int32_t qtri_large_next_linear(qtri_large *t);
 
 /* With has_runs: sets t->run for the first run that is drawn of the row; returns how many of its
    pixels are not. */
@@ -90,11 +88,7 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
         qtri_large_set_alpha(t);
     }
     if (qtri_large_has_pieces(o)) {
-        if (o->linear) {
-            qtri_large_set_linear(t);
-        } else {
-            qtri_large_set_perspective(t);
-        }
+        qtri_large_set_planes(t);
     }
     if (qtri_uses_table(o) && !t->state->has_table) {
         qtri_draw_state_set_table(t->state);
@@ -109,9 +103,6 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
 
 QTRI_BODY int32_t qtri_large_next(const qtri_options *o, qtri_large *t)
 {
-    if (o->linear) {
-        return qtri_large_next_linear(t);
-    }
     if (qtri_is_textured(o) && !qtri_varies(o) && !o->vertex_alpha) {
         return qtri_large_next_uv(t);
     }
@@ -126,10 +117,8 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_pixel_walk *w,
         w->v = piece->v;
         w->u_step = piece->u_step;
         w->v_step = piece->v_step;
-        if (!o->linear) {
-            w->u_bend = piece->u_bend;
-            w->v_bend = piece->v_bend;
-        }
+        w->u_bend = piece->u_bend;
+        w->v_bend = piece->v_bend;
     }
     if (qtri_varies(o)) {
         w->c = piece->c;
@@ -151,7 +140,7 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_pixel_walk *w,
 QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
                                  int32_t count)
 {
-    const bool curves = qtri_is_textured(o) && !o->linear;
+    const bool curves = qtri_is_textured(o);
     if (o->fog) {
         while (count > 0) {
             const int32_t n = qtri_large_next_fog(t, count);
@@ -231,14 +220,15 @@ QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large
             qtri_large_runs(o, t, &w);
             continue;
         }
-        for (int32_t pieces = 0; (pieces = qtri_large_next(o, t)) != 0;) {
+        do {
+            int32_t pieces = qtri_large_next(o, t);
             const qtri_large_piece *piece = t->piece;
             do {
                 qtri_large_load(o, &w, piece);
                 qtri_large_pixels(o, t, &w, piece->count);
                 piece++;
             } while (--pieces != 0);
-        }
+        } while (t->x < t->x1);
     }
 }
 

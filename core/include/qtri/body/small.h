@@ -393,7 +393,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
         uv.curved = !linear;
         qtri_small_set_texture(&uv, &kept, t, o);
         w.axis = uv.axis;
-        if (!o->linear && uv.curved) {
+        if (uv.curved) {
             if (qtri_is_lit(o)) {
                 qtri_small_set_curved_light(&c, &uv.c0, &uv, &kept, t, qtri_light_half(o));
                 rows.c = c;

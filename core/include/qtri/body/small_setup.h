@@ -403,8 +403,9 @@ QTRI_BODY bool qtri_setup_light_is_linear(const qtri_small_place *p, const qtri_
                                           const qtri_options *o)
 {
     const int32_t i0 = t->v[0]->intensity_q15;
-    return o->linear || qtri_small_is_linear(p, t, t->v[1]->intensity_q15 - i0,
-                                             t->v[2]->intensity_q15 - i0, qtri_small_part_of(o));
+    return t->state->is_linear ||
+           qtri_small_is_linear(p, t, t->v[1]->intensity_q15 - i0, t->v[2]->intensity_q15 - i0,
+                                qtri_small_part_of(o));
 }
 
 QTRI_BODY void qtri_setup_set_light(qtri_small_ramp *c, const qtri_small_place *p,
@@ -451,7 +452,7 @@ QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_pla
     f->d2.r -= f->at.r;
     f->d2.g -= f->at.g;
     f->d2.b -= f->at.b;
-    if (o->linear || p->q_about >> (30 - part) == 0) {
+    if (t->state->is_linear || p->q_about >> (30 - part) == 0) {
         return true;
     }
     const int32_t differences[6] = {f->d1.r, f->d2.r, f->d1.g, f->d2.g, f->d1.b, f->d2.b};
@@ -562,7 +563,7 @@ QTRI_BODY bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp
     if ((u1 | u2 | v1 | v2) >> (p->wide ? 15 : 16) != 0) {
         return false;
     }
-    if (!o->linear) {
+    if (!t->state->is_linear) {
         const uint32_t side_log2 = width_log2 > height_log2 ? width_log2 : height_log2;
         const uint32_t most = ((u1 + u2 + v1 + v2 + 4) >> (10 - side_log2)) + 1; /* < 2^18.1 */
         const uint32_t greatest = (uint32_t)3 << (10 + 8 - QTRI_SMALL_TEXEL_LOG2);

@@ -28,6 +28,8 @@ typedef struct qtri_draw_state {
     } inner;
     ptrdiff_t depth_pitch; /* bytes */
 
+    bool is_linear; /* nothing follows perspective: QTRI_SCREEN_LINEAR */
+
     const qtri_texture *texture;
     uint8_t width_log2, height_log2;     /* of its sides, at most 10 */
     uint32_t key, key_mask, alpha_least; /* alpha_least: material.least_alpha << 24 */
