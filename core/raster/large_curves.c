@@ -14,15 +14,14 @@
  *     step = (rise + 2 w) / h + bend / 2,   bend = -4 w / h^2.
  *
  * With L the step of the coordinate and e = q' / q the parabola is off by .048 L e^2 h^3: h is the
- * greatest power of two for which that is below 2^-6 of L.
+ * greatest power of two for which that is below 2^-7 of L, and of a texel.
  */
 #include "large_setup.h"
 
 enum {
-    STEP_BOUND = -415,   /* 256 log2(2^-6 / .048), nearest texels */
-    FILTER_BOUND = -384, /* bilinear ones: 2^-6 of a texel, where steps are longer */
-    LOG2_ERROR = 22,     /* of log2_q8(), 1/256 */
-    NO_LEVEL = 31        /* log2 of no row's pixels */
+    STEP_BOUND = -671, /* 256 log2(2^-7 / .048): of a step, and of a texel where steps are longer */
+    LOG2_ERROR = 22,   /* of log2_q8(), 1/256 */
+    NO_LEVEL = 31      /* log2 of no row's pixels */
 };
 
 /* log2 x in 1/256, at most LOG2_ERROR too little: the mantissa in place of its logarithm. */
@@ -42,6 +41,17 @@ static uint32_t slope_of(uint64_t dx)
     return qtri_magnitude32((int32_t)qtri_large_whole(dx)) + 1;
 }
 
+/* log2 of the texels that a pixel steps where q is this or more, 1/256; 0 where it is one. */
+static int32_t texels_for(const qtri_large_job *job, uint32_t q)
+{
+    return qtri_greatest32(job->texel_log2 - log2_q8(q), 0);
+}
+
+int32_t qtri_large_texels_log2(const qtri_large_job *job, uint32_t q)
+{
+    return (texels_for(job, q) + 255) >> 8;
+}
+
 /*
  * log2 of a piece's pixels where q is this or more; may be negative. Points a piece apart must have
  * q' 4 h <= q, so that q is positive at the point behind a row's end.
@@ -50,8 +60,8 @@ static int32_t length_for(const qtri_large_job *job, uint32_t q)
 {
     const int32_t inverse_e = log2_q8(q) - job->q_slope_log2;
     int32_t bound = STEP_BOUND;
-    if (job->options->bilinear) { /* log2 of texels a pixel: at most texel_log2 - log2 q */
-        bound -= qtri_greatest32(job->texel_log2 - log2_q8(q) + FILTER_BOUND, 0);
+    if (job->first_color != 0) {
+        bound -= texels_for(job, q);
     }
     int32_t log2 = (2 * inverse_e + bound) * 85 >> 8; /* / 3 */
     log2 = qtri_least32(log2, inverse_e - 512);
@@ -62,11 +72,11 @@ static int32_t length_for(const qtri_large_job *job, uint32_t q)
     return log2 >> 8;
 }
 
-/* log2 of the greatest slope of coordinates times q, in texels 2^32. */
-static int32_t texel_log2(const qtri_large_job *job)
+/* log2 of the greatest slope of coordinates times q along rows, in texels 2^32. */
+void qtri_large_set_texel_slope(qtri_large_job *job)
 {
     const uint32_t q_slope = slope_of(job->q.dx);
-    int32_t most = INT16_MIN;
+    int32_t most = 0;
     for (int i = 0; i < job->first_color; i++) {
         const qtri_large_attribute *a = &job->a[i];
         uint32_t least, greatest;
@@ -76,7 +86,7 @@ static int32_t texel_log2(const qtri_large_job *job)
         const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->t.axis[i].shift) * 256;
         most = log2 > most ? log2 : most;
     }
-    return most;
+    job->texel_log2 = most;
 }
 
 /* The greatest slope of colours times q, and what of it comes of q. */
@@ -100,7 +110,6 @@ void qtri_large_set_lengths(qtri_large_job *job)
     uint32_t least = UINT32_MAX;
     job->q_slope_log2 = log2_q8(slope) + LOG2_ERROR;
     job->chord_log2 = chord_log2(job);
-    job->texel_log2 = job->options->bilinear ? texel_log2(job) : 0;
     const uint64_t steep = qtri_magnitude64(qtri_wrap64(job->q.dx)) >> 16; /* 2^-16 */
     job->may_be_level = steep >> 16 == 0;
     job->steep = (uint32_t)steep;
@@ -133,11 +142,12 @@ static void set_shifts(uint8_t *left, uint8_t *right, int32_t up)
 static void set_steps(qtri_large_job *job, int32_t log2)
 {
     const int32_t h = qtri_greatest32(job->h_log2, 0);
-    job->q.s_step = qtri_large_whole(job->q.dx << log2);
-    job->delta_step = job->h_log2 < 0 ? 0 : job->q.s_step; /* single pixels have no curve */
+    job->q.s_step = job->q.dx << log2;
+    job->delta_step =
+        job->h_log2 < 0 ? 0 : qtri_large_whole(job->q.s_step); /* single pixels have no curve */
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        a->plane.s_step = qtri_large_whole(a->plane.dx << log2);
+        a->plane.s_step = a->plane.dx << log2;
         set_shifts(&a->step_left, &a->step_right, a->up + 2 - h);
         set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * h);
     }
@@ -146,23 +156,23 @@ static void set_steps(qtri_large_job *job, int32_t log2)
 /* The first of them is at x. */
 static inline void set_first(qtri_large_job *job, int32_t x)
 {
-    job->q.s = qtri_large_plane_at(&job->q, x);
+    job->q.s = qtri_large_plane_from(&job->q, x);
     for (int i = 0; i < job->count; i++) {
-        job->a[i].plane.s = qtri_large_plane_at(&job->a[i].plane, x);
+        job->a[i].plane.s = qtri_large_plane_from(&job->a[i].plane, x);
     }
 }
 
 /* A quarter of all attributes at the next point, which is gone past. */
 static int32_t next_reciprocal(qtri_large_job *job)
 {
-    const int32_t reciprocal = qtri_large_reciprocal(job, qtri_large_positive(job->q.s));
+    const int32_t reciprocal = qtri_large_reciprocal(job, job->q.s);
     job->q.s += job->q.s_step;
     return reciprocal;
 }
 
 static inline int32_t next_quotient(qtri_large_attribute *a, int32_t zeros, int32_t reciprocal)
 {
-    const uint32_t s = a->plane.s;
+    const uint64_t s = a->plane.s;
     a->plane.s = s + a->plane.s_step;
     return qtri_large_quotient(s, zeros, reciprocal);
 }
@@ -193,9 +203,9 @@ static void begin_chunk(qtri_large_job *job)
     set_first(job, chunk);
     job->level_log2 = NO_LEVEL;
     job->t.x = chunk + number * ((int32_t)1 << apart);
-    job->q.s += job->q.s_step * (uint32_t)number;
+    job->q.s += job->q.s_step * (uint64_t)(int64_t)number;
     for (int i = 0; i < job->count; i++) {
-        job->a[i].plane.s += job->a[i].plane.s_step * (uint32_t)number;
+        job->a[i].plane.s += job->a[i].plane.s_step * (uint64_t)(int64_t)number;
     }
     const int32_t reciprocal = next_reciprocal(job);
     job->delta = delta_at(job, reciprocal);

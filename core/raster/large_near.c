@@ -10,7 +10,7 @@
  */
 #include "large_setup.h"
 
-enum { NEAR_STEP_LOG2 = 6 /* coordinates may stray by 2^-this of a pixel's step */ };
+enum { NEAR_STEP_LOG2 = 6 /* coordinates may stray by 2^-this of a pixel's step, and a texel */ };
 
 static uint32_t at_middle(const qtri_large_job *job, const qtri_large_plane *p)
 {
@@ -28,7 +28,8 @@ static bool set_polynomial(const qtri_large_job *job, qtri_large_attribute *a, i
                            const int32_t d[2], int32_t e2)
 {
     const int32_t zeros = job->zeros, up = a->up + 2;
-    const int32_t c = qtri_large_quotient(at_middle(job, &a->plane), zeros, reciprocal);
+    const int32_t c =
+        qtri_large_quotient((uint64_t)at_middle(job, &a->plane) << 32, zeros, reciprocal);
     const uint64_t steps[2] = {a->plane.dx, a->plane.dy}, q_steps[2] = {job->q.dx, job->q.dy};
     int32_t slope[2];
     for (int k = 0; k < 2; k++) {
@@ -38,7 +39,7 @@ static bool set_polynomial(const qtri_large_job *job, qtri_large_attribute *a, i
         if (!fits(s, zeros)) {
             return false;
         }
-        slope[k] = qtri_large_quotient(s, zeros, reciprocal);
+        slope[k] = qtri_large_quotient((uint64_t)s << 32, zeros, reciprocal);
     }
     a->xx = qtri_large_shift((uint32_t)(-2 * qtri_mul_s16(slope[0], d[0])), up);
     a->xy = qtri_large_shift(
@@ -74,7 +75,7 @@ bool qtri_large_set_near(qtri_large_job *job)
         }
         most = (uint32_t)away > most ? (uint32_t)away : most;
     }
-    const int32_t reciprocal = qtri_large_reciprocal(job, q);
+    const int32_t reciprocal = qtri_large_reciprocal(job, (uint64_t)q << 32);
     const int32_t zeros = job->zeros, half = reciprocal >> 16;
     if (zeros > 30 || !fits(qtri_large_whole(job->q.dx), zeros) ||
         !fits(qtri_large_whole(job->q.dy), zeros)) {
@@ -82,7 +83,8 @@ bool qtri_large_set_near(qtri_large_job *job)
     }
     const int32_t e = (int32_t)(((most << zeros) >> 15) * (uint32_t)half >> 15); /* Q16 */
     const int32_t e2 = e * e >> 16;
-    if ((uint32_t)e2 * (uint32_t)job->pixels > 65536 >> (NEAR_STEP_LOG2 - 3)) {
+    const int32_t texels = qtri_large_texels_log2(job, q - most);
+    if ((uint32_t)e2 * (uint32_t)job->pixels > 65536 >> (NEAR_STEP_LOG2 - 3 + texels)) {
         return false; /* half the width, a quarter of e^2 of it */
     }
     const int32_t d[2] = {/* half of e's slopes */

@@ -271,6 +271,7 @@ void qtri_large_set_planes(qtri_large *t)
     job->is_level = false;
     job->t.is_bent = true;
     job->zeros = 0;
+    qtri_large_set_texel_slope(job);
     job->is_near = job->pixels < QTRI_LARGE_CHUNK && qtri_large_set_near(job);
     if (!job->is_near) {
         qtri_large_set_lengths(job);

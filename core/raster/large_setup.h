@@ -30,7 +30,7 @@ enum { QTRI_PACK_NONE, QTRI_PACK_ONE, QTRI_PACK_565, QTRI_PACK_888, QTRI_PACK_WE
 typedef struct qtri_large_plane {
     uint64_t row; /* at column 0 of the row */
     uint64_t dx, dy;
-    uint32_t s, s_step; /* at the next point of the row */
+    uint64_t s, s_step; /* at the next point of the row */
 } qtri_large_plane;
 
 typedef struct qtri_large_attribute {
@@ -121,6 +121,15 @@ static inline uint32_t qtri_large_plane_at(const qtri_large_plane *p, int32_t x)
            (uint32_t)(rest >> 16);
 }
 
+/* All of it there, to 2^-16. */
+static inline uint64_t qtri_large_plane_from(const qtri_large_plane *p, int32_t x)
+{
+    const int32_t rest = (int32_t)(p->dx >> 16 & 0xFFFFu) * x + (int32_t)(p->row >> 16 & 0xFFFFu);
+    const uint32_t whole =
+        qtri_large_whole(p->row) + qtri_large_whole(p->dx) * (uint32_t)x + (uint32_t)(rest >> 16);
+    return (uint64_t)whole << 32 | (uint32_t)rest << 16;
+}
+
 /* q, which rounding may leave at 0 or below. */
 static inline uint32_t qtri_large_positive(uint32_t q)
 {
@@ -154,7 +163,10 @@ static inline int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
     return job->packing != QTRI_PACK_565 && qtri_stores_565(job->options) ? 16 : 14;
 }
 
-/* In large_curves.c: how far points are apart. */
+/* In large_curves.c: how steep coordinates are along rows; log2 of the texels that a pixel steps
+   where q is this or more, rounded up, 0 at least; how far points are apart. */
+void qtri_large_set_texel_slope(qtri_large_job *job);
+int32_t qtri_large_texels_log2(const qtri_large_job *job, uint32_t q);
 void qtri_large_set_lengths(qtri_large_job *job);
 
 /* In large_near.c. */
@@ -171,9 +183,16 @@ static inline int32_t qtri_large_mul_high(int32_t a, int32_t b)
 #endif
 }
 
-/* 2^62 / q 2^zeros, below 2^31; sets job->zeros. */
-static inline int32_t qtri_large_reciprocal(qtri_large_job *job, uint32_t q)
+/* s 2^zeros, 32 bits of it. */
+static inline uint32_t qtri_large_left(uint64_t s, int32_t zeros)
 {
+    return qtri_large_whole(s) << zeros | (uint32_t)s >> 1 >> (31 - zeros);
+}
+
+/* 2^62 / q 2^zeros, below 2^31; sets job->zeros. q: 2^-32. */
+static inline int32_t qtri_large_reciprocal(qtri_large_job *job, uint64_t q_q32)
+{
+    const uint32_t q = qtri_large_positive(qtri_large_whole(q_q32));
 #if QTRI_LONG_MULTIPLY
     const int32_t zeros = qtri_clz32(q);
 #else
@@ -186,14 +205,14 @@ static inline int32_t qtri_large_reciprocal(qtri_large_job *job, uint32_t q)
     }
 #endif
     job->zeros = zeros;
-    const uint32_t r = qtri_reciprocal_near(q << zeros);
+    const uint32_t r = qtri_reciprocal_near(q << zeros | (uint32_t)q_q32 >> 1 >> (31 - zeros));
     return (int32_t)(r - (r >> 31));
 }
 
-/* A quarter of what is s / q. */
-static inline int32_t qtri_large_quotient(uint32_t s, int32_t zeros, int32_t reciprocal)
+/* A quarter of what is s / q; s 2^-32. */
+static inline int32_t qtri_large_quotient(uint64_t s, int32_t zeros, int32_t reciprocal)
 {
-    return qtri_large_mul_high((int32_t)(s << zeros), reciprocal);
+    return qtri_large_mul_high((int32_t)qtri_large_left(s, zeros), reciprocal);
 }
 
 #endif
