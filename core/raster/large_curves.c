@@ -114,6 +114,7 @@ void qtri_large_set_lengths(qtri_large_job *job)
     job->may_be_level = steep >> 16 == 0;
     job->steep = (uint32_t)steep;
     job->level_log2 = NO_LEVEL;
+    job->steps_log2 = NO_LEVEL;
     for (int k = 0; k < 3; k++) {
         const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
         least = q < least ? (uint32_t)q : least;
@@ -199,9 +200,12 @@ static void begin_chunk(qtri_large_job *job)
     job->h_log2 = log2;
     const int32_t apart = log2 + 1;
     const int32_t number = (job->t.x - chunk) >> apart;
-    set_steps(job, apart);
+    if (log2 != job->steps_log2) {
+        set_steps(job, apart);
+        job->steps_log2 = (int8_t)log2;
+        job->level_log2 = NO_LEVEL;
+    }
     set_first(job, chunk);
-    job->level_log2 = NO_LEVEL;
     job->t.x = chunk + number * ((int32_t)1 << apart);
     job->q.s += job->q.s_step * (uint64_t)(int64_t)number;
     for (int i = 0; i < job->count; i++) {
@@ -237,6 +241,7 @@ QTRI_NOINLINE static bool begin_level(qtri_large_job *job)
         job->level_log2 = (uint8_t)qtri_greatest32(log2_above((int32_t)beyond + 1), 1);
         job->h_log2 = job->level_log2;
         set_steps(job, job->h_log2);
+        job->steps_log2 = NO_LEVEL;
     }
     set_first(job, job->row_left);
     const int32_t reciprocal = next_reciprocal(job);

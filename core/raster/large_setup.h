@@ -87,6 +87,7 @@ typedef struct qtri_large_job {
     uint8_t near_log2;                            /* pixels of its pieces */
     bool may_be_level;                            /* q hardly changes along rows: by `steep` */
     uint32_t steep;                               /* 2^-16 a pixel */
+    int8_t steps_log2;                            /* of pieces that steps are for */
     uint8_t level_log2;                           /* of the row's pixels that steps are for */
     bool is_level;                                /* nor in this row */
     int32_t q_slope_log2, chord_log2, texel_log2; /* see length_for() */

@@ -33,9 +33,11 @@
    knows no such operand; where code is to be small, it would be moved there and back. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb__) && !defined(__thumb2__) &&      \
     !defined(__OPTIMIZE_SIZE__)
-#define QTRI_BODY_HIGH(x) __asm__ volatile("" : "+h"(x))
+#define QTRI_BODY_HIGH(x)         __asm__ volatile("" : "+h"(x))
+#define QTRI_BODY_HIGH_BARRIER(x) QTRI_BODY_HIGH(x)
 #else
-#define QTRI_BODY_HIGH(x) ((void)0)
+#define QTRI_BODY_HIGH(x)         ((void)0)
+#define QTRI_BODY_HIGH_BARRIER(x) QTRI_BODY_BARRIER(x)
 #endif
 
 /* x >> the low byte of `by`, 0..31: where there is an instruction that looks at no other bits. */

@@ -247,16 +247,16 @@ QTRI_BODY void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool ben
             QTRI_BODY_HIGH(w->z_step);
             QTRI_BODY_HIGH(w->u_step);
             QTRI_BODY_HIGH(w->v_step);
-            QTRI_BODY_HIGH(w->texels);
+            if (!bent) { /* or there are not enough of them */
+                QTRI_BODY_HIGH(w->texels);
+            }
             QTRI_BODY_HIGH(w->rows);
         }
         if (bent) {
             w->u_step += w->u_bend;
             w->v_step += w->v_bend;
-            QTRI_BODY_BARRIER(w->u_step);
-            QTRI_BODY_BARRIER(w->v_step);
-            QTRI_BODY_HIGH(w->u_step);
-            QTRI_BODY_HIGH(w->v_step);
+            QTRI_BODY_HIGH_BARRIER(w->u_step);
+            QTRI_BODY_HIGH_BARRIER(w->v_step);
         }
     }
     if (qtri_varies(o)) {
