@@ -232,6 +232,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     memset(&state->options, 0, sizeof state->options);
     state->texture = NULL;
     state->has_table = false;
+    state->is_lit = false;
     state->pipeline = &nothing;
     state->surface = surface;
     state->material = material;

@@ -437,14 +437,22 @@ typedef struct qtri_small_colors {
     qtri_small_channels at, d1, d2;
 } qtri_small_colors;
 
+/* Vertices' colours in a view's lights, in small_values.c. */
+void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small_place *p, const qtri_small *t);
+
 /* False: perspective of them could be seen. */
 QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_place *p,
                                       const qtri_small *t, const qtri_options *o)
 {
     const uint32_t part = qtri_small_part_of(o);
-    f->at = qtri_small_channels_of(t, 0);
-    f->d1 = qtri_small_channels_of(t, 1);
-    f->d2 = qtri_small_channels_of(t, 2);
+    if (t->state->is_lit) {
+        QTRI_RARELY();
+        qtri_small_lit_channels(f, p, t);
+    } else {
+        f->at = qtri_small_channels_of(t, 0);
+        f->d1 = qtri_small_channels_of(t, 1);
+        f->d2 = qtri_small_channels_of(t, 2);
+    }
     f->d1.r -= f->at.r;
     f->d1.g -= f->at.g;
     f->d1.b -= f->at.b;
