@@ -80,12 +80,12 @@ static void set_channels(qtri_small_channels *f, uint32_t rgb)
 }
 
 /* A back face has changed the places of vertices 1 and 2. */
-void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small_place *p, const qtri_small *t)
+void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small *t, bool turned)
 {
     const uint32_t *lit = t->state->lit;
     set_channels(&f->at, lit[0]);
-    set_channels(&f->d1, lit[1 + p->turned]);
-    set_channels(&f->d2, lit[2 - p->turned]);
+    set_channels(&f->d1, lit[1 + turned]);
+    set_channels(&f->d2, lit[2 - turned]);
 }
 
 bool qtri_small_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t,

@@ -438,7 +438,7 @@ typedef struct qtri_small_colors {
 } qtri_small_colors;
 
 /* Vertices' colours in a view's lights, in small_values.c. */
-void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small_place *p, const qtri_small *t);
+void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small *t, bool turned);
 
 /* False: perspective of them could be seen. */
 QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_place *p,
@@ -446,8 +446,10 @@ QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_pla
 {
     const uint32_t part = qtri_small_part_of(o);
     if (t->state->is_lit) {
+        qtri_small_colors lit; /* a copy, so that others need not be in memory */
         QTRI_RARELY();
-        qtri_small_lit_channels(f, p, t);
+        qtri_small_lit_channels(&lit, t, p->turned);
+        *f = lit;
     } else {
         f->at = qtri_small_channels_of(t, 0);
         f->d1 = qtri_small_channels_of(t, 1);
