@@ -53,7 +53,7 @@ QTRI_NOINLINE static void run_by_pixel(const qtri_by_pixel *by_pixel, qtri_mesh_
                                        void (*body)(qtri_mesh_job *draw, void *with), void *with)
 {
     lit_mesh mesh = {draw, body, with};
-    by_pixel->run(&draw->primitive.to.solid.raster, draw->illumination, draw_lit_mesh, &mesh);
+    by_pixel->run(&draw->primitive, draw->illumination, draw_lit_mesh, &mesh);
 }
 
 static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose,
@@ -229,6 +229,21 @@ static uint32_t find(const void *from, const void *indices, qtri_vertex *a, qtri
     return QTRI_INTENSITY_ONE;
 }
 
+static uint32_t find_large(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                           qtri_vertex *c)
+{
+    const qtri_mesh_job *draw = from;
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    if (by_pixel == NULL || !draw->primitive.to.pipeline.small.state->options.per_pixel) {
+        return find(from, indices, a, b, c);
+    }
+    uint32_t index[3];
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    by_pixel->note(draw, index,
+                   is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0);
+    return QTRI_INTENSITY_ONE;
+}
+
 /* In 8 bits, as the raster's channels. */
 static void set_channels(int32_t channel[3][3], const qtri_mesh_job *draw, const uint32_t index[3],
                          const qtri_vertex *const v[3])
@@ -319,6 +334,7 @@ static const qtri_light_model model = {
     .list = light_list,
     .meet = meet,
     .find = find,
+    .find_large = find_large,
     .shade = shade,
     .small = draw_small,
     .large = draw_large,

@@ -60,7 +60,7 @@ static void light(qtri_corner lit[3], const qtri_primitive *primitive, const qtr
         qtri_illuminated_normal(&point, by, turn * n[0], turn * n[1], turn * n[2]);
         qtri_illuminated_place(&point, by, smooth ? &p[i] : &mean);
         if (by_pixel != NULL) {
-            by_pixel->set(&primitive->to.solid.raster, i, &point, &corners[i].color);
+            by_pixel->set(primitive, i, &point, &corners[i].color);
         }
         lit[i].color = qtri_lit_rgb(qtri_illuminate(by, &point, &corners[i].color));
     }
@@ -128,13 +128,16 @@ QTRI_NOINLINE static void draw_call(const qtri_surface *surface, const qtri_view
     const struct qtri_pipeline_ops *ops = qtri_pipeline_ops_of(view);
     qtri_primitive_init(&primitive, surface, view, pose, material);
     if (ops != NULL) {
-        ops->begin(&primitive, view, qtri_is_smooth(material) ? QTRI_COLORS : QTRI_TINT);
+        ops->begin(&primitive, view,
+                   qtri_by_pixel_of(material) != NULL ? QTRI_BY_PIXEL
+                   : qtri_is_smooth(material)         ? QTRI_COLORS
+                                                      : QTRI_TINT);
     }
     qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
     lit_call call = {&primitive, &illumination, corners, normals, corner_count};
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(material);
     if (by_pixel != NULL) {
-        by_pixel->run(&primitive.to.solid.raster, &illumination, draw_all, &call);
+        by_pixel->run(&primitive, &illumination, draw_all, &call);
     } else {
         draw_all(&call);
     }

@@ -6,9 +6,17 @@
 #include "pipeline_ops.h"
 #include "prepared_lists.h"
 
-/* Those of its vertices in a view's lights. */
+/* Those of its vertices in a view's lights; by pixel, shares of corners. */
 static void set_lit_colors(qtri_large_vertex v[3], const qtri_draw_state *state)
 {
+    if (state->options.per_pixel) {
+        for (int i = 0; i < 3; i++) {
+            v[i].color_8p16[0] = (int32_t)(i == 1) << 30;
+            v[i].color_8p16[1] = (int32_t)(i == 2) << 30;
+            v[i].color_8p16[2] = 0;
+        }
+        return;
+    }
     for (int i = 0; i < 3; i++) {
         v[i].color_8p16[0] = (int32_t)(state->lit[i] & 0xFF0000u);
         v[i].color_8p16[1] = (int32_t)(state->lit[i] << 8 & 0xFF0000u);
@@ -74,7 +82,7 @@ QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indi
     }
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
     draw_lit(draw, index, vertex, p, area,
-             draw->lights != NULL ? draw->lights->model->find(draw, indices, a, b, c)
+             draw->lights != NULL ? draw->lights->model->find_large(draw, indices, a, b, c)
                                   : qtri_mesh_find_light(draw, indices, a, b, c));
 }
 
@@ -216,7 +224,7 @@ static void note(qtri_primitive *primitive, const uint32_t index[3])
 /* The raster's memory becomes the pipeline's: a draw call needs one of them. */
 static void begin(qtri_primitive *primitive, const qtri_view *view, int shade)
 {
-    if ((view->lights != NULL && qtri_by_pixel_of(primitive->material) != NULL) || !qtri_pipelines_can_draw(primitive->surface, primitive->material)) {
+    if (!qtri_pipelines_can_draw(primitive->surface, primitive->material)) {
         return;
     }
     primitive->ops = &qtri_pipeline_ops;
@@ -228,6 +236,9 @@ static void begin(qtri_primitive *primitive, const qtri_view *view, int shade)
 /* What colours do, see qtri_draw_state_init(). */
 static int shade_of(const qtri_mesh_job *draw)
 {
+    if (draw->lights != NULL && qtri_by_pixel_of(&draw->material) != NULL) {
+        return QTRI_BY_PIXEL;
+    }
     if (draw->mesh->colors != NULL || draw->lights != NULL) {
         return qtri_is_smooth(&draw->material) ? QTRI_COLORS : QTRI_TINT;
     }

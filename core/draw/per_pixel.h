@@ -11,11 +11,12 @@
 #include "mesh_job.h"
 
 struct qtri_by_pixel {
-    /* Calls `body` while the raster draws triangles by pixel. */
-    void (*run)(qtri_raster *raster, const qtri_illumination *by, qtri_lit_body body, void *with);
+    /* Calls `body` while triangles are drawn by pixel. */
+    void (*run)(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit_body body,
+                void *with);
     /* Before each triangle: its corners. Those of a mesh, and one of another. */
     void (*note)(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back);
-    void (*set)(const qtri_raster *raster, int i, const qtri_lit_point *point,
+    void (*set)(const qtri_primitive *primitive, int i, const qtri_lit_point *point,
                 const qtri_rgb *color);
 };
 

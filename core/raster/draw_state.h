@@ -8,10 +8,12 @@
 
 #include "qtri/body/state.h"
 
+enum { QTRI_BY_PIXEL = QTRI_COLORS + 1 };
+
 /*
  * `shade`: what colours of the draw call do, before textures are looked at: QTRI_FLAT where all
  * triangles have material.color; QTRI_TINT, a colour a triangle; QTRI_LIGHT, material.color in
- * light that varies; QTRI_COLORS. Where a list has
+ * light that varies; QTRI_COLORS; QTRI_BY_PIXEL, these in light by pixel. Where a list has
  * nothing that fits, or nothing can be drawn, state->pipeline draws nothing; a checked build stops
  * at the former.
  */

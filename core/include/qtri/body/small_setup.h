@@ -253,6 +253,16 @@ QTRI_BODY bool qtri_small_is_far(int32_t dx1, int32_t dy1, int32_t dx2, int32_t 
            (uint32_t)dx2 + far >= 2 * far || (uint32_t)dy2 + far >= 2 * far;
 }
 
+/* Light by vertex is as good as by pixel: vertices 1 and 2 are within 6 pixels of vertex 0. */
+QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small *t)
+{
+    const uint32_t half = 6 * 256;
+    const qtri_screen_point *a = &t->v[0]->at, *b = &t->v[1]->at, *c = &t->v[2]->at;
+    return (((uint32_t)(b->x_24p8 - a->x_24p8) + half) | ((uint32_t)(b->y_24p8 - a->y_24p8) + half) |
+            ((uint32_t)(c->x_24p8 - a->x_24p8) + half) |
+            ((uint32_t)(c->y_24p8 - a->y_24p8) + half)) < 2 * half;
+}
+
 QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QTRI_SMALL_SPANS],
                                            qtri_small *t)
 {

@@ -43,6 +43,7 @@ typedef struct qtri_draw_state {
     /* With a view's lights: 0x00RRGGBB of the triangle's vertices, in the order of its indices. */
     bool is_lit;
     uint32_t lit[3];
+    struct qtri_light_walk *light_walk; /* with per_pixel: see large.h */
 
     /* QTRI_LIGHT without texture on RGB565: stored pixels by light. */
     bool has_table;
