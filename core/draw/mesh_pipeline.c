@@ -231,6 +231,10 @@ static void begin(qtri_primitive *primitive, const qtri_view *view, int shade)
     primitive->to.pipeline.small.state = &primitive->to.pipeline.state;
     qtri_draw_state_init(&primitive->to.pipeline.state, primitive->surface, view->pipelines,
                          primitive->material, shade);
+    if (shade == QTRI_BY_PIXEL) {
+        qtri_draw_state_prefer(&primitive->to.pipeline.state,
+                               qtri_by_pixel_of(primitive->material)->pipelines);
+    }
 }
 
 /* What colours do, see qtri_draw_state_init(). */

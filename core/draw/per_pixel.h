@@ -9,8 +9,13 @@
 #include "../raster/pixel_light.h"
 #include "../raster/shading.h"
 #include "mesh_job.h"
+#include "qtri/pipeline.h"
+
+extern const qtri_pipeline qtri_pipeline_by_pixel, qtri_pipeline_texture_by_pixel;
+extern const qtri_pipeline *const qtri_pipelines_by_pixel[];
 
 struct qtri_by_pixel {
+    const qtri_pipeline *const *pipelines; /* before the generic one of a view's */
     /* Calls `body` while triangles are drawn by pixel. */
     void (*run)(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit_body body,
                 void *with);

@@ -259,6 +259,15 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     }
 }
 
+void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *pipelines)
+{
+    if (state->pipeline->options.format == QTRI_ANY) {
+        const qtri_pipeline *found =
+            find(pipelines, &state->options, state->surface, state->texture);
+        state->pipeline = found != NULL ? found : state->pipeline;
+    }
+}
+
 /* A step of light of a channel of 255: most / (255 128) in 2^-24, off by 2^-9 in all at most. */
 #define STEP(most) ((((uint32_t)(most) << 24) + 16320) / 32640)
 

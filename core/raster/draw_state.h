@@ -21,6 +21,9 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,
                           int shade);
 
+/* Where the generic pipeline was chosen: takes one of this list that fits, if there is any. */
+void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *pipelines);
+
 /*
  * Whether pipelines draw what surface and material ask for: all but four samples a pixel, mipmaps,
  * shifts of depth by slope, and fills, which other ways draw.
