@@ -2,21 +2,24 @@
 /* Colours, light and alpha of large triangles, which pieces have packed: see qtri_pixel_walk. */
 #include "large_setup.h"
 
-/* A channel as it is stepped, n.16. */
-static uint32_t scaled(const qtri_options *o, uint32_t c, int i)
+/* 31 / 255 and 63 / 255. */
+#define TO_31 522133279u
+#define TO_63 1061109568u
+
+/* 256.0 is 1. */
+static inline uint32_t weight(uint32_t c)
 {
-    if (qtri_is_textured(o)) { /* 256.0 is 1 */
-        return c + (c >> 8) + (c >> 16);
-    }
-    if (qtri_kind_of(o) == QTRI_IN_565) { /* 63 / 255 and 31 / 255 */
-        return qtri_mul_high32(c, i == 1 ? 1061109568u : 522133279u);
-    }
-    return c;
+    return c + (c >> 8) + (c >> 16);
 }
 
+/* A vertex's channel as it is stepped, n.16. */
 static uint32_t channel(const qtri_options *o, const qtri_large_vertex *v, int i)
 {
-    return scaled(o, (uint32_t)qtri_hold32(v->color_8p16[i], 0, 255 * 65536), i);
+    const uint32_t c = (uint32_t)qtri_hold32(v->color_8p16[i], 0, 255 * 65536);
+    if (qtri_is_textured(o)) {
+        return weight(c);
+    }
+    return qtri_kind_of(o) == QTRI_IN_565 ? qtri_mul_high32(c, i == 1 ? TO_63 : TO_31) : c;
 }
 
 static uint32_t luma_of(uint32_t r, uint32_t g, uint32_t b)
@@ -33,16 +36,21 @@ static uint32_t luma(const qtri_large_vertex *v)
                    (uint32_t)qtri_hold32(v->color_8p16[2], 0, 255 * 65536));
 }
 
-void qtri_large_channels(const qtri_options *o, uint32_t out[3], const uint32_t color_8p16[3])
+void qtri_large_channels(int packing, uint32_t out[3], const uint32_t color_8p16[3])
 {
-    if (!qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_GRAY) {
-        out[0] = luma_of(color_8p16[0], color_8p16[1], color_8p16[2]);
+    const uint32_t *c = color_8p16;
+    if (packing == QTRI_PACK_565) {
+        out[0] = qtri_mul_high32(c[0], TO_31);
+        out[1] = qtri_mul_high32(c[1], TO_63);
+        out[2] = qtri_mul_high32(c[2], TO_31);
+    } else if (packing == QTRI_PACK_ONE) {
+        out[0] = luma_of(c[0], c[1], c[2]);
         out[1] = 0;
         out[2] = 0;
-        return;
-    }
-    for (int i = 0; i < 3; i++) {
-        out[i] = scaled(o, color_8p16[i], i);
+    } else {
+        for (int i = 0; i < 3; i++) {
+            out[i] = packing == QTRI_PACK_WEIGHTS ? weight(c[i]) : c[i];
+        }
     }
 }
 
@@ -137,17 +145,22 @@ static uint32_t word_step(const uint32_t step[3])
  * Two steps in turn, whose sum is rounded; and what is added where n pixels start: half of what
  * that sums up to along them.
  */
+static inline void channel_steps(uint32_t *one, uint32_t *two, uint32_t *center, uint32_t step,
+                                 uint32_t bits, int32_t n)
+{
+    const uint32_t both = rounded(2 * step, bits);
+    *one = rounded(step, bits);
+    *two = both - *one;
+    *center = (uint32_t)(((int32_t)(2 * step - both) * (n - 1)) >> 2);
+}
+
 static void word_steps(uint32_t *even, uint32_t *odd, uint32_t center[3], const uint32_t *step,
                        int32_t n)
 {
-    static const uint8_t bits[3] = {10, 11, 11};
     uint32_t one[3], two[3];
-    for (int i = 0; i < 3; i++) {
-        one[i] = rounded(step[i], bits[i]);
-        two[i] = rounded(2 * step[i], bits[i]);
-        center[i] = (uint32_t)(((int32_t)(2 * step[i] - two[i]) * (n - 1)) >> 2);
-        two[i] -= one[i];
-    }
+    channel_steps(&one[0], &two[0], &center[0], step[0], 10, n);
+    channel_steps(&one[1], &two[1], &center[1], step[1], 11, n);
+    channel_steps(&one[2], &two[2], &center[2], step[2], 11, n);
     *even = word_step(one);
     *odd = word_step(two);
 }

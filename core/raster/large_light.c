@@ -62,7 +62,7 @@ static void set_plane(qtri_large_plane *p, const qtri_large_light *l, const qtri
 static void set_tolerance(qtri_large_light *l, const qtri_options *o)
 {
     const bool coarse = qtri_kind_of(o) == QTRI_IN_565;
-    const int32_t most = !coarse                ? TOLERANCE_888
+    const int32_t most = !coarse               ? TOLERANCE_888
                          : qtri_is_textured(o) ? 8 * TOLERANCE_565
                                                : TOLERANCE_565;
     l->tolerance[0] = most;
@@ -78,6 +78,7 @@ static void begin(qtri_large *t)
     uint32_t q[3];
     qtri_lit_set_corners(&l->lit);
     l->packing = qtri_large_packing_of(job->options);
+    l->half = qtri_large_half_of(job->options);
     l->plane_y = job->plane_y;
     l->divided = !job->options->linear && align_q(q, v);
     l->y = INT32_MIN;
@@ -118,18 +119,14 @@ static void find_shares(int32_t b_q30[2], const qtri_large_light *l, int32_t x)
     b_q30[1] = qtri_hold32(b[1], 0, one - 1 - b_q30[0]);
 }
 
-static void find_sample(qtri_light_sample *out, const qtri_large_job *job, qtri_large_light *l,
-                        int32_t x)
+static void find_sample(qtri_light_sample *out, const qtri_large_light *l, int32_t x)
 {
     int32_t b_q30[2];
-    uint32_t color_8p16[3], c[3];
+    uint32_t color_8p16[3];
     find_shares(b_q30, l, x);
     qtri_lit_color(color_8p16, &l->lit, b_q30);
-    qtri_large_channels(job->options, c, color_8p16);
+    qtri_large_channels(l->packing, out->c, color_8p16);
     out->x = x;
-    for (int i = 0; i < 3; i++) {
-        out->c[i] = (int32_t)c[i];
-    }
 }
 
 /* Whether what lies halfway between a and b is on the line between them: within half of D. */
@@ -138,8 +135,9 @@ static bool is_straight(const qtri_large_light *l, const qtri_light_sample *a,
 {
     const int32_t share = inverse_q15[b->x - a->x] * (middle->x - a->x);
     for (int i = 0; i < 3; i++) {
-        const int32_t way = (((b->c[i] - a->c[i]) >> 9) * share) >> 6;
-        if (qtri_magnitude32(middle->c[i] - a->c[i] - way) > (uint32_t)l->tolerance[i] / 2) {
+        const int32_t way = (((int32_t)(b->c[i] - a->c[i]) >> 9) * share) >> 6;
+        if (qtri_magnitude32((int32_t)(middle->c[i] - a->c[i]) - way) >
+            (uint32_t)l->tolerance[i] / 2) {
             return false;
         }
     }
@@ -156,11 +154,11 @@ static bool is_bent(const qtri_large_light *l, const qtri_light_sample *a,
     const int32_t length = c->x - b->x;
     const bool whole = length == (int32_t)1 << l->block_log2;
     for (int i = 0; i < 3; i++) {
-        int32_t after = c->c[i] - b->c[i];
+        int32_t after = (int32_t)(c->c[i] - b->c[i]);
         if (!whole) {
             after = part_of(after, length) * ((int32_t)1 << l->block_log2);
         }
-        if (qtri_magnitude32(after - (b->c[i] - a->c[i])) > (uint32_t)l->tolerance[i]) {
+        if (qtri_magnitude32(after - (int32_t)(b->c[i] - a->c[i])) > (uint32_t)l->tolerance[i]) {
             return true;
         }
     }
@@ -176,7 +174,7 @@ static bool may_bend(const qtri_large_light *l, const qtri_light_sample *a,
 {
     const int32_t times = b->x - a->x <= BLOCK_MAX / 2 ? 4 : 2;
     for (int i = 0; i < 3; i++) {
-        if (qtri_magnitude32(b->c[i] - a->c[i]) > (uint32_t)(l->tolerance[i] * times)) {
+        if (qtri_magnitude32((int32_t)(b->c[i] - a->c[i])) > (uint32_t)(l->tolerance[i] * times)) {
             return true;
         }
     }
@@ -186,13 +184,13 @@ static bool may_bend(const qtri_large_light *l, const qtri_light_sample *a,
 /* The row -------------------------------------------------------------------------------------- */
 
 /* The span's next sample; that at x, its last one, again. */
-static void next_sample(qtri_light_sample *out, const qtri_large_job *job, qtri_large_light *l,
+static void next_sample(qtri_light_sample *out, const qtri_large_light *l,
                         const qtri_light_sample *at)
 {
     if (at->x == l->last) {
         *out = *at;
     } else {
-        find_sample(out, job, l, qtri_least32(at->x + ((int32_t)1 << l->block_log2), l->last));
+        find_sample(out, l, qtri_least32(at->x + ((int32_t)1 << l->block_log2), l->last));
     }
 }
 
@@ -220,10 +218,10 @@ static void begin_row(const qtri_large_job *job, qtri_large_light *l)
     move_planes(l, l->y);
     const int32_t block = qtri_least32(l->x - left, qtri_greatest32(l->last - left - 1, 0)) >>
                           l->block_log2 << l->block_log2;
-    find_sample(&l->sample[0], job, l, left + block);
-    next_sample(&l->sample[1], job, l, &l->sample[0]);
+    find_sample(&l->sample[0], l, left + block);
+    next_sample(&l->sample[1], l, &l->sample[0]);
     if (block != 0) {
-        find_sample(&l->sample[2], job, l, left + block - ((int32_t)1 << l->block_log2));
+        find_sample(&l->sample[2], l, left + block - ((int32_t)1 << l->block_log2));
         l->bends = is_bent(l, &l->sample[2], &l->sample[0], &l->sample[1]);
     }
 }
@@ -233,7 +231,24 @@ static inline uint8_t after(uint8_t sample)
     return sample == 2 ? 0 : (uint8_t)(sample + 1);
 }
 
-static void next_block(const qtri_large_job *job, qtri_large_light *l)
+/* Colours from a to before b, and b itself where it is the last of its span. */
+static void set_piece(qtri_large_light *l, const qtri_light_sample *a, const qtri_light_sample *b)
+{
+    const int32_t length = b->x - a->x;
+    uint32_t c[3], step[3];
+    for (int i = 0; i < 3; i++) {
+        const int32_t change = (int32_t)(b->c[i] - a->c[i]);
+        c[i] = a->c[i] + l->half;
+        step[i] = (uint32_t)(length == (int32_t)1 << l->block_log2 ? change >> l->block_log2
+                                                                   : part_of(change, length));
+    }
+    l->piece_x = a->x;
+    l->piece_end = b->x + (b->x == l->last ? 1 : 0);
+    qtri_large_pack_colors(l->packing, &l->walk.piece, c, step, l->piece_end - a->x);
+}
+
+/* The next block: a piece where it is straight, and else what is to be halved. */
+static void next_block(qtri_large_light *l)
 {
     const qtri_light_sample *from = &l->sample[l->from];
     const uint8_t second = after(l->from);
@@ -241,49 +256,40 @@ static void next_block(const qtri_large_job *job, qtri_large_light *l)
     qtri_light_sample *next = &l->sample[after(second)];
     const bool is_first = from->x == l->left, is_last = to->x == l->last;
     const bool bent_before = l->bends;
-    next_sample(next, job, l, to);
+    next_sample(next, l, to);
     l->bends = !is_last && is_bent(l, from, to, next);
-    l->bent[0] = bent_before || l->bends ||
-                 ((is_first || is_last) &&
-                  (may_bend(l, from, to) ||
-                   (is_first && is_last && (to->x - from->x) * 4 > (int32_t)1 << l->block_log2)));
+    const bool bent =
+        bent_before || l->bends ||
+        ((is_first || is_last) &&
+         (may_bend(l, from, to) ||
+          (is_first && is_last && (to->x - from->x) * 4 > (int32_t)1 << l->block_log2)));
+    l->from = second;
+    if (!bent) {
+        set_piece(l, from, to);
+        return;
+    }
+    l->bent[0] = true;
     l->at = *from;
     l->end[0] = *to;
     l->count = 1;
-    l->from = second;
-}
-
-/* Colours from a to before b, and b itself where it is the last of its span. */
-static void set_piece(const qtri_large_job *job, qtri_large_light *l, const qtri_light_sample *a,
-                      const qtri_light_sample *b)
-{
-    const uint32_t half = qtri_large_half_of(job->options);
-    const int32_t length = b->x - a->x;
-    uint32_t c[3], step[3];
-    for (int i = 0; i < 3; i++) {
-        const int32_t change = b->c[i] - a->c[i];
-        c[i] = (uint32_t)a->c[i] + half;
-        step[i] = (uint32_t)(length == (int32_t)1 << l->block_log2 ? change >> l->block_log2
-                                                                  : part_of(change, length));
-    }
-    l->piece_x = a->x;
-    l->piece_end = b->x + (b->x == l->last ? 1 : 0);
-    qtri_large_pack_colors(l->packing, &l->walk.piece, c, step, l->piece_end - a->x);
 }
 
 /*
  * Halves of what is not straight, from left to right. Part n is at most 2^(DULL_LOG2 - n) long, so
  * the last that there is room for is a pixel.
  */
-static void next_piece(const qtri_large_job *job, qtri_large_light *l)
+static void next_piece(qtri_large_light *l)
 {
     do {
         if (l->count == 0) {
-            next_block(job, l);
+            next_block(l);
+            if (l->count == 0) {
+                continue;
+            }
         }
         int i = l->count - 1;
         while (l->bent[i] && l->end[i].x - l->at.x >= 2) {
-            find_sample(&l->end[i + 1], job, l, (l->at.x + l->end[i].x) >> 1);
+            find_sample(&l->end[i + 1], l, (l->at.x + l->end[i].x) >> 1);
             l->bent[i + 1] = !is_straight(l, &l->at, &l->end[i + 1], &l->end[i]);
             l->bent[i] = l->bent[i + 1];
             i++;
@@ -292,7 +298,7 @@ static void next_piece(const qtri_large_job *job, qtri_large_light *l)
         const qtri_light_sample to = l->end[i];
         l->piece_end = to.x + (to.x == l->last ? 1 : 0);
         if (l->piece_end > l->x) {
-            set_piece(job, l, &l->at, &to);
+            set_piece(l, &l->at, &to);
         }
         l->at = to;
     } while (l->piece_end <= l->x);
@@ -306,7 +312,7 @@ static int32_t next(qtri_large *t, int32_t count)
         begin_row(job, l);
     }
     if (l->x >= l->piece_end) {
-        next_piece(job, l);
+        next_piece(l);
     }
     if (l->x != l->piece_x) {
         qtri_large_skip_colors(job->options, &l->walk.piece, (uint32_t)(l->x - l->piece_x));

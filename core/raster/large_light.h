@@ -18,7 +18,7 @@ enum { QTRI_LIGHT_BLOCK_LOG2 = 4 /* pixels from sample to sample, at most */ };
 /* What a pixel shows, as it is stepped: see qtri_large_channels(). */
 typedef struct qtri_light_sample {
     int32_t x;
-    int32_t c[3];
+    uint32_t c[3];
 } qtri_light_sample;
 
 /* Light on the triangles of a draw call, and where it is along a row. */
@@ -29,11 +29,12 @@ typedef struct qtri_large_light {
 
     /* The triangle: shares of corners 1 and 2, 2^30 is 1; divided: times q = 1/w, 2^31 at most. */
     uint8_t packing;
+    uint32_t half; /* what colours start with more */
     bool divided;
-    int32_t plane_y;            /* of the planes' row */
+    int32_t plane_y; /* of the planes' row */
     qtri_large_plane share[2], q;
-    uint32_t least, greatest;   /* of the vertices' q */
-    int32_t tolerance[3];       /* of a second difference */
+    uint32_t least, greatest; /* of the vertices' q */
+    int32_t tolerance[3];     /* of a second difference */
 
     /* The row: its span, which a scissor does not change, and the next pixel. */
     int32_t y, left, last, x;

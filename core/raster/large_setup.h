@@ -135,7 +135,7 @@ void qtri_large_planes_move(qtri_large_job *job);
    255, as they are stepped, n.16: gray is the first one. */
 uint8_t qtri_large_packing_of(const qtri_options *o);
 uint32_t qtri_large_half_of(const qtri_options *o);
-void qtri_large_channels(const qtri_options *o, uint32_t out[3], const uint32_t color_8p16[3]);
+void qtri_large_channels(int packing, uint32_t out[3], const uint32_t color_8p16[3]);
 void qtri_large_pack_colors(int packing, qtri_large_piece *piece, const uint32_t *c,
                             const uint32_t *step, int32_t n);
 /* colours and alpha of a piece of n pixels, from n.16 of each attribute. */

@@ -38,7 +38,7 @@ static const int32_t inverse_q30[BLOCK_MAX + 1] = {
     ONE_Q30 / 12, ONE_Q30 / 13, ONE_Q30 / 14, ONE_Q30 / 15, ONE_Q30 / 16};
 
 static void set_planes(qtri_pixel_light *p, const qtri_raster *raster,
-                         const qtri_triangle *triangle, const qtri_attributes v[3])
+                       const qtri_triangle *triangle, const qtri_attributes v[3])
 {
     qtri_gradient gradient;
     uint32_t q[3];
