@@ -199,7 +199,9 @@ static void move_planes(qtri_large_light *l, int32_t y)
     for (; l->plane_y < y; l->plane_y++) { /* one row, mostly */
         l->share[0].row += l->share[0].dy;
         l->share[1].row += l->share[1].dy;
-        l->q.row += l->divided ? l->q.dy : 0;
+        if (l->divided) {
+            l->q.row += l->q.dy;
+        }
     }
 }
 
