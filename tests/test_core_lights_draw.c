@@ -219,10 +219,41 @@ static void outlines_and_edges(void **state)
     assert_true(lit > 1000);
 }
 
-/* Its triangles one by one, with and without normals, whole and clipped, are the mesh. */
+static int channel_apart(uint32_t a, uint32_t b)
+{
+    int most = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+        const int apart = abs((int)(a >> shift & 255) - (int)(b >> shift & 255));
+        most = apart > most ? apart : most;
+    }
+    return most;
+}
+
+/* Pixels of which depth is off by more than one step, or with `colors` a channel is. */
+static unsigned count_apart(unsigned *drawn, const qtri_surface *a, const qtri_surface *b,
+                            bool colors)
+{
+    unsigned apart = 0;
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const int32_t x = i % WIDTH, y = i / WIDTH;
+        const uint32_t p = stored_pixel(a, x, y), q = stored_pixel(b, x, y);
+        apart += (colors && channel_apart(p, q) > 1) ||
+                 abs((int)stored_depth(a, x, y) - (int)stored_depth(b, x, y)) > 1;
+        *drawn += p != 0;
+    }
+    return apart;
+}
+
+/*
+ * Its triangles one by one, with and without normals, whole and clipped, are the mesh: but for
+ * roundings, as small triangles of meshes are drawn by other sums. Where two triangles meet in a
+ * pixel these decide which is seen. By pixel colours are not compared: those of meshes that are
+ * smaller than 6 pixels are lit by vertex.
+ */
 static void loose_triangles(void **state)
 {
     (void)state;
+    unsigned drawn = 0, apart = 0;
     static faces_mesh m;
     static qtri_corner corners[3 * FACES_TRIANGLES];
     static qtri_normal normals[3 * FACES_TRIANGLES];
@@ -254,7 +285,8 @@ static void loose_triangles(void **state)
         qtri_draw_mesh(&first.surface, &view, &pose, &mesh, &material);
         qtri_draw_lit_triangles(&other.surface, &view, &pose, corners, has_normals ? normals : NULL,
                                 3 * mesh.triangle_count, &material);
-        assert_same_picture(&first.surface, &other.surface);
+        apart +=
+            count_apart(&drawn, &first.surface, &other.surface, material.shading != QTRI_PER_PIXEL);
         /* Without lights they are what qtri_draw_triangles draws. */
         canvas_clear(&first);
         canvas_clear(&other);
@@ -267,6 +299,8 @@ static void loose_triangles(void **state)
         canvas_free(&first);
         canvas_free(&other);
     }
+    print_message("%u of %u pixels are not those of the mesh\n", apart, drawn);
+    assert_true(apart <= drawn / 500);
 }
 
 /* ---- By pixel ---- */

@@ -32,12 +32,17 @@ static struct world {
     qtri_rgb colors[VERTICES];
     uint8_t alphas[VERTICES];
     uint16_t triangles[TRIANGLES][3];
-    qtri_vertex vertices[VERTICES];
+    qtri_vertex vertices[QTRI_LIT_VERTICES(VERTICES)];
+    uint32_t vertex_count; /* of these */
     uint32_t texels[1 << 18];
     qtri_mesh mesh;
     qtri_view view;
     qtri_transform pose;
     qtri_light light;
+    qtri_lights lights;
+    qtri_light_source sources[3];
+    qtri_shininess shininess;
+    qtri_reflection reflection;
     qtri_texture texture;
     qtri_fog fog;
     qtri_material material;
@@ -75,6 +80,7 @@ static void make_mesh(int shape)
         }
     }
     memset(&w.mesh, 0, sizeof w.mesh);
+    w.vertex_count = random_flag(&seed) ? VERTICES : QTRI_LIT_VERTICES(VERTICES);
     w.mesh.positions = w.positions;
     w.mesh.triangles = (const uint16_t(*)[3])w.triangles;
     w.mesh.vertex_count = VERTICES;
@@ -164,6 +170,49 @@ static void make_material(const qtri_options *o)
     w.view.light = &w.light;
 }
 
+/* Some lights, where colours vary: of vertices, with normals and without, and of pixels. */
+static void make_lights(const qtri_options *o)
+{
+    static const qtri_light_kind *const kinds[] = {&qtri_directional_light, &qtri_point_light,
+                                                   &qtri_spot_light};
+    const qtri_light_color dim = {Q16(.1), Q16(.15), Q16(.1)};
+    const bool may = o->shade == QTRI_COLORS ||
+                     (o->shade == QTRI_FLAT && o->texel == QTRI_NO_TEXEL) || o->shade == QTRI_TINT;
+    w.view.lights = NULL;
+    w.material.reflection = NULL;
+    if (!o->per_pixel && (!may || random_flag(&seed))) {
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        qtri_light_source *s = &w.sources[i];
+        memset(s, 0, sizeof *s);
+        s->kind = kinds[random_in(&seed, 0, 2)];
+        s->position = vec3_of(.5 - i, .7, 1.2 * i - .5);
+        s->color.r = between(.1, 1.2);
+        s->color.g = between(.1, 1.2);
+        s->color.b = between(.1, 1.2);
+        s->constant = Q16(1);
+        s->quadratic = Q16(.2);
+        s->direction = vec3_of(0, -.5, -1);
+        s->inner = Q16(20);
+        s->outer = Q16(50);
+    }
+    memset(&w.reflection, 0, sizeof w.reflection);
+    qtri_shininess_init(&w.shininess, Q16(20));
+    w.reflection.specular = w.colors[7];
+    w.reflection.shininess = random_flag(&seed) ? &w.shininess : NULL;
+    w.reflection.two_sided = random_flag(&seed);
+    w.material.reflection = &w.reflection;
+    assert_int_equal(qtri_lights_init(&w.lights, w.sources, (uint32_t)random_in(&seed, 1, 3), dim),
+                     QTRI_OK);
+    w.view.lights = &w.lights;
+    w.mesh.normals = random_flag(&seed) ? w.normals : NULL;
+    w.mesh.colors = random_flag(&seed) ? w.colors : NULL;
+    if (o->per_pixel) {
+        w.material.shading = &qtri_per_pixel;
+    }
+}
+
 /* A picture, all bytes of colour and depth, by one pipeline. -------------------------------------
  */
 
@@ -204,7 +253,7 @@ static void draw(const qtri_surface *surface, const qtri_pipeline *pipeline)
     const qtri_pipeline *const list[] = {pipeline, NULL};
     w.view.pipelines = list;
     w.view.vertices = w.vertices;
-    w.view.vertex_count = VERTICES;
+    w.view.vertex_count = w.vertex_count;
     qtri_draw_mesh(surface, &w.view, &w.pose, &w.mesh, &w.material);
     w.view.pipelines = NULL;
 }
@@ -260,6 +309,7 @@ static void specialised_is_generic_is_tiles_is_bands(void **state)
             make_mesh(shape);
             make_texture(o);
             make_material(o);
+            make_lights(o);
             w.light.towards = vec3_of(.3, .6, .7);
             w.light.ambient = Q16(.2);
             w.light.diffuse = Q16(.8);
@@ -307,7 +357,8 @@ static void every_pipeline_fits_what_it_was_made_for(void **state)
         make_material(o);
         picture p = new_picture(o);
         qtri_draw_state_init(&found, &p.surface, list, &w.material,
-                             o->shade == QTRI_WHITE_LIGHT                         ? QTRI_LIGHT
+                             o->per_pixel                                         ? QTRI_BY_PIXEL
+                             : o->shade == QTRI_WHITE_LIGHT                       ? QTRI_LIGHT
                              : o->shade == QTRI_FLAT && o->texel == QTRI_NO_TEXEL ? QTRI_TINT
                                                                                   : o->shade);
         if (found.pipeline != random_pipelines[n]) {

@@ -103,6 +103,10 @@ static void set_vertex(qtri_large_vertex *out, const qtri_draw_state *state,
         out->color_8p16[i] = from->color_8p16[i];
     }
     out->light_q15 = (uint32_t)from->color_8p16[0] / 510; /* 255.0 is 1 */
+    if (state->options.per_pixel) {
+        out->color_8p16[0] = v->b1_q30;
+        out->color_8p16[1] = v->b2_q30;
+    }
     out->u_q32 = from->u_q32;
     out->v_q32 = from->v_q32;
     out->rest[0] = v->rest[0];

@@ -53,7 +53,7 @@ QTRI_NOINLINE static void run_by_pixel(const qtri_by_pixel *by_pixel, qtri_mesh_
                                        void (*body)(qtri_mesh_job *draw, void *with), void *with)
 {
     lit_mesh mesh = {draw, body, with};
-    by_pixel->run(&draw->primitive.to.solid.raster, draw->illumination, draw_lit_mesh, &mesh);
+    by_pixel->run(&draw->primitive, draw->illumination, draw_lit_mesh, &mesh);
 }
 
 static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose,
@@ -105,17 +105,22 @@ static void light_list(const qtri_mesh_job *draw, uint32_t count)
 }
 
 /* Front sides of vertices that have room are lit once. */
-static qtri_rgb vertex_color(const qtri_mesh_job *draw, uint32_t index, bool is_back)
+static inline uint32_t vertex_word(const qtri_mesh_job *draw, uint32_t index, bool is_back)
 {
     if (is_back || draw->lit_colors == NULL) {
-        return qtri_lit_rgb(light_vertex(draw, index, is_back));
+        return light_vertex(draw, index, is_back);
     }
     uint32_t word = draw->lit_colors[index];
     if (word == 0 && draw->illumination != NULL) {
         word = light_vertex(draw, index, false);
         draw->lit_colors[index] = word;
     }
-    return qtri_lit_rgb(word);
+    return word;
+}
+
+static qtri_rgb vertex_color(const qtri_mesh_job *draw, uint32_t index, bool is_back)
+{
+    return qtri_lit_rgb(vertex_word(draw, index, is_back));
 }
 
 static void meet(const qtri_mesh_job *draw, const void *indices)
@@ -200,6 +205,43 @@ static void shade(const qtri_mesh_job *draw, const uint32_t index[3], const qtri
 {
     const bool is_back = is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
     shade_side(draw, index, is_back, color);
+}
+
+static uint32_t find(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                     qtri_vertex *c)
+{
+    const qtri_mesh_job *draw = from;
+    uint32_t *lit = draw->primitive.to.pipeline.small.state->lit;
+    uint32_t index[3];
+    const bool is_back = is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    if (draw->shaded_per_vertex) {
+        lit[0] = vertex_word(draw, index[0], is_back);
+        lit[1] = vertex_word(draw, index[1], is_back);
+        lit[2] = vertex_word(draw, index[2], is_back);
+        return QTRI_INTENSITY_ONE;
+    }
+    qtri_rgb color[3];
+    shade_face(draw, index, is_back, color);
+    for (int i = 0; i < 3; i++) {
+        lit[i] = (uint32_t)color[i].r << 16 | (uint32_t)color[i].g << 8 | color[i].b;
+    }
+    return QTRI_INTENSITY_ONE;
+}
+
+static uint32_t find_large(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                           qtri_vertex *c)
+{
+    const qtri_mesh_job *draw = from;
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    if (by_pixel == NULL || !draw->primitive.to.pipeline.small.state->options.per_pixel) {
+        return find(from, indices, a, b, c);
+    }
+    uint32_t index[3];
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    by_pixel->note(draw, index,
+                   is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0);
+    return QTRI_INTENSITY_ONE;
 }
 
 /* In 8 bits, as the raster's channels. */
@@ -291,6 +333,8 @@ static const qtri_light_model model = {
     .has_place = has_place,
     .list = light_list,
     .meet = meet,
+    .find = find,
+    .find_large = find_large,
     .shade = shade,
     .small = draw_small,
     .large = draw_large,

@@ -25,6 +25,12 @@ struct qtri_light_model {
     void (*list)(const qtri_mesh_job *draw, uint32_t count);
     /* Lights the vertices of a triangle likewise. */
     void (*meet)(const qtri_mesh_job *draw, const void *indices);
+    /* For pipelines, as qtri_mesh_find_light: colours of the vertices into the draw state. */
+    uint32_t (*find)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                     qtri_vertex *c);
+    /* That of a large triangle: by pixel its corners, which light falls on. */
+    uint32_t (*find_large)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                           qtri_vertex *c);
     /* A triangle's colours; it is inside all planes. */
     void (*shade)(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
                   const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3]);

@@ -3,6 +3,7 @@
 
 #include "../geometry/lit_point.h"
 #include "per_pixel.h"
+#include "pipeline_ops.h"
 #include "checked.h"
 
 /* The sign of the homogeneous determinant; y points down. */
@@ -59,7 +60,7 @@ static void light(qtri_corner lit[3], const qtri_primitive *primitive, const qtr
         qtri_illuminated_normal(&point, by, turn * n[0], turn * n[1], turn * n[2]);
         qtri_illuminated_place(&point, by, smooth ? &p[i] : &mean);
         if (by_pixel != NULL) {
-            by_pixel->set(&primitive->to.solid.raster, i, &point, &corners[i].color);
+            by_pixel->set(primitive, i, &point, &corners[i].color);
         }
         lit[i].color = qtri_lit_rgb(qtri_illuminate(by, &point, &corners[i].color));
     }
@@ -90,7 +91,7 @@ static void draw_lit(const qtri_primitive *primitive, qtri_corner_vertices *kept
 
 /* All triangles of a call. */
 typedef struct lit_call {
-    const qtri_primitive *primitive;
+    qtri_primitive *primitive;
     const qtri_illumination *by;
     const qtri_corner *corners;
     const qtri_normal *normals;
@@ -100,14 +101,18 @@ typedef struct lit_call {
 static void draw_all(void *with)
 {
     const lit_call *call = with;
-    const bool noted = qtri_corners_are_noted(call->primitive);
+    qtri_primitive *primitive = call->primitive;
+    const bool noted = primitive->ops == NULL && qtri_corners_are_noted(primitive);
     qtri_corner_vertices kept;
     kept.before = NULL;
     for (uint32_t i = 0; call->corner_count - i >= 3; i += 3) {
-        if (noted) {
-            qtri_corners_note(call->primitive, i);
+        if (primitive->ops != NULL) {
+            const uint32_t index[3] = {i, i + 1, i + 2};
+            primitive->ops->note(primitive, index);
+        } else if (noted) {
+            qtri_corners_note(primitive, i);
         }
-        draw_lit(call->primitive, &kept, call->by, &call->corners[i],
+        draw_lit(primitive, &kept, call->by, &call->corners[i],
                  call->normals != NULL ? &call->normals[i] : NULL);
     }
 }
@@ -120,12 +125,19 @@ QTRI_NOINLINE static void draw_call(const qtri_surface *surface, const qtri_view
 {
     qtri_primitive primitive;
     qtri_illumination illumination;
+    const struct qtri_pipeline_ops *ops = qtri_pipeline_ops_of(view);
     qtri_primitive_init(&primitive, surface, view, pose, material);
+    if (ops != NULL) {
+        ops->begin(&primitive, view,
+                   qtri_by_pixel_of(material) != NULL ? QTRI_BY_PIXEL
+                   : qtri_is_smooth(material)         ? QTRI_COLORS
+                                                      : QTRI_TINT);
+    }
     qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
     lit_call call = {&primitive, &illumination, corners, normals, corner_count};
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(material);
     if (by_pixel != NULL) {
-        by_pixel->run(&primitive.to.solid.raster, &illumination, draw_all, &call);
+        by_pixel->run(&primitive, &illumination, draw_all, &call);
     } else {
         draw_all(&call);
     }

@@ -2,8 +2,27 @@
 /* A mesh by a pipeline: its small triangles, and large ones. */
 #include "large_piece.h"
 #include "lights.h"
+#include "per_pixel.h"
 #include "pipeline_ops.h"
 #include "prepared_lists.h"
+
+/* Those of its vertices in a view's lights; by pixel, shares of corners. */
+static void set_lit_colors(qtri_large_vertex v[3], const qtri_draw_state *state)
+{
+    if (state->options.per_pixel) {
+        for (int i = 0; i < 3; i++) {
+            v[i].color_8p16[0] = (int32_t)(i == 1) << 30;
+            v[i].color_8p16[1] = (int32_t)(i == 2) << 30;
+            v[i].color_8p16[2] = 0;
+        }
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        v[i].color_8p16[0] = (int32_t)(state->lit[i] & 0xFF0000u);
+        v[i].color_8p16[1] = (int32_t)(state->lit[i] << 8 & 0xFF0000u);
+        v[i].color_8p16[2] = (int32_t)(state->lit[i] << 16 & 0xFF0000u);
+    }
+}
 
 /* The triangle's colour, or those of its vertices in light. */
 static void set_colors(qtri_large_vertex v[3], const qtri_mesh_job *draw, const uint32_t index[3],
@@ -41,7 +60,11 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t ind
         v[i].alpha_q16 =
             state->options.vertex_alpha ? ((uint32_t)alphas[index[i]] << 16) / 255 : 65536;
     }
-    set_colors(v, draw, index, vertex, face_q15);
+    if (state->is_lit) {
+        set_lit_colors(v, state);
+    } else {
+        set_colors(v, draw, index, vertex, face_q15);
+    }
     qtri_mesh_find_rests(v, draw, index, p, area);
     qtri_large_triangle(state, p, area,
                         qtri_color_word(v[qtri_provoking_of(&draw->material)].color_8p16), v);
@@ -58,7 +81,9 @@ QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indi
         return;
     }
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    draw_lit(draw, index, vertex, p, area, qtri_mesh_find_light(draw, indices, a, b, c));
+    draw_lit(draw, index, vertex, p, area,
+             draw->lights != NULL ? draw->lights->model->find_large(draw, indices, a, b, c)
+                                  : qtri_mesh_find_light(draw, indices, a, b, c));
 }
 
 /* The triangle with these indices, its vertices inside all planes. False: it is large. */
@@ -199,19 +224,26 @@ static void note(qtri_primitive *primitive, const uint32_t index[3])
 /* The raster's memory becomes the pipeline's: a draw call needs one of them. */
 static void begin(qtri_primitive *primitive, const qtri_view *view, int shade)
 {
-    if (view->lights != NULL || !qtri_pipelines_can_draw(primitive->surface, primitive->material)) {
+    if (!qtri_pipelines_can_draw(primitive->surface, primitive->material)) {
         return;
     }
     primitive->ops = &qtri_pipeline_ops;
     primitive->to.pipeline.small.state = &primitive->to.pipeline.state;
     qtri_draw_state_init(&primitive->to.pipeline.state, primitive->surface, view->pipelines,
                          primitive->material, shade);
+    if (shade == QTRI_BY_PIXEL) {
+        qtri_draw_state_prefer(&primitive->to.pipeline.state,
+                               qtri_by_pixel_of(primitive->material)->pipelines);
+    }
 }
 
 /* What colours do, see qtri_draw_state_init(). */
 static int shade_of(const qtri_mesh_job *draw)
 {
-    if (draw->mesh->colors != NULL) {
+    if (draw->lights != NULL && qtri_by_pixel_of(&draw->material) != NULL) {
+        return QTRI_BY_PIXEL;
+    }
+    if (draw->mesh->colors != NULL || draw->lights != NULL) {
         return qtri_is_smooth(&draw->material) ? QTRI_COLORS : QTRI_TINT;
     }
     if (draw->lit_per_vertex) {
@@ -231,6 +263,10 @@ static void begin_mesh(qtri_mesh_job *draw, const qtri_view *view)
     t->light = draw->lit_per_vertex || draw->lit_per_face || draw->mesh->colors != NULL
                    ? qtri_mesh_find_light
                    : NULL;
+    if (draw->lights != NULL) {
+        draw->primitive.to.pipeline.state.is_lit = true;
+        t->light = draw->lights->model->find;
+    }
     t->from = draw;
     t->light_q15 = QTRI_VERTEX_UNLIT;
 }

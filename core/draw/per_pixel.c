@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "per_pixel.h"
 
+#include "../raster/large_light.h"
 #include "lit_vertex.h"
 
 /* The normal of a triangle. */
@@ -9,6 +10,27 @@ static void get_face_normal(int32_t n[3], const qtri_mesh *mesh, const uint32_t 
     qtri_vec3 p[3];
     qtri_lit_face_positions(p, mesh, index);
     qtri_face_normal(n, &p[0], &p[1], &p[2]);
+}
+
+static void set(const qtri_primitive *primitive, int i, const qtri_lit_point *point,
+                const qtri_rgb *color)
+{
+    if (primitive->ops != NULL) {
+        qtri_draw_state *state = primitive->to.pipeline.small.state;
+        qtri_lit_set_corner(qtri_large_light_triangle(state), i, point, color);
+    } else {
+        qtri_pixel_light_set(&primitive->to.solid.raster, i, point, color);
+    }
+}
+
+static void run(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit_body body,
+                void *with)
+{
+    if (primitive->ops != NULL) {
+        qtri_large_light_run(&primitive->to.pipeline.state, by, body, with);
+    } else {
+        qtri_pixel_light_run(&primitive->to.solid.raster, by, body, with);
+    }
 }
 
 static void note(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back)
@@ -26,12 +48,11 @@ static void note(const qtri_mesh_job *draw, const uint32_t index[3], bool is_bac
         }
         qtri_illuminated_normal(&point, draw->illumination, turn * n[0], turn * n[1], turn * n[2]);
         qtri_lit_vertex_place(&point, draw, index[i]);
-        qtri_pixel_light_set(&draw->primitive.to.solid.raster, i, &point,
-                             mesh->colors != NULL ? &mesh->colors[index[i]]
-                                                  : &draw->material.color);
+        set(&draw->primitive, i, &point,
+            mesh->colors != NULL ? &mesh->colors[index[i]] : &draw->material.color);
     }
 }
 
-static const qtri_by_pixel by_pixel = {qtri_pixel_light_run, note, qtri_pixel_light_set};
+static const qtri_by_pixel by_pixel = {qtri_pipelines_by_pixel, run, note, set};
 
 const qtri_shading qtri_per_pixel = {2, &qtri_varying_stages, &by_pixel};

@@ -9,13 +9,19 @@
 #include "../raster/pixel_light.h"
 #include "../raster/shading.h"
 #include "mesh_job.h"
+#include "qtri/pipeline.h"
+
+extern const qtri_pipeline qtri_pipeline_by_pixel, qtri_pipeline_texture_by_pixel;
+extern const qtri_pipeline *const qtri_pipelines_by_pixel[];
 
 struct qtri_by_pixel {
-    /* Calls `body` while the raster draws triangles by pixel. */
-    void (*run)(qtri_raster *raster, const qtri_illumination *by, qtri_lit_body body, void *with);
+    const qtri_pipeline *const *pipelines; /* before the generic one of a view's */
+    /* Calls `body` while triangles are drawn by pixel. */
+    void (*run)(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit_body body,
+                void *with);
     /* Before each triangle: its corners. Those of a mesh, and one of another. */
     void (*note)(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back);
-    void (*set)(const qtri_raster *raster, int i, const qtri_lit_point *point,
+    void (*set)(const qtri_primitive *primitive, int i, const qtri_lit_point *point,
                 const qtri_rgb *color);
 };
 

@@ -106,7 +106,8 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     if (is_usable(material->texture)) {
         want_texture(o, material);
     }
-    o->shade = shade_of(o, material, shade);
+    o->shade = shade_of(o, material, shade == QTRI_BY_PIXEL ? QTRI_COLORS : shade);
+    o->per_pixel = shade == QTRI_BY_PIXEL && o->shade == QTRI_COLORS;
     want_blend(o, material);
     o->fog = material->fog != NULL && material->fog->stages != NULL;
     o->fragment = material->fragment;
@@ -230,6 +231,8 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     memset(&state->options, 0, sizeof state->options);
     state->texture = NULL;
     state->has_table = false;
+    state->is_lit = false;
+    state->light_walk = NULL;
     state->pipeline = &nothing;
     state->surface = surface;
     state->material = material;
@@ -252,6 +255,15 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->pipeline = found;
     if (found->options.format != QTRI_ANY) {
         state->options = found->options;
+    }
+}
+
+void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *pipelines)
+{
+    if (state->pipeline->options.format == QTRI_ANY) {
+        const qtri_pipeline *found =
+            find(pipelines, &state->options, state->surface, state->texture);
+        state->pipeline = found != NULL ? found : state->pipeline;
     }
 }
 

@@ -8,16 +8,21 @@
 
 #include "qtri/body/state.h"
 
+enum { QTRI_BY_PIXEL = QTRI_COLORS + 1 };
+
 /*
  * `shade`: what colours of the draw call do, before textures are looked at: QTRI_FLAT where all
  * triangles have material.color; QTRI_TINT, a colour a triangle; QTRI_LIGHT, material.color in
- * light that varies; QTRI_COLORS. Where a list has
+ * light that varies; QTRI_COLORS; QTRI_BY_PIXEL, these in light by pixel. Where a list has
  * nothing that fits, or nothing can be drawn, state->pipeline draws nothing; a checked build stops
  * at the former.
  */
 void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,
                           int shade);
+
+/* Where the generic pipeline was chosen: takes one of this list that fits, if there is any. */
+void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *pipelines);
 
 /*
  * Whether pipelines draw what surface and material ask for: all but four samples a pixel, mipmaps,

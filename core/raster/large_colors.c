@@ -2,27 +2,56 @@
 /* Colours, light and alpha of large triangles, which pieces have packed: see qtri_pixel_walk. */
 #include "large_setup.h"
 
+/* 31 / 255 and 63 / 255. */
+#define TO_31 522133279u
+#define TO_63 1061109568u
+
+/* 256.0 is 1. */
+static inline uint32_t weight(uint32_t c)
+{
+    return c + (c >> 8) + (c >> 16);
+}
+
 /* A vertex's channel as it is stepped, n.16. */
 static uint32_t channel(const qtri_options *o, const qtri_large_vertex *v, int i)
 {
     const uint32_t c = (uint32_t)qtri_hold32(v->color_8p16[i], 0, 255 * 65536);
-    if (qtri_is_textured(o)) { /* 256.0 is 1 */
-        return c + (c >> 8) + (c >> 16);
+    if (qtri_is_textured(o)) {
+        return weight(c);
     }
-    if (qtri_kind_of(o) == QTRI_IN_565) { /* 63 / 255 and 31 / 255 */
-        return qtri_mul_high32(c, i == 1 ? 1061109568u : 522133279u);
-    }
-    return c;
+    return qtri_kind_of(o) == QTRI_IN_565 ? qtri_mul_high32(c, i == 1 ? TO_63 : TO_31) : c;
+}
+
+static uint32_t luma_of(uint32_t r, uint32_t g, uint32_t b)
+{
+    return (uint32_t)((qtri_mul_u32(r, 19595) + qtri_mul_u32(g, 38470) + qtri_mul_u32(b, 7471) +
+                       32768u) >>
+                      16);
 }
 
 static uint32_t luma(const qtri_large_vertex *v)
 {
-    const uint32_t r = (uint32_t)qtri_hold32(v->color_8p16[0], 0, 255 * 65536);
-    const uint32_t g = (uint32_t)qtri_hold32(v->color_8p16[1], 0, 255 * 65536);
-    const uint32_t b = (uint32_t)qtri_hold32(v->color_8p16[2], 0, 255 * 65536);
-    return (uint32_t)((qtri_mul_u32(r, 19595) + qtri_mul_u32(g, 38470) + qtri_mul_u32(b, 7471) +
-                       32768u) >>
-                      16);
+    return luma_of((uint32_t)qtri_hold32(v->color_8p16[0], 0, 255 * 65536),
+                   (uint32_t)qtri_hold32(v->color_8p16[1], 0, 255 * 65536),
+                   (uint32_t)qtri_hold32(v->color_8p16[2], 0, 255 * 65536));
+}
+
+void qtri_large_channels(int packing, uint32_t out[3], const uint32_t color_8p16[3])
+{
+    const uint32_t *c = color_8p16;
+    if (packing == QTRI_PACK_565) {
+        out[0] = qtri_mul_high32(c[0], TO_31);
+        out[1] = qtri_mul_high32(c[1], TO_63);
+        out[2] = qtri_mul_high32(c[2], TO_31);
+    } else if (packing == QTRI_PACK_ONE) {
+        out[0] = luma_of(c[0], c[1], c[2]);
+        out[1] = 0;
+        out[2] = 0;
+    } else {
+        for (int i = 0; i < 3; i++) {
+            out[i] = packing == QTRI_PACK_WEIGHTS ? weight(c[i]) : c[i];
+        }
+    }
 }
 
 /* An attribute from what it is at the vertices, 8.16. */
@@ -37,7 +66,7 @@ static void add_attribute(qtri_large_job *job, const uint32_t value[3], uint32_t
     a->up = -QTRI_LARGE_COLOR_UP;
 }
 
-static uint32_t half_of(const qtri_options *o)
+uint32_t qtri_large_half_of(const qtri_options *o)
 {
     if (qtri_is_textured(o)) { /* weights of 6 or 8 bits */
         return qtri_kind_of(o) == QTRI_IN_565 ? (uint32_t)1 << 17 : (uint32_t)1 << 15;
@@ -45,20 +74,29 @@ static uint32_t half_of(const qtri_options *o)
     return qtri_uses_table(o) ? (uint32_t)1 << (23 - QTRI_TABLE_LOG2) : (uint32_t)1 << 15;
 }
 
+uint8_t qtri_large_packing_of(const qtri_options *o)
+{
+    if (qtri_is_lit(o) || (!qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_GRAY)) {
+        return QTRI_PACK_ONE;
+    }
+    return !qtri_has_two_words(o) ? QTRI_PACK_565
+           : qtri_is_textured(o)  ? QTRI_PACK_WEIGHTS
+                                  : QTRI_PACK_888;
+}
+
 void qtri_large_set_colors(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     const qtri_options *o = job->options;
     const qtri_large_vertex *v = job->v;
-    const uint32_t half = half_of(o);
+    const uint32_t half = qtri_large_half_of(o);
     uint32_t value[3];
-    const bool is_gray = qtri_kind_of(o) == QTRI_IN_GRAY;
-    if (qtri_is_lit(o) || is_gray) {
+    job->packing = qtri_large_packing_of(o);
+    if (job->packing == QTRI_PACK_ONE) {
         for (int k = 0; k < 3; k++) {
             value[k] = qtri_is_lit(o) ? v[k].light_q15 << 9 : luma(&v[k]);
         }
         add_attribute(job, value, half);
-        job->packing = QTRI_PACK_ONE;
         return;
     }
     for (int i = 0; i < 3; i++) {
@@ -67,9 +105,6 @@ void qtri_large_set_colors(qtri_large *t)
         }
         add_attribute(job, value, half);
     }
-    job->packing = !qtri_has_two_words(o) ? QTRI_PACK_565
-                   : qtri_is_textured(o)  ? QTRI_PACK_WEIGHTS
-                                          : QTRI_PACK_888;
     job->run_log2 = QTRI_LARGE_RUN_LOG2;
 }
 
@@ -110,40 +145,49 @@ static uint32_t word_step(const uint32_t step[3])
  * Two steps in turn, whose sum is rounded; and what is added where n pixels start: half of what
  * that sums up to along them.
  */
+static inline void channel_steps(uint32_t *one, uint32_t *two, uint32_t *center, uint32_t step,
+                                 uint32_t bits, int32_t n)
+{
+    const uint32_t both = rounded(2 * step, bits);
+    *one = rounded(step, bits);
+    *two = both - *one;
+    *center = (uint32_t)(((int32_t)(2 * step - both) * (n - 1)) >> 2);
+}
+
 static void word_steps(uint32_t *even, uint32_t *odd, uint32_t center[3], const uint32_t *step,
                        int32_t n)
 {
-    static const uint8_t bits[3] = {10, 11, 11};
     uint32_t one[3], two[3];
-    for (int i = 0; i < 3; i++) {
-        one[i] = rounded(step[i], bits[i]);
-        two[i] = rounded(2 * step[i], bits[i]);
-        center[i] = (uint32_t)(((int32_t)(2 * step[i] - two[i]) * (n - 1)) >> 2);
-        two[i] -= one[i];
-    }
+    channel_steps(&one[0], &two[0], &center[0], step[0], 10, n);
+    channel_steps(&one[1], &two[1], &center[1], step[1], 11, n);
+    channel_steps(&one[2], &two[2], &center[2], step[2], 11, n);
     *even = word_step(one);
     *odd = word_step(two);
+}
+
+void qtri_large_pack_colors(int packing, qtri_large_piece *piece, const uint32_t *c,
+                            const uint32_t *step, int32_t n)
+{
+    if (packing == QTRI_PACK_ONE) {
+        piece->c = c[0];
+        piece->c_step = step[0];
+    } else if (packing == QTRI_PACK_565) {
+        uint32_t center[3];
+        word_steps(&piece->c_step, &piece->c_other, center, step, n);
+        piece->c = qtri_large_word(c[0] + center[0], c[1] + center[1], c[2] + center[2]);
+    } else if (packing != QTRI_PACK_NONE) {
+        const int32_t down = packing == QTRI_PACK_WEIGHTS ? 9 : 8;
+        lane_steps(&piece->c_step, &piece->g_step, step, down);
+        piece->c = (c[0] >> down << 16) + (c[2] >> down);
+        piece->g = c[1];
+    }
 }
 
 void qtri_large_pack(const qtri_large_job *job, qtri_large_piece *piece,
                      const uint32_t at[QTRI_LARGE_ATTRIBUTES],
                      const uint32_t step[QTRI_LARGE_ATTRIBUTES], int32_t n)
 {
-    const uint32_t *c = &at[job->first_color];
-    const uint32_t *c_step = &step[job->first_color];
-    if (job->packing == QTRI_PACK_ONE) {
-        piece->c = c[0];
-        piece->c_step = c_step[0];
-    } else if (job->packing == QTRI_PACK_565) {
-        uint32_t center[3];
-        word_steps(&piece->c_step, &piece->c_other, center, c_step, n);
-        piece->c = qtri_large_word(c[0] + center[0], c[1] + center[1], c[2] + center[2]);
-    } else if (job->packing != QTRI_PACK_NONE) {
-        const int32_t down = job->packing == QTRI_PACK_WEIGHTS ? 9 : 8;
-        lane_steps(&piece->c_step, &piece->g_step, c_step, down);
-        piece->c = (c[0] >> down << 16) + (c[2] >> down);
-        piece->g = c[1];
-    }
+    qtri_large_pack_colors(job->packing, piece, &at[job->first_color], &step[job->first_color], n);
     if (job->alpha < job->count) {
         piece->alpha = at[job->alpha];
         piece->alpha_step = step[job->alpha];

@@ -2,6 +2,21 @@
 /* Pieces of rows along which attributes are linear, and fog. */
 #include "large_setup.h"
 
+void qtri_large_skip_colors(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
+{
+    if (qtri_is_packed_565(o)) {
+        const uint32_t even = piece->c_step, odd = piece->c_other;
+        piece->c += even * ((n + 1) >> 1) + odd * (n >> 1);
+        piece->c_step = (n & 1) != 0 ? odd : even;
+        piece->c_other = (n & 1) != 0 ? even : odd;
+    } else {
+        piece->c += piece->c_step * n;
+    }
+    if (qtri_has_two_words(o)) {
+        piece->g += piece->g_step * n;
+    }
+}
+
 /* What bounds cut off: goes on by n pixels. */
 static void skip(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
 {
@@ -12,16 +27,8 @@ static void skip(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
         piece->u_step += piece->u_bend * n;
         piece->v_step += piece->v_bend * n;
     }
-    if (qtri_is_packed_565(o)) {
-        const uint32_t even = piece->c_step, odd = piece->c_other;
-        piece->c += even * ((n + 1) >> 1) + odd * (n >> 1);
-        piece->c_step = (n & 1) != 0 ? odd : even;
-        piece->c_other = (n & 1) != 0 ? even : odd;
-    } else if (qtri_varies(o)) {
-        piece->c += piece->c_step * n;
-    }
-    if (qtri_has_two_words(o)) {
-        piece->g += piece->g_step * n;
+    if (qtri_large_varies(o)) {
+        qtri_large_skip_colors(o, piece, n);
     }
     if (o->vertex_alpha) {
         piece->alpha += piece->alpha_step * n;

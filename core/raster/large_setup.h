@@ -145,7 +145,14 @@ static inline uint32_t qtri_large_shift(uint32_t x, int32_t up)
 /* In large_planes.c: planes go on to the job's row. */
 void qtri_large_planes_move(qtri_large_job *job);
 
-/* In large_colors.c: colours and alpha of a piece of n pixels, from n.16 of each attribute. */
+/* In large_colors.c: how colours of the options are packed; the half that rounds; colours, 8.16 of
+   255, as they are stepped, n.16: gray is the first one. */
+uint8_t qtri_large_packing_of(const qtri_options *o);
+uint32_t qtri_large_half_of(const qtri_options *o);
+void qtri_large_channels(int packing, uint32_t out[3], const uint32_t color_8p16[3]);
+void qtri_large_pack_colors(int packing, qtri_large_piece *piece, const uint32_t *c,
+                            const uint32_t *step, int32_t n);
+/* colours and alpha of a piece of n pixels, from n.16 of each attribute. */
 void qtri_large_pack(const qtri_large_job *job, qtri_large_piece *piece,
                      const uint32_t at[QTRI_LARGE_ATTRIBUTES],
                      const uint32_t step[QTRI_LARGE_ATTRIBUTES], int32_t n);
@@ -155,6 +162,8 @@ void qtri_large_set_run_steps(qtri_large_job *job);
 
 /* In large_pieces.c: pieces of a row along which attributes are linear, from `at` and `step`. */
 int32_t qtri_large_linear_piece(qtri_large_job *job);
+/* Colours of a piece go on by n pixels. */
+void qtri_large_skip_colors(const qtri_options *o, qtri_large_piece *piece, uint32_t n);
 /* Drops what lies outside of x0..x1 - 1; piece k starts at `x`. */
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 

@@ -1,14 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 #include "lit_triangle.h"
 
-#include "../bits/reciprocal.h"
-#include "../frame/pixel.h"
+#include "../bits/multiply.h"
 #include "../geometry/lit_point.h"
-#include "setup.h"
 
 #define ONE_Q30 QTRI_LIT_ONE_Q30
 
-void qtri_lit_set_corners(qtri_pixel_light *p)
+void qtri_lit_set_corner(qtri_lit_triangle *p, int i, const qtri_lit_point *point,
+                         const qtri_rgb *color)
+{
+    qtri_lit_corner *corner = &p->corner[i];
+    corner->color = *color;
+    corner->exponent = point->exponent;
+    for (int k = 0; k < 3; k++) {
+        corner->place[k] = point->place[k];
+        corner->normal_q14[k] = point->normal_q14[k];
+    }
+}
+
+void qtri_lit_set_corners(qtri_lit_triangle *p)
 {
     qtri_lit_corner *c = p->corner;
     const int32_t exponent =
@@ -41,70 +51,8 @@ void qtri_lit_set_corners(qtri_pixel_light *p)
                    c[0].color.g == c[2].color.g && c[0].color.b == c[2].color.b;
 }
 
-void qtri_lit_set_planes(qtri_pixel_light *p, const qtri_raster *raster,
-                         const qtri_triangle *triangle, const qtri_attributes v[3])
-{
-    qtri_gradient gradient;
-    uint32_t q[3];
-    uint32_t f[3];
-    qtri_gradient_place(&gradient, triangle);
-    qtri_gradient_init(&gradient, triangle->extent);
-    p->divided = QTRI_WITH_PERSPECTIVE && raster->perspective && qtri_align_inv_w(q, v);
-    for (int k = 0; k < 2; k++) {
-        for (int i = 0; i < 3; i++) {
-            const uint32_t share_q30 = (uint32_t)v[i].color[k];
-            f[i] = p->divided ? (uint32_t)(qtri_mul_u32(q[i], share_q30) >> 30) : share_q30;
-        }
-        qtri_plane_init(&p->share[k], &gradient, f);
-    }
-    if (p->divided) {
-        qtri_plane_init(&p->q, &gradient, q);
-        qtri_find_range(&p->least, &p->greatest, q);
-    }
-    p->sample[0].x = INT32_MIN;
-}
-
-/* ---- A pixel ---- */
-
-static uint64_t plane_at(const qtri_plane *plane, int32_t x, int32_t y)
-{
-    return qtri_plane_column(qtri_plane_row(plane, y), plane->dx, x);
-}
-
-/* A plane's value, held to 0..most, in 2^-16 of the unit. */
-static uint64_t held(uint64_t value, uint32_t least, uint32_t most)
-{
-    const int64_t whole = qtri_plane_floor(value);
-    return whole < (int64_t)least   ? (uint64_t)least << 16
-           : whole >= (int64_t)most ? (uint64_t)most << 16
-                                    : value;
-}
-
-/* Shares of corners 1 and 2: below 2^30, as is their sum. */
-static void find_shares(int32_t b_q30[2], const qtri_pixel_light *p, int32_t x, int32_t y)
-{
-    const uint64_t one = plane_at(&p->share[0], x, y);
-    const uint64_t two = plane_at(&p->share[1], x, y);
-    uint32_t b[2];
-    if (p->divided) {
-        const uint64_t q = held(plane_at(&p->q, x, y), p->least, p->greatest); /* >= 2^16 */
-        const int32_t zeros = qtri_clz64(q | 1);
-        const uint32_t most = (uint32_t)(q >> 16);
-        const uint32_t reciprocal = qtri_reciprocal_near((uint32_t)((q << zeros) >> 32));
-        /* s 2^32 / q with s <= q: (s 2^zeros) (2^62 / (q 2^zeros)) / 2^32 is below 2^30 + 2^4. */
-        // NOLINTNEXTLINE(clang-analyzer-core.*): q | 1 is not 0, so zeros are at most 63
-        b[0] = qtri_mul_high32((uint32_t)((held(one, 0, most) << zeros) >> 32), reciprocal);
-        b[1] = qtri_mul_high32((uint32_t)((held(two, 0, most) << zeros) >> 32), reciprocal);
-    } else {
-        b[0] = (uint32_t)(held(one, 0, ONE_Q30 - 1) >> 16);
-        b[1] = (uint32_t)(held(two, 0, ONE_Q30 - 1) >> 16);
-    }
-    b_q30[0] = qtri_least32((int32_t)b[0], ONE_Q30 - 1);
-    b_q30[1] = qtri_least32((int32_t)b[1], ONE_Q30 - 1 - b_q30[0]);
-}
-
 /* Products are of an element within 2^30 and shares whose sum is less than 1. */
-static void set_place(qtri_lit_point *point, const qtri_pixel_light *p, const int32_t b_q30[2])
+static void set_place(qtri_lit_point *point, const qtri_lit_triangle *p, const int32_t b_q30[2])
 {
     point->exponent = p->corner[0].exponent;
     for (int k = 0; k < 3; k++) {
@@ -118,7 +66,7 @@ static void set_place(qtri_lit_point *point, const qtri_pixel_light *p, const in
 /*
  * The normals' mean is shorter than they are. Near 1 a step of Newton is enough, as in lit_point.h.
  */
-static void set_normal(qtri_lit_point *point, const qtri_pixel_light *p, const int32_t b_q30[2])
+static void set_normal(qtri_lit_point *point, const qtri_lit_triangle *p, const int32_t b_q30[2])
 {
     const uint32_t one_q28 = (uint32_t)1 << 28;
     const int32_t b1 = b_q30[0] >> 15;
@@ -159,7 +107,7 @@ static uint32_t reflected_8p16(uint32_t base_q15, uint32_t diffuse_q24, uint32_t
 }
 
 /* A channel of the corners' colours, 8.8. */
-static uint32_t color_8p8(const qtri_pixel_light *p, uint8_t c0, uint8_t c1, uint8_t c2,
+static uint32_t color_8p8(const qtri_lit_triangle *p, uint8_t c0, uint8_t c1, uint8_t c2,
                           const int32_t b_q30[2])
 {
     if (p->one_color) {
@@ -169,41 +117,21 @@ static uint32_t color_8p8(const qtri_pixel_light *p, uint8_t c0, uint8_t c1, uin
     return (uint32_t)((c0 << 8) + (more >> 8));
 }
 
-void qtri_lit_channels(int32_t channel[3], const qtri_pixel_light *p, const qtri_raster *raster,
-                       const int32_t b_q30[2])
+void qtri_lit_color(uint32_t color_8p16[3], const qtri_lit_triangle *p, const int32_t b_q30[2])
 {
     const qtri_illumination *by = p->by;
-    const qtri_colors *units = raster->units;
     const qtri_lit_corner *c = p->corner;
     qtri_lit_point point;
     set_place(&point, p, b_q30);
     set_normal(&point, p, b_q30);
     qtri_gather_light(by, &point);
-    const uint32_t red = reflected_8p16(
-        by->base_q15[0], point.diffuse_q24[0], point.specular_q24[0],
-        color_8p8(p, c[0].color.r, c[1].color.r, c[2].color.r, b_q30), by->specular.r);
-    const uint32_t green = reflected_8p16(
-        by->base_q15[1], point.diffuse_q24[1], point.specular_q24[1],
-        color_8p8(p, c[0].color.g, c[1].color.g, c[2].color.g, b_q30), by->specular.g);
-    const uint32_t blue = reflected_8p16(
-        by->base_q15[2], point.diffuse_q24[2], point.specular_q24[2],
-        color_8p8(p, c[0].color.b, c[1].color.b, c[2].color.b, b_q30), by->specular.b);
-    channel[0] = (int32_t)qtri_channel_scaled(red, units->ratio_q30[0]);
-    channel[1] = (int32_t)qtri_channel_scaled(green, units->ratio_q30[1]);
-    channel[2] = (int32_t)qtri_channel_scaled(blue, units->ratio_q30[2]);
-    if (units->single) {
-        channel[2] += channel[0] + channel[1];
-        channel[0] = 0;
-        channel[1] = 0;
-    }
-}
-
-void qtri_lit_sample_at(qtri_lit_sample *out, const qtri_pixel_light *p, const qtri_raster *raster,
-                        int32_t x, int32_t y)
-{
-    int32_t b_q30[2];
-    find_shares(b_q30, p, x, y);
-    qtri_lit_channels(out->c, p, raster, b_q30);
-    out->x = x;
-    out->y = y;
+    color_8p16[0] = reflected_8p16(by->base_q15[0], point.diffuse_q24[0], point.specular_q24[0],
+                                   color_8p8(p, c[0].color.r, c[1].color.r, c[2].color.r, b_q30),
+                                   by->specular.r);
+    color_8p16[1] = reflected_8p16(by->base_q15[1], point.diffuse_q24[1], point.specular_q24[1],
+                                   color_8p8(p, c[0].color.g, c[1].color.g, c[2].color.g, b_q30),
+                                   by->specular.g);
+    color_8p16[2] = reflected_8p16(by->base_q15[2], point.diffuse_q24[2], point.specular_q24[2],
+                                   color_8p8(p, c[0].color.b, c[1].color.b, c[2].color.b, b_q30),
+                                   by->specular.b);
 }

@@ -12,9 +12,12 @@
  */
 #include "pixel_light.h"
 
+#include "../bits/reciprocal.h"
+#include "../frame/pixel.h"
 #include "../geometry/lit_point.h"
 #include "list.h"
 #include "mipmap.h"
+#include "setup.h"
 #include "span.h"
 #include "textured_span.h"
 
@@ -34,6 +37,94 @@ static const int32_t inverse_q30[BLOCK_MAX + 1] = {
     ONE_Q30 / 6,  ONE_Q30 / 7,  ONE_Q30 / 8,  ONE_Q30 / 9,  ONE_Q30 / 10, ONE_Q30 / 11,
     ONE_Q30 / 12, ONE_Q30 / 13, ONE_Q30 / 14, ONE_Q30 / 15, ONE_Q30 / 16};
 
+static void set_planes(qtri_pixel_light *p, const qtri_raster *raster,
+                       const qtri_triangle *triangle, const qtri_attributes v[3])
+{
+    qtri_gradient gradient;
+    uint32_t q[3];
+    uint32_t f[3];
+    qtri_gradient_place(&gradient, triangle);
+    qtri_gradient_init(&gradient, triangle->extent);
+    p->divided = QTRI_WITH_PERSPECTIVE && raster->perspective && qtri_align_inv_w(q, v);
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < 3; i++) {
+            const uint32_t share_q30 = (uint32_t)v[i].color[k];
+            f[i] = p->divided ? (uint32_t)(qtri_mul_u32(q[i], share_q30) >> 30) : share_q30;
+        }
+        qtri_plane_init(&p->share[k], &gradient, f);
+    }
+    if (p->divided) {
+        qtri_plane_init(&p->q, &gradient, q);
+        qtri_find_range(&p->least, &p->greatest, q);
+    }
+    p->sample[0].x = INT32_MIN;
+}
+
+/* ---- A sample ---- */
+
+static uint64_t plane_at(const qtri_plane *plane, int32_t x, int32_t y)
+{
+    return qtri_plane_column(qtri_plane_row(plane, y), plane->dx, x);
+}
+
+/* A plane's value, held to 0..most, in 2^-16 of the unit. */
+static uint64_t held(uint64_t value, uint32_t least, uint32_t most)
+{
+    const int64_t whole = qtri_plane_floor(value);
+    return whole < (int64_t)least   ? (uint64_t)least << 16
+           : whole >= (int64_t)most ? (uint64_t)most << 16
+                                    : value;
+}
+
+/* Shares of corners 1 and 2: below 2^30, as is their sum. */
+static void find_shares(int32_t b_q30[2], const qtri_pixel_light *p, int32_t x, int32_t y)
+{
+    const uint64_t one = plane_at(&p->share[0], x, y);
+    const uint64_t two = plane_at(&p->share[1], x, y);
+    uint32_t b[2];
+    if (p->divided) {
+        const uint64_t q = held(plane_at(&p->q, x, y), p->least, p->greatest); /* >= 2^16 */
+        const int32_t zeros = qtri_clz64(q | 1);
+        const uint32_t most = (uint32_t)(q >> 16);
+        const uint32_t reciprocal = qtri_reciprocal_near((uint32_t)((q << zeros) >> 32));
+        /* s 2^32 / q with s <= q: (s 2^zeros) (2^62 / (q 2^zeros)) / 2^32 is below 2^30 + 2^4. */
+        // NOLINTNEXTLINE(clang-analyzer-core.*): q | 1 is not 0, so zeros are at most 63
+        b[0] = qtri_mul_high32((uint32_t)((held(one, 0, most) << zeros) >> 32), reciprocal);
+        b[1] = qtri_mul_high32((uint32_t)((held(two, 0, most) << zeros) >> 32), reciprocal);
+    } else {
+        b[0] = (uint32_t)(held(one, 0, ONE_Q30 - 1) >> 16);
+        b[1] = (uint32_t)(held(two, 0, ONE_Q30 - 1) >> 16);
+    }
+    b_q30[0] = qtri_least32((int32_t)b[0], ONE_Q30 - 1);
+    b_q30[1] = qtri_least32((int32_t)b[1], ONE_Q30 - 1 - b_q30[0]);
+}
+
+static void find_channels(int32_t channel[3], const qtri_pixel_light *p, const qtri_raster *raster,
+                          const int32_t b_q30[2])
+{
+    const qtri_colors *units = raster->units;
+    uint32_t color_8p16[3];
+    qtri_lit_color(color_8p16, &p->lit, b_q30);
+    for (int i = 0; i < 3; i++) {
+        channel[i] = (int32_t)qtri_channel_scaled(color_8p16[i], units->ratio_q30[i]);
+    }
+    if (units->single) {
+        channel[2] += channel[0] + channel[1];
+        channel[0] = 0;
+        channel[1] = 0;
+    }
+}
+
+static void find_sample_at(qtri_lit_sample *out, const qtri_pixel_light *p,
+                           const qtri_raster *raster, int32_t x, int32_t y)
+{
+    int32_t b_q30[2];
+    find_shares(b_q30, p, x, y);
+    find_channels(out->c, p, raster, b_q30);
+    out->x = x;
+    out->y = y;
+}
+
 /* ---- A row ---- */
 
 /* A row on its way: blocks of it from sample to sample. */
@@ -48,7 +139,7 @@ typedef struct walk {
 
 static void find_sample(qtri_lit_sample *out, const walk *w, int32_t x)
 {
-    qtri_lit_sample_at(out, w->light, w->row->job->raster, x, w->row->y);
+    find_sample_at(out, w->light, w->row->job->raster, x, w->row->y);
 }
 
 /*
@@ -247,7 +338,7 @@ QTRI_NOINLINE static void draw_even(const qtri_raster *raster, qtri_triangle *tr
     for (int i = 0; i < 3; i++) {
         const int32_t b_q30[2] = {qtri_least32(v[i].color[0], ONE_Q30 - 1),
                                   qtri_least32(v[i].color[1], ONE_Q30 - 1)};
-        qtri_lit_channels(lit[i].color, raster->lit, raster, b_q30);
+        find_channels(lit[i].color, raster->lit, raster, b_q30);
     }
     pass_on(raster, triangle, lit);
 }
@@ -261,7 +352,7 @@ QTRI_NOINLINE static void draw_uneven(const qtri_raster *raster, qtri_triangle *
     lit.smooth = false;
     lit.fill_flat = qtri_span_fill;
     lit.copied = false;
-    qtri_lit_set_planes(raster->lit, raster, triangle, v);
+    set_planes(raster->lit, raster, triangle, v);
     qtri_raster *owner = qtri_levels_lend(&lit);
     pass_on(&lit, triangle, v);
     qtri_levels_return(owner, &lit);
@@ -271,8 +362,8 @@ static void draw(const qtri_raster *raster, qtri_triangle *triangle, const qtri_
 {
     triangle->tinted = false;
     qtri_list_flush(raster); /* what waits is of this raster */
-    qtri_lit_set_corners(raster->lit);
-    if (raster->lit->everywhere && raster->lit->one_normal) {
+    qtri_lit_set_corners(&raster->lit->lit);
+    if (raster->lit->lit.everywhere && raster->lit->lit.one_normal) {
         draw_even(raster, triangle, v);
     } else {
         draw_uneven(raster, triangle, v);
@@ -282,13 +373,7 @@ static void draw(const qtri_raster *raster, qtri_triangle *triangle, const qtri_
 void qtri_pixel_light_set(const qtri_raster *raster, int i, const qtri_lit_point *point,
                           const qtri_rgb *color)
 {
-    qtri_lit_corner *corner = &raster->lit->corner[i];
-    corner->color = *color;
-    corner->exponent = point->exponent;
-    for (int k = 0; k < 3; k++) {
-        corner->place[k] = point->place[k];
-        corner->normal_q14[k] = point->normal_q14[k];
-    }
+    qtri_lit_set_corner(&raster->lit->lit, i, point, color);
 }
 
 void qtri_pixel_light_run(qtri_raster *raster, const qtri_illumination *by, qtri_lit_body body,
@@ -296,12 +381,12 @@ void qtri_pixel_light_run(qtri_raster *raster, const qtri_illumination *by, qtri
 {
     qtri_pixel_light light;
     light.shade = shade;
-    light.by = by;
+    light.lit.by = by;
     light.next = raster->route;
-    light.everywhere = true;
+    light.lit.everywhere = true;
     light.block_log2 = by->shininess != NULL ? SHARP_LOG2 : DULL_LOG2;
     for (int32_t i = 0; i < by->count; i++) {
-        light.everywhere &= by->run[i].kind->everywhere;
+        light.lit.everywhere &= by->run[i].kind->everywhere;
         light.block_log2 = by->run[i].kind->has_edges ? SHARP_LOG2 : light.block_log2;
     }
     raster->route = draw;

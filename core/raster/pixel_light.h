@@ -9,8 +9,32 @@
 #ifndef QTRI_RASTER_PIXEL_LIGHT_H
 #define QTRI_RASTER_PIXEL_LIGHT_H
 
+#include "job.h"
 #include "lit_triangle.h"
 #include "sampling.h"
+#include "triangle.h"
+
+/* What a pixel shows: channels in the raster's units. */
+typedef struct qtri_lit_sample {
+    int32_t x, y;
+    int32_t c[3];
+} qtri_lit_sample;
+
+struct qtri_pixel_light {
+    /* Colours of a chunk of a row into the batch, or its texels times them. */
+    void (*shade)(qtri_scanline *row, int32_t x, int32_t count);
+    qtri_route next;    /* what the raster had; NULL: none */
+    int32_t block_log2; /* of pixels from sample to sample */
+    qtri_lit_triangle lit;
+    /* Shares of corners 1 and 2, 2^30 is 1; divided: times q = 1/w, 2^31 at most, and q. */
+    bool divided;
+    qtri_plane share[2];
+    qtri_plane q;
+    uint32_t least, greatest;  /* of the vertices' q */
+    qtri_lit_sample sample[3]; /* the first two: where the last chunk ended, and the next one */
+    bool bends;                /* between them and the one before */
+    int32_t left, right;       /* the span that they are of: four samples have several in a row */
+};
 
 /*
  * Calls `body` while the raster, which has a batch and its stages, draws triangles by pixel. Before

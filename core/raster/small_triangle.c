@@ -70,6 +70,9 @@ uint32_t qtri_small_color(const qtri_small *t)
     const uint32_t light_q15 =
         t->light_q15 <= QTRI_INTENSITY_ONE ? t->light_q15 : QTRI_INTENSITY_ONE;
     uint32_t rgb = state->color;
+    if (state->is_lit) {
+        return state->lit[qtri_provoking_of(state->material)] & 0xFFFFFFu;
+    }
     if (t->mesh->colors != NULL) {
         const uint16_t *wide = t->indices;
         const uint8_t *narrow = t->indices;

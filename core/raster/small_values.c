@@ -66,6 +66,28 @@ bool qtri_small_set_alpha(qtri_small_ramp *alpha, const qtri_small_place *p, con
     return true;
 }
 
+/* c / 255 in Q15. */
+static int32_t full_q15(uint32_t c)
+{
+    return (int32_t)((c * 257u * QTRI_SMALL_ONE + 0x8000u) >> 16);
+}
+
+static void set_channels(qtri_small_channels *f, uint32_t rgb)
+{
+    f->r = full_q15(rgb >> 16 & 255);
+    f->g = full_q15(rgb >> 8 & 255);
+    f->b = full_q15(rgb & 255);
+}
+
+/* A back face has changed the places of vertices 1 and 2. */
+void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small *t, bool turned)
+{
+    const uint32_t *lit = t->state->lit;
+    set_channels(&f->at, lit[0]);
+    set_channels(&f->d1, lit[1 + turned]);
+    set_channels(&f->d2, lit[2 - turned]);
+}
+
 bool qtri_small_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t,
                                const qtri_options *o)
 {

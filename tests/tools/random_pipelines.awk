@@ -4,7 +4,7 @@
 #   awk -v seed=7 -v count=240 -v list=1 -f random_pipelines.awk                  the list
 function below(n) { state = (state * 16807) % 2147483647; return int(state / 2147483647 * n) }
 function one_of(words,    w, n) { n = split(words, w, " "); return w[1 + below(n)] }
-function options(    format, texel, text)
+function options(i,    format, texel, text)
 {
     format = one_of("RGB565 RGB565 RGB565 RGB565_SWAPPED RGB565_EXACT RGB888 BGR888 XRGB8888 XRGB8888 GRAY8 DEPTH_ONLY")
     texel = one_of("- - - RGB565 RGB565 RGB565 XRGB8888 GRAY8 PALETTE8 CHECKER ARGB8888 ARGB4444 ARGB1555 ALPHA8")
@@ -27,6 +27,7 @@ function options(    format, texel, text)
         if (below(8) == 0) text = text ", .large_texture = 1"
     }
     text = text ", .shade = QTRI_" shade
+    if (shade == "COLORS" && i % 2) text = text ", .per_pixel = 1"
     blend = one_of("STORE STORE STORE ALPHA ADD MULTIPLY KEEP_PIXEL SCREEN_DOOR")
     text = text ", .blend = QTRI_" blend
     if (blend ~ /ALPHA|ADD/ && below(3) == 0) { text = text ", .vertex_alpha = 1"; varies = 1 } else varies = 0
@@ -43,7 +44,7 @@ BEGIN {
         print "bool random_fragment(qtri_fragment *fragment);"
     }
     for (i = 0; i < count; i++) {
-        text = options()
+        text = options(i)
         if (list) print "extern const qtri_pipeline random_" i ";"
         else if (i % parts == part) print "QTRI_PIPELINE(random_" i ", " text ")"
     }

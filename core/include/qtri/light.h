@@ -50,12 +50,12 @@
  * highlights of less than 4 pixels. A triangle of one normal in nothing but directional light,
  * which is the same all over it, is lit at its corners.
  *
- * With one point light it costs a pixel 77 instructions on a Cortex-M3 and 138 on a Cortex-M0+,
- * with highlights 131 and 241, where smooth shading takes 12 and 16 (host/bench/README.md), and a
- * triangle of some ten pixels across 12,000 and 27,000: it pays for surfaces of few large
- * triangles. Meshes of small ones look nearly as well lit by vertex, at a fifth of the cost. Its
- * stack is 1,400 bytes more, its code 4.5 KB; all triangles that it lights take the way of large
- * ones, as blend.h says it of blends by vertex.
+ * With one point light it costs a pixel 62 instructions on a Cortex-M3 and 115 on a Cortex-M0+,
+ * with highlights 122 and 222, where smooth shading takes 12 and 16 (host/bench/README.md), and a
+ * triangle of some ten pixels across 12,000 and 25,000: it pays for surfaces of few large
+ * triangles. Meshes of small ones look nearly as well lit by vertex, at an eighth of the cost. All
+ * triangles that it lights take the way of large ones; those of qtri_draw_lit_triangles and pieces
+ * of clipped ones are lit along their rows whatever their size.
  *
  * Nothing of this is linked where qtri_lights_init is not named, nor a kind of light that no source
  * names. A single directional light without colour is qtri_light, see view.h, at a tenth of the

@@ -24,6 +24,14 @@ typedef struct qtri_large_piece {
     uint32_t alpha, alpha_step;
 } qtri_large_piece;
 
+/* Light by pixel: colours along rows, found by what a draw call with such lights brings. */
+typedef struct qtri_light_walk {
+    void (*begin)(struct qtri_large *triangle);
+    /* Goes on along the row; returns for how many pixels `piece` is linear, `count` at most. */
+    int32_t (*next)(struct qtri_large *triangle, int32_t count);
+    qtri_large_piece piece; /* its colours */
+} qtri_light_walk;
+
 enum { QTRI_LARGE_RUN_LOG2 = 6, QTRI_LARGE_RUN = 1 << QTRI_LARGE_RUN_LOG2 };
 
 typedef struct qtri_large {
@@ -70,10 +78,16 @@ uint32_t qtri_large_begin_runs(qtri_large *t);
 /* Fog from t->fog_x on; returns for how many pixels it is linear, `count` at most. */
 int32_t qtri_large_next_fog(qtri_large *t, int32_t count);
 
-/* Something varies along rows beside depth. */
+/* Light or colours are attributes of the vertices. */
+QTRI_BODY bool qtri_large_varies(const qtri_options *o)
+{
+    return qtri_varies(o) && !o->per_pixel;
+}
+
+/* Something varies along rows beside depth and light by pixel. */
 QTRI_BODY bool qtri_large_has_pieces(const qtri_options *o)
 {
-    return qtri_is_textured(o) || qtri_varies(o) || o->vertex_alpha;
+    return qtri_is_textured(o) || qtri_large_varies(o) || o->vertex_alpha;
 }
 
 QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
@@ -81,8 +95,11 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
     if (qtri_is_textured(o)) {
         qtri_large_set_texture(t);
     }
-    if (qtri_varies(o)) {
+    if (qtri_large_varies(o)) {
         qtri_large_set_colors(t);
+    }
+    if (o->per_pixel) {
+        t->state->light_walk->begin(t);
     }
     if (o->vertex_alpha) {
         qtri_large_set_alpha(t);
@@ -103,10 +120,24 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
 
 QTRI_BODY int32_t qtri_large_next(const qtri_options *o, qtri_large *t)
 {
-    if (qtri_is_textured(o) && !qtri_varies(o) && !o->vertex_alpha) {
+    if (qtri_is_textured(o) && !qtri_large_varies(o) && !o->vertex_alpha) {
         return qtri_large_next_uv(t);
     }
     return qtri_large_next_any(t);
+}
+
+QTRI_BODY void qtri_large_load_colors(const qtri_options *o, qtri_pixel_walk *w,
+                                      const qtri_large_piece *piece)
+{
+    w->c = piece->c;
+    w->c_step = piece->c_step;
+    if (qtri_is_packed_565(o)) {
+        w->c_other = piece->c_other;
+    }
+    if (qtri_has_two_words(o)) {
+        w->g = piece->g;
+        w->g_step = piece->g_step;
+    }
 }
 
 QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_pixel_walk *w,
@@ -120,16 +151,8 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_pixel_walk *w,
         w->u_bend = piece->u_bend;
         w->v_bend = piece->v_bend;
     }
-    if (qtri_varies(o)) {
-        w->c = piece->c;
-        w->c_step = piece->c_step;
-    }
-    if (qtri_is_packed_565(o)) {
-        w->c_other = piece->c_other;
-    }
-    if (qtri_has_two_words(o)) {
-        w->g = piece->g;
-        w->g_step = piece->g_step;
+    if (qtri_large_varies(o)) {
+        qtri_large_load_colors(o, w, piece);
     }
     if (o->vertex_alpha) {
         w->alpha = piece->alpha;
@@ -137,8 +160,8 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_pixel_walk *w,
     }
 }
 
-QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
-                                 int32_t count)
+QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
+                                         int32_t count)
 {
     const bool curves = qtri_is_textured(o);
     if (o->fog) {
@@ -153,6 +176,22 @@ QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_large *t, qtri_pixe
         qtri_pixels_draw(o, w, false, count); /* a second loop saves two additions a pixel */
     } else {
         qtri_pixels_draw(o, w, curves, count);
+    }
+}
+
+QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
+                                 int32_t count)
+{
+    if (!o->per_pixel) {
+        qtri_large_colored_pixels(o, t, w, count);
+        return;
+    }
+    while (count > 0) {
+        qtri_light_walk *light = t->state->light_walk;
+        const int32_t n = light->next(t, count);
+        qtri_large_load_colors(o, w, &light->piece);
+        qtri_large_colored_pixels(o, t, w, n);
+        count -= n;
     }
 }
 
@@ -216,7 +255,7 @@ QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large
             qtri_large_pixels(o, t, &w, t->x1 - t->x0);
             continue;
         }
-        if (qtri_is_packed_565(o) && t->has_runs) {
+        if (qtri_is_packed_565(o) && !o->per_pixel && t->has_runs) {
             qtri_large_runs(o, t, &w);
             continue;
         }

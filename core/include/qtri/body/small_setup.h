@@ -253,6 +253,17 @@ QTRI_BODY bool qtri_small_is_far(int32_t dx1, int32_t dy1, int32_t dx2, int32_t 
            (uint32_t)dx2 + far >= 2 * far || (uint32_t)dy2 + far >= 2 * far;
 }
 
+/* Light by vertex is as good as by pixel: vertices 1 and 2 are within 6 pixels of vertex 0. */
+QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small *t)
+{
+    const uint32_t half = 6 * 256;
+    const qtri_screen_point *a = &t->v[0]->at, *b = &t->v[1]->at, *c = &t->v[2]->at;
+    return (((uint32_t)(b->x_24p8 - a->x_24p8) + half) |
+            ((uint32_t)(b->y_24p8 - a->y_24p8) + half) |
+            ((uint32_t)(c->x_24p8 - a->x_24p8) + half) |
+            ((uint32_t)(c->y_24p8 - a->y_24p8) + half)) < 2 * half;
+}
+
 QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QTRI_SMALL_SPANS],
                                            qtri_small *t)
 {
@@ -438,14 +449,24 @@ typedef struct qtri_small_colors {
     qtri_small_channels at, d1, d2;
 } qtri_small_colors;
 
+/* Vertices' colours in a view's lights, in small_values.c. */
+void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small *t, bool turned);
+
 /* False: perspective of them could be seen. */
 QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_place *p,
                                       const qtri_small *t, const qtri_options *o)
 {
     const uint32_t part = qtri_small_part_of(o);
-    f->at = qtri_small_channels_of(t, 0);
-    f->d1 = qtri_small_channels_of(t, 1);
-    f->d2 = qtri_small_channels_of(t, 2);
+    if (t->state->is_lit) {
+        qtri_small_colors lit; /* a copy, so that others need not be in memory */
+        QTRI_RARELY();
+        qtri_small_lit_channels(&lit, t, p->turned);
+        *f = lit;
+    } else {
+        f->at = qtri_small_channels_of(t, 0);
+        f->d1 = qtri_small_channels_of(t, 1);
+        f->d2 = qtri_small_channels_of(t, 2);
+    }
     f->d1.r -= f->at.r;
     f->d1.g -= f->at.g;
     f->d1.b -= f->at.b;

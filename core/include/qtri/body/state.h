@@ -42,6 +42,11 @@ typedef struct qtri_draw_state {
     uint32_t fog_color;      /* of that kind */
     const qtri_fog *fog;
 
+    /* With a view's lights: 0x00RRGGBB of the triangle's vertices, in the order of its indices. */
+    bool is_lit;
+    uint32_t lit[3];
+    struct qtri_light_walk *light_walk; /* with per_pixel: see large.h */
+
     /* QTRI_LIGHT without texture on RGB565: stored pixels by light. */
     bool has_table;
     uint16_t table[QTRI_TABLE];

@@ -1,0 +1,344 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Light is found for samples of a row: its first pixel, every eighth from there (the sixteenth
+ * where there are no highlights), and its last. Colours between two are linear where light is: its
+ * second difference D tells, from the samples on both sides. What bends smoothly is off by D/8
+ * there, and what has a kink, as where a surface turns away from a source, by D/2 at most.
+ * Elsewhere samples are found halfway until that is straight, or there is one for every pixel.
+ *
+ * Rows count from their span's left end, not from what a scissor or a band leaves, and all samples
+ * are pixels that the triangle covers: so pixels do not depend on either, and w is never 0.
+ */
+#include "large_light.h"
+
+enum {
+    SHARP_LOG2 = 3, /* pixels from sample to sample: with highlights or edges of light, */
+    DULL_LOG2 = QTRI_LIGHT_BLOCK_LOG2, /* and without */
+    BLOCK_MAX = 1 << DULL_LOG2,
+    TOLERANCE_565 = 1 << 16, /* of D: a step of red, two of green; of weights, 8 of 256 */
+    TOLERANCE_888 = 2 << 16
+};
+
+/* 2^15 / n, rounded down. */
+static const int16_t inverse_q15[BLOCK_MAX + 1] = {0,    32767, 16384, 10922, 8192, 6553,
+                                                   5461, 4681,  4096,  3640,  3276, 2978,
+                                                   2730, 2520,  2340,  2184,  2048};
+
+/* c / n, |c| < 2^25. */
+static inline int32_t part_of(int32_t c, int32_t n)
+{
+    return ((c >> 9) * inverse_q15[n]) >> 6;
+}
+
+static inline qtri_large_light *light_of(const qtri_large *t)
+{
+    return (qtri_large_light *)(void *)t->state->light_walk;
+}
+
+/* The triangle --------------------------------------------------------------------------------- */
+
+/* 1/w of the vertices with one exponent. False: it is the same. */
+static bool align_q(uint32_t q[3], const qtri_large_vertex v[3])
+{
+    const int32_t most = qtri_greatest32(v[0].inv_w_exponent,
+                                         qtri_greatest32(v[1].inv_w_exponent, v[2].inv_w_exponent));
+    for (int k = 0; k < 3; k++) {
+        const int32_t down = most - v[k].inv_w_exponent;
+        q[k] = down <= 29 ? v[k].inv_w_q31 >> down : 1;
+    }
+    return q[0] != q[1] || q[0] != q[2];
+}
+
+static void set_plane(qtri_large_plane *p, const qtri_large_light *l, const qtri_gradient *g,
+                      const uint32_t f[3])
+{
+    qtri_plane plane;
+    qtri_plane_init(&plane, g, f);
+    p->dx = plane.dx << 16;
+    p->dy = plane.dy << 16;
+    p->row = (plane.origin + plane.dy * (uint64_t)(int64_t)l->plane_y) << 16;
+}
+
+static void set_tolerance(qtri_large_light *l, const qtri_options *o)
+{
+    const bool coarse = qtri_kind_of(o) == QTRI_IN_565;
+    const int32_t most = !coarse               ? TOLERANCE_888
+                         : qtri_is_textured(o) ? 8 * TOLERANCE_565
+                                               : TOLERANCE_565;
+    l->tolerance[0] = most;
+    l->tolerance[1] = coarse && !qtri_is_textured(o) ? 2 * most : most;
+    l->tolerance[2] = most;
+}
+
+static void begin(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    qtri_large_light *l = light_of(t);
+    const qtri_large_vertex *v = job->v;
+    uint32_t q[3];
+    qtri_lit_set_corners(&l->lit);
+    l->packing = qtri_large_packing_of(job->options);
+    l->half = qtri_large_half_of(job->options);
+    l->plane_y = job->plane_y;
+    l->divided = !job->options->linear && align_q(q, v);
+    l->y = INT32_MIN;
+    set_tolerance(l, job->options);
+    for (int k = 0; k < 2; k++) {
+        uint32_t f[3];
+        for (int i = 0; i < 3; i++) {
+            const uint32_t share_q30 = (uint32_t)v[i].color_8p16[k];
+            f[i] = l->divided ? (uint32_t)(qtri_mul_u32(q[i], share_q30) >> 30) : share_q30;
+        }
+        set_plane(&l->share[k], l, &job->gradient, f);
+    }
+    if (l->divided) {
+        set_plane(&l->q, l, &job->gradient, q);
+        qtri_find_range(&l->least, &l->greatest, q);
+    }
+}
+
+/* A sample ------------------------------------------------------------------------------------- */
+
+/* Shares of corners 1 and 2: below 2^30, as is their sum. */
+static void find_shares(int32_t b_q30[2], const qtri_large_light *l, int32_t x)
+{
+    const int32_t one = QTRI_LIT_ONE_Q30;
+    int32_t b[2] = {(int32_t)qtri_large_plane_at(&l->share[0], x),
+                    (int32_t)qtri_large_plane_at(&l->share[1], x)};
+    if (l->divided) {
+        /* q <= 2^31, of what a pixel of the triangle may have. */
+        uint32_t q = qtri_large_plane_at(&l->q, x);
+        q = q < l->least ? l->least : q > l->greatest ? l->greatest : q;
+        const int32_t zeros = qtri_clz32(q);
+        const uint32_t reciprocal = qtri_reciprocal_near(q << zeros); /* 2^62 / (q 2^zeros) */
+        const int32_t most = (int32_t)(q - 1);
+        b[0] = (int32_t)qtri_mul_high32((uint32_t)qtri_hold32(b[0], 0, most) << zeros, reciprocal);
+        b[1] = (int32_t)qtri_mul_high32((uint32_t)qtri_hold32(b[1], 0, most) << zeros, reciprocal);
+    }
+    b_q30[0] = qtri_hold32(b[0], 0, one - 1);
+    b_q30[1] = qtri_hold32(b[1], 0, one - 1 - b_q30[0]);
+}
+
+static void find_sample(qtri_light_sample *out, const qtri_large_light *l, int32_t x)
+{
+    int32_t b_q30[2];
+    uint32_t color_8p16[3];
+    find_shares(b_q30, l, x);
+    qtri_lit_color(color_8p16, &l->lit, b_q30);
+    qtri_large_channels(l->packing, out->c, color_8p16);
+    out->x = x;
+}
+
+/* Whether what lies halfway between a and b is on the line between them: within half of D. */
+static bool is_straight(const qtri_large_light *l, const qtri_light_sample *a,
+                        const qtri_light_sample *middle, const qtri_light_sample *b)
+{
+    const int32_t share = inverse_q15[b->x - a->x] * (middle->x - a->x);
+    for (int i = 0; i < 3; i++) {
+        const int32_t way = (((int32_t)(b->c[i] - a->c[i]) >> 9) * share) >> 6;
+        if (qtri_magnitude32((int32_t)(middle->c[i] - a->c[i]) - way) >
+            (uint32_t)l->tolerance[i] / 2) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/*
+ * Whether the line bends at b, where a whole block from a ends and the next begins, which may be
+ * the last one and shorter.
+ */
+static bool is_bent(const qtri_large_light *l, const qtri_light_sample *a,
+                    const qtri_light_sample *b, const qtri_light_sample *c)
+{
+    const int32_t length = c->x - b->x;
+    const bool whole = length == (int32_t)1 << l->block_log2;
+    for (int i = 0; i < 3; i++) {
+        int32_t after = (int32_t)(c->c[i] - b->c[i]);
+        if (!whole) {
+            after = part_of(after, length) * ((int32_t)1 << l->block_log2);
+        }
+        if (qtri_magnitude32(after - (int32_t)(b->c[i] - a->c[i])) > (uint32_t)l->tolerance[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/*
+ * At an end of its span a block has no neighbour to tell: it may bend where it changes by more than
+ * a little. What few pixels change by is rather a slope.
+ */
+static bool may_bend(const qtri_large_light *l, const qtri_light_sample *a,
+                     const qtri_light_sample *b)
+{
+    const int32_t times = b->x - a->x <= BLOCK_MAX / 2 ? 4 : 2;
+    for (int i = 0; i < 3; i++) {
+        if (qtri_magnitude32((int32_t)(b->c[i] - a->c[i])) > (uint32_t)(l->tolerance[i] * times)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The row -------------------------------------------------------------------------------------- */
+
+/* The span's next sample; that at x, its last one, again. */
+static void next_sample(qtri_light_sample *out, const qtri_large_light *l,
+                        const qtri_light_sample *at)
+{
+    if (at->x == l->last) {
+        *out = *at;
+    } else {
+        find_sample(out, l, qtri_least32(at->x + ((int32_t)1 << l->block_log2), l->last));
+    }
+}
+
+static void move_planes(qtri_large_light *l, int32_t y)
+{
+    for (; l->plane_y < y; l->plane_y++) { /* one row, mostly */
+        l->share[0].row += l->share[0].dy;
+        l->share[1].row += l->share[1].dy;
+        if (l->divided) {
+            l->q.row += l->q.dy;
+        }
+    }
+}
+
+/* The block that has the first pixel that is drawn: not one that only begins with the last. */
+static void begin_row(const qtri_large_job *job, qtri_large_light *l)
+{
+    const int32_t left = job->row_left;
+    l->y = job->t.y;
+    l->left = left;
+    l->last = job->row_right - 1;
+    l->x = job->t.x0;
+    l->from = 0;
+    l->count = 0;
+    l->piece_end = INT32_MIN;
+    l->bends = false;
+    move_planes(l, l->y);
+    const int32_t block = qtri_least32(l->x - left, qtri_greatest32(l->last - left - 1, 0)) >>
+                          l->block_log2 << l->block_log2;
+    find_sample(&l->sample[0], l, left + block);
+    next_sample(&l->sample[1], l, &l->sample[0]);
+    if (block != 0) {
+        find_sample(&l->sample[2], l, left + block - ((int32_t)1 << l->block_log2));
+        l->bends = is_bent(l, &l->sample[2], &l->sample[0], &l->sample[1]);
+    }
+}
+
+static inline uint8_t after(uint8_t sample)
+{
+    return sample == 2 ? 0 : (uint8_t)(sample + 1);
+}
+
+/* Colours from a to before b, and b itself where it is the last of its span. */
+static void set_piece(qtri_large_light *l, const qtri_light_sample *a, const qtri_light_sample *b)
+{
+    const int32_t length = b->x - a->x;
+    uint32_t c[3], step[3];
+    for (int i = 0; i < 3; i++) {
+        const int32_t change = (int32_t)(b->c[i] - a->c[i]);
+        c[i] = a->c[i] + l->half;
+        step[i] = (uint32_t)(length == (int32_t)1 << l->block_log2 ? change >> l->block_log2
+                                                                   : part_of(change, length));
+    }
+    l->piece_x = a->x;
+    l->piece_end = b->x + (b->x == l->last ? 1 : 0);
+    qtri_large_pack_colors(l->packing, &l->walk.piece, c, step, l->piece_end - a->x);
+}
+
+/* The next block: a piece where it is straight, and else what is to be halved. */
+static void next_block(qtri_large_light *l)
+{
+    const qtri_light_sample *from = &l->sample[l->from];
+    const uint8_t second = after(l->from);
+    const qtri_light_sample *to = &l->sample[second];
+    qtri_light_sample *next = &l->sample[after(second)];
+    const bool is_first = from->x == l->left, is_last = to->x == l->last;
+    const bool bent_before = l->bends;
+    next_sample(next, l, to);
+    l->bends = !is_last && is_bent(l, from, to, next);
+    const bool bent =
+        bent_before || l->bends ||
+        ((is_first || is_last) &&
+         (may_bend(l, from, to) ||
+          (is_first && is_last && (to->x - from->x) * 4 > (int32_t)1 << l->block_log2)));
+    l->from = second;
+    if (!bent) {
+        set_piece(l, from, to);
+        return;
+    }
+    l->bent[0] = true;
+    l->at = *from;
+    l->end[0] = *to;
+    l->count = 1;
+}
+
+/*
+ * Halves of what is not straight, from left to right. Part n is at most 2^(DULL_LOG2 - n) long, so
+ * the last that there is room for is a pixel.
+ */
+static void next_piece(qtri_large_light *l)
+{
+    do {
+        if (l->count == 0) {
+            next_block(l);
+            if (l->count == 0) {
+                continue;
+            }
+        }
+        int i = l->count - 1;
+        while (l->bent[i] && l->end[i].x - l->at.x >= 2) {
+            find_sample(&l->end[i + 1], l, (l->at.x + l->end[i].x) >> 1);
+            l->bent[i + 1] = !is_straight(l, &l->at, &l->end[i + 1], &l->end[i]);
+            l->bent[i] = l->bent[i + 1];
+            i++;
+        }
+        l->count = (uint8_t)i;
+        const qtri_light_sample to = l->end[i];
+        l->piece_end = to.x + (to.x == l->last ? 1 : 0);
+        if (l->piece_end > l->x) {
+            set_piece(l, &l->at, &to);
+        }
+        l->at = to;
+    } while (l->piece_end <= l->x);
+}
+
+static int32_t next(qtri_large *t, int32_t count)
+{
+    const qtri_large_job *job = qtri_large_job_of(t);
+    qtri_large_light *l = light_of(t);
+    if (l->y != t->y || l->left != job->row_left) {
+        begin_row(job, l);
+    }
+    if (l->x >= l->piece_end) {
+        next_piece(l);
+    }
+    if (l->x != l->piece_x) {
+        qtri_large_skip_colors(job->options, &l->walk.piece, (uint32_t)(l->x - l->piece_x));
+        l->piece_x = l->x;
+    }
+    const int32_t n = qtri_least32(count, l->piece_end - l->x);
+    l->x += n;
+    return n;
+}
+
+void qtri_large_light_run(qtri_draw_state *state, const qtri_illumination *by,
+                          void (*body)(void *with), void *with)
+{
+    qtri_large_light light;
+    light.walk.begin = begin;
+    light.walk.next = next;
+    light.lit.by = by;
+    light.lit.everywhere = true;
+    light.block_log2 = by->shininess != NULL ? SHARP_LOG2 : DULL_LOG2;
+    for (int32_t i = 0; i < by->count; i++) {
+        light.lit.everywhere &= by->run[i].kind->everywhere;
+        light.block_log2 = by->run[i].kind->has_edges ? SHARP_LOG2 : light.block_log2;
+    }
+    state->light_walk = &light.walk;
+    body(with);
+    state->light_walk = NULL;
+}

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Light by pixel, along rows of large triangles: what a pipeline's loop over pixels asks for
+ * colours. Internal.
+ *
+ * Reached through a draw call's state, so that what does not name &qtri_per_pixel does not link it.
+ */
+#ifndef QTRI_RASTER_LARGE_LIGHT_H
+#define QTRI_RASTER_LARGE_LIGHT_H
+
+#include "qtri/body/large.h"
+
+#include "large_setup.h"
+#include "lit_triangle.h"
+
+enum { QTRI_LIGHT_BLOCK_LOG2 = 4 /* pixels from sample to sample, at most */ };
+
+/* What a pixel shows, as it is stepped: see qtri_large_channels(). */
+typedef struct qtri_light_sample {
+    int32_t x;
+    uint32_t c[3];
+} qtri_light_sample;
+
+/* Light on the triangles of a draw call, and where it is along a row. */
+typedef struct qtri_large_light {
+    qtri_light_walk walk; /* first: what the body has a pointer to */
+    qtri_lit_triangle lit;
+    uint8_t block_log2; /* pixels from sample to sample */
+
+    /* The triangle: shares of corners 1 and 2, 2^30 is 1; divided: times q = 1/w, 2^31 at most. */
+    uint8_t packing;
+    uint32_t half; /* what colours start with more */
+    bool divided;
+    int32_t plane_y; /* of the planes' row */
+    qtri_large_plane share[2], q;
+    uint32_t least, greatest; /* of the vertices' q */
+    int32_t tolerance[3];     /* of a second difference */
+
+    /* The row: its span, which a scissor does not change, and the next pixel. */
+    int32_t y, left, last, x;
+    qtri_light_sample sample[3]; /* of a block: from, to, and the one after */
+    uint8_t from;                /* its place in these */
+    bool bends;                  /* at `from` */
+
+    /* What is left of the block: parts, from `at` to end[count - 1] and on. */
+    qtri_light_sample at, end[QTRI_LIGHT_BLOCK_LOG2 + 1];
+    bool bent[QTRI_LIGHT_BLOCK_LOG2 + 1];
+    uint8_t count;
+    int32_t piece_x, piece_end; /* what walk.piece starts at, and the pixel after it */
+} qtri_large_light;
+
+/*
+ * Calls `body` while the state's triangles are lit by pixel. Before each the corners of
+ * state->light_walk are set, see qtri_large_light_triangle(); large triangles bring the shares of
+ * corners 1 and 2, 2^30 being 1, in place of red and green.
+ */
+void qtri_large_light_run(qtri_draw_state *state, const qtri_illumination *by,
+                          void (*body)(void *with), void *with);
+
+static inline qtri_lit_triangle *qtri_large_light_triangle(qtri_draw_state *state)
+{
+    return &((qtri_large_light *)(void *)state->light_walk)->lit;
+}
+
+#endif
