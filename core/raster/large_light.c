@@ -80,7 +80,7 @@ static void begin(qtri_large *t)
     l->packing = qtri_large_packing_of(job->options);
     l->half = qtri_large_half_of(job->options);
     l->plane_y = job->plane_y;
-    l->divided = !job->options->linear && align_q(q, v);
+    l->divided = !t->state->is_linear && align_q(q, v);
     l->y = INT32_MIN;
     set_tolerance(l, job->options);
     for (int k = 0; k < 2; k++) {
