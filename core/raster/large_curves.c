@@ -99,7 +99,9 @@ void qtri_large_set_lengths(qtri_large_job *job)
     uint32_t least = UINT32_MAX;
     job->q_slope_log2 = log2_q8(slope) + LOG2_ERROR;
     job->chord_log2 = chord_log2(job);
-    job->texel_log2 = job->options->bilinear ? texel_log2(job) : 0;
+    job->texel_log2 = job->options->bilinear && !qtri_large_has_levels(job)
+                          ? texel_log2(job)
+                          : INT16_MIN; /* steps are about a texel of the level */
     job->may_be_level = slope <= 2;
     for (int k = 0; k < 3; k++) {
         const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
@@ -174,6 +176,9 @@ static void begin_chunk(qtri_large_job *job)
             qtri_large_positive(qtri_large_plane_at(&job->q, falls ? chunk + width : chunk));
         log2 = length_for(job, q);
         log2 = qtri_hold32(log2, -1, qtri_least32(job->piece_max, log2_above(width) - 1));
+    }
+    while (log2 > 0 && width >> log2 == 0) { /* far behind a thin one's end values do not fit */
+        log2--;
     }
     job->h_log2 = log2;
     const int32_t apart = log2 + 1;

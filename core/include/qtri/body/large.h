@@ -9,6 +9,7 @@
 #ifndef QTRI_BODY_LARGE_H
 #define QTRI_BODY_LARGE_H
 
+#include "arithmetic.h"
 #include "pixel.h"
 
 #ifdef __cplusplus
@@ -22,6 +23,7 @@ typedef struct qtri_large_piece {
     uint32_t c, c_step, g, g_step;
     uint32_t c_other;
     uint32_t alpha, alpha_step;
+    uint32_t level; /* of a texture that is mipmapped */
 } qtri_large_piece;
 
 enum { QTRI_LARGE_RUN_LOG2 = 6, QTRI_LARGE_RUN = 1 << QTRI_LARGE_RUN_LOG2 };
@@ -65,6 +67,12 @@ int32_t qtri_large_next_uv(qtri_large *t);
 int32_t qtri_large_next_any(qtri_large *t);
 int32_t qtri_large_next_linear(qtri_large *t);
 
+/* In large_levels.c: of a texture that is mipmapped. Set once planes are; then pieces, with or
+   without perspective, of levels; and what a level changes, beside the walk. */
+void qtri_large_set_levels(qtri_large *t);
+int32_t qtri_large_next_levels(qtri_large *t);
+void qtri_large_set_level(qtri_large *t, uint32_t level);
+
 /* With has_runs: sets t->run for the first run that is drawn of the row; returns how many of its
    pixels are not. */
 uint32_t qtri_large_begin_runs(qtri_large *t);
@@ -96,6 +104,9 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
             qtri_large_set_perspective(t);
         }
     }
+    if (o->mipmapped) {
+        qtri_large_set_levels(t);
+    }
     if (qtri_uses_table(o) && !t->state->has_table) {
         qtri_draw_state_set_table(t->state);
     }
@@ -109,6 +120,9 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
 
 QTRI_BODY int32_t qtri_large_next(const qtri_options *o, qtri_large *t)
 {
+    if (o->mipmapped) {
+        return qtri_large_next_levels(t);
+    }
     if (o->linear) {
         return qtri_large_next_linear(t);
     }
@@ -118,9 +132,14 @@ QTRI_BODY int32_t qtri_large_next(const qtri_options *o, qtri_large *t)
     return qtri_large_next_any(t);
 }
 
-QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_pixel_walk *w,
+QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
                                const qtri_large_piece *piece)
 {
+    if (o->mipmapped && piece->level != t->state->level) {
+        QTRI_RARELY();
+        qtri_large_set_level(t, piece->level);
+        qtri_walk_set_texture(o, w);
+    }
     if (qtri_is_textured(o)) {
         w->u = piece->u;
         w->v = piece->v;
@@ -234,7 +253,7 @@ QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large
         for (int32_t pieces = 0; (pieces = qtri_large_next(o, t)) != 0;) {
             const qtri_large_piece *piece = t->piece;
             do {
-                qtri_large_load(o, &w, piece);
+                qtri_large_load(o, t, &w, piece);
                 qtri_large_pixels(o, t, &w, piece->count);
                 piece++;
             } while (--pieces != 0);
