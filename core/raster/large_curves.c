@@ -210,7 +210,7 @@ static bool is_level(const qtri_large_job *job)
 }
 
 /* The one division of a row: the quotient of a step is the step. */
-QTRI_NOINLINE static bool begin_level(qtri_large_job *job)
+QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
 {
     const int32_t log2 = log2_above(job->row_right - job->row_left);
     job->is_level = is_level(job);
@@ -380,7 +380,7 @@ QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored
     if (job->may_be_level) {
         if (job->is_new) {
             qtri_large_planes_move(job);
-            job->t.is_bent = !begin_level(job);
+            job->t.is_bent = !qtri_large_begin_level(job);
         }
         if (job->is_level) {
             return qtri_large_linear_piece(job);

@@ -8,8 +8,9 @@
 #include "large_setup.h"
 
 enum {
-    LEVEL_RUN_LOG2 = 7,  /* pixels along a row where w does not change that have one level */
-    LEVEL_PIECE_LOG2 = 5 /* and elsewhere, at most */
+    LEVEL_RUN_LOG2 = 7,   /* pixels along a row where w does not change that have one level */
+    LEVEL_PIECE_LOG2 = 5, /* and elsewhere, at most */
+    EVEN_DELTA = 1 << 13  /* 1/8 of q, Q16 */
 };
 
 /* Setting up ----------------------------------------------------------------------------------- */
@@ -72,7 +73,7 @@ void qtri_large_set_levels(qtri_large *t)
     job->levels.axis[0] = t->axis[0];
     job->levels.axis[1] = t->axis[1];
     job->levels.only = 0;
-    job->levels.y = -1;
+    job->levels.are_found = false;
     set_axes(job, state->level);
     t->piece[0].level = state->level;
     t->piece[1].level = state->level;
@@ -84,7 +85,8 @@ void qtri_large_set_levels(qtri_large *t)
         return;
     }
     const int32_t most = LEVEL_PIECE_LOG2;
-    job->run_log2 = (uint8_t)qtri_least32(job->run_log2, LEVEL_RUN_LOG2);
+    job->levels.are_found = true;
+    job->levels.run_log2 = job->run_log2;
     if (job->is_near) {
         job->near_log2 = (uint8_t)qtri_least32(job->near_log2, most);
     } else {
@@ -122,41 +124,75 @@ static inline bool is_left(uint32_t length, uint32_t square, int32_t shift)
     return (square - 1) >> qtri_least32(-shift, 31) < length;
 }
 
-/* The level at pixel x of the row, where q is this; that of the piece before most often is. */
-static uint32_t level_at(const qtri_large_job *job, int32_t x, uint32_t q)
+typedef qtri_footprint_measure measure;
+
+/* `zeros`: those of q, or of what is 3/4 to 4/3 of it. */
+static inline measure measure_of(const qtri_footprint_plane *f, uint32_t q, int32_t zeros)
 {
-    const qtri_footprint_plane *f = &job->levels.footprint;
-    const qtri_draw_state *state = job->t.state;
-    const int32_t zeros = qtri_clz32(q);
-    const uint32_t q_q11 = q << zeros >> 21;
-    const uint32_t square = q_q11 * q_q11, length = length_at(f, x);
-    uint32_t level = job->t.piece[0].level;
-    int32_t before = f->before - 2 * zeros + (int32_t)level;
-    while (level < state->last_level && is_left(length, square, before + 1)) {
+    const uint32_t q_q11 = (q >> 1) << zeros >> 20; /* 2^9.5..2^11.5 */
+    const measure m = {q_q11 * q_q11, f->before - 2 * zeros};
+    return m;
+}
+
+static inline measure measure_at(const qtri_large_job *job, int32_t x)
+{
+    const uint32_t q = qtri_large_positive(qtri_large_plane_at(&job->q, x));
+    return measure_of(&job->levels.footprint, q, qtri_clz32(q));
+}
+
+QTRI_NOINLINE static uint32_t find_level(const measure *m, uint32_t length, uint32_t level,
+                                         uint32_t last)
+{
+    int32_t before = m->before + (int32_t)level;
+    while (level < last && is_left(length, m->square, before + 1)) {
         before++;
         level++;
     }
-    while (level > 0 && !is_left(length, square, before)) {
+    while (level > 0 && !is_left(length, m->square, before)) {
         before--;
         level--;
     }
     return level;
 }
 
+/* The level at pixel x of the row; `level`, that of what was drawn before, most often is. */
+static inline uint32_t level_at(const qtri_large_job *job, const measure *m, int32_t x,
+                                uint32_t level)
+{
+    const uint32_t length = length_at(&job->levels.footprint, x);
+    const uint32_t last = job->t.state->last_level;
+    const uint32_t before = (uint32_t)m->before + level;
+    if (before < 31) {
+        const uint32_t most = length >> before;
+        if (m->square > most ? level == 0 : m->square > most >> 1 || level == last) {
+            return level;
+        }
+    }
+    const measure copy = *m; /* or all of it would be in memory */
+    return find_level(&copy, length, level, last);
+}
+
 static void begin_row(qtri_large_job *job)
 {
     qtri_footprint_plane *f = &job->levels.footprint;
     const uint32_t y = (uint32_t)job->t.y;
-    job->levels.y = job->t.y;
-    qtri_large_planes_move(job);
     f->length = qtri_step_length_of(qtri_magnitude32((int32_t)(f->right[0] + y * f->right_dy[0])),
                                     qtri_magnitude32((int32_t)(f->right[1] + y * f->right_dy[1])));
 }
 
-static uint32_t level_of(const qtri_large_job *job, int32_t x, int32_t count)
+/* Coordinates count from texels' centres. */
+QTRI_NOINLINE static void center(const qtri_large_job *job, qtri_large_piece *piece, uint32_t level)
 {
-    const int32_t middle = x + (count >> 1);
-    return level_at(job, middle, qtri_large_positive(qtri_large_plane_at(&job->q, middle)));
+    const qtri_options *o = job->options;
+    const qtri_draw_state *state = job->t.state;
+    const uint32_t across = down_of(job, 1, level);
+    const uint32_t u_shift = o->wrap_u == QTRI_CLAMP ? job->levels.axis[0].shift + level
+                                                     : 32u - state->width_log2 + level;
+    const uint32_t v_shift = o->wrap_v == QTRI_CLAMP ? job->levels.axis[1].shift + across
+                             : o->large_texture      ? 32u - state->height_log2 + across
+                                                     : 16u + state->width_log2 - level;
+    piece->u -= (uint32_t)1 << (u_shift - 1);
+    piece->v -= (uint32_t)1 << (v_shift - 1);
 }
 
 static inline uint32_t curve_down(uint32_t step, uint32_t down)
@@ -170,80 +206,174 @@ static inline uint32_t curve_down(uint32_t step, uint32_t down)
  * two bits lower for each level, one where the height goes down no more. Steps are off by half of
  * the last bit, 2^-(17 + width_log2) of the level's texel: 128 pixels on by 2^-11 of one.
  */
-static void set_level(const qtri_large_job *job, qtri_large_piece *piece, uint32_t level)
+static inline void set_level(const qtri_large_job *job, qtri_large_piece *piece, uint32_t level)
 {
     const qtri_options *o = job->options;
-    const qtri_draw_state *state = job->t.state;
-    const uint32_t across = down_of(job, 1, level);
     piece->level = level;
-    if (o->wrap_v != QTRI_CLAMP && !o->large_texture && level != 0) {
-        const uint32_t down = level + across;
+    if (level != 0 && o->wrap_v != QTRI_CLAMP && !o->large_texture) {
+        const uint32_t down = level + down_of(job, 1, level);
         piece->v >>= down;
         piece->v_step = curve_down(piece->v_step, down);
-        piece->v_bend = curve_down(piece->v_bend, down);
-    }
-    if (o->bilinear) { /* from texels' centres */
-        const uint32_t u_shift = o->wrap_u == QTRI_CLAMP ? job->levels.axis[0].shift + level
-                                                         : 32u - state->width_log2 + level;
-        const uint32_t v_shift = o->wrap_v == QTRI_CLAMP ? job->levels.axis[1].shift + across
-                                 : o->large_texture      ? 32u - state->height_log2 + across
-                                                         : 16u + state->width_log2 - level;
-        piece->u -= (uint32_t)1 << (u_shift - 1);
-        piece->v -= (uint32_t)1 << (v_shift - 1);
-    }
-}
-
-/* Of pieces that begin at column x. */
-static void set_levels(qtri_large_job *job, int32_t pieces, int32_t x)
-{
-    qtri_large_piece *piece = job->t.piece;
-    if (!job->is_curved) {
-        set_level(job, piece, job->levels.only);
-        return;
-    }
-    if (job->levels.y != job->t.y) {
-        begin_row(job);
-    }
-    for (int32_t i = 0; i < pieces; i++) {
-        if (piece[i].count > 0) {
-            set_level(job, &piece[i], level_of(job, x, piece[i].count));
-            x += piece[i].count;
+        if (piece->v_bend != 0) {
+            piece->v_bend = curve_down(piece->v_bend, down);
         }
     }
+    if (o->bilinear) {
+        center(job, piece, level);
+    }
 }
 
-/* Where pieces began that were found last. */
-static int32_t start_of(const qtri_large_job *job)
+/* Of a piece from column x on, which has its level. */
+static inline void cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
 {
-    if (job->is_curved && job->is_near) {
-        return job->x - ((int32_t)1 << job->near_log2);
+    if (x < job->t.x0 || x + piece->count > job->t.x1) {
+        qtri_large_cut(job, piece, x);
     }
-    if (!job->is_curved || (job->may_be_level && job->is_level)) {
-        return job->x - ((int32_t)1 << job->run_log2);
+}
+
+/* Rows along which w does not change ----------------------------------------------------------- */
+
+/*
+ * A row has a level in the middle of every run. Where lengths are linear and those of the first
+ * and of the last run have one level, so have all, and the row is one.
+ */
+static void begin_level_row(qtri_large_job *job)
+{
+    qtri_large_levels *levels = &job->levels;
+    const int32_t left = job->row_left, right = job->row_right;
+    const int32_t run = (int32_t)1 << LEVEL_RUN_LOG2;
+    const int32_t last = left + ((right - 1 - left) & -run);
+    levels->measure = measure_at(job, left);
+    levels->only = (uint8_t)level_at(job, &levels->measure,
+                                     left + (qtri_least32(run, right - left) >> 1), levels->only);
+    levels->is_one = last == left || (levels->footprint.straight &&
+                                      level_at(job, &levels->measure, (last + right) >> 1,
+                                               levels->only) == levels->only);
+    job->run_log2 =
+        levels->is_one ? levels->run_log2 : (uint8_t)qtri_least32(levels->run_log2, LEVEL_RUN_LOG2);
+}
+
+static int32_t level_row_piece(qtri_large_job *job)
+{
+    qtri_large_levels *levels = &job->levels;
+    qtri_large_piece *piece = job->t.piece;
+    if (qtri_large_linear_piece(job) == 0) {
+        return 0;
     }
-    const int32_t last = job->x - 1, apart = job->h_log2 + 1;
-    const int32_t chunk = job->row_left + ((last - job->row_left) & -(int32_t)QTRI_LARGE_CHUNK);
-    return chunk + ((last - chunk) >> apart << apart);
+    const int32_t x = job->x - ((int32_t)1 << job->run_log2);
+    if (!levels->is_one) {
+        levels->only =
+            (uint8_t)level_at(job, &levels->measure, x + (piece->count >> 1), levels->only);
+    }
+    set_level(job, piece, levels->only);
+    cut(job, piece, x);
+    return 1;
+}
+
+/* Other rows ----------------------------------------------------------------------------------- */
+
+static int32_t near_piece(qtri_large_job *job)
+{
+    qtri_large_piece *piece = job->t.piece;
+    if (job->is_new) {
+        qtri_large_planes_move(job);
+    }
+    if (qtri_large_near_piece(job) == 0) {
+        return 0;
+    }
+    const int32_t x = job->x - ((int32_t)1 << job->near_log2);
+    const int32_t middle = x + (piece->count >> 1);
+    const measure m = measure_at(job, middle);
+    set_level(job, piece, level_at(job, &m, middle, piece->level));
+    cut(job, piece, x);
+    return 1;
+}
+
+/* Pieces of which one or both are short, or along which q varies more. */
+QTRI_NOINLINE static void set_apart(qtri_large_job *job, int32_t pieces, int32_t x)
+{
+    qtri_large_piece *piece = job->t.piece;
+    uint32_t level = piece->level;
+    for (int32_t i = 0; i < pieces; i++) {
+        const int32_t count = piece[i].count, middle = x + (count >> 1);
+        if (count > 0) {
+            const measure m = measure_at(job, middle);
+            level = level_at(job, &m, middle, level);
+        }
+        set_level(job, &piece[i], level);
+        cut(job, &piece[i], x);
+        x += count;
+    }
+}
+
+/* Two pieces along which q varies by 1/8 to both sides at most have one level, that in the middle,
+   which is one and a half steps before the next point. */
+static int32_t curved_pieces(qtri_large_job *job)
+{
+    const int32_t pieces = qtri_large_next_any(&job->t);
+    qtri_large_piece *piece = job->t.piece;
+    if (pieces == 0) {
+        return 0;
+    }
+    const int32_t h = piece[0].count;
+    if (pieces == 1 || piece[1].count != h ||
+        (uint32_t)(job->delta + EVEN_DELTA) > 2 * EVEN_DELTA) {
+        set_apart(job, pieces, job->x - h - (pieces == 1 ? 0 : piece[1].count));
+        return pieces;
+    }
+    const int32_t middle = job->x - h;
+    const uint32_t q = job->q.s - job->q.s_step - (uint32_t)((int32_t)job->q.s_step >> 1);
+    const measure m = measure_of(&job->levels.footprint, q, job->zeros);
+    const uint32_t level = level_at(job, &m, middle, piece[0].level);
+    set_level(job, &piece[0], level);
+    set_level(job, &piece[1], level);
+    cut(job, &piece[0], middle - h);
+    cut(job, &piece[1], middle);
+    return 2;
+}
+
+/* No levels, or one for all of the triangle: pieces as they come. */
+static int32_t plain_pieces(qtri_large_job *job)
+{
+    const bool curved = job->is_curved;
+    const int32_t pieces = curved ? qtri_large_next_any(&job->t) : qtri_large_linear_piece(job);
+    if (pieces == 0) {
+        return 0;
+    }
+    int32_t x = job->x - ((int32_t)1 << job->run_log2);
+    if (curved && job->is_near) {
+        x = job->x - ((int32_t)1 << job->near_log2);
+    } else if (curved && !(job->may_be_level && job->is_level)) {
+        x = job->x - job->t.piece[0].count - (pieces == 1 ? 0 : job->t.piece[1].count);
+    } else if (qtri_large_has_levels(job)) {
+        set_level(job, job->t.piece, job->levels.only);
+    }
+    for (int32_t i = 0; i < pieces; i++) {
+        const int32_t count = job->t.piece[i].count;
+        cut(job, &job->t.piece[i], x);
+        x += count;
+    }
+    return pieces;
 }
 
 int32_t qtri_large_next_levels(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    const int32_t pieces =
-        job->options->linear ? qtri_large_linear_piece(job) : qtri_large_next_any(t);
-    if (pieces == 0) {
-        return 0;
+    if (!job->levels.are_found) {
+        return plain_pieces(job);
     }
-    int32_t x = start_of(job);
-    if (qtri_large_has_levels(job)) {
-        set_levels(job, pieces, x);
-    }
-    for (int32_t i = 0; i < pieces; i++) {
-        const int32_t count = t->piece[i].count;
-        if (x < t->x0 || x + count > t->x1) {
-            qtri_large_cut(job, &t->piece[i], x);
+    if (job->is_new) {
+        begin_row(job);
+        if (job->may_be_level && !job->is_near) {
+            qtri_large_planes_move(job);
+            t->is_bent = !qtri_large_begin_level(job);
+            if (job->is_level) {
+                begin_level_row(job);
+            }
         }
-        x += count;
     }
-    return pieces;
+    if (job->is_near) {
+        return near_piece(job);
+    }
+    return job->may_be_level && job->is_level ? level_row_piece(job) : curved_pieces(job);
 }

@@ -23,10 +23,19 @@ typedef struct qtri_footprint_plane {
     uint32_t length; /* of the row's step right */
 } qtri_footprint_plane;
 
+/* Bits of q's square, and the shift by which a length of level 0 is compared with it. */
+typedef struct qtri_footprint_measure {
+    uint32_t square;
+    int32_t before;
+} qtri_footprint_measure;
+
 typedef struct qtri_large_levels {
     qtri_clamp_axis axis[2]; /* those of level 0 */
-    uint8_t only;            /* the level of a triangle without perspective */
-    int32_t y;               /* row that footprint.length is of */
+    bool are_found;          /* along rows; false: `only` is that of the triangle */
+    uint8_t only;            /* that, or the last one of a row along which w does not change */
+    bool is_one;             /* of all of such a row */
+    uint8_t run_log2;        /* the job's own */
+    qtri_footprint_measure measure; /* in such a row */
     qtri_footprint_plane footprint;
 } qtri_large_levels;
 

@@ -162,6 +162,8 @@ static inline int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
 
 /* In large_curves.c: how far points are apart. */
 void qtri_large_set_lengths(qtri_large_job *job);
+/* Sets job->is_level, and steps along the row if it is; planes are the row's. */
+bool qtri_large_begin_level(qtri_large_job *job);
 
 /* In large_near.c. */
 bool qtri_large_set_near(qtri_large_job *job);
