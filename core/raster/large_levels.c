@@ -86,7 +86,7 @@ void qtri_large_set_levels(qtri_large *t)
     }
     const int32_t most = LEVEL_PIECE_LOG2;
     job->levels.are_found = true;
-    job->levels.run_log2 = job->run_log2;
+    job->levels.run_log2 = (uint8_t)qtri_least32(job->run_log2, LEVEL_RUN_LOG2);
     if (job->is_near) {
         job->near_log2 = (uint8_t)qtri_least32(job->near_log2, most);
     } else {
@@ -233,39 +233,73 @@ static inline void cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
 
 /* Rows along which w does not change ----------------------------------------------------------- */
 
-/*
- * A row has a level in the middle of every run. Where lengths are linear and those of the first
- * and of the last run have one level, so have all, and the row is one.
- */
-static void begin_level_row(qtri_large_job *job)
+static inline int32_t run_of(const qtri_large_job *job)
 {
-    qtri_large_levels *levels = &job->levels;
-    const int32_t left = job->row_left, right = job->row_right;
-    const int32_t run = (int32_t)1 << LEVEL_RUN_LOG2;
-    const int32_t last = left + ((right - 1 - left) & -run);
-    levels->measure = measure_at(job, left);
-    levels->only = (uint8_t)level_at(job, &levels->measure,
-                                     left + (qtri_least32(run, right - left) >> 1), levels->only);
-    levels->is_one = last == left || (levels->footprint.straight &&
-                                      level_at(job, &levels->measure, (last + right) >> 1,
-                                               levels->only) == levels->only);
-    job->run_log2 =
-        levels->is_one ? levels->run_log2 : (uint8_t)qtri_least32(levels->run_log2, LEVEL_RUN_LOG2);
+    return (int32_t)1 << job->levels.run_log2;
 }
 
+/* Of the run that begins at column x. */
+static inline uint32_t run_level(const qtri_large_job *job, int32_t x, uint32_t level)
+{
+    const int32_t count = qtri_least32(run_of(job), job->row_right - x);
+    return level_at(job, &job->levels.measure, x + (count >> 1), level);
+}
+
+static void begin_level_row(qtri_large_job *job)
+{
+    job->levels.measure = measure_at(job, job->row_left);
+    job->levels.only = (uint8_t)run_level(job, job->row_left, job->levels.only);
+    job->x = job->row_left;
+}
+
+/* Colours that are linear along the row, where it is `skipped` pixels on. */
+QTRI_NOINLINE static void set_colors(qtri_large_job *job, qtri_large_piece *piece, uint32_t skipped)
+{
+    for (int i = job->first_color; i < job->count; i++) {
+        job->a[i].at += job->a[i].step * skipped;
+    }
+    qtri_large_pack_linear(job, piece);
+    for (int i = job->first_color; i < job->count; i++) {
+        job->a[i].at -= job->a[i].step * skipped;
+    }
+}
+
+/* Runs that have one level are a piece, but where colours are not stepped as far, from the row's
+   left end on: what rounding does where it begins depends on neither band nor scissor. */
 static int32_t level_row_piece(qtri_large_job *job)
 {
     qtri_large_levels *levels = &job->levels;
     qtri_large_piece *piece = job->t.piece;
-    if (qtri_large_linear_piece(job) == 0) {
-        return 0;
+    const int32_t run = run_of(job), right = job->row_right;
+    int32_t x, end = job->x;
+    uint32_t level, next = levels->only;
+    do {
+        x = end;
+        level = next;
+        for (end += run; end < right; end += run) {
+            next = run_level(job, end, level);
+            if (next != level || job->run_log2 <= job->levels.run_log2) {
+                break;
+            }
+        }
+        if (x >= job->t.x1) {
+            return 0;
+        }
+    } while (end <= job->t.x0);
+    job->x = end;
+    levels->only = (uint8_t)next;
+    const uint32_t skipped = (uint32_t)(x - job->row_left);
+    piece->count = qtri_least32(end, right) - x;
+    piece->u = job->a[0].at + job->a[0].step * skipped;
+    piece->v = job->a[1].at + job->a[1].step * skipped;
+    piece->u_step = job->a[0].step;
+    piece->v_step = job->a[1].step;
+    piece->u_bend = 0;
+    piece->v_bend = 0;
+    if (job->first_color != job->count) {
+        set_colors(job, piece, skipped);
     }
-    const int32_t x = job->x - ((int32_t)1 << job->run_log2);
-    if (!levels->is_one) {
-        levels->only =
-            (uint8_t)level_at(job, &levels->measure, x + (piece->count >> 1), levels->only);
-    }
-    set_level(job, piece, levels->only);
+    set_level(job, piece, level);
     cut(job, piece, x);
     return 1;
 }
@@ -310,7 +344,8 @@ QTRI_NOINLINE static void set_apart(qtri_large_job *job, int32_t pieces, int32_t
    which is one and a half steps before the next point. */
 static int32_t curved_pieces(qtri_large_job *job)
 {
-    const int32_t pieces = qtri_large_next_any(&job->t);
+    const int32_t pieces =
+        job->first_color == job->count ? qtri_large_next_uv(&job->t) : qtri_large_next_any(&job->t);
     qtri_large_piece *piece = job->t.piece;
     if (pieces == 0) {
         return 0;
@@ -360,6 +395,7 @@ int32_t qtri_large_next_levels(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     if (!job->levels.are_found) {
+        t->is_last = false;
         return plain_pieces(job);
     }
     if (job->is_new) {
@@ -368,12 +404,14 @@ int32_t qtri_large_next_levels(qtri_large *t)
             qtri_large_planes_move(job);
             t->is_bent = !qtri_large_begin_level(job);
             if (job->is_level) {
+                job->is_new = false;
                 begin_level_row(job);
             }
         }
     }
-    if (job->is_near) {
-        return near_piece(job);
-    }
-    return job->may_be_level && job->is_level ? level_row_piece(job) : curved_pieces(job);
+    const int32_t pieces = job->is_near                         ? near_piece(job)
+                           : job->may_be_level && job->is_level ? level_row_piece(job)
+                                                                : curved_pieces(job);
+    t->is_last = job->x >= t->x1;
+    return pieces;
 }

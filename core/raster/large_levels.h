@@ -33,8 +33,7 @@ typedef struct qtri_large_levels {
     qtri_clamp_axis axis[2]; /* those of level 0 */
     bool are_found;          /* along rows; false: `only` is that of the triangle */
     uint8_t only;            /* that, or the last one of a row along which w does not change */
-    bool is_one;             /* of all of such a row */
-    uint8_t run_log2;        /* the job's own */
+    uint8_t run_log2;        /* of pixels along such a row that have one */
     qtri_footprint_measure measure; /* in such a row */
     qtri_footprint_plane footprint;
 } qtri_large_levels;

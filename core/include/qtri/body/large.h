@@ -37,6 +37,7 @@ typedef struct qtri_large {
     uint8_t *pixel, *depth;
     uint32_t z, z_step;
 
+    bool is_last; /* mipmapped: there are no pieces after these */
     bool is_bent; /* pieces have steps of u and v that change */
     qtri_large_piece piece[2];
     qtri_clamp_axis axis[2];
@@ -257,6 +258,9 @@ QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large
                 qtri_large_pixels(o, t, &w, piece->count);
                 piece++;
             } while (--pieces != 0);
+            if (o->mipmapped && t->is_last) {
+                break;
+            }
         }
     }
 }
