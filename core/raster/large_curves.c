@@ -198,37 +198,41 @@ static void begin_chunk(qtri_large_job *job)
 
 /*
  * Whether q changes so little along the row that attributes are linear: with e = q' / q and K the
- * slope, K e d^2 is missed d pixels from where the row begins, here 2^-14 K.
+ * slope, K e d^2 is missed d pixels from where the row begins, here 2^-14 K. q: there.
  */
-static bool is_level(const qtri_large_job *job)
+static inline bool is_level(const qtri_large_job *job, uint32_t q)
 {
     const uint64_t steep = qtri_magnitude64(qtri_wrap64(job->q.dx)) >> 16; /* 2^-16 */
     const uint32_t width = (uint32_t)(job->row_right - job->row_left);     /* <= 2^13 */
     return steep >> 16 == 0 &&
-           (steep == 0 || qtri_mul_u32(width * width, (uint32_t)steep) >> 2 <=
-                              qtri_large_positive(qtri_large_plane_at(&job->q, job->row_left)));
+           (steep == 0 || qtri_mul_u32(width * width, (uint32_t)steep) >> 2 <= q);
 }
 
-/* The one division of a row: the quotient of a step is the step. */
+/* The one division of a row: the quotient of a step, of as many pixels as go into 32 bits, is the
+   step. */
 QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
 {
-    const int32_t log2 = log2_above(job->row_right - job->row_left);
-    job->is_level = is_level(job);
+    const int32_t left = job->row_left;
+    const uint32_t q = qtri_large_positive(qtri_large_plane_at(&job->q, left));
+    job->is_level = is_level(job, q);
     if (!job->is_level) {
         return false;
     }
-    job->h_log2 = log2;
-    set_points(job, job->row_left, log2);
-    const int32_t reciprocal = next_reciprocal(job);
+    const int32_t log2 = log2_above(job->row_right - left);
+    const int32_t reciprocal = qtri_large_reciprocal(job, q);
+    const int32_t zeros = job->zeros;
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        const int32_t from = next_quotient(a, job->zeros, reciprocal);
-        const int32_t rise = qtri_large_quotient(a->plane.s_step, job->zeros, reciprocal);
-        a->at = ((uint32_t)from << a->at_left);
-        a->at = (uint32_t)((int32_t)a->at >> a->at_right) + a->start;
-        a->step = (uint32_t)((int32_t)((uint32_t)rise << a->step_left) >> a->step_right);
+        const uint32_t s = qtri_large_plane_at(&a->plane, left);
+        const uint32_t s_step = qtri_large_whole(a->plane.dx << log2);
+        const int32_t from = qtri_large_quotient(s, zeros, reciprocal);
+        const int32_t rise = qtri_large_quotient(s_step, zeros, reciprocal);
+        a->at = (uint32_t)((int32_t)((uint32_t)from << a->at_left) >> a->at_right) + a->start;
+        a->step = qtri_large_shift((uint32_t)rise, a->up + 2 - log2);
     }
-    qtri_large_set_run_steps(job);
+    if (job->first_color != job->count) {
+        qtri_large_set_run_steps(job);
+    }
     return true;
 }
 
