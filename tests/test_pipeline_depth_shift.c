@@ -53,8 +53,8 @@ static void every_pixel_is_moved_by_the_slope(void **state)
             const uint32_t color = stored_pixel(&plain.surface, x, y);
             assert_int_equal(stored_pixel(&moved.surface, x, y), color);
             if (color != 0) {
-                const double off = stored_depth(&moved.surface, x, y) -
-                                   (stored_depth(&plain.surface, x, y) + by);
+                const double off =
+                    stored_depth(&moved.surface, x, y) - (stored_depth(&plain.surface, x, y) + by);
                 most = fmax(most, fabs(off));
                 pixels++;
             }

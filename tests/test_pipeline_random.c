@@ -9,7 +9,14 @@
 #include "raster/draw_state.h"
 
 enum { WIDTH = 150, HEIGHT = 110, TILE_WIDTH = 41, TILE_HEIGHT = 17, BAND = 13 };
-enum { RINGS = 9, SIDES = 8, VERTICES = RINGS * SIDES, TRIANGLES = 2 * VERTICES, SHAPES = 4, LEVELS = 9 };
+enum {
+    RINGS = 9,
+    SIDES = 8,
+    VERTICES = RINGS * SIDES,
+    TRIANGLES = 2 * VERTICES,
+    SHAPES = 4,
+    LEVELS = 9
+};
 
 extern const qtri_pipeline *const random_pipelines[];
 

@@ -400,7 +400,7 @@ int32_t qtri_large_next_levels(qtri_large *t)
     }
     if (job->is_new) {
         begin_row(job);
-        if (job->may_be_level && !job->is_near) {
+        if (!job->is_near && job->may_be_level) {
             qtri_large_planes_move(job);
             t->is_bent = !qtri_large_begin_level(job);
             if (job->is_level) {

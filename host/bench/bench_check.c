@@ -254,7 +254,7 @@ static bool compare(const bench_frame *frame, const struct expectation *expected
     printf("%-4s %6u pixels%s, %u in one picture only, %u with a colour off by more than a step, "
            "depth off by %.2f at most%s\n",
            frame->scene->name, (unsigned)pixels, clears ? " cleared" : "", (unsigned)mismatch,
-           (unsigned)other_color, depth_error, ": odd"), ok = true;
+           (unsigned)other_color, depth_error, ok ? "" : ": WRONG");
     return ok;
 }
 
