@@ -9,7 +9,14 @@
 #include "raster/draw_state.h"
 
 enum { WIDTH = 150, HEIGHT = 110, TILE_WIDTH = 41, TILE_HEIGHT = 17, BAND = 13 };
-enum { RINGS = 9, SIDES = 8, VERTICES = RINGS * SIDES, TRIANGLES = 2 * VERTICES, SHAPES = 4 };
+enum {
+    RINGS = 9,
+    SIDES = 8,
+    VERTICES = RINGS * SIDES,
+    TRIANGLES = 2 * VERTICES,
+    SHAPES = 4,
+    LEVELS = 9
+};
 
 extern const qtri_pipeline *const random_pipelines[];
 
@@ -44,6 +51,7 @@ static struct world {
     qtri_shininess shininess;
     qtri_reflection reflection;
     qtri_texture texture;
+    const void *levels[LEVELS];
     qtri_fog fog;
     qtri_material material;
 } w;
@@ -118,7 +126,14 @@ static void make_texture(const qtri_options *o)
     w.texture.color[1] = w.colors[1];
     w.texture.wrap_u = (qtri_wrap)o->wrap_u;
     w.texture.wrap_v = (qtri_wrap)o->wrap_v;
-    w.texture.filter = o->bilinear ? &qtri_bilinear : NULL;
+    w.texture.filter = o->mipmapped  ? (o->bilinear ? &qtri_mipmapped_bilinear : &qtri_mipmapped)
+                       : o->bilinear ? &qtri_bilinear
+                                     : NULL;
+    for (int i = 0; i < LEVELS; i++) {
+        w.levels[i] = w.texels + 1000 * (i + 1);
+    }
+    w.texture.levels = w.levels;
+    w.texture.level_count = LEVELS;
     w.texture.palette = palette;
     w.texture.has_key = o->key;
     w.texture.key = w.texels[0];
@@ -145,6 +160,8 @@ static void make_material(const qtri_options *o)
     m->cull = (qtri_cull)random_in(&seed, 0, 1);
     m->depth_compare = (qtri_compare)o->compare;
     m->depth_read_only = o->read_only;
+    m->depth_shift = random_in(&seed, 0, 5) == 0 ? &qtri_slope_bias : NULL;
+    m->depth_slope = between(-2, 2);
     m->blend = o->vertex_alpha && o->blend == QTRI_ALPHA ? &qtri_blend_vertex_alpha
                : o->vertex_alpha                         ? &qtri_blend_vertex_add
                : o->keep && o->blend == QTRI_STORE       ? &qtri_blend_replace

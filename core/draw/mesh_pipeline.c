@@ -114,7 +114,7 @@ static void draw_triangle(const qtri_mesh_job *draw, const void *indices, qtri_v
     uint32_t index[3];
     qtri_small t = draw->primitive.to.pipeline.small;
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    if (!draw_small(t.state->pipeline->small, &t, indices, index, a, b, c)) {
+    if (!draw_small(t.state->small, &t, indices, index, a, b, c)) {
         draw_large(draw, indices, a, b, c);
     }
 }
@@ -123,7 +123,7 @@ static void draw_triangle(const qtri_mesh_job *draw, const void *indices, qtri_v
 static inline void draw_whole_of(const qtri_mesh_job *draw, const void *triangles, bool narrow)
 {
     qtri_small t = draw->primitive.to.pipeline.small;
-    bool (*const by)(qtri_small *) = t.state->pipeline->small;
+    bool (*const by)(qtri_small *) = t.state->small;
     const uint32_t count = draw->mesh->vertex_count;
     const uint32_t size = narrow ? 3 : 6;
     const uint8_t *triangle = triangles;
@@ -164,7 +164,7 @@ static void draw_whole(const qtri_mesh_job *draw)
 static void draw_listed(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     qtri_small t = draw->primitive.to.pipeline.small;
-    bool (*const by)(qtri_small *) = t.state->pipeline->small;
+    bool (*const by)(qtri_small *) = t.state->small;
     const uint32_t size = qtri_vertex_size();
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
@@ -188,7 +188,7 @@ static inline void draw_band_of(const qtri_mesh_job *draw, const uint16_t *lists
                                 uint32_t end, const void *triangles, bool narrow)
 {
     qtri_small t = draw->primitive.to.pipeline.small;
-    bool (*const by)(qtri_small *) = t.state->pipeline->small;
+    bool (*const by)(qtri_small *) = t.state->small;
     qtri_vertex *vertices = draw->vertices;
     set_lit(&t, draw);
     while (place != end) {

@@ -2,6 +2,7 @@
 #include "depth_shift.h"
 
 #include "effect.h"
+#include "qtri/body/small_triangle.h"
 #include "triangle.h"
 
 /* |f1 d2 - f2 d1|: f below 2^32, d at most 2^24, so below 2^57. */
@@ -11,11 +12,10 @@ static uint64_t determinant(int64_t f1, int64_t f2, int32_t d1, int32_t d2)
 }
 
 /* What depth changes by a pixel to the right or down, whichever is more: 16.16, held to 2^47. */
-static uint64_t slope_of(const qtri_triangle *t, const qtri_attributes v[3])
+static uint64_t slope_of(const qtri_screen_point *const p[3], int64_t area, const uint32_t depth[3])
 {
-    const int64_t f1 = (int64_t)v[1].depth_16p16 - v[0].depth_16p16;
-    const int64_t f2 = (int64_t)v[2].depth_16p16 - v[0].depth_16p16;
-    const qtri_screen_point *const *p = t->p;
+    const int64_t f1 = (int64_t)depth[1] - depth[0];
+    const int64_t f2 = (int64_t)depth[2] - depth[0];
     const uint64_t along_x =
         determinant(f1, f2, p[1]->y_24p8 - p[0]->y_24p8, p[2]->y_24p8 - p[0]->y_24p8);
     const uint64_t along_y =
@@ -23,31 +23,40 @@ static uint64_t slope_of(const qtri_triangle *t, const qtri_attributes v[3])
     const uint64_t most = (uint64_t)1 << 47;
     bool half;
     const uint64_t slope =
-        qtri_divide64(along_x > along_y ? along_x : along_y, qtri_magnitude64(t->area), 8, &half);
+        qtri_divide64(along_x > along_y ? along_x : along_y, qtri_magnitude64(area), 8, &half);
     return slope < most ? slope : most;
 }
 
-static void draw_by_slope(const qtri_raster *raster, qtri_triangle *triangle,
-                          const qtri_attributes v[3])
+/* What is added to the depths of all three vertices, modulo 2^32. */
+static uint32_t shift_of(const qtri_material *material, const qtri_screen_point *const p[3],
+                         int64_t area, const uint32_t depth[3])
 {
     const uint32_t farthest = (uint32_t)65535 << 16;
-    qtri_attributes moved[3] = {v[0], v[1], v[2]};
     uint32_t least = farthest;
     uint32_t greatest = 0;
     for (int i = 0; i < 3; i++) {
-        least = v[i].depth_16p16 < least ? v[i].depth_16p16 : least;
-        greatest = v[i].depth_16p16 > greatest ? v[i].depth_16p16 : greatest;
+        least = depth[i] < least ? depth[i] : least;
+        greatest = depth[i] > greatest ? depth[i] : greatest;
     }
-    const uint64_t slope = slope_of(triangle, v);
-    const q16 factor = raster->of.material->depth_slope;
+    const uint64_t slope = slope_of(p, area, depth);
+    const q16 factor = material->depth_slope;
     const uint32_t size = qtri_magnitude32(factor);
     const bool nearer = factor < 0;
     const uint32_t room = nearer ? least : farthest - greatest;
     const uint64_t by = slope >> 32 != 0 ? qtri_mul_u32((uint32_t)(slope >> 16), size)
                                          : qtri_mul_u32((uint32_t)slope, size) >> 16;
     const uint32_t less = by < room ? (uint32_t)by : room;
+    return nearer ? 0 - less : less;
+}
+
+static void draw_by_slope(const qtri_raster *raster, qtri_triangle *triangle,
+                          const qtri_attributes v[3])
+{
+    const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+    qtri_attributes moved[3] = {v[0], v[1], v[2]};
+    const uint32_t by = shift_of(raster->of.material, triangle->p, triangle->area, depth);
     for (int i = 0; i < 3; i++) {
-        moved[i].depth_16p16 = nearer ? v[i].depth_16p16 - less : v[i].depth_16p16 + less;
+        moved[i].depth_16p16 += by;
     }
     if (qtri_by_vertex(raster) != NULL) {
         qtri_by_vertex(raster)->draw(raster, triangle, moved);
@@ -56,4 +65,47 @@ static void draw_by_slope(const qtri_raster *raster, qtri_triangle *triangle,
     }
 }
 
-const qtri_depth_shift qtri_slope_bias = {draw_by_slope};
+static void move_large(qtri_large_vertex moved[3], const qtri_draw_state *state,
+                       const qtri_screen_point *const p[3], int64_t area,
+                       const qtri_large_vertex v[3])
+{
+    const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+    const uint32_t by = shift_of(state->material, p, area, depth);
+    for (int i = 0; i < 3; i++) {
+        moved[i] = v[i];
+        moved[i].depth_16p16 += by;
+    }
+}
+
+/* The vertices' copies have other depths; the light that they are given is given back. A vertex's
+   depth has 8 bits of fraction, so the shift loses 2^-8 of a step of 16 bits. */
+static bool draw_small(qtri_small *t)
+{
+    qtri_vertex *const vertex[3] = {t->v[0], t->v[1], t->v[2]};
+    const qtri_screen_point *const p[3] = {&vertex[0]->at, &vertex[1]->at, &vertex[2]->at};
+    const int64_t area = qtri_triangle_area(p[0], p[1], p[2]);
+    qtri_vertex moved[3];
+    uint32_t depth[3];
+    if (area == 0) {
+        return true;
+    }
+    for (int i = 0; i < 3; i++) {
+        depth[i] = vertex[i]->depth_16p8 & ~0xFFu;
+    }
+    const uint32_t by = shift_of(t->state->material, p, area, depth) & ~0xFFu;
+    for (int i = 0; i < 3; i++) {
+        moved[i] = *vertex[i];
+        moved[i].depth_16p8 += by;
+        t->v[i] = &moved[i];
+    }
+    const bool is_drawn = t->state->pipeline->small(t);
+    for (int i = 0; i < 3; i++) {
+        t->v[i] = vertex[i];
+        if (moved[i].intensity_q15 != vertex[i]->intensity_q15) {
+            vertex[i]->intensity_q15 = moved[i].intensity_q15;
+        }
+    }
+    return is_drawn;
+}
+
+const qtri_depth_shift qtri_slope_bias = {draw_by_slope, draw_small, move_large};

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bilinear.h"
+#include "depth_shift.h"
 #include "effect.h"
 #include "qtri/body/pixel.h"
 #include "sampling.h"
@@ -193,6 +194,31 @@ static void set_colors(qtri_draw_state *state, const qtri_material *material)
                                               : material->fog->word[1];
 }
 
+/* Levels that can be used besides the first: their widths are 2 texels or more. */
+static uint8_t last_level(const qtri_options *o, const qtri_texture *texture)
+{
+    const int32_t width_log2 = qtri_side_log2(texture->width_log2);
+    uint8_t last = 0;
+    if (texture->levels != NULL && !o->samples) { /* see samples.h */
+        while (last + 1 < width_log2 && last < texture->level_count &&
+               texture->levels[last] != NULL) {
+            last++;
+        }
+    }
+    return last;
+}
+
+void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
+{
+    const qtri_texture *whole = state->material->texture;
+    qtri_texture *texture = &state->level_texture;
+    const uint32_t height_log2 = state->height_log2;
+    state->level = (uint8_t)level;
+    texture->texels = level == 0 ? whole->texels : whole->levels[level - 1];
+    texture->width_log2 = (uint8_t)(state->width_log2 - level);
+    texture->height_log2 = (uint8_t)(height_log2 - (level < height_log2 ? level : height_log2));
+}
+
 static void set_texture(qtri_draw_state *state, const qtri_material *material)
 {
     const qtri_texture *texture = material->texture;
@@ -201,11 +227,19 @@ static void set_texture(qtri_draw_state *state, const qtri_material *material)
         return;
     }
     state->texture = texture;
+    if (state->options.mipmapped) {
+        state->level_texture = *texture;
+        state->texture = &state->level_texture;
+        state->last_level = last_level(&state->options, texture);
+    }
     state->width_log2 = qtri_side_log2(texture->width_log2);
     state->height_log2 = qtri_side_log2(texture->height_log2);
     state->key_mask = texture->format->key_mask;
     state->key = texture->key & state->key_mask;
     state->alpha_least = (uint32_t)material->least_alpha << 24;
+    if (state->options.mipmapped) {
+        qtri_draw_state_set_level(state, 0);
+    }
 }
 
 /* What no pipeline draws. */
@@ -234,6 +268,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->is_lit = false;
     state->light_walk = NULL;
     state->pipeline = &nothing;
+    state->small = draw_nothing_small;
     state->surface = surface;
     state->material = material;
     state->bounds = nowhere;
@@ -253,6 +288,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
         return;
     }
     state->pipeline = found;
+    state->small = material->depth_shift != NULL ? material->depth_shift->small : found->small;
     if (found->options.format != QTRI_ANY) {
         state->options = found->options;
     }
@@ -288,10 +324,7 @@ void qtri_draw_state_set_table(qtri_draw_state *state)
 
 bool qtri_pipelines_can_draw(const qtri_surface *surface, const qtri_material *material)
 {
-    const qtri_texture *texture = material->texture;
-    return qtri_sampling_of(surface->format) == NULL && material->depth_shift == NULL &&
-           material->fill == NULL &&
-           (!is_usable(texture) || texture->filter == NULL || !texture->filter->is_mipmapped);
+    return qtri_sampling_of(surface->format) == NULL && material->fill == NULL;
 }
 
 uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "large.h"
 
+#include "depth_shift.h"
 #include "large_setup.h"
 
 /* First row whose centre is at or below y, or column whose centre is at or right of x. */
@@ -216,6 +217,19 @@ QTRI_NOINLINE static bool begin(qtri_large_job *job, const qtri_screen_point *co
     return true;
 }
 
+/* Apart: others take no stack for it. */
+QTRI_NOINLINE static void draw_shifted(qtri_large_job *job, const qtri_screen_point *const p[3],
+                                       int64_t area)
+{
+    qtri_draw_state *state = job->t.state;
+    qtri_large_vertex moved[3];
+    state->material->depth_shift->move(moved, state, p, area, job->v);
+    job->v = moved;
+    if (begin(job, p, area)) {
+        state->pipeline->large(&job->t);
+    }
+}
+
 void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const p[3], int64_t area,
                          uint32_t color_rgb, const qtri_large_vertex v[3])
 {
@@ -227,6 +241,10 @@ void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const 
     job.t.color = color_rgb;
     job.options = &state->options;
     job.v = v;
+    if (state->material->depth_shift != NULL) {
+        draw_shifted(&job, p, area);
+        return;
+    }
     if (begin(&job, p, area)) {
         state->pipeline->large(&job.t);
     }

@@ -72,7 +72,8 @@ static int32_t length_for(const qtri_large_job *job, uint32_t q)
     return log2 >> 8;
 }
 
-/* log2 of the greatest slope of coordinates times q along rows, in texels 2^32. */
+/* log2 of the greatest slope of coordinates times q along rows, in texels 2^32; of levels steps are
+   about a texel. */
 void qtri_large_set_texel_slope(qtri_large_job *job)
 {
     const uint32_t q_slope = slope_of(job->q.dx);
@@ -86,7 +87,7 @@ void qtri_large_set_texel_slope(qtri_large_job *job)
         const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->t.axis[i].shift) * 256;
         most = log2 > most ? log2 : most;
     }
-    job->texel_log2 = most;
+    job->texel_log2 = qtri_large_has_levels(job) ? INT16_MIN : most;
 }
 
 /* The greatest slope of colours times q, and what of it comes of q. */
@@ -197,6 +198,9 @@ static void begin_chunk(qtri_large_job *job)
         log2 = length_for(job, q);
         log2 = qtri_hold32(log2, -1, qtri_least32(job->piece_max, log2_above(width) - 1));
     }
+    while (log2 > 0 && width >> log2 == 0) { /* far behind a thin one's end values do not fit */
+        log2--;
+    }
     job->h_log2 = log2;
     const int32_t apart = log2 + 1;
     const int32_t number = (job->t.x - chunk) >> apart;
@@ -220,7 +224,7 @@ static void begin_chunk(qtri_large_job *job)
 
 /*
  * Whether q changes so little along the row that attributes are linear: with e = q' / q and K the
- * slope, K e d^2 is missed d pixels from where the row begins, here 2^-14 K.
+ * slope, K e d^2 is missed d pixels from where the row begins, here 2^-14 K. q: there.
  */
 static inline bool is_level(const qtri_large_job *job)
 {
@@ -229,8 +233,9 @@ static inline bool is_level(const qtri_large_job *job)
                                   qtri_large_positive(qtri_large_plane_at(&job->q, job->row_left));
 }
 
-/* The one division of a row: the quotient of a step is the step. */
-QTRI_NOINLINE static bool begin_level(qtri_large_job *job)
+/* The one division of a row: the quotient of a step, of as many pixels as go into 32 bits, is the
+   step. */
+QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
 {
     job->is_level = is_level(job);
     if (!job->is_level) {
@@ -249,8 +254,7 @@ QTRI_NOINLINE static bool begin_level(qtri_large_job *job)
         qtri_large_attribute *a = &job->a[i];
         const int32_t from = next_quotient(a, job->zeros, reciprocal);
         const int32_t rise = qtri_large_quotient(a->plane.s_step, job->zeros, reciprocal);
-        a->at = ((uint32_t)from << a->at_left);
-        a->at = (uint32_t)((int32_t)a->at >> a->at_right) + a->start;
+        a->at = (uint32_t)((int32_t)((uint32_t)from << a->at_left) >> a->at_right) + a->start;
         a->step = (uint32_t)((int32_t)((uint32_t)rise << a->step_left) >> a->step_right);
     }
     if (job->first_color != job->count) {
@@ -405,7 +409,7 @@ QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored
     if (job->may_be_level) {
         if (job->is_new) {
             qtri_large_planes_move(job);
-            job->t.is_bent = !begin_level(job);
+            job->t.is_bent = !qtri_large_begin_level(job);
         }
         if (job->is_level) {
             return qtri_large_linear_piece(job);

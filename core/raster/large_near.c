@@ -83,8 +83,8 @@ bool qtri_large_set_near(qtri_large_job *job)
     }
     const int32_t e = (int32_t)(((most << zeros) >> 15) * (uint32_t)half >> 15); /* Q16 */
     const int32_t e2 = e * e >> 16;
-    const int32_t texels = qtri_large_texels_log2(job, q - most);
-    if ((uint32_t)e2 * (uint32_t)job->pixels > 65536 >> (NEAR_STEP_LOG2 - 3 + texels)) {
+    const int32_t texels = qtri_least32(qtri_large_texels_log2(job, q - most), 16);
+    if ((uint32_t)e2 * (uint32_t)job->pixels > (uint32_t)65536 >> (NEAR_STEP_LOG2 - 3 + texels)) {
         return false; /* half the width, a quarter of e^2 of it */
     }
     const int32_t d[2] = {/* half of e's slopes */

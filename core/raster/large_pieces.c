@@ -49,6 +49,13 @@ void qtri_large_planes_move(qtri_large_job *job)
 
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
 {
+    if (!job->options->mipmapped) {
+        qtri_large_cut(job, piece, x);
+    }
+}
+
+void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
+{
     const int32_t first = qtri_greatest32(x, job->t.x0);
     const int32_t end = qtri_least32(x + piece->count, job->t.x1);
     if (first >= end) {
@@ -109,7 +116,7 @@ static void begin_row(qtri_large_job *job)
 int32_t qtri_large_linear_piece(qtri_large_job *job)
 {
     qtri_large_piece *piece = &job->t.piece[0];
-    if (job->first_color == job->count) {
+    if (job->first_color == job->count && !job->options->mipmapped) {
         return whole_row(job);
     }
     if (job->is_new) {

@@ -25,8 +25,9 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bo
     uint64_t all = 0;
     int32_t base = INT32_MAX; /* |base| <= 2^16 */
     for (int k = 0; k < 3; k++) {
-        at[k] = clamp_q32(coordinate[k]) -
-                (o->bilinear ? (int64_t)1 << (31 - side_log2) : 0); /* from texels' centres */
+        at[k] = clamp_q32(coordinate[k]) - (o->bilinear && !qtri_large_has_levels(job)
+                                                ? (int64_t)1 << (31 - side_log2)
+                                                : 0); /* from texels' centres */
         base = qtri_least32(base, (int32_t)(at[k] >> 32));
     }
     for (int k = 0; k < 3; k++) {

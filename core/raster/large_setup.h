@@ -14,6 +14,7 @@
 #include "dda.h"
 #include "fine_plane.h"
 #include "large.h"
+#include "large_levels.h"
 #include "residual.h"
 
 enum {
@@ -94,7 +95,8 @@ typedef struct qtri_large_job {
     int32_t piece_max;                            /* log2 of the longest piece */
     int32_t one_log2; /* of pieces, where one length serves all rows; else -1 */
     int32_t middle_x, middle_y;
-    uint32_t center[3]; /* half of what rounding of packed steps sums up to, n.16 */
+    qtri_large_levels levels; /* of a texture that is mipmapped */
+    uint32_t center[3];       /* half of what rounding of packed steps sums up to, n.16 */
 
     qtri_ramp run_ramp[3]; /* with t.has_runs */
 
@@ -107,6 +109,12 @@ typedef struct qtri_large_job {
 static inline qtri_large_job *qtri_large_job_of(qtri_large *t)
 {
     return (qtri_large_job *)(void *)t;
+}
+
+/* The texture is mipmapped, and has levels. */
+static inline bool qtri_large_has_levels(const qtri_large_job *job)
+{
+    return job->options->mipmapped && job->t.state->last_level != 0;
 }
 
 static inline uint32_t qtri_large_whole(uint64_t value)
@@ -164,8 +172,10 @@ void qtri_large_set_run_steps(qtri_large_job *job);
 int32_t qtri_large_linear_piece(qtri_large_job *job);
 /* Colours of a piece go on by n pixels. */
 void qtri_large_skip_colors(const qtri_options *o, qtri_large_piece *piece, uint32_t n);
-/* Drops what lies outside of x0..x1 - 1; piece k starts at `x`. */
+/* Drops what lies outside of x0..x1 - 1 of a piece that starts at `x`; where textures have levels,
+   which come before that, only the second function does. */
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
+void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 
 /* By how much, n.16, colours may stray for going along chords: 1/4 of a step. */
 static inline int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
@@ -178,6 +188,8 @@ static inline int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
 void qtri_large_set_texel_slope(qtri_large_job *job);
 int32_t qtri_large_texels_log2(const qtri_large_job *job, uint32_t q);
 void qtri_large_set_lengths(qtri_large_job *job);
+/* Sets job->is_level, and steps along the row if it is; planes are the row's. */
+bool qtri_large_begin_level(qtri_large_job *job);
 
 /* In large_near.c. */
 bool qtri_large_set_near(qtri_large_job *job);

@@ -37,9 +37,11 @@ static uint32_t clamp_axis_set(qtri_clamp_axis *axis, int32_t u0, uint32_t side_
 }
 
 /* Whether perspective could be seen. */
-static bool is_curved_by_range(const qtri_small_place *p, const qtri_small *t, int32_t uv[2][3])
+static bool is_curved_by_range(const qtri_small_place *p, const qtri_small *t,
+                               const qtri_options *o, int32_t uv[2][3])
 {
-    const uint32_t width_log2 = t->state->width_log2, height_log2 = t->state->height_log2;
+    const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
+    const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
     const uint32_t u = qtri_small_range(uv[0][1], uv[0][2]) >> (10 - width_log2);
     const uint32_t v = qtri_small_range(uv[1][1], uv[1][2]) >> (10 - height_log2);
     const uint32_t most = u > v ? u : v;                           /* 2^-6 of a texel */
@@ -59,7 +61,8 @@ static void set_units(texture_units *units, qtri_small_texture *uv, int32_t f[2]
                       const qtri_small_place *p, const qtri_draw_state *state,
                       const qtri_options *o)
 {
-    const uint32_t side_log2[2] = {state->width_log2, state->height_log2};
+    const uint32_t side_log2[2] = {qtri_texture_width_log2(o, state),
+                                   qtri_texture_height_log2(o, state)};
     for (int k = 0; k < 2; k++) {
         const uint32_t bits = p->wide ? 15 : 16;
         const bool is_clamped = (k == 0 ? o->wrap_u : o->wrap_v) == QTRI_CLAMP;
@@ -103,7 +106,7 @@ void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, c
     }
     qtri_small_uv_find(&at, t);
     int32_t f[2][3] = {{at.u0, at.u1, at.u2}, {at.v0, at.v1, at.v2}};
-    uv->curved = !t->state->is_linear && (uv->curved || is_curved_by_range(p, t, f));
+    uv->curved = !t->state->is_linear && (uv->curved || is_curved_by_range(p, t, o, f));
     set_units(&units, uv, f, p, t->state, o);
     if (!uv->curved) {
         qtri_small_ramp_set(&uv->u, p, units.base[0], f[0][1], f[0][2], (int32_t)units.up[0]);

@@ -20,6 +20,7 @@ function options(i,    format, texel, text)
         shade = one_of("FLAT TINT LIGHT WHITE_LIGHT COLORS")
         text = text ", .texel = QTRI_TEXEL_" texel
         if (below(3) == 0) text = text ", .bilinear = 1"
+        if (below(3) == 0) text = text ", .mipmapped = 1"
         if (below(3) == 0) text = text ", .wrap_u = QTRI_CLAMP"
         if (below(3) == 0) text = text ", .wrap_v = QTRI_CLAMP"
         if (below(4) == 0) text = text ", .key = 1"

@@ -106,8 +106,7 @@ typedef struct qtri_material {
      * NULL: depth_bias alone. &qtri_slope_bias: depths of triangles are moved by depth_slope times
      * what depth changes by a pixel to the right or down, whichever is more, as well: negative
      * draws steep faces nearer. It is held so that no vertex leaves 0..1, of a clipped triangle
-     * those of each piece. Triangles of such a material all take the way of large ones, as blend.h
-     * says it of blends by vertex; lines and strokes are not moved.
+     * those of each piece. Lines and strokes are not moved.
      */
     const qtri_depth_shift *depth_shift;
     q16 depth_slope;

@@ -117,6 +117,10 @@ extern const qtri_pipeline qtri_pipeline_texture_tint;  /* times one colour a tr
 extern const qtri_pipeline qtri_pipeline_texture_lit;   /* times material.color in light */
 extern const qtri_pipeline qtri_pipeline_texture_white; /* times light: of a white material */
 
+extern const qtri_pipeline qtri_pipeline_mipmapped; /* with levels, &qtri_mipmapped: as they are */
+extern const qtri_pipeline qtri_pipeline_mipmapped_lit;   /* times material.color in light */
+extern const qtri_pipeline qtri_pipeline_mipmapped_white; /* times light: of a white material */
+
 /* These, then &qtri_pipeline_any. NULL ends a list. */
 extern const qtri_pipeline *const qtri_pipelines_default[];
 

@@ -9,6 +9,7 @@
 #ifndef QTRI_BODY_LARGE_H
 #define QTRI_BODY_LARGE_H
 
+#include "arithmetic.h"
 #include "pixel.h"
 
 #ifdef __cplusplus
@@ -22,6 +23,7 @@ typedef struct qtri_large_piece {
     uint32_t c, c_step, g, g_step;
     uint32_t c_other;
     uint32_t alpha, alpha_step;
+    uint32_t level; /* of a texture that is mipmapped */
 } qtri_large_piece;
 
 /* Light by pixel: colours along rows, found by what a draw call with such lights brings. */
@@ -71,6 +73,12 @@ bool qtri_large_next_row(qtri_large *t);
 int32_t qtri_large_next_uv(qtri_large *t);
 int32_t qtri_large_next_any(qtri_large *t);
 
+/* In large_levels.c: of a texture that is mipmapped. Set once planes are; then pieces, with or
+   without perspective, of levels; and what a level changes, beside the walk. */
+void qtri_large_set_levels(qtri_large *t);
+int32_t qtri_large_next_levels(qtri_large *t);
+void qtri_large_set_level(qtri_large *t, uint32_t level);
+
 /* With has_runs: sets t->run for the first run that is drawn of the row; returns how many of its
    pixels are not. */
 uint32_t qtri_large_begin_runs(qtri_large *t);
@@ -107,6 +115,9 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
     if (qtri_large_has_pieces(o)) {
         qtri_large_set_planes(t);
     }
+    if (o->mipmapped) {
+        qtri_large_set_levels(t);
+    }
     if (qtri_uses_table(o) && !t->state->has_table) {
         qtri_draw_state_set_table(t->state);
     }
@@ -120,6 +131,9 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
 
 QTRI_BODY int32_t qtri_large_next(const qtri_options *o, qtri_large *t)
 {
+    if (o->mipmapped) {
+        return qtri_large_next_levels(t);
+    }
     if (qtri_is_textured(o) && !qtri_large_varies(o) && !o->vertex_alpha) {
         return qtri_large_next_uv(t);
     }
@@ -140,9 +154,14 @@ QTRI_BODY void qtri_large_load_colors(const qtri_options *o, qtri_pixel_walk *w,
     }
 }
 
-QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_pixel_walk *w,
+QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
                                const qtri_large_piece *piece)
 {
+    if (o->mipmapped && piece->level != t->state->level) {
+        QTRI_RARELY();
+        qtri_large_set_level(t, piece->level);
+        qtri_walk_set_texture(o, w);
+    }
     if (qtri_is_textured(o)) {
         w->u = piece->u;
         w->v = piece->v;
@@ -263,7 +282,7 @@ QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large
             int32_t pieces = qtri_large_next(o, t);
             const qtri_large_piece *piece = t->piece;
             do {
-                qtri_large_load(o, &w, piece);
+                qtri_large_load(o, t, &w, piece);
                 qtri_large_pixels(o, t, &w, piece->count);
                 piece++;
             } while (--pieces != 0);

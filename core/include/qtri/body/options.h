@@ -26,6 +26,17 @@ QTRI_BODY bool qtri_has_alpha(const qtri_options *o)
            (o->texel == QTRI_OTHER_TEXEL && o->fetch != NULL);
 }
 
+/* The sides of the texture, or of the level that is drawn, as powers of two. */
+QTRI_BODY uint32_t qtri_texture_width_log2(const qtri_options *o, const qtri_draw_state *state)
+{
+    return o->mipmapped ? state->level_texture.width_log2 : state->width_log2;
+}
+
+QTRI_BODY uint32_t qtri_texture_height_log2(const qtri_options *o, const qtri_draw_state *state)
+{
+    return o->mipmapped ? state->level_texture.height_log2 : state->height_log2;
+}
+
 /* In what pixels are computed. Fog and alpha of vertices are mixed in 8 bits and rounded once. */
 QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
 {

@@ -171,7 +171,7 @@ QTRI_BODY bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk 
     f.u = w->u;
     f.v = o->large_texture || !qtri_is_textured(o)
               ? w->v
-              : w->v << (16u - w->width_log2 - w->state->height_log2);
+              : w->v << (16u - w->width_log2 - qtri_texture_height_log2(o, w->state));
     f.light_q8 = qtri_is_lit(o) ? w->c >> 16 : 256;
     f.color = *color & 0xFFFFFFu;
     if (!o->fragment(&f)) {
@@ -344,6 +344,22 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool 
     }
 }
 
+/* The texture that texels are read from, or the level of it. */
+QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
+{
+    const qtri_draw_state *state = w->state;
+    const uint32_t width_log2 = qtri_texture_width_log2(o, state);
+    const uint32_t height_log2 = qtri_texture_height_log2(o, state);
+    w->texels = o->mipmapped ? state->level_texture.texels : state->texture->texels;
+    w->width_log2 = width_log2;
+    w->u_shift = (32u - width_log2) & 31;
+    w->v_shift = (o->large_texture ? 32u - height_log2 : 16u + width_log2) & 31;
+    /* The mask leaves the low byte to the column's shift: what it lets through of v is cut off. */
+    w->rows =
+        (o->large_texture ? 0 : (((uint32_t)1 << height_log2) - 1) << ((16 + width_log2) & 31)) |
+        w->u_shift;
+}
+
 /* What a draw call's state says to all rows. */
 QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
                                const qtri_draw_state *state)
@@ -357,17 +373,7 @@ QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
         }
     }
     if (qtri_is_textured(o)) {
-        const uint32_t width_log2 = state->width_log2, height_log2 = state->height_log2;
-        w->texels = state->texture->texels;
-        w->width_log2 = width_log2;
-        w->u_shift = (32u - width_log2) & 31;
-        w->v_shift = (o->large_texture ? 32u - height_log2 : 16u + width_log2) & 31;
-        /* The mask leaves the low byte to the column's shift: what it lets through of v is cut off.
-         */
-        w->rows =
-            (o->large_texture ? 0
-                              : (((uint32_t)1 << height_log2) - 1) << ((16 + width_log2) & 31)) |
-            w->u_shift;
+        qtri_walk_set_texture(o, w);
     }
 }
 

@@ -573,7 +573,8 @@ QTRI_BODY bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp
                                              const qtri_options *o)
 {
     qtri_small_uv f;
-    const uint32_t width_log2 = t->state->width_log2, height_log2 = t->state->height_log2;
+    const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
+    const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
     const uint32_t both_log2 = width_log2 + height_log2;
     if (o->bilinear || o->large_texture || o->wrap_u || o->wrap_v || both_log2 < 8) {
         return false;

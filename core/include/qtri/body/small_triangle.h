@@ -124,6 +124,10 @@ bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, c
 bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
                             const qtri_small *t, uint32_t half);
 
+/* In small_level.c: the level of a mipmapped texture by the footprint at vertex 0. False: 1/w
+   varies too much for one; the triangle is large. */
+bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t, const qtri_options *o);
+
 /* In small_texture.c. */
 void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, const qtri_small *t,
                             const qtri_options *o);

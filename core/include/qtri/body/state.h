@@ -32,6 +32,7 @@ typedef struct qtri_draw_state {
 
     const qtri_texture *texture;
     uint8_t width_log2, height_log2;     /* of its sides, at most 10 */
+    uint8_t level, last_level;           /* mipmapped: the level that `texture` is now, the last */
     uint32_t key, key_mask, alpha_least; /* alpha_least: material.least_alpha << 24 */
 
     uint32_t color;          /* material.color, 0x00RRGGBB */
@@ -46,6 +47,11 @@ typedef struct qtri_draw_state {
     bool is_lit;
     uint32_t lit[3];
     struct qtri_light_walk *light_walk; /* with per_pixel: see large.h */
+    /* Mipmapped: `texture` is this copy of the material's, with texels and sides of a level. */
+    qtri_texture level_texture;
+
+    /* What draws small triangles: the pipeline's, or what moves their depths before. */
+    bool (*small)(struct qtri_small *triangle);
 
     /* QTRI_LIGHT without texture on RGB565: stored pixels by light. */
     bool has_table;
@@ -98,6 +104,9 @@ typedef struct qtri_pixel_walk {
 /* What fog leaves of a colour at a depth with the half that rounds: 8.16, 256.0 is 1, off by 1/2 at
    most. In fog.c. */
 uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16);
+
+/* Makes the texture of what is mipmapped another level, 0..state->last_level. */
+void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level);
 
 /* state->table, when a triangle first needs it. */
 void qtri_draw_state_set_table(qtri_draw_state *state);

@@ -1,0 +1,404 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Levels along rows of large triangles: large_footprint.c says what is known of a triangle.
+ *
+ * Pieces are of level 0 as they come, and not cut: neither a band nor a scissor changes what level
+ * a piece has, nor what rounding does where coordinates are brought to it.
+ */
+#include "large_setup.h"
+
+enum {
+    LEVEL_RUN_LOG2 = 7,   /* pixels along a row where w does not change that have one level */
+    LEVEL_PIECE_LOG2 = 5, /* and elsewhere, at most */
+    EVEN_DELTA = 1 << 13  /* 1/8 of q, Q16 */
+};
+
+/* Setting up ----------------------------------------------------------------------------------- */
+
+/* 2^-12 texel a pixel, held to 2^30. slope: 2^-(32 + shift). */
+static uint32_t linear_step(uint64_t slope, int32_t shift)
+{
+    const uint64_t size = qtri_magnitude64(qtri_wrap64(slope)) >> (20 + shift);
+    return size >> 30 != 0 ? (uint32_t)1 << 30 : (uint32_t)size;
+}
+
+/* The level of coordinates that are linear. 5793 is 2^(1/2) 2^12. */
+static uint32_t linear_level(const qtri_large_job *job, uint32_t last)
+{
+    uint32_t right[2], down[2];
+    for (int i = 0; i < 2; i++) {
+        const qtri_large_plane *plane = &job->a[i].plane;
+        right[i] = linear_step(plane->dx, job->levels.axis[i].shift);
+        down[i] = linear_step(plane->dy, job->levels.axis[i].shift);
+    }
+    const uint32_t across = qtri_step_length_of(right[0], right[1]);
+    const uint32_t along = qtri_step_length_of(down[0], down[1]);
+    const uint32_t length = across > along ? across : along;
+    uint32_t level = 0;
+    while (level < last && length >= (uint32_t)5793 << level) {
+        level++;
+    }
+    return level;
+}
+
+static uint32_t down_of(const qtri_large_job *job, int i, uint32_t level)
+{
+    const uint32_t height_log2 = job->t.state->height_log2;
+    return i == 1 && level > height_log2 ? height_log2 : level;
+}
+
+/* Whole repeats are counted in texels, a power of two each: nothing is lost. */
+static void set_axes(qtri_large_job *job, uint32_t level)
+{
+    for (int i = 0; i < 2; i++) {
+        const qtri_clamp_axis *from = &job->levels.axis[i];
+        qtri_clamp_axis *axis = &job->t.axis[i];
+        const uint32_t down = down_of(job, i, level);
+        axis->shift = (uint8_t)(from->shift + down);
+        axis->mask = (uint16_t)(from->mask >> down);
+        axis->first = from->first >> down;
+    }
+}
+
+void qtri_large_set_level(qtri_large *t, uint32_t level)
+{
+    qtri_draw_state_set_level(t->state, level);
+    set_axes(qtri_large_job_of(t), level);
+}
+
+void qtri_large_set_levels(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    const qtri_draw_state *state = t->state;
+    job->levels.axis[0] = t->axis[0];
+    job->levels.axis[1] = t->axis[1];
+    job->levels.only = 0;
+    job->levels.are_found = false;
+    set_axes(job, state->level);
+    t->piece[0].level = state->level;
+    t->piece[1].level = state->level;
+    if (!qtri_large_has_levels(job)) {
+        return;
+    }
+    if (!job->is_curved) {
+        job->levels.only = (uint8_t)linear_level(job, state->last_level);
+        return;
+    }
+    const int32_t most = LEVEL_PIECE_LOG2;
+    job->levels.are_found = true;
+    job->levels.run_log2 = (uint8_t)qtri_least32(job->run_log2, LEVEL_RUN_LOG2);
+    if (job->is_near) {
+        job->near_log2 = (uint8_t)qtri_least32(job->near_log2, most);
+    } else {
+        job->piece_max = qtri_least32(job->piece_max, most);
+        job->one_log2 = qtri_least32(job->one_log2, most);
+    }
+    qtri_large_set_footprint(&job->levels.footprint, job);
+}
+
+/* Along a row ---------------------------------------------------------------------------------- */
+
+/* The longer of both steps at pixel x of the row. < 2^29 */
+static inline uint32_t length_at(const qtri_footprint_plane *f, int32_t x)
+{
+    uint32_t down;
+    if (f->straight) {
+        down = f->along + (uint32_t)x * f->along_dx;
+    } else {
+        down = qtri_step_length_of(
+            qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
+            qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
+    }
+    return f->length > down ? f->length : down;
+}
+
+/*
+ * A footprint is 2^(level + 1/2) texels or more, so that the level is left behind, where length >>
+ * (before + 1 + level) is q's square or more: with 22 bits of that, 2^(20 + 2 zeros).
+ */
+static inline bool is_left(uint32_t length, uint32_t square, int32_t shift)
+{
+    if (shift >= 0) {
+        return shift < 32 && square <= length >> shift;
+    }
+    return (square - 1) >> qtri_least32(-shift, 31) < length;
+}
+
+typedef qtri_footprint_measure measure;
+
+/* `zeros`: those of q, or of what is 3/4 to 4/3 of it. */
+static inline measure measure_of(const qtri_footprint_plane *f, uint32_t q, int32_t zeros)
+{
+    const uint32_t q_q11 = (q >> 1) << zeros >> 20; /* 2^9.5..2^11.5 */
+    const measure m = {q_q11 * q_q11, f->before - 2 * zeros};
+    return m;
+}
+
+static inline measure measure_at(const qtri_large_job *job, int32_t x)
+{
+    const uint32_t q = qtri_large_positive(qtri_large_plane_at(&job->q, x));
+    return measure_of(&job->levels.footprint, q, qtri_clz32(q));
+}
+
+QTRI_NOINLINE static uint32_t find_level(const measure *m, uint32_t length, uint32_t level,
+                                         uint32_t last)
+{
+    int32_t before = m->before + (int32_t)level;
+    while (level < last && is_left(length, m->square, before + 1)) {
+        before++;
+        level++;
+    }
+    while (level > 0 && !is_left(length, m->square, before)) {
+        before--;
+        level--;
+    }
+    return level;
+}
+
+/* The level at pixel x of the row; `level`, that of what was drawn before, most often is. */
+static inline uint32_t level_at(const qtri_large_job *job, const measure *m, int32_t x,
+                                uint32_t level)
+{
+    const uint32_t length = length_at(&job->levels.footprint, x);
+    const uint32_t last = job->t.state->last_level;
+    const uint32_t before = (uint32_t)m->before + level;
+    if (before < 31) {
+        const uint32_t most = length >> before;
+        if (m->square > most ? level == 0 : m->square > most >> 1 || level == last) {
+            return level;
+        }
+    }
+    const measure copy = *m; /* or all of it would be in memory */
+    return find_level(&copy, length, level, last);
+}
+
+static void begin_row(qtri_large_job *job)
+{
+    qtri_footprint_plane *f = &job->levels.footprint;
+    const uint32_t y = (uint32_t)job->t.y;
+    f->length = qtri_step_length_of(qtri_magnitude32((int32_t)(f->right[0] + y * f->right_dy[0])),
+                                    qtri_magnitude32((int32_t)(f->right[1] + y * f->right_dy[1])));
+}
+
+/* Coordinates count from texels' centres. */
+QTRI_NOINLINE static void center(const qtri_large_job *job, qtri_large_piece *piece, uint32_t level)
+{
+    const qtri_options *o = job->options;
+    const qtri_draw_state *state = job->t.state;
+    const uint32_t across = down_of(job, 1, level);
+    const uint32_t u_shift = o->wrap_u == QTRI_CLAMP ? job->levels.axis[0].shift + level
+                                                     : 32u - state->width_log2 + level;
+    const uint32_t v_shift = o->wrap_v == QTRI_CLAMP ? job->levels.axis[1].shift + across
+                             : o->large_texture      ? 32u - state->height_log2 + across
+                                                     : 16u + state->width_log2 - level;
+    piece->u -= (uint32_t)1 << (u_shift - 1);
+    piece->v -= (uint32_t)1 << (v_shift - 1);
+}
+
+static inline uint32_t curve_down(uint32_t step, uint32_t down)
+{
+    // cppcheck-suppress shiftTooManyBitsSigned
+    return (uint32_t)((int32_t)(step + ((uint32_t)1 << down >> 1)) >> down);
+}
+
+/*
+ * Brings coordinates to the level. v, where it fills not all bits, has a texel's fraction that ends
+ * two bits lower for each level, one where the height goes down no more. Steps are off by half of
+ * the last bit, 2^-(17 + width_log2) of the level's texel: 128 pixels on by 2^-11 of one.
+ */
+static inline void set_level(const qtri_large_job *job, qtri_large_piece *piece, uint32_t level)
+{
+    const qtri_options *o = job->options;
+    piece->level = level;
+    if (level != 0 && o->wrap_v != QTRI_CLAMP && !o->large_texture) {
+        const uint32_t down = level + down_of(job, 1, level);
+        piece->v >>= down;
+        piece->v_step = curve_down(piece->v_step, down);
+        if (piece->v_bend != 0) {
+            piece->v_bend = curve_down(piece->v_bend, down);
+        }
+    }
+    if (o->bilinear) {
+        center(job, piece, level);
+    }
+}
+
+/* Of a piece from column x on, which has its level. */
+static inline void cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
+{
+    if (x < job->t.x0 || x + piece->count > job->t.x1) {
+        qtri_large_cut(job, piece, x);
+    }
+}
+
+/* Rows along which w does not change ----------------------------------------------------------- */
+
+static inline int32_t run_of(const qtri_large_job *job)
+{
+    return (int32_t)1 << job->levels.run_log2;
+}
+
+/* Of the run that begins at column x. */
+static inline uint32_t run_level(const qtri_large_job *job, int32_t x, uint32_t level)
+{
+    const int32_t count = qtri_least32(run_of(job), job->row_right - x);
+    return level_at(job, &job->levels.measure, x + (count >> 1), level);
+}
+
+static void begin_level_row(qtri_large_job *job)
+{
+    job->levels.measure = measure_at(job, job->row_left);
+    job->levels.only = (uint8_t)run_level(job, job->row_left, job->levels.only);
+    job->t.x = job->row_left;
+}
+
+/* Colours that are linear along the row, where it is `skipped` pixels on. */
+QTRI_NOINLINE static void set_colors(qtri_large_job *job, qtri_large_piece *piece, uint32_t skipped)
+{
+    for (int i = job->first_color; i < job->count; i++) {
+        job->a[i].at += job->a[i].step * skipped;
+    }
+    qtri_large_pack_linear(job, piece);
+    for (int i = job->first_color; i < job->count; i++) {
+        job->a[i].at -= job->a[i].step * skipped;
+    }
+}
+
+/* Runs that have one level are a piece, but where colours are not stepped as far, from the row's
+   left end on: what rounding does where it begins depends on neither band nor scissor. */
+static int32_t level_row_piece(qtri_large_job *job)
+{
+    qtri_large_levels *levels = &job->levels;
+    qtri_large_piece *piece = job->t.piece;
+    const int32_t run = run_of(job), right = job->row_right;
+    int32_t x, end = job->t.x;
+    uint32_t level, next = levels->only;
+    do {
+        x = end;
+        level = next;
+        for (end += run; end < right; end += run) {
+            next = run_level(job, end, level);
+            if (next != level || job->run_log2 <= job->levels.run_log2) {
+                break;
+            }
+        }
+    } while (end <= job->t.x0);
+    job->t.x = end;
+    levels->only = (uint8_t)next;
+    const uint32_t skipped = (uint32_t)(x - job->row_left);
+    piece->count = qtri_least32(end, right) - x;
+    piece->u = job->a[0].at + job->a[0].step * skipped;
+    piece->v = job->a[1].at + job->a[1].step * skipped;
+    piece->u_step = job->a[0].step;
+    piece->v_step = job->a[1].step;
+    piece->u_bend = 0;
+    piece->v_bend = 0;
+    if (job->first_color != job->count) {
+        set_colors(job, piece, skipped);
+    }
+    set_level(job, piece, level);
+    cut(job, piece, x);
+    return 1;
+}
+
+/* Other rows ----------------------------------------------------------------------------------- */
+
+static int32_t near_piece(qtri_large_job *job)
+{
+    qtri_large_piece *piece = job->t.piece;
+    if (job->is_new) {
+        qtri_large_planes_move(job);
+    }
+    (void)qtri_large_near_piece(job);
+    const int32_t x = job->t.x - ((int32_t)1 << job->near_log2);
+    const int32_t middle = x + (piece->count >> 1);
+    const measure m = measure_at(job, middle);
+    set_level(job, piece, level_at(job, &m, middle, piece->level));
+    cut(job, piece, x);
+    return 1;
+}
+
+/* Pieces of which one or both are short, or along which q varies more. */
+QTRI_NOINLINE static void set_apart(qtri_large_job *job, int32_t pieces, int32_t x)
+{
+    qtri_large_piece *piece = job->t.piece;
+    uint32_t level = piece->level;
+    for (int32_t i = 0; i < pieces; i++) {
+        const int32_t count = piece[i].count, middle = x + (count >> 1);
+        if (count > 0) {
+            const measure m = measure_at(job, middle);
+            level = level_at(job, &m, middle, level);
+        }
+        set_level(job, &piece[i], level);
+        cut(job, &piece[i], x);
+        x += count;
+    }
+}
+
+/* Two pieces along which q varies by 1/8 to both sides at most have one level, that in the middle,
+   which is one and a half steps before the next point. */
+static int32_t curved_pieces(qtri_large_job *job)
+{
+    const int32_t pieces =
+        job->first_color == job->count ? qtri_large_next_uv(&job->t) : qtri_large_next_any(&job->t);
+    qtri_large_piece *piece = job->t.piece;
+    const int32_t h = piece[0].count;
+    if (pieces == 1 || piece[1].count != h ||
+        (uint32_t)(job->delta + EVEN_DELTA) > 2 * EVEN_DELTA) {
+        set_apart(job, pieces, job->t.x - h - (pieces == 1 ? 0 : piece[1].count));
+        return pieces;
+    }
+    const int32_t middle = job->t.x - h;
+    const uint64_t step = job->q.s_step;
+    const uint32_t q = qtri_large_whole(job->q.s - step - (uint64_t)(qtri_wrap64(step) >> 1));
+    const measure m = measure_of(&job->levels.footprint, q, job->zeros);
+    const uint32_t level = level_at(job, &m, middle, piece[0].level);
+    set_level(job, &piece[0], level);
+    set_level(job, &piece[1], level);
+    cut(job, &piece[0], middle - h);
+    cut(job, &piece[1], middle);
+    return 2;
+}
+
+/* No levels, or one for all of the triangle: pieces as they come. */
+static int32_t plain_pieces(qtri_large_job *job)
+{
+    const bool curved = job->is_curved;
+    const int32_t pieces = curved ? qtri_large_next_any(&job->t) : qtri_large_linear_piece(job);
+    int32_t x = job->t.x - ((int32_t)1 << job->run_log2);
+    if (curved && job->is_near) {
+        x = job->t.x - ((int32_t)1 << job->near_log2);
+    } else if (curved && !(job->may_be_level && job->is_level)) {
+        x = job->t.x - job->t.piece[0].count - (pieces == 1 ? 0 : job->t.piece[1].count);
+    } else if (qtri_large_has_levels(job)) {
+        set_level(job, job->t.piece, job->levels.only);
+    }
+    for (int32_t i = 0; i < pieces; i++) {
+        const int32_t count = job->t.piece[i].count;
+        cut(job, &job->t.piece[i], x);
+        x += count;
+    }
+    return pieces;
+}
+
+int32_t qtri_large_next_levels(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    if (!job->levels.are_found) {
+        return plain_pieces(job);
+    }
+    if (job->is_new) {
+        begin_row(job);
+        if (!job->is_near && job->may_be_level) {
+            qtri_large_planes_move(job);
+            t->is_bent = !qtri_large_begin_level(job);
+            if (job->is_level) {
+                job->is_new = false;
+                begin_level_row(job);
+            }
+        }
+    }
+    return job->is_near                         ? near_piece(job)
+           : job->may_be_level && job->is_level ? level_row_piece(job)
+                                                : curved_pieces(job);
+}
