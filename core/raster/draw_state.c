@@ -112,7 +112,11 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     o->fragment = material->fragment;
     o->linear = material->interpolation != QTRI_PERSPECTIVE &&
                 (o->texel != QTRI_NO_TEXEL || o->shade >= QTRI_LIGHT || o->vertex_alpha);
-    o->samples = qtri_sampling_of(surface->format) != NULL ? 4 : 0;
+    if (qtri_sampling_of(surface->format) != NULL) {
+        o->samples = 4;
+        o->mipmapped = 0;
+        o->depth = o->depth != QTRI_NO_DEPTH ? QTRI_LINEAR16 : QTRI_NO_DEPTH;
+    }
 }
 
 /* All but formats of the application's own. */
@@ -150,6 +154,16 @@ static const qtri_pipeline *find(const qtri_pipeline *const *list, const qtri_op
         }
     }
     return NULL;
+}
+
+/* What draws a pixel of samples is reached through its format, unless a view names it. */
+static const qtri_pipeline *find_all(const qtri_pipeline *const *list, const qtri_options *wanted,
+                                     const qtri_surface *surface, const qtri_texture *texture)
+{
+    const qtri_pipeline *found = find(list, wanted, surface, texture);
+    return found != NULL && found->options.format == QTRI_ANY && wanted->samples != 0
+               ? find(qtri_sampling_of(surface->format)->pipelines, wanted, surface, texture)
+               : found;
 }
 
 static void set_bounds(qtri_draw_state *state, const qtri_surface *surface)
@@ -245,7 +259,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
         surface->depth_pitch * (ptrdiff_t)qtri_depth_size(&state->options, surface);
     set_colors(state, material);
     set_texture(state, material);
-    const qtri_pipeline *found = find(pipelines, &state->options, surface, state->texture);
+    const qtri_pipeline *found = find_all(pipelines, &state->options, surface, state->texture);
     QTRI_ASSERT(found != NULL);
     if (found == NULL) {
         return;
@@ -278,9 +292,8 @@ void qtri_draw_state_set_table(qtri_draw_state *state)
 bool qtri_pipelines_can_draw(const qtri_surface *surface, const qtri_material *material)
 {
     const qtri_texture *texture = material->texture;
-    return qtri_sampling_of(surface->format) == NULL && material->depth_shift == NULL &&
-           material->fill == NULL &&
-           (!is_usable(texture) || texture->filter == NULL || !texture->filter->is_mipmapped);
+    return material->depth_shift == NULL && material->fill == NULL &&
+           (qtri_sampling_of(surface->format) != NULL || !is_usable(texture) || texture->filter == NULL || !texture->filter->is_mipmapped);
 }
 
 uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888)

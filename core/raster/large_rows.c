@@ -50,14 +50,13 @@ QTRI_NOINLINE static bool next_part(qtri_large_job *job)
     return true;
 }
 
-/* What is drawn from row_left to row_right; false: nothing. */
-static bool clip_row(qtri_large_job *job)
+bool qtri_large_set_row(qtri_large_job *job, int32_t left, int32_t right)
 {
     qtri_large *t = &job->t;
     const qtri_draw_state *state = t->state;
     const qtri_surface *surface = state->surface;
-    t->x0 = qtri_greatest32(job->row_left, state->bounds.x0);
-    t->x1 = qtri_least32(job->row_right, state->bounds.x1);
+    t->x0 = qtri_greatest32(left, state->bounds.x0);
+    t->x1 = qtri_least32(right, state->bounds.x1);
     if (t->x0 >= t->x1) {
         return false;
     }
@@ -80,25 +79,22 @@ bool qtri_large_next_row(qtri_large *t)
     qtri_large_job *job = qtri_large_job_of(t);
     for (;;) {
         if (job->clamps_depth && next_part(job)) {
-            if (clip_row(job)) {
+            if (qtri_large_set_row(job, job->row_left, job->row_right)) {
                 return true;
             }
             continue;
         }
-        if (++t->y >= job->end) {
+        int32_t left, right;
+        if (++t->y >= job->edges.end) {
             return false;
         }
-        if (t->y == job->turn) {
-            *(job->lower_is_left ? &job->left : &job->right) = job->lower;
-        }
-        job->row_left = qtri_greatest32(job->left.value, 0);
-        job->row_right = qtri_least32(job->right.value, job->frame_width);
-        qtri_dda_next(&job->left);
-        qtri_dda_next(&job->right);
+        qtri_large_edges_next(&job->edges, t->y, &left, &right);
+        job->row_left = qtri_greatest32(left, 0);
+        job->row_right = qtri_least32(right, job->frame_width);
         if (job->clamps_depth) {
             job->next_left = job->row_left;
             job->next_right = job->row_right;
-        } else if (clip_row(job)) {
+        } else if (qtri_large_set_row(job, job->row_left, job->row_right)) {
             return true;
         }
     }

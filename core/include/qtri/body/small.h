@@ -324,7 +324,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
     qtri_small_texture uv;
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_draw_state *state = t->state;
-    if (o->samples || o->per_pixel || o->mipmapped) {
+    if (o->per_pixel || o->mipmapped) {
         return false;
     }
     const qtri_small_found found = QTRI_SMALL_SETUP(find)(&p, spans, t);
