@@ -17,7 +17,7 @@ static bool small(struct qtri_small *triangle)
 }
 
 const qtri_pipeline qtri_pipeline_any_x4 = {{QTRI_ANY, 0, 0, 0,    0,    0,    0,    0,    0,
-                                             0,        0, 0, 0,    0,    0,    0,    0,    0,
+                                             0,        0, 0, 0,    0,    0,    0,    0,    4,
                                              0,        0, 0, NULL, NULL, NULL, NULL, NULL, NULL},
                                             large,
                                             small,

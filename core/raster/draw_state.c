@@ -136,8 +136,8 @@ static bool fits(const qtri_pipeline *pipeline, const qtri_options *wanted,
                  const qtri_surface *surface, const qtri_texture *texture)
 {
     const qtri_options *o = &pipeline->options;
-    if (o->format == QTRI_ANY) {
-        return true;
+    if (o->format == QTRI_ANY) { /* without samples: see find_all() */
+        return o->samples == 0 || wanted->samples != 0;
     }
     return are_equal(o, wanted) && o->fragment == wanted->fragment &&
            (o->format != QTRI_OTHER_FORMAT ||
@@ -161,7 +161,8 @@ static const qtri_pipeline *find_all(const qtri_pipeline *const *list, const qtr
                                      const qtri_surface *surface, const qtri_texture *texture)
 {
     const qtri_pipeline *found = find(list, wanted, surface, texture);
-    return found != NULL && found->options.format == QTRI_ANY && wanted->samples != 0
+    return found != NULL && found->options.format == QTRI_ANY &&
+                   found->options.samples != wanted->samples
                ? find(qtri_sampling_of(surface->format)->pipelines, wanted, surface, texture)
                : found;
 }
@@ -293,7 +294,8 @@ bool qtri_pipelines_can_draw(const qtri_surface *surface, const qtri_material *m
 {
     const qtri_texture *texture = material->texture;
     return material->depth_shift == NULL && material->fill == NULL &&
-           (qtri_sampling_of(surface->format) != NULL || !is_usable(texture) || texture->filter == NULL || !texture->filter->is_mipmapped);
+           (qtri_sampling_of(surface->format) != NULL || !is_usable(texture) ||
+            texture->filter == NULL || !texture->filter->is_mipmapped);
 }
 
 uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888)

@@ -20,7 +20,8 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           int shade);
 
 /*
- * Whether pipelines draw what surface and material ask for: all but mipmaps, shifts of depth by slope, and fills, which other ways draw.
+ * Whether pipelines draw what surface and material ask for: all but mipmaps, shifts of depth by
+ * slope, and fills, which other ways draw.
  */
 bool qtri_pipelines_can_draw(const qtri_surface *surface, const qtri_material *material);
 

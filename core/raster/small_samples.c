@@ -121,8 +121,7 @@ static int32_t edge(const quarters *at, int32_t ax, int32_t ay, int32_t dx, int3
         dy = -dy;
         side = at->right;
     }
-    const int32_t numerator =
-        (ax - offset_x[from & 3]) * dy + (64 * from + 32 - ay) * dx - 1;
+    const int32_t numerator = (ax - offset_x[from & 3]) * dy + (64 * from + 32 - ay) * dx - 1;
     const int32_t sum = walk(side, from, to, dx, dy, numerator);
     return is_up ? sum : -sum;
 }
@@ -240,8 +239,7 @@ qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples
             s->right[i] = word_of((const uint8_t *)&s->right[i]);
         }
     }
-    return qtri_small_set_q(p, t) && qtri_small_set_inverse(p, (uint32_t)size) &&
-                   set_depth(p, s, t)
+    return qtri_small_set_q(p, t) && qtri_small_set_inverse(p, (uint32_t)size) && set_depth(p, s, t)
                ? QTRI_SMALL_FOUND
                : QTRI_SMALL_IS_LARGE;
 }

@@ -15,8 +15,8 @@ QTRI_BODY bool qtri_stores_565(const qtri_options *o)
     return o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED;
 }
 
-/* Four samples a pixel. The generic pipeline is made twice, so that only programs whose surfaces have
-   samples link what draws them. */
+/* Four samples a pixel. The generic pipeline is made twice, so that only programs whose surfaces
+   have samples link what draws them. */
 QTRI_BODY bool qtri_has_samples(const qtri_options *o)
 {
 #if defined(QTRI_PIPELINE_IS_ANY_X4)

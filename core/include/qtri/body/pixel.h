@@ -196,8 +196,9 @@ QTRI_BODY uint32_t qtri_pixel_over(const qtri_options *o, const qtri_pixel_walk 
 }
 
 /* A pixel's colour to its samples: what it is blended with is mostly the same in all of them. */
-QTRI_BODY void qtri_samples_put(const qtri_options *o, const qtri_pixel_walk *w, uint32_t samples,
-                                uint32_t color, uint32_t texel, uint8_t *pixel)
+QTRI_BODY void qtri_pixel_put_samples(const qtri_options *o, const qtri_pixel_walk *w,
+                                      uint32_t samples, uint32_t color, uint32_t texel,
+                                      uint8_t *pixel)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o);
@@ -208,7 +209,7 @@ QTRI_BODY void qtri_samples_put(const qtri_options *o, const qtri_pixel_walk *w,
     }
     if (!qtri_reads_pixel(o)) {
         stored = qtri_is_plain(o) ? color : qtri_encode(o, surface, color);
-        qtri_samples_store(bytes, pixel, samples, stored);
+        qtri_pixel_store_samples(bytes, pixel, samples, stored);
         return;
     }
     for (; samples != 0; samples >>= 8, pixel += bytes) {
@@ -269,7 +270,7 @@ QTRI_BODY void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool ben
         }
         if (qtri_has_samples(o)) {
             qtri_samples_write_late(o, w, samples, pixel, depth);
-            qtri_samples_put(o, w, samples, color, texel, pixel);
+            qtri_pixel_put_samples(o, w, samples, color, texel, pixel);
         } else {
             if (qtri_reads_pixel(o)) {
                 color = qtri_pixel_over(o, w, color, texel, qtri_load(bytes, pixel));

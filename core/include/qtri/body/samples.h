@@ -111,7 +111,8 @@ QTRI_BODY void qtri_samples_write_late(const qtri_options *o, const qtri_pixel_w
     }
 }
 
-QTRI_BODY void qtri_samples_store(uint32_t bytes, uint8_t *pixel, uint32_t samples, uint32_t stored)
+QTRI_BODY void qtri_pixel_store_samples(uint32_t bytes, uint8_t *pixel, uint32_t samples,
+                                        uint32_t stored)
 {
     if ((samples & QTRI_SAMPLE_0) != 0) {
         qtri_save(bytes, pixel, stored);

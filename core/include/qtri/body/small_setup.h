@@ -570,8 +570,7 @@ QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small
                                               const qtri_small *t, const qtri_options *o)
 {
     const uint32_t width_log2 = t->state->width_log2, height_log2 = t->state->height_log2;
-    if (o->bilinear || o->large_texture || o->wrap_u || o->wrap_v ||
-        width_log2 + height_log2 < 8) {
+    if (o->bilinear || o->large_texture || o->wrap_u || o->wrap_v || width_log2 + height_log2 < 8) {
         return false;
     }
     qtri_small_uv_find(f, t);

@@ -83,7 +83,7 @@ typedef struct qtri_pixel_walk {
        samples.h. */
     uint32_t samples;
     uint32_t z_p, z_q;
-    uint32_t z_place; /* what depth has more where the pixel takes its colour */
+    uint32_t z_place;                     /* what depth has more where the pixel takes its colour */
     const struct qtri_samples_row *cover; /* of a large triangle */
 
     /* Constant along a row. */

@@ -200,7 +200,7 @@ QTRI_BODY bool qtri_is_paired(const qtri_options *o)
 #else
     return qtri_tests_depth(o) && !qtri_has_samples(o) &&
            ((o->depth <= QTRI_FLOAT16 && qtri_pixel_bytes(o) == 2) ||
-                                   (o->depth == QTRI_LINEAR32 && qtri_pixel_bytes(o) == 4));
+            (o->depth == QTRI_LINEAR32 && qtri_pixel_bytes(o) == 4));
 #endif
 }
 
