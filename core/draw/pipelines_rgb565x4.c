@@ -8,10 +8,10 @@
 
 QTRI_PIPELINE(qtri_pipeline_lit_x4, LESS, .shade = QTRI_LIGHT)
 QTRI_PIPELINE(qtri_pipeline_texture_x4, LESS, .texel = QTRI_TEXEL_RGB565)
+QTRI_PIPELINE(qtri_pipeline_texture_lit_x4, LESS, .texel = QTRI_TEXEL_RGB565, .shade = QTRI_LIGHT)
 QTRI_PIPELINE(qtri_pipeline_texture_white_x4, LESS, .texel = QTRI_TEXEL_RGB565,
               .shade = QTRI_WHITE_LIGHT)
 
-const qtri_pipeline *const qtri_pipelines_rgb565_x4[] = {&qtri_pipeline_lit_x4,
-                                                         &qtri_pipeline_texture_x4,
-                                                         &qtri_pipeline_texture_white_x4,
-                                                         &qtri_pipeline_any_x4, NULL};
+const qtri_pipeline *const qtri_pipelines_rgb565_x4[] = {
+    &qtri_pipeline_lit_x4,           &qtri_pipeline_texture_x4, &qtri_pipeline_texture_lit_x4,
+    &qtri_pipeline_texture_white_x4, &qtri_pipeline_any_x4,     NULL};
