@@ -5,6 +5,8 @@
  */
 #include "support/core.h"
 
+#include "support/triangle.h"
+
 #include "raster/samples.h"
 
 enum { WIDTH = 61, HEIGHT = 47, FORMATS = 5 };
@@ -20,6 +22,13 @@ static uint32_t sample_at(const qtri_surface *s, int32_t x, int32_t y, int k)
     const int32_t size = s->format->pixels->bytes;
     const uint8_t *record = s->pixels + (y - s->first_row) * s->pitch + (ptrdiff_t)x * size;
     return qtri_sample_color(record, qtri_sample_bytes(size), k);
+}
+
+static int kinds[3]; /* triangles of each */
+
+static void count_triangle(int kind)
+{
+    kinds[kind]++;
 }
 
 /* Any size, from dots to more than the frame; colours within a range. */
@@ -54,14 +63,14 @@ static void draw_moved(const canvas *c, const canvas moved[4], const qtri_materi
 {
     qtri_screen_vertex v[3];
     random_triangle(v, seed, 0, 255);
-    qtri_raster_triangle(&c->surface, material, v);
+    count_triangle(draw_triangle(&c->surface, material, v, true));
     for (int k = 0; k < 4; k++) {
         qtri_screen_vertex w[3] = {v[0], v[1], v[2]};
         for (int j = 0; j < 3; j++) {
             w[j].x_24p8 -= offsets[k][0];
             w[j].y_24p8 -= offsets[k][1];
         }
-        qtri_raster_triangle(&moved[k].surface, material, w);
+        count_triangle(draw_triangle(&moved[k].surface, material, w, true));
     }
 }
 
@@ -147,7 +156,7 @@ static void range(void **state)
         material.interpolation = n % 2 == 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
         material.shading = QTRI_SMOOTH;
         random_triangle(v, &seed, 100, 150);
-        qtri_raster_triangle(&c.surface, &material, v);
+        count_triangle(draw_triangle(&c.surface, &material, v, true));
         for (int i = 0; i < WIDTH * HEIGHT * 4; i++) {
             const uint32_t stored = sample_at(&c.surface, i / 4 % WIDTH, i / 4 / WIDTH, i % 4);
             for (int k = 0; k < 24; k += 8) {
@@ -195,7 +204,7 @@ static void texels(void **state)
             v[i].v_q32 = (int64_t)random_in(&seed, (FIRST + margin) << 16, (END - margin) << 16)
                          << 10;
         }
-        qtri_raster_triangle(&c.surface, &material, v);
+        count_triangle(draw_triangle(&c.surface, &material, v, true));
         for (int i = 0; i < WIDTH * HEIGHT * 4; i++) {
             assert_true(sample_at(&c.surface, i / 4 % WIDTH, i / 4 / WIDTH, i % 4) >> 16 < 3);
         }
@@ -227,8 +236,8 @@ static void seams(void **state)
         }
         const qtri_screen_vertex first[3] = {v[0], v[1], v[2]};
         const qtri_screen_vertex second[3] = {v[0], v[2], v[3]};
-        qtri_raster_triangle(&c.surface, &material, first);
-        qtri_raster_triangle(&c.surface, &material, second);
+        count_triangle(draw_triangle(&c.surface, &material, first, true));
+        count_triangle(draw_triangle(&c.surface, &material, second, true));
         const uint32_t want = sample_at(&c.surface, 30, 5, 0);
         assert_int_equal(want, 16 << 11 | 33 << 5 | 16);
         for (int i = 0; i < WIDTH * HEIGHT * 4; i++) {
@@ -256,7 +265,7 @@ static void resolve(void **state)
             for (int n = 0; n < 20; n++) {
                 qtri_screen_vertex v[3];
                 random_triangle(v, &seed, 0, 255);
-                qtri_raster_triangle(&both[i]->surface, &material, v);
+                count_triangle(draw_triangle(&both[i]->surface, &material, v, true));
             }
         }
         assert_int_equal(qtri_samples_resolve(&c.surface, &out), QTRI_OK);
@@ -297,7 +306,7 @@ static void draw_scene(const qtri_surface *surface, uint64_t seed, int way, qtri
         random_triangle(v, &seed, 0, 255);
         material.blend = i % 3 == 2 ? &qtri_blend_alpha : NULL;
         material.alpha = 100;
-        qtri_raster_triangle(surface, &material, v);
+        count_triangle(draw_triangle(surface, &material, v, true));
     }
 }
 
@@ -398,6 +407,15 @@ static void bands(void **state)
     }
 }
 
+/* What came before drew small triangles and large ones. */
+static void both_ways(void **state)
+{
+    (void)state;
+    print_message("%d small and %d large triangles\n", kinds[TRIANGLE_SMALL],
+                  kinds[TRIANGLE_LARGE]);
+    assert_true(kinds[TRIANGLE_SMALL] > 4000 && kinds[TRIANGLE_LARGE] > 4000);
+}
+
 /* Of a scissor's pixels and no others, in each format. */
 static void clears_in_a_scissor(void **state)
 {
@@ -421,10 +439,11 @@ static void clears_in_a_scissor(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage), cmocka_unit_test(clears_in_a_scissor),
-        cmocka_unit_test(depths),   cmocka_unit_test(range),
-        cmocka_unit_test(texels),   cmocka_unit_test(seams),
-        cmocka_unit_test(resolve),  cmocka_unit_test(bands),
+        cmocka_unit_test(coverage),  cmocka_unit_test(clears_in_a_scissor),
+        cmocka_unit_test(depths),    cmocka_unit_test(range),
+        cmocka_unit_test(texels),    cmocka_unit_test(seams),
+        cmocka_unit_test(resolve),   cmocka_unit_test(bands),
+        cmocka_unit_test(both_ways),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
  */
 #include "support/core.h"
 
+#include "draw/pipeline_x4.h"
 #include "raster/samples.h"
 
 enum { WIDTH = 48, HEIGHT = 40, FORMATS = 5, SIDE = 16 };
@@ -12,47 +13,28 @@ enum { WIDTH = 48, HEIGHT = 40, FORMATS = 5, SIDE = 16 };
 static const qtri_format *const four[FORMATS] = {
     &qtri_rgb565_x4, &qtri_rgb565_swapped_x4, &qtri_xrgb8888_x4, &qtri_rgb888_x4, &qtri_gray8_x4};
 
-/* Formats that send all triangles the way of large ones. */
-typedef struct large_format {
-    struct qtri_sampling sampling;
-    qtri_fused fused;
-    qtri_format format;
-} large_format;
-
-// NOLINTNEXTLINE(readability-non-const-parameter): the type is given
-static qtri_placed place_large(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
-                               const qtri_raster *raster, const qtri_vertex *a,
-                               const qtri_vertex *b, const qtri_vertex *c)
-{
-    (void)p;
-    (void)spans;
-    (void)raster;
-    (void)a;
-    (void)b;
-    (void)c;
-    return QTRI_PLACED_LARGE;
-}
-
 static long small_ones;
 
-/* Counts those that are small. */
-static qtri_placed place_counted(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
-                                 const qtri_raster *raster, const qtri_vertex *a,
-                                 const qtri_vertex *b, const qtri_vertex *c)
+/* All triangles are large ones. */
+static bool draw_no_small(struct qtri_small *triangle)
 {
-    const qtri_placed placed = qtri_samples_place(p, spans, raster, a, b, c);
-    small_ones += placed == QTRI_PLACED_SMALL;
-    return placed;
+    (void)triangle;
+    return false;
 }
 
-static void format_as(large_format *to, const qtri_format *format, bool large)
+/* Counts those that are small. */
+static bool draw_counted(struct qtri_small *triangle)
 {
-    to->format = *format;
-    to->fused = *format->fused;
-    to->sampling = *format->fused->samples;
-    to->sampling.place = large ? place_large : place_counted;
-    to->fused.samples = &to->sampling;
-    to->format.fused = &to->fused;
+    const bool drawn = qtri_pipeline_any_x4.small(triangle);
+    small_ones += drawn;
+    return drawn;
+}
+
+static qtri_pipeline pipeline_as(bool large)
+{
+    qtri_pipeline pipeline = qtri_pipeline_any_x4;
+    pipeline.small = large ? draw_no_small : draw_counted;
+    return pipeline;
 }
 
 /* ---- Scenes ---- */
@@ -143,14 +125,17 @@ static void random_scene(scene *s, uint64_t *seed)
                 (s->material.texture == NULL || s->material.texture_mode == QTRI_MODULATE);
 }
 
-static void draw(const qtri_surface *surface, const scene *s, uint64_t seed, q16 tilt)
+static void draw_by(const qtri_pipeline *pipeline, const qtri_surface *surface, const scene *s,
+                    uint64_t seed, q16 tilt)
 {
+    const qtri_pipeline *const list[] = {pipeline, NULL};
     qtri_view view;
     qtri_transform pose;
     qtri_view_init(&view, WIDTH, HEIGHT);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(1.2), Q16(1), Q16(20));
     view.vertices = slots;
     view.vertex_count = VERTICES;
+    view.pipelines = list;
     for (int n = 0; n < 3; n++) {
         const double reach = n == 1 ? .5 : .12;
         const qtri_mesh mesh = flat_mesh(&seed, reach);
@@ -160,6 +145,11 @@ static void draw(const qtri_surface *surface, const scene *s, uint64_t seed, q16
         qtri_transform_rotate_y(&pose, tilt);
         qtri_draw_mesh(surface, &view, &pose, &mesh, &s->material);
     }
+}
+
+static void draw(const qtri_surface *surface, const scene *s, uint64_t seed, q16 tilt)
+{
+    draw_by(&qtri_pipeline_any, surface, s, seed, tilt);
 }
 
 /* Samples of any colours, every other like the one before. */
@@ -221,17 +211,15 @@ static long assert_like(const qtri_surface *a, const qtri_surface *b, const qtri
 static long small_from_large(const qtri_format *format, const scene *s, uint64_t seed, q16 tilt,
                              bool is_filled, bool near)
 {
-    large_format as[2];
     canvas c[2];
     for (int i = 0; i < 2; i++) {
-        format_as(&as[i], format, i == 1);
+        const qtri_pipeline pipeline = pipeline_as(i == 1);
         c[i] = canvas_new(format, WIDTH, HEIGHT);
         qtri_samples_clear(&c[i].surface, (qtri_rgb){0, 0, 0});
         if (is_filled) {
             fill_at_random(&c[i].surface, seed);
         }
-        c[i].surface.format = &as[i].format;
-        draw(&c[i].surface, s, seed, tilt);
+        draw_by(&pipeline, &c[i].surface, s, seed, tilt);
     }
     const long differ = assert_like(&c[0].surface, &c[1].surface, format, near);
     canvas_free(&c[0]);

@@ -247,7 +247,10 @@ static picture new_picture(const qtri_options *o)
     static const qtri_depth_format *const depths[] = {NULL, &qtri_depth_linear16,
                                                       &qtri_depth_float16, &qtri_depth_linear24,
                                                       &qtri_depth_linear32};
-    const qtri_format *format = formats[o->format];
+    static const qtri_format *const four[] = {
+        NULL, &qtri_rgb565_x4,   &qtri_rgb565_swapped_x4, NULL, &qtri_rgb888_x4,
+        NULL, &qtri_xrgb8888_x4, &qtri_gray8_x4};
+    const qtri_format *format = o->samples != 0 ? four[o->format] : formats[o->format];
     const qtri_depth_format *depth =
         o->depth == QTRI_NO_DEPTH ? &qtri_depth_linear16 : depths[o->depth];
     const qtri_rgb sky = {90, 130, 170};
@@ -258,9 +261,9 @@ static picture new_picture(const qtri_options *o)
     assert_int_equal(qtri_surface_init_depth(&p.surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT,
                                              p.memory, p.bytes),
                      QTRI_OK);
-    qtri_surface_clear(&p.surface, sky);
+    qtri_samples_clear(&p.surface, sky);
     if (o->compare == QTRI_GREATER || o->compare == QTRI_GREATER_EQUAL) {
-        qtri_surface_clear_depth(&p.surface, Q16(.9));
+        qtri_samples_clear_depth(&p.surface, Q16(.9));
     }
     return p;
 }

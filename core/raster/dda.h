@@ -8,14 +8,7 @@
 #ifndef QTRI_RASTER_DDA_H
 #define QTRI_RASTER_DDA_H
 
-#include <stdint.h>
-
-typedef struct qtri_dda {
-    int32_t value; /* the pixel */
-    int32_t step;
-    uint32_t remainder, remainder_step; /* below `denominator` */
-    uint32_t denominator;               /* 256 length <= 2^31 */
-} qtri_dda;
+#include "qtri/body/dda.h"
 
 /*
  * value(k) = floor((start length + (k 256 + along) delta + bias) / (256 length)), k = 0, 1, ...:

@@ -112,7 +112,11 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     want_blend(o, material);
     o->fog = material->fog != NULL && material->fog->stages != NULL;
     o->fragment = material->fragment;
-    o->samples = qtri_sampling_of(surface->format) != NULL ? 4 : 0;
+    if (qtri_sampling_of(surface->format) != NULL) {
+        o->samples = 4;
+        o->mipmapped = 0;
+        o->depth = o->depth != QTRI_NO_DEPTH ? QTRI_LINEAR16 : QTRI_NO_DEPTH;
+    }
 }
 
 /* All but formats of the application's own. */
@@ -132,8 +136,8 @@ static bool fits(const qtri_pipeline *pipeline, const qtri_options *wanted,
                  const qtri_surface *surface, const qtri_texture *texture)
 {
     const qtri_options *o = &pipeline->options;
-    if (o->format == QTRI_ANY) {
-        return true;
+    if (o->format == QTRI_ANY) { /* without samples: see find_all() */
+        return o->samples == 0 || wanted->samples != 0;
     }
     return are_equal(o, wanted) && o->fragment == wanted->fragment &&
            (o->format != QTRI_OTHER_FORMAT ||
@@ -150,6 +154,17 @@ static const qtri_pipeline *find(const qtri_pipeline *const *list, const qtri_op
         }
     }
     return NULL;
+}
+
+/* What draws a pixel of samples is reached through its format, unless a view names it. */
+static const qtri_pipeline *find_all(const qtri_pipeline *const *list, const qtri_options *wanted,
+                                     const qtri_surface *surface, const qtri_texture *texture)
+{
+    const qtri_pipeline *found = find(list, wanted, surface, texture);
+    return found != NULL && found->options.format == QTRI_ANY &&
+                   found->options.samples != wanted->samples
+               ? find(qtri_sampling_of(surface->format)->pipelines, wanted, surface, texture)
+               : found;
 }
 
 static void set_bounds(qtri_draw_state *state, const qtri_surface *surface)
@@ -282,7 +297,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
         surface->depth_pitch * (ptrdiff_t)qtri_depth_size(&state->options, surface);
     set_colors(state, material);
     set_texture(state, material);
-    const qtri_pipeline *found = find(pipelines, &state->options, surface, state->texture);
+    const qtri_pipeline *found = find_all(pipelines, &state->options, surface, state->texture);
     QTRI_ASSERT(found != NULL);
     if (found == NULL) {
         return;
@@ -324,7 +339,8 @@ void qtri_draw_state_set_table(qtri_draw_state *state)
 
 bool qtri_pipelines_can_draw(const qtri_surface *surface, const qtri_material *material)
 {
-    return qtri_sampling_of(surface->format) == NULL && material->fill == NULL;
+    (void)surface;
+    return material->fill == NULL;
 }
 
 uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888)

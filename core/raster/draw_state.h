@@ -25,8 +25,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
 void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *pipelines);
 
 /*
- * Whether pipelines draw what surface and material ask for: all but four samples a pixel and fills,
- * which other ways draw.
+ * Whether pipelines draw what surface and material ask for: all but fills, which other ways draw.
  */
 bool qtri_pipelines_can_draw(const qtri_surface *surface, const qtri_material *material);
 

@@ -18,10 +18,9 @@ static void edge_init(qtri_dda *dda, const qtri_screen_point *a, const qtri_scre
                   128 * length - 1);
 }
 
-/* Edges from the first row on that is drawn; false: there is none. */
-static bool set_edges(qtri_large_job *job, const qtri_screen_point *const vertex[3], bool clockwise)
+bool qtri_large_edges_init(qtri_large_edges *e, const qtri_rect *bounds,
+                           const qtri_screen_point *const vertex[3], bool clockwise)
 {
-    const qtri_rect *bounds = &job->t.state->bounds;
     const qtri_screen_point *p[3] = {vertex[0], vertex[1], vertex[2]};
     for (int i = 0; i < 3; i++) { /* 0 1, 1 2, 0 1 */
         const int k = i & 1;
@@ -33,29 +32,28 @@ static bool set_edges(qtri_large_job *job, const qtri_screen_point *const vertex
         }
     }
     const int32_t row = qtri_greatest32(first_center(p[0]->y_24p8), bounds->y0);
-    job->end = qtri_least32(first_center(p[2]->y_24p8), bounds->y1);
-    job->turn = qtri_least32(first_center(p[1]->y_24p8), job->end);
-    job->t.y = row - 1;
-    if (row >= job->end || first_center(job->x_least) >= bounds->x1 ||
-        first_center(job->x_least + job->width) <= bounds->x0) {
+    e->row = row;
+    e->end = qtri_least32(first_center(p[2]->y_24p8), bounds->y1);
+    e->turn = qtri_least32(first_center(p[1]->y_24p8), e->end);
+    if (row >= e->end) {
         return false;
     }
-    job->lower_is_left = !clockwise;
-    qtri_dda *const across = clockwise ? &job->right : &job->left;
-    edge_init(clockwise ? &job->left : &job->right, p[0], p[2], row);
-    if (row < job->turn) {
+    e->lower_is_left = !clockwise;
+    qtri_dda *const across = clockwise ? &e->right : &e->left;
+    edge_init(clockwise ? &e->left : &e->right, p[0], p[2], row);
+    if (row < e->turn) {
         edge_init(across, p[0], p[1], row);
-        if (job->turn < job->end) {
-            edge_init(&job->lower, p[1], p[2], job->turn);
+        if (e->turn < e->end) {
+            edge_init(&e->lower, p[1], p[2], e->turn);
         }
     } else {
         edge_init(across, p[1], p[2], row);
-        job->turn = job->end;
+        e->turn = e->end;
     }
     return true;
 }
 
-static void set_box(qtri_large_job *job, const qtri_screen_point *const p[3])
+void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3])
 {
     int32_t x[2] = {p[0]->x_24p8, p[0]->x_24p8};
     int32_t y[2] = {p[0]->y_24p8, p[0]->y_24p8};
@@ -147,8 +145,9 @@ static void set_depth(qtri_large_job *job)
     const uint32_t half = qtri_depth_half(job->options);
     const uint32_t at[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
     uint32_t depth[3] = {at[0], at[1], at[2]};
+    /* Of samples clamped depths serve. */
     job->clamps_depth = qtri_residual_apply(depth, &job->residual, 0, (uint32_t)65535 << 16) &&
-                        set_clamped_depth(job, at, half);
+                        !job->options->samples && set_clamped_depth(job, at, half);
     if (job->clamps_depth) {
         return;
     }
@@ -167,7 +166,6 @@ static void set_row(qtri_large_job *job)
     const qtri_draw_state *state = job->t.state;
     const qtri_surface *surface = state->surface;
     const ptrdiff_t row = job->t.y - surface->first_row;
-    job->stop = job->turn;
     job->x_first = state->bounds.x0;
     job->x_end = state->bounds.x1;
     job->frame_width = qtri_least32(surface->width, QTRI_SURFACE_MAX);
@@ -180,19 +178,15 @@ static void set_row(qtri_large_job *job)
 }
 
 /* Apart: what is set up once takes no stack while rows are drawn. */
-QTRI_NOINLINE static bool begin(qtri_large_job *job, const qtri_screen_point *const p[3],
-                                int64_t area)
+QTRI_NOINLINE void qtri_large_set_up(qtri_large_job *job, const qtri_screen_point *const p[3],
+                                     int64_t area)
 {
-    set_box(job, p);
-    if (!set_edges(job, p, area > 0)) {
-        return false;
-    }
     set_gradient(job, p, area);
     qtri_residual_init(&job->residual, &job->gradient, job->v, qtri_is_textured(job->options),
                        job->width + job->height);
     job->t.z_step = 0;
     job->clamps_depth = false;
-    job->pixel_bytes = (uint8_t)qtri_pixel_bytes(job->options);
+    job->pixel_bytes = (uint8_t)qtri_pixel_step(job->options);
     job->depth_bytes = (uint8_t)(qtri_tests_depth(job->options)
                                      ? qtri_depth_size(job->options, job->t.state->surface)
                                      : 0);
@@ -214,6 +208,21 @@ QTRI_NOINLINE static bool begin(qtri_large_job *job, const qtri_screen_point *co
     job->first_color = 0;
     job->alpha = QTRI_LARGE_ATTRIBUTES;
     job->plane_y = job->t.y + 1;
+}
+
+/* False: there is nothing to draw. */
+QTRI_NOINLINE static bool begin(qtri_large_job *job, const qtri_screen_point *const p[3],
+                                int64_t area)
+{
+    const qtri_rect *bounds = &job->t.state->bounds;
+    qtri_large_set_box(job, p);
+    if (first_center(job->x_least) >= bounds->x1 ||
+        first_center(job->x_least + job->width) <= bounds->x0 ||
+        !qtri_large_edges_init(&job->edges, bounds, p, area > 0)) {
+        return false;
+    }
+    job->t.y = job->edges.row - 1;
+    qtri_large_set_up(job, p, area);
     return true;
 }
 
@@ -225,7 +234,7 @@ QTRI_NOINLINE static void draw_shifted(qtri_large_job *job, const qtri_screen_po
     qtri_large_vertex moved[3];
     state->material->depth_shift->move(moved, state, p, area, job->v);
     job->v = moved;
-    if (begin(job, p, area)) {
+    if (job->options->samples != 0 || begin(job, p, area)) {
         state->pipeline->large(&job->t);
     }
 }
@@ -241,11 +250,13 @@ void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const 
     job.t.color = color_rgb;
     job.options = &state->options;
     job.v = v;
+    job.p = p;
+    job.area = area;
     if (state->material->depth_shift != NULL) {
         draw_shifted(&job, p, area);
         return;
     }
-    if (begin(&job, p, area)) {
+    if (job.options->samples != 0 || begin(&job, p, area)) {
         state->pipeline->large(&job.t);
     }
 }

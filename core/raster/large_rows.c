@@ -50,12 +50,12 @@ static bool next_part(qtri_large_job *job)
     return true;
 }
 
-/* What is drawn from row_left to row_right; false: nothing. */
-static inline bool clip_row(qtri_large_job *job)
+/* What is drawn from `left` to `right`; false: nothing. */
+static inline bool set_row(qtri_large_job *job, int32_t left, int32_t right)
 {
     qtri_large *t = &job->t;
-    const int32_t x0 = qtri_greatest32(job->row_left, job->x_first);
-    const int32_t x1 = qtri_least32(job->row_right, job->x_end);
+    const int32_t x0 = qtri_greatest32(left, job->x_first);
+    const int32_t x1 = qtri_least32(right, job->x_end);
     if (x0 >= x1) {
         return false;
     }
@@ -74,23 +74,22 @@ static inline bool clip_row(qtri_large_job *job)
     return true;
 }
 
+bool qtri_large_set_row(qtri_large_job *job, int32_t left, int32_t right)
+{
+    return set_row(job, left, right);
+}
+
 /* The next row's ends; false: there is none. */
 static inline bool step_row(qtri_large_job *job)
 {
-    if (++job->t.y == job->stop) {
-        if (job->t.y == job->end) {
-            return false;
-        }
-        *(job->lower_is_left ? &job->left : &job->right) = job->lower;
-        job->stop = job->end;
+    int32_t left, right;
+    qtri_large_step_row(job);
+    if (job->t.y >= job->edges.end) {
+        return false;
     }
-    job->row_left = qtri_greatest32(job->left.value, 0);
-    job->row_right = qtri_least32(job->right.value, job->frame_width);
-    qtri_dda_next(&job->left);
-    qtri_dda_next(&job->right);
-    job->row_pixel += (uintptr_t)job->pitch;
-    job->row_depth += (uintptr_t)job->depth_pitch;
-    job->row_z += job->depth.dy;
+    qtri_large_edges_next(&job->edges, job->t.y, &left, &right);
+    job->row_left = qtri_greatest32(left, 0);
+    job->row_right = qtri_least32(right, job->frame_width);
     return true;
 }
 
@@ -99,7 +98,7 @@ QTRI_NOINLINE static bool next_clamped(qtri_large_job *job)
 {
     for (;;) {
         while (next_part(job)) {
-            if (clip_row(job)) {
+            if (set_row(job, job->row_left, job->row_right)) {
                 return true;
             }
         }
@@ -121,6 +120,6 @@ bool qtri_large_next_row(qtri_large *t)
         if (!step_row(job)) {
             return false;
         }
-    } while (!clip_row(job));
+    } while (!set_row(job, job->row_left, job->row_right));
     return true;
 }

@@ -52,9 +52,9 @@ typedef struct qtri_large_job {
     const qtri_options *options;
     const qtri_large_vertex *v;
 
-    qtri_dda left, right, lower; /* the lower edge takes its side over at row `turn` */
-    int32_t turn, end, stop;     /* stop: the less of both, where something ends */
-    bool lower_is_left;
+    const qtri_screen_point *const *p;
+    int64_t area;
+    qtri_large_edges edges;
     uintptr_t row_pixel, row_depth; /* addresses of column 0 */
     ptrdiff_t pitch, depth_pitch;
     uint32_t row_z;         /* depth of column 0 */
@@ -105,6 +105,39 @@ typedef struct qtri_large_job {
     uint32_t delta_step;       /* of q from a point to the next */
     int32_t delta;             /* (q1 - q0) / 2 q at the last point, Q16 */
 } qtri_large_job;
+
+/* In large.c: edges of a triangle, from the first row on that is drawn; false: there is none. */
+bool qtri_large_edges_init(qtri_large_edges *edges, const qtri_rect *bounds,
+                           const qtri_screen_point *const vertex[3], bool clockwise);
+/* What a triangle that is drawn from row t.y + 1 on has but its edges. */
+void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3]);
+void qtri_large_set_up(qtri_large_job *job, const qtri_screen_point *const p[3], int64_t area);
+
+/* In large_rows.c: columns `left` to `right` of row t.y are what is drawn next; false: nothing of
+   it is within the bounds. */
+bool qtri_large_set_row(qtri_large_job *job, int32_t left, int32_t right);
+
+/* The columns of a row; row by row. */
+static inline void qtri_large_edges_next(qtri_large_edges *e, int32_t y, int32_t *left,
+                                         int32_t *right)
+{
+    if (y == e->turn) {
+        *(e->lower_is_left ? &e->left : &e->right) = e->lower;
+    }
+    *left = e->left.value;
+    *right = e->right.value;
+    qtri_dda_next(&e->left);
+    qtri_dda_next(&e->right);
+}
+
+/* The row below: where it begins, and its depth. */
+static inline void qtri_large_step_row(qtri_large_job *job)
+{
+    job->t.y++;
+    job->row_pixel += (uintptr_t)job->pitch;
+    job->row_depth += (uintptr_t)job->depth_pitch;
+    job->row_z += job->depth.dy;
+}
 
 static inline qtri_large_job *qtri_large_job_of(qtri_large *t)
 {

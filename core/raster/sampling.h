@@ -19,6 +19,8 @@ struct qtri_sampling {
                          const qtri_vertex *a, const qtri_vertex *b, const qtri_vertex *c);
     void (*draw_small)(const qtri_raster *raster, const qtri_list_triangle *t);
     qtri_draw_masked put;
+    /* Where a view's list has nothing but the generic pipeline that fits; the last one fits. */
+    const qtri_pipeline *const *pipelines;
 };
 
 static inline const struct qtri_sampling *qtri_sampling_of(const qtri_format *format)

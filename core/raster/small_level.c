@@ -77,7 +77,7 @@ static bool is_even(int32_t q, uint32_t inv_w)
     return qtri_small_about(q) <= (inv_w >> 6) * EVEN_Q6;
 }
 
-bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t, const qtri_options *o)
+bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t)
 {
     qtri_draw_state *state = t->state;
     const uint32_t inv_w = t->v[0]->inv_w;

@@ -9,7 +9,9 @@ function options(i,    format, texel, text)
     format = one_of("RGB565 RGB565 RGB565 RGB565_SWAPPED RGB565_EXACT RGB888 BGR888 XRGB8888 XRGB8888 GRAY8 DEPTH_ONLY")
     texel = one_of("- - - RGB565 RGB565 RGB565 XRGB8888 GRAY8 PALETTE8 CHECKER ARGB8888 ARGB4444 ARGB1555 ALPHA8")
     text = ".format = QTRI_" format
-    depth = one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 FLOAT16 LINEAR24 LINEAR32")
+    samples = format !~ /EXACT|BGR|ONLY/ && below(3) == 0
+    if (samples) text = text ", .samples = 4"
+    depth = samples ? one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 LINEAR16") : one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 FLOAT16 LINEAR24 LINEAR32")
     if (depth != "NO_DEPTH") {
         text = text ", .depth = QTRI_" depth ", .compare = QTRI_" one_of("LESS LESS LESS LESS_EQUAL GREATER GREATER_EQUAL EQUAL NOT_EQUAL ALWAYS")
         if (below(5) == 0) text = text ", .read_only = 1"

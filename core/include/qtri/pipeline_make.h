@@ -9,7 +9,7 @@
 
 #include "body/large.h"
 #include "body/pixel.h"
-#include "body/small.h"
+#include "body/small_samples.h"
 
 /* Internal: in core/draw. */
 #ifdef __cplusplus
@@ -29,7 +29,7 @@ extern const struct qtri_pipeline_ops qtri_pipeline_ops;
     static bool name##_small(struct qtri_small *triangle)                                          \
     {                                                                                              \
         static const qtri_options options = {__VA_ARGS__};                                         \
-        return qtri_small_triangle_draw(&options, triangle);                                       \
+        return qtri_small_draw(&options, triangle);                                                \
     }                                                                                              \
     const qtri_pipeline name = {{__VA_ARGS__}, name##_large, name##_small, &qtri_pipeline_ops};
 

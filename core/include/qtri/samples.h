@@ -23,13 +23,15 @@
  * samples of a pixel, by the depth of the first. The surfaces may not be dithered or sent before.
  * Of mipmapped textures their first level is drawn.
  *
- * Memory: 16 bytes a pixel of RGB565 with its depths, 26 of XRGB8888; about 6 KB of stack.
+ * Triangles are drawn by pipelines (pipeline.h): those of a view's list whose options have
+ * .samples = 4, and where it has but &qtri_pipeline_any, those that the format names: on RGB565
+ * with "less" what is lit, textured, or both has its own, everything else a generic one.
+ *
+ * Memory: 16 bytes a pixel of RGB565 with its depths, 26 of XRGB8888; about 3 KB of stack.
  * It serves triangles that cut through each other, and large ones. Meshes of small ones take three
- * to six times the instructions: for these the edge pass (edges.h) is better for a twentieth of
- * that, and 2x2 samples (filters.h) as good for a third. Fog adds a fifth, a blend of all
- * a half, once for each colour that a pixel's samples have. Small ones whose texels may be turned
- * away, or that are drawn in part (qtri_blend_screen_door), are drawn as large ones where depth is
- * written: two to three times as many again.
+ * to four times the instructions: for these the edge pass (edges.h) is better for a twentieth of
+ * that, and 2x2 samples (filters.h) as good for a third. A blend is made once for each colour that
+ * a pixel's samples have.
  */
 #ifndef QTRI_SAMPLES_H
 #define QTRI_SAMPLES_H

@@ -54,6 +54,15 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
 #endif
 }
 
+/* A pixel: in place, but in the generic pipeline, where it is long, a function of its own. */
+#if defined(QTRI_PIPELINE_IS_ANY) && defined(__GNUC__)
+#define QTRI_BODY_PIXEL static __attribute__((noinline))
+#elif defined(QTRI_PIPELINE_IS_ANY)
+#define QTRI_BODY_PIXEL static
+#else
+#define QTRI_BODY_PIXEL QTRI_BODY
+#endif
+
 /* All members 0. */
 #ifdef __cplusplus
 #define QTRI_BODY_ZERO                                                                             \

@@ -10,6 +10,7 @@
 #define QTRI_BODY_LARGE_H
 
 #include "arithmetic.h"
+#include "dda.h"
 #include "pixel.h"
 
 #ifdef __cplusplus
@@ -36,6 +37,28 @@ typedef struct qtri_light_walk {
 
 enum { QTRI_LARGE_RUN_LOG2 = 6, QTRI_LARGE_RUN = 1 << QTRI_LARGE_RUN_LOG2 };
 
+/* The edges of a triangle: the lower one takes its side over at row `turn`. */
+typedef struct qtri_large_edges {
+    qtri_dda left, right, lower;
+    int32_t row, turn, end;
+    bool lower_is_left;
+} qtri_large_edges;
+
+/*
+ * A triangle of samples is walked once for each place where pixels may take their colours
+ * (samples.h), as the triangle that is moved so that this place lies where centres do: in a pass
+ * only the pixels that take theirs there are drawn.
+ */
+typedef struct qtri_large_samples {
+    qtri_samples_row row;
+    int32_t place;             /* of the pass */
+    uint32_t z_p, z_q;         /* what depth has more: see samples.h */
+    int32_t first_row, end;    /* of all places */
+    int32_t next, left, right; /* of the row at the pass's place: what is not drawn yet */
+    qtri_screen_point moved[3];
+    qtri_large_edges first[QTRI_PLACES], edges[QTRI_PLACES]; /* as they begin; as they are */
+} qtri_large_samples;
+
 typedef struct qtri_large {
     qtri_draw_state *state;
     uint32_t color; /* of the triangle, 0x00RRGGBB */
@@ -57,7 +80,14 @@ typedef struct qtri_large {
 
     int32_t fog_x; /* column that fog is asked for next */
     uint32_t fog, fog_step;
+
+    qtri_large_samples *samples; /* with four samples a pixel */
 } qtri_large;
+
+/* In large_samples.c: passes, one place after the other from QTRI_CENTER down. False: there is
+   nothing to draw in it. Then rows, or parts of them. */
+bool qtri_large_begin_samples(qtri_large *t, int32_t place);
+bool qtri_large_next_samples(qtri_large *t);
 
 /* Before the first row: what varies, then the planes of all of it. */
 void qtri_large_set_texture(qtri_large *t);
@@ -253,40 +283,66 @@ QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_large *t, qtri_pixel_
     }
 }
 
-QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large *t)
+/* Goes on to the next row with pixels to draw, or with samples to a part of one; false: there is
+   none. */
+QTRI_BODY bool qtri_large_next_of(const qtri_options *o, struct qtri_large *t)
 {
-    qtri_pixel_walk w = QTRI_BODY_ZERO;
-    qtri_large_begin(o, t, &w);
-    while (qtri_large_next_row(t)) {
-        w.pixel = t->pixel;
+    return qtri_has_samples(o) ? qtri_large_next_samples(t) : qtri_large_next_row(t);
+}
+
+QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, struct qtri_large *t, qtri_pixel_walk *w)
+{
+    qtri_large_begin(o, t, w);
+    while (qtri_large_next_of(o, t)) {
+        w->pixel = t->pixel;
         if (qtri_tests_depth(o)) {
-            w.depth = t->depth;
+            w->depth = t->depth;
         }
         if (qtri_needs_depth(o)) {
-            w.z = t->z;
-            w.z_step = t->z_step;
+            w->z = qtri_has_samples(o) ? t->z - w->z_place : t->z;
+            w->z_step = t->z_step;
         }
         if (qtri_needs_place(o)) {
-            w.x = t->x0;
-            w.y = t->y;
+            w->x = t->x0;
+            w->y = t->y;
         }
         if (!qtri_large_has_pieces(o)) {
-            qtri_large_pixels(o, t, &w, t->x1 - t->x0);
+            qtri_large_pixels(o, t, w, t->x1 - t->x0);
             continue;
         }
         if (qtri_is_packed_565(o) && !o->per_pixel && t->has_runs) {
-            qtri_large_runs(o, t, &w);
+            qtri_large_runs(o, t, w);
             continue;
         }
         do {
             int32_t pieces = qtri_large_next(o, t);
             const qtri_large_piece *piece = t->piece;
             do {
-                qtri_large_load(o, t, &w, piece);
-                qtri_large_pixels(o, t, &w, piece->count);
+                qtri_large_load(o, t, w, piece);
+                qtri_large_pixels(o, t, w, piece->count);
                 piece++;
             } while (--pieces != 0);
         } while (t->x < t->x1);
+    }
+}
+
+QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large *t)
+{
+    qtri_pixel_walk w = QTRI_BODY_ZERO;
+    if (!qtri_has_samples(o)) {
+        qtri_large_rows_draw(o, t, &w);
+        return;
+    }
+    qtri_large_samples samples;
+    t->samples = &samples;
+    for (int32_t place = QTRI_CENTER; place >= 0; place--) {
+        if (qtri_large_begin_samples(t, place)) {
+            w.cover = &samples.row;
+            w.z_p = samples.z_p;
+            w.z_q = samples.z_q;
+            w.z_place = qtri_samples_more(place, w.z_p, w.z_q);
+            qtri_large_rows_draw(o, t, &w);
+        }
     }
 }
 

@@ -15,6 +15,21 @@ QTRI_BODY bool qtri_stores_565(const qtri_options *o)
     return o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED;
 }
 
+/* Four samples a pixel. The generic pipeline is made twice, so that only programs whose surfaces
+   have samples link what draws them. */
+QTRI_BODY bool qtri_has_samples(const qtri_options *o)
+{
+#if defined(QTRI_PIPELINE_IS_ANY_X4)
+    (void)o;
+    return true;
+#elif defined(QTRI_PIPELINE_IS_ANY) && !defined(QTRI_AMALGAMATION)
+    (void)o;
+    return false;
+#else
+    return o->samples != 0;
+#endif
+}
+
 QTRI_BODY bool qtri_is_textured(const qtri_options *o)
 {
     return o->texel != QTRI_NO_TEXEL;
@@ -97,7 +112,7 @@ QTRI_BODY bool qtri_needs_depth(const qtri_options *o)
 
 QTRI_BODY bool qtri_needs_place(const qtri_options *o)
 {
-    return o->blend == QTRI_SCREEN_DOOR || o->fragment != NULL;
+    return o->blend == QTRI_SCREEN_DOOR || o->fragment != NULL || qtri_has_samples(o);
 }
 
 /* A pixel may be discarded after the depth test. */

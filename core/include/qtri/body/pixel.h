@@ -8,6 +8,7 @@
 #ifndef QTRI_BODY_PIXEL_H
 #define QTRI_BODY_PIXEL_H
 
+#include "samples.h"
 #include "texel.h"
 
 /* Colour --------------------------------------------------------------------------------------- */
@@ -167,7 +168,7 @@ QTRI_BODY bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk 
     qtri_fragment f;
     f.x = w->x;
     f.y = w->y;
-    f.depth_16p16 = w->z;
+    f.depth_16p16 = qtri_has_samples(o) ? w->z + w->z_place : w->z;
     f.u = w->u;
     f.v = o->large_texture || !qtri_is_textured(o)
               ? w->v
@@ -181,22 +182,69 @@ QTRI_BODY bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk 
     return true;
 }
 
+/* What is stored of a pixel's colour over what is there. */
+QTRI_BODY uint32_t qtri_pixel_over(const qtri_options *o, const qtri_pixel_walk *w, uint32_t color,
+                                   uint32_t texel, uint32_t under)
+{
+    const qtri_surface *surface = w->state->surface;
+    const uint32_t stored = qtri_decode(o, surface, under);
+    color = qtri_blended(o, w, color, texel, stored);
+    if (o->keep) {
+        color = (color & ~w->state->keep) | (stored & w->state->keep);
+    }
+    return color;
+}
+
+/* A pixel's colour to its samples: what it is blended with is mostly the same in all of them. */
+QTRI_BODY void qtri_pixel_put_samples(const qtri_options *o, const qtri_pixel_walk *w,
+                                      uint32_t samples, uint32_t color, uint32_t texel,
+                                      uint8_t *pixel)
+{
+    const qtri_surface *surface = w->state->surface;
+    const uint32_t bytes = qtri_pixel_bytes(o);
+    uint32_t under = 0, stored = 0;
+    bool is_known = false;
+    if (o->blend == QTRI_KEEP_PIXEL) {
+        return;
+    }
+    if (!qtri_reads_pixel(o)) {
+        stored = qtri_is_plain(o) ? color : qtri_encode(o, surface, color);
+        qtri_pixel_store_samples(bytes, pixel, samples, stored);
+        return;
+    }
+    for (; samples != 0; samples >>= 8, pixel += bytes) {
+        if ((samples & QTRI_SAMPLE_0) == 0) {
+            continue;
+        }
+        const uint32_t there = qtri_load(bytes, pixel);
+        if (!is_known || there != under) {
+            under = there;
+            is_known = true;
+            stored = qtri_encode(o, surface, qtri_pixel_over(o, w, color, texel, there));
+        }
+        qtri_save(bytes, pixel, stored);
+    }
+}
+
 /* Draws a pixel of the walk, and steps. `bent`: steps of u and v grow. */
-QTRI_BODY void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent, uint8_t *pixel,
+QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent, uint8_t *pixel,
                              uint8_t *depth)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o);
     const uint32_t depth_bytes = qtri_depth_size(o, surface);
     bool drawn = true;
-    uint32_t z = 0, texel = 0, color = 0;
-    if (qtri_tests_depth(o)) {
+    uint32_t z = 0, texel = 0, color = 0, samples = 0;
+    if (qtri_has_samples(o)) {
+        samples = qtri_samples_test(o, w, pixel, depth);
+        drawn = samples != 0;
+    } else if (qtri_tests_depth(o)) {
         z = qtri_depth_encode(o, surface, w->z);
         drawn = o->compare == QTRI_ALWAYS ||
                 qtri_compare_passes(o->compare, z, qtri_load(depth_bytes, depth));
     }
     const bool early = qtri_is_textured(o) && !qtri_discards(o);
-    if (drawn && qtri_writes_depth(o) && early) {
+    if (drawn && qtri_writes_depth(o) && early && !qtri_has_samples(o)) {
         QTRI_BODY_BRANCH(); /* now: it need not be kept in a register */
         qtri_save(depth_bytes, depth, z);
     }
@@ -220,18 +268,19 @@ QTRI_BODY void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool ben
             const uint32_t clear = w->fog >> 16;
             color = qtri_color_mix(qtri_kind_of(o), color, clear, w->state->fog_color, 256 - clear);
         }
-        if (qtri_reads_pixel(o)) {
-            const uint32_t stored = qtri_decode(o, surface, qtri_load(bytes, pixel));
-            color = qtri_blended(o, w, color, texel, stored);
-            if (o->keep) {
-                color = (color & ~w->state->keep) | (stored & w->state->keep);
+        if (qtri_has_samples(o)) {
+            qtri_samples_write_late(o, w, samples, pixel, depth);
+            qtri_pixel_put_samples(o, w, samples, color, texel, pixel);
+        } else {
+            if (qtri_reads_pixel(o)) {
+                color = qtri_pixel_over(o, w, color, texel, qtri_load(bytes, pixel));
             }
-        }
-        if (qtri_writes_depth(o) && !early) {
-            qtri_save(depth_bytes, depth, z);
-        }
-        if (o->blend != QTRI_KEEP_PIXEL) {
-            qtri_save(bytes, pixel, qtri_is_plain(o) ? color : qtri_encode(o, surface, color));
+            if (qtri_writes_depth(o) && !early) {
+                qtri_save(depth_bytes, depth, z);
+            }
+            if (o->blend != QTRI_KEEP_PIXEL) {
+                qtri_save(bytes, pixel, qtri_is_plain(o) ? color : qtri_encode(o, surface, color));
+            }
         }
     }
     if (qtri_needs_depth(o)) {
@@ -286,13 +335,13 @@ QTRI_BODY void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool ben
 /* Pixel i from where the walk is. */
 QTRI_BODY void qtri_pixel(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t i)
 {
-    qtri_pixel_at(o, w, bent, w->pixel + (uint32_t)i * qtri_pixel_bytes(o),
+    qtri_pixel_at(o, w, bent, w->pixel + (uint32_t)i * qtri_pixel_step(o),
                   w->depth + (uint32_t)i * qtri_depth_size(o, w->state->surface));
 }
 
 QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_t pixels)
 {
-    w->pixel += pixels * qtri_pixel_bytes(o);
+    w->pixel += pixels * qtri_pixel_step(o);
     QTRI_BODY_BARRIER(w->pixel);
     if (qtri_tests_depth(o)) {
         w->depth += pixels * qtri_depth_size(o, w->state->surface);
@@ -339,6 +388,9 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool 
     (void)together;
 #endif
     for (; count > 0; count--) {
+        if (qtri_has_samples(o)) {
+            w->samples = qtri_samples_of(w->cover, w->x);
+        }
         qtri_pixel_next(o, w, bent, 0);
         qtri_walk_move(o, w, 1);
     }

@@ -324,7 +324,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
     qtri_small_texture uv;
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_draw_state *state = t->state;
-    if (o->samples || (o->per_pixel && !qtri_small_is_lit_by_vertex(t))) {
+    if (o->per_pixel && !qtri_small_is_lit_by_vertex(t)) {
         return false;
     }
     const qtri_small_found found = QTRI_SMALL_SETUP(find)(&p, spans, t);
@@ -333,7 +333,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
     }
     if (o->mipmapped) {
         const qtri_small_place kept = p; /* a copy, so that p need not be in memory */
-        if (!qtri_small_set_level(&kept, t, o)) {
+        if (!qtri_small_set_level(&kept, t)) {
             return false;
         }
     }

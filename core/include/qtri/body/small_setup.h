@@ -224,24 +224,35 @@ QTRI_BODY bool qtri_small_set_inverse(qtri_small_place *p, uint32_t size)
     return p->up <= QTRI_SMALL_NEEDLE;
 }
 
-/* False: depth is so steep that the snap of vertices shows. */
-QTRI_BODY bool qtri_small_set_depth(qtri_small_place *p, const qtri_small *t)
+/* What depth has more at vertices 1 and 2, as a ramp takes it, and how many bits it lost. False:
+   depth is so steep that the snap of vertices shows. */
+QTRI_BODY bool qtri_small_find_depth(int32_t *z1, int32_t *z2, int32_t *up,
+                                     const qtri_small_place *p, const qtri_small *t)
 {
     const uint32_t z0 = t->v[0]->depth_16p8 >> 8;
-    int32_t z1 = (int32_t)((t->v[1]->depth_16p8 >> 8) - z0);
-    int32_t z2 = (int32_t)((t->v[2]->depth_16p8 >> 8) - z0);
-    int32_t up = 0;
-    const uint32_t about = qtri_small_about(z1) | qtri_small_about(z2);
+    *z1 = (int32_t)((t->v[1]->depth_16p8 >> 8) - z0);
+    *z2 = (int32_t)((t->v[2]->depth_16p8 >> 8) - z0);
+    *up = 0;
+    const uint32_t about = qtri_small_about(*z1) | qtri_small_about(*z2);
     if (about >> (p->wide ? 15 : 16) != 0) {
         QTRI_RARELY();
         if (about >> QTRI_SMALL_STEEP_LOG2 != 0) {
             return false;
         }
-        z1 >>= QTRI_SMALL_STEEP_DOWN;
-        z2 >>= QTRI_SMALL_STEEP_DOWN;
-        up = QTRI_SMALL_STEEP_DOWN;
+        *z1 >>= QTRI_SMALL_STEEP_DOWN;
+        *z2 >>= QTRI_SMALL_STEEP_DOWN;
+        *up = QTRI_SMALL_STEEP_DOWN;
     }
-    qtri_small_ramp_set(&p->z, p, z0 << 8, z1, z2, up);
+    return true;
+}
+
+QTRI_BODY bool qtri_small_set_depth(qtri_small_place *p, const qtri_small *t)
+{
+    int32_t z1, z2, up;
+    if (!qtri_small_find_depth(&z1, &z2, &up, p, t)) {
+        return false;
+    }
+    qtri_small_ramp_set(&p->z, p, t->v[0]->depth_16p8 >> 8 << 8, z1, z2, up);
     return true;
 }
 
@@ -262,6 +273,29 @@ QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small *t)
             ((uint32_t)(b->y_24p8 - a->y_24p8) + half) |
             ((uint32_t)(c->x_24p8 - a->x_24p8) + half) |
             ((uint32_t)(c->y_24p8 - a->y_24p8) + half)) < 2 * half;
+}
+
+/* What 1/w has more at vertices 1 and 2. False: too much. */
+QTRI_BODY bool qtri_small_set_q(qtri_small_place *p, const qtri_small *t)
+{
+    const qtri_vertex *a = t->v[0];
+    const qtri_vertex *b = t->v[1];
+    const qtri_vertex *c = t->v[2];
+    const uint32_t exponents = (a->depth_16p8 ^ b->depth_16p8) | (a->depth_16p8 ^ c->depth_16p8);
+    p->q1 = (int32_t)(b->inv_w - a->inv_w);
+    p->q2 = (int32_t)(c->inv_w - a->inv_w);
+    p->q_about = qtri_small_about(p->q1) | qtri_small_about(p->q2);
+    if (((exponents & 0xFF) | p->q_about >> 27) != 0) {
+        int32_t q[2];
+        QTRI_RARELY();
+        if (!qtri_small_find_uneven(q, t)) {
+            return false;
+        }
+        p->q1 = q[0];
+        p->q2 = q[1];
+        p->q_about = qtri_small_about(q[0]) | qtri_small_about(q[1]);
+    }
+    return true;
 }
 
 QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QTRI_SMALL_SPANS],
@@ -363,22 +397,8 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
         return QTRI_SMALL_NOTHING;
     }
     QTRI_BODY_READ_AGAIN();
-    a = t->v[0];
-    b = t->v[1];
-    c = t->v[2];
-    const uint32_t exponents = (a->depth_16p8 ^ b->depth_16p8) | (a->depth_16p8 ^ c->depth_16p8);
-    p->q1 = (int32_t)(b->inv_w - a->inv_w);
-    p->q2 = (int32_t)(c->inv_w - a->inv_w);
-    p->q_about = qtri_small_about(p->q1) | qtri_small_about(p->q2);
-    if (((exponents & 0xFF) | p->q_about >> 27) != 0) {
-        int32_t q[2];
-        QTRI_RARELY();
-        if (!qtri_small_find_uneven(q, t)) {
-            return QTRI_SMALL_IS_LARGE;
-        }
-        p->q1 = q[0];
-        p->q2 = q[1];
-        p->q_about = qtri_small_about(q[0]) | qtri_small_about(q[1]);
+    if (!qtri_small_set_q(p, t)) {
+        return QTRI_SMALL_IS_LARGE;
     }
     return qtri_small_set_inverse(p, (uint32_t)size) && qtri_small_set_depth(p, t)
                ? QTRI_SMALL_FOUND
@@ -566,22 +586,19 @@ QTRI_SMALL_PART void qtri_small_uv_find(qtri_small_uv *uv, const qtri_small *t)
 /*
  * Coordinates that are linear on the screen, of repeated axes, where light is. By sums of
  * magnitudes, in 2^-6 texel of the longer side, and q_min >= 3/4 2^30: see small_texture.c. False:
- * nothing was set; they may be seen to follow perspective, or are not as simple.
+ * they may be seen to follow perspective, or are not as simple.
  */
-QTRI_BODY bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
-                                             const qtri_small_place *p, const qtri_small *t,
-                                             const qtri_options *o)
+QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small_place *p,
+                                              const qtri_small *t, const qtri_options *o)
 {
-    qtri_small_uv f;
     const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
     const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
-    const uint32_t both_log2 = width_log2 + height_log2;
-    if (o->bilinear || o->large_texture || o->wrap_u || o->wrap_v || both_log2 < 8) {
+    if (o->bilinear || o->large_texture || o->wrap_u || o->wrap_v || width_log2 + height_log2 < 8) {
         return false;
     }
-    qtri_small_uv_find(&f, t);
-    const uint32_t u1 = qtri_small_about(f.u1), u2 = qtri_small_about(f.u2);
-    const uint32_t v1 = qtri_small_about(f.v1), v2 = qtri_small_about(f.v2);
+    qtri_small_uv_find(f, t);
+    const uint32_t u1 = qtri_small_about(f->u1), u2 = qtri_small_about(f->u2);
+    const uint32_t v1 = qtri_small_about(f->v1), v2 = qtri_small_about(f->v2);
     if ((u1 | u2 | v1 | v2) >> (p->wide ? 15 : 16) != 0) {
         return false;
     }
@@ -593,11 +610,34 @@ QTRI_BODY bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp
             return false;
         }
     }
-    /* Values on a texel's edge, give or take an error, go up. */
-    qtri_small_ramp_set(u, p, ((uint32_t)f.u0 << 16) + ((uint32_t)1 << (21 - width_log2)), f.u1,
-                        f.u2, 8);
-    qtri_small_ramp_set(v, p, ((uint32_t)f.v0 << both_log2) + ((uint32_t)1 << (5 + width_log2)),
-                        f.v1, f.v2, (int32_t)both_log2 - 8);
+    return true;
+}
+
+/* These at vertex 0: values on a texel's edge, give or take an error, go up. */
+QTRI_BODY uint32_t qtri_small_linear_u(const qtri_small_uv *f, const qtri_draw_state *state)
+{
+    return ((uint32_t)f->u0 << 16) + ((uint32_t)1 << (21 - state->width_log2));
+}
+
+QTRI_BODY uint32_t qtri_small_linear_v(const qtri_small_uv *f, const qtri_draw_state *state)
+{
+    return ((uint32_t)f->v0 << (state->width_log2 + state->height_log2)) +
+           ((uint32_t)1 << (5 + state->width_log2));
+}
+
+/* False: nothing was set. */
+QTRI_BODY bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
+                                             const qtri_small_place *p, const qtri_small *t,
+                                             const qtri_options *o)
+{
+    qtri_small_uv f;
+    const qtri_draw_state *state = t->state;
+    if (!qtri_small_find_linear_texture(&f, p, t, o)) {
+        return false;
+    }
+    qtri_small_ramp_set(u, p, qtri_small_linear_u(&f, state), f.u1, f.u2, 8);
+    qtri_small_ramp_set(v, p, qtri_small_linear_v(&f, state), f.v1, f.v2,
+                        (int32_t)(state->width_log2 + state->height_log2) - 8);
     return true;
 }
 

@@ -126,7 +126,7 @@ bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_s
 
 /* In small_level.c: the level of a mipmapped texture by the footprint at vertex 0. False: 1/w
    varies too much for one; the triangle is large. */
-bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t, const qtri_options *o);
+bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t);
 
 /* In small_texture.c. */
 void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, const qtri_small *t,

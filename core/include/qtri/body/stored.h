@@ -184,6 +184,13 @@ QTRI_BODY bool qtri_compare_passes(uint8_t compare, uint32_t z, uint32_t stored)
     }
 }
 
+/* Bytes from a pixel to the next: a pixel of four samples is a record (samples.h). */
+QTRI_BODY uint32_t qtri_pixel_step(const qtri_options *o)
+{
+    const uint32_t bytes = qtri_pixel_bytes(o);
+    return !qtri_has_samples(o) ? bytes : bytes == 4 ? 24 : 4 * bytes + 6;
+}
+
 /* A pixel and its depth have the same bytes: one pointer serves both, see qtri_small_pixels(). */
 QTRI_BODY bool qtri_is_paired(const qtri_options *o)
 {
@@ -191,8 +198,9 @@ QTRI_BODY bool qtri_is_paired(const qtri_options *o)
     (void)o;
     return false;
 #else
-    return qtri_tests_depth(o) && ((o->depth <= QTRI_FLOAT16 && qtri_pixel_bytes(o) == 2) ||
-                                   (o->depth == QTRI_LINEAR32 && qtri_pixel_bytes(o) == 4));
+    return qtri_tests_depth(o) && !qtri_has_samples(o) &&
+           ((o->depth <= QTRI_FLOAT16 && qtri_pixel_bytes(o) == 2) ||
+            (o->depth == QTRI_LINEAR32 && qtri_pixel_bytes(o) == 4));
 #endif
 }
 

@@ -2,7 +2,7 @@
 #define FORMAT qtri_rgb565_swapped
 #define SIZE   QTRI_RGB565_X4_BYTES
 #include "../frame/barrier.h"
-#include "../raster/samples_format.inc"
+#include "samples_format.inc"
 
 static void encode(uint32_t *color, int32_t count)
 {

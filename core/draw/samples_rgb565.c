@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#define FORMAT qtri_rgb565
-#define SIZE   QTRI_RGB565_X4_BYTES
-#include "../raster/samples_format.inc"
+#define PIPELINES qtri_pipelines_rgb565_x4
+#define FORMAT    qtri_rgb565
+#define SIZE      QTRI_RGB565_X4_BYTES
+#include "samples_format.inc"
 
 static uint32_t decode(uint32_t stored)
 {

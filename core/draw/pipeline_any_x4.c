@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* The generic pipeline of surfaces with four samples a pixel, which formats name. */
+#define QTRI_PIPELINE_IS_ANY
+#define QTRI_PIPELINE_IS_ANY_X4
+#include "qtri/pipeline_make.h"
+
+#include "pipeline_x4.h"
+
+static void large(struct qtri_large *triangle)
+{
+    qtri_large_triangle_draw(&triangle->state->options, triangle);
+}
+
+static bool small(struct qtri_small *triangle)
+{
+    return qtri_small_draw(&triangle->state->options, triangle);
+}
+
+const qtri_pipeline qtri_pipeline_any_x4 = {{QTRI_ANY, 0, 0, 0,    0,    0,    0,    0,    0,
+                                             0,        0, 0, 0,    0,    0,    0,    0,    4,
+                                             0,        0, NULL, NULL, NULL, NULL, NULL, NULL},
+                                            large,
+                                            small,
+                                            &qtri_pipeline_ops};
+
+const qtri_pipeline *const qtri_pipelines_x4[] = {&qtri_pipeline_any_x4, NULL};

@@ -1,0 +1,490 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A small triangle of a mesh, four samples a pixel (samples.h). Internal, part of the pipelines'
+ * body (pipeline_make.h).
+ *
+ * Samples of a pixel are one below the other, a quarter of a pixel apart: edges are walked in
+ * quarters of rows, and a row has the columns of its four as bytes of two words. What such words
+ * have less than a column's, lane by lane with bit 7 set before, tells by that bit which samples
+ * begin at or before the column: four comparisons in one subtraction.
+ */
+#ifndef QTRI_BODY_SMALL_SAMPLES_H
+#define QTRI_BODY_SMALL_SAMPLES_H
+
+#include "small.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { QTRI_SMALL_ROWS = 2 * QTRI_SMALL_REACH + 1 };
+
+#define QTRI_SMALL_LANES 0x01010101u
+
+/* Rows, and what depth has more at samples. */
+typedef struct qtri_small_samples {
+    uint32_t left[QTRI_SMALL_ROWS], right[QTRI_SMALL_ROWS]; /* sample k: bits 8 k.. */
+    int32_t first, rows;
+    uint32_t z_p, z_q;
+} qtri_small_samples;
+
+/* A ramp, and what it has more at samples. */
+typedef struct qtri_small_sampled {
+    qtri_small_ramp r;
+    uint32_t p, q;
+} qtri_small_sampled;
+
+typedef struct qtri_small_sampled_values {
+    qtri_small_sampled c, g, alpha, u, v, e;
+} qtri_small_sampled_values;
+
+/* In small_samples.c. As qtri_small_find(). */
+qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples *s, qtri_small *t);
+/* Cuts rows to the bounds. */
+void qtri_small_samples_cut(qtri_small_samples *s, int32_t left, int32_t right);
+/* Whether the centre of a pixel is covered: column and row as those of the place. */
+bool qtri_small_covers_center(const qtri_small_place *p, int32_t column, int32_t row);
+/* Of a row's pixels that have samples, those whose centres are covered: *first..*end - 1. */
+void qtri_small_find_centers(int32_t *first, int32_t *end, const qtri_small_place *p, uint32_t left,
+                             uint32_t right, int32_t row);
+/* As qtri_small_ramp_set(). */
+void qtri_small_set_sampled(qtri_small_sampled *r, const qtri_small_place *p, uint32_t value,
+                            int32_t f1, int32_t f2, int32_t up);
+
+/* The place moved to the centre, to sample 3 and to sample 1, one after the other. */
+QTRI_BODY void qtri_small_move(qtri_small_place *p, int to)
+{
+    p->x += to == 1 ? 32 : to == 2 ? 64 : 0;
+    p->y += to == 1 ? 96 : to == 2 ? -128 : 0;
+}
+
+/* What a ramp that is set at these three has more at samples. */
+QTRI_BODY void qtri_small_set_more(qtri_small_sampled *r, int at, const qtri_small_ramp *there)
+{
+    if (at == 0) {
+        r->r = *there;
+    } else if (at == 1) {
+        r->p = there->at - r->r.at;
+    } else {
+        r->q = there->at - r->r.at;
+    }
+}
+
+/* The least of four bytes. */
+QTRI_BODY uint32_t qtri_samples_least(uint32_t word)
+{
+    uint32_t a = word & 255, b = word >> 8 & 255;
+    const uint32_t c = word >> 16 & 255, d = word >> 24;
+    a = a < b ? a : b;
+    b = c < d ? c : d;
+    return a < b ? a : b;
+}
+
+/* Whether what is drawn depends on where in a pixel it is found. */
+QTRI_BODY bool qtri_small_has_places(const qtri_options *o)
+{
+    return qtri_is_textured(o) || qtri_varies(o) || o->vertex_alpha || o->fog ||
+           o->fragment != NULL;
+}
+
+/* Where a pixel takes its colour: opposite samples have the centre between them. */
+QTRI_BODY int32_t qtri_small_place_of(const qtri_small_place *p, uint32_t samples, int32_t column,
+                                      int32_t row)
+{
+    if ((samples >> 24 & samples & QTRI_SAMPLE_0) != 0 ||
+        (samples >> 8 & samples & QTRI_SAMPLE_1) != 0 || samples == 0 ||
+        qtri_small_covers_center(p, column, row)) {
+        return QTRI_CENTER;
+    }
+    return (samples & QTRI_SAMPLE_0) != 0   ? 0
+           : (samples & QTRI_SAMPLE_1) != 0 ? 1
+           : (samples & QTRI_SAMPLE_2) != 0 ? 2
+                                            : 3;
+}
+
+QTRI_BODY uint32_t qtri_small_more(const qtri_small_sampled *r, int32_t place)
+{
+    return qtri_samples_more(place, r->p, r->q);
+}
+
+/* Moves what is linear on the screen from the centre to a place, or back. */
+QTRI_BODY void qtri_small_go(const qtri_options *o, qtri_pixel_walk *w,
+                             const qtri_small_sampled_values *v, int32_t place, bool with_uv,
+                             bool with_c)
+{
+    w->z_place = qtri_samples_more(place, w->z_p, w->z_q);
+    if (with_uv) {
+        w->u += qtri_small_more(&v->u, place);
+        w->v += qtri_small_more(&v->v, place);
+    }
+    if (with_c) {
+        w->c += qtri_small_more(&v->c, place);
+    }
+    if (qtri_has_two_words(o)) {
+        w->g += qtri_small_more(&v->g, place);
+    }
+    if (o->vertex_alpha) {
+        w->alpha += qtri_small_more(&v->alpha, place);
+    }
+}
+
+/* The sample that lies opposite: what a ramp has more there, it has less here. */
+QTRI_BODY int32_t qtri_small_opposite(int32_t place)
+{
+    return 3 - place;
+}
+
+/* Fog at a pixel's place. */
+QTRI_BODY void qtri_small_set_fog(const qtri_options *o, qtri_pixel_walk *w)
+{
+    if (o->fog && w->samples != 0) {
+        w->fog = qtri_fog_share(w->state->fog, w->z + w->z_place) + 0x8000u;
+    }
+}
+
+/* A pixel, then the walk goes on to the next. */
+QTRI_BODY void qtri_small_samples_pixel(const qtri_options *o, qtri_pixel_walk *w,
+                                        const qtri_small_sampled_values *v, int32_t place,
+                                        bool with_uv, bool with_c)
+{
+    const bool away = qtri_small_has_places(o) && place != QTRI_CENTER;
+    if (away) {
+        qtri_small_go(o, w, v, place, with_uv, with_c);
+    }
+    qtri_small_set_fog(o, w);
+    qtri_pixel_at(o, w, false, w->pixel, w->depth);
+    qtri_walk_move(o, w, 1);
+    if (away) {
+        qtri_small_go(o, w, v, qtri_small_opposite(place), with_uv, with_c);
+        w->z_place = 0;
+    }
+}
+
+/* Pointers and place at the base of the first row. */
+QTRI_BODY void qtri_small_samples_begin(const qtri_options *o, qtri_pixel_walk *w,
+                                        const qtri_small_place *p, const qtri_small_samples *s)
+{
+    const qtri_surface *surface = w->state->surface;
+    const ptrdiff_t row = p->row - surface->first_row;
+    w->pixel = surface->pixels + row * surface->pitch +
+               (ptrdiff_t)qtri_pixel_step(o) * (ptrdiff_t)p->column;
+    w->depth = qtri_tests_depth(o) ? (uint8_t *)surface->depth + row * w->state->depth_pitch +
+                                         2 * (ptrdiff_t)p->column
+                                   : (uint8_t *)0;
+    w->x = p->column;
+    w->y = p->row;
+    w->z_p = s->z_p;
+    w->z_q = s->z_q;
+    w->z_place = 0;
+    w->fog_step = 0;
+}
+
+/* Over columns that are not drawn, 0 or less than none. */
+QTRI_BODY void qtri_small_samples_skip(const qtri_options *o, qtri_pixel_walk *w, int32_t columns)
+{
+    qtri_small_step(o, w, (uint32_t)columns);
+    w->pixel += (ptrdiff_t)columns * (ptrdiff_t)qtri_pixel_step(o);
+    if (qtri_tests_depth(o)) {
+        w->depth += (ptrdiff_t)columns * 2;
+    }
+}
+
+QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_walk *w,
+                                       const qtri_small_place *p, const qtri_small_samples *s,
+                                       const qtri_small_sampled_values *values, uint32_t z_half)
+{
+    const bool textured = qtri_is_textured(o), varies = qtri_varies(o);
+    const bool two_words = qtri_has_two_words(o);
+    const ptrdiff_t pitch = w->state->surface->pitch, depth_pitch = w->state->depth_pitch;
+    const uint32_t *left = &s->left[s->first], *right = &s->right[s->first];
+    int32_t at = 0; /* the column */
+    qtri_small_samples_begin(o, w, p, s);
+    w->z = p->z.at + z_half;
+    w->z_step = p->z.dx;
+    w->c = varies ? values->c.r.at : 0;
+    w->c_step = varies ? values->c.r.dx : 0;
+    w->g = two_words ? values->g.r.at : 0;
+    w->g_step = two_words ? values->g.r.dx : 0;
+    w->u = textured ? values->u.r.at : 0;
+    w->u_step = textured ? values->u.r.dx : 0;
+    w->v = textured ? values->v.r.at : 0;
+    w->v_step = textured ? values->v.r.dx : 0;
+    w->alpha = o->vertex_alpha ? values->alpha.r.at : 0;
+    w->alpha_step = o->vertex_alpha ? values->alpha.r.dx : 0;
+    for (int32_t y = 0; y < s->rows; y++) {
+        const uint32_t l = *left++, r = *right++;
+        if (l != r) {
+            const uint32_t first = qtri_samples_least(l);
+            uint32_t in = (first * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - l;
+            uint32_t out = (first * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - r;
+            qtri_small_samples_skip(o, w, (int32_t)first - at);
+            at = (int32_t)first;
+            while ((out & QTRI_SAMPLES_ALL) != QTRI_SAMPLES_ALL) {
+                w->samples = in & ~out & QTRI_SAMPLES_ALL;
+                int32_t place = QTRI_CENTER;
+                if (qtri_small_has_places(o) && w->samples != QTRI_SAMPLES_ALL) {
+                    place = qtri_small_place_of(p, w->samples, at, y);
+                }
+                qtri_small_samples_pixel(o, w, values, place, textured, varies);
+                in += QTRI_SMALL_LANES;
+                out += QTRI_SMALL_LANES;
+                at++;
+            }
+        }
+        w->z += p->z.dy;
+        if (varies) {
+            w->c += values->c.r.dy;
+        }
+        if (two_words) {
+            w->g += values->g.r.dy;
+        }
+        if (textured) {
+            w->u += values->u.r.dy;
+            w->v += values->v.r.dy;
+        }
+        if (o->vertex_alpha) {
+            w->alpha += values->alpha.r.dy;
+        }
+        w->pixel += pitch;
+        if (qtri_tests_depth(o)) {
+            w->depth += depth_pitch;
+        }
+        w->y++;
+    }
+}
+
+QTRI_BODY uint32_t qtri_small_at(const qtri_small_sampled *r, int32_t x, int32_t y, int32_t place)
+{
+    return r->r.at + (uint32_t)x * r->r.dx + (uint32_t)y * r->r.dy + qtri_small_more(r, place);
+}
+
+/* Where u and v follow perspective: at a place of a pixel, from there to pixel x + n linear. */
+QTRI_BODY void qtri_small_set_curved(const qtri_options *o, qtri_pixel_walk *w,
+                                     const qtri_small_texture *uv,
+                                     const qtri_small_sampled_values *v, int32_t x, int32_t y,
+                                     int32_t place, uint32_t n)
+{
+    const bool lit = qtri_is_lit(o);
+    const uint32_t e = qtri_small_at(&v->e, x, y, place);
+    const uint32_t lu = qtri_small_at(&v->u, x, y, place);
+    const uint32_t lv = qtri_small_at(&v->v, x, y, place);
+    const uint32_t lc = lit ? qtri_small_at(&v->c, x, y, place) : 0;
+    const int32_t share = qtri_small_w(e);
+    const uint32_t u = qtri_small_curved(lu, share), u_v = qtri_small_curved(lv, share);
+    const uint32_t c = lit ? qtri_small_curved(lc, share) : 0;
+    w->u = uv->u0 + (u << uv->u_up);
+    w->v = uv->v0 + (u_v << uv->v_up);
+    w->u_step = 0;
+    w->v_step = 0;
+    if (lit) {
+        w->c = uv->c0 + c;
+        w->c_step = 0;
+    }
+    if (n != 0) {
+        const int32_t next = qtri_small_w(e + n * v->e.r.dx);
+        w->u_step = qtri_small_share(qtri_small_curved(lu + n * v->u.r.dx, next) - u, n)
+                    << uv->u_up;
+        w->v_step = qtri_small_share(qtri_small_curved(lv + n * v->v.r.dx, next) - u_v, n)
+                    << uv->v_up;
+        if (lit) {
+            w->c_step = qtri_small_share(qtri_small_curved(lc + n * v->c.r.dx, next) - c, n);
+        }
+    }
+}
+
+/* Pieces of a row begin at the first pixel whose centre is covered; others are found by
+   themselves. */
+QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
+                                              const qtri_small_place *p,
+                                              const qtri_small_samples *s,
+                                              const qtri_small_sampled_values *values,
+                                              const qtri_small_texture *uv, uint32_t z_half)
+{
+    const bool lit = qtri_is_lit(o), is_linear = qtri_varies(o) && !lit;
+    const bool two_words = qtri_has_two_words(o);
+    const int32_t piece = uv->piece;
+    w->z_step = p->z.dx;
+    w->g_step = two_words ? values->g.r.dx : 0;
+    w->alpha_step = o->vertex_alpha ? values->alpha.r.dx : 0;
+    for (int32_t y = 0; y < s->rows; y++) {
+        const uint32_t l = s->left[s->first + y], r = s->right[s->first + y];
+        int32_t x = (int32_t)qtri_samples_least(l), first, end;
+        uint32_t in = ((uint32_t)x * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - l;
+        uint32_t out = ((uint32_t)x * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - r;
+        if (l == r) {
+            continue;
+        }
+        qtri_small_find_centers(&first, &end, p, l, r, y);
+        qtri_small_samples_begin(o, w, p, s);
+        w->pixel += y * w->state->surface->pitch;
+        if (qtri_tests_depth(o)) {
+            w->depth += y * w->state->depth_pitch;
+        }
+        w->y += y;
+        w->z = p->z.at + z_half + (uint32_t)y * p->z.dy;
+        w->c = is_linear ? values->c.r.at + (uint32_t)y * values->c.r.dy : 0;
+        w->c_step = is_linear ? values->c.r.dx : 0;
+        w->g = two_words ? values->g.r.at + (uint32_t)y * values->g.r.dy : 0;
+        w->alpha = o->vertex_alpha ? values->alpha.r.at + (uint32_t)y * values->alpha.r.dy : 0;
+        qtri_small_samples_skip(o, w, x);
+        while ((out & QTRI_SAMPLES_ALL) != QTRI_SAMPLES_ALL) {
+            w->samples = in & ~out & QTRI_SAMPLES_ALL;
+            int32_t place = QTRI_CENTER;
+            if (x >= first && x < end) {
+                if (((x - first) & (piece - 1)) == 0) {
+                    const int32_t rest = end - x;
+                    qtri_small_set_curved(o, w, uv, values, x, y, place,
+                                          (uint32_t)(rest > piece ? piece : rest - 1));
+                }
+            } else if (w->samples != 0) {
+                place = qtri_small_place_of(p, w->samples, x, y);
+                qtri_small_set_curved(o, w, uv, values, x, y, place, 0);
+            }
+            if (p->cut && (x < p->left || x >= p->right)) {
+                w->samples = 0;
+            }
+            qtri_small_samples_pixel(o, w, values, place, false, is_linear);
+            in += QTRI_SMALL_LANES;
+            out += QTRI_SMALL_LANES;
+            x++;
+        }
+    }
+}
+
+/* Colours that vary; false: perspective of them could be seen. */
+QTRI_BODY bool qtri_small_samples_colors(const qtri_options *o, qtri_small_sampled_values *v,
+                                         const qtri_small_place *p, const qtri_small *t)
+{
+    const uint32_t half = qtri_kind_of(o) == QTRI_IN_565 ? (uint32_t)1 << 17 : 0x8000u;
+    qtri_small_place at = *p;
+    for (int i = 0; i < 3; i++) {
+        qtri_small_ramp c, g = {0, 0, 0};
+        qtri_small_move(&at, i);
+        if (!(qtri_is_textured(o)               ? qtri_small_set_weights(&c, &g, &at, t, half)
+              : qtri_kind_of(o) == QTRI_IN_565  ? qtri_small_set_colors_565(&c, &at, t, o)
+              : qtri_kind_of(o) == QTRI_IN_GRAY ? qtri_small_set_colors_gray(&c, &at, t)
+                                                : qtri_small_set_colors_888(&c, &g, &at, t))) {
+            return false;
+        }
+        qtri_small_set_more(&v->c, i, &c);
+        qtri_small_set_more(&v->g, i, &g);
+    }
+    return true;
+}
+
+QTRI_BODY bool qtri_small_samples_alpha(qtri_small_sampled_values *v, const qtri_small_place *p,
+                                        const qtri_small *t)
+{
+    qtri_small_place at = *p;
+    for (int i = 0; i < 3; i++) {
+        qtri_small_ramp alpha;
+        qtri_small_move(&at, i);
+        if (!qtri_small_set_alpha(&alpha, &at, t)) {
+            return false;
+        }
+        qtri_small_set_more(&v->alpha, i, &alpha);
+    }
+    return true;
+}
+
+/* Coordinates, and light with them where they are curved. */
+QTRI_BODY void qtri_small_samples_texture(const qtri_options *o, qtri_small_sampled_values *v,
+                                          qtri_small_texture *uv, const qtri_small_place *p,
+                                          const qtri_small *t)
+{
+    const bool curved = uv->curved;
+    qtri_small_place at = *p;
+    for (int i = 0; i < 3; i++) {
+        qtri_small_ramp c;
+        qtri_small_move(&at, i);
+        uv->curved = curved;
+        qtri_small_set_texture(uv, &at, t, o);
+        qtri_small_set_more(&v->u, i, &uv->u);
+        qtri_small_set_more(&v->v, i, &uv->v);
+        if (uv->curved) {
+            qtri_small_set_more(&v->e, i, &uv->e);
+            if (qtri_is_lit(o)) {
+                qtri_small_set_curved_light(&c, &uv->c0, uv, &at, t, qtri_light_half(o));
+                qtri_small_set_more(&v->c, i, &c);
+            }
+        }
+    }
+}
+
+/* False: it is large, and nothing was drawn. */
+QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
+{
+    qtri_small_samples s;
+    qtri_small_place p;
+    qtri_small_sampled_values values = QTRI_BODY_ZERO;
+    qtri_small_texture uv;
+    qtri_small_uv f;
+    qtri_pixel_walk w = QTRI_BODY_ZERO;
+    qtri_draw_state *state = t->state;
+    const qtri_small_found found = qtri_small_samples_find(&p, &s, t);
+    if (found != QTRI_SMALL_FOUND) {
+        return found == QTRI_SMALL_NOTHING;
+    }
+    qtri_walk_begin(o, &w, state);
+    if (t->light != NULL && (o->shade != QTRI_FLAT || !qtri_is_textured(o))) {
+        t->light_q15 =
+            t->light(t->from, t->indices, t->v[0], t->v[1 + p.turned], t->v[2 - p.turned]);
+    }
+    if (o->shade == QTRI_TINT || (o->shade == QTRI_FLAT && !qtri_is_textured(o))) {
+        w.color = qtri_walk_color(o, state->surface, qtri_small_color(t));
+    }
+    bool linear = true;
+    if (qtri_is_lit(o)) {
+        const int32_t i0 = t->v[0]->intensity_q15;
+        linear = qtri_small_light_is_linear(&p, t, o);
+        if (!linear && !qtri_is_textured(o)) {
+            return false;
+        }
+        if (linear) {
+            qtri_small_set_sampled(&values.c, &p, ((uint32_t)i0 << 9) + qtri_light_half(o),
+                                   t->v[1]->intensity_q15 - i0, t->v[2]->intensity_q15 - i0, 1);
+        }
+        if (qtri_uses_table(o) && !state->has_table) {
+            qtri_draw_state_set_table(state);
+        }
+    }
+    if ((o->shade == QTRI_COLORS && !qtri_small_samples_colors(o, &values, &p, t)) ||
+        (o->vertex_alpha && !qtri_small_samples_alpha(&values, &p, t))) {
+        return false;
+    }
+    const uint32_t z_half = qtri_depth_half(o);
+    if (qtri_is_textured(o)) {
+        if (linear && qtri_small_find_linear_texture(&f, &p, t, o)) {
+            const int32_t both_log2 = state->width_log2 + state->height_log2;
+            qtri_small_set_sampled(&values.u, &p, qtri_small_linear_u(&f, state), f.u1, f.u2, 8);
+            qtri_small_set_sampled(&values.v, &p, qtri_small_linear_v(&f, state), f.v1, f.v2,
+                                   both_log2 - 8);
+        } else {
+            QTRI_RARELY();
+            uv.curved = !linear;
+            qtri_small_samples_texture(o, &values, &uv, &p, t);
+            w.axis = uv.axis;
+            if (uv.curved) {
+                qtri_small_samples_fill_curved(o, &w, &p, &s, &values, &uv, z_half);
+                return true;
+            }
+        }
+    }
+    if (p.cut) {
+        qtri_small_samples_cut(&s, p.left, p.right);
+    }
+    qtri_small_samples_fill(o, &w, &p, &s, &values, z_half);
+    return true;
+}
+
+/* A small triangle, of any options. */
+QTRI_BODY bool qtri_small_draw(const qtri_options *o, qtri_small *t)
+{
+    return qtri_has_samples(o) ? qtri_small_samples_draw(o, t) : qtri_small_triangle_draw(o, t);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
