@@ -2,13 +2,14 @@
 # The examples: programs of this computer, which write pictures, and firmware of the emulated boards. Included by the
 # main Makefile, behind boards.mk, whose objects the firmware is linked of.
 
-EXAMPLES := mesh gauge wireframe attitude terrain map
+EXAMPLES := mesh gauge wireframe attitude terrain map shaders
 # What each is for, and the board that has such a display: no emulated board has e-paper, the map is shown on the LCD
 # there, and on the simulated controller of e-paper here.
 example_display_mesh      := lcd
 example_display_gauge     := lcd
 example_display_terrain   := lcd
 example_display_map       := lcd
+example_display_shaders   := lcd
 example_display_wireframe := oled
 example_display_attitude  := oled
 example_target_lcd  := versatilepb_arm926ej-s

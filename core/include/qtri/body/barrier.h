@@ -63,6 +63,13 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
 #define QTRI_BODY_PIXEL QTRI_BODY
 #endif
 
+/* Before a loop of at most 8 steps: writes them out, once options are known. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define QTRI_BODY_UNROLL _Pragma("GCC unroll 8")
+#else
+#define QTRI_BODY_UNROLL
+#endif
+
 /* All members 0. */
 #ifdef __cplusplus
 #define QTRI_BODY_ZERO                                                                             \

@@ -368,15 +368,9 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool 
 #if QTRI_BODY_UNROLLS
     if (together > 1) {
         for (; count >= together; count -= together) {
-            qtri_pixel_next(o, w, bent, 0);
-            qtri_pixel_next(o, w, bent, 1);
-            qtri_pixel_next(o, w, bent, 2);
-            qtri_pixel_next(o, w, bent, 3);
-            if (together == 8) {
-                qtri_pixel_next(o, w, bent, 4);
-                qtri_pixel_next(o, w, bent, 5);
-                qtri_pixel_next(o, w, bent, 6);
-                qtri_pixel_next(o, w, bent, 7);
+            QTRI_BODY_UNROLL
+            for (int32_t i = 0; i < together; i++) {
+                qtri_pixel_next(o, w, bent, i);
             }
             qtri_walk_move(o, w, (uint32_t)together);
             if (!qtri_is_textured(o)) { /* where there are registers left */
