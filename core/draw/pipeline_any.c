@@ -13,9 +13,10 @@ static bool small(struct qtri_small *triangle)
     return qtri_small_triangle_draw(&triangle->state->options, triangle);
 }
 
-const qtri_pipeline qtri_pipeline_any = {{QTRI_ANY, 0, 0, 0,    0,    0,    0,    0,    0,
-                                          0,        0, 0, 0,    0,    0,    0,    0,    0,
-                                          0,        0, 0, NULL, NULL, NULL, NULL, NULL, NULL},
+const qtri_pipeline qtri_pipeline_any = {{QTRI_ANY, 0, 0,    0,    0,    0,    0,    0,   0, 0,
+                                          0,        0, 0,    0,    0,    0,    0,    0,   0, 0,
+                                          0,        0, NULL, NULL, NULL, NULL, NULL, NULL},
                                          large,
                                          small,
-                                         &qtri_pipeline_ops};
+                                         &qtri_pipeline_ops,
+                                         NULL};

@@ -106,7 +106,8 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     if (is_usable(material->texture)) {
         want_texture(o, material);
     }
-    o->shade = shade_of(o, material, shade);
+    o->covered = (shade & QTRI_COVERED) != 0;
+    o->shade = shade_of(o, material, shade & ~QTRI_COVERED);
     want_blend(o, material);
     o->fog = material->fog != NULL && material->fog->stages != NULL;
     o->fragment = material->fragment;
@@ -222,7 +223,7 @@ static bool draw_nothing_small(struct qtri_small *triangle)
 }
 
 static const qtri_pipeline nothing = {
-    .large = draw_nothing, .small = draw_nothing_small, .ops = NULL};
+    .large = draw_nothing, .small = draw_nothing_small, .ops = NULL, .span = NULL};
 
 void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,

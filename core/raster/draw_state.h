@@ -8,6 +8,8 @@
 
 #include "qtri/body/state.h"
 
+enum { QTRI_COVERED = 16 }; /* added to `shade`: pixels are covered in part */
+
 /*
  * `shade`: what colours of the draw call do, before textures are looked at: QTRI_FLAT where all
  * triangles have material.color; QTRI_TINT, a colour a triangle; QTRI_LIGHT, material.color in

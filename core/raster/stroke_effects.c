@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../frame/depth_format.h"
 #include "effect.h"
-#include "stroke_pixel.h"
+
+#include "../frame/pixel.h"
 
 /*
  * What fog and a blend are asked with: colours of 8 bits a channel, that are mixed with stored
@@ -22,6 +23,23 @@ static void set_raster(qtri_raster *raster, qtri_format *wide, const qtri_surfac
     raster->keep = material->keep;
     raster->blend = material->blend;
     raster->fog = material->fog != NULL && material->fog->stages != NULL ? material->fog : NULL;
+}
+
+/* A colour, or what a share of it, 0..2^16, makes of a stored pixel, before it is encoded. */
+static uint32_t word_of(const qtri_format *format, const int32_t color_8p16[3],
+                        const uint8_t *pixel, int32_t share_q16)
+{
+    int32_t color[3] = {color_8p16[0], color_8p16[1], color_8p16[2]};
+    if (share_q16 < 65536) {
+        const uint32_t stored = format->decode(format->pixels->load(pixel));
+        for (int i = 0; i < 3; i++) {
+            const int32_t below = (int32_t)(stored >> (16 - 8 * i) & 0xFFu) << 16;
+            /* |.| <= 255 2^7 2^16 < 2^31 */
+            color[i] = below + ((((color[i] - below) >> 9) * share_q16) >> 7);
+        }
+    }
+    const qtri_channels channels = qtri_channels_from_color(format->colors, color);
+    return format->colors->pack(channels.c);
 }
 
 /* Fog, one by one: their depths are of no common plane. */
@@ -79,7 +97,7 @@ void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *mater
         const uint8_t *pixel = surface->pixels + (ptrdiff_t)(place >> 16) * surface->pitch +
                                (ptrdiff_t)((place & 0xFFFF) * format->pixels->bytes);
         const int32_t n = pixels->count++;
-        pixels->color[n] = qtri_stroke_word(format, color_8p16, pixel, pixels->share_q16[i]);
+        pixels->color[n] = word_of(format, color_8p16, pixel, pixels->share_q16[i]);
         pixels->place[n] = place;
         if ((pixels->depth[i] & 1) != 0) {
             write_depth(surface, place, pixels->depth[i]);

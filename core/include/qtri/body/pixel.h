@@ -226,8 +226,11 @@ QTRI_BODY void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool ben
             if (o->keep) {
                 color = (color & ~w->state->keep) | (stored & w->state->keep);
             }
+            if (o->covered) {
+                color = qtri_color_mix(qtri_kind_of(o), color, w->cover, stored, 256 - w->cover);
+            }
         }
-        if (qtri_writes_depth(o) && !early) {
+        if (qtri_writes_depth(o) && !early && (!o->covered || w->cover_writes)) {
             qtri_save(depth_bytes, depth, z);
         }
         if (o->blend != QTRI_KEEP_PIXEL) {

@@ -78,6 +78,8 @@ typedef struct qtri_pixel_walk {
     uint32_t alpha, alpha_step; /* alpha of the vertices: 8.16, 256.0 is 1 */
     uint32_t fog, fog_step;     /* what fog leaves of the colour: 8.16, 256.0 is 1 */
     int32_t x, y;               /* of the frame; x only where options ask for it */
+    uint32_t cover;             /* of a stroke: what of a pixel it takes, 256 is all */
+    bool cover_writes;          /* its depth: half of it or more is covered */
 
     /* Constant along a row. */
     const qtri_draw_state *state;
