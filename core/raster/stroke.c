@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke.h"
 
-#include <string.h>
-
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
 {
@@ -251,7 +249,8 @@ static bool look_alike(const qtri_stroke_shape *a, const qtri_stroke_shape *b)
     const qtri_stroke_look *l = &a->look;
     const qtri_stroke_look *k = &b->look;
     return l->is_level && k->is_level && l->z_16p16 == k->z_16p16 &&
-           memcmp(l->color_8p8, k->color_8p8, sizeof l->color_8p8) == 0;
+           l->color_8p8[0] == k->color_8p8[0] && l->color_8p8[1] == k->color_8p8[1] &&
+           l->color_8p8[2] == k->color_8p8[2];
 }
 
 /* The later parts that reach into the row's columns. */
