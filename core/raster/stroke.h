@@ -22,6 +22,7 @@ enum {
     QTRI_STROKE_SHAPES = 8,      /* that are kept */
     QTRI_STROKE_NEIGHBOURS = 24, /* of a part whose numbers are kept */
     QTRI_STROKE_GROUP = 8,
+    QTRI_STROKE_RING = 19,
     QTRI_STROKE_BLOCKS = 16 /* of parts that follow each other, with their boxes */
 };
 
@@ -47,13 +48,26 @@ typedef struct qtri_stroke_neighbour {
     int16_t y0, y1;
 } qtri_stroke_neighbour;
 
+/* Half of a polygon around a disc, from its top down, by what small round points are drawn. */
+typedef struct qtri_stroke_ring {
+    int32_t radius; /* 0: none yet */
+    int32_t count;
+    struct {
+        int32_t y, half;     /* from the centre */
+        int32_t slope_q16;   /* of half, from here to the next */
+        int32_t inverse_q16; /* 1 / |slope| */
+    } at[QTRI_STROKE_RING];
+} qtri_stroke_ring;
+
 typedef struct qtri_stroker {
     const qtri_stroke_source *source;
     const qtri_stroke_edges *edges;
     uint32_t alpha_q16; /* 2^16: opaque */
     qtri_draw_state state;
     qtri_material material;
-    qtri_stroke_shape *own;                          /* the part that is drawn */
+    const qtri_surface *samples; /* of four a pixel; NULL: the state's surface is the target */
+    qtri_surface pixel;          /* one of its pixels */
+    qtri_stroke_shape *own;      /* the part that is drawn */
     qtri_stroke_shape shape[QTRI_STROKE_SHAPES + 1]; /* the last is the own one */
     qtri_stroke_shape disc;                          /* of the last shape that has one apart */
     qtri_stroke_neighbour neighbour[QTRI_STROKE_NEIGHBOURS];
@@ -64,6 +78,7 @@ typedef struct qtri_stroker {
     uint32_t group[QTRI_STROKE_GROUP]; /* later parts that reach into the row's columns, and */
     uint32_t group_count;              /* how many: of more than there is room for one too many */
     bool is_alike;                     /* they have one colour and depth */
+    qtri_stroke_ring ring;
     /* The row, and columns of it, at most a window. */
     int32_t row;
     int32_t first, end;
@@ -71,9 +86,19 @@ typedef struct qtri_stroker {
     int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of the window, at most QTRI_STROKE_FULL */
 } qtri_stroker;
 
+/* What a pixel takes of a stroke: see qtri_stroke_span. Less than a half of 1/256 is nothing. */
+static inline uint32_t qtri_stroke_weight(uint32_t cover, uint32_t alpha_q16)
+{
+    const uint32_t weight = ((cover >> 2) * alpha_q16 + ((uint32_t)1 << 22)) >> 23; /* < 2^32 */
+    return weight != 0 && cover >= QTRI_STROKE_FULL / 2 ? weight | QTRI_STROKE_WRITES : weight;
+}
+
 struct qtri_stroke_edges {
     /* Makes cover[] of the own part and all that reach into the row's columns with it. */
     void (*cover)(qtri_stroker *stroker);
+    /* Draws a round point that is small; false: the part is something else. */
+    bool (*point)(qtri_stroker *stroker, const qtri_stroke_place *place,
+                  const qtri_stroke_end end[2]);
     qtri_line_draws line; /* thin ones, each by itself: see stroke_line.h */
 };
 
@@ -81,6 +106,9 @@ struct qtri_stroke_edges {
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke);
 void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
+
+/* Pixels of a row. */
+void qtri_stroker_draw_span(qtri_stroker *stroker, const qtri_stroke_span *span);
 
 /* One part by itself. */
 void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place,
@@ -91,6 +119,10 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
  * on. NULL behind the last. A shape is there until the next is asked for.
  */
 qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at);
+
+/* Smooth edges' `point`. */
+bool qtri_stroke_point_draw(qtri_stroker *stroker, const qtri_stroke_place *place,
+                            const qtri_stroke_end end[2]);
 
 /* Half of a width in 24.8; 0: nothing is drawn. */
 static inline int32_t qtri_stroke_radius(q16 width)

@@ -105,20 +105,21 @@ static void set_outline(qtri_stroke_shape *s, int32_t out_x, int32_t out_y)
     s->slope_q16 = s->is_short ? (int32_t)((s->slope_q32 + 0x8000) >> 16) : 0;
     s->top = s->a.y_24p8 - (s->round_a ? s->radius : s->offset_y);
     s->bottom = s->b.y_24p8 + (s->round_b ? s->radius : s->offset_y);
-    s->level[0] = s->level[1] = INT32_MAX;
+    s->level[0] = s->level[1] = s->last_level = INT32_MAX;
     /* To the right and down, the offset leads to the left bound; to the left, to the right one. */
     const int32_t left = out_x < 0 ? -1 : 1;
     set_chain(s, 0, left);
     set_chain(s, 1, -left);
 }
 
-void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place)
+void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place, int32_t more)
 {
     qtri_screen_point end[2] = {place->end[0], place->end[1]};
     const int32_t radius = place->radius_24p8;
     set_direction(s, end[1].x_24p8 - end[0].x_24p8, end[1].y_24p8 - end[0].y_24p8);
     s->origin = end[0];
     s->radius = radius;
+    s->more = more;
     int32_t out_x = times_q30(radius, s->along_x_q30);
     int32_t out_y = times_q30(radius, s->along_y_q30);
     if (place->caps[0] == QTRI_CAP_SQUARE) {
@@ -189,9 +190,9 @@ static int32_t side_x(int32_t from_x, int32_t down, int64_t slope_q32)
  * The root of x, to nearest; below 2^24 off by less than 3/4: the estimate is within 2^-13 of
  * itself, so by half a unit of a root of 12 bits.
  */
-static int32_t root_of(uint32_t radius_less, uint32_t radius_more)
+int32_t qtri_stroke_half_chord(int32_t radius, int32_t down)
 {
-    const uint64_t x = qtri_mul_u32(radius_less, radius_more);
+    const uint64_t x = qtri_mul_u32((uint32_t)(radius - down), (uint32_t)(radius + down));
     if (x >= (uint64_t)1 << 24) {
         return (int32_t)qtri_sqrt64_round(x);
     }
@@ -212,7 +213,7 @@ static int32_t half_chord(qtri_stroke_shape *s, int i, int32_t center_y, int32_t
         s->level[i] = y;
         s->half[i] = down >= s->radius || -down >= s->radius
                          ? 0
-                         : root_of((uint32_t)(s->radius - down), (uint32_t)(s->radius + down));
+                         : qtri_stroke_half_chord(s->radius, down) + s->more;
     }
     return s->half[i];
 }
@@ -276,13 +277,15 @@ static void mark_disc(uint32_t levels[8], int32_t center, int32_t radius, int32_
     if (y0 >= 256 || y1 <= 0) {
         return;
     }
-    for (int i = 0; i < 6; i++) {
+    const int32_t first = qtri_greatest32(y0, 0);
+    const int32_t last = qtri_least32(y1, 256);
+    for (int i = 0; i < 6 && down[i] < radius; i++) {
         const int32_t from_top = top + down[i];
         const int32_t from_bottom = bottom - down[i];
-        if (from_top > y0 && from_top < y1 && from_top <= center) {
+        if (from_top > first && from_top < last) {
             mark(levels, from_top);
         }
-        if (from_bottom > y0 && from_bottom < y1 && from_bottom >= center) {
+        if (from_bottom > first && from_bottom < last) {
             mark(levels, from_bottom);
         }
     }

@@ -44,6 +44,7 @@ typedef struct qtri_stroke_shape {
     int32_t radius;
     int32_t offset_x, offset_y;
     int32_t top, bottom;
+    int32_t more; /* added to half of a disc's chord, see QTRI_STROKE_CHORDS */
     int64_t slope_q32, end_slope_q32;
     qtri_stroke_chain chain[2]; /* left, right */
     bool round_a, round_b;
@@ -51,7 +52,8 @@ typedef struct qtri_stroke_shape {
     int32_t slope_q16;
     uint8_t apart; /* a disc around a (1) or b (2) reaches out of the other, flat end, and
                       is no part of this shape; 0: none */
-    int32_t level[2], half[2]; /* the last chords of the discs */
+    int32_t level[2], half[2];     /* the last chords of the discs */
+    int32_t last_level, last_x[2]; /* where the last slice ended, see stroke_smooth.c */
     /* Along the part, from `origin`, the first end as it was given: */
     qtri_screen_point origin;
     int32_t along_x_q30, along_y_q30; /* its direction */
@@ -61,8 +63,17 @@ typedef struct qtri_stroke_shape {
     qtri_stroke_look look;
 } qtri_stroke_shape;
 
+/*
+ * `more` of smooth edges: straight bounds from level to level leave out what lies between an arc
+ * and its chords, which so many 1/256 of a pixel make up for in the mean.
+ */
+enum { QTRI_STROKE_CHORDS = 2 };
+
+/* Half of the chord of a disc at a level so far from its centre, |down| < radius. */
+int32_t qtri_stroke_half_chord(int32_t radius, int32_t down);
+
 /* Without the look. */
-void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place);
+void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place, int32_t more);
 
 /* The disc that is apart, as a shape. */
 void qtri_stroke_shape_disc(qtri_stroke_shape *disc, const qtri_stroke_shape *shape);

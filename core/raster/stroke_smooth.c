@@ -179,17 +179,26 @@ static void add_sides(qtri_stroker *stroker, const int32_t left[2], const int32_
     add_side(stroker, right[0], right[1], -height);
 }
 
-/* The bounds of a shape between two levels. False: it is not there. */
+/*
+ * The bounds of a shape between two levels. False: it is not there. Slices follow each other: where
+ * no bound turns, one begins as the last one ended.
+ */
 static bool find_slice(slice_bounds *slice, qtri_stroke_shape *s, int32_t y0, int32_t y1)
 {
     if (s->top > y0 || s->bottom < y1) {
         return false;
     }
+    const bool follows = s->last_level == y0;
     for (int side = 0; side < 2; side++) {
+        const qtri_stroke_chain *chain = &s->chain[side];
         int32_t *x = side == 0 ? slice->left : slice->right;
-        x[0] = qtri_stroke_shape_x(s, side, y0, true);
+        x[0] = follows && y0 != chain->y0 && y0 != chain->y1
+                   ? s->last_x[side]
+                   : qtri_stroke_shape_x(s, side, y0, true);
         x[1] = qtri_stroke_shape_x(s, side, y1, false);
+        s->last_x[side] = x[1];
     }
+    s->last_level = y1;
     return true;
 }
 
@@ -283,8 +292,8 @@ static void cover(qtri_stroker *stroker)
     int32_t sum = 0;
     for (int32_t i = 0; i < count; i++) {
         sum += stroker->cover[i];
-        stroker->cover[i] = qtri_least32(sum, QTRI_STROKE_FULL);
+        stroker->cover[i] = qtri_hold32(sum, 0, QTRI_STROKE_FULL);
     }
 }
 
-const qtri_stroke_edges qtri_stroke_smooth = {cover, qtri_stroke_line_draw};
+const qtri_stroke_edges qtri_stroke_smooth = {cover, qtri_stroke_point_draw, qtri_stroke_line_draw};
