@@ -82,6 +82,11 @@ QTRI_NOINLINE static bool crosses_any(const spans *all, const slice_bounds *more
 static void add_span(spans *all, const slice_bounds *slice)
 {
     span more = {{slice->left[0], slice->left[1]}, {slice->right[0], slice->right[1]}};
+    if (all->count == 0) {
+        all->of[0] = more;
+        all->count = 1;
+        return;
+    }
     int first = 0;
     while (first < all->count && middle(all->of[first].right) < middle(more.left)) {
         first++;
@@ -179,6 +184,16 @@ static void add_sides(qtri_stroker *stroker, const int32_t left[2], const int32_
     add_side(stroker, right[0], right[1], -height);
 }
 
+/* A side, as qtri_stroke_shape_x() has it. */
+static inline void set_straight(int32_t x[2], const qtri_stroke_shape *s, int side, int32_t y0,
+                                int32_t y1)
+{
+    const qtri_stroke_chain *chain = &s->chain[side];
+    const int32_t slope = s->slope_q16;
+    x[0] = chain->x + ((slope * (y0 - chain->y0) + 0x8000) >> 16);
+    x[1] = chain->x + ((slope * (y1 - chain->y0) + 0x8000) >> 16);
+}
+
 /*
  * The bounds of a shape between two levels. False: it is not there. Slices follow each other: where
  * no bound turns, one begins as the last one ended.
@@ -187,6 +202,11 @@ static bool find_slice(slice_bounds *slice, qtri_stroke_shape *s, int32_t y0, in
 {
     if (s->top > y0 || s->bottom < y1) {
         return false;
+    }
+    if (s->is_short && qtri_stroke_shape_is_straight(s, y0, y1)) {
+        set_straight(slice->left, s, 0, y0, y1);
+        set_straight(slice->right, s, 1, y0, y1);
+        return true;
     }
     const bool follows = s->last_level == y0;
     for (int side = 0; side < 2; side++) {
