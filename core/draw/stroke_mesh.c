@@ -120,7 +120,7 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     const qtri_stroke_line thin = {wide.place.radius_24p8, wide.place.caps[0] == QTRI_CAP_SQUARE,
                                    stroke->alpha};
     if (is_thin(stroke, &wide.place)) {
-        qtri_stroke_line_choose(job, &thin, stroke->edges->line);
+        qtri_stroke_line_choose(job, &thin, &wide.stroker.to, stroke->edges->line);
     } else {
         job->surface = &no_surface;
         job->draw = draw_edge;

@@ -1,31 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke.h"
 
-#include "sampling.h"
-
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
 {
-    const bool is_covered = stroke->edges != NULL || stroke->alpha != 255;
-    if (stroke->alpha == 0) {
-        return false;
-    }
     stroker->edges = stroke->edges;
     stroker->ring.radius = 0;
-    stroker->alpha_q16 = ((uint32_t)stroke->alpha << 16) / 255;
-    stroker->material = *material;
-    stroker->material.texture = NULL;
-    stroker->material.alphas = NULL;
-    stroker->material.fragment = NULL;
-    stroker->samples = qtri_sampling_of(surface->format) != NULL ? surface : NULL;
-    if (stroker->samples != NULL) {
-        stroker->pixel = *surface;
-        stroker->pixel.format = qtri_sampling_of(surface->format)->format;
-        surface = &stroker->pixel;
-    }
-    qtri_draw_state_init(&stroker->state, surface, qtri_stroke_pipelines, &stroker->material,
-                         is_covered ? QTRI_FLAT | QTRI_COVERED : QTRI_FLAT);
-    return stroker->state.bounds.x0 < stroker->state.bounds.x1;
+    return stroke->alpha != 0 && qtri_stroke_target_init(&stroker->to, surface, material,
+                                                         stroke->alpha, stroke->edges != NULL);
 }
 
 /* Parts ---------------------------------------------------------------------------------------- */
@@ -116,7 +98,7 @@ static qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
         (void)source->place(source->from, part, &place);
         source->ends(source->from, part, end);
         qtri_stroke_shape_init(shape, &place, stroker->edges != NULL ? QTRI_STROKE_CHORDS : 0);
-        qtri_stroke_shape_set_look(shape, end);
+        qtri_stroke_look_init(&shape->look, end);
         shape->part = part;
     }
     return shape;
@@ -339,7 +321,7 @@ static void set_weights(window *w, const qtri_stroker *stroker, uint32_t own)
         const uint32_t cover = (uint32_t)stroker->cover[i - stroker->first];
         const bool is_own = (own >> (i - stroker->first) & 1) != 0;
         w->weight[i - w->first] =
-            (uint16_t)(is_own ? qtri_stroke_weight(cover, stroker->alpha_q16) : 0);
+            (uint16_t)(is_own ? qtri_stroke_weight(cover, stroker->to.alpha_q16) : 0);
     }
 }
 
@@ -364,60 +346,16 @@ QTRI_NOINLINE static void find_nearest(window *w, qtri_stroker *stroker)
     }
 }
 
-/*
- * Four samples a pixel are as one: their mean takes what the stroke covers, and all become that.
- * Each pixel is drawn into memory of its own, in the column of four that a pattern asks for.
- */
-QTRI_NOINLINE static void draw_samples(qtri_stroker *stroker, const qtri_stroke_span *all)
-{
-    const qtri_surface *samples = stroker->samples;
-    const qtri_pixels *memory = samples->format->pixels;
-    const qtri_pixels *plain = stroker->pixel.format->pixels;
-    const ptrdiff_t row = all->y - samples->first_row;
-    for (int32_t i = 0; i < all->count; i++) {
-        uint32_t words[4];
-        const int32_t x = all->x + i;
-        uint8_t *record = samples->pixels + row * samples->pitch + (ptrdiff_t)memory->bytes * x;
-        uint8_t *at = (uint8_t *)words + (x & 3) * plain->bytes;
-        const uint32_t before = memory->load(record);
-        qtri_stroke_span one = *all;
-        one.x = x & 3;
-        one.count = 1;
-        one.weight += i;
-        one.share += i;
-        stroker->pixel.pixels = (uint8_t *)words;
-        stroker->pixel.pitch = 0;
-        if (samples->depth != NULL) {
-            stroker->pixel.depth = samples->depth + (x & ~3);
-        }
-        plain->store(at, &before, 1, 1);
-        stroker->state.pipeline->span(&one);
-        const uint32_t after = plain->load(at);
-        if (after != before) {
-            memory->store(record, &after, 1, 1);
-        }
-    }
-}
-
-void qtri_stroker_draw_span(qtri_stroker *stroker, const qtri_stroke_span *span)
-{
-    if (stroker->samples != NULL) {
-        draw_samples(stroker, span);
-    } else {
-        stroker->state.pipeline->span(span);
-    }
-}
-
 static void draw_span(qtri_stroker *stroker, const qtri_stroke_shape *s, int32_t first, int32_t end,
                       const uint16_t *weight)
 {
     uint16_t share[QTRI_STROKE_WINDOW];
-    const qtri_stroke_span span = {&stroker->state, &s->look, first, stroker->row,
-                                   end - first,     weight,   share};
+    const qtri_stroke_span span = {&stroker->to.state, &s->look, first, stroker->row,
+                                   end - first,        weight,   share, false};
     if (!s->look.is_level) {
         qtri_stroke_shape_shares(s, first, stroker->row, end - first, share);
     }
-    qtri_stroker_draw_span(stroker, &span);
+    qtri_stroke_target_draw(&stroker->to, &span);
 }
 
 /* Runs of pixels with colours of one part. */
@@ -442,7 +380,7 @@ static void draw_nearest(const window *w, qtri_stroker *stroker)
 /* The row's columns first .. end-1, at most a window of them. */
 static void draw_window(qtri_stroker *stroker)
 {
-    const qtri_rect *bounds = &stroker->state.bounds;
+    const qtri_rect *bounds = &stroker->to.state.bounds;
     window w;
     uint32_t own = own_columns(stroker);
     if (own == 0) {
@@ -475,7 +413,7 @@ static void draw_window(qtri_stroker *stroker)
 /* The own part's rows. */
 static void draw_own(qtri_stroker *stroker)
 {
-    const qtri_rect *bounds = &stroker->state.bounds;
+    const qtri_rect *bounds = &stroker->to.state.bounds;
     qtri_stroke_shape *own = stroker->own;
     int32_t top = own->top;
     int32_t bottom = own->bottom;
@@ -509,7 +447,7 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
         return;
     }
     qtri_stroke_shape_init(own, place, stroker->edges != NULL ? QTRI_STROKE_CHORDS : 0);
-    qtri_stroke_shape_set_look(own, end);
+    qtri_stroke_look_init(&own->look, end);
     own->part = 0;
     stroker->own = own;
     stroker->neighbour_count = 0;
@@ -530,7 +468,7 @@ static void draw_only(qtri_stroker *stroker, const qtri_stroke_source *source)
 
 void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source)
 {
-    const qtri_rect *b = &stroker->state.bounds;
+    const qtri_rect *b = &stroker->to.state.bounds;
     const qtri_stroke_box bounds = {(int16_t)b->x0, (int16_t)b->y0, (int16_t)b->x1, (int16_t)b->y1};
     qtri_stroke_box box;
     if (source->count == 1) {

@@ -26,9 +26,6 @@ enum {
     QTRI_STROKE_BLOCKS = 16 /* of parts that follow each other, with their boxes */
 };
 
-/* What covers a whole pixel: 256 of a height by 512 halves of 1/256 of a width. */
-#define QTRI_STROKE_FULL ((int32_t)256 * 512)
-
 /* Parts 0 .. count-1. `place` says false of what is not to be seen. */
 typedef struct qtri_stroke_source {
     const void *from;
@@ -62,12 +59,8 @@ typedef struct qtri_stroke_ring {
 typedef struct qtri_stroker {
     const qtri_stroke_source *source;
     const qtri_stroke_edges *edges;
-    uint32_t alpha_q16; /* 2^16: opaque */
-    qtri_draw_state state;
-    qtri_material material;
-    const qtri_surface *samples; /* of four a pixel; NULL: the state's surface is the target */
-    qtri_surface pixel;          /* one of its pixels */
-    qtri_stroke_shape *own;      /* the part that is drawn */
+    qtri_stroke_target to;
+    qtri_stroke_shape *own;                          /* the part that is drawn */
     qtri_stroke_shape shape[QTRI_STROKE_SHAPES + 1]; /* the last is the own one */
     qtri_stroke_shape disc;                          /* of the last shape that has one apart */
     qtri_stroke_neighbour neighbour[QTRI_STROKE_NEIGHBOURS];
@@ -86,13 +79,6 @@ typedef struct qtri_stroker {
     int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of the window, at most QTRI_STROKE_FULL */
 } qtri_stroker;
 
-/* What a pixel takes of a stroke: see qtri_stroke_span. Less than a half of 1/256 is nothing. */
-static inline uint32_t qtri_stroke_weight(uint32_t cover, uint32_t alpha_q16)
-{
-    const uint32_t weight = ((cover >> 2) * alpha_q16 + ((uint32_t)1 << 22)) >> 23; /* < 2^32 */
-    return weight != 0 && cover >= QTRI_STROKE_FULL / 2 ? weight | QTRI_STROKE_WRITES : weight;
-}
-
 struct qtri_stroke_edges {
     /* Makes cover[] of the own part and all that reach into the row's columns with it. */
     void (*cover)(qtri_stroker *stroker);
@@ -106,9 +92,6 @@ struct qtri_stroke_edges {
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke);
 void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
-
-/* Pixels of a row. */
-void qtri_stroker_draw_span(qtri_stroker *stroker, const qtri_stroke_span *span);
 
 /* One part by itself. */
 void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place,

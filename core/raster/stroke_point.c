@@ -109,22 +109,23 @@ static void draw_row(qtri_stroker *stroker, const int32_t *cover, const columns 
         sum += *cover++;
         if (x >= c->inside) {
             const uint32_t held = (uint32_t)qtri_hold32(sum, 0, QTRI_STROKE_FULL);
-            weight[x - c->inside] = (uint16_t)qtri_stroke_weight(held, stroker->alpha_q16);
+            weight[x - c->inside] = (uint16_t)qtri_stroke_weight(held, stroker->to.alpha_q16);
         }
     }
-    const qtri_stroke_span span = {&stroker->state,
+    const qtri_stroke_span span = {&stroker->to.state,
                                    &stroker->shape[QTRI_STROKE_SHAPES].look,
                                    c->inside,
                                    row,
                                    c->inside_end - c->inside,
                                    weight,
-                                   weight};
-    qtri_stroker_draw_span(stroker, &span);
+                                   weight,
+                                   false};
+    qtri_stroke_target_draw(&stroker->to, &span);
 }
 
 static void draw_rows(qtri_stroker *stroker, const qtri_screen_point *center)
 {
-    const qtri_rect *bounds = &stroker->state.bounds;
+    const qtri_rect *bounds = &stroker->to.state.bounds;
     const qtri_stroke_ring *ring = &stroker->ring;
     const int32_t reach = ring->radius + QTRI_STROKE_CHORDS;
     const int32_t last = qtri_least32((center->y_24p8 + ring->radius + 255) >> 8, bounds->y1);
@@ -160,7 +161,7 @@ bool qtri_stroke_point_draw(qtri_stroker *stroker, const qtri_stroke_place *plac
         set_ring(&stroker->ring, place->radius_24p8);
     }
     const qtri_stroke_end both[2] = {end[0], end[0]};
-    qtri_stroke_shape_set_look(&stroker->shape[QTRI_STROKE_SHAPES], both);
+    qtri_stroke_look_init(&stroker->shape[QTRI_STROKE_SHAPES].look, both);
     draw_rows(stroker, &place->end[0]);
     return true;
 }

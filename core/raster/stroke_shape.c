@@ -158,23 +158,6 @@ void qtri_stroke_shape_disc(qtri_stroke_shape *disc, const qtri_stroke_shape *sh
     set_outline(disc, shape->radius, 0);
 }
 
-void qtri_stroke_shape_set_look(qtri_stroke_shape *shape, const qtri_stroke_end end[2])
-{
-    qtri_stroke_look *look = &shape->look;
-    int32_t differ = 0;
-    look->z_16p16 = end[0].depth_16p8;
-    look->z_low = (end[1].depth_16p8 - end[0].depth_16p8) & 0xFFFFu;
-    look->z_high = (int32_t)(((int64_t)end[1].depth_16p8 - end[0].depth_16p8) >> 16);
-    for (int i = 0; i < 3; i++) {
-        const int32_t from = (end[0].color_8p16[i] + 128) >> 8; /* <= 65280 */
-        look->color_8p8[i] = from;
-        look->color_delta[i] = ((end[1].color_8p16[i] + 128) >> 8) - from;
-        differ |= look->color_delta[i];
-    }
-    look->is_even = differ == 0;
-    look->is_level = look->is_even && (look->z_low | (uint32_t)look->z_high) == 0;
-}
-
 /*
  * x of a side that passes through `from`, at a level y below it, to nearest. |x| < 2^24 along the
  * side, so that the product with the slope's whole part, which may be less by 1, is below 2^25.
@@ -333,23 +316,27 @@ static inline uint16_t held_share(int32_t share_q24)
     return (uint16_t)(share_q24 < 0 ? 0 : share_q24 >= 1 << 24 ? 65535 : share_q24 >> 8);
 }
 
+/* Steps are counted from a multiple of 32 on, whatever a scissor leaves out. */
 void qtri_stroke_shape_shares(const qtri_stroke_shape *s, int32_t x, int32_t y, int32_t count,
                               uint16_t *share_q16)
 {
     const int64_t most = (int64_t)1 << 30;
     const int64_t step = (int64_t)s->share_x * 256 >> s->share_shift;
+    const int32_t skip = x & 31;
     int32_t to[2];
-    to_pixel(s, x, y, to);
+    to_pixel(s, x - skip, y, to);
     int64_t at = (qtri_mul_s32(to[0], s->share_x) + qtri_mul_s32(to[1], s->share_y)) >>
                  s->share_shift; /* < 2^56 */
-    if (s->length_24p8 >= 256) { /* no step is longer than the part: of 32 none leads into it
-                                    from where it is held */
+    if (s->length_24p8 >= 256) { /* no step is longer than the part: 32 of them do not lead from
+                                    where it is held into it */
         int32_t share = (int32_t)(at < -most ? -most : at > most ? most : at);
+        share += skip * (int32_t)step;
         for (int32_t i = 0; i < count; i++, share += (int32_t)step) {
             share_q16[i] = held_share(share);
         }
         return;
     }
+    at += skip * step;
     for (int32_t i = 0; i < count; i++, at += step) {
         share_q16[i] = held_share((int32_t)(at < -most ? -most : at > most ? most : at));
     }

@@ -18,12 +18,6 @@ typedef struct qtri_stroke_place {
     uint8_t caps[2];          /* qtri_cap of the ends; joints are round */
 } qtri_stroke_place;
 
-/* What an end looks like. */
-typedef struct qtri_stroke_end {
-    uint32_t depth_16p8; /* 0..65535.0 */
-    int32_t color_8p16[3];
-} qtri_stroke_end;
-
 /*
  * The left or the right bound of a shape, from its top down: around the upper end, along a side,
  * and around the lower end. An end is an arc or straight.
@@ -77,8 +71,6 @@ void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *p
 
 /* The disc that is apart, as a shape. */
 void qtri_stroke_shape_disc(qtri_stroke_shape *disc, const qtri_stroke_shape *shape);
-
-void qtri_stroke_shape_set_look(qtri_stroke_shape *shape, const qtri_stroke_end end[2]);
 
 /*
  * x of the left (0) or right (1) bound at a level, top <= y <= bottom. `below`: as it is from there
