@@ -145,11 +145,11 @@ typedef struct cells {
 /* Leaves out cells outside of the bounds. */
 static void clip_cells(const wire *w, cells *c)
 {
-    const int32_t rest = w->bounds[3] - c->across;
     for (; c->across < w->bounds[2] && c->cell != c->end; c->across++) {
         c->sum += *c->cell++;
         c->share += w->share_across;
     }
+    const int32_t rest = w->bounds[3] - c->across;
     if (rest < (int32_t)(c->end - c->cell)) {
         c->end = rest > 0 ? c->cell + rest : c->cell;
     }
