@@ -378,28 +378,39 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
 typedef void (*walk_columns)(const wire *w, int32_t column, int32_t end, int32_t low_q16,
                              int32_t share);
 
-/* Depth and colours; those of the table of tints, where it is of pixels as they are stored. */
+/* Colours by the table of tints, where it is of pixels as they are stored. */
+static bool has_tints(const qtri_line_job *job, const qtri_line_color *color)
+{
+    return color == NULL && job->batch->has_table && qtri_is_565(job->surface->format);
+}
+
+/* Depth and colours. */
 static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color)
 {
-    const qtri_rgb *tint = &w->job->material->color;
+    const qtri_line_job *job = w->job;
+    const qtri_vertex *first = w->ends[0];
+    const qtri_vertex *last = w->ends[1];
     qtri_stroke_end end[2];
+    if (has_tints(job, color)) {
+        qtri_stroke_look_set_depth(&w->look, first->depth_16p8 & job->depth_mask,
+                                   last->depth_16p8 & job->depth_mask);
+        w->look.is_level = w->look.is_even = false;
+        w->look.tints = qtri_batch_table(job->batch);
+        w->look.light_q29 = (int32_t)((uint32_t)first->intensity_q15 << SHARE_BITS);
+        w->look.light_step = (int32_t)last->intensity_q15 - (int32_t)first->intensity_q15;
+        return;
+    }
+    const qtri_rgb *tint = &job->material->color;
     for (int i = 0; i < 2; i++) {
         const int32_t light = (int32_t)w->ends[i]->intensity_q15 * 2;
         const int32_t lit[3] = {tint->r * light, tint->g * light, tint->b * light}; /* <= 255.0 */
         const int32_t *from = color == NULL ? lit : color[w->ends[i] != a];
-        end[i].depth_16p8 = w->ends[i]->depth_16p8 & w->job->depth_mask;
+        end[i].depth_16p8 = w->ends[i]->depth_16p8 & job->depth_mask;
         end[i].color_8p16[0] = from[0];
         end[i].color_8p16[1] = from[1];
         end[i].color_8p16[2] = from[2];
     }
     qtri_stroke_look_init(&w->look, end);
-    if (color == NULL && w->job->batch->has_table && qtri_is_565(w->job->surface->format)) {
-        w->look.tints = qtri_batch_table(w->job->batch);
-        w->look.light_q29 = (int32_t)((uint32_t)w->ends[0]->intensity_q15 << SHARE_BITS);
-        w->look.light_step =
-            (int32_t)w->ends[1]->intensity_q15 - (int32_t)w->ends[0]->intensity_q15;
-        w->look.is_level = false;
-    }
 }
 
 /* What walks a line. */

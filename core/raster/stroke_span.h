@@ -76,6 +76,13 @@ void qtri_stroke_look_init(qtri_stroke_look *look, const qtri_stroke_end end[2])
  * options. */
 extern const qtri_pipeline *const qtri_stroke_pipelines[];
 
+static inline void qtri_stroke_look_set_depth(qtri_stroke_look *look, uint32_t from, uint32_t to)
+{
+    look->z_16p16 = from;
+    look->z_low = (to - from) & 0xFFFFu;
+    look->z_high = (int32_t)((to >> 16) - (from >> 16)) - ((to & 0xFFFFu) < (from & 0xFFFFu));
+}
+
 /* A share as it is used: that of the last end is 2^16. */
 QTRI_BODY uint32_t qtri_stroke_share(uint32_t share_q16)
 {

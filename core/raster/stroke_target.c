@@ -27,9 +27,7 @@ void qtri_stroke_look_init(qtri_stroke_look *look, const qtri_stroke_end end[2])
 {
     int32_t differ = 0;
     look->tints = NULL;
-    look->z_16p16 = end[0].depth_16p8;
-    look->z_low = (end[1].depth_16p8 - end[0].depth_16p8) & 0xFFFFu;
-    look->z_high = (int32_t)(((int64_t)end[1].depth_16p8 - end[0].depth_16p8) >> 16);
+    qtri_stroke_look_set_depth(look, end[0].depth_16p8, end[1].depth_16p8);
     for (int i = 0; i < 3; i++) {
         const int32_t from = (end[0].color_8p16[i] + 128) >> 8; /* <= 65280 */
         look->color_8p8[i] = from;
