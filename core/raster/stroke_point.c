@@ -8,13 +8,31 @@
  */
 #include "stroke.h"
 
-enum { MOST = 1024 /* radius, 24.8 */, COLUMNS = 2 * (MOST >> 8) + 2 };
+/* Radii, 24.8: up to these the polygon is regular, of 8 and of 12 vertices; and the most. */
+enum { SMALL = 160, MEDIUM = 400, MOST = 1024, COLUMNS = 2 * (MOST >> 8) + 2 };
 
-static void set_ring(qtri_stroke_ring *ring, int32_t radius)
+/*
+ * A regular polygon of the disc's area: 8 or 12 vertices, of which there are three or four from its
+ * top to its side. In 2^-14 of the radius.
+ */
+static int32_t set_regular(qtri_stroke_ring *ring)
+{
+    static const uint16_t side[2][4] = {{0, 12210, 17267}, {0, 8383, 14520, 16766}};
+    const uint16_t *of = side[ring->radius > SMALL];
+    const int32_t last = ring->radius > SMALL ? 3 : 2;
+    for (int32_t i = 0; i <= last; i++) {
+        ring->at[i].y = -(((int32_t)of[last - i] * ring->radius + 8192) >> 14);
+        ring->at[i].half = ((int32_t)of[i] * ring->radius + 8192) >> 14;
+    }
+    return last;
+}
+
+/* By levels: the number of the one at the centre. */
+static int32_t set_levels(qtri_stroke_ring *ring)
 {
     static const int16_t down[8] = {16, 64, 144, 256, 400, 576, 784, 1024};
+    const int32_t radius = ring->radius;
     int32_t count = 1;
-    ring->radius = radius;
     ring->at[0].y = -radius;
     ring->at[0].half = 0;
     for (int i = 0; i < 8 && down[i] < radius; i++, count++) {
@@ -24,11 +42,18 @@ static void set_ring(qtri_stroke_ring *ring, int32_t radius)
     }
     ring->at[count].y = 0;
     ring->at[count].half = radius + QTRI_STROKE_CHORDS;
-    ring->count = 2 * count + 1; /* <= 17 */
-    for (int32_t i = 0; i < count; i++) {
-        const int32_t height = ring->at[i + 1].y - ring->at[i].y;
+    return count;
+}
+
+static void set_ring(qtri_stroke_ring *ring, int32_t radius)
+{
+    ring->radius = radius;
+    const int32_t last = radius > MEDIUM ? set_levels(ring) : set_regular(ring);
+    ring->count = 2 * last + 1; /* <= 17 */
+    for (int32_t i = 0; i < last; i++) {
+        const int32_t height = qtri_greatest32(ring->at[i + 1].y - ring->at[i].y, 1);
         const int32_t wide = ring->at[i + 1].half - ring->at[i].half;
-        const int32_t mirrored = 2 * count - i;
+        const int32_t mirrored = 2 * last - i;
         ring->at[i].slope_q16 = wide * 65536 / height; /* 0 <= wide < 2^11 */
         ring->at[i].inverse_q16 = wide == 0 ? 0 : height * 65536 / wide;
         ring->at[mirrored].y = -ring->at[i].y;
@@ -127,9 +152,10 @@ static void draw_rows(qtri_stroker *stroker, const qtri_screen_point *center)
 {
     const qtri_rect *bounds = &stroker->to.state.bounds;
     const qtri_stroke_ring *ring = &stroker->ring;
-    const int32_t reach = ring->radius + QTRI_STROKE_CHORDS;
-    const int32_t last = qtri_least32((center->y_24p8 + ring->radius + 255) >> 8, bounds->y1);
-    int32_t row = qtri_greatest32((center->y_24p8 - ring->radius) >> 8, bounds->y0);
+    const int32_t reach = ring->at[ring->count >> 1].half;
+    const int32_t top = ring->at[0].y;
+    const int32_t last = qtri_least32((center->y_24p8 - top + 255) >> 8, bounds->y1);
+    int32_t row = qtri_greatest32((center->y_24p8 + top) >> 8, bounds->y0);
     int32_t edge = 0;
     columns c;
     c.first = (center->x_24p8 - reach) >> 8;
