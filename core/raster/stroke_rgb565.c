@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Spans of strokes on RGB565: smooth edges, with linear16 depth and "less", and without depth. */
+/* Spans of smooth strokes on RGB565, with linear16 depth and "less"; and the list of all spans. */
 #include "stroke_span.h"
 
-#define SPANS(name, ...)                                                                           \
-    static void name##_span(const qtri_stroke_span *span)                                          \
-    {                                                                                              \
-        static const qtri_options options = {__VA_ARGS__};                                         \
-        qtri_stroke_span_draw(&options, span);                                                     \
-    }                                                                                              \
-    static const qtri_pipeline name = {.options = {__VA_ARGS__}, .span = name##_span};
+static void draw_less(const qtri_stroke_span *span)
+{
+    static const qtri_options options = {
+        .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .covered = 1};
+    qtri_stroke_span_draw(&options, span);
+}
 
-SPANS(less, .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .covered = 1)
-
-extern const qtri_pipeline qtri_stroke_any;
+static const qtri_pipeline less = {
+    .options = {.format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .covered = 1},
+    .span = draw_less};
 
 const qtri_pipeline *const qtri_stroke_pipelines[] = {&less, &qtri_stroke_any, NULL};

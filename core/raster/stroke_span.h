@@ -75,6 +75,7 @@ void qtri_stroke_look_init(qtri_stroke_look *look, const qtri_stroke_end end[2])
 /* Strokes whose pixels are covered in part, or wholly: what draws them, by the draw state's
  * options. */
 extern const qtri_pipeline *const qtri_stroke_pipelines[];
+extern const qtri_pipeline qtri_stroke_any; /* its last: by options that are read for each pixel */
 
 static inline void qtri_stroke_look_set_depth(qtri_stroke_look *look, uint32_t from, uint32_t to)
 {
