@@ -49,13 +49,14 @@ static void draw(const qtri_surface *surface, const qtri_material *material, con
 {
     qtri_batch batch;
     qtri_line_job job;
+    qtri_stroke_target to;
     const qtri_line_color color[2] = {
         {l->color[1][0], l->color[1][1], l->color[1][2]},
         {l->color[0][0], l->color[0][1], l->color[0][2]},
     };
     qtri_line_job_init(&job, surface, material, &batch);
     qtri_line_make_table(&job);
-    qtri_stroke_line_choose(&job, &l->style, qtri_stroke_line_draw);
+    qtri_stroke_line_choose(&job, &l->style, &to, qtri_stroke_line_draw);
     if (turned) {
         job.draw(&job, &l->v[1], &l->v[0], l->colored ? color : NULL);
     } else {

@@ -13,9 +13,5 @@ static bool small(struct qtri_small *triangle)
     return qtri_small_draw(&triangle->state->options, triangle);
 }
 
-const qtri_pipeline qtri_pipeline_any = {{QTRI_ANY, 0, 0,    0,    0,    0,    0,    0,   0,
-                                          0,        0, 0,    0,    0,    0,    0,    0,   0,
-                                          0,        0, NULL, NULL, NULL, NULL, NULL, NULL},
-                                         large,
-                                         small,
-                                         &qtri_pipeline_ops};
+const qtri_pipeline qtri_pipeline_any = {
+    .options = {.format = QTRI_ANY}, .large = large, .small = small, .ops = &qtri_pipeline_ops};

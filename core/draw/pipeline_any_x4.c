@@ -16,11 +16,7 @@ static bool small(struct qtri_small *triangle)
     return qtri_small_draw(&triangle->state->options, triangle);
 }
 
-const qtri_pipeline qtri_pipeline_any_x4 = {{QTRI_ANY, 0, 0, 0,    0,    0,    0,    0,    0,
-                                             0,        0, 0, 0,    0,    0,    0,    0,    4,
-                                             0,        0, NULL, NULL, NULL, NULL, NULL, NULL},
-                                            large,
-                                            small,
-                                            &qtri_pipeline_ops};
-
-const qtri_pipeline *const qtri_pipelines_x4[] = {&qtri_pipeline_any_x4, NULL};
+const qtri_pipeline qtri_pipeline_any_x4 = {.options = {.format = QTRI_ANY, .samples = 4},
+                                            .large = large,
+                                            .small = small,
+                                            .ops = &qtri_pipeline_ops};

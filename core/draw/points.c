@@ -7,28 +7,6 @@
  */
 #include "stroke_job.h"
 
-/* A point that is seen. */
-typedef struct point {
-    qtri_stroke_place place;
-    qtri_stroke_end end;
-} point;
-
-static bool place_point(const void *from, uint32_t part, qtri_stroke_place *place)
-{
-    const point *p = from;
-    (void)part;
-    *place = p->place;
-    return true;
-}
-
-static void end_point(const void *from, uint32_t part, qtri_stroke_end end[2])
-{
-    const point *p = from;
-    (void)part;
-    end[0] = p->end;
-    end[1] = p->end;
-}
-
 /* Half a width along what is up in the picture, in object space. */
 static qtri_vec3 half_width_up(const qtri_view *view, const qtri_transform *pose, q16 width)
 {
@@ -79,7 +57,8 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
     qtri_stroke_job job;
     qtri_stroker stroker;
     qtri_vec3 half = {0, 0, 0};
-    point p;
+    qtri_stroke_place place;
+    qtri_stroke_end end[2];
     if (stroke->width <= 0 || !qtri_stroker_init(&stroker, surface, material, stroke)) {
         return;
     }
@@ -89,23 +68,23 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
     } else if (job.radius == 0) {
         return;
     }
-    p.place.radius_24p8 = job.radius;
-    p.place.caps[0] = job.cap == QTRI_CAP_ROUND ? QTRI_CAP_ROUND : QTRI_CAP_SQUARE;
-    p.place.caps[1] = p.place.caps[0];
-    const qtri_stroke_source source = {&p, 1, place_point, end_point};
+    place.radius_24p8 = job.radius;
+    place.caps[0] = job.cap == QTRI_CAP_ROUND ? QTRI_CAP_ROUND : QTRI_CAP_SQUARE;
+    place.caps[1] = place.caps[0];
     for (uint32_t i = 0; i < corner_count; i++) {
         qtri_vertex v;
         qtri_stroke_job_vertex(&job, i, &v);
         if ((v.depth_16p8 & QTRI_VERTEX_OUTSIDE) != 0) {
             continue;
         }
-        p.place.end[0] = v.at;
-        p.place.end[1] = v.at;
-        p.end.depth_16p8 = v.depth_16p8;
-        qtri_stroke_job_color(&p.end, &corners[i].color);
+        place.end[0] = v.at;
+        place.end[1] = v.at;
+        end[0].depth_16p8 = v.depth_16p8;
+        qtri_stroke_job_color(&end[0], &corners[i].color);
+        end[1] = end[0];
         if (stroke->in_space) {
-            p.place.radius_24p8 = radius_in_space(&job, &corners[i].position, &half, &v.at);
+            place.radius_24p8 = radius_in_space(&job, &corners[i].position, &half, &v.at);
         }
-        qtri_stroker_draw(&stroker, &source);
+        qtri_stroker_draw_part(&stroker, &place, end);
     }
 }

@@ -12,6 +12,7 @@
 
 #include "../raster/line.h"
 #include "../raster/setup.h"
+#include "../raster/stroke_span.h"
 #include "../raster/triangle.h"
 
 /* Where a draw call draws to and how. */
@@ -26,7 +27,8 @@ typedef struct qtri_primitive {
         struct {
             qtri_line_job job;
             qtri_batch batch; /* the job's */
-        } lines;              /* and wireframes */
+            qtri_stroke_target smooth;
+        } lines; /* and wireframes */
         struct {
             qtri_draw_state state;
             qtri_small small; /* what a mesh's have in common */

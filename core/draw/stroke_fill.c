@@ -12,7 +12,8 @@ static const qtri_stroke_line one_pixel = {128, false, 255};
 static void begin(qtri_primitive *primitive)
 {
     qtri_primitive_begin_lines(primitive);
-    qtri_stroke_line_choose(&primitive->to.lines.job, &one_pixel, qtri_stroke_line_draw);
+    qtri_stroke_line_choose(&primitive->to.lines.job, &one_pixel, &primitive->to.lines.smooth,
+                            qtri_stroke_line_draw);
 }
 
 static void draw_triangle(const qtri_mesh_job *draw, const void *triangle,

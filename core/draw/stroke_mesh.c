@@ -14,7 +14,6 @@
 typedef struct wide_job {
     qtri_mesh_job mesh;
     qtri_stroker stroker;
-    qtri_stroke_source source;
     qtri_stroke_place place;
     qtri_stroke_end end[2];
 } wide_job;
@@ -24,22 +23,6 @@ typedef struct wide_job {
  * only saves time takes its lines.
  */
 static const qtri_surface no_surface = {.format = &qtri_depth_only};
-
-static bool place_edge(const void *from, uint32_t part, qtri_stroke_place *place)
-{
-    const wide_job *wide = from;
-    (void)part;
-    *place = wide->place;
-    return true;
-}
-
-static void end_edge(const void *from, uint32_t part, qtri_stroke_end end[2])
-{
-    const wide_job *wide = from;
-    (void)part;
-    end[0] = wide->end[0];
-    end[1] = wide->end[1];
-}
 
 /* See qtri_line_draws. */
 static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
@@ -60,7 +43,7 @@ static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri
             wide->end[i].color_8p16[2] = tint->b * light;
         }
     }
-    qtri_stroker_draw(&wide->stroker, &wide->source);
+    qtri_stroker_draw_part(&wide->stroker, &wide->place, wide->end);
 }
 
 /* As qtri_draw_mesh does it with fewer slots than vertices. */
@@ -127,8 +110,6 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     }
     wide.place.caps[0] = qtri_stroke_cap(stroke);
     wide.place.caps[1] = wide.place.caps[0];
-    const qtri_stroke_source source = {&wide, 1, place_edge, end_edge};
-    wide.source = source;
     /* Lines reach beyond their mesh: no box says that none can be seen. */
     const qtri_box everywhere = {{0, 0, 0}, {INT32_MAX, INT32_MAX, INT32_MAX}};
     qtri_mesh unbounded = *mesh;
@@ -139,7 +120,7 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     const qtri_stroke_line thin = {wide.place.radius_24p8, wide.place.caps[0] == QTRI_CAP_SQUARE,
                                    stroke->alpha};
     if (is_thin(stroke, &wide.place)) {
-        qtri_stroke_line_choose(job, &thin, stroke->edges->line);
+        qtri_stroke_line_choose(job, &thin, &wide.stroker.to, stroke->edges->line);
     } else {
         job->surface = &no_surface;
         job->draw = draw_edge;

@@ -41,9 +41,6 @@ struct qtri_depth_testing {
        late_write: and their depths are stored. */
     uint32_t (*test)(const struct qtri_raster *raster, const struct qtri_fragments *at,
                      uint32_t mask, int32_t count);
-    /* One fragment at a place, of strokes: whether it passes. `write`: then its depth is stored. */
-    bool (*passes)(const qtri_surface *surface, qtri_compare compare, uint32_t place,
-                   uint32_t depth_16p16, bool write);
     /* Fills a rectangle, which is not empty and inside of the surface, with a depth. */
     void (*fill)(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16);
     /*
@@ -59,15 +56,13 @@ struct qtri_depth_testing {
 #define QTRI_DEPTH_TESTING(row_, flat_)                                                            \
     {                                                                                              \
         &qtri_depth_effects, qtri_depth_begin, qtri_depth_begin_lines, qtri_depth_test_chunk,      \
-            qtri_depth_passes, qtri_depth_fill, qtri_depth_flatten, row_, flat_                    \
+            qtri_depth_fill, qtri_depth_flatten, row_, flat_                                       \
     }
 extern const struct qtri_effect_stages qtri_depth_effects;
 void qtri_depth_begin(struct qtri_raster *raster);
 void qtri_depth_begin_lines(struct qtri_line_job *job, qtri_compare compare);
 uint32_t qtri_depth_test_chunk(const struct qtri_raster *raster, const struct qtri_fragments *at,
                                uint32_t mask, int32_t count);
-bool qtri_depth_passes(const qtri_surface *surface, qtri_compare compare, uint32_t place,
-                       uint32_t depth_16p16, bool write);
 void qtri_depth_fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16);
 uint16_t *qtri_depth_flatten(const qtri_surface *surface);
 

@@ -215,10 +215,10 @@ static void fill_rows(const qtri_job *job, const qtri_span *spans, int32_t row, 
     }
 }
 
-const qtri_effect_stages qtri_depth_effects = {apply, qtri_line_effects,      qtri_span_fill, NULL,
-                                               NULL,  &qtri_list_late_effects};
-static const qtri_effect_stages filled = {apply, qtri_line_effects,      fill_rows, NULL,
-                                          NULL,  &qtri_list_late_effects};
+const qtri_effect_stages qtri_depth_effects = {apply, qtri_line_effects, qtri_span_fill, NULL,
+                                               &qtri_list_late_effects};
+static const qtri_effect_stages filled = {apply, qtri_line_effects, fill_rows, NULL,
+                                          &qtri_list_late_effects};
 
 void qtri_depth_begin(qtri_raster *raster)
 {
@@ -262,22 +262,6 @@ uint32_t qtri_depth_test_chunk(const qtri_raster *raster, const qtri_fragments *
                                int32_t count)
 {
     return test_any(raster->surface, raster->late_compare, at, mask, count, raster->late_write);
-}
-
-bool qtri_depth_passes(const qtri_surface *surface, qtri_compare compare, uint32_t place,
-                       uint32_t depth_16p16, bool write)
-{
-    const int32_t bytes = surface->depth_format->bytes;
-    uint8_t *at = stored_at(surface, place);
-    uint32_t depth = depth_16p16 < QTRI_DEPTH_FARTHEST ? depth_16p16 : QTRI_DEPTH_FARTHEST;
-    surface->depth_format->encode(&depth, 1);
-    if ((qtri_orders_of(compare) & qtri_order_of(depth, qtri_stored_get(bytes, at))) == 0) {
-        return false;
-    }
-    if (write) {
-        qtri_stored_put(bytes, at, depth);
-    }
-    return true;
 }
 
 /* Depths move towards the first: what is read was not written yet. */

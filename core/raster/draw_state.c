@@ -107,6 +107,8 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     if (is_usable(material->texture)) {
         want_texture(o, material);
     }
+    o->covered = (shade & QTRI_COVERED) != 0;
+    shade &= ~QTRI_COVERED;
     o->shade = shade_of(o, material, shade == QTRI_BY_PIXEL ? QTRI_COLORS : shade);
     o->per_pixel = shade == QTRI_BY_PIXEL && o->shade == QTRI_COLORS;
     want_blend(o, material);
@@ -270,7 +272,7 @@ static bool draw_nothing_small(struct qtri_small *triangle)
 }
 
 static const qtri_pipeline nothing = {
-    .large = draw_nothing, .small = draw_nothing_small, .ops = NULL};
+    .large = draw_nothing, .small = draw_nothing_small, .ops = NULL, .span = NULL};
 
 void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,

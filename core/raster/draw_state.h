@@ -8,7 +8,10 @@
 
 #include "qtri/body/state.h"
 
-enum { QTRI_BY_PIXEL = QTRI_COLORS + 1 };
+enum {
+    QTRI_BY_PIXEL = QTRI_COLORS + 1,
+    QTRI_COVERED = 16 /* added to `shade`: pixels are covered in part */
+};
 
 /*
  * `shade`: what colours of the draw call do, before textures are looked at: QTRI_FLAT where all

@@ -32,5 +32,5 @@ static void choose(qtri_raster *raster)
     }
 }
 
-const qtri_effect_stages qtri_effects = {
-    apply, qtri_line_effects, qtri_span_fill, qtri_stroke_effects, choose, &qtri_list_late_effects};
+const qtri_effect_stages qtri_effects = {apply, qtri_line_effects, qtri_span_fill, choose,
+                                         &qtri_list_late_effects};

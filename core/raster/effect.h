@@ -21,24 +21,6 @@ struct qtri_fragments {
     const uint32_t *depths; /* the same of each, where they have places; NULL: as the ramp has it */
 };
 
-/* Pixels of strokes, up to QTRI_BATCH of them, and no place twice. */
-typedef struct qtri_covered {
-    int32_t count;
-    uint32_t *color; /* 0x00RRGGBB; room for QTRI_BATCH_ROOM - QTRI_BATCH more */
-    uint32_t *place;
-    uint32_t *depth;    /* 16.16 with the half that rounds, but for bit 0: is written */
-    int32_t *share_q16; /* what is covered: 0..2^16 */
-} qtri_covered;
-
-/*
- * Fog and blend, and as much of that as is covered is stored, and depths. Pixels that a blend turns
- * away stay as they are.
- */
-typedef void (*qtri_cover_effect)(const qtri_surface *surface, const qtri_material *material,
-                                  qtri_covered *pixels);
-void qtri_stroke_effects(const qtri_surface *surface, const qtri_material *material,
-                         qtri_covered *pixels);
-
 /*
  * What both come with, &qtri_effects. Lines: fog and blend for what is in a job's batch, fragments
  * of one chunk of one line with its depths; then they are stored.
@@ -47,8 +29,7 @@ struct qtri_effect_stages {
     /* Both, for `count` fragments, of which the mask's are drawn. Returns the new mask. */
     qtri_effect fragments;
     qtri_line_effect line;
-    qtri_fill_rows fill; /* rows of large triangles, of one colour too */
-    qtri_cover_effect covered;
+    qtri_fill_rows fill;                 /* rows of large triangles, of one colour too */
     void (*choose)(qtri_raster *raster); /* sets loops that do it at once; NULL: there are none */
     const qtri_list_late *late;          /* of small triangles */
 };

@@ -154,12 +154,19 @@ QTRI_NOINLINE void qtri_line_tint(uint32_t *color, const qtri_line_job *job, int
     }
 }
 
+/* Smooth lines have no use for `effect`: they take the table where there is neither fog nor blend.
+ */
+static bool is_plain_smooth(const qtri_line_job *job)
+{
+    return job->smooth != NULL && job->material->fog == NULL && job->material->blend == NULL;
+}
+
 void qtri_line_make_table(const qtri_line_job *job)
 {
     const qtri_format *format = job->surface->format;
     uint16_t *table = qtri_batch_table(job->batch);
     if (table == NULL || format == NULL || format->colors->light_bits != QTRI_TINT_BITS ||
-        format->pixels->bytes > 2 || job->effect != NULL) {
+        format->pixels->bytes > 2 || (job->effect != NULL && !is_plain_smooth(job))) {
         return;
     }
     for (uint32_t i = 0; i < (1u << QTRI_TINT_BITS) + 1; i += 4) {

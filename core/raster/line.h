@@ -59,6 +59,7 @@ struct qtri_line_job {
     const qtri_material *material; /* theirs */
     uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */
     const struct qtri_stroke_line *smooth; /* what draws them is stroke_line.c; NULL: it is not */
+    struct qtri_stroke_target *smooth_target; /* and where it draws them to */
     /* For fast/line_16.c: the first depth, or the first pixel where there are none; bytes from the
        one to the other, from row to row, and from the frame to the surface. */
     uint8_t *first;

@@ -1,405 +1,490 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke.h"
 
-#include "../frame/colors.h"
-#include "../frame/depth_format.h"
-#include "../frame/pixel.h"
-#include "effect.h"
-#include "loop.h"
-#include "stroke_pixel.h"
-
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
 {
-    const qtri_compare compare = qtri_compare_of(material);
-    stroker->surface = surface;
-    stroker->bounds = qtri_surface_bounds(surface);
-    stroker->compare = surface->depth == NULL ? QTRI_DEPTH_OFF : compare;
-    stroker->depth_write = stroker->compare != QTRI_DEPTH_OFF && !material->depth_read_only;
-    stroker->passing = (uint8_t)(qtri_orders_of(compare) & 7);
-    stroker->alpha = stroke->alpha;
     stroker->edges = stroke->edges;
-    stroker->material = material;
-    stroker->effects = qtri_effect_stages_of(material);
-    return stroker->bounds.x0 < stroker->bounds.x1 && stroke->alpha != 0 && compare != QTRI_NEVER;
+    stroker->ring.radius = 0;
+    return stroke->alpha != 0 && qtri_stroke_target_init(&stroker->to, surface, material,
+                                                         stroke->alpha, stroke->edges != NULL);
 }
 
-/* What a pixel takes of its part. */
-typedef struct sample {
-    uint32_t depth_16p8;   /* 0..65535.0 */
-    int32_t color_8p16[3]; /* 0..255.0 */
-} sample;
+/* Parts ---------------------------------------------------------------------------------------- */
 
-/* Where along the parts pixels of a window are. */
-typedef struct position {
-    uint64_t square; /* of the distance in 24.8 */
-    uint32_t share_q16;
-    uint32_t part; /* UINT32_MAX: none yet */
-} position;
-
-/* From a pixel's centre to the part; |along|, |across| < 2^25, far away taken as 2^22. */
-static uint64_t square_of(int32_t beyond, int32_t across)
+/* A corner of a square cap is 3/2 radii away at most. */
+static qtri_stroke_box box_of(const qtri_stroke_place *place)
 {
-    const int32_t most = (int32_t)1 << 22;
-    const int32_t x = qtri_hold32(beyond, -most, most);
-    const int32_t y = qtri_hold32(across, -most, most);
-    return (uint64_t)qtri_mul_s32(x, x) + (uint64_t)qtri_mul_s32(y, y);
+    const int32_t reach = place->radius_24p8 + (place->radius_24p8 >> 1) + 2;
+    const qtri_screen_point *a = &place->end[0];
+    const qtri_screen_point *b = &place->end[1];
+    const qtri_stroke_box box = {
+        (int16_t)((qtri_least32(a->x_24p8, b->x_24p8) - reach) >> 8),
+        (int16_t)((qtri_least32(a->y_24p8, b->y_24p8) - reach) >> 8),
+        (int16_t)(((qtri_greatest32(a->x_24p8, b->x_24p8) + reach) >> 8) + 1),
+        (int16_t)(((qtri_greatest32(a->y_24p8, b->y_24p8) + reach) >> 8) + 1)};
+    return box;
 }
 
-/* Of the pixels first .. end-1 of the window, from `at` on: taken where the shape is nearer than
-   others. */
-static void take_positions(position *at, const qtri_stroker *stroker,
-                           const qtri_stroke_shape *shape, int32_t first, int32_t end,
-                           bool is_alone)
+static bool do_meet(const qtri_stroke_box *a, const qtri_stroke_box *b)
 {
-    const int32_t x = (stroker->column + first) * 256 + 128 - shape->origin.x_24p8;
-    const int32_t y = stroker->row * 256 + 128 - shape->origin.y_24p8;
-    qtri_stroke_walk walk = qtri_stroke_walk_from(shape, x, y);
-    if (is_alone) {
-        for (int32_t i = first; i < end; i++, at++) {
-            at->part = shape->part;
-            at->share_q16 = shape->level ? 0 : qtri_stroke_walk_next(&walk);
+    return a->x0 < b->x1 && b->x0 < a->x1 && a->y0 < b->y1 && b->y0 < a->y1;
+}
+
+/* Whether a part is to be seen and meets a box; where it is. */
+static bool is_near(const qtri_stroker *stroker, uint32_t part, const qtri_stroke_box *box,
+                    qtri_stroke_box *own)
+{
+    qtri_stroke_place place;
+    const qtri_stroke_source *source = stroker->source;
+    if (!source->place(source->from, part, &place)) {
+        return false;
+    }
+    *own = box_of(&place);
+    return do_meet(own, box);
+}
+
+/* Boxes of blocks of parts; that of one of which nothing is seen is empty. */
+static void find_blocks(qtri_stroker *stroker)
+{
+    const qtri_stroke_box all = {INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX};
+    const uint32_t count = stroker->source->count;
+    stroker->block_parts = (count + QTRI_STROKE_BLOCKS - 1) / QTRI_STROKE_BLOCKS;
+    for (uint32_t part = 0; part < count;) {
+        qtri_stroke_box *block = &stroker->block[part / stroker->block_parts];
+        const uint32_t rest = count - part;
+        const uint32_t end = part + (rest < stroker->block_parts ? rest : stroker->block_parts);
+        const qtri_stroke_box none = {INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN};
+        *block = none;
+        for (; part < end; part++) {
+            qtri_stroke_box box;
+            if (is_near(stroker, part, &all, &box)) {
+                block->x0 = box.x0 < block->x0 ? box.x0 : block->x0;
+                block->y0 = box.y0 < block->y0 ? box.y0 : block->y0;
+                block->x1 = box.x1 > block->x1 ? box.x1 : block->x1;
+                block->y1 = box.y1 > block->y1 ? box.y1 : block->y1;
+            }
         }
-        return;
-    }
-    int64_t across_q30 = qtri_mul_s32(y, shape->along_x_q30) - qtri_mul_s32(x, shape->along_y_q30);
-    const int64_t step_across = (int64_t)shape->along_y_q30 * -256;
-    for (int32_t i = first; i < end; i++, at++) {
-        const int64_t held_q30 = qtri_stroke_walk_held(&walk);
-        const uint64_t square =
-            square_of((int32_t)((walk.along_q30 - held_q30) >> 30), (int32_t)(across_q30 >> 30));
-        // NOLINTNEXTLINE(clang-analyzer-core.*): take_all_positions() has set all of the clip
-        if (at->part == UINT32_MAX || square < at->square) {
-            at->square = square;
-            at->share_q16 = qtri_stroke_walk_share(&walk, held_q30);
-            at->part = shape->part;
-        }
-        walk.along_q30 += walk.step_q30;
-        across_q30 += step_across;
     }
 }
 
-/* The part of the window inside the bounds, from its first pixel on. */
-typedef struct clip {
-    int32_t first, end;
-} clip;
-
-/* Of all groups, for the pixels of a clip: at[0] is the first. */
-static void take_all_positions(position *at, qtri_stroker *stroker, const clip *in)
+/* The next part from `part` on that meets the box; UINT32_MAX: none. */
+static uint32_t next_near(const qtri_stroker *stroker, uint32_t part, const qtri_stroke_box *box,
+                          qtri_stroke_box *own)
 {
-    const bool many = stroker->touch_count == QTRI_STROKE_MANY;
-    const uint32_t count = many ? 1 : stroker->touch_count;
-    for (int32_t i = in->first; i < in->end; i++) {
-        at[i - in->first].part = UINT32_MAX;
+    const uint32_t count = stroker->source->count;
+    while (part < count) {
+        const uint32_t block = part / stroker->block_parts;
+        const uint32_t end = (block + 1) * stroker->block_parts;
+        if (do_meet(&stroker->block[block], box)) {
+            for (; part < end && part < count; part++) {
+                if (is_near(stroker, part, box, own)) {
+                    return part;
+                }
+            }
+        }
+        part = end;
     }
-    for (uint32_t from = 0; from < count; from = stroker->touch_end) {
-        uint32_t listed = 0;
-        qtri_stroker_set_group(stroker, from);
-        const bool is_alone = !many && stroker->touch_end - from == 1;
-        for (const qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
-            int32_t first;
-            int32_t end;
-            (void)qtri_stroke_shape_columns(s, stroker->row, &first, &end);
-            first = qtri_greatest32(first - stroker->column, in->first);
-            end = qtri_least32(end - stroker->column, in->end);
+    return UINT32_MAX;
+}
+
+static qtri_stroke_shape *shape_of(qtri_stroker *stroker, uint32_t part)
+{
+    const qtri_stroke_source *source = stroker->source;
+    qtri_stroke_shape *shape = &stroker->shape[part % QTRI_STROKE_SHAPES];
+    if (shape->part != part) {
+        qtri_stroke_place place;
+        qtri_stroke_end end[2];
+        (void)source->place(source->from, part, &place);
+        source->ends(source->from, part, end);
+        qtri_stroke_shape_init(shape, &place, stroker->edges != NULL ? QTRI_STROKE_CHORDS : 0);
+        qtri_stroke_look_init(&shape->look, end);
+        shape->part = part;
+    }
+    return shape;
+}
+
+/* Lists the parts that meet the box of part `own`. */
+static void find_neighbours(qtri_stroker *stroker, uint32_t own, const qtri_stroke_box *box)
+{
+    qtri_stroke_box other;
+    stroker->neighbour_count = 0;
+    stroker->rest = UINT32_MAX;
+    for (uint32_t part = 0; (part = next_near(stroker, part, box, &other)) != UINT32_MAX; part++) {
+        if (part == own) {
+            continue;
+        }
+        if (stroker->neighbour_count == QTRI_STROKE_NEIGHBOURS) {
+            stroker->rest = part;
+            return;
+        }
+        qtri_stroke_neighbour *n = &stroker->neighbour[stroker->neighbour_count++];
+        n->part = part;
+        n->y0 = other.y0;
+        n->y1 = other.y1;
+    }
+}
+
+/* Rows ----------------------------------------------------------------------------------------- */
+
+/* The columns that a shape touches in the row; of hard edges, those whose centres are inside. */
+static bool find_columns(const qtri_stroker *stroker, qtri_stroke_shape *s, int32_t columns[2])
+{
+    const int32_t y = stroker->row * 256;
+    int32_t x[2];
+    if (stroker->edges != NULL) {
+        if (!qtri_stroke_shape_reach(s, y, y + 256, x)) {
+            return false;
+        }
+        columns[0] = x[0] >> 8;
+        columns[1] = (x[1] + 255) >> 8;
+        return columns[0] < columns[1];
+    }
+    if (y + 128 < s->top || y + 128 >= s->bottom) {
+        return false;
+    }
+    columns[0] = (qtri_stroke_shape_x(s, 0, y + 128, true) + 127) >> 8;
+    columns[1] = (qtri_stroke_shape_x(s, 1, y + 128, true) + 127) >> 8;
+    return columns[0] < columns[1];
+}
+
+/* Of a part, with the disc that is apart. */
+static bool find_part_columns(qtri_stroker *stroker, qtri_stroke_shape *s, int32_t columns[2])
+{
+    bool found = find_columns(stroker, s, columns);
+    if (s->apart != 0) {
+        int32_t more[2];
+        qtri_stroke_shape_disc(&stroker->disc, s);
+        if (find_columns(stroker, &stroker->disc, more)) {
+            columns[0] = found ? qtri_least32(columns[0], more[0]) : more[0];
+            columns[1] = found ? qtri_greatest32(columns[1], more[1]) : more[1];
+            found = true;
+        }
+    }
+    return found;
+}
+
+/* The next neighbour that may touch the row: *at is 0 at first. UINT32_MAX: none. */
+static uint32_t next_neighbour(const qtri_stroker *stroker, uint32_t *at)
+{
+    while (*at < stroker->neighbour_count) {
+        const qtri_stroke_neighbour *n = &stroker->neighbour[(*at)++];
+        if (n->y0 <= stroker->row && stroker->row < n->y1) {
+            return n->part;
+        }
+    }
+    if (stroker->rest == UINT32_MAX) {
+        return UINT32_MAX;
+    }
+    qtri_stroke_box own;
+    const qtri_stroke_box row = {(int16_t)stroker->first, (int16_t)stroker->row,
+                                 (int16_t)stroker->end, (int16_t)(stroker->row + 1)};
+    uint32_t part = stroker->rest + (*at - stroker->neighbour_count);
+    part = next_near(stroker, part, &row, &own);
+    if (part == stroker->own->part) {
+        part = next_near(stroker, part + 1, &row, &own);
+    }
+    *at = part == UINT32_MAX ? UINT32_MAX : part + 1 - stroker->rest + stroker->neighbour_count;
+    return part;
+}
+
+/* Whether a neighbour reaches into the row's columns. */
+static bool reaches(qtri_stroker *stroker, uint32_t part)
+{
+    int32_t columns[2];
+    return find_part_columns(stroker, shape_of(stroker, part), columns) &&
+           columns[0] < stroker->end && columns[1] > stroker->first;
+}
+
+/* Where a shape has a disc apart, that follows: see below. */
+#define DISC ((uint32_t)1 << 31)
+
+/* 0: the own part; others by what next_neighbour() counts, or the group's numbers. */
+qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at)
+{
+    qtri_stroke_shape *s = NULL;
+    if ((*at & DISC) != 0) {
+        *at &= ~DISC;
+        return &stroker->disc;
+    }
+    if (*at == 0) {
+        *at = 1;
+        s = stroker->own;
+    } else if (stroker->group_count <= QTRI_STROKE_GROUP) {
+        if (*at > stroker->group_count) {
+            return NULL;
+        }
+        s = shape_of(stroker, stroker->group[*at - 1]);
+        (*at)++;
+    } else {
+        uint32_t next = *at - 1;
+        uint32_t part;
+        do {
+            part = next_neighbour(stroker, &next);
+        } while (part != UINT32_MAX && (part < stroker->own->part || !reaches(stroker, part)));
+        if (part == UINT32_MAX) {
+            return NULL;
+        }
+        *at = next + 1;
+        s = shape_of(stroker, part);
+    }
+    if (s->apart != 0) {
+        qtri_stroke_shape_disc(&stroker->disc, s);
+        *at |= DISC;
+    }
+    return s;
+}
+
+static bool look_alike(const qtri_stroke_shape *a, const qtri_stroke_shape *b)
+{
+    const qtri_stroke_look *l = &a->look;
+    const qtri_stroke_look *k = &b->look;
+    return l->is_level && k->is_level && l->z_16p16 == k->z_16p16 &&
+           l->color_8p8[0] == k->color_8p8[0] && l->color_8p8[1] == k->color_8p8[1] &&
+           l->color_8p8[2] == k->color_8p8[2];
+}
+
+/* The later parts that reach into the row's columns. */
+static void find_group(qtri_stroker *stroker)
+{
+    uint32_t at = 0;
+    uint32_t count = 0;
+    bool alike = true;
+    for (uint32_t part; (part = next_neighbour(stroker, &at)) != UINT32_MAX;) {
+        if (part < stroker->own->part || !reaches(stroker, part)) {
+            continue;
+        }
+        if (count == QTRI_STROKE_GROUP) {
+            count++;
+            alike = false;
+            break;
+        }
+        alike = alike && look_alike(stroker->own, shape_of(stroker, part));
+        stroker->group[count++] = part;
+    }
+    stroker->group_count = count;
+    stroker->is_alike = alike;
+    stroker->is_alone = count == 0 && stroker->own->apart == 0;
+}
+
+/* Of columns first .. end-1, at most a window of them, those that no earlier part touches. */
+static uint32_t own_columns(qtri_stroker *stroker)
+{
+    const int32_t count = stroker->end - stroker->first;
+    uint32_t own = count == 32 ? UINT32_MAX : ((uint32_t)1 << count) - 1;
+    uint32_t at = 0;
+    for (uint32_t part; own != 0 && (part = next_neighbour(stroker, &at)) != UINT32_MAX;) {
+        int32_t columns[2];
+        if (part > stroker->own->part) {
+            break;
+        }
+        if (find_part_columns(stroker, shape_of(stroker, part), columns)) {
+            const int32_t first = qtri_hold32(columns[0] - stroker->first, 0, count);
+            const int32_t end = qtri_hold32(columns[1] - stroker->first, 0, count);
             if (first < end) {
-                take_positions(&at[first - in->first], stroker, s, first, end, is_alone);
+                own &= ~((UINT32_MAX >> (32 - (end - first))) << first);
             }
         }
     }
-}
-
-static void take_sample(sample *out, const qtri_stroke_shape *shape, uint32_t share_q16)
-{
-    const int32_t *from = shape->end[0].color_8p16;
-    const int32_t *to = shape->end[1].color_8p16;
-    out->depth_16p8 = qtri_stroke_depth(shape, share_q16);
-    for (int i = 0; i < 3; i++) {
-        out->color_8p16[i] = shape->even ? from[i] : qtri_stroke_mixed(from[i], to[i], share_q16);
-    }
-}
-
-/* Less than a half of 1/256 is nothing. */
-#define LEAST (QTRI_STROKE_FULL / 512)
-
-/* Depths, colours and stores of the pixels that are covered. */
-QTRI_NOINLINE static void draw_covered(qtri_stroker *stroker, const clip *in)
-{
-    const qtri_surface *surface = stroker->surface;
-    const qtri_format *format = surface->format;
-    const ptrdiff_t row = stroker->row - surface->first_row;
-    uint8_t *pixel = surface->pixels + row * surface->pitch +
-                     (ptrdiff_t)format->pixels->bytes * (stroker->column + in->first);
-    uint8_t *first_pixel = pixel;
-    const qtri_depth_testing *testing =
-        stroker->compare != QTRI_DEPTH_OFF ? qtri_depth_testing_of(surface) : NULL;
-    uint16_t *depth = stroker->compare != QTRI_DEPTH_OFF && testing == NULL
-                          ? surface->depth + row * surface->depth_pitch + stroker->column
-                          : NULL;
-    position at[QTRI_STROKE_WINDOW];
-    uint32_t word[QTRI_STROKE_WINDOW + 4];
-    uint32_t mask = 0;
-    const qtri_stroke_shape *shape = &stroker->shape[0];
-    uint32_t even = 0;               /* what is stored of a part of one colour, */
-    uint32_t even_part = UINT32_MAX; /* and which */
-    take_all_positions(at, stroker, in);
-    for (int32_t i = in->first; i < in->end; i++, pixel += format->pixels->bytes) {
-        const int32_t cover = stroker->cover[i];
-        const position *p = &at[i - in->first];
-        uint32_t *w = &word[i - in->first];
-        mask <<= 1;
-        *w = 0;
-        if (cover < LEAST || p->part == UINT32_MAX) {
-            continue;
-        }
-        shape = shape->part == p->part ? shape : qtri_stroker_shape(stroker, p->part);
-        const uint32_t depth_16p8 = qtri_stroke_depth(shape, p->share_q16);
-        const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
-        if (depth != NULL) {
-            const uint32_t z = (depth_16p8 + 128) >> 8;
-            if (qtri_stroke_passes(stroker->passing, z, depth[i]) == 0) {
-                continue;
-            }
-            if (writes) {
-                depth[i] = (uint16_t)z;
-            }
-        } else if (testing != NULL &&
-                   !testing->passes(surface, stroker->compare,
-                                    (uint32_t)row << 16 | (uint32_t)(stroker->column + i),
-                                    depth_16p8 << 8, writes)) {
-            continue;
-        }
-        const int32_t share = qtri_stroke_share(stroker, cover);
-        if (shape->even && share == 65536) {
-            if (even_part != shape->part) {
-                even = qtri_stroke_word(format, shape->end[0].color_8p16, pixel, 65536);
-                even_part = shape->part;
-            }
-            *w = even;
-        } else {
-            sample s;
-            take_sample(&s, shape, p->share_q16);
-            *w = qtri_stroke_word(format, s.color_8p16, pixel, share);
-        }
-        mask |= 1;
-    }
-    const int32_t count = in->end - in->first;
-    if (mask != 0) {
-        if (format->encode != NULL) {
-            word[count] = word[count + 1] = word[count + 2] = 0; /* which it may encode as well */
-            format->encode(word, count);
-        }
-        format->pixels->store(first_pixel, word, mask, count);
-    }
-}
-
-/* So many pixels at a time, to take less stack. */
-enum { AFFECTED = QTRI_STROKE_WINDOW / 2 };
-
-static bool passes_at(const qtri_stroker *stroker, const sample *s, int32_t x)
-{
-    const qtri_surface *surface = stroker->surface;
-    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
-    if (stroker->compare == QTRI_DEPTH_OFF) {
-        return true;
-    }
-    if (testing == NULL) {
-        return qtri_stroke_passes(stroker->passing, (s->depth_16p8 + 128) >> 8,
-                                  qtri_depths_at(surface, stroker->row)[x]) != 0;
-    }
-    const uint32_t row = (uint32_t)(stroker->row - surface->first_row);
-    return testing->passes(surface, stroker->compare, row << 16 | (uint32_t)x, s->depth_16p8 << 8,
-                           false);
-}
-
-/* What passes of the clip, as what fog and blends ask for; bit 0 of a depth that is written. */
-QTRI_NOINLINE static void take_covered(qtri_covered *pixels, qtri_stroker *stroker, const clip *in)
-{
-    const qtri_surface *surface = stroker->surface;
-    const uint32_t row = (uint32_t)(stroker->row - surface->first_row);
-    position at[AFFECTED];
-    take_all_positions(at, stroker, in);
-    for (int32_t i = in->first; i < in->end; i++) {
-        const int32_t cover = stroker->cover[i];
-        const int32_t x = stroker->column + i;
-        if (cover < LEAST || at[i - in->first].part == UINT32_MAX) {
-            continue;
-        }
-        sample s;
-        take_sample(&s, qtri_stroker_shape(stroker, at[i - in->first].part),
-                    at[i - in->first].share_q16);
-        if (!passes_at(stroker, &s, x)) {
-            continue;
-        }
-        const bool writes = stroker->depth_write && cover >= QTRI_STROKE_FULL / 2;
-        const int32_t n = pixels->count++;
-        pixels->color[n] = qtri_pack_888(s.color_8p16);
-        pixels->place[n] = (row << 16) + (uint32_t)x;
-        pixels->depth[n] = (s.depth_16p8 + 128) << 8 | writes;
-        pixels->share_q16[n] = qtri_stroke_share(stroker, cover); /* n <= i */
-    }
-}
-
-/* Pixels that are covered, with fog and a blend. */
-QTRI_NOINLINE static void draw_affected(qtri_stroker *stroker, const clip *in)
-{
-    uint32_t color[AFFECTED + QTRI_BATCH_ROOM - QTRI_BATCH];
-    uint32_t place[AFFECTED];
-    uint32_t depth[AFFECTED];
-    qtri_covered pixels = {0, color, place, depth, stroker->cover};
-    take_covered(&pixels, stroker, in);
-    if (pixels.count != 0) {
-        stroker->effects->covered(stroker->surface, stroker->material, &pixels);
-    }
-}
-
-static void cover_between(qtri_stroker *stroker, const qtri_stroke_slice *slice)
-{
-    const int32_t first = ((slice->left[0] + 127) >> 8) - stroker->column;
-    const int32_t end = ((slice->right[0] + 127) >> 8) - stroker->column;
-    for (int32_t i = qtri_greatest32(first, 0); i < qtri_least32(end, QTRI_STROKE_WINDOW); i++) {
-        stroker->cover[i] = QTRI_STROKE_FULL;
-    }
+    return own;
 }
 
 /* Those whose centres lie inside. */
-static void add_hard(qtri_stroker *stroker)
+static void cover_hard(qtri_stroker *stroker)
 {
-    const int32_t y = stroker->row * 256 + 128;
-    uint32_t listed = 0;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
-        qtri_stroke_slice slice;
-        /* Down to the next level, so that a side which ends here does not count. */
-        if (qtri_stroke_shape_slice(s, y, y + 1, &slice)) {
-            cover_between(stroker, &slice);
-        }
-        if (s->disc_apart != 0 && qtri_stroke_shape_disc(s, y, y + 1, &slice)) {
-            cover_between(stroker, &slice);
-        }
+    uint32_t at = 0;
+    for (int32_t i = stroker->first; i < stroker->end; i++) {
+        stroker->cover[i - stroker->first] = 0;
     }
-}
-
-/* The columns of the strip that the row's parts touch. */
-static void set_columns(qtri_stroker *stroker)
-{
-    int32_t first = stroker->column;
-    int32_t end = stroker->column + QTRI_STROKE_WINDOW;
-    if (stroker->touch_count != QTRI_STROKE_MANY) {
-        first = stroker->touch[0].first;
-        end = stroker->touch[0].end;
-        for (uint32_t i = 1; i < stroker->touch_count; i++) {
-            end = qtri_greatest32(end, stroker->touch[i].end);
-        }
-    }
-    stroker->first = (uint8_t)qtri_greatest32(first - stroker->column, 0);
-    stroker->end = (uint8_t)qtri_least32(end - stroker->column, QTRI_STROKE_WINDOW);
-}
-
-/* And inside the bounds; empty: none. */
-static clip clip_of(const qtri_stroker *stroker)
-{
-    const clip in = {qtri_greatest32(stroker->first, stroker->bounds.x0 - stroker->column),
-                     qtri_least32(stroker->end, stroker->bounds.x1 - stroker->column)};
-    return in;
-}
-
-/* A row that one convex part alone touches, without what it takes to unite several. */
-static void draw_alone(qtri_stroker *stroker, const clip *in)
-{
-    qtri_stroke_slice slice;
-    qtri_stroke_shape *s = qtri_stroker_shape(stroker, stroker->touch[0].part);
-    if (qtri_stroke_shape_slice(s, stroker->row * 256 + 128, stroker->row * 256 + 129, &slice)) {
-        const int32_t first =
-            qtri_greatest32((slice.left[0] + 127) >> 8, stroker->column + in->first);
-        const int32_t end = qtri_least32((slice.right[0] + 127) >> 8, stroker->column + in->end);
-        if (first < end) {
-            qtri_stroke_run(stroker, s, first, end);
+    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+        int32_t columns[2];
+        if (find_columns(stroker, s, columns)) {
+            const int32_t end = qtri_least32(columns[1], stroker->end);
+            for (int32_t i = qtri_greatest32(columns[0], stroker->first); i < end; i++) {
+                stroker->cover[i - stroker->first] = QTRI_STROKE_FULL;
+            }
         }
     }
 }
 
-/* The least run of pixels that are covered wholly for which it is worth to draw them apart. */
-enum { RUN = 4 };
+/* Pixels of the window that are drawn, and what of each. */
+typedef struct window {
+    int32_t first, end; /* of those inside the bounds */
+    uint16_t weight[QTRI_STROKE_WINDOW];
+    uint32_t part[QTRI_STROKE_WINDOW]; /* whose colours they have; of `alike` ones not set */
+} window;
 
-/* Smooth edges of one part, and between them what it covers wholly. */
-static void draw_between(qtri_stroker *stroker, const clip *in)
+/* Weights from what is covered. */
+static void set_weights(window *w, const qtri_stroker *stroker, uint32_t own)
 {
-    clip whole = {in->first, in->first};
-    while (whole.first < in->end && stroker->cover[whole.first] != QTRI_STROKE_FULL) {
-        whole.first++;
+    for (int32_t i = w->first; i < w->end; i++) {
+        const uint32_t cover = (uint32_t)stroker->cover[i - stroker->first];
+        const bool is_own = (own >> (i - stroker->first) & 1) != 0;
+        w->weight[i - w->first] =
+            (uint16_t)(is_own ? qtri_stroke_weight(cover, stroker->to.alpha_q16) : 0);
     }
-    whole.end = whole.first;
-    while (whole.end < in->end && stroker->cover[whole.end] == QTRI_STROKE_FULL) {
-        whole.end++;
+}
+
+/* The part that is nearest to each pixel. */
+QTRI_NOINLINE static void find_nearest(window *w, qtri_stroker *stroker)
+{
+    uint64_t least[QTRI_STROKE_WINDOW];
+    uint32_t at = 0;
+    for (int32_t i = 0; i < w->end - w->first; i++) {
+        least[i] = UINT64_MAX;
     }
-    if (whole.end - whole.first < RUN) {
-        draw_covered(stroker, in);
+    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+        for (int32_t i = w->first; i < w->end; i++) {
+            if (w->weight[i - w->first] != 0) {
+                const uint64_t square = qtri_stroke_shape_distance(s, i, stroker->row);
+                if (square < least[i - w->first]) {
+                    least[i - w->first] = square;
+                    w->part[i - w->first] = s->part;
+                }
+            }
+        }
+    }
+}
+
+static void draw_span(qtri_stroker *stroker, const qtri_stroke_shape *s, int32_t first, int32_t end,
+                      const uint16_t *weight)
+{
+    uint16_t share[QTRI_STROKE_WINDOW];
+    const qtri_stroke_span span = {&stroker->to.state, &s->look, first, stroker->row,
+                                   end - first,        weight,   share, false};
+    if (!s->look.is_level) {
+        qtri_stroke_shape_shares(s, first, stroker->row, end - first, share);
+    }
+    qtri_stroke_target_draw(&stroker->to, &span);
+}
+
+/* Runs of pixels with colours of one part. */
+static void draw_nearest(const window *w, qtri_stroker *stroker)
+{
+    for (int32_t i = w->first; i < w->end;) {
+        const uint16_t *weight = &w->weight[i - w->first];
+        const int32_t first = i;
+        if (*weight == 0) {
+            i++;
+            continue;
+        }
+        const uint32_t part = w->part[i - w->first];
+        while (i < w->end && w->weight[i - w->first] != 0 && w->part[i - w->first] == part) {
+            i++;
+        }
+        draw_span(stroker, part == stroker->own->part ? stroker->own : shape_of(stroker, part),
+                  first, i, weight);
+    }
+}
+
+/* The row's columns first .. end-1, at most a window of them. */
+static void draw_window(qtri_stroker *stroker)
+{
+    const qtri_rect *bounds = &stroker->to.state.bounds;
+    window w;
+    uint32_t own = own_columns(stroker);
+    if (own == 0) {
         return;
     }
-    const clip before = {in->first, whole.first};
-    const clip behind = {whole.end, in->end};
-    if (before.first < before.end) {
-        draw_covered(stroker, &before);
-    }
-    qtri_stroke_run(stroker, qtri_stroker_shape(stroker, stroker->touch[0].part),
-                    stroker->column + whole.first, stroker->column + whole.end);
-    if (behind.first < behind.end) {
-        draw_covered(stroker, &behind);
-    }
-}
-
-static void draw_row(qtri_stroker *stroker)
-{
-    if (!qtri_stroker_find_touches(stroker)) {
+    const int32_t before = 31 - qtri_clz32(own & (0 - own)); /* of others */
+    stroker->end = stroker->first + 32 - qtri_clz32(own);
+    stroker->first += before;
+    own >>= before;
+    w.first = qtri_greatest32(stroker->first, bounds->x0);
+    w.end = qtri_least32(stroker->end, bounds->x1);
+    if (w.first >= w.end) {
         return;
     }
-    set_columns(stroker);
-    const clip in = clip_of(stroker);
-    if (in.first >= in.end) {
-        return;
-    }
-    if (stroker->touch_count == 1 && stroker->edges == NULL && stroker->effects == NULL &&
-        qtri_stroker_shape(stroker, stroker->touch[0].part)->disc_apart == 0) {
-        draw_alone(stroker, &in);
-        return;
-    }
-    for (int32_t i = stroker->first; i <= stroker->end; i++) {
-        stroker->cover[i] = 0;
-    }
-    const uint32_t count = stroker->touch_count == QTRI_STROKE_MANY ? 1 : stroker->touch_count;
-    for (uint32_t from = 0; from < count; from = stroker->touch_end) {
-        qtri_stroker_set_group(stroker, from);
-        if (stroker->edges != NULL) {
-            stroker->edges->add(stroker);
-        } else {
-            add_hard(stroker);
-        }
-    }
+    find_group(stroker);
     if (stroker->edges != NULL) {
-        stroker->edges->finish(stroker);
-    }
-    if (stroker->effects != NULL) {
-        for (clip some = in; some.first < in.end; some.first = some.end) {
-            some.end = qtri_least32(some.first + AFFECTED, in.end);
-            draw_affected(stroker, &some);
-        }
-    } else if (stroker->touch_count == 1) {
-        draw_between(stroker, &in);
+        stroker->edges->cover(stroker);
     } else {
-        draw_covered(stroker, &in);
+        cover_hard(stroker);
+    }
+    set_weights(&w, stroker, own);
+    if (stroker->is_alike) {
+        draw_span(stroker, stroker->own, w.first, w.end, w.weight);
+    } else {
+        find_nearest(&w, stroker);
+        draw_nearest(&w, stroker);
+    }
+}
+
+/* The own part's rows. */
+static void draw_own(qtri_stroker *stroker)
+{
+    const qtri_rect *bounds = &stroker->to.state.bounds;
+    qtri_stroke_shape *own = stroker->own;
+    int32_t top = own->top;
+    int32_t bottom = own->bottom;
+    if (own->apart != 0) {
+        qtri_stroke_shape_disc(&stroker->disc, own);
+        top = qtri_least32(top, stroker->disc.top);
+        bottom = qtri_greatest32(bottom, stroker->disc.bottom);
+    }
+    const int32_t end = qtri_least32((bottom + 255) >> 8, bounds->y1);
+    for (int32_t row = qtri_greatest32(top >> 8, bounds->y0); row < end; row++) {
+        int32_t columns[2];
+        stroker->row = row;
+        if (!find_part_columns(stroker, own, columns)) {
+            continue;
+        }
+        const int32_t last = qtri_least32(columns[1], bounds->x1);
+        int32_t x = qtri_greatest32(columns[0], bounds->x0 & ~(QTRI_STROKE_WINDOW - 1));
+        for (; x < last; x = (x | (QTRI_STROKE_WINDOW - 1)) + 1) {
+            stroker->first = x;
+            stroker->end = qtri_least32(columns[1], (x | (QTRI_STROKE_WINDOW - 1)) + 1);
+            draw_window(stroker);
+        }
+    }
+}
+
+void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place,
+                            const qtri_stroke_end end[2])
+{
+    qtri_stroke_shape *own = &stroker->shape[QTRI_STROKE_SHAPES];
+    if (stroker->edges != NULL && stroker->edges->point(stroker, place, end)) {
+        return;
+    }
+    qtri_stroke_shape_init(own, place, stroker->edges != NULL ? QTRI_STROKE_CHORDS : 0);
+    qtri_stroke_look_init(&own->look, end);
+    own->part = 0;
+    stroker->own = own;
+    stroker->neighbour_count = 0;
+    stroker->rest = UINT32_MAX;
+    draw_own(stroker);
+}
+
+/* A source's only part. */
+static void draw_only(qtri_stroker *stroker, const qtri_stroke_source *source)
+{
+    qtri_stroke_place place;
+    qtri_stroke_end end[2];
+    if (source->place(source->from, 0, &place)) {
+        source->ends(source->from, 0, end);
+        qtri_stroker_draw_part(stroker, &place, end);
     }
 }
 
 void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source)
 {
-    int32_t columns[2];
-    qtri_stroker_begin(stroker, source, columns);
-    stroker->column = columns[0] & ~(QTRI_STROKE_WINDOW - 1);
-    for (; stroker->column < columns[1]; stroker->column += QTRI_STROKE_WINDOW) {
-        int32_t rows[2];
-        qtri_stroker_find_parts(stroker, rows);
-        for (stroker->row = rows[0]; stroker->row < rows[1]; stroker->row++) {
-            draw_row(stroker);
-        }
+    const qtri_rect *b = &stroker->to.state.bounds;
+    const qtri_stroke_box bounds = {(int16_t)b->x0, (int16_t)b->y0, (int16_t)b->x1, (int16_t)b->y1};
+    qtri_stroke_box box;
+    if (source->count == 1) {
+        draw_only(stroker, source);
+        return;
+    }
+    stroker->source = source;
+    stroker->own = &stroker->shape[QTRI_STROKE_SHAPES];
+    for (int i = 0; i < QTRI_STROKE_SHAPES; i++) {
+        stroker->shape[i].part = UINT32_MAX;
+    }
+    find_blocks(stroker);
+    for (uint32_t part = 0; (part = next_near(stroker, part, &bounds, &box)) != UINT32_MAX;
+         part++) {
+        *stroker->own = *shape_of(stroker, part);
+        find_neighbours(stroker, part, &box);
+        draw_own(stroker);
     }
 }

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Strokes: the union of the shapes of a line's parts, row by row. Internal.
+ * Strokes: the union of the shapes of a line's parts. Internal.
  *
  * A part, the segment from a to b, is a convex shape: a rectangle and, at joints and round ends, a
- * disc. The picture is drawn in strips of 32 columns that begin at multiples of 32, row by row. In
- * a row of a strip, parts whose columns touch are a group: their union is found together. What a
- * pixel becomes depends on the row, the strip and the parts, never on what a band or a scissor
- * leave of them.
+ * disc. Parts are drawn one after the other, row by row. A pixel that several of them touch is
+ * drawn with the first of them, as what all of these cover together; the others leave it out. What
+ * a pixel becomes depends on the parts, never on what a band or a scissor leave of them.
  */
 #ifndef QTRI_RASTER_STROKE_H
 #define QTRI_RASTER_STROKE_H
@@ -14,17 +13,20 @@
 #include "qtri/stroke.h"
 
 #include "../bits/bits.h"
+#include "draw_state.h"
 #include "line.h"
 #include "stroke_shape.h"
 
 enum {
-    QTRI_STROKE_WINDOW = 32, /* columns of a strip */
-    QTRI_STROKE_SHAPES = 8,  /* that are kept from row to row */
-    QTRI_STROKE_PARTS = 16,  /* of a strip or a row whose numbers are kept */
-    QTRI_STROKE_MARKED = 256 /* first parts, that are marked where they may touch the rows */
+    QTRI_STROKE_WINDOW = 32,     /* columns that are looked at together, from a multiple of it on */
+    QTRI_STROKE_SHAPES = 8,      /* that are kept */
+    QTRI_STROKE_NEIGHBOURS = 24, /* of a part whose numbers are kept */
+    QTRI_STROKE_GROUP = 8,
+    QTRI_STROKE_RING = 19,
+    QTRI_STROKE_BLOCKS = 16 /* of parts that follow each other, with their boxes */
 };
 
-/* Parts 0 .. count-1. `place` is asked in every row, and says false of what is not to be seen. */
+/* Parts 0 .. count-1. `place` says false of what is not to be seen. */
 typedef struct qtri_stroke_source {
     const void *from;
     uint32_t count;
@@ -32,42 +34,57 @@ typedef struct qtri_stroke_source {
     void (*ends)(const void *from, uint32_t part, qtri_stroke_end end[2]);
 } qtri_stroke_source;
 
-/* A part that may touch a row of the strip, in these columns. */
-typedef struct qtri_stroke_touch {
+/* Pixels: x0 <= x < x1. */
+typedef struct qtri_stroke_box {
+    int16_t x0, y0, x1, y1;
+} qtri_stroke_box;
+
+/* A part that comes near the one that is drawn: the rows that it may touch. */
+typedef struct qtri_stroke_neighbour {
     uint32_t part;
-    int16_t first, end; /* of the frame: within 2^14 and three radii */
-} qtri_stroke_touch;
+    int16_t y0, y1;
+} qtri_stroke_neighbour;
+
+/* Half of a polygon around a disc, from its top down, by what small round points are drawn. */
+typedef struct qtri_stroke_ring {
+    int32_t radius; /* 0: none yet */
+    int32_t count;
+    struct {
+        int32_t y, half;     /* from the centre */
+        int32_t slope_q16;   /* of half, from here to the next */
+        int32_t inverse_q16; /* 1 / |slope| */
+    } at[QTRI_STROKE_RING];
+} qtri_stroke_ring;
 
 typedef struct qtri_stroker {
-    const qtri_surface *surface;
     const qtri_stroke_source *source;
-    qtri_rect bounds;
-    qtri_compare compare;
-    bool depth_write;
-    uint8_t passing; /* of a depth: bit 0 if less passes, bit 1 if equal does, bit 2 if greater */
-    uint8_t first, end; /* columns of the strip that the row's parts touch */
-    uint8_t alpha;      /* 1..255 */
     const qtri_stroke_edges *edges;
-    const qtri_material *material;
-    const qtri_effect_stages *effects; /* its fog and blend; NULL: neither */
-    int32_t column, row;               /* of the strip */
-    uint32_t part[QTRI_STROKE_PARTS];  /* that may touch the strip, in their order */
-    uint32_t part_count;               /* and */
-    uint32_t rest;                     /*   from which on others may follow; UINT32_MAX: none */
-    uint32_t marks[QTRI_STROKE_MARKED / 32];
-    qtri_stroke_touch touch[QTRI_STROKE_PARTS]; /* of the row, by their first columns */
-    uint32_t touch_count; /* QTRI_STROKE_MANY: more than there is room for are one group */
-    uint32_t first_touch, touch_end; /* of the group */
-    qtri_stroke_shape shape[QTRI_STROKE_SHAPES];
-    int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of those pixels, QTRI_STROKE_FULL at most */
+    qtri_stroke_target to;
+    qtri_stroke_shape *own;                          /* the part that is drawn */
+    qtri_stroke_shape shape[QTRI_STROKE_SHAPES + 1]; /* the last is the own one */
+    qtri_stroke_shape disc;                          /* of the last shape that has one apart */
+    qtri_stroke_neighbour neighbour[QTRI_STROKE_NEIGHBOURS];
+    uint32_t neighbour_count;
+    uint32_t rest; /* from which on there may be more of them; UINT32_MAX: none */
+    qtri_stroke_box block[QTRI_STROKE_BLOCKS];
+    uint32_t block_parts;              /* of one */
+    uint32_t group[QTRI_STROKE_GROUP]; /* later parts that reach into the row's columns, and */
+    uint32_t group_count;              /* how many: of more than there is room for one too many */
+    bool is_alike;                     /* they have one colour and depth */
+    qtri_stroke_ring ring;
+    /* The row, and columns of it, at most a window. */
+    int32_t row;
+    int32_t first, end;
+    bool is_alone;
+    int32_t cover[QTRI_STROKE_WINDOW + 1]; /* of the window, at most QTRI_STROKE_FULL */
 } qtri_stroker;
 
-#define QTRI_STROKE_MANY UINT32_MAX
-
 struct qtri_stroke_edges {
-    /* Adds the parts of the group to stroker->cover; then makes of the sums what pixels have. */
-    void (*add)(qtri_stroker *stroker);
-    void (*finish)(qtri_stroker *stroker);
+    /* Makes cover[] of the own part and all that reach into the row's columns with it. */
+    void (*cover)(qtri_stroker *stroker);
+    /* Draws a round point that is small; false: the part is something else. */
+    bool (*point)(qtri_stroker *stroker, const qtri_stroke_place *place,
+                  const qtri_stroke_end end[2]);
     qtri_line_draws line; /* thin ones, each by itself: see stroke_line.h */
 };
 
@@ -76,32 +93,19 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke);
 void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
 
-/* Takes a source's parts; columns that they may touch, inside the bounds, from [0] to before [1].
- */
-void qtri_stroker_begin(qtri_stroker *stroker, const qtri_stroke_source *source,
-                        int32_t columns[2]);
-
-/* Lists the parts of the strip that begins at `column`, and finds its rows, likewise. */
-void qtri_stroker_find_parts(qtri_stroker *stroker, int32_t rows[2]);
-
-/* Lists those that touch the row, by their first columns. False: none. */
-bool qtri_stroker_find_touches(qtri_stroker *stroker);
-
-/* The shape of a part that is there. Of eight parts that follow each other all are kept. */
-qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part);
-
-/* The group of touches from `from` on: those whose columns follow or cover each other. */
-void qtri_stroker_set_group(qtri_stroker *stroker, uint32_t from);
+/* One part by itself. */
+void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place,
+                            const qtri_stroke_end end[2]);
 
 /*
- * The parts of the group: *at is 0 at first, and counts on. NULL behind the last. A shape is there
- * until the next is asked for.
+ * The shapes that reach into the row's columns, the own part's first: *at is 0 at first, and counts
+ * on. NULL behind the last. A shape is there until the next is asked for.
  */
 qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at);
 
-/* Draws pixels first .. end-1 of the row, up to a strip of them, that one part covers wholly. */
-void qtri_stroke_run(const qtri_stroker *stroker, const qtri_stroke_shape *shape, int32_t first,
-                     int32_t end);
+/* Smooth edges' `point`. */
+bool qtri_stroke_point_draw(qtri_stroker *stroker, const qtri_stroke_place *place,
+                            const qtri_stroke_end end[2]);
 
 /* Half of a width in 24.8; 0: nothing is drawn. */
 static inline int32_t qtri_stroke_radius(q16 width)

@@ -4,18 +4,44 @@
 #include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
 #include "../filter/mix.h"
-#include "../frame/depth_format.h"
 #include "line_path.h"
-#include "stroke_wire.h"
 
-/* What covers a whole pixel: 256 of a width by 512 halves of 1/256 of a height. */
-#define FULL  ((int32_t)256 * 512)
+#define FULL  QTRI_STROKE_FULL
 #define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
 
 enum {
-    CELLS = 8,  /* of a column, with what follows the last */
-    CHUNK = 128 /* columns after which a line starts anew: see line_path.h */
+    CELLS = 8,   /* of a column, with what follows the last */
+    CHUNK = 128, /* columns after which a line starts anew: see line_path.h */
+    SHARE_BITS = 14
 };
+
+/*
+ * A line by its longer axis, "along", and the other, "across". Its rectangle's corners lie at an
+ * end less the offset, on the near side, and at the end plus the offset, on the far one:
+ * (offset_x, -offset_y) from it. 24.8 where nothing else is said.
+ */
+typedef struct wire {
+    const qtri_line_job *job;
+    int32_t x[2], y[2];         /* of the ends, along and across; x[0] < x[1] */
+    int32_t origin_x, origin_y; /* of the first end, without a cap */
+    int32_t slope_q16;          /* across for along: -1..1 */
+    uint32_t slope_q30;         /* its magnitude */
+    int32_t inverse_q8;         /* along for across, its magnitude, at most 2^22 */
+    int32_t offset_x, offset_y; /* |offset_x| <= offset_y <= radius */
+    int32_t half_q16;           /* of its extent across, in a column: <= sqrt(2) pixels */
+    int32_t first, end;         /* columns */
+    int32_t inner, inner_end;   /* those where it has no end */
+    int32_t bounds[4];          /* pixels inside: along from, to; across from, to */
+    bool inside;                /* all of it lies in them */
+    int32_t share_step;         /* Q24 of its length a column; at most 2^28 */
+    int32_t share_across;       /* the same for a pixel across */
+    const qtri_vertex *ends[2]; /* the first, and the last */
+    qtri_stroke_look look;
+    bool steep; /* along is y */
+    /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
+    uint8_t *pixels, *depths;
+    int32_t pixel_along, pixel_across, depth_along, depth_across;
+} wire;
 
 /*
  * Adds the area on the far side of a side that goes from `ya` to `yb`, 1/256 pixel behind the
@@ -56,7 +82,7 @@ QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int
 }
 
 /* An end of the rectangle, from its near corner to the far one, as far as it lies in the column. */
-QTRI_INLINE void add_end(int32_t *cell, const qtri_wire *w, int end, int32_t x, int32_t first)
+QTRI_INLINE void add_end(int32_t *cell, const wire *w, int end, int32_t x, int32_t first)
 {
     const int32_t near_x = w->x[end] + w->offset_x;
     const int32_t far_x = w->x[end] - w->offset_x;
@@ -77,7 +103,7 @@ QTRI_INLINE void add_end(int32_t *cell, const qtri_wire *w, int end, int32_t x, 
 }
 
 /* One of the long sides in a column where the line ends: `y` at the column's start. */
-QTRI_INLINE void add_part(int32_t *cell, const qtri_wire *w, int32_t sign, int32_t x, int32_t y)
+QTRI_INLINE void add_part(int32_t *cell, const wire *w, int32_t sign, int32_t x, int32_t y)
 {
     const int32_t offset = sign * w->offset_x;
     const int32_t left = qtri_greatest32(w->x[0] + offset, x);
@@ -89,7 +115,7 @@ QTRI_INLINE void add_part(int32_t *cell, const qtri_wire *w, int32_t sign, int32
 }
 
 /* All sides of a column where the line ends; `y` is the near side at its start, in cell 0. */
-QTRI_NOINLINE static void add_ends(int32_t *cell, const qtri_wire *w, int32_t column, int32_t first,
+QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column, int32_t first,
                                    int32_t y, int32_t wide)
 {
     const int32_t x = column * 256;
@@ -103,95 +129,84 @@ QTRI_NOINLINE static void add_ends(int32_t *cell, const qtri_wire *w, int32_t co
     }
 }
 
-/* Of a cover, 32nds to nearest. */
-static inline uint32_t share_565(uint32_t cover)
+/* Held to the line: 16 bits. */
+static inline uint32_t held_share(int32_t share_q24)
 {
-    return (cover + FULL / 64) / (FULL / 32);
+    return (uint32_t)qtri_hold32(share_q24, 0, (1 << 24) - 1) >> 8;
 }
 
-static inline int32_t held_share(int32_t share_q24)
-{
-    const int32_t share = share_q24 >> (24 - QTRI_WIRE_SHARE_BITS);
-    const int32_t one = (int32_t)1 << QTRI_WIRE_SHARE_BITS;
-    return (uint32_t)share <= (uint32_t)one ? share : (share < 0 ? 0 : one);
-}
-
-/* Where a column's cells are, and the share at the first in Q24. */
+/* Where a column's cells are, what covers the pixel before the first, and the share there in Q24.
+ */
 typedef struct cells {
     const int32_t *cell, *end;
-    int32_t share, along, across;
+    int32_t sum, share, along, across;
 } cells;
 
-/* Pixels of a column for any format. */
-static void take_pixels(const qtri_wire *w, qtri_wire_pixels *p, const cells *c)
+/* Leaves out cells outside of the bounds. */
+static void clip_cells(const wire *w, cells *c)
 {
-    const qtri_line_job *job = w->job;
-    const qtri_surface *surface = job->surface;
-    uint32_t place = (uint32_t)c->along * w->place_along + (uint32_t)c->across * w->place_across -
-                     job->first_place;
-    int32_t share_q24 = c->share;
-    int32_t row = c->across;
-    int32_t sum = 0;
-    for (const int32_t *cell = c->cell; cell != c->end;
-         cell++, place += w->place_across, share_q24 += w->share_across, row++) {
-        sum += *cell;
-        if (sum < LEAST || row < w->bounds[2] || row >= w->bounds[3]) {
-            continue;
-        }
-        const int32_t share = held_share(share_q24);
-        uint32_t late = 0;
-        if (job->has_depth) {
-            uint16_t *depth = surface->depth + (ptrdiff_t)(place >> 16) * surface->depth_pitch +
-                              (ptrdiff_t)(place & 0xFFFF);
-            const uint32_t z = (uint32_t)(w->z_16p14 + w->z_step * share) >> 14;
-            if (z - *depth - job->less >= job->passing) {
-                continue;
-            }
-            if (job->depth_write && sum >= FULL / 2) {
-                late = job->writes_early ? 0 : (uint32_t)1 << QTRI_WIRE_LATE_BIT;
-                *depth = job->writes_early ? (uint16_t)z : *depth;
-            }
-        } else if (job->testing != NULL) {
-            const bool writes = job->depth_write && sum >= FULL / 2;
-            if (!job->testing->passes(surface, qtri_compare_of(job->material), place,
-                                      qtri_wire_fine_depth(w, share),
-                                      writes && job->writes_early)) {
-                continue;
-            }
-            late = writes && !job->writes_early ? (uint32_t)1 << QTRI_WIRE_LATE_BIT : 0;
-        }
-        const int32_t i = p->count++;
-        p->place[i] = place;
-        const uint32_t cover = (uint32_t)qtri_least32(sum, FULL) * w->alpha_q8 >> 15;
-        p->word[i] = (uint32_t)share | late | cover << QTRI_WIRE_COVER_AT;
+    for (; c->across < w->bounds[2] && c->cell != c->end; c->across++) {
+        c->sum += *c->cell++;
+        c->share += w->share_across;
+    }
+    const int32_t rest = w->bounds[3] - c->across;
+    if (rest < (int32_t)(c->end - c->cell)) {
+        c->end = rest > 0 ? c->cell + rest : c->cell;
     }
 }
 
-/* The same, stored, where pixels are RGB565 with a table of tints; none is outside. */
-QTRI_INLINE void draw_pixels(const qtri_wire *w, const cells *c, bool has_depth)
+/* Pixels of a column for any format. */
+static void draw_any(const wire *w, const cells *c)
+{
+    qtri_stroke_target *to = w->job->smooth_target;
+    uint16_t weight[CELLS];
+    uint16_t share_q16[CELLS];
+    int32_t share_q24 = c->share;
+    int32_t sum = c->sum;
+    int32_t count = 0;
+    for (const int32_t *cell = c->cell; cell != c->end; cell++, share_q24 += w->share_across) {
+        sum += *cell;
+        const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, FULL);
+        weight[count] = (uint16_t)(sum < LEAST ? 0 : qtri_stroke_weight(cover, to->alpha_q16));
+        share_q16[count] = (uint16_t)held_share(share_q24);
+        count++;
+    }
+    const qtri_stroke_span span = {&to->state,
+                                   &w->look,
+                                   w->steep ? c->across : c->along,
+                                   w->steep ? c->along : c->across,
+                                   count,
+                                   weight,
+                                   share_q16,
+                                   !w->steep};
+    qtri_stroke_target_draw(to, &span);
+}
+
+/* The same where pixels are RGB565 with a table of tints. */
+QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
 {
     const int32_t *cell = c->cell;
     const int32_t *const end = c->end;
-    const uint16_t *table = w->table;
     uint8_t *pixel = w->pixels + c->along * w->pixel_along + c->across * w->pixel_across;
     uint8_t *depth =
         has_depth ? w->depths + c->along * w->depth_along + c->across * w->depth_across : NULL;
     int32_t share_q24 = c->share;
-    int32_t sum = 0;
+    int32_t sum = c->sum;
     do {
         sum += *cell++;
         if (sum >= LEAST) {
-            const int32_t share = held_share(share_q24);
+            const uint32_t share = qtri_stroke_share(held_share(share_q24));
             uint16_t *at = (uint16_t *)(void *)depth;
-            const uint32_t z = (uint32_t)(w->z_16p14 + w->z_step * share) >> 14;
+            const uint32_t z = (qtri_stroke_look_depth(&w->look, share) + 0x8000u) >> 16;
             if (!has_depth || z < *at) {
                 uint16_t *to = (uint16_t *)(void *)pixel;
-                const uint32_t light = (uint32_t)(w->light_q29 + w->light_step * share);
-                const uint32_t word = table[(light + (1u << 21)) >> 22];
+                const uint32_t cover = (uint32_t)qtri_least32(sum, FULL);
+                const uint32_t weight = qtri_stroke_weight(cover, 65536) & 0x1FFu;
+                const uint32_t word = qtri_stroke_look_tint(&w->look, share);
                 if (has_depth && sum >= FULL / 2) {
                     *at = (uint16_t)z;
                 }
-                *to = (uint16_t)qtri_lerp_565(*to, word, share_565((uint32_t)sum));
+                *to = (uint16_t)qtri_color_mix(QTRI_IN_565, word, weight, *to, 256 - weight);
             }
         }
         share_q24 += w->share_across;
@@ -208,16 +223,13 @@ QTRI_INLINE void draw_pixels(const qtri_wire *w, const cells *c, bool has_depth)
  */
 enum { ANY, OVER, NEARER };
 
-QTRI_INLINE void walk(const qtri_wire *w, int32_t column_of, int32_t end, int32_t low_q16,
-                      int32_t share, int how)
+QTRI_INLINE void walk(const wire *w, int32_t column_of, int32_t end, int32_t low_q16, int32_t share,
+                      int how)
 {
-    qtri_wire_pixels p;
     int32_t cell[CELLS];
     const int32_t slope = w->slope_q16;
     const int32_t wide = 2 * w->half_q16 >> 8;
     cells c;
-    p.count = 0;
-    c.cell = cell;
     for (c.along = column_of; c.along < end; c.along++, low_q16 += slope, share += w->share_step) {
         cell[0] = cell[1] = cell[2] = cell[3] = 0;
         cell[4] = cell[5] = cell[6] = 0;
@@ -237,34 +249,36 @@ QTRI_INLINE void walk(const qtri_wire *w, int32_t column_of, int32_t end, int32_
         c.end = cell + ((qtri_greatest32(near_a, near_b) + wide + 8) >> 8) + 1;
         c.share = share + (w->share_across >> 8) * (first + 128 - middle);
         c.across = base;
-        if (how != ANY) {
+        c.cell = cell;
+        c.sum = 0;
+        if (!w->inside) {
+            clip_cells(w, &c);
+            if (c.cell == c.end) {
+                continue;
+            }
+        }
+        if (how == ANY) {
+            draw_any(w, &c);
+        } else {
             draw_pixels(w, &c, how == NEARER);
-            continue;
         }
-        if (p.count > QTRI_BATCH - CELLS) {
-            qtri_wire_store(w, &p);
-        }
-        take_pixels(w, &p, &c);
-    }
-    if (how == ANY) {
-        qtri_wire_store(w, &p);
     }
 }
 
-QTRI_NOINLINE static void walk_any(const qtri_wire *w, int32_t column, int32_t end, int32_t low_q16,
+QTRI_NOINLINE static void walk_any(const wire *w, int32_t column, int32_t end, int32_t low_q16,
                                    int32_t share)
 {
     walk(w, column, end, low_q16, share, ANY);
 }
 
-QTRI_NOINLINE static void walk_over(const qtri_wire *w, int32_t column, int32_t end,
-                                    int32_t low_q16, int32_t share)
+QTRI_NOINLINE static void walk_over(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+                                    int32_t share)
 {
     walk(w, column, end, low_q16, share, OVER);
 }
 
-QTRI_NOINLINE static void walk_nearer(const qtri_wire *w, int32_t column, int32_t end,
-                                      int32_t low_q16, int32_t share)
+QTRI_NOINLINE static void walk_nearer(const wire *w, int32_t column, int32_t end, int32_t low_q16,
+                                      int32_t share)
 {
     walk(w, column, end, low_q16, share, NEARER);
 }
@@ -273,7 +287,7 @@ QTRI_NOINLINE static void walk_nearer(const qtri_wire *w, int32_t column, int32_
  * Direction and what follows from it, of a line that is `length` along and `delta` across. Its
  * cosine is 1 / sqrt(1 + slope^2), within 2^-12 of itself.
  */
-static void set_direction(qtri_wire *w, int32_t length, int32_t delta, int32_t radius)
+static void set_direction(wire *w, int32_t length, int32_t delta, int32_t radius)
 {
     const int32_t zeros = qtri_clz32((uint32_t)length); /* 8..31 */
     const uint32_t reciprocal = qtri_reciprocal_near((uint32_t)length << zeros);
@@ -304,7 +318,7 @@ static void set_direction(qtri_wire *w, int32_t length, int32_t delta, int32_t r
 }
 
 /* The near side at the start of a column that begins a chunk, and the share at its middle. */
-static void begin_chunk(const qtri_wire *w, int32_t column, int32_t *low_q16, int32_t *share)
+static void begin_chunk(const wire *w, int32_t column, int32_t *low_q16, int32_t *share)
 {
     const int32_t x = column * 256 - w->origin_x; /* |x| < 2^23 */
     int64_t rise = (int64_t)qtri_mul_u32(qtri_magnitude32(x), w->slope_q30);
@@ -314,40 +328,22 @@ static void begin_chunk(const qtri_wire *w, int32_t column, int32_t *low_q16, in
 }
 
 /* Ends and what they bring, by the longer axis. False: nothing is covered. */
-static bool set_ends(qtri_wire *w, const qtri_line_job *job, const qtri_vertex *a,
-                     const qtri_vertex *b, const qtri_line_color *color)
+static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b)
 {
     qtri_line_path l;
     qtri_line_path_init(&l, a, b, 1, 65536);
     if (l.length == 0) {
         return false;
     }
-    const int32_t z[2] = {(int32_t)((l.first->depth_16p8 & job->depth_mask) >> 8),
-                          (int32_t)((l.last->depth_16p8 & job->depth_mask) >> 8)};
     w->job = job;
-    w->place_along = (uint32_t)l.step;
-    w->place_across = (uint32_t)l.step_minor;
     w->x[0] = l.steep ? l.first->at.y_24p8 : l.first->at.x_24p8;
     w->x[1] = w->x[0] + l.length;
     w->y[0] = l.minor;
     w->y[1] = l.minor + l.delta;
     w->origin_x = w->x[0];
     w->origin_y = w->y[0];
-    w->z_16p14 = (z[0] << 6) + (1 << 13);
-    w->z_step = (z[1] - z[0] + 128) >> 8;
-    w->z_16p8 = z[0];
-    w->z_delta = z[1] - z[0];
-    w->from = NULL;
-    w->to = NULL;
-    w->light_q29 = 0;
-    w->light_step = 0;
-    if (color != NULL) {
-        w->from = &color[l.first != a];
-        w->to = &color[l.first == a];
-    } else {
-        w->light_q29 = (int32_t)((uint32_t)l.first->intensity_q15 << QTRI_WIRE_SHARE_BITS);
-        w->light_step = (int32_t)l.last->intensity_q15 - (int32_t)l.first->intensity_q15;
-    }
+    w->ends[0] = l.first;
+    w->ends[1] = l.last;
     set_direction(w, l.length, l.delta, job->smooth->radius_24p8);
     if (job->smooth->square) {
         w->x[0] -= w->offset_y; /* radius times cosine */
@@ -379,25 +375,58 @@ static bool set_ends(qtri_wire *w, const qtri_line_job *job, const qtri_vertex *
            low <= w->bounds[3];
 }
 
-typedef void (*walk_columns)(const qtri_wire *w, int32_t column, int32_t end, int32_t low_q16,
+typedef void (*walk_columns)(const wire *w, int32_t column, int32_t end, int32_t low_q16,
                              int32_t share);
 
-/* What walks a line of which nothing is outside. */
-static walk_columns walk_of(qtri_wire *w, const qtri_line_color *color)
+/* Colours by the table of tints, where it is of pixels as they are stored. */
+static bool has_tints(const qtri_line_job *job, const qtri_line_color *color)
+{
+    return color == NULL && job->batch->has_table && qtri_is_565(job->surface->format);
+}
+
+/* Depth and colours. */
+static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color)
+{
+    const qtri_line_job *job = w->job;
+    const qtri_vertex *first = w->ends[0];
+    const qtri_vertex *last = w->ends[1];
+    qtri_stroke_end end[2];
+    if (has_tints(job, color)) {
+        qtri_stroke_look_set_depth(&w->look, first->depth_16p8 & job->depth_mask,
+                                   last->depth_16p8 & job->depth_mask);
+        w->look.is_level = w->look.is_even = false;
+        w->look.tints = qtri_batch_table(job->batch);
+        w->look.light_q29 = (int32_t)((uint32_t)first->intensity_q15 << SHARE_BITS);
+        w->look.light_step = (int32_t)last->intensity_q15 - (int32_t)first->intensity_q15;
+        return;
+    }
+    const qtri_rgb *tint = &job->material->color;
+    for (int i = 0; i < 2; i++) {
+        const int32_t light = (int32_t)w->ends[i]->intensity_q15 * 2;
+        const int32_t lit[3] = {tint->r * light, tint->g * light, tint->b * light}; /* <= 255.0 */
+        const int32_t *from = color == NULL ? lit : color[w->ends[i] != a];
+        end[i].depth_16p8 = w->ends[i]->depth_16p8 & job->depth_mask;
+        end[i].color_8p16[0] = from[0];
+        end[i].color_8p16[1] = from[1];
+        end[i].color_8p16[2] = from[2];
+    }
+    qtri_stroke_look_init(&w->look, end);
+}
+
+/* What walks a line. */
+static walk_columns walk_of(wire *w)
 {
     const qtri_line_job *job = w->job;
     const qtri_surface *surface = job->surface;
     const bool nearer = job->has_depth && job->is_less && job->depth_write;
     const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
-    if (!QTRI_WITH_FAST_PATHS || color != NULL || job->smooth->alpha != 255 ||
-        job->effect != NULL || !job->batch->has_table || (job->has_depth && !nearer) ||
-        !qtri_is_565(surface->format) || surface->pitch >= pitch_end ||
-        surface->pitch <= -pitch_end || surface->depth_pitch >= pitch_end / 2 ||
-        surface->depth_pitch <= -pitch_end / 2) {
+    if (!QTRI_WITH_FAST_PATHS || w->look.tints == NULL || job->smooth->alpha != 255 ||
+        job->testing != NULL || (job->has_depth && !nearer) || !qtri_is_565(surface->format) ||
+        surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
+        surface->depth_pitch >= pitch_end / 2 || surface->depth_pitch <= -pitch_end / 2) {
         return walk_any;
     }
     const int32_t pitch = (int32_t)surface->pitch;
-    w->table = qtri_batch_table(job->batch);
     w->pixels = surface->pixels - surface->first_row * surface->pitch;
     w->pixel_along = w->steep ? pitch : 2;
     w->pixel_across = w->steep ? 2 : pitch;
@@ -414,13 +443,12 @@ static walk_columns walk_of(qtri_wire *w, const qtri_line_color *color)
 void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                            const qtri_line_color *color)
 {
-    qtri_wire w;
-    if (job->width_24p8 == 0 || !set_ends(&w, job, a, b, color)) {
+    wire w;
+    if (job->width_24p8 == 0 || !set_ends(&w, job, a, b)) {
         return;
     }
-    const uint32_t alpha = job->smooth->alpha;
-    w.alpha_q8 = alpha + (alpha >> 7);
-    const walk_columns columns = w.inside ? walk_of(&w, color) : walk_any;
+    set_look(&w, a, color);
+    const walk_columns columns = walk_of(&w);
     for (int32_t start = w.first; start < w.end; start += CHUNK) {
         int32_t low_q16;
         int32_t share;

@@ -11,6 +11,7 @@
 #define QTRI_RASTER_STROKE_LINE_H
 
 #include "line.h"
+#include "stroke_span.h"
 
 #define QTRI_STROKE_LINE_RADIUS 256 /* 24.8: two pixels of width */
 
@@ -24,16 +25,20 @@ typedef struct qtri_stroke_line {
 #define QTRI_STROKE_LINE_REACH 512 /* 24.8 */
 
 /*
- * Lets the job draw smooth lines. The rows in which it looks for triangles reach further then than
- * those of the surface, which this file knows.
+ * Lets the job, of surface and material, draw smooth lines. The rows in which it looks for
+ * triangles reach further then than those of the surface, which stroke_line.c knows.
  */
 static inline void qtri_stroke_line_choose(qtri_line_job *job, const qtri_stroke_line *style,
-                                           qtri_line_draws draw)
+                                           qtri_stroke_target *to, qtri_line_draws draw)
 {
     job->smooth = style;
+    job->smooth_target = to;
     job->draw = draw;
     job->top_24p8 -= QTRI_STROKE_LINE_REACH;
     job->height_24p8 += 2 * QTRI_STROKE_LINE_REACH;
+    if (!qtri_stroke_target_init(to, job->surface, job->material, style->alpha, true)) {
+        job->width_24p8 = 0;
+    }
 }
 
 /* A qtri_line_draws for jobs whose `smooth` is set. What is drawn is stored at once. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke_shape.h"
 
+#include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
 #include "../bits/seed.h"
 
@@ -19,20 +20,28 @@ static int32_t times_q30(int32_t x, int32_t y_q30)
     return (int32_t)((qtri_mul_s32(x, y_q30) + ((int64_t)1 << 29)) >> 30);
 }
 
+static void set_no_length(qtri_stroke_shape *s)
+{
+    s->along_x_q30 = (int32_t)1 << 30;
+    s->along_y_q30 = 0;
+    s->length_24p8 = 0;
+    s->share_x = s->share_y = 0;
+    s->share_shift = 31;
+}
+
 /*
  * Direction and length: the difference is shifted up so far that the square of its length has 61
  * or 62 bits, which leaves the direction 30 bits of a part of any length.
+ *
+ * A unit along is u / length of the part, u the direction: with 1 / length = reciprocal
+ * 2^(up + zeros - 62), and the product of both numbers cut off by 2^31, it is
+ * share 2^(up + zeros - 61).
  */
-static void set_direction(qtri_stroke_shape *shape, int32_t dx, int32_t dy)
+static void set_direction(qtri_stroke_shape *s, int32_t dx, int32_t dy)
 {
     const uint64_t square = (uint64_t)qtri_mul_s32(dx, dx) + (uint64_t)qtri_mul_s32(dy, dy);
-    shape->along_x_q30 = (int32_t)1 << 30;
-    shape->along_y_q30 = 0;
-    shape->length = 0;
-    shape->up = 0;
-    shape->inverse = 0;
-    shape->inverse_shift = 0;
     if (square == 0) {
+        set_no_length(s);
         return;
     }
     const int32_t up = (qtri_clz64(square) - 2) >> 1; /* square < 2^49: 6..30 */
@@ -42,23 +51,77 @@ static void set_direction(qtri_stroke_shape *shape, int32_t dx, int32_t dy)
     const int32_t most = (int32_t)1 << 30;
     const int64_t x = qtri_mul_s32(dx * ((int32_t)1 << up), reciprocal) >> (32 - zeros);
     const int64_t y = qtri_mul_s32(dy * ((int32_t)1 << up), reciprocal) >> (32 - zeros);
-    shape->along_x_q30 = qtri_hold32((int32_t)x, -most, most);
-    shape->along_y_q30 = qtri_hold32((int32_t)y, -most, most);
-    shape->inverse = (uint32_t)reciprocal;
-    shape->inverse_shift = (uint8_t)(46 - zeros); /* 45 or 46 */
-    shape->length = length;
-    shape->up = (uint8_t)up;
+    s->along_x_q30 = qtri_hold32((int32_t)x, -most, most);
+    s->along_y_q30 = qtri_hold32((int32_t)y, -most, most);
+    s->length_24p8 = (int32_t)((length + ((uint32_t)1 << (up - 1))) >> up);
+    s->share_x = (int32_t)(qtri_mul_s32(s->along_x_q30, reciprocal) >> 31);
+    s->share_y = (int32_t)(qtri_mul_s32(s->along_y_q30, reciprocal) >> 31);
+    s->share_shift = (uint8_t)(37 - up - zeros); /* 6..31 */
 }
 
-void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place)
+static void take_peak(qtri_stroke_chain *chain, int sign, int32_t x, int32_t y)
+{
+    if ((x - chain->peak_x) * sign > 0) { /* |x| < 2^24 */
+        chain->peak_x = x;
+        chain->peak_y = y;
+    }
+}
+
+/* The side that leaves a + offset (sign 1) or a - offset (-1). */
+static void set_chain(qtri_stroke_shape *s, int side, int32_t sign)
+{
+    qtri_stroke_chain *chain = &s->chain[side];
+    const int32_t across = sign * s->offset_y;
+    const int out = side == 0 ? -1 : 1;
+    const int32_t end_x = s->b.x_24p8 + sign * s->offset_x;
+    chain->x = s->a.x_24p8 + sign * s->offset_x;
+    chain->y0 = s->a.y_24p8 + across;
+    chain->y1 = s->b.y_24p8 + across;
+    chain->peak_x = chain->x;
+    chain->peak_y = chain->y0;
+    take_peak(chain, out, end_x, chain->y1);
+    if (s->round_a && s->a.y_24p8 <= chain->y0) {
+        take_peak(chain, out, s->a.x_24p8 + out * s->radius, s->a.y_24p8);
+    }
+    if (s->round_b && s->b.y_24p8 >= chain->y1) {
+        take_peak(chain, out, s->b.x_24p8 + out * s->radius, s->b.y_24p8);
+    }
+}
+
+enum { SHORT = 1 << 14 };
+
+/* From ends, which of them are round, and `out`, radius times direction from a to b. */
+static void set_outline(qtri_stroke_shape *s, int32_t out_x, int32_t out_y)
+{
+    /* To the left of the direction, or where that is down, so that its y is not negative. */
+    s->offset_x = out_x < 0 ? out_y : -out_y;
+    s->offset_y = out_x < 0 ? -out_x : out_x;
+    const int32_t dx = s->b.x_24p8 - s->a.x_24p8;
+    const int32_t dy = s->b.y_24p8 - s->a.y_24p8;
+    s->slope_q32 = dy == 0 ? 0 : slope_of(dx, dy);
+    s->end_slope_q32 =
+        s->offset_y == 0 || (s->round_a && s->round_b) ? 0 : slope_of(s->offset_x, s->offset_y);
+    s->is_short = dy < SHORT && dx < SHORT && dx > -SHORT;
+    s->slope_q16 = s->is_short ? (int32_t)((s->slope_q32 + 0x8000) >> 16) : 0;
+    s->top = s->a.y_24p8 - (s->round_a ? s->radius : s->offset_y);
+    s->bottom = s->b.y_24p8 + (s->round_b ? s->radius : s->offset_y);
+    s->level[0] = s->level[1] = s->last_level = INT32_MAX;
+    /* To the right and down, the offset leads to the left bound; to the left, to the right one. */
+    const int32_t left = out_x < 0 ? -1 : 1;
+    set_chain(s, 0, left);
+    set_chain(s, 1, -left);
+}
+
+void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place, int32_t more)
 {
     qtri_screen_point end[2] = {place->end[0], place->end[1]};
     const int32_t radius = place->radius_24p8;
-    set_direction(shape, end[1].x_24p8 - end[0].x_24p8, end[1].y_24p8 - end[0].y_24p8);
-    shape->origin = end[0];
-    shape->radius = radius;
-    const int32_t out_x = times_q30(radius, shape->along_x_q30);
-    const int32_t out_y = times_q30(radius, shape->along_y_q30);
+    set_direction(s, end[1].x_24p8 - end[0].x_24p8, end[1].y_24p8 - end[0].y_24p8);
+    s->origin = end[0];
+    s->radius = radius;
+    s->more = more;
+    int32_t out_x = times_q30(radius, s->along_x_q30);
+    int32_t out_y = times_q30(radius, s->along_y_q30);
     if (place->caps[0] == QTRI_CAP_SQUARE) {
         end[0].x_24p8 -= out_x;
         end[0].y_24p8 -= out_y;
@@ -67,123 +130,52 @@ void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *p
         end[1].x_24p8 += out_x;
         end[1].y_24p8 += out_y;
     }
-    const bool has_disc[2] = {place->caps[0] == QTRI_CAP_ROUND, place->caps[1] == QTRI_CAP_ROUND};
+    const bool is_round[2] = {place->caps[0] == QTRI_CAP_ROUND, place->caps[1] == QTRI_CAP_ROUND};
     const int upper = end[1].y_24p8 < end[0].y_24p8;
-    shape->a = end[upper];
-    shape->b = end[1 - upper];
-    shape->discs = (uint8_t)((has_disc[upper] ? 1 : 0) | (has_disc[1 - upper] ? 2 : 0));
-    shape->is_disc = shape->discs == 3 && shape->length == 0;
-    if (shape->is_disc) {
-        shape->discs = 1; /* the same one; the rectangle has no width there */
+    s->a = end[upper];
+    s->b = end[1 - upper];
+    s->round_a = is_round[upper];
+    s->round_b = is_round[1 - upper];
+    s->apart = 0;
+    if (s->round_a != s->round_b && s->length_24p8 != 0 && radius > s->length_24p8 - 1) {
+        s->apart = s->round_a ? 1 : 2;
+        s->round_a = s->round_b = false;
     }
-    const bool is_short = (uint64_t)radius << shape->up > shape->length && shape->length != 0;
-    shape->disc_apart = 0;
-    if (is_short && (shape->discs == 1 || shape->discs == 2)) {
-        shape->disc_apart = shape->discs;
-        shape->discs = 0;
+    if (upper != 0) {
+        out_x = -out_x;
+        out_y = -out_y;
     }
-    shape->disc_level[0] = shape->disc_level[1] = INT32_MAX;
-    shape->side_level[0] = shape->side_level[1] = INT32_MAX;
-    /* To the left of the direction, or where that is down, so that its y is not negative. */
-    shape->offset_x = out_x < 0 ? out_y : -out_y;
-    shape->offset_y = out_x < 0 ? -out_x : out_x;
-    const int32_t dy = shape->b.y_24p8 - shape->a.y_24p8;
-    shape->slope_q32 = dy == 0 ? 0 : slope_of(shape->b.x_24p8 - shape->a.x_24p8, dy);
-    shape->end_slope_q32 = shape->offset_y == 0 ? 0 : slope_of(shape->offset_x, shape->offset_y);
+    set_outline(s, out_x, out_y);
+}
+
+void qtri_stroke_shape_disc(qtri_stroke_shape *disc, const qtri_stroke_shape *shape)
+{
+    *disc = *shape;
+    disc->a = shape->apart == 1 ? shape->a : shape->b;
+    disc->b = disc->a;
+    disc->round_a = disc->round_b = true;
+    disc->apart = 0;
+    set_outline(disc, shape->radius, 0);
 }
 
 /*
  * x of a side that passes through `from`, at a level y below it, to nearest. |x| < 2^24 along the
  * side, so that the product with the slope's whole part, which may be less by 1, is below 2^25.
  */
-static int32_t side_x(int32_t from_x, int32_t from_y, int64_t slope_q32, int32_t y)
+static int32_t side_x(int32_t from_x, int32_t down, int64_t slope_q32)
 {
-    const int32_t down = y - from_y;
     const int32_t whole = (int32_t)(slope_q32 >> 32) * down;
     const uint64_t rest = qtri_mul_u32((uint32_t)slope_q32, (uint32_t)down);
     return from_x + whole + (int32_t)((rest + ((uint32_t)1 << 31)) >> 32);
-}
-
-int32_t qtri_stroke_line_y(const qtri_stroke_place *place, int32_t x_24p8)
-{
-    const int left = place->end[1].x_24p8 < place->end[0].x_24p8;
-    const qtri_screen_point *a = &place->end[left];
-    const qtri_screen_point *b = &place->end[1 - left];
-    const int64_t slope_q32 = slope_of(b->y_24p8 - a->y_24p8, b->x_24p8 - a->x_24p8);
-    return side_x(a->y_24p8, a->x_24p8, slope_q32, x_24p8); /* x and y have changed places */
-}
-
-bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int32_t *first,
-                               int32_t *end)
-{
-    const int32_t radius = shape->radius;
-    const int32_t a_y = shape->a.y_24p8;
-    const int32_t b_y = shape->b.y_24p8;
-    const int32_t top = row * 256 - radius;
-    const int32_t bottom = row * 256 + 256 + radius;
-    if (b_y < top || a_y > bottom) {
-        return false;
-    }
-    int32_t x0 = shape->a.x_24p8;
-    int32_t x1 = shape->b.x_24p8;
-    if (a_y < top) {
-        x0 = side_x(shape->a.x_24p8, a_y, shape->slope_q32, top);
-    }
-    if (b_y > bottom) {
-        x1 = side_x(shape->a.x_24p8, a_y, shape->slope_q32, bottom);
-    }
-    *first = (qtri_least32(x0, x1) - radius - 1) >> 8;
-    *end = ((qtri_greatest32(x0, x1) + radius + 1) >> 8) + 1;
-    return true;
-}
-
-static void widen(qtri_stroke_slice *slice, int i, int32_t left, int32_t right)
-{
-    slice->left[i] = qtri_least32(slice->left[i], left);
-    slice->right[i] = qtri_greatest32(slice->right[i], right);
-}
-
-/* Widens the slice by an end from `y0` down to `y1`, if that is there at both levels. */
-static bool add_end(qtri_stroke_slice *slice, const int32_t level[2], int32_t x, int32_t y0,
-                    int32_t y1, int64_t slope_q32)
-{
-    if (y0 == y1 || y0 > level[0] || y1 < level[1]) {
-        return false;
-    }
-    for (int i = 0; i < 2; i++) {
-        const int32_t at = side_x(x, y0, slope_q32, level[i]);
-        widen(slice, i, at, at);
-    }
-    return true;
-}
-
-/* The same with one of the long sides, whose last level may be known. */
-static bool add_side(qtri_stroke_slice *slice, const int32_t level[2], qtri_stroke_shape *s, int k)
-{
-    const int32_t x = k == 0 ? s->a.x_24p8 - s->offset_x : s->a.x_24p8 + s->offset_x;
-    const int32_t across = k == 0 ? -s->offset_y : s->offset_y;
-    const int32_t y0 = s->a.y_24p8 + across;
-    const int32_t y1 = s->b.y_24p8 + across;
-    if (y0 == y1 || y0 > level[0] || y1 < level[1]) {
-        return false;
-    }
-    for (int i = 0; i < 2; i++) {
-        if (s->side_level[k] != level[i]) {
-            s->side_level[k] = level[i];
-            s->side_x[k] = side_x(x, y0, s->slope_q32, level[i]);
-        }
-        widen(slice, i, s->side_x[k], s->side_x[k]);
-    }
-    return true;
 }
 
 /*
  * The root of x, to nearest; below 2^24 off by less than 3/4: the estimate is within 2^-13 of
  * itself, so by half a unit of a root of 12 bits.
  */
-static int32_t root_of(uint32_t radius_less, uint32_t radius_more)
+int32_t qtri_stroke_half_chord(int32_t radius, int32_t down)
 {
-    const uint64_t x = qtri_mul_u32(radius_less, radius_more);
+    const uint64_t x = qtri_mul_u32((uint32_t)(radius - down), (uint32_t)(radius + down));
     if (x >= (uint64_t)1 << 24) {
         return (int32_t)qtri_sqrt64_round(x);
     }
@@ -196,81 +188,173 @@ static int32_t root_of(uint32_t radius_less, uint32_t radius_more)
     return (int32_t)((root + ((uint32_t)1 << (zeros >> 1) >> 1)) >> (zeros >> 1));
 }
 
-/* Half of the chord of disc i at a level within it; levels follow each other. */
-static int32_t half_chord(qtri_stroke_shape *shape, int i, int32_t center_y, int32_t level)
+/* Half of the chord of a disc at a level, 0 outside of it. Levels follow each other. */
+static int32_t half_chord(qtri_stroke_shape *s, int i, int32_t center_y, int32_t y)
 {
-    if (shape->disc_level[i] != level) {
-        const int32_t down = level - center_y;
-        shape->disc_level[i] = level;
-        shape->disc_half[i] =
-            root_of((uint32_t)(shape->radius - down), (uint32_t)(shape->radius + down));
+    if (s->level[i] != y) {
+        const int32_t down = y - center_y;
+        s->level[i] = y;
+        s->half[i] = down >= s->radius || -down >= s->radius
+                         ? 0
+                         : qtri_stroke_half_chord(s->radius, down) + s->more;
     }
-    return shape->disc_half[i];
+    return s->half[i];
 }
 
-static bool add_disc(qtri_stroke_slice *slice, const int32_t level[2], qtri_stroke_shape *shape,
-                     int i)
+QTRI_NOINLINE static int32_t end_x(qtri_stroke_shape *s, int side, int32_t y, bool is_upper)
 {
-    const qtri_screen_point *center = i == 0 ? &shape->a : &shape->b;
-    if (level[0] < center->y_24p8 - shape->radius || level[1] > center->y_24p8 + shape->radius) {
+    const qtri_screen_point *center = is_upper ? &s->a : &s->b;
+    if (is_upper ? s->round_a : s->round_b) {
+        const int32_t half = half_chord(s, is_upper ? 0 : 1, center->y_24p8, y);
+        return side == 0 ? center->x_24p8 - half : center->x_24p8 + half;
+    }
+    return side_x(center->x_24p8 - s->offset_x, y - (center->y_24p8 - s->offset_y),
+                  s->end_slope_q32);
+}
+
+int32_t qtri_stroke_shape_x(qtri_stroke_shape *s, int side, int32_t y, bool below)
+{
+    const qtri_stroke_chain *chain = &s->chain[side];
+    const int32_t at = below ? y : y - 1; /* what is there from this level on to the next */
+    if (at < chain->y0) {
+        return end_x(s, side, y, true);
+    }
+    if (at >= chain->y1) {
+        return end_x(s, side, y, false);
+    }
+    const int32_t down = y - chain->y0;
+    /* |slope| down <= |dx| < 2^14 */
+    return s->is_short ? chain->x + ((s->slope_q16 * down + 0x8000) >> 16)
+                       : side_x(chain->x, down, s->slope_q32);
+}
+
+bool qtri_stroke_shape_reach(qtri_stroke_shape *s, int32_t y0, int32_t y1, int32_t x[2])
+{
+    y0 = qtri_greatest32(y0, s->top);
+    y1 = qtri_least32(y1, s->bottom);
+    if (y0 >= y1) {
         return false;
     }
-    for (int k = 0; k < 2; k++) {
-        const int32_t half = half_chord(shape, i, center->y_24p8, level[k]);
-        widen(slice, k, center->x_24p8 - half, center->x_24p8 + half);
+    for (int side = 0; side < 2; side++) {
+        const qtri_stroke_chain *chain = &s->chain[side];
+        x[side] = chain->peak_y <= y0   ? qtri_stroke_shape_x(s, side, y0, true)
+                  : chain->peak_y >= y1 ? qtri_stroke_shape_x(s, side, y1, false)
+                                        : chain->peak_x;
     }
     return true;
 }
 
-bool qtri_stroke_shape_slice(qtri_stroke_shape *s, int32_t y0, int32_t y1, qtri_stroke_slice *slice)
+static void mark(uint32_t levels[8], int32_t level)
 {
-    const int32_t level[2] = {y0, y1};
-    const int32_t a_y = s->a.y_24p8;
-    const int32_t b_y = s->b.y_24p8;
-    const int32_t x = s->offset_x;
-    const int32_t y = s->offset_y;
-    bool found = false;
-    slice->left[0] = slice->left[1] = INT32_MAX;
-    slice->right[0] = slice->right[1] = INT32_MIN;
-    if (s->is_disc) {
-        return add_disc(slice, level, s, 0);
+    if ((uint32_t)level < 256) {
+        levels[level >> 5] |= (uint32_t)1 << (level & 31);
     }
-    found |= add_side(slice, level, s, 0);
-    found |= add_side(slice, level, s, 1);
-    if ((s->discs & 1) != 0) {
-        found |= add_disc(slice, level, s, 0);
-    } else {
-        found |= add_end(slice, level, s->a.x_24p8 - x, a_y - y, a_y + y, s->end_slope_q32);
-    }
-    if ((s->discs & 2) != 0) {
-        found |= add_disc(slice, level, s, 1);
-    } else {
-        found |= add_end(slice, level, s->b.x_24p8 - x, b_y - y, b_y + y, s->end_slope_q32);
-    }
-    return found;
 }
 
-bool qtri_stroke_shape_disc(qtri_stroke_shape *s, int32_t y0, int32_t y1, qtri_stroke_slice *slice)
+/* Levels of a disc, between y0 and y1, counted as `levels` are. */
+static void mark_disc(uint32_t levels[8], int32_t center, int32_t radius, int32_t y0, int32_t y1)
 {
-    const int32_t level[2] = {y0, y1};
-    slice->left[0] = slice->left[1] = INT32_MAX;
-    slice->right[0] = slice->right[1] = INT32_MIN;
-    return add_disc(slice, level, s, s->disc_apart - 1);
+    static const int16_t down[6] = {16, 64, 144, 256, 400, 576};
+    const int32_t top = center - radius;
+    const int32_t bottom = center + radius;
+    if (y0 >= 256 || y1 <= 0) {
+        return;
+    }
+    const int32_t first = qtri_greatest32(y0, 0);
+    const int32_t last = qtri_least32(y1, 256);
+    for (int i = 0; i < 6 && down[i] < radius; i++) {
+        const int32_t from_top = top + down[i];
+        const int32_t from_bottom = bottom - down[i];
+        if (from_top > first && from_top < last) {
+            mark(levels, from_top);
+        }
+        if (from_bottom > first && from_bottom < last) {
+            mark(levels, from_bottom);
+        }
+    }
+    if (center > y0 && center < y1) {
+        mark(levels, center);
+    }
+    if (radius > 576) {
+        mark(levels, 128);
+    }
 }
 
-void qtri_stroke_shape_breaks(const qtri_stroke_shape *s, int32_t top, uint32_t levels[8])
+void qtri_stroke_shape_mark(const qtri_stroke_shape *s, int32_t top, uint32_t levels[8])
 {
-    const qtri_screen_point *const center[2] = {&s->a, &s->b};
+    const qtri_stroke_chain *left = &s->chain[0];
+    const qtri_stroke_chain *right = &s->chain[1];
+    if (qtri_stroke_shape_is_straight(s, top, top + 256)) {
+        return;
+    }
+    mark(levels, s->top - top);
+    mark(levels, s->bottom - top);
     for (int i = 0; i < 2; i++) {
-        const int32_t y = center[i]->y_24p8 - top;
-        if (y + s->radius <= 0 || y - s->radius >= 256) {
-            continue; /* offset_y <= radius */
-        }
-        const int32_t level[4] = {y - s->offset_y, y + s->offset_y, y - s->radius, y + s->radius};
-        for (int k = 0; k < 4; k++) {
-            if ((uint32_t)level[k] < 256) {
-                levels[level[k] >> 5] |= (uint32_t)1 << (level[k] & 31);
-            }
-        }
+        mark(levels, s->chain[i].y0 - top);
+        mark(levels, s->chain[i].y1 - top);
     }
+    if (s->round_a) {
+        mark_disc(levels, s->a.y_24p8 - top, s->radius, s->top - top,
+                  qtri_greatest32(left->y0, right->y0) - top);
+    }
+    if (s->round_b && s->length_24p8 != 0) {
+        mark_disc(levels, s->b.y_24p8 - top, s->radius, qtri_least32(left->y1, right->y1) - top,
+                  s->bottom - top);
+    }
+}
+
+/* From the part's first end to a pixel's centre; below 2^25. */
+static void to_pixel(const qtri_stroke_shape *s, int32_t x, int32_t y, int32_t to[2])
+{
+    to[0] = x * 256 + 128 - s->origin.x_24p8;
+    to[1] = y * 256 + 128 - s->origin.y_24p8;
+}
+
+/* Of 24 bits, held to the part: 16 bits. */
+static inline uint16_t held_share(int32_t share_q24)
+{
+    return (uint16_t)(share_q24 < 0 ? 0 : share_q24 >= 1 << 24 ? 65535 : share_q24 >> 8);
+}
+
+/* Steps are counted from a multiple of 32 on, whatever a scissor leaves out. */
+void qtri_stroke_shape_shares(const qtri_stroke_shape *s, int32_t x, int32_t y, int32_t count,
+                              uint16_t *share_q16)
+{
+    const int64_t most = (int64_t)1 << 30;
+    const int64_t step = (int64_t)s->share_x * 256 >> s->share_shift;
+    const int32_t skip = x & 31;
+    int32_t to[2];
+    to_pixel(s, x - skip, y, to);
+    int64_t at = (qtri_mul_s32(to[0], s->share_x) + qtri_mul_s32(to[1], s->share_y)) >>
+                 s->share_shift; /* < 2^56 */
+    if (s->length_24p8 >= 256) { /* no step is longer than the part: 32 of them do not lead from
+                                    where it is held into it */
+        int32_t share = (int32_t)(at < -most ? -most : at > most ? most : at);
+        share += skip * (int32_t)step;
+        for (int32_t i = 0; i < count; i++, share += (int32_t)step) {
+            share_q16[i] = held_share(share);
+        }
+        return;
+    }
+    at += skip * step;
+    for (int32_t i = 0; i < count; i++, at += step) {
+        share_q16[i] = held_share((int32_t)(at < -most ? -most : at > most ? most : at));
+    }
+}
+
+uint64_t qtri_stroke_shape_distance(const qtri_stroke_shape *s, int32_t x, int32_t y)
+{
+    const int32_t most = (int32_t)1 << 22;
+    int32_t to[2];
+    to_pixel(s, x, y, to);
+    const int32_t along =
+        (int32_t)((qtri_mul_s32(to[0], s->along_x_q30) + qtri_mul_s32(to[1], s->along_y_q30)) >>
+                  30);
+    const int32_t across =
+        (int32_t)((qtri_mul_s32(to[1], s->along_x_q30) - qtri_mul_s32(to[0], s->along_y_q30)) >>
+                  30);
+    const int32_t beyond = along < 0 ? along : along > s->length_24p8 ? along - s->length_24p8 : 0;
+    const int32_t dx = qtri_hold32(beyond, -most, most);
+    const int32_t dy = qtri_hold32(across, -most, most);
+    return (uint64_t)qtri_mul_s32(dx, dx) + (uint64_t)qtri_mul_s32(dy, dy);
 }

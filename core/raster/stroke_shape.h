@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * One part of a stroke: the shape that it is, row by row, and what it looks like along its length.
+ * One part of a stroke: the convex shape that it is, and where along its length pixels are.
  * Internal.
  */
 #ifndef QTRI_RASTER_STROKE_SHAPE_H
@@ -9,9 +9,7 @@
 #include "qtri/stroke.h"
 
 #include "../bits/bits.h"
-
-/* What covers a whole pixel. */
-#define QTRI_STROKE_FULL ((int32_t)256 * 512)
+#include "stroke_span.h"
 
 /* Where a part is. */
 typedef struct qtri_stroke_place {
@@ -20,129 +18,89 @@ typedef struct qtri_stroke_place {
     uint8_t caps[2];          /* qtri_cap of the ends; joints are round */
 } qtri_stroke_place;
 
-/* What an end looks like. */
-typedef struct qtri_stroke_end {
-    uint32_t depth_16p8; /* 0..65535.0 */
-    int32_t color_8p16[3];
-} qtri_stroke_end;
+/*
+ * The left or the right bound of a shape, from its top down: around the upper end, along a side,
+ * and around the lower end. An end is an arc or straight.
+ */
+typedef struct qtri_stroke_chain {
+    int32_t y0, y1;         /* of the side */
+    int32_t x;              /* of the side at y0 */
+    int32_t peak_x, peak_y; /* where it is furthest out */
+} qtri_stroke_chain;
 
 /*
- * A part made ready. a is its upper end. The rectangle's corners are a and b plus and minus
- * `offset`; slopes are x for y along its long sides and its ends.
+ * A part made ready. a is its upper end, a cap included. The rectangle's corners are a and b plus
+ * and minus `offset`; slopes are x for y along its long sides and its ends.
  */
 typedef struct qtri_stroke_shape {
     uint32_t part; /* UINT32_MAX: none */
-    qtri_screen_point a, b, origin;
+    qtri_screen_point a, b;
     int32_t radius;
     int32_t offset_x, offset_y;
+    int32_t top, bottom;
+    int32_t more; /* added to half of a disc's chord, see QTRI_STROKE_CHORDS */
     int64_t slope_q32, end_slope_q32;
-    uint8_t discs;         /* bit 0: around a, bit 1: around b */
-    bool is_disc;          /* a round point: the one around a is all of it */
-    bool even;             /* one colour, */
-    bool level;            /*   and one depth */
-    int32_t disc_level[2]; /* of the last chord, and half its length */
-    int32_t disc_half[2];
-    int32_t side_level[2], side_x[2]; /* the same of the long sides */
-    /* From `origin`, the first end as it was given, along the part: */
+    qtri_stroke_chain chain[2]; /* left, right */
+    bool round_a, round_b;
+    bool is_short; /* slopes serve in 16 bits, slope_q16, for all of it */
+    int32_t slope_q16;
+    uint8_t apart; /* a disc around a (1) or b (2) reaches out of the other, flat end, and
+                      is no part of this shape; 0: none */
+    int32_t level[2], half[2];     /* the last chords of the discs */
+    int32_t last_level, last_x[2]; /* where the last slice ended, see stroke_smooth.c */
+    /* Along the part, from `origin`, the first end as it was given: */
+    qtri_screen_point origin;
     int32_t along_x_q30, along_y_q30; /* its direction */
-    uint32_t length;                  /* in 24.8, times 2^up: 2^30..2^31; 0: none */
-    uint8_t up;                       /* 6..30 */
-    uint8_t inverse_shift; /* a position times 2^up and `inverse`, so far down: a share in Q16 */
-    uint8_t disc_apart;    /* in place of `discs`, of a part so short that its disc reaches out of
-                              the other, flat end: the two are not convex */
-    uint32_t inverse;      /* of `length` */
-    qtri_stroke_end end[2];
+    int32_t length_24p8;              /* rounded */
+    int32_t share_x, share_y;         /* of its length a unit, times 2^(share_shift - 24) */
+    uint8_t share_shift;              /* 6..31 */
+    qtri_stroke_look look;
 } qtri_stroke_shape;
 
-void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place);
+/*
+ * `more` of smooth edges: straight bounds from level to level leave out what lies between an arc
+ * and its chords, which so many 1/256 of a pixel make up for in the mean.
+ */
+enum { QTRI_STROKE_CHORDS = 2 };
 
-/* y of a part's line at an x between those of its ends, which differ; within 2 of 1/256. */
-int32_t qtri_stroke_line_y(const qtri_stroke_place *place, int32_t x_24p8);
+/* Half of the chord of a disc at a level so far from its centre, |down| < radius. */
+int32_t qtri_stroke_half_chord(int32_t radius, int32_t down);
 
-/* The columns that it may touch in a row: first and past the last. False: none. */
-bool qtri_stroke_shape_columns(const qtri_stroke_shape *shape, int32_t row, int32_t *first,
-                               int32_t *end);
+/* Without the look. */
+void qtri_stroke_shape_init(qtri_stroke_shape *shape, const qtri_stroke_place *place, int32_t more);
+
+/* The disc that is apart, as a shape. */
+void qtri_stroke_shape_disc(qtri_stroke_shape *disc, const qtri_stroke_shape *shape);
 
 /*
- * From the level y0 to y1, in between of which no side begins or ends: the left and right bounds at
- * both.
+ * x of the left (0) or right (1) bound at a level, top <= y <= bottom. `below`: as it is from there
+ * down; else as it ends there, from above.
  */
-typedef struct qtri_stroke_slice {
-    int32_t left[2], right[2]; /* at y0 and y1, 24.8 */
-} qtri_stroke_slice;
+int32_t qtri_stroke_shape_x(qtri_stroke_shape *shape, int side, int32_t y, bool below);
 
-/* Without a disc that is apart. False: it is not there. */
-bool qtri_stroke_shape_slice(qtri_stroke_shape *shape, int32_t y0, int32_t y1,
-                             qtri_stroke_slice *slice);
-
-/* The disc that is apart. */
-bool qtri_stroke_shape_disc(qtri_stroke_shape *shape, int32_t y0, int32_t y1,
-                            qtri_stroke_slice *slice);
+/* What of the rows' levels y0 <= y < y1 it touches: x from first to end. False: nothing. */
+bool qtri_stroke_shape_reach(qtri_stroke_shape *shape, int32_t y0, int32_t y1, int32_t x[2]);
 
 /*
- * Marks the levels from `top` to `top` + 255 where a side or a disc begins or ends: 32 in each
- * word, the first in its lowest bit.
+ * Marks levels from `top` to `top` + 255 where a bound turns, or an arc is cut into chords: 32 in
+ * each word, the first in its lowest bit. Levels that follow each other around the top of a disc
+ * are u = (k / 4)^2 pixels below it: the area between the arc and a chord is sqrt(2 r) / 6 times
+ * the cube of the difference of both roots, 1/64, which is .0026 sqrt(2 r) at most.
  */
-void qtri_stroke_shape_breaks(const qtri_stroke_shape *shape, int32_t top, uint32_t levels[8]);
+void qtri_stroke_shape_mark(const qtri_stroke_shape *shape, int32_t top, uint32_t levels[8]);
 
-/* from + (to - from) share / 2^16; |to - from| < 2^24. */
-static inline int32_t qtri_stroke_mixed(int32_t from, int32_t to, uint32_t share_q16)
+/* Whether both bounds are straight between two levels. */
+static inline bool qtri_stroke_shape_is_straight(const qtri_stroke_shape *s, int32_t y0, int32_t y1)
 {
-    return from + (int32_t)((qtri_mul_s32(to - from, (int32_t)share_q16) + 0x8000) >> 16);
+    return s->chain[0].y0 <= y0 && s->chain[1].y0 <= y0 && s->chain[0].y1 >= y1 &&
+           s->chain[1].y1 >= y1;
 }
 
-/* The depth of a part at a share of its length, 0..65535.0 in 16.8. */
-static inline uint32_t qtri_stroke_depth(const qtri_stroke_shape *shape, uint32_t share_q16)
-{
-    const int32_t from = (int32_t)(shape->end[0].depth_16p8 >> 8);
-    const int32_t to = (int32_t)(shape->end[1].depth_16p8 >> 8);
-    return (uint32_t)qtri_stroke_mixed(from, to, share_q16);
-}
+/* Shares of the part's length, 16 bits each, at the centres of `count` pixels from (x, y) on. */
+void qtri_stroke_shape_shares(const qtri_stroke_shape *shape, int32_t x, int32_t y, int32_t count,
+                              uint16_t *share_q16);
 
-/*
- * Where along a part the centres of pixels of a row are: x, y from its origin. The share of its
- * length is that of along_q30, held to the part.
- */
-typedef struct qtri_stroke_walk {
-    int64_t along_q30, length_q30, step_q30;
-    uint32_t inverse;
-    int32_t down, inverse_shift;
-} qtri_stroke_walk;
-
-/* |x|, |y| < 2^24: below 2^55. */
-static inline qtri_stroke_walk qtri_stroke_walk_from(const qtri_stroke_shape *shape, int32_t x,
-                                                     int32_t y)
-{
-    const int32_t down = 30 - shape->up;
-    const qtri_stroke_walk walk = {qtri_mul_s32(x, shape->along_x_q30) +
-                                       qtri_mul_s32(y, shape->along_y_q30),
-                                   (int64_t)((uint64_t)shape->length << down),
-                                   (int64_t)shape->along_x_q30 * 256,
-                                   shape->inverse,
-                                   down,
-                                   shape->inverse_shift};
-    return walk;
-}
-
-static inline int64_t qtri_stroke_walk_held(const qtri_stroke_walk *walk)
-{
-    const int64_t along_q30 = walk->along_q30;
-    return along_q30 < 0 ? 0 : (along_q30 > walk->length_q30 ? walk->length_q30 : along_q30);
-}
-
-/* < 2^16: length times inverse is below 2^62. */
-static inline uint32_t qtri_stroke_walk_share(const qtri_stroke_walk *walk, int64_t held_q30)
-{
-    const uint64_t product = qtri_mul_u32((uint32_t)(held_q30 >> walk->down), walk->inverse);
-    return (uint32_t)(product >> walk->inverse_shift);
-}
-
-/* The share at a pixel, and on to the next. */
-static inline uint32_t qtri_stroke_walk_next(qtri_stroke_walk *walk)
-{
-    const uint32_t share_q16 = qtri_stroke_walk_share(walk, qtri_stroke_walk_held(walk));
-    walk->along_q30 += walk->step_q30;
-    return share_q16;
-}
+/* The square of the distance from a pixel's centre to the part's line, far away taken as 2^22. */
+uint64_t qtri_stroke_shape_distance(const qtri_stroke_shape *shape, int32_t x, int32_t y);
 
 #endif

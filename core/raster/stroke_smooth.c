@@ -2,13 +2,12 @@
 /*
  * Smooth edges: the area of each pixel that the union of the parts covers.
  *
- * The row is cut at levels into slices. In a slice each part lies between two sides that are taken
- * as straight; the parts that overlap at its middle are one. Where a group has one part, and none
- * of its discs, the levels are those at which its sides begin and end: areas are exact. Elsewhere
- * they are 3/32 of a row apart as well. What that neglects: the area between an arc and its chord,
- * h w / 6 at most for a slice of height h in which the arc moves by w; and where sides cross in a
- * slice, triangles of half its height. Where those are wider than a quarter of a pixel the slice is
- * cut into four. Tests find 1/40 of a pixel at most.
+ * The row is cut at levels into slices: where bounds turn, and arcs so often that their chords
+ * serve (stroke_shape.h). In a slice each part lies between two sides that are taken as straight;
+ * the parts that overlap at its middle are one. Of one part areas are exact, but for the chords.
+ * Where sides of two parts cross in a slice, the one that is further out at its middle serves for
+ * all of it: that misses a triangle of half its height, and if that may be more than 1/128 of a
+ * pixel the slice is cut into four, down to 1/16 of a row.
  */
 #include "stroke.h"
 
@@ -16,11 +15,12 @@
 #include "../bits/reciprocal.h"
 #include "stroke_line.h"
 
-enum { SPANS = 12 };
+enum { SPANS = 12, LEAST_HEIGHT = 16 };
 
-/* Levels 24 apart, where sides may be curved or cross: bits 0 24, 16, 8 of a word, and so on. */
-static const uint32_t grid[8] = {0x01000001u, 0x00010000u, 0x00000100u, 0x01000001u,
-                                 0x00010000u, 0x00000100u, 0x01000001u, 0x00010000u};
+/* The bounds of a shape at the levels of a slice. */
+typedef struct slice_bounds {
+    int32_t left[2], right[2];
+} slice_bounds;
 
 /* Parts of a slice that are one. */
 typedef struct span {
@@ -47,32 +47,27 @@ static void widen(int32_t side[2], const int32_t by[2], int32_t sign)
 }
 
 /*
- * Sides that cross in a slice, a quarter of a pixel apart at both of its levels or more: half of
- * the height times half of that is what it misses if one of them counts in all of it.
+ * Whether sides cross so far that it matters: the smaller of both distances, times half of the
+ * height and half of that.
  */
-enum { FAR = 64 };
-
-static bool cross(const int32_t a[2], const int32_t b[2])
+static bool cross(const int32_t a[2], const int32_t b[2], int32_t height)
 {
     const int32_t from = a[0] - b[0];
     const int32_t to = a[1] - b[1];
-    return (from > FAR && to < -FAR) || (from < -FAR && to > FAR);
+    if ((from ^ to) >= 0) {
+        return false;
+    }
+    const int32_t least =
+        qtri_least32((int32_t)qtri_magnitude32(from), (int32_t)qtri_magnitude32(to));
+    return least > 2048 / height;
 }
 
-/* Whether a side moves so far that it may cross one that does not, each FAR from the other. */
-static bool moves_far(const qtri_stroke_slice *slice)
-{
-    const int32_t left = slice->left[1] - slice->left[0] + FAR;
-    const int32_t right = slice->right[1] - slice->right[0] + FAR;
-    return (uint32_t)(left | right) >= 2 * FAR; /* a power of two */
-}
-
-QTRI_NOINLINE static bool crosses_any(const spans *all, const qtri_stroke_slice *more)
+QTRI_NOINLINE static bool crosses_any(const spans *all, const slice_bounds *more, int32_t height)
 {
     for (int i = 0; i < all->count; i++) {
         const span *other = &all->of[i];
-        if (cross(other->left, more->left) || cross(other->right, more->right) ||
-            cross(other->left, more->right) || cross(other->right, more->left)) {
+        if (cross(other->left, more->left, height) || cross(other->right, more->right, height) ||
+            cross(other->left, more->right, height) || cross(other->right, more->left, height)) {
             return true;
         }
     }
@@ -84,9 +79,14 @@ QTRI_NOINLINE static bool crosses_any(const spans *all, const qtri_stroke_slice 
  * there is no room it is taken together with the one before it, a slice of which more than twelve
  * separate parts lie in one strip.
  */
-static void add_span(spans *all, const qtri_stroke_slice *slice)
+static void add_span(spans *all, const slice_bounds *slice)
 {
     span more = {{slice->left[0], slice->left[1]}, {slice->right[0], slice->right[1]}};
+    if (all->count == 0) {
+        all->of[0] = more;
+        all->count = 1;
+        return;
+    }
     int first = 0;
     while (first < all->count && middle(all->of[first].right) < middle(more.left)) {
         first++;
@@ -118,13 +118,16 @@ static void add_span(spans *all, const qtri_stroke_slice *slice)
 }
 
 /*
- * Adds the area to the right of a side that moves from `x0` to `x1`, in 1/256 behind the window's
- * first column, while `height` (1/256, signed) goes by. The sum of all sums up to a pixel is then
- * what its area has, in 1/512 by 1/256 pixel.
+ * Adds the area to the right of a side that moves from `x0` to `x1`, in 1/256 behind the first
+ * column, while `height` (1/256, signed) goes by. The sum of all sums up to a pixel is then what
+ * its area has, in 1/512 by 1/256 pixel; it is the same whatever the first column is.
  */
-static void add_side(int32_t cover[], int32_t x0, int32_t x1, int32_t height)
+static void add_side(qtri_stroker *stroker, int32_t x0, int32_t x1, int32_t height)
 {
-    const int32_t end = QTRI_STROKE_WINDOW * 256;
+    int32_t *cover = stroker->cover;
+    const int32_t end = (stroker->end - stroker->first) * 256;
+    x0 -= stroker->first * 256;
+    x1 -= stroker->first * 256;
     if (x0 > x1) {
         const int32_t x = x0;
         x0 = x1;
@@ -173,68 +176,87 @@ static void add_side(int32_t cover[], int32_t x0, int32_t x1, int32_t height)
     }
 }
 
-/* In columns behind the window's first, so that slopes far away do not overflow. */
-static int32_t in_window(int32_t x, int32_t column)
-{
-    return x - column * 256;
-}
-
-/* Of a span: what lies to the right of its left side and not of its right. */
+/* What lies to the right of the left side and not of the right one. */
 static void add_sides(qtri_stroker *stroker, const int32_t left[2], const int32_t right[2],
                       int32_t height)
 {
-    const int32_t column = stroker->column;
-    add_side(stroker->cover, in_window(left[0], column), in_window(left[1], column), height);
-    add_side(stroker->cover, in_window(right[0], column), in_window(right[1], column), -height);
+    add_side(stroker, left[0], left[1], height);
+    add_side(stroker, right[0], right[1], -height);
 }
 
-/* Of one part there is nothing to unite. */
-static void add_slice_alone(qtri_stroker *stroker, qtri_stroke_shape *s, int32_t y0, int32_t y1)
+/* A side, as qtri_stroke_shape_x() has it. */
+static inline void set_straight(int32_t x[2], const qtri_stroke_shape *s, int side, int32_t y0,
+                                int32_t y1)
 {
-    qtri_stroke_slice slice;
-    if (qtri_stroke_shape_slice(s, y0, y1, &slice)) {
+    const qtri_stroke_chain *chain = &s->chain[side];
+    const int32_t slope = s->slope_q16;
+    x[0] = chain->x + ((slope * (y0 - chain->y0) + 0x8000) >> 16);
+    x[1] = chain->x + ((slope * (y1 - chain->y0) + 0x8000) >> 16);
+}
+
+/*
+ * The bounds of a shape between two levels. False: it is not there. Slices follow each other: where
+ * no bound turns, one begins as the last one ended.
+ */
+static bool find_slice(slice_bounds *slice, qtri_stroke_shape *s, int32_t y0, int32_t y1)
+{
+    if (s->top > y0 || s->bottom < y1) {
+        return false;
+    }
+    if (s->is_short && qtri_stroke_shape_is_straight(s, y0, y1)) {
+        set_straight(slice->left, s, 0, y0, y1);
+        set_straight(slice->right, s, 1, y0, y1);
+        return true;
+    }
+    const bool follows = s->last_level == y0;
+    for (int side = 0; side < 2; side++) {
+        const qtri_stroke_chain *chain = &s->chain[side];
+        int32_t *x = side == 0 ? slice->left : slice->right;
+        x[0] = follows && y0 != chain->y0 && y0 != chain->y1
+                   ? s->last_x[side]
+                   : qtri_stroke_shape_x(s, side, y0, true);
+        x[1] = qtri_stroke_shape_x(s, side, y1, false);
+        s->last_x[side] = x[1];
+    }
+    s->last_level = y1;
+    return true;
+}
+
+static void add_alone(qtri_stroker *stroker, int32_t y0, int32_t y1)
+{
+    slice_bounds slice;
+    if (find_slice(&slice, stroker->own, y0, y1)) {
         add_sides(stroker, slice.left, slice.right, y1 - y0);
     }
 }
 
-/* The spans of the group's parts in a slice. True: their sides cross. */
+/* The spans of the shapes in a slice. False: they cross, and are not all there. */
 static bool find_spans(spans *all, qtri_stroker *stroker, int32_t y0, int32_t y1)
 {
-    bool found = false;
-    bool any_far = false;
-    uint32_t listed = 0;
+    uint32_t at = 0;
     all->count = 0;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
-        qtri_stroke_slice slice;
-        bool is_there = qtri_stroke_shape_slice(s, y0, y1, &slice);
-        bool more = s->disc_apart != 0;
-        for (;;) {
-            if (is_there) {
-                any_far = any_far || moves_far(&slice);
-                found = found || (any_far && crosses_any(all, &slice));
-                add_span(all, &slice);
-            }
-            if (!more) {
-                break;
-            }
-            more = false;
-            is_there = qtri_stroke_shape_disc(s, y0, y1, &slice);
+    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+        slice_bounds slice;
+        if (!find_slice(&slice, s, y0, y1)) {
+            continue;
         }
+        if (y1 - y0 > LEAST_HEIGHT && crosses_any(all, &slice, y1 - y0)) {
+            return false;
+        }
+        add_span(all, &slice);
     }
-    return found;
+    return true;
 }
 
 /* Where sides cross, the slice is cut into four. */
-static void add_slice(qtri_stroker *stroker, int32_t y0, int32_t y1)
+static void add_group(qtri_stroker *stroker, int32_t y0, int32_t y1)
 {
     spans all;
     int32_t height = y1 - y0;
-    bool is_cut = false;
     for (int32_t from = y0; from < y1;) {
         const int32_t to = qtri_least32(from + height, y1);
-        if (find_spans(&all, stroker, from, to) && !is_cut) {
-            is_cut = true;
-            height = (height + 3) >> 2;
+        if (!find_spans(&all, stroker, from, to)) {
+            height = qtri_greatest32((height + 3) >> 2, LEAST_HEIGHT);
             continue;
         }
         for (int i = 0; i < all.count; i++) {
@@ -244,33 +266,17 @@ static void add_slice(qtri_stroker *stroker, int32_t y0, int32_t y1)
     }
 }
 
-/* Whether a disc reaches into the window's columns and the row. */
-static bool has_disc(const qtri_stroke_shape *s, const qtri_stroker *stroker)
+static void add_slice(qtri_stroker *stroker, int32_t y0, int32_t y1)
 {
-    const qtri_screen_point *const center[2] = {&s->a, &s->b};
-    for (int i = 0; i < 2; i++) {
-        const int32_t x = center[i]->x_24p8 - stroker->column * 256;
-        const int32_t y = center[i]->y_24p8 - stroker->row * 256;
-        if (((s->discs | s->disc_apart) >> i & 1) != 0 && x + s->radius > -256 &&
-            x - s->radius < QTRI_STROKE_WINDOW * 256 + 256 && y + s->radius > 0 &&
-            y - s->radius < 256) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static void add_one(qtri_stroker *stroker, qtri_stroke_shape *alone, int32_t y0, int32_t y1)
-{
-    if (alone != NULL) {
-        add_slice_alone(stroker, alone, y0, y1);
+    if (stroker->is_alone) {
+        add_alone(stroker, y0, y1);
     } else {
-        add_slice(stroker, y0, y1);
+        add_group(stroker, y0, y1);
     }
 }
 
-/* Slices from level to level, each where a bit is set. `alone`: the only part, if convex. */
-static void add_slices(qtri_stroker *stroker, qtri_stroke_shape *alone, const uint32_t levels[8])
+/* Slices from level to level, each where a bit is set. */
+static void add_slices(qtri_stroker *stroker, const uint32_t levels[8])
 {
     const int32_t top = stroker->row * 256;
     int32_t y = 0;
@@ -278,40 +284,36 @@ static void add_slices(qtri_stroker *stroker, qtri_stroke_shape *alone, const ui
         for (uint32_t bits = levels[word]; bits != 0; bits &= bits - 1) {
             const int32_t at = word * 32 + 31 - qtri_clz32(bits & (0 - bits)); /* the lowest */
             if (at > y) {
-                add_one(stroker, alone, top + y, top + at);
+                add_slice(stroker, top + y, top + at);
                 y = at;
             }
         }
     }
-    add_one(stroker, alone, top + y, top + 256);
+    add_slice(stroker, top + y, top + 256);
 }
 
-static void add_group(qtri_stroker *stroker)
+static void cover(qtri_stroker *stroker)
 {
-    uint32_t levels[8] = {0};
-    uint32_t listed = 0;
-    int count = 0;
-    bool is_fine = false;
-    qtri_stroke_shape *alone = NULL;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &listed)) != NULL;) {
-        count++;
-        alone = count == 1 && s->disc_apart == 0 ? s : NULL;
-        is_fine = is_fine || count > 1 || has_disc(s, stroker);
-        qtri_stroke_shape_breaks(s, stroker->row * 256, levels);
+    const int32_t top = stroker->row * 256;
+    const int32_t count = stroker->end - stroker->first;
+    for (int32_t i = 0; i <= count; i++) {
+        stroker->cover[i] = 0;
     }
-    for (int i = 0; i < 8 && is_fine; i++) {
-        levels[i] |= grid[i];
+    if (stroker->is_alone && qtri_stroke_shape_is_straight(stroker->own, top, top + 256)) {
+        add_alone(stroker, top, top + 256);
+    } else {
+        uint32_t levels[8] = {0};
+        uint32_t at = 0;
+        for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+            qtri_stroke_shape_mark(s, top, levels);
+        }
+        add_slices(stroker, levels);
     }
-    add_slices(stroker, alone, levels);
-}
-
-static void finish(qtri_stroker *stroker)
-{
     int32_t sum = 0;
-    for (int32_t i = stroker->first; i < stroker->end; i++) {
+    for (int32_t i = 0; i < count; i++) {
         sum += stroker->cover[i];
-        stroker->cover[i] = qtri_least32(sum, QTRI_STROKE_FULL);
+        stroker->cover[i] = qtri_hold32(sum, 0, QTRI_STROKE_FULL);
     }
 }
 
-const qtri_stroke_edges qtri_stroke_smooth = {add_group, finish, qtri_stroke_line_draw};
+const qtri_stroke_edges qtri_stroke_smooth = {cover, qtri_stroke_point_draw, qtri_stroke_line_draw};

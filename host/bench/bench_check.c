@@ -130,6 +130,8 @@ static const struct expectation {
     {"K1", BEGIN "linewidth 1\n", 0},
     {"K5", BEGIN "linewidth 5\n", 0},
     {"KP", BEGIN "pointsize 6\n", 0},
+    {"KQ", BEGIN "pointsize 2\n", 0},
+    {"KC", BEGIN "linewidth 3\n", 0},
     {"KW", NULL, 0},
     {"KS", NULL, 0},
     {"KH", NULL, 0},

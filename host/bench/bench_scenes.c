@@ -105,6 +105,8 @@ const bench_scene bench_scenes[] = {
     {.name = "K1", .work = BENCH_STROKE, .width = Q16(1)},
     {.name = "K5", .work = BENCH_STROKE, .width = Q16(5)},
     {.name = "KP", .work = BENCH_STROKE, .width = Q16(6), .points = true},
+    {.name = "KQ", .work = BENCH_STROKE, .width = Q16(2), .points = true},
+    {.name = "KC", .work = BENCH_STROKE, .width = Q16(3), .chart = true},
     {.name = "KW", MESH(COMPACT(spot), Q16(150)), .width = Q16(1)},
     {.name = "KS", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .thin = true},
     {.name = "KH", MESH(COMPACT(spot), Q16(150)), .hidden = true},

@@ -64,6 +64,7 @@ typedef struct bench_scene {
     bool textured;       /* REPLACE on quads, MODULATE on meshes */
     bool thin;           /* a wireframe of smooth lines */
     bool points, hidden; /* points for a polyline; a wireframe without hidden lines */
+    bool chart;          /* a polyline of 160 points */
     bool rolling;        /* bands that keep their halo */
 } bench_scene;
 

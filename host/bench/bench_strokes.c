@@ -3,7 +3,7 @@
 
 #ifndef BENCH_PLAIN
 
-enum { LINE_POINTS = 64, POINTS = 256 };
+enum { LINE_POINTS = 64, POINTS = 256, CHART_POINTS = 160 };
 
 /* Numbers that repeat on every machine: 0..65535. */
 static int32_t next(uint32_t *state)
@@ -12,10 +12,26 @@ static int32_t next(uint32_t *state)
     return (int32_t)(*state >> 16);
 }
 
-/* A chart across the screen, in 63 parts of 5 by up to 40 pixels; or points all over it. */
+/* A chart of 300 by some 200 pixels, in parts of 2 by up to 20 pixels: two waves, and noise. */
+static uint32_t set_chart(qtri_corner *corners)
+{
+    uint32_t state = 1;
+    for (int32_t i = 0; i < CHART_POINTS; i++) {
+        const int32_t y = q16_sin(Q16(.21) * i) * 3 / 4 + q16_sin(Q16(.65) * i) / 4;
+        const qtri_corner corner = {
+            {i * 1545 - 122880, y + next(&state) / 4 - 8192, 0, Q16_ONE}, {255, 200, 60}, {0, 0}};
+        corners[i] = corner;
+    }
+    return CHART_POINTS;
+}
+
+/* A zigzag across the screen, in 63 parts of 5 by up to 40 pixels; or points all over it. */
 uint32_t bench_set_strokes(qtri_corner *corners, const bench_scene *scene)
 {
     uint32_t state = 1;
+    if (scene->chart) {
+        return set_chart(corners);
+    }
     const uint32_t count = scene->points ? POINTS : LINE_POINTS;
     for (uint32_t i = 0; i < count; i++) {
         const int32_t x = scene->points ? next(&state) * 4 : (int32_t)i * 4096;
@@ -44,8 +60,8 @@ void bench_draw_strokes(bench_frame *frame)
         qtri_draw_points(&frame->surface, &frame->view, &frame->pose, frame->corners, POINTS,
                          &stroke, &frame->material);
     } else {
-        qtri_draw_polyline(&frame->surface, &frame->view, &frame->pose, frame->corners, LINE_POINTS,
-                           &stroke, &frame->material);
+        qtri_draw_polyline(&frame->surface, &frame->view, &frame->pose, frame->corners,
+                           scene->chart ? CHART_POINTS : LINE_POINTS, &stroke, &frame->material);
     }
 }
 

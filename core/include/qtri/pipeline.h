@@ -78,6 +78,7 @@ typedef struct qtri_options {
     uint8_t samples;       /* 4: a surface of four samples a pixel */
     uint8_t large_texture; /* of more than 2^16 texels */
     uint8_t per_pixel;     /* &qtri_per_pixel in a view's lights */
+    uint8_t covered;       /* internal: strokes, of which pixels are covered in part */
     uint8_t pixel_bytes;   /* of QTRI_OTHER_FORMAT: 1..4 */
 
     /* Formats of the application's own that the functions below stand for. */
@@ -97,6 +98,7 @@ struct qtri_draw_state;
 struct qtri_large;
 struct qtri_small;
 struct qtri_pipeline_ops;
+struct qtri_stroke_span;
 
 struct qtri_pipeline {
     qtri_options options;
@@ -104,6 +106,8 @@ struct qtri_pipeline {
     void (*large)(struct qtri_large *triangle);
     bool (*small)(struct qtri_small *triangle); /* false: it is large */
     const struct qtri_pipeline_ops *ops;        /* how draw calls feed it */
+    void (*span)(
+        const struct qtri_stroke_span *span); /* pixels of a stroke; NULL: only triangles */
 };
 
 /* Draws whatever is asked for. */

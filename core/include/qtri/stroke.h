@@ -5,7 +5,7 @@
  *
  * A stroke is the set of all points within half its width of its line: the joints of a polyline
  * are round, and each pixel is drawn once, whatever parts of it overlap there. Lines one pixel wide
- * without smooth edges are drawn by qtri_draw_lines and &qtri_wireframe, in a tenth of the time.
+ * without smooth edges are drawn by qtri_draw_lines and &qtri_wireframe, in a fraction of the time.
  *
  * Hard edges: a pixel is drawn when its centre lies inside; the left and the upper side count as
  * inside, the right and the lower one not. With `edges` = &qtri_stroke_smooth a pixel takes the
@@ -17,7 +17,7 @@
  * and written where half of a pixel or more is covered. A frame in bands, or drawn by any scissor,
  * has the pixels of the whole frame.
  *
- * A call takes about 3 KB of stack, a wide wireframe 4 KB. Instructions: the rows K1, K5, KP and KW
+ * A call takes about 4.5 KB of stack, a wide wireframe 5 KB. Instructions: the rows K1, K5, KP and KW
  * of `make bench`.
  *
  * Of a material count depth_compare, depth_read_only, depth_bias, fog and what a blend asks for;
@@ -76,7 +76,7 @@ void qtri_raster_point(const qtri_surface *surface, const qtri_material *materia
 /*
  * The same with corners in object space, transformed by view->projection view->camera pose and
  * clipped. view->vertices keeps transformed points while a polyline is drawn: fewer than
- * corner_count is slower, never wrong. Every row of pixels looks at all parts: for polylines of up
+ * corner_count is slower, never wrong. Each part is compared with those near it: for polylines of up
  * to some hundred.
  */
 void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
@@ -105,7 +105,7 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
  * are. Coverage is exact to 1/64; colour, depth and blending are those of strokes. An edge that
  * neighbours share is drawn once where view->vertices has room for the mesh: all but one in a
  * thousand, of vertices with three and more edges whose second triangle is yet to come. It takes
- * four to six times the instructions of &qtri_wireframe: row KS of `make bench`.
+ * five to seven times the instructions of &qtri_wireframe: row KS of `make bench`.
  */
 extern const qtri_fill qtri_smooth_wireframe;
 
@@ -113,7 +113,7 @@ extern const qtri_fill qtri_smooth_wireframe;
  * The edges of a mesh's triangles, culled as the material says, lit and coloured as those of
  * &qtri_wireframe; material->fill does not count. Each edge is a line by itself, drawn once where
  * neighbours share it and view->vertices has room for the mesh. Smooth edges of up to two pixels
- * with flat ends, QTRI_CAP_BUTT or SQUARE, take a tenth of the time of all others.
+ * with flat ends, QTRI_CAP_BUTT or SQUARE, take a fifth of the time of all others.
  */
 void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view,
                               const qtri_transform *pose, const qtri_mesh *mesh,

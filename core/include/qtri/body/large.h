@@ -337,13 +337,14 @@ QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large
     t->samples = &samples;
     for (int32_t place = QTRI_CENTER; place >= 0; place--) {
         if (qtri_large_begin_samples(t, place)) {
-            w.cover = &samples.row;
+            w.sample_row = &samples.row;
             w.z_p = samples.z_p;
             w.z_q = samples.z_q;
             w.z_place = qtri_samples_more(place, w.z_p, w.z_q);
             qtri_large_rows_draw(o, t, &w);
         }
     }
+    t->samples = NULL;
 }
 
 #ifdef __cplusplus

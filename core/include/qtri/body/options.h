@@ -52,12 +52,14 @@ QTRI_BODY uint32_t qtri_texture_height_log2(const qtri_options *o, const qtri_dr
     return o->mipmapped ? state->level_texture.height_log2 : state->height_log2;
 }
 
-/* In what pixels are computed. Fog and alpha of vertices are mixed in 8 bits and rounded once. */
+/* In what pixels are computed. Fog, alpha of vertices, and blends that are mixed with what a stroke
+   leaves of a pixel, in 8 bits, and rounded once. */
 QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
 {
     if (qtri_stores_565(o)) {
         return (o->texel == QTRI_NO_TEXEL || o->texel == QTRI_TEXEL_RGB565) && !o->fog &&
-                       !o->vertex_alpha && o->fragment == NULL
+                       !o->vertex_alpha && o->fragment == NULL &&
+                       (!o->covered || o->blend == QTRI_STORE)
                    ? QTRI_IN_565
                    : QTRI_IN_888;
     }
@@ -124,7 +126,8 @@ QTRI_BODY bool qtri_discards(const qtri_options *o)
 /* The pixel under it is read. */
 QTRI_BODY bool qtri_reads_pixel(const qtri_options *o)
 {
-    return o->blend == QTRI_ALPHA || o->blend == QTRI_ADD || o->blend == QTRI_MULTIPLY || o->keep;
+    return o->blend == QTRI_ALPHA || o->blend == QTRI_ADD || o->blend == QTRI_MULTIPLY || o->keep ||
+           o->covered;
 }
 
 /* One colour a triangle, and nothing is done to it: it is encoded once. */

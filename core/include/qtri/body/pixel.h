@@ -192,6 +192,9 @@ QTRI_BODY uint32_t qtri_pixel_over(const qtri_options *o, const qtri_pixel_walk 
     if (o->keep) {
         color = (color & ~w->state->keep) | (stored & w->state->keep);
     }
+    if (o->covered) {
+        color = qtri_color_mix(qtri_kind_of(o), color, w->cover, stored, 256 - w->cover);
+    }
     return color;
 }
 
@@ -227,8 +230,8 @@ QTRI_BODY void qtri_pixel_put_samples(const qtri_options *o, const qtri_pixel_wa
 }
 
 /* Draws a pixel of the walk, and steps. `bent`: steps of u and v grow. */
-QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent, uint8_t *pixel,
-                             uint8_t *depth)
+QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent,
+                                   uint8_t *pixel, uint8_t *depth)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o);
@@ -275,7 +278,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
             if (qtri_reads_pixel(o)) {
                 color = qtri_pixel_over(o, w, color, texel, qtri_load(bytes, pixel));
             }
-            if (qtri_writes_depth(o) && !early) {
+            if (qtri_writes_depth(o) && !early && (!o->covered || w->cover_writes)) {
                 qtri_save(depth_bytes, depth, z);
             }
             if (o->blend != QTRI_KEEP_PIXEL) {
@@ -383,7 +386,7 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool 
 #endif
     for (; count > 0; count--) {
         if (qtri_has_samples(o)) {
-            w->samples = qtri_samples_of(w->cover, w->x);
+            w->samples = qtri_samples_of(w->sample_row, w->x);
         }
         qtri_pixel_next(o, w, bent, 0);
         qtri_walk_move(o, w, 1);

@@ -91,13 +91,15 @@ typedef struct qtri_pixel_walk {
     uint32_t alpha, alpha_step; /* alpha of the vertices: 8.16, 256.0 is 1 */
     uint32_t fog, fog_step;     /* what fog leaves of the colour: 8.16, 256.0 is 1 */
     int32_t x, y;               /* of the frame; x only where options ask for it */
+    uint32_t cover;             /* of a stroke: what of a pixel it takes, 256 is all */
+    bool cover_writes;          /* its depth: half of it or more is covered */
 
     /* Four samples a pixel: which of them are drawn, and what their depths have more; see
        samples.h. */
     uint32_t samples;
     uint32_t z_p, z_q;
-    uint32_t z_place;                     /* what depth has more where the pixel takes its colour */
-    const struct qtri_samples_row *cover; /* of a large triangle */
+    uint32_t z_place; /* what depth has more where the pixel takes its colour */
+    const struct qtri_samples_row *sample_row; /* of a large triangle */
 
     /* Constant along a row. */
     const qtri_draw_state *state;

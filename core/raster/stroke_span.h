@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Pixels of a row that one part of a stroke colours: written by the pipelines' body, each with what
+ * the stroke covers of it. Internal.
+ *
+ * Depth and colour are linear along a part: a pixel has a share of its length, from which both
+ * follow. The options are those of triangles in one colour (QTRI_FLAT), which each pixel sets, and
+ * `covered` where a pixel may take less than all of it.
+ */
+#ifndef QTRI_RASTER_STROKE_SPAN_H
+#define QTRI_RASTER_STROKE_SPAN_H
+
+#include "qtri/body/pixel.h"
+
+/* What an end of a part looks like. */
+typedef struct qtri_stroke_end {
+    uint32_t depth_16p8; /* 0..65535.0 */
+    int32_t color_8p16[3];
+} qtri_stroke_end;
+
+/* From a part's first end to its last, at shares of 16 bits. */
+typedef struct qtri_stroke_look {
+    uint32_t z_16p16, z_low; /* the difference: z_high 2^16 + z_low, 0 <= z_low < 2^16 */
+    int32_t z_high;
+    int32_t color_8p8[3], color_delta[3];
+    bool is_even;  /* one colour */
+    bool is_level; /* and one depth */
+    /* Not NULL: colours of RGB565 by light, 129 of them, in place of those above: light in Q29, and
+       what of it 2^14 shares of its own add. */
+    const uint16_t *tints;
+    int32_t light_q29, light_step;
+} qtri_stroke_look;
+
+/* Added to a weight: half of the pixel or more is covered, so that its depth is written. */
+#define QTRI_STROKE_WRITES 0x8000u
+
+typedef struct qtri_stroke_span {
+    const qtri_draw_state *state;
+    const qtri_stroke_look *look;
+    int32_t x, y, count;    /* inside the state's bounds */
+    const uint16_t *weight; /* 256: all of a pixel; 0: nothing of it is drawn */
+    const uint16_t *share;  /* of a level part it is not read */
+    bool is_upright;        /* pixels follow each other down a column, not along a row */
+} qtri_stroke_span;
+
+/* What covers a whole pixel: 256 of a height by 512 halves of 1/256 of a width. */
+#define QTRI_STROKE_FULL ((int32_t)256 * 512)
+
+/* What a pixel takes of a stroke: see qtri_stroke_span. Less than a half of 1/256 is nothing. */
+static inline uint32_t qtri_stroke_weight(uint32_t cover, uint32_t alpha_q16)
+{
+    const uint32_t weight = ((cover >> 2) * alpha_q16 + ((uint32_t)1 << 22)) >> 23; /* < 2^32 */
+    return weight != 0 && cover >= QTRI_STROKE_FULL / 2 ? weight | QTRI_STROKE_WRITES : weight;
+}
+
+/* Where strokes of one draw call are drawn to, and how. */
+typedef struct qtri_stroke_target {
+    qtri_draw_state state;
+    qtri_material material;      /* what of the draw call's counts */
+    const qtri_surface *samples; /* of four a pixel; NULL: the state's surface is the target */
+    qtri_surface pixel;          /* one of its pixels */
+    uint32_t alpha_q16;          /* 2^16: opaque */
+} qtri_stroke_target;
+
+/* False: nothing can be drawn. `alpha` 1..255; not `is_smooth`: pixels are covered wholly. */
+bool qtri_stroke_target_init(qtri_stroke_target *to, const qtri_surface *surface,
+                             const qtri_material *material, uint8_t alpha, bool is_smooth);
+
+/* span->state is the target's. */
+void qtri_stroke_target_draw(qtri_stroke_target *to, const qtri_stroke_span *span);
+
+/* Of a part with these ends. */
+void qtri_stroke_look_init(qtri_stroke_look *look, const qtri_stroke_end end[2]);
+
+/* Strokes whose pixels are covered in part, or wholly: what draws them, by the draw state's
+ * options. */
+extern const qtri_pipeline *const qtri_stroke_pipelines[];
+extern const qtri_pipeline qtri_stroke_any; /* its last: by options that are read for each pixel */
+
+static inline void qtri_stroke_look_set_depth(qtri_stroke_look *look, uint32_t from, uint32_t to)
+{
+    look->z_16p16 = from;
+    look->z_low = (to - from) & 0xFFFFu;
+    look->z_high = (int32_t)((to >> 16) - (from >> 16)) - ((to & 0xFFFFu) < (from & 0xFFFFu));
+}
+
+/* A share as it is used: that of the last end is 2^16. */
+QTRI_BODY uint32_t qtri_stroke_share(uint32_t share_q16)
+{
+    return share_q16 + (share_q16 >> 15);
+}
+
+/* `from` + delta share / 2^16, modulo 2^32. */
+QTRI_BODY uint32_t qtri_stroke_look_depth(const qtri_stroke_look *look, uint32_t share_q16)
+{
+    return look->z_16p16 + (uint32_t)look->z_high * share_q16 + ((look->z_low * share_q16) >> 16);
+}
+
+/* |delta| < 2^16; shares are cut off to 15 bits. */
+QTRI_BODY uint32_t qtri_stroke_look_channel(const qtri_stroke_look *look, int i, uint32_t share_q16)
+{
+    const int32_t more = look->color_delta[i] * (int32_t)(share_q16 >> 1);
+    const int32_t c = look->color_8p8[i] + ((more + (1 << 14)) >> 15) + 128;
+    return (uint32_t)c >> 8;
+}
+
+QTRI_BODY uint32_t qtri_stroke_look_color(const qtri_stroke_look *look, uint32_t share_q16)
+{
+    return qtri_stroke_look_channel(look, 0, share_q16) << 16 |
+           qtri_stroke_look_channel(look, 1, share_q16) << 8 |
+           qtri_stroke_look_channel(look, 2, share_q16);
+}
+
+QTRI_BODY uint32_t qtri_stroke_look_tint(const qtri_stroke_look *look, uint32_t share_q16)
+{
+    const int32_t light = look->light_q29 + look->light_step * (int32_t)(share_q16 >> 2);
+    return look->tints[((uint32_t)light + ((uint32_t)1 << 21)) >> 22];
+}
+
+QTRI_BODY void qtri_stroke_span_draw(const qtri_options *o, const qtri_stroke_span *span)
+{
+    const qtri_draw_state *state = span->state;
+    const qtri_surface *surface = state->surface;
+    const qtri_stroke_look *look = span->look;
+    const ptrdiff_t row = span->y - surface->first_row;
+    const uint16_t *weight = span->weight;
+    const uint16_t *const end = weight + span->count;
+    const uint16_t *share = span->share;
+    const bool is_level = look->is_level;
+    const bool is_upright = span->is_upright;
+    const ptrdiff_t step = is_upright ? surface->pitch : (ptrdiff_t)qtri_pixel_bytes(o);
+    const ptrdiff_t depth_step =
+        is_upright ? state->depth_pitch : (ptrdiff_t)qtri_depth_size(o, surface);
+    qtri_pixel_walk w = QTRI_BODY_ZERO;
+    qtri_walk_begin(o, &w, state);
+    w.pixel = surface->pixels + row * surface->pitch +
+              (ptrdiff_t)span->x * (ptrdiff_t)qtri_pixel_bytes(o);
+    if (qtri_tests_depth(o)) {
+        w.depth = (uint8_t *)(void *)surface->depth + row * state->depth_pitch +
+                  (ptrdiff_t)span->x * (ptrdiff_t)qtri_depth_size(o, surface);
+    }
+    w.x = span->x;
+    w.y = span->y;
+    uint32_t z = look->z_16p16;
+    if (look->is_even) {
+        w.color = qtri_walk_color(o, surface, qtri_stroke_look_color(look, 0));
+    }
+    for (; weight != end; weight++, share++) {
+        if (*weight != 0) {
+            if (!is_level) {
+                const uint32_t at = qtri_stroke_share(*share);
+                z = qtri_stroke_look_depth(look, at);
+                if (look->tints != NULL) {
+                    w.color = qtri_stroke_look_tint(look, at);
+                } else if (!look->is_even) {
+                    w.color = qtri_walk_color(o, surface, qtri_stroke_look_color(look, at));
+                }
+            }
+            if (qtri_needs_depth(o)) {
+                w.z = z + qtri_depth_half(o);
+            }
+            if (o->covered) {
+                w.cover = *weight & 0x1FFu;
+                w.cover_writes = *weight >= QTRI_STROKE_WRITES;
+            }
+            if (o->fog) {
+                w.fog = qtri_fog_share(state->fog, z + 0x8000u);
+            }
+            qtri_pixel_at(o, &w, false, w.pixel, w.depth);
+        } else {
+            w.x++;
+        }
+        if (qtri_needs_place(o) && is_upright) { /* it was stepped along a row */
+            w.x--;
+            w.y++;
+        }
+        w.pixel += step;
+        if (qtri_tests_depth(o)) {
+            w.depth += depth_step;
+        }
+    }
+}
+
+#endif
