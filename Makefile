@@ -37,6 +37,7 @@ ARCHIVES := $(HELPERS) $(HOST) $(LIBRARY)
 INCLUDES := -Icore/include -Iport/include
 $(BUILD)/obj/tests/%.o: INCLUDES += -Icore -Ihost
 $(BUILD)/obj/core/%.o:  INCLUDES += $(CORE_FLAGS)
+$(BUILD)/obj/core/draw/pipeline%.o $(BUILD)/obj/tests/test_pipeline%.o $(BUILD)/obj/tests/support/small%.o: INCLUDES += $(PIPELINE_FLAGS)
 
 
 include host/assets/assets.mk
@@ -53,8 +54,10 @@ PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
 # Minutes there: what the first draws the others draw too, and of the mathematics it is proved (make prove).
 SLOW_IN_MEMORY := test_core_perspective test_core_vec test_core_mat
 
-# Minutes to compile there: the pipelines' other tests draw by the same body.
+# Minutes to compile there: the pipelines' other tests draw by the same body. What makes pipelines is
+# compiled without optimisation, which takes a second, not minutes.
 SLOW_TO_SANITIZE := test_pipeline_random
+UNOPTIMIZED      := PIPELINE_FLAGS=-O0
 
 # Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
 NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
@@ -136,17 +139,17 @@ test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=te
 
 .PHONY: test-sanitized
 test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
-	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' TESTS='$(filter-out $(SLOW_TO_SANITIZE),$(TESTS))' test-plain
+	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' $(UNOPTIMIZED) TESTS='$(filter-out $(SLOW_TO_SANITIZE),$(TESTS))' test-plain
 
 .PHONY: test-threads
 test-threads: ## Run the tests that have threads under the thread sanitizer
-	@$(MAKE) -s $(PARALLEL) BUILD=build/threads CFLAGS='$(SANITIZE_THREADS)' TESTS='$(filter %_threads,$(TESTS))' test-plain
+	@$(MAKE) -s $(PARALLEL) BUILD=build/threads CFLAGS='$(SANITIZE_THREADS)' $(UNOPTIMIZED) TESTS='$(filter %_threads,$(TESTS))' test-plain
 
 # Only what runs code of core and port: cmocka and libm know nothing of this sanitizer, clang's alone.
 .PHONY: test-memory
 test-memory: ## Run the tests of core and panels under clang's sanitizer for memory that was never written
 	@if sh tests/check/have_memory.sh; then \
-	    $(MAKE) -s $(PARALLEL) BUILD=build/memory CC=clang CFLAGS='$(SANITIZE_MEMORY)' CORE_FLAGS='$(PLAIN_C99)' \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/memory CC=clang CFLAGS='$(SANITIZE_MEMORY)' CORE_FLAGS='$(PLAIN_C99)' $(UNOPTIMIZED) \
 	        TESTS='$(filter-out $(SLOW_IN_MEMORY),$(filter test_core_% test_panel_%,$(TESTS)))' test-plain; \
 	fi
 
@@ -157,7 +160,7 @@ test-narrow: ## Run the tests of core with the code of cores that have no long m
 .PHONY: test-fuzz fuzzers
 test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, with clang
 	@if sh tests/check/have_fuzzer.sh; then \
-	    $(MAKE) -s $(PARALLEL) BUILD=build/fuzz CC=clang CFLAGS='$(SANITIZE) -fsanitize=fuzzer-no-link' fuzzers; \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/fuzz CC=clang CFLAGS='$(SANITIZE) -fsanitize=fuzzer-no-link' $(UNOPTIMIZED) fuzzers; \
 	fi
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) sh tests/check/run_fuzzers.sh $(FUZZERS)
 

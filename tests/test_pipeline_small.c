@@ -121,7 +121,7 @@ static void set_triangle(heap *h, int i, uint64_t *seed, int32_t reach, int32_t 
         h->colors[k].g = (uint8_t)random_in(seed, 0, 255);
         h->colors[k].b = (uint8_t)random_in(seed, 0, 255);
         h->alphas[k] = (uint8_t)random_in(seed, 0, 255);
-        h->uvs[k].x = random_in(seed, -70000, 70000) << (turn == 1 ? 4 : 0);
+        h->uvs[k].x = random_in(seed, -70000, 70000) * (turn == 1 ? 16 : 1);
         h->uvs[k].y = random_in(seed, -70000, 70000);
         h->indices[i][k % 3] = (uint16_t)k;
     }
@@ -330,6 +330,7 @@ static void coverage_is_exact(void **unused)
     qtri_surface surface;
     qtri_draw_state state;
     int small = 0;
+    scene.mesh.colors = NULL; /* of one colour that is not what was there before */
     for (int n = 0; n < random_cases(20000); n++) {
         const int i = n % COUNT;
         set_triangle(&scene, i, &seed, reaches[n % (int)LENGTH_OF(reaches)], 0);
