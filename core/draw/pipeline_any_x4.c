@@ -20,3 +20,5 @@ const qtri_pipeline qtri_pipeline_any_x4 = {.options = {.format = QTRI_ANY, .sam
                                             .large = large,
                                             .small = small,
                                             .ops = &qtri_pipeline_ops};
+
+const qtri_pipeline *const qtri_pipelines_x4[] = {&qtri_pipeline_any_x4, NULL};

@@ -21,7 +21,8 @@ enum {
     QTRI_LARGE_ATTRIBUTES = 6, /* u v, light or red green blue, alpha */
     QTRI_LARGE_CHUNK_LOG2 = 7, /* points begin anew every 2^this pixels of a row */
     QTRI_LARGE_CHUNK = 1 << QTRI_LARGE_CHUNK_LOG2,
-    QTRI_LARGE_COLOR_UP = 5 /* bits that colours, 8.16, gain */
+    QTRI_LARGE_COLOR_UP = 5, /* bits that colours, 8.16, gain */
+    QTRI_LARGE_NO_LEVEL = 31 /* log2 of no row's pixels */
 };
 
 /* Colours of pieces: none, one attribute as it is, a word of 565, lanes of 8.8 or 9.7. */
@@ -216,12 +217,16 @@ static inline int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
     return job->packing != QTRI_PACK_565 && qtri_stores_565(job->options) ? 16 : 14;
 }
 
-/* In large_curves.c: how steep coordinates are along rows; log2 of the texels that a pixel steps
+/* In large_lengths.c: how steep coordinates are along rows; log2 of the texels that a pixel steps
    where q is this or more, rounded up, 0 at least; how far points are apart. */
 void qtri_large_set_texel_slope(qtri_large_job *job);
 int32_t qtri_large_texels_log2(const qtri_large_job *job, uint32_t q);
 void qtri_large_set_lengths(qtri_large_job *job);
-/* Sets job->is_level, and steps along the row if it is; planes are the row's. */
+/* log2 of a piece's pixels where q is this or more; may be negative. Points a piece apart must have
+   q' 4 h <= q, so that q is positive at the point behind a row's end. */
+int32_t qtri_large_length_for(const qtri_large_job *job, uint32_t q);
+
+/* In large_curves.c. Sets job->is_level, and steps along the row if it is; planes are the row's. */
 bool qtri_large_begin_level(qtri_large_job *job);
 
 /* In large_near.c. */

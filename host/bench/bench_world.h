@@ -8,9 +8,11 @@
 #ifndef BENCH_WORLD_H
 #define BENCH_WORLD_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "qtri.h"
+#include "qtri/pipeline.h"
 
 /* Of the largest mesh. */
 #define BENCH_VERTICES_MAX  4096
@@ -55,6 +57,9 @@ uint16_t bench_rgb565(qtri_rgb color);
 void bench_set_quad(qtri_corner corners[6], const bench_quad *quad, const qtri_rgb colors[4]);
 
 /* The camera, for a frame of this size. */
+/* Whether views name the library's pipelines: `make bench PIPELINES=1`. */
+extern bool bench_by_pipelines;
+
 void bench_set_view(qtri_view *view, int32_t width, int32_t height);
 
 #endif

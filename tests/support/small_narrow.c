@@ -7,6 +7,7 @@
 #define qtri_small_cut                narrow_small_cut
 #define qtri_small_find               narrow_small_find
 #define qtri_small_fog_step           narrow_small_fog_step
+#define qtri_small_lit_channels       narrow_small_lit_channels
 #define qtri_small_lift               narrow_small_lift
 #define qtri_small_part               narrow_small_part
 #define qtri_small_set_alpha          narrow_small_set_alpha
