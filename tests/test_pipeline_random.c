@@ -314,6 +314,14 @@ static int differences(const picture *a, const picture *b)
     return count;
 }
 
+/* Nearly no depth is equal to what a cleared picture has, and some options write nothing at all. */
+static bool may_show(const qtri_options *o)
+{
+    return o->compare != QTRI_EQUAL &&
+           ((o->blend != QTRI_KEEP_PIXEL && o->format != QTRI_DEPTH_ONLY) ||
+            (o->depth != QTRI_NO_DEPTH && !o->read_only));
+}
+
 static void specialised_is_generic_is_tiles_is_bands(void **state)
 {
     (void)state;
@@ -342,7 +350,7 @@ static void specialised_is_generic_is_tiles_is_bands(void **state)
             draw_tiles(&by[2].surface, pipeline);
             draw_bands(&by[3].surface, pipeline);
             drawn += differences(&by[0], &empty) != 0;
-            pictures++;
+            pictures += may_show(o);
             static const char *const names[] = {"", "generic", "tiles", "bands"};
             for (int k = 1; k < 4; k++) {
                 const int count = differences(&by[0], &by[k]);
@@ -358,7 +366,7 @@ static void specialised_is_generic_is_tiles_is_bands(void **state)
             free(empty.memory);
         }
     }
-    print_message("%d of %d pictures have something drawn\n", drawn, pictures);
+    print_message("%d of %d pictures that may show something do\n", drawn, pictures);
     assert_int_equal(bad, 0);
     assert_true(drawn > pictures * 3 / 4);
 }

@@ -105,8 +105,8 @@ static const struct {
                 "line -3 -2 0 1 1 0 0  3 2 0 1 0 1 0\n",
      2, 0},
     {"smooth lines",
-     STAGE "polygon smooth\n" LOOK "cull back\nrotate 50 1 0 0\nshape torus .8 .4 9 6\n", 8, 36},
-    {"wide lines", STAGE "linewidth 3\npolygon wide\n" LOOK "cull back\nshape box .8 .6 1\n", 0, 1},
+     STAGE "polygon smooth\n" LOOK "cull back\nrotate 50 1 0 0\nshape torus .8 .4 9 6\n", 8, 49},
+    {"wide lines", STAGE "linewidth 3\npolygon wide\n" LOOK "cull back\nshape box .8 .6 1\n", 0, 5},
     {"wide hard lines of a soup",
      STAGE "linewidth 2.5\nlinesmooth off\nlinecap square\npolygon wide\n" LOOK
            "shade flat\ncull back\nrotate 50 1 0 0\nshape torus .8 .4 9 6 color 1 .6 .3\n",

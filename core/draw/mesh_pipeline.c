@@ -224,7 +224,9 @@ static void note(qtri_primitive *primitive, const uint32_t index[3])
 /* The raster's memory becomes the pipeline's: a draw call needs one of them. */
 static void begin(qtri_primitive *primitive, const qtri_view *view, int shade)
 {
-    if (!qtri_pipelines_can_draw(primitive->surface, primitive->material)) {
+    const bool has_samples = qtri_sampling_of(primitive->surface->format) != NULL;
+    if (!qtri_pipelines_can_draw(primitive->surface, primitive->material) ||
+        (shade == QTRI_BY_PIXEL && has_samples)) {
         return;
     }
     primitive->ops = &qtri_pipeline_ops;

@@ -22,7 +22,7 @@ function options(i,    format, texel, text)
         shade = one_of("FLAT TINT LIGHT WHITE_LIGHT COLORS")
         text = text ", .texel = QTRI_TEXEL_" texel
         if (below(3) == 0) text = text ", .bilinear = 1"
-        if (below(3) == 0) text = text ", .mipmapped = 1"
+        if (below(3) == 0 && !samples) text = text ", .mipmapped = 1"
         if (below(3) == 0) text = text ", .wrap_u = QTRI_CLAMP"
         if (below(3) == 0) text = text ", .wrap_v = QTRI_CLAMP"
         if (below(4) == 0) text = text ", .key = 1"
@@ -30,7 +30,7 @@ function options(i,    format, texel, text)
         if (below(8) == 0) text = text ", .large_texture = 1"
     }
     text = text ", .shade = QTRI_" shade
-    if (shade == "COLORS" && i % 2) text = text ", .per_pixel = 1"
+    if (shade == "COLORS" && i % 2 && !samples) text = text ", .per_pixel = 1"
     blend = one_of("STORE STORE STORE ALPHA ADD MULTIPLY KEEP_PIXEL SCREEN_DOOR")
     text = text ", .blend = QTRI_" blend
     if (blend ~ /ALPHA|ADD/ && below(3) == 0) { text = text ", .vertex_alpha = 1"; varies = 1 } else varies = 0

@@ -455,10 +455,11 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
     const uint32_t z_half = qtri_depth_half(o);
     if (qtri_is_textured(o)) {
         if (linear && qtri_small_find_linear_texture(&f, &p, t, o)) {
-            const int32_t both_log2 = state->width_log2 + state->height_log2;
-            qtri_small_set_sampled(&values.u, &p, qtri_small_linear_u(&f, state), f.u1, f.u2, 8);
-            qtri_small_set_sampled(&values.v, &p, qtri_small_linear_v(&f, state), f.v1, f.v2,
-                                   both_log2 - 8);
+            const uint32_t width_log2 = state->width_log2, height_log2 = state->height_log2;
+            qtri_small_set_sampled(&values.u, &p, qtri_small_linear_u(&f, width_log2), f.u1, f.u2,
+                                   8);
+            qtri_small_set_sampled(&values.v, &p, qtri_small_linear_v(&f, width_log2, height_log2),
+                                   f.v1, f.v2, (int32_t)(width_log2 + height_log2) - 8);
         } else {
             QTRI_RARELY();
             uv.curved = !linear;

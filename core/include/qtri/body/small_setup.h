@@ -431,15 +431,15 @@ QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small
 }
 
 /* These at vertex 0: values on a texel's edge, give or take an error, go up. */
-QTRI_BODY uint32_t qtri_small_linear_u(const qtri_small_uv *f, const qtri_draw_state *state)
+QTRI_BODY uint32_t qtri_small_linear_u(const qtri_small_uv *f, uint32_t width_log2)
 {
-    return ((uint32_t)f->u0 << 16) + ((uint32_t)1 << (21 - state->width_log2));
+    return ((uint32_t)f->u0 << 16) + ((uint32_t)1 << (21 - width_log2));
 }
 
-QTRI_BODY uint32_t qtri_small_linear_v(const qtri_small_uv *f, const qtri_draw_state *state)
+QTRI_BODY uint32_t qtri_small_linear_v(const qtri_small_uv *f, uint32_t width_log2,
+                                       uint32_t height_log2)
 {
-    return ((uint32_t)f->v0 << (state->width_log2 + state->height_log2)) +
-           ((uint32_t)1 << (5 + state->width_log2));
+    return ((uint32_t)f->v0 << (width_log2 + height_log2)) + ((uint32_t)1 << (5 + width_log2));
 }
 
 /* False: nothing was set. */
@@ -448,13 +448,14 @@ QTRI_BODY bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp
                                              const qtri_options *o)
 {
     qtri_small_uv f;
-    const qtri_draw_state *state = t->state;
+    const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
+    const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
     if (!qtri_small_find_linear_texture(&f, p, t, o)) {
         return false;
     }
-    qtri_small_ramp_set(u, p, qtri_small_linear_u(&f, state), f.u1, f.u2, 8);
-    qtri_small_ramp_set(v, p, qtri_small_linear_v(&f, state), f.v1, f.v2,
-                        (int32_t)(state->width_log2 + state->height_log2) - 8);
+    qtri_small_ramp_set(u, p, qtri_small_linear_u(&f, width_log2), f.u1, f.u2, 8);
+    qtri_small_ramp_set(v, p, qtri_small_linear_v(&f, width_log2, height_log2), f.v1, f.v2,
+                        (int32_t)(width_log2 + height_log2) - 8);
     return true;
 }
 
