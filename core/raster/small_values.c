@@ -57,9 +57,8 @@ bool qtri_small_set_alpha(qtri_small_ramp *alpha, const qtri_small_place *p, con
         const int32_t x = from[t->index[i]];
         a[i] = (x + (x >> 7)) << 7; /* Q15 */
     }
-    if (!t->state->is_linear &&
-        !qtri_small_is_linear(p, t, a[1] - a[0], a[2] - a[0],
-                              qtri_small_part_of(&t->state->options))) {
+    if (!t->state->is_linear && !qtri_small_is_linear(p, t, a[1] - a[0], a[2] - a[0],
+                                                      qtri_small_part_of(&t->state->options))) {
         return false;
     }
     qtri_small_ramp_set(alpha, p, ((uint32_t)a[0] << 9) + 0x8000u, a[1] - a[0], a[2] - a[0], 1);

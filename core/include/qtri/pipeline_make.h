@@ -31,7 +31,8 @@ extern const struct qtri_pipeline_ops qtri_pipeline_ops;
         static const qtri_options options = {__VA_ARGS__};                                         \
         return qtri_small_draw(&options, triangle);                                                \
     }                                                                                              \
-    const qtri_pipeline name = {{__VA_ARGS__}, name##_large, name##_small, &qtri_pipeline_ops, NULL};
+    const qtri_pipeline name = {                                                                   \
+        {__VA_ARGS__}, name##_large, name##_small, &qtri_pipeline_ops, NULL};
 
 #define QTRI_PIPELINE_DECLARE(name) extern const qtri_pipeline name
 

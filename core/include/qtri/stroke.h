@@ -17,8 +17,8 @@
  * and written where half of a pixel or more is covered. A frame in bands, or drawn by any scissor,
  * has the pixels of the whole frame.
  *
- * A call takes about 4.5 KB of stack, a wide wireframe 5 KB. Instructions: the rows K1, K5, KP and KW
- * of `make bench`.
+ * A call takes about 4.5 KB of stack, a wide wireframe 5 KB. Instructions: the rows K1, K5, KP and
+ * KW of `make bench`.
  *
  * Of a material count depth_compare, depth_read_only, depth_bias, fog and what a blend asks for;
  * for meshes also what tells their colour. A pixel in fog and blended is mixed with what is stored
@@ -76,8 +76,8 @@ void qtri_raster_point(const qtri_surface *surface, const qtri_material *materia
 /*
  * The same with corners in object space, transformed by view->projection view->camera pose and
  * clipped. view->vertices keeps transformed points while a polyline is drawn: fewer than
- * corner_count is slower, never wrong. Each part is compared with those near it: for polylines of up
- * to some hundred.
+ * corner_count is slower, never wrong. Each part is compared with those near it: for polylines of
+ * up to some hundred.
  */
 void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
                         const qtri_transform *pose, const qtri_corner *corners,
