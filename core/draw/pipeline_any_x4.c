@@ -13,7 +13,7 @@ static void large(struct qtri_large *triangle)
 
 static bool small(struct qtri_small *triangle)
 {
-    return qtri_small_draw(&triangle->state->options, triangle);
+    return qtri_small_instance_draw(&triangle->state->options, triangle);
 }
 
 const qtri_pipeline qtri_pipeline_any_x4 = {.options = {.format = QTRI_ANY, .samples = 4},

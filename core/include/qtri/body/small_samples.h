@@ -479,7 +479,7 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
 }
 
 /* A small triangle, of any options. */
-QTRI_BODY bool qtri_small_draw(const qtri_options *o, qtri_small *t)
+QTRI_BODY bool qtri_small_instance_draw(const qtri_options *o, qtri_small *t)
 {
     return qtri_has_samples(o) ? qtri_small_samples_draw(o, t) : qtri_small_triangle_draw(o, t);
 }
