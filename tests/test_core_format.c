@@ -206,7 +206,8 @@ static uint32_t decode_444(uint32_t stored)
     return (stored & 0xF00) * 0x1100 | (stored & 0xF0) * 0x110 | (stored & 0xF) * 0x11;
 }
 
-static const qtri_format rgb444 = {&qtri_pixels_16, &qtri_colors_888, encode_444, decode_444, NULL};
+static const qtri_format rgb444 = {
+    &qtri_pixels_16, &qtri_colors_888, encode_444, decode_444, NULL, 0};
 
 static void surfaces(void **state)
 {

@@ -188,8 +188,8 @@ static void pictures_are_converted(void **state)
     make_texels();
     for (size_t f = 0; f < LENGTH_OF(known); f++) {
         const qtri_format own = other_size(known[f]);
-        const qtri_format alike = {known[f]->pixels, known[f]->colors, known[f]->encode,
-                                   known[f]->decode, NULL};
+        const qtri_format alike = {
+            known[f]->pixels, known[f]->colors, known[f]->encode, known[f]->decode, NULL, 0};
         const qtri_format *const of[3] = {known[f], &own, &alike};
         canvas from = canvas_new(known[f], WIDTH, HEIGHT);
         draw_stored(&from.surface);
@@ -281,8 +281,8 @@ static uint32_t decode_bgr565(uint32_t stored)
     return qtri_decode_rgb565(stored);
 }
 
-static const qtri_format bgr565 = {&qtri_pixels_16, &qtri_colors_565, encode_bgr565, decode_bgr565,
-                                   NULL};
+static const qtri_format bgr565 = {
+    &qtri_pixels_16, &qtri_colors_565, encode_bgr565, decode_bgr565, NULL, 0};
 
 static void exchanged_channels_have_the_same_picture(void **state)
 {
@@ -304,8 +304,8 @@ static void exchanged_channels_have_the_same_picture(void **state)
         blend_cubes(&b.surface);
     }
     /* Decoded alike, encoded otherwise: no picture may be copied from one to the other. */
-    const qtri_format odd = {&qtri_pixels_16, &qtri_colors_565, encode_bgr565, qtri_decode_rgb565,
-                             NULL};
+    const qtri_format odd = {
+        &qtri_pixels_16, &qtri_colors_565, encode_bgr565, qtri_decode_rgb565, NULL, 0};
     canvas c = canvas_new(&odd, WIDTH, HEIGHT);
     const qtri_image image = qtri_image_of(&a.surface);
     qtri_image_paint(&c.surface, &image, 0, 0);
@@ -335,8 +335,8 @@ static uint32_t decode_332(uint32_t stored)
 static void a_byte_of_565(void **state)
 {
     (void)state;
-    static const qtri_format rgb332 = {&qtri_pixels_8, &qtri_colors_565, encode_332, decode_332,
-                                       NULL};
+    static const qtri_format rgb332 = {
+        &qtri_pixels_8, &qtri_colors_565, encode_332, decode_332, NULL, 0};
     make_texels();
     canvas a = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     canvas b = canvas_new(&rgb332, WIDTH, HEIGHT);

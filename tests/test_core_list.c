@@ -509,8 +509,8 @@ static void assert_same(const canvas *a, const canvas *b)
 static void fused_loops(void **state)
 {
     (void)state;
-    static const qtri_format staged = {&qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565,
-                                       NULL};
+    static const qtri_format staged = {
+        &qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565, NULL, 0};
     static qtri_vec3 positions[3 * TRIANGLES];
     static qtri_normal normals[3 * TRIANGLES];
     static uint16_t triangles[TRIANGLES][3];

@@ -413,9 +413,9 @@ static void own_texels_of_565(void **state)
         reversed[i] = rgb565[i] ^ 0xFFFF;
     }
     const qtri_texel_format own[3] = {
-        {&qtri_texturing_stages, &qtri_colors_565, 0xFFFF, 0, has_texels, fetch_own, NULL},
-        {&qtri_texturing_stages, &qtri_colors_565, 0xFFFF, 2, has_texels, fetch_own, reverse},
-        {&qtri_texturing_stages, &qtri_colors_565, 0xFFFF, 0, has_texels, fetch_reversed, NULL}};
+        {&qtri_texturing_stages, &qtri_colors_565, 0xFFFF, 0, has_texels, fetch_own, NULL, 0},
+        {&qtri_texturing_stages, &qtri_colors_565, 0xFFFF, 2, has_texels, fetch_own, reverse, 0},
+        {&qtri_texturing_stages, &qtri_colors_565, 0xFFFF, 0, has_texels, fetch_reversed, NULL, 0}};
     for (int f = 0; f < 6; f++) {
         canvas want = new_canvas(plain[f]);
         const qtri_texture known = texture_of(&qtri_texel_rgb565, rgb565);

@@ -340,7 +340,7 @@ static void alpha_at_one_distance(void **state)
     (void)state;
     static board b[2];
     static const uint8_t alphas[3] = {20, 130, 250};
-    const qtri_format wide = {&qtri_pixels_32, &qtri_colors_565, NULL, decode_wide, NULL};
+    const qtri_format wide = {&qtri_pixels_32, &qtri_colors_565, NULL, decode_wide, NULL, 0};
     const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &wide};
     for (int f = 0; f < 3; f++) {
         for (int i = 0; i < 2; i++) {

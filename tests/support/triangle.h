@@ -17,7 +17,7 @@ static inline int draw_triangle(const qtri_surface *surface, const qtri_material
                                 const qtri_screen_vertex v[3], bool may_be_small)
 {
     static const qtri_pipeline *const any[] = {&qtri_pipeline_any, NULL};
-    static const uint16_t indices[3] = {0, 1, 2};
+    static const uint16_t indices[1][3] = {{0, 1, 2}};
     qtri_draw_state state;
     qtri_rgb colors[3];
     qtri_vec2 uvs[3];
@@ -55,14 +55,14 @@ static inline int draw_triangle(const qtri_surface *surface, const qtri_material
     qtri_draw_state_init(&state, surface, any, material, is_smooth ? QTRI_COLORS : QTRI_TINT);
     const qtri_mesh mesh = {.colors = colors,
                             .uvs = uvs,
-                            .triangles = (const uint16_t(*)[3])(const void *)indices,
+                            .triangles = indices,
                             .vertex_count = 3,
                             .triangle_count = 1};
     qtri_small small = {.state = &state,
                         .mesh = &mesh,
                         .v = {&vertex[0], &vertex[1], &vertex[2]},
                         .index = {0, 1, 2},
-                        .indices = indices,
+                        .indices = indices[0],
                         .light_q15 = 1 << 15};
     if (area == 0) {
         return TRIANGLE_NOWHERE;
