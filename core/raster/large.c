@@ -233,10 +233,12 @@ QTRI_NOINLINE static void draw_shifted(qtri_large_job *job, const qtri_screen_po
     qtri_draw_state *state = job->t.state;
     qtri_large_vertex moved[3];
     state->material->depth_shift->move(moved, state, p, area, job->v);
+    const qtri_large_vertex *v = job->v;
     job->v = moved;
     if (job->options->samples != 0 || begin(job, p, area)) {
         state->pipeline->large(&job->t);
     }
+    job->v = v;
 }
 
 void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const p[3], int64_t area,

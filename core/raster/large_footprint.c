@@ -145,7 +145,7 @@ void qtri_large_set_footprint(qtri_footprint_plane *out, const qtri_large_job *j
     int32_t bits[2], exponent[2];
     const uint64_t size = qtri_magnitude64(job->gradient.area);
     const int32_t zeros = qtri_clz64(size);
-    const uint32_t r = qtri_reciprocal_near((uint32_t)(size << zeros >> 32));
+    const uint32_t r = qtri_reciprocal_near((uint32_t)(size << (zeros & 63) >> 32));
     const int32_t factor = (int32_t)qtri_mul_high32(r, 3037000500u); /* 2^31.5 */
     set_frame(&f, job);
     for (int i = 0; i < 2; i++) {

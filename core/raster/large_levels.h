@@ -45,6 +45,6 @@ static inline uint32_t qtri_step_length_of(uint32_t a, uint32_t b)
 }
 
 /* Once planes are set. */
-void qtri_large_set_footprint(qtri_footprint_plane *f, const struct qtri_large_job *job);
+void qtri_large_set_footprint(qtri_footprint_plane *out, const struct qtri_large_job *job);
 
 #endif

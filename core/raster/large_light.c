@@ -110,10 +110,13 @@ static void find_shares(int32_t b_q30[2], const qtri_large_light *l, int32_t x)
         uint32_t q = qtri_large_plane_at(&l->q, x);
         q = q < l->least ? l->least : q > l->greatest ? l->greatest : q;
         const int32_t zeros = qtri_clz32(q);
-        const uint32_t reciprocal = qtri_reciprocal_near(q << zeros); /* 2^62 / (q 2^zeros) */
+        const uint32_t reciprocal =
+            qtri_reciprocal_near(q << (zeros & 31)); /* 2^62 / (q 2^zeros) */
         const int32_t most = (int32_t)(q - 1);
-        b[0] = (int32_t)qtri_mul_high32((uint32_t)qtri_hold32(b[0], 0, most) << zeros, reciprocal);
-        b[1] = (int32_t)qtri_mul_high32((uint32_t)qtri_hold32(b[1], 0, most) << zeros, reciprocal);
+        b[0] = (int32_t)qtri_mul_high32((uint32_t)qtri_hold32(b[0], 0, most) << (zeros & 31),
+                                        reciprocal);
+        b[1] = (int32_t)qtri_mul_high32((uint32_t)qtri_hold32(b[1], 0, most) << (zeros & 31),
+                                        reciprocal);
     }
     b_q30[0] = qtri_hold32(b[0], 0, one - 1);
     b_q30[1] = qtri_hold32(b[1], 0, one - 1 - b_q30[0]);

@@ -35,6 +35,7 @@ typedef struct quarters {
 } quarters;
 
 /* What an edge has in a quarter. */
+/* NOLINTNEXTLINE(readability-non-const-parameter): they are written where nothing divides */
 static inline int32_t next_of(int32_t *numerator, int32_t *quotient, int32_t denominator)
 {
 #if QTRI_DIVIDE
