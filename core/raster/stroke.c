@@ -330,16 +330,17 @@ QTRI_NOINLINE static void find_nearest(window *w, qtri_stroker *stroker)
 {
     uint64_t least[QTRI_STROKE_WINDOW];
     uint32_t at = 0;
-    for (int32_t i = 0; i < w->end - w->first; i++) {
+    const int32_t count = w->end - w->first;
+    for (int32_t i = 0; i < count; i++) {
         least[i] = UINT64_MAX;
     }
     for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
-        for (int32_t i = w->first; i < w->end; i++) {
-            if (w->weight[i - w->first] != 0) {
-                const uint64_t square = qtri_stroke_shape_distance(s, i, stroker->row);
-                if (square < least[i - w->first]) {
-                    least[i - w->first] = square;
-                    w->part[i - w->first] = s->part;
+        for (int32_t i = 0; i < count; i++) {
+            if (w->weight[i] != 0) {
+                const uint64_t square = qtri_stroke_shape_distance(s, w->first + i, stroker->row);
+                if (square < least[i]) {
+                    least[i] = square;
+                    w->part[i] = s->part;
                 }
             }
         }

@@ -131,6 +131,7 @@ static void draw_row(qtri_stroker *stroker, const int32_t *cover, const columns 
     uint16_t weight[COLUMNS];
     int32_t sum = 0;
     for (int32_t x = c->first; x < c->inside_end; x++) {
+        // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): the caller cleared all columns
         sum += *cover++;
         if (x >= c->inside) {
             const uint32_t held = (uint32_t)qtri_hold32(sum, 0, QTRI_STROKE_FULL);
