@@ -155,7 +155,7 @@ test-memory: ## Run the tests of core and panels under clang's sanitizer for mem
 
 .PHONY: test-narrow
 test-narrow: ## Run the tests of core with the code of cores that have no long multiply and no divide
-	@$(MAKE) -s $(PARALLEL) BUILD=build/narrow CFLAGS='$(NARROW)' TESTS='$(filter test_core_%,$(TESTS))' test-plain
+	@$(MAKE) -s $(PARALLEL) BUILD=build/narrow CFLAGS='$(NARROW)' $(UNOPTIMIZED) TESTS='$(filter test_core_%,$(TESTS))' test-plain
 
 .PHONY: test-fuzz fuzzers
 test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, with clang
@@ -169,7 +169,7 @@ fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
 $(BUILD)/tests/%_threads: LDFLAGS += -pthread
 # Random pipelines, a file of few, as the compiler takes long for each.
-RANDOM_PIPELINES ?= 60
+RANDOM_PIPELINES ?= 36
 RANDOM_PARTS     := 0 1 2 3 4 5
 random_pipelines  = $(RANDOM_PARTS:%=$(BUILD)/random_pipelines/part_%.o) $(BUILD)/random_pipelines/list.o
 $(BUILD)/random_pipelines/%.o: tests/tools/random_pipelines.awk $(BUILD)/flags $(wildcard core/include/qtri/*.h core/include/qtri/body/*.h)

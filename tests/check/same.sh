@@ -19,7 +19,7 @@ sh port/packages/dist.sh "$work/dist" >"$work/log" 2>&1 || { cat "$work/log"; fi
 
 # NAME LIBRARY COMMAND...: how each builds, the slowest first. `one` is the library as one file, `all` its own files,
 # `make` what make has built, with which all are compared; `board` one file, too, and the program a firmware.
-usual='cortex-m0plus-Os cortex-m0plus-clang-Os cortex-m3-O2 gcc-O3 gcc-O2-flto clang-O3 big-endian-O1 32-bit-O2 clang-Os gcc-Os gcc-O0 tcc'
+usual='cortex-m0plus-Os cortex-m3-O2 gcc-O3 big-endian-O1 32-bit-O2 clang-Os gcc-Os tcc'
 cat >"$work/list" <<'END'
 make make gcc -O2
 cortex-m0plus-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
