@@ -29,7 +29,7 @@ extern const struct qtri_pipeline_ops qtri_pipeline_ops;
     static bool name##_small(struct qtri_small *triangle)                                          \
     {                                                                                              \
         static const qtri_options options = {__VA_ARGS__};                                         \
-        return qtri_small_instance_draw(&options, triangle);                                                \
+        return qtri_small_instance_draw(&options, triangle);                                       \
     }                                                                                              \
     const qtri_pipeline name = {                                                                   \
         {__VA_ARGS__}, name##_large, name##_small, &qtri_pipeline_ops, NULL};
