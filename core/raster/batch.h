@@ -57,15 +57,10 @@ typedef struct qtri_batch {
         depth[QTRI_BATCH]; /* of small triangles, where the raster keeps it: as a ramp has it */
 } qtri_batch;
 
-/* The batch's table; NULL where the library is built without. */
+/* The batch's table. */
 static inline uint16_t *qtri_batch_table(qtri_batch *batch)
 {
-#if QTRI_WITH_FAST_PATHS
     return batch->by.table;
-#else
-    (void)batch;
-    return NULL;
-#endif
 }
 
 /*

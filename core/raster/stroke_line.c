@@ -420,8 +420,8 @@ static walk_columns walk_of(wire *w)
     const qtri_surface *surface = job->surface;
     const bool nearer = job->has_depth && job->is_less && job->depth_write;
     const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
-    if (!QTRI_WITH_FAST_PATHS || w->look.tints == NULL || job->smooth->alpha != 255 ||
-        job->testing != NULL || (job->has_depth && !nearer) || !qtri_is_565(surface->format) ||
+    if (w->look.tints == NULL || job->smooth->alpha != 255 || job->testing != NULL ||
+        (job->has_depth && !nearer) || !qtri_is_565(surface->format) ||
         surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
         surface->depth_pitch >= pitch_end / 2 || surface->depth_pitch <= -pitch_end / 2) {
         return walk_any;
