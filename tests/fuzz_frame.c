@@ -243,7 +243,7 @@ static void draw_solids(const job *j, const qtri_surface *s)
         qtri_draw_triangles(s, &j->view, &j->pose, j->corners, CORNERS, &j->material);
         qtri_draw_lit_triangles(s, &j->view, &j->pose, j->corners, NULL, CORNERS, &j->material);
     } else if (j->kind / 8 % 4 == 1) {
-        qtri_raster_triangle(s, &j->material, j->screen);
+        qtri_raster_triangle(s, qtri_pipelines_default, &j->material, j->screen);
         qtri_raster_line(s, &j->material, j->screen);
     } else {
         qtri_draw_mesh(s, &j->view, &j->pose, &j->soup.mesh, &j->material);

@@ -187,7 +187,7 @@ static void assert_inert(const qtri_surface *s, const uint8_t *memory, size_t by
     qtri_draw_mesh(s, &view, &pose, &one, &material);
     qtri_draw_triangles(s, &view, &pose, corners, 3, &material);
     qtri_draw_lines(s, &view, &pose, corners, 2, &material);
-    qtri_raster_triangle(s, &material, screen);
+    qtri_raster_triangle(s, qtri_pipelines_default, &material, screen);
     qtri_raster_line(s, &material, screen);
     const qtri_rgb pixel = qtri_surface_pixel(s, 0, 0);
     assert_int_equal(pixel.r | pixel.g | pixel.b, 0);
@@ -347,8 +347,8 @@ static void any_texture_as_it_is(void **state)
         }
         const qtri_screen_vertex first[3] = {v[0], v[1], v[2]};
         const qtri_screen_vertex second[3] = {v[2], v[1], v[3]};
-        qtri_raster_triangle(&c.surface, &material, first);
-        qtri_raster_triangle(&c.surface, &material, second);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &material, first);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &material, second);
         for (int32_t i = 0; i < SIDE * SIDE; i++) {
             const int32_t column = (first_column + i % SIDE) & (columns - 1);
             const int32_t row = (first_row + i / SIDE) & (rows - 1);

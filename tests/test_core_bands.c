@@ -142,7 +142,7 @@ static void draw_scene(const qtri_surface *surface, const scene *s)
         if (n % 4 == 3) {
             qtri_raster_line(surface, &s->material[n], s->v[n]);
         } else {
-            qtri_raster_triangle(surface, &s->material[n], s->v[n]);
+            qtri_raster_triangle(surface, qtri_pipelines_default, &s->material[n], s->v[n]);
         }
     }
 }

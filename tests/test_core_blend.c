@@ -128,10 +128,10 @@ static void mixes(void **state)
                 m.shading = QTRI_SMOOTH;
                 v[1].color_8p16[1] ^= 1;
             }
-            qtri_raster_triangle(&drawn.surface, &m, v);
+            qtri_raster_triangle(&drawn.surface, qtri_pipelines_default, &m, v);
             seed = same;
             random_triangle(v, &seed, white);
-            qtri_raster_triangle(&covered.surface, &solid, v);
+            qtri_raster_triangle(&covered.surface, qtri_pipelines_default, &solid, v);
             for (int32_t i = 0; i < WIDTH * HEIGHT; i++) { /* depths as without a blend */
                 assert_int_equal(stored_depth(&drawn.surface, i % WIDTH, i / WIDTH),
                                  stored_depth(&covered.surface, i % WIDTH, i / WIDTH));
@@ -193,9 +193,9 @@ static void texels(void **state)
             canvas_clear(&before);
             canvas_clear(&covered);
             random_triangle(v, &seed, white);
-            qtri_raster_triangle(&drawn.surface, &m, v);
+            qtri_raster_triangle(&drawn.surface, qtri_pipelines_default, &m, v);
             if (argb[0] >= m.least_alpha) {
-                qtri_raster_triangle(&covered.surface, &solid, v);
+                qtri_raster_triangle(&covered.surface, qtri_pipelines_default, &solid, v);
             }
             worst = fmax(worst, compare(&drawn, &before, &covered, blends[which], argb + 1,
                                         m.blend == NULL ? 1 : argb[0] * alpha / 255 / 255));
@@ -392,7 +392,7 @@ static void fogs(void **state)
             v[i].color_8p16[0] = 0;
             v[i].color_8p16[2] = 0;
         }
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         const double t = 1 - depth / 65535.0;
         const double z =
             flat ? far_z - t * (far_z - near_z) : near_z * far_z / (near_z + t * (far_z - near_z));
@@ -470,7 +470,7 @@ static void fogs_565(void **state)
         }
         for (int k = 0; k < 2; k++) {
             canvas_clear(&c[k]);
-            qtri_raster_triangle(&c[k].surface, &m, v);
+            qtri_raster_triangle(&c[k].surface, qtri_pipelines_default, &m, v);
         }
         for (int32_t i = 0; i < SIDE * SIDE; i++) {
             const int32_t x = i % SIDE;
@@ -525,7 +525,7 @@ static void rows(void **state)
             m.fog = &fog;
         }
         for (int k = 0; k < 2; k++) {
-            qtri_raster_triangle(&c[k].surface, &m, v);
+            qtri_raster_triangle(&c[k].surface, qtri_pipelines_default, &m, v);
         }
         if (n % 50 == 49) {
             for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
@@ -578,7 +578,7 @@ static void extremes(void **state)
         m.fog = &fog;
         qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(0, 9999), screen_at(9999, 0)};
         v[0].depth_16p16 = (uint32_t)random_bits32(&seed);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
     }
     canvas_free(&c);
 }
@@ -619,7 +619,7 @@ static void doors(void **state)
                                    screen_at(9999, -256)};
         int drawn = 0;
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < 256; i++) {
             const bool is = stored_pixel(&c.surface, i % 16, i / 16) != 0;
             assert_int_equal(is, stored_depth(&c.surface, i % 16, i / 16) != 65535);
@@ -657,9 +657,9 @@ static void channels(void **state)
         qtri_surface_clear(&some.surface, sky);
         const uint32_t was = format->decode(stored_pixel(&all.surface, 0, 0));
         random_triangle(v, &seed, rgb);
-        qtri_raster_triangle(&all.surface, &m, v);
+        qtri_raster_triangle(&all.surface, qtri_pipelines_default, &m, v);
         m.keep = (uint8_t)keep;
-        qtri_raster_triangle(&some.surface, &m, v);
+        qtri_raster_triangle(&some.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const uint32_t a = format->decode(stored_pixel(&all.surface, i % WIDTH, i / WIDTH));
             const uint32_t b = format->decode(stored_pixel(&some.surface, i % WIDTH, i / WIDTH));

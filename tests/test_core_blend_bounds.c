@@ -72,7 +72,7 @@ static void draw(canvas *c, const qtri_material *m, const int32_t from[3], const
         v[i].depth_16p16 = depth + (i == 2 ? 2 * WIDTH * depth_step : 0);
         memcpy(v[i].color_8p16, i == 2 ? to : from, sizeof v[i].color_8p16);
     }
-    qtri_raster_triangle(&c->surface, m, v);
+    qtri_raster_triangle(&c->surface, qtri_pipelines_default, m, v);
 }
 
 /* The colour of 255 whose channels are nearest to so many steps. */

@@ -124,8 +124,8 @@ static double worst_of(const qtri_format *format)
         qtri_surface_clear(&drawn.surface, t.sky);
         qtri_surface_clear(&before.surface, t.sky);
         canvas_clear(&covered);
-        qtri_raster_triangle(&drawn.surface, &t.material, t.v);
-        qtri_raster_triangle(&covered.surface, &plain, solid);
+        qtri_raster_triangle(&drawn.surface, qtri_pipelines_default, &t.material, t.v);
+        qtri_raster_triangle(&covered.surface, qtri_pipelines_default, &plain, solid);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const int32_t x = i % WIDTH;
             const int32_t y = i / WIDTH;
@@ -210,8 +210,8 @@ static void near_and_far(void **state)
         const double nearest = fmax(w_of(&t.v[0]), fmax(w_of(&t.v[1]), w_of(&t.v[2])));
         canvas_clear(&drawn);
         canvas_clear(&covered);
-        qtri_raster_triangle(&drawn.surface, &t.material, t.v);
-        qtri_raster_triangle(&covered.surface, &plain, t.v);
+        qtri_raster_triangle(&drawn.surface, qtri_pipelines_default, &t.material, t.v);
+        qtri_raster_triangle(&covered.surface, qtri_pipelines_default, &plain, t.v);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const int32_t x = i % WIDTH;
             const int32_t y = i / WIDTH;
@@ -465,10 +465,10 @@ static void samples(void **state)
         qtri_surface_clear(&plain.surface, t.sky);
         qtri_samples_clear(&many.surface, t.sky);
         qtri_samples_clear(&inside.surface, black);
-        qtri_raster_triangle(&plain.surface, &t.material, t.v);
-        qtri_raster_triangle(&many.surface, &t.material, t.v);
+        qtri_raster_triangle(&plain.surface, qtri_pipelines_default, &t.material, t.v);
+        qtri_raster_triangle(&many.surface, qtri_pipelines_default, &t.material, t.v);
         t.v[0].color_8p16[0] = t.v[0].color_8p16[1] = t.v[0].color_8p16[2] = 255 << 16;
-        qtri_raster_triangle(&inside.surface, &white, t.v);
+        qtri_raster_triangle(&inside.surface, qtri_pipelines_default, &white, t.v);
         assert_int_equal(qtri_samples_resolve(&many.surface, &resolved), QTRI_OK);
         assert_int_equal(qtri_samples_resolve(&inside.surface, &whole), QTRI_OK);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
@@ -510,9 +510,9 @@ static void slopes(void **state)
         }
         canvas_clear(&moved);
         canvas_clear(&plain);
-        qtri_raster_triangle(&plain.surface, &m, v);
+        qtri_raster_triangle(&plain.surface, qtri_pipelines_default, &m, v);
         m.depth_shift = &qtri_slope_bias;
-        qtri_raster_triangle(&moved.surface, &m, v);
+        qtri_raster_triangle(&moved.surface, qtri_pipelines_default, &m, v);
         const double x1 = v[1].x_24p8 - v[0].x_24p8;
         const double y1 = v[1].y_24p8 - v[0].y_24p8;
         const double x2 = v[2].x_24p8 - v[0].x_24p8;
@@ -560,7 +560,7 @@ static void anything(void **state)
         t.material.depth_compare = QTRI_LESS;
         t.material.depth_shift = random_flag(&seed) ? &qtri_slope_bias : NULL;
         t.material.depth_slope = random_any(&seed);
-        qtri_raster_triangle(&c.surface, &t.material, t.v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &t.material, t.v);
     }
     canvas_free(&c);
 }

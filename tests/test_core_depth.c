@@ -210,7 +210,7 @@ static void draw_scene(const qtri_surface *s, uint64_t seed, bool smooth)
         stroke.width = random_in(&seed, 0, Q16(7));
         stroke.edges = random_flag(&seed) ? NULL : stroke.edges;
         if (what < 4) {
-            qtri_raster_triangle(s, &m, v);
+            qtri_raster_triangle(s, qtri_pipelines_default, &m, v);
         } else if (what == 4) {
             qtri_raster_line(s, &m, v);
         } else if (what == 5) {
@@ -557,9 +557,9 @@ static void comparisons(void **state)
                         {-999999, -999999, stored, 1u << 30, 0, {0}, 0, 0},
                         {999999, -999999, stored, 1u << 30, 0, {0}, 0, 0},
                         {0, 999999, stored, 1u << 30, 0, {0}, 0, 0}};
-                    qtri_raster_triangle(&b.surface, &first, all);
+                    qtri_raster_triangle(&b.surface, qtri_pipelines_default, &first, all);
                 } else if (shape < 2) {
-                    qtri_raster_triangle(&b.surface, &m, v);
+                    qtri_raster_triangle(&b.surface, qtri_pipelines_default, &m, v);
                 } else if (shape == 2) {
                     qtri_raster_line(&b.surface, &m, v);
                 } else if (shape == 5) {
@@ -639,7 +639,7 @@ static void planes(void **state)
                 continue; /* slivers */
             }
             qtri_surface_clear_depth(&b.surface, 0);
-            qtri_raster_triangle(&b.surface, &m, v);
+            qtri_raster_triangle(&b.surface, qtri_pipelines_default, &m, v);
             for (int i = 0; i < WIDTH * HEIGHT; i += 7) {
                 const double dx = i % WIDTH + .5 - x[0];
                 const int32_t row = i / WIDTH;
@@ -690,7 +690,7 @@ static void ends_of_depths(void **state)
         b.surface.depth_format = (range & 8) != 0 ? &qtri_depth_linear32 : &one_by_one;
         qtri_surface_clear_depth(&b.surface, Q16(.5));
         const uint32_t clear = code_at(&b.surface, 0, HEIGHT - 1);
-        qtri_raster_triangle(&b.surface, &m, v);
+        qtri_raster_triangle(&b.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const uint32_t depth = code_at(&b.surface, i % WIDTH, i / WIDTH);
             if (depth == clear) {
@@ -759,7 +759,7 @@ static void layouts(void **state)
             const qtri_screen_vertex v[3] = {random_vertex(&seed, 999, 999, 3000),
                                              random_vertex(&seed, 999, 999, 3000),
                                              random_vertex(&seed, 999, 999, 3000)};
-            qtri_raster_triangle(&s, &m, v);
+            qtri_raster_triangle(&s, qtri_pipelines_default, &m, v);
         }
         for (int i = 0; i < 81 * QTRI_RGB565_X4_BYTES; i += QTRI_RGB565_X4_BYTES) {
             assert_int_equal(s.pixels[i], 0);

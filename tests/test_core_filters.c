@@ -34,7 +34,7 @@ static void draw_picture(const qtri_surface *surface, uint64_t seed)
                 v[k].color_8p16[c] = random_in(&seed, 0, 255 << 16);
             }
         }
-        qtri_raster_triangle(surface, &material, v);
+        qtri_raster_triangle(surface, qtri_pipelines_default, &material, v);
     }
 }
 

@@ -251,7 +251,7 @@ static void nothing(void **state)
     memset(memory, 0xA5, sizeof memory);
     memcpy(before, memory, sizeof memory);
     clear_to(&s, white, 0);
-    qtri_raster_triangle(&s, &material, v);
+    qtri_raster_triangle(&s, qtri_pipelines_default, &material, v);
     qtri_raster_line(&s, &material, v);
     assert_memory_equal(memory, before, sizeof memory);
     const qtri_rgb is = qtri_surface_pixel(&s, 1, 1);

@@ -88,7 +88,7 @@ static void draw_stored(const qtri_surface *s)
         floor[i].u_q32 = (int64_t)(i == 1 ? 9 : 0) << 32;
         floor[i].v_q32 = (int64_t)(i == 2 ? 9 : 0) << 32;
     }
-    qtri_raster_triangle(s, &material, floor);
+    qtri_raster_triangle(s, qtri_pipelines_default, &material, floor);
     qtri_paint_rect(s, &box, &solid);
     (void)qtri_text_paint(s, &qtri_font_small, 3, 38, "own: 42", &solid);
 }

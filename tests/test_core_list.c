@@ -128,7 +128,7 @@ static void coverage_and_depth(void **state)
         for (int i = 0; i < 3; i++) {
             v[0].color_8p16[i] = 255 << 16;
         }
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         const qtri_rect box = pixels_around(&c.surface, v);
         for (screen_pixel at = first_pixel(box); at.y < box.y1; at = next_pixel(at, box)) {
             double b[3];
@@ -188,7 +188,7 @@ static void smooth_colors(void **state)
             qtri_material m = drawn_material();
             random_triangle(v, &seed, n % 5);
             m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
-            qtri_raster_triangle(&c.surface, &m, v);
+            qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
             const qtri_rect box = pixels_around(&c.surface, v);
             for (screen_pixel here = first_pixel(box); here.y < box.y1;
                  here = next_pixel(here, box)) {
@@ -256,7 +256,7 @@ static void texels(void **state)
         m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
         m.texture = &texture;
         m.texture_mode = QTRI_REPLACE;
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         const int32_t side[2] = {1 << texture.width_log2, 1 << texture.height_log2};
         double per_pixel[2] = {1, 1}; /* texels, along the longest edge */
         for (int k = 0; k < 2; k++) {
@@ -359,7 +359,7 @@ static void cuts(void **state)
                 random_background(&whole, &seed);
                 memcpy(parts.memory, whole.memory, whole.bytes);
             }
-            qtri_raster_triangle(&whole.surface, &m, v);
+            qtri_raster_triangle(&whole.surface, qtri_pipelines_default, &m, v);
             const int32_t x = random_in(&seed, 0, WIDTH);
             const int32_t y = random_in(&seed, 0, HEIGHT);
             const qtri_rect scissor[4] = {
@@ -374,7 +374,7 @@ static void cuts(void **state)
                     part.pixels += part.first_row * part.pitch;
                     part.depth += part.first_row * part.depth_pitch;
                 }
-                qtri_raster_triangle(&part, &m, v);
+                qtri_raster_triangle(&part, qtri_pipelines_default, &m, v);
             }
             if (memcmp(parts.memory, whole.memory, whole.bytes) != 0) {
                 assert_same_picture(&whole.surface, &parts.surface);
@@ -439,12 +439,12 @@ static void comparisons(void **state)
         memcpy(always.memory, drawn.memory, drawn.bytes);
         canvas before = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
         memcpy(before.memory, drawn.memory, drawn.bytes);
-        qtri_raster_triangle(&drawn.surface, &m, v);
+        qtri_raster_triangle(&drawn.surface, qtri_pipelines_default, &m, v);
         const qtri_compare compare = m.depth_compare;
         const bool read_only = m.depth_read_only;
         m.depth_compare = QTRI_ALWAYS;
         m.depth_read_only = false;
-        qtri_raster_triangle(&always.surface, &m, v);
+        qtri_raster_triangle(&always.surface, qtri_pipelines_default, &m, v);
         const qtri_rect box = pixels_around(&drawn.surface, v);
         for (screen_pixel at = first_pixel(box); at.y < box.y1; at = next_pixel(at, box)) {
             double b[3];

@@ -235,7 +235,7 @@ static worst draw_many(uint64_t seed, int count, int32_t reach, int side_log2_ma
         m.depth_compare = QTRI_LESS;
         any_triangle(v, &seed, n, reach);
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         look_at(&w, &c, v, &t, n % 5 != 0);
     }
     canvas_free(&c);
@@ -314,7 +314,7 @@ static void turns_at_one_end(void **state)
         m.texture_mode = QTRI_REPLACE;
         m.depth_compare = QTRI_LESS;
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         look_at(&w, &c, v, &t, true);
     }
     canvas_free(&c);
@@ -381,7 +381,7 @@ static void filters_in_levels(void **state)
         m.depth_compare = QTRI_LESS;
         any_triangle(v, &seed, n, n % 2 == 0 ? 3000 : 20000);
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const int32_t x = i % WIDTH, y = i / WIDTH;
             if (stored_depth(&c.surface, x, y) == 65535 || is_sliver(v)) {
@@ -487,9 +487,9 @@ static void does_without(void **state)
         canvas_clear(&with);
         canvas_clear(&without);
         m.texture = &t;
-        qtri_raster_triangle(&with.surface, &m, v);
+        qtri_raster_triangle(&with.surface, qtri_pipelines_default, &m, v);
         m.texture = &plain;
-        qtri_raster_triangle(&without.surface, &m, v);
+        qtri_raster_triangle(&without.surface, qtri_pipelines_default, &m, v);
         assert_memory_equal(with.memory, without.memory, with.bytes);
     }
     canvas_free(&with);

@@ -156,7 +156,7 @@ static void draw(const canvas *c, const qtri_texture *texture, const qtri_screen
     m.texture_mode = QTRI_REPLACE;
     m.shading = QTRI_SMOOTH;
     m.depth_compare = QTRI_LESS;
-    qtri_raster_triangle(&c->surface, &m, t);
+    qtri_raster_triangle(&c->surface, qtri_pipelines_default, &m, t);
 }
 
 static corner random_corner(uint64_t *seed, double reach, double ratio, double repeats)
@@ -360,7 +360,7 @@ static double random_colors(uint64_t seed, int count, const qtri_format *format,
         m.texture = texture;
         m.shading = QTRI_SMOOTH;
         m.depth_compare = QTRI_LESS;
-        qtri_raster_triangle(&c.surface, &m, t);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, t);
         exact_vertex e[3];
         exact_triangle(e, t);
         const qtri_rect box = pixels_around(&c.surface, t);
@@ -460,25 +460,25 @@ static void parts(void **state)
         }
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         canvas tiles = canvas_new(format, WIDTH, HEIGHT);
-        qtri_raster_triangle(&whole.surface, &m, t);
+        qtri_raster_triangle(&whole.surface, qtri_pipelines_default, &m, t);
         const int32_t width = random_in(&seed, 3, 90);
         for (int32_t y = 0; y < HEIGHT; y += 37) {
             for (int32_t x = 0; x < WIDTH; x += width) {
                 tiles.surface.scissor = (qtri_rect){x, y, x + width, y + 37};
-                qtri_raster_triangle(&tiles.surface, &m, t);
+                qtri_raster_triangle(&tiles.surface, qtri_pipelines_default, &m, t);
             }
         }
         assert_same_picture(&whole.surface, &tiles.surface);
         for (int32_t first = 0; first < HEIGHT; first += 100) {
             canvas band = canvas_band(format, WIDTH, HEIGHT, first,
                                       first + 100 < HEIGHT ? 100 : HEIGHT - first);
-            qtri_raster_triangle(&band.surface, &m, t);
+            qtri_raster_triangle(&band.surface, qtri_pipelines_default, &m, t);
             assert_same_picture(&whole.surface, &band.surface);
             canvas_free(&band);
         }
         if (format == &qtri_rgb565) {
             canvas staged = canvas_new(&stages_565, WIDTH, HEIGHT);
-            qtri_raster_triangle(&staged.surface, &m, t);
+            qtri_raster_triangle(&staged.surface, qtri_pipelines_default, &m, t);
             assert_same_picture(&whole.surface, &staged.surface);
             canvas_free(&staged);
         }
@@ -527,7 +527,7 @@ static void extremes(void **state)
         m.texture = textures[random_in(&seed, 0, 2)];
         m.shading = QTRI_SMOOTH;
         canvas c = canvas_new(format, WIDTH, HEIGHT);
-        qtri_raster_triangle(&c.surface, &m, t);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, t);
         for (int32_t i = 0; m.texture == NULL && i < WIDTH * HEIGHT; i++) {
             const uint32_t pixel = stored_pixel(&c.surface, i % WIDTH, i / WIDTH);
             const double ends[2][3] = {{least, least, least}, {greatest, greatest, greatest}};
@@ -568,7 +568,7 @@ static void limit_of_the_linear(void **state)
             }
         }
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < 64 * 64; i++) {
             hash = (hash ^ stored_pixel(&c.surface, i % 64, i / 64)) * 16777619u;
         }

@@ -13,7 +13,7 @@ static void draw(const qtri_surface *s, point a, point b, point c)
 {
     qtri_material material = plain_material();
     qtri_screen_vertex v[3] = {screen_at(a.x, a.y), screen_at(b.x, b.y), screen_at(c.x, c.y)};
-    qtri_raster_triangle(s, &material, v);
+    qtri_raster_triangle(s, qtri_pipelines_default, &material, v);
 }
 
 /* (b - a) x (p - a): positive to the right of a -> b on a screen whose y points down. */
@@ -360,7 +360,7 @@ static bool draws(qtri_cull cull, bool clockwise)
     for (int turn = 0; turn < 3; turn++) {
         qtri_screen_vertex w[3] = {v[turn], v[(turn + 1) % 3], v[(turn + 2) % 3]};
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &material, w);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &material, w);
         bool now = stored_pixel(&c.surface, clockwise ? 5 : 2, clockwise ? 2 : 5) != 0;
         assert_true(turn == 0 || now == drawn);
         drawn = now;

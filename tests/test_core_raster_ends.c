@@ -73,7 +73,7 @@ static void draw_triangles(const qtri_surface *s, const qtri_material *material,
                 v[i].color_8p16[k] = has_colors ? random_in(&seed, 0, 255 << 16) : gray;
             }
         }
-        qtri_raster_triangle(s, material, v);
+        qtri_raster_triangle(s, qtri_pipelines_default, material, v);
     }
 }
 
@@ -251,7 +251,7 @@ static void fog_at_the_far_plane(void **state)
             v[i].depth_16p16 = 0xFFFF8000u;
         }
         material.depth_compare = QTRI_ALWAYS;
-        qtri_raster_triangle(&c.surface, &material, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &material, v);
         for (int32_t i = 0; i < 100; i++) { /* all of it is fog */
             assert_int_equal(stored_pixel(&c.surface, i % 20, i / 20), 0x808080);
         }
@@ -294,7 +294,7 @@ static void samples_that_are_alike(void **state)
                 material.blend = n == 2 ? &qtri_blend_screen_door : NULL;
                 material.alpha = 140;
                 if (n > 0) {
-                    qtri_raster_triangle(on[i], &material, v);
+                    qtri_raster_triangle(on[i], qtri_pipelines_default, &material, v);
                 }
                 material.blend = NULL;
                 material.texture = NULL;
@@ -354,7 +354,7 @@ static void samples_that_differ(void **state)
                         v[j].depth_16p16 = (i == 0 ? depth : 65535 - depth) << 16;
                         v[j].color_8p16[k % 3] = random_in(&seed, 0, 255 << 16);
                     }
-                    qtri_raster_triangle(&s[i], &material, v);
+                    qtri_raster_triangle(&s[i], qtri_pipelines_default, &material, v);
                 }
             }
             const qtri_surface before = s[0];
@@ -508,7 +508,7 @@ static void levels_of_large_textures(void **state)
                 v[k].u_q32 = k == 1 ? unit << (i == 1 ? 1 : 0) : 0;
                 v[k].v_q32 = k == 2 ? unit : 0;
             }
-            qtri_raster_triangle(&c[i].surface, &material, v);
+            qtri_raster_triangle(&c[i].surface, qtri_pipelines_default, &material, v);
         }
         int other = 0;
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {

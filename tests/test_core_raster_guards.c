@@ -80,14 +80,14 @@ static void rows_and_slivers(void **state)
         material.texture = &texture;
         canvas whole = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
         canvas parts = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-        qtri_raster_triangle(&whole.surface, &material, v);
+        qtri_raster_triangle(&whole.surface, qtri_pipelines_default, &material, v);
         for (int part = 0; part < 4; part++) {
             qtri_surface s = parts.surface;
             s.scissor.x0 = part & 1 ? 157 : 0;
             s.scissor.x1 = part & 1 ? WIDTH : 157;
             s.scissor.y0 = part & 2 ? 101 : 0;
             s.scissor.y1 = part & 2 ? HEIGHT : 101;
-            qtri_raster_triangle(&s, &material, v);
+            qtri_raster_triangle(&s, qtri_pipelines_default, &material, v);
         }
         assert_same_picture(&whole.surface, &parts.surface);
         canvas_free(&whole);

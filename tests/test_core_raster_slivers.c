@@ -183,7 +183,7 @@ static void extremes_in_parts(void **state)
         material.depth_compare = QTRI_ALWAYS;
         const qtri_format *const format = plain[n % 6];
         canvas whole = new_canvas(format), parts = new_canvas(format);
-        qtri_raster_triangle(&whole.surface, &material, v);
+        qtri_raster_triangle(&whole.surface, qtri_pipelines_default, &material, v);
         const int32_t column = random_in(&seed, 1, WIDTH - 1),
                       row = random_in(&seed, 1, HEIGHT - 1);
         for (int part = 0; part < 4; part++) {
@@ -192,7 +192,7 @@ static void extremes_in_parts(void **state)
             s.scissor.x1 = part & 1 ? WIDTH : column;
             s.scissor.y0 = part & 2 ? row : 0;
             s.scissor.y1 = part & 2 ? HEIGHT : row;
-            qtri_raster_triangle(&s, &material, v);
+            qtri_raster_triangle(&s, qtri_pipelines_default, &material, v);
         }
         assert_same_picture(&whole.surface, &parts.surface);
         canvas_free(&whole);
@@ -223,7 +223,7 @@ static void samples_at_the_end(void **state)
             v[i].x_24p8 = v[i].y_24p8;
             v[i].y_24p8 = x;
         }
-        qtri_raster_triangle(&s, &material, v);
+        qtri_raster_triangle(&s, qtri_pipelines_default, &material, v);
     }
     assert_memory_equal(before, memory, sizeof memory);
 }

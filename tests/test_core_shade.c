@@ -136,7 +136,7 @@ static void interpolation(void **state)
                 v[i].depth_16p16 = v[i].depth_16p16 > (uint32_t)65534 << 16 ? (uint32_t)65534 << 16
                                                                             : v[i].depth_16p16;
             }
-            qtri_raster_triangle(&c.surface, &m, v);
+            qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
             for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
                 if (stored_depth(&c.surface, i % WIDTH, i / WIDTH) != 65535) {
                     check_pixel(&c, &m, v, i % WIDTH, i / WIDTH, &w[shading][m.interpolation]);
@@ -180,7 +180,7 @@ static void steep_perspective(void **state)
             v[i].depth_16p16 = 0;
         }
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             if (stored_depth(&c.surface, i % WIDTH, i / WIDTH) != 65535) {
                 check_pixel(&c, &m, v, i % WIDTH, i / WIDTH, &w);
@@ -223,7 +223,7 @@ static void course_triangle(void **state)
         m.shading = QTRI_SMOOTH;
         m.interpolation = n == 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
         m.depth_compare = QTRI_LESS;
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         for (size_t i = 0; i < LENGTH_OF(table); i++) {
             qtri_rgb is = qtri_surface_pixel(&c.surface, table[i].x, table[i].y);
             int got[3] = {is.r, is.g, is.b};
@@ -269,7 +269,7 @@ static void depth_comparisons(void **state)
         if (line) {
             qtri_raster_line(&c.surface, &m, v);
         } else {
-            qtri_raster_triangle(&c.surface, &m, v);
+            qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         }
         bool pass = passes(compare, z, stored);
         bool write = pass && !read_only && compare != QTRI_DEPTH_OFF;
@@ -284,7 +284,7 @@ static void depth_comparisons(void **state)
     for (int i = 0; i < 3; i++) {
         v[i].depth_16p16 = UINT32_MAX - (uint32_t)i;
     }
-    qtri_raster_triangle(&c.surface, &m, v);
+    qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
     assert_int_equal(stored_depth(&c.surface, 2, 3), 65535);
     canvas_free(&c);
 }
@@ -304,7 +304,7 @@ static void crossing(void **state)
             v[i].depth_16p16 = z[n][i] << 16;
             v[i].color_8p16[0] = v[i].color_8p16[1] = v[i].color_8p16[2] = (n + 1) * 100 << 16;
         }
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
     }
     for (int32_t y = 0; y < 60; y++) {
         for (int32_t x = 0; x < 50; x++) {
@@ -345,7 +345,7 @@ static void formats_round(void **state)
         }
         for (int f = 0; f < 3; f++) {
             clear_to(&c[f].surface, rgb, 0);
-            qtri_raster_triangle(&c[f].surface, &m, v);
+            qtri_raster_triangle(&c[f].surface, qtri_pipelines_default, &m, v);
             uint32_t drawn = stored_pixel(&c[f].surface, 0, 0);
             assert_int_equal(drawn, stored_pixel(&c[f].surface, 3, 3));
             if (f == 2 && tie) {

@@ -170,7 +170,7 @@ static void comparisons_that_are_none(void **state)
                 m.cull = QTRI_CULL_NONE;
                 m.depth_compare = i == 0 ? QTRI_ALWAYS : (qtri_compare)(QTRI_ALWAYS + 1 + k);
                 random_triangle(v, &seed, 9000);
-                qtri_raster_triangle(&b[i].surface, &m, v);
+                qtri_raster_triangle(&b[i].surface, qtri_pipelines_default, &m, v);
                 draw_ball(&b[i].surface, &m);
             }
         }
@@ -200,7 +200,7 @@ static void depths_of_nothing(void **state)
             v[2].x_24p8 = v[0].x_24p8 + dx + random_in(&seed, -60, 60);
             v[2].y_24p8 = v[0].y_24p8 + dy + random_in(&seed, -60, 60);
         }
-        qtri_raster_triangle(&b.surface, &m, v);
+        qtri_raster_triangle(&b.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             uint32_t depth;
             memcpy(&depth, (const uint8_t *)b.surface.depth + 4 * (size_t)i, 4);
@@ -242,7 +242,7 @@ static void slopes_without_bounds(void **state)
         for (int i = 0; i < 2; i++) {
             m.depth_shift = i == 0 ? NULL : &qtri_slope_bias;
             b[i].surface.depth[row * WIDTH + column] = centre;
-            qtri_raster_triangle(&b[i].surface, &m, v);
+            qtri_raster_triangle(&b[i].surface, qtri_pipelines_default, &m, v);
         }
         drawn += stored_depth(&b[0].surface, column, row) != centre;
     }
@@ -354,7 +354,7 @@ static void alpha_at_one_distance(void **state)
                 m.alphas = alphas;
                 m.interpolation = i == 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
                 random_triangle(v, &seed, 9000);
-                qtri_raster_triangle(&b[i].surface, &m, v);
+                qtri_raster_triangle(&b[i].surface, qtri_pipelines_default, &m, v);
             }
         }
         assert_same_memory(&b[0], &b[1]);
@@ -394,12 +394,12 @@ static void alpha_of_far_vertices(void **state)
             board_init(&b[i], &qtri_xrgb8888, NULL);
             qtri_surface_clear(&b[i].surface, (qtri_rgb){0, 0, 0});
         }
-        qtri_raster_triangle(&b[0].surface, &m, v);
+        qtri_raster_triangle(&b[0].surface, qtri_pipelines_default, &m, v);
         for (int part = 0; part < 3; part++) {
             qtri_surface s = b[1].surface;
             s.scissor.x0 = part * 21;
             s.scissor.x1 = part * 21 + (part == 2 ? 22 : 21);
-            qtri_raster_triangle(&s, &m, v);
+            qtri_raster_triangle(&s, qtri_pipelines_default, &m, v);
         }
         assert_same_memory(&b[0], &b[1]);
         for (int32_t i = 0; !far && i < WIDTH * HEIGHT; i++) {

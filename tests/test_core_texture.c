@@ -91,7 +91,7 @@ static double worst_texel(sample s)
             v[i].v_q32 -= offset;
         }
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const int32_t at[2] = {i % WIDTH, i / WIDTH};
             if (stored_depth(&c.surface, at[0], at[1]) == 65535) {
@@ -170,8 +170,8 @@ static void pixel_for_texel(void **state)
                 q[i].v_q32 = base + (i >= 2 ? span : 0);
             }
             qtri_screen_vertex second[3] = {q[0], q[2], q[3]};
-            qtri_raster_triangle(&c.surface, &m, q);
-            qtri_raster_triangle(&c.surface, &m, second);
+            qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, q);
+            qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, second);
             for (int32_t i = 0; i < 32 * 32; i++) {
                 uint32_t mask = (1u << log2) - 1;
                 uint32_t expected =
@@ -204,8 +204,8 @@ static void clamps_each_axis(void **state)
             q[i].v_q32 = ((int64_t)origin + (i >= 2 ? 32 : 0)) * (1 << 28);
         }
         qtri_screen_vertex second[3] = {q[0], q[2], q[3]};
-        qtri_raster_triangle(&c.surface, &m, q);
-        qtri_raster_triangle(&c.surface, &m, second);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, q);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, second);
         for (int32_t i = 0; i < 32 * 32; i++) {
             int32_t at[2] = {origin + i % 32, origin + i / 32};
             for (int axis = 0; axis < 2; axis++) {
@@ -258,7 +258,7 @@ static void stays_inside(void **state)
             v[i].v_q32 = (int64_t)random64(&seed) >> random_in(&seed, 0, 40);
             v[i].inv_w_q31 = (uint32_t)random64(&seed) >> random_in(&seed, 0, 31);
         }
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         free(texels);
     }
     canvas_free(&c);

@@ -71,8 +71,8 @@ static void draw_parts(const canvas *c, const qtri_material *m, int parts)
             q[k].v_q32 = ((int64_t)1 << 32) * row / parts;
         }
         qtri_screen_vertex second[3] = {q[0], q[2], q[3]};
-        qtri_raster_triangle(&c->surface, m, q);
-        qtri_raster_triangle(&c->surface, m, second);
+        qtri_raster_triangle(&c->surface, qtri_pipelines_default, m, q);
+        qtri_raster_triangle(&c->surface, qtri_pipelines_default, m, second);
     }
 }
 

@@ -175,7 +175,7 @@ static double worst_bilinear(uint64_t seed, int count, int32_t uv_reach)
             color[i] = m.texture_mode == QTRI_REPLACE ? 255 : real(v[0].color_8p16[i]);
         }
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             int32_t x = i % WIDTH;
             int32_t y = i / WIDTH;
@@ -234,7 +234,7 @@ static void bilinear_weights_are_exact(void **state)
     qtri_screen_vertex q[3] = {screen_at(0, 0), screen_at(32 * NOISE * 256, 0),
                                screen_at(0, 32 * NOISE * 256)};
     q[1].u_q32 = q[2].v_q32 = (int64_t)2 << 32;
-    qtri_raster_triangle(&c.surface, &m, q);
+    qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, q);
     double worst = 0;
     for (int32_t y = 0; y < 16 * NOISE; y++) {
         for (int32_t x = 0; x < 16 * NOISE; x++) {
@@ -274,7 +274,7 @@ static void bilinear_of_565(void **state)
     qtri_screen_vertex q[3] = {screen_at(0, 0), screen_at(32 * NOISE * 256, 0),
                                screen_at(0, 32 * NOISE * 256)};
     q[1].u_q32 = q[2].v_q32 = (int64_t)2 << 32;
-    qtri_raster_triangle(&c.surface, &m, q);
+    qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, q);
     double worst = 0; /* in steps of the channel */
     for (int32_t y = 0; y < 16 * NOISE; y++) {
         for (int32_t x = 0; x < 16 * NOISE; x++) {
@@ -306,9 +306,9 @@ static void bilinear_at_centres(void **state)
     q[1].u_q32 = q[2].v_q32 = (int64_t)2 << 32;
     for (int n = 0; n < 2; n++) {
         texture.filter = NULL;
-        qtri_raster_triangle(&c.surface, &m, q);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, q);
         texture.filter = &qtri_bilinear;
-        qtri_raster_triangle(&d.surface, &m, q);
+        qtri_raster_triangle(&d.surface, qtri_pipelines_default, &m, q);
         assert_same_picture(&c.surface, &d.surface);
         texture.width_log2 = texture.height_log2 = 0; /* one texel */
     }
@@ -464,7 +464,7 @@ static void keys_do_not_bleed(void **state)
     qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(600 * 256, 0), screen_at(0, 560 * 256)};
     v[1].u_q32 = v[2].v_q32 = (int64_t)2 << 32;
     v[1].inv_w_q31 >>= 1;
-    qtri_raster_triangle(&c.surface, &m, v);
+    qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
     int drawn = 0;
     for (int32_t i = 0; i < 300 * 280; i++) {
         uint32_t pixel = stored_pixel(&c.surface, i % 300, i / 300);
@@ -492,7 +492,7 @@ static void checker_with_a_key(void **state)
     qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(16 * 256, 0), screen_at(0, 8 * 256)};
     v[1].u_q32 = v[2].v_q32 = (int64_t)2 << 32;
     texture.color[0] = texture.color[1];
-    qtri_raster_triangle(&c.surface, &m, v);
+    qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
     assert_raster(&c.surface, "..##..##", "##..##..", "..##..##", "##..##..");
     canvas_free(&c);
 }
@@ -554,7 +554,7 @@ static void bilinear_rounds_at_the_half(void **state)
             v[i].v_q32 = (int64_t)(cases[n].across + 1024) << 20;
         }
         canvas_clear(&c);
-        qtri_raster_triangle(&c.surface, &m, v);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
         for (int32_t i = 0; i < 64; i++) {
             assert_int_equal(stored_pixel(&c.surface, i % 8, i / 8), cases[n].wanted * 0x010101u);
         }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "checked.h"
 #include "corners.h"
-#include "pipeline_ops.h"
 
 static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
 {
@@ -125,23 +124,14 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_corners(corners, corner_count, 3));
     qtri_primitive primitive;
-    const struct qtri_pipeline_ops *ops = qtri_pipeline_ops_of(view);
-    qtri_primitive_init(&primitive, surface, view, pose, material);
-    if (ops != NULL) {
-        ops->begin(&primitive, view, qtri_is_smooth(material) ? QTRI_COLORS : QTRI_TINT);
-    }
-    const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
-    const bool noted = primitive.ops == NULL && qtri_corners_are_noted(&primitive);
+    qtri_primitive_init(&primitive, surface, view, pose, material,
+                        qtri_is_smooth(material) ? QTRI_COLORS : QTRI_TINT);
+    const bool solid = material->fill == NULL;
     qtri_corner_vertices kept;
     kept.before = NULL;
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
         qtri_shape shape;
-        if (primitive.ops != NULL) {
-            const uint32_t index[3] = {i, i + 1, i + 2};
-            primitive.ops->note(&primitive, index);
-        } else if (noted) {
-            qtri_corners_note(&primitive, i);
-        }
+        qtri_primitive_note(&primitive, i);
         const qtri_corners_fate found =
             solid ? qtri_corners_place(&primitive, &kept, &corners[i], shape.fan)
                   : QTRI_CORNERS_ELSEWHERE;

@@ -5,7 +5,6 @@
 #ifndef QTRI_DRAW_CORNERS_H
 #define QTRI_DRAW_CORNERS_H
 
-#include "../raster/effect.h"
 #include "primitive.h"
 
 /* What becomes of a triangle's corners. */
@@ -38,18 +37,5 @@ void qtri_corners_fetch(const qtri_primitive *primitive, const qtri_corner *corn
 
 /* A qtri_attribute_source, from three corners. */
 void qtri_corners_attributes(const void *from, qtri_screen_vertex attributes[3]);
-
-/* Whether alpha of three corners is to be kept before they are drawn; does it, by their number. */
-static inline bool qtri_corners_are_noted(const qtri_primitive *primitive)
-{
-    return primitive->material->fill == NULL && qtri_by_vertex(&primitive->to.solid.raster) != NULL;
-}
-
-static inline void qtri_corners_note(const qtri_primitive *primitive, uint32_t first)
-{
-    const qtri_raster *raster = &primitive->to.solid.raster;
-    const uint32_t index[3] = {first, first + 1, first + 2};
-    qtri_by_vertex(raster)->note(raster, index);
-}
 
 #endif

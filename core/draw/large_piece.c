@@ -149,7 +149,7 @@ bool qtri_draw_large_piece(const qtri_primitive *primitive, const qtri_fan_verte
                            int64_t area, bool with_rests, qtri_attribute_source source,
                            const void *from)
 {
-    qtri_draw_state *state = primitive->to.pipeline.small.state;
+    qtri_draw_state *state = primitive->to.solid.small.state;
     const qtri_screen_point *const p[3] = {&vertex[0]->at, &vertex[1]->at, &vertex[2]->at};
     const uint32_t depth_16p16[3] = {vertex[0]->depth_16p8, vertex[1]->depth_16p8,
                                      vertex[2]->depth_16p8};

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "lights.h"
 
-#include "../raster/small.h"
 #include "lit_corners.h"
 #include "lit_vertex.h"
 #include "per_pixel.h"
@@ -19,8 +18,6 @@ static void begin(qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     const uint32_t all = mesh->vertex_count;
-    draw->tinted = false;
-    draw->more = true;
     draw->shaded_per_vertex =
         qtri_is_smooth(&draw->material) && (mesh->normals != NULL || mesh->normals8 != NULL);
     if (draw->slot_count >= all && draw->slot_count - all >= (all + 4) / 5) {
@@ -211,7 +208,7 @@ static uint32_t find(const void *from, const void *indices, qtri_vertex *a, qtri
                      qtri_vertex *c)
 {
     const qtri_mesh_job *draw = from;
-    uint32_t *lit = draw->primitive.to.pipeline.small.state->lit;
+    uint32_t *lit = draw->primitive.to.solid.small.state->lit;
     uint32_t index[3];
     const bool is_back = is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
@@ -234,7 +231,7 @@ static uint32_t find_large(const void *from, const void *indices, qtri_vertex *a
 {
     const qtri_mesh_job *draw = from;
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
-    if (by_pixel == NULL || !draw->primitive.to.pipeline.small.state->options.per_pixel) {
+    if (by_pixel == NULL || !draw->primitive.to.solid.small.state->options.per_pixel) {
         return find(from, indices, a, b, c);
     }
     uint32_t index[3];
@@ -242,57 +239,6 @@ static uint32_t find_large(const void *from, const void *indices, qtri_vertex *a
     by_pixel->note(draw, index,
                    is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0);
     return QTRI_INTENSITY_ONE;
-}
-
-/* In 8 bits, as the raster's channels. */
-static void set_channels(int32_t channel[3][3], const qtri_mesh_job *draw, const uint32_t index[3],
-                         const qtri_vertex *const v[3])
-{
-    qtri_rgb color[3];
-    shade(draw, index, v[0], v[1], v[2], color);
-    for (int i = 0; i < 3; i++) {
-        qtri_raster_lit_channels(channel[i], &draw->primitive.to.solid.raster, &color[i],
-                                 QTRI_INTENSITY_ONE);
-    }
-}
-
-static void draw_small(const qtri_mesh_job *draw, const uint32_t index[3], qtri_list_triangle *t)
-{
-    int32_t channel[3][3];
-    set_channels(channel, draw, index, t->v);
-    t->color = (const int32_t(*)[3])channel;
-    qtri_small_draw(&draw->primitive.to.solid.raster, t);
-}
-
-static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3],
-                       qtri_triangle *triangle)
-{
-    const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    const qtri_vertex *const v[3] = {vertex[0], vertex[1], vertex[2]};
-    int32_t channel[3][3];
-    uint32_t index[3];
-    qtri_attributes attributes[3];
-    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
-    if (by_pixel != NULL) {
-        by_pixel->note(draw, index, is_two_sided(draw) && triangle->area > 0);
-    } else {
-        set_channels(channel, draw, index, v);
-    }
-    for (int i = 0; i < 3; i++) {
-        qtri_vertex_attributes(&attributes[i], v[i], QTRI_INTENSITY_ONE);
-        if (by_pixel != NULL) {
-            qtri_pixel_light_share(&attributes[i], (i == 1) << 30, (i == 2) << 30);
-        }
-        for (int c = 0; by_pixel == NULL && c < 3; c++) {
-            attributes[i].color[c] = channel[i][c];
-        }
-        if (raster->texture != NULL) {
-            qtri_mesh_set_uv(&attributes[i].u_q32, &attributes[i].v_q32, draw->mesh, index[i]);
-        }
-    }
-    qtri_mesh_set_rests(attributes, draw, indices, triangle);
-    qtri_triangle_draw(raster, triangle, attributes);
 }
 
 /* One that is clipped: lit before, where the stack is not deep. */
@@ -336,8 +282,6 @@ static const qtri_light_model model = {
     .find = find,
     .find_large = find_large,
     .shade = shade,
-    .small = draw_small,
-    .large = draw_large,
     .clipped = draw_clipped,
 };
 

@@ -34,10 +34,6 @@ struct qtri_light_model {
     /* A triangle's colours; it is inside all planes. */
     void (*shade)(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
                   const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3]);
-    /* Draws a solid triangle inside all planes: one that list.h draws, or any. */
-    void (*small)(const qtri_mesh_job *draw, const uint32_t index[3], qtri_list_triangle *t);
-    void (*large)(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3],
-                  qtri_triangle *triangle);
     /* Draws one that may cross planes. */
     void (*clipped)(const qtri_mesh_job *draw, const void *indices, qtri_shape *shape);
 };

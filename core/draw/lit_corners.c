@@ -3,7 +3,6 @@
 
 #include "../geometry/lit_point.h"
 #include "per_pixel.h"
-#include "pipeline_ops.h"
 #include "checked.h"
 
 /* The sign of the homogeneous determinant; y points down. */
@@ -71,7 +70,7 @@ static void draw_lit(const qtri_primitive *primitive, qtri_corner_vertices *kept
                      const qtri_normal *normals)
 {
     const qtri_material *material = primitive->material;
-    const bool solid = QTRI_WITH_FAST_PATHS && material->fill == NULL;
+    const bool solid = material->fill == NULL;
     qtri_shape shape;
     qtri_corner lit[3];
     const qtri_corners_fate found =
@@ -102,16 +101,10 @@ static void draw_all(void *with)
 {
     const lit_call *call = with;
     qtri_primitive *primitive = call->primitive;
-    const bool noted = primitive->ops == NULL && qtri_corners_are_noted(primitive);
     qtri_corner_vertices kept;
     kept.before = NULL;
     for (uint32_t i = 0; call->corner_count - i >= 3; i += 3) {
-        if (primitive->ops != NULL) {
-            const uint32_t index[3] = {i, i + 1, i + 2};
-            primitive->ops->note(primitive, index);
-        } else if (noted) {
-            qtri_corners_note(primitive, i);
-        }
+        qtri_primitive_note(primitive, i);
         draw_lit(primitive, &kept, call->by, &call->corners[i],
                  call->normals != NULL ? &call->normals[i] : NULL);
     }
@@ -125,14 +118,10 @@ QTRI_NOINLINE static void draw_call(const qtri_surface *surface, const qtri_view
 {
     qtri_primitive primitive;
     qtri_illumination illumination;
-    const struct qtri_pipeline_ops *ops = qtri_pipeline_ops_of(view);
-    qtri_primitive_init(&primitive, surface, view, pose, material);
-    if (ops != NULL) {
-        ops->begin(&primitive, view,
-                   qtri_by_pixel_of(material) != NULL ? QTRI_BY_PIXEL
-                   : qtri_is_smooth(material)         ? QTRI_COLORS
-                                                      : QTRI_TINT);
-    }
+    qtri_primitive_init(&primitive, surface, view, pose, material,
+                        qtri_by_pixel_of(material) != NULL ? QTRI_BY_PIXEL
+                        : qtri_is_smooth(material)         ? QTRI_COLORS
+                                                           : QTRI_TINT);
     qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
     lit_call call = {&primitive, &illumination, corners, normals, corner_count};
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(material);

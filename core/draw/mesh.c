@@ -2,41 +2,22 @@
 #include "checked.h"
 #include "fill.h"
 #include "lights.h"
-#include "pipeline_ops.h"
 #include "mesh_faces.h"
 
-/*
- * The triangles of a mesh whose vertices are all there. By far the most end in this loop; when
- * `simple`, back faces are culled and no vertex is outside.
- */
-static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangles, bool narrow,
-                                  bool simple)
+/* The triangles of a mesh whose vertices are all there. */
+static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangles, bool narrow)
 {
-    qtri_vertex *vertices = draw->vertices;
-    const uint32_t count = draw->mesh->vertex_count;
     const uint32_t size = narrow ? 3 : 6;
     const uint8_t *triangle = triangles;
     const uint8_t *end = triangle + draw->mesh->triangle_count * size;
-    const uint32_t vertex_size = qtri_vertex_size();
     for (; triangle != end; triangle += size) {
         uint32_t index[3];
-        qtri_mesh_indices(index, triangle, narrow);
         qtri_vertex *vertex[3];
-        if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
-            continue;
-        }
-        qtri_vertex *a = vertex[0];
-        qtri_vertex *b = vertex[1];
-        qtri_vertex *c = vertex[2];
-        if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
-                   : qtri_mesh_turned_away(draw, a, b, c)) {
-            continue;
-        }
-        if (simple) {
-            qtri_mesh_draw_solid(draw, triangle, a, b, c);
-        } else {
-            qtri_vertex *const corner[3] = {a, b, c}; /* in memory only here */
-            qtri_mesh_draw_seen(draw, triangle, corner);
+        qtri_mesh_indices(index, triangle, narrow);
+        if (qtri_mesh_find(vertex, draw->vertices, draw->mesh->vertex_count, index,
+                           qtri_vertex_size()) &&
+            !qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_seen(draw, triangle, vertex);
         }
     }
 }
@@ -46,15 +27,12 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
-    const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
-    if (simple && draw->primitive.ops != NULL) {
-        draw->primitive.ops->whole(draw);
+    if (inside && draw->material.cull == QTRI_CULL_BACK) {
+        qtri_mesh_draw_whole(draw);
     } else if (qtri_mesh_has_bytes(mesh)) {
-        draw_triangles(draw, mesh->triangles8, true, simple);
-    } else if (simple) {
-        draw_triangles(draw, mesh->triangles, false, true);
+        draw_triangles(draw, mesh->triangles8, true);
     } else {
-        draw_triangles(draw, mesh->triangles, false, false);
+        draw_triangles(draw, mesh->triangles, false);
     }
 }
 
@@ -138,7 +116,7 @@ static void draw_placed(qtri_mesh_job *draw, void *with)
     const bool has_slots = draw->slot_count >= mesh->vertex_count;
     if (has_slots && draw->material.fill != NULL) {
         draw->material.fill->mesh(draw); /* shared edges must not be blended twice */
-    } else if (!has_slots || !QTRI_WITH_FAST_PATHS) {
+    } else if (!has_slots) {
         draw_by_slots(draw);
     } else {
         const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);

@@ -88,28 +88,6 @@ void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uin
     }
 }
 
-void qtri_mesh_set_coordinates(qtri_coordinates uv[2], const qtri_mesh *mesh,
-                               const uint32_t index[3])
-{
-    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
-        for (int i = 0; i < 3; i++) {
-            uv[0].at[i] = mesh->uvs16[index[i]].x;
-            uv[1].at[i] = mesh->uvs16[index[i]].y;
-        }
-        uv[0].repeats = 0;
-        uv[0].fraction = 14;
-        uv[1].repeats = 0;
-        uv[1].fraction = 14;
-        return;
-    }
-    int64_t at_q32[2][3];
-    for (int i = 0; i < 3; i++) {
-        qtri_mesh_set_uv(&at_q32[0][i], &at_q32[1][i], mesh, index[i]);
-    }
-    qtri_coordinates_set(&uv[0], at_q32[0]);
-    qtri_coordinates_set(&uv[1], at_q32[1]);
-}
-
 void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
                          uint32_t intensity_q15)
 {

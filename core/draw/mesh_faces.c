@@ -2,7 +2,6 @@
 #include "mesh_faces.h"
 
 #include "lights.h"
-#include "pipeline_ops.h"
 
 static bool find_eye(qtri_eye *eye, const qtri_mesh_job *draw)
 {
@@ -184,29 +183,6 @@ static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
     return true;
 }
 
-/* Those that face the eye, of a mesh with all vertices inside and indices of 16 bits. */
-QTRI_NOINLINE static void draw_fronts(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
-{
-    const uint32_t size = qtri_vertex_size();
-    const uint8_t *triangles = faces->triangles;
-    const uint16_t *end = faces->end;
-    qtri_vertex *vertices = draw->vertices;
-    for (const uint16_t *at = faces->list; at != end; at++) {
-        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, false);
-        uint32_t index[3];
-        qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, false);
-        qtri_mesh_get(vertex, vertices, index, size);
-        qtri_vertex *a = vertex[0];
-        qtri_vertex *b = vertex[1];
-        qtri_vertex *c = vertex[2];
-        if (qtri_triangle_is_back(&a->at, &b->at, &c->at)) {
-            continue;
-        }
-        qtri_mesh_draw_solid(draw, triangle, a, b, c);
-    }
-}
-
 QTRI_NOINLINE static void draw_listed(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
@@ -233,10 +209,8 @@ QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
     while (next(&faces, draw)) {
         if (!simple || !faces.inside) {
             draw_listed(&faces, draw);
-        } else if (draw->primitive.ops != NULL) {
-            draw->primitive.ops->listed(&faces, draw);
         } else {
-            draw_fronts(&faces, draw);
+            qtri_mesh_draw_listed(&faces, draw);
         }
     }
     return true;

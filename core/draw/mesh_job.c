@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "../fast/fused.h"
 #include "../raster/sampling.h"
 #include "lights.h"
-#include "pipeline_ops.h"
+#include "per_pixel.h"
 
 /* Vertices from which on a look at eight corners pays. */
 enum { WORTH_A_BOX = 64 };
@@ -57,6 +56,21 @@ static bool is_built(const qtri_mesh *mesh)
            (QTRI_WITH_WIDE_MESHES || !is_wide(mesh));
 }
 
+/* What colours do, see qtri_draw_state_init(). */
+static int shade_of(const qtri_mesh_job *draw)
+{
+    if (draw->lights != NULL && qtri_by_pixel_of(&draw->material) != NULL) {
+        return QTRI_BY_PIXEL;
+    }
+    if (draw->mesh->colors != NULL || draw->lights != NULL) {
+        return qtri_is_smooth(&draw->material) ? QTRI_COLORS : QTRI_TINT;
+    }
+    if (draw->lit_per_vertex) {
+        return QTRI_LIGHT;
+    }
+    return draw->lit_per_face ? QTRI_TINT : QTRI_FLAT;
+}
+
 void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
                         const qtri_mesh *mesh, const qtri_material *material, qtri_vertex *vertices,
                         uint32_t vertex_count)
@@ -72,40 +86,18 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     draw->illumination = NULL;
     draw->lit_colors = NULL;
     draw->late = NULL;
-    const bool solid = material->fill == NULL;
-    qtri_primitive_set_target(&draw->primitive, surface, &draw->material);
-    draw->tinted = mesh->colors == NULL;
-    draw->more = !draw->tinted;
-    if (draw->lights != NULL) {
-        draw->lights->model->begin(draw);
-    }
-    if (solid) {
-        qtri_raster *raster = &draw->primitive.to.solid.raster;
-        draw->more |= raster->texture != NULL;
-        if (draw->tinted) {
-            qtri_raster_set_tint(raster, draw->material.color);
-        }
-    }
+    draw->noted = false;
+    draw->lit = false;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     const bool is_lit = view->light != NULL && view->lights == NULL;
     draw->lit_per_vertex = is_lit && qtri_is_smooth(material) && normals;
-    draw->noted = false;
-    draw->lit = false;
     draw->lit_per_face = QTRI_WITH_FACE_LIGHT && is_lit && !draw->lit_per_vertex;
-    if (solid) {
-        qtri_raster *raster = &draw->primitive.to.solid.raster;
-        raster->lamp.find = qtri_mesh_find_light;
-        raster->lamp.from = draw;
-        raster->lamp.by_vertex = draw->lit_per_vertex;
-        if (draw->more) {
-            raster->tint_small = NULL;
-        } else if (qtri_tint_fits(raster)) {
-            raster->tint_small = qtri_tint_draw;
-        }
+    if (draw->lights != NULL) {
+        draw->lights->model->begin(draw);
     }
-    const struct qtri_pipeline_ops *ops = qtri_pipeline_ops_of(view);
-    if (ops != NULL) {
-        ops->begin_mesh(draw, view);
+    qtri_primitive_set_target(&draw->primitive, surface, view, &draw->material, shade_of(draw));
+    if (material->fill == NULL) {
+        qtri_mesh_solid_init(draw);
     }
 }
 
@@ -114,7 +106,7 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
     const qtri_mesh *mesh = draw->mesh;
     qtri_primitive_place(&draw->primitive, view, pose);
     if (is_empty(mesh) || !is_built(mesh) ||
-        (QTRI_WITH_FAST_PATHS && is_missed(draw, draw->primitive.surface))) {
+        is_missed(draw, draw->primitive.surface)) {
         return false;
     }
     if (qtri_mesh_has_compact(mesh->positions16)) {
@@ -129,9 +121,6 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
         if (!QTRI_WITH_UNEVEN_LIGHT && !draw->lighting.plain) {
             draw->lit_per_vertex = false;
             draw->lit_per_face = false;
-            if (draw->material.fill == NULL) {
-                draw->primitive.to.solid.raster.lamp.by_vertex = false;
-            }
         }
     }
     return true;

@@ -9,7 +9,6 @@
 
 #include "../geometry/lighting.h"
 #include "../bits/bits.h"
-#include "../raster/list.h"
 #include "primitive.h"
 
 /* A job's transforms, which are not set before something asks for them. */
@@ -30,8 +29,6 @@ typedef struct qtri_mesh_job {
     bool lit_per_vertex, lit_per_face;
     bool noted;             /* a wireframe: what triangles draw is noted, see mesh_lines.c */
     bool lit;               /* per vertex: all that are seen already are */
-    bool tinted;            /* the mesh has no colours of its own */
-    bool more;              /* colours of their own or a texture */
     bool shaded_per_vertex; /* with lights */
     qtri_lighting lighting;
     /* view->lights, and with them: */
@@ -74,7 +71,7 @@ void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices, qtr
 /* Of the triangle with these indices, for a mesh lit per face. */
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
 
-/* The lamp of a mesh: see raster.h. */
+/* Of a triangle, for qtri_small.light. */
 uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
                               qtri_vertex *c);
 
@@ -82,14 +79,6 @@ uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex
 void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
                          uint32_t intensity_q15);
 void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index);
-
-/* The texture coordinates of a triangle's corners, for list.h. */
-void qtri_mesh_set_coordinates(qtri_coordinates uv[2], const qtri_mesh *mesh,
-                               const uint32_t index[3]);
-
-/* Where a large triangle's vertices truly are, if that matters; see ../raster/unsnapped.h. */
-void qtri_mesh_set_rests(qtri_attributes v[3], const qtri_mesh_job *draw, const void *indices,
-                         const qtri_triangle *triangle);
 
 /* Any culling, and triangles that may cross planes; those are never turned away. */
 bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
@@ -99,9 +88,15 @@ bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, cons
 void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                          qtri_vertex *const vertex[3]);
 
-/* The same for a solid one whose vertices are all inside. */
+/* In mesh_solid.c: triangles that are filled. What small ones have in common. */
+void qtri_mesh_solid_init(qtri_mesh_job *draw);
+
+/* One whose vertices are all inside. */
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c);
+
+/* All of a mesh whose back faces are culled, all vertices inside. */
+void qtri_mesh_draw_whole(const qtri_mesh_job *draw);
 
 /* Which of two arrays serves: known to the compiler where one kind is left out. */
 static inline bool qtri_mesh_has_compact(const void *compact)

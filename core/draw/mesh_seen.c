@@ -3,7 +3,6 @@
  * A triangle of a mesh whose vertices are transformed: whether it faces away, and its way to the
  * rasterizer, or to a fill.
  */
-#include "../raster/effect.h"
 #include "fill.h"
 #include "qtri/body/pixel.h"
 #include "lights.h"
@@ -38,25 +37,10 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
     for (int i = 0; i < 3; i++) {
         uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
         qtri_mesh_set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
-        if (draw->primitive.ops != NULL &&
-            qtri_is_lit(&draw->primitive.to.pipeline.state.options)) {
+        if (draw->material.fill == NULL && qtri_is_lit(&draw->primitive.to.solid.state.options)) {
             out[i].color_8p16[0] = (int32_t)triangle->intensity_q15[i] * 510; /* 255.0 is 1 */
         }
         qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
-    }
-}
-
-/* For blends by vertex. */
-QTRI_NOINLINE static void note_alphas(const qtri_mesh_job *draw, const void *indices)
-{
-    const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (draw->primitive.ops != NULL) {
-        qtri_mesh_indices(draw->primitive.to.pipeline.small.state->alpha_index, indices,
-                          qtri_mesh_has_bytes(draw->mesh));
-    } else if (draw->material.fill == NULL && qtri_by_vertex(raster) != NULL) {
-        uint32_t index[3];
-        qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-        qtri_by_vertex(raster)->note(raster, index);
     }
 }
 
@@ -78,7 +62,10 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
             qtri_projector_point(projector, &draw->mesh->positions[index], &shape.clip[i]);
         }
     }
-    note_alphas(draw, indices);
+    if (draw->material.fill == NULL) { /* whose alphas the vertices have */
+        qtri_mesh_indices(draw->primitive.to.solid.small.state->alpha_index, indices,
+                          qtri_mesh_has_bytes(draw->mesh));
+    }
     if (draw->lights != NULL) {
         draw->lights->model->clipped(draw, indices, &shape);
         return;

@@ -1,41 +1,72 @@
 /* SPDX-License-Identifier: MIT */
-#include "../raster/pixel_light.h"
-#include "../raster/sampling.h"
-#include "../raster/small.h"
+/* Triangles of meshes that are filled: small ones, and large ones. */
+#include "large_piece.h"
 #include "lights.h"
-#include "pipeline_ops.h"
+#include "mesh_faces.h"
+#include "prepared_lists.h"
 
-/* What not every mesh has. */
-QTRI_NOINLINE static void set_more(const qtri_mesh_job *draw, uint32_t index,
-                                   uint32_t intensity_q15, qtri_attributes *out)
+/* Those of its vertices in a view's lights; by pixel, shares of corners. */
+static void set_lit_colors(qtri_large_vertex v[3], const qtri_draw_state *state)
 {
-    if (draw->mesh->colors != NULL) {
-        qtri_raster_lit_channels(out->color, &draw->primitive.to.solid.raster,
-                                 &draw->mesh->colors[index], intensity_q15);
-    }
-    if (draw->primitive.to.solid.raster.texture != NULL) {
-        qtri_mesh_set_uv(&out->u_q32, &out->v_q32, draw->mesh, index);
-    }
-}
-
-QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const void *indices,
-                                   qtri_vertex *const vertex[3], qtri_triangle *triangle,
-                                   uint32_t face_q15)
-{
-    qtri_attributes attributes[3];
-    if (draw->lights != NULL) {
-        draw->lights->model->large(draw, indices, vertex, triangle);
+    if (state->options.per_pixel) {
+        for (int i = 0; i < 3; i++) {
+            v[i].color_8p16[0] = (int32_t)(i == 1) << 30;
+            v[i].color_8p16[1] = (int32_t)(i == 2) << 30;
+            v[i].color_8p16[2] = 0;
+        }
         return;
     }
     for (int i = 0; i < 3; i++) {
-        uint32_t intensity_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
-        qtri_vertex_attributes(&attributes[i], vertex[i], intensity_q15);
-        if (draw->more) {
-            set_more(draw, qtri_mesh_index(draw->mesh, indices, i), intensity_q15, &attributes[i]);
-        }
+        v[i].color_8p16[0] = (int32_t)(state->lit[i] & 0xFF0000u);
+        v[i].color_8p16[1] = (int32_t)(state->lit[i] << 8 & 0xFF0000u);
+        v[i].color_8p16[2] = (int32_t)(state->lit[i] << 16 & 0xFF0000u);
     }
-    qtri_mesh_set_rests(attributes, draw, indices, triangle);
-    qtri_triangle_draw(&draw->primitive.to.solid.raster, triangle, attributes);
+}
+
+/* The triangle's colour, or those of its vertices in light. */
+static void set_colors(qtri_large_vertex v[3], const qtri_mesh_job *draw, const uint32_t index[3],
+                       qtri_vertex *const vertex[3], uint32_t face_q15)
+{
+    for (int i = 0; i < 3; i++) {
+        const uint32_t light_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
+        v[i].light_q15 = light_q15;
+        qtri_mesh_set_color(v[i].color_8p16, draw, index[i], light_q15);
+    }
+}
+
+static void set_place(qtri_large_vertex *out, const qtri_vertex *vertex)
+{
+    out->depth_16p16 = vertex->depth_16p8 & ~0xFFu;
+    out->inv_w_q31 = vertex->inv_w;
+    out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
+    out->rest[0] = 0;
+    out->rest[1] = 0;
+}
+
+QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t index[3],
+                                   qtri_vertex *const vertex[3],
+                                   const qtri_screen_point *const p[3], int64_t area,
+                                   uint32_t face_q15)
+{
+    qtri_draw_state *state = draw->primitive.to.solid.small.state;
+    const uint8_t *alphas = state->material->alphas;
+    qtri_large_vertex v[3];
+    for (int i = 0; i < 3; i++) {
+        set_place(&v[i], vertex[i]);
+        if (state->texture != NULL) {
+            qtri_mesh_set_uv(&v[i].u_q32, &v[i].v_q32, draw->mesh, index[i]);
+        }
+        v[i].alpha_q16 =
+            state->options.vertex_alpha ? ((uint32_t)alphas[index[i]] << 16) / 255 : 65536;
+    }
+    if (state->is_lit) {
+        set_lit_colors(v, state);
+    } else {
+        set_colors(v, draw, index, vertex, face_q15);
+    }
+    qtri_mesh_find_rests(v, draw, index, p, area);
+    qtri_large_triangle(state, p, area,
+                        qtri_color_word(v[qtri_provoking_of(&draw->material)].color_8p16), v);
 }
 
 uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
@@ -52,130 +83,161 @@ uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex
                                                       : QTRI_INTENSITY_ONE;
 }
 
-/* Lit only when it touches a pixel. */
 QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                                      qtri_vertex *b, qtri_vertex *c)
 {
-    qtri_triangle triangle;
-    triangle.p[0] = &a->at;
-    triangle.p[1] = &b->at;
-    triangle.p[2] = &c->at;
-    triangle.area = qtri_triangle_area(&a->at, &b->at, &c->at);
-    triangle.tinted = draw->tinted;
-    if (triangle.area == 0 || !qtri_triangle_begin(&draw->primitive.to.solid.raster, &triangle)) {
-        return;
-    }
+    const qtri_screen_point *const p[3] = {&a->at, &b->at, &c->at};
     qtri_vertex *const vertex[3] = {a, b, c};
-    draw_lit(draw, indices, vertex, &triangle, qtri_mesh_find_light(draw, indices, a, b, c));
-}
-
-/* A small one with colours of its own. */
-QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const uint32_t index[3],
-                                       qtri_list_triangle *t)
-{
-    int32_t color[3][3];
-    const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    for (int i = 0; i < 3; i++) {
-        qtri_raster_lit_channels(color[i], raster, &draw->mesh->colors[index[i]],
-                                 draw->lit_per_vertex ? t->v[i]->intensity_q15 : t->light_q15);
-    }
-    t->color = (const int32_t(*)[3])color;
-    qtri_small_draw(raster, t);
-}
-
-/* In place where code need not be small. */
-#ifdef __OPTIMIZE_SIZE__
-#define PLACE  qtri_place_triangle
-#define SHARED QTRI_NOINLINE static
-#else
-#define PLACE  qtri_place_near
-#define SHARED QTRI_INLINE
-#endif
-
-/* A small one that touches a pixel. */
-SHARED void draw_placed(const qtri_mesh_job *draw, const void *indices, qtri_place *place,
-                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
-{
-    qtri_coordinates uv[2];
-    const qtri_mesh *mesh = draw->mesh;
-    const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    const uint32_t light_q15 = raster->lamp.by_vertex && qtri_vertices_are_lit(a, b, c)
-                                   ? QTRI_VERTEX_UNLIT
-                                   : qtri_mesh_find_light(draw, indices, a, b, c);
-    qtri_list_triangle t = {place, {a, b, c}, NULL, light_q15, uv};
-    if (draw->more) {
-        const uint32_t index[3] = {qtri_mesh_index(mesh, indices, 0),
-                                   qtri_mesh_index(mesh, indices, 1),
-                                   qtri_mesh_index(mesh, indices, 2)};
-        if (raster->texture != NULL) {
-            qtri_mesh_set_coordinates(uv, mesh, index);
-        }
-        if (draw->lights != NULL) {
-            draw->lights->model->small(draw, index, &t);
-            return;
-        }
-        if (!draw->tinted) {
-            draw_colored(draw, index, &t);
-            return;
-        }
-    }
-    qtri_small_draw(raster, &t);
-}
-
-/* Whether one with a route may be drawn as a small one. */
-static bool may_be_small(const qtri_raster *raster, const qtri_vertex *a, const qtri_vertex *b,
-                         const qtri_vertex *c)
-{
-    return raster->lit == NULL ? qtri_takes_small(raster)
-                               : qtri_is_lit_by_vertex(raster, &a->at, &b->at, &c->at);
-}
-
-/* The same where triangles have a route: those of samples may be small, and what is lit by pixel
-   but for its size. False: it is large. */
-QTRI_NOINLINE static bool draw_routed(const qtri_mesh_job *draw, const void *indices,
-                                      qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
-{
-    qtri_place place;
-    uint8_t spans[QTRI_PLACE_SPANS];
-    const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    qtri_placed placed = QTRI_PLACED_LARGE;
-    if (may_be_small(raster, a, b, c)) {
-        placed = raster->samples != NULL ? raster->samples->place(&place, spans, raster, a, b, c)
-                                         : qtri_place_triangle(&place, spans, raster, a, b, c);
-    }
-    if (placed == QTRI_PLACED_SMALL) {
-        draw_placed(draw, indices, &place, a, b, c);
-    }
-    return placed != QTRI_PLACED_LARGE;
-}
-
-/* One that no fused loop draws. False: it is large, and drawn where this takes no stack. */
-QTRI_NOINLINE static bool draw_any(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                                   qtri_vertex *b, qtri_vertex *c)
-{
-    qtri_place place;
-    uint8_t spans[QTRI_PLACE_SPANS];
-    const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    const qtri_placed placed = PLACE(&place, spans, raster, a, b, c);
-    if (placed == QTRI_PLACED_SMALL) {
-        draw_placed(draw, indices, &place, a, b, c);
-    }
-    return placed != QTRI_PLACED_LARGE;
-}
-
-QTRI_NOINLINE void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices,
-                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
-{
-    const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (draw->primitive.ops != NULL) {
-        draw->primitive.ops->triangle(draw, indices, a, b, c);
+    const int64_t area = qtri_triangle_area(p[0], p[1], p[2]);
+    uint32_t index[3];
+    if (area == 0 || qtri_is_beside(&draw->primitive.to.solid.state, p)) {
         return;
     }
-    if (raster->tint_small != NULL && raster->tint_small(raster, indices, a, b, c)) {
-        return;
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    draw_lit(draw, index, vertex, p, area,
+             draw->lights != NULL ? draw->lights->model->find_large(draw, indices, a, b, c)
+                                  : qtri_mesh_find_light(draw, indices, a, b, c));
+}
+
+/* The triangle with these indices, its vertices inside all planes. False: it is large. */
+QTRI_INLINE bool draw_small(bool (*small)(qtri_small *triangle), qtri_small *t, const void *indices,
+                            const uint32_t index[3], qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    t->indices = indices;
+    t->index[0] = index[0];
+    t->index[1] = index[1];
+    t->index[2] = index[2];
+    t->v[0] = a;
+    t->v[1] = b;
+    t->v[2] = c;
+    return small(t);
+}
+
+/* A job whose vertices are lit, if they are to be. */
+static inline void set_lit(qtri_small *t, const qtri_mesh_job *draw)
+{
+    if (draw->lit_per_vertex) {
+        t->light = NULL;
     }
-    if (!(raster->route != NULL ? draw_routed(draw, indices, a, b, c)
-                                : draw_any(draw, indices, a, b, c))) {
+}
+
+void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                          qtri_vertex *b, qtri_vertex *c)
+{
+    uint32_t index[3];
+    qtri_small t = draw->primitive.to.solid.small;
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    if (!draw_small(t.state->small, &t, indices, index, a, b, c)) {
         draw_large(draw, indices, a, b, c);
     }
+}
+
+/* Those of a mesh whose back faces are culled, no vertex outside, by a pipeline. */
+static inline void draw_whole_of(const qtri_mesh_job *draw, const void *triangles, bool narrow)
+{
+    qtri_small t = draw->primitive.to.solid.small;
+    bool (*const by)(qtri_small *) = t.state->small;
+    const uint32_t count = draw->mesh->vertex_count;
+    const uint32_t size = narrow ? 3 : 6;
+    const uint8_t *triangle = triangles;
+    const uint8_t *end = triangle + draw->mesh->triangle_count * size;
+    const uint32_t vertex_size = qtri_vertex_size();
+    for (; triangle != end; triangle += size) {
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        if (qtri_mesh_find(vertex, draw->vertices, count, index, vertex_size) &&
+            !draw_small(by, &t, triangle, index, vertex[0], vertex[1], vertex[2]) &&
+            !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
+            draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
+        }
+    }
+}
+
+QTRI_NOINLINE static void draw_wide(const qtri_mesh_job *draw)
+{
+    draw_whole_of(draw, draw->mesh->triangles, false);
+}
+
+QTRI_NOINLINE static void draw_narrow(const qtri_mesh_job *draw)
+{
+    draw_whole_of(draw, draw->mesh->triangles8, true);
+}
+
+void qtri_mesh_draw_whole(const qtri_mesh_job *draw)
+{
+    if (qtri_mesh_has_bytes(draw->mesh)) {
+        draw_narrow(draw);
+    } else {
+        draw_wide(draw);
+    }
+}
+
+/* Triangles of a list of faces, indices of 16 bits. */
+void qtri_mesh_draw_listed(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+{
+    qtri_small t = draw->primitive.to.solid.small;
+    bool (*const by)(qtri_small *) = t.state->small;
+    const uint32_t size = qtri_vertex_size();
+    const uint8_t *triangles = faces->triangles;
+    const uint16_t *end = faces->end;
+    qtri_vertex *vertices = draw->vertices;
+    set_lit(&t, draw);
+    for (const uint16_t *at = faces->list; at != end; at++) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, false);
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, false);
+        qtri_mesh_get(vertex, vertices, index, size);
+        if (!draw_small(by, &t, triangle, index, vertex[0], vertex[1], vertex[2]) &&
+            !qtri_triangle_is_back(&t.v[0]->at, &t.v[1]->at, &t.v[2]->at)) {
+            draw_large(draw, triangle, t.v[0], t.v[1], t.v[2]);
+        }
+    }
+}
+
+/* A band's list of a mesh that is seen: see prepared_draw.c. */
+static inline void draw_band_of(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
+                                uint32_t end, const void *triangles, bool narrow)
+{
+    qtri_small t = draw->primitive.to.solid.small;
+    bool (*const by)(qtri_small *) = t.state->small;
+    qtri_vertex *vertices = draw->vertices;
+    set_lit(&t, draw);
+    while (place != end) {
+        const uint8_t *triangle = triangles;
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        triangle += qtri_list_next(lists, &place) * (narrow ? 3 : 6);
+        qtri_mesh_indices(index, triangle, narrow);
+        qtri_mesh_get(vertex, vertices, index, qtri_vertex_size());
+        if (!draw_small(by, &t, triangle, index, vertex[0], vertex[1], vertex[2])) {
+            draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
+        }
+    }
+}
+
+void qtri_mesh_draw_band(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
+                         uint32_t end)
+{
+    if (qtri_mesh_has_bytes(draw->mesh)) {
+        draw_band_of(draw, lists, place, end, draw->mesh->triangles8, true);
+    } else {
+        draw_band_of(draw, lists, place, end, draw->mesh->triangles, false);
+    }
+}
+
+void qtri_mesh_solid_init(qtri_mesh_job *draw)
+{
+    qtri_small *t = &draw->primitive.to.solid.small;
+    t->mesh = draw->mesh;
+    t->light = draw->lit_per_vertex || draw->lit_per_face || draw->mesh->colors != NULL
+                   ? qtri_mesh_find_light
+                   : NULL;
+    if (draw->lights != NULL) {
+        draw->primitive.to.solid.state.is_lit = true;
+        t->light = draw->lights->model->find;
+    }
+    t->from = draw;
+    t->light_q15 = QTRI_VERTEX_UNLIT;
 }

@@ -3,8 +3,6 @@
  * Where the vertices of large triangles truly are: vertices do not keep it, since the small
  * triangles that meshes have most of do not ask. It is found again from the mesh's positions.
  */
-#include "../raster/effect.h"
-#include "../raster/unsnapped.h"
 #include "large_piece.h"
 #include "mesh_job.h"
 
@@ -18,40 +16,6 @@ QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
         qtri_projector_compact(&late->primitive->projector, &mesh->origin, mesh->extent);
     }
     late->is_set = true;
-}
-
-QTRI_NOINLINE static void set_rests(qtri_attributes v[3], const qtri_mesh_job *draw,
-                                    const void *indices, const qtri_triangle *triangle)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    const qtri_projector *projector = &draw->primitive.projector;
-    if (draw->late != NULL && !draw->late->is_set) {
-        place_late(draw);
-    }
-    for (int i = 0; i < 3; i++) {
-        qtri_clip_vertex clip;
-        const uint32_t index = qtri_mesh_index(mesh, indices, i);
-        if (qtri_mesh_has_compact(mesh->positions16)) {
-            qtri_projector_point16(projector, &mesh->positions16[index], &clip);
-        } else {
-            qtri_projector_point(projector, &mesh->positions[index], &clip);
-        }
-        qtri_project_rest(v[i].rest, &clip, triangle->p[i], v[i].inv_w_q31);
-    }
-}
-
-void qtri_mesh_set_rests(qtri_attributes v[3], const qtri_mesh_job *draw, const void *indices,
-                         const qtri_triangle *triangle)
-{
-    const qtri_raster *raster = &draw->primitive.to.solid.raster;
-    if (qtri_by_vertex(raster) != NULL) {
-        uint32_t index[3];
-        qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-        qtri_by_vertex(raster)->set(v, raster, index);
-    }
-    if (qtri_attributes_matter(raster, triangle, v)) {
-        set_rests(v, draw, indices, triangle);
-    }
 }
 
 QTRI_NOINLINE static void find_rests(qtri_large_vertex v[3], const qtri_mesh_job *draw,
@@ -77,7 +41,7 @@ void qtri_mesh_find_rests(qtri_large_vertex v[3], const qtri_mesh_job *draw,
                           int64_t area)
 {
     const uint32_t depth_16p16[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
-    if (qtri_rests_matter(&draw->primitive.to.pipeline.state, p, depth_16p16, area)) {
+    if (qtri_rests_matter(&draw->primitive.to.solid.state, p, depth_16p16, area)) {
         find_rests(v, draw, index, p);
     }
 }

@@ -15,22 +15,14 @@ static void get_face_normal(int32_t n[3], const qtri_mesh *mesh, const uint32_t 
 static void set(const qtri_primitive *primitive, int i, const qtri_lit_point *point,
                 const qtri_rgb *color)
 {
-    if (primitive->ops != NULL) {
-        qtri_draw_state *state = primitive->to.pipeline.small.state;
-        qtri_lit_set_corner(qtri_large_light_triangle(state), i, point, color);
-    } else {
-        qtri_pixel_light_set(&primitive->to.solid.raster, i, point, color);
-    }
+    qtri_lit_set_corner(qtri_large_light_triangle(primitive->to.solid.small.state), i, point,
+                        color);
 }
 
 static void run(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit_body body,
                 void *with)
 {
-    if (primitive->ops != NULL) {
-        qtri_large_light_run(&primitive->to.pipeline.state, by, body, with);
-    } else {
-        qtri_pixel_light_run(&primitive->to.solid.raster, by, body, with);
-    }
+    qtri_large_light_run(&primitive->to.solid.state, by, body, with);
 }
 
 static void note(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back)

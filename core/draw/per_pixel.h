@@ -6,7 +6,7 @@
 #ifndef QTRI_DRAW_PER_PIXEL_H
 #define QTRI_DRAW_PER_PIXEL_H
 
-#include "../raster/pixel_light.h"
+#include "../raster/large_light.h"
 #include "../raster/shading.h"
 #include "mesh_job.h"
 #include "qtri/pipeline.h"

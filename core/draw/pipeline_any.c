@@ -14,4 +14,4 @@ static bool small(struct qtri_small *triangle)
 }
 
 const qtri_pipeline qtri_pipeline_any = {
-    .options = {.format = QTRI_ANY}, .large = large, .small = small, .ops = &qtri_pipeline_ops};
+    .options = {.format = QTRI_ANY}, .large = large, .small = small};

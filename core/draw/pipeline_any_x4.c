@@ -18,7 +18,6 @@ static bool small(struct qtri_small *triangle)
 
 const qtri_pipeline qtri_pipeline_any_x4 = {.options = {.format = QTRI_ANY, .samples = 4},
                                             .large = large,
-                                            .small = small,
-                                            .ops = &qtri_pipeline_ops};
+                                            .small = small};
 
 const qtri_pipeline *const qtri_pipelines_x4[] = {&qtri_pipeline_any_x4, NULL};

@@ -176,7 +176,7 @@ static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vert
     const int32_t b = vertex[1]->at.y_24p8;
     const int32_t c = vertex[2]->at.y_24p8;
     if (s->front != NULL) {
-        if (QTRI_WITH_FAST_PATHS && is_simple) {
+        if (is_simple) {
             qtri_front_set(s->front, number);
         } else {
             note_front(s, number, vertex);
@@ -246,7 +246,7 @@ static inline void see_triangles(sorter *s, const void *triangles, bool narrow, 
 QTRI_NOINLINE static void see_complete(sorter *s)
 {
     const qtri_mesh *mesh = s->job->mesh;
-    const bool simple = QTRI_WITH_FAST_PATHS && s->prepared->back_only && s->is_solid;
+    const bool simple = s->prepared->back_only && s->is_solid;
     if (qtri_mesh_has_bytes(mesh)) {
         see_triangles(s, mesh->triangles8, true, simple);
     } else if (simple) {

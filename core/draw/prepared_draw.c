@@ -2,7 +2,6 @@
 #include "checked.h"
 #include "fill.h"
 #include "lights.h"
-#include "pipeline_ops.h"
 #include "prepared_lists.h"
 
 /*
@@ -41,28 +40,18 @@ static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, 
     }
 }
 
-/*
- * Triangles of a complete mesh that are listed one by one: all of them are seen. `solid`: as such,
- * with all vertices inside.
- */
+/* Triangles of a complete mesh that are listed one by one: all of them are seen. */
 static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place,
-                             uint32_t end, const void *triangles, bool narrow, bool solid)
+                             uint32_t end, const void *triangles, bool narrow)
 {
-    qtri_vertex *vertices = job->vertices;
     while (place != end) {
         const uint8_t *triangle = triangles;
         triangle += qtri_list_next(lists, &place) * (narrow ? 3 : 6);
         uint32_t index[3];
         qtri_mesh_indices(index, triangle, narrow);
-        qtri_vertex *a = &vertices[index[0]];
-        qtri_vertex *b = &vertices[index[1]];
-        qtri_vertex *c = &vertices[index[2]];
-        if (solid) {
-            qtri_mesh_draw_solid(job, triangle, a, b, c);
-        } else {
-            qtri_vertex *const vertex[3] = {a, b, c};
-            qtri_mesh_draw_seen(job, triangle, vertex);
-        }
+        qtri_vertex *const vertex[3] = {&job->vertices[index[0]], &job->vertices[index[1]],
+                                        &job->vertices[index[2]]};
+        qtri_mesh_draw_seen(job, triangle, vertex);
     }
 }
 
@@ -78,14 +67,12 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
         return;
     }
     if (log2 == 0 && qtri_prepared_is_complete(prepared)) {
-        const bool solid =
-            QTRI_WITH_FAST_PATHS && prepared->back_only && job->material.fill == NULL;
-        if (solid && job->primitive.ops != NULL) {
-            job->primitive.ops->band(job, lists, place, end);
+        if (prepared->back_only && job->material.fill == NULL) {
+            qtri_mesh_draw_band(job, lists, place, end);
         } else if (qtri_mesh_has_bytes(mesh)) {
-            draw_seen(job, lists, place, end, mesh->triangles8, true, solid);
+            draw_seen(job, lists, place, end, mesh->triangles8, true);
         } else {
-            draw_seen(job, lists, place, end, mesh->triangles, false, solid);
+            draw_seen(job, lists, place, end, mesh->triangles, false);
         }
         return;
     }

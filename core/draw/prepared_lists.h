@@ -69,6 +69,11 @@ static inline uint32_t qtri_list_next(const uint16_t *lists, uint32_t *place)
     return lists[(*place)++];
 }
 
+/* In mesh_solid.c: fills a band's list of a mesh whose back faces were culled, all vertices inside,
+   from the list's place to its end. */
+void qtri_mesh_draw_band(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
+                         uint32_t end);
+
 /* The job for a surface, as prepared; with `place` its transforms too. False: nothing is seen. */
 bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
                          const qtri_surface *surface, bool place);

@@ -1,25 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "fill.h"
 #include "large_piece.h"
-#include "pipeline_ops.h"
-
-#include "../raster/effect.h"
-#include "../raster/pixel_light.h"
-#include "../raster/sampling.h"
-#include "../raster/small.h"
-#include "../raster/unsnapped.h"
+#include "per_pixel.h"
 
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_material *material)
+                               const qtri_view *view, const qtri_material *material, int shade)
 {
     primitive->surface = surface;
     primitive->material = material;
-    primitive->ops = NULL;
     if (material->fill != NULL) {
         material->fill->begin(primitive);
-    } else {
-        qtri_raster_init(&primitive->to.solid.raster, surface, material,
-                         &primitive->to.solid.batch);
+        return;
+    }
+    qtri_draw_state *state = &primitive->to.solid.state;
+    primitive->to.solid.small.state = state;
+    qtri_draw_state_init(state, surface, view->pipelines, material, shade);
+    if (shade == QTRI_BY_PIXEL) {
+        qtri_draw_state_prefer(state, qtri_by_pixel_of(material)->pipelines);
     }
 }
 
@@ -28,8 +25,6 @@ void qtri_primitive_finish(const qtri_primitive *primitive)
     const qtri_fill *fill = primitive->material->fill;
     if (fill != NULL) {
         fill->finish(primitive);
-    } else if (primitive->ops == NULL) {
-        qtri_list_flush(&primitive->to.solid.raster);
     }
 }
 
@@ -59,9 +54,9 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
 
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material)
+                         const qtri_material *material, int shade)
 {
-    qtri_primitive_set_target(primitive, surface, material);
+    qtri_primitive_set_target(primitive, surface, view, material, shade);
     qtri_primitive_place(primitive, view, pose);
 }
 
@@ -107,162 +102,6 @@ static int64_t fan_area(const qtri_fan_vertex fan[], int count)
         sum += piece_area(fan, i);
     }
     return sum;
-}
-
-QTRI_NOINLINE static void set_attributes(qtri_attributes *out, const qtri_fan_vertex *v,
-                                         const qtri_screen_vertex attributes[3],
-                                         const qtri_raster *raster)
-{
-    qtri_screen_vertex blend;
-    const qtri_screen_vertex *from = &blend;
-    int own = qtri_own_vertex(v);
-    if (own >= 0) {
-        from = &attributes[own];
-    } else {
-        qtri_blend_attributes(&blend, &attributes[0], &attributes[1], &attributes[2], v->b1_q30,
-                              v->b2_q30);
-    }
-    out->depth_16p16 = v->depth_16p8 & ~0xFFu;
-    out->inv_w_q31 = v->inv_w_q31;
-    out->inv_w_exponent = (int32_t)(v->depth_16p8 & 0xFFu);
-    qtri_channels color = qtri_raster_channels(raster, from->color_8p16);
-    for (int i = 0; i < 3; i++) {
-        out->color[i] = color.c[i];
-    }
-    out->u_q32 = from->u_q32;
-    out->v_q32 = from->v_q32;
-    out->rest[0] = v->rest[0];
-    out->rest[1] = v->rest[1];
-}
-
-/* A triangle of what clipping left. */
-typedef struct piece {
-    const qtri_primitive *primitive;
-    qtri_attribute_source source;
-    const void *from;
-    const qtri_fan_vertex *vertex[3];
-} piece;
-
-QTRI_NOINLINE static void piece_attributes(qtri_attributes out[3], const piece *p)
-{
-    qtri_screen_vertex attributes[3];
-    p->source(p->from, attributes);
-    qtri_spread_provoking(p->primitive->material, attributes);
-    for (int i = 0; i < 3; i++) {
-        set_attributes(&out[i], p->vertex[i], attributes, &p->primitive->to.solid.raster);
-    }
-    const qtri_raster *raster = &p->primitive->to.solid.raster;
-    const qtri_vertex_blend *by_vertex = qtri_by_vertex(raster);
-    for (int i = 0; by_vertex != NULL && i < 3; i++) {
-        out[i].alpha_q16 = by_vertex->at(raster, p->vertex[i]->b1_q30, p->vertex[i]->b2_q30);
-    }
-}
-
-QTRI_NOINLINE static qtri_fill_rows piece_job(qtri_job *job, const qtri_triangle *triangle,
-                                              const piece *p)
-{
-    qtri_attributes own[3];
-    piece_attributes(own, p);
-    return qtri_job_init(job, &p->primitive->to.solid.raster, triangle, own);
-}
-
-QTRI_NOINLINE static void small_piece_values(qtri_small_values *values, const piece *p)
-{
-    qtri_attributes own[3];
-    piece_attributes(own, p);
-    qtri_small_set_values(values, &p->primitive->to.solid.raster, own);
-}
-
-/* One that is small. */
-QTRI_NOINLINE static void draw_small_piece(const piece *p, qtri_place *place,
-                                           const qtri_vertex v[3])
-{
-    qtri_small_values values;
-    const qtri_vertex *const vertex[3] = {&v[0], &v[1], &v[2]};
-    small_piece_values(&values, p);
-    qtri_small_draw_values(&p->primitive->to.solid.raster, place, vertex, &values);
-}
-
-QTRI_NOINLINE static qtri_placed draw_placed_piece(const piece *p)
-{
-    qtri_place place;
-    uint8_t spans[QTRI_PLACE_SPANS];
-    qtri_vertex v[3];
-    for (int i = 0; i < 3; i++) {
-        v[i].at = p->vertex[i]->at;
-        v[i].depth_16p8 = p->vertex[i]->depth_16p8;
-        v[i].inv_w = p->vertex[i]->inv_w_q31;
-    }
-    const qtri_placed placed =
-        qtri_place_triangle(&place, spans, &p->primitive->to.solid.raster, &v[0], &v[1], &v[2]);
-    if (placed == QTRI_PLACED_SMALL) {
-        draw_small_piece(p, &place, v);
-    }
-    return placed;
-}
-
-/* Where triangles have a route: apart, as a job takes no less stack. */
-QTRI_NOINLINE static void draw_routed_piece(const piece *p, qtri_triangle *triangle)
-{
-    const qtri_raster *raster = &p->primitive->to.solid.raster;
-    qtri_attributes own[3];
-    piece_attributes(own, p);
-    for (int i = 0; i < 3 && raster->lit != NULL; i++) {
-        qtri_pixel_light_share(&own[i], p->vertex[i]->b1_q30, p->vertex[i]->b2_q30);
-    }
-    for (int i = 0; i < 3 && raster->samples != NULL; i++) {
-        own[i].rest[0] = 0;
-        own[i].rest[1] = 0;
-    }
-    raster->route(raster, triangle, own);
-}
-
-/* False, and nothing is drawn, when the fan has no rests but they matter. */
-QTRI_NOINLINE static bool draw_large_piece(const piece *p, int64_t area, bool with_rests)
-{
-    qtri_triangle triangle;
-    for (int i = 0; i < 3; i++) {
-        triangle.p[i] = &p->vertex[i]->at;
-    }
-    triangle.area = area;
-    triangle.tinted = false;
-    const qtri_raster *raster = &p->primitive->to.solid.raster;
-    if (!qtri_triangle_begin(raster, &triangle)) {
-        return true;
-    }
-    const uint32_t depth_16p16[3] = {p->vertex[0]->depth_16p8, p->vertex[1]->depth_16p8,
-                                     p->vertex[2]->depth_16p8};
-    if (!with_rests && qtri_unsnapped_matters(raster, &triangle, depth_16p16)) {
-        return false;
-    }
-    if (raster->route != NULL) {
-        draw_routed_piece(p, &triangle);
-        return true;
-    }
-    qtri_job job;
-    qtri_triangle_fill(&job, &triangle, piece_job(&job, &triangle, p));
-    return true;
-}
-
-/* Whether it may be drawn as a small one. */
-static bool may_be_small(const piece *p)
-{
-    const qtri_raster *raster = &p->primitive->to.solid.raster;
-    return raster->lit == NULL ? qtri_takes_small(raster)
-                               : qtri_is_lit_by_vertex(raster, &p->vertex[0]->at, &p->vertex[1]->at,
-                                                       &p->vertex[2]->at);
-}
-
-static bool draw_piece(const piece *p, int64_t area, bool with_rests)
-{
-    if (p->primitive->ops != NULL) {
-        return p->primitive->ops->piece(p->primitive, p->vertex, area, with_rests, p->source,
-                                        p->from);
-    }
-    if (may_be_small(p) && draw_placed_piece(p) != QTRI_PLACED_LARGE) {
-        return true;
-    }
-    return draw_large_piece(p, area, with_rests);
 }
 
 /*
@@ -377,13 +216,13 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
         qtri_is_culled(primitive->material->cull, sum)) { /* 0, too, when nothing is left */
         return;
     }
-    piece p = {primitive, source, from, {&shape->fan[0], NULL, NULL}};
+    const qtri_fan_vertex *piece[3] = {&shape->fan[0], NULL, NULL};
     for (int i = 2; i < count; i++) {
         int64_t area = count == 3 ? sum : piece_area(shape->fan, i);
         if (area != 0 && (area ^ sum) >= 0) {
-            p.vertex[1] = &shape->fan[i - 1];
-            p.vertex[2] = &shape->fan[i];
-            (void)draw_piece(&p, area, true);
+            piece[1] = &shape->fan[i - 1];
+            piece[2] = &shape->fan[i];
+            (void)qtri_draw_large_piece(primitive, piece, area, true, source, from);
         }
     }
 }
@@ -391,20 +230,15 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
 bool qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
                            qtri_attribute_source source, const void *from)
 {
-    const piece p = {primitive, source, from, {&corner[0], &corner[1], &corner[2]}};
-    return draw_piece(&p, piece_area(corner, 2), false);
+    const qtri_fan_vertex *const vertex[3] = {&corner[0], &corner[1], &corner[2]};
+    return qtri_draw_large_piece(primitive, vertex, piece_area(corner, 2), false, source, from);
 }
 
 void qtri_primitive_large(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
                           qtri_attribute_source source, const void *from)
 {
-    const piece p = {primitive, source, from, {&corner[0], &corner[1], &corner[2]}};
-    const int64_t area = piece_area(corner, 2);
-    if (primitive->ops != NULL) {
-        (void)draw_piece(&p, area, true);
-    } else {
-        (void)draw_large_piece(&p, area, true);
-    }
+    const qtri_fan_vertex *const vertex[3] = {&corner[0], &corner[1], &corner[2]};
+    (void)qtri_draw_large_piece(primitive, vertex, piece_area(corner, 2), true, source, from);
 }
 
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],

@@ -10,8 +10,8 @@
 #include "../geometry/projector.h"
 #include "qtri/body/small_triangle.h"
 
+#include "../raster/draw_state.h"
 #include "../raster/line.h"
-#include "../raster/setup.h"
 #include "../raster/stroke_span.h"
 #include "../raster/triangle.h"
 
@@ -21,20 +21,15 @@ typedef struct qtri_primitive {
     const qtri_material *material;
     union {
         struct {
-            qtri_raster raster;
-            qtri_batch batch; /* the raster's */
+            qtri_draw_state state;
+            qtri_small small; /* what a mesh's small triangles have in common */
         } solid;              /* triangles */
         struct {
             qtri_line_job job;
             qtri_batch batch; /* the job's */
             qtri_stroke_target smooth;
         } lines; /* and wireframes */
-        struct {
-            qtri_draw_state state;
-            qtri_small small; /* what a mesh's have in common */
-        } pipeline;           /* triangles, where there are ops */
     } to;
-    const struct qtri_pipeline_ops *ops; /* triangles are drawn by a pipeline; NULL: they are not */
     qtri_projector projector;
 } qtri_primitive;
 
@@ -53,9 +48,12 @@ typedef union qtri_shape {
     qtri_fan_vertex fan[QTRI_CLIP_MAX];
 } qtri_shape;
 
-/* Surface and material, and what follows from them. */
+/*
+ * Surface and material, and the pipeline that draws its triangles; `shade`: what their colours do,
+ * see draw_state.h.
+ */
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_material *material);
+                               const qtri_view *view, const qtri_material *material, int shade);
 
 /* projection camera pose, folded with the viewport. */
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
@@ -64,10 +62,21 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
 /* Both. */
 void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material);
+                         const qtri_material *material, int shade);
 
 /* At the end: draws what waits. */
 void qtri_primitive_finish(const qtri_primitive *primitive);
+
+/* The vertices of the next triangle in material.alphas. */
+static inline void qtri_primitive_note(qtri_primitive *primitive, uint32_t first)
+{
+    uint32_t *index = primitive->to.solid.state.alpha_index;
+    if (primitive->material->fill == NULL) {
+        index[0] = first;
+        index[1] = first + 1;
+        index[2] = first + 2;
+    }
+}
 
 /*
  * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is

@@ -272,7 +272,7 @@ static bool draw_nothing_small(struct qtri_small *triangle)
 }
 
 static const qtri_pipeline nothing = {
-    .large = draw_nothing, .small = draw_nothing_small, .ops = NULL, .span = NULL};
+    .large = draw_nothing, .small = draw_nothing_small, .span = NULL};
 
 void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,

@@ -54,8 +54,9 @@ typedef struct qtri_large_light {
  * state->light_walk are set, see qtri_large_light_triangle(); large triangles bring the shares of
  * corners 1 and 2, 2^30 being 1, in place of red and green.
  */
-void qtri_large_light_run(qtri_draw_state *state, const qtri_illumination *by,
-                          void (*body)(void *with), void *with);
+typedef void (*qtri_lit_body)(void *with);
+void qtri_large_light_run(qtri_draw_state *state, const qtri_illumination *by, qtri_lit_body body,
+                          void *with);
 
 static inline qtri_lit_triangle *qtri_large_light_triangle(qtri_draw_state *state)
 {

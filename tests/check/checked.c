@@ -77,7 +77,7 @@ static void draw_all(void)
     qtri_draw_mesh(&surface, &view, &pose, &mesh, &material);
     qtri_draw_triangles(&surface, &view, &pose, corners, 6, &material);
     qtri_draw_lines(&surface, &view, &pose, corners, 4, &material);
-    qtri_raster_triangle(&surface, &material, screen);
+    qtri_raster_triangle(&surface, qtri_pipelines_default, &material, screen);
     qtri_raster_line(&surface, &material, screen);
     qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
@@ -124,7 +124,7 @@ static void null_pointers(void)
     STOPS("material != NULL", qtri_draw_mesh(&surface, &view, &pose, &mesh, NULL));
     STOPS("corners != NULL", qtri_draw_triangles(&surface, &view, &pose, NULL, 3, &material));
     STOPS("corners != NULL", qtri_draw_lines(&surface, &view, &pose, NULL, 2, &material));
-    STOPS("v != NULL", qtri_raster_triangle(&surface, &material, NULL));
+    STOPS("v != NULL", qtri_raster_triangle(&surface, qtri_pipelines_default, &material, NULL));
     STOPS("v != NULL", qtri_raster_line(&surface, &material, NULL));
     STOPS("surface != NULL",
           (void)qtri_surface_init(NULL, &qtri_gray8, 1, 1, 0, 1, memory, sizeof memory));

@@ -42,7 +42,7 @@ static void draw_screen(struct reader *r, const qtri_surface *surface,
         screen[i].x_24p8 >>= 16;
         screen[i].y_24p8 >>= 16;
     }
-    qtri_raster_triangle(surface, material, screen);
+    qtri_raster_triangle(surface, qtri_pipelines_default, material, screen);
     qtri_raster_line(surface, material, screen);
 }
 

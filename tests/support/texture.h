@@ -69,8 +69,8 @@ static inline void draw_quad(const canvas *c, const qtri_material *m, const int 
         }
     }
     qtri_screen_vertex second[3] = {q[0], q[2], q[3]};
-    qtri_raster_triangle(&c->surface, m, q);
-    qtri_raster_triangle(&c->surface, m, second);
+    qtri_raster_triangle(&c->surface, qtri_pipelines_default, m, q);
+    qtri_raster_triangle(&c->surface, qtri_pipelines_default, m, second);
 }
 
 #endif

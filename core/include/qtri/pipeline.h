@@ -97,7 +97,6 @@ typedef struct qtri_options {
 struct qtri_draw_state;
 struct qtri_large;
 struct qtri_small;
-struct qtri_pipeline_ops;
 struct qtri_stroke_span;
 
 struct qtri_pipeline {
@@ -105,7 +104,6 @@ struct qtri_pipeline {
     /* Internal: what draws a large triangle, and a small one of a mesh. */
     void (*large)(struct qtri_large *triangle);
     bool (*small)(struct qtri_small *triangle); /* false: it is large */
-    const struct qtri_pipeline_ops *ops;        /* how draw calls feed it */
     void (*span)(
         const struct qtri_stroke_span *span); /* pixels of a stroke; NULL: only triangles */
 };

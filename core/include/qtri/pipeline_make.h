@@ -11,15 +11,6 @@
 #include "body/pixel.h"
 #include "body/small_samples.h"
 
-/* Internal: in core/draw. */
-#ifdef __cplusplus
-extern "C" {
-#endif
-extern const struct qtri_pipeline_ops qtri_pipeline_ops;
-#ifdef __cplusplus
-}
-#endif
-
 #define QTRI_PIPELINE(name, ...)                                                                   \
     static void name##_large(struct qtri_large *triangle)                                          \
     {                                                                                              \
@@ -32,7 +23,7 @@ extern const struct qtri_pipeline_ops qtri_pipeline_ops;
         return qtri_small_instance_draw(&options, triangle);                                       \
     }                                                                                              \
     const qtri_pipeline name = {                                                                   \
-        {__VA_ARGS__}, name##_large, name##_small, &qtri_pipeline_ops, NULL};
+        {__VA_ARGS__}, name##_large, name##_small, NULL};
 
 #define QTRI_PIPELINE_DECLARE(name) extern const qtri_pipeline name
 

@@ -17,6 +17,7 @@
 #define QTRI_RASTER_H
 
 #include "material.h"
+#include "pipeline.h"
 #include "q16.h"
 
 #ifdef __cplusplus
@@ -36,11 +37,12 @@ typedef struct qtri_screen_vertex {
 } qtri_screen_vertex;
 
 /*
- * Draws the inside of v[0] v[1] v[2] as material says; flat shading takes its provoking vertex's
- * colour. material->fill is for draw calls (draw.h): a wireframe is three lines.
+ * Draws the inside of v[0] v[1] v[2] as material says, by the first of the pipelines that fits, see
+ * pipeline.h; flat shading takes its provoking vertex's colour. material->alphas are those of v.
+ * material->fill is for draw calls (draw.h): a wireframe is three lines.
  */
-void qtri_raster_triangle(const qtri_surface *surface, const qtri_material *material,
-                          const qtri_screen_vertex v[3]);
+void qtri_raster_triangle(const qtri_surface *surface, const qtri_pipeline *const *pipelines,
+                          const qtri_material *material, const qtri_screen_vertex v[3]);
 
 /*
  * Draws the line v[0] v[1]; colour and depth are linear on the screen. Texture, shading,

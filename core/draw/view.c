@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "qtri/error.h"
+#include "qtri/pipeline.h"
 
 qtri_viewport qtri_viewport_top(int32_t x, int32_t y, int32_t width, int32_t height)
 {
@@ -33,5 +34,5 @@ void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
     view->vertices = NULL;
     view->vertex_count = 0;
     view->lights = NULL;
-    view->pipelines = NULL;
+    view->pipelines = qtri_pipelines_default;
 }
