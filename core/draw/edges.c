@@ -67,9 +67,9 @@ enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface,
         edges->origin = (int32_t)(pixels - (uint32_t)magnitude);
         edges->notes -= edges->origin;
     }
-    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
-    if (testing != NULL && has_depth) {
-        edges->notes = testing->flatten(surface);
+    const qtri_depth_ops *ops = qtri_depth_ops_of(surface);
+    if (ops != NULL && has_depth) {
+        edges->notes = ops->flatten(surface);
     }
     clear(memory, marks);
     clear(memory + marks + line, notes);

@@ -47,4 +47,4 @@ static void note(const qtri_mesh_job *draw, const uint32_t index[3], bool is_bac
 
 static const qtri_by_pixel by_pixel = {qtri_pipelines_by_pixel, run, note, set};
 
-const qtri_shading qtri_per_pixel = {2, &qtri_varying_stages, &by_pixel};
+const qtri_shading qtri_per_pixel = {2, true, &by_pixel};

@@ -7,7 +7,7 @@
 #define QTRI_DRAW_PER_PIXEL_H
 
 #include "../raster/large_light.h"
-#include "../raster/shading.h"
+#include "../raster/descriptions.h"
 #include "mesh_job.h"
 #include "qtri/pipeline.h"
 

@@ -10,6 +10,7 @@
 #include "../geometry/projector.h"
 #include "qtri/body/small_triangle.h"
 
+#include "../raster/descriptions.h"
 #include "../raster/draw_state.h"
 #include "../raster/line.h"
 #include "../raster/stroke_span.h"

@@ -5,6 +5,7 @@
 
 #include "../bits/bits.h"
 #include "../raster/checked_material.h"
+#include "../raster/descriptions.h"
 #include "../raster/draw_state.h"
 #include "../raster/triangle.h"
 #include "large_piece.h"

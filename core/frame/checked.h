@@ -16,7 +16,7 @@ static inline void qtri_check_format(const qtri_format *format)
 
 static inline void qtri_check_depth_format(const qtri_depth_format *format)
 {
-    QTRI_ASSERT(format == NULL || format->testing == NULL ||
+    QTRI_ASSERT(format == NULL || format->ops == NULL ||
                 (format->encode != NULL && format->decode != NULL));
 }
 #endif

@@ -11,7 +11,7 @@
 /* Pixels of more bytes are records of samples, which hold depths of linear16. */
 static bool is_format(const qtri_format *format, const qtri_depth_format *depth)
 {
-    return depth == NULL || depth->testing == NULL ||
+    return depth == NULL || depth->ops == NULL ||
            (depth->bytes >= 2 && depth->bytes <= 4 && format->pixels->bytes <= 4);
 }
 

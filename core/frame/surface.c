@@ -60,9 +60,9 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
 static inline void fill_depth(const qtri_surface *surface, const qtri_rect *rect,
                               uint32_t depth_16p16)
 {
-    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
-    if (testing != NULL) {
-        testing->fill(surface, rect, depth_16p16);
+    const qtri_depth_ops *ops = qtri_depth_ops_of(surface);
+    if (ops != NULL) {
+        ops->fill(surface, rect, depth_16p16);
         return;
     }
     const ptrdiff_t stored_row = rect->y0 - surface->first_row;

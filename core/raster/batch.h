@@ -20,7 +20,6 @@
 
 #include "../frame/colors.h"
 #include "gradient.h"
-#include "levels.h"
 
 enum {
     QTRI_BATCH = 32,                  /* fragments: as many as a mask has bits */
@@ -46,10 +45,6 @@ typedef struct qtri_batch {
     uint32_t color[QTRI_BATCH_ROOM];
     union {
         uint32_t shade[QTRI_BATCH_ROOM];
-        struct {
-            uint32_t shade[QTRI_BATCH_ROOM];
-            qtri_levels levels; /* of a texture that is mipmapped */
-        } textured;
         uint16_t table[(1 << QTRI_TINT_BITS) + 4]; /* stored pixels: where there is no texture */
     } by;
     uint32_t place[QTRI_BATCH + 1]; /* and one that ends them */

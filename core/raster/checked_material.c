@@ -26,7 +26,7 @@ static bool is_one_of(long long value, long long last)
 static void check_texture(const qtri_texture *texture)
 {
     QTRI_ASSERT(texture->format != NULL);
-    QTRI_ASSERT(texture->format->texturing != NULL && texture->format->colors != NULL);
+    QTRI_ASSERT(texture->format->colors != NULL);
     QTRI_ASSERT(texture->format->usable != NULL && texture->format->fetch != NULL);
     QTRI_ASSERT(texture->format->usable(texture)); /* texels, and a palette where it has one */
     QTRI_ASSERT(texture->width_log2 <= 10 && texture->height_log2 <= 10);

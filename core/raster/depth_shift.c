@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "depth_shift.h"
+#include "descriptions.h"
 
-#include "effect.h"
 #include "qtri/body/small_triangle.h"
+
+#include "../bits/bits.h"
 #include "triangle.h"
 
 /* |f1 d2 - f2 d1|: f below 2^32, d at most 2^24, so below 2^57. */
@@ -49,22 +50,6 @@ static uint32_t shift_of(const qtri_material *material, const qtri_screen_point 
     return nearer ? 0 - less : less;
 }
 
-static void draw_by_slope(const qtri_raster *raster, qtri_triangle *triangle,
-                          const qtri_attributes v[3])
-{
-    const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
-    qtri_attributes moved[3] = {v[0], v[1], v[2]};
-    const uint32_t by = shift_of(raster->of.material, triangle->p, triangle->area, depth);
-    for (int i = 0; i < 3; i++) {
-        moved[i].depth_16p16 += by;
-    }
-    if (qtri_by_vertex(raster) != NULL) {
-        qtri_by_vertex(raster)->draw(raster, triangle, moved);
-    } else {
-        qtri_triangle_draw_plain(raster, triangle, moved);
-    }
-}
-
 static void move_large(qtri_large_vertex moved[3], const qtri_draw_state *state,
                        const qtri_screen_point *const p[3], int64_t area,
                        const qtri_large_vertex v[3])
@@ -108,4 +93,4 @@ static bool draw_small(qtri_small *t)
     return is_drawn;
 }
 
-const qtri_depth_shift qtri_slope_bias = {draw_by_slope, draw_small, move_large};
+const qtri_depth_shift qtri_slope_bias = {draw_small, move_large};

@@ -3,13 +3,9 @@
 
 #include <string.h>
 
-#include "bilinear.h"
-#include "depth_shift.h"
-#include "effect.h"
+#include "descriptions.h"
 #include "qtri/body/pixel.h"
 #include "sampling.h"
-#include "shading.h"
-#include "texel_format.h"
 
 enum {
     SMALL_REACH = 61 * 256 /* of a small triangle from its first vertex, 24.8, and a pixel */
@@ -75,7 +71,7 @@ static void want_blend(qtri_options *o, const qtri_material *material)
     }
     const uint8_t keep = material->keep & 7;
     o->blend = blend->kind;
-    o->vertex_alpha = blend->by_vertex != NULL && material->alphas != NULL;
+    o->vertex_alpha = blend->by_vertex && material->alphas != NULL;
     if (blend->kind != QTRI_SCREEN_DOOR && blend->kind != QTRI_KEEP_PIXEL) {
         if (keep == 7) {
             o->blend = QTRI_KEEP_PIXEL;
@@ -96,7 +92,7 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     o->format = surface->format->kind;
     o->pixel_bytes = o->format == QTRI_OTHER_FORMAT ? surface->format->pixels->bytes : 0;
     if (surface->depth != NULL && material->depth_compare != QTRI_DEPTH_OFF) {
-        o->depth = depth == NULL || depth->testing == NULL ? QTRI_LINEAR16
+        o->depth = depth == NULL || depth->ops == NULL ? QTRI_LINEAR16
                    : depth->kind != QTRI_NO_DEPTH          ? depth->kind
                                                            : QTRI_OTHER_DEPTH;
         o->compare =
@@ -112,7 +108,7 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     o->shade = shade_of(o, material, shade == QTRI_BY_PIXEL ? QTRI_COLORS : shade);
     o->per_pixel = shade == QTRI_BY_PIXEL && o->shade == QTRI_COLORS;
     want_blend(o, material);
-    o->fog = material->fog != NULL && material->fog->stages != NULL;
+    o->fog = material->fog != NULL && material->fog->is_set;
     o->fragment = material->fragment;
     if (qtri_sampling_of(surface->format) != NULL) {
         o->samples = 4;
@@ -207,8 +203,8 @@ static void set_colors(qtri_draw_state *state, const qtri_material *material)
     state->keep = kept_bits(kind, material->keep);
     state->fog = o->fog ? material->fog : NULL;
     state->fog_color = !o->fog                ? 0
-                       : kind == QTRI_IN_GRAY ? material->fog->word[2]
-                                              : material->fog->word[1];
+                       : kind == QTRI_IN_GRAY ? qtri_pixel_888_to_luma(material->fog->color)
+                                              : material->fog->color;
 }
 
 /* Levels that can be used besides the first: their widths are 2 texels or more. */
@@ -337,12 +333,6 @@ void qtri_draw_state_set_table(qtri_draw_state *state)
         b += b_step;
     }
     state->has_table = true;
-}
-
-bool qtri_pipelines_can_draw(const qtri_surface *surface, const qtri_material *material)
-{
-    (void)surface;
-    return material->fill == NULL;
 }
 
 uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888)

@@ -27,9 +27,4 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
 /* Where the generic pipeline was chosen: takes one of this list that fits, if there is any. */
 void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *pipelines);
 
-/*
- * Whether pipelines draw what surface and material ask for: all but fills, which other ways draw.
- */
-bool qtri_pipelines_can_draw(const qtri_surface *surface, const qtri_material *material);
-
 #endif

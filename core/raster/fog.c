@@ -1,18 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "effect.h"
-#include "fog_565.h"
-#include "list_values.h"
+#include "qtri/blend.h"
 
 #include "qtri/body/state.h"
-#include "qtri/q16_exp.h"
 #include "qtri/error.h"
+#include "qtri/q16_exp.h"
 
 #include "../bits/bits.h"
-#include "../frame/barrier.h"
-#include "../frame/mix.h"
-#include "stage_color.h"
-
-#define OVER(c, o, k, most) qtri_mix_over(c, o, k)
 
 enum {
     OCTAVE_STEPS = 8 * 16,       /* and share[OCTAVE_STEPS] ends the last */
@@ -74,231 +67,6 @@ QTRI_NOINLINE static void find_step(fog_step *s, const qtri_fog *fog, uint32_t t
     }
 }
 
-/* A share of 1024 at t, `in` s where it can be. */
-static inline uint32_t share_in(const fog_step *s, uint32_t within)
-{
-    const int32_t part = (int32_t)(within >> s->shift);
-    const int32_t share = (s->base + part * s->slope) >> PART_BITS;
-    return (uint32_t)share > 1024 ? (share < 0 ? 0 : 1024) : (uint32_t)share;
-}
-
-/*
- * Along a row, from a t within s on, as long as four neighbours are in that step: where the first
- * and the last are, for t is as linear as depth and steps end before 2^32. Returns how many.
- */
-QTRI_NOINLINE static int32_t shares_in(uint32_t *share, const fog_step *s, uint32_t within,
-                                       uint32_t step, int32_t count)
-{
-    const uint32_t *first = share;
-    const uint32_t *last = share + count - 4;
-    const uint32_t shift = s->shift;
-    const int32_t slope = s->slope;
-    int32_t base = s->base;
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        int32_t f = (base + (int32_t)(within >> shift) * slope) >> PART_BITS;                      \
-        HOLD(f)                                                                                    \
-        share[i] = (uint32_t)f;                                                                    \
-        within += step;                                                                            \
-        QTRI_OPAQUE(within)                                                                        \
-        QTRI_ASIDE(base)                                                                           \
-    }
-#ifndef __OPTIMIZE_SIZE__
-    const int32_t at_end = base + (int32_t)((s->size - 1) >> shift) * slope;
-    const bool inside = (uint32_t)(base >> PART_BITS) <= 1024 && /* then all between is as well */
-                        (uint32_t)(at_end >> PART_BITS) <= 1024;
-#define HOLD(f)
-    for (; inside && share <= last && within + 3 * step < s->size; share += 4) {
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
-    }
-#undef HOLD
-#endif
-#define HOLD(f)                                                                                    \
-    if ((uint32_t)(f) > 1024) {                                                                    \
-        (f) = (f) < 0 ? 0 : 1024;                                                                  \
-    }
-    for (; share <= last && within + 3 * step < s->size; share += 4) {
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
-    }
-#undef HOLD
-#undef ONE
-    return (int32_t)(share - first);
-}
-
-static void shares_of_row(uint32_t *share, const qtri_fog *fog, uint32_t t, uint32_t step,
-                          int32_t count)
-{
-    fog_step s = {0, 0, 0, 0, 0};
-    while (count > 0) {
-        uint32_t within = t - s.from;
-        if (within >= s.size) {
-            find_step(&s, fog, t);
-            within = t - s.from;
-        }
-        int32_t done = count >= 4 ? shares_in(share, &s, within, step, count) : 0;
-        if (done == 0) {
-            *share = share_in(&s, within);
-            done = 1;
-        }
-        share += done;
-        t += (uint32_t)done * step;
-        count -= done;
-    }
-}
-
-QTRI_NOINLINE static void shares_of_depths(uint32_t *share, const qtri_fog *fog,
-                                           const uint32_t *depth, int32_t count)
-{
-    fog_step s = {0, 0, 0, 0, 0};
-    for (const uint32_t *end = share + count; share != end; share++, depth++) {
-        // NOLINTNEXTLINE(clang-analyzer-core.*): there are as many depths
-        const uint32_t t = ~*depth;
-        if (t - s.from >= s.size) {
-            find_step(&s, fog, t);
-        }
-        *share = share_in(&s, t - s.from);
-    }
-}
-
-/* As blend.c mixes RGB565, of 64 and of 256, each within 1/2. */
-typedef struct mix_565 {
-    uint32_t mask, green_mask;
-    uint32_t less, green_less; /* the fog's */
-    uint32_t more, green_more; /* the same in shares, with the half that rounds */
-} mix_565;
-
-static inline mix_565 mix_565_of(uint32_t gray)
-{
-    const uint32_t rb = gray & 0xF81F;
-    const uint32_t g = gray & 0x07E0;
-    const mix_565 mix = {0xF81F, 0x07E0, 0 - rb, 0 - g, (rb << 6) + 0x10020u, (g << 8) + 0x1000u};
-    return mix;
-}
-
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        uint32_t c = color[i];                                                                     \
-        const uint32_t k = share[i];                                                               \
-        const uint32_t x = ((c & m.mask) + m.less) * ((k + 8) >> 4) + m.more;                      \
-        c = ((c & m.green_mask) + m.green_less) * ((k + 2) >> 2) + m.green_more;                   \
-        PUT(i, (x >> 6 & m.mask) | (c >> 8 & m.green_mask))                                        \
-        QTRI_OPAQUE(color)                                                                         \
-        QTRI_ASIDE(m.less)                                                                         \
-        QTRI_ASIDE(m.green_less)                                                                   \
-        QTRI_ASIDE(m.more)                                                                         \
-        QTRI_ASIDE(m.green_more)                                                                   \
-    }
-
-#define PUT(i, mixed) color[i] = (mixed);
-QTRI_NOINLINE static void mix_words(uint32_t *color, uint32_t gray, const uint32_t *share,
-                                    int32_t count)
-{
-    mix_565 m = mix_565_of(gray);
-    QTRI_OPAQUE(m.mask)
-    QTRI_OPAQUE(m.green_mask)
-    const uint32_t *end = color + count;
-    for (; color < end; color += 4, share += 4) {
-        /* NOLINTBEGIN(clang-analyzer-core.*): shares past the end are of spare words */
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
-        /* NOLINTEND(clang-analyzer-core.*) */
-    }
-}
-#undef PUT
-
-/* The same, and stores the pixels. */
-#define PUT(i, mixed) pixel[i] = (uint16_t)(mixed);
-QTRI_NOINLINE static void mix_row(uint16_t *pixel, const uint32_t *color, uint32_t gray,
-                                  const uint32_t *share, int32_t count)
-{
-    mix_565 m = mix_565_of(gray);
-    QTRI_OPAQUE(m.mask)
-    QTRI_OPAQUE(m.green_mask)
-    QTRI_FOG_ROW
-}
-#undef PUT
-
-/* The same to places. */
-#define PUT(i, mixed)                                                                              \
-    {                                                                                              \
-        uint16_t *const pixel = qtri_placed_16(pixels, pitch, *place++);                           \
-        *pixel = (uint16_t)(mixed);                                                                \
-    }
-QTRI_NOINLINE static void mix_list(const qtri_raster *raster, const uint32_t *share, int32_t count)
-{
-    mix_565 m = mix_565_of(raster->fog->word[0]);
-    QTRI_FOG_PLACES
-    QTRI_OPAQUE(m.mask)
-    QTRI_OPAQUE(m.green_mask)
-    for (; place != end; color++, share++) {
-        ONE(0)
-    }
-}
-#undef PUT
-#undef ONE
-
-/* Shares take the place of depths. */
-static void apply_list(const qtri_raster *raster, int32_t count)
-{
-    uint32_t *depth = raster->batch->depth;
-    shares_of_depths(depth, raster->fog, depth, count);
-    if (raster->finer) {
-        qtri_fog_list_565(raster, depth, count);
-    } else {
-        mix_list(raster, depth, count);
-    }
-}
-
-static void apply_row(uint8_t *pixels, const uint32_t *color, int32_t count,
-                      const qtri_raster *raster, uint32_t z, uint32_t z_step)
-{
-    uint32_t share[QTRI_BATCH_ROOM];
-    shares_of_row(share, raster->fog, ~z, 0 - z_step, count);
-    if (raster->finer) {
-        qtri_fog_row_565((uint16_t *)(void *)pixels, color, raster->fog->word[3], share, count);
-        return;
-    }
-    mix_row((uint16_t *)(void *)pixels, color, raster->fog->word[0], share, count);
-}
-
-static void apply(const qtri_raster *raster, uint32_t *color, const qtri_fragments *at,
-                  int32_t count)
-{
-    const qtri_fog *fog = raster->fog;
-    const qtri_colors *kind = raster->wide ? &qtri_colors_888 : raster->format->colors;
-    uint32_t share[QTRI_BATCH_ROOM];
-    if (at->depths != NULL) {
-        shares_of_depths(share, fog, at->depths, count);
-    } else if (at->place != NULL) {
-        for (int32_t i = 0; i < count; i++) {
-            share[i] = qtri_list_at(at->depth, at->place[i] & 0xFFFF, at->place[i] >> 16);
-        }
-        shares_of_depths(share, fog, share, count);
-    } else {
-        const uint32_t depth = qtri_list_at(at->depth, at->first & 0xFFFF, at->first >> 16);
-        shares_of_row(share, fog, ~depth, 0 - at->depth->dx, count);
-    }
-    if (raster->finer) {
-        const bool is_last = raster->blend == NULL || !raster->blend->takes_finer;
-        (is_last ? qtri_fog_words_565 : qtri_fog_words_finer)(color, fog->word[3], share, count);
-        return;
-    }
-    if (kind == &qtri_colors_565) {
-        mix_words(color, fog->word[0], share, count);
-        return;
-    }
-    const uint32_t gray = fog->word[kind == &qtri_colors_888 ? 1 : 2];
-    QTRI_MIX(color, gray, count, kind, share[i], OVER)
-}
-
 static uint64_t quotient(uint64_t n, uint64_t divisor, int32_t more)
 {
     bool half;
@@ -355,9 +123,6 @@ static uint32_t t_of(qtri_fog_range range, q16 z)
     return part < WHOLE ? (uint32_t)part : WHOLE;
 }
 
-static const qtri_fog_stages stages = {&qtri_effects, qtri_fog_begin_565, apply,
-                                       apply_row,     apply_list,         qtri_fog_over_565};
-
 uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16)
 {
     fog_step s;
@@ -392,17 +157,8 @@ static void set_shares(qtri_fog *fog, qtri_fog_range range, law share, q16 a, q1
 static void begin(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 z0, q16 z1)
 {
     const uint32_t rgb = (uint32_t)color.r << 16 | (uint32_t)color.g << 8 | color.b;
-    uint32_t word[4] = {rgb};
-    fog->stages = &stages;
-    fog->word[1] = rgb;
-    qtri_888_to_565(word, 1);
-    fog->word[0] = word[0];
-    word[0] = rgb;
-    qtri_888_to_gray(word, 1);
-    fog->word[2] = word[0];
-    word[0] = rgb;
-    qtri_888_to_565_finer(word, 1);
-    fog->word[3] = word[0];
+    fog->is_set = true;
+    fog->color = rgb;
     const uint32_t t0 = t_of(range, z1);
     const uint32_t t1 = t_of(range, z0);
     fog->first = t0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "large.h"
 
-#include "depth_shift.h"
+#include "descriptions.h"
 #include "large_setup.h"
 
 /* First row whose centre is at or below y, or column whose centre is at or right of x. */

@@ -3,7 +3,6 @@
 
 #include "checked_material.h"
 #include "dda.h"
-#include "effect.h"
 #include "line_path.h"
 
 #include "../frame/depth_format.h"
@@ -466,23 +465,11 @@ static void set_tint(qtri_line_job *job, const qtri_colors *colors, qtri_rgb col
     }
 }
 
-QTRI_NOINLINE static void set_effect(qtri_line_job *job, const qtri_material *material)
-{
-    const struct qtri_effect_stages *stages = qtri_effect_stages_of(material);
-    if (stages != NULL) {
-        job->effect = stages->line;
-        job->draw = qtri_line_draw_apart;
-        job->writes_early =
-            job->depth_write && (material->blend == NULL || !material->blend->rejects);
-    }
-}
-
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_batch *batch)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const qtri_compare compare = qtri_compare_of(material);
-    const qtri_depth_testing *testing = qtri_depth_testing_of(surface);
     job->surface = surface;
     job->draw = qtri_line_draw;
     job->batch = batch;
@@ -499,13 +486,7 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->writes_early = job->depth_write;
     job->material = material;
     job->effect = NULL;
-    if (material->fog != NULL || material->blend != NULL) {
-        set_effect(job, material);
-    }
     job->testing = NULL;
-    if (testing != NULL) {
-        testing->begin_lines(job, compare);
-    }
     job->less = differences[compare].less;
     job->passing = differences[compare].passing;
     if (surface->format != NULL) { /* or nothing is drawn */

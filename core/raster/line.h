@@ -13,7 +13,8 @@
 #include "qtri/raster.h"
 #include "qtri/view.h"
 
-#include "raster.h"
+#include "batch.h"
+#include "stroke_span.h"
 
 struct qtri_stroke_line;
 
@@ -22,7 +23,7 @@ typedef int32_t qtri_line_color[3];
 
 typedef struct qtri_line_job qtri_line_job;
 
-/* See effect.h. */
+/* */
 typedef void (*qtri_line_effect)(const qtri_line_job *job, const qtri_ramp *depth);
 
 /*
@@ -54,7 +55,7 @@ struct qtri_line_job {
     bool has_depth, depth_write, is_less;
     bool writes_early;       /* depth as soon as it is compared */
     qtri_line_effect effect; /* of fog and a blend; NULL: neither */
-    const struct qtri_depth_testing
+    const struct qtri_depth_ops
         *testing;                  /* depths that `effect` tests, has_depth being false */
     const qtri_material *material; /* theirs */
     uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "qtri/material.h"
+#include "descriptions.h"
 
 qtri_material qtri_material_default(void)
 {
@@ -18,3 +18,31 @@ qtri_material qtri_material_default(void)
     };
     return material;
 }
+
+const qtri_shading qtri_smooth = {2, true, NULL};
+const qtri_shading qtri_flat_first = {0, false, NULL};
+const qtri_shading qtri_flat_last = {2, false, NULL};
+
+const qtri_shading *qtri_shading_of(const qtri_material *material)
+{
+    return material->shading != NULL ? material->shading : &qtri_flat_last;
+}
+
+bool qtri_is_smooth(const qtri_material *material)
+{
+    return qtri_shading_of(material)->is_smooth;
+}
+
+int qtri_provoking_of(const qtri_material *material)
+{
+    return qtri_shading_of(material)->provoking;
+}
+
+const qtri_blend qtri_blend_alpha = {QTRI_ALPHA, false};
+const qtri_blend qtri_blend_add = {QTRI_ADD, false};
+const qtri_blend qtri_blend_multiply = {QTRI_MULTIPLY, false};
+const qtri_blend qtri_blend_none = {QTRI_KEEP_PIXEL, false};
+const qtri_blend qtri_blend_replace = {QTRI_STORE, false};
+const qtri_blend qtri_blend_screen_door = {QTRI_SCREEN_DOOR, false};
+const qtri_blend qtri_blend_vertex_alpha = {QTRI_ALPHA, true};
+const qtri_blend qtri_blend_vertex_add = {QTRI_ADD, true};

@@ -18,35 +18,8 @@ enum {
     QTRI_SAMPLE_DEPTHS = 6 /* bytes after the colours; then a record may be filled up */
 };
 
-/*
- * Samples of a fragment of small triangles, as bits of its place: rows and columns are less than
- * 2^13.
- */
-enum { QTRI_SAMPLE_LOW = 13, QTRI_SAMPLE_LAST = 29 };
-#define QTRI_SAMPLE_PLACE     0x1FFF1FFFu
-#define QTRI_SAMPLE_PLACE_MAX 0x1FFFu
-
-static inline uint32_t qtri_sample_bits(uint32_t samples)
-{
-    return (samples & 7) << QTRI_SAMPLE_LOW | samples >> 3 << QTRI_SAMPLE_LAST;
-}
-
-static inline uint32_t qtri_samples_in(uint32_t place)
-{
-    return (place >> QTRI_SAMPLE_LOW & 7) | (place >> QTRI_SAMPLE_LAST & 1) << 3;
-}
-
 /* Of samples from the centre, 1/256 pixel; then of that. */
 extern const int8_t qtri_sample_offset[QTRI_SAMPLES + 1][2];
-
-void qtri_samples_draw(const qtri_raster *raster, qtri_triangle *triangle,
-                       const qtri_attributes v[3]);
-
-qtri_placed qtri_samples_place(qtri_place *p, uint8_t spans[QTRI_PLACE_SPANS],
-                               const qtri_raster *raster, const qtri_vertex *a,
-                               const qtri_vertex *b, const qtri_vertex *c);
-void qtri_samples_small(const qtri_raster *raster, const qtri_list_triangle *t);
-void qtri_samples_put(const qtri_raster *raster, uint32_t mask, int32_t count);
 
 /* The mean of a record as a stored pixel. */
 uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record);

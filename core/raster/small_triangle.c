@@ -2,7 +2,7 @@
 #include "qtri/body/small_setup.h"
 
 #include "../geometry/lighting.h"
-#include "raster.h"
+#include "descriptions.h"
 
 qtri_small_found qtri_small_find(qtri_small_place *p, uint8_t spans[QTRI_SMALL_SPANS],
                                  qtri_small *t)

@@ -3,6 +3,8 @@
 #include "sampling.h"
 #include "stroke_span.h"
 
+#include "../bits/bits.h"
+
 bool qtri_stroke_target_init(qtri_stroke_target *to, const qtri_surface *surface,
                              const qtri_material *material, uint8_t alpha, bool is_smooth)
 {

@@ -1,42 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/*
- * The rasterizer behind raster.h, in steps: for draw calls that light a triangle only after it is
- * known to touch a pixel. Internal.
- */
+/* Areas of triangles on the screen, and which of them are culled. Internal. */
 #ifndef QTRI_RASTER_TRIANGLE_H
 #define QTRI_RASTER_TRIANGLE_H
 
 #include "qtri/raster.h"
 #include "qtri/view.h"
 
-#include "job.h"
-
-/* A triangle's place on the screen. */
-typedef struct qtri_triangle {
-    const qtri_screen_point *p[3]; /* |x|, |y| <= QTRI_SCREEN_MAX_24P8 */
-    bool tinted;                   /* colours are shares of the raster's tint */
-    int64_t area; /* 2^-15 square pixels; negative is counter-clockwise to the eye */
-    /* The rest is qtri_triangle_begin's. */
-    const qtri_screen_point *top, *middle, *bottom; /* p by y */
-    bool long_is_left;                              /* the edge from top to bottom */
-    int32_t x_least, x_greatest;                    /* 1/256 pixel */
-    int32_t extent;                                 /* width and height, added */
-    int32_t row, end;                               /* rows inside the bounds */
-    bool cut;                                       /* spans may reach past the bounds */
-    bool is_short;                                  /* `spans` holds all rows */
-    qtri_span spans[QTRI_ROWS_AHEAD];
-} qtri_triangle;
-
-/* What else a vertex brings. */
-typedef struct qtri_attributes {
-    uint32_t depth_16p16; /* <= 65535.0 */
-    uint32_t inv_w_q31;   /* 2^30..2^31 */
-    int32_t inv_w_exponent;
-    int32_t color[3]; /* n.16 in units of the target; with a tint, color[0] is Q22 of it, <= 1 */
-    int64_t u_q32, v_q32;
-    int16_t rest[2]; /* x and y of where it truly is, less where it was snapped to: 2^-24 pixel */
-    uint32_t alpha_q16; /* of its vertex, 0..65536; where the route asks for it */
-} qtri_attributes;
+#include "../bits/bits.h"
 
 #if !QTRI_LONG_MULTIPLY
 /* Whether differences fit 15 bits with their sign: their products then fit 30, one instruction. */
@@ -62,7 +32,7 @@ static inline int64_t qtri_triangle_area(const qtri_screen_point *a, const qtri_
     int32_t dx2 = c->x_24p8 - a->x_24p8;
     int32_t dy2 = c->y_24p8 - a->y_24p8;
 #if !QTRI_LONG_MULTIPLY
-    if (QTRI_WITH_FAST_PATHS && qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
+    if (qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
         return dx1 * dy2 - dx2 * dy1;
     }
     return qtri_triangle_area_far(a, b, c);
@@ -88,7 +58,7 @@ static inline bool qtri_triangle_is_back(const qtri_screen_point *a, const qtri_
     QTRI_HOLD(far);
     int32_t dy2 = c->y_24p8 - a->y_24p8;
     far |= (uint32_t)dy2 + half;
-    if (QTRI_WITH_FAST_PATHS && far < 2 * half) {
+    if (far < 2 * half) {
         return dx1 * dy2 >= dx2 * dy1;
     }
     return qtri_triangle_area_far(a, b, c) >= 0;
@@ -108,37 +78,5 @@ static inline bool qtri_is_culled(qtri_cull cull, int64_t area)
 {
     return (cull == QTRI_CULL_BACK && area >= 0) || (cull == QTRI_CULL_FRONT && area <= 0);
 }
-
-/* A vertex's depth, distance and light. */
-static inline void qtri_vertex_attributes(qtri_attributes *out, const qtri_vertex *vertex,
-                                          uint32_t intensity_q15)
-{
-    out->depth_16p16 = vertex->depth_16p8 & ~0xFFu;
-    out->inv_w_q31 = vertex->inv_w;
-    out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
-    out->color[0] = (int32_t)(intensity_q15 << 7); /* Q22 of the one colour */
-    out->rest[0] = 0;
-    out->rest[1] = 0;
-}
-
-/* Takes p and area, which are set, area not 0. False when no pixel is covered. */
-bool qtri_triangle_begin(const qtri_raster *raster, qtri_triangle *triangle);
-
-/* Draws it. Flat shading reads the provoking vertex's colour only. */
-void qtri_triangle_draw(const qtri_raster *raster, qtri_triangle *triangle,
-                        const qtri_attributes v[3]);
-
-/* The same, whatever route the raster has, but samples: for those who are that. */
-void qtri_triangle_draw_plain(const qtri_raster *raster, qtri_triangle *triangle,
-                              const qtri_attributes v[3]);
-
-/*
- * The second half of that: after qtri_job_init, which returns `fill`. For callers whose attributes
- * are to take no stack while rows are filled.
- */
-void qtri_triangle_fill(qtri_job *job, qtri_triangle *triangle, qtri_fill_rows fill);
-
-/* All of it, for a vertex as the public header has it. */
-void qtri_raster_draw(const qtri_raster *raster, const qtri_screen_vertex v[3]);
 
 #endif

@@ -63,9 +63,9 @@
 extern "C" {
 #endif
 
-/* What tests depths that are not linear16: &qtri_depth_testing_stages. */
-typedef struct qtri_depth_testing qtri_depth_testing;
-extern const qtri_depth_testing qtri_depth_testing_stages;
+/* What fills and reads memory of depths that are not linear16. */
+typedef struct qtri_depth_ops qtri_depth_ops;
+extern const qtri_depth_ops qtri_depth_words;
 
 /* The library's own formats, as pipelines know them (pipeline.h). */
 enum { QTRI_NO_DEPTH, QTRI_LINEAR16, QTRI_FLOAT16, QTRI_LINEAR24, QTRI_LINEAR32, QTRI_OTHER_DEPTH };
@@ -76,8 +76,8 @@ enum { QTRI_NO_DEPTH, QTRI_LINEAR16, QTRI_FLOAT16, QTRI_LINEAR24, QTRI_LINEAR32,
  * compare as depths do: a farther one is never less.
  */
 typedef struct qtri_depth_format {
-    uint8_t bytes;                     /* of a stored depth: 2, 3 or 4 */
-    const qtri_depth_testing *testing; /* &qtri_depth_testing_stages; NULL: it is linear16 */
+    uint8_t bytes;             /* of a stored depth: 2, 3 or 4 */
+    const qtri_depth_ops *ops; /* &qtri_depth_words; NULL: it is linear16 */
     /* Depths to stored ones and back, in place; `count` is 1..32. */
     void (*encode)(uint32_t *depth, int32_t count);
     void (*decode)(uint32_t *depth, int32_t count);

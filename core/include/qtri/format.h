@@ -53,8 +53,8 @@ typedef struct qtri_pixels {
 } qtri_pixels;
 extern const qtri_pixels qtri_pixels_8, qtri_pixels_16, qtri_pixels_24, qtri_pixels_32;
 
-/* Loops that only save time; see core/fast. */
-typedef struct qtri_fused qtri_fused;
+/* Several samples a pixel; see samples.h. */
+typedef struct qtri_sampling qtri_sampling;
 
 /* The library's own formats, as pipelines know them (pipeline.h). */
 enum {
@@ -77,8 +77,8 @@ typedef struct qtri_format {
     void (*encode)(uint32_t *color, int32_t count);
     /* A stored pixel as 0x00RRGGBB, full channels being 255. */
     uint32_t (*decode)(uint32_t stored);
-    const qtri_fused *fused; /* NULL: none */
-    uint8_t kind;            /* of the library's own formats; 0: another */
+    const qtri_sampling *samples; /* NULL: one a pixel */
+    uint8_t kind;                 /* of the library's own formats; 0: another */
 } qtri_format;
 
 extern const qtri_format qtri_rgb565;         /* uint16_t, red in the high bits */
@@ -86,9 +86,7 @@ extern const qtri_format qtri_rgb565_swapped; /* its bytes exchanged, as display
 /*
  * Stored as rgb565, but colours have 8 bits until then: one that light, texels, fog and blends make
  * together is rounded once, within 3/4 of a step where &qtri_rgb565 reaches 1 1/4 (not in fog
- * alone: blend.h says what is within which). It has no fused loops: on a Cortex-M0+ and an M3 a
- * flat pixel takes 14 / 13 instructions in place of 8 / 7, one of smooth colours 64 / 47, with fog
- * 78 / 40 more and half transparent 139 / 84 more. Pictures that are blended are converted first.
+ * alone: blend.h says what is within which). Pictures that are blended are converted first.
  */
 extern const qtri_format qtri_rgb565_exact;
 extern const qtri_format qtri_rgb888;   /* three bytes: red, green, blue */

@@ -19,10 +19,6 @@ extern "C" {
 
 typedef struct qtri_texture qtri_texture;
 
-/* The stages of textures, for all formats of texels. */
-typedef struct qtri_texturing qtri_texturing;
-extern const qtri_texturing qtri_texturing_stages;
-
 /* The library's own formats, as pipelines know them (pipeline.h). */
 enum {
     QTRI_NO_TEXEL,
@@ -39,11 +35,8 @@ enum {
 };
 
 typedef struct qtri_texel_format {
-    const qtri_texturing *texturing; /* &qtri_texturing_stages */
-    const qtri_colors *colors;       /* what decode gives: &qtri_colors_565 or &qtri_colors_888 */
-    uint32_t key_mask;               /* the bits of a stored texel that are compared with the key */
-    uint8_t bytes; /* 2: texels are uint16_t by their numbers, read without fetch where that is
-                      quicker; 0: whatever fetch does */
+    const qtri_colors *colors; /* what decode gives: &qtri_colors_565 or &qtri_colors_888 */
+    uint32_t key_mask;         /* the bits of a stored texel that are compared with the key */
     /* Whether the texture has what reading needs. Without, it is no texture. */
     bool (*usable)(const qtri_texture *texture);
     /*

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a material or a texture names by its address: pipelines know it by these numbers. Internal.
+ */
+#ifndef QTRI_RASTER_DESCRIPTIONS_H
+#define QTRI_RASTER_DESCRIPTIONS_H
+
+#include "large.h"
+
+struct qtri_blend {
+    uint8_t kind;   /* QTRI_ALPHA and the like, of blend.h */
+    bool by_vertex; /* alpha varies between the vertices */
+};
+
+struct qtri_filter {
+    bool is_bilinear, is_mipmapped;
+};
+
+typedef struct qtri_by_pixel qtri_by_pixel; /* see ../draw/per_pixel.h */
+
+struct qtri_shading {
+    uint8_t provoking; /* the vertex whose colour all have, 0 or 2 */
+    bool is_smooth;
+    const qtri_by_pixel *by_pixel; /* how draw calls light triangles; NULL: by vertex, by face */
+};
+
+/* Depths of a triangle that are moved as a whole. */
+struct qtri_depth_shift {
+    /* A small triangle, which its state's pipeline draws then; and the vertices of a large one. */
+    bool (*small)(struct qtri_small *triangle);
+    void (*move)(qtri_large_vertex moved[3], const qtri_draw_state *state,
+                 const qtri_screen_point *const p[3], int64_t area, const qtri_large_vertex v[3]);
+};
+
+/* Of a material. */
+const qtri_shading *qtri_shading_of(const qtri_material *material);
+bool qtri_is_smooth(const qtri_material *material);
+int qtri_provoking_of(const qtri_material *material);
+
+/* Of texture->width_log2 or height_log2, 0..10. */
+static inline uint8_t qtri_side_log2(uint8_t log2)
+{
+    return log2 > 10 ? 10 : log2;
+}
+
+#endif

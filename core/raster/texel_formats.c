@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Formats of texels. Those with alpha become 0xAARRGGBB.
+ */
+#include "qtri/texture.h"
+
+#include "../frame/barrier.h"
+#include "descriptions.h"
+
+static bool has_texels(const qtri_texture *texture)
+{
+    return texture->texels != NULL;
+}
+
+static void fetch_8(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const uint8_t *texels = texture->texels;
+    QTRI_EACH_WORD(texel, count, number, texels[number])
+}
+
+static void fetch_16(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const uint16_t *texels = texture->texels;
+    QTRI_EACH_WORD(texel, count, number, texels[number])
+}
+
+static void fetch_24(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const uint32_t *texels = texture->texels;
+    QTRI_EACH_WORD(texel, count, number, texels[number] & 0xFFFFFF)
+}
+
+static void fetch_32(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const uint32_t *texels = texture->texels;
+    QTRI_EACH_WORD(texel, count, number, texels[number])
+}
+
+static void decode_gray(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    (void)texture;
+    QTRI_EACH_WORD(texel, count, gray, gray * 0x010101)
+}
+
+/* Each digit of x becomes two. */
+static inline uint32_t widen_4444(uint32_t x)
+{
+    x = (x & 0xF000) << 12 | (x & 0xF00) << 8 | (x & 0xF0) << 4 | (x & 0xF);
+    return x | x << 4;
+}
+
+/* 31 becomes 255, rounded between. */
+static inline uint32_t widen_1555(uint32_t x)
+{
+    const uint32_t red = ((x >> 10 & 31) * 527 + 23) >> 6;
+    const uint32_t green = ((x >> 5 & 31) * 527 + 23) >> 6;
+    const uint32_t blue = ((x & 31) * 527 + 23) >> 6;
+    return ((x & 0x8000) != 0 ? 0xFF000000u : 0) | red << 16 | green << 8 | blue;
+}
+
+static void decode_4444(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    (void)texture;
+    QTRI_EACH_WORD(texel, count, x, widen_4444(x))
+}
+
+static void decode_1555(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    (void)texture;
+    QTRI_EACH_WORD(texel, count, x, widen_1555(x))
+}
+
+static void decode_alpha(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    (void)texture;
+    QTRI_EACH_WORD(texel, count, x, x << 24 | 0xFFFFFFu)
+}
+
+static bool has_palette(const qtri_texture *texture)
+{
+    return texture->texels != NULL && texture->palette != NULL;
+}
+
+static inline uint32_t word_of(qtri_rgb color)
+{
+    return (uint32_t)color.r << 16 | (uint32_t)color.g << 8 | color.b;
+}
+
+static void decode_palette(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const qtri_rgb *palette = texture->palette;
+    QTRI_EACH_WORD(texel, count, number, word_of(palette[number]))
+}
+
+static bool needs_nothing(const qtri_texture *texture)
+{
+    (void)texture;
+    return true;
+}
+
+typedef struct board {
+    uint32_t fields, column_mask;
+    uint8_t width_log2, height_log2;
+} board;
+
+/* The parity of a texel's field. */
+static inline uint32_t parity(const board *b, uint32_t number)
+{
+    const uint32_t column = number & b->column_mask;
+    const uint32_t row = number >> b->width_log2;
+    return ((column * b->fields >> b->width_log2) + (row * b->fields >> b->height_log2)) & 1;
+}
+
+static void fetch_checker(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    board b = {.fields = texture->fields,
+               .width_log2 = qtri_side_log2(texture->width_log2),
+               .height_log2 = qtri_side_log2(texture->height_log2)};
+    b.column_mask = ((uint32_t)1 << b.width_log2) - 1;
+    QTRI_EACH_WORD(texel, count, number, parity(&b, number))
+}
+
+static void decode_checker(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const uint32_t color[2] = {word_of(texture->color[0]), word_of(texture->color[1])};
+    QTRI_EACH_WORD(texel, count, odd, color[odd])
+}
+
+const qtri_texel_format qtri_texel_rgb565 = {
+    &qtri_colors_565, UINT32_MAX, has_texels, fetch_16, NULL, QTRI_TEXEL_RGB565};
+const qtri_texel_format qtri_texel_xrgb8888 = {
+    &qtri_colors_888, 0xFFFFFF, has_texels, fetch_24, NULL, QTRI_TEXEL_XRGB8888};
+const qtri_texel_format qtri_texel_gray8 = {
+    &qtri_colors_888, UINT32_MAX, has_texels, fetch_8, decode_gray, QTRI_TEXEL_GRAY8};
+const qtri_texel_format qtri_texel_palette8 = {
+    &qtri_colors_888, UINT32_MAX, has_palette, fetch_8, decode_palette, QTRI_TEXEL_PALETTE8};
+const qtri_texel_format qtri_texel_checker = {&qtri_colors_888, UINT32_MAX,     needs_nothing,
+                                              fetch_checker,    decode_checker, QTRI_TEXEL_CHECKER};
+const qtri_texel_format qtri_texel_argb4444 = {
+    &qtri_colors_888, 0xFFFF, has_texels, fetch_16, decode_4444, QTRI_TEXEL_ARGB4444};
+const qtri_texel_format qtri_texel_argb1555 = {
+    &qtri_colors_888, 0xFFFF, has_texels, fetch_16, decode_1555, QTRI_TEXEL_ARGB1555};
+const qtri_texel_format qtri_texel_argb8888 = {
+    &qtri_colors_888, UINT32_MAX, has_texels, fetch_32, NULL, QTRI_TEXEL_ARGB8888};
+const qtri_texel_format qtri_texel_alpha8 = {
+    &qtri_colors_888, 0xFF, has_texels, fetch_8, decode_alpha, QTRI_TEXEL_ALPHA8};
