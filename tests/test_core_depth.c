@@ -6,7 +6,6 @@
 
 #include "frame/depth_format.h"
 #include "frame/stored.h"
-#include "raster/batch.h"
 
 enum { WIDTH = 70, HEIGHT = 52, FORMATS = 3, GUARD = 16 };
 
@@ -30,7 +29,7 @@ static void decode_twin(uint32_t *depth, int32_t count)
     }
 }
 
-static const qtri_depth_format twin = {2, &qtri_depth_testing_stages, encode_twin, decode_twin, 0};
+static const qtri_depth_format twin = {2, &qtri_depth_words, encode_twin, decode_twin, 0};
 
 /* ---- Surfaces in guarded memory ---- */
 
@@ -276,20 +275,20 @@ static void counts(void **state)
     (void)state;
     static const qtri_depth_format *const all[] = {&qtri_depth_linear16, &qtri_depth_float16,
                                                    &qtri_depth_linear24, &qtri_depth_linear32};
-    enum { BEHIND = 4 };
+    enum { BEHIND = 4, MOST = 32 };
     uint64_t seed = 14;
     for (size_t f = 0; f < sizeof all / sizeof *all; f++) {
-        for (int32_t count = 1; count <= QTRI_BATCH; count++) {
-            uint32_t depth[QTRI_BATCH + BEHIND], code[QTRI_BATCH + BEHIND];
-            uint32_t back[QTRI_BATCH + BEHIND];
-            for (int32_t i = 0; i < QTRI_BATCH + BEHIND; i++) {
+        for (int32_t count = 1; count <= MOST; count++) {
+            uint32_t depth[MOST + BEHIND], code[MOST + BEHIND];
+            uint32_t back[MOST + BEHIND];
+            for (int32_t i = 0; i < MOST + BEHIND; i++) {
                 depth[i] = (uint32_t)random64(&seed) % FARTHEST | 1; /* no format's code or step */
             }
             memcpy(code, depth, sizeof code);
             all[f]->encode(code, count);
             memcpy(back, code, sizeof back);
             all[f]->decode(back, count);
-            for (int32_t i = 0; i < QTRI_BATCH + BEHIND; i++) {
+            for (int32_t i = 0; i < MOST + BEHIND; i++) {
                 const bool in = i < count;
                 assert_int_equal(code[i], in ? encoded(all[f], depth[i]) : depth[i]);
                 assert_int_equal(back[i], in ? decoded(all[f], code[i]) : depth[i]);
@@ -320,7 +319,7 @@ static void loops(void **state)
     for (uint64_t n = 0; n < (uint64_t)random_cases(450); n++) {
         const qtri_depth_format *format = formats[n % FORMATS];
         qtri_depth_format plain = *format;
-        plain.testing = &qtri_depth_testing_stages;
+        plain.kind = QTRI_OTHER_DEPTH;
         board with = board_new(drawn_format((int32_t)(n / FORMATS)), format);
         board same = board_new(drawn_format((int32_t)(n / FORMATS)), &plain);
         draw_scene(&with.surface, n * 7919 + 5, true);
@@ -389,126 +388,6 @@ static bool model_passes(qtri_compare compare, uint32_t depth, uint32_t stored)
         return depth >= stored;
     default:
         return true;
-    }
-}
-
-/* ---- Rows ---- */
-
-/* A row against each of its depths encoded alone. `stored`: what is there is near that, or far. */
-static void assert_row(const qtri_depth_format *format, uint32_t z, uint32_t step, int32_t count,
-                       uint64_t *seed)
-{
-    uint32_t memory[QTRI_BATCH + 2];
-    uint32_t want[QTRI_BATCH];
-    uint32_t code[QTRI_BATCH];
-    uint8_t *const row = (uint8_t *)memory + 4;
-    const int32_t bytes = format->bytes;
-    const uint32_t orders = (uint32_t)random_in(seed, 1, 7);
-    const bool writes = random_flag(seed);
-    const uint32_t all = UINT32_MAX >> (32 - count);
-    const uint32_t mask = random_flag(seed) ? all : (uint32_t)random_bits32(seed) & all;
-    const bool is_near = random_flag(seed);
-    uint32_t passed = 0;
-    for (int32_t i = 0; i < count; i++) {
-        const uint32_t ramp = z + (uint32_t)i * step;
-        const uint32_t depth = ramp < 0x8000 ? 0 : ramp - 0x8000;
-        code[i] = encoded(format, depth < FARTHEST ? depth : FARTHEST);
-        uint32_t other = (uint32_t)random_bits32(seed);
-        if (is_near) {
-            other = code[i] + (uint32_t)random_in(seed, -1, 1);
-        }
-        want[i] = bytes == 4 ? other : (other & (((uint32_t)1 << 8 * bytes) - 1));
-    }
-    memset(memory, 0x5A, sizeof memory);
-    for (int32_t i = 0; i < count; i++) {
-        const uint32_t order = code[i] < want[i] ? 1 : (code[i] == want[i] ? 2 : 4);
-        qtri_stored_put(bytes, row + i * bytes, want[i]);
-        if ((mask >> (count - 1 - i) & 1) != 0 && (orders & order) != 0) {
-            passed |= (uint32_t)1 << (count - 1 - i);
-            want[i] = writes ? code[i] : want[i];
-        }
-    }
-    const uint32_t got = format->testing->row(row, z, step, mask, count, orders, writes);
-    assert_int_equal(got, passed);
-    for (int32_t i = 0; i < count; i++) {
-        assert_int_equal(qtri_stored_get(bytes, row + i * bytes), want[i]);
-    }
-    assert_int_equal(row[-1], 0x5A);
-    assert_int_equal(row[count * bytes], 0x5A);
-}
-
-/* The same of a row that is filled: as long as a frame is wide. */
-static void assert_filled(const qtri_depth_format *format, uint32_t z, uint32_t step, int32_t count,
-                          uint64_t *seed)
-{
-    enum { MOST = 320 };
-    uint16_t stored[MOST + 1];
-    uint16_t pixels[MOST + 1];
-    uint16_t before[MOST];
-    const bool equal = random_flag(seed);
-    if (format->testing->flat == NULL) {
-        return;
-    }
-    for (int32_t i = 0; i <= MOST; i++) {
-        const uint32_t ramp = z + (uint32_t)i * step;
-        const uint32_t depth = ramp < 0x8000 ? 0 : ramp - 0x8000;
-        const uint32_t code = encoded(format, depth < FARTHEST ? depth : FARTHEST);
-        stored[i] = (uint16_t)(code + (uint32_t)random_in(seed, -1, 1));
-        pixels[i] = 1;
-        if (i < count) {
-            before[i] = stored[i];
-        }
-    }
-    const uint16_t last = stored[count];
-    format->testing->flat(stored, pixels, z, step, count, 2, equal);
-    for (int32_t i = 0; i < count; i++) {
-        const uint32_t ramp = z + (uint32_t)i * step;
-        const uint32_t depth = ramp < 0x8000 ? 0 : ramp - 0x8000;
-        const uint32_t code = encoded(format, depth < FARTHEST ? depth : FARTHEST);
-        const bool passes = equal ? code <= before[i] : code < before[i];
-        assert_int_equal(pixels[i], passes ? 2 : 1);
-        assert_int_equal(stored[i], passes ? code : before[i]);
-    }
-    assert_int_equal(pixels[count], 1);
-    assert_int_equal(stored[count], last);
-}
-
-/* All of the range in rows, both ways; then rows over each end of an octave and the range.
- */
-static void rows(void **state)
-{
-    (void)state;
-    uint64_t seed = 31;
-    for (int f = 0; f < FORMATS; f++) {
-        const uint32_t step = f == 0 ? 512 : 16384;
-        for (uint32_t z = 0x8000; z <= FARTHEST - 32 * step; z += 32 * step) {
-            assert_row(formats[f], z, step, 32, &seed);
-            assert_row(formats[f], z + 31 * step, 0 - step, 32, &seed);
-        }
-        for (int n = 0; n < random_cases(3000); n++) { /* through several octaves */
-            const int32_t count = random_in(&seed, 1, 319);
-            const uint32_t from = (uint32_t)random_bits32(&seed) >> random_in(&seed, 0, 15);
-            const uint32_t to = (uint32_t)random_bits32(&seed);
-            const int32_t slope = (int32_t)(((int64_t)to - from) / count);
-            assert_filled(formats[f], ~from, 0 - (uint32_t)slope, count, &seed);
-        }
-        for (int n = 0; n < random_cases(40000); n++) {
-            const int32_t count = random_in(&seed, 1, 32);
-            const int log2 = random_in(&seed, 0, 32);
-            const uint32_t t = log2 == 32 ? FARTHEST : (uint32_t)1 << log2;
-            /* That end somewhere in the row, whose depths are in the range but for the half. */
-            const int64_t slope =
-                (int64_t)random_any(&seed) >> random_in(&seed, 0, 31) >> random_in(&seed, 0, 5);
-            const int64_t middle = (int64_t)FARTHEST - t + random_in(&seed, -3, 3);
-            const int64_t first = middle - slope * random_in(&seed, 0, count - 1);
-            const int64_t last = first + slope * (count - 1);
-            if (first >= -0x8000 && last >= -0x8000 && first < (int64_t)FARTHEST + 0x8000 &&
-                last < (int64_t)FARTHEST + 0x8000) {
-                assert_row(formats[f], (uint32_t)(first + 0x8000), (uint32_t)slope, count, &seed);
-                assert_filled(formats[f], (uint32_t)(first + 0x8000), (uint32_t)slope, count,
-                              &seed);
-            }
-        }
     }
 }
 
@@ -673,7 +552,7 @@ static void ends_of_depths(void **state)
     (void)state;
     const uint32_t farthest = (uint32_t)65535 << 16;
     qtri_depth_format one_by_one = qtri_depth_linear32;
-    one_by_one.testing = &qtri_depth_testing_stages;
+    one_by_one.kind = QTRI_OTHER_DEPTH;
     board b = board_new(&qtri_gray8, &qtri_depth_linear32);
     const qtri_material m = {.depth_compare = QTRI_ALWAYS};
     int held = 0;
@@ -765,7 +644,7 @@ static void layouts(void **state)
             assert_int_equal(s.pixels[i], 0);
         }
     }
-    const qtri_depth_format one_byte = {1, &qtri_depth_testing_stages, encode_twin, decode_twin, 0};
+    const qtri_depth_format one_byte = {1, &qtri_depth_words, encode_twin, decode_twin, 0};
     assert_int_equal(qtri_surface_init_depth(&s, &qtri_rgb565, &one_byte, 9, 9, 0, 5, memory, 9999),
                      QTRI_ERROR_FORMAT);
     assert_int_equal(qtri_surface_init_depth(&s, &qtri_rgb565, &qtri_depth_linear16, 9, 9, 0, 5,
@@ -891,11 +770,10 @@ static void edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows),           cmocka_unit_test(loops),  cmocka_unit_test(codes),
-        cmocka_unit_test(counts),         cmocka_unit_test(twins),  cmocka_unit_test(comparisons),
-        cmocka_unit_test(smooth_lines),   cmocka_unit_test(pieces), cmocka_unit_test(planes),
-        cmocka_unit_test(layouts),        cmocka_unit_test(frames), cmocka_unit_test(edges),
-        cmocka_unit_test(ends_of_depths),
+        cmocka_unit_test(loops),  cmocka_unit_test(codes),       cmocka_unit_test(counts),
+        cmocka_unit_test(twins),  cmocka_unit_test(comparisons), cmocka_unit_test(smooth_lines),
+        cmocka_unit_test(pieces), cmocka_unit_test(planes),      cmocka_unit_test(layouts),
+        cmocka_unit_test(frames), cmocka_unit_test(edges),       cmocka_unit_test(ends_of_depths),
     };
     return cmocka_run_group_tests(tests, set_up, NULL);
 }

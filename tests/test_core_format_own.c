@@ -27,7 +27,7 @@ static qtri_format other_size(const qtri_format *of)
                                                &qtri_pixels_32, &qtri_pixels_24};
     qtri_format own = *of;
     own.pixels = next[of->pixels->bytes];
-    own.fused = NULL;
+    own.kind = QTRI_OTHER_FORMAT;
     return own;
 }
 

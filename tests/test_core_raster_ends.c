@@ -5,8 +5,6 @@
  */
 #include "support/cube.h"
 
-#include "raster/place.h"
-
 #include <qtri/blend.h>
 #include <qtri/font.h>
 #include <qtri/image.h>
@@ -413,9 +411,9 @@ static void own_texels_of_565(void **state)
         reversed[i] = rgb565[i] ^ 0xFFFF;
     }
     const qtri_texel_format own[3] = {
-        {&qtri_texturing_stages, &qtri_colors_565, 0xFFFF, 0, has_texels, fetch_own, NULL, 0},
-        {&qtri_texturing_stages, &qtri_colors_565, 0xFFFF, 2, has_texels, fetch_own, reverse, 0},
-        {&qtri_texturing_stages, &qtri_colors_565, 0xFFFF, 0, has_texels, fetch_reversed, NULL, 0}};
+        {&qtri_colors_565, 0xFFFF, has_texels, fetch_own, NULL, 0},
+        {&qtri_colors_565, 0xFFFF, has_texels, fetch_own, reverse, 0},
+        {&qtri_colors_565, 0xFFFF, has_texels, fetch_reversed, NULL, 0}};
     for (int f = 0; f < 6; f++) {
         canvas want = new_canvas(plain[f]);
         const qtri_texture known = texture_of(&qtri_texel_rgb565, rgb565);
@@ -541,46 +539,14 @@ static void smooth_lines_of_nothing(void **state)
     canvas_free(&empty);
 }
 
-/* Of every span, or two, and every column: as pixel by pixel. */
-static void cut_spans_are_of_the_pixels_within(void **state)
-{
-    const qtri_rect bounds = {3, 0, 9, 1};
-    (void)state;
-    for (int32_t n = 0; n < 12 * 12 * 12 * 12; n++) {
-        const uint8_t span[5] = {(uint8_t)(n % 12), (uint8_t)(n / 12 % 12), (uint8_t)(n / 144 % 12),
-                                 (uint8_t)(n / 1728), QTRI_PLACE_STOP};
-        const int32_t column = n % 7 - 3;
-        uint8_t cut[5];
-        bool any = false;
-        memcpy(cut, span, sizeof cut);
-        const bool left = qtri_place_cut(cut, column, &bounds);
-        assert_int_equal(cut[4], QTRI_PLACE_STOP);
-        for (int k = 0; k < 4; k += 2) {
-            for (int32_t x = -1; x < 13; x++) {
-                const bool within = x >= span[k] && x < span[k + 1] && column + x >= bounds.x0 &&
-                                    column + x < bounds.x1;
-                assert_int_equal(x >= cut[k] && x < cut[k + 1], within);
-                any = any || within;
-            }
-        }
-        assert_int_equal(left, any);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(opaque_texels_are_texels),
-        cmocka_unit_test(white_texels_and_none),
-        cmocka_unit_test(effects_that_change_nothing),
-        cmocka_unit_test(fog_at_the_far_plane),
-        cmocka_unit_test(samples_that_are_alike),
-        cmocka_unit_test(samples_that_differ),
-        cmocka_unit_test(own_texels_of_565),
-        cmocka_unit_test(sides_above_1024),
-        cmocka_unit_test(levels_of_large_textures),
-        cmocka_unit_test(smooth_lines_of_nothing),
-        cmocka_unit_test(cut_spans_are_of_the_pixels_within),
+        cmocka_unit_test(opaque_texels_are_texels),    cmocka_unit_test(white_texels_and_none),
+        cmocka_unit_test(effects_that_change_nothing), cmocka_unit_test(fog_at_the_far_plane),
+        cmocka_unit_test(samples_that_are_alike),      cmocka_unit_test(samples_that_differ),
+        cmocka_unit_test(own_texels_of_565),           cmocka_unit_test(sides_above_1024),
+        cmocka_unit_test(levels_of_large_textures),    cmocka_unit_test(smooth_lines_of_nothing),
     };
     return cmocka_run_group_tests_name("core raster ends", tests, make_texels, NULL);
 }

@@ -5,8 +5,7 @@
  */
 #include "support/core.h"
 
-#include "raster/place_ramp.h"
-#include "raster/unsnapped.h"
+#include "raster/residual.h"
 
 #include <qtri/stroke.h>
 
@@ -95,64 +94,20 @@ static void rows_and_slivers(void **state)
     }
 }
 
-/* What a ramp from vertex 0 is at a vertex, less what it should be there. */
-static double off_at(const qtri_ramp *ramp, int32_t dx, int32_t dy, int32_t f)
-{
-    const double along = (double)(int32_t)ramp->dx * dx + (double)(int32_t)ramp->dy * dy;
-    return along / 256 - 256.0 * f;
-}
-
-/*
- * Two vertices next to each other, far from the first, and values that differ by 2^16 and somewhat:
- * the lower parts of the numerators alone do not fit, and they are divided as others.
- */
-static void steep_ramps_of_slivers(void **state)
-{
-    (void)state;
-    uint64_t seed = 5;
-    for (int n = 0; n < 20000; n++) {
-        qtri_place p = {0};
-        qtri_ramp ramp;
-        p.dy1 = random_in(&seed, 6000, 9215);
-        p.dx1 = random_in(&seed, 10, 60);
-        p.dy2 = p.dy1 - random_in(&seed, 40, 200);
-        p.dx2 = p.dx1 + random_in(&seed, 0, 1);
-        const int32_t size = p.dx2 * p.dy1 - p.dx1 * p.dy2;
-        assert_true(size > 0);
-        p.size = (uint32_t)size;
-        const int32_t f1 = 65536 + random_in(&seed, 0, 1023);
-        const int32_t f2 = f1 + random_in(&seed, -511, 511);
-        qtri_place_ramp_any(&ramp, &p, 0, f1, f2);
-        assert_near(off_at(&ramp, p.dx1, p.dy1, f1), 0, 2048 + 256.0 * f1 / 16384);
-        assert_near(off_at(&ramp, p.dx2, p.dy2, f2), 0, 2048 + 256.0 * f2 / 16384);
-    }
-}
-
 /* Where snapping made an area of a line, vertices stay where it put them; elsewhere they do not. */
 static void areas_that_snapping_made(void **state)
 {
     (void)state;
-    static const qtri_texture texture = {.format = &qtri_texel_rgb565, .texels = texels};
     for (int n = 0; n < 2; n++) {
         const int32_t side = n == 0 ? 1 : 4096;
-        const qtri_screen_point p[3] = {{0, 0}, {side, 0}, {0, side}};
-        qtri_raster raster;
-        qtri_triangle t;
-        memset(&raster, 0, sizeof raster);
-        memset(&t, 0, sizeof t);
-        raster.texture = &texture;
-        t.area = (int64_t)side * side;
-        t.extent = 2 * side;
-        for (int i = 0; i < 3; i++) {
-            t.p[i] = &p[i];
-        }
+        const qtri_gradient g = {.dx1 = side, .dy2 = side, .area = (int64_t)side * side};
         for (int32_t less = 8192; less < 65536; less += 8192) { /* in 2^-16 of the grid's unit */
-            qtri_attributes v[3];
-            qtri_unsnapped u;
+            qtri_large_vertex v[3];
+            qtri_residual u;
             memset(v, 0, sizeof v);
             v[0].rest[1] = (int16_t)(less / 2);
             v[2].rest[1] = (int16_t)(-less / 2);
-            qtri_unsnapped_init(&u, &raster, &t, v);
+            qtri_residual_init(&u, &g, v, true, 2 * side);
             assert_int_equal(u.is_on, n == 1);
         }
     }
@@ -199,7 +154,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rows_and_slivers),
-        cmocka_unit_test(steep_ramps_of_slivers),
         cmocka_unit_test(areas_that_snapping_made),
         cmocka_unit_test(combs_with_a_gap),
     };

@@ -5,8 +5,6 @@
  */
 #include "support/texture.h"
 
-#include "raster/stage_color.h"
-
 enum { NOISE_LOG2 = 5, NOISE = 1 << NOISE_LOG2 };
 
 /* The same noise in every format: grays of few levels, so that all can hold them exactly. */
@@ -91,7 +89,7 @@ static void modulates(void **state)
                          (uint32_t)(texel[0] << 16 | texel[1] << 8 | texel[2]));
     }
     print_message("modulate: %.4f of 255\n", worst);
-    assert_true(worst <= .75); /* see stage_color.h */
+    assert_true(worst <= .75);
     canvas_free(&c);
 }
 
@@ -562,20 +560,6 @@ static void bilinear_rounds_at_the_half(void **state)
     canvas_free(&c);
 }
 
-/* To nearest: of all 65536 colours the one that lies closest below a half. */
-static void gray_of_565(void **state)
-{
-    (void)state;
-    uint32_t color[16];
-    for (int i = 0; i < 16; i++) {
-        color[i] = 0x7DE1;
-    }
-    qtri_565_to_gray(color, 8);
-    for (int i = 0; i < 8; i++) {
-        assert_int_equal(color[i], (15 * 161187 + 47 * 155710 + 61456 + 0x8000) >> 16);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -585,7 +569,6 @@ int main(void)
         cmocka_unit_test(bilinear_weights_are_exact),
         cmocka_unit_test(bilinear_of_565),
         cmocka_unit_test(bilinear_at_centres),
-        cmocka_unit_test(gray_of_565),
         cmocka_unit_test(bilinear_rounds_at_the_half),
         cmocka_unit_test(formats_agree),
         cmocka_unit_test(keys_leave_holes),

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The pipeline's levels: who may include whom.
-#   core/bits < math < geometry < frame < filter < paint < raster < fast < draw, host/io < reference < assets < tools < bench: own folder or lower;
+#   core/bits < math < geometry < frame < filter < paint < raster < draw, host/io < reference < assets < tools < bench: own folder or lower;
 #   the same for calls between files of core, which may not go in circles either;
 #   core and port/panels: public headers and five system headers, a checked build also assert.h; neither the umbrella qtri.h nor the host;
 #   host/reference: nothing of core, not even by way of another header.
@@ -27,7 +27,7 @@ found=$(c_files core port/include port/panels host | xargs grep -n '^ *# *includ
     function complain(text) { print $1 ":" $2 ": includes " name ": " text }
     BEGIN {
          level["core/bits"] = 0; level["core/math"] = 1; level["core/geometry"] = 2; level["core/frame"] = 3; level["core/filter"] = 4
-         level["core/paint"] = 5; level["core/raster"] = 6; level["core/fast"] = 7; level["core/draw"] = 8
+         level["core/paint"] = 5; level["core/raster"] = 6; level["core/draw"] = 7
         level["host/io"] = 1; level["host/reference"] = 2; level["host/assets"] = 3; level["host/tools"] = 4
          level["host/bench"] = 5
         freestanding = "^(stdint|stddef|stdbool|limits|string)\\.h$"
@@ -71,7 +71,7 @@ awk 'NR == FNR { if ($2 != "U") home[$3] = $1; next }
      $2 == "U" && ($3 in home) && home[$3] != $1 && !seen[$1, home[$3]]++ { print $1, home[$3], $3 }' \
     "$work/symbols" "$work/symbols" >"$work/calls"
 calls=$(awk '
-    BEGIN { split("bits math geometry frame filter paint raster fast draw", order, " "); for (i in order) level[order[i]] = i }
+    BEGIN { split("bits math geometry frame filter paint raster draw", order, " "); for (i in order) level[order[i]] = i }
     { split($1, from, "/"); split($2, to, "/") }
     level[to[2]] > level[from[2]] { print $1 ": names " $3 " of " $2 ", which is above" }' "$work/calls"
     awk '{ print $1, $2 }' "$work/calls" | tsort 2>&1 >/dev/null | sed -n 's,^tsort: core,core,p' |

@@ -3,7 +3,6 @@
  * Small triangles: their pixels against the fill rule and against double precision, and against
  * models of the depth test, for whatever they look like and however the frame is cut up.
  */
-#include "raster/list_values.h"
 #include "support/core.h"
 
 enum { WIDTH = 96, HEIGHT = 84 };
@@ -78,31 +77,6 @@ static void divide(double b[3], const qtri_screen_vertex v[3])
     }
 }
 
-static bool is_small(const qtri_screen_vertex v[3])
-{
-    qtri_place place;
-    uint8_t spans[QTRI_PLACE_SPANS];
-    qtri_vertex vertex[3];
-    qtri_surface surface = {0};
-    qtri_raster everywhere = {.surface = &surface, .bounds = {-9999, -9999, 9999, 9999}};
-    for (int i = 0; i < 3; i++) {
-        vertex[i].at.x_24p8 = v[i].x_24p8;
-        vertex[i].at.y_24p8 = v[i].y_24p8;
-        vertex[i].inv_w = v[i].inv_w_q31;
-        vertex[i].depth_16p8 = 8;
-        while (vertex[i].inv_w >= 0x80000000u) {
-            vertex[i].inv_w >>= 1;
-            vertex[i].depth_16p8++;
-        }
-        while (vertex[i].inv_w < 0x40000000u) {
-            vertex[i].inv_w <<= 1;
-            vertex[i].depth_16p8--;
-        }
-    }
-    return qtri_place_triangle(&place, spans, &everywhere, &vertex[0], &vertex[1], &vertex[2]) !=
-           QTRI_PLACED_LARGE;
-}
-
 static qtri_material drawn_material(void)
 {
     qtri_material m = qtri_material_default();
@@ -122,7 +96,6 @@ static void coverage_and_depth(void **state)
     for (int n = 0; n < random_cases(30000); n++) {
         qtri_screen_vertex v[3];
         random_triangle(v, &seed, n % 5);
-        assert_true(is_small(v));
         qtri_material m = drawn_material();
         m.shading = QTRI_FLAT_FIRST;
         for (int i = 0; i < 3; i++) {
@@ -466,197 +439,6 @@ static void comparisons(void **state)
     canvas_free(&always);
 }
 
-enum { TRIANGLES = 60 };
-
-/* A mesh of small triangles in a cube around the origin, with normals; distances vary a lot. */
-static void random_mesh(qtri_vec3 *positions, qtri_normal *normals, uint16_t (*triangles)[3],
-                        uint64_t *seed)
-{
-    for (int t = 0; t < TRIANGLES; t++) {
-        const int32_t x = random_in(seed, -90000, 90000);
-        const int32_t y = random_in(seed, -90000, 90000);
-        const int32_t z = random_in(seed, -90000, 90000);
-        const int32_t reach = random_in(seed, 100, 9000);
-        for (int i = 0; i < 3; i++) {
-            const int k = 3 * t + i;
-            positions[k].x = x + random_in(seed, -reach, reach);
-            positions[k].y = y + random_in(seed, -reach, reach);
-            positions[k].z = z + random_in(seed, -3 * reach, 3 * reach);
-            normals[k].x = (int16_t)random_in(seed, -9000, 9000);
-            normals[k].y = (int16_t)random_in(seed, -9000, 9000);
-            normals[k].z = (int16_t)random_in(seed, 0, 9000);
-            triangles[t][i] = (uint16_t)k;
-        }
-    }
-}
-
-/* Colours and depths, whatever lies between rows of depths. */
-static void assert_same(const canvas *a, const canvas *b)
-{
-    for (int32_t y = 0; y < HEIGHT; y++) {
-        const qtri_surface *s[2] = {&a->surface, &b->surface};
-        assert_memory_equal(s[0]->pixels + y * s[0]->pitch, s[1]->pixels + y * s[1]->pitch,
-                            2 * WIDTH);
-        assert_memory_equal(s[0]->depth + y * s[0]->depth_pitch,
-                            s[1]->depth + y * s[1]->depth_pitch, 2 * WIDTH);
-    }
-}
-
-/*
- * What a fused loop draws of a mesh the stages draw, to the bit; bands do, too. Rows of depths that
- * are farther apart than those of pixels keep the loop of one colour away.
- */
-static void fused_loops(void **state)
-{
-    (void)state;
-    static const qtri_format staged = {
-        &qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565, NULL, 0};
-    static qtri_vec3 positions[3 * TRIANGLES];
-    static qtri_normal normals[3 * TRIANGLES];
-    static uint16_t triangles[TRIANGLES][3];
-    static qtri_vec2 uvs[3 * TRIANGLES];
-    static const qtri_texture texture = {
-        .texels = numbers, .format = &qtri_texel_rgb565, .width_log2 = 7, .height_log2 = 5};
-    static qtri_vertex scratch[3 * TRIANGLES];
-    uint64_t seed = 7;
-    int64_t pixels = 0;
-    canvas fused = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    static uint16_t depths[HEIGHT][WIDTH + 2];
-    canvas stages = canvas_new(&staged, WIDTH, HEIGHT);
-    canvas bands = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    stages.surface.depth = depths[0];
-    stages.surface.depth_pitch = WIDTH + 2;
-    for (int n = 0; n < random_cases(3000); n++) {
-        const qtri_mesh mesh = {.positions = positions,
-                                .normals = n % 3 == 0 ? NULL : normals,
-                                .uvs = uvs,
-                                .triangles = (const uint16_t(*)[3])triangles,
-                                .vertex_count = 3 * TRIANGLES,
-                                .triangle_count = TRIANGLES};
-        const qtri_light light = {vec3_of(.3, .5, 1), Q16(.1), Q16(1)};
-        qtri_transform pose;
-        qtri_material m = drawn_material();
-        qtri_view view;
-        random_mesh(positions, normals, triangles, &seed);
-        for (size_t i = 0; i < LENGTH_OF(uvs); i++) {
-            uvs[i].x = random_in(&seed, -90000, 90000);
-            uvs[i].y = random_in(&seed, -90000, 90000);
-        }
-        qtri_transform_identity(&pose);
-        qtri_transform_translate(&pose, vec3_of(0, 0, -3));
-        qtri_view_init(&view, WIDTH, HEIGHT);
-        qtri_transform_perspective(&view.projection, Q16(60), Q16(1), Q16(.5), Q16(9));
-        view.light = n % 7 == 0 ? NULL : &light;
-        view.vertices = scratch;
-        view.vertex_count = n % 5 == 0 ? 50 : 3 * TRIANGLES;
-        m.depth_compare = n / 4 % 2 == 0 ? QTRI_LESS : QTRI_LESS_EQUAL;
-        m.shading = n % 4 == 0 ? QTRI_FLAT_LAST : QTRI_SMOOTH;
-        m.interpolation = (qtri_interpolation)(n % 2);
-        m.cull = n % 2 == 0 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
-        m.color.r = (uint8_t)random_in(&seed, 0, 255);
-        m.color.g = (uint8_t)random_in(&seed, 0, 255);
-        if (n % 11 < 5) {
-            m.texture = &texture;
-            m.depth_compare = n % 2 == 0 ? QTRI_LESS : QTRI_LESS_EQUAL;
-        }
-        canvas_clear(&fused);
-        canvas_clear(&stages);
-        canvas_clear(&bands);
-        for (int again = 0; again < 2 - n % 2; again++) { /* then at depths that are stored */
-            m.color.b = (uint8_t)(200 * again);
-            qtri_draw_mesh(&fused.surface, &view, &pose, &mesh, &m);
-            qtri_draw_mesh(&stages.surface, &view, &pose, &mesh, &m);
-        }
-        assert_same(&fused, &stages);
-        for (int32_t row = 0; row < HEIGHT; row += 7) {
-            qtri_surface band = bands.surface;
-            band.first_row = row;
-            band.rows = HEIGHT - row < 7 ? HEIGHT - row : 7;
-            band.pixels += row * band.pitch;
-            band.depth += row * band.depth_pitch;
-            for (int again = 0; again < 2 - n % 2; again++) {
-                m.color.b = (uint8_t)(200 * again);
-                qtri_draw_mesh(&band, &view, &pose, &mesh, &m);
-            }
-        }
-        assert_memory_equal(fused.memory, bands.memory, fused.bytes);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            pixels += fused.surface.depth[i] != 65535;
-        }
-    }
-    print_message("%lld pixels\n", (long long)pixels);
-    assert_true(pixels > random_cases(80000));
-    canvas_free(&fused);
-    canvas_free(&stages);
-    canvas_free(&bands);
-}
-
-/* How far from linear the light i, Q15, is anywhere: with 1/w q, by double precision. */
-static double strays(const int32_t i[3], const double q[3])
-{
-    enum { PARTS = 12 };
-    double most = 0;
-    for (int a = 0; a <= PARTS; a++) {
-        for (int b = 0; a + b <= PARTS; b++) {
-            const double share[3] = {(double)a / PARTS, (double)b / PARTS,
-                                     (double)(PARTS - a - b) / PARTS};
-            double linear = 0;
-            double sum = 0;
-            double whole = 0;
-            for (int k = 0; k < 3; k++) {
-                linear += share[k] * i[k];
-                sum += share[k] * q[k] * i[k];
-                whole += share[k] * q[k];
-            }
-            most = fmax(most, fabs(sum / whole - linear));
-        }
-    }
-    return ldexp(most, -15);
-}
-
-/* Shares of a tint are linear where no channel strays by more than 1/8 of its step; and where the
-   bound of all triangles is below that they are. */
-static void tints(void **state)
-{
-    static const qtri_colors *const kinds[] = {&qtri_colors_565, &qtri_colors_888,
-                                               &qtri_colors_gray};
-    (void)state;
-    uint64_t seed = 11;
-    int linear = 0;
-    for (int n = 0; n < random_cases(20000); n++) {
-        qtri_raster raster = {.units = kinds[n % 3], .perspective = true};
-        const int32_t bright = random_in(&seed, 0, 255);
-        const qtri_rgb color = {(uint8_t)random_in(&seed, 0, bright),
-                                (uint8_t)random_in(&seed, 0, bright),
-                                (uint8_t)random_in(&seed, 0, bright)};
-        qtri_raster_set_tint(&raster, color);
-        const uint32_t q0 = ((uint32_t)1 << 30) + (uint32_t)random_in(&seed, 0, INT32_MAX >> 1);
-        const int32_t reach = (int32_t)(q0 / 12) >> random_in(&seed, 0, 3);
-        const int32_t more[2] = {random_in(&seed, -reach, reach), random_in(&seed, -reach, reach)};
-        const int32_t range = (int32_t)1 << random_in(&seed, 12, 15);
-        int32_t i[3];
-        double q[3] = {q0, q0 + (double)more[0], q0 + (double)more[1]};
-        for (int k = 0; k < 3; k++) {
-            i[k] = random_in(&seed, 0, range);
-        }
-        double widest = 0;
-        for (int k = 0; k < 3; k++) {
-            widest = fmax(widest, raster.tint.c[k] / 65536.0);
-        }
-        const double q_least = fmin(q[0], fmin(q[1], q[2]));
-        const double q_range = fmax(q[0], fmax(q[1], q[2])) - q_least;
-        const double most = fmax(i[0], fmax(i[1], i[2])) - fmin(i[0], fmin(i[1], i[2]));
-        const double bound = ldexp(most + 1, -15) * widest * q_range / (4 * q_least);
-        if (qtri_list_tint_is_linear(&raster, q0, more[0], more[1], i[1] - i[0], i[2] - i[0])) {
-            assert_true(strays(i, q) * widest <= .125 + 1 / 256.0);
-            linear++;
-        } else {
-            assert_true(bound * 1.1 > .125);
-        }
-    }
-    assert_in_range(linear, random_cases(8000), random_cases(19000));
-}
-
 int main(void)
 {
     uint64_t seed = 6;
@@ -670,8 +452,6 @@ int main(void)
         cmocka_unit_test(texels),
         cmocka_unit_test(cuts),
         cmocka_unit_test(comparisons),
-        cmocka_unit_test(fused_loops),
-        cmocka_unit_test(tints),
     };
-    return cmocka_run_group_tests_name("core list", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("core screen triangles", tests, NULL, NULL);
 }
