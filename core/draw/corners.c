@@ -11,7 +11,8 @@ static void attributes_of(qtri_screen_vertex *out, const qtri_corner *corner)
     out->v_q32 = (int64_t)corner->uv.y * 65536;
 }
 
-void qtri_corners_attributes(const void *from, qtri_screen_vertex attributes[3])
+/* A qtri_attribute_source, from three corners. */
+static void set_attributes(const void *from, qtri_screen_vertex attributes[3])
 {
     const qtri_corner *corners = from;
     for (int i = 0; i < 3; i++) {
@@ -47,72 +48,94 @@ static inline const qtri_vertex *find_vertex(const qtri_vertex v[3], const qtri_
     return is_at(&corners[1].position, position) ? &v[1] : NULL;
 }
 
-QTRI_NOINLINE qtri_corners_fate qtri_corners_place(const qtri_primitive *primitive,
-                                                   qtri_corner_vertices *kept,
-                                                   const qtri_corner *corners,
-                                                   qtri_fan_vertex fan[3])
+void qtri_corners_init(qtri_corners *c, const qtri_surface *surface, const qtri_view *view,
+                       const qtri_transform *pose, const qtri_material *material, int shade)
 {
-    const qtri_vertex *before = kept->before;
-    qtri_vertex *v = kept->vertex[before == kept->vertex[0]];
-    kept->before = NULL;
+    static const qtri_mesh empty;
+    qtri_mesh_job *job = &c->job;
+    c->before = NULL;
+    c->alphas = material->alphas;
+    c->mesh = empty;
+    c->mesh.positions = c->positions;
+    c->mesh.uvs = c->uvs;
+    c->mesh.colors = c->colors;
+    job->material = *material;
+    job->mesh = &c->mesh;
+    job->vertices = c->vertex[0];
+    job->slot_count = 3;
+    job->lit_per_vertex = false;
+    job->lit_per_face = false;
+    job->noted = false;
+    job->lit = true;
+    job->shaded_per_vertex = false;
+    job->lights = NULL;
+    job->illumination = NULL;
+    job->lit_colors = NULL;
+    job->late = NULL;
+    qtri_primitive_init(&job->primitive, surface, view, pose, &job->material, shade);
+    if (material->fill == NULL) {
+        qtri_mesh_solid_init(job);
+        for (uint32_t i = 0; i < 3; i++) { /* whose alphas a clipped triangle's vertices have */
+            job->primitive.to.solid.state.alpha_index[i] = i;
+        }
+    }
+}
+
+QTRI_NOINLINE qtri_corners_fate qtri_corners_place(qtri_corners *c, const qtri_corner *corners,
+                                                   uint32_t first)
+{
+    const qtri_vertex *before = c->before;
+    qtri_vertex *v = c->vertex[before == c->vertex[0]];
     qtri_vec3 p[3];
     uint32_t count = 0;
+    c->before = NULL;
+    c->job.vertices = v;
+    c->job.material.alphas = c->alphas != NULL ? c->alphas + first : NULL;
+    if (c->job.material.fill != NULL) {
+        return QTRI_CORNERS_ELSEWHERE;
+    }
     for (uint32_t i = 0; i < 3; i++) {
         const qtri_vec4 *position = &corners[i].position;
         if (position->w != Q16_ONE) {
             return QTRI_CORNERS_ELSEWHERE;
         }
+        c->positions[i].x = position->x;
+        c->positions[i].y = position->y;
+        c->positions[i].z = position->z;
         const qtri_vertex *same =
             before != NULL ? find_vertex(before, corners - 3, position) : NULL;
         if (same != NULL) {
             v[i] = *same;
             continue;
         }
-        p[i].x = position->x;
-        p[i].y = position->y;
-        p[i].z = position->z;
+        p[count] = c->positions[i];
         v[count++].index = (uint16_t)i;
     }
-    if (count != 0 && !qtri_projector_list(&primitive->projector, p, count, v)) {
+    if (count != 0 && !qtri_projector_list(&c->job.primitive.projector, p, count, v)) {
         return QTRI_CORNERS_ELSEWHERE;
     }
-    kept->before = v;
+    c->before = v;
     const int64_t area = qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at);
-    if (area == 0 || qtri_is_culled(primitive->material->cull, area)) {
-        return QTRI_CORNERS_CULLED;
-    }
-    for (int i = 0; i < 3; i++) {
-        fan[i].at = v[i].at;
-        fan[i].depth_16p8 = v[i].depth_16p8;
-        fan[i].inv_w_q31 = v[i].inv_w;
-        fan[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
-        fan[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
-        fan[i].rest[0] = 0;
-        fan[i].rest[1] = 0;
-    }
-    return QTRI_CORNERS_SEEN;
+    return area == 0 || qtri_is_culled(c->job.material.cull, area) ? QTRI_CORNERS_CULLED
+                                                                   : QTRI_CORNERS_SEEN;
 }
 
-/* Apart, as the wide coordinates take stack that most triangles do without. */
-QTRI_NOINLINE static void set_rests(const qtri_primitive *primitive, qtri_fan_vertex fan[3],
-                                    const qtri_corner *corners)
+void qtri_corners_draw(qtri_corners *c, const qtri_corner *attributes)
 {
+    static const uint16_t indices[3] = {0, 1, 2};
+    qtri_vertex *v = c->job.vertices;
     for (int i = 0; i < 3; i++) {
-        const qtri_vec4 *position = &corners[i].position;
-        const qtri_vec3 p = {position->x, position->y, position->z};
-        qtri_clip_vertex clip;
-        qtri_projector_point(&primitive->projector, &p, &clip);
-        qtri_project_rest(fan[i].rest, &clip, &fan[i].at, fan[i].inv_w_q31);
+        c->colors[i] = attributes[i].color;
+        c->uvs[i] = attributes[i].uv;
+        v[i].intensity_q15 = QTRI_INTENSITY_ONE;
     }
+    qtri_mesh_draw_solid(&c->job, indices, &v[0], &v[1], &v[2]);
 }
 
-void qtri_corners_draw(const qtri_primitive *primitive, qtri_fan_vertex fan[3],
-                       const qtri_corner *corners, const qtri_corner *attributes)
+void qtri_corners_draw_clipped(const qtri_corners *c, qtri_shape *shape,
+                               const qtri_corner *attributes)
 {
-    if (!qtri_primitive_inside(primitive, fan, qtri_corners_attributes, attributes)) {
-        set_rests(primitive, fan, corners);
-        qtri_primitive_large(primitive, fan, qtri_corners_attributes, attributes);
-    }
+    qtri_primitive_triangle(&c->job.primitive, shape, set_attributes, attributes);
 }
 
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
@@ -123,26 +146,20 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
     QTRI_CHECK(qtri_check_material(material));
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_corners(corners, corner_count, 3));
-    qtri_primitive primitive;
-    qtri_primitive_init(&primitive, surface, view, pose, material,
-                        qtri_is_smooth(material) ? QTRI_COLORS : QTRI_TINT);
-    const bool solid = material->fill == NULL;
-    qtri_corner_vertices kept;
-    kept.before = NULL;
+    qtri_corners c;
+    qtri_corners_init(&c, surface, view, pose, material,
+                      qtri_is_smooth(material) ? QTRI_COLORS : QTRI_TINT);
     for (uint32_t i = 0; corner_count - i >= 3; i += 3) {
-        qtri_shape shape;
-        qtri_primitive_note(&primitive, i);
-        const qtri_corners_fate found =
-            solid ? qtri_corners_place(&primitive, &kept, &corners[i], shape.fan)
-                  : QTRI_CORNERS_ELSEWHERE;
+        const qtri_corners_fate found = qtri_corners_place(&c, &corners[i], i);
         if (found == QTRI_CORNERS_SEEN) {
-            qtri_corners_draw(&primitive, shape.fan, &corners[i], &corners[i]);
+            qtri_corners_draw(&c, &corners[i]);
         } else if (found == QTRI_CORNERS_ELSEWHERE) {
-            qtri_corners_fetch(&primitive, &corners[i], 3, shape.clip);
-            qtri_primitive_triangle(&primitive, &shape, qtri_corners_attributes, &corners[i]);
+            qtri_shape shape;
+            qtri_corners_fetch(&c.job.primitive, &corners[i], 3, shape.clip);
+            qtri_corners_draw_clipped(&c, &shape, &corners[i]);
         }
     }
-    qtri_primitive_finish(&primitive);
+    qtri_primitive_finish(&c.job.primitive);
 }
 
 void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,

@@ -145,23 +145,15 @@ bool qtri_is_beside(const qtri_draw_state *state, const qtri_screen_point *const
            (p[0]->y_24p8 > y1 && p[1]->y_24p8 > y1 && p[2]->y_24p8 > y1);
 }
 
-bool qtri_draw_large_piece(const qtri_primitive *primitive, const qtri_fan_vertex *const vertex[3],
-                           int64_t area, bool with_rests, qtri_attribute_source source,
-                           const void *from)
+void qtri_draw_large_piece(const qtri_primitive *primitive, const qtri_fan_vertex *const vertex[3],
+                           int64_t area, qtri_attribute_source source, const void *from)
 {
     qtri_draw_state *state = primitive->to.solid.small.state;
     const qtri_screen_point *const p[3] = {&vertex[0]->at, &vertex[1]->at, &vertex[2]->at};
-    const uint32_t depth_16p16[3] = {vertex[0]->depth_16p8, vertex[1]->depth_16p8,
-                                     vertex[2]->depth_16p8};
     qtri_screen_vertex attributes[3];
-    if (qtri_is_beside(state, p)) {
-        return true;
+    if (!qtri_is_beside(state, p)) {
+        source(from, attributes);
+        qtri_spread_provoking(primitive->material, attributes);
+        draw_piece(state, vertex, area, attributes);
     }
-    if (!with_rests && qtri_rests_matter(state, p, depth_16p16, area)) {
-        return false;
-    }
-    source(from, attributes);
-    qtri_spread_provoking(primitive->material, attributes);
-    draw_piece(state, vertex, area, attributes);
-    return true;
 }

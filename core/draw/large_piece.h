@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Large triangles of draw calls by a pipeline: clipped pieces, and corners that a call brings.
- * Internal.
+ * Large triangles of draw calls, and pieces of what is clipped. Internal.
  */
 #ifndef QTRI_DRAW_LARGE_PIECE_H
 #define QTRI_DRAW_LARGE_PIECE_H
@@ -39,10 +38,9 @@ uint32_t qtri_color_word(const int32_t color_8p16[3]);
 
 /*
  * Draws a triangle of what clipping left. With QTRI_LIGHT the light of a vertex is its
- * color_8p16[0], 255.0 being 1. False, and nothing is drawn: residuals are missing and matter.
+ * color_8p16[0], 255.0 being 1.
  */
-bool qtri_draw_large_piece(const qtri_primitive *primitive, const qtri_fan_vertex *const vertex[3],
-                           int64_t area, bool with_rests, qtri_attribute_source source,
-                           const void *from);
+void qtri_draw_large_piece(const qtri_primitive *primitive, const qtri_fan_vertex *const vertex[3],
+                           int64_t area, qtri_attribute_source source, const void *from);
 
 #endif

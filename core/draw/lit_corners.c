@@ -33,10 +33,21 @@ static qtri_vec3 place_of(const qtri_vec4 *position)
     return place;
 }
 
-/* A triangle with its colours in the light. */
-static void light(qtri_corner lit[3], const qtri_primitive *primitive, const qtri_illumination *by,
-                  const qtri_corner *corners, const qtri_normal *normals, bool is_back)
+/* All triangles of a call. */
+typedef struct lit_call {
+    qtri_corners c;
+    const qtri_illumination *by;
+    const qtri_corner *corners;
+    const qtri_normal *normals;
+    uint32_t corner_count;
+} lit_call;
+
+/* Triangle `first` / 3 with its colours in the light. */
+static void light(qtri_corner lit[3], const lit_call *call, uint32_t first, bool is_back)
 {
+    const qtri_corner *corners = &call->corners[first];
+    const qtri_normal *normals = call->normals != NULL ? &call->normals[first] : NULL;
+    const qtri_primitive *primitive = &call->c.job.primitive;
     const bool smooth = qtri_is_smooth(primitive->material);
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(primitive->material);
     const int32_t turn = is_back ? -1 : 1;
@@ -56,57 +67,39 @@ static void light(qtri_corner lit[3], const qtri_primitive *primitive, const qtr
             n[2] = normals[i].z;
         }
         lit[i] = corners[i];
-        qtri_illuminated_normal(&point, by, turn * n[0], turn * n[1], turn * n[2]);
-        qtri_illuminated_place(&point, by, smooth ? &p[i] : &mean);
+        qtri_illuminated_normal(&point, call->by, turn * n[0], turn * n[1], turn * n[2]);
+        qtri_illuminated_place(&point, call->by, smooth ? &p[i] : &mean);
         if (by_pixel != NULL) {
             by_pixel->set(primitive, i, &point, &corners[i].color);
         }
-        lit[i].color = qtri_lit_rgb(qtri_illuminate(by, &point, &corners[i].color));
+        lit[i].color = qtri_lit_rgb(qtri_illuminate(call->by, &point, &corners[i].color));
     }
 }
 
-static void draw_lit(const qtri_primitive *primitive, qtri_corner_vertices *kept,
-                     const qtri_illumination *by, const qtri_corner *corners,
-                     const qtri_normal *normals)
+static void draw_lit(lit_call *call, uint32_t first)
 {
-    const qtri_material *material = primitive->material;
-    const bool solid = material->fill == NULL;
-    qtri_shape shape;
+    const bool two_sided = call->by->two_sided;
+    const qtri_corner *corners = &call->corners[first];
+    const qtri_corners_fate found = qtri_corners_place(&call->c, corners, first);
     qtri_corner lit[3];
-    const qtri_corners_fate found =
-        solid ? qtri_corners_place(primitive, kept, corners, shape.fan) : QTRI_CORNERS_ELSEWHERE;
     if (found == QTRI_CORNERS_SEEN) {
-        const bool is_back =
-            qtri_triangle_area(&shape.fan[0].at, &shape.fan[1].at, &shape.fan[2].at) > 0;
-        light(lit, primitive, by, corners, normals, by->two_sided && is_back);
-        qtri_corners_draw(primitive, shape.fan, corners, lit);
+        const qtri_vertex *v = call->c.job.vertices;
+        light(lit, call, first,
+              two_sided && qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at) > 0);
+        qtri_corners_draw(&call->c, lit);
     } else if (found == QTRI_CORNERS_ELSEWHERE) {
-        qtri_corners_fetch(primitive, corners, 3, shape.clip);
-        light(lit, primitive, by, corners, normals,
-              by->two_sided && qtri_clipped_is_back(shape.clip));
-        qtri_primitive_triangle(primitive, &shape, qtri_corners_attributes, lit);
+        qtri_shape shape;
+        qtri_corners_fetch(&call->c.job.primitive, corners, 3, shape.clip);
+        light(lit, call, first, two_sided && qtri_clipped_is_back(shape.clip));
+        qtri_corners_draw_clipped(&call->c, &shape, lit);
     }
 }
-
-/* All triangles of a call. */
-typedef struct lit_call {
-    qtri_primitive *primitive;
-    const qtri_illumination *by;
-    const qtri_corner *corners;
-    const qtri_normal *normals;
-    uint32_t corner_count;
-} lit_call;
 
 static void draw_all(void *with)
 {
-    const lit_call *call = with;
-    qtri_primitive *primitive = call->primitive;
-    qtri_corner_vertices kept;
-    kept.before = NULL;
+    lit_call *call = with;
     for (uint32_t i = 0; call->corner_count - i >= 3; i += 3) {
-        qtri_primitive_note(primitive, i);
-        draw_lit(primitive, &kept, call->by, &call->corners[i],
-                 call->normals != NULL ? &call->normals[i] : NULL);
+        draw_lit(call, i);
     }
 }
 
@@ -116,21 +109,24 @@ QTRI_NOINLINE static void draw_call(const qtri_surface *surface, const qtri_view
                                     const qtri_normal *normals, uint32_t corner_count,
                                     const qtri_material *material)
 {
-    qtri_primitive primitive;
+    lit_call call;
     qtri_illumination illumination;
-    qtri_primitive_init(&primitive, surface, view, pose, material,
-                        qtri_by_pixel_of(material) != NULL ? QTRI_BY_PIXEL
-                        : qtri_is_smooth(material)         ? QTRI_COLORS
-                                                           : QTRI_TINT);
-    qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
-    lit_call call = {&primitive, &illumination, corners, normals, corner_count};
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(material);
+    qtri_corners_init(&call.c, surface, view, pose, material,
+                      by_pixel != NULL           ? QTRI_BY_PIXEL
+                      : qtri_is_smooth(material) ? QTRI_COLORS
+                                                 : QTRI_TINT);
+    qtri_illumination_init(&illumination, view, pose, material->reflection, NULL);
+    call.by = &illumination;
+    call.corners = corners;
+    call.normals = normals;
+    call.corner_count = corner_count;
     if (by_pixel != NULL) {
-        by_pixel->run(&primitive, &illumination, draw_all, &call);
+        by_pixel->run(&call.c.job.primitive, &illumination, draw_all, &call);
     } else {
         draw_all(&call);
     }
-    qtri_primitive_finish(&primitive);
+    qtri_primitive_finish(&call.c.job.primitive);
 }
 
 void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,

@@ -79,7 +79,7 @@ void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uin
     if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
         *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
         *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
-    } else if (QTRI_WITH_WIDE_MESHES && mesh->uvs != NULL) {
+    } else if (mesh->uvs != NULL) {
         *u_q32 = (int64_t)mesh->uvs[index].x * 65536;
         *v_q32 = (int64_t)mesh->uvs[index].y * 65536;
     } else {

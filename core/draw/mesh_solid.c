@@ -59,7 +59,7 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t ind
         v[i].alpha_q16 =
             state->options.vertex_alpha ? ((uint32_t)alphas[index[i]] << 16) / 255 : 65536;
     }
-    if (state->is_lit) {
+    if (state->is_lit || state->options.per_pixel) {
         set_lit_colors(v, state);
     } else {
         set_colors(v, draw, index, vertex, face_q15);

@@ -27,7 +27,7 @@ QTRI_NOINLINE static void find_rests(qtri_large_vertex v[3], const qtri_mesh_job
     }
     for (int i = 0; i < 3; i++) {
         qtri_clip_vertex clip;
-        if (qtri_mesh_has_compact(mesh->positions16)) {
+        if (QTRI_WITH_COMPACT_MESHES && mesh->positions16 != NULL) {
             qtri_projector_point16(&draw->primitive.projector, &mesh->positions16[index[i]], &clip);
         } else {
             qtri_projector_point(&draw->primitive.projector, &mesh->positions[index[i]], &clip);

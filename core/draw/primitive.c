@@ -222,23 +222,9 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
         if (area != 0 && (area ^ sum) >= 0) {
             piece[1] = &shape->fan[i - 1];
             piece[2] = &shape->fan[i];
-            (void)qtri_draw_large_piece(primitive, piece, area, true, source, from);
+            qtri_draw_large_piece(primitive, piece, area, source, from);
         }
     }
-}
-
-bool qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
-                           qtri_attribute_source source, const void *from)
-{
-    const qtri_fan_vertex *const vertex[3] = {&corner[0], &corner[1], &corner[2]};
-    return qtri_draw_large_piece(primitive, vertex, piece_area(corner, 2), false, source, from);
-}
-
-void qtri_primitive_large(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
-                          qtri_attribute_source source, const void *from)
-{
-    const qtri_fan_vertex *const vertex[3] = {&corner[0], &corner[1], &corner[2]};
-    (void)qtri_draw_large_piece(primitive, vertex, piece_area(corner, 2), true, source, from);
 }
 
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],

@@ -40,7 +40,7 @@ typedef struct qtri_fan_vertex {
     uint32_t depth_16p8; /* times 256, and in the low byte the exponent of inv_w */
     uint32_t inv_w_q31;
     int32_t b1_q30, b2_q30;
-    int16_t rest[2]; /* as in qtri_attributes; not of qtri_primitive_inside() */
+    int16_t rest[2]; /* as in qtri_attributes */
 } qtri_fan_vertex;
 
 /* A triangle before and after clipping. */
@@ -68,17 +68,6 @@ void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
 /* At the end: draws what waits. */
 void qtri_primitive_finish(const qtri_primitive *primitive);
 
-/* The vertices of the next triangle in material.alphas. */
-static inline void qtri_primitive_note(qtri_primitive *primitive, uint32_t first)
-{
-    uint32_t *index = primitive->to.solid.state.alpha_index;
-    if (primitive->material->fill == NULL) {
-        index[0] = first;
-        index[1] = first + 1;
-        index[2] = first + 2;
-    }
-}
-
 /*
  * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is
  * to be drawn, and again for the next piece: what is not kept takes no stack while rows are filled.
@@ -96,17 +85,6 @@ void qtri_primitive_finish_lines(const qtri_primitive *primitive);
 /* The outline of a triangle that may need clipping by `planes`, the sum of its outcodes. */
 void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
                             unsigned planes, qtri_attribute_source source, const void *from);
-
-/*
- * Draws a solid triangle inside all planes that has an area and is not culled. False when it is
- * large and not drawn: then where its vertices truly are matters, and qtri_primitive_large() draws
- * it when that is known.
- */
-bool qtri_primitive_inside(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
-                           qtri_attribute_source source, const void *from);
-
-void qtri_primitive_large(const qtri_primitive *primitive, const qtri_fan_vertex corner[3],
-                          qtri_attribute_source source, const void *from);
 
 /* Draws a line. `attributes` bring colour; their positions are not read. */
 void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],

@@ -384,7 +384,7 @@ QTRI_SMALL_PART void qtri_small_uv_find(qtri_small_uv *uv, const qtri_small *t)
         uv->v1 = (b->y - a->y) * 4;
         uv->u2 = (c->x - a->x) * 4;
         uv->v2 = (c->y - a->y) * 4;
-    } else if (QTRI_WITH_WIDE_MESHES && mesh->uvs != NULL) {
+    } else if (mesh->uvs != NULL) {
         const qtri_vec2 *a = &mesh->uvs[t->index[0]];
         const qtri_vec2 *b = &mesh->uvs[t->index[1]];
         const qtri_vec2 *c = &mesh->uvs[t->index[2]];
