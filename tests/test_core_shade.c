@@ -154,7 +154,11 @@ static void interpolation(void **state)
              */
             double between = i > 0 ? 0 : 1 / 4.0;
             double packed = i < 2 && formats[f] == &qtri_rgb565 ? 7 / 32.0 : 0;
-            assert_true(w[i / 2][i % 2].color <= .51 + between + packed);
+            const double whole = /* colours of triangles are rounded to 8 bits first */
+                formats[f] == &qtri_gray8    ? 1
+                : formats[f] == &qtri_rgb565 ? .63
+                                             : .6;
+            assert_true(w[i / 2][i % 2].color <= whole + between + packed);
             assert_true(w[i / 2][i % 2].depth <= .54); /* steps of small triangles: 2^-5 */
         }
         canvas_free(&c);
@@ -337,7 +341,7 @@ static void formats_round(void **state)
         }
         double gray = .299 * level[0] + .587 * level[1] + .114 * level[2];
         expected[2] = (uint32_t)floor(gray + .5);
-        bool tie = fabs(gray - floor(gray) - .5) < 1e-3;
+        bool tie = fabs(gray - floor(gray) - .5) < 4e-3; /* weights have 16 bits */
         qtri_material m = plain_material();
         qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(1024, 0), screen_at(0, 1024)};
         for (int i = 0; i < 9; i++) {
@@ -347,11 +351,12 @@ static void formats_round(void **state)
             clear_to(&c[f].surface, rgb, 0);
             qtri_raster_triangle(&c[f].surface, qtri_pipelines_default, &m, v);
             uint32_t drawn = stored_pixel(&c[f].surface, 0, 0);
-            assert_int_equal(drawn, stored_pixel(&c[f].surface, 3, 3));
+            const uint32_t cleared = stored_pixel(&c[f].surface, 3, 3);
             if (f == 2 && tie) {
-                assert_true(fabs(drawn - gray) <= .502);
+                assert_true(fabs(drawn - gray) <= .504 && fabs(cleared - gray) <= .504);
             } else {
                 assert_int_equal(drawn, expected[f]);
+                assert_int_equal(cleared, expected[f]);
             }
         }
         qtri_rgb back = qtri_surface_pixel(&c[0].surface, 0, 0);

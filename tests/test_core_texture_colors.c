@@ -89,7 +89,7 @@ static void modulates(void **state)
                          (uint32_t)(texel[0] << 16 | texel[1] << 8 | texel[2]));
     }
     print_message("modulate: %.4f of 255\n", worst);
-    assert_true(worst <= .75);
+    assert_true(worst <= 1);
     canvas_free(&c);
 }
 

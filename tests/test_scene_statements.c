@@ -158,7 +158,7 @@ static const struct {
     {"screen door of texels",
      STAGE GLASS "texformat argb8888\ntexalpha 60 200\nblend screendoor .9\n" LOOK BACK CARD, 3, 0},
     {"alpha without a blend",
-     STAGE GLASS "texformat argb1555\ntexalpha 0 255\ntexfilter bilinear\n" LOOK BACK CARD, 0, 0},
+     STAGE GLASS "texformat argb1555\ntexalpha 0 255\ntexfilter bilinear\n" LOOK BACK CARD, 0, 1},
 };
 
 static struct scene parse(const char *text)

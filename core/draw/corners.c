@@ -86,7 +86,6 @@ QTRI_NOINLINE qtri_corners_fate qtri_corners_place(qtri_corners *c, const qtri_c
 {
     const qtri_vertex *before = c->before;
     qtri_vertex *v = c->vertex[before == c->vertex[0]];
-    qtri_vec3 p[3];
     uint32_t count = 0;
     c->before = NULL;
     c->job.vertices = v;
@@ -108,10 +107,9 @@ QTRI_NOINLINE qtri_corners_fate qtri_corners_place(qtri_corners *c, const qtri_c
             v[i] = *same;
             continue;
         }
-        p[count] = c->positions[i];
         v[count++].index = (uint16_t)i;
     }
-    if (count != 0 && !qtri_projector_list(&c->job.primitive.projector, p, count, v)) {
+    if (count != 0 && !qtri_projector_list(&c->job.primitive.projector, c->positions, count, v)) {
         return QTRI_CORNERS_ELSEWHERE;
     }
     c->before = v;

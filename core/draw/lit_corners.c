@@ -84,8 +84,7 @@ static void draw_lit(lit_call *call, uint32_t first)
     qtri_corner lit[3];
     if (found == QTRI_CORNERS_SEEN) {
         const qtri_vertex *v = call->c.job.vertices;
-        light(lit, call, first,
-              two_sided && qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at) > 0);
+        light(lit, call, first, two_sided && qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at) > 0);
         qtri_corners_draw(&call->c, lit);
     } else if (found == QTRI_CORNERS_ELSEWHERE) {
         qtri_shape shape;

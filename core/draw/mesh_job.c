@@ -105,8 +105,7 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
 {
     const qtri_mesh *mesh = draw->mesh;
     qtri_primitive_place(&draw->primitive, view, pose);
-    if (is_empty(mesh) || !is_built(mesh) ||
-        is_missed(draw, draw->primitive.surface)) {
+    if (is_empty(mesh) || !is_built(mesh) || is_missed(draw, draw->primitive.surface)) {
         return false;
     }
     if (qtri_mesh_has_compact(mesh->positions16)) {

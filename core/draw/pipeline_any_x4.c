@@ -16,8 +16,7 @@ static bool small(struct qtri_small *triangle)
     return qtri_small_instance_draw(&triangle->state->options, triangle);
 }
 
-const qtri_pipeline qtri_pipeline_any_x4 = {.options = {.format = QTRI_ANY, .samples = 4},
-                                            .large = large,
-                                            .small = small};
+const qtri_pipeline qtri_pipeline_any_x4 = {
+    .options = {.format = QTRI_ANY, .samples = 4}, .large = large, .small = small};
 
 const qtri_pipeline *const qtri_pipelines_x4[] = {&qtri_pipeline_any_x4, NULL};

@@ -35,9 +35,8 @@ static uint16_t *flatten(const qtri_surface *surface)
             }
             format->decode(depth, count);
             for (int32_t i = 0; i < count; i++) {
-                to[at + i] = (uint16_t)((depth[i] < FARTHEST ? depth[i] + 0x8000u
-                                                                        : FARTHEST) >>
-                                        16);
+                to[at + i] =
+                    (uint16_t)((depth[i] < FARTHEST ? depth[i] + 0x8000u : FARTHEST) >> 16);
             }
         }
     }

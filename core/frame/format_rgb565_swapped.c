@@ -9,5 +9,5 @@ static void encode(uint32_t *color, int32_t count)
 }
 
 const qtri_format qtri_rgb565_swapped = {
-    &qtri_pixels_16, &qtri_colors_565, encode, qtri_decode_rgb565_swapped, NULL,
+    &qtri_pixels_16,    &qtri_colors_565, encode, qtri_decode_rgb565_swapped, NULL,
     QTRI_RGB565_SWAPPED};

@@ -84,17 +84,28 @@ static void want_blend(qtri_options *o, const qtri_material *material)
     }
 }
 
+/* A description with memory of its own is another, whatever it was copied from. */
+static void want_format(qtri_options *o, const qtri_format *format)
+{
+    const qtri_sampling *samples = format->samples;
+    const uint8_t bytes = (samples != NULL ? samples->format : format)->pixels->bytes;
+    o->format = format->kind;
+    if (qtri_pixel_bytes(o) != bytes) {
+        o->format = QTRI_OTHER_FORMAT;
+        o->pixel_bytes = bytes;
+    }
+}
+
 static void want(qtri_options *o, const qtri_surface *surface, const qtri_material *material,
                  int shade)
 {
     const qtri_depth_format *depth = surface->depth_format;
     memset(o, 0, sizeof *o);
-    o->format = surface->format->kind;
-    o->pixel_bytes = o->format == QTRI_OTHER_FORMAT ? surface->format->pixels->bytes : 0;
+    want_format(o, surface->format);
     if (surface->depth != NULL && material->depth_compare != QTRI_DEPTH_OFF) {
         o->depth = depth == NULL || depth->ops == NULL ? QTRI_LINEAR16
-                   : depth->kind != QTRI_NO_DEPTH          ? depth->kind
-                                                           : QTRI_OTHER_DEPTH;
+                   : depth->kind != QTRI_NO_DEPTH      ? depth->kind
+                                                       : QTRI_OTHER_DEPTH;
         o->compare =
             (uint8_t)((unsigned)material->depth_compare < QTRI_ALWAYS ? material->depth_compare
                                                                       : QTRI_ALWAYS);
@@ -285,7 +296,8 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->surface = surface;
     state->material = material;
     state->bounds = nowhere;
-    if (surface->format == NULL || material->depth_compare == QTRI_NEVER) {
+    if (surface->format == NULL ||
+        (surface->depth != NULL && material->depth_compare == QTRI_NEVER)) {
         return;
     }
     want(&state->options, surface, material, shade);

@@ -53,11 +53,10 @@ struct qtri_line_job {
     uint32_t depth_mask;              /* what of depth_16p8 is depth */
     uint32_t less, passing;           /* depths that pass: see line.c */
     bool has_depth, depth_write, is_less;
-    bool writes_early;       /* depth as soon as it is compared */
-    qtri_line_effect effect; /* of fog and a blend; NULL: neither */
-    const struct qtri_depth_ops
-        *testing;                  /* depths that `effect` tests, has_depth being false */
-    const qtri_material *material; /* theirs */
+    bool writes_early;                    /* depth as soon as it is compared */
+    qtri_line_effect effect;              /* of fog and a blend; NULL: neither */
+    const struct qtri_depth_ops *testing; /* depths that `effect` tests, has_depth being false */
+    const qtri_material *material;        /* theirs */
     uint32_t tint_n8[3]; /* channels of the tint, in steps; of one that is single the last */
     const struct qtri_stroke_line *smooth; /* what draws them is stroke_line.c; NULL: it is not */
     struct qtri_stroke_target *smooth_target; /* and where it draws them to */

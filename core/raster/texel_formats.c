@@ -126,21 +126,21 @@ static void decode_checker(uint32_t *texel, const qtri_texture *texture, int32_t
     QTRI_EACH_WORD(texel, count, odd, color[odd])
 }
 
-const qtri_texel_format qtri_texel_rgb565 = {
-    &qtri_colors_565, UINT32_MAX, has_texels, fetch_16, NULL, QTRI_TEXEL_RGB565};
-const qtri_texel_format qtri_texel_xrgb8888 = {
-    &qtri_colors_888, 0xFFFFFF, has_texels, fetch_24, NULL, QTRI_TEXEL_XRGB8888};
-const qtri_texel_format qtri_texel_gray8 = {
-    &qtri_colors_888, UINT32_MAX, has_texels, fetch_8, decode_gray, QTRI_TEXEL_GRAY8};
+const qtri_texel_format qtri_texel_rgb565 = {&qtri_colors_565, UINT32_MAX, has_texels,
+                                             fetch_16,         NULL,       QTRI_TEXEL_RGB565};
+const qtri_texel_format qtri_texel_xrgb8888 = {&qtri_colors_888, 0xFFFFFF, has_texels,
+                                               fetch_24,         NULL,     QTRI_TEXEL_XRGB8888};
+const qtri_texel_format qtri_texel_gray8 = {&qtri_colors_888, UINT32_MAX,  has_texels,
+                                            fetch_8,          decode_gray, QTRI_TEXEL_GRAY8};
 const qtri_texel_format qtri_texel_palette8 = {
     &qtri_colors_888, UINT32_MAX, has_palette, fetch_8, decode_palette, QTRI_TEXEL_PALETTE8};
 const qtri_texel_format qtri_texel_checker = {&qtri_colors_888, UINT32_MAX,     needs_nothing,
                                               fetch_checker,    decode_checker, QTRI_TEXEL_CHECKER};
-const qtri_texel_format qtri_texel_argb4444 = {
-    &qtri_colors_888, 0xFFFF, has_texels, fetch_16, decode_4444, QTRI_TEXEL_ARGB4444};
-const qtri_texel_format qtri_texel_argb1555 = {
-    &qtri_colors_888, 0xFFFF, has_texels, fetch_16, decode_1555, QTRI_TEXEL_ARGB1555};
-const qtri_texel_format qtri_texel_argb8888 = {
-    &qtri_colors_888, UINT32_MAX, has_texels, fetch_32, NULL, QTRI_TEXEL_ARGB8888};
-const qtri_texel_format qtri_texel_alpha8 = {
-    &qtri_colors_888, 0xFF, has_texels, fetch_8, decode_alpha, QTRI_TEXEL_ALPHA8};
+const qtri_texel_format qtri_texel_argb4444 = {&qtri_colors_888, 0xFFFF,      has_texels,
+                                               fetch_16,         decode_4444, QTRI_TEXEL_ARGB4444};
+const qtri_texel_format qtri_texel_argb1555 = {&qtri_colors_888, 0xFFFF,      has_texels,
+                                               fetch_16,         decode_1555, QTRI_TEXEL_ARGB1555};
+const qtri_texel_format qtri_texel_argb8888 = {&qtri_colors_888, UINT32_MAX, has_texels,
+                                               fetch_32,         NULL,       QTRI_TEXEL_ARGB8888};
+const qtri_texel_format qtri_texel_alpha8 = {&qtri_colors_888, 0xFF,         has_texels,
+                                             fetch_8,          decode_alpha, QTRI_TEXEL_ALPHA8};

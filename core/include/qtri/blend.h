@@ -10,12 +10,10 @@
  * All but the screen door leave channels of stored pixels alone that material.keep names.
  * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one,
  * and times that of the vertices with a blend that asks for it.
- * What is blended is rounded before and after, and within 1 of 255 of what exact colours are
- * together, 1.002 with alpha of texels; of RGB565 within 1.16 of a step with alpha, 1.11 where it
- * is added (red and blue; green within 1), and 1 where it is multiplied; 1 1/4 where colours vary.
- * Fog, with what its share is off, is within 1 1/2 of 255, with a constant alpha 2. Triangles of
- * RGB565 in fog are rounded once, and are within 3/4 of a step, with a constant alpha .8; lines,
- * and texels of RGB565 that are lit, within 1 1/4.
+ * What is blended is rounded before and after: within 1 1/4 of 255 of what exact colours are
+ * together, 1 1/2 with alpha of texels or of vertices; of RGB565 within 1 step, 1 1/4 where colours
+ * vary. Fog, with what its share is off, is within 1 3/4 of 255, with a constant alpha 2. Triangles
+ * of RGB565 in fog are rounded once, and are within .85 of a step, with a constant alpha .9.
  *
  * Lines and wireframes are blended and fogged as well: each edge of each
  * triangle, so that one that two triangles share is drawn twice where depth does not turn the
@@ -58,15 +56,10 @@ extern const qtri_blend qtri_blend_screen_door;
 /*
  * The first two with alpha that varies between the vertices: material.alphas has that of each
  * vertex of a mesh, of each corner of a call, or of three screen vertices; 255 is all of it, and
- * NULL is 255 for all. It is perspective-correct where colours are, whatever the shading, and
- * within 1/512, at pixels up to 2^20 times as far away as the triangle's nearest vertex; beyond
- * that it is between those of the vertices. Colours are within 1 1/4 of 255, and within 3/4 of a
- * step of RGB565, of exact ones.
- *
- * Every triangle of such a material, small or large, takes the way of large ones, which meshes of
- * small ones pay for with three to five times the instructions, and 1 KB of stack more. Lines and
- * strokes have material.alpha alone. With four samples a pixel (samples.h) alpha is that of the
- * pixel's centre, held to that of the vertices.
+ * NULL is 255 for all. It is perspective-correct where colours are, whatever the shading. Colours
+ * are within 1 1/2 of 255, and within .9 of a step of RGB565, of exact ones. Lines and strokes have
+ * material.alpha alone. With four samples a pixel (samples.h) alpha is that of the pixel's centre,
+ * held to that of the vertices.
  */
 extern const qtri_blend qtri_blend_vertex_alpha;
 extern const qtri_blend qtri_blend_vertex_add;

@@ -41,6 +41,12 @@ QTRI_BODY bool qtri_has_alpha(const qtri_options *o)
            (o->texel == QTRI_OTHER_TEXEL && o->fetch != NULL);
 }
 
+/* Alpha of texels counts: without, their colours alone are filtered. */
+QTRI_BODY bool qtri_uses_alpha(const qtri_options *o)
+{
+    return qtri_has_alpha(o) && (o->alpha_test || o->blend != QTRI_STORE);
+}
+
 /* The sides of the texture, or of the level that is drawn, as powers of two. */
 QTRI_BODY uint32_t qtri_texture_width_log2(const qtri_options *o, const qtri_draw_state *state)
 {

@@ -153,8 +153,8 @@ QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_w
     for (int i = 0; i < 4; i++) {
         t[i] = qtri_texel_color(o, w, t[i]);
     }
-    return qtri_has_alpha(o) ? qtri_alpha_mean(t, along, across)
-                             : qtri_texel_mean(qtri_kind_of(o), t, along, across);
+    return qtri_uses_alpha(o) ? qtri_alpha_mean(t, along, across)
+                              : qtri_texel_mean(qtri_kind_of(o), t, along, across);
 }
 
 /* The texel at the walk's coordinates; *drawn becomes false where it is not to be seen. */
