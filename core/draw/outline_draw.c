@@ -67,8 +67,7 @@ QTRI_NOINLINE static void see_whole(const drawing *d)
     const qtri_mesh *mesh = d->job->mesh;
     const bool inside = qtri_mesh_transform(d->job, 0, mesh->vertex_count, d->job->vertices);
     const bool narrow = qtri_mesh_has_bytes(mesh);
-    if (QTRI_WITH_FAST_PATHS && inside && d->draws && d->job->material.cull == QTRI_CULL_BACK &&
-        !narrow) {
+    if (inside && d->draws && d->job->material.cull == QTRI_CULL_BACK && !narrow) {
         see_triangles(d, false, true);
     } else {
         see_triangles(d, narrow, false);

@@ -129,7 +129,7 @@ void qtri_line_16_choose(qtri_line_job *job)
     const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
     const bool is_less =
         job->is_less && job->depth_write && surface->pitch == 2 * surface->depth_pitch;
-    if (!QTRI_WITH_FAST_PATHS || job->smooth != NULL || !job->batch->has_table ||
+    if (job->smooth != NULL || !job->batch->has_table ||
         surface->format->pixels->bytes != 2 || surface->pitch >= pitch_end ||
         surface->pitch <= -pitch_end || (job->has_depth && !is_less)) {
         return;

@@ -55,7 +55,7 @@ static void fill(uint8_t *at, size_t bytes, const pattern *stored)
         if (((uintptr_t)at & 3) != 0 || left < 4) {
             *at = stored->byte[(uintptr_t)at & 3];
             at++;
-        } else if (!QTRI_WITH_FAST_PATHS || left < BLOCK_BYTES) {
+        } else if (left < BLOCK_BYTES) {
             const uint8_t *stop = at + (left & ~(size_t)3);
             do {
                 *(word *)(void *)at = stored->word;

@@ -163,7 +163,7 @@ QTRI_IN_PLACE bool place16(shared16 *shared, const qtri_position16 *p, qtri_vert
     const qtri_row16 *row = projector->row.compact;
     int32_t w = qtri_row16_sum(&row[3], p->x, p->y, p->z);
     int32_t z = qtri_row16_sum(&row[2], p->x, p->y, p->z);
-    if (!QTRI_WITH_FAST_PATHS || w <= 0 || (uint32_t)z + (uint32_t)w > 2u * (uint32_t)w) {
+    if (w <= 0 || (uint32_t)z + (uint32_t)w > 2u * (uint32_t)w) {
         return exact16(projector, p, out);
     }
     const int32_t zeros = leading_zeros((uint32_t)w, shared->zeros);

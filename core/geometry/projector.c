@@ -333,9 +333,6 @@ QTRI_NOINLINE static bool place_far(const stage *to, const qtri_vec3 *p, qtri_ve
 /* False: outside. Other cores gain nothing by short shifts. */
 QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
 {
-    if (!QTRI_WITH_FAST_PATHS) {
-        return exact(to->projector, p, out);
-    }
     const qtri_row *row = &to->projector->row.wide[3];
     const int64_t w = row_sum(row, row->t, p->x, p->y, p->z);
     const int32_t zeros = zeros_of(w);

@@ -56,7 +56,7 @@ void qtri_dda_init(qtri_dda *dda, int32_t start, int32_t delta, int32_t length, 
     dda->remainder_step = rest << 8;
     dda->value = start >> 8;
     const int32_t small = (int32_t)1 << 15;
-    if (QTRI_WITH_FAST_PATHS && length < small && delta > -small && delta < small) {
+    if (length < small && delta > -small && delta < small) {
         /* |256 2^15 + 2^30 + 2^22| < 2^31: the common, small triangle needs 32 bits only */
         dda->value += divide_floor32(fraction * length + along * delta + bias, dda->denominator,
                                      &dda->remainder);

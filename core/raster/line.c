@@ -393,7 +393,7 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
 {
     qtri_line_path l;
     qtri_line_path_init(&l, a, b, 1, 65536);
-    if (!QTRI_WITH_FAST_PATHS || (uint32_t)(l.count - 1) >= QTRI_BATCH) {
+    if ((uint32_t)(l.count - 1) >= QTRI_BATCH) {
         const qtri_line_path path = l;
         draw_long(job, &path, a, color);
         return;

@@ -188,13 +188,13 @@ if has cmake "CMake, ESP-IDF, Pico SDK and Zephyr"; then
     consumer package -DCMAKE_PREFIX_PATH="$work/cmake-prefix" -DWANTED="$(sh port/packages/version.sh)" &&
         same "find_package" "$work/cmake-package/consumer"
     # Built otherwise than its library, it must not link; another minor version must not be found.
-    cmake -S tests/packages/cmake -B "$work/cmake-package" -DOTHER_OPTIONS=QTRI_WITH_PERSPECTIVE=0 >/dev/null 2>&1 &&
+    cmake -S tests/packages/cmake -B "$work/cmake-package" -DOTHER_OPTIONS=QTRI_WITH_FACE_LIGHT=0 >/dev/null 2>&1 &&
         cmake --build "$work/cmake-package" >/dev/null 2>&1 && fail "an application with other options was linked"
     cmake -S tests/packages/cmake -B "$work/cmake-newer" -DWAY=package -DCMAKE_PREFIX_PATH="$work/cmake-prefix" -DWANTED=99.0 >/dev/null 2>&1 &&
         fail "find_package found a version that there is not"
-    # Without perspective: another picture, of library and application built alike.
+    # Without light on faces: another picture, of library and application built alike.
     consumer subdirectory && "$work/cmake-subdirectory/consumer" >/dev/null || fail "add_subdirectory"
-    nm "$work/cmake-subdirectory/qtri/libqtri.a" 2>/dev/null | grep -q 'qtri_frame_init_built_011111' || fail "add_subdirectory: its option"
+    nm "$work/cmake-subdirectory/qtri/libqtri.a" 2>/dev/null | grep -q 'qtri_frame_init_built_0111' || fail "add_subdirectory: its option"
     # These compile the same files: that they are configured, what with, and that the application compiles.
     for way in fetch pico esp zephyr; do
         quiet "cmake, $way" cmake -S tests/packages/cmake -B "$work/cmake-$way" -DWAY="$way" -DQTRI="$root" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON || continue
@@ -202,7 +202,7 @@ if has cmake "CMake, ESP-IDF, Pico SDK and Zephyr"; then
         [ "$(grep -c '"file": .*/core/' "$commands")" = "$(ls core/*/*.c | wc -l)" ] || fail "cmake, $way: not all files of core/"
         case $way in
         esp) off=QTRI_WITH_FACE_LIGHT ;;
-        zephyr) off=QTRI_WITH_FAST_PATHS ;;
+        zephyr) off=QTRI_WITH_UNEVEN_LIGHT ;;
         *) continue ;;
         esac
         [ "$(grep -c "D$off=0" "$commands")" = "$(grep -c '"file":' "$commands")" ] || fail "cmake, $way: $off=0 does not reach all files"

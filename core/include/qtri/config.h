@@ -2,7 +2,7 @@
 /*
  * What the library is built with. Each option is 1, the default, or 0: left out, to save code.
  *
- * Options are for the command line of the compiler, -DQTRI_WITH_PERSPECTIVE=0, the same for all
+ * Options are for the command line of the compiler, -DQTRI_WITH_FACE_LIGHT=0, the same for all
  * files of the library and of the application: where they differ, linking fails. An option never
  * changes what is left in: it draws the same pixels to the bit. What is left out has the one result
  * that stands beside the option. What is chosen by a description, as formats and filters are, needs
@@ -21,11 +21,6 @@
  */
 #if INT_MAX < 0x7FFFFFFF || SIZE_MAX < 0xFFFFFFFF
 #error "qtri draws where int and size_t have 32 bits or more; here only its mathematics can be used"
-#endif
-
-/* Without: QTRI_PERSPECTIVE is QTRI_SCREEN_LINEAR, for colours and textures. */
-#ifndef QTRI_WITH_PERSPECTIVE
-#define QTRI_WITH_PERSPECTIVE 1
 #endif
 
 /* Light by faces: of meshes without normals, and of flat ones. Without: they are not lit. */
@@ -53,24 +48,16 @@
 #endif
 
 /*
- * Code that only saves time: loops for single formats and depth tests, short ways for small
- * triangles, lines and vertices. Without, everything takes the general way to the same pixels.
- */
-#ifndef QTRI_WITH_FAST_PATHS
-#define QTRI_WITH_FAST_PATHS 1
-#endif
-
-/*
  * A library and an application that are built with other options than each other do not link: what
  * begins every picture has their options in its name, unless all are 1.
  */
-#if !(QTRI_WITH_PERSPECTIVE && QTRI_WITH_FACE_LIGHT && QTRI_WITH_UNEVEN_LIGHT &&                   \
-      QTRI_WITH_COMPACT_MESHES && QTRI_WITH_WIDE_MESHES && QTRI_WITH_FAST_PATHS)
-#define QTRI_OPTIONS_JOINED(name, a, b, c, d, e, f) name##_built_##a##b##c##d##e##f
-#define QTRI_OPTIONS_JOIN(name, a, b, c, d, e, f)   QTRI_OPTIONS_JOINED(name, a, b, c, d, e, f)
+#if !(QTRI_WITH_FACE_LIGHT && QTRI_WITH_UNEVEN_LIGHT && QTRI_WITH_COMPACT_MESHES &&                \
+      QTRI_WITH_WIDE_MESHES)
+#define QTRI_OPTIONS_JOINED(name, a, b, c, d) name##_built_##a##b##c##d
+#define QTRI_OPTIONS_JOIN(name, a, b, c, d)   QTRI_OPTIONS_JOINED(name, a, b, c, d)
 #define QTRI_OPTIONS_NAMED(name)                                                                   \
-    QTRI_OPTIONS_JOIN(name, QTRI_WITH_PERSPECTIVE, QTRI_WITH_FACE_LIGHT, QTRI_WITH_UNEVEN_LIGHT,   \
-                      QTRI_WITH_COMPACT_MESHES, QTRI_WITH_WIDE_MESHES, QTRI_WITH_FAST_PATHS)
+    QTRI_OPTIONS_JOIN(name, QTRI_WITH_FACE_LIGHT, QTRI_WITH_UNEVEN_LIGHT,                          \
+                      QTRI_WITH_COMPACT_MESHES, QTRI_WITH_WIDE_MESHES)
 #define qtri_surface_init QTRI_OPTIONS_NAMED(qtri_surface_init)
 #define qtri_frame_init   QTRI_OPTIONS_NAMED(qtri_frame_init)
 #endif
