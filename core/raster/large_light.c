@@ -215,7 +215,8 @@ static void begin_row(const qtri_large_job *job, qtri_large_light *l)
     l->y = job->t.y;
     l->left = left;
     l->last = job->row_right - 1;
-    l->x = job->t.x0;
+    l->x0 = job->t.x0;
+    l->x = l->x0;
     l->from = 0;
     l->count = 0;
     l->piece_end = INT32_MIN;
@@ -313,7 +314,7 @@ static int32_t next(qtri_large *t, int32_t count)
 {
     const qtri_large_job *job = qtri_large_job_of(t);
     qtri_large_light *l = light_of(t);
-    if (l->y != t->y || l->left != job->row_left) {
+    if (l->y != t->y || l->x0 != t->x0) {
         begin_row(job, l);
     }
     if (l->x >= l->piece_end) {
