@@ -62,12 +62,15 @@ static const char *const trials[] = {
 
 enum { TRIALS = sizeof trials / sizeof trials[0] };
 
-static struct scene parse(const char *text, const char *shade)
+/* With a statement more, before the projection. */
+static struct scene parse(const char *text, const char *shade, const char *more)
 {
-    char filled[2048];
+    char filled[2048], shaded[2048];
     struct scene scene;
     struct text_error error;
-    snprintf(filled, sizeof filled, text, shade);
+    snprintf(shaded, sizeof shaded, text, shade);
+    const char *rest = strstr(shaded, "mode projection");
+    snprintf(filled, sizeof filled, "%.*s%s%s", (int)(rest - shaded), shaded, more, rest);
     assert_true(scene_parse("test.scene", filled, strlen(filled), &scene, &error));
     return scene;
 }
@@ -94,11 +97,13 @@ static int count_off(const struct scene *scene, const struct reference_image *im
 static void exactness(void **state)
 {
     (void)state;
-    for (size_t t = 0; t < TRIALS; t++) {
+    for (size_t t = 0; t < 2 * TRIALS; t++) {
+        const char *text = trials[t % TRIALS];
+        const char *mode = t < TRIALS ? "" : "antialias msaa\n";
         struct reference_image image;
         double most, by_vertex;
-        struct scene scene = parse(trials[t], "pixel");
-        struct scene smooth = parse(trials[t], "smooth");
+        struct scene scene = parse(text, "pixel", mode);
+        struct scene smooth = parse(text, "smooth", mode);
         assert_true(reference_render(&scene, 8, &image));
         const int off = count_off(&scene, &image, &most);
         const int worse = count_off(&smooth, &image, &by_vertex);
@@ -125,11 +130,7 @@ static void bands(void **state)
     const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     for (size_t mode = 0; mode < sizeof modes / sizeof modes[0]; mode++) {
         for (int n = 2; n < 6; n += 1) {
-            char text[2048];
-            const char *rest = strstr(trials[n], "mode projection");
-            snprintf(text, sizeof text, "%.*s%s%s", (int)(rest - trials[n]), trials[n], modes[mode],
-                     rest);
-            struct scene scene = parse(text, "pixel");
+            struct scene scene = parse(trials[n], "pixel", modes[mode]);
             assert_same_in_bands(&scene, formats[(mode + (size_t)n) % 3], 33);
             scene_free(&scene);
         }

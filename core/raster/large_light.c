@@ -82,6 +82,7 @@ static void begin(qtri_large *t)
     l->plane_y = job->plane_y;
     l->divided = !t->state->is_linear && align_q(q, v);
     l->y = INT32_MIN;
+    l->is_alone = qtri_has_samples(job->options) && t->samples->place != QTRI_CENTER;
     set_tolerance(l, job->options);
     for (int k = 0; k < 2; k++) {
         uint32_t f[3];
@@ -215,12 +216,16 @@ static void begin_row(const qtri_large_job *job, qtri_large_light *l)
     l->y = job->t.y;
     l->left = left;
     l->last = job->row_right - 1;
-    l->x = job->t.x0;
+    l->x0 = job->t.x0;
+    l->x = l->x0;
     l->from = 0;
     l->count = 0;
     l->piece_end = INT32_MIN;
     l->bends = false;
     move_planes(l, l->y);
+    if (l->is_alone) {
+        return;
+    }
     const int32_t block = qtri_least32(l->x - left, qtri_greatest32(l->last - left - 1, 0)) >>
                           l->block_log2 << l->block_log2;
     find_sample(&l->sample[0], l, left + block);
@@ -309,14 +314,25 @@ static void next_piece(qtri_large_light *l)
     } while (l->piece_end <= l->x);
 }
 
+/* A pixel by itself. */
+static void set_pixel(qtri_large_light *l)
+{
+    qtri_light_sample *at = &l->sample[0];
+    find_sample(at, l, l->x);
+    l->last = l->x;
+    set_piece(l, at, at);
+}
+
 static int32_t next(qtri_large *t, int32_t count)
 {
     const qtri_large_job *job = qtri_large_job_of(t);
     qtri_large_light *l = light_of(t);
-    if (l->y != t->y || l->left != job->row_left) {
+    if (l->y != t->y || l->x0 != t->x0) {
         begin_row(job, l);
     }
-    if (l->x >= l->piece_end) {
+    if (l->is_alone) {
+        set_pixel(l);
+    } else if (l->x >= l->piece_end) {
         next_piece(l);
     }
     if (l->x != l->piece_x) {

@@ -36,8 +36,9 @@ typedef struct qtri_large_light {
     uint32_t least, greatest; /* of the vertices' q */
     int32_t tolerance[3];     /* of a second difference */
 
-    /* The row: its span, which a scissor does not change, and the next pixel. */
-    int32_t y, left, last, x;
+    /* The row: its span, which a scissor does not change; the first pixel and the next one. */
+    int32_t y, left, last, x0, x;
+    bool is_alone; /* each pixel: at edges of what has samples there are few in a row */
     qtri_light_sample sample[3]; /* of a block: from, to, and the one after */
     uint8_t from;                /* its place in these */
     bool bends;                  /* at `from` */

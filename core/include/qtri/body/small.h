@@ -324,9 +324,6 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
     qtri_small_texture uv;
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_draw_state *state = t->state;
-    if (o->per_pixel && !qtri_small_is_lit_by_vertex(t)) {
-        return false;
-    }
     const qtri_small_found found = QTRI_SMALL_SETUP(find)(&p, spans, t);
     if (found != QTRI_SMALL_FOUND) {
         return found == QTRI_SMALL_NOTHING;

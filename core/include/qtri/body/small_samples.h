@@ -481,6 +481,9 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
 /* A small triangle, of any options. */
 QTRI_BODY bool qtri_small_instance_draw(const qtri_options *o, qtri_small *t)
 {
+    if (o->per_pixel && !qtri_small_is_lit_by_vertex(t)) {
+        return false;
+    }
     return qtri_has_samples(o) ? qtri_small_samples_draw(o, t) : qtri_small_triangle_draw(o, t);
 }
 
