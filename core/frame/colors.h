@@ -18,28 +18,12 @@
 #define QTRI_GRAY_GREEN 9809756
 #define QTRI_GRAY_BLUE  1905132
 
-/*
- * An attribute along pixels of a row: its value at the first, the step to the next, and what the
- * step grows by. Texture coordinates may be twisted: after every eighth pixel the step grows by
- * that as well, and what it grows by by twice as much. All wrap.
- */
-typedef struct qtri_curve {
-    uint32_t at, step, bend, twist;
-} qtri_curve;
-
 struct qtri_colors {
-    int32_t white[3];      /* of a full channel, n.16 */
-    uint32_t ratio_q30[3]; /* white / 255.0, rounded */
+    uint32_t ratio_q30[3]; /* units of 1/255, rounded */
     bool single;           /* only the sum of the channels counts */
     uint8_t red, green;    /* where they begin in a colour; blue: at bit 0 */
     uint8_t light_bits;    /* of 0..1 that are enough for a share of a colour */
-    uint8_t finer;         /* 2^this of red's and blue's units are a step of what is stored */
     uint32_t (*pack)(const int32_t channel[3]); /* rounded, from n.16 */
-    /*
-     * Colours of `count` (1..32) pixels along a row, and up to seven more: from curves of the three
-     * channels, or of their sum; n.16 with the half added that rounds.
-     */
-    void (*smooth)(uint32_t *color, const qtri_curve *channel, int32_t count);
 };
 
 static inline uint32_t qtri_channel_round(int32_t c)
