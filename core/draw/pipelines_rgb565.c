@@ -12,11 +12,3 @@ QTRI_PIPELINE(qtri_pipeline_texture_tint, LESS, .texel = QTRI_TEXEL_RGB565, .sha
 QTRI_PIPELINE(qtri_pipeline_texture_lit, LESS, .texel = QTRI_TEXEL_RGB565, .shade = QTRI_LIGHT)
 QTRI_PIPELINE(qtri_pipeline_texture_white, LESS, .texel = QTRI_TEXEL_RGB565,
               .shade = QTRI_WHITE_LIGHT)
-
-const qtri_pipeline *const qtri_pipelines_default[] = {
-    &qtri_pipeline_flat,          &qtri_pipeline_lit,
-    &qtri_pipeline_colors,        &qtri_pipeline_texture,
-    &qtri_pipeline_texture_tint,  &qtri_pipeline_texture_lit,
-    &qtri_pipeline_texture_white, &qtri_pipeline_mipmapped,
-    &qtri_pipeline_mipmapped_lit, &qtri_pipeline_mipmapped_white,
-    &qtri_pipeline_any,           NULL};

@@ -85,10 +85,12 @@ static qtri_view view;
 static qtri_transform pose;
 static qtri_surface band;
 
+static const qtri_pipeline *const pipelines[] = {&qtri_pipeline_lit, NULL};
+
 void app_setup(void)
 {
     const qtri_vec3 back = {0, 0, Q16(-2.2)};
-    qtri_view_init(&view, APP_WIDTH, APP_HEIGHT);
+    qtri_view_init_pipelines(&view, APP_WIDTH, APP_HEIGHT, pipelines);
     qtri_transform_translate(&view.camera, back);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(4.0 / 3.0), Q16(.5), Q16(20));
     view.light = &sun;

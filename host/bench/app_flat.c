@@ -42,10 +42,12 @@ static qtri_surface band;
 
 static const qtri_material material = {.shading = QTRI_FLAT_LAST, .depth_compare = QTRI_LESS};
 
+static const qtri_pipeline *const pipelines[] = {&qtri_pipeline_flat, NULL};
+
 void app_setup(void)
 {
     const qtri_vec3 back = {0, 0, Q16(-3)};
-    qtri_view_init(&view, APP_WIDTH, APP_HEIGHT);
+    qtri_view_init_pipelines(&view, APP_WIDTH, APP_HEIGHT, pipelines);
     qtri_transform_translate(&view.camera, back);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(4.0 / 3.0), Q16(.5), Q16(20));
 }

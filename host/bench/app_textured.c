@@ -69,10 +69,12 @@ static qtri_transform pose;
 static qtri_material material;
 static qtri_surface band;
 
+static const qtri_pipeline *const pipelines[] = {&qtri_pipeline_texture_white, NULL};
+
 void app_setup(void)
 {
     const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16_ONE, 0};
-    qtri_view_init(&view, APP_WIDTH, APP_HEIGHT);
+    qtri_view_init_pipelines(&view, APP_WIDTH, APP_HEIGHT, pipelines);
     qtri_transform_look_at(&view.camera, eye, center, up);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(4.0 / 3.0), Q16(.5), Q16(20));
     view.light = &sun;

@@ -251,8 +251,8 @@ static bool compare(const bench_frame *frame, const struct expectation *expected
                smooth ? "" : ": WRONG");
         return smooth;
     }
-    /* By pipelines, small textured triangles may be off by 1/16 texel. */
-    uint32_t most_colors = pixels / (bench_by_pipelines ? 300 : 1000);
+    /* Small textured triangles may be off by 1/16 texel. */
+    uint32_t most_colors = pixels / 300;
     bool ok = mismatch <= (compact ? pixels / 1000 : 0) && other_color <= most_colors &&
               (expected->pixels == 0 || pixels == expected->pixels);
     printf("%-4s %6u pixels%s, %u in one picture only, %u with a colour off by more than a step, "

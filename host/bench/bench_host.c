@@ -73,11 +73,6 @@ static int measure(void)
 
 int main(int argc, char **argv)
 {
-    if (argc > 1 && strcmp(argv[1], "--pipelines") == 0) {
-        bench_by_pipelines = true;
-        argc--;
-        argv++;
-    }
     if (argc == 1) {
         return board_program(NULL, 0);
     }
@@ -87,6 +82,6 @@ int main(int argc, char **argv)
     if (argc == 2 && strcmp(argv[1], "time") == 0) {
         return measure();
     }
-    fprintf(stderr, "usage: bench_host [--pipelines] [check FOLDER | time]\n");
+    fprintf(stderr, "usage: bench_host [check FOLDER | time]\n");
     return 2;
 }

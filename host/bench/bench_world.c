@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench_world.h"
 
-#ifndef BENCH_PIPELINES
-#define BENCH_PIPELINES 0
-#endif
 
 const bench_quad bench_screen = {{{Q16(-2.3070917), Q16(-1.7303188), 0},
                                   {Q16(2.3070917), Q16(-1.7303188), 0},
@@ -53,13 +50,10 @@ void bench_set_quad(qtri_corner corners[6], const bench_quad *quad, const qtri_r
     }
 }
 
-bool bench_by_pipelines = BENCH_PIPELINES != 0;
-
 void bench_set_view(qtri_view *view, int32_t width, int32_t height)
 {
     const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16_ONE, 0};
     qtri_view_init(view, width, height);
     qtri_transform_look_at(&view->camera, eye, center, up);
     qtri_transform_perspective(&view->projection, Q16(60), Q16(4.0 / 3.0), Q16(.1), Q16(100));
-    view->pipelines = bench_by_pipelines ? qtri_pipelines_default : NULL;
 }

@@ -57,8 +57,6 @@ uint16_t bench_rgb565(qtri_rgb color);
 void bench_set_quad(qtri_corner corners[6], const bench_quad *quad, const qtri_rgb colors[4]);
 
 /* The camera, for a frame of this size. */
-/* Whether views name the library's pipelines: `make bench PIPELINES=1`. */
-extern bool bench_by_pipelines;
 
 void bench_set_view(qtri_view *view, int32_t width, int32_t height);
 

@@ -15,14 +15,12 @@ SCENE_ABSENT  := $(filter-out $(SCENE_PRESENT),$(SCENE_CORES))
 # The M4 is an M4F: with a hard-float ABI, though nothing here computes in floating point.
 BENCH_FPU_cortex-m4 := -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 
-# PIPELINES=1: views name the library's pipelines, and the figures stand in a folder of their own.
-PIPELINES     ?=
-SCENE_DIR     := $(BENCH_DIR)/scenes$(if $(PIPELINES),-pipelines)
+SCENE_DIR     := $(BENCH_DIR)/scenes
 SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
 SCENE_WORLD   := $(wildcard core/*/*.c) $(addprefix host/bench/,bench_world.c bench_print.c) $(SCENE_DIR)/bench_meshes.c
 SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_smooth.c bench_paint.c bench_strokes.c bench_program.c) $(SCENE_WORLD)
 # What -fstack-usage and -fcallgraph-info write, `make size` reads; they change no code.
-SCENE_FLAGS   := -std=c99 -g -fstack-usage -fcallgraph-info=su -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc $(if $(PIPELINES),-DBENCH_PIPELINES=1)
+SCENE_FLAGS   := -std=c99 -g -fstack-usage -fcallgraph-info=su -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
 
 # The compiler and the flags of one object of a core. $1: core, $2: source.
 scene_compile = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(if $(filter core/%,$2),$(bench_optimize),-O2) $(SCENE_FLAGS)
@@ -83,7 +81,7 @@ $(BUILD)/obj/bench_meshes.o: $(SCENE_DIR)/bench_meshes.c $(BUILD)/flags
 	$(call run,compile $<)$(CC) -std=c99 $(CFLAGS) $(INCLUDES) -Ihost/bench -c -o $@ $<
 
 $(SCENE_DIR)/host.txt: $(SCENE_HOST)
-	@$(SCENE_HOST) $(if $(PIPELINES),--pipelines) >$@.part && $(SCENE_HOST) $(if $(PIPELINES),--pipelines) check $(SCENE_DIR) >$(SCENE_DIR)/check.txt || \
+	@$(SCENE_HOST) >$@.part && $(SCENE_HOST) check $(SCENE_DIR) >$(SCENE_DIR)/check.txt || \
 	    { cat $(SCENE_DIR)/check.txt; echo "bench: the host's picture is wrong"; exit 1; }
 	@mv $@.part $@
 

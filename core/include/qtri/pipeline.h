@@ -15,14 +15,15 @@
  * and lists it, before those of the library if it wants these as well:
  *
  *     static const qtri_pipeline *const pipelines[] = {&lit_crate, &qtri_pipeline_any, NULL};
- *     view.pipelines = pipelines;
+ *     qtri_view_init_pipelines(&view, 320, 240, pipelines);
  *
  * A draw call takes the first pipeline of its view's list that fits: whose options are those that
  * surface, material and mesh ask for. &qtri_pipeline_any fits everything: it is the same body with
  * options that are read for each pixel, draws the same bits, and takes 3 to 14 times the
  * instructions a pixel on long rows, 1.2 to 1.4 times on small triangles. On a surface with samples
- * (samples.h) the formats' own pipelines take its place. A draw for which the list
- * has no pipeline draws nothing; a checked build (error.h) stops there.
+ * (samples.h) the formats' own pipelines take its place. A draw for which the list has no pipeline,
+ * or a list that is NULL, draws nothing; a checked build (error.h) stops there. Lines, strokes and
+ * points (draw.h, stroke.h) need none.
  */
 #ifndef QTRI_PIPELINE_H
 #define QTRI_PIPELINE_H

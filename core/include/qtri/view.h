@@ -72,11 +72,15 @@ typedef struct qtri_view {
     qtri_vertex *vertices;     /* scratch for mesh draws, overwritten by each; NULL with count 0 */
     uint32_t vertex_count;     /* fewer than a mesh's vertices is slower, never wrong */
     const qtri_lights *lights; /* not NULL: in place of `light` */
-    const qtri_pipeline *const *pipelines; /* NULL, or what draws triangles: see pipeline.h */
+    const qtri_pipeline *const *pipelines; /* what draws triangles: see pipeline.h */
 } qtri_view;
 
-/* Identity camera and projection, the whole frame, no lights, no scratch. */
+/* Identity camera and projection, the whole frame, no lights, no scratch; qtri_pipelines_default. */
 void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height);
+
+/* With a list of pipelines, which NULL ends: what neither it nor a format names is not linked. */
+void qtri_view_init_pipelines(qtri_view *view, int32_t frame_width, int32_t frame_height,
+                              const qtri_pipeline *const *pipelines);
 
 #ifdef __cplusplus
 }

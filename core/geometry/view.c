@@ -4,7 +4,6 @@
 #include <stddef.h>
 
 #include "qtri/error.h"
-#include "qtri/pipeline.h"
 
 qtri_viewport qtri_viewport_top(int32_t x, int32_t y, int32_t width, int32_t height)
 {
@@ -24,9 +23,10 @@ qtri_viewport qtri_viewport_bottom(int32_t x, int32_t y, int32_t width, int32_t 
     return qtri_viewport_top(x, (int32_t)top, width, height);
 }
 
-void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
+void qtri_view_init_pipelines(qtri_view *view, int32_t frame_width, int32_t frame_height,
+                              const qtri_pipeline *const *pipelines)
 {
-    QTRI_ASSERT(view != NULL);
+    QTRI_ASSERT(view != NULL && pipelines != NULL);
     qtri_transform_identity(&view->camera);
     qtri_transform_identity(&view->projection);
     view->viewport = qtri_viewport_top(0, 0, frame_width, frame_height);
@@ -34,5 +34,5 @@ void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
     view->vertices = NULL;
     view->vertex_count = 0;
     view->lights = NULL;
-    view->pipelines = qtri_pipelines_default;
+    view->pipelines = pipelines;
 }
