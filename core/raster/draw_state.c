@@ -93,11 +93,9 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     o->pixel_bytes = o->format == QTRI_OTHER_FORMAT ? surface->format->pixels->bytes : 0;
     if (surface->depth != NULL && material->depth_compare != QTRI_DEPTH_OFF) {
         o->depth = depth == NULL || depth->ops == NULL ? QTRI_LINEAR16
-                   : depth->kind != QTRI_NO_DEPTH          ? depth->kind
-                                                           : QTRI_OTHER_DEPTH;
-        o->compare =
-            (uint8_t)((unsigned)material->depth_compare < QTRI_ALWAYS ? material->depth_compare
-                                                                      : QTRI_ALWAYS);
+                   : depth->kind != QTRI_NO_DEPTH      ? depth->kind
+                                                       : QTRI_OTHER_DEPTH;
+        o->compare = (uint8_t)qtri_compare_of(material);
         o->read_only = material->depth_read_only;
     }
     if (is_usable(material->texture)) {
@@ -285,7 +283,8 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->surface = surface;
     state->material = material;
     state->bounds = nowhere;
-    if (surface->format == NULL || material->depth_compare == QTRI_NEVER) {
+    if (surface->format == NULL ||
+        (surface->depth != NULL && material->depth_compare == QTRI_NEVER)) {
         return;
     }
     want(&state->options, surface, material, shade);
