@@ -47,22 +47,19 @@ static line random_line(uint64_t *seed)
 static void draw(const qtri_surface *surface, const qtri_material *material, const line *l,
                  bool turned)
 {
-    qtri_batch batch;
     qtri_line_job job;
     qtri_stroke_target to;
     const qtri_line_color color[2] = {
         {l->color[1][0], l->color[1][1], l->color[1][2]},
         {l->color[0][0], l->color[0][1], l->color[0][2]},
     };
-    qtri_line_job_init(&job, surface, material, &batch);
-    qtri_line_make_table(&job);
-    qtri_stroke_line_choose(&job, &l->style, &to, qtri_stroke_line_draw);
+    qtri_line_job_init(&job, surface, material, &to);
+    qtri_stroke_line_choose(&job, surface, material, &l->style, qtri_stroke_line_draw);
     if (turned) {
         job.draw(&job, &l->v[1], &l->v[0], l->colored ? color : NULL);
     } else {
         job.draw(&job, &l->v[0], &l->v[1], l->colored ? (const qtri_line_color *)l->color : NULL);
     }
-    qtri_line_flush(&job);
 }
 
 /* White on black in gray: a pixel is its coverage. */

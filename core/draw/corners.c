@@ -157,7 +157,6 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
             qtri_corners_draw_clipped(&c, &shape, &corners[i]);
         }
     }
-    qtri_primitive_finish(&c.job.primitive);
 }
 
 void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
@@ -181,5 +180,4 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
         attributes_of(&attributes[1], &corners[i + 1]);
         qtri_primitive_line(&primitive, v, attributes);
     }
-    qtri_primitive_finish_lines(&primitive);
 }

@@ -11,9 +11,8 @@
 #include "mesh_job.h"
 
 struct qtri_fill {
-    /* Sets primitive->to for its surface and its material; draws what waits there. */
+    /* Sets primitive->to for its surface and its material. */
     void (*begin)(qtri_primitive *primitive);
-    void (*finish)(const qtri_primitive *primitive);
     /* A triangle that may need clipping by `planes`, and culling; see qtri_primitive_triangle. */
     void (*clipped)(const qtri_primitive *primitive, const qtri_clip_vertex v[3], unsigned planes,
                     qtri_attribute_source source, const void *from);

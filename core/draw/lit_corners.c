@@ -125,7 +125,6 @@ QTRI_NOINLINE static void draw_call(const qtri_surface *surface, const qtri_view
     } else {
         draw_all(&call);
     }
-    qtri_primitive_finish(&call.c.job.primitive);
 }
 
 void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,

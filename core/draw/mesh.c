@@ -142,5 +142,4 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     } else {
         draw_placed(&draw, NULL);
     }
-    qtri_primitive_finish(&draw.primitive);
 }

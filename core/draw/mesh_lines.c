@@ -35,8 +35,6 @@
 #include "lights.h"
 #include "mesh_faces.h"
 
-#include "../fast/line_16.h"
-
 /* Which of the triangles that have an edge take it, to draw it. */
 typedef enum taker { EVERY, FIRST, LAST } taker;
 
@@ -66,9 +64,9 @@ static taker taker_by_job(const qtri_mesh_job *draw)
     if (draw->material.blend != NULL) {
         return EVERY;
     }
-    const qtri_line_job *job = &draw->primitive.to.lines.job;
-    return taker_of(job->has_depth || job->testing != NULL, draw->material.depth_compare,
-                    !draw->material.depth_read_only);
+    return taker_of(draw->primitive.surface->depth != NULL &&
+                        draw->material.depth_compare != QTRI_DEPTH_OFF,
+                    draw->material.depth_compare, !draw->material.depth_read_only);
 }
 
 /* Whether the edge is noted; it is not any more then. */
@@ -406,15 +404,6 @@ QTRI_NOINLINE static void draw_any_noted(const qtri_mesh_job *draw)
     draw_noted(draw, qtri_mesh_has_bytes(draw->mesh), false);
 }
 
-/* A mesh has lines enough for a table, if they are tinted. */
-static void begin_mesh(qtri_mesh_job *draw)
-{
-    if (draw->mesh->colors == NULL && draw->lights == NULL) {
-        qtri_line_make_table(&draw->primitive.to.lines.job);
-        qtri_line_16_choose(&draw->primitive.to.lines.job);
-    }
-}
-
 /*
  * The faces that may be seen of a mesh that has planes of them, by the first triangles: false, and
  * nothing is drawn, where planes tell nothing.
@@ -444,7 +433,6 @@ static void draw_mesh(qtri_mesh_job *draw)
     const qtri_mesh *mesh = draw->mesh;
     taker who = taker_by_job(draw);
     uint32_t number = 0;
-    begin_mesh(draw);
     if (who == FIRST && draw_faces(draw)) {
         return;
     }
@@ -493,14 +481,12 @@ static void prepare_mesh(const qtri_mesh_job *draw, bool back_only)
 
 static void begin_band(qtri_mesh_job *draw)
 {
-    begin_mesh(draw);
     draw->noted = draw->slot_count >= draw->mesh->vertex_count &&
                   taker_by_job(draw) == taker_by_material(&draw->material);
 }
 
 const qtri_fill qtri_wireframe = {
     .begin = qtri_primitive_begin_lines,
-    .finish = qtri_primitive_finish_lines,
     .clipped = qtri_primitive_outline,
     .triangle = draw_triangle,
     .mesh = draw_mesh,

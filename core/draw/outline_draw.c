@@ -198,9 +198,6 @@ QTRI_NOINLINE static void see(const qtri_surface *surface, const qtri_view *view
     } else {
         see_placed(&job, &d);
     }
-    if (draws) {
-        qtri_primitive_finish(&job.primitive);
-    }
     qtri_outline_set(outline, view->vertices, view, pose, material, surface->width,
                      surface->height);
 }

@@ -137,5 +137,4 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     } else {
         draw_band(&job, &work);
     }
-    qtri_primitive_finish(&job.primitive);
 }

@@ -20,23 +20,10 @@ void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *su
     }
 }
 
-void qtri_primitive_finish(const qtri_primitive *primitive)
-{
-    const qtri_fill *fill = primitive->material->fill;
-    if (fill != NULL) {
-        fill->finish(primitive);
-    }
-}
-
 void qtri_primitive_begin_lines(qtri_primitive *primitive)
 {
     qtri_line_job_init(&primitive->to.lines.job, primitive->surface, primitive->material,
-                       &primitive->to.lines.batch);
-}
-
-void qtri_primitive_finish_lines(const qtri_primitive *primitive)
-{
-    qtri_line_flush(&primitive->to.lines.job);
+                       &primitive->to.lines.target);
 }
 
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,

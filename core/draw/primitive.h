@@ -27,8 +27,7 @@ typedef struct qtri_primitive {
         } solid;              /* triangles */
         struct {
             qtri_line_job job;
-            qtri_batch batch; /* the job's */
-            qtri_stroke_target smooth;
+            qtri_stroke_target target; /* the job's */
         } lines; /* and wireframes */
     } to;
     qtri_projector projector;
@@ -65,9 +64,6 @@ void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
                          const qtri_view *view, const qtri_transform *pose,
                          const qtri_material *material, int shade);
 
-/* At the end: draws what waits. */
-void qtri_primitive_finish(const qtri_primitive *primitive);
-
 /*
  * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is
  * to be drawn, and again for the next piece: what is not kept takes no stack while rows are filled.
@@ -80,7 +76,6 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
 
 /* For lines, whatever the material says; then as above. */
 void qtri_primitive_begin_lines(qtri_primitive *primitive);
-void qtri_primitive_finish_lines(const qtri_primitive *primitive);
 
 /* The outline of a triangle that may need clipping by `planes`, the sum of its outcodes. */
 void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],

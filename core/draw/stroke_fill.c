@@ -12,8 +12,8 @@ static const qtri_stroke_line one_pixel = {128, false, 255};
 static void begin(qtri_primitive *primitive)
 {
     qtri_primitive_begin_lines(primitive);
-    qtri_stroke_line_choose(&primitive->to.lines.job, &one_pixel, &primitive->to.lines.smooth,
-                            qtri_stroke_line_draw);
+    qtri_stroke_line_choose(&primitive->to.lines.job, primitive->surface, primitive->material,
+                            &one_pixel, qtri_stroke_line_draw);
 }
 
 static void draw_triangle(const qtri_mesh_job *draw, const void *triangle,
@@ -39,7 +39,6 @@ static void begin_band(qtri_mesh_job *draw)
 
 const qtri_fill qtri_smooth_wireframe = {
     .begin = begin,
-    .finish = qtri_primitive_finish_lines,
     .clipped = qtri_primitive_outline,
     .triangle = draw_triangle,
     .mesh = draw_mesh,

@@ -18,30 +18,21 @@ typedef struct wide_job {
     qtri_stroke_end end[2];
 } wide_job;
 
-/*
- * What the line job takes for its surface: one whose pixels are not 16 bits, so that nothing that
- * only saves time takes its lines.
- */
-static const qtri_surface no_surface = {.format = &qtri_depth_only};
-
 /* See qtri_line_draws. */
 static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                       const qtri_line_color *color)
 {
-    wide_job *wide = (wide_job *)(void *)job->first;
+    wide_job *wide = job->wide;
     const qtri_vertex *const vertex[2] = {a, b};
+    qtri_line_color lit[2];
+    if (color == NULL) {
+        qtri_line_lit_colors(lit, job, a, b);
+        color = (const qtri_line_color *)lit;
+    }
     for (int i = 0; i < 2; i++) {
         wide->place.end[i] = vertex[i]->at;
         wide->end[i].depth_16p8 = vertex[i]->depth_16p8 & ~0xFFu;
-        if (color != NULL) {
-            memcpy(wide->end[i].color_8p16, color[i], sizeof wide->end[i].color_8p16);
-        } else {
-            const qtri_rgb *tint = &wide->mesh.material.color;
-            const int32_t light = (int32_t)vertex[i]->intensity_q15 * 2;
-            wide->end[i].color_8p16[0] = tint->r * light; /* <= 255.0 */
-            wide->end[i].color_8p16[1] = tint->g * light;
-            wide->end[i].color_8p16[2] = tint->b * light;
-        }
+        memcpy(wide->end[i].color_8p16, color[i], sizeof wide->end[i].color_8p16);
     }
     qtri_stroker_draw_part(&wide->stroker, &wide->place, wide->end);
 }
@@ -120,11 +111,10 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     const qtri_stroke_line thin = {wide.place.radius_24p8, wide.place.caps[0] == QTRI_CAP_SQUARE,
                                    stroke->alpha};
     if (is_thin(stroke, &wide.place)) {
-        qtri_stroke_line_choose(job, &thin, &wide.stroker.to, stroke->edges->line);
+        qtri_stroke_line_choose(job, surface, material, &thin, stroke->edges->line);
     } else {
-        job->surface = &no_surface;
         job->draw = draw_edge;
-        job->first = (uint8_t *)(void *)&wide;
+        job->wide = &wide;
         widen_rows(job, wide.place.radius_24p8);
     }
     if (!qtri_mesh_job_place(&wide.mesh, view, pose)) {

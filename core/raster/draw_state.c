@@ -106,9 +106,7 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
         o->depth = depth == NULL || depth->ops == NULL ? QTRI_LINEAR16
                    : depth->kind != QTRI_NO_DEPTH      ? depth->kind
                                                        : QTRI_OTHER_DEPTH;
-        o->compare =
-            (uint8_t)((unsigned)material->depth_compare < QTRI_ALWAYS ? material->depth_compare
-                                                                      : QTRI_ALWAYS);
+        o->compare = (uint8_t)qtri_compare_of(material);
         o->read_only = material->depth_read_only;
     }
     if (is_usable(material->texture)) {

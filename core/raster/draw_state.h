@@ -13,6 +13,13 @@ enum {
     QTRI_COVERED = 16 /* added to `shade`: pixels are covered in part */
 };
 
+/* A material's comparison; a number that is none is QTRI_ALWAYS. Enums may be signed. */
+static inline qtri_compare qtri_compare_of(const qtri_material *material)
+{
+    const qtri_compare compare = material->depth_compare;
+    return (uint32_t)compare > (uint32_t)QTRI_ALWAYS ? QTRI_ALWAYS : compare;
+}
+
 /*
  * `shade`: what colours of the draw call do, before textures are looked at: QTRI_FLAT where all
  * triangles have material.color; QTRI_TINT, a colour a triangle; QTRI_LIGHT, material.color in

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A line's pixels and what lies between its ends. Internal: line.c draws any line by it, and
- * fast/line_16.c short ones.
+ * From the ends of a line to its pixels. Internal: what a short one needs, in place.
  */
 #ifndef QTRI_RASTER_LINE_PATH_H
 #define QTRI_RASTER_LINE_PATH_H
 
 #include "divider.h"
 #include "line.h"
+#include "line_run.h"
 
 /*
  * Colours and depths are ramps of 32 bits from pixel to pixel. Their steps are cut off to 2^-16
- * (depth: 2^-15, shares of the tint: 2^-22) and so lag by 128 of that at most after 128 pixels:
- * longer lines start anew every QTRI_LINE_CHUNK pixels, counted from their first one, whatever a
- * scissor or a band cuts off. Values lie between those of the ends and need no clamps.
+ * (depth: 2^-15, light: 2^-22) and so lag by 128 of that at most after 128 pixels: longer lines
+ * start anew every QTRI_LINE_CHUNK pixels, counted from their first one, whatever a scissor or a
+ * band cuts off. Values lie between those of the ends and need no clamps.
  */
 enum { QTRI_LINE_CHUNK = 128 };
 
@@ -29,15 +29,10 @@ typedef struct qtri_line_path {
     int32_t along;                   /* 0..255, and below length where there is a pixel */
     int32_t position;                /* of pixel 0 on the major axis */
     int32_t count;                   /* may be negative */
-    int32_t step, step_minor;        /* of an address to the next pixel along, and across */
 } qtri_line_path;
 
-/* Addresses count in any unit: a column and a row are `step_x` and `step_y` of it. */
-static inline void qtri_line_path_init(qtri_line_path *l, const qtri_vertex *a,
-                                       const qtri_vertex *b, int32_t step_x, int32_t step_y)
+QTRI_INLINE void qtri_line_path_init(qtri_line_path *l, const qtri_vertex *a, const qtri_vertex *b)
 {
-    int32_t step = step_x;
-    int32_t step_minor = step_y;
     int32_t major = a->at.x_24p8;
     int32_t minor = a->at.y_24p8;
     int32_t length = b->at.x_24p8 - major;
@@ -51,8 +46,6 @@ static inline void qtri_line_path_init(qtri_line_path *l, const qtri_vertex *a,
         minor = x;
         delta = width;
         steep = true;
-        step = step_y;
-        step_minor = step_x;
     }
     l->first = a;
     l->last = b;
@@ -65,8 +58,6 @@ static inline void qtri_line_path_init(qtri_line_path *l, const qtri_vertex *a,
         l->last = a;
     }
     l->steep = steep;
-    l->step = step;
-    l->step_minor = step_minor;
     l->minor = minor;
     l->length = length;
     l->delta = delta;
@@ -76,20 +67,8 @@ static inline void qtri_line_path_init(qtri_line_path *l, const qtri_vertex *a,
     l->count = ((major + length + 127) >> 8) - l->position;
 }
 
-/*
- * On the minor axis the line is at floor((minor + (along + 256 k) delta / length) / 256): a
- * quotient and a remainder, as in dda.h. Kept is the remainder less its denominator, below 0.
- */
-typedef struct qtri_line_walk {
-    int32_t k;     /* the pixel of the path */
-    int32_t minor; /* where it is */
-    int32_t slope; /* -1, 0 or 1 a pixel, and 1 more where the remainder runs over */
-    int32_t rest, rest_step;
-    uint32_t denominator; /* <= 2^31 */
-} qtri_line_walk;
-
 /* To pixel 0 of a short line: one of a single chunk, length < 2^15 + 2^8. */
-static inline void qtri_line_walk_short(qtri_line_walk *w, const qtri_line_path *l)
+QTRI_INLINE void qtri_line_walk_short(qtri_line_walk *w, const qtri_line_path *l)
 {
     const int32_t denominator = l->length * 256;
     /*
@@ -129,8 +108,8 @@ static inline void qtri_line_walk_next(qtri_line_walk *w)
 }
 
 /* Whether both ends are. */
-static inline bool qtri_line_is_inside(const qtri_line_job *job, const qtri_vertex *a,
-                                       const qtri_vertex *b)
+QTRI_INLINE bool qtri_line_is_inside(const qtri_line_job *job, const qtri_vertex *a,
+                                     const qtri_vertex *b)
 {
     return (uint32_t)(a->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
            (uint32_t)(b->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
@@ -141,14 +120,9 @@ static inline bool qtri_line_is_inside(const qtri_line_job *job, const qtri_vert
 /* Moves w to the first pixel inside of a short line; returns the end of those that are. */
 int32_t qtri_line_cut_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l);
 
-/* A value along the line, from one pixel to the next: modulo 2^32, signed. */
-typedef struct qtri_line_ramp {
-    uint32_t value, step; /* a single pixel's step may exceed 32 bits */
-} qtri_line_ramp;
-
-/* From its ends, at pixel 0, `along` from the first; `by`: the line's length. */
-static inline void qtri_line_ramp_init(qtri_line_ramp *r, int32_t from, int32_t to, int32_t along,
-                                       const qtri_divider *by)
+/* From a line's ends, at pixel 0, `along` from the first; `by`: its length. */
+QTRI_INLINE void qtri_line_ramp_short(qtri_line_ramp *r, int32_t from, int32_t to, int32_t along,
+                                      const qtri_divider *by)
 {
     const uint32_t small = (uint32_t)1 << 22;
     int32_t rest = to - from;
@@ -161,36 +135,95 @@ static inline void qtri_line_ramp_init(qtri_line_ramp *r, int32_t from, int32_t 
     r->step = (uint32_t)quotient * 256u + (uint32_t)qtri_divide(rest * 256, by);
 }
 
-/* 0..65535.0: differences fit 32 bits. */
-static inline int32_t qtri_line_depth_16p15(uint32_t mask, const qtri_vertex *end)
+/*
+ * Light of two lit ends, 8.16, at pixel 0. What a step cuts off is less than 2^-22, and what the
+ * first pixel lacks less than a step: along < length, so that their product is below 2^30.
+ */
+QTRI_INLINE void qtri_line_ramp_light(qtri_line_ramp *r, const qtri_line_path *l,
+                                      const qtri_divider *by)
 {
-    return (int32_t)((end->depth_16p8 & mask) >> 1);
+    const int32_t from = (int32_t)((uint32_t)l->first->intensity_q15 << 7);
+    const int32_t to = (int32_t)((uint32_t)l->last->intensity_q15 << 7);
+    const int32_t step = qtri_divide((to - from) * 256, by);
+    r->value = (uint32_t)(from + ((step * l->along) >> 8)) << 2;
+    r->step = (uint32_t)step << 2;
 }
 
-/* Added to depths, so that cutting off rounds. */
-#define QTRI_LINE_DEPTH_HALF ((uint32_t)1 << 14)
-
-/* A share of the tint in Q22, of a lit end. */
-static inline int32_t qtri_line_share_q22(const qtri_vertex *end)
+/* Depth of an end, 0..65535.0 in 16.15: differences fit 32 bits. */
+QTRI_INLINE int32_t qtri_line_depth(const qtri_line_job *job, const qtri_vertex *end)
 {
-    return (int32_t)((uint32_t)end->intensity_q15 << 7);
+    return (int32_t)((end->depth_16p8 & job->depth_mask) >> 1);
 }
 
 /*
- * Of shares of the tint, at pixel 0. What a step cuts off is less than a unit, and what the first
- * pixel lacks less than a step: along < length, so that their product is below 2^30.
+ * The pixels of the walk, up to `end`, of the chunk of a line that begins at pixel `start`, where
+ * depth is 16.15 and with colours set.
  */
-static inline void qtri_line_ramp_share(qtri_line_ramp *r, const qtri_line_path *l,
-                                        const qtri_divider *by)
+QTRI_INLINE void qtri_line_run_place(qtri_line_run *run, const qtri_line_job *job,
+                                     const qtri_line_path *l, int32_t end, int32_t start)
 {
-    const int32_t from = qtri_line_share_q22(l->first);
-    const int32_t step = qtri_divide((qtri_line_share_q22(l->last) - from) * 256, by);
-    r->value = (uint32_t)(from + ((step * l->along) >> 8));
-    r->step = (uint32_t)step;
+    const int32_t along = l->position + run->walk.k;
+    const uint32_t number = (uint32_t)(run->walk.k - start);
+    run->state = &job->to->state;
+    run->is_steep = l->steep;
+    run->x = l->steep ? run->walk.minor : along;
+    run->y = l->steep ? along : run->walk.minor;
+    run->count = end - run->walk.k;
+    run->z.step *= 2;
+    run->z.value = 2 * run->z.value + number * run->z.step;
+    run->color[0].value += number * run->color[0].step;
+    if (!run->is_lit) {
+        run->color[1].value += number * run->color[1].step;
+        run->color[2].value += number * run->color[2].step;
+    }
 }
 
-/* What is cut off a share for its number in the table of tints, and the half that rounds. */
-#define QTRI_LINE_TINT_SHIFT (22 - QTRI_TINT_BITS)
-#define QTRI_LINE_TINT_HALF  ((uint32_t)1 << (QTRI_LINE_TINT_SHIFT - 1))
+/* Draws runs by the options of a job. */
+typedef void (*qtri_line_runs)(const qtri_line_run *run);
+
+/* See qtri_line_draws. */
+void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                    const qtri_line_color *color, qtri_line_runs draw);
+
+/* The same, in place where the line is short and lit by the table, by `o`: most of a wireframe.
+   `draw` is for others. */
+QTRI_BODY void qtri_line_draw_lit(const qtri_options *o, const qtri_line_job *job,
+                                  const qtri_vertex *a, const qtri_vertex *b,
+                                  const qtri_line_color *color, qtri_line_runs draw)
+{
+    qtri_line_path l;
+    qtri_line_path_init(&l, a, b);
+    if (color != NULL || (uint32_t)(l.count - 1) >= QTRI_LINE_CHUNK) {
+        qtri_line_draw(job, a, b, color, draw);
+        return;
+    }
+    if (!job->to->state.has_table) {
+        (void)qtri_line_has_table(job); /* it has one then */
+    }
+    qtri_line_run run;
+    qtri_divider by;
+    int32_t end = l.count;
+    qtri_line_walk_short(&run.walk, &l);
+    if (!qtri_line_is_inside(job, a, b)) {
+        const qtri_line_path path = l; /* copies: these need not be in memory */
+        qtri_line_walk first = run.walk;
+        end = qtri_line_cut_short(&first, job, &path);
+        run.walk = first;
+        if (first.k >= end) {
+            return;
+        }
+    }
+    qtri_divider_init_short(&by, (uint32_t)l.length);
+    run.z.value = run.z.step = 0;
+    if (qtri_needs_depth(o)) {
+        qtri_line_ramp_short(&run.z, qtri_line_depth(job, l.first), qtri_line_depth(job, l.last),
+                             l.along, &by);
+    }
+    qtri_line_ramp_light(&run.color[0], &l, &by);
+    run.is_lit = true;
+    run.is_even = true;
+    qtri_line_run_place(&run, job, &l, end, 0);
+    qtri_line_run_draw(o, &run);
+}
 
 #endif

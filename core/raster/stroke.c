@@ -6,8 +6,9 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
 {
     stroker->edges = stroke->edges;
     stroker->ring.radius = 0;
-    return stroke->alpha != 0 && qtri_stroke_target_init(&stroker->to, surface, material,
-                                                         stroke->alpha, stroke->edges != NULL);
+    return stroke->alpha != 0 &&
+           qtri_stroke_target_init(&stroker->to, surface, material, qtri_stroke_pipelines,
+                                   stroke->alpha, stroke->edges != NULL);
 }
 
 /* Parts ---------------------------------------------------------------------------------------- */

@@ -1,16 +1,35 @@
 /* SPDX-License-Identifier: MIT */
-/* Spans of strokes with options that are read for every pixel. */
+/* Spans of strokes, and lines, with options that are read for every pixel. */
 #define QTRI_PIPELINE_IS_ANY
-#include "stroke_span.h"
+#include "line_path.h"
 
-static void span(const qtri_stroke_span *span)
+static qtri_options options_of(const qtri_draw_state *state, bool is_lit)
 {
-    qtri_options o = span->state->options;
+    qtri_options o = state->options;
     o.texel = QTRI_NO_TEXEL; /* constants, for the compiler to leave out what they need */
-    o.shade = QTRI_FLAT;
+    o.shade = is_lit ? QTRI_LIGHT : QTRI_FLAT;
     o.fragment = NULL;
     o.vertex_alpha = o.bilinear = o.key = o.alpha_test = o.large_texture = 0;
+    return o;
+}
+
+static void any_span(const qtri_stroke_span *span)
+{
+    const qtri_options o = options_of(span->state, false);
     qtri_stroke_span_draw(&o, span);
 }
 
-const qtri_pipeline qtri_stroke_any = {.options = {.format = QTRI_ANY}, .span = span};
+static void any_run(const qtri_line_run *run)
+{
+    const qtri_options o = options_of(run->state, run->is_lit);
+    qtri_line_run_draw(&o, run);
+}
+
+static void any_line(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                     const qtri_line_color *color)
+{
+    qtri_line_draw(job, a, b, color, any_run);
+}
+
+const qtri_pipeline qtri_stroke_any = {.options = {.format = QTRI_ANY}, .span = any_span};
+const qtri_pipeline qtri_line_any = {.options = {.format = QTRI_ANY}, .line = any_line};

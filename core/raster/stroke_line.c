@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke_line.h"
 
+#include <string.h>
+
 #include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
 #include "../filter/mix.h"
@@ -158,7 +160,7 @@ static void clip_cells(const wire *w, cells *c)
 /* Pixels of a column for any format. */
 static void draw_any(const wire *w, const cells *c)
 {
-    qtri_stroke_target *to = w->job->smooth_target;
+    qtri_stroke_target *to = w->job->to;
     uint16_t weight[CELLS];
     uint16_t share_q16[CELLS];
     int32_t share_q24 = c->share;
@@ -331,7 +333,7 @@ static void begin_chunk(const wire *w, int32_t column, int32_t *low_q16, int32_t
 static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b)
 {
     qtri_line_path l;
-    qtri_line_path_init(&l, a, b, 1, 65536);
+    qtri_line_path_init(&l, a, b);
     if (l.length == 0) {
         return false;
     }
@@ -378,12 +380,6 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
 typedef void (*walk_columns)(const wire *w, int32_t column, int32_t end, int32_t low_q16,
                              int32_t share);
 
-/* Colours by the table of tints, where it is of pixels as they are stored. */
-static bool has_tints(const qtri_line_job *job, const qtri_line_color *color)
-{
-    return color == NULL && job->batch->has_table && qtri_is_565(job->surface->format);
-}
-
 /* Depth and colours. */
 static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color)
 {
@@ -391,24 +387,24 @@ static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color
     const qtri_vertex *first = w->ends[0];
     const qtri_vertex *last = w->ends[1];
     qtri_stroke_end end[2];
-    if (has_tints(job, color)) {
+    if (color == NULL && qtri_line_has_table(job)) {
         qtri_stroke_look_set_depth(&w->look, first->depth_16p8 & job->depth_mask,
                                    last->depth_16p8 & job->depth_mask);
         w->look.is_level = w->look.is_even = false;
-        w->look.tints = qtri_batch_table(job->batch);
+        w->look.tints = job->to->state.table;
         w->look.light_q29 = (int32_t)((uint32_t)first->intensity_q15 << SHARE_BITS);
         w->look.light_step = (int32_t)last->intensity_q15 - (int32_t)first->intensity_q15;
         return;
     }
-    const qtri_rgb *tint = &job->material->color;
+    qtri_line_color lit[2];
+    const int turned = color != NULL && first != a;
+    if (color == NULL) {
+        qtri_line_lit_colors(lit, job, first, last);
+        color = (const qtri_line_color *)lit;
+    }
     for (int i = 0; i < 2; i++) {
-        const int32_t light = (int32_t)w->ends[i]->intensity_q15 * 2;
-        const int32_t lit[3] = {tint->r * light, tint->g * light, tint->b * light}; /* <= 255.0 */
-        const int32_t *from = color == NULL ? lit : color[w->ends[i] != a];
         end[i].depth_16p8 = w->ends[i]->depth_16p8 & job->depth_mask;
-        end[i].color_8p16[0] = from[0];
-        end[i].color_8p16[1] = from[1];
-        end[i].color_8p16[2] = from[2];
+        memcpy(end[i].color_8p16, color[i ^ turned], sizeof end[i].color_8p16);
     }
     qtri_stroke_look_init(&w->look, end);
 }
@@ -416,12 +412,13 @@ static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color
 /* What walks a line. */
 static walk_columns walk_of(wire *w)
 {
-    const qtri_line_job *job = w->job;
-    const qtri_surface *surface = job->surface;
-    const bool nearer = job->has_depth && job->is_less && job->depth_write;
+    const qtri_stroke_target *to = w->job->to;
+    const qtri_surface *surface = to->state.surface;
+    const qtri_options *o = &to->state.options;
+    const bool nearer = o->depth == QTRI_LINEAR16 && o->compare == QTRI_LESS && !o->read_only;
     const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
-    if (w->look.tints == NULL || job->smooth->alpha != 255 || job->testing != NULL ||
-        (job->has_depth && !nearer) || !qtri_is_565(surface->format) ||
+    if (w->look.tints == NULL || to->alpha_q16 != 65536 || to->samples != NULL ||
+        o->format != QTRI_RGB565 || o->keep || (qtri_tests_depth(o) && !nearer) ||
         surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
         surface->depth_pitch >= pitch_end / 2 || surface->depth_pitch <= -pitch_end / 2) {
         return walk_any;

@@ -28,15 +28,16 @@ typedef struct qtri_stroke_line {
  * Lets the job, of surface and material, draw smooth lines. The rows in which it looks for
  * triangles reach further then than those of the surface, which stroke_line.c knows.
  */
-static inline void qtri_stroke_line_choose(qtri_line_job *job, const qtri_stroke_line *style,
-                                           qtri_stroke_target *to, qtri_line_draws draw)
+static inline void qtri_stroke_line_choose(qtri_line_job *job, const qtri_surface *surface,
+                                           const qtri_material *material,
+                                           const qtri_stroke_line *style, qtri_line_draws draw)
 {
     job->smooth = style;
-    job->smooth_target = to;
     job->draw = draw;
     job->top_24p8 -= QTRI_STROKE_LINE_REACH;
     job->height_24p8 += 2 * QTRI_STROKE_LINE_REACH;
-    if (!qtri_stroke_target_init(to, job->surface, job->material, style->alpha, true)) {
+    if (!qtri_stroke_target_init(job->to, surface, material, qtri_stroke_pipelines, style->alpha,
+                                 true)) {
         job->width_24p8 = 0;
     }
 }

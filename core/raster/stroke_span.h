@@ -64,7 +64,20 @@ typedef struct qtri_stroke_target {
 
 /* False: nothing can be drawn. `alpha` 1..255; not `is_smooth`: pixels are covered wholly. */
 bool qtri_stroke_target_init(qtri_stroke_target *to, const qtri_surface *surface,
-                             const qtri_material *material, uint8_t alpha, bool is_smooth);
+                             const qtri_material *material, const qtri_pipeline *const *pipelines,
+                             uint8_t alpha, bool is_smooth);
+
+/* A pixel of samples, while it is drawn: in column x and row y of the state's surface. */
+typedef struct qtri_stroke_sample {
+    uint32_t words[4];
+    uint8_t *record;
+    uint32_t before;
+    int32_t x; /* 0..3 */
+} qtri_stroke_sample;
+
+void qtri_stroke_sample_begin(qtri_stroke_sample *sample, qtri_stroke_target *to, int32_t x,
+                              int32_t y);
+void qtri_stroke_sample_end(const qtri_stroke_sample *sample, const qtri_stroke_target *to);
 
 /* span->state is the target's. */
 void qtri_stroke_target_draw(qtri_stroke_target *to, const qtri_stroke_span *span);

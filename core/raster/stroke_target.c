@@ -6,7 +6,8 @@
 #include "../bits/bits.h"
 
 bool qtri_stroke_target_init(qtri_stroke_target *to, const qtri_surface *surface,
-                             const qtri_material *material, uint8_t alpha, bool is_smooth)
+                             const qtri_material *material, const qtri_pipeline *const *pipelines,
+                             uint8_t alpha, bool is_smooth)
 {
     const bool is_covered = is_smooth || alpha != 255;
     to->alpha_q16 = ((uint32_t)alpha << 16) / 255;
@@ -20,7 +21,7 @@ bool qtri_stroke_target_init(qtri_stroke_target *to, const qtri_surface *surface
         to->pixel.format = qtri_sampling_of(surface->format)->format;
         surface = &to->pixel;
     }
-    qtri_draw_state_init(&to->state, surface, qtri_stroke_pipelines, &to->material,
+    qtri_draw_state_init(&to->state, surface, pipelines, &to->material,
                          is_covered ? QTRI_FLAT | QTRI_COVERED : QTRI_FLAT);
     return to->state.bounds.x0 < to->state.bounds.x1;
 }
@@ -44,36 +45,44 @@ void qtri_stroke_look_init(qtri_stroke_look *look, const qtri_stroke_end end[2])
  * Four samples a pixel are as one: their mean takes what the stroke covers, and all become that.
  * Each pixel is drawn into memory of its own, in the column of four that a pattern asks for.
  */
-QTRI_NOINLINE static void draw_samples(qtri_stroke_target *to, const qtri_stroke_span *all)
+void qtri_stroke_sample_begin(qtri_stroke_sample *sample, qtri_stroke_target *to, int32_t x,
+                              int32_t y)
 {
     const qtri_surface *samples = to->samples;
     const qtri_pixels *memory = samples->format->pixels;
     const qtri_pixels *plain = to->pixel.format->pixels;
-    for (int32_t i = 0; i < all->count; i++) {
-        uint32_t words[4];
-        const int32_t x = all->is_upright ? all->x : all->x + i;
-        const int32_t y = all->is_upright ? all->y + i : all->y;
-        const ptrdiff_t row = y - samples->first_row;
-        uint8_t *record = samples->pixels + row * samples->pitch + (ptrdiff_t)memory->bytes * x;
-        uint8_t *at = (uint8_t *)words + (x & 3) * plain->bytes;
-        const uint32_t before = memory->load(record);
-        qtri_stroke_span one = *all;
-        one.x = x & 3;
-        one.y = y;
-        one.count = 1;
-        one.weight += i;
-        one.share += i;
-        to->pixel.pixels = (uint8_t *)words;
-        to->pixel.pitch = 0;
-        if (samples->depth != NULL) {
-            to->pixel.depth = samples->depth + (x & ~3);
-        }
-        plain->store(at, &before, 1, 1);
+    const ptrdiff_t row = y - samples->first_row;
+    sample->x = x & 3;
+    sample->record = samples->pixels + row * samples->pitch + (ptrdiff_t)memory->bytes * x;
+    sample->before = memory->load(sample->record);
+    to->pixel.pixels = (uint8_t *)sample->words;
+    to->pixel.pitch = 0;
+    if (samples->depth != NULL) {
+        to->pixel.depth = samples->depth + (x & ~3);
+    }
+    plain->store(to->pixel.pixels + sample->x * plain->bytes, &sample->before, 1, 1);
+}
+
+void qtri_stroke_sample_end(const qtri_stroke_sample *sample, const qtri_stroke_target *to)
+{
+    const qtri_pixels *plain = to->pixel.format->pixels;
+    const uint32_t after = plain->load(to->pixel.pixels + sample->x * plain->bytes);
+    if (after != sample->before) {
+        to->samples->format->pixels->store(sample->record, &after, 1, 1);
+    }
+}
+
+QTRI_NOINLINE static void draw_samples(qtri_stroke_target *to, const qtri_stroke_span *all)
+{
+    qtri_stroke_span one = *all;
+    one.count = 1;
+    for (int32_t i = 0; i < all->count; i++, one.weight++, one.share++) {
+        qtri_stroke_sample sample;
+        one.y = all->is_upright ? all->y + i : all->y;
+        qtri_stroke_sample_begin(&sample, to, all->is_upright ? all->x : all->x + i, one.y);
+        one.x = sample.x;
         to->state.pipeline->span(&one);
-        const uint32_t after = plain->load(at);
-        if (after != before) {
-            memory->store(record, &after, 1, 1);
-        }
+        qtri_stroke_sample_end(&sample, to);
     }
 }
 

@@ -7,15 +7,19 @@
 
 #define qtri_line_cut_short  narrow_line_cut_short
 #define qtri_line_draw       narrow_line_draw
-#define qtri_line_draw_apart narrow_line_draw_apart
 #define qtri_line_end        narrow_line_end
-#define qtri_line_flush      narrow_line_flush
 #define qtri_line_job_init   narrow_line_job_init
-#define qtri_line_tint       narrow_line_tint
-#define qtri_line_make_table narrow_line_make_table
+#define qtri_line_lit_colors narrow_line_lit_colors
+#define qtri_line_has_table  narrow_line_has_table
+#define qtri_stroke_any      narrow_stroke_any
 #define qtri_raster_line     narrow_raster_line
+#define qtri_line_any        narrow_line_any
+#define qtri_line_pipelines  narrow_line_pipelines
 
 #include "raster/line.c"
+
+#include "raster/line_rgb565.c"
+#include "raster/stroke_any.c"
 
 #include "line_narrow.h"
 

@@ -10,7 +10,7 @@
 void narrow_raster_line(const qtri_surface *surface, const qtri_material *material,
                         const qtri_screen_vertex v[2]);
 void narrow_line_job_init(qtri_line_job *job, const qtri_surface *surface,
-                          const qtri_material *material, qtri_batch *batch);
+                          const qtri_material *material, qtri_stroke_target *to);
 
 /* Of a line shorter than 2^16, as qtri_divider has it. */
 uint32_t narrow_line_reciprocal(uint32_t length);

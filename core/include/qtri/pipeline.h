@@ -99,14 +99,18 @@ struct qtri_draw_state;
 struct qtri_large;
 struct qtri_small;
 struct qtri_stroke_span;
+struct qtri_line_job;
+struct qtri_vertex;
 
 struct qtri_pipeline {
     qtri_options options;
     /* Internal: what draws a large triangle, and a small one of a mesh. */
     void (*large)(struct qtri_large *triangle);
     bool (*small)(struct qtri_small *triangle); /* false: it is large */
-    void (*span)(
-        const struct qtri_stroke_span *span); /* pixels of a stroke; NULL: only triangles */
+    /* Of those that draw no triangles: pixels of a stroke, and a line. */
+    void (*span)(const struct qtri_stroke_span *span);
+    void (*line)(const struct qtri_line_job *job, const struct qtri_vertex *a,
+                 const struct qtri_vertex *b, const int32_t color[][3]);
 };
 
 /* Draws whatever is asked for. */
