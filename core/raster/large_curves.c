@@ -12,10 +12,6 @@
  * Along a piece of h pixels
  *
  *     step = (rise + 2 w) / h + bend / 2,   bend = -4 w / h^2.
- *
- * With x from -1 to 1 along it, what such a parabola misses is c x^3 - c x, c = rise eps^2 / 2: .385 c
- * at most. The line that is nearest to c x^3 is 3/4 c x, off by c / 4. So c / 4 x is taken away:
- * pieces are longer by a seventh. Both pieces take rise / 2 and eps / 2 for theirs.
  */
 #include "large_setup.h"
 
@@ -160,21 +156,20 @@ static inline uint32_t both_shifts(int32_t x, uint8_t left, uint8_t right)
 
 /* Coordinate i of both pieces. */
 static inline void set_coordinate(qtri_large_job *job, int i, int32_t end, int32_t eps,
-                                  int32_t eps1, int32_t eps2, int32_t third)
+                                  int32_t eps1, int32_t eps2)
 {
     qtri_large_attribute *a = &job->a[i];
     const int32_t from = a->point, rise = end - from;
     const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1, rise2 = rise - rise1;
     const int32_t w1 = qtri_mul_s16(rise1, eps1), w2 = qtri_mul_s16(rise2, eps2);
-    const int32_t tilt = qtri_mul_s16(rise, third); /* c / 4 */
     const uint32_t bend1 = 0 - both_shifts(w1, a->bend_left, a->bend_right);
     const uint32_t bend2 = 0 - both_shifts(w2, a->bend_left, a->bend_right);
-    const uint32_t at1 = both_shifts(from + tilt, a->at_left, a->at_right);
-    const uint32_t at2 = both_shifts(from + tilt + rise1, a->at_left, a->at_right);
+    const uint32_t at1 = both_shifts(from, a->at_left, a->at_right);
+    const uint32_t at2 = both_shifts(from + rise1, a->at_left, a->at_right);
     const uint32_t step1 =
-        both_shifts(rise1 + 2 * (w1 - tilt), a->step_left, a->step_right) + (uint32_t)((int32_t)bend1 >> 1);
+        both_shifts(rise1 + 2 * w1, a->step_left, a->step_right) + (uint32_t)((int32_t)bend1 >> 1);
     const uint32_t step2 =
-        both_shifts(rise2 + 2 * (w2 - tilt), a->step_left, a->step_right) + (uint32_t)((int32_t)bend2 >> 1);
+        both_shifts(rise2 + 2 * w2, a->step_left, a->step_right) + (uint32_t)((int32_t)bend2 >> 1);
     qtri_large_piece *piece = job->t.piece;
     a->point = end;
     if (i == 0) {
@@ -259,11 +254,9 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
     const int32_t eps1 = ((eps + square) >> 1) + cube;
     const int32_t eps2 = ((eps - square) >> 1) + cube;
     if (textured) {
-        const int32_t zeros = job->zeros, third = square >> 5; /* (eps / 2)^2 / 8, of rise / 2 */
-        set_coordinate(job, 0, next_quotient(&job->a[0], zeros, reciprocal), eps, eps1, eps2,
-                       third);
-        set_coordinate(job, 1, next_quotient(&job->a[1], zeros, reciprocal), eps, eps1, eps2,
-                       third);
+        const int32_t zeros = job->zeros;
+        set_coordinate(job, 0, next_quotient(&job->a[0], zeros, reciprocal), eps, eps1, eps2);
+        set_coordinate(job, 1, next_quotient(&job->a[1], zeros, reciprocal), eps, eps1, eps2);
     }
     if (colored) {
         int32_t end[QTRI_LARGE_ATTRIBUTES];

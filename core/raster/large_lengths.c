@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * How long pieces of rows are. Along one a coordinate is a parabola (large_curves.c).
- * With L the step of the coordinate and e = q' / q the parabola is off by .031 L e^2 h^3: h is the
+ * With L the step of the coordinate and e = q' / q the parabola is off by .048 L e^2 h^3: h is the
  * greatest power of two for which that is below 2^-7 of L, and of a texel.
  */
 #include "large_setup.h"
 
 enum {
-    STEP_BOUND = -253, /* 256 log2(2^-7 / .031): of a step, and of a texel where steps are longer */
+    STEP_BOUND = -671, /* 256 log2(2^-7 / .048): of a step, and of a texel where steps are longer */
     LOG2_ERROR = 22    /* of log2_q8(), 1/256 */
 };
 
