@@ -128,10 +128,10 @@ void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, c
     qtri_small_ramp_set(&uv->v, p, 0, qtri_small_scaled(f[1][1], e1),
                         qtri_small_scaled(f[1][2], e2), 0);
     /* A chord over n pixels is off by u_x e_x n^2 / 4: by 1/32 of a pixel's step or less. */
-    const uint32_t bend = qtri_small_about((int32_t)uv->e.dx);
-    uv->piece = bend < (uint32_t)1 << 15   ? 16
-                : bend < (uint32_t)1 << 17 ? 8
-                : bend < (uint32_t)1 << 19 ? 4
-                : bend < (uint32_t)1 << 21 ? 2
-                                           : 1;
+    const uint32_t bend = (qtri_small_about((int32_t)uv->e.dx) >> 8) + 1; /* Q18, <= 2^23 */
+    uint32_t n = 16;
+    while (n > 1 && n * n * bend > (uint32_t)1 << 15) {
+        n--;
+    }
+    uv->piece = n;
 }

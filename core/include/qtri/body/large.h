@@ -221,7 +221,7 @@ QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, q
             qtri_pixels_draw(o, w, curves, n);
             count -= n;
         }
-    } else if (curves && qtri_unrolled(o) > 1 && !t->is_bent) {
+    } else if (curves && qtri_unrolled(o, false) > 1 && !t->is_bent) {
         qtri_pixels_draw(o, w, false, count); /* a second loop saves two additions a pixel */
     } else {
         qtri_pixels_draw(o, w, curves, count);

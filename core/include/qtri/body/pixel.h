@@ -8,6 +8,7 @@
 #ifndef QTRI_BODY_PIXEL_H
 #define QTRI_BODY_PIXEL_H
 
+#include "arithmetic.h"
 #include "samples.h"
 #include "texel.h"
 
@@ -148,18 +149,20 @@ QTRI_BODY bool qtri_door_is_open(const qtri_options *o, const qtri_pixel_walk *w
 #define QTRI_BODY_UNROLLS 1
 #endif
 
-/* How many pixels a loop has: short ones gain by it. The generic pipeline has one. */
-QTRI_BODY int qtri_unrolled(const qtri_options *o)
+/* How many pixels a loop has: short ones gain by it, where pieces are not short themselves. The
+   generic pipeline has one. */
+QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
 {
 #if !QTRI_BODY_UNROLLS
     (void)o;
+    (void)bent;
     return 1;
 #else
     if (o->bilinear || (qtri_is_textured(o) && qtri_varies(o)) || o->fog || qtri_reads_pixel(o) ||
         qtri_needs_place(o) || o->key || o->alpha_test) {
         return 1;
     }
-    return qtri_is_textured(o) ? 4 : 8;
+    return bent || (qtri_is_textured(o) && !QTRI_LONG_MULTIPLY) ? 4 : 8;
 #endif
 }
 
@@ -295,7 +298,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
         w->v += w->v_step;
         QTRI_BODY_BARRIER(w->u);
         QTRI_BODY_BARRIER(w->v);
-        if (qtri_unrolled(o) > 1) {
+        if (qtri_unrolled(o, bent) > 1) {
             QTRI_BODY_HIGH(w->z_step);
             QTRI_BODY_HIGH(w->u_step);
             QTRI_BODY_HIGH(w->v_step);
@@ -314,7 +317,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
     if (qtri_varies(o)) {
         w->c += w->c_step;
         QTRI_BODY_BARRIER(w->c);
-        if (qtri_unrolled(o) > 1) {
+        if (qtri_unrolled(o, bent) > 1) {
             QTRI_BODY_HIGH(w->c_step);
             QTRI_BODY_HIGH(w->z_step);
         }
@@ -367,22 +370,26 @@ QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_walk *w, bool b
 /* `count` pixels of a row, 0 or less: none. */
 QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
 {
-    const int together = qtri_unrolled(o);
 #if QTRI_BODY_UNROLLS
+    const int together = qtri_unrolled(o, bent);
     if (together > 1) {
-        for (; count >= together; count -= together) {
+        /* Where the sign tells the end, one instruction counts and compares; on Armv6-M GCC 12 then
+           moves what copies of textures step from register to register. */
+        const int32_t early = qtri_is_textured(o) && !QTRI_LONG_MULTIPLY ? 0 : together;
+        count -= early;
+        while (count >= together - early) {
             QTRI_BODY_UNROLL
             for (int32_t i = 0; i < together; i++) {
                 qtri_pixel_next(o, w, bent, i);
             }
             qtri_walk_move(o, w, (uint32_t)together);
-            if (!qtri_is_textured(o)) { /* where there are registers left */
-                QTRI_BODY_HIGH(count);
+            if (qtri_varies(o)) {
+                QTRI_BODY_BARRIER(count);
             }
+            count -= together;
         }
+        count += early;
     }
-#else
-    (void)together;
 #endif
     for (; count > 0; count--) {
         if (qtri_has_samples(o)) {

@@ -315,6 +315,7 @@ QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_
             continue;
         }
         qtri_small_find_centers(&first, &end, p, l, r, y);
+        int32_t next = first; /* where the next piece begins */
         qtri_small_samples_begin(o, w, p, s);
         w->pixel += y * w->state->surface->pitch;
         if (qtri_tests_depth(o)) {
@@ -331,8 +332,9 @@ QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_
             w->samples = in & ~out & QTRI_SAMPLES_ALL;
             int32_t place = QTRI_CENTER;
             if (x >= first && x < end) {
-                if (((x - first) & (piece - 1)) == 0) {
+                if (x >= next) {
                     const int32_t rest = end - x;
+                    next = x + piece;
                     qtri_small_set_curved(o, w, uv, values, x, y, place,
                                           (uint32_t)(rest > piece ? piece : rest - 1));
                 }
