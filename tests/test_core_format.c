@@ -158,36 +158,22 @@ static void loops(void **state)
         mask &= n % 5 == 0 ? (uint32_t)random64(&seed) & (uint32_t)random64(&seed) : UINT32_MAX;
         mask &= UINT32_MAX >> (32 - count);
         uint32_t stored[COUNT];
-        uint32_t place[COUNT];
         fill_random(stored, LENGTH_OF(stored), &seed);
         fill_random(is, LENGTH_OF(is), &seed);
         memcpy(wanted, is, sizeof is);
         const ptrdiff_t start = (ptrdiff_t)bytes * random_in(&seed, 4, 40);
         uint8_t *at = (uint8_t *)is + start;
         uint8_t *model = (uint8_t *)wanted + start;
-        if (n / 4 % 3 == 2) {
-            /* Rows of 12 pixels upwards from the last, or down; later ones cover earlier ones. */
-            const ptrdiff_t pitch = (n % 8 < 4 ? 12 : -12) * (ptrdiff_t)bytes;
-            const ptrdiff_t down = pitch < 0 ? -pitch * 7 : 0;
-            for (int32_t i = 0; i < count; i++) {
-                const int32_t row = random_in(&seed, 0, 7);
-                const int32_t column = random_in(&seed, 0, 11);
-                place[i] = (uint32_t)row << 16 | (uint32_t)column;
-                put(model + down + row * pitch + column * (ptrdiff_t)bytes, bytes, stored[i]);
+        const bool one = n / 4 % 2 == 1;
+        for (int32_t i = 0; i < count; i++) {
+            if (mask >> (count - 1 - i) & 1) {
+                put(model + i * (ptrdiff_t)bytes, bytes, stored[one ? 0 : i]);
             }
-            pixels->scatter(at + down, pitch, place, stored, count);
+        }
+        if (one) {
+            pixels->fill(at, stored[0], mask, count);
         } else {
-            const bool one = n / 4 % 3 == 1;
-            for (int32_t i = 0; i < count; i++) {
-                if (mask >> (count - 1 - i) & 1) {
-                    put(model + i * (ptrdiff_t)bytes, bytes, stored[one ? 0 : i]);
-                }
-            }
-            if (one) {
-                pixels->fill(at, stored[0], mask, count);
-            } else {
-                pixels->store(at, stored, mask, count);
-            }
+            pixels->store(at, stored, mask, count);
         }
         assert_memory_equal(is, wanted, sizeof is);
         put(at, bytes, stored[0]);

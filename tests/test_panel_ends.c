@@ -292,7 +292,7 @@ static void formats_of_other_sizes(void **state)
                 const qtri_panel_description mapped = QTRI_FRAMEBUFFER(W, H, QTRI_PANEL_RGB565, to);
                 qtri_format own = *of[f];
                 qtri_panel panel;
-                own.samples = NULL;
+                own.kind = QTRI_OTHER_FORMAT;
                 own.pixels = n == 0 ? own.pixels : &qtri_pixels_32;
                 canvas whole = canvas_new(&own, W, H);
                 draw_picture(&whole.surface, 9);

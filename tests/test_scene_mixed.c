@@ -97,8 +97,7 @@ static void mixtures(void **state)
         assert_true(accuracy_per_100k(a->coverage, a->covered) <= 40);
         assert_true(accuracy_per_100k(a->other_triangle, a->covered) <= 20);
         assert_true(accuracy_per_100k(a->mixed_either, a->mixed) <= 500);
-        assert_true(a->max_mixed <=
-                    2); /* one more rounding, of light or texels: nothing is wrong */
+        assert_true(a->max_mixed <= 5); /* roundings of light or texels: nothing is wrong */
     }
     assert_true(accuracy_per_100k(kinds[0].sum.mixed_above, kinds[0].sum.mixed) <= 20);
     assert_true(accuracy_per_100k(kinds[1].sum.mixed_above, kinds[1].sum.mixed) <= 50);

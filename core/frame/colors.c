@@ -27,10 +27,10 @@ static uint32_t pack_gray(const int32_t channel[3])
 }
 
 const qtri_colors qtri_colors_565 = {
-    RATIOS((int32_t)31 << 16, (int32_t)63 << 16, (int32_t)31 << 16), false, 11, 5, 7, pack_565};
+    RATIOS((int32_t)31 << 16, (int32_t)63 << 16, (int32_t)31 << 16), false, 11, 5, pack_565};
 
 const qtri_colors qtri_colors_888 = {
-    RATIOS((int32_t)255 << 16, (int32_t)255 << 16, (int32_t)255 << 16), false, 16, 8, 10, pack_888};
+    RATIOS((int32_t)255 << 16, (int32_t)255 << 16, (int32_t)255 << 16), false, 16, 8, pack_888};
 
-const qtri_colors qtri_colors_gray = {
-    RATIOS(QTRI_GRAY_RED, QTRI_GRAY_GREEN, QTRI_GRAY_BLUE), true, 0, 0, 10, pack_gray};
+const qtri_colors qtri_colors_gray = {RATIOS(QTRI_GRAY_RED, QTRI_GRAY_GREEN, QTRI_GRAY_BLUE), true,
+                                      0, 0, pack_gray};

@@ -19,10 +19,9 @@
 #define QTRI_GRAY_BLUE  1905132
 
 struct qtri_colors {
-    uint32_t ratio_q30[3]; /* units of 1/255, rounded */
-    bool single;           /* only the sum of the channels counts */
-    uint8_t red, green;    /* where they begin in a colour; blue: at bit 0 */
-    uint8_t light_bits;    /* of 0..1 that are enough for a share of a colour */
+    uint32_t ratio_q30[3];                      /* units of 1/255, rounded */
+    bool single;                                /* only the sum of the channels counts */
+    uint8_t red, green;                         /* where they begin in a colour; blue: at bit 0 */
     uint32_t (*pack)(const int32_t channel[3]); /* rounded, from n.16 */
 };
 

@@ -46,7 +46,7 @@ static uint16_t *flatten(const qtri_surface *surface)
 /* Depths, as pixels of a surface. */
 static void fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
 {
-    const qtri_pixels memory = {surface->depth_format->bytes, NULL, NULL, NULL, NULL};
+    const qtri_pixels memory = {surface->depth_format->bytes, NULL, NULL, NULL};
     const qtri_format format = {&memory, NULL, NULL, NULL, NULL, 0};
     qtri_surface depths = *surface;
     depths.format = &format;

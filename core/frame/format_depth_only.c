@@ -27,16 +27,6 @@ static void store(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t
     (void)count;
 }
 
-static void scatter(uint8_t *pixels, ptrdiff_t pitch, const uint32_t *place, const uint32_t *stored,
-                    int32_t count)
-{
-    (void)pixels;
-    (void)pitch;
-    (void)place;
-    (void)stored;
-    (void)count;
-}
-
 /* NOLINTEND(readability-non-const-parameter) */
 
 static uint32_t decode(uint32_t stored)
@@ -45,7 +35,7 @@ static uint32_t decode(uint32_t stored)
     return 0;
 }
 
-static const qtri_pixels no_pixels = {0, load, fill, store, scatter};
+static const qtri_pixels no_pixels = {0, load, fill, store};
 
 const qtri_format qtri_depth_only = {&no_pixels, &qtri_colors_gray, NULL, decode,
                                      NULL,       QTRI_DEPTH_ONLY};

@@ -10,17 +10,17 @@
 #define NAME(name) name##_8
 #define PIXEL      uint8_t
 #include "pixels.inc"
-const qtri_pixels qtri_pixels_8 = {1, load_8, fill_8, store_8, scatter_8};
+const qtri_pixels qtri_pixels_8 = {1, load_8, fill_8, store_8};
 
 #define NAME(name) name##_16
 #define PIXEL      uint16_t
 #include "pixels.inc"
-const qtri_pixels qtri_pixels_16 = {2, load_16, fill_16, store_16, scatter_16};
+const qtri_pixels qtri_pixels_16 = {2, load_16, fill_16, store_16};
 
 #define NAME(name) name##_32
 #define PIXEL      uint32_t
 #include "pixels.inc"
-const qtri_pixels qtri_pixels_32 = {4, load_32, fill_32, store_32, scatter_32};
+const qtri_pixels qtri_pixels_32 = {4, load_32, fill_32, store_32};
 
 #undef PUT
 #undef GET
@@ -38,4 +38,4 @@ const qtri_pixels qtri_pixels_32 = {4, load_32, fill_32, store_32, scatter_32};
 #define NAME(name) name##_24
 #define PIXEL      uint8_t
 #include "pixels.inc"
-const qtri_pixels qtri_pixels_24 = {3, load_24, fill_24, store_24, scatter_24};
+const qtri_pixels qtri_pixels_24 = {3, load_24, fill_24, store_24};

@@ -279,6 +279,13 @@ static bool draw_nothing_small(struct qtri_small *triangle)
 static const qtri_pipeline nothing = {
     .large = draw_nothing, .small = draw_nothing_small, .span = NULL};
 
+/* Records of samples have room for linear16 alone. */
+static bool has_room(const qtri_surface *surface)
+{
+    return qtri_sampling_of(surface->format) == NULL || surface->depth == NULL ||
+           surface->depth_format == NULL || surface->depth_format->ops == NULL;
+}
+
 void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,
                           int shade)
@@ -294,7 +301,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->surface = surface;
     state->material = material;
     state->bounds = nowhere;
-    if (surface->format == NULL ||
+    if (surface->format == NULL || !has_room(surface) ||
         (surface->depth != NULL && material->depth_compare == QTRI_NEVER)) {
         return;
     }

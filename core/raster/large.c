@@ -112,7 +112,7 @@ static int64_t whole_depth(uint64_t value)
  * Where a step fits, a half has 2^46 of the plane's units, and from vertex 0 to the anchor it is
  * less than 2^15 pixels in x and in y: 2^62. False: 32 bits do not hold a step.
  */
-static bool set_clamped_depth(qtri_large_job *job, const uint32_t depth[3], uint32_t half)
+static bool set_clamped_depth(qtri_large_job *job, const uint32_t depth[3])
 {
     const uint32_t above = (uint32_t)1 << 30;
     const qtri_gradient *g = &job->gradient;
@@ -131,7 +131,7 @@ static bool set_clamped_depth(qtri_large_job *job, const uint32_t depth[3], uint
     plane.origin -= (uint64_t)above << 16;
     plane.origin += plane.dx * (uint64_t)(int64_t)g->anchor_x;
     plane.origin += plane.dy * (uint64_t)(int64_t)g->anchor_y;
-    const int64_t origin = whole_depth(plane.origin) + half;
+    const int64_t origin = whole_depth(plane.origin) + QTRI_DEPTH_HALF;
     job->depth.origin = (uint32_t)((uint64_t)origin & UINT32_MAX);
     job->depth.dx = (uint32_t)((uint64_t)dx & UINT32_MAX);
     job->depth.dy = (uint32_t)((uint64_t)dy & UINT32_MAX);
@@ -142,12 +142,11 @@ static bool set_clamped_depth(qtri_large_job *job, const uint32_t depth[3], uint
 static void set_depth(qtri_large_job *job)
 {
     const qtri_large_vertex *v = job->v;
-    const uint32_t half = qtri_depth_half(job->options);
     const uint32_t at[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
     uint32_t depth[3] = {at[0], at[1], at[2]};
     /* Of samples clamped depths serve. */
     job->clamps_depth = qtri_residual_apply(depth, &job->residual, 0, (uint32_t)65535 << 16) &&
-                        !job->options->samples && set_clamped_depth(job, at, half);
+                        !job->options->samples && set_clamped_depth(job, at);
     if (job->clamps_depth) {
         return;
     }
@@ -157,7 +156,6 @@ static void set_depth(qtri_large_job *job)
     } else {
         qtri_ramp_divide(&job->depth, &job->gradient, depth);
     }
-    job->depth.origin -= 0x8000u - half; /* ramps have the half of 16.16 */
 }
 
 /* Where the row before the first begins. */

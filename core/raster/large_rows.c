@@ -42,7 +42,7 @@ static bool next_part(qtri_large_job *job)
             right++;
         }
         job->t.z_step = 0;
-        job->t.z = (side < 0 ? 0 : (uint32_t)65535 << 16) + qtri_depth_half(job->options);
+        job->t.z = (side < 0 ? 0 : (uint32_t)65535 << 16) + QTRI_DEPTH_HALF;
     }
     job->row_left = left;
     job->row_right = right;

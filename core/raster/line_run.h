@@ -90,7 +90,7 @@ QTRI_BODY void qtri_line_run_draw(const qtri_options *o, const qtri_line_run *ru
     }
     w.x = run->x;
     w.y = run->y;
-    w.z = run->z.value + qtri_depth_half(o);
+    w.z = run->z.value + QTRI_DEPTH_HALF;
     w.z_step = run->z.step;
     if (qtri_is_lit(o)) {
         w.c = color[0].value + qtri_light_half(o);

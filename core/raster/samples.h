@@ -51,7 +51,5 @@ static inline uint16_t *qtri_sample_depth(uint8_t *record, int32_t bytes, int32_
 void qtri_samples_fill(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count, int32_t size);
 void qtri_samples_store(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count,
                         int32_t size);
-void qtri_samples_scatter(uint8_t *pixels, ptrdiff_t pitch, const uint32_t *place,
-                          const uint32_t *stored, int32_t count, int32_t size);
 
 #endif

@@ -42,15 +42,6 @@ void qtri_samples_store(uint8_t *pixel, const uint32_t *stored, uint32_t mask, i
     }
 }
 
-void qtri_samples_scatter(uint8_t *pixels, ptrdiff_t pitch, const uint32_t *place,
-                          const uint32_t *stored, int32_t count, int32_t size)
-{
-    for (; count > 0; count--, place++, stored++) {
-        set_all(pixels + (ptrdiff_t)(*place >> 16) * pitch + (ptrdiff_t)(*place & 0xFFFF) * size,
-                size, *stored);
-    }
-}
-
 /* In each lane four channels and 2: less than 2^8. */
 static inline uint32_t mean_565(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {

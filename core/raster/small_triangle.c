@@ -55,15 +55,6 @@ bool qtri_small_cut(uint8_t *span, int32_t left, int32_t right)
     return any;
 }
 
-uint32_t qtri_small_lift(const qtri_small *t)
-{
-    const uint32_t near = (uint32_t)64 << 8; /* in 16.16 more than what a ramp is off by */
-    return (t->v[0]->depth_16p8 >= near && t->v[1]->depth_16p8 >= near &&
-            t->v[2]->depth_16p8 >= near)
-               ? 0
-               : near;
-}
-
 uint32_t qtri_small_color(const qtri_small *t)
 {
     const qtri_draw_state *state = t->state;

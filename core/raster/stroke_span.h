@@ -170,7 +170,7 @@ QTRI_BODY void qtri_stroke_span_draw(const qtri_options *o, const qtri_stroke_sp
                 }
             }
             if (qtri_needs_depth(o)) {
-                w.z = z + qtri_depth_half(o);
+                w.z = z + QTRI_DEPTH_HALF;
             }
             if (o->covered) {
                 w.cover = *weight & 0x1FFu;

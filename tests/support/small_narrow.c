@@ -8,7 +8,6 @@
 #define qtri_small_find               narrow_small_find
 #define qtri_small_fog_step           narrow_small_fog_step
 #define qtri_small_lit_channels       narrow_small_lit_channels
-#define qtri_small_lift               narrow_small_lift
 #define qtri_small_part               narrow_small_part
 #define qtri_small_set_alpha          narrow_small_set_alpha
 #define qtri_small_set_colors_565     narrow_small_set_colors_565

@@ -41,15 +41,13 @@ extern const qtri_colors qtri_colors_565, qtri_colors_888, qtri_colors_gray;
  * uint32_t in the machine's byte order; of three bytes the lowest is first.
  *
  * A mask has a bit for each of `count` (1..32) pixels, the lowest for the last; only those with a
- * bit are written. A place is row << 16 | column, counted from `pixels`.
+ * bit are written.
  */
 typedef struct qtri_pixels {
     uint8_t bytes; /* of a pixel */
     uint32_t (*load)(const uint8_t *pixel);
     void (*fill)(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count);
     void (*store)(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count);
-    void (*scatter)(uint8_t *pixels, ptrdiff_t pitch, const uint32_t *place, const uint32_t *stored,
-                    int32_t count);
 } qtri_pixels;
 extern const qtri_pixels qtri_pixels_8, qtri_pixels_16, qtri_pixels_24, qtri_pixels_32;
 

@@ -132,7 +132,7 @@ QTRI_BODY void qtri_small_clipped(const qtri_options *o, qtri_pixel_walk *w,
 
 /* The walk goes on from the end of a row to the start of the next, so that it alone is stepped. */
 QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const qtri_small_place *p,
-                               const qtri_small_rows *rows, uint32_t z_half)
+                               const qtri_small_rows *rows)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o), depth_bytes = qtri_depth_size(o, surface);
@@ -151,7 +151,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
     w->apart = (uintptr_t)w->pixel - (uintptr_t)w->depth;
     w->x = p->column;
     w->y = p->row;
-    w->z = p->z.at + z_half;
+    w->z = p->z.at + QTRI_DEPTH_HALF;
     w->z_step = p->z.dx;
     w->c = varies ? rows->c.at : 0;
     w->c_step = varies ? rows->c.dx : 0;
@@ -221,7 +221,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
 /* The same where u and v follow perspective. */
 QTRI_BODY void qtri_small_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
                                       const qtri_small_place *p, const qtri_small_rows *rows,
-                                      const qtri_small_texture *uv, uint32_t z_half)
+                                      const qtri_small_texture *uv)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o), depth_bytes = qtri_depth_size(o, surface);
@@ -251,7 +251,7 @@ QTRI_BODY void qtri_small_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
             continue;
         }
         w->y = p->row + (int32_t)y;
-        w->z = p->z.at + z_half + x * w->z_step + y * p->z.dy;
+        w->z = p->z.at + QTRI_DEPTH_HALF + x * w->z_step + y * p->z.dy;
         w->c = varies ? rows->c.at + x * rows->c.dx + y * rows->c.dy : 0;
         w->g = two_words ? rows->g.at + x * w->g_step + y * rows->g.dy : 0;
         w->alpha = o->vertex_alpha ? rows->alpha.at + x * w->alpha_step + y * rows->alpha.dy : 0;
@@ -384,10 +384,6 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
         }
         rows.alpha = alpha;
     }
-    uint32_t z_half = qtri_depth_half(o);
-    if (z_half == 0 && qtri_needs_depth(o)) {
-        z_half = qtri_small_lift(t);
-    }
     if (qtri_is_textured(o) && !(QTRI_SMALL_IN_PLACE && linear &&
                                  qtri_small_set_linear_texture(&rows.u, &rows.v, &p, t, o))) {
         const qtri_small_place kept = p; /* a copy, so that p need not be in memory */
@@ -401,7 +397,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
                 qtri_small_set_curved_light(&c, &uv.c0, &uv, &kept, t, qtri_light_half(o));
                 rows.c = c;
             }
-            qtri_small_fill_curved(o, &w, &p, &rows, &uv, z_half);
+            qtri_small_fill_curved(o, &w, &p, &rows, &uv);
             return true;
         }
         rows.u = uv.u;
@@ -410,7 +406,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
     if (!o->fog && p.cut && !qtri_small_cut(p.span, p.left, p.right)) {
         return true;
     }
-    qtri_small_fill(o, &w, &p, &rows, z_half);
+    qtri_small_fill(o, &w, &p, &rows);
     return true;
 }
 

@@ -191,7 +191,7 @@ QTRI_BODY void qtri_small_samples_skip(const qtri_options *o, qtri_pixel_walk *w
 
 QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_walk *w,
                                        const qtri_small_place *p, const qtri_small_samples *s,
-                                       const qtri_small_sampled_values *values, uint32_t z_half)
+                                       const qtri_small_sampled_values *values)
 {
     const bool textured = qtri_is_textured(o), varies = qtri_varies(o);
     const bool two_words = qtri_has_two_words(o);
@@ -199,7 +199,7 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_walk *w
     const uint32_t *left = &s->left[s->first], *right = &s->right[s->first];
     int32_t at = 0; /* the column */
     qtri_small_samples_begin(o, w, p, s);
-    w->z = p->z.at + z_half;
+    w->z = p->z.at + QTRI_DEPTH_HALF;
     w->z_step = p->z.dx;
     w->c = varies ? values->c.r.at : 0;
     w->c_step = varies ? values->c.r.dx : 0;
@@ -298,7 +298,7 @@ QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_
                                               const qtri_small_place *p,
                                               const qtri_small_samples *s,
                                               const qtri_small_sampled_values *values,
-                                              const qtri_small_texture *uv, uint32_t z_half)
+                                              const qtri_small_texture *uv)
 {
     const bool lit = qtri_is_lit(o), is_linear = qtri_varies(o) && !lit;
     const bool two_words = qtri_has_two_words(o);
@@ -322,7 +322,7 @@ QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_
             w->depth += y * w->state->depth_pitch;
         }
         w->y += y;
-        w->z = p->z.at + z_half + (uint32_t)y * p->z.dy;
+        w->z = p->z.at + QTRI_DEPTH_HALF + (uint32_t)y * p->z.dy;
         w->c = is_linear ? values->c.r.at + (uint32_t)y * values->c.r.dy : 0;
         w->c_step = is_linear ? values->c.r.dx : 0;
         w->g = two_words ? values->g.r.at + (uint32_t)y * values->g.r.dy : 0;
@@ -454,7 +454,6 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
         (o->vertex_alpha && !qtri_small_samples_alpha(&values, &p, t))) {
         return false;
     }
-    const uint32_t z_half = qtri_depth_half(o);
     if (qtri_is_textured(o)) {
         if (linear && qtri_small_find_linear_texture(&f, &p, t, o)) {
             const uint32_t width_log2 = state->width_log2, height_log2 = state->height_log2;
@@ -468,7 +467,7 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
             qtri_small_samples_texture(o, &values, &uv, &p, t);
             w.axis = uv.axis;
             if (uv.curved) {
-                qtri_small_samples_fill_curved(o, &w, &p, &s, &values, &uv, z_half);
+                qtri_small_samples_fill_curved(o, &w, &p, &s, &values, &uv);
                 return true;
             }
         }
@@ -476,7 +475,7 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
     if (p.cut) {
         qtri_small_samples_cut(&s, p.left, p.right);
     }
-    qtri_small_samples_fill(o, &w, &p, &s, &values, z_half);
+    qtri_small_samples_fill(o, &w, &p, &s, &values);
     return true;
 }
 

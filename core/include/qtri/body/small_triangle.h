@@ -98,9 +98,6 @@ bool qtri_small_turn(qtri_small *t, int32_t size);
    1/4. */
 bool qtri_small_find_uneven(int32_t q[2], const qtri_small *t);
 
-/* What depths are lifted by where the least could fall below 0 for what is cut off. */
-uint32_t qtri_small_lift(const qtri_small *t);
-
 /* state->color, or the mesh's of the provoking vertex, in the triangle's light. */
 uint32_t qtri_small_color(const qtri_small *t);
 

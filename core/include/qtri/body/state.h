@@ -84,7 +84,7 @@ typedef struct qtri_clamp_axis {
 typedef struct qtri_pixel_walk {
     uint8_t *pixel, *depth;
     uintptr_t apart;    /* from a depth to its pixel, where one pointer serves both */
-    uint32_t z, z_step; /* 16.16, with qtri_depth_half() */
+    uint32_t z, z_step; /* 16.16, with QTRI_DEPTH_HALF */
     uint32_t u, v, u_step, v_step, u_bend, v_bend;
     uint32_t c, c_step, g, g_step;
     uint32_t c_other;           /* packed colours of 565: every second step */

@@ -139,10 +139,15 @@ QTRI_BODY uint32_t qtri_depth_size(const qtri_options *o, const qtri_surface *su
                                           : 2;
 }
 
-/* What a depth starts with: the half that rounds linear16. Finer formats take all 32 bits. */
-QTRI_BODY uint32_t qtri_depth_half(const qtri_options *o)
+/* What a depth starts with: the half that rounds linear16. Of finer formats it keeps what rounding
+   leads beyond the ends from wrapping. */
+#define QTRI_DEPTH_HALF 0x8000u
+
+QTRI_BODY uint32_t qtri_depth_of(uint32_t z)
 {
-    return o->depth <= QTRI_LINEAR16 ? 0x8000u : 0;
+    const uint32_t farthest = (uint32_t)65535 << 16;
+    z = z < QTRI_DEPTH_HALF ? 0 : z - QTRI_DEPTH_HALF;
+    return z > farthest ? farthest : z;
 }
 
 /* A depth of the walk as it is stored. */
@@ -150,13 +155,13 @@ QTRI_BODY uint32_t qtri_depth_encode(const qtri_options *o, const qtri_surface *
 {
     switch (o->depth) {
     case QTRI_LINEAR24:
-        return z >> 8;
+        return (qtri_depth_of(z) + 0x80) >> 8;
     case QTRI_LINEAR32:
-        return z;
+        return qtri_depth_of(z);
     case QTRI_FLOAT16:
-        return qtri_depth_encode_float16(z);
+        return qtri_depth_encode_float16(qtri_depth_of(z));
     case QTRI_OTHER_DEPTH:
-        return qtri_depth_encode_other(surface->depth_format, z);
+        return qtri_depth_encode_other(surface->depth_format, qtri_depth_of(z));
     default:
         return z >> 16;
     }
