@@ -298,7 +298,7 @@ static void pixels_of_any_size_are_filled(void **state)
 {
     (void)state;
     enum { MOST = 100 };
-    static const qtri_pixels pixels = {5, NULL, fill_40, NULL, NULL};
+    static const qtri_pixels pixels = {5, NULL, fill_40, NULL};
     qtri_format format = qtri_rgb565;
     format.pixels = &pixels;
     static uint8_t memory[2][5 * (MOST + 2)];
