@@ -38,7 +38,7 @@
 /* Formats of texels, ways to wrap, and both filters. */
 #define MATRIX_TEXEL(group, name, kind, ...)                                                       \
     QTRI_PIPELINE(matrix_##group##_##name, MATRIX_BASE, .texel = (kind), __VA_ARGS__)
-#define MATRIX_TEXELS(group, ...)                                                                  \
+#define MATRIX_ALL_TEXELS(group, ...)                                                              \
     MATRIX_SURFACES(group, .texel = QTRI_TEXEL_RGB565, __VA_ARGS__)                                \
     MATRIX_DEPTHS(group, .texel = QTRI_TEXEL_RGB565, __VA_ARGS__)                                  \
     MATRIX_TEXEL(group, of_xrgb8888, QTRI_TEXEL_XRGB8888, __VA_ARGS__)                             \

@@ -1,4 +1,4 @@
 /* SPDX-License-Identifier: MIT */
 #include "matrix_pipelines.h"
 
-MATRIX_TEXELS(texture, .shade = QTRI_FLAT)
+MATRIX_ALL_TEXELS(texture, .shade = QTRI_FLAT)

@@ -1,4 +1,4 @@
 /* SPDX-License-Identifier: MIT */
 #include "matrix_pipelines.h"
 
-MATRIX_TEXELS(texture_colors, .shade = QTRI_COLORS)
+MATRIX_ALL_TEXELS(texture_colors, .shade = QTRI_COLORS)
