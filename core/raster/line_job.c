@@ -4,6 +4,7 @@
 #include "../bits/bits.h"
 #include "checked_material.h"
 #include "large_setup.h"
+#include "line_run.h"
 
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_stroke_target *to)
