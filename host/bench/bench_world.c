@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench_world.h"
 
-
 const bench_quad bench_screen = {{{Q16(-2.3070917), Q16(-1.7303188), 0},
                                   {Q16(2.3070917), Q16(-1.7303188), 0},
                                   {Q16(2.3070917), Q16(1.7303188), 0},

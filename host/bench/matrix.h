@@ -44,7 +44,6 @@ typedef struct matrix_source {
     const qtri_shading *shading;
     qtri_texture_mode mode; /* where textured */
     bool textured;
-    bool paired; /* see matrix_next */
 } matrix_source;
 
 typedef struct matrix_texel {
@@ -74,7 +73,6 @@ typedef struct matrix_geometry {
     const qtri_rgb *colors; /* of the mesh's vertices */
     q16 turn;               /* the mesh, about y */
     qtri_rect window;       /* of a picture 320x240, or half that size for quads */
-    bool paired;
 } matrix_geometry;
 
 enum matrix_axis {
@@ -137,9 +135,8 @@ typedef struct matrix_frame {
 
 /*
  * The first case, and the one after *now: false behind the last. `full`: the whole product.
- * Otherwise, for every source, filter and geometry: cases in which at most one of surface, depth,
- * texel and wrap is not the table's first, and all pairs of these where source and geometry are
- * `paired`; without a texture, all products of surface and depth.
+ * Otherwise, for every source and geometry, those that have a pipeline of their own: of surface,
+ * depth, wrap and texel at most one is not the table's first; filtered is every texel.
  */
 void matrix_first(matrix_case *first);
 bool matrix_next(matrix_case *now, bool full);

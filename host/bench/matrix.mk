@@ -8,14 +8,15 @@
 # MATRIX_CASES picks from the product: names as build/matrix.tsv has them, `*` for any text.
 
 MATRIX_CASES   ?=
-MATRIX_PRODUCT ?= pairs
+MATRIX_PRODUCT ?= named
 
-# Without cores on the command line, three of them at -O2.
-MATRIX_CORES   := $(if $(filter command,$(origin BENCH_CORES)),$(SCENE_CORES),$(filter cortex-m0plus cortex-m3 cortex-m4,$(SCENE_CORES)))
+# Without cores on the command line, two of them at -O2.
+MATRIX_CORES   := $(if $(filter command,$(origin BENCH_CORES)),$(SCENE_CORES),$(filter cortex-m0plus cortex-m3,$(SCENE_CORES)))
 MATRIX_PRESENT := $(call bench_present,$(MATRIX_CORES))
 MATRIX_ABSENT  := $(filter-out $(MATRIX_PRESENT),$(MATRIX_CORES))
 
-MATRIX_SOURCES := $(addprefix host/bench/,matrix_cases.c matrix_draw.c matrix_program.c) $(SCENE_WORLD)
+MATRIX_SOURCES := $(addprefix host/bench/,matrix_cases.c matrix_draw.c matrix_program.c \
+                  matrix_flat.c matrix_lit.c matrix_colors.c matrix_texture.c matrix_texture_lit.c matrix_texture_colors.c) $(SCENE_WORLD)
 MATRIX_DEFINES  = -DMATRIX_CASES='"$(MATRIX_CASES)"' -DMATRIX_FULL=$(if $(filter full,$(MATRIX_PRODUCT)),1,0)
 MATRIX_SECONDS := 1500 # after which a program is taken for hung
 
@@ -62,7 +63,7 @@ bench-matrix: ## Count every combination of format, test, source and geometry: b
 matrix-lines: $(SCENE_DIR)/matrix-host.txt $(MATRIX_PRESENT:%=$(SCENE_DIR)/%/matrix.txt)
 
 matrix-budgets: ## Write host/bench/matrix-budgets.tsv anew: what `make check-matrix` compares with
-	@$(MAKE) -s bench-matrix MATRIX_CASES= MATRIX_PRODUCT=pairs
+	@$(MAKE) -s bench-matrix MATRIX_CASES= MATRIX_PRODUCT=named
 	@sh host/bench/matrix_budgets.sh $(BUILD) >$(BENCH_DIR)/matrix-budgets.tsv
 	@mv $(BENCH_DIR)/matrix-budgets.tsv host/bench/matrix-budgets.tsv
 	@echo "matrix-budgets: host/bench/matrix-budgets.tsv has $$(grep -vc '^#' host/bench/matrix-budgets.tsv) lines"

@@ -38,24 +38,18 @@ static const matrix_filter filters[] = {
 };
 
 static const matrix_source sources[] = {
-    {"flat", MATRIX_ONE, QTRI_FLAT_LAST, QTRI_REPLACE, false, false},
-    {"smooth", MATRIX_RGB, QTRI_SMOOTH, QTRI_REPLACE, false, false},
-    {"tint", MATRIX_TINT, QTRI_SMOOTH, QTRI_REPLACE, false, false},
-    {"replace", MATRIX_ONE, QTRI_SMOOTH, QTRI_REPLACE, true, true},
-    {"modulate-light", MATRIX_GREY, QTRI_SMOOTH, QTRI_MODULATE, true, true},
-    {"modulate-tint", MATRIX_TINT, QTRI_SMOOTH, QTRI_MODULATE, true, false},
-    {"modulate-flat", MATRIX_ONE, QTRI_FLAT_LAST, QTRI_MODULATE, true, false},
-    {"modulate-rgb", MATRIX_RGB, QTRI_SMOOTH, QTRI_MODULATE, true, false},
+    {"flat", MATRIX_ONE, QTRI_FLAT_LAST, QTRI_REPLACE, false},
+    {"smooth", MATRIX_RGB, QTRI_SMOOTH, QTRI_REPLACE, false},
+    {"tint", MATRIX_TINT, QTRI_SMOOTH, QTRI_REPLACE, false},
+    {"replace", MATRIX_ONE, QTRI_SMOOTH, QTRI_REPLACE, true},
+    {"modulate-light", MATRIX_GREY, QTRI_SMOOTH, QTRI_MODULATE, true},
+    {"modulate-rgb", MATRIX_RGB, QTRI_SMOOTH, QTRI_MODULATE, true},
 };
 
 /* Quads lie in 160x120, most rows of theirs above 100 pixels. The wall's and the spot's triangles
    have the size of those of S8 and S6: all of the spot is seen, and a quarter of the wall. */
 static const matrix_geometry geometries[] = {
-    {.name = "level",
-     .quad = &bench_screen,
-     .repeats = Q16(2),
-     .window = {0, 0, 160, 120},
-     .paired = true},
+    {.name = "level", .quad = &bench_screen, .repeats = Q16(2), .window = {0, 0, 160, 120}},
     {.name = "floor", .quad = &bench_floor, .repeats = Q16(1), .window = {0, 0, 160, 120}},
     {.name = "turned", .quad = &bench_turned, .repeats = Q16(2), .window = {0, 0, 160, 120}},
     {.name = "wall",
@@ -66,8 +60,7 @@ static const matrix_geometry geometries[] = {
      .mesh = &bench_mesh_spot_uv_compact,
      .colors = bench_colors_spot_uv,
      .turn = Q16(150),
-     .window = {82, 22, 210, 206},
-     .paired = true},
+     .window = {82, 22, 210, 206}},
 };
 
 #define COUNT(table) ((uint8_t)(sizeof(table) / sizeof((table)[0])))
@@ -97,15 +90,18 @@ void matrix_first(matrix_case *first)
     look_up(first);
 }
 
+/* What has a pipeline of its own: see matrix_pipelines.h. */
 static bool is_wanted(const matrix_case *now, bool full)
 {
-    if (!now->source->textured) {
-        return now->at[MATRIX_TEXEL] == 0 && now->at[MATRIX_FILTER] == 0 &&
-               now->at[MATRIX_WRAP] == 0;
+    const bool textured = now->source->textured;
+    if (!textured &&
+        (now->at[MATRIX_TEXEL] != 0 || now->at[MATRIX_FILTER] != 0 || now->at[MATRIX_WRAP] != 0)) {
+        return false;
     }
-    int varied = (now->at[MATRIX_SURFACE] != 0) + (now->at[MATRIX_DEPTH] != 0) +
-                 (now->at[MATRIX_TEXEL] != 0) + (now->at[MATRIX_WRAP] != 0);
-    return full || varied <= 1 || (varied == 2 && now->source->paired && now->geometry->paired);
+    const int varied = (now->at[MATRIX_SURFACE] != 0) + (now->at[MATRIX_DEPTH] != 0) +
+                       (now->at[MATRIX_WRAP] != 0) + (now->at[MATRIX_TEXEL] != 0);
+    const bool is_filtered = now->at[MATRIX_FILTER] != 0 && now->at[MATRIX_TEXEL] == 0;
+    return full || varied + is_filtered <= 1;
 }
 
 bool matrix_next(matrix_case *now, bool full)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "matrix.h"
+#include "matrix_pipelines.h"
 
 #define BYTES_OF(frame, offset) ((const void *)((const uint8_t *)(frame) + (offset)))
 
@@ -91,12 +92,30 @@ static void set_mesh(matrix_frame *frame, const matrix_geometry *geometry,
     frame->material.cull = QTRI_CULL_BACK;
 }
 
+/* All that are made for the matrix; what else is drawn the generic one draws. */
+static const qtri_pipeline *const *list_pipelines(void)
+{
+    static const qtri_pipeline *list[128];
+    static const qtri_pipeline *const *const groups[] = {
+        matrix_pipelines_flat,    matrix_pipelines_lit,         matrix_pipelines_colors,
+        matrix_pipelines_texture, matrix_pipelines_texture_lit, matrix_pipelines_texture_colors};
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < sizeof groups / sizeof *groups; i++) {
+        for (uint32_t k = 0; groups[i][k] != NULL; k++) {
+            list[count++] = groups[i][k];
+        }
+    }
+    list[count] = &qtri_pipeline_any;
+    return list;
+}
+
 /* The picture's size is that of which the window is a part. */
 static void set_view(matrix_frame *frame, const matrix_geometry *geometry)
 {
     const qtri_rect *window = &geometry->window;
     int32_t width = geometry->mesh != NULL ? 320 : 160, height = width * 3 / 4;
     bench_set_view(&frame->view, width, height);
+    frame->view.pipelines = list_pipelines();
     frame->view.viewport = qtri_viewport_top(-window->x0, -window->y0, width, height);
     qtri_transform_identity(&frame->pose);
     qtri_transform_rotate_y(&frame->pose, geometry->turn);

@@ -17,6 +17,7 @@
 #define qtri_line_pipelines  narrow_line_pipelines
 
 #include "raster/line.c"
+#include "raster/line_job.c"
 
 #include "raster/line_rgb565.c"
 #include "raster/stroke_any.c"

@@ -75,7 +75,8 @@ typedef struct qtri_view {
     const qtri_pipeline *const *pipelines; /* what draws triangles: see pipeline.h */
 } qtri_view;
 
-/* Identity camera and projection, the whole frame, no lights, no scratch; qtri_pipelines_default. */
+/* Identity camera and projection, the whole frame, no lights, no scratch; qtri_pipelines_default.
+ */
 void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height);
 
 /* With a list of pipelines, which NULL ends: what neither it nor a format names is not linked. */
