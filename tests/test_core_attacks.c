@@ -311,8 +311,8 @@ static uint16_t texel_at(int32_t column, int32_t row)
 }
 
 /*
- * A texel to a pixel, the nearest, repeated, as it is: loops for such textures cut the row out of
- * 32 bits, and must leave those alone whose row does not fit beside the column (texel_copy.h).
+ * A texel to a pixel, the nearest, repeated, as it is: of textures of up to 2^16 texels a mask cuts
+ * the row out of 32 bits; it must leave larger ones alone (qtri_texel_row in body/texel.h).
  */
 static void any_texture_as_it_is(void **state)
 {

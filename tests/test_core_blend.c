@@ -124,7 +124,7 @@ static void mixes(void **state)
             canvas_clear(&covered);
             const uint64_t same = seed;
             random_triangle(v, &seed, rgb);
-            if (n / 4 % 2 == 0) { /* by the stages of colours that vary */
+            if (n / 4 % 2 == 0) { /* by a pipeline of colours that vary */
                 m.shading = QTRI_SMOOTH;
                 v[1].color_8p16[1] ^= 1;
             }

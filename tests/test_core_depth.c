@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Formats of depth: what they store, which fragments pass, and that nothing else changes.
+ * Formats of depth: what they store, which pixels pass, and that nothing else changes.
  */
 #include "support/core.h"
 
@@ -14,7 +14,7 @@ enum { WIDTH = 70, HEIGHT = 52, FORMATS = 3, GUARD = 16 };
 static const qtri_depth_format *const formats[FORMATS] = {&qtri_depth_float16, &qtri_depth_linear24,
                                                           &qtri_depth_linear32};
 
-/* What linear16 stores, tested as the other formats are. */
+/* What linear16 stores, as a format of the application's own. */
 static void encode_twin(uint32_t *depth, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {
@@ -297,7 +297,8 @@ static void counts(void **state)
     }
 }
 
-/* Tested as an effect, the codes of linear16 draw and leave what linear16 does, bit for bit. */
+/* The codes of linear16, as a format of the application's own, draw and leave what linear16 does,
+   bit for bit. */
 static void twins(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Levels of a texture: which one is drawn, against footprints in double precision; where in it a
- * pixel lies; and that neither bands, scissors nor fused loops change any of it.
+ * pixel lies; and that neither bands nor scissors change any of it.
  */
 #include "support/texture.h"
 

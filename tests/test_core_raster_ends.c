@@ -443,7 +443,7 @@ static void own_texels_of_565(void **state)
     }
 }
 
-/* Sides of more than 1024 texels are taken as 1024, by other stages: where texels meet either. */
+/* Sides of more than 1024 texels are taken as 1024; where two texels meet, either. */
 static void sides_above_1024(void **state)
 {
     (void)state;
@@ -478,7 +478,7 @@ static void sides_above_1024(void **state)
 
 /*
  * Levels of one colour each, on a texture of 512 x 256: as of 256 x 256, across twice as often. The
- * larger one's coordinates do not fit half a word, and it is drawn by other stages.
+ * larger one has more than 2^16 texels, and so the option large_texture.
  */
 static void levels_of_large_textures(void **state)
 {

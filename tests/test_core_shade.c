@@ -150,7 +150,7 @@ static void interpolation(void **state)
             assert_true(w[i / 2][i % 2].pixels > 1000);
             /*
              * With perspective, a colour may stray by 1/4 of a step where it is taken as linear.
-             * RGB565 adds the short fractions of packed.h.
+             * RGB565 adds the short fractions of colours in one word (body/pixel.h).
              */
             double between = i > 0 ? 0 : 1 / 4.0;
             double packed = i < 2 && formats[f] == &qtri_rgb565 ? 7 / 32.0 : 0;

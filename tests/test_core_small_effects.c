@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Small triangles with fog, blends and what turns fragments away: those of one draw call wait
- * together, and lie on each other. The pixels and depths are those of one draw call a triangle.
+ * Small triangles with fog, blends and what discards pixels, which lie on each other: one draw call
+ * has the pixels and depths of one draw call a triangle.
  */
 #include "support/core.h"
 
@@ -56,7 +56,7 @@ static void set_heap(heap *h, uint64_t *seed, int32_t size)
     h->mesh = mesh;
 }
 
-/* Everything that the list of small triangles asks of a material, one after the other. */
+/* Everything that options ask of a material, one after the other. */
 static qtri_material material_of(heap *h, int n)
 {
     static const qtri_blend *const blends[] = {NULL,
@@ -192,8 +192,8 @@ static void cut_or_whole(void **state)
 }
 
 /*
- * The loops over RGB565, one colour at a time and by the list, make what fog makes of any pixels:
- * a material that keeps a channel which there is none of has none of these loops.
+ * Fog on RGB565: a material that keeps a channel which there is none of has the pixels of one that
+ * keeps none.
  */
 static void loops_of_fog(void **state)
 {

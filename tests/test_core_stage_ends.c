@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Ends of what becomes of fragments: formats of depth where there is none, comparisons that are
+ * Ends of what becomes of pixels: formats of depth where there is none, comparisons that are
  * none, samples that only test, fog that is none, alpha of vertices at one distance.
  */
 #include "support/core.h"

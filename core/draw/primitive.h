@@ -39,7 +39,7 @@ typedef struct qtri_fan_vertex {
     uint32_t depth_16p8; /* times 256, and in the low byte the exponent of inv_w */
     uint32_t inv_w_q31;
     int32_t b1_q30, b2_q30;
-    int16_t rest[2]; /* as in qtri_attributes */
+    int16_t rest[2]; /* as in qtri_large_vertex */
 } qtri_fan_vertex;
 
 /* A triangle before and after clipping. */

@@ -2,7 +2,7 @@
 /*
  * qtri: a fixed-point 3D renderer for microcontroller displays.
  *
- *   mesh -> vertex stage -> cull and clip -> triangle setup -> spans -> surface (a band of rows)
+ *   mesh -> vertex stage -> cull and clip -> triangle setup -> pixels -> surface (a band of rows)
  *
  * Conventions, everywhere:
  *   - Column vectors; right-handed world; the camera looks down -z, +y is up;
@@ -25,6 +25,7 @@
  *   format.h     what a pixel is                          texture.h  what a texel is, textures
  *   material.h   colour, shading, depth state             mesh.h     indexed triangles
  *   clip.h raster.h   the stages alone                    draw.h     draw calls
+ *   pipeline.h   what draws pixels, pipelines and pixel functions of one's own
  *   depth.h      what a depth is: precision far away
  *   config.h     what the library is built with           version.h  which one it is
  *   stroke.h     lines of any width, smooth edges, points

@@ -92,7 +92,7 @@ typedef struct qtri_large_job {
     int8_t steps_log2;                            /* of pieces that steps are for */
     uint8_t level_log2;                           /* of the row's pixels that steps are for */
     bool is_level;                                /* nor in this row */
-    int32_t q_slope_log2, chord_log2, texel_log2; /* see length_for() */
+    int32_t q_slope_log2, chord_log2, texel_log2; /* see large_lengths.c */
     int32_t piece_max;                            /* log2 of the longest piece */
     int32_t one_log2; /* of pieces, where one length serves all rows; else -1 */
     int32_t middle_x, middle_y;

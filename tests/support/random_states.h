@@ -84,8 +84,8 @@ void random_material(random_states *w);
 void random_mesh(random_states *w);
 
 /*
- * Shapes that fill the picture, lit, and mostly seen whole: what is between the stages of a pixel
- * shows, which a wrong depth test or an alpha of 0 hides in the others.
+ * Shapes that fill the picture, lit, and mostly seen whole: each step of a pixel shows,
+ * which a wrong depth test or an alpha of 0 hides in the others.
  */
 void random_solid(random_states *w);
 

@@ -41,12 +41,8 @@
  *     linear24     .01 %      5.0 %    39 %     .01 %        7.3 %    43 %
  *     linear32     .01        1.4      9.9      .01          .96      12
  *
- * All but linear16 are tested as a blend is applied, after the colour of a pixel is made; large
- * triangles in one colour, without fog or blend, before that. Instructions of a frame on a
- * Cortex-M0+, scenes of `make bench`, of float16 as multiples of linear16: a screen in one
- * colour 1.3, whose corners differ in colour 2.5, a large texture 2.4, lit meshes of small
- * triangles 2.0, textured ones 1.3. The screen in one colour is 2.0 with linear32, 3.3 with
- * linear24.
+ * The library's specialised pipelines (pipeline.h) are for linear16: on other depths its generic
+ * one draws, unless the application lists pipelines for them, .depth = QTRI_FLOAT16.
  *
  * Everything that knows depth takes every format: triangles, lines, strokes, points, fog, blends,
  * the edge pass (edges.h), frames and halos. Only surfaces of four samples (samples.h) have
@@ -71,7 +67,7 @@ extern const qtri_depth_ops qtri_depth_words;
 enum { QTRI_NO_DEPTH, QTRI_LINEAR16, QTRI_FLOAT16, QTRI_LINEAR24, QTRI_LINEAR32, QTRI_OTHER_DEPTH };
 
 /*
- * Between the stages depth is 16.16: window z times 65535, 0..0xFFFF0000. A stored depth is an
+ * Until it is stored, depth is 16.16: window z times 65535, 0..0xFFFF0000. A stored depth is an
  * integer in the machine's byte order; of three bytes the lowest is first. Stored depths must
  * compare as depths do: a farther one is never less.
  */

@@ -27,7 +27,7 @@ typedef struct qtri_rgb {
 } qtri_rgb;
 
 /*
- * Kinds of colour, as words between the stages that make a pixel:
+ * Kinds of colour, as words: what formats encode, and what texels are decoded to.
  *
  *     qtri_colors_565    rrrrrggggggbbbbb in the low 16 bits
  *     qtri_colors_888    0x00RRGGBB

@@ -120,7 +120,7 @@ void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level);
 /* state->table, when a triangle first needs it. */
 void qtri_draw_state_set_table(qtri_draw_state *state);
 
-/* For formats that are an application's own, in state.c. */
+/* For formats that are an application's own, in draw_state.c. */
 uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888);
 uint32_t qtri_depth_encode_other(const qtri_depth_format *format, uint32_t z_16p16);
 uint32_t qtri_texel_other(const qtri_texture *texture, uint32_t stored);
