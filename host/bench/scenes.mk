@@ -115,7 +115,7 @@ antialias: ## Print how good each kind of anti-aliasing is, what it costs and wh
 antialias-lines: $(SMOOTH_TOOL) $(SMOOTH_CORES:%=$(SCENE_DIR)/%/bench.txt)
 
 # Profile --------------------------------------------------------------------------------------------
-# FUNCTIONS="qtri_rows_next draw": also their disassembly, with how often each instruction ran.
+# FUNCTIONS="qtri_large_next_row draw": also their disassembly, with how often each instruction ran.
 
 PROFILE_SCENES := $(or $(BENCH_SCENES),$(if $(filter %/spot.obj,$(SCENE_MODELS)),S4 S5 S7,S4k S5k S7k))
 PROFILE_TOOL   := $(SCENE_DIR)/profile
