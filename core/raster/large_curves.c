@@ -243,7 +243,8 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
     }
     const int32_t reciprocal = next_reciprocal(job);
     const int32_t after = delta_at(job, reciprocal);
-    const int32_t d = after < 0 ? job->delta : after; /* of the greater q: |d| <= 1/4 */
+    /* Of the greater q: |d| <= 1/4. A point beyond the row may have a greater one, which wraps. */
+    const int32_t d = (int32_t)job->delta_step < 0 ? job->delta : after;
     job->delta = after;
     const int32_t d2 = d * d >> 16;
     const int32_t d3 = d2 * d >> 16;

@@ -6,6 +6,8 @@
 #   headers are qtri.h. Names of file scope without the project's prefix (static functions, types, constants) get that
 #   of their file, `line` of raster/small.c is small_line, so that no two files mean different things by one name; macros
 #   of a file end with it.
+#   Headers of public folders are read once, so a file that is compiled with QTRI_PIPELINE_IS_ANY gets inline functions
+#   of its own: QTRI_BODY ones of what it includes, and their macros, once more.
 
 BEGIN {
     split("auto break case char const continue default do double else enum extern float for goto if inline int long register " \
@@ -88,21 +90,53 @@ function header(path,   n, i, inner)
     }
 }
 
+function private_header(path)
+{
+    if (path in done) return
+    done[path]
+    print "\n/* " path " */"
+    body(path, "")
+}
+
+# QTRI_BODY functions that a header has or includes, with the names of a .c file's own, and macros as they are there.
+function again(path, prefix,   n, i, line, name, inside_it, directive)
+{
+    if (path in is_again) return
+    is_again[path]
+    n = read(path)
+    for (i = 1; i <= n; i++) {
+        line = text[path, i]
+        if (included(line, path) != "") {
+            again(included(line, path), prefix)
+            in_comment = 0
+        } else if (directive || line ~ /^#/) {
+            if (!directive && match(line, /^#(define|ifndef) +[A-Z0-9_]+/)) {
+                name = substr(line, RSTART, RLENGTH)
+                sub(/^.* /, "", name)
+                if (line ~ /^#define/ || name ~ /_H$/) print "#undef " name
+            }
+            print line
+            directive = line ~ /\\$/
+        } else if (inside_it || line ~ /^QTRI_BODY/) {
+            if (!inside_it && match(line, /qtri_[a-z0-9_]+\(/)) own[substr(line, RSTART, RLENGTH - 1)]
+            inside_it = line !~ /^}/
+            print renamed(line, prefix)
+        }
+    }
+}
+
 # A private header, or a part of a .c file where `prefix` is not "".
 function body(path, prefix,   n, i, inner)
 {
     n = read(path)
     for (i = 1; i <= n; i++) {
         inner = included(text[path, i], path)
+        if (inner != "" && prefix != "" && ("QTRI_PIPELINE_IS_ANY" in macro)) again(inner, prefix)
         if (inner ~ /\/include\//) continue
         if (inner ~ /\.inc$/) {
             body(inner, prefix)
         } else if (inner != "") {
-            if (!(inner in done)) {
-                done[inner]
-                print "\n/* " inner " */"
-                body(inner, "")
-            }
+            private_header(inner)
         } else if (!is_licence(text[path, i])) {
             print prefix == "" ? text[path, i] : renamed(text[path, i], prefix)
         }
@@ -123,8 +157,13 @@ function source(path,   prefix, name, folder, n)
     before = ""
     depth = 0
     split("", is_struct)
+    split("", is_again)
+    for (n = 1; n <= lines[path]; n++) {
+        name = included(text[path, n], path)
+        if (name ~ /\.h$/ && name !~ /\/include\//) private_header(name)
+    }
     body(path, prefix)
-    for (name in macro) if (name !~ /^QTRI_/) print "#undef " name
+    for (name in macro) if (name !~ /^QTRI_/ || name ~ /_IS_ANY/) print "#undef " name
 }
 
 # Tokens -----------------------------------------------------------------------------------------------------------------

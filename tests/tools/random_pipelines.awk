@@ -30,7 +30,7 @@ function options(i,    format, texel, text)
         if (below(8) == 0) text = text ", .large_texture = 1"
     }
     text = text ", .shade = QTRI_" shade
-    if (shade == "COLORS" && i % 2) text = text ", .per_pixel = 1"
+    if (shade == "COLORS" && (i + samples) % 2) text = text ", .per_pixel = 1"
     blend = one_of("STORE STORE STORE ALPHA ADD MULTIPLY KEEP_PIXEL SCREEN_DOOR")
     text = text ", .blend = QTRI_" blend
     if (blend ~ /ALPHA|ADD/ && below(3) == 0) { text = text ", .vertex_alpha = 1"; varies = 1 } else varies = 0

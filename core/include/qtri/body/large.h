@@ -209,39 +209,41 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_large *t, qtri_pixel_
     }
 }
 
+/* Loops that few options repeat have one call of what they repeat: calls are inlined and looked at
+   by the compiler, which is most of its time, before what options do not ask for is left out. */
 QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
                                          int32_t count)
 {
     const bool curves = qtri_is_textured(o);
-    if (o->fog) {
-        while (count > 0) {
-            const int32_t n = qtri_large_next_fog(t, count);
-            w->fog = t->fog;
-            w->fog_step = t->fog_step;
-            qtri_pixels_draw(o, w, curves, n);
-            count -= n;
-        }
-    } else if (curves && qtri_unrolled(o, false) > 1 && !t->is_bent) {
+    if (curves && qtri_unrolled(o, false) > 1 && !t->is_bent) {
         qtri_pixels_draw(o, w, false, count); /* a second loop saves two additions a pixel */
     } else {
-        qtri_pixels_draw(o, w, curves, count);
+        do {
+            int32_t n = count;
+            if (o->fog && count > 0) {
+                n = qtri_large_next_fog(t, count);
+                w->fog = t->fog;
+                w->fog_step = t->fog_step;
+            }
+            qtri_pixels_draw(o, w, curves, n);
+            count -= n;
+        } while (o->fog && count > 0);
     }
 }
 
 QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
                                  int32_t count)
 {
-    if (!o->per_pixel) {
-        qtri_large_colored_pixels(o, t, w, count);
-        return;
-    }
-    while (count > 0) {
-        qtri_light_walk *light = t->state->light_walk;
-        const int32_t n = light->next(t, count);
-        qtri_large_load_colors(o, w, &light->piece);
+    do {
+        int32_t n = count;
+        if (o->per_pixel && count > 0) {
+            qtri_light_walk *light = t->state->light_walk;
+            n = light->next(t, count);
+            qtri_large_load_colors(o, w, &light->piece);
+        }
         qtri_large_colored_pixels(o, t, w, n);
         count -= n;
-    }
+    } while (o->per_pixel && count > 0);
 }
 
 /* Red, green and blue n.16 in a word. */
@@ -329,22 +331,27 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, struct qtri_large *t,
 QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large *t)
 {
     qtri_pixel_walk w = QTRI_BODY_ZERO;
-    if (!qtri_has_samples(o)) {
-        qtri_large_rows_draw(o, t, &w);
-        return;
-    }
     qtri_large_samples samples;
-    t->samples = &samples;
-    for (int32_t place = QTRI_CENTER; place >= 0; place--) {
-        if (qtri_large_begin_samples(t, place)) {
+    int32_t place = 0; /* without samples: there is one pass */
+    if (qtri_has_samples(o)) {
+        place = QTRI_CENTER;
+        t->samples = &samples;
+    }
+    do {
+        if (qtri_has_samples(o)) {
+            if (!qtri_large_begin_samples(t, place)) {
+                continue;
+            }
             w.sample_row = &samples.row;
             w.z_p = samples.z_p;
             w.z_q = samples.z_q;
             w.z_place = qtri_samples_more(place, w.z_p, w.z_q);
-            qtri_large_rows_draw(o, t, &w);
         }
+        qtri_large_rows_draw(o, t, &w);
+    } while (qtri_has_samples(o) && --place >= 0);
+    if (qtri_has_samples(o)) {
+        t->samples = NULL;
     }
-    t->samples = NULL;
 }
 
 #ifdef __cplusplus

@@ -22,7 +22,7 @@ QTRI_BODY bool qtri_has_samples(const qtri_options *o)
 #if defined(QTRI_PIPELINE_IS_ANY_X4)
     (void)o;
     return true;
-#elif defined(QTRI_PIPELINE_IS_ANY) && !defined(QTRI_AMALGAMATION)
+#elif defined(QTRI_PIPELINE_IS_ANY)
     (void)o;
     return false;
 #else

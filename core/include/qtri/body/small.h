@@ -88,23 +88,22 @@ QTRI_BODY uint8_t *qtri_small_pixel_of(const qtri_pixel_walk *w)
     return (uint8_t *)((uintptr_t)w->depth + w->apart); /* NOLINT(performance-no-int-to-ptr) */
 }
 
-/* A row's pixels from a walk at the first one on; `count` is not 0. */
+/* A row's pixels from a walk at the first one on; `count` is not 0. Paired: one pointer, which also
+   tells the end. */
 QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_walk *w, int32_t count)
 {
-    if (qtri_is_paired(o)) { /* one pointer, which also tells the end */
-        const uint32_t bytes = qtri_pixel_bytes(o);
-        const uint8_t *end = w->depth + (uint32_t)count * bytes;
-        do {
-            qtri_pixel_at(o, w, false, qtri_small_pixel_of(w), w->depth);
+    const bool paired = qtri_is_paired(o);
+    const uint32_t bytes = qtri_pixel_bytes(o);
+    const uint8_t *end = paired ? w->depth + (uint32_t)count * bytes : w->depth;
+    do {
+        qtri_pixel_at(o, w, false, paired ? qtri_small_pixel_of(w) : w->pixel, w->depth);
+        if (paired) {
             w->depth += bytes;
             QTRI_BODY_BARRIER(w->depth);
-        } while (w->depth != end);
-        return;
-    }
-    do {
-        qtri_pixel(o, w, false, 0);
-        qtri_walk_move(o, w, 1);
-    } while (--count != 0);
+        } else {
+            qtri_walk_move(o, w, 1);
+        }
+    } while (paired ? w->depth != end : --count != 0);
 }
 
 /* The same of columns x..end - 1 that lie within p->left..right - 1. */
