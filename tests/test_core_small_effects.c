@@ -191,49 +191,8 @@ static void cut_or_whole(void **state)
     }
 }
 
-/*
- * Fog on RGB565: a material that keeps a channel which there is none of has the pixels of one that
- * keeps none.
- */
-static void loops_of_fog(void **state)
-{
-    (void)state;
-    enum { NO_CHANNEL = 8 };
-    static heap h;
-    static qtri_vertex vertices[3 * COUNT];
-    uint64_t seed = 13;
-    const qtri_light light = {{Q16(.3), Q16(.2), Q16(1)}, Q16(.2), Q16(.8)};
-    const qtri_fog_range range = {Q16(.5), Q16(20), false};
-    const qtri_rgb gray = {90, 100, 110};
-    for (int n = 0; n < 64; n++) {
-        set_heap(&h, &seed, n % 8 == 7 ? 200 : 60);
-        qtri_fog_exp2(&h.fog, gray, range, Q16(.5));
-        qtri_material m = material_of(&h, n);
-        qtri_view view;
-        qtri_transform pose;
-        set_view(&view, WIDTH, HEIGHT);
-        qtri_transform_identity(&pose);
-        view.light = n % 8 == 4 ? NULL : &light;
-        view.vertices = vertices;
-        view.vertex_count = 3 * COUNT;
-        m.fog = &h.fog;
-        m.blend = NULL;
-        h.texture.has_key = n % 32 >= 16;
-        canvas c[2];
-        for (int i = 0; i < 2; i++) {
-            c[i] = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-            m.keep = i == 0 ? 0 : NO_CHANNEL;
-            qtri_draw_mesh(&c[i].surface, &view, &pose, &h.mesh, &m);
-        }
-        assert_same_picture(&c[0].surface, &c[1].surface);
-        canvas_free(&c[0]);
-        canvas_free(&c[1]);
-    }
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(in_order), cmocka_unit_test(cut_or_whole),
-                                       cmocka_unit_test(loops_of_fog)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(in_order), cmocka_unit_test(cut_or_whole)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,11 +10,10 @@ SIZE_LIBRARY  := $(wildcard core/*/*.c)
 SIZE_SOURCES  := host/bench/size_board.c port/boards/common/memory.c
 SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -fstack-usage -fcallgraph-info=su
 
-# Applications once more, with a library that is built for what they use: a row `flat-only` for `flat`, at -Os.
-SIZE_ONLY_APPS     := textured flat
+# Applications once more, with a library that is built for what they use: a row `textured-only` for `textured`, at -Os.
+SIZE_ONLY_APPS     := textured
 SIZE_ONLY_VARIANTS := $(filter cortex-m0plus-Os cortex-m3-Os,$(SIZE_VARIANTS))
-SIZE_LEFT_OUT_textured := FACE_LIGHT UNEVEN_LIGHT COMPACT_MESHES FAST_PATHS
-SIZE_LEFT_OUT_flat     := PERSPECTIVE FAST_PATHS
+SIZE_LEFT_OUT_textured := FACE_LIGHT UNEVEN_LIGHT COMPACT_MESHES
 
 # Applications once more, with the library in one file (`make dist`): a row `flat-single` for `flat`, at -Os.
 SIZE_SINGLE_VARIANTS := $(SIZE_ONLY_VARIANTS)

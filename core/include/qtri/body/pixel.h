@@ -341,8 +341,11 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
 /* Pixel i from where the walk is. */
 QTRI_BODY void qtri_pixel(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t i)
 {
-    qtri_pixel_at(o, w, bent, w->pixel + (uint32_t)i * qtri_pixel_step(o),
-                  w->depth + (uint32_t)i * qtri_depth_size(o, w->state->surface));
+    uint8_t *depth = w->depth;
+    if (qtri_tests_depth(o)) { /* or there may be none */
+        depth += (uint32_t)i * qtri_depth_size(o, w->state->surface);
+    }
+    qtri_pixel_at(o, w, bent, w->pixel + (uint32_t)i * qtri_pixel_step(o), depth);
 }
 
 QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_t pixels)
