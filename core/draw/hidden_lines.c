@@ -1,8 +1,14 @@
 /* SPDX-License-Identifier: MIT */
+#include "qtri/pipeline_make.h"
 #include "qtri/stroke.h"
 
 #include "../bits/bits.h"
 #include "checked.h"
+
+/* Faces leave depth alone, most often where it is less. */
+QTRI_PIPELINE(qtri_pipeline_depth_less, .format = QTRI_DEPTH_ONLY, .depth = QTRI_LINEAR16,
+              .compare = QTRI_LESS)
+static const qtri_pipeline *const faces[] = {&qtri_pipeline_depth_less, &qtri_pipeline_any, NULL};
 
 /* A bias towards the eye, which is where the comparison says. */
 static q16 nearer_by(const qtri_material *material, q16 bias)
@@ -38,6 +44,9 @@ void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
     lines.fill = &qtri_wireframe;
     lines.depth_bias = nearer_by(material, bias);
     unlit.light = NULL;
+    unlit.lights = NULL;
+    unlit.pipelines = faces;
+    solid.fog = NULL;
     qtri_draw_mesh(&depth, &unlit, pose, mesh, &solid);
     if (stroke != NULL) {
         qtri_draw_wide_wireframe(surface, view, pose, mesh, stroke, &lines);

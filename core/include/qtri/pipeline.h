@@ -132,6 +132,14 @@ extern const qtri_pipeline qtri_pipeline_mipmapped_white; /* times light: of a w
 /* These, then &qtri_pipeline_any. NULL ends a list. */
 extern const qtri_pipeline *const qtri_pipelines_default[];
 
+/* On RGB565 in the byte order of displays on SPI, &qtri_rgb565_swapped. */
+extern const qtri_pipeline qtri_pipeline_swapped_flat, qtri_pipeline_swapped_lit,
+    qtri_pipeline_swapped_colors, qtri_pipeline_swapped_texture, qtri_pipeline_swapped_texture_tint,
+    qtri_pipeline_swapped_texture_lit, qtri_pipeline_swapped_texture_white;
+
+/* These, then &qtri_pipeline_any. */
+extern const qtri_pipeline *const qtri_pipelines_swapped[];
+
 #ifdef __cplusplus
 }
 #endif

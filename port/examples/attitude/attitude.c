@@ -10,6 +10,7 @@
  * that limit.
  */
 #include <qtri.h>
+#include <qtri/pipeline_make.h>
 
 #include "../example.h"
 #include "imu.h"
@@ -90,6 +91,10 @@ static void draw(const qtri_surface *band, const qtri_view *view, const attitude
     qtri_draw_lines(band, view, &still, symbol, 8, &plain);
 }
 
+/* What draws the ground. */
+QTRI_PIPELINE(ground_pipeline, .format = QTRI_GRAY8, .shade = QTRI_COLORS)
+static const qtri_pipeline *const pipelines[] = {&ground_pipeline, NULL};
+
 enum qtri_error example_run(void)
 {
     qtri_panel panel;
@@ -107,7 +112,7 @@ enum qtri_error example_run(void)
         return error;
     }
     q16 aspect = q16_from_ratio(width, height);
-    qtri_view_init(&view, width, height);
+    qtri_view_init_pipelines(&view, width, height, pipelines);
     qtri_transform_ortho(&view.projection, -aspect, aspect, Q16(-1), Q16(1), Q16(-1), Q16(1));
 
     do {

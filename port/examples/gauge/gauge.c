@@ -5,6 +5,7 @@
  * (qtri/frame.h).
  */
 #include <qtri.h>
+#include <qtri/pipeline_make.h>
 
 #include "../example.h"
 
@@ -95,6 +96,10 @@ static qtri_rect needle_box(const qtri_frame *frame, q16 degrees)
     return box;
 }
 
+/* What draws dial and needle: colours, without depth. */
+QTRI_PIPELINE(dial_pipeline, .format = QTRI_RGB565, .shade = QTRI_COLORS)
+static const qtri_pipeline *const pipelines[] = {&dial_pipeline, NULL};
+
 enum qtri_error example_run(void)
 {
     qtri_panel panel;
@@ -118,7 +123,7 @@ enum qtri_error example_run(void)
     /* -1..1 is the shorter side. */
     q16 across = width > height ? q16_from_ratio(width, height) : Q16(1);
     q16 up = height > width ? q16_from_ratio(height, width) : Q16(1);
-    qtri_view_init(&view, width, height);
+    qtri_view_init_pipelines(&view, width, height, pipelines);
     qtri_transform_ortho(&view.projection, -across, across, -up, up, Q16(-1), Q16(1));
     qtri_transform_identity(&still);
 

@@ -63,7 +63,7 @@ enum qtri_error example_run(void)
         return error;
     }
     qtri_prepared_init(&prepared, vertices, MODEL_VERTICES, lists, sizeof lists / sizeof lists[0]);
-    qtri_view_init(&view, width, height);
+    qtri_view_init_pipelines(&view, width, height, qtri_pipelines_swapped);
     qtri_transform_look_at(&view.camera, eye, center, up);
     qtri_transform_perspective(&view.projection, Q16(50), q16_from_ratio(width, height), Q16(.1),
                                Q16(100));

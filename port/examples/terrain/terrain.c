@@ -6,6 +6,7 @@
  * of height_at().
  */
 #include <qtri.h>
+#include <qtri/pipeline_make.h>
 
 #include "../example.h"
 
@@ -145,6 +146,11 @@ static void fly(flight *f)
     f->height += q16_mul(ground + Q16(2.6) - f->height, Q16(.08));
 }
 
+/* What draws land: colours of the vertices in fog. */
+QTRI_PIPELINE(land_pipeline, .format = QTRI_RGB565_SWAPPED, .depth = QTRI_LINEAR16,
+              .compare = QTRI_LESS, .shade = QTRI_COLORS, .fog = 1)
+static const qtri_pipeline *const pipelines[] = {&land_pipeline, NULL};
+
 enum qtri_error example_run(void)
 {
     enum { FAR = AHEAD - 3 };
@@ -176,7 +182,7 @@ enum qtri_error example_run(void)
         return error;
     }
     qtri_prepared_init(&prepared, vertices, VERTICES, lists, sizeof lists / sizeof lists[0]);
-    qtri_view_init(&view, width, height);
+    qtri_view_init_pipelines(&view, width, height, pipelines);
     qtri_transform_perspective(&view.projection, Q16(50), q16_from_ratio(width, height),
                                range.near_z, range.far_z);
 

@@ -4,6 +4,7 @@
  * are left out, so that no hidden line shows; the grid lies behind it by the depth buffer.
  */
 #include <qtri.h>
+#include <qtri/pipeline_make.h>
 
 #include "../example.h"
 
@@ -42,6 +43,10 @@ static void make_grid(void)
     }
 }
 
+/* What draws the faces. */
+QTRI_PIPELINE(faces_pipeline, .format = QTRI_GRAY8, .depth = QTRI_LINEAR16, .compare = QTRI_LESS)
+static const qtri_pipeline *const pipelines[] = {&faces_pipeline, NULL};
+
 enum qtri_error example_run(void)
 {
     const qtri_vec3 eye = {0, Q16(.8), Q16(3.4)}, center = {0, Q16(-.1), 0}, up = {0, Q16(1), 0};
@@ -73,7 +78,7 @@ enum qtri_error example_run(void)
     if (error != QTRI_OK) {
         return error;
     }
-    qtri_view_init(&view, width, height);
+    qtri_view_init_pipelines(&view, width, height, pipelines);
     qtri_transform_look_at(&view.camera, eye, center, up);
     qtri_transform_perspective(&view.projection, Q16(45), q16_from_ratio(width, height), Q16(.1),
                                Q16(100));
