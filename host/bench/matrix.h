@@ -68,9 +68,9 @@ typedef struct matrix_wrap {
 typedef struct matrix_geometry {
     const char *name;
     const bench_quad *quad;
-    q16 repeats; /* of the texture, over the quad */
     const qtri_mesh *mesh;
     const qtri_rgb *colors; /* of the mesh's vertices */
+    q16 repeats;            /* of the texture, over the quad */
     q16 turn;               /* the mesh, about y */
     qtri_rect window;       /* of a picture 320x240, or half that size for quads */
 } matrix_geometry;

@@ -31,6 +31,7 @@ QTRI_BODY uint32_t qtri_pixel_bytes(const qtri_options *o)
     }
 }
 
+/* Of pixels that a row has: NOLINTBEGIN(clang-analyzer-core.NullDereference) */
 QTRI_BODY uint32_t qtri_load(uint32_t bytes, const uint8_t *at)
 {
     switch (bytes) {
@@ -47,7 +48,6 @@ QTRI_BODY uint32_t qtri_load(uint32_t bytes, const uint8_t *at)
     }
 }
 
-/* To pixels that a row has: NOLINTBEGIN(clang-analyzer-core.NullDereference) */
 QTRI_BODY void qtri_save(uint32_t bytes, uint8_t *at, uint32_t word)
 {
     switch (bytes) {
