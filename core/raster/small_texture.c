@@ -133,5 +133,5 @@ void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, c
     while (n > 1 && n * n * bend > (uint32_t)1 << 15) {
         n--;
     }
-    uv->piece = n;
+    uv->piece = (uint8_t)n;
 }
