@@ -28,7 +28,7 @@ typedef struct qtri_primitive {
         struct {
             qtri_line_job job;
             qtri_stroke_target target; /* the job's */
-        } lines; /* and wireframes */
+        } lines;                       /* and wireframes */
     } to;
     qtri_projector projector;
 } qtri_primitive;
