@@ -5,7 +5,7 @@
  *   case hash pixels instructions
  *
  * and `end`. pixels are those that the geometry covers, drawn or not. MATRIX_CASES: patterns of the
- * cases to draw; MATRIX_FULL: 1 for the whole product.
+ * cases to draw; MATRIX_FULL: 1 for the whole product; MATRIX_EVERY: of these only each such.
  */
 #include "../../port/boards/board.h"
 #include "bench_core.h"
@@ -17,6 +17,9 @@
 #endif
 #ifndef MATRIX_FULL
 #define MATRIX_FULL 0
+#endif
+#ifndef MATRIX_EVERY
+#define MATRIX_EVERY 1
 #endif
 
 static matrix_frame memory_of_frame;
@@ -44,6 +47,7 @@ int board_program(void *memory, size_t bytes)
     matrix_frame *frame = &memory_of_frame;
     const matrix_geometry *counted = NULL;
     uint32_t pixels = 0;
+    uint32_t number = 0;
     matrix_case now;
     bench_set_up_core();
     matrix_set_textures(frame);
@@ -51,7 +55,7 @@ int board_program(void *memory, size_t bytes)
     do {
         char name[MATRIX_NAME_MAX];
         matrix_name(&now, name);
-        if (!matrix_matches(MATRIX_CASES, name)) {
+        if (number++ % MATRIX_EVERY != 0 || !matrix_matches(MATRIX_CASES, name)) {
             continue;
         }
         if (counted != now.geometry) {

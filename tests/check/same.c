@@ -9,6 +9,14 @@ int draw_matrix(void *memory, size_t bytes);
 int draw_scenes(void *memory, size_t bytes);
 int draw_states(void *memory, size_t bytes);
 
+/* The matrix by the generic pipeline, which compiles in no time: its own draw the same. */
+#define NO_PIPELINES                                                                               \
+    {                                                                                              \
+        (const qtri_pipeline *)0                                                                   \
+    }
+#define MATRIX_FULL  1
+#define MATRIX_EVERY 9
+
 /* Each is the program of a board. */
 #define board_program draw_matrix
 #include "../../host/bench/matrix_program.c" // NOLINT(bugprone-suspicious-include)
@@ -18,6 +26,13 @@ int draw_states(void *memory, size_t bytes);
 #undef board_program
 #define board_program draw_states
 #include "same_states.c" // NOLINT(bugprone-suspicious-include)
+
+const qtri_pipeline *const matrix_pipelines_flat[] = NO_PIPELINES;
+const qtri_pipeline *const matrix_pipelines_lit[] = NO_PIPELINES;
+const qtri_pipeline *const matrix_pipelines_colors[] = NO_PIPELINES;
+const qtri_pipeline *const matrix_pipelines_texture[] = NO_PIPELINES;
+const qtri_pipeline *const matrix_pipelines_texture_lit[] = NO_PIPELINES;
+const qtri_pipeline *const matrix_pipelines_texture_colors[] = NO_PIPELINES;
 
 int main(void)
 {
