@@ -20,7 +20,11 @@
 #endif
 
 #if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+#ifdef __OPTIMIZE_SIZE__ /* what is on the stack need not be loaded and stored for it */
+#define QTRI_BODY_BARRIER(x) __asm__ volatile("" : "+lm"(x))
+#else
 #define QTRI_BODY_BARRIER(x) __asm__ volatile("" : "+l"(x))
+#endif
 #else
 #if defined(__GNUC__)
 #define QTRI_BODY_BARRIER(x) __asm__ volatile("" : "+r"(x))

@@ -215,7 +215,7 @@ QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, q
                                          int32_t count)
 {
     const bool curves = qtri_is_textured(o);
-    if (curves && qtri_unrolled(o, false) > 1 && !t->is_bent) {
+    if (curves && qtri_is_short(o) && !t->is_bent) {
         qtri_pixels_draw(o, w, false, count); /* a second loop saves two additions a pixel */
     } else {
         do {

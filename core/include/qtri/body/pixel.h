@@ -149,21 +149,25 @@ QTRI_BODY bool qtri_door_is_open(const qtri_options *o, const qtri_pixel_walk *w
 #define QTRI_BODY_UNROLLS 1
 #endif
 
-/* How many pixels a loop has: short ones gain by it, where pieces are not short themselves. The
-   generic pipeline has one. */
+/* A pixel of so little work that what a loop adds to it can be seen. */
+QTRI_BODY bool qtri_is_short(const qtri_options *o)
+{
+#if defined(QTRI_PIPELINE_IS_ANY)
+    (void)o;
+    return false;
+#else
+    return !(o->bilinear || (qtri_is_textured(o) && qtri_varies(o)) || o->fog ||
+             qtri_reads_pixel(o) || qtri_needs_place(o) || o->key || o->alpha_test);
+#endif
+}
+
+/* How many pixels a loop has: short ones gain by it, where pieces are not short themselves. */
 QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
 {
-#if !QTRI_BODY_UNROLLS
-    (void)o;
-    (void)bent;
-    return 1;
-#else
-    if (o->bilinear || (qtri_is_textured(o) && qtri_varies(o)) || o->fog || qtri_reads_pixel(o) ||
-        qtri_needs_place(o) || o->key || o->alpha_test) {
+    if (!QTRI_BODY_UNROLLS || !qtri_is_short(o)) {
         return 1;
     }
     return bent || (qtri_is_textured(o) && !QTRI_LONG_MULTIPLY) ? 4 : 8;
-#endif
 }
 
 QTRI_BODY bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk *w, uint32_t *color)
@@ -394,13 +398,16 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool 
         count += early;
     }
 #endif
-    for (; count > 0; count--) {
+    if (count <= 0) {
+        return;
+    }
+    do { /* at -Os GCC does not turn loops round by itself */
         if (qtri_has_samples(o)) {
             w->samples = qtri_samples_of(w->sample_row, w->x);
         }
         qtri_pixel_next(o, w, bent, 0);
         qtri_walk_move(o, w, 1);
-    }
+    } while (--count > 0);
 }
 
 /* The texture that texels are read from, or the level of it. */
