@@ -68,8 +68,6 @@ void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3]
     job->width = x[1] - x[0];
     job->height = y[1] - y[0];
     job->pixels = (qtri_greatest32(job->width, job->height) >> 8) + 1;
-    job->middle_x = (x[0] + (job->width >> 1)) >> 8;
-    job->middle_y = (y[0] + (job->height >> 1)) >> 8;
 }
 
 static int32_t limit(int32_t at_24p8, int32_t pixels)

@@ -57,7 +57,7 @@ void qtri_large_channels(int packing, uint32_t out[3], const uint32_t color_8p16
 /* An attribute from what it is at the vertices, 8.16. */
 static void add_attribute(qtri_large_job *job, const uint32_t value[3], uint32_t half)
 {
-    qtri_large_attribute *a = &job->a[job->count++];
+    qtri_large_attribute *a = &job->t.a[job->count++];
     qtri_find_range(&a->least, &a->most, value);
     for (int k = 0; k < 3; k++) {
         a->f[k] = (value[k] - a->least) << QTRI_LARGE_COLOR_UP;
@@ -199,7 +199,7 @@ static void set_runs(qtri_large_job *job)
 {
     uint32_t step[3];
     for (int i = 0; i < 3; i++) {
-        const qtri_large_attribute *a = &job->a[job->first_color + i];
+        const qtri_large_attribute *a = &job->t.a[job->first_color + i];
         uint32_t f[3];
         for (int k = 0; k < 3; k++) {
             f[k] = a->least + (a->f[k] >> QTRI_LARGE_COLOR_UP);
@@ -233,7 +233,7 @@ uint32_t qtri_large_begin_runs(qtri_large *t)
 
 void qtri_large_set_run_steps(qtri_large_job *job)
 {
-    const qtri_large_attribute *a = &job->a[job->first_color];
+    const qtri_large_attribute *a = &job->t.a[job->first_color];
     if (job->packing == QTRI_PACK_565 && !job->is_curved) {
         set_runs(job);
     } else if (job->packing == QTRI_PACK_ONE) {
@@ -248,13 +248,13 @@ void qtri_large_set_run_steps(qtri_large_job *job)
         }
     }
     if (job->alpha < job->count) {
-        job->t.piece[0].alpha_step = job->a[job->alpha].step;
+        job->t.piece[0].alpha_step = job->t.a[job->alpha].step;
     }
 }
 
 void qtri_large_pack_linear(qtri_large_job *job, qtri_large_piece *piece)
 {
-    const qtri_large_attribute *a = &job->a[job->first_color];
+    const qtri_large_attribute *a = &job->t.a[job->first_color];
     if (job->packing == QTRI_PACK_ONE) {
         piece->c = a->at;
     } else if (job->packing == QTRI_PACK_565) {
@@ -268,6 +268,6 @@ void qtri_large_pack_linear(qtri_large_job *job, qtri_large_piece *piece)
         piece->g = a[1].at;
     }
     if (job->alpha < job->count) {
-        piece->alpha = job->a[job->alpha].at;
+        piece->alpha = job->t.a[job->alpha].at;
     }
 }

@@ -15,6 +15,166 @@
  */
 #include "large_setup.h"
 
+/* Lengths ----------------------------------------------------------------------------------------
+ *
+ * With L the step of the coordinate and e = q' / q the parabola is off by .048 L e^2 h^3: h is the
+ * greatest power of two for which that is below 2^-7 of L, and of a texel.
+ */
+enum {
+    STEP_BOUND = -671, /* 256 log2(2^-7 / .048): of a step, and of a texel where steps are longer */
+    LOG2_ERROR = 22    /* of log2_q8(), 1/256 */
+};
+
+/* log2 x in 1/256, at most LOG2_ERROR too little: the mantissa in place of its logarithm. */
+static int32_t log2_q8(uint32_t x)
+{
+    const int32_t zeros = qtri_clz32(x | 1);
+    return (31 - zeros) * 256 + (int32_t)((x << zeros & 0x7FFFFFFFu) >> 23);
+}
+
+static uint32_t slope_of(uint64_t dx)
+{
+    return qtri_magnitude32((int32_t)qtri_large_whole(dx)) + 1;
+}
+
+/* log2 of the texels that a pixel steps where q is this or more, 1/256; 0 where it is one. */
+static int32_t texels_for(const qtri_large_job *job, uint32_t q)
+{
+    return qtri_greatest32(job->texel_log2 - log2_q8(q), 0);
+}
+
+/* log2 of a piece's pixels where q is this or more; may be negative. Points a piece apart must have
+   q' 4 h <= q, so that q is positive at the point behind a row's end. */
+static int32_t length_for(const qtri_large_job *job, uint32_t q)
+{
+    const int32_t inverse_e = log2_q8(q) - job->q_slope_log2;
+    int32_t bound = STEP_BOUND;
+    if (job->first_color != 0) {
+        bound -= texels_for(job, q);
+    }
+    int32_t log2 = (2 * inverse_e + bound) * 85 >> 8; /* / 3 */
+    log2 = qtri_least32(log2, inverse_e - 512);
+    if (job->first_color != job->count) { /* chords: q'/q h^2 c'/4 <= bound, c' <= slope / q */
+        const int32_t color = (2 * log2_q8(q) - job->q_slope_log2 + job->chord_log2) >> 1;
+        log2 = qtri_least32(log2, color);
+    }
+    return log2 >> 8;
+}
+
+/* log2 of the greatest slope of coordinates times q along rows, in texels 2^32; of levels steps are
+   about a texel. */
+static void set_texel_slope(qtri_large_job *job)
+{
+    const uint32_t q_slope = slope_of(job->q.dx);
+    int32_t most = 0;
+    for (int i = 0; i < job->first_color; i++) {
+        const qtri_large_attribute *a = &job->t.a[i];
+        uint32_t least, greatest;
+        qtri_find_range(&least, &greatest, a->f);
+        const uint32_t slope =
+            (slope_of(a->plane.dx) >> 1) + (qtri_mul_high32(greatest, q_slope) >> 1) + 1;
+        const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->t.axis[i].shift) * 256;
+        most = log2 > most ? log2 : most;
+    }
+    job->texel_log2 = qtri_large_has_levels(job) ? INT16_MIN : most;
+}
+
+/* By how much, n.16, colours may stray for going along chords: 1/4 of a step. */
+static int32_t chord_bound_log2(const qtri_large_job *job)
+{
+    return job->packing != QTRI_PACK_565 && qtri_stores_565(job->options) ? 16 : 14;
+}
+
+/* The greatest slope of colours times q, and what of it comes of q. */
+static int32_t chord_log2(const qtri_large_job *job)
+{
+    uint32_t most = 1;
+    const uint32_t q_slope = slope_of(job->q.dx);
+    for (int i = job->first_color; i < job->count; i++) {
+        const qtri_large_attribute *a = &job->t.a[i];
+        const uint32_t range = (a->most - a->least) << QTRI_LARGE_COLOR_UP;
+        const uint32_t slope = slope_of(a->plane.dx) + qtri_mul_high32(range, q_slope) + 1;
+        most = slope > most ? slope : most;
+    }
+    const int32_t bound = 2 + chord_bound_log2(job) + QTRI_LARGE_COLOR_UP - 32;
+    return bound * 256 - log2_q8(most) - LOG2_ERROR;
+}
+
+void qtri_large_set_lengths(qtri_large_job *job)
+{
+    const uint32_t slope = slope_of(job->q.dx);
+    uint32_t least = UINT32_MAX;
+    job->q_slope_log2 = log2_q8(slope) + LOG2_ERROR;
+    job->chord_log2 = chord_log2(job);
+    set_texel_slope(job);
+    const uint64_t steep = qtri_magnitude64(qtri_wrap64(job->q.dx)) >> 16; /* 2^-16 */
+    job->may_be_level = steep >> 16 == 0;
+    job->steep = (uint32_t)steep;
+    job->level_log2 = QTRI_LARGE_NO_LEVEL;
+    job->steps_log2 = QTRI_LARGE_NO_LEVEL;
+    for (int k = 0; k < 3; k++) {
+        const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
+        least = q < least ? (uint32_t)q : least;
+    }
+    least -= job->residual.is_on ? least >> 5 : 0;
+    const int32_t log2 = length_for(job, least);
+    job->piece_max =
+        qtri_least32(job->run_log2, job->packing == QTRI_PACK_565 ? QTRI_LARGE_RUN_LOG2 - 1
+                                                                  : QTRI_LARGE_CHUNK_LOG2 - 1);
+    job->one_log2 = log2 >= job->piece_max                    ? job->piece_max
+                    : log2 >= 0 && (job->pixels >> log2) == 0 ? log2
+                                                              : -1;
+    for (int i = 0; i < job->count; i++) {
+        job->t.a[i].at_left = (uint8_t)qtri_greatest32(job->t.a[i].up + 2, 0);
+        job->t.a[i].at_right = (uint8_t)qtri_greatest32(-(job->t.a[i].up + 2), 0);
+    }
+}
+
+/* Points ------------------------------------------------------------------------------------------
+ */
+
+/* floor(a b / 2^32), 0 <= b. */
+static inline int32_t mul_high(int32_t a, int32_t b)
+{
+#if QTRI_LONG_MULTIPLY
+    return (int32_t)(qtri_mul_s32(a, b) >> 32);
+#else
+    return qtri_mul_high_s31(a, (uint32_t)b);
+#endif
+}
+
+/* s 2^zeros, 32 bits of it. */
+static inline uint32_t shifted_left(uint64_t s, int32_t zeros)
+{
+    return qtri_large_whole(s) << zeros | (uint32_t)s >> 1 >> (31 - zeros);
+}
+
+/* 2^62 / q 2^zeros, below 2^31; sets job->zeros. q: 2^-32. */
+static inline int32_t reciprocal_of(qtri_large_job *job, uint64_t q_q32)
+{
+    const uint32_t q = qtri_large_positive(qtri_large_whole(q_q32));
+#if QTRI_LONG_MULTIPLY
+    const int32_t zeros = qtri_clz32(q);
+#else
+    int32_t zeros = job->zeros; /* of the point before nearly as many */
+    while (q >> (31 - zeros) > 1) {
+        zeros--;
+    }
+    while ((int32_t)(q << zeros) >= 0) {
+        zeros++;
+    }
+#endif
+    job->zeros = zeros;
+    const uint32_t r = qtri_reciprocal_near(q << zeros | (uint32_t)q_q32 >> 1 >> (31 - zeros));
+    return (int32_t)(r - (r >> 31));
+}
+
+/* A quarter of what is s / q; s 2^-32. */
+static inline int32_t quotient_of(uint64_t s, int32_t zeros, int32_t reciprocal)
+{
+    return mul_high((int32_t)shifted_left(s, zeros), reciprocal);
+}
+
 static int32_t log2_above(int32_t x)
 {
     return x <= 1 ? 0 : 32 - qtri_clz32((uint32_t)x - 1);
@@ -34,7 +194,7 @@ static void set_steps(qtri_large_job *job, int32_t log2)
     job->delta_step =
         job->h_log2 < 0 ? 0 : qtri_large_whole(job->q.s_step); /* single pixels have no curve */
     for (int i = 0; i < job->count; i++) {
-        qtri_large_attribute *a = &job->a[i];
+        qtri_large_attribute *a = &job->t.a[i];
         a->plane.s_step = a->plane.dx << log2;
         set_shifts(&a->step_left, &a->step_right, a->up + 2 - h);
         set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * h);
@@ -46,14 +206,14 @@ static inline void set_first(qtri_large_job *job, int32_t x)
 {
     job->q.s = qtri_large_plane_from(&job->q, x);
     for (int i = 0; i < job->count; i++) {
-        job->a[i].plane.s = qtri_large_plane_from(&job->a[i].plane, x);
+        job->t.a[i].plane.s = qtri_large_plane_from(&job->t.a[i].plane, x);
     }
 }
 
 /* A quarter of all attributes at the next point, which is gone past. */
 static int32_t next_reciprocal(qtri_large_job *job)
 {
-    const int32_t reciprocal = qtri_large_reciprocal(job, job->q.s);
+    const int32_t reciprocal = reciprocal_of(job, job->q.s);
     job->q.s += job->q.s_step;
     return reciprocal;
 }
@@ -62,7 +222,7 @@ static inline int32_t next_quotient(qtri_large_attribute *a, int32_t zeros, int3
 {
     const uint64_t s = a->plane.s;
     a->plane.s = s + a->plane.s_step;
-    return qtri_large_quotient(s, zeros, reciprocal);
+    return quotient_of(s, zeros, reciprocal);
 }
 
 /* (q1 - q0) / 2 q at a point, Q16. */
@@ -81,7 +241,7 @@ static void begin_chunk(qtri_large_job *job)
         const bool falls = (int32_t)qtri_large_whole(job->q.dx) < 0;
         const uint32_t q =
             qtri_large_positive(qtri_large_plane_at(&job->q, falls ? chunk + width : chunk));
-        log2 = qtri_large_length_for(job, q);
+        log2 = length_for(job, q);
         log2 = qtri_hold32(log2, -1, qtri_least32(job->piece_max, log2_above(width) - 1));
     }
     while (log2 > 0 && width >> log2 == 0) { /* far behind a thin one's end values do not fit */
@@ -99,12 +259,12 @@ static void begin_chunk(qtri_large_job *job)
     job->t.x = chunk + number * ((int32_t)1 << apart);
     job->q.s += job->q.s_step * (uint64_t)(int64_t)number;
     for (int i = 0; i < job->count; i++) {
-        job->a[i].plane.s += job->a[i].plane.s_step * (uint64_t)(int64_t)number;
+        job->t.a[i].plane.s += job->t.a[i].plane.s_step * (uint64_t)(int64_t)number;
     }
     const int32_t reciprocal = next_reciprocal(job);
     job->delta = delta_at(job, reciprocal);
     for (int i = 0; i < job->count; i++) {
-        job->a[i].point = next_quotient(&job->a[i], job->zeros, reciprocal);
+        job->t.a[i].point = next_quotient(&job->t.a[i], job->zeros, reciprocal);
     }
 }
 
@@ -137,9 +297,9 @@ QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
     set_first(job, job->row_left);
     const int32_t reciprocal = next_reciprocal(job);
     for (int i = 0; i < job->count; i++) {
-        qtri_large_attribute *a = &job->a[i];
+        qtri_large_attribute *a = &job->t.a[i];
         const int32_t from = next_quotient(a, job->zeros, reciprocal);
-        const int32_t rise = qtri_large_quotient(a->plane.s_step, job->zeros, reciprocal);
+        const int32_t rise = quotient_of(a->plane.s_step, job->zeros, reciprocal);
         a->at = (uint32_t)((int32_t)((uint32_t)from << a->at_left) >> a->at_right) + a->start;
         a->step = (uint32_t)((int32_t)((uint32_t)rise << a->step_left) >> a->step_right);
     }
@@ -158,7 +318,7 @@ static inline uint32_t both_shifts(int32_t x, uint8_t left, uint8_t right)
 static inline void set_coordinate(qtri_large_job *job, int i, int32_t end, int32_t eps,
                                   int32_t eps1, int32_t eps2)
 {
-    qtri_large_attribute *a = &job->a[i];
+    qtri_large_attribute *a = &job->t.a[i];
     const int32_t from = a->point, rise = end - from;
     const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1, rise2 = rise - rise1;
     const int32_t w1 = qtri_mul_s16(rise1, eps1), w2 = qtri_mul_s16(rise2, eps2);
@@ -209,7 +369,7 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
     const int32_t h = (int32_t)1 << qtri_greatest32(job->h_log2, 0);
     const int32_t rest = job->row_right - job->t.x;
     for (int i = job->first_color; i < job->count; i++) {
-        qtri_large_attribute *a = &job->a[i];
+        qtri_large_attribute *a = &job->t.a[i];
         const int32_t from = a->point, rise = end[i] - from;
         const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1;
         at[0][i] = both_shifts(from, a->at_left, a->at_right) + a->start;
@@ -256,13 +416,13 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
     const int32_t eps2 = ((eps - square) >> 1) + cube;
     if (textured) {
         const int32_t zeros = job->zeros;
-        set_coordinate(job, 0, next_quotient(&job->a[0], zeros, reciprocal), eps, eps1, eps2);
-        set_coordinate(job, 1, next_quotient(&job->a[1], zeros, reciprocal), eps, eps1, eps2);
+        set_coordinate(job, 0, next_quotient(&job->t.a[0], zeros, reciprocal), eps, eps1, eps2);
+        set_coordinate(job, 1, next_quotient(&job->t.a[1], zeros, reciprocal), eps, eps1, eps2);
     }
     if (colored) {
         int32_t end[QTRI_LARGE_ATTRIBUTES];
         for (int i = job->first_color; i < job->count; i++) {
-            end[i] = next_quotient(&job->a[i], job->zeros, reciprocal);
+            end[i] = next_quotient(&job->t.a[i], job->zeros, reciprocal);
         }
         set_chords(job, end, eps);
     }
@@ -289,9 +449,6 @@ QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored
 {
     if (!job->is_curved) {
         return qtri_large_linear_piece(job);
-    }
-    if (job->is_near) {
-        return qtri_large_near_piece(job);
     }
     if (job->may_be_level) {
         if (job->is_new) {

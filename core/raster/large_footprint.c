@@ -149,7 +149,7 @@ void qtri_large_set_footprint(qtri_footprint_plane *out, const qtri_large_job *j
     const int32_t factor = (int32_t)qtri_mul_high32(r, 3037000500u); /* 2^31.5 */
     set_frame(&f, job);
     for (int i = 0; i < 2; i++) {
-        set_ends(&e[i], &f, job, &job->a[i], job->levels.axis[i].shift);
+        set_ends(&e[i], &f, job, &job->t.a[i], job->levels.axis[i].shift);
         const uint64_t all = qtri_magnitude64(e[i].right[0]) | qtri_magnitude64(e[i].right[1]) |
                              qtri_magnitude64(e[i].down[0]) | qtri_magnitude64(e[i].down[1]);
         bits[i] = 64 - qtri_clz64(all | 1);

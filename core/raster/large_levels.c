@@ -27,7 +27,7 @@ static uint32_t linear_level(const qtri_large_job *job, uint32_t last)
 {
     uint32_t right[2], down[2];
     for (int i = 0; i < 2; i++) {
-        const qtri_large_plane *plane = &job->a[i].plane;
+        const qtri_large_plane *plane = &job->t.a[i].plane;
         right[i] = linear_step(plane->dx, job->levels.axis[i].shift);
         down[i] = linear_step(plane->dy, job->levels.axis[i].shift);
     }
@@ -87,12 +87,8 @@ void qtri_large_set_levels(qtri_large *t)
     const int32_t most = LEVEL_PIECE_LOG2;
     job->levels.are_found = true;
     job->levels.run_log2 = (uint8_t)qtri_least32(job->run_log2, LEVEL_RUN_LOG2);
-    if (job->is_near) {
-        job->near_log2 = (uint8_t)qtri_least32(job->near_log2, most);
-    } else {
-        job->piece_max = qtri_least32(job->piece_max, most);
-        job->one_log2 = qtri_least32(job->one_log2, most);
-    }
+    job->piece_max = qtri_least32(job->piece_max, most);
+    job->one_log2 = qtri_least32(job->one_log2, most);
     qtri_large_set_footprint(&job->levels.footprint, job);
 }
 
@@ -256,11 +252,11 @@ static void begin_level_row(qtri_large_job *job)
 QTRI_NOINLINE static void set_colors(qtri_large_job *job, qtri_large_piece *piece, uint32_t skipped)
 {
     for (int i = job->first_color; i < job->count; i++) {
-        job->a[i].at += job->a[i].step * skipped;
+        job->t.a[i].at += job->t.a[i].step * skipped;
     }
     qtri_large_pack_linear(job, piece);
     for (int i = job->first_color; i < job->count; i++) {
-        job->a[i].at -= job->a[i].step * skipped;
+        job->t.a[i].at -= job->t.a[i].step * skipped;
     }
 }
 
@@ -287,10 +283,10 @@ static int32_t level_row_piece(qtri_large_job *job)
     levels->only = (uint8_t)next;
     const uint32_t skipped = (uint32_t)(x - job->row_left);
     piece->count = qtri_least32(end, right) - x;
-    piece->u = job->a[0].at + job->a[0].step * skipped;
-    piece->v = job->a[1].at + job->a[1].step * skipped;
-    piece->u_step = job->a[0].step;
-    piece->v_step = job->a[1].step;
+    piece->u = job->t.a[0].at + job->t.a[0].step * skipped;
+    piece->v = job->t.a[1].at + job->t.a[1].step * skipped;
+    piece->u_step = job->t.a[0].step;
+    piece->v_step = job->t.a[1].step;
     piece->u_bend = 0;
     piece->v_bend = 0;
     if (job->first_color != job->count) {
@@ -302,21 +298,6 @@ static int32_t level_row_piece(qtri_large_job *job)
 }
 
 /* Other rows ----------------------------------------------------------------------------------- */
-
-static int32_t near_piece(qtri_large_job *job)
-{
-    qtri_large_piece *piece = job->t.piece;
-    if (job->is_new) {
-        qtri_large_planes_move(job);
-    }
-    (void)qtri_large_near_piece(job);
-    const int32_t x = job->t.x - ((int32_t)1 << job->near_log2);
-    const int32_t middle = x + (piece->count >> 1);
-    const measure m = measure_at(job, middle);
-    set_level(job, piece, level_at(job, &m, middle, piece->level));
-    cut(job, piece, x);
-    return 1;
-}
 
 /* Pieces of which one or both are short, or along which q varies more. */
 QTRI_NOINLINE static void set_apart(qtri_large_job *job, int32_t pieces, int32_t x)
@@ -366,9 +347,7 @@ static int32_t plain_pieces(qtri_large_job *job)
     const bool curved = job->is_curved;
     const int32_t pieces = curved ? qtri_large_next_any(&job->t) : qtri_large_linear_piece(job);
     int32_t x = job->t.x - ((int32_t)1 << job->run_log2);
-    if (curved && job->is_near) {
-        x = job->t.x - ((int32_t)1 << job->near_log2);
-    } else if (curved && !(job->may_be_level && job->is_level)) {
+    if (curved && !(job->may_be_level && job->is_level)) {
         x = job->t.x - job->t.piece[0].count - (pieces == 1 ? 0 : job->t.piece[1].count);
     } else if (qtri_large_has_levels(job)) {
         set_level(job, job->t.piece, job->levels.only);
@@ -389,7 +368,7 @@ int32_t qtri_large_next_levels(qtri_large *t)
     }
     if (job->is_new) {
         begin_row(job);
-        if (!job->is_near && job->may_be_level) {
+        if (job->may_be_level) {
             qtri_large_planes_move(job);
             t->is_bent = !qtri_large_begin_level(job);
             if (job->is_level) {
@@ -398,7 +377,5 @@ int32_t qtri_large_next_levels(qtri_large *t)
             }
         }
     }
-    return job->is_near                         ? near_piece(job)
-           : job->may_be_level && job->is_level ? level_row_piece(job)
-                                                : curved_pieces(job);
+    return job->may_be_level && job->is_level ? level_row_piece(job) : curved_pieces(job);
 }

@@ -37,9 +37,9 @@ static void skip(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
 
 void qtri_large_planes_move(qtri_large_job *job)
 {
-    const qtri_large_attribute *const end = &job->a[job->count];
+    const qtri_large_attribute *const end = &job->t.a[job->count];
     for (int32_t rows = job->t.y - job->plane_y; rows > 0; rows--) { /* one, mostly */
-        for (qtri_large_attribute *a = job->a; a != end; a++) {
+        for (qtri_large_attribute *a = job->t.a; a != end; a++) {
             a->plane.row += a->plane.dy;
         }
         job->q.row += job->q.dy;
@@ -68,13 +68,18 @@ void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
     piece->count = end - first;
 }
 
+static uint32_t shifted(uint32_t x, int32_t up)
+{
+    return up >= 0 ? x << up : (uint32_t)((int32_t)x >> (up < -31 ? 31 : -up));
+}
+
 /* Attributes at the row's left end, where nothing follows perspective. */
 static inline void set_left(qtri_large_job *job)
 {
     qtri_large_planes_move(job);
     for (int i = 0; i < job->count; i++) {
-        qtri_large_attribute *a = &job->a[i];
-        a->at = qtri_large_shift(qtri_large_plane_at(&a->plane, job->row_left), a->up) + a->start;
+        qtri_large_attribute *a = &job->t.a[i];
+        a->at = shifted(qtri_large_plane_at(&a->plane, job->row_left), a->up) + a->start;
     }
 }
 
@@ -82,7 +87,7 @@ static inline void set_left(qtri_large_job *job)
 static inline int32_t whole_row(qtri_large_job *job)
 {
     qtri_large_piece *piece = &job->t.piece[0];
-    const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];
+    const qtri_large_attribute *u = &job->t.a[0], *v = &job->t.a[1];
     const uint32_t skipped = (uint32_t)(job->t.x0 - job->row_left);
     if (!job->is_curved) {
         set_left(job);
@@ -109,7 +114,7 @@ static void begin_row(qtri_large_job *job)
         set_left(job);
     }
     for (int i = 0; i < job->count; i++) {
-        job->a[i].at += job->a[i].step * (uint32_t)skipped;
+        job->t.a[i].at += job->t.a[i].step * (uint32_t)skipped;
     }
 }
 
@@ -125,10 +130,10 @@ int32_t qtri_large_linear_piece(qtri_large_job *job)
     const int32_t run = (int32_t)1 << job->run_log2, x = job->t.x;
     piece->count = qtri_least32(run, job->row_right - x);
     if (job->first_color != 0) {
-        piece->u = job->a[0].at;
-        piece->v = job->a[1].at;
-        piece->u_step = job->a[0].step;
-        piece->v_step = job->a[1].step;
+        piece->u = job->t.a[0].at;
+        piece->v = job->t.a[1].at;
+        piece->u_step = job->t.a[0].step;
+        piece->v_step = job->t.a[1].step;
         piece->u_bend = 0;
         piece->v_bend = 0;
     }
@@ -141,7 +146,7 @@ int32_t qtri_large_linear_piece(qtri_large_job *job)
     job->t.x = x + run;
     if (job->t.x < job->t.x1) {
         for (int i = 0; i < job->count; i++) {
-            job->a[i].at += job->a[i].step << job->run_log2;
+            job->t.a[i].at += job->t.a[i].step << job->run_log2;
         }
     }
     return 1;

@@ -18,7 +18,7 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bo
 {
     const qtri_draw_state *state = job->t.state;
     const qtri_options *o = job->options;
-    qtri_large_attribute *a = &job->a[i];
+    qtri_large_attribute *a = &job->t.a[i];
     qtri_clamp_axis *axis = &job->t.axis[i];
     const int32_t side_log2 = i == 0 ? state->width_log2 : state->height_log2;
     int64_t at[3];
@@ -115,25 +115,25 @@ static void set_linear_planes(qtri_large_job *job, const qtri_divisor *divisor)
     static const uint32_t none[3] = {0, 0, 0};
     int64_t there[3];
     for (int i = 0; i < job->count; i++) {
-        uint32_t *f = job->a[i].f;
+        uint32_t *f = job->t.a[i].f;
         if (i < job->first_color) {
             correct(there, job, f, none);
         } else { /* the rest stays within the range of the vertices */
             (void)qtri_residual_apply(f, &job->residual, 0,
-                                      (job->a[i].most - job->a[i].least) << QTRI_LARGE_COLOR_UP);
+                                      (job->t.a[i].most - job->t.a[i].least)
+                                          << QTRI_LARGE_COLOR_UP);
             for (int k = 0; k < 3; k++) {
                 there[k] = (int64_t)f[k] * 256;
             }
         }
         if (job->packing != QTRI_PACK_565) { /* which has ramps */
-            set_plane(&job->a[i].plane, job, divisor, there, 0);
-            set_step(&job->a[i]);
+            set_plane(&job->t.a[i].plane, job, divisor, there, 0);
+            set_step(&job->t.a[i]);
         }
     }
     job->is_curved = false;
     job->q.row = 0;
     job->q.dy = 0;
-    job->is_near = false;
     job->is_level = true;
     job->t.is_bent = false;
     qtri_large_set_run_steps(job);
@@ -176,7 +176,7 @@ static bool needs_perspective(const qtri_large_job *job)
     for (int i = 0; i < job->count; i++) {
         const int32_t tolerance = i < job->first_color ? job->t.axis[i].shift + AFFINE_TEXEL_LOG2
                                                        : AFFINE_COLOR_LOG2 + QTRI_LARGE_COLOR_UP;
-        if (strays(job, &job->a[i], tolerance)) {
+        if (strays(job, &job->t.a[i], tolerance)) {
             return true;
         }
     }
@@ -265,16 +265,12 @@ void qtri_large_set_planes(qtri_large *t)
     }
     const int32_t up = set_q_plane(job, divisor, q_low);
     for (int i = 0; i < job->count; i++) {
-        set_projected(job, &job->a[i], divisor, q_low, up);
+        set_projected(job, &job->t.a[i], divisor, q_low, up);
     }
     job->q_up = (uint8_t)up;
     job->is_curved = true;
     job->is_level = false;
     job->t.is_bent = true;
     job->zeros = 0;
-    qtri_large_set_texel_slope(job);
-    job->is_near = job->pixels < QTRI_LARGE_CHUNK && qtri_large_set_near(job);
-    if (!job->is_near) {
-        qtri_large_set_lengths(job);
-    }
+    qtri_large_set_lengths(job);
 }

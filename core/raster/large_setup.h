@@ -28,25 +28,6 @@ enum {
 /* Colours of pieces: none, one attribute as it is, a word of 565, lanes of 8.8 or 9.7. */
 enum { QTRI_PACK_NONE, QTRI_PACK_ONE, QTRI_PACK_565, QTRI_PACK_888, QTRI_PACK_WEIGHTS };
 
-/* 2^-32 of a unit: the upper word is what is whole. */
-typedef struct qtri_large_plane {
-    uint64_t row; /* at column 0 of the row */
-    uint64_t dx, dy;
-    uint64_t s, s_step; /* at the next point of the row */
-} qtri_large_plane;
-
-typedef struct qtri_large_attribute {
-    qtri_large_plane plane;
-    uint32_t f[3];        /* of the vertices */
-    uint32_t least, most; /* of colours: 8.16, f counts from the least */
-    uint32_t start;       /* what is added where pieces start: the least, the half that rounds */
-    int8_t up;            /* pieces have f 2^up */
-    int32_t point;        /* a quarter of the attribute at the point that was found last */
-    uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right;
-    uint32_t at, step;            /* along a row where it is linear */
-    uint32_t c, x, y, xx, xy, yy; /* c + x X + y Y + xx X^2 + xy X Y + yy Y^2 */
-} qtri_large_attribute;
-
 typedef struct qtri_large_job {
     qtri_large t;                     /* first: what the body has a pointer to */
     uint8_t pixel_bytes, depth_bytes; /* depth_bytes: 0 without a test of depth */
@@ -79,23 +60,19 @@ typedef struct qtri_large_job {
     uint8_t first_color, alpha, count; /* attributes: u v if textured, colours, alpha */
     uint8_t packing;                   /* of colours: below */
     uint8_t run_log2;                  /* pixels that colours may be stepped */
-    qtri_large_attribute a[QTRI_LARGE_ATTRIBUTES];
     uint32_t q_at[3];
     uint8_t q_up; /* planes are times 2^this, q_at is not */
     qtri_large_plane q;
     int32_t plane_y;                              /* of planes' rows */
     bool is_curved;                               /* planes are times q */
-    bool is_near;                                 /* polynomials of second order serve */
-    uint8_t near_log2;                            /* pixels of its pieces */
     bool may_be_level;                            /* q hardly changes along rows: by `steep` */
     uint32_t steep;                               /* 2^-16 a pixel */
     int8_t steps_log2;                            /* of pieces that steps are for */
     uint8_t level_log2;                           /* of the row's pixels that steps are for */
     bool is_level;                                /* nor in this row */
-    int32_t q_slope_log2, chord_log2, texel_log2; /* see large_lengths.c */
+    int32_t q_slope_log2, chord_log2, texel_log2; /* see large_curves.c */
     int32_t piece_max;                            /* log2 of the longest piece */
-    int32_t one_log2; /* of pieces, where one length serves all rows; else -1 */
-    int32_t middle_x, middle_y;
+    int32_t one_log2;         /* of pieces, where one length serves all rows; else -1 */
     qtri_large_levels levels; /* of a texture that is mipmapped */
     uint32_t center[3];       /* half of what rounding of packed steps sums up to, n.16 */
 
@@ -179,11 +156,6 @@ static inline uint32_t qtri_large_positive(uint32_t q)
     return q - 1 < 0xE0000000u ? q : 1;
 }
 
-static inline uint32_t qtri_large_shift(uint32_t x, int32_t up)
-{
-    return up >= 0 ? x << up : (uint32_t)((int32_t)x >> (up < -31 ? 31 : -up));
-}
-
 /* In large_planes.c: planes go on to the job's row. */
 void qtri_large_planes_move(qtri_large_job *job);
 
@@ -211,68 +183,9 @@ void qtri_large_skip_colors(const qtri_options *o, qtri_large_piece *piece, uint
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 
-/* By how much, n.16, colours may stray for going along chords: 1/4 of a step. */
-static inline int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
-{
-    return job->packing != QTRI_PACK_565 && qtri_stores_565(job->options) ? 16 : 14;
-}
-
-/* In large_lengths.c: how steep coordinates are along rows; log2 of the texels that a pixel steps
-   where q is this or more, rounded up, 0 at least; how far points are apart. */
-void qtri_large_set_texel_slope(qtri_large_job *job);
-int32_t qtri_large_texels_log2(const qtri_large_job *job, uint32_t q);
+/* In large_curves.c: how far points are apart. Then rows: sets job->is_level, and steps along the
+   row if it is; planes are the row's. */
 void qtri_large_set_lengths(qtri_large_job *job);
-/* log2 of a piece's pixels where q is this or more; may be negative. Points a piece apart must have
-   q' 4 h <= q, so that q is positive at the point behind a row's end. */
-int32_t qtri_large_length_for(const qtri_large_job *job, uint32_t q);
-
-/* In large_curves.c. Sets job->is_level, and steps along the row if it is; planes are the row's. */
 bool qtri_large_begin_level(qtri_large_job *job);
-
-/* In large_near.c. */
-bool qtri_large_set_near(qtri_large_job *job);
-int32_t qtri_large_near_piece(qtri_large_job *job);
-
-/* floor(a b / 2^32), 0 <= b. */
-static inline int32_t qtri_large_mul_high(int32_t a, int32_t b)
-{
-#if QTRI_LONG_MULTIPLY
-    return (int32_t)(qtri_mul_s32(a, b) >> 32);
-#else
-    return qtri_mul_high_s31(a, (uint32_t)b);
-#endif
-}
-
-/* s 2^zeros, 32 bits of it. */
-static inline uint32_t qtri_large_left(uint64_t s, int32_t zeros)
-{
-    return qtri_large_whole(s) << zeros | (uint32_t)s >> 1 >> (31 - zeros);
-}
-
-/* 2^62 / q 2^zeros, below 2^31; sets job->zeros. q: 2^-32. */
-static inline int32_t qtri_large_reciprocal(qtri_large_job *job, uint64_t q_q32)
-{
-    const uint32_t q = qtri_large_positive(qtri_large_whole(q_q32));
-#if QTRI_LONG_MULTIPLY
-    const int32_t zeros = qtri_clz32(q);
-#else
-    int32_t zeros = job->zeros; /* of the point before nearly as many */
-    while (q >> (31 - zeros) > 1) {
-        zeros--;
-    }
-    while ((int32_t)(q << zeros) >= 0) {
-        zeros++;
-    }
-#endif
-    job->zeros = zeros;
-    const uint32_t r = qtri_reciprocal_near(q << zeros | (uint32_t)q_q32 >> 1 >> (31 - zeros));
-    return (int32_t)(r - (r >> 31));
-}
-
-/* A quarter of what is s / q; s 2^-32. */
-static inline int32_t qtri_large_quotient(uint64_t s, int32_t zeros, int32_t reciprocal)
-{
-    return qtri_large_mul_high((int32_t)qtri_large_left(s, zeros), reciprocal);
-}
 
 #endif

@@ -59,6 +59,24 @@ typedef struct qtri_large_samples {
     qtri_large_edges first[QTRI_PLACES], edges[QTRI_PLACES]; /* as they begin; as they are */
 } qtri_large_samples;
 
+/* 2^-32 of a unit: the upper word is what is whole. */
+typedef struct qtri_large_plane {
+    uint64_t row; /* at column 0 of the row */
+    uint64_t dx, dy;
+    uint64_t s, s_step; /* at the next point of the row */
+} qtri_large_plane;
+
+typedef struct qtri_large_attribute {
+    qtri_large_plane plane;
+    uint32_t f[3];        /* of the vertices */
+    uint32_t least, most; /* of colours: 8.16, f counts from the least */
+    uint32_t start;       /* what is added where pieces start: the least, the half that rounds */
+    int8_t up;            /* pieces have f 2^up */
+    int32_t point;        /* a quarter of the attribute at the point that was found last */
+    uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right;
+    uint32_t at, step; /* along a row where it is linear */
+} qtri_large_attribute;
+
 typedef struct qtri_large {
     qtri_draw_state *state;
     uint32_t color; /* of the triangle, 0x00RRGGBB */
@@ -68,7 +86,8 @@ typedef struct qtri_large {
     uint8_t *pixel, *depth;
     uint32_t z, z_step;
 
-    bool is_bent; /* pieces have steps of u and v that change */
+    qtri_large_attribute *a; /* as many as vary: u v, light or red green blue, alpha */
+    bool is_bent;            /* pieces have steps of u and v that change */
     qtri_large_piece piece[2];
     qtri_clamp_axis axis[2];
 
@@ -328,10 +347,26 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, struct qtri_large *t,
     }
 }
 
+/* Options may ask for more than three attributes. */
+QTRI_BODY bool qtri_large_has_many(const qtri_options *o)
+{
+#if defined(QTRI_PIPELINE_IS_ANY) || defined(QTRI_AMALGAMATION)
+    (void)o;
+    return true;
+#else
+    return qtri_large_varies(o) &&
+           (qtri_is_textured(o) ? !qtri_is_lit(o) || o->vertex_alpha : o->vertex_alpha);
+#endif
+}
+
 QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large *t)
 {
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_large_samples samples;
+    qtri_large_attribute few[3], many[6]; /* on the stack of pipelines that need them */
+    if (qtri_large_has_pieces(o)) {
+        t->a = qtri_large_has_many(o) ? many : few;
+    }
     int32_t place = 0; /* without samples: there is one pass */
     if (qtri_has_samples(o)) {
         place = QTRI_CENTER;

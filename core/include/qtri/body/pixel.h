@@ -374,6 +374,15 @@ QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_walk *w, bool b
     }
 }
 
+QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_walk *w, bool bent)
+{
+    if (qtri_has_samples(o)) {
+        w->samples = qtri_samples_of(w->sample_row, w->x);
+    }
+    qtri_pixel_next(o, w, bent, 0);
+    qtri_walk_move(o, w, 1);
+}
+
 /* `count` pixels of a row, 0 or less: none. */
 QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
 {
@@ -398,16 +407,15 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool 
         count += early;
     }
 #endif
-    if (count <= 0) {
-        return;
-    }
-    do { /* at -Os GCC does not turn loops round by itself */
-        if (qtri_has_samples(o)) {
-            w->samples = qtri_samples_of(w->sample_row, w->x);
+    if (QTRI_BODY_UNROLLS) {
+        for (; count > 0; count--) {
+            qtri_pixel_alone(o, w, bent);
         }
-        qtri_pixel_next(o, w, bent, 0);
-        qtri_walk_move(o, w, 1);
-    } while (--count > 0);
+    } else if (count > 0) {
+        do { /* at -Os GCC does not turn loops round by itself */
+            qtri_pixel_alone(o, w, bent);
+        } while (--count > 0);
+    }
 }
 
 /* The texture that texels are read from, or the level of it. */
