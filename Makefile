@@ -179,6 +179,14 @@ $(BUILD)/random_pipelines/%.o: tests/tools/random_pipelines.awk $(BUILD)/flags $
 	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) -O1 -Icore/include -c -o $@ $(@:.o=.c)
 $(BUILD)/tests/test_pipeline_random: $(random_pipelines)
 
+# What `qtri pipelines` prints of scenes, compiled as it is.
+PASTED := 09-floor-mipmapped 11-antialias-msaa 11-light-pixel 11-vertex-alpha 12-fog
+$(BUILD)/pasted/%.o: host/scenes/%.scene $(BUILD)/qtri
+	@mkdir -p $(@D)
+	@$(BUILD)/qtri pipelines $< --name pasted_$(subst -,_,$*) >$(@:.o=.c)
+	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) $(PIPELINE_FLAGS) -Icore/include -c -o $@ $(@:.o=.c)
+$(BUILD)/tests/test_tools_pipelines: $(PASTED:%=$(BUILD)/pasted/%.o)
+
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)

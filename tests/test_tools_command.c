@@ -95,6 +95,8 @@ static void usage_errors(void **state)
     assert_int_equal(run("render a.scene -o x --snap 17 --reference"), 2);
     assert_int_equal(run("render a.scene -o x --frobnicate"), 2);
     assert_true(messages_contain("--frobnicate"));
+    assert_int_equal(run("pipelines"), 2);
+    assert_int_equal(run("pipelines a.scene --format cmyk"), 2);
     assert_int_equal(run("compare one.ppm"), 2);
     assert_int_equal(run("mesh knot"), 2);
     assert_int_equal(run("mesh dodo -o x.obj"), 2);
@@ -109,6 +111,7 @@ static void help(void **state)
     assert_int_equal(run("--help"), 0);
     assert_int_equal(run("render --help"), 0);
     assert_true(file_contains("output", "texfilter    nearest|bilinear [mipmaps]\n"));
+    assert_int_equal(run("pipelines --help"), 0);
     assert_int_equal(run("compare --help"), 0);
     assert_int_equal(run("mesh --help"), 0);
     assert_int_equal(run("neighbours --help"), 0);
@@ -124,6 +127,8 @@ static void bad_input(void **state)
     assert_false(exists("bad.ppm"));
     assert_false(exists("bad.id"));
     assert_int_equal(run("render missing.scene -o bad"), 1);
+    assert_int_equal(run("pipelines bad.scene"), 1);
+    assert_int_equal(run("pipelines missing.scene"), 1);
     assert_int_equal(run("compare missing.ppm missing.ppm"), 1);
     write_file("good.scene", triangle);
     assert_int_equal(run("render good.scene -o no/such/folder/x"), 1);

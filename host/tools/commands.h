@@ -7,6 +7,7 @@
 #define QTRI_HOST_TOOLS_COMMANDS_H
 
 int render_main(int argc, char **argv);
+int pipelines_main(int argc, char **argv);
 int demo_main(int argc, char **argv);
 int mesh_main(int argc, char **argv);
 int texture_main(int argc, char **argv);

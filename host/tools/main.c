@@ -18,6 +18,8 @@ struct command {
 
 static const struct command commands[] = {
     {"render", render_main, "draw a scene file to a picture, PNG or PPM", WATCH_SECONDS},
+    {"pipelines", pipelines_main, "print the pipelines that a scene file asks for, as C",
+     WATCH_SECONDS},
     {"compare", compare_main, "compare two pictures", WATCH_SECONDS},
     {"demo", demo_main, "render the demo scenes beside their references", 0},
     {"mesh", mesh_main, "make C data of a model, or of a mesh that it generates", WATCH_SECONDS},

@@ -75,6 +75,7 @@ static qtri_material material_of(const struct scene_resources *resources, enum s
     material.texture = resources->texels != NULL ? &resources->texture : NULL;
     material.texture_mode = scene->texture_mode == SCENE_REPLACE ? QTRI_REPLACE : QTRI_MODULATE;
     material.reflection = &resources->reflection;
+    material.fragment = resources->pipelines != NULL ? resources->pipelines->fragment : NULL;
     return material;
 }
 
@@ -536,6 +537,9 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
         qtri_samples_clear_depth(surface, scene->clear_depth);
     }
     qtri_view_init(&d.view, surface->width, surface->height);
+    if (resources->pipelines != NULL) {
+        d.view.pipelines = resources->pipelines->list;
+    }
     d.view.viewport.depth_near = scene->depth_near;
     d.view.viewport.depth_far = scene->depth_far;
     d.view.vertices = resources->vertices;

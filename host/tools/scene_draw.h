@@ -28,6 +28,12 @@ struct scene_parts {
     size_t count;
 };
 
+/* What draws in place of the default pipelines, and a pixel function for all materials or NULL. */
+struct scene_pipelines {
+    const qtri_pipeline *const *list;
+    bool (*fragment)(qtri_fragment *fragment);
+};
+
 /* What drawing needs beside the scene: converted once, drawn any number of times. */
 struct scene_resources {
     const struct scene *scene;
@@ -49,7 +55,8 @@ struct scene_resources {
     uint32_t vertex_count;
     uint32_t jitter; /* drawn from place `jitter` of 2^jitter_log2, see qtri_view_jitter() */
     int32_t jitter_log2;
-    struct scene_painting *painting; /* fonts and pictures */
+    struct scene_painting *painting;         /* fonts and pictures */
+    const struct scene_pipelines *pipelines; /* NULL: the default ones */
 };
 
 enum scene_pass {
@@ -95,5 +102,12 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
  */
 bool scene_render(const struct scene *scene, const qtri_format *format, int32_t rows,
                   bool with_dump, struct picture *picture);
+
+/* Of a format the one with four samples a pixel; itself where there is none. */
+const qtri_format *scene_sampled_format(const qtri_format *format);
+
+/* The whole scene at once by these pipelines. */
+bool scene_render_by(const struct scene *scene, const qtri_format *format,
+                     const struct scene_pipelines *pipelines, struct picture *picture);
 
 #endif

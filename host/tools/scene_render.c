@@ -96,8 +96,7 @@ static enum scene_antialias antialias_of(const struct target *t)
     return t->pass == SCENE_COLORS ? t->resources->scene->antialias : SCENE_ANTIALIAS_OFF;
 }
 
-/* The same format with four samples a pixel; itself where there is none. */
-static const qtri_format *sampled(const qtri_format *format)
+const qtri_format *scene_sampled_format(const qtri_format *format)
 {
     static const qtri_format *const formats[][2] = {
         {&qtri_rgb565, &qtri_rgb565_x4}, {&qtri_rgb565_swapped, &qtri_rgb565_swapped_x4},
@@ -157,7 +156,7 @@ static bool render_pass(struct scene_resources *resources, const qtri_format *fo
     struct target t = {.resources = resources, .format = format, .pass = pass, .picture = picture};
     const int32_t scale = antialias_of(&t) == SCENE_ANTIALIAS_SSAA ? 2 : 1;
     if (antialias_of(&t) == SCENE_ANTIALIAS_MSAA) {
-        t.format = format = sampled(format);
+        t.format = format = scene_sampled_format(format);
     }
     const int32_t held = rows + 2 * halo_of(antialias_of(&t));
     t.depth = depth_of(&t);
@@ -175,8 +174,9 @@ static bool render_pass(struct scene_resources *resources, const qtri_format *fo
     return ok;
 }
 
-bool scene_render(const struct scene *scene, const qtri_format *format, int32_t rows,
-                  bool with_dump, struct picture *picture)
+static bool render_scene(const struct scene *scene, const qtri_format *format, int32_t rows,
+                         bool with_dump, const struct scene_pipelines *pipelines,
+                         struct picture *picture)
 {
     struct scene_resources resources;
     if (!scene_resources_create(&resources, scene)) {
@@ -186,6 +186,7 @@ bool scene_render(const struct scene *scene, const qtri_format *format, int32_t 
         scene_resources_free(&resources);
         return false;
     }
+    resources.pipelines = pipelines;
     rows = rows < 1 || rows > scene->height ? scene->height : rows;
     bool ok = render_pass(&resources, format, rows, SCENE_COLORS, picture) &&
               (!with_dump || render_pass(&resources, &qtri_xrgb8888, rows, SCENE_IDS, picture));
@@ -194,4 +195,16 @@ bool scene_render(const struct scene *scene, const qtri_format *format, int32_t 
         picture_free(picture);
     }
     return ok;
+}
+
+bool scene_render(const struct scene *scene, const qtri_format *format, int32_t rows,
+                  bool with_dump, struct picture *picture)
+{
+    return render_scene(scene, format, rows, with_dump, NULL, picture);
+}
+
+bool scene_render_by(const struct scene *scene, const qtri_format *format,
+                     const struct scene_pipelines *pipelines, struct picture *picture)
+{
+    return render_scene(scene, format, 0, false, pipelines, picture);
 }
