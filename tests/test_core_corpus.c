@@ -42,7 +42,7 @@ static uint32_t draw_input(uint32_t hash, const uint8_t *input, size_t bytes)
     uint8_t *exactly = malloc(bytes > 0 ? bytes : 1); /* AddressSanitizer watches its end */
     assert_non_null(exactly);
     memcpy(exactly, input, bytes);
-    hash = recorded_add(hash, draw_bytes(exactly, bytes), 4);
+    hash = recorded_add(hash, draw_bytes(exactly, bytes, qtri_pipelines_default), 4);
     free(exactly);
     for (int like = 0; like < LIKE_IT; like++) {
         uint8_t other[LONGER];
@@ -50,7 +50,7 @@ static uint32_t draw_input(uint32_t hash, const uint8_t *input, size_t bytes)
             const bool kept = i < bytes && random_in(&seed, 0, 31) != 0;
             other[i] = kept ? input[i] : (uint8_t)random_in(&seed, 0, 255);
         }
-        hash = recorded_add(hash, draw_bytes(other, LONGER), 4);
+        hash = recorded_add(hash, draw_bytes(other, LONGER, qtri_pipelines_default), 4);
     }
     return hash;
 }

@@ -25,7 +25,7 @@ static void draw_corners(struct reader *r, const qtri_surface *surface, const qt
 }
 
 static void draw_screen(struct reader *r, const qtri_surface *surface,
-                        const qtri_material *material)
+                        const qtri_pipeline *const *pipelines, const qtri_material *material)
 {
     qtri_screen_vertex screen[3];
     for (int i = 0; i < 3; i++) {
@@ -42,12 +42,13 @@ static void draw_screen(struct reader *r, const qtri_surface *surface,
         screen[i].x_24p8 >>= 16;
         screen[i].y_24p8 >>= 16;
     }
-    qtri_raster_triangle(surface, qtri_pipelines_default, material, screen);
+    qtri_raster_triangle(surface, pipelines, material, screen);
     qtri_raster_line(surface, material, screen);
 }
 
 /* Draws on a surface, with what the rest of the bytes say. */
-static void draw_on(struct reader *r, const qtri_surface *surface)
+static void draw_on(struct reader *r, const qtri_surface *surface,
+                    const qtri_pipeline *const *pipelines)
 {
     static const uint32_t texels[64] = {0xFF00FFu, 0x123456u, 0xFFFFFFu};
     qtri_view view;
@@ -59,6 +60,7 @@ static void draw_on(struct reader *r, const qtri_surface *surface)
     const void *levels[4];
     soup arrays;
     qtri_view_init(&view, SIDE, SIDE);
+    view.pipelines = pipelines;
     build_transform(r, &view.projection);
     build_transform(r, &view.camera);
     build_transform(r, &pose);
@@ -88,7 +90,7 @@ static void draw_on(struct reader *r, const qtri_surface *surface)
         draw_corners(r, surface, &view, &pose, &material);
         break;
     default:
-        draw_screen(r, surface, &material);
+        draw_screen(r, surface, pipelines, &material);
         break;
     }
 }
@@ -106,7 +108,7 @@ static uint32_t checksum(const qtri_surface *s)
     return hash;
 }
 
-uint32_t draw_bytes(const uint8_t *data, size_t size)
+uint32_t draw_bytes(const uint8_t *data, size_t size, const qtri_pipeline *const *pipelines)
 {
     const qtri_rgb sky = {1, 2, 3};
     struct reader reader = {data, size};
@@ -128,7 +130,7 @@ uint32_t draw_bytes(const uint8_t *data, size_t size)
         surface.scissor.y1 = take_int(r);
     }
     qtri_surface_clear(&surface, sky);
-    draw_on(r, &surface);
+    draw_on(r, &surface, pipelines);
     const uint32_t hash = checksum(&surface);
     free(memory);
     return hash;

@@ -9,7 +9,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A checksum of the pixels and depths that these bytes draw, the same on every machine. */
-uint32_t draw_bytes(const uint8_t *data, size_t size);
+#include <qtri/pipeline.h>
+
+/* A checksum of the pixels and depths that these bytes draw by a list of pipelines, the same on
+   every machine. */
+uint32_t draw_bytes(const uint8_t *data, size_t size, const qtri_pipeline *const *pipelines);
 
 #endif
