@@ -46,6 +46,22 @@ void qtri_check_material(const qtri_material *material)
     }
 }
 
+#ifdef QTRI_MISSING
+void QTRI_MISSING(const qtri_options *wanted);
+#endif
+
+void qtri_check_pipeline(const qtri_pipeline *found, const qtri_options *wanted)
+{
+#ifdef QTRI_MISSING
+    if (found == NULL) {
+        QTRI_MISSING(wanted);
+    }
+#else
+    (void)wanted; /* a debugger shows them */
+#endif
+    QTRI_ASSERT(found != NULL);
+}
+
 /*
  * Of pixels: what is left of 1/128, to which widths are rounded. Points in object space may be
  * small where the object is: no less than what checked builds take for a length.

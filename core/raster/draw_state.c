@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "checked_material.h"
 #include "descriptions.h"
 #include "qtri/body/pixel.h"
 #include "sampling.h"
@@ -313,7 +314,9 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     set_colors(state, material);
     set_texture(state, material);
     const qtri_pipeline *found = find_all(pipelines, &state->options, surface, state->texture);
-    QTRI_ASSERT(found != NULL);
+#ifdef QTRI_CHECKED
+    qtri_check_pipeline(found, &state->options);
+#endif
     if (found == NULL) {
         return;
     }

@@ -28,6 +28,16 @@ void checked_fault(const char *condition, const char *file, int line)
     longjmp(stopped, 1);
 }
 
+/* What a list of pipelines lacked. */
+static qtri_options missing;
+
+void checked_missing(const qtri_options *wanted);
+
+void checked_missing(const qtri_options *wanted)
+{
+    missing = *wanted;
+}
+
 enum { SIDE = 16 };
 
 /* All that a draw call takes, correct until a case spoils it. */
@@ -140,6 +150,23 @@ static void null_pointers(void)
 }
 
 /* What else draws, and what makes ready for it. */
+static void pipelines_that_lack(void)
+{
+    static const qtri_pipeline *const none[] = {NULL};
+    static const qtri_pipeline *const others[] = {&qtri_pipeline_lit, &qtri_pipeline_swapped_flat,
+                                                  NULL};
+    STOPS("found != NULL", (view.pipelines = NULL, draw_all()));
+    STOPS("found != NULL", (view.pipelines = none, draw_all()));
+    missing.format = QTRI_ANY;
+    STOPS("found != NULL", (view.pipelines = others,
+                            qtri_draw_triangles(&surface, &view, &pose, corners, 3, &material)));
+    if (missing.format != QTRI_RGB565 || missing.depth != QTRI_LINEAR16 ||
+        missing.compare != QTRI_LESS || missing.texel != QTRI_TEXEL_RGB565) {
+        printf("what is missing was not said\n");
+        failures++;
+    }
+}
+
 static void more_null_pointers(void)
 {
     const qtri_brush brush = {{1, 2, 3}, 255, NULL};
@@ -645,6 +672,7 @@ int main(void)
     }
     null_pointers();
     more_null_pointers();
+    pipelines_that_lack();
     wrong_numbers();
     plain_numbers();
     plain_pixels();

@@ -22,7 +22,7 @@ build()
         sh "$work/$name" "$flags $*" && gcc -o "$work/$name/program" "$work/$name"/*.o
 }
 
-build fault tests/check/checked.c -DQTRI_CHECKED -DQTRI_FAULT=checked_fault || finish 1
+build fault tests/check/checked.c -DQTRI_CHECKED -DQTRI_FAULT=checked_fault -DQTRI_MISSING=checked_missing || finish 1
 "$work/fault/program" >"$work/mistakes" || { cat "$work/mistakes"; status=1; }
 build checked tests/check/options.c -DQTRI_CHECKED || finish 1
 build plain tests/check/options.c || finish 1

@@ -11,6 +11,7 @@
  *   - null pointers, to every function that says nothing of NULL, and in what it is given: arrays
  *     with a count above 0, descriptions and buses without a function that they must have, a lack
  *     of one of data_start and data_finish, views whose lights were never initialised;
+ *   - views without a pipeline that fits what is drawn;
  *   - indices past the end of a mesh, numbers that no enum of a material, a texture or a panel
  *     names, counts of corners that are no multiple of 3 (lines: of 2), polygons of more than 3
  *     corners to clip, keys whose times fall, more than 32767 frames, balls and boxes below 0;
@@ -37,6 +38,9 @@
  * with the three in reach of a debugger. -DQTRI_FAULT=name calls a function of the application in
  * place of either: void name(const char *condition, const char *file, int line). If that returns,
  * so does the check, and the call has its documented result.
+ *
+ * -DQTRI_MISSING=name: where a view's pipelines have none that fits, void name(const qtri_options
+ * *wanted) of the application is called before, with what a QTRI_PIPELINE (pipeline.h) must name.
  */
 #ifndef QTRI_ERROR_H
 #define QTRI_ERROR_H

@@ -22,8 +22,9 @@
  * options that are read for each pixel, draws the same bits, and takes 3 to 14 times the
  * instructions a pixel on long rows, 1.2 to 1.4 times on small triangles. On a surface with samples
  * (samples.h) the formats' own pipelines take its place. A draw for which the list has no pipeline,
- * or a list that is NULL, draws nothing; a checked build (error.h) stops there. Lines, strokes and
- * points (draw.h, stroke.h) need none.
+ * or a list that is NULL, draws nothing; a checked build (error.h) stops there, and says which
+ * options the list lacks. `qtri pipelines` prints those of a scene. Lines, strokes and points
+ * (draw.h, stroke.h) need none.
  */
 #ifndef QTRI_PIPELINE_H
 #define QTRI_PIPELINE_H
