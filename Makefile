@@ -205,6 +205,10 @@ COVERAGE := -O1 -g -fprofile-instr-generate -fcoverage-mapping
 MUTANTS  ?= 500
 SEED     ?= 1
 
+.PHONY: routes
+routes: ## Files, functions and returns that lead through core from a draw call to its pixels
+	@JOBS=$(JOBS) sh tests/check/routes.sh
+
 .PHONY: pictures
 RECORDING := test_scene_pictures test_core_pictures test_core_values test_core_corpus
 pictures: $(RECORDING:%=$(BUILD)/tests/%) ## Record in tests/pictures.tsv the pictures that the core draws now
