@@ -20,6 +20,13 @@ struct qtri_depth_ops {
     uint16_t *(*flatten)(const qtri_surface *surface);
 };
 
+/* Of qtri_depth_format.encode and .decode. */
+void qtri_depth_to_float16(uint32_t *depth, int32_t count);
+void qtri_depth_from_float16(uint32_t *depth, int32_t count);
+void qtri_depth_to_linear24(uint32_t *depth, int32_t count);
+void qtri_depth_from_linear24(uint32_t *depth, int32_t count);
+void qtri_depth_as_it_is(uint32_t *depth, int32_t count); /* linear32 */
+
 /* NULL: the surface's depths are linear16. */
 static inline const qtri_depth_ops *qtri_depth_ops_of(const qtri_surface *surface)
 {

@@ -101,7 +101,7 @@ uint32_t qtri_depth_encode_float16(uint32_t z_16p16)
     return 65535 - (o.base + (t >> o.down));
 }
 
-static void encode_float16(uint32_t *depth, int32_t count)
+void qtri_depth_to_float16(uint32_t *depth, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {
         depth[i] = qtri_depth_encode_float16(depth[i]);
@@ -109,7 +109,7 @@ static void encode_float16(uint32_t *depth, int32_t count)
 }
 
 /* The middle of what is stored so, which is more than 0; the farthest is itself. */
-static void decode_float16(uint32_t *depth, int32_t count)
+void qtri_depth_from_float16(uint32_t *depth, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {
         const uint32_t code = 65535 - depth[i];
@@ -137,14 +137,14 @@ static void decode_linear16(uint32_t *depth, int32_t count)
     }
 }
 
-static void encode_linear24(uint32_t *depth, int32_t count)
+void qtri_depth_to_linear24(uint32_t *depth, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {
         depth[i] = (depth[i] + 0x80) >> 8;
     }
 }
 
-static void decode_linear24(uint32_t *depth, int32_t count)
+void qtri_depth_from_linear24(uint32_t *depth, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {
         depth[i] <<= 8;
@@ -152,17 +152,11 @@ static void decode_linear24(uint32_t *depth, int32_t count)
 }
 
 /* Depths are stored as they are: NOLINTNEXTLINE(readability-non-const-parameter) */
-static void keep(uint32_t *depth, int32_t count)
+void qtri_depth_as_it_is(uint32_t *depth, int32_t count)
 {
     (void)depth;
     (void)count;
 }
 
-const qtri_depth_format qtri_depth_linear16 = {QTRI_DEPTH_LINEAR16_BYTES, NULL, encode_linear16,
-                                               decode_linear16, QTRI_LINEAR16};
-const qtri_depth_format qtri_depth_float16 = {QTRI_DEPTH_FLOAT16_BYTES, &qtri_depth_words,
-                                              encode_float16, decode_float16, QTRI_FLOAT16};
-const qtri_depth_format qtri_depth_linear24 = {QTRI_DEPTH_LINEAR24_BYTES, &qtri_depth_words,
-                                               encode_linear24, decode_linear24, QTRI_LINEAR24};
-const qtri_depth_format qtri_depth_linear32 = {QTRI_DEPTH_LINEAR32_BYTES, &qtri_depth_words, keep,
-                                               keep, QTRI_LINEAR32};
+const qtri_depth_format qtri_depth_linear16 = {
+    QTRI_DEPTH_LINEAR16_BYTES, NULL, encode_linear16, decode_linear16, QTRI_LINEAR16, NULL};

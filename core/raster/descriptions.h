@@ -6,14 +6,24 @@
 #define QTRI_RASTER_DESCRIPTIONS_H
 
 #include "large.h"
+#include "qtri/config.h"
+
+/* Pipelines that a description brings: see qtri_pipeline_brought. */
+#if QTRI_WITH_BROUGHT_PIPELINES
+#define QTRI_BROUGHT_LIST(list) list
+#else
+#define QTRI_BROUGHT_LIST(list) (sizeof(list) != 0 ? NULL : (list)) /* which is not unused */
+#endif
 
 struct qtri_blend {
-    uint8_t kind;   /* QTRI_ALPHA and the like, of blend.h */
-    bool by_vertex; /* alpha varies between the vertices */
+    uint8_t kind;                          /* QTRI_ALPHA and the like, of blend.h */
+    bool by_vertex;                        /* alpha varies between the vertices */
+    const qtri_pipeline *const *pipelines; /* NULL: none */
 };
 
 struct qtri_filter {
     bool is_bilinear, is_mipmapped;
+    const qtri_pipeline *const *pipelines;
 };
 
 typedef struct qtri_by_pixel qtri_by_pixel; /* see ../draw/per_pixel.h */
@@ -31,6 +41,8 @@ struct qtri_depth_shift {
     void (*move)(qtri_large_vertex moved[3], const qtri_draw_state *state,
                  const qtri_screen_point *const p[3], int64_t area, const qtri_large_vertex v[3]);
 };
+
+extern const qtri_pipeline *const qtri_pipelines_fog[];
 
 /* Of a material. */
 const qtri_shading *qtri_shading_of(const qtri_material *material);

@@ -128,12 +128,12 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
 }
 
 /* All but formats of the application's own. */
-static bool are_equal(const qtri_options *a, const qtri_options *b)
+static bool are_equal(const qtri_options *of_pipeline, const qtri_options *wanted)
 {
-    const uint8_t *x = (const uint8_t *)a;
-    const uint8_t *y = (const uint8_t *)b;
+    const uint8_t *x = (const uint8_t *)of_pipeline;
+    const uint8_t *y = (const uint8_t *)wanted;
     size_t i = 0;
-    while (i < offsetof(qtri_options, pixel_bytes) && x[i] == y[i]) {
+    while (i < offsetof(qtri_options, pixel_bytes) && (x[i] == y[i] || x[i] == QTRI_ANY)) {
         i++;
     }
     return i == offsetof(qtri_options, pixel_bytes);
@@ -164,11 +164,37 @@ static const qtri_pipeline *find(const qtri_pipeline *const *list, const qtri_op
     return NULL;
 }
 
+const qtri_pipeline qtri_pipeline_brought = {.options = {.format = QTRI_BROUGHT}};
+
+/* What the surface's depth format and the material's blend, fog and filter bring. */
+static const qtri_pipeline *find_brought(const qtri_options *wanted, const qtri_surface *surface,
+                                         const qtri_material *material, const qtri_texture *texture)
+{
+    const qtri_filter *filter = texture != NULL ? texture->filter : NULL;
+    const qtri_pipeline *const *const brought[] = {
+        surface->depth_format != NULL ? surface->depth_format->pipelines : NULL,
+        material->blend != NULL ? material->blend->pipelines : NULL,
+        material->fog != NULL ? material->fog->pipelines : NULL,
+        filter != NULL ? filter->pipelines : NULL};
+    const qtri_pipeline *found = NULL;
+    for (size_t i = 0; i < sizeof brought / sizeof *brought && found == NULL; i++) {
+        found = find(brought[i], wanted, surface, texture);
+    }
+    return found;
+}
+
 /* What draws a pixel of samples is reached through its format, unless a view names it. */
 static const qtri_pipeline *find_all(const qtri_pipeline *const *list, const qtri_options *wanted,
-                                     const qtri_surface *surface, const qtri_texture *texture)
+                                     const qtri_surface *surface, const qtri_material *material,
+                                     const qtri_texture *texture)
 {
-    const qtri_pipeline *found = find(list, wanted, surface, texture);
+    const qtri_pipeline *found = NULL;
+    for (; list != NULL && *list != NULL && found == NULL; list++) {
+        found = (*list)->options.format == QTRI_BROUGHT
+                    ? find_brought(wanted, surface, material, texture)
+                : fits(*list, wanted, surface, texture) ? *list
+                                                        : NULL;
+    }
     return found != NULL && found->options.format == QTRI_ANY &&
                    found->options.samples != wanted->samples
                ? find(qtri_sampling_of(surface->format)->pipelines, wanted, surface, texture)
@@ -313,7 +339,8 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
         surface->depth_pitch * (ptrdiff_t)qtri_depth_size(&state->options, surface);
     set_colors(state, material);
     set_texture(state, material);
-    const qtri_pipeline *found = find_all(pipelines, &state->options, surface, state->texture);
+    const qtri_pipeline *found =
+        find_all(pipelines, &state->options, surface, material, state->texture);
 #ifdef QTRI_CHECKED
     qtri_check_pipeline(found, &state->options);
 #endif
@@ -323,7 +350,9 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->pipeline = found;
     state->small = material->depth_shift != NULL ? material->depth_shift->small : found->small;
     if (found->options.format != QTRI_ANY) {
+        const uint8_t read_only = state->options.read_only;
         state->options = found->options;
+        state->options.read_only = read_only;
     }
 }
 
@@ -353,43 +382,4 @@ void qtri_draw_state_set_table(qtri_draw_state *state)
         b += b_step;
     }
     state->has_table = true;
-}
-
-uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888)
-{
-    uint32_t words[4] = {color_888, 0, 0, 0}; /* formats may work on three more */
-    if (format->colors == &qtri_colors_565) {
-        words[0] = qtri_pixel_888_to_565(color_888);
-    } else if (format->colors == &qtri_colors_gray) {
-        words[0] = qtri_pixel_888_to_luma(color_888);
-    }
-    if (format->encode != NULL) {
-        format->encode(words, 1);
-    }
-    return words[0];
-}
-
-uint32_t qtri_depth_encode_other(const qtri_depth_format *format, uint32_t z_16p16)
-{
-    uint32_t words[4] = {z_16p16, 0, 0, 0};
-    format->encode(words, 1);
-    return words[0];
-}
-
-uint32_t qtri_fetch_other(const qtri_texture *texture, uint32_t number)
-{
-    uint32_t words[4] = {number, number, number, number};
-    texture->format->fetch(words, texture, 1);
-    return words[0];
-}
-
-uint32_t qtri_texel_other(const qtri_texture *texture, uint32_t stored)
-{
-    const qtri_texel_format *format = texture->format;
-    uint32_t words[4] = {stored, stored, stored, stored};
-    if (format->decode != NULL) {
-        format->decode(words, texture, 1);
-    }
-    return format->colors == &qtri_colors_565 ? qtri_pixel_565_to_888(words[0])
-                                              : words[0] & 0xFFFFFFu;
 }

@@ -37,12 +37,3 @@ int qtri_provoking_of(const qtri_material *material)
 {
     return qtri_shading_of(material)->provoking;
 }
-
-const qtri_blend qtri_blend_alpha = {QTRI_ALPHA, false};
-const qtri_blend qtri_blend_add = {QTRI_ADD, false};
-const qtri_blend qtri_blend_multiply = {QTRI_MULTIPLY, false};
-const qtri_blend qtri_blend_none = {QTRI_KEEP_PIXEL, false};
-const qtri_blend qtri_blend_replace = {QTRI_STORE, false};
-const qtri_blend qtri_blend_screen_door = {QTRI_SCREEN_DOOR, false};
-const qtri_blend qtri_blend_vertex_alpha = {QTRI_ALPHA, true};
-const qtri_blend qtri_blend_vertex_add = {QTRI_ADD, true};

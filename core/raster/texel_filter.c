@@ -1,15 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/*
- * Filters of textures; and what is between four texels with alpha.
- */
+/* What is between four texels with alpha. */
 #include "qtri/body/state.h"
 
 #include "../bits/reciprocal.h"
-#include "descriptions.h"
-
-const qtri_filter qtri_bilinear = {true, false};
-const qtri_filter qtri_mipmapped = {false, true};
-const qtri_filter qtri_mipmapped_bilinear = {true, true};
 
 /* Shares of a pixel's texels, of their sum, times how opaque they are: 2^30 at most in all. */
 typedef struct shares {

@@ -48,6 +48,16 @@
 #endif
 
 /*
+ * Pipelines for RGB565 that blends, fog, bilinear filters and formats of depth bring, and that draw
+ * in place of the generic one (pipeline.h): some 1.5 KB each at -Os. Without: the generic one
+ * draws, the same pixels at many times the cost. For applications whose lists name all that they
+ * draw with.
+ */
+#ifndef QTRI_WITH_BROUGHT_PIPELINES
+#define QTRI_WITH_BROUGHT_PIPELINES 1
+#endif
+
+/*
  * A library and an application that are built with other options than each other do not link: what
  * begins every picture has their options in its name, unless all are 1.
  */

@@ -41,8 +41,8 @@
  *     linear24     .01 %      5.0 %    39 %     .01 %        7.3 %    43 %
  *     linear32     .01        1.4      9.9      .01          .96      12
  *
- * The library's specialised pipelines (pipeline.h) are for linear16: on other depths its generic
- * one draws, unless the application lists pipelines for them, .depth = QTRI_FLOAT16.
+ * On RGB565 with "less" these formats bring pipelines of their own (pipeline.h), for one colour,
+ * light, colours, and RGB565 texels: some 1.5 KB each at -Os.
  *
  * Everything that knows depth takes every format: triangles, lines, strokes, points, fog, blends,
  * the edge pass (edges.h), frames and halos. Only surfaces of four samples (samples.h) have
@@ -61,6 +61,7 @@ extern "C" {
 
 /* What fills and reads memory of depths that are not linear16. */
 typedef struct qtri_depth_ops qtri_depth_ops;
+struct qtri_pipeline;
 extern const qtri_depth_ops qtri_depth_words;
 
 /* The library's own formats, as pipelines know them (pipeline.h). */
@@ -78,6 +79,8 @@ typedef struct qtri_depth_format {
     void (*encode)(uint32_t *depth, int32_t count);
     void (*decode)(uint32_t *depth, int32_t count);
     uint8_t kind; /* of the library's own; 0: another */
+    /* Drawn with in place of the generic one (pipeline.h), where they fit; NULL: none. */
+    const struct qtri_pipeline *const *pipelines;
 } qtri_depth_format;
 
 extern const qtri_depth_format qtri_depth_linear16; /* 65535 steps; where none is named */

@@ -19,12 +19,15 @@
  *
  * A draw call takes the first pipeline of its view's list that fits: whose options are those that
  * surface, material and mesh ask for. &qtri_pipeline_any fits everything: it is the same body with
- * options that are read for each pixel, draws the same bits, and takes 3 to 14 times the
- * instructions a pixel on long rows, 1.2 to 1.4 times on small triangles. On a surface with samples
- * (samples.h) the formats' own pipelines take its place. A draw for which the list has no pipeline,
- * or a list that is NULL, draws nothing; a checked build (error.h) stops there, and says which
- * options the list lacks. `qtri pipelines` prints those of a scene. Lines, strokes and points
- * (draw.h, stroke.h) need none.
+ * options that are read for each pixel, draws the same bits, and takes 5 to 30 times the
+ * instructions a pixel on long rows. Blends, fog, &qtri_bilinear and formats of depth bring
+ * pipelines for RGB565 with "less", which are taken where &qtri_pipeline_brought stands in the list
+ * (config.h leaves them out). On a surface with samples (samples.h) the formats' own pipelines take
+ * the place of the generic one. For another format or comparison QTRI_PIPELINES (pipeline_make.h)
+ * makes the usual ones in a line. A draw for which the list has no pipeline, or a list that is
+ * NULL, draws nothing; a checked build (error.h) stops there, and says which options the list
+ * lacks. `qtri pipelines` prints those of a scene. Lines, strokes and points (draw.h, stroke.h)
+ * need none.
  */
 #ifndef QTRI_PIPELINE_H
 #define QTRI_PIPELINE_H
@@ -42,7 +45,8 @@
 extern "C" {
 #endif
 
-enum { QTRI_ANY = 255 };
+/* Of .format: every pixel of every draw; of .read_only: both. */
+enum { QTRI_ANY = 255, QTRI_BROUGHT = 254 };
 
 /* Where colours come from, and what texels are multiplied by. */
 enum {
@@ -63,10 +67,10 @@ struct qtri_fragment {
 };
 
 typedef struct qtri_options {
-    uint8_t format;    /* of format.h; QTRI_ANY: every pixel of every draw */
+    uint8_t format;    /* of format.h */
     uint8_t depth;     /* of depth.h */
     uint8_t compare;   /* a qtri_compare */
-    uint8_t read_only; /* material.depth_read_only */
+    uint8_t read_only; /* material.depth_read_only; QTRI_ANY: as the material says */
     uint8_t texel;     /* of texture.h */
     uint8_t bilinear, mipmapped;
     uint8_t wrap_u, wrap_v; /* a qtri_wrap */
@@ -114,6 +118,9 @@ struct qtri_pipeline {
                  const struct qtri_vertex *b, const int32_t color[][3]);
 };
 
+/* In a list: here is looked at what blend, fog, filter and depth format bring. */
+extern const qtri_pipeline qtri_pipeline_brought;
+
 /* Draws whatever is asked for. */
 extern const qtri_pipeline qtri_pipeline_any;
 
@@ -130,7 +137,7 @@ extern const qtri_pipeline qtri_pipeline_mipmapped; /* with levels, &qtri_mipmap
 extern const qtri_pipeline qtri_pipeline_mipmapped_lit;   /* times material.color in light */
 extern const qtri_pipeline qtri_pipeline_mipmapped_white; /* times light: of a white material */
 
-/* These, then &qtri_pipeline_any. NULL ends a list. */
+/* These, then &qtri_pipeline_brought and &qtri_pipeline_any. NULL ends a list. */
 extern const qtri_pipeline *const qtri_pipelines_default[];
 
 /* On RGB565 in the byte order of displays on SPI, &qtri_rgb565_swapped. */

@@ -24,6 +24,31 @@
     }                                                                                              \
     const qtri_pipeline name = {{__VA_ARGS__}, name##_large, name##_small, NULL, NULL};
 
+/*
+ * What most programs draw with, of further options: `name`_flat, _lit, _colors, _texture,
+ * _texture_tint, _texture_lit and _texture_white, the latter four of repeated RGB565 texels; and
+ * `list` of them, which ends with the generic pipeline. So everything is drawn fast on another
+ * format, or with another comparison:
+ *
+ *     QTRI_PIPELINES(on_gray, on_gray_with, .format = QTRI_GRAY8, .depth = QTRI_LINEAR16,
+ *                    .compare = QTRI_LESS_EQUAL)
+ */
+#define QTRI_PIPELINES(list, name, ...)                                                            \
+    QTRI_PIPELINE(name##_flat, __VA_ARGS__)                                                        \
+    QTRI_PIPELINE(name##_lit, __VA_ARGS__, .shade = QTRI_LIGHT)                                    \
+    QTRI_PIPELINE(name##_colors, __VA_ARGS__, .shade = QTRI_COLORS)                                \
+    QTRI_PIPELINE(name##_texture, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565)                         \
+    QTRI_PIPELINE(name##_texture_tint, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                    \
+                  .shade = QTRI_TINT)                                                              \
+    QTRI_PIPELINE(name##_texture_lit, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                     \
+                  .shade = QTRI_LIGHT)                                                             \
+    QTRI_PIPELINE(name##_texture_white, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                   \
+                  .shade = QTRI_WHITE_LIGHT)                                                       \
+    const qtri_pipeline *const list[] = {                                                          \
+        &name##_flat,          &name##_lit,          &name##_colors,                               \
+        &name##_texture,       &name##_texture_tint, &name##_texture_lit,                          \
+        &name##_texture_white, &qtri_pipeline_any,   NULL};
+
 #define QTRI_PIPELINE_DECLARE(name) extern const qtri_pipeline name
 
 #endif

@@ -108,9 +108,10 @@ QTRI_BODY bool qtri_tests_depth(const qtri_options *o)
     return o->depth != QTRI_NO_DEPTH && o->compare != QTRI_DEPTH_OFF;
 }
 
+/* Where the material decides, pixels look at the walk besides. */
 QTRI_BODY bool qtri_writes_depth(const qtri_options *o)
 {
-    return qtri_tests_depth(o) && !o->read_only;
+    return qtri_tests_depth(o) && (!o->read_only || o->read_only == QTRI_ANY);
 }
 
 QTRI_BODY bool qtri_needs_depth(const qtri_options *o)

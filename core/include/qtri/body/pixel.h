@@ -236,6 +236,11 @@ QTRI_BODY void qtri_pixel_put_samples(const qtri_options *o, const qtri_pixel_wa
     }
 }
 
+QTRI_BODY bool qtri_pixel_writes(const qtri_options *o, const qtri_pixel_walk *w)
+{
+    return qtri_writes_depth(o) && (o->read_only != QTRI_ANY || !w->keeps_depth);
+}
+
 /* Draws a pixel of the walk, and steps. `bent`: steps of u and v grow. */
 QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent,
                                    uint8_t *pixel, uint8_t *depth)
@@ -254,7 +259,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
                 qtri_compare_passes(o->compare, z, qtri_load(depth_bytes, depth));
     }
     const bool early = qtri_is_textured(o) && !qtri_discards(o);
-    if (drawn && qtri_writes_depth(o) && early && !qtri_has_samples(o)) {
+    if (drawn && qtri_pixel_writes(o, w) && early && !qtri_has_samples(o)) {
         QTRI_BODY_BRANCH(); /* now: it need not be kept in a register */
         qtri_save(depth_bytes, depth, z);
     }
@@ -285,7 +290,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
             if (qtri_reads_pixel(o)) {
                 color = qtri_pixel_over(o, w, color, texel, qtri_load(bytes, pixel));
             }
-            if (qtri_writes_depth(o) && !early && (!o->covered || w->cover_writes)) {
+            if (qtri_pixel_writes(o, w) && !early && (!o->covered || w->cover_writes)) {
                 qtri_save(depth_bytes, depth, z);
             }
             if (o->blend != QTRI_KEEP_PIXEL) {
@@ -439,6 +444,9 @@ QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
                                const qtri_draw_state *state)
 {
     w->state = state;
+    if (o->read_only == QTRI_ANY) {
+        w->keeps_depth = state->options.read_only;
+    }
     if (qtri_is_lit(o) && !qtri_is_textured(o)) {
         w->color = state->color;
         w->table = state->table;

@@ -93,6 +93,7 @@ typedef struct qtri_pixel_walk {
     int32_t x, y;               /* of the frame; x only where options ask for it */
     uint32_t cover;             /* of a stroke: what of a pixel it takes, 256 is all */
     bool cover_writes;          /* its depth: half of it or more is covered */
+    bool keeps_depth;           /* the material's depths are read only; see qtri_pixel_writes() */
 
     /* Four samples a pixel: which of them are drawn, and what their depths have more; see
        samples.h. */
@@ -120,7 +121,7 @@ void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level);
 /* state->table, when a triangle first needs it. */
 void qtri_draw_state_set_table(qtri_draw_state *state);
 
-/* For formats that are an application's own, in draw_state.c. */
+/* For formats that are an application's own, in own_formats.c. */
 uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888);
 uint32_t qtri_depth_encode_other(const qtri_depth_format *format, uint32_t z_16p16);
 uint32_t qtri_texel_other(const qtri_texture *texture, uint32_t stored);

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Blends, with pipelines for RGB565 with those that are used most: for depths that are read only,
+ * as most that is seen through is drawn, and for others.
+ */
+#include "qtri/pipeline_make.h"
+
+#include "descriptions.h"
+
+#define OVER(BLEND)                                                                                \
+    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .read_only = QTRI_ANY,    \
+    .blend = (BLEND)
+#define TEXTURE .texel = QTRI_TEXEL_RGB565
+#define SPRITE  .texel = QTRI_TEXEL_ARGB4444
+
+QTRI_PIPELINE(qtri_pipeline_alpha, OVER(QTRI_ALPHA))
+QTRI_PIPELINE(qtri_pipeline_alpha_lit, OVER(QTRI_ALPHA), .shade = QTRI_LIGHT)
+QTRI_PIPELINE(qtri_pipeline_alpha_colors, OVER(QTRI_ALPHA), .shade = QTRI_COLORS)
+QTRI_PIPELINE(qtri_pipeline_alpha_vertex, OVER(QTRI_ALPHA), .shade = QTRI_COLORS, .vertex_alpha = 1)
+QTRI_PIPELINE(qtri_pipeline_alpha_texture, OVER(QTRI_ALPHA), TEXTURE)
+QTRI_PIPELINE(qtri_pipeline_alpha_texture_lit, OVER(QTRI_ALPHA), TEXTURE, .shade = QTRI_LIGHT)
+QTRI_PIPELINE(qtri_pipeline_alpha_texture_white, OVER(QTRI_ALPHA), TEXTURE,
+              .shade = QTRI_WHITE_LIGHT)
+QTRI_PIPELINE(qtri_pipeline_alpha_sprite, OVER(QTRI_ALPHA), SPRITE)
+
+static const qtri_pipeline *const by_alpha[] = {&qtri_pipeline_alpha,
+                                                &qtri_pipeline_alpha_lit,
+                                                &qtri_pipeline_alpha_colors,
+                                                &qtri_pipeline_alpha_vertex,
+                                                &qtri_pipeline_alpha_texture,
+                                                &qtri_pipeline_alpha_texture_lit,
+                                                &qtri_pipeline_alpha_texture_white,
+                                                &qtri_pipeline_alpha_sprite,
+                                                NULL};
+
+QTRI_PIPELINE(qtri_pipeline_add, OVER(QTRI_ADD))
+QTRI_PIPELINE(qtri_pipeline_add_colors, OVER(QTRI_ADD), .shade = QTRI_COLORS)
+QTRI_PIPELINE(qtri_pipeline_add_texture, OVER(QTRI_ADD), TEXTURE)
+
+static const qtri_pipeline *const adding[] = {&qtri_pipeline_add, &qtri_pipeline_add_colors,
+                                              &qtri_pipeline_add_texture, NULL};
+
+QTRI_PIPELINE(qtri_pipeline_multiply, OVER(QTRI_MULTIPLY))
+QTRI_PIPELINE(qtri_pipeline_multiply_texture, OVER(QTRI_MULTIPLY), TEXTURE)
+
+static const qtri_pipeline *const multiplying[] = {&qtri_pipeline_multiply,
+                                                   &qtri_pipeline_multiply_texture, NULL};
+
+const qtri_blend qtri_blend_alpha = {QTRI_ALPHA, false, QTRI_BROUGHT_LIST(by_alpha)};
+const qtri_blend qtri_blend_vertex_alpha = {QTRI_ALPHA, true, QTRI_BROUGHT_LIST(by_alpha)};
+const qtri_blend qtri_blend_add = {QTRI_ADD, false, QTRI_BROUGHT_LIST(adding)};
+const qtri_blend qtri_blend_vertex_add = {QTRI_ADD, true, NULL};
+const qtri_blend qtri_blend_multiply = {QTRI_MULTIPLY, false, QTRI_BROUGHT_LIST(multiplying)};
+const qtri_blend qtri_blend_none = {QTRI_KEEP_PIXEL, false, NULL};
+const qtri_blend qtri_blend_replace = {QTRI_STORE, false, NULL};
+const qtri_blend qtri_blend_screen_door = {QTRI_SCREEN_DOOR, false, NULL};
