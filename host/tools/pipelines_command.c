@@ -236,11 +236,31 @@ static bool has(const qtri_pipeline *const *pipelines, const qtri_options *optio
     return *pipelines != NULL;
 }
 
+/* Blends, fog, the filter and formats of depth. Those they bring serve read-only depths and others.
+ */
+static bool is_brought(const qtri_options *options)
+{
+    const qtri_pipeline *const *const lists[] = {
+        qtri_blend_alpha.pipelines,    qtri_blend_add.pipelines,
+        qtri_blend_multiply.pipelines, qtri_pipelines_fog,
+        qtri_bilinear.pipelines,       qtri_depth_float16.pipelines,
+        qtri_depth_linear24.pipelines, qtri_depth_linear32.pipelines,
+    };
+    qtri_options wanted = *options;
+    bool found = false;
+    wanted.read_only = QTRI_ANY;
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0] && !found; i++) {
+        found = lists[i] != NULL && has(lists[i], &wanted);
+    }
+    return found;
+}
+
 static const char *where_it_is(const qtri_options *options, const qtri_format *format)
 {
     return has(qtri_pipelines_default, options)    ? "qtri_pipelines_default has one"
            : has(qtri_pipelines_swapped, options)  ? "qtri_pipelines_swapped has one"
            : has(qtri_pipelines_by_pixel, options) ? "qtri_per_pixel brings one"
+           : is_brought(options)                   ? "the blend, fog, filter or depths bring one"
            : options->samples != 0 && has(qtri_sampling_of(format)->pipelines, options)
                ? "the surface's format brings one"
                : "the generic one draws it";
