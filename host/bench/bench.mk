@@ -10,9 +10,11 @@ BENCH_INPUTS := $(wildcard core/*/*.[ch] core/*/*.inc core/include/qtri/*.h host
 BENCH_FLAGS  := -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -idirafter port/boards/common/libc
 BENCH_LINK   := -nostdlib -Wl,--gc-sections
 
-# A core may be named with -Os behind it: where the library is counted, it is compiled so then, and else at -O2.
-bench_core     = $(1:%-Os=%)
-bench_optimize = $(if $(filter %-Os,$1),-Os,-O2)
+# A core may be named with -Os behind it: where the library is counted, it is compiled so then, and else at -O2. With -hot
+# what makes pixels is at -O2, the rest at -Os, as a CMake build of the type MinSizeRel has it (port/packages/sources.cmake).
+BENCH_HOT     := $(subst *,%,$(shell sed -n 's/^set.QTRI_HOT \(.*\).$$/\1/p' port/packages/sources.cmake))
+bench_core     = $(patsubst %-hot,%,$(1:%-Os=%))
+bench_optimize = $(if $(filter %-Os,$1)$(and $(filter %-hot,$1),$(filter-out $(BENCH_HOT),$2)),-Os,-O2)
 
 # How a core's code is compiled, whose start-up and console it has, and what executes it. -icount: one instruction
 # takes 1 ns. The M0+ has no machine of its own with enough memory; the M3's executes its instructions.
