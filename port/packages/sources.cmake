@@ -6,7 +6,7 @@ get_filename_component(QTRI_ROOT "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 file(GLOB QTRI_SOURCES "${QTRI_ROOT}/core/*/*.c" "${QTRI_ROOT}/port/panels/*.c")
 
 # What makes pixels: at -O2 where the rest is at -Os, nearly the speed of -O2 in three quarters of its bytes.
-set(QTRI_HOT core/draw/pipelines_*.c core/filter/*.c core/frame/*.c core/paint/*.c)
+set(QTRI_HOT core/draw/pipelines_*.c core/raster/pipelines_*.c core/filter/*.c core/frame/*.c core/paint/*.c)
 list(TRANSFORM QTRI_HOT PREPEND "${QTRI_ROOT}/" OUTPUT_VARIABLE hot)
 file(GLOB QTRI_HOT_SOURCES ${hot})
 
