@@ -6,47 +6,6 @@
 #include "large_setup.h"
 #include "line_path.h"
 
-/* Pixels begin..end - 1 of a path are inside along the major axis, these on the minor one. */
-typedef struct limits {
-    int32_t begin, end;
-    int32_t minor;
-    uint32_t minor_count;
-} limits;
-
-static void limits_init(limits *in, const qtri_line_job *job, const qtri_line_path *l)
-{
-    const int32_t left = job->left_24p8 >> 8;
-    const int32_t top = job->top_24p8 >> 8;
-    const int32_t width = (int32_t)(job->width_24p8 >> 8);
-    const int32_t height = (int32_t)(job->height_24p8 >> 8);
-    in->begin = (l->steep ? top : left) - l->position;
-    in->end = in->begin + (l->steep ? height : width);
-    in->minor = l->steep ? left : top;
-    in->minor_count = (uint32_t)(l->steep ? width : height);
-}
-
-/* Moves w to the first pixel inside; returns the end of those that are, at most `end`. */
-static int32_t walk_cut(qtri_line_walk *w, const limits *in, int32_t end)
-{
-    end = qtri_least32(end, in->end);
-    while (w->k < end &&
-           (w->k < in->begin || (uint32_t)(w->minor - in->minor) >= in->minor_count)) {
-        qtri_line_walk_next(w);
-    }
-    qtri_line_walk ahead = *w;
-    while (ahead.k < end && (uint32_t)(ahead.minor - in->minor) < in->minor_count) {
-        qtri_line_walk_next(&ahead);
-    }
-    return ahead.k;
-}
-
-int32_t qtri_line_cut_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l)
-{
-    limits in;
-    limits_init(&in, job, l);
-    return walk_cut(w, &in, l->count);
-}
-
 /* To pixel k of any line. */
 static void walk_long(qtri_line_walk *w, const qtri_line_path *l, int32_t k)
 {
@@ -148,10 +107,10 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
                                     const qtri_vertex *a, const qtri_line_color *color,
                                     qtri_line_runs draw)
 {
-    limits in;
+    qtri_line_limits in;
     qtri_divider by;
     qtri_line_run run;
-    limits_init(&in, job, l);
+    qtri_line_limits_init(&in, job, l);
     const int32_t minor_first = (l->minor >> 8) - in.minor;
     const int32_t minor_last = ((l->minor + l->delta) >> 8) - in.minor;
     const int32_t minor_end = (int32_t)in.minor_count;
@@ -167,7 +126,7 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
         const int32_t start = k & ~(QTRI_LINE_CHUNK - 1);
         walk_long(&run.walk, l, k);
         k = qtri_least32(count, start + QTRI_LINE_CHUNK);
-        const int32_t end = walk_cut(&run.walk, &in, k);
+        const int32_t end = qtri_line_walk_cut(&run.walk, &in, k);
         if (run.walk.k < end) {
             ramp_init(&run.z, qtri_line_depth(job, l->first), qtri_line_depth(job, l->last),
                       l->along, &by, start);

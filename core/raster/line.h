@@ -13,6 +13,7 @@
 
 #include "stroke_span.h"
 
+struct qtri_line_run;
 struct qtri_stroke_line;
 
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
@@ -26,6 +27,13 @@ typedef struct qtri_line_job qtri_line_job;
  */
 typedef void (*qtri_line_draws)(const qtri_line_job *job, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_line_color *color);
+
+/* Draws runs by the options of a job. */
+typedef void (*qtri_line_runs)(const struct qtri_line_run *run);
+
+/* A line of a job, as qtri_line_draws says, of runs. */
+void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                    const qtri_line_color *color, qtri_line_runs draw);
 
 struct qtri_line_job {
     qtri_line_draws draw;

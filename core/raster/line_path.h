@@ -72,9 +72,8 @@ QTRI_INLINE void qtri_line_walk_short(qtri_line_walk *w, const qtri_line_path *l
 {
     const int32_t denominator = l->length * 256;
     /*
-     * From minor's pixel to where the line is at pixel 0, times length. 0 <= along < 256 and
-     * |delta|
-     * <= length: the slope moves it by less than a pixel.
+     * From minor's pixel to where the line is at pixel 0, times length. As 0 <= along < 256 and
+     * |delta| <= length, the slope moves it by less than a pixel.
      */
     int32_t rest = (l->minor & 255) * l->length + l->along * l->delta; /* |.| < 2^9 2^15 */
     w->k = 0;
@@ -116,6 +115,18 @@ QTRI_INLINE bool qtri_line_is_inside(const qtri_line_job *job, const qtri_vertex
            (uint32_t)(a->at.y_24p8 - job->top_24p8) < job->height_24p8 &&
            (uint32_t)(b->at.y_24p8 - job->top_24p8) < job->height_24p8;
 }
+
+/* Pixels begin..end - 1 of a path are inside along the major axis, these on the minor one. */
+typedef struct qtri_line_limits {
+    int32_t begin, end;
+    int32_t minor;
+    uint32_t minor_count;
+} qtri_line_limits;
+
+void qtri_line_limits_init(qtri_line_limits *in, const qtri_line_job *job, const qtri_line_path *l);
+
+/* Moves w to the first pixel inside; returns the end of those that are, at most `end`. */
+int32_t qtri_line_walk_cut(qtri_line_walk *w, const qtri_line_limits *in, int32_t end);
 
 /* Moves w to the first pixel inside of a short line; returns the end of those that are. */
 int32_t qtri_line_cut_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l);
@@ -176,54 +187,6 @@ QTRI_INLINE void qtri_line_run_place(qtri_line_run *run, const qtri_line_job *jo
         run->color[1].value += number * run->color[1].step;
         run->color[2].value += number * run->color[2].step;
     }
-}
-
-/* Draws runs by the options of a job. */
-typedef void (*qtri_line_runs)(const qtri_line_run *run);
-
-/* See qtri_line_draws. */
-void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
-                    const qtri_line_color *color, qtri_line_runs draw);
-
-/* The same, in place where the line is short and lit by the table, by `o`: most of a wireframe.
-   `draw` is for others. */
-QTRI_BODY void qtri_line_draw_lit(const qtri_options *o, const qtri_line_job *job,
-                                  const qtri_vertex *a, const qtri_vertex *b,
-                                  const qtri_line_color *color, qtri_line_runs draw)
-{
-    qtri_line_path l;
-    qtri_line_path_init(&l, a, b);
-    if (color != NULL || (uint32_t)(l.count - 1) >= QTRI_LINE_CHUNK) {
-        qtri_line_draw(job, a, b, color, draw);
-        return;
-    }
-    if (!job->to->state.has_table) {
-        (void)qtri_line_has_table(job); /* it has one then */
-    }
-    qtri_line_run run;
-    qtri_divider by;
-    int32_t end = l.count;
-    qtri_line_walk_short(&run.walk, &l);
-    if (!qtri_line_is_inside(job, a, b)) {
-        const qtri_line_path path = l; /* copies: these need not be in memory */
-        qtri_line_walk first = run.walk;
-        end = qtri_line_cut_short(&first, job, &path);
-        run.walk = first;
-        if (first.k >= end) {
-            return;
-        }
-    }
-    qtri_divider_init_short(&by, (uint32_t)l.length);
-    run.z.value = run.z.step = 0;
-    if (qtri_needs_depth(o)) {
-        qtri_line_ramp_short(&run.z, qtri_line_depth(job, l.first), qtri_line_depth(job, l.last),
-                             l.along, &by);
-    }
-    qtri_line_ramp_light(&run.color[0], &l, &by);
-    run.is_lit = true;
-    run.is_even = true;
-    qtri_line_run_place(&run, job, &l, end, 0);
-    qtri_line_run_draw(o, &run);
 }
 
 #endif

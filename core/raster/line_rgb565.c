@@ -2,6 +2,46 @@
 /* Lines on RGB565, with linear16 depth and "less", or without depth; and the list of all lines. */
 #include "line_path.h"
 
+/* In place where the line is short and lit by the table, by `o`: most of a wireframe. `draw` is for
+   others. */
+QTRI_BODY void draw_lit(const qtri_options *o, const qtri_line_job *job, const qtri_vertex *a,
+                        const qtri_vertex *b, const qtri_line_color *color, qtri_line_runs draw)
+{
+    qtri_line_path l;
+    qtri_line_path_init(&l, a, b);
+    if (color != NULL || (uint32_t)(l.count - 1) >= QTRI_LINE_CHUNK) {
+        qtri_line_draw(job, a, b, color, draw);
+        return;
+    }
+    if (!job->to->state.has_table) {
+        (void)qtri_line_has_table(job); /* it has one then */
+    }
+    qtri_line_run run;
+    qtri_divider by;
+    int32_t end = l.count;
+    qtri_line_walk_short(&run.walk, &l);
+    if (!qtri_line_is_inside(job, a, b)) {
+        const qtri_line_path path = l; /* copies: these need not be in memory */
+        qtri_line_walk first = run.walk;
+        end = qtri_line_cut_short(&first, job, &path);
+        run.walk = first;
+        if (first.k >= end) {
+            return;
+        }
+    }
+    qtri_divider_init_short(&by, (uint32_t)l.length);
+    run.z.value = run.z.step = 0;
+    if (qtri_needs_depth(o)) {
+        qtri_line_ramp_short(&run.z, qtri_line_depth(job, l.first), qtri_line_depth(job, l.last),
+                             l.along, &by);
+    }
+    qtri_line_ramp_light(&run.color[0], &l, &by);
+    run.is_lit = true;
+    run.is_even = true;
+    qtri_line_run_place(&run, job, &l, end, 0);
+    qtri_line_run_draw(o, &run);
+}
+
 static const qtri_options less = {
     .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS};
 static const qtri_options less_lit = {
@@ -22,13 +62,13 @@ static void draw_over(const qtri_line_run *run)
 static void line_less(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                       const qtri_line_color *color)
 {
-    qtri_line_draw_lit(&less_lit, job, a, b, color, draw_less);
+    draw_lit(&less_lit, job, a, b, color, draw_less);
 }
 
 static void line_over(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                       const qtri_line_color *color)
 {
-    qtri_line_draw_lit(&over_lit, job, a, b, color, draw_over);
+    draw_lit(&over_lit, job, a, b, color, draw_over);
 }
 
 static const qtri_pipeline pipeline_less = {
