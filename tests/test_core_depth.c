@@ -29,7 +29,7 @@ static void decode_twin(uint32_t *depth, int32_t count)
     }
 }
 
-static const qtri_depth_format twin = {2, &qtri_depth_words, encode_twin, decode_twin, 0};
+static const qtri_depth_format twin = {2, &qtri_depth_words, encode_twin, decode_twin, 0, NULL};
 
 /* ---- Surfaces in guarded memory ---- */
 
@@ -645,7 +645,7 @@ static void layouts(void **state)
             assert_int_equal(s.pixels[i], 0);
         }
     }
-    const qtri_depth_format one_byte = {1, &qtri_depth_words, encode_twin, decode_twin, 0};
+    const qtri_depth_format one_byte = {1, &qtri_depth_words, encode_twin, decode_twin, 0, NULL};
     assert_int_equal(qtri_surface_init_depth(&s, &qtri_rgb565, &one_byte, 9, 9, 0, 5, memory, 9999),
                      QTRI_ERROR_FORMAT);
     assert_int_equal(qtri_surface_init_depth(&s, &qtri_rgb565, &qtri_depth_linear16, 9, 9, 0, 5,

@@ -21,16 +21,16 @@
         &list##_flat,          &list##_lit, &list##_colors, &list##_texture, &list##_texture_lit,  \
         &list##_texture_white, NULL};
 
-PIPELINES(on_float16, QTRI_FLOAT16)
-PIPELINES(on_linear24, QTRI_LINEAR24)
-PIPELINES(on_linear32, QTRI_LINEAR32)
+PIPELINES(qtri_on_float16, QTRI_FLOAT16)
+PIPELINES(qtri_on_linear24, QTRI_LINEAR24)
+PIPELINES(qtri_on_linear32, QTRI_LINEAR32)
 
 const qtri_depth_format qtri_depth_float16 = {
     QTRI_DEPTH_FLOAT16_BYTES, &qtri_depth_words, qtri_depth_to_float16,
-    qtri_depth_from_float16,  QTRI_FLOAT16,      QTRI_BROUGHT_LIST(on_float16)};
+    qtri_depth_from_float16,  QTRI_FLOAT16,      QTRI_BROUGHT_LIST(qtri_on_float16)};
 const qtri_depth_format qtri_depth_linear24 = {
     QTRI_DEPTH_LINEAR24_BYTES, &qtri_depth_words, qtri_depth_to_linear24,
-    qtri_depth_from_linear24,  QTRI_LINEAR24,     QTRI_BROUGHT_LIST(on_linear24)};
+    qtri_depth_from_linear24,  QTRI_LINEAR24,     QTRI_BROUGHT_LIST(qtri_on_linear24)};
 const qtri_depth_format qtri_depth_linear32 = {
     QTRI_DEPTH_LINEAR32_BYTES, &qtri_depth_words, qtri_depth_as_it_is,
-    qtri_depth_as_it_is,       QTRI_LINEAR32,     QTRI_BROUGHT_LIST(on_linear32)};
+    qtri_depth_as_it_is,       QTRI_LINEAR32,     QTRI_BROUGHT_LIST(qtri_on_linear32)};
