@@ -49,25 +49,26 @@
 #define LIGHTS                                                                                     \
     "ambient .125 .125 .125\nmaterial specular 1 1 1 30\ncull back\n"                              \
     "light point 1.5 1 0 1 .9 .8 1 0 .05\n"
-#define DULL            "ambient .125 .125 .125\nlight point 1.5 1 0 1 .9 .8 1 0 .05\n"
-#define BY_PIXEL        "shade pixel\n"
-#define LIGHT2          "light directional -1 .5 .3 .1 .2 .4\n"
-#define LIGHT34         "light directional .4 .6 .69282032 .2 .2 .2\nlight directional .2 -.8 .5 .2 .1 .1\n"
-#define MESH_COLOR      " color 1 .7058823529 .3529411765\n"
-#define TURN_SPOT       "rotate 150 0 1 0\n"
-#define TURN_KNOT       "rotate 30 0 1 0\n"
-#define KNOT_UV         TURN_KNOT "mesh knot_uv.obj" MESH_COLOR
-#define KNOT_UV_COMPACT TURN_KNOT "mesh knot_uv-compact.obj" MESH_COLOR
-#define SPOT            TURN_SPOT "mesh spot.obj" MESH_COLOR
-#define TEAPOT          "rotate 30 0 1 0\nmesh teapot.obj" MESH_COLOR
-#define KNOT            "rotate 30 0 1 0\nmesh knot.obj" MESH_COLOR
-#define SPOT_COMPACT    TURN_SPOT "mesh spot-compact.obj" MESH_COLOR
-#define TEAPOT_COMPACT  "rotate 30 0 1 0\nmesh teapot-compact.obj" MESH_COLOR
-#define KNOT_COMPACT    "rotate 30 0 1 0\nmesh knot-compact.obj" MESH_COLOR
-#define SPOT_UV         TURN_SPOT "mesh spot_uv.obj" MESH_COLOR
-#define SPOT_UV_COMPACT TURN_SPOT "mesh spot_uv-compact.obj" MESH_COLOR
-#define WALL            "mesh wall.obj" MESH_COLOR
-#define WALL_COMPACT    "mesh wall-compact.obj" MESH_COLOR
+#define DULL             "ambient .125 .125 .125\nlight point 1.5 1 0 1 .9 .8 1 0 .05\n"
+#define BY_PIXEL         "shade pixel\n"
+#define LIGHT2           "light directional -1 .5 .3 .1 .2 .4\n"
+#define LIGHT34          "light directional .4 .6 .69282032 .2 .2 .2\nlight directional .2 -.8 .5 .2 .1 .1\n"
+#define MESH_COLOR       " color 1 .7058823529 .3529411765\n"
+#define TURN_SPOT        "rotate 150 0 1 0\n"
+#define TURN_KNOT        "rotate 30 0 1 0\n"
+#define KNOT_UV          TURN_KNOT "mesh knot_uv.obj" MESH_COLOR
+#define KNOT_UV_COMPACT  TURN_KNOT "mesh knot_uv-compact.obj" MESH_COLOR
+#define SPOT             TURN_SPOT "mesh spot.obj" MESH_COLOR
+#define TEAPOT           "rotate 30 0 1 0\nmesh teapot.obj" MESH_COLOR
+#define KNOT             "rotate 30 0 1 0\nmesh knot.obj" MESH_COLOR
+#define SPOT_COMPACT     TURN_SPOT "mesh spot-compact.obj" MESH_COLOR
+#define TEAPOT_COMPACT   "rotate 30 0 1 0\nmesh teapot-compact.obj" MESH_COLOR
+#define KNOT_COMPACT     "rotate 30 0 1 0\nmesh knot-compact.obj" MESH_COLOR
+#define SPOT_UV          TURN_SPOT "mesh spot_uv.obj" MESH_COLOR
+#define SPOT_UV_COMPACT  TURN_SPOT "mesh spot_uv-compact.obj" MESH_COLOR
+#define WALL             "mesh wall.obj" MESH_COLOR
+#define WALL_COMPACT     "mesh wall-compact.obj" MESH_COLOR
+#define TORUS(triangles) "rotate 25 0 1 0\nmesh torus" triangles "-compact.obj" MESH_COLOR
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) mesh
 #else
@@ -91,9 +92,20 @@ static const struct expectation {
     {"S6", BEGIN LIT MODULATED COMPACT(SPOT_UV), 12414},
     {"S7", BEGIN LIT "polygon line\n" COMPACT(SPOT), 0},
     {"S8", BEGIN LIT MODULATED COMPACT(WALL), 0},
+    {"S8w", BEGIN LIT MODULATED "mesh wall-compact.obj color 1 1 1", 0},
     {"S9", BEGIN "cull back\n" TURN_SPOT, 12414},
     {"S10", BEGIN LIT "depth off\npolygon line\n" COMPACT(SPOT), 0},
     {"S11", BEGIN TURNED, 0},
+    {"S12", BEGIN LIT TORUS("96"), 0},
+    {"S12b", BEGIN LIT TORUS("216"), 0},
+    {"S12c", BEGIN LIT TORUS("384"), 0},
+    {"S12d", BEGIN LIT TORUS("864"), 0},
+    {"S13a", BEGIN LIT MODULATED TORUS("96"), 0},
+    {"S13b", BEGIN LIT MODULATED TORUS("216"), 0},
+    {"S13", BEGIN LIT MODULATED TORUS("384"), 0},
+    {"S13d", BEGIN LIT MODULATED TORUS("864"), 0},
+    {"S14", NULL, 0},
+    {"SE", NULL, 0},
     {"ST", BEGIN "cull back\n" TURN_SPOT, 12414},
     {"S4k", BEGIN LIT COMPACT(KNOT), 0},
     {"S5k", BEGIN LIT "shade flat\n" COMPACT(KNOT), 0},

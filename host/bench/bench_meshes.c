@@ -6,8 +6,8 @@
  * defined: for a core from before there were compact meshes and bounds. Beside them lies a colour
  * for each vertex, 127.5 (1 + n) of its normal, which a scene may give the mesh. FOLDER/NAME.obj
  * and FOLDER/NAME-compact.obj have the same numbers, for the double-precision reference. MODELS
- * holds spot.obj and teapot.obj; without one of them its meshes are empty. The knot and the wall
- * are the project's own.
+ * holds spot.obj and teapot.obj; without one of them its meshes are empty. The knot, the wall and
+ * the tori are the project's own.
  *
  * Meshes of files are centred on their bounding box and scaled. Vertices are the file's positions,
  * or, where the texture coordinates are kept, its pairs of both. Normals of the file are not used:
@@ -30,7 +30,8 @@
 enum source {
     SOURCE_FILE,      /* of MODELS */
     SOURCE_GENERATED, /* of mesh_generate.h */
-    SOURCE_WALL       /* of here */
+    SOURCE_WALL,      /* of here */
+    SOURCE_TORUS      /* likewise */
 };
 
 static const struct model {
@@ -39,13 +40,18 @@ static const struct model {
     double scale;
     enum source source;
     bool keeps_uvs;
+    int slices, rings; /* of a torus */
 } models[] = {
-    {"spot", "spot", 1.28748383, SOURCE_FILE, false},
-    {"spot_uv", "spot", 1.28748383, SOURCE_FILE, true},
-    {"teapot", "teapot", .48920438, SOURCE_FILE, false},
-    {"knot", "knot", 1.0, SOURCE_GENERATED, false},
-    {"knot_uv", "knot", 1.0, SOURCE_GENERATED, true},
-    {"wall", NULL, 1.0, SOURCE_WALL, true},
+    {"spot", "spot", 1.28748383, SOURCE_FILE, false, 0, 0},
+    {"spot_uv", "spot", 1.28748383, SOURCE_FILE, true, 0, 0},
+    {"teapot", "teapot", .48920438, SOURCE_FILE, false, 0, 0},
+    {"knot", "knot", 1.0, SOURCE_GENERATED, false, 0, 0},
+    {"knot_uv", "knot", 1.0, SOURCE_GENERATED, true, 0, 0},
+    {"wall", NULL, 1.0, SOURCE_WALL, true, 0, 0},
+    {"torus96", NULL, 1.3, SOURCE_TORUS, true, 8, 6},
+    {"torus216", NULL, 1.3, SOURCE_TORUS, true, 12, 9},
+    {"torus384", NULL, 1.3, SOURCE_TORUS, true, 16, 12},
+    {"torus864", NULL, 1.3, SOURCE_TORUS, true, 24, 18},
 };
 
 /* ---- What a mesh is made from ---- */
@@ -103,9 +109,8 @@ static void center_and_scale(struct obj_mesh *mesh, double scale)
     }
 }
 
-#define WALL_COLUMNS  16
-#define WALL_ROWS     8
-#define WALL_VERTICES ((WALL_COLUMNS + 1) * (WALL_ROWS + 1))
+#define WALL_COLUMNS 16
+#define WALL_ROWS    8
 
 /* z = .25 sin 3x cos 2y over x +-2.31, y +-1.74, from the top; u and v from 0 to 4 over it. */
 static void set_wall_vertex(struct obj_mesh *mesh, int column, int row)
@@ -124,25 +129,27 @@ static void set_wall_vertex(struct obj_mesh *mesh, int column, int row)
     mesh->uvs[i][1] = round_q16(4.0 * down * ONE);
 }
 
-/* Corners (-,-) (+,-) (+,+) (-,+), triangles (0,1,2) (0,2,3), as all quads of the benchmark. */
-static void set_wall_cell(struct obj_mesh *mesh, int column, int row)
+/* Vertices (-,-) (+,-) (+,+) (-,+), triangles (0,1,2) (0,2,3), as all quads of the benchmark. */
+static void set_cell(struct obj_mesh *mesh, int columns, int column, int row)
 {
-    uint32_t over = (uint32_t)(row * (WALL_COLUMNS + 1) + column), under = over + WALL_COLUMNS + 1;
-    const uint32_t corner[4] = {under, under + 1, over + 1, over};
+    const uint32_t upper = (uint32_t)(row * (columns + 1) + column);
+    const uint32_t lower = upper + (uint32_t)columns + 1;
+    const uint32_t vertex[4] = {lower, lower + 1, upper + 1, upper};
     static const uint8_t order[2][3] = {{0, 1, 2}, {0, 2, 3}};
     for (int triangle = 0; triangle < 2; triangle++) {
         for (int i = 0; i < 3; i++) {
-            mesh->triangles[2 * (row * WALL_COLUMNS + column) + triangle][i] =
-                corner[order[triangle][i]];
+            mesh->triangles[2 * (row * columns + column) + triangle][i] =
+                vertex[order[triangle][i]];
         }
     }
 }
 
-static bool make_wall(struct obj_mesh *mesh)
+/* Room for columns x rows cells of two triangles. */
+static bool begin_grid(struct obj_mesh *mesh, int columns, int rows)
 {
     memset(mesh, 0, sizeof *mesh);
-    mesh->vertex_count = WALL_VERTICES;
-    mesh->triangle_count = (size_t)2 * WALL_COLUMNS * WALL_ROWS;
+    mesh->vertex_count = (size_t)(columns + 1) * (size_t)(rows + 1);
+    mesh->triangle_count = (size_t)2 * (size_t)columns * (size_t)rows;
     mesh->positions = calloc(mesh->vertex_count, sizeof *mesh->positions);
     mesh->normals = calloc(mesh->vertex_count, sizeof *mesh->normals);
     mesh->uvs = calloc(mesh->vertex_count, sizeof *mesh->uvs);
@@ -152,12 +159,48 @@ static bool make_wall(struct obj_mesh *mesh)
         obj_free(mesh);
         return false;
     }
+    for (int row = 0; row < rows; row++) {
+        for (int column = 0; column < columns; column++) {
+            set_cell(mesh, columns, column, row);
+        }
+    }
+    return true;
+}
+
+static bool make_wall(struct obj_mesh *mesh)
+{
+    if (!begin_grid(mesh, WALL_COLUMNS, WALL_ROWS)) {
+        return false;
+    }
     for (int row = 0; row <= WALL_ROWS; row++) {
         for (int column = 0; column <= WALL_COLUMNS; column++) {
             set_wall_vertex(mesh, column, row);
-            if (row < WALL_ROWS && column < WALL_COLUMNS) {
-                set_wall_cell(mesh, column, row);
+        }
+    }
+    return true;
+}
+
+/* Radii .8 and .45 around the z axis; u from 0 to 1.9 around it, v from 0 to 1 around the tube. */
+static bool make_torus(struct obj_mesh *mesh, const struct model *model)
+{
+    const double turn = 2.0 * acos(-1.0);
+    if (!begin_grid(mesh, model->slices, model->rings)) {
+        return false;
+    }
+    for (int ring = 0, i = 0; ring <= model->rings; ring++) {
+        for (int slice = 0; slice <= model->slices; slice++, i++) {
+            const double around = (double)slice / model->slices,
+                         along = (double)ring / model->rings;
+            const double a = turn * around, b = turn * along;
+            const double normal[3] = {cos(b) * cos(a), cos(b) * sin(a), -sin(b)};
+            const double center[3] = {.8 * cos(a), .8 * sin(a), 0.0};
+            for (int axis = 0; axis < 3; axis++) {
+                const double position = (center[axis] + .45 * normal[axis]) * model->scale;
+                mesh->positions[i][axis] = round_q16(position * ONE);
+                mesh->normals[i][axis] = round_q16(normal[axis] * ONE);
             }
+            mesh->uvs[i][0] = round_q16(1.9 * around * ONE);
+            mesh->uvs[i][1] = round_q16(along * ONE);
         }
     }
     return true;
@@ -200,6 +243,8 @@ static bool write_model(FILE *out, const struct model *model, const char *folder
     bool ok = false;
     if (model->source == SOURCE_WALL) {
         ok = make_wall(&mesh);
+    } else if (model->source == SOURCE_TORUS) {
+        ok = make_torus(&mesh, model);
     } else {
         snprintf(path, sizeof path, "%s/%s.obj", models_folder, model->file);
         if (model->source == SOURCE_GENERATED &&

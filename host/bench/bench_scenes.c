@@ -7,21 +7,23 @@
 
 /*
  * Meshes are compact: 16-bit positions, 8-bit normals, 16-bit texture coordinates but for the
- * wall's, which reach 4. S4w and S5w: with the wide mesh, Q16.16 positions. S4k, S5k and S7k: as
- * S4, S5 and S7 with the project's own mesh of like size, 5760 triangles; what else ends in k is
- * the row of that name with that mesh. S4b, S4wb, S5b, S6b and S7b: S4, S4w, S5, S6 and S7 in 15
- * bands of 16 rows, all of a frame's work but the clear. ST: the mesh of S4 as loose triangles. L1:
- * S4 with a point light and Blinn-Phong highlights; L2 and L3: and one and three directional
- * lights; L1f: S5 so, L1b: L1 in bands. LP, LPf and LPk: S1, the quad of S3 and S4k in the light of
- * L1 by pixel, LPd: LP without highlights. S4e and S4be: S4 and S4b with the edge pass, S4es by
- * sums; S4br: S4be with the halo kept. S4h: S4 of 2 x 2 samples, with the clear; S4x, S6x and S11x:
- * S4, S6 and S11 with four samples a pixel, likewise; B4x and F4x: B4 and F4 so; S4f: S4 and FXAA.
- * S4a and S4m: only the addition of S4 to a sum, and the storing of its mean. K1, K5: a polyline of
- * 64 points, 1 and 5 pixels wide, with smooth edges; KP: 256 such points of 6 pixels. KW: S7 with
- * smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7 without hidden lines. P1 to P10:
- * bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3: S2 added; F2, F4, F6: S2, S4, S6
- * in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5 in fog. B5 and B6: S2, and a
- * quad turned sideways, with alpha of their vertices.
+ * wall's, which reach 4. S8w: S8 of a white material. S12, S12b, S12c and S12d: a torus of 96, 216,
+ * 384 and 864 triangles, lit, S13a, S13b, S13 and S13d textured as well. S14: 64 cubes, a draw call
+ * each; SE: a draw call of one triangle that faces away. S4w and S5w: with the wide mesh, Q16.16
+ * positions. S4k, S5k and S7k: as S4, S5 and S7 with the project's own mesh of like size, 5760
+ * triangles; what else ends in k is the row of that name with that mesh. S4b, S4wb, S5b, S6b and
+ * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
+ * mesh of S4 as loose triangles. L1: S4 with a point light and Blinn-Phong highlights; L2 and L3:
+ * and one and three directional lights; L1f: S5 so, L1b: L1 in bands. LP, LPf and LPk: S1, the quad
+ * of S3 and S4k in the light of L1 by pixel, LPd: LP without highlights. S4e and S4be: S4 and S4b
+ * with the edge pass, S4es by sums; S4br: S4be with the halo kept. S4h: S4 of 2 x 2 samples, with
+ * the clear; S4x, S6x and S11x: S4, S6 and S11 with four samples a pixel, likewise; B4x and F4x: B4
+ * and F4 so; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a sum, and the storing of
+ * its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP: 256 such
+ * points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7 without
+ * hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3: S2
+ * added; F2, F4, F6: S2, S4, S6 in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5 in
+ * fog. B5 and B6: S2, and a quad turned sideways, with alpha of their vertices.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -58,9 +60,20 @@ const bench_scene bench_scenes[] = {
     {.name = "S6", MESH(COMPACT(spot_uv), Q16(150)), .textured = true},
     {.name = "S7", MESH(COMPACT(spot), Q16(150)), .wireframe = true},
     {.name = "S8", MESH(COMPACT(wall), 0), .textured = true},
+    {.name = "S8w", MESH(COMPACT(wall), 0), .textured = true, .white = true},
     {.name = "S9", MESH(COMPACT(spot), Q16(150)), .colors = bench_colors_spot},
     {.name = "S10", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .without_depth = true},
     {.name = "S11", QUAD(&bench_turned, white), .textured = true},
+    {.name = "S12", MESH(&bench_mesh_torus96_compact, Q16(25))},
+    {.name = "S12b", MESH(&bench_mesh_torus216_compact, Q16(25))},
+    {.name = "S12c", MESH(&bench_mesh_torus384_compact, Q16(25))},
+    {.name = "S12d", MESH(&bench_mesh_torus864_compact, Q16(25))},
+    {.name = "S13a", MESH(&bench_mesh_torus96_compact, Q16(25)), .textured = true},
+    {.name = "S13b", MESH(&bench_mesh_torus216_compact, Q16(25)), .textured = true},
+    {.name = "S13", MESH(&bench_mesh_torus384_compact, Q16(25)), .textured = true},
+    {.name = "S13d", MESH(&bench_mesh_torus864_compact, Q16(25)), .textured = true},
+    {.name = "S14", MESH(&bench_cube, 0), FLAT, .calls = 64},
+    {.name = "SE", MESH(&bench_turned_away, 0)},
     {.name = "ST",
      .work = BENCH_CORNERS,
      .mesh = &bench_mesh_spot,
@@ -374,7 +387,8 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     qtri_transform_identity(&frame->pose);
     qtri_transform_rotate_y(&frame->pose, scene->turn);
     frame->material = qtri_material_default();
-    frame->material.color = bench_lit_color;
+    const qtri_rgb white_color = {255, 255, 255};
+    frame->material.color = scene->white ? white_color : bench_lit_color;
     frame->material.cull = scene->mesh != NULL ? QTRI_CULL_BACK : QTRI_CULL_NONE;
     frame->material.shading = scene->shading != NULL ? scene->shading : QTRI_SMOOTH;
     frame->material.interpolation = scene->interpolation;
@@ -438,6 +452,20 @@ void bench_finish(bench_frame *frame)
 #endif
 }
 
+/* Copies of the mesh in rows of eight. */
+static void draw_calls(bench_frame *frame)
+{
+    for (uint32_t i = 0; i < frame->scene->calls; i++) {
+        const qtri_vec3 place = {Q16(.4) * (int32_t)(i % 8) - Q16(1.4),
+                                 Q16(.4) * (int32_t)(i / 8) - Q16(1.4), 0};
+        const qtri_vec3 axis = {Q16_ONE, Q16(2), 0};
+        qtri_transform_identity(&frame->pose);
+        qtri_transform_translate(&frame->pose, place);
+        qtri_transform_rotate(&frame->pose, Q16(11) * (int32_t)(i + 1), axis);
+        qtri_draw_mesh(&frame->surface, &frame->view, &frame->pose, &frame->mesh, &frame->material);
+    }
+}
+
 void bench_draw(bench_frame *frame)
 {
 #ifndef BENCH_PLAIN
@@ -464,6 +492,10 @@ void bench_draw(bench_frame *frame)
             break;
         }
 #endif
+        if (frame->scene->calls != 0) {
+            draw_calls(frame);
+            break;
+        }
         qtri_draw_mesh(&frame->surface, &frame->view, &frame->pose, &frame->mesh, &frame->material);
         break;
 #ifndef BENCH_PLAIN
@@ -487,7 +519,8 @@ uint32_t bench_triangles(const bench_scene *scene)
     if (scene->work == BENCH_PAINT) {
         return scene->characters;
     }
-    return scene->mesh != NULL ? scene->mesh->triangle_count : scene->quad != NULL ? 2 : 0;
+    const uint32_t calls = scene->calls != 0 ? scene->calls : 1;
+    return scene->mesh != NULL ? calls * scene->mesh->triangle_count : scene->quad != NULL ? 2 : 0;
 }
 
 /* Without depth, what was drawn is known by its colour, which nothing shares with the background.

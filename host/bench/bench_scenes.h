@@ -65,7 +65,9 @@ typedef struct bench_scene {
     bool thin;           /* a wireframe of smooth lines */
     bool points, hidden; /* points for a polyline; a wireframe without hidden lines */
     bool chart;          /* a polyline of 160 points */
-    bool rolling;        /* bands that keep their halo */
+    uint32_t calls; /* not 0: the mesh so often, 8 to a row of the screen, each turned otherwise */
+    bool white;     /* the material's colour, which then leaves texels in light alone */
+    bool rolling;   /* bands that keep their halo */
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */

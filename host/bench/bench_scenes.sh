@@ -34,7 +34,7 @@ done | awk -v OFS='\t' -v scenes="$scenes" -v cores="$*" '
         exit bad
     }' "$folder/host.txt" - >"$table"
 
-# PEERS.md, and for S6, S9 and S11 SPANS.md: targets for M0+, M3 and M4F; instructions per pixel, or millions a frame.
+# Targets for M0+, M3 and M4F: instructions per pixel, or millions a frame.
 awk -F '\t' -v cores="$*" '
     function want(name, what, m0plus, m3, m4) {
         unit[name] = what
@@ -51,21 +51,28 @@ awk -F '\t' -v cores="$*" '
     function beginning(s) { printf "%-5s%8d%11d%9s", s, pixels[s], triangles[s], s in unit ? unit[s] : "M" }
     BEGIN {
         want("S0", "M", "", .06, .06)
-        want("S1", "/px", 9, 8, 6)
-        want("S2", "/px", 17, 12, 10.5)
-        want("S3", "/px", 32, 16, 14.5)
+        want("S1", "/px", 8.4, 7.4, 5.8)
+        want("S2", "/px", 16.3, 11.7, 10.7)
+        want("S3", "/px", 24.4, 15.5, 14.8)
+        want("S3a", "/px", 21.4, 14.3, 13.5)
         want("S3m", "/px", 27.4, 17.7, "")
         want("S8m", "/px", "", "", "")
         want("S11m", "/px", 69.9, 46.0, "")
-        want("S3a", "/px", 24, 13.5, 13)
-        want("S4", "M", 3.9, 1.5, 1.4)
-        want("S5", "M", 3.9, 1.5, 1.4)
-        want("S6", "M", 5.9, 2.95, "")
-        want("S7", "M", "", 1.4, 1.3)
-        want("S8", "/px", "", "", "")
-        want("S9", "M", 5.45, 2.7, "")
-        want("S10", "M", "", 1.4, 1.3)
-        want("S11", "/px", 55, 35, "")
+        want("S4", "M", 2.7, 1.40, 1.45)
+        want("S5", "M", 2.7, 1.42, 1.45)
+        want("S6", "M", 3.8, 2.15, 2.2)
+        want("S7", "M", 2.95, 1.27, 1.31)
+        want("S8", "/px", 88, 52, 52)
+        want("S8w", "/px", 78, 46, 46)
+        want("S9", "M", 3.4, 1.8, 1.85)
+        want("S10", "M", 3.18, 1.39, "")
+        want("S11", "/px", 58, 36, 37)
+        want("S12", "M", "", "", 1.0)
+        want("S13", "M", "", "", 2.6)
+        want("S14", "M", 3.2, 1.35, 1.35)
+        want("SE", "M", .0035, .0018, "")
+        want("KC", "M", 5.5, 3.5, "")
+        want("KQ", "M", .64, .33, "")
         want("ST", "/corner", "", "", "")
         want("STk", "/corner", "", "", "")
         want("B1", "/px", "", "", "")

@@ -21,6 +21,29 @@ const qtri_light bench_light = {{Q16(.4), Q16(.6), Q16(.69282032)}, Q16(.2), Q16
 const qtri_rgb bench_background = {24, 32, 48};
 const qtri_rgb bench_lit_color = {255, 180, 90};
 
+#define CUBE_HALF Q16(.15)
+
+static const qtri_position16 cube_positions[8] = {{-32767, -32767, -32767}, {32767, -32767, -32767},
+                                                  {-32767, 32767, -32767},  {32767, 32767, -32767},
+                                                  {-32767, -32767, 32767},  {32767, -32767, 32767},
+                                                  {-32767, 32767, 32767},   {32767, 32767, 32767}};
+static const uint16_t cube_triangles[12][3] = {{4, 5, 7}, {4, 7, 6}, {1, 0, 2}, {1, 2, 3},
+                                               {5, 1, 3}, {5, 3, 7}, {0, 4, 6}, {0, 6, 2},
+                                               {6, 7, 3}, {6, 3, 2}, {0, 1, 5}, {0, 5, 4}};
+
+const qtri_mesh bench_cube = {.positions16 = cube_positions,
+                              .triangles = cube_triangles,
+                              .vertex_count = 8,
+                              .triangle_count = 12,
+                              .extent = CUBE_HALF,
+                              .bounds = {{0, 0, 0}, {CUBE_HALF, CUBE_HALF, CUBE_HALF}}};
+const qtri_mesh bench_turned_away = {.positions16 = cube_positions,
+                                     .triangles = &cube_triangles[2],
+                                     .vertex_count = 3,
+                                     .triangle_count = 1,
+                                     .extent = CUBE_HALF,
+                                     .bounds = {{0, 0, 0}, {CUBE_HALF, CUBE_HALF, CUBE_HALF}}};
+
 qtri_rgb bench_texel(uint32_t u, uint32_t v)
 {
     uint8_t across = (uint8_t)(4 * u), down = (uint8_t)(4 * v);

@@ -19,12 +19,18 @@
 #define BENCH_TRIANGLES_MAX 6400
 
 /* Written by bench_meshes.c. A model that is not there has no triangles. spot_uv has texture
-   coordinates, and more vertices for it; wall is a grid of 16 x 8 cells with coordinates. */
+   coordinates, and more vertices for it; wall is a grid of 16 x 8 cells with coordinates; a torus
+   has the number of triangles in its name, and coordinates. */
 extern const qtri_mesh bench_mesh_spot, bench_mesh_spot_uv, bench_mesh_teapot, bench_mesh_knot,
     bench_mesh_knot_uv, bench_mesh_wall;
 extern const qtri_mesh bench_mesh_spot_compact, bench_mesh_spot_uv_compact,
     bench_mesh_teapot_compact, bench_mesh_knot_compact, bench_mesh_knot_uv_compact,
     bench_mesh_wall_compact;
+extern const qtri_mesh bench_mesh_torus96_compact, bench_mesh_torus216_compact,
+    bench_mesh_torus384_compact, bench_mesh_torus864_compact;
+
+extern const qtri_mesh bench_cube;        /* 12 triangles, half size .15 */
+extern const qtri_mesh bench_turned_away; /* a triangle that faces away */
 
 /* A colour for each vertex. */
 extern const qtri_rgb bench_colors_spot[], bench_colors_spot_uv[], bench_colors_wall[],
