@@ -12,7 +12,7 @@
 #if QTRI_WITH_BROUGHT_PIPELINES
 #define QTRI_BROUGHT_LIST(list) list
 #else
-#define QTRI_BROUGHT_LIST(list) (sizeof(list) != 0 ? NULL : (list)) /* which is not unused */
+#define QTRI_BROUGHT_LIST(list) (sizeof &(list) != 0 ? NULL : (list)) /* which is not unused */
 #endif
 
 struct qtri_blend {
