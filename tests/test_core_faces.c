@@ -34,8 +34,9 @@ static bool place(const qtri_mesh *mesh, const qtri_projector *wide, const qtri_
                   qtri_vertex *out)
 {
     return mesh->positions16 != NULL
-               ? qtri_projector_vertices16(compact, mesh->positions16, mesh->vertex_count, out)
-               : qtri_projector_vertices(wide, mesh->positions, mesh->vertex_count, out);
+               ? qtri_projector_vertices16(compact, mesh->positions16, mesh->vertex_count, out,
+                                           false)
+               : qtri_projector_vertices(wide, mesh->positions, mesh->vertex_count, out, false);
 }
 
 static void check_pose(const qtri_mesh *mesh, const qtri_view *view, const qtri_transform *pose,

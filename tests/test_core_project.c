@@ -176,8 +176,8 @@ static void vertices_are_exact(void **state)
             p[i].z = random_any(&seed);
             listed[i].index = (uint16_t)i;
         }
-        const bool all_found = qtri_projector_vertices(&projector, p, 4, vertex);
-        const bool list_found = qtri_projector_list(&projector, p, 4, listed);
+        const bool all_found = qtri_projector_vertices(&projector, p, 4, vertex, false);
+        const bool list_found = qtri_projector_vertices(&projector, p, 4, listed, true);
         for (int i = 0; i < 4; i++) {
             qtri_clip_vertex clip;
             qtri_vertex exact;

@@ -97,7 +97,7 @@ static void wide_positions(void **state)
                 p[i].y &= ~63;
             }
         }
-        bool told = qtri_projector_vertices(&projector, p, POINTS, fast);
+        bool told = qtri_projector_vertices(&projector, p, POINTS, fast, false);
         narrow_vertices(&t, &viewport, p, POINTS, narrow);
         for (int i = 0; i < POINTS; i++) {
             qtri_clip_vertex clip;
@@ -143,7 +143,7 @@ static void corners_are_points(void **state)
             assert_true(clip.x == corner[i].x && clip.y == corner[i].y);
             assert_true(clip.z == corner[i].z && clip.w == corner[i].w);
             qtri_vertex_exact(&projector, &corner[i], &exact);
-            (void)qtri_projector_vertices(&projector, &at, 1, &fast);
+            (void)qtri_projector_vertices(&projector, &at, 1, &fast, false);
             assert_same(&fast, &exact);
         }
     }
@@ -186,7 +186,7 @@ static void compact_positions(void **state)
         for (int i = 0; i < POINTS; i++) {
             p[i] = random_position16(&seed, n);
         }
-        bool told = qtri_projector_vertices16(&projector, p, POINTS, fast);
+        bool told = qtri_projector_vertices16(&projector, p, POINTS, fast, false);
         narrow_vertices16(&t, &viewport, &origin, extent, p, POINTS, narrow);
         for (int i = 0; i < POINTS; i++) {
             qtri_clip_vertex clip;
@@ -243,8 +243,8 @@ static void compact_is_exact_enough(void **state)
                            origin.z + scale * p16.z};
             qtri_vertex a;
             qtri_vertex b;
-            qtri_projector_vertices(&wide, &p, 1, &a);
-            qtri_projector_vertices16(&compact, &p16, 1, &b);
+            qtri_projector_vertices(&wide, &p, 1, &a, false);
+            qtri_projector_vertices16(&compact, &p16, 1, &b, false);
             if (is_inside(&a) && is_inside(&b) && abs(a.at.x_24p8 - 160 * 256) < 400 * 256 &&
                 abs(a.at.y_24p8 - 120 * 256) < 400 * 256) {
                 seen++;

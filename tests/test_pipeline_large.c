@@ -125,6 +125,7 @@ static void draw(const qtri_pipeline *pipeline, const qtri_options *o, const qtr
                  const triangle *t)
 {
     static qtri_draw_state state;
+    static uint16_t table[QTRI_TABLE];
     qtri_material m = qtri_material_default();
     qtri_texture texture;
     memset(&texture, 0, sizeof texture);
@@ -144,6 +145,7 @@ static void draw(const qtri_pipeline *pipeline, const qtri_options *o, const qtr
     m.color = white;
     const qtri_pipeline *const list[] = {pipeline, NULL};
     qtri_draw_state_init(&state, s, list, &m, o->shade == QTRI_WHITE_LIGHT ? QTRI_LIGHT : o->shade);
+    state.table = table;
     assert_true(state.pipeline == pipeline);
     const qtri_screen_point *const p[3] = {&t->at[0], &t->at[1], &t->at[2]};
     qtri_large_triangle(&state, p, qtri_triangle_area(p[0], p[1], p[2]), 0xFFB45A, t->v);

@@ -70,6 +70,7 @@ static bool any_small(qtri_small *triangle)
 /* Scenes --------------------------------------------------------------------------------------- */
 
 typedef struct heap {
+    uint16_t table[QTRI_TABLE];
     qtri_vertex vertices[VERTICES];
     qtri_rgb colors[VERTICES];
     qtri_vec2 uvs[VERTICES];
@@ -164,6 +165,7 @@ static void set_state(qtri_draw_state *s, heap *h, const qtri_pipeline *pipeline
     const qtri_rect b = qtri_surface_bounds(surface);
     const int32_t reach = 61 * 256;
     memset(s, 0, sizeof *s);
+    s->table = h->table;
     s->pipeline = pipeline;
     s->options = *o;
     s->surface = surface;

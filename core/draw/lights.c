@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "lights.h"
 
-#include "lit_corners.h"
-#include "lit_vertex.h"
 #include "per_pixel.h"
 #include "checked.h"
 
@@ -240,6 +238,23 @@ static uint32_t find_large(const void *from, const void *indices, qtri_vertex *a
     by_pixel->note(draw, index,
                    is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0);
     return QTRI_INTENSITY_ONE;
+}
+
+/* The sign of the homogeneous determinant; y points down. */
+bool qtri_clipped_is_back(const qtri_clip_vertex v[3])
+{
+    qtri_wide p[3][3];
+    qtri_wide cross[3];
+    for (int i = 0; i < 3; i++) {
+        qtri_wide_set(&p[i][0], v[i].x, 0);
+        qtri_wide_set(&p[i][1], v[i].y, 0);
+        qtri_wide_set(&p[i][2], v[i].w, 0);
+    }
+    qtri_wide_cross(cross, p[0], p[1]);
+    qtri_wide sum = qtri_wide_mul(cross[0], p[2][0]);
+    qtri_wide_add_product(&sum, &cross[1], &p[2][1]);
+    qtri_wide_add_product(&sum, &cross[2], &p[2][2]);
+    return sum.m > 0;
 }
 
 /* One that is clipped: lit before, where the stack is not deep. */

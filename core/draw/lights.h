@@ -7,7 +7,8 @@
 #ifndef QTRI_DRAW_LIGHTS_H
 #define QTRI_DRAW_LIGHTS_H
 
-#include "../geometry/illumination.h"
+#include "../bits/bits.h"
+#include "../geometry/lit_point.h"
 #include "mesh_job.h"
 
 struct qtri_light_model {
@@ -25,7 +26,7 @@ struct qtri_light_model {
     void (*list)(const qtri_mesh_job *draw, uint32_t count);
     /* Lights the vertices of a triangle likewise. */
     void (*meet)(const qtri_mesh_job *draw, const void *indices);
-    /* For pipelines, as qtri_mesh_find_light: colours of the vertices into the draw state. */
+    /* For pipelines, as qtri_small.light: colours of the vertices into the draw state. */
     uint32_t (*find)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
                      qtri_vertex *c);
     /* That of a large triangle: by pixel its corners, which light falls on. */
@@ -37,5 +38,58 @@ struct qtri_light_model {
     /* Draws one that may cross planes. */
     void (*clipped)(const qtri_mesh_job *draw, const void *indices, qtri_shape *shape);
 };
+
+/* Whether a triangle that may cross planes shows its back. */
+bool qtri_clipped_is_back(const qtri_clip_vertex v[3]);
+
+/* A third, rounded down; three of them fit. */
+static inline int32_t qtri_third(int32_t x)
+{
+    return (int32_t)(qtri_mul_s32(x, 0x55555554) >> 32);
+}
+
+/* The place of a vertex, where the job's illumination counts from. */
+QTRI_IN_PLACE void qtri_lit_vertex_place(qtri_lit_point *point, const qtri_mesh_job *draw,
+                                         uint32_t index)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    if (qtri_mesh_has_compact(mesh->positions16)) {
+        qtri_illuminated_place16(point, draw->illumination, &mesh->positions16[index]);
+    } else {
+        qtri_illuminated_place(point, draw->illumination, &mesh->positions[index]);
+    }
+}
+
+/* The normal of a vertex of a mesh that has some, Q14: of 8 bits it is shorter by 1/128. */
+static inline void qtri_lit_vertex_normal(int32_t n[3], const qtri_mesh *mesh, uint32_t index)
+{
+    if (qtri_mesh_has_compact(mesh->normals8)) {
+        const qtri_normal8 *normal = &mesh->normals8[index];
+        n[0] = normal->x * 128;
+        n[1] = normal->y * 128;
+        n[2] = normal->z * 128;
+    } else {
+        const qtri_normal *normal = &mesh->normals[index];
+        n[0] = normal->x;
+        n[1] = normal->y;
+        n[2] = normal->z;
+    }
+}
+
+/* A triangle's corners, in a scale that does not matter for its normal. */
+static inline void qtri_lit_face_positions(qtri_vec3 p[3], const qtri_mesh *mesh,
+                                           const uint32_t index[3])
+{
+    for (int i = 0; i < 3; i++) {
+        if (qtri_mesh_has_compact(mesh->positions16)) {
+            const qtri_position16 *from = &mesh->positions16[index[i]];
+            p[i].x = from->x;
+            p[i].y = from->y;
+            p[i].z = from->z;
+        } else {
+            p[i] = mesh->positions[index[i]];
+        }
+    }
+}
 
 #endif

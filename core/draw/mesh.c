@@ -1,8 +1,335 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * Draw calls of meshes: set up, transform, light, cull, and hand each triangle to the rasterizer,
+ * to the clipper, or to the material's fill.
+ */
 #include "checked.h"
 #include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
+#include "per_pixel.h"
+#include "qtri/body/pixel.h"
+#include "../raster/sampling.h"
+
+/* ---- What vertices bring: light, colours, texture coordinates ---- */
+
+/* The triangle's plane. Its number: three times the factor is 1 modulo 2^32. */
+static const qtri_face8 *plane_of(const qtri_mesh *mesh, const void *indices)
+{
+    const uint8_t *at = indices;
+    const uint32_t offset = qtri_mesh_has_bytes(mesh)
+                                ? (uint32_t)(at - (const uint8_t *)mesh->triangles8)
+                                : (uint32_t)(at - (const uint8_t *)mesh->triangles) / 2;
+    return &mesh->faces.planes[offset * 0xAAAAAAABu];
+}
+
+uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    if (mesh->faces.planes != NULL && draw->of.mesh.lighting.plain) {
+        const qtri_face8 *plane = plane_of(mesh, indices);
+        if ((plane->x | plane->y | plane->z) != 0) {
+            return qtri_lighting_face8(&draw->of.mesh.lighting, plane);
+        }
+    }
+    uint32_t a = qtri_mesh_index(mesh, indices, 0);
+    uint32_t b = qtri_mesh_index(mesh, indices, 1);
+    uint32_t c = qtri_mesh_index(mesh, indices, 2);
+    if (qtri_mesh_has_compact(mesh->positions16)) {
+        const qtri_position16 *p = mesh->positions16;
+        return qtri_lighting_face16(&draw->of.mesh.lighting, &p[a], &p[b], &p[c]);
+    }
+    const qtri_vec3 *p = mesh->positions;
+    return qtri_lighting_face(&draw->of.mesh.lighting, &p[a], &p[b], &p[c]);
+}
+
+static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    return qtri_mesh_has_compact(mesh->normals8)
+               ? qtri_lighting_vertex8(&draw->of.mesh.lighting, &mesh->normals8[index])
+               : qtri_lighting_vertex(&draw->of.mesh.lighting, &mesh->normals[index]);
+}
+
+static inline void light_corner(const qtri_mesh_job *draw, const void *indices, int corner,
+                                qtri_vertex *vertex)
+{
+    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
+        vertex->intensity_q15 =
+            draw->lit_per_vertex
+                ? (uint16_t)light_vertex(draw, qtri_mesh_index(draw->mesh, indices, corner))
+                : (uint16_t)QTRI_INTENSITY_ONE;
+    }
+}
+
+QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices,
+                                           qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    light_corner(draw, indices, 0, a);
+    light_corner(draw, indices, 1, b);
+    light_corner(draw, indices, 2, c);
+    if (draw->lights != NULL) {
+        draw->lights->model->meet(draw, indices);
+    }
+}
+
+void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
+{
+    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
+        *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
+        *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
+    } else if (mesh->uvs != NULL) {
+        *u_q32 = (int64_t)mesh->uvs[index].x * 65536;
+        *v_q32 = (int64_t)mesh->uvs[index].y * 65536;
+    } else {
+        *u_q32 = 0;
+        *v_q32 = 0;
+    }
+}
+
+void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
+                         uint32_t intensity_q15)
+{
+    const qtri_rgb *color =
+        draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
+    int32_t intensity = (int32_t)intensity_q15 * 2;
+    color_8p16[0] = color->r * intensity; /* <= 255.0 */
+    color_8p16[1] = color->g * intensity;
+    color_8p16[2] = color->b * intensity;
+}
+
+/* Lights a triangle's vertices, or the triangle: qtri_small.light of meshes. */
+static uint32_t find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                           qtri_vertex *c)
+{
+    const qtri_mesh_job *draw = from;
+    if (draw->lit_per_vertex) {
+        if (!draw->lit && !qtri_vertices_are_lit(a, b, c)) {
+            qtri_mesh_light_corners(draw, indices, a, b, c);
+        }
+        return QTRI_VERTEX_UNLIT;
+    }
+    return QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? qtri_mesh_light_face(draw, indices)
+                                                      : QTRI_INTENSITY_ONE;
+}
+
+/* ---- Set-up ---- */
+
+/* Vertices from which on a look at eight corners pays. */
+enum { WORTH_A_BOX = 64 };
+
+/* Whether the mesh cannot touch the surface: not its rows, for a band. */
+static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    qtri_box box = mesh->bounds;
+    if ((box.half.x | box.half.y | box.half.z) == 0) {
+        if (!qtri_mesh_has_compact(mesh->positions16) || mesh->vertex_count < WORTH_A_BOX) {
+            return false;
+        }
+        box.center = mesh->origin; /* the cube that 16 bits span */
+        box.half.x = mesh->extent;
+        box.half.y = mesh->extent;
+        box.half.z = mesh->extent;
+    }
+    if (box.half.x == INT32_MAX) {
+        return false; /* of wide lines, whose reach does not count in any space */
+    }
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    /* Smooth lines reach out of their mesh, and samples lie beside the centres of pixels. */
+    const int32_t more = draw->material.fill != NULL || qtri_sampling_of(surface->format) != NULL;
+    const int32_t low[2] = {bounds.x0 - more, bounds.y0 - more};
+    const int32_t high[2] = {bounds.x1 + more, bounds.y1 + more};
+    return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
+}
+
+static bool is_compact(const qtri_mesh *mesh)
+{
+    return mesh->positions16 != NULL || mesh->normals8 != NULL || mesh->uvs16 != NULL ||
+           mesh->triangles8 != NULL;
+}
+
+static bool is_wide(const qtri_mesh *mesh)
+{
+    return mesh->positions16 == NULL || (mesh->normals != NULL && mesh->normals8 == NULL) ||
+           (mesh->uvs != NULL && mesh->uvs16 == NULL);
+}
+
+/* Without vertices every index is past the end; the arrays of what is empty may be NULL. */
+static bool is_empty(const qtri_mesh *mesh)
+{
+    return mesh->vertex_count == 0 || mesh->triangle_count == 0;
+}
+
+/* Whether the library is built with what the mesh has, see config.h. */
+static bool is_built(const qtri_mesh *mesh)
+{
+    return (QTRI_WITH_COMPACT_MESHES || !is_compact(mesh)) &&
+           (QTRI_WITH_WIDE_MESHES || !is_wide(mesh));
+}
+
+/* What colours do, see qtri_draw_state_init(). */
+static int shade_of(const qtri_mesh_job *draw)
+{
+    if (draw->lights != NULL && qtri_by_pixel_of(&draw->material) != NULL) {
+        return QTRI_BY_PIXEL;
+    }
+    if (draw->mesh->colors != NULL || draw->lights != NULL) {
+        return qtri_is_smooth(&draw->material) ? QTRI_COLORS : QTRI_TINT;
+    }
+    if (draw->lit_per_vertex) {
+        return QTRI_LIGHT;
+    }
+    return draw->lit_per_face ? QTRI_TINT : QTRI_FLAT;
+}
+
+void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
+                        const qtri_mesh *mesh, const qtri_material *material, qtri_vertex *vertices,
+                        uint32_t vertex_count)
+{
+    draw->material = *material;
+    if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
+        draw->material.texture = NULL;
+    }
+    draw->mesh = mesh;
+    draw->positions =
+        qtri_mesh_has_compact(mesh->positions16) ? &qtri_positions_compact : &qtri_positions_wide;
+    draw->vertices = vertices;
+    draw->slot_count = vertex_count;
+    draw->lights = view->lights;
+    draw->illumination = NULL;
+    draw->lit_colors = NULL;
+    draw->late = NULL;
+    draw->noted = false;
+    draw->lit = false;
+    const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
+    const bool is_lit = view->light != NULL && view->lights == NULL;
+    draw->lit_per_vertex = is_lit && qtri_is_smooth(material) && normals;
+    draw->lit_per_face = QTRI_WITH_FACE_LIGHT && is_lit && !draw->lit_per_vertex;
+    if (draw->lights != NULL) {
+        draw->lights->model->begin(draw);
+    }
+    qtri_primitive_set_target(&draw->primitive, surface, view, &draw->material, shade_of(draw));
+    if (material->fill != NULL) {
+        draw->primitive.to.lines.target.state.table = draw->of.mesh.table;
+    } else {
+        draw->primitive.to.solid.state.table = draw->of.mesh.table;
+        qtri_mesh_solid_init(
+            draw,
+            draw->lit_per_vertex || draw->lit_per_face || mesh->colors != NULL ? find_light : NULL);
+    }
+}
+
+bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    qtri_transform object_to_eye;
+    qtri_transform_mul(&object_to_eye, &view->camera, pose);
+    qtri_primitive_place_in_eye(&draw->primitive, view, &object_to_eye);
+    if (is_empty(mesh) || !is_built(mesh) || is_missed(draw, draw->primitive.surface)) {
+        return false;
+    }
+    if (draw->positions->begin != NULL) {
+        draw->positions->begin(&draw->primitive.projector, mesh);
+    }
+    if (view->light != NULL && view->lights == NULL) {
+        const bool bytes = QTRI_WITH_COMPACT_MESHES && mesh->normals8 != NULL;
+        qtri_lighting_init(&draw->of.mesh.lighting, view->light, &object_to_eye,
+                           draw->lit_per_vertex && bytes ? 127 * 128 : 1 << 14);
+        if (!QTRI_WITH_UNEVEN_LIGHT && !draw->of.mesh.lighting.plain) {
+            draw->lit_per_vertex = false;
+            draw->lit_per_face = false;
+        }
+    }
+    return true;
+}
+
+/* ---- One triangle whose vertices are transformed ---- */
+
+/* What light makes of the corners' colours. */
+static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
+                           const void *triangle, qtri_vertex *const vertex[3])
+{
+    uint32_t face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face
+                            ? qtri_mesh_light_face(draw, triangle)
+                            : QTRI_INTENSITY_ONE;
+    if (draw->lit_per_vertex) {
+        qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
+    }
+    for (int i = 0; i < 3; i++) {
+        intensity_q15[i] = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
+    }
+}
+
+/* One that is clipped: lit before, where the stack is not deep. */
+typedef struct lit_triangle {
+    const qtri_mesh_job *draw;
+    const void *indices;
+    uint32_t intensity_q15[3];
+} lit_triangle;
+
+/* Its colours and texture coordinates. */
+static void set_attributes(const void *from, qtri_screen_vertex out[3])
+{
+    const lit_triangle *triangle = from;
+    const qtri_mesh_job *draw = triangle->draw;
+    for (int i = 0; i < 3; i++) {
+        uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
+        qtri_mesh_set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
+        if (draw->material.fill == NULL && qtri_is_lit(&draw->primitive.to.solid.state.options)) {
+            out[i].color_8p16[0] = (int32_t)triangle->intensity_q15[i] * 510; /* 255.0 is 1 */
+        }
+        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
+    }
+}
+
+/* Rare: homogeneous coordinates are not kept but computed again. */
+QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *indices,
+                                       qtri_vertex *const vertex[3])
+{
+    if (qtri_mesh_is_outside(vertex)) {
+        return;
+    }
+    qtri_shape shape;
+    lit_triangle triangle;
+    for (int i = 0; i < 3; i++) {
+        draw->positions->transform(&draw->primitive.projector, draw->mesh,
+                                   qtri_mesh_index(draw->mesh, indices, i), &shape.clip[i]);
+    }
+    if (draw->material.fill == NULL) { /* whose alphas the vertices have */
+        qtri_mesh_indices(draw->primitive.to.solid.small.state->alpha_index, indices,
+                          qtri_mesh_has_bytes(draw->mesh));
+    }
+    if (draw->lights != NULL) {
+        draw->lights->model->clipped(draw, indices, &shape);
+        return;
+    }
+    triangle.draw = draw;
+    triangle.indices = indices;
+    light_triangle(triangle.intensity_q15, draw, indices, vertex);
+    qtri_primitive_triangle(&draw->primitive, &shape, set_attributes, &triangle);
+}
+
+QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
+                                       qtri_vertex *const vertex[3])
+{
+    if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
+        draw_clipped(draw, indices, vertex);
+    } else if (draw->material.fill != NULL) {
+        draw->material.fill->triangle(draw, indices, vertex);
+    } else {
+        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
+    }
+}
+
+QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a,
+                                         const qtri_vertex *b, const qtri_vertex *c)
+{
+    return qtri_mesh_is_inside(a, b, c) &&
+           qtri_is_culled(draw->material.cull, qtri_triangle_area(&a->at, &b->at, &c->at));
+}
+
+/* ---- All triangles ---- */
 
 /* The triangles of a mesh whose vertices are all there. */
 static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangles, bool narrow)

@@ -120,16 +120,6 @@ QTRI_NOINLINE static uint32_t meet_narrow(qtri_mesh_faces *faces, const qtri_mes
     return meet_all(faces, draw, true);
 }
 
-/* The first `count` vertices noted: onto the screen. False when one is outside. */
-static bool transform(const qtri_mesh_job *draw, uint32_t count)
-{
-    const qtri_projector *projector = &draw->primitive.projector;
-    if (qtri_mesh_has_compact(draw->mesh->positions16)) {
-        return qtri_projector_list16(projector, draw->mesh->positions16, count, draw->vertices);
-    }
-    return qtri_projector_list(projector, draw->mesh->positions, count, draw->vertices);
-}
-
 static void light(const qtri_mesh_job *draw, uint32_t count)
 {
     const qtri_mesh *mesh = draw->mesh;
@@ -141,9 +131,9 @@ static void light(const qtri_mesh_job *draw, uint32_t count)
             draw->vertices[draw->vertices[i].index].intensity_q15 = QTRI_INTENSITY_ONE;
         }
     } else if (qtri_mesh_has_compact(mesh->normals8)) {
-        qtri_lighting_list8(&draw->lighting, mesh->normals8, count, draw->vertices);
+        qtri_lighting_list8(&draw->of.mesh.lighting, mesh->normals8, count, draw->vertices);
     } else {
-        qtri_lighting_list(&draw->lighting, mesh->normals, count, draw->vertices);
+        qtri_lighting_list(&draw->of.mesh.lighting, mesh->normals, count, draw->vertices);
     }
 }
 
@@ -174,7 +164,8 @@ static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
     }
     const uint32_t met = narrow ? meet_narrow(faces, draw) : meet_wide(faces, draw);
     if (met != 0) {
-        faces->inside &= transform(draw, met);
+        faces->inside &= draw->positions->project(&draw->primitive.projector, mesh, 0, met,
+                                                  draw->vertices, true);
         light(draw, met);
         if (draw->material.fill != NULL) {
             clear_notes(draw, met);
@@ -198,6 +189,30 @@ QTRI_NOINLINE static void draw_listed(const qtri_mesh_faces *faces, const qtri_m
     }
 }
 
+/* Triangles of a list of faces, indices of 16 bits. */
+QTRI_NOINLINE static void draw_listed_fronts(const qtri_mesh_faces *faces,
+                                             const qtri_mesh_job *draw)
+{
+    qtri_small t = draw->primitive.to.solid.small;
+    bool (*const by)(qtri_small *) = t.state->small;
+    const uint32_t size = qtri_vertex_size();
+    const uint8_t *triangles = faces->triangles;
+    const uint16_t *end = faces->end;
+    qtri_vertex *vertices = draw->vertices;
+    qtri_mesh_set_lit(&t, draw);
+    for (const uint16_t *at = faces->list; at != end; at++) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, false);
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, false);
+        qtri_mesh_get(vertex, vertices, index, size);
+        if (!qtri_mesh_draw_small(by, &t, triangle, index, vertex) &&
+            !qtri_triangle_is_back(&t.v[0]->at, &t.v[1]->at, &t.v[2]->at)) {
+            qtri_mesh_draw_large(draw, triangle, t.v[0], t.v[1], t.v[2]);
+        }
+    }
+}
+
 QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
 {
     qtri_mesh_faces faces;
@@ -210,7 +225,7 @@ QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
         if (!simple || !faces.inside) {
             draw_listed(&faces, draw);
         } else {
-            qtri_mesh_draw_listed(&faces, draw);
+            draw_listed_fronts(&faces, draw);
         }
     }
     return true;

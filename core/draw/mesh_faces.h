@@ -69,10 +69,6 @@ struct qtri_face_culling {
     bool (*draw)(qtri_mesh_job *draw);
 };
 
-/* In mesh_solid.c: fills the list's triangles of a mesh whose back faces are culled, all vertices
-   inside, indices of 16 bits. */
-void qtri_mesh_draw_listed(const qtri_mesh_faces *faces, const qtri_mesh_job *draw);
-
 /* NULL where a mesh has none. */
 static inline const qtri_face_culling *qtri_mesh_face_culling(const qtri_mesh *mesh)
 {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the two ways to draw a mesh share: mesh.c, whole, and prepared.c, band by band. Internal.
+ * What draw calls of meshes share: drawn whole (mesh.c), in bands (mesh_bands.c), as loose
+ * triangles (triangles.c), as lines, with outlines. Internal.
  */
 #ifndef QTRI_DRAW_MESH_JOB_H
 #define QTRI_DRAW_MESH_JOB_H
@@ -19,18 +20,41 @@ typedef struct qtri_late_place {
     bool is_set;
 } qtri_late_place;
 
+/* Loose triangles, each of which is drawn as a mesh of one triangle. */
+typedef struct qtri_loose_triangle {
+    qtri_mesh mesh;
+    qtri_vec3 positions[3];
+    qtri_vec2 uvs[3];
+    qtri_rgb colors[3];
+    /* Vertices of the triangle and of the one before it: files mostly list triangles in an order in
+       which two that follow each other share vertices. */
+    qtri_vertex vertex[2][3];
+} qtri_loose_triangle;
+
+/* See qtri_small.light. */
+typedef uint32_t qtri_light_finder(const void *from, const void *indices, qtri_vertex *a,
+                                   qtri_vertex *b, qtri_vertex *c);
+
 /* One draw call: what every triangle needs. */
 typedef struct qtri_mesh_job {
     qtri_primitive primitive;
     qtri_material material; /* without the texture when there are no coordinates */
     const qtri_mesh *mesh;
-    qtri_vertex *vertices; /* slot_count of them */
+    const qtri_position_ops *positions; /* which the mesh has */
+    qtri_vertex *vertices;              /* slot_count of them */
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
     bool noted;             /* a wireframe: what triangles draw is noted, see mesh_lines.c */
     bool lit;               /* per vertex: all that are seen already are */
     bool shaded_per_vertex; /* with lights */
-    qtri_lighting lighting;
+    qtri_light_finder *find_large_light; /* NULL: triangles have all light */
+    union {
+        struct {
+            qtri_lighting lighting;
+            uint16_t table[QTRI_TABLE]; /* the draw state's */
+        } mesh;
+        qtri_loose_triangle triangle;
+    } of;
     /* view->lights, and with them: */
     const qtri_lights *lights;
     const struct qtri_illumination *illumination; /* NULL: all that is needed is lit */
@@ -46,12 +70,16 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
                         const qtri_mesh *mesh, const qtri_material *material, qtri_vertex *vertices,
                         uint32_t vertex_count);
 
-/* Then geometry and light. False when nothing of the mesh can be seen on the surface. */
+/* The rest: geometry and light. False when nothing of the mesh can be seen on the surface. */
 bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose);
 
-/* The mesh's vertices from `first` on. False when one of them is outside. */
-bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
-                         qtri_vertex *out);
+/* Transforms the mesh's vertices from `first` on. False when one of them is outside. */
+static inline bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
+                                       qtri_vertex *out)
+{
+    return draw->positions->project(&draw->primitive.projector, draw->mesh, first, count, out,
+                                    false);
+}
 
 /*
  * The vertices of the triangle with these indices, transformed into their slots: vertex i lives in
@@ -64,16 +92,20 @@ bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, q
 /* No slot holds a vertex. */
 void qtri_mesh_clear_slots(const qtri_mesh_job *draw);
 
+/* A job whose vertices are lit, if they are to be. */
+static inline void qtri_mesh_set_lit(qtri_small *t, const qtri_mesh_job *draw)
+{
+    if (draw->lit_per_vertex) {
+        t->light = NULL;
+    }
+}
+
 /* Gives the corners that have none their intensity: 1 where vertices are not lit. */
 void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                              qtri_vertex *b, qtri_vertex *c);
 
 /* Of the triangle with these indices, for a mesh lit per face. */
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
-
-/* Of a triangle, for qtri_small.light. */
-uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
-                              qtri_vertex *c);
 
 /* The colour of a vertex of the mesh, lit; its texture coordinates, 0 in a mesh without. */
 void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
@@ -88,8 +120,11 @@ bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, cons
 void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                          qtri_vertex *const vertex[3]);
 
-/* In mesh_solid.c: triangles that are filled. What small ones have in common. */
-void qtri_mesh_solid_init(qtri_mesh_job *draw);
+/*
+ * In mesh_solid.c: triangles that are filled. `light`: gives a triangle's vertices their light, see
+ * qtri_small.light; NULL: they have all of it.
+ */
+void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light);
 
 /* One whose vertices are all inside. */
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
@@ -97,6 +132,25 @@ void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_v
 
 /* All of a mesh whose back faces are culled, all vertices inside. */
 void qtri_mesh_draw_whole(const qtri_mesh_job *draw);
+
+/* One that the pipeline says is large. */
+void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                          qtri_vertex *b, qtri_vertex *c);
+
+/* The triangle with these indices, its vertices inside all planes. False: it is large. */
+QTRI_INLINE bool qtri_mesh_draw_small(bool (*small)(qtri_small *triangle), qtri_small *t,
+                                      const void *indices, const uint32_t index[3],
+                                      qtri_vertex *const vertex[3])
+{
+    t->indices = indices;
+    t->index[0] = index[0];
+    t->index[1] = index[1];
+    t->index[2] = index[2];
+    t->v[0] = vertex[0];
+    t->v[1] = vertex[1];
+    t->v[2] = vertex[2];
+    return small(t);
+}
 
 /* Which of two arrays serves: known to the compiler where one kind is left out. */
 static inline bool qtri_mesh_has_compact(const void *compact)

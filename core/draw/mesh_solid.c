@@ -2,8 +2,7 @@
 /* Triangles of meshes that are filled: small ones, and large ones. */
 #include "large_piece.h"
 #include "lights.h"
-#include "mesh_faces.h"
-#include "prepared_lists.h"
+#include "mesh_job.h"
 
 /* Those of its vertices in a view's lights; by pixel, shares of corners. */
 static void set_lit_colors(qtri_large_vertex v[3], const qtri_draw_state *state)
@@ -69,22 +68,8 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t ind
                         qtri_color_word(v[qtri_provoking_of(&draw->material)].color_8p16), v);
 }
 
-uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
-                              qtri_vertex *c)
-{
-    const qtri_mesh_job *draw = from;
-    if (draw->lit_per_vertex) {
-        if (!draw->lit && !qtri_vertices_are_lit(a, b, c)) {
-            qtri_mesh_light_corners(draw, indices, a, b, c);
-        }
-        return QTRI_VERTEX_UNLIT;
-    }
-    return QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? qtri_mesh_light_face(draw, indices)
-                                                      : QTRI_INTENSITY_ONE;
-}
-
-QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                                     qtri_vertex *b, qtri_vertex *c)
+QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices,
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
     const qtri_screen_point *const p[3] = {&a->at, &b->at, &c->at};
     qtri_vertex *const vertex[3] = {a, b, c};
@@ -95,40 +80,19 @@ QTRI_NOINLINE static void draw_large(const qtri_mesh_job *draw, const void *indi
     }
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
     draw_lit(draw, index, vertex, p, area,
-             draw->lights != NULL ? draw->lights->model->find_large(draw, indices, a, b, c)
-                                  : qtri_mesh_find_light(draw, indices, a, b, c));
-}
-
-/* The triangle with these indices, its vertices inside all planes. False: it is large. */
-QTRI_INLINE bool draw_small(bool (*small)(qtri_small *triangle), qtri_small *t, const void *indices,
-                            const uint32_t index[3], qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
-{
-    t->indices = indices;
-    t->index[0] = index[0];
-    t->index[1] = index[1];
-    t->index[2] = index[2];
-    t->v[0] = a;
-    t->v[1] = b;
-    t->v[2] = c;
-    return small(t);
-}
-
-/* A job whose vertices are lit, if they are to be. */
-static inline void set_lit(qtri_small *t, const qtri_mesh_job *draw)
-{
-    if (draw->lit_per_vertex) {
-        t->light = NULL;
-    }
+             draw->find_large_light != NULL ? draw->find_large_light(draw, indices, a, b, c)
+                                            : QTRI_INTENSITY_ONE);
 }
 
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c)
 {
     uint32_t index[3];
+    qtri_vertex *const vertex[3] = {a, b, c};
     qtri_small t = draw->primitive.to.solid.small;
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    if (!draw_small(t.state->small, &t, indices, index, a, b, c)) {
-        draw_large(draw, indices, a, b, c);
+    if (!qtri_mesh_draw_small(t.state->small, &t, indices, index, vertex)) {
+        qtri_mesh_draw_large(draw, indices, a, b, c);
     }
 }
 
@@ -147,9 +111,9 @@ static inline void draw_whole_of(const qtri_mesh_job *draw, const void *triangle
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, narrow);
         if (qtri_mesh_find(vertex, draw->vertices, count, index, vertex_size) &&
-            !draw_small(by, &t, triangle, index, vertex[0], vertex[1], vertex[2]) &&
+            !qtri_mesh_draw_small(by, &t, triangle, index, vertex) &&
             !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
-            draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
+            qtri_mesh_draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
         }
     }
 }
@@ -173,71 +137,17 @@ void qtri_mesh_draw_whole(const qtri_mesh_job *draw)
     }
 }
 
-/* Triangles of a list of faces, indices of 16 bits. */
-void qtri_mesh_draw_listed(const qtri_mesh_faces *faces, const qtri_mesh_job *draw)
-{
-    qtri_small t = draw->primitive.to.solid.small;
-    bool (*const by)(qtri_small *) = t.state->small;
-    const uint32_t size = qtri_vertex_size();
-    const uint8_t *triangles = faces->triangles;
-    const uint16_t *end = faces->end;
-    qtri_vertex *vertices = draw->vertices;
-    set_lit(&t, draw);
-    for (const uint16_t *at = faces->list; at != end; at++) {
-        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, false);
-        uint32_t index[3];
-        qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, false);
-        qtri_mesh_get(vertex, vertices, index, size);
-        if (!draw_small(by, &t, triangle, index, vertex[0], vertex[1], vertex[2]) &&
-            !qtri_triangle_is_back(&t.v[0]->at, &t.v[1]->at, &t.v[2]->at)) {
-            draw_large(draw, triangle, t.v[0], t.v[1], t.v[2]);
-        }
-    }
-}
-
-/* A band's list of a mesh that is seen: see prepared_draw.c. */
-static inline void draw_band_of(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
-                                uint32_t end, const void *triangles, bool narrow)
-{
-    qtri_small t = draw->primitive.to.solid.small;
-    bool (*const by)(qtri_small *) = t.state->small;
-    qtri_vertex *vertices = draw->vertices;
-    set_lit(&t, draw);
-    while (place != end) {
-        const uint8_t *triangle = triangles;
-        uint32_t index[3];
-        qtri_vertex *vertex[3];
-        triangle += qtri_list_next(lists, &place) * (narrow ? 3 : 6);
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_mesh_get(vertex, vertices, index, qtri_vertex_size());
-        if (!draw_small(by, &t, triangle, index, vertex[0], vertex[1], vertex[2])) {
-            draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
-        }
-    }
-}
-
-void qtri_mesh_draw_band(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
-                         uint32_t end)
-{
-    if (qtri_mesh_has_bytes(draw->mesh)) {
-        draw_band_of(draw, lists, place, end, draw->mesh->triangles8, true);
-    } else {
-        draw_band_of(draw, lists, place, end, draw->mesh->triangles, false);
-    }
-}
-
-void qtri_mesh_solid_init(qtri_mesh_job *draw)
+void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light)
 {
     qtri_small *t = &draw->primitive.to.solid.small;
     t->mesh = draw->mesh;
-    t->light = draw->lit_per_vertex || draw->lit_per_face || draw->mesh->colors != NULL
-                   ? qtri_mesh_find_light
-                   : NULL;
+    t->light = light;
+    t->from = draw;
+    t->light_q15 = QTRI_VERTEX_UNLIT;
+    draw->find_large_light = light;
     if (draw->lights != NULL) {
         draw->primitive.to.solid.state.is_lit = true;
         t->light = draw->lights->model->find;
+        draw->find_large_light = draw->lights->model->find_large;
     }
-    t->from = draw;
-    t->light_q15 = QTRI_VERTEX_UNLIT;
 }

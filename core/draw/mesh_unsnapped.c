@@ -10,10 +10,9 @@
 QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
 {
     qtri_late_place *late = draw->late;
-    const qtri_mesh *mesh = draw->mesh;
     qtri_primitive_place(late->primitive, late->view, late->pose);
-    if (qtri_mesh_has_compact(mesh->positions16)) {
-        qtri_projector_compact(&late->primitive->projector, &mesh->origin, mesh->extent);
+    if (draw->positions->begin != NULL) {
+        draw->positions->begin(&late->primitive->projector, draw->mesh);
     }
     late->is_set = true;
 }
@@ -21,17 +20,12 @@ QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
 QTRI_NOINLINE static void find_rests(qtri_large_vertex v[3], const qtri_mesh_job *draw,
                                      const uint32_t index[3], const qtri_screen_point *const p[3])
 {
-    const qtri_mesh *mesh = draw->mesh;
     if (draw->late != NULL && !draw->late->is_set) {
         place_late(draw);
     }
     for (int i = 0; i < 3; i++) {
         qtri_clip_vertex clip;
-        if (QTRI_WITH_COMPACT_MESHES && mesh->positions16 != NULL) {
-            qtri_projector_point16(&draw->primitive.projector, &mesh->positions16[index[i]], &clip);
-        } else {
-            qtri_projector_point(&draw->primitive.projector, &mesh->positions[index[i]], &clip);
-        }
+        draw->positions->transform(&draw->primitive.projector, draw->mesh, index[i], &clip);
         qtri_project_rest(v[i].rest, &clip, p[i], v[i].inv_w_q31);
     }
 }

@@ -2,7 +2,7 @@
 #include "per_pixel.h"
 
 #include "../raster/large_light.h"
-#include "lit_vertex.h"
+#include "lights.h"
 
 /* The normal of a triangle. */
 static void get_face_normal(int32_t n[3], const qtri_mesh *mesh, const uint32_t index[3])

@@ -55,7 +55,9 @@ typedef union qtri_shape {
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
                                const qtri_view *view, const qtri_material *material, int shade);
 
-/* projection camera pose, folded with the viewport. */
+/* Sets the projector: projection camera pose, folded with the viewport; or of camera pose. */
+void qtri_primitive_place_in_eye(qtri_primitive *primitive, const qtri_view *view,
+                                 const qtri_transform *object_to_eye);
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
                           const qtri_transform *pose);
 

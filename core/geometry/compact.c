@@ -191,27 +191,35 @@ QTRI_IN_PLACE bool place16(shared16 *shared, const qtri_position16 *p, qtri_vert
 }
 
 bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
-                               uint32_t count, qtri_vertex *out)
+                               uint32_t count, qtri_vertex *vertices, bool is_listed)
 {
     shared16 shared;
     begin16(&shared, projector);
-    const qtri_vertex *end = out + count;
     bool inside = true;
-    for (; out != end; p++, out++) {
-        inside &= place16(&shared, p, out);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t index = is_listed ? vertices[i].index : i;
+        inside &= place16(&shared, &p[index], &vertices[index]);
     }
     return inside;
 }
 
-bool qtri_projector_list16(const qtri_projector *projector, const qtri_position16 *p,
-                           uint32_t count, qtri_vertex *vertices)
+static void begin_compact(qtri_projector *projector, const qtri_mesh *mesh)
 {
-    shared16 shared;
-    begin16(&shared, projector);
-    const qtri_vertex *end = vertices + count;
-    bool inside = true;
-    for (const qtri_vertex *at = vertices; at != end; at++) {
-        inside &= place16(&shared, &p[at->index], &vertices[at->index]);
-    }
-    return inside;
+    qtri_projector_compact(projector, &mesh->origin, mesh->extent);
 }
+
+static bool project_compact(const qtri_projector *projector, const qtri_mesh *mesh, uint32_t first,
+                            uint32_t count, qtri_vertex *vertices, bool is_listed)
+{
+    return qtri_projector_vertices16(projector, mesh->positions16 + first, count, vertices,
+                                     is_listed);
+}
+
+static void transform_compact(const qtri_projector *projector, const qtri_mesh *mesh,
+                              uint32_t index, qtri_clip_vertex *out)
+{
+    qtri_projector_point16(projector, &mesh->positions16[index], out);
+}
+
+const qtri_position_ops qtri_positions_compact = {
+    .begin = begin_compact, .project = project_compact, .transform = transform_compact};

@@ -345,26 +345,29 @@ QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
 }
 
 bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
-                             qtri_vertex *out)
+                             qtri_vertex *vertices, bool is_listed)
 {
     stage to;
     begin(&to, projector);
     bool inside = true;
-    for (const qtri_vertex *end = out + count; out != end; p++, out++) {
-        inside &= place(&to, p, out);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t index = is_listed ? vertices[i].index : i;
+        inside &= place(&to, &p[index], &vertices[index]);
     }
     return inside;
 }
 
-bool qtri_projector_list(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
-                         qtri_vertex *vertices)
+static bool project_wide(const qtri_projector *projector, const qtri_mesh *mesh, uint32_t first,
+                         uint32_t count, qtri_vertex *vertices, bool is_listed)
 {
-    stage to;
-    begin(&to, projector);
-    const qtri_vertex *end = vertices + count;
-    bool inside = true;
-    for (const qtri_vertex *at = vertices; at != end; at++) {
-        inside &= place(&to, &p[at->index], &vertices[at->index]);
-    }
-    return inside;
+    return qtri_projector_vertices(projector, mesh->positions + first, count, vertices, is_listed);
 }
+
+static void transform_wide(const qtri_projector *projector, const qtri_mesh *mesh, uint32_t index,
+                           qtri_clip_vertex *out)
+{
+    qtri_projector_point(projector, &mesh->positions[index], out);
+}
+
+const qtri_position_ops qtri_positions_wide = {.project = project_wide,
+                                               .transform = transform_wide};

@@ -87,19 +87,28 @@ static inline bool qtri_vertices_are_lit(const qtri_vertex *a, const qtri_vertex
 }
 
 /*
- * The mesh's vertices, point and project in one: the same bits, in a tenth of the instructions for
- * those that are plainly inside. A vertex outside a plane gets QTRI_VERTEX_OUTSIDE and its outcode,
- * and the result is false.
+ * Transforms and projects positions: the bits of qtri_projector_point() and qtri_project(), in a
+ * tenth of the instructions for those that are plainly inside. Position i becomes vertices[i];
+ * `is_listed`: only the positions whose indices are vertices[0..count-1].index, each in its slot.
+ * A vertex outside a plane gets QTRI_VERTEX_OUTSIDE and its outcode, and the result is false.
  */
 bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
-                             qtri_vertex *out);
+                             qtri_vertex *vertices, bool is_listed);
 bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
-                               uint32_t count, qtri_vertex *out);
+                               uint32_t count, qtri_vertex *vertices, bool is_listed);
 
-/* The same for the positions whose numbers are vertices[0..count-1].index, each into its slot. */
-bool qtri_projector_list(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
-                         qtri_vertex *vertices);
-bool qtri_projector_list16(const qtri_projector *projector, const qtri_position16 *p,
-                           uint32_t count, qtri_vertex *vertices);
+/* What serves a mesh's positions: a draw call links those that it may meet. */
+typedef struct qtri_position_ops {
+    /* Makes the projector take these positions; NULL: it does. */
+    void (*begin)(qtri_projector *projector, const qtri_mesh *mesh);
+    /* As qtri_projector_vertices(), for the positions from `first` on. */
+    bool (*project)(const qtri_projector *projector, const qtri_mesh *mesh, uint32_t first,
+                    uint32_t count, qtri_vertex *vertices, bool is_listed);
+    /* One position in homogeneous screen coordinates. */
+    void (*transform)(const qtri_projector *projector, const qtri_mesh *mesh, uint32_t index,
+                      qtri_clip_vertex *out);
+} qtri_position_ops;
+
+extern const qtri_position_ops qtri_positions_wide, qtri_positions_compact;
 
 #endif

@@ -15,13 +15,13 @@
 #define qtri_lighting_list8       narrow_lighting_list8
 #define qtri_lighting_vertex      narrow_lighting_vertex
 #define qtri_lighting_vertex8     narrow_lighting_vertex8
+#define qtri_positions_compact    narrow_positions_compact
+#define qtri_positions_wide       narrow_positions_wide
 #define qtri_project              narrow_project
 #define qtri_project_rest         narrow_project_rest
 #define qtri_projector_set_depth  narrow_projector_set_depth
 #define qtri_projector_compact    narrow_projector_compact
 #define qtri_projector_init       narrow_projector_init
-#define qtri_projector_list       narrow_projector_list
-#define qtri_projector_list16     narrow_projector_list16
 #define qtri_projector_point      narrow_projector_point
 #define qtri_projector_point16    narrow_projector_point16
 #define qtri_projector_points     narrow_projector_points
@@ -43,7 +43,7 @@ void narrow_vertices(const qtri_transform *object_to_clip, const qtri_viewport *
 {
     qtri_projector projector;
     qtri_projector_init(&projector, object_to_clip, viewport);
-    (void)qtri_projector_vertices(&projector, p, count, out);
+    (void)qtri_projector_vertices(&projector, p, count, out, false);
 }
 
 void narrow_vertices16(const qtri_transform *object_to_clip, const qtri_viewport *viewport,
@@ -53,7 +53,7 @@ void narrow_vertices16(const qtri_transform *object_to_clip, const qtri_viewport
     qtri_projector projector;
     qtri_projector_init(&projector, object_to_clip, viewport);
     qtri_projector_compact(&projector, origin, extent);
-    (void)qtri_projector_vertices16(&projector, p, count, out);
+    (void)qtri_projector_vertices16(&projector, p, count, out, false);
 }
 
 bool narrow_eye(const qtri_transform *object_to_clip, const qtri_viewport *viewport,

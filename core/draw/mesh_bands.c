@@ -1,11 +1,75 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * Meshes in bands (qtri/prepared.h): vertices are transformed and lit, and triangles sorted by
+ * band; then each band draws its list.
+ *
+ * Lists of triangles by band. In the caller's memory, one after another:
+ *
+ *   for every band: the place of its first entry, 0 for none; the place after its last
+ *   blocks of eight: seven entries and the place of the list's next block
+ *
+ * Places count elements from the start. An entry is the number of a group of 2^group_log2 triangles
+ * that follow each other in the mesh; it is in the list of every band that one of them may touch.
+ * Lists are in the order of the mesh, as drawing is: where depths are equal, it decides.
+ */
 #include "checked.h"
 #include "fill.h"
+#include "front_bits.h"
 #include "lights.h"
 #include "mesh_faces.h"
 #include "../raster/sampling.h"
-#include "front_bits.h"
-#include "prepared_lists.h"
+#include "qtri/prepared.h"
+
+enum { LIST_BLOCK = 8, LIST_FULL = LIST_BLOCK - 1 };
+
+static inline bool is_empty_rect(const qtri_rect *rect)
+{
+    return rect->x0 >= rect->x1 || rect->y0 >= rect->y1;
+}
+
+/* A vertex for every vertex of the mesh. */
+static inline bool is_complete(const qtri_prepared *prepared)
+{
+    return prepared->vertex_count >= prepared->mesh->vertex_count;
+}
+
+/* The triangle's indices in the mesh. */
+static inline const uint8_t *find_indices(const qtri_mesh *mesh, uint32_t number)
+{
+    return qtri_mesh_has_bytes(mesh) ? mesh->triangles8[number]
+                                     : (const uint8_t *)mesh->triangles[number];
+}
+
+/*
+ * What is added to the least and the greatest coordinate before they are rounded down to the first
+ * pixel and the one after the last: centres in between, or what a line may touch when it rounds.
+ */
+static inline int32_t before_24p8(bool is_solid)
+{
+    return is_solid ? 127 : -256;
+}
+
+static inline int32_t after_24p8(bool is_solid)
+{
+    return is_solid ? 127 : 512;
+}
+
+static inline void widen(qtri_rect *extent_24p8, const qtri_vertex *vertex)
+{
+    extent_24p8->x0 = qtri_least32(extent_24p8->x0, vertex->at.x_24p8);
+    extent_24p8->y0 = qtri_least32(extent_24p8->y0, vertex->at.y_24p8);
+    extent_24p8->x1 = qtri_greatest32(extent_24p8->x1, vertex->at.x_24p8);
+    extent_24p8->y1 = qtri_greatest32(extent_24p8->y1, vertex->at.y_24p8);
+}
+
+/* The group at a place of a list, which moves on. */
+static inline uint32_t next_group(const uint16_t *lists, uint32_t *place)
+{
+    if (*place % LIST_BLOCK == LIST_FULL) {
+        *place = lists[*place];
+    }
+    return lists[(*place)++];
+}
 
 enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
 
@@ -53,7 +117,7 @@ typedef struct sorter {
 static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
 {
     for (int i = 0; i < 3; i++) {
-        qtri_prepared_widen(&s->prepared->extent_24p8, vertex[i]);
+        widen(&s->prepared->extent_24p8, vertex[i]);
     }
 }
 
@@ -85,8 +149,8 @@ QTRI_NOINLINE static uint32_t add_block(sorter *s, uint32_t band, uint32_t place
 {
     uint32_t block = s->next;
     s->lists[s->lists[2 * band] == 0 ? 2 * band : place] = (uint16_t)block;
-    s->next += QTRI_LIST_BLOCK;
-    s->is_direct = s->is_direct && s->next + s->bands * QTRI_LIST_BLOCK <= s->end;
+    s->next += LIST_BLOCK;
+    s->is_direct = s->is_direct && s->next + s->bands * LIST_BLOCK <= s->end;
     return block;
 }
 
@@ -95,7 +159,7 @@ static inline void append(sorter *s, uint32_t band, uint32_t group)
 {
     uint16_t *list = &s->lists[2 * band];
     uint32_t place = list[1];
-    if (place % QTRI_LIST_BLOCK == QTRI_LIST_FULL) {
+    if (place % LIST_BLOCK == LIST_FULL) {
         place = add_block(s, band, place);
     }
     s->lists[place] = (uint16_t)group;
@@ -116,7 +180,7 @@ static void list_group(sorter *s, uint32_t group, int32_t top, int32_t bottom)
 {
     const uint32_t band = band_of(s, (uint32_t)top);
     const uint32_t last = band_of(s, (uint32_t)bottom - 1);
-    if (s->next + (last - band + 1) * QTRI_LIST_BLOCK <= s->end) {
+    if (s->next + (last - band + 1) * LIST_BLOCK <= s->end) {
         append_to_all(s, band, last, group);
     } else {
         s->is_listing = false;
@@ -182,9 +246,8 @@ static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vert
             note_front(s, number, vertex);
         }
     }
-    list_triangle(
-        s, number, (qtri_least32(a, qtri_least32(b, c)) + qtri_prepared_before_24p8(is_solid)) >> 8,
-        (qtri_greatest32(a, qtri_greatest32(b, c)) + qtri_prepared_after_24p8(is_solid)) >> 8);
+    list_triangle(s, number, (qtri_least32(a, qtri_least32(b, c)) + before_24p8(is_solid)) >> 8,
+                  (qtri_greatest32(a, qtri_greatest32(b, c)) + after_24p8(is_solid)) >> 8);
 }
 
 QTRI_NOINLINE static void see_solid(sorter *s, uint32_t number, const void *triangle,
@@ -322,7 +385,7 @@ QTRI_NOINLINE static void see_by_slots(sorter *s)
 {
     const qtri_mesh *mesh = s->job->mesh;
     for (uint32_t number = 0; number < mesh->triangle_count; number++) {
-        const uint8_t *triangle = qtri_prepared_triangle(mesh, number);
+        const uint8_t *triangle = find_indices(mesh, number);
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
         if (qtri_mesh_fetch_triangle(s->job, triangle, spare, vertex) &&
@@ -337,7 +400,7 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
 {
     const uint32_t bands = ((uint32_t)s->height + s->rows - 1) / s->rows;
     const uint32_t count = prepared->mesh->triangle_count;
-    s->next = (2 * bands + QTRI_LIST_BLOCK - 1) / QTRI_LIST_BLOCK * QTRI_LIST_BLOCK;
+    s->next = (2 * bands + LIST_BLOCK - 1) / LIST_BLOCK * LIST_BLOCK;
     s->end = prepared->list_count < PLACES ? prepared->list_count : PLACES;
     s->lists = prepared->lists;
     s->rows_shift = 13;
@@ -347,7 +410,7 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
     s->rows_inverse = (((uint32_t)1 << s->rows_shift) + s->rows - 1) / s->rows;
     s->group_log2 = 0;
     s->group = UINT32_MAX;
-    s->is_listing = s->end >= s->next + QTRI_LIST_BLOCK;
+    s->is_listing = s->end >= s->next + LIST_BLOCK;
     prepared->listed = s->is_listing ? count : 0;
     if (!s->is_listing) {
         return;
@@ -355,17 +418,18 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
     while (s->group_log2 < GROUP_LOG2_MAX && count >> s->group_log2 > s->end - s->next) {
         s->group_log2++;
     }
-    s->is_direct = s->group_log2 == 0 && s->next + bands * QTRI_LIST_BLOCK <= s->end;
+    s->is_direct = s->group_log2 == 0 && s->next + bands * LIST_BLOCK <= s->end;
     s->bands = bands;
     for (uint32_t i = 0; i < bands; i++) {
         s->lists[2 * i] = 0;
-        s->lists[2 * i + 1] = QTRI_LIST_FULL;
+        s->lists[2 * i + 1] = LIST_FULL;
     }
 }
 
-/* A function of its own, so that its stack is free again. */
-bool qtri_prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
-                         const qtri_surface *surface, bool place)
+/* The job for a surface, as prepared; with `place` its transforms too. False: nothing is seen. A
+   function of its own, so that its stack is free again. */
+QTRI_NOINLINE static bool prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
+                                         const qtri_surface *surface, bool place)
 {
     qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material,
                        prepared->vertices, prepared->vertex_count);
@@ -394,15 +458,15 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
                                 .scissor = frame};
     qtri_mesh_job job;
     prepared->is_seen = false;
-    if (mesh->triangle_count == 0 || qtri_rect_is_empty(&frame) ||
-        !qtri_prepared_begin(&job, prepared, &whole, true)) {
+    if (mesh->triangle_count == 0 || is_empty_rect(&frame) ||
+        !prepared_begin(&job, prepared, &whole, true)) {
         return;
     }
     /* Of samples rows are as for lines: they lie beside the centres of pixels. */
     const bool is_solid = job.material.fill == NULL && qtri_sampling_of(format) == NULL;
     sorter s = {.job = &job,
                 .prepared = prepared,
-                .is_complete = qtri_prepared_is_complete(prepared),
+                .is_complete = is_complete(prepared),
                 .is_solid = is_solid,
                 .height = prepared->height,
                 .halo = prepared->halo,
@@ -445,4 +509,214 @@ void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const q
     prepared->height = frame->height;
     prepared->rows = frame->rows;
     prepare(prepared, frame->format);
+}
+
+/* ---- One band ---- */
+
+/*
+ * Its vertices, if all are there; false when an index is past the end, or a vertex was not met:
+ * then the triangle's plane turned away.
+ */
+static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_vertex *vertex[3])
+{
+    const uint32_t count = job->mesh->vertex_count;
+    uint32_t index[3];
+    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(job->mesh));
+    return qtri_mesh_find(vertex, job->vertices, count, index, qtri_vertex_size()) &&
+           vertex[0]->depth_16p8 != QTRI_VERTEX_EMPTY &&
+           vertex[1]->depth_16p8 != QTRI_VERTEX_EMPTY && vertex[2]->depth_16p8 != QTRI_VERTEX_EMPTY;
+}
+
+/* Triangles first..end - 1, whatever they are. */
+static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, uint32_t first,
+                       uint32_t end)
+{
+    const qtri_mesh *mesh = job->mesh;
+    const bool complete = is_complete(prepared);
+    for (; first < end; first++) {
+        const uint8_t *triangle = find_indices(mesh, first);
+        qtri_vertex spare[3];
+        qtri_vertex *vertex[3];
+        if (!(complete ? find_triangle(job, triangle, vertex)
+                       : qtri_mesh_fetch_triangle(job, triangle, spare, vertex))) {
+            continue;
+        }
+        if (complete && prepared->back_only
+                ? !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
+                : !qtri_mesh_turned_away(job, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_seen(job, triangle, vertex);
+        }
+    }
+}
+
+/* Triangles of a complete mesh that are listed one by one: all of them are seen. */
+static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place,
+                             uint32_t end, const void *triangles, bool narrow)
+{
+    while (place != end) {
+        const uint8_t *triangle = triangles;
+        triangle += next_group(lists, &place) * (narrow ? 3 : 6);
+        uint32_t index[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        qtri_vertex *const vertex[3] = {&job->vertices[index[0]], &job->vertices[index[1]],
+                                        &job->vertices[index[2]]};
+        qtri_mesh_draw_seen(job, triangle, vertex);
+    }
+}
+
+/* Fills a band's list of a mesh whose back faces were culled, all vertices inside. */
+static inline void draw_fronts_of(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
+                                  uint32_t end, const void *triangles, bool narrow)
+{
+    qtri_small t = draw->primitive.to.solid.small;
+    bool (*const by)(qtri_small *) = t.state->small;
+    qtri_vertex *vertices = draw->vertices;
+    qtri_mesh_set_lit(&t, draw);
+    while (place != end) {
+        const uint8_t *triangle = triangles;
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        triangle += next_group(lists, &place) * (narrow ? 3 : 6);
+        qtri_mesh_indices(index, triangle, narrow);
+        qtri_mesh_get(vertex, vertices, index, qtri_vertex_size());
+        if (!qtri_mesh_draw_small(by, &t, triangle, index, vertex)) {
+            qtri_mesh_draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
+        }
+    }
+}
+
+QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw, const uint16_t *lists,
+                                      uint32_t place, uint32_t end)
+{
+    if (qtri_mesh_has_bytes(draw->mesh)) {
+        draw_fronts_of(draw, lists, place, end, draw->mesh->triangles8, true);
+    } else {
+        draw_fronts_of(draw, lists, place, end, draw->mesh->triangles, false);
+    }
+}
+
+QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepared *prepared,
+                                    uint32_t band)
+{
+    const qtri_mesh *mesh = prepared->mesh;
+    const uint16_t *lists = prepared->lists;
+    const uint32_t log2 = prepared->group_log2;
+    uint32_t place = lists[2 * band];
+    const uint32_t end = lists[2 * band + 1];
+    if (place == 0) {
+        return;
+    }
+    if (log2 == 0 && is_complete(prepared)) {
+        if (prepared->back_only && job->material.fill == NULL) {
+            draw_fronts(job, lists, place, end);
+        } else if (qtri_mesh_has_bytes(mesh)) {
+            draw_seen(job, lists, place, end, mesh->triangles8, true);
+        } else {
+            draw_seen(job, lists, place, end, mesh->triangles, false);
+        }
+        return;
+    }
+    while (place != end) {
+        const uint32_t first = next_group(lists, &place) << log2;
+        const uint32_t size = mesh->triangle_count - first < (uint32_t)1 << log2
+                                  ? mesh->triangle_count - first
+                                  : (uint32_t)1 << log2;
+        draw_range(job, prepared, first, first + size);
+    }
+}
+
+/* The band that a surface is: its list, and triangles that are in none. */
+typedef struct band_work {
+    const qtri_prepared *prepared;
+    bool by_list;
+    uint32_t band, first, count;
+} band_work;
+
+static void draw_band(qtri_mesh_job *job, void *with)
+{
+    const band_work *work = with;
+    if (work->by_list) {
+        draw_list(job, work->prepared, work->band);
+    }
+    draw_range(job, work->prepared, work->first, work->count);
+}
+
+void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
+{
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_prepared(prepared));
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    if (prepared->mesh == NULL || !prepared->is_seen || is_empty_rect(&bounds) ||
+        surface->width != prepared->width || surface->height != prepared->height) {
+        return;
+    }
+    /* Rows of one band of the frame, and its halo, have a list; others look at all triangles. */
+    const uint32_t count = prepared->mesh->triangle_count;
+    const int32_t number = (bounds.y0 + prepared->halo) / prepared->rows;
+    const uint32_t band = (uint32_t)number;
+    const bool by_list = prepared->listed > 0 && number * prepared->rows < prepared->height &&
+                         bounds.y1 <= (number + 1) * prepared->rows + prepared->halo;
+    const uint32_t first = by_list ? prepared->listed : 0;
+    qtri_mesh_job job;
+    if ((first >= count && prepared->lists[2 * band] == 0) ||
+        !prepared_begin(&job, prepared, surface, prepared->is_placed)) {
+        return;
+    }
+    qtri_late_place late = {&job.primitive, prepared->view, prepared->pose, false};
+    job.late = prepared->is_placed ? NULL : &late;
+    job.lit = is_complete(prepared);
+    if (!job.lit) {
+        qtri_mesh_clear_slots(&job);
+    }
+    if (job.material.fill != NULL) {
+        job.material.fill->band(&job);
+    }
+    band_work work = {prepared, by_list, band, first, count};
+    if (job.lights != NULL && prepared->is_placed) {
+        job.lights->model->mesh(&job, prepared->view, prepared->pose, false, draw_band, &work);
+    } else {
+        draw_band(&job, &work);
+    }
+}
+
+/* ---- Rows that changed ---- */
+
+static const qtri_rect nowhere = {0, 0, 0, 0};
+
+/* The pixels that the vertices met span. */
+static qtri_rect find_bounds(const qtri_prepared *prepared)
+{
+    if (prepared->mesh == NULL || !prepared->is_seen) {
+        return nowhere;
+    }
+    if (prepared->is_anywhere) {
+        const qtri_rect frame = {0, 0, prepared->width, prepared->height};
+        return frame;
+    }
+    qtri_rect extent = prepared->extent_24p8; /* of those that have no slot */
+    if (is_complete(prepared)) {
+        for (uint32_t i = 0; i < prepared->mesh->vertex_count; i++) {
+            if (prepared->vertices[i].depth_16p8 != QTRI_VERTEX_EMPTY &&
+                prepared->vertices[i].intensity_q15 != QTRI_VERTEX_UNLIT) {
+                widen(&extent, &prepared->vertices[i]);
+            }
+        }
+    }
+    if (extent.x0 > extent.x1) {
+        return nowhere;
+    }
+    extent.x0 = (extent.x0 + before_24p8(prepared->is_solid)) >> 8;
+    extent.y0 = (extent.y0 + before_24p8(prepared->is_solid)) >> 8;
+    extent.x1 = (extent.x1 + after_24p8(prepared->is_solid)) >> 8;
+    extent.y1 = (extent.y1 + after_24p8(prepared->is_solid)) >> 8;
+    return extent;
+}
+
+void qtri_prepared_mark(qtri_prepared *prepared, qtri_frame *frame)
+{
+    QTRI_ASSERT(prepared != NULL && frame != NULL);
+    QTRI_CHECK(qtri_check_prepared(prepared));
+    qtri_frame_mark(frame, &prepared->marked);
+    prepared->marked = find_bounds(prepared);
+    qtri_frame_mark(frame, &prepared->marked);
 }
