@@ -114,18 +114,28 @@ clean: ## Remove build/
 # Long commands say every 20 seconds that they are at work.
 ALIVE := sh tests/check/alive.sh
 
-.PHONY: setup
-setup: ## Install what the tests and checks need (Debian, as root); elsewhere name it
+.PHONY: setup setup-all
+setup: ## Install what `make test` needs (Debian, as root); elsewhere name it
 	@sh tests/check/setup.sh
 
+setup-all: ## Install what `make check` needs besides: cross compilers, emulators, clang; 3 GB
+	@sh tests/check/setup.sh all
+
 .PHONY: test
-test: ## Run every test: plain, sanitized, narrow, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
+test: ## Run every test program under the address and undefined-behaviour sanitizers: some minutes
+	@rm -rf build/results
+	@echo 'test: compiles the library and $(words $(TESTS)) programs, then runs them: some minutes on two cores'
+	@status=0; $(ALIVE) test $(MAKE) -s $(PARALLEL) test-sanitized || status=1; sh tests/check/total.sh $$status
+
+# What `make check` runs of the tests besides: other builds, fuzzing, emulated boards.
+.PHONY: test-others
+test-others: ## Run the tests of other builds: plain, narrow, memory, threads, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-sanitized test-memory test-narrow test-fuzz; do \
+	for step in test-plain test-narrow test-memory test-fuzz; do \
 	    $(ALIVE) $$step $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
-	$(ALIVE) 'test' $(MAKE) -s -k $(PARALLEL) --output-sync=target $(TOGETHER) || status=1; \
+	$(ALIVE) test-others $(MAKE) -s -k $(PARALLEL) --output-sync=target $(TOGETHER) || status=1; \
 	sh tests/check/total.sh $$status
 
 # One emulator after the other leaves processors idle: these run beside each other.
@@ -249,11 +259,13 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 # What keeps one processor alone for long is not left for the end.
 GATES := check-format check-packages check-cppcheck check-warnings check-headers check-levels \
          check-freestanding check-options check-same check-tree \
-         check-tidy check-budgets check-matrix check-checked check-stack check-version
+         check-tidy check-budgets check-matrix check-checked check-stack check-version \
+         check-house check-words
 
 .PHONY: check $(GATES)
-check: ## Run every gate below
-	@$(ALIVE) check $(MAKE) -s -k $(PARALLEL) --output-sync=target $(GATES)
+check: ## Run the tests of other builds (test-others) and every gate below
+	@status=0; $(MAKE) -s test-others || status=1; \
+	$(ALIVE) check $(MAKE) -s -k $(PARALLEL) --output-sync=target $(GATES) || status=1; exit $$status
 
 check-format:       ## clang-format has nothing to change
 check-cppcheck:     ## cppcheck finds nothing
@@ -270,6 +282,8 @@ check-matrix:       ## No cell of bench-matrix costs twice its class's best or 2
 check-stack:        ## Nothing calls itself, and no public function takes more stack than its limit
 check-version:      ## Every manifest has the version of qtri/version.h, every source its SPDX line
 check-packages:     ## Each package is built and used; what needs a missing tool is skipped by name
+check-house:        ## Files and lines of each folder of core, and routes, within their budgets (sh tests/check/house.sh write)
+check-words:        ## Names and comments have plain words, subjects of commits at most 72 characters
 check-tree:         ## No overlong or binary files, tabs, paths of one machine or sources of one name
 
 $(GATES): check-%:

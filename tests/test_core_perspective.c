@@ -180,7 +180,7 @@ static tally random_triangles(uint64_t seed, int count, const qtri_format *forma
     tally sum = {0, 0, 0, 0};
     canvas c = canvas_new(format, WIDTH, HEIGHT);
     const canvas cleared = canvas_new(format, WIDTH, HEIGHT);
-    for (int n = 0; n < count; n++) {
+    for (int n = 0; n < random_cases(count); n++) {
         const int width_log2 = side_log2 != 0 ? side_log2 : random_in(&seed, 1, 10);
         int height_log2 = side_log2 != 0 ? side_log2 : random_in(&seed, 1, 10);
         if (format == &qtri_rgb565 && width_log2 + height_log2 > 16) {
@@ -346,7 +346,7 @@ static double random_colors(uint64_t seed, int count, const qtri_format *format,
     long pixels = 0;
     canvas c = canvas_new(format, WIDTH, HEIGHT);
     const canvas cleared = canvas_new(format, WIDTH, HEIGHT);
-    for (int n = 0; n < count; n++) {
+    for (int n = 0; n < random_cases(count); n++) {
         const double limit = pow(ratio, uniform(&seed));
         qtri_screen_vertex t[3];
         for (int i = 0; i < 3; i++) {
@@ -443,7 +443,7 @@ static void parts(void **state)
     qtri_format other_565 = qtri_rgb565;
     other_565.kind = QTRI_OTHER_FORMAT;
     const qtri_format *const formats[] = {&qtri_rgb565, &other_565, &qtri_xrgb8888, &qtri_gray8};
-    for (int n = 0; n < 600; n++) {
+    for (int n = 0; n < random_cases(600); n++) {
         const qtri_format *format = formats[n % 4];
         qtri_material m = plain_material();
         const int kind = random_in(&seed, 0, (int32_t)LENGTH_OF(textures));
@@ -496,7 +496,7 @@ static void extremes(void **state)
                                   .wrap_u = QTRI_CLAMP,
                                   .wrap_v = QTRI_CLAMP};
     const qtri_texture *const textures[] = {NULL, &texture, &clamped};
-    for (int n = 0; n < 6000; n++) {
+    for (int n = 0; n < random_cases(6000); n++) {
         const qtri_format *format = drawn_format(n % 3);
         const int32_t kind = random_in(&seed, 0, 3);
         const int32_t reach = kind == 0   ? 1 << 22

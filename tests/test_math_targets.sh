@@ -101,7 +101,7 @@ for target in $targets; do
     expected=$out/$host.sums
     [ "$target" != avr-16-bit-int ] || expected=$out/host-few.sums
     if [ -e "$out/$target.skipped" ]; then
-        echo "$target: skipped: $(xargs <"$out/$target.skipped") not installed (make setup)"
+        echo "$target: skipped: $(xargs <"$out/$target.skipped") not installed (make setup-all)"
         skipped=$((skipped + 1))
         continue
     fi

@@ -40,7 +40,7 @@ BENCH_ABSENT  := $(filter-out $(BENCH_PRESENT),$(filter-out %-Os,$(BENCH_CORES))
 
 # Says which tools the cores that are absent lack, if any are. $1: the target, $2: these cores.
 bench_lacks = $(sort $(filter-out $(BENCH_TOOLS),$(foreach core,$1,$(firstword $(call bench_cc,$(core))) $(firstword $(call bench_emulator,$(core))))))
-bench_skip  = $(if $2,echo "$1: skipped: $2: $(call bench_lacks,$2) not installed (make setup)",:)
+bench_skip  = $(if $2,echo "$1: skipped: $2: $(call bench_lacks,$2) not installed (make setup-all)",:)
 
 # One program for each core. $1: core, $2: its board. Only memory.c must be kept from becoming a memcpy itself.
 define bench_rules
@@ -70,7 +70,7 @@ SIZE_OPTIMIZE_cortex-m0plus := -Os
 .PHONY: size-math
 size-math: ## Bytes of code of the mathematics: each object, everything, and a program of q16_mul and q16_sin
 ifeq ($(filter arm-none-eabi-gcc,$(BENCH_TOOLS)),)
-	@echo "size-math: skipped: arm-none-eabi-gcc not installed (make setup)"
+	@echo "size-math: skipped: arm-none-eabi-gcc not installed (make setup-all)"
 else
 	@$(foreach core,$(SIZE_CORES),rm -rf $(BENCH_DIR)/size-$(core); mkdir -p $(BENCH_DIR)/size-$(core); \
 	    for file in $(BENCH_MATH); do \

@@ -95,7 +95,7 @@ size-functions: $(if $(SIZE_VARIANTS),$(size_folder)/$(SIZE_APP:%-only=%).elf) #
 .PHONY: size-options
 size-options: ## Bytes that each option of qtri/config.h saves alone, on a Cortex-M0+ at -Os
 ifeq ($(filter arm-none-eabi-gcc,$(BENCH_TOOLS)),)
-	@echo "size-options: skipped: arm-none-eabi-gcc not installed (make setup)"
+	@echo "size-options: skipped: arm-none-eabi-gcc not installed (make setup-all)"
 else
 	@rm -rf $(SIZE_DIR)/options; mkdir -p $(SIZE_DIR)/options
 	@sh host/bench/size_options.sh $(SIZE_DIR)/options "$(SIZE_APPS)" $(call bench_cc,cortex-m0plus) -Os $(filter-out -fstack% -fcallgraph%,$(SIZE_FLAGS)) \

@@ -120,7 +120,7 @@ BOARD_SKIPPED := $(strip $(foreach t,$(BOARD_TARGETS) $(DISPLAY_TARGETS),\
 BOARD_RUN     := $(filter-out $(BOARD_SKIPPED),$(BOARD_TARGETS))
 DISPLAY_RUN   := $(filter-out $(BOARD_SKIPPED),$(DISPLAY_TARGETS))
 BOARD_ELFS    := $(patsubst %,$(BOARD_DIR)/%/firmware.elf,$(BOARD_RUN) $(DISPLAY_RUN))
-board_skips    = $(if $(BOARD_SKIPPED),echo "$@: skipped: $(BOARD_SKIPPED): $(BOARD_MISSING) not installed (make setup)",:)
+board_skips    = $(if $(BOARD_SKIPPED),echo "$@: skipped: $(BOARD_SKIPPED): $(BOARD_MISSING) not installed (make setup-all)",:)
 
 # A target's argument to the scripts: <board>:<core>:<display or ->:<emulator>.
 board_argument = '$(call board_of,$1):$(call core_of,$1):$(or $(board_panel_$(call board_of,$1)),-):$(board_run_$1)'

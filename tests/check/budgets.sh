@@ -26,7 +26,7 @@ for tool in $tools; do
     *riscv*) wanted='bench-math: skipped: rv32imc:|bench-profile: skipped: rv32imc:' ;;
     *) wanted='bench-math: skipped: cortex-m0plus cortex-m3 cortex-m4 cortex-m7:|bench-profile: skipped: cortex-m3:|size: skipped: cortex-m0plus cortex-m3 cortex-m4:' ;;
     esac
-    echo "$wanted" | tr '|' '\n' | sed "s/\$/ $tool not installed (make setup)/" | cmp -s - "$work/skipped" || {
+    echo "$wanted" | tr '|' '\n' | sed "s/\$/ $tool not installed (make setup-all)/" | cmp -s - "$work/skipped" || {
         echo "check: budgets: without $tool the benchmarks say: $(cat "$work/skipped")"
         finish 1
     }
@@ -34,7 +34,7 @@ done
 
 for tool in arm-none-eabi-gcc qemu-system-arm; do
     command -v "$tool" >/dev/null 2>&1 || {
-        echo "check: $gate skipped: $tool is not installed (make setup)"
+        echo "check: $gate skipped: $tool is not installed (make setup-all)"
         exit 0
     }
 done

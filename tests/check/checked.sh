@@ -66,6 +66,6 @@ if command -v avr-gcc >/dev/null; then
         esac
     done
 else
-    echo "checked: skipped: avr-gcc not installed (make setup)"
+    echo "checked: skipped: avr-gcc not installed (make setup-all)"
 fi
 finish $status

@@ -14,7 +14,7 @@ need()
 {
     for tool in "$@"; do
         command -v "$tool" >/dev/null 2>&1 || {
-            echo "check: $gate needs $tool, which \`make setup\` installs"
+            echo "check: $gate needs $tool, which \`make setup-all\` installs"
             exit 1
         }
     done

@@ -13,7 +13,7 @@ build=${BUILD:-build}
 
 for tool in arm-none-eabi-gcc qemu-system-arm; do
     command -v "$tool" >/dev/null 2>&1 || {
-        echo "check: $gate skipped: $tool is not installed (make setup)"
+        echo "check: $gate skipped: $tool is not installed (make setup-all)"
         exit 0
     }
 done

@@ -10,7 +10,7 @@ mkdir -p build/results build/fuzz/findings
 [ $# -gt 0 ] || { echo "fuzz: no targets in tests/"; exit 0; }
 
 if ! sh tests/check/have_fuzzer.sh; then
-    echo "fuzz: $# targets skipped, clang with its fuzzer runtime is not installed (make setup)"
+    echo "fuzz: $# targets skipped, clang with its fuzzer runtime is not installed (make setup-all)"
     echo "0 0 $#" >build/results/fuzz
     exit 0
 fi

@@ -23,6 +23,8 @@ export BUILD TEST_SECONDS
 
 if [ "${1:-}" != --one ]; then
     [ $# -gt 0 ] || { echo "no tests in tests/"; exit 1; }
+    QTRI_TEST_COUNT=$#
+    export QTRI_TEST_COUNT
     printf '%s\n' "$@" | xargs -P "$JOBS" -n 1 sh "$0" --one
     exit $?
 fi
@@ -48,15 +50,17 @@ counts=$(awk -v status="$status" '
         if (!failed && (status != 0 || planned == 0)) failed = 1
         print passed + 0, failed + 0, skipped + 0
     }' "$log")
-echo "$counts" >"build/results/$(echo "$BUILD/$name" | tr / -)"
+result=build/results/$(echo "$BUILD/" | tr / -)
+echo "$counts" >"$result$name"
+rank="$(ls "$result"* | wc -l) of $QTRI_TEST_COUNT"
 
 set -- $counts
 if [ "$2" = 0 ]; then
-    echo "$BUILD/tests/$name: $1 passed$([ "$3" = 0 ] || echo ", $3 skipped")"
+    echo "$rank: $BUILD/tests/$name: $1 passed$([ "$3" = 0 ] || echo ", $3 skipped")"
     sed -n 's/.*ok [0-9]* .*# SKIP /    skipped: /p' "$log"
     exit 0
 fi
 [ "$status" != 124 ] || echo "killed after $TEST_SECONDS seconds" >>"$log"
 # One write, so that the logs of programs that fail together stay apart.
-printf '%s\n' "$(cat "$log"; echo "$BUILD/tests/$name: $1 passed, $2 FAILED, $3 skipped, status $status")"
+printf '%s\n' "$(cat "$log"; echo "$rank: $BUILD/tests/$name: $1 passed, $2 FAILED, $3 skipped, status $status")"
 exit 1

@@ -44,9 +44,9 @@ END
 cat >"$work/draw" <<'END'
 work=$1 meshes=$2 name=$3 library=$4
 shift 4
-command -v "$1" >/dev/null 2>&1 || { echo "same: skipped: $name: $1 not installed (make setup)" >"$work/$name.skipped"; exit 0; }
+command -v "$1" >/dev/null 2>&1 || { echo "same: skipped: $name: $1 not installed (make setup-all)" >"$work/$name.skipped"; exit 0; }
 case $name in big-endian*) run=qemu-ppc ;; cortex*) run=qemu-system-arm ;; *) run='' ;; esac
-[ -z "$run" ] || command -v $run >/dev/null 2>&1 || { echo "same: skipped: $name: $run not installed (make setup)" >"$work/$name.skipped"; exit 0; }
+[ -z "$run" ] || command -v $run >/dev/null 2>&1 || { echo "same: skipped: $name: $run not installed (make setup-all)" >"$work/$name.skipped"; exit 0; }
 set -- "$@" -std=c99 -Icore/include -Ihost/bench
 states='tests/support/random_states.c tests/support/random_pictures.c'
 here=host/bench

@@ -1,18 +1,20 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs what `make test` and `make check` need on Debian, as root; elsewhere names it and fails.
+# Installs on Debian, as root, what `make test` needs, or with `all` what `make check` needs besides: setup.sh [all]
+# Elsewhere names it and fails.
 set -eu
-packages='git gcc g++ tcc make cmake pkg-config jq libcmocka-dev libmpfr-dev libpng-dev libstb-dev libassimp-dev
-          libmeshoptimizer-dev clang clang-format clang-tidy cppcheck
+what=${1:-test}
+packages='git gcc make pkg-config libcmocka-dev libmpfr-dev libpng-dev libstb-dev libassimp-dev libmeshoptimizer-dev'
+[ "$what" = test ] || packages="$packages g++ tcc cmake jq clang clang-format clang-tidy cppcheck
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
           gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr
           gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
-          gcc-i686-linux-gnu libc6-dev-i386-cross'
+          gcc-i686-linux-gnu libc6-dev-i386-cross"
 packages=$(echo $packages)
 
 if ! command -v apt-get >/dev/null || [ "$(id -u)" != 0 ]; then
-    echo "setup: tests and checks need these packages (names of Debian), and clang's sanitizer and fuzzer runtime:"
-    echo "    $packages libclang-rt-14-dev"
+    echo "setup: make $([ "$what" = test ] && echo test || echo check) needs these packages (names of Debian)$([ "$what" = test ] || echo ", and clang's sanitizer and fuzzer runtime"):"
+    echo "    $packages$([ "$what" = test ] || echo " libclang-rt-14-dev")"
     command -v apt-get >/dev/null && echo "setup: run as root to install them"
     exit 1
 fi
@@ -25,12 +27,16 @@ installed()
 # clang's runtime (sanitizers, libFuzzer) carries clang's version in its name.
 runtime()
 {
-    apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/libclang-rt-\1-dev/p' | head -n 1
+    [ "$what" = test ] || apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/libclang-rt-\1-dev/p' | head -n 1
 }
 
 if ! installed $packages $(runtime); then
+    echo "setup: installs $packages"
+    echo "setup: that takes $([ "$what" = test ] && echo 'about 330 MB on a bare Debian, and a minute or two' || echo 'about 3 GB, and some minutes')"
     export DEBIAN_FRONTEND=noninteractive
     apt-get update -qq
-    apt-get install -y -qq --no-install-recommends $packages $(runtime) >/dev/null
+    apt-get install -y --no-install-recommends $packages $(runtime) |
+        awk '/^Unpacking/ { n++; if (n % 20 == 0) { print "setup: " n " packages unpacked"; fflush() } }'
+    installed $packages $(runtime) || { echo "setup: apt-get did not install all of them"; exit 1; }
 fi
 echo "setup: all packages are installed"

@@ -100,7 +100,7 @@ input() {
 }
 
 inputs() {
-    command -v clang >/dev/null 2>&1 || { echo "prove: skipped: clang is not installed (make setup)"; exit 0; }
+    command -v clang >/dev/null 2>&1 || { echo "prove: skipped: clang is not installed (make setup-all)"; exit 0; }
     for variant in ${VARIANTS:-wide narrow}; do
         flags=
         [ "$variant" = narrow ] && flags=$short
