@@ -372,6 +372,67 @@ static void compact_equals_wide(void **state)
     assert_true(different <= total / 1000);
 }
 
+/*
+ * A vertex stage draws the meshes that it serves as the whole one does, nothing of those whose
+ * positions it does not serve, and without light what it does not light.
+ */
+static void stages(void **state)
+{
+    (void)state;
+    static full_mesh m;
+    static qtri_vertex scratch[VERTICES];
+    uint64_t seed = 113;
+    int total = 0;
+    int unlit = 0;
+    for (int n = 0; n < 600; n++) {
+        qtri_view view;
+        qtri_transform pose;
+        const qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(.3), Q16(.9)};
+        const bool is_compact = random_flag(&seed);
+        const qtri_vertex_stage stage = {
+            .positions = random_one_in(&seed, 4) ? NULL : &qtri_positions_wide,
+            .positions16 = random_one_in(&seed, 4) ? NULL : &qtri_positions_compact,
+            .vertex_light = random_one_in(&seed, 3) ? NULL : &qtri_light_by_vertex,
+            .face_light = random_one_in(&seed, 3) ? NULL : &qtri_light_by_face,
+            .uneven_light = random_flag(&seed) ? NULL : &qtri_light_uneven};
+        random_mesh(&m, &seed);
+        compact_mesh(&m, &seed);
+        random_view(&view, &seed);
+        qtri_transform_identity(&pose);
+        qtri_transform_rotate_x(&pose, random_any(&seed));
+        const bool is_uneven = random_one_in(&seed, 3);
+        if (is_uneven) {
+            const qtri_vec3 factor = {Q16_ONE, Q16(.5), Q16_ONE};
+            qtri_transform_scale(&pose, factor);
+        }
+        m.mesh.positions16 = is_compact ? m.position16 : NULL;
+        m.mesh.normals8 = NULL;
+        view.vertices = scratch;
+        view.vertex_count = VERTICES;
+        qtri_material material = random_material(&seed);
+        const bool by_vertex = material.shading == QTRI_SMOOTH && m.mesh.normals != NULL;
+        const bool is_served = (is_compact ? stage.positions16 : stage.positions) != NULL;
+        const bool is_lit = (by_vertex ? stage.vertex_light != NULL : stage.face_light != NULL) &&
+                            (!is_uneven || stage.uneven_light != NULL);
+        canvas a = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas b = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        view.light = &light;
+        qtri_draw_mesh_by(&stage, &a.surface, &view, &pose, &m.mesh, &material);
+        view.light = is_lit ? &light : NULL;
+        if (is_served) {
+            qtri_draw_mesh(&b.surface, &view, &pose, &m.mesh, &material);
+        }
+        assert_same_picture(&a.surface, &b.surface);
+        total += painted(&b);
+        unlit += is_served && !is_lit;
+        canvas_free(&a);
+        canvas_free(&b);
+    }
+    print_message("stages: %d pixels, %d not lit\n", total, unlit);
+    assert_true(total > 10000);
+    assert_true(unlit > 50);
+}
+
 /* A box around the mesh never changes the picture, and does keep a mesh out of sight from work. */
 static void bounds(void **state)
 {
@@ -759,6 +820,7 @@ int main(void)
         cmocka_unit_test(inside_a_box),
         cmocka_unit_test(compact_equals_wide),
         cmocka_unit_test(flat_light_without_normals),
+        cmocka_unit_test(stages),
         cmocka_unit_test(bounds),
         cmocka_unit_test(lit),
         cmocka_unit_test(nothing_to_draw),

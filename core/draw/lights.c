@@ -56,7 +56,7 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
 {
     qtri_illumination illumination;
     qtri_illumination_init(&illumination, view, pose, draw->material.reflection,
-                           qtri_mesh_has_compact(draw->mesh->positions16) ? draw->mesh : NULL);
+                           draw->mesh->positions16 != NULL ? draw->mesh : NULL);
     for (uint32_t i = 0; fresh && draw->lit_colors != NULL && i < draw->mesh->vertex_count; i++) {
         draw->lit_colors[i] = 0;
     }
@@ -135,7 +135,7 @@ QTRI_NOINLINE static qtri_rgb illuminate(const qtri_illumination *by, qtri_lit_p
 
 static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtri_vec3 p[3])
 {
-    if (qtri_mesh_has_compact(draw->mesh->positions16)) {
+    if (draw->mesh->positions16 != NULL) {
         /* Within a step: 10923 / 2^15 is 1/3 and 2^-16.6, and sums are below 2^16.6. */
         const qtri_position16 mean = {(int16_t)(((p[0].x + p[1].x + p[2].x) * 10923) >> 15),
                                       (int16_t)(((p[0].y + p[1].y + p[2].y) * 10923) >> 15),
@@ -159,7 +159,7 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
     qtri_lit_point point;
     qtri_vec3 p[3];
     int32_t n[3];
-    qtri_lit_face_positions(p, mesh, index);
+    qtri_mesh_positions(p, mesh, index);
     qtri_face_normal(n, &p[0], &p[1], &p[2]);
     qtri_illuminated_normal(&point, draw->illumination, turn * n[0], turn * n[1], turn * n[2]);
     if (!smooth) {

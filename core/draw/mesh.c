@@ -13,52 +13,34 @@
 
 /* ---- What vertices bring: light, colours, texture coordinates ---- */
 
-/* The triangle's plane. Its number: three times the factor is 1 modulo 2^32. */
-static const qtri_face8 *plane_of(const qtri_mesh *mesh, const void *indices)
+/* Which triangle of the mesh it is: 0xAAAAAAAB times 3 is 1 modulo 2^32. */
+static uint32_t number_of(const qtri_mesh *mesh, const void *indices)
 {
     const uint8_t *at = indices;
     const uint32_t offset = qtri_mesh_has_bytes(mesh)
                                 ? (uint32_t)(at - (const uint8_t *)mesh->triangles8)
                                 : (uint32_t)(at - (const uint8_t *)mesh->triangles) / 2;
-    return &mesh->faces.planes[offset * 0xAAAAAAABu];
+    return offset * 0xAAAAAAABu;
 }
 
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    if (mesh->faces.planes != NULL && draw->of.mesh.lighting.plain) {
-        const qtri_face8 *plane = plane_of(mesh, indices);
-        if ((plane->x | plane->y | plane->z) != 0) {
-            return qtri_lighting_face8(&draw->of.mesh.lighting, plane);
-        }
-    }
-    uint32_t a = qtri_mesh_index(mesh, indices, 0);
-    uint32_t b = qtri_mesh_index(mesh, indices, 1);
-    uint32_t c = qtri_mesh_index(mesh, indices, 2);
-    if (qtri_mesh_has_compact(mesh->positions16)) {
-        const qtri_position16 *p = mesh->positions16;
-        return qtri_lighting_face16(&draw->of.mesh.lighting, &p[a], &p[b], &p[c]);
-    }
-    const qtri_vec3 *p = mesh->positions;
-    return qtri_lighting_face(&draw->of.mesh.lighting, &p[a], &p[b], &p[c]);
-}
-
-static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    return qtri_mesh_has_compact(mesh->normals8)
-               ? qtri_lighting_vertex8(&draw->of.mesh.lighting, &mesh->normals8[index])
-               : qtri_lighting_vertex(&draw->of.mesh.lighting, &mesh->normals[index]);
+    uint32_t index[3];
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    return draw->stage->face_light->face(&draw->of.mesh.lighting, draw->mesh,
+                                         number_of(draw->mesh, indices), index);
 }
 
 static inline void light_corner(const qtri_mesh_job *draw, const void *indices, int corner,
                                 qtri_vertex *vertex)
 {
-    if (vertex->intensity_q15 == QTRI_VERTEX_UNLIT) {
-        vertex->intensity_q15 =
-            draw->lit_per_vertex
-                ? (uint16_t)light_vertex(draw, qtri_mesh_index(draw->mesh, indices, corner))
-                : (uint16_t)QTRI_INTENSITY_ONE;
+    if (vertex->intensity_q15 != QTRI_VERTEX_UNLIT) {
+        return;
+    }
+    vertex->intensity_q15 = QTRI_INTENSITY_ONE;
+    if (draw->lit_per_vertex) {
+        vertex->intensity_q15 = (uint16_t)draw->stage->vertex_light->vertex(
+            &draw->of.mesh.lighting, draw->mesh, qtri_mesh_index(draw->mesh, indices, corner));
     }
 }
 
@@ -75,7 +57,7 @@ QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void
 
 void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
 {
-    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
+    if (mesh->uvs16 != NULL) {
         *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
         *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
     } else if (mesh->uvs != NULL) {
@@ -109,8 +91,7 @@ static uint32_t find_light(const void *from, const void *indices, qtri_vertex *a
         }
         return QTRI_VERTEX_UNLIT;
     }
-    return QTRI_WITH_FACE_LIGHT && draw->lit_per_face ? qtri_mesh_light_face(draw, indices)
-                                                      : QTRI_INTENSITY_ONE;
+    return draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
 }
 
 /* ---- Set-up ---- */
@@ -124,7 +105,7 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
     const qtri_mesh *mesh = draw->mesh;
     qtri_box box = mesh->bounds;
     if ((box.half.x | box.half.y | box.half.z) == 0) {
-        if (!qtri_mesh_has_compact(mesh->positions16) || mesh->vertex_count < WORTH_A_BOX) {
+        if (mesh->positions16 == NULL || mesh->vertex_count < WORTH_A_BOX) {
             return false;
         }
         box.center = mesh->origin; /* the cube that 16 bits span */
@@ -143,29 +124,10 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
     return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
 }
 
-static bool is_compact(const qtri_mesh *mesh)
-{
-    return mesh->positions16 != NULL || mesh->normals8 != NULL || mesh->uvs16 != NULL ||
-           mesh->triangles8 != NULL;
-}
-
-static bool is_wide(const qtri_mesh *mesh)
-{
-    return mesh->positions16 == NULL || (mesh->normals != NULL && mesh->normals8 == NULL) ||
-           (mesh->uvs != NULL && mesh->uvs16 == NULL);
-}
-
 /* Without vertices every index is past the end; the arrays of what is empty may be NULL. */
 static bool is_empty(const qtri_mesh *mesh)
 {
     return mesh->vertex_count == 0 || mesh->triangle_count == 0;
-}
-
-/* Whether the library is built with what the mesh has, see config.h. */
-static bool is_built(const qtri_mesh *mesh)
-{
-    return (QTRI_WITH_COMPACT_MESHES || !is_compact(mesh)) &&
-           (QTRI_WITH_WIDE_MESHES || !is_wide(mesh));
 }
 
 /* What colours do, see qtri_draw_state_init(). */
@@ -183,17 +145,17 @@ static int shade_of(const qtri_mesh_job *draw)
     return draw->lit_per_face ? QTRI_TINT : QTRI_FLAT;
 }
 
-void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
-                        const qtri_mesh *mesh, const qtri_material *material, qtri_vertex *vertices,
-                        uint32_t vertex_count)
+void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
+                        const qtri_surface *surface, const qtri_view *view, const qtri_mesh *mesh,
+                        const qtri_material *material, qtri_vertex *vertices, uint32_t vertex_count)
 {
     draw->material = *material;
     if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
         draw->material.texture = NULL;
     }
     draw->mesh = mesh;
-    draw->positions =
-        qtri_mesh_has_compact(mesh->positions16) ? &qtri_positions_compact : &qtri_positions_wide;
+    draw->stage = stage;
+    draw->positions = mesh->positions16 != NULL ? stage->positions16 : stage->positions;
     draw->vertices = vertices;
     draw->slot_count = vertex_count;
     draw->lights = view->lights;
@@ -205,7 +167,8 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const 
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     const bool is_lit = view->light != NULL && view->lights == NULL;
     draw->lit_per_vertex = is_lit && qtri_is_smooth(material) && normals;
-    draw->lit_per_face = QTRI_WITH_FACE_LIGHT && is_lit && !draw->lit_per_vertex;
+    draw->lit_per_face = is_lit && !draw->lit_per_vertex && stage->face_light != NULL;
+    draw->lit_per_vertex = draw->lit_per_vertex && stage->vertex_light != NULL;
     if (draw->lights != NULL) {
         draw->lights->model->begin(draw);
     }
@@ -226,20 +189,21 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
     qtri_transform object_to_eye;
     qtri_transform_mul(&object_to_eye, &view->camera, pose);
     qtri_primitive_place_in_eye(&draw->primitive, view, &object_to_eye);
-    if (is_empty(mesh) || !is_built(mesh) || is_missed(draw, draw->primitive.surface)) {
+    if (is_empty(mesh) || draw->positions == NULL || is_missed(draw, draw->primitive.surface)) {
         return false;
     }
     if (draw->positions->begin != NULL) {
         draw->positions->begin(&draw->primitive.projector, mesh);
     }
-    if (view->light != NULL && view->lights == NULL) {
-        const bool bytes = QTRI_WITH_COMPACT_MESHES && mesh->normals8 != NULL;
-        qtri_lighting_init(&draw->of.mesh.lighting, view->light, &object_to_eye,
-                           draw->lit_per_vertex && bytes ? 127 * 128 : 1 << 14);
-        if (!QTRI_WITH_UNEVEN_LIGHT && !draw->of.mesh.lighting.plain) {
-            draw->lit_per_vertex = false;
-            draw->lit_per_face = false;
-        }
+    if (draw->lit_per_vertex || draw->lit_per_face) {
+        const qtri_vertex_stage *stage = draw->stage;
+        const bool is_lit =
+            (draw->lit_per_vertex ? stage->vertex_light->init : stage->face_light->init)(
+                &draw->of.mesh.lighting, view->light, &object_to_eye,
+                draw->lit_per_vertex && mesh->normals8 != NULL ? 127 * 128 : 1 << 14,
+                stage->uneven_light);
+        draw->lit_per_vertex = draw->lit_per_vertex && is_lit;
+        draw->lit_per_face = draw->lit_per_face && is_lit;
     }
     return true;
 }
@@ -250,9 +214,8 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
 static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
                            const void *triangle, qtri_vertex *const vertex[3])
 {
-    uint32_t face_q15 = QTRI_WITH_FACE_LIGHT && draw->lit_per_face
-                            ? qtri_mesh_light_face(draw, triangle)
-                            : QTRI_INTENSITY_ONE;
+    uint32_t face_q15 =
+        draw->lit_per_face ? qtri_mesh_light_face(draw, triangle) : QTRI_INTENSITY_ONE;
     if (draw->lit_per_vertex) {
         qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
     }
@@ -427,11 +390,13 @@ QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
 }
 
 /* A function of its own, so that its stack is free again. */
-QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_surface *surface,
-                                const qtri_view *view, const qtri_transform *pose,
-                                const qtri_mesh *mesh, const qtri_material *material)
+QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
+                                const qtri_surface *surface, const qtri_view *view,
+                                const qtri_transform *pose, const qtri_mesh *mesh,
+                                const qtri_material *material)
 {
-    qtri_mesh_job_init(draw, surface, view, mesh, material, view->vertices, view->vertex_count);
+    qtri_mesh_job_init(draw, stage, surface, view, mesh, material, view->vertices,
+                       view->vertex_count);
     return qtri_mesh_job_place(draw, view, pose);
 }
 
@@ -453,15 +418,17 @@ static void draw_placed(qtri_mesh_job *draw, void *with)
     }
 }
 
-void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
-                    const qtri_mesh *mesh, const qtri_material *material)
+void qtri_draw_mesh_by(const qtri_vertex_stage *stage, const qtri_surface *surface,
+                       const qtri_view *view, const qtri_transform *pose, const qtri_mesh *mesh,
+                       const qtri_material *material)
 {
+    QTRI_ASSERT(stage != NULL);
     QTRI_CHECK(qtri_check_surface(surface));
     QTRI_CHECK(qtri_check_material(material));
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_mesh(mesh));
     qtri_mesh_job draw;
-    if (!begin(&draw, surface, view, pose, mesh, material)) {
+    if (!begin(&draw, stage, surface, view, pose, mesh, material)) {
         return;
     }
     if (view->lights != NULL) {
@@ -469,4 +436,16 @@ void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qt
     } else {
         draw_placed(&draw, NULL);
     }
+}
+
+const qtri_vertex_stage qtri_vertex_stage_any = {.positions = &qtri_positions_wide,
+                                                 .positions16 = &qtri_positions_compact,
+                                                 .vertex_light = &qtri_light_by_vertex,
+                                                 .face_light = &qtri_light_by_face,
+                                                 .uneven_light = &qtri_light_uneven};
+
+void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
+                    const qtri_mesh *mesh, const qtri_material *material)
+{
+    qtri_draw_mesh_by(&qtri_vertex_stage_any, surface, view, pose, mesh, material);
 }

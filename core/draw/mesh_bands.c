@@ -431,8 +431,8 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
 QTRI_NOINLINE static bool prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
                                          const qtri_surface *surface, bool place)
 {
-    qtri_mesh_job_init(job, surface, prepared->view, prepared->mesh, prepared->material,
-                       prepared->vertices, prepared->vertex_count);
+    qtri_mesh_job_init(job, prepared->stage, surface, prepared->view, prepared->mesh,
+                       prepared->material, prepared->vertices, prepared->vertex_count);
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
 }
 
@@ -492,15 +492,17 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
                           (job.lights != NULL && !job.lights->model->has_place(&job, true));
 }
 
-void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const qtri_view *view,
-                       const qtri_transform *pose, const qtri_mesh *mesh,
-                       const qtri_material *material)
+void qtri_prepare_mesh_by(const qtri_vertex_stage *stage, qtri_prepared *prepared,
+                          const qtri_frame *frame, const qtri_view *view,
+                          const qtri_transform *pose, const qtri_mesh *mesh,
+                          const qtri_material *material)
 {
-    QTRI_ASSERT(prepared != NULL && frame != NULL);
+    QTRI_ASSERT(stage != NULL && prepared != NULL && frame != NULL);
     QTRI_CHECK(qtri_check_prepared(prepared));
     QTRI_CHECK(qtri_check_material(material));
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_mesh(mesh));
+    prepared->stage = stage;
     prepared->view = view;
     prepared->pose = pose;
     prepared->mesh = mesh;
@@ -509,6 +511,13 @@ void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const q
     prepared->height = frame->height;
     prepared->rows = frame->rows;
     prepare(prepared, frame->format);
+}
+
+void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const qtri_view *view,
+                       const qtri_transform *pose, const qtri_mesh *mesh,
+                       const qtri_material *material)
+{
+    qtri_prepare_mesh_by(&qtri_vertex_stage_any, prepared, frame, view, pose, mesh, material);
 }
 
 /* ---- One band ---- */

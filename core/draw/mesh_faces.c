@@ -6,7 +6,7 @@
 static bool find_eye(qtri_eye *eye, const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
-    if (qtri_mesh_has_compact(mesh->positions16)) {
+    if (mesh->positions16 != NULL) {
         return qtri_eye_find(eye, &draw->primitive.projector, &mesh->faces);
     }
     qtri_projector compact = draw->primitive.projector;
@@ -122,7 +122,6 @@ QTRI_NOINLINE static uint32_t meet_narrow(qtri_mesh_faces *faces, const qtri_mes
 
 static void light(const qtri_mesh_job *draw, uint32_t count)
 {
-    const qtri_mesh *mesh = draw->mesh;
     if (draw->lights != NULL) {
         draw->lights->model->list(draw, count);
     }
@@ -130,10 +129,8 @@ static void light(const qtri_mesh_job *draw, uint32_t count)
         for (uint32_t i = 0; i < count; i++) {
             draw->vertices[draw->vertices[i].index].intensity_q15 = QTRI_INTENSITY_ONE;
         }
-    } else if (qtri_mesh_has_compact(mesh->normals8)) {
-        qtri_lighting_list8(&draw->of.mesh.lighting, mesh->normals8, count, draw->vertices);
     } else {
-        qtri_lighting_list(&draw->of.mesh.lighting, mesh->normals, count, draw->vertices);
+        draw->stage->vertex_light->list(&draw->of.mesh.lighting, draw->mesh, count, draw->vertices);
     }
 }
 

@@ -40,7 +40,8 @@ typedef struct qtri_mesh_job {
     qtri_primitive primitive;
     qtri_material material; /* without the texture when there are no coordinates */
     const qtri_mesh *mesh;
-    const qtri_position_ops *positions; /* which the mesh has */
+    const qtri_vertex_stage *stage;
+    const qtri_position_ops *positions; /* of those that the mesh has; NULL: none serves it */
     qtri_vertex *vertices;              /* slot_count of them */
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
@@ -66,8 +67,9 @@ typedef struct qtri_mesh_job {
  * How it looks and where to: all that triangles inside all planes need, once they are lit; and
  * memory for its vertices.
  */
-void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_surface *surface, const qtri_view *view,
-                        const qtri_mesh *mesh, const qtri_material *material, qtri_vertex *vertices,
+void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
+                        const qtri_surface *surface, const qtri_view *view, const qtri_mesh *mesh,
+                        const qtri_material *material, qtri_vertex *vertices,
                         uint32_t vertex_count);
 
 /* The rest: geometry and light. False when nothing of the mesh can be seen on the surface. */
@@ -152,15 +154,9 @@ QTRI_INLINE bool qtri_mesh_draw_small(bool (*small)(qtri_small *triangle), qtri_
     return small(t);
 }
 
-/* Which of two arrays serves: known to the compiler where one kind is left out. */
-static inline bool qtri_mesh_has_compact(const void *compact)
-{
-    return QTRI_WITH_COMPACT_MESHES && (!QTRI_WITH_WIDE_MESHES || compact != NULL);
-}
-
 static inline bool qtri_mesh_has_bytes(const qtri_mesh *mesh)
 {
-    return QTRI_WITH_COMPACT_MESHES && mesh->triangles8 != NULL;
+    return mesh->triangles8 != NULL;
 }
 
 /* The indices of a triangle. */

@@ -169,7 +169,8 @@ QTRI_NOINLINE static bool begin(qtri_mesh_job *job, const qtri_surface *surface,
                                 const qtri_view *view, const qtri_transform *pose,
                                 const qtri_mesh *mesh, const qtri_material *material)
 {
-    qtri_mesh_job_init(job, surface, view, mesh, material, view->vertices, view->vertex_count);
+    qtri_mesh_job_init(job, &qtri_vertex_stage_any, surface, view, mesh, material, view->vertices,
+                       view->vertex_count);
     return qtri_mesh_job_place(job, view, pose);
 }
 

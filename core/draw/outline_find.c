@@ -220,8 +220,8 @@ static const qtri_mesh_job *light_of(qtri_mesh_job *job, const qtri_outline *out
                                 .height = outline->height,
                                 .rows = outline->height,
                                 .scissor = frame};
-    qtri_mesh_job_init(job, &whole, outline->view, outline->mesh, outline->material,
-                       outline->view->vertices, outline->view->vertex_count);
+    qtri_mesh_job_init(job, &qtri_vertex_stage_any, &whole, outline->view, outline->mesh,
+                       outline->material, outline->view->vertices, outline->view->vertex_count);
     return qtri_mesh_job_place(job, outline->view, outline->pose) ? job : NULL;
 }
 

@@ -8,7 +8,7 @@
 static void get_face_normal(int32_t n[3], const qtri_mesh *mesh, const uint32_t index[3])
 {
     qtri_vec3 p[3];
-    qtri_lit_face_positions(p, mesh, index);
+    qtri_mesh_positions(p, mesh, index);
     qtri_face_normal(n, &p[0], &p[1], &p[2]);
 }
 

@@ -105,8 +105,8 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     const qtri_box everywhere = {{0, 0, 0}, {INT32_MAX, INT32_MAX, INT32_MAX}};
     qtri_mesh unbounded = *mesh;
     unbounded.bounds = everywhere;
-    qtri_mesh_job_init(&wide.mesh, surface, view, &unbounded, &wired, view->vertices,
-                       view->vertex_count);
+    qtri_mesh_job_init(&wide.mesh, &qtri_vertex_stage_any, surface, view, &unbounded, &wired,
+                       view->vertices, view->vertex_count);
     qtri_line_job *job = &wide.mesh.primitive.to.lines.job;
     const qtri_stroke_line thin = {wide.place.radius_24p8, wide.place.caps[0] == QTRI_CAP_SQUARE,
                                    stroke->alpha};

@@ -2,7 +2,65 @@
 #include "lighting.h"
 
 #include "../bits/seed.h"
+#include "../math/unit.h"
+#include "linear_part.h"
 #include "vertex.h"
+
+/*
+ * ambient + diffuse (n . towards) / unit as a row of intensities times 2^25, plus half of a step of
+ * 2^-15. |m| <= 4 2^27, 2^29.8 for all three.
+ */
+static void set_plain_row(qtri_lighting *lighting, int32_t unit)
+{
+    int32_t m[3];
+    for (int i = 0; i < 3; i++) {
+        int64_t product_q46 = (int64_t)lighting->towards_q30[i] * lighting->diffuse; /* <= 2^48 */
+        bool half;
+        int32_t size =
+            (int32_t)qtri_divide64(qtri_magnitude64(product_q46), (uint32_t)unit * 32, 0, &half);
+        m[i] = (product_q46 < 0 ? -size : size) & ~(int32_t)3;
+    }
+    int64_t ambient_q16 = lighting->ambient > Q16_ONE ? Q16_ONE : lighting->ambient;
+    int64_t t_q41 = (ambient_q16 << 25) + ((int64_t)1 << 25);
+    qtri_row16_set(&lighting->by.row, m, t_q41);
+    lighting->least_q15 = (uint32_t)(t_q41 >> 26);
+}
+
+bool qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
+                        const qtri_transform *object_to_eye, int32_t unit,
+                        const qtri_uneven_light *uneven)
+{
+    int32_t m[3][4];
+    (void)qtri_linear_align(m, object_to_eye);
+    lighting->ambient = light->ambient;
+    lighting->diffuse = light->diffuse;
+    lighting->even = qtri_linear_is_even(m);
+    lighting->plain = lighting->even && light->ambient >= 0 && light->diffuse >= 0 &&
+                      light->diffuse <= 4 * Q16_ONE;
+    const int32_t towards[3] = {light->towards.x, light->towards.y, light->towards.z};
+    lighting->uneven = uneven;
+    if (!lighting->plain && uneven == NULL) {
+        return false;
+    }
+    if (!lighting->even) {
+        uneven->init(lighting, towards, object_to_eye);
+        return true;
+    }
+    int64_t object[3]; /* the transpose takes it there; < 3 2^61 */
+    int32_t fitted[3];
+    for (int i = 0; i < 3; i++) {
+        m[i][3] = towards[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        object[i] = qtri_linear_dot(m, i, 3);
+    }
+    (void)qtri_fit32(fitted, object, 3);
+    (void)qtri_unit(lighting->towards_q30, fitted, 3, 30); /* stays zero for no direction */
+    if (lighting->plain) {
+        set_plain_row(lighting, unit);
+    }
+    return true;
+}
 
 /* Scales v so that its largest component lies in [2^28, 2^29). False for the zero vector. */
 static bool normalize_scale(int32_t out[3], const int64_t v[3])
@@ -35,7 +93,7 @@ static uint32_t intensity(const qtri_lighting *lighting, int64_t cosine_q16)
 static uint32_t light_direction(const qtri_lighting *lighting, const int32_t normal[3])
 {
     int64_t v[3] = {normal[0], normal[1], normal[2]};
-    if (QTRI_WITH_UNEVEN_LIGHT && !lighting->even) {
+    if (!lighting->even) {
         for (int i = 0; i < 3; i++) {
             v[i] = dot_q30(normal, lighting->by.normal_q28[i]); /* < 3 2^58 */
         }
@@ -66,9 +124,9 @@ static inline uint32_t light_plain(const qtri_row16 *row, uint32_t least_q15, in
 
 static inline uint32_t light_normal(const qtri_lighting *lighting, int32_t x, int32_t y, int32_t z)
 {
-    if (QTRI_WITH_UNEVEN_LIGHT && !lighting->plain) {
+    if (!lighting->plain) {
         const int32_t normal[3] = {x, y, z};
-        return light_direction(lighting, normal);
+        return lighting->uneven->direction(lighting, normal);
     }
     return light_plain(&lighting->by.row, lighting->least_q15, x, y, z);
 }
@@ -83,32 +141,34 @@ uint32_t qtri_lighting_vertex8(const qtri_lighting *lighting, const qtri_normal8
     return light_normal(lighting, normal->x * 128, normal->y * 128, normal->z * 128);
 }
 
-void qtri_lighting_list(const qtri_lighting *lighting, const qtri_normal *normals, uint32_t count,
-                        qtri_vertex *vertices)
+static uint32_t light_vertex(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t index)
 {
-    for (const qtri_vertex *at = vertices; at != vertices + count; at++) {
-        vertices[at->index].intensity_q15 =
-            (uint16_t)qtri_lighting_vertex(lighting, &normals[at->index]);
-    }
+    return mesh->normals8 != NULL ? qtri_lighting_vertex8(lighting, &mesh->normals8[index])
+                                  : qtri_lighting_vertex(lighting, &mesh->normals[index]);
 }
 
-void qtri_lighting_list8(const qtri_lighting *lighting, const qtri_normal8 *normals, uint32_t count,
-                         qtri_vertex *vertices)
+static void light_list(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t count,
+                       qtri_vertex *vertices)
 {
+    const qtri_normal8 *normals = mesh->normals8;
     const qtri_vertex *end = vertices + count;
-    const qtri_vertex *at = vertices;
+    if (normals == NULL || !lighting->plain) {
+        for (const qtri_vertex *at = vertices; at != end; at++) {
+            vertices[at->index].intensity_q15 = (uint16_t)light_vertex(lighting, mesh, at->index);
+        }
+        return;
+    }
     const qtri_row16 row = lighting->by.row;
     const uint32_t least_q15 = lighting->least_q15;
-    for (; at != end && (!QTRI_WITH_UNEVEN_LIGHT || lighting->plain); at++) {
+    for (const qtri_vertex *at = vertices; at != end; at++) {
         const qtri_normal8 *n = &normals[at->index];
         vertices[at->index].intensity_q15 =
             (uint16_t)light_plain(&row, least_q15, n->x * 128, n->y * 128, n->z * 128);
     }
-    for (; at != end; at++) {
-        vertices[at->index].intensity_q15 =
-            (uint16_t)qtri_lighting_vertex8(lighting, &normals[at->index]);
-    }
 }
+
+const qtri_vertex_light qtri_light_by_vertex = {
+    .init = qtri_lighting_init, .vertex = light_vertex, .list = light_list};
 
 /* Any face, any light. */
 static uint32_t light_any_face(const qtri_lighting *lighting, const qtri_vec3 *a,
@@ -202,19 +262,6 @@ static inline int32_t difference(q16 a, q16 b)
     return qtri_saturate32((int64_t)a - b);
 }
 
-uint32_t qtri_lighting_face16(const qtri_lighting *lighting, const qtri_position16 *a,
-                              const qtri_position16 *b, const qtri_position16 *c)
-{
-    const int32_t e[3] = {b->x - a->x, b->y - a->y, b->z - a->z};
-    const int32_t f[3] = {c->x - a->x, c->y - a->y, c->z - a->z};
-    if (lighting->plain && is_short(e, f)) {
-        return light_face(lighting, e, f);
-    }
-    /* Their scale does not matter. */
-    const qtri_vec3 wide[3] = {{a->x, a->y, a->z}, {b->x, b->y, b->z}, {c->x, c->y, c->z}};
-    return light_any_face(lighting, &wide[0], &wide[1], &wide[2]);
-}
-
 uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
                             const qtri_vec3 *c)
 {
@@ -248,3 +295,28 @@ uint32_t qtri_lighting_face8(const qtri_lighting *lighting, const qtri_face8 *fa
     const uint32_t sum_q15 = (light_q25 + (uint32_t)ambient_q25) >> 10;
     return sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : sum_q15;
 }
+
+static uint32_t light_mesh_face(const qtri_lighting *lighting, const qtri_mesh *mesh,
+                                uint32_t number, const uint32_t index[3])
+{
+    qtri_vec3 p[3];
+    if (mesh->faces.planes != NULL && lighting->plain) {
+        const qtri_face8 *plane = &mesh->faces.planes[number];
+        if ((plane->x | plane->y | plane->z) != 0) {
+            return qtri_lighting_face8(lighting, plane);
+        }
+    }
+    qtri_mesh_positions(p, mesh, index);
+    return qtri_lighting_face(lighting, &p[0], &p[1], &p[2]);
+}
+
+const qtri_face_light qtri_light_by_face = {.init = qtri_lighting_init, .face = light_mesh_face};
+
+static void init_uneven(qtri_lighting *lighting, const int32_t towards[3],
+                        const qtri_transform *object_to_eye)
+{
+    (void)qtri_unit(lighting->towards_q30, towards, 3, 30);
+    qtri_linear_normals(lighting->by.normal_q28, object_to_eye);
+}
+
+const qtri_uneven_light qtri_light_uneven = {.init = init_uneven, .direction = light_direction};

@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 
+#include "qtri/draw.h"
 #include "qtri/mesh.h"
 #include "qtri/view.h"
 
@@ -18,8 +19,9 @@
  * Otherwise every normal goes through the inverse transpose and is normalised.
  */
 typedef struct qtri_lighting {
-    bool even, plain;   /* plain: even, and the row serves */
-    uint32_t least_q15; /* plain: intensity without the diffuse part */
+    bool even, plain;                /* plain: even, and the row serves */
+    const qtri_uneven_light *uneven; /* not plain: what serves it */
+    uint32_t least_q15;              /* plain: intensity without the diffuse part */
     q16 ambient, diffuse;
     int32_t towards_q30[3]; /* unit, in object space when even, else in eye space */
     union {
@@ -29,11 +31,12 @@ typedef struct qtri_lighting {
 } qtri_lighting;
 
 /*
- * unit: what 1 is in the normals of vertices that will be lit. Without QTRI_WITH_UNEVEN_LIGHT what
- * is not plain is not to be lit at all.
+ * unit: what 1 is in the normals of vertices that will be lit. False where only `uneven` would
+ * serve, and that is NULL.
  */
-void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
-                        const qtri_transform *object_to_eye, int32_t unit);
+bool qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
+                        const qtri_transform *object_to_eye, int32_t unit,
+                        const qtri_uneven_light *uneven);
 
 #define QTRI_INTENSITY_ONE 0x8000u /* intensities have 15 fraction bits */
 
@@ -41,22 +44,56 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
 uint32_t qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal);
 uint32_t qtri_lighting_vertex8(const qtri_lighting *lighting, const qtri_normal8 *normal);
 
-/* The same for the vertices whose numbers are vertices[0..count-1].index, each in its slot. */
-void qtri_lighting_list(const qtri_lighting *lighting, const qtri_normal *normals, uint32_t count,
-                        qtri_vertex *vertices);
-void qtri_lighting_list8(const qtri_lighting *lighting, const qtri_normal8 *normals, uint32_t count,
-                         qtri_vertex *vertices);
-
-/* The same for the face a b c, counter-clockwise; a face without area gets the ambient light. */
+/* Likewise for the face a b c, counter-clockwise; a face without area gets the ambient light. */
 uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
                             const qtri_vec3 *c);
 /*
- * The same for a face whose plane is not 0 0 0, by the plane alone: off by the plane's angle to
+ * Likewise for a face whose plane is not 0 0 0, by the plane alone: off by the plane's angle to
  * the face times the diffuse part, and 2^-11. For light that is plain.
  */
 uint32_t qtri_lighting_face8(const qtri_lighting *lighting, const qtri_face8 *face);
 
-uint32_t qtri_lighting_face16(const qtri_lighting *lighting, const qtri_position16 *a,
-                              const qtri_position16 *b, const qtri_position16 *c);
+/* Positions of a triangle, in a scale that does not matter for its normal. */
+static inline void qtri_mesh_positions(qtri_vec3 p[3], const qtri_mesh *mesh,
+                                       const uint32_t index[3])
+{
+    for (int i = 0; i < 3; i++) {
+        if (mesh->positions16 != NULL) {
+            const qtri_position16 *from = &mesh->positions16[index[i]];
+            p[i].x = from->x;
+            p[i].y = from->y;
+            p[i].z = from->z;
+        } else {
+            p[i] = mesh->positions[index[i]];
+        }
+    }
+}
+
+/* What lights a mesh's vertices: see qtri_vertex_stage. */
+struct qtri_vertex_light {
+    bool (*init)(qtri_lighting *lighting, const qtri_light *light,
+                 const qtri_transform *object_to_eye, int32_t unit,
+                 const qtri_uneven_light *uneven);
+    uint32_t (*vertex)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t index);
+    /* The vertices whose indices are vertices[0..count-1].index, each in its slot. */
+    void (*list)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t count,
+                 qtri_vertex *vertices);
+};
+
+/* What lights a mesh's faces: the triangle of this number, with these indices. */
+struct qtri_face_light {
+    bool (*init)(qtri_lighting *lighting, const qtri_light *light,
+                 const qtri_transform *object_to_eye, int32_t unit,
+                 const qtri_uneven_light *uneven);
+    uint32_t (*face)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t number,
+                     const uint32_t index[3]);
+};
+
+/* Light that is not plain. */
+struct qtri_uneven_light {
+    void (*init)(qtri_lighting *lighting, const int32_t towards[3],
+                 const qtri_transform *object_to_eye);
+    uint32_t (*direction)(const qtri_lighting *lighting, const int32_t normal[3]);
+};
 
 #endif

@@ -6,6 +6,7 @@
 #define QTRI_GEOMETRY_PROJECTOR_H
 
 #include "qtri/clip.h"
+#include "qtri/draw.h"
 #include "qtri/mesh.h"
 #include "qtri/raster.h"
 #include "qtri/view.h"
@@ -97,8 +98,8 @@ bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p
 bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
                                uint32_t count, qtri_vertex *vertices, bool is_listed);
 
-/* What serves a mesh's positions: a draw call links those that it may meet. */
-typedef struct qtri_position_ops {
+/* What serves a mesh's positions: see qtri_vertex_stage. */
+struct qtri_position_ops {
     /* Makes the projector take these positions; NULL: it does. */
     void (*begin)(qtri_projector *projector, const qtri_mesh *mesh);
     /* As qtri_projector_vertices(), for the positions from `first` on. */
@@ -107,8 +108,6 @@ typedef struct qtri_position_ops {
     /* One position in homogeneous screen coordinates. */
     void (*transform)(const qtri_projector *projector, const qtri_mesh *mesh, uint32_t index,
                       qtri_clip_vertex *out);
-} qtri_position_ops;
-
-extern const qtri_position_ops qtri_positions_wide, qtri_positions_compact;
+};
 
 #endif

@@ -85,6 +85,8 @@ static qtri_view view;
 static qtri_transform pose;
 static qtri_surface band;
 
+static const qtri_vertex_stage stage = {.positions16 = &qtri_positions_compact,
+                                        .vertex_light = &qtri_light_by_vertex};
 static const qtri_pipeline *const pipelines[] = {&qtri_pipeline_lit, NULL};
 
 void app_setup(void)
@@ -106,7 +108,7 @@ void app_frame(int32_t number)
     qtri_transform_rotate_y(&pose, Q16(15) * number);
     qtri_transform_rotate_x(&pose, Q16(10) * number);
     qtri_frame_begin(&frame);
-    qtri_prepare_mesh(&prepared, &frame, &view, &pose, &torus, &material);
+    qtri_prepare_mesh_by(&stage, &prepared, &frame, &view, &pose, &torus, &material);
     while (qtri_frame_next_band(&frame, &band)) {
         qtri_surface_clear(&band, sky);
         qtri_draw_prepared(&band, &prepared);

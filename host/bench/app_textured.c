@@ -69,6 +69,8 @@ static qtri_transform pose;
 static qtri_material material;
 static qtri_surface band;
 
+static const qtri_vertex_stage stage = {.positions = &qtri_positions_wide,
+                                        .vertex_light = &qtri_light_by_vertex};
 static const qtri_pipeline *const pipelines[] = {&qtri_pipeline_texture_white, NULL};
 
 void app_setup(void)
@@ -96,7 +98,7 @@ void app_frame(int32_t number)
         qtri_surface_init(&band, &qtri_rgb565, APP_WIDTH, APP_HEIGHT, row, APP_BAND_ROWS,
                           band_memory, sizeof band_memory);
         qtri_surface_clear(&band, sky);
-        qtri_draw_mesh(&band, &view, &pose, &crate, &material);
+        qtri_draw_mesh_by(&stage, &band, &view, &pose, &crate, &material);
         display_write(&band);
     }
 }

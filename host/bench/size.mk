@@ -10,13 +10,8 @@ SIZE_LIBRARY  := $(wildcard core/*/*.c)
 SIZE_SOURCES  := host/bench/size_board.c port/boards/common/memory.c
 SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -fstack-usage -fcallgraph-info=su
 
-# Applications once more, with a library that is built for what they use: a row `textured-only` for `textured`, at -Os.
-SIZE_ONLY_APPS     := textured
-SIZE_ONLY_VARIANTS := $(filter cortex-m0plus-Os cortex-m3-Os,$(SIZE_VARIANTS))
-SIZE_LEFT_OUT_textured := FACE_LIGHT UNEVEN_LIGHT COMPACT_MESHES
-
 # Applications once more, with the library in one file (`make dist`): a row `flat-single` for `flat`, at -Os.
-SIZE_SINGLE_VARIANTS := $(SIZE_ONLY_VARIANTS)
+SIZE_SINGLE_VARIANTS := $(filter cortex-m0plus-Os cortex-m3-Os,$(SIZE_VARIANTS))
 SIZE_SINGLE          := $(SIZE_DIR)/dist/single/qtri.c
 
 $(SIZE_SINGLE): $(wildcard core/*/*.[ch] core/*/*.inc core/include/*.h core/include/qtri/*.h port/panels/*.[ch] port/include/qtri_port/*.h \
@@ -41,7 +36,7 @@ endef
 # The library's objects. $1: core-optimization.
 size_library = $(addprefix $(SIZE_DIR)/$1/,$(if $(filter %-single,$1),single/qtri.o,$(SIZE_LIBRARY:.c=.o)))
 
-# $1: core-optimization; $2: core; $3: optimization; $4: the start-up code's board; $5: options of config.h left out.
+# $1: core-optimization; $2: core; $3: optimization; $4: the start-up code's board.
 define size_rules
 $(SIZE_DIR)/$1/%.elf: $(call size_library,$1) $(addprefix $(SIZE_DIR)/$1/,$(SIZE_SOURCES:.c=.o) $(patsubst %.c,%.o,$(wildcard port/boards/$4/*.c))) \
                       $(SIZE_DIR)/$1/host/bench/app_%.o port/boards/$4/$4.ld
@@ -50,10 +45,10 @@ $(SIZE_DIR)/$1/%.elf: $(call size_library,$1) $(addprefix $(SIZE_DIR)/$1/,$(SIZE
 
 $(SIZE_DIR)/$1/port/boards/common/memory.o: private SIZE_EXTRA := -fno-tree-loop-distribute-patterns
 
-$(if $(and $(filter-out %-only,$1),$(filter $(1:%-O2=%),$(SCENE_CORES))),$(call size_shared,$1,$(1:%-O2=%)))
+$(if $(filter $(1:%-O2=%),$(SCENE_CORES)),$(call size_shared,$1,$(1:%-O2=%)))
 $(SIZE_DIR)/$1/%.o: %.c host/bench/bench.mk host/bench/size.mk
 	@mkdir -p $$(@D)
-	@$(call bench_cc,$2) $(BENCH_FPU_$2) $3 $(SIZE_FLAGS) $(5:%=-DQTRI_WITH_%=0) $$(SIZE_EXTRA) -MMD -MP -c -o $$@ $$<
+	@$(call bench_cc,$2) $(BENCH_FPU_$2) $3 $(SIZE_FLAGS) $$(SIZE_EXTRA) -MMD -MP -c -o $$@ $$<
 
 $(SIZE_DIR)/$1/%.txt: $(SIZE_DIR)/$1/%.elf
 	@timeout 300 $(call bench_emulator,$2) -display none -monitor none -serial stdio -kernel $$< </dev/null >$$@.part
@@ -65,9 +60,6 @@ size_core     = $(patsubst %-O$(lastword $(subst -O, ,$1)),%,$1)
 size_optimize = -O$(lastword $(subst -O, ,$1))
 $(foreach variant,$(SIZE_VARIANTS),$(eval $(call size_rules,$(variant),$(call size_core,$(variant)),$(call \
     size_optimize,$(variant)),$(notdir $(call bench_board,$(call size_core,$(variant)))))))
-$(foreach app,$(SIZE_ONLY_APPS),$(foreach variant,$(SIZE_ONLY_VARIANTS),$(eval $(call size_rules,$(variant)-$(app)-only,$(call \
-    size_core,$(variant)),$(call size_optimize,$(variant)),$(notdir $(call bench_board,$(call size_core,$(variant)))),$(SIZE_LEFT_OUT_$(app))))))
-
 $(foreach variant,$(SIZE_SINGLE_VARIANTS),$(eval $(call size_single,$(variant)-single,$(call size_core,$(variant)),$(call size_optimize,$(variant)))))
 $(foreach variant,$(SIZE_SINGLE_VARIANTS),$(eval $(call size_rules,$(variant)-single,$(call size_core,$(variant)),$(call \
     size_optimize,$(variant)),$(notdir $(call bench_board,$(call size_core,$(variant)))))))
@@ -76,21 +68,19 @@ $(foreach variant,$(SIZE_SINGLE_VARIANTS),$(eval $(call size_rules,$(variant)-si
 size: ## Bytes of code, constants, static RAM and stack of three applications, all RAM of one in bands: build/size.tsv
 	@$(call bench_skip,size,$(SIZE_ABSENT))
 	@$(ALIVE) size $(MAKE) -s $(PARALLEL) size-lines
-	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_ONLY_APPS:%=%-only) $(SIZE_APPS:%=%-single) $(SIZE_APPS)" $(SIZE_VARIANTS)
+	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_APPS:%=%-single) $(SIZE_APPS)" $(SIZE_VARIANTS)
 
 size-lines: $(foreach variant,$(SIZE_VARIANTS),$(SIZE_APPS:%=$(SIZE_DIR)/$(variant)/%.txt)) \
-            $(foreach variant,$(SIZE_ONLY_VARIANTS),$(foreach app,$(SIZE_ONLY_APPS),$(SIZE_DIR)/$(variant)-$(app)-only/$(app).txt)) \
             $(foreach variant,$(SIZE_SINGLE_VARIANTS),$(SIZE_APPS:%=$(SIZE_DIR)/$(variant)-single/%.txt))
 
 SIZE_VARIANT ?= cortex-m0plus-Os
 SIZE_APP     ?= textured
-# Where an application's files are: `flat-only` is flat in a folder of its own.
-size_folder   = $(SIZE_DIR)/$(SIZE_VARIANT)$(if $(filter %-only,$(SIZE_APP)),-$(SIZE_APP))
+size_folder   = $(SIZE_DIR)/$(SIZE_VARIANT)
 
 .PHONY: size-functions
-size-functions: $(if $(SIZE_VARIANTS),$(size_folder)/$(SIZE_APP:%-only=%).elf) ## Files, functions and call chains behind `make size`; SIZE_VARIANT=cortex-m3-O2 SIZE_APP=flat-only
+size-functions: $(if $(SIZE_VARIANTS),$(size_folder)/$(SIZE_APP).elf) ## Files, functions and call chains behind `make size`; SIZE_VARIANT=cortex-m3-O2 SIZE_APP=flat
 	@$(call bench_skip,size-functions,$(SIZE_ABSENT))
-	@$(if $(SIZE_VARIANTS),sh host/bench/size_functions.sh $(size_folder) $(SIZE_APP:%-only=%),:)
+	@$(if $(SIZE_VARIANTS),sh host/bench/size_functions.sh $(size_folder) $(SIZE_APP),:)
 
 .PHONY: size-options
 size-options: ## Bytes that each option of qtri/config.h saves alone, on a Cortex-M0+ at -Os

@@ -3,8 +3,7 @@
 # Gathers the sizes of applications: size.sh FOLDER TABLE.tsv "APPLICATION..." CORE-OPTIMIZATION...   (called by `make size`)
 # FOLDER/CORE-OPTIMIZATION/APPLICATION.map tells what was linked, .txt how much stack it used, app_APPLICATION.su how
 # much of that was the application's own functions'.
-# APPLICATION-only is APPLICATION with a library that is built for what it uses; its files are in FOLDER/CORE-OPTIMIZATION-
-# APPLICATION-only/, if they are. APPLICATION-single is APPLICATION with the library in one file; its files are in
+# APPLICATION-single is APPLICATION with the library in one file; its files are in
 # FOLDER/CORE-OPTIMIZATION-single/. Then the table has
 #
 #   application core optimize code rodata static_ram stack code_core ram_application
@@ -22,7 +21,6 @@ printf 'application\tcore\toptimize\tcode\trodata\tstatic_ram\tstack\tcode_core\
 for application in $applications; do
     for variant; do
         case $application in
-        *-only) base=${application%-only} files=$folder/$variant-$application ;;
         *-single) base=${application%-single} files=$folder/$variant-single ;;
         *) base=$application files=$folder/$variant ;;
         esac

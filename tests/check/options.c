@@ -148,10 +148,6 @@ static void substitute(picture *p, qtri_texture *texture)
         *texture = *m->texture;
         m->texture = texture;
     }
-    if ((without("FACE_LIGHT") && (m->shading != QTRI_SMOOTH || !p->has_normals)) ||
-        (without("UNEVEN_LIGHT") && p->is_uneven)) {
-        p->light = NULL;
-    }
 }
 
 static void draw_corners(const qtri_surface *surface, const qtri_view *view,
@@ -213,8 +209,6 @@ static void draw(const picture *asked)
         mesh.uvs = uvs;
         mesh.triangles = (const uint16_t(*)[3])triangles;
     }
-    int drawn =
-        !(without("COMPACT_MESHES") && p.is_compact) && !(without("WIDE_MESHES") && !p.is_compact);
 
     qtri_view_init(&view, WIDTH, HEIGHT);
     qtri_transform_translate(&view.camera, back);
@@ -229,9 +223,7 @@ static void draw(const picture *asked)
         qtri_transform_scale(&pose, uneven);
     }
     qtri_surface_clear(&surface, sky);
-    if (drawn) {
-        draw_mesh(&surface, &view, &pose, &mesh, &p);
-    }
+    draw_mesh(&surface, &view, &pose, &mesh, &p);
     draw_corners(&surface, &view, &pose, &p.material);
     uint32_t sum =
         checksum(2166136261u, surface.pixels, (size_t)(WIDTH * HEIGHT) * p.format->pixels->bytes);
@@ -246,9 +238,7 @@ static void draw(const picture *asked)
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &p.material);
     while (error == QTRI_OK && qtri_frame_next_band(&frame, &surface)) {
         qtri_surface_clear(&surface, sky);
-        if (drawn) {
-            qtri_draw_prepared(&surface, &prepared);
-        }
+        qtri_draw_prepared(&surface, &prepared);
         sum =
             checksum(sum, surface.pixels, (size_t)(WIDTH * surface.rows) * p.format->pixels->bytes);
     }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The library without each option of config.h, without all of them, and as `make size` builds it: it compiles without a
-# warning, and what is left draws the pixels of the whole library (options.c).
+# The library without each option of config.h, and without all of them: it compiles without a warning, and what is left
+# draws the pixels of the whole library (options.c).
 gate=options
 . tests/check/files.sh
 need gcc
@@ -35,7 +35,6 @@ END
     echo whole
     for option in $all; do echo "$option $option"; done
     echo nothing $all
-    sed -n -e ':join' -e '/\\$/{N;s/\\\n *//;b join' -e '}' -e 's/^SIZE_LEFT_OUT_\([a-z]*\) *:= */\1 /p' host/bench/size.mk
 } >"$work/list"
 while read -r name options; do
     echo "$name $work '$flags'${options:+ $options}"
@@ -49,12 +48,5 @@ while read -r name options; do
         status=1
     }
 done <"$work/list"
-# An application that is built otherwise than the library must not link.
-mkdir "$work/mixed"
-cp "$work/nothing"/*.o "$work/mixed" && cp "$work/whole/options.o" "$work/mixed"
-gcc -o "$work/mixed/program" "$work/mixed"/*.o "$work"/math/*.o 2>/dev/null && {
-    echo "an application with other options than its library was linked"
-    status=1
-}
 [ "$(sort -u "$work/whole.got" | wc -l)" -gt 60 ] || { echo "too few pictures"; status=1; }
 finish $status

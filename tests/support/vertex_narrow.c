@@ -7,12 +7,12 @@
 
 #define qtri_eye_find             narrow_eye_find
 #define qtri_eye_mirror           narrow_eye_mirror
+#define qtri_light_by_face        narrow_light_by_face
+#define qtri_light_by_vertex      narrow_light_by_vertex
+#define qtri_light_uneven         narrow_light_uneven
 #define qtri_lighting_face        narrow_lighting_face
-#define qtri_lighting_face16      narrow_lighting_face16
 #define qtri_lighting_face8       narrow_lighting_face8
 #define qtri_lighting_init        narrow_lighting_init
-#define qtri_lighting_list        narrow_lighting_list
-#define qtri_lighting_list8       narrow_lighting_list8
 #define qtri_lighting_vertex      narrow_lighting_vertex
 #define qtri_lighting_vertex8     narrow_lighting_vertex8
 #define qtri_positions_compact    narrow_positions_compact
@@ -33,7 +33,6 @@
 #include "geometry/compact.c"
 #include "geometry/eye.c"
 #include "geometry/lighting.c"
-#include "geometry/lighting_init.c"
 #include "geometry/projector.c"
 
 #include "vertex_narrow.h"
@@ -72,7 +71,7 @@ uint32_t narrow_light_vertex(const qtri_light *light, const qtri_transform *obje
                              const qtri_normal *normal)
 {
     qtri_lighting lighting;
-    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
+    (void)qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14, &qtri_light_uneven);
     return qtri_lighting_vertex(&lighting, normal);
 }
 
@@ -80,7 +79,7 @@ uint32_t narrow_light_face(const qtri_light *light, const qtri_transform *object
                            const qtri_vec3 corner[3])
 {
     qtri_lighting lighting;
-    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
+    (void)qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14, &qtri_light_uneven);
     return qtri_lighting_face(&lighting, &corner[0], &corner[1], &corner[2]);
 }
 
@@ -88,6 +87,6 @@ uint32_t narrow_light_plane(const qtri_light *light, const qtri_transform *objec
                             const qtri_face8 *face)
 {
     qtri_lighting lighting;
-    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14);
+    (void)qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14, &qtri_light_uneven);
     return qtri_lighting_face8(&lighting, face);
 }

@@ -43,6 +43,44 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
 void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
                     const qtri_mesh *mesh, const qtri_material *material);
 
+/*
+ * What a draw call does with a mesh's vertices. qtri_draw_mesh and qtri_prepare_mesh link all of
+ * it; an application that names a stage of its own links no more than that:
+ *
+ *     static const qtri_vertex_stage stage = {.positions = &qtri_positions_wide,
+ *                                             .vertex_light = &qtri_light_by_vertex};
+ *     qtri_draw_mesh_by(&stage, &surface, &view, &pose, &crate, &material);
+ *
+ * A mesh whose positions the stage does not serve draws nothing, and one whose light it does not
+ * serve is not lit by view->light.
+ */
+typedef struct qtri_position_ops qtri_position_ops;
+typedef struct qtri_vertex_light qtri_vertex_light;
+typedef struct qtri_face_light qtri_face_light;
+typedef struct qtri_uneven_light qtri_uneven_light;
+
+extern const qtri_position_ops qtri_positions_wide, qtri_positions_compact;
+extern const qtri_vertex_light qtri_light_by_vertex;
+extern const qtri_face_light qtri_light_by_face;
+extern const qtri_uneven_light qtri_light_uneven;
+
+typedef struct qtri_vertex_stage {
+    const qtri_position_ops *positions;    /* of meshes with mesh.positions */
+    const qtri_position_ops *positions16;  /* of meshes with mesh.positions16 */
+    const qtri_vertex_light *vertex_light; /* smooth shading of meshes with normals */
+    const qtri_face_light *face_light;     /* flat shading, and meshes without normals */
+    /* What camera and pose scale unevenly or shear, and light with a negative part or a diffuse one
+       above 4. */
+    const qtri_uneven_light *uneven_light;
+} qtri_vertex_stage;
+
+/* All of the above. */
+extern const qtri_vertex_stage qtri_vertex_stage_any;
+
+void qtri_draw_mesh_by(const qtri_vertex_stage *stage, const qtri_surface *surface,
+                       const qtri_view *view, const qtri_transform *pose, const qtri_mesh *mesh,
+                       const qtri_material *material);
+
 #ifdef __cplusplus
 }
 #endif

@@ -23,6 +23,7 @@
 #ifndef QTRI_PREPARED_H
 #define QTRI_PREPARED_H
 
+#include "draw.h"
 #include "frame.h"
 #include "mesh.h"
 #include "view.h"
@@ -47,6 +48,7 @@ typedef struct qtri_prepared {
     uint32_t *front;                  /* an outline's, for this mesh; NULL: none */
     const qtri_mesh *front_of;
     qtri_rect extent_24p8, marked;
+    const qtri_vertex_stage *stage;
     const qtri_view *view;
     const qtri_transform *pose;
     const qtri_mesh *mesh;
@@ -74,6 +76,12 @@ void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t
 void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const qtri_view *view,
                        const qtri_transform *pose, const qtri_mesh *mesh,
                        const qtri_material *material);
+
+/* With a vertex stage of the application's own, see draw.h. */
+void qtri_prepare_mesh_by(const qtri_vertex_stage *stage, qtri_prepared *prepared,
+                          const qtri_frame *frame, const qtri_view *view,
+                          const qtri_transform *pose, const qtri_mesh *mesh,
+                          const qtri_material *material);
 
 /*
  * Marks the mesh as changed, see frame.h: the pixels that it may touch, and those that it might

@@ -374,7 +374,7 @@ typedef struct qtri_small_uv {
 QTRI_SMALL_PART void qtri_small_uv_find(qtri_small_uv *uv, const qtri_small *t)
 {
     const qtri_mesh *mesh = t->mesh;
-    if (QTRI_WITH_COMPACT_MESHES && mesh->uvs16 != NULL) {
+    if (mesh->uvs16 != NULL) {
         const qtri_uv16 *a = &mesh->uvs16[t->index[0]];
         const qtri_uv16 *b = &mesh->uvs16[t->index[1]];
         const qtri_uv16 *c = &mesh->uvs16[t->index[2]];
