@@ -197,13 +197,10 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
     }
     if (draw->lit_per_vertex || draw->lit_per_face) {
         const qtri_vertex_stage *stage = draw->stage;
-        const bool is_lit =
-            (draw->lit_per_vertex ? stage->vertex_light->init : stage->face_light->init)(
-                &draw->of.mesh.lighting, view->light, &object_to_eye,
-                draw->lit_per_vertex && mesh->normals8 != NULL ? 127 * 128 : 1 << 14,
-                stage->uneven_light);
-        draw->lit_per_vertex = draw->lit_per_vertex && is_lit;
-        draw->lit_per_face = draw->lit_per_face && is_lit;
+        (draw->lit_per_vertex ? stage->vertex_light->init : stage->face_light->init)(
+            &draw->of.mesh.lighting, view->light, &object_to_eye,
+            draw->lit_per_vertex && mesh->normals8 != NULL ? 127 * 128 : 1 << 14,
+            stage->uneven_light);
     }
     return true;
 }

@@ -26,7 +26,7 @@ static void set_plain_row(qtri_lighting *lighting, int32_t unit)
     lighting->least_q15 = (uint32_t)(t_q41 >> 26);
 }
 
-bool qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
+void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
                         const qtri_transform *object_to_eye, int32_t unit,
                         const qtri_uneven_light *uneven)
 {
@@ -40,11 +40,14 @@ bool qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
     const int32_t towards[3] = {light->towards.x, light->towards.y, light->towards.z};
     lighting->uneven = uneven;
     if (!lighting->plain && uneven == NULL) {
-        return false;
+        lighting->ambient = Q16_ONE;
+        lighting->diffuse = 0;
+        lighting->even = true;
+        lighting->plain = true;
     }
     if (!lighting->even) {
         uneven->init(lighting, towards, object_to_eye);
-        return true;
+        return;
     }
     int64_t object[3]; /* the transpose takes it there; < 3 2^61 */
     int32_t fitted[3];
@@ -59,7 +62,6 @@ bool qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
     if (lighting->plain) {
         set_plain_row(lighting, unit);
     }
-    return true;
 }
 
 /* Scales v so that its largest component lies in [2^28, 2^29). False for the zero vector. */

@@ -31,10 +31,10 @@ typedef struct qtri_lighting {
 } qtri_lighting;
 
 /*
- * unit: what 1 is in the normals of vertices that will be lit. False where only `uneven` would
- * serve, and that is NULL.
+ * unit: what 1 is in the normals of vertices that will be lit. Where only `uneven` would
+ * serve, and that is NULL, light is 1 everywhere.
  */
-bool qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
+void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
                         const qtri_transform *object_to_eye, int32_t unit,
                         const qtri_uneven_light *uneven);
 
@@ -71,7 +71,7 @@ static inline void qtri_mesh_positions(qtri_vec3 p[3], const qtri_mesh *mesh,
 
 /* What lights a mesh's vertices: see qtri_vertex_stage. */
 struct qtri_vertex_light {
-    bool (*init)(qtri_lighting *lighting, const qtri_light *light,
+    void (*init)(qtri_lighting *lighting, const qtri_light *light,
                  const qtri_transform *object_to_eye, int32_t unit,
                  const qtri_uneven_light *uneven);
     uint32_t (*vertex)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t index);
@@ -82,7 +82,7 @@ struct qtri_vertex_light {
 
 /* What lights a mesh's faces: the triangle of this number, with these indices. */
 struct qtri_face_light {
-    bool (*init)(qtri_lighting *lighting, const qtri_light *light,
+    void (*init)(qtri_lighting *lighting, const qtri_light *light,
                  const qtri_transform *object_to_eye, int32_t unit,
                  const qtri_uneven_light *uneven);
     uint32_t (*face)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t number,
