@@ -36,20 +36,6 @@ static uint32_t clamp_axis_set(qtri_clamp_axis *axis, int32_t u0, uint32_t side_
     return down <= 12 ? fraction << (12 - down) : fraction >> (down - 12);
 }
 
-/* Whether perspective could be seen. */
-static bool is_curved_by_range(const qtri_small_place *p, const qtri_small *t,
-                               const qtri_options *o, int32_t uv[2][3])
-{
-    const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
-    const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
-    const uint32_t u = qtri_small_range(uv[0][1], uv[0][2]) >> (10 - width_log2);
-    const uint32_t v = qtri_small_range(uv[1][1], uv[1][2]) >> (10 - height_log2);
-    const uint32_t most = u > v ? u : v;                           /* 2^-6 of a texel */
-    const uint32_t q_range = qtri_small_range(p->q1, p->q2) >> 16; /* < 2^14 */
-    const uint32_t q_min = (t->v[0]->inv_w + (uint32_t)qtri_small_min(p->q1, p->q2)) >> 16;
-    return most >> 17 != 0 || (most + 1) * (q_range + 1) > q_min << (8 - QTRI_SMALL_TEXEL_LOG2);
-}
-
 /* Where coordinates begin at vertex 0, and by how much differences go left, in the walk's units. */
 typedef struct texture_units {
     uint32_t base[2];
@@ -101,12 +87,9 @@ void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, c
 {
     qtri_small_uv at;
     texture_units units;
-    if (!uv->curved && qtri_small_set_linear_texture(&uv->u, &uv->v, p, t, o)) {
-        return;
-    }
     qtri_small_uv_find(&at, t);
     int32_t f[2][3] = {{at.u0, at.u1, at.u2}, {at.v0, at.v1, at.v2}};
-    uv->curved = !t->state->is_linear && (uv->curved || is_curved_by_range(p, t, o, f));
+    uv->curved = !t->state->is_linear && qtri_small_is_texture_curved(&at, p, t, o);
     set_units(&units, uv, f, p, t->state, o);
     if (!uv->curved) {
         qtri_small_ramp_set(&uv->u, p, units.base[0], f[0][1], f[0][2], (int32_t)units.up[0]);
@@ -116,12 +99,10 @@ void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, c
     const int32_t y = (int32_t)qtri_small_reciprocal(t->v[0]->inv_w >> 15);
     const int32_t e1 = ((p->q1 >> 14) * y + ((int32_t)1 << 13)) >> 14; /* Q18 */
     const int32_t e2 = ((p->q2 >> 14) * y + ((int32_t)1 << 13)) >> 14;
-    uv->e1 = e1;
-    uv->e2 = e2;
     uv->u0 = units.base[0];
     uv->v0 = units.base[1];
-    uv->u_up = (uint8_t)units.up[0];
-    uv->v_up = (uint8_t)units.up[1];
+    uv->u_up = units.up[0];
+    uv->v_up = units.up[1];
     qtri_small_ramp_set(&uv->e, p, 0, e1, e2, 0);
     qtri_small_ramp_set(&uv->u, p, 0, qtri_small_scaled(f[0][1], e1),
                         qtri_small_scaled(f[0][2], e2), 0);
@@ -133,5 +114,5 @@ void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, c
     while (n > 1 && n * n * bend > (uint32_t)1 << 15) {
         n--;
     }
-    uv->piece = (uint8_t)n;
+    uv->piece = n;
 }

@@ -40,15 +40,6 @@ void qtri_small_set_light(qtri_small_ramp *c, const qtri_small_place *p, const q
     qtri_setup_set_light(c, p, t, half);
 }
 
-void qtri_small_set_curved_light(qtri_small_ramp *c, uint32_t *base, const qtri_small_texture *uv,
-                                 const qtri_small_place *p, const qtri_small *t, uint32_t half)
-{
-    const int32_t i0 = t->v[0]->intensity_q15;
-    *base = ((uint32_t)i0 << 9) + half;
-    qtri_small_ramp_set(c, p, 0, qtri_small_scaled(t->v[1]->intensity_q15 - i0, uv->e1),
-                        qtri_small_scaled(t->v[2]->intensity_q15 - i0, uv->e2), 1);
-}
-
 bool qtri_small_set_alpha(qtri_small_ramp *alpha, const qtri_small_place *p, const qtri_small *t)
 {
     const uint8_t *from = t->state->material->alphas;

@@ -79,9 +79,12 @@ QTRI_BODY uint32_t qtri_color_modulate(qtri_color_kind kind, uint32_t c, uint32_
 QTRI_BODY uint32_t qtri_color_light(qtri_color_kind kind, uint32_t c, uint32_t weight)
 {
     if (kind == QTRI_IN_565) { /* red and blue, 11 bits apart, have 6 more each: 31 64 < 2^11 */
-        const uint32_t lanes = (c & 0xF81Fu) * weight + (32u << 11 | 32);
-        const uint32_t green = (c & 0x07E0u) * weight + (32u << 5);
-        return (lanes >> 6 & 0xF81Fu) | (green >> 6 & 0x07E0u);
+        uint32_t mask = 0xF81Fu;
+        QTRI_BODY_BARRIER(mask); /* or GCC 12 has a constant of its own for each use */
+        uint32_t lanes = c & mask;
+        uint32_t green = (c ^ lanes) * weight + (32u << 5);
+        lanes = lanes * weight + (32u << 11 | 32);
+        return (lanes >> 6 & mask) | (green >> 6 & ~mask);
     }
     return qtri_color_scale(kind, c, weight);
 }

@@ -43,7 +43,6 @@ QTRI_BODY uint32_t qtri_shaded_texel(const qtri_options *o, const qtri_pixel_wal
                                      uint32_t texel)
 {
     const qtri_color_kind kind = qtri_kind_of(o);
-    const uint32_t *weight = w->state->weight;
     switch (o->shade) {
     case QTRI_TINT: { /* of the triangle: 8 bits a channel */
         const uint32_t less = kind == QTRI_IN_565 ? 2 : 0;
@@ -58,21 +57,20 @@ QTRI_BODY uint32_t qtri_shaded_texel(const qtri_options *o, const qtri_pixel_wal
     case QTRI_LIGHT: { /* rounded once; with weights of 256 QTRI_WHITE_LIGHT to the bit */
         const uint32_t down = kind == QTRI_IN_565 ? 14 : 16;
         const uint32_t light = w->c >> (32 - down); /* 64 or 256 is 1 */
-        uint32_t half = (uint32_t)1 << (down - 1);
-        QTRI_BODY_BARRIER(half);
+        const uint32_t half = w->half;
         if (kind == QTRI_IN_565) { /* one after the other, or GCC runs out of registers */
-            uint32_t by = light * weight[0];
+            uint32_t by = light * w->red;
             uint32_t color = ((texel >> 11) * by + half) >> down << 6;
             QTRI_BODY_BARRIER(color);
-            by = light * weight[1];
+            by = light * w->green;
             color |= (qtri_green_565(texel) * by + half) >> down;
             QTRI_BODY_BARRIER(color);
-            by = light * weight[2];
+            by = light * w->blue;
             return color << 5 | ((texel & 31) * by + half) >> down;
         }
-        return ((texel >> 16 & 255) * (light * weight[0]) + half) >> down << 16 |
-               (qtri_green_888(texel) * (light * weight[1]) + half) >> down << 8 |
-               ((texel & 255) * (light * weight[2]) + half) >> down;
+        return ((texel >> 16 & 255) * (light * w->red) + half) >> down << 16 |
+               (qtri_green_888(texel) * (light * w->green) + half) >> down << 8 |
+               ((texel & 255) * (light * w->blue) + half) >> down;
     }
     case QTRI_COLORS:
         return kind == QTRI_IN_565
@@ -456,6 +454,13 @@ QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
     }
     if (qtri_is_textured(o)) {
         qtri_walk_set_texture(o, w);
+    }
+    if (qtri_is_textured(o) && o->shade == QTRI_LIGHT) {
+        w->red = state->weight[0];
+        w->green = state->weight[1];
+        w->blue = state->weight[2];
+        w->half = qtri_kind_of(o) == QTRI_IN_565 ? 0x2000u : 0x8000u;
+        QTRI_BODY_BARRIER(w->half); /* or GCC 12 makes the constant anew for each pixel */
     }
 }
 

@@ -106,27 +106,43 @@ QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_walk *w, int3
     } while (paired ? w->depth != end : --count != 0);
 }
 
-/* The same of columns x..end - 1 that lie within p->left..right - 1. */
-QTRI_BODY void qtri_small_clipped(const qtri_options *o, qtri_pixel_walk *w,
-                                  const qtri_small_place *p, bool cut, int32_t x, int32_t end)
+/* Columns of a row that may be drawn: x..end - 1, or those of them within the bounds. */
+typedef struct qtri_small_columns {
+    uint32_t first, end;
+} qtri_small_columns;
+
+QTRI_BODY qtri_small_columns qtri_small_visible(const qtri_small_place *p, uint32_t x, uint32_t end)
 {
-    int32_t rest = 0;
-    if (cut) {
-        const int32_t left = x < p->left ? (p->left < end ? p->left : end) : x;
-        const int32_t right = end > p->right ? (p->right > left ? p->right : left) : end;
-        rest = end - right;
-        qtri_small_step(o, w, (uint32_t)(left - x));
-        qtri_walk_move(o, w, (uint32_t)(left - x));
-        x = left;
-        end = right;
+    qtri_small_columns c;
+    c.first = x;
+    c.end = end;
+    if (p->cut) {
+        QTRI_RARELY();
+        c.first = (uint32_t)qtri_small_clamp(p->left, (int32_t)x, (int32_t)end);
+        c.end = (uint32_t)qtri_small_clamp(p->right, (int32_t)c.first, (int32_t)end);
     }
-    if (x != end) {
-        qtri_small_pixels(o, w, end - x);
+    return c;
+}
+
+/* Draws what is visible of the next `count` pixels, from column x on; returns the column after the
+   last pixel that the walk has passed. Not to be called with x beyond visible->end. */
+QTRI_BODY uint32_t qtri_small_pixels_within(const qtri_options *o, qtri_pixel_walk *w,
+                                            const qtri_small_columns *visible, uint32_t x,
+                                            uint32_t count)
+{
+    if (x < visible->first) {
+        const uint32_t hidden = visible->first - x < count ? visible->first - x : count;
+        QTRI_RARELY();
+        qtri_small_step(o, w, hidden);
+        qtri_walk_move(o, w, hidden);
+        x += hidden;
+        count -= hidden;
     }
-    if (cut) {
-        qtri_small_step(o, w, (uint32_t)rest);
-        qtri_walk_move(o, w, (uint32_t)rest);
+    count = visible->end - x < count ? visible->end - x : count;
+    if (count != 0) {
+        qtri_small_pixels(o, w, (int32_t)count);
     }
+    return x + count;
 }
 
 /* The walk goes on from the end of a row to the start of the next, so that it alone is stepped. */
@@ -169,7 +185,6 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
         span += 2;
         if (x < end) {
             const uint32_t gap = x - at;
-            at = end;
             qtri_small_step(o, w, gap);
             if (!paired) {
                 w->pixel += (ptrdiff_t)(int32_t)gap * (ptrdiff_t)bytes;
@@ -184,8 +199,10 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
                 w->fog_step = qtri_small_fog_step(w->fog, qtri_fog_share(w->state->fog, last),
                                                   (int32_t)(end - x));
                 w->fog += 0x8000u;
-                qtri_small_clipped(o, w, p, p->cut, (int32_t)x, (int32_t)end);
+                const qtri_small_columns visible = qtri_small_visible(p, x, end);
+                at = qtri_small_pixels_within(o, w, &visible, x, end - x);
             } else {
+                at = end;
                 qtri_small_pixels(o, w, (int32_t)(end - x));
             }
         } else if (x == QTRI_SMALL_STOP) {
@@ -238,7 +255,6 @@ QTRI_BODY void qtri_small_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
     w->c_step = varies ? rows->c.dx : 0;
     w->g_step = two_words ? rows->g.dx : 0;
     w->alpha_step = o->vertex_alpha ? rows->alpha.dx : 0;
-    const bool lit = qtri_is_lit(o);
     for (;; y++, span += 2) {
         QTRI_BODY_BARRIER(y); /* or GCC 12 steps all that y is multiplied by, in memory */
         uint32_t x = span[0];
@@ -273,11 +289,10 @@ QTRI_BODY void qtri_small_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
         uint32_t e = uv->e.at + x * uv->e.dx + y * uv->e.dy;
         uint32_t lu = uv->u.at + x * uv->u.dx + y * uv->u.dy;
         uint32_t lv = uv->v.at + x * uv->v.dx + y * uv->v.dy;
+        const qtri_small_columns visible = qtri_small_visible(p, x, end);
         int32_t share = qtri_small_w(e);
         uint32_t u = qtri_small_curved(lu, share);
         uint32_t v = qtri_small_curved(lv, share);
-        uint32_t lc = w->c;
-        uint32_t c = lit ? qtri_small_curved(lc, share) : 0;
         do {
             /* To a pixel of the row: outside of it a needle's e is anything. Steps are found before
                they go left: a piece may pass half a repeat and more. */
@@ -288,12 +303,8 @@ QTRI_BODY void qtri_small_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
             w->v = uv->v0 + (v << uv->v_up);
             w->u_step = 0;
             w->v_step = 0;
-            if (lit) {
-                w->c = uv->c0 + c;
-                w->c_step = 0;
-            }
             if (n != 0) {
-                const uint32_t u_before = u, v_before = v, c_before = c;
+                const uint32_t u_before = u, v_before = v;
                 e += n * uv->e.dx;
                 lu += n * uv->u.dx;
                 lv += n * uv->v.dx;
@@ -302,15 +313,9 @@ QTRI_BODY void qtri_small_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
                 v = qtri_small_curved(lv, share);
                 w->u_step = qtri_small_share(u - u_before, n) << uv->u_up;
                 w->v_step = qtri_small_share(v - v_before, n) << uv->v_up;
-                if (lit) {
-                    lc += n * rows->c.dx;
-                    c = qtri_small_curved(lc, share);
-                    w->c_step = qtri_small_share(c - c_before, n);
-                }
             }
-            qtri_small_clipped(o, w, p, p->cut, (int32_t)x, (int32_t)(x + count));
-            x += count;
-        } while (x != end);
+            x = qtri_small_pixels_within(o, w, &visible, x, count);
+        } while (x != visible.end);
     }
 }
 
@@ -319,7 +324,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
 {
     uint8_t spans[QTRI_SMALL_SPANS];
     qtri_small_place p;
-    qtri_small_rows rows = QTRI_BODY_ZERO;
+    qtri_small_rows rows; /* as options ask */
     qtri_small_texture uv;
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_draw_state *state = t->state;
@@ -341,17 +346,11 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
     if (o->shade == QTRI_TINT || (o->shade == QTRI_FLAT && !qtri_is_textured(o))) {
         w.color = qtri_walk_color(o, state->surface, qtri_small_color(t));
     }
-    bool linear = true;
     if (qtri_is_lit(o)) {
-        linear = QTRI_SMALL_SETUP(light_is_linear)(&p, t, o);
-        if (!linear && !qtri_is_textured(o)) {
+        if (!QTRI_SMALL_SETUP(light_is_linear)(&p, t, o)) {
             return false;
         }
-        if (linear) {
-            QTRI_SMALL_SETUP(set_light)(&rows.c, &p, t, qtri_light_half(o));
-        } else {
-            rows.c.at = rows.c.dx = rows.c.dy = 0;
-        }
+        QTRI_SMALL_SETUP(set_light)(&rows.c, &p, t, qtri_light_half(o));
         if (qtri_uses_table(o) && !state->has_table) {
             QTRI_RARELY();
             qtri_draw_state_set_table(state);
@@ -383,19 +382,13 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
         }
         rows.alpha = alpha;
     }
-    if (qtri_is_textured(o) && !(QTRI_SMALL_IN_PLACE && linear &&
-                                 qtri_small_set_linear_texture(&rows.u, &rows.v, &p, t, o))) {
+    if (qtri_is_textured(o) &&
+        !(QTRI_SMALL_IN_PLACE && qtri_small_set_linear_texture(&rows.u, &rows.v, &p, t, o))) {
         const qtri_small_place kept = p; /* a copy, so that p need not be in memory */
-        qtri_small_ramp c;
         QTRI_RARELY();
-        uv.curved = !linear;
         qtri_small_set_texture(&uv, &kept, t, o);
         w.axis = uv.axis;
         if (uv.curved) {
-            if (qtri_is_lit(o)) {
-                qtri_small_set_curved_light(&c, &uv.c0, &uv, &kept, t, qtri_light_half(o));
-                rows.c = c;
-            }
             qtri_small_fill_curved(o, &w, &p, &rows, &uv);
             return true;
         }

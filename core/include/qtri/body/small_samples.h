@@ -259,36 +259,25 @@ QTRI_BODY uint32_t qtri_small_at(const qtri_small_sampled *r, int32_t x, int32_t
 }
 
 /* Where u and v follow perspective: at a place of a pixel, from there to pixel x + n linear. */
-QTRI_BODY void qtri_small_set_curved(const qtri_options *o, qtri_pixel_walk *w,
-                                     const qtri_small_texture *uv,
+QTRI_BODY void qtri_small_set_curved(qtri_pixel_walk *w, const qtri_small_texture *uv,
                                      const qtri_small_sampled_values *v, int32_t x, int32_t y,
                                      int32_t place, uint32_t n)
 {
-    const bool lit = qtri_is_lit(o);
     const uint32_t e = qtri_small_at(&v->e, x, y, place);
     const uint32_t lu = qtri_small_at(&v->u, x, y, place);
     const uint32_t lv = qtri_small_at(&v->v, x, y, place);
-    const uint32_t lc = lit ? qtri_small_at(&v->c, x, y, place) : 0;
     const int32_t share = qtri_small_w(e);
     const uint32_t u = qtri_small_curved(lu, share), u_v = qtri_small_curved(lv, share);
-    const uint32_t c = lit ? qtri_small_curved(lc, share) : 0;
     w->u = uv->u0 + (u << uv->u_up);
     w->v = uv->v0 + (u_v << uv->v_up);
     w->u_step = 0;
     w->v_step = 0;
-    if (lit) {
-        w->c = uv->c0 + c;
-        w->c_step = 0;
-    }
     if (n != 0) {
         const int32_t next = qtri_small_w(e + n * v->e.r.dx);
         w->u_step = qtri_small_share(qtri_small_curved(lu + n * v->u.r.dx, next) - u, n)
                     << uv->u_up;
         w->v_step = qtri_small_share(qtri_small_curved(lv + n * v->v.r.dx, next) - u_v, n)
                     << uv->v_up;
-        if (lit) {
-            w->c_step = qtri_small_share(qtri_small_curved(lc + n * v->c.r.dx, next) - c, n);
-        }
     }
 }
 
@@ -300,9 +289,9 @@ QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_
                                               const qtri_small_sampled_values *values,
                                               const qtri_small_texture *uv)
 {
-    const bool lit = qtri_is_lit(o), is_linear = qtri_varies(o) && !lit;
+    const bool varies = qtri_varies(o);
     const bool two_words = qtri_has_two_words(o);
-    const int32_t piece = uv->piece;
+    const int32_t piece = (int32_t)uv->piece;
     w->z_step = p->z.dx;
     w->g_step = two_words ? values->g.r.dx : 0;
     w->alpha_step = o->vertex_alpha ? values->alpha.r.dx : 0;
@@ -323,8 +312,8 @@ QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_
         }
         w->y += y;
         w->z = p->z.at + QTRI_DEPTH_HALF + (uint32_t)y * p->z.dy;
-        w->c = is_linear ? values->c.r.at + (uint32_t)y * values->c.r.dy : 0;
-        w->c_step = is_linear ? values->c.r.dx : 0;
+        w->c = varies ? values->c.r.at + (uint32_t)y * values->c.r.dy : 0;
+        w->c_step = varies ? values->c.r.dx : 0;
         w->g = two_words ? values->g.r.at + (uint32_t)y * values->g.r.dy : 0;
         w->alpha = o->vertex_alpha ? values->alpha.r.at + (uint32_t)y * values->alpha.r.dy : 0;
         qtri_small_samples_skip(o, w, x);
@@ -335,17 +324,17 @@ QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_
                 if (x >= next) {
                     const int32_t rest = end - x;
                     next = x + piece;
-                    qtri_small_set_curved(o, w, uv, values, x, y, place,
+                    qtri_small_set_curved(w, uv, values, x, y, place,
                                           (uint32_t)(rest > piece ? piece : rest - 1));
                 }
             } else if (w->samples != 0) {
                 place = qtri_small_place_of(p, w->samples, x, y);
-                qtri_small_set_curved(o, w, uv, values, x, y, place, 0);
+                qtri_small_set_curved(w, uv, values, x, y, place, 0);
             }
             if (p->cut && (x < p->left || x >= p->right)) {
                 w->samples = 0;
             }
-            qtri_small_samples_pixel(o, w, values, place, false, is_linear);
+            qtri_small_samples_pixel(o, w, values, place, false, varies);
             in += QTRI_SMALL_LANES;
             out += QTRI_SMALL_LANES;
             x++;
@@ -389,26 +378,18 @@ QTRI_BODY bool qtri_small_samples_alpha(qtri_small_sampled_values *v, const qtri
     return true;
 }
 
-/* Coordinates, and light with them where they are curved. */
 QTRI_BODY void qtri_small_samples_texture(const qtri_options *o, qtri_small_sampled_values *v,
                                           qtri_small_texture *uv, const qtri_small_place *p,
                                           const qtri_small *t)
 {
-    const bool curved = uv->curved;
     qtri_small_place at = *p;
     for (int i = 0; i < 3; i++) {
-        qtri_small_ramp c;
         qtri_small_move(&at, i);
-        uv->curved = curved;
         qtri_small_set_texture(uv, &at, t, o);
         qtri_small_set_more(&v->u, i, &uv->u);
         qtri_small_set_more(&v->v, i, &uv->v);
         if (uv->curved) {
             qtri_small_set_more(&v->e, i, &uv->e);
-            if (qtri_is_lit(o)) {
-                qtri_small_set_curved_light(&c, &uv->c0, uv, &at, t, qtri_light_half(o));
-                qtri_small_set_more(&v->c, i, &c);
-            }
         }
     }
 }
@@ -435,17 +416,13 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
     if (o->shade == QTRI_TINT || (o->shade == QTRI_FLAT && !qtri_is_textured(o))) {
         w.color = qtri_walk_color(o, state->surface, qtri_small_color(t));
     }
-    bool linear = true;
     if (qtri_is_lit(o)) {
         const int32_t i0 = t->v[0]->intensity_q15;
-        linear = qtri_small_light_is_linear(&p, t, o);
-        if (!linear && !qtri_is_textured(o)) {
+        if (!qtri_small_light_is_linear(&p, t, o)) {
             return false;
         }
-        if (linear) {
-            qtri_small_set_sampled(&values.c, &p, ((uint32_t)i0 << 9) + qtri_light_half(o),
-                                   t->v[1]->intensity_q15 - i0, t->v[2]->intensity_q15 - i0, 1);
-        }
+        qtri_small_set_sampled(&values.c, &p, ((uint32_t)i0 << 9) + qtri_light_half(o),
+                               t->v[1]->intensity_q15 - i0, t->v[2]->intensity_q15 - i0, 1);
         if (qtri_uses_table(o) && !state->has_table) {
             qtri_draw_state_set_table(state);
         }
@@ -455,7 +432,7 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
         return false;
     }
     if (qtri_is_textured(o)) {
-        if (linear && qtri_small_find_linear_texture(&f, &p, t, o)) {
+        if (qtri_small_find_linear_texture(&f, &p, t, o)) {
             const uint32_t width_log2 = state->width_log2, height_log2 = state->height_log2;
             qtri_small_set_sampled(&values.u, &p, qtri_small_linear_u(&f, width_log2), f.u1, f.u2,
                                    8);
@@ -463,7 +440,6 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
                                    f.v1, f.v2, (int32_t)(width_log2 + height_log2) - 8);
         } else {
             QTRI_RARELY();
-            uv.curved = !linear;
             qtri_small_samples_texture(o, &values, &uv, &p, t);
             w.axis = uv.axis;
             if (uv.curved) {

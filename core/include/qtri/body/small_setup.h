@@ -224,10 +224,10 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
 
 /* Light and colours ---------------------------------------------------------------------------- */
 
-/* A quarter of a step of 63 or 255; of lit textures, which can follow perspective, an eighth. */
+/* What light and colours may be off by, a quarter of a step of 63 or 255, as a power of two. */
 QTRI_BODY uint32_t qtri_small_part_of(const qtri_options *o)
 {
-    return !qtri_stores_565(o) ? 10 : qtri_is_textured(o) ? 9 : 8;
+    return !qtri_stores_565(o) ? 10 : qtri_is_textured(o) ? 7 : 8;
 }
 
 /*
@@ -400,10 +400,24 @@ QTRI_SMALL_PART void qtri_small_uv_find(qtri_small_uv *uv, const qtri_small *t)
     }
 }
 
+/* Whether perspective of coordinates could be seen: see small_texture.c. */
+QTRI_BODY bool qtri_small_is_texture_curved(const qtri_small_uv *f, const qtri_small_place *p,
+                                            const qtri_small *t, const qtri_options *o)
+{
+    const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
+    const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
+    const uint32_t u = qtri_small_range(f->u1, f->u2) >> (10 - width_log2);
+    const uint32_t v = qtri_small_range(f->v1, f->v2) >> (10 - height_log2);
+    const uint32_t range = u > v ? u : v;                          /* 2^-6 of a texel */
+    const uint32_t q_range = qtri_small_range(p->q1, p->q2) >> 16; /* < 2^14 */
+    const uint32_t q_min = (t->v[0]->inv_w + (uint32_t)qtri_small_min(p->q1, p->q2)) >> 16;
+    return range >> 17 != 0 || (range + 1) * (q_range + 1) > q_min << (8 - QTRI_SMALL_TEXEL_LOG2);
+}
+
 /*
- * Coordinates that are linear on the screen, of repeated axes, where light is. By sums of
- * magnitudes, in 2^-6 texel of the longer side, and q_min >= 3/4 2^30: see small_texture.c. False:
- * they may be seen to follow perspective, or are not as simple.
+ * Coordinates that are linear on the screen, of repeated axes. The bound of small_texture.c is
+ * tried by sums of magnitudes first, in 2^-6 texel of the longer side, and q_min >= 3/4 2^30: true
+ * of most. False: they may be seen to follow perspective, or are not as simple.
  */
 QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small_place *p,
                                               const qtri_small *t, const qtri_options *o)
@@ -424,7 +438,8 @@ QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small
         const uint32_t most = ((u1 + u2 + v1 + v2 + 4) >> (10 - side_log2)) + 1; /* < 2^18.1 */
         const uint32_t greatest = (uint32_t)3 << (10 + 8 - QTRI_SMALL_TEXEL_LOG2);
         if (most * ((p->q_about >> 17) + 1) > greatest) {
-            return false;
+            QTRI_RARELY();
+            return !qtri_small_is_texture_curved(f, p, t, o);
         }
     }
     return true;

@@ -70,11 +70,9 @@ typedef struct qtri_small_place {
 typedef struct qtri_small_texture {
     qtri_small_ramp u, v, e;
     uint32_t u0, v0;
-    uint32_t c0; /* of light: at vertex 0 */
-    uint8_t u_up, v_up;
-    uint8_t piece;  /* pixels */
-    bool curved;    /* may be set before: something else is */
-    int32_t e1, e2; /* Q18, at vertices 1 and 2 */
+    uint32_t u_up, v_up;
+    uint32_t piece; /* pixels */
+    bool curved;
     qtri_clamp_axis axis[2];
 } qtri_small_texture;
 
@@ -107,9 +105,6 @@ bool qtri_small_light_is_linear(const qtri_small_place *p, const qtri_small *t,
 bool qtri_small_is_linear_by_range(uint32_t range, uint32_t q_range, uint32_t q_part);
 void qtri_small_set_light(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t,
                           uint32_t half);
-/* As u and v follow perspective: from the base on, c / (1 + e). */
-void qtri_small_set_curved_light(qtri_small_ramp *c, uint32_t *base, const qtri_small_texture *uv,
-                                 const qtri_small_place *p, const qtri_small *t, uint32_t half);
 bool qtri_small_set_alpha(qtri_small_ramp *alpha, const qtri_small_place *p, const qtri_small *t);
 bool qtri_small_are_linear(const int32_t differences[6], uint32_t inv_w, int32_t q1, int32_t q2,
                            uint32_t part);

@@ -109,6 +109,7 @@ typedef struct qtri_pixel_walk {
     const qtri_clamp_axis *axis;                 /* of u and v */
     uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v, times the width << 16 */
     uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
+    uint32_t red, green, blue, half; /* lit texture: weights of the state, the half that rounds */
     const uint16_t *table;
 } qtri_pixel_walk;
 
