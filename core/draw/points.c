@@ -82,9 +82,10 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
         end[0].depth_16p8 = v.depth_16p8;
         qtri_stroke_job_color(&end[0], &corners[i].color);
         end[1] = end[0];
+        qtri_stroke_look_init(&stroker.look, end);
         if (stroke->in_space) {
             place.radius_24p8 = radius_in_space(&job, &corners[i].position, &half, &v.at);
         }
-        qtri_stroker_draw_part(&stroker, &place, end);
+        qtri_stroker_draw_part(&stroker, &place);
     }
 }

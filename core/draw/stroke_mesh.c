@@ -3,8 +3,6 @@
  * Wireframes of strokes. Edges are found, lit and shared out as those of &qtri_wireframe are; only
  * what draws an edge is another.
  */
-#include <string.h>
-
 #include "../raster/stroke_line.h"
 #include "fill.h"
 #include "lights.h"
@@ -15,7 +13,6 @@ typedef struct wide_job {
     qtri_mesh_job mesh;
     qtri_stroker stroker;
     qtri_stroke_place place;
-    qtri_stroke_end end[2];
 } wide_job;
 
 /* See qtri_line_draws. */
@@ -23,18 +20,10 @@ static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri
                       const qtri_line_color *color)
 {
     wide_job *wide = job->wide;
-    const qtri_vertex *const vertex[2] = {a, b};
-    qtri_line_color lit[2];
-    if (color == NULL) {
-        qtri_line_lit_colors(lit, job, a, b);
-        color = (const qtri_line_color *)lit;
-    }
-    for (int i = 0; i < 2; i++) {
-        wide->place.end[i] = vertex[i]->at;
-        wide->end[i].depth_16p8 = vertex[i]->depth_16p8 & ~0xFFu;
-        memcpy(wide->end[i].color_8p16, color[i], sizeof wide->end[i].color_8p16);
-    }
-    qtri_stroker_draw_part(&wide->stroker, &wide->place, wide->end);
+    wide->place.end[0] = a->at;
+    wide->place.end[1] = b->at;
+    qtri_line_look(&wide->stroker.look, job, a, b, color);
+    qtri_stroker_draw_part(&wide->stroker, &wide->place);
 }
 
 /* As qtri_draw_mesh does it with fewer slots than vertices. */

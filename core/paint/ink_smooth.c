@@ -1,96 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "crossing.h"
 
-#include "../bits/multiply.h"
-#include "../bits/reciprocal.h"
+#include "../bits/bits.h"
+#include "coverage.h"
 
-/*
- * Area of a pixel to the right of an edge, summed with the edges' directions, is what the contour
- * covers of it: the sum in 1/512 by 1/256 pixel, so FULL is all.
- *
- * A window of pixels has a sum each: what an edge adds within one pixel, and the rest of what it
- * adds to the next one, so that the sum of all sums so far is the share of a pixel. Wherever a
- * window begins, a pixel's sum is the same: an edge is cut at the sides of columns, each cut being
- * a function of the edge and the column alone, and what lies left of the window is the difference
- * of two of them.
- */
-enum { WINDOW = 32, CHORDS = 16 };
-
-#define FULL ((int32_t)512 * 256)
+enum { CHORDS = 16, WINDOW = QTRI_COVERAGE_WINDOW };
 
 typedef struct window {
-    int32_t x; /* its first column */
-    int32_t sum[WINDOW + 1];
+    qtri_coverage coverage;
     const qtri_crossing *chorded; /* the last one of several chords, NULL at first, */
     int32_t half[CHORDS];         /*   and half of the circle's width where each ends */
 } window;
-
-/* A straight piece of an edge from left to right, y in the row. */
-typedef struct piece {
-    int32_t x0, y0, x1, y1;
-    int32_t zeros;       /* of x1 - x0, */
-    uint32_t reciprocal; /*   and its reciprocal */
-} piece;
-
-/* y0 + (y1 - y0) (x - x0) / (x1 - x0), rounded; x0 <= x <= x1. Monotone in x. */
-static int32_t piece_y(const piece *p, int32_t x)
-{
-    if (x == p->x1) {
-        return p->y1;
-    }
-    const uint32_t n = (uint32_t)(x - p->x0) << (p->zeros - 1); /* < 2^31 */
-    const int32_t t_q21 = (int32_t)(qtri_mul_high31(n, p->reciprocal) >> 8);
-    return p->y0 + (((p->y1 - p->y0) * t_q21 + ((int32_t)1 << 20)) >> 21); /* |.| <= 2^29 + 2^20 */
-}
-
-/* `height` of an edge, with its sign, whose ends are `ends` in 1/256 behind the column's side. */
-static void add(window *w, int32_t column, int32_t height, int32_t ends)
-{
-    w->sum[column] += height * (512 - ends);
-    w->sum[column + 1] += height * ends;
-}
-
-static void add_piece(window *w, int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t winding)
-{
-    const int32_t left = w->x * 256;
-    const int32_t right = left + WINDOW * 256;
-    const int32_t height = winding * (y1 - y0);
-    piece p = {x0, y0, x1, y1, 0, 0};
-    if (x0 > x1) {
-        const piece turned = {x1, y1, x0, y0, 0, 0};
-        p = turned;
-    }
-    if (p.x0 >= right) {
-        return;
-    }
-    if (p.x1 <= left) {
-        w->sum[0] += height * 512;
-        return;
-    }
-    if (p.x0 >> 8 == (p.x1 - 1) >> 8 || p.x0 == p.x1) {
-        const int32_t column = p.x0 >> 8;
-        add(w, column - w->x, height, p.x0 + p.x1 - 2 * 256 * column);
-        return;
-    }
-    p.zeros = qtri_clz32((uint32_t)(p.x1 - p.x0));
-    p.reciprocal = (uint32_t)qtri_reciprocal_below((uint32_t)(p.x1 - p.x0) << p.zeros);
-    const int32_t sign = p.y1 > p.y0 ? winding : -winding;
-    int32_t x = p.x0;
-    int32_t y = p.y0;
-    if (x < left) {
-        y = piece_y(&p, left);
-        w->sum[0] += sign * (y - p.y0) * 512;
-        x = left;
-    }
-    while (x < p.x1 && x < right) {
-        const int32_t side = x & ~(int32_t)255;
-        const int32_t to = qtri_least32(side + 256, p.x1);
-        const int32_t to_y = piece_y(&p, to);
-        add(w, (side - left) >> 8, sign * (to_y - y), x + to - 2 * side);
-        x = to;
-        y = to_y;
-    }
-}
 
 /*
  * Chords of an arc, 1, 4 or 16. One of length l leaves the arc of radius r by l^2 / 8 r; a 64th of
@@ -120,8 +40,8 @@ static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
     const int32_t chords_log2 = c->arc == NULL ? 0 : chords_log2_of(c);
     const int32_t chords = (int32_t)1 << chords_log2;
     const int32_t most = qtri_greatest32(c->x0, c->x1);
-    if (chords == 1 || most <= w->x * 256) {
-        add_piece(w, c->x0, c->y0, c->x1, c->y1, c->winding);
+    if (chords == 1 || most <= w->coverage.x * 256) {
+        qtri_coverage_add(&w->coverage, c->x0, c->y0, c->x1, c->y1, c->winding);
         return;
     }
     const bool is_known = w->chorded != NULL && w->chorded->y0 == c->y0 &&
@@ -138,7 +58,7 @@ static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
             }
             to = arc->center_x + (arc->side < 0 ? -w->half[i] : w->half[i]);
         }
-        add_piece(w, x, y, to, to_y, c->winding);
+        qtri_coverage_add(&w->coverage, x, y, to, to_y, c->winding);
         x = to;
         y = to_y;
     }
@@ -149,7 +69,9 @@ static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
 static uint32_t coverage_of(int32_t sum)
 {
     const uint32_t share = qtri_magnitude32(sum);
-    return share >= (uint32_t)FULL ? 255 : (share * 255 + FULL / 2) / FULL;
+    return share >= (uint32_t)QTRI_COVERAGE_FULL
+               ? 255
+               : (share * 255 + QTRI_COVERAGE_FULL / 2) / QTRI_COVERAGE_FULL;
 }
 
 /*
@@ -160,26 +82,27 @@ static uint32_t coverage_of(int32_t sum)
 static void fill_window(window *w, const qtri_crossings *crossings, int32_t row, int32_t *busy,
                         int32_t *next)
 {
-    *busy = w->x;
+    w->coverage.end = w->coverage.x + WINDOW;
+    *busy = w->coverage.x;
     *next = INT32_MAX;
     int32_t position = 0;
     qtri_crossing room;
     const qtri_crossing *c;
     while ((c = qtri_crossings_next(crossings, &position, &room)) != NULL) {
         const int32_t first = qtri_least32(c->x0, c->x1) >> 8;
-        if (first >= w->x + WINDOW) {
+        if (first >= w->coverage.x + WINDOW) {
             *next = qtri_least32(*next, first);
         } else {
             *busy = qtri_greatest32(*busy, (qtri_greatest32(c->x0, c->x1) + 255) >> 8);
         }
     }
-    const int32_t last = qtri_least32(*busy - w->x + 1, WINDOW);
+    const int32_t last = qtri_least32(*busy - w->coverage.x + 1, WINDOW);
     for (int32_t i = 0; i <= last; i++) {
-        w->sum[i] = 0;
+        w->coverage.sum[i] = 0;
     }
     position = 0;
     while ((c = qtri_crossings_next(crossings, &position, &room)) != NULL) {
-        if (qtri_least32(c->x0, c->x1) >> 8 < w->x + WINDOW) {
+        if (qtri_least32(c->x0, c->x1) >> 8 < w->coverage.x + WINDOW) {
             add_crossing(w, c, row);
         }
     }
@@ -193,32 +116,33 @@ static void smooth_row(const qtri_painter *painter, const qtri_contour *contour,
     const int32_t end = painter->bounds.x1;
     window w;
     w.chorded = NULL;
-    w.x = qtri_greatest32(painter->bounds.x0, crossings.first);
-    while (w.x < end) {
+    w.coverage.x = qtri_greatest32(painter->bounds.x0, crossings.first);
+    while (w.coverage.x < end) {
         int32_t busy;
         int32_t next;
         fill_window(&w, &crossings, row, &busy, &next);
-        int32_t count = qtri_least32(qtri_least32(busy, end) - w.x, WINDOW);
+        int32_t count = qtri_least32(qtri_least32(busy, end) - w.coverage.x, WINDOW);
         int32_t sum = 0;
         if (count > 0) {
             uint8_t coverage[WINDOW];
             for (int32_t i = 0; i < count; i++) {
                 // NOLINTNEXTLINE(clang-analyzer-core.*): fill_window() has set those up to `busy`
-                sum += w.sum[i];
+                sum += w.coverage.sum[i];
                 coverage[i] = (uint8_t)coverage_of(sum);
             }
-            painter->ink->cover(painter, qtri_painter_at(painter, w.x, row), count, coverage);
+            painter->ink->cover(painter, qtri_painter_at(painter, w.coverage.x, row), count,
+                                coverage);
         }
-        w.x += count;
-        if (busy > w.x) {
+        w.coverage.x += count;
+        if (busy > w.coverage.x) {
             continue; /* the window was too short */
         }
-        sum += w.sum[count]; /* no edge goes further */
+        sum += w.coverage.sum[count]; /* no edge goes further */
         const uint32_t even = coverage_of(sum);
         if (even != 0) {
-            qtri_painter_span(painter, row, w.x, next, even);
+            qtri_painter_span(painter, row, w.coverage.x, next, even);
         }
-        w.x = next;
+        w.coverage.x = next;
     }
 }
 

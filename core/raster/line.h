@@ -64,6 +64,10 @@ void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_ve
 void qtri_line_lit_colors(qtri_line_color color[2], const qtri_line_job *job, const qtri_vertex *a,
                           const qtri_vertex *b);
 
+/* The look of a line from a to b as a part of a stroke; color: as qtri_line_draws has it. */
+void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
+                    const qtri_vertex *b, const qtri_line_color *color);
+
 /* Whether all of a triangle lies above or below the rows of this surface. */
 static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,
                                     int32_t y2_24p8)

@@ -12,9 +12,8 @@
 #define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
 
 enum {
-    CELLS = 8,   /* of a column, with what follows the last */
-    CHUNK = 128, /* columns after which a line starts anew: see line_path.h */
-    SHARE_BITS = 14
+    CELLS = 8,  /* of a column, with what follows the last */
+    CHUNK = 128 /* columns after which a line starts anew: see line_path.h */
 };
 
 /*
@@ -383,30 +382,13 @@ typedef void (*walk_columns)(const wire *w, int32_t column, int32_t end, int32_t
 /* Depth and colours. */
 static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color)
 {
-    const qtri_line_job *job = w->job;
-    const qtri_vertex *first = w->ends[0];
-    const qtri_vertex *last = w->ends[1];
-    qtri_stroke_end end[2];
-    if (color == NULL && qtri_line_has_table(job)) {
-        qtri_stroke_look_set_depth(&w->look, first->depth_16p8 & job->depth_mask,
-                                   last->depth_16p8 & job->depth_mask);
-        w->look.is_level = w->look.is_even = false;
-        w->look.tints = job->to->state.table;
-        w->look.light_q29 = (int32_t)((uint32_t)first->intensity_q15 << SHARE_BITS);
-        w->look.light_step = (int32_t)last->intensity_q15 - (int32_t)first->intensity_q15;
-        return;
+    qtri_line_color turned[2];
+    if (color != NULL && w->ends[0] != a) {
+        memcpy(turned[0], color[1], sizeof turned[0]);
+        memcpy(turned[1], color[0], sizeof turned[1]);
+        color = (const qtri_line_color *)turned;
     }
-    qtri_line_color lit[2];
-    const int turned = color != NULL && first != a;
-    if (color == NULL) {
-        qtri_line_lit_colors(lit, job, first, last);
-        color = (const qtri_line_color *)lit;
-    }
-    for (int i = 0; i < 2; i++) {
-        end[i].depth_16p8 = w->ends[i]->depth_16p8 & job->depth_mask;
-        memcpy(end[i].color_8p16, color[i ^ turned], sizeof end[i].color_8p16);
-    }
-    qtri_stroke_look_init(&w->look, end);
+    qtri_line_look(&w->look, w->job, w->ends[0], w->ends[1], color);
 }
 
 /* What walks a line. */

@@ -138,14 +138,8 @@ static void draw_row(qtri_stroker *stroker, const int32_t *cover, const columns 
             weight[x - c->inside] = (uint16_t)qtri_stroke_weight(held, stroker->to.alpha_q16);
         }
     }
-    const qtri_stroke_span span = {&stroker->to.state,
-                                   &stroker->shape[QTRI_STROKE_SHAPES].look,
-                                   c->inside,
-                                   row,
-                                   c->inside_end - c->inside,
-                                   weight,
-                                   weight,
-                                   false};
+    const qtri_stroke_span span = {&stroker->to.state,        &stroker->look, c->inside, row,
+                                   c->inside_end - c->inside, weight,         weight,    false};
     qtri_stroke_target_draw(&stroker->to, &span);
 }
 
@@ -176,8 +170,7 @@ static void draw_rows(qtri_stroker *stroker, const qtri_screen_point *center)
     }
 }
 
-bool qtri_stroke_point_draw(qtri_stroker *stroker, const qtri_stroke_place *place,
-                            const qtri_stroke_end end[2])
+bool qtri_stroke_point_draw(qtri_stroker *stroker, const qtri_stroke_place *place)
 {
     if (place->end[0].x_24p8 != place->end[1].x_24p8 ||
         place->end[0].y_24p8 != place->end[1].y_24p8 || place->caps[0] != QTRI_CAP_ROUND ||
@@ -187,8 +180,6 @@ bool qtri_stroke_point_draw(qtri_stroker *stroker, const qtri_stroke_place *plac
     if (stroker->ring.radius != place->radius_24p8) {
         set_ring(&stroker->ring, place->radius_24p8);
     }
-    const qtri_stroke_end both[2] = {end[0], end[0]};
-    qtri_stroke_look_init(&stroker->shape[QTRI_STROKE_SHAPES].look, both);
     draw_rows(stroker, &place->end[0]);
     return true;
 }

@@ -59,35 +59,6 @@ static void set_direction(qtri_stroke_shape *s, int32_t dx, int32_t dy)
     s->share_shift = (uint8_t)(37 - up - zeros); /* 6..31 */
 }
 
-static void take_peak(qtri_stroke_chain *chain, int sign, int32_t x, int32_t y)
-{
-    if ((x - chain->peak_x) * sign > 0) { /* |x| < 2^24 */
-        chain->peak_x = x;
-        chain->peak_y = y;
-    }
-}
-
-/* The side that leaves a + offset (sign 1) or a - offset (-1). */
-static void set_chain(qtri_stroke_shape *s, int side, int32_t sign)
-{
-    qtri_stroke_chain *chain = &s->chain[side];
-    const int32_t across = sign * s->offset_y;
-    const int out = side == 0 ? -1 : 1;
-    const int32_t end_x = s->b.x_24p8 + sign * s->offset_x;
-    chain->x = s->a.x_24p8 + sign * s->offset_x;
-    chain->y0 = s->a.y_24p8 + across;
-    chain->y1 = s->b.y_24p8 + across;
-    chain->peak_x = chain->x;
-    chain->peak_y = chain->y0;
-    take_peak(chain, out, end_x, chain->y1);
-    if (s->round_a && s->a.y_24p8 <= chain->y0) {
-        take_peak(chain, out, s->a.x_24p8 + out * s->radius, s->a.y_24p8);
-    }
-    if (s->round_b && s->b.y_24p8 >= chain->y1) {
-        take_peak(chain, out, s->b.x_24p8 + out * s->radius, s->b.y_24p8);
-    }
-}
-
 enum { SHORT = 1 << 14 };
 
 /* From ends, which of them are round, and `out`, radius times direction from a to b. */
@@ -105,11 +76,9 @@ static void set_outline(qtri_stroke_shape *s, int32_t out_x, int32_t out_y)
     s->slope_q16 = s->is_short ? (int32_t)((s->slope_q32 + 0x8000) >> 16) : 0;
     s->top = s->a.y_24p8 - (s->round_a ? s->radius : s->offset_y);
     s->bottom = s->b.y_24p8 + (s->round_b ? s->radius : s->offset_y);
-    s->level[0] = s->level[1] = s->last_level = INT32_MAX;
+    s->level[0] = s->level[1] = s->row = INT32_MAX;
     /* To the right and down, the offset leads to the left bound; to the left, to the right one. */
-    const int32_t left = out_x < 0 ? -1 : 1;
-    set_chain(s, 0, left);
-    set_chain(s, 1, -left);
+    s->is_left = out_x >= 0;
 }
 
 void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place, int32_t more)
@@ -119,7 +88,7 @@ void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place
     set_direction(s, end[1].x_24p8 - end[0].x_24p8, end[1].y_24p8 - end[0].y_24p8);
     s->origin = end[0];
     s->radius = radius;
-    s->more = more;
+    s->more = (uint8_t)more;
     int32_t out_x = times_q30(radius, s->along_x_q30);
     int32_t out_y = times_q30(radius, s->along_y_q30);
     if (place->caps[0] == QTRI_CAP_SQUARE) {
@@ -212,96 +181,68 @@ QTRI_NOINLINE static int32_t end_x(qtri_stroke_shape *s, int side, int32_t y, bo
                   s->end_slope_q32);
 }
 
+/* By how many offsets a long side is apart from the line between a and b. */
+static inline int32_t side_sign(const qtri_stroke_shape *s, int side)
+{
+    return (side == 0) == s->is_left ? 1 : -1;
+}
+
 int32_t qtri_stroke_shape_x(qtri_stroke_shape *s, int side, int32_t y, bool below)
 {
-    const qtri_stroke_chain *chain = &s->chain[side];
+    const int32_t sign = side_sign(s, side);
+    const int32_t across = sign * s->offset_y;
     const int32_t at = below ? y : y - 1; /* what is there from this level on to the next */
-    if (at < chain->y0) {
+    if (at < s->a.y_24p8 + across) {
         return end_x(s, side, y, true);
     }
-    if (at >= chain->y1) {
+    if (at >= s->b.y_24p8 + across) {
         return end_x(s, side, y, false);
     }
-    const int32_t down = y - chain->y0;
+    const int32_t x = s->a.x_24p8 + sign * s->offset_x;
+    const int32_t down = y - (s->a.y_24p8 + across);
     /* |slope| down <= |dx| < 2^14 */
-    return s->is_short ? chain->x + ((s->slope_q16 * down + 0x8000) >> 16)
-                       : side_x(chain->x, down, s->slope_q32);
+    return s->is_short ? x + ((s->slope_q16 * down + 0x8000) >> 16) : side_x(x, down, s->slope_q32);
 }
 
-bool qtri_stroke_shape_reach(qtri_stroke_shape *s, int32_t y0, int32_t y1, int32_t x[2])
-{
-    y0 = qtri_greatest32(y0, s->top);
-    y1 = qtri_least32(y1, s->bottom);
-    if (y0 >= y1) {
-        return false;
-    }
-    for (int side = 0; side < 2; side++) {
-        const qtri_stroke_chain *chain = &s->chain[side];
-        x[side] = chain->peak_y <= y0   ? qtri_stroke_shape_x(s, side, y0, true)
-                  : chain->peak_y >= y1 ? qtri_stroke_shape_x(s, side, y1, false)
-                                        : chain->peak_x;
-    }
-    return true;
-}
-
-static void mark(uint32_t levels[8], int32_t level)
-{
-    if ((uint32_t)level < 256) {
-        levels[level >> 5] |= (uint32_t)1 << (level & 31);
-    }
-}
-
-/* Levels of a disc, between y0 and y1, counted as `levels` are. */
-static void mark_disc(uint32_t levels[8], int32_t center, int32_t radius, int32_t y0, int32_t y1)
+/* Below y, an arc's next level around a disc, at most its bottom. */
+static int32_t next_of_disc(int32_t center, int32_t radius, int32_t y)
 {
     static const int16_t down[6] = {16, 64, 144, 256, 400, 576};
     const int32_t top = center - radius;
     const int32_t bottom = center + radius;
-    if (y0 >= 256 || y1 <= 0) {
-        return;
-    }
-    const int32_t first = qtri_greatest32(y0, 0);
-    const int32_t last = qtri_least32(y1, 256);
-    for (int i = 0; i < 6 && down[i] < radius; i++) {
-        const int32_t from_top = top + down[i];
-        const int32_t from_bottom = bottom - down[i];
-        if (from_top > first && from_top < last) {
-            mark(levels, from_top);
+    const int32_t next = (y | 127) + 1; /* far from its top and its bottom: half a row */
+    if (y < center) {
+        int i = 0;
+        while (i < 6 && top + down[i] <= y) {
+            i++;
         }
-        if (from_bottom > first && from_bottom < last) {
-            mark(levels, from_bottom);
-        }
+        return qtri_least32(i < 6 ? top + down[i] : next, center);
     }
-    if (center > y0 && center < y1) {
-        mark(levels, center);
+    int i = 5;
+    if (bottom - down[5] > y) {
+        return qtri_least32(bottom - down[5], next);
     }
-    if (radius > 576) {
-        mark(levels, 128);
+    while (i >= 0 && bottom - down[i] <= y) {
+        i--;
     }
+    return i >= 0 ? bottom - down[i] : bottom;
 }
 
-void qtri_stroke_shape_mark(const qtri_stroke_shape *s, int32_t top, uint32_t levels[8])
+int32_t qtri_stroke_shape_next(const qtri_stroke_shape *s, int side, int32_t y)
 {
-    const qtri_stroke_chain *left = &s->chain[0];
-    const qtri_stroke_chain *right = &s->chain[1];
-    if (qtri_stroke_shape_is_straight(s, top, top + 256)) {
-        return;
+    const int32_t across = side_sign(s, side) * s->offset_y;
+    const int32_t y0 = s->a.y_24p8 + across;
+    const int32_t y1 = s->b.y_24p8 + across;
+    if (y < y0) {
+        return s->round_a ? qtri_least32(next_of_disc(s->a.y_24p8, s->radius, y), y0) : y0;
     }
-    mark(levels, s->top - top);
-    mark(levels, s->bottom - top);
-    for (int i = 0; i < 2; i++) {
-        mark(levels, s->chain[i].y0 - top);
-        mark(levels, s->chain[i].y1 - top);
+    if (y < y1) {
+        return y1;
     }
-    if (s->round_a) {
-        mark_disc(levels, s->a.y_24p8 - top, s->radius, s->top - top,
-                  qtri_greatest32(left->y0, right->y0) - top);
-    }
-    if (s->round_b && s->length_24p8 != 0) {
-        mark_disc(levels, s->b.y_24p8 - top, s->radius, qtri_least32(left->y1, right->y1) - top,
-                  s->bottom - top);
-    }
+    return s->round_b ? next_of_disc(s->b.y_24p8, s->radius, y) : s->bottom;
 }
+
+enum { NEAR = 1 << 14 };
 
 /* From the part's first end to a pixel's centre; below 2^25. */
 static void to_pixel(const qtri_stroke_shape *s, int32_t x, int32_t y, int32_t to[2])
@@ -316,6 +257,12 @@ static inline uint16_t held_share(int32_t share_q24)
     return (uint16_t)(share_q24 < 0 ? 0 : share_q24 >= 1 << 24 ? 65535 : share_q24 >> 8);
 }
 
+/* A share of the length a unit, of a part of a pixel or more: at most 2^30. */
+static int32_t share_q38(int32_t share, int32_t shift)
+{
+    return shift >= 14 ? share >> (shift - 14) : share * ((int32_t)1 << (14 - shift));
+}
+
 /* Steps are counted from a multiple of 32 on, whatever a scissor leaves out. */
 void qtri_stroke_shape_shares(const qtri_stroke_shape *s, int32_t x, int32_t y, int32_t count,
                               uint16_t *share_q16)
@@ -325,6 +272,19 @@ void qtri_stroke_shape_shares(const qtri_stroke_shape *s, int32_t x, int32_t y, 
     const int32_t skip = x & 31;
     int32_t to[2];
     to_pixel(s, x - skip, y, to);
+    if (s->length_24p8 >= 256 && qtri_magnitude32(to[0]) < NEAR && qtri_magnitude32(to[1]) < NEAR) {
+        const int32_t x_q38 = share_q38(s->share_x, s->share_shift);
+        const int32_t y_q38 = share_q38(s->share_y, s->share_shift);
+        const int32_t step_q22 = x_q38 >> 8;
+        int32_t share_q22 = qtri_mul_s16(x_q38, to[0]) + qtri_mul_s16(y_q38, to[1]);
+        share_q22 += skip * step_q22; /* |.| < 2^30 */
+        for (int32_t i = 0; i < count; i++, share_q22 += step_q22) {
+            share_q16[i] = (uint16_t)(share_q22 < 0          ? 0
+                                      : share_q22 >= 1 << 22 ? 65535
+                                                             : share_q22 >> 6);
+        }
+        return;
+    }
     int64_t at = (qtri_mul_s32(to[0], s->share_x) + qtri_mul_s32(to[1], s->share_y)) >>
                  s->share_shift; /* < 2^56 */
     if (s->length_24p8 >= 256) { /* no step is longer than the part: 32 of them do not lead from
@@ -347,6 +307,14 @@ uint64_t qtri_stroke_shape_distance(const qtri_stroke_shape *s, int32_t x, int32
     const int32_t most = (int32_t)1 << 22;
     int32_t to[2];
     to_pixel(s, x, y, to);
+    if (qtri_magnitude32(to[0]) < NEAR && qtri_magnitude32(to[1]) < NEAR) {
+        const int32_t x_q15 = s->along_x_q30 >> 15;
+        const int32_t y_q15 = s->along_y_q30 >> 15;
+        const int32_t far = (to[0] * x_q15 + to[1] * y_q15) >> 15;
+        const int32_t across = (to[1] * x_q15 - to[0] * y_q15) >> 15; /* < 2^14.5 */
+        const int32_t beyond = far < 0 ? far : far > s->length_24p8 ? far - s->length_24p8 : 0;
+        return (uint32_t)(beyond * beyond) + (uint32_t)(across * across); /* < 2^30 */
+    }
     const int32_t along =
         (int32_t)((qtri_mul_s32(to[0], s->along_x_q30) + qtri_mul_s32(to[1], s->along_y_q30)) >>
                   30);

@@ -2,35 +2,131 @@
 /*
  * Smooth edges: the area of each pixel that the union of the parts covers.
  *
- * The row is cut at levels into slices: where bounds turn, and arcs so often that their chords
- * serve (stroke_shape.h). In a slice each part lies between two sides that are taken as straight;
- * the parts that overlap at its middle are one. Of one part areas are exact, but for the chords.
- * Where sides of two parts cross in a slice, the one that is further out at its middle serves for
- * all of it: that misses a triangle of half its height, and if that may be more than 1/128 of a
- * pixel the slice is cut into four, down to 1/16 of a row.
+ * What one part covers of a row is exact but for the chords of its arcs. Where several parts cover
+ * a pixel in part, the row is cut at the levels where one of their bounds bends or two of them
+ * cross: in such a slice each part lies between two straight sides, and parts that overlap are one.
  */
 #include "stroke.h"
 
-#include "../bits/multiply.h"
-#include "../bits/reciprocal.h"
 #include "stroke_line.h"
 
-enum { SPANS = 12, LEAST_HEIGHT = 16 };
-
-/* The bounds of a shape at the levels of a slice. */
-typedef struct slice_bounds {
-    int32_t left[2], right[2];
-} slice_bounds;
-
-/* Parts of a slice that are one. */
+/* Parts of a slice that are one: the bounds at its levels. */
 typedef struct span {
     int32_t left[2], right[2];
 } span;
+
+enum { SPANS = 12 };
 
 typedef struct spans {
     span of[SPANS];
     int count;
 } spans;
+
+/*
+ * Two parts cover together at least what the one covers that covers more, and at most the sum or
+ * all of the pixel. Where these differ by no more than this the middle serves.
+ */
+enum { FULL = QTRI_COVERAGE_FULL, MARGIN = FULL / 48 };
+
+/* The sides between two levels of a row between which they are straight. */
+QTRI_INLINE void find_sides(span *out, qtri_stroke_shape *s, int32_t y0, int32_t y1)
+{
+    if (s->is_short && qtri_stroke_shape_is_straight(s, y0, y1)) {
+        const int32_t across = s->is_left ? s->offset_y : -s->offset_y;
+        const int32_t offset_x = s->is_left ? s->offset_x : -s->offset_x;
+        const int32_t left = s->a.x_24p8 + offset_x;
+        const int32_t right = s->a.x_24p8 - offset_x;
+        const int32_t down = s->slope_q16 * (y0 - s->a.y_24p8) + 0x8000; /* < 2^31 */
+        const int32_t height = s->slope_q16 * (y1 - y0);
+        const int32_t turn = s->slope_q16 * across;
+        out->left[0] = left + ((down - turn) >> 16);
+        out->left[1] = left + ((down - turn + height) >> 16);
+        out->right[0] = right + ((down + turn) >> 16);
+        out->right[1] = right + ((down + turn + height) >> 16);
+        return;
+    }
+    out->left[0] = qtri_stroke_shape_x(s, 0, y0, true);
+    out->left[1] = qtri_stroke_shape_x(s, 0, y1, false);
+    out->right[0] = qtri_stroke_shape_x(s, 1, y0, true);
+    out->right[1] = qtri_stroke_shape_x(s, 1, y1, false);
+}
+
+static inline void add_side(qtri_stroke_shape *s, int side, const int32_t x[2], int32_t y0,
+                            int32_t y1, qtri_coverage *coverage)
+{
+    const int32_t min = qtri_least32(x[0], x[1]);
+    const int32_t max = qtri_greatest32(x[0], x[1]);
+    if (side == 0) {
+        s->min_x = qtri_least32(s->min_x, min);
+        s->max_left = qtri_greatest32(s->max_left, max);
+    } else {
+        s->min_right = qtri_least32(s->min_right, min);
+        s->max_x = qtri_greatest32(s->max_x, max);
+    }
+    if (coverage != NULL) {
+        qtri_coverage_add(coverage, x[0], y0, x[1], y1, side == 0 ? 1 : -1);
+    }
+}
+
+static void find_row(qtri_stroke_shape *s, int32_t row, qtri_coverage *coverage)
+{
+    const int32_t level = row * 256;
+    const int32_t top = qtri_greatest32(s->top, level);
+    const int32_t bottom = qtri_least32(s->bottom, level + 256);
+    s->row = row;
+    s->min_x = s->min_right = INT32_MAX;
+    s->max_x = s->max_left = INT32_MIN;
+    if (top >= bottom) {
+        return;
+    }
+    if (qtri_stroke_shape_is_straight(s, top, bottom)) {
+        span sides;
+        find_sides(&sides, s, top, bottom);
+        add_side(s, 0, sides.left, top - level, bottom - level, coverage);
+        add_side(s, 1, sides.right, top - level, bottom - level, coverage);
+        return;
+    }
+    for (int side = 0; side < 2; side++) {
+        for (int32_t y = top; y < bottom;) {
+            const int32_t to = qtri_least32(qtri_stroke_shape_next(s, side, y), bottom);
+            const int32_t x[2] = {qtri_stroke_shape_x(s, side, y, true),
+                                  qtri_stroke_shape_x(s, side, to, false)};
+            add_side(s, side, x, y - level, to - level, coverage);
+            y = to;
+        }
+    }
+}
+
+static void add(qtri_stroke_window *w, qtri_stroke_shape *s)
+{
+    find_row(s, w->row, &w->coverage);
+    if (s->min_x >= s->max_x) {
+        s->max_x = s->min_x; /* nothing */
+        return;
+    }
+    const int32_t first = qtri_greatest32((s->min_x >> 8) - w->coverage.x, 0);
+    const int32_t end = qtri_least32(((s->max_x + 255) >> 8) - w->coverage.x, QTRI_COVERAGE_WINDOW);
+    int32_t sum = 0;
+    if (first > end) {
+        return;
+    }
+    for (int32_t i = first; i < end; i++) {
+        sum += w->coverage.sum[i];
+        w->coverage.sum[i] = 0;
+        const int32_t own = qtri_hold32(sum, 0, FULL);
+        const int32_t other = w->cover[i];
+        if (other == 0 || own == 0) {
+            w->cover[i] = own | other;
+            continue;
+        }
+        const int32_t more = qtri_greatest32(own, other);
+        const int32_t margin = qtri_least32(qtri_least32(own, other), FULL - more);
+        w->shared |= (uint32_t)1 << i;
+        w->in_part |= margin > MARGIN ? (uint32_t)1 << i : 0;
+        w->cover[i] = margin > MARGIN ? more : more + (margin >> 1);
+    }
+    w->coverage.sum[end] = 0;
+}
 
 static int32_t middle(const int32_t at[2])
 {
@@ -47,31 +143,38 @@ static void widen(int32_t side[2], const int32_t by[2], int32_t sign)
 }
 
 /*
- * Whether sides cross so far that it matters: the smaller of both distances, times half of the
- * height and half of that.
+ * The level up to which two sides do not cross, in a slice from 0 to `height`: all of it where
+ * the triangle that is missed, at most the smaller distance times half of the height, and half of
+ * that, is below 1/128 of a pixel.
  */
-static bool cross(const int32_t a[2], const int32_t b[2], int32_t height)
+static int32_t up_to_crossing(const int32_t a[2], const int32_t b[2], int32_t height)
 {
     const int32_t from = a[0] - b[0];
     const int32_t to = a[1] - b[1];
     if ((from ^ to) >= 0) {
-        return false;
+        return height;
     }
-    const int32_t least =
-        qtri_least32((int32_t)qtri_magnitude32(from), (int32_t)qtri_magnitude32(to));
-    return least > 2048 / height;
+    uint32_t d0 = qtri_magnitude32(from);
+    uint32_t d1 = qtri_magnitude32(to);
+    if ((d0 < d1 ? d0 : d1) * (uint32_t)height <= 2048) { /* < 2^24 2^8 */
+        return height;
+    }
+    d0 >>= 3; /* < 2^22: the sum times 2^8 fits */
+    d1 >>= 3;
+    const int32_t at = (int32_t)(d0 * (uint32_t)height / (d0 + d1 + 1));
+    return qtri_hold32(at, 1, height - 1);
 }
 
-QTRI_NOINLINE static bool crosses_any(const spans *all, const slice_bounds *more, int32_t height)
+static int32_t up_to_crossings(const spans *all, const span *more, int32_t height)
 {
     for (int i = 0; i < all->count; i++) {
         const span *other = &all->of[i];
-        if (cross(other->left, more->left, height) || cross(other->right, more->right, height) ||
-            cross(other->left, more->right, height) || cross(other->right, more->left, height)) {
-            return true;
-        }
+        height = qtri_least32(height, up_to_crossing(other->left, more->left, height));
+        height = qtri_least32(height, up_to_crossing(other->right, more->right, height));
+        height = qtri_least32(height, up_to_crossing(other->left, more->right, height));
+        height = qtri_least32(height, up_to_crossing(other->right, more->left, height));
     }
-    return false;
+    return height;
 }
 
 /*
@@ -79,241 +182,183 @@ QTRI_NOINLINE static bool crosses_any(const spans *all, const slice_bounds *more
  * there is no room it is taken together with the one before it, a slice of which more than twelve
  * separate parts lie in one strip.
  */
-static void add_span(spans *all, const slice_bounds *slice)
+static void add_span(spans *all, span more)
 {
-    span more = {{slice->left[0], slice->left[1]}, {slice->right[0], slice->right[1]}};
-    if (all->count == 0) {
-        all->of[0] = more;
-        all->count = 1;
-        return;
+    int at = 0;
+    int end;
+    while (at < all->count && middle(all->of[at].right) < middle(more.left)) {
+        at++;
     }
-    int first = 0;
-    while (first < all->count && middle(all->of[first].right) < middle(more.left)) {
-        first++;
-    }
-    int end = first;
-    while (end < all->count && middle(all->of[end].left) <= middle(more.right)) {
+    for (end = at; end < all->count && middle(all->of[end].left) <= middle(more.right); end++) {
         widen(more.left, all->of[end].left, -1);
         widen(more.right, all->of[end].right, 1);
-        end++;
     }
-    if (end == first && all->count == SPANS) {
-        first = first > 0 ? first - 1 : 0;
-        end = first + 1;
-        widen(more.left, all->of[first].left, -1);
-        widen(more.right, all->of[first].right, 1);
+    if (end == at && all->count == SPANS) {
+        at = at > 0 ? at - 1 : 0;
+        end = at + 1;
+        widen(more.left, all->of[at].left, -1);
+        widen(more.right, all->of[at].right, 1);
     }
-    const int moved = first + 1 - end; /* 1 where there is one more */
+    const int moved = at + 1 - end; /* 1, 0, or less */
     if (moved > 0) {
-        for (int i = all->count; i > first; i--) {
+        for (int i = all->count; i > at; i--) {
             all->of[i] = all->of[i - 1];
         }
-    } else if (moved < 0) {
-        for (int i = first + 1; i - moved < all->count; i++) {
-            all->of[i] = all->of[i - moved];
+    } else {
+        for (int i = end; i < all->count; i++) {
+            all->of[i + moved] = all->of[i];
         }
     }
+    all->of[at] = more;
     all->count += moved;
-    all->of[first] = more;
 }
 
 /*
- * Adds the area to the right of a side that moves from `x0` to `x1`, in 1/256 behind the first
- * column, while `height` (1/256, signed) goes by. The sum of all sums up to a pixel is then what
- * its area has, in 1/512 by 1/256 pixel; it is the same whatever the first column is.
+ * Shapes that touch columns: most often there is room for all of them, with nothing to look up
+ * again from slice to slice.
  */
-static void add_side(qtri_stroker *stroker, int32_t x0, int32_t x1, int32_t height)
+enum { GROUP = 6 };
+
+typedef struct group {
+    qtri_stroker *stroker;
+    int32_t first, end; /* columns of the window */
+    int32_t x0, x1;     /* their sides */
+    bool is_complete;
+    uint32_t count;
+    qtri_stroke_shape *shape[GROUP];
+} group;
+
+static void find_group(group *g, qtri_stroker *stroker, int32_t first, int32_t end)
 {
-    int32_t *cover = stroker->cover;
-    const int32_t end = (stroker->end - stroker->first) * 256;
-    x0 -= stroker->first * 256;
-    x1 -= stroker->first * 256;
-    if (x0 > x1) {
-        const int32_t x = x0;
-        x0 = x1;
-        x1 = x;
+    uint32_t part[GROUP];
+    uint32_t at = 0;
+    qtri_stroke_shape *s;
+    g->stroker = stroker;
+    g->first = first;
+    g->end = end;
+    g->x0 = (stroker->window.coverage.x + first) * 256;
+    g->x1 = (stroker->window.coverage.x + end) * 256;
+    g->count = 0;
+    g->is_complete = false;
+    while ((s = qtri_stroker_next(stroker, &at, first, end)) != NULL) {
+        if (g->count == GROUP || s == &stroker->disc) {
+            return;
+        }
+        part[g->count] = s->part;
+        g->shape[g->count++] = s;
     }
-    if (x0 >= end) {
-        return;
+    for (uint32_t i = 0; i < g->count; i++) {
+        if (g->shape[i]->part != part[i]) {
+            return; /* another took its room */
+        }
     }
-    if (x1 <= 0) {
-        cover[0] += height * 512;
-        return;
-    }
-    /* Most sides stay in a column: without this a wireframe of strokes takes 15 to 19 % more. */
-    const int32_t first = x0 >> 8;
-    if (x0 >= 0 && x1 <= (first + 1) * 256) {
-        const int32_t behind = height * (x0 + x1 - 512 * first);
-        cover[first] += height * 512 - behind;
-        cover[first + 1] += behind;
-        return;
-    }
-    /* Of height, up to each column's side: height (x - x0) / (x1 - x0), rounded down. */
-    const uint32_t width = (uint32_t)(x1 - x0);  /* < 2^25 */
-    const int32_t zeros = qtri_clz32(width | 1); /* 7..31 */
-    const uint32_t reciprocal = (uint32_t)qtri_reciprocal_below(width << zeros);
-    const uint32_t size = qtri_magnitude32(height);
-    int32_t x = x0;
-    int32_t done = 0;
-    if (x0 < 0) {
-        x = 0;
-        done = (int32_t)(qtri_mul_u32(size * (uint32_t)-x0, reciprocal) >> (62 - zeros));
-        cover[0] += (height < 0 ? -done : done) * 512;
-    }
-    while (x < x1 && x < end) {
-        const int32_t column = x >> 8;
-        const int32_t to = qtri_least32((column + 1) * 256, x1);
-        const int32_t upto =
-            to == x1
-                ? (int32_t)size
-                : (int32_t)(qtri_mul_u32(size * (uint32_t)(to - x0), reciprocal) >> (62 - zeros));
-        const int32_t part = height < 0 ? done - upto : upto - done;
-        const int32_t behind = part * (x + to - 512 * column);
-        cover[column] += part * 512 - behind;
-        cover[column + 1] += behind;
-        x = to;
-        done = upto;
-    }
+    g->is_complete = true;
 }
 
-/* What lies to the right of the left side and not of the right one. */
-static void add_sides(qtri_stroker *stroker, const int32_t left[2], const int32_t right[2],
-                      int32_t height)
+static inline qtri_stroke_shape *next_of_group(const group *g, uint32_t *at)
 {
-    add_side(stroker, left[0], left[1], height);
-    add_side(stroker, right[0], right[1], -height);
+    if (g->is_complete) {
+        return *at < g->count ? g->shape[(*at)++] : NULL;
+    }
+    return qtri_stroker_next(g->stroker, at, g->first, g->end);
 }
 
-/* A side, as qtri_stroke_shape_x() has it. */
-static inline void set_straight(int32_t x[2], const qtri_stroke_shape *s, int side, int32_t y0,
-                                int32_t y1)
-{
-    const qtri_stroke_chain *chain = &s->chain[side];
-    const int32_t slope = s->slope_q16;
-    x[0] = chain->x + ((slope * (y0 - chain->y0) + 0x8000) >> 16);
-    x[1] = chain->x + ((slope * (y1 - chain->y0) + 0x8000) >> 16);
-}
-
-/*
- * The bounds of a shape between two levels. False: it is not there. Slices follow each other: where
- * no bound turns, one begins as the last one ended.
- */
-static bool find_slice(slice_bounds *slice, qtri_stroke_shape *s, int32_t y0, int32_t y1)
-{
-    if (s->top > y0 || s->bottom < y1) {
-        return false;
-    }
-    if (s->is_short && qtri_stroke_shape_is_straight(s, y0, y1)) {
-        set_straight(slice->left, s, 0, y0, y1);
-        set_straight(slice->right, s, 1, y0, y1);
-        return true;
-    }
-    const bool follows = s->last_level == y0;
-    for (int side = 0; side < 2; side++) {
-        const qtri_stroke_chain *chain = &s->chain[side];
-        int32_t *x = side == 0 ? slice->left : slice->right;
-        x[0] = follows && y0 != chain->y0 && y0 != chain->y1
-                   ? s->last_x[side]
-                   : qtri_stroke_shape_x(s, side, y0, true);
-        x[1] = qtri_stroke_shape_x(s, side, y1, false);
-        s->last_x[side] = x[1];
-    }
-    s->last_level = y1;
-    return true;
-}
-
-static void add_alone(qtri_stroker *stroker, int32_t y0, int32_t y1)
-{
-    slice_bounds slice;
-    if (find_slice(&slice, stroker->own, y0, y1)) {
-        add_sides(stroker, slice.left, slice.right, y1 - y0);
-    }
-}
-
-/* The spans of the shapes in a slice. False: they cross, and are not all there. */
-static bool find_spans(spans *all, qtri_stroker *stroker, int32_t y0, int32_t y1)
+/* The spans of the slice from y0 to y1; returns where it ends, earlier where sides cross. */
+static int32_t find_spans(spans *all, const group *g, int32_t y0, int32_t y1)
 {
     uint32_t at = 0;
     all->count = 0;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
-        slice_bounds slice;
-        if (!find_slice(&slice, s, y0, y1)) {
+    for (qtri_stroke_shape *s; (s = next_of_group(g, &at)) != NULL;) {
+        if (s->top > y0 || s->bottom < y1) {
             continue;
         }
-        if (y1 - y0 > LEAST_HEIGHT && crosses_any(all, &slice, y1 - y0)) {
-            return false;
-        }
-        add_span(all, &slice);
-    }
-    return true;
-}
-
-/* Where sides cross, the slice is cut into four. */
-static void add_group(qtri_stroker *stroker, int32_t y0, int32_t y1)
-{
-    spans all;
-    int32_t height = y1 - y0;
-    for (int32_t from = y0; from < y1;) {
-        const int32_t to = qtri_least32(from + height, y1);
-        if (!find_spans(&all, stroker, from, to)) {
-            height = qtri_greatest32((height + 3) >> 2, LEAST_HEIGHT);
+        span more;
+        find_sides(&more, s, y0, y1);
+        if ((more.left[0] >= g->x1 && more.left[1] >= g->x1) ||
+            (more.right[0] <= g->x0 && more.right[1] <= g->x0)) {
             continue;
         }
-        for (int i = 0; i < all.count; i++) {
-            add_sides(stroker, all.of[i].left, all.of[i].right, to - from);
+        const int32_t height = up_to_crossings(all, &more, y1 - y0);
+        if (height < y1 - y0) {
+            y1 = y0 + height; /* sides are others: once more */
+            all->count = 0;
+            at = 0;
+            continue;
         }
-        from = to;
+        add_span(all, more);
     }
+    return y1;
 }
 
-static void add_slice(qtri_stroker *stroker, int32_t y0, int32_t y1)
+/*
+ * The next level below y where a bound bends that passes through the columns, or a part begins or
+ * ends.
+ */
+static int32_t next_level(const group *g, int32_t y, int32_t bottom)
 {
-    if (stroker->is_alone) {
-        add_alone(stroker, y0, y1);
-    } else {
-        add_group(stroker, y0, y1);
-    }
-}
-
-/* Slices from level to level, each where a bit is set. */
-static void add_slices(qtri_stroker *stroker, const uint32_t levels[8])
-{
-    const int32_t top = stroker->row * 256;
-    int32_t y = 0;
-    for (int word = 0; word < 8; word++) {
-        for (uint32_t bits = levels[word]; bits != 0; bits &= bits - 1) {
-            const int32_t at = word * 32 + 31 - qtri_clz32(bits & (0 - bits)); /* the lowest */
-            if (at > y) {
-                add_slice(stroker, top + y, top + at);
-                y = at;
+    uint32_t at = 0;
+    for (qtri_stroke_shape *s; (s = next_of_group(g, &at)) != NULL;) {
+        if (s->top > y) {
+            bottom = qtri_least32(bottom, s->top);
+        } else if (s->bottom > y) {
+            bottom = qtri_least32(bottom, s->bottom);
+            if (s->max_left > g->x0) {
+                bottom = qtri_least32(bottom, qtri_stroke_shape_next(s, 0, y));
+            }
+            if (s->min_right < g->x1) {
+                bottom = qtri_least32(bottom, qtri_stroke_shape_next(s, 1, y));
             }
         }
     }
-    add_slice(stroker, top + y, top + 256);
+    return bottom;
 }
 
-static void cover(qtri_stroker *stroker)
+/* Columns first .. end-1 of the window: what all parts cover together. */
+static void unite_columns(qtri_stroker *stroker, int32_t first, int32_t end)
 {
-    const int32_t top = stroker->row * 256;
-    const int32_t count = stroker->end - stroker->first;
-    for (int32_t i = 0; i <= count; i++) {
-        stroker->cover[i] = 0;
+    qtri_stroke_window *w = &stroker->window;
+    const int32_t row = w->row * 256;
+    qtri_coverage c;
+    group g;
+    find_group(&g, stroker, first, end);
+    c.x = w->coverage.x + first;
+    c.end = w->coverage.x + end;
+    for (int32_t i = 0; i <= end - first; i++) {
+        c.sum[i] = 0;
     }
-    if (stroker->is_alone && qtri_stroke_shape_is_straight(stroker->own, top, top + 256)) {
-        add_alone(stroker, top, top + 256);
-    } else {
-        uint32_t levels[8] = {0};
-        uint32_t at = 0;
-        for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
-            qtri_stroke_shape_mark(s, top, levels);
+    for (int32_t y = row; y < row + 256;) {
+        spans all;
+        int32_t to = next_level(&g, y, row + 256);
+        to = find_spans(&all, &g, y, to);
+        for (int i = 0; i < all.count; i++) {
+            const span *s = &all.of[i];
+            qtri_coverage_add(&c, s->left[0], y - row, s->left[1], to - row, 1);
+            qtri_coverage_add(&c, s->right[0], y - row, s->right[1], to - row, -1);
         }
-        add_slices(stroker, levels);
+        y = to;
     }
     int32_t sum = 0;
-    for (int32_t i = 0; i < count; i++) {
-        sum += stroker->cover[i];
-        stroker->cover[i] = qtri_hold32(sum, 0, QTRI_STROKE_FULL);
+    for (int32_t i = first; i < end; i++) {
+        sum += c.sum[i - first];
+        w->cover[i] = qtri_hold32(sum, 0, FULL);
     }
 }
 
-const qtri_stroke_edges qtri_stroke_smooth = {cover, qtri_stroke_point_draw, qtri_stroke_line_draw};
+static void unite(qtri_stroker *stroker)
+{
+    const qtri_stroke_window *w = &stroker->window;
+    for (int32_t i = w->first; i < w->end;) {
+        const int32_t first = i;
+        while (i < w->end && (w->in_part >> i & 1) != 0 && w->cover[i] != FULL) {
+            i++;
+        }
+        if (i > first) {
+            unite_columns(stroker, first, i);
+        } else {
+            i++;
+        }
+    }
+}
+
+const qtri_stroke_edges qtri_stroke_smooth = {find_row, add, unite, qtri_stroke_point_draw,
+                                              qtri_stroke_line_draw};
