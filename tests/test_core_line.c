@@ -5,7 +5,7 @@
 #include "support/core.h"
 #include "support/line_narrow.h"
 
-#include "raster/line_run.h"
+#include "raster/line_path.h"
 
 enum { WIDTH = 44, HEIGHT = 38 };
 
@@ -337,6 +337,8 @@ static void ways(void **state)
         for (int way = 0; way < WAYS; way++) {
             qtri_stroke_target to;
             qtri_line_job job;
+            uint16_t table[QTRI_TABLE];
+            to.state.table = table;
             c[way] = canvas_band(format, wide ? SIDE : 20, height, first, height - first);
             qtri_surface *s = &c[way].surface;
             if (way == 1) { /* a pixel and its depth not equally far from the first ones */
@@ -435,7 +437,9 @@ static void tints(void **state)
             qtri_material material = plain_material();
             qtri_stroke_target to;
             qtri_line_job job;
+            uint16_t table[QTRI_TABLE];
             qtri_vertex end[2];
+            to.state.table = table;
             const bool white = n % 2 == 0;
             const uint8_t tint[3] = {white ? 255 : (uint8_t)random64(&seed),
                                      white ? 255 : (uint8_t)random64(&seed),

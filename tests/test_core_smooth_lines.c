@@ -5,7 +5,7 @@
  */
 #include "support/core.h"
 
-#include "raster/stroke_line.h"
+#include "raster/line.h"
 #include "reference/stroke_cover.h"
 
 enum { WIDTH = 75, HEIGHT = 53 };

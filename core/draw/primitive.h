@@ -13,7 +13,7 @@
 #include "../raster/descriptions.h"
 #include "../raster/draw_state.h"
 #include "../raster/line.h"
-#include "../raster/stroke_span.h"
+#include "../raster/stroke_pixels.h"
 #include "../raster/triangle.h"
 
 /* Where a draw call draws to and how. */

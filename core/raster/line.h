@@ -11,10 +11,9 @@
 #include "qtri/raster.h"
 #include "qtri/view.h"
 
-#include "stroke_span.h"
+#include "stroke_pixels.h"
 
 struct qtri_line_run;
-struct qtri_stroke_line;
 
 /* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
 typedef int32_t qtri_line_color[3];
@@ -28,6 +27,22 @@ typedef struct qtri_line_job qtri_line_job;
 typedef void (*qtri_line_draws)(const qtri_line_job *job, const qtri_vertex *a,
                                 const qtri_vertex *b, const qtri_line_color *color);
 
+/*
+ * Smooth lines of up to two pixels, one by one.
+ *
+ * A line is the rectangle of its width that ends flat, at its ends or half a width beyond. It is
+ * walked column by column along its longer axis, with the exact area of each pixel that it covers,
+ * to the rounding of its corners to 1/256: no list of parts, no window, no root a row, as unions of
+ * shapes need them (stroke.h). So it costs a fraction of that, and overlaps are blended twice.
+ */
+typedef struct qtri_stroke_line {
+    int32_t radius_24p8; /* 1..QTRI_STROKE_LINE_RADIUS */
+    bool square;         /* ends reach a radius further */
+    uint8_t alpha;
+} qtri_stroke_line;
+
+#define QTRI_STROKE_LINE_RADIUS 256 /* 24.8: two pixels of width */
+
 /* Draws runs by the options of a job. */
 typedef void (*qtri_line_runs)(const struct qtri_line_run *run);
 
@@ -38,12 +53,12 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
 struct qtri_line_job {
     qtri_line_draws draw;
     qtri_stroke_target *to;
-    int32_t left_24p8, top_24p8;           /* of the bounds */
-    uint32_t width_24p8, height_24p8;      /* 0, 0 when they are empty */
-    uint32_t depth_mask;                   /* what of depth_16p8 is depth */
-    int packing;                           /* of colours: one of QTRI_PACK_ONE, 565 and 888 */
-    const struct qtri_stroke_line *smooth; /* what `draw` is stroke_line.c for */
-    void *wide;                            /* and what it is stroke_mesh.c for */
+    int32_t left_24p8, top_24p8;      /* of the bounds */
+    uint32_t width_24p8, height_24p8; /* 0, 0 when they are empty */
+    uint32_t depth_mask;              /* what of depth_16p8 is depth */
+    int packing;                      /* of colours: one of QTRI_PACK_ONE, 565 and 888 */
+    const qtri_stroke_line *smooth;   /* what `draw` is stroke_line.c for */
+    void *wide;                       /* and what it is strokes.c for */
 };
 
 /* `to` is initialised for lines of surface and material, and is there as long as the job. */
@@ -77,5 +92,30 @@ static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, i
     return (y0_24p8 < above && y1_24p8 < above && y2_24p8 < above) ||
            (y0_24p8 >= below && y1_24p8 >= below && y2_24p8 >= below);
 }
+
+/* A corner lies at most sqrt(2) radii from an end. */
+#define QTRI_STROKE_LINE_REACH 512 /* 24.8 */
+
+/*
+ * Lets the job, of surface and material, draw smooth lines. The rows in which it looks for
+ * triangles reach further then than those of the surface, which stroke_line.c knows.
+ */
+static inline void qtri_stroke_line_choose(qtri_line_job *job, const qtri_surface *surface,
+                                           const qtri_material *material,
+                                           const qtri_stroke_line *style, qtri_line_draws draw)
+{
+    job->smooth = style;
+    job->draw = draw;
+    job->top_24p8 -= QTRI_STROKE_LINE_REACH;
+    job->height_24p8 += 2 * QTRI_STROKE_LINE_REACH;
+    if (!qtri_stroke_target_init(job->to, surface, material, qtri_stroke_pipelines, style->alpha,
+                                 true)) {
+        job->width_24p8 = 0;
+    }
+}
+
+/* A qtri_line_draws for jobs whose `smooth` is set. What is drawn is stored at once. */
+void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                           const qtri_line_color *color);
 
 #endif

@@ -97,7 +97,7 @@ struct qtri_stroke_edges {
     void (*unite)(qtri_stroker *stroker);
     /* Draws a round point that is small; false: the part is something else. */
     bool (*point)(qtri_stroker *stroker, const qtri_stroke_place *place);
-    qtri_line_draws line; /* thin ones, each by itself: see stroke_line.h */
+    qtri_line_draws line; /* thin ones, each by itself: see line.h */
 };
 
 /* False: nothing can be drawn. Then parts of any source. */
@@ -114,9 +114,6 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
  */
 qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at, int32_t first,
                                      int32_t end);
-
-/* Smooth edges' `point`. */
-bool qtri_stroke_point_draw(qtri_stroker *stroker, const qtri_stroke_place *place);
 
 /* Half of a width in 24.8; 0: nothing is drawn. */
 static inline int32_t qtri_stroke_radius(q16 width)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "stroke_line.h"
+#include "line.h"
 
 #include <string.h>
 

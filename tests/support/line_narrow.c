@@ -15,15 +15,15 @@
 #define qtri_line_has_table   narrow_line_has_table
 #define qtri_stroke_any       narrow_stroke_any
 #define qtri_raster_line      narrow_raster_line
+#define qtri_line_look        narrow_line_look
 #define qtri_line_any         narrow_line_any
 #define qtri_line_pipelines   narrow_line_pipelines
+#define qtri_stroke_pipelines narrow_stroke_pipelines
 
 #include "raster/line.c"
-#include "raster/line_job.c"
-#include "raster/line_path.c"
+#include "raster/lines_rgb565.c"
 
-#include "raster/line_rgb565.c"
-#include "raster/stroke_any.c"
+#include "raster/lines_any.c"
 
 #include "line_narrow.h"
 

@@ -7,8 +7,8 @@
  * follow. The options are those of triangles in one colour (QTRI_FLAT), which each pixel sets, and
  * `covered` where a pixel may take less than all of it.
  */
-#ifndef QTRI_RASTER_STROKE_SPAN_H
-#define QTRI_RASTER_STROKE_SPAN_H
+#ifndef QTRI_RASTER_STROKE_PIXELS_H
+#define QTRI_RASTER_STROKE_PIXELS_H
 
 #include "qtri/body/pixel.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw_state.h"
 #include "sampling.h"
-#include "stroke_span.h"
+#include "stroke_pixels.h"
 
 #include "../bits/bits.h"
 

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines on RGB565, with linear16 depth and "less", or without depth; and the list of all lines. */
+/*
+ * Lines on RGB565, with linear16 depth and "less", or without depth, and spans of smooth strokes
+ * with linear16 depth and "less"; and the lists of all pipelines of lines and of strokes.
+ */
 #include "line_path.h"
 
 /* In place where the line is short and lit by the table, by `o`: most of a wireframe. `draw` is for
@@ -78,3 +81,16 @@ static const qtri_pipeline pipeline_over = {.options = {.format = QTRI_RGB565}, 
 
 const qtri_pipeline *const qtri_line_pipelines[] = {&pipeline_less, &pipeline_over, &qtri_line_any,
                                                     NULL};
+
+static void draw_span(const qtri_stroke_span *span)
+{
+    static const qtri_options options = {
+        .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .covered = 1};
+    qtri_stroke_span_draw(&options, span);
+}
+
+static const qtri_pipeline span_less = {
+    .options = {.format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .covered = 1},
+    .span = draw_span};
+
+const qtri_pipeline *const qtri_stroke_pipelines[] = {&span_less, &qtri_stroke_any, NULL};

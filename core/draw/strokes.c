@@ -1,0 +1,542 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Strokes from object space: polylines, lines, points, wireframes.
+ */
+#include "qtri/pipeline_make.h"
+#include "qtri/stroke.h"
+
+#include "../geometry/projector.h"
+#include "../raster/stroke.h"
+#include "checked.h"
+#include "fill.h"
+#include "lights.h"
+
+/* Corners of one draw call on their way to the screen. */
+typedef struct stroke_job {
+    qtri_projector projector;
+    const qtri_corner *corners;
+    uint32_t count;
+    const qtri_vertex *vertices; /* of the first `kept` corners */
+    uint32_t kept;
+    int32_t radius;
+    uint8_t cap;
+    bool closed;
+} stroke_job;
+
+/* projection camera pose, the material's depth bias, and what the stroke says; no vertices are
+ * kept. */
+static void job_init(stroke_job *job, const qtri_view *view, const qtri_transform *pose,
+                     const qtri_corner *corners, uint32_t count, const qtri_stroke *stroke,
+                     const qtri_material *material)
+{
+    qtri_transform object_to_clip;
+    qtri_transform_mul(&object_to_clip, &view->camera, pose);
+    qtri_transform_mul(&object_to_clip, &view->projection, &object_to_clip);
+    qtri_projector_init(&job->projector, &object_to_clip, &view->viewport);
+    qtri_projector_set_depth(&job->projector, &view->viewport, material->depth_bias);
+    job->corners = corners;
+    job->count = count;
+    job->vertices = NULL;
+    job->kept = 0;
+    job->radius = qtri_stroke_radius(stroke->width);
+    job->cap = qtri_stroke_cap(stroke);
+    job->closed = stroke->closed && count > 2;
+}
+
+/* A corner on the screen; outside of a plane it is marked as vertices of meshes are. */
+static void job_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
+{
+    const qtri_vec4 *const position[1] = {&job->corners[corner].position};
+    qtri_clip_vertex clip;
+    qtri_projector_points(&job->projector, position, 1, &clip);
+    const unsigned outcode = qtri_clip_outcode(&clip);
+    out->at.x_24p8 = 0;
+    out->at.y_24p8 = 0;
+    out->depth_16p8 = QTRI_VERTEX_OUTSIDE | outcode;
+    if (outcode == 0) {
+        qtri_screen_vertex screen;
+        qtri_project(&job->projector, &clip, &screen);
+        out->at.x_24p8 = screen.x_24p8;
+        out->at.y_24p8 = screen.y_24p8;
+        out->depth_16p8 = screen.depth_16p16 & ~0xFFu;
+    }
+}
+
+/* The two corners of a part. */
+static void corners_of(const stroke_job *job, uint32_t part, uint32_t corner[2])
+{
+    corner[0] = part;
+    corner[1] = part + 1 < job->count ? part + 1 : 0;
+}
+
+static void find_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
+{
+    if (corner < job->kept) {
+        *out = job->vertices[corner];
+    } else {
+        job_vertex(job, corner, out);
+    }
+}
+
+/* The ends of what clipping leaves of a part, as qtri_clip_line has them. False: nothing. */
+static bool clip_part(const stroke_job *job, const uint32_t corner[2], qtri_clip_vertex v[2])
+{
+    const qtri_vec4 *const position[2] = {&job->corners[corner[0]].position,
+                                          &job->corners[corner[1]].position};
+    qtri_projector_points(&job->projector, position, 2, v);
+    v[0].b1_q30 = 0;
+    v[1].b1_q30 = (int32_t)1 << 30;
+    const unsigned first = qtri_clip_outcode(&v[0]);
+    const unsigned second = qtri_clip_outcode(&v[1]);
+    return (first & second) == 0 && qtri_clip_line(v, first | second) != 0;
+}
+
+static bool is_inside(const qtri_vertex *v)
+{
+    return (v->depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
+}
+
+/* The corners' parts, one after the other, with the caps of a polyline. */
+static bool job_place(const void *from, uint32_t part, qtri_stroke_place *place)
+{
+    const stroke_job *job = from;
+    uint32_t corner[2];
+    qtri_vertex v[2];
+    corners_of(job, part, corner);
+    find_vertex(job, corner[0], &v[0]);
+    find_vertex(job, corner[1], &v[1]);
+    if (is_inside(&v[0]) && is_inside(&v[1])) {
+        place->end[0] = v[0].at;
+        place->end[1] = v[1].at;
+    } else {
+        qtri_clip_vertex clip[2];
+        if (!clip_part(job, corner, clip)) {
+            return false;
+        }
+        for (int i = 0; i < 2; i++) {
+            qtri_screen_vertex screen;
+            qtri_project(&job->projector, &clip[i], &screen);
+            place->end[i].x_24p8 = screen.x_24p8;
+            place->end[i].y_24p8 = screen.y_24p8;
+        }
+    }
+    place->radius_24p8 = job->radius;
+    const bool is_first = part == 0 && !job->closed;
+    const bool is_last = part + 2 >= job->count && !job->closed;
+    place->caps[0] = is_first ? job->cap : QTRI_CAP_ROUND;
+    place->caps[1] = is_last ? job->cap : QTRI_CAP_ROUND;
+    return true;
+}
+
+static void set_end_color(qtri_stroke_end *end, const qtri_rgb *color)
+{
+    end->color_8p16[0] = (int32_t)color->r << 16;
+    end->color_8p16[1] = (int32_t)color->g << 16;
+    end->color_8p16[2] = (int32_t)color->b << 16;
+}
+
+/* Its colour moves towards the other end's by what was cut off. */
+static void mix_colors(qtri_stroke_end end[2], const int32_t share_q30[2])
+{
+    for (int i = 0; i < 3; i++) {
+        const int32_t from = end[0].color_8p16[i];
+        const int32_t difference = end[1].color_8p16[i] - from;
+        for (int k = 0; k < 2; k++) {
+            end[k].color_8p16[i] = from + (int32_t)(qtri_mul_s32(difference, share_q30[k]) >> 30);
+        }
+    }
+}
+
+static void job_ends(const void *from, uint32_t part, qtri_stroke_end end[2])
+{
+    const stroke_job *job = from;
+    uint32_t corner[2];
+    qtri_vertex v[2];
+    corners_of(job, part, corner);
+    for (int i = 0; i < 2; i++) {
+        find_vertex(job, corner[i], &v[i]);
+        end[i].depth_16p8 = v[i].depth_16p8;
+        set_end_color(&end[i], &job->corners[corner[i]].color);
+    }
+    if (is_inside(&v[0]) && is_inside(&v[1])) {
+        return;
+    }
+    qtri_clip_vertex clip[2];
+    (void)clip_part(job, corner, clip); /* something is left: the part was placed */
+    const int32_t share_q30[2] = {clip[0].b1_q30, clip[1].b1_q30};
+    for (int i = 0; i < 2; i++) {
+        qtri_screen_vertex screen;
+        qtri_project(&job->projector, &clip[i], &screen);
+        end[i].depth_16p8 = screen.depth_16p16 & ~0xFFu;
+    }
+    mix_colors(end, share_q30);
+}
+
+/* Lines -----------------------------------------------------------------------------------------
+ */
+
+void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
+                        const qtri_transform *pose, const qtri_corner *corners,
+                        uint32_t corner_count, const qtri_stroke *stroke,
+                        const qtri_material *material)
+{
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_stroke(stroke));
+    QTRI_CHECK(qtri_check_corners(corners, corner_count, 1));
+    stroke_job job;
+    qtri_stroker stroker;
+    if (corner_count == 0 || !qtri_stroker_init(&stroker, surface, material, stroke)) {
+        return;
+    }
+    job_init(&job, view, pose, corners, corner_count, stroke, material);
+    if (job.radius == 0) {
+        return;
+    }
+    const uint32_t kept = view->vertices == NULL              ? 0
+                          : view->vertex_count < corner_count ? view->vertex_count
+                                                              : corner_count;
+    for (uint32_t i = 0; i < kept; i++) {
+        job_vertex(&job, i, &view->vertices[i]);
+    }
+    job.vertices = view->vertices;
+    job.kept = kept;
+    const bool is_loop = job.closed || corner_count == 1;
+    const qtri_stroke_source source = {&job, is_loop ? corner_count : corner_count - 1, job_place,
+                                       job_ends};
+    qtri_stroker_draw(&stroker, &source);
+}
+
+void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
+                          const qtri_transform *pose, const qtri_corner *corners,
+                          uint32_t corner_count, const qtri_stroke *stroke,
+                          const qtri_material *material)
+{
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_stroke(stroke));
+    QTRI_CHECK(qtri_check_corners(corners, corner_count, 2));
+    stroke_job job;
+    qtri_stroker stroker;
+    if (!qtri_stroker_init(&stroker, surface, material, stroke)) {
+        return;
+    }
+    job_init(&job, view, pose, corners, 2, stroke, material);
+    if (job.radius == 0) {
+        return;
+    }
+    const qtri_stroke_source source = {&job, 1, job_place, job_ends};
+    for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
+        qtri_vertex v[2];
+        job.corners = &corners[i];
+        job.kept = 0;
+        job_vertex(&job, 0, &v[0]);
+        job_vertex(&job, 1, &v[1]);
+        job.vertices = v;
+        job.kept = 2;
+        qtri_stroker_draw(&stroker, &source);
+    }
+}
+
+/* Points ----------------------------------------------------------------------------------------
+ */
+
+/*
+ * Points and splats: parts without a length.
+ *
+ * The size of a splat on the screen is half the distance of the points that lie a width apart
+ * around it, along the picture's rows' normal in eye space: the same for any projection.
+ */
+
+/* Half a width along what is up in the picture, in object space. */
+static qtri_vec3 half_width_up(const qtri_view *view, const qtri_transform *pose, q16 width)
+{
+    qtri_transform object_to_eye;
+    qtri_mat4 m;
+    qtri_transform_mul(&object_to_eye, &view->camera, pose);
+    qtri_transform_to_mat4(&object_to_eye, &m);
+    const qtri_vec3 row = {m.m[1][0], m.m[1][1], m.m[1][2]};
+    const qtri_vec3 up = qtri_vec3_normalize(row);
+    const qtri_vec3 half = {q16_mul(up.x, width / 2), q16_mul(up.y, width / 2),
+                            q16_mul(up.z, width / 2)};
+    return half;
+}
+
+/* What a splat's half is on the screen: at least a 256th, at most QTRI_STROKE_WIDTH_MAX / 2. */
+static int32_t radius_in_space(const stroke_job *job, const qtri_vec4 *center,
+                               const qtri_vec3 *half, const qtri_screen_point *at)
+{
+    const int32_t most = QTRI_STROKE_WIDTH_MAX * 128;
+    qtri_vec4 rim = *center;
+    qtri_clip_vertex clip;
+    qtri_screen_vertex screen;
+    rim.x = qtri_saturate32((int64_t)rim.x + qtri_mul_s32(half->x, rim.w) / 65536);
+    rim.y = qtri_saturate32((int64_t)rim.y + qtri_mul_s32(half->y, rim.w) / 65536);
+    rim.z = qtri_saturate32((int64_t)rim.z + qtri_mul_s32(half->z, rim.w) / 65536);
+    const qtri_vec4 *const position[1] = {&rim};
+    qtri_projector_points(&job->projector, position, 1, &clip);
+    if ((qtri_clip_outcode(&clip) & ~(unsigned)QTRI_OUT_FAR) != 0) {
+        return most;
+    }
+    qtri_project(&job->projector, &clip, &screen);
+    /* Below 2^23 each. */
+    const int64_t x = (int64_t)screen.x_24p8 - at->x_24p8;
+    const int64_t y = (int64_t)screen.y_24p8 - at->y_24p8;
+    const uint64_t radius = qtri_sqrt64_round((uint64_t)(x * x) + (uint64_t)(y * y));
+    return radius > (uint64_t)most ? most : qtri_greatest32((int32_t)radius, 1);
+}
+
+void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
+                      const qtri_transform *pose, const qtri_corner *corners, uint32_t corner_count,
+                      const qtri_stroke *stroke, const qtri_material *material)
+{
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_stroke(stroke));
+    QTRI_CHECK(qtri_check_corners(corners, corner_count, 1));
+    stroke_job job;
+    qtri_stroker stroker;
+    qtri_vec3 half = {0, 0, 0};
+    qtri_stroke_place place;
+    qtri_stroke_end end[2];
+    if (stroke->width <= 0 || !qtri_stroker_init(&stroker, surface, material, stroke)) {
+        return;
+    }
+    job_init(&job, view, pose, corners, corner_count, stroke, material);
+    if (stroke->in_space) {
+        half = half_width_up(view, pose, stroke->width);
+    } else if (job.radius == 0) {
+        return;
+    }
+    place.radius_24p8 = job.radius;
+    place.caps[0] = job.cap == QTRI_CAP_ROUND ? QTRI_CAP_ROUND : QTRI_CAP_SQUARE;
+    place.caps[1] = place.caps[0];
+    for (uint32_t i = 0; i < corner_count; i++) {
+        qtri_vertex v;
+        job_vertex(&job, i, &v);
+        if ((v.depth_16p8 & QTRI_VERTEX_OUTSIDE) != 0) {
+            continue;
+        }
+        place.end[0] = v.at;
+        place.end[1] = v.at;
+        end[0].depth_16p8 = v.depth_16p8;
+        set_end_color(&end[0], &corners[i].color);
+        end[1] = end[0];
+        qtri_stroke_look_init(&stroker.look, end);
+        if (stroke->in_space) {
+            place.radius_24p8 = radius_in_space(&job, &corners[i].position, &half, &v.at);
+        }
+        qtri_stroker_draw_part(&stroker, &place);
+    }
+}
+
+/* Wireframes ------------------------------------------------------------------------------------
+ */
+
+/*
+ * Edges are found, lit and shared out as those of &qtri_wireframe are; only what draws an edge is
+ * another.
+ */
+
+/* A line job whose lines are strokes: `mesh` is first, and the line job in it tells where. */
+typedef struct wide_job {
+    qtri_mesh_job mesh;
+    qtri_stroker stroker;
+    qtri_stroke_place place;
+} wide_job;
+
+/* See qtri_line_draws. */
+static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
+                      const qtri_line_color *color)
+{
+    wide_job *wide = job->wide;
+    wide->place.end[0] = a->at;
+    wide->place.end[1] = b->at;
+    qtri_line_look(&wide->stroker.look, job, a, b, color);
+    qtri_stroker_draw_part(&wide->stroker, &wide->place);
+}
+
+/* As qtri_draw_mesh does it with fewer slots than vertices. */
+QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    qtri_mesh_clear_slots(draw);
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const void *triangle = qtri_mesh_triangle(mesh, i, qtri_mesh_has_bytes(mesh));
+        qtri_vertex spare[3];
+        qtri_vertex *vertex[3];
+        if (qtri_mesh_fetch_triangle(draw, triangle, spare, vertex) &&
+            !qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_seen(draw, triangle, vertex);
+        }
+    }
+}
+
+/* Once it is placed, and lit by a view's lights. */
+static void draw_placed(qtri_mesh_job *draw, void *with)
+{
+    (void)with;
+    if (draw->slot_count < draw->mesh->vertex_count) {
+        draw_by_slots(draw);
+    } else {
+        qtri_wireframe.mesh(draw);
+    }
+}
+
+/*
+ * The rows in which the line job looks for triangles reach as far beyond the surface's as an edge
+ * does beyond its vertices: a radius, and the corner of a square end a radius times sqrt(2).
+ */
+static void widen_rows(qtri_line_job *job, int32_t radius)
+{
+    const int32_t reach = radius + radius / 2 + 1;
+    job->top_24p8 -= reach;
+    job->height_24p8 += 2 * (uint32_t)reach;
+}
+
+/* Whether edges are lines that need no union of parts: no wider than two pixels, with flat ends. */
+static bool is_thin(const qtri_stroke *stroke, const qtri_stroke_place *place)
+{
+    return stroke->edges != NULL && place->radius_24p8 <= QTRI_STROKE_LINE_RADIUS &&
+           place->caps[0] != QTRI_CAP_ROUND;
+}
+
+void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view,
+                              const qtri_transform *pose, const qtri_mesh *mesh,
+                              const qtri_stroke *stroke, const qtri_material *material)
+{
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_stroke(stroke));
+    QTRI_CHECK(qtri_check_mesh(mesh));
+    wide_job wide;
+    qtri_material wired = *material;
+    wired.fill = &qtri_wireframe;
+    wide.place.radius_24p8 = qtri_stroke_radius(stroke->width);
+    if (wide.place.radius_24p8 == 0 ||
+        !qtri_stroker_init(&wide.stroker, surface, material, stroke)) {
+        return;
+    }
+    wide.place.caps[0] = qtri_stroke_cap(stroke);
+    wide.place.caps[1] = wide.place.caps[0];
+    /* Lines reach beyond their mesh: no box says that none can be seen. */
+    const qtri_box everywhere = {{0, 0, 0}, {INT32_MAX, INT32_MAX, INT32_MAX}};
+    qtri_mesh unbounded = *mesh;
+    unbounded.bounds = everywhere;
+    qtri_mesh_job_init(&wide.mesh, &qtri_vertex_stage_any, surface, view, &unbounded, &wired,
+                       view->vertices, view->vertex_count);
+    qtri_line_job *job = &wide.mesh.primitive.to.lines.job;
+    const qtri_stroke_line thin = {wide.place.radius_24p8, wide.place.caps[0] == QTRI_CAP_SQUARE,
+                                   stroke->alpha};
+    if (is_thin(stroke, &wide.place)) {
+        qtri_stroke_line_choose(job, surface, material, &thin, stroke->edges->line);
+    } else {
+        job->draw = draw_edge;
+        job->wide = &wide;
+        widen_rows(job, wide.place.radius_24p8);
+    }
+    if (!qtri_mesh_job_place(&wide.mesh, view, pose)) {
+        return;
+    }
+    if (view->lights != NULL) {
+        view->lights->model->mesh(&wide.mesh, view, pose, true, draw_placed, NULL);
+    } else {
+        draw_placed(&wide.mesh, NULL);
+    }
+}
+
+/* Faces leave depth alone, most often where it is less. */
+QTRI_PIPELINE(qtri_pipeline_depth_less, .format = QTRI_DEPTH_ONLY, .depth = QTRI_LINEAR16,
+              .compare = QTRI_LESS)
+static const qtri_pipeline *const faces[] = {&qtri_pipeline_depth_less, &qtri_pipeline_any, NULL};
+
+/* A bias towards the eye, which is where the comparison says. */
+static q16 nearer_by(const qtri_material *material, q16 bias)
+{
+    const bool is_greater =
+        material->depth_compare == QTRI_GREATER || material->depth_compare == QTRI_GREATER_EQUAL;
+    const q16 held = qtri_hold32(bias, 0, Q16_ONE);
+    const int64_t sum = (int64_t)material->depth_bias + (is_greater ? held : -held);
+    return qtri_saturate32(sum);
+}
+
+void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
+                            const qtri_transform *pose, const qtri_mesh *mesh,
+                            const qtri_stroke *stroke, const qtri_material *material, q16 bias)
+{
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_CHECK(qtri_check_view(view, pose));
+    QTRI_CHECK(qtri_check_mesh(mesh));
+    qtri_surface depth = *surface;
+    qtri_material solid = *material;
+    qtri_material lines = *material;
+    qtri_view unlit = *view;
+    if (surface->format != NULL) {
+        depth.format = &qtri_depth_only;
+    }
+    solid.fill = NULL;
+    solid.depth_read_only = false;
+    solid.shading = QTRI_FLAT_LAST; /* of colours that nobody sees */
+    if (solid.texture != NULL && !solid.texture->has_key && solid.least_alpha == 0) {
+        solid.texture = NULL;
+    }
+    lines.fill = &qtri_wireframe;
+    lines.depth_bias = nearer_by(material, bias);
+    unlit.light = NULL;
+    unlit.lights = NULL;
+    unlit.pipelines = faces;
+    solid.fog = NULL;
+    qtri_draw_mesh(&depth, &unlit, pose, mesh, &solid);
+    if (stroke != NULL) {
+        qtri_draw_wide_wireframe(surface, view, pose, mesh, stroke, &lines);
+    } else {
+        qtri_draw_mesh(surface, view, pose, mesh, &lines);
+    }
+}
+
+/* Smooth lines one pixel wide -------------------------------------------------------------------
+ */
+
+static const qtri_stroke_line one_pixel = {128, false, 255};
+
+static void begin_smooth(qtri_primitive *primitive)
+{
+    qtri_primitive_begin_lines(primitive);
+    qtri_stroke_line_choose(&primitive->to.lines.job, primitive->surface, primitive->material,
+                            &one_pixel, qtri_stroke_line_draw);
+}
+
+static void draw_triangle(const qtri_mesh_job *draw, const void *triangle,
+                          qtri_vertex *const vertex[3])
+{
+    qtri_wireframe.triangle(draw, triangle, vertex);
+}
+
+static void draw_mesh(qtri_mesh_job *draw)
+{
+    qtri_wireframe.mesh(draw);
+}
+
+static void prepare_mesh(const qtri_mesh_job *draw, bool back_only)
+{
+    qtri_wireframe.prepare(draw, back_only);
+}
+
+static void begin_band(qtri_mesh_job *draw)
+{
+    qtri_wireframe.band(draw);
+}
+
+const qtri_fill qtri_smooth_wireframe = {
+    .begin = begin_smooth,
+    .clipped = qtri_primitive_outline,
+    .triangle = draw_triangle,
+    .mesh = draw_mesh,
+    .prepare = prepare_mesh,
+    .band = begin_band,
+};
