@@ -199,8 +199,7 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
         const qtri_vertex_stage *stage = draw->stage;
         (draw->lit_per_vertex ? stage->vertex_light->init : stage->face_light->init)(
             &draw->of.mesh.lighting, view->light, &object_to_eye,
-            draw->lit_per_vertex && mesh->normals8 != NULL ? 127 * 128 : 1 << 14,
-            stage->uneven_light);
+            draw->lit_per_vertex && mesh->normals8 != NULL, stage->uneven_light);
     }
     return true;
 }
