@@ -427,9 +427,7 @@ static void draw_outlines(struct reader *r, const job *j)
         if (qtri_edges_begin(&edges, &b.surface, marks, sizeof marks / sizeof marks[0]) ==
             QTRI_OK) {
             qtri_edges_note(&edges, &outline);
-            if (qtri_edges_blend_565(&edges) != QTRI_OK) {
-                qtri_edges_blend(&edges);
-            }
+            qtri_edges_blend(&edges);
         }
     }
     free(b.memory);

@@ -4,7 +4,6 @@
  * what it must leave alone.
  */
 #include "support/core.h"
-#include "support/edges_narrow.h"
 
 #include "tools/mesh_faces.h"
 #include "tools/mesh_neighbours.h"
@@ -14,6 +13,17 @@ enum { TRIANGLES = 2 * VERTICES, LISTS = 4000, WORDS = 4000 };
 
 static const qtri_format *const formats[5] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8,
                                               &qtri_rgb565_swapped, &qtri_rgb888};
+/* RGB565 by the blend of any format. */
+static void encode_any(uint32_t *color, int32_t count)
+{
+    (void)color;
+    (void)count;
+}
+
+static const qtri_format any_565 = {.pixels = &qtri_pixels_16,
+                                    .colors = &qtri_colors_565,
+                                    .encode = encode_any,
+                                    .decode = qtri_decode_rgb565};
 static const qtri_rgb sky = {10, 20, 30};
 static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
 
@@ -190,18 +200,8 @@ static void begin_outlines(const struct scene *s, uint32_t words)
     }
 }
 
-static void blend(qtri_edges *edges, bool quick)
-{
-    if (!quick) {
-        qtri_edges_blend(edges);
-    } else if (qtri_edges_blend_565(edges) != QTRI_OK) {
-        assert_ptr_not_equal(edges->surface.format, &qtri_rgb565);
-        qtri_edges_blend(edges);
-    }
-}
-
 /* The scene on a surface; `find`: drawn first, outlines found later. */
-static void draw_on(struct scene *s, qtri_surface *surface, bool find, bool quick)
+static void draw_on(struct scene *s, qtri_surface *surface, bool find)
 {
     qtri_edges edges;
     clear_to(surface, sky, s->far);
@@ -227,7 +227,7 @@ static void draw_on(struct scene *s, qtri_surface *surface, bool find, bool quic
         }
         qtri_edges_note(&edges, &outline[i]);
     }
-    blend(&edges, quick);
+    qtri_edges_blend(&edges);
 }
 
 static void init_surface(const struct scene *s, qtri_surface *surface, int32_t first, int32_t rows)
@@ -245,7 +245,7 @@ static void draw_whole(struct scene *s, struct picture *out)
     qtri_surface surface;
     init_surface(s, &surface, 0, HEIGHT);
     begin_outlines(s, WORDS);
-    draw_on(s, &surface, false, false);
+    draw_on(s, &surface, false);
     keep(out, &surface, 0, 0, WIDTH, HEIGHT);
 }
 
@@ -338,10 +338,13 @@ static void bands_and_lists(void **state)
             if (b.rolls) {
                 qtri_rolling_keep(&b.rolling, &band);
             }
+            if (s.format == &qtri_rgb565 && random_flag(&seed)) {
+                band.format = &any_565;
+            }
             assert_int_equal(qtri_edges_begin(&edges, &band, edge_memory, WORDS), QTRI_OK);
             qtri_edges_note(&edges, &outline[0]);
             qtri_edges_note(&edges, &outline[1]);
-            blend(&edges, true);
+            qtri_edges_blend(&edges);
             keep(&banded, &shown, 0, next, WIDTH, next + shown.rows);
             next += shown.rows;
         }
@@ -381,7 +384,7 @@ static void scissors_and_pitches(void **state)
         const bool find = random_flag(&seed);
         part = whole;
         if (r.x0 < r.x1 && r.y0 < r.y1) {
-            draw_on(&s, &surface, find, random_flag(&seed));
+            draw_on(&s, &surface, find);
             keep(&part, &surface, r.x0 > 0 ? r.x0 : 0, r.y0 > 0 ? r.y0 : 0,
                  r.x1 < WIDTH ? r.x1 : WIDTH, r.y1 < HEIGHT ? r.y1 : HEIGHT);
         }
@@ -732,52 +735,6 @@ static void hidden_edges(void **state)
     assert_true(beside > 2000);
 }
 
-/* A core without a divide finds the same notes, at any length and in any direction. */
-static void without_a_divide(void **state)
-{
-    (void)state;
-    enum { EDGES = 12, MARKS = QTRI_EDGES_WORDS(WIDTH, HEIGHT, 2) };
-    static uint32_t marks[2][MARKS];
-    uint64_t seed = 21;
-    int noted = 0;
-    for (int round = 0; round < 400; round++) {
-        const qtri_edge_test test = (qtri_edge_test)(round % 3);
-        const int32_t reach = round % 2 == 0 ? 600 : 40000;
-        canvas c[2];
-        qtri_edges edges[2];
-        qtri_edge_walker walker[2];
-        for (int i = 0; i < 2; i++) {
-            c[i] = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-            for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
-                c[i].surface.depth[k] = (uint16_t)((uint32_t)k * 40503u);
-            }
-            assert_int_equal(qtri_edges_begin(&edges[i], &c[i].surface, marks[i], MARKS), QTRI_OK);
-            qtri_edge_walker_init(&walker[i], &edges[i], test);
-        }
-        for (int n = 0; n < EDGES; n++) {
-            const int32_t x = random_in(&seed, 0, WIDTH * 256);
-            const int32_t y = random_in(&seed, 0, HEIGHT * 256);
-            qtri_vertex v[3];
-            memset(v, 0, sizeof v);
-            for (int k = 0; k < 3; k++) {
-                v[k].at.x_24p8 = x + random_in(&seed, -reach, reach);
-                v[k].at.y_24p8 = y + random_in(&seed, -reach, reach);
-                v[k].depth_16p8 = (uint32_t)random_in(&seed, 0, 65535 << 8);
-            }
-            qtri_edge_note(&walker[0], &v[0], &v[1], &v[2]);
-            narrow_edge_note(&walker[1], &v[0], &v[1], &v[2]);
-        }
-        assert_memory_equal(marks[0], marks[1], sizeof marks[0]);
-        for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
-            assert_int_equal(c[0].surface.depth[k], c[1].surface.depth[k]);
-            noted += (int)(marks[0][k >> 5] >> (k & 31) & 1);
-        }
-        canvas_free(&c[0]);
-        canvas_free(&c[1]);
-    }
-    assert_true(noted > 20000);
-}
-
 /* Memory and arguments that do not serve. */
 static void errors(void **state)
 {
@@ -815,8 +772,6 @@ static void errors(void **state)
     assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, words - 1), QTRI_ERROR_MEMORY);
     qtri_edges_note(&edges, &outline[0]);
     qtri_edges_blend(&edges);
-    assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, words), QTRI_OK);
-    assert_int_equal(qtri_edges_blend_565(&edges), QTRI_ERROR_FORMAT);
     surface.depth_pitch = WIDTH - 1;
     assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, words), QTRI_ERROR_SIZE);
     surface.depth_pitch = -65537;
@@ -1032,7 +987,6 @@ int main(void)
         cmocka_unit_test(shared_edges_leave_no_seam),
         cmocka_unit_test(long_edges),
         cmocka_unit_test(hidden_edges),
-        cmocka_unit_test(without_a_divide),
         cmocka_unit_test(errors),
         cmocka_unit_test(halo_bands_join),
         cmocka_unit_test(rolling_bands_join),

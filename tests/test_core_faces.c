@@ -353,7 +353,7 @@ static void light_by_planes(void **state)
                                   fixed(diffuse)};
         const double l[3] = {light.towards.x, light.towards.y, light.towards.z};
         qtri_lighting lighting;
-        qtri_lighting_init(&lighting, &light, &identity, 1 << 14, NULL);
+        qtri_lighting_init(&lighting, &light, &identity, false, NULL);
         assert_true(lighting.plain);
         for (uint32_t i = 0; i < m.wide.triangle_count; i++) {
             const qtri_face8 *face = &m.plane[i];

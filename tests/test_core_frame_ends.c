@@ -182,7 +182,6 @@ static void nothing_to_filter(void **state)
             uint32_t word = 0;
             assert_int_equal(qtri_edges_begin(&edges, &c.surface, &word, 1), QTRI_OK);
             qtri_edges_blend(&edges);
-            assert_int_equal(qtri_edges_blend_565(&edges), QTRI_OK);
         }
         c.surface.scissor = same.surface.scissor;
         assert_same_picture(&same.surface, &c.surface);

@@ -300,7 +300,7 @@ static void any_ambient_and_diffuse(void **state)
         qtri_transform_identity(&pose);
         qtri_transform_rotate_x(&pose, random_bits32(&seed));
         qtri_transform_rotate_y(&pose, random_bits32(&seed));
-        qtri_lighting_init(&lighting, &light, &pose, 1 << 14, &qtri_light_uneven);
+        qtri_lighting_init(&lighting, &light, &pose, false, &qtri_light_uneven);
         for (int i = 0; i < 3; i++) {
             v[i] = random_in(&seed, -1000, 1000) + .5;
             length += v[i] * v[i];

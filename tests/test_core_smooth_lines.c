@@ -49,10 +49,12 @@ static void draw(const qtri_surface *surface, const qtri_material *material, con
 {
     qtri_line_job job;
     qtri_stroke_target to;
+    uint16_t table[QTRI_TABLE];
     const qtri_line_color color[2] = {
         {l->color[1][0], l->color[1][1], l->color[1][2]},
         {l->color[0][0], l->color[0][1], l->color[0][2]},
     };
+    to.state.table = table;
     qtri_line_job_init(&job, surface, material, &to);
     qtri_stroke_line_choose(&job, surface, material, &l->style, qtri_stroke_line_draw);
     if (turned) {

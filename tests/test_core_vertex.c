@@ -307,7 +307,7 @@ static void lights(void **state)
         double f[3] = {p[2].x - p[0].x, p[2].y - p[0].y, p[2].z - p[0].z};
         double normal[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
                             e[0] * f[1] - e[1] * f[0]};
-        qtri_lighting_init(&lighting, &light, &identity, 1 << 14, NULL);
+        qtri_lighting_init(&lighting, &light, &identity, false, NULL);
         uint32_t face = qtri_lighting_face(&lighting, &corner[0], &corner[1], &corner[2]);
         assert_int_equal(face, narrow_light_face(&light, &identity, corner));
         face_worst = fmax(face_worst, fabs(face / 32768. - intensity(&light, normal)));
@@ -348,7 +348,7 @@ static void edges_beyond_the_short(void **state)
         const qtri_light light = {{towards[0], towards[1], towards[2]}, 0, Q16_ONE};
         const qtri_vec3 corner[3] = {{0, 0, 0}, {e[0], e[1], e[2]}, {f[0], f[1], f[2]}};
         qtri_lighting lighting;
-        qtri_lighting_init(&lighting, &light, &identity, 1 << 14, NULL);
+        qtri_lighting_init(&lighting, &light, &identity, false, NULL);
         const uint32_t face = qtri_lighting_face(&lighting, &corner[0], &corner[1], &corner[2]);
         assert_in_range(face, QTRI_INTENSITY_ONE - 1, QTRI_INTENSITY_ONE);
     }
@@ -372,7 +372,7 @@ static void last_bits_of_light(void **state)
                                  (int8_t)random_in(&seed, -100, 100), 0};
         const qtri_normal8 normal = {face.x, face.y, face.z};
         qtri_lighting lighting;
-        qtri_lighting_init(&lighting, &light, &identity, 1 << 14, NULL);
+        qtri_lighting_init(&lighting, &light, &identity, false, NULL);
         hash = (hash ^ qtri_lighting_face8(&lighting, &face)) * 16777619u;
         hash = (hash ^ qtri_lighting_vertex8(&lighting, &normal)) * 16777619u;
     }

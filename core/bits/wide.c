@@ -25,13 +25,20 @@ void qtri_wide_set(qtri_wide *x, int64_t m, int32_t e)
     x->e = e;
 }
 
+/* In words: compilers for small cores call memcpy() for *to = *from. */
+static void copy(qtri_wide *to, const qtri_wide *from)
+{
+    to->m = from->m;
+    to->e = from->e;
+}
+
 void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b)
 {
     if (b->m == 0) {
         return;
     }
     if (a->m == 0) {
-        *a = *b;
+        copy(a, b);
         return;
     }
     const qtri_wide *large = a;
@@ -60,15 +67,17 @@ void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b)
 
 void qtri_wide_add_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b)
 {
-    qtri_wide product = *a;
+    qtri_wide product;
+    copy(&product, a);
     qtri_wide_mul_by(&product, b);
     qtri_wide_add_to(sum, &product);
 }
 
 void qtri_wide_sub_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b)
 {
-    qtri_wide minus = *a;
-    minus.m = -minus.m;
+    qtri_wide minus;
+    minus.m = -a->m;
+    minus.e = a->e;
     qtri_wide_add_product(sum, &minus, b);
 }
 

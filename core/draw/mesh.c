@@ -162,6 +162,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
     draw->illumination = NULL;
     draw->lit_colors = NULL;
     draw->late = NULL;
+    draw->front = NULL;
     draw->noted = false;
     draw->lit = false;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
@@ -199,8 +200,7 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
         const qtri_vertex_stage *stage = draw->stage;
         (draw->lit_per_vertex ? stage->vertex_light->init : stage->face_light->init)(
             &draw->of.mesh.lighting, view->light, &object_to_eye,
-            draw->lit_per_vertex && mesh->normals8 != NULL ? 127 * 128 : 1 << 14,
-            stage->uneven_light);
+            draw->lit_per_vertex && mesh->normals8 != NULL, stage->uneven_light);
     }
     return true;
 }
@@ -415,9 +415,9 @@ static void draw_placed(qtri_mesh_job *draw, void *with)
     }
 }
 
-void qtri_draw_mesh_by(const qtri_vertex_stage *stage, const qtri_surface *surface,
-                       const qtri_view *view, const qtri_transform *pose, const qtri_mesh *mesh,
-                       const qtri_material *material)
+bool qtri_mesh_draw(const qtri_vertex_stage *stage, const qtri_surface *surface,
+                    const qtri_view *view, const qtri_transform *pose, const qtri_mesh *mesh,
+                    const qtri_material *material, uint32_t *front)
 {
     QTRI_ASSERT(stage != NULL);
     QTRI_CHECK(qtri_check_surface(surface));
@@ -426,13 +426,22 @@ void qtri_draw_mesh_by(const qtri_vertex_stage *stage, const qtri_surface *surfa
     QTRI_CHECK(qtri_check_mesh(mesh));
     qtri_mesh_job draw;
     if (!begin(&draw, stage, surface, view, pose, mesh, material)) {
-        return;
+        return false;
     }
+    draw.front = front;
     if (view->lights != NULL) {
         view->lights->model->mesh(&draw, view, pose, true, draw_placed, NULL);
     } else {
         draw_placed(&draw, NULL);
     }
+    return true;
+}
+
+void qtri_draw_mesh_by(const qtri_vertex_stage *stage, const qtri_surface *surface,
+                       const qtri_view *view, const qtri_transform *pose, const qtri_mesh *mesh,
+                       const qtri_material *material)
+{
+    (void)qtri_mesh_draw(stage, surface, view, pose, mesh, material, NULL);
 }
 
 const qtri_vertex_stage qtri_vertex_stage_any = {.positions = &qtri_positions_wide,

@@ -14,7 +14,6 @@
  */
 #include "checked.h"
 #include "fill.h"
-#include "front_bits.h"
 #include "lights.h"
 #include "mesh_faces.h"
 #include "../raster/sampling.h"
@@ -102,7 +101,6 @@ typedef struct sorter {
     bool is_direct; /* groups are single triangles, and there is a block for every list */
     bool is_solid;
     int32_t height, halo;
-    uint32_t *front;      /* NULL: what faces the eye is not asked for */
     uint32_t rows, bands; /* of a band; of the frame */
     uint32_t rows_inverse, rows_shift;
     uint32_t next, end; /* places: of the next block, of the end of the memory */
@@ -223,29 +221,13 @@ static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_
     }
 }
 
-/* For an outline; a function of its own, as most meshes have none. */
-QTRI_NOINLINE static void note_front(const sorter *s, uint32_t number, qtri_vertex *const vertex[3])
-{
-    if (qtri_front_is(s->job->material.cull, vertex)) {
-        qtri_front_set(s->front, number);
-    }
-}
-
-/* A triangle inside all planes that is not turned away, and whose vertices were met; `is_simple`:
-   of a mesh that culls its back faces. */
+/* A triangle inside all planes that is not turned away, and whose vertices were met. */
 static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vertex[3],
-                             bool is_solid, bool is_simple)
+                             bool is_solid)
 {
     const int32_t a = vertex[0]->at.y_24p8;
     const int32_t b = vertex[1]->at.y_24p8;
     const int32_t c = vertex[2]->at.y_24p8;
-    if (s->front != NULL) {
-        if (is_simple) {
-            qtri_front_set(s->front, number);
-        } else {
-            note_front(s, number, vertex);
-        }
-    }
     list_triangle(s, number, (qtri_least32(a, qtri_least32(b, c)) + before_24p8(is_solid)) >> 8,
                   (qtri_greatest32(a, qtri_greatest32(b, c)) + after_24p8(is_solid)) >> 8);
 }
@@ -254,7 +236,7 @@ QTRI_NOINLINE static void see_solid(sorter *s, uint32_t number, const void *tria
                                     qtri_vertex *const vertex[3])
 {
     meet_all(s, triangle, vertex);
-    list_seen(s, number, vertex, true, true);
+    list_seen(s, number, vertex, true);
 }
 
 /* Any triangle that is not turned away. */
@@ -263,14 +245,11 @@ QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triang
 {
     if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         meet_all(s, triangle, vertex);
-        list_seen(s, number, vertex, s->is_solid, false);
+        list_seen(s, number, vertex, s->is_solid);
         return;
     }
     if (!qtri_mesh_is_outside(vertex)) {
         s->is_anywhere = true;
-        if (s->front != NULL) {
-            qtri_front_set(s->front, number);
-        }
         meet_all(s, triangle, vertex);
         list_triangle(s, number, 0, s->height);
     }
@@ -338,7 +317,7 @@ static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t fi
             continue;
         }
         if (simple) {
-            list_seen(s, number, vertex, true, true);
+            list_seen(s, number, vertex, true);
         } else {
             see_any(s, number, triangle, vertex);
         }
@@ -470,12 +449,12 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
                 .is_solid = is_solid,
                 .height = prepared->height,
                 .halo = prepared->halo,
-                .front = prepared->front_of == mesh ? prepared->front : NULL,
                 .rows = (uint32_t)prepared->rows};
     const qtri_rect none = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     prepared->extent_24p8 = none;
-    if (s.front != NULL) {
-        qtri_front_clear(s.front, mesh->triangle_count);
+    if (prepared->front_of == mesh && prepared->front != NULL) {
+        job.front = prepared->front;
+        qtri_front_set_all(job.front, mesh->triangle_count);
     }
     begin_lists(&s, prepared);
     if (job.lights != NULL && job.lights->model->has_place(&job, false)) {

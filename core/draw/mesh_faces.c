@@ -142,6 +142,37 @@ static void clear_notes(const qtri_mesh_job *draw, uint32_t count)
     }
 }
 
+/* Whether a triangle of the list is turned away; few planes leave that to be asked. */
+QTRI_NOINLINE static bool is_back(const qtri_mesh_job *draw, const uint8_t *triangle)
+{
+    uint32_t index[3];
+    qtri_vertex *v[3];
+    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
+    qtri_mesh_get(v, draw->vertices, index, qtri_vertex_size());
+    return qtri_mesh_turned_away(draw, v[0], v[1], v[2]);
+}
+
+/* Bits of `count` triangles for an outline: of those in the list that are front. */
+QTRI_NOINLINE static void find_front(const qtri_mesh_faces *faces, const qtri_mesh_job *draw,
+                                     uint32_t first, uint32_t count)
+{
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
+    const qtri_face8 *planes = &draw->mesh->faces.planes[first];
+    const uint32_t third = qtri_mesh_faces_third();
+    const qtri_eye eye = faces->eye;
+    uint32_t *front = draw->front + first / 32;
+    for (uint32_t i = 0; i < count; i += 32) {
+        front[i / 32] = 0;
+    }
+    for (const uint16_t *at = faces->list; at != faces->end; at++) {
+        const uint32_t number = qtri_mesh_faces_number(*at, third);
+        if (qtri_eye_is_before(&eye, &planes[number]) ||
+            !is_back(draw, qtri_mesh_faces_triangle(faces->triangles, *at, narrow))) {
+            front[number / 32] |= (uint32_t)1 << (number & 31);
+        }
+    }
+}
+
 static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
@@ -155,11 +186,9 @@ static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
     faces->triangles =
         narrow ? mesh->triangles8[faces->next] : (const uint8_t *)mesh->triangles[faces->next];
     faces->end = find_seen(&faces->eye, plane, plane + count, faces->list);
-    faces->next += count;
-    if (faces->end == faces->list) {
-        return true;
-    }
     const uint32_t met = narrow ? meet_narrow(faces, draw) : meet_wide(faces, draw);
+    const uint32_t first = faces->next;
+    faces->next += count;
     if (met != 0) {
         faces->inside &= draw->positions->project(&draw->primitive.projector, mesh, 0, met,
                                                   draw->vertices, true);
@@ -167,6 +196,9 @@ static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
         if (draw->material.fill != NULL) {
             clear_notes(draw, met);
         }
+    }
+    if (draw->front != NULL) {
+        find_front(faces, draw, first, count);
     }
     return true;
 }

@@ -61,6 +61,8 @@ typedef struct qtri_mesh_job {
     const struct qtri_illumination *illumination; /* NULL: all that is needed is lit */
     uint32_t *lit_colors;                         /* of every vertex; NULL: there is no room */
     qtri_late_place *late;                        /* NULL: transforms are set */
+    /* For an outline: a bit a triangle, which mesh_faces.c clears if it faces away; NULL: none. */
+    uint32_t *front;
 } qtri_mesh_job;
 
 /*
@@ -157,6 +159,20 @@ QTRI_INLINE bool qtri_mesh_draw_small(bool (*small)(qtri_small *triangle), qtri_
 static inline bool qtri_mesh_has_bytes(const qtri_mesh *mesh)
 {
     return mesh->triangles8 != NULL;
+}
+
+/* qtri_draw_mesh_by, with job.front. False: nothing of the mesh can be seen on the surface. */
+bool qtri_mesh_draw(const qtri_vertex_stage *stage, const qtri_surface *surface,
+                    const qtri_view *view, const qtri_transform *pose, const qtri_mesh *mesh,
+                    const qtri_material *material, uint32_t *front);
+
+/* The front bits of all triangles, and a 0 behind them. */
+static inline void qtri_front_set_all(uint32_t *front, uint32_t count)
+{
+    for (; count >= 32; count -= 32) {
+        *front++ = UINT32_MAX;
+    }
+    *front = ((uint32_t)1 << count) - 1;
 }
 
 /* The indices of a triangle. */

@@ -1,182 +1,47 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Outlines of meshes: their memory, lists of their edges for bands, and edges noted on the pixels
- * that they pass through.
+ * Outlines of meshes: which triangles face the eye, the edges between those that do and those that
+ * do not, lists of these edges for bands, and their notes for the edge pass.
  *
- * Lists: a word a band, the first entry's number in its high half and the last one's in its low
- * half, from 1 on; then the entries. An entry is next << 19 | weak << 18 | corner << 16 | triangle.
+ * After a drawing the mesh's vertices are on the screen, and each triangle gets a bit: it is front
+ * or not. Its edges are in the outline where a neighbour is not front. Without neighbours a vertex
+ * has two sums, modulo 2^16: each front face's edge a b adds (b, b b) at a and takes (a, a a) from
+ * b. Where all edges but one to n and one from p have their counterpart, n - p and n n - p p are
+ * left. So a b is alone iff S2 = S1 (2 b - S1) at a and S2 = S1 (2 a + S1) at b. A vertex where
+ * several outlines meet has sums that tell nothing.
+ *
+ * Lists for bands: a word a band, the first entry's number in its high half and the last one's in
+ * its low half, from 1 on; then the entries. An entry is
+ * next << 19 | weak << 18 | corner << 16 | triangle.
  */
-#include "outline_find.h"
-
+#include "qtri/edges.h"
 #include "qtri/halo.h"
 
 #include "checked.h"
+#include "edge_pass.h"
+#include "mesh_faces.h"
 
-enum { NEXT_SHIFT = 19, WEAK_SHIFT = 18, CORNER_SHIFT = 16, ENTRIES_MAX = (1 << 13) - 1 };
+enum {
+    NEXT_SHIFT = 19,
+    WEAK_SHIFT = 18,
+    CORNER_SHIFT = 16,
+    ENTRIES_MAX = (1 << 13) - 1,
+    ALL_EDGES = 7,
+    CREASE_Q15 = 1 << 11
+};
 
-/* ---- Lists ---- */
-
-/* floor(row / rows), as in prepared.c: exact for rows below 2^13. */
-static uint32_t band_of(const qtri_edge_finder *f, int32_t row)
-{
-    return ((uint32_t)row * f->inverse) >> f->shift;
-}
-
-/*
- * The bands that walk along the edge between two vertices: those that have a row which it passes
- * through. (Where the walk's rounding takes it into the next row, its share is that of a neighbour
- * in the row that it left, so a band without that row has no note of it.) False: none.
- */
-static inline bool bands_of(const qtri_edge_finder *f, const qtri_vertex *a, const qtri_vertex *b,
-                            uint32_t *band, uint32_t *last)
-{
-    const int32_t y = a->at.y_24p8;
-    const int32_t other = b->at.y_24p8;
-    int32_t top = (y < other ? y : other) >> 8;
-    int32_t bottom = (y < other ? other : y) >> 8;
-    if (bottom < 0 || top >= f->height) {
-        return false;
-    }
-    top -= f->below;
-    bottom += f->above;
-    *band = top < 0 ? 0 : band_of(f, top);
-    *last = bottom >= f->height ? f->bands - 1 : band_of(f, bottom);
-    return true;
-}
-
-/* The entries that these edges take. */
-QTRI_NOINLINE static uint32_t count_entries(const qtri_edge_finder *f, qtri_vertex *const vertex[3],
-                                            uint32_t edges)
-{
-    uint32_t count = 0;
-    uint32_t band;
-    uint32_t last;
-    for (uint32_t i = 0; i < 3; i++) {
-        if ((edges >> i & 1) != 0 &&
-            bands_of(f, vertex[i], vertex[i == 2 ? 0 : i + 1], &band, &last)) {
-            count += last - band + 1;
-        }
-    }
-    return count;
-}
-
-/* Appends an entry to the lists of the bands of an edge. */
-QTRI_NOINLINE static void list_edge(qtri_edge_finder *f, const qtri_vertex *a, const qtri_vertex *b,
-                                    uint32_t entry)
-{
-    uint32_t band;
-    uint32_t last;
-    if (!bands_of(f, a, b, &band, &last)) {
-        return;
-    }
-    uint32_t number = f->next;
-    uint32_t *head = f->outline->list + band;
-    uint32_t *before = f->outline->list + f->bands - 1; /* of the first entry, which is 1 */
-    f->next = number + (last - band + 1);
-    for (; band <= last; band++) {
-        const uint32_t ends = *head;
-        number++;
-        before[number] = entry;
-        if (ends == 0) {
-            *head++ = number << 16 | number;
-        } else {
-            before[ends & 0xFFFF] |= number << NEXT_SHIFT;
-            *head++ = (ends & 0xFFFF0000u) | number;
-        }
-    }
-}
-
-static bool take_for_lists(qtri_edge_finder *f, uint32_t triangle, uint32_t edges, bool weak)
-{
-    qtri_vertex *vertex[3];
-    if (!qtri_outline_vertices(f->outline, triangle, vertex)) {
-        return true;
-    }
-    const uint32_t room = f->end - f->next;
-    if (room < 3 * f->bands && count_entries(f, vertex, edges) > room) {
-        return false; /* all of a triangle's edges are listed, or none */
-    }
-    const uint32_t entry = (uint32_t)weak << WEAK_SHIFT | triangle;
-    if ((edges & 1) != 0) {
-        list_edge(f, vertex[0], vertex[1], entry);
-    }
-    if ((edges & 2) != 0) {
-        list_edge(f, vertex[1], vertex[2], entry | (uint32_t)1 << CORNER_SHIFT);
-    }
-    if ((edges & 4) != 0) {
-        list_edge(f, vertex[2], vertex[0], entry | (uint32_t)2 << CORNER_SHIFT);
-    }
-    return true;
-}
-
-/* Lists for bands of so many rows, if there is room for them. */
-static void make_lists(qtri_outline *outline, int32_t rows, int32_t above, int32_t below)
-{
-    const uint32_t bands = ((uint32_t)outline->height + (uint32_t)rows - 1) / (uint32_t)rows;
-    outline->rows = 0;
-    outline->left_pass = 0;
-    outline->left_from = 0;
-    if (outline->list_words <= bands) {
-        return;
-    }
-    qtri_edge_finder f = {.outline = outline,
-                          .take = take_for_lists,
-                          .bands = bands,
-                          .shift = 13,
-                          .height = outline->height,
-                          .above = above,
-                          .below = below};
-    const uint32_t room = outline->list_words - bands;
-    f.end = room < ENTRIES_MAX ? room : ENTRIES_MAX;
-    while ((int32_t)1 << (f.shift - 13) < rows) {
-        f.shift++;
-    }
-    f.inverse = (((uint32_t)1 << f.shift) + (uint32_t)rows - 1) / (uint32_t)rows;
-    for (uint32_t i = 0; i < bands; i++) {
-        outline->list[i] = 0;
-    }
-    outline->rows = rows;
-    outline->above = above;
-    outline->below = below;
-    outline->left_pass = qtri_outline_find(&f, 0, 0);
-    outline->left_from = f.from;
-}
-
-/* ---- Outlines ---- */
-
-void qtri_outline_clear(qtri_outline *outline)
+/* The outline has no edges. */
+static void clear_outline(qtri_outline *outline)
 {
     outline->vertices = NULL;
     outline->rows = 0;
-    outline->left_pass = 0;
-    outline->left_from = 0;
 }
 
-void qtri_outline_set(qtri_outline *outline, qtri_vertex *vertices, const qtri_view *view,
-                      const qtri_transform *pose, const qtri_material *material, int32_t width,
-                      int32_t height)
+static bool has_valid_neighbours(const qtri_mesh *mesh)
 {
-    qtri_outline_clear(outline);
-    if (material->fill != NULL || material->depth_compare == QTRI_NEVER) {
-        return;
-    }
-    outline->vertices = vertices;
-    outline->view = view;
-    outline->pose = pose;
-    outline->material = material;
-    outline->width = width;
-    outline->height = height;
-    if (outline->sums != NULL) {
-        qtri_outline_add_sums(outline);
-    }
-}
-
-static bool are_neighbours(const qtri_mesh *mesh)
-{
-    for (uint32_t i = 0; mesh->neighbours != NULL && i < mesh->triangle_count; i++) {
-        const uint16_t *n = mesh->neighbours[i];
-        if (n[0] > mesh->triangle_count || n[1] > mesh->triangle_count ||
-            n[2] > mesh->triangle_count) {
+    const uint16_t *n = mesh->neighbours != NULL ? mesh->neighbours[0] : NULL;
+    for (uint32_t i = 0; n != NULL && i < 3 * mesh->triangle_count; i++) {
+        if (n[i] > mesh->triangle_count) {
             return false;
         }
     }
@@ -192,7 +57,7 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
     const uint32_t front = QTRI_OUTLINE_WORDS(mesh->triangle_count);
     const uint32_t sums = mesh->neighbours == NULL ? QTRI_OUTLINE_SUMS(mesh->vertex_count) : 0;
     *outline = none;
-    if (mesh->triangle_count > UINT16_MAX || !are_neighbours(mesh)) {
+    if (mesh->triangle_count > UINT16_MAX || !has_valid_neighbours(mesh)) {
         return QTRI_ERROR_SIZE;
     }
     if (memory == NULL || words < front || words - front < sums) {
@@ -203,43 +68,421 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
     outline->sums = mesh->neighbours == NULL ? memory + front : NULL;
     outline->list = memory + front + sums;
     outline->list_words = words - front - sums;
-    qtri_front_clear(outline->front, mesh->triangle_count);
     return QTRI_OK;
 }
 
-enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_outline *outline)
+/* ---- Which triangles are front ---- */
+
+/* Bit 0 is a triangle's; the others are those of other triangles. */
+static inline uint32_t front_bit(const uint32_t *front, uint32_t triangle)
 {
-    QTRI_CHECK(qtri_check_prepared(prepared));
+    return qtri_rotated(front[triangle / 32], triangle);
+}
+
+/* Edges to neighbours that are not front. */
+static uint32_t silhouettes_of(const uint32_t *front, const uint16_t *neighbours)
+{
+    return ((front_bit(front, neighbours[0]) & 1) | (front_bit(front, neighbours[1]) & 1) << 1 |
+            (front_bit(front, neighbours[2]) & 1) << 2) ^
+           ALL_EDGES;
+}
+
+/* The next front triangle, from i on, that has an edge to one that is not; `count`: none has. */
+QTRI_NOINLINE static uint32_t next_silhouette(const uint32_t *front,
+                                              const uint16_t (*neighbours)[3], uint32_t i,
+                                              uint32_t count)
+{
+    while (i < count) {
+        const uint32_t word_end = (i | 31) + 1;
+        const uint16_t *n = neighbours[i];
+        for (uint32_t bits = front[i / 32] >> (i & 31); bits != 0; bits >>= 1, i++, n += 3) {
+            if ((int32_t)(bits << 31) < 0) {
+                uint32_t all = front_bit(front, n[0]);
+                all &= front_bit(front, n[1]);
+                all &= front_bit(front, n[2]);
+                if ((int32_t)(all << 31) >= 0) {
+                    return i;
+                }
+            }
+        }
+        i = word_end;
+    }
+    return count;
+}
+
+/* The vertices of a triangle; false: one is not there. */
+QTRI_INLINE bool find_vertices(const qtri_outline *outline, uint32_t triangle, uint32_t index[3],
+                               qtri_vertex *vertex[3])
+{
+    const qtri_mesh *mesh = outline->mesh;
+    const bool narrow = qtri_mesh_has_bytes(mesh);
+    qtri_mesh_indices(index, qtri_mesh_triangle(mesh, triangle, narrow), narrow);
+    return qtri_mesh_find(vertex, outline->vertices, mesh->vertex_count, index, qtri_vertex_size());
+}
+
+/*
+ * Clears the bits of triangles that are not front; planes of faces have done so where any is 0. A
+ * triangle that crosses a plane of the frustum counts as front, as its edges are not known to be
+ * the outline's; one beyond a plane does not.
+ */
+static void find_front(const qtri_outline *outline)
+{
+    const uint32_t count = outline->mesh->triangle_count;
+    const bool mirrored = outline->material->cull == QTRI_CULL_FRONT;
+    uint32_t *front = outline->front;
+    for (uint32_t i = 0; i < count / 32; i++) {
+        if (front[i] != UINT32_MAX) {
+            return;
+        }
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t index[3];
+        qtri_vertex *v[3];
+        if ((front_bit(front, i) & 1) == 0) {
+            continue;
+        }
+        if (!find_vertices(outline, i, index, v) ||
+            (qtri_mesh_is_inside(v[0], v[1], v[2])
+                 ? qtri_triangle_is_back(&v[0]->at, &v[mirrored ? 2 : 1]->at,
+                                         &v[mirrored ? 1 : 2]->at)
+                 : qtri_mesh_is_outside(v))) {
+            front[i / 32] &= ~((uint32_t)1 << (i & 31));
+        }
+    }
+}
+
+static void add_edge(uint32_t *sums, uint32_t a, uint32_t b)
+{
+    sums[a] += b + (b * b << 16); /* fits() undoes carries from the low half */
+    sums[b] -= a + (a * a << 16);
+}
+
+/* The sums of a mesh without neighbours. */
+static void add_sums(const qtri_outline *outline)
+{
+    const qtri_mesh *mesh = outline->mesh;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        outline->sums[i] = 0;
+    }
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        if ((front_bit(outline->front, i) & 1) != 0 && find_vertices(outline, i, index, vertex)) {
+            add_edge(outline->sums, index[0], index[1]);
+            add_edge(outline->sums, index[1], index[2]);
+            add_edge(outline->sums, index[2], index[0]);
+        }
+    }
+}
+
+/* After the mesh's vertices were transformed into this memory: all that finding its edges needs. */
+static void set_outline(qtri_outline *outline, qtri_vertex *vertices, const qtri_view *view,
+                        const qtri_transform *pose, const qtri_material *material, int32_t width,
+                        int32_t height)
+{
+    if (material->fill != NULL || material->depth_compare == QTRI_NEVER) {
+        return;
+    }
+    outline->vertices = vertices;
+    outline->view = view;
+    outline->pose = pose;
+    outline->material = material;
+    outline->width = width;
+    outline->height = height;
+    find_front(outline);
+    if (outline->sums != NULL) {
+        add_sums(outline);
+    }
+}
+
+/* ---- Drawing ---- */
+
+/* All triangles have bits; the bit behind theirs, of no neighbour, is 0. */
+static enum qtri_error begin_outline(qtri_outline *outline, const qtri_view *view)
+{
     QTRI_ASSERT(outline != NULL);
-    qtri_outline_clear(outline);
-    if (outline->mesh == NULL || prepared->mesh != outline->mesh ||
-        prepared->front != outline->front ||
-        prepared->vertex_count < prepared->mesh->vertex_count) {
+    clear_outline(outline);
+    if (outline->mesh == NULL || view->vertex_count < outline->mesh->vertex_count) {
         return QTRI_ERROR_MEMORY;
     }
-    if (!prepared->is_seen) {
-        return QTRI_OK;
-    }
-    qtri_outline_set(outline, prepared->vertices, prepared->view, prepared->pose,
-                     prepared->material, prepared->width, prepared->height);
-    if (outline->vertices != NULL) {
-        make_lists(outline, prepared->rows, prepared->edges_above, prepared->edges_below);
-    }
+    qtri_front_set_all(outline->front, outline->mesh->triangle_count);
     return QTRI_OK;
 }
+
+enum qtri_error qtri_draw_mesh_outlined(const qtri_surface *surface, const qtri_view *view,
+                                        const qtri_transform *pose, const qtri_material *material,
+                                        qtri_outline *outline)
+{
+    const enum qtri_error error = begin_outline(outline, view);
+    if (error != QTRI_OK) {
+        if (outline->mesh != NULL) {
+            qtri_draw_mesh(surface, view, pose, outline->mesh, material);
+        }
+        return error;
+    }
+    if (qtri_mesh_draw(&qtri_vertex_stage_any, surface, view, pose, outline->mesh, material,
+                       outline->front)) {
+        set_outline(outline, view->vertices, view, pose, material, surface->width, surface->height);
+    }
+    return error;
+}
+
+/* Transforms the vertices that drawing would. A function of its own: a job takes much stack. */
+QTRI_NOINLINE static bool transform(const qtri_surface *surface, const qtri_view *view,
+                                    const qtri_transform *pose, const qtri_material *material,
+                                    const qtri_outline *outline)
+{
+    const qtri_mesh *mesh = outline->mesh;
+    const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
+    qtri_mesh_faces faces;
+    qtri_mesh_job job;
+    qtri_mesh_job_init(&job, &qtri_vertex_stage_any, surface, view, mesh, material, view->vertices,
+                       view->vertex_count);
+    if (!qtri_mesh_job_place(&job, view, pose)) {
+        return false;
+    }
+    job.front = outline->front;
+    if (culling == NULL || !culling->begin(&faces, &job)) {
+        (void)qtri_mesh_transform(&job, 0, mesh->vertex_count, view->vertices);
+        return true;
+    }
+    while (culling->next(&faces, &job)) {
+    }
+    return true;
+}
+
+enum qtri_error qtri_find_outline(const qtri_surface *surface, const qtri_view *view,
+                                  const qtri_transform *pose, const qtri_material *material,
+                                  qtri_outline *outline)
+{
+    const enum qtri_error error = begin_outline(outline, view);
+    if (error == QTRI_OK && transform(surface, view, pose, material, outline)) {
+        set_outline(outline, view->vertices, view, pose, material, surface->width, surface->height);
+    }
+    return error;
+}
+
+/* ---- Edges: listed by band, or noted ---- */
+
+/* A triangle's vertices, the first two once more behind the third. False: one is outside. */
+QTRI_INLINE bool find_corners(const qtri_outline *outline, uint32_t triangle, qtri_vertex *v[5])
+{
+    uint32_t index[3];
+    if (!find_vertices(outline, triangle, index, v)) {
+        return false;
+    }
+    v[3] = v[0];
+    v[4] = v[1];
+    return qtri_mesh_is_inside(v[0], v[1], v[2]);
+}
+
+typedef struct finder {
+    const qtri_outline *outline;
+    const qtri_mesh_job *job; /* for light: NULL where no creases are asked for */
+    qtri_edge_axis axis[2];   /* of the pass */
+    uint32_t bands;           /* for lists; 0: edges are noted */
+    uint32_t next, end;       /* entries */
+    uint32_t inverse, shift;  /* 1 / rows */
+} finder;
+
+/* floor(row / rows), as in prepared.c: exact for rows below 2^13. */
+static uint32_t band_of(const finder *f, int32_t row)
+{
+    return ((uint32_t)row * f->inverse) >> f->shift;
+}
+
+/*
+ * Appends an entry to the lists of the bands that have a row which the edge passes through. (Where
+ * the walk's rounding takes it into the next row, its weight is that of a neighbour in the row that
+ * it left, so a band without that row has no note of it.) False: there is no room.
+ */
+static bool list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b, uint32_t entry)
+{
+    const qtri_outline *outline = f->outline;
+    uint32_t *before = outline->list + f->bands - 1; /* of the first entry, which is 1 */
+    int32_t top = qtri_least32(a->at.y_24p8, b->at.y_24p8) >> 8;
+    int32_t bottom = qtri_greatest32(a->at.y_24p8, b->at.y_24p8) >> 8;
+    if (bottom < 0 || top >= outline->height) {
+        return true;
+    }
+    top = qtri_greatest32(top - outline->below, 0);
+    bottom = qtri_least32(bottom + outline->above, outline->height - 1);
+    const uint32_t last = band_of(f, bottom);
+    for (uint32_t band = band_of(f, top); band <= last; band++) {
+        uint32_t *head = &outline->list[band];
+        if (f->next == f->end) {
+            return false;
+        }
+        const uint32_t number = ++f->next;
+        before[number] = entry;
+        if (*head == 0) {
+            *head = number << 16;
+        } else {
+            before[*head & 0xFFFF] |= number << NEXT_SHIFT;
+        }
+        *head = (*head & 0xFFFF0000u) | number;
+    }
+    return true;
+}
+
+/* Notes the edge from vertex[0] to vertex[1], or lists it. False: there is no room. */
+static inline bool take_edge(finder *f, qtri_vertex *const vertex[3], uint32_t entry)
+{
+    if (f->bands == 0) {
+        qtri_edge_note(f->axis, vertex[0], vertex[1], vertex[2]);
+        return true;
+    }
+    return list_edge(f, vertex[0], vertex[1], entry);
+}
+
+/* Those of a triangle's edges that have a bit. */
+static bool take_edges(finder *f, uint32_t triangle, uint32_t edges, bool weak)
+{
+    const uint32_t entry = (uint32_t)weak << WEAK_SHIFT | triangle;
+    qtri_vertex *v[5];
+    if (!find_corners(f->outline, triangle, v)) {
+        return true;
+    }
+    return ((edges & 1) == 0 || take_edge(f, v, entry)) &&
+           ((edges & 2) == 0 || take_edge(f, v + 1, entry | (uint32_t)1 << CORNER_SHIFT)) &&
+           ((edges & 4) == 0 || take_edge(f, v + 2, entry | (uint32_t)2 << CORNER_SHIFT));
+}
+
+/* ---- Finding edges ---- */
+
+/* Whether a sum at one end is what the edge alone leaves: `twice` the other end, with its sign. */
+static bool fits(uint32_t sum, uint32_t twice, bool leaves)
+{
+    const uint32_t s1 = (uint32_t)(int32_t)(int16_t)(sum & 0xFFFF);
+    const uint32_t s2 = (sum - s1) >> 16;
+    const uint32_t product = s1 * (leaves ? twice - s1 : twice + s1);
+    return ((product - s2) & 0xFFFF) == 0;
+}
+
+static uint32_t is_alone(const uint32_t *sums, uint32_t a, uint32_t b)
+{
+    return sums[a] != 0 && sums[b] != 0 && fits(sums[a], 2 * b, true) &&
+           fits(sums[b], 2 * a, false);
+}
+
+/* Silhouettes of a mesh without neighbours. */
+static uint32_t silhouettes_by_sums(const qtri_outline *outline, uint32_t triangle)
+{
+    const bool narrow = qtri_mesh_has_bytes(outline->mesh);
+    uint32_t i[3];
+    qtri_mesh_indices(i, qtri_mesh_triangle(outline->mesh, triangle, narrow), narrow);
+    return is_alone(outline->sums, i[0], i[1]) | is_alone(outline->sums, i[1], i[2]) << 1 |
+           is_alone(outline->sums, i[2], i[0]) << 2;
+}
+
+/* Edges to front faces of other light, each from the face that comes first. */
+static uint32_t creases_of(const finder *f, uint32_t triangle)
+{
+    const qtri_mesh *mesh = f->outline->mesh;
+    const bool narrow = qtri_mesh_has_bytes(mesh);
+    const uint16_t *n = mesh->neighbours[triangle];
+    const uint32_t light = qtri_mesh_light_face(f->job, qtri_mesh_triangle(mesh, triangle, narrow));
+    uint32_t edges = 0;
+    for (int i = 0; i < 3; i++) {
+        if (n[i] > triangle && (front_bit(f->outline->front, n[i]) & 1) != 0) {
+            const uint32_t other =
+                qtri_mesh_light_face(f->job, qtri_mesh_triangle(mesh, n[i], narrow));
+            const uint32_t difference = light > other ? light - other : other - light;
+            edges |= (uint32_t)(difference > CREASE_Q15) << i;
+        }
+    }
+    return edges;
+}
+
+/* False, here and below: there is no room in lists. */
+static bool find_silhouettes(finder *f)
+{
+    const qtri_outline *outline = f->outline;
+    const uint16_t(*neighbours)[3] = outline->mesh->neighbours;
+    const uint32_t count = outline->mesh->triangle_count;
+    uint32_t i = 0;
+    while ((i = next_silhouette(outline->front, neighbours, i, count)) < count) {
+        if (!take_edges(f, i, silhouettes_of(outline->front, neighbours[i]), false)) {
+            return false;
+        }
+        i++;
+    }
+    return true;
+}
+
+/* Of front triangles silhouettes by sums, or creases, weaker than silhouettes. */
+static bool find_others(finder *f, bool creases)
+{
+    const qtri_outline *outline = f->outline;
+    for (uint32_t i = 0; i < outline->mesh->triangle_count; i++) {
+        if ((front_bit(outline->front, i) & 1) != 0) {
+            const uint32_t edges = creases ? creases_of(f, i) : silhouettes_by_sums(outline, i);
+            if (edges != 0 && !take_edges(f, i, edges, creases)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* Edges without a neighbour of back faces, where these are not culled. */
+static bool find_borders(finder *f)
+{
+    const qtri_mesh *mesh = f->outline->mesh;
+    const uint32_t none = mesh->triangle_count;
+    if (qtri_culls(f->outline->material->cull) || mesh->neighbours == NULL) {
+        return true;
+    }
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const uint16_t *n = mesh->neighbours[i];
+        const uint32_t edges = (uint32_t)(n[0] == none) | (uint32_t)(n[1] == none) << 1 |
+                               (uint32_t)(n[2] == none) << 2;
+        if (edges != 0 && (front_bit(f->outline->front, i) & 1) == 0 &&
+            !take_edges(f, i, edges, false)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A function of its own: light takes a job's stack. */
+QTRI_NOINLINE static bool find_creases(finder *f)
+{
+    const qtri_outline *outline = f->outline;
+    const qtri_rect frame = {0, 0, outline->width, outline->height};
+    const qtri_surface whole = {.width = outline->width,
+                                .height = outline->height,
+                                .rows = outline->height,
+                                .scissor = frame};
+    qtri_mesh_job job;
+    qtri_mesh_job_init(&job, &qtri_vertex_stage_any, &whole, outline->view, outline->mesh,
+                       outline->material, outline->view->vertices, outline->view->vertex_count);
+    f->job = &job;
+    f->axis[0].weak = UINT32_MAX;
+    f->axis[1].weak = UINT32_MAX;
+    return !qtri_mesh_job_place(&job, outline->view, outline->pose) || !job.lit_per_face ||
+           find_others(f, true);
+}
+
+static bool find_edges(finder *f)
+{
+    const qtri_outline *outline = f->outline;
+    const bool has_creases =
+        outline->creases && outline->view->light != NULL && outline->mesh->neighbours != NULL;
+    return (outline->sums != NULL ? find_others(f, false) : find_silhouettes(f)) &&
+           find_borders(f) && (!has_creases || find_creases(f));
+}
+
+/* ---- Bands ---- */
 
 void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outline, int32_t halo)
 {
     QTRI_CHECK(qtri_check_prepared(prepared));
-    prepared->front = NULL;
-    prepared->front_of = NULL;
+    prepared->front = outline != NULL ? outline->front : NULL;
+    prepared->front_of = outline != NULL ? outline->mesh : NULL;
     prepared->halo = qtri_hold32(halo, 0, QTRI_HALO_MAX);
     prepared->edges_above = prepared->halo;
     prepared->edges_below = prepared->halo;
-    if (outline != NULL) {
-        prepared->front = outline->front;
-        prepared->front_of = outline->mesh;
-    }
 }
 
 void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outline *outline,
@@ -251,47 +494,50 @@ void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outli
     prepared->halo = 0;
 }
 
+/* Lists for bands of so many rows, if there is room for them. */
+static void make_lists(qtri_outline *outline, const qtri_prepared *prepared)
+{
+    const uint32_t rows = (uint32_t)prepared->rows;
+    const uint32_t bands = ((uint32_t)outline->height + rows - 1) / rows;
+    if (outline->list_words <= bands) {
+        return;
+    }
+    const uint32_t room = outline->list_words - bands;
+    finder f = {.outline = outline, .bands = bands, .shift = 13};
+    f.end = room < ENTRIES_MAX ? room : ENTRIES_MAX;
+    while ((uint32_t)1 << (f.shift - 13) < rows) {
+        f.shift++;
+    }
+    f.inverse = (((uint32_t)1 << f.shift) + rows - 1) / rows;
+    for (uint32_t i = 0; i < bands; i++) {
+        outline->list[i] = 0;
+    }
+    outline->above = prepared->edges_above;
+    outline->below = prepared->edges_below;
+    outline->rows = find_edges(&f) ? prepared->rows : 0;
+}
+
+enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_outline *outline)
+{
+    QTRI_CHECK(qtri_check_prepared(prepared));
+    QTRI_ASSERT(outline != NULL);
+    clear_outline(outline);
+    if (outline->mesh == NULL || prepared->mesh != outline->mesh ||
+        prepared->front != outline->front ||
+        prepared->vertex_count < prepared->mesh->vertex_count) {
+        return QTRI_ERROR_MEMORY;
+    }
+    if (prepared->is_seen) {
+        set_outline(outline, prepared->vertices, prepared->view, prepared->pose, prepared->material,
+                    prepared->width, prepared->height);
+    }
+    if (outline->vertices != NULL) {
+        make_lists(outline, prepared);
+    }
+    return QTRI_OK;
+}
+
 /* ---- Noting ---- */
-
-static void note_edge(const qtri_edge_finder *f, qtri_vertex *const vertex[3], uint32_t corner)
-{
-    const uint32_t next = corner == 2 ? 0 : corner + 1;
-    const uint32_t last = corner == 0 ? 2 : corner - 1;
-    qtri_edge_note(&f->walker, vertex[corner], vertex[next], vertex[last]);
-}
-
-static bool take_for_walks(qtri_edge_finder *f, uint32_t triangle, uint32_t edges, bool weak)
-{
-    qtri_vertex *vertex[3];
-    f->walker.weak = weak ? UINT32_MAX : 0;
-    if (qtri_outline_vertices(f->outline, triangle, vertex)) {
-        if ((edges & 1) != 0) {
-            qtri_edge_note(&f->walker, vertex[0], vertex[1], vertex[2]);
-        }
-        if ((edges & 2) != 0) {
-            qtri_edge_note(&f->walker, vertex[1], vertex[2], vertex[0]);
-        }
-        if ((edges & 4) != 0) {
-            qtri_edge_note(&f->walker, vertex[2], vertex[0], vertex[1]);
-        }
-    }
-    return true;
-}
-
-static void note_list(qtri_edge_finder *f, uint32_t band)
-{
-    const uint32_t *list = f->outline->list;
-    const uint32_t *entries = list + f->bands;
-    for (uint32_t number = list[band] >> 16; number != 0;) {
-        const uint32_t entry = entries[number - 1];
-        qtri_vertex *vertex[3];
-        (void)qtri_outline_vertices(f->outline, entry & 0xFFFF,
-                                    vertex); /* all inside, or not listed */
-        f->walker.weak = (entry >> WEAK_SHIFT & 1) != 0 ? UINT32_MAX : 0;
-        note_edge(f, vertex, entry >> CORNER_SHIFT & 3);
-        number = entry >> NEXT_SHIFT;
-    }
-}
 
 static qtri_edge_test test_of(const qtri_edges *edges, const qtri_material *material)
 {
@@ -303,16 +549,22 @@ static qtri_edge_test test_of(const qtri_edges *edges, const qtri_material *mate
                                                                     : QTRI_EDGE_NEARER;
 }
 
-/* The list that has all edges of these rows; false: there is none. */
-static bool find_list(const qtri_outline *outline, const qtri_rect *bounds, uint32_t *band)
+static void note_list(finder *f, uint32_t band)
 {
-    if (outline->rows == 0) {
-        return false;
+    const qtri_outline *outline = f->outline;
+    const uint32_t rows = (uint32_t)outline->rows;
+    const uint32_t *entries = outline->list + ((uint32_t)outline->height + rows - 1) / rows;
+    for (uint32_t number = outline->list[band] >> 16; number != 0;) {
+        const uint32_t entry = entries[number - 1];
+        qtri_vertex *v[5];
+        f->axis[0].weak = 0 - (entry >> WEAK_SHIFT & 1);
+        f->axis[1].weak = f->axis[0].weak;
+        if (find_corners(outline, entry & 0xFFFF, v)) {
+            qtri_vertex *const *from = &v[entry >> CORNER_SHIFT & 3];
+            qtri_edge_note(f->axis, from[0], from[1], from[2]);
+        }
+        number = entry >> NEXT_SHIFT;
     }
-    const int32_t number = (bounds->y0 + outline->above) / outline->rows;
-    *band = (uint32_t)number;
-    return number * outline->rows < outline->height &&
-           bounds->y1 <= (number + 1) * outline->rows + outline->below;
 }
 
 void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline)
@@ -324,14 +576,15 @@ void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline)
         edges->surface.width != outline->width || edges->surface.height != outline->height) {
         return;
     }
-    qtri_edge_finder f = {.outline = outline, .take = take_for_walks};
-    uint32_t band;
-    qtri_edge_walker_init(&f.walker, edges, test_of(edges, outline->material));
-    if (!find_list(outline, bounds, &band)) {
-        (void)qtri_outline_find(&f, 0, 0);
-        return;
+    finder f = {.outline = outline};
+    qtri_edge_axes_init(f.axis, edges, test_of(edges, outline->material));
+    if (outline->rows != 0) { /* is there a list that has all edges of these rows? */
+        const int32_t band = (bounds->y0 + outline->above) / outline->rows;
+        if (band * outline->rows < outline->height &&
+            bounds->y1 <= (band + 1) * outline->rows + outline->below) {
+            note_list(&f, (uint32_t)band);
+            return;
+        }
     }
-    f.bands = ((uint32_t)outline->height + (uint32_t)outline->rows - 1) / (uint32_t)outline->rows;
-    note_list(&f, band);
-    (void)qtri_outline_find(&f, outline->left_pass, outline->left_from);
+    (void)find_edges(&f);
 }

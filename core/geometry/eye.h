@@ -27,11 +27,7 @@ bool qtri_eye_find(qtri_eye *eye, const qtri_projector *projector, const qtri_fa
 /* The faces that turn towards it take the place of those that turn away. */
 void qtri_eye_mirror(qtri_eye *eye);
 
-/*
- * Whether a triangle of this plane is sure to turn away: snapped to the screen, as the vertex stage
- * does, its area is above 0; below 0 after qtri_eye_mirror().
- */
-static inline bool qtri_eye_is_behind(const qtri_eye *eye, const qtri_face8 *face)
+static inline int32_t qtri_eye_side(const qtri_eye *eye, const qtri_face8 *face)
 {
     int32_t sum = face->x * eye->x;
     QTRI_HOLD(sum); /* one product at a time: GCC 12 would interleave them, and spill */
@@ -41,7 +37,22 @@ static inline bool qtri_eye_is_behind(const qtri_eye *eye, const qtri_face8 *fac
     QTRI_HOLD(sum);
     sum += face->d * eye->w;
     QTRI_HOLD(sum);
-    return sum >= eye->behind;
+    return sum;
+}
+
+/*
+ * Whether a triangle of this plane is sure to turn away: snapped to the screen, as the vertex stage
+ * does, its area is above 0; below 0 after qtri_eye_mirror().
+ */
+static inline bool qtri_eye_is_behind(const qtri_eye *eye, const qtri_face8 *face)
+{
+    return qtri_eye_side(eye, face) >= eye->behind;
+}
+
+/* Whether it is sure not to: the bound is the same for both signs. */
+static inline bool qtri_eye_is_before(const qtri_eye *eye, const qtri_face8 *face)
+{
+    return qtri_eye_side(eye, face) <= -eye->behind;
 }
 
 #endif

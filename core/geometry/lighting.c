@@ -10,14 +10,15 @@
  * ambient + diffuse (n . towards) / unit as a row of intensities times 2^25, plus half of a step of
  * 2^-15. |m| <= 4 2^27, 2^29.8 for all three.
  */
-static void set_plain_row(qtri_lighting *lighting, int32_t unit)
+static void set_plain_row(qtri_lighting *lighting, bool is_bytes)
 {
     int32_t m[3];
     for (int i = 0; i < 3; i++) {
         int64_t product_q46 = (int64_t)lighting->towards_q30[i] * lighting->diffuse; /* <= 2^48 */
-        bool half;
-        int32_t size =
-            (int32_t)qtri_divide64(qtri_magnitude64(product_q46), (uint32_t)unit * 32, 0, &half);
+        const uint64_t above = qtri_magnitude64(product_q46) >> 12;
+        /* The factor is 2^64 / 127, rounded up by less than 2^-36 of the 2^36 that above may be. */
+        const int32_t size =
+            (int32_t)(is_bytes ? qtri_mul_high64(above, 0x204081020408103u) : above >> 7);
         m[i] = (product_q46 < 0 ? -size : size) & ~(int32_t)3;
     }
     int64_t ambient_q16 = lighting->ambient > Q16_ONE ? Q16_ONE : lighting->ambient;
@@ -27,7 +28,7 @@ static void set_plain_row(qtri_lighting *lighting, int32_t unit)
 }
 
 void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
-                        const qtri_transform *object_to_eye, int32_t unit,
+                        const qtri_transform *object_to_eye, bool is_bytes,
                         const qtri_uneven_light *uneven)
 {
     int32_t m[3][4];
@@ -60,7 +61,7 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
     (void)qtri_fit32(fitted, object, 3);
     (void)qtri_unit(lighting->towards_q30, fitted, 3, 30); /* stays zero for no direction */
     if (lighting->plain) {
-        set_plain_row(lighting, unit);
+        set_plain_row(lighting, is_bytes);
     }
 }
 
@@ -172,29 +173,6 @@ static void light_list(const qtri_lighting *lighting, const qtri_mesh *mesh, uin
 const qtri_vertex_light qtri_light_by_vertex = {
     .init = qtri_lighting_init, .vertex = light_vertex, .list = light_list};
 
-/* Any face, any light. */
-static uint32_t light_any_face(const qtri_lighting *lighting, const qtri_vec3 *a,
-                               const qtri_vec3 *b, const qtri_vec3 *c)
-{
-    /* Scaled edges keep the direction of small faces and hold the products below 2^58. */
-    int64_t e_exact[3] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
-    int64_t f_exact[3] = {(int64_t)c->x - a->x, (int64_t)c->y - a->y, (int64_t)c->z - a->z};
-    int32_t e_scaled[3];
-    int32_t f_scaled[3];
-    if (!normalize_scale(e_scaled, e_exact) || !normalize_scale(f_scaled, f_exact)) {
-        return intensity(lighting, 0);
-    }
-    int64_t e[3] = {e_scaled[0], e_scaled[1], e_scaled[2]};
-    int64_t f[3] = {f_scaled[0], f_scaled[1], f_scaled[2]};
-    int64_t cross[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
-                        e[0] * f[1] - e[1] * f[0]}; /* <= 2^59 */
-    int32_t normal[3];
-    if (!normalize_scale(normal, cross)) {
-        return intensity(lighting, 0);
-    }
-    return light_direction(lighting, normal);
-}
-
 /* Within +-2^15 when the upper half is 0; several may be or-ed. */
 static inline uint32_t reach(const int32_t e[3])
 {
@@ -216,25 +194,13 @@ static inline int32_t mantissa16(int32_t n, int32_t zeros)
 }
 
 /*
- * The plain light on the face between short edges. |e|, |f| < 2^15, so |e x f| < 2^31. Its
- * direction n has a largest component of 2^14 - 1..2^15, s = n . n is in (2^27, 3 2^30]; with v = s
- * 2^zeros / 2^32 in [1/4, 1) and y = v^-1/2 the dot product with n counts 2^14 / |n| = 2^(zeros / 2
- * - 2) y times. Newton's step y + y (1 - v y^2) / 2 takes y from 2^-13 to 2^-25.
+ * The plain light on a face whose normal is n, not 0, with a largest component of 2^14 - 1..2^15.
+ * s = n . n is in (2^27, 3 2^30]; with v = s 2^zeros / 2^32 in [1/4, 1) and y = v^-1/2 the dot
+ * product with n counts 2^14 / |n| = 2^(zeros / 2 - 2) y times. Newton's step y + y (1 - v y^2) / 2
+ * takes y from 2^-13 to 2^-25.
  */
-QTRI_IN_PLACE uint32_t light_face(const qtri_lighting *lighting, const int32_t e[3],
-                                  const int32_t f[3])
+static uint32_t light_mantissas(const qtri_lighting *lighting, int32_t x, int32_t y, int32_t z)
 {
-    int32_t x = e[1] * f[2] - e[2] * f[1];
-    int32_t y = e[2] * f[0] - e[0] * f[2];
-    int32_t z = e[0] * f[1] - e[1] * f[0];
-    uint32_t all = (uint32_t)((x < 0 ? ~x : x) | (y < 0 ? ~y : y) | (z < 0 ? ~z : z));
-    if ((x | y | z) == 0) {
-        return lighting->least_q15;
-    }
-    int32_t zeros = qtri_clz32(all | 1u); /* >= 1 */
-    x = mantissa16(x, zeros);
-    y = mantissa16(y, zeros);
-    z = mantissa16(z, zeros);
     QTRI_HOLD(x); /* 32 bits again: GCC 12 would multiply 64 */
     QTRI_HOLD(y);
     QTRI_HOLD(z);
@@ -258,6 +224,42 @@ QTRI_IN_PLACE uint32_t light_face(const qtri_lighting *lighting, const int32_t e
     return (uint32_t)sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : (uint32_t)sum_q15;
 }
 
+static uint32_t light_face(const qtri_lighting *lighting, const int32_t n[3])
+{
+    uint32_t all = 0;
+    for (int i = 0; i < 3; i++) {
+        all |= (uint32_t)(n[i] < 0 ? ~n[i] : n[i]);
+    }
+    if ((n[0] | n[1] | n[2]) == 0) {
+        return lighting->least_q15;
+    }
+    int32_t zeros = qtri_clz32(all | 1u); /* >= 1 */
+    return light_mantissas(lighting, mantissa16(n[0], zeros), mantissa16(n[1], zeros),
+                           mantissa16(n[2], zeros));
+}
+
+/* Any face, any light: scaled edges keep the direction of small faces and hold the products below
+   2^58. */
+QTRI_NOINLINE static uint32_t light_any_face(const qtri_lighting *lighting, const qtri_vec3 *a,
+                                             const qtri_vec3 *b, const qtri_vec3 *c)
+{
+    const int64_t e_exact[3] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
+    const int64_t f_exact[3] = {(int64_t)c->x - a->x, (int64_t)c->y - a->y, (int64_t)c->z - a->z};
+    int32_t e[3] = {0, 0, 0};
+    int32_t f[3] = {0, 0, 0};
+    int32_t normal[3] = {0, 0, 0};
+    if (normalize_scale(e, e_exact) && normalize_scale(f, f_exact)) {
+        const int64_t cross[3] = {qtri_mul_s32(e[1], f[2]) - qtri_mul_s32(e[2], f[1]),
+                                  qtri_mul_s32(e[2], f[0]) - qtri_mul_s32(e[0], f[2]),
+                                  qtri_mul_s32(e[0], f[1]) - qtri_mul_s32(e[1], f[0])};
+        if (!normalize_scale(normal, cross)) { /* <= 2^59 */
+            normal[0] = normal[1] = normal[2] = 0;
+        }
+    }
+    return lighting->plain ? light_face(lighting, normal)
+                           : lighting->uneven->direction(lighting, normal);
+}
+
 /* Held to 32 bits: then it is not short either. */
 static inline int32_t difference(q16 a, q16 b)
 {
@@ -270,7 +272,10 @@ uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, c
     const int32_t e[3] = {difference(b->x, a->x), difference(b->y, a->y), difference(b->z, a->z)};
     const int32_t f[3] = {difference(c->x, a->x), difference(c->y, a->y), difference(c->z, a->z)};
     if (lighting->plain && is_short(e, f)) {
-        return light_face(lighting, e, f);
+        /* |e|, |f| < 2^15: below 2^31 */
+        const int32_t n[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
+                              e[0] * f[1] - e[1] * f[0]};
+        return light_face(lighting, n);
     }
     return light_any_face(lighting, a, b, c);
 }

@@ -31,11 +31,11 @@ typedef struct qtri_lighting {
 } qtri_lighting;
 
 /*
- * unit: what 1 is in the normals of vertices that will be lit. Where only `uneven` would
+ * is_bytes: vertices with normals of 8 bits will be lit, of length 127. Where only `uneven` would
  * serve, and that is NULL, light is 1 everywhere.
  */
 void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
-                        const qtri_transform *object_to_eye, int32_t unit,
+                        const qtri_transform *object_to_eye, bool is_bytes,
                         const qtri_uneven_light *uneven);
 
 #define QTRI_INTENSITY_ONE 0x8000u /* intensities have 15 fraction bits */
@@ -72,7 +72,7 @@ static inline void qtri_mesh_positions(qtri_vec3 p[3], const qtri_mesh *mesh,
 /* What lights a mesh's vertices: see qtri_vertex_stage. */
 struct qtri_vertex_light {
     void (*init)(qtri_lighting *lighting, const qtri_light *light,
-                 const qtri_transform *object_to_eye, int32_t unit,
+                 const qtri_transform *object_to_eye, bool is_bytes,
                  const qtri_uneven_light *uneven);
     uint32_t (*vertex)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t index);
     /* The vertices whose indices are vertices[0..count-1].index, each in its slot. */
@@ -83,7 +83,7 @@ struct qtri_vertex_light {
 /* What lights a mesh's faces: the triangle of this number, with these indices. */
 struct qtri_face_light {
     void (*init)(qtri_lighting *lighting, const qtri_light *light,
-                 const qtri_transform *object_to_eye, int32_t unit,
+                 const qtri_transform *object_to_eye, bool is_bytes,
                  const qtri_uneven_light *uneven);
     uint32_t (*face)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t number,
                      const uint32_t index[3]);

@@ -237,7 +237,7 @@ static void smooth_edges(struct drawing *d, bool by_sums, bool creases)
     (void)qtri_find_outline(&d->surface, &d->view, &d->pose, &d->material, &outline);
     (void)qtri_edges_begin(&edges, &d->surface, edge_memory, WORDS(edge_memory));
     qtri_edges_note(&edges, &outline);
-    (void)qtri_edges_blend_565(&edges);
+    qtri_edges_blend(&edges);
 }
 
 static void draw_frames(struct drawing *d, int width, int height, int32_t log2)

@@ -92,7 +92,7 @@ static void smooth(bench_frame *frame, const qtri_surface *surface)
     qtri_edges edges;
     (void)qtri_edges_begin(&edges, surface, s->edge_memory, WORDS(s->edge_memory));
     qtri_edges_note(&edges, &s->outline);
-    (void)qtri_edges_blend_565(&edges);
+    qtri_edges_blend(&edges);
 }
 
 /* Bands as qtri_halo_next_band makes them, in memory of their own, so that they can be shown later.

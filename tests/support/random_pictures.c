@@ -256,9 +256,7 @@ static void blend_edges(random_states *w, const qtri_surface *surface)
     w->failed |= w->outline[w->outline_words] != 0xA5A5A5A5u;
     w->failed |= qtri_edges_begin(&w->pass, surface, w->edges, LENGTH_OF(w->edges)) != QTRI_OK;
     qtri_edges_note(&w->pass, &w->outlined);
-    if (random_one_in(w, 2) || qtri_edges_blend_565(&w->pass) != QTRI_OK) {
-        qtri_edges_blend(&w->pass);
-    }
+    qtri_edges_blend(&w->pass);
 }
 
 void random_draw_outlined(random_states *w, const qtri_surface *surface)

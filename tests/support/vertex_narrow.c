@@ -71,7 +71,7 @@ uint32_t narrow_light_vertex(const qtri_light *light, const qtri_transform *obje
                              const qtri_normal *normal)
 {
     qtri_lighting lighting;
-    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14, &qtri_light_uneven);
+    qtri_lighting_init(&lighting, light, object_to_eye, false, &qtri_light_uneven);
     return qtri_lighting_vertex(&lighting, normal);
 }
 
@@ -79,7 +79,7 @@ uint32_t narrow_light_face(const qtri_light *light, const qtri_transform *object
                            const qtri_vec3 corner[3])
 {
     qtri_lighting lighting;
-    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14, &qtri_light_uneven);
+    qtri_lighting_init(&lighting, light, object_to_eye, false, &qtri_light_uneven);
     return qtri_lighting_face(&lighting, &corner[0], &corner[1], &corner[2]);
 }
 
@@ -87,6 +87,6 @@ uint32_t narrow_light_plane(const qtri_light *light, const qtri_transform *objec
                             const qtri_face8 *face)
 {
     qtri_lighting lighting;
-    qtri_lighting_init(&lighting, light, object_to_eye, 1 << 14, &qtri_light_uneven);
+    qtri_lighting_init(&lighting, light, object_to_eye, false, &qtri_light_uneven);
     return qtri_lighting_face8(&lighting, face);
 }

@@ -17,7 +17,7 @@
  *     ... everything else that is in the picture, with the depth buffer as it is left ...
  *     qtri_edges_begin(&edges, &surface, edge_memory, sizeof edge_memory / sizeof edge_memory[0]);
  *     qtri_edges_note(&edges, &outline);           // each mesh that has an outline
- *     qtri_edges_blend_565(&edges);                // the depth buffer is spent
+ *     qtri_edges_blend(&edges);                    // the depth buffer is spent
  *
  * In bands, with a row of halo above and below (halo.h), so that the pixels are the whole frame's:
  *
@@ -32,7 +32,7 @@
  *         qtri_draw_prepared(&band, &prepared);
  *         qtri_edges_begin(&edges, &band, edge_memory, ...);
  *         qtri_edges_note(&edges, &outline);
- *         qtri_edges_blend_565(&edges);
+ *         qtri_edges_blend(&edges);
  *         qtri_panel_write(&panel, &shown);
  *     }
  *
@@ -59,10 +59,10 @@ extern "C" {
 /* ---- Outlines: which edges of a mesh are silhouettes ---- */
 
 /*
- * Edges whose face is seen and whose neighbour is not. They are found by mesh->neighbours, constant
- * data, or, where a mesh has none, by sums over its vertices, which take a word of RAM a vertex,
- * twice the time, and miss some edges where outlines meet in a vertex. Of a mesh that is not culled
- * and has holes the borders of back faces are found by neighbours only.
+ * Edges of a face that is front whose neighbour is not. They are found by mesh->neighbours, constant
+ * data, or, where a mesh has none, by sums over its vertices, which take a word of RAM a vertex and
+ * miss some edges where outlines meet in a vertex. Of a mesh that is not culled and has holes the
+ * borders of back faces are found by neighbours only.
  */
 typedef struct qtri_outline {
     const qtri_mesh *mesh;
@@ -78,16 +78,15 @@ typedef struct qtri_outline {
     const qtri_transform *pose;
     const qtri_material *material;
     int32_t width, height;
-    int32_t rows;                  /* of the bands that have lists; 0: there are none */
-    int32_t above, below;          /* rows that lists reach beyond them */
-    uint32_t left_pass, left_from; /* the first that is in no list */
+    int32_t rows;         /* of the bands that have lists; 0: there are none */
+    int32_t above, below; /* rows that lists reach beyond them */
 } qtri_outline;
 
 /*
  * Words of memory for an outline: constant expressions. A bit a triangle; for a mesh without
  * neighbours a word a vertex more. For bands, lists of the edges that each touches: enough for one
- * in four triangles to have an edge in the outline. With fewer words the edges that find no room
- * are found again in every band: slower, the same pixels.
+ * in four triangles to have an edge in the outline. With fewer words than the edges need they are
+ * found again in every band: slower, the same pixels.
  */
 #define QTRI_OUTLINE_WORDS(triangles) (((uint32_t)(triangles) + 32u) / 32u)
 #define QTRI_OUTLINE_SUMS(vertices)   ((uint32_t)(vertices))
@@ -105,9 +104,9 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
                                   uint32_t words);
 
 /*
- * qtri_draw_mesh of the outline's mesh, with the same pixels, which finds out what faces the eye as
- * it draws. view->vertices must have room for all vertices of the mesh, and stay as they are, as
- * must all that is pointed to, until the edges are noted.
+ * qtri_draw_mesh of the outline's mesh, then finds which triangles face the eye. view->vertices must
+ * have room for all vertices of the mesh, and stay as they are, as must all that is pointed to,
+ * until the edges are noted.
  * QTRI_ERROR_MEMORY: they have not. The mesh is drawn, and has no outline. A wireframe has none
  * either, without an error. Also QTRI_ERROR_MEMORY, and nothing is drawn: qtri_outline_init failed.
  */
@@ -115,21 +114,21 @@ enum qtri_error qtri_draw_mesh_outlined(const qtri_surface *surface, const qtri_
                                         const qtri_transform *pose, const qtri_material *material,
                                         qtri_outline *outline);
 
-/* The same without drawing: for a mesh that qtri_draw_mesh has drawn with these. Its vertices are
-   transformed once more. */
+/* Finds the outline of a mesh that qtri_draw_mesh has drawn with these arguments. Transforms its
+   vertices once more: meshes may share view->vertices, one after another until edges are noted. */
 enum qtri_error qtri_find_outline(const qtri_surface *surface, const qtri_view *view,
                                   const qtri_transform *pose, const qtri_material *material,
                                   qtri_outline *outline);
 
 /*
- * After qtri_prepared_init: the prepared mesh keeps what faces the eye for the outline, which must
- * be of the mesh that will be prepared, and its lists of triangles reach `halo` rows (held to 0..8)
- * beyond each band. NULL: it keeps nothing.
+ * After qtri_prepared_init: the prepared mesh finds what faces the eye for the outline, which must
+ * be of the mesh that will be prepared, and its lists of triangles reach `halo` rows (clamped to
+ * 0..8) beyond each band. NULL: it has no outline.
  */
 void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outline, int32_t halo);
 
-/* The same for the bands of rolling.h with such a halo: lists of triangles reach no further than
-   what is drawn, those of edges also the rows that were kept. */
+/* For the bands of rolling.h with such a halo: lists of triangles reach no further than what is
+   drawn, those of edges also the rows that were kept. */
 void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outline *outline,
                                        int32_t halo);
 
@@ -191,12 +190,6 @@ void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline);
  * of the format. The depth is spent: it holds notes and old colours.
  */
 void qtri_edges_blend(qtri_edges *edges);
-
-/*
- * The same for &qtri_rgb565 and others that are stored like it, quicker, with the same pixels.
- * QTRI_ERROR_FORMAT, and nothing is changed: the format is another.
- */
-enum qtri_error qtri_edges_blend_565(qtri_edges *edges);
 
 #ifdef __cplusplus
 }
