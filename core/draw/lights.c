@@ -233,9 +233,7 @@ static uint32_t find_large(const void *from, const void *indices, qtri_vertex *a
     if (by_pixel == NULL || !draw->primitive.to.solid.small.state->options.per_pixel) {
         return find(from, indices, a, b, c);
     }
-    uint32_t index[3];
-    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    by_pixel->note(draw, index,
+    by_pixel->note(draw, indices,
                    is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0);
     return QTRI_INTENSITY_ONE;
 }
@@ -283,7 +281,7 @@ static void draw_clipped(const qtri_mesh_job *draw, const void *indices, qtri_sh
     const bool turned = is_two_sided(draw) && qtri_clipped_is_back(shape->clip);
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
     if (by_pixel != NULL) {
-        by_pixel->note(draw, triangle.index, turned);
+        by_pixel->note(draw, indices, turned);
     }
     shade_side(draw, triangle.index, turned, triangle.color);
     qtri_primitive_triangle(&draw->primitive, shape, set_attributes, &triangle);

@@ -19,17 +19,18 @@ static void set(const qtri_primitive *primitive, int i, const qtri_lit_point *po
                         color);
 }
 
-static void run(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit_body body,
-                void *with)
-{
-    qtri_large_light_run(&primitive->to.solid.state, by, body, with);
-}
-
-static void note(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back)
+static void note(const qtri_mesh_job *draw, const void *indices, bool is_back)
 {
     const qtri_mesh *mesh = draw->mesh;
     const int32_t turn = is_back ? -1 : 1;
+    qtri_lit_triangle *lit = qtri_large_light_triangle(draw->primitive.to.solid.small.state);
+    uint32_t index[3];
     int32_t n[3];
+    if (lit->indices == indices) { /* has_linear_light() has set it up */
+        return;
+    }
+    lit->indices = indices;
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(mesh));
     if (!draw->shaded_per_vertex) {
         get_face_normal(n, mesh, index);
     }
@@ -43,6 +44,26 @@ static void note(const qtri_mesh_job *draw, const uint32_t index[3], bool is_bac
         set(&draw->primitive, i, &point,
             mesh->colors != NULL ? &mesh->colors[index[i]] : &draw->material.color);
     }
+}
+
+/* A back face has exchanged its vertices 1 and 2. */
+static bool has_linear_light(const qtri_small *t)
+{
+    const qtri_mesh_job *draw = t->from;
+    if (draw->illumination == NULL) { /* of qtri_draw_lit_triangles() */
+        return false;
+    }
+    note(draw, t->indices,
+         draw->illumination->two_sided &&
+             t->index[1] != qtri_mesh_index(draw->mesh, t->indices, 1));
+    return qtri_large_light_is_linear(t->state);
+}
+
+static void run(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit_body body,
+                void *with)
+{
+    primitive->to.solid.state.has_linear_light = has_linear_light;
+    qtri_large_light_run(&primitive->to.solid.state, by, body, with);
 }
 
 static const qtri_by_pixel by_pixel = {qtri_pipelines_by_pixel, run, note, set};

@@ -20,7 +20,7 @@ struct qtri_by_pixel {
     void (*run)(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit_body body,
                 void *with);
     /* Before each triangle: its corners. Those of a mesh, and one of another. */
-    void (*note)(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back);
+    void (*note)(const qtri_mesh_job *draw, const void *indices, bool is_back);
     void (*set)(const qtri_primitive *primitive, int i, const qtri_lit_point *point,
                 const qtri_rgb *color);
 };

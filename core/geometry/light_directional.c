@@ -60,4 +60,4 @@ static void add(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *
     point->diffuse_q24[2] = sum_q24[2];
 }
 
-const qtri_light_kind qtri_directional_light = {.prepare = prepare, .add = add, .everywhere = true};
+const qtri_light_kind qtri_directional_light = {.prepare = prepare, .add = add};

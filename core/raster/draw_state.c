@@ -313,6 +313,13 @@ static bool has_room(const qtri_surface *surface)
            surface->depth_format == NULL || surface->depth_format->ops == NULL;
 }
 
+static void set_pipeline(qtri_draw_state *state, const qtri_pipeline *pipeline)
+{
+    const qtri_depth_shift *shift = state->material->depth_shift;
+    state->pipeline = pipeline;
+    state->small = shift != NULL ? shift->small : pipeline->small;
+}
+
 void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,
                           int shade)
@@ -323,6 +330,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->has_table = false;
     state->is_lit = false;
     state->light_walk = NULL;
+    state->has_linear_light = NULL;
     state->pipeline = &nothing;
     state->small = draw_nothing_small;
     state->surface = surface;
@@ -347,8 +355,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     if (found == NULL) {
         return;
     }
-    state->pipeline = found;
-    state->small = material->depth_shift != NULL ? material->depth_shift->small : found->small;
+    set_pipeline(state, found);
     if (found->options.format != QTRI_ANY) {
         const uint8_t read_only = state->options.read_only;
         state->options = found->options;
@@ -361,7 +368,9 @@ void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *
     if (state->pipeline->options.format == QTRI_ANY) {
         const qtri_pipeline *found =
             find(pipelines, &state->options, state->surface, state->texture);
-        state->pipeline = found != NULL ? found : state->pipeline;
+        if (found != NULL) {
+            set_pipeline(state, found);
+        }
     }
 }
 

@@ -16,7 +16,9 @@ enum {
     DULL_LOG2 = QTRI_LIGHT_BLOCK_LOG2, /* and without */
     BLOCK_MAX = 1 << DULL_LOG2,
     TOLERANCE_565 = 1 << 16, /* of D: a step of red, two of green; of weights, 8 of 256 */
-    TOLERANCE_888 = 2 << 16
+    TOLERANCE_888 = 2 << 16,
+    SMALL_565 = 4 << 7, /* of small triangles, of 255: half a step of red */
+    SMALL_888 = 1 << 7
 };
 
 /* 2^15 / n, rounded down. */
@@ -76,7 +78,9 @@ static void begin(qtri_large *t)
     qtri_large_light *l = light_of(t);
     const qtri_large_vertex *v = job->v;
     uint32_t q[3];
-    qtri_lit_set_corners(&l->lit);
+    if (!l->lit.is_quadratic) {
+        qtri_lit_set_corners(&l->lit);
+    }
     l->packing = qtri_large_packing_of(job->options);
     l->half = qtri_large_half_of(job->options);
     l->plane_y = job->plane_y;
@@ -344,6 +348,12 @@ static int32_t next(qtri_large *t, int32_t count)
     return n;
 }
 
+bool qtri_large_light_is_linear(qtri_draw_state *state)
+{
+    return qtri_lit_is_linear(qtri_large_light_triangle(state), state->lit,
+                              qtri_stores_565(&state->options) ? SMALL_565 : SMALL_888);
+}
+
 void qtri_large_light_run(qtri_draw_state *state, const qtri_illumination *by,
                           void (*body)(void *with), void *with)
 {
@@ -351,10 +361,9 @@ void qtri_large_light_run(qtri_draw_state *state, const qtri_illumination *by,
     light.walk.begin = begin;
     light.walk.next = next;
     light.lit.by = by;
-    light.lit.everywhere = true;
+    light.lit.indices = NULL;
     light.block_log2 = by->shininess != NULL ? SHARP_LOG2 : DULL_LOG2;
     for (int32_t i = 0; i < by->count; i++) {
-        light.lit.everywhere &= by->run[i].kind->everywhere;
         light.block_log2 = by->run[i].kind->has_edges ? SHARP_LOG2 : light.block_log2;
     }
     state->light_walk = &light.walk;

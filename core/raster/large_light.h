@@ -59,6 +59,9 @@ typedef void (*qtri_lit_body)(void *with);
 void qtri_large_light_run(qtri_draw_state *state, const qtri_illumination *by, qtri_lit_body body,
                           void *with);
 
+/* Whether the state's small triangle, whose corners are set, may be lit at them: state->lit. */
+bool qtri_large_light_is_linear(qtri_draw_state *state);
+
 static inline qtri_lit_triangle *qtri_large_light_triangle(qtri_draw_state *state)
 {
     return &((qtri_large_light *)(void *)state->light_walk)->lit;

@@ -20,18 +20,28 @@ typedef struct qtri_lit_corner {
 
 typedef struct qtri_lit_triangle {
     const qtri_illumination *by;
-    bool everywhere; /* light is the same at every place */
     bool one_normal, one_color;
     qtri_lit_corner corner[3];
     /* Corners 1 and 2 less corner 0. */
     int32_t across[2][3]; /* places, times 2^up: below 2^30 */
     int32_t up;
     int32_t turn_q14[2][3]; /* normals */
+    /* The triangle of the mesh whose corners these are, or NULL. Small ones may have: a channel, in
+       2^-7, is k[0] + k[1] b1 + k[2] b2 + k[3] b1^2 + k[4] b2^2 + k[5] b1 b2 of their shares b. */
+    const void *indices;
+    bool is_quadratic;
+    int32_t k[3][6];
 } qtri_lit_triangle;
 
 /* Corner i, as the point and colour are that light falls on. */
 void qtri_lit_set_corner(qtri_lit_triangle *p, int i, const qtri_lit_point *point,
                          const qtri_rgb *color);
+
+/*
+ * Whether colours are linear between the corners, which show these, 0x00RRGGBB, and if not whether
+ * they are quadratic: within `tolerance`, in 2^-7 of a step of 255. Sets the corners.
+ */
+bool qtri_lit_is_linear(qtri_lit_triangle *p, const uint32_t corner[3], int32_t tolerance);
 
 /* Places in one scale, that of the farthest, and what corners 1 and 2 differ in from corner 0. */
 void qtri_lit_set_corners(qtri_lit_triangle *p);

@@ -44,18 +44,18 @@
  * normal there: unit normals of the corners, linear on the triangle and made unit again. So two
  * triangles are enough for a floor under a lamp, and a highlight is seen inside of a triangle.
  * Light is found for every eighth pixel of a row, the sixteenth where there are neither highlights
- * nor spot lights, and for more where it bends; between, colours are linear. Colours are within 2
- * of 255 of the formula's, but for a pixel in some thousands, where an edge of light is sharper
- * than that, within 6. What is narrower on the screen than those distances may be missed:
- * highlights of less than 4 pixels. A triangle of one normal in nothing but directional light,
- * which is the same all over it, is lit at its corners.
+ * nor spot lights, and for more where it bends; between, colours are linear. Small triangles of
+ * meshes, within 60 pixels, are compared with light in the middles of their edges: within 1 of 255
+ * there, on RGB565 within 4, they are lit at their vertices, and within 8 by the polynomial of
+ * second order through these six, if it is as good at the centroid. Colours are within 2 of 255 of
+ * the formula's, but for a pixel in some thousands, where an edge of light is sharper than that,
+ * within 6. What is narrower on the screen than those distances may be missed: highlights of less
+ * than 4 pixels.
  *
  * With one point light it costs a pixel 62 instructions on a Cortex-M3 and 115 on a Cortex-M0+,
  * with highlights 122 and 222, where smooth shading takes 12 and 16 (host/bench/README.md), and a
- * triangle of some ten pixels across 12,000 and 25,000: it pays for surfaces of few large
- * triangles. Meshes of small ones look nearly as well lit by vertex, at an eighth of the cost. All
- * triangles that it lights take the way of large ones; those of qtri_draw_lit_triangles and pieces
- * of clipped ones are lit along their rows whatever their size.
+ * mesh of small triangles four times what light by vertex takes. Triangles of
+ * qtri_draw_lit_triangles and pieces of clipped ones are lit along their rows whatever their size.
  *
  * Nothing of this is linked where qtri_lights_init is not named, nor a kind of light that no source
  * names. A single directional light without colour is qtri_light, see view.h, at a tenth of the

@@ -343,6 +343,9 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
         t->light_q15 =
             t->light(t->from, t->indices, t->v[0], t->v[1 + p.turned], t->v[2 - p.turned]);
     }
+    if (o->per_pixel && !qtri_small_is_lit_by_vertex(t)) {
+        return false;
+    }
     if (o->shade == QTRI_TINT || (o->shade == QTRI_FLAT && !qtri_is_textured(o))) {
         w.color = qtri_walk_color(o, state->surface, qtri_small_color(t));
     }

@@ -81,7 +81,8 @@ QTRI_BODY bool qtri_small_is_far(int32_t dx1, int32_t dy1, int32_t dx2, int32_t 
            (uint32_t)dx2 + far >= 2 * far || (uint32_t)dy2 + far >= 2 * far;
 }
 
-/* Light by vertex is as good as by pixel: vertices 1 and 2 are within 6 pixels of vertex 0. */
+/* Light by vertex is as good as by pixel: vertices 1 and 2 are within 6 pixels of vertex 0, or
+   light is linear between them. */
 QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small *t)
 {
     const uint32_t half = 6 * 256;
@@ -89,7 +90,8 @@ QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small *t)
     return (((uint32_t)(b->x_24p8 - a->x_24p8) + half) |
             ((uint32_t)(b->y_24p8 - a->y_24p8) + half) |
             ((uint32_t)(c->x_24p8 - a->x_24p8) + half) |
-            ((uint32_t)(c->y_24p8 - a->y_24p8) + half)) < 2 * half;
+            ((uint32_t)(c->y_24p8 - a->y_24p8) + half)) < 2 * half ||
+           t->state->has_linear_light(t);
 }
 
 /* What 1/w has more at vertices 1 and 2. False: too much. */

@@ -47,6 +47,8 @@ typedef struct qtri_draw_state {
     bool is_lit;
     uint32_t lit[3];
     struct qtri_light_walk *light_walk; /* with per_pixel: see large.h */
+    /* With per_pixel: whether light is linear between the vertices of a small triangle. */
+    bool (*has_linear_light)(const struct qtri_small *triangle);
     /* Mipmapped: `texture` is this copy of the material's, with texels and sides of a level. */
     qtri_texture level_texture;
 
