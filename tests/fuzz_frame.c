@@ -302,28 +302,17 @@ static void filter(struct reader *r, const qtri_surface *s)
 {
     qtri_surface out;
     const uint32_t count = take_byte(r) % 4 ? WORDS : take_byte(r);
-    switch (take_byte(r) % 6) {
+    switch (take_byte(r) % 3) {
     case 0:
         (void)qtri_halve(s, &out);
         break;
     case 1:
-        (void)qtri_halve_565(s, &out);
-        break;
-    case 2:
         (void)qtri_fxaa(s, words, count);
-        break;
-    case 3:
-        (void)qtri_fxaa_565(s, words, count);
-        break;
-    case 4:
-        qtri_sum_clear(words, WORDS);
-        (void)qtri_sum_add(words, count, s);
-        (void)qtri_sum_store(s, words, count, take_int(r));
         break;
     default:
         qtri_sum_clear(words, WORDS);
-        (void)qtri_sum_add_565(words, count, s);
-        (void)qtri_sum_store_565(s, words, count, take_int(r));
+        (void)qtri_sum_add(words, count, s);
+        (void)qtri_sum_store(s, words, count, take_int(r));
         break;
     }
 }

@@ -290,11 +290,8 @@ static void missing_memory(void **state)
     canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
     qtri_outline outline;
     assert_int_equal(qtri_fxaa(&c.surface, NULL, UINT32_MAX), QTRI_ERROR_MEMORY);
-    assert_int_equal(qtri_fxaa_565(&c.surface, NULL, UINT32_MAX), QTRI_ERROR_MEMORY);
     assert_int_equal(qtri_sum_add(NULL, UINT32_MAX, &c.surface), QTRI_ERROR_MEMORY);
     assert_int_equal(qtri_sum_store(&c.surface, NULL, UINT32_MAX, 1), QTRI_ERROR_MEMORY);
-    assert_int_equal(qtri_sum_add_565(NULL, UINT32_MAX, &c.surface), QTRI_ERROR_MEMORY);
-    assert_int_equal(qtri_sum_store_565(&c.surface, NULL, UINT32_MAX, 1), QTRI_ERROR_MEMORY);
     assert_int_equal(qtri_outline_init(&outline, &one, NULL, UINT32_MAX), QTRI_ERROR_MEMORY);
     assert_null(outline.mesh);
     assert_int_equal(painted(&c.surface), 0);

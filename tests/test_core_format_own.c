@@ -303,16 +303,6 @@ static void filters_are_the_same(void **state)
             assert_int_equal(qtri_sum_store(&c[i].surface, words, LENGTH_OF(words), 1), QTRI_OK);
         }
         assert_same_stored(&c[0].surface, &c[1].surface, 0x00FFFFFF);
-        /* The forms for 565 are for pixels of two bytes. */
-        if (known[f] == &qtri_rgb565) {
-            const qtri_surface before = c[1].surface;
-            assert_int_equal(qtri_sum_add_565(words, LENGTH_OF(words), &c[1].surface),
-                             QTRI_ERROR_FORMAT);
-            assert_int_equal(qtri_fxaa_565(&c[1].surface, words, LENGTH_OF(words)),
-                             QTRI_ERROR_FORMAT);
-            assert_int_equal(qtri_halve_565(&c[1].surface, &half[1]), QTRI_ERROR_FORMAT);
-            assert_memory_equal(&before, &c[1].surface, sizeof before);
-        }
         assert_int_equal(qtri_halve(&c[0].surface, &half[0]), QTRI_OK);
         assert_int_equal(qtri_halve(&c[1].surface, &half[1]), QTRI_OK);
         assert_same_stored(&half[0], &half[1], 0x00FFFFFF);

@@ -1,11 +1,39 @@
 /* SPDX-License-Identifier: MIT */
-#include "fxaa.h"
+/*
+ * FXAA: fxaa.inc is one row of it, in any format and in RGB565; the rest keeps rows of old colours.
+ */
+#include "qtri/filters.h"
 
-#include "qtri/error.h"
+#include "../frame/barrier.h"
+#include "../frame/fill.h"
+#include "mix.h"
 
-const uint16_t qtri_fxaa_inverses[2 * QTRI_FXAA_REACH + 1] = {
+/* Differences of luma below this stay, as do those below 1/8 of the greatest. */
+enum { LUMA_MIN = 10 };
+
+/* 2^16 / n, rounded, for lengths of edges. */
+static const uint16_t inverses[2 * QTRI_FXAA_REACH + 1] = {
     0,    0,    32768, 21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461,
     5041, 4681, 4369,  4096,  3855,  3641,  3449,  3277, 3121, 2979, 2849, 2731};
+
+static inline int32_t magnitude(int32_t x)
+{
+    return x < 0 ? -x : x;
+}
+
+/* Whether a pixel's luma and that of its four neighbours differ too little to look further. */
+static inline bool is_flat(int32_t m, int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    const int32_t low_1 = a < b ? a : b;
+    const int32_t high_1 = a < b ? b : a;
+    const int32_t low_2 = c < d ? c : d;
+    const int32_t high_2 = c < d ? d : c;
+    int32_t high = high_1 > high_2 ? high_1 : high_2;
+    int32_t low = low_1 < low_2 ? low_1 : low_2;
+    high = m > high ? m : high;
+    low = m < low ? m : low;
+    return high - low < LUMA_MIN || (high - low) * 8 < high;
+}
 
 /* ---- Any format: rows are decoded, with their luma in the high byte ---- */
 
@@ -58,17 +86,10 @@ static void decode_row(const qtri_surface *surface, int32_t y, uint32_t *out)
     }
 }
 
-enum qtri_error qtri_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_t words)
+QTRI_NOINLINE static void filter_rows_any(const qtri_surface *surface, qtri_rect bounds,
+                                          uint32_t *memory)
 {
-    QTRI_ASSERT(memory != NULL || words == 0);
-    const qtri_rect bounds = qtri_surface_bounds(surface);
     const int32_t width = surface->width;
-    if (bounds.x0 >= bounds.x1) {
-        return QTRI_OK;
-    }
-    if (memory == NULL || words < QTRI_FXAA_WORDS(width)) {
-        return QTRI_ERROR_MEMORY;
-    }
     const qtri_format *format = surface->format;
     const int32_t first = bounds.x0 > 0 ? bounds.x0 : 1;
     const int32_t end = bounds.x1 < width ? bounds.x1 : width - 1;
@@ -96,6 +117,390 @@ enum qtri_error qtri_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_
                 format->pixels->store(row + x * (ptrdiff_t)format->pixels->bytes, &stored, 1, 1);
             }
         }
+    }
+}
+
+/* ---- RGB565: lumas of two pixels at once ---- */
+
+/* Lumas of two pixels, the first in the lower half: what is masked is masked once for both. */
+static inline uint32_t lumas_of_two(uint32_t two)
+{
+    return (two >> 10 & 0x003E003Eu) + (two >> 4 & 0x007E007Eu) + (two & 0x001F001Fu);
+}
+
+static inline uint32_t lumas_565(uint32_t first, uint32_t second)
+{
+    return lumas_of_two(first | second << 16);
+}
+
+/* Of columns x and x + side of a row, added. */
+static inline int32_t luma_sum(const uint16_t *row, int32_t x, int32_t side)
+{
+    const uint32_t two = lumas_565(row[x], row[x + side]);
+    return (int32_t)((two + (two >> 16)) & 0xFFFF);
+}
+
+static inline int32_t kept_sum(const uint16_t *lumas, int32_t x, int32_t side)
+{
+    return lumas[x] + lumas[x + side];
+}
+
+#define NAME(name)   name##_565
+#define COLOR        uint16_t
+#define LUMA_ROWS    const uint16_t *lumas[5]; /* of rows 1 to 3 */
+#define LIGHT        uint16_t
+#define LUMA(l)      ((int32_t)(l))
+#define LIGHTS(w, i) ((w)->lumas[i])
+#define LUMAS(w, i, x, side)                                                                       \
+    ((i) == 0 || (i) == 4 ? luma_sum((w)->row[i], x, side) : kept_sum((w)->lumas[i], x, side))
+#define MIX(w, a, b, s) qtri_lerp_565(a, b, s)
+#include "fxaa.inc"
+
+/* Old colours that are kept: of this row and two above; lumas: of this row and its neighbours. */
+enum { KEPT_ROWS = 3 };
+
+static void filter_pixels(const window_565 *w, uint16_t *out, int32_t x, int32_t end, int32_t width)
+{
+    for (; x < end; x++) {
+        out[x] = (uint16_t)filter_565(w, x, width);
+    }
+}
+
+/*
+ * Two lumas in one word, 0..255 in halves of 16 bits. With a half's highest bit set nothing is
+ * borrowed from the other half, and the bit stays where the difference is not below 0.
+ */
+enum { HALF_BIT = 15 };
+static const uint32_t high_bits = 0x80008000u;
+
+/* By how much each half of a is above that of b; 0 where it is not. */
+static inline uint32_t above_two(uint32_t a, uint32_t b)
+{
+    const uint32_t difference = (a | high_bits) - b;
+    const uint32_t is_above = difference & high_bits;
+    return difference & (is_above - (is_above >> HALF_BIT));
+}
+
+/*
+ * Of two pixels and their neighbours, where is_flat() is not so: the high bits of halves.
+ */
+static inline uint32_t edges_of_two(uint32_t m, uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+{
+    QTRI_HOLD(a); /* GCC 12 would compute what follows for flat pixels too */
+    QTRI_HOLD(c);
+    const uint32_t first = above_two(a, b);
+    const uint32_t second = above_two(c, d);
+    const uint32_t high_1 = b + first;
+    const uint32_t low_1 = a - first;
+    const uint32_t high_2 = d + second;
+    const uint32_t low_2 = c - second;
+    uint32_t high = high_2 + above_two(high_1, high_2);
+    uint32_t low = low_1 - above_two(low_1, low_2);
+    high += above_two(m, high);
+    low -= above_two(low, m);
+    const uint32_t range = high - low;
+    return (range + 0x80008000u - 0x00010001u * LUMA_MIN) & ((range << 3 | high_bits) - high) &
+           high_bits;
+}
+
+/* Whether the first of two pixels is in the lower half of their word. */
+static inline bool is_first_low(void)
+{
+    const union {
+        uint32_t word;
+        uint16_t first;
+    } one = {1};
+    return one.first == 1;
+}
+
+/* The high bit of the first or the second pixel's half. */
+static inline uint32_t bit_of(bool first)
+{
+    return (uint32_t)1 << (is_first_low() == first ? HALF_BIT : 16 + HALF_BIT);
+}
+
+static inline bool is_edge(int32_t low, int32_t high, int32_t a, int32_t b, int32_t c)
+{
+    high = a > high ? a : high;
+    low = a < low ? a : low;
+    high = b > high ? b : high;
+    low = b < low ? b : low;
+    high = c > high ? c : high;
+    low = c < low ? c : low;
+    const int32_t range = high - low;
+    return range >= LUMA_MIN && range * 8 >= high;
+}
+
+/* The same one by one, for cores with few registers. Without calls: those of the loop stay. */
+QTRI_NOINLINE static uint32_t edges_by_one(const uint16_t *above, const uint16_t *own,
+                                           const uint16_t *below)
+{
+    int32_t low = own[0];
+    int32_t high = own[1];
+    uint32_t edges = 0;
+    if (low > high) {
+        low = own[1];
+        high = own[0];
+    }
+    if (is_edge(low, high, above[0], below[0], own[-1])) {
+        edges = bit_of(true);
+    }
+    if (is_edge(low, high, above[1], below[1], own[2])) {
+        edges |= bit_of(false);
+    }
+    return edges;
+}
+
+/* Those of pixels x and x + 1 whose halves have the high bit. */
+QTRI_NOINLINE static void resolve_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width,
+                                      uint32_t edges)
+{
+    if ((edges & bit_of(true)) != 0) {
+        out[x] = (uint16_t)resolve_565(w, x, width);
+    }
+    if ((edges & bit_of(false)) != 0) {
+        out[x + 1] = (uint16_t)resolve_565(w, x + 1, width);
+    }
+}
+
+/* A word of two pixels, moved by one: another comes in at the left, or at the right. */
+static inline uint32_t moved_in(uint32_t two, uint32_t other, bool at_left)
+{
+    return is_first_low() == at_left ? two << 16 | other : two >> 16 | other << 16;
+}
+
+/*
+ * Columns x..end - 1, x even and at least 2. Most pixels' lumas are at most 3 less and 4 more than
+ * those of all neighbours, which is flat: that is asked of two at once, in halves of a word. A half
+ * that is below 0 takes from the other, but has bits that count itself.
+ */
+QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32_t x, int32_t end,
+                                       int32_t width)
+{
+    const uint32_t near = 0x00040004u;
+    const uint16_t *up = w->lumas[1];
+    const uint16_t *own = w->lumas[2];
+    const uint16_t *down = w->lumas[3];
+    for (; x + 1 < end; x += 2) {
+        const uint32_t both = *(const qtri_pair *)(const void *)(own + x);
+        const uint32_t above = *(const qtri_pair *)(const void *)(up + x);
+        const uint32_t below = *(const qtri_pair *)(const void *)(down + x);
+        const uint32_t left = moved_in(both, own[x - 1], true);
+        const uint32_t right = moved_in(both, own[x + 2], false);
+        const uint32_t most = both + near;
+        if ((((most - above) | (most - below) | (most - left) | (most - right)) & ~0x00070007u) !=
+            0) {
+            const uint32_t edges = QTRI_LONG_MULTIPLY
+                                       ? edges_of_two(both, above, below, left, right)
+                                       : edges_by_one(up + x, own + x, down + x);
+            if (edges != 0) {
+                resolve_two(w, out, x, width, edges);
+            }
+        }
+    }
+    filter_pixels(w, out, x, end, width);
+}
+
+/* What a row has besides the colour that it begins and ends with: columns first..end - 1. */
+typedef struct extent {
+    uint32_t color; /* of two pixels */
+    int32_t first, end;
+} extent;
+
+static extent extent_of(const uint16_t *row, int32_t width)
+{
+    const qtri_pair *words = (const qtri_pair *)(const void *)row;
+    const int32_t count = width / 2;
+    const uint32_t color = words[0];
+    extent e = {color, 0, width};
+    if (color != (color << 16 | color >> 16)) {
+        return e;
+    }
+    const qtri_pair *at = words;
+    const qtri_pair *end = words + count;
+    while (end - at >= 4 &&
+           ((at[0] ^ color) | (at[1] ^ color) | (at[2] ^ color) | (at[3] ^ color)) == 0) {
+        at += 4;
+        QTRI_OPAQUE(at)
+    }
+    while (at != end && *at == color) {
+        at++;
+    }
+    e.first = 2 * (int32_t)(at - words);
+    while (end - at >= 4 &&
+           ((end[-1] ^ color) | (end[-2] ^ color) | (end[-3] ^ color) | (end[-4] ^ color)) == 0) {
+        end -= 4;
+        QTRI_OPAQUE(end)
+    }
+    while (end != at && end[-1] == color) {
+        end--;
+    }
+    e.end = end == at ? 0 : 2 * (int32_t)(end - words); /* first is the width where that is 0 */
+    return e;
+}
+
+/* Columns that differ from a neighbour lie in first..end - 1, of a row between two others. */
+static extent extent_of_three(const extent *a, const extent *b, const extent *c, int32_t width)
+{
+    extent e = {b->color, 0, width};
+    if (a->color == b->color && b->color == c->color) {
+        e.first = qtri_least32(a->first, qtri_least32(b->first, c->first)) - 2;
+        e.end = qtri_greatest32(a->end, qtri_greatest32(b->end, c->end)) + 2;
+    }
+    return e;
+}
+
+static bool are_pairs(const qtri_surface *surface)
+{
+    return (((uintptr_t)surface->pixels | (uintptr_t)surface->pitch) & 3) == 0 &&
+           (surface->width & 1) == 0;
+}
+
+static uint16_t *row_of(const qtri_surface *surface, int32_t y)
+{
+    return (uint16_t *)(void *)(surface->pixels + (y - surface->first_row) * surface->pitch);
+}
+
+static void fill_words(qtri_pair *to, int32_t count, uint32_t word)
+{
+    if (count > 0) {
+        qtri_fill_words((uint8_t *)to, 0, 4 * (size_t)count, 1, word);
+    }
+}
+
+static void copy_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
+{
+    for (; end - from >= 4; to += 4, from += 4) {
+        const uint32_t a = from[0];
+        const uint32_t b = from[1];
+        const uint32_t c = from[2];
+        const uint32_t d = from[3];
+        to[0] = a;
+        to[1] = b;
+        to[2] = c;
+        to[3] = d;
+        QTRI_OPAQUE(to)
+    }
+    while (from != end) {
+        *to++ = *from++;
+    }
+}
+
+static void luma_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
+{
+    for (; end - from >= 2; to += 2, from += 2) {
+        const uint32_t a = from[0];
+        const uint32_t b = from[1];
+        to[0] = lumas_of_two(a);
+        to[1] = lumas_of_two(b);
+        QTRI_OPAQUE(to)
+    }
+    if (from != end) {
+        *to = lumas_of_two(*from);
+    }
+}
+
+/* A row's colours or lumas: of its extent, and of the colour about it. */
+static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_t width, bool pairs,
+                     bool luma)
+{
+    if (!pairs) {
+        uint16_t *to = (uint16_t *)(void *)out;
+        for (int32_t x = 0; x < width; x++) {
+            to[x] = (uint16_t)(luma ? lumas_565(row[x], 0) : row[x]);
+        }
+        return;
+    }
+    qtri_pair *to = (qtri_pair *)out;
+    const qtri_pair *from = (const qtri_pair *)(const void *)row;
+    const int32_t first = e->first / 2;
+    const int32_t end = qtri_greatest32(e->end / 2, first); /* e->end is 0 where there is nothing */
+    const uint32_t about = luma ? lumas_of_two(e->color) : e->color;
+    fill_words(to, first, about);
+    if (luma) {
+        luma_words(to + first, from + first, from + end);
+    } else {
+        copy_words(to + first, from + first, from + end);
+    }
+    fill_words(to + end, width / 2 - end, about);
+}
+
+/* A row comes in below the others: it is as it was. */
+typedef struct incoming {
+    const qtri_surface *surface;
+    uint32_t *memory; /* KEPT_ROWS rows of colours, KEPT_ROWS of lumas */
+    int32_t words;    /* of a row */
+    bool pairs;
+} incoming;
+
+static const uint16_t *come_in(const incoming *in, int32_t y, extent *e)
+{
+    const uint16_t *row = row_of(in->surface, y);
+    uint32_t *lumas = in->memory + (ptrdiff_t)(KEPT_ROWS + y % KEPT_ROWS) * in->words;
+    if (in->pairs) {
+        *e = extent_of(row, in->surface->width);
+    }
+    keep_row(lumas, row, e, in->surface->width, in->pairs, true);
+    return (const uint16_t *)(const void *)lumas;
+}
+
+/* Row y, whose old colours and those above are kept: columns first..end - 1. */
+static void filter_row(const qtri_surface *surface, const window_565 *w, int32_t y, int32_t first,
+                       int32_t end)
+{
+    uint16_t *out = row_of(surface, y);
+    const int32_t even = qtri_least32((first + 1) & ~1, end);
+    filter_pixels(w, out, first, even, surface->width);
+    filter_pairs(w, out, even, end, surface->width);
+}
+
+QTRI_NOINLINE static void filter_rows_565(const qtri_surface *surface, qtri_rect bounds,
+                                          uint32_t *memory)
+{
+    const int32_t width = surface->width;
+    const incoming in = {surface, memory, (width + 1) / 2, are_pairs(surface)};
+    window_565 w = {{NULL, NULL, NULL, NULL, NULL}, {NULL, NULL, NULL, NULL, NULL}};
+    extent rows[KEPT_ROWS] = {{0, 0, width}, {0, 0, width}, {0, 0, width}}; /* above, this, below */
+    w.lumas[3] = come_in(&in, bounds.y0, &rows[2]);
+    for (int32_t y = bounds.y0; y < bounds.y1; y++) {
+        uint32_t *slot = memory + (ptrdiff_t)(y % KEPT_ROWS) * in.words;
+        keep_row(slot, row_of(surface, y), &rows[2], width, in.pairs, false);
+        w.row[0] = w.row[1];
+        w.row[1] = w.row[2];
+        w.row[2] = (const uint16_t *)(const void *)slot;
+        w.row[3] = y + 1 < bounds.y1 ? row_of(surface, y + 1) : NULL;
+        w.row[4] = y + 2 < bounds.y1 ? row_of(surface, y + 2) : NULL;
+        w.lumas[1] = w.lumas[2];
+        w.lumas[2] = w.lumas[3];
+        rows[0] = rows[1];
+        rows[1] = rows[2];
+        if (w.row[3] != NULL) {
+            w.lumas[3] = come_in(&in, y + 1, &rows[2]);
+        }
+        if (w.row[1] != NULL && w.row[3] != NULL) {
+            const extent all = extent_of_three(&rows[0], &rows[1], &rows[2], width);
+            filter_row(surface, &w, y, qtri_greatest32(all.first, bounds.x0 > 0 ? bounds.x0 : 1),
+                       qtri_least32(all.end, bounds.x1 < width ? bounds.x1 : width - 1));
+        }
+    }
+}
+
+enum qtri_error qtri_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_t words)
+{
+    QTRI_ASSERT(memory != NULL || words == 0);
+    const qtri_rect bounds = qtri_surface_bounds(surface);
+    if (bounds.x0 >= bounds.x1) {
+        return QTRI_OK;
+    }
+    const bool is_565 = qtri_is_565(surface->format);
+    if (memory == NULL ||
+        words < (is_565 ? QTRI_FXAA_565_WORDS(surface->width) : QTRI_FXAA_WORDS(surface->width))) {
+        return QTRI_ERROR_MEMORY;
+    }
+    if (is_565) {
+        filter_rows_565(surface, bounds, memory);
+    } else {
+        filter_rows_any(surface, bounds, memory);
     }
     return QTRI_OK;
 }

@@ -46,32 +46,22 @@ static uint32_t mean_of(const qtri_format *format, const uint32_t stored[4])
     return qtri_stored_of(format, mean);
 }
 
-/* Pixels are made where they are not needed any more: row y of rows 2 y and 2 y + 1. */
-enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out)
+static void halve_any(const qtri_surface *band, const qtri_surface *half)
 {
-    QTRI_ASSERT(band != NULL);
-    QTRI_ASSERT(out != NULL);
-    qtri_surface half;
-    const enum qtri_error error = describe(band, &half);
-    if (error != QTRI_OK) {
-        return error;
-    }
-    const qtri_pixels *pixels = half.format->pixels;
+    const qtri_pixels *pixels = half->format->pixels;
     const ptrdiff_t bytes = pixels->bytes;
-    for (int32_t y = half.scissor.y0; y < half.scissor.y1; y++) {
+    for (int32_t y = half->scissor.y0; y < half->scissor.y1; y++) {
         const uint8_t *from = band->pixels + (2 * y - band->first_row) * band->pitch;
-        uint8_t *to = half.pixels + (y - half.first_row) * half.pitch;
-        for (int32_t x = half.scissor.x0; x < half.scissor.x1; x++) {
+        uint8_t *to = half->pixels + (y - half->first_row) * half->pitch;
+        for (int32_t x = half->scissor.x0; x < half->scissor.x1; x++) {
             const uint8_t *at = from + 2 * x * bytes;
             const uint32_t stored[4] = {pixels->load(at), pixels->load(at + bytes),
                                         pixels->load(at + band->pitch),
                                         pixels->load(at + band->pitch + bytes)};
-            const uint32_t mean = mean_of(half.format, stored);
+            const uint32_t mean = mean_of(half->format, stored);
             pixels->store(to + x * bytes, &mean, 1, 1);
         }
     }
-    *out = half;
-    return QTRI_OK;
 }
 
 /* In each lane four channels and 2: less than 2^8. */
@@ -81,13 +71,6 @@ static inline uint32_t mean_565(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
         qtri_lanes_565(a) + qtri_lanes_565(b) + qtri_lanes_565(c) + qtri_lanes_565(d);
     return qtri_packed_565((sum + 0x00401002u) >> 2);
 }
-
-/* Loads of two pixels at once, which are read as single ones elsewhere. */
-#ifdef __GNUC__
-typedef uint32_t __attribute__((__may_alias__)) pair;
-#else
-typedef uint32_t pair;
-#endif
 
 /* Of two pixels above each other, as two words: low and high half are next to each other. */
 static inline uint32_t mean_of_pairs(uint32_t upper, uint32_t lower)
@@ -104,14 +87,14 @@ static bool are_pairs(const qtri_surface *band)
     return (((uintptr_t)band->pixels | (uintptr_t)band->pitch) & 3) == 0;
 }
 
-QTRI_NOINLINE static void halve_pairs(const pair *upper, const pair *lower, uint16_t *to,
+QTRI_NOINLINE static void halve_pairs(const qtri_pair *upper, const qtri_pair *lower, uint16_t *to,
                                       int32_t count)
 {
     for (; count >= 2 && ((uintptr_t)to & 3) == 0; count -= 2, upper += 2, lower += 2, to += 2) {
         const uint32_t first = upper[0];
         if (first == upper[1] && first == lower[0] && first == lower[1] &&
             first == (first << 16 | first >> 16)) {
-            *(pair *)(void *)to = first; /* of one colour, as most are */
+            *(qtri_pair *)(void *)to = first; /* of one colour, as most are */
         } else {
             const uint32_t other = mean_of_pairs(upper[1], lower[1]);
             to[0] = (uint16_t)mean_of_pairs(first, lower[0]);
@@ -123,7 +106,21 @@ QTRI_NOINLINE static void halve_pairs(const pair *upper, const pair *lower, uint
     }
 }
 
-enum qtri_error qtri_halve_565(const qtri_surface *band, qtri_surface *out)
+static void halve_565(const qtri_surface *band, const qtri_surface *half)
+{
+    const qtri_rect *scissor = &half->scissor;
+    for (int32_t y = scissor->y0; y < scissor->y1; y++) {
+        const uint8_t *from =
+            band->pixels + (2 * y - band->first_row) * band->pitch + 4 * scissor->x0;
+        uint8_t *to = half->pixels + (y - half->first_row) * half->pitch + 2 * scissor->x0;
+        halve_pairs((const qtri_pair *)(const void *)from,
+                    (const qtri_pair *)(const void *)(from + band->pitch), (uint16_t *)(void *)to,
+                    scissor->x1 - scissor->x0);
+    }
+}
+
+/* Pixels are made where they are not needed any more: row y of rows 2 y and 2 y + 1. */
+enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out)
 {
     QTRI_ASSERT(band != NULL);
     QTRI_ASSERT(out != NULL);
@@ -132,20 +129,10 @@ enum qtri_error qtri_halve_565(const qtri_surface *band, qtri_surface *out)
     if (error != QTRI_OK) {
         return error;
     }
-    if (!qtri_is_565(half.format)) {
-        return QTRI_ERROR_FORMAT;
-    }
-    if (!are_pairs(band)) {
-        return qtri_halve(band, out);
-    }
-    const qtri_rect *scissor = &half.scissor;
-    for (int32_t y = scissor->y0; y < scissor->y1; y++) {
-        const uint8_t *from =
-            band->pixels + (2 * y - band->first_row) * band->pitch + 4 * scissor->x0;
-        uint8_t *to = half.pixels + (y - half.first_row) * half.pitch + 2 * scissor->x0;
-        halve_pairs((const pair *)(const void *)from,
-                    (const pair *)(const void *)(from + band->pitch), (uint16_t *)(void *)to,
-                    scissor->x1 - scissor->x0);
+    if (qtri_is_565(half.format) && are_pairs(band)) {
+        halve_565(band, &half);
+    } else {
+        halve_any(band, &half);
     }
     *out = half;
     return QTRI_OK;

@@ -7,32 +7,122 @@
 #include "qtri/filters.h"
 #include "qtri/error.h"
 
+#include "../frame/barrier.h"
 #include "mix.h"
 
-static uint32_t pixels_of(const qtri_surface *surface)
-{
-    return (uint32_t)surface->width *
-           (uint32_t)surface->rows; /* <= 2^26 where bounds are not empty */
-}
-
-/* Whether there is something to do in the bounds, and memory for it: two words a pixel. */
-static enum qtri_error check(const qtri_surface *surface, const qtri_rect *bounds,
-                             const uint32_t *sums, uint32_t words)
+/* The rows and columns that count, and a sum's words; false: there is an error, or nothing to do.
+ */
+static bool begin(const qtri_surface *surface, const uint32_t *sums, uint32_t words,
+                  qtri_rect *bounds, uint32_t *pixel_words, enum qtri_error *error)
 {
     QTRI_ASSERT(sums != NULL || words == 0);
-    const bool is_small = sums == NULL || words / 2 < pixels_of(surface);
-    return bounds->x0 < bounds->x1 && is_small ? QTRI_ERROR_MEMORY : QTRI_OK;
+    *bounds = qtri_surface_bounds(surface);
+    *error = QTRI_OK;
+    if (bounds->x0 >= bounds->x1) {
+        return false;
+    }
+    *pixel_words = qtri_is_565(surface->format) ? 1 : 2;
+    if (sums == NULL ||
+        words / *pixel_words < (uint32_t)surface->width * (uint32_t)surface->rows) { /* <= 2^26 */
+        *error = QTRI_ERROR_MEMORY;
+    }
+    return *error == QTRI_OK;
 }
 
-static uint8_t *row_of(const qtri_surface *surface, int32_t y)
+/* The bounds' first pixel of row y, and its place among the surface's pixels. */
+static uint8_t *pixels_at(const qtri_surface *surface, const qtri_rect *bounds, int32_t y)
 {
-    return surface->pixels + (y - surface->first_row) * surface->pitch;
+    return surface->pixels + (y - surface->first_row) * surface->pitch +
+           bounds->x0 * (ptrdiff_t)surface->format->pixels->bytes;
 }
 
-static uint32_t sum_at(const qtri_surface *surface, int32_t y)
+static uint32_t place_of(const qtri_surface *surface, const qtri_rect *bounds, int32_t y)
 {
-    return (uint32_t)(y - surface->first_row) * (uint32_t)surface->width;
+    return (uint32_t)(y - surface->first_row) * (uint32_t)surface->width + (uint32_t)bounds->x0;
 }
+
+/* ---- Rows ---- */
+
+#define ADD(i)                                                                                     \
+    {                                                                                              \
+        const uint32_t color = pixel[i];                                                           \
+        sum[i] += (color | color << 16) & lanes;                                                   \
+        QTRI_OPAQUE(sum)                                                                           \
+    }
+
+QTRI_NOINLINE static void add_row_565(uint32_t *sum, const uint16_t *pixel, int32_t count)
+{
+    uint32_t lanes = QTRI_LANES_565;
+    QTRI_OPAQUE(lanes)
+    for (; count >= 4; count -= 4, sum += 4, pixel += 4) {
+        ADD(0)
+        ADD(1)
+        ADD(2)
+        ADD(3)
+    }
+    for (; count > 0; count--, sum++, pixel++) {
+        ADD(0)
+    }
+}
+
+#define STORE(i)                                                                                   \
+    {                                                                                              \
+        uint32_t mean = ((sum[i] + half) >> log2) & lanes;                                         \
+        mean |= mean >> 16;                                                                        \
+        pixel[i] = (uint16_t)mean;                                                                 \
+        QTRI_OPAQUE(pixel)                                                                         \
+    }
+
+QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, int32_t count,
+                                        uint32_t log2)
+{
+    uint32_t lanes = QTRI_LANES_565;
+    /* Half of a step in each lane. */
+    const uint32_t half = log2 == 0 ? 0 : (uint32_t)0x00200801 << (log2 - 1);
+    QTRI_OPAQUE(lanes)
+    for (; count >= 4; count -= 4, sum += 4, pixel += 4) {
+        STORE(0)
+        STORE(1)
+        STORE(2)
+        STORE(3)
+    }
+    for (; count > 0; count--, sum++, pixel++) {
+        STORE(0)
+    }
+}
+
+static void add_row_any(uint32_t *sum, const uint8_t *pixel, int32_t count,
+                        const qtri_format *format)
+{
+    qtri_masks masks;
+    qtri_masks_of(&masks, format->colors);
+    for (; count > 0; count--, sum += 2, pixel += format->pixels->bytes) {
+        const uint32_t color = qtri_color_of(format, format->pixels->load(pixel));
+        sum[0] += (color >> masks.shift[0] & masks.mask[0]) << 16 |
+                  (color >> masks.shift[2] & masks.mask[2]);
+        sum[1] += color >> masks.shift[1] & masks.mask[1];
+    }
+}
+
+static void store_row_any(uint8_t *pixel, const uint32_t *sum, int32_t count, uint32_t log2,
+                          const qtri_format *format)
+{
+    const uint32_t half = (uint32_t)1 << log2 >> 1;
+    qtri_masks masks;
+    qtri_masks_of(&masks, format->colors);
+    for (; count > 0; count--, sum += 2, pixel += format->pixels->bytes) {
+        const uint32_t red = (sum[0] >> 16) + half;
+        const uint32_t blue = (sum[0] & 0xFFFF) + half;
+        const uint32_t green = sum[1] + half;
+        const uint32_t stored =
+            qtri_stored_of(format, (red >> log2 & masks.mask[0]) << masks.shift[0] |
+                                       (green >> log2 & masks.mask[1]) << masks.shift[1] |
+                                       (blue >> log2 & masks.mask[2]));
+        format->pixels->store(pixel, &stored, 1, 1);
+    }
+}
+
+/* ---- Frames ---- */
 
 void qtri_sum_clear(uint32_t *sums, uint32_t words)
 {
@@ -44,55 +134,42 @@ void qtri_sum_clear(uint32_t *sums, uint32_t words)
 
 enum qtri_error qtri_sum_add(uint32_t *sums, uint32_t words, const qtri_surface *surface)
 {
-    const qtri_rect bounds = qtri_surface_bounds(surface);
-    const enum qtri_error error = check(surface, &bounds, sums, words);
-    const qtri_format *format = surface->format;
-    qtri_masks masks;
-    if (error != QTRI_OK || bounds.x0 >= bounds.x1) {
-        return error;
-    }
-    qtri_masks_of(&masks, format->colors);
-    for (int32_t y = bounds.y0; y < bounds.y1; y++) {
-        const uint8_t *row = row_of(surface, y);
-        uint32_t *sum = sums + 2 * sum_at(surface, y);
-        for (int32_t x = bounds.x0; x < bounds.x1; x++) {
-            const uint32_t stored =
-                format->pixels->load(row + x * (ptrdiff_t)format->pixels->bytes);
-            const uint32_t color = qtri_color_of(format, stored);
-            sum[2 * x] += (color >> masks.shift[0] & masks.mask[0]) << 16 |
-                          (color >> masks.shift[2] & masks.mask[2]);
-            sum[2 * x + 1] += color >> masks.shift[1] & masks.mask[1];
+    qtri_rect bounds;
+    uint32_t pixel_words;
+    enum qtri_error error;
+    if (begin(surface, sums, words, &bounds, &pixel_words, &error)) {
+        const int32_t count = bounds.x1 - bounds.x0;
+        for (int32_t y = bounds.y0; y < bounds.y1; y++) {
+            uint32_t *sum = sums + pixel_words * place_of(surface, &bounds, y);
+            uint8_t *pixels = pixels_at(surface, &bounds, y);
+            if (pixel_words == 1) {
+                add_row_565(sum, (uint16_t *)(void *)pixels, count);
+            } else {
+                add_row_any(sum, pixels, count, surface->format);
+            }
         }
     }
-    return QTRI_OK;
+    return error;
 }
 
 enum qtri_error qtri_sum_store(const qtri_surface *surface, const uint32_t *sums, uint32_t words,
                                int32_t frames_log2)
 {
-    const qtri_rect bounds = qtri_surface_bounds(surface);
-    const enum qtri_error error = check(surface, &bounds, sums, words);
-    const qtri_format *format = surface->format;
-    const int32_t log2 = qtri_hold32(frames_log2, 0, QTRI_SUM_FRAMES_LOG2_MAX);
-    const uint32_t half = (uint32_t)1 << log2 >> 1;
-    qtri_masks masks;
-    if (error != QTRI_OK || bounds.x0 >= bounds.x1) {
-        return error;
-    }
-    qtri_masks_of(&masks, format->colors);
-    for (int32_t y = bounds.y0; y < bounds.y1; y++) {
-        uint8_t *row = row_of(surface, y);
-        const uint32_t *sum = sums + 2 * sum_at(surface, y);
-        for (int32_t x = bounds.x0; x < bounds.x1; x++) {
-            const uint32_t red = (sum[2 * x] >> 16) + half;
-            const uint32_t blue = (sum[2 * x] & 0xFFFF) + half;
-            const uint32_t green = sum[2 * x + 1] + half;
-            const uint32_t stored =
-                qtri_stored_of(format, (red >> log2 & masks.mask[0]) << masks.shift[0] |
-                                           (green >> log2 & masks.mask[1]) << masks.shift[1] |
-                                           (blue >> log2 & masks.mask[2]));
-            format->pixels->store(row + x * (ptrdiff_t)format->pixels->bytes, &stored, 1, 1);
+    qtri_rect bounds;
+    uint32_t pixel_words;
+    enum qtri_error error;
+    const uint32_t log2 = (uint32_t)qtri_hold32(frames_log2, 0, QTRI_SUM_FRAMES_LOG2_MAX);
+    if (begin(surface, sums, words, &bounds, &pixel_words, &error)) {
+        const int32_t count = bounds.x1 - bounds.x0;
+        for (int32_t y = bounds.y0; y < bounds.y1; y++) {
+            const uint32_t *sum = sums + pixel_words * place_of(surface, &bounds, y);
+            uint8_t *pixels = pixels_at(surface, &bounds, y);
+            if (pixel_words == 1) {
+                store_row_565((uint16_t *)(void *)pixels, sum, count, log2);
+            } else {
+                store_row_any(pixels, sum, count, log2, surface->format);
+            }
         }
     }
-    return QTRI_OK;
+    return error;
 }

@@ -247,9 +247,9 @@ static void draw_frames(struct drawing *d, int width, int height, int32_t log2)
     for (uint32_t n = 0; n < 1u << log2; n++) {
         qtri_view_jitter(&d->view, &still, n, log2);
         draw(d, 1, width, height);
-        (void)qtri_sum_add_565(sums, WORDS(sums), &d->surface);
+        (void)qtri_sum_add(sums, WORDS(sums), &d->surface);
     }
-    (void)qtri_sum_store_565(&d->surface, sums, WORDS(sums), log2);
+    (void)qtri_sum_store(&d->surface, sums, WORDS(sums), log2);
 }
 
 /* Wireframes have none: their lines are smooth. */
@@ -274,7 +274,7 @@ static bool apply(struct drawing *d, const struct subject *subject, const struct
         d->view.viewport.width *= 2;
         d->view.viewport.height *= 2;
         draw(d, 2, width, height);
-        (void)qtri_halve_565(&d->surface, &d->surface);
+        (void)qtri_halve(&d->surface, &d->surface);
         return true;
     }
     if (technique == 10) {
@@ -300,7 +300,7 @@ static bool apply(struct drawing *d, const struct subject *subject, const struct
         smooth_edges(d, technique == 2, technique == 3);
     }
     if (technique == 4 || technique == 5) {
-        (void)qtri_fxaa_565(&d->surface, rows, WORDS(rows));
+        (void)qtri_fxaa(&d->surface, rows, WORDS(rows));
     }
     return true;
 }

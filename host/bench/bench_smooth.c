@@ -49,7 +49,7 @@ bool bench_prepare_smooth(bench_frame *frame)
         draw(frame, &frame->surface);
         qtri_sum_clear(s->sums, WORDS(s->sums));
         for (int i = 0; i < 4; i++) {
-            (void)qtri_sum_add_565(s->sums, WORDS(s->sums), &frame->surface);
+            (void)qtri_sum_add(s->sums, WORDS(s->sums), &frame->surface);
         }
         break;
     case BENCH_ADD:
@@ -119,7 +119,7 @@ static void draw_large(bench_frame *frame)
                             2 * BENCH_HEIGHT, s->large, sizeof s->large);
     qtri_surface_clear(&large, bench_background);
     draw(frame, &large);
-    (void)qtri_halve_565(&large, &half);
+    (void)qtri_halve(&large, &half);
     frame->surface.pixels = half.pixels;
     frame->surface.pitch = half.pitch;
 }
@@ -155,13 +155,13 @@ static void draw_whole(bench_frame *frame)
         break;
     case BENCH_FXAA:
         draw(frame, &frame->surface);
-        (void)qtri_fxaa_565(&frame->surface, s->rows, WORDS(s->rows));
+        (void)qtri_fxaa(&frame->surface, s->rows, WORDS(s->rows));
         break;
     case BENCH_ADD:
-        (void)qtri_sum_add_565(s->sums, WORDS(s->sums), &frame->surface);
+        (void)qtri_sum_add(s->sums, WORDS(s->sums), &frame->surface);
         break;
     case BENCH_STORE:
-        (void)qtri_sum_store_565(&frame->surface, s->sums, WORDS(s->sums), 2);
+        (void)qtri_sum_store(&frame->surface, s->sums, WORDS(s->sums), 2);
         break;
     default:
         (void)qtri_draw_mesh_outlined(&frame->surface, &frame->view, &frame->pose, &frame->material,

@@ -193,7 +193,7 @@ static void more_null_pointers(void)
     STOPS("view != NULL", qtri_view_init(NULL, SIDE, SIDE));
     STOPS("out != NULL", qtri_transform_identity(NULL));
     STOPS("out != NULL", (void)qtri_halve(&surface, NULL));
-    STOPS("band != NULL", (void)qtri_halve_565(NULL, &surface));
+    STOPS("band != NULL", (void)qtri_halve(NULL, &surface));
     STOPS("samples != NULL", (void)qtri_samples_resolve(NULL, &surface));
     STOPS("surface != NULL", qtri_samples_clear(NULL, brush.color));
     STOPS("stroke != NULL",
@@ -417,10 +417,10 @@ static void bands_and_filters(void)
     STOPS("drawn != NULL", (void)qtri_rolling_next_band(&rolling, NULL, &band, &band));
     STOPS("band != NULL", qtri_rolling_keep(&rolling, NULL));
     STOPS("surface != NULL", (void)qtri_fxaa(NULL, NULL, 0));
-    STOPS("memory != NULL", (void)qtri_fxaa_565(&surface, NULL, 999));
+    STOPS("memory != NULL", (void)qtri_fxaa(&surface, NULL, 999));
     STOPS("sums != NULL", qtri_sum_clear(NULL, 9));
     STOPS("surface != NULL", (void)qtri_sum_add(NULL, 0, NULL));
-    STOPS("sums != NULL", (void)qtri_sum_add_565(NULL, 999, &surface));
+    STOPS("sums != NULL", (void)qtri_sum_add(NULL, 999, &surface));
     STOPS("surface != NULL", (void)qtri_sum_store(NULL, NULL, 0, 4));
     STOPS("surface != NULL", (void)qtri_edges_begin(&edges, NULL, NULL, 0));
     STOPS("edges != NULL", qtri_edges_blend(NULL));

@@ -4,6 +4,6 @@
  */
 #define QTRI_LONG_MULTIPLY 0
 
-#define qtri_fxaa_565 narrow_fxaa_565
+#define qtri_fxaa narrow_fxaa
 
-#include "filter/fxaa_565.c"
+#include "filter/fxaa.c"

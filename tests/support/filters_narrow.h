@@ -4,7 +4,7 @@
 
 #include <qtri/filters.h>
 
-/* filter/fxaa_565.c without long multiply: the same pixels. */
-enum qtri_error narrow_fxaa_565(const qtri_surface *surface, uint32_t *memory, uint32_t words);
+/* filter/fxaa.c without long multiply: the same pixels. */
+enum qtri_error narrow_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_t words);
 
 #endif
