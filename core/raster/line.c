@@ -128,27 +128,17 @@ void qtri_line_lit_colors(qtri_line_color color[2], const qtri_line_job *job, co
     }
 }
 
-void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
-                    const qtri_vertex *b, const qtri_line_color *color)
+void qtri_line_look_of(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
+                       const qtri_vertex *b, const qtri_line_color *color)
 {
-    const uint32_t from = a->depth_16p8 & job->depth_mask;
-    const uint32_t to = b->depth_16p8 & job->depth_mask;
-    if (color == NULL && qtri_line_has_table(job)) {
-        qtri_stroke_look_set_depth(look, from, to);
-        look->is_level = look->is_even = false;
-        look->tints = job->to->state.table;
-        look->light_q29 = (int32_t)((uint32_t)a->intensity_q15 << 14);
-        look->light_step = (int32_t)b->intensity_q15 - (int32_t)a->intensity_q15;
-        return;
-    }
     qtri_line_color lit[2];
     if (color == NULL) {
         qtri_line_lit_colors(lit, job, a, b);
         color = (const qtri_line_color *)lit;
     }
     qtri_stroke_end end[2];
-    end[0].depth_16p8 = from;
-    end[1].depth_16p8 = to;
+    end[0].depth_16p8 = a->depth_16p8 & job->depth_mask;
+    end[1].depth_16p8 = b->depth_16p8 & job->depth_mask;
     memcpy(end[0].color_8p16, color[0], sizeof end[0].color_8p16);
     memcpy(end[1].color_8p16, color[1], sizeof end[1].color_8p16);
     qtri_stroke_look_init(look, end);

@@ -9,7 +9,7 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke)
 {
     stroker->edges = stroke->edges;
-    stroker->ring.radius = 0;
+    stroker->has_ring = false;
     memset(stroker->window.coverage.sum, 0, sizeof stroker->window.coverage.sum);
     memset(stroker->window.cover, 0, sizeof stroker->window.cover);
     return stroke->alpha != 0 &&
@@ -164,7 +164,7 @@ static bool list_parts(qtri_stroker *stroker, const qtri_stroke_box *box)
             stroker->others = part;
             return false;
         }
-        qtri_stroke_near *near = &stroker->near[stroker->near_count++];
+        qtri_stroke_near *near = &stroker->of.parts.near[stroker->near_count++];
         near->part = part;
         near->y0 = own.y0;
         near->y1 = own.y1;
@@ -212,7 +212,7 @@ static uint32_t next_part(const qtri_stroker *stroker, uint32_t *at, int32_t fir
     const qtri_stroke_window *w = &stroker->window;
     const uint32_t count = stroker->active_count;
     while (*at < count) {
-        const qtri_stroke_near *near = &stroker->near[stroker->active[(*at)++]];
+        const qtri_stroke_near *near = &stroker->of.parts.near[stroker->of.parts.active[(*at)++]];
         if (near->first < end && near->end > first) {
             return near->part;
         }
@@ -402,9 +402,9 @@ static void draw_row(qtri_stroker *stroker, int32_t row, int32_t x)
     w->in_part = w->shared = 0;
     stroker->active_count = 0;
     for (uint32_t i = 0; i < stroker->near_count; i++) {
-        qtri_stroke_near *near = &stroker->near[i];
+        qtri_stroke_near *near = &stroker->of.parts.near[i];
         if (near->y0 <= row && row < near->y1) {
-            stroker->active[stroker->active_count++] = (uint8_t)i;
+            stroker->of.parts.active[stroker->active_count++] = (uint8_t)i;
             add_part(stroker, near->part, near);
         }
     }
@@ -428,8 +428,8 @@ static void draw_strip(qtri_stroker *stroker, int32_t x, int32_t y0, int32_t y1)
     int32_t first = y1;
     int32_t end = y0;
     for (uint32_t i = 0; i < stroker->near_count; i++) {
-        first = qtri_least32(first, stroker->near[i].y0);
-        end = qtri_greatest32(end, stroker->near[i].y1);
+        first = qtri_least32(first, stroker->of.parts.near[i].y0);
+        end = qtri_greatest32(end, stroker->of.parts.near[i].y1);
     }
     if (stroker->others == UINT32_MAX) {
         y0 = qtri_greatest32(first, y0);
@@ -462,12 +462,13 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
     qtri_stroke_shape_init(shape, place, stroker->edges != NULL ? QTRI_STROKE_CHORDS : 0);
     shape->part = 0;
     stroker->next_shape = 0;
+    stroker->has_ring = false;
     stroker->has_one_look = true;
     stroker->near_count = 1;
     stroker->others = UINT32_MAX;
-    stroker->near[0].part = 0;
-    stroker->near[0].y0 = box.y0;
-    stroker->near[0].y1 = box.y1;
+    stroker->of.parts.near[0].part = 0;
+    stroker->of.parts.near[0].y0 = box.y0;
+    stroker->of.parts.near[0].y1 = box.y1;
     for (int32_t x = box.x0; x < box.x1; x += QTRI_COVERAGE_WINDOW) {
         draw_strip(stroker, x, box.y0, box.y1);
     }
@@ -514,6 +515,7 @@ void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source)
         return;
     }
     stroker->source = source;
+    stroker->has_ring = false;
     stroker->next_shape = 0;
     for (int i = 0; i < QTRI_STROKE_SHAPES; i++) {
         stroker->shape[i].part = UINT32_MAX;

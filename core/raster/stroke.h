@@ -18,7 +18,7 @@
 #include "stroke_shape.h"
 
 enum {
-    QTRI_STROKE_SHAPES = 8, /* kept */
+    QTRI_STROKE_SHAPES = 6, /* kept */
     QTRI_STROKE_NEAR = 24,  /* parts of a strip that are listed */
     QTRI_STROKE_RING = 19,
     QTRI_STROKE_BLOCKS = 16 /* of parts that follow each other, with their boxes */
@@ -47,7 +47,7 @@ typedef struct qtri_stroke_near {
 
 /* Half of a polygon around a disc, from its top down, by what small round points are drawn. */
 typedef struct qtri_stroke_ring {
-    int32_t radius; /* 0: none yet */
+    int32_t radius;
     int32_t count;
     struct {
         int32_t y, half;     /* from the centre */
@@ -77,15 +77,20 @@ typedef struct qtri_stroker {
     uint32_t next_shape;    /* the one to be replaced where all are in use */
     qtri_stroke_shape disc; /* of the last shape that has one apart, */
     uint32_t apart;         /* which is this part's */
-    qtri_stroke_near near[QTRI_STROKE_NEAR];
+    union {
+        struct {
+            qtri_stroke_near near[QTRI_STROKE_NEAR];
+            uint8_t active[QTRI_STROKE_NEAR]; /* those of them that touch the row's window */
+        } parts;
+        qtri_stroke_ring ring; /* while points are drawn that are small discs */
+    } of;
+    bool has_ring;
     uint32_t near_count;
-    uint8_t active[QTRI_STROKE_NEAR]; /* those of them that touch the row's window */
     uint32_t active_count;
     uint32_t others; /* from this part on there may be more of them; UINT32_MAX: none */
     qtri_stroke_box block[QTRI_STROKE_BLOCKS];
     uint32_t block_parts; /* of one */
     qtri_stroke_window window;
-    qtri_stroke_ring ring;
 } qtri_stroker;
 
 struct qtri_stroke_edges {

@@ -507,7 +507,7 @@ static void draw_disc_row(qtri_stroker *stroker, const int32_t *cover, const col
 static void draw_rows(qtri_stroker *stroker, const qtri_screen_point *center)
 {
     const qtri_rect *bounds = &stroker->to.state.bounds;
-    const qtri_stroke_ring *ring = &stroker->ring;
+    const qtri_stroke_ring *ring = &stroker->of.ring;
     const int32_t reach = ring->at[ring->count >> 1].half;
     const int32_t top = ring->at[0].y;
     const int32_t last = qtri_least32((center->y_24p8 - top + 255) >> 8, bounds->y1);
@@ -538,8 +538,9 @@ static bool draw_point(qtri_stroker *stroker, const qtri_stroke_place *place)
         place->caps[1] != QTRI_CAP_ROUND || place->radius_24p8 > MOST) {
         return false;
     }
-    if (stroker->ring.radius != place->radius_24p8) {
-        set_ring(&stroker->ring, place->radius_24p8);
+    if (!stroker->has_ring || stroker->of.ring.radius != place->radius_24p8) {
+        stroker->has_ring = true;
+        set_ring(&stroker->of.ring, place->radius_24p8);
     }
     draw_rows(stroker, &place->end[0]);
     return true;

@@ -15,7 +15,7 @@
 #define qtri_line_has_table   narrow_line_has_table
 #define qtri_stroke_any       narrow_stroke_any
 #define qtri_raster_line      narrow_raster_line
-#define qtri_line_look        narrow_line_look
+#define qtri_line_look_of     narrow_line_look_of
 #define qtri_line_any         narrow_line_any
 #define qtri_line_pipelines   narrow_line_pipelines
 #define qtri_stroke_pipelines narrow_stroke_pipelines
