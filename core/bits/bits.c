@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "bits.h"
+/*
+ * Products, reciprocals and quotients of integers.
+ */
 
+#include "bits.h"
 #include "seed.h"
 
 uint64_t qtri_mul_high64(uint64_t a, uint64_t b)
@@ -39,4 +42,27 @@ uint32_t qtri_reciprocal_q62(uint32_t x)
         remainder += x;
     }
     return r_q30;
+}
+
+uint64_t qtri_divide64(uint64_t n, uint64_t divisor, int32_t more, bool *half)
+{
+    int32_t up = qtri_clz64(divisor) - qtri_clz64(n); /* as many digits: then n < 2 divisor 2^up */
+    up = up > 0 ? up : 0;
+    divisor <<= up;
+    uint64_t quotient = 0;
+    for (int32_t digits = up + 1 + more; digits > 0; digits--) {
+        quotient <<= 1;
+        if (n >= divisor) {
+            n -= divisor;
+            quotient |= 1;
+        }
+        n <<= 1; /* < 2 divisor again */
+    }
+    *half = n >= divisor;
+    return quotient;
+}
+
+uint32_t qtri_rsqrt_seed(uint32_t t)
+{
+    return qtri_rsqrt_seed_in_place(t);
 }

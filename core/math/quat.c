@@ -1,8 +1,15 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * Quaternions.
+ */
 #include "qtri/quat.h"
+#include "qtri/error.h"
 
 #include "quat_q30.h"
 #include "unit.h"
+#include "dot.h"
+#include "wide_q16.h"
+#include "../bits/bits.h"
 
 qtri_quat qtri_quat_identity(void)
 {
@@ -43,4 +50,170 @@ qtri_quat qtri_quat_normalize(qtri_quat a)
     int32_t q_q30[4];
     qtri_quat_unit_q30(q_q30, a);
     return qtri_quat_from_q30(q_q30);
+}
+
+/*
+ * What qtri_quat_mul does when 64 bits or 32 are not enough; high and low as in qtri_dot. Term k of
+ * component i is a[k] b[i ^ k], negative where bit k of digit i of the mask is set.
+ */
+static qtri_quat exact_product(qtri_quat a, qtri_quat b)
+{
+    const q16 u[4] = {a.w, a.x, a.y, a.z};
+    const q16 v[4] = {b.w, b.x, b.y, b.z};
+    q16 product[4];
+    uint32_t negative = 0x428E;
+    for (int i = 0; i < 4; i++) {
+        int64_t high = 0;
+        uint32_t low = 0x8000u;
+        for (int k = 0; k < 4; k++) {
+            int64_t term = qtri_mul_s32(u[k], v[i ^ k]);
+            term = (negative & 1u) != 0 ? -term : term;
+            high += term >> 16;
+            low += (uint32_t)term & 0xFFFFu;
+            negative >>= 1;
+        }
+        product[i] = qtri_saturate32_checked(high + (int64_t)(low >> 16));
+    }
+    qtri_quat result = {product[0], product[1], product[2], product[3]};
+    return result;
+}
+
+/* A macro, because GCC for small cores would call a function and copy what it takes. */
+#define COMPONENT(b0, b1, b2, b3)                                                                  \
+    do {                                                                                           \
+        qtri_sum sum = qtri_sum_start();                                                           \
+        qtri_sum_product(&sum, a.w, b0, &flags);                                                   \
+        qtri_sum_product(&sum, a.x, b1, &flags);                                                   \
+        qtri_sum_product(&sum, a.y, b2, &flags);                                                   \
+        qtri_sum_product(&sum, a.z, b3, &flags);                                                   \
+        result = qtri_sum_q16(&sum, &flags);                                                       \
+    } while (0)
+
+qtri_quat qtri_quat_mul(qtri_quat a, qtri_quat b)
+{
+    uint32_t flags = 0;
+    q16 result;
+    qtri_quat product;
+    const qtri_right w = qtri_right_of(b.w, &flags);
+    const qtri_right x = qtri_right_of(b.x, &flags);
+    const qtri_right y = qtri_right_of(b.y, &flags);
+    const qtri_right z = qtri_right_of(b.z, &flags);
+    const qtri_right minus_x = qtri_right_opposite(b.x);
+    const qtri_right minus_y = qtri_right_opposite(b.y);
+    const qtri_right minus_z = qtri_right_opposite(b.z);
+    COMPONENT(w, minus_x, minus_y, minus_z);
+    product.w = result;
+    COMPONENT(x, w, z, minus_y);
+    product.x = result;
+    COMPONENT(y, minus_z, w, x);
+    product.y = result;
+    COMPONENT(z, y, minus_x, w);
+    product.z = result;
+    return qtri_sum_good(flags) ? product : exact_product(a, b);
+}
+
+qtri_quat qtri_quat_inverse(qtri_quat a)
+{
+    q16 inverse[4] = {a.w, a.x, a.y, a.z};
+    qtri_wide scale;
+    qtri_wide_dot(&scale, inverse, inverse, 4);
+    if (scale.m == 0) {
+        return qtri_quat_identity();
+    }
+    qtri_wide_invert(&scale, -1);
+    for (int i = 0; i < 4; i++) {
+        qtri_wide component;
+        qtri_wide_set(&component, inverse[i], 16);
+        inverse[i] = qtri_wide_less(0, &component, &scale);
+        scale.m = i == 0 ? -scale.m : scale.m;
+    }
+    qtri_quat result = {inverse[0], inverse[1], inverse[2], inverse[3]};
+    return result;
+}
+
+qtri_quat qtri_quat_from_axis_deg(qtri_vec3 axis, q16 degrees)
+{
+    int32_t q_q30[4];
+    qtri_rotation_axis(q_q30, axis, degrees);
+    return qtri_quat_from_q30(q_q30);
+}
+
+qtri_quat qtri_quat_from_euler_deg(qtri_vec3 degrees, qtri_euler order)
+{
+    int32_t q_q30[4];
+    qtri_rotation_euler(q_q30, degrees, order);
+    return qtri_quat_from_q30(q_q30);
+}
+
+qtri_mat3 qtri_quat_to_mat3(qtri_quat a)
+{
+    int32_t q_q30[4];
+    qtri_quat_unit_q30(q_q30, a);
+    return qtri_rotation_mat3(q_q30);
+}
+
+qtri_mat4 qtri_quat_to_mat4(qtri_quat a)
+{
+    qtri_mat3 linear = qtri_quat_to_mat3(a);
+    return qtri_mat4_from_linear(&linear);
+}
+
+qtri_vec3 qtri_quat_rotate(qtri_quat a, qtri_vec3 v)
+{
+    int32_t q_q30[4];
+    int32_t m_q30[3][3];
+    q16 image[3];
+    qtri_quat_unit_q30(q_q30, a);
+    qtri_rotation_matrix(m_q30, q_q30);
+    for (int i = 0; i < 3; i++) {
+        int64_t sum_q46 = qtri_mul_s32(m_q30[i][0], v.x) + qtri_mul_s32(m_q30[i][1], v.y) +
+                          qtri_mul_s32(m_q30[i][2], v.z); /* three of up to 2^61 */
+        image[i] = qtri_saturate32_checked((sum_q46 + 0x20000000) >> 30);
+    }
+    qtri_vec3 turned = {image[0], image[1], image[2]};
+    return turned;
+}
+
+/*
+ * The symmetric matrix 4 q q^T is made of sums and differences of m's elements; any row of it is q,
+ * up to a factor. The row with the largest diagonal element has the most bits (Shepperd 1978). The
+ * four diagonal elements add up to 4, so that one is at least 1.
+ */
+qtri_quat qtri_quat_from_mat3(const qtri_mat3 *m)
+{
+    QTRI_ASSERT(m != NULL);
+    const int64_t d[3] = {m->m[0][0], m->m[1][1], m->m[2][2]};
+    const int64_t diagonal[4] = {Q16_ONE + d[0] + d[1] + d[2], Q16_ONE + d[0] - d[1] - d[2],
+                                 Q16_ONE - d[0] + d[1] - d[2], Q16_ONE - d[0] - d[1] + d[2]};
+    int best = 0;
+    for (int i = 1; i < 4; i++) {
+        best = diagonal[i] > diagonal[best] ? i : best;
+    }
+    int64_t row[4];
+    for (int i = 0; i < 4; i++) {
+        if (i == best) {
+            row[i] = diagonal[i];
+        } else if (i == 0 || best == 0) { /* w times x, y or z */
+            int axis = i + best;
+            row[i] = (int64_t)m->m[(axis + 1) % 3][axis % 3] - m->m[axis % 3][(axis + 1) % 3];
+        } else {
+            row[i] = (int64_t)m->m[best - 1][i - 1] + m->m[i - 1][best - 1];
+        }
+    }
+    int32_t q_q30[4];
+    (void)qtri_fit32(q_q30, row, 4);
+    (void)qtri_unit(q_q30, q_q30, 4, 30);
+    if (q_q30[0] < 0) {
+        for (int i = 0; i < 4; i++) {
+            q_q30[i] = -q_q30[i];
+        }
+    }
+    return qtri_quat_from_q30(q_q30);
+}
+
+qtri_quat qtri_quat_from_mat4(const qtri_mat4 *m)
+{
+    QTRI_ASSERT(m != NULL);
+    qtri_mat3 linear = qtri_mat4_linear(m);
+    return qtri_quat_from_mat3(&linear);
 }

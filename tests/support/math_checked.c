@@ -82,28 +82,30 @@
 #define qtri_quat_mul              checked_qtri_quat_mul
 #define qtri_quat_normalize        checked_qtri_quat_normalize
 #define qtri_quat_unit_q30         checked_qtri_quat_unit_q30
+#define qtri_mat3_identity         checked_qtri_mat3_identity
+#define qtri_mat4_identity         checked_qtri_mat4_identity
+#define qtri_rotation_plane        checked_qtri_rotation_plane
+#define qtri_mat4_rotate_axis_deg  checked_qtri_mat4_rotate_axis_deg
+#define qtri_mat4_rotate_about_deg checked_qtri_mat4_rotate_about_deg
+#define qtri_mat4_rotate_euler_deg checked_qtri_mat4_rotate_euler_deg
+#define qtri_mat4_rotate_x_deg     checked_qtri_mat4_rotate_x_deg
+#define qtri_mat4_rotate_y_deg     checked_qtri_mat4_rotate_y_deg
+#define qtri_mat4_rotate_z_deg     checked_qtri_mat4_rotate_z_deg
+#define qtri_quat_from_mat3        checked_qtri_quat_from_mat3
+#define qtri_quat_from_mat4        checked_qtri_quat_from_mat4
+#define qtri_vec_angle_deg         checked_qtri_vec_angle_deg
 
 #include "math/dot.c"
-#include "math/mat4.c"
-#include "math/mat4_reflect.c"
-#include "math/mat_inverse.c"
+#include "math/mat.c"
 #include "math/q16_asin.c"
 #include "math/q16_exp.c"
 #include "math/q16_log.c"
 #include "math/q16_pow.c"
 #include "math/q16_tan.c"
 #include "math/quat.c"
-#include "math/quat_inverse.c"
-#include "math/quat_mul.c"
-#include "math/quat_rotate.c"
 #include "math/side_angle.c"
 #include "math/vec.c"
-#include "math/vec_along.c"
 #include "math/wide_q16.c"
-
-/* Its functions have the names of those for mat4. */
-#define transform transform3
-#include "math/mat3.c"
 
 #include "math_checked.h"
 
