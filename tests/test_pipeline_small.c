@@ -25,7 +25,7 @@ static bool wave(qtri_fragment *f)
         static const qtri_options options = {__VA_ARGS__};                                         \
         return qtri_small_triangle_draw(&options, triangle);                                       \
     }                                                                                              \
-    static const qtri_pipeline name = {{__VA_ARGS__}, NULL, name##_small, NULL, NULL};
+    static const qtri_pipeline name = {{__VA_ARGS__}, NULL, name##_small, NULL, NULL, NULL};
 
 #define LESS_565 .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS
 

@@ -11,6 +11,8 @@
 
 #include <stdint.h>
 
+#include "../bits/bits.h"
+
 #if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
 #define QTRI_OPAQUE(x) __asm__ volatile("" : "+l"(x));
 /* Where code is to be small it would move x there and back; clang 14 ends on such an operand. */
@@ -38,7 +40,7 @@
 #endif
 
 /* Bytes in the other order: an instruction of Arm's, which the barrier keeps whole. */
-static inline uint32_t qtri_reversed(uint32_t x)
+QTRI_INLINE uint32_t qtri_reversed(uint32_t x)
 {
     x = x << 24 | (x & 0xFF00) << 8 | (x >> 8 & 0xFF00) | x >> 24;
     QTRI_OPAQUE(x)

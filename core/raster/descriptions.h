@@ -19,11 +19,14 @@ struct qtri_blend {
     uint8_t kind;                          /* QTRI_ALPHA and the like, of blend.h */
     bool by_vertex;                        /* alpha varies between the vertices */
     const qtri_pipeline *const *pipelines; /* NULL: none */
+    /* Sets what it asks for: options, and alpha and channels of the state. */
+    void (*begin)(qtri_draw_state *state, const qtri_material *material);
 };
 
 struct qtri_filter {
     bool is_bilinear, is_mipmapped;
     const qtri_pipeline *const *pipelines;
+    void (*begin)(qtri_draw_state *state); /* mipmapped: makes state->texture its first level */
 };
 
 typedef struct qtri_by_pixel qtri_by_pixel; /* see ../draw/per_pixel.h */

@@ -64,27 +64,6 @@ static uint8_t shade_of(const qtri_options *o, const qtri_material *material, in
     return (uint8_t)(shade == QTRI_FLAT ? QTRI_TINT : shade);
 }
 
-static void want_blend(qtri_options *o, const qtri_material *material)
-{
-    const qtri_blend *blend = material->blend;
-    if (blend == NULL) {
-        return;
-    }
-    const uint8_t keep = material->keep & 7;
-    o->blend = blend->kind;
-    o->vertex_alpha = blend->by_vertex && material->alphas != NULL;
-    if (blend->kind != QTRI_SCREEN_DOOR && blend->kind != QTRI_KEEP_PIXEL) {
-        if (keep == 7) {
-            o->blend = QTRI_KEEP_PIXEL;
-        } else {
-            o->keep = keep != 0 && o->format != QTRI_GRAY8;
-        }
-    }
-    if (o->blend == QTRI_KEEP_PIXEL || o->blend == QTRI_STORE) {
-        o->vertex_alpha = 0;
-    }
-}
-
 /* A description with memory of its own is another, whatever it was copied from. */
 static void want_format(qtri_options *o, const qtri_format *format)
 {
@@ -117,7 +96,6 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
     shade &= ~QTRI_COVERED;
     o->shade = shade_of(o, material, shade == QTRI_BY_PIXEL ? QTRI_COLORS : shade);
     o->per_pixel = shade == QTRI_BY_PIXEL && o->shade == QTRI_COLORS;
-    want_blend(o, material);
     o->fog = material->fog != NULL && material->fog->is_set;
     o->fragment = material->fragment;
     if (qtri_sampling_of(surface->format) != NULL) {
@@ -140,64 +118,62 @@ static bool are_equal(const qtri_options *of_pipeline, const qtri_options *wante
 }
 
 /* Formats of the application's own are known by their addresses, where a pipeline names them. */
-static bool fits(const qtri_pipeline *pipeline, const qtri_options *wanted,
-                 const qtri_surface *surface, const qtri_texture *texture)
+static bool fits(const qtri_pipeline *pipeline, const qtri_draw_state *state)
 {
     const qtri_options *o = &pipeline->options;
+    const qtri_options *wanted = &state->options;
+    const qtri_texture *texture = state->texture;
     if (o->format == QTRI_ANY) { /* without samples: see find_all() */
         return o->samples == 0 || wanted->samples != 0;
     }
     return are_equal(o, wanted) && o->fragment == wanted->fragment &&
            (o->format != QTRI_OTHER_FORMAT ||
-            (o->own_format == surface->format && o->pixel_bytes == wanted->pixel_bytes)) &&
+            (o->own_format == state->surface->format && o->pixel_bytes == wanted->pixel_bytes)) &&
            (o->texel != QTRI_OTHER_TEXEL || (texture != NULL && o->own_texel == texture->format));
 }
 
-static const qtri_pipeline *find(const qtri_pipeline *const *list, const qtri_options *wanted,
-                                 const qtri_surface *surface, const qtri_texture *texture)
+/* The first of a list that fits; NULL: none. */
+static const qtri_pipeline *find(const qtri_pipeline *const *list, const qtri_draw_state *state)
 {
-    for (; list != NULL && *list != NULL; list++) {
-        if (fits(*list, wanted, surface, texture)) {
-            return *list;
-        }
+    while (list != NULL && *list != NULL && !fits(*list, state)) {
+        list++;
     }
-    return NULL;
+    return list != NULL ? *list : NULL;
 }
 
-const qtri_pipeline qtri_pipeline_brought = {.options = {.format = QTRI_BROUGHT}};
-
 /* What the surface's depth format and the material's blend, fog and filter bring. */
-static const qtri_pipeline *find_brought(const qtri_options *wanted, const qtri_surface *surface,
-                                         const qtri_material *material, const qtri_texture *texture)
+static const qtri_pipeline *find_brought(const qtri_draw_state *state)
 {
-    const qtri_filter *filter = texture != NULL ? texture->filter : NULL;
+    const qtri_depth_format *depth = state->surface->depth_format;
+    const qtri_material *material = state->material;
+    const qtri_filter *filter = state->texture != NULL ? state->texture->filter : NULL;
     const qtri_pipeline *const *const brought[] = {
-        surface->depth_format != NULL ? surface->depth_format->pipelines : NULL,
+        depth != NULL ? depth->pipelines : NULL,
         material->blend != NULL ? material->blend->pipelines : NULL,
         material->fog != NULL ? material->fog->pipelines : NULL,
         filter != NULL ? filter->pipelines : NULL};
     const qtri_pipeline *found = NULL;
     for (size_t i = 0; i < sizeof brought / sizeof *brought && found == NULL; i++) {
-        found = find(brought[i], wanted, surface, texture);
+        found = find(brought[i], state);
     }
     return found;
 }
 
+const qtri_pipeline qtri_pipeline_brought = {.options = {.format = QTRI_BROUGHT},
+                                             .choose = find_brought};
+
 /* What draws a pixel of samples is reached through its format, unless a view names it. */
-static const qtri_pipeline *find_all(const qtri_pipeline *const *list, const qtri_options *wanted,
-                                     const qtri_surface *surface, const qtri_material *material,
-                                     const qtri_texture *texture)
+static const qtri_pipeline *find_all(const qtri_pipeline *const *list, const qtri_draw_state *state)
 {
     const qtri_pipeline *found = NULL;
     for (; list != NULL && *list != NULL && found == NULL; list++) {
-        found = (*list)->options.format == QTRI_BROUGHT
-                    ? find_brought(wanted, surface, material, texture)
-                : fits(*list, wanted, surface, texture) ? *list
-                                                        : NULL;
+        found = (*list)->choose != NULL ? (*list)->choose(state)
+                : fits(*list, state)    ? *list
+                                        : NULL;
     }
     return found != NULL && found->options.format == QTRI_ANY &&
-                   found->options.samples != wanted->samples
-               ? find(qtri_sampling_of(surface->format)->pipelines, wanted, surface, texture)
+                   found->options.samples != state->options.samples
+               ? find(qtri_sampling_of(state->surface->format)->pipelines, state)
                : found;
 }
 
@@ -213,15 +189,6 @@ static void set_bounds(qtri_draw_state *state, const qtri_surface *surface)
     state->inner.height = height < 0 ? 0 : (uint32_t)height;
 }
 
-/* Bits of colours that stay: see QTRI_KEEP_RED. */
-static uint32_t kept_bits(qtri_color_kind kind, uint32_t keep)
-{
-    const bool is_565 = kind == QTRI_IN_565;
-    return ((keep & QTRI_KEEP_RED) != 0 ? (is_565 ? 0xF800u : 0xFF0000u) : 0) |
-           ((keep & QTRI_KEEP_GREEN) != 0 ? (is_565 ? 0x07E0u : 0xFF00u) : 0) |
-           ((keep & QTRI_KEEP_BLUE) != 0 ? (is_565 ? 0x1Fu : 0xFFu) : 0);
-}
-
 static uint32_t word_of(qtri_rgb color)
 {
     return (uint32_t)color.r << 16 | (uint32_t)color.g << 8 | color.b;
@@ -235,37 +202,10 @@ static void set_colors(qtri_draw_state *state, const qtri_material *material)
     state->weight[0] = material->color.r + (material->color.r >> 7);
     state->weight[1] = material->color.g + (material->color.g >> 7);
     state->weight[2] = material->color.b + (material->color.b >> 7);
-    state->alpha = material->alpha + (material->alpha >> 7);
-    state->keep = kept_bits(kind, material->keep);
     state->fog = o->fog ? material->fog : NULL;
     state->fog_color = !o->fog                ? 0
                        : kind == QTRI_IN_GRAY ? qtri_pixel_888_to_luma(material->fog->color)
                                               : material->fog->color;
-}
-
-/* Levels that can be used besides the first: their widths are 2 texels or more. */
-static uint8_t last_level(const qtri_options *o, const qtri_texture *texture)
-{
-    const int32_t width_log2 = qtri_side_log2(texture->width_log2);
-    uint8_t last = 0;
-    if (texture->levels != NULL && !o->samples) { /* see samples.h */
-        while (last + 1 < width_log2 && last < texture->level_count &&
-               texture->levels[last] != NULL) {
-            last++;
-        }
-    }
-    return last;
-}
-
-void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
-{
-    const qtri_texture *whole = state->material->texture;
-    qtri_texture *texture = &state->level_texture;
-    const uint32_t height_log2 = state->height_log2;
-    state->level = (uint8_t)level;
-    texture->texels = level == 0 ? whole->texels : whole->levels[level - 1];
-    texture->width_log2 = (uint8_t)(state->width_log2 - level);
-    texture->height_log2 = (uint8_t)(height_log2 - (level < height_log2 ? level : height_log2));
 }
 
 static void set_texture(qtri_draw_state *state, const qtri_material *material)
@@ -276,18 +216,13 @@ static void set_texture(qtri_draw_state *state, const qtri_material *material)
         return;
     }
     state->texture = texture;
-    if (state->options.mipmapped) {
-        state->level_texture = *texture;
-        state->texture = &state->level_texture;
-        state->last_level = last_level(&state->options, texture);
-    }
     state->width_log2 = qtri_side_log2(texture->width_log2);
     state->height_log2 = qtri_side_log2(texture->height_log2);
     state->key_mask = texture->format->key_mask;
     state->key = texture->key & state->key_mask;
     state->alpha_least = (uint32_t)material->least_alpha << 24;
     if (state->options.mipmapped) {
-        qtri_draw_state_set_level(state, 0);
+        texture->filter->begin(state);
     }
 }
 
@@ -341,14 +276,18 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
         return;
     }
     want(&state->options, surface, material, shade);
+    state->alpha = 256;
+    state->keep = 0;
+    if (material->blend != NULL) {
+        material->blend->begin(state, material);
+    }
     state->is_linear = material->interpolation != QTRI_PERSPECTIVE;
     set_bounds(state, surface);
     state->depth_pitch =
         surface->depth_pitch * (ptrdiff_t)qtri_depth_size(&state->options, surface);
     set_colors(state, material);
     set_texture(state, material);
-    const qtri_pipeline *found =
-        find_all(pipelines, &state->options, surface, material, state->texture);
+    const qtri_pipeline *found = find_all(pipelines, state);
 #ifdef QTRI_CHECKED
     qtri_check_pipeline(found, &state->options);
 #endif
@@ -366,8 +305,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
 void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *pipelines)
 {
     if (state->pipeline->options.format == QTRI_ANY) {
-        const qtri_pipeline *found =
-            find(pipelines, &state->options, state->surface, state->texture);
+        const qtri_pipeline *found = find(pipelines, state);
         if (found != NULL) {
             set_pipeline(state, found);
         }

@@ -46,11 +46,37 @@ QTRI_PIPELINE(qtri_pipeline_multiply_texture, OVER(QTRI_MULTIPLY), TEXTURE)
 static const qtri_pipeline *const multiplying[] = {&qtri_pipeline_multiply,
                                                    &qtri_pipeline_multiply_texture, NULL};
 
-const qtri_blend qtri_blend_alpha = {QTRI_ALPHA, false, QTRI_BROUGHT_LIST(by_alpha)};
-const qtri_blend qtri_blend_vertex_alpha = {QTRI_ALPHA, true, QTRI_BROUGHT_LIST(by_alpha)};
-const qtri_blend qtri_blend_add = {QTRI_ADD, false, QTRI_BROUGHT_LIST(adding)};
-const qtri_blend qtri_blend_vertex_add = {QTRI_ADD, true, NULL};
-const qtri_blend qtri_blend_multiply = {QTRI_MULTIPLY, false, QTRI_BROUGHT_LIST(multiplying)};
-const qtri_blend qtri_blend_none = {QTRI_KEEP_PIXEL, false, NULL};
-const qtri_blend qtri_blend_replace = {QTRI_STORE, false, NULL};
-const qtri_blend qtri_blend_screen_door = {QTRI_SCREEN_DOOR, false, NULL};
+static void begin(qtri_draw_state *state, const qtri_material *material)
+{
+    qtri_options *o = &state->options;
+    const qtri_blend *blend = material->blend;
+    const uint8_t keep = material->keep & 7;
+    o->blend = blend->kind;
+    o->vertex_alpha = blend->by_vertex && material->alphas != NULL;
+    if (blend->kind != QTRI_SCREEN_DOOR && blend->kind != QTRI_KEEP_PIXEL) {
+        if (keep == 7) {
+            o->blend = QTRI_KEEP_PIXEL;
+        } else {
+            o->keep = keep != 0 && o->format != QTRI_GRAY8;
+        }
+    }
+    if (o->blend == QTRI_KEEP_PIXEL || o->blend == QTRI_STORE) {
+        o->vertex_alpha = 0;
+    }
+    state->alpha = material->alpha + (material->alpha >> 7);
+    state->keep = (keep & QTRI_KEEP_RED ? 0xFF0000u : 0) | (keep & QTRI_KEEP_GREEN ? 0xFF00u : 0) |
+                  (keep & QTRI_KEEP_BLUE ? 0xFFu : 0);
+    if (qtri_kind_of(o) == QTRI_IN_565) {
+        state->keep = qtri_pixel_888_to_565(state->keep);
+    }
+}
+
+const qtri_blend qtri_blend_alpha = {QTRI_ALPHA, false, QTRI_BROUGHT_LIST(by_alpha), begin};
+const qtri_blend qtri_blend_vertex_alpha = {QTRI_ALPHA, true, QTRI_BROUGHT_LIST(by_alpha), begin};
+const qtri_blend qtri_blend_add = {QTRI_ADD, false, QTRI_BROUGHT_LIST(adding), begin};
+const qtri_blend qtri_blend_vertex_add = {QTRI_ADD, true, NULL, begin};
+const qtri_blend qtri_blend_multiply = {QTRI_MULTIPLY, false, QTRI_BROUGHT_LIST(multiplying),
+                                        begin};
+const qtri_blend qtri_blend_none = {QTRI_KEEP_PIXEL, false, NULL, begin};
+const qtri_blend qtri_blend_replace = {QTRI_STORE, false, NULL, begin};
+const qtri_blend qtri_blend_screen_door = {QTRI_SCREEN_DOOR, false, NULL, begin};

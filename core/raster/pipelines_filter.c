@@ -15,6 +15,39 @@ QTRI_PIPELINE(qtri_pipeline_bilinear_white, FILTERED, .shade = QTRI_WHITE_LIGHT)
 static const qtri_pipeline *const between[] = {&qtri_pipeline_bilinear, &qtri_pipeline_bilinear_lit,
                                                &qtri_pipeline_bilinear_white, NULL};
 
-const qtri_filter qtri_bilinear = {true, false, QTRI_BROUGHT_LIST(between)};
-const qtri_filter qtri_mipmapped = {false, true, NULL};
-const qtri_filter qtri_mipmapped_bilinear = {true, true, NULL};
+/* Levels that can be used besides the first: their widths are 2 texels or more. */
+static uint8_t last_level(const qtri_options *o, const qtri_texture *texture)
+{
+    const int32_t width_log2 = qtri_side_log2(texture->width_log2);
+    uint8_t last = 0;
+    if (texture->levels != NULL && !o->samples) { /* see samples.h */
+        while (last + 1 < width_log2 && last < texture->level_count &&
+               texture->levels[last] != NULL) {
+            last++;
+        }
+    }
+    return last;
+}
+
+void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
+{
+    const qtri_texture *whole = state->material->texture;
+    qtri_texture *texture = &state->level_texture;
+    const uint32_t height_log2 = state->height_log2;
+    state->level = (uint8_t)level;
+    texture->texels = level == 0 ? whole->texels : whole->levels[level - 1];
+    texture->width_log2 = (uint8_t)(state->width_log2 - level);
+    texture->height_log2 = (uint8_t)(height_log2 - (level < height_log2 ? level : height_log2));
+}
+
+static void begin_levels(qtri_draw_state *state)
+{
+    state->level_texture = *state->texture;
+    state->last_level = last_level(&state->options, state->texture);
+    state->texture = &state->level_texture;
+    qtri_draw_state_set_level(state, 0);
+}
+
+const qtri_filter qtri_bilinear = {true, false, QTRI_BROUGHT_LIST(between), NULL};
+const qtri_filter qtri_mipmapped = {false, true, NULL, begin_levels};
+const qtri_filter qtri_mipmapped_bilinear = {true, true, NULL, begin_levels};

@@ -116,6 +116,8 @@ struct qtri_pipeline {
     void (*span)(const struct qtri_stroke_span *span);
     void (*line)(const struct qtri_line_job *job, const struct qtri_vertex *a,
                  const struct qtri_vertex *b, const int32_t color[][3]);
+    /* Of one that stands for others: finds one among them; NULL: none. */
+    const qtri_pipeline *(*choose)(const struct qtri_draw_state *state);
 };
 
 /* In a list: here is looked at what blend, fog, filter and depth format bring. */

@@ -22,7 +22,7 @@
         static const qtri_options options = {__VA_ARGS__};                                         \
         return qtri_small_instance_draw(&options, triangle);                                       \
     }                                                                                              \
-    const qtri_pipeline name = {{__VA_ARGS__}, name##_large, name##_small, NULL, NULL};
+    const qtri_pipeline name = {{__VA_ARGS__}, name##_large, name##_small, NULL, NULL, NULL};
 
 /*
  * What most programs draw with, of further options: `name`_flat, _lit, _colors, _texture,

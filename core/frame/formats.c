@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Formats of surfaces: memory of pixels by their bytes, what stored pixels mean, and the library's
+ * own formats. Each is a constant of its own, so that a program links those that it names.
+ */
+#include "qtri/format.h"
+
+#include "barrier.h"
+
+/* ---- Memory of pixels ---- */
+
+#define PUT(pixel, i, stored) (pixel)[i] = (PIXEL)(stored);
+#define GET(pixel)            (pixel)[0]
+#define UNITS                 1
+
+#define NAME(name) name##_8
+#define PIXEL      uint8_t
+#include "pixels.inc"
+const qtri_pixels qtri_pixels_8 = {1, load_8, fill_8, store_8};
+
+#define NAME(name) name##_16
+#define PIXEL      uint16_t
+#include "pixels.inc"
+const qtri_pixels qtri_pixels_16 = {2, load_16, fill_16, store_16};
+
+#define NAME(name) name##_32
+#define PIXEL      uint32_t
+#include "pixels.inc"
+const qtri_pixels qtri_pixels_32 = {4, load_32, fill_32, store_32};
+
+#undef PUT
+#undef GET
+#undef UNITS
+#define PUT(pixel, i, stored)                                                                      \
+    {                                                                                              \
+        const uint32_t put = (stored);                                                             \
+        (pixel)[3 * (i)] = (uint8_t)put;                                                           \
+        (pixel)[3 * (i) + 1] = (uint8_t)(put >> 8);                                                \
+        (pixel)[3 * (i) + 2] = (uint8_t)(put >> 16);                                               \
+    }
+#define GET(pixel) ((pixel)[0] | (uint32_t)(pixel)[1] << 8 | (uint32_t)(pixel)[2] << 16)
+#define UNITS      3
+
+#define NAME(name) name##_24
+#define PIXEL      uint8_t
+#include "pixels.inc"
+const qtri_pixels qtri_pixels_24 = {3, load_24, fill_24, store_24};
+
+/* ---- Stored pixels as 0x00RRGGBB ---- */
+
+/* Of 31 and of 63 in 0..255, rounded: (255 x + 15) / 31 and (255 x + 31) / 63 for all x. */
+static uint32_t scale5(uint32_t x)
+{
+    return (x * 527 + 23) >> 6;
+}
+
+static uint32_t scale6(uint32_t x)
+{
+    return (x * 259 + 33) >> 6;
+}
+
+uint32_t qtri_decode_rgb565(uint32_t stored)
+{
+    return scale5((stored >> 11) & 31) << 16 | scale6((stored >> 5) & 63) << 8 |
+           scale5(stored & 31);
+}
+
+uint32_t qtri_decode_rgb565_swapped(uint32_t stored)
+{
+    return qtri_decode_rgb565((stored & 0xFF) << 8 | ((stored >> 8) & 0xFF));
+}
+
+uint32_t qtri_decode_rgb888(uint32_t stored)
+{
+    return (stored & 0xFF) << 16 | (stored & 0xFF00) | ((stored >> 16) & 0xFF);
+}
+
+uint32_t qtri_decode_xrgb8888(uint32_t stored)
+{
+    return stored & 0xFFFFFF;
+}
+
+uint32_t qtri_decode_gray8(uint32_t stored)
+{
+    return (stored & 0xFF) * 0x010101u;
+}
+
+/* ---- Formats ---- */
+
+const qtri_format qtri_rgb565 = {&qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565, NULL,
+                                 QTRI_RGB565};
+
+static void encode_rgb565_swapped(uint32_t *color, int32_t count)
+{
+    QTRI_EACH_WORD(color, count, c, qtri_reversed(c) >> 16)
+}
+
+const qtri_format qtri_rgb565_swapped = {
+    &qtri_pixels_16,    &qtri_colors_565, encode_rgb565_swapped, qtri_decode_rgb565_swapped, NULL,
+    QTRI_RGB565_SWAPPED};
+
+/*
+ * Channels of 8 bits to nearest, c 31 / 255 as (249 c + 1014) / 2^11 and c 63 / 255 as
+ * (253 c + 505) / 2^10, rounded down: right for all 256. Red and blue in one product, whose halves
+ * stay below 2^16: 249 255 + 1014 = 64509.
+ */
+#define ROUNDED(c) (((c)&0xFF00FF) * 249 + 1014 * 0x10001u)
+#define GREEN(c)   ((((c) >> 8 & 0xFF) * 253 + 505) >> 10)
+
+static void encode_rgb565_exact(uint32_t *color, int32_t count)
+{
+    QTRI_EACH_WORD(color, count, c,
+                   (ROUNDED(c) >> 16 & 0xF800) | GREEN(c) << 5 | (ROUNDED(c) >> 11 & 31))
+}
+
+const qtri_format qtri_rgb565_exact = {
+    &qtri_pixels_16,  &qtri_colors_888, encode_rgb565_exact, qtri_decode_rgb565, NULL,
+    QTRI_RGB565_EXACT};
+
+/* Of three bytes the lowest is first: red. */
+static void encode_rgb888(uint32_t *color, int32_t count)
+{
+    QTRI_EACH_WORD(color, count, c, qtri_reversed(c) >> 8)
+}
+
+const qtri_format qtri_rgb888 = {
+    &qtri_pixels_24, &qtri_colors_888, encode_rgb888, qtri_decode_rgb888, NULL, QTRI_RGB888};
+
+/* 0x00RRGGBB as it is: of three bytes the lowest is first, blue. */
+const qtri_format qtri_bgr888 = {
+    &qtri_pixels_24, &qtri_colors_888, NULL, qtri_decode_xrgb8888, NULL, QTRI_BGR888};
+
+const qtri_format qtri_xrgb8888 = {
+    &qtri_pixels_32, &qtri_colors_888, NULL, qtri_decode_xrgb8888, NULL, QTRI_XRGB8888};
+
+const qtri_format qtri_gray8 = {&qtri_pixels_8, &qtri_colors_gray, NULL, qtri_decode_gray8,
+                                NULL,           QTRI_GRAY8};
+
+/* ---- Depth alone: pixels that are not there ---- */
+
+static uint32_t load_nothing(const uint8_t *pixel)
+{
+    (void)pixel;
+    return 0;
+}
+
+/* The types of qtri_pixels: NOLINTBEGIN(readability-non-const-parameter) */
+static void fill_nothing(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count)
+{
+    (void)pixel;
+    (void)stored;
+    (void)mask;
+    (void)count;
+}
+
+static void store_nothing(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count)
+{
+    (void)pixel;
+    (void)stored;
+    (void)mask;
+    (void)count;
+}
+
+/* NOLINTEND(readability-non-const-parameter) */
+
+static uint32_t decode_nothing(uint32_t stored)
+{
+    (void)stored;
+    return 0;
+}
+
+static const qtri_pixels no_pixels = {0, load_nothing, fill_nothing, store_nothing};
+
+const qtri_format qtri_depth_only = {&no_pixels, &qtri_colors_gray, NULL, decode_nothing,
+                                     NULL,       QTRI_DEPTH_ONLY};
