@@ -11,7 +11,7 @@
 #include "qtri/body/pixel.h"
 #include "../raster/sampling.h"
 
-/* ---- What vertices bring: light, colours, texture coordinates ---- */
+/* ---- Light ---- */
 
 /* Which triangle of the mesh it is: 0xAAAAAAAB times 3 is 1 modulo 2^32. */
 static uint32_t number_of(const qtri_mesh *mesh, const void *indices)
@@ -53,31 +53,6 @@ QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void
     if (draw->lights != NULL) {
         draw->lights->model->meet(draw, indices);
     }
-}
-
-void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
-{
-    if (mesh->uvs16 != NULL) {
-        *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
-        *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
-    } else if (mesh->uvs != NULL) {
-        *u_q32 = (int64_t)mesh->uvs[index].x * 65536;
-        *v_q32 = (int64_t)mesh->uvs[index].y * 65536;
-    } else {
-        *u_q32 = 0;
-        *v_q32 = 0;
-    }
-}
-
-void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
-                         uint32_t intensity_q15)
-{
-    const qtri_rgb *color =
-        draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
-    int32_t intensity = (int32_t)intensity_q15 * 2;
-    color_8p16[0] = color->r * intensity; /* <= 255.0 */
-    color_8p16[1] = color->g * intensity;
-    color_8p16[2] = color->b * intensity;
 }
 
 /* Lights a triangle's vertices, or the triangle: qtri_small.light of meshes. */

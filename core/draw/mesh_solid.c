@@ -4,6 +4,31 @@
 #include "lights.h"
 #include "mesh_job.h"
 
+void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
+{
+    if (mesh->uvs16 != NULL) {
+        *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
+        *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
+    } else if (mesh->uvs != NULL) {
+        *u_q32 = (int64_t)mesh->uvs[index].x * 65536;
+        *v_q32 = (int64_t)mesh->uvs[index].y * 65536;
+    } else {
+        *u_q32 = 0;
+        *v_q32 = 0;
+    }
+}
+
+void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
+                         uint32_t intensity_q15)
+{
+    const qtri_rgb *color =
+        draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
+    int32_t intensity = (int32_t)intensity_q15 * 2;
+    color_8p16[0] = color->r * intensity; /* <= 255.0 */
+    color_8p16[1] = color->g * intensity;
+    color_8p16[2] = color->b * intensity;
+}
+
 /* Those of its vertices in a view's lights; by pixel, shares of corners. */
 static void set_lit_colors(qtri_large_vertex v[3], const qtri_draw_state *state)
 {

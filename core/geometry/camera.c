@@ -234,3 +234,51 @@ void qtri_transform_ortho(qtri_transform *t, q16 left, q16 right, q16 bottom, q1
     ortho_row(&builder.row[2], 2, depth, (int64_t)far_z + near_z, depth);
     qtri_transform_mul(t, t, &builder);
 }
+
+void qtri_transform_orbit(qtri_transform *t, qtri_vec3 center, q16 distance, q16 azimuth,
+                          q16 elevation)
+{
+    QTRI_ASSERT(t != NULL);
+    QTRI_ASSERT(qtri_is_length(distance));
+    const qtri_vec3 back = {0, 0, q16_neg(distance)};
+    const qtri_vec3 to_origin = {q16_neg(center.x), q16_neg(center.y), q16_neg(center.z)};
+    qtri_transform_translate(t, back);
+    qtri_transform_rotate_x(t, elevation);
+    qtri_transform_rotate_y(t, q16_neg(azimuth));
+    qtri_transform_translate(t, to_origin);
+}
+
+/* ---- Direct3D's forms ---- */
+
+/*
+ * What looks down -z looks along +z when it is turned half about y: from the rows right, up and
+ * backward of OpenGL's camera come left, up and forward, where left is right of a left-handed
+ * world.
+ */
+void qtri_transform_look_at_d3d(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up)
+{
+    const qtri_vec3 turn = {-Q16_ONE, Q16_ONE, -Q16_ONE};
+    qtri_transform_scale(t, turn);
+    qtri_transform_look_at(t, eye, center, up);
+}
+
+/* From eye space along +z to eye space along -z. */
+static void mirror(qtri_transform *t)
+{
+    const qtri_vec3 factor = {Q16_ONE, Q16_ONE, -Q16_ONE};
+    qtri_transform_scale(t, factor);
+}
+
+void qtri_transform_frustum_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top,
+                                q16 near_z, q16 far_z)
+{
+    qtri_transform_frustum(t, left, right, bottom, top, near_z, far_z);
+    mirror(t);
+}
+
+void qtri_transform_ortho_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top,
+                              q16 near_z, q16 far_z)
+{
+    qtri_transform_ortho(t, left, right, bottom, top, near_z, far_z);
+    mirror(t);
+}

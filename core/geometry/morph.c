@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/animation.h"
+#include "qtri/error.h"
 
 #include <stddef.h>
 
 #include "../bits/bits.h"
 #include "../bits/checked.h"
+#include "../math/unit.h"
 
 /* a + (b - a) t, rounded: (2^16 - 1) 2^16 + 2^15 < 2^32, as an unsigned sum that does not wrap. */
 static int16_t between(int16_t a, int16_t b, uint32_t t)
@@ -81,4 +83,35 @@ void qtri_frames_positions(qtri_position16 *out, const qtri_position16 *position
     const uint32_t to = from + 1 < (uint32_t)number ? from + 1 : 0;
     qtri_morph_positions(out, positions + (size_t)from * count, positions + (size_t)to * count,
                          count, place & 0xFFFF);
+}
+
+/* 127 v, rounded, of a part of a unit vector in Q2.30. */
+static int8_t part_of(int32_t v_q30)
+{
+    return (int8_t)(((v_q30 >> 8) * 127 + ((int32_t)1 << 21)) >> 22); /* |.| <= 2^22 127 < 2^29 */
+}
+
+/* a (1 - t) + b t in Q16: |.| <= 127 2^16. */
+static int32_t normal_between(int8_t a, int8_t b, int32_t t)
+{
+    return a * (Q16_ONE - t) + b * t;
+}
+
+void qtri_morph_normals(qtri_normal8 *out, const qtri_normal8 *from, const qtri_normal8 *to,
+                        uint32_t count, q16 t)
+{
+    QTRI_ASSERT((out != NULL && from != NULL && to != NULL) || count == 0);
+    const q16 part = q16_clamp(t, 0, Q16_ONE);
+    for (uint32_t i = 0; i < count; i++) {
+        int32_t v[3] = {normal_between(from[i].x, to[i].x, part),
+                        normal_between(from[i].y, to[i].y, part),
+                        normal_between(from[i].z, to[i].z, part)};
+        qtri_normal8 normal = from[i];
+        if (qtri_unit(v, v, 3, 30)) {
+            normal.x = part_of(v[0]);
+            normal.y = part_of(v[1]);
+            normal.z = part_of(v[2]);
+        }
+        out[i] = normal;
+    }
 }

@@ -29,17 +29,6 @@ static uint8_t last_level(const qtri_options *o, const qtri_texture *texture)
     return last;
 }
 
-void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
-{
-    const qtri_texture *whole = state->material->texture;
-    qtri_texture *texture = &state->level_texture;
-    const uint32_t height_log2 = state->height_log2;
-    state->level = (uint8_t)level;
-    texture->texels = level == 0 ? whole->texels : whole->levels[level - 1];
-    texture->width_log2 = (uint8_t)(state->width_log2 - level);
-    texture->height_log2 = (uint8_t)(height_log2 - (level < height_log2 ? level : height_log2));
-}
-
 static void begin_levels(qtri_draw_state *state)
 {
     state->level_texture = *state->texture;
