@@ -5,7 +5,7 @@
  */
 #include "support/core.h"
 
-#include "raster/residual.h"
+#include "raster/large_setup.h"
 
 #include <qtri/stroke.h>
 
@@ -100,15 +100,19 @@ static void areas_that_snapping_made(void **state)
     (void)state;
     for (int n = 0; n < 2; n++) {
         const int32_t side = n == 0 ? 1 : 4096;
-        const qtri_gradient g = {.dx1 = side, .dy2 = side, .area = (int64_t)side * side};
         for (int32_t less = 8192; less < 65536; less += 8192) { /* in 2^-16 of the grid's unit */
             qtri_large_vertex v[3];
-            qtri_residual u;
+            qtri_large_job job;
             memset(v, 0, sizeof v);
+            memset(&job, 0, sizeof job);
+            job.x[1] = side;
+            job.y[2] = side;
+            job.area = (int64_t)side * side;
+            job.v = v;
             v[0].rest[1] = (int16_t)(less / 2);
             v[2].rest[1] = (int16_t)(-less / 2);
-            qtri_residual_init(&u, &g, v, true, 2 * side);
-            assert_int_equal(u.is_on, n == 1);
+            qtri_large_set_weights(&job);
+            assert_int_equal(job.is_true, n == 1);
         }
     }
 }

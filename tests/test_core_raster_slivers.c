@@ -5,7 +5,7 @@
  */
 #include "support/core.h"
 
-#include "raster/gradient.h"
+#include "raster/large_setup.h"
 
 #include <qtri/samples.h>
 #include <qtri/stroke.h>
@@ -375,36 +375,48 @@ static void triangles_that_are_lines(void **state)
     }
 }
 
-/* Areas of a few units: the plane is that of exact division, within what gradient.c says of a step.
- */
+/* Areas of a few units: at the vertices the plane is what it goes through, to 2^-8 of a unit in 16
+   bits of it, as steps are off by 2^-30 of their products. */
 static void planes_of_slivers(void **state)
 {
     (void)state;
     uint64_t seed = 21;
     int thin = 0;
     while (thin < 3000) {
-        qtri_gradient g = {0};
-        g.dx1 = random_in(&seed, -32768, 32767);
-        g.dy1 = random_in(&seed, -32768, 32767);
-        const int32_t part = random_in(&seed, 1, 7);
-        g.dx2 = g.dx1 / part + random_in(&seed, -1, 1);
-        g.dy2 = g.dy1 / part + random_in(&seed, -1, 1);
-        g.area = (int64_t)g.dx1 * g.dy2 - (int64_t)g.dx2 * g.dy1;
-        if (g.area == 0 || llabs(g.area) > 200) {
+        qtri_large_vertex v[3];
+        qtri_large_job job;
+        memset(v, 0, sizeof v);
+        memset(&job, 0, sizeof job);
+        job.v = v;
+        job.x[0] = 128;
+        job.y[0] = 128;
+        const int32_t dx1 = random_in(&seed, -128, 127) * 256;
+        const int32_t dy1 = random_in(&seed, -128, 127) * 256;
+        const int32_t part = 1 << random_in(&seed, 0, 3);
+        const int32_t dx2 = dx1 / part / 256 * 256 + random_in(&seed, -1, 1) * 256;
+        const int32_t dy2 = dy1 / part / 256 * 256 + random_in(&seed, -1, 1) * 256;
+        job.x[1] = 128 + dx1;
+        job.y[1] = 128 + dy1;
+        job.x[2] = 128 + dx2;
+        job.y[2] = 128 + dy2;
+        job.area = (int64_t)dx1 * dy2 - (int64_t)dx2 * dy1;
+        if (job.area == 0) {
             continue;
         }
         thin++;
-        qtri_gradient_init(&g, abs(g.dx1) + abs(g.dy1));
         uint32_t f[3];
         for (int i = 0; i < 3; i++) {
             f[i] = (uint32_t)random64(&seed) >> random_in(&seed, 1, 20);
         }
-        qtri_plane plane;
-        qtri_plane_init(&plane, &g, f);
-        const int128 n = ((int128)f[1] - f[0]) * g.dy2 - ((int128)f[2] - f[0]) * g.dy1;
-        const int128 step = floor_div(n * 65536 * 2 + g.area, 2 * (int128)g.area);
-        const int64_t off = (int64_t)(plane.dx - ((uint64_t)step << 8));
-        assert_true(llabs(off) <= 256 * (2 + 256 / llabs(g.area)));
+        qtri_large_plane plane;
+        qtri_large_set_weights(&job);
+        qtri_large_plane_of(&plane, &job, f);
+        for (int i = 0; i < 3; i++) {
+            const uint64_t at = plane.row + plane.dx * (uint64_t)(int64_t)(job.x[i] >> 8) +
+                                plane.dy * (uint64_t)(int64_t)(job.y[i] >> 8);
+            const int64_t off = (int64_t)(at - ((uint64_t)f[i] << 32));
+            assert_true(llabs(off) <= (int64_t)1 << 24);
+        }
     }
 }
 

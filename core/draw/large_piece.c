@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "large_piece.h"
 
-#include "../raster/gradient.h"
-
 /* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16: 33 bits times 31. */
 QTRI_NOINLINE static int64_t blend_q16(int32_t a0, int32_t a1, int32_t a2, const int32_t b_q30[2])
 {

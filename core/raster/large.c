@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Large triangles: edges, depth, and their rows. */
 #include "large.h"
 
 #include "descriptions.h"
@@ -53,7 +54,7 @@ bool qtri_large_edges_init(qtri_large_edges *e, const qtri_rect *bounds,
     return true;
 }
 
-void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3])
+void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3], int64_t area)
 {
     int32_t x[2] = {p[0]->x_24p8, p[0]->x_24p8};
     int32_t y[2] = {p[0]->y_24p8, p[0]->y_24p8};
@@ -63,6 +64,11 @@ void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3]
         y[0] = qtri_least32(y[0], p[i]->y_24p8);
         y[1] = qtri_greatest32(y[1], p[i]->y_24p8);
     }
+    for (int i = 0; i < 3; i++) {
+        job->x[i] = p[i]->x_24p8;
+        job->y[i] = p[i]->y_24p8;
+    }
+    job->area = area;
     job->x_least = x[0];
     job->y_least = y[0];
     job->width = x[1] - x[0];
@@ -70,131 +76,87 @@ void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3]
     job->pixels = (qtri_greatest32(job->width, job->height) >> 8) + 1;
 }
 
-static int32_t limit(int32_t at_24p8, int32_t pixels)
+/* Depth ---------------------------------------------------------------------------------------- */
+
+/* Whether a ramp through the vertices' true positions is out of range where they are snapped to. No
+   step is more than 8 times the range. */
+static bool leaves_range(const qtri_large_job *job)
 {
-    return qtri_hold32(at_24p8, 0, pixels * 256 - 1) >> 8;
+    for (int i = 0; i < 3; i++) {
+        const qtri_large_vertex *v = &job->v[i];
+        const int64_t more =
+            (job->depth.dx * v->rest[0] + job->depth.dy * v->rest[1]) >> 24; /* 2^36 2^15 */
+        if ((uint64_t)((int64_t)v->depth_16p16 - more) > (uint64_t)65535 << 16) {
+            return true;
+        }
+    }
+    return false;
 }
 
-/* The anchor of ramps is vertex 0, or as near to it as the frame has a pixel. */
-static void set_gradient(qtri_large_job *job, const qtri_screen_point *const p[3], int64_t area)
+/* Values have 2^39 at most: depth in quarters. */
+static void set_depth_ramp(qtri_large_job *job, bool is_true)
 {
-    qtri_gradient *g = &job->gradient;
-    const qtri_surface *surface = job->t.state->surface;
-    g->x_24p8 = p[0]->x_24p8;
-    g->y_24p8 = p[0]->y_24p8;
-    g->dx1 = p[1]->x_24p8 - g->x_24p8;
-    g->dy1 = p[1]->y_24p8 - g->y_24p8;
-    g->dx2 = p[2]->x_24p8 - g->x_24p8;
-    g->dy2 = p[2]->y_24p8 - g->y_24p8;
-    g->area = area;
-    qtri_gradient_init(g, job->width + job->height);
-    g->anchor_x = limit(g->x_24p8, qtri_least32(surface->width, QTRI_SURFACE_MAX));
-    g->anchor_y = limit(g->y_24p8, qtri_least32(surface->height, QTRI_SURFACE_MAX));
-    g->anchor_dx = g->anchor_x * 256 + 128 - g->x_24p8;
-    g->anchor_dy = g->anchor_y * 256 + 128 - g->y_24p8;
-}
-
-/* A plane of halves, 2^-16 of them: whole units of depth. */
-static int64_t whole_depth(uint64_t value)
-{
-    return (qtri_wrap64(value) + ((int64_t)1 << 14)) >> 15;
+    int64_t f_q8[3];
+    for (int i = 0; i < 3; i++) {
+        f_q8[i] = (int64_t)job->v[i].depth_16p16 << 6;
+    }
+    qtri_large_use_weights(job, is_true);
+    qtri_large_ramp_init(&job->depth, job, f_q8, -2);
 }
 
 /*
  * A triangle that the near plane has clipped has two vertices at depth 0, and its true plane is a
- * little below 0 where they are snapped to. To clamp the three depths would bend the plane, so the
- * ramp is that of the true plane, and pixels whose depth leaves the range are drawn apart, see
- * qtri_large_next_row(). Depths are halved, since with what is outside of the range they take 33
- * bits: a correction is at most 2^-5 of the range, so with 2^30 they are positive and below 2^32.
- *
- * Where a step fits, a half has 2^46 of the plane's units, and from vertex 0 to the anchor it is
- * less than 2^15 pixels in x and in y: 2^62. False: 32 bits do not hold a step.
+ * little below 0 where they are snapped to. To clamp the three depths would bend the plane, so
+ * pixels whose depth leaves the range are drawn by themselves, see qtri_large_next_row().
  */
-static bool set_clamped_depth(qtri_large_job *job, const uint32_t depth[3])
-{
-    const uint32_t above = (uint32_t)1 << 30;
-    const qtri_gradient *g = &job->gradient;
-    qtri_plane plane;
-    uint32_t f[3];
-    for (int i = 0; i < 3; i++) {
-        f[i] = (depth[i] >> 1) + above;
-    }
-    (void)qtri_residual_apply(f, &job->residual, 0, UINT32_MAX);
-    qtri_plane_init(&plane, g, f);
-    const int64_t dx = whole_depth(plane.dx);
-    const int64_t dy = whole_depth(plane.dy);
-    if (dx != (int32_t)dx || dy != (int32_t)dy) {
-        return false;
-    }
-    plane.origin -= (uint64_t)above << 16;
-    plane.origin += plane.dx * (uint64_t)(int64_t)g->anchor_x;
-    plane.origin += plane.dy * (uint64_t)(int64_t)g->anchor_y;
-    const int64_t origin = whole_depth(plane.origin) + QTRI_DEPTH_HALF;
-    job->depth.origin = (uint32_t)((uint64_t)origin & UINT32_MAX);
-    job->depth.dx = (uint32_t)((uint64_t)dx & UINT32_MAX);
-    job->depth.dy = (uint32_t)((uint64_t)dy & UINT32_MAX);
-    job->depth_above = (int32_t)(origin >> 32); /* 2^62 2^-15 2^-32: it fits */
-    return true;
-}
-
 static void set_depth(qtri_large_job *job)
 {
-    const qtri_large_vertex *v = job->v;
-    const uint32_t at[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
-    uint32_t depth[3] = {at[0], at[1], at[2]};
-    /* Of samples clamped depths serve. */
-    job->clamps_depth = qtri_residual_apply(depth, &job->residual, 0, (uint32_t)65535 << 16) &&
-                        !job->options->samples && set_clamped_depth(job, at);
-    if (job->clamps_depth) {
-        return;
+    set_depth_ramp(job, job->is_true);
+    if (job->is_true && leaves_range(job)) {
+        if (job->options->samples) {
+            set_depth_ramp(job, false);
+        } else {
+            job->clamps_depth = true;
+        }
     }
-    if (job->gradient.inverse != 0 && qtri_ramp_fits(depth[0], depth[1]) &&
-        qtri_ramp_fits(depth[0], depth[2])) {
-        qtri_ramp_multiply(&job->depth, &job->gradient, depth);
-    } else {
-        qtri_ramp_divide(&job->depth, &job->gradient, depth);
-    }
+    job->depth.at += QTRI_DEPTH_HALF;
+    job->t.row_z = (uint32_t)(job->depth.at + job->depth.dy * job->t.y);
+    job->t.row_z_step = (uint32_t)job->depth.dy;
+    job->t.z_step = (uint32_t)job->depth.dx;
 }
 
 /* Where the row before the first begins. */
-static void set_row(qtri_large_job *job)
+static void begin_rows(qtri_large_job *job)
 {
     const qtri_draw_state *state = job->t.state;
     const qtri_surface *surface = state->surface;
     const ptrdiff_t row = job->t.y - surface->first_row;
-    job->x_first = state->bounds.x0;
-    job->x_end = state->bounds.x1;
-    job->frame_width = qtri_least32(surface->width, QTRI_SURFACE_MAX);
-    job->pitch = surface->pitch;
-    job->depth_pitch = state->depth_pitch;
-    job->row_pixel = (uintptr_t)surface->pixels + (uintptr_t)(row * surface->pitch);
-    job->row_depth = (uintptr_t)surface->depth + (uintptr_t)(row * state->depth_pitch);
-    job->row_z =
-        qtri_ramp_at(&job->depth, -job->gradient.anchor_x, job->t.y - job->gradient.anchor_y);
+    job->t.x_first = state->bounds.x0;
+    job->t.x_end = state->bounds.x1;
+    job->t.frame_width = qtri_least32(surface->width, QTRI_SURFACE_MAX);
+    job->t.pitch = surface->pitch;
+    job->t.depth_pitch = state->depth_pitch;
+    job->t.row_z = 0;
+    job->t.row_z_step = 0;
+    job->t.row_pixel = (uintptr_t)surface->pixels + (uintptr_t)(row * surface->pitch);
+    job->t.row_depth = (uintptr_t)surface->depth + (uintptr_t)(row * state->depth_pitch);
 }
 
 /* Apart: what is set up once takes no stack while rows are drawn. */
-QTRI_NOINLINE void qtri_large_set_up(qtri_large_job *job, const qtri_screen_point *const p[3],
-                                     int64_t area)
+QTRI_NOINLINE void qtri_large_set_up(qtri_large_job *job)
 {
-    set_gradient(job, p, area);
-    qtri_residual_init(&job->residual, &job->gradient, job->v, qtri_is_textured(job->options),
-                       job->width + job->height);
+    qtri_large_set_weights(job);
+    job->plane_y = job->t.y + 1;
     job->t.z_step = 0;
     job->clamps_depth = false;
-    job->pixel_bytes = (uint8_t)qtri_pixel_step(job->options);
-    job->depth_bytes = (uint8_t)(qtri_tests_depth(job->options)
-                                     ? qtri_depth_size(job->options, job->t.state->surface)
-                                     : 0);
+    job->t.pixel_bytes = qtri_pixel_step(job->options);
+    job->t.depth_bytes =
+        qtri_tests_depth(job->options) ? qtri_depth_size(job->options, job->t.state->surface) : 0;
     job->is_clamped = false;
-    job->depth.origin = 0;
-    job->depth.dx = 0;
-    job->depth.dy = 0;
+    begin_rows(job);
     if (qtri_needs_depth(job->options)) {
         set_depth(job);
-        job->t.z_step = job->depth.dx;
     }
-    set_row(job);
     job->next_left = 0;
     job->next_right = 0;
     job->count = 0;
@@ -203,22 +165,147 @@ QTRI_NOINLINE void qtri_large_set_up(qtri_large_job *job, const qtri_screen_poin
     job->t.has_runs = false;
     job->first_color = 0;
     job->alpha = QTRI_LARGE_ATTRIBUTES;
-    job->plane_y = job->t.y + 1;
 }
+
+/* Rows -----------------------------------------------------------------------------------------
+ */
+
+/* All bits of what the loop over pixels has modulo 2^32; a plane holds 50. */
+static int64_t depth_at(const qtri_large_job *job, int32_t x)
+{
+    return qtri_wrap64((uint64_t)(job->depth.at + job->depth.dx * x + job->depth.dy * job->t.y)
+                       << 14) >>
+           14;
+}
+
+/* -1, 0, 1: below, inside and above the range. */
+static int side_of(int64_t depth)
+{
+    return depth < 0 ? -1 : depth >> 32 != 0;
+}
+
+/*
+ * The next part of a row, from next_left to next_right, whose depth is inside the range, or all
+ * below or above it. Depth goes one way along a row, so each side has one run of pixels; few are
+ * outside, and are counted. False: there is none.
+ */
+static bool next_part(qtri_large_job *job)
+{
+    const int32_t left = job->next_left, end = job->next_right;
+    if (left >= end) {
+        return false;
+    }
+    const int side = side_of(depth_at(job, left));
+    int32_t right = left + 1;
+    job->is_clamped = side != 0;
+    if (side == 0) {
+        right = end;
+        while (side_of(depth_at(job, right - 1)) != 0) {
+            right--;
+        }
+        job->t.z_step = (uint32_t)job->depth.dx;
+    } else {
+        while (right < end && side_of(depth_at(job, right)) == side) {
+            right++;
+        }
+        job->t.z_step = 0;
+        job->t.z = (side < 0 ? 0 : (uint32_t)65535 << 16) + QTRI_DEPTH_HALF;
+    }
+    job->t.row_left = left;
+    job->t.row_right = right;
+    job->next_left = right;
+    return true;
+}
+
+/* What is drawn from `left` to `right`; false: nothing. */
+static inline bool set_row(qtri_large_job *job, int32_t left, int32_t right)
+{
+    qtri_large *t = &job->t;
+    const int32_t x0 = qtri_greatest32(left, job->t.x_first);
+    const int32_t x1 = qtri_least32(right, job->t.x_end);
+    if (x0 >= x1) {
+        return false;
+    }
+    t->x0 = x0;
+    t->x1 = x1;
+    t->x = x0;
+    t->fog_x = x0;
+    job->t.is_new = true;
+    /* NOLINTBEGIN(performance-no-int-to-ptr): column 0 may lie before the surface's first row */
+    t->pixel = (uint8_t *)(job->t.row_pixel + (uint32_t)x0 * job->t.pixel_bytes);
+    t->depth = (uint8_t *)(job->t.row_depth + (uint32_t)x0 * job->t.depth_bytes);
+    /* NOLINTEND(performance-no-int-to-ptr) */
+    if (!job->is_clamped) {
+        t->z = t->row_z + (uint32_t)x0 * t->z_step;
+    }
+    return true;
+}
+
+bool qtri_large_set_row(qtri_large_job *job, int32_t left, int32_t right)
+{
+    return set_row(job, left, right);
+}
+
+/* The next row's ends; false: there is none. */
+static inline bool step_row(qtri_large_job *job)
+{
+    int32_t left, right;
+    qtri_large_step_row(job);
+    if (job->t.y >= job->t.edges.end) {
+        return false;
+    }
+    qtri_large_edges_next(&job->t.edges, job->t.y, &left, &right);
+    job->t.row_left = qtri_greatest32(left, 0);
+    job->t.row_right = qtri_least32(right, job->t.frame_width);
+    return true;
+}
+
+/* Rows whose depth may leave its range, part by part. */
+QTRI_NOINLINE static bool next_clamped(qtri_large_job *job)
+{
+    for (;;) {
+        while (next_part(job)) {
+            if (set_row(job, job->t.row_left, job->t.row_right)) {
+                return true;
+            }
+        }
+        if (!step_row(job)) {
+            return false;
+        }
+        job->next_left = job->t.row_left;
+        job->next_right = job->t.row_right;
+    }
+}
+
+bool qtri_large_next_row(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    if (job->clamps_depth) {
+        return next_clamped(job);
+    }
+    do {
+        if (!step_row(job)) {
+            return false;
+        }
+    } while (!set_row(job, job->t.row_left, job->t.row_right));
+    return true;
+}
+
+/* Triangles ------------------------------------------------------------------------------------ */
 
 /* False: there is nothing to draw. */
 QTRI_NOINLINE static bool begin(qtri_large_job *job, const qtri_screen_point *const p[3],
                                 int64_t area)
 {
     const qtri_rect *bounds = &job->t.state->bounds;
-    qtri_large_set_box(job, p);
+    qtri_large_set_box(job, p, area);
     if (first_center(job->x_least) >= bounds->x1 ||
         first_center(job->x_least + job->width) <= bounds->x0 ||
-        !qtri_large_edges_init(&job->edges, bounds, p, area > 0)) {
+        !qtri_large_edges_init(&job->t.edges, bounds, p, area > 0)) {
         return false;
     }
-    job->t.y = job->edges.row - 1;
-    qtri_large_set_up(job, p, area);
+    job->t.y = job->t.edges.row - 1;
+    qtri_large_set_up(job);
     return true;
 }
 

@@ -28,4 +28,15 @@ typedef struct qtri_large_vertex {
 void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const p[3], int64_t area,
                          uint32_t color_rgb, const qtri_large_vertex v[3]);
 
+/* The least and the greatest of the three vertices' values. */
+static inline void qtri_find_range(uint32_t *least, uint32_t *greatest, const uint32_t f[3])
+{
+    *least = f[0];
+    *greatest = f[0];
+    for (int i = 1; i < 3; i++) {
+        *least = f[i] < *least ? f[i] : *least;
+        *greatest = f[i] > *greatest ? f[i] : *greatest;
+    }
+}
+
 #endif

@@ -116,7 +116,7 @@ void qtri_large_set_lengths(qtri_large_job *job)
         const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
         least = q < least ? (uint32_t)q : least;
     }
-    least -= job->residual.is_on ? least >> 5 : 0;
+    least -= job->is_true ? least >> 5 : 0;
     const int32_t log2 = length_for(job, least);
     job->piece_max =
         qtri_least32(job->run_log2, job->packing == QTRI_PACK_565 ? QTRI_LARGE_RUN_LOG2 - 1
@@ -233,8 +233,9 @@ static inline int32_t delta_at(const qtri_large_job *job, int32_t reciprocal)
 
 static void begin_chunk(qtri_large_job *job)
 {
-    const int32_t chunk = job->row_left + ((job->t.x - job->row_left) & -(int32_t)QTRI_LARGE_CHUNK);
-    job->chunk_end = qtri_least32(chunk + QTRI_LARGE_CHUNK, job->row_right);
+    const int32_t chunk =
+        job->t.row_left + ((job->t.x - job->t.row_left) & -(int32_t)QTRI_LARGE_CHUNK);
+    job->chunk_end = qtri_least32(chunk + QTRI_LARGE_CHUNK, job->t.row_right);
     const int32_t width = job->chunk_end - chunk;
     int32_t log2 = job->one_log2;
     if (log2 < 0) {
@@ -274,9 +275,10 @@ static void begin_chunk(qtri_large_job *job)
  */
 static inline bool is_level(const qtri_large_job *job)
 {
-    const uint32_t width = (uint32_t)(job->row_right - job->row_left); /* <= 2^13 */
-    return job->steep == 0 || qtri_mul_u32(width * width, job->steep) >> 2 <=
-                                  qtri_large_positive(qtri_large_plane_at(&job->q, job->row_left));
+    const uint32_t width = (uint32_t)(job->t.row_right - job->t.row_left); /* <= 2^13 */
+    return job->steep == 0 ||
+           qtri_mul_u32(width * width, job->steep) >> 2 <=
+               qtri_large_positive(qtri_large_plane_at(&job->q, job->t.row_left));
 }
 
 /* The one division of a row: the quotient of a step, of as many pixels as go into 32 bits, is the
@@ -287,14 +289,14 @@ QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
     if (!job->is_level) {
         return false;
     }
-    const uint32_t beyond = (uint32_t)(job->row_right - job->row_left) - 1;
+    const uint32_t beyond = (uint32_t)(job->t.row_right - job->t.row_left) - 1;
     if (beyond >> (job->level_log2 - 1) != 1) { /* longer or shorter than the row before */
         job->level_log2 = (uint8_t)qtri_greatest32(log2_above((int32_t)beyond + 1), 1);
         job->h_log2 = job->level_log2;
         set_steps(job, job->h_log2);
         job->steps_log2 = QTRI_LARGE_NO_LEVEL;
     }
-    set_first(job, job->row_left);
+    set_first(job, job->t.row_left);
     const int32_t reciprocal = next_reciprocal(job);
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->t.a[i];
@@ -367,7 +369,7 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
 {
     uint32_t at[2][QTRI_LARGE_ATTRIBUTES], step[2][QTRI_LARGE_ATTRIBUTES];
     const int32_t h = (int32_t)1 << qtri_greatest32(job->h_log2, 0);
-    const int32_t rest = job->row_right - job->t.x;
+    const int32_t rest = job->t.row_right - job->t.x;
     for (int i = job->first_color; i < job->count; i++) {
         qtri_large_attribute *a = &job->t.a[i];
         const int32_t from = a->point, rise = end[i] - from;
@@ -393,8 +395,8 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
 QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool colored)
 {
     qtri_large *t = &job->t;
-    if (job->is_new) {
-        job->is_new = false;
+    if (job->t.is_new) {
+        job->t.is_new = false;
         job->t.x = t->x0;
         qtri_large_planes_move(job);
         begin_chunk(job);
@@ -451,7 +453,7 @@ QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored
         return qtri_large_linear_piece(job);
     }
     if (job->may_be_level) {
-        if (job->is_new) {
+        if (job->t.is_new) {
             qtri_large_planes_move(job);
             job->t.is_bent = !qtri_large_begin_level(job);
         }

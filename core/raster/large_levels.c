@@ -237,15 +237,15 @@ static inline int32_t run_of(const qtri_large_job *job)
 /* Of the run that begins at column x. */
 static inline uint32_t run_level(const qtri_large_job *job, int32_t x, uint32_t level)
 {
-    const int32_t count = qtri_least32(run_of(job), job->row_right - x);
+    const int32_t count = qtri_least32(run_of(job), job->t.row_right - x);
     return level_at(job, &job->levels.measure, x + (count >> 1), level);
 }
 
 static void begin_level_row(qtri_large_job *job)
 {
-    job->levels.measure = measure_at(job, job->row_left);
-    job->levels.only = (uint8_t)run_level(job, job->row_left, job->levels.only);
-    job->t.x = job->row_left;
+    job->levels.measure = measure_at(job, job->t.row_left);
+    job->levels.only = (uint8_t)run_level(job, job->t.row_left, job->levels.only);
+    job->t.x = job->t.row_left;
 }
 
 /* Colours that are linear along the row, where it is `skipped` pixels on. */
@@ -266,7 +266,7 @@ static int32_t level_row_piece(qtri_large_job *job)
 {
     qtri_large_levels *levels = &job->levels;
     qtri_large_piece *piece = job->t.piece;
-    const int32_t run = run_of(job), right = job->row_right;
+    const int32_t run = run_of(job), right = job->t.row_right;
     int32_t x, end = job->t.x;
     uint32_t level, next = levels->only;
     do {
@@ -281,7 +281,7 @@ static int32_t level_row_piece(qtri_large_job *job)
     } while (end <= job->t.x0);
     job->t.x = end;
     levels->only = (uint8_t)next;
-    const uint32_t skipped = (uint32_t)(x - job->row_left);
+    const uint32_t skipped = (uint32_t)(x - job->t.row_left);
     piece->count = qtri_least32(end, right) - x;
     piece->u = job->t.a[0].at + job->t.a[0].step * skipped;
     piece->v = job->t.a[1].at + job->t.a[1].step * skipped;
@@ -366,13 +366,13 @@ int32_t qtri_large_next_levels(qtri_large *t)
     if (!job->levels.are_found) {
         return plain_pieces(job);
     }
-    if (job->is_new) {
+    if (job->t.is_new) {
         begin_row(job);
         if (job->may_be_level) {
             qtri_large_planes_move(job);
             t->is_bent = !qtri_large_begin_level(job);
             if (job->is_level) {
-                job->is_new = false;
+                job->t.is_new = false;
                 begin_level_row(job);
             }
         }

@@ -51,16 +51,6 @@ static bool align_q(uint32_t q[3], const qtri_large_vertex v[3])
     return q[0] != q[1] || q[0] != q[2];
 }
 
-static void set_plane(qtri_large_plane *p, const qtri_large_light *l, const qtri_gradient *g,
-                      const uint32_t f[3])
-{
-    qtri_plane plane;
-    qtri_plane_init(&plane, g, f);
-    p->dx = plane.dx << 16;
-    p->dy = plane.dy << 16;
-    p->row = (plane.origin + plane.dy * (uint64_t)(int64_t)l->plane_y) << 16;
-}
-
 static void set_tolerance(qtri_large_light *l, const qtri_options *o)
 {
     const bool coarse = qtri_kind_of(o) == QTRI_IN_565;
@@ -94,10 +84,10 @@ static void begin(qtri_large *t)
             const uint32_t share_q30 = (uint32_t)v[i].color_8p16[k];
             f[i] = l->divided ? (uint32_t)(qtri_mul_u32(q[i], share_q30) >> 30) : share_q30;
         }
-        set_plane(&l->share[k], l, &job->gradient, f);
+        qtri_large_plane_of(&l->share[k], job, f);
     }
     if (l->divided) {
-        set_plane(&l->q, l, &job->gradient, q);
+        qtri_large_plane_of(&l->q, job, q);
         qtri_find_range(&l->least, &l->greatest, q);
     }
 }
@@ -216,10 +206,10 @@ static void move_planes(qtri_large_light *l, int32_t y)
 /* The block that has the first pixel that is drawn: not one that only begins with the last. */
 static void begin_row(const qtri_large_job *job, qtri_large_light *l)
 {
-    const int32_t left = job->row_left;
+    const int32_t left = job->t.row_left;
     l->y = job->t.y;
     l->left = left;
-    l->last = job->row_right - 1;
+    l->last = job->t.row_right - 1;
     l->x0 = job->t.x0;
     l->x = l->x0;
     l->from = 0;

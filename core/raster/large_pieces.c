@@ -1,6 +1,165 @@
 /* SPDX-License-Identifier: MIT */
-/* Pieces of rows along which attributes are linear, and fog. */
+/* Pieces of rows: colours are packed, attributes that are linear, and fog. */
 #include "large_setup.h"
+
+static uint32_t shifted(uint32_t x, int32_t up)
+{
+    return up >= 0 ? x << up : (uint32_t)((int32_t)x >> (up < -31 ? 31 : -up));
+}
+
+void qtri_large_planes_move(qtri_large_job *job)
+{
+    const qtri_large_attribute *const end = &job->t.a[job->count];
+    for (int32_t rows = job->t.y - job->plane_y; rows > 0; rows--) { /* one, mostly */
+        for (qtri_large_attribute *a = job->t.a; a != end; a++) {
+            a->plane.row += a->plane.dy;
+        }
+        job->q.row += job->q.dy;
+    }
+    job->plane_y = job->t.y;
+}
+
+/* Attributes at the row's left end, where nothing follows perspective. */
+static inline void set_left(qtri_large_job *job)
+{
+    qtri_large_planes_move(job);
+    for (int i = 0; i < job->count; i++) {
+        qtri_large_attribute *a = &job->t.a[i];
+        a->at = shifted(qtri_large_plane_at(&a->plane, job->t.row_left), a->up) + a->start;
+    }
+}
+
+/* Colours: see qtri_pixel_walk -------------------------------------------------------------------
+ */
+
+static uint32_t signed_shift(uint32_t x, int32_t by)
+{
+    return (uint32_t)((int32_t)x >> by);
+}
+
+/* Steps of lanes lose `down` bits. */
+static void lane_steps(uint32_t *c_step, uint32_t *g_step, const uint32_t *step, int32_t down)
+{
+    const uint32_t round = (uint32_t)1 << (down - 1);
+    *c_step = (signed_shift(step[0] + round, down) << 16) + signed_shift(step[2] + round, down);
+    *g_step = step[1];
+}
+
+/* A step to nearest 2^(bits - 16); to nearest zero of what is below 0, as all sums are unsigned. */
+static uint32_t rounded(uint32_t step, uint32_t bits)
+{
+    return (step + ((uint32_t)1 << (bits - 1))) & ~(((uint32_t)1 << bits) - 1);
+}
+
+static uint32_t word_step(const uint32_t step[3])
+{
+    return (step[0] >> 10 << 21) + step[2] + signed_shift(step[1], 11);
+}
+
+/*
+ * Two steps in turn, whose sum is rounded; and what is added where n pixels start: half of what
+ * that sums up to along them.
+ */
+static inline void channel_steps(uint32_t *one, uint32_t *two, uint32_t *center, uint32_t step,
+                                 uint32_t bits, int32_t n)
+{
+    const uint32_t both = rounded(2 * step, bits);
+    *one = rounded(step, bits);
+    *two = both - *one;
+    *center = (uint32_t)(((int32_t)(2 * step - both) * (n - 1)) >> 2);
+}
+
+static void word_steps(uint32_t *even, uint32_t *odd, uint32_t center[3], const uint32_t *step,
+                       int32_t n)
+{
+    uint32_t one[3], two[3];
+    channel_steps(&one[0], &two[0], &center[0], step[0], 10, n);
+    channel_steps(&one[1], &two[1], &center[1], step[1], 11, n);
+    channel_steps(&one[2], &two[2], &center[2], step[2], 11, n);
+    *even = word_step(one);
+    *odd = word_step(two);
+}
+
+void qtri_large_pack_colors(int packing, qtri_large_piece *piece, const uint32_t *c,
+                            const uint32_t *step, int32_t n)
+{
+    if (packing == QTRI_PACK_ONE) {
+        piece->c = c[0];
+        piece->c_step = step[0];
+    } else if (packing == QTRI_PACK_565) {
+        uint32_t center[3];
+        word_steps(&piece->c_step, &piece->c_other, center, step, n);
+        piece->c = qtri_large_word(c[0] + center[0], c[1] + center[1], c[2] + center[2]);
+    } else if (packing != QTRI_PACK_NONE) {
+        const int32_t down = packing == QTRI_PACK_WEIGHTS ? 9 : 8;
+        lane_steps(&piece->c_step, &piece->g_step, step, down);
+        piece->c = (c[0] >> down << 16) + (c[2] >> down);
+        piece->g = c[1];
+    }
+}
+
+void qtri_large_pack(const qtri_large_job *job, qtri_large_piece *piece,
+                     const uint32_t at[QTRI_LARGE_ATTRIBUTES],
+                     const uint32_t step[QTRI_LARGE_ATTRIBUTES], int32_t n)
+{
+    qtri_large_pack_colors(job->packing, piece, &at[job->first_color], &step[job->first_color], n);
+    if (job->alpha < job->count) {
+        piece->alpha = at[job->alpha];
+        piece->alpha_step = step[job->alpha];
+    }
+}
+
+uint32_t qtri_large_begin_runs(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    const uint32_t skipped = (uint32_t)(t->x0 - job->t.row_left);
+    const uint32_t start = skipped & ~(uint32_t)(QTRI_LARGE_RUN - 1);
+    const uint32_t x = (uint32_t)job->t.row_left + start, y = (uint32_t)t->y;
+    for (int i = 0; i < 3; i++) {
+        t->run[i] = t->run_at[i] + t->a[i].step * x + t->run_down[i] * y + job->center[i];
+    }
+    return skipped - start;
+}
+
+void qtri_large_set_run_steps(qtri_large_job *job)
+{
+    const qtri_large_attribute *a = &job->t.a[job->first_color];
+    if (job->packing == QTRI_PACK_ONE) {
+        job->t.piece[0].c_step = a->step;
+    } else if (job->packing != QTRI_PACK_NONE) {
+        const uint32_t step[3] = {a[0].step, a[1].step, a[2].step};
+        if (job->packing == QTRI_PACK_565) {
+            word_steps(&job->t.run_even, &job->t.run_odd, job->center, step, QTRI_LARGE_RUN);
+        } else {
+            lane_steps(&job->t.piece[0].c_step, &job->t.piece[0].g_step, step,
+                       job->packing == QTRI_PACK_WEIGHTS ? 9 : 8);
+        }
+    }
+    if (job->alpha < job->count) {
+        job->t.piece[0].alpha_step = job->t.a[job->alpha].step;
+    }
+}
+
+void qtri_large_pack_linear(qtri_large_job *job, qtri_large_piece *piece)
+{
+    const qtri_large_attribute *a = &job->t.a[job->first_color];
+    if (job->packing == QTRI_PACK_ONE) {
+        piece->c = a->at;
+    } else if (job->packing == QTRI_PACK_565) {
+        piece->c = qtri_large_word(a[0].at + job->center[0], a[1].at + job->center[1],
+                                   a[2].at + job->center[2]);
+        piece->c_step = job->t.run_even;
+        piece->c_other = job->t.run_odd;
+    } else if (job->packing != QTRI_PACK_NONE) {
+        const int32_t down = job->packing == QTRI_PACK_WEIGHTS ? 9 : 8;
+        piece->c = (a[0].at >> down << 16) + (a[2].at >> down);
+        piece->g = a[1].at;
+    }
+    if (job->alpha < job->count) {
+        piece->alpha = job->t.a[job->alpha].at;
+    }
+}
+/* Pieces --------------------------------------------------------------------------------------- */
 
 void qtri_large_skip_colors(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
 {
@@ -35,18 +194,6 @@ static void skip(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
     }
 }
 
-void qtri_large_planes_move(qtri_large_job *job)
-{
-    const qtri_large_attribute *const end = &job->t.a[job->count];
-    for (int32_t rows = job->t.y - job->plane_y; rows > 0; rows--) { /* one, mostly */
-        for (qtri_large_attribute *a = job->t.a; a != end; a++) {
-            a->plane.row += a->plane.dy;
-        }
-        job->q.row += job->q.dy;
-    }
-    job->plane_y = job->t.y;
-}
-
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
 {
     if (!job->options->mipmapped) {
@@ -68,27 +215,12 @@ void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
     piece->count = end - first;
 }
 
-static uint32_t shifted(uint32_t x, int32_t up)
-{
-    return up >= 0 ? x << up : (uint32_t)((int32_t)x >> (up < -31 ? 31 : -up));
-}
-
-/* Attributes at the row's left end, where nothing follows perspective. */
-static inline void set_left(qtri_large_job *job)
-{
-    qtri_large_planes_move(job);
-    for (int i = 0; i < job->count; i++) {
-        qtri_large_attribute *a = &job->t.a[i];
-        a->at = shifted(qtri_large_plane_at(&a->plane, job->row_left), a->up) + a->start;
-    }
-}
-
 /* All of a row of texture coordinates alone. */
 static inline int32_t whole_row(qtri_large_job *job)
 {
     qtri_large_piece *piece = &job->t.piece[0];
     const qtri_large_attribute *u = &job->t.a[0], *v = &job->t.a[1];
-    const uint32_t skipped = (uint32_t)(job->t.x0 - job->row_left);
+    const uint32_t skipped = (uint32_t)(job->t.x0 - job->t.row_left);
     if (!job->is_curved) {
         set_left(job);
     }
@@ -106,9 +238,9 @@ static inline int32_t whole_row(qtri_large_job *job)
 /* The row's first piece of those that start at multiples of a run from the row's left end. */
 static void begin_row(qtri_large_job *job)
 {
-    const int32_t left = job->row_left;
+    const int32_t left = job->t.row_left;
     const int32_t skipped = (job->t.x0 - left) >> job->run_log2 << job->run_log2;
-    job->is_new = false;
+    job->t.is_new = false;
     job->t.x = left + skipped;
     if (!job->is_curved) {
         set_left(job);
@@ -124,11 +256,11 @@ int32_t qtri_large_linear_piece(qtri_large_job *job)
     if (job->first_color == job->count && !job->options->mipmapped) {
         return whole_row(job);
     }
-    if (job->is_new) {
+    if (job->t.is_new) {
         begin_row(job);
     }
     const int32_t run = (int32_t)1 << job->run_log2, x = job->t.x;
-    piece->count = qtri_least32(run, job->row_right - x);
+    piece->count = qtri_least32(run, job->t.row_right - x);
     if (job->first_color != 0) {
         piece->u = job->t.a[0].at;
         piece->v = job->t.a[1].at;
@@ -170,8 +302,8 @@ int32_t qtri_large_next_fog(qtri_large *t, int32_t count)
 {
     const qtri_large_job *job = qtri_large_job_of(t);
     const int32_t x = t->fog_x;
-    int32_t first = job->row_left + ((x - job->row_left) & -FOG_PIXELS);
-    int32_t last = qtri_least32(first + FOG_PIXELS, job->row_right) - 1;
+    int32_t first = job->t.row_left + ((x - job->t.row_left) & -FOG_PIXELS);
+    int32_t last = qtri_least32(first + FOG_PIXELS, job->t.row_right) - 1;
     uint32_t from = fog_at(t, first), to = fog_at(t, last);
     while (last - first > 1) {
         const int32_t middle = (first + last) >> 1;

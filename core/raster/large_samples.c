@@ -56,9 +56,9 @@ static bool set_up(qtri_large_job *job, int32_t place)
     if (area == 0) {
         return false;
     }
-    qtri_large_set_box(job, p);
+    qtri_large_set_box(job, p, area);
     job->t.y = job->t.samples->first_row - 1;
-    qtri_large_set_up(job, p, area);
+    qtri_large_set_up(job);
     return true;
 }
 
@@ -76,12 +76,11 @@ static bool is_gentle(const qtri_large_job *job)
     return (((most - least) >> 12) + 1) * extent <= qtri_magnitude64(job->area) << 8;
 }
 
-/* What depth has more at a place where its step may have wrapped: it is set up there. */
+/* Depth at a place where its step may have wrapped: it is set up there. */
 static uint32_t depth_at(qtri_large_job *job, int32_t place, int32_t x, int32_t y)
 {
-    return set_up(job, place)
-               ? qtri_ramp_at(&job->depth, x - job->gradient.anchor_x, y - job->gradient.anchor_y)
-               : 0;
+    return set_up(job, place) ? (uint32_t)(job->depth.at + job->depth.dx * x + job->depth.dy * y)
+                              : 0;
 }
 
 static void set_depths(qtri_large_job *job)
@@ -99,11 +98,11 @@ static void set_depths(qtri_large_job *job)
         s->z_q = (uint32_t)((3 * dx - dy) >> 2);
         return;
     }
-    const int32_t x = job->gradient.anchor_x, y = job->gradient.anchor_y;
-    const uint32_t center = job->depth.origin;
-    s->z_p = depth_at(job, 3, x, y) - center;
-    s->z_q = depth_at(job, 1, x, y) - center;
-    (void)set_up(job, QTRI_CENTER);
+    const int32_t x = job->x[0] >> 8, y = job->y[0] >> 8;
+    const uint32_t p = depth_at(job, 3, x, y), q = depth_at(job, 1, x, y);
+    const uint32_t center = depth_at(job, QTRI_CENTER, x, y);
+    s->z_p = p - center;
+    s->z_q = q - center;
 }
 
 bool qtri_large_begin_samples(qtri_large *t, int32_t place)
@@ -149,7 +148,7 @@ static void set_columns(qtri_large_job *job)
                                      qtri_least32(row->right[2], row->right[3]));
     row->count = end > row->x0 ? (uint32_t)(end - row->x0) : 0;
     s->left = qtri_greatest32(row->left[s->place], 0);
-    s->right = qtri_least32(row->right[s->place], job->frame_width);
+    s->right = qtri_least32(row->right[s->place], job->t.frame_width);
     s->next = s->left;
 }
 
@@ -199,8 +198,8 @@ bool qtri_large_next_samples(qtri_large *t)
     for (;;) {
         int32_t first, end;
         while (s->next < s->right && next_run(s, &first, &end)) {
-            job->row_left = s->left;
-            job->row_right = s->right;
+            job->t.row_left = s->left;
+            job->t.row_right = s->right;
             if (qtri_large_set_row(job, first, end)) {
                 return true;
             }

@@ -11,11 +11,11 @@
 
 #include "qtri/body/large.h"
 
+#include "../bits/reciprocal.h"
+
 #include "dda.h"
-#include "fine_plane.h"
 #include "large.h"
 #include "large_levels.h"
-#include "residual.h"
 
 enum {
     QTRI_LARGE_ATTRIBUTES = 6, /* u v, light or red green blue, alpha */
@@ -28,34 +28,37 @@ enum {
 /* Colours of pieces: none, one attribute as it is, a word of 565, lanes of 8.8 or 9.7. */
 enum { QTRI_PACK_NONE, QTRI_PACK_ONE, QTRI_PACK_565, QTRI_PACK_888, QTRI_PACK_WEIGHTS };
 
+/* How much vertices 1 and 2 weigh: steps of a pixel right and down, and at the centre of the pixel
+   that has vertex 0, 2^-fraction. */
+typedef struct qtri_large_weights {
+    int64_t b[2][3]; /* |.| < 2^61, 2^62 */
+    int32_t fraction;
+    bool is_true; /* through the vertices' true positions */
+} qtri_large_weights;
+
+/* An attribute by steps of whole units, exact to half of one each: at column 0 of row 0. */
+typedef struct qtri_large_ramp {
+    int64_t at, dx, dy;
+} qtri_large_ramp;
+
 typedef struct qtri_large_job {
-    qtri_large t;                     /* first: what the body has a pointer to */
-    uint8_t pixel_bytes, depth_bytes; /* depth_bytes: 0 without a test of depth */
+    qtri_large t; /* first: what the body has a pointer to */
     const qtri_options *options;
     const qtri_large_vertex *v;
 
     const qtri_screen_point *const *p;
-    int64_t area;
-    qtri_large_edges edges;
-    uintptr_t row_pixel, row_depth; /* addresses of column 0 */
-    ptrdiff_t pitch, depth_pitch;
-    uint32_t row_z;         /* depth of column 0 */
-    int32_t x_first, x_end; /* columns of the bounds */
-    /* The row, inside of the frame. */
-    int32_t frame_width;
-    int32_t row_left, row_right;
-    bool is_new; /* nothing of it is found yet */
-    int32_t next_left,
-        next_right; /* of a row whose depth leaves its range: what is not drawn yet */
+    int32_t x[3], y[3]; /* of the vertices, 24.8 */
+    int64_t area;       /* qtri_triangle_area() of these */
+    qtri_large_weights weights;
+    bool is_true;          /* weights of attributes may be those of true positions */
+    qtri_large_ramp depth; /* 16.16 with QTRI_DEPTH_HALF; it may be out of range */
+    /* Of a row whose depth leaves its range: what is not drawn yet. */
+    int32_t next_left, next_right;
 
     int32_t x_least, y_least, width, height; /* of the triangle, 24.8 */
     int32_t pixels;                          /* of its longer side */
-    qtri_gradient gradient;
-    qtri_residual residual;
-    qtri_ramp depth;
     bool clamps_depth; /* it may leave its range; is_clamped: it is out of it where the row is */
     bool is_clamped;
-    int32_t depth_above; /* bits 32.. of depth.origin */
 
     uint8_t first_color, alpha, count; /* attributes: u v if textured, colours, alpha */
     uint8_t packing;                   /* of colours: below */
@@ -76,8 +79,6 @@ typedef struct qtri_large_job {
     qtri_large_levels levels; /* of a texture that is mipmapped */
     uint32_t center[3];       /* half of what rounding of packed steps sums up to, n.16 */
 
-    qtri_ramp run_ramp[3]; /* with t.has_runs */
-
     int32_t chunk_end, h_log2; /* h_log2: of a piece; -1: points are a pixel apart */
     int32_t zeros;             /* of q at the last point */
     uint32_t delta_step;       /* of q from a point to the next */
@@ -88,10 +89,10 @@ typedef struct qtri_large_job {
 bool qtri_large_edges_init(qtri_large_edges *edges, const qtri_rect *bounds,
                            const qtri_screen_point *const vertex[3], bool clockwise);
 /* What a triangle that is drawn from row t.y + 1 on has but its edges. */
-void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3]);
-void qtri_large_set_up(qtri_large_job *job, const qtri_screen_point *const p[3], int64_t area);
+void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3], int64_t area);
+void qtri_large_set_up(qtri_large_job *job);
 
-/* In large_rows.c: columns `left` to `right` of row t.y are what is drawn next; false: nothing of
+/* Columns `left` to `right` of row t.y are what is drawn next; false: nothing of
    it is within the bounds. */
 bool qtri_large_set_row(qtri_large_job *job, int32_t left, int32_t right);
 
@@ -112,9 +113,9 @@ static inline void qtri_large_edges_next(qtri_large_edges *e, int32_t y, int32_t
 static inline void qtri_large_step_row(qtri_large_job *job)
 {
     job->t.y++;
-    job->row_pixel += (uintptr_t)job->pitch;
-    job->row_depth += (uintptr_t)job->depth_pitch;
-    job->row_z += job->depth.dy;
+    job->t.row_pixel += (uintptr_t)job->t.pitch;
+    job->t.row_depth += (uintptr_t)job->t.depth_pitch;
+    job->t.row_z += job->t.row_z_step;
 }
 
 static inline qtri_large_job *qtri_large_job_of(qtri_large *t)
@@ -156,10 +157,26 @@ static inline uint32_t qtri_large_positive(uint32_t q)
     return q - 1 < 0xE0000000u ? q : 1;
 }
 
-/* In large_planes.c: planes go on to the job's row. */
+/* In large_setup.c: weights, of true positions where these are known and the triangle is not too
+   thin; others than before, where they differ. */
+void qtri_large_set_weights(qtri_large_job *job);
+void qtri_large_use_weights(qtri_large_job *job, bool is_true);
+
+/* The plane through (vertex i, f[i]) by these weights, in row plane_y: 0 <= f < 2^39, in 2^-8;
+   times 2^up. Then of whole values, which are below 2^31. */
+void qtri_large_plane_init(qtri_large_plane *p, const qtri_large_job *job, const int64_t f_q8[3],
+                           int32_t up);
+void qtri_large_plane_of(qtri_large_plane *p, const qtri_large_job *job, const uint32_t f[3]);
+
+/* The ramp of values in 2^-down of its units; steps are rounded from vertex 0 on, or from where the
+   frame is nearest to it. */
+void qtri_large_ramp_init(qtri_large_ramp *ramp, const qtri_large_job *job, const int64_t f_q8[3],
+                          int32_t down);
+
+/* In large_pieces.c: planes go on to the job's row. */
 void qtri_large_planes_move(qtri_large_job *job);
 
-/* In large_colors.c: how colours of the options are packed; the half that rounds; colours, 8.16 of
+/* How colours of the options are packed; the half that rounds; colours, 8.16 of
    255, as they are stepped, n.16: gray is the first one. */
 uint8_t qtri_large_packing_of(const qtri_options *o);
 uint32_t qtri_large_half_of(const qtri_options *o);

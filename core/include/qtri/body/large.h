@@ -39,9 +39,10 @@ enum { QTRI_LARGE_RUN_LOG2 = 6, QTRI_LARGE_RUN = 1 << QTRI_LARGE_RUN_LOG2 };
 
 /* The edges of a triangle: the lower one takes its side over at row `turn`. */
 typedef struct qtri_large_edges {
-    qtri_dda left, right, lower;
+    qtri_dda left, right;
     int32_t row, turn, end;
     bool lower_is_left;
+    qtri_dda lower;
 } qtri_large_edges;
 
 /*
@@ -86,6 +87,17 @@ typedef struct qtri_large {
     uint8_t *pixel, *depth;
     uint32_t z, z_step;
 
+    /* From row to row; first, since Armv6-M reaches 31 words. */
+    uintptr_t row_pixel, row_depth; /* addresses of column 0 */
+    ptrdiff_t pitch, depth_pitch;
+    uint32_t pixel_bytes, depth_bytes; /* depth_bytes: 0 without a test of depth */
+    uint32_t row_z, row_z_step;        /* depth of column 0 */
+    qtri_large_edges edges;
+    int32_t x_first, x_end; /* columns of the bounds */
+    int32_t frame_width;
+    int32_t row_left, row_right; /* of the triangle, inside of the frame */
+    bool is_new;                 /* nothing of the row is found yet */
+
     qtri_large_attribute *a; /* as many as vary: u v, light or red green blue, alpha */
     bool is_bent;            /* pieces have steps of u and v that change */
     qtri_large_piece piece[2];
@@ -94,6 +106,7 @@ typedef struct qtri_large {
     /* Packed colours of a triangle along which they are linear begin anew every QTRI_LARGE_RUN
        pixels: red, green and blue n.16 where a run begins, and from run to run. */
     bool has_runs;
+    uint32_t run_at[3], run_down[3]; /* column 0 of row 0, and from row to row */
     uint32_t run[3], run_step[3];
     uint32_t run_even, run_odd;
 

@@ -1,0 +1,530 @@
+/* SPDX-License-Identifier: MIT */
+/* Attributes of a large triangle: their values at the vertices, and their planes. */
+#include "large_setup.h"
+
+/* Weights ----------------------------------------------------------------------------------------
+ *
+ * An attribute is f0 + (f1 - f0) b1 + (f2 - f0) b2, with the weights b1 and b2 of vertices 1 and 2.
+ * These are linear on the screen, and found once a triangle; a plane is three sums of two products.
+ *
+ * Pixels are covered by triangles whose vertices are snapped to 1/256 pixel, but an attribute
+ * belongs to a vertex's true position, up to half a step away: on a floor that runs to the horizon
+ * that is many texels. So weights are those of the true positions, where these are known.
+ */
+
+/*
+ * 2^126 / x within 2^-58 of itself, for x in [2^63, 2^64): at most 2^63. With r = 2^62 / (x 2^-32)
+ * rounded down, 2^94 - r x is between -2^63 and 2^64; a Newton step adds its 2^-94 part.
+ */
+static uint64_t reciprocal64(uint64_t x)
+{
+    const uint32_t high = (uint32_t)(x >> 32);
+    const uint32_t r = (uint32_t)qtri_reciprocal_below(high);
+    const int64_t rest =
+        qtri_wrap64(((uint64_t)1 << 62) - qtri_mul_u32(high, r) - qtri_mul_high32((uint32_t)x, r));
+    return ((uint64_t)r << 32) + (uint64_t)(qtri_mul_s32((int32_t)(rest >> 1), (int32_t)r) >> 29);
+}
+
+/* b times a distance of less than 130 2^-8, 2^-24 pixel. */
+static int64_t along(int64_t b, int32_t distance)
+{
+    return (b >> 8) * (distance >> 16) + (b >> 24) * (distance & 0xFFFF);
+}
+
+/* What vertices' positions differ by: 1/256 pixel, and what is true of them besides, 2^-24. */
+typedef struct differences {
+    int32_t d[2][2], rest[2][2];
+} differences;
+
+static void find_differences(differences *s, const qtri_large_job *job, bool is_true)
+{
+    const qtri_large_vertex *v = job->v;
+    for (int i = 0; i < 2; i++) {
+        s->d[i][0] = job->x[i + 1] - job->x[0];
+        s->d[i][1] = job->y[i + 1] - job->y[0];
+        for (int k = 0; k < 2; k++) {
+            s->rest[i][k] = is_true ? v[i + 1].rest[k] - v[0].rest[k] : 0;
+        }
+    }
+}
+
+/* 2^14 times the area; that of snapped vertices is exact. */
+static int64_t area_of(const differences *s, int64_t area)
+{
+    const int64_t once =
+        qtri_mul_s32(s->d[0][0], s->rest[1][1]) + qtri_mul_s32(s->rest[0][0], s->d[1][1]) -
+        qtri_mul_s32(s->d[0][1], s->rest[1][0]) - qtri_mul_s32(s->rest[0][1], s->d[1][0]);
+    const int64_t twice =
+        qtri_mul_s32(s->rest[0][0], s->rest[1][1]) - qtri_mul_s32(s->rest[0][1], s->rest[1][0]);
+    return area * 16384 + (once >> 2) + (twice >> 18);
+}
+
+/* d r 2^-64, |d| < 2^62. */
+static int64_t scaled(int64_t d, uint64_t r, bool is_negative)
+{
+    const int64_t size = (int64_t)qtri_mul_high64(qtri_magnitude64(d), r);
+    return (d < 0) != is_negative ? -size : size;
+}
+
+/*
+ * A step of a weight is a difference D, 2^-24 pixel, by the area: D 2^6 / A, with A 2^14 times the
+ * area. With r = 2^126 / (A 2^zeros) and D 2^up below 2^62 that is
+ *
+ *     D r 2^(zeros - 120) = (D 2^up r 2^-64) 2^-(56 + up - zeros)
+ *
+ * and what is in parentheses is below 2^61. False, with true positions: they are so close to a
+ * line, 1/8 of a pixel, that corrections would be more than 2^-5 of what attributes vary by.
+ */
+static bool find_weights(qtri_large_job *job, bool is_true)
+{
+    qtri_large_weights *w = &job->weights;
+    const qtri_large_vertex *v = job->v;
+    differences s;
+    find_differences(&s, job, is_true);
+    const int64_t area = area_of(&s, job->area);
+    const uint64_t size = qtri_magnitude64(area);
+    int64_t d[2][2];
+    uint64_t all = 0;
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 2; k++) {
+            d[i][k] = (int64_t)s.d[i][k] * 65536 + s.rest[i][k];
+            all |= qtri_magnitude64(d[i][k]);
+        }
+    }
+    if (is_true && ((area ^ job->area) < 0 || size < all << 3)) {
+        return false;
+    }
+    const int32_t zeros = qtri_clz64(size | 1), up = qtri_clz64(all | 1) - 2;
+    const uint64_t r = reciprocal64(size << zeros);
+    const int32_t x = (128 - (job->x[0] & 255)) * 65536 - (is_true ? v[0].rest[0] : 0);
+    const int32_t y = (128 - (job->y[0] & 255)) * 65536 - (is_true ? v[0].rest[1] : 0);
+    for (int i = 0; i < 2; i++) {
+        int64_t *b = w->b[1 - i];
+        b[0] = scaled(d[i][1] * ((int64_t)1 << up), r, (area < 0) != (i == 0));
+        b[1] = scaled(d[i][0] * ((int64_t)1 << up), r, (area < 0) == (i == 0));
+        b[2] = along(b[0], x) + along(b[1], y);
+    }
+    w->fraction = 56 + up - zeros;
+    w->is_true = is_true;
+    return true;
+}
+
+void qtri_large_use_weights(qtri_large_job *job, bool is_true)
+{
+    if (job->weights.is_true != is_true && !find_weights(job, is_true)) {
+        (void)find_weights(job, false);
+    }
+}
+
+void qtri_large_set_weights(qtri_large_job *job)
+{
+    int32_t any = 0;
+    for (int i = 0; i < 3; i++) {
+        any |= job->v[i].rest[0] | job->v[i].rest[1];
+    }
+    job->is_true = any != 0 && find_weights(job, true);
+    if (!job->is_true) {
+        (void)find_weights(job, false);
+    }
+}
+
+/* Planes --------------------------------------------------------------------------------------- */
+
+/* A difference of an attribute, 2^-8, times a weight, 2^-32. */
+static int64_t product(int64_t f_q8, int64_t b)
+{
+    const int32_t whole = (int32_t)(f_q8 >> 8), high = (int32_t)(b >> 32);
+    return qtri_mul_s32(whole, high) + qtri_mul_high_s31(whole, (uint32_t)b >> 1) * (int64_t)2 +
+           (high >> 8) * (int32_t)(f_q8 & 255);
+}
+
+/*
+ * Products are below 2^60. A step is off by 2^-32 of a unit, or, of triangles that are thinner than
+ * a pixel by 2^n, by 2^(n - 32): all sums wrap, and at the pixels that the triangle covers they
+ * lie between the vertices' values.
+ */
+void qtri_large_plane_init(qtri_large_plane *p, const qtri_large_job *job, const int64_t f_q8[3],
+                           int32_t up)
+{
+    const qtri_large_weights *w = &job->weights;
+    const int32_t down = w->fraction - 64 - up;
+    uint64_t value[3];
+    for (int k = 0; k < 3; k++) {
+        const int64_t sum =
+            product(f_q8[1] - f_q8[0], w->b[0][k]) + product(f_q8[2] - f_q8[0], w->b[1][k]);
+        value[k] = down >= 0 ? (uint64_t)(sum >> down) : (uint64_t)sum << -down;
+    }
+    p->dx = value[0];
+    p->dy = value[1];
+    p->row = ((uint64_t)f_q8[0] << (24 + up)) + value[2] -
+             p->dx * (uint64_t)(int64_t)(job->x[0] >> 8) +
+             p->dy * (uint64_t)(int64_t)(job->plane_y - (job->y[0] >> 8));
+}
+
+/* The plane of whole values. */
+void qtri_large_plane_of(qtri_large_plane *p, const qtri_large_job *job, const uint32_t f[3])
+{
+    const int64_t f_q8[3] = {(int64_t)f[0] * 256, (int64_t)f[1] * 256, (int64_t)f[2] * 256};
+    qtri_large_plane_init(p, job, f_q8, 0);
+}
+
+/* Planes have 48 bits of whole values here, so that those of 32 bits may be out of range. */
+void qtri_large_ramp_init(qtri_large_ramp *ramp, const qtri_large_job *job, const int64_t f_q8[3],
+                          int32_t down)
+{
+    const int64_t half = (int64_t)1 << (down + 15);
+    const int32_t x = qtri_hold32(job->x[0] >> 8, 0, job->t.frame_width - 1);
+    const int32_t y = qtri_hold32(job->y[0] >> 8, 0, job->t.state->surface->height - 1);
+    qtri_large_plane p;
+    qtri_large_plane_init(&p, job, f_q8, -16);
+    p.row += p.dx * (uint64_t)(int64_t)x + p.dy * (uint64_t)(int64_t)(y - job->plane_y);
+    ramp->dx = (qtri_wrap64(p.dx) + half) >> (down + 16);
+    ramp->dy = (qtri_wrap64(p.dy) + half) >> (down + 16);
+    ramp->at = ((qtri_wrap64(p.row) + half) >> (down + 16)) - ramp->dx * x - ramp->dy * y;
+}
+
+/* Texture coordinates -------------------------------------------------------------------------- */
+
+enum {
+    AFFINE_TEXEL_LOG2 = -8, /* linear coordinates may stray by 2^this of a texel */
+    AFFINE_COLOR_LOG2 = 13  /* and colours, 8.16, by 2^this */
+};
+
+static int64_t clamp_q32(int64_t coordinate)
+{
+    const int64_t limit = (int64_t)1 << 48;
+    return coordinate < -limit ? -limit : (coordinate > limit ? limit : coordinate);
+}
+
+/* One coordinate: whole repeats below the least are dropped, the rest is brought to 29 bits. */
+static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bool is_clamped)
+{
+    const qtri_draw_state *state = job->t.state;
+    const qtri_options *o = job->options;
+    qtri_large_attribute *a = &job->t.a[i];
+    qtri_clamp_axis *axis = &job->t.axis[i];
+    const int32_t side_log2 = i == 0 ? state->width_log2 : state->height_log2;
+    int64_t at[3];
+    uint64_t all = 0;
+    int32_t base = INT32_MAX; /* |base| <= 2^16 */
+    for (int k = 0; k < 3; k++) {
+        at[k] = clamp_q32(coordinate[k]) - (o->bilinear && !qtri_large_has_levels(job)
+                                                ? (int64_t)1 << (31 - side_log2)
+                                                : 0); /* from texels' centres */
+        base = qtri_least32(base, (int32_t)(at[k] >> 32));
+    }
+    for (int k = 0; k < 3; k++) {
+        all |= (uint64_t)(at[k] - (int64_t)base * ((int64_t)1 << 32));
+    }
+    const int32_t down = qtri_greatest32(35 - qtri_clz64(all), 3); /* <= 21 */
+    /* What lies on a texel's edge, give or take an error, goes up: 2^-16 of a texel. */
+    const uint64_t texel_part = (uint64_t)65536 >> side_log2, least = (uint64_t)4 << down;
+    const uint64_t up = texel_part > least ? texel_part : least;
+    for (int k = 0; k < 3; k++) {
+        const uint64_t offset = (uint64_t)(at[k] - (int64_t)base * ((int64_t)1 << 32));
+        a->f[k] = (uint32_t)((offset + up) >> down);
+    }
+    a->start = 0;
+    axis->shift = (uint8_t)(32 - down - side_log2);
+    axis->mask = (uint16_t)(((uint32_t)1 << side_log2) - 1);
+    axis->first = -base * ((int32_t)1 << side_log2);
+    a->up = 0;
+    if (!is_clamped) {
+        a->up = (int8_t)(i == 0 || o->large_texture
+                             ? down
+                             : state->width_log2 + state->height_log2 - 16 + down);
+    }
+}
+
+void qtri_large_set_texture(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    const qtri_large_vertex *v = job->v;
+    const int64_t u[3] = {v[0].u_q32, v[1].u_q32, v[2].u_q32};
+    const int64_t w[3] = {v[0].v_q32, v[1].v_q32, v[2].v_q32};
+    set_axis(job, 0, u, job->options->wrap_u == QTRI_CLAMP);
+    set_axis(job, 1, w, job->options->wrap_v == QTRI_CLAMP);
+    job->count = 2;
+    job->first_color = 2;
+}
+
+/* Colours ----------------------------------------------------------------------------------------
+ */
+
+/* 31 / 255 and 63 / 255. */
+#define TO_31 522133279u
+#define TO_63 1061109568u
+
+/* 256.0 is 1. */
+static inline uint32_t weight(uint32_t c)
+{
+    return c + (c >> 8) + (c >> 16);
+}
+
+/* A vertex's channel as it is stepped, n.16. */
+static uint32_t channel(const qtri_options *o, const qtri_large_vertex *v, int i)
+{
+    const uint32_t c = (uint32_t)qtri_hold32(v->color_8p16[i], 0, 255 * 65536);
+    if (qtri_is_textured(o)) {
+        return weight(c);
+    }
+    return qtri_kind_of(o) == QTRI_IN_565 ? qtri_mul_high32(c, i == 1 ? TO_63 : TO_31) : c;
+}
+
+static uint32_t luma_of(uint32_t r, uint32_t g, uint32_t b)
+{
+    return (uint32_t)((qtri_mul_u32(r, 19595) + qtri_mul_u32(g, 38470) + qtri_mul_u32(b, 7471) +
+                       32768u) >>
+                      16);
+}
+
+static uint32_t luma(const qtri_large_vertex *v)
+{
+    return luma_of((uint32_t)qtri_hold32(v->color_8p16[0], 0, 255 * 65536),
+                   (uint32_t)qtri_hold32(v->color_8p16[1], 0, 255 * 65536),
+                   (uint32_t)qtri_hold32(v->color_8p16[2], 0, 255 * 65536));
+}
+
+void qtri_large_channels(int packing, uint32_t out[3], const uint32_t color_8p16[3])
+{
+    const uint32_t *c = color_8p16;
+    if (packing == QTRI_PACK_565) {
+        out[0] = qtri_mul_high32(c[0], TO_31);
+        out[1] = qtri_mul_high32(c[1], TO_63);
+        out[2] = qtri_mul_high32(c[2], TO_31);
+    } else if (packing == QTRI_PACK_ONE) {
+        out[0] = luma_of(c[0], c[1], c[2]);
+        out[1] = 0;
+        out[2] = 0;
+    } else {
+        for (int i = 0; i < 3; i++) {
+            out[i] = packing == QTRI_PACK_WEIGHTS ? weight(c[i]) : c[i];
+        }
+    }
+}
+
+/* An attribute from what it is at the vertices, 8.16. */
+static void add_attribute(qtri_large_job *job, const uint32_t value[3], uint32_t half)
+{
+    qtri_large_attribute *a = &job->t.a[job->count++];
+    qtri_find_range(&a->least, &a->most, value);
+    for (int k = 0; k < 3; k++) {
+        a->f[k] = (value[k] - a->least) << QTRI_LARGE_COLOR_UP;
+    }
+    a->start = a->least + half;
+    a->up = -QTRI_LARGE_COLOR_UP;
+}
+
+uint32_t qtri_large_half_of(const qtri_options *o)
+{
+    if (qtri_is_textured(o)) { /* weights of 6 or 8 bits */
+        return qtri_kind_of(o) == QTRI_IN_565 ? (uint32_t)1 << 17 : (uint32_t)1 << 15;
+    }
+    return qtri_uses_table(o) ? (uint32_t)1 << (23 - QTRI_TABLE_LOG2) : (uint32_t)1 << 15;
+}
+
+uint8_t qtri_large_packing_of(const qtri_options *o)
+{
+    if (qtri_is_lit(o) || (!qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_GRAY)) {
+        return QTRI_PACK_ONE;
+    }
+    return !qtri_has_two_words(o) ? QTRI_PACK_565
+           : qtri_is_textured(o)  ? QTRI_PACK_WEIGHTS
+                                  : QTRI_PACK_888;
+}
+
+void qtri_large_set_colors(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    const qtri_options *o = job->options;
+    const qtri_large_vertex *v = job->v;
+    const uint32_t half = qtri_large_half_of(o);
+    uint32_t value[3];
+    job->packing = qtri_large_packing_of(o);
+    if (job->packing == QTRI_PACK_ONE) {
+        for (int k = 0; k < 3; k++) {
+            value[k] = qtri_is_lit(o) ? v[k].light_q15 << 9 : luma(&v[k]);
+        }
+        add_attribute(job, value, half);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            value[k] = channel(o, &v[k], i);
+        }
+        add_attribute(job, value, half);
+    }
+    job->run_log2 = QTRI_LARGE_RUN_LOG2;
+}
+
+void qtri_large_set_alpha(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    const qtri_large_vertex *v = job->v;
+    const uint32_t value[3] = {v[0].alpha_q16 << 8, v[1].alpha_q16 << 8, v[2].alpha_q16 << 8};
+    job->alpha = job->count;
+    add_attribute(job, value, (uint32_t)1 << 15);
+}
+
+/* Without perspective ------------------------------------------------------------------------- */
+
+static void set_plane(qtri_large_job *job, int i, const uint32_t f[3])
+{
+    /* Colours are where vertices are snapped to, so that they stay within those of the vertices. */
+    qtri_large_use_weights(job, job->is_true && i < job->first_color);
+    qtri_large_plane_of(&job->t.a[i].plane, job, f);
+}
+
+/* Packed colours, without texture: runs begin at any pixel of a row. */
+static void set_runs(qtri_large_job *job)
+{
+    qtri_large *t = &job->t;
+    qtri_large_use_weights(job, false);
+    for (int i = 0; i < 3; i++) {
+        qtri_large_attribute *a = &t->a[i];
+        const int64_t f_q8[3] = {(int64_t)a->f[0] * 256, (int64_t)a->f[1] * 256,
+                                 (int64_t)a->f[2] * 256};
+        qtri_large_ramp ramp;
+        qtri_large_ramp_init(&ramp, job, f_q8, QTRI_LARGE_COLOR_UP);
+        a->step = (uint32_t)ramp.dx;
+        t->run_down[i] = (uint32_t)ramp.dy;
+        t->run_at[i] = (uint32_t)ramp.at + a->start;
+        t->run_step[i] = a->step << QTRI_LARGE_RUN_LOG2;
+    }
+    qtri_large_set_run_steps(job);
+    t->has_runs = true;
+}
+
+static void set_linear_planes(qtri_large_job *job)
+{
+    job->is_curved = false;
+    job->q.row = 0;
+    job->q.dy = 0;
+    job->is_level = true;
+    job->t.is_bent = false;
+    if (job->packing == QTRI_PACK_565) {
+        set_runs(job);
+        return;
+    }
+    for (int i = 0; i < job->count; i++) {
+        qtri_large_attribute *a = &job->t.a[i];
+        const int32_t down = 32 - a->up; /* 11..52 */
+        set_plane(job, i, a->f);
+        a->step =
+            (uint32_t)((uint64_t)(qtri_wrap64(a->plane.dx + ((uint64_t)1 << (down - 1))) >> down));
+    }
+    qtri_large_set_run_steps(job);
+}
+
+/* With perspective ----------------------------------------------------------------------------- */
+
+/* 1/w of the vertices with one exponent, 2^-8; not 0. Where vertices are not where triangles have
+   them, pixels may have 2^-5 of it more. */
+static void set_q(qtri_large_job *job, int64_t q_q8[3])
+{
+    const qtri_large_vertex *v = job->v;
+    const int32_t most = qtri_greatest32(v[0].inv_w_exponent,
+                                         qtri_greatest32(v[1].inv_w_exponent, v[2].inv_w_exponent));
+    for (int k = 0; k < 3; k++) {
+        const uint32_t down = (uint32_t)most - (uint32_t)v[k].inv_w_exponent;
+        int64_t q = down <= 29 ? (int64_t)v[k].inv_w_q31 << 8 >> down : 256;
+        q -= job->is_true ? q >> 5 : 0;
+        q_q8[k] = q;
+        job->q_at[k] = (uint32_t)(q >> 8);
+    }
+}
+
+/*
+ * Whether linear interpolation of an attribute strays by 2^tolerance or more. With weights b_i,
+ * sum 1, and Q = sum b_i q_i the true value has weights b_i q_i / Q: off by at most
+ * (range / 2) sum b_i |q_i - Q| / Q, and a mean distance from the mean is at most half the range:
+ * range (q_max - q_min) / (4 q_min).
+ */
+static bool strays(const qtri_large_job *job, const qtri_large_attribute *a, int32_t tolerance_log2)
+{
+    uint32_t min, max, q_min, q_max;
+    qtri_find_range(&min, &max, a->f);
+    qtri_find_range(&q_min, &q_max, job->q_at);
+    return max != min && (tolerance_log2 < 0 ||
+                          qtri_mul_u32(max - min, q_max - q_min) >> (tolerance_log2 + 2) >= q_min);
+}
+
+static bool needs_perspective(const qtri_large_job *job)
+{
+    for (int i = 0; i < job->count; i++) {
+        const int32_t tolerance = i < job->first_color ? job->t.axis[i].shift + AFFINE_TEXEL_LOG2
+                                                       : AFFINE_COLOR_LOG2 + QTRI_LARGE_COLOR_UP;
+        if (strays(job, &job->t.a[i], tolerance)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The magnitude of 1/w, at most, in one corner of what is drawn; UINT64_MAX: unknown. */
+static uint64_t value_bound(const qtri_large_job *job)
+{
+    const qtri_surface *surface = job->t.state->surface;
+    const int64_t dx = qtri_wrap64(job->q.dx);
+    const int64_t dy = qtri_wrap64(job->q.dy);
+    const int32_t x_end = surface->width - 1 + QTRI_LARGE_CHUNK;
+    const int32_t x = qtri_hold32((dx < 0 ? job->x_least : job->x_least + job->width) >> 8,
+                                  -QTRI_LARGE_CHUNK, x_end);
+    const int32_t y = qtri_hold32((dy < 0 ? job->y_least : job->y_least + job->height) >> 8, 0,
+                                  surface->height - 1);
+    const uint64_t columns = (uint64_t)(uint32_t)(job->width >> 8) + 1;
+    const uint64_t rows = (uint64_t)(uint32_t)(job->height >> 8) + 1;
+    if ((qtri_magnitude64(dx) >> 32) * columns + (qtri_magnitude64(dy) >> 32) * rows >= (uint64_t)1
+                                                                                            << 31) {
+        return UINT64_MAX; /* of steep planes that corner may be out of reach */
+    }
+    const int64_t value = qtri_wrap64(job->q.row + job->q.dx * (uint64_t)(int64_t)x +
+                                      job->q.dy * (uint64_t)(int64_t)(y - job->plane_y));
+    return value <= 0 ? UINT64_MAX : (uint64_t)value | qtri_magnitude64(dx) | qtri_magnitude64(dy);
+}
+
+/*
+ * By how many bits planes may be multiplied so that q is 2^31 or less wherever the triangle meets
+ * the frame, and QTRI_LARGE_CHUNK pixels beyond at both sides; so must be its slopes. Neither
+ * scissor nor band is asked.
+ */
+static int32_t room_above(const qtri_large_job *job)
+{
+    const uint64_t bound = value_bound(job);
+    return bound == UINT64_MAX ? 0 : qtri_hold32(qtri_clz64(bound) - 1, 0, 14);
+}
+
+/* The plane of f q / 2^32. */
+static void set_projected(qtri_large_job *job, qtri_large_attribute *a, const int64_t q_q8[3])
+{
+    int64_t product[3];
+    for (int k = 0; k < 3; k++) {
+        const uint64_t whole = qtri_mul_u32(a->f[k], job->q_at[k]);
+        const uint64_t part = qtri_mul_u32(a->f[k], (uint32_t)q_q8[k] & 0xFF) >> 8;
+        product[k] = (int64_t)((whole + part + 0x800000u) >> 24);
+    }
+    qtri_large_plane_init(&a->plane, job, product, job->q_up);
+}
+
+void qtri_large_set_planes(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    int64_t q_q8[3];
+    set_q(job, q_q8);
+    if (t->state->is_linear || !needs_perspective(job)) {
+        set_linear_planes(job);
+        return;
+    }
+    qtri_large_use_weights(job, job->is_true);
+    qtri_large_plane_init(&job->q, job, q_q8, 0);
+    job->q_up = (uint8_t)room_above(job);
+    qtri_large_plane_init(&job->q, job, q_q8, job->q_up);
+    for (int i = 0; i < job->count; i++) {
+        set_projected(job, &job->t.a[i], q_q8);
+    }
+    job->is_curved = true;
+    job->is_level = false;
+    job->t.is_bent = true;
+    job->zeros = 0;
+    qtri_large_set_lengths(job);
+}
