@@ -23,6 +23,7 @@ export BUILD TEST_SECONDS
 
 if [ "${1:-}" != --one ]; then
     [ $# -gt 0 ] || { echo "no tests in tests/"; exit 1; }
+    rm -f build/results/"$(echo "$BUILD/" | tr / -)"*
     QTRI_TEST_COUNT=$#
     export QTRI_TEST_COUNT
     printf '%s\n' "$@" | xargs -P "$JOBS" -n 1 sh "$0" --one
