@@ -82,6 +82,13 @@ static void set_units(texture_units *units, qtri_small_texture *uv, int32_t f[2]
     }
 }
 
+bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
+                                   const qtri_small_place *p, const qtri_small *t,
+                                   const qtri_options *o)
+{
+    return qtri_setup_set_linear_texture(u, v, p, t, o);
+}
+
 void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, const qtri_small *t,
                             const qtri_options *o)
 {

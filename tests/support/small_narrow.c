@@ -17,7 +17,7 @@
 #define qtri_small_is_linear_by_range narrow_small_is_linear_by_range
 #define qtri_small_turn               narrow_small_turn
 #define qtri_small_light_is_linear    narrow_small_light_is_linear
-#define qtri_small_set_curved_light   narrow_small_set_curved_light
+#define qtri_small_set_linear_texture narrow_small_set_linear_texture
 #define qtri_small_set_light          narrow_small_set_light
 #define qtri_small_set_texture        narrow_small_set_texture
 #define qtri_small_set_weights        narrow_small_set_weights

@@ -319,11 +319,22 @@ QTRI_BODY void qtri_small_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
     }
 }
 
+/* The place for a function of the library: where the pipeline has it in registers, a copy, so that
+   it need not be in memory elsewhere. */
+QTRI_BODY const qtri_small_place *qtri_small_kept(qtri_small_place *copy, const qtri_small_place *p)
+{
+    if (!QTRI_SMALL_IN_PLACE) {
+        return p;
+    }
+    *copy = *p;
+    return copy;
+}
+
 /* False: it is large, and nothing was drawn. */
 QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
 {
     uint8_t spans[QTRI_SMALL_SPANS];
-    qtri_small_place p;
+    qtri_small_place p, copy;
     qtri_small_rows rows; /* as options ask */
     qtri_small_texture uv;
     qtri_pixel_walk w = QTRI_BODY_ZERO;
@@ -332,11 +343,8 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
     if (found != QTRI_SMALL_FOUND) {
         return found == QTRI_SMALL_NOTHING;
     }
-    if (o->mipmapped) {
-        const qtri_small_place kept = p; /* a copy, so that p need not be in memory */
-        if (!qtri_small_set_level(&kept, t)) {
-            return false;
-        }
+    if (o->mipmapped && !qtri_small_set_level(qtri_small_kept(&copy, &p), t)) {
+        return false;
     }
     qtri_walk_begin(o, &w, state);
     if (t->light != NULL && (o->shade != QTRI_FLAT || !qtri_is_textured(o))) {
@@ -365,13 +373,13 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
         }
     } else if (o->shade == QTRI_COLORS) {
         qtri_small_ramp c, g = {0, 0, 0}; /* copies, so that the others need not be in memory */
-        const qtri_small_place kept = p;
+        const qtri_small_place *kept = qtri_small_kept(&copy, &p);
         if (!(qtri_is_textured(o)
                   ? qtri_small_set_weights(
-                        &c, &g, &kept, t,
+                        &c, &g, kept, t,
                         (qtri_kind_of(o) == QTRI_IN_565 ? (uint32_t)1 << 17 : 0x8000u))
-              : qtri_kind_of(o) == QTRI_IN_GRAY ? qtri_small_set_colors_gray(&c, &kept, t)
-                                                : qtri_small_set_colors_888(&c, &g, &kept, t))) {
+              : qtri_kind_of(o) == QTRI_IN_GRAY ? qtri_small_set_colors_gray(&c, kept, t)
+                                                : qtri_small_set_colors_888(&c, &g, kept, t))) {
             return false;
         }
         rows.c = c;
@@ -379,17 +387,14 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
     }
     if (o->vertex_alpha) {
         qtri_small_ramp alpha;
-        const qtri_small_place kept = p;
-        if (!qtri_small_set_alpha(&alpha, &kept, t)) {
+        if (!qtri_small_set_alpha(&alpha, qtri_small_kept(&copy, &p), t)) {
             return false;
         }
         rows.alpha = alpha;
     }
-    if (qtri_is_textured(o) &&
-        !(QTRI_SMALL_IN_PLACE && qtri_small_set_linear_texture(&rows.u, &rows.v, &p, t, o))) {
-        const qtri_small_place kept = p; /* a copy, so that p need not be in memory */
+    if (qtri_is_textured(o) && !QTRI_SMALL_SETUP(set_linear_texture)(&rows.u, &rows.v, &p, t, o)) {
         QTRI_RARELY();
-        qtri_small_set_texture(&uv, &kept, t, o);
+        qtri_small_set_texture(&uv, qtri_small_kept(&copy, &p), t, o);
         w.axis = uv.axis;
         if (uv.curved) {
             qtri_small_fill_curved(o, &w, &p, &rows, &uv);

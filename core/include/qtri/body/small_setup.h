@@ -460,7 +460,7 @@ QTRI_BODY uint32_t qtri_small_linear_v(const qtri_small_uv *f, uint32_t width_lo
 }
 
 /* False: nothing was set. */
-QTRI_BODY bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
+QTRI_BODY bool qtri_setup_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
                                              const qtri_small_place *p, const qtri_small *t,
                                              const qtri_options *o)
 {

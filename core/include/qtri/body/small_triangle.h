@@ -120,7 +120,10 @@ bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_s
    varies too much for one; the triangle is large. */
 bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t);
 
-/* In small_texture.c. */
+/* In small_texture.c. False: they are not as simple, or follow perspective; nothing was set. */
+bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
+                                   const qtri_small_place *p, const qtri_small *t,
+                                   const qtri_options *o);
 void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, const qtri_small *t,
                             const qtri_options *o);
 
