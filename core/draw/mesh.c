@@ -9,7 +9,7 @@
 #include "mesh_faces.h"
 #include "per_pixel.h"
 #include "qtri/body/pixel.h"
-#include "../raster/sampling.h"
+#include "../raster/samples.h"
 
 /* ---- Light ---- */
 

@@ -16,7 +16,7 @@
 #include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
-#include "../raster/sampling.h"
+#include "../raster/samples.h"
 #include "qtri/prepared.h"
 
 enum { LIST_BLOCK = 8, LIST_FULL = LIST_BLOCK - 1 };

@@ -1,14 +1,42 @@
 /* SPDX-License-Identifier: MIT */
-/* What most programs draw with on RGB565. */
+/* What most programs draw with on RGB565, and what a view that names no pipelines draws with. */
 #include "qtri/pipeline_make.h"
 
-#define LESS .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS
+#define LESS    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS
+#define TEXTURE .texel = QTRI_TEXEL_RGB565
 
 QTRI_PIPELINE(qtri_pipeline_flat, LESS)
 QTRI_PIPELINE(qtri_pipeline_lit, LESS, .shade = QTRI_LIGHT)
 QTRI_PIPELINE(qtri_pipeline_colors, LESS, .shade = QTRI_COLORS)
-QTRI_PIPELINE(qtri_pipeline_texture, LESS, .texel = QTRI_TEXEL_RGB565)
-QTRI_PIPELINE(qtri_pipeline_texture_tint, LESS, .texel = QTRI_TEXEL_RGB565, .shade = QTRI_TINT)
-QTRI_PIPELINE(qtri_pipeline_texture_lit, LESS, .texel = QTRI_TEXEL_RGB565, .shade = QTRI_LIGHT)
-QTRI_PIPELINE(qtri_pipeline_texture_white, LESS, .texel = QTRI_TEXEL_RGB565,
+QTRI_PIPELINE(qtri_pipeline_texture, LESS, TEXTURE)
+QTRI_PIPELINE(qtri_pipeline_texture_tint, LESS, TEXTURE, .shade = QTRI_TINT)
+QTRI_PIPELINE(qtri_pipeline_texture_lit, LESS, TEXTURE, .shade = QTRI_LIGHT)
+QTRI_PIPELINE(qtri_pipeline_texture_white, LESS, TEXTURE, .shade = QTRI_WHITE_LIGHT)
+
+QTRI_PIPELINE(qtri_pipeline_mipmapped, LESS, TEXTURE, .mipmapped = 1)
+QTRI_PIPELINE(qtri_pipeline_mipmapped_lit, LESS, TEXTURE, .mipmapped = 1, .shade = QTRI_LIGHT)
+QTRI_PIPELINE(qtri_pipeline_mipmapped_white, LESS, TEXTURE, .mipmapped = 1,
               .shade = QTRI_WHITE_LIGHT)
+
+const qtri_pipeline *const qtri_pipelines_default[] = {&qtri_pipeline_flat,
+                                                       &qtri_pipeline_lit,
+                                                       &qtri_pipeline_colors,
+                                                       &qtri_pipeline_texture,
+                                                       &qtri_pipeline_texture_tint,
+                                                       &qtri_pipeline_texture_lit,
+                                                       &qtri_pipeline_texture_white,
+                                                       &qtri_pipeline_mipmapped,
+                                                       &qtri_pipeline_mipmapped_lit,
+                                                       &qtri_pipeline_mipmapped_white,
+                                                       &qtri_pipeline_brought,
+                                                       &qtri_pipeline_any,
+                                                       NULL};
+
+void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
+{
+    qtri_view_init_pipelines(view, frame_width, frame_height, qtri_pipelines_default);
+}
+
+/* In the byte order of displays on SPI. */
+QTRI_PIPELINES(qtri_pipelines_swapped, qtri_pipeline_swapped, .format = QTRI_RGB565_SWAPPED,
+               .depth = QTRI_LINEAR16, .compare = QTRI_LESS)

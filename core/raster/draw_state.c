@@ -6,7 +6,7 @@
 #include "checked_material.h"
 #include "descriptions.h"
 #include "qtri/body/pixel.h"
-#include "sampling.h"
+#include "samples.h"
 
 enum {
     SMALL_REACH = 61 * 256 /* of a small triangle from its first vertex, 24.8, and a pixel */

@@ -8,10 +8,25 @@
 #ifndef QTRI_RASTER_SAMPLES_H
 #define QTRI_RASTER_SAMPLES_H
 
+#include <stddef.h>
+
+#include "qtri/pipeline.h"
 #include "qtri/samples.h"
 
 #include "../frame/stored.h"
-#include "sampling.h"
+
+/* What a format with samples names. */
+struct qtri_sampling {
+    const qtri_format *format; /* of resolved pixels */
+    /* Where a view's list has nothing but the generic pipeline that fits; the last one fits. */
+    const qtri_pipeline *const *pipelines;
+};
+
+/* NULL: one a pixel. */
+static inline const qtri_sampling *qtri_sampling_of(const qtri_format *format)
+{
+    return format != NULL ? format->samples : NULL;
+}
 
 enum {
     QTRI_SAMPLES = 4,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw_state.h"
-#include "sampling.h"
+#include "samples.h"
 #include "stroke_pixels.h"
 
 #include "../bits/bits.h"

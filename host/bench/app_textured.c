@@ -69,14 +69,20 @@ static qtri_transform pose;
 static qtri_material material;
 static qtri_surface band;
 
+#ifndef APP_DEFAULT
 static const qtri_vertex_stage stage = {.positions = &qtri_positions_wide,
                                         .vertex_light = &qtri_light_by_vertex};
 static const qtri_pipeline *const pipelines[] = {&qtri_pipeline_texture_white, NULL};
+#endif
 
 void app_setup(void)
 {
     const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16_ONE, 0};
+#ifdef APP_DEFAULT
+    qtri_view_init(&view, APP_WIDTH, APP_HEIGHT);
+#else
     qtri_view_init_pipelines(&view, APP_WIDTH, APP_HEIGHT, pipelines);
+#endif
     qtri_transform_look_at(&view.camera, eye, center, up);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(4.0 / 3.0), Q16(.5), Q16(20));
     view.light = &sun;
@@ -98,7 +104,11 @@ void app_frame(int32_t number)
         qtri_surface_init(&band, &qtri_rgb565, APP_WIDTH, APP_HEIGHT, row, APP_BAND_ROWS,
                           band_memory, sizeof band_memory);
         qtri_surface_clear(&band, sky);
+#ifdef APP_DEFAULT
+        qtri_draw_mesh(&band, &view, &pose, &crate, &material);
+#else
         qtri_draw_mesh_by(&stage, &band, &view, &pose, &crate, &material);
+#endif
         display_write(&band);
     }
 }

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# Code, constants, static memory and deepest stack of three applications. Included by bench.mk, whose compilers, boards and
+# Code, constants, static memory and deepest stack of four applications. Included by bench.mk, whose compilers, boards and
 # emulators these rules use.
 
 SIZE_DIR      := $(BENCH_DIR)/size
-SIZE_APPS     := textured flat bands
+SIZE_APPS     := textured flat bands default
 SIZE_VARIANTS := $(foreach core,$(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_PRESENT)),$(core)-Os $(core)-O2)
 SIZE_ABSENT   := $(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_ABSENT))
 SIZE_LIBRARY  := $(wildcard core/*/*.c)
@@ -65,7 +65,7 @@ $(foreach variant,$(SIZE_SINGLE_VARIANTS),$(eval $(call size_rules,$(variant)-si
     size_optimize,$(variant)),$(notdir $(call bench_board,$(call size_core,$(variant)))))))
 
 .PHONY: size size-lines
-size: ## Bytes of code, constants, static RAM and stack of three applications, all RAM of one in bands: build/size.tsv
+size: ## Bytes of code, constants, static RAM and stack of four applications, all RAM of one in bands: build/size.tsv
 	@$(call bench_skip,size,$(SIZE_ABSENT))
 	@$(ALIVE) size $(MAKE) -s $(PARALLEL) size-lines
 	@sh host/bench/size.sh $(SIZE_DIR) $(BUILD)/size.tsv "$(SIZE_APPS:%=%-single) $(SIZE_APPS)" $(SIZE_VARIANTS)

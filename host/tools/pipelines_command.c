@@ -9,7 +9,7 @@
 
 #include "../../core/draw/per_pixel.h"
 #include "../../core/draw/pipeline_x4.h"
-#include "../../core/raster/sampling.h"
+#include "../../core/raster/samples.h"
 #include "commands.h"
 #include "options.h"
 #include "scene_draw.h"

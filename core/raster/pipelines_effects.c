@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Blends, with pipelines for RGB565 with those that are used most: for depths that are read only,
- * as most that is seen through is drawn, and for others.
+ * Blends and fog, with pipelines for RGB565 with those that are used most: for
+ * depths that are read only, as most that is seen through is drawn, and for others.
  */
 #include "qtri/pipeline_make.h"
 
 #include "descriptions.h"
 
-#define OVER(BLEND)                                                                                \
-    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .read_only = QTRI_ANY,    \
-    .blend = (BLEND)
+#define LESS                                                                                       \
+    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .read_only = QTRI_ANY
 #define TEXTURE .texel = QTRI_TEXEL_RGB565
-#define SPRITE  .texel = QTRI_TEXEL_ARGB4444
+
+/* Blends --------------------------------------------------------------------------------------- */
+
+#define OVER(BLEND) LESS, .blend = (BLEND)
+#define SPRITE      .texel = QTRI_TEXEL_ARGB4444
 
 QTRI_PIPELINE(qtri_pipeline_alpha, OVER(QTRI_ALPHA))
 QTRI_PIPELINE(qtri_pipeline_alpha_lit, OVER(QTRI_ALPHA), .shade = QTRI_LIGHT)
@@ -80,3 +83,22 @@ const qtri_blend qtri_blend_multiply = {QTRI_MULTIPLY, false, QTRI_BROUGHT_LIST(
 const qtri_blend qtri_blend_none = {QTRI_KEEP_PIXEL, false, NULL, begin};
 const qtri_blend qtri_blend_replace = {QTRI_STORE, false, NULL, begin};
 const qtri_blend qtri_blend_screen_door = {QTRI_SCREEN_DOOR, false, NULL, begin};
+
+/* Fog ------------------------------------------------------------------------------------------ */
+
+#define FOG LESS, .fog = 1
+
+QTRI_PIPELINE(qtri_pipeline_fog, FOG)
+QTRI_PIPELINE(qtri_pipeline_fog_lit, FOG, .shade = QTRI_LIGHT)
+QTRI_PIPELINE(qtri_pipeline_fog_colors, FOG, .shade = QTRI_COLORS)
+QTRI_PIPELINE(qtri_pipeline_fog_texture, FOG, TEXTURE)
+QTRI_PIPELINE(qtri_pipeline_fog_texture_lit, FOG, TEXTURE, .shade = QTRI_LIGHT)
+QTRI_PIPELINE(qtri_pipeline_fog_texture_white, FOG, TEXTURE, .shade = QTRI_WHITE_LIGHT)
+
+const qtri_pipeline *const qtri_pipelines_fog[] = {&qtri_pipeline_fog,
+                                                   &qtri_pipeline_fog_lit,
+                                                   &qtri_pipeline_fog_colors,
+                                                   &qtri_pipeline_fog_texture,
+                                                   &qtri_pipeline_fog_texture_lit,
+                                                   &qtri_pipeline_fog_texture_white,
+                                                   NULL};
