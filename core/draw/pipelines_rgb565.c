@@ -13,24 +13,12 @@ QTRI_PIPELINE(qtri_pipeline_texture_tint, LESS, TEXTURE, .shade = QTRI_TINT)
 QTRI_PIPELINE(qtri_pipeline_texture_lit, LESS, TEXTURE, .shade = QTRI_LIGHT)
 QTRI_PIPELINE(qtri_pipeline_texture_white, LESS, TEXTURE, .shade = QTRI_WHITE_LIGHT)
 
-QTRI_PIPELINE(qtri_pipeline_mipmapped, LESS, TEXTURE, .mipmapped = 1)
-QTRI_PIPELINE(qtri_pipeline_mipmapped_lit, LESS, TEXTURE, .mipmapped = 1, .shade = QTRI_LIGHT)
-QTRI_PIPELINE(qtri_pipeline_mipmapped_white, LESS, TEXTURE, .mipmapped = 1,
-              .shade = QTRI_WHITE_LIGHT)
-
-const qtri_pipeline *const qtri_pipelines_default[] = {&qtri_pipeline_flat,
-                                                       &qtri_pipeline_lit,
-                                                       &qtri_pipeline_colors,
-                                                       &qtri_pipeline_texture,
-                                                       &qtri_pipeline_texture_tint,
-                                                       &qtri_pipeline_texture_lit,
-                                                       &qtri_pipeline_texture_white,
-                                                       &qtri_pipeline_mipmapped,
-                                                       &qtri_pipeline_mipmapped_lit,
-                                                       &qtri_pipeline_mipmapped_white,
-                                                       &qtri_pipeline_brought,
-                                                       &qtri_pipeline_any,
-                                                       NULL};
+const qtri_pipeline *const qtri_pipelines_default[] = {
+    &qtri_pipeline_flat,          &qtri_pipeline_lit,
+    &qtri_pipeline_colors,        &qtri_pipeline_texture,
+    &qtri_pipeline_texture_tint,  &qtri_pipeline_texture_lit,
+    &qtri_pipeline_texture_white, &qtri_pipeline_brought,
+    &qtri_pipeline_any,           NULL};
 
 void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Filters of textures, with pipelines for RGB565 with the one between four texels. */
+/* Filters of textures, with pipelines for RGB565 with those that are used most. */
 #include "qtri/pipeline_make.h"
 
 #include "descriptions.h"
@@ -14,6 +14,17 @@ QTRI_PIPELINE(qtri_pipeline_bilinear_white, FILTERED, .shade = QTRI_WHITE_LIGHT)
 
 static const qtri_pipeline *const between[] = {&qtri_pipeline_bilinear, &qtri_pipeline_bilinear_lit,
                                                &qtri_pipeline_bilinear_white, NULL};
+
+#define MIPMAPPED                                                                                  \
+    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS,                           \
+    .texel = QTRI_TEXEL_RGB565, .mipmapped = 1
+
+QTRI_PIPELINE(qtri_pipeline_mipmapped, MIPMAPPED)
+QTRI_PIPELINE(qtri_pipeline_mipmapped_lit, MIPMAPPED, .shade = QTRI_LIGHT)
+QTRI_PIPELINE(qtri_pipeline_mipmapped_white, MIPMAPPED, .shade = QTRI_WHITE_LIGHT)
+
+static const qtri_pipeline *const by_level[] = {
+    &qtri_pipeline_mipmapped, &qtri_pipeline_mipmapped_lit, &qtri_pipeline_mipmapped_white, NULL};
 
 /* Levels that can be used besides the first: their widths are 2 texels or more. */
 static uint8_t last_level(const qtri_options *o, const qtri_texture *texture)
@@ -38,5 +49,5 @@ static void begin_levels(qtri_draw_state *state)
 }
 
 const qtri_filter qtri_bilinear = {true, false, QTRI_BROUGHT_LIST(between), NULL};
-const qtri_filter qtri_mipmapped = {false, true, NULL, begin_levels};
+const qtri_filter qtri_mipmapped = {false, true, QTRI_BROUGHT_LIST(by_level), begin_levels};
 const qtri_filter qtri_mipmapped_bilinear = {true, true, NULL, begin_levels};

@@ -20,9 +20,9 @@
  * A draw call takes the first pipeline of its view's list that fits: whose options are those that
  * surface, material and mesh ask for. &qtri_pipeline_any fits everything: it is the same body with
  * options that are read for each pixel, draws the same bits, and takes 5 to 30 times the
- * instructions a pixel on long rows. Blends, fog, &qtri_bilinear and formats of depth bring
- * pipelines for RGB565 with "less", which are taken where &qtri_pipeline_brought stands in the list
- * (config.h leaves them out). On a surface with samples (samples.h) the formats' own pipelines take
+ * instructions a pixel on long rows. Blends, fog, filters and formats of depth bring pipelines
+ * for RGB565 with "less", which are taken where &qtri_pipeline_brought stands in the list (config.h
+ * leaves them out). On a surface with samples (samples.h) the formats' own pipelines take
  * the place of the generic one. For another format or comparison QTRI_PIPELINES (pipeline_make.h)
  * makes the usual ones in a line. A draw for which the list has no pipeline, or a list that is
  * NULL, draws nothing; a checked build (error.h) stops there, and says which options the list
@@ -139,7 +139,8 @@ extern const qtri_pipeline qtri_pipeline_mipmapped; /* with levels, &qtri_mipmap
 extern const qtri_pipeline qtri_pipeline_mipmapped_lit;   /* times material.color in light */
 extern const qtri_pipeline qtri_pipeline_mipmapped_white; /* times light: of a white material */
 
-/* These, then &qtri_pipeline_brought and &qtri_pipeline_any. NULL ends a list. */
+/* These but the mipmapped ones, which their filter brings, then &qtri_pipeline_brought and
+   &qtri_pipeline_any. NULL ends a list. */
 extern const qtri_pipeline *const qtri_pipelines_default[];
 
 /* On RGB565 in the byte order of displays on SPI, &qtri_rgb565_swapped. */
