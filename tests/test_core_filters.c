@@ -5,7 +5,6 @@
 #include "support/core.h"
 #include "support/filters_narrow.h"
 
-
 enum { WIDTH = 70, HEIGHT = 50, FORMATS = 5 };
 
 /* RGB565 as any other format. */

@@ -740,7 +740,8 @@ static void polylines_of_many_points(void **state)
         }
         canvas_clear(&other);
         qtri_draw_polyline(&other.surface, &view, &pose, many, MANY, &stroke, &material);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) { /* the first part begins flat, beside a disc */
+        for (int32_t i = 0; i < WIDTH * HEIGHT;
+             i++) { /* the first part begins flat, beside a disc */
             assert_near(stored_pixel(&whole.surface, i % WIDTH, i / WIDTH),
                         stored_pixel(&other.surface, i % WIDTH, i / WIDTH), 3);
         }

@@ -70,7 +70,7 @@ struct qtri_light_kind {
                     const qtri_light_space *space);
     /* Adds the light of sources first..end - 1. */
     void (*add)(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *point);
-    bool has_edges;  /* what it lights ends where it is bright */
+    bool has_edges; /* what it lights ends where it is bright */
 };
 
 /* Sources of one kind, from where the run before ended. */

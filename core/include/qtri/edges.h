@@ -59,10 +59,10 @@ extern "C" {
 /* ---- Outlines: which edges of a mesh are silhouettes ---- */
 
 /*
- * Edges of a face that is front whose neighbour is not. They are found by mesh->neighbours, constant
- * data, or, where a mesh has none, by sums over its vertices, which take a word of RAM a vertex and
- * miss some edges where outlines meet in a vertex. Of a mesh that is not culled and has holes the
- * borders of back faces are found by neighbours only.
+ * Edges of a face that is front whose neighbour is not. They are found by mesh->neighbours,
+ * constant data, or, where a mesh has none, by sums over its vertices, which take a word of RAM a
+ * vertex and miss some edges where outlines meet in a vertex. Of a mesh that is not culled and has
+ * holes the borders of back faces are found by neighbours only.
  */
 typedef struct qtri_outline {
     const qtri_mesh *mesh;
@@ -104,11 +104,11 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
                                   uint32_t words);
 
 /*
- * qtri_draw_mesh of the outline's mesh, then finds which triangles face the eye. view->vertices must
- * have room for all vertices of the mesh, and stay as they are, as must all that is pointed to,
- * until the edges are noted.
- * QTRI_ERROR_MEMORY: they have not. The mesh is drawn, and has no outline. A wireframe has none
- * either, without an error. Also QTRI_ERROR_MEMORY, and nothing is drawn: qtri_outline_init failed.
+ * qtri_draw_mesh of the outline's mesh, then finds which triangles face the eye. view->vertices
+ * must have room for all vertices of the mesh, and stay as they are, as must all that is pointed
+ * to, until the edges are noted. QTRI_ERROR_MEMORY: they have not. The mesh is drawn, and has no
+ * outline. A wireframe has none either, without an error. Also QTRI_ERROR_MEMORY, and nothing is
+ * drawn: qtri_outline_init failed.
  */
 enum qtri_error qtri_draw_mesh_outlined(const qtri_surface *surface, const qtri_view *view,
                                         const qtri_transform *pose, const qtri_material *material,

@@ -55,8 +55,8 @@ typedef struct qtri_draw_state {
     /* What draws small triangles: the pipeline's, or what moves their depths before. */
     bool (*small)(struct qtri_small *triangle);
 
-    /* QTRI_LIGHT without texture on RGB565: stored pixels by light. QTRI_TABLE of them, in memory of
-       the draw calls that have such light: of meshes. */
+    /* QTRI_LIGHT without texture on RGB565: stored pixels by light. QTRI_TABLE of them, in memory
+       of the draw calls that have such light: of meshes. */
     bool has_table;
     uint16_t *table;
 } qtri_draw_state;
