@@ -24,7 +24,7 @@ name=$1 folder=$2 flags=$3
 shift 3
 for option; do flags="$flags -DQTRI_WITH_$option=0"; done
 mkdir "$folder/$name"
-for file in core/draw/*.c core/frame/*.c core/geometry/*.c core/filter/*.c core/raster/*.c tests/check/options.c; do
+for file in core/draw/*.c core/frame/*.c core/geometry/*.c core/filter/*.c core/paint/*.c core/raster/*.c tests/check/options.c; do
     gcc $flags -c -o "$folder/$name/$(basename "$file" .c).o" "$file" || exit 1
 done
 gcc -o "$folder/$name/program" "$folder/$name"/*.o "$folder"/math/*.o

@@ -2,6 +2,11 @@
 #define QTRI_LONG_MULTIPLY 0
 #define QTRI_DIVIDE        0
 
+/* GCC does not see that the generic instance reads only the ramps that its options also set. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
 #define qtri_small_are_linear         narrow_small_are_linear
 #define qtri_small_color              narrow_small_color
 #define qtri_small_cut                narrow_small_cut
