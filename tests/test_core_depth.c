@@ -544,9 +544,9 @@ static void planes(void **state)
 }
 
 /*
- * A slope of a fraction of the finest step, whose rounding leads beyond the last vertex's depth,
- * and that is the farthest, or 0: it is held there, in one colour as
- * in many, by the row as one by one.
+ * A slope of few of the finest steps, rounded to a whole one, leads beyond the last vertex's depth,
+ * and that is the farthest, or 0: depths are clamped to it, in one colour as in many, by the row as
+ * one by one, and stray from the plane by half a step a pixel.
  */
 static void ends_of_depths(void **state)
 {
@@ -577,12 +577,12 @@ static void ends_of_depths(void **state)
                 continue;
             }
             const double off = fabs((double)depth - from);
-            assert_near(off, (double)range * (i % WIDTH) / (WIDTH - .5), 256 + WIDTH);
+            assert_near(off, (double)range * (i % WIDTH) / (WIDTH - .5), WIDTH / 2 + 1);
             assert_true(depth <= farthest);
             held += depth == to;
         }
     }
-    assert_true(held > 10000);
+    assert_true(held > 5000);
     board_free(&b);
 }
 
