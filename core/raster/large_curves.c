@@ -72,15 +72,14 @@ static void set_texel_slope(qtri_large_job *job)
         uint32_t least, greatest;
         qtri_find_range(&least, &greatest, a->f);
         const uint32_t slope =
-            (slope_of(a->plane.dx) >> 1) + (qtri_mul_high32(greatest, q_slope) >> 1) + 1;
+            (slope_of(a->along.plane.dx) >> 1) + (qtri_mul_high32(greatest, q_slope) >> 1) + 1;
         const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->t.axis[i].shift) * 256;
         most = log2 > most ? log2 : most;
     }
     job->texel_log2 = qtri_large_has_levels(job) ? INT16_MIN : most;
 }
 
-/* By how much, n.16, colours may stray for going along chords: 1/4 of a step. */
-static int32_t chord_bound_log2(const qtri_large_job *job)
+int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
 {
     return job->packing != QTRI_PACK_565 && qtri_stores_565(job->options) ? 16 : 14;
 }
@@ -93,10 +92,10 @@ static int32_t chord_log2(const qtri_large_job *job)
     for (int i = job->first_color; i < job->count; i++) {
         const qtri_large_attribute *a = &job->t.a[i];
         const uint32_t range = (a->most - a->least) << QTRI_LARGE_COLOR_UP;
-        const uint32_t slope = slope_of(a->plane.dx) + qtri_mul_high32(range, q_slope) + 1;
+        const uint32_t slope = slope_of(a->along.plane.dx) + qtri_mul_high32(range, q_slope) + 1;
         most = slope > most ? slope : most;
     }
-    const int32_t bound = 2 + chord_bound_log2(job) + QTRI_LARGE_COLOR_UP - 32;
+    const int32_t bound = 2 + qtri_large_chord_bound_log2(job) + QTRI_LARGE_COLOR_UP - 32;
     return bound * 256 - log2_q8(most) - LOG2_ERROR;
 }
 
@@ -195,7 +194,7 @@ static void set_steps(qtri_large_job *job, int32_t log2)
         job->h_log2 < 0 ? 0 : qtri_large_whole(job->q.s_step); /* single pixels have no curve */
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->t.a[i];
-        a->plane.s_step = a->plane.dx << log2;
+        a->along.plane.s_step = a->along.plane.dx << log2;
         set_shifts(&a->step_left, &a->step_right, a->up + 2 - h);
         set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * h);
     }
@@ -206,7 +205,7 @@ static inline void set_first(qtri_large_job *job, int32_t x)
 {
     job->q.s = qtri_large_plane_from(&job->q, x);
     for (int i = 0; i < job->count; i++) {
-        job->t.a[i].plane.s = qtri_large_plane_from(&job->t.a[i].plane, x);
+        job->t.a[i].along.plane.s = qtri_large_plane_from(&job->t.a[i].along.plane, x);
     }
 }
 
@@ -220,8 +219,8 @@ static int32_t next_reciprocal(qtri_large_job *job)
 
 static inline int32_t next_quotient(qtri_large_attribute *a, int32_t zeros, int32_t reciprocal)
 {
-    const uint64_t s = a->plane.s;
-    a->plane.s = s + a->plane.s_step;
+    const uint64_t s = a->along.plane.s;
+    a->along.plane.s = s + a->along.plane.s_step;
     return quotient_of(s, zeros, reciprocal);
 }
 
@@ -260,7 +259,7 @@ static void begin_chunk(qtri_large_job *job)
     job->t.x = chunk + number * ((int32_t)1 << apart);
     job->q.s += job->q.s_step * (uint64_t)(int64_t)number;
     for (int i = 0; i < job->count; i++) {
-        job->t.a[i].plane.s += job->t.a[i].plane.s_step * (uint64_t)(int64_t)number;
+        job->t.a[i].along.plane.s += job->t.a[i].along.plane.s_step * (uint64_t)(int64_t)number;
     }
     const int32_t reciprocal = next_reciprocal(job);
     job->delta = delta_at(job, reciprocal);
@@ -301,7 +300,7 @@ QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->t.a[i];
         const int32_t from = next_quotient(a, job->zeros, reciprocal);
-        const int32_t rise = quotient_of(a->plane.s_step, job->zeros, reciprocal);
+        const int32_t rise = quotient_of(a->along.plane.s_step, job->zeros, reciprocal);
         a->at = (uint32_t)((int32_t)((uint32_t)from << a->at_left) >> a->at_right) + a->start;
         a->step = (uint32_t)((int32_t)((uint32_t)rise << a->step_left) >> a->step_right);
     }
@@ -351,19 +350,6 @@ static inline void set_coordinate(qtri_large_job *job, int i, int32_t end, int32
     }
 }
 
-/* A chord is held to the range of the vertices, at its last pixel too. */
-static inline void hold(const qtri_large_attribute *a, uint32_t *at, uint32_t *step, int32_t count)
-{
-    const int32_t least = (int32_t)a->start, most = (int32_t)(a->start + a->most - a->least);
-    const int32_t from = qtri_hold32((int32_t)*at, least, most);
-    const int32_t end = from + (int32_t)*step * (count - 1);
-    const int32_t to = qtri_hold32(end, least, most);
-    if (to != end && count > 1) { /* rare */
-        *step = (uint32_t)((to - from) / (count - 1));
-    }
-    *at = (uint32_t)from;
-}
-
 /* Colours of both pieces along chords. */
 QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, int32_t eps)
 {
@@ -376,11 +362,11 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
         const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1;
         at[0][i] = both_shifts(from, a->at_left, a->at_right) + a->start;
         step[0][i] = both_shifts(rise1, a->step_left, a->step_right);
-        hold(a, &at[0][i], &step[0][i], qtri_least32(h, rest));
+        qtri_large_clamp_chord(a, &at[0][i], &step[0][i], qtri_least32(h, rest));
         if (rest > h) {
             at[1][i] = both_shifts(from + rise1, a->at_left, a->at_right) + a->start;
             step[1][i] = both_shifts(rise - rise1, a->step_left, a->step_right);
-            hold(a, &at[1][i], &step[1][i], qtri_least32(h, rest - h));
+            qtri_large_clamp_chord(a, &at[1][i], &step[1][i], qtri_least32(h, rest - h));
         } else {
             at[1][i] = at[0][i];
             step[1][i] = 0;

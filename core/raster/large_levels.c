@@ -27,7 +27,7 @@ static uint32_t linear_level(const qtri_large_job *job, uint32_t last)
 {
     uint32_t right[2], down[2];
     for (int i = 0; i < 2; i++) {
-        const qtri_large_plane *plane = &job->t.a[i].plane;
+        const qtri_large_plane *plane = &job->t.a[i].along.plane;
         right[i] = linear_step(plane->dx, job->levels.axis[i].shift);
         down[i] = linear_step(plane->dy, job->levels.axis[i].shift);
     }

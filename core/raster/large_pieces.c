@@ -12,7 +12,7 @@ void qtri_large_planes_move(qtri_large_job *job)
     const qtri_large_attribute *const end = &job->t.a[job->count];
     for (int32_t rows = job->t.y - job->plane_y; rows > 0; rows--) { /* one, mostly */
         for (qtri_large_attribute *a = job->t.a; a != end; a++) {
-            a->plane.row += a->plane.dy;
+            a->along.plane.row += a->along.plane.dy;
         }
         job->q.row += job->q.dy;
     }
@@ -25,7 +25,7 @@ static inline void set_left(qtri_large_job *job)
     qtri_large_planes_move(job);
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->t.a[i];
-        a->at = shifted(qtri_large_plane_at(&a->plane, job->t.row_left), a->up) + a->start;
+        a->at = shifted(qtri_large_plane_at(&a->along.plane, job->t.row_left), a->up) + a->start;
     }
 }
 

@@ -372,7 +372,7 @@ static void set_plane(qtri_large_job *job, int i, const uint32_t f[3])
 {
     /* Colours are where vertices are snapped to, so that they stay within those of the vertices. */
     qtri_large_use_weights(job, job->is_true && i < job->first_color);
-    qtri_large_plane_of(&job->t.a[i].plane, job, f);
+    qtri_large_plane_of(&job->t.a[i].along.plane, job, f);
 }
 
 /* Packed colours, without texture: runs begin at any pixel of a row. */
@@ -410,8 +410,8 @@ static void set_linear_planes(qtri_large_job *job)
         qtri_large_attribute *a = &job->t.a[i];
         const int32_t down = 32 - a->up; /* 11..52 */
         set_plane(job, i, a->f);
-        a->step =
-            (uint32_t)((uint64_t)(qtri_wrap64(a->plane.dx + ((uint64_t)1 << (down - 1))) >> down));
+        a->step = (uint32_t)((
+            uint64_t)(qtri_wrap64(a->along.plane.dx + ((uint64_t)1 << (down - 1))) >> down));
     }
     qtri_large_set_run_steps(job);
 }
@@ -503,18 +503,22 @@ static void set_projected(qtri_large_job *job, qtri_large_attribute *a, const in
         const uint64_t part = qtri_mul_u32(a->f[k], (uint32_t)q_q8[k] & 0xFF) >> 8;
         product[k] = (int64_t)((whole + part + 0x800000u) >> 24);
     }
-    qtri_large_plane_init(&a->plane, job, product, job->q_up);
+    qtri_large_plane_init(&a->along.plane, job, product, job->q_up);
 }
 
-void qtri_large_set_planes(qtri_large *t)
+bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3])
 {
-    qtri_large_job *job = qtri_large_job_of(t);
-    int64_t q_q8[3];
     set_q(job, q_q8);
-    if (t->state->is_linear || !needs_perspective(job)) {
-        set_linear_planes(job);
-        return;
+    job->is_quadratic = false;
+    if (!job->t.state->is_linear && needs_perspective(job)) {
+        return false;
     }
+    set_linear_planes(job);
+    return true;
+}
+
+void qtri_large_set_curved(qtri_large_job *job, const int64_t q_q8[3])
+{
     qtri_large_use_weights(job, job->is_true);
     qtri_large_plane_init(&job->q, job, q_q8, 0);
     job->q_up = (uint8_t)room_above(job);
@@ -527,4 +531,13 @@ void qtri_large_set_planes(qtri_large *t)
     job->t.is_bent = true;
     job->zeros = 0;
     qtri_large_set_lengths(job);
+}
+
+void qtri_large_set_planes(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    int64_t q_q8[3];
+    if (!qtri_large_set_linear(job, q_q8)) {
+        qtri_large_set_curved(job, q_q8);
+    }
 }

@@ -68,6 +68,9 @@ typedef struct qtri_large_job {
     qtri_large_plane q;
     int32_t plane_y;                              /* of planes' rows */
     bool is_curved;                               /* planes are times q */
+    bool is_quadratic;                            /* colours are quadratics */
+    uint8_t quadratic_log2;                       /* pixels of a piece of these */
+    uint32_t weight_q30[2][3];                    /* as weights, of these */
     bool may_be_level;                            /* q hardly changes along rows: by `steep` */
     uint32_t steep;                               /* 2^-16 a pixel */
     int8_t steps_log2;                            /* of pieces that steps are for */
@@ -173,6 +176,11 @@ void qtri_large_plane_of(qtri_large_plane *p, const qtri_large_job *job, const u
 void qtri_large_ramp_init(qtri_large_ramp *ramp, const qtri_large_job *job, const int64_t f_q8[3],
                           int32_t down);
 
+/* Linear planes where perspective cannot be seen, else false and 1/w of the vertices; then its
+   planes. */
+bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3]);
+void qtri_large_set_curved(qtri_large_job *job, const int64_t q_q8[3]);
+
 /* In large_pieces.c: planes go on to the job's row. */
 void qtri_large_planes_move(qtri_large_job *job);
 
@@ -200,9 +208,25 @@ void qtri_large_skip_colors(const qtri_options *o, qtri_large_piece *piece, uint
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 
+/* Clamps a chord of `count` pixels to the range of the vertices, at its last pixel too. */
+static inline void qtri_large_clamp_chord(const qtri_large_attribute *a, uint32_t *at,
+                                          uint32_t *step, int32_t count)
+{
+    const int32_t min = (int32_t)a->start, max = (int32_t)(a->start + a->most - a->least);
+    const int32_t from = qtri_hold32((int32_t)*at, min, max);
+    const int32_t end = from + (int32_t)*step * (count - 1);
+    const int32_t to = qtri_hold32(end, min, max);
+    if (to != end && count > 1) { /* rare */
+        *step = (uint32_t)((to - from) / (count - 1));
+    }
+    *at = (uint32_t)from;
+}
+
 /* In large_curves.c: how far points are apart. Then rows: sets job->is_level, and steps along the
    row if it is; planes are the row's. */
 void qtri_large_set_lengths(qtri_large_job *job);
+/* By how much, n.16, colours may stray for going along chords: 2^this, 1/4 of a step. */
+int32_t qtri_large_chord_bound_log2(const qtri_large_job *job);
 bool qtri_large_begin_level(qtri_large_job *job);
 
 #endif
