@@ -47,6 +47,13 @@ struct qtri_depth_shift {
 
 extern const qtri_pipeline *const qtri_pipelines_fog[];
 
+/* How the share, Q16, that fog leaves follows from the distance and two numbers. */
+typedef int64_t (*qtri_fog_law)(q16 z, q16 a, q16 b);
+
+/* Sets the shares of a fog by a law. They change between the distances z0 and z1. */
+void qtri_fog_set(qtri_fog *fog, qtri_fog_range range, q16 z0, q16 z1, qtri_fog_law share, q16 a,
+                  q16 b);
+
 /* Of a material. */
 const qtri_shading *qtri_shading_of(const qtri_material *material);
 bool qtri_is_smooth(const qtri_material *material);

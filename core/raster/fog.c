@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Fog by the distance from the eye. */
+/* Fog by the distance from the eye: the table of its shares, and what is read from it. */
 #include "qtri/blend.h"
 #include "qtri/body/state.h"
-#include "qtri/error.h"
-#include "qtri/q16_exp.h"
 
 #include "../bits/bits.h"
 #include "descriptions.h"
@@ -70,10 +68,7 @@ static uint32_t t_of(qtri_fog_range range, q16 z)
     return part < WHOLE ? (uint32_t)part : WHOLE;
 }
 
-/* How the share, Q16, follows from the distance and two numbers. */
-typedef int64_t (*law)(q16 z, q16 a, q16 b);
-
-static void set_shares(qtri_fog *fog, qtri_fog_range range, law share, q16 a, q16 b)
+static void set_shares(qtri_fog *fog, qtri_fog_range range, qtri_fog_law share, q16 a, q16 b)
 {
     const int32_t most = (int32_t)31 << 16;
     for (int32_t i = 0; i < QTRI_FOG_STEPS; i++) {
@@ -89,15 +84,12 @@ static void set_shares(qtri_fog *fog, qtri_fog_range range, law share, q16 a, q1
     }
 }
 
-/* Shares change between the distances z0 and z1. */
-static void begin(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 z0, q16 z1)
+void qtri_fog_set(qtri_fog *fog, qtri_fog_range range, q16 z0, q16 z1, qtri_fog_law share, q16 a,
+                  q16 b)
 {
-    const uint32_t rgb = (uint32_t)color.r << 16 | (uint32_t)color.g << 8 | color.b;
-    fog->is_set = true;
-    fog->color = rgb;
-    fog->pipelines = QTRI_BROUGHT_LIST(qtri_pipelines_fog);
     const uint32_t t0 = t_of(range, z1);
     const uint32_t t1 = t_of(range, z0);
+    fog->is_set = true;
     fog->first = t0;
     fog->step_bits = 0;
     if (range.orthographic || t1 >> 2 <= t0) {
@@ -106,53 +98,7 @@ static void begin(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 z0, q
             fog->step_bits++;
         }
     }
-}
-
-static int64_t linear(q16 z, q16 start, q16 end)
-{
-    if (end <= start) {
-        return z <= start ? Q16_ONE : 0;
-    }
-    const int64_t rest = (int64_t)end - z;
-    const uint64_t share = quotient(qtri_magnitude64(rest), (uint64_t)((int64_t)end - start), 16);
-    return rest < 0 ? -(int64_t)share : (int64_t)share;
-}
-
-static int64_t exponential(q16 z, q16 density, q16 unused)
-{
-    (void)unused;
-    return q16_exp(-q16_mul(density, z));
-}
-
-static int64_t squared(q16 z, q16 density, q16 unused)
-{
-    const q16 x = q16_mul(density, z);
-    (void)unused;
-    return q16_exp(-q16_mul(x, x));
-}
-
-void qtri_fog_linear(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 start, q16 end)
-{
-    QTRI_ASSERT(fog != NULL);
-    begin(fog, color, range, start, end);
-    set_shares(fog, range, linear, start, end);
-}
-
-/* e^-8 is less than half of 1/1024. */
-void qtri_fog_exp(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 density)
-{
-    QTRI_ASSERT(fog != NULL);
-    density = qtri_greatest32(density, 0);
-    begin(fog, color, range, 0, density == 0 ? INT32_MAX : q16_div((q16)8 * Q16_ONE, density));
-    set_shares(fog, range, exponential, density, 0);
-}
-
-void qtri_fog_exp2(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 density)
-{
-    QTRI_ASSERT(fog != NULL);
-    density = qtri_greatest32(density, 0);
-    begin(fog, color, range, 0, density == 0 ? INT32_MAX : q16_div((q16)3 * Q16_ONE, density));
-    set_shares(fog, range, squared, density, 0);
+    set_shares(fog, range, share, a, b);
 }
 
 /* What fog leaves of a colour -------------------------------------------------------------------

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Lines on RGB565, with linear16 depth and "less", or without depth, and spans of smooth strokes
- * with linear16 depth and "less"; and the lists of all pipelines of lines and of strokes.
+ * with linear16 depth and "less"; the lists of all pipelines of lines and of strokes, and what
+ * chooses from that of lines.
  */
+#include "checked_material.h"
+#include "large_setup.h"
 #include "line_path.h"
 
 /* In place where the line is short and lit by the table, by `o`: most of a wireframe. `draw` is for
@@ -94,3 +97,51 @@ static const qtri_pipeline span_less = {
     .span = draw_span};
 
 const qtri_pipeline *const qtri_stroke_pipelines[] = {&span_less, &qtri_stroke_any, NULL};
+
+/* What chooses from the list of lines: calls lead from here to line.c and never back. */
+
+void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
+                        const qtri_material *material, qtri_stroke_target *to)
+{
+    (void)qtri_stroke_target_init(to, surface, material, qtri_line_pipelines, 255, false);
+    const qtri_rect *bounds = &to->state.bounds;
+    job->to = to;
+    job->draw = to->state.pipeline->line;
+    if (job->draw == NULL || (qtri_tests_depth(&to->state.options) &&
+                              to->state.surface->pitch != to->state.depth_pitch)) {
+        job->draw = qtri_line_any.line; /* nothing is drawn, or pixels and depths are not paired */
+    }
+    job->left_24p8 = bounds->x0 * 256;
+    job->top_24p8 = bounds->y0 * 256;
+    job->width_24p8 = (uint32_t)(bounds->x1 - bounds->x0) * 256;
+    job->height_24p8 = (uint32_t)(bounds->y1 - bounds->y0) * 256;
+    job->depth_mask = ~0xFFu;
+    switch (qtri_kind_of(&to->state.options)) {
+    case QTRI_IN_565:
+        job->packing = QTRI_PACK_565;
+        break;
+    case QTRI_IN_GRAY:
+        job->packing = QTRI_PACK_ONE;
+        break;
+    default:
+        job->packing = QTRI_PACK_888;
+        break;
+    }
+}
+
+void qtri_raster_line(const qtri_surface *surface, const qtri_material *material,
+                      const qtri_screen_vertex v[2])
+{
+    QTRI_CHECK(qtri_check_surface(surface));
+    QTRI_CHECK(qtri_check_material(material));
+    QTRI_ASSERT(v != NULL);
+    qtri_line_job job;
+    qtri_stroke_target to;
+    qtri_vertex end[2];
+    qtri_line_color color[2];
+    qtri_line_job_init(&job, surface, material, &to);
+    job.depth_mask = UINT32_MAX;
+    qtri_line_end(&end[0], color[0], &v[0]);
+    qtri_line_end(&end[1], color[1], &v[1]);
+    job.draw(&job, &end[0], &end[1], (const qtri_line_color *)color);
+}

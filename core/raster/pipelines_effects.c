@@ -3,8 +3,11 @@
  * Blends and fog, with pipelines for RGB565 with those that are used most: for
  * depths that are read only, as most that is seen through is drawn, and for others.
  */
+#include "qtri/error.h"
 #include "qtri/pipeline_make.h"
+#include "qtri/q16_exp.h"
 
+#include "../bits/bits.h"
 #include "descriptions.h"
 
 #define LESS                                                                                       \
@@ -102,3 +105,61 @@ const qtri_pipeline *const qtri_pipelines_fog[] = {&qtri_pipeline_fog,
                                                    &qtri_pipeline_fog_texture_lit,
                                                    &qtri_pipeline_fog_texture_white,
                                                    NULL};
+
+/* Describes all of a fog but its shares. */
+static void begin_fog(qtri_fog *fog, qtri_rgb color)
+{
+    fog->color = (uint32_t)color.r << 16 | (uint32_t)color.g << 8 | color.b;
+    fog->pipelines = QTRI_BROUGHT_LIST(qtri_pipelines_fog);
+}
+
+static int64_t linear(q16 z, q16 start, q16 end)
+{
+    if (end <= start) {
+        return z <= start ? Q16_ONE : 0;
+    }
+    bool unused;
+    const int64_t rest = (int64_t)end - z;
+    const uint64_t share =
+        qtri_divide64(qtri_magnitude64(rest), (uint64_t)((int64_t)end - start), 16, &unused);
+    return rest < 0 ? -(int64_t)share : (int64_t)share;
+}
+
+static int64_t exponential(q16 z, q16 density, q16 unused)
+{
+    (void)unused;
+    return q16_exp(-q16_mul(density, z));
+}
+
+static int64_t squared(q16 z, q16 density, q16 unused)
+{
+    const q16 x = q16_mul(density, z);
+    (void)unused;
+    return q16_exp(-q16_mul(x, x));
+}
+
+void qtri_fog_linear(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 start, q16 end)
+{
+    QTRI_ASSERT(fog != NULL);
+    begin_fog(fog, color);
+    qtri_fog_set(fog, range, start, end, linear, start, end);
+}
+
+/* e^-8 is less than half of 1/1024. */
+void qtri_fog_exp(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 density)
+{
+    QTRI_ASSERT(fog != NULL);
+    density = qtri_greatest32(density, 0);
+    begin_fog(fog, color);
+    qtri_fog_set(fog, range, 0, density == 0 ? INT32_MAX : q16_div((q16)8 * Q16_ONE, density),
+                 exponential, density, 0);
+}
+
+void qtri_fog_exp2(qtri_fog *fog, qtri_rgb color, qtri_fog_range range, q16 density)
+{
+    QTRI_ASSERT(fog != NULL);
+    density = qtri_greatest32(density, 0);
+    begin_fog(fog, color);
+    qtri_fog_set(fog, range, 0, density == 0 ? INT32_MAX : q16_div((q16)3 * Q16_ONE, density),
+                 squared, density, 0);
+}
