@@ -290,6 +290,7 @@ QTRI_NOINLINE static void find_nearest(qtri_stroker *stroker)
         for (uint32_t bits = w->shared; bits != 0; bits &= bits - 1) {
             const int32_t i = 31 - qtri_clz32(bits & (0 - bits));
             const uint64_t square = qtri_stroke_shape_distance(s, w->coverage.x + i, w->row);
+            // NOLINTNEXTLINE(clang-analyzer-core.*): bits of columns of the window
             if (square < min[i]) {
                 min[i] = square;
                 w->part[i] = s->part;

@@ -337,6 +337,7 @@ static void unite_columns(qtri_stroker *stroker, int32_t first, int32_t end)
     }
     int32_t sum = 0;
     for (int32_t i = first; i < end; i++) {
+        // NOLINTNEXTLINE(clang-analyzer-core.*): first < end, so that all are 0 above
         sum += c.sum[i - first];
         w->cover[i] = qtri_hold32(sum, 0, FULL);
     }
