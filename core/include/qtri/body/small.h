@@ -168,6 +168,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
     w->y = p->row;
     w->z = p->z.at + QTRI_DEPTH_HALF;
     w->z_step = p->z.dx;
+    /* NOLINTBEGIN(clang-analyzer-core.uninitialized.Assign): what options ask for is set */
     w->c = varies ? rows->c.at : 0;
     w->c_step = varies ? rows->c.dx : 0;
     w->g = two_words ? rows->g.at : 0;
@@ -178,6 +179,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
     w->v_step = textured ? rows->v.dx : 0;
     w->alpha = o->vertex_alpha ? rows->alpha.at : 0;
     w->alpha_step = o->vertex_alpha ? rows->alpha.dx : 0;
+    /* NOLINTEND(clang-analyzer-core.uninitialized.Assign) */
     w->fog = 0;
     w->fog_step = 0;
     for (;;) {
