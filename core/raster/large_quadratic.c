@@ -27,7 +27,7 @@ static inline int32_t mul_q30(int32_t a, int32_t b)
 static int32_t middle_of(uint32_t q0, uint32_t q1)
 {
     const uint32_t sum = (q0 >> 1) + (q1 >> 1);
-    const int32_t zeros = qtri_clz32(sum);
+    const int32_t zeros = qtri_clz32(sum | 1); /* 2^29 or more, as is_near() asks */
     const uint32_t r = (uint32_t)qtri_reciprocal_below(sum << zeros);
     return (int32_t)(qtri_mul_u32(q1 >> 1, r) >> (32 - zeros));
 }
