@@ -24,7 +24,7 @@ typedef struct qtri_coverage {
 } qtri_coverage;
 
 /* An edge that may pass through several columns; see qtri_coverage_add. */
-void qtri_coverage_add_wide(qtri_coverage *coverage, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
+void qtri_coverage_add_wide(qtri_coverage *w, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
                             int32_t winding);
 
 /* `height` of an edge, with its sign, whose ends are `ends` in 1/256 behind the column's side. */

@@ -4,4 +4,4 @@
  * pipelines, and a mesh of any kind.
  */
 #define APP_DEFAULT
-#include "app_textured.c"
+#include "app_textured.c" // NOLINT(bugprone-suspicious-include): the program but for its list

@@ -59,15 +59,15 @@ typedef struct bench_scene {
     uint32_t lights;   /* not 0: so many sources, and highlights, in place of the light */
     bench_smooth smooth;
     uint32_t characters; /* that are painted */
+    uint32_t calls; /* not 0: the mesh so often, 8 to a row of the screen, each turned otherwise */
+    bool white;     /* the material's colour, which then leaves texels in light alone */
     bool wireframe, without_depth, fog;
     bool dull;           /* lights, but no highlights */
     bool textured;       /* REPLACE on quads, MODULATE on meshes */
     bool thin;           /* a wireframe of smooth lines */
     bool points, hidden; /* points for a polyline; a wireframe without hidden lines */
     bool chart;          /* a polyline of 160 points */
-    uint32_t calls; /* not 0: the mesh so often, 8 to a row of the screen, each turned otherwise */
-    bool white;     /* the material's colour, which then leaves texels in light alone */
-    bool rolling;   /* bands that keep their halo */
+    bool rolling;        /* bands that keep their halo */
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
